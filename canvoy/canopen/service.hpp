@@ -20,6 +20,7 @@
 namespace canvoy {
 
 struct ChangedPlaces;
+struct Domain;
 struct Entry;
 struct Error;
 struct Frame;
@@ -51,6 +52,7 @@ struct ServiceEvent {
     before_read,   ///< it may refresh the value, or refuse
     before_write,  ///< it may refuse the new value
     after_write,
+    domain_wanted,  ///< who has the content of a domain says so by serve()
   };
 
   Kind kind;
@@ -74,6 +76,11 @@ struct ServiceEvent {
   std::span<const std::uint8_t> value() const { return {data, number}; }
   bool is_access() const { return kind >= before_read; }
 
+  /// With the domain in place of the entry that was asked for.
+  void serve(const Domain& domain) {
+    subject = &domain;
+    answer = 1;
+  }
   void refuse(AbortCode code) { answer = static_cast<std::uint32_t>(code); }
   void want() { answer = 1; }
 };
@@ -133,11 +140,14 @@ class NodeService {
   std::uint16_t can_id_ = 0;
 };
 
-/// What a class of services does when objects from `first` to `last` are accessed from the bus.
-/// Each function takes the service first, and is as Hook has it; null: nothing.
+/// What a class of services does when objects from `first` to `last` are accessed from the bus, by
+/// default at any sub-index. Each function takes the service first, and is as Hook has it; null:
+/// nothing.
 struct HookCalls {
   std::uint16_t first = 0;
   std::uint16_t last = 0;
+  std::uint8_t sub_first = 0;
+  std::uint8_t sub_last = 0xFF;
   AbortCode (*before_read)(void*, const Entry&) = nullptr;
   AbortCode (*before_write)(void*, const Entry&, std::span<const std::uint8_t> value) = nullptr;
   void (*after_write)(void*, const Entry&, Source) = nullptr;
@@ -159,14 +169,22 @@ struct ServiceCalls {
 /// Ties such a table to its service, which owns it.
 class ServiceLink : public NodeService {
  public:
-  constexpr ServiceLink(const ServiceCalls* calls, void* service)
-      : NodeService({told, 0, 0xFFFF}, Cares::for_values), calls_(calls), service_(service) {}
+  /// `shift` is added to the indices of the table: of objects that a device may have in one of
+  /// several blocks.
+  constexpr ServiceLink(const ServiceCalls* calls, void* service, std::uint16_t shift = 0)
+      : NodeService({told, 0, 0xFFFF}, Cares::for_values),
+        shift_(shift),
+        calls_(calls),
+        service_(service) {}
 
  private:
   friend class Dictionary;
 
   static void told(NodeService& link, ServiceEvent& event);
+  bool covers_object(std::uint16_t index) const;
+  AbortCode answer(const ServiceEvent& access) const;
 
+  std::uint16_t shift_;
   const ServiceCalls* calls_;
   void* service_;
 };

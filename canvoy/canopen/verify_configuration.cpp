@@ -23,9 +23,10 @@ bool is_dynamic_channel(const Entry& entry) {
 
 constexpr HookCalls VerifyConfiguration::hook_calls = {
     .first = 0x0000, .last = 0xFFFF, .after_write = method<&VerifyConfiguration::after_write>};
+constexpr ServiceCalls VerifyConfiguration::service_calls = {.hooks = {&hook_calls, 1}};
 
 VerifyConfiguration::VerifyConfiguration(Node& node) : node_(node) {
-  node_.dictionary().attach(hook_);
+  node_.attach(service_);
 }
 
 bool VerifyConfiguration::is_configuration(const Entry& entry) {

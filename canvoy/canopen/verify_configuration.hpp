@@ -25,9 +25,10 @@ class VerifyConfiguration {
   void after_write(const Entry& entry, Source source);
 
   static const HookCalls hook_calls;
+  static const ServiceCalls service_calls;
 
   Node& node_;
-  HookLink hook_{{&hook_calls, 1}, this};
+  ServiceLink service_{&service_calls, this};
 };
 
 }  // namespace canvoy

@@ -37,9 +37,10 @@ constexpr bool fits(std::uint64_t value, unsigned bits) {
 
 }  // namespace
 
+constexpr ServiceCalls PdoAccess::service_calls = {.reset = method<&PdoAccess::reset>};
+
 PdoAccess::PdoAccess(GatewayDevice& device, std::uint16_t net, Received received)
     : device_(device), net_(net), received_(std::move(received)) {
-  service_.reset = Callback<void(ResetScope)>::to<&PdoAccess::reset>(*this);
   device_.node().attach(service_);
   device_.rpdos().received = Callback<void(std::uint16_t)>::to<&PdoAccess::received>(*this);
 }

@@ -79,7 +79,8 @@ class PdoAccess {
   Pdos tpdos_;
   std::vector<Reading> readings_;
   Timer timer_{Callback<void(Time)>::to<&PdoAccess::expired>(*this)};
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
 };
 
 }  // namespace canvoy::gateway

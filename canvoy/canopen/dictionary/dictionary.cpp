@@ -98,41 +98,24 @@ bool contains(const ObjectRow& row, std::uint16_t index) {
   return (index * 0x9E37'79B9U) >> 28;
 }
 
-template <class Range>
-bool covers(const Range& range, std::uint16_t index) {
-  return index >= range.first && index <= range.last;
-}
-
-/// To a hook of an application.
-AbortCode put_to(const Hook& hook, const ServiceEvent& access) {
-  if (access.kind == ServiceEvent::before_read) return hook.before_read(access.entry());
-  if (access.kind == ServiceEvent::before_write) {
-    return hook.before_write(access.entry(), access.value());
-  }
-  hook.after_write(access.entry(), access.source());
-  return AbortCode::none;
+bool covers(const HookCalls& calls, std::uint16_t index) {
+  return index >= calls.first && index <= calls.last;
 }
 
 AbortCode put_to(const HookCalls& calls, void* service, const ServiceEvent& access) {
   const Entry& entry = access.entry();
-  if (access.kind == ServiceEvent::before_read) {
-    return calls.before_read == nullptr ? AbortCode::none : calls.before_read(service, entry);
+  switch (access.kind) {
+    case ServiceEvent::before_read:
+      return calls.before_read == nullptr ? AbortCode::none : calls.before_read(service, entry);
+    case ServiceEvent::before_write:
+      return calls.before_write == nullptr ? AbortCode::none
+                                           : calls.before_write(service, entry, access.value());
+    case ServiceEvent::after_write:
+      if (calls.after_write != nullptr) calls.after_write(service, entry, access.source());
+      return AbortCode::none;
+    default:
+      return AbortCode::none;
   }
-  if (access.kind == ServiceEvent::before_write) {
-    return calls.before_write == nullptr ? AbortCode::none
-                                         : calls.before_write(service, entry, access.value());
-  }
-  if (calls.after_write != nullptr) calls.after_write(service, entry, access.source());
-  return AbortCode::none;
-}
-
-AbortCode put_to(std::span<const HookCalls> hooks, void* service, const ServiceEvent& access) {
-  for (const HookCalls& calls : hooks) {
-    if (!covers(calls, access.entry().index)) continue;
-    const AbortCode answer = put_to(calls, service, access);
-    if (answer != AbortCode::none) return answer;
-  }
-  return AbortCode::none;
 }
 
 template <class Number>
@@ -225,19 +208,13 @@ std::uint32_t Dictionary::tell(ServiceEvent::Kind kind, std::uint32_t number,
   return tell(event);
 }
 
-/// Hooks of the application are asked before the services.
 std::uint32_t Dictionary::tell(ServiceEvent& event) const {
   // A link could be told of any object, and has hooks for a few: on a host that is seen here, for a
   // node has many links.
   const auto has_hook = [&event](const NodeService& service) {
     if (is_small_machine || service.listener_.told != &ServiceLink::told) return true;
-    const std::uint16_t index = event.entry().index;
-    for (const HookCalls& calls : static_cast<const ServiceLink&>(service).calls_->hooks) {
-      if (canvoy::covers(calls, index)) return true;
-    }
-    return false;
+    return static_cast<const ServiceLink&>(service).covers_object(event.entry().index);
   };
-  if (event.is_access() && others_ != nullptr) event.refuse(others_->ask(*this, event));
   for (NodeService* service = services_; service != nullptr; service = service->next_) {
     if (event.is_access()) {
       if (event.answer != 0) break;
@@ -250,23 +227,30 @@ std::uint32_t Dictionary::tell(ServiceEvent& event) const {
   return event.answer;
 }
 
-AbortCode Dictionary::ask_others(const Dictionary& self, const ServiceEvent& access) {
-  AbortCode answer = AbortCode::none;
-  for (const Hook* hook = self.hooks_; hook != nullptr && answer == AbortCode::none;
-       hook = hook->next) {
-    if (covers(*hook, access.entry().index)) answer = put_to(*hook, access);
+bool ServiceLink::covers_object(std::uint16_t index) const {
+  const auto in_table = static_cast<std::uint16_t>(index - shift_);
+  return std::ranges::any_of(
+      calls_->hooks, [&](const HookCalls& calls) { return canvoy::covers(calls, in_table); });
+}
+
+/// The first refusal among its hooks.
+AbortCode ServiceLink::answer(const ServiceEvent& access) const {
+  const Entry& entry = access.entry();
+  const auto in_table = static_cast<std::uint16_t>(entry.index - shift_);
+  for (const HookCalls& calls : calls_->hooks) {
+    if (!canvoy::covers(calls, in_table)) continue;
+    if (entry.sub < calls.sub_first || entry.sub > calls.sub_last) continue;
+    const AbortCode answer = put_to(calls, service_, access);
+    if (answer != AbortCode::none) return answer;
   }
-  for (const HookLink* link = self.links_; link != nullptr && answer == AbortCode::none;
-       link = link->next) {
-    answer = put_to(link->hooks, link->service, access);
-  }
-  return answer;
+  return AbortCode::none;
 }
 
 /// What its table says of the event.
 void ServiceLink::told(NodeService& link, ServiceEvent& event) {
-  const ServiceCalls& calls = *static_cast<ServiceLink&>(link).calls_;
-  void* const service = static_cast<ServiceLink&>(link).service_;
+  const ServiceLink& self = static_cast<ServiceLink&>(link);
+  const ServiceCalls& calls = *self.calls_;
+  void* const service = self.service_;
   const auto call = [service](auto function, auto... arguments) {
     if (function != nullptr) function(service, arguments...);
   };
@@ -288,7 +272,24 @@ void ServiceLink::told(NodeService& link, ServiceEvent& event) {
     case ServiceEvent::before_read:
     case ServiceEvent::before_write:
     case ServiceEvent::after_write:
-      return event.refuse(put_to(calls.hooks, service, event));
+      return event.refuse(self.answer(event));
+    default:
+      return;
+  }
+}
+
+void Hook::Link::told(NodeService& link, ServiceEvent& event) {
+  const Hook& hook = *static_cast<Link&>(link).hook_;
+  switch (event.kind) {
+    case ServiceEvent::before_read:
+      return event.refuse(hook.before_read(event.entry()));
+    case ServiceEvent::before_write:
+      return event.refuse(hook.before_write(event.entry(), event.value()));
+    case ServiceEvent::after_write:
+      return hook.after_write(event.entry(), event.source());
+    case ServiceEvent::domain_wanted:
+      if (hook.domain != nullptr) event.serve(*hook.domain);
+      return;
     default:
       return;
   }
@@ -414,15 +415,11 @@ std::uint32_t Dictionary::word(std::uint16_t index) const {
   return word(index, 0);
 }
 
-const Domain* Dictionary::find_domain(const Dictionary& self, const Entry& entry) {
+const Domain* Dictionary::domain(const Entry& entry) const {
   if (!entry.is_hooked()) return nullptr;
-  for (const Hook* hook = self.hooks_; hook != nullptr; hook = hook->next) {
-    if (covers(*hook, entry.index) && hook->domain != nullptr) return hook->domain;
-  }
-  return nullptr;
+  ServiceEvent event{.kind = ServiceEvent::domain_wanted, .subject = &entry};
+  return tell(event) == 0 ? nullptr : static_cast<const Domain*>(event.subject);
 }
-
-constexpr Dictionary::Others Dictionary::others = {.ask = ask_others, .domain = find_domain};
 
 void Dictionary::watch(const Entry& entry, std::uint32_t watchers) {
   if constexpr (is_small_machine) return;
@@ -438,15 +435,21 @@ void Dictionary::unwatch(std::uint32_t watchers) {
   ++revision_.value;
 }
 
-void Dictionary::attach(HookLink& link) {
-  link.next = links_;
-  links_ = &link;
-  others_ = &others;
-  mark_hooked(link.hooks);
+void Dictionary::attach(Hook& hook) {
+  NodeService& link = hook.link;
+  link.listener_.first = hook.first;
+  link.listener_.last = hook.last;
+  link.next_ = services_;
+  if (services_ == nullptr) last_ = &link.next_;
+  services_ = &link;
+  mark_hooked(hook.first, hook.last);
 }
 
-void Dictionary::mark_hooked(std::span<const HookCalls> hooks) {
-  for (const HookCalls& calls : hooks) mark_hooked(calls.first, calls.last);
+void Dictionary::mark_hooked(const ServiceLink& service) {
+  for (const HookCalls& calls : service.calls_->hooks) {
+    mark_hooked(static_cast<std::uint16_t>(calls.first + service.shift_),
+                static_cast<std::uint16_t>(calls.last + service.shift_));
+  }
 }
 
 void Dictionary::mark_hooked(std::uint16_t first, std::uint16_t last) {

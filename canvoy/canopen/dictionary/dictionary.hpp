@@ -229,9 +229,9 @@ struct Domain {
   const DomainTransfer* transfer = &DomainTransfer::calls;
 };
 
-/// What an object does when it is accessed. It is called for all objects of a range that are in the
-/// dictionary, for accesses from the bus (SDO, PDO) only. The owner keeps it alive as long as the
-/// dictionary.
+/// What HookCalls says of a class, of one object and at run time: for applications. It is called
+/// for all objects of a range that are in the dictionary, for accesses from the bus (SDO, PDO)
+/// only. The owner keeps it alive as long as the dictionary.
 struct Hook {
   std::uint16_t first = 0;
   std::uint16_t last = 0;
@@ -243,14 +243,19 @@ struct Hook {
   Callback<AbortCode(const Entry&, std::span<const std::uint8_t> value)> before_write = {};
   Callback<void(const Entry&, Source)> after_write = {};
   const Domain* domain = nullptr;
-  Hook* next = nullptr;
-};
 
-/// Ties the hooks of a service to its object. Owned by the service.
-struct HookLink {
-  std::span<const HookCalls> hooks;
-  void* service = nullptr;
-  HookLink* next = nullptr;
+  /// Its place among the services of the node.
+  class Link : public NodeService {
+   public:
+    explicit Link(const Hook* hook)
+        : NodeService({told}, Cares::for_nothing_frequent), hook_(hook) {}
+
+   private:
+    static void told(NodeService& link, ServiceEvent& event);
+
+    const Hook* hook_;
+  };
+  Link link{this};
 };
 
 class Dictionary {
@@ -335,18 +340,10 @@ class Dictionary {
   std::uint64_t default_number(const Entry& entry) const;
 
   /// The callbacks of a domain entry; null where nobody serves it.
-  const Domain* domain(const Entry& entry) const {
-    return others_ == nullptr ? nullptr : others_->domain(*this, entry);
-  }
+  const Domain* domain(const Entry& entry) const;
 
-  /// Linear in the number of rows.
-  void attach(Hook& hook) {
-    others_ = &others;
-    hook.next = hooks_;
-    hooks_ = &hook;
-    mark_hooked(hook.first, hook.last);
-  }
-  void attach(HookLink& link);
+  /// It is asked and told before all that are attached already. Linear in the number of rows.
+  void attach(Hook& hook);
   /// Services are asked and told in the order in which they were attached. See Node::attach().
   constexpr void attach(NodeService& service) {
     append(service);
@@ -360,7 +357,7 @@ class Dictionary {
   constexpr void attach(ServiceLink& service) {
     append(service);
     if (!is_small_machine && service.calls_->values_changed != nullptr) append_frequent(service);
-    if (!is_small_machine && !service.calls_->hooks.empty()) mark_hooked(service.calls_->hooks);
+    if (!is_small_machine && !service.calls_->hooks.empty()) mark_hooked(service);
   }
   NodeService* services() const { return services_; }
   /// All services, until one refuses: of an access those that cover the object. See ServiceEvent.
@@ -426,7 +423,7 @@ class Dictionary {
   void restore_default(const Entry& entry, std::uint32_t place, std::uint8_t node_id);
   void restore_unwatched(Entry& entry, std::uint32_t place, std::uint8_t node_id);
   void mark_hooked(std::uint16_t first, std::uint16_t last);
-  void mark_hooked(std::span<const HookCalls> hooks);
+  void mark_hooked(const ServiceLink& service);
   constexpr void append(NodeService& service) {
     *last_ = &service;
     last_ = &service.next_;
@@ -441,24 +438,11 @@ class Dictionary {
     NodeService* first = nullptr;
     NodeService* last = nullptr;
   };
-  struct Others {
-    AbortCode (*ask)(const Dictionary&, const ServiceEvent& access);
-    const Domain* (*domain)(const Dictionary&, const Entry&);
-  };
-  static AbortCode ask_others(const Dictionary& self, const ServiceEvent& access);
-  static const Domain* find_domain(const Dictionary& self, const Entry& entry);
-  static const Others others;
-
   static constexpr ObjectRow no_row = {.index = 0, .count = 0};
 
   std::conditional_t<is_small_machine, const DictionaryTables&, const DictionaryTables> tables_;
   std::uint8_t* values_;
   [[no_unique_address]] HostOnly<ObjectState*> states_;
-  Hook* hooks_ = nullptr;
-  HookLink* links_ = nullptr;
-  /// Asks those two. Set with the first of them, so that nothing of it is linked where there is
-  /// none.
-  const Others* others_ = nullptr;
   NodeService* services_ = nullptr;
   NodeService** last_ = &services_;  ///< where the next service is tied
   std::uint32_t changes_ = 0;

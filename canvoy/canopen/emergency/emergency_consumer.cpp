@@ -6,19 +6,18 @@
 
 namespace canvoy {
 
-constexpr ServiceCalls EmergencyConsumer::service_calls = {.reset =
-                                                               method<&EmergencyConsumer::reset>};
 constexpr HookCalls EmergencyConsumer::hook_calls = {
     .first = object_index::emergency_consumers,
     .last = object_index::emergency_consumers,
     .before_write = method<&EmergencyConsumer::check>,
     .after_write = method<&EmergencyConsumer::written>};
+constexpr ServiceCalls EmergencyConsumer::service_calls = {
+    .reset = method<&EmergencyConsumer::reset>, .hooks = {&hook_calls, 1}};
 
 EmergencyConsumer::EmergencyConsumer(Node& node, std::span<Slot> slots)
     : node_(node), slots_(slots) {
   for (Slot& slot : slots_) slot.consumer_ = this;
   node_.attach(service_);
-  node_.dictionary().attach(hook_);
 }
 
 bool EmergencyConsumer::listen(NodeId node_id, std::uint16_t can_id) {

@@ -50,7 +50,6 @@ class EmergencyConsumer {
   static const ServiceCalls service_calls;
   static const HookCalls hook_calls;
   ServiceLink service_{&service_calls, this};
-  HookLink hook_{{&hook_calls, 1}, this};
 };
 
 /// The memory for one node that is heard.

@@ -4,12 +4,14 @@
 
 namespace canvoy {
 
-constexpr ServiceCalls BootManager::service_calls = {
-    .reset = method<&BootManager::reset>, .state_entered = method<&BootManager::state_entered>};
 constexpr HookCalls BootManager::hook_calls[] = {{.first = master_object::nmt_startup,
                                                   .last = master_object::slave_assignment,
                                                   .before_write = method<&BootManager::check>,
                                                   .after_write = method<&BootManager::written>}};
+constexpr ServiceCalls BootManager::service_calls = {
+    .reset = method<&BootManager::reset>,
+    .state_entered = method<&BootManager::state_entered>,
+    .hooks = hook_calls};
 
 BootManager::BootManager(Node& node, NmtMaster& master, NmtQueue& commands, const Memory& memory,
                          const Settings& settings)
@@ -30,7 +32,6 @@ BootManager::BootManager(Node& node, NmtMaster& master, NmtQueue& commands, cons
   master.on_change(Callback<void(NodeId, RemoteState)>::to<&BootManager::changed>(*this));
   commands.on_sent(Callback<void(const NmtQueue::Request&)>::to<&BootManager::command_sent>(*this));
   node_.attach(service_);
-  node_.dictionary().attach(hooks_);
 }
 
 void BootManager::reset(ResetScope) {

@@ -131,7 +131,6 @@ class BootManager {
   static const ServiceCalls service_calls;
   static const HookCalls hook_calls[1];
   ServiceLink service_{&service_calls, this};
-  HookLink hooks_{hook_calls, this};
   NetworkBoot network_ = NetworkBoot::idle;
   bool was_reset_ = false;  ///< and has not begun yet
 };

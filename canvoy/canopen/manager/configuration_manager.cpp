@@ -23,13 +23,13 @@ std::uint32_t expected(const Node& node, std::uint16_t index, NodeId slave) {
 
 }  // namespace
 
-constexpr ServiceCalls ConfigurationManager::service_calls = {
-    .reset = method<&ConfigurationManager::reset>};
 constexpr HookCalls ConfigurationManager::hook_calls = {
     .first = object_index::configure_slave,
     .last = object_index::configure_slave,
     .before_write = method<&ConfigurationManager::before_write>,
     .after_write = method<&ConfigurationManager::after_write>};
+constexpr ServiceCalls ConfigurationManager::service_calls = {
+    .reset = method<&ConfigurationManager::reset>, .hooks = {&hook_calls, 1}};
 
 ConfigurationManager::ConfigurationManager(Node& node, std::span<Worker> workers, Duration time_out)
     : node_(node),
@@ -37,7 +37,6 @@ ConfigurationManager::ConfigurationManager(Node& node, std::span<Worker> workers
       time_out_(time_out),
       timer_(Callback<void(Time)>::to<&ConfigurationManager::begin_waiting>(*this)) {
   node_.attach(service_);
-  node_.dictionary().attach(hook_);
 }
 
 void ConfigurationManager::reset(ResetScope) {

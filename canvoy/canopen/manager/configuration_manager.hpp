@@ -105,7 +105,6 @@ class ConfigurationManager {
   Duration time_out_;
   Done done_;
   ServiceLink service_{&service_calls, this};
-  HookLink hook_{{&hook_calls, 1}, this};
   Timer timer_;                           ///< begins what waits: never from within a call of done
   std::bitset<node_id_max + 1> wanted_;   ///< waiting or under way
   std::bitset<node_id_max + 1> started_;  ///< under way

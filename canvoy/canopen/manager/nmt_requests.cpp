@@ -29,11 +29,12 @@ constexpr HookCalls NmtRequests::hook_calls[] = {{.first = master_object::reques
                                                   .last = master_object::request_guarding,
                                                   .before_read = method<&NmtRequests::refresh>,
                                                   .before_write = method<&NmtRequests::request>}};
+constexpr ServiceCalls NmtRequests::service_calls = {.hooks = hook_calls};
 
 NmtRequests::NmtRequests(Node& node, const NmtMaster& master, NmtQueue& commands,
                          const BootManager& manager, const GuardingHooks& guarding)
     : node_(node), master_(master), commands_(commands), manager_(manager), guarding_(guarding) {
-  node_.dictionary().attach(hooks_);
+  node_.attach(service_);
 }
 
 AbortCode NmtRequests::refresh(const Entry& entry) {

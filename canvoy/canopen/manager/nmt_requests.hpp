@@ -50,7 +50,8 @@ class NmtRequests {
   const BootManager& manager_;
   GuardingHooks guarding_;
   static const HookCalls hook_calls[1];
-  HookLink hooks_{hook_calls, this};
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
 };
 
 }  // namespace canvoy

@@ -18,12 +18,13 @@ std::uint32_t content(const ProgramSlot& slot) {
 
 }  // namespace
 
-constexpr ServiceCalls ProgramServer::service_calls = {.reset = method<&ProgramServer::reset>};
 constexpr HookCalls ProgramServer::hook_calls = {
     .first = program::control,
     .last = program::control,
     .before_write = method<&ProgramServer::before_control>,
     .after_write = method<&ProgramServer::control_written>};
+constexpr ServiceCalls ProgramServer::service_calls = {.reset = method<&ProgramServer::reset>,
+                                                       .hooks = {&hook_calls, 1}};
 
 ProgramServer::ProgramServer(Node& node, const Flash& flash, std::span<ProgramSlot> slots,
                              const ProgramHooks& hooks)
@@ -44,7 +45,6 @@ ProgramServer::ProgramServer(Node& node, const Flash& flash, std::span<ProgramSl
   data_hook_.first = data_hook_.last = program::data;
   data_hook_.domain = &domain_;
   node_.dictionary().attach(data_hook_);
-  node_.dictionary().attach(hook_);
   node_.attach(service_);
 }
 

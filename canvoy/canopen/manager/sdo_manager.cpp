@@ -20,12 +20,14 @@ bool belongs_to(const DynamicSdoRequest& request, const SdoConnection& connectio
 
 }  // namespace
 
-constexpr ServiceCalls SdoManager::service_calls = {
-    .reset = method<&SdoManager::reset>, .state_entered = method<&SdoManager::state_entered>};
 constexpr HookCalls SdoManager::hook_calls = {.first = dynamic_sdo::request,
                                               .last = dynamic_sdo::cob_ids,
                                               .before_write = method<&SdoManager::before_write>,
                                               .after_write = method<&SdoManager::after_write>};
+constexpr ServiceCalls SdoManager::service_calls = {
+    .reset = method<&SdoManager::reset>,
+    .state_entered = method<&SdoManager::state_entered>,
+    .hooks = {&hook_calls, 1}};
 
 SdoManager::SdoManager(Node& node, std::span<SdoConnection> connections, const Settings& settings)
     : node_(node),
@@ -35,7 +37,6 @@ SdoManager::SdoManager(Node& node, std::span<SdoConnection> connections, const S
       writes_(node, client_, settings.time_out, settings.tries),
       timer_(Callback<void(Time)>::to<&SdoManager::work>(*this)) {
   node_.attach(service_);
-  node_.dictionary().attach(hook_);
   node_.router().add(can_id::dynamic_sdo_request, Router::Receiver::to<&SdoManager::called>(*this));
 }
 

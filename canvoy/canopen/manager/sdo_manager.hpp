@@ -131,7 +131,6 @@ class SdoManager {
   SdoClient client_;
   SdoWriteList writes_;
   ServiceLink service_{&service_calls, this};
-  HookLink hook_{{&hook_calls, 1}, this};
   Timer timer_;
   SdoConnection* current_ = nullptr;
   std::bitset<node_id_max + 1> heard_;

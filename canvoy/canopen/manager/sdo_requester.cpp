@@ -19,11 +19,11 @@ constexpr std::uint16_t parameter_of(std::uint8_t client) {
 
 }  // namespace
 
-constexpr ServiceCalls SdoRequester::service_calls = {.state_entered =
-                                                          method<&SdoRequester::state_entered>};
 constexpr HookCalls SdoRequester::hook_calls = {.first = dynamic_sdo::state,
                                                 .last = dynamic_sdo::state,
                                                 .after_write = method<&SdoRequester::after_write>};
+constexpr ServiceCalls SdoRequester::service_calls = {
+    .state_entered = method<&SdoRequester::state_entered>, .hooks = {&hook_calls, 1}};
 
 SdoRequester::SdoRequester(Node& node, const Settings& settings)
     : node_(node),
@@ -31,7 +31,6 @@ SdoRequester::SdoRequester(Node& node, const Settings& settings)
       client_(node, settings.manager_client),
       timer_(Callback<void(Time)>::to<&SdoRequester::expired>(*this)) {
   node_.attach(service_);
-  node_.dictionary().attach(hook_);
 }
 
 bool SdoRequester::available() const {

@@ -90,7 +90,6 @@ class SdoRequester {
   Settings settings_;
   SdoClient client_;
   ServiceLink service_{&service_calls, this};
-  HookLink hook_{{&hook_calls, 1}, this};
   Timer timer_;
   Done done_;
   DynamicSdoRequest wanted_;

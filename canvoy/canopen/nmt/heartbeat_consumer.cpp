@@ -26,19 +26,18 @@ Error loss_of(NodeId node_id) {
 
 }  // namespace
 
-constexpr ServiceCalls HeartbeatConsumer::service_calls = {.reset =
-                                                               method<&HeartbeatConsumer::reset>};
 constexpr HookCalls HeartbeatConsumer::hook_calls = {
     .first = object_index::heartbeat_consumers,
     .last = object_index::heartbeat_consumers,
     .before_write = method<&HeartbeatConsumer::check>,
     .after_write = method<&HeartbeatConsumer::written>};
+constexpr ServiceCalls HeartbeatConsumer::service_calls = {
+    .reset = method<&HeartbeatConsumer::reset>, .hooks = {&hook_calls, 1}};
 
 HeartbeatConsumer::HeartbeatConsumer(Node& node, std::span<Slot> slots, Start start)
     : node_(node), slots_(slots), start_(start) {
   for (Slot& slot : slots_) slot.consumer_ = this;
   node_.attach(service_);
-  node_.dictionary().attach(hook_);
 }
 
 RemoteState HeartbeatConsumer::state(NodeId node_id) const {

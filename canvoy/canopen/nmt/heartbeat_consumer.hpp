@@ -57,7 +57,6 @@ class HeartbeatConsumer {
   static const ServiceCalls service_calls;
   static const HookCalls hook_calls;
   ServiceLink service_{&service_calls, this};
-  HookLink hook_{{&hook_calls, 1}, this};
 };
 
 /// The memory for the supervision of one node.

@@ -4,6 +4,8 @@
 
 namespace canvoy {
 
+constexpr ServiceCalls NmtMaster::service_calls = {.reset = method<&NmtMaster::reset>};
+
 NmtMaster::NmtMaster(Node& node, std::span<RemoteNode, node_id_max> nodes)
     : node_(node), nodes_(nodes) {
   NodeId id = node_id_min;
@@ -13,7 +15,6 @@ NmtMaster::NmtMaster(Node& node, std::span<RemoteNode, node_id_max> nodes)
     node_.router().add(error_control_id(remote.id_),
                        Router::Receiver::to<&RemoteNode::received>(remote));
   }
-  service_.reset = Callback<void(ResetScope)>::to<&NmtMaster::reset>(*this);
   node_.attach(service_);
 }
 

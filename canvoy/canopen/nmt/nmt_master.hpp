@@ -49,7 +49,8 @@ class NmtMaster {
   std::span<RemoteNode, node_id_max> nodes_;
   Callback<void(NodeId, RemoteState)> changed_;
   Callback<void(NodeId, RemoteState)> heard_;
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
 };
 
 /// What the master knows of one node.

@@ -12,8 +12,6 @@ constexpr Error life_guarding_error{.code = emergency_code::heartbeat,
 
 }  // namespace
 
-constexpr ServiceCalls NodeGuardingSlave::service_calls = {.reset =
-                                                               method<&NodeGuardingSlave::reset>};
 constexpr HookCalls NodeGuardingSlave::hook_calls[] = {
     {.first = object_index::guard_time,
      .last = object_index::life_time_factor,
@@ -21,11 +19,12 @@ constexpr HookCalls NodeGuardingSlave::hook_calls[] = {
     {.first = object_index::heartbeat_producer,
      .last = object_index::heartbeat_producer,
      .after_write = method<&NodeGuardingSlave::parameter_written>}};
+constexpr ServiceCalls NodeGuardingSlave::service_calls = {
+    .reset = method<&NodeGuardingSlave::reset>, .hooks = hook_calls};
 
 NodeGuardingSlave::NodeGuardingSlave(Node& node)
     : node_(node), timer_(Callback<void(Time)>::to<&NodeGuardingSlave::expired>(*this)) {
   node_.attach(service_);
-  node_.dictionary().attach(hooks_);
 }
 
 void NodeGuardingSlave::reset(ResetScope) {

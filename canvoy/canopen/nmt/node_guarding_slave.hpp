@@ -39,7 +39,6 @@ class NodeGuardingSlave {
   static const ServiceCalls service_calls;
   static const HookCalls hook_calls[2];
   ServiceLink service_{&service_calls, this};
-  HookLink hooks_{hook_calls, this};
   Timer timer_;
   std::uint16_t can_id_ = 0;  ///< of the remote frames; 0: none
   bool toggle_ = false;       ///< of the next answer

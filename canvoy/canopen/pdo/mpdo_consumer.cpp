@@ -23,9 +23,10 @@ constexpr HookCalls MpdoConsumer::hook_calls[] = {
     {.first = mpdo_list::rpdo_first,
      .last = mpdo_list::rpdo_last,
      .before_write = method<&MpdoConsumer::before_parameter_write>}};
+constexpr ServiceCalls MpdoConsumer::service_calls = {.hooks = hook_calls};
 
 MpdoConsumer::MpdoConsumer(Node& node, Rpdos& rpdos) : node_(node), rpdos_(rpdos) {
-  node_.dictionary().attach(hooks_);
+  node_.attach(service_);
   rpdos_.use(receiver_);
 }
 

@@ -42,7 +42,8 @@ class MpdoConsumer {
   Rpdos& rpdos_;
   MpdoReceiver receiver_ = MpdoReceiver::to<&MpdoConsumer::receive>(*this);
   static const HookCalls hook_calls[2];
-  HookLink hooks_{hook_calls, this};
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
 };
 
 }  // namespace canvoy

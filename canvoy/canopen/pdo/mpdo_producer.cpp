@@ -27,6 +27,7 @@ constexpr HookCalls MpdoProducer::hook_calls[] = {
     {.first = mpdo_list::tpdo_first,
      .last = mpdo_list::tpdo_last,
      .before_write = method<&MpdoProducer::before_parameter_write>}};
+constexpr ServiceCalls MpdoProducer::service_calls = {.hooks = hook_calls};
 constexpr MpdoCalls MpdoProducer::mpdo_calls = {.event = method<&MpdoProducer::event>,
                                                 .transmit = method<&MpdoProducer::transmit>,
                                                 .watch = method<&MpdoProducer::watch>};
@@ -34,7 +35,7 @@ constexpr MpdoCalls MpdoProducer::mpdo_calls = {.event = method<&MpdoProducer::e
 MpdoProducer::MpdoProducer(Node& node, Tpdos& tpdos, std::span<ScannedObject> scanned,
                            std::span<Message> queue)
     : node_(node), tpdos_(tpdos), scanned_(scanned), queue_(queue) {
-  node_.dictionary().attach(hooks_);
+  node_.attach(service_);
   tpdos_.use(source_);
 }
 

@@ -90,9 +90,10 @@ class MpdoProducer {
   std::size_t next_ = 0;    ///< the scanned object whose turn it is
   std::size_t queued_ = 0;  ///< messages that wait
   static const HookCalls hook_calls[2];
+  static const ServiceCalls service_calls;
   static const MpdoCalls mpdo_calls;
   MpdoSource source_{&mpdo_calls, this};
-  HookLink hooks_{hook_calls, this};
+  ServiceLink service_{&service_calls, this};
 };
 
 }  // namespace canvoy

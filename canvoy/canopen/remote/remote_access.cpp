@@ -36,13 +36,14 @@ void RemoteChannel::expired(Time /*now*/) {
   access_->expired(*this);
 }
 
+constexpr ServiceCalls RemoteAccess::service_calls = {
+    .reset = method<&RemoteAccess::reset>, .state_entered = method<&RemoteAccess::state_entered>};
+
 RemoteAccess::RemoteAccess(Node& node, const Port& embedded, std::span<RemoteChannel> channels,
                            const RemoteSettings& settings)
     : node_(node), embedded_(embedded), channels_(channels), settings_(settings) {
   must_hold(settings.indication >= least_free_command);
   for (RemoteChannel& channel : channels) channel.access_ = this;
-  service_.reset = Callback<void(ResetScope)>::to<&RemoteAccess::reset>(*this);
-  service_.state_entered = Callback<void(NmtState)>::to<&RemoteAccess::state_entered>(*this);
   node.attach(service_);
 }
 

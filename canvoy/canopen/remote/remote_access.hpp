@@ -150,7 +150,8 @@ class RemoteAccess {
   std::size_t first_ = 0;
   std::size_t count_ = 0;
   Timer inhibit_{Callback<void(Time)>::to<&RemoteAccess::may_tell>(*this)};
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
 };
 
 /// The frame by which a client says, on its channel to a node, with whom its next transfer is; the

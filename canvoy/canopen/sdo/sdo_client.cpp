@@ -5,12 +5,12 @@
 
 namespace canvoy {
 
-constexpr ServiceCalls SdoClient::service_calls = {.state_entered =
-                                                       method<&SdoClient::state_entered>};
 constexpr HookCalls SdoClient::hook_calls = {.first = sdo_client_parameter,
                                              .last = sdo_client_parameter + sdo_channels_max - 1,
                                              .before_write = method<&SdoClient::before_write>,
                                              .after_write = method<&SdoClient::after_write>};
+constexpr ServiceCalls SdoClient::service_calls = {
+    .state_entered = method<&SdoClient::state_entered>, .hooks = {&hook_calls, 1}};
 
 SdoClient::SdoClient(Node& node, std::optional<std::uint8_t> number)
     : node_(node), watchdog_(node.timers(), Callback<void(Time)>::to<&SdoClient::give_up>(*this)) {
@@ -19,7 +19,6 @@ SdoClient::SdoClient(Node& node, std::optional<std::uint8_t> number)
   const auto index = static_cast<std::uint16_t>(sdo_client_parameter + *number);
   if (!node_.dictionary().find(index, 0)) return;
   parameter_ = index;
-  node_.dictionary().attach(hook_);
 }
 
 bool SdoClient::may_speak() const {

@@ -186,7 +186,6 @@ class SdoClient {
   static const ServiceCalls service_calls;
   static const HookCalls hook_calls;
   ServiceLink service_{&service_calls, this};
-  HookLink hook_{{&hook_calls, 1}, this};
 };
 
 }  // namespace canvoy

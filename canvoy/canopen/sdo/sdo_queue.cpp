@@ -14,8 +14,9 @@ std::optional<std::uint32_t> SdoRequest::announced() const {
   return place.client == nullptr ? std::nullopt : place.client->announced();
 }
 
+constexpr ServiceCalls SdoQueue::service_calls = {.tx_ready = method<&SdoQueue::start_waiting>};
+
 SdoQueue::SdoQueue(Node& node, std::span<Worker> workers) : node_(node), workers_(workers) {
-  service_.tx_ready = Callback<void()>::to<&SdoQueue::start_waiting>(*this);
   node_.attach(service_);
   for (Worker& worker : workers_) worker.queue_ = this;
 }

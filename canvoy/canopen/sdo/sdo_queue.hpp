@@ -118,7 +118,8 @@ class SdoQueue {
 
   Node& node_;
   std::span<Worker> workers_;
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   SdoRequest* first_ = nullptr;
   bool is_starting_ = false;
   bool is_refusing_ = false;  ///< tells a request that it could not begin

@@ -28,10 +28,11 @@ bool is_reached(std::uint16_t index, ResetScope scope) {
 
 }  // namespace
 
-constexpr ServiceCalls Storage::service_calls = {.state_entered = method<&Storage::state_entered>};
 constexpr HookCalls Storage::hook_calls = {.first = object_index::store_parameters,
                                            .last = object_index::restore_parameters,
                                            .before_write = method<&Storage::before_write>};
+constexpr ServiceCalls Storage::service_calls = {.state_entered = method<&Storage::state_entered>,
+                                                 .hooks = {&hook_calls, 1}};
 
 Storage::Storage(Node& node, const Flash& flash, const Settings& settings)
     : node_(node),
@@ -42,7 +43,6 @@ Storage::Storage(Node& node, const Flash& flash, const Settings& settings)
   former_ = node_.on_defaults_restored(
       Callback<void(ResetScope)>::to<&Storage::defaults_restored>(*this));
   node_.attach(service_);
-  node_.dictionary().attach(hook_);
 }
 
 void Storage::defaults_restored(ResetScope scope) {

@@ -9,9 +9,10 @@ constexpr HookCalls HighResolutionTime::hook_calls = {
     .last = object_index::high_resolution_time,
     .before_read = method<&HighResolutionTime::before_read>,
     .after_write = method<&HighResolutionTime::after_write>};
+constexpr ServiceCalls HighResolutionTime::service_calls = {.hooks = {&hook_calls, 1}};
 
 HighResolutionTime::HighResolutionTime(Node& node, Sync* sync) : node_(node) {
-  node_.dictionary().attach(hook_);
+  node_.attach(service_);
   if (sync == nullptr) return;
   listener_.received = Callback<void(std::uint8_t)>::to<&HighResolutionTime::received>(*this);
   sync->attach(listener_);

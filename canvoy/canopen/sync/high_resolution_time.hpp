@@ -36,7 +36,8 @@ class HighResolutionTime {
   Node& node_;
   SyncListener listener_;
   static const HookCalls hook_calls;
-  HookLink hook_{{&hook_calls, 1}, this};
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   Time stamped_at_{};
   std::uint32_t ahead_ = 0;  ///< of the time of the node
   bool stamped_ = false;

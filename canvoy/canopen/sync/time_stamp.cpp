@@ -12,18 +12,18 @@ constexpr Duration since_day_0(const TimeOfDay& time) {
 
 }  // namespace
 
-constexpr ServiceCalls TimeStamp::service_calls = {
-    .reset = method<&TimeStamp::reset>,
-    .state_entered = method<&TimeStamp::state_entered>,
-    .tx_ready = method<&TimeStamp::tx_ready>};
 constexpr HookCalls TimeStamp::hook_calls = {.first = object_index::cob_id_time,
                                              .last = object_index::cob_id_time,
                                              .before_write = method<&TimeStamp::before_write>,
                                              .after_write = method<&TimeStamp::after_write>};
+constexpr ServiceCalls TimeStamp::service_calls = {
+    .reset = method<&TimeStamp::reset>,
+    .state_entered = method<&TimeStamp::state_entered>,
+    .tx_ready = method<&TimeStamp::tx_ready>,
+    .hooks = {&hook_calls, 1}};
 
 TimeStamp::TimeStamp(Node& node)
     : node_(node), timer_(Callback<void(Time)>::to<&TimeStamp::expired>(*this)) {
-  node_.dictionary().attach(hook_);
   node_.attach(service_);
 }
 

@@ -63,7 +63,6 @@ class TimeStamp {
   static const ServiceCalls service_calls;
   static const HookCalls hook_calls;
   ServiceLink service_{&service_calls, this};
-  HookLink hook_{{&hook_calls, 1}, this};
   Timer timer_;
   Callback<void(const TimeOfDay&, Duration)> heard_;
   Time due_{};           ///< of the next TIME that is produced

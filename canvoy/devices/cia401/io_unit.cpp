@@ -1,6 +1,7 @@
 #include "canvoy/devices/cia401/io_unit.hpp"
 
 #include "canvoy/canopen/emergency/error.hpp"
+#include "canvoy/profiles/reactions.hpp"
 
 namespace canvoy::cia401 {
 
@@ -22,6 +23,16 @@ constexpr bool is_one_of_analogue_inputs(std::uint16_t index) {
 
 }  // namespace
 
+constexpr HookCalls IoUnit::hook_calls[] = {
+    before_read<&IoUnit::source_is_read, analogue_input_interrupt_source_object>,
+    {.first = first_index, .last = last_index, .after_write = method<&IoUnit::written>}};
+constexpr ServiceCalls IoUnit::service_calls = {
+    .reset = method<&IoUnit::reset>,
+    .state_entered = method<&IoUnit::state_entered>,
+    .bus_state_changed = method<&IoUnit::bus_state_changed>,
+    .error_changed = method<&IoUnit::error_changed>,
+    .hooks = hook_calls};
+
 IoUnit::IoUnit(Node& node, const IoMemory& memory, const IoHardware& hardware,
                const IoSettings& settings)
     : node_(node),
@@ -33,16 +44,7 @@ IoUnit::IoUnit(Node& node, const IoMemory& memory, const IoHardware& hardware,
                        memory.reals),
       analogue_outputs_(node, memory.has_analogue_outputs, hardware.drive_analogue, memory.reals),
       timer_(Callback<void(Time)>::to<&IoUnit::expired>(*this)) {
-  service_.reset = Callback<void(ResetScope)>::to<&IoUnit::reset>(*this);
-  service_.state_entered = Callback<void(NmtState)>::to<&IoUnit::state_entered>(*this);
-  service_.bus_state_changed = Callback<void(BusState)>::to<&IoUnit::bus_state_changed>(*this);
-  service_.error_changed = Callback<void(const Error&, bool)>::to<&IoUnit::error_changed>(*this);
   node.attach(service_);
-  hook_.first = first_index;
-  hook_.last = last_index;
-  hook_.before_read = Callback<AbortCode(const Entry&)>::to<&IoUnit::before_read>(*this);
-  hook_.after_write = Callback<void(const Entry&, Source)>::to<&IoUnit::written>(*this);
-  node.dictionary().attach(hook_);
 }
 
 void IoUnit::reset(ResetScope) {
@@ -91,11 +93,8 @@ void IoUnit::warn(bool is_operational) {
 
 // Objects.
 
-AbortCode IoUnit::before_read(const Entry& entry) {
-  if (entry.index == analogue_input_interrupt_source_object.index) {
-    analogue_inputs_.source_is_read(entry);
-  }
-  return AbortCode::none;
+void IoUnit::source_is_read(const Entry& entry) {
+  analogue_inputs_.source_is_read(entry);
 }
 
 void IoUnit::written(const Entry& entry, Source) {

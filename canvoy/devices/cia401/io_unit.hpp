@@ -63,7 +63,7 @@ class IoUnit {
   void state_entered(NmtState state);
   void bus_state_changed(BusState state);
   void error_changed(const Error& error, bool present);
-  AbortCode before_read(const Entry& entry);
+  void source_is_read(const Entry& entry);
   void written(const Entry& entry, Source source);
   void expired(Time now);
   void warn(bool is_operational);
@@ -75,8 +75,9 @@ class IoUnit {
   DigitalOutputs digital_outputs_;
   AnalogueInputs analogue_inputs_;
   AnalogueOutputs analogue_outputs_;
-  Service service_;
-  Hook hook_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   Timer timer_;
 };
 

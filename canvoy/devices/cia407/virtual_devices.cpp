@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "canvoy/profiles/reactions.hpp"
+
 namespace canvoy::cia407 {
 
 namespace {
@@ -21,21 +23,19 @@ constexpr std::uint32_t event_word(std::uint8_t code, std::uint16_t information,
 
 }  // namespace
 
-VirtualDevices::VirtualDevices(Node& node)
-    : node_(node),
-      hook_{
-          .first = first_object,
-          .last = last_object,
-          .before_read = Callback<AbortCode(const Entry&)>::to<&VirtualDevices::before_read>(*this),
-          .before_write = Callback<AbortCode(
-              const Entry&, std::span<const std::uint8_t>)>::to<&VirtualDevices::check>(*this),
-          .after_write =
-              Callback<void(const Entry&, Source)>::to<&VirtualDevices::written>(*this)} {
+constexpr HookCalls VirtualDevices::hook_calls[] = {
+    {.first = first_object,
+     .last = last_object,
+     .before_read = method<&VirtualDevices::before_read>,
+     .before_write = method<&VirtualDevices::check>,
+     .after_write = method<&VirtualDevices::written>}};
+constexpr ServiceCalls VirtualDevices::service_calls = {.reset = method<&VirtualDevices::reset>,
+                                                        .hooks = hook_calls};
+
+VirtualDevices::VirtualDevices(Node& node) : node_(node) {
   next_restored_ = node.on_defaults_restored(
       Callback<void(ResetScope)>::to<&VirtualDevices::defaults_restored>(*this));
-  service_.reset = Callback<void(ResetScope)>::to<&VirtualDevices::reset>(*this);
   node.attach(service_);
-  node.dictionary().attach(hook_);
 }
 
 /// 6000h, where there are several (9.2.3.1).

@@ -48,8 +48,9 @@ class VirtualDevices {
   VirtualDevice** last_ = &first_;
   const VirtualDevice* teller_ = nullptr;  ///< whose value it is that is announced
   Callback<void(ResetScope)> next_restored_;
-  Service service_;
-  Hook hook_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
 };
 
 /// One of them, for the unit that is its behaviour. What is not set is not told.

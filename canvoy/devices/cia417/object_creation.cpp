@@ -2,33 +2,34 @@
 
 #include <algorithm>
 
+#include "canvoy/profiles/reactions.hpp"
+
 namespace canvoy::cia417 {
 
 namespace {
 
 using Read = Callback<AbortCode(const Entry&)>;
 using Write = Callback<AbortCode(const Entry&, std::span<const std::uint8_t>)>;
-using Written = Callback<void(const Entry&, Source)>;
 
 }  // namespace
+
+constexpr HookCalls ObjectCreation::hook_calls[] = {
+    before_write<&ObjectCreation::before_request, object_creation_object>,
+    after_write<&ObjectCreation::requested, object_creation_object>};
+constexpr ServiceCalls ObjectCreation::service_calls = {.reset = method<&ObjectCreation::reset>,
+                                                        .hooks = hook_calls};
 
 ObjectCreation::ObjectCreation(Node& node, std::span<const CreatableObjects> creatable,
                                std::span<CreatedObject> memory)
     : node_(node), creatable_(creatable), memory_(memory) {
-  request_hook_ = {.first = object_creation_object.index,
-                   .last = object_creation_object.index,
-                   .before_write = Write::to<&ObjectCreation::before_request>(*this),
-                   .after_write = Written::to<&ObjectCreation::requested>(*this)};
-  node.dictionary().attach(request_hook_);
-  service_.reset = Callback<void(ResetScope)>::to<&ObjectCreation::reset>(*this);
   node.attach(service_);
   if (creatable.empty()) return;
   const auto first = std::ranges::min_element(creatable, {}, &CreatableObjects::first);
   const auto last = std::ranges::max_element(creatable, {}, &CreatableObjects::last);
-  object_hook_ = {.first = first->first,
-                  .last = last->last,
-                  .before_read = Read::to<&ObjectCreation::before_read>(*this),
-                  .before_write = Write::to<&ObjectCreation::before_write>(*this)};
+  object_hook_.first = first->first;
+  object_hook_.last = last->last;
+  object_hook_.before_read = Read::to<&ObjectCreation::read_created>(*this);
+  object_hook_.before_write = Write::to<&ObjectCreation::write_created>(*this);
   node.dictionary().attach(object_hook_);
 }
 
@@ -88,7 +89,7 @@ void ObjectCreation::destroy(const CreationRequest& request) {
 
 // Accesses
 
-AbortCode ObjectCreation::before_read(const Entry& entry) {
+AbortCode ObjectCreation::read_created(const Entry& entry) {
   const CreatableObjects* creatable = find_creatable(entry.index);
   if (creatable == nullptr || entry.sub > creatable->highest_sub) return AbortCode::none;
   const AbortCode answer = check_there(entry);
@@ -101,7 +102,7 @@ AbortCode ObjectCreation::before_read(const Entry& entry) {
   return access == CreatedAccess::wo ? AbortCode::write_only : AbortCode::none;
 }
 
-AbortCode ObjectCreation::before_write(const Entry& entry, std::span<const std::uint8_t>) {
+AbortCode ObjectCreation::write_created(const Entry& entry, std::span<const std::uint8_t>) {
   const CreatableObjects* creatable = find_creatable(entry.index);
   if (creatable == nullptr || entry.sub > creatable->highest_sub) return AbortCode::none;
   const AbortCode answer = check_there(entry);

@@ -67,8 +67,8 @@ class ObjectCreation {
   void reset(ResetScope scope);
   AbortCode before_request(const Entry& entry, std::span<const std::uint8_t> value);
   void requested(const Entry& entry, Source source);
-  AbortCode before_read(const Entry& entry);
-  AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
+  AbortCode read_created(const Entry& entry);
+  AbortCode write_created(const Entry& entry, std::span<const std::uint8_t> value);
 
   const CreatableObjects* find_creatable(std::uint16_t index) const;
   CreatedObject* find(std::uint16_t index, std::uint8_t sub) const;
@@ -83,9 +83,10 @@ class ObjectCreation {
   std::span<const CreatableObjects> creatable_;
   std::span<CreatedObject> memory_;
   std::uint32_t last_created_ = 0;
-  Hook request_hook_;
   Hook object_hook_;
-  Service service_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
 };
 
 }  // namespace canvoy::cia417

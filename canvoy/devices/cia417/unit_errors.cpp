@@ -19,16 +19,17 @@ constexpr bool concerns_trips(std::uint8_t bits) {
 
 }  // namespace
 
+constexpr ServiceCalls UnitErrors::service_calls = {
+    .reset = method<&UnitErrors::reset>,
+    .state_entered = method<&UnitErrors::state_entered>,
+    .error_changed = method<&UnitErrors::error_changed>};
+
 UnitErrors::UnitErrors(Node& node, EmergencyConsumer& emergencies, SdoClient& client,
                        const LiftUnits& units)
     : node_(node),
       client_(client),
       units_(units),
       timer_(Callback<void(Time)>::to<&UnitErrors::ask_next>(*this)) {
-  service_.reset = Callback<void(ResetScope)>::to<&UnitErrors::reset>(*this);
-  service_.state_entered = Callback<void(NmtState)>::to<&UnitErrors::state_entered>(*this);
-  service_.error_changed =
-      Callback<void(const Error&, bool)>::to<&UnitErrors::error_changed>(*this);
   node.attach(service_);
   emergencies.on_emergency(Callback<void(NodeId, const Emergency&)>::to<&UnitErrors::heard>(*this));
 }

@@ -93,7 +93,8 @@ class UnitErrors {
   NodeId asking_ = 0;
   std::array<std::uint8_t, 1> register_{};
   Callback<void()> changed_;
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   Timer timer_;
 };
 

@@ -2,6 +2,8 @@
 
 namespace canvoy::cia418 {
 
+constexpr ServiceCalls Battery::service_calls = {.reset = method<&Battery::reset>};
+
 Battery::Battery(Node& node, const BatteryHardware& hardware, const BatterySettings& settings)
     : node_(node),
       hardware_(hardware),
@@ -15,7 +17,6 @@ Battery::Battery(Node& node, const BatteryHardware& hardware, const BatterySetti
       expended_(node.dictionary()),
       total_(node.dictionary()),
       timer_(Callback<void(Time)>::to<&Battery::sense>(*this)) {
-  service_.reset = Callback<void(ResetScope)>::to<&Battery::reset>(*this);
   node.attach(service_);
 }
 

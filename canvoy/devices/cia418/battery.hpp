@@ -49,7 +49,8 @@ class Battery {
   Bound<battery_state_of_charge> state_of_charge_;
   Bound<ah_expended_since_last_charge> expended_;
   Bound<cumulative_total_ah_charge> total_;
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   Timer timer_;
 };
 

@@ -45,6 +45,11 @@ constexpr double hours(Duration duration) {
 
 }  // namespace
 
+constexpr ServiceCalls Charger::service_calls = {
+    .reset = method<&Charger::reset>,
+    .state_entered = method<&Charger::state_entered>,
+    .bus_state_changed = method<&Charger::bus_state_changed>};
+
 Charger::Charger(Node& node, const ChargerServices& services, const ChargerHardware& hardware,
                  const ChargerSettings& settings)
     : node_(node),
@@ -63,9 +68,6 @@ Charger::Charger(Node& node, const ChargerServices& services, const ChargerHardw
       scan_(node, {.profile = battery_profile}),
       link_(node),
       timer_(Callback<void(Time)>::to<&Charger::control>(*this)) {
-  service_.reset = Callback<void(ResetScope)>::to<&Charger::reset>(*this);
-  service_.state_entered = Callback<void(NmtState)>::to<&Charger::state_entered>(*this);
-  service_.bus_state_changed = Callback<void(BusState)>::to<&Charger::bus_state_changed>(*this);
   node.attach(service_);
   scan_.on_found(Callback<void(NodeId)>::to<&Charger::battery_found>(*this));
   link_.on_answered(Callback<void(const BatteryOffer&)>::to<&Charger::battery_answered>(*this));

@@ -147,7 +147,8 @@ class Charger {
   ChargeControl charge_control_;
   DeviceScan scan_;
   BatteryLink link_;
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   Timer timer_;
   Callback<void(Event)> event_;
 

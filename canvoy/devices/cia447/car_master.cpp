@@ -28,6 +28,8 @@ std::optional<NodeId> KnownDevices::find(const LssAddress& address) const {
   return std::nullopt;
 }
 
+constexpr ServiceCalls CarMaster::service_calls = {.reset = method<&CarMaster::reset>};
+
 CarMaster::CarMaster(CarNetwork& network, CarSleep& sleep, const CarMemory& memory,
                      const CarMasterSettings& settings)
     : network_(network),
@@ -40,7 +42,6 @@ CarMaster::CarMaster(CarNetwork& network, CarSleep& sleep, const CarMemory& memo
       objection_timer_(Callback<void(Time)>::to<&CarMaster::nobody_objected>(*this)),
       client_(network.node()) {
   if (memory_.load) known_ = memory_.load();
-  service_.reset = Callback<void(ResetScope)>::to<&CarMaster::reset>(*this);
   network.node().attach(service_);
   network.on_heard(Callback<void(NodeId, std::uint8_t)>::to<&CarMaster::heard>(*this));
   network.on_lost(Callback<void(NodeId)>::to<&CarMaster::lost>(*this));

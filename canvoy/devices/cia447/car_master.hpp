@@ -116,7 +116,8 @@ class CarMaster {
   Time look_around_at_{};  ///< before it, only those who were lost are looked for
   NodeId looked_for_ = node_id_max;
   Timer objection_timer_;
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   std::bitset<node_id_max + 1> present_;
   std::bitset<node_id_max + 1> started_;
   SdoClient client_;  ///< on the default channels, as CiA 301 has them

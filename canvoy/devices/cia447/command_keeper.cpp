@@ -6,13 +6,14 @@
 
 namespace canvoy::cia447 {
 
+constexpr ServiceCalls CommandKeeper::service_calls = {.reset = method<&CommandKeeper::reset>};
+
 CommandKeeper::CommandKeeper(CarNetwork& network, const CommandKeeperSettings& settings)
     : network_(network),
       settings_(settings),
       client_(network.node(), mesh_channel_to(settings.server)),
       timer_(Callback<void(Time)>::to<&CommandKeeper::go_on>(*this)) {
   next_lost_ = network.on_lost(Callback<void(NodeId)>::to<&CommandKeeper::lost>(*this));
-  service_.reset = Callback<void(ResetScope)>::to<&CommandKeeper::reset>(*this);
   network.node().attach(service_);
 }
 

@@ -68,7 +68,8 @@ class CommandKeeper {
   std::array<std::uint8_t, 4> bytes_{};
   Time not_before_{};
   Time renewal_due_{};
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   Timer timer_;
 };
 

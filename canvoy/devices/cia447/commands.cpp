@@ -96,11 +96,12 @@ void write_field(Dictionary& dictionary, const FieldPlace& place, std::uint32_t 
   if (whole != before) dictionary.set_number(place.index, place.sub, whole);
 }
 
+constexpr ServiceCalls Commands::service_calls = {.reset = method<&Commands::reset>};
+
 Commands::Commands(CarNetwork& network, std::span<const ObjectInfo* const> wanted,
                    const CommandSettings& settings)
     : network_(network), settings_(settings) {
   must_hold(wanted.size() <= objects_max);
-  service_.reset = Callback<void(ResetScope)>::to<&Commands::reset>(*this);
   network.node().attach(service_);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     Hook& hook = hooks_[i];

@@ -91,7 +91,8 @@ class Commands {
 
   CarNetwork& network_;
   CommandSettings settings_;
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   std::array<Hook, objects_max> hooks_;
 };
 

@@ -2,13 +2,14 @@
 
 namespace canvoy::cia447 {
 
+constexpr ServiceCalls ObjectReader::service_calls = {.reset = method<&ObjectReader::reset>};
+
 ObjectReader::ObjectReader(CarNetwork& network, const Settings& settings)
     : network_(network),
       settings_(settings),
       client_(network.node(), mesh_channel_to(settings.server)),
       timer_(Callback<void(Time)>::to<&ObjectReader::begin>(*this)) {
   if (settings.server == 0) return;
-  service_.reset = Callback<void(ResetScope)>::to<&ObjectReader::reset>(*this);
   network.node().attach(service_);
 }
 

@@ -46,7 +46,8 @@ class ObjectReader {
   SdoClient client_;
   std::size_t position_ = 0;
   std::array<std::uint8_t, 8> value_{};
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   Timer timer_;
 };
 

@@ -20,6 +20,8 @@ bool is_state(const FieldPlace& place, std::uint32_t code) {
 
 }  // namespace
 
+constexpr ServiceCalls Switching::service_calls = {.reset = method<&Switching::reset>};
+
 Switching::Switching(CarNetwork& network, const SwitchedTable& table, std::span<Field> fields,
                      const SwitchedHardware& hardware, const SwitchedSettings& settings)
     : network_(network),
@@ -36,7 +38,6 @@ Switching::Switching(CarNetwork& network, const SwitchedTable& table, std::span<
     fields_[count++].place = place;
   });
   for (const Rest& rest : table.rests) find(rest.status)->actual = rest.code;
-  service_.reset = Callback<void(ResetScope)>::to<&Switching::reset>(*this);
   network.node().attach(service_);
 }
 

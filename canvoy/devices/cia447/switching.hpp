@@ -217,7 +217,8 @@ class Switching {
   std::span<Field> fields_;
   SwitchedHardware hardware_;
   Commands commands_;
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   Timer timer_;
   bool has_begun_ = false;
 };

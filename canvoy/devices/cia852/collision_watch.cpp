@@ -1,5 +1,7 @@
 #include "canvoy/devices/cia852/collision_watch.hpp"
 
+#include "canvoy/profiles/reactions.hpp"
+
 namespace canvoy::cia852 {
 
 namespace {
@@ -17,13 +19,17 @@ Error collision(std::uint16_t can_id) {
 
 }  // namespace
 
+constexpr HookCalls CollisionWatch::hook_calls[] = {
+    {.first = first_tpdo,
+     .last = last_tpdo,
+     .sub_first = cob_id_sub,
+     .sub_last = cob_id_sub,
+     .after_write = method<&CollisionWatch::written>}};
+constexpr ServiceCalls CollisionWatch::service_calls = {.reset = method<&CollisionWatch::reset>,
+                                                        .hooks = hook_calls};
+
 CollisionWatch::CollisionWatch(Node& node, std::span<std::uint16_t> ids) : node_(node), ids_(ids) {
-  service_.reset = Callback<void(ResetScope)>::to<&CollisionWatch::reset>(*this);
   node.attach(service_);
-  hook_.first = first_tpdo;
-  hook_.last = last_tpdo;
-  hook_.after_write = Callback<void(const Entry&, Source)>::to<&CollisionWatch::written>(*this);
-  node.dictionary().attach(hook_);
 }
 
 void CollisionWatch::reset(ResetScope /*scope*/) {
@@ -32,8 +38,8 @@ void CollisionWatch::reset(ResetScope /*scope*/) {
   listen_anew();
 }
 
-void CollisionWatch::written(const Entry& entry, Source /*source*/) {
-  if (entry.sub == cob_id_sub) listen_anew();
+void CollisionWatch::written(const Entry& /*entry*/, Source /*source*/) {
+  listen_anew();
 }
 
 void CollisionWatch::listen_anew() {

@@ -37,8 +37,9 @@ class CollisionWatch {
   std::span<std::uint16_t> ids_;
   std::size_t used_ = 0;
   std::uint16_t collided_ = 0;  ///< as it was told; 0: nothing was
-  Service service_;
-  Hook hook_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   Timer timer_{Callback<void(Time)>::to<&CollisionWatch::is_quiet>(*this)};
 };
 

@@ -1,6 +1,7 @@
 #include "canvoy/devices/cia852/operator_unit.hpp"
 
 #include "canvoy/profiles/cia852/values.hpp"
+#include "canvoy/profiles/reactions.hpp"
 
 namespace canvoy::cia852 {
 
@@ -16,6 +17,11 @@ constexpr std::uint8_t directions_of_joystick = 0x07;  ///< Figure 5; the others
 
 }  // namespace
 
+constexpr HookCalls OperatorUnit::hook_calls[] = {
+    after_write<&OperatorUnit::polarity_written, cia401::polarity_input_32_bit_object>};
+constexpr ServiceCalls OperatorUnit::service_calls = {.reset = method<&OperatorUnit::reset>,
+                                                      .hooks = hook_calls};
+
 OperatorUnit::OperatorUnit(Node& node, const OperatorMemory& memory,
                            const OperatorHardware& hardware, const OperatorSettings& settings)
     : node_(node),
@@ -29,15 +35,8 @@ OperatorUnit::OperatorUnit(Node& node, const OperatorMemory& memory,
       has_encoders_(!memory.encoders.empty()),
       timer_(Callback<void(Time)>::to<&OperatorUnit::expired>(*this)) {
   if (!has_encoders_) return;
-  service_.reset = Callback<void(ResetScope)>::to<&OperatorUnit::reset>(*this);
   node.attach(service_);
-  node.dictionary().attach(polarity_hook_);
 }
-
-constexpr HookCalls OperatorUnit::polarity_calls = {
-    .first = cia401::polarity_input_32_bit_object.index,
-    .last = cia401::polarity_input_32_bit_object.index,
-    .after_write = method<&OperatorUnit::polarity_written>};
 
 cia401::IoHardware OperatorUnit::io_hardware() {
   return {

@@ -48,7 +48,7 @@ class OperatorUnit {
   std::int32_t analogue_input(unsigned sub);
   void show_indicators(unsigned sub, std::uint8_t lit);
   void show_parameter(unsigned sub, std::int32_t value);
-  void polarity_written(const Entry& /*entry*/, Source /*source*/) { encoders_.show(); }
+  void polarity_written() { encoders_.show(); }
   void reset(ResetScope scope);
   void expired(Time now);
   void arm_from(Time now);
@@ -59,9 +59,9 @@ class OperatorUnit {
   cia401::IoUnit io_;
   EncoderInputs encoders_;
   bool has_encoders_;
-  Service service_;
-  static const HookCalls polarity_calls;
-  HookLink polarity_hook_{{&polarity_calls, 1}, this};  ///< of encoders (6122h)
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};  ///< of encoders
   Timer timer_;
 };
 

@@ -128,10 +128,14 @@ constexpr FieldInfo reserved_ones(unsigned first_bit, unsigned number = 1,
 inline constexpr unsigned lift_count = 8;
 /// How far the objects of the lifts are apart (4.1.1).
 inline constexpr std::uint16_t block_pitch = 0x800;
+/// From the objects of lift 1 to those of lift `lift`.
+constexpr std::uint16_t block_shift(unsigned lift) {
+  return static_cast<std::uint16_t>((lift - 1) * block_pitch);
+}
 /// The handle of the same value of lift `lift`, from 1 on.
 template <class Handle>
 constexpr Handle in_lift(unsigned lift, const Handle& handle) {
-  return handle.shifted((lift - 1) * block_pitch);
+  return handle.shifted(block_shift(lift));
 }
 inline constexpr unsigned door_count = 4;
 

@@ -11,6 +11,8 @@ constexpr std::uint32_t first_can_id = 0x680;
 
 }  // namespace
 
+constexpr ServiceCalls VehicleManager::service_calls = {.reset = method<&VehicleManager::reset>};
+
 VehicleManager::VehicleManager(const Port& port, NodeId id, Duration heartbeat_time_out)
     : device_(port, id),
       nodes_(device_.node(), remote_nodes_),
@@ -19,7 +21,6 @@ VehicleManager::VehicleManager(const Port& port, NodeId id, Duration heartbeat_t
     nodes_.set_time_out(node, heartbeat_time_out);
   }
   nodes_.on_change(Callback<void(NodeId, RemoteState)>::to<&SdoManager::remote_changed>(manager_));
-  service_.reset = Callback<void(ResetScope)>::to<&VehicleManager::reset>(*this);
   device_.node().attach(service_);
 }
 

@@ -49,7 +49,8 @@ class VehicleManager {
   NmtMaster nodes_;
   std::array<SdoConnection, 4> connections_;
   SdoManager manager_;
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
 };
 
 }  // namespace canvoy::charging

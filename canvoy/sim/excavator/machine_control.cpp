@@ -19,6 +19,8 @@ constexpr std::uint32_t bit_of(Button button) {
 
 }  // namespace
 
+constexpr ServiceCalls MachineControl::service_calls = {.reset = method<&MachineControl::reset>};
+
 MachineControl::MachineControl(HostNode& device, const HostSettings& settings)
     : device_(device),
       settings_(settings),
@@ -31,7 +33,6 @@ MachineControl::MachineControl(HostNode& device, const HostSettings& settings)
       armrest_(device.node(), Callback<void()>::to<&MachineControl::armrest_changed>(*this)),
       look_timer_(Callback<void(Time)>::to<&MachineControl::look>(*this)),
       horn_timer_(Callback<void(Time)>::to<&MachineControl::end_horn>(*this)) {
-  service_.reset = Callback<void(ResetScope)>::to<&MachineControl::reset>(*this);
   device.node().attach(service_);
   device.heartbeat_consumer().on_change(
       Callback<void(NodeId, RemoteState)>::to<&MachineControl::changed>(*this));

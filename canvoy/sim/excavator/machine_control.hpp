@@ -109,7 +109,8 @@ class MachineControl {
   Partner seat_;
   Partner valves_;
   ArmrestWatch armrest_;
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   Timer look_timer_;
   Timer horn_timer_;
 

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "canvoy/devices/cia447/commands.hpp"
+#include "canvoy/profiles/reactions.hpp"
 
 namespace canvoy::police {
 
@@ -14,6 +15,12 @@ constexpr std::size_t digits_max = 3;
 
 }  // namespace
 
+constexpr ServiceCalls NavigationControl::service_calls = {.reset =
+                                                               method<&NavigationControl::reset>};
+constexpr HookCalls NavigationControl::greedy_hooks[] = {
+    after_write<&NavigationControl::key_written, number_pad_user_interaction_object>};
+constexpr ServiceCalls NavigationControl::greedy_calls = {.hooks = greedy_hooks};
+
 NavigationControl::NavigationControl(CarNetwork& network, const NavigationControlHardware& hardware,
                                      const NavigationControlSettings& settings)
     : network_(network),
@@ -22,13 +29,8 @@ NavigationControl::NavigationControl(CarNetwork& network, const NavigationContro
       menu_(network, terminal_, title_of(Client::navigation)) {
   terminal_.on_number_key(
       Callback<void(NumberPadKey)>::to<&NavigationControl::number_pressed>(*this));
-  service_.reset = Callback<void(ResetScope)>::to<&NavigationControl::reset>(*this);
   network.node().attach(service_);
-  if (!settings.is_greedy) return;
-  greedy_hook_.first = greedy_hook_.last = number_pad_user_interaction_object.index;
-  greedy_hook_.after_write =
-      Callback<void(const Entry&, Source)>::to<&NavigationControl::key_written>(*this);
-  network.node().dictionary().attach(greedy_hook_);
+  if (settings.is_greedy) network.node().attach(greed_);
 }
 
 void NavigationControl::reset(ResetScope) {

@@ -42,8 +42,11 @@ class NavigationControl {
   cia447::TerminalClient terminal_;
   TerminalMenu menu_;
   std::string typed_;
-  Service service_;
-  Hook greedy_hook_;
+  static const ServiceCalls service_calls;
+  static const HookCalls greedy_hooks[];
+  static const ServiceCalls greedy_calls;
+  ServiceLink service_{&service_calls, this};
+  ServiceLink greed_{&greedy_calls, this};
 };
 
 struct NavigationControlKind

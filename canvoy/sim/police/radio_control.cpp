@@ -3,6 +3,7 @@
 #include <string>
 
 #include "canvoy/profiles/cia447/radio_handles.hpp"
+#include "canvoy/profiles/reactions.hpp"
 
 namespace canvoy::police {
 
@@ -20,6 +21,12 @@ constexpr unsigned conversing = 2;
 
 }  // namespace
 
+constexpr HookCalls RadioControl::hook_calls[] = {
+    after_write<&RadioControl::handset_written, discrete_inputs_status_object>,
+    after_write<&RadioControl::key_written, radio_hand_free_status_object>};
+constexpr ServiceCalls RadioControl::service_calls = {.reset = method<&RadioControl::reset>,
+                                                      .hooks = hook_calls};
+
 RadioControl::RadioControl(CarNetwork& network, const RadioControlHardware& hardware,
                            const RadioControlSettings& settings)
     : network_(network),
@@ -33,16 +40,7 @@ RadioControl::RadioControl(CarNetwork& network, const RadioControlHardware& hard
                       Callback<void()>::to<&RadioControl::handset_lost>(*this)),
       key_source_(network, hands_free_pdo, Callback<void()>::to<&RadioControl::key_lost>(*this)) {
   terminal_.on_number_key(Callback<void(NumberPadKey)>::to<&RadioControl::number_pressed>(*this));
-  service_.reset = Callback<void(ResetScope)>::to<&RadioControl::reset>(*this);
   network.node().attach(service_);
-  handset_hook_.first = handset_hook_.last = discrete_inputs_status_object.index;
-  handset_hook_.after_write =
-      Callback<void(const Entry&, Source)>::to<&RadioControl::handset_written>(*this);
-  network.node().dictionary().attach(handset_hook_);
-  key_hook_.first = key_hook_.last = radio_hand_free_status_object.index;
-  key_hook_.after_write =
-      Callback<void(const Entry&, Source)>::to<&RadioControl::key_written>(*this);
-  network.node().dictionary().attach(key_hook_);
 }
 
 void RadioControl::reset(ResetScope) {

@@ -60,9 +60,9 @@ class RadioControl {
   bool handset_is_pressed_ = false;
   bool key_is_pressed_ = false;
   bool is_hands_free_ = false;
-  Service service_;
-  Hook handset_hook_;
-  Hook key_hook_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
 };
 
 struct RadioControlKind

@@ -2,6 +2,7 @@
 
 #include "canvoy/profiles/cia447/car_handles.hpp"
 #include "canvoy/profiles/cia447/roof_bar_handles.hpp"
+#include "canvoy/profiles/reactions.hpp"
 
 namespace canvoy::police {
 
@@ -33,6 +34,11 @@ constexpr AdditionalSound sounds[] = {AdditionalSound::country_specific, Additio
 
 }  // namespace
 
+constexpr HookCalls SignalControl::hook_calls[] = {
+    after_write<&SignalControl::lamps_written, blue_light_flasher_status_object>};
+constexpr ServiceCalls SignalControl::service_calls = {.reset = method<&SignalControl::reset>,
+                                                       .hooks = hook_calls};
+
 SignalControl::SignalControl(CarNetwork& network, const SignalControlHardware& hardware,
                              const SignalControlSettings& settings)
     : network_(network),
@@ -46,12 +52,7 @@ SignalControl::SignalControl(CarNetwork& network, const SignalControlHardware& h
   terminal_.on_number_key(Callback<void(NumberPadKey)>::to<&SignalControl::number_pressed>(*this));
   terminal_.on_function_key(
       Callback<void(FunctionKey)>::to<&SignalControl::function_pressed>(*this));
-  service_.reset = Callback<void(ResetScope)>::to<&SignalControl::reset>(*this);
   network.node().attach(service_);
-  lamps_hook_.first = lamps_hook_.last = blue_light_flasher_status_object.index;
-  lamps_hook_.after_write =
-      Callback<void(const Entry&, Source)>::to<&SignalControl::lamps_written>(*this);
-  network.node().dictionary().attach(lamps_hook_);
 }
 
 void SignalControl::reset(ResetScope) {
@@ -91,7 +92,7 @@ void SignalControl::number_pressed(NumberPadKey key) {
   drive();
 }
 
-void SignalControl::lamps_written(const Entry& entry, Source) {
+void SignalControl::lamps_written(const Entry& entry) {
   const std::uint32_t lamps = read_field(network_.node().dictionary(), {entry.index, 0, 0, 32});
   has_broken_lamp_ = false;
   for (unsigned i = 0; i < flashers; ++i) {

@@ -48,7 +48,7 @@ class SignalControl {
   void reset(ResetScope scope);
   void function_pressed(cia447::FunctionKey key);
   void number_pressed(cia447::NumberPadKey key);
-  void lamps_written(const Entry& entry, Source source);
+  void lamps_written(const Entry& entry);
   void drive();
   void lock(cia447::Locking wanted);
   void show();
@@ -65,8 +65,9 @@ class SignalControl {
   bool has_siren_ = false;
   bool has_broken_lamp_ = false;
   cia447::AdditionalSound sound_ = cia447::AdditionalSound::country_specific;
-  Service service_;
-  Hook lamps_hook_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
 };
 
 struct SignalControlKind

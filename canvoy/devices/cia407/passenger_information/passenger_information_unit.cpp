@@ -83,6 +83,9 @@ constexpr bool is_shown_number(std::uint16_t index) {
 
 }  // namespace
 
+constexpr ServiceCalls PassengerInformationUnit::service_calls = {
+    .state_entered = method<&PassengerInformationUnit::state_entered>};
+
 PassengerInformationUnit::PassengerInformationUnit(VirtualDevice& device,
                                                    const DisplayHardware& hardware,
                                                    const NoSettings& /*settings*/)
@@ -97,8 +100,6 @@ PassengerInformationUnit::PassengerInformationUnit(VirtualDevice& device,
   device.on_written = Callback<void(const Entry&)>::to<&PassengerInformationUnit::written>(*this);
   device.on_event =
       Callback<void(std::uint8_t, std::uint16_t)>::to<&PassengerInformationUnit::take_event>(*this);
-  service_.state_entered =
-      Callback<void(NmtState)>::to<&PassengerInformationUnit::state_entered>(*this);
   device.node().attach(service_);
 }
 

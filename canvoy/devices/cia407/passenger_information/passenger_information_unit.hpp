@@ -67,7 +67,8 @@ class PassengerInformationUnit {
   StateAnswer state_;
   FileShelfOf<special_characters, special_character_size> special_characters_;
   FileShelfOf<pictures, picture_size> pictures_;
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   bool was_operational_ = false;
   bool is_testing_ = false;
 };

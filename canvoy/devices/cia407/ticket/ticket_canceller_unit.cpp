@@ -2,6 +2,9 @@
 
 namespace canvoy::cia407 {
 
+constexpr ServiceCalls TicketCancellerUnit::service_calls = {
+    .state_entered = method<&TicketCancellerUnit::state_entered>};
+
 TicketCancellerUnit::TicketCancellerUnit(VirtualDevice& device,
                                          const TicketCancellerHardware& hardware,
                                          const NoSettings& /*settings*/)
@@ -19,7 +22,6 @@ TicketCancellerUnit::TicketCancellerUnit(VirtualDevice& device,
         static_cast<StateAnswer*>(state)->take(flags);
       },
       &state_);
-  service_.state_entered = Callback<void(NmtState)>::to<&TicketCancellerUnit::state_entered>(*this);
   device.node().attach(service_);
 }
 

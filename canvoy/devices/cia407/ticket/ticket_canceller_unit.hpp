@@ -38,7 +38,8 @@ class TicketCancellerUnit {
   VirtualDevice& device_;
   TicketCancellerHardware hardware_;
   StateAnswer state_;
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   std::uint16_t cancelled_ = 0;
   std::optional<bool> is_ready_;
 };

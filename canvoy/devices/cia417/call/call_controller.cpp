@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "canvoy/profiles/reactions.hpp"
+
 namespace canvoy::cia417 {
 
 namespace {
@@ -53,6 +55,13 @@ Call hall_call_of(const VirtualInput& input, DoorMask doors) {
   return call;
 }
 
+constexpr HookCalls CallController::hook_calls[] = {
+    after_write<&CallController::received, virtual_input_mapping_object>};
+constexpr ServiceCalls CallController::service_calls = {
+    .reset = method<&CallController::reset>,
+    .state_entered = method<&CallController::state_entered>,
+    .hooks = hook_calls};
+
 CallController::CallController(Node& node, Tpdos& tpdos, std::span<Destination> destinations,
                                const CallControllerSettings& settings)
     : node_(node),
@@ -63,12 +72,7 @@ CallController::CallController(Node& node, Tpdos& tpdos, std::span<Destination> 
                 .next = Callback<std::uint64_t()>::to<&CallController::next>(*this)}),
       indications_(settings.lift),
       low_timer_(Callback<void(Time)>::to<&CallController::promote>(*this)) {
-  service_.reset = Callback<void(ResetScope)>::to<&CallController::reset>(*this);
-  service_.state_entered = Callback<void(NmtState)>::to<&CallController::state_entered>(*this);
   node.attach(service_);
-  hook_.first = hook_.last = virtual_input_mapping_object.index;
-  hook_.after_write = Callback<void(const Entry&, Source)>::to<&CallController::received>(*this);
-  node.dictionary().attach(hook_);
 }
 
 void CallController::reset(ResetScope) {
@@ -105,7 +109,7 @@ void CallController::set_lift_mask(std::uint8_t mask) {
   show();
 }
 
-void CallController::received(const Entry&, Source) {
+void CallController::received() {
   take(decode_input(node_.dictionary().number(virtual_input_mapping_object.index, 0)));
 }
 

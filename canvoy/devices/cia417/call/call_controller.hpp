@@ -153,7 +153,7 @@ class CallController {
 
   void reset(ResetScope scope);
   void state_entered(NmtState state);
-  void received(const Entry& entry, Source source);
+  void received();
   void take_hall_call(const VirtualInput& input);
   void take_car_call(const VirtualInput& input);
   void take_destination(const VirtualInput& input);
@@ -213,8 +213,9 @@ class CallController {
   Callback<bool(const VirtualInput&)> offered_;
   Callback<void(const VirtualOutput&)> record_;
   Callback<bool(const VirtualInput&)> asked_;
-  Service service_;
-  Hook hook_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   Timer low_timer_;
 };
 

@@ -2,14 +2,15 @@
 
 namespace canvoy::cia417 {
 
+constexpr ServiceCalls ReturnedPanels::service_calls = {
+    .reset = method<&ReturnedPanels::reset>,
+    .error_changed = method<&ReturnedPanels::error_changed>};
+
 ReturnedPanels::ReturnedPanels(Node& node, SdoClient& client, CallController& calls)
     : node_(node),
       calls_(calls),
       keys_(node, client, calls),
       timer_(Callback<void(Time)>::to<&ReturnedPanels::expired>(*this)) {
-  service_.reset = Callback<void(ResetScope)>::to<&ReturnedPanels::reset>(*this);
-  service_.error_changed =
-      Callback<void(const Error&, bool)>::to<&ReturnedPanels::error_changed>(*this);
   node.attach(service_);
 }
 

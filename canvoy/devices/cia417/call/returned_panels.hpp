@@ -45,7 +45,8 @@ class ReturnedPanels {
   PanelKeys keys_;
   Callback<bool(NodeId)> has_inputs_;
   std::bitset<node_id_max + 1> heard_;
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   Timer timer_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "canvoy/profiles/cia417/pdos.hpp"
+#include "canvoy/profiles/reactions.hpp"
 
 namespace canvoy::cia417 {
 
@@ -68,26 +69,23 @@ Disabling enabling(bool enabled) {
 
 }  // namespace
 
+constexpr HookCalls CarDoorController::hook_calls[] = {
+    after_write<&CarDoorController::state_received, door_statusword>,
+    after_write<&CarDoorController::received, door_statusword_object, door_position_object>,
+    after_write<&CarDoorController::received, light_barrier_status>};
+constexpr ServiceCalls CarDoorController::service_calls = {
+    .reset = method<&CarDoorController::reset_state>,
+    .state_entered = method<&CarDoorController::state_entered>,
+    .error_changed = method<&CarDoorController::error_changed>,
+    .hooks = hook_calls};
+
 CarDoorController::CarDoorController(Node& node, const CarDoorControllerSettings& settings,
                                      Rpdos* rpdos)
     : node_(node),
       settings_(settings),
       rpdos_(rpdos),
       timer_(Callback<void(Time)>::to<&CarDoorController::expired>(*this)) {
-  service_.reset = Callback<void(ResetScope)>::to<&CarDoorController::reset_state>(*this);
-  service_.state_entered = Callback<void(NmtState)>::to<&CarDoorController::state_entered>(*this);
-  service_.error_changed =
-      Callback<void(const Error&, bool)>::to<&CarDoorController::error_changed>(*this);
   node.attach(service_);
-  using Written = Callback<void(const Entry&, Source)>;
-  status_hook_.first = in_lift(settings.lift, door_statusword).index();
-  status_hook_.last = in_lift(settings.lift, door_position).index();
-  status_hook_.after_write = Written::to<&CarDoorController::received>(*this);
-  node.dictionary().attach(status_hook_);
-  barrier_hook_.first = in_lift(settings.lift, light_barrier_status).index();
-  barrier_hook_.last = barrier_hook_.first;
-  barrier_hook_.after_write = Written::to<&CarDoorController::received>(*this);
-  node.dictionary().attach(barrier_hook_);
 }
 
 void CarDoorController::reset_state(ResetScope scope) {
@@ -146,12 +144,18 @@ void CarDoorController::forget(unsigned number) {
   plan();
 }
 
-void CarDoorController::received(const Entry& entry, Source) {
-  const bool exists = entry.sub >= 1 && entry.sub <= door_count;
-  if (!exists || (settings_.doors & mask_of(entry.sub)) == 0) return;
+void CarDoorController::state_received(const Entry& entry) {
+  if (!has_door(entry.sub)) return;
   Door& door = doors_[entry.sub - 1U];
-  if (entry.index == status_hook_.first) door.view.is_known = !door.is_lost;
-  refresh(entry.sub);
+  door.view.is_known = !door.is_lost;
+}
+
+void CarDoorController::received(const Entry& entry) {
+  if (has_door(entry.sub)) refresh(entry.sub);
+}
+
+bool CarDoorController::has_door(unsigned number) const {
+  return number >= 1 && number <= door_count && (settings_.doors & mask_of(number)) != 0;
 }
 
 /// Looks at what a door has told, and tells of a change.

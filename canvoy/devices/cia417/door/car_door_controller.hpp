@@ -112,7 +112,9 @@ class CarDoorController {
   void reset_state(ResetScope scope);
   void state_entered(NmtState state);
   void error_changed(const Error& error, bool present);
-  void received(const Entry& entry, Source source);
+  void state_received(const Entry& entry);
+  void received(const Entry& entry);
+  bool has_door(unsigned number) const;
 
   template <class Change>
   void change(DoorMask doors, const Change& change);
@@ -136,9 +138,9 @@ class CarDoorController {
   Rpdos* rpdos_;
   Callback<void()> changed_;
   std::array<Door, door_count> doors_;
-  Service service_;
-  Hook status_hook_;
-  Hook barrier_hook_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this, block_shift(settings_.lift)};
   Timer timer_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "canvoy/profiles/cia417/errors.hpp"
+#include "canvoy/profiles/reactions.hpp"
 
 namespace canvoy::cia417 {
 
@@ -46,30 +47,22 @@ Duration seconds(double count) {
 
 }  // namespace
 
+constexpr HookCalls CarDoorUnit::hook_calls[] = {
+    after_write<&CarDoorUnit::order_received, door_controlword>,
+    before_write<&CarDoorUnit::check_setting, door_configuration_object>,
+    after_write<&CarDoorUnit::barrier_received, light_barrier_status>};
+constexpr ServiceCalls CarDoorUnit::service_calls = {
+    .reset = method<&CarDoorUnit::reset>,
+    .error_changed = method<&CarDoorUnit::error_changed>,
+    .hooks = hook_calls};
+
 CarDoorUnit::CarDoorUnit(Node& node, const DoorHardware& hardware, const CarDoorSettings& settings)
     : node_(node),
       hardware_(hardware),
       settings_(settings),
       timer_(Callback<void(Time)>::to<&CarDoorUnit::act>(*this)),
       reclose_(Callback<void(Time)>::to<&CarDoorUnit::reclose_expired>(*this)) {
-  service_.reset = Callback<void(ResetScope)>::to<&CarDoorUnit::reset>(*this);
-  service_.error_changed =
-      Callback<void(const Error&, bool)>::to<&CarDoorUnit::error_changed>(*this);
   node.attach(service_);
-  using Written = Callback<void(const Entry&, Source)>;
-  order_hook_.first = in_lift(settings.lift, door_controlword).index();
-  order_hook_.last = order_hook_.first;
-  order_hook_.after_write = Written::to<&CarDoorUnit::order_received>(*this);
-  node.dictionary().attach(order_hook_);
-  setting_hook_.first = in_lift(settings.lift, door_type(settings.door)).index();
-  setting_hook_.last = setting_hook_.first;
-  setting_hook_.before_write = Callback<AbortCode(
-      const Entry&, std::span<const std::uint8_t>)>::to<&CarDoorUnit::check_setting>(*this);
-  node.dictionary().attach(setting_hook_);
-  barrier_hook_.first = in_lift(settings.lift, light_barrier_status).index();
-  barrier_hook_.last = barrier_hook_.first;
-  barrier_hook_.after_write = Written::to<&CarDoorUnit::barrier_received>(*this);
-  node.dictionary().attach(barrier_hook_);
 }
 
 // The bus.
@@ -108,6 +101,9 @@ void CarDoorUnit::order_received(const Entry& entry, Source source) {
 
 /// Of modes and profiles that do not exist.
 AbortCode CarDoorUnit::check_setting(const Entry& entry, std::span<const std::uint8_t> value) {
+  if (entry.index != in_lift(settings_.lift, door_type(settings_.door)).index()) {
+    return AbortCode::none;
+  }
   const std::uint64_t number = load_unsigned(value);
   const auto takes = [number](std::uint64_t highest) {
     return number <= highest ? AbortCode::none : AbortCode::value_range;
@@ -126,7 +122,7 @@ AbortCode CarDoorUnit::check_setting(const Entry& entry, std::span<const std::ui
   return AbortCode::none;
 }
 
-void CarDoorUnit::barrier_received(const Entry& entry, Source) {
+void CarDoorUnit::barrier_received(const Entry& entry) {
   if (entry.sub == settings_.door) act(node_.now());
 }
 

@@ -71,7 +71,7 @@ class CarDoorUnit {
   void error_changed(const Error& error, bool present);
   void order_received(const Entry& entry, Source source);
   AbortCode check_setting(const Entry& entry, std::span<const std::uint8_t> value);
-  void barrier_received(const Entry& entry, Source source);
+  void barrier_received(const Entry& entry);
 
   // Commands.
   void obey(const DoorOrder& order, bool always);
@@ -136,10 +136,9 @@ class CarDoorUnit {
   std::optional<std::uint16_t> moved_position_{};
   Time position_told_at_{};
 
-  Service service_;
-  Hook order_hook_;
-  Hook setting_hook_;
-  Hook barrier_hook_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this, block_shift(settings_.lift)};
   Timer timer_;    ///< to look at the hardware
   Timer reclose_;  ///< until it closes again
 };

@@ -5,6 +5,7 @@
 
 #include "canvoy/devices/cia417/lift_number.hpp"
 #include "canvoy/profiles/cia417/pdos.hpp"
+#include "canvoy/profiles/reactions.hpp"
 
 namespace canvoy::cia417 {
 
@@ -27,13 +28,17 @@ constexpr std::uint16_t rpdo_of(unsigned lift, std::uint16_t rpdo) {
 constexpr std::uint16_t control_rpdo = 0x1504;
 constexpr std::uint16_t status_rpdos[] = {0x1505, 0x1507, 0x1506};
 
-template <class Handle>
-void watch(Hook& hook, unsigned lift, const Handle& handle, decltype(Hook::after_write) written) {
-  hook.first = hook.last = in_lift(lift, handle).index();
-  hook.after_write = written;
-}
-
 }  // namespace
+
+constexpr HookCalls CarDriveController::hook_calls[] = {
+    after_write<&CarDriveController::status_received, statusword_object>,
+    after_write<&CarDriveController::velocity_received, velocity_actual_value_object>,
+    after_write<&CarDriveController::position_received, position_value>};
+constexpr ServiceCalls CarDriveController::service_calls = {
+    .reset = method<&CarDriveController::reset>,
+    .state_entered = method<&CarDriveController::state_entered>,
+    .error_changed = method<&CarDriveController::error_changed>,
+    .hooks = hook_calls};
 
 CarDriveController::CarDriveController(Node& node, const CarDriveControllerServices& services,
                                        const CarDriveControllerSettings& settings)
@@ -47,20 +52,7 @@ CarDriveController::CarDriveController(Node& node, const CarDriveControllerServi
       velocity_(node.dictionary(), settings.lift),
       position_(node.dictionary(), settings.lift),
       timer_(Callback<void(Time)>::to<&CarDriveController::expired>(*this)) {
-  service_.reset = Callback<void(ResetScope)>::to<&CarDriveController::reset>(*this);
-  service_.state_entered = Callback<void(NmtState)>::to<&CarDriveController::state_entered>(*this);
-  service_.error_changed =
-      Callback<void(const Error&, bool)>::to<&CarDriveController::error_changed>(*this);
   node.attach(service_);
-  using Written = Callback<void(const Entry&, Source)>;
-  const auto of_drive = Written::to<&CarDriveController::status_received>(*this);
-  watch(status_hook_, settings.lift, statusword, of_drive);
-  watch(velocity_hook_, settings.lift, velocity_actual_value, of_drive);
-  watch(position_hook_, settings.lift, position_value,
-        Written::to<&CarDriveController::position_received>(*this));
-  for (Hook* hook : {&status_hook_, &velocity_hook_, &position_hook_}) {
-    node.dictionary().attach(*hook);
-  }
 }
 
 void CarDriveController::reset(ResetScope) {
@@ -139,12 +131,18 @@ void CarDriveController::request(std::uint16_t rpdo) {
   if (services_.rpdos->has(number)) services_.rpdos->request(number);
 }
 
-void CarDriveController::status_received(const Entry& entry, Source) {
-  if (entry.index == status_hook_.first) drive_is_known_ = !drive_is_lost_;
-  if (entry.index == velocity_hook_.first) {
-    acceleration_ = velocity() - last_velocity_;
-    last_velocity_ = velocity();
-  }
+void CarDriveController::status_received() {
+  drive_is_known_ = !drive_is_lost_;
+  drive_told();
+}
+
+void CarDriveController::velocity_received() {
+  acceleration_ = velocity() - last_velocity_;
+  last_velocity_ = velocity();
+  drive_told();
+}
+
+void CarDriveController::drive_told() {
   // The time before a start does not count.
   if (std::abs(velocity()) <= moving_velocity) watch_anew();
   watch_overshoot();
@@ -152,7 +150,7 @@ void CarDriveController::status_received(const Entry& entry, Source) {
   tell();
 }
 
-void CarDriveController::position_received(const Entry&, Source) {
+void CarDriveController::position_received() {
   position_is_known_ = !position_is_lost_;
   if (std::abs(position() - watched_position_) > moving_distance) position_stands_ = false;
   watch_overshoot();

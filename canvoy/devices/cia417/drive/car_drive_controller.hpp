@@ -120,8 +120,10 @@ class CarDriveController {
   void reset(ResetScope scope);
   void state_entered(NmtState state);
   void error_changed(const Error& error, bool present);
-  void status_received(const Entry& entry, Source source);
-  void position_received(const Entry& entry, Source source);
+  void status_received();
+  void velocity_received();
+  void drive_told();
+  void position_received();
   void mode_written(SdoClient::Outcome outcome);
 
   void take_aim(Aim aim);
@@ -168,10 +170,9 @@ class CarDriveController {
   LiftBound<velocity_actual_value> velocity_;
   LiftBound<position_value> position_;
   Callback<void()> changed_;
-  Hook status_hook_;
-  Hook velocity_hook_;
-  Hook position_hook_;
-  Service service_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this, block_shift(settings_.lift)};
   Timer timer_;
 
   Aim aim_ = Aim::none;

@@ -7,6 +7,7 @@
 #include "canvoy/canopen/nmt/error_control_id.hpp"
 #include "canvoy/canopen/nmt/remote_state.hpp"
 #include "canvoy/profiles/cia417/errors.hpp"
+#include "canvoy/profiles/reactions.hpp"
 
 namespace canvoy::cia417 {
 
@@ -15,10 +16,6 @@ namespace {
 /// Of CiA 417 (facts 1.6) and of CiA 402.
 constexpr std::uint16_t unintended_code = 0xFF06;
 constexpr std::uint16_t following_code = 0x8611;
-
-constexpr std::uint16_t block_of(unsigned lift, const ObjectInfo& object) {
-  return static_cast<std::uint16_t>(object.index + (lift - 1) * block_pitch);
-}
 
 /// After these nothing is known of what the controller wants.
 bool is_loss_of_control(const Error& error, NodeId controller) {
@@ -42,6 +39,22 @@ constexpr StopReaction fast(StopReaction reaction) {
 
 }  // namespace
 
+constexpr HookCalls CarDriveUnit::hook_calls[] = {
+    before_write<&CarDriveUnit::note_order, controlword_object>,
+    before_write<&CarDriveUnit::check, statusword_object, velocity_control_parameter_set_object>,
+    after_write<&CarDriveUnit::order_written, controlword_object>,
+    after_write<&CarDriveUnit::mode_written, modes_of_operation_object>,
+    after_write<&CarDriveUnit::target_velocity_written, target_velocity_object>,
+    after_write<&CarDriveUnit::refresh_status, target_position_object>,
+    after_write<&CarDriveUnit::parameter_written, statusword_object,
+                velocity_control_parameter_set_object>};
+constexpr ServiceCalls CarDriveUnit::service_calls = {
+    .reset = method<&CarDriveUnit::reset>,
+    .state_entered = method<&CarDriveUnit::state_entered>,
+    .bus_state_changed = method<&CarDriveUnit::bus_state_changed>,
+    .error_changed = method<&CarDriveUnit::error_changed>,
+    .hooks = hook_calls};
+
 CarDriveUnit::CarDriveUnit(Node& node, const CarDriveServices& services,
                            const CarDriveHardware& hardware, const CarDriveSettings& settings)
     : node_(node),
@@ -59,21 +72,9 @@ CarDriveUnit::CarDriveUnit(Node& node, const CarDriveServices& services,
       velocity_sensor_(node.dictionary(), settings.lift),
       sensor_selection_(node.dictionary(), settings.lift),
       control_effort_(node.dictionary(), settings.lift),
-      hook_{.first = block_of(settings.lift, controlword_object),
-            .last = block_of(settings.lift, velocity_control_parameter_set_object),
-            .before_write = Callback<AbortCode(
-                const Entry&, std::span<const std::uint8_t>)>::to<&CarDriveUnit::check>(*this),
-            .after_write = Callback<void(const Entry&, Source)>::to<&CarDriveUnit::written>(*this)},
       timer_(Callback<void(Time)>::to<&CarDriveUnit::tick>(*this)),
       search_(settings.homing) {
-  service_.reset = Callback<void(ResetScope)>::to<&CarDriveUnit::reset>(*this);
-  service_.state_entered = Callback<void(NmtState)>::to<&CarDriveUnit::state_entered>(*this);
-  service_.bus_state_changed =
-      Callback<void(BusState)>::to<&CarDriveUnit::bus_state_changed>(*this);
-  service_.error_changed =
-      Callback<void(const Error&, bool)>::to<&CarDriveUnit::error_changed>(*this);
   node.attach(service_);
-  node.dictionary().attach(hook_);
   if (services.emergencies != nullptr) {
     services.emergencies->on_emergency(
         Callback<void(NodeId, const Emergency&)>::to<&CarDriveUnit::emergency_heard>(*this));
@@ -172,26 +173,35 @@ void CarDriveUnit::error_control_heard(const Frame& frame, Time) {
   if (is_boot_up) release(static_cast<NodeId>(frame.id - can_id::error_control));
 }
 
+/// All values of a PDO are asked for before one is written: the controlword comes first.
+AbortCode CarDriveUnit::note_order(std::uint16_t word) {
+  asked_ = word;
+  return AbortCode::none;
+}
+
 AbortCode CarDriveUnit::check(const Entry& entry, std::span<const std::uint8_t> value) {
-  // All values of a PDO are asked for before one is written: the controlword comes first.
-  if (entry.index == block_of(settings_.lift, controlword_object)) {
-    asked_ = load<std::uint16_t>(value.data());
-    return AbortCode::none;
-  }
   const bool is_relative = (asked_ & control_bit::relative) != 0;
   return parameters_.check(entry, value, state_, is_relative);
 }
 
-void CarDriveUnit::written(const Entry& entry, Source) {
-  if (entry.index == block_of(settings_.lift, controlword_object)) {
-    obey(controlword_.raw());
-  } else if (entry.index == block_of(settings_.lift, modes_of_operation_object)) {
-    if (is_standing_ || !is_powered(state_)) take_mode();
-  } else if (entry.index == block_of(settings_.lift, target_velocity_object)) {
-    change_velocity();
-  } else if (entry.index != block_of(settings_.lift, target_position_object)) {
-    read_parameters();
-  }
+void CarDriveUnit::order_written() {
+  obey(controlword_.raw());
+  refresh_status();
+}
+
+void CarDriveUnit::mode_written() {
+  if (is_standing_ || !is_powered(state_)) take_mode();
+  refresh_status();
+}
+
+void CarDriveUnit::target_velocity_written() {
+  change_velocity();
+  refresh_status();
+}
+
+void CarDriveUnit::parameter_written(const Entry& entry) {
+  if (parameters_.is_command(entry)) return;
+  read_parameters();
   refresh_status();
 }
 

@@ -126,8 +126,12 @@ class CarDriveUnit {
   void release(NodeId node_id);
   void release_all();
   void error_control_heard(const Frame& frame, Time now);
+  AbortCode note_order(std::uint16_t word);
   AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
-  void written(const Entry& entry, Source source);
+  void order_written();
+  void mode_written();
+  void target_velocity_written();
+  void parameter_written(const Entry& entry);
 
   // The state machine.
   void obey(std::uint16_t word);
@@ -196,8 +200,9 @@ class CarDriveUnit {
   LiftBound<velocity_sensor_actual_value> velocity_sensor_;
   LiftBound<sensor_selection_code> sensor_selection_;
   LiftBound<control_effort> control_effort_;
-  Hook hook_;
-  Service service_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this, block_shift(settings_.lift)};
   Timer timer_;
 
   DriveState state_ = DriveState::not_ready_to_switch_on;

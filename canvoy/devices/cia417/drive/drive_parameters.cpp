@@ -23,10 +23,6 @@ constexpr std::uint16_t range_limit = position_range_limit_object.index;
 constexpr std::uint16_t software_limit = software_position_limit_object.index;
 
 /// Of commands, which may come at any time; the rest is configuration.
-constexpr bool is_command(std::uint16_t index) {
-  return index == controlword_object.index || index == modes_of_operation_object.index ||
-         index == target_position_object.index || index == target_velocity_object.index;
-}
 constexpr bool is_between(std::uint16_t index, const ObjectInfo& first, const ObjectInfo& last) {
   return index >= first.index && index <= last.index;
 }
@@ -190,10 +186,16 @@ cia402::StopReaction DriveParameters::option(unsigned sub) const {
   return static_cast<cia402::StopReaction>(code);
 }
 
+bool DriveParameters::is_command(const Entry& entry) const {
+  const auto index = static_cast<std::uint16_t>(entry.index - shift_);
+  return index == controlword_object.index || index == modes_of_operation_object.index ||
+         index == target_position_object.index || index == target_velocity_object.index;
+}
+
 AbortCode DriveParameters::check(const Entry& entry, std::span<const std::uint8_t> value,
                                  DriveState state, bool relative) const {
   const auto index = static_cast<std::uint16_t>(entry.index - shift_);
-  if (!is_command(index) && is_powered(state)) return AbortCode::device_state;
+  if (!is_command(entry) && is_powered(state)) return AbortCode::device_state;
   const std::uint64_t whole = load_unsigned(value);
   const DataType type = entry.row->type;
   const std::int64_t wanted =

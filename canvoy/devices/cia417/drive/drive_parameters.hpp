@@ -71,6 +71,8 @@ class DriveParameters {
   std::uint16_t gain() const { return static_cast<std::uint16_t>(number(0x6438, 1)); }
   std::uint16_t integration_time() const { return static_cast<std::uint16_t>(number(0x6438, 2)); }
 
+  /// Modes and targets, which are no parameters: they come at any time.
+  bool is_command(const Entry& entry) const;
   /// Why an entry may not have this value now; `relative` is bit 6 of the controlword.
   /// Configuration is refused while the drive has power (4.11).
   AbortCode check(const Entry& entry, std::span<const std::uint8_t> value, DriveState state,

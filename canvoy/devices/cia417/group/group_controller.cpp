@@ -3,6 +3,7 @@
 #include <bit>
 
 #include "canvoy/devices/cia417/call/call_controller.hpp"
+#include "canvoy/profiles/reactions.hpp"
 
 namespace canvoy::cia417 {
 
@@ -50,6 +51,14 @@ Call shown_call(const HallCall& call) {
 
 }  // namespace
 
+constexpr HookCalls GroupController::hook_calls[] = {
+    after_write<&GroupController::call_received, group_input_object>,
+    after_write<&GroupController::status_received, group_output_object>};
+constexpr ServiceCalls GroupController::service_calls = {
+    .reset = method<&GroupController::reset>,
+    .state_entered = method<&GroupController::state_entered>,
+    .hooks = hook_calls};
+
 GroupController::GroupController(Node& node, Tpdos& tpdos, HeartbeatConsumer& heartbeats,
                                  const GroupControllerMemory& memory,
                                  const GroupControllerSettings& settings)
@@ -74,25 +83,18 @@ GroupController::GroupController(Node& node, Tpdos& tpdos, HeartbeatConsumer& he
            .next = Callback<std::uint64_t()>::to<&GroupController::next_acknowledgement>(*this)}),
       timer_(Callback<void(Time)>::to<&GroupController::reconsider>(*this)),
       again_timer_(Callback<void(Time)>::to<&GroupController::tell_again>(*this)) {
-  using Self = GroupController;
-  service_.reset = Callback<void(ResetScope)>::to<&Self::reset>(*this);
-  service_.state_entered = Callback<void(NmtState)>::to<&Self::state_entered>(*this);
   node.attach(service_);
-  call_hook_.first = call_hook_.last = group_input_object.index;
-  call_hook_.after_write = Callback<void(const Entry&, Source)>::to<&Self::call_received>(*this);
-  node.dictionary().attach(call_hook_);
-  status_hook_.first = status_hook_.last = group_output_object.index;
-  status_hook_.after_write =
-      Callback<void(const Entry&, Source)>::to<&Self::status_received>(*this);
-  node.dictionary().attach(status_hook_);
-  heartbeats.on_change(Callback<void(NodeId, RemoteState)>::to<&Self::heard>(*this));
+  heartbeats.on_change(Callback<void(NodeId, RemoteState)>::to<&GroupController::heard>(*this));
   hall_.plan_with(destinations_.plans());
   destinations_.plan_with(hall_.plans());
-  hall_.on_assigned(Callback<void(const HallCall&, unsigned)>::to<&Self::hall_assigned>(*this));
+  hall_.on_assigned(
+      Callback<void(const HallCall&, unsigned)>::to<&GroupController::hall_assigned>(*this));
   destinations_.on_assigned(
-      Callback<void(const DestinationCall&, unsigned)>::to<&Self::destination_assigned>(*this));
+      Callback<void(const DestinationCall&, unsigned)>::to<&GroupController::destination_assigned>(
+          *this));
   destinations_.on_withdrawn(
-      Callback<void(const DestinationCall&, unsigned)>::to<&Self::destination_withdrawn>(*this));
+      Callback<void(const DestinationCall&, unsigned)>::to<&GroupController::destination_withdrawn>(
+          *this));
 }
 
 void GroupController::reset(ResetScope) {
@@ -148,7 +150,7 @@ void GroupController::update_service(unsigned lift) {
   destinations_.service_changed();
 }
 
-void GroupController::call_received(const Entry&, Source) {
+void GroupController::call_received() {
   const VirtualInput call = decode_input(node_.dictionary().number(group_input_object.index, 0));
   if (call.request() != CallRequest::request) return;
   if (is_hall_call(call.function)) {
@@ -248,7 +250,7 @@ std::uint64_t GroupController::next_assignment() {
   return encode(record_of(slot.call, slot.lift));
 }
 
-void GroupController::status_received(const Entry&, Source) {
+void GroupController::status_received() {
   const VirtualOutput status =
       decode_output(node_.dictionary().number(group_output_object.index, 0));
   if (std::popcount(status.lifts) != 1) return node_.count_malformed();

@@ -61,8 +61,8 @@ class GroupController {
   void reset(ResetScope scope);
   void state_entered(NmtState state);
   void heard(NodeId id, RemoteState state);
-  void call_received(const Entry& entry, Source source);
-  void status_received(const Entry& entry, Source source);
+  void call_received();
+  void status_received();
   void take_hall_call(const VirtualInput& input);
   void take_destination(const VirtualInput& input);
   void lift_told(unsigned lift, const VirtualOutput& status);
@@ -105,9 +105,9 @@ class GroupController {
   LiftCalls told_again_;  ///< what they are told whether it has changed or not
   std::uint32_t calls_without_room_ = 0;
   std::size_t resend_ = SIZE_MAX;  ///< the next assignment to tell again, where the queue was full
-  Service service_;
-  Hook call_hook_;
-  Hook status_hook_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   Timer timer_;
   Timer again_timer_;
 };

@@ -1,5 +1,7 @@
 #include "canvoy/devices/cia417/group/group_member.hpp"
 
+#include "canvoy/profiles/reactions.hpp"
+
 namespace canvoy::cia417 {
 
 namespace {
@@ -24,6 +26,14 @@ VirtualInput input_of(const Call& call) {
 
 }  // namespace
 
+constexpr HookCalls GroupMember::hook_calls[] = {
+    after_write<&GroupMember::assigned, group_input_object>,
+    after_write<&GroupMember::acknowledged, group_output_object>};
+constexpr ServiceCalls GroupMember::service_calls = {
+    .reset = method<&GroupMember::reset>,
+    .state_entered = method<&GroupMember::state_entered>,
+    .hooks = hook_calls};
+
 GroupMember::GroupMember(Node& node, Tpdos& tpdos, HeartbeatConsumer& heartbeats, Node& lift_node,
                          CallController& calls, LiftController& lift,
                          std::span<std::uint64_t> queue, const GroupMemberSettings& settings)
@@ -40,17 +50,7 @@ GroupMember::GroupMember(Node& node, Tpdos& tpdos, HeartbeatConsumer& heartbeats
       status_mapping_(node, tpdos, virtual_output_mapping_object.index,
                       {.waits = Callback<bool()>::to<&GroupMember::status_waits>(*this),
                        .next = Callback<std::uint64_t()>::to<&GroupMember::next_status>(*this)}) {
-  service_.reset = Callback<void(ResetScope)>::to<&GroupMember::reset>(*this);
-  service_.state_entered = Callback<void(NmtState)>::to<&GroupMember::state_entered>(*this);
   node.attach(service_);
-  assignment_hook_.first = assignment_hook_.last = group_input_object.index;
-  assignment_hook_.after_write =
-      Callback<void(const Entry&, Source)>::to<&GroupMember::assigned>(*this);
-  node.dictionary().attach(assignment_hook_);
-  acknowledgement_hook_.first = acknowledgement_hook_.last = group_output_object.index;
-  acknowledgement_hook_.after_write =
-      Callback<void(const Entry&, Source)>::to<&GroupMember::acknowledged>(*this);
-  node.dictionary().attach(acknowledgement_hook_);
   heartbeats_.on_change(Callback<void(NodeId, RemoteState)>::to<&GroupMember::group_heard>(*this));
   calls_.on_hall_call(Callback<bool(const VirtualInput&)>::to<&GroupMember::offer>(*this));
   lift_.on_stop(Callback<void(const Landing&, DoorMask)>::to<&GroupMember::stopped>(*this));
@@ -138,7 +138,7 @@ void GroupMember::act_on_lift() {
 }
 
 /// While it is alone nobody gives it calls: who does, does not know yet that it was alone.
-void GroupMember::assigned(const Entry&, Source) {
+void GroupMember::assigned() {
   if (!is_in_group_) return;
   const auto record = node_.dictionary().number(group_input_object.index, 0);
   is_inside_ = true;
@@ -168,7 +168,7 @@ void GroupMember::assign(const VirtualInput& call) {
   }
 }
 
-void GroupMember::acknowledged(const Entry&, Source) {
+void GroupMember::acknowledged() {
   if (!is_in_group_) return;
   const VirtualOutput record =
       decode_output(node_.dictionary().number(group_output_object.index, 0));

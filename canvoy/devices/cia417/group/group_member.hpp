@@ -64,8 +64,8 @@ class GroupMember {
   void stopped(const Landing& landing, DoorMask doors);
   void update();
   void announce();
-  void assigned(const Entry& entry, Source source);
-  void acknowledged(const Entry& entry, Source source);
+  void assigned();
+  void acknowledged();
   void assign(const VirtualInput& call);
   void act_on_lift();
 
@@ -87,9 +87,9 @@ class GroupMember {
   VirtualMapping call_mapping_;
   VirtualMapping status_mapping_;
   Callback<void()> changed_;
-  Service service_;
-  Hook assignment_hook_;
-  Hook acknowledgement_hook_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   bool is_in_group_ = false;
   bool is_inside_ = false;  ///< in a callback of the group's node
   bool knows_status_ = false;

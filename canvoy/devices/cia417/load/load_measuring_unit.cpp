@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "canvoy/profiles/cia417/errors.hpp"
+#include "canvoy/profiles/reactions.hpp"
 
 namespace canvoy::cia417 {
 
@@ -24,20 +25,20 @@ constexpr std::uint8_t bit_of(const Handle& /*flag*/) {
 
 }  // namespace
 
+constexpr HookCalls LoadMeasuringUnit::hook_calls[] = {
+    before_write<&LoadMeasuringUnit::check_unit, load_si_unit>,
+    before_write<&LoadMeasuringUnit::check_ratio, rope_ratio_nominator>,
+    after_write<&LoadMeasuringUnit::look_again, absolute_load_value, rope_ratio_nominator>};
+constexpr ServiceCalls LoadMeasuringUnit::service_calls = {
+    .reset = method<&LoadMeasuringUnit::reset>, .hooks = hook_calls};
+
 LoadMeasuringUnit::LoadMeasuringUnit(Node& node, const LoadHardware& hardware,
                                      const LoadSettings& settings)
     : node_(node),
       hardware_(hardware),
       settings_(settings),
       timer_(Callback<void(Time)>::to<&LoadMeasuringUnit::look>(*this)) {
-  service_.reset = Callback<void(ResetScope)>::to<&LoadMeasuringUnit::reset>(*this);
   node.attach(service_);
-  hook_.first = in_lift(settings.lift, absolute_load_value).index();
-  hook_.last = in_lift(settings.lift, rope_ratio_nominator).index();
-  hook_.before_write = Callback<AbortCode(
-      const Entry&, std::span<const std::uint8_t>)>::to<&LoadMeasuringUnit::check>(*this);
-  hook_.after_write = Callback<void(const Entry&, Source)>::to<&LoadMeasuringUnit::written>(*this);
-  node.dictionary().attach(hook_);
 }
 
 void LoadMeasuringUnit::reset(ResetScope scope) {
@@ -58,25 +59,21 @@ void LoadMeasuringUnit::reset(ResetScope scope) {
   look(node_.now());
 }
 
-/// Units that are no kilograms, and a ratio that divides by nothing.
-AbortCode LoadMeasuringUnit::check(const Entry& entry, std::span<const std::uint8_t> bytes) {
-  const auto word = static_cast<std::uint16_t>(load_unsigned(bytes));
-  const auto unit = in_lift(settings_.lift, load_si_unit);
-  const auto ratio = in_lift(settings_.lift, rope_ratio_nominator);
-  if (entry.index == unit.index() && entry.sub == unit.sub()) {
-    const int prefix = (word >> 8 ^ 0x80) - 0x80;  // signed
-    const bool is_known =
-        static_cast<std::uint8_t>(word) == kilogram_code && std::abs(prefix) <= prefix_max;
-    return is_known ? AbortCode::none : AbortCode::value_range;
-  }
-  if (entry.index == ratio.index() && entry.sub == ratio.sub()) {
-    const bool is_ratio = (word & 0xFF) != 0 && word >> 8 != 0;
-    return is_ratio ? AbortCode::none : AbortCode::value_range;
-  }
-  return AbortCode::none;
+/// Only kilograms, with a prefix.
+AbortCode LoadMeasuringUnit::check_unit(std::uint16_t word) {
+  const int prefix = (word >> 8 ^ 0x80) - 0x80;  // signed
+  const bool is_known =
+      static_cast<std::uint8_t>(word) == kilogram_code && std::abs(prefix) <= prefix_max;
+  return is_known ? AbortCode::none : AbortCode::value_range;
 }
 
-void LoadMeasuringUnit::written(const Entry&, Source) {
+/// None that divides by nothing.
+AbortCode LoadMeasuringUnit::check_ratio(std::uint16_t word) {
+  const bool is_ratio = (word & 0xFF) != 0 && word >> 8 != 0;
+  return is_ratio ? AbortCode::none : AbortCode::value_range;
+}
+
+void LoadMeasuringUnit::look_again() {
   look(node_.now());
 }
 

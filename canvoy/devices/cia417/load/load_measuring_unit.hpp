@@ -48,8 +48,9 @@ class LoadMeasuringUnit {
 
  private:
   void reset(ResetScope scope);
-  AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
-  void written(const Entry& entry, Source source);
+  AbortCode check_unit(std::uint16_t word);
+  AbortCode check_ratio(std::uint16_t word);
+  void look_again();
   void look(Time now);
   std::optional<double> weigh();
   std::uint16_t in_unit(double kilograms) const;
@@ -66,8 +67,9 @@ class LoadMeasuringUnit {
   LoadHardware hardware_;
   LoadSettings settings_;
   bool is_defect_ = false;
-  Service service_;
-  Hook hook_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this, block_shift(settings_.lift)};
   Timer timer_;
 };
 

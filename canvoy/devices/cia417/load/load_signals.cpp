@@ -1,6 +1,7 @@
 #include "canvoy/devices/cia417/load/load_signals.hpp"
 
 #include "canvoy/profiles/cia417/pdos.hpp"
+#include "canvoy/profiles/reactions.hpp"
 
 namespace canvoy::cia417 {
 
@@ -13,6 +14,14 @@ constexpr Duration asks_again_after = 1s;
 
 }  // namespace
 
+constexpr HookCalls LoadSignals::hook_calls[] = {
+    after_write<&LoadSignals::received, zero_load_reached>};
+constexpr ServiceCalls LoadSignals::service_calls = {
+    .reset = method<&LoadSignals::reset>,
+    .state_entered = method<&LoadSignals::state_entered>,
+    .error_changed = method<&LoadSignals::error_changed>,
+    .hooks = hook_calls};
+
 LoadSignals::LoadSignals(Node& node, Rpdos& rpdos, HeartbeatConsumer& heartbeats,
                          const LoadSignalsSettings& settings)
     : node_(node),
@@ -23,14 +32,7 @@ LoadSignals::LoadSignals(Node& node, Rpdos& rpdos, HeartbeatConsumer& heartbeats
       full_(node.dictionary(), settings.lift),
       overload_(node.dictionary(), settings.lift),
       timer_(Callback<void(Time)>::to<&LoadSignals::expired>(*this)) {
-  service_.reset = Callback<void(ResetScope)>::to<&LoadSignals::reset>(*this);
-  service_.state_entered = Callback<void(NmtState)>::to<&LoadSignals::state_entered>(*this);
-  service_.error_changed =
-      Callback<void(const Error&, bool)>::to<&LoadSignals::error_changed>(*this);
   node.attach(service_);
-  hook_.first = hook_.last = in_lift(settings.lift, zero_load_reached).index();
-  hook_.after_write = Callback<void(const Entry&, Source)>::to<&LoadSignals::received>(*this);
-  node.dictionary().attach(hook_);
 }
 
 void LoadSignals::reset(ResetScope) {
@@ -68,7 +70,7 @@ void LoadSignals::expired(Time) {
   if (!is_heard_ && heartbeats_.state(settings_.load_unit) != RemoteState::lost) ask();
 }
 
-void LoadSignals::received(const Entry&, Source) {
+void LoadSignals::received() {
   is_heard_ = true;
   changed_();
 }

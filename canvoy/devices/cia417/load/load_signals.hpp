@@ -45,7 +45,7 @@ class LoadSignals {
   void forget();
   void ask();
   void expired(Time now);
-  void received(const Entry& entry, Source source);
+  void received();
   void error_changed(const Error& error, bool present);
 
   Node& node_;
@@ -57,8 +57,9 @@ class LoadSignals {
   LiftBound<full_load_reached> full_;
   LiftBound<overload_reached> overload_;
   Callback<void()> changed_;
-  Service service_;
-  Hook hook_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this, block_shift(settings_.lift)};
   Timer timer_;
 };
 

@@ -124,8 +124,8 @@ inline void begin_mapping(Dictionary& dictionary, std::uint16_t mapping, std::ui
 
 /// `hook` in lift `lift`.
 constexpr HookCalls in_lift(unsigned lift, HookCalls hook) {
-  hook.first = static_cast<std::uint16_t>(hook.first + (lift - 1) * block_pitch);
-  hook.last = static_cast<std::uint16_t>(hook.last + (lift - 1) * block_pitch);
+  hook.first = static_cast<std::uint16_t>(hook.first + block_shift(lift));
+  hook.last = static_cast<std::uint16_t>(hook.last + block_shift(lift));
   return hook;
 }
 

@@ -98,6 +98,7 @@ constexpr HookCalls VirtualMpdoConsumer::hook_calls[] = {
     {.first = received_parts_object.index,
      .last = received_parts_object.index,
      .after_write = method<&VirtualMpdoConsumer::written>}};
+constexpr ServiceCalls VirtualMpdoConsumer::service_calls = {.hooks = hook_calls};
 
 void VirtualMpdoConsumer::written(const Entry& entry, Source source) {
   const bool is_second = entry.sub != 0 && entry.sub % 2 == 0;

@@ -129,7 +129,7 @@ class VirtualMpdoConsumer {
   explicit VirtualMpdoConsumer(Node& node,
                                std::uint16_t mapping = virtual_input_mapping_object.index)
       : node_(node), mapping_(mapping) {
-    node.dictionary().attach(hooks_);
+    node.attach(service_);
   }
   VirtualMpdoConsumer(const VirtualMpdoConsumer&) = delete;
   VirtualMpdoConsumer& operator=(const VirtualMpdoConsumer&) = delete;
@@ -138,9 +138,11 @@ class VirtualMpdoConsumer {
   void written(const Entry& entry, Source source);
 
   static const HookCalls hook_calls[1];
+  static const ServiceCalls service_calls;
+
   Node& node_;
   std::uint16_t mapping_;
-  HookLink hooks_{hook_calls, this};
+  ServiceLink service_{&service_calls, this};
 };
 
 }  // namespace canvoy::cia417

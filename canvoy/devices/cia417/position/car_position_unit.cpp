@@ -6,6 +6,7 @@
 
 #include "canvoy/profiles/cia417/encoder.hpp"
 #include "canvoy/profiles/cia417/errors.hpp"
+#include "canvoy/profiles/reactions.hpp"
 
 namespace canvoy::cia417 {
 
@@ -23,13 +24,6 @@ constexpr std::uint16_t scaling_bit = 0x0004;
 constexpr std::uint16_t direction_bit = 0x0008;
 constexpr std::uint16_t reserved_bits_mask = 0x0FF0;
 
-constexpr bool is_settings_of_step(unsigned index) {
-  return index >= measuring_step_index && index < measuring_step_index + position_unit_count;
-}
-constexpr bool is_cam_setting(unsigned index) {
-  return index == cam_enable_object.index || index == cam_polarity_object.index;
-}
-
 template <class Number>
 Number saturate(double value) {
   constexpr auto low = static_cast<double>(std::numeric_limits<Number>::min());
@@ -39,6 +33,17 @@ Number saturate(double value) {
 
 }  // namespace
 
+constexpr HookCalls CarPositionUnit::hook_calls[] = {
+    before_write<&CarPositionUnit::check_parameter, operating_parameter_object>,
+    before_write<&CarPositionUnit::check_step, measuring_step_settings_object>,
+    before_write<&CarPositionUnit::check_preset, preset_value>,
+    after_write<&CarPositionUnit::preset_written, preset_value>,
+    after_write<&CarPositionUnit::parameter_written, operating_parameter_object,
+                acceleration_value_car_object>,
+    after_write<&CarPositionUnit::cam_setting_written, cam_enable_object, cam_polarity_object>};
+constexpr ServiceCalls CarPositionUnit::service_calls = {.reset = method<&CarPositionUnit::reset>,
+                                                         .hooks = hook_calls};
+
 CarPositionUnit::CarPositionUnit(Node& node, const CarPositionServices& services,
                                  const CarPositionHardware& hardware,
                                  const CarPositionSettings& settings)
@@ -46,16 +51,8 @@ CarPositionUnit::CarPositionUnit(Node& node, const CarPositionServices& services
       hardware_(hardware),
       settings_(settings),
       cams_(node.dictionary(), settings.lift, settings.cams),
-      hook_{.first = in_lift(settings.lift, operating_parameter).index(),
-            .last = static_cast<std::uint16_t>(in_lift(settings.lift, cam_polarity).index()),
-            .before_write = Callback<AbortCode(
-                const Entry&, std::span<const std::uint8_t>)>::to<&CarPositionUnit::check>(*this),
-            .after_write =
-                Callback<void(const Entry&, Source)>::to<&CarPositionUnit::written>(*this)},
       timer_(Callback<void(Time)>::to<&CarPositionUnit::tick>(*this)) {
-  service_.reset = Callback<void(ResetScope)>::to<&CarPositionUnit::reset>(*this);
   node.attach(service_);
-  node.dictionary().attach(hook_);
   if (services.tpdos != nullptr) {
     services.tpdos->before_transmit =
         Callback<void(std::uint16_t)>::to<&CarPositionUnit::before_transmit>(*this);
@@ -109,28 +106,26 @@ void CarPositionUnit::configure(unsigned unit) {
   if (is_scaled) of.step = revolution / 1000 / counts;
 }
 
-AbortCode CarPositionUnit::check(const Entry& entry, std::span<const std::uint8_t> value_bytes) {
-  const unsigned index = entry.index - (settings_.lift - 1U) * block_pitch;
-  const std::uint64_t wanted = load_unsigned(value_bytes);
-  if (index == operating_parameter_object.index && (wanted & reserved_bits_mask) != 0) {
-    return AbortCode::value_range;
-  }
-  if (is_settings_of_step(index) && wanted == 0) return AbortCode::value_too_low;
-  if (index != preset_value_object.index || entry.sub == 0 || entry.sub > units_.size()) {
-    return AbortCode::none;
-  }
-  // Where a moving car is, nobody can say to the count.
+AbortCode CarPositionUnit::check_parameter(std::uint16_t wanted) {
+  return (wanted & reserved_bits_mask) == 0 ? AbortCode::none : AbortCode::value_range;
+}
+
+AbortCode CarPositionUnit::check_step(std::uint32_t wanted) {
+  return wanted != 0 ? AbortCode::none : AbortCode::value_too_low;
+}
+
+/// Where a moving car is, nobody can say to the count.
+AbortCode CarPositionUnit::check_preset(const Entry& entry, std::span<const std::uint8_t>) {
   const Unit& unit = units_[entry.sub - 1U];
   const bool moves = std::abs(unit.readings.velocity_millimetre_per_second) > standing_speed;
   return moves ? AbortCode::device_state : AbortCode::none;
 }
 
-void CarPositionUnit::written(const Entry& entry, Source) {
-  const unsigned index = entry.index - (settings_.lift - 1U) * block_pitch;
-  if (is_cam_setting(index)) return cams_.refresh();
-  if (index == preset_value_object.index && entry.sub >= 1 && entry.sub <= units_.size()) {
-    preset(entry.sub);
-  }
+void CarPositionUnit::preset_written(const Entry& entry) {
+  preset(entry.sub);
+}
+
+void CarPositionUnit::parameter_written() {
   for (unsigned unit = 1; unit <= position_unit_count; ++unit) {
     if (units_[unit - 1].exists) configure(unit);
   }

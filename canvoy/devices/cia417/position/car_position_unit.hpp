@@ -79,8 +79,12 @@ class CarPositionUnit {
   };
 
   void reset(ResetScope scope);
-  AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
-  void written(const Entry& entry, Source source);
+  AbortCode check_parameter(std::uint16_t wanted);
+  AbortCode check_step(std::uint32_t wanted);
+  AbortCode check_preset(const Entry& entry, std::span<const std::uint8_t> value);
+  void preset_written(const Entry& entry);
+  void parameter_written();
+  void cam_setting_written() { cams_.refresh(); }
   void before_transmit(std::uint16_t number);
 
   void configure(unsigned unit);
@@ -105,8 +109,9 @@ class CarPositionUnit {
   PositionCamUnit cams_;
   std::array<Unit, position_unit_count> units_;
   bool is_too_fast_ = false;
-  Hook hook_;
-  Service service_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this, block_shift(settings_.lift)};
   Timer timer_;
 };
 

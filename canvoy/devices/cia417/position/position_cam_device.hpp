@@ -26,13 +26,15 @@ class LonePositionCamUnit {
 
  private:
   void reset(ResetScope /*scope*/) { cams_.refresh(); }
-  void written(const Entry& entry, Source source);
+  void position_written();
+  void cam_setting_written() { cams_.refresh(); }
 
   Dictionary& dictionary_;
   PositionCamSettings settings_;
   PositionCamUnit cams_;
-  Hook hook_;
-  Service service_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this, block_shift(settings_.lift)};
 };
 
 inline constexpr std::uint32_t cam_pdo_mapping[] = {mapped_in(1, cam_state_object, 1)};

@@ -4,6 +4,9 @@
 
 namespace canvoy::cia417 {
 
+constexpr ServiceCalls LightBarrierUnit::service_calls = {.reset =
+                                                              method<&LightBarrierUnit::reset>};
+
 LightBarrierUnit::LightBarrierUnit(Node& node, const LightBarrierHardware& hardware,
                                    const LightBarrierSettings& settings)
     : node_(node),
@@ -11,7 +14,6 @@ LightBarrierUnit::LightBarrierUnit(Node& node, const LightBarrierHardware& hardw
       settings_(settings),
       timer_(Callback<void(Time)>::to<&LightBarrierUnit::look>(*this)) {
   seen_.fill(Detection::not_available);
-  service_.reset = Callback<void(ResetScope)>::to<&LightBarrierUnit::reset>(*this);
   node.attach(service_);
 }
 

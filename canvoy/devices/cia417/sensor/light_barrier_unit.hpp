@@ -50,7 +50,8 @@ class LightBarrierUnit {
   LightBarrierHardware hardware_;
   LightBarrierSettings settings_;
   std::array<Detection, door_count> seen_;
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   Timer timer_;
 };
 

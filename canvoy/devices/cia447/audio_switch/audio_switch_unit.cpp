@@ -1,5 +1,7 @@
 #include "canvoy/devices/cia447/audio_switch/audio_switch_unit.hpp"
 
+#include "canvoy/profiles/reactions.hpp"
+
 namespace canvoy::cia447 {
 
 namespace {
@@ -9,24 +11,19 @@ constexpr const ObjectInfo* audio_commands[] = {&audio_switch_command_object,
 
 }  // namespace
 
+constexpr HookCalls AudioSwitchUnit::hook_calls[] = {
+    after_write<&AudioSwitchUnit::command_written, audio_switch_command_object>,
+    after_write<&AudioSwitchUnit::request_written, audio_switch_status_request_object>,
+    before_read<&AudioSwitchUnit::answer_request, audio_switch_status_response_object>};
+constexpr ServiceCalls AudioSwitchUnit::service_calls = {.reset = method<&AudioSwitchUnit::reset>,
+                                                         .hooks = hook_calls};
+
 AudioSwitchUnit::AudioSwitchUnit(CarNetwork& network, const AudioSwitchHardware& hardware,
                                  const SwitchedSettings& settings)
     : network_(network),
       hardware_(hardware),
       commands_(network, audio_commands, {.lacking = settings.lacking}) {
-  service_.reset = Callback<void(ResetScope)>::to<&AudioSwitchUnit::reset>(*this);
   network.node().attach(service_);
-  auto& [command, request, response] = hooks_;
-  command.first = command.last = audio_switch_command_object.index;
-  command.after_write =
-      Callback<void(const Entry&, Source)>::to<&AudioSwitchUnit::command_written>(*this);
-  request.first = request.last = audio_switch_status_request_object.index;
-  request.after_write =
-      Callback<void(const Entry&, Source)>::to<&AudioSwitchUnit::request_written>(*this);
-  response.first = response.last = audio_switch_status_response_object.index;
-  response.before_read =
-      Callback<AbortCode(const Entry&)>::to<&AudioSwitchUnit::response_read>(*this);
-  for (Hook& hook : hooks_) network.node().dictionary().attach(hook);
 }
 
 /// What is connected stays so; what was asked for is forgotten.
@@ -41,7 +38,7 @@ void AudioSwitchUnit::report_failure(bool has_failed) {
 }
 
 /// A command is about a pair of channels: all three parts of it make one (errata Z04).
-void AudioSwitchUnit::command_written(const Entry&, Source) {
+void AudioSwitchUnit::command_written() {
   const Values audio(network_.node().dictionary());
   const Pair pair{audio[audio_switch_command_input_channel].raw(),
                   audio[audio_switch_command_output_channel].raw()};
@@ -52,16 +49,15 @@ void AudioSwitchUnit::command_written(const Entry&, Source) {
   });
 }
 
-void AudioSwitchUnit::request_written(const Entry&, Source) {
+void AudioSwitchUnit::request_written() {
   const Values audio(network_.node().dictionary());
   const Pair pair{audio[audio_switch_status_request_input_channel].raw(),
                   audio[audio_switch_status_request_output_channel].raw()};
   if (pair.is_whole()) asked_[network_.client()] = pair;
 }
 
-AbortCode AudioSwitchUnit::response_read(const Entry&) {
+void AudioSwitchUnit::answer_request() {
   respond(network_.client());
-  return AbortCode::none;
 }
 
 void AudioSwitchUnit::respond(NodeId client) {

@@ -48,9 +48,9 @@ class AudioSwitchUnit {
   };
 
   void reset(ResetScope scope);
-  void command_written(const Entry& entry, Source source);
-  void request_written(const Entry& entry, Source source);
-  AbortCode response_read(const Entry& entry);
+  void command_written();
+  void request_written();
+  void answer_request();
   void respond(NodeId client);
 
   CarNetwork& network_;
@@ -59,8 +59,9 @@ class AudioSwitchUnit {
   std::array<Pair, node_id_max + 1> asked_{};  ///< by client
   bool has_failed_ = false;
   Commands commands_;
-  Service service_;
-  std::array<Hook, 3> hooks_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
 };
 
 struct AudioSwitchKind : CarKind<AudioSwitchUnit, AudioSwitchHardware, SwitchedSettings> {

@@ -14,6 +14,9 @@ std::string_view fitting(std::string_view text, std::size_t capacity) {
 
 }  // namespace
 
+constexpr ServiceCalls DriverIdentificationUnit::service_calls = {
+    .reset = method<&DriverIdentificationUnit::reset>};
+
 DriverIdentificationUnit::DriverIdentificationUnit(CarNetwork& network,
                                                    const DriverIdentificationHardware& hardware,
                                                    const DriverIdentificationSettings& settings)
@@ -27,7 +30,6 @@ DriverIdentificationUnit::DriverIdentificationUnit(CarNetwork& network,
            .period = settings.asking_period,
            .came = Callback<void(std::uint16_t)>::to<&DriverIdentificationUnit::clock_was_read>(
                *this)}) {
-  service_.reset = Callback<void(ResetScope)>::to<&DriverIdentificationUnit::reset>(*this);
   network.node().attach(service_);
 }
 

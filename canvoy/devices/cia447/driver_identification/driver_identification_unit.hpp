@@ -82,7 +82,8 @@ class DriverIdentificationUnit {
   std::size_t name_length_ = 0;
   std::uint32_t login_ = no_time_told;
   std::uint32_t logout_ = no_time_told;
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
 };
 
 struct DriverIdentificationKind : CarKind<DriverIdentificationUnit, DriverIdentificationHardware,

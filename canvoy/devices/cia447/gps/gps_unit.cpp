@@ -38,13 +38,14 @@ std::optional<double> as_heading(std::optional<double> degrees) {
 
 }  // namespace
 
+constexpr ServiceCalls GpsUnit::service_calls = {.reset = method<&GpsUnit::reset>};
+
 GpsUnit::GpsUnit(CarNetwork& network, const GpsHardware& hardware, const GpsSettings& settings)
     : network_(network),
       hardware_(hardware),
       settings_(settings),
       values_(network.node().dictionary()),
       timer_(Callback<void(Time)>::to<&GpsUnit::look>(*this)) {
-  service_.reset = Callback<void(ResetScope)>::to<&GpsUnit::reset>(*this);
   network.node().attach(service_);
 }
 

@@ -55,7 +55,8 @@ class GpsUnit {
   GpsSettings settings_;
   Values values_;
   GpsReading reading_;
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   Timer timer_;
 };
 

@@ -37,6 +37,8 @@ constexpr FieldPlace of_seat(FieldPlace place, unsigned seat) {
 
 }  // namespace
 
+constexpr ServiceCalls CarSeats::service_calls = {.reset = method<&CarSeats::reset>};
+
 CarSeats::CarSeats(CarNetwork& network, const SwitchedHardware& hardware,
                    const SwitchedSettings& settings)
     : network_(network),
@@ -49,7 +51,6 @@ CarSeats::CarSeats(CarNetwork& network, const SwitchedHardware& hardware,
     seat.position.fill(position_at_first);
     seat.target = seat.position;
   }
-  service_.reset = Callback<void(ResetScope)>::to<&CarSeats::reset>(*this);
   network.node().attach(service_);
 }
 

@@ -94,7 +94,8 @@ class CarSeats {
   std::array<Seat, SeatMemories::seats> seats_{};
   SeatMemories memories_;
   Commands commands_;
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   Timer timer_;
 };
 

@@ -18,6 +18,10 @@ std::optional<double> known(bool is_known, double number) {
 
 }  // namespace
 
+constexpr ServiceCalls IvnGatewayUnit::service_calls = {
+    .reset = method<&IvnGatewayUnit::reset>,
+    .state_entered = method<&IvnGatewayUnit::state_entered>};
+
 IvnGatewayUnit::IvnGatewayUnit(CarNetwork& network, const CarHardware& hardware,
                                const CarSettings& settings)
     : network_(network),
@@ -31,8 +35,6 @@ IvnGatewayUnit::IvnGatewayUnit(CarNetwork& network, const CarHardware& hardware,
                .circumference_m = settings.wheel_circumference_m,
                .count_max = settings.pulse_counter_max}),
       timer_(Callback<void(Time)>::to<&IvnGatewayUnit::look>(*this)) {
-  service_.reset = Callback<void(ResetScope)>::to<&IvnGatewayUnit::reset>(*this);
-  service_.state_entered = Callback<void(NmtState)>::to<&IvnGatewayUnit::state_entered>(*this);
   network.node().attach(service_);
 }
 

@@ -74,7 +74,8 @@ class IvnGatewayUnit {
   SwitchedUnit<power_train_table> power_train_;
   CarSeats seats_;
   WheelPulseCounter pulses_;
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   Timer timer_;
 };
 

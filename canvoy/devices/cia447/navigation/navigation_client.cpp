@@ -43,13 +43,15 @@ constexpr Question questions[] = {question(start_route_guidance_position_latitud
 
 }  // namespace
 
+constexpr ServiceCalls NavigationClient::service_calls = {.reset =
+                                                              method<&NavigationClient::reset>};
+
 NavigationClient::NavigationClient(CarNetwork& network, const NavigationClientSettings& settings)
     : network_(network),
       settings_(settings),
       client_(network.node(), mesh_channel_to(settings.navigation)),
       timer_(Callback<void(Time)>::to<&NavigationClient::begin>(*this)) {
   next_lost_ = network.on_lost(Callback<void(NodeId)>::to<&NavigationClient::lost>(*this));
-  service_.reset = Callback<void(ResetScope)>::to<&NavigationClient::reset>(*this);
   network.node().attach(service_);
 }
 

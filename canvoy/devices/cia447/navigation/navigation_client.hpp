@@ -100,7 +100,8 @@ class NavigationClient {
   PlaceName destination_street_;
   std::optional<double> metres_;
   std::array<std::uint8_t, 4> value_{};
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   Timer timer_;
 };
 

@@ -1,5 +1,7 @@
 #include "canvoy/devices/cia447/navigation/navigation_unit.hpp"
 
+#include "canvoy/profiles/reactions.hpp"
+
 namespace canvoy::cia447 {
 
 namespace {
@@ -20,6 +22,11 @@ bool says_failure(const Values& values, const Handle& handle) {
 
 }  // namespace
 
+constexpr HookCalls NavigationUnit::hook_calls[] = {
+    after_write<&NavigationUnit::position_written, gps_current_position_object>};
+constexpr ServiceCalls NavigationUnit::service_calls = {.reset = method<&NavigationUnit::reset>,
+                                                        .hooks = hook_calls};
+
 NavigationUnit::NavigationUnit(CarNetwork& network, const NavigationHardware& hardware,
                                const NavigationSettings& settings)
     : network_(network),
@@ -31,11 +38,6 @@ NavigationUnit::NavigationUnit(CarNetwork& network, const NavigationHardware& ha
           {.commanded = Callback<void(const Commanded&)>::to<&NavigationUnit::commanded>(*this),
            .refuses = Callback<AbortCode(const Commanded&)>::to<&NavigationUnit::refuses>(*this)}),
       timer_(Callback<void(Time)>::to<&NavigationUnit::look>(*this)) {
-  position_hook_.first = position_hook_.last = gps_current_position_object.index;
-  position_hook_.after_write =
-      Callback<void(const Entry&, Source)>::to<&NavigationUnit::position_written>(*this);
-  network.node().dictionary().attach(position_hook_);
-  service_.reset = Callback<void(ResetScope)>::to<&NavigationUnit::reset>(*this);
   network.node().attach(service_);
   next_lost_ = network.on_lost(Callback<void(NodeId)>::to<&NavigationUnit::lost>(*this));
 }
@@ -49,7 +51,7 @@ void NavigationUnit::reset(ResetScope) {
 
 // Where the car is.
 
-void NavigationUnit::position_written(const Entry&, Source source) {
+void NavigationUnit::position_written(Source source) {
   if (source != Source::pdo) return;
   gps_ = network_.source_of(position_pdo);
   network_.watch(gps_);

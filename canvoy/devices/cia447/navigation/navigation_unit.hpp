@@ -71,7 +71,7 @@ class NavigationUnit {
 
   void reset(ResetScope scope);
   void lost(NodeId node);
-  void position_written(const Entry& entry, Source source);
+  void position_written(Source source);
   AbortCode refuses(const Commanded& wanted);
   void commanded(const Commanded& wanted);
   void describe();
@@ -94,8 +94,9 @@ class NavigationUnit {
   NodeId gps_ = 0;  ///< who sends the position
   Callback<void(NodeId)> next_lost_;
   Commands commands_;
-  Hook position_hook_;
-  Service service_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   Timer timer_;
 };
 

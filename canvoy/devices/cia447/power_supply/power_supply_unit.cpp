@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "canvoy/profiles/reactions.hpp"
+
 namespace canvoy::cia447 {
 
 namespace {
@@ -28,6 +30,10 @@ constexpr Statuses statuses_of[] = {
 
 }  // namespace
 
+constexpr HookCalls PowerSupplyUnit::hook_calls[] = {
+    after_write<&PowerSupplyUnit::ignition_written, ignition_switch_status_object>};
+constexpr ServiceCalls PowerSupplyUnit::service_calls = {.hooks = hook_calls};
+
 PowerSupplyUnit::PowerSupplyUnit(CarNetwork& network, const PowerSupplyHardware& hardware,
                                  const PowerSupplySettings& settings)
     : network_(network),
@@ -46,10 +52,7 @@ PowerSupplyUnit::PowerSupplyUnit(CarNetwork& network, const PowerSupplyHardware&
                .period = 10s,
                .came = Callback<void(std::uint16_t)>::to<&PowerSupplyUnit::ignition_read>(*this)}),
       timer_(Callback<void(Time)>::to<&PowerSupplyUnit::look>(*this)) {
-  hook_.first = hook_.last = ignition_switch_status_object.index;
-  hook_.after_write =
-      Callback<void(const Entry&, Source)>::to<&PowerSupplyUnit::ignition_written>(*this);
-  network.node().dictionary().attach(hook_);
+  network.node().attach(service_);
 }
 
 bool PowerSupplyUnit::commanded(const Commanded& wanted) {
@@ -65,7 +68,7 @@ void PowerSupplyUnit::report_overload(Supply supply, bool is_overloaded) {
   settle(supply, network_.node().now());
 }
 
-void PowerSupplyUnit::ignition_written(const Entry&, Source source) {
+void PowerSupplyUnit::ignition_written(Source source) {
   ignition_.came(source);
   look_at_ignition();
 }

@@ -75,7 +75,7 @@ class PowerSupplyUnit {
 
   static std::size_t index_of(Supply supply) { return static_cast<std::size_t>(supply); }
   bool commanded(const Commanded& wanted);
-  void ignition_written(const Entry& entry, Source source);
+  void ignition_written(Source source);
   void ignition_read(std::uint16_t index);
   void ignition_lost();
   void look_at_ignition();
@@ -89,7 +89,9 @@ class PowerSupplyUnit {
   SwitchedUnit<power_supply_table> statuses_;
   CarSource ignition_;
   ObjectReader reader_;
-  Hook hook_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   Timer timer_;
 };
 

@@ -13,6 +13,8 @@ constexpr Signal signal(bool is_so) {
 
 }  // namespace
 
+constexpr ServiceCalls PrinterUnit::service_calls = {.reset = method<&PrinterUnit::reset>};
+
 PrinterUnit::PrinterUnit(CarNetwork& network, const PrinterHardware& hardware,
                          const PrinterSettings& settings)
     : network_(network),
@@ -38,7 +40,6 @@ PrinterUnit::PrinterUnit(CarNetwork& network, const PrinterHardware& hardware,
   transport_hook_.first = transport_hook_.last = printer_transport_object.index;
   transport_hook_.domain = &domain_;
   network.node().dictionary().attach(transport_hook_);
-  service_.reset = Callback<void(ResetScope)>::to<&PrinterUnit::reset>(*this);
   network.node().attach(service_);
 }
 

@@ -107,7 +107,8 @@ class PrinterUnit {
   Commands commands_;
   Domain domain_;
   Hook transport_hook_;
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   Timer timer_;
 };
 

@@ -1,6 +1,7 @@
 #include "canvoy/devices/cia447/radio/radio_unit.hpp"
 
 #include "canvoy/profiles/cia447/terminal_handles.hpp"
+#include "canvoy/profiles/reactions.hpp"
 
 namespace canvoy::cia447 {
 
@@ -9,6 +10,10 @@ namespace {
 constexpr unsigned power_supply_pdo = 84;
 
 }  // namespace
+
+constexpr HookCalls RadioUnit::hook_calls[] = {
+    after_write<&RadioUnit::supply_written, radio_power_supply_status_object>};
+constexpr ServiceCalls RadioUnit::service_calls = {.hooks = hook_calls};
 
 RadioUnit::RadioUnit(CarNetwork& network, const SwitchedHardware& hardware,
                      const SwitchedSettings& settings)
@@ -20,9 +25,7 @@ RadioUnit::RadioUnit(CarNetwork& network, const SwitchedHardware& hardware,
                  Callback<void(const FieldPlace&, std::uint32_t)>::to<&RadioUnit::became>(*this)},
             settings),
       supply_(network, power_supply_pdo, Callback<void()>::to<&RadioUnit::supply_lost>(*this)) {
-  hook_.first = hook_.last = radio_power_supply_status_object.index;
-  hook_.after_write = Callback<void(const Entry&, Source)>::to<&RadioUnit::supply_written>(*this);
-  network.node().dictionary().attach(hook_);
+  network.node().attach(service_);
 }
 
 /// Without power there is nobody to obey: only what is wanted of the power is kept in mind.
@@ -44,7 +47,7 @@ void RadioUnit::became(const FieldPlace& status, std::uint32_t code) {
   if (hardware_.became) hardware_.became(status, code);
 }
 
-void RadioUnit::supply_written(const Entry&, Source source) {
+void RadioUnit::supply_written(Source source) {
   supply_.came(source);
   look_at_supply();
 }

@@ -41,7 +41,7 @@ class RadioUnit {
  private:
   bool commanded(const Commanded& wanted);
   void became(const FieldPlace& status, std::uint32_t code);
-  void supply_written(const Entry& entry, Source source);
+  void supply_written(Source source);
   void supply_lost();
   void look_at_supply();
 
@@ -51,7 +51,9 @@ class RadioUnit {
   bool is_wanted_on_ = false;
   SwitchedUnit<radio_table> unit_;
   CarSource supply_;
-  Hook hook_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
 };
 
 struct RadioKind : CarKind<RadioUnit, SwitchedHardware, SwitchedSettings> {

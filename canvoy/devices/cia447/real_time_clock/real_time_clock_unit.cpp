@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/profiles/reactions.hpp"
 
 namespace canvoy::cia447 {
 
@@ -46,6 +47,15 @@ std::size_t characters_in(std::string_view text) {
 
 }  // namespace
 
+constexpr HookCalls RealTimeClockUnit::hook_calls[] = {
+    before_read<&RealTimeClockUnit::refresh, rtc_date_object, rtc_type_and_status_object>,
+    before_write<&RealTimeClockUnit::check_date, set_rtc_date_object>,
+    before_write<&RealTimeClockUnit::check_time, set_rtc_time_object>,
+    after_write<&RealTimeClockUnit::date_written, set_rtc_date_object>,
+    after_write<&RealTimeClockUnit::time_written, set_rtc_time_object>};
+constexpr ServiceCalls RealTimeClockUnit::service_calls = {
+    .reset = method<&RealTimeClockUnit::reset>, .hooks = hook_calls};
+
 RealTimeClockUnit::RealTimeClockUnit(CarNetwork& network, const RealTimeClockHardware& hardware,
                                      const RealTimeClockSettings& settings)
     : network_(network),
@@ -53,21 +63,7 @@ RealTimeClockUnit::RealTimeClockUnit(CarNetwork& network, const RealTimeClockHar
       settings_(settings),
       commands_(network, set_commands, {}),
       tick_(Callback<void(Time)>::to<&RealTimeClockUnit::tick>(*this)) {
-  service_.reset = Callback<void(ResetScope)>::to<&RealTimeClockUnit::reset>(*this);
   network.node().attach(service_);
-  told_.first = rtc_date_year.index();
-  told_.last = rtc_type_and_status_source.index();
-  told_.before_read = Callback<AbortCode(const Entry&)>::to<&RealTimeClockUnit::refresh>(*this);
-  network.node().dictionary().attach(told_);
-  sets_date_.first = sets_date_.last = set_rtc_date_year.index();
-  sets_time_.first = sets_time_.last = set_rtc_time_hour.index();
-  for (Hook* hook : {&sets_date_, &sets_time_}) {
-    hook->before_write = Callback<AbortCode(
-        const Entry&, std::span<const std::uint8_t>)>::to<&RealTimeClockUnit::check>(*this);
-    hook->after_write =
-        Callback<void(const Entry&, Source)>::to<&RealTimeClockUnit::written>(*this);
-    network.node().dictionary().attach(*hook);
-  }
 }
 
 /// An NMT reset sets no clock back.
@@ -119,9 +115,8 @@ Duration RealTimeClockUnit::local() const {
   return has_date_ ? shown : ((shown % day) + day) % day;
 }
 
-AbortCode RealTimeClockUnit::refresh(const Entry& /*entry*/) {
+void RealTimeClockUnit::refresh() {
   tell();
-  return AbortCode::none;
 }
 
 void RealTimeClockUnit::tell() {
@@ -170,18 +165,10 @@ RealTimeClockUnit::Wanted RealTimeClockUnit::wanted_time(std::uint32_t raw) cons
 }
 
 /// What one field cannot know of the others: the 30th of February. Codes are checked by Commands.
-AbortCode RealTimeClockUnit::check(const Entry& entry, std::span<const std::uint8_t> bytes) {
-  const auto raw = static_cast<std::uint32_t>(load_unsigned(bytes));
-  const bool is_date = entry.index == set_rtc_date_year.index();
-  const Wanted wanted = is_date ? wanted_date(raw) : wanted_time(raw);
-  if (wanted.is_nothing()) return AbortCode::none;
-  if (settings_.trustability == RtcTrustability::accepted_by_authority) {
-    return AbortCode::device_state;
-  }
-  return is_date ? check_date(wanted) : AbortCode::none;
-}
-
-AbortCode RealTimeClockUnit::check_date(const Wanted& wanted) const {
+AbortCode RealTimeClockUnit::check_date(std::uint32_t raw) const {
+  const Wanted wanted = wanted_date(raw);
+  const AbortCode answer = check_may_set(wanted);
+  if (answer != AbortCode::none || wanted.is_nothing()) return answer;
   const bool is_reset =
       std::ranges::any_of(wanted.parts, [](const auto& part) { return part == 0; });
   if (is_reset) return AbortCode::none;
@@ -194,13 +181,22 @@ AbortCode RealTimeClockUnit::check_date(const Wanted& wanted) const {
   return of_month <= days_of_month(year, month) ? AbortCode::none : AbortCode::value_range;
 }
 
-void RealTimeClockUnit::written(const Entry& entry, Source /*source*/) {
-  const auto raw = static_cast<std::uint32_t>(load_unsigned(entry.bytes()));
-  if (entry.index == set_rtc_date_year.index()) {
-    set_date(wanted_date(raw));
-  } else {
-    set_time(wanted_time(raw));
-  }
+AbortCode RealTimeClockUnit::check_time(std::uint32_t raw) const {
+  return check_may_set(wanted_time(raw));
+}
+
+AbortCode RealTimeClockUnit::check_may_set(const Wanted& wanted) const {
+  const bool is_sealed = settings_.trustability == RtcTrustability::accepted_by_authority;
+  return is_sealed && !wanted.is_nothing() ? AbortCode::device_state : AbortCode::none;
+}
+
+void RealTimeClockUnit::date_written(const Entry& entry) {
+  set_date(wanted_date(entry.word()));
+  tick(network_.node().now());
+}
+
+void RealTimeClockUnit::time_written(const Entry& entry) {
+  set_time(wanted_time(entry.word()));
   tick(network_.node().now());
 }
 

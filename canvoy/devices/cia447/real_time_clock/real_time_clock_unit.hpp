@@ -60,9 +60,11 @@ class RealTimeClockUnit {
 
  private:
   void reset(ResetScope scope);
-  AbortCode refresh(const Entry& entry);
-  AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
-  void written(const Entry& entry, Source source);
+  void refresh();
+  AbortCode check_date(std::uint32_t raw) const;
+  AbortCode check_time(std::uint32_t raw) const;
+  void date_written(const Entry& entry);
+  void time_written(const Entry& entry);
   void tick(Time now);
   void look();
   void tell();
@@ -74,7 +76,7 @@ class RealTimeClockUnit {
   };
   Wanted wanted_date(std::uint32_t raw) const;
   Wanted wanted_time(std::uint32_t raw) const;
-  AbortCode check_date(const Wanted& wanted) const;
+  AbortCode check_may_set(const Wanted& wanted) const;
   void set_date(const Wanted& wanted);
   void set_time(const Wanted& wanted);
   void set_local(Duration local);
@@ -98,10 +100,9 @@ class RealTimeClockUnit {
   bool has_time_ = false;
   bool has_started_ = false;
   Time looked_at_{};
-  Service service_;
-  Hook told_;
-  Hook sets_date_;
-  Hook sets_time_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   Timer tick_;
 };
 

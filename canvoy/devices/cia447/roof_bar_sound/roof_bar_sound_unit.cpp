@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "canvoy/profiles/reactions.hpp"
+
 namespace canvoy::cia447 {
 
 namespace {
@@ -9,6 +11,10 @@ namespace {
 constexpr double kmh_of_metre_per_minute = 60.0 / 1000;
 
 }  // namespace
+
+constexpr HookCalls RoofBarSoundUnit::hook_calls[] = {
+    after_write<&RoofBarSoundUnit::speed_written, wheel_rpm_object>};
+constexpr ServiceCalls RoofBarSoundUnit::service_calls = {.hooks = hook_calls};
 
 RoofBarSoundUnit::RoofBarSoundUnit(CarNetwork& network, const RoofBarSoundHardware& hardware,
                                    const RoofBarSoundSettings& settings)
@@ -23,10 +29,7 @@ RoofBarSoundUnit::RoofBarSoundUnit(CarNetwork& network, const RoofBarSoundHardwa
             settings.switched),
       speed_(network, wheel_pdo_number,
              Callback<void()>::to<&RoofBarSoundUnit::speed_lost>(*this)) {
-  hook_.first = hook_.last = wheel_rpm_object.index;
-  hook_.after_write =
-      Callback<void(const Entry&, Source)>::to<&RoofBarSoundUnit::speed_written>(*this);
-  network.node().dictionary().attach(hook_);
+  network.node().attach(service_);
 }
 
 void RoofBarSoundUnit::became(const FieldPlace& status, std::uint32_t code) {
@@ -34,7 +37,7 @@ void RoofBarSoundUnit::became(const FieldPlace& status, std::uint32_t code) {
   if (hardware_.switched.became) hardware_.switched.became(status, code);
 }
 
-void RoofBarSoundUnit::speed_written(const Entry&, Source source) {
+void RoofBarSoundUnit::speed_written(Source source) {
   speed_.came(source);
   play();
 }

@@ -77,7 +77,7 @@ class RoofBarSoundUnit {
 
  private:
   void became(const FieldPlace& status, std::uint32_t code);
-  void speed_written(const Entry& entry, Source source);
+  void speed_written(Source source);
   void speed_lost();
   void play();
   unsigned volume() const;
@@ -88,7 +88,9 @@ class RoofBarSoundUnit {
   RoofBarSound output_{.volume = 31};
   SwitchedUnit<roof_bar_sound_table> unit_;
   CarSource speed_;
-  Hook hook_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
 };
 
 struct RoofBarSoundKind : CarKind<RoofBarSoundUnit, RoofBarSoundHardware, RoofBarSoundSettings> {

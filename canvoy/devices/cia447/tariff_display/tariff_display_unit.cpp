@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "canvoy/profiles/reactions.hpp"
+
 namespace canvoy::cia447 {
 
 namespace {
@@ -50,6 +52,11 @@ std::uint8_t told_character(std::uint8_t character) {
 
 }  // namespace
 
+constexpr HookCalls TariffDisplayUnit::hook_calls[] = {
+    after_write<&TariffDisplayUnit::level_came, taxi_trip_tariff_level_object>};
+constexpr ServiceCalls TariffDisplayUnit::service_calls = {
+    .reset = method<&TariffDisplayUnit::reset>, .hooks = hook_calls};
+
 TariffDisplayUnit::TariffDisplayUnit(CarNetwork& network, const TariffDisplayHardware& hardware,
                                      const TariffDisplaySettings& settings)
     : network_(network),
@@ -62,12 +69,7 @@ TariffDisplayUnit::TariffDisplayUnit(CarNetwork& network, const TariffDisplayHar
            .lacking = std::span(command_places)
                           .subspan(std::clamp(settings.lamps, 1U, tariff_lamps_max))}) {
   settings_.lamps = std::clamp(settings.lamps, 1U, tariff_lamps_max);
-  service_.reset = Callback<void(ResetScope)>::to<&TariffDisplayUnit::reset>(*this);
   network.node().attach(service_);
-  level_hook_.first = level_hook_.last = taxi_trip_tariff_level_character_1.index();
-  level_hook_.after_write =
-      Callback<void(const Entry&, Source)>::to<&TariffDisplayUnit::level_came>(*this);
-  network.node().dictionary().attach(level_hook_);
 }
 
 /// An NMT reset changes no lamp.
@@ -141,7 +143,7 @@ void TariffDisplayUnit::show_level(std::array<char, 2> characters) {
   tell();
 }
 
-void TariffDisplayUnit::level_came(const Entry& /*entry*/, Source /*source*/) {
+void TariffDisplayUnit::level_came() {
   const Values values(network_.node().dictionary());
   level_ = {values[taxi_trip_tariff_level_character_1].raw(),
             values[taxi_trip_tariff_level_character_2].raw()};

@@ -65,7 +65,7 @@ class TariffDisplayUnit {
   void reset(ResetScope scope);
   AbortCode refuses(const Commanded& wanted);
   void commanded(const Commanded& wanted);
-  void level_came(const Entry& entry, Source source);
+  void level_came();
   Lamp wanted_of(const OneLamp& lamp) const;
   void follow();
   void tell();
@@ -78,8 +78,9 @@ class TariffDisplayUnit {
   bool is_powered_down_ = false;
   std::array<std::uint8_t, 2> level_ = {0xFF, 0xFF};
   Commands commands_;
-  Service service_;
-  Hook level_hook_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
 };
 
 struct TariffDisplayKind

@@ -4,11 +4,12 @@
 
 namespace canvoy::cia447 {
 
+constexpr ServiceCalls TaxiAlarmUnit::service_calls = {.reset = method<&TaxiAlarmUnit::reset>};
+
 TaxiAlarmUnit::TaxiAlarmUnit(CarNetwork& network, const TaxiAlarmHardware& hardware,
                              const TaxiAlarmSettings& settings)
     : network_(network), hardware_(hardware), settings_(settings) {
   if (!settings.has_remote_key) state_.remote_key = Signal::not_available;
-  service_.reset = Callback<void(ResetScope)>::to<&TaxiAlarmUnit::reset>(*this);
   network.node().attach(service_);
 }
 

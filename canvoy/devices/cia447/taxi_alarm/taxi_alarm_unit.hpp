@@ -69,7 +69,8 @@ class TaxiAlarmUnit {
   TaxiAlarmHardware hardware_;
   TaxiAlarmSettings settings_;
   State state_;
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
 };
 
 struct TaxiAlarmKind : CarKind<TaxiAlarmUnit, TaxiAlarmHardware, TaxiAlarmSettings> {

@@ -1,6 +1,7 @@
 #include "canvoy/devices/cia447/taximeter/bus_clock.hpp"
 
 #include "canvoy/devices/cia447/real_time_clock/civil_time.hpp"
+#include "canvoy/profiles/reactions.hpp"
 
 namespace canvoy::cia447 {
 
@@ -12,11 +13,14 @@ constexpr std::int32_t offset_of_no_hours = 48;  ///< in quarters
 
 }  // namespace
 
+constexpr HookCalls BusClock::hook_calls[] = {
+    after_write<&BusClock::date_came, rtc_date_object>,
+    after_write<&BusClock::time_came, rtc_time_object>,
+    after_write<&BusClock::date_came, rtc_type_and_status_object>};
+constexpr ServiceCalls BusClock::service_calls = {.hooks = hook_calls};
+
 BusClock::BusClock(Node& node) : node_(node) {
-  hook_.first = rtc_date_year.index();
-  hook_.last = rtc_type_and_status_source.index();
-  hook_.after_write = Callback<void(const Entry&, Source)>::to<&BusClock::written>(*this);
-  node.dictionary().attach(hook_);
+  node.attach(service_);
 }
 
 std::optional<std::int64_t> BusClock::told_days() const {
@@ -36,10 +40,6 @@ std::optional<Duration> BusClock::told_time() const {
   if (!hour.is_valid() || !minute.is_valid() || !second.is_valid()) return std::nullopt;
   return std::chrono::hours(hour.raw()) + std::chrono::minutes(minute.raw()) +
          10ms * std::int64_t{second.raw()};
-}
-
-void BusClock::written(const Entry& entry, Source /*source*/) {
-  told(entry.index);
 }
 
 void BusClock::told(std::uint16_t index) {

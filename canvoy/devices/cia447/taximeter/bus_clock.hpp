@@ -42,7 +42,8 @@ class BusClock {
   void told(std::uint16_t index);
 
  private:
-  void written(const Entry& entry, Source source);
+  void date_came() { take(false); }
+  void time_came() { take(true); }
   void take(bool has_new_time);
   std::optional<std::int64_t> told_days() const;
   std::optional<Duration> told_time() const;
@@ -54,7 +55,9 @@ class BusClock {
   std::int64_t days_ = 0;
   std::optional<std::int64_t> days_before_ = {};  ///< as they were found last
   std::optional<Duration> time_before_ = {};
-  Hook hook_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
 };
 
 }  // namespace canvoy::cia447

@@ -23,6 +23,8 @@ std::uint32_t with_lamp(std::uint32_t lamps, const FieldPlace& place, Lamp lamp)
 
 }  // namespace
 
+constexpr ServiceCalls MeterOutputs::service_calls = {.reset = method<&MeterOutputs::reset>};
+
 MeterOutputs::MeterOutputs(CarNetwork& network, const Settings& settings)
     : network_(network),
       settings_(settings),
@@ -30,7 +32,6 @@ MeterOutputs::MeterOutputs(CarNetwork& network, const Settings& settings)
       sign_(network.node(), mesh_channel_to(settings.sign)),
       timer_(Callback<void(Time)>::to<&MeterOutputs::go_on>(*this)) {
   next_lost_ = network.on_lost(Callback<void(NodeId)>::to<&MeterOutputs::lost>(*this));
-  service_.reset = Callback<void(ResetScope)>::to<&MeterOutputs::reset>(*this);
   network.node().attach(service_);
 }
 

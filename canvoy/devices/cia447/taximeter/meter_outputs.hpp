@@ -64,7 +64,8 @@ class MeterOutputs {
   SdoClient printer_;
   SdoClient sign_;
   Callback<void(NodeId)> next_lost_;
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   Timer timer_;
   Sign wanted_;
   Sign writing_;

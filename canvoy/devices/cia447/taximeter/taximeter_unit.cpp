@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "canvoy/profiles/reactions.hpp"
+
 namespace canvoy::cia447 {
 
 namespace {
@@ -27,6 +29,13 @@ constexpr std::uint16_t wheel_objects[] = {wheel_signal_source_object.index,
 
 }  // namespace
 
+constexpr HookCalls TaximeterUnit::hook_calls[] = {
+    after_write<&TaximeterUnit::source_came, wheel_signal_source_object>,
+    after_write<&TaximeterUnit::count_came, wheel_pulse_counter_object>,
+    after_write<&TaximeterUnit::source_came, wheel_pulse_counter_overrun_value_object>};
+constexpr ServiceCalls TaximeterUnit::service_calls = {.reset = method<&TaximeterUnit::reset>,
+                                                       .hooks = hook_calls};
+
 TaximeterUnit::TaximeterUnit(CarNetwork& network, const TaximeterHardware& hardware,
                              const TaximeterSettings& settings)
     : network_(network),
@@ -49,12 +58,7 @@ TaximeterUnit::TaximeterUnit(CarNetwork& network, const TaximeterHardware& hardw
       tariff_(settings.tariff),
       tick_(Callback<void(Time)>::to<&TaximeterUnit::tick>(*this)),
       off_(Callback<void(Time)>::to<&TaximeterUnit::off>(*this)) {
-  service_.reset = Callback<void(ResetScope)>::to<&TaximeterUnit::reset>(*this);
   network.node().attach(service_);
-  hook_.first = wheel_signal_source.index();
-  hook_.last = wheel_pulse_counter_overrun_value.index();
-  hook_.after_write = Callback<void(const Entry&, Source)>::to<&TaximeterUnit::written>(*this);
-  network.node().dictionary().attach(hook_);
 }
 
 // Power, and resets of the bus: those touch neither a trip nor a total.
@@ -200,14 +204,6 @@ const TariffLevel& TaximeterUnit::present_level() {
 }
 
 // Distance.
-
-void TaximeterUnit::written(const Entry& entry, Source /*source*/) {
-  if (entry.index == wheel_pulse_counter.index()) {
-    count_came();
-  } else {
-    source_came();
-  }
-}
 
 void TaximeterUnit::count_came() {
   const NodeId sender = network_.source_of(wheel_pdo);

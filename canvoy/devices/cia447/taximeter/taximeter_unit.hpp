@@ -165,7 +165,6 @@ class TaximeterUnit {
   void reset(ResetScope scope);
   void power_on();
   void resume();
-  void written(const Entry& entry, Source source);
   void count_came();
   void source_came();
   void adopt_source();
@@ -232,8 +231,9 @@ class TaximeterUnit {
   std::uint8_t sequence_ = 0;
   TripData told_;
   TaximeterDisplay shown_;
-  Service service_;
-  Hook hook_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   Timer tick_;
   Timer off_;
 };

@@ -2,6 +2,7 @@
 
 #include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/profiles/cia447/terminal_handles.hpp"
+#include "canvoy/profiles/reactions.hpp"
 
 namespace canvoy::cia447 {
 
@@ -24,14 +25,19 @@ auto field_in(std::uint64_t value, const Handle&) {
 
 }  // namespace
 
+constexpr HookCalls IconRow::hook_calls[] = {
+    before_write<&IconRow::check, icon_display_1_command_object>};
+constexpr ServiceCalls IconRow::service_calls = {.hooks = hook_calls};
+
+std::uint16_t IconRow::shift_to(IconDisplay display) {
+  constexpr unsigned between =
+      icon_display_2_command_object.index - icon_display_1_command_object.index;
+  return display == IconDisplay::display_1 ? 0 : between;
+}
+
 IconRow::IconRow(CarNetwork& network, IconDisplay display, Callback<void(const ShownIcon&)> shown)
     : network_(network), display_(display), show_(shown) {
-  const bool is_first = display == IconDisplay::display_1;
-  hook_.first = hook_.last =
-      is_first ? icon_display_1_command_object.index : icon_display_2_command_object.index;
-  hook_.before_write =
-      Callback<AbortCode(const Entry&, std::span<const std::uint8_t>)>::to<&IconRow::check>(*this);
-  network.node().dictionary().attach(hook_);
+  network.node().attach(service_);
   for (unsigned number = 1; number <= icons; ++number) {
     shown_[number - 1].display = display;
     shown_[number - 1].number = number;
@@ -39,7 +45,7 @@ IconRow::IconRow(CarNetwork& network, IconDisplay display, Callback<void(const S
 }
 
 bool IconRow::is_mine(const FieldPlace& place) const {
-  return place.index == hook_.first;
+  return place.index == icon_display_1_command_object.index + shift_to(display_);
 }
 
 AbortCode IconRow::check(const Entry& entry, std::span<const std::uint8_t> value) {

@@ -49,6 +49,8 @@ class IconRow {
   const ShownIcon& icon(unsigned number) const { return shown_[number - 1]; }
 
  private:
+  /// From the command of the first display to that of this one.
+  static std::uint16_t shift_to(IconDisplay display);
   AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
   void release(unsigned number);
   void tell(unsigned number);
@@ -59,7 +61,9 @@ class IconRow {
   PartState state_ = PartState::working;
   std::array<PartLock, icons> locks_{};
   std::array<ShownIcon, icons> shown_{};
-  Hook hook_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this, shift_to(display_)};
 };
 
 }  // namespace canvoy::cia447

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "canvoy/devices/cia447/commands.hpp"
+#include "canvoy/profiles/reactions.hpp"
 
 namespace canvoy::cia447 {
 
@@ -42,30 +43,25 @@ constexpr TextPlace text_places[] = {{&display_1_title_object, TerminalPart::dis
 
 }  // namespace
 
+constexpr HookCalls TerminalClient::hook_calls[] = {
+    after_write<&TerminalClient::status_written<TerminalPart::number_pad>,
+                number_pad_status_object>,
+    after_write<&TerminalClient::status_written<TerminalPart::function_pad>,
+                function_keys_status_object>,
+    after_write<&TerminalClient::status_written<TerminalPart::display_1>, display_1_status_object>,
+    after_write<&TerminalClient::status_written<TerminalPart::display_2>, display_2_status_object>,
+    after_write<&TerminalClient::number_written, number_pad_user_interaction_object>,
+    after_write<&TerminalClient::function_written, function_keys_user_interaction_object>};
+constexpr ServiceCalls TerminalClient::service_calls = {.reset = method<&TerminalClient::reset>,
+                                                        .hooks = hook_calls};
+
 TerminalClient::TerminalClient(CarNetwork& network, const TerminalClientSettings& settings)
     : network_(network),
       settings_(settings),
       client_(network.node(), mesh_channel_to(settings.terminal)),
       timer_(Callback<void(Time)>::to<&TerminalClient::go_on>(*this)) {
   next_lost_ = network.on_lost(Callback<void(NodeId)>::to<&TerminalClient::lost>(*this));
-  service_.reset = Callback<void(ResetScope)>::to<&TerminalClient::reset>(*this);
   network.node().attach(service_);
-  Dictionary& dictionary = network.node().dictionary();
-  // Statuses go first: who is told of a key knows whose it is.
-  for (std::size_t i = 0; i < status_hooks_.size(); ++i) {
-    status_hooks_[i].first = status_hooks_[i].last = terminal_parts[i].status->index;
-    status_hooks_[i].after_write =
-        Callback<void(const Entry&, Source)>::to<&TerminalClient::status_written>(*this);
-    dictionary.attach(status_hooks_[i]);
-  }
-  number_hook_.first = number_hook_.last = number_pad_user_interaction_object.index;
-  number_hook_.after_write =
-      Callback<void(const Entry&, Source)>::to<&TerminalClient::number_written>(*this);
-  dictionary.attach(number_hook_);
-  function_hook_.first = function_hook_.last = function_keys_user_interaction_object.index;
-  function_hook_.after_write =
-      Callback<void(const Entry&, Source)>::to<&TerminalClient::function_written>(*this);
-  dictionary.attach(function_hook_);
 }
 
 // Life of the node, and of the terminal.
@@ -238,13 +234,11 @@ bool TerminalClient::is_mine(TerminalAccess access) const {
   return static_cast<unsigned>(access) == mine;
 }
 
-void TerminalClient::status_written(const Entry& entry, Source) {
-  for (const PartObjects& one : terminal_parts) {
-    if (one.status->index != entry.index) continue;
-    const std::uint32_t status =
-        read_field(network_.node().dictionary(), {entry.index, 0, 0, bits_of_access});
-    take(number_of(one.part), static_cast<std::uint8_t>(status));
-  }
+template <TerminalPart part>
+void TerminalClient::status_written(const Entry& entry) {
+  const std::uint32_t status =
+      read_field(network_.node().dictionary(), {entry.index, 0, 0, bits_of_access});
+  take(number_of(part), static_cast<std::uint8_t>(status));
 }
 
 void TerminalClient::take(unsigned part, std::uint8_t status) {
@@ -263,13 +257,13 @@ void TerminalClient::look_at(Pad& pad, bool is_mine, Key key, const Callback<voi
   if (was_armed && is_mine && is_key && pressed) pressed(key);
 }
 
-void TerminalClient::number_written(const Entry&, Source) {
+void TerminalClient::number_written() {
   look_at(number_pad_, has(TerminalPart::number_pad),
           static_cast<NumberPadKey>(
               read_field(network_.node().dictionary(), place_of(number_pad_user_interaction))),
           number_pressed_);
 }
-void TerminalClient::function_written(const Entry&, Source) {
+void TerminalClient::function_written() {
   look_at(function_pad_, has(TerminalPart::function_pad),
           static_cast<FunctionKey>(read_field(network_.node().dictionary(),
                                               place_of(function_keys_user_interaction_key))),

@@ -101,9 +101,10 @@ class TerminalClient {
   AbortCode start_check(unsigned part);
   void take(unsigned part, std::uint8_t status);
   void done(SdoClient::Outcome outcome);
-  void status_written(const Entry& entry, Source source);
-  void number_written(const Entry& entry, Source source);
-  void function_written(const Entry& entry, Source source);
+  template <TerminalPart part>
+  void status_written(const Entry& entry);
+  void number_written();
+  void function_written();
   void let_go(unsigned part);
   bool is_mine(TerminalAccess access) const;
   template <class Key>
@@ -126,11 +127,10 @@ class TerminalClient {
   Time lock_due_{};  ///< of parts that another device had
   Time check_due_{};
   unsigned to_check_ = lockable_part_count;  ///< the next part; all are done
-  Service service_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   Timer timer_;
-  Hook number_hook_;
-  Hook function_hook_;
-  std::array<Hook, 4> status_hooks_{};
 };
 
 }  // namespace canvoy::cia447

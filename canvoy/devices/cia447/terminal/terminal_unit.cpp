@@ -1,5 +1,7 @@
 #include "canvoy/devices/cia447/terminal/terminal_unit.hpp"
 
+#include "canvoy/profiles/reactions.hpp"
+
 namespace canvoy::cia447 {
 
 namespace {
@@ -46,6 +48,16 @@ std::string_view as_text(std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
+constexpr HookCalls TerminalUnit::hook_calls[] = {
+    before_write<&TerminalUnit::check_title, display_1_title_object>,
+    before_write<&TerminalUnit::check_text_1, display_1_text_object>,
+    before_write<&TerminalUnit::check_text_2, display_2_text_object>,
+    after_write<&TerminalUnit::display_1_written, display_1_title_object>,
+    after_write<&TerminalUnit::display_1_written, display_1_text_object>,
+    after_write<&TerminalUnit::display_2_written, display_2_text_object>};
+constexpr ServiceCalls TerminalUnit::service_calls = {.reset = method<&TerminalUnit::reset>,
+                                                      .hooks = hook_calls};
+
 TerminalUnit::TerminalUnit(CarNetwork& network, const TerminalHardware& hardware,
                            const TerminalSettings& settings)
     : network_(network),
@@ -62,17 +74,6 @@ TerminalUnit::TerminalUnit(CarNetwork& network, const TerminalHardware& hardware
   for (unsigned part = 0; part < terminal_part_count; ++part) {
     if (settings.missing[part]) states_[part] = PartState::not_available;
   }
-  text_hook_.first = display_1_text_object.index;
-  text_hook_.last = display_1_title_object.index;
-  text_2_hook_.first = text_2_hook_.last = display_2_text_object.index;
-  for (Hook* hook : {&text_hook_, &text_2_hook_}) {
-    hook->before_write = Callback<AbortCode(
-        const Entry&, std::span<const std::uint8_t>)>::to<&TerminalUnit::check_text>(*this);
-    hook->after_write =
-        Callback<void(const Entry&, Source)>::to<&TerminalUnit::text_written>(*this);
-    network.node().dictionary().attach(*hook);
-  }
-  service_.reset = Callback<void(ResetScope)>::to<&TerminalUnit::reset>(*this);
   network.node().attach(service_);
   next_lost_ = network.on_lost(Callback<void(NodeId)>::to<&TerminalUnit::lost>(*this));
 }
@@ -189,21 +190,33 @@ void TerminalUnit::set_warning(TerminalWarning warning, bool is_on) {
 
 // Texts.
 
-AbortCode TerminalUnit::check_text(const Entry& entry, std::span<const std::uint8_t> text) {
-  const bool is_first = entry.index != display_2_text_object.index;
-  const TerminalPart part = is_first ? TerminalPart::display_1 : TerminalPart::display_2;
-  const bool is_free = state(part) == PartState::working && !(is_first && takes_iso_tp_);
+AbortCode TerminalUnit::check_title(const Entry&, std::span<const std::uint8_t> text) {
+  TextArea area = settings_.display_1;
+  area.lines = 1;
+  return check_text(TerminalPart::display_1, area, text);
+}
+AbortCode TerminalUnit::check_text_1(const Entry&, std::span<const std::uint8_t> text) {
+  return check_text(TerminalPart::display_1, settings_.display_1, text);
+}
+AbortCode TerminalUnit::check_text_2(const Entry&, std::span<const std::uint8_t> text) {
+  return check_text(TerminalPart::display_2, settings_.display_2, text);
+}
+
+AbortCode TerminalUnit::check_text(TerminalPart part, const TextArea& area,
+                                   std::span<const std::uint8_t> text) const {
+  const bool takes_other = part == TerminalPart::display_1 && takes_iso_tp_;
+  const bool is_free = state(part) == PartState::working && !takes_other;
   if (!is_free || !locks_[number_of(part)].is_held_by(network_.client())) {
     return AbortCode::device_state;
   }
-  TextArea area = is_first ? settings_.display_1 : settings_.display_2;
-  if (entry.index == display_1_title_object.index) area.lines = 1;
   return area.fits(as_text(text)) ? AbortCode::none : AbortCode::value_range;
 }
 
-void TerminalUnit::text_written(const Entry& entry, Source) {
-  const bool is_first = entry.index != display_2_text_object.index;
-  tell_display(is_first ? TerminalDisplay::display_1 : TerminalDisplay::display_2);
+void TerminalUnit::display_1_written() {
+  tell_display(TerminalDisplay::display_1);
+}
+void TerminalUnit::display_2_written() {
+  tell_display(TerminalDisplay::display_2);
 }
 
 DisplayContent TerminalUnit::content(TerminalDisplay display) const {

@@ -95,8 +95,13 @@ class TerminalUnit {
   void command_warnings(WarningCommand command);
   void set_warning(TerminalWarning warning, bool is_on);
   void buzz(bool is_on, NodeId client);
-  AbortCode check_text(const Entry& entry, std::span<const std::uint8_t> text);
-  void text_written(const Entry& entry, Source source);
+  AbortCode check_title(const Entry& entry, std::span<const std::uint8_t> text);
+  AbortCode check_text_1(const Entry& entry, std::span<const std::uint8_t> text);
+  AbortCode check_text_2(const Entry& entry, std::span<const std::uint8_t> text);
+  AbortCode check_text(TerminalPart part, const TextArea& area,
+                       std::span<const std::uint8_t> text) const;
+  void display_1_written();
+  void display_2_written();
   void tell(TerminalPart part);
   template <class Handle, class Code>
   void tell_sensed(TerminalPart part, const Handle& handle, Code sensed);
@@ -135,9 +140,9 @@ class TerminalUnit {
   Commands commands_;
   IconRow icons_1_;
   IconRow icons_2_;
-  Hook text_hook_;
-  Hook text_2_hook_;
-  Service service_;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
 };
 
 /// Texts are written by who has something to say: of them the terminal is the client (rw).
