@@ -98,6 +98,11 @@ class Browse(CommandTest):
         sheet = configparser.ConfigParser(interpolation=None)
         sheet.read(path)
         self.assertEqual(int(sheet["1017"]["ParameterValue"], 0), 300)
+        # What was saved just now is no difference, and a PDO that differs stays valid.
+        terminal.press("l")
+        self.answer(terminal, "load from", str(path), erase=len("node.dcf"))
+        terminal.wait_for("the node is as")
+        self.load_a_pdo(terminal, path)
         self.write("900ms")
         for key, value in (("n", "900 ms"), ("y", "300 ms")):
             terminal.press("l")
@@ -108,6 +113,20 @@ class Browse(CommandTest):
             terminal.press(key)
             self.assertTrue(terminal.comes_to(lambda lines: not any("->" in line for line in lines)))
             self.assertEqual(self.read(), value)
+
+    def load_a_pdo(self, terminal, path):
+        """Its event timer differs; a file says its COB-ID twice, invalid and then as it is (CiA 301, 7.5.2.38)."""
+        cob_id = self.assert_done(run("read", BUS, "10", "1800:1"))
+        before = self.assert_done(run("read", BUS, "10", "1800:5"))
+        self.assert_done(run("write", BUS, "10", "1800:5", "321ms"))
+        terminal.press("l")
+        self.answer(terminal, "load from", str(path), erase=len("node.dcf"))
+        terminal.wait_for("write these 1 to the node? y, n")
+        terminal.wait_for("1800h:05h")
+        terminal.press("y")
+        terminal.wait_for("written")
+        self.assertEqual(self.assert_done(run("read", BUS, "10", "1800:5")), before)
+        self.assertEqual(self.assert_done(run("read", BUS, "10", "1800:1")), cob_id)
 
     def test_it_is_looked_at_and_changed_on_terminals_of_two_sizes(self):
         for columns, rows in ((80, 24), (200, 60)):
