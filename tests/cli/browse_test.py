@@ -25,9 +25,12 @@ class Browse(CommandTest):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
-        device = subprocess.Popen([CANVOY, "device", "battery", BUS], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        self.addCleanup(device.wait)
-        self.addCleanup(device.terminate)
+        self.start()
+
+    def start(self):
+        self.device = subprocess.Popen([CANVOY, "device", "battery", BUS], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(self.device.wait)
+        self.addCleanup(self.device.terminate)
         for _ in range(200):
             if run("read", BUS, "10", "1000").returncode == DONE:
                 break
@@ -136,6 +139,22 @@ class Browse(CommandTest):
                 self.save_and_load(terminal, self.folder / f"{columns}.dcf")
                 terminal.press("q")
                 self.assertTrue(terminal.is_over(), "q ends it")
+
+    def test_a_node_that_is_gone_is_said_to_be_until_it_answers(self):
+        terminal = Terminal(self.folder, 120, 24, CANVOY, "browse", BUS, "10", "--timeout", "100ms")
+        self.addCleanup(terminal.end)
+        terminal.wait_for("q quit")
+        self.device.terminate()
+        self.device.wait()
+        terminal.wait_for("no answer within 0.100s")
+        # Objects that are opened are not asked for: they say nothing of the node. All rows are looked at once.
+        until = time.monotonic() + 3
+        while time.monotonic() < until:
+            last = terminal.lines()[-1]
+            self.assertIn("no answer within", last)
+            self.assertNotIn("bytes", last)
+        self.start()
+        terminal.wait_for("q quit")
 
     def test_more_differences_than_the_terminal_has_rows_are_scrolled(self):
         path = self.folder / "changes.txt"

@@ -68,15 +68,19 @@ class Browser {
     const std::size_t shown = std::min(rows_.size() - first_, room_);
     if (shown == 0) return;
     refreshed_ = (refreshed_ + 1) % shown;
-    attempt([this] { tree_.refresh(rows_.at(first_ + refreshed_)); });
+    attempt([this] {
+      const bool has_answered = tree_.refresh(rows_.at(first_ + refreshed_));
+      if (!has_answered || !is_lost_) return;
+      message_.clear();
+      is_lost_ = false;
+    });
   }
 
+  /// That the node does not answer is told until it does.
   template <class Step>
   void attempt(const Step& step) {
     try {
       step();
-      if (is_lost_) message_.clear();
-      is_lost_ = false;
     } catch (const Failure& failure) {
       message_ = failure.what();
       is_lost_ = true;
@@ -233,6 +237,7 @@ class Browser {
     if (key == Key{'n'} || key == Key::escape) question_ = Question::none;
     if (key != Key{'y'}) return;
     question_ = Question::none;
+    message_.clear();
     std::size_t written = 0;
     attempt([&] {
       for (const ConfigurationEntry& step : change_.steps) {

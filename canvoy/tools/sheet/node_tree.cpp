@@ -181,17 +181,20 @@ void NodeTree::learn(const Place& place, Known known) {
   before = std::move(known);
 }
 
-void NodeTree::refresh(const Row& row) {
+bool NodeTree::refresh(const Row& row) {
   const formats::SheetEntry* said = entry(row);
-  if (row.is_folder || said == nullptr || said->access == "wo") return;
-  if (said->data_type == static_cast<unsigned>(DataType::domain))
-    return learn(row.place, {{}, "a domain", {}, true});
+  if (row.is_folder || said == nullptr || said->access == "wo") return false;
+  if (said->data_type == static_cast<unsigned>(DataType::domain)) {
+    learn(row.place, {{}, "a domain", {}, true});
+    return false;
+  }
   const auto answer = session_.try_read(node_, row.place.index, row.place.sub);
   if (answer) {
     learn(row.place, {*answer, {}, {}, true});
   } else {
     learn(row.place, {{}, words::abort_text(answer.abort()), {}, true});
   }
+  return true;
 }
 
 void NodeTree::write(const Row& row, const std::string& text) {

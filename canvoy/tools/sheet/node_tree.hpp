@@ -66,8 +66,8 @@ class NodeTree {
     return sheet_.find(row.place.index, row.place.sub);
   }
 
-  /// Throws Failure where the node does not answer.
-  void refresh(const Row& row);
+  /// Whether the node was asked. Throws Failure where it does not answer.
+  bool refresh(const Row& row);
   /// Throws UsageError for a text that is no value of the entry, Failure with what the node
   /// answered.
   void write(const Row& row, const std::string& text);
