@@ -54,6 +54,7 @@ WRONG_USAGE = [
     (["monitor", "udp:239.74.163.2:43113?ttl=256"], "ttl", "0 to 255"),
     (["monitor", "an-interface-with-a-long-name"], "15 characters"),
     (["device", "charger", "udp:10.0.0.1"], "multicast"),
+    (["read", "tpc:127.0.0.1:29536/can0", "10", "1000"], "tpc:127.0.0.1:29536/can0", "kind of bus is not known"),
     # the gateway
     (["gateway"], "bus", "canvoy gateway --help"),
     (["gateway", "sim"], "sim", "can0 or udp:"),

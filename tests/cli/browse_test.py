@@ -25,9 +25,12 @@ class Browse(CommandTest):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
-        device = subprocess.Popen([CANVOY, "device", "battery", BUS], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        self.addCleanup(device.wait)
-        self.addCleanup(device.terminate)
+        self.start()
+
+    def start(self):
+        self.device = subprocess.Popen([CANVOY, "device", "battery", BUS], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(self.device.wait)
+        self.addCleanup(self.device.terminate)
         for _ in range(200):
             if run("read", BUS, "10", "1000").returncode == DONE:
                 break
@@ -98,6 +101,11 @@ class Browse(CommandTest):
         sheet = configparser.ConfigParser(interpolation=None)
         sheet.read(path)
         self.assertEqual(int(sheet["1017"]["ParameterValue"], 0), 300)
+        # What was saved just now is no difference, and a PDO that differs stays valid.
+        terminal.press("l")
+        self.answer(terminal, "load from", str(path), erase=len("node.dcf"))
+        terminal.wait_for("the node is as")
+        self.load_a_pdo(terminal, path)
         self.write("900ms")
         for key, value in (("n", "900 ms"), ("y", "300 ms")):
             terminal.press("l")
@@ -109,6 +117,20 @@ class Browse(CommandTest):
             self.assertTrue(terminal.comes_to(lambda lines: not any("->" in line for line in lines)))
             self.assertEqual(self.read(), value)
 
+    def load_a_pdo(self, terminal, path):
+        """Its event timer differs; a file says its COB-ID twice, invalid and then as it is (CiA 301, 7.5.2.38)."""
+        cob_id = self.assert_done(run("read", BUS, "10", "1800:1"))
+        before = self.assert_done(run("read", BUS, "10", "1800:5"))
+        self.assert_done(run("write", BUS, "10", "1800:5", "321ms"))
+        terminal.press("l")
+        self.answer(terminal, "load from", str(path), erase=len("node.dcf"))
+        terminal.wait_for("write these 1 to the node? y, n")
+        terminal.wait_for("1800h:05h")
+        terminal.press("y")
+        terminal.wait_for("written")
+        self.assertEqual(self.assert_done(run("read", BUS, "10", "1800:5")), before)
+        self.assertEqual(self.assert_done(run("read", BUS, "10", "1800:1")), cob_id)
+
     def test_it_is_looked_at_and_changed_on_terminals_of_two_sizes(self):
         for columns, rows in ((80, 24), (200, 60)):
             with self.subTest(columns=columns):
@@ -117,6 +139,22 @@ class Browse(CommandTest):
                 self.save_and_load(terminal, self.folder / f"{columns}.dcf")
                 terminal.press("q")
                 self.assertTrue(terminal.is_over(), "q ends it")
+
+    def test_a_node_that_is_gone_is_said_to_be_until_it_answers(self):
+        terminal = Terminal(self.folder, 120, 24, CANVOY, "browse", BUS, "10", "--timeout", "100ms")
+        self.addCleanup(terminal.end)
+        terminal.wait_for("q quit")
+        self.device.terminate()
+        self.device.wait()
+        terminal.wait_for("no answer within 0.100s")
+        # Objects that are opened are not asked for: they say nothing of the node. All rows are looked at once.
+        until = time.monotonic() + 3
+        while time.monotonic() < until:
+            last = terminal.lines()[-1]
+            self.assertIn("no answer within", last)
+            self.assertNotIn("bytes", last)
+        self.start()
+        terminal.wait_for("q quit")
 
     def test_more_differences_than_the_terminal_has_rows_are_scrolled(self):
         path = self.folder / "changes.txt"

@@ -156,6 +156,10 @@ class Help(CommandTest):
         self.assertIn("lift-drive", self.complete("device", "lift-d"))
         self.assertIn("udp:", self.complete("read", "ud"))
         self.assertEqual(self.complete("decode", "bus.log", "--colour", "al"), ["always"])
+        self.assertEqual(self.complete("monitor", "can0", "--table", "--by", ""), ["frame", "node", "object"])
+        self.assertEqual(self.complete("profile", "447"), ["447-3"])
+        self.assertEqual(self.complete("read", "can0", "10", "--profile", "41"), ["417-4", "418", "419"])
+        self.assertEqual(self.complete("export", ""), ["csv", "dbc", "html"])
         self.assertEqual(self.complete("decode", "bus"), [], "files are the shell's")
         self.assertNotIn("complete", self.complete(""))
 

@@ -216,7 +216,8 @@ SdoConnection* SdoManager::add(const SdoConnection& connection) {
 }
 
 /// What is to be closed comes first, since it brings COB-IDs and channels back.
-void SdoManager::work(Time) {
+void SdoManager::work(Time now) {
+  changed_(now);
   if (busy_ || !may_speak() || is_lent()) return;
   if (SdoConnection* const ending = find(SdoConnection::State::ending)) return close(*ending);
   if (SdoConnection* const wanted = find(SdoConnection::State::requested)) return open(*wanted);

@@ -74,6 +74,8 @@ class SdoManager {
 
   /// A node was heard, lost, or started: to be called for all that may have connections.
   void remote_changed(NodeId node, RemoteState state);
+  /// Whenever a connection may have been given, or have begun to end.
+  void on_change(Callback<void(Time)> changed) { changed_ = changed; }
 
   std::span<const SdoConnection> connections() const { return connections_; }
   bool busy() const { return busy_; }
@@ -132,6 +134,7 @@ class SdoManager {
   SdoWriteList writes_;
   ServiceLink service_{&service_calls, this};
   Timer timer_;
+  Callback<void(Time)> changed_;
   SdoConnection* current_ = nullptr;
   std::bitset<node_id_max + 1> heard_;
   std::bitset<node_id_max + 1> to_ask_;  ///< of the present scan

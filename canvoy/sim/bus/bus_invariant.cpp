@@ -24,6 +24,7 @@ constexpr auto invariants = std::to_array<InvariantName>({
     {"second_announcements", "stops that were announced wrongly or not in the second car", ""},
     {"second_stop_sign",
      "the stop button was pressed and no sign was lit in or for the second car for at most", "s"},
+    {"false_stop_sign", "a stop sign was lit though nobody had pressed for at most", "s"},
     {"device_missing", "a device was missing without an excuse for at most", "s"},
 });
 static_assert(invariants.size() == invariant_kinds);

@@ -26,6 +26,8 @@ enum class InvariantKind : std::uint8_t {
   second_announcements,  ///< stops that were not announced there, or another one was
   second_stop_sign,  ///< the longest time that somebody had pressed a button and no sign lit there,
                      ///< or one of there, and none lit in the first car; in s
+  false_stop_sign,   ///< the longest time on the way that a sign was lit, in either car, though
+                     ///< nobody had pressed a button since the bus stood; in s
   device_missing,    ///< the longest time that a device was not operational without an excuse; in s
 };
 inline constexpr std::size_t invariant_kinds =

@@ -284,13 +284,17 @@ void BusNetwork::judge(Time now) {
 
 /// Who has pressed a button reads in his car that the bus will stop, and so do those of the other
 /// car. In the first one two displays have a sign: that of the next stop has to be lit for its own
-/// people, one of both for those of the second car.
+/// people, one of both for those of the second car. Where nobody has pressed, none is lit on the
+/// way.
 void BusNetwork::judge_signs(Time now) {
   const bool is_first_lit = displays_.at(next_stop_id)->is_sign_lit();
   referee_.judge(InvariantKind::stop_sign, now, pressed_[0].times == 0 || is_first_lit);
   const bool is_told_forward = pressed_[1].times == 0 || is_sign_lit(1);
   referee_.judge(InvariantKind::second_stop_sign, now,
                  !is_stop_wanted() || (is_sign_lit(2) && is_told_forward));
+  const bool is_on_the_way = vehicle_->state() != BusState::at_stop;
+  const bool is_false = is_on_the_way && !is_stop_wanted() && (is_sign_lit(1) || is_sign_lit(2));
+  referee_.judge(InvariantKind::false_stop_sign, now, !is_false);
 }
 
 /// An on-board computer that begins anew learns where it is from satellites, or when a journey

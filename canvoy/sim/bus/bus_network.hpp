@@ -135,6 +135,7 @@ struct Sabotage {
   bool mute_second_announcer = false;
   bool no_second_sign_lamp = false;  ///< of the next stop indicator of the second car
   bool dead_second_button = false;   ///< the wire from the buttons of the second car
+  bool stuck_sign = false;           ///< of the next stop indicator: it is lit for ever
 };
 
 struct BusNetworkOptions {

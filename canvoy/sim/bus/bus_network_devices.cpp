@@ -133,8 +133,9 @@ void BusNetwork::add_displays() {
   const Sabotage& sabotage = options_.sabotage;
   add_display(front_display_id, {.is_cut = sabotage.cuts_destination});
   add_display(side_display_id, {.is_frozen = sabotage.freezes_destination});
-  add_display(next_stop_id,
-              {.is_cut = sabotage.cuts_next_stop, .has_no_sign = sabotage.no_sign_lamp});
+  add_display(next_stop_id, {.is_cut = sabotage.cuts_next_stop,
+                             .has_no_sign = sabotage.no_sign_lamp,
+                             .has_stuck_sign = sabotage.stuck_sign});
   ShownDisplay::Sabotage memory{.is_cut = sabotage.cuts_information};
   if (sabotage.short_memory) memory.octets_max = few_octets;
   add_display(information_id, memory);
@@ -280,6 +281,7 @@ LineControlSettings BusNetwork::line_control_settings() {
                                .identification = identification_id,
                                .identification_time_out = heartbeat_time_out(identification_id),
                                .positioning = positioning_id,
+                               .doors = vehicle_gateway_id,
                                .train_stop_request_id = train_stop_request_id};
   for (const DevicePlace& place : device_places) {
     if (place.id != computer_id && place.car == 1) settings.nodes.push_back(place.id);

@@ -56,7 +56,8 @@ InvariantSet affected_by_loss_of(NodeId node) {
     case announcer_id:
       return set_of({Kind::announcements});
     case vehicle_gateway_id:
-      return set_of({Kind::passengers, Kind::stop_sign, Kind::second_stop_sign});
+      return set_of(
+          {Kind::passengers, Kind::stop_sign, Kind::second_stop_sign, Kind::false_stop_sign});
     case first_counter_id:
     case counting_manager_id:
     case second_counter_id:

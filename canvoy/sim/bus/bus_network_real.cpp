@@ -52,15 +52,16 @@ InvariantSet BusNetwork::unknown_to_referees() const {
   without({canceller_id, printer_id}, {Kind::tickets});
   without({announcer_id}, {Kind::announcements});
   // It may lead the vehicle, and stand.
-  without({vehicle_gateway_id},
-          {Kind::passengers, Kind::stop_sign, Kind::service, Kind::second_stop_sign});
+  without({vehicle_gateway_id}, {Kind::passengers, Kind::stop_sign, Kind::service,
+                                 Kind::second_stop_sign, Kind::false_stop_sign});
   for (const NodeId id : {first_counter_id, counting_manager_id, second_counter_id}) {
     without({id}, {Kind::passengers});
   }
-  without({train_gateway_id},
-          {Kind::second_car, Kind::second_announcements, Kind::second_stop_sign});
-  without({second_gateway_id},
-          {Kind::second_car, Kind::second_announcements, Kind::pdo_tables, Kind::second_stop_sign});
+  // Whoever is behind it may press.
+  without({train_gateway_id}, {Kind::second_car, Kind::second_announcements, Kind::second_stop_sign,
+                               Kind::false_stop_sign});
+  without({second_gateway_id}, {Kind::second_car, Kind::second_announcements, Kind::pdo_tables,
+                                Kind::second_stop_sign, Kind::false_stop_sign});
   without({second_destination_id, second_next_stop_id}, {Kind::second_car});
   without({second_next_stop_id}, {Kind::second_stop_sign});
   without({second_announcer_id}, {Kind::second_announcements});

@@ -527,6 +527,10 @@ TEST(BusSabotage, ButtonsOfTheSecondCarThatAreNotWired) {
   EXPECT_EQ(played({.dead_second_button = true}), "second_stop_sign ");
 }
 
+TEST(BusSabotage, ASignThatIsLitForEver) {
+  EXPECT_EQ(played({.stuck_sign = true}), "false_stop_sign ");
+}
+
 TEST(BusSabotage, ADeviceThatIsNotThere) {
   BusNetwork network(with_seed(1));
   network.world().at(Time(20min), [&](Time) { network.node(driver_display_id).power(false); });

@@ -35,7 +35,7 @@ std::ostream& operator<<(std::ostream& out, const RealCase& it) {
 /// Where one of both is played, that one is judged.
 constexpr const char* all_but_presence =
     "next_stop destination information lie texts stop_sign announcements tickets clock passengers "
-    "pdo_tables service second_car second_announcements second_stop_sign ";
+    "pdo_tables service second_car second_announcements second_stop_sign false_stop_sign ";
 const RealCase real_cases[] = {
     {computer_id, units<MainOnBoardComputerKind>, all_but_presence},
     {identification_id, units<IdentificationKind>,
@@ -49,7 +49,7 @@ const RealCase real_cases[] = {
     {announcer_id, units<AcousticAnnouncerKind>, "announcements "},
     {side_display_id, units<TextDisplay<InformationClass::destination>>, ""},
     {vehicle_gateway_id, units<VehicleGatewayKind>,
-     "stop_sign passengers service second_stop_sign "},
+     "stop_sign passengers service second_stop_sign false_stop_sign "},
     {tachograph_id, units<TachographKind>, ""},
     {driver_display_id, units<DriverDisplayKind>, ""},
     {positioning_id, units<PositioningKind, TimeFixingKind>,
@@ -59,9 +59,9 @@ const RealCase real_cases[] = {
     {counting_manager_id, units<CountingManagerKind>, "passengers "},
     {second_counter_id, units<PassengerCounterKind>, "passengers "},
     {train_gateway_id, units<TrainBusGatewayKind>,
-     "second_car second_announcements second_stop_sign "},
+     "second_car second_announcements second_stop_sign false_stop_sign "},
     {second_gateway_id, units<TrainBusGatewayKind>,
-     "pdo_tables second_car second_announcements second_stop_sign "},
+     "pdo_tables second_car second_announcements second_stop_sign false_stop_sign "},
     {second_destination_id, units<TextDisplay<InformationClass::destination>>, ""},
     {second_next_stop_id, units<TextDisplay<InformationClass::next_stop>>, "second_stop_sign "},
     {second_announcer_id, units<AcousticAnnouncerKind>, "second_announcements "},

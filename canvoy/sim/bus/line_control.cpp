@@ -144,6 +144,8 @@ void LineControl::changed(NodeId id, RemoteState state) {
     has_journey_told_ = false;
   }
   if (id == settings_.positioning && begins_anew) fix_.reset();
+  // Whether a door was open meanwhile is not known: who still wants to get off presses again.
+  if (id == settings_.doors && begins_anew) hardware_.computer->request_stop(false);
   if (state == RemoteState::lost) {
     is_started_.at(id) = false;
   } else if (begins_anew) {

@@ -35,6 +35,7 @@ struct LineControlSettings {
   NodeId identification = 0;
   Duration identification_time_out{};  ///< without its heartbeat
   NodeId positioning = 0;
+  NodeId doors = 0;  ///< who tells that a door opens: a request to stop ends with that
   /// Of 6204h of the train bus gateway, TRUE where somebody in another vehicle wants to get off: an
   /// on-board computer provides this object, and so has no entry to which it could be mapped.
   std::uint16_t train_stop_request_id = 0;

@@ -16,6 +16,7 @@ class ShownDisplay {
     bool is_cut = false;            ///< nothing is lit
     bool is_frozen = false;         ///< what it shows first, it shows for ever
     bool has_no_sign = false;       ///< the lamp of the stop sign is broken
+    bool has_stuck_sign = false;    ///< it is lit for ever
     std::size_t octets_max = 1000;  ///< of a text
   };
 
@@ -32,7 +33,9 @@ class ShownDisplay {
 
   /// UTF-8, lines after each other; empty: it is dark.
   const std::string& text() const { return text_; }
-  bool is_sign_lit() const { return !sabotage_.has_no_sign && display_.is_stop_requested(); }
+  bool is_sign_lit() const {
+    return sabotage_.has_stuck_sign || (!sabotage_.has_no_sign && display_.is_stop_requested());
+  }
   const BusDisplay& display() const { return display_; }
 
  private:

@@ -115,6 +115,7 @@ void ChargingNetwork::add_manager() {
   const SlotIndex slot = world_.add_slot(bus_);
   const auto time_out = options_.charger.battery_heartbeat * options_.charger.heartbeat_periods_max;
   manager_ = std::make_unique<VehicleManager>(world_.port(slot), options_.manager_id, time_out);
+  manager_->on_change(Callback<void(Time)>::to<&ChargingNetwork::watch_connections>(*this));
   world_.occupy(slot, manager_->node());
   world_.start(slot);
 }

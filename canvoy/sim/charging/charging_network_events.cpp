@@ -10,7 +10,6 @@ void ChargingNetwork::step(Time now) {
   handshake_.on_step(now, plant_.stage.pilot_signal(), plant_.ampere());
   fault_watch_.note(now, charger_.charger().reason());
   service_.on_step(now, battery_asks(), plant_.ampere());
-  watch_connections(now);
   check(now);
 }
 
@@ -29,7 +28,6 @@ bool ChargingNetwork::battery_asks() const {
 
 /// Given or taken back since the last look.
 void ChargingNetwork::watch_connections(Time now) {
-  if (!manager_) return;
   const auto is_given = [](const SdoConnection& connection) {
     return connection.state == SdoConnection::State::given;
   };

@@ -59,6 +59,31 @@ TEST(ChargingInAVehicle, TheChargerGetsItsConnectionToTheBatteryFromTheManager) 
   EXPECT_EQ(sut.battery().node().dictionary().number(0x1201, 3), charger);
 }
 
+/// Times at which the charger confirmed that its 1F10h was written: it is registered, or connected.
+struct Confirmations {
+  explicit Confirmations(ChargingNetwork& network) {
+    network.observe(
+        {.context = this, .on_frame = [](void* self, Time now, ControllerId, const Frame& frame) {
+           const bool is_it = frame.id == 0x585 && frame.data[0] == 0x60 && frame.data[1] == 0x10 &&
+                              frame.data[2] == 0x1F;
+           if (is_it) static_cast<Confirmations*>(self)->times.push_back(now);
+         }});
+  }
+  std::vector<Time> times;
+};
+
+TEST(ChargingInAVehicle, ARegistrationAndAConnectionAreToldWhenTheyAreConfirmed) {
+  ChargingNetwork sut(in_vehicle());
+  const Confirmations confirmations(sut);
+  sut.run_until(Time(10s));
+  std::vector<Time> told;
+  for (const ChargingEvent& event : sut.events()) {
+    if (std::holds_alternative<SdoConnectionChanged>(event.what)) told.push_back(event.at);
+  }
+  EXPECT_EQ(told.size(), 2U);
+  EXPECT_EQ(told, confirmations.times);
+}
+
 TEST(ChargingInAVehicle, WithoutAManagerTheDefaultChannelDoes) {
   ChargingOptions options = in_vehicle();
   options.manager_id = 0;

@@ -38,6 +38,8 @@ class VehicleManager {
 
   Node& node() { return device_.node(); }
   std::span<const SdoConnection> connections() const { return connections_; }
+  /// Whenever a connection may have been given, or have begun to end.
+  void on_change(Callback<void(Time)> changed) { manager_.on_change(changed); }
 
  private:
   static constexpr std::size_t routes = node_id_max + 2;

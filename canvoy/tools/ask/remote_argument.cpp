@@ -33,6 +33,12 @@ std::optional<RemotePlace> find_remote_place(std::string_view text) {
   return RemotePlace{static_cast<std::uint16_t>(network), static_cast<NodeId>(node)};
 }
 
+/// `tpc:HOST:PORT`: what it should be, whoever opens it says.
+bool is_of_unknown_kind(std::string_view bus) {
+  return bus.find(':') != std::string_view::npos && !bus.starts_with("udp:") &&
+         !bus.starts_with("tcp:");
+}
+
 }  // namespace
 
 RemotePlace parse_remote_place(std::string_view text) {
@@ -48,6 +54,7 @@ void split_remote_bus(std::vector<std::string>& words) {
   const std::size_t slash = bus.find('/', begin == std::string::npos ? 0 : begin + 1);
   if (slash == std::string::npos || (bus.starts_with("tcp:") && begin == std::string::npos)) return;
   if (!find_remote_place(std::string_view(bus).substr(slash + 1))) {
+    if (is_of_unknown_kind(bus.substr(0, slash))) return;
     throw UsageError(fmt::format(
         "'{}' is no node of a network behind another: write can0/2:7 for node 7 of network 2",
         bus));

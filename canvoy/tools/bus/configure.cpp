@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <memory>
 
 #include "canvoy/tools/ask/ask_options.hpp"
@@ -112,23 +111,6 @@ void tell_difference(const ConfigureOptions& options, const AskedObject& object,
   object.append_value(json, line, wanted);
   json.end_object();
   fmt::print("{}\n", line);
-}
-
-/// What is there in the end: a PDO is made invalid, mapped anew and made valid again, and its
-/// COB-ID is written twice (CiA 301, 7.5.2.36).
-std::vector<ConfigurationEntry> final_entries(const std::vector<ConfigurationEntry>& entries) {
-  std::vector<ConfigurationEntry> made;
-  for (const ConfigurationEntry& entry : entries) {
-    const auto same = std::ranges::find_if(made, [&entry](const ConfigurationEntry& other) {
-      return other.index == entry.index && other.sub == entry.sub;
-    });
-    if (same == made.end()) {
-      made.push_back(entry);
-    } else {
-      same->value = entry.value;
-    }
-  }
-  return made;
 }
 
 /// What writing the file would change; as diff, status 1 where there is something.

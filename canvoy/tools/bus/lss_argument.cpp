@@ -18,7 +18,6 @@ namespace {
 std::optional<std::uint32_t> parse_number(std::string_view text) {
   const bool has_prefix = text.starts_with("0x") || text.starts_with("0X");
   const bool has_suffix = text.ends_with('h') || text.ends_with('H');
-  if (has_prefix && has_suffix) return std::nullopt;
   const bool hexadecimal = has_prefix || has_suffix;
   const std::string_view digits =
       text.substr(has_prefix ? 2 : 0, text.size() - (hexadecimal ? (has_prefix ? 2 : 1) : 0));

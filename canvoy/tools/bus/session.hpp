@@ -56,7 +56,7 @@ class Session {
   /// In which nodes are reached; 0: the bus itself.
   std::uint16_t network() const { return behind_.module == 0 ? 0 : behind_.settings.network; }
   /// Shows on a terminal how far a transfer of many bytes is.
-  void show_progress() { shows_progress_ = true; }
+  void show_progress(bool shows = true) { shows_progress_ = shows; }
 
   /// Puts a frame on the bus, and waits until it is out. Throws Failure where it does not go.
   void send(const Frame& frame);

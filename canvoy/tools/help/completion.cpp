@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "canvoy/profiles/registry.hpp"
 #include "canvoy/tools/ask/node_argument.hpp"
 #include "canvoy/tools/ask/object_argument.hpp"
 #include "canvoy/tools/device/device_catalogue.hpp"
@@ -135,6 +136,25 @@ Words device_words(const Line& line) {
   return words;
 }
 
+/// As `--profile` takes them: 419, 447-3.
+Words profile_words() {
+  constexpr std::string_view organisation = "CiA ";
+  Words words;
+  for (const Profile* profile : all_profiles()) {
+    std::string_view name = profile->name;
+    if (name.starts_with(organisation)) name.remove_prefix(organisation.size());
+    words.emplace_back(name);
+  }
+  return words;
+}
+
+/// Of an option that is one of a few words.
+Words option_values(const CLI::Option& option) {
+  if (option.check_lname("colour")) return {"auto", "always", "never"};
+  if (option.check_lname("by")) return {"object", "frame", "node"};
+  return option.check_lname("profile") ? profile_words() : Words{};
+}
+
 /// By the name that the help gives a place.
 Words place_words(const Line& line, const std::string& place) {
   const auto fixed = [](Words words) {
@@ -148,6 +168,8 @@ Words place_words(const Line& line, const std::string& place) {
       {"condition", [](const Line&) { return object_words(); }},
       {"value", value_words},
       {"device", device_words},
+      {"profile", [](const Line&) { return profile_words(); }},
+      {"format", fixed({"dbc", "csv", "html"})},
       {"state",
        fixed({"operational", "stopped", "pre-operational", "reset-node", "reset-communication"})},
       {"group", fixed({"all", "communication", "application"})},
@@ -190,10 +212,7 @@ Words option_words(const CLI::App& app) {
 }
 
 Words candidates(const Line& line, const std::string& typed) {
-  if (line.awaiting != nullptr) {
-    const bool is_colour = line.awaiting->check_lname("colour");
-    return is_colour ? Words{"auto", "always", "never"} : Words{};
-  }
+  if (line.awaiting != nullptr) return option_values(*line.awaiting);
   if (typed.starts_with('-')) return option_words(*line.verb);
   Words words = verb_words(*line.verb);
   if (!words.empty()) return words;

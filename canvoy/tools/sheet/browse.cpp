@@ -32,7 +32,9 @@ struct BrowseOptions {
 class Browser {
  public:
   Browser(Session& session, NodeTree& tree, std::string title)
-      : session_(session), tree_(tree), title_(std::move(title)) {}
+      : session_(session), tree_(tree), title_(std::move(title)) {
+    session_.show_progress(false);
+  }
 
   int run() {
     constexpr Duration step = 50ms;
@@ -66,15 +68,19 @@ class Browser {
     const std::size_t shown = std::min(rows_.size() - first_, room_);
     if (shown == 0) return;
     refreshed_ = (refreshed_ + 1) % shown;
-    attempt([this] { tree_.refresh(rows_.at(first_ + refreshed_)); });
+    attempt([this] {
+      const bool has_answered = tree_.refresh(rows_.at(first_ + refreshed_));
+      if (!has_answered || !is_lost_) return;
+      message_.clear();
+      is_lost_ = false;
+    });
   }
 
+  /// That the node does not answer is told until it does.
   template <class Step>
   void attempt(const Step& step) {
     try {
       step();
-      if (is_lost_) message_.clear();
-      is_lost_ = false;
     } catch (const Failure& failure) {
       message_ = failure.what();
       is_lost_ = true;
@@ -212,8 +218,8 @@ class Browser {
   }
 
   void load() {
-    differences_ = tree_.compare(typed_);
-    if (differences_.empty()) {
+    change_ = tree_.compare(typed_);
+    if (change_.differences.empty()) {
       message_ = "the node is as " + typed_ + " has it";
     } else {
       question_ = Question::confirm;
@@ -222,7 +228,8 @@ class Browser {
   }
 
   void confirm(Key key) {
-    const std::size_t last = differences_.size() > room_ ? differences_.size() - room_ : 0;
+    const std::size_t last =
+        change_.differences.size() > room_ ? change_.differences.size() - room_ : 0;
     if (key == Key::up || key == Key::page_up)
       first_difference_ -= std::min(first_difference_, key == Key::up ? 1 : room_);
     if (key == Key::down || key == Key::page_down)
@@ -230,14 +237,15 @@ class Browser {
     if (key == Key{'n'} || key == Key::escape) question_ = Question::none;
     if (key != Key{'y'}) return;
     question_ = Question::none;
+    message_.clear();
     std::size_t written = 0;
     attempt([&] {
-      for (const NodeTree::Difference& difference : differences_) {
-        tree_.write(difference);
+      for (const ConfigurationEntry& step : change_.steps) {
+        tree_.write(step);
         ++written;
       }
     });
-    const std::string count = fmt::format("{} of {} written", written, differences_.size());
+    const std::string count = fmt::format("{} of {} written", written, change_.steps.size());
     message_ = message_.empty() ? count : count + "; " + message_;
     is_lost_ = false;
   }
@@ -275,8 +283,8 @@ class Browser {
       case Question::load:
         return fmt::format("load from: {}_", typed_);
       case Question::confirm:
-        return fmt::format("write these {} to the node? y, n{}", differences_.size(),
-                           differences_.size() > room_ ? "  (arrows show the others)" : "");
+        return fmt::format("write these {} to the node? y, n{}", change_.differences.size(),
+                           change_.differences.size() > room_ ? "  (arrows show the others)" : "");
       case Question::none:
         break;
     }
@@ -292,9 +300,9 @@ class Browser {
     if (place_ >= first_ + room_) first_ = place_ - room_ + 1;
     std::vector<std::string> lines = {title_};
     if (question_ == Question::confirm) {
-      for (std::size_t i = first_difference_; i < differences_.size() && lines.size() <= room_;
-           ++i) {
-        const NodeTree::Difference& each = differences_[i];
+      for (std::size_t i = first_difference_;
+           i < change_.differences.size() && lines.size() <= room_; ++i) {
+        const NodeTree::Difference& each = change_.differences[i];
         lines.push_back(fmt::format("{} {}: {} -> {}",
                                     words::object_text(each.place.index, each.place.sub), each.name,
                                     each.here, each.there));
@@ -314,7 +322,7 @@ class Browser {
   std::string title_;
   Screen screen_;
   std::vector<NodeTree::Row> rows_;
-  std::vector<NodeTree::Difference> differences_;
+  NodeTree::Comparison change_;  ///< that is asked about
   std::size_t first_difference_ = 0;
   NodeTree::Row edited_;
   Question question_ = Question::none;
@@ -386,9 +394,9 @@ void add_browse(CLI::App& app, Action& action) {
   command->add_flag("--json", options->json, "all entries once, one JSON object a line");
   command->footer(
       "Where no terminal shows it, all entries are printed once.\n"
-      "Keys: arrows; Enter opens an object, or edits an entry in its unit; / searches; w saves "
-      "into a\n"
-      "DCF; l shows what a DCF would change, and writes it; q ends.\n"
+      "Keys: arrows, Page Up and Down, Home, End; Enter opens an object, or edits an entry in its "
+      "unit;\n"
+      "/ searches; w saves into a DCF; l shows what a DCF would change, and writes it; q ends.\n"
       "Examples:\n"
       "  canvoy browse can0 10\n"
       "  canvoy browse can0 5 --eds pump.eds\n"

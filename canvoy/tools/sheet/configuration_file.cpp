@@ -177,4 +177,19 @@ Configuration read_configuration(const std::string& path, NodeId node_id) {
   return parse_configuration(path, std::span(content).first(size), node_id);
 }
 
+std::vector<ConfigurationEntry> final_entries(const std::vector<ConfigurationEntry>& entries) {
+  std::vector<ConfigurationEntry> made;
+  for (const ConfigurationEntry& entry : entries) {
+    const auto same = std::ranges::find_if(made, [&entry](const ConfigurationEntry& other) {
+      return other.index == entry.index && other.sub == entry.sub;
+    });
+    if (same == made.end()) {
+      made.push_back(entry);
+    } else {
+      same->value = entry.value;
+    }
+  }
+  return made;
+}
+
 }  // namespace canvoy::tools

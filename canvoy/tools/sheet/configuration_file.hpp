@@ -33,4 +33,8 @@ Configuration read_configuration(const std::string& path, NodeId node_id);
 Configuration parse_configuration(std::string_view name, std::span<const std::uint8_t> content,
                                   NodeId node_id);
 
+/// What is there in the end: a PDO is made invalid, mapped anew and made valid again, and its
+/// COB-ID is written twice (CiA 301, 7.5.2.36).
+std::vector<ConfigurationEntry> final_entries(const std::vector<ConfigurationEntry>& entries);
+
 }  // namespace canvoy::tools

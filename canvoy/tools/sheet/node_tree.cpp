@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/formats/sheet_value.hpp"
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/sheet/configuration_file.hpp"
 #include "canvoy/tools/value_argument.hpp"
 #include "canvoy/words/json_line.hpp"
 #include "canvoy/words/object_words.hpp"
@@ -22,6 +23,14 @@ std::string small(std::string_view text) {
   std::string made(text);
   for (char& each : made) each = each >= 'A' && each <= 'Z' ? static_cast<char>(each + 32) : each;
   return made;
+}
+
+/// Parameter and mapping of a PDO are written together; any other object by itself.
+std::uint16_t written_with(std::uint16_t index) {
+  constexpr unsigned mapping_bit = 0x0200;  // 1600h beside 1400h, 1A00h beside 1800h
+  const bool is_of_pdo =
+      index >= object_index::rpdo_parameter && index <= object_index::tpdo_mapping_last;
+  return static_cast<std::uint16_t>(is_of_pdo ? index & ~mapping_bit : index);
 }
 
 }  // namespace
@@ -172,17 +181,20 @@ void NodeTree::learn(const Place& place, Known known) {
   before = std::move(known);
 }
 
-void NodeTree::refresh(const Row& row) {
+bool NodeTree::refresh(const Row& row) {
   const formats::SheetEntry* said = entry(row);
-  if (row.is_folder || said == nullptr || said->access == "wo") return;
-  if (said->data_type == static_cast<unsigned>(DataType::domain))
-    return learn(row.place, {{}, "a domain", {}, true});
+  if (row.is_folder || said == nullptr || said->access == "wo") return false;
+  if (said->data_type == static_cast<unsigned>(DataType::domain)) {
+    learn(row.place, {{}, "a domain", {}, true});
+    return false;
+  }
   const auto answer = session_.try_read(node_, row.place.index, row.place.sub);
   if (answer) {
     learn(row.place, {*answer, {}, {}, true});
   } else {
     learn(row.place, {{}, words::abort_text(answer.abort()), {}, true});
   }
+  return true;
 }
 
 void NodeTree::write(const Row& row, const std::string& text) {
@@ -207,23 +219,29 @@ formats::DataSheet NodeTree::sheet() const {
   return made;
 }
 
-std::vector<NodeTree::Difference> NodeTree::compare(const std::string& path) {
-  std::vector<Difference> differences;
-  for (const ConfigurationEntry& wanted : read_configuration(path, node_).entries) {
+NodeTree::Comparison NodeTree::compare(const std::string& path) {
+  const std::vector<ConfigurationEntry> written = read_configuration(path, node_).entries;
+  Comparison made;
+  std::set<std::uint16_t> changed;
+  for (const ConfigurationEntry& wanted : final_entries(written)) {
     const Place place{wanted.index, wanted.sub};
     const auto answer = session_.try_read(node_, wanted.index, wanted.sub);
     if (answer && std::ranges::equal(*answer, wanted.value)) continue;
-    differences.push_back({place, name_of(place),
-                           answer ? text_of(place, *answer) : words::abort_text(answer.abort()),
-                           text_of(place, wanted.value),
-                           Bytes(wanted.value.begin(), wanted.value.end())});
+    changed.insert(written_with(wanted.index));
+    made.differences.push_back(
+        {place, name_of(place),
+         answer ? text_of(place, *answer) : words::abort_text(answer.abort()),
+         text_of(place, wanted.value)});
   }
-  return differences;
+  std::ranges::copy_if(written, std::back_inserter(made.steps), [&](const auto& entry) {
+    return changed.contains(written_with(entry.index));
+  });
+  return made;
 }
 
-void NodeTree::write(const Difference& difference) {
-  session_.write(node_, difference.place.index, difference.place.sub, difference.value);
-  refresh({.place = difference.place, .name = {}});
+void NodeTree::write(const ConfigurationEntry& step) {
+  session_.write(node_, step.index, step.sub, step.value);
+  refresh({.place = {step.index, step.sub}, .name = {}});
 }
 
 }  // namespace canvoy::tools

@@ -15,6 +15,7 @@
 
 #include "canvoy/decoder/sheet_profile.hpp"
 #include "canvoy/tools/bus/session.hpp"
+#include "canvoy/tools/sheet/configuration_file.hpp"
 
 namespace canvoy::tools {
 
@@ -39,7 +40,13 @@ class NodeTree {
     std::string name;
     std::string here;  ///< in the node
     std::string there;
-    Bytes value;  ///< of the file
+  };
+  /// What a configuration file would change.
+  struct Comparison {
+    std::vector<Difference> differences;
+    /// What has to be written for them, in this order: of a PDO all that the file says of it, since
+    /// it is mapped only while it is not valid (CiA 301, 7.5.2.36).
+    std::vector<ConfigurationEntry> steps;
   };
 
   NodeTree(Session& session, NodeId node, formats::DataSheet sheet);
@@ -59,17 +66,18 @@ class NodeTree {
     return sheet_.find(row.place.index, row.place.sub);
   }
 
-  /// Throws Failure where the node does not answer.
-  void refresh(const Row& row);
+  /// Whether the node was asked. Throws Failure where it does not answer.
+  bool refresh(const Row& row);
   /// Throws UsageError for a text that is no value of the entry, Failure with what the node
   /// answered.
   void write(const Row& row, const std::string& text);
 
   /// The sheet with the values as they were read last.
   formats::DataSheet sheet() const;
-  /// What a configuration file would change. Asks the node.
-  std::vector<Difference> compare(const std::string& path);
-  void write(const Difference& difference);
+  /// Asks the node.
+  Comparison compare(const std::string& path);
+  /// One of the steps.
+  void write(const ConfigurationEntry& step);
 
  private:
   struct Known {

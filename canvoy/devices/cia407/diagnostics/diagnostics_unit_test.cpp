@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "canvoy/canopen/sdo/sdo_entry.hpp"
 #include "canvoy/devices/cia407/bus_bench_test.hpp"
 
 namespace canvoy::cia407::diagnostics_unit_test {
@@ -184,6 +185,39 @@ TEST_F(Diagnostics, WhereLinesGoThatAreNotReadYetThereIsNoFile) {
   unit->report(0, full);  // the first line goes, of which he has 7 bytes of 11
   EXPECT_EQ(reader.next(), "80 41 67 00 22 00 00 08") << "the state of the device";
   EXPECT_EQ(bench.upload(0x6741, 0), lines_of(1, full + 1)) << "again, and whole";
+}
+
+/// As another SDO channel does it: a 0 is written to 6741h.
+AbortCode erase(Dictionary& dictionary) {
+  std::array<std::uint8_t, 8> buffer{};
+  SdoEntry entry(dictionary, buffer);
+  AbortCode answer = entry.find({extended_diagnostic_message_file_object.index, 0});
+  if (answer == AbortCode::none) answer = entry.open_write(1);
+  const std::uint8_t zero = 0;
+  if (answer == AbortCode::none) answer = entry.write({&zero, 1});
+  return answer == AbortCode::none ? entry.finish() : answer;
+}
+
+TEST_F(Diagnostics, WhoIsNotAtItsEndWhenTheFileIsErasedGetsNone) {
+  for (unsigned i = 0; i < 3; ++i) unit->report(0, static_cast<std::uint16_t>(i));
+  FileReader reader(bench);
+  EXPECT_EQ(reader.begin(), "41 41 67 00 21 00 00 00") << "33 bytes";
+  EXPECT_EQ(reader.next(), "");
+  EXPECT_EQ(erase(bench.node().dictionary()), AbortCode::none);
+  // Lines of the new file stand where those of the old one did.
+  for (unsigned i = 7; i < 10; ++i) unit->report(0, static_cast<std::uint16_t>(i));
+  EXPECT_EQ(reader.next(), "80 41 67 00 22 00 00 08") << "the state of the device";
+  EXPECT_EQ(bench.upload(0x6741, 0), lines_of(7, 10)) << "the new one, and whole";
+}
+
+TEST_F(Diagnostics, WhoErasesTheFileOnTheChannelThatReadsItEndsTheReading) {
+  for (unsigned i = 0; i < 3; ++i) unit->report(0, static_cast<std::uint16_t>(i));
+  FileReader reader(bench);
+  reader.begin();
+  EXPECT_EQ(reader.next(), "");
+  EXPECT_EQ(bench.ask("2F 41 67 00 00 00 00 00"), "60 41 67 00 00 00 00 00");
+  EXPECT_EQ(reader.next().substr(12), "01 00 04 05") << "no transfer goes on (CiA 301, 7.2.4.3.17)";
+  EXPECT_EQ(bench.upload(0x6741, 0), "");
 }
 
 TEST_F(Diagnostics, ItsHistoriesOutliveAReset) {
