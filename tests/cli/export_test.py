@@ -77,6 +77,35 @@ class Export(CommandTest):
         self.assert_refused(run("export", "dbc", str(network), "--bus", "lift9"), USAGE, "lift9", "lift1")
         self.assertIn("BO_ ", self.export("dbc", str(network), "--bus", "lift1"))
 
+    def rows(self, *arguments):
+        return list(csv.DictReader(io.StringIO(self.export("csv", *arguments))))
+
+    def printed(self, network):
+        file = self.folder / f"{network}.toml"
+        file.write_text(self.assert_done(run("run", network, "--print")))
+        return file
+
+    def test_a_bus_is_as_its_network_sets_it_up(self):
+        rows = self.rows(str(self.printed("bus")), "--bus", "sim0")
+        speed = [row for row in rows if (row["node_id"], row["index"]) == ("1", "6481")]
+        # The on-board computer takes the vehicle's speed from the gateway, node 11: 180h + 11 (CiA 301, 7.3.3).
+        self.assertEqual([(row["can_id"], row["message"]) for row in speed], [("18B", "vehicle-gateway TPDO1")])
+        consumed = [row["value"] for row in rows if (row["node_id"], row["index"], row["sub"]) == ("11", "1016", "01")]
+        self.assertTrue(consumed and all(int(value, 16) >> 16 == 1 for value in consumed), "node 11 supervises node 1")
+
+    def test_an_excavator_is_as_its_file_says(self):
+        file = self.printed("excavator")
+        self.assertTrue(self.rows(str(file), "--bus", "sim1"), "the armrest behind the seat")
+        text = file.read_text().replace("[seat]\nplayed = true", "[seat]\nplayed = false")
+        file.write_text(text.replace('# real = "can0"', 'real = "can0"'))
+        self.assert_refused(run("export", "csv", str(file), "--bus", "sim1"), USAGE, "sim1", "sim0")
+
+    def test_what_run_refuses_in_a_file_is_refused(self):
+        for network in ("bus", "excavator"):
+            file = self.printed(network)
+            file.write_text(file.read_text().replace("seed = 1 ", 'seed = "one" '))
+            self.assert_refused(run("export", "csv", str(file)), FAILED, f"{network}.toml line ", "seed")
+
     def test_a_network_file_may_name_sheets(self):
         self.assert_done(run("eds", "export", "battery", "--out", str(self.folder / "b.eds")))
         network = self.folder / "own.toml"
