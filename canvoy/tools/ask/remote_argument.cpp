@@ -6,6 +6,7 @@
 #include <charconv>
 #include <optional>
 
+#include "canvoy/formats/trace_writer.hpp"
 #include "canvoy/tools/ask/node_argument.hpp"
 #include "canvoy/tools/failure.hpp"
 
@@ -33,6 +34,12 @@ std::optional<RemotePlace> find_remote_place(std::string_view text) {
   return RemotePlace{static_cast<std::uint16_t>(network), static_cast<NodeId>(node)};
 }
 
+/// That of a log, which is refused where the bus is opened.
+bool is_path(std::string_view text) {
+  return text.starts_with('/') || text.starts_with('.') ||
+         formats::trace_format_of(text).has_value();
+}
+
 }  // namespace
 
 RemotePlace parse_remote_place(std::string_view text) {
@@ -47,6 +54,7 @@ void split_remote_bus(std::vector<std::string>& words) {
   const std::size_t begin = bus.starts_with("tcp:") ? bus.find('/') : std::string::npos;
   const std::size_t slash = bus.find('/', begin == std::string::npos ? 0 : begin + 1);
   if (slash == std::string::npos || (bus.starts_with("tcp:") && begin == std::string::npos)) return;
+  if (is_path(bus)) return;
   if (!find_remote_place(std::string_view(bus).substr(slash + 1))) {
     throw UsageError(fmt::format(
         "'{}' is no node of a network behind another: write can0/2:7 for node 7 of network 2",
