@@ -47,6 +47,19 @@ class Export(CommandTest):
         self.assertRegex(dbc, rf" SG_ temperature\w* m{selector} : 32\|16@1- \(0\.125,0\)")
         self.assertRegex(dbc, r"BO_ 1418 battery_SDO_response: 8 battery")
 
+    def test_nodes_of_a_car_have_a_channel_of_sdo_to_each_other_one(self):
+        dbc = self.assert_done(run("export", "dbc", "1=ivn-gateway", "3=printer", "--sdo", encoding="latin-1"))
+        # Node n asks node m on 240h + 100h * ((n - 1) / 4) + 10h * ((n - 1) % 4) + m - 1, and hears 80h below (docs/cia447.md).
+        for can_id, name in ((0x242, "ivn_gateway_SDO_asks_3"), (0x1C2, "printer_SDO_tells_1"), (0x260, "printer_SDO_asks_1"), (0x1E0, "ivn_gateway_SDO_tells_3")):
+            self.assertIn(f"\nBO_ {can_id} {name}: 8 {name[: name.index('_SDO')]}\n", dbc)
+        for default in (0x601, 0x583):
+            self.assertIn(f"\nBO_ {default} ", dbc)
+        # 1008h has a text; 1000h:00h is read by 43h, four bytes (CiA 301, 7.2.4.3.5).
+        selector = 0x43 | 0x1000 << 8
+        self.assertRegex(dbc[dbc.index("BO_ 450 ") :], rf"\A.*\n(?: SG_ .*\n)*? SG_ Device_type\S* m{selector} : 32\|")
+        lone = self.assert_done(run("export", "dbc", "5=charger", "10=battery", "--sdo", encoding="latin-1"))
+        self.assertNotIn("battery_to_charger", lone, "only CiA 447 has that")
+
     def test_csv_has_a_line_for_each_number_and_where_it_is_sent(self):
         rows = list(csv.DictReader(io.StringIO(self.export("csv", "10=battery"))))
         row = next(row for row in rows if row["index"] == "6010")
