@@ -173,6 +173,12 @@ WRONG_USAGE = [
       for source in ("-", "night.log", "./night")
       for verb, *rest in (["read", "10", "1000"], ["write", "10", "1017", "5s"], ["nmt", "10", "start"], ["scan"], ["sync"], ["browse", "10"],
                           ["clone", "10"], ["expect", "10", "6010 > 5"],  ["boot", "--node", "5"], ["gateway"])],
+    *[(["device", "charger", source], f"'{source}'", "can only be listened to", "name a bus") for source in ("-", "night.log", "./night")],
+    # options of lines, where there are none
+    (["view", "night.log", "--transfers"], "'--transfers' is not known"),
+    (["view", "night.log", "--json"], "'--json' is not known"),
+    (["report", "night.log", "--transfers"], "'--transfers' is not known"),
+    (["plot", "night.log", "temperature", "--transfers"], "'--transfers' is not known"),
     # expectations and scripts
     (["expect", QUIET, "10", "temperature"], "OBJECT > VALUE"),
     (["expect", QUIET, "10", "tempersture > 5"], "'tempersture'", "did you mean 'temperature'?"),

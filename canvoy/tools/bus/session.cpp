@@ -22,7 +22,7 @@ constexpr Duration progress_interval = 200ms;
 
 }  // namespace
 
-host::BusAddress real_bus(std::string_view text) {
+host::BusAddress any_bus(std::string_view text) {
   if (is_log_source(text)) {
     throw UsageError(fmt::format(
         "'{}': {} can only be listened to (canvoy decode, monitor, plot), not asked or told "
@@ -31,10 +31,15 @@ host::BusAddress real_bus(std::string_view text) {
   }
   host::Result<host::BusAddress> address = host::parse_bus_address(text);
   if (!address) throw UsageError(address.error().line());
-  if (address->kind == host::BusKind::simulated) {
+  return *std::move(address);
+}
+
+host::BusAddress real_bus(std::string_view text) {
+  host::BusAddress address = any_bus(text);
+  if (address.kind == host::BusKind::simulated) {
     throw UsageError("sim: a simulated bus lives in one process only; use can0 or udp:");
   }
-  return *std::move(address);
+  return address;
 }
 
 Session::Session(std::string_view bus, Duration time_out)
