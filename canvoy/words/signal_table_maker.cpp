@@ -307,8 +307,8 @@ void SignalTableMaker::add_channel(const CarNode& client, const CarNode& server)
   };
   add(cia447::sdo_request(client.id, server.id), can_id::sdo_request + server.id, "asks", client,
       server);
-  add(cia447::sdo_response(client.id, server.id), can_id::sdo_response + server.id, "tells",
-      server, client);
+  add(cia447::sdo_response(client.id, server.id), can_id::sdo_response + server.id, "tells", server,
+      client);
 }
 
 /// Each node of a car asks each other one on CAN-IDs of their own (CiA 447-4).
