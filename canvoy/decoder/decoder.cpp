@@ -4,6 +4,7 @@
 
 #include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/decoder/active_field.hpp"
+#include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/mapping_value.hpp"
 #include "canvoy/profiles/physical.hpp"
 #include "canvoy/profiles/registry.hpp"
@@ -131,10 +132,20 @@ void Decoder::decode_sdo(const Frame& frame, const SdoRoute& route) {
   decoded_.behind = step.behind;
   decoded_.transfer = step.done;
   decoded_.marks.add(step.marks);
+  if (step.entry) describe(*step.entry, step.behind, route.server);
   if (step.done != nullptr) decode_transfer(*step.done, route.server);
   if (step.message == SdoMessage::write && step.behind.node == 0) {
     check_length(sdo::Message(frame), route.server);
   }
+}
+
+/// Of a device behind the server nothing is known.
+void Decoder::describe(sdo::Multiplexer entry, const SdoBehind& behind, NodeId server) {
+  const Profile& profile = behind.node == 0 ? network_.profile(server) : cia301::profile;
+  about_ = {.index = entry.index(), .sub = entry.sub(), .profile = &profile};
+  about_.object = find_description(profile, entry.index());
+  if (about_.object != nullptr) about_.entry = find_entry(*about_.object, entry.sub());
+  decoded_.about = &about_;
 }
 
 /// What is written is as long as the type says, whether the node takes it or not; a message that

@@ -58,6 +58,7 @@ struct Decoded {
   SdoMessage message = SdoMessage::unknown;     ///< of SDO, where it has eight bytes
   SdoBehind behind{};                           ///< whom it is with, where not with the server
   const SdoTransfer* transfer = nullptr;        ///< the one that this frame ends
+  const DecodedValue* about = nullptr;          ///< of SDO: the entry, without a value, if known
   const LssFollower::Device* device = nullptr;  ///< of which LSS has told something
   const NodeNews* news = nullptr;               ///< what is known of a node since this frame
   std::span<const DecodedValue> values = {};
@@ -91,6 +92,7 @@ class Decoder {
 
   void decode_lss(const Frame& frame);
   void decode_sdo(const Frame& frame, const SdoRoute& route);
+  void describe(sdo::Multiplexer entry, const SdoBehind& behind, NodeId server);
   void decode_transfer(const SdoTransfer& transfer, NodeId server);
   void check_length(const sdo::Message& message, NodeId server);
   void decode_pdo(const Frame& frame, const PdoPlan& plan);
@@ -104,6 +106,7 @@ class Decoder {
   LssFollower lss_;
   ByCanId<Image> images_;
   std::vector<DecodedValue> values_;
+  DecodedValue about_;
   std::uint64_t versions_ = 0;
   Decoded decoded_;
 };

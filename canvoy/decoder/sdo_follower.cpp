@@ -30,6 +30,20 @@ bool begins(SdoMessage message) {
   return message == SdoMessage::read || message == SdoMessage::write ||
          message == SdoMessage::block_upload || message == SdoMessage::block_download;
 }
+/// The others are of the transfer that is under way.
+bool names_its_entry(SdoMessage message) {
+  return begins(message) || message == SdoMessage::abort || message == SdoMessage::value ||
+         message == SdoMessage::written || message == SdoMessage::block_upload_ready ||
+         message == SdoMessage::block_download_ready;
+}
+bool goes_on(SdoMessage message) {
+  return message != SdoMessage::unknown && message != SdoMessage::indication;
+}
+std::optional<sdo::Multiplexer> entry_of(SdoMessage kind, const sdo::Message& message,
+                                         std::optional<sdo::Multiplexer> under_way) {
+  if (names_its_entry(kind)) return message.multiplexer();
+  return goes_on(kind) ? under_way : std::nullopt;
+}
 bool is_indication(const sdo::Message& message) {
   if (message.first_byte() != RemoteSettings{}.indication) return false;
   const auto [network, node] = place_behind(message);
@@ -40,7 +54,9 @@ bool is_indication(const sdo::Message& message) {
 
 SdoStep SdoFollower::request(const Frame& frame) {
   marks_ = {};
+  const auto under_way = transfer_entry();
   SdoStep step = take_request(sdo::Message(frame));
+  step.entry = entry_of(step.message, sdo::Message(frame), under_way);
   const bool ends =
       step.message == SdoMessage::abort || step.message == SdoMessage::block_upload_done;
   if (begins(step.message)) behind_ = std::exchange(next_, {});
@@ -53,7 +69,9 @@ SdoStep SdoFollower::request(const Frame& frame) {
 
 SdoStep SdoFollower::response(const Frame& frame) {
   marks_ = {};
+  const auto under_way = transfer_entry();
   SdoStep step = take_response(sdo::Message(frame));
+  step.entry = entry_of(step.message, sdo::Message(frame), under_way);
   is_answer_due_ = false;
   hears_server_ = true;
   step.marks = marks_;
@@ -126,6 +144,12 @@ SdoStep SdoFollower::abort(const sdo::Message& message) {
   phase_ = Phase::idle;
   is_known_ = true;
   return {SdoMessage::abort};
+}
+
+/// Nothing where none is under way, or its beginning was not heard.
+std::optional<sdo::Multiplexer> SdoFollower::transfer_entry() const {
+  if (phase_ == Phase::idle || !is_named_) return std::nullopt;
+  return sdo::Multiplexer(transfer_.index, transfer_.sub);
 }
 
 SdoBehind SdoFollower::behind(SdoMessage kind, const sdo::Message& message) const {

@@ -76,6 +76,8 @@ struct SdoStep {
   const SdoTransfer* done = nullptr;
   Marks marks = {};
   SdoBehind behind = {};  ///< whom the transfer is with, or is to be
+  /// What the message names, or the transfer that it belongs to; nothing: that was not heard.
+  std::optional<sdo::Multiplexer> entry = {};
 };
 
 class SdoFollower {
@@ -95,6 +97,7 @@ class SdoFollower {
   void begin(bool is_write, SdoTransfer::Kind kind, sdo::Multiplexer multiplexer);
   const SdoTransfer* finish();
   SdoStep abort(const sdo::Message& message);
+  std::optional<sdo::Multiplexer> transfer_entry() const;
   SdoBehind behind(SdoMessage kind, const sdo::Message& message) const;
   void take(std::span<const std::uint8_t> bytes);
   void initiate(const sdo::Message& message);

@@ -112,6 +112,7 @@ void FrameDecoder::decode_sdo(const Frame& frame, const Decoded& decoded) {
   words_.node = decoded.node;
   words_.client = decoded.client;
   words_.values = decoded.values;
+  words_.about = decoded.about;
   if (frame.length != Frame::length_max) return say_malformed(frame);
   text_.clear();
   said_->sdos.append(text_, decoded.message, frame, network(), decoded.node, decoded.behind);

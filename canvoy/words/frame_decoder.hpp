@@ -39,6 +39,8 @@ struct FrameWords {
   bool is_end = false;         ///< of an SDO transfer: FrameDecoder::transfer_text() tells it
   std::string_view news = {};  ///< what is known of a node since this frame
   std::span<const decoder::DecodedValue> values = {};  ///< of objects
+  /// Of SDO: the entry that it is about, without a value; null: that was not heard.
+  const decoder::DecodedValue* about = nullptr;
   decoder::Marks marks = {};
   /// Of a PDO: room for what is made of `text` and `values`; it is empty where they have changed.
   std::string* kept = nullptr;

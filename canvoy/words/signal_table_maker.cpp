@@ -11,6 +11,7 @@
 #include "canvoy/formats/sheet_value.hpp"
 #include "canvoy/formats/terms.hpp"
 #include "canvoy/profiles/cia301.hpp"
+#include "canvoy/profiles/cia447/network.hpp"
 #include "canvoy/profiles/mapping_value.hpp"
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/words/entry_signals.hpp"
@@ -293,6 +294,33 @@ void SignalTableMaker::add_sdo(Device& device) {
   for (const bool is_request : {true, false}) add_transfers(device, is_request);
 }
 
+/// What a client says to a server and hears from it is as on the default channel of that.
+void SignalTableMaker::add_channel(const CarNode& client, const CarNode& server) {
+  const auto add = [&](std::uint32_t can_id, std::uint32_t as, const char* what,
+                       const CarNode& sender, const CarNode& receiver) {
+    SignalMessage message = messages_.at(as);
+    message.can_id = can_id;
+    message.name = fmt::format("{} SDO {} {}", sender.name, what, receiver.id);
+    message.senders = {sender.name};
+    message.receivers = {receiver.name};
+    messages_.try_emplace(can_id, std::move(message));
+  };
+  add(cia447::sdo_request(client.id, server.id), can_id::sdo_request + server.id, "asks", client,
+      server);
+  add(cia447::sdo_response(client.id, server.id), can_id::sdo_response + server.id, "tells", server,
+      client);
+}
+
+/// Each node of a car asks each other one on CAN-IDs of their own (CiA 447-4).
+void SignalTableMaker::add_mesh() {
+  for (const CarNode& client : car_nodes_) {
+    for (const CarNode& server : car_nodes_) {
+      if (client.id != server.id) add_channel(client, server);
+    }
+  }
+  car_nodes_.clear();
+}
+
 void SignalTableMaker::add_device(const std::string& name, NodeId node,
                                   const formats::DataSheet& sheet) {
   const decoder::SheetProfile made(sheet);
@@ -306,7 +334,9 @@ void SignalTableMaker::add_device(const std::string& name, NodeId node,
   add_pdos(device);
   add_emergency(device);
   add_heartbeat(device);
-  if (with_sdo_) add_sdo(device);
+  if (!with_sdo_) return;
+  add_sdo(device);
+  if (device.network.has_car() && node <= cia447::node_id_max) car_nodes_.push_back({name, node});
 }
 
 void SignalTableMaker::add_profile(const Profile& profile) {
@@ -320,6 +350,7 @@ void SignalTableMaker::add_profile(const Profile& profile) {
 }
 
 formats::SignalTable SignalTableMaker::take() {
+  add_mesh();
   for (auto& [can_id, message] : messages_) table_.messages.push_back(std::move(message));
   messages_.clear();
   return std::move(table_);

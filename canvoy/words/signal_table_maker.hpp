@@ -17,7 +17,8 @@ namespace canvoy::words {
 
 class SignalTableMaker {
  public:
-  /// With SDO: the expedited transfers of all entries, as multiplexed signals.
+  /// With SDO: the expedited transfers of all entries, as multiplexed signals; of a car (CiA 447)
+  /// on each of its channels.
   explicit SignalTableMaker(bool with_sdo = false) : with_sdo_(with_sdo) {}
 
   /// Its dictionary, PDOs, emergencies and heartbeat. What is not in the sheet, and no PDO carries,
@@ -30,6 +31,10 @@ class SignalTableMaker {
 
  private:
   struct Device;
+  struct CarNode {
+    std::string name;
+    NodeId id;
+  };
 
   void add_pdos(Device& device);
   void add_pdo(Device& device, std::uint32_t can_id, const decoder::PdoPlan& plan);
@@ -42,11 +47,14 @@ class SignalTableMaker {
   void add_heartbeat(const Device& device);
   void add_sdo(Device& device);
   void add_transfers(Device& device, bool is_request);
+  void add_mesh();
+  void add_channel(const CarNode& client, const CarNode& server);
   formats::SignalMessage& message_at(std::uint32_t can_id);
 
   bool with_sdo_;
   formats::SignalTable table_;
   std::map<std::uint32_t, formats::SignalMessage> messages_;
+  std::vector<CarNode> car_nodes_;
 };
 
 }  // namespace canvoy::words

@@ -148,7 +148,18 @@ class Ask(CommandTest):
         self.assertEqual(json.loads(self.done("write", BUS, "5", "1017", "1s", "--json")),
                          {"node": 5, "index": "1017", "sub": "00", "name": "Producer heartbeat time", "old": 1500, "raw": "E803",
                           "value": 1000, "unit": "ms"})  # fmt: skip
-        self.assertEqual(self.done("write", BUS, "5", "1017", "1000", "--blind"), "")
+        self.assertEqual(self.done("write", BUS, "5", "1017", "1000", "--blind"), "Producer heartbeat time: ? -> 1000 ms\n")
+        self.assertEqual(json.loads(self.done("write", BUS, "5", "1017", "1000", "--blind", "--json")),
+                         {"node": 5, "index": "1017", "sub": "00", "name": "Producer heartbeat time", "old": None, "raw": "E803",
+                          "value": 1000, "unit": "ms"})  # fmt: skip
+
+    def test_write_tells_how_much_of_a_file_it_has_written(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "time.bin"
+            file.write_bytes(b"\xe8\x03")
+            self.assertEqual(self.done("write", BUS, "5", "1017", "--file", str(file)), "Producer heartbeat time: 2 bytes written\n")
+            self.assertEqual(json.loads(self.done("write", BUS, "5", "1017", "--file", str(file), "--json")),
+                             {"node": 5, "index": "1017", "sub": "00", "bytes": 2})  # fmt: skip
 
     def test_a_misspelt_state_is_answered_with_a_known_one(self):  # CiA 419, 6000h: not ready, ready
         for verb, *value in (("write", "5", "battery_status", "redy"), ("expect", "5", "battery_status = redy"), ("pdo", "10", "tpdo1", "battery_status=redy")):
@@ -291,6 +302,9 @@ class Ask(CommandTest):
         failed = run("expect", BUS, "10", "temperature < 5", "--json")
         self.assertEqual((json.loads(failed.stdout)["held"], failed.returncode), (False, FAILED))
         self.done("expect", BUS, "10", "temperature < 90 for 150ms")
+        self.done("expect", BUS, "10", "temperature", "in", "5..90degC", "within", "2s")
+        self.assert_refused(run("expect", BUS, "10", "temperature in 90..95degC"), FAILED, "temperature = ", "expected temperature in 90..95degC")
+        self.assert_refused(run("expect", BUS, "10", "temperature in 5..90V"), USAGE, "'5..90V' is no range of numbers in °C")
         self.assert_refused(run("expect", BUS, "10", "temperature > 5V"), USAGE, "'5V' is no number in °C")
 
     def test_an_expectation_comes_true_in_time(self):

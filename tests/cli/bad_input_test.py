@@ -125,6 +125,7 @@ WRONG_USAGE = [
     (["lss"], "bus", "canvoy lss --help"),
     (["lss", QUIET], "command"),
     (["lss", "sim", "scan"], "sim", "can0 or udp:"),
+    (["lss", "-", "scan"], "'-'", "only be listened to"),
     (["lss", QUIET, "find"], "'find'", "scan, inquire"),
     (["lss", QUIET, "scan", "now"], "'now'", "scan"),
     (["lss", QUIET, "scan", "--store"], "--store", "--assign"),
@@ -168,10 +169,22 @@ WRONG_USAGE = [
     (["pdo", QUIET, "10", "rpdo1", "--request"], "TPDO"),
     (["store", QUIET, "10", "everything"], "'everything'", "communication"),
     (["restore", QUIET, "10", "aplication"], "did you mean 'application'?"),
+    # a log is no bus
+    *[([verb, source, *rest], f"'{source}'", "can only be listened to", "name a bus")
+      for source in ("-", "night.log", "./night")
+      for verb, *rest in (["read", "10", "1000"], ["write", "10", "1017", "5s"], ["nmt", "10", "start"], ["scan"], ["sync"], ["browse", "10"],
+                          ["clone", "10"], ["expect", "10", "6010 > 5"],  ["boot", "--node", "5"], ["gateway"])],
+    *[(["device", "charger", source], f"'{source}'", "can only be listened to", "name a bus") for source in ("-", "night.log", "./night")],
+    # options of lines, where there are none
+    (["view", "night.log", "--transfers"], "'--transfers' is not known"),
+    (["view", "night.log", "--json"], "'--json' is not known"),
+    (["report", "night.log", "--transfers"], "'--transfers' is not known"),
+    (["plot", "night.log", "temperature", "--transfers"], "'--transfers' is not known"),
     # expectations and scripts
     (["expect", QUIET, "10", "temperature"], "OBJECT > VALUE"),
     (["expect", QUIET, "10", "tempersture > 5"], "'tempersture'", "did you mean 'temperature'?"),
     (["expect", QUIET, "10", "temperature > 5 within soon"], "'soon'"),
+    (["expect", QUIET, "10", "temperature in 5"], "OBJECT in FROM..TO"),
     (["wait", QUIET, "tempersture > 5"], "did you mean 'temperature'?"),
     (["wait", QUIET, "heartbeat within soon"], "'soon'"),
     (["script", QUIET], "file"),

@@ -46,10 +46,23 @@ class DecodeFilterTest(CommandTest):
             ("bus=can1 or id=58A", [3, 8]),
             ("time>=10s and time<20.15s", [5, 6, 7]),
             ("time<1700000001", [1, 2, 3]),
-            ("object=1000..1FFF", [3]),
+            ("object=1000..1FFF", [2, 3]),
             ("6010:00=0x148", [6]),
         ]:
             self.assertEqual(self.numbers(text), expected, text)
+
+    def test_an_object_keeps_the_messages_of_its_transfers_on_each_bus_apart(self):
+        # On can0 1008h is read in segments, on can1 1009h by the same CAN-IDs, one between the other.
+        frames = [
+            "can0 60A#4008100000000000", "can1 60A#4009100000000000", "can0 58A#410810000A000000", "can1 58A#410910000A000000",
+            "can0 60A#6000000000000000", "can1 60A#6000000000000000", "can0 58A#0043616E766F7920", "can1 58A#0043616E766F7920",
+            "can1 60A#8009100000000405", "can0 60A#7000000000000000", "can0 58A#1942434400000000", "can1 60A#7000000000000000",
+        ]  # fmt: skip
+        self.log.write_text("".join(f"({number}.000000) {frame}\n" for number, frame in enumerate(frames)))
+        for verb in ("decode", "monitor"):
+            for text, wanted in [("1008h", [0, 2, 4, 6, 9, 10]), ("1009h", [1, 3, 5, 7, 8]), ("1008h!=x", [10])]:
+                shown = self.assert_done(run(verb, str(self.log), "--filter", text)).splitlines()
+                self.assertEqual([int(line[1:].split(".")[0]) for line in shown], wanted, text)
 
     def test_several_have_to_hold_all_and_the_log_may_stand_behind(self):
         self.assertEqual(self.numbers("node=10", "service=TPDO", "temperature<30"), [4])

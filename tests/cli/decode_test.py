@@ -75,7 +75,8 @@ class DecodeTest(CommandTest):
         self.assertEqual(len(self.lines("--filter", "service=sdo")), 6)
         self.assertEqual(len(self.lines("--filter", "object=temperature")), 1)
         self.assertEqual(len(self.lines("--filter", "object=6010h")), 1)
-        self.assertEqual(len(self.lines("--filter", "node=5", "--filter", "object=1008")), 1)
+        self.assertEqual(len(self.lines("--filter", "node=5", "--filter", "object=1008")), 4, "all messages of the transfer")
+        self.assertEqual(len(self.lines("--filter", "object=1008", "--transfers")), 1)
 
     def test_takes_the_profile_of_a_node_from_the_user(self):
         line = self.lines("--node", "10=419", log="(1.0) can0 18A#02\n")[0]

@@ -47,6 +47,19 @@ class Export(CommandTest):
         self.assertRegex(dbc, rf" SG_ temperature\w* m{selector} : 32\|16@1- \(0\.125,0\)")
         self.assertRegex(dbc, r"BO_ 1418 battery_SDO_response: 8 battery")
 
+    def test_nodes_of_a_car_have_a_channel_of_sdo_to_each_other_one(self):
+        dbc = self.assert_done(run("export", "dbc", "1=ivn-gateway", "3=printer", "--sdo", encoding="latin-1"))
+        # Node n asks node m on 240h + 100h * ((n - 1) / 4) + 10h * ((n - 1) % 4) + m - 1, and hears 80h below (docs/cia447.md).
+        for can_id, name in ((0x242, "ivn_gateway_SDO_asks_3"), (0x1C2, "printer_SDO_tells_1"), (0x260, "printer_SDO_asks_1"), (0x1E0, "ivn_gateway_SDO_tells_3")):
+            self.assertIn(f"\nBO_ {can_id} {name}: 8 {name[: name.index('_SDO')]}\n", dbc)
+        for default in (0x601, 0x583):
+            self.assertIn(f"\nBO_ {default} ", dbc)
+        # 1008h has a text; 1000h:00h is read by 43h, four bytes (CiA 301, 7.2.4.3.5).
+        selector = 0x43 | 0x1000 << 8
+        self.assertRegex(dbc[dbc.index("BO_ 450 ") :], rf"\A.*\n(?: SG_ .*\n)*? SG_ Device_type\S* m{selector} : 32\|")
+        lone = self.assert_done(run("export", "dbc", "5=charger", "10=battery", "--sdo", encoding="latin-1"))
+        self.assertNotIn("battery_to_charger", lone, "only CiA 447 has that")
+
     def test_csv_has_a_line_for_each_number_and_where_it_is_sent(self):
         rows = list(csv.DictReader(io.StringIO(self.export("csv", "10=battery"))))
         row = next(row for row in rows if row["index"] == "6010")
@@ -76,6 +89,35 @@ class Export(CommandTest):
         self.assert_refused(run("export", "dbc", str(network)), USAGE, "--bus", "lift1", "lift2")
         self.assert_refused(run("export", "dbc", str(network), "--bus", "lift9"), USAGE, "lift9", "lift1")
         self.assertIn("BO_ ", self.export("dbc", str(network), "--bus", "lift1"))
+
+    def rows(self, *arguments):
+        return list(csv.DictReader(io.StringIO(self.export("csv", *arguments))))
+
+    def printed(self, network):
+        file = self.folder / f"{network}.toml"
+        file.write_text(self.assert_done(run("run", network, "--print")))
+        return file
+
+    def test_a_bus_is_as_its_network_sets_it_up(self):
+        rows = self.rows(str(self.printed("bus")), "--bus", "sim0")
+        speed = [row for row in rows if (row["node_id"], row["index"]) == ("1", "6481")]
+        # The on-board computer takes the vehicle's speed from the gateway, node 11: 180h + 11 (CiA 301, 7.3.3).
+        self.assertEqual([(row["can_id"], row["message"]) for row in speed], [("18B", "vehicle-gateway TPDO1")])
+        consumed = [row["value"] for row in rows if (row["node_id"], row["index"], row["sub"]) == ("11", "1016", "01")]
+        self.assertTrue(consumed and all(int(value, 16) >> 16 == 1 for value in consumed), "node 11 supervises node 1")
+
+    def test_an_excavator_is_as_its_file_says(self):
+        file = self.printed("excavator")
+        self.assertTrue(self.rows(str(file), "--bus", "sim1"), "the armrest behind the seat")
+        text = file.read_text().replace("[seat]\nplayed = true", "[seat]\nplayed = false")
+        file.write_text(text.replace('# real = "can0"', 'real = "can0"'))
+        self.assert_refused(run("export", "csv", str(file), "--bus", "sim1"), USAGE, "sim1", "sim0")
+
+    def test_what_run_refuses_in_a_file_is_refused(self):
+        for network in ("bus", "excavator"):
+            file = self.printed(network)
+            file.write_text(file.read_text().replace("seed = 1 ", 'seed = "one" '))
+            self.assert_refused(run("export", "csv", str(file)), FAILED, f"{network}.toml line ", "seed")
 
     def test_a_network_file_may_name_sheets(self):
         self.assert_done(run("eds", "export", "battery", "--out", str(self.folder / "b.eds")))

@@ -89,7 +89,7 @@ class LssTest(CommandTest):
             self.assertEqual(told, [{"event": "configured", "bit_rate": None, "stored": True}])
             self.assertIn("1300090000000000", slave.requests)
             self.assertIn("1700000000000000", slave.requests)
-            self.assertEqual(self.assert_done(lss("set-bit-rate", "250k")), "")
+            self.assertEqual(self.assert_done(lss("set-bit-rate", "250k")), "250000 bit/s are set\n")
 
     def test_nobody_there_is_told(self):
         self.assert_refused(run("lss", BUS, "scan"), FAILED, "no node without node-ID answered")
@@ -111,7 +111,7 @@ class LssTest(CommandTest):
             for command in (["inquire"], ["set-node-id", "10"], ["set-bit-rate", "125k"], ["store"]):
                 self.assert_refused(lss(*command), FAILED, "more than one node answers", "--select")
             self.assertEqual(self.assert_done(lss("inquire", *SELECT_SECOND)), f"{SECOND}: no node-ID\n")
-            self.assertEqual(self.assert_done(lss("set-node-id", "10", *SELECT_SECOND)), "")
+            self.assertEqual(self.assert_done(lss("set-node-id", "10", *SELECT_SECOND)), "node 10 (0Ah) is set\n")
             second.hear("is node 10 (0Ah)")
             # The other one is still there, without one.
             self.assertEqual(self.assert_done(lss("scan", "--first-timeout", "1000ms")), f"{FIRST}\n")
@@ -131,6 +131,9 @@ class LssTest(CommandTest):
             self.assertEqual(tell("inquire"), [{"event": "found", **address, "node": 10, "text": f"{FIRST}: node 10 (0Ah)"}])
             self.assertEqual(tell("identify", "--select", "0:0x1A2:0:7"), [{"event": "identified", **address, "text": "a node has this address"}])
             self.assertEqual(tell("set-node-id", "none"), [{"event": "configured", "node": None, "stored": False}])
+            self.assertEqual(self.assert_done(lss("switch", "configuration")), "all nodes are in LSS state configuration\n")
+            self.assertEqual(self.assert_done(lss("switch", "waiting")), "all nodes are in LSS state waiting\n")
+            self.assertEqual(self.assert_done(lss("switch", "configuration", "--select", "0:0x1A2:0:7")), f"{FIRST} is in LSS state configuration\n")
             self.assert_refused(lss("set-bit-rate", "125k", "--json"), FAILED, "the node does not have this bit rate")
             self.assertEqual(tell("activate", "10ms"), [{"event": "switch", "delay_s": 0.01}])
 
@@ -138,7 +141,7 @@ class LssTest(CommandTest):
         with tempfile.TemporaryDirectory() as folder:
             store = ("--store", f"{folder}/store")
             with Battery("7", *store) as battery:
-                self.assertEqual(self.assert_done(lss("set-node-id", "11", "--store")), "")
+                self.assertEqual(self.assert_done(lss("set-node-id", "11", "--store")), "node 11 (0Bh) is set, stored\n")
                 battery.hear("is node 11 (0Bh)")
             with Battery("7", *store):
                 self.assertEqual(self.assert_done(lss("inquire")), f"{FIRST}: node 11 (0Bh)\n")

@@ -7,6 +7,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import unittest
 
@@ -43,6 +44,36 @@ UNKNOWN = (
 )
 
 
+class SlowNode:
+    """Node 45, which takes its time to say what it is, and says nothing else; until the end of a with statement."""
+
+    BUS = "udp:239.74.163.16:43119"
+    DELAY_S = 0.5
+
+    def __enter__(self):
+        self.asked = []  # when, by whose CAN-ID, for their device types
+        self.bus = subprocess.Popen([CANVOY, "monitor", self.BUS, "--filter", "id=600..67F", "--json"], stdout=subprocess.PIPE, text=True)
+        self.thread = threading.Thread(target=self.answer)
+        self.thread.start()
+        while not self.asked:
+            run("send", self.BUS, "67F#4000100000000000")
+        return self
+
+    def __exit__(self, *_):
+        self.bus.terminate()
+        self.thread.join()
+        self.bus.communicate(timeout=60)
+
+    def answer(self):
+        for line in self.bus.stdout:
+            told = json.loads(line)
+            can_id, data = told["frame"].split("#")
+            if data == "4000100000000000":  # CiA 301, 7.2.4.3.5: an upload of 1000h
+                self.asked.append((told["time"], can_id))
+            if (can_id, data) == ("62D", "4000100000000000"):
+                threading.Timer(self.DELAY_S, run, ("send", self.BUS, "5AD#43001000E7030000")).start()
+
+
 class Scan(CommandTest):
     @classmethod
     def setUpClass(cls):
@@ -76,6 +107,27 @@ class Scan(CommandTest):
         text = self.assert_done(run("scan", BUS, "--no-lss"))
         self.assertRegex(text, r"(?m)^10 +[a-z-]+ +[0-9A-F]{8} +418 ")
         self.assertIn("2 nodes\n", text)
+
+    def test_all_are_asked_while_it_listens_and_a_slow_node_is_waited_for(self):
+        with SlowNode() as node:
+            already = len(node.asked)
+            lines = [json.loads(line) for line in self.assert_done(run("scan", node.BUS, "--json")).splitlines()]
+            asked = node.asked[already:]
+        self.assertEqual([(line["node"], line["device_type"], line["heard"], line["answers"]) for line in lines[:-1]], [(45, "000003E7", False, True)])
+        self.assertEqual([can_id for _, can_id in asked], [f"{0x600 + node:03X}" for node in range(1, 128)])
+        self.assertLess(asked[-1][0] - asked[0][0], 2, "seconds from the first question to the last: nobody is waited for between them")
+
+    def test_devices_without_a_node_id_are_told(self):
+        bus = "udp:239.74.163.17:43119"
+        battery = subprocess.Popen([CANVOY, "device", "battery", bus, "--node-id", "lss"], stdout=subprocess.PIPE, text=True)
+        self.addCleanup(battery.communicate)
+        self.addCleanup(battery.terminate)
+        for line in battery.stdout:
+            if "waits for a node-ID by LSS" in line:
+                break
+        self.assertIn("there are devices without a node-ID", self.assert_done(run("scan", bus, "--timeout", "1s")))
+        unasked = run("scan", bus, "--no-lss", "--json")
+        self.assertEqual((json.loads(unasked.stdout), unasked.returncode), ({"nodes": 0, "unconfigured": False}, FAILED))
 
     def test_the_network_is_written_with_a_dcf_for_each_and_can_be_exported(self):
         network = self.folder / "network.toml"

@@ -23,6 +23,7 @@ wait 'heartbeat and node=10 within 5s'
 write 10 1017 100ms     # quicker
 nmt 10 operational
 expect 10 'temperature > -20degC' within 2s
+expect 10 temperature in -20..60degC within 2s
 send 123#DEADBEEF
 """
 
@@ -52,7 +53,7 @@ class Script(CommandTest):
         output = self.assert_done(self.script(GOOD))
         self.assertIn("  2  nmt 10 reset-node\nnode 10 (0Ah) has booted\n", output)
         self.assertIn("  4  write 10 1017 100ms     # quicker\nProducer heartbeat time: 100 ms -> 100 ms\n", output)
-        self.assertTrue(output.endswith("  7  send 123#DEADBEEF\n6 of 6 lines passed\n"), output)
+        self.assertTrue(output.endswith("  8  send 123#DEADBEEF\n7 of 7 lines passed\n"), output)
 
     def test_a_line_that_fails_ends_it(self):
         result = self.script("read 10 1017\nexpect 10 temperature < -20\nsync\n")

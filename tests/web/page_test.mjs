@@ -172,7 +172,7 @@ test("a frame's details say in which clause its service and its objects are", as
     await pick("object=6060h and service=TPDO", "TPDO");
     await details.getByText("CiA 301, 7.2.2", { exact: true }).waitFor();
     await details.locator(".clause", { hasText: /^CiA 418$/ }).first().waitFor();
-    await pick("object=1000h and service=SDO", "SDO");
+    await pick('object=1000h and service="SDO response"', "SDO");
     await page.locator(".frame-list").press("ArrowDown");
     await details.getByText("CiA 301, 7.2.4", { exact: true }).waitFor();
     await details.locator(".clause", { hasText: /^CiA 301, 7\.5\.2\.1$/ }).first().waitFor();

@@ -42,6 +42,7 @@ class BusNode {
 
   /// From the next power-on on.
   void preset(const Preset& preset) { presets_.push_back(preset); }
+  std::span<const Preset> presets() const { return presets_; }
   /// The CAN-ID of the `number`-th PDO with this mapping, 0 the first: from the next power-on on.
   /// False: there is none.
   bool preset_rpdo(std::span<const std::uint32_t> mapping, std::uint32_t can_id,

@@ -131,6 +131,8 @@ class ExcavatorNetwork {
   const ExcavatorOperator& driver() const { return driver_; }
   MachineNode& node(NodeId id);
   std::span<const std::unique_ptr<MachineNode>> nodes() const { return nodes_; }
+  /// As the options have the host.
+  HostSettings host_settings() const;
   /// What hands have done, where it is recorded.
   const RecordedShift& recorded_shift() const { return recorder_.shift(); }
   const ExcavatorOptions& options() const { return options_; }
@@ -161,7 +163,6 @@ class ExcavatorNetwork {
 
   // excavator_network_devices.cpp
   void add_nodes();
-  HostSettings host_settings() const;
   void add_node(const DevicePlace& place, BusIndex bus, MachineNode::Make make);
   void add_armrest();
   MachineNode::Made make_host(const Port& port);

@@ -39,8 +39,12 @@ void AskOptions::add_json(CLI::App& command) {
   command.add_flag("--json", json, "one JSON object a line");
 }
 
+RemotePlace AskOptions::place() const {
+  return takes_remote ? parse_remote_place(node) : RemotePlace{.node = parse_node_id(node)};
+}
+
 NodeId AskOptions::node_id() const {
-  return takes_remote ? parse_remote_place(node).node : parse_node_id(node);
+  return place().node;
 }
 
 Duration AskOptions::time_out_of(Duration usual) const {
@@ -49,7 +53,7 @@ Duration AskOptions::time_out_of(Duration usual) const {
 
 Session& AskOptions::open(Sessions& sessions) const {
   Session& session = sessions.open(bus, time_out_of(Session::default_time_out));
-  const std::uint16_t network = takes_remote ? parse_remote_place(node).network : 0;
+  const std::uint16_t network = takes_remote ? place().network : 0;
   if (network == 0) {
     session.reach_bus();
     return session;

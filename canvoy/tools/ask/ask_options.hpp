@@ -38,6 +38,9 @@ struct AskOptions {
   NodeId node_id() const;
   Duration time_out_of(Duration usual) const;
   Session& open(Sessions& sessions) const;
+
+ private:
+  RemotePlace place() const;
 };
 
 }  // namespace canvoy::tools

@@ -175,8 +175,8 @@ void add_expect(CLI::App& app, Action& action, Sessions& sessions) {
   command
       ->add_option(
           "condition", options->words,
-          "OBJECT = VALUE, with =, !=, <, <=, > or >=; within 2s: it may take so long; for "
-          "2s: it has to stay so")
+          "OBJECT = VALUE, with =, !=, <, <=, > or >=, or OBJECT in FROM..TO; within 2s: it may "
+          "take so long; for 2s: it has to stay so")
       ->required();
   command->add_option("--every", options->interval, "how often it is read (default 50ms)");
   command->add_option("--type", options->type, "of an object that no profile knows: u16, vs, ...");
@@ -186,6 +186,7 @@ void add_expect(CLI::App& app, Action& action, Sessions& sessions) {
   add_examples(*command,
                "  canvoy expect can0 10 'temperature > -20degC within 2s'\n"
                "  canvoy expect can0 10 'battery_voltage < 60 V' --json\n"
+               "  canvoy expect can0 10 'temperature in 15..30degC'\n"
                "  canvoy expect can0 10 'temperature < 60degC for 300ms' --every 100ms");
   command->callback([options, &action, &sessions] {
     action = [options, &sessions] { return expect_value(*options, sessions); };

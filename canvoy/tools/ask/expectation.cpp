@@ -70,11 +70,67 @@ Reading reading_of(const EntryInfo& entry, std::span<const std::uint8_t> bytes) 
   return only != nullptr ? read_field(entry, *only, bytes) : read_value(entry, bytes);
 }
 
+struct ExpectedRange {
+  std::string first;
+  std::string last;
+};
+
+/// The ends of `20..30degC`, of which the first takes the unit of the last where it has none;
+/// nothing where it is written as no range.
+std::optional<ExpectedRange> range_of(std::string_view text) {
+  constexpr std::string_view digits = "0123456789.";
+  const std::size_t dots = text.find("..");
+  if (dots == std::string_view::npos) return std::nullopt;
+  ExpectedRange made{without_edges(text.substr(0, dots)), without_edges(text.substr(dots + 2))};
+  const std::size_t unit = made.last.find_last_of(digits) + 1;
+  const bool is_plain = made.first.find_first_not_of("+-0123456789.") == std::string::npos;
+  if (is_plain && !made.first.empty()) made.first += made.last.substr(unit);
+  return made;
+}
+
+/// Nothing: the text is no range of numbers of this value.
+std::optional<std::pair<double, double>> amounts_of(const ValueInfo& value, std::string_view text) {
+  const auto range = range_of(text);
+  if (!range) return std::nullopt;
+  const auto low = parse_amount(value, range->first);
+  const auto high = parse_amount(value, range->last);
+  if (!low || !high) return std::nullopt;
+  if (*low > *high) throw UsageError(fmt::format("'{}': the range ends before it begins", text));
+  return std::pair(*low, *high);
+}
+
+/// `OBJECT in 20..30degC`; nothing where it is not written so.
+std::optional<Expectation> parse_membership(std::string_view text) {
+  constexpr std::string_view word = " in ";
+  const std::size_t at = text.rfind(word);
+  if (at == std::string_view::npos) return std::nullopt;
+  Expectation made{.object = without_edges(text.substr(0, at)),
+                   .value = without_edges(text.substr(at + word.size())),
+                   .is_range = true};
+  const bool is_understood = !made.object.empty() && range_of(made.value).has_value();
+  return is_understood ? std::optional(std::move(made)) : std::nullopt;
+}
+
 }  // namespace
 
 bool Expectation::holds(const EntryInfo* known, std::span<const std::uint8_t> bytes) const {
   const EntryInfo entry = known != nullptr ? *known : plain_entry(bytes.size());
   const bool is_number = is_integer(entry.type) || is_real(entry.type);
+  const auto range = is_number && is_about_equality(comparison)
+                         ? amounts_of(value_info_of(entry), value)
+                         : std::nullopt;
+  if (range) {
+    const Reading reading = reading_of(entry, bytes);
+    const bool is_in = reading.kind == Reading::Kind::number &&
+                       compare_numbers(reading.number, Comparison::at_least, range->first) &&
+                       compare_numbers(reading.number, Comparison::at_most, range->second);
+    return is_in == (comparison == Comparison::equal);
+  }
+  if (is_range) {
+    const std::string_view unit = symbol(value_info_of(entry).unit);
+    throw UsageError(fmt::format("'{}' is no range of numbers{}{}: write FROM..TO", value,
+                                 unit.empty() ? " here" : " in ", unit));
+  }
   const auto amount = is_number ? parse_amount(value_info_of(entry), value) : std::nullopt;
   if (amount) {
     const Reading reading = reading_of(entry, bytes);
@@ -111,10 +167,18 @@ Expectation parse_expectation(std::string_view given) {
   const std::size_t sign = text.find_first_of("=!<>");
   const auto refuse = [given] {
     throw UsageError(fmt::format(
-        "'{}' is not understood: write OBJECT > VALUE within 2s, with =, !=, <, <=, > or >=",
+        "'{}' is not understood: write OBJECT > VALUE within 2s, with =, !=, <, <=, > or >=, or "
+        "OBJECT in FROM..TO",
         given));
   };
-  if (sign == std::string::npos || sign == 0) refuse();
+  if (sign == std::string::npos) {
+    auto membership = parse_membership(text);
+    if (!membership) refuse();
+    membership->within = made.within;
+    membership->holding = made.holding;
+    return *std::move(membership);
+  }
+  if (sign == 0) refuse();
   const char first = text[sign];
   std::size_t end = sign + 1;
   const bool has_equal_sign = end < text.size() && text[end] == '=';

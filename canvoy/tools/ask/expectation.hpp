@@ -20,7 +20,8 @@ struct Expectation {
 
   std::string object;
   Comparison comparison = Comparison::equal;
-  std::string value;
+  std::string value;      ///< for `=`, `!=` and `in` also a range with both ends: `20..30degC`
+  bool is_range = false;  ///< it was written with `in`: the value has to be one
   std::optional<Duration> within = {};   ///< it is to come true until then
   std::optional<Duration> holding = {};  ///< it is to be true all the time (`for 5s`)
 
@@ -29,8 +30,8 @@ struct Expectation {
   bool holds(const EntryInfo* entry, std::span<const std::uint8_t> bytes) const;
 };
 
-/// `OBJECT = VALUE`, with `!=`, `<`, `<=`, `>` or `>=` in place of `=`, and with `within 2s` or
-/// `for 2s` behind it. Throws UsageError.
+/// `OBJECT = VALUE`, with `!=`, `<`, `<=`, `>` or `>=` in place of `=`, or `OBJECT in FROM..TO`,
+/// and with `within 2s` or `for 2s` behind it. Throws UsageError.
 Expectation parse_expectation(std::string_view text);
 
 /// `within 2s` at the end of a text, which is taken from it. Throws UsageError where the time is

@@ -28,6 +28,38 @@ TEST(Expectation, IsAComparisonWithANumberInAnyUnit) {
   EXPECT_TRUE(holds("temperature != 21"));
 }
 
+TEST(Expectation, IsARangeWithBothEnds) {
+  for (const char* text : {"temperature in 20..30degC", "temperature in 10..20",
+                           "temperature in 20..20 °C", "temperature = 19.9..20.1 degC",
+                           "temperature in -5degC..20degC", "temperature != 20.1..30"}) {
+    EXPECT_TRUE(holds(text)) << text;
+  }
+  for (const char* text : {"temperature in 20.1..30degC", "temperature in -30..-20",
+                           "temperature = 20.1..30", "temperature != 20..30"}) {
+    EXPECT_FALSE(holds(text)) << text;
+  }
+  for (const char* text :
+       {"temperature in 30..20", "temperature in warm..hot", "temperature in 20..30V",
+        "temperature in 20", "temperature > 20..30", "in 20..30", "temperature in 20.."}) {
+    EXPECT_THROW(holds(text), UsageError) << text;
+  }
+}
+
+TEST(Expectation, IsARangeInAnyUnitWhichMayStandAtItsEndAlone) {
+  constexpr std::uint8_t voltage[] = {0x8F, 0xBE, 0x00, 0x00};  // 47.6396 V: CiA 418, 1/1024 V
+  for (const char* text : {"battery_voltage in 47600..47700mV", "battery_voltage in 47V..47700mV",
+                           "battery_voltage in 0.047..0.048 kV"}) {
+    EXPECT_TRUE(holds(text, voltage, "6060")) << text;
+  }
+  EXPECT_FALSE(holds("battery_voltage in 47640..47700mV", voltage, "6060"));
+}
+
+TEST(Expectation, OfANumberThatSaysThatThereIsNoneIsOutsideOfEveryRange) {
+  constexpr std::uint8_t none[] = {0xFF, 0xFF};  // CiA 418, 6010h: invalid
+  EXPECT_FALSE(holds("temperature in -1000..10000", none));
+  EXPECT_TRUE(holds("temperature != -1000..10000", none));
+}
+
 TEST(Expectation, IsTheNameOfAState) {
   constexpr std::uint8_t ready[] = {1};
   EXPECT_TRUE(holds("battery_status = ready", ready, "6000"));
@@ -54,6 +86,8 @@ TEST(Expectation, HasATimeToComeTrueOrToHold) {
   EXPECT_EQ(within.within, Duration(90s));
   EXPECT_EQ(parse_expectation("6010 < 5 for 2s").holding, Duration(2s));
   EXPECT_EQ(parse_expectation("6010 < 5").within, std::nullopt);
+  EXPECT_EQ(parse_expectation("6010 in 5..7degC within 2s").within, Duration(2s));
+  EXPECT_EQ(parse_expectation("6010 in 5..7degC for 2s").holding, Duration(2s));
 }
 
 TEST(Expectation, IsRefusedWhereItIsNone) {

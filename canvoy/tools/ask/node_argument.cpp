@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/filter/filter_names.hpp"
 #include "canvoy/tools/spelling.hpp"
 #include "canvoy/tools/toml_file.hpp"
 #include "canvoy/words/text.hpp"
@@ -81,9 +83,20 @@ void collect_nodes(const toml::table& table, std::vector<NamedNode>& nodes) {
   std::vector<std::string> names;
   names.reserve(nodes.size());
   for (const NamedNode& node : nodes) names.push_back(node.name);
-  const std::string_view advice = nodes.empty() ? ", or --network FILE with its name" : "";
+  const std::string advice = nodes.empty() ? ", or --network FILE with its name"
+                                           : fmt::format(", or a name: {}", choices_text(nodes));
   throw UsageError(fmt::format("'{}' is no node-ID: give 1 to 127, as 10 or 0Ah{}{}", text, advice,
                                did_you_mean(text, names)));
+}
+
+template <class Is>
+std::vector<NamedNode> nodes_where(const Is& is) {
+  std::vector<NamedNode> found;
+  for (const NamedNode& node : named_nodes()) {
+    const auto is_same = [&node](const NamedNode& other) { return other.id == node.id; };
+    if (is(node.name) && std::ranges::none_of(found, is_same)) found.push_back(node);
+  }
+  return found;
 }
 
 }  // namespace
@@ -96,6 +109,25 @@ std::optional<NodeId> find_node_id(std::string_view text) {
   const auto id = plain_node_id(text.substr(0, bracket));
   const std::string_view again = text.substr(bracket + 2, text.size() - bracket - 3);
   return id == plain_node_id(again) ? id : std::nullopt;
+}
+
+std::vector<NamedNode> nodes_called(std::string_view text) {
+  auto found = nodes_where([text](std::string_view name) { return same_name(name, text); });
+  const std::string part = plain_name(text);
+  if (!found.empty() || part.empty()) return found;
+  return nodes_where([&part](std::string_view name) { return has_name(plain_name(name), part); });
+}
+
+std::string choices_text(const std::vector<NamedNode>& nodes) {
+  constexpr std::size_t shown_max = 8;
+  std::vector<std::string> choices;
+  for (const NamedNode& node : nodes) {
+    if (choices.size() == shown_max) break;
+    choices.push_back(fmt::format("{}: {}", node.name, words::node_text(node.id)));
+  }
+  const std::size_t hidden = nodes.size() - choices.size();
+  return fmt::format("{}{}", fmt::join(choices, ", "),
+                     hidden == 0 ? "" : fmt::format(" and {} more", hidden));
 }
 
 std::vector<NamedNode> read_named_nodes(const std::string& path) {
@@ -118,18 +150,10 @@ const std::vector<NamedNode>& named_nodes() {
 
 NodeId parse_node_id(std::string_view text) {
   if (const auto id = find_node_id(text)) return *id;
-  const std::vector<NamedNode>& nodes = named_nodes();
-  std::vector<std::string> found;
-  NodeId id = 0;
-  for (const NamedNode& node : nodes) {
-    if (!same_name(node.name, text) || node.id == id) continue;
-    id = node.id;
-    found.push_back(words::node_text(id));
-  }
-  if (found.empty()) refuse_node(text, nodes);
-  if (found.size() == 1) return id;
-  throw UsageError(
-      fmt::format("'{}' is several: {}; give the number", text, fmt::join(found, ", ")));
+  const std::vector<NamedNode> found = nodes_called(text);
+  if (found.empty()) refuse_node(text, named_nodes());
+  if (found.size() == 1) return found.front().id;
+  throw UsageError(fmt::format("'{}' is several: {}; give the number", text, choices_text(found)));
 }
 
 }  // namespace canvoy::tools

@@ -33,7 +33,13 @@ void use_network_file(const std::string& path);
 /// Those of that file; none where there is no file.
 const std::vector<NamedNode>& named_nodes();
 
-/// Throws UsageError where it is no node, or several.
+/// Those with this name, or else those that have it as a part of theirs: each node-ID once.
+std::vector<NamedNode> nodes_called(std::string_view text);
+/// `pump left: node 5 (05h)` each, with commas; as many as can be read.
+std::string choices_text(const std::vector<NamedNode>& nodes);
+
+/// A number, a name, or a part of one that no other has. Throws UsageError where it is no node, or
+/// several: with the choices.
 NodeId parse_node_id(std::string_view text);
 
 }  // namespace canvoy::tools

@@ -1,5 +1,6 @@
 #include "canvoy/tools/ask/node_argument.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "canvoy/can/host/temporary_file_test.hpp"
@@ -45,7 +46,25 @@ TEST(NodeArgument, NamesAreThoseOfAnyNetworkFile) {
     FAIL() << "there are two of them";
   } catch (const UsageError& error) {
     EXPECT_STREQ(error.what(),
-                 "'lift-door' is several: node 9 (09h), node 10 (0Ah); give the number");
+                 "'lift-door' is several: lift-door: node 9 (09h), lift-door: node 10 (0Ah); give "
+                 "the number");
+  }
+  EXPECT_EQ(parse_node_id("drive"), 8) << "a part of one name";
+  EXPECT_EQ(parse_node_id("term"), 7);
+  try {
+    parse_node_id("lift");
+    FAIL() << "it is a part of three";
+  } catch (const UsageError& error) {
+    EXPECT_STREQ(error.what(),
+                 "'lift' is several: lift-drive: node 8 (08h), lift-door: node 9 (09h), lift-door: "
+                 "node 10 (0Ah); give the number");
+  }
+  try {
+    parse_node_id("crane");
+    FAIL() << "nobody is called so";
+  } catch (const UsageError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("or a name: ")) << "the choices are told";
+    EXPECT_THAT(error.what(), testing::HasSubstr("pump: node 5 (05h)"));
   }
   use_network_file("");
   EXPECT_THROW(parse_node_id("pump"), UsageError);

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <optional>
 
+#include "canvoy/formats/trace_writer.hpp"
 #include "canvoy/tools/ask/node_argument.hpp"
 #include "canvoy/tools/failure.hpp"
 
@@ -38,6 +39,11 @@ bool is_of_unknown_kind(std::string_view bus) {
   return bus.find(':') != std::string_view::npos && !bus.starts_with("udp:") &&
          !bus.starts_with("tcp:");
 }
+/// That of a log, which is refused where the bus is opened.
+bool is_path(std::string_view text) {
+  return text.starts_with('/') || text.starts_with('.') ||
+         formats::trace_format_of(text).has_value();
+}
 
 }  // namespace
 
@@ -53,6 +59,7 @@ void split_remote_bus(std::vector<std::string>& words) {
   const std::size_t begin = bus.starts_with("tcp:") ? bus.find('/') : std::string::npos;
   const std::size_t slash = bus.find('/', begin == std::string::npos ? 0 : begin + 1);
   if (slash == std::string::npos || (bus.starts_with("tcp:") && begin == std::string::npos)) return;
+  if (is_path(bus)) return;
   if (!find_remote_place(std::string_view(bus).substr(slash + 1))) {
     if (is_of_unknown_kind(bus.substr(0, slash))) return;
     throw UsageError(fmt::format(

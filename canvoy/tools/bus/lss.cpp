@@ -59,9 +59,9 @@ void add_address(JsonEvent& event, const LssAddress& address) {
     event->key(parts.at(i)).text(fmt::format("{:08X}", address.parts.at(i)));
 }
 
-/// What people are told only where there is something to say: that it was done, and of which node.
-void tell_setting(const LssOptions& options, std::string_view what, std::uint32_t value) {
-  if (!options.json) return;
+void tell_setting(const LssOptions& options, std::string_view what, std::uint32_t value,
+                  const std::string& text) {
+  if (!options.json) return say(text + (options.store ? ", stored" : ""));
   JsonEvent event("configured");
   if (value == 0) {
     event->key(what).null();
@@ -70,10 +70,6 @@ void tell_setting(const LssOptions& options, std::string_view what, std::uint32_
   }
   event->key("stored").truth(options.store);
   event.print();
-}
-
-void tell_done(const LssOptions& options, std::string_view what) {
-  if (options.json) JsonEvent(what).print();
 }
 
 std::optional<LssAddress> selected_address(const LssOptions& options) {
@@ -240,7 +236,8 @@ int set_node_id(const LssOptions& options) {
   const NodeId before = node->inquire_node_id();
   node->configure_node_id(id);
   if (options.store) node->store();
-  tell_setting(options, "node", id == node_id_unconfigured ? 0 : id);
+  tell_setting(options, "node", id == node_id_unconfigured ? 0 : id,
+               id == node_id_unconfigured ? "no node-ID is set" : words::node_text(id) + " is set");
   if (!options.json && is_node_id(before) && id != before) {
     say(fmt::format("{} takes it at the next reset: canvoy nmt {} {} reset-communication",
                     words::node_text(before), options.bus, before));
@@ -253,7 +250,10 @@ int set_bit_rate(const LssOptions& options) {
   Configuration node(options);
   node->configure_bit_timing(index);
   if (options.store) node->store();
-  tell_setting(options, "bit_rate", lss_bit_timing::bit_rate(index));
+  const std::uint32_t bit_rate = lss_bit_timing::bit_rate(index);
+  tell_setting(
+      options, "bit_rate", bit_rate,
+      bit_rate == 0 ? "the bit rate is to be found" : fmt::format("{} bit/s are set", bit_rate));
   return exit_done;
 }
 
@@ -318,7 +318,11 @@ int activate(const LssOptions& options) {
 int store_settings(const LssOptions& options) {
   Configuration node(options);
   node->store();
-  tell_done(options, "stored");
+  if (options.json) {
+    JsonEvent("stored").print();
+  } else {
+    say("stored");
+  }
   return exit_done;
 }
 
@@ -360,6 +364,9 @@ int switch_state(const LssOptions& options) {
     JsonEvent event("lss-state");
     event->key("state").text(options.value);
     event.print();
+  } else {
+    say(fmt::format("{} in LSS state {}",
+                    address ? lss_address_text(*address) + " is" : "all nodes are", options.value));
   }
   return exit_done;
 }

@@ -8,7 +8,7 @@
 #include "canvoy/can/host/can_link.hpp"
 #include "canvoy/can/host/candump_log.hpp"
 #include "canvoy/formats/trace.hpp"
-#include "canvoy/formats/trace_writer.hpp"
+#include "canvoy/tools/bus/log_source.hpp"
 #include "canvoy/tools/bus/monitor_table.hpp"
 #include "canvoy/tools/bus/session.hpp"
 #include "canvoy/tools/commands.hpp"
@@ -35,12 +35,6 @@ struct MonitorOptions {
   bool ask = false;
   FramePrinterOptions printer;
 
-  /// No bus has such a name.
-  bool source_is_log() const {
-    if (source.starts_with("tcp:")) return false;
-    return source == "-" || source.find('/') != std::string::npos ||
-           formats::trace_format_of(source).has_value();
-  }
   Duration limit() const {
     return duration.empty() ? Duration::max() : parse_duration_argument(duration);
   }
@@ -273,7 +267,7 @@ void add_monitor(CLI::App& app, Action& action) {
       "  canvoy monitor ./night.log --filter 'object=6000..6FFF' --json");
   command->callback([options, &action] {
     action = [options] {
-      return options->source_is_log() ? show_log(*options) : BusMonitor(*options).run();
+      return is_log_source(options->source) ? show_log(*options) : BusMonitor(*options).run();
     };
   });
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "canvoy/can/frame_bits.hpp"
+#include "canvoy/tools/terminal/typing.hpp"
 
 namespace canvoy::tools {
 
@@ -63,27 +64,22 @@ bool TableScreen::take_keys() {
 }
 
 void TableScreen::take_search(Key key) {
-  const auto character = static_cast<char32_t>(key);
   if (key == Key::enter || key == Key::escape) {
     is_searching_ = false;
     if (key == Key::escape) typed_.clear();
-  } else if (key == Key::backspace) {
-    if (!typed_.empty()) typed_.pop_back();
-  } else if (character >= ' ' && character < 0x100) {
-    typed_ += static_cast<char>(character);
+  } else {
+    type_key(typed_, key);
   }
   view_.search = typed_;
   view_.first = 0;
 }
 
-void TableScreen::scroll(long rows) {
-  const auto count = static_cast<long>((frozen_ ? *frozen_ : table_).count(view_));
-  const auto wanted = static_cast<long>(view_.first) + rows;
-  view_.first = static_cast<std::size_t>(std::clamp(wanted, 0L, std::max(0L, count - 1)));
-}
-
 bool TableScreen::take(Key key) {
-  const auto page = static_cast<long>(std::max<std::size_t>(view_.rows, 2)) - 1;
+  const std::size_t count = (frozen_ ? *frozen_ : table_).count(view_);
+  if (const auto rows = rows_moved(key, view_.rows, count)) {
+    view_.first = moved_row(view_.first, *rows, count);
+    return true;
+  }
   switch (static_cast<char32_t>(key)) {
     case 'q':
       return false;
@@ -106,24 +102,6 @@ bool TableScreen::take(Key key) {
       is_searching_ = true;
       typed_.clear();
       view_.search.clear();
-      break;
-    case static_cast<char32_t>(Key::up):
-      scroll(-1);
-      break;
-    case static_cast<char32_t>(Key::down):
-      scroll(1);
-      break;
-    case static_cast<char32_t>(Key::page_up):
-      scroll(-page);
-      break;
-    case static_cast<char32_t>(Key::page_down):
-      scroll(page);
-      break;
-    case static_cast<char32_t>(Key::home):
-      view_.first = 0;
-      break;
-    case static_cast<char32_t>(Key::end):
-      scroll(static_cast<long>(table_.size()));
       break;
     default:
       break;

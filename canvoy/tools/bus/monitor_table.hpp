@@ -42,7 +42,6 @@ class TableScreen {
  private:
   bool take(Key key);
   void take_search(Key key);
-  void scroll(long rows);
 
   std::string source_;
   LiveTable& table_;

@@ -1,20 +1,23 @@
 #include "canvoy/tools/bus/node_sweep.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/lss/lss.hpp"
+#include "canvoy/canopen/sdo/sdo.hpp"
 #include "canvoy/tools/bus/unknown_nodes.hpp"
 #include "canvoy/tools/failure.hpp"
 
 namespace canvoy::tools {
 
+namespace {
+
+constexpr sdo::Multiplexer device_type_place(object_index::device_type, 0);
+
+}  // namespace
+
 NodeSweep::NodeSweep(Session& session) : session_(session) {
   for (NodeId id = 1; id <= node_id_max; ++id) nodes_.at(id).id = id;
-  for (std::size_t i = 0; i < requests_max; ++i) {
-    requests_.push_back(std::make_unique<Request>(*this, session.node()));
-  }
   session.bus().on_frame([this](const host::BusFrame& heard) {
     if (heard.origin == host::Origin::elsewhere) hear(heard.frame);
   });
@@ -22,10 +25,16 @@ NodeSweep::NodeSweep(Session& session) : session_(session) {
 
 void NodeSweep::hear(const Frame& frame) {
   constexpr std::uint8_t toggle_bit = 0x80;
+  const bool is_of_lss = !frame.is_extended() && frame.id == can_id::lss_response;
+  const auto unconfigured = static_cast<std::uint8_t>(lss::Command::unconfigured);
+  if (is_of_lss && frame.length == lss::length && frame.data[0] == unconfigured) {
+    has_unconfigured_ = true;
+  }
   const NodeId node = sender_of(frame);
   if (node == 0) return;
   Found& found = nodes_.at(node);
-  if (frame.id != can_id::sdo_response + unsigned{node}) found.is_heard = true;
+  if (frame.id == can_id::sdo_response + unsigned{node}) return take_answer(found, frame);
+  found.is_heard = true;
   if (frame.id == can_id::error_control + unsigned{node} && frame.length == 1) {
     const unsigned state = frame.data[0] & ~unsigned{toggle_bit};
     // A boot-up says that it is on its way to pre-operational (CiA 301, 7.2.8.3.3).
@@ -33,28 +42,52 @@ void NodeSweep::hear(const Frame& frame) {
   }
 }
 
-void NodeSweep::run_for(Duration duration) {
-  session_.loop().run_until(session_.loop().now() + duration);
-  if (session_.loop().signal() != 0) throw Failure("interrupted");
-}
-
-void NodeSweep::listen(Duration duration) {
-  run_for(duration);
-}
-
-void NodeSweep::ask_all(Duration time_out) {
-  constexpr Duration step = 2ms;
-  const auto is_idle = [](const std::unique_ptr<Request>& request) { return request->idle(); };
-  for (NodeId id = 1; id <= node_id_max;) {
-    const auto free = std::ranges::find_if(requests_, is_idle);
-    session_.node().advance(session_.loop().now());
-    if (free != requests_.end() && (*free)->ask(id, time_out)) {
-      ++id;
-    } else {
-      run_for(step);
-    }
+/// Answers to others, about other objects, tell nothing of whether it would answer here.
+void NodeSweep::take_answer(Found& found, const Frame& frame) {
+  if (frame.length != Frame::length_max) return;
+  const sdo::Message message(frame);
+  if (message.multiplexer() != device_type_place) return;
+  const bool is_value = message.response() == sdo::Response::initiate_upload;
+  if (!is_value && message.response() != sdo::Response::abort) return;
+  found.answers = true;
+  const std::size_t size = message.has_size() ? message.expedited_size() : sdo::expedited_max;
+  if (is_value && message.is_expedited() && size == sdo::expedited_max) {
+    found.device_type = message.value();
   }
-  while (!std::ranges::all_of(requests_, is_idle)) run_for(step);
+}
+
+/// The heartbeats of others lose the bus to questions: it is left to them for as long as each has
+/// taken.
+void NodeSweep::ask(NodeId node) {
+  constexpr Duration pause_min = 1ms;
+  const Time begin = session_.loop().now();
+  const sdo::Message request(sdo::command(sdo::Request::initiate_upload), device_type_place);
+  session_.send(request.frame(static_cast<std::uint16_t>(can_id::sdo_request + node)));
+  const Time now = session_.loop().now();
+  session_.run_for(std::max(pause_min, now - begin));
+}
+
+void NodeSweep::ask_all() {
+  for (NodeId id = 1; id <= node_id_max; ++id) ask(id);
+}
+
+bool NodeSweep::ask_silent() {
+  bool is_one_asked = false;
+  for (NodeId id = 1; id <= node_id_max; ++id) {
+    const Found& node = nodes_.at(id);
+    if (!node.is_heard || node.answers) continue;
+    ask(id);
+    is_one_asked = true;
+  }
+  return is_one_asked;
+}
+
+void NodeSweep::ask_unconfigured() {
+  session_.send(lss::frame(can_id::lss_request, lss::Command::identify_unconfigured));
+}
+
+void NodeSweep::listen_until(Time end) {
+  session_.run_for(std::max(Duration{}, end - session_.loop().now()));
 }
 
 std::vector<NodeSweep::Found> NodeSweep::found() const {
@@ -63,21 +96,6 @@ std::vector<NodeSweep::Found> NodeSweep::found() const {
     if (node.is_heard || node.answers) found.push_back(node);
   }
   return found;
-}
-
-bool NodeSweep::Request::ask(NodeId server, Duration time_out) {
-  server_ = server;
-  const AbortCode refused =
-      client_.upload(server, object_index::device_type, 0, std::span<std::uint8_t>(bytes_),
-                     SdoClient::Done::to<&Request::answered>(*this), time_out);
-  if (refused != AbortCode::none) server_ = 0;
-  return refused == AbortCode::none;
-}
-
-void NodeSweep::Request::answered(SdoClient::Outcome outcome) {
-  Found& found = sweep_.nodes_.at(std::exchange(server_, NodeId{0}));
-  found.answers = outcome.abort() != AbortCode::time_out;
-  if (outcome && *outcome == bytes_.size()) found.device_type = load<std::uint32_t>(bytes_.data());
 }
 
 }  // namespace canvoy::tools

@@ -1,20 +1,18 @@
 // Which nodes are on a bus: who is heard, and who answers to a question for its device type
-// (1000h), several at a time.
+// (1000h), while it is listened to.
 //
 //     NodeSweep sweep(session);
-//     sweep.listen(1s);
-//     sweep.ask_all(100ms);
+//     sweep.ask_all();
+//     sweep.listen_until(begin + 1s);
 //     for (const NodeSweep::Found& node : sweep.found()) show(node.id);
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <vector>
 
 #include "canvoy/canopen/nmt/nmt.hpp"
-#include "canvoy/canopen/sdo/sdo_client.hpp"
 #include "canvoy/tools/bus/session.hpp"
 
 namespace canvoy::tools {
@@ -34,40 +32,31 @@ class NodeSweep {
   NodeSweep(const NodeSweep&) = delete;
   NodeSweep& operator=(const NodeSweep&) = delete;
 
-  /// Throws Failure on a signal, as ask_all() does.
-  void listen(Duration duration);
-  /// Asks the nodes 1 to 127, each once; who does not answer within `time_out` does not answer.
-  void ask_all(Duration time_out);
+  // An answer counts whenever it comes. They throw Failure where a question does not get onto the
+  // bus, and on a signal.
+
+  /// Asks the nodes 1 to 127, each once.
+  void ask_all();
+  /// Those that are heard and have not answered. False: there are none.
+  bool ask_silent();
+  /// Asks by LSS whether anybody has no node-ID (CiA 305).
+  void ask_unconfigured();
+
+  /// Throws Failure on a signal.
+  void listen_until(Time end);
 
   /// In the order of their node-IDs.
   std::vector<Found> found() const;
+  bool has_unconfigured() const { return has_unconfigured_; }
 
  private:
-  /// The node of a session has routes for one more.
-  static constexpr std::size_t requests_max = 3;
-
-  /// One question under way.
-  class Request {
-   public:
-    Request(NodeSweep& sweep, Node& node) : sweep_(sweep), client_(node) {}
-    bool idle() const { return server_ == 0; }
-    bool ask(NodeId server, Duration time_out);
-
-   private:
-    void answered(SdoClient::Outcome outcome);
-
-    NodeSweep& sweep_;
-    SdoClient client_;
-    NodeId server_ = 0;
-    std::array<std::uint8_t, 4> bytes_{};
-  };
-
+  void ask(NodeId node);
   void hear(const Frame& frame);
-  void run_for(Duration duration);
+  void take_answer(Found& found, const Frame& frame);
 
   Session& session_;
   std::array<Found, node_id_max + 1> nodes_{};
-  std::vector<std::unique_ptr<Request>> requests_;
+  bool has_unconfigured_ = false;
 };
 
 }  // namespace canvoy::tools

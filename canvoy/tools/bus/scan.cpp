@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -12,12 +13,12 @@
 #include "canvoy/formats/plain_text.hpp"
 #include "canvoy/formats/sheet_value.hpp"
 #include "canvoy/profiles/registry.hpp"
-#include "canvoy/tools/bus/lss_session.hpp"
 #include "canvoy/tools/bus/node_sweep.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/help/verb_help.hpp"
+#include "canvoy/tools/run/network_text.hpp"
 #include "canvoy/tools/sheet/node_reader.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
 #include "canvoy/tools/value_file.hpp"
@@ -38,10 +39,15 @@ struct ScanOptions {
   bool json = false;
 };
 
+/// What a node says of itself: 1018h and 1008h.
+struct Identified {
+  std::array<std::optional<std::uint32_t>, 4> identity{};
+  std::string name{};
+};
+
 struct ScannedNode {
   NodeSweep::Found found;
-  std::array<std::optional<std::uint32_t>, 4> identity{};
-  std::string name;
+  Identified is;
   std::string profile;
   std::string virtual_devices;
 };
@@ -61,39 +67,55 @@ std::string device_type_words(std::uint32_t device_type) {
 class BusScan {
  public:
   explicit BusScan(const ScanOptions& options)
-      : options_(options), found_(sweep(options)), session_(options.bus) {}
+      : options_(options), session_(options.bus), sweep_(session_) {}
 
+  /// All that is asked is asked while it is listened to, which takes longer.
   std::vector<ScannedNode> run() {
+    const Duration time_out = parse_duration_argument(options_.time_out);
+    const Time end = session_.loop().now() + parse_duration_argument(options_.listen);
+    ask(time_out, end);
     std::vector<ScannedNode> nodes;
-    nodes.reserve(found_.size());
-    for (const NodeSweep::Found& found : found_) nodes.push_back(examine(found));
+    for (const NodeSweep::Found& found : sweep_.found()) nodes.push_back(examine(found));
     return nodes;
   }
+  bool has_unconfigured() const { return sweep_.has_unconfigured(); }
 
   formats::DataSheet sheet_of(NodeId node, const std::string& path) {
     return NodeReader(session_, node, {.bus = options_.bus, .out = path}).read();
   }
 
  private:
-  /// By a session of its own: its questions take all the routes that one has.
-  static std::vector<NodeSweep::Found> sweep(const ScanOptions& options) {
-    Session session(options.bus);
-    NodeSweep asked(session);
-    asked.listen(parse_duration_argument(options.listen));
-    asked.ask_all(parse_duration_argument(options.time_out));
-    return asked.found();
+  void ask(Duration time_out, Time end) {
+    try {
+      if (!options_.no_lss) sweep_.ask_unconfigured();
+      sweep_.ask_all();
+      sweep_.listen_until(session_.loop().now() + time_out);
+      for (const NodeSweep::Found& found : sweep_.found()) {
+        if (found.answers) identified(found.id);
+      }
+      sweep_.listen_until(end);
+      // Who has come up meanwhile, or was busy.
+      if (sweep_.ask_silent()) sweep_.listen_until(session_.loop().now() + time_out);
+    } catch (const Failure&) {
+      if (session_.loop().signal() != 0) throw;
+      // Who cannot be asked may still be heard.
+      sweep_.listen_until(end);
+      if (sweep_.found().empty()) throw;
+    }
   }
 
-  ScannedNode examine(const NodeSweep::Found& found) {
-    ScannedNode node = {.found = found, .name = {}, .profile = {}, .virtual_devices = {}};
-    if (!found.answers) return node;
+  /// What each is, read once.
+  const Identified& identified(NodeId id) {
+    const auto [place, is_new] = identified_.try_emplace(id);
+    Identified& node = place->second;
+    if (!is_new) return node;
     try {
       std::uint8_t sub = 0;
       for (std::optional<std::uint32_t>& part : node.identity) {
-        const auto answer = session_.try_read(found.id, object_index::identity, ++sub);
+        const auto answer = session_.try_read(id, object_index::identity, ++sub);
         if (answer) part = static_cast<std::uint32_t>(load_unsigned(*answer));
       }
-      const auto name = session_.try_read(found.id, object_index::device_name, 0);
+      const auto name = session_.try_read(id, object_index::device_name, 0);
       if (name)
         node.name = formats::plain_text(
             formats::sheet_value_text(DataType::visible_string, *name).value_or(""));
@@ -101,6 +123,13 @@ class BusScan {
       // It has fallen silent: what is known of it is told.
       if (session_.loop().signal() != 0) throw;
     }
+    return node;
+  }
+
+  ScannedNode examine(const NodeSweep::Found& found) {
+    ScannedNode node = {.found = found, .is = {}, .profile = {}, .virtual_devices = {}};
+    if (!found.answers) return node;
+    node.is = identified(found.id);
     if (!found.device_type) return node;
     const Profile* profile = find_profile(*found.device_type);
     const unsigned number = *found.device_type & 0xFFFFU;
@@ -112,8 +141,9 @@ class BusScan {
   }
 
   const ScanOptions& options_;
-  std::vector<NodeSweep::Found> found_;
   Session session_;
+  NodeSweep sweep_;
+  std::map<NodeId, Identified> identified_;
 };
 
 std::string hex_or_blank(const std::optional<std::uint32_t>& number) {
@@ -131,9 +161,9 @@ void print_nodes(const std::vector<ScannedNode>& nodes) {
   for (const ScannedNode& node : nodes) {
     fmt::print("{:<5}{:<17}{:<10}{:<9}{:<10}{:<10}{:<10}{:<10}{}\n", node.found.id,
                state_words(node.found), hex_or_blank(node.found.device_type),
-               node.profile.empty() ? "-" : node.profile, hex_or_blank(node.identity[0]),
-               hex_or_blank(node.identity[1]), hex_or_blank(node.identity[2]),
-               hex_or_blank(node.identity[3]), node.name);
+               node.profile.empty() ? "-" : node.profile, hex_or_blank(node.is.identity[0]),
+               hex_or_blank(node.is.identity[1]), hex_or_blank(node.is.identity[2]),
+               hex_or_blank(node.is.identity[3]), node.is.name);
     if (!node.virtual_devices.empty()) fmt::print("     {}\n", node.virtual_devices);
     if (!node.found.answers) fmt::print("     does not answer to SDO\n");
   }
@@ -152,24 +182,14 @@ void print_json(const std::vector<ScannedNode>& nodes, bool has_unconfigured) {
     if (node.found.device_type) json.key("device_type").text(hex_or_blank(node.found.device_type));
     if (!node.profile.empty()) json.key("profile").text(node.profile);
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      if (node.identity.at(i)) json.key(parts.at(i)).text(hex_or_blank(node.identity.at(i)));
+      if (node.is.identity.at(i)) json.key(parts.at(i)).text(hex_or_blank(node.is.identity.at(i)));
     }
-    if (!node.name.empty()) json.key("name").text(node.name);
+    if (!node.is.name.empty()) json.key("name").text(node.is.name);
     if (!node.virtual_devices.empty()) json.key("text").text(node.virtual_devices);
     json.end_object();
     fmt::print("{}\n", line);
   }
   fmt::print("{{\"nodes\":{},\"unconfigured\":{}}}\n", nodes.size(), has_unconfigured);
-}
-
-/// A text of TOML.
-std::string toml_text(std::string_view text) {
-  std::string made = "\"";
-  for (const char each : text) {
-    if (each == '"' || each == '\\') made += '\\';
-    made += each;
-  }
-  return made + '"';
 }
 
 /// The network, and a DCF of each node beside it.
@@ -179,8 +199,8 @@ void write_network(BusScan& scan, const ScanOptions& options,
   std::string text = fmt::format("# What was on {} at {:%Y-%m-%d %H:%M:%S} UTC.\n", options.bus,
                                  fmt::gmtime(std::chrono::system_clock::now()));
   for (const ScannedNode& node : nodes) {
-    text += fmt::format("\n[[node]]\nbus = {}\nid = {}\n", toml_text(options.bus), node.found.id);
-    if (!node.name.empty()) text += fmt::format("name = {}\n", toml_text(node.name));
+    text += fmt::format("\n[[node]]\nbus = {}\nid = {}\n", text_value(options.bus), node.found.id);
+    if (!node.is.name.empty()) text += fmt::format("name = {}\n", text_value(node.is.name));
     if (node.found.device_type)
       text += fmt::format("device_type = 0x{:08X}\n", *node.found.device_type);
     if (!node.found.answers) continue;
@@ -188,22 +208,17 @@ void write_network(BusScan& scan, const ScanOptions& options,
     const std::string path = (folder / file).string();
     const std::string sheet = sheet_text(scan.sheet_of(node.found.id, path), path);
     write_value_file(path, {reinterpret_cast<const std::uint8_t*>(sheet.data()), sheet.size()});
-    text += fmt::format("sheet = {}\n", toml_text(file));
+    text += fmt::format("sheet = {}\n", text_value(file));
   }
   write_value_file(options.out, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
 int scan_bus(const ScanOptions& options) {
   parse_duration_argument(options.listen);
-  std::vector<ScannedNode> nodes;
-  {
-    BusScan scan(options);
-    nodes = scan.run();
-    if (!options.out.empty()) write_network(scan, options, nodes);
-  }
-  const bool has_unconfigured =
-      !options.no_lss &&
-      LssSession(options.bus, parse_duration_argument(options.time_out)).identify_unconfigured();
+  BusScan scan(options);
+  const std::vector<ScannedNode> nodes = scan.run();
+  if (!options.out.empty()) write_network(scan, options, nodes);
+  const bool has_unconfigured = scan.has_unconfigured();
   if (options.json) {
     print_json(nodes, has_unconfigured);
   } else {
@@ -225,8 +240,9 @@ void add_scan(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("scan", "Say who is on a bus, and write it down");
   command->add_option("bus", options->bus, bus_text)->required();
   command->add_option("--listen", options->listen,
-                      "for so long before anybody is asked (default 1100ms)");
-  command->add_option("--timeout", options->time_out, "for one answer: 500ms, 2s (default 100ms)");
+                      "for so long in all, while nodes are asked (default 1100ms)");
+  command->add_option("--timeout", options->time_out,
+                      "for the last answers, at least: 500ms, 2s (default 100ms)");
   command->add_flag("--no-lss", options->no_lss, "do not ask for devices without a node-ID");
   command
       ->add_option("--out", options->out,

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "canvoy/can/host/bus_address.hpp"
+#include "canvoy/tools/bus/log_source.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/value_file.hpp"
 #include "canvoy/words/text.hpp"
@@ -21,13 +22,24 @@ constexpr Duration progress_interval = 200ms;
 
 }  // namespace
 
-host::BusAddress real_bus(std::string_view text) {
+host::BusAddress any_bus(std::string_view text) {
+  if (is_log_source(text)) {
+    throw UsageError(fmt::format(
+        "'{}': {} can only be listened to (canvoy decode, monitor, plot), not asked or told "
+        "anything: name a bus, as can0, udp:239.74.163.2:43113 or tcp:HOST:PORT/can0",
+        text, text == "-" ? "what comes from a pipe" : "a log"));
+  }
   host::Result<host::BusAddress> address = host::parse_bus_address(text);
   if (!address) throw UsageError(address.error().line());
-  if (address->kind == host::BusKind::simulated) {
+  return *std::move(address);
+}
+
+host::BusAddress real_bus(std::string_view text) {
+  host::BusAddress address = any_bus(text);
+  if (address.kind == host::BusKind::simulated) {
     throw UsageError("sim: a simulated bus lives in one process only; use can0 or udp:");
   }
-  return *std::move(address);
+  return address;
 }
 
 Session::Session(std::string_view bus, Duration time_out)

@@ -110,7 +110,9 @@ class Session {
   std::vector<std::uint8_t> read_;
 };
 
-/// A bus that other processes can be on. Throws UsageError where the address is none, or `sim`.
+/// A bus, of which a log is none: that can only be listened to. Throws UsageError.
+host::BusAddress any_bus(std::string_view text);
+/// One that other processes can be on. Throws UsageError where the address is none, or `sim`.
 host::BusAddress real_bus(std::string_view text);
 
 }  // namespace canvoy::tools

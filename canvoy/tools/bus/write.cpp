@@ -86,6 +86,23 @@ void tell(const WriteOptions& options, const AskedObject& object, const OldBytes
   fmt::print("{}: {} -> {}\n", object.name(), was, words::value_text(object.entry(), now));
 }
 
+void tell_file(const WriteOptions& options, NodeId node, const ObjectAddress& object,
+               std::size_t bytes) {
+  if (!options.json) {
+    fmt::print("{}: {} bytes written\n", printed_name(object), bytes);
+    return;
+  }
+  std::string line;
+  words::JsonLine json(line);
+  json.begin_object();
+  json.key("node").number(node);
+  json.key("index").text(fmt::format("{:04X}", object.index));
+  json.key("sub").text(fmt::format("{:02X}", object.sub));
+  json.key("bytes").number(static_cast<std::int64_t>(bytes));
+  json.end_object();
+  fmt::print("{}\n", line);
+}
+
 int write_file(const WriteOptions& options, Sessions& sessions) {
   const NodeId node = options.node_id();
   const std::vector<std::uint8_t> bytes = read_value_file(options.file);
@@ -94,6 +111,7 @@ int write_file(const WriteOptions& options, Sessions& sessions) {
   session.choose(transfer_of(options));
   session.show_progress();
   session.write(node, object.index, object.sub, bytes);
+  tell_file(options, node, object, bytes.size());
   return exit_done;
 }
 
@@ -112,12 +130,12 @@ int write_object(const WriteOptions& options, Sessions& sessions) {
   const AskedObject object(session, node, options.object, options.profile, options.type);
   // What makes no sense is refused before the node is asked.
   std::vector<std::uint8_t> bytes = value_bytes(options, object, std::nullopt);
-  const OldBytes old = options.blind ? std::nullopt : held_by(session, object);
+  const auto held = [&] { return options.blind ? std::nullopt : held_by(session, object); };
+  const OldBytes old = held();
   if (old) bytes = value_bytes(options, object, old);
   session.choose(transfer_of(options));
   session.write(node, object.address().index, object.address().sub, bytes);
-  if (options.blind) return exit_done;
-  tell(options, object, old, held_by(session, object), bytes);
+  tell(options, object, old, held(), bytes);
   return exit_done;
 }
 
@@ -144,7 +162,7 @@ void add_write(CLI::App& app, Action& action, Sessions& sessions) {
   CLI::Option* block = command->add_flag("--block", options->block, "in blocks, or not at all");
   command->add_flag("--segmented", options->segmented, "in segments (default without --file)")
       ->excludes(block);
-  command->add_flag("--blind", options->blind, "neither read the old nor the new value");
+  command->add_flag("--blind", options->blind, "read neither the old nor the new value");
   command->add_option("--type", options->type, "of an object that no profile knows: u16, vs, ...");
   options->add_profile(*command);
   options->add_time_out(*command);

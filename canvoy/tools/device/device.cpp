@@ -325,11 +325,7 @@ int run_devices(DeviceOptions options) {
   check_place(options);
   const DeviceOutput output(options.json);
   const std::vector<Wanted> wanted = wanted_devices(options);
-  const host::BusAddress address = [&] {
-    host::Result<host::BusAddress> parsed = host::parse_bus_address(options.bus);
-    if (!parsed) throw UsageError(parsed.error().line());
-    return *std::move(parsed);
-  }();
+  const host::BusAddress address = any_bus(options.bus);
   end_of(options, Time{});
   check_presses(wanted, options, output);
   if (address.kind == host::BusKind::simulated) return run_simulated(options, wanted, output);

@@ -81,8 +81,10 @@ std::int64_t node_of(const FilterClause& clause, const FilterPhrase& phrase) {
     if (error == std::errc{} && last == end) node = number;
   }
   if (node && is_node_id(*node)) return *node;
-  for (const NamedNode& named : named_nodes()) {
-    if (same_name(named.name, phrase.text)) return named.id;
+  const std::vector<NamedNode> named = nodes_called(phrase.text);
+  if (named.size() == 1) return named.front().id;
+  if (!named.empty()) {
+    refuse(clause, phrase, fmt::format("'{}' is several: {}", phrase.text, choices_text(named)));
   }
   refuse(clause, phrase, fmt::format("'{}' is no node-ID: 1 to 127, or 01h to 7Fh", phrase.text));
 }

@@ -127,6 +127,41 @@ TEST_F(FilterTest, ObjectsAreFoundByNumberNameAndPartOfAName) {
   EXPECT_TRUE(passes("object=6999", "58A#4B99690005000000")) << "no profile knows it";
 }
 
+/// CiA 301, 7.2.4.3: requests, confirmations and aborts have the entry in bytes 1 to 3.
+TEST_F(FilterTest, ObjectsAreNamedByMessagesOfSdoWithoutAValue) {
+  for (const char* frame : {"60A#4010600000000000", "58A#8010600002000106", "60A#8010600000000405",
+                            "60A#2F10600001000000", "58A#6010600000000000"}) {
+    for (const char* filter : {"6010h", "object=6010:00", "object=6000..60FF", "temperature"}) {
+      EXPECT_TRUE(passes(filter, frame)) << filter << ' ' << frame;
+    }
+    for (const char* filter : {"6010:01", "6011h", "not 6010h", "battery_status"}) {
+      EXPECT_FALSE(passes(filter, frame)) << filter << ' ' << frame;
+    }
+  }
+  EXPECT_FALSE(passes("temperature<1000", "60A#4010600000000000")) << "no value is in it";
+  EXPECT_FALSE(passes("temperature!=1000", "58A#8010600002000106"));
+  EXPECT_TRUE(passes("6999h", "60A#4099690000000000")) << "no profile knows it";
+}
+
+/// CiA 301, 7.2.4.3.5 to 7.2.4.3.15: segments and blocks do not say of what they are.
+TEST_F(FilterTest, SegmentsAndBlocksAreOfTheObjectOfTheirTransfer) {
+  const auto all_pass = [&](std::initializer_list<const char*> frames) {
+    for (const char* frame : frames) EXPECT_TRUE(passes("1008h", frame)) << frame;
+  };
+  EXPECT_FALSE(passes("1008h", "58A#0043616E766F7920")) << "its beginning was not heard";
+  all_pass({"60A#4008100000000000", "58A#410810000A000000", "60A#6000000000000000",
+            "58A#0043616E766F7920", "60A#7000000000000000", "58A#1942434400000000"});
+  EXPECT_FALSE(passes("1008h", "60A#6000000000000000")) << "the transfer has ended";
+  all_pass({"60A#A40810007F000000", "58A#C608100009000000", "60A#A300000000000000",
+            "58A#0131323334353637", "58A#8238390000000000", "60A#A2027F0000000000",
+            "58A#D5C3310000000000", "60A#A100000000000000"});
+  all_pass({"60A#C608100009000000", "58A#A40810007F000000", "60A#0131323334353637",
+            "60A#8238390000000000", "58A#A202000000000000", "60A#D5C3310000000000",
+            "58A#A100000000000000"});
+  EXPECT_FALSE(passes("1008h", "60A#A300000000000000")) << "the next one began unheard";
+  EXPECT_FALSE(passes("1008h", "58A#0131323334353637"));
+}
+
 TEST_F(FilterTest, EntriesAreFoundAsTheyArePrintedAndWithAColon) {
   constexpr std::string_view vendor = "58A#43181001F0020000";  // 1018h:01h Identity object
   for (const char* filter : {"object=Identity", "object=\"Identity object, Vendor-ID\"",

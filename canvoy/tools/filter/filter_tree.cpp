@@ -38,7 +38,8 @@ bool FilterCondition::holds(const FilterFrame& frame) {
     case By::service:
       return has_one(frame.words.service, names);
     case By::value:
-      return value.holds(frame.words.values);
+      return value.holds(frame.words.values) ||
+             (frame.words.about != nullptr && value.names(*frame.words.about));
     case By::text:
       return has_one(frame.words.text, names);
     case By::marks:

@@ -65,6 +65,12 @@ bool FilterValue::holds(std::span<const DecodedValue> values) {
   return std::ranges::any_of(values, [this](const DecodedValue& value) { return holds(value); });
 }
 
+bool FilterValue::names(const DecodedValue& entry) {
+  if (compares_ || !has_number(entry)) return false;
+  const Known& parts = known(entry);
+  return parts.has_whole || std::ranges::find(parts.has_field, true) != parts.has_field.end();
+}
+
 bool FilterValue::has_number(const DecodedValue& value) const {
   if (object_.indices &&
       (value.index < object_.indices->low || value.index > object_.indices->high)) {

@@ -53,6 +53,9 @@ class FilterValue {
   /// live as long as the filter.
   bool holds(std::span<const decoder::DecodedValue> values);
 
+  /// Whether the objects are only named, and this entry is of them, whatever its value is.
+  bool names(const decoder::DecodedValue& entry);
+
   const FilterObject& object() const { return object_; }
   bool compares() const { return compares_; }
   bool is_negated() const { return negated_; }

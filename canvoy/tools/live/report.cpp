@@ -36,14 +36,10 @@ int report(const ReportOptions& options) {
                     options.source, did_you_mean(options.source, built_in_networks())));
   }
   if (options.source.ends_with(".toml")) return run_network_file(options.source, options.run);
-  const FramePrinterOptions& decoding = options.decoding;
-  if (decoding.json || decoding.transfers || !decoding.filters.empty()) {
-    throw UsageError("--json, --transfers and --filter are of lines, and a report is a page");
-  }
   if (options.run.duration || options.run.seed || !options.run.faults.empty()) {
     throw UsageError("--for, --seed and --fault are of runs, and this is a log");
   }
-  LiveLog log(options.source, decoding);
+  LiveLog log(options.source, options.decoding);
   return write_report(log, *options.run.report);
 }
 
@@ -63,7 +59,7 @@ void add_report(CLI::App& app, Action& action) {
                     "  canvoy report {0} --for 10min --out {0}.html",
                     network->get_name()));
   }
-  options->decoding.add_to(*command);
+  options->decoding.add_nodes_to(*command);
   add_examples(*command,
                "  canvoy report charger --for 10min --seed 7 --out charger.html\n"
                "  canvoy report night.log --node 10=418 --out night.html");

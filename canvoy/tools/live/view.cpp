@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "canvoy/formats/trace_writer.hpp"
+#include "canvoy/tools/bus/log_source.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/live/live_bus.hpp"
@@ -20,21 +20,12 @@ struct ViewOptions {
   std::string record;
   ServeOptions serve;
   FramePrinterOptions decoding;
-
-  /// No bus has such a name.
-  bool source_is_log() const {
-    return source.find('/') != std::string::npos || formats::trace_format_of(source).has_value();
-  }
 };
 
 int view(const ViewOptions& options) {
-  const FramePrinterOptions& decoding = options.decoding;
-  if (decoding.json || decoding.transfers || !decoding.filters.empty()) {
-    throw UsageError("--json, --transfers and --filter are of lines: the page has its own filter");
-  }
   const std::unique_ptr<host::EventLoop> loop = value_or_throw(host::EventLoop::create());
   WritePermission permission = parse_write_permission(options.serve.allow_write);
-  if (options.source_is_log()) {
+  if (is_log_source(options.source)) {
     if (!options.record.empty()) throw UsageError("--record is of a bus: this is a log already");
     if (!options.serve.allow_record.empty()) {
       throw UsageError("--allow-record is of a bus: this is a log already");
@@ -62,7 +53,7 @@ void add_view(CLI::App& app, Action& action) {
                       "address that others reach as well: they need the token that is printed");
   command->add_option("--record", options->record, "write all frames of the bus as a candump log");
   options->serve.add_to(*command);
-  options->decoding.add_to(*command);
+  options->decoding.add_nodes_to(*command);
   command->footer(
       "Examples:\n"
       "  canvoy view can0\n"

@@ -96,7 +96,7 @@ void append_meaning(std::string& line, const words::FrameWords& words, std::stri
 
 }  // namespace
 
-void FramePrinterOptions::add_to(CLI::App& command) {
+void FramePrinterOptions::add_nodes_to(CLI::App& command) {
   command.add_option("--node", nodes,
                      "which profile a node has, where nobody reads its device type: 5=419, "
                      "7=447-3; of one bus only: can1:5=419; of 407 and 417, whose CAN-IDs are "
@@ -114,6 +114,9 @@ void FramePrinterOptions::add_to(CLI::App& command) {
                      "the data sheet of a node (EDS, DCF, XDD, XDC): 5=FILE, or of one bus "
                      "can1:5=FILE; FILE alone is for all nodes that tell its vendor-ID and product "
                      "code");
+}
+
+void FramePrinterOptions::add_filter_to(CLI::App& command) {
   command
       .add_option(
           "--filter", filters,
@@ -121,6 +124,11 @@ void FramePrinterOptions::add_to(CLI::App& command) {
           "object=temperature, temperature>40degC, time=10s..1min, marks; joined by and, "
           "or, not and parentheses; several: all must hold")
       ->allow_extra_args(false);
+}
+
+void FramePrinterOptions::add_to(CLI::App& command) {
+  add_nodes_to(command);
+  add_filter_to(command);
   command.add_flag("--transfers", transfers, "one line for each SDO transfer, with its value");
   command.add_flag("--json", json, "one JSON object a line");
 }

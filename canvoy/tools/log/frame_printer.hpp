@@ -35,6 +35,9 @@ struct FramePrinterOptions {
   bool json = false;
 
   void add_to(CLI::App& command);
+  /// Only what says of nodes what they are, or which frames are wanted: for who prints no lines.
+  void add_nodes_to(CLI::App& command);
+  void add_filter_to(CLI::App& command);
 };
 
 class FramePrinter {

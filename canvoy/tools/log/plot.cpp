@@ -232,7 +232,9 @@ void add_plot(CLI::App& app, Action& action) {
       ->required();
   command->add_option("--out", options->out,
                       "write a picture into this file: .svg or .png (default: on the terminal)");
-  options->printer.add_to(*command);
+  options->printer.add_nodes_to(*command);
+  options->printer.add_filter_to(*command);
+  command->add_flag("--json", options->printer.json, "one JSON object for each value");
   command->footer(
       "Examples:\n"
       "  canvoy plot night.log temperature\n"

@@ -13,6 +13,7 @@
 #include "canvoy/tools/sheet/scan_line.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
 #include "canvoy/tools/terminal/screen.hpp"
+#include "canvoy/tools/terminal/typing.hpp"
 #include "canvoy/tools/value_file.hpp"
 #include "canvoy/words/text.hpp"
 
@@ -93,7 +94,10 @@ class Browser {
     if (question_ == Question::confirm) return confirm(key);
     if (question_ != Question::none) return answer(key);
     message_.clear();
-    const auto page = static_cast<long>(std::max<std::size_t>(room_, 2)) - 1;
+    if (const auto rows = rows_moved(key, room_, rows_.size())) {
+      place_ = moved_row(place_, *rows, rows_.size());
+      return;
+    }
     switch (static_cast<char32_t>(key)) {
       case 'q':
         is_over_ = true;
@@ -113,33 +117,9 @@ class Browser {
       case static_cast<char32_t>(Key::enter):
         open_or_edit();
         break;
-      case static_cast<char32_t>(Key::up):
-        move(-1);
-        break;
-      case static_cast<char32_t>(Key::down):
-        move(1);
-        break;
-      case static_cast<char32_t>(Key::page_up):
-        move(-page);
-        break;
-      case static_cast<char32_t>(Key::page_down):
-        move(page);
-        break;
-      case static_cast<char32_t>(Key::home):
-        place_ = 0;
-        break;
-      case static_cast<char32_t>(Key::end):
-        place_ = rows_.empty() ? 0 : rows_.size() - 1;
-        break;
       default:
         break;
     }
-  }
-
-  void move(long rows) {
-    const auto last = static_cast<long>(rows_.size()) - 1;
-    place_ = static_cast<std::size_t>(
-        std::clamp(static_cast<long>(place_) + rows, 0L, std::max(0L, last)));
   }
 
   void open_or_edit() {
@@ -165,28 +145,18 @@ class Browser {
   }
 
   void answer(Key key) {
-    const auto character = static_cast<char32_t>(key);
     if (key == Key::escape) {
       if (question_ == Question::search) search_.clear();
       question_ = Question::none;
     } else if (key == Key::enter) {
       finish();
-    } else if (key == Key::backspace) {
-      take_back();
-    } else if (character >= ' ' && character < 0x100) {
-      typed_ += static_cast<char>(character);
+    } else {
+      type_key(typed_, key);
     }
     if (question_ == Question::search) search_ = typed_;
     // What is pressed next may be about a row that is found only now.
     rows_ = tree_.rows(search_);
     place_ = std::min(place_, rows_.empty() ? 0 : rows_.size() - 1);
-  }
-
-  /// The last character, which is several bytes where it is none of ASCII.
-  void take_back() {
-    const auto is_continued = [](char byte) { return (byte & 0xC0) == 0x80; };
-    while (typed_.size() > 1 && is_continued(typed_.back())) typed_.pop_back();
-    if (!typed_.empty()) typed_.pop_back();
   }
 
   void finish() {
@@ -228,12 +198,11 @@ class Browser {
   }
 
   void confirm(Key key) {
-    const std::size_t last =
-        change_.differences.size() > room_ ? change_.differences.size() - room_ : 0;
-    if (key == Key::up || key == Key::page_up)
-      first_difference_ -= std::min(first_difference_, key == Key::up ? 1 : room_);
-    if (key == Key::down || key == Key::page_down)
-      first_difference_ = std::min(last, first_difference_ + (key == Key::down ? 1 : room_));
+    if (const auto rows = rows_moved(key, room_, change_.differences.size())) {
+      const std::size_t hidden =
+          change_.differences.size() - std::min(change_.differences.size(), room_);
+      first_difference_ = moved_row(first_difference_, *rows, hidden + 1);
+    }
     if (key == Key{'n'} || key == Key::escape) question_ = Question::none;
     if (key != Key{'y'}) return;
     question_ = Question::none;

@@ -35,9 +35,7 @@ struct TableOptions {
 bool is_node_on_bus(const std::vector<std::string>& what) {
   if (what.size() != 2 || is_device_name(what[0]) || what[0].find('=') != std::string::npos)
     return false;
-  if (find_node_id(what[1])) return true;
-  return std::ranges::any_of(
-      named_nodes(), [&what](const NamedNode& node) { return same_name(node.name, what[1]); });
+  return find_node_id(what[1]).has_value() || !nodes_called(what[1]).empty();
 }
 
 std::vector<DescribedNode> node_on_bus(const TableOptions& options) {

@@ -13,6 +13,8 @@
 #include "canvoy/sim/excavator/machine_control.hpp"
 #include "canvoy/sim/police/police_network.hpp"
 #include "canvoy/sim/taxi/taxi_network.hpp"
+#include "canvoy/tools/run/bus_file.hpp"
+#include "canvoy/tools/run/excavator_file.hpp"
 #include "canvoy/tools/run/police_file.hpp"
 #include "canvoy/tools/run/taxi_file.hpp"
 #include "canvoy/tools/toml_file.hpp"
@@ -75,6 +77,11 @@ std::vector<DescribedNode> of_network(const Network& network) {
     made.name = node->place().name;
     // Of two cars each has a bus, as in the log of a run.
     if constexpr (requires { node->bus(); }) made.bus = fmt::format("sim{}", node->bus());
+    if constexpr (requires { node->presets(); }) {
+      for (const auto& preset : node->presets()) {
+        set_entry(made.sheet, preset.index, preset.sub, preset.value);
+      }
+    }
   }
   return nodes;
 }
@@ -94,17 +101,15 @@ std::string excavator_device(NodeId id) {
   return id == excavator::host_id ? "" : "io-401";
 }
 
-std::vector<excavator::SetupWrite> excavator_setup(NodeId id) {
-  const excavator::HostSettings usual;
-  if (id == excavator::seat_id) return seat_setup(usual);
-  return id == excavator::valves_id ? valves_setup(usual) : std::vector<excavator::SetupWrite>{};
+std::vector<excavator::SetupWrite> excavator_setup(NodeId id, const excavator::HostSettings& host) {
+  if (id == excavator::seat_id) return seat_setup(host);
+  return id == excavator::valves_id ? valves_setup(host) : std::vector<excavator::SetupWrite>{};
 }
 
 /// As the host has set them up. That writes a COB-ID twice: the last counts.
-std::vector<DescribedNode> of_excavator() {
+std::vector<DescribedNode> of_excavator(const excavator::ExcavatorOptions& options) {
   std::vector<DescribedNode> nodes;
-  const excavator::ExcavatorOptions usual;
-  const auto network = std::make_unique<excavator::ExcavatorNetwork>(usual);
+  const auto network = std::make_unique<excavator::ExcavatorNetwork>(options);
   for (const auto& node : network->nodes()) {
     const NodeId id = node->place().id;
     const std::string device = excavator_device(id);
@@ -112,7 +117,7 @@ std::vector<DescribedNode> of_excavator() {
         nodes.emplace_back(device.empty() ? DescribedNode{.id = id} : describe_device(device, id));
     made.name = node->place().name;
     made.bus = fmt::format("sim{}", node->bus());
-    for (const excavator::SetupWrite& write : excavator_setup(id)) {
+    for (const excavator::SetupWrite& write : excavator_setup(id, network->host_settings())) {
       set_entry(made.sheet, write.index, write.sub, write.value);
     }
   }
@@ -135,10 +140,9 @@ std::vector<DescribedNode> describe_world(const std::string& path) {
     return of_car<police::PoliceNetwork>(read_police_run(table).network, cia447::listed_offsets());
   }
   if (network == "bus") {
-    const bus::BusNetworkOptions usual;
-    return of_network(*std::make_unique<bus::BusNetwork>(usual));
+    return of_network(*std::make_unique<bus::BusNetwork>(read_bus_run(table, folder).network));
   }
-  if (network == "excavator") return of_excavator();
+  if (network == "excavator") return of_excavator(read_excavator_run(table, folder).network);
   return {};
 }
 

@@ -152,6 +152,14 @@ class Dbc(unittest.TestCase):
                 self.assertEqual([value for value in values if value not in seen], [], seen)
                 self.assertGreater(compared["Wheel_pulse_counter.wheel pulse counter"], 5000, "each 100 ms while the car is awake")
 
+    def test_what_the_nodes_of_a_car_ask_each_other_is_decoded_by_both_alike(self):
+        """CiA 447: node n asks node m by a CAN-ID of their own, and hears it 80h below."""
+        network, log = self.world("taxi", "--for", "2min")
+        asked = str(self.folder / "asked.log")
+        subprocess.run([CANVOY, "decode", log, "--profile", "447-3", "--filter", "service=SDO and not id=580..67F", "--out", asked], check=True, timeout=120)
+        compared = self.agrees(self.read_dbc(network, "--sdo"), asked, "--profile", "447-3")
+        self.assertGreater(sum(compared.values()), 10, compared)
+
     def test_pdos_of_a_car_are_where_its_file_has_them(self):
         network = self.folder / "other.toml"
         printed = run("run", "taxi", "--print").decode()
