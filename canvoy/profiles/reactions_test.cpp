@@ -157,5 +157,18 @@ TEST_F(Reactions, UnitsAreAskedInTheOrderInWhichTheyWereAttachedUntilOneRefuses)
   EXPECT_EQ(second.log, (Log{"brightness 2", "by SDO"}));
 }
 
+TEST_F(Reactions, AHookOfAnApplicationIsAskedBeforeTheUnitsThatAreThere) {
+  Unit unit(dictionary);
+  auto refuse = [](const Entry&, std::span<const std::uint8_t>) { return AbortCode::general; };
+  Hook hook{
+      .first = 0x6101,
+      .last = 0x6101,
+      .before_write = Callback<AbortCode(const Entry&, std::span<const std::uint8_t>)>::of(refuse)};
+  dictionary.attach(hook);
+  EXPECT_EQ(write(0x6101, 1, {2, 0}), AbortCode::general);
+  EXPECT_EQ(unit.log, Log{});
+  EXPECT_EQ(write(0x6102, 1, {2, 0}), AbortCode::none) << "another object";
+}
+
 }  // namespace
 }  // namespace canvoy::reactions_test
