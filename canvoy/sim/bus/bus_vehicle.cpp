@@ -22,7 +22,7 @@ constexpr double fastest = 27.8;     ///< m/s: the law's limit for buses out of 
 constexpr double lights_from = 0.3;  ///< shares of the way between two stops
 constexpr double lights_to = 0.7;
 
-constexpr double at_stop_m = 30;  ///< a real vehicle stands so near
+constexpr double near_stop_m = 30;  ///< a real vehicle stands so near
 
 double seconds(Duration time) {
   return std::chrono::duration<double>(time).count();
@@ -303,12 +303,12 @@ void BusVehicle::stand_as_real(Time now) {
 void BusVehicle::drive_as_real(Time now, Duration step) {
   drive_.roll(step, real_->speed);
   if (state_ == BusState::transferring) {
-    if (real_->speed > 0 || transfer_.metres() - drive_.metres() > at_stop_m) return;
+    if (real_->speed > 0 || transfer_.metres() - drive_.metres() > near_stop_m) return;
     return end_transfer(now);
   }
   const double behind = drive_.metres() - route().stops[place_].metres;
-  if (real_->speed <= 0 && behind >= -at_stop_m) return arrive(now);
-  if (behind > at_stop_m && !is_last_stop()) pass(now);
+  if (real_->speed <= 0 && behind >= -near_stop_m) return arrive(now);
+  if (behind > near_stop_m && !is_last_stop()) pass(now);
 }
 
 void BusVehicle::obstruct_door(Time now, std::size_t door, bool is_obstructed) {

@@ -6,7 +6,7 @@ namespace canvoy::lift {
 
 namespace {
 
-constexpr std::array<unsigned, 6> doors = {0b0001, 0b0001, 0b0011, 0b0101, 0b1011, 0b1111};
+constexpr std::array<unsigned, 6> door_masks = {0b0001, 0b0001, 0b0011, 0b0101, 0b1011, 0b1111};
 
 }  // namespace
 
@@ -18,7 +18,7 @@ LiftNetworkDescription soak_network(std::uint64_t seed, Duration time) {
   options.lifts = static_cast<LiftNumber>(is_group ? 2 + seed / 6 % 3 : 1);
   options.floors = static_cast<FloorNumber>(5 + seed / 5 % 8);
   options.destination_control = seed % 6 == 0;
-  options.lift.doors = doors.at(seed / 3 % doors.size());
+  options.lift.doors = door_masks.at(seed / 3 % door_masks.size());
   options.traffic.pattern = static_cast<TrafficPattern>(seed / 7 % 4);
   options.traffic.percent_in_5_minutes = 3;
   LiftNetworkDescription made = standard_lift_network(options);
