@@ -19,6 +19,7 @@ class JsonEvent {
   JsonEvent(const JsonEvent&) = delete;
   JsonEvent& operator=(const JsonEvent&) = delete;
 
+  words::JsonLine& operator*() { return json_; }
   words::JsonLine* operator->() { return &json_; }
 
   /// At most once: nothing can be added behind it. It is on its way when this returns, as in a

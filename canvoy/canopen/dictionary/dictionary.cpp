@@ -515,11 +515,12 @@ void Dictionary::restore_defaults(std::uint16_t first, std::uint16_t last, std::
   const EntryShape& row = *entry.row;
   const unsigned count = row.sub_last - row.sub_first + 1U;
   const std::uint32_t number = has(row.traits, EntryTraits::plus_node_id) ? place + node_id : place;
-  if (!row.is_text() && row.capacity == 1) {
+  const unsigned size = row.is_text() ? 0 : row.capacity;
+  if (size == 1) {
     fill(entry.value, static_cast<std::uint8_t>(number), count);
-  } else if (!row.is_text() && row.capacity == 2) {
+  } else if (size == 2) {
     fill(entry.value, static_cast<std::uint16_t>(number), count);
-  } else if (!row.is_text() && row.capacity == 4) {
+  } else if (size == 4) {
     fill(entry.value, number, count);
   } else {
     std::uint8_t* const value = entry.value;

@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "canvoy/profiles/reactions.hpp"
-
 namespace canvoy::cia407 {
 
 namespace {

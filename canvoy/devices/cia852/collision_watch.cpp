@@ -1,7 +1,5 @@
 #include "canvoy/devices/cia852/collision_watch.hpp"
 
-#include "canvoy/profiles/reactions.hpp"
-
 namespace canvoy::cia852 {
 
 namespace {

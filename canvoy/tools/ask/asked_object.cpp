@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/place_json.hpp"
 #include "canvoy/tools/value_argument.hpp"
 #include "canvoy/words/value_text.hpp"
 
@@ -39,8 +40,7 @@ std::string AskedObject::text(std::span<const std::uint8_t> bytes) const {
 void AskedObject::append_place(words::JsonLine& json) const {
   if (network_ != 0) json.key("network").number(network_);
   json.key("node").number(node_);
-  json.key("index").text(fmt::format("{:04X}", address_.index));
-  json.key("sub").text(fmt::format("{:02X}", address_.sub));
+  append_index(json, address_.index, address_.sub);
   if (address_.entry != nullptr) json.key("name").text(name());
 }
 

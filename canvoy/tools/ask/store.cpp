@@ -12,6 +12,7 @@
 #include "canvoy/tools/ask/ask_options.hpp"
 #include "canvoy/tools/ask/ask_verbs.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/place_json.hpp"
 #include "canvoy/tools/spelling.hpp"
 #include "canvoy/words/json_line.hpp"
 #include "canvoy/words/text.hpp"
@@ -75,8 +76,7 @@ int store_parameters(const StoreOptions& options, Sessions& sessions, const Stor
   json.begin_object();
   json.key("event").text(verb.name);
   json.key("node").number(node);
-  json.key("index").text(fmt::format("{:04X}", verb.index));
-  json.key("sub").text(fmt::format("{:02X}", sub));
+  append_index(json, verb.index, sub);
   json.key("text").text(text);
   json.end_object();
   fmt::print("{}\n", line);

@@ -8,6 +8,7 @@
 #include "canvoy/tools/ask/ask_verbs.hpp"
 #include "canvoy/tools/ask/asked_object.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/place_json.hpp"
 #include "canvoy/tools/sheet/configuration_file.hpp"
 #include "canvoy/words/text.hpp"
 #include "canvoy/words/value_text.hpp"
@@ -44,8 +45,7 @@ void tell_written(NodeId node, const ConfigurationEntry& entry) {
   json.begin_object();
   json.key("event").text("written");
   json.key("node").number(node);
-  json.key("index").text(fmt::format("{:04X}", entry.index));
-  json.key("sub").text(fmt::format("{:02X}", entry.sub));
+  append_index(json, entry.index, entry.sub);
   json.key("raw").hex(entry.value);
   json.end_object();
   fmt::print("{}\n", line);

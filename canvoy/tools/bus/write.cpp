@@ -12,6 +12,7 @@
 #include "canvoy/tools/ask/asked_object.hpp"
 #include "canvoy/tools/ask/object_argument.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/place_json.hpp"
 #include "canvoy/tools/value_argument.hpp"
 #include "canvoy/tools/value_file.hpp"
 #include "canvoy/words/text.hpp"
@@ -96,8 +97,7 @@ void tell_file(const WriteOptions& options, NodeId node, const ObjectAddress& ob
   words::JsonLine json(line);
   json.begin_object();
   json.key("node").number(node);
-  json.key("index").text(fmt::format("{:04X}", object.index));
-  json.key("sub").text(fmt::format("{:02X}", object.sub));
+  append_index(json, object.index, object.sub);
   json.key("bytes").number(static_cast<std::int64_t>(bytes));
   json.end_object();
   fmt::print("{}\n", line);

@@ -8,6 +8,7 @@
 #include "canvoy/canopen/nmt/nmt.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/live/object_list.hpp"
+#include "canvoy/tools/place_json.hpp"
 #include "canvoy/tools/value_argument.hpp"
 #include "canvoy/words/json_line.hpp"
 #include "canvoy/words/text.hpp"
@@ -53,8 +54,7 @@ Json value_json(NodeId node, const ObjectAddress& object, std::span<const std::u
   words::JsonLine json(line);
   json.begin_object();
   json.key("node").number(node);
-  json.key("index").text(fmt::format("{:04X}", object.index));
-  json.key("sub").text(fmt::format("{:02X}", object.sub));
+  append_index(json, object.index, object.sub);
   if (object.entry != nullptr) json.key("name").text(name_of(*object.object, *object.entry));
   json.key("raw").hex(bytes);
   json.key("value");

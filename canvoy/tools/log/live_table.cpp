@@ -7,6 +7,7 @@
 
 #include "canvoy/can/frame_text.hpp"
 #include "canvoy/formats/plain_text.hpp"
+#include "canvoy/tools/place_json.hpp"
 #include "canvoy/tools/terminal/screen.hpp"
 #include "canvoy/words/json_line.hpp"
 #include "canvoy/words/object_words.hpp"
@@ -294,8 +295,8 @@ std::string LiveTable::json(Duration now) const {
     if (row.node != 0) json.key("node").number(std::int64_t{row.node});
     if (by_ == By::frame) json.key("can_id").text(row.id);
     if (key.object != 0) {
-      json.key("index").text(fmt::format("{:04X}", key.object >> 8));
-      json.key("sub").text(fmt::format("{:02X}", key.object & 0xFFU));
+      append_index(json, static_cast<std::uint16_t>(key.object >> 8),
+                   static_cast<std::uint8_t>(key.object));
     }
     json.key(key.object != 0 ? "name" : "service").text(row.service);
     if (row.value) {

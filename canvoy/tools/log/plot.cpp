@@ -18,6 +18,7 @@
 #include "canvoy/tools/log/frame_printer.hpp"
 #include "canvoy/tools/log/plot_series.hpp"
 #include "canvoy/tools/log/trace_complaints.hpp"
+#include "canvoy/tools/place_json.hpp"
 #include "canvoy/tools/png_file.hpp"
 #include "canvoy/tools/spelling.hpp"
 #include "canvoy/tools/terminal/screen.hpp"
@@ -177,8 +178,7 @@ class Plot {
     json.key("time").number(at);
     json.key("bus").text(formats::plain_text(bus));
     if (node != 0) json.key("node").number(std::int64_t{node});
-    json.key("index").text(fmt::format("{:04X}", value.index));
-    json.key("sub").text(fmt::format("{:02X}", value.sub));
+    append_index(json, value.index, value.sub);
     json.key("name").text(name);
     if (field != nullptr) json.key("field").text(formats::field_name(*field));
     json.key("value").number(reading.number);

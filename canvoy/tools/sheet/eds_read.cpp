@@ -13,6 +13,7 @@
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/help/verb_help.hpp"
 #include "canvoy/tools/json_event.hpp"
+#include "canvoy/tools/place_json.hpp"
 #include "canvoy/tools/sheet/node_reader.hpp"
 #include "canvoy/tools/sheet/profile_argument.hpp"
 #include "canvoy/tools/sheet/scan_line.hpp"
@@ -57,8 +58,7 @@ void tell_scan(const NodeReader& reader, NodeId node, const std::string& out) {
   for (const SheetScan::Unread& unread : reader.scan().unread()) {
     JsonEvent event("unread");
     event->key("node").number(node);
-    event->key("index").text(fmt::format("{:04X}", unread.index));
-    event->key("sub").text(fmt::format("{:02X}", unread.sub));
+    append_index(*event, unread.index, unread.sub);
     event->key("name").text(unread.name);
     event->key("text").text(unread.abort == AbortCode::none ? unread.reason
                                                             : words::abort_text(unread.abort));

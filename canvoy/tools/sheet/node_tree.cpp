@@ -1,7 +1,5 @@
 #include "canvoy/tools/sheet/node_tree.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 
@@ -9,6 +7,7 @@
 #include "canvoy/formats/sheet_value.hpp"
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/place_json.hpp"
 #include "canvoy/tools/value_argument.hpp"
 #include "canvoy/words/json_line.hpp"
 #include "canvoy/words/object_words.hpp"
@@ -139,8 +138,7 @@ std::string NodeTree::json(const Row& row) const {
   words::JsonLine json(line);
   json.begin_object();
   json.key("node").number(std::int64_t{node_});
-  json.key("index").text(fmt::format("{:04X}", row.place.index));
-  json.key("sub").text(fmt::format("{:02X}", row.place.sub));
+  append_index(json, row.place.index, row.place.sub);
   json.key("name").text(name_of(row.place));
   const auto found = known_.find(row.place);
   if (found != known_.end() && found->second.fault.empty()) {
