@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <string>
 
-#include "canvoy/formats/trace_writer.hpp"
+#include "canvoy/formats/trace/trace_writer.hpp"
 
 namespace canvoy::formats {
 namespace {

@@ -7,7 +7,7 @@
 #include "canvoy/canopen/manager/flying_master.hpp"
 #include "canvoy/canopen/manager/master_node.hpp"
 #include "canvoy/profiles/cia301.hpp"
-#include "canvoy/profiles/cia302_master.hpp"
+#include "canvoy/profiles/cia302/master.hpp"
 #include "canvoy/profiles/layout.hpp"
 #include "fuzz/input.hpp"
 #include "fuzz/require.hpp"

@@ -6,12 +6,12 @@
 #include <span>
 #include <string_view>
 
-#include "canvoy/formats/eds_writer.hpp"
-#include "canvoy/formats/sheet_check.hpp"
-#include "canvoy/formats/sheet_configuration.hpp"
-#include "canvoy/formats/sheet_diff.hpp"
-#include "canvoy/formats/stored_configurations.hpp"
-#include "canvoy/formats/xdd.hpp"
+#include "canvoy/formats/eds/eds_writer.hpp"
+#include "canvoy/formats/sheet/sheet_check.hpp"
+#include "canvoy/formats/sheet/sheet_configuration.hpp"
+#include "canvoy/formats/sheet/sheet_diff.hpp"
+#include "canvoy/formats/sheet/stored_configurations.hpp"
+#include "canvoy/formats/xdd/xdd.hpp"
 #include "canvoy/profiles/registry.hpp"
 
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "canvoy/formats/trace.hpp"
-#include "canvoy/formats/trace_encoder.hpp"
+#include "canvoy/formats/trace/trace.hpp"
+#include "canvoy/formats/trace/trace_encoder.hpp"
 #include "fuzz/require.hpp"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "canvoy/can/simulated_bus.hpp"
+#include "canvoy/can/simulated/simulated_bus.hpp"
 
 namespace {
 

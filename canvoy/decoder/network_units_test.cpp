@@ -6,7 +6,7 @@
 #include "canvoy/can/frame_text.hpp"
 #include "canvoy/decoder/decoder.hpp"
 #include "canvoy/decoder/sheet_profile.hpp"
-#include "canvoy/formats/data_sheet.hpp"
+#include "canvoy/formats/sheet/data_sheet.hpp"
 #include "canvoy/profiles/registry.hpp"
 
 namespace canvoy::decoder::network_units_test {

@@ -2,7 +2,7 @@
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/formats/plain_text.hpp"
-#include "canvoy/formats/sheet_value.hpp"
+#include "canvoy/formats/sheet/sheet_value.hpp"
 #include "canvoy/profiles/number_rules.hpp"
 #include "canvoy/profiles/registry.hpp"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "canvoy/decoder/network.hpp"
-#include "canvoy/formats/data_sheet.hpp"
+#include "canvoy/formats/sheet/data_sheet.hpp"
 
 namespace canvoy::decoder {
 

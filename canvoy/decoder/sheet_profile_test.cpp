@@ -5,7 +5,7 @@
 
 #include "canvoy/can/frame_text.hpp"
 #include "canvoy/decoder/decoder.hpp"
-#include "canvoy/formats/eds_reader.hpp"
+#include "canvoy/formats/eds/eds_reader.hpp"
 #include "canvoy/profiles/registry.hpp"
 
 namespace canvoy::decoder::sheet_profile_test {

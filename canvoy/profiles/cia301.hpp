@@ -9,8 +9,8 @@
 #pragma once
 
 #include "canvoy/canopen/pdo/mpdo.hpp"
-#include "canvoy/profiles/cia301_channels.hpp"
-#include "canvoy/profiles/cia301_objects.hpp"
+#include "canvoy/profiles/cia301/channels.hpp"
+#include "canvoy/profiles/cia301/objects.hpp"
 #include "canvoy/profiles/device_description.hpp"
 
 namespace canvoy::cia301 {

@@ -5,10 +5,10 @@
 //     find_object(cia302::profile, 0x1F22)->name  // "Concise DCF"
 #pragma once
 
-#include "canvoy/profiles/cia302_configuration.hpp"
-#include "canvoy/profiles/cia302_master.hpp"
-#include "canvoy/profiles/cia302_program.hpp"
-#include "canvoy/profiles/cia302_sdo_manager.hpp"
+#include "canvoy/profiles/cia302/configuration.hpp"
+#include "canvoy/profiles/cia302/master.hpp"
+#include "canvoy/profiles/cia302/program.hpp"
+#include "canvoy/profiles/cia302/sdo_manager.hpp"
 
 namespace canvoy::cia302 {
 

@@ -10,8 +10,8 @@
 #pragma once
 
 #include "canvoy/profiles/cia301.hpp"
-#include "canvoy/profiles/cia401_analogue.hpp"
-#include "canvoy/profiles/cia401_digital.hpp"
+#include "canvoy/profiles/cia401/analogue.hpp"
+#include "canvoy/profiles/cia401/digital.hpp"
 #include "canvoy/profiles/mapping_value.hpp"
 
 namespace canvoy::cia401 {

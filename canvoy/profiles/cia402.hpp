@@ -9,8 +9,8 @@
 //     cia402::drive_state(drive.number(0x6041, 0))
 #pragma once
 
-#include "canvoy/profiles/cia402_control.hpp"
-#include "canvoy/profiles/cia402_motion.hpp"
+#include "canvoy/profiles/cia402/control.hpp"
+#include "canvoy/profiles/cia402/motion.hpp"
 
 namespace canvoy::cia402 {
 

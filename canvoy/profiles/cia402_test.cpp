@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/profiles/cia402_handles.hpp"
+#include "canvoy/profiles/cia402/handles.hpp"
 #include "canvoy/profiles/layout.hpp"
 #include "canvoy/profiles/testing/described.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"

@@ -7,7 +7,7 @@
 //     cia406::profile.objects.size()
 #pragma once
 
-#include "canvoy/profiles/cia406_objects.hpp"
+#include "canvoy/profiles/cia406/objects.hpp"
 
 namespace canvoy::cia406 {
 

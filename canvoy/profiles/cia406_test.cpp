@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/profiles/cia406_handles.hpp"
+#include "canvoy/profiles/cia406/handles.hpp"
 #include "canvoy/profiles/layout.hpp"
 #include "canvoy/profiles/number_rules.hpp"
 #include "canvoy/profiles/testing/described.hpp"

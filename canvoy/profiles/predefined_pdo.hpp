@@ -13,7 +13,7 @@
 
 #include <utility>
 
-#include "canvoy/profiles/cia301_channels.hpp"
+#include "canvoy/profiles/cia301/channels.hpp"
 #include "canvoy/profiles/device_description.hpp"
 
 namespace canvoy {

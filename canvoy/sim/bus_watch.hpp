@@ -10,7 +10,7 @@
 #include <functional>
 #include <map>
 
-#include "canvoy/can/simulated_bus.hpp"
+#include "canvoy/can/simulated/simulated_bus.hpp"
 #include "canvoy/canopen/nmt/remote_state.hpp"
 #include "canvoy/sim/event.hpp"
 

@@ -14,8 +14,8 @@
 #include "canvoy/canopen/manager/master_node.hpp"
 #include "canvoy/canopen/testing/boot_network.hpp"
 #include "canvoy/profiles/cia301.hpp"
-#include "canvoy/profiles/cia302_configuration.hpp"
-#include "canvoy/profiles/cia302_master.hpp"
+#include "canvoy/profiles/cia302/configuration.hpp"
+#include "canvoy/profiles/cia302/master.hpp"
 #include "canvoy/profiles/layout.hpp"
 #include "canvoy/sim/world.hpp"
 

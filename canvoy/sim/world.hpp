@@ -25,8 +25,8 @@
 #include <vector>
 
 #include "canvoy/can/callback.hpp"
-#include "canvoy/can/drifting_clock.hpp"
-#include "canvoy/can/simulated_bus.hpp"
+#include "canvoy/can/simulated/drifting_clock.hpp"
+#include "canvoy/can/simulated/simulated_bus.hpp"
 #include "canvoy/can/time.hpp"
 #include "canvoy/sim/deadline_tree.hpp"
 

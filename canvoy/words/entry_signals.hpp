@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "canvoy/formats/signal_table.hpp"
+#include "canvoy/formats/signals/signal_table.hpp"
 #include "canvoy/profiles/description.hpp"
 
 namespace canvoy::words {

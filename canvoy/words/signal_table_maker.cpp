@@ -8,7 +8,7 @@
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/formats/plain_text.hpp"
-#include "canvoy/formats/sheet_value.hpp"
+#include "canvoy/formats/sheet/sheet_value.hpp"
 #include "canvoy/formats/terms.hpp"
 #include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/cia447/network.hpp"

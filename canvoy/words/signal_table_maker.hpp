@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "canvoy/decoder/sheet_profile.hpp"
-#include "canvoy/formats/signal_table.hpp"
+#include "canvoy/formats/signals/signal_table.hpp"
 
 namespace canvoy::words {
 

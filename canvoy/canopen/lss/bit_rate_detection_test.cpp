@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "canvoy/can/simulated_bus.hpp"
+#include "canvoy/can/simulated/simulated_bus.hpp"
 
 namespace canvoy::bit_rate_detection_test {
 namespace {

@@ -3,7 +3,7 @@
 // 302-2).
 #include <gtest/gtest.h>
 
-#include "canvoy/can/simulated_bus.hpp"
+#include "canvoy/can/simulated/simulated_bus.hpp"
 #include "canvoy/canopen/manager/flying_master.hpp"
 #include "canvoy/canopen/manager/master_node.hpp"
 #include "canvoy/canopen/testing/boot_network.hpp"

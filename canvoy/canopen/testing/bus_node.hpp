@@ -11,7 +11,7 @@
 #include <memory>
 #include <vector>
 
-#include "canvoy/can/simulated_bus.hpp"
+#include "canvoy/can/simulated/simulated_bus.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
 namespace canvoy {

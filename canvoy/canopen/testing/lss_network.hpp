@@ -11,7 +11,7 @@
 #include <functional>
 #include <optional>
 
-#include "canvoy/can/simulated_bus.hpp"
+#include "canvoy/can/simulated/simulated_bus.hpp"
 #include "canvoy/canopen/lss/lss_master.hpp"
 #include "canvoy/canopen/testing/lss_node.hpp"
 

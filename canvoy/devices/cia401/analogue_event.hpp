@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "canvoy/canopen/dictionary/dictionary.hpp"
-#include "canvoy/profiles/cia401_analogue.hpp"
+#include "canvoy/profiles/cia401/analogue.hpp"
 
 namespace canvoy::cia401 {
 

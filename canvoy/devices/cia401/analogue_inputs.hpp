@@ -17,7 +17,7 @@
 
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/devices/cia401/widths.hpp"
-#include "canvoy/profiles/cia401_handles.hpp"
+#include "canvoy/profiles/cia401/handles.hpp"
 
 namespace canvoy::cia401 {
 

@@ -12,7 +12,7 @@
 #include <cstdint>
 
 #include "canvoy/canopen/node.hpp"
-#include "canvoy/profiles/cia401_handles.hpp"
+#include "canvoy/profiles/cia401/handles.hpp"
 
 namespace canvoy::cia401 {
 

@@ -13,7 +13,7 @@
 #include <span>
 
 #include "canvoy/canopen/node.hpp"
-#include "canvoy/profiles/cia401_handles.hpp"
+#include "canvoy/profiles/cia401/handles.hpp"
 
 namespace canvoy::cia401 {
 

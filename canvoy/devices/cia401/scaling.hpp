@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "canvoy/canopen/dictionary/dictionary.hpp"
-#include "canvoy/profiles/cia401_analogue.hpp"
+#include "canvoy/profiles/cia401/analogue.hpp"
 
 namespace canvoy::cia401 {
 

@@ -12,7 +12,7 @@
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/devices/cia419/charger.hpp"
 #include "canvoy/devices/device.hpp"
-#include "canvoy/profiles/cia302_sdo_manager.hpp"
+#include "canvoy/profiles/cia302/sdo_manager.hpp"
 #include "canvoy/profiles/layout.hpp"
 
 namespace canvoy::cia419 {

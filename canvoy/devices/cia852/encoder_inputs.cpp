@@ -2,7 +2,7 @@
 
 #include "canvoy/devices/cia401/digital_event.hpp"
 #include "canvoy/devices/cia401/widths.hpp"
-#include "canvoy/profiles/cia401_digital.hpp"
+#include "canvoy/profiles/cia401/digital.hpp"
 #include "canvoy/profiles/cia852/values.hpp"
 
 namespace canvoy::cia852 {

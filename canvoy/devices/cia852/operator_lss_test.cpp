@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include "canvoy/can/simulated_bus.hpp"
+#include "canvoy/can/simulated/simulated_bus.hpp"
 #include "canvoy/canopen/lss/bit_rate_detection.hpp"
 #include "canvoy/canopen/lss/bit_timing_switch.hpp"
 #include "canvoy/canopen/lss/lss_slave.hpp"

@@ -9,7 +9,7 @@
 #include "canvoy/devices/cia852/operator_device.hpp"
 #include "canvoy/devices/part_tables.hpp"
 #include "canvoy/devices/program_place.hpp"
-#include "canvoy/profiles/cia302_program.hpp"
+#include "canvoy/profiles/cia302/program.hpp"
 
 namespace canvoy::cia852 {
 

@@ -4,7 +4,7 @@
 //     cia407::device_type_fields  // code, class and subclass of a virtual device; 407
 #pragma once
 
-#include "canvoy/profiles/cia301_objects.hpp"
+#include "canvoy/profiles/cia301/objects.hpp"
 #include "canvoy/profiles/cia407/values.hpp"
 
 namespace canvoy::cia407 {

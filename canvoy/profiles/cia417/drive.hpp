@@ -5,7 +5,7 @@
 //     drive[cia417::modes_of_operation] = cia417::DriveMode::profile_velocity;
 #pragma once
 
-#include "canvoy/profiles/cia402_values.hpp"
+#include "canvoy/profiles/cia402/values.hpp"
 #include "canvoy/profiles/cia417/values.hpp"
 
 namespace canvoy::cia417 {

@@ -4,7 +4,7 @@
 //     cia417::position_value_object.subs[1].value.step.index  // 6384h
 #pragma once
 
-#include "canvoy/profiles/cia406_values.hpp"
+#include "canvoy/profiles/cia406/values.hpp"
 #include "canvoy/profiles/cia417/values.hpp"
 
 namespace canvoy::cia417 {

@@ -4,7 +4,7 @@
 //     place
 #pragma once
 
-#include "canvoy/profiles/cia301_objects.hpp"
+#include "canvoy/profiles/cia301/objects.hpp"
 
 namespace canvoy::cia417 {
 

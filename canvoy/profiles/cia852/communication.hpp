@@ -3,7 +3,7 @@
 //     cia852::device_type({.joystick = true, .joystick_with_inputs = true})  // 8185'0191h
 #pragma once
 
-#include "canvoy/profiles/cia302_program.hpp"
+#include "canvoy/profiles/cia302/program.hpp"
 #include "canvoy/profiles/cia401.hpp"
 #include "canvoy/profiles/cia852/values.hpp"
 

@@ -4,8 +4,8 @@
 //     ..."
 #pragma once
 
-#include "canvoy/profiles/cia401_analogue.hpp"
-#include "canvoy/profiles/cia401_digital.hpp"
+#include "canvoy/profiles/cia401/analogue.hpp"
+#include "canvoy/profiles/cia401/digital.hpp"
 #include "canvoy/profiles/cia852/values.hpp"
 
 namespace canvoy::cia852 {

@@ -8,7 +8,7 @@
 //     cia852::tpdo_mapping(cia852::joystick_tpdo(2)).index  // 1A04h
 #pragma once
 
-#include "canvoy/profiles/cia301_channels.hpp"
+#include "canvoy/profiles/cia301/channels.hpp"
 #include "canvoy/profiles/cia852/inputs.hpp"
 #include "canvoy/profiles/cia852/outputs.hpp"
 #include "canvoy/profiles/mapping_value.hpp"

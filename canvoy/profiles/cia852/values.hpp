@@ -4,7 +4,7 @@
 //     cia852::joystick_axis_sub(2, 1)  // 04h: x-dimension of the second joystick in 6401h
 #pragma once
 
-#include "canvoy/profiles/cia401_values.hpp"
+#include "canvoy/profiles/cia401/values.hpp"
 
 namespace canvoy::cia852 {
 

@@ -9,7 +9,7 @@
 
 #include "canvoy/can/frame.hpp"
 #include "canvoy/can/port.hpp"
-#include "canvoy/can/simulated_bus.hpp"
+#include "canvoy/can/simulated/simulated_bus.hpp"
 #include "canvoy/devices/cia407/bus_time.hpp"
 #include "canvoy/sim/bus/true_data.hpp"
 

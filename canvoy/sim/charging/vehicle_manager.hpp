@@ -12,7 +12,7 @@
 #include "canvoy/canopen/manager/sdo_manager.hpp"
 #include "canvoy/canopen/nmt/nmt_master.hpp"
 #include "canvoy/profiles/cia301.hpp"
-#include "canvoy/profiles/cia302_sdo_manager.hpp"
+#include "canvoy/profiles/cia302/sdo_manager.hpp"
 #include "canvoy/profiles/layout.hpp"
 
 namespace canvoy::charging {

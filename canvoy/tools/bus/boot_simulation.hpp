@@ -14,7 +14,7 @@
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/canopen/manager/program_server.hpp"
 #include "canvoy/profiles/cia301.hpp"
-#include "canvoy/profiles/cia302_program.hpp"
+#include "canvoy/profiles/cia302/program.hpp"
 #include "canvoy/profiles/layout.hpp"
 #include "canvoy/sim/world.hpp"
 #include "canvoy/tools/bus/boot_plan.hpp"

@@ -7,7 +7,7 @@
 
 #include "canvoy/can/host/can_link.hpp"
 #include "canvoy/can/host/candump_log.hpp"
-#include "canvoy/formats/trace.hpp"
+#include "canvoy/formats/trace/trace.hpp"
 #include "canvoy/tools/bus/log_source.hpp"
 #include "canvoy/tools/bus/monitor_table.hpp"
 #include "canvoy/tools/bus/session.hpp"

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "canvoy/profiles/cia302_program.hpp"
+#include "canvoy/profiles/cia302/program.hpp"
 #include "canvoy/words/text.hpp"
 
 namespace canvoy::tools {

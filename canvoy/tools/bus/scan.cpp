@@ -11,7 +11,7 @@
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/formats/plain_text.hpp"
-#include "canvoy/formats/sheet_value.hpp"
+#include "canvoy/formats/sheet/sheet_value.hpp"
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/tools/bus/node_sweep.hpp"
 #include "canvoy/tools/commands.hpp"

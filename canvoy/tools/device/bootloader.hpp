@@ -12,7 +12,7 @@
 #include "canvoy/canopen/indicators.hpp"
 #include "canvoy/canopen/manager/program_server.hpp"
 #include "canvoy/profiles/cia301.hpp"
-#include "canvoy/profiles/cia302_program.hpp"
+#include "canvoy/profiles/cia302/program.hpp"
 #include "canvoy/profiles/layout.hpp"
 #include "canvoy/tools/device/program_store.hpp"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "canvoy/devices/cia852/kinds.hpp"
-#include "canvoy/formats/data_sheet.hpp"
+#include "canvoy/formats/sheet/data_sheet.hpp"
 #include "canvoy/tools/device/device_bus_panel.hpp"
 #include "canvoy/tools/device/device_car.hpp"
 #include "canvoy/tools/device/device_car_panel.hpp"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "canvoy/formats/sheet_storage.hpp"
+#include "canvoy/formats/sheet/sheet_storage.hpp"
 #include "canvoy/tools/failure.hpp"
 
 namespace canvoy::tools {

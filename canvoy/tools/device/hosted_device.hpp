@@ -9,7 +9,7 @@
 #include <string>
 
 #include "canvoy/devices/cia419/charger.hpp"
-#include "canvoy/formats/sheet_device.hpp"
+#include "canvoy/formats/sheet/sheet_device.hpp"
 #include "canvoy/tools/device/car_store.hpp"
 #include "canvoy/tools/device/device_car_panel.hpp"
 #include "canvoy/tools/device/device_hardware.hpp"

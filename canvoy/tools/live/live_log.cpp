@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "canvoy/formats/trace.hpp"
+#include "canvoy/formats/trace/trace.hpp"
 #include "canvoy/sim/duration_text.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/live/live_network.hpp"

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "canvoy/can/host/file_draft.hpp"
-#include "canvoy/formats/trace_writer.hpp"
+#include "canvoy/formats/trace/trace_writer.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/help/verb_help.hpp"

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <system_error>
 
-#include "canvoy/formats/trace.hpp"
-#include "canvoy/formats/trace_writer.hpp"
+#include "canvoy/formats/trace/trace.hpp"
+#include "canvoy/formats/trace/trace_writer.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/log/line_output.hpp"
 #include "canvoy/tools/log/trace_complaints.hpp"

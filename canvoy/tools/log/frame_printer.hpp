@@ -15,7 +15,7 @@
 #include "canvoy/can/time.hpp"
 #include "canvoy/decoder/bus_table.hpp"
 #include "canvoy/decoder/sheet_profile.hpp"
-#include "canvoy/formats/chosen_profile.hpp"
+#include "canvoy/formats/sheet/chosen_profile.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/filter/filter.hpp"
 #include "canvoy/words/frame_decoder.hpp"

@@ -11,7 +11,7 @@
 #include "canvoy/decoder/active_field.hpp"
 #include "canvoy/formats/plain_text.hpp"
 #include "canvoy/formats/terms.hpp"
-#include "canvoy/formats/trace.hpp"
+#include "canvoy/formats/trace/trace.hpp"
 #include "canvoy/profiles/physical.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "canvoy/formats/trace.hpp"
+#include "canvoy/formats/trace/trace.hpp"
 
 namespace canvoy::tools {
 

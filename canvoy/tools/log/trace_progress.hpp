@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstdio>
 
-#include "canvoy/formats/trace.hpp"
+#include "canvoy/formats/trace/trace.hpp"
 
 namespace canvoy::tools {
 

@@ -6,10 +6,10 @@
 
 #include "canvoy/canopen/testing/cable.hpp"
 #include "canvoy/devices/testing/every_device.hpp"
-#include "canvoy/formats/eds_reader.hpp"
-#include "canvoy/formats/eds_writer.hpp"
-#include "canvoy/formats/sheet_configuration.hpp"
-#include "canvoy/formats/sheet_scan.hpp"
+#include "canvoy/formats/eds/eds_reader.hpp"
+#include "canvoy/formats/eds/eds_writer.hpp"
+#include "canvoy/formats/sheet/sheet_configuration.hpp"
+#include "canvoy/formats/sheet/sheet_scan.hpp"
 #include "canvoy/profiles/registry.hpp"
 
 namespace canvoy::tools::backup_test {

@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-#include "canvoy/formats/sheet_configuration.hpp"
+#include "canvoy/formats/sheet/sheet_configuration.hpp"
 
 namespace canvoy::tools {
 

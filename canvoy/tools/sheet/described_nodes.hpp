@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "canvoy/canopen/cob_id.hpp"
-#include "canvoy/formats/data_sheet.hpp"
+#include "canvoy/formats/sheet/data_sheet.hpp"
 
 namespace canvoy::tools {
 

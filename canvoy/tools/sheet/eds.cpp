@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <memory>
 
-#include "canvoy/formats/eds_writer.hpp"
+#include "canvoy/formats/eds/eds_writer.hpp"
 #include "canvoy/formats/plain_text.hpp"
-#include "canvoy/formats/sheet_check.hpp"
-#include "canvoy/formats/sheet_diff.hpp"
+#include "canvoy/formats/sheet/sheet_check.hpp"
+#include "canvoy/formats/sheet/sheet_diff.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/device/operator_elements.hpp"
 #include "canvoy/tools/failure.hpp"

@@ -13,7 +13,7 @@
 #include "canvoy/devices/cia407/bus_device.hpp"
 #include "canvoy/devices/cia447/car_device.hpp"
 #include "canvoy/devices/cia852/kinds.hpp"
-#include "canvoy/formats/sheet_export.hpp"
+#include "canvoy/formats/sheet/sheet_export.hpp"
 #include "canvoy/profiles/cia407.hpp"
 #include "canvoy/profiles/cia447.hpp"
 #include "canvoy/profiles/virtual_device.hpp"

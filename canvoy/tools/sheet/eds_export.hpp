@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "canvoy/formats/data_sheet.hpp"
+#include "canvoy/formats/sheet/data_sheet.hpp"
 
 namespace canvoy::tools {
 

@@ -8,7 +8,7 @@
 
 #include "canvoy/can/host/can_link.hpp"
 #include "canvoy/canopen/dictionary/object_index.hpp"
-#include "canvoy/formats/sheet_value.hpp"
+#include "canvoy/formats/sheet/sheet_value.hpp"
 #include "canvoy/tools/sheet/profile_argument.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
 #include "canvoy/tools/value_file.hpp"

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-#include "canvoy/formats/sheet_scan.hpp"
+#include "canvoy/formats/sheet/sheet_scan.hpp"
 #include "canvoy/tools/bus/session.hpp"
 
 namespace canvoy::tools {

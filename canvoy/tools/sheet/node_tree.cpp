@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
-#include "canvoy/formats/sheet_value.hpp"
+#include "canvoy/formats/sheet/sheet_value.hpp"
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/place_json.hpp"

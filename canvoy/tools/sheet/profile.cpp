@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
-#include "canvoy/formats/chosen_profile.hpp"
 #include "canvoy/formats/profile_json.hpp"
+#include "canvoy/formats/sheet/chosen_profile.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/help/verb_help.hpp"

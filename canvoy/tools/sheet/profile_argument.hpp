@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "canvoy/formats/chosen_profile.hpp"
+#include "canvoy/formats/sheet/chosen_profile.hpp"
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/tools/failure.hpp"
 

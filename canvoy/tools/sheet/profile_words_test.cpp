@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "canvoy/can/frame_text.hpp"
-#include "canvoy/formats/chosen_profile.hpp"
+#include "canvoy/formats/sheet/chosen_profile.hpp"
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/words/frame_decoder.hpp"
 #include "canvoy/words/object_words.hpp"

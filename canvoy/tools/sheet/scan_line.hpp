@@ -7,7 +7,7 @@
 #include <chrono>
 #include <cstdio>
 
-#include "canvoy/formats/sheet_scan.hpp"
+#include "canvoy/formats/sheet/sheet_scan.hpp"
 
 namespace canvoy::tools {
 

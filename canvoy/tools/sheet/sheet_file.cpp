@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "canvoy/formats/eds_writer.hpp"
+#include "canvoy/formats/eds/eds_writer.hpp"
 #include "canvoy/formats/plain_text.hpp"
-#include "canvoy/formats/xdd.hpp"
+#include "canvoy/formats/xdd/xdd.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/value_file.hpp"
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "canvoy/formats/data_sheet.hpp"
-#include "canvoy/formats/eds_reader.hpp"
+#include "canvoy/formats/eds/eds_reader.hpp"
+#include "canvoy/formats/sheet/data_sheet.hpp"
 
 namespace canvoy::tools {
 

@@ -1,5 +1,5 @@
 // canvoy_trace_comments FILE: a pcapng with a comment to each packet, for tshark.
-#include "canvoy/formats/trace_writer.hpp"
+#include "canvoy/formats/trace/trace_writer.hpp"
 
 int main(int count, char** arguments) {
   using namespace canvoy;

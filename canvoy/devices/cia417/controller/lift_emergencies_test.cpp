@@ -3,7 +3,7 @@
 // kbit/s an emergency takes some 0.5 ms.
 #include <gtest/gtest.h>
 
-#include "canvoy/can/simulated_bus.hpp"
+#include "canvoy/can/simulated/simulated_bus.hpp"
 #include "canvoy/canopen/testing/cable.hpp"
 #include "canvoy/devices/cia417/controller/lift_controller_device.hpp"
 

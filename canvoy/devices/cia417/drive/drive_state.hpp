@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "canvoy/profiles/cia402_values.hpp"
+#include "canvoy/profiles/cia402/values.hpp"
 
 namespace canvoy::cia417 {
 

@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "canvoy/profiles/cia402_values.hpp"
+#include "canvoy/profiles/cia402/values.hpp"
 
 namespace canvoy::cia417 {
 

@@ -1,0 +1,94 @@
+// What a CAN controller has to send: a queue of fixed size in one of the two orders that real
+// controllers offer.
+//
+//     TransmitQueue queue(storage, TransmitOrder::by_identifier);
+//     queue.push(frame);  send(queue.front().frame);  queue.pop();
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "canvoy/can/frame.hpp"
+#include "canvoy/can/simulated/arbitration.hpp"
+
+namespace canvoy {
+
+enum class TransmitOrder : std::uint8_t {
+  as_queued,      ///< first in, first out
+  by_identifier,  ///< the frame that would win arbitration goes first; equal ones in the order in
+                  ///< which they were queued
+};
+
+/// A frame that waits, with what the bus asks of it again and again.
+struct PendingFrame {
+  Frame frame{};
+  std::uint32_t key = 0;   ///< arbitration_key()
+  std::uint32_t bits = 0;  ///< frame_bits()
+};
+
+/// A ring in storage of the owner. A frame that is on the wire is locked at the front until pop()
+/// or unlock().
+class TransmitQueue {
+ public:
+  constexpr TransmitQueue() = default;
+  constexpr TransmitQueue(std::span<PendingFrame> storage, TransmitOrder order)
+      : storage_(storage), order_(order) {}
+
+  constexpr bool empty() const { return size_ == 0; }
+  constexpr bool full() const { return size_ == storage_.size(); }
+  constexpr std::size_t size() const { return size_; }
+
+  /// False where the queue is full. Constant, or by_identifier linear in the frames that it
+  /// overtakes.
+  constexpr bool push(const PendingFrame& pending) {
+    if (full()) return false;
+    std::size_t place = size_++;
+    if (order_ == TransmitOrder::by_identifier) {
+      const std::size_t first_free = locked_ ? 1 : 0;
+      for (; place > first_free && pending.key < at(place - 1).key; --place) {
+        at(place) = at(place - 1);
+      }
+    }
+    at(place) = pending;
+    return true;
+  }
+
+  /// The next to be sent; the queue must not be empty.
+  constexpr const PendingFrame& front() const { return storage_[head_]; }
+  constexpr void pop() {
+    head_ = head_ + 1 == storage_.size() ? 0 : head_ + 1;
+    --size_;
+    locked_ = false;
+  }
+
+  /// The front is on the wire: nothing overtakes it.
+  constexpr void lock() { locked_ = true; }
+  /// It has to be sent again: what came meanwhile and is more urgent goes first.
+  constexpr void unlock() {
+    locked_ = false;
+    if (order_ != TransmitOrder::by_identifier) return;
+    for (std::size_t place = 1; place < size_ && at(place).key < at(place - 1).key; ++place) {
+      const PendingFrame urgent = at(place);
+      at(place) = at(place - 1);
+      at(place - 1) = urgent;
+    }
+  }
+
+  /// Drops all frames but one that is on the wire.
+  constexpr void clear() { size_ = locked_ ? 1 : 0; }
+
+ private:
+  constexpr PendingFrame& at(std::size_t place) {
+    const std::size_t index = head_ + place;
+    return storage_[index < storage_.size() ? index : index - storage_.size()];
+  }
+
+  std::span<PendingFrame> storage_{};
+  std::size_t head_ = 0;
+  std::size_t size_ = 0;
+  TransmitOrder order_ = TransmitOrder::as_queued;
+  bool locked_ = false;
+};
+
+}  // namespace canvoy

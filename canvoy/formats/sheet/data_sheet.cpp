@@ -1,0 +1,126 @@
+#include "canvoy/formats/sheet/data_sheet.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+
+namespace canvoy::formats {
+
+namespace {
+
+constexpr std::string_view node_id_word = "$NODEID";
+
+std::string without_blanks(std::string_view text) {
+  std::string kept(text);
+  std::erase_if(kept, [](char c) { return c == ' ' || c == '\t'; });
+  return kept;
+}
+
+/// An unsigned number in the notation that its prefix names.
+std::optional<std::uint64_t> parse_magnitude(std::string_view text) {
+  int base = 10;
+  if (text.starts_with("0x") || text.starts_with("0X")) {
+    text.remove_prefix(2);
+    base = 16;
+  } else if (text.size() > 1 && text.starts_with('0') &&
+             text.find_first_not_of("01234567") == std::string_view::npos) {
+    base = 8;
+  }
+  std::uint64_t number = 0;
+  const char* last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, number, base);
+  if (text.empty() || error != std::errc{} || end != last) return std::nullopt;
+  return number;
+}
+
+std::optional<SheetNumber> parse_signed(std::string_view text) {
+  constexpr std::uint64_t greatest = std::numeric_limits<std::int64_t>::max();
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  const auto magnitude = parse_magnitude(text);
+  if (!magnitude || (negative && *magnitude > greatest + 1)) return std::nullopt;
+  const auto number = static_cast<std::int64_t>(negative ? 0 - *magnitude : *magnitude);
+  return SheetNumber{.number = number, .is_pattern = !negative && *magnitude > greatest};
+}
+
+std::optional<SheetNumber> plus_node_id(const std::optional<SheetNumber>& number) {
+  constexpr std::int64_t node_id_max = 127;
+  constexpr std::int64_t number_max = std::numeric_limits<std::int64_t>::max() - node_id_max;
+  if (!number || number->is_pattern || number->number > number_max) return std::nullopt;
+  return SheetNumber{.number = number->number, .plus_node_id = true};
+}
+
+}  // namespace
+
+std::optional<SheetNumber> sheet_number(std::string_view text) {
+  const std::string kept = without_blanks(text);
+  std::string_view rest = kept;
+  const auto is_word = [](std::string_view part) { return same_letters(part, node_id_word); };
+  if (is_word(rest.substr(0, node_id_word.size()))) {
+    rest.remove_prefix(node_id_word.size());
+    if (rest.empty()) return SheetNumber{.plus_node_id = true};
+    return rest.starts_with('+') ? plus_node_id(parse_signed(rest.substr(1))) : std::nullopt;
+  }
+  const std::size_t plus = rest.find('+', 1);
+  const bool at_end = plus != std::string_view::npos && is_word(rest.substr(plus + 1));
+  return at_end ? plus_node_id(parse_signed(rest.substr(0, plus))) : parse_signed(rest);
+}
+
+const SheetEntry* DataSheet::find(unsigned index, unsigned sub) const {
+  const auto object = objects.find(static_cast<std::uint16_t>(index));
+  if (index > 0xFFFF || sub > 0xFF || object == objects.end()) return nullptr;
+  if (object->second.is_variable()) return sub == 0 ? &object->second.own : nullptr;
+  const auto entry = object->second.subs.find(static_cast<std::uint8_t>(sub));
+  return entry == object->second.subs.end() ? nullptr : &entry->second;
+}
+
+const IniSection* DataSheet::section(std::string_view name) const {
+  const auto found = std::ranges::find_if(
+      sections, [name](const IniSection& each) { return same_letters(each.name, name); });
+  return found == sections.end() ? nullptr : &*found;
+}
+
+std::size_t DataSheet::count_objects(unsigned first, unsigned last) const {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      objects, [=](const auto& object) { return object.first >= first && object.first <= last; }));
+}
+
+std::string_view DataSheet::text(std::string_view section_name, std::string_view key) const {
+  const IniSection* found = section(section_name);
+  return found == nullptr ? std::string_view() : found->value(key).value_or("");
+}
+
+bool is_writable(const SheetEntry& entry) {
+  constexpr std::string_view names[] = {"rw", "rwr", "rww", "wo"};
+  return std::ranges::any_of(
+      names, [&entry](std::string_view name) { return same_letters(name, entry.access); });
+}
+
+SheetObject::Group group_of(unsigned index) {
+  constexpr unsigned manufacturer_first = 0x2000;
+  constexpr unsigned manufacturer_last = 0x5FFF;
+  if (index == 0x1000 || index == 0x1001 || index == 0x1018) return SheetObject::Group::mandatory;
+  const bool own = index >= manufacturer_first && index <= manufacturer_last;
+  return own ? SheetObject::Group::manufacturer : SheetObject::Group::optional;
+}
+
+std::string place_text(unsigned index) {
+  return fmt::format("{:04X}", index);
+}
+std::string place_text(unsigned index, unsigned sub) {
+  return fmt::format("{:04X}sub{:X}", index, sub);
+}
+
+std::optional<unsigned> parse_hex(std::string_view text, std::size_t digits_max) {
+  unsigned number = 0;
+  const char* last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, number, 16);
+  if (text.empty() || text.size() > digits_max || error != std::errc{} || end != last) {
+    return std::nullopt;
+  }
+  return number;
+}
+
+}  // namespace canvoy::formats

@@ -1,0 +1,200 @@
+#include "canvoy/formats/sheet/sheet_scan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "canvoy/canopen/dictionary/object_index.hpp"
+#include "canvoy/formats/sheet/sheet_agreement.hpp"
+#include "canvoy/formats/sheet/sheet_value.hpp"
+#include "canvoy/profiles/registry.hpp"
+
+namespace canvoy::formats {
+
+namespace {
+
+constexpr unsigned last_index = 0xFFFF;
+
+bool is_domain(const SheetEntry& entry) {
+  return entry.data_type == static_cast<unsigned>(DataType::domain);
+}
+
+bool is_readable(const SheetEntry& entry) {
+  return !same_letters(entry.access, "wo") && !is_domain(entry) && entry.data_type != 0;
+}
+
+/// What tells a device from others does not change: its value is its default.
+bool is_fixed(std::uint16_t index) {
+  constexpr std::uint16_t fixed[] = {0x1000, 0x1008, 0x1009, 0x100A, 0x1018};
+  return std::ranges::find(fixed, index) != std::end(fixed);
+}
+
+/// The object as described, at an index that may be in any block of the profile.
+Part part_at(const Profile& profile, const ObjectInfo& object, unsigned index) {
+  const unsigned offset = index - object.index;
+  const unsigned number = offset < object.count ? offset : offset % profile.block_pitch;
+  return Part(object).only(number).moved(offset - number);
+}
+
+std::size_t count_described(const Profile& profile) {
+  std::size_t count = 0;
+  for (unsigned index = object_index::device_type; index <= last_index; ++index) {
+    count += find_description(profile, index) != nullptr;
+  }
+  return count;
+}
+
+std::string value_text(const SheetEntry& entry, std::span<const std::uint8_t> bytes) {
+  const std::optional<DataType> type = sheet_type(entry.data_type);
+  if (!type) return {};
+  return sheet_value_text(*type, bytes).value_or("");
+}
+
+}  // namespace
+
+void SheetScan::tell(std::size_t done, std::size_t all, std::uint16_t index) const {
+  if (tell_) tell_({done, all, index});
+}
+
+void SheetScan::read_values(DataSheet& sheet) {
+  std::size_t done = 0;
+  for (auto& [index, object] : sheet.objects) {
+    tell(done++, sheet.objects.size(), index);
+    object.own.value.clear();
+    if (object.is_variable()) read_entry(index, 0, object.own);
+    for (auto& [sub, entry] : object.subs) read_entry(index, sub, entry);
+  }
+}
+
+void SheetScan::read_entry(std::uint16_t index, std::uint8_t sub, SheetEntry& entry) {
+  entry.value.clear();
+  if (index < object_index::device_type || !is_readable(entry)) return;
+  const Result<Bytes> answer = read_(index, sub);
+  note(index, sub, entry, answer);
+  const auto type = sheet_type(entry.data_type);
+  if (answer && type) entry.value = sheet_value_text(*type, *answer).value_or("");
+}
+
+void SheetScan::read_domains(DataSheet& sheet, const Keep& keep) {
+  for (auto& [index, object] : sheet.objects) {
+    if (object.is_variable()) read_domain(index, 0, object.own, keep);
+    for (auto& [sub, entry] : object.subs) read_domain(index, sub, entry, keep);
+  }
+}
+
+void SheetScan::read_domain(std::uint16_t index, std::uint8_t sub, SheetEntry& entry,
+                            const Keep& keep) {
+  if (index < object_index::device_type || !is_domain(entry) || same_letters(entry.access, "wo"))
+    return;
+  const Result<Bytes> answer = read_(index, sub);
+  if (!answer) {
+    unread_.push_back({index, sub, entry.name, answer.abort(), ""});
+    return;
+  }
+  constexpr std::string_view key = "UploadFile";
+  std::erase_if(entry.others, [key](const KeyValue& each) { return same_letters(each.key, key); });
+  entry.others.push_back({std::string(key), keep(index, sub, *answer)});
+  ++count_;
+}
+
+/// Counts what was read, and keeps what was not.
+void SheetScan::note(std::uint16_t index, std::uint8_t sub, const SheetEntry& entry,
+                     const Result<Bytes>& answer) {
+  if (!answer) {
+    // An error that has not happened yet has no place in the history.
+    const bool is_empty = index == object_index::error_history && sub != 0;
+    if (!is_empty) unread_.push_back({index, sub, entry.name, answer.abort(), ""});
+    return;
+  }
+  const auto type = sheet_type(entry.data_type);
+  if (!type) {
+    unread_.push_back({index, sub, entry.name, AbortCode::none,
+                       fmt::format("values of DataType 0x{:04X} are not known", entry.data_type)});
+  } else if (!sheet_value_text(*type, *answer)) {
+    const bool is_text = is_string(*type);
+    unread_.push_back({index, sub, entry.name, AbortCode::none,
+                       is_text ? "the text does not fit into a line of a file"
+                               : fmt::format("the node has {} bytes there, and the type {}",
+                                             answer->size(), byte_length(*type))});
+  } else {
+    ++count_;
+  }
+}
+
+DataSheet SheetScan::read_profile(const Profile& profile, SheetIdentity identity) {
+  const SheetIdentity known = identity;
+  identity.node_id = 0;
+  SheetMaker maker(profile, std::move(identity));
+  std::map<std::uint16_t, Answers> found;
+  const std::size_t all = count_described(profile);
+  std::size_t done = 0;
+  for (unsigned index = object_index::device_type; index <= last_index; ++index) {
+    const ObjectInfo* object = find_description(profile, index);
+    if (object == nullptr) continue;
+    tell(done++, all, static_cast<std::uint16_t>(index));
+    Answers answers = ask_object(static_cast<std::uint16_t>(index), *object);
+    if (answers.empty()) continue;
+    maker.add(part_at(profile, *object, index));
+    found.emplace(static_cast<std::uint16_t>(index), std::move(answers));
+  }
+  DataSheet sheet = maker.take();
+  for (const auto& [index, answers] : found) fill(index, sheet.objects[index], answers);
+  make_agree(sheet);
+  commission(sheet, known);
+  return sheet;
+}
+
+/// What the node answers for each entry that is there; nothing where the object is not.
+SheetScan::Answers SheetScan::ask_object(std::uint16_t index, const ObjectInfo& object) {
+  Answers answers;
+  for (const EntryInfo& entry : object.entries()) {
+    if (entry.type == DataType::domain) continue;
+    ask_entries(index, entry, answers);
+    if (answers.empty()) return answers;  // not even its first entry
+  }
+  return answers;
+}
+
+void SheetScan::ask_entries(std::uint16_t index, const EntryInfo& entry, Answers& answers) {
+  for (unsigned sub = entry.sub_first; sub <= entry.last_sub(); ++sub) {
+    const auto first = answers.find(0);
+    const bool has_highest = first != answers.end() && first->second && first->second->size() == 1;
+    const unsigned highest = has_highest ? first->second->front() : 0;
+    Result<Bytes> answer = read_(index, static_cast<std::uint8_t>(sub));
+    const AbortCode abort = answer.abort();
+    if (!is_absent(abort)) answers.emplace(static_cast<std::uint8_t>(sub), std::move(answer));
+    const bool is_end = is_absent(abort) || abort == AbortCode::no_data;
+    if (is_end && sub >= highest) return;
+  }
+}
+
+/// Puts answers into the object of a sheet, which has all that is described.
+void SheetScan::fill(std::uint16_t index, SheetObject& object, const Answers& answers) {
+  const auto put = [&](std::uint8_t sub, SheetEntry& entry) {
+    const Result<Bytes>& answer = answers.at(sub);
+    if (answer.abort() != AbortCode::write_only) note(index, sub, entry, answer);
+    if (answer) entry.value = value_text(entry, *answer);
+  };
+  if (object.is_variable()) {
+    put(0, object.own);
+    if (is_fixed(index)) object.own.default_value = object.own.value;
+    return;
+  }
+  const Result<Bytes>& count = answers.begin()->second;
+  const unsigned highest = count && count->size() == 1 ? count->front() : 0U;
+  // Domains are not asked for: those are there that sub-index 00h counts.
+  const auto is_there = [&](std::uint8_t sub, const SheetEntry& entry) {
+    return answers.contains(sub) || (is_domain(entry) && sub <= highest);
+  };
+  std::erase_if(object.subs, [&](const auto& each) { return !is_there(each.first, each.second); });
+  for (auto& [sub, entry] : object.subs) {
+    if (!answers.contains(sub)) continue;
+    put(sub, entry);
+    if (is_fixed(index)) entry.default_value = entry.value;
+  }
+  const auto first = object.subs.find(0);
+  if (first == object.subs.end() || first->second.access.starts_with("rw")) return;
+  first->second.default_value = sheet_number_text(object.subs.rbegin()->first, DataType::unsigned8);
+}
+
+}  // namespace canvoy::formats

@@ -1,0 +1,243 @@
+// Vector ASC: `   3.098426 1  18EBFF00x       Rx d 8 01 A0 0F A6 60 3B D1 40`, behind a header that
+// says when it began, in which base its numbers are, and whether times count from the line before.
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <string_view>
+
+#include "canvoy/formats/trace/trace_error.hpp"
+#include "canvoy/formats/trace/trace_fields.hpp"
+#include "canvoy/formats/trace/trace_parser.hpp"
+#include "canvoy/formats/trace/trace_scanner.hpp"
+#include "canvoy/formats/trace/trace_text.hpp"
+
+namespace canvoy::formats {
+
+namespace {
+
+constexpr std::int64_t second_max = 1'000'000'000'000;  // times 10^6, it fits in 63 bits
+
+constexpr TraceStep note{TraceItem::note, 0, {}};
+
+class AscParser final : public TraceLineParser {
+ public:
+  AscParser() : TraceLineParser(Behind::end_of_line) {}
+  TraceFormat format() const override { return TraceFormat::asc; }
+
+ protected:
+  TraceStep read_line(std::string_view line, TraceFrame& frame) override;
+
+ private:
+  TraceStep read_header(std::string_view line);
+  bool read_usual_line(std::string_view line, TraceFrame& frame);
+  bool read_time(std::string_view word, Time& time);
+  TraceStep read_event(std::string_view channel, std::string_view rest, TraceFrame& frame);
+  TraceStep read_fd_event(std::string_view rest, TraceFrame& frame);
+  bool read_identifier(std::string_view word, Frame& frame) const;
+  TraceStep read_content(std::string_view rest, Frame& frame) const;
+  TraceStep read_remote(std::string_view rest, Frame& frame) const;
+
+  TraceChannel channel_;
+  Duration start_{};
+  std::int64_t latest_ = 0;
+  bool hexadecimal_ = true;
+  bool relative_ = false;
+};
+
+TraceStep AscParser::read_line(std::string_view line, TraceFrame& frame) {
+  if (read_usual_line(line, frame)) return {TraceItem::frame, 0, {}};
+  skip_blanks(line);
+  if (line.empty() || line.front() < '0' || line.front() > '9') return read_header(line);
+  if (!read_time(take_word(line), frame.time)) return bad_record("the time is no number");
+  const std::string_view channel = take_word(line);
+  return read_event(channel, line, frame);
+}
+
+// What nearly all lines look like, in a fraction of the time of the careful way; whatever is
+// written otherwise is left to that.
+bool AscParser::read_usual_line(std::string_view line, TraceFrame& frame) {
+  if (!hexadecimal_ || relative_) return false;
+  TraceScanner scanner(line);
+  std::int64_t microseconds = 0;
+  unsigned channel = 0;
+  scanner.skip_blanks();
+  if (!scanner.take_fixed<microsecond_digits>(microseconds) || !scanner.take_blanks()) return false;
+  if (!scanner.take_number(channel) || !scanner.take_blanks()) return false;
+  frame.channel = channel_.name(channel);
+  frame.frame = {};
+  if (frame.channel.empty() || scanner.take_hex(frame.frame.id) == 0) return false;
+  const bool extended = scanner.take('x');
+  frame.frame.flags = extended ? FrameFlags::extended : FrameFlags::none;
+  if (frame.frame.id > (extended ? Frame::extended_id_max : Frame::id_max)) return false;
+  if (!scanner.take_blanks()) return false;
+  const char direction = scanner.take_direction();
+  unsigned length = 0;
+  if (direction == 0 || !scanner.take_blanks() || !scanner.take('d') || !scanner.take_blanks() ||
+      !scanner.take_digit(length) || !scanner.take_bytes(length, frame.frame)) {
+    return false;
+  }
+  frame.direction = direction == 'R' ? TraceDirection::received : TraceDirection::sent;
+  latest_ = microseconds;
+  frame.time = Time{start_ + Duration{latest_}};
+  return true;
+}
+
+TraceStep AscParser::read_header(std::string_view line) {
+  const std::string_view word = take_word(line);
+  if (word == "date") {
+    read_asc_date(line, start_);
+    return note;
+  }
+  if (word == "base") {
+    const std::string_view base = take_word(line);
+    if (base != "hex" && base != "dec") return bad_record("the base is neither hex nor dec");
+    hexadecimal_ = base == "hex";
+    relative_ = line.find("relative") != std::string_view::npos;
+    return note;
+  }
+  if (word.empty() || word.starts_with("//")) return note;
+  if (word == "Begin" || word == "End" || word == "internal" || word == "no") return note;
+  return bad_record("it begins neither with a time nor with a word of the header");
+}
+
+bool AscParser::read_time(std::string_view word, Time& time) {
+  std::int64_t microseconds = 0;
+  if (!read_fixed(word, microsecond_digits, microseconds)) return false;
+  if (relative_) microseconds += latest_;
+  if (microseconds > second_max * 1'000'000) return false;
+  latest_ = microseconds;
+  time = Time{start_ + Duration{latest_}};
+  return true;
+}
+
+// `ECC: 10100010`: the register of an SJA1000, in bits.
+bool read_bits(std::string_view word, unsigned& value) {
+  constexpr std::size_t bits = 8;
+  value = 0;
+  for (const char c : word) {
+    if (c != '0' && c != '1') return false;
+    value = value << 1 | (c == '1' ? 1U : 0U);
+  }
+  return word.size() == bits;
+}
+
+// `Flags = 0xe CodeExt = 0x20a2 Code = 0x82 ID = 0 DLC = 0`: the flags say whose register the code
+// is.
+TraceError read_asc_error(std::string_view rest) {
+  std::uint32_t flags = 0;
+  std::uint32_t code = 0;
+  unsigned bits = 0;
+  for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
+    if (word == "ECC:")
+      return read_bits(take_word(rest), bits) ? sja1000_error(bits) : TraceError{};
+    if (word != "Flags" && word != "Code") continue;
+    std::uint32_t& value = word == "Flags" ? flags : code;
+    std::string_view number = take_word(rest) == "=" ? take_word(rest) : std::string_view{};
+    if (number.starts_with("0x")) number.remove_prefix(2);
+    if (!read_hex(number, value)) return {};
+  }
+  return vector_error(flags, code);
+}
+
+// An event that is no frame has a word instead of the channel, or behind it.
+TraceStep AscParser::read_event(std::string_view channel, std::string_view rest,
+                                TraceFrame& frame) {
+  if (channel == "CANFD") return read_fd_event(rest, frame);
+  std::int64_t number = 0;
+  if (!read_decimal(channel, number)) return note;
+  frame.channel = channel_.name(number);
+  if (frame.channel.empty()) return bad_record("the channel is not 1 to 255");
+  const std::string_view identifier = take_word(rest);
+  frame.direction = TraceDirection::unknown;
+  frame.frame = {};
+  if (identifier == "ErrorFrame") {
+    frame.frame = trace_error_frame(read_asc_error(rest));
+    return {TraceItem::frame, 0, {}};
+  }
+  const std::string_view direction = take_word(rest);
+  if (direction != "Rx" && direction != "Tx") return note;
+  frame.direction = direction == "Rx" ? TraceDirection::received : TraceDirection::sent;
+  if (!read_identifier(identifier, frame.frame)) return bad_record("the identifier is no number");
+  return read_content(rest, frame.frame);
+}
+
+// `CANFD 1 Rx 185 name 0 0 2 2 1E 2F 130000 130 1000 ...`: BRS, ESI, data length code, length,
+// bytes, duration, bits, flags. The name may be missing. A CAN FD channel carries classic frames
+// too.
+TraceStep AscParser::read_fd_event(std::string_view rest, TraceFrame& frame) {
+  constexpr TraceStep fd{TraceItem::fd, 0, {}};
+  constexpr std::uint32_t remote_bit = 0x10;
+  constexpr std::uint32_t fd_flag = 0x1000;
+  std::int64_t channel = 0;
+  if (!read_decimal(take_word(rest), channel)) return fd;
+  const std::string_view direction = take_word(rest);
+  Frame content;
+  if (!read_identifier(take_word(rest), content)) return fd;
+  const std::string_view name_or_brs = take_word(rest);
+  if (name_or_brs != "0" && name_or_brs != "1") take_word(rest);
+  take_word(rest);
+  std::uint32_t code = 0;
+  std::int64_t length = 0;
+  if (!read_hex(take_word(rest), code) || !read_decimal(take_word(rest), length)) return fd;
+  const bool has_bytes = length >= 0 && length <= Frame::length_max &&
+                         take_bytes(rest, static_cast<unsigned>(length), hexadecimal_, content);
+  if (!has_bytes) return fd;
+  take_word(rest);
+  take_word(rest);
+  std::uint32_t flags = fd_flag;
+  if (!read_hex(take_word(rest), flags) || (flags & fd_flag) != 0) return fd;
+  if ((flags & remote_bit) != 0) {
+    content.flags = content.flags | FrameFlags::remote;
+    content.data.fill(0);
+    content.length = static_cast<std::uint8_t>(std::min<std::uint32_t>(code, Frame::length_max));
+  }
+  frame.channel = channel_.name(channel);
+  if (frame.channel.empty()) return bad_record("the channel is not 1 to 255");
+  frame.direction = direction == "Tx" ? TraceDirection::sent : TraceDirection::received;
+  frame.frame = content;
+  return {TraceItem::frame, 0, {}};
+}
+
+bool AscParser::read_identifier(std::string_view word, Frame& frame) const {
+  const bool extended = word.ends_with('x');
+  if (extended) word.remove_suffix(1);
+  std::uint32_t hexadecimal = 0;
+  std::int64_t number = 0;
+  if (hexadecimal_ ? !read_hex(word, hexadecimal) : !read_decimal(word, number)) return false;
+  if (hexadecimal_) number = hexadecimal;
+  frame.id = static_cast<std::uint32_t>(number & Frame::extended_id_max);
+  frame.flags = extended ? FrameFlags::extended : FrameFlags::none;
+  return number <= (extended ? Frame::extended_id_max : Frame::id_max);
+}
+
+TraceStep AscParser::read_content(std::string_view rest, Frame& frame) const {
+  const std::string_view kind = take_word(rest);
+  if (kind == "r") return read_remote(rest, frame);
+  if (kind != "d") return bad_record("behind the direction is neither d nor r");
+  std::uint32_t code = 0;
+  const std::string_view code_word = take_word(rest);
+  if (code_word.size() != 1 || !read_hex(code_word, code))
+    return bad_record("the data length code is not 0 to F");
+  const unsigned length = code < Frame::length_max ? code : Frame::length_max;
+  if (!take_bytes(rest, length, hexadecimal_, frame))
+    return bad_record("there are fewer bytes than the data length code says, or they are no bytes");
+  return {TraceItem::frame, 0, {}};
+}
+
+// Older programs write no length; newer ones go on with `Length = 1704000`.
+TraceStep AscParser::read_remote(std::string_view rest, Frame& frame) const {
+  std::uint32_t code = 0;
+  const std::string_view word = take_word(rest);
+  if (word.size() == 1 && !read_hex(word, code)) return bad_record("the length is not 0 to F");
+  frame.flags = frame.flags | FrameFlags::remote;
+  frame.length = static_cast<std::uint8_t>(code < Frame::length_max ? code : Frame::length_max);
+  return {TraceItem::frame, 0, {}};
+}
+
+}  // namespace
+
+std::unique_ptr<TraceParser> make_asc_parser() {
+  return std::make_unique<AscParser>();
+}
+
+}  // namespace canvoy::formats

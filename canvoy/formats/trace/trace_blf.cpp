@@ -1,0 +1,339 @@
+// Vector BLF: a header that says when it began, then objects behind `LOBJ`, most of them within
+// containers that zlib has compressed. An object may begin in one container and end in the next.
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "canvoy/formats/trace/inflater.hpp"
+#include "canvoy/formats/trace/trace_error.hpp"
+#include "canvoy/formats/trace/trace_fields.hpp"
+#include "canvoy/formats/trace/trace_packet.hpp"
+#include "canvoy/formats/trace/trace_parser.hpp"
+
+namespace canvoy::formats {
+
+namespace {
+
+constexpr std::string_view object_mark = "LOBJ";
+constexpr std::size_t file_header_size = 144;
+constexpr std::size_t start_at = 40;  ///< eight numbers of 16 bits
+constexpr std::size_t base_size = 16;
+constexpr std::size_t header_size = 32;
+constexpr std::size_t container_header_size = 32;
+constexpr std::size_t padding_max = 7;
+constexpr std::uint64_t microseconds_max = 1'000'000'000'000'000;
+
+enum class Kind : std::uint32_t {
+  message = 1,
+  error = 2,
+  container = 10,
+  error_ext = 73,
+  message_2 = 86,
+  fd_message = 100,
+  fd_message_64 = 101,
+};
+
+constexpr FileNumbers numbers{};
+constexpr TraceStep of_no_interest{TraceItem::note, 0, {}};
+constexpr TraceStep short_object = bad_record("the object is shorter than its kind");
+
+std::uint8_t byte_at(std::string_view bytes, std::size_t at) {
+  return static_cast<std::uint8_t>(bytes[at]);
+}
+
+std::uint32_t size_of(std::string_view object) {
+  return numbers.u32(object, 8);
+}
+
+Kind kind_of(std::string_view object) {
+  return Kind{numbers.u32(object, 12)};
+}
+
+/// Year, month, day of the week, day, hour, minute, second, millisecond; none where it is no date.
+Duration date_of(std::string_view header) {
+  const auto number = [&](std::size_t place) { return numbers.u16(header, start_at + 2 * place); };
+  const std::chrono::year_month_day date{
+      std::chrono::year{number(0)}, std::chrono::month{number(1)}, std::chrono::day{number(3)}};
+  if (!date.ok() || number(0) < 1970) return {};
+  return std::chrono::sys_days{date}.time_since_epoch() + std::chrono::hours{number(4)} +
+         std::chrono::minutes{number(5)} + std::chrono::seconds{number(6)} +
+         std::chrono::milliseconds{number(7)};
+}
+
+class BlfParser final : public TraceParser {
+ public:
+  TraceFormat format() const override { return TraceFormat::blf; }
+  bool has_lines() const override { return false; }
+  TraceStep step(std::string_view bytes, bool last, TraceFrame& frame) override;
+
+ private:
+  enum class In : std::uint8_t { file_header, file, container };
+
+  TraceStep read_file_header(std::string_view bytes, bool last);
+  TraceStep read_outer(std::string_view bytes, bool last, TraceFrame& frame);
+  TraceStep read_container(std::string_view bytes);
+  bool read_inner(TraceFrame& frame, TraceStep& step);
+  void drop(std::size_t count);
+  TraceStep read_object(std::string_view object, TraceFrame& frame);
+  TraceStep read_kind(Kind kind, std::string_view content, TraceFrame& frame);
+  TraceStep read_message(std::string_view content, TraceFrame& frame);
+  TraceStep read_error(Kind kind, std::string_view content, TraceFrame& frame);
+  TraceStep read_fd_message(std::string_view content, TraceFrame& frame);
+  TraceStep read_fd_message_64(std::string_view content, TraceFrame& frame);
+  bool set_channel(unsigned number, bool sent, TraceFrame& frame);
+  static bool set_identifier(std::uint32_t word, bool remote, Frame& frame);
+  static TraceStep set_data(unsigned code, std::string_view data, Frame& frame);
+
+  In in_ = In::file_header;
+  Duration start_{};
+  TraceChannel channel_;
+  Inflater inflater_{Inflater::Of::zlib};
+  bool is_compressed_ = false;
+  bool is_damaged_ = false;       ///< what is left of the container is passed over
+  bool has_more_ = false;         ///< the inflater, of what it was given
+  std::size_t owed_ = 0;          ///< bytes that were looked at, and are to be taken
+  std::uint64_t left_ = 0;        ///< of the container
+  std::uint64_t inner_pass_ = 0;  ///< of a long object that is of no interest
+  std::string inner_;             ///< what the containers held, from done_ on not yet read
+  std::size_t done_ = 0;
+};
+
+TraceStep BlfParser::step(std::string_view bytes, bool last, TraceFrame& frame) {
+  if (in_ == In::file_header) return read_file_header(bytes, last);
+  TraceStep step;
+  if (read_inner(frame, step)) return step;
+  return in_ == In::container ? read_container(bytes) : read_outer(bytes, last, frame);
+}
+
+TraceStep BlfParser::read_file_header(std::string_view bytes, bool last) {
+  if (bytes.size() < file_header_size) {
+    return last ? TraceStep{TraceItem::bad, bytes.size(), "the file ends within its header"}
+                : TraceStep{};
+  }
+  in_ = In::file;
+  start_ = date_of(bytes);
+  return {TraceItem::note, std::max<std::uint64_t>(numbers.u32(bytes, 4), file_header_size), {}};
+}
+
+TraceStep BlfParser::read_outer(std::string_view bytes, bool last, TraceFrame& frame) {
+  const std::size_t at = bytes.find(object_mark);
+  if (at == std::string_view::npos) {
+    if (!last && bytes.size() < trace_record_max) return {};
+    const bool is_padding = last && bytes.size() <= padding_max;
+    const TraceItem item = is_padding ? TraceItem::remainder : TraceItem::bad;
+    return {item, bytes.size(), "no object begins there"};
+  }
+  if (at > padding_max) return {TraceItem::bad, at, "no object begins there"};
+  if (at > 0) return {TraceItem::remainder, at, {}};
+  const TraceStep cut{TraceItem::bad, bytes.size(), "the file ends within an object"};
+  if (bytes.size() < container_header_size) return last ? cut : TraceStep{};
+  const std::uint64_t size = size_of(bytes);
+  if (size < header_size) return {TraceItem::bad, base_size, "the object has no size"};
+  if (kind_of(bytes) == Kind::container) {
+    is_compressed_ = numbers.u16(bytes, base_size) != 0;
+    is_damaged_ = false;
+    left_ = size - container_header_size;
+    in_ = left_ > 0 ? In::container : In::file;
+    inflater_.begin_again();
+    return {TraceItem::remainder, container_header_size, {}};
+  }
+  if (size > trace_record_max) return {TraceItem::note, size, {}};
+  if (bytes.size() < size) return last ? cut : TraceStep{};
+  TraceStep step = read_object(bytes.substr(0, static_cast<std::size_t>(size)), frame);
+  step.taken = size;
+  return step;
+}
+
+// A piece of the container, as much as there is room for. Its bytes are taken from the file when
+// what they hold was read: behind the last byte of a file nothing is asked for any more.
+TraceStep BlfParser::read_container(std::string_view bytes) {
+  bytes = bytes.substr(0, static_cast<std::size_t>(std::min<std::uint64_t>(left_, bytes.size())));
+  if (owed_ > 0 && !has_more_) {
+    const std::size_t taken = std::exchange(owed_, 0);
+    left_ -= taken;
+    if (left_ == 0) in_ = In::file;
+    return {TraceItem::remainder, taken, {}};
+  }
+  if (is_damaged_ || !is_compressed_) {
+    if (!is_damaged_) inner_ += bytes;
+    owed_ = bytes.size();
+    return {TraceItem::remainder, 0, {}};
+  }
+  const std::size_t before = inner_.size();
+  inner_.resize(before + trace_record_max);
+  const Inflater::Step step = inflater_.run(bytes.substr(owed_), std::span(inner_).subspan(before));
+  inner_.resize(before + step.made);
+  const bool is_stuck = owed_ == 0 && step.taken == 0 && step.made == 0;
+  const bool goes_on = step.state == Inflater::State::goes_on && !is_stuck;
+  has_more_ = goes_on && step.made == trace_record_max;
+  is_damaged_ = !goes_on && step.state != Inflater::State::ended;
+  owed_ = goes_on ? owed_ + step.taken : bytes.size();
+  if (!is_damaged_) return {TraceItem::remainder, 0, {}};
+  return bad_record("the compressed data of the container are damaged");
+}
+
+void BlfParser::drop(std::size_t count) {
+  done_ += count;
+  if (done_ < inner_.size() && done_ < trace_record_max) return;
+  inner_.erase(0, done_);
+  done_ = 0;
+}
+
+/// False where nothing whole is left of what the containers held so far.
+bool BlfParser::read_inner(TraceFrame& frame, TraceStep& step) {
+  while (true) {
+    std::string_view rest = std::string_view(inner_).substr(done_);
+    const std::uint64_t passed = std::min<std::uint64_t>(inner_pass_, rest.size());
+    inner_pass_ -= passed;
+    drop(static_cast<std::size_t>(passed));
+    rest = std::string_view(inner_).substr(done_);
+    if (rest.size() < header_size) return false;
+    const std::size_t at = rest.find(object_mark);
+    if (at > padding_max) {
+      step = {TraceItem::bad, 0, "no object begins there"};
+      drop(at == std::string_view::npos ? rest.size() - object_mark.size() + 1 : at);
+      return true;
+    }
+    if (at > 0) {
+      drop(at);
+      continue;
+    }
+    const std::uint64_t size = size_of(rest);
+    if (size < header_size) {
+      step = {TraceItem::bad, 0, "the object has no size"};
+      drop(base_size);
+      return true;
+    }
+    if (size > trace_record_max) {
+      step = of_no_interest;
+      inner_pass_ = size;
+      return true;
+    }
+    if (rest.size() < size) return false;
+    step = read_object(rest.substr(0, static_cast<std::size_t>(size)), frame);
+    step.taken = 0;
+    drop(static_cast<std::size_t>(size));
+    return true;
+  }
+}
+
+TraceStep BlfParser::read_object(std::string_view object, TraceFrame& frame) {
+  constexpr std::uint32_t ten_microseconds = 1;
+  const std::uint16_t own_size = numbers.u16(object, 4);
+  const Kind kind = kind_of(object);
+  if (own_size < header_size || own_size > object.size()) return of_no_interest;
+  const std::uint64_t count = numbers.u64(object, 24);
+  const bool is_coarse = numbers.u32(object, base_size) == ten_microseconds;
+  const std::uint64_t microseconds = is_coarse ? count * 10 : (count / 100 + 5) / 10;
+  if (count / 1000 > microseconds_max || microseconds > microseconds_max * 10) {
+    return bad_record("the time is beyond all");
+  }
+  frame.time = Time{start_ + Duration{static_cast<std::int64_t>(microseconds)}};
+  frame.frame = {};
+  return read_kind(kind, object.substr(own_size), frame);
+}
+
+TraceStep BlfParser::read_kind(Kind kind, std::string_view content, TraceFrame& frame) {
+  switch (kind) {
+    case Kind::message:
+    case Kind::message_2:
+      return read_message(content, frame);
+    case Kind::error:
+    case Kind::error_ext:
+      return read_error(kind, content, frame);
+    case Kind::fd_message:
+      return read_fd_message(content, frame);
+    case Kind::fd_message_64:
+      return read_fd_message_64(content, frame);
+    case Kind::container:
+      break;
+  }
+  return of_no_interest;
+}
+
+bool BlfParser::set_channel(unsigned number, bool sent, TraceFrame& frame) {
+  frame.channel = channel_.name(number);
+  frame.direction = sent ? TraceDirection::sent : TraceDirection::received;
+  return !frame.channel.empty();
+}
+
+bool BlfParser::set_identifier(std::uint32_t word, bool remote, Frame& frame) {
+  const bool is_extended = (word & extended_flag) != 0;
+  frame.id = word & ~extended_flag;
+  frame.flags = is_extended ? FrameFlags::extended : FrameFlags::none;
+  if (remote) frame.flags = frame.flags | FrameFlags::remote;
+  return frame.id <= (is_extended ? Frame::extended_id_max : Frame::id_max);
+}
+
+TraceStep BlfParser::set_data(unsigned code, std::string_view data, Frame& frame) {
+  frame.length = static_cast<std::uint8_t>(std::min<unsigned>(code, Frame::length_max));
+  if (frame.is_remote()) return {TraceItem::frame, 0, {}};
+  if (data.size() < frame.length) return short_object;
+  for (std::size_t at = 0; at < frame.length; ++at) frame.data.at(at) = byte_at(data, at);
+  return {TraceItem::frame, 0, {}};
+}
+
+constexpr TraceStep bad_channel = bad_record("the channel is not 1 to 255");
+constexpr TraceStep bad_identifier = bad_record("the identifier has more bits than there are");
+constexpr std::uint8_t sent_bit = 0x01;
+constexpr std::uint8_t remote_bit = 0x80;
+
+// Channel, flags, data length code, identifier, data.
+TraceStep BlfParser::read_message(std::string_view content, TraceFrame& frame) {
+  if (content.size() < 16) return short_object;
+  const std::uint8_t flags = byte_at(content, 2);
+  if (!set_channel(numbers.u16(content, 0), (flags & sent_bit) != 0, frame)) return bad_channel;
+  if (!set_identifier(numbers.u32(content, 4), (flags & remote_bit) != 0, frame.frame)) {
+    return bad_identifier;
+  }
+  return set_data(byte_at(content, 3), content.substr(8, Frame::length_max), frame.frame);
+}
+
+// Only the extended object has the register of the controller, behind the flags that say which.
+TraceStep BlfParser::read_error(Kind kind, std::string_view content, TraceFrame& frame) {
+  if (content.size() < (kind == Kind::error ? 4U : 32U)) return short_object;
+  if (!set_channel(numbers.u16(content, 0), false, frame)) return bad_channel;
+  frame.direction = TraceDirection::unknown;
+  frame.frame = kind == Kind::error
+                    ? trace_error_frame()
+                    : trace_error_frame(vector_error(numbers.u32(content, 4), byte_at(content, 8)));
+  return {TraceItem::frame, 0, {}};
+}
+
+TraceStep BlfParser::read_fd_message(std::string_view content, TraceFrame& frame) {
+  constexpr std::uint8_t fd_flag = 0x01;
+  if (content.size() < 20) return short_object;
+  if ((byte_at(content, 13) & fd_flag) != 0) return {TraceItem::fd, 0, {}};
+  const std::uint8_t flags = byte_at(content, 2);
+  if (!set_channel(numbers.u16(content, 0), (flags & sent_bit) != 0, frame)) return bad_channel;
+  if (!set_identifier(numbers.u32(content, 4), (flags & remote_bit) != 0, frame.frame)) {
+    return bad_identifier;
+  }
+  return set_data(byte_at(content, 3), content.substr(20), frame.frame);
+}
+
+TraceStep BlfParser::read_fd_message_64(std::string_view content, TraceFrame& frame) {
+  constexpr std::uint32_t fd_flag = 0x1000;
+  constexpr std::uint32_t remote_bit_64 = 0x10;
+  if (content.size() < 40) return short_object;
+  const std::uint32_t flags = numbers.u32(content, 12);
+  if ((flags & fd_flag) != 0) return {TraceItem::fd, 0, {}};
+  if (!set_channel(byte_at(content, 0), byte_at(content, 34) != 0, frame)) return bad_channel;
+  if (!set_identifier(numbers.u32(content, 4), (flags & remote_bit_64) != 0, frame.frame)) {
+    return bad_identifier;
+  }
+  return set_data(byte_at(content, 1), content.substr(40), frame.frame);
+}
+
+}  // namespace
+
+std::unique_ptr<TraceParser> make_blf_parser() {
+  return std::make_unique<BlfParser>();
+}
+
+}  // namespace canvoy::formats

@@ -1,0 +1,50 @@
+#include "canvoy/formats/trace/trace_packet.hpp"
+
+#include <cstring>
+
+namespace canvoy::formats {
+
+namespace {
+
+constexpr std::uint8_t fd_flag = 0x04;
+constexpr std::size_t header_size = 8;
+
+FrameFlags flags_of(std::uint32_t word) {
+  if ((word & error_flag) != 0) return FrameFlags::error;
+  const FrameFlags flags = (word & extended_flag) != 0 ? FrameFlags::extended : FrameFlags::none;
+  return (word & remote_flag) != 0 ? flags | FrameFlags::remote : flags;
+}
+
+}  // namespace
+
+TraceStep read_can_packet(std::string_view packet, Frame& frame) {
+  if (packet.size() < header_size) return bad_record("the packet is shorter than a CAN frame");
+  const std::uint32_t word = FileNumbers{true}.u32(packet, 0);
+  const auto length = static_cast<std::uint8_t>(packet[4]);
+  const auto fd_flags = static_cast<std::uint8_t>(packet[5]);
+  if (length > Frame::length_max || (fd_flags & fd_flag) != 0) return {TraceItem::fd, 0, {}};
+  frame = {};
+  frame.flags = flags_of(word);
+  frame.length = length;
+  frame.id = word & Frame::extended_id_max;
+  if (!frame.is_extended() && !frame.is_error() && frame.id > Frame::id_max)
+    return bad_record("the identifier has more than 11 bits, but not the flag of 29");
+  if (frame.is_remote()) return {TraceItem::frame, 0, {}};
+  if (packet.size() < header_size + length)
+    return bad_record("the packet has fewer bytes than its length says");
+  std::memcpy(frame.data.data(), packet.data() + header_size, length);
+  return {TraceItem::frame, 0, {}};
+}
+
+void append_can_packet(std::string& bytes, const Frame& frame) {
+  std::uint32_t word = frame.id;
+  if (frame.is_extended()) word |= extended_flag;
+  if (frame.is_remote()) word |= remote_flag;
+  if (frame.is_error()) word |= error_flag;
+  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(word >> shift & 0xFF);
+  bytes += static_cast<char>(frame.length);
+  bytes.append(3, '\0');
+  for (const std::uint8_t byte : frame.payload()) bytes += static_cast<char>(byte);
+}
+
+}  // namespace canvoy::formats

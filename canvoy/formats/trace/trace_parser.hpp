@@ -1,0 +1,89 @@
+// How TraceReader sees a format: a parser is shown the bytes that come next and takes one record,
+// a line or a block, from their front.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "canvoy/formats/trace/trace.hpp"
+
+namespace canvoy::formats {
+
+/// A reader's buffer holds the longest record of any format several times.
+inline constexpr std::size_t trace_buffer_size = 256 * 1024;
+inline constexpr std::size_t trace_record_max = 64 * 1024;
+inline constexpr std::size_t trace_line_max = 4096;
+
+enum class TraceItem : std::uint8_t {
+  frame,
+  note,
+  fd,
+  bad,
+  remainder,  ///< of a record that was already told of
+  more,       ///< more bytes have to be shown than these, which are less than trace_record_max
+};
+
+/// What stood at the front. `taken` may be more than was shown: what follows is passed over.
+struct TraceStep {
+  TraceItem item = TraceItem::more;
+  std::uint64_t taken = 0;
+  std::string_view problem;
+};
+
+constexpr TraceStep bad_record(std::string_view problem) {
+  return {TraceItem::bad, 0, problem};
+}
+
+class TraceParser {
+ public:
+  virtual ~TraceParser() = default;
+  virtual TraceFormat format() const = 0;
+  virtual bool has_lines() const = 0;
+  /// `bytes` are not empty; `last` says that the file ends with them.
+  virtual TraceStep step(std::string_view bytes, bool last, TraceFrame& frame) = 0;
+};
+
+/// A format of lines: a line longer than trace_line_max is bad, and passed over in pieces.
+class TraceLineParser : public TraceParser {
+ public:
+  bool has_lines() const override { return true; }
+  TraceStep step(std::string_view bytes, bool last, TraceFrame& frame) final;
+
+ protected:
+  enum class Behind : std::uint8_t { nothing, end_of_line };
+  /// What may be read behind each line: a TraceScanner needs an end of line there.
+  explicit TraceLineParser(Behind behind = Behind::nothing) : behind_(behind) {}
+
+  /// `line` has no end of line. `taken` of what is returned is not looked at.
+  virtual TraceStep read_line(std::string_view line, TraceFrame& frame) = 0;
+
+ private:
+  TraceStep read_whole_line(std::string_view line, std::uint64_t taken, TraceFrame& frame);
+
+  Behind behind_;
+  bool in_long_line_ = false;
+  std::string last_line_;  ///< of a file that ends without an end of line
+};
+
+/// `are_deltas`: on the screen, times count from the frame before.
+std::unique_ptr<TraceParser> make_candump_parser(bool are_deltas = false);
+std::unique_ptr<TraceParser> make_asc_parser();
+std::unique_ptr<TraceParser> make_trc_parser();
+std::unique_ptr<TraceParser> make_pcapng_parser();
+std::unique_ptr<TraceParser> make_pcap_parser(bool big_endian, bool nanoseconds);
+
+std::unique_ptr<TraceParser> make_blf_parser();
+/// By the names of its columns; null where they are of no CSV that is known.
+std::unique_ptr<TraceParser> make_csv_parser(std::string_view header);
+
+/// The format of a file that begins with `head`, and a parser for it; null where none is known.
+std::unique_ptr<TraceParser> recognize_trace(std::string_view head);
+
+/// What a file of no known format that begins with `head` may be: "a JPEG picture".
+std::string_view looks_like(std::string_view head);
+
+}  // namespace canvoy::formats

@@ -1,0 +1,198 @@
+// pcapng: blocks of sections, interfaces and packets. Packets are read from enhanced packet blocks
+// (type 6), which all programs write today; simple ones have no time, and are passed over.
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "canvoy/formats/trace/pcapng.hpp"
+#include "canvoy/formats/trace/trace_packet.hpp"
+#include "canvoy/formats/trace/trace_parser.hpp"
+
+namespace canvoy::formats {
+
+namespace {
+
+constexpr std::uint32_t byte_order_magic = 0x1A2B3C4D;
+constexpr std::uint16_t option_resolution = 9;
+constexpr std::uint16_t option_offset = 14;
+constexpr std::size_t block_size_min = 12;
+constexpr std::size_t section_size_min = 28;
+constexpr std::size_t interface_options_at = 16;
+constexpr std::size_t packet_at = 28;
+constexpr std::size_t interfaces_max = 256;
+constexpr std::uint64_t whole_rest = std::numeric_limits<std::uint64_t>::max();
+constexpr std::int64_t seconds_max = 1'000'000'000'000;
+
+struct Interface {
+  bool is_can = false;
+  std::string name;
+  std::uint8_t resolution = 6;  // digits behind the point; with bit 7, binary ones
+  std::int64_t offset_seconds = 0;
+};
+
+// The ticks of a time stamp as whole seconds and microseconds, without a number above 64 bits.
+bool read_ticks(std::uint64_t ticks, std::uint8_t resolution, Duration& time) {
+  std::uint64_t seconds = 0;
+  std::uint64_t fraction = 0;
+  unsigned digits = resolution & 0x7FU;
+  if ((resolution & 0x80U) != 0) {
+    if (digits > 63) return false;
+    seconds = ticks >> digits;
+    fraction = ticks - (seconds << digits);
+    for (; digits > 43; --digits) fraction >>= 1;
+    fraction = fraction * 1'000'000 >> digits;
+  } else {
+    if (digits > 19) return false;
+    std::uint64_t per_second = 1;
+    for (unsigned digit = 0; digit < digits; ++digit) per_second *= 10;
+    seconds = ticks / per_second;
+    fraction = ticks % per_second;
+    for (; digits > 6; --digits) fraction /= 10;
+    for (; digits < 6; ++digits) fraction *= 10;
+  }
+  if (seconds > static_cast<std::uint64_t>(seconds_max)) return false;
+  time = std::chrono::seconds{seconds} + Duration{fraction};
+  return true;
+}
+
+class PcapngParser final : public TraceParser {
+ public:
+  TraceFormat format() const override { return TraceFormat::pcapng; }
+  bool has_lines() const override { return false; }
+  TraceStep step(std::string_view bytes, bool last, TraceFrame& frame) override;
+
+ private:
+  TraceStep read_block(std::string_view block, TraceFrame& frame);
+  TraceStep read_interface(std::string_view block);
+  void make_name_unique(std::string& name) const;
+  TraceStep read_packet(std::string_view block, TraceFrame& frame) const;
+  template <class Use>
+  void for_each_option(std::string_view options, const Use& use) const;
+
+  FileNumbers numbers_;
+  std::vector<Interface> interfaces_;
+};
+
+// A length that cannot be leaves nothing by which the next block could be found.
+TraceStep PcapngParser::step(std::string_view bytes, bool last, TraceFrame& frame) {
+  if (bytes.size() < block_size_min) {
+    if (!last) return {};
+    return {TraceItem::bad, bytes.size(), "the file ends within a block"};
+  }
+  if (numbers_.u32(bytes, 0) == section_block) {
+    interfaces_.clear();
+    numbers_.big_endian = FileNumbers{true}.u32(bytes, 8) == byte_order_magic;
+    if (numbers_.u32(bytes, 8) != byte_order_magic)
+      return {TraceItem::bad, whole_rest, "the section has no byte order; its rest is not read"};
+  }
+  const std::uint64_t size = numbers_.u32(bytes, 4);
+  if (size < block_size_min || size % 4 != 0)
+    return {TraceItem::bad, whole_rest, "the block has an impossible length; the rest is not read"};
+  if (size > trace_record_max) {
+    const bool packet = numbers_.u32(bytes, 0) == packet_block;
+    return {packet ? TraceItem::bad : TraceItem::note, size, "the packet is no CAN frame"};
+  }
+  if (bytes.size() < size) {
+    if (!last) return {};
+    return {TraceItem::bad, bytes.size(), "the file ends within a block"};
+  }
+  TraceStep step = read_block(bytes.substr(0, static_cast<std::size_t>(size)), frame);
+  step.taken = size;
+  return step;
+}
+
+TraceStep PcapngParser::read_block(std::string_view block, TraceFrame& frame) {
+  if (numbers_.u32(block, block.size() - 4) != block.size())
+    return bad_record("the lengths at both ends of the block differ");
+  const std::uint32_t type = numbers_.u32(block, 0);
+  if (type == section_block && block.size() < section_size_min)
+    return bad_record("the section's header is too short");
+  if (type == interface_block) return read_interface(block);
+  if (type == packet_block) return read_packet(block, frame);
+  return {TraceItem::note, 0, {}};
+}
+
+template <class Use>
+void PcapngParser::for_each_option(std::string_view options, const Use& use) const {
+  while (options.size() >= 4) {
+    const std::uint16_t code = numbers_.u16(options, 0);
+    const std::size_t length = numbers_.u16(options, 2);
+    const std::size_t padded = 4 + (length + 3) / 4 * 4;
+    if (code == 0 || padded > options.size()) return;
+    use(code, options.substr(4, length));
+    options.remove_prefix(padded);
+  }
+}
+
+TraceStep PcapngParser::read_interface(std::string_view block) {
+  if (block.size() < interface_options_at + 4) return bad_record("the interface is too short");
+  if (interfaces_.size() == interfaces_max) return bad_record("there are more than 256 interfaces");
+  Interface made;
+  made.is_can = numbers_.u16(block, 8) == link_type_can;
+  made.name = "can" + std::to_string(interfaces_.size());
+  const std::string_view options =
+      block.substr(interface_options_at, block.size() - interface_options_at - 4);
+  for_each_option(options, [&](std::uint16_t code, std::string_view value) {
+    if (code == option_name && !value.empty()) made.name = value.substr(0, value.find('\0'));
+    if (code == option_resolution && value.size() == 1)
+      made.resolution = static_cast<std::uint8_t>(value[0]);
+    if (code == option_offset && value.size() == 8)
+      made.offset_seconds = static_cast<std::int64_t>(numbers_.u64(value, 0));
+  });
+  if (made.offset_seconds > seconds_max || made.offset_seconds < -seconds_max)
+    made.offset_seconds = 0;
+  make_name_unique(made.name);
+  interfaces_.push_back(std::move(made));
+  return {TraceItem::note, 0, {}};
+}
+
+// Of captures of several machines that were merged, two buses may have one name: they stay two.
+void PcapngParser::make_name_unique(std::string& name) const {
+  const auto is_taken = [this](const std::string& wanted) {
+    return std::ranges::find(interfaces_, wanted, &Interface::name) != interfaces_.end();
+  };
+  const std::string wanted = name;
+  for (unsigned number = 2; is_taken(name); ++number) {
+    name = wanted + "_" + std::to_string(number);
+  }
+}
+
+TraceStep PcapngParser::read_packet(std::string_view block, TraceFrame& frame) const {
+  if (block.size() < packet_at + 4) return bad_record("the packet's block is too short");
+  const std::uint32_t number = numbers_.u32(block, 8);
+  if (number >= interfaces_.size()) return bad_record("the packet is of no interface");
+  const Interface& interface = interfaces_[number];
+  if (!interface.is_can) return {TraceItem::note, 0, {}};
+  const std::uint64_t size = numbers_.u32(block, 20);
+  const std::string_view body = block.substr(packet_at, block.size() - packet_at - 4);
+  if (size > body.size()) return bad_record("the packet is larger than its block");
+  const std::uint64_t ticks =
+      std::uint64_t{numbers_.u32(block, 12)} << 32 | numbers_.u32(block, 16);
+  Duration time{};
+  if (!read_ticks(ticks, interface.resolution, time)) return bad_record("the time is out of range");
+  frame.time = Time{time + std::chrono::seconds{interface.offset_seconds}};
+  frame.channel = interface.name;
+  frame.direction = TraceDirection::unknown;
+  const auto packet_size = static_cast<std::size_t>(size);
+  const std::size_t padded = (packet_size + 3) / 4 * 4;
+  for_each_option(body.substr(std::min(padded, body.size())),
+                  [&](std::uint16_t code, std::string_view value) {
+                    if (code != option_flags || value.size() != 4) return;
+                    const std::uint32_t way = numbers_.u32(value, 0) & 3U;
+                    if (way == 1) frame.direction = TraceDirection::received;
+                    if (way == 2) frame.direction = TraceDirection::sent;
+                  });
+  return read_can_packet(body.substr(0, packet_size), frame.frame);
+}
+
+}  // namespace
+
+std::unique_ptr<TraceParser> make_pcapng_parser() {
+  return std::make_unique<PcapngParser>();
+}
+
+}  // namespace canvoy::formats

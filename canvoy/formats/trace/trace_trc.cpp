@@ -1,0 +1,306 @@
+// PEAK TRC 1.0 to 2.1: `      1     17535.400 DT 1  00000100 Tx -  8    00 11 22 33 44 55 66 77`. A
+// version is an order of columns; from 2.0 on the file names them itself, by letters.
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "canvoy/can/error_frame.hpp"
+#include "canvoy/formats/trace/trace_error.hpp"
+#include "canvoy/formats/trace/trace_fields.hpp"
+#include "canvoy/formats/trace/trace_parser.hpp"
+#include "canvoy/formats/trace/trace_scanner.hpp"
+#include "canvoy/formats/trace/trace_text.hpp"
+
+namespace canvoy::formats {
+
+namespace {
+
+constexpr TraceStep note{TraceItem::note, 0, {}};
+
+constexpr std::string_view known_columns = "NOTBIdRlLD";
+constexpr unsigned millisecond_fraction_digits = 3;
+constexpr std::int64_t offset_max = 100'000'000'000'000'000;  // microseconds
+
+// The words of a line, by their columns; `rest` begins with the data.
+struct Words {
+  std::string_view offset;
+  std::string_view type;
+  std::string_view bus;
+  std::string_view identifier;
+  std::string_view direction;
+  std::string_view length;
+  std::string_view rest;
+};
+
+void put_word(Words& words, char column, std::string_view word) {
+  switch (column) {
+    case 'O':
+      words.offset = word;
+      break;
+    case 'T':
+      words.type = word;
+      break;
+    case 'B':
+      words.bus = word;
+      break;
+    case 'I':
+      words.identifier = word;
+      break;
+    case 'd':
+      words.direction = word;
+      break;
+    case 'l':
+    case 'L':
+      words.length = word;
+      break;
+    default:
+      break;
+  }
+}
+
+// The fields of a usual line: a data frame.
+struct UsualLine {
+  std::int64_t offset = 0;
+  unsigned bus = 1;
+  char direction = 0;
+  char type_direction = 0;  // in old versions, the type says it
+  std::uint32_t identifier = 0;
+  unsigned digits = 0;  // of the identifier
+  unsigned length = Frame::length_max + 1;
+
+  // False: it is not as usual.
+  template <char column>
+  [[gnu::always_inline]] bool take(TraceScanner& scanner) {
+    if constexpr (column == 'O') return scanner.take_fixed<millisecond_fraction_digits>(offset);
+    if constexpr (column == 'B') return scanner.take_number(bus);
+    if constexpr (column == 'I') return (digits = scanner.take_hex(identifier)) != 0;
+    if constexpr (column == 'd') return (direction = scanner.take_direction()) != 0;
+    if constexpr (column == 'l' || column == 'L') return scanner.take_digit(length);
+    if constexpr (column == 'T') {
+      type_direction = scanner.take_direction();
+      return type_direction != 0 || (scanner.take('D') && scanner.take('T'));
+    }
+    scanner.skip_word();
+    return true;
+  }
+};
+
+// All columns but the last, which is the data.
+template <char first, char... others>
+bool take_columns(UsualLine& read, TraceScanner& scanner) {
+  return read.take<first>(scanner) &&
+         ((scanner.take_blanks() && read.take<others>(scanner)) && ...);
+}
+
+// The columns of a version, and how the usual lines of a file that has them are read.
+struct Version {
+  std::string_view name;
+  std::string_view columns;
+  bool (*take)(UsualLine& read, TraceScanner& scanner);
+};
+// N number, O offset in ms, T type, B bus, I identifier, d direction, R reserved, l length, L data
+// length code, D data.
+constexpr std::array<Version, 6> versions = {{
+    {"1.0", "NOIlD", take_columns<'N', 'O', 'I', 'l'>},
+    {"1.1", "NOTIlD", take_columns<'N', 'O', 'T', 'I', 'l'>},
+    {"1.2", "NOBTIlD", take_columns<'N', 'O', 'B', 'T', 'I', 'l'>},
+    {"1.3", "NOBTIRlD", take_columns<'N', 'O', 'B', 'T', 'I', 'R', 'l'>},
+    {"2.0", "NOTIdlD", take_columns<'N', 'O', 'T', 'I', 'd', 'l'>},
+    {"2.1", "NOTBIdRLD", take_columns<'N', 'O', 'T', 'B', 'I', 'd', 'R', 'L'>},
+}};
+
+class TrcParser final : public TraceLineParser {
+ public:
+  TrcParser() : TraceLineParser(Behind::end_of_line) {}
+  TraceFormat format() const override { return TraceFormat::trc; }
+
+ protected:
+  TraceStep read_line(std::string_view line, TraceFrame& frame) override;
+
+ private:
+  TraceStep read_comment(std::string_view line);
+  TraceStep choose_version(std::string_view version);
+  TraceStep choose_columns(std::string_view list);
+  TraceStep read_start(std::string_view days);
+  bool read_usual_line(std::string_view line, TraceFrame& frame);
+  Words split(std::string_view line) const;
+  TraceStep read_words(const Words& words, TraceFrame& frame);
+  TraceStep read_frame(const Words& words, TraceFrame& frame);
+
+  std::string columns_{versions.front().columns};
+  bool (*take_usual_)(UsualLine& read, TraceScanner& scanner) = versions.front().take;
+  TraceChannel channel_;
+  Duration start_{};
+};
+
+TraceStep TrcParser::read_line(std::string_view line, TraceFrame& frame) {
+  skip_blanks(line);
+  if (line.empty()) return note;
+  if (line.front() == ';') return read_comment(line.substr(1));
+  if (read_usual_line(line, frame)) return {TraceItem::frame, 0, {}};
+  return read_words(split(line), frame);
+}
+
+TraceStep TrcParser::read_comment(std::string_view line) {
+  const std::size_t equals = line.find('=');
+  if (!line.starts_with('$') || equals == std::string_view::npos) return note;
+  const std::string_view key = line.substr(1, equals - 1);
+  std::string_view rest = line.substr(equals + 1);
+  const std::string_view value = take_word(rest);
+  if (key == "FILEVERSION") return choose_version(value);
+  if (key == "COLUMNS") return choose_columns(value);
+  if (key == "STARTTIME") return read_start(value);
+  return note;
+}
+
+TraceStep TrcParser::choose_version(std::string_view version) {
+  for (const Version& known : versions) {
+    if (known.name != version) continue;
+    columns_ = known.columns;
+    take_usual_ = known.take;
+    return note;
+  }
+  return bad_record("the file has another version than 1.0 to 2.1");
+}
+
+// `N,O,T,B,I,d,R,L,D`: the data, of which the number of words varies, stand last.
+TraceStep TrcParser::choose_columns(std::string_view list) {
+  std::string columns;
+  for (std::size_t at = 0; at < list.size(); ++at) {
+    const bool comma = at % 2 == 1;
+    if (comma ? list[at] != ',' : known_columns.find(list[at]) == std::string_view::npos)
+      return bad_record("a column is not known");
+    if (!comma) columns += list[at];
+  }
+  if (columns.size() > known_columns.size() || !columns.ends_with('D'))
+    return bad_record("the last column is not D, the data");
+  columns_ = columns;
+  const auto* same = std::ranges::find(versions, std::string_view(columns), &Version::columns);
+  take_usual_ = same == versions.end() ? nullptr : same->take;
+  return note;
+}
+
+// Days since 30 December 1899, which is 25569 days before 1970.
+TraceStep TrcParser::read_start(std::string_view days) {
+  constexpr std::size_t digits = 12;
+  constexpr std::int64_t parts = 1'000'000'000'000;
+  std::int64_t value = 0;
+  if (!read_fixed(days, digits, value)) return bad_record("the time of the start is no number");
+  const std::int64_t whole = value / parts - 25'569;
+  const std::int64_t microseconds = value % parts * 864 / 10'000;
+  start_ = std::chrono::days{whole} + Duration{microseconds};
+  return note;
+}
+
+// What nearly all lines look like, in a fraction of the time of the careful way; whatever is
+// written otherwise is left to that.
+bool TrcParser::read_usual_line(std::string_view line, TraceFrame& frame) {
+  constexpr unsigned base_digits = 4;
+  TraceScanner scanner(line);
+  UsualLine read;
+  if (take_usual_ == nullptr || !take_usual_(read, scanner)) return false;
+  const bool extended = read.digits > base_digits;
+  if (read.identifier > (extended ? Frame::extended_id_max : Frame::id_max)) return false;
+  frame.channel = channel_.name(read.bus);
+  frame.frame = {};
+  if (frame.channel.empty() || !scanner.take_bytes(read.length, frame.frame)) return false;
+  // RTR may stand where there is no data.
+  if (read.length == 0 && !scanner.is_at_end()) return false;
+  frame.frame.id = read.identifier;
+  frame.frame.flags = extended ? FrameFlags::extended : FrameFlags::none;
+  const char direction = read.direction != 0 ? read.direction : read.type_direction;
+  frame.direction = direction == 'R'   ? TraceDirection::received
+                    : direction == 'T' ? TraceDirection::sent
+                                       : TraceDirection::unknown;
+  frame.time = Time{start_ + Duration{read.offset}};
+  return true;
+}
+
+Words TrcParser::split(std::string_view line) const {
+  Words words;
+  for (const char column : columns_) {
+    if (column == 'D') break;
+    put_word(words, column, take_word(line));
+  }
+  words.rest = line;
+  return words;
+}
+
+TraceStep TrcParser::read_words(const Words& words, TraceFrame& frame) {
+  std::int64_t offset = 0;
+  if (!read_fixed(words.offset, millisecond_fraction_digits, offset) || offset > offset_max)
+    return bad_record("the time offset is no number");
+  frame.time = Time{start_ + Duration{offset}};
+  std::int64_t bus = 1;
+  if (!words.bus.empty() && !read_decimal(words.bus, bus))
+    return bad_record("the bus is no number");
+  frame.channel = channel_.name(bus);
+  if (frame.channel.empty()) return bad_record("the bus is not 1 to 255");
+  const std::string_view direction = words.direction.empty() ? words.type : words.direction;
+  frame.direction = direction == "Rx"   ? TraceDirection::received
+                    : direction == "Tx" ? TraceDirection::sent
+                                        : TraceDirection::unknown;
+  return read_frame(words, frame);
+}
+
+// The type stands in place of the CAN-ID, or, where that has none, in front of the other bytes:
+// direction, place, counters of reception and of transmission.
+TraceError read_trc_error(const Words& words, std::string_view rest) {
+  constexpr unsigned bytes_max = 5;
+  if (rest.starts_with("ERROR")) take_word(rest);
+  std::array<std::uint32_t, bytes_max> bytes{};
+  unsigned count = 0;
+  if (words.identifier != "-" && read_hex(words.identifier, bytes[0])) ++count;
+  while (count < bytes_max && read_hex(take_word(rest), bytes[count])) ++count;
+  TraceError error;
+  if (count < bytes_max) return error;
+  const auto byte = [&bytes](unsigned place) { return static_cast<std::uint8_t>(bytes[place]); };
+  constexpr std::uint32_t kinds =
+      error_violation::bit | error_violation::form | error_violation::stuff;
+  error.violation = static_cast<std::uint8_t>(bytes[0] & kinds);
+  if (bytes[1] == 0) error.violation |= error_violation::on_transmission;
+  error.location = byte(2);
+  error.receive_counter = byte(3);
+  error.transmit_counter = byte(4);
+  return error;
+}
+
+// FD, FB, FE and BI are frames of CAN FD; ST, EC, EV and Warng tell of something else.
+TraceStep TrcParser::read_frame(const Words& words, TraceFrame& frame) {
+  const std::string_view type = words.type;
+  std::string_view rest = words.rest;
+  skip_blanks(rest);
+  if (type == "FD" || type == "FB" || type == "FE" || type == "BI") return {TraceItem::fd, 0, {}};
+  if (type == "ER" || type == "Error" || (type.empty() && rest.starts_with("ERROR"))) {
+    frame.frame = trace_error_frame(read_trc_error(words, rest));
+    return {TraceItem::frame, 0, {}};
+  }
+  const bool known = type.empty() || type == "Rx" || type == "Tx" || type == "DT" || type == "RR";
+  if (!known || words.identifier == "FFFFFFFF") return note;
+  std::uint32_t id = 0;
+  std::int64_t length = 0;
+  const bool extended = words.identifier.size() > 4;
+  if (!read_hex(words.identifier, id) || id > (extended ? Frame::extended_id_max : Frame::id_max))
+    return bad_record("the identifier is no number of 4 or 8 hexadecimal digits");
+  if (!read_decimal(words.length, length) || length > 15)
+    return bad_record("the length is not 0 to 15");
+  const auto count = static_cast<std::uint8_t>(length < 8 ? length : 8);
+  const bool remote = type == "RR" || rest.starts_with("RTR");
+  frame.frame = Frame::remote_frame(id, count);
+  frame.frame.flags = extended ? FrameFlags::extended : FrameFlags::none;
+  if (remote) frame.frame.flags = frame.frame.flags | FrameFlags::remote;
+  if (!remote && !take_bytes(rest, count, true, frame.frame))
+    return bad_record("there are fewer bytes than the length says, or they are no bytes");
+  return {TraceItem::frame, 0, {}};
+}
+
+}  // namespace
+
+std::unique_ptr<TraceParser> make_trc_parser() {
+  return std::make_unique<TrcParser>();
+}
+
+}  // namespace canvoy::formats

@@ -1,0 +1,176 @@
+// Logs as other programs expect them: the text of an ASC file is what log2asc of can-utils writes.
+#include "canvoy/formats/trace/trace_writer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "canvoy/can/host/temporary_file_test.hpp"
+
+namespace canvoy::formats::trace_writer_test {
+namespace {
+
+using host::TemporaryFile;
+
+constexpr Time start = Time{} + 1'700'000'000s;
+
+Frame error_frame() {
+  Frame frame = Frame::data_frame(0x80, {0, 0, 0, 0, 0, 0, 0, 0});
+  frame.flags = FrameFlags::error;
+  return frame;
+}
+
+std::vector<TraceFrame> some_frames() {
+  return {{start, Frame::data_frame(0x185, {0x1E, 0x2F}), "can0", TraceDirection::received},
+          {start + 1500ms, Frame::data_frame(0x18DAF110, {1, 2, 3, 4, 5, 6, 7, 8}), "can1",
+           TraceDirection::received},
+          {start + 2500ms, Frame::remote_frame(0x701, 0), "can0", TraceDirection::sent},
+          {start + 2600ms, Frame::remote_frame(0x701, 4), "can0", TraceDirection::received},
+          {start + 3500ms, error_frame(), "can0", TraceDirection::unknown},
+          {start + 4500001us, Frame::data_frame(0, {}), "can1", TraceDirection::received}};
+}
+
+std::string written(TraceFormat format, const std::vector<TraceFrame>& frames,
+                    std::string_view comment = {}) {
+  const TemporaryFile file;
+  {
+    auto writer = TraceWriter::create(file.path(), format);
+    EXPECT_TRUE(writer);
+    for (const TraceFrame& frame : frames) EXPECT_TRUE(writer->write(frame, comment));
+  }
+  return file.content();
+}
+
+TEST(TraceWriter, WritesWhatLog2ascWrites) {
+  EXPECT_EQ(written(TraceFormat::asc, some_frames()),
+            "date Tue Nov 14 22:13:20 2023\n"
+            "base hex  timestamps absolute\n"
+            "no internal events logged\n"
+            "   0.000000 1  185             Rx   d 2 1E 2F\n"
+            "   1.500000 2  18DAF110x       Rx   d 8 01 02 03 04 05 06 07 08\n"
+            "   2.500000 1  701             Tx   r 0\n"
+            "   2.600000 1  701             Rx   r 4\n"
+            "   3.500000 1  ErrorFrame\n"
+            "   4.500001 2  0               Rx   d 0\n");
+}
+
+TEST(TraceWriter, WritesWhatCandumpWrites) {
+  EXPECT_EQ(written(TraceFormat::candump, some_frames()),
+            "(1700000000.000000) can0 185#1E2F\n"
+            "(1700000001.500000) can1 18DAF110#0102030405060708\n"
+            "(1700000002.500000) can0 701#R\n"
+            "(1700000002.600000) can0 701#R4\n"
+            "(1700000003.500000) can0 20000080#0000000000000000\n"
+            "(1700000004.500001) can1 000#\n");
+}
+
+TEST(TraceWriter, GivesNamesWithoutBlanksToCandump) {
+  EXPECT_EQ(written(TraceFormat::candump, {{start, Frame::data_frame(1, {}), "PCAN USB 1"}}),
+            "(1700000000.000000) PCAN_USB_1 001#\n");
+  EXPECT_EQ(written(TraceFormat::candump, {{start, Frame::data_frame(1, {}), ""}}),
+            "(1700000000.000000) can0 001#\n");
+}
+
+TEST(TraceWriter, WritesAPacketWithItsCommentAndDirection) {
+  const TraceFrame frame{start + 125us, Frame::data_frame(0x185, {0x1E, 0x2F}), "can0",
+                         TraceDirection::received};
+  const std::string content = written(TraceFormat::pcapng, {frame}, "SYNC!");
+  const std::string section_and_interface =
+      std::string("\x0A\x0D\x0D\x0A\x2C\0\0\0\x4D\x3C\x2B\x1A\1\0\0\0", 16) +
+      std::string(8, '\xFF') + std::string("\4\0\6\0canvoy\0\0\0\0\0\0\x2C\0\0\0", 20) +
+      std::string("\1\0\0\0\x20\0\0\0\xE3\0\0\0\0\0\0\0\2\0\4\0can0\0\0\0\0\x20\0\0\0", 32);
+  const std::string packet =
+      std::string("\6\0\0\0\x44\0\0\0\0\0\0\0\x24\x0A\6\0\x7D\x40\x1E\x18", 20) +
+      std::string("\x0A\0\0\0\x0A\0\0\0\0\0\1\x85\2\0\0\0\x1E\x2F\0\0", 20) +
+      std::string("\1\0\5\0SYNC!\0\0\0\2\0\4\0\1\0\0\0\0\0\0\0\x44\0\0\0", 28);
+  EXPECT_EQ(content, section_and_interface + packet);
+}
+
+TEST(TraceWriter, CutsALongCommentBetweenCharacters) {
+  std::string comment(TraceWriter::comment_length_max - 1, 'x');
+  comment += "\xC2\xB0";
+  const std::string content =
+      written(TraceFormat::pcapng, {{start, Frame::data_frame(1, {}), "can0"}}, comment);
+  EXPECT_EQ(content.find('\xC2'), std::string::npos);
+  auto trace = TraceReader::of(content);
+  TraceFrame frame;
+  EXPECT_EQ(trace->next(frame), TraceRead::frame);
+}
+
+TEST(TraceWriter, WritesWhatTheReaderReads) {
+  for (const TraceFormat format : {TraceFormat::candump, TraceFormat::asc, TraceFormat::pcapng}) {
+    const std::string content = written(format, some_frames());
+    auto trace = TraceReader::of(content);
+    ASSERT_TRUE(trace);
+    EXPECT_EQ(trace->format(), format);
+    for (const TraceFrame& expected : some_frames()) {
+      TraceFrame frame;
+      ASSERT_EQ(trace->next(frame), TraceRead::frame) << trace->problem();
+      EXPECT_EQ(frame.frame, expected.frame);
+      EXPECT_EQ(frame.time, expected.time);
+      EXPECT_EQ(frame.channel, expected.channel);
+      if (format == TraceFormat::pcapng) {
+        EXPECT_EQ(frame.direction, expected.direction);
+      }
+    }
+    EXPECT_EQ(trace->bad(), 0U);
+  }
+}
+
+TEST(TraceWriter, KeepsToABoundedNumberOfInterfaces) {
+  std::vector<std::string> names;
+  for (int number = 0; number < 300; ++number) names.push_back("bus" + std::to_string(number));
+  std::vector<TraceFrame> frames;
+  for (const std::string& name : names) frames.push_back({start, Frame::data_frame(1, {}), name});
+  const std::string content = written(TraceFormat::pcapng, frames);
+  auto trace = TraceReader::of(content);
+  TraceFrame frame;
+  for (int number = 0; number < 300; ++number) {
+    ASSERT_EQ(trace->next(frame), TraceRead::frame) << trace->problem();
+    EXPECT_EQ(frame.channel, number < 255 ? names[static_cast<std::size_t>(number)] : "others");
+  }
+}
+
+TEST(TraceWriter, GivesEachBusAChannelOfItsOwn) {
+  std::vector<TraceFrame> frames;
+  for (const char* name : {"group", "can0", "vcan0", "lift1", "", "group", "can1"}) {
+    frames.push_back({start, Frame::data_frame(1, {}), name});
+  }
+  const std::string content = written(TraceFormat::asc, frames);
+  auto trace = TraceReader::of(content);
+  // group takes 1, where can0 would be; vcan0 comes behind it, lift1 and can1 behind that; a bus
+  // without a name is can0.
+  for (const char* name : {"can0", "can1", "can2", "can3", "can1", "can0", "can4"}) {
+    TraceFrame frame;
+    ASSERT_EQ(trace->next(frame), TraceRead::frame) << trace->problem();
+    EXPECT_EQ(frame.channel, name);
+  }
+}
+
+TEST(TraceWriter, KnowsFormatsByTheEndOfTheName) {
+  EXPECT_EQ(trace_format_of("a.log"), TraceFormat::candump);
+  EXPECT_EQ(trace_format_of("a.asc"), TraceFormat::asc);
+  EXPECT_EQ(trace_format_of("a.pcapng"), TraceFormat::pcapng);
+  EXPECT_EQ(trace_format_of("a.txt"), std::nullopt);
+}
+
+TEST(TraceWriter, RefusesWhatItCannotWriteInOneLine) {
+  const auto trc = TraceWriter::create("bus.trc", TraceFormat::trc);
+  ASSERT_FALSE(trc);
+  EXPECT_EQ(trc.error().line(),
+            "bus.trc: PEAK TRC is only read, not written; write a .log (candump), .asc or .pcapng");
+  EXPECT_FALSE(TraceWriter::create("/nowhere/bus.log", TraceFormat::candump));
+}
+
+TEST(TraceWriter, ToAFullDeviceFailsOnce) {
+  auto writer = TraceWriter::create("/dev/full", TraceFormat::candump);
+  ASSERT_TRUE(writer);
+  EXPECT_TRUE(writer->write({start, Frame::data_frame(1, {}), "can0"}));
+  EXPECT_FALSE(writer->flush());
+  EXPECT_TRUE(writer->write({start, Frame::data_frame(1, {}), "can0"}));
+  EXPECT_TRUE(writer->flush());
+}
+
+}  // namespace
+}  // namespace canvoy::formats::trace_writer_test
