@@ -5,31 +5,31 @@
 namespace canvoy::cob_id_test {
 namespace {
 
-TEST(NodeId, is_1_to_127) {
+TEST(NodeId, Is1To127) {
   for (unsigned id = 0; id <= 300; ++id) EXPECT_EQ(is_node_id(id), id >= 1 && id <= 127) << id;
   EXPECT_FALSE(is_node_id(node_id_unconfigured));
 }
 
-TEST(CobId, is_invalid_by_bit_31) {
+TEST(CobId, IsInvalidByBit31) {
   EXPECT_FALSE(CobId{}.valid());
   EXPECT_FALSE(CobId{0x8000'0181}.valid());
   EXPECT_TRUE(CobId{0x4000'0181}.valid());
   EXPECT_TRUE(CobId{0x0000'0000}.valid());
 }
 
-TEST(CobId, has_its_can_id_in_the_lower_29_bits) {
+TEST(CobId, HasItsCanIdInTheLower29Bits) {
   EXPECT_EQ(CobId{0xC000'0181}.can_id(), 0x181U);
   EXPECT_EQ(CobId{0xFFFF'FFFF}.can_id(), 0x1FFF'FFFFU);
 }
 
-TEST(CobId, is_a_base_frame_without_bit_29_up_to_7FFh) {
+TEST(CobId, IsABaseFrameWithoutBit29UpTo7FFh) {
   EXPECT_TRUE(CobId{0x0000'07FF}.is_base_frame());
   EXPECT_TRUE(CobId{0xC000'0181}.is_base_frame());
   EXPECT_FALSE(CobId{0x2000'0181}.is_base_frame());
   EXPECT_FALSE(CobId{0x0000'0800}.is_base_frame());
 }
 
-TEST(CobId, must_not_be_a_restricted_can_id) {
+TEST(CobId, MustNotBeARestrictedCanId) {
   // CiA 301, 7.3.5: first and last of each range, with 180h left to CiA 417.
   struct Range {
     std::uint32_t first;
@@ -44,7 +44,7 @@ TEST(CobId, must_not_be_a_restricted_can_id) {
   }
 }
 
-TEST(CobId, of_the_pre_defined_connection_set_begins_where_cia_301_has_it) {
+TEST(CobId, OfThePreDefinedConnectionSetBeginsWhereCia301HasIt) {
   EXPECT_EQ(can_id::nmt, 0x000);
   EXPECT_EQ(can_id::sync, 0x080);
   EXPECT_EQ(can_id::emergency, 0x080);

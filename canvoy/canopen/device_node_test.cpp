@@ -57,7 +57,7 @@ concept HasGuarding = requires(Device device) { device.node_guarding(); };
 template <class Device>
 concept HasEmergencyConsumer = requires(Device device) { device.emergency_consumer(); };
 
-TEST(DeviceNode, has_the_services_that_its_dictionary_asks_for_and_no_others) {
+TEST(DeviceNode, HasTheServicesThatItsDictionaryAsksForAndNoOthers) {
   using Plain = DeviceNode<plain_layout>;
   using Full = DeviceNode<layout>;
   EXPECT_TRUE(HasTime<Full> && HasGuarding<Full> && HasEmergencyConsumer<Full>);
@@ -78,7 +78,7 @@ struct Bench {
   DeviceNode<tables> device{{this, &Bench::take, nullptr}, 5};
 };
 
-TEST(DeviceNode, serves_time_guarding_and_emergencies_of_others) {
+TEST(DeviceNode, ServesTimeGuardingAndEmergenciesOfOthers) {
   Bench<layout> bench;
   bench.device.node().start(Time{});
   EXPECT_EQ(bench.take_sent(), std::vector<std::string>({"705#00"}));
@@ -100,7 +100,7 @@ TEST(DeviceNode, serves_time_guarding_and_emergencies_of_others) {
   EXPECT_EQ(bench.device.dictionary().number(0x1001, 0), 0x11U);
 }
 
-TEST(DeviceNode, has_a_route_for_each_service_and_all_that_1028h_may_name) {
+TEST(DeviceNode, HasARouteForEachServiceAndAllThat1028hMayName) {
   Bench<layout> bench;
   bench.device.node().start(Time{});
   bench.receive("605#23 28 10 01 81 00 00 00");
@@ -133,7 +133,7 @@ constexpr auto mpdo_layout = lay_out(
          .access = Access::rw | Access::rpdo | Access::tpdo},
     }));
 
-TEST(DeviceNode, has_multiplexed_pdos_where_its_dictionary_has_them) {
+TEST(DeviceNode, HasMultiplexedPdosWhereItsDictionaryHasThem) {
   static_assert(DeviceNode<mpdo_layout>::has_mpdo_consumer);
   static_assert(DeviceNode<mpdo_layout>::has_mpdo_producer);
   static_assert(!DeviceNode<layout>::has_mpdo_consumer);
@@ -166,7 +166,7 @@ constexpr auto gaps_layout = lay_out(
         {.access = Access::rw | Access::rpdo | Access::tpdo},
     }));
 
-TEST(DeviceNode, may_have_pdos_with_gaps_in_their_numbers) {
+TEST(DeviceNode, MayHavePdosWithGapsInTheirNumbers) {
   Bench<gaps_layout> bench;
   bench.device.node().start(Time{});
   bench.receive("000#01 00");
@@ -214,7 +214,7 @@ constexpr auto high_layout = lay_out(
         {.access = Access::rw | Access::rpdo | Access::tpdo},
     }));
 
-TEST(DeviceNode, has_room_for_pdos_from_its_lowest_to_its_highest_number_alone) {
+TEST(DeviceNode, HasRoomForPdosFromItsLowestToItsHighestNumberAlone) {
   static_assert(DeviceNode<high_layout>::rpdo_count == 3, "300, 302, and what is between them");
   static_assert(DeviceNode<high_layout>::tpdo_count == 1);
   static_assert(DeviceNode<plain_layout>::rpdo_count == 0);
@@ -240,7 +240,7 @@ TEST(DeviceNode, has_room_for_pdos_from_its_lowest_to_its_highest_number_alone) 
   }
 }
 
-TEST(DeviceNode, takes_the_parameters_of_pdos_with_high_numbers) {
+TEST(DeviceNode, TakesTheParametersOfPdosWithHighNumbers) {
   Bench<high_layout> bench;
   bench.device.node().start(Time{});
   bench.receive("000#01 00");

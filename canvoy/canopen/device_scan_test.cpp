@@ -27,7 +27,7 @@ struct Scanner : PromptBus {
   DeviceScan scan{node, {.profile = 418}};
 };
 
-TEST(DeviceScan, asks_all_nodes_whose_answers_come_at_once) {
+TEST(DeviceScan, AsksAllNodesWhoseAnswersComeAtOnce) {
   Scanner sut;
   sut.wanted = 0;
   sut.scan.start();
@@ -37,7 +37,7 @@ TEST(DeviceScan, asks_all_nodes_whose_answers_come_at_once) {
   EXPECT_TRUE(sut.devices.empty());
 }
 
-TEST(DeviceScan, ends_where_the_device_that_is_found_answers_at_once) {
+TEST(DeviceScan, EndsWhereTheDeviceThatIsFoundAnswersAtOnce) {
   Scanner sut;
   sut.scan.start();
   sut.run_for(1h);

@@ -142,7 +142,7 @@ Frame frame_of(std::uint32_t id, std::uint8_t length, bool remote) {
   return frame;
 }
 
-TEST(EveryFrame, that_is_for_others_leaves_no_trace) {
+TEST(EveryFrame, ThatIsForOthersLeavesNoTrace) {
   for (const NmtState state : states) {
     const auto sut = std::make_unique<Bench>(state);
     std::uint32_t unwanted = 0;
@@ -158,7 +158,7 @@ TEST(EveryFrame, that_is_for_others_leaves_no_trace) {
   }
 }
 
-TEST(EveryFrame, that_is_for_the_node_is_answered_as_its_service_says) {
+TEST(EveryFrame, ThatIsForTheNodeIsAnsweredAsItsServiceSays) {
   for (const NmtState state : states) {
     for (unsigned what = 0; what < 0x800 * 9 * 2; ++what) {
       const Frame frame =
@@ -176,7 +176,7 @@ TEST(EveryFrame, that_is_for_the_node_is_answered_as_its_service_says) {
   }
 }
 
-TEST(EveryFrame, is_left_alone_by_a_node_without_a_node_id) {
+TEST(EveryFrame, IsLeftAloneByANodeWithoutANodeId) {
   const auto sut = std::make_unique<Bench>(NmtState::initialisation, node_id_unconfigured);
   for (unsigned what = 0; what < 0x800 * 9 * 2; ++what) {
     sut->receive(frame_of(what / 18, static_cast<std::uint8_t>(what % 9), what / 9 % 2 != 0));
@@ -195,7 +195,7 @@ constexpr std::string_view golden_frames[] = {"000#01 05",
                                               "705#R1",
                                               "70A#05"};
 
-TEST(EveryFrame, with_one_bit_flipped_has_a_well_formed_answer_or_none) {
+TEST(EveryFrame, WithOneBitFlippedHasAWellFormedAnswerOrNone) {
   for (const NmtState state : states) {
     for (const std::string_view golden : golden_frames) {
       for (const Frame& flip : bit_flips(wire_frame(golden))) {

@@ -48,14 +48,14 @@ struct NamedNode : WireNode {
   Identity sut;
 };
 
-TEST(Identity, is_that_of_the_description_where_the_application_gives_none) {
+TEST(Identity, IsThatOfTheDescriptionWhereTheApplicationGivesNone) {
   NamedNode node({});
   EXPECT_EQ(node.read("605#40 18 10 01 00 00 00 00"), "585#43 18 10 01 23 01 00 00");
   EXPECT_EQ(node.read("605#40 18 10 04 00 00 00 00"), "585#43 18 10 04 07 00 00 00");
   EXPECT_EQ(node.read("605#40 08 10 00 00 00 00 00"), "585#43 08 10 00 61 62 63 64");
 }
 
-TEST(Identity, of_one_device_is_what_the_application_gives) {
+TEST(Identity, OfOneDeviceIsWhatTheApplicationGives) {
   NamedNode node({.vendor_id = 0x11223344,
                   .product_code = 0,
                   .revision = 0x00010002,
@@ -72,7 +72,7 @@ TEST(Identity, of_one_device_is_what_the_application_gives) {
   EXPECT_EQ(node.read("605#40 0A 10 00 00 00 00 00"), "585#43 0A 10 00 33 2E 31 34");
 }
 
-TEST(Identity, stays_through_resets) {
+TEST(Identity, StaysThroughResets) {
   for (const char* reset : {"000#81 05", "000#82 05"}) {
     NamedNode node({.serial_number = 0x55});
     node.receive(reset);
@@ -81,18 +81,18 @@ TEST(Identity, stays_through_resets) {
   }
 }
 
-TEST(Identity, cannot_be_written_by_sdo) {
+TEST(Identity, CannotBeWrittenBySdo) {
   NamedNode node({.serial_number = 0x55});
   EXPECT_EQ(node.read("605#23 18 10 04 01 00 00 00"), "585#80 18 10 04 02 00 01 06");
   EXPECT_EQ(node.read("605#23 08 10 00 01 00 00 00"), "585#80 08 10 00 02 00 01 06");
 }
 
-TEST(Identity, cuts_a_name_to_the_room_of_its_entry) {
+TEST(Identity, CutsANameToTheRoomOfItsEntry) {
   NamedNode node({.device_name = "too long"});
   EXPECT_EQ(node.read("605#40 08 10 00 00 00 00 00"), "585#43 08 10 00 74 6F 6F 20");
 }
 
-TEST(Identity, does_without_objects_that_the_device_lacks) {
+TEST(Identity, DoesWithoutObjectsThatTheDeviceLacks) {
   NamedNode node({.serial_number = 1, .device_name = "x"}, layout_without.tables());
   EXPECT_EQ(node.read("605#40 18 10 04 00 00 00 00"), "585#80 18 10 04 00 00 02 06");
 }

@@ -20,7 +20,7 @@ constexpr auto layout = lay_out(
         {{.access = Access::const_, .initial = 4},
          {.sub_first = 1, .sub_last = 4, .type = DataType::unsigned32, .access = Access::ro}}));
 
-TEST(IndicatorsOfServices, flicker_in_lss_state_configuration) {
+TEST(IndicatorsOfServices, FlickerInLssStateConfiguration) {
   WireNode wire(layout.tables(), node_id_unconfigured);
   Indicators sut(wire.node);
   LssSlaveHooks hooks;
@@ -37,7 +37,7 @@ TEST(IndicatorsOfServices, flicker_in_lss_state_configuration) {
   EXPECT_EQ(sut.error(), off);
 }
 
-TEST(IndicatorsOfServices, stop_to_flicker_when_a_reset_ends_lss) {
+TEST(IndicatorsOfServices, StopToFlickerWhenAResetEndsLss) {
   WireNode wire(layout.tables(), 5);
   Indicators sut(wire.node);
   LssSlaveHooks hooks;
@@ -50,7 +50,7 @@ TEST(IndicatorsOfServices, stop_to_flicker_when_a_reset_ends_lss) {
   EXPECT_EQ(sut.run(), blinking);
 }
 
-TEST(IndicatorsOfServices, flash_three_times_while_a_program_is_cleared_or_downloaded) {
+TEST(IndicatorsOfServices, FlashThreeTimesWhileAProgramIsClearedOrDownloaded) {
   SimulatedFlash memory(program_geometry);
   memory.busy_polls = 3;
   WireNode wire(program_layout.tables(), 5);
@@ -77,7 +77,7 @@ TEST(IndicatorsOfServices, flash_three_times_while_a_program_is_cleared_or_downl
   EXPECT_EQ(sut.run(), blinking);
 }
 
-TEST(IndicatorsOfServices, flicker_while_the_bit_rate_is_looked_for) {
+TEST(IndicatorsOfServices, FlickerWhileTheBitRateIsLookedFor) {
   WireNode wire(layout.tables(), 5);
   Indicators sut(wire.node);
   auto restart = [](std::uint32_t, bool) { return true; };

@@ -39,7 +39,7 @@ constexpr Pattern patterns[] = {
     {quadruple_flash, 200ms, "#.#.#.#.....#.#.", ".#.#.#.#.....#.#"},
 };
 
-TEST(Indication, has_the_rhythm_of_cia_303_3) {
+TEST(Indication, HasTheRhythmOfCia3033) {
   for (const Pattern& pattern : patterns) {
     SCOPED_TRACE(static_cast<unsigned>(pattern.indication));
     const std::string run = pattern.run;
@@ -49,7 +49,7 @@ TEST(Indication, has_the_rhythm_of_cia_303_3) {
   }
 }
 
-TEST(Indication, is_never_lit_in_both_colours_at_a_time_unless_both_are_on) {
+TEST(Indication, IsNeverLitInBothColoursAtATimeUnlessBothAreOn) {
   for (const Pattern& pattern : patterns) {
     if (pattern.indication == on) continue;
     for (Time at{}; at < Time(5s); at += 25ms) {
@@ -60,7 +60,7 @@ TEST(Indication, is_never_lit_in_both_colours_at_a_time_unless_both_are_on) {
   }
 }
 
-TEST(Indication, changes_to_the_microsecond_and_says_when) {
+TEST(Indication, ChangesToTheMicrosecondAndSaysWhen) {
   for (const Pattern& pattern : patterns) {
     for (const Indicator indicator : {Indicator::run, Indicator::error}) {
       const Indication sut = pattern.indication;
@@ -81,7 +81,7 @@ TEST(Indication, changes_to_the_microsecond_and_says_when) {
   }
 }
 
-TEST(Indication, is_defined_before_time_zero_too) {
+TEST(Indication, IsDefinedBeforeTimeZeroToo) {
   EXPECT_TRUE(is_lit(blinking, Indicator::run, Time(-400ms)));
   EXPECT_FALSE(is_lit(blinking, Indicator::run, Time(-200ms)));
   EXPECT_EQ(next_change(blinking, Indicator::run, Time(-250ms)), Time(-200ms));
@@ -109,7 +109,7 @@ struct LitNode : WireNode {
   Indicators sut{node, &emergency, &sync};
 };
 
-TEST(RunIndicator, shows_the_nmt_state) {
+TEST(RunIndicator, ShowsTheNmtState) {
   LitNode node;
   EXPECT_EQ(node.sut.run(), off);
   node.boot();
@@ -121,7 +121,7 @@ TEST(RunIndicator, shows_the_nmt_state) {
   EXPECT_EQ(node.sut.error(), off);
 }
 
-TEST(RunIndicator, shows_lss_before_a_program_download_before_the_nmt_state) {
+TEST(RunIndicator, ShowsLssBeforeAProgramDownloadBeforeTheNmtState) {
   LitNode node;
   node.boot();
   node.sut.set(Condition::program_download, true);
@@ -135,7 +135,7 @@ TEST(RunIndicator, shows_lss_before_a_program_download_before_the_nmt_state) {
   EXPECT_EQ(node.sut.error(), off);
 }
 
-TEST(ErrorIndicator, shows_the_state_of_the_bus) {
+TEST(ErrorIndicator, ShowsTheStateOfTheBus) {
   LitNode node;
   node.boot();
   node.bus(BusState::error_warning);
@@ -148,7 +148,7 @@ TEST(ErrorIndicator, shows_the_state_of_the_bus) {
   EXPECT_EQ(node.sut.error(), off);
 }
 
-TEST(ErrorIndicator, shows_errors_while_they_are_present) {
+TEST(ErrorIndicator, ShowsErrorsWhileTheyArePresent) {
   struct Case {
     std::uint16_t code;
     Indication indication;
@@ -167,7 +167,7 @@ TEST(ErrorIndicator, shows_errors_while_they_are_present) {
   }
 }
 
-TEST(ErrorIndicator, shows_the_most_serious_of_several) {
+TEST(ErrorIndicator, ShowsTheMostSeriousOfSeveral) {
   LitNode node;
   node.boot();
   // From the least serious on: each goes before those that hold already.
@@ -189,7 +189,7 @@ TEST(ErrorIndicator, shows_the_most_serious_of_several) {
   EXPECT_EQ(node.sut.error(), on);
 }
 
-TEST(ErrorIndicator, knows_no_errors_without_an_emergency_producer) {
+TEST(ErrorIndicator, KnowsNoErrorsWithoutAnEmergencyProducer) {
   LitNode node;
   const Indicators sut(node.node);
   node.boot();

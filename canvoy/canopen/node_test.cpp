@@ -91,7 +91,7 @@ NmtState state_after(NmtState before, unsigned command) {
 
 // NMT slave
 
-TEST(NmtSlave, obeys_each_command_byte_for_each_address_in_each_state) {
+TEST(NmtSlave, ObeysEachCommandByteForEachAddressInEachState) {
   WireNode sut(layout.tables(), own_id);
   sut.boot();
   for (const NmtState before : states) {
@@ -117,7 +117,7 @@ TEST(NmtSlave, obeys_each_command_byte_for_each_address_in_each_state) {
   }
 }
 
-TEST(NmtSlave, that_is_reset_sends_the_boot_up_message_and_nothing_that_waited_before_it) {
+TEST(NmtSlave, ThatIsResetSendsTheBootUpMessageAndNothingThatWaitedBeforeIt) {
   for (const char* reset : {"000#81 05", "000#82 00"}) {
     WireNode sut(layout.tables(), own_id);
     sut.boot_operational();
@@ -133,7 +133,7 @@ TEST(NmtSlave, that_is_reset_sends_the_boot_up_message_and_nothing_that_waited_b
   }
 }
 
-TEST(NmtSlave, takes_two_bytes_and_no_other_length) {
+TEST(NmtSlave, TakesTwoBytesAndNoOtherLength) {
   for (const NmtState before : states) {
     for (const unsigned command : {0x01U, 0x02U, 0x80U, 0x81U, 0x82U}) {
       for (unsigned length = 0; length <= 8; ++length) {
@@ -151,7 +151,7 @@ TEST(NmtSlave, takes_two_bytes_and_no_other_length) {
   }
 }
 
-TEST(NmtSlave, does_not_mind_remote_29_bit_and_error_frames) {
+TEST(NmtSlave, DoesNotMindRemote29BitAndErrorFrames) {
   WireNode sut(layout.tables(), own_id);
   sut.boot();
   sut.receive("000#R2");
@@ -166,7 +166,7 @@ TEST(NmtSlave, does_not_mind_remote_29_bit_and_error_frames) {
   EXPECT_EQ(sut.node.counters().malformed, 0U);
 }
 
-TEST(NmtSlave, does_not_take_an_impossible_identifier_for_another) {
+TEST(NmtSlave, DoesNotTakeAnImpossibleIdentifierForAnother) {
   WireNode sut(layout.tables(), own_id);
   sut.boot();
   for (const std::uint32_t id : {0x800U, 0x1'0000U, 0x1000'0000U, 0xFFFF'0000U}) {
@@ -178,7 +178,7 @@ TEST(NmtSlave, does_not_take_an_impossible_identifier_for_another) {
   EXPECT_EQ(sut.node.counters().extended, 4U);
 }
 
-TEST(NmtSlave, boots_up_into_pre_operational) {
+TEST(NmtSlave, BootsUpIntoPreOperational) {
   WireNode sut(layout.tables(), own_id);
   EXPECT_EQ(sut.node.state(), NmtState::initialisation);
   sut.start();
@@ -187,7 +187,7 @@ TEST(NmtSlave, boots_up_into_pre_operational) {
   EXPECT_EQ(sut.node.deadline(), never);
 }
 
-TEST(NmtSlave, has_the_boot_up_message_of_its_node_id) {
+TEST(NmtSlave, HasTheBootUpMessageOfItsNodeId) {
   for (unsigned id = 1; id <= 127; ++id) {
     WireNode sut(layout.tables(), static_cast<NodeId>(id));
     sut.start();
@@ -196,7 +196,7 @@ TEST(NmtSlave, has_the_boot_up_message_of_its_node_id) {
   }
 }
 
-TEST(NmtSlave, enters_operational_by_itself_with_autostart_after_each_boot_up) {
+TEST(NmtSlave, EntersOperationalByItselfWithAutostartAfterEachBootUp) {
   WireNode sut(layout.tables(), own_id, true);
   Witness witness(sut.node);
   sut.start();
@@ -209,7 +209,7 @@ TEST(NmtSlave, enters_operational_by_itself_with_autostart_after_each_boot_up) {
   sut.expect({"705#00", "705#00"});
 }
 
-TEST(NmtSlave, waits_in_initialisation_without_a_node_id) {
+TEST(NmtSlave, WaitsInInitialisationWithoutANodeId) {
   WireNode sut(layout.tables(), node_id_unconfigured, true);
   sut.start();
   for (const char* command : {"000#01 00", "000#01 FF", "000#82 00", "000#81 FF", "000#80 00"}) {
@@ -220,7 +220,7 @@ TEST(NmtSlave, waits_in_initialisation_without_a_node_id) {
   sut.expect({});
 }
 
-TEST(NmtSlave, obeys_nobody_before_it_was_started) {
+TEST(NmtSlave, ObeysNobodyBeforeItWasStarted) {
   WireNode sut(layout.tables(), own_id);
   sut.receive("000#01 00");
   sut.receive("000#81 00");
@@ -228,7 +228,7 @@ TEST(NmtSlave, obeys_nobody_before_it_was_started) {
   sut.expect({});
 }
 
-TEST(NmtSlave, tells_its_services_of_each_change_of_state_and_of_no_other) {
+TEST(NmtSlave, TellsItsServicesOfEachChangeOfStateAndOfNoOther) {
   WireNode sut(layout.tables(), own_id);
   Witness witness(sut.node);
   sut.start();
@@ -247,7 +247,7 @@ TEST(NmtSlave, tells_its_services_of_each_change_of_state_and_of_no_other) {
             (std::vector<std::string>{"state 0", "reset communication", "state 127"}));
 }
 
-TEST(NmtSlave, sends_the_boot_up_message_behind_the_reset_and_before_pre_operational) {
+TEST(NmtSlave, SendsTheBootUpMessageBehindTheResetAndBeforePreOperational) {
   struct Order {
     explicit Order(WireNode& wire_node) : wire(wire_node) {
       service.reset = Callback<void(ResetScope)>::to<&Order::reset>(*this);
@@ -286,7 +286,7 @@ void change_all(Dictionary& dictionary) {
 }
 constexpr Values defaults{1000, 0x4000'0085, 0x1F, 0x20, 0xFFFE};
 
-TEST(NodeValues, have_their_defaults_before_and_after_start) {
+TEST(NodeValues, HaveTheirDefaultsBeforeAndAfterStart) {
   WireNode sut(layout.tables(), own_id);
   EXPECT_EQ(values_of(sut.node.dictionary()), defaults);
   change_all(sut.node.dictionary());
@@ -294,7 +294,7 @@ TEST(NodeValues, have_their_defaults_before_and_after_start) {
   EXPECT_EQ(values_of(sut.node.dictionary()), defaults);
 }
 
-TEST(NodeValues, all_return_to_their_defaults_by_reset_node) {
+TEST(NodeValues, AllReturnToTheirDefaultsByResetNode) {
   WireNode sut(layout.tables(), own_id);
   sut.boot();
   change_all(sut.node.dictionary());
@@ -302,7 +302,7 @@ TEST(NodeValues, all_return_to_their_defaults_by_reset_node) {
   EXPECT_EQ(values_of(sut.node.dictionary()), defaults);
 }
 
-TEST(NodeValues, of_the_communication_area_alone_return_by_reset_communication) {
+TEST(NodeValues, OfTheCommunicationAreaAloneReturnByResetCommunication) {
   WireNode sut(layout.tables(), own_id);
   sut.boot();
   change_all(sut.node.dictionary());
@@ -310,7 +310,7 @@ TEST(NodeValues, of_the_communication_area_alone_return_by_reset_communication) 
   EXPECT_EQ(values_of(sut.node.dictionary()), (Values{1000, 0x4000'0085, 0x1F, 0x55, 0x55}));
 }
 
-TEST(NodeValues, stay_through_start_stop_and_pre_operational) {
+TEST(NodeValues, StayThroughStartStopAndPreOperational) {
   WireNode sut(layout.tables(), own_id);
   sut.boot();
   change_all(sut.node.dictionary());
@@ -318,7 +318,7 @@ TEST(NodeValues, stay_through_start_stop_and_pre_operational) {
   EXPECT_EQ(values_of(sut.node.dictionary()), (Values{0x55, 0x55, 0x55, 0x55, 0x55}));
 }
 
-TEST(NodeValues, depend_on_the_node_id_where_their_description_says_so) {
+TEST(NodeValues, DependOnTheNodeIdWhereTheirDescriptionSaysSo) {
   for (unsigned id = 1; id <= 127; ++id) {
     WireNode sut(layout.tables(), static_cast<NodeId>(id));
     EXPECT_EQ(sut.node.dictionary().number(0x1014, 0), 0x4000'0080U + id);
@@ -326,7 +326,7 @@ TEST(NodeValues, depend_on_the_node_id_where_their_description_says_so) {
   }
 }
 
-TEST(NodeValues, are_announced_when_the_node_is_called) {
+TEST(NodeValues, AreAnnouncedWhenTheNodeIsCalled) {
   WireNode sut(layout.tables(), own_id);
   Witness witness(sut.node);
   sut.boot();
@@ -350,7 +350,7 @@ TEST(NodeValues, are_announced_when_the_node_is_called) {
 
 // What else a node does
 
-TEST(Node, calls_its_services_in_the_order_in_which_they_attached) {
+TEST(Node, CallsItsServicesInTheOrderInWhichTheyAttached) {
   WireNode sut(layout.tables(), own_id);
   std::vector<std::string> log;
   Witness first(sut.node, "1 ");
@@ -365,7 +365,7 @@ TEST(Node, calls_its_services_in_the_order_in_which_they_attached) {
                                       "2 clear 7", "3 clear 7", "1 bus 2", "2 bus 2", "3 bus 2"}));
 }
 
-TEST(Node, tells_of_the_controller_when_its_state_changes_only) {
+TEST(Node, TellsOfTheControllerWhenItsStateChangesOnly) {
   WireNode sut(layout.tables(), own_id);
   Witness witness(sut.node);
   sut.node.bus_state(BusState::error_active, sut.now);
@@ -380,7 +380,7 @@ TEST(Node, tells_of_the_controller_when_its_state_changes_only) {
   EXPECT_EQ(sut.node.counters().bus_off, 1U);
 }
 
-TEST(Node, forgets_what_waits_for_the_controller_in_bus_off) {
+TEST(Node, ForgetsWhatWaitsForTheControllerInBusOff) {
   WireNode sut(layout.tables(), own_id);
   sut.boot();
   sut.full = true;
@@ -391,7 +391,7 @@ TEST(Node, forgets_what_waits_for_the_controller_in_bus_off) {
   sut.expect({});
 }
 
-TEST(Node, counts_overruns_and_raises_8110h) {
+TEST(Node, CountsOverrunsAndRaises8110h) {
   WireNode sut(layout.tables(), own_id);
   Witness witness(sut.node);
   sut.node.overrun(Time(3ms));
@@ -400,7 +400,7 @@ TEST(Node, counts_overruns_and_raises_8110h) {
   EXPECT_EQ(witness.take(), (std::vector<std::string>{"raise 33040"}));  // 8110h
 }
 
-TEST(Node, tells_its_services_of_room_only_where_there_is_some) {
+TEST(Node, TellsItsServicesOfRoomOnlyWhereThereIsSome) {
   WireNode sut(layout.tables(), own_id);
   sut.boot();
   Witness witness(sut.node);
@@ -415,7 +415,7 @@ TEST(Node, tells_its_services_of_room_only_where_there_is_some) {
   EXPECT_EQ(witness.take(), (std::vector<std::string>{"tx ready"}));
 }
 
-TEST(Node, counts_frames_that_nobody_wants) {
+TEST(Node, CountsFramesThatNobodyWants) {
   WireNode sut(layout.tables(), own_id);
   sut.boot();
   for (std::uint32_t id = 1; id <= 0x7FF; ++id) {
@@ -425,7 +425,7 @@ TEST(Node, counts_frames_that_nobody_wants) {
   EXPECT_EQ(sut.node.counters().unwanted, 0x7FFU);
 }
 
-TEST(Node, hands_frames_to_its_routes_with_their_time) {
+TEST(Node, HandsFramesToItsRoutesWithTheirTime) {
   struct Listener {
     void receive(const Frame& frame, Time now) { heard = {frame, now}; }
     std::pair<Frame, Time> heard;
@@ -438,7 +438,7 @@ TEST(Node, hands_frames_to_its_routes_with_their_time) {
   EXPECT_EQ(sut.node.now(), Time(77us));
 }
 
-TEST(Node, runs_its_timers_at_their_deadlines) {
+TEST(Node, RunsItsTimersAtTheirDeadlines) {
   struct Bell {
     void ring(Time now) { rung = now; }
     Time rung = never;
@@ -469,7 +469,7 @@ struct Commander {
   Service service;
 };
 
-TEST(Node, may_be_commanded_from_inside_a_service) {
+TEST(Node, MayBeCommandedFromInsideAService) {
   WireNode sut(layout.tables(), own_id);
   Commander commander(sut.node, NmtState::stopped, NmtCommand::reset_communication);
   sut.boot();
@@ -478,7 +478,7 @@ TEST(Node, may_be_commanded_from_inside_a_service) {
   sut.expect({"705#00"});
 }
 
-TEST(Node, tells_nobody_of_a_state_that_was_left_meanwhile) {
+TEST(Node, TellsNobodyOfAStateThatWasLeftMeanwhile) {
   WireNode sut(layout.tables(), own_id);
   Commander commander(sut.node, NmtState::operational, NmtCommand::stop);
   Witness later(sut.node);
@@ -489,14 +489,14 @@ TEST(Node, tells_nobody_of_a_state_that_was_left_meanwhile) {
   EXPECT_EQ(later.take(), (std::vector<std::string>{"state 4"}));
 }
 
-TEST(Node, does_not_start_by_itself_what_a_service_has_stopped) {
+TEST(Node, DoesNotStartByItselfWhatAServiceHasStopped) {
   WireNode sut(layout.tables(), own_id, true);
   Commander commander(sut.node, NmtState::pre_operational, NmtCommand::stop);
   sut.start();
   EXPECT_EQ(sut.node.state(), NmtState::stopped);
 }
 
-TEST(Node, forgets_at_power_on_what_waited_for_the_controller_before) {
+TEST(Node, ForgetsAtPowerOnWhatWaitedForTheControllerBefore) {
   WireNode sut(layout.tables(), own_id);
   sut.start();
   sut.full = true;
@@ -508,7 +508,7 @@ TEST(Node, forgets_at_power_on_what_waited_for_the_controller_before) {
   EXPECT_TRUE(sut.node.transmitter().idle());
 }
 
-TEST(Node, keeps_the_boot_up_message_for_a_full_controller) {
+TEST(Node, KeepsTheBootUpMessageForAFullController) {
   WireNode sut(layout.tables(), own_id);
   sut.full = true;
   sut.start();

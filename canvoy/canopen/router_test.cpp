@@ -59,13 +59,13 @@ struct Routed {
   Router router{table, port};
 };
 
-TEST(Router, knows_nobody_at_first) {
+TEST(Router, KnowsNobodyAtFirst) {
   Routed sut(4);
   EXPECT_EQ(sut.dispatch(0x123), Calls{});
   EXPECT_FALSE(sut.taken);
 }
 
-TEST(Router, hands_a_frame_to_who_wants_it_and_to_nobody_else) {
+TEST(Router, HandsAFrameToWhoWantsItAndToNobodyElse) {
   Routed sut(4);
   EXPECT_TRUE(sut.router.add(0x123, sut[0]));
   EXPECT_TRUE(sut.router.add(0x7FF, sut[1]));
@@ -80,7 +80,7 @@ TEST(Router, hands_a_frame_to_who_wants_it_and_to_nobody_else) {
   }
 }
 
-TEST(Router, calls_all_who_want_a_frame_in_the_order_in_which_they_were_added) {
+TEST(Router, CallsAllWhoWantAFrameInTheOrderInWhichTheyWereAdded) {
   Routed sut(8);
   for (const std::size_t receiver : {2U, 0U, 1U}) {
     sut.router.add(0x200, sut[receiver]);
@@ -92,7 +92,7 @@ TEST(Router, calls_all_who_want_a_frame_in_the_order_in_which_they_were_added) {
   EXPECT_EQ(sut.dispatch(0x200), (Calls{0, 1, 2}));
 }
 
-TEST(Router, keeps_remote_frames_apart) {
+TEST(Router, KeepsRemoteFramesApart) {
   Routed sut(4);
   sut.router.add(0x181, sut[0]);
   sut.router.add(0x181, sut[1], Kind::remote);
@@ -104,7 +104,7 @@ TEST(Router, keeps_remote_frames_apart) {
   EXPECT_EQ(sut.dispatch(0x7FF), Calls{});
 }
 
-TEST(Router, refuses_what_its_table_cannot_hold) {
+TEST(Router, RefusesWhatItsTableCannotHold) {
   Routed sut(2);
   EXPECT_FALSE(sut.router.full());
   EXPECT_TRUE(sut.router.add(0x100, sut[0]));
@@ -119,14 +119,14 @@ TEST(Router, refuses_what_its_table_cannot_hold) {
   EXPECT_TRUE(sut.router.add(0x050, sut[2]));
 }
 
-TEST(Router, refuses_can_ids_that_do_not_exist) {
+TEST(Router, RefusesCanIdsThatDoNotExist) {
   Routed sut(2);
   EXPECT_FALSE(sut.router.add(0x800, sut[0]));
   EXPECT_FALSE(sut.router.add(0xFFFF, sut[0]));
   EXPECT_EQ(sut.dispatch(0x000, true), Calls{});
 }
 
-TEST(Router, does_nothing_when_a_route_is_removed_that_does_not_exist) {
+TEST(Router, DoesNothingWhenARouteIsRemovedThatDoesNotExist) {
   Routed sut(4);
   sut.router.add(0x100, sut[0]);
   sut.router.remove(0x100, sut[1]);
@@ -135,7 +135,7 @@ TEST(Router, does_nothing_when_a_route_is_removed_that_does_not_exist) {
   EXPECT_EQ(sut.dispatch(0x100), Calls{0});
 }
 
-TEST(Router, tells_the_acceptance_filter_what_is_wanted) {
+TEST(Router, TellsTheAcceptanceFilterWhatIsWanted) {
   Routed sut(4);
   sut.router.add(0x100, sut[0]);
   sut.router.add(0x100, sut[1]);
@@ -148,7 +148,7 @@ TEST(Router, tells_the_acceptance_filter_what_is_wanted) {
   EXPECT_EQ(sut.filter, std::set<std::uint16_t>{});
 }
 
-TEST(Router, works_without_an_acceptance_filter) {
+TEST(Router, WorksWithoutAnAcceptanceFilter) {
   Router::Route table[1];
   const Port port{};
   Router sut(table, port);
@@ -159,7 +159,7 @@ TEST(Router, works_without_an_acceptance_filter) {
 
 // Changes of routes during a dispatch
 
-TEST(Router, does_not_call_what_is_added_for_the_frame_under_way) {
+TEST(Router, DoesNotCallWhatIsAddedForTheFrameUnderWay) {
   Routed sut(8);
   sut.router.add(0x100, sut[0]);
   sut.router.add(0x100, sut[1]);
@@ -169,7 +169,7 @@ TEST(Router, does_not_call_what_is_added_for_the_frame_under_way) {
   EXPECT_EQ(sut.dispatch(0x100), (Calls{0, 1, 2}));
 }
 
-TEST(Router, does_not_call_what_was_removed_before_its_turn) {
+TEST(Router, DoesNotCallWhatWasRemovedBeforeItsTurn) {
   Routed sut(8);
   for (std::size_t i = 0; i < 4; ++i) sut.router.add(0x100, sut[i]);
   sut.all[0].on_frame = [&] {
@@ -180,7 +180,7 @@ TEST(Router, does_not_call_what_was_removed_before_its_turn) {
   EXPECT_EQ(sut.dispatch(0x100), (Calls{1, 3}));
 }
 
-TEST(Router, calls_the_others_when_one_moves_itself_behind_them) {
+TEST(Router, CallsTheOthersWhenOneMovesItselfBehindThem) {
   Routed sut(8);
   for (std::size_t i = 0; i < 3; ++i) sut.router.add(0x100, sut[i]);
   sut.all[0].on_frame = [&] {
@@ -191,7 +191,7 @@ TEST(Router, calls_the_others_when_one_moves_itself_behind_them) {
   EXPECT_EQ(sut.dispatch(0x100), (Calls{1, 2, 0}));
 }
 
-TEST(Router, calls_all_when_one_opens_routes_in_front_of_them) {
+TEST(Router, CallsAllWhenOneOpensRoutesInFrontOfThem) {
   Routed sut(8);
   for (std::size_t i = 0; i < 3; ++i) sut.router.add(0x700, sut[i]);
   sut.all[0].on_frame = [&] {
@@ -201,7 +201,7 @@ TEST(Router, calls_all_when_one_opens_routes_in_front_of_them) {
   EXPECT_EQ(sut.dispatch(0x700), (Calls{0, 1, 2}));
 }
 
-TEST(Router, leads_a_dispatch_past_the_changes_of_one_within_it) {
+TEST(Router, LeadsADispatchPastTheChangesOfOneWithinIt) {
   Routed sut(8);
   for (std::size_t i = 0; i < 3; ++i) sut.router.add(0x100, sut[i]);
   bool nested = false;
@@ -261,7 +261,7 @@ rc::Gen<std::vector<Step>> any_steps() {
 
 constexpr std::array<std::uint16_t, 6> ids = {0x000, 0x001, 0x180, 0x181, 0x7FE, 0x7FF};
 
-TEST(Router, behaves_like_a_list_for_each_can_id_in_any_sequence_of_calls) {
+TEST(Router, BehavesLikeAListForEachCanIdInAnySequenceOfCalls) {
   const bool held = rc::check("like a map of lists", [] {
     constexpr std::size_t capacity = 12;
     Routed sut(capacity);
@@ -288,7 +288,7 @@ TEST(Router, behaves_like_a_list_for_each_can_id_in_any_sequence_of_calls) {
   EXPECT_TRUE(held);
 }
 
-TEST(Router, calls_who_was_there_and_still_is_when_routes_change_under_way) {
+TEST(Router, CallsWhoWasThereAndStillIsWhenRoutesChangeUnderWay) {
   const bool held = rc::check("dispatch with changes", [] {
     constexpr std::uint16_t id = 0x181;
     constexpr int count = 6;

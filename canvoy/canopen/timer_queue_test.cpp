@@ -40,13 +40,13 @@ struct Bells {
 
 using Order = std::vector<int>;
 
-TEST(TimerQueue, waits_for_nothing_while_it_is_empty) {
+TEST(TimerQueue, WaitsForNothingWhileItIsEmpty) {
   TimerQueue sut;
   EXPECT_EQ(sut.deadline(), never);
   sut.run(Time::max());
 }
 
-TEST(TimerQueue, calls_a_timer_at_its_time_and_not_before) {
+TEST(TimerQueue, CallsATimerAtItsTimeAndNotBefore) {
   Bells sut(1);
   sut.queue.arm(sut[0], Time(10us));
   EXPECT_TRUE(sut[0].armed());
@@ -63,14 +63,14 @@ TEST(TimerQueue, calls_a_timer_at_its_time_and_not_before) {
   EXPECT_EQ(sut.take(), Order{});
 }
 
-TEST(TimerQueue, tells_the_time_of_the_call_and_not_of_the_deadline) {
+TEST(TimerQueue, TellsTheTimeOfTheCallAndNotOfTheDeadline) {
   Bells sut(1);
   sut.queue.arm(sut[0], Time(10us));
   sut.queue.run(Time(25us));
   EXPECT_EQ(sut.rung_at, std::vector<Time>{Time(25us)});
 }
 
-TEST(TimerQueue, calls_in_the_order_of_the_deadlines) {
+TEST(TimerQueue, CallsInTheOrderOfTheDeadlines) {
   Bells sut(5);
   const int times[] = {30, 10, 50, 20, 40};
   for (std::size_t i = 0; i < 5; ++i) sut.queue.arm(sut[i], Time(times[i] * 1us));
@@ -78,7 +78,7 @@ TEST(TimerQueue, calls_in_the_order_of_the_deadlines) {
   EXPECT_EQ(sut.take(), (Order{1, 3, 0, 4, 2}));
 }
 
-TEST(TimerQueue, calls_in_the_order_of_arming_what_is_due_at_one_time) {
+TEST(TimerQueue, CallsInTheOrderOfArmingWhatIsDueAtOneTime) {
   Bells sut(6);
   for (const std::size_t i : {3U, 1U, 4U, 0U, 5U, 2U}) sut.queue.arm(sut[i], Time(10us));
   sut.queue.arm(sut[1], Time(10us));  // again, and so behind the others
@@ -86,7 +86,7 @@ TEST(TimerQueue, calls_in_the_order_of_arming_what_is_due_at_one_time) {
   EXPECT_EQ(sut.take(), (Order{3, 4, 0, 5, 2, 1}));
 }
 
-TEST(TimerQueue, moves_a_timer_that_is_armed_again) {
+TEST(TimerQueue, MovesATimerThatIsArmedAgain) {
   Bells sut(2);
   sut.queue.arm(sut[0], Time(10us));
   sut.queue.arm(sut[1], Time(20us));
@@ -96,7 +96,7 @@ TEST(TimerQueue, moves_a_timer_that_is_armed_again) {
   EXPECT_EQ(sut.take(), (Order{1, 0}));
 }
 
-TEST(TimerQueue, takes_never_as_disarming) {
+TEST(TimerQueue, TakesNeverAsDisarming) {
   Bells sut(1);
   sut.queue.arm(sut[0], never);
   EXPECT_FALSE(sut[0].armed());
@@ -106,7 +106,7 @@ TEST(TimerQueue, takes_never_as_disarming) {
   EXPECT_EQ(sut.queue.deadline(), never);
 }
 
-TEST(TimerQueue, disarms_at_the_top_in_the_middle_and_what_is_not_armed) {
+TEST(TimerQueue, DisarmsAtTheTopInTheMiddleAndWhatIsNotArmed) {
   Bells sut(4);
   for (std::size_t i = 0; i < 4; ++i) sut.queue.arm(sut[i], Time(static_cast<int>(i) * 1us));
   sut.queue.disarm(sut[0]);
@@ -116,7 +116,7 @@ TEST(TimerQueue, disarms_at_the_top_in_the_middle_and_what_is_not_armed) {
   EXPECT_EQ(sut.take(), (Order{1, 3}));
 }
 
-TEST(TimerQueue, serves_times_before_the_start_and_at_the_end_of_all_days) {
+TEST(TimerQueue, ServesTimesBeforeTheStartAndAtTheEndOfAllDays) {
   Bells sut(2);
   sut.queue.arm(sut[0], Time::min());
   sut.queue.arm(sut[1], never - 1us);
@@ -126,7 +126,7 @@ TEST(TimerQueue, serves_times_before_the_start_and_at_the_end_of_all_days) {
   EXPECT_EQ(sut.take(), Order{1});
 }
 
-TEST(TimerQueue, lets_a_callback_arm_its_own_timer_again) {
+TEST(TimerQueue, LetsACallbackArmItsOwnTimerAgain) {
   Bells sut(1);
   sut.bells[0].on_ring = [&](Time now) { sut.queue.arm(sut[0], now + 10us); };
   sut.queue.arm(sut[0], Time(10us));
@@ -137,7 +137,7 @@ TEST(TimerQueue, lets_a_callback_arm_its_own_timer_again) {
   EXPECT_EQ(sut.take(), (Order{0, 0, 0}));
 }
 
-TEST(TimerQueue, does_not_run_without_end_when_a_callback_arms_for_the_present) {
+TEST(TimerQueue, DoesNotRunWithoutEndWhenACallbackArmsForThePresent) {
   Bells sut(1);
   sut.bells[0].on_ring = [&](Time now) { sut.queue.arm(sut[0], now); };
   sut.queue.arm(sut[0], Time(10us));
@@ -148,7 +148,7 @@ TEST(TimerQueue, does_not_run_without_end_when_a_callback_arms_for_the_present) 
   EXPECT_EQ(sut.take(), Order{0});
 }
 
-TEST(TimerQueue, calls_all_in_the_end_when_one_is_armed_in_front_of_the_others) {
+TEST(TimerQueue, CallsAllInTheEndWhenOneIsArmedInFrontOfTheOthers) {
   Bells sut(2);
   int again = 1;
   sut.bells[0].on_ring = [&](Time) {
@@ -160,7 +160,7 @@ TEST(TimerQueue, calls_all_in_the_end_when_one_is_armed_in_front_of_the_others) 
   EXPECT_EQ(sut.take(), (Order{0, 0, 1}));
 }
 
-TEST(TimerQueue, calls_a_timer_however_many_runs_it_has_waited) {
+TEST(TimerQueue, CallsATimerHoweverManyRunsItHasWaited) {
   for (int runs = 0; runs < 600; ++runs) {
     Bells sut(1);
     sut.queue.run(Time(0us));
@@ -172,7 +172,7 @@ TEST(TimerQueue, calls_a_timer_however_many_runs_it_has_waited) {
   }
 }
 
-TEST(TimerQueue, lets_a_callback_disarm_another_that_is_due) {
+TEST(TimerQueue, LetsACallbackDisarmAnotherThatIsDue) {
   Bells sut(2);
   sut.bells[0].on_ring = [&](Time) { sut.queue.disarm(sut[1]); };
   sut.queue.arm(sut[0], Time(10us));
@@ -181,7 +181,7 @@ TEST(TimerQueue, lets_a_callback_disarm_another_that_is_due) {
   EXPECT_EQ(sut.take(), Order{0});
 }
 
-TEST(TimerQueue, calls_nothing_for_a_timer_without_a_callback) {
+TEST(TimerQueue, CallsNothingForATimerWithoutACallback) {
   TimerQueue sut;
   Timer timer;
   sut.arm(timer, Time(1us));
@@ -226,7 +226,7 @@ Reaction reaction_of(int timer, int count) {
   return {(timer * 7 + 3) % count, timer % 3 != 0, Duration(timer % 5 - 1)};
 }
 
-TEST(TimerQueue, behaves_like_a_sorted_list_in_any_sequence_of_calls) {
+TEST(TimerQueue, BehavesLikeASortedListInAnySequenceOfCalls) {
   struct Step {
     int what;
     int timer;
@@ -279,7 +279,7 @@ TEST(TimerQueue, behaves_like_a_sorted_list_in_any_sequence_of_calls) {
   EXPECT_TRUE(held);
 }
 
-TEST(TimerQueue, sorts_ten_thousand_timers) {
+TEST(TimerQueue, SortsTenThousandTimers) {
   constexpr int count = 10'000;
   Bells sut(count);
   for (std::size_t i = 0; i < count; ++i) {

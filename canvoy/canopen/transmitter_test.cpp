@@ -29,7 +29,7 @@ Frame frame(std::uint32_t id) {
   return Frame::data_frame(id, {});
 }
 
-TEST(Transmitter, hands_frames_straight_to_the_controller) {
+TEST(Transmitter, HandsFramesStraightToTheController) {
   Controller controller{.room = 1};
   const Port port = controller.port();
   Frame backlog[2];
@@ -39,7 +39,7 @@ TEST(Transmitter, hands_frames_straight_to_the_controller) {
   EXPECT_TRUE(sut.idle());
 }
 
-TEST(Transmitter, keeps_the_order_while_the_controller_is_full) {
+TEST(Transmitter, KeepsTheOrderWhileTheControllerIsFull) {
   Controller controller;
   const Port port = controller.port();
   Frame backlog[2];
@@ -54,7 +54,7 @@ TEST(Transmitter, keeps_the_order_while_the_controller_is_full) {
   EXPECT_TRUE(sut.idle());
 }
 
-TEST(Transmitter, loses_and_counts_what_the_backlog_cannot_hold) {
+TEST(Transmitter, LosesAndCountsWhatTheBacklogCannotHold) {
   Controller controller;
   const Port port = controller.port();
   Frame backlog[2];
@@ -70,7 +70,7 @@ TEST(Transmitter, loses_and_counts_what_the_backlog_cannot_hold) {
   EXPECT_EQ(controller.ids, (std::vector<std::uint32_t>{1, 2}));
 }
 
-TEST(Transmitter, is_crowded_from_the_half_of_its_backlog_on) {
+TEST(Transmitter, IsCrowdedFromTheHalfOfItsBacklogOn) {
   for (const std::size_t size : {0U, 1U, 2U, 3U, 16U}) {
     Controller controller;
     const Port port = controller.port();
@@ -83,7 +83,7 @@ TEST(Transmitter, is_crowded_from_the_half_of_its_backlog_on) {
   }
 }
 
-TEST(Transmitter, works_without_a_backlog) {
+TEST(Transmitter, WorksWithoutABacklog) {
   Controller controller{.room = 1};
   const Port port = controller.port();
   Transmitter sut(port, {});
@@ -93,7 +93,7 @@ TEST(Transmitter, works_without_a_backlog) {
   EXPECT_EQ(sut.lost(), 1U);
 }
 
-TEST(Transmitter, loses_and_counts_each_frame_that_is_refused_without_a_backlog) {
+TEST(Transmitter, LosesAndCountsEachFrameThatIsRefusedWithoutABacklog) {
   Controller controller{.room = 0};
   const Port port = controller.port();
   Transmitter sut(port, {});
@@ -110,7 +110,7 @@ TEST(Transmitter, loses_and_counts_each_frame_that_is_refused_without_a_backlog)
   EXPECT_EQ(sut.lost(), 3U);
 }
 
-TEST(Transmitter, forgets_what_waits_when_it_is_cleared) {
+TEST(Transmitter, ForgetsWhatWaitsWhenItIsCleared) {
   Controller controller;
   const Port port = controller.port();
   Frame backlog[2];
@@ -125,7 +125,7 @@ TEST(Transmitter, forgets_what_waits_when_it_is_cleared) {
   EXPECT_EQ(controller.ids, (std::vector<std::uint32_t>{2}));
 }
 
-TEST(Transmitter, is_a_bounded_queue_in_any_sequence_of_calls) {
+TEST(Transmitter, IsABoundedQueueInAnySequenceOfCalls) {
   const bool held = rc::check("like a deque", [] {
     Controller controller;
     const Port port = controller.port();
@@ -184,7 +184,7 @@ struct EchoController {
   std::function<void(const Frame&)> answer{};
 };
 
-TEST(Transmitter, may_be_cleared_by_an_answer_that_comes_at_once) {
+TEST(Transmitter, MayBeClearedByAnAnswerThatComesAtOnce) {
   for (const std::size_t room : {1U, 9U}) {
     EchoController controller;
     const Port port = controller.port();
@@ -225,7 +225,7 @@ struct RefusingController {
   std::function<void()> told{};
 };
 
-TEST(Transmitter, keeps_all_frames_where_another_is_sent_while_one_is_refused) {
+TEST(Transmitter, KeepsAllFramesWhereAnotherIsSentWhileOneIsRefused) {
   RefusingController controller;
   const Port port = controller.port();
   Frame backlog[3];
@@ -239,7 +239,7 @@ TEST(Transmitter, keeps_all_frames_where_another_is_sent_while_one_is_refused) {
   EXPECT_EQ(controller.ids, (std::vector<std::uint32_t>{1, 2, 3}));
 }
 
-TEST(Transmitter, loses_no_older_frame_where_one_is_sent_into_the_last_room_while_one_is_refused) {
+TEST(Transmitter, LosesNoOlderFrameWhereOneIsSentIntoTheLastRoomWhileOneIsRefused) {
   RefusingController controller;
   const Port port = controller.port();
   Frame backlog[2];
@@ -258,7 +258,7 @@ TEST(Transmitter, loses_no_older_frame_where_one_is_sent_into_the_last_room_whil
   EXPECT_TRUE(sut.idle());
 }
 
-TEST(Transmitter, stays_empty_where_it_is_cleared_while_a_frame_is_refused) {
+TEST(Transmitter, StaysEmptyWhereItIsClearedWhileAFrameIsRefused) {
   RefusingController controller;
   const Port port = controller.port();
   Frame backlog[2];
@@ -273,7 +273,7 @@ TEST(Transmitter, stays_empty_where_it_is_cleared_while_a_frame_is_refused) {
   EXPECT_TRUE(sut.idle());
 }
 
-TEST(Transmitter, may_be_flushed_by_an_answer_that_comes_at_once) {
+TEST(Transmitter, MayBeFlushedByAnAnswerThatComesAtOnce) {
   EchoController controller;
   const Port port = controller.port();
   Frame backlog[3];

@@ -56,7 +56,7 @@ struct Slave : WireNode {
   VerifyConfiguration sut{node};
 };
 
-TEST(VerifyConfiguration, keeps_the_date_and_time_that_it_was_given) {
+TEST(VerifyConfiguration, KeepsTheDateAndTimeThatItWasGiven) {
   Slave slave;
   slave.configure();
   EXPECT_TRUE(slave.is_configured());
@@ -65,7 +65,7 @@ TEST(VerifyConfiguration, keeps_the_date_and_time_that_it_was_given) {
   slave.expect({"585#43 20 10 01 E8 03 00 00", "585#43 20 10 02 70 17 00 00"});
 }
 
-TEST(VerifyConfiguration, a_write_to_a_configuration_object_makes_it_zero) {
+TEST(VerifyConfiguration, AWriteToAConfigurationObjectMakesItZero) {
   Slave slave;
   for (const char* write : {"605#2B 17 10 00 F4 01 00 00", "605#2F 00 20 00 07 00 00 00",
                             "605#23 01 12 01 40 06 00 00"}) {
@@ -79,7 +79,7 @@ TEST(VerifyConfiguration, a_write_to_a_configuration_object_makes_it_zero) {
   slave.expect({"585#43 20 10 01 00 00 00 00", "585#43 20 10 02 00 00 00 00"});
 }
 
-TEST(VerifyConfiguration, the_next_configuration_is_kept_again) {
+TEST(VerifyConfiguration, TheNextConfigurationIsKeptAgain) {
   Slave slave;
   slave.configure();
   slave.receive("605#2B 17 10 00 F4 01 00 00");
@@ -87,7 +87,7 @@ TEST(VerifyConfiguration, the_next_configuration_is_kept_again) {
   EXPECT_TRUE(slave.is_configured());
 }
 
-TEST(VerifyConfiguration, a_write_that_is_refused_changes_nothing) {
+TEST(VerifyConfiguration, AWriteThatIsRefusedChangesNothing) {
   Slave slave;
   slave.configure();
   slave.receive("605#2F 17 10 00 F4 00 00 00");  // too short
@@ -95,7 +95,7 @@ TEST(VerifyConfiguration, a_write_that_is_refused_changes_nothing) {
   EXPECT_TRUE(slave.is_configured());
 }
 
-TEST(VerifyConfiguration, process_data_commands_and_states_are_no_configuration) {
+TEST(VerifyConfiguration, ProcessDataCommandsAndStatesAreNoConfiguration) {
   Slave slave;
   slave.configure();
   for (const char* write : {"605#2F 00 62 00 01 00 00 00", "605#2F 03 10 00 00 00 00 00",
@@ -108,7 +108,7 @@ TEST(VerifyConfiguration, process_data_commands_and_states_are_no_configuration)
   }
 }
 
-TEST(VerifyConfiguration, an_sdo_channel_that_is_given_out_dynamically_is_no_configuration) {
+TEST(VerifyConfiguration, AnSdoChannelThatIsGivenOutDynamicallyIsNoConfiguration) {
   Slave slave;
   slave.configure();
   slave.receive("605#23 01 12 01 40 06 00 40");
@@ -119,7 +119,7 @@ TEST(VerifyConfiguration, an_sdo_channel_that_is_given_out_dynamically_is_no_con
   EXPECT_TRUE(slave.is_configured());
 }
 
-TEST(VerifyConfiguration, what_the_device_itself_writes_is_no_configuration) {
+TEST(VerifyConfiguration, WhatTheDeviceItselfWritesIsNoConfiguration) {
   Slave slave;
   slave.configure();
   const std::uint8_t value[] = {0x64, 0x00};
@@ -127,7 +127,7 @@ TEST(VerifyConfiguration, what_the_device_itself_writes_is_no_configuration) {
   EXPECT_TRUE(slave.is_configured());
 }
 
-TEST(VerifyConfiguration, a_reset_of_communication_takes_the_values_of_power_on) {
+TEST(VerifyConfiguration, AResetOfCommunicationTakesTheValuesOfPowerOn) {
   Slave slave;
   slave.configure();
   slave.receive("000#82 05");

@@ -82,7 +82,7 @@ class GuardedNetwork : public testing::Test {
   std::vector<std::string> events_;
 };
 
-TEST_F(GuardedNetwork, hears_all_slaves_and_loses_none) {
+TEST_F(GuardedNetwork, HearsAllSlavesAndLosesNone) {
   world_.run_until(Time(10s));
   EXPECT_EQ(count_slaves(RemoteState::pre_operational), slave_count);
   EXPECT_EQ(events_, std::vector<std::string>());
@@ -90,7 +90,7 @@ TEST_F(GuardedNetwork, hears_all_slaves_and_loses_none) {
   for (const Slave& slave : slaves_) EXPECT_FALSE(slave.guarding.is_master_lost());
 }
 
-TEST_F(GuardedNetwork, notices_the_slave_that_is_gone_and_its_return) {
+TEST_F(GuardedNetwork, NoticesTheSlaveThatIsGoneAndItsReturn) {
   world_.run_until(Time(5s));
   world_.stop(slot_of(77));
   world_.run_until(Time(5s) + 3 * guard_time + guard_time);
@@ -101,7 +101,7 @@ TEST_F(GuardedNetwork, notices_the_slave_that_is_gone_and_its_return) {
   EXPECT_EQ(count_slaves(RemoteState::pre_operational), slave_count);
 }
 
-TEST_F(GuardedNetwork, is_without_a_master_for_every_slave_when_that_is_gone) {
+TEST_F(GuardedNetwork, IsWithoutAMasterForEverySlaveWhenThatIsGone) {
   world_.run_until(Time(5s));
   world_.stop(master_slot_);
   world_.run_until(Time(5s) + life_time_factor * guard_time + 50ms);

@@ -223,7 +223,7 @@ constexpr SimulatedBusOptions fast_bus{.bit_rate = 1'000'000};
 constexpr std::uint32_t one_by_one = 0x01;
 constexpr std::uint32_t all_at_once = 0x03;
 
-TEST(LargeNetwork, of_127_nodes_boots_with_each_service_done_once) {
+TEST(LargeNetwork, Of127NodesBootsWithEachServiceDoneOnce) {
   auto network = std::make_unique<LargeNetwork<126>>(fast_bus, all_at_once);
   ASSERT_TRUE(network->run_until_operational(Time(10s)));
   expect_each_service_once(*network, true);
@@ -236,13 +236,13 @@ TEST(LargeNetwork, of_127_nodes_boots_with_each_service_done_once) {
   EXPECT_TRUE(network->all_operational());
 }
 
-TEST(LargeNetwork, of_127_nodes_boots_slave_by_slave_with_each_service_done_once) {
+TEST(LargeNetwork, Of127NodesBootsSlaveBySlaveWithEachServiceDoneOnce) {
   auto network = std::make_unique<LargeNetwork<126>>(fast_bus, one_by_one);
   ASSERT_TRUE(network->run_until_operational(Time(10s)));
   expect_each_service_once(*network, false);
 }
 
-TEST(LargeNetwork, needs_no_more_than_a_few_slots) {
+TEST(LargeNetwork, NeedsNoMoreThanAFewSlots) {
   auto network = std::make_unique<LargeNetwork<4>>(fast_bus, one_by_one);
   // A slave keeps its slot until its first heartbeat.
   ASSERT_TRUE(network->run_until_operational(Time(60s)));
@@ -250,7 +250,7 @@ TEST(LargeNetwork, needs_no_more_than_a_few_slots) {
   expect_parameters(network->slaves);
 }
 
-TEST(LargeNetwork, boots_on_a_bus_that_destroys_one_frame_in_fifty) {
+TEST(LargeNetwork, BootsOnABusThatDestroysOneFrameInFifty) {
   SimulatedBusOptions options = fast_bus;
   options.faults.frame_error_probability = 0.02;
   auto network = std::make_unique<LargeNetwork<126>>(options, all_at_once);
@@ -263,7 +263,7 @@ TEST(LargeNetwork, boots_on_a_bus_that_destroys_one_frame_in_fifty) {
   for (const auto& [frame, count] : expected) EXPECT_GE(network->frames[frame], count) << frame;
 }
 
-TEST(LargeNetwork, boots_although_each_slave_loses_one_answer_in_fifty) {
+TEST(LargeNetwork, BootsAlthoughEachSlaveLosesOneAnswerInFifty) {
   auto network = std::make_unique<LargeNetwork<126>>(fast_bus, all_at_once, 2);
   ASSERT_TRUE(network->run_until_operational(Time(60s)));
   expect_parameters(network->slaves);

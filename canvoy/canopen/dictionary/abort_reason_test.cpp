@@ -15,7 +15,7 @@ constexpr std::uint32_t codes[] = {
     0x0609'0031, 0x0609'0032, 0x0609'0036, 0x060A'0023, 0x0800'0000, 0x0800'0020, 0x0800'0021,
     0x0800'0022, 0x0800'0023, 0x0800'0024};
 
-TEST(AbortReason, is_one_of_its_own_for_each_code_of_cia_301) {
+TEST(AbortReason, IsOneOfItsOwnForEachCodeOfCia301) {
   std::set<std::string_view> reasons{abort_reason(AbortCode{0x0504'0006})};
   EXPECT_EQ(*reasons.begin(), "unknown abort code");
   for (const std::uint32_t code : codes) {
@@ -23,7 +23,7 @@ TEST(AbortReason, is_one_of_its_own_for_each_code_of_cia_301) {
   }
 }
 
-TEST(AbortReason, says_what_is_wrong) {
+TEST(AbortReason, SaysWhatIsWrong) {
   EXPECT_EQ(abort_reason(AbortCode{0x0602'0000}), "the object does not exist in the dictionary");
   EXPECT_EQ(abort_reason(AbortCode{0x0504'0000}), "no answer within the SDO time-out");
   EXPECT_EQ(abort_reason(AbortCode{0x0601'0001}), "the object is write-only");
@@ -31,7 +31,7 @@ TEST(AbortReason, says_what_is_wrong) {
   EXPECT_EQ(abort_reason(AbortCode::none), "no abort");
 }
 
-TEST(AbortReason, of_what_no_server_may_say_is_unknown) {
+TEST(AbortReason, OfWhatNoServerMaySayIsUnknown) {
   for (const std::uint32_t code : {0x0000'0001U, 0x0609'0033U, 0x0800'0025U, 0xFFFF'FFFFU}) {
     EXPECT_EQ(abort_reason(AbortCode{code}), "unknown abort code");
   }

@@ -26,13 +26,13 @@ DataType type(unsigned code) {
   return static_cast<DataType>(code);
 }
 
-TEST(DataType, has_the_length_that_cia_301_gives_it) {
+TEST(DataType, HasTheLengthThatCia301GivesIt) {
   for (const Width& width : cia_301) {
     EXPECT_EQ(bit_length(type(width.code)), width.bits) << std::hex << width.code;
   }
 }
 
-TEST(DataType, has_every_odd_length_from_60h_to_7Ah) {
+TEST(DataType, HasEveryOddLengthFrom60hTo7Ah) {
   std::set<unsigned> lengths;
   for (unsigned code = 0x60; code <= 0x7A; ++code) lengths.insert(bit_length(type(code)));
   std::set<unsigned> expected;
@@ -44,7 +44,7 @@ TEST(DataType, has_every_odd_length_from_60h_to_7Ah) {
   EXPECT_EQ(bit_length(DataType::unsigned31), 31U);
 }
 
-TEST(DataType, has_no_length_where_it_does_not_exist) {
+TEST(DataType, HasNoLengthWhereItDoesNotExist) {
   std::set<unsigned> known;
   for (const Width& width : cia_301) known.insert(width.code);
   for (unsigned code = 0; code < 256; ++code) {
@@ -56,7 +56,7 @@ TEST(DataType, has_no_length_where_it_does_not_exist) {
   }
 }
 
-TEST(DataType, travels_in_whole_bytes) {
+TEST(DataType, TravelsInWholeBytes) {
   const std::map<unsigned, unsigned> bytes_of_bits = {{0, 0},  {1, 1},  {8, 1},  {16, 2}, {24, 3},
                                                       {32, 4}, {40, 5}, {48, 6}, {56, 7}, {64, 8}};
   for (const Width& width : cia_301) {
@@ -68,14 +68,14 @@ TEST(DataType, travels_in_whole_bytes) {
   }
 }
 
-TEST(DataType, is_signed_for_the_eight_integers_only) {
+TEST(DataType, IsSignedForTheEightIntegersOnly) {
   const std::set<unsigned> signed_types = {0x02, 0x03, 0x04, 0x10, 0x12, 0x13, 0x14, 0x15};
   for (unsigned code = 0; code < 256; ++code) {
     EXPECT_EQ(is_signed(type(code)), signed_types.contains(code)) << std::hex << code;
   }
 }
 
-TEST(DataType, is_a_string_a_real_or_an_integer_or_none_of_them) {
+TEST(DataType, IsAStringARealOrAnIntegerOrNoneOfThem) {
   const std::set<unsigned> strings = {0x09, 0x0A, 0x0B, 0x7B};
   const std::set<unsigned> reals = {0x08, 0x11};
   const std::set<unsigned> others = {0x0C, 0x0D, 0x0F};

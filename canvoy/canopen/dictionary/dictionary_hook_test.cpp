@@ -55,7 +55,7 @@ struct Recorder {
 
 using Log = std::vector<std::string>;
 
-TEST(DictionaryHook, is_called_before_a_read_and_around_a_write) {
+TEST(DictionaryHook, IsCalledBeforeAReadAndAroundAWrite) {
   Held sut(shapes.tables());
   Log log;
   Recorder hook(sut.dictionary, 0x1018, 0x1018, log, "a");
@@ -66,7 +66,7 @@ TEST(DictionaryHook, is_called_before_a_read_and_around_a_write) {
   EXPECT_EQ(hook.source, Source::pdo);
 }
 
-TEST(DictionaryHook, is_called_for_its_range_within_a_row_of_objects_only) {
+TEST(DictionaryHook, IsCalledForItsRangeWithinARowOfObjectsOnly) {
   Held sut(shapes.tables());
   Log log;
   Recorder hook(sut.dictionary, 0x6105, 0x6106, log, "a");
@@ -76,7 +76,7 @@ TEST(DictionaryHook, is_called_for_its_range_within_a_row_of_objects_only) {
   EXPECT_EQ(log, (Log{"a checks 6105:9", "a wrote 6105:9", "a checks 6106:9", "a wrote 6106:9"}));
 }
 
-TEST(DictionaryHook, is_called_for_its_range_only) {
+TEST(DictionaryHook, IsCalledForItsRangeOnly) {
   Held sut(shapes.tables());
   Log log;
   Recorder hook(sut.dictionary, 0x6105, 0x6106, log, "a");
@@ -87,7 +87,7 @@ TEST(DictionaryHook, is_called_for_its_range_only) {
   EXPECT_EQ(log, (Log{"a checks 6106:9", "a wrote 6106:9"}));
 }
 
-TEST(DictionaryHook, may_refuse_a_read_or_a_write_which_then_changes_nothing) {
+TEST(DictionaryHook, MayRefuseAReadOrAWriteWhichThenChangesNothing) {
   Held sut(shapes.tables());
   Log log;
   Recorder hook(sut.dictionary, 0x1018, 0x1018, log, "a");
@@ -102,7 +102,7 @@ TEST(DictionaryHook, may_refuse_a_read_or_a_write_which_then_changes_nothing) {
   EXPECT_EQ(sut.read(0x1018, 1), (Bytes{1, 2, 3, 4}));
 }
 
-TEST(DictionaryHook, is_not_asked_when_access_length_or_range_forbid_the_write) {
+TEST(DictionaryHook, IsNotAskedWhenAccessLengthOrRangeForbidTheWrite) {
   Held sut(shapes.tables());
   Log log;
   Recorder hook(sut.dictionary, 0x0000, 0xFFFF, log, "a");
@@ -112,7 +112,7 @@ TEST(DictionaryHook, is_not_asked_when_access_length_or_range_forbid_the_write) 
   EXPECT_EQ(log, Log{});
 }
 
-TEST(DictionaryHook, stands_beside_others_on_one_object_and_the_last_attached_comes_first) {
+TEST(DictionaryHook, StandsBesideOthersOnOneObjectAndTheLastAttachedComesFirst) {
   Held sut(shapes.tables());
   Log log;
   Recorder a(sut.dictionary, 0x1018, 0x1018, log, "a");
@@ -125,7 +125,7 @@ TEST(DictionaryHook, stands_beside_others_on_one_object_and_the_last_attached_co
   EXPECT_EQ(log, (Log{"b checks 1018:1"})) << "the first refusal is the answer";
 }
 
-TEST(DictionaryHook, is_not_called_for_what_the_device_itself_sets) {
+TEST(DictionaryHook, IsNotCalledForWhatTheDeviceItselfSets) {
   Held sut(shapes.tables());
   Log log;
   Recorder hook(sut.dictionary, 0x0000, 0xFFFF, log, "a");
@@ -135,7 +135,7 @@ TEST(DictionaryHook, is_not_called_for_what_the_device_itself_sets) {
   EXPECT_EQ(log, Log{});
 }
 
-TEST(DictionaryHook, may_refresh_a_value_before_it_is_read) {
+TEST(DictionaryHook, MayRefreshAValueBeforeItIsRead) {
   struct Clock {
     AbortCode tick(const Entry& entry) {
       dictionary.set(entry, bytes_of(++count, 4));
@@ -153,7 +153,7 @@ TEST(DictionaryHook, may_refresh_a_value_before_it_is_read) {
   EXPECT_EQ(sut.read(0x1018, 1), (Bytes{2, 0, 0, 0}));
 }
 
-TEST(DictionaryHook, is_counted_as_a_revision) {
+TEST(DictionaryHook, IsCountedAsARevision) {
   Held sut(shapes.tables());
   const std::uint32_t before = sut.dictionary.revision();
   Hook hook{.first = 0x1018, .last = 0x1018};
@@ -161,7 +161,7 @@ TEST(DictionaryHook, is_counted_as_a_revision) {
   EXPECT_NE(sut.dictionary.revision(), before);
 }
 
-TEST(DictionaryHook, is_told_alone_by_announce) {
+TEST(DictionaryHook, IsToldAloneByAnnounce) {
   Held sut(shapes.tables());
   Log log;
   Recorder hook(sut.dictionary, 0x1018, 0x1018, log, "a");
@@ -180,7 +180,7 @@ constexpr auto domains = lay_out(std::to_array<ObjectRow>({{.index = 0x1F50, .en
                                                            .access = Access::rw,
                                                            .capacity = 99}}));
 
-TEST(DictionaryDomain, takes_no_memory_and_has_no_value_of_its_own) {
+TEST(DictionaryDomain, TakesNoMemoryAndHasNoValueOfItsOwn) {
   EXPECT_EQ(domains.tables().value_bytes, 1U);
   Held sut(domains.tables());
   sut.read(0x1F50, 1);
@@ -189,7 +189,7 @@ TEST(DictionaryDomain, takes_no_memory_and_has_no_value_of_its_own) {
   EXPECT_EQ(sut.dictionary.domain(sut.entry(0x1F50, 1)), nullptr);
 }
 
-TEST(DictionaryDomain, is_served_by_the_hook_that_carries_it) {
+TEST(DictionaryDomain, IsServedByTheHookThatCarriesIt) {
   Held sut(domains.tables());
   const Domain domain{};
   Hook other{.first = 0x1F50, .last = 0x1F50};

@@ -20,7 +20,7 @@ bool exists(unsigned index, unsigned sub) {
   return false;
 }
 
-TEST(DictionarySearch, finds_each_entry_that_exists_and_no_other) {
+TEST(DictionarySearch, FindsEachEntryThatExistsAndNoOther) {
   Held sut(shapes.tables());
   for (unsigned index = 0; index <= 0xFFFF; ++index) {
     const bool object_exists = exists(index, 0);
@@ -39,7 +39,7 @@ TEST(DictionarySearch, finds_each_entry_that_exists_and_no_other) {
   }
 }
 
-TEST(DictionarySearch, finds_nothing_in_an_empty_dictionary) {
+TEST(DictionarySearch, FindsNothingInAnEmptyDictionary) {
   Held sut(DictionaryTables{});
   EXPECT_EQ(sut.dictionary.find(0x1000, 0).abort(), AbortCode::no_object);
   EXPECT_EQ(sut.write(0x1000, 0, {0}), AbortCode::no_object);
@@ -47,7 +47,7 @@ TEST(DictionarySearch, finds_nothing_in_an_empty_dictionary) {
   EXPECT_EQ(sut.dictionary.number(0x1000, 0), 0U);
 }
 
-TEST(DictionarySearch, gives_each_entry_its_own_memory_within_the_block) {
+TEST(DictionarySearch, GivesEachEntryItsOwnMemoryWithinTheBlock) {
   Held sut(shapes.tables());
   std::map<const std::uint8_t*, unsigned> owner;
   for (unsigned index = 0; index <= 0xFFFF; ++index) {
@@ -68,7 +68,7 @@ TEST(DictionarySearch, gives_each_entry_its_own_memory_within_the_block) {
   EXPECT_EQ(owner.size(), sut.values.size()) << "and leaves none unused";
 }
 
-TEST(DictionarySearch, finds_what_a_naive_search_finds_in_any_layout) {
+TEST(DictionarySearch, FindsWhatANaiveSearchFindsInAnyLayout) {
   const bool held = rc::check("like a list", [] {
     HeapTables tables;
     std::map<unsigned, std::vector<bool>> model;  // object -> the sub-indices that exist
@@ -117,7 +117,7 @@ constexpr auto accesses =
                  {.sub_first = 3, .sub_last = 3, .access = Access::const_, .initial = 4},
                  {.sub_first = 4, .sub_last = 4, .access = Access::none}}));
 
-TEST(DictionaryAccess, is_what_the_entry_allows) {
+TEST(DictionaryAccess, IsWhatTheEntryAllows) {
   Held sut(accesses.tables());
   EXPECT_EQ(sut.read(0x2000, 0), Bytes{1});
   EXPECT_EQ(sut.read(0x2000, 1), Bytes{});
@@ -136,19 +136,19 @@ TEST(DictionaryAccess, is_what_the_entry_allows) {
   EXPECT_EQ(sut.dictionary.number(0x2000, 1), 9U);
 }
 
-TEST(DictionaryAccess, is_asked_before_length_and_range) {
+TEST(DictionaryAccess, IsAskedBeforeLengthAndRange) {
   Held sut(accesses.tables());
   EXPECT_EQ(sut.write(0x2000, 0, {1, 2, 3}), AbortCode::read_only);
   EXPECT_EQ(sut.write(0x2000, 0, {}), AbortCode::read_only);
 }
 
-TEST(DictionaryAccess, does_not_bind_the_device_itself) {
+TEST(DictionaryAccess, DoesNotBindTheDeviceItself) {
   Held sut(accesses.tables());
   EXPECT_TRUE(sut.dictionary.set_number(0x2000, 0, 7));
   EXPECT_EQ(sut.read(0x2000, 0), Bytes{7});
 }
 
-TEST(DictionaryAccess, combines_its_bits) {
+TEST(DictionaryAccess, CombinesItsBits) {
   EXPECT_TRUE(allows(Access::rw, Access::sdo_read));
   EXPECT_TRUE(allows(Access::rw | Access::tpdo, Access::tpdo));
   EXPECT_FALSE(allows(Access::ro | Access::tpdo, Access::rpdo));
@@ -173,7 +173,7 @@ constexpr auto defaults =
                  {.sub_first = 1, .sub_last = 2, .type = DataType::integer40, .initial = -4},
                  {.type = DataType::real32, .access = Access::rw, .initial = 0x3F80'0000}}));
 
-TEST(DictionaryDefault, is_restored_for_the_objects_that_are_asked_for) {
+TEST(DictionaryDefault, IsRestoredForTheObjectsThatAreAskedFor) {
   Held sut(defaults.tables(), 0x0A);
   EXPECT_EQ(sut.dictionary.number(0x1000, 0), 0x8000'018AU);
   EXPECT_EQ(sut.dictionary.number(0x2001, 2), 0xFF'FFFF'FFFCU);
@@ -193,7 +193,7 @@ TEST(DictionaryDefault, is_restored_for_the_objects_that_are_asked_for) {
 
 // Watchers
 
-TEST(DictionaryChanges, tell_the_watchers_of_what_changed_and_of_nothing_else) {
+TEST(DictionaryChanges, TellTheWatchersOfWhatChangedAndOfNothingElse) {
   Held sut(shapes.tables());
   sut.dictionary.watch(sut.entry(0x1018, 1), 0x0000'0004);
   sut.dictionary.watch(sut.entry(0x6000, 7), 0x8000'0000);
@@ -216,7 +216,7 @@ TEST(DictionaryChanges, tell_the_watchers_of_what_changed_and_of_nothing_else) {
   EXPECT_EQ(sut.dictionary.changes(), 0x40U);
 }
 
-TEST(DictionaryChanges, are_not_told_any_more_to_who_has_gone) {
+TEST(DictionaryChanges, AreNotToldAnyMoreToWhoHasGone) {
   Held sut(shapes.tables());
   const std::uint32_t before = sut.dictionary.revision();
   sut.dictionary.watch(sut.entry(0x1018, 1), 0x3);
@@ -228,7 +228,7 @@ TEST(DictionaryChanges, are_not_told_any_more_to_who_has_gone) {
   EXPECT_EQ(sut.dictionary.changes(), 0x2U);
 }
 
-TEST(DictionaryChanges, include_the_return_of_a_default) {
+TEST(DictionaryChanges, IncludeTheReturnOfADefault) {
   Held sut(defaults.tables());
   sut.dictionary.watch(sut.entry(0x0FFF), 1);
   sut.dictionary.restore_defaults(0, 0xFFFF, 5);

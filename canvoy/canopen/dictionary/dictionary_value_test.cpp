@@ -35,7 +35,7 @@ constexpr auto types = [] {
 constexpr std::size_t type_bytes[type_count] = {1, 1, 2, 4, 1, 2, 4, 4, 6, 6, 3,
                                                 8, 5, 6, 7, 8, 3, 5, 6, 7, 8};
 
-TEST(DictionaryLength, is_that_of_the_type_and_no_other) {
+TEST(DictionaryLength, IsThatOfTheTypeAndNoOther) {
   Held sut(types.tables());
   for (std::size_t i = 0; i < type_count; ++i) {
     const auto index = static_cast<std::uint16_t>(0x2000 + i);
@@ -50,7 +50,7 @@ TEST(DictionaryLength, is_that_of_the_type_and_no_other) {
   }
 }
 
-TEST(DictionaryLength, keeps_every_bit_of_every_type) {
+TEST(DictionaryLength, KeepsEveryBitOfEveryType) {
   Held sut(types.tables());
   for (std::size_t i = 0; i < type_count; ++i) {
     const auto index = static_cast<std::uint16_t>(0x2000 + i);
@@ -62,7 +62,7 @@ TEST(DictionaryLength, keeps_every_bit_of_every_type) {
   }
 }
 
-TEST(DictionaryLength, refuses_bits_that_an_odd_sized_integer_does_not_have) {
+TEST(DictionaryLength, RefusesBitsThatAnOddSizedIntegerDoesNotHave) {
   constexpr auto odd =
       lay_out(std::to_array<ObjectRow>({{.index = 0x2000, .entry_count = 1},
                                         {.index = 0x2001, .entry_count = 1},
@@ -113,7 +113,7 @@ constexpr DataType signed_types[] = {DataType::integer8,  DataType::integer16, D
                                      DataType::integer32, DataType::integer40, DataType::integer48,
                                      DataType::integer56, DataType::integer64};
 
-TEST(DictionaryRange, holds_for_unsigned_integers_of_all_sizes) {
+TEST(DictionaryRange, HoldsForUnsignedIntegersOfAllSizes) {
   for (const DataType type : unsigned_types) {
     Limited sut(type, 10, 200);
     EXPECT_EQ(sut.write(9), AbortCode::value_too_low);
@@ -125,7 +125,7 @@ TEST(DictionaryRange, holds_for_unsigned_integers_of_all_sizes) {
   }
 }
 
-TEST(DictionaryRange, holds_for_signed_integers_of_all_sizes) {
+TEST(DictionaryRange, HoldsForSignedIntegersOfAllSizes) {
   for (const DataType type : signed_types) {
     Limited sut(type, -100, 100);
     EXPECT_EQ(sut.write(static_cast<std::uint64_t>(-101)), AbortCode::value_too_low);
@@ -140,7 +140,7 @@ TEST(DictionaryRange, holds_for_signed_integers_of_all_sizes) {
   }
 }
 
-TEST(DictionaryRange, reaches_to_both_ends_of_64_bits) {
+TEST(DictionaryRange, ReachesToBothEndsOf64Bits) {
   constexpr std::int64_t lowest = INT64_MIN;
   constexpr std::int64_t highest = INT64_MAX;
   Limited with_sign(DataType::integer64, lowest + 1, highest - 1);
@@ -158,7 +158,7 @@ TEST(DictionaryRange, reaches_to_both_ends_of_64_bits) {
   EXPECT_EQ(without.write(0xFFFF'FFFF'FFFF'FFFF), AbortCode::value_too_high);
 }
 
-TEST(DictionaryRange, lets_a_sentinel_pass_outside_of_the_limits) {
+TEST(DictionaryRange, LetsASentinelPassOutsideOfTheLimits) {
   constexpr EntryTraits traits = EntryTraits::limited | EntryTraits::has_sentinel;
   Limited percent(DataType::unsigned8, 0, 100, traits, 0xFF);
   EXPECT_EQ(percent.write(100), AbortCode::none);
@@ -180,19 +180,19 @@ TEST(DictionaryRange, lets_a_sentinel_pass_outside_of_the_limits) {
   EXPECT_EQ(odd.write(0xFF'FFFE), AbortCode::value_too_low);
 }
 
-TEST(DictionaryRange, does_not_hold_where_the_entry_has_none) {
+TEST(DictionaryRange, DoesNotHoldWhereTheEntryHasNone) {
   Limited sut(DataType::unsigned16, 10, 20, EntryTraits::none);
   for (const std::uint64_t number : {0U, 9U, 21U, 0xFFFFU}) {
     EXPECT_EQ(sut.write(number), AbortCode::none);
   }
 }
 
-TEST(DictionaryRange, takes_any_byte_for_a_boolean) {
+TEST(DictionaryRange, TakesAnyByteForABoolean) {
   Limited sut(DataType::boolean, 0, 1, EntryTraits::none);
   for (unsigned byte = 0; byte < 256; ++byte) EXPECT_EQ(sut.write(byte), AbortCode::none);
 }
 
-TEST(DictionaryRange, does_not_hold_for_reals_and_times) {
+TEST(DictionaryRange, DoesNotHoldForRealsAndTimes) {
   for (const DataType type : {DataType::real32, DataType::real64, DataType::time_of_day}) {
     Limited sut(type, 1, 2);
     EXPECT_EQ(sut.write(0), AbortCode::none);
@@ -200,7 +200,7 @@ TEST(DictionaryRange, does_not_hold_for_reals_and_times) {
   }
 }
 
-TEST(DictionaryRange, changes_nothing_when_it_refuses) {
+TEST(DictionaryRange, ChangesNothingWhenItRefuses) {
   Limited sut(DataType::unsigned16, 10, 20);
   ASSERT_EQ(sut.write(15), AbortCode::none);
   EXPECT_EQ(sut.write(21), AbortCode::value_too_high);
@@ -208,7 +208,7 @@ TEST(DictionaryRange, changes_nothing_when_it_refuses) {
   EXPECT_EQ(sut.held.dictionary.number(0x2000, 0), 15U);
 }
 
-TEST(DictionaryRange, agrees_with_arithmetic_for_any_value_and_limits) {
+TEST(DictionaryRange, AgreesWithArithmeticForAnyValueAndLimits) {
   const bool held = rc::check("signed", [] {
     const DataType type = signed_types[*rc::gen::inRange(0, 8)];
     const unsigned unused = 64 - bit_length(type);
@@ -240,14 +240,14 @@ constexpr auto strings = lay_out(std::to_array<ObjectRow>({{.index = 0x1008, .en
                                                            .access = Access::rw,
                                                            .capacity = 300}}));
 
-TEST(DictionaryString, has_its_default_text) {
+TEST(DictionaryString, HasItsDefaultText) {
   Held sut(strings.tables());
   EXPECT_EQ(sut.read(0x1008, 0), (Bytes{'c', 'a', 'n', 'v', 'o', 'y'}));
   EXPECT_EQ(sut.read(0x2000, 1), Bytes{});
   EXPECT_EQ(sut.abort, AbortCode::none);
 }
 
-TEST(DictionaryString, has_any_length_up_to_its_capacity) {
+TEST(DictionaryString, HasAnyLengthUpToItsCapacity) {
   Held sut(strings.tables());
   for (std::size_t length = 0; length <= 8; ++length) {
     const Bytes text(length, 'x');
@@ -258,7 +258,7 @@ TEST(DictionaryString, has_any_length_up_to_its_capacity) {
   EXPECT_EQ(sut.read(0x1008, 0), Bytes(8, 'x'));
 }
 
-TEST(DictionaryString, does_not_touch_its_neighbours) {
+TEST(DictionaryString, DoesNotTouchItsNeighbours) {
   Held sut(strings.tables());
   for (std::uint8_t sub = 1; sub <= 3; ++sub) {
     EXPECT_EQ(sut.write(0x2000, sub, Bytes(300, sub)), AbortCode::none);
@@ -271,19 +271,19 @@ TEST(DictionaryString, does_not_touch_its_neighbours) {
   EXPECT_EQ(sut.read(0x2000, 2), Bytes{});
 }
 
-TEST(DictionaryString, is_cut_when_the_device_itself_sets_too_much) {
+TEST(DictionaryString, IsCutWhenTheDeviceItselfSetsTooMuch) {
   Held sut(strings.tables());
   sut.dictionary.set(sut.entry(0x1008), Bytes(20, 'z'));
   EXPECT_EQ(sut.read(0x1008, 0), Bytes(8, 'z'));
 }
 
-TEST(DictionaryString, is_no_number) {
+TEST(DictionaryString, IsNoNumber) {
   Held sut(strings.tables());
   EXPECT_FALSE(sut.dictionary.set_number(0x1008, 0, 7));
   EXPECT_EQ(sut.dictionary.number(0x1008, 0), 0U);
 }
 
-TEST(DictionaryString, tells_its_watchers_of_a_change_of_length_as_well) {
+TEST(DictionaryString, TellsItsWatchersOfAChangeOfLengthAsWell) {
   Held sut(strings.tables());
   sut.dictionary.watch(sut.entry(0x1008), 1);
   sut.dictionary.set(sut.entry(0x1008), Bytes{'c', 'a', 'n', 'v', 'o', 'y'});
@@ -294,7 +294,7 @@ TEST(DictionaryString, tells_its_watchers_of_a_change_of_length_as_well) {
 
 // Numbers from inside
 
-TEST(DictionaryNumber, is_cut_to_the_length_of_the_entry_and_read_without_sign) {
+TEST(DictionaryNumber, IsCutToTheLengthOfTheEntryAndReadWithoutSign) {
   Held sut(types.tables());
   for (std::size_t i = 0; i < type_count; ++i) {
     const auto index = static_cast<std::uint16_t>(0x2000 + i);
@@ -304,7 +304,7 @@ TEST(DictionaryNumber, is_cut_to_the_length_of_the_entry_and_read_without_sign) 
   }
 }
 
-TEST(DictionaryNumber, does_not_touch_its_neighbours) {
+TEST(DictionaryNumber, DoesNotTouchItsNeighbours) {
   Held sut(shapes.tables());
   for (std::uint16_t index = 0x6100; index <= 0x610F; ++index) {
     for (std::uint8_t sub = 1; sub <= 4; ++sub) {
@@ -320,7 +320,7 @@ TEST(DictionaryNumber, does_not_touch_its_neighbours) {
   }
 }
 
-TEST(DictionaryNumber, is_extended_by_its_sign_bit) {
+TEST(DictionaryNumber, IsExtendedByItsSignBit) {
   EXPECT_EQ(sign_extend(0xFF, 8), -1);
   EXPECT_EQ(sign_extend(0x7F, 8), 127);
   EXPECT_EQ(sign_extend(0x1234'5680, 8), -128);

@@ -60,7 +60,7 @@ struct HearingNode : WireNode {
   EmergencyConsumer consumer;
 };
 
-TEST(EmergencyConsumer, hears_the_nodes_of_1028h) {
+TEST(EmergencyConsumer, HearsTheNodesOf1028h) {
   HearingNode sut;
   sut.receive("08A#30 81 11 05 00 01 02 03");
   sut.receive("08B#30 81 11 05 00 01 02 03");
@@ -68,7 +68,7 @@ TEST(EmergencyConsumer, hears_the_nodes_of_1028h) {
   sut.expect_log({"10: 8130 11 0500010203", "10: 0000 00 0000000000"});
 }
 
-TEST(EmergencyConsumer, hears_in_pre_operational_and_operational_only) {
+TEST(EmergencyConsumer, HearsInPreOperationalAndOperationalOnly) {
   HearingNode sut;
   sut.receive("000#01 05");
   sut.receive("08A#10 10 01 00 00 00 00 00");
@@ -79,7 +79,7 @@ TEST(EmergencyConsumer, hears_in_pre_operational_and_operational_only) {
   sut.expect_log({"10: 1010 01 0000000000", "10: 3030 04 0000000000"});
 }
 
-TEST(EmergencyConsumer, ignores_and_counts_frames_of_a_wrong_length) {
+TEST(EmergencyConsumer, IgnoresAndCountsFramesOfAWrongLength) {
   HearingNode sut;
   for (const char* frame : {"08A#", "08A#30 81", "08A#30 81 11 05 00 01 02"}) sut.receive(frame);
   sut.receive("08A#R8");
@@ -87,7 +87,7 @@ TEST(EmergencyConsumer, ignores_and_counts_frames_of_a_wrong_length) {
   EXPECT_EQ(sut.node.counters().malformed, 3U);
 }
 
-TEST(EmergencyConsumer, follows_a_write_to_1028h) {
+TEST(EmergencyConsumer, FollowsAWriteTo1028h) {
   HearingNode sut;
   EXPECT_EQ(sut.write(12, 0x0000'0234), AbortCode::none);
   sut.receive("234#00 10 01 00 00 00 00 00");
@@ -97,7 +97,7 @@ TEST(EmergencyConsumer, follows_a_write_to_1028h) {
   sut.expect_log({});
 }
 
-TEST(EmergencyConsumer, changes_a_can_id_while_the_entry_is_invalid_only) {
+TEST(EmergencyConsumer, ChangesACanIdWhileTheEntryIsInvalidOnly) {
   HearingNode sut;
   EXPECT_EQ(sut.write(10, 0x0000'00C0), AbortCode::value_range);
   EXPECT_EQ(sut.write(10, 0x8000'00C0), AbortCode::none);
@@ -108,7 +108,7 @@ TEST(EmergencyConsumer, changes_a_can_id_while_the_entry_is_invalid_only) {
   sut.expect_log({"10: 1000 01 0000000000"});
 }
 
-TEST(EmergencyConsumer, hears_a_flipped_bit_as_another_emergency_of_the_same_node) {
+TEST(EmergencyConsumer, HearsAFlippedBitAsAnotherEmergencyOfTheSameNode) {
   // Code 8130h, register 11h, manufacturer field 05 00 01 02 03.
   constexpr std::uint8_t golden[] = {0x30, 0x81, 0x11, 0x05, 0x00, 0x01, 0x02, 0x03};
   for (unsigned bit = 0; bit < 64; ++bit) {
@@ -128,7 +128,7 @@ TEST(EmergencyConsumer, hears_a_flipped_bit_as_another_emergency_of_the_same_nod
   }
 }
 
-TEST(EmergencyConsumer, hears_every_can_id_that_is_not_restricted) {
+TEST(EmergencyConsumer, HearsEveryCanIdThatIsNotRestricted) {
   HearingNode sut;
   for (std::uint32_t can_id = 0; can_id <= 0x7FF; ++can_id) {
     const bool free = (can_id >= 0x080 && can_id <= 0x100) ||
@@ -144,14 +144,14 @@ TEST(EmergencyConsumer, hears_every_can_id_that_is_not_restricted) {
   }
 }
 
-TEST(EmergencyConsumer, refuses_29_bits_and_what_is_reserved) {
+TEST(EmergencyConsumer, Refuses29BitsAndWhatIsReserved) {
   HearingNode sut;
   for (unsigned bit = 11; bit <= 30; ++bit) {
     EXPECT_EQ(sut.write(12, 0x8CU | 1U << bit), AbortCode::value_range) << bit;
   }
 }
 
-TEST(EmergencyConsumer, refuses_a_node_for_which_there_is_no_slot) {
+TEST(EmergencyConsumer, RefusesANodeForWhichThereIsNoSlot) {
   HearingNode sut;
   EXPECT_EQ(sut.write(11, 0x8B), AbortCode::none);
   EXPECT_EQ(sut.write(12, 0x8C), AbortCode::out_of_memory);
@@ -160,7 +160,7 @@ TEST(EmergencyConsumer, refuses_a_node_for_which_there_is_no_slot) {
   EXPECT_EQ(sut.write(12, 0x8C), AbortCode::none);
 }
 
-TEST(EmergencyConsumer, takes_the_defaults_of_1028h_by_a_reset) {
+TEST(EmergencyConsumer, TakesTheDefaultsOf1028hByAReset) {
   for (const char* reset : {"000#81 05", "000#82 05"}) {
     HearingNode sut;
     sut.write(10, 0x8000'0000);
@@ -172,7 +172,7 @@ TEST(EmergencyConsumer, takes_the_defaults_of_1028h_by_a_reset) {
   }
 }
 
-TEST(EmergencyConsumer, hears_what_the_application_asks_for_without_1028h) {
+TEST(EmergencyConsumer, HearsWhatTheApplicationAsksForWithout1028h) {
   HearingNode sut(layout_without.tables());
   EXPECT_TRUE(sut.consumer.listen(127));
   EXPECT_TRUE(sut.consumer.listen(9, 0x345));
@@ -187,7 +187,7 @@ TEST(EmergencyConsumer, hears_what_the_application_asks_for_without_1028h) {
   sut.expect_log({});
 }
 
-TEST(EmergencyConsumer, hears_a_node_by_the_last_can_id_that_it_was_given) {
+TEST(EmergencyConsumer, HearsANodeByTheLastCanIdThatItWasGiven) {
   HearingNode sut(layout_without.tables());
   EXPECT_TRUE(sut.consumer.listen(9));
   EXPECT_TRUE(sut.consumer.listen(9, 0x345));
@@ -196,7 +196,7 @@ TEST(EmergencyConsumer, hears_a_node_by_the_last_can_id_that_it_was_given) {
   sut.expect_log({"9: 2000 01 0000000000"});
 }
 
-TEST(EmergencyConsumer, refuses_to_listen_to_what_is_no_node) {
+TEST(EmergencyConsumer, RefusesToListenToWhatIsNoNode) {
   HearingNode sut(layout_without.tables());
   EXPECT_FALSE(sut.consumer.listen(0));
   EXPECT_FALSE(sut.consumer.listen(128));

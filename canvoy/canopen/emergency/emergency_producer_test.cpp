@@ -68,7 +68,7 @@ struct EmergencyNode : WireNode {
   EmergencyProducer producer;
 };
 
-TEST(EmergencyProducer, with_room_for_one_message_tells_each_error_and_with_none_no_error) {
+TEST(EmergencyProducer, WithRoomForOneMessageTellsEachErrorAndWithNoneNoError) {
   for (const std::size_t room : {std::size_t{1}, std::size_t{0}}) {
     WireNode wire(layout.tables(), 5);
     Error present[2];
@@ -85,7 +85,7 @@ TEST(EmergencyProducer, with_room_for_one_message_tells_each_error_and_with_none
   }
 }
 
-TEST(EmergencyProducer, tells_an_error_that_comes_and_one_that_goes) {
+TEST(EmergencyProducer, TellsAnErrorThatComesAndOneThatGoes) {
   EmergencyNode sut;
   sut.node.raise(hot);
   sut.expect({"085#10 42 09 00 00 00 00 00"});
@@ -93,7 +93,7 @@ TEST(EmergencyProducer, tells_an_error_that_comes_and_one_that_goes) {
   sut.expect({"085#00 00 00 00 00 00 00 00"});
 }
 
-TEST(EmergencyProducer, keeps_the_register_as_the_sum_of_the_errors_that_are_present) {
+TEST(EmergencyProducer, KeepsTheRegisterAsTheSumOfTheErrorsThatArePresent) {
   EmergencyNode sut;
   EXPECT_EQ(sut.value(0x1001), 0x00U);
   sut.node.raise(hot);
@@ -112,7 +112,7 @@ TEST(EmergencyProducer, keeps_the_register_as_the_sum_of_the_errors_that_are_pre
               "085#00 00 09 00 00 00 00 00", "085#00 00 00 00 00 00 00 00"});
 }
 
-TEST(EmergencyProducer, tells_each_error_once_where_the_answer_to_one_raises_another) {
+TEST(EmergencyProducer, TellsEachErrorOnceWhereTheAnswerToOneRaisesAnother) {
   EmergencyNode sut;
   bool raised = false;
   sut.on_sent = [&](const Frame&) {
@@ -122,7 +122,7 @@ TEST(EmergencyProducer, tells_each_error_once_where_the_answer_to_one_raises_ano
   sut.expect({"085#10 42 09 00 00 00 00 00", "085#10 32 0D 00 00 00 00 00"});
 }
 
-TEST(EmergencyProducer, sets_the_generic_bit_for_any_error) {
+TEST(EmergencyProducer, SetsTheGenericBitForAnyError) {
   for (unsigned bit = 0; bit < 8; ++bit) {
     EmergencyNode sut;
     sut.node.raise({.code = 0x1000, .register_bits = static_cast<std::uint8_t>(1U << bit)});
@@ -130,14 +130,14 @@ TEST(EmergencyProducer, sets_the_generic_bit_for_any_error) {
   }
 }
 
-TEST(EmergencyProducer, tells_the_manufacturer_field_or_else_the_instance) {
+TEST(EmergencyProducer, TellsTheManufacturerFieldOrElseTheInstance) {
   EmergencyNode sut;
   sut.node.raise(detailed);
   sut.node.raise({.code = 0x8250, .instance = 0x0123, .register_bits = 0x10});
   sut.expect({"085#01 FF 81 01 02 03 04 05", "085#50 82 91 23 01 00 00 00"});
 }
 
-TEST(EmergencyProducer, does_not_tell_an_error_again_while_it_is_present) {
+TEST(EmergencyProducer, DoesNotTellAnErrorAgainWhileItIsPresent) {
   EmergencyNode sut;
   sut.node.raise(hot);
   sut.node.raise(hot);
@@ -149,7 +149,7 @@ TEST(EmergencyProducer, does_not_tell_an_error_again_while_it_is_present) {
   sut.expect({"085#10 42 09 00 00 00 00 00"});
 }
 
-TEST(EmergencyProducer, tells_instances_of_one_code_apart) {
+TEST(EmergencyProducer, TellsInstancesOfOneCodeApart) {
   EmergencyNode sut;
   Error other = lost;
   other.instance = 11;
@@ -162,7 +162,7 @@ TEST(EmergencyProducer, tells_instances_of_one_code_apart) {
   EXPECT_EQ(sut.producer.present()[0].instance, 11);
 }
 
-TEST(EmergencyProducer, ignores_an_error_without_a_code_and_the_end_of_one_that_never_came) {
+TEST(EmergencyProducer, IgnoresAnErrorWithoutACodeAndTheEndOfOneThatNeverCame) {
   EmergencyNode sut;
   sut.node.raise({});
   sut.node.clear({});
@@ -171,7 +171,7 @@ TEST(EmergencyProducer, ignores_an_error_without_a_code_and_the_end_of_one_that_
   EXPECT_EQ(sut.value(0x1001), 0U);
 }
 
-TEST(EmergencyProducer, tells_an_error_for_which_there_is_no_memory_though_it_cannot_keep_it) {
+TEST(EmergencyProducer, TellsAnErrorForWhichThereIsNoMemoryThoughItCannotKeepIt) {
   EmergencyNode sut;
   for (std::uint16_t instance = 0; instance < 4; ++instance) {
     sut.node.raise({.code = 0x5000, .instance = instance});
@@ -185,7 +185,7 @@ TEST(EmergencyProducer, tells_an_error_for_which_there_is_no_memory_though_it_ca
   sut.expect({});
 }
 
-TEST(EmergencyProducer, keeps_the_register_but_tells_nothing_without_1014h) {
+TEST(EmergencyProducer, KeepsTheRegisterButTellsNothingWithout1014h) {
   EmergencyNode sut(layout_of_register_alone.tables());
   sut.node.raise(hot);
   EXPECT_EQ(sut.value(0x1001), 0x09U);
@@ -196,7 +196,7 @@ TEST(EmergencyProducer, keeps_the_register_but_tells_nothing_without_1014h) {
 
 // 1003h
 
-TEST(ErrorHistory, puts_the_newest_error_first_and_drops_the_oldest) {
+TEST(ErrorHistory, PutsTheNewestErrorFirstAndDropsTheOldest) {
   EmergencyNode sut;
   EXPECT_EQ(sut.value(0x1003, 0), 0U);
   sut.node.raise(hot);
@@ -214,7 +214,7 @@ TEST(ErrorHistory, puts_the_newest_error_first_and_drops_the_oldest) {
   EXPECT_EQ(sut.value(0x1003, 3), 0x000A'8130U);
 }
 
-TEST(ErrorHistory, keeps_errors_that_are_gone_and_not_that_they_went) {
+TEST(ErrorHistory, KeepsErrorsThatAreGoneAndNotThatTheyWent) {
   EmergencyNode sut;
   sut.node.raise(hot);
   sut.node.clear(hot);
@@ -222,7 +222,7 @@ TEST(ErrorHistory, keeps_errors_that_are_gone_and_not_that_they_went) {
   EXPECT_EQ(sut.value(0x1003, 1), 0x0000'4210U);
 }
 
-TEST(ErrorHistory, has_no_data_beyond_the_number_of_errors) {
+TEST(ErrorHistory, HasNoDataBeyondTheNumberOfErrors) {
   EmergencyNode sut;
   EXPECT_EQ(sut.read(0x1003, 0), AbortCode::none);
   EXPECT_EQ(sut.read(0x1003, 1), AbortCode::no_data);
@@ -233,7 +233,7 @@ TEST(ErrorHistory, has_no_data_beyond_the_number_of_errors) {
   EXPECT_EQ(sut.read(0x1003, 4), AbortCode::no_sub_index);
 }
 
-TEST(ErrorHistory, is_cleared_by_0_and_refuses_all_else) {
+TEST(ErrorHistory, IsClearedBy0AndRefusesAllElse) {
   EmergencyNode sut;
   sut.node.raise(hot);
   for (std::uint32_t value = 1; value < 256; ++value) {
@@ -250,7 +250,7 @@ TEST(ErrorHistory, is_cleared_by_0_and_refuses_all_else) {
 
 // 1014h
 
-TEST(EmergencyCobId, is_080h_and_the_node_id_by_default_and_may_be_changed_while_invalid) {
+TEST(EmergencyCobId, Is080hAndTheNodeIdByDefaultAndMayBeChangedWhileInvalid) {
   EmergencyNode sut;
   EXPECT_EQ(sut.value(0x1014), 0x85U);
   EXPECT_EQ(sut.write_cob_id(0x0000'00C0), AbortCode::value_range);
@@ -262,7 +262,7 @@ TEST(EmergencyCobId, is_080h_and_the_node_id_by_default_and_may_be_changed_while
   EXPECT_EQ(sut.write_cob_id(0x8000'0123), AbortCode::none) << "invalid, with any CAN-ID";
 }
 
-TEST(EmergencyCobId, refuses_29_bits_and_what_is_reserved) {
+TEST(EmergencyCobId, Refuses29BitsAndWhatIsReserved) {
   EmergencyNode sut;
   for (unsigned bit = 11; bit <= 30; ++bit) {
     EXPECT_EQ(sut.write_cob_id(0x0000'0085 | 1U << bit), AbortCode::value_range) << bit;
@@ -270,7 +270,7 @@ TEST(EmergencyCobId, refuses_29_bits_and_what_is_reserved) {
   }
 }
 
-TEST(EmergencyCobId, refuses_the_restricted_can_ids_and_takes_all_others) {
+TEST(EmergencyCobId, RefusesTheRestrictedCanIdsAndTakesAllOthers) {
   const auto restricted = [](std::uint32_t id) {
     return id <= 0x07F || (id >= 0x101 && id <= 0x17F) || (id >= 0x581 && id <= 0x5FF) ||
            (id >= 0x601 && id <= 0x67F) || (id >= 0x6E0 && id <= 0x6FF) || id >= 0x701;
@@ -283,7 +283,7 @@ TEST(EmergencyCobId, refuses_the_restricted_can_ids_and_takes_all_others) {
   }
 }
 
-TEST(EmergencyCobId, silences_the_producer_while_it_is_invalid) {
+TEST(EmergencyCobId, SilencesTheProducerWhileItIsInvalid) {
   EmergencyNode sut;
   ASSERT_EQ(sut.write_cob_id(0x8000'0085), AbortCode::none);
   sut.node.raise(hot);
@@ -295,7 +295,7 @@ TEST(EmergencyCobId, silences_the_producer_while_it_is_invalid) {
   sut.expect({"085#00 00 00 00 00 00 00 00"});
 }
 
-TEST(EmergencyCobId, drops_what_waits_when_it_becomes_invalid) {
+TEST(EmergencyCobId, DropsWhatWaitsWhenItBecomesInvalid) {
   EmergencyNode sut;
   sut.write_inhibit(100);
   sut.node.raise(hot);
@@ -309,7 +309,7 @@ TEST(EmergencyCobId, drops_what_waits_when_it_becomes_invalid) {
 
 // 1015h
 
-TEST(EmergencyInhibitTime, keeps_messages_apart_in_their_order) {
+TEST(EmergencyInhibitTime, KeepsMessagesApartInTheirOrder) {
   EmergencyNode sut;
   sut.write_inhibit(25);
   sut.node.raise(hot);
@@ -323,7 +323,7 @@ TEST(EmergencyInhibitTime, keeps_messages_apart_in_their_order) {
   sut.expect({"@10000 085#00 00 00 00 00 00 00 00"});
 }
 
-TEST(EmergencyInhibitTime, holds_from_the_moment_it_is_written) {
+TEST(EmergencyInhibitTime, HoldsFromTheMomentItIsWritten) {
   EmergencyNode sut;
   sut.write_inhibit(65535);
   sut.node.raise(hot);
@@ -340,7 +340,7 @@ TEST(EmergencyInhibitTime, holds_from_the_moment_it_is_written) {
   sut.expect({"@2200000 085#01 FF 8D 01 02 03 04 05"});
 }
 
-TEST(EmergencyInhibitTime, ends_the_wait_when_it_is_set_to_0) {
+TEST(EmergencyInhibitTime, EndsTheWaitWhenItIsSetTo0) {
   EmergencyNode sut;
   sut.write_inhibit(65535);
   sut.node.raise(hot);
@@ -352,7 +352,7 @@ TEST(EmergencyInhibitTime, ends_the_wait_when_it_is_set_to_0) {
               "@5000 085#00 00 09 00 00 00 00 00"});
 }
 
-TEST(EmergencyInhibitTime, loses_nothing_up_to_the_bound) {
+TEST(EmergencyInhibitTime, LosesNothingUpToTheBound) {
   EmergencyNode sut;
   sut.write_inhibit(10);
   sut.node.raise(detailed);
@@ -367,7 +367,7 @@ TEST(EmergencyInhibitTime, loses_nothing_up_to_the_bound) {
   EXPECT_EQ(sut.producer.coalesced(), 0U);
 }
 
-TEST(EmergencyInhibitTime, forgets_first_that_an_error_went_when_too_many_messages_wait) {
+TEST(EmergencyInhibitTime, ForgetsFirstThatAnErrorWentWhenTooManyMessagesWait) {
   EmergencyNode sut;
   sut.write_inhibit(10);
   sut.node.raise(detailed);  // at once
@@ -383,7 +383,7 @@ TEST(EmergencyInhibitTime, forgets_first_that_an_error_went_when_too_many_messag
   EXPECT_EQ(sut.producer.coalesced(), 1U);
 }
 
-TEST(EmergencyInhibitTime, always_tells_the_last_register_at_last) {
+TEST(EmergencyInhibitTime, AlwaysTellsTheLastRegisterAtLast) {
   EmergencyNode sut;
   sut.write_inhibit(10);
   for (std::uint16_t instance = 1; instance <= 4; ++instance) {
@@ -403,7 +403,7 @@ TEST(EmergencyInhibitTime, always_tells_the_last_register_at_last) {
 
 // NMT states
 
-TEST(EmergencyProducer, waits_in_stopped_until_it_may_tell) {
+TEST(EmergencyProducer, WaitsInStoppedUntilItMayTell) {
   EmergencyNode sut;
   sut.receive("000#02 05");
   sut.node.raise(hot);
@@ -418,7 +418,7 @@ TEST(EmergencyProducer, waits_in_stopped_until_it_may_tell) {
   sut.expect({"085#00 00 05 00 00 00 00 00"});
 }
 
-TEST(EmergencyProducer, tells_nothing_before_the_boot_up_message) {
+TEST(EmergencyProducer, TellsNothingBeforeTheBootUpMessage) {
   WireNode wire(layout.tables(), 5);
   Error present[4];
   Emergency waiting[4];
@@ -434,7 +434,7 @@ TEST(EmergencyProducer, tells_nothing_before_the_boot_up_message) {
   wire.expect({"705#00", "085#10 42 09 00 00 00 00 00"});
 }
 
-TEST(EmergencyProducer, forgets_all_errors_by_reset_node) {
+TEST(EmergencyProducer, ForgetsAllErrorsByResetNode) {
   EmergencyNode sut;
   sut.node.raise(hot);
   sut.node.raise(lost);
@@ -446,7 +446,7 @@ TEST(EmergencyProducer, forgets_all_errors_by_reset_node) {
   EXPECT_TRUE(sut.producer.present().empty());
 }
 
-TEST(EmergencyProducer, tells_what_is_wrong_with_the_device_again_after_reset_communication) {
+TEST(EmergencyProducer, TellsWhatIsWrongWithTheDeviceAgainAfterResetCommunication) {
   EmergencyNode sut;
   sut.node.raise(lost);
   sut.node.raise(hot);
@@ -458,7 +458,7 @@ TEST(EmergencyProducer, tells_what_is_wrong_with_the_device_again_after_reset_co
   EXPECT_EQ(sut.value(0x1003, 0), 2U);
 }
 
-TEST(EmergencyProducer, drops_what_waits_by_a_reset) {
+TEST(EmergencyProducer, DropsWhatWaitsByAReset) {
   for (const char* reset : {"000#81 05", "000#82 05"}) {
     EmergencyNode sut;
     sut.write_inhibit(1000);
@@ -473,7 +473,7 @@ TEST(EmergencyProducer, drops_what_waits_by_a_reset) {
 
 // The bus
 
-TEST(EmergencyProducer, tells_error_passive_and_its_end) {
+TEST(EmergencyProducer, TellsErrorPassiveAndItsEnd) {
   EmergencyNode sut;
   sut.node.bus_state(BusState::error_passive, sut.now);
   EXPECT_EQ(sut.value(0x1001), 0x11U);
@@ -481,7 +481,7 @@ TEST(EmergencyProducer, tells_error_passive_and_its_end) {
   sut.expect({"085#20 81 11 00 00 00 00 00", "085#00 00 00 00 00 00 00 00"});
 }
 
-TEST(EmergencyProducer, tells_nothing_of_the_warning_limit_since_cia_301_has_no_code_for_it) {
+TEST(EmergencyProducer, TellsNothingOfTheWarningLimitSinceCia301HasNoCodeForIt) {
   EmergencyNode sut;
   sut.node.bus_state(BusState::error_warning, sut.now);
   EXPECT_EQ(sut.value(0x1001), 0x00U);
@@ -493,7 +493,7 @@ TEST(EmergencyProducer, tells_nothing_of_the_warning_limit_since_cia_301_has_no_
   sut.expect({});
 }
 
-TEST(EmergencyProducer, is_silent_in_bus_off_and_tells_of_it_after_the_recovery) {
+TEST(EmergencyProducer, IsSilentInBusOffAndTellsOfItAfterTheRecovery) {
   EmergencyNode sut;
   sut.node.bus_state(BusState::error_passive, sut.now);
   sut.sent.clear();
@@ -507,7 +507,7 @@ TEST(EmergencyProducer, is_silent_in_bus_off_and_tells_of_it_after_the_recovery)
   EXPECT_EQ(sut.value(0x1001), 0x09U);
 }
 
-TEST(EmergencyProducer, tells_error_passive_again_after_a_reset_while_it_lasts) {
+TEST(EmergencyProducer, TellsErrorPassiveAgainAfterAResetWhileItLasts) {
   for (const char* reset : {"000#81 05", "000#82 05"}) {
     EmergencyNode sut;
     sut.node.bus_state(BusState::error_passive, sut.now);
@@ -519,7 +519,7 @@ TEST(EmergencyProducer, tells_error_passive_again_after_a_reset_while_it_lasts) 
   }
 }
 
-TEST(EmergencyProducer, tells_an_overrun_once_and_its_end_a_second_after_the_last) {
+TEST(EmergencyProducer, TellsAnOverrunOnceAndItsEndASecondAfterTheLast) {
   EmergencyNode sut;
   sut.node.overrun(sut.now);
   sut.run_until(Time(600ms));
@@ -530,7 +530,7 @@ TEST(EmergencyProducer, tells_an_overrun_once_and_its_end_a_second_after_the_las
   sut.expect({"@10000000 085#10 81 11 00 00 00 00 00"});
 }
 
-TEST(EmergencyProducer, waits_for_room_in_a_full_backlog) {
+TEST(EmergencyProducer, WaitsForRoomInAFullBacklog) {
   EmergencyNode sut;
   sut.full = true;
   for (std::uint8_t i = 0; i < 16; ++i) {

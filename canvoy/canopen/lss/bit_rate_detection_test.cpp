@@ -44,7 +44,7 @@ struct Controller {
   BitRateDetection detection;
 };
 
-TEST(BitRateDetection, takes_the_bit_rate_of_the_first_frame_and_takes_part) {
+TEST(BitRateDetection, TakesTheBitRateOfTheFirstFrameAndTakesPart) {
   Controller sut({.bit_rates = three_rates});
   EXPECT_EQ(sut.detection.deadline(), never);
   sut.detection.start(Time(0s));
@@ -56,7 +56,7 @@ TEST(BitRateDetection, takes_the_bit_rate_of_the_first_frame_and_takes_part) {
   EXPECT_EQ(sut.detection.deadline(), never);
 }
 
-TEST(BitRateDetection, tells_an_indicator_when_it_begins_and_ends) {
+TEST(BitRateDetection, TellsAnIndicatorWhenItBeginsAndEnds) {
   std::vector<bool> told;
   auto tell = [&](bool under_way) { told.push_back(under_way); };
   Controller sut({.bit_rates = three_rates, .rounds_max = 1});
@@ -74,7 +74,7 @@ TEST(BitRateDetection, tells_an_indicator_when_it_begins_and_ends) {
   EXPECT_EQ(told, std::vector<bool>({true, false, true, false, true, false})) << "stopped";
 }
 
-TEST(BitRateDetection, goes_on_at_an_error) {
+TEST(BitRateDetection, GoesOnAtAnError) {
   Controller sut({.bit_rates = three_rates});
   sut.detection.start(Time(0s));
   sut.detection.bus_error(Time(1ms));
@@ -86,7 +86,7 @@ TEST(BitRateDetection, goes_on_at_an_error) {
   EXPECT_EQ(sut.take(), Texts({"active 125000", "found 125000"}));
 }
 
-TEST(BitRateDetection, may_need_several_errors_of_one_visit) {
+TEST(BitRateDetection, MayNeedSeveralErrorsOfOneVisit) {
   Controller sut({.bit_rates = three_rates, .dwell = 1s, .errors_max = 3});
   sut.detection.start(Time(0s));
   sut.detection.bus_error(Time(0s));
@@ -101,7 +101,7 @@ TEST(BitRateDetection, may_need_several_errors_of_one_visit) {
   EXPECT_EQ(sut.detection.bit_rate(), 125'000U);
 }
 
-TEST(BitRateDetection, goes_on_after_a_dwell_of_silence_round_and_round) {
+TEST(BitRateDetection, GoesOnAfterADwellOfSilenceRoundAndRound) {
   Controller sut({.bit_rates = three_rates, .dwell = 200ms});
   sut.detection.start(Time(0s));
   sut.run_until(Time(800ms));
@@ -110,7 +110,7 @@ TEST(BitRateDetection, goes_on_after_a_dwell_of_silence_round_and_round) {
                    "@600000", "listen 500000", "@800000", "listen 250000"}));
 }
 
-TEST(BitRateDetection, gives_up_after_its_rounds) {
+TEST(BitRateDetection, GivesUpAfterItsRounds) {
   Controller sut({.bit_rates = three_rates, .dwell = 100ms, .rounds_max = 2});
   sut.detection.start(Time(0s));
   sut.run_until(Time(1h));
@@ -125,7 +125,7 @@ TEST(BitRateDetection, gives_up_after_its_rounds) {
   EXPECT_EQ(sut.take(), Texts{"listen 500000"});
 }
 
-TEST(BitRateDetection, steps_over_what_the_controller_cannot_have) {
+TEST(BitRateDetection, StepsOverWhatTheControllerCannotHave) {
   Controller sut({.bit_rates = three_rates, .dwell = 100ms});
   sut.refused = 250'000;
   sut.detection.start(Time(0s));
@@ -134,7 +134,7 @@ TEST(BitRateDetection, steps_over_what_the_controller_cannot_have) {
             Texts({"listen 500000", "@100000", "listen 250000", "@110000", "listen 125000"}));
 }
 
-TEST(BitRateDetection, goes_on_where_the_controller_cannot_take_part) {
+TEST(BitRateDetection, GoesOnWhereTheControllerCannotTakePart) {
   Controller sut({.bit_rates = three_rates, .dwell = 100ms});
   sut.refused_active = 500'000;
   sut.detection.start(Time(0s));
@@ -152,7 +152,7 @@ TEST(BitRateDetection, goes_on_where_the_controller_cannot_take_part) {
   EXPECT_EQ(once.take(), Texts({"listen 500000", "active 500000", "found 0"}));
 }
 
-TEST(BitRateDetection, is_stopped_and_has_nothing_to_do_without_bit_rates) {
+TEST(BitRateDetection, IsStoppedAndHasNothingToDoWithoutBitRates) {
   Controller sut({.bit_rates = three_rates});
   sut.detection.start(Time(0s));
   sut.take();
@@ -211,7 +211,7 @@ struct Device {
   BitRateDetection detection;
 };
 
-TEST(BitRateDetectionOnABus, finds_each_bit_rate_of_two_others_that_talk_and_disturbs_nothing) {
+TEST(BitRateDetectionOnABus, FindsEachBitRateOfTwoOthersThatTalkAndDisturbsNothing) {
   for (const std::uint32_t bit_rate : BitRateDetection::usual_bit_rates) {
     SimulatedBus bus({.bit_rate = bit_rate});
     const ControllerId sender = bus.attach({});
@@ -224,7 +224,7 @@ TEST(BitRateDetectionOnABus, finds_each_bit_rate_of_two_others_that_talk_and_dis
   }
 }
 
-TEST(BitRateDetectionOnABus, finds_that_of_one_sender_when_it_is_error_passive) {
+TEST(BitRateDetectionOnABus, FindsThatOfOneSenderWhenItIsErrorPassive) {
   for (const std::uint32_t bit_rate : BitRateDetection::usual_bit_rates) {
     SimulatedBus bus({.bit_rate = bit_rate});
     const ControllerId sender = bus.attach({});
@@ -237,7 +237,7 @@ TEST(BitRateDetectionOnABus, finds_that_of_one_sender_when_it_is_error_passive) 
   }
 }
 
-TEST(BitRateDetectionOnABus, takes_part_with_frames_of_its_own_when_it_has_found_the_rate) {
+TEST(BitRateDetectionOnABus, TakesPartWithFramesOfItsOwnWhenItHasFoundTheRate) {
   SimulatedBus bus({.bit_rate = 250'000});
   const ControllerId sender = bus.attach({});
   const ControllerId other = bus.attach({});
@@ -251,7 +251,7 @@ TEST(BitRateDetectionOnABus, takes_part_with_frames_of_its_own_when_it_has_found
   EXPECT_EQ(bus.statistics().error_frames, 0U);
 }
 
-TEST(BitRateDetectionOnABus, finds_it_although_frames_are_disturbed) {
+TEST(BitRateDetectionOnABus, FindsItAlthoughFramesAreDisturbed) {
   SimulatedBus bus({.bit_rate = 50'000, .faults = {.frame_error_probability = 0.5}, .seed = 5});
   const ControllerId sender = bus.attach({});
   bus.attach({});
@@ -260,7 +260,7 @@ TEST(BitRateDetectionOnABus, finds_it_although_frames_are_disturbed) {
   EXPECT_EQ(device.detection.bit_rate(), 50'000U);
 }
 
-TEST(BitRateDetectionOnABus, listens_on_where_nobody_talks) {
+TEST(BitRateDetectionOnABus, ListensOnWhereNobodyTalks) {
   SimulatedBus bus;
   const ControllerId silent = bus.attach({});
   Device device(bus, {.dwell = 100ms});

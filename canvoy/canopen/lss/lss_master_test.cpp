@@ -36,7 +36,7 @@ class MasterNode : public WireNode {
   std::vector<LssMaster::Reply> replies_;
 };
 
-TEST(LssMasterSwitch, global_has_no_answer) {
+TEST(LssMasterSwitch, GlobalHasNoAnswer) {
   MasterNode sut;
   EXPECT_TRUE(sut.master.switch_global(LssState::configuration));
   EXPECT_TRUE(sut.master.switch_global(LssState::waiting));
@@ -44,7 +44,7 @@ TEST(LssMasterSwitch, global_has_no_answer) {
   EXPECT_TRUE(sut.master.idle());
 }
 
-TEST(LssMasterSwitch, selective_sends_the_address_in_four_messages) {
+TEST(LssMasterSwitch, SelectiveSendsTheAddressInFourMessages) {
   MasterNode sut;
   EXPECT_TRUE(sut.master.select(lss_address, sut.done()));
   sut.requests(
@@ -53,7 +53,7 @@ TEST(LssMasterSwitch, selective_sends_the_address_in_four_messages) {
   EXPECT_EQ(sut.reply().outcome, Outcome::answered);
 }
 
-TEST(LssMasterConfigure, node_id_is_answered_well_or_refused) {
+TEST(LssMasterConfigure, NodeIdIsAnsweredWellOrRefused) {
   MasterNode sut;
   sut.master.configure_node_id(0x0A, sut.done());
   sut.receive("7E4#11 00");
@@ -71,7 +71,7 @@ TEST(LssMasterConfigure, node_id_is_answered_well_or_refused) {
   sut.requests({"7E5#11 0A", "7E5#11 FF", "7E5#11 7F"});
 }
 
-TEST(LssMasterConfigure, bit_timing_names_table_and_index) {
+TEST(LssMasterConfigure, BitTimingNamesTableAndIndex) {
   MasterNode sut;
   sut.master.configure_bit_timing(3, sut.done());
   sut.receive("7E4#13 00");
@@ -82,7 +82,7 @@ TEST(LssMasterConfigure, bit_timing_names_table_and_index) {
   sut.requests({"7E5#13 00 03", "7E5#13 80 07"});
 }
 
-TEST(LssMasterConfigure, activation_has_no_answer_and_16_bits_of_delay) {
+TEST(LssMasterConfigure, ActivationHasNoAnswerAnd16BitsOfDelay) {
   MasterNode sut;
   EXPECT_TRUE(sut.master.activate_bit_timing(1s));
   EXPECT_TRUE(sut.master.activate_bit_timing(65'535ms));
@@ -92,7 +92,7 @@ TEST(LssMasterConfigure, activation_has_no_answer_and_16_bits_of_delay) {
   EXPECT_TRUE(sut.master.idle());
 }
 
-TEST(LssMasterConfigure, storing_is_answered_well_or_refused) {
+TEST(LssMasterConfigure, StoringIsAnsweredWellOrRefused) {
   MasterNode sut;
   for (const auto& [answer, code] :
        {std::pair{"7E4#17 00", 0}, {"7E4#17 01", 1}, {"7E4#17 02", 2}}) {
@@ -105,7 +105,7 @@ TEST(LssMasterConfigure, storing_is_answered_well_or_refused) {
   sut.requests({"7E5#17", "7E5#17", "7E5#17"});
 }
 
-TEST(LssMasterInquire, each_part_and_the_node_id) {
+TEST(LssMasterInquire, EachPartAndTheNodeId) {
   MasterNode sut;
   for (std::size_t part = 0; part < 4; ++part) {
     sut.master.inquire(part, sut.done());
@@ -122,7 +122,7 @@ TEST(LssMasterInquire, each_part_and_the_node_id) {
   sut.requests({"7E5#5A", "7E5#5B", "7E5#5C", "7E5#5D", "7E5#5E"});
 }
 
-TEST(LssMasterIdentify, sends_vendor_product_and_the_ends_of_both_ranges) {
+TEST(LssMasterIdentify, SendsVendorProductAndTheEndsOfBothRanges) {
   MasterNode sut;
   sut.master.identify({.low = {{1, 2, 3, 5}}, .high = {{9, 9, 4, 0xFFFF'FFFF}}}, sut.done());
   sut.requests(
@@ -133,7 +133,7 @@ TEST(LssMasterIdentify, sends_vendor_product_and_the_ends_of_both_ranges) {
   EXPECT_EQ(sut.take().size(), 0U) << "further nodes tell nothing new";
 }
 
-TEST(LssMasterIdentify, asks_for_nodes_without_node_id) {
+TEST(LssMasterIdentify, AsksForNodesWithoutNodeId) {
   MasterNode sut;
   sut.master.identify_unconfigured(sut.done());
   sut.requests({"7E5#4C"});
@@ -141,7 +141,7 @@ TEST(LssMasterIdentify, asks_for_nodes_without_node_id) {
   EXPECT_TRUE(sut.reply().ok());
 }
 
-TEST(LssMasterFastscan, sends_number_bit_sub_and_next) {
+TEST(LssMasterFastscan, SendsNumberBitSubAndNext) {
   MasterNode sut;
   sut.master.fastscan({.id_number = 0x1234'5678, .bit_checked = 5, .sub = 2, .next = 3}, 10ms, {},
                       sut.done());
@@ -153,7 +153,7 @@ TEST(LssMasterFastscan, sends_number_bit_sub_and_next) {
   EXPECT_EQ(reply.last_answer, Duration(3ms));
 }
 
-TEST(LssMasterFastscan, may_wait_for_all_answers_and_count_them) {
+TEST(LssMasterFastscan, MayWaitForAllAnswersAndCountThem) {
   MasterNode sut;
   sut.master.fastscan({}, 10ms, 10ms, sut.done());
   sut.run_until(Time(2ms));
@@ -169,7 +169,7 @@ TEST(LssMasterFastscan, may_wait_for_all_answers_and_count_them) {
   EXPECT_EQ(reply.last_answer, Duration(7ms));
 }
 
-TEST(LssMasterFastscan, waits_for_slower_slaves_after_the_first_answer) {
+TEST(LssMasterFastscan, WaitsForSlowerSlavesAfterTheFirstAnswer) {
   MasterNode sut;
   sut.master.fastscan({}, 100ms, 3ms, sut.done());
   sut.run_until(Time(2ms));
@@ -181,7 +181,7 @@ TEST(LssMasterFastscan, waits_for_slower_slaves_after_the_first_answer) {
   EXPECT_EQ(sut.reply().answers, 2);
 }
 
-TEST(LssMaster, gives_up_after_its_time_out) {
+TEST(LssMaster, GivesUpAfterItsTimeOut) {
   MasterNode sut;
   sut.master.inquire_node_id(sut.done());
   sut.run_until(Time(999'999us));
@@ -197,7 +197,7 @@ TEST(LssMaster, gives_up_after_its_time_out) {
   EXPECT_EQ(sut.take().size(), 0U) << "too late";
 }
 
-TEST(LssMaster, takes_the_answer_that_belongs_to_the_request_and_no_other) {
+TEST(LssMaster, TakesTheAnswerThatBelongsToTheRequestAndNoOther) {
   for (unsigned command = 0; command < 256; ++command) {
     MasterNode sut;
     sut.master.store(sut.done());
@@ -208,7 +208,7 @@ TEST(LssMaster, takes_the_answer_that_belongs_to_the_request_and_no_other) {
   }
 }
 
-TEST(LssMaster, takes_no_answer_of_another_length) {
+TEST(LssMaster, TakesNoAnswerOfAnotherLength) {
   for (std::uint8_t length = 0; length < 8; ++length) {
     MasterNode sut;
     sut.master.store(sut.done());
@@ -220,7 +220,7 @@ TEST(LssMaster, takes_no_answer_of_another_length) {
   }
 }
 
-TEST(LssMaster, does_one_service_at_a_time) {
+TEST(LssMaster, DoesOneServiceAtATime) {
   MasterNode sut;
   EXPECT_TRUE(sut.master.store(sut.done()));
   EXPECT_FALSE(sut.master.select(lss_address, sut.done()));
@@ -235,7 +235,7 @@ TEST(LssMaster, does_one_service_at_a_time) {
   EXPECT_EQ(sut.take().size(), 0U) << "what was given up is not reported";
 }
 
-TEST(LssMaster, may_go_on_from_its_callback) {
+TEST(LssMaster, MayGoOnFromItsCallback) {
   struct Chain {
     MasterNode sut;
     int steps = 0;
@@ -288,7 +288,7 @@ struct PromptNode : private WireMemory {
   LssMaster master;
 };
 
-TEST(LssMaster, takes_an_answer_that_comes_while_it_sends) {
+TEST(LssMaster, TakesAnAnswerThatComesWhileItSends) {
   PromptNode sut;
   sut.answers(0x17, "7E4#17 00");
   EXPECT_TRUE(sut.master.store(sut.done()));
@@ -305,7 +305,7 @@ TEST(LssMaster, takes_an_answer_that_comes_while_it_sends) {
   EXPECT_EQ(sut.requests.size(), 1U + 4U + 6U + 1U);
 }
 
-TEST(LssMaster, takes_no_answer_before_its_last_message) {
+TEST(LssMaster, TakesNoAnswerBeforeItsLastMessage) {
   PromptNode sut;
   sut.answers(0x42, "7E4#44");
   EXPECT_TRUE(sut.master.select(lss_address, sut.done()));
@@ -318,7 +318,7 @@ TEST(LssMaster, takes_no_answer_before_its_last_message) {
   EXPECT_EQ(sut.replies.size(), 0U);
 }
 
-TEST(LssMaster, says_so_where_the_controller_takes_no_more) {
+TEST(LssMaster, SaysSoWhereTheControllerTakesNoMore) {
   MasterNode sut;
   sut.full = true;
   int taken = 0;

@@ -52,7 +52,7 @@ void note_time(const Scanner& scanner) {
   testing::Test::RecordProperty("frames", static_cast<int>(scanner.network.frames()));
 }
 
-TEST(LssScan, finds_16_random_nodes_and_each_boots_with_its_own_node_id) {
+TEST(LssScan, Finds16RandomNodesAndEachBootsWithItsOwnNodeId) {
   LssNetwork network;
   const auto addresses = random_addresses(16, 1);
   for (const LssAddress& address : addresses) network.add(address);
@@ -67,7 +67,7 @@ TEST(LssScan, finds_16_random_nodes_and_each_boots_with_its_own_node_id) {
   EXPECT_LT(scanner.took(), 9s);
 }
 
-TEST(LssScan, finds_16_nodes_of_one_kind_faster) {
+TEST(LssScan, Finds16NodesOfOneKindFaster) {
   LssNetwork network;
   const auto addresses = similar_addresses(16);
   for (const LssAddress& address : addresses) network.add(address);
@@ -79,7 +79,7 @@ TEST(LssScan, finds_16_nodes_of_one_kind_faster) {
   EXPECT_LT(scanner.took(), 3s);
 }
 
-TEST(LssScan, finds_16_random_nodes_that_answer_at_their_own_pace) {
+TEST(LssScan, Finds16RandomNodesThatAnswerAtTheirOwnPace) {
   LssNetwork network;
   const auto addresses = random_addresses(16, 2);
   Random random(3);
@@ -94,7 +94,7 @@ TEST(LssScan, finds_16_random_nodes_that_answer_at_their_own_pace) {
   EXPECT_LT(scanner.took(), 15s);
 }
 
-TEST(LssScan, finds_nodes_that_differ_in_one_bit_anywhere) {
+TEST(LssScan, FindsNodesThatDifferInOneBitAnywhere) {
   LssNetwork network;
   std::vector<LssAddress> addresses(1, lss_address);
   for (std::size_t part = 0; part < 4; ++part) {
@@ -112,7 +112,7 @@ TEST(LssScan, finds_nodes_that_differ_in_one_bit_anywhere) {
   expect_all_named(network, scanner, addresses);
 }
 
-TEST(LssScan, ends_soon_where_nobody_waits) {
+TEST(LssScan, EndsSoonWhereNobodyWaits) {
   LssNetwork network;
   network.add(lss_address, {.id = 5});
   network.start();
@@ -122,7 +122,7 @@ TEST(LssScan, ends_soon_where_nobody_waits) {
   EXPECT_EQ(scanner.took(), 700ms) << "100, 200 and 400 ms of silence";
 }
 
-TEST(LssScan, measures_the_slowest_answer_and_finds_nodes_of_any_speed) {
+TEST(LssScan, MeasuresTheSlowestAnswerAndFindsNodesOfAnySpeed) {
   LssNetwork network;
   const auto addresses = random_addresses(6, 7);
   for (std::size_t i = 0; i < addresses.size(); ++i) {
@@ -136,7 +136,7 @@ TEST(LssScan, measures_the_slowest_answer_and_finds_nodes_of_any_speed) {
   EXPECT_LE(scanner.time_outs.at(0), Duration(60ms));
 }
 
-TEST(LssScan, learns_of_a_node_that_became_slow_later) {
+TEST(LssScan, LearnsOfANodeThatBecameSlowLater) {
   LssNetwork network;
   LssNetwork::Member& member = network.add(lss_address);
   network.start();
@@ -156,7 +156,7 @@ TEST(LssScan, learns_of_a_node_that_became_slow_later) {
 // waited for after each bit of the first, some 120 of them: 17 s. The other seven have 35 messages
 // each: 34 s where the pace stays, and 5 s, 2.5 s and so on, less than 10 s in all, where it
 // halves.
-TEST(LssScan, waits_no_longer_than_it_takes_once_those_who_were_slow_are_fast) {
+TEST(LssScan, WaitsNoLongerThanItTakesOnceThoseWhoWereSlowAreFast) {
   LssNetwork network;
   const auto addresses = similar_addresses(8);
   for (std::size_t i = 0; i < addresses.size(); ++i) {
@@ -177,7 +177,7 @@ TEST(LssScan, waits_no_longer_than_it_takes_once_those_who_were_slow_are_fast) {
   EXPECT_LT(scanner.took(), 35s);
 }
 
-TEST(LssScan, finds_its_way_again_after_any_lost_request) {
+TEST(LssScan, FindsItsWayAgainAfterAnyLostRequest) {
   for (int lost = 1; lost <= 140; ++lost) {
     LssNetwork network;
     LssNetwork::Member& member = network.add(lss_address);
@@ -191,7 +191,7 @@ TEST(LssScan, finds_its_way_again_after_any_lost_request) {
   }
 }
 
-TEST(LssScan, finds_its_way_again_after_any_lost_answer) {
+TEST(LssScan, FindsItsWayAgainAfterAnyLostAnswer) {
   for (int lost = 1; lost <= 90; ++lost) {
     LssNetwork network;
     network.add(lss_address);
@@ -208,7 +208,7 @@ TEST(LssScan, finds_its_way_again_after_any_lost_answer) {
   }
 }
 
-TEST(LssScan, reports_two_nodes_with_one_address) {
+TEST(LssScan, ReportsTwoNodesWithOneAddress) {
   LssNetwork network;
   network.add(lss_address);
   network.add(lss_address, {.latency = 1500us});
@@ -222,7 +222,7 @@ TEST(LssScan, reports_two_nodes_with_one_address) {
   EXPECT_EQ(scanner.nodes[1].address, lss_address);
 }
 
-TEST(LssScan, tells_where_an_address_comes_again) {
+TEST(LssScan, TellsWhereAnAddressComesAgain) {
   LssNetwork network;
   network.add(lss_address);
   LssNetwork::Member& second = network.add(lss_address);
@@ -238,7 +238,7 @@ TEST(LssScan, tells_where_an_address_comes_again) {
                                 [&] { return second.slave->state() == LssState::waiting; }));
 }
 
-TEST(LssScan, gives_up_on_an_address_that_nobody_confirms) {
+TEST(LssScan, GivesUpOnAnAddressThatNobodyConfirms) {
   LssNetwork network;
   LssNetwork::Member& member = network.add(lss_address);
   network.start();
@@ -252,7 +252,7 @@ TEST(LssScan, gives_up_on_an_address_that_nobody_confirms) {
   EXPECT_LT(scanner.took(), 3min);
 }
 
-TEST(LssScan, finds_a_node_again_that_entered_configuration_and_was_not_heard_of) {
+TEST(LssScan, FindsANodeAgainThatEnteredConfigurationAndWasNotHeardOf) {
   LssNetwork network;
   LssNetwork::Member& member = network.add(lss_address);
   network.start();
@@ -267,7 +267,7 @@ TEST(LssScan, finds_a_node_again_that_entered_configuration_and_was_not_heard_of
   expect_all_named(network, scanner, {lss_address});
 }
 
-TEST(LssScan, is_not_complete_where_a_node_cannot_be_inquired) {
+TEST(LssScan, IsNotCompleteWhereANodeCannotBeInquired) {
   for (const bool known : {false, true}) {
     LssNetwork network;
     LssNetwork::Member& member = network.add(lss_address);
@@ -282,7 +282,7 @@ TEST(LssScan, is_not_complete_where_a_node_cannot_be_inquired) {
   }
 }
 
-TEST(LssScan, is_not_complete_where_a_node_vanishes_while_it_is_identified) {
+TEST(LssScan, IsNotCompleteWhereANodeVanishesWhileItIsIdentified) {
   LssNetwork network;
   LssNetwork::Member& member = network.add(lss_address);
   network.start();
@@ -293,7 +293,7 @@ TEST(LssScan, is_not_complete_where_a_node_vanishes_while_it_is_identified) {
   EXPECT_EQ(scanner.nodes.size(), 0U);
 }
 
-TEST(LssScan, looks_only_for_what_is_known) {
+TEST(LssScan, LooksOnlyForWhatIsKnown) {
   LssNetwork network;
   const auto chargers = similar_addresses(3);
   for (const LssAddress& address : chargers) network.add(address);
@@ -308,7 +308,7 @@ TEST(LssScan, looks_only_for_what_is_known) {
   EXPECT_LT(scanner.took(), 2s);
 }
 
-TEST(LssScan, finds_a_node_that_is_known_whole_at_once) {
+TEST(LssScan, FindsANodeThatIsKnownWholeAtOnce) {
   LssNetwork network;
   network.add(lss_address);
   network.add({{1, 1, 1, 1}});
@@ -320,7 +320,7 @@ TEST(LssScan, finds_a_node_that_is_known_whole_at_once) {
   EXPECT_LT(scanner.scan.fastscan().requests(), 15U);
 }
 
-TEST(LssScan, identifies_all_where_it_gives_no_node_id_and_changes_nothing) {
+TEST(LssScan, IdentifiesAllWhereItGivesNoNodeIdAndChangesNothing) {
   LssNetwork network;
   const auto addresses = random_addresses(4, 3);
   for (const LssAddress& address : addresses) network.add(address);
@@ -336,7 +336,7 @@ TEST(LssScan, identifies_all_where_it_gives_no_node_id_and_changes_nothing) {
   EXPECT_EQ(network.boot_ups(), 0U);
 }
 
-TEST(LssScan, finds_nodes_that_know_fastscan_alone_of_all_identification) {
+TEST(LssScan, FindsNodesThatKnowFastscanAloneOfAllIdentification) {
   LssNetwork network;
   const auto addresses = random_addresses(4, 4);
   for (const LssAddress& address : addresses) {
@@ -351,7 +351,7 @@ TEST(LssScan, finds_nodes_that_know_fastscan_alone_of_all_identification) {
   EXPECT_EQ(network.boot_ups(), 2U);
 }
 
-TEST(LssScan, finds_its_way_again_after_any_lost_answer_while_others_are_in_configuration) {
+TEST(LssScan, FindsItsWayAgainAfterAnyLostAnswerWhileOthersAreInConfiguration) {
   for (int lost = 1; lost <= 120; lost += 3) {
     LssNetwork network;
     network.add(lss_address);
@@ -367,7 +367,7 @@ TEST(LssScan, finds_its_way_again_after_any_lost_answer_while_others_are_in_conf
   }
 }
 
-TEST(LssScan, identifies_the_rest_when_its_node_ids_are_used_up) {
+TEST(LssScan, IdentifiesTheRestWhenItsNodeIdsAreUsedUp) {
   LssNetwork network;
   const auto addresses = similar_addresses(5);
   for (const LssAddress& address : addresses) network.add(address);
@@ -380,7 +380,7 @@ TEST(LssScan, identifies_the_rest_when_its_node_ids_are_used_up) {
   EXPECT_EQ(network.boot_ups(), 2U);
 }
 
-TEST(LssScan, lets_nodes_store_where_it_is_asked_for) {
+TEST(LssScan, LetsNodesStoreWhereItIsAskedFor) {
   LssNetwork network;
   network.add(lss_address);
   network.start();
@@ -392,7 +392,7 @@ TEST(LssScan, lets_nodes_store_where_it_is_asked_for) {
   EXPECT_EQ(scanner.nodes[0].stored.error.code, LssError::store_unsupported);
 }
 
-TEST(LssScan, gives_a_node_id_and_has_it_stored_once_where_that_is_answered) {
+TEST(LssScan, GivesANodeIdAndHasItStoredOnceWhereThatIsAnswered) {
   LssNetwork network;
   network.add(lss_address);
   network.start();
@@ -402,7 +402,7 @@ TEST(LssScan, gives_a_node_id_and_has_it_stored_once_where_that_is_answered) {
   EXPECT_EQ(network.requests(0x17), 1U);
 }
 
-TEST(LssScan, gives_a_node_id_three_times_where_nobody_answers) {
+TEST(LssScan, GivesANodeIdThreeTimesWhereNobodyAnswers) {
   LssNetwork network;
   network.add(lss_address).deaf = [](const Frame& frame) {
     return frame.id == 0x7E5 && frame.data[0] == 0x11;
@@ -416,7 +416,7 @@ TEST(LssScan, gives_a_node_id_three_times_where_nobody_answers) {
   EXPECT_EQ(scanner.nodes[0].id, node_id_unconfigured);
 }
 
-TEST(LssScan, ends_when_its_memory_is_full) {
+TEST(LssScan, EndsWhenItsMemoryIsFull) {
   LssNetwork network;
   for (const LssAddress& address : similar_addresses(3)) network.add(address);
   network.start();
@@ -465,7 +465,7 @@ struct Interrupted {
   std::vector<Outcome> results;
 };
 
-TEST(LssScan, may_be_cancelled_from_its_callbacks) {
+TEST(LssScan, MayBeCancelledFromItsCallbacks) {
   for (const bool at_choice : {true, false}) {
     Interrupted sut(at_choice);
     sut.act = [&] { sut.scan.cancel(); };
@@ -479,7 +479,7 @@ TEST(LssScan, may_be_cancelled_from_its_callbacks) {
   }
 }
 
-TEST(LssScan, may_be_started_anew_from_its_callbacks_when_it_was_cancelled_and_not_before) {
+TEST(LssScan, MayBeStartedAnewFromItsCallbacksWhenItWasCancelledAndNotBefore) {
   for (const bool at_choice : {true, false}) {
     Interrupted sut(at_choice);
     bool anew = false;
@@ -496,7 +496,7 @@ TEST(LssScan, may_be_started_anew_from_its_callbacks_when_it_was_cancelled_and_n
   }
 }
 
-TEST(LssScan, ends_where_a_callback_takes_the_master_for_something_else) {
+TEST(LssScan, EndsWhereACallbackTakesTheMasterForSomethingElse) {
   for (const bool at_choice : {true, false}) {
     Interrupted sut(at_choice);
     sut.act = [&] { sut.network.master.inquire_node_id({}); };
@@ -506,14 +506,14 @@ TEST(LssScan, ends_where_a_callback_takes_the_master_for_something_else) {
   }
 }
 
-TEST(LssScan, leaves_a_service_of_the_master_alone_when_it_is_not_running) {
+TEST(LssScan, LeavesAServiceOfTheMasterAloneWhenItIsNotRunning) {
   Interrupted sut(true);
   EXPECT_TRUE(sut.network.master.inquire_node_id({}));
   sut.scan.cancel();
   EXPECT_FALSE(sut.network.master.idle());
 }
 
-TEST(LssScan, works_at_every_bit_rate_of_the_table) {
+TEST(LssScan, WorksAtEveryBitRateOfTheTable) {
   for (const std::uint32_t bit_rate : lss_bit_timing::bit_rates) {
     if (bit_rate == 0) continue;
     LssNetwork network(bit_rate);
@@ -533,7 +533,7 @@ void fill_controller(LssNetwork& network) {
   }
 }
 
-TEST(LssScan, tries_again_what_a_full_controller_did_not_take) {
+TEST(LssScan, TriesAgainWhatAFullControllerDidNotTake) {
   for (const bool at_choice : {true, false}) {
     Interrupted sut(at_choice);
     sut.act = [&] { fill_controller(sut.network); };
@@ -545,7 +545,7 @@ TEST(LssScan, tries_again_what_a_full_controller_did_not_take) {
   }
 }
 
-TEST(LssScan, tries_three_times_to_tell_all_that_it_is_over) {
+TEST(LssScan, TriesThreeTimesToTellAllThatItIsOver) {
   LssNetwork free;
   free.add(lss_address);
   free.start();
@@ -566,7 +566,7 @@ TEST(LssScan, tries_three_times_to_tell_all_that_it_is_over) {
   EXPECT_EQ(network.requests(0x04), free.requests(0x04) + 1) << "that of the other is on its way";
 }
 
-TEST(LssScan, waits_for_its_time_outs_where_no_frame_gets_out_and_ends) {
+TEST(LssScan, WaitsForItsTimeOutsWhereNoFrameGetsOutAndEnds) {
   LssNetwork network;
   network.add(lss_address);
   network.start();

@@ -16,7 +16,7 @@ Frame request(std::initializer_list<std::uint8_t> bytes) {
 
 // Node-ID
 
-TEST(LssConfigureNodeId, lets_a_node_boot_that_had_none) {
+TEST(LssConfigureNodeId, LetsANodeBootThatHadNone) {
   LssNode node(node_id_unconfigured);
   node.start();
   node.run_until(Time(10s));
@@ -31,7 +31,7 @@ TEST(LssConfigureNodeId, lets_a_node_boot_that_had_none) {
   EXPECT_EQ(node.node.dictionary().number(0x1014, 0), 0xA0U) << "defaults follow the node-ID";
 }
 
-TEST(LssConfigureNodeId, takes_1_to_127_and_ffh) {
+TEST(LssConfigureNodeId, Takes1To127AndFfh) {
   for (unsigned id = 0; id < 256; ++id) {
     LssNode node(5);
     node.in_configuration();
@@ -43,7 +43,7 @@ TEST(LssConfigureNodeId, takes_1_to_127_and_ffh) {
   }
 }
 
-TEST(LssConfigureNodeId, of_a_node_that_has_one_counts_from_reset_communication_on) {
+TEST(LssConfigureNodeId, OfANodeThatHasOneCountsFromResetCommunicationOn) {
   LssNode node(5);
   node.in_configuration().receive_all({"7E5#11 06", "7E5#04 00"});
   node.answers({"7E4#11 00"});
@@ -56,14 +56,14 @@ TEST(LssConfigureNodeId, of_a_node_that_has_one_counts_from_reset_communication_
   EXPECT_EQ(node.node.state(), NmtState::operational);
 }
 
-TEST(LssConfigureNodeId, that_was_not_stored_is_gone_with_reset_node) {
+TEST(LssConfigureNodeId, ThatWasNotStoredIsGoneWithResetNode) {
   LssNode node(5);
   node.in_configuration().receive_all({"7E5#11 06", "7E5#04 00", "000#82 00", "000#81 00"});
   node.answers({"7E4#11 00", "706#00", "705#00"});
   EXPECT_EQ(node.node.pending_id(), 5);
 }
 
-TEST(LssConfigureNodeId, ffh_takes_the_node_off_the_bus_at_reset_communication) {
+TEST(LssConfigureNodeId, FfhTakesTheNodeOffTheBusAtResetCommunication) {
   LssNode node(5);
   node.in_configuration().receive_all({"7E5#11 FF", "7E5#04 00", "000#82 00"});
   node.answers({"7E4#11 00"});
@@ -74,7 +74,7 @@ TEST(LssConfigureNodeId, ffh_takes_the_node_off_the_bus_at_reset_communication) 
   node.answers({"7E4#11 00", "707#00"});
 }
 
-TEST(LssConfigureNodeId, may_be_changed_until_the_configuration_ends) {
+TEST(LssConfigureNodeId, MayBeChangedUntilTheConfigurationEnds) {
   LssNode node(node_id_unconfigured);
   node.in_configuration().receive_all({"7E5#11 07", "7E5#11 00", "7E5#11 08", "7E5#04 01"});
   node.answers({"7E4#11 00", "7E4#11 01", "7E4#11 00"});
@@ -82,14 +82,14 @@ TEST(LssConfigureNodeId, may_be_changed_until_the_configuration_ends) {
   node.answers({"708#00"});
 }
 
-TEST(LssConfigureNodeId, leaves_a_node_in_initialisation_that_was_given_none) {
+TEST(LssConfigureNodeId, LeavesANodeInInitialisationThatWasGivenNone) {
   LssNode node(node_id_unconfigured);
   node.in_configuration().receive_all({"7E5#11 80", "7E5#11 FF", "7E5#04 00"});
   node.answers({"7E4#11 01", "7E4#11 00"});
   EXPECT_EQ(node.node.state(), NmtState::initialisation);
 }
 
-TEST(LssConfigureNodeId, brings_autostart_and_heartbeat_with_it) {
+TEST(LssConfigureNodeId, BringsAutostartAndHeartbeatWithIt) {
   LssNode node(node_id_unconfigured);
   node.in_configuration().receive_all({"7E5#11 08", "7E5#04 00"});
   node.sent.clear();
@@ -100,7 +100,7 @@ TEST(LssConfigureNodeId, brings_autostart_and_heartbeat_with_it) {
 
 // Bit timing
 
-TEST(LssConfigureBitTiming, is_asked_of_the_application_for_each_index_of_the_table) {
+TEST(LssConfigureBitTiming, IsAskedOfTheApplicationForEachIndexOfTheTable) {
   LssNode node(5);
   node.in_configuration();
   for (unsigned table = 0; table < 256; ++table) {
@@ -119,7 +119,7 @@ TEST(LssConfigureBitTiming, is_asked_of_the_application_for_each_index_of_the_ta
   }
 }
 
-TEST(LssConfigureBitTiming, tells_what_the_application_has_against_it) {
+TEST(LssConfigureBitTiming, TellsWhatTheApplicationHasAgainstIt) {
   LssNode node(5);
   node.in_configuration();
   node.application.answer_to_bit_timing = {.code = 1};
@@ -130,13 +130,13 @@ TEST(LssConfigureBitTiming, tells_what_the_application_has_against_it) {
   EXPECT_EQ(node.lss.pending_bit_timing(), 4);
 }
 
-TEST(LssConfigureBitTiming, is_out_of_range_where_the_node_has_one_bit_rate_only) {
+TEST(LssConfigureBitTiming, IsOutOfRangeWhereTheNodeHasOneBitRateOnly) {
   LssNode node(5, lss_address, false);
   node.in_configuration().receive("7E5#13 00 04");
   node.answers({"7E4#13 01 00"});
 }
 
-TEST(LssBitTimingTable, has_the_bit_rates_of_table_selector_0) {
+TEST(LssBitTimingTable, HasTheBitRatesOfTableSelector0) {
   const std::uint32_t expected[] = {1'000'000, 800'000, 500'000, 250'000, 125'000,
                                     0,         50'000,  20'000,  10'000,  0};
   for (std::uint8_t index = 0; index < 10; ++index) {
@@ -167,7 +167,7 @@ struct Hardware {
   Texts log;
 };
 
-TEST(LssActivateBitTiming, switches_between_two_delays_of_silence) {
+TEST(LssActivateBitTiming, SwitchesBetweenTwoDelaysOfSilence) {
   LssNode node(5);
   Hardware hardware(node);
   node.up();
@@ -186,7 +186,7 @@ TEST(LssActivateBitTiming, switches_between_two_delays_of_silence) {
   node.answers({"@700000 705#7F"});
 }
 
-TEST(LssActivateBitTiming, hears_no_lss_meanwhile) {
+TEST(LssActivateBitTiming, HearsNoLssMeanwhile) {
   LssNode node(5);
   Hardware hardware(node);
   node.in_configuration().receive("7E5#15 0A 00");
@@ -199,7 +199,7 @@ TEST(LssActivateBitTiming, hears_no_lss_meanwhile) {
   EXPECT_EQ(node.node.pending_id(), 5);
 }
 
-TEST(LssActivateBitTiming, takes_delays_of_0_to_65535_ms) {
+TEST(LssActivateBitTiming, TakesDelaysOf0To65535Ms) {
   for (const auto& [frame, delay] :
        {std::pair{"7E5#15 00 00", 0ms}, {"7E5#15 01 00", 1ms}, {"7E5#15 FF FF", 65'535ms}}) {
     LssNode node(5);
@@ -212,7 +212,7 @@ TEST(LssActivateBitTiming, takes_delays_of_0_to_65535_ms) {
   }
 }
 
-TEST(LssActivateBitTiming, starts_anew_when_it_comes_again) {
+TEST(LssActivateBitTiming, StartsAnewWhenItComesAgain) {
   LssNode node(5);
   Hardware hardware(node);
   node.up();
@@ -225,7 +225,7 @@ TEST(LssActivateBitTiming, starts_anew_when_it_comes_again) {
   EXPECT_FALSE(node.node.transmitter().muted());
 }
 
-TEST(LssActivateBitTiming, lets_out_what_waited_before_and_drops_what_waits_at_the_switch) {
+TEST(LssActivateBitTiming, LetsOutWhatWaitedBeforeAndDropsWhatWaitsAtTheSwitch) {
   LssNode node(5);
   Hardware hardware(node);
   node.up();
@@ -247,14 +247,14 @@ TEST(LssActivateBitTiming, lets_out_what_waited_before_and_drops_what_waits_at_t
   EXPECT_EQ(node.node.transmitter().lost(), 0U);
 }
 
-TEST(LssActivateBitTiming, is_ignored_where_the_application_cannot) {
+TEST(LssActivateBitTiming, IsIgnoredWhereTheApplicationCannot) {
   LssNode node(5, lss_address, false);
   node.in_configuration().receive("7E5#15 0A 00");
   node.receive("7E5#5E");
   node.answers({"7E4#5E 05"});
 }
 
-TEST(LssActivateBitTiming, does_nothing_where_the_bit_timing_is_unknown_until_one_is_configured) {
+TEST(LssActivateBitTiming, DoesNothingWhereTheBitTimingIsUnknownUntilOneIsConfigured) {
   LssNode node(5, lss_address, true, lss_bit_timing::unknown);
   Hardware hardware(node);
   node.in_configuration().receive("7E5#15 0A 00");
@@ -270,7 +270,7 @@ TEST(LssActivateBitTiming, does_nothing_where_the_bit_timing_is_unknown_until_on
 
 // Storing
 
-TEST(LssStore, is_answered_when_the_application_has_done_it) {
+TEST(LssStore, IsAnsweredWhenTheApplicationHasDoneIt) {
   LssNode node(5);
   node.in_configuration().receive_all({"7E5#11 06", "7E5#13 00 03", "7E5#17"});
   EXPECT_EQ(node.application.take(), Texts({"check 3", "store 6, 3"}));
@@ -282,7 +282,7 @@ TEST(LssStore, is_answered_when_the_application_has_done_it) {
   node.answers({"@40000 7E4#17 00 00"});
 }
 
-TEST(LssStore, makes_the_node_id_that_of_reset_node) {
+TEST(LssStore, MakesTheNodeIdThatOfResetNode) {
   LssNode node(5);
   node.in_configuration().receive_all({"7E5#11 06", "7E5#17"});
   node.lss.stored({});
@@ -290,7 +290,7 @@ TEST(LssStore, makes_the_node_id_that_of_reset_node) {
   node.answers({"7E4#11 00", "7E4#17 00", "7E4#11 00", "707#00", "706#00"});
 }
 
-TEST(LssStore, that_failed_changes_nothing) {
+TEST(LssStore, ThatFailedChangesNothing) {
   for (const auto& [error, answer] : {std::pair{LssError{.code = 2}, "7E4#17 02 00"},
                                       {LssError{.code = 0xFF, .specific = 0x17}, "7E4#17 FF 17"}}) {
     LssNode node(5);
@@ -301,14 +301,14 @@ TEST(LssStore, that_failed_changes_nothing) {
   }
 }
 
-TEST(LssStore, is_not_supported_without_an_application_that_does_it) {
+TEST(LssStore, IsNotSupportedWithoutAnApplicationThatDoesIt) {
   LssNode node(5, lss_address, false);
   node.in_configuration().receive("7E5#17");
   node.answers({"7E4#17 01 00"});
 }
 
 // What would serve them is not even linked then.
-TEST(LssWithoutAnApplication, refuses_bit_timings_and_storing_and_ignores_activation) {
+TEST(LssWithoutAnApplication, RefusesBitTimingsAndStoringAndIgnoresActivation) {
   WireNode node(lss_layout.tables(), 5);
   const LssSlave lss(node.node);
   node.boot();
@@ -320,7 +320,7 @@ TEST(LssWithoutAnApplication, refuses_bit_timings_and_storing_and_ignores_activa
   EXPECT_EQ(lss.pending_bit_timing(), lss_bit_timing::unknown);
 }
 
-TEST(LssStore, is_not_begun_twice) {
+TEST(LssStore, IsNotBegunTwice) {
   LssNode node(5);
   node.in_configuration().receive_all({"7E5#17", "7E5#17"});
   EXPECT_EQ(node.application.take(), Texts{"store 5, 4"});
@@ -331,7 +331,7 @@ TEST(LssStore, is_not_begun_twice) {
   EXPECT_EQ(node.application.take(), Texts{"store 5, 4"});
 }
 
-TEST(LssStore, that_ends_after_a_reset_is_kept_but_not_answered) {
+TEST(LssStore, ThatEndsAfterAResetIsKeptButNotAnswered) {
   LssNode node(5);
   node.in_configuration().receive_all({"7E5#11 06", "7E5#17", "000#82 00"});
   node.answers({"7E4#11 00", "706#00"});
@@ -341,7 +341,7 @@ TEST(LssStore, that_ends_after_a_reset_is_kept_but_not_answered) {
   node.answers({"706#00"});
 }
 
-TEST(LssStore, of_no_node_id_makes_the_node_wait_for_one_after_reset_node) {
+TEST(LssStore, OfNoNodeIdMakesTheNodeWaitForOneAfterResetNode) {
   LssNode node(5);
   node.in_configuration().receive_all({"7E5#11 FF", "7E5#17"});
   node.lss.stored({});

@@ -59,7 +59,7 @@ NodeId id_in(NmtState state) {
   return state == NmtState::initialisation ? node_id_unconfigured : NodeId{5};
 }
 
-TEST(LssSlaveExhaustive, answers_each_command_in_each_lss_state_and_nmt_state) {
+TEST(LssSlaveExhaustive, AnswersEachCommandInEachLssStateAndNmtState) {
   for (const NmtState nmt_state : nmt_states) {
     for (const LssState lss_state : lss_states) {
       for (unsigned command = 0; command < 256; ++command) {
@@ -83,7 +83,7 @@ TEST(LssSlaveExhaustive, answers_each_command_in_each_lss_state_and_nmt_state) {
   }
 }
 
-TEST(LssSlaveExhaustive, takes_no_other_length_than_eight_bytes) {
+TEST(LssSlaveExhaustive, TakesNoOtherLengthThanEightBytes) {
   for (const LssState lss_state : lss_states) {
     for (unsigned command = 0; command < 256; ++command) {
       for (std::uint8_t length = 0; length < 8; ++length) {
@@ -102,7 +102,7 @@ TEST(LssSlaveExhaustive, takes_no_other_length_than_eight_bytes) {
   }
 }
 
-TEST(LssSlaveExhaustive, hears_data_frames_of_7e5h_alone) {
+TEST(LssSlaveExhaustive, HearsDataFramesOf7e5hAlone) {
   LssNode node(node_id_unconfigured);
   node.boot();
   for (std::uint32_t id = 0; id <= 0x7FF; ++id) {
@@ -135,7 +135,7 @@ const Texts golden = {"7E5#04 01",
                       "7E5#4C",
                       "7E5#51 00 00 00 00 80 00 00"};
 
-TEST(LssSlaveExhaustive, lives_on_after_each_flipped_bit_of_each_golden_frame) {
+TEST(LssSlaveExhaustive, LivesOnAfterEachFlippedBitOfEachGoldenFrame) {
   for (const NodeId id : {NodeId{5}, node_id_unconfigured}) {
     for (const LssState lss_state : lss_states) {
       for (const std::string& text : golden) {
@@ -162,7 +162,7 @@ TEST(LssSlaveExhaustive, lives_on_after_each_flipped_bit_of_each_golden_frame) {
   }
 }
 
-TEST(LssSlaveExhaustive, says_nothing_but_lss_while_it_has_no_node_id) {
+TEST(LssSlaveExhaustive, SaysNothingButLssWhileItHasNoNodeId) {
   LssNode node(node_id_unconfigured);
   node.boot();
   for (std::uint32_t id = 0; id <= 0x7FF; ++id) {

@@ -34,13 +34,13 @@ void confirm_up_to(LssNode& node, unsigned sub) {
   }
 }
 
-TEST(LssFastscanSlave, begins_with_an_answer_of_all_that_take_part) {
+TEST(LssFastscanSlave, BeginsWithAnAnswerOfAllThatTakePart) {
   LssNode node(node_id_unconfigured);
   node.up().receive("7E5#51 00 00 00 00 80 00 00");
   node.answers({"7E4#4F"});
 }
 
-TEST(LssFastscanSlave, finds_each_bit_of_each_part_by_its_answers) {
+TEST(LssFastscanSlave, FindsEachBitOfEachPartByItsAnswers) {
   LssNode node(node_id_unconfigured);
   node.up();
   ASSERT_TRUE(ask(node, 0, 0x80, 0, 0));
@@ -57,7 +57,7 @@ TEST(LssFastscanSlave, finds_each_bit_of_each_part_by_its_answers) {
   EXPECT_FALSE(ask(node, 0, 0x80, 0, 0)) << "it takes part no more";
 }
 
-TEST(LssFastscanSlave, answers_the_golden_frames) {
+TEST(LssFastscanSlave, AnswersTheGoldenFrames) {
   LssNode node(node_id_unconfigured);
   node.up().receive_all({"7E5#51 00 00 00 00 80 00 00",    // anybody
                          "7E5#51 00 00 00 00 1F 00 00",    // vendor 0.......
@@ -73,7 +73,7 @@ TEST(LssFastscanSlave, answers_the_golden_frames) {
 }
 
 // Every LSSSub and LSSNext, at every scan position, for every BitChecked.
-TEST(LssFastscanSlave, has_an_answer_for_every_edge) {
+TEST(LssFastscanSlave, HasAnAnswerForEveryEdge) {
   for (unsigned position = 0; position < 4; ++position) {
     for (unsigned sub = 0; sub < 6; ++sub) {
       for (unsigned next = 0; next < 6; ++next) {
@@ -103,7 +103,7 @@ TEST(LssFastscanSlave, has_an_answer_for_every_edge) {
   }
 }
 
-TEST(LssFastscanSlave, compares_from_bit_31_down_to_the_bit_that_is_checked) {
+TEST(LssFastscanSlave, ComparesFromBit31DownToTheBitThatIsChecked) {
   for (unsigned checked = 0; checked < 32; ++checked) {
     for (unsigned bit = 0; bit < 32; ++bit) {
       LssNode node(node_id_unconfigured);
@@ -113,7 +113,7 @@ TEST(LssFastscanSlave, compares_from_bit_31_down_to_the_bit_that_is_checked) {
   }
 }
 
-TEST(LssFastscanSlave, begins_anew_at_the_vendor_with_each_first_message) {
+TEST(LssFastscanSlave, BeginsAnewAtTheVendorWithEachFirstMessage) {
   LssNode node(node_id_unconfigured);
   node.up();
   confirm_up_to(node, 3);
@@ -122,7 +122,7 @@ TEST(LssFastscanSlave, begins_anew_at_the_vendor_with_each_first_message) {
   EXPECT_TRUE(ask(node, lss_address.parts[0], 1, 0, 0));
 }
 
-TEST(LssFastscanSlave, leaves_out_nodes_with_node_id_and_those_in_configuration) {
+TEST(LssFastscanSlave, LeavesOutNodesWithNodeIdAndThoseInConfiguration) {
   LssNode configured(5);
   configured.up();
   EXPECT_FALSE(ask(configured, 0, 0x80, 0, 0));
@@ -136,7 +136,7 @@ TEST(LssFastscanSlave, leaves_out_nodes_with_node_id_and_those_in_configuration)
   EXPECT_FALSE(ask(leaving, 0, 0x80, 0, 0)) << "it has a node-ID until it is reset";
 }
 
-TEST(LssFastscanSlave, knows_no_order_of_configuration_by_itself) {
+TEST(LssFastscanSlave, KnowsNoOrderOfConfigurationByItself) {
   LssNode node(node_id_unconfigured);
   node.up();
   confirm_up_to(node, 3);

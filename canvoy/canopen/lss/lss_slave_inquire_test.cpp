@@ -8,14 +8,14 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-TEST(LssInquire, tells_each_part_of_the_identity) {
+TEST(LssInquire, TellsEachPartOfTheIdentity) {
   LssNode node(5);
   node.in_configuration().receive_all({"7E5#5A", "7E5#5B", "7E5#5C", "7E5#5D"});
   node.answers(
       {"7E4#5A 04 03 02 01", "7E4#5B 14 13 12 11", "7E4#5C 24 23 22 21", "7E4#5D 34 33 32 31"});
 }
 
-TEST(LssInquire, tells_the_node_id_that_is_in_use) {
+TEST(LssInquire, TellsTheNodeIdThatIsInUse) {
   LssNode node(0x7F);
   node.in_configuration().receive_all({"7E5#5E", "7E5#11 06", "7E5#5E"});
   node.answers({"7E4#5E 7F", "7E4#11 00", "7E4#5E 7F"});
@@ -24,14 +24,14 @@ TEST(LssInquire, tells_the_node_id_that_is_in_use) {
   unconfigured.answers({"7E4#5E FF"});
 }
 
-TEST(LssInquire, is_not_answered_in_waiting) {
+TEST(LssInquire, IsNotAnsweredInWaiting) {
   LssNode node(5);
   node.up().receive_all({"7E5#5A", "7E5#5B", "7E5#5C", "7E5#5D", "7E5#5E"});
   node.answers({});
   EXPECT_EQ(node.node.counters().malformed, 0U) << "they are for another node";
 }
 
-TEST(LssInquire, tells_zeros_where_the_node_has_no_identity) {
+TEST(LssInquire, TellsZerosWhereTheNodeHasNoIdentity) {
   constexpr auto layout = lay_out(std::to_array<ObjectRow>({{.index = 0x1000, .entry_count = 1}}),
                                   std::to_array<EntryRow>({{.type = DataType::unsigned32}}));
   WireNode node(layout.tables(), 5);
@@ -44,7 +44,7 @@ TEST(LssInquire, tells_zeros_where_the_node_has_no_identity) {
 const Texts identify_exactly = {"7E5#46 04 03 02 01", "7E5#47 14 13 12 11", "7E5#48 24 23 22 21",
                                 "7E5#49 24 23 22 21", "7E5#4A 34 33 32 31", "7E5#4B 34 33 32 31"};
 
-TEST(LssIdentify, is_answered_by_the_node_of_this_address_in_both_states) {
+TEST(LssIdentify, IsAnsweredByTheNodeOfThisAddressInBothStates) {
   LssNode node(5);
   node.up().receive_all(identify_exactly);
   node.answers({"7E4#4F"});
@@ -54,7 +54,7 @@ TEST(LssIdentify, is_answered_by_the_node_of_this_address_in_both_states) {
   node.answers({"7E4#4F"});
 }
 
-TEST(LssIdentify, takes_ranges_of_revision_and_serial_number_with_their_ends) {
+TEST(LssIdentify, TakesRangesOfRevisionAndSerialNumberWithTheirEnds) {
   const auto answered = [](std::size_t step, const char* frame) {
     LssNode node(5);
     Texts frames = identify_exactly;
@@ -75,7 +75,7 @@ TEST(LssIdentify, takes_ranges_of_revision_and_serial_number_with_their_ends) {
   EXPECT_FALSE(answered(5, "7E5#4B 33 33 32 31"));
 }
 
-TEST(LssIdentify, needs_vendor_and_product_bit_by_bit) {
+TEST(LssIdentify, NeedsVendorAndProductBitByBit) {
   for (std::size_t part = 0; part < 2; ++part) {
     for (unsigned bit = 0; bit < 32; ++bit) {
       LssAddress other = lss_address;
@@ -87,7 +87,7 @@ TEST(LssIdentify, needs_vendor_and_product_bit_by_bit) {
   }
 }
 
-TEST(LssIdentify, needs_its_six_messages_in_their_order) {
+TEST(LssIdentify, NeedsItsSixMessagesInTheirOrder) {
   for (std::size_t a = 0; a < 6; ++a) {
     for (std::size_t b = a + 1; b < 6; ++b) {
       LssNode node(5);
@@ -104,7 +104,7 @@ TEST(LssIdentify, needs_its_six_messages_in_their_order) {
   }
 }
 
-TEST(LssIdentify, is_not_mixed_with_switching) {
+TEST(LssIdentify, IsNotMixedWithSwitching) {
   LssNode node(5);
   node.up().receive_all({"7E5#46 04 03 02 01", "7E5#40 04 03 02 01", "7E5#47 14 13 12 11",
                          "7E5#41 14 13 12 11", "7E5#48", "7E5#42 24 23 22 21",
@@ -113,7 +113,7 @@ TEST(LssIdentify, is_not_mixed_with_switching) {
   EXPECT_EQ(node.lss.state(), LssState::waiting);
 }
 
-TEST(LssIdentifyUnconfigured, is_answered_by_nodes_without_node_id_in_both_states) {
+TEST(LssIdentifyUnconfigured, IsAnsweredByNodesWithoutNodeIdInBothStates) {
   LssNode node(node_id_unconfigured);
   node.up().receive("7E5#4C");
   node.answers({"7E4#50"});
@@ -123,7 +123,7 @@ TEST(LssIdentifyUnconfigured, is_answered_by_nodes_without_node_id_in_both_state
   node.answers({"7E4#11"});  // one is on its way to it
 }
 
-TEST(LssIdentifyUnconfigured, is_not_answered_by_nodes_with_node_id) {
+TEST(LssIdentifyUnconfigured, IsNotAnsweredByNodesWithNodeId) {
   LssNode node(5);
   node.up().receive("7E5#4C");
   node.answers({});

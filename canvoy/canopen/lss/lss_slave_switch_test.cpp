@@ -14,7 +14,7 @@ constexpr const char* select_revision = "7E5#42 24 23 22 21";
 constexpr const char* select_serial = "7E5#43 34 33 32 31";
 const Texts select_all = {select_vendor, select_product, select_revision, select_serial};
 
-TEST(LssSwitchGlobal, leads_to_configuration_and_back_without_an_answer) {
+TEST(LssSwitchGlobal, LeadsToConfigurationAndBackWithoutAnAnswer) {
   LssNode node(5);
   node.up();
   EXPECT_EQ(node.lss.state(), LssState::waiting);
@@ -28,7 +28,7 @@ TEST(LssSwitchGlobal, leads_to_configuration_and_back_without_an_answer) {
   EXPECT_EQ(node.application.take(), Texts({"configuration", "waiting"}));
 }
 
-TEST(LssSwitchGlobal, knows_two_modes_only) {
+TEST(LssSwitchGlobal, KnowsTwoModesOnly) {
   for (unsigned mode = 2; mode < 256; ++mode) {
     LssNode node(5);
     node.up();
@@ -44,7 +44,7 @@ TEST(LssSwitchGlobal, knows_two_modes_only) {
   }
 }
 
-TEST(LssSwitchGlobal, works_in_every_nmt_state) {
+TEST(LssSwitchGlobal, WorksInEveryNmtState) {
   for (const char* command : {"000#80 00", "000#01 00", "000#02 00"}) {
     LssNode node(5);
     node.up();
@@ -60,14 +60,14 @@ TEST(LssSwitchGlobal, works_in_every_nmt_state) {
   EXPECT_EQ(unconfigured.lss.state(), LssState::configuration);
 }
 
-TEST(LssSwitchGlobal, is_not_heard_before_the_node_was_started) {
+TEST(LssSwitchGlobal, IsNotHeardBeforeTheNodeWasStarted) {
   LssNode node(node_id_unconfigured);
   node.receive_all({"7E5#04 01", "7E5#11 05", "7E5#04 00"});
   EXPECT_EQ(node.node.state(), NmtState::initialisation);
   node.answers({});
 }
 
-TEST(LssSwitchSelective, leads_to_configuration_the_node_of_this_address) {
+TEST(LssSwitchSelective, LeadsToConfigurationTheNodeOfThisAddress) {
   LssNode node(5);
   node.up();
   node.receive_all({select_vendor, select_product, select_revision});
@@ -78,7 +78,7 @@ TEST(LssSwitchSelective, leads_to_configuration_the_node_of_this_address) {
   EXPECT_EQ(node.lss.state(), LssState::configuration);
 }
 
-TEST(LssSwitchSelective, leaves_alone_a_node_with_any_bit_of_the_address_different) {
+TEST(LssSwitchSelective, LeavesAloneANodeWithAnyBitOfTheAddressDifferent) {
   for (std::size_t part = 0; part < 4; ++part) {
     for (unsigned bit = 0; bit < 32; ++bit) {
       LssAddress other = lss_address;
@@ -92,7 +92,7 @@ TEST(LssSwitchSelective, leaves_alone_a_node_with_any_bit_of_the_address_differe
   }
 }
 
-TEST(LssSwitchSelective, needs_its_four_messages_in_their_order) {
+TEST(LssSwitchSelective, NeedsItsFourMessagesInTheirOrder) {
   for (unsigned order = 0; order < 256; ++order) {
     LssNode node(5);
     node.up();
@@ -103,7 +103,7 @@ TEST(LssSwitchSelective, needs_its_four_messages_in_their_order) {
   }
 }
 
-TEST(LssSwitchSelective, ends_with_another_service_in_between_and_may_begin_afresh) {
+TEST(LssSwitchSelective, EndsWithAnotherServiceInBetweenAndMayBeginAfresh) {
   LssNode node(5);
   node.up();
   node.receive_all({select_vendor, select_product, "7E5#4C", select_revision, select_serial});
@@ -112,14 +112,14 @@ TEST(LssSwitchSelective, ends_with_another_service_in_between_and_may_begin_afre
   node.answers({"7E4#44"});
 }
 
-TEST(LssSwitchSelective, is_not_answered_in_configuration) {
+TEST(LssSwitchSelective, IsNotAnsweredInConfiguration) {
   LssNode node(5);
   node.in_configuration().receive_all(select_all);
   node.answers({});
   EXPECT_EQ(node.lss.state(), LssState::configuration);
 }
 
-TEST(LssSwitchSelective, takes_no_step_from_before_a_reset) {
+TEST(LssSwitchSelective, TakesNoStepFromBeforeAReset) {
   LssNode node(5);
   node.up();
   node.receive_all({select_vendor, select_product, "000#82 00", select_revision, select_serial});
@@ -127,7 +127,7 @@ TEST(LssSwitchSelective, takes_no_step_from_before_a_reset) {
   node.answers({"705#00"});
 }
 
-TEST(LssSlave, is_in_waiting_after_each_nmt_reset) {
+TEST(LssSlave, IsInWaitingAfterEachNmtReset) {
   for (const char* reset : {"000#81 05", "000#82 05"}) {
     LssNode node(5);
     node.in_configuration().receive(reset);

@@ -48,7 +48,7 @@ struct StoringNode : WireNode {
   LssSlave lss;
 };
 
-TEST(LssStoreInFlash, keeps_the_node_id_over_the_power) {
+TEST(LssStoreInFlash, KeepsTheNodeIdOverThePower) {
   SimulatedFlash memory(geometry);
   {
     StoringNode node(memory);
@@ -64,7 +64,7 @@ TEST(LssStoreInFlash, keeps_the_node_id_over_the_power) {
   EXPECT_EQ(memory.violations, 0U);
 }
 
-TEST(LssStoreInFlash, keeps_that_there_is_no_node_id) {
+TEST(LssStoreInFlash, KeepsThatThereIsNoNodeId) {
   SimulatedFlash memory(geometry);
   StoringNode(memory, 5).name("7E5#11 FF");
   StoringNode node(memory, 5);
@@ -72,7 +72,7 @@ TEST(LssStoreInFlash, keeps_that_there_is_no_node_id) {
   EXPECT_EQ(node.node.state(), NmtState::initialisation);
 }
 
-TEST(LssStoreInFlash, keeps_the_last_of_many) {
+TEST(LssStoreInFlash, KeepsTheLastOfMany) {
   SimulatedFlash memory(geometry);
   for (const char* configure : {"7E5#11 01", "7E5#11 02", "7E5#11 03", "7E5#11 7F"}) {
     StoringNode(memory).name(configure);
@@ -80,7 +80,7 @@ TEST(LssStoreInFlash, keeps_the_last_of_many) {
   EXPECT_EQ(StoringNode(memory).node.id(), 0x7F);
 }
 
-TEST(LssStoreInFlash, tells_that_the_flash_does_not_work) {
+TEST(LssStoreInFlash, TellsThatTheFlashDoesNotWork) {
   SimulatedFlash memory(geometry);
   StoringNode node(memory);
   memory.fail_erase = memory.stuck_bit = true;
@@ -89,7 +89,7 @@ TEST(LssStoreInFlash, tells_that_the_flash_does_not_work) {
   EXPECT_EQ(node.node.id(), 0x20) << "it has its node-ID until the power goes";
 }
 
-TEST(LssStoreInFlash, waits_for_a_slow_flash_and_lets_others_in_between) {
+TEST(LssStoreInFlash, WaitsForASlowFlashAndLetsOthersInBetween) {
   SimulatedFlash memory(geometry);
   StoringNode node(memory);
   memory.busy_polls = 50;
@@ -104,7 +104,7 @@ TEST(LssStoreInFlash, waits_for_a_slow_flash_and_lets_others_in_between) {
   node.expect({lss_frame("7E4#17 00")});
 }
 
-TEST(LssStoreInFlash, has_the_old_or_the_new_node_id_wherever_power_fails) {
+TEST(LssStoreInFlash, HasTheOldOrTheNewNodeIdWhereverPowerFails) {
   SimulatedFlash before(geometry);
   StoringNode(before).name("7E5#11 01");
   bool complete = false;
@@ -131,7 +131,7 @@ TEST(LssStoreInFlash, has_the_old_or_the_new_node_id_wherever_power_fails) {
   EXPECT_TRUE(has_old);
 }
 
-TEST(LssStoreInFlash, tells_that_the_flash_is_busy_for_ever_after_ten_seconds) {
+TEST(LssStoreInFlash, TellsThatTheFlashIsBusyForEverAfterTenSeconds) {
   SimulatedFlash memory(geometry);
   StoringNode node(memory);
   memory.busy_polls = 1'000'000;
@@ -152,7 +152,7 @@ void seal(SimulatedFlash& memory, std::uint32_t length) {
   store(bytes.data() + 28, crc32(bytes.first(28)));
 }
 
-TEST(LssStoreInFlash, takes_no_node_id_that_is_none) {
+TEST(LssStoreInFlash, TakesNoNodeIdThatIsNone) {
   SimulatedFlash memory(geometry);
   StoringNode(memory).name("7E5#11 20");
   for (unsigned id = 0; id <= 0xFF; ++id) {
@@ -165,7 +165,7 @@ TEST(LssStoreInFlash, takes_no_node_id_that_is_none) {
   }
 }
 
-TEST(LssStoreInFlash, takes_nothing_of_another_length) {
+TEST(LssStoreInFlash, TakesNothingOfAnotherLength) {
   SimulatedFlash memory(geometry);
   StoringNode(memory).name("7E5#11 20");
   for (const std::uint32_t length : {0U, 1U, 3U, 96U}) {
@@ -176,7 +176,7 @@ TEST(LssStoreInFlash, takes_nothing_of_another_length) {
   }
 }
 
-TEST(LssStoreInFlash, takes_nothing_that_is_damaged) {
+TEST(LssStoreInFlash, TakesNothingThatIsDamaged) {
   SimulatedFlash memory(geometry);
   StoringNode(memory).name("7E5#11 20");
   const auto good = memory.bytes;

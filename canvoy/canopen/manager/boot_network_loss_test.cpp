@@ -25,7 +25,7 @@ struct RunningNetwork : BootNetwork {
   }
 };
 
-TEST(BootNetworkLoss, resets_the_slave_that_is_lost_and_boots_it_again) {
+TEST(BootNetworkLoss, ResetsTheSlaveThatIsLostAndBootsItAgain) {
   RunningNetwork sut(0x01);
   sut.run_until(Time(300ms));
   sut.expect({"@300000 000#81 05"});
@@ -39,14 +39,14 @@ TEST(BootNetworkLoss, resets_the_slave_that_is_lost_and_boots_it_again) {
   EXPECT_EQ(sut.node.state(), NmtState::operational);
 }
 
-TEST(BootNetworkLoss, asks_each_second_for_a_slave_that_stays_away) {
+TEST(BootNetworkLoss, AsksEachSecondForASlaveThatStaysAway) {
   RunningNetwork sut(0x01, optional_slave);
   sut.run_until(Time(5s));
   sut.expect_log({"@300 5 lost", "@1300 5 device_type", "@2300 5 retried B 05040000",
                   "@3300 5 device_type", "@4300 5 retried B 05040000"});
 }
 
-TEST(BootNetworkLoss, gives_a_mandatory_slave_its_boot_time_anew) {
+TEST(BootNetworkLoss, GivesAMandatorySlaveItsBootTimeAnew) {
   RunningNetwork sut(0x01);
   sut.stored.store(0x1F89, 0, 3000);
   EXPECT_EQ(sut.write(0x1F89, 0, 3000), AbortCode::none);
@@ -56,7 +56,7 @@ TEST(BootNetworkLoss, gives_a_mandatory_slave_its_boot_time_anew) {
   EXPECT_EQ(sut.manager.network(), NetworkBoot::complete);
 }
 
-TEST(BootNetworkLoss, of_a_mandatory_slave_resets_all_by_bit_4) {
+TEST(BootNetworkLoss, OfAMandatorySlaveResetsAllByBit4) {
   RunningNetwork sut(0x11);
   sut.run_until(Time(300ms));
   sut.expect({"@300000 000#81 00", "@300000 77F#00", "@300000 000#82 00"});
@@ -64,7 +64,7 @@ TEST(BootNetworkLoss, of_a_mandatory_slave_resets_all_by_bit_4) {
   EXPECT_EQ(sut.node.state(), NmtState::pre_operational);
 }
 
-TEST(BootNetworkLoss, of_a_mandatory_slave_stops_all_by_bit_6_whatever_bit_4_says) {
+TEST(BootNetworkLoss, OfAMandatorySlaveStopsAllByBit6WhateverBit4Says) {
   for (const std::uint32_t bits : {0x41U, 0x51U}) {
     RunningNetwork sut(bits);
     sut.run_until(Time(10s));
@@ -74,7 +74,7 @@ TEST(BootNetworkLoss, of_a_mandatory_slave_stops_all_by_bit_6_whatever_bit_4_say
   }
 }
 
-TEST(BootNetworkLoss, is_repaired_when_the_stopped_master_is_started_again) {
+TEST(BootNetworkLoss, IsRepairedWhenTheStoppedMasterIsStartedAgain) {
   RunningNetwork sut(0x41);
   sut.run_until(Time(10s));
   sut.forget();
@@ -82,7 +82,7 @@ TEST(BootNetworkLoss, is_repaired_when_the_stopped_master_is_started_again) {
   sut.expect({"605#40 00 10 00 00 00 00 00"});
 }
 
-TEST(BootNetworkLoss, of_an_optional_slave_is_its_own_affair_whatever_the_bits_say) {
+TEST(BootNetworkLoss, OfAnOptionalSlaveIsItsOwnAffairWhateverTheBitsSay) {
   for (const std::uint32_t bits : {0x11U, 0x41U, 0x51U}) {
     RunningNetwork sut(bits, optional_slave);
     sut.run_until(Time(400ms));
@@ -91,7 +91,7 @@ TEST(BootNetworkLoss, of_an_optional_slave_is_its_own_affair_whatever_the_bits_s
   }
 }
 
-TEST(BootNetworkLoss, of_a_slave_that_is_kept_alive_resets_nobody) {
+TEST(BootNetworkLoss, OfASlaveThatIsKeptAliveResetsNobody) {
   BootNetwork sut;
   sut.assign(5, 0x1D);
   sut.watch(5, 300);
@@ -109,7 +109,7 @@ TEST(BootNetworkLoss, of_a_slave_that_is_kept_alive_resets_nobody) {
   sut.expect_log({"5 node_state", "5 booted L"});
 }
 
-TEST(BootNetworkLoss, of_a_slave_that_the_master_does_not_boot_is_told_and_no_more) {
+TEST(BootNetworkLoss, OfASlaveThatTheMasterDoesNotBootIsToldAndNoMore) {
   RunningNetwork sut(0x51, 0x09);
   sut.run_until(Time(10s));
   sut.expect({});
@@ -117,7 +117,7 @@ TEST(BootNetworkLoss, of_a_slave_that_the_master_does_not_boot_is_told_and_no_mo
   EXPECT_EQ(sut.node.state(), NmtState::operational);
 }
 
-TEST(BootNetworkLoss, is_told_once_until_the_slave_is_back) {
+TEST(BootNetworkLoss, IsToldOnceUntilTheSlaveIsBack) {
   RunningNetwork sut(0x01);
   sut.run_until(Time(500ms));
   sut.heartbeat(5, 0x05);
@@ -125,7 +125,7 @@ TEST(BootNetworkLoss, is_told_once_until_the_slave_is_back) {
   sut.expect_log({"@300 5 lost"});
 }
 
-TEST(BootNetworkLoss, does_not_come_while_heartbeats_do) {
+TEST(BootNetworkLoss, DoesNotComeWhileHeartbeatsDo) {
   RunningNetwork sut(0x01);
   for (int i = 0; i < 100; ++i) {
     sut.run_for(300ms - 1us);
@@ -135,7 +135,7 @@ TEST(BootNetworkLoss, does_not_come_while_heartbeats_do) {
   sut.expect_log({});
 }
 
-TEST(BootNetworkLoss, is_the_same_as_a_restart_for_the_slave_but_not_for_the_network) {
+TEST(BootNetworkLoss, IsTheSameAsARestartForTheSlaveButNotForTheNetwork) {
   for (const std::uint32_t bits : {0x01U, 0x11U, 0x41U}) {
     RunningNetwork sut(bits);
     sut.run_until(Time(100ms));
@@ -150,7 +150,7 @@ TEST(BootNetworkLoss, is_the_same_as_a_restart_for_the_slave_but_not_for_the_net
   }
 }
 
-TEST(BootNetworkLoss, of_one_slave_does_not_touch_the_others) {
+TEST(BootNetworkLoss, OfOneSlaveDoesNotTouchTheOthers) {
   RunningNetwork sut(0x01);
   sut.run_until(Time(10s));
   EXPECT_EQ(sut.manager.slave_state(6), BootManager::SlaveState::booted);

@@ -9,7 +9,7 @@ namespace {
 constexpr std::uint32_t optional_slave = 0x05;
 constexpr std::uint32_t mandatory_slave = 0x0D;
 
-TEST(BootNetworkStart, is_nothing_of_a_node_that_is_no_master) {
+TEST(BootNetworkStart, IsNothingOfANodeThatIsNoMaster) {
   for (std::uint32_t startup = 0; startup < 0x80; startup += 2) {
     BootNetwork sut;
     sut.startup(startup);
@@ -26,7 +26,7 @@ TEST(BootNetworkStart, is_nothing_of_a_node_that_is_no_master) {
   }
 }
 
-TEST(BootNetworkStart, comes_at_once_where_there_is_no_slave) {
+TEST(BootNetworkStart, ComesAtOnceWhereThereIsNoSlave) {
   BootNetwork sut;
   sut.start();
   sut.expect({"77F#00", "000#82 00"});
@@ -47,7 +47,7 @@ struct Started : BootNetwork {
   }
 };
 
-TEST(BootNetworkStart, follows_all_combinations_of_bits_1_to_3) {
+TEST(BootNetworkStart, FollowsAllCombinationsOfBits1To3) {
   for (std::uint32_t bits = 0x01; bits < 0x10; bits += 2) {
     Started sut(bits);
     const bool all_at_once = (bits & 2) != 0;
@@ -67,7 +67,7 @@ TEST(BootNetworkStart, follows_all_combinations_of_bits_1_to_3) {
   }
 }
 
-TEST(BootNetworkStart, waits_for_all_mandatory_slaves_and_for_no_other) {
+TEST(BootNetworkStart, WaitsForAllMandatorySlavesAndForNoOther) {
   BootNetwork sut;
   sut.assign(4, mandatory_slave);
   sut.assign(5, mandatory_slave);
@@ -81,7 +81,7 @@ TEST(BootNetworkStart, waits_for_all_mandatory_slaves_and_for_no_other) {
   EXPECT_EQ(sut.node.state(), NmtState::operational);
 }
 
-TEST(BootNetworkStart, at_once_gives_the_optional_slaves_their_chance) {
+TEST(BootNetworkStart, AtOnceGivesTheOptionalSlavesTheirChance) {
   BootNetwork sut;
   sut.startup(0x03);
   sut.assign(5, mandatory_slave);
@@ -98,7 +98,7 @@ TEST(BootNetworkStart, at_once_gives_the_optional_slaves_their_chance) {
   EXPECT_EQ(sut.node.state(), NmtState::operational);
 }
 
-TEST(BootNetworkStart, at_once_starts_those_that_come_later_one_by_one) {
+TEST(BootNetworkStart, AtOnceStartsThoseThatComeLaterOneByOne) {
   BootNetwork sut;
   sut.startup(0x03);
   sut.assign(5, mandatory_slave);
@@ -111,7 +111,7 @@ TEST(BootNetworkStart, at_once_starts_those_that_come_later_one_by_one) {
   sut.expect({"606#40 00 10 00 00 00 00 00", "000#01 06"});
 }
 
-TEST(BootNetworkStart, fails_with_a_mandatory_slave_and_goes_on_when_it_comes_after_all) {
+TEST(BootNetworkStart, FailsWithAMandatorySlaveAndGoesOnWhenItComesAfterAll) {
   BootNetwork sut;
   sut.assign(5, mandatory_slave);
   sut.stored.store(0x1F85, 5, 0x123);
@@ -131,7 +131,7 @@ TEST(BootNetworkStart, fails_with_a_mandatory_slave_and_goes_on_when_it_comes_af
   EXPECT_EQ(sut.node.state(), NmtState::operational);
 }
 
-TEST(BootNetworkStart, boots_a_slave_that_was_given_up_when_it_is_heard) {
+TEST(BootNetworkStart, BootsASlaveThatWasGivenUpWhenItIsHeard) {
   BootNetwork sut;
   sut.assign(5, mandatory_slave);
   sut.stored.store(0x1F89, 0, 1000);
@@ -145,7 +145,7 @@ TEST(BootNetworkStart, boots_a_slave_that_was_given_up_when_it_is_heard) {
   sut.expect({"000#82 05"});
 }
 
-TEST(BootNetworkStart, counts_a_slave_that_was_operational_as_up_and_does_not_start_it) {
+TEST(BootNetworkStart, CountsASlaveThatWasOperationalAsUpAndDoesNotStartIt) {
   BootNetwork sut;
   sut.assign(5, 0x1D);
   sut.watch(5, 300);
@@ -157,7 +157,7 @@ TEST(BootNetworkStart, counts_a_slave_that_was_operational_as_up_and_does_not_st
   sut.expect_log({"5 node_state", "5 booted L", "network complete"});
 }
 
-TEST(BootNetworkStart, boots_as_many_slaves_at_once_as_there_are_slots_and_the_others_in_turn) {
+TEST(BootNetworkStart, BootsAsManySlavesAtOnceAsThereAreSlotsAndTheOthersInTurn) {
   BootNetwork sut(2);
   for (NodeId slave = 10; slave <= 13; ++slave) sut.assign(slave, mandatory_slave);
   sut.start();
@@ -174,7 +174,7 @@ TEST(BootNetworkStart, boots_as_many_slaves_at_once_as_there_are_slots_and_the_o
   sut.expect({"000#01 0C", "60B#40 00 10 00 00 00 00 00"});
 }
 
-TEST(BootNetworkStart, begins_anew_with_each_reset_of_the_master) {
+TEST(BootNetworkStart, BeginsAnewWithEachResetOfTheMaster) {
   for (const char* reset : {"000#81 7F", "000#82 7F"}) {
     BootNetwork sut;
     sut.assign(5, mandatory_slave);
@@ -191,7 +191,7 @@ TEST(BootNetworkStart, begins_anew_with_each_reset_of_the_master) {
   }
 }
 
-TEST(BootNetworkStart, boots_a_slave_that_is_named_while_the_network_runs) {
+TEST(BootNetworkStart, BootsASlaveThatIsNamedWhileTheNetworkRuns) {
   BootNetwork sut;
   sut.start();
   sut.forget();
@@ -205,7 +205,7 @@ TEST(BootNetworkStart, boots_a_slave_that_is_named_while_the_network_runs) {
   sut.expect({});
 }
 
-TEST(BootNetworkStart, is_completed_when_the_slave_that_was_missing_is_no_longer_named) {
+TEST(BootNetworkStart, IsCompletedWhenTheSlaveThatWasMissingIsNoLongerNamed) {
   BootNetwork sut;
   sut.assign(5, mandatory_slave);
   sut.assign(6, mandatory_slave);
@@ -216,7 +216,7 @@ TEST(BootNetworkStart, is_completed_when_the_slave_that_was_missing_is_no_longer
   EXPECT_EQ(sut.manager.network(), NetworkBoot::complete);
 }
 
-TEST(BootNetworkStart, knows_the_bits_0_to_6_of_1F80h_and_refuses_the_others) {
+TEST(BootNetworkStart, KnowsTheBits0To6Of1F80hAndRefusesTheOthers) {
   BootNetwork sut;
   sut.start();
   for (unsigned bit = 0; bit < 32; ++bit) {
@@ -227,7 +227,7 @@ TEST(BootNetworkStart, knows_the_bits_0_to_6_of_1F80h_and_refuses_the_others) {
   }
 }
 
-TEST(BootNetworkStart, of_a_flying_master_waits_until_it_has_won) {
+TEST(BootNetworkStart, OfAFlyingMasterWaitsUntilItHasWon) {
   BootNetwork sut;
   sut.startup(0x21);
   sut.assign(5, mandatory_slave);

@@ -106,7 +106,7 @@ struct RetiringMaster : BootNetwork {
   NetworkBoot when_;
 };
 
-TEST(BootRetirement, at_the_begin_of_the_boot_up_resets_nobody) {
+TEST(BootRetirement, AtTheBeginOfTheBootUpResetsNobody) {
   RetiringMaster sut(NetworkBoot::booting, 0x01);
   sut.expect({"77F#00"});
   EXPECT_FALSE(sut.manager.is_active());
@@ -115,7 +115,7 @@ TEST(BootRetirement, at_the_begin_of_the_boot_up_resets_nobody) {
   sut.expect({});
 }
 
-TEST(BootRetirement, when_the_network_is_complete_starts_neither_slaves_nor_the_master) {
+TEST(BootRetirement, WhenTheNetworkIsCompleteStartsNeitherSlavesNorTheMaster) {
   for (const std::uint32_t startup : {0x01U, 0x03U, 0x07U}) {
     RetiringMaster sut(NetworkBoot::complete, startup);
     sut.sent.clear();
@@ -132,7 +132,7 @@ TEST(BootRetirement, when_the_network_is_complete_starts_neither_slaves_nor_the_
   }
 }
 
-TEST(BootRetirement, in_any_report_leaves_all_slaves_alone) {
+TEST(BootRetirement, InAnyReportLeavesAllSlavesAlone) {
   end_in_each_report(EndingMaster::By::retirement, [](EndingMaster& sut) {
     EXPECT_FALSE(sut.manager.is_active());
     for (NodeId slave = node_id_min; slave <= node_id_max; ++slave) {
@@ -145,7 +145,7 @@ TEST(BootRetirement, in_any_report_leaves_all_slaves_alone) {
   });
 }
 
-TEST(BootRetirement, by_a_reset_of_the_master_in_any_report_begins_the_boot_up_anew) {
+TEST(BootRetirement, ByAResetOfTheMasterInAnyReportBeginsTheBootUpAnew) {
   end_in_each_report(EndingMaster::By::reset, [](EndingMaster& sut) {
     EXPECT_TRUE(sut.manager.is_active());
     sut.forget();

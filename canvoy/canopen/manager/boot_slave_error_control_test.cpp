@@ -35,7 +35,7 @@ struct Guard {
   std::vector<std::string> log;
 };
 
-TEST(BootSlaveErrorControl, waits_for_the_first_heartbeat) {
+TEST(BootSlaveErrorControl, WaitsForTheFirstHeartbeat) {
   WatchingMaster sut;
   sut.run_until(Time(100ms));
   sut.expect({});
@@ -44,7 +44,7 @@ TEST(BootSlaveErrorControl, waits_for_the_first_heartbeat) {
   sut.expect_log({"@0 5 device_type", "@0 5 error_control", "@100 5 booted", "@100 5 started"});
 }
 
-TEST(BootSlaveErrorControl, fails_without_a_heartbeat) {
+TEST(BootSlaveErrorControl, FailsWithoutAHeartbeat) {
   WatchingMaster sut;
   sut.run_until(Time(1h));
   sut.expect({});
@@ -52,14 +52,14 @@ TEST(BootSlaveErrorControl, fails_without_a_heartbeat) {
   EXPECT_EQ(sut.manager.slave_error(5), BootError::no_error_control);
 }
 
-TEST(BootSlaveErrorControl, takes_a_heartbeat_in_the_very_last_microsecond) {
+TEST(BootSlaveErrorControl, TakesAHeartbeatInTheVeryLastMicrosecond) {
   WatchingMaster sut;
   sut.run_until(Time(300ms - 1us));
   sut.receive("705#7F");
   sut.expect({"000#01 05"});
 }
 
-TEST(BootSlaveErrorControl, goes_on_after_boot_up) {
+TEST(BootSlaveErrorControl, GoesOnAfterBootUp) {
   WatchingMaster sut;
   sut.run_until(Time(100ms));
   sut.receive("705#7F");
@@ -71,7 +71,7 @@ TEST(BootSlaveErrorControl, goes_on_after_boot_up) {
   sut.expect({"@400000 000#81 05"});
 }
 
-TEST(BootSlaveErrorControl, is_not_asked_of_a_slave_without_an_entry_in_1016h) {
+TEST(BootSlaveErrorControl, IsNotAskedOfASlaveWithoutAnEntryIn1016h) {
   for (const std::uint32_t other : {4U, 6U}) {
     BootNetwork sut;
     sut.assign(5, optional_slave);
@@ -84,7 +84,7 @@ TEST(BootSlaveErrorControl, is_not_asked_of_a_slave_without_an_entry_in_1016h) {
   }
 }
 
-TEST(BootSlaveErrorControl, is_guarding_where_1F81h_has_a_guard_time) {
+TEST(BootSlaveErrorControl, IsGuardingWhere1F81hHasAGuardTime) {
   Guard guard;
   BootNetwork sut(2, {.guarding = guard.hooks()});
   sut.assign(5, 0x00C8'0305);
@@ -97,7 +97,7 @@ TEST(BootSlaveErrorControl, is_guarding_where_1F81h_has_a_guard_time) {
   EXPECT_EQ(sut.manager.slave_state(5), BootManager::SlaveState::booted);
 }
 
-TEST(BootSlaveErrorControl, is_the_heartbeat_where_there_are_both) {
+TEST(BootSlaveErrorControl, IsTheHeartbeatWhereThereAreBoth) {
   Guard guard;
   BootNetwork sut(2, {.guarding = guard.hooks()});
   sut.assign(5, 0x00C8'0305);
@@ -110,7 +110,7 @@ TEST(BootSlaveErrorControl, is_the_heartbeat_where_there_are_both) {
   EXPECT_EQ(sut.manager.slave_state(5), BootManager::SlaveState::booting);
 }
 
-TEST(BootSlaveErrorControl, loses_a_guarded_slave_when_guarding_says_so) {
+TEST(BootSlaveErrorControl, LosesAGuardedSlaveWhenGuardingSaysSo) {
   Guard guard;
   BootNetwork sut(2, {.guarding = guard.hooks()});
   sut.assign(5, 0x00C8'0305);
@@ -124,7 +124,7 @@ TEST(BootSlaveErrorControl, loses_a_guarded_slave_when_guarding_says_so) {
   EXPECT_EQ(guard.log.back(), "stop 5");
 }
 
-TEST(BootSlaveErrorControl, begins_at_once_with_a_slave_that_the_master_does_not_boot) {
+TEST(BootSlaveErrorControl, BeginsAtOnceWithASlaveThatTheMasterDoesNotBoot) {
   BootNetwork sut;
   sut.assign(5, 0x01);
   sut.watch(5, 300);
@@ -140,7 +140,7 @@ TEST(BootSlaveErrorControl, begins_at_once_with_a_slave_that_the_master_does_not
   sut.expect_log({"@300 5 lost"});
 }
 
-TEST(BootSlaveErrorControl, that_a_slave_leaves_by_a_restart_begins_anew) {
+TEST(BootSlaveErrorControl, ThatASlaveLeavesByARestartBeginsAnew) {
   WatchingMaster sut;
   sut.run_until(Time(200ms));
   sut.forget();

@@ -54,7 +54,7 @@ struct WorkingMaster : Worker, BootNetwork {
   void expect_work(const std::vector<std::string>& expected) { EXPECT_EQ(Worker::log, expected); }
 };
 
-TEST(BootSlaveHooks, configure_each_slave_before_it_is_started) {
+TEST(BootSlaveHooks, ConfigureEachSlaveBeforeItIsStarted) {
   WorkingMaster sut;
   sut.expect({"605#40 00 10 00 00 00 00 00"});
   sut.run_until(Time(1h));
@@ -66,7 +66,7 @@ TEST(BootSlaveHooks, configure_each_slave_before_it_is_started) {
                   "@3600000 5 booted", "@3600000 5 started"});
 }
 
-TEST(BootSlaveHooks, check_the_software_first_where_1F81h_bit_5_asks_for_it) {
+TEST(BootSlaveHooks, CheckTheSoftwareFirstWhere1F81hBit5AsksForIt) {
   WorkingMaster sut(verified);
   sut.expect_work({"program 5"});
   sut.work({});
@@ -76,7 +76,7 @@ TEST(BootSlaveHooks, check_the_software_first_where_1F81h_bit_5_asks_for_it) {
                   "5 started"});
 }
 
-TEST(BootSlaveHooks, may_use_the_client_of_the_slot) {
+TEST(BootSlaveHooks, MayUseTheClientOfTheSlot) {
   WorkingMaster sut;
   sut.BootNetwork::forget();
   const std::uint8_t time[] = {0x11, 0x22, 0x33, 0x44};
@@ -96,7 +96,7 @@ struct Restart {
   std::vector<AbortCode> answers;
 };
 
-TEST(BootSlaveHooks, may_restart_the_slave_and_hear_of_its_boot_up_message) {
+TEST(BootSlaveHooks, MayRestartTheSlaveAndHearOfItsBootUpMessage) {
   WorkingMaster sut;
   Restart restart;
   sut.BootNetwork::forget();
@@ -113,7 +113,7 @@ TEST(BootSlaveHooks, may_restart_the_slave_and_hear_of_its_boot_up_message) {
   sut.expect({"@3600000000 000#01 05"});
 }
 
-TEST(BootSlaveHooks, hear_of_a_restart_without_a_boot_up_message) {
+TEST(BootSlaveHooks, HearOfARestartWithoutABootUpMessage) {
   WorkingMaster sut;
   Restart restart;
   sut.BootNetwork::forget();
@@ -125,7 +125,7 @@ TEST(BootSlaveHooks, hear_of_a_restart_without_a_boot_up_message) {
   EXPECT_EQ(restart.answers, std::vector<AbortCode>{AbortCode::time_out});
 }
 
-TEST(BootSlaveHooks, are_abandoned_when_the_slave_restarts_again_after_that) {
+TEST(BootSlaveHooks, AreAbandonedWhenTheSlaveRestartsAgainAfterThat) {
   WorkingMaster sut;
   Restart restart;
   sut.tasks[0].restart(NmtCommand::reset_node, restart.callback());
@@ -136,7 +136,7 @@ TEST(BootSlaveHooks, are_abandoned_when_the_slave_restarts_again_after_that) {
   sut.expect_work({"configuration 5", "abandon 5"});
 }
 
-TEST(BootSlaveHooks, hear_nothing_more_of_a_restart_once_they_are_abandoned) {
+TEST(BootSlaveHooks, HearNothingMoreOfARestartOnceTheyAreAbandoned) {
   WorkingMaster sut;
   Restart restart;
   sut.tasks[0].restart(NmtCommand::reset_node, restart.callback());
@@ -147,7 +147,7 @@ TEST(BootSlaveHooks, hear_nothing_more_of_a_restart_once_they_are_abandoned) {
   sut.expect_work({"configuration 5", "abandon 5"});
 }
 
-TEST(BootSlaveHooks, end_the_boot_up_with_the_letter_that_they_give) {
+TEST(BootSlaveHooks, EndTheBootUpWithTheLetterThatTheyGive) {
   const BootOutcome outcomes[] = {{BootError::no_program_data, AbortCode::no_object},
                                   {BootError::program_not_allowed, AbortCode::none},
                                   {BootError::program_download, AbortCode::hardware}};
@@ -169,7 +169,7 @@ TEST(BootSlaveHooks, end_the_boot_up_with_the_letter_that_they_give) {
   EXPECT_EQ(sut.manager.slave_error(5), BootError::configuration);
 }
 
-TEST(BootSlaveHooks, that_met_a_silent_slave_are_asked_again) {
+TEST(BootSlaveHooks, ThatMetASilentSlaveAreAskedAgain) {
   WorkingMaster sut;
   sut.BootNetwork::forget();
   sut.work({BootError::configuration, AbortCode::time_out});
@@ -178,7 +178,7 @@ TEST(BootSlaveHooks, that_met_a_silent_slave_are_asked_again) {
   sut.expect_log({"@0 5 retried J 05040000", "@1000 5 device_type"});
 }
 
-TEST(BootSlaveHooks, are_told_when_the_slave_restarts_in_the_middle_of_its_configuration) {
+TEST(BootSlaveHooks, AreToldWhenTheSlaveRestartsInTheMiddleOfItsConfiguration) {
   WorkingMaster sut;
   sut.BootNetwork::forget();
   sut.run_until(Time(5ms));
@@ -192,7 +192,7 @@ TEST(BootSlaveHooks, are_told_when_the_slave_restarts_in_the_middle_of_its_confi
   sut.expect({"000#01 05"});
 }
 
-TEST(BootSlaveHooks, restart_a_slave_with_new_software_without_harm) {
+TEST(BootSlaveHooks, RestartASlaveWithNewSoftwareWithoutHarm) {
   WorkingMaster sut(verified);
   sut.BootNetwork::forget();
   sut.receive("705#00");
@@ -202,7 +202,7 @@ TEST(BootSlaveHooks, restart_a_slave_with_new_software_without_harm) {
   sut.expect_log({"5 configuration"});
 }
 
-TEST(BootSlaveHooks, are_told_when_the_master_is_reset_or_stopped) {
+TEST(BootSlaveHooks, AreToldWhenTheMasterIsResetOrStopped) {
   for (const char* command : {"000#82 7F", "000#02 7F"}) {
     WorkingMaster sut;
     sut.receive(command);
@@ -210,7 +210,7 @@ TEST(BootSlaveHooks, are_told_when_the_master_is_reset_or_stopped) {
   }
 }
 
-TEST(BootSlaveHooks, that_end_since_the_master_was_stopped_blame_no_slave) {
+TEST(BootSlaveHooks, ThatEndSinceTheMasterWasStoppedBlameNoSlave) {
   WorkingMaster sut;
   std::uint8_t bytes[4];
   struct Ending {
@@ -228,7 +228,7 @@ TEST(BootSlaveHooks, that_end_since_the_master_was_stopped_blame_no_slave) {
   sut.expect_log({"5 device_type"});
 }
 
-TEST(BootSlaveHooks, work_on_as_many_slaves_as_there_are_slots) {
+TEST(BootSlaveHooks, WorkOnAsManySlavesAsThereAreSlots) {
   Worker worker;
   BootNetwork sut(3, {.hooks = worker.hooks()});
   for (NodeId slave = 1; slave <= 5; ++slave) sut.assign(slave, optional_slave);

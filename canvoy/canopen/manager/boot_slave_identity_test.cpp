@@ -26,7 +26,7 @@ struct IdentifyingMaster : BootNetwork {
   }
 };
 
-TEST(BootSlaveIdentity, asks_for_the_device_type_when_the_slave_has_booted) {
+TEST(BootSlaveIdentity, AsksForTheDeviceTypeWhenTheSlaveHasBooted) {
   BootNetwork sut;
   sut.assign(5, optional_slave);
   sut.start();
@@ -43,7 +43,7 @@ TEST(BootSlaveIdentity, asks_for_the_device_type_when_the_slave_has_booted) {
   EXPECT_EQ(sut.manager.slave_error(5), BootError::none);
 }
 
-TEST(BootSlaveIdentity, compares_the_identity_in_the_order_of_its_sub_indices) {
+TEST(BootSlaveIdentity, ComparesTheIdentityInTheOrderOfItsSubIndices) {
   IdentifyingMaster sut;
   sut.expect({"@30000 605#40 00 10 00 00 00 00 00"});
   sut.receive("585#43 00 10 00 91 01 0F 00");
@@ -60,7 +60,7 @@ TEST(BootSlaveIdentity, compares_the_identity_in_the_order_of_its_sub_indices) {
                   "5 serial_number", "5 error_control", "5 booted", "5 started"});
 }
 
-TEST(BootSlaveIdentity, asks_only_for_what_is_expected) {
+TEST(BootSlaveIdentity, AsksOnlyForWhatIsExpected) {
   for (unsigned expected = 0; expected < 32; ++expected) {
     BootNetwork sut;
     sut.assign(5, optional_slave);
@@ -91,7 +91,7 @@ struct Difference {
 
 class BootSlaveDifference : public testing::TestWithParam<Difference> {};
 
-TEST_P(BootSlaveDifference, ends_the_boot_up_for_good) {
+TEST_P(BootSlaveDifference, EndsTheBootUpForGood) {
   IdentifyingMaster sut;
   const std::uint32_t good[] = {0x000F'0191, 0x123, 7, 0x0001'0002, 0xDEAD'BEEF};
   for (std::uint8_t sub = 0; sub < GetParam().sub; ++sub) {
@@ -107,7 +107,7 @@ TEST_P(BootSlaveDifference, ends_the_boot_up_for_good) {
   sut.expect_log({});
 }
 
-TEST_P(BootSlaveDifference, is_assumed_where_the_slave_refuses_to_answer) {
+TEST_P(BootSlaveDifference, IsAssumedWhereTheSlaveRefusesToAnswer) {
   IdentifyingMaster sut;
   const std::uint32_t good[] = {0x000F'0191, 0x123, 7, 0x0001'0002, 0xDEAD'BEEF};
   if (GetParam().sub == 0) return;  // that is B: see below
@@ -126,7 +126,7 @@ INSTANTIATE_TEST_SUITE_P(Each, BootSlaveDifference,
                                          Difference{3, 'N', "5 failed N 00000099 not 00010002"},
                                          Difference{4, 'O', "5 failed O 00000099 not DEADBEEF"}));
 
-TEST(BootSlaveIdentity, is_asked_for_again_each_second_by_an_optional_slave_without_end) {
+TEST(BootSlaveIdentity, IsAskedForAgainEachSecondByAnOptionalSlaveWithoutEnd) {
   BootNetwork sut;
   sut.assign(5, optional_slave);
   sut.stored.store(0x1F89, 0, 5000);
@@ -144,7 +144,7 @@ TEST(BootSlaveIdentity, is_asked_for_again_each_second_by_an_optional_slave_with
   EXPECT_EQ(sut.manager.slave_state(5), BootManager::SlaveState::waiting);
 }
 
-TEST(BootSlaveIdentity, is_asked_for_again_by_a_mandatory_slave_until_its_boot_time_is_over) {
+TEST(BootSlaveIdentity, IsAskedForAgainByAMandatorySlaveUntilItsBootTimeIsOver) {
   BootNetwork sut;
   sut.assign(5, mandatory_slave);
   sut.stored.store(0x1F89, 0, 5000);
@@ -155,7 +155,7 @@ TEST(BootSlaveIdentity, is_asked_for_again_by_a_mandatory_slave_until_its_boot_t
                   "@6000 5 failed B 05040000", "@6000 network failed"});
 }
 
-TEST(BootSlaveIdentity, is_waited_for_without_end_where_the_boot_time_is_0) {
+TEST(BootSlaveIdentity, IsWaitedForWithoutEndWhereTheBootTimeIs0) {
   BootNetwork sut;
   sut.assign(5, mandatory_slave);
   sut.start();
@@ -164,7 +164,7 @@ TEST(BootSlaveIdentity, is_waited_for_without_end_where_the_boot_time_is_0) {
   EXPECT_EQ(sut.manager.network(), NetworkBoot::booting);
 }
 
-TEST(BootSlaveIdentity, is_not_there_where_the_device_type_is_refused) {
+TEST(BootSlaveIdentity, IsNotThereWhereTheDeviceTypeIsRefused) {
   IdentifyingMaster sut;
   sut.forget();
   sut.receive("585#80 00 10 00 00 00 02 06");
@@ -173,7 +173,7 @@ TEST(BootSlaveIdentity, is_not_there_where_the_device_type_is_refused) {
   sut.expect({"@1030000 605#40 00 10 00 00 00 00 00"});
 }
 
-TEST(BootSlaveIdentity, is_asked_for_again_from_the_beginning_where_one_answer_was_lost) {
+TEST(BootSlaveIdentity, IsAskedForAgainFromTheBeginningWhereOneAnswerWasLost) {
   IdentifyingMaster sut;
   sut.answer(5, 0x1000, 0, 0x000F'0191);
   sut.forget();
@@ -182,7 +182,7 @@ TEST(BootSlaveIdentity, is_asked_for_again_from_the_beginning_where_one_answer_w
   sut.expect_log({"@1030 5 retried B 05040000", "@2030 5 device_type"});
 }
 
-TEST(BootSlaveIdentity, takes_a_late_answer_for_none) {
+TEST(BootSlaveIdentity, TakesALateAnswerForNone) {
   IdentifyingMaster sut;
   sut.run_until(Time(1500ms));
   sut.forget();
@@ -192,7 +192,7 @@ TEST(BootSlaveIdentity, takes_a_late_answer_for_none) {
   sut.expect({"@2030000 605#40 00 10 00 00 00 00 00"});
 }
 
-TEST(BootSlaveIdentity, reads_a_device_type_that_is_shorter_or_without_size) {
+TEST(BootSlaveIdentity, ReadsADeviceTypeThatIsShorterOrWithoutSize) {
   for (const char* answer : {"585#43 00 10 00 91 01 0F 00", "585#42 00 10 00 91 01 0F 00"}) {
     IdentifyingMaster sut;
     sut.forget();
@@ -205,7 +205,7 @@ TEST(BootSlaveIdentity, reads_a_device_type_that_is_shorter_or_without_size) {
   sut.expect_log({"5 failed C 00000191 not 000F0191"});
 }
 
-TEST(BootSlaveIdentity, is_unknown_of_a_node_that_1F81h_does_not_name) {
+TEST(BootSlaveIdentity, IsUnknownOfANodeThat1F81hDoesNotName) {
   for (const std::uint32_t assignment : {0x00U, 0x0CU, 0xFFFF'FFFEU}) {
     BootNetwork sut;
     sut.assign(6, assignment);
@@ -220,7 +220,7 @@ TEST(BootSlaveIdentity, is_unknown_of_a_node_that_1F81h_does_not_name) {
   }
 }
 
-TEST(BootSlaveIdentity, of_the_master_itself_is_not_asked_for) {
+TEST(BootSlaveIdentity, OfTheMasterItselfIsNotAskedFor) {
   BootNetwork sut;
   sut.assign(127, mandatory_slave);
   sut.start();

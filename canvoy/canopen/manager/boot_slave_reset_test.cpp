@@ -30,7 +30,7 @@ struct KeepingMaster : BootNetwork {
   }
 };
 
-TEST(BootSlaveReset, is_done_to_a_slave_that_sent_no_boot_up_message) {
+TEST(BootSlaveReset, IsDoneToASlaveThatSentNoBootUpMessage) {
   ResettingMaster sut;
   sut.assign(5, optional_slave);
   sut.identify();
@@ -41,7 +41,7 @@ TEST(BootSlaveReset, is_done_to_a_slave_that_sent_no_boot_up_message) {
   sut.expect_log({"@1000 5 reset", "@1100 5 error_control", "@1100 5 booted", "@1100 5 started"});
 }
 
-TEST(BootSlaveReset, is_not_done_to_a_slave_that_has_just_booted) {
+TEST(BootSlaveReset, IsNotDoneToASlaveThatHasJustBooted) {
   BootNetwork sut;
   sut.assign(5, optional_slave);
   sut.start();
@@ -50,7 +50,7 @@ TEST(BootSlaveReset, is_not_done_to_a_slave_that_has_just_booted) {
   sut.expect({"605#40 00 10 00 00 00 00 00", "000#01 05"});
 }
 
-TEST(BootSlaveReset, is_followed_by_a_question_where_no_boot_up_message_comes) {
+TEST(BootSlaveReset, IsFollowedByAQuestionWhereNoBootUpMessageComes) {
   ResettingMaster sut;
   sut.assign(5, optional_slave);
   sut.identify();
@@ -62,7 +62,7 @@ TEST(BootSlaveReset, is_followed_by_a_question_where_no_boot_up_message_comes) {
                   "@2000 5 error_control", "@2000 5 booted", "@2000 5 started"});
 }
 
-TEST(BootSlaveReset, that_ends_a_slave_leads_to_the_next_attempt) {
+TEST(BootSlaveReset, ThatEndsASlaveLeadsToTheNextAttempt) {
   ResettingMaster sut;
   sut.assign(5, optional_slave);
   sut.identify();
@@ -71,7 +71,7 @@ TEST(BootSlaveReset, that_ends_a_slave_leads_to_the_next_attempt) {
                   "@3000 5 retried B 05040000", "@4000 5 device_type"});
 }
 
-TEST(BootSlaveReset, gives_the_slave_the_time_that_the_owner_sets) {
+TEST(BootSlaveReset, GivesTheSlaveTheTimeThatTheOwnerSets) {
   BootNetwork sut(2, {.options = {.boot_up_time_out = 5s}});
   sut.assign(5, optional_slave);
   sut.start();
@@ -83,7 +83,7 @@ TEST(BootSlaveReset, gives_the_slave_the_time_that_the_owner_sets) {
   sut.expect({"@5000000 000#82 05", "@10000000 605#40 00 10 00 00 00 00 00"});
 }
 
-TEST(BootSlaveReset, takes_the_heartbeats_of_before_for_no_boot_up) {
+TEST(BootSlaveReset, TakesTheHeartbeatsOfBeforeForNoBootUp) {
   ResettingMaster sut;
   sut.assign(5, optional_slave);
   sut.identify();
@@ -92,7 +92,7 @@ TEST(BootSlaveReset, takes_the_heartbeats_of_before_for_no_boot_up) {
   sut.expect_log({"5 reset"});
 }
 
-TEST(BootSlaveReset, spares_an_operational_slave_that_is_kept_alive_by_its_heartbeat) {
+TEST(BootSlaveReset, SparesAnOperationalSlaveThatIsKeptAliveByItsHeartbeat) {
   KeepingMaster sut;
   sut.watch(5, 300);
   sut.identify();
@@ -105,7 +105,7 @@ TEST(BootSlaveReset, spares_an_operational_slave_that_is_kept_alive_by_its_heart
   EXPECT_EQ(sut.manager.slave_error(5), BootError::already_operational);
 }
 
-TEST(BootSlaveReset, is_done_to_a_slave_that_is_kept_alive_but_not_operational) {
+TEST(BootSlaveReset, IsDoneToASlaveThatIsKeptAliveButNotOperational) {
   for (const char* heartbeat : {"705#7F", "705#04"}) {
     KeepingMaster sut;
     sut.watch(5, 300);
@@ -116,7 +116,7 @@ TEST(BootSlaveReset, is_done_to_a_slave_that_is_kept_alive_but_not_operational) 
   }
 }
 
-TEST(BootSlaveReset, is_not_done_to_a_slave_that_is_kept_alive_and_has_just_booted) {
+TEST(BootSlaveReset, IsNotDoneToASlaveThatIsKeptAliveAndHasJustBooted) {
   KeepingMaster sut;
   sut.watch(5, 300);
   sut.start();
@@ -129,7 +129,7 @@ TEST(BootSlaveReset, is_not_done_to_a_slave_that_is_kept_alive_and_has_just_boot
   sut.expect_log({"5 node_state", "5 error_control", "5 booted", "5 started"});
 }
 
-TEST(BootSlaveReset, needs_a_heartbeat_of_a_slave_that_is_kept_alive) {
+TEST(BootSlaveReset, NeedsAHeartbeatOfASlaveThatIsKeptAlive) {
   KeepingMaster sut;
   sut.watch(5, 300);
   sut.identify();
@@ -138,7 +138,7 @@ TEST(BootSlaveReset, needs_a_heartbeat_of_a_slave_that_is_kept_alive) {
   sut.expect_log({"@0 5 node_state", "@300 5 failed E"});
 }
 
-TEST(BootSlaveReset, takes_a_heartbeat_in_the_very_last_microsecond) {
+TEST(BootSlaveReset, TakesAHeartbeatInTheVeryLastMicrosecond) {
   KeepingMaster sut;
   sut.watch(5, 300);
   sut.identify();
@@ -147,7 +147,7 @@ TEST(BootSlaveReset, takes_a_heartbeat_in_the_very_last_microsecond) {
   sut.expect_log({"5 node_state", "5 booted L"});
 }
 
-TEST(BootSlaveReset, asks_for_the_state_by_guarding_where_no_heartbeat_is_known) {
+TEST(BootSlaveReset, AsksForTheStateByGuardingWhereNoHeartbeatIsKnown) {
   KeepingMaster sut(0x00C8'0315);  // guard time 200 ms
   sut.identify();
   sut.expect({"705#R1"});
@@ -157,7 +157,7 @@ TEST(BootSlaveReset, asks_for_the_state_by_guarding_where_no_heartbeat_is_known)
   sut.expect_log({"@0 5 node_state", "@20 5 booted L"});
 }
 
-TEST(BootSlaveReset, needs_an_answer_to_guarding_of_a_slave_that_is_kept_alive) {
+TEST(BootSlaveReset, NeedsAnAnswerToGuardingOfASlaveThatIsKeptAlive) {
   KeepingMaster sut(0x00C8'0315);
   sut.identify();
   sut.run_until(Time(1h));
@@ -165,7 +165,7 @@ TEST(BootSlaveReset, needs_an_answer_to_guarding_of_a_slave_that_is_kept_alive) 
   sut.expect_log({"@0 5 node_state", "@200 5 failed F"});
 }
 
-TEST(BootSlaveReset, follows_what_was_heard_last_where_there_is_no_error_control) {
+TEST(BootSlaveReset, FollowsWhatWasHeardLastWhereThereIsNoErrorControl) {
   KeepingMaster operational;
   operational.start();
   operational.receive("705#05");
@@ -179,7 +179,7 @@ TEST(BootSlaveReset, follows_what_was_heard_last_where_there_is_no_error_control
   unheard.expect({"000#82 05"});
 }
 
-TEST(BootSlaveReset, spares_nobody_when_the_network_begins_unless_one_is_kept_alive) {
+TEST(BootSlaveReset, SparesNobodyWhenTheNetworkBeginsUnlessOneIsKeptAlive) {
   BootNetwork sut;
   sut.assign(4, optional_slave);
   sut.assign(5, kept_alive);
@@ -188,7 +188,7 @@ TEST(BootSlaveReset, spares_nobody_when_the_network_begins_unless_one_is_kept_al
   sut.expect({"77F#00", "000#82 04", "000#82 06", "605#40 00 10 00 00 00 00 00"});
 }
 
-TEST(BootSlaveReset, is_left_to_the_slaves_where_the_owner_wants_it) {
+TEST(BootSlaveReset, IsLeftToTheSlavesWhereTheOwnerWantsIt) {
   BootNetwork sut(2, {.options = {.resets_slaves = false}});
   sut.assign(5, optional_slave);
   sut.start();

@@ -28,7 +28,7 @@ struct DisturbedMaster : BootNetwork {
   }
 };
 
-TEST(BootSlaveRestart, in_the_middle_of_any_question_begins_the_boot_up_anew) {
+TEST(BootSlaveRestart, InTheMiddleOfAnyQuestionBeginsTheBootUpAnew) {
   for (unsigned answered = 0; answered < 5; ++answered) {
     DisturbedMaster sut;
     sut.boot_up(5);
@@ -70,7 +70,7 @@ struct RestartingSlave : DisturbedMaster {
   std::vector<long> asked;
 };
 
-TEST(BootSlaveRestart, again_and_again_is_slowed_down_and_given_up) {
+TEST(BootSlaveRestart, AgainAndAgainIsSlowedDownAndGivenUp) {
   RestartingSlave sut;
   sut.answer_by_boot_ups(1h);
   ASSERT_EQ(sut.asked.size(), 8U) << "at once, three times again, and then four times more";
@@ -89,7 +89,7 @@ TEST(BootSlaveRestart, again_and_again_is_slowed_down_and_given_up) {
   for (const auto& sent : sut.sent) EXPECT_NE(sent.frame.id, 0U);
 }
 
-TEST(BootSlaveRestart, that_was_given_up_is_worth_one_slow_attempt_and_after_a_while_a_prompt_one) {
+TEST(BootSlaveRestart, ThatWasGivenUpIsWorthOneSlowAttemptAndAfterAWhileAPromptOne) {
   RestartingSlave sut;
   sut.answer_by_boot_ups(20s);
   sut.asked.clear();
@@ -112,7 +112,7 @@ TEST(BootSlaveRestart, that_was_given_up_is_worth_one_slow_attempt_and_after_a_w
   sut.expect({"000#01 05"});
 }
 
-TEST(BootSlaveRestart, now_and_then_is_never_slowed_down) {
+TEST(BootSlaveRestart, NowAndThenIsNeverSlowedDown) {
   RestartingSlave sut;
   for (int i = 0; i < 100; ++i) {
     sut.boot_up(5);
@@ -128,7 +128,7 @@ TEST(BootSlaveRestart, now_and_then_is_never_slowed_down) {
 }
 
 /// The slot of who is given up is free for others.
-TEST(BootSlaveRestart, without_end_keeps_no_other_slave_waiting) {
+TEST(BootSlaveRestart, WithoutEndKeepsNoOtherSlaveWaiting) {
   BootNetwork sut(1);
   sut.assign(4, optional_slave);
   sut.assign(5, optional_slave);
@@ -143,7 +143,7 @@ TEST(BootSlaveRestart, without_end_keeps_no_other_slave_waiting) {
   EXPECT_EQ(sut.manager.slave_state(5), BootManager::SlaveState::booted);
 }
 
-TEST(BootSlaveRestart, while_it_waits_for_its_turn_counts_once) {
+TEST(BootSlaveRestart, WhileItWaitsForItsTurnCountsOnce) {
   BootNetwork sut(1);
   sut.assign(4, optional_slave);
   sut.assign(5, optional_slave);
@@ -158,7 +158,7 @@ TEST(BootSlaveRestart, while_it_waits_for_its_turn_counts_once) {
   sut.expect({"000#01 05"});
 }
 
-TEST(BootSlaveRestart, is_none_after_a_reset_that_comes_late_by_the_inhibit_time) {
+TEST(BootSlaveRestart, IsNoneAfterAResetThatComesLateByTheInhibitTime) {
   BootNetwork sut;
   sut.stored.store(0x102A, 0, 10000);  // NMT commands each second
   sut.assign(5, 0x05);
@@ -176,7 +176,7 @@ TEST(BootSlaveRestart, is_none_after_a_reset_that_comes_late_by_the_inhibit_time
   sut.expect({"@2000000 000#01 05"});
 }
 
-TEST(BootSlaveRestart, of_two_nodes_with_one_node_id_is_told) {
+TEST(BootSlaveRestart, OfTwoNodesWithOneNodeIdIsTold) {
   DisturbedMaster sut;
   sut.boot_up(5);
   sut.boot_up(5);
@@ -195,7 +195,7 @@ TEST(BootSlaveRestart, of_two_nodes_with_one_node_id_is_told) {
   EXPECT_EQ(sut.manager.slave_state(5), BootManager::SlaveState::booted);
 }
 
-TEST(BootSlaveRestart, is_no_answer_of_another_kind) {
+TEST(BootSlaveRestart, IsNoAnswerOfAnotherKind) {
   for (unsigned byte = 0; byte < 256; ++byte) {
     DisturbedMaster sut;
     sut.boot_up(5);
@@ -211,7 +211,7 @@ TEST(BootSlaveRestart, is_no_answer_of_another_kind) {
   }
 }
 
-TEST(BootSlaveRestart, is_nothing_that_a_short_frame_could_mean) {
+TEST(BootSlaveRestart, IsNothingThatAShortFrameCouldMean) {
   for (std::uint8_t length = 0; length < 8; ++length) {
     DisturbedMaster sut;
     sut.boot_up(5);
@@ -231,7 +231,7 @@ TEST(BootSlaveRestart, is_nothing_that_a_short_frame_could_mean) {
   sut.expect({});
 }
 
-TEST(BootSlaveRestart, in_any_nmt_state_of_the_master_harms_nobody) {
+TEST(BootSlaveRestart, InAnyNmtStateOfTheMasterHarmsNobody) {
   for (const char* command : {"000#01 7F", "000#02 7F", "000#80 7F", "000#81 7F", "000#82 7F"}) {
     for (unsigned answered = 0; answered <= 5; ++answered) {
       DisturbedMaster sut;
@@ -250,7 +250,7 @@ TEST(BootSlaveRestart, in_any_nmt_state_of_the_master_harms_nobody) {
 }
 
 /// Each bit of 1F81h in each combination: a slave that does as it is told comes up, or is left.
-TEST(BootSlaveRestart, does_not_happen_to_a_slave_that_does_as_it_is_told) {
+TEST(BootSlaveRestart, DoesNotHappenToASlaveThatDoesAsItIsTold) {
   for (std::uint32_t assignment = 0; assignment < 0x100; ++assignment) {
     BootNetwork sut;
     sut.assign(5, assignment);
@@ -291,7 +291,7 @@ bool starts_a_slave(const DisturbedMaster& master) {
   });
 }
 
-TEST(BootSlaveBitFlip, in_any_frame_of_the_slave_starts_nobody_and_harms_no_later_boot_up) {
+TEST(BootSlaveBitFlip, InAnyFrameOfTheSlaveStartsNobodyAndHarmsNoLaterBootUp) {
   for (std::size_t place = 0; place < std::size(dialogue); ++place) {
     for (const Frame& flip : bit_flips(wire_frame(dialogue[place]))) {
       SCOPED_TRACE(wire_text(flip) + " in place of " + dialogue[place]);

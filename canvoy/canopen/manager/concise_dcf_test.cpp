@@ -43,7 +43,7 @@ AbortCode check(const Bytes& bytes) {
   return check_concise_dcf(memory.source()).abort();
 }
 
-TEST(ConciseDcf, holds_index_sub_index_size_and_value_of_each_entry) {
+TEST(ConciseDcf, HoldsIndexSubIndexSizeAndValueOfEachEntry) {
   Memory memory(two_entries);
   ConciseDcf sut;
   ASSERT_EQ(sut.open(memory.source()), AbortCode::none);
@@ -69,7 +69,7 @@ TEST(ConciseDcf, holds_index_sub_index_size_and_value_of_each_entry) {
   EXPECT_EQ(sut.position(), 2u);
 }
 
-TEST(ConciseDcf, a_value_is_not_read_beyond_its_end) {
+TEST(ConciseDcf, AValueIsNotReadBeyondItsEnd) {
   Memory memory(two_entries);
   ConciseDcf sut;
   ASSERT_EQ(sut.open(memory.source()), AbortCode::none);
@@ -81,15 +81,15 @@ TEST(ConciseDcf, a_value_is_not_read_beyond_its_end) {
   EXPECT_EQ(sut.read(*first, 2, {}), AbortCode::none);
 }
 
-TEST(ConciseDcf, may_be_empty) {
+TEST(ConciseDcf, MayBeEmpty) {
   EXPECT_EQ(check({0, 0, 0, 0}), AbortCode::none);
 }
 
-TEST(ConciseDcf, an_entry_may_have_no_bytes) {
+TEST(ConciseDcf, AnEntryMayHaveNoBytes) {
   EXPECT_EQ(check({1, 0, 0, 0, 0x01, 0x20, 0, 0, 0, 0, 0}), AbortCode::none);
 }
 
-TEST(ConciseDcf, is_refused_wherever_it_is_cut) {
+TEST(ConciseDcf, IsRefusedWhereverItIsCut) {
   EXPECT_EQ(check(two_entries), AbortCode::none);
   for (std::size_t length = 0; length < two_entries.size(); ++length) {
     const Bytes cut(two_entries.begin(), two_entries.begin() + static_cast<std::ptrdiff_t>(length));
@@ -97,14 +97,14 @@ TEST(ConciseDcf, is_refused_wherever_it_is_cut) {
   }
 }
 
-TEST(ConciseDcf, is_refused_with_anything_behind_its_last_entry) {
+TEST(ConciseDcf, IsRefusedWithAnythingBehindItsLastEntry) {
   Bytes longer = two_entries;
   longer.push_back(0);
   EXPECT_EQ(check(longer), AbortCode::length_too_high);
   EXPECT_EQ(check({0, 0, 0, 0, 0}), AbortCode::length_too_high);
 }
 
-TEST(ConciseDcf, a_count_that_its_size_cannot_hold_is_refused_at_once) {
+TEST(ConciseDcf, ACountThatItsSizeCannotHoldIsRefusedAtOnce) {
   for (const std::uint32_t count : {3u, 4u, 0x100u, 0x7FFF'FFFFu, 0x8000'0000u, 0xFFFF'FFFFu}) {
     Bytes bytes = two_entries;
     for (std::size_t i = 0; i < 4; ++i) bytes[i] = static_cast<std::uint8_t>(count >> 8 * i);
@@ -112,7 +112,7 @@ TEST(ConciseDcf, a_count_that_its_size_cannot_hold_is_refused_at_once) {
   }
 }
 
-TEST(ConciseDcf, a_count_below_the_entries_is_refused) {
+TEST(ConciseDcf, ACountBelowTheEntriesIsRefused) {
   Bytes bytes = two_entries;
   bytes[0] = 1;
   EXPECT_EQ(check(bytes), AbortCode::length_too_high);
@@ -120,7 +120,7 @@ TEST(ConciseDcf, a_count_below_the_entries_is_refused) {
   EXPECT_EQ(check(bytes), AbortCode::length_too_high);
 }
 
-TEST(ConciseDcf, a_size_beyond_the_end_is_refused) {
+TEST(ConciseDcf, ASizeBeyondTheEndIsRefused) {
   for (const std::uint32_t size : {7u, 8u, 0x100u, 0x7FFF'FFFFu, 0xFFFF'FFF0u, 0xFFFF'FFFFu}) {
     for (const std::size_t at : {std::size_t{7}, std::size_t{16}}) {
       Bytes bytes = two_entries;
@@ -133,7 +133,7 @@ TEST(ConciseDcf, a_size_beyond_the_end_is_refused) {
 }
 
 /// Each bit of the count and the headers, and each byte with each value: never beyond the end.
-TEST(ConciseDcf, no_change_of_any_byte_makes_it_read_beyond_its_end) {
+TEST(ConciseDcf, NoChangeOfAnyByteMakesItReadBeyondItsEnd) {
   for (std::size_t at = 0; at < two_entries.size(); ++at) {
     for (unsigned value = 0; value < 256; ++value) {
       Bytes bytes = two_entries;
@@ -147,7 +147,7 @@ TEST(ConciseDcf, no_change_of_any_byte_makes_it_read_beyond_its_end) {
   }
 }
 
-TEST(ConciseDcf, a_source_that_fails_is_told) {
+TEST(ConciseDcf, ASourceThatFailsIsTold) {
   for (std::size_t from = 0; from < 20; ++from) {
     Memory memory(two_entries);
     memory.broken_from = from;

@@ -36,7 +36,7 @@ struct Manager : WireNode {
 const std::vector<std::uint8_t> three = concise_dcf(
     {{0x1017, 0, {0xF4, 0x01}}, {0x1800, 1, {0x85, 0x01, 0x00, 0x00}}, {0x2000, 3, {0x07}}});
 
-TEST(ConfigurationDownload, writes_one_entry_after_the_other) {
+TEST(ConfigurationDownload, WritesOneEntryAfterTheOther) {
   Manager manager(three);
   ASSERT_EQ(manager.start(), AbortCode::none);
   EXPECT_EQ(manager.sut.entries(), 3u);
@@ -55,7 +55,7 @@ TEST(ConfigurationDownload, writes_one_entry_after_the_other) {
   EXPECT_FALSE(manager.sut.busy());
 }
 
-TEST(ConfigurationDownload, a_value_of_more_than_four_bytes_goes_in_segments) {
+TEST(ConfigurationDownload, AValueOfMoreThanFourBytesGoesInSegments) {
   Manager manager(concise_dcf({{0x2010, 1, {1, 2, 3, 4, 5, 6, 7, 8, 9}}, {0x2000, 3, {0x07}}}));
   ASSERT_EQ(manager.start(), AbortCode::none);
   manager.expect({"605#21 10 20 01 09 00 00 00"});
@@ -69,7 +69,7 @@ TEST(ConfigurationDownload, a_value_of_more_than_four_bytes_goes_in_segments) {
   EXPECT_EQ(manager.outcome.written, 2u);
 }
 
-TEST(ConfigurationDownload, stops_at_the_first_entry_that_is_refused_and_names_it) {
+TEST(ConfigurationDownload, StopsAtTheFirstEntryThatIsRefusedAndNamesIt) {
   Manager manager(three);
   ASSERT_EQ(manager.start(), AbortCode::none);
   manager.receive("585#60 17 10 00 00 00 00 00");
@@ -85,7 +85,7 @@ TEST(ConfigurationDownload, stops_at_the_first_entry_that_is_refused_and_names_i
   manager.expect({});
 }
 
-TEST(ConfigurationDownload, a_slave_that_does_not_answer_ends_it_after_the_time_out) {
+TEST(ConfigurationDownload, ASlaveThatDoesNotAnswerEndsItAfterTheTimeOut) {
   Manager manager(three);
   ASSERT_EQ(manager.start(200ms), AbortCode::none);
   manager.sent.clear();
@@ -98,7 +98,7 @@ TEST(ConfigurationDownload, a_slave_that_does_not_answer_ends_it_after_the_time_
   manager.expect({"@200000 605#80 17 10 00 00 00 04 05"});
 }
 
-TEST(ConfigurationDownload, a_malformed_concise_dcf_is_refused_before_a_frame_is_sent) {
+TEST(ConfigurationDownload, AMalformedConciseDcfIsRefusedBeforeAFrameIsSent) {
   for (std::size_t length = 0; length < three.size(); ++length) {
     Manager manager({three.begin(), three.begin() + static_cast<std::ptrdiff_t>(length)});
     EXPECT_EQ(manager.start(), AbortCode::length_too_low) << length;
@@ -108,13 +108,13 @@ TEST(ConfigurationDownload, a_malformed_concise_dcf_is_refused_before_a_frame_is
   }
 }
 
-TEST(ConfigurationDownload, an_empty_one_has_no_data) {
+TEST(ConfigurationDownload, AnEmptyOneHasNoData) {
   Manager manager({0, 0, 0, 0});
   EXPECT_EQ(manager.start(), AbortCode::no_data);
   manager.expect({});
 }
 
-TEST(ConfigurationDownload, a_concise_dcf_that_shrinks_under_way_ends_it) {
+TEST(ConfigurationDownload, AConciseDcfThatShrinksUnderWayEndsIt) {
   Manager manager(three);
   ASSERT_EQ(manager.start(), AbortCode::none);
   manager.sent.clear();
@@ -128,14 +128,14 @@ TEST(ConfigurationDownload, a_concise_dcf_that_shrinks_under_way_ends_it) {
   EXPECT_EQ(manager.outcome.written, 1u);
 }
 
-TEST(ConfigurationDownload, one_at_a_time) {
+TEST(ConfigurationDownload, OneAtATime) {
   Manager manager(three);
   ASSERT_EQ(manager.start(), AbortCode::none);
   EXPECT_EQ(manager.start(), AbortCode::device_state);
   EXPECT_TRUE(manager.sut.busy());
 }
 
-TEST(ConfigurationDownload, needs_an_nmt_state_with_sdo) {
+TEST(ConfigurationDownload, NeedsAnNmtStateWithSdo) {
   Manager manager(three);
   manager.receive("000#02 01");
   EXPECT_EQ(manager.start(), AbortCode::device_state);
@@ -147,7 +147,7 @@ TEST(ConfigurationDownload, needs_an_nmt_state_with_sdo) {
   EXPECT_EQ(manager.ends, 1);
 }
 
-TEST(ConfigurationDownload, that_is_over_leaves_its_client_to_others) {
+TEST(ConfigurationDownload, ThatIsOverLeavesItsClientToOthers) {
   Manager manager(concise_dcf({{0x2000, 3, {0x07}}}));
   manager.sut.cancel();  // nor is there one before
   ASSERT_EQ(manager.start(), AbortCode::none);
@@ -161,7 +161,7 @@ TEST(ConfigurationDownload, that_is_over_leaves_its_client_to_others) {
   EXPECT_TRUE(manager.client.busy());
 }
 
-TEST(ConfigurationDownload, is_cancelled_without_a_word_to_the_owner) {
+TEST(ConfigurationDownload, IsCancelledWithoutAWordToTheOwner) {
   Manager manager(three);
   ASSERT_EQ(manager.start(), AbortCode::none);
   manager.sent.clear();

@@ -70,7 +70,7 @@ struct Manager : WireNode {
 
 // Expected date and time: 3E8h days, 1770h ms.
 
-TEST(ConfigurationManager, a_slave_with_the_expected_date_and_time_is_left_alone) {
+TEST(ConfigurationManager, ASlaveWithTheExpectedDateAndTimeIsLeftAlone) {
   Manager manager;
   manager.expect_date(5, 0x3E8, 0x1770);
   manager.update(5);
@@ -84,7 +84,7 @@ TEST(ConfigurationManager, a_slave_with_the_expected_date_and_time_is_left_alone
   EXPECT_FALSE(manager.sut.busy(5));
 }
 
-TEST(ConfigurationManager, another_date_has_it_configured_and_dated) {
+TEST(ConfigurationManager, AnotherDateHasItConfiguredAndDated) {
   Manager manager;
   manager.expect_date(5, 0x3E8, 0x1770);
   manager.update(5);
@@ -103,7 +103,7 @@ TEST(ConfigurationManager, another_date_has_it_configured_and_dated) {
   EXPECT_EQ(manager.outcome.written, 2u);
 }
 
-TEST(ConfigurationManager, what_was_written_counts_anew_with_each_configuration) {
+TEST(ConfigurationManager, WhatWasWrittenCountsAnewWithEachConfiguration) {
   Manager manager;
   for (int i = 0; i < 2; ++i) {
     manager.update(5);
@@ -114,7 +114,7 @@ TEST(ConfigurationManager, what_was_written_counts_anew_with_each_configuration)
   }
 }
 
-TEST(ConfigurationManager, another_time_has_it_configured_too) {
+TEST(ConfigurationManager, AnotherTimeHasItConfiguredToo) {
   Manager manager;
   manager.expect_date(6, 0x3E8, 0x1770);
   manager.update(6);
@@ -124,7 +124,7 @@ TEST(ConfigurationManager, another_time_has_it_configured_too) {
   manager.expect({"606#2F 00 20 03 08 00 00 00"});
 }
 
-TEST(ConfigurationManager, without_an_expected_date_it_is_configured_each_time) {
+TEST(ConfigurationManager, WithoutAnExpectedDateItIsConfiguredEachTime) {
   Manager manager;
   for (int i = 0; i < 2; ++i) {
     manager.update(6);
@@ -136,7 +136,7 @@ TEST(ConfigurationManager, without_an_expected_date_it_is_configured_each_time) 
   EXPECT_EQ(manager.slaves.size(), 2u);
 }
 
-TEST(ConfigurationManager, a_slave_without_1020h_is_configured_and_not_dated) {
+TEST(ConfigurationManager, ASlaveWithout1020hIsConfiguredAndNotDated) {
   Manager manager;
   manager.expect_date(6, 0x3E8, 0);
   manager.update(6);
@@ -148,7 +148,7 @@ TEST(ConfigurationManager, a_slave_without_1020h_is_configured_and_not_dated) {
   EXPECT_EQ(manager.outcome.kind, Kind::downloaded);
 }
 
-TEST(ConfigurationManager, a_slave_that_is_silent_has_failed_at_1020h) {
+TEST(ConfigurationManager, ASlaveThatIsSilentHasFailedAt1020h) {
   Manager manager;
   manager.expect_date(5, 0x3E8, 0x1770);
   manager.update(5);
@@ -160,7 +160,7 @@ TEST(ConfigurationManager, a_slave_that_is_silent_has_failed_at_1020h) {
   EXPECT_EQ(manager.outcome.sub, 1);
 }
 
-TEST(ConfigurationManager, an_entry_that_is_refused_is_named_and_the_date_not_written) {
+TEST(ConfigurationManager, AnEntryThatIsRefusedIsNamedAndTheDateNotWritten) {
   Manager manager;
   manager.expect_date(5, 0x3E8, 0x1770);
   manager.update(5);
@@ -176,7 +176,7 @@ TEST(ConfigurationManager, an_entry_that_is_refused_is_named_and_the_date_not_wr
   EXPECT_EQ(manager.outcome.written, 1u);
 }
 
-TEST(ConfigurationManager, a_date_that_is_refused_has_failed) {
+TEST(ConfigurationManager, ADateThatIsRefusedHasFailed) {
   Manager manager;
   manager.expect_date(6, 0x3E8, 0x1770);
   manager.update(6);
@@ -191,7 +191,7 @@ TEST(ConfigurationManager, a_date_that_is_refused_has_failed) {
   EXPECT_EQ(manager.outcome.written, 1u);
 }
 
-TEST(ConfigurationManager, a_malformed_concise_dcf_is_to_blame_itself) {
+TEST(ConfigurationManager, AMalformedConciseDcfIsToBlameItself) {
   Manager manager;
   manager.update(7);
   manager.expect({});
@@ -200,7 +200,7 @@ TEST(ConfigurationManager, a_malformed_concise_dcf_is_to_blame_itself) {
   EXPECT_EQ(manager.outcome.index, 0);
 }
 
-TEST(ConfigurationManager, where_nothing_is_known_nothing_is_done) {
+TEST(ConfigurationManager, WhereNothingIsKnownNothingIsDone) {
   Manager manager;
   manager.update(8);
   EXPECT_EQ(manager.outcome.kind, Kind::nothing_known) << "an empty concise DCF";
@@ -210,7 +210,7 @@ TEST(ConfigurationManager, where_nothing_is_known_nothing_is_done) {
   EXPECT_EQ(manager.slaves, (std::vector<NodeId>{8, 9}));
 }
 
-TEST(ConfigurationManager, an_expected_date_without_a_concise_dcf_cannot_be_reached) {
+TEST(ConfigurationManager, AnExpectedDateWithoutAConciseDcfCannotBeReached) {
   Manager manager;
   manager.expect_date(9, 0x3E8, 0x1770);
   manager.update(9);
@@ -221,7 +221,7 @@ TEST(ConfigurationManager, an_expected_date_without_a_concise_dcf_cannot_be_reac
   EXPECT_EQ(manager.outcome.abort, AbortCode::no_data);
 }
 
-TEST(ConfigurationManager, configures_as_many_at_a_time_as_it_has_workers) {
+TEST(ConfigurationManager, ConfiguresAsManyAtATimeAsItHasWorkers) {
   Manager manager;
   for (const NodeId slave : {NodeId{5}, NodeId{6}, NodeId{20}}) {
     manager.expect_date(slave, 1, 1);
@@ -238,7 +238,7 @@ TEST(ConfigurationManager, configures_as_many_at_a_time_as_it_has_workers) {
   EXPECT_EQ(manager.slaves, (std::vector<NodeId>{5, 6, 20}));
 }
 
-TEST(ConfigurationManager, refuses_itself_what_is_no_node_and_what_it_is_at_already) {
+TEST(ConfigurationManager, RefusesItselfWhatIsNoNodeAndWhatItIsAtAlready) {
   Manager manager;
   EXPECT_EQ(manager.sut.update(0), AbortCode::value_range);
   EXPECT_EQ(manager.sut.update(1), AbortCode::value_range);
@@ -248,7 +248,7 @@ TEST(ConfigurationManager, refuses_itself_what_is_no_node_and_what_it_is_at_alre
   EXPECT_EQ(manager.sut.update(5), AbortCode::device_state);
 }
 
-TEST(ConfigurationManager, may_be_asked_again_from_its_answer) {
+TEST(ConfigurationManager, MayBeAskedAgainFromItsAnswer) {
   Manager manager;
   manager.again = true;
   manager.update(6);
@@ -256,7 +256,7 @@ TEST(ConfigurationManager, may_be_asked_again_from_its_answer) {
   manager.expect({"606#2F 00 20 03 08 00 00 00", "606#2F 00 20 03 08 00 00 00"});
 }
 
-TEST(ConfigurationManager, a_reset_forgets_all_slaves) {
+TEST(ConfigurationManager, AResetForgetsAllSlaves) {
   Manager manager;
   for (const NodeId slave : {NodeId{5}, NodeId{6}, NodeId{20}}) {
     manager.expect_date(slave, 1, 1);
@@ -272,7 +272,7 @@ TEST(ConfigurationManager, a_reset_forgets_all_slaves) {
   EXPECT_TRUE(manager.sut.busy(6));
 }
 
-TEST(ConfigurationManager, in_nmt_state_stopped_all_slaves_fail) {
+TEST(ConfigurationManager, InNmtStateStoppedAllSlavesFail) {
   Manager manager;
   for (const NodeId slave : {NodeId{5}, NodeId{6}, NodeId{20}}) {
     manager.expect_date(slave, 1, 1);
@@ -286,7 +286,7 @@ TEST(ConfigurationManager, in_nmt_state_stopped_all_slaves_fail) {
 
 // 1F25h: configure request
 
-TEST(ConfigurationRequest, conf_configures_a_slave_whatever_its_date) {
+TEST(ConfigurationRequest, ConfConfiguresASlaveWhateverItsDate) {
   Manager manager;
   manager.expect_date(6, 0x3E8, 0x1770);
   manager.receive("601#23 25 1F 06 63 6F 6E 66");
@@ -298,7 +298,7 @@ TEST(ConfigurationRequest, conf_configures_a_slave_whatever_its_date) {
   EXPECT_EQ(manager.outcome.kind, Kind::downloaded);
 }
 
-TEST(ConfigurationRequest, sub_index_128_configures_all_that_have_a_configuration) {
+TEST(ConfigurationRequest, SubIndex128ConfiguresAllThatHaveAConfiguration) {
   Manager manager;
   manager.receive("601#23 25 1F 80 63 6F 6E 66");
   manager.expect({"581#60 25 1F 80 00 00 00 00", "605#2B 17 10 00 F4 01 00 00",
@@ -309,7 +309,7 @@ TEST(ConfigurationRequest, sub_index_128_configures_all_that_have_a_configuratio
   EXPECT_EQ(manager.slaves, (std::vector<NodeId>{6, 7, 8, 5}));
 }
 
-TEST(ConfigurationRequest, another_signature_is_refused) {
+TEST(ConfigurationRequest, AnotherSignatureIsRefused) {
   Manager manager;
   manager.receive("601#23 25 1F 06 73 61 76 65");
   manager.expect({"581#80 25 1F 06 20 00 00 08"});
@@ -317,7 +317,7 @@ TEST(ConfigurationRequest, another_signature_is_refused) {
   manager.expect({"581#80 25 1F 80 20 00 00 08"});
 }
 
-TEST(ConfigurationRequest, a_slave_without_a_concise_dcf_is_refused) {
+TEST(ConfigurationRequest, ASlaveWithoutAConciseDcfIsRefused) {
   Manager manager;
   manager.receive("601#23 25 1F 09 63 6F 6E 66");
   manager.expect({"581#80 25 1F 09 24 00 00 08"});
@@ -325,7 +325,7 @@ TEST(ConfigurationRequest, a_slave_without_a_concise_dcf_is_refused) {
   manager.expect({"581#80 25 1F 01 30 00 09 06"});
 }
 
-TEST(ConfigurationRequest, a_slave_that_is_configured_just_now_is_refused) {
+TEST(ConfigurationRequest, ASlaveThatIsConfiguredJustNowIsRefused) {
   Manager manager;
   manager.update(5);
   manager.sent.clear();
@@ -333,7 +333,7 @@ TEST(ConfigurationRequest, a_slave_that_is_configured_just_now_is_refused) {
   manager.expect({"581#80 25 1F 05 22 00 00 08"});
 }
 
-TEST(ConfigurationRequest, cannot_be_read) {
+TEST(ConfigurationRequest, CannotBeRead) {
   Manager manager;
   manager.receive("601#40 25 1F 05 00 00 00 00");
   manager.expect({"581#80 25 1F 05 01 00 01 06"});
@@ -355,7 +355,7 @@ struct BootingManager : Manager {
   std::vector<BootOutcome> outcomes;
 };
 
-TEST(ConfigurationAtBoot, a_slave_is_configured_on_the_client_of_its_task) {
+TEST(ConfigurationAtBoot, ASlaveIsConfiguredOnTheClientOfItsTask) {
   BootingManager manager;
   manager.expect_date(6, 0x3E8, 0x1770);
   manager.boot_slave(6, manager.clients[0]);
@@ -373,7 +373,7 @@ TEST(ConfigurationAtBoot, a_slave_is_configured_on_the_client_of_its_task) {
   EXPECT_EQ(manager.slaves, std::vector<NodeId>{6});
 }
 
-TEST(ConfigurationAtBoot, a_slave_that_refuses_has_error_j_and_the_abort_code) {
+TEST(ConfigurationAtBoot, ASlaveThatRefusesHasErrorJAndTheAbortCode) {
   BootingManager manager;
   manager.boot_slave(6, manager.clients[0]);
   manager.receive("586#80 00 20 03 30 00 09 06");
@@ -381,14 +381,14 @@ TEST(ConfigurationAtBoot, a_slave_that_refuses_has_error_j_and_the_abort_code) {
             (std::vector<BootOutcome>{{BootError::configuration, AbortCode::value_range}}));
 }
 
-TEST(ConfigurationAtBoot, a_slave_of_which_nothing_is_known_goes_on) {
+TEST(ConfigurationAtBoot, ASlaveOfWhichNothingIsKnownGoesOn) {
   BootingManager manager;
   manager.boot_slave(9, manager.clients[0]);
   manager.expect({});
   EXPECT_EQ(manager.outcomes, std::vector<BootOutcome>{BootOutcome{}});
 }
 
-TEST(ConfigurationAtBoot, slaves_that_boot_wait_for_a_worker_and_come_before_others) {
+TEST(ConfigurationAtBoot, SlavesThatBootWaitForAWorkerAndComeBeforeOthers) {
   BootingManager manager;
   manager.update(5);
   manager.expect_date(20, 1, 1);
@@ -404,7 +404,7 @@ TEST(ConfigurationAtBoot, slaves_that_boot_wait_for_a_worker_and_come_before_oth
                   "615#40 20 10 01 00 00 00 00", "616#40 20 10 01 00 00 00 00"});
 }
 
-TEST(ConfigurationAtBoot, more_slaves_than_workers_may_wait_and_no_more_than_as_many_again) {
+TEST(ConfigurationAtBoot, MoreSlavesThanWorkersMayWaitAndNoMoreThanAsManyAgain) {
   BootingManager manager;
   for (const NodeId slave : {NodeId{20}, NodeId{21}, NodeId{22}}) {
     manager.expect_date(slave, 1, 1);
@@ -416,7 +416,7 @@ TEST(ConfigurationAtBoot, more_slaves_than_workers_may_wait_and_no_more_than_as_
             (std::vector<BootOutcome>{{BootError::configuration, AbortCode::out_of_memory}}));
 }
 
-TEST(ConfigurationAtBoot, takes_the_place_of_what_is_under_way_for_the_slave) {
+TEST(ConfigurationAtBoot, TakesThePlaceOfWhatIsUnderWayForTheSlave) {
   BootingManager manager;
   manager.update(5);
   manager.expect({"605#2B 17 10 00 F4 01 00 00"});
@@ -428,7 +428,7 @@ TEST(ConfigurationAtBoot, takes_the_place_of_what_is_under_way_for_the_slave) {
   EXPECT_EQ(manager.outcomes, std::vector<BootOutcome>{BootOutcome{}});
 }
 
-TEST(ConfigurationAtBoot, an_abandoned_slave_is_forgotten) {
+TEST(ConfigurationAtBoot, AnAbandonedSlaveIsForgotten) {
   BootingManager manager;
   manager.boot_slave(6, manager.clients[0]);
   manager.boot_slave(5, manager.clients[1]);
@@ -446,7 +446,7 @@ TEST(ConfigurationAtBoot, an_abandoned_slave_is_forgotten) {
   manager.expect({"606#2F 00 20 03 08 00 00 00"});
 }
 
-TEST(ConfigurationAtBoot, an_abandoned_task_does_not_hear_of_the_next_configuration) {
+TEST(ConfigurationAtBoot, AnAbandonedTaskDoesNotHearOfTheNextConfiguration) {
   BootingManager manager;
   manager.boot_slave(6, manager.clients[0]);
   manager.clients[0].cancel();
@@ -464,7 +464,7 @@ struct AbandoningManager : BootingManager {
   void abandon(NodeId slave, const ConfigurationOutcome&) { hooks.abandon(slave); }
 };
 
-TEST(ConfigurationAtBoot, a_slave_that_is_abandoned_by_who_is_told_of_its_end_is_not_booted_on) {
+TEST(ConfigurationAtBoot, ASlaveThatIsAbandonedByWhoIsToldOfItsEndIsNotBootedOn) {
   AbandoningManager manager;
   manager.boot_slave(9, manager.clients[0]);
   manager.run_for(10s);
@@ -484,7 +484,7 @@ struct OrderedManager : BootingManager {
   bool may_be_updated = false;
 };
 
-TEST(ConfigurationAtBoot, what_became_of_a_configuration_is_told_before_the_boot_up_goes_on) {
+TEST(ConfigurationAtBoot, WhatBecameOfAConfigurationIsToldBeforeTheBootUpGoesOn) {
   OrderedManager manager;
   manager.boot_slave(6, manager.clients[0]);
   manager.receive("586#60 00 20 03 00 00 00 00");
@@ -493,7 +493,7 @@ TEST(ConfigurationAtBoot, what_became_of_a_configuration_is_told_before_the_boot
   EXPECT_TRUE(manager.may_be_updated) << "it is not busy any more";
 }
 
-TEST(FixedConfigurations, can_be_read_and_not_written) {
+TEST(FixedConfigurations, CanBeReadAndNotWritten) {
   Manager manager;
   manager.receive("601#40 22 1F 06 00 00 00 00");
   manager.expect({"581#41 22 1F 06 0C 00 00 00"});

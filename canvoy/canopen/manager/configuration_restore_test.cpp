@@ -75,7 +75,7 @@ struct RestoringManager : WireNode {
   Callback<void(AbortCode)> restarted;
 };
 
-TEST(RestoreConfiguration, writes_load_resets_the_slave_and_configures_it) {
+TEST(RestoreConfiguration, WritesLoadResetsTheSlaveAndConfiguresIt) {
   RestoringManager sut(restored, 1);
   sut.begin();
   sut.expect({load_all});
@@ -88,7 +88,7 @@ TEST(RestoreConfiguration, writes_load_resets_the_slave_and_configures_it) {
   sut.expect_success();
 }
 
-TEST(RestoreConfiguration, of_communication_parameters_resets_communication_alone) {
+TEST(RestoreConfiguration, OfCommunicationParametersResetsCommunicationAlone) {
   RestoringManager sut(restored, 2);
   sut.begin();
   sut.expect({"605#23 11 10 02 6C 6F 61 64"});
@@ -96,7 +96,7 @@ TEST(RestoreConfiguration, of_communication_parameters_resets_communication_alon
   EXPECT_EQ(sut.commands, std::vector<NmtCommand>{NmtCommand::reset_communication});
 }
 
-TEST(RestoreConfiguration, of_other_groups_resets_the_node) {
+TEST(RestoreConfiguration, OfOtherGroupsResetsTheNode) {
   for (const std::uint8_t sub : std::to_array<std::uint8_t>({3, 4, 127, 254})) {
     RestoringManager sut(restored, sub);
     sut.begin();
@@ -107,7 +107,7 @@ TEST(RestoreConfiguration, of_other_groups_resets_the_node) {
   }
 }
 
-TEST(RestoreConfiguration, needs_the_bit_and_a_sub_index) {
+TEST(RestoreConfiguration, NeedsTheBitAndASubIndex) {
   const std::pair<std::uint32_t, std::uint8_t> without[] = {{not_restored, 1}, {restored, 0}};
   for (const auto& [assignment, sub] : without) {
     RestoringManager sut(assignment, sub);
@@ -118,7 +118,7 @@ TEST(RestoreConfiguration, needs_the_bit_and_a_sub_index) {
   }
 }
 
-TEST(RestoreConfiguration, leaves_a_slave_alone_that_has_the_expected_date_and_time) {
+TEST(RestoreConfiguration, LeavesASlaveAloneThatHasTheExpectedDateAndTime) {
   RestoringManager sut(restored, 1);
   sut.node.dictionary().set_number(0x1F26, 5, 0x3E8);
   sut.begin();
@@ -128,7 +128,7 @@ TEST(RestoreConfiguration, leaves_a_slave_alone_that_has_the_expected_date_and_t
   EXPECT_EQ(sut.outcomes, std::vector<BootOutcome>{{}});
 }
 
-TEST(RestoreConfiguration, comes_before_the_download_to_a_slave_with_another_date) {
+TEST(RestoreConfiguration, ComesBeforeTheDownloadToASlaveWithAnotherDate) {
   RestoringManager sut(restored, 1);
   sut.node.dictionary().set_number(0x1F26, 5, 0x3E8);
   sut.begin();
@@ -136,7 +136,7 @@ TEST(RestoreConfiguration, comes_before_the_download_to_a_slave_with_another_dat
   sut.expect({"605#40 20 10 01 00 00 00 00", load_all});
 }
 
-TEST(RestoreConfiguration, that_is_refused_is_error_J_and_nothing_is_reset) {
+TEST(RestoreConfiguration, ThatIsRefusedIsErrorJAndNothingIsReset) {
   RestoringManager sut(restored, 1);
   sut.begin();
   sut.expect({load_all});
@@ -145,7 +145,7 @@ TEST(RestoreConfiguration, that_is_refused_is_error_J_and_nothing_is_reset) {
   EXPECT_TRUE(sut.commands.empty());
 }
 
-TEST(RestoreConfiguration, without_a_boot_up_message_is_a_silent_slave) {
+TEST(RestoreConfiguration, WithoutABootUpMessageIsASilentSlave) {
   RestoringManager sut(restored, 1);
   sut.begin();
   sut.expect({load_all});
@@ -154,7 +154,7 @@ TEST(RestoreConfiguration, without_a_boot_up_message_is_a_silent_slave) {
   sut.expect_failure(AbortCode::time_out);
 }
 
-TEST(RestoreConfiguration, is_a_part_of_the_boot_up_alone) {
+TEST(RestoreConfiguration, IsAPartOfTheBootUpAlone) {
   RestoringManager sut(restored, 1);
   EXPECT_EQ(sut.manager.update(5), AbortCode::none);
   sut.settle();

@@ -42,7 +42,7 @@ class DynamicSdo : public testing::Test {
   ServingNode server{cable.port(2), 10};
 };
 
-TEST_F(DynamicSdo, a_connection_is_requested_used_and_released) {
+TEST_F(DynamicSdo, AConnectionIsRequestedUsedAndReleased) {
   ASSERT_EQ(device.connect(10, 1), AbortCode::none);
   cable.run_for(100ms);
   ASSERT_EQ(device.answers, std::vector<AbortCode>{AbortCode::none});
@@ -58,7 +58,7 @@ TEST_F(DynamicSdo, a_connection_is_requested_used_and_released) {
   EXPECT_FALSE(device.requester.registered());
 }
 
-TEST_F(DynamicSdo, the_server_serves_its_default_channel_at_the_same_time) {
+TEST_F(DynamicSdo, TheServerServesItsDefaultChannelAtTheSameTime) {
   ASSERT_EQ(device.connect(10, 1), AbortCode::none);
   cable.run_for(100ms);
   cable.clear();
@@ -67,7 +67,7 @@ TEST_F(DynamicSdo, the_server_serves_its_default_channel_at_the_same_time) {
   expect_connection();
 }
 
-TEST_F(DynamicSdo, a_manager_that_starts_again_is_called_again) {
+TEST_F(DynamicSdo, AManagerThatStartsAgainIsCalledAgain) {
   ASSERT_EQ(device.connect(10, 1), AbortCode::none);
   cable.run_for(100ms);
   ASSERT_TRUE(device.requester.release(1));
@@ -82,7 +82,7 @@ TEST_F(DynamicSdo, a_manager_that_starts_again_is_called_again) {
   expect_connection();
 }
 
-TEST_F(DynamicSdo, a_server_that_starts_again_is_connected_again_while_its_end_is_closed) {
+TEST_F(DynamicSdo, AServerThatStartsAgainIsConnectedAgainWhileItsEndIsClosed) {
   ASSERT_EQ(device.connect(10, 1), AbortCode::none);
   cable.run_for(100ms);
   server.node.start(cable.now);
@@ -94,7 +94,7 @@ TEST_F(DynamicSdo, a_server_that_starts_again_is_connected_again_while_its_end_i
   expect_connection();
 }
 
-TEST_F(DynamicSdo, without_a_manager_the_device_learns_it_after_its_time_out) {
+TEST_F(DynamicSdo, WithoutAManagerTheDeviceLearnsItAfterItsTimeOut) {
   cable.cut(0);
   device.node.advance(cable.now);
   ASSERT_EQ(device.connect(10, 1), AbortCode::none);
@@ -104,7 +104,7 @@ TEST_F(DynamicSdo, without_a_manager_the_device_learns_it_after_its_time_out) {
   EXPECT_EQ(device.answers, std::vector<AbortCode>{AbortCode::time_out});
 }
 
-TEST_F(DynamicSdo, a_device_that_was_never_heard_is_found_as_well) {
+TEST_F(DynamicSdo, ADeviceThatWasNeverHeardIsFoundAsWell) {
   manager.manager.remote_changed(5, RemoteState::lost);
   manager.manager.remote_changed(10, RemoteState::lost);
   cable.run_for(1ms);
@@ -114,7 +114,7 @@ TEST_F(DynamicSdo, a_device_that_was_never_heard_is_found_as_well) {
 }
 
 /// Each frame of the whole procedure, lost once.
-TEST_F(DynamicSdo, no_single_lost_frame_keeps_the_connection_away_for_ever) {
+TEST_F(DynamicSdo, NoSingleLostFrameKeepsTheConnectionAwayForEver) {
   ASSERT_EQ(device.connect(10, 1), AbortCode::none);
   cable.run_for(100ms);
   const std::size_t frames = cable.heard.size();
@@ -152,7 +152,7 @@ TEST_F(DynamicSdo, no_single_lost_frame_keeps_the_connection_away_for_ever) {
   }
 }
 
-TEST_F(DynamicSdo, a_device_that_starts_anew_gets_its_connection_again) {
+TEST_F(DynamicSdo, ADeviceThatStartsAnewGetsItsConnectionAgain) {
   ASSERT_EQ(device.connect(10, 1), AbortCode::none);
   cable.run_for(100ms);
   cable.send("000#81 05");
@@ -166,7 +166,7 @@ TEST_F(DynamicSdo, a_device_that_starts_anew_gets_its_connection_again) {
   expect_connection();
 }
 
-TEST_F(DynamicSdo, a_server_that_is_lost_takes_the_connection_along) {
+TEST_F(DynamicSdo, AServerThatIsLostTakesTheConnectionAlong) {
   ASSERT_EQ(device.connect(10, 1), AbortCode::none);
   cable.run_for(100ms);
   cable.cut(2);
@@ -183,7 +183,7 @@ TEST_F(DynamicSdo, a_server_that_is_lost_takes_the_connection_along) {
   expect_connection();
 }
 
-TEST_F(DynamicSdo, two_devices_that_call_at_once_are_both_served) {
+TEST_F(DynamicSdo, TwoDevicesThatCallAtOnceAreBothServed) {
   RequestingNode other(cable.port(3), 6);
   cable.connect(3, other.node);
   other.node.start(cable.now);

@@ -52,7 +52,7 @@ struct FlyingNode : BootNetwork {
   FlyingMaster flying;
 };
 
-TEST(FlyingMaster, resets_all_once_and_negotiates_where_there_is_no_master) {
+TEST(FlyingMaster, ResetsAllOnceAndNegotiatesWhereThereIsNoMaster) {
   FlyingNode sut;
   sut.start();
   sut.run_until(Time(2850ms));
@@ -64,14 +64,14 @@ TEST(FlyingMaster, resets_all_once_and_negotiates_where_there_is_no_master) {
   EXPECT_EQ(sut.flying.active_master(), 5);
 }
 
-TEST(FlyingMaster, negotiates_at_once_where_all_need_not_be_reset) {
+TEST(FlyingMaster, NegotiatesAtOnceWhereAllNeedNotBeReset) {
   FlyingNode sut({.resets_all = false});
   sut.start();
   sut.run_until(Time(650ms));
   sut.expect({"@0 705#00", "@550000 073#", "@650000 072#"});
 }
 
-TEST(FlyingMaster, waits_for_its_slot_by_priority_and_node_id) {
+TEST(FlyingMaster, WaitsForItsSlotByPriorityAndNodeId) {
   for (const std::uint32_t priority : {0U, 1U, 2U}) {
     FlyingNode sut;
     sut.stored.store(0x1F90, 3, priority);
@@ -85,7 +85,7 @@ TEST(FlyingMaster, waits_for_its_slot_by_priority_and_node_id) {
   }
 }
 
-TEST(FlyingMaster, becomes_a_slave_when_an_active_master_answers) {
+TEST(FlyingMaster, BecomesASlaveWhenAnActiveMasterAnswers) {
   for (const char* answer : {"071#00 0A", "071#00 01", "071#01 01", "071#01 0A"}) {
     FlyingNode sut;
     sut.start();
@@ -100,7 +100,7 @@ TEST(FlyingMaster, becomes_a_slave_when_an_active_master_answers) {
   }
 }
 
-TEST(FlyingMaster, forces_a_negotiation_on_a_master_of_lower_priority) {
+TEST(FlyingMaster, ForcesANegotiationOnAMasterOfLowerPriority) {
   FlyingNode sut;
   sut.start();
   sut.run_until(Time(600ms));
@@ -110,7 +110,7 @@ TEST(FlyingMaster, forces_a_negotiation_on_a_master_of_lower_priority) {
   EXPECT_EQ(sut.flying.state(), FlyingMaster::State::negotiating);
 }
 
-TEST(FlyingMaster, forces_a_negotiation_by_its_node_id_where_that_is_wanted) {
+TEST(FlyingMaster, ForcesANegotiationByItsNodeIdWhereThatIsWanted) {
   FlyingNode sut({.node_id_forces = true});
   sut.start();
   sut.run_until(Time(600ms));
@@ -121,7 +121,7 @@ TEST(FlyingMaster, forces_a_negotiation_by_its_node_id_where_that_is_wanted) {
   EXPECT_EQ(sut.flying.state(), FlyingMaster::State::slave);
 }
 
-TEST(FlyingMaster, gives_way_to_who_was_first_in_the_negotiation) {
+TEST(FlyingMaster, GivesWayToWhoWasFirstInTheNegotiation) {
   FlyingNode sut;
   sut.negotiate();
   sut.run_until(Time(2s));
@@ -131,7 +131,7 @@ TEST(FlyingMaster, gives_way_to_who_was_first_in_the_negotiation) {
   sut.expect({});
 }
 
-TEST(FlyingMaster, begins_to_count_when_another_one_calls) {
+TEST(FlyingMaster, BeginsToCountWhenAnotherOneCalls) {
   FlyingNode sut;
   sut.start();
   sut.run_until(Time(200ms));
@@ -142,7 +142,7 @@ TEST(FlyingMaster, begins_to_count_when_another_one_calls) {
   sut.expect({"@1750000 071#01 05", "@1750000 000#82 00"});
 }
 
-TEST(FlyingMaster, answers_as_the_active_master_only) {
+TEST(FlyingMaster, AnswersAsTheActiveMasterOnly) {
   FlyingNode master;
   master.win();
   master.receive("073#");
@@ -153,7 +153,7 @@ TEST(FlyingMaster, answers_as_the_active_master_only) {
   slave.expect({});
 }
 
-TEST(FlyingMaster, looks_for_other_masters_in_a_cycle) {
+TEST(FlyingMaster, LooksForOtherMastersInACycle) {
   FlyingNode sut;
   sut.win();
   sut.run_until(Time(11s));
@@ -165,7 +165,7 @@ TEST(FlyingMaster, looks_for_other_masters_in_a_cycle) {
   quiet.expect({});
 }
 
-TEST(FlyingMaster, negotiates_anew_when_it_is_forced) {
+TEST(FlyingMaster, NegotiatesAnewWhenItIsForced) {
   FlyingNode sut;
   sut.win();
   sut.receive("076#");
@@ -179,7 +179,7 @@ TEST(FlyingMaster, negotiates_anew_when_it_is_forced) {
   EXPECT_EQ(slave.flying.state(), FlyingMaster::State::slave);
 }
 
-TEST(FlyingMaster, that_meets_another_one_gives_way_by_priority_and_then_by_node_id) {
+TEST(FlyingMaster, ThatMeetsAnotherOneGivesWayByPriorityAndThenByNodeId) {
   struct Meeting {
     const char* other;
     bool gives_way;
@@ -196,7 +196,7 @@ TEST(FlyingMaster, that_meets_another_one_gives_way_by_priority_and_then_by_node
   }
 }
 
-TEST(FlyingMaster, resets_all_when_the_active_master_is_lost_and_negotiates) {
+TEST(FlyingMaster, ResetsAllWhenTheActiveMasterIsLostAndNegotiates) {
   FlyingNode sut;
   sut.follow();
   sut.node.raise({.code = 0x8130, .instance = 10, .register_bits = 0x10});
@@ -204,7 +204,7 @@ TEST(FlyingMaster, resets_all_when_the_active_master_is_lost_and_negotiates) {
   sut.expect({"@550000 000#82 00", "@550000 705#00", "@1100000 073#", "@1200000 072#"});
 }
 
-TEST(FlyingMaster, takes_a_life_guarding_event_for_the_loss_of_the_master) {
+TEST(FlyingMaster, TakesALifeGuardingEventForTheLossOfTheMaster) {
   FlyingNode sut;
   sut.follow();
   sut.node.raise({.code = 0x8130, .instance = 0, .register_bits = 0x10});
@@ -212,7 +212,7 @@ TEST(FlyingMaster, takes_a_life_guarding_event_for_the_loss_of_the_master) {
   sut.expect({"@550000 000#82 00", "@550000 705#00"});
 }
 
-TEST(FlyingMaster, does_not_care_for_the_loss_of_others) {
+TEST(FlyingMaster, DoesNotCareForTheLossOfOthers) {
   FlyingNode sut;
   sut.follow();
   sut.node.raise({.code = 0x8130, .instance = 11, .register_bits = 0x10});
@@ -221,7 +221,7 @@ TEST(FlyingMaster, does_not_care_for_the_loss_of_others) {
   sut.expect({});
 }
 
-TEST(FlyingMaster, is_off_without_bits_0_and_5_of_1F80h) {
+TEST(FlyingMaster, IsOffWithoutBits0And5Of1F80h) {
   for (const std::uint32_t bits : {0x00U, 0x20U, 0x01U}) {
     FlyingNode sut({}, bits);
     sut.start();
@@ -233,7 +233,7 @@ TEST(FlyingMaster, is_off_without_bits_0_and_5_of_1F80h) {
   }
 }
 
-TEST(FlyingMaster, that_may_be_master_no_more_has_nothing_left_to_do_after_a_reset) {
+TEST(FlyingMaster, ThatMayBeMasterNoMoreHasNothingLeftToDoAfterAReset) {
   FlyingNode sut;
   sut.win();
   sut.startup(0x20);
@@ -242,7 +242,7 @@ TEST(FlyingMaster, that_may_be_master_no_more_has_nothing_left_to_do_after_a_res
   EXPECT_EQ(sut.node.deadline(), never);
 }
 
-TEST(FlyingMaster, says_that_it_may_be_master_where_it_is_asked) {
+TEST(FlyingMaster, SaysThatItMayBeMasterWhereItIsAsked) {
   FlyingNode sut({}, 0x01);
   sut.start();
   sut.forget();
@@ -255,7 +255,7 @@ TEST(FlyingMaster, says_that_it_may_be_master_where_it_is_asked) {
   other.expect({});
 }
 
-TEST(FlyingMaster, finds_devices_that_may_be_master) {
+TEST(FlyingMaster, FindsDevicesThatMayBeMaster) {
   FlyingNode sut;
   sut.follow();
   std::vector<bool> found;
@@ -269,7 +269,7 @@ TEST(FlyingMaster, finds_devices_that_may_be_master) {
   EXPECT_EQ(found, (std::vector<bool>{true, true, false}));
 }
 
-TEST(FlyingMaster, ignores_and_counts_what_has_another_length) {
+TEST(FlyingMaster, IgnoresAndCountsWhatHasAnotherLength) {
   for (unsigned id = 0x071; id <= 0x076; ++id) {
     for (std::uint8_t length = 0; length <= 8; ++length) {
       if (length == (id == 0x071 ? 2 : 0)) continue;
@@ -307,7 +307,7 @@ void expect_to_live_on(FlyingNode& sut) {
   sut.expect({"071#01 05"});
 }
 
-TEST(FlyingMaster, lives_on_after_each_flipped_bit_of_each_frame_in_each_role) {
+TEST(FlyingMaster, LivesOnAfterEachFlippedBitOfEachFrameInEachRole) {
   const auto detect = [](FlyingNode& node) {
     node.start();
     node.run_until(Time(600ms));

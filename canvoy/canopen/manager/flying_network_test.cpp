@@ -39,7 +39,7 @@ struct FlyingNetwork {
   using State = FlyingMaster::State;
 };
 
-TEST(FlyingNetwork, is_led_by_the_highest_priority_whoever_was_first) {
+TEST(FlyingNetwork, IsLedByTheHighestPriorityWhoeverWasFirst) {
   FlyingNetwork sut;
   sut.cable.start_all();
   sut.cable.run_for(6s);
@@ -52,7 +52,7 @@ TEST(FlyingNetwork, is_led_by_the_highest_priority_whoever_was_first) {
   EXPECT_EQ(sut.cable.last(0x071), "071#00 09");
 }
 
-TEST(FlyingNetwork, keeps_its_master_while_it_lives) {
+TEST(FlyingNetwork, KeepsItsMasterWhileItLives) {
   FlyingNetwork sut;
   sut.cable.start_all();
   sut.cable.run_for(5s);
@@ -66,7 +66,7 @@ TEST(FlyingNetwork, keeps_its_master_while_it_lives) {
   EXPECT_EQ(sut.high.flying.state(), FlyingMaster::State::master);
 }
 
-TEST(FlyingNetwork, chooses_another_master_when_the_first_is_lost) {
+TEST(FlyingNetwork, ChoosesAnotherMasterWhenTheFirstIsLost) {
   FlyingNetwork sut;
   sut.cable.start_all();
   sut.cable.run_for(3s);
@@ -80,7 +80,7 @@ TEST(FlyingNetwork, chooses_another_master_when_the_first_is_lost) {
   EXPECT_EQ(sut.cable.last(0x071), "071#01 07");
 }
 
-TEST(FlyingNetwork, that_was_two_becomes_one_again) {
+TEST(FlyingNetwork, ThatWasTwoBecomesOneAgain) {
   FlyingNetwork sut;
   sut.cable.start_all();
   sut.cable.run_for(3s);
@@ -96,7 +96,7 @@ TEST(FlyingNetwork, that_was_two_becomes_one_again) {
   EXPECT_EQ(sut.low.flying.state(), FlyingMaster::State::slave);
 }
 
-TEST(FlyingNetwork, takes_in_a_higher_priority_that_comes_later) {
+TEST(FlyingNetwork, TakesInAHigherPriorityThatComesLater) {
   Cable cable;
   Candidate low(cable, 0, 5, 2);
   cable.start_all();

@@ -23,7 +23,7 @@ struct QueueingNode : BootNetwork {
   }
 };
 
-TEST(NmtQueue, sends_each_command_at_once_without_an_inhibit_time) {
+TEST(NmtQueue, SendsEachCommandAtOnceWithoutAnInhibitTime) {
   QueueingNode sut;
   for (const NmtCommand command :
        {NmtCommand::start, NmtCommand::stop, NmtCommand::enter_pre_operational,
@@ -35,7 +35,7 @@ TEST(NmtQueue, sends_each_command_at_once_without_an_inhibit_time) {
   sut.expect({"000#01 0A", "000#02 0A", "000#80 0A", "000#81 0A", "000#82 0A"});
 }
 
-TEST(NmtQueue, keeps_the_inhibit_time_between_two_commands) {
+TEST(NmtQueue, KeepsTheInhibitTimeBetweenTwoCommands) {
   QueueingNode sut(25);
   for (NodeId slave = 1; slave <= 3; ++slave) sut.add(slave, NmtCommand::start);
   sut.run_until(Time(3ms));
@@ -49,7 +49,7 @@ TEST(NmtQueue, keeps_the_inhibit_time_between_two_commands) {
               "@20000 000#01 05", "@22500 000#01 06"});
 }
 
-TEST(NmtQueue, is_sent_to_all_and_obeyed_by_the_master_unless_it_is_spared) {
+TEST(NmtQueue, IsSentToAllAndObeyedByTheMasterUnlessItIsSpared) {
   QueueingNode sut;
   sut.add(0, NmtCommand::start, true);
   sut.settle();
@@ -62,7 +62,7 @@ TEST(NmtQueue, is_sent_to_all_and_obeyed_by_the_master_unless_it_is_spared) {
   sut.expect({"000#01 00", "000#01 00", "000#82 00", "77F#00"});
 }
 
-TEST(NmtQueue, sends_no_frame_to_the_master_itself_and_waits_for_none) {
+TEST(NmtQueue, SendsNoFrameToTheMasterItselfAndWaitsForNone) {
   QueueingNode sut(10000);
   sut.add(10, NmtCommand::start);
   sut.settle();
@@ -72,7 +72,7 @@ TEST(NmtQueue, sends_no_frame_to_the_master_itself_and_waits_for_none) {
   sut.expect({"000#01 0A"});
 }
 
-TEST(NmtQueue, forgets_what_waits_when_the_master_is_reset) {
+TEST(NmtQueue, ForgetsWhatWaitsWhenTheMasterIsReset) {
   QueueingNode sut;
   EXPECT_TRUE(sut.commands.add({0, NmtCommand::reset_node}));
   EXPECT_TRUE(sut.commands.add({10, NmtCommand::start}));
@@ -81,7 +81,7 @@ TEST(NmtQueue, forgets_what_waits_when_the_master_is_reset) {
   EXPECT_TRUE(sut.commands.empty());
 }
 
-TEST(NmtQueue, waits_for_the_controller_and_loses_nothing) {
+TEST(NmtQueue, WaitsForTheControllerAndLosesNothing) {
   QueueingNode sut;
   sut.full = true;
   for (NodeId slave = 1; slave <= 40; ++slave) sut.add(slave, NmtCommand::start);
@@ -97,7 +97,7 @@ TEST(NmtQueue, waits_for_the_controller_and_loses_nothing) {
   EXPECT_EQ(sut.node.transmitter().lost(), 0U);
 }
 
-TEST(NmtQueue, says_when_it_has_no_room) {
+TEST(NmtQueue, SaysWhenItHasNoRoom) {
   QueueingNode sut;
   for (int i = 0; i < 128; ++i) EXPECT_TRUE(sut.commands.add({10, NmtCommand::start}));
   EXPECT_FALSE(sut.commands.add({10, NmtCommand::start}));
@@ -106,7 +106,7 @@ TEST(NmtQueue, says_when_it_has_no_room) {
   EXPECT_TRUE(sut.commands.add({10, NmtCommand::start}));
 }
 
-TEST(NmtQueue, refuses_what_is_no_node) {
+TEST(NmtQueue, RefusesWhatIsNoNode) {
   QueueingNode sut;
   for (unsigned id = 128; id <= 255; ++id) {
     EXPECT_FALSE(sut.commands.add({static_cast<NodeId>(id), NmtCommand::start}));

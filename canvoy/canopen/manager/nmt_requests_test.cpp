@@ -48,7 +48,7 @@ struct RequestedMaster : BootNetwork {
   SdoServer server;
 };
 
-TEST(NmtRequests, command_a_node_after_the_answer) {
+TEST(NmtRequests, CommandANodeAfterTheAnswer) {
   RequestedMaster sut;
   sut.receive("67F#2F 82 1F 0A 05 00 00 00");
   sut.expect({"5FF#60 82 1F 0A 00 00 00 00", "000#01 0A"});
@@ -61,7 +61,7 @@ TEST(NmtRequests, command_a_node_after_the_answer) {
               "5FF#60 82 1F 0A 00 00 00 00", "000#80 0A"});
 }
 
-TEST(NmtRequests, command_all_nodes_with_the_master_by_sub_index_80h) {
+TEST(NmtRequests, CommandAllNodesWithTheMasterBySubIndex80h) {
   RequestedMaster sut;
   sut.receive("67F#2F 82 1F 80 7F 00 00 00");
   sut.expect({"5FF#60 82 1F 80 00 00 00 00", "000#80 00"});
@@ -70,14 +70,14 @@ TEST(NmtRequests, command_all_nodes_with_the_master_by_sub_index_80h) {
   sut.expect({"5FF#60 82 1F 80 00 00 00 00", "000#82 00", "77F#00", "000#82 00"});
 }
 
-TEST(NmtRequests, command_the_master_itself_without_a_frame) {
+TEST(NmtRequests, CommandTheMasterItselfWithoutAFrame) {
   RequestedMaster sut;
   sut.receive("67F#2F 82 1F 7F 7F 00 00 00");
   sut.expect({"5FF#60 82 1F 7F 00 00 00 00"});
   EXPECT_EQ(sut.node.state(), NmtState::pre_operational);
 }
 
-TEST(NmtRequests, know_five_values_of_256_for_each_of_128_sub_indices) {
+TEST(NmtRequests, KnowFiveValuesOf256ForEachOf128SubIndices) {
   for (unsigned value = 0; value < 256; ++value) {
     const bool known = (value >= 4 && value <= 7) || value == 0x7F;
     RequestedMaster sut;
@@ -90,7 +90,7 @@ TEST(NmtRequests, know_five_values_of_256_for_each_of_128_sub_indices) {
   }
 }
 
-TEST(NmtRequests, are_refused_where_the_device_is_not_the_nmt_master) {
+TEST(NmtRequests, AreRefusedWhereTheDeviceIsNotTheNmtMaster) {
   RequestedMaster sut(0x00);
   for (unsigned sub = 1; sub <= 128; ++sub) {
     EXPECT_EQ(sut.write(0x1F82, static_cast<std::uint8_t>(sub), 5), AbortCode::device_state);
@@ -99,7 +99,7 @@ TEST(NmtRequests, are_refused_where_the_device_is_not_the_nmt_master) {
   sut.expect({});
 }
 
-TEST(NmtRequests, are_refused_while_too_many_wait) {
+TEST(NmtRequests, AreRefusedWhileTooManyWait) {
   RequestedMaster sut;
   for (int i = 0; i < 128; ++i) EXPECT_TRUE(sut.commands.add({10, NmtCommand::start}));
   const std::uint8_t start = 5;
@@ -107,7 +107,7 @@ TEST(NmtRequests, are_refused_while_too_many_wait) {
             AbortCode::out_of_memory);
 }
 
-TEST(NmtRequests, tell_the_state_of_each_node) {
+TEST(NmtRequests, TellTheStateOfEachNode) {
   RequestedMaster sut;
   EXPECT_EQ(sut.read(0x1F82, 10), 0x00U);
   sut.receive("70A#00");
@@ -127,7 +127,7 @@ TEST(NmtRequests, tell_the_state_of_each_node) {
   sut.expect({"5FF#80 82 1F 80 01 00 01 06"});
 }
 
-TEST(NmtRequests, begin_and_end_guarding_with_the_times_of_1F81h) {
+TEST(NmtRequests, BeginAndEndGuardingWithTheTimesOf1F81h) {
   RequestedMaster sut;
   sut.stored.store(0x1F81, 5, 0x0064'0201);
   sut.receive("000#82 7F");
@@ -143,7 +143,7 @@ TEST(NmtRequests, begin_and_end_guarding_with_the_times_of_1F81h) {
   }
 }
 
-TEST(NmtRequests, begin_the_guarding_of_all_slaves_that_have_a_guard_time) {
+TEST(NmtRequests, BeginTheGuardingOfAllSlavesThatHaveAGuardTime) {
   RequestedMaster sut;
   sut.stored.store(0x1F81, 5, 0x0064'0201);
   sut.stored.store(0x1F81, 6, 0x0000'0001);

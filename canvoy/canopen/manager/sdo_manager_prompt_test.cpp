@@ -38,7 +38,7 @@ struct PromptManager : PromptBus {
   SdoManager sut{node, connections, {}};
 };
 
-TEST(SdoManagerPromptAnswers, register_a_device) {
+TEST(SdoManagerPromptAnswers, RegisterADevice) {
   PromptManager manager;
   manager.receive("6E0#");
   EXPECT_EQ(manager.sent, (std::vector<std::string>{
@@ -49,7 +49,7 @@ TEST(SdoManagerPromptAnswers, register_a_device) {
   EXPECT_FALSE(manager.sut.busy());
 }
 
-TEST(SdoManagerPromptAnswers, that_ask_for_nothing_end_the_scan) {
+TEST(SdoManagerPromptAnswers, ThatAskForNothingEndTheScan) {
   PromptManager manager;
   manager.asks = false;
   manager.receive("6E0#");

@@ -58,7 +58,7 @@ struct Manager : WireNode {
   SdoManager sut{node, connections, {}};
 };
 
-TEST(SdoManagerRegistration, a_device_that_calls_is_found_by_its_1F10h_and_gets_a_channel) {
+TEST(SdoManagerRegistration, ADeviceThatCallsIsFoundByIts1F10hAndGetsAChannel) {
   Manager manager;
   manager.heard(5);
   manager.receive("6E0#");
@@ -79,7 +79,7 @@ TEST(SdoManagerRegistration, a_device_that_calls_is_found_by_its_1F10h_and_gets_
   EXPECT_EQ(manager.listed(1), 0x0500'0101u);
 }
 
-TEST(SdoManagerRegistration, nodes_that_were_heard_are_asked_first_and_all_of_them) {
+TEST(SdoManagerRegistration, NodesThatWereHeardAreAskedFirstAndAllOfThem) {
   Manager manager;
   manager.heard(9);
   manager.heard(5);
@@ -91,7 +91,7 @@ TEST(SdoManagerRegistration, nodes_that_were_heard_are_asked_first_and_all_of_th
   manager.expect({"609#2F 80 12 03 01 00 00 00"});
 }
 
-TEST(SdoManagerRegistration, without_a_request_among_them_the_others_are_asked_for_50_ms_each) {
+TEST(SdoManagerRegistration, WithoutARequestAmongThemTheOthersAreAskedFor50MsEach) {
   Manager manager;
   manager.heard(2);
   manager.receive("6E0#");
@@ -107,7 +107,7 @@ TEST(SdoManagerRegistration, without_a_request_among_them_the_others_are_asked_f
   manager.expect({});
 }
 
-TEST(SdoManagerRegistration, a_call_that_comes_while_there_is_no_route_does_no_harm_to_the_next) {
+TEST(SdoManagerRegistration, ACallThatComesWhileThereIsNoRouteDoesNoHarmToTheNext) {
   Manager manager;
   manager.heard(5);
   const Router::Receiver nobody;
@@ -120,7 +120,7 @@ TEST(SdoManagerRegistration, a_call_that_comes_while_there_is_no_route_does_no_h
   manager.expect({"605#40 10 1F 00 00 00 00 00"});
 }
 
-TEST(SdoManagerRegistration, a_device_that_is_answered_already_does_not_ask) {
+TEST(SdoManagerRegistration, ADeviceThatIsAnsweredAlreadyDoesNotAsk) {
   for (const char* state :
        {"585#43 10 1F 00 02 00 80 12", "585#43 10 1F 00 06 00 81 12", "585#43 10 1F 00 00 01 80 12",
         "585#43 10 1F 00 00 00 00 12", "585#43 10 1F 00 00 00 00 13", "585#4B 10 1F 00 00 00 80 12",
@@ -134,7 +134,7 @@ TEST(SdoManagerRegistration, a_device_that_is_answered_already_does_not_ask) {
   }
 }
 
-TEST(SdoManagerRegistration, a_call_with_data_is_ignored_and_counted) {
+TEST(SdoManagerRegistration, ACallWithDataIsIgnoredAndCounted) {
   Manager manager;
   manager.heard(5);
   for (const char* call : {"6E0#00", "6E0#00 00 00 00 00 00 00 00"}) manager.receive(call);
@@ -144,7 +144,7 @@ TEST(SdoManagerRegistration, a_call_with_data_is_ignored_and_counted) {
   manager.expect({});
 }
 
-TEST(SdoManagerRegistration, in_nmt_state_stopped_nobody_is_heard) {
+TEST(SdoManagerRegistration, InNmtStateStoppedNobodyIsHeard) {
   Manager manager;
   manager.heard(5);
   manager.receive("000#02 01");
@@ -153,7 +153,7 @@ TEST(SdoManagerRegistration, in_nmt_state_stopped_nobody_is_heard) {
   manager.expect({});
 }
 
-TEST(SdoManagerRegistration, a_device_that_does_not_answer_is_asked_three_times_and_dropped) {
+TEST(SdoManagerRegistration, ADeviceThatDoesNotAnswerIsAskedThreeTimesAndDropped) {
   Manager manager;
   manager.heard(5);
   manager.receive("6E0#");
@@ -167,7 +167,7 @@ TEST(SdoManagerRegistration, a_device_that_does_not_answer_is_asked_three_times_
   EXPECT_EQ(manager.connections[0].state, SdoConnection::State::unused);
 }
 
-TEST(SdoManagerRegistration, a_device_that_refuses_its_channel_is_told_error_7) {
+TEST(SdoManagerRegistration, ADeviceThatRefusesItsChannelIsToldError7) {
   Manager manager;
   manager.heard(5);
   manager.receive("6E0#");
@@ -180,7 +180,7 @@ TEST(SdoManagerRegistration, a_device_that_refuses_its_channel_is_told_error_7) 
                   "605#23 10 1F 00 00 07 80 12"});
 }
 
-TEST(SdoManagerRegistration, without_two_cob_ids_the_device_is_told_error_1) {
+TEST(SdoManagerRegistration, WithoutTwoCobIdsTheDeviceIsToldError1) {
   Manager manager;
   for (std::uint8_t sub = 1; sub <= 4; ++sub) {
     manager.node.dictionary().set_number(0x1F02, sub, 0x8000'0680);
@@ -194,7 +194,7 @@ TEST(SdoManagerRegistration, without_two_cob_ids_the_device_is_told_error_1) {
   EXPECT_EQ(manager.connections[0].state, SdoConnection::State::unused);
 }
 
-TEST(SdoManagerRegistration, without_a_server_of_its_own_the_device_is_told_error_5) {
+TEST(SdoManagerRegistration, WithoutAServerOfItsOwnTheDeviceIsToldError5) {
   Manager manager;
   manager.node.dictionary().set_number(0x1201, 1, 0x690);
   manager.node.dictionary().set_number(0x1202, 1, 0x692);
@@ -205,7 +205,7 @@ TEST(SdoManagerRegistration, without_a_server_of_its_own_the_device_is_told_erro
   manager.expect({"605#23 10 1F 00 00 05 80 12"});
 }
 
-TEST(SdoManagerRegistration, a_device_that_calls_anew_loses_what_it_had) {
+TEST(SdoManagerRegistration, ADeviceThatCallsAnewLosesWhatItHad) {
   Manager manager;
   manager.register_5();
   manager.connect_5_to_10();
@@ -221,7 +221,7 @@ TEST(SdoManagerRegistration, a_device_that_calls_anew_loses_what_it_had) {
                   "605#23 81 12 02 00 00 00 C0", "605#2F 80 12 03 01 00 00 00"});
 }
 
-TEST(SdoManagerRegistration, a_device_that_calls_anew_finds_the_place_of_what_it_had) {
+TEST(SdoManagerRegistration, ADeviceThatCallsAnewFindsThePlaceOfWhatItHad) {
   Manager manager;
   manager.node.dictionary().set_number(0x1F02, 6, 0x685);
   manager.register_5();
@@ -245,7 +245,7 @@ TEST(SdoManagerRegistration, a_device_that_calls_anew_finds_the_place_of_what_it
   manager.expect({"605#2F 80 12 03 01 00 00 00"});
 }
 
-TEST(SdoManagerRegistration, all_default_channels_may_be_given_and_all_else_waits) {
+TEST(SdoManagerRegistration, AllDefaultChannelsMayBeGivenAndAllElseWaits) {
   Manager manager;
   manager.heard(5);
   manager.receive("6E0#");
@@ -266,7 +266,7 @@ TEST(SdoManagerRegistration, all_default_channels_may_be_given_and_all_else_wait
 
 // 1F00h: request of a connection
 
-TEST(SdoManagerRequest, the_server_is_asked_for_a_free_channel_and_both_ends_are_written) {
+TEST(SdoManagerRequest, TheServerIsAskedForAFreeChannelAndBothEndsAreWritten) {
   Manager manager;
   manager.register_5();
   manager.receive("680#23 00 1F 00 0A 05 81 12");
@@ -290,7 +290,7 @@ TEST(SdoManagerRequest, the_server_is_asked_for_a_free_channel_and_both_ends_are
   EXPECT_EQ(manager.listed(2), 0x0501'0A01u);
 }
 
-TEST(SdoManagerRequest, a_channel_in_use_is_passed_over) {
+TEST(SdoManagerRequest, AChannelInUseIsPassedOver) {
   Manager manager;
   manager.register_5();
   manager.receive("680#23 00 1F 00 0A 05 81 12");
@@ -300,7 +300,7 @@ TEST(SdoManagerRequest, a_channel_in_use_is_passed_over) {
                   "60A#40 02 12 01 00 00 00 00", "60A#2F 02 12 03 05 00 00 00"});
 }
 
-TEST(SdoManagerRequest, the_node_id_of_the_client_is_an_optional_entry_of_the_server) {
+TEST(SdoManagerRequest, TheNodeIdOfTheClientIsAnOptionalEntryOfTheServer) {
   Manager manager;
   manager.register_5();
   manager.receive("680#23 00 1F 00 0A 05 81 12");
@@ -310,7 +310,7 @@ TEST(SdoManagerRequest, the_node_id_of_the_client_is_an_optional_entry_of_the_se
   manager.expect({"60A#23 01 12 02 83 06 00 40"});
 }
 
-TEST(SdoManagerRequest, a_server_without_a_free_channel_is_error_2) {
+TEST(SdoManagerRequest, AServerWithoutAFreeChannelIsError2) {
   Manager manager;
   manager.register_5();
   manager.receive("680#23 00 1F 00 0A 05 81 12");
@@ -322,7 +322,7 @@ TEST(SdoManagerRequest, a_server_without_a_free_channel_is_error_2) {
   EXPECT_EQ(manager.connections[1].state, SdoConnection::State::unused);
 }
 
-TEST(SdoManagerRequest, a_server_that_is_silent_is_error_3_after_three_tries) {
+TEST(SdoManagerRequest, AServerThatIsSilentIsError3AfterThreeTries) {
   Manager manager;
   manager.register_5();
   manager.receive("680#23 00 1F 00 0A 05 81 12");
@@ -333,7 +333,7 @@ TEST(SdoManagerRequest, a_server_that_is_silent_is_error_3_after_three_tries) {
                   "@750000 60A#80 01 12 01 00 00 04 05", "@750000 605#23 10 1F 00 00 03 81 12"});
 }
 
-TEST(SdoManagerRequest, a_server_that_refuses_is_error_4_and_its_channel_is_closed_again) {
+TEST(SdoManagerRequest, AServerThatRefusesIsError4AndItsChannelIsClosedAgain) {
   Manager manager;
   manager.register_5();
   manager.receive("680#23 00 1F 00 0A 05 81 12");
@@ -348,7 +348,7 @@ TEST(SdoManagerRequest, a_server_that_refuses_is_error_4_and_its_channel_is_clos
                   "605#23 10 1F 00 00 04 81 12"});
 }
 
-TEST(SdoManagerRequest, without_two_cob_ids_is_error_1) {
+TEST(SdoManagerRequest, WithoutTwoCobIdsIsError1) {
   Manager manager;
   manager.register_5();
   manager.connect_5_to_10();
@@ -356,7 +356,7 @@ TEST(SdoManagerRequest, without_two_cob_ids_is_error_1) {
   manager.expect({"681#60 00 1F 00 00 00 00 00", "605#23 10 1F 00 00 01 82 12"});
 }
 
-TEST(SdoManagerRequest, the_same_again_is_written_again_with_the_same_cob_ids) {
+TEST(SdoManagerRequest, TheSameAgainIsWrittenAgainWithTheSameCobIds) {
   Manager manager;
   manager.register_5();
   manager.connect_5_to_10();
@@ -369,7 +369,7 @@ TEST(SdoManagerRequest, the_same_again_is_written_again_with_the_same_cob_ids) {
                   "605#23 81 12 02 83 06 00 40", "605#23 10 1F 00 06 00 81 12"});
 }
 
-TEST(SdoManagerRequest, what_makes_no_sense_is_refused) {
+TEST(SdoManagerRequest, WhatMakesNoSenseIsRefused) {
   Manager manager;
   manager.register_5();
   for (const char* value :
@@ -380,13 +380,13 @@ TEST(SdoManagerRequest, what_makes_no_sense_is_refused) {
   }
 }
 
-TEST(SdoManagerRequest, a_device_that_is_not_registered_is_refused) {
+TEST(SdoManagerRequest, ADeviceThatIsNotRegisteredIsRefused) {
   Manager manager;
   manager.receive("601#23 00 1F 00 0A 05 81 12");
   manager.expect({"581#80 00 1F 00 22 00 00 08"});
 }
 
-TEST(SdoManagerRequest, a_client_channel_in_use_is_refused) {
+TEST(SdoManagerRequest, AClientChannelInUseIsRefused) {
   Manager manager;
   manager.register_5();
   manager.connect_5_to_10();
@@ -396,7 +396,7 @@ TEST(SdoManagerRequest, a_client_channel_in_use_is_refused) {
   manager.expect({"681#80 00 1F 00 22 00 00 08"});
 }
 
-TEST(SdoManagerRequest, more_than_it_has_room_for_is_refused) {
+TEST(SdoManagerRequest, MoreThanItHasRoomForIsRefused) {
   Manager manager;
   manager.register_5();
   manager.connect_5_to_10();
@@ -408,7 +408,7 @@ TEST(SdoManagerRequest, more_than_it_has_room_for_is_refused) {
 
 // 1F01h: release
 
-TEST(SdoManagerRelease, closes_both_ends_of_a_connection) {
+TEST(SdoManagerRelease, ClosesBothEndsOfAConnection) {
   Manager manager;
   manager.register_5();
   manager.connect_5_to_10();
@@ -427,7 +427,7 @@ TEST(SdoManagerRelease, closes_both_ends_of_a_connection) {
                   "60A#2F 01 12 03 05 00 00 00", "60A#23 01 12 02 83 06 00 40"});
 }
 
-TEST(SdoManagerRelease, index_0_means_all_connections_to_the_server) {
+TEST(SdoManagerRelease, Index0MeansAllConnectionsToTheServer) {
   Manager manager;
   manager.register_5();
   manager.connect_5_to_10();
@@ -436,7 +436,7 @@ TEST(SdoManagerRelease, index_0_means_all_connections_to_the_server) {
   EXPECT_EQ(manager.connections[0].state, SdoConnection::State::given);
 }
 
-TEST(SdoManagerRelease, that_nmt_state_stopped_interrupts_goes_on_afterwards) {
+TEST(SdoManagerRelease, ThatNmtStateStoppedInterruptsGoesOnAfterwards) {
   Manager manager;
   manager.register_5();
   manager.connect_5_to_10();
@@ -456,7 +456,7 @@ TEST(SdoManagerRelease, that_nmt_state_stopped_interrupts_goes_on_afterwards) {
   EXPECT_EQ(manager.listed(2), 0u);
 }
 
-TEST(SdoManagerRelease, server_0_means_the_registration_and_all_with_it) {
+TEST(SdoManagerRelease, Server0MeansTheRegistrationAndAllWithIt) {
   Manager manager;
   manager.register_5();
   manager.connect_5_to_10();
@@ -470,7 +470,7 @@ TEST(SdoManagerRelease, server_0_means_the_registration_and_all_with_it) {
   EXPECT_EQ(manager.own_channel(0x1201), 0xC000'0000u);
 }
 
-TEST(SdoManagerRelease, what_makes_no_sense_is_refused) {
+TEST(SdoManagerRelease, WhatMakesNoSenseIsRefused) {
   Manager manager;
   manager.register_5();
   for (const char* value :
@@ -484,7 +484,7 @@ TEST(SdoManagerRelease, what_makes_no_sense_is_refused) {
 
 // Nodes that are lost, or start anew
 
-TEST(SdoManagerLoss, of_the_device_closes_the_servers_end) {
+TEST(SdoManagerLoss, OfTheDeviceClosesTheServersEnd) {
   for (const RemoteState state : {RemoteState::lost, RemoteState::boot_up}) {
     Manager manager;
     manager.register_5();
@@ -498,7 +498,7 @@ TEST(SdoManagerLoss, of_the_device_closes_the_servers_end) {
   }
 }
 
-TEST(SdoManagerLoss, of_the_server_closes_the_devices_end_and_is_error_6) {
+TEST(SdoManagerLoss, OfTheServerClosesTheDevicesEndAndIsError6) {
   Manager manager;
   manager.register_5();
   manager.connect_5_to_10();
@@ -510,7 +510,7 @@ TEST(SdoManagerLoss, of_the_server_closes_the_devices_end_and_is_error_6) {
   EXPECT_EQ(manager.connections[0].state, SdoConnection::State::given);
 }
 
-TEST(SdoManagerLoss, in_the_middle_of_a_request_ends_it) {
+TEST(SdoManagerLoss, InTheMiddleOfARequestEndsIt) {
   Manager manager;
   manager.register_5();
   manager.receive("680#23 00 1F 00 0A 05 81 12");
@@ -523,7 +523,7 @@ TEST(SdoManagerLoss, in_the_middle_of_a_request_ends_it) {
   EXPECT_FALSE(manager.sut.busy());
 }
 
-TEST(SdoManagerLoss, of_others_changes_nothing) {
+TEST(SdoManagerLoss, OfOthersChangesNothing) {
   Manager manager;
   manager.register_5();
   manager.connect_5_to_10();
@@ -535,7 +535,7 @@ TEST(SdoManagerLoss, of_others_changes_nothing) {
   manager.expect({});
 }
 
-TEST(SdoManagerLoss, a_reset_of_the_manager_forgets_all) {
+TEST(SdoManagerLoss, AResetOfTheManagerForgetsAll) {
   Manager manager;
   manager.register_5();
   manager.receive("680#23 00 1F 00 0A 05 81 12");
@@ -550,7 +550,7 @@ TEST(SdoManagerLoss, a_reset_of_the_manager_forgets_all) {
 
 // 1F02h: COB-IDs
 
-TEST(SdoManagerCobIds, may_not_change_while_they_are_given) {
+TEST(SdoManagerCobIds, MayNotChangeWhileTheyAreGiven) {
   Manager manager;
   manager.register_5();
   manager.receive("601#23 02 1F 01 00 00 00 80");
@@ -561,7 +561,7 @@ TEST(SdoManagerCobIds, may_not_change_while_they_are_given) {
   manager.expect({"581#60 02 1F 03 00 00 00 00"});
 }
 
-TEST(SdoManagerCobIds, are_different_and_neither_restricted_nor_of_29_bits) {
+TEST(SdoManagerCobIds, AreDifferentAndNeitherRestrictedNorOf29Bits) {
   Manager manager;
   for (const char* value : {"00 00 00 00", "05 06 00 00", "85 05 00 00", "E0 06 00 00",
                             "05 07 00 00", "90 06 00 20", "90 06 01 00"}) {

@@ -47,7 +47,7 @@ struct Device : WireNode {
   std::vector<AbortCode> answers;
 };
 
-TEST(SdoRequester, fills_in_its_1F10h_and_calls) {
+TEST(SdoRequester, FillsInIts1F10hAndCalls) {
   Device device;
   EXPECT_EQ(device.connect(), AbortCode::none);
   device.expect({"6E0#"});
@@ -57,7 +57,7 @@ TEST(SdoRequester, fills_in_its_1F10h_and_calls) {
   EXPECT_FALSE(device.sut.registered());
 }
 
-TEST(SdoRequester, when_it_is_registered_it_requests_on_its_own_channel) {
+TEST(SdoRequester, WhenItIsRegisteredItRequestsOnItsOwnChannel) {
   Device device;
   EXPECT_EQ(device.connect(), AbortCode::none);
   device.give_manager_channel();
@@ -70,7 +70,7 @@ TEST(SdoRequester, when_it_is_registered_it_requests_on_its_own_channel) {
   EXPECT_TRUE(device.sut.registered());
 }
 
-TEST(SdoRequester, the_connection_is_that_of_its_client) {
+TEST(SdoRequester, TheConnectionIsThatOfItsClient) {
   Device device;
   device.register_it();
   device.give_connection();
@@ -81,7 +81,7 @@ TEST(SdoRequester, the_connection_is_that_of_its_client) {
   EXPECT_EQ(bytes[3], 0x12);
 }
 
-TEST(SdoRequester, once_registered_it_needs_not_call_again) {
+TEST(SdoRequester, OnceRegisteredItNeedsNotCallAgain) {
   Device device;
   device.register_it();
   device.give_connection();
@@ -89,7 +89,7 @@ TEST(SdoRequester, once_registered_it_needs_not_call_again) {
   device.expect({"680#23 00 1F 00 0B 05 82 12"});
 }
 
-TEST(SdoRequester, calls_twice_and_then_gives_up) {
+TEST(SdoRequester, CallsTwiceAndThenGivesUp) {
   Device device;
   EXPECT_EQ(device.connect(), AbortCode::none);
   device.run_for(999ms);
@@ -103,7 +103,7 @@ TEST(SdoRequester, calls_twice_and_then_gives_up) {
   device.expect({"6E0#"});
 }
 
-TEST(SdoRequester, a_manager_that_comes_later_is_taken_at_the_next_request) {
+TEST(SdoRequester, AManagerThatComesLaterIsTakenAtTheNextRequest) {
   Device device;
   EXPECT_EQ(device.connect(), AbortCode::none);
   device.run_for(1s);
@@ -114,7 +114,7 @@ TEST(SdoRequester, a_manager_that_comes_later_is_taken_at_the_next_request) {
   device.expect({"680#23 00 1F 00 0A 05 81 12"});
 }
 
-TEST(SdoRequester, an_error_code_refuses_the_registration) {
+TEST(SdoRequester, AnErrorCodeRefusesTheRegistration) {
   Device device;
   EXPECT_EQ(device.connect(), AbortCode::none);
   device.receive("605#23 10 1F 00 00 01 80 12");
@@ -122,7 +122,7 @@ TEST(SdoRequester, an_error_code_refuses_the_registration) {
   EXPECT_EQ(device.sut.error(), DynamicSdoError::no_cob_id);
 }
 
-TEST(SdoRequester, an_error_code_refuses_the_connection) {
+TEST(SdoRequester, AnErrorCodeRefusesTheConnection) {
   Device device;
   device.register_it();
   device.receive("605#23 10 1F 00 00 02 81 12");
@@ -131,7 +131,7 @@ TEST(SdoRequester, an_error_code_refuses_the_connection) {
   EXPECT_TRUE(device.sut.registered());
 }
 
-TEST(SdoRequester, an_abort_of_the_manager_refuses_the_connection) {
+TEST(SdoRequester, AnAbortOfTheManagerRefusesTheConnection) {
   Device device;
   EXPECT_EQ(device.connect(), AbortCode::none);
   device.give_manager_channel();
@@ -141,14 +141,14 @@ TEST(SdoRequester, an_abort_of_the_manager_refuses_the_connection) {
   EXPECT_FALSE(device.sut.busy());
 }
 
-TEST(SdoRequester, a_registration_without_a_channel_is_none) {
+TEST(SdoRequester, ARegistrationWithoutAChannelIsNone) {
   Device device;
   EXPECT_EQ(device.connect(), AbortCode::none);
   device.receive("605#23 10 1F 00 02 00 80 12");
   EXPECT_EQ(device.answers, std::vector<AbortCode>{AbortCode::no_sdo_connection});
 }
 
-TEST(SdoRequester, a_connection_that_does_not_come_times_out) {
+TEST(SdoRequester, AConnectionThatDoesNotComeTimesOut) {
   Device device;
   device.register_it();
   device.run_for(500ms);
@@ -162,7 +162,7 @@ TEST(SdoRequester, a_connection_that_does_not_come_times_out) {
 
 // A manager that has forgotten the registration
 
-TEST(SdoRequester, registers_anew_when_the_manager_of_before_is_silent) {
+TEST(SdoRequester, RegistersAnewWhenTheManagerOfBeforeIsSilent) {
   Device device;
   device.register_it();
   device.give_connection();
@@ -187,7 +187,7 @@ TEST(SdoRequester, registers_anew_when_the_manager_of_before_is_silent) {
   device.expect({"686#23 00 1F 00 0B 05 82 12", "585#60 10 1F 00 00 00 00 00"});
 }
 
-TEST(SdoRequester, registers_anew_when_it_is_refused_with_0800_0022h_but_only_once) {
+TEST(SdoRequester, RegistersAnewWhenItIsRefusedWith08000022hButOnlyOnce) {
   Device device;
   device.register_it();
   device.give_connection();
@@ -203,7 +203,7 @@ TEST(SdoRequester, registers_anew_when_it_is_refused_with_0800_0022h_but_only_on
   EXPECT_EQ(device.answers, (std::vector{AbortCode::none, AbortCode::device_state}));
 }
 
-TEST(SdoRequester, other_refusals_say_nothing_of_the_registration) {
+TEST(SdoRequester, OtherRefusalsSayNothingOfTheRegistration) {
   Device device;
   device.register_it();
   device.give_connection();
@@ -215,7 +215,7 @@ TEST(SdoRequester, other_refusals_say_nothing_of_the_registration) {
   EXPECT_TRUE(device.sut.registered());
 }
 
-TEST(SdoRequester, its_request_in_1F10h_outlives_what_else_the_manager_says_there) {
+TEST(SdoRequester, ItsRequestIn1F10hOutlivesWhatElseTheManagerSaysThere) {
   Device device;
   EXPECT_EQ(device.connect(), AbortCode::none);
   device.receive("605#23 10 1F 00 00 06 81 12");
@@ -224,7 +224,7 @@ TEST(SdoRequester, its_request_in_1F10h_outlives_what_else_the_manager_says_ther
   device.expect({"585#43 10 1F 00 00 00 80 12"});
 }
 
-TEST(SdoRequester, a_1F10h_of_something_else_is_no_answer) {
+TEST(SdoRequester, A1F10hOfSomethingElseIsNoAnswer) {
   Device device;
   EXPECT_EQ(device.connect(), AbortCode::none);
   for (const char* value :
@@ -235,7 +235,7 @@ TEST(SdoRequester, a_1F10h_of_something_else_is_no_answer) {
   EXPECT_TRUE(device.sut.busy());
 }
 
-TEST(SdoRequester, all_default_channels_are_requested_with_bit_0) {
+TEST(SdoRequester, AllDefaultChannelsAreRequestedWithBit0) {
   Device device;
   EXPECT_EQ(device.connect_all(), AbortCode::none);
   device.receive("605#40 10 1F 00 00 00 00 00");
@@ -248,7 +248,7 @@ TEST(SdoRequester, all_default_channels_are_requested_with_bit_0) {
   device.expect({"680#23 01 1F 00 00 05 00 00"});
 }
 
-TEST(SdoRequester, gives_a_connection_back) {
+TEST(SdoRequester, GivesAConnectionBack) {
   Device device;
   device.register_it();
   device.give_connection();
@@ -260,7 +260,7 @@ TEST(SdoRequester, gives_a_connection_back) {
   EXPECT_EQ(device.answers.size(), 1u) << "that of connect()";
 }
 
-TEST(SdoRequester, gives_nothing_back_while_a_request_is_under_way) {
+TEST(SdoRequester, GivesNothingBackWhileARequestIsUnderWay) {
   Device device;
   device.register_it();
   device.give_connection();
@@ -274,7 +274,7 @@ TEST(SdoRequester, gives_nothing_back_while_a_request_is_under_way) {
   EXPECT_EQ(device.answers, (std::vector{AbortCode::none, AbortCode::none}));
 }
 
-TEST(SdoRequester, has_nothing_to_give_back_without_a_registration) {
+TEST(SdoRequester, HasNothingToGiveBackWithoutARegistration) {
   Device device;
   EXPECT_FALSE(device.sut.release(1));
   EXPECT_FALSE(device.sut.leave());
@@ -289,7 +289,7 @@ TEST(SdoRequester, has_nothing_to_give_back_without_a_registration) {
   device.expect({"6E0#"});
 }
 
-TEST(SdoRequester, refuses_what_it_cannot_ask_for) {
+TEST(SdoRequester, RefusesWhatItCannotAskFor) {
   Device device;
   EXPECT_EQ(device.connect(0, 1), AbortCode::no_sdo_connection);
   EXPECT_EQ(device.connect(5, 1), AbortCode::no_sdo_connection) << "itself";
@@ -304,7 +304,7 @@ TEST(SdoRequester, refuses_what_it_cannot_ask_for) {
   EXPECT_FALSE(device.sut.leave());
 }
 
-TEST(SdoRequester, a_device_without_1F10h_asks_nobody) {
+TEST(SdoRequester, ADeviceWithout1F10hAsksNobody) {
   WireNode wire({}, 5);
   SdoRequester sut(wire.node, {});
   wire.boot();
@@ -314,7 +314,7 @@ TEST(SdoRequester, a_device_without_1F10h_asks_nobody) {
   wire.expect({});
 }
 
-TEST(SdoRequester, nmt_state_stopped_and_resets_end_a_request) {
+TEST(SdoRequester, NmtStateStoppedAndResetsEndARequest) {
   for (const char* command : {"000#02 05", "000#81 05", "000#82 05"}) {
     Device device;
     EXPECT_EQ(device.connect(), AbortCode::none);

@@ -66,7 +66,7 @@ constexpr Case cases[] = {
     {2, pre_operational, stopped},         {2, operational, stopped},         {2, stopped, stopped},
 };
 
-TEST(ErrorBehaviour, follows_sub_index_1_when_a_heartbeat_is_lost) {
+TEST(ErrorBehaviour, FollowsSubIndex1WhenAHeartbeatIsLost) {
   for (const Case& c : cases) {
     BehavingNode sut;
     ASSERT_EQ(sut.write(1, c.value), AbortCode::none);
@@ -78,7 +78,7 @@ TEST(ErrorBehaviour, follows_sub_index_1_when_a_heartbeat_is_lost) {
   }
 }
 
-TEST(ErrorBehaviour, follows_sub_index_1_in_bus_off) {
+TEST(ErrorBehaviour, FollowsSubIndex1InBusOff) {
   for (const Case& c : cases) {
     BehavingNode sut;
     ASSERT_EQ(sut.write(1, c.value), AbortCode::none);
@@ -94,7 +94,7 @@ TEST(ErrorBehaviour, follows_sub_index_1_in_bus_off) {
   }
 }
 
-TEST(ErrorBehaviour, follows_the_sub_index_of_a_failure_of_the_device) {
+TEST(ErrorBehaviour, FollowsTheSubIndexOfAFailureOfTheDevice) {
   for (std::uint8_t sub = 1; sub <= 3; ++sub) {
     for (const Case& c : cases) {
       BehavingNode sut;
@@ -107,7 +107,7 @@ TEST(ErrorBehaviour, follows_the_sub_index_of_a_failure_of_the_device) {
   }
 }
 
-TEST(ErrorBehaviour, leaves_operational_where_1029h_or_its_sub_index_is_absent) {
+TEST(ErrorBehaviour, LeavesOperationalWhere1029hOrItsSubIndexIsAbsent) {
   BehavingNode without(layout_without.tables());
   without.enter(operational);
   without.node.bus_state(BusState::bus_off, without.now);
@@ -120,7 +120,7 @@ TEST(ErrorBehaviour, leaves_operational_where_1029h_or_its_sub_index_is_absent) 
   EXPECT_EQ(sut.node.state(), pre_operational);
 }
 
-TEST(ErrorBehaviour, does_not_mind_other_errors_nor_the_end_of_one) {
+TEST(ErrorBehaviour, DoesNotMindOtherErrorsNorTheEndOfOne) {
   BehavingNode sut;
   sut.enter(operational);
   sut.node.raise({.code = 0x8250, .register_bits = error_register::communication});
@@ -130,7 +130,7 @@ TEST(ErrorBehaviour, does_not_mind_other_errors_nor_the_end_of_one) {
   EXPECT_EQ(sut.node.state(), operational);
 }
 
-TEST(ErrorBehaviour, tells_the_emergency_before_it_stops_the_node) {
+TEST(ErrorBehaviour, TellsTheEmergencyBeforeItStopsTheNode) {
   BehavingNode sut;
   ASSERT_EQ(sut.write(1, 2), AbortCode::none);
   sut.enter(operational);
@@ -140,7 +140,7 @@ TEST(ErrorBehaviour, tells_the_emergency_before_it_stops_the_node) {
   sut.expect({"@100000 085#30 81 11 0A 00 00 00 00"});
 }
 
-TEST(ErrorBehaviour, does_not_return_to_operational_by_itself) {
+TEST(ErrorBehaviour, DoesNotReturnToOperationalByItself) {
   BehavingNode sut;
   sut.enter(operational);
   sut.receive("70A#05");
@@ -149,7 +149,7 @@ TEST(ErrorBehaviour, does_not_return_to_operational_by_itself) {
   EXPECT_EQ(sut.node.state(), pre_operational);
 }
 
-TEST(ErrorBehaviour, takes_0_to_2_and_refuses_all_other_values) {
+TEST(ErrorBehaviour, Takes0To2AndRefusesAllOtherValues) {
   BehavingNode sut;
   for (unsigned value = 0; value < 256; ++value) {
     for (std::uint8_t sub = 1; sub <= 3; ++sub) {

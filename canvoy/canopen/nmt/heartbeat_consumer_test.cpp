@@ -64,14 +64,14 @@ struct ConsumingNode : WireNode {
   Service service;
 };
 
-TEST(HeartbeatConsumer, does_not_watch_before_the_first_heartbeat) {
+TEST(HeartbeatConsumer, DoesNotWatchBeforeTheFirstHeartbeat) {
   ConsumingNode sut;
   sut.run_until(Time(1h));
   sut.expect_log({});
   EXPECT_EQ(sut.consumer.state(10), RemoteState::unknown);
 }
 
-TEST(HeartbeatConsumer, reports_each_state_of_the_producer_once) {
+TEST(HeartbeatConsumer, ReportsEachStateOfTheProducerOnce) {
   ConsumingNode sut;
   for (const char* heartbeat : {"70A#7F", "70A#7F", "70A#05", "70A#05", "70A#04", "70A#7F"}) {
     sut.receive(heartbeat);
@@ -81,7 +81,7 @@ TEST(HeartbeatConsumer, reports_each_state_of_the_producer_once) {
                   "@500 node 10 state 127"});
 }
 
-TEST(HeartbeatConsumer, raises_8130h_when_the_time_is_over_and_not_before) {
+TEST(HeartbeatConsumer, Raises8130hWhenTheTimeIsOverAndNotBefore) {
   ConsumingNode sut;
   sut.receive("70A#05");
   sut.run_until(Time(200ms));
@@ -97,7 +97,7 @@ TEST(HeartbeatConsumer, raises_8130h_when_the_time_is_over_and_not_before) {
   sut.expect_log({});
 }
 
-TEST(HeartbeatConsumer, clears_8130h_when_the_producer_is_heard_again_and_watches_on) {
+TEST(HeartbeatConsumer, Clears8130hWhenTheProducerIsHeardAgainAndWatchesOn) {
   ConsumingNode sut;
   sut.receive("70A#05");
   sut.run_until(Time(1000ms));
@@ -108,7 +108,7 @@ TEST(HeartbeatConsumer, clears_8130h_when_the_producer_is_heard_again_and_watche
   sut.expect_log({"@1300 raise 8130/10 bits 10", "@1300 node 10 state 255"});
 }
 
-TEST(HeartbeatConsumer, reports_a_boot_up_but_does_not_begin_to_watch_by_it) {
+TEST(HeartbeatConsumer, ReportsABootUpButDoesNotBeginToWatchByIt) {
   ConsumingNode sut;
   sut.receive("70A#00");
   sut.run_until(Time(1h));
@@ -121,7 +121,7 @@ TEST(HeartbeatConsumer, reports_a_boot_up_but_does_not_begin_to_watch_by_it) {
                   "@3600300 node 10 state 255"});
 }
 
-TEST(HeartbeatConsumer, goes_on_watching_a_node_that_boots_again) {
+TEST(HeartbeatConsumer, GoesOnWatchingANodeThatBootsAgain) {
   ConsumingNode sut;
   sut.receive("70A#05");
   sut.run_until(Time(200ms));
@@ -131,7 +131,7 @@ TEST(HeartbeatConsumer, goes_on_watching_a_node_that_boots_again) {
                   "@500 node 10 state 255"});
 }
 
-TEST(HeartbeatConsumer, takes_a_boot_up_for_the_return_of_a_lost_node) {
+TEST(HeartbeatConsumer, TakesABootUpForTheReturnOfALostNode) {
   ConsumingNode sut;
   sut.receive("70A#05");
   sut.run_until(Time(400ms));
@@ -142,7 +142,7 @@ TEST(HeartbeatConsumer, takes_a_boot_up_for_the_return_of_a_lost_node) {
   sut.expect_log({"@700 raise 8130/10 bits 10", "@700 node 10 state 255"});
 }
 
-TEST(HeartbeatConsumer, watches_from_the_configuration_on_where_the_owner_asks_for_it) {
+TEST(HeartbeatConsumer, WatchesFromTheConfigurationOnWhereTheOwnerAsksForIt) {
   ConsumingNode sut(HeartbeatConsumer::Start::configuration);
   sut.run_until(Time(300ms));
   sut.expect_log({"@300 raise 8130/10 bits 10", "@300 node 10 state 255"});
@@ -151,7 +151,7 @@ TEST(HeartbeatConsumer, watches_from_the_configuration_on_where_the_owner_asks_f
   sut.expect_log({"@400 raise 8130/11 bits 10", "@400 node 11 state 255"});
 }
 
-TEST(HeartbeatConsumer, hears_heartbeats_in_every_nmt_state_after_boot_up) {
+TEST(HeartbeatConsumer, HearsHeartbeatsInEveryNmtStateAfterBootUp) {
   ConsumingNode sut;
   for (const char* command : {"000#01 05", "000#02 05", "000#80 05"}) {
     sut.receive(command);
@@ -165,7 +165,7 @@ TEST(HeartbeatConsumer, hears_heartbeats_in_every_nmt_state_after_boot_up) {
   sut.expect_log({"@300 raise 8130/10 bits 10", "@300 node 10 state 255"});
 }
 
-TEST(HeartbeatConsumer, hears_a_heartbeat_whatever_its_reserved_bit_7_is) {
+TEST(HeartbeatConsumer, HearsAHeartbeatWhateverItsReservedBit7Is) {
   ConsumingNode sut;
   sut.receive("70A#85");
   sut.run_until(Time(200ms));
@@ -175,7 +175,7 @@ TEST(HeartbeatConsumer, hears_a_heartbeat_whatever_its_reserved_bit_7_is) {
   sut.expect_log({"@0 node 10 state 5", "@400 node 10 state 127"});
 }
 
-TEST(HeartbeatConsumer, is_deaf_to_a_guarding_request) {
+TEST(HeartbeatConsumer, IsDeafToAGuardingRequest) {
   ConsumingNode sut;
   sut.receive("70A#05");
   sut.run_until(Time(200ms));
@@ -184,7 +184,7 @@ TEST(HeartbeatConsumer, is_deaf_to_a_guarding_request) {
   sut.expect_log({"@0 node 10 state 5", "@300 raise 8130/10 bits 10", "@300 node 10 state 255"});
 }
 
-TEST(HeartbeatConsumer, survives_a_producer_that_comes_and_goes) {
+TEST(HeartbeatConsumer, SurvivesAProducerThatComesAndGoes) {
   ConsumingNode sut;
   for (int i = 0; i < 3; ++i) {
     sut.receive("70A#00");
@@ -202,7 +202,7 @@ TEST(HeartbeatConsumer, survives_a_producer_that_comes_and_goes) {
                   "@1990 node 10 state 255"});
 }
 
-TEST(HeartbeatConsumer, watches_several_nodes_apart) {
+TEST(HeartbeatConsumer, WatchesSeveralNodesApart) {
   ConsumingNode sut;
   EXPECT_EQ(sut.write(2, 0x000B'01F4), AbortCode::none);
   EXPECT_EQ(sut.write(3, 0x007F'0001), AbortCode::none);
@@ -216,7 +216,7 @@ TEST(HeartbeatConsumer, watches_several_nodes_apart) {
                   "@500 raise 8130/11 bits 10", "@500 node 11 state 255"});
 }
 
-TEST(HeartbeatConsumer, leaves_an_entry_unused_with_node_id_0_or_above_127_or_time_0) {
+TEST(HeartbeatConsumer, LeavesAnEntryUnusedWithNodeId0OrAbove127OrTime0) {
   ConsumingNode sut;
   for (const std::uint32_t value : {0x0000'0064U, 0x0080'0064U, 0x00FF'0064U, 0x000B'0000U, 0U}) {
     EXPECT_EQ(sut.write(2, value), AbortCode::none) << value;
@@ -229,7 +229,7 @@ TEST(HeartbeatConsumer, leaves_an_entry_unused_with_node_id_0_or_above_127_or_ti
   EXPECT_EQ(sut.consumer.state(0), RemoteState::unknown);
 }
 
-TEST(HeartbeatConsumer, refuses_a_second_time_for_a_node) {
+TEST(HeartbeatConsumer, RefusesASecondTimeForANode) {
   ConsumingNode sut;
   EXPECT_EQ(sut.write(2, 0x000A'0001), AbortCode::parameter_incompatible);
   EXPECT_EQ(sut.node.dictionary().number(0x1016, 2), 0U);
@@ -239,7 +239,7 @@ TEST(HeartbeatConsumer, refuses_a_second_time_for_a_node) {
   EXPECT_EQ(sut.write(3, 0x000A'0001), AbortCode::none);
 }
 
-TEST(HeartbeatConsumer, refuses_an_entry_for_which_there_is_no_slot) {
+TEST(HeartbeatConsumer, RefusesAnEntryForWhichThereIsNoSlot) {
   WireNode wire(layout.tables(), 5);
   HeartbeatConsumer::Slot slots[2];
   HeartbeatConsumer sut(wire.node, slots);
@@ -252,7 +252,7 @@ TEST(HeartbeatConsumer, refuses_an_entry_for_which_there_is_no_slot) {
   EXPECT_EQ(wire.node.dictionary().write(0x1016, 3, unused, Source::sdo), AbortCode::none);
 }
 
-TEST(HeartbeatConsumer, forgets_a_node_when_its_entry_is_rewritten) {
+TEST(HeartbeatConsumer, ForgetsANodeWhenItsEntryIsRewritten) {
   ConsumingNode sut;
   sut.receive("70A#05");
   sut.log.clear();
@@ -265,7 +265,7 @@ TEST(HeartbeatConsumer, forgets_a_node_when_its_entry_is_rewritten) {
   sut.expect_log({"@1000 node 11 state 4"});
 }
 
-TEST(HeartbeatConsumer, clears_the_error_of_a_lost_node_that_is_no_longer_to_be_watched) {
+TEST(HeartbeatConsumer, ClearsTheErrorOfALostNodeThatIsNoLongerToBeWatched) {
   ConsumingNode sut;
   sut.receive("70A#05");
   sut.run_until(Time(300ms));
@@ -274,7 +274,7 @@ TEST(HeartbeatConsumer, clears_the_error_of_a_lost_node_that_is_no_longer_to_be_
   sut.expect_log({"@300 clear 8130/10 bits 10"});
 }
 
-TEST(HeartbeatConsumer, begins_anew_by_a_reset) {
+TEST(HeartbeatConsumer, BeginsAnewByAReset) {
   for (const char* reset : {"000#81 05", "000#82 05"}) {
     ConsumingNode sut;
     EXPECT_EQ(sut.write(2, 0x000B'0064), AbortCode::none);
@@ -293,7 +293,7 @@ TEST(HeartbeatConsumer, begins_anew_by_a_reset) {
   }
 }
 
-TEST(HeartbeatConsumer, ignores_and_counts_what_is_no_heartbeat) {
+TEST(HeartbeatConsumer, IgnoresAndCountsWhatIsNoHeartbeat) {
   ConsumingNode sut;
   sut.receive("70A#");
   sut.receive("70A#05 00");
@@ -307,7 +307,7 @@ TEST(HeartbeatConsumer, ignores_and_counts_what_is_no_heartbeat) {
   sut.expect_log({});
 }
 
-TEST(HeartbeatConsumer, knows_the_four_states_and_no_others) {
+TEST(HeartbeatConsumer, KnowsTheFourStatesAndNoOthers) {
   for (unsigned byte = 0; byte < 256; ++byte) {
     const unsigned state = byte & 0x7F;
     const bool exists = state == 0x00 || state == 0x04 || state == 0x05 || state == 0x7F;
@@ -317,7 +317,7 @@ TEST(HeartbeatConsumer, knows_the_four_states_and_no_others) {
   }
 }
 
-TEST(HeartbeatConsumer, is_restarted_by_a_heartbeat_in_the_very_last_microsecond) {
+TEST(HeartbeatConsumer, IsRestartedByAHeartbeatInTheVeryLastMicrosecond) {
   ConsumingNode sut;
   for (int i = 0; i < 5; ++i) {
     sut.receive("70A#05");

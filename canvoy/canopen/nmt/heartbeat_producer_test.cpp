@@ -38,7 +38,7 @@ struct ProducingNode : WireNode {
   HeartbeatProducer producer;
 };
 
-TEST(HeartbeatProducer, counts_the_boot_up_message_as_the_first_heartbeat) {
+TEST(HeartbeatProducer, CountsTheBootUpMessageAsTheFirstHeartbeat) {
   ProducingNode sut;
   sut.now = Time(300ms);
   sut.start();
@@ -46,7 +46,7 @@ TEST(HeartbeatProducer, counts_the_boot_up_message_as_the_first_heartbeat) {
   sut.expect({"@300000 705#00", "@1300000 705#7F", "@2300000 705#7F", "@3300000 705#7F"});
 }
 
-TEST(HeartbeatProducer, tells_the_nmt_state_of_the_moment_also_when_stopped) {
+TEST(HeartbeatProducer, TellsTheNmtStateOfTheMomentAlsoWhenStopped) {
   ProducingNode sut;
   sut.boot();
   sut.run_until(Time(1000ms));
@@ -59,14 +59,14 @@ TEST(HeartbeatProducer, tells_the_nmt_state_of_the_moment_also_when_stopped) {
   sut.expect({"@1000000 705#7F", "@2000000 705#05", "@3000000 705#04", "@4000000 705#7F"});
 }
 
-TEST(HeartbeatProducer, tells_operational_after_an_autostart) {
+TEST(HeartbeatProducer, TellsOperationalAfterAnAutostart) {
   ProducingNode sut(layout.tables(), 127, true);
   sut.start();
   sut.run_until(Time(1000ms));
   sut.expect({"@0 77F#00", "@1000000 77F#05"});
 }
 
-TEST(HeartbeatProducer, sends_nothing_while_the_time_is_0) {
+TEST(HeartbeatProducer, SendsNothingWhileTheTimeIs0) {
   ProducingNode sut(layout_off.tables());
   sut.boot();
   EXPECT_EQ(sut.node.deadline(), never);
@@ -74,14 +74,14 @@ TEST(HeartbeatProducer, sends_nothing_while_the_time_is_0) {
   sut.expect({});
 }
 
-TEST(HeartbeatProducer, sends_nothing_without_1017h) {
+TEST(HeartbeatProducer, SendsNothingWithout1017h) {
   ProducingNode sut(layout_without.tables());
   sut.boot();
   sut.run_until(Time(24h));
   sut.expect({});
 }
 
-TEST(HeartbeatProducer, begins_at_once_when_the_time_is_set) {
+TEST(HeartbeatProducer, BeginsAtOnceWhenTheTimeIsSet) {
   ProducingNode sut(layout_off.tables());
   sut.boot();
   sut.run_until(Time(123ms));
@@ -90,7 +90,7 @@ TEST(HeartbeatProducer, begins_at_once_when_the_time_is_set) {
   sut.expect({"@123000 705#7F", "@323000 705#7F", "@523000 705#7F"});
 }
 
-TEST(HeartbeatProducer, starts_anew_when_the_time_is_changed) {
+TEST(HeartbeatProducer, StartsAnewWhenTheTimeIsChanged) {
   ProducingNode sut;
   sut.boot();
   sut.run_until(Time(900ms));
@@ -99,7 +99,7 @@ TEST(HeartbeatProducer, starts_anew_when_the_time_is_changed) {
   sut.expect({"@900000 705#7F", "@1200000 705#7F", "@1500000 705#7F"});
 }
 
-TEST(HeartbeatProducer, counts_from_the_boot_up_message_when_the_time_is_set_during_a_reset) {
+TEST(HeartbeatProducer, CountsFromTheBootUpMessageWhenTheTimeIsSetDuringAReset) {
   ProducingNode sut(layout_off.tables());
   auto set = [&](ResetScope) {
     const std::uint8_t milliseconds[] = {200, 0};
@@ -114,7 +114,7 @@ TEST(HeartbeatProducer, counts_from_the_boot_up_message_when_the_time_is_set_dur
   sut.expect({"@0 705#00", "@200000 705#7F", "@400000 705#7F"});
 }
 
-TEST(HeartbeatProducer, ends_when_the_time_is_set_to_0) {
+TEST(HeartbeatProducer, EndsWhenTheTimeIsSetTo0) {
   ProducingNode sut;
   sut.boot();
   EXPECT_EQ(sut.write_period(0), AbortCode::none);
@@ -122,7 +122,7 @@ TEST(HeartbeatProducer, ends_when_the_time_is_set_to_0) {
   sut.expect({});
 }
 
-TEST(HeartbeatProducer, serves_the_shortest_and_the_longest_time) {
+TEST(HeartbeatProducer, ServesTheShortestAndTheLongestTime) {
   ProducingNode sut;
   sut.boot();
   EXPECT_EQ(sut.write_period(1), AbortCode::none);
@@ -133,7 +133,7 @@ TEST(HeartbeatProducer, serves_the_shortest_and_the_longest_time) {
   sut.expect({"@2000 705#7F", "@65537000 705#7F"});
 }
 
-TEST(HeartbeatProducer, returns_to_its_default_time_by_a_reset_of_communication) {
+TEST(HeartbeatProducer, ReturnsToItsDefaultTimeByAResetOfCommunication) {
   ProducingNode sut;
   sut.boot();
   sut.write_period(50);
@@ -144,7 +144,7 @@ TEST(HeartbeatProducer, returns_to_its_default_time_by_a_reset_of_communication)
   sut.expect({"@20000 705#00", "@1020000 705#7F"});
 }
 
-TEST(HeartbeatProducer, keeps_its_rhythm_when_it_is_called_late) {
+TEST(HeartbeatProducer, KeepsItsRhythmWhenItIsCalledLate) {
   ProducingNode sut;
   sut.boot();
   sut.now = Time(1400ms);
@@ -153,7 +153,7 @@ TEST(HeartbeatProducer, keeps_its_rhythm_when_it_is_called_late) {
   sut.expect({"@1400000 705#7F", "@2000000 705#7F", "@3000000 705#7F"});
 }
 
-TEST(HeartbeatProducer, does_not_catch_up_on_periods_that_were_slept_through) {
+TEST(HeartbeatProducer, DoesNotCatchUpOnPeriodsThatWereSleptThrough) {
   ProducingNode sut;
   sut.boot();
   sut.now = Time(5600ms);
@@ -162,7 +162,7 @@ TEST(HeartbeatProducer, does_not_catch_up_on_periods_that_were_slept_through) {
   sut.expect({"@5600000 705#7F", "@6600000 705#7F"});
 }
 
-TEST(HeartbeatProducer, that_is_late_by_exactly_one_period_sends_one_and_waits_for_another) {
+TEST(HeartbeatProducer, ThatIsLateByExactlyOnePeriodSendsOneAndWaitsForAnother) {
   ProducingNode sut;
   sut.boot();
   sut.now = Time(2000ms);
@@ -172,7 +172,7 @@ TEST(HeartbeatProducer, that_is_late_by_exactly_one_period_sends_one_and_waits_f
   sut.expect({"@3000000 705#7F", "@4000000 705#7F"});
 }
 
-TEST(HeartbeatProducer, is_silent_without_a_node_id) {
+TEST(HeartbeatProducer, IsSilentWithoutANodeId) {
   ProducingNode sut(layout.tables(), node_id_unconfigured);
   sut.start();
   sut.run_until(Time(10s));

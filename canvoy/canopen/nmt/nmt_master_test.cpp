@@ -34,14 +34,14 @@ constexpr NmtCommand commands[] = {NmtCommand::start, NmtCommand::stop,
                                    NmtCommand::enter_pre_operational, NmtCommand::reset_node,
                                    NmtCommand::reset_communication};
 
-TEST(NmtMaster, commands_one_node) {
+TEST(NmtMaster, CommandsOneNode) {
   MasterNode sut;
   for (const NmtCommand command : commands) EXPECT_TRUE(sut.master.command(10, command));
   sut.expect({"000#01 0A", "000#02 0A", "000#80 0A", "000#81 0A", "000#82 0A"});
   EXPECT_EQ(sut.node.state(), NmtState::pre_operational);
 }
 
-TEST(NmtMaster, commands_every_node_id_and_no_other) {
+TEST(NmtMaster, CommandsEveryNodeIdAndNoOther) {
   MasterNode sut;
   for (unsigned node_id = 1; node_id <= 126; ++node_id) {
     EXPECT_TRUE(sut.master.command(static_cast<NodeId>(node_id), NmtCommand::start));
@@ -54,7 +54,7 @@ TEST(NmtMaster, commands_every_node_id_and_no_other) {
   sut.expect({});
 }
 
-TEST(NmtMaster, obeys_itself_when_all_are_meant) {
+TEST(NmtMaster, ObeysItselfWhenAllAreMeant) {
   MasterNode sut;
   EXPECT_TRUE(sut.master.command(NmtMaster::all_nodes, NmtCommand::start));
   EXPECT_EQ(sut.node.state(), NmtState::operational);
@@ -67,14 +67,14 @@ TEST(NmtMaster, obeys_itself_when_all_are_meant) {
   sut.expect({"000#01 00", "000#02 00", "000#80 00", "000#82 00", "77F#00", "000#81 00", "77F#00"});
 }
 
-TEST(NmtMaster, obeys_itself_without_a_frame_when_it_is_meant_alone) {
+TEST(NmtMaster, ObeysItselfWithoutAFrameWhenItIsMeantAlone) {
   MasterNode sut;
   EXPECT_TRUE(sut.master.command(127, NmtCommand::start));
   EXPECT_EQ(sut.node.state(), NmtState::operational);
   sut.expect({});
 }
 
-TEST(NmtMaster, says_when_a_command_could_not_be_sent_and_does_not_obey_it_then) {
+TEST(NmtMaster, SaysWhenACommandCouldNotBeSentAndDoesNotObeyItThen) {
   MasterNode sut;
   sut.full = true;
   for (int i = 0; i < 16; ++i) EXPECT_TRUE(sut.master.command(10, NmtCommand::start));
@@ -83,7 +83,7 @@ TEST(NmtMaster, says_when_a_command_could_not_be_sent_and_does_not_obey_it_then)
   EXPECT_EQ(sut.node.state(), NmtState::pre_operational);
 }
 
-TEST(NmtMaster, does_not_command_before_its_own_boot_up) {
+TEST(NmtMaster, DoesNotCommandBeforeItsOwnBootUp) {
   WireNode wire(layout.tables(), 127);
   NmtMaster::RemoteNode nodes[127];
   NmtMaster sut(wire.node, nodes);
@@ -92,7 +92,7 @@ TEST(NmtMaster, does_not_command_before_its_own_boot_up) {
   wire.expect({});
 }
 
-TEST(NmtMaster, knows_the_states_of_the_others) {
+TEST(NmtMaster, KnowsTheStatesOfTheOthers) {
   MasterNode sut;
   EXPECT_EQ(sut.master.remote(10).state(), RemoteState::unknown);
   sut.run_until(Time(7ms));
@@ -111,7 +111,7 @@ TEST(NmtMaster, knows_the_states_of_the_others) {
   EXPECT_EQ(sut.master.remote(11).state(), RemoteState::unknown);
 }
 
-TEST(NmtMaster, hears_all_of_the_127_nodes) {
+TEST(NmtMaster, HearsAllOfThe127Nodes) {
   MasterNode sut;
   for (unsigned node_id = 1; node_id <= 127; ++node_id) {
     sut.node.receive(Frame::data_frame(0x700 + node_id, {0x05}), sut.now);
@@ -121,14 +121,14 @@ TEST(NmtMaster, hears_all_of_the_127_nodes) {
   EXPECT_EQ(sut.log.back(), "@0 127 5");
 }
 
-TEST(NmtMaster, reports_each_boot_up) {
+TEST(NmtMaster, ReportsEachBootUp) {
   MasterNode sut;
   sut.receive("70A#00");
   sut.receive("70A#00");
   sut.expect_log({"@0 10 0", "@0 10 0"});
 }
 
-TEST(NmtMaster, reports_each_message_before_the_change_that_it_brings) {
+TEST(NmtMaster, ReportsEachMessageBeforeTheChangeThatItBrings) {
   MasterNode sut;
   auto note = [&sut](NodeId node_id, RemoteState state) {
     sut.log.push_back("message " + std::to_string(node_id) + " " +
@@ -142,7 +142,7 @@ TEST(NmtMaster, reports_each_message_before_the_change_that_it_brings) {
   sut.expect_log({"message 10 5", "@0 10 5", "message 10 5", "message 10 5"});
 }
 
-TEST(NmtMaster, takes_a_time_out_that_is_set_from_a_message_at_once) {
+TEST(NmtMaster, TakesATimeOutThatIsSetFromAMessageAtOnce) {
   MasterNode sut;
   auto watch = [&sut](NodeId node_id, RemoteState) { sut.master.set_time_out(node_id, 100ms); };
   sut.master.on_message(Callback<void(NodeId, RemoteState)>::of(watch));
@@ -151,7 +151,7 @@ TEST(NmtMaster, takes_a_time_out_that_is_set_from_a_message_at_once) {
   sut.expect_log({"@0 10 5", "@100 10 255"});
 }
 
-TEST(NmtMaster, loses_a_node_after_its_time_out_and_finds_it_again) {
+TEST(NmtMaster, LosesANodeAfterItsTimeOutAndFindsItAgain) {
   MasterNode sut;
   sut.master.set_time_out(10, 1500ms);
   sut.receive("70A#00");
@@ -166,7 +166,7 @@ TEST(NmtMaster, loses_a_node_after_its_time_out_and_finds_it_again) {
   sut.expect_log({"@9000 10 127"});
 }
 
-TEST(NmtMaster, loses_no_node_without_a_time_out) {
+TEST(NmtMaster, LosesNoNodeWithoutATimeOut) {
   MasterNode sut;
   sut.receive("70A#05");
   sut.master.set_time_out(11, 100ms);
@@ -179,7 +179,7 @@ TEST(NmtMaster, loses_no_node_without_a_time_out) {
   sut.expect_log({});
 }
 
-TEST(NmtMaster, knows_nobody_after_a_reset) {
+TEST(NmtMaster, KnowsNobodyAfterAReset) {
   for (const NmtCommand reset : {NmtCommand::reset_node, NmtCommand::reset_communication}) {
     MasterNode sut;
     sut.master.set_time_out(10, 100ms);
@@ -195,7 +195,7 @@ TEST(NmtMaster, knows_nobody_after_a_reset) {
   }
 }
 
-TEST(NmtMaster, ignores_and_counts_what_is_no_error_control_message) {
+TEST(NmtMaster, IgnoresAndCountsWhatIsNoErrorControlMessage) {
   MasterNode sut;
   sut.receive("70A#");
   sut.receive("70A#05 05");
@@ -207,7 +207,7 @@ TEST(NmtMaster, ignores_and_counts_what_is_no_error_control_message) {
   EXPECT_EQ(sut.master.remote(10).state(), RemoteState::unknown);
 }
 
-TEST(NmtMaster, takes_an_answer_to_node_guarding_with_its_toggle_bit) {
+TEST(NmtMaster, TakesAnAnswerToNodeGuardingWithItsToggleBit) {
   MasterNode sut;
   sut.receive("70A#85");
   sut.receive("70A#05");

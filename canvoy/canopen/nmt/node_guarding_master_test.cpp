@@ -55,14 +55,14 @@ struct GuardingNode : WireNode {
   NodeGuardingMaster sut;
 };
 
-TEST(NodeGuardingMaster, asks_by_a_remote_frame_of_one_byte_at_once_and_each_guard_time) {
+TEST(NodeGuardingMaster, AsksByARemoteFrameOfOneByteAtOnceAndEachGuardTime) {
   GuardingNode node;
   ASSERT_TRUE(node.guard(5));
   node.run_until(Time(250ms));
   node.expect({"@0 705#R1", "@100000 705#R1", "@200000 705#R1"});
 }
 
-TEST(NodeGuardingMaster, reports_each_state_of_the_slave_once) {
+TEST(NodeGuardingMaster, ReportsEachStateOfTheSlaveOnce) {
   GuardingNode node;
   ASSERT_TRUE(node.guard(5));
   for (const char* answer : {"705#7F", "705#FF", "705#05", "705#85", "705#04", "705#FF"}) {
@@ -74,7 +74,7 @@ TEST(NodeGuardingMaster, reports_each_state_of_the_slave_once) {
   EXPECT_EQ(node.sut.state(5), RemoteState::pre_operational);
 }
 
-TEST(NodeGuardingMaster, takes_an_answer_with_the_same_toggle_bit_for_none) {
+TEST(NodeGuardingMaster, TakesAnAnswerWithTheSameToggleBitForNone) {
   GuardingNode node;
   ASSERT_TRUE(node.guard(5));
   node.receive("705#85");
@@ -87,7 +87,7 @@ TEST(NodeGuardingMaster, takes_an_answer_with_the_same_toggle_bit_for_none) {
   EXPECT_EQ(node.take(), Texts({"@300000 node 5 time-out", "@300000 node 5 state 255"}));
 }
 
-TEST(NodeGuardingMaster, loses_a_slave_that_is_silent_for_guard_time_times_factor) {
+TEST(NodeGuardingMaster, LosesASlaveThatIsSilentForGuardTimeTimesFactor) {
   GuardingNode node;
   ASSERT_TRUE(node.guard(5));
   node.run_until(Time(3ms));
@@ -100,14 +100,14 @@ TEST(NodeGuardingMaster, loses_a_slave_that_is_silent_for_guard_time_times_facto
   EXPECT_EQ(node.sut.state(5), RemoteState::lost);
 }
 
-TEST(NodeGuardingMaster, loses_a_slave_that_was_never_heard) {
+TEST(NodeGuardingMaster, LosesASlaveThatWasNeverHeard) {
   GuardingNode node;
   ASSERT_TRUE(node.guard(5));
   node.run_until(Time(1h));
   EXPECT_EQ(node.take(), Texts({"@300000 node 5 time-out", "@300000 node 5 state 255"}));
 }
 
-TEST(NodeGuardingMaster, goes_on_asking_a_lost_slave_and_resolves_by_its_answer) {
+TEST(NodeGuardingMaster, GoesOnAskingALostSlaveAndResolvesByItsAnswer) {
   GuardingNode node;
   ASSERT_TRUE(node.guard(5));
   node.receive("705#05");
@@ -121,7 +121,7 @@ TEST(NodeGuardingMaster, goes_on_asking_a_lost_slave_and_resolves_by_its_answer)
   EXPECT_EQ(node.take(), Texts({"@800000 node 5 time-out", "@800000 node 5 state 255"}));
 }
 
-TEST(NodeGuardingMaster, takes_a_boot_up_for_a_restart_of_node_and_toggle_bit) {
+TEST(NodeGuardingMaster, TakesABootUpForARestartOfNodeAndToggleBit) {
   GuardingNode node;
   ASSERT_TRUE(node.guard(5));
   node.receive("705#05");
@@ -135,7 +135,7 @@ TEST(NodeGuardingMaster, takes_a_boot_up_for_a_restart_of_node_and_toggle_bit) {
   EXPECT_EQ(node.take(), Texts({"@400000 node 5 time-out resolved", "@400000 node 5 state 0"}));
 }
 
-TEST(NodeGuardingMaster, never_loses_a_slave_with_factor_0) {
+TEST(NodeGuardingMaster, NeverLosesASlaveWithFactor0) {
   GuardingNode node;
   ASSERT_TRUE(node.guard(5, 1s, 0));
   node.run_until(Time(1h));
@@ -143,7 +143,7 @@ TEST(NodeGuardingMaster, never_loses_a_slave_with_factor_0) {
   EXPECT_EQ(node.sent.size(), 3601U);
 }
 
-TEST(NodeGuardingMaster, reports_a_state_that_the_master_does_not_expect) {
+TEST(NodeGuardingMaster, ReportsAStateThatTheMasterDoesNotExpect) {
   GuardingNode node;
   ASSERT_TRUE(node.guard(5));
   node.receive("705#7F");
@@ -161,7 +161,7 @@ TEST(NodeGuardingMaster, reports_a_state_that_the_master_does_not_expect) {
   EXPECT_EQ(node.take(), Texts({"@100000 node 5 state 4", "@100000 node 5 wrong state"}));
 }
 
-TEST(NodeGuardingMaster, expects_pre_operational_after_a_boot_up) {
+TEST(NodeGuardingMaster, ExpectsPreOperationalAfterABootUp) {
   GuardingNode node;
   ASSERT_TRUE(node.guard(5));
   node.sut.expect(5, NmtState::pre_operational);
@@ -174,7 +174,7 @@ TEST(NodeGuardingMaster, expects_pre_operational_after_a_boot_up) {
   EXPECT_EQ(node.take(), Texts({"@200000 node 5 state 0", "@200000 node 5 wrong state"}));
 }
 
-TEST(NodeGuardingMaster, ignores_and_counts_what_is_no_answer) {
+TEST(NodeGuardingMaster, IgnoresAndCountsWhatIsNoAnswer) {
   GuardingNode node;
   ASSERT_TRUE(node.guard(5));
   for (const char* frame : {"705#", "705#05 00", "705#06", "705#80", "705#00 00 00 00 00 00 00 00"})
@@ -185,7 +185,7 @@ TEST(NodeGuardingMaster, ignores_and_counts_what_is_no_answer) {
   EXPECT_EQ(node.take(), Texts());
 }
 
-TEST(NodeGuardingMaster, knows_an_answer_by_its_byte) {
+TEST(NodeGuardingMaster, KnowsAnAnswerByItsByte) {
   for (unsigned byte = 0; byte < 256; ++byte) {
     GuardingNode node;
     ASSERT_TRUE(node.guard(5));
@@ -197,7 +197,7 @@ TEST(NodeGuardingMaster, knows_an_answer_by_its_byte) {
   }
 }
 
-TEST(NodeGuardingMaster, guards_several_nodes_apart_and_as_many_as_it_has_slots) {
+TEST(NodeGuardingMaster, GuardsSeveralNodesApartAndAsManyAsItHasSlots) {
   GuardingNode node;
   EXPECT_TRUE(node.guard(5, 100ms));
   EXPECT_TRUE(node.guard(6, 200ms));
@@ -211,7 +211,7 @@ TEST(NodeGuardingMaster, guards_several_nodes_apart_and_as_many_as_it_has_slots)
   EXPECT_TRUE(node.guard(8));
 }
 
-TEST(NodeGuardingMaster, refuses_what_cannot_be_guarded) {
+TEST(NodeGuardingMaster, RefusesWhatCannotBeGuarded) {
   GuardingNode node;
   EXPECT_FALSE(node.guard(0));
   EXPECT_FALSE(node.guard(128));
@@ -226,7 +226,7 @@ TEST(NodeGuardingMaster, refuses_what_cannot_be_guarded) {
   EXPECT_EQ(node.sut.state(0), RemoteState::unknown);
 }
 
-TEST(NodeGuardingMaster, begins_anew_when_told_again) {
+TEST(NodeGuardingMaster, BeginsAnewWhenToldAgain) {
   GuardingNode node;
   ASSERT_TRUE(node.guard(5));
   node.receive("705#05");
@@ -240,7 +240,7 @@ TEST(NodeGuardingMaster, begins_anew_when_told_again) {
   node.expect({"@0 705#R1", "@50000 705#R1", "@250000 705#R1", "@450000 705#R1"});
 }
 
-TEST(NodeGuardingMaster, ends_by_release_and_by_a_reset_of_the_master) {
+TEST(NodeGuardingMaster, EndsByReleaseAndByAResetOfTheMaster) {
   for (const bool by_reset : {false, true}) {
     GuardingNode node;
     ASSERT_TRUE(node.guard(5));
@@ -259,7 +259,7 @@ TEST(NodeGuardingMaster, ends_by_release_and_by_a_reset_of_the_master) {
   }
 }
 
-TEST(NodeGuardingMaster, may_be_told_to_end_from_its_own_report) {
+TEST(NodeGuardingMaster, MayBeToldToEndFromItsOwnReport) {
   GuardingNode node;
   auto end = [&](NodeId node_id, RemoteState) { node.sut.release(node_id); };
   node.sut.on_change(Callback<void(NodeId, RemoteState)>::of(end));
@@ -271,7 +271,7 @@ TEST(NodeGuardingMaster, may_be_told_to_end_from_its_own_report) {
   EXPECT_FALSE(node.sut.guards(5)) << "lost";
 }
 
-TEST(NodeGuardingMaster, leaves_out_requests_that_nobody_had_time_for) {
+TEST(NodeGuardingMaster, LeavesOutRequestsThatNobodyHadTimeFor) {
   GuardingNode node;
   ASSERT_TRUE(node.guard(5));
   node.now = Time(250ms);
@@ -280,7 +280,7 @@ TEST(NodeGuardingMaster, leaves_out_requests_that_nobody_had_time_for) {
   node.expect({"@0 705#R1", "@250000 705#R1", "@350000 705#R1"});
 }
 
-TEST(NodeGuardingMaster, waits_for_room_in_the_controller) {
+TEST(NodeGuardingMaster, WaitsForRoomInTheController) {
   GuardingNode node;
   node.full = true;
   while (!node.node.transmitter().full()) node.node.transmitter().send(wire_frame("123#"));
@@ -294,7 +294,7 @@ TEST(NodeGuardingMaster, waits_for_room_in_the_controller) {
   EXPECT_EQ(node.node.transmitter().lost(), 0U);
 }
 
-TEST(NodeGuardingMaster, may_be_told_to_guard_no_more_by_an_answer_that_comes_at_once) {
+TEST(NodeGuardingMaster, MayBeToldToGuardNoMoreByAnAnswerThatComesAtOnce) {
   GuardingNode node;
   node.on_sent = [&](const Frame&) { node.sut.release(5); };
   node.guard(5);
@@ -305,7 +305,7 @@ TEST(NodeGuardingMaster, may_be_told_to_guard_no_more_by_an_answer_that_comes_at
   EXPECT_EQ(node.take(), Texts());
 }
 
-TEST(NodeGuardingMaster, hears_an_answer_that_comes_at_once_before_the_life_time_is_over) {
+TEST(NodeGuardingMaster, HearsAnAnswerThatComesAtOnceBeforeTheLifeTimeIsOver) {
   GuardingNode node;
   ASSERT_TRUE(node.guard(5, 100ms, 1));
   node.on_sent = [&](const Frame&) { node.node.receive(wire_frame("705#05"), node.now); };
@@ -337,7 +337,7 @@ struct GuardedCable {
   Report report{};
 };
 
-TEST(NodeGuarding, of_two_slaves_by_one_master_notices_stops_losses_and_restarts) {
+TEST(NodeGuarding, OfTwoSlavesByOneMasterNoticesStopsLossesAndRestarts) {
   GuardedCable sut;
   sut.cable.run_for(1s);
   EXPECT_EQ(sut.report.take(), Texts({"@0 node 10 state 127", "@0 node 11 state 127"}));

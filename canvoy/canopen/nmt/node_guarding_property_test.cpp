@@ -112,7 +112,7 @@ struct LossyGuarding {
   Service service;
 };
 
-RC_GTEST_PROP(NodeGuarding, notices_at_both_ends_what_any_losses_mean, ()) {
+RC_GTEST_PROP(NodeGuarding, NoticesAtBothEndsWhatAnyLossesMean, ()) {
   auto losses = *rc::gen::container<std::vector<Loss>>(
       rc::gen::weightedElement<Loss>({{3, Loss::nothing}, {2, Loss::request}, {2, Loss::answer}}));
   losses.insert(losses.end(), 5, Loss::nothing);
@@ -122,12 +122,12 @@ RC_GTEST_PROP(NodeGuarding, notices_at_both_ends_what_any_losses_mean, ()) {
   RC_ASSERT(!sut.guarded.is_master_lost());
 }
 
-TEST(NodeGuarding, counts_an_answer_behind_a_lost_one_as_none_since_its_toggle_bit_did_not_change) {
+TEST(NodeGuarding, CountsAnAnswerBehindALostOneAsNoneSinceItsToggleBitDidNotChange) {
   const LossyGuarding sut({Loss::nothing, Loss::answer, Loss::nothing, Loss::nothing});
   EXPECT_EQ(sut.log, Texts({"master occurred @300", "master resolved @300"}));
 }
 
-TEST(NodeGuarding, takes_a_lost_request_for_nothing_more) {
+TEST(NodeGuarding, TakesALostRequestForNothingMore) {
   const LossyGuarding sut({Loss::nothing, Loss::request, Loss::nothing, Loss::nothing});
   EXPECT_EQ(sut.log, Texts());
 }

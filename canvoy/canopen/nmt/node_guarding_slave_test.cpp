@@ -71,13 +71,13 @@ struct GuardedNode : WireNode {
 
 // Node guarding
 
-TEST(NodeGuardingSlave, answers_with_its_state_and_a_toggle_bit_that_is_0_first) {
+TEST(NodeGuardingSlave, AnswersWithItsStateAndAToggleBitThatIs0First) {
   GuardedNode node;
   for (int i = 0; i < 3; ++i) node.request();
   node.expect({"705#7F", "705#FF", "705#7F"});
 }
 
-TEST(NodeGuardingSlave, tells_each_nmt_state) {
+TEST(NodeGuardingSlave, TellsEachNmtState) {
   GuardedNode node;
   node.request();
   node.receive("000#01 05");
@@ -89,7 +89,7 @@ TEST(NodeGuardingSlave, tells_each_nmt_state) {
   node.expect({"705#7F", "705#85", "705#04", "705#FF"});
 }
 
-TEST(NodeGuardingSlave, begins_its_toggle_bit_anew_by_each_reset) {
+TEST(NodeGuardingSlave, BeginsItsToggleBitAnewByEachReset) {
   for (const char* reset : {"000#81 05", "000#82 05"}) {
     GuardedNode node;
     node.request();
@@ -100,7 +100,7 @@ TEST(NodeGuardingSlave, begins_its_toggle_bit_anew_by_each_reset) {
   }
 }
 
-TEST(NodeGuardingSlave, begins_its_toggle_bit_anew_when_guarding_takes_over_from_heartbeat) {
+TEST(NodeGuardingSlave, BeginsItsToggleBitAnewWhenGuardingTakesOverFromHeartbeat) {
   GuardedNode node;
   node.request();
   node.write(0x1017, 100);
@@ -111,7 +111,7 @@ TEST(NodeGuardingSlave, begins_its_toggle_bit_anew_when_guarding_takes_over_from
   node.expect({"705#7F", "705#FF"});
 }
 
-TEST(NodeGuardingSlave, keeps_its_toggle_bit_where_other_parameters_are_written) {
+TEST(NodeGuardingSlave, KeepsItsToggleBitWhereOtherParametersAreWritten) {
   GuardedNode node;
   node.request();
   node.write(0x100C, 100);
@@ -120,7 +120,7 @@ TEST(NodeGuardingSlave, keeps_its_toggle_bit_where_other_parameters_are_written)
   node.expect({"705#7F", "705#FF"});
 }
 
-TEST(NodeGuardingSlave, answers_a_remote_frame_of_any_length_with_one_byte) {
+TEST(NodeGuardingSlave, AnswersARemoteFrameOfAnyLengthWithOneByte) {
   for (std::uint8_t length = 0; length <= 8; ++length) {
     GuardedNode node;
     node.node.receive(Frame::remote_frame(0x705, length), node.now);
@@ -128,7 +128,7 @@ TEST(NodeGuardingSlave, answers_a_remote_frame_of_any_length_with_one_byte) {
   }
 }
 
-TEST(NodeGuardingSlave, answers_no_other_frame) {
+TEST(NodeGuardingSlave, AnswersNoOtherFrame) {
   GuardedNode node;
   node.receive("705#7F");
   node.receive("705#");
@@ -139,7 +139,7 @@ TEST(NodeGuardingSlave, answers_no_other_frame) {
   node.expect({});
 }
 
-TEST(NodeGuardingSlave, answers_without_guard_time_and_watches_nobody_then) {
+TEST(NodeGuardingSlave, AnswersWithoutGuardTimeAndWatchesNobodyThen) {
   GuardedNode node;
   node.request();
   node.run_for(24h);
@@ -147,7 +147,7 @@ TEST(NodeGuardingSlave, answers_without_guard_time_and_watches_nobody_then) {
   EXPECT_FALSE(node.sut.is_master_lost());
 }
 
-TEST(NodeGuardingSlave, answers_without_its_objects) {
+TEST(NodeGuardingSlave, AnswersWithoutItsObjects) {
   GuardedNode node(layout_without.tables());
   node.request();
   node.run_for(1h);
@@ -155,7 +155,7 @@ TEST(NodeGuardingSlave, answers_without_its_objects) {
   EXPECT_EQ(node.take(), Texts());
 }
 
-TEST(NodeGuardingSlave, is_silent_without_a_node_id) {
+TEST(NodeGuardingSlave, IsSilentWithoutANodeId) {
   GuardedNode node(layout.tables(), node_id_unconfigured);
   for (unsigned id = 0x700; id <= 0x7FF; ++id) {
     node.node.receive(Frame::remote_frame(id, 1), node.now);
@@ -165,7 +165,7 @@ TEST(NodeGuardingSlave, is_silent_without_a_node_id) {
 
 // Heartbeat against guarding
 
-TEST(NodeGuardingSlave, leaves_error_control_to_the_heartbeat) {
+TEST(NodeGuardingSlave, LeavesErrorControlToTheHeartbeat) {
   GuardedNode node;
   node.set_life_time(100, 3);
   node.write(0x1017, 1000);
@@ -178,7 +178,7 @@ TEST(NodeGuardingSlave, leaves_error_control_to_the_heartbeat) {
   node.expect({"705#7F"});
 }
 
-TEST(NodeGuardingSlave, ends_life_guarding_when_the_heartbeat_begins) {
+TEST(NodeGuardingSlave, EndsLifeGuardingWhenTheHeartbeatBegins) {
   GuardedNode node;
   node.set_life_time(100, 3);
   node.request();
@@ -191,7 +191,7 @@ TEST(NodeGuardingSlave, ends_life_guarding_when_the_heartbeat_begins) {
   EXPECT_EQ(node.take(), Texts()) << "not before the master asks again";
 }
 
-TEST(NodeGuardingSlave, resolves_its_event_when_the_heartbeat_begins) {
+TEST(NodeGuardingSlave, ResolvesItsEventWhenTheHeartbeatBegins) {
   GuardedNode node;
   node.set_life_time(100, 3);
   node.request();
@@ -203,7 +203,7 @@ TEST(NodeGuardingSlave, resolves_its_event_when_the_heartbeat_begins) {
 
 // Life guarding
 
-TEST(LifeGuarding, begins_with_the_first_request) {
+TEST(LifeGuarding, BeginsWithTheFirstRequest) {
   GuardedNode node;
   node.set_life_time(100, 3);
   node.run_until(Time(1h));
@@ -217,7 +217,7 @@ TEST(LifeGuarding, begins_with_the_first_request) {
   EXPECT_TRUE(node.sut.is_master_lost());
 }
 
-TEST(LifeGuarding, is_guard_time_times_life_time_factor) {
+TEST(LifeGuarding, IsGuardTimeTimesLifeTimeFactor) {
   for (const auto& [guard_time, factor] : {std::pair{1, 1}, {1, 255}, {65535, 1}, {65535, 255}}) {
     GuardedNode node;
     node.set_life_time(static_cast<std::uint16_t>(guard_time), static_cast<std::uint16_t>(factor));
@@ -230,7 +230,7 @@ TEST(LifeGuarding, is_guard_time_times_life_time_factor) {
   }
 }
 
-TEST(LifeGuarding, is_off_while_one_of_both_is_0) {
+TEST(LifeGuarding, IsOffWhileOneOfBothIs0) {
   for (const auto& [guard_time, factor] : {std::pair{0, 3}, {100, 0}, {0, 0}}) {
     GuardedNode node;
     node.set_life_time(static_cast<std::uint16_t>(guard_time), static_cast<std::uint16_t>(factor));
@@ -240,7 +240,7 @@ TEST(LifeGuarding, is_off_while_one_of_both_is_0) {
   }
 }
 
-TEST(LifeGuarding, is_content_with_a_request_in_the_very_last_microsecond) {
+TEST(LifeGuarding, IsContentWithARequestInTheVeryLastMicrosecond) {
   GuardedNode node;
   node.set_life_time(100, 3);
   for (int i = 0; i < 5; ++i) {
@@ -250,7 +250,7 @@ TEST(LifeGuarding, is_content_with_a_request_in_the_very_last_microsecond) {
   EXPECT_EQ(node.take(), Texts());
 }
 
-TEST(LifeGuarding, resolves_by_the_next_request_and_goes_on) {
+TEST(LifeGuarding, ResolvesByTheNextRequestAndGoesOn) {
   GuardedNode node;
   node.set_life_time(100, 3);
   node.request();
@@ -263,7 +263,7 @@ TEST(LifeGuarding, resolves_by_the_next_request_and_goes_on) {
   node.expect({"@0 705#7F", "@10000000 705#FF"});
 }
 
-TEST(LifeGuarding, goes_on_in_every_nmt_state) {
+TEST(LifeGuarding, GoesOnInEveryNmtState) {
   for (const char* command : {"000#01 05", "000#02 05", "000#80 05"}) {
     GuardedNode node;
     node.set_life_time(100, 3);
@@ -274,7 +274,7 @@ TEST(LifeGuarding, goes_on_in_every_nmt_state) {
   }
 }
 
-TEST(LifeGuarding, changes_the_nmt_state_by_1029h) {
+TEST(LifeGuarding, ChangesTheNmtStateBy1029h) {
   struct Case {
     std::uint16_t reaction;
     NmtState state;
@@ -292,7 +292,7 @@ TEST(LifeGuarding, changes_the_nmt_state_by_1029h) {
   }
 }
 
-TEST(LifeGuarding, takes_other_times_from_now_on) {
+TEST(LifeGuarding, TakesOtherTimesFromNowOn) {
   GuardedNode node;
   node.set_life_time(100, 3);
   node.request();
@@ -309,7 +309,7 @@ TEST(LifeGuarding, takes_other_times_from_now_on) {
   EXPECT_EQ(node.take(), Texts({"@10000 clear 8130/0 bits 10"}));
 }
 
-TEST(LifeGuarding, ends_by_a_reset) {
+TEST(LifeGuarding, EndsByAReset) {
   for (const char* reset : {"000#81 05", "000#82 05"}) {
     for (const bool lost : {false, true}) {
       GuardedNode node;

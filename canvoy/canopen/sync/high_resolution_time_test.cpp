@@ -60,7 +60,7 @@ struct StampingNode : WireNode {
 
 constexpr auto read_request = "605#40 13 10 00 00 00 00 00";
 
-TEST(HighResolutionTime, shows_the_microseconds_of_the_moment_to_sdo) {
+TEST(HighResolutionTime, ShowsTheMicrosecondsOfTheMomentToSdo) {
   StampingNode node;
   node.run_until(Time(0x12345678us));
   node.receive(read_request);
@@ -69,14 +69,14 @@ TEST(HighResolutionTime, shows_the_microseconds_of_the_moment_to_sdo) {
   node.expect({"585#43 13 10 00 78 56 34 12", "585#43 13 10 00 79 56 34 12"});
 }
 
-TEST(HighResolutionTime, runs_over_after_32_bits) {
+TEST(HighResolutionTime, RunsOverAfter32Bits) {
   StampingNode node;
   node.run_until(Time(0x1'0000'0005us));
   node.receive(read_request);
   node.expect({"585#43 13 10 00 05 00 00 00"});
 }
 
-TEST(HighResolutionTime, is_that_of_the_sync_in_a_pdo) {
+TEST(HighResolutionTime, IsThatOfTheSyncInAPdo) {
   StampingNode node;
   node.run_until(Time(1000us));
   node.receive("080#");
@@ -86,7 +86,7 @@ TEST(HighResolutionTime, is_that_of_the_sync_in_a_pdo) {
   node.expect({"185#E8 03 00 00", "585#43 13 10 00 C4 09 00 00", "185#C4 09 00 00"});
 }
 
-TEST(HighResolutionTime, is_set_by_what_a_pdo_says_of_the_last_sync) {
+TEST(HighResolutionTime, IsSetByWhatAPdoSaysOfTheLastSync) {
   StampingNode node;
   node.run_until(Time(1000us));
   node.receive("080#");
@@ -100,7 +100,7 @@ TEST(HighResolutionTime, is_set_by_what_a_pdo_says_of_the_last_sync) {
   node.expect({"585#43 13 10 00 2C 01 01 00", "185#E8 03 01 00"});
 }
 
-TEST(HighResolutionTime, is_set_by_sdo_and_before_any_sync_from_now_on) {
+TEST(HighResolutionTime, IsSetBySdoAndBeforeAnySyncFromNowOn) {
   StampingNode node;
   node.run_until(Time(500us));
   node.receive("605#23 13 10 00 00 00 00 80");
@@ -109,7 +109,7 @@ TEST(HighResolutionTime, is_set_by_sdo_and_before_any_sync_from_now_on) {
   node.expect({"585#60 13 10 00 00 00 00 00", "585#43 13 10 00 C8 00 00 80"});
 }
 
-TEST(HighResolutionTime, works_without_sync) {
+TEST(HighResolutionTime, WorksWithoutSync) {
   WireNode wire(layout.tables(), 5);
   std::uint8_t buffer[16];
   SdoServer server(wire.node, 0, buffer);

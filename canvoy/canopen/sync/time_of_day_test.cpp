@@ -23,7 +23,7 @@ sys_days day_of(const Date& date) {
   return std::chrono::year(date.year) / std::chrono::month(date.month) / std::chrono::day(date.day);
 }
 
-TEST(TimeOfDay, counts_days_from_1_january_1984) {
+TEST(TimeOfDay, CountsDaysFrom1January1984) {
   for (const Date& date : dates) {
     const TimeOfDay midnight{.milliseconds = 0, .days = date.days};
     EXPECT_EQ(to_civil_time(midnight), day_of(date)) << date.days;
@@ -31,42 +31,42 @@ TEST(TimeOfDay, counts_days_from_1_january_1984) {
   }
 }
 
-TEST(TimeOfDay, counts_milliseconds_from_midnight) {
+TEST(TimeOfDay, CountsMillisecondsFromMidnight) {
   const CivilTime time = day_of(dates[4]) + 23h + 59min + 59s + 999ms;
   EXPECT_EQ(to_time_of_day(time), (TimeOfDay{.milliseconds = 86'399'999, .days = 15665}));
   EXPECT_EQ(to_time_of_day(time + 1ms), (TimeOfDay{.milliseconds = 0, .days = 15666}));
   EXPECT_EQ(to_civil_time({.milliseconds = 86'399'999, .days = 15665}), time);
 }
 
-TEST(TimeOfDay, has_no_time_before_day_0_and_after_the_last_that_16_bits_count) {
+TEST(TimeOfDay, HasNoTimeBeforeDay0AndAfterTheLastThat16BitsCount) {
   EXPECT_EQ(to_time_of_day(day_of(dates[0]) - 1ms), std::nullopt);
   EXPECT_EQ(to_time_of_day(sys_days(day_of(dates[6])) + 24h - 1ms),
             (TimeOfDay{.milliseconds = 86'399'999, .days = 65535}));
   EXPECT_EQ(to_time_of_day(sys_days(day_of(dates[6])) + 24h), std::nullopt);
 }
 
-TEST(TimeOfDay, ends_before_midnight) {
+TEST(TimeOfDay, EndsBeforeMidnight) {
   EXPECT_TRUE(TimeOfDay{.milliseconds = 86'399'999}.valid());
   EXPECT_FALSE(TimeOfDay{.milliseconds = 86'400'000}.valid());
   EXPECT_FALSE(TimeOfDay{.milliseconds = 0x0FFF'FFFF}.valid());
 }
 
 // 43,200,000 ms are 02932E00h.
-TEST(TimeOfDay, stands_on_the_wire_with_28_bits_of_milliseconds_then_16_bits_of_days) {
+TEST(TimeOfDay, StandsOnTheWireWith28BitsOfMillisecondsThen16BitsOfDays) {
   constexpr TimeOfDay noon{.milliseconds = 43'200'000, .days = 15665};
   constexpr TimeOfDayBytes bytes = {0x00, 0x2E, 0x93, 0x02, 0x31, 0x3D};
   EXPECT_EQ(encode_time(noon), bytes);
   EXPECT_EQ(decode_time<TimeOfDay>(bytes), noon);
 }
 
-TEST(TimeOfDay, sends_its_reserved_bits_as_0_and_leaves_them_out_when_read) {
+TEST(TimeOfDay, SendsItsReservedBitsAs0AndLeavesThemOutWhenRead) {
   constexpr TimeOfDayBytes bytes = {0x01, 0x00, 0x00, 0xF0, 0x02, 0x00};
   EXPECT_EQ(decode_time<TimeOfDay>(bytes), (TimeOfDay{.milliseconds = 1, .days = 2}));
   EXPECT_EQ(encode_time(TimeOfDay{.milliseconds = 0xFFFF'FFFF, .days = 0xFFFF}),
             (TimeOfDayBytes{0xFF, 0xFF, 0xFF, 0x0F, 0xFF, 0xFF}));
 }
 
-TEST(TimeDifference, has_the_same_form) {
+TEST(TimeDifference, HasTheSameForm) {
   constexpr TimeDifference span{.milliseconds = 0x0ABC'DEF0, .days = 0x1234};
   constexpr TimeOfDayBytes bytes = {0xF0, 0xDE, 0xBC, 0x0A, 0x34, 0x12};
   EXPECT_EQ(encode_time(span), bytes);

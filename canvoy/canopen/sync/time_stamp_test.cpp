@@ -79,7 +79,7 @@ std::string time_frame(const char* bytes) {
 
 // Consumer
 
-TEST(TimeConsumer, hears_time_where_bit_31_of_1012h_is_set) {
+TEST(TimeConsumer, HearsTimeWhereBit31Of1012hIsSet) {
   TimeNode node;
   node.receive(time_frame(noon_bytes));
   EXPECT_EQ(node.take(), Texts());
@@ -91,7 +91,7 @@ TEST(TimeConsumer, hears_time_where_bit_31_of_1012h_is_set) {
   EXPECT_EQ(node.take(), Texts());
 }
 
-TEST(TimeConsumer, hears_it_in_pre_operational_and_operational) {
+TEST(TimeConsumer, HearsItInPreOperationalAndOperational) {
   TimeNode node(layout_consumer.tables());
   node.receive(time_frame(noon_bytes));
   EXPECT_EQ(node.take().size(), 1U) << "pre-operational";
@@ -106,13 +106,13 @@ TEST(TimeConsumer, hears_it_in_pre_operational_and_operational) {
   EXPECT_EQ(node.take().size(), 1U) << "pre-operational again";
 }
 
-TEST(TimeConsumer, does_not_hear_it_without_a_node_id) {
+TEST(TimeConsumer, DoesNotHearItWithoutANodeId) {
   TimeNode node(layout_consumer.tables(), node_id_unconfigured);
   node.receive(time_frame(noon_bytes));
   EXPECT_EQ(node.take(), Texts());
 }
 
-TEST(TimeConsumer, sets_its_clock_and_tells_how_far_it_moved) {
+TEST(TimeConsumer, SetsItsClockAndTellsHowFarItMoved) {
   TimeNode node(layout_consumer.tables());
   EXPECT_EQ(node.sut.clock(node.now), std::nullopt);
   node.receive(time_frame(noon_bytes));
@@ -126,7 +126,7 @@ TEST(TimeConsumer, sets_its_clock_and_tells_how_far_it_moved) {
   EXPECT_EQ(node.sut.clock(node.now), (TimeOfDay{.milliseconds = 43'320'000, .days = 15665}));
 }
 
-TEST(TimeConsumer, goes_on_counting_over_midnight) {
+TEST(TimeConsumer, GoesOnCountingOverMidnight) {
   TimeNode node(layout_consumer.tables());
   node.receive("100#FF 5B 26 05 31 3D");  // 86,399,999 ms
   EXPECT_EQ(node.sut.clock(node.now + 999us),
@@ -134,20 +134,20 @@ TEST(TimeConsumer, goes_on_counting_over_midnight) {
   EXPECT_EQ(node.sut.clock(node.now + 1ms), (TimeOfDay{.milliseconds = 0, .days = 15666}));
 }
 
-TEST(TimeConsumer, shows_nothing_after_the_last_day_that_can_be_told) {
+TEST(TimeConsumer, ShowsNothingAfterTheLastDayThatCanBeTold) {
   TimeNode node(layout_consumer.tables());
   node.receive("100#FF 5B 26 05 FF FF");
   EXPECT_NE(node.sut.clock(node.now), std::nullopt);
   EXPECT_EQ(node.sut.clock(node.now + 1ms), std::nullopt);
 }
 
-TEST(TimeConsumer, ignores_the_four_reserved_bits) {
+TEST(TimeConsumer, IgnoresTheFourReservedBits) {
   TimeNode node(layout_consumer.tables());
   node.receive("100#00 2E 93 F2 31 3D");
   EXPECT_EQ(node.take(), Texts({"15665 43200000 moved 0"}));
 }
 
-TEST(TimeConsumer, ignores_and_counts_a_time_of_another_length) {
+TEST(TimeConsumer, IgnoresAndCountsATimeOfAnotherLength) {
   TimeNode node(layout_consumer.tables());
   for (std::uint8_t length = 0; length <= 8; ++length) {
     Frame frame = wire_frame("100#00 2E 93 02 31 3D 00 00");
@@ -159,7 +159,7 @@ TEST(TimeConsumer, ignores_and_counts_a_time_of_another_length) {
   EXPECT_EQ(node.sut.clock(node.now), noon);
 }
 
-TEST(TimeConsumer, ignores_and_counts_a_time_beyond_midnight) {
+TEST(TimeConsumer, IgnoresAndCountsATimeBeyondMidnight) {
   TimeNode node(layout_consumer.tables());
   node.receive("100#00 5C 26 05 31 3D");  // 86,400,000 ms
   node.receive("100#FF FF FF 0F 31 3D");
@@ -168,14 +168,14 @@ TEST(TimeConsumer, ignores_and_counts_a_time_beyond_midnight) {
   EXPECT_EQ(node.sut.clock(node.now), std::nullopt);
 }
 
-TEST(TimeConsumer, takes_no_remote_frame) {
+TEST(TimeConsumer, TakesNoRemoteFrame) {
   TimeNode node(layout_consumer.tables());
   node.receive("100#R6");
   EXPECT_EQ(node.take(), Texts());
   node.expect({});
 }
 
-TEST(TimeConsumer, keeps_its_clock_through_resets) {
+TEST(TimeConsumer, KeepsItsClockThroughResets) {
   TimeNode node(layout_consumer.tables());
   node.receive(time_frame(noon_bytes));
   node.receive("000#81 05");
@@ -185,7 +185,7 @@ TEST(TimeConsumer, keeps_its_clock_through_resets) {
 
 // Producer
 
-TEST(TimeProducer, tells_the_time_each_period_without_drift) {
+TEST(TimeProducer, TellsTheTimeEachPeriodWithoutDrift) {
   TimeNode node;
   node.make_producer();
   node.produce_each(60s);
@@ -201,7 +201,7 @@ TEST(TimeProducer, tells_the_time_each_period_without_drift) {
   node.expect({});
 }
 
-TEST(TimeProducer, leaves_out_those_that_nobody_had_time_for) {
+TEST(TimeProducer, LeavesOutThoseThatNobodyHadTimeFor) {
   TimeNode node;
   node.make_producer();
   node.produce_each(10s);
@@ -212,7 +212,7 @@ TEST(TimeProducer, leaves_out_those_that_nobody_had_time_for) {
                "@70000000 100#70 3F 94 02 31 3D"});
 }
 
-TEST(TimeProducer, tells_the_time_on_demand) {
+TEST(TimeProducer, TellsTheTimeOnDemand) {
   TimeNode node;
   node.make_producer();
   node.run_until(Time(1min));
@@ -220,7 +220,7 @@ TEST(TimeProducer, tells_the_time_on_demand) {
   node.expect({"@60000000 100#60 18 94 02 31 3D"});
 }
 
-TEST(TimeProducer, is_silent_without_bit_30_of_1012h) {
+TEST(TimeProducer, IsSilentWithoutBit30Of1012h) {
   TimeNode node;
   node.set_noon();
   node.produce_each(1s);
@@ -239,7 +239,7 @@ TEST(TimeProducer, is_silent_without_bit_30_of_1012h) {
   node.expect({});
 }
 
-TEST(TimeProducer, is_silent_while_it_has_no_clock) {
+TEST(TimeProducer, IsSilentWhileItHasNoClock) {
   TimeNode node;
   ASSERT_EQ(node.write(produce | 0x100), none);
   node.produce_each(1s);
@@ -251,13 +251,13 @@ TEST(TimeProducer, is_silent_while_it_has_no_clock) {
   node.expect({"@11000000 100#E8 31 93 02 31 3D"});
 }
 
-TEST(TimeProducer, refuses_a_clock_beyond_midnight) {
+TEST(TimeProducer, RefusesAClockBeyondMidnight) {
   TimeNode node;
   EXPECT_FALSE(node.sut.set_clock({.milliseconds = 86'400'000, .days = 1}));
   EXPECT_EQ(node.sut.clock(node.now), std::nullopt);
 }
 
-TEST(TimeProducer, sends_in_pre_operational_and_operational_only) {
+TEST(TimeProducer, SendsInPreOperationalAndOperationalOnly) {
   TimeNode node;
   node.make_producer();
   EXPECT_TRUE(node.send()) << "pre-operational";
@@ -274,7 +274,7 @@ TEST(TimeProducer, sends_in_pre_operational_and_operational_only) {
   node.expect({"@11000000 100#F8 58 93 02 31 3D"});
 }
 
-TEST(TimeProducer, reads_its_clock_anew_when_the_controller_has_room_again) {
+TEST(TimeProducer, ReadsItsClockAnewWhenTheControllerHasRoomAgain) {
   TimeNode node;
   node.make_producer();
   node.full = true;
@@ -288,7 +288,7 @@ TEST(TimeProducer, reads_its_clock_anew_when_the_controller_has_room_again) {
   node.expect({});
 }
 
-TEST(TimeProducer, forgets_what_waits_when_it_may_no_longer_send) {
+TEST(TimeProducer, ForgetsWhatWaitsWhenItMayNoLongerSend) {
   for (const bool by_state : {false, true}) {
     TimeNode node;
     node.make_producer();
@@ -306,7 +306,7 @@ TEST(TimeProducer, forgets_what_waits_when_it_may_no_longer_send) {
   }
 }
 
-TEST(TimeProducer, keeps_its_rhythm_through_a_reset_but_is_what_1012h_says_again) {
+TEST(TimeProducer, KeepsItsRhythmThroughAResetButIsWhat1012hSaysAgain) {
   TimeNode node;
   node.make_producer();
   node.produce_each(1s);
@@ -319,7 +319,7 @@ TEST(TimeProducer, keeps_its_rhythm_through_a_reset_but_is_what_1012h_says_again
   node.expect({"@11000000 100#F8 58 93 02 31 3D"});
 }
 
-TEST(TimeProducer, may_consume_as_well) {
+TEST(TimeProducer, MayConsumeAsWell) {
   TimeNode node;
   ASSERT_EQ(node.write(consume | produce | 0x100), none);
   node.receive(time_frame(noon_bytes));
@@ -330,7 +330,7 @@ TEST(TimeProducer, may_consume_as_well) {
 
 // 1012h
 
-TEST(TimeCobId, is_every_can_id_that_is_not_restricted) {
+TEST(TimeCobId, IsEveryCanIdThatIsNotRestricted) {
   TimeNode node;
   for (std::uint32_t can_id = 0; can_id <= 0x7FF; ++can_id) {
     const bool free = (can_id >= 0x080 && can_id <= 0x100) ||
@@ -346,14 +346,14 @@ TEST(TimeCobId, is_every_can_id_that_is_not_restricted) {
   }
 }
 
-TEST(TimeCobId, is_refused_with_29_bits) {
+TEST(TimeCobId, IsRefusedWith29Bits) {
   TimeNode node;
   for (unsigned bit = 11; bit <= 29; ++bit) {
     EXPECT_EQ(node.write(0x100U | 1U << bit), value_range) << bit;
   }
 }
 
-TEST(TimeCobId, stays_while_time_is_produced) {
+TEST(TimeCobId, StaysWhileTimeIsProduced) {
   TimeNode node;
   ASSERT_EQ(node.write(produce | 0x100), none);
   for (std::uint32_t can_id = 0; can_id <= 0x7FF; ++can_id) {
@@ -367,7 +367,7 @@ TEST(TimeCobId, stays_while_time_is_produced) {
   node.expect({"0C1#00 2E 93 02 31 3D"});
 }
 
-TEST(TimeCobId, of_a_consumer_is_refused_where_no_route_is_left) {
+TEST(TimeCobId, OfAConsumerIsRefusedWhereNoRouteIsLeft) {
   std::uint8_t values[4] = {};
   ObjectState states[1] = {};
   Router::Route routes[1];
@@ -383,7 +383,7 @@ TEST(TimeCobId, of_a_consumer_is_refused_where_no_route_is_left) {
   EXPECT_EQ(node.dictionary().write(0x1012, 0, producer, Source::sdo), none);
 }
 
-TEST(TimeCobId, has_its_default_again_after_a_reset) {
+TEST(TimeCobId, HasItsDefaultAgainAfterAReset) {
   TimeNode node(layout_consumer.tables());
   ASSERT_EQ(node.write(0x0C0), none);
   node.receive("000#82 00");
@@ -392,7 +392,7 @@ TEST(TimeCobId, has_its_default_again_after_a_reset) {
 }
 
 // Golden frame: each flip of one of its bits is another time, or no TIME.
-TEST(TimeConsumer, lives_through_every_single_bit_flip_of_a_good_frame) {
+TEST(TimeConsumer, LivesThroughEverySingleBitFlipOfAGoodFrame) {
   for (unsigned bit = 0; bit < 48; ++bit) {
     TimeNode node(layout_consumer.tables());
     Frame frame = wire_frame(time_frame(noon_bytes));

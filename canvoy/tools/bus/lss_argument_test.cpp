@@ -7,7 +7,7 @@
 namespace canvoy::tools::lss_argument_test {
 namespace {
 
-TEST(LssArgument, reads_addresses_whole_and_in_part) {
+TEST(LssArgument, ReadsAddressesWholeAndInPart) {
   EXPECT_EQ(parse_lss_address("0x2F0:419:1:77"), (LssAddress{{0x2F0, 419, 1, 77}}));
   EXPECT_EQ(parse_lss_address("4294967295:0xFFFFFFFF:0:0"),
             (LssAddress{{0xFFFF'FFFF, 0xFFFF'FFFF, 0, 0}}));
@@ -19,7 +19,7 @@ TEST(LssArgument, reads_addresses_whole_and_in_part) {
   EXPECT_EQ(pattern.known, (std::array<bool, 4>{true, true, false, false}));
 }
 
-TEST(LssArgument, refuses_what_is_no_address) {
+TEST(LssArgument, RefusesWhatIsNoAddress) {
   for (const char* text : {"", "1:2:3:4:5", "1::3:4", "a:2:3:4", "1:2:3:-4", "4294967296:0:0:0",
                            "1:2:3:4 ", "0x:1:1:1", "0x1h:1:1:1", "h:1:1:1",
                            "vendor 1h, serial 2h, revision 0h, product 0h", "vendor 1, 2, 3, 4"}) {
@@ -29,7 +29,7 @@ TEST(LssArgument, refuses_what_is_no_address) {
   EXPECT_THROW(parse_lss_address("1:2:3"), UsageError);
 }
 
-TEST(LssArgument, reads_lists_of_node_ids) {
+TEST(LssArgument, ReadsListsOfNodeIds) {
   EXPECT_EQ(parse_node_ids("10"), (std::vector<NodeId>{10}));
   EXPECT_EQ(parse_node_ids("10-12,0x20,5-5"), (std::vector<NodeId>{10, 11, 12, 32, 5}));
   EXPECT_EQ(parse_node_ids("1-127").size(), 127U);
@@ -38,7 +38,7 @@ TEST(LssArgument, reads_lists_of_node_ids) {
   }
 }
 
-TEST(LssArgument, reads_bit_rates_of_the_table) {
+TEST(LssArgument, ReadsBitRatesOfTheTable) {
   EXPECT_EQ(parse_bit_timing("1000000"), 0);
   EXPECT_EQ(parse_bit_timing("1M"), 0);
   EXPECT_EQ(parse_bit_timing("125k"), 4);
@@ -49,7 +49,7 @@ TEST(LssArgument, reads_bit_rates_of_the_table) {
   }
 }
 
-TEST(LssArgument, says_why_a_node_refused) {
+TEST(LssArgument, SaysWhyANodeRefused) {
   EXPECT_EQ(lss_error_text(lss::Command::store, {.code = 1}), "the node cannot store");
   EXPECT_EQ(lss_error_text(lss::Command::store, {.code = 2}), "its storage does not work");
   EXPECT_EQ(lss_error_text(lss::Command::configure_node_id, {.code = 1}),
@@ -61,7 +61,7 @@ TEST(LssArgument, says_why_a_node_refused) {
   EXPECT_EQ(lss_error_text(lss::Command::configure_node_id, {.code = 7}), "refused with error 07h");
 }
 
-TEST(LssArgument, writes_addresses_and_bit_rates) {
+TEST(LssArgument, WritesAddressesAndBitRates) {
   EXPECT_EQ(lss_address_text({{0x2F0, 0x1A3, 0x10001, 0}}),
             "vendor 2F0h, product 1A3h, revision 10001h, serial 0h");
   EXPECT_EQ(bit_timing_text(4), "125000 bit/s");

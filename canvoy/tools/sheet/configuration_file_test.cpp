@@ -24,7 +24,7 @@ std::string error_of(std::string_view text) {
   return "none";
 }
 
-TEST(ConfigurationFile, text_has_an_entry_a_line) {
+TEST(ConfigurationFile, TextHasAnEntryALine) {
   const auto entries = parse(
       "# index sub type value\n"
       "1017 0 u16 500\n"
@@ -49,7 +49,7 @@ TEST(ConfigurationFile, text_has_an_entry_a_line) {
   EXPECT_EQ(entries[6].value, Bytes{1});
 }
 
-TEST(ConfigurationFile, a_zero_byte_makes_it_a_concise_dcf) {
+TEST(ConfigurationFile, AZeroByteMakesItAConciseDcf) {
   const Bytes bytes = {0x01, 0x00, 0x00, 0x00, 0x17, 0x10, 0x00,
                        0x02, 0x00, 0x00, 0x00, 0xF4, 0x01};
   const auto entries = parse_configuration("charger.cdcf", bytes, 5).entries;
@@ -58,7 +58,7 @@ TEST(ConfigurationFile, a_zero_byte_makes_it_a_concise_dcf) {
   EXPECT_EQ(entries[0].value, (Bytes{0xF4, 0x01}));
 }
 
-TEST(ConfigurationFile, a_bad_line_is_named) {
+TEST(ConfigurationFile, ABadLineIsNamed) {
   EXPECT_EQ(error_of("1017 0 u16 500\n1017 0 u16 70000\n").substr(0, 19), "charger.txt line 2:");
   EXPECT_NE(error_of("1017 0 u99 5").find("'u99' is no data type"), std::string::npos);
   EXPECT_NE(error_of("1017 0 u16").find("the value is missing"), std::string::npos);
@@ -68,14 +68,14 @@ TEST(ConfigurationFile, a_bad_line_is_named) {
   }
 }
 
-TEST(ConfigurationFile, one_without_an_entry_is_refused) {
+TEST(ConfigurationFile, OneWithoutAnEntryIsRefused) {
   for (const std::string_view text :
        {std::string_view(""), std::string_view("# nothing\n\n"), std::string_view("\0\0\0\0", 4)}) {
     EXPECT_EQ(error_of(text), "charger.txt: there is no entry in it");
   }
 }
 
-TEST(ConfigurationFile, a_concise_dcf_is_refused_wherever_it_is_cut) {
+TEST(ConfigurationFile, AConciseDcfIsRefusedWhereverItIsCut) {
   const Bytes whole = {0x02, 0x00, 0x00, 0x00, 0x17, 0x10, 0x00, 0x01, 0x00, 0x00, 0x00,
                        0xF4, 0x17, 0x10, 0x00, 0x02, 0x00, 0x00, 0x00, 0xF4, 0x01};
   for (std::size_t length = 2; length < whole.size(); ++length) {
@@ -88,7 +88,7 @@ TEST(ConfigurationFile, a_concise_dcf_is_refused_wherever_it_is_cut) {
   EXPECT_EQ(parse_configuration("whole", whole, 5).entries.size(), 2u);
 }
 
-TEST(ConfigurationFile, what_cannot_be_read_is_told) {
+TEST(ConfigurationFile, WhatCannotBeReadIsTold) {
   for (const char* path : {"/no/such/file", "/"}) {
     try {
       read_configuration(path, 5);
