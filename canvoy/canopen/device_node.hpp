@@ -194,7 +194,8 @@ class DeviceServices {
   static constexpr std::size_t rpdo_count = rpdo_numbers.count;
   static constexpr std::size_t tpdo_count = tpdo_numbers.count;
   static constexpr std::size_t sdo_servers =
-      1 + detail::count_objects(tables, 0x1201, object_index::sdo_server_last);
+      1 +
+      detail::count_objects(tables, object_index::sdo_server + 1, object_index::sdo_server_last);
   static constexpr std::size_t heartbeats =
       detail::highest_sub_index(tables, object_index::heartbeat_consumers);
   /// 1028h has a sub-index for each node-ID: room for as many nodes as it has sub-indices.

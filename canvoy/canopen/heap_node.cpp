@@ -1,5 +1,7 @@
 #include "canvoy/canopen/heap_node.hpp"
 
+#include "canvoy/canopen/dictionary/object_index.hpp"
+
 namespace canvoy {
 
 namespace {
@@ -18,11 +20,14 @@ HeapNode::HeapNode(const DictionaryTables& tables, const Port& port, NodeId node
       backlog_(backlog_max),
       errors_(errors_max),
       emergencies_(errors_max),
-      heartbeat_slots_(detail::highest_sub_index(tables_, 0x1016, 0x1016)),
-      emergency_slots_(detail::highest_sub_index(tables_, 0x1028, 0x1028)),
+      heartbeat_slots_(detail::highest_sub_index(tables_, object_index::heartbeat_consumers,
+                                                 object_index::heartbeat_consumers)),
+      emergency_slots_(detail::highest_sub_index(tables_, object_index::emergency_consumers,
+                                                 object_index::emergency_consumers)),
       rpdo_memory_(rpdo_numbers().count),
       tpdo_memory_(tpdo_numbers().count) {
-  const std::size_t servers = 1 + detail::count_objects(tables_, 0x1201, 0x127F);
+  const std::size_t servers = 1 + detail::count_objects(tables_, object_index::sdo_server + 1,
+                                                        object_index::sdo_server_last);
   constexpr std::size_t basics = 4;  // NMT, SYNC, TIME, guarding
   routes_.resize(basics + servers + heartbeat_slots_.size() + emergency_slots_.size() +
                  rpdo_memory_.size() + tpdo_memory_.size() + further_routes);
@@ -35,11 +40,11 @@ HeapNode::HeapNode(const DictionaryTables& tables, const Port& port, NodeId node
   heartbeat_producer_.emplace(*node_);
   if (!heartbeat_slots_.empty()) heartbeat_consumer_.emplace(*node_, heartbeat_slots_);
   if (!emergency_slots_.empty()) emergency_consumer_.emplace(*node_, emergency_slots_);
-  if (has(0x100C)) node_guarding_.emplace(*node_);
-  if (has(0x1012)) time_stamp_.emplace(*node_);
-  if (has(0x1005)) sync_ = std::make_unique<Sync>(*node_);
-  if (has(0x1020)) verify_configuration_.emplace(*node_);
-  if (has(0x1013)) high_resolution_time_.emplace(*node_, sync_.get());
+  if (has(object_index::guard_time)) node_guarding_.emplace(*node_);
+  if (has(object_index::cob_id_time)) time_stamp_.emplace(*node_);
+  if (has(object_index::cob_id_sync)) sync_ = std::make_unique<Sync>(*node_);
+  if (has(object_index::verify_configuration)) verify_configuration_.emplace(*node_);
+  if (has(object_index::high_resolution_time)) high_resolution_time_.emplace(*node_, sync_.get());
   add_pdos();
   add_mpdos();
 }
@@ -58,15 +63,21 @@ void HeapNode::add_sdo_servers() {
 }
 
 detail::PdoNumbers HeapNode::rpdo_numbers() const {
-  return detail::pdo_numbers(tables_, 0x1400, 0x15FF);
+  return detail::pdo_numbers(tables_, object_index::rpdo_parameter,
+                             object_index::rpdo_parameter_last);
 }
 detail::PdoNumbers HeapNode::tpdo_numbers() const {
-  return detail::pdo_numbers(tables_, 0x1800, 0x19FF);
+  return detail::pdo_numbers(tables_, object_index::tpdo_parameter,
+                             object_index::tpdo_parameter_last);
 }
 
 void HeapNode::add_pdos() {
-  rpdo_values_.resize(rpdo_memory_.size() * detail::highest_sub_index(tables_, 0x1600, 0x17FF));
-  tpdo_values_.resize(tpdo_memory_.size() * detail::highest_sub_index(tables_, 0x1A00, 0x1BFF));
+  rpdo_values_.resize(rpdo_memory_.size() *
+                      detail::highest_sub_index(tables_, object_index::rpdo_mapping,
+                                                object_index::rpdo_mapping_last));
+  tpdo_values_.resize(tpdo_memory_.size() *
+                      detail::highest_sub_index(tables_, object_index::tpdo_mapping,
+                                                object_index::tpdo_mapping_last));
   if (!rpdo_memory_.empty()) {
     rpdos_.emplace(*node_, rpdo_memory_, rpdo_values_, sync_.get(), rpdo_numbers().lowest);
   }
@@ -78,10 +89,14 @@ void HeapNode::add_pdos() {
 
 /// Where there are lists for source address mode, or a PDO is multiplexed by default.
 void HeapNode::add_mpdos() {
-  const bool consumes = detail::count_objects(tables_, 0x1FD0, 0x1FFF) != 0 ||
-                        detail::has_mpdo(tables_, 0x1600, 0x17FF);
-  const bool produces = detail::count_objects(tables_, 0x1FA0, 0x1FCF) != 0 ||
-                        detail::has_mpdo(tables_, 0x1A00, 0x1BFF);
+  const bool consumes =
+      detail::count_objects(tables_, object_index::dispatching_list,
+                            object_index::dispatching_list_last) != 0 ||
+      detail::has_mpdo(tables_, object_index::rpdo_mapping, object_index::rpdo_mapping_last);
+  const bool produces =
+      detail::count_objects(tables_, object_index::scanner_list, object_index::scanner_list_last) !=
+          0 ||
+      detail::has_mpdo(tables_, object_index::tpdo_mapping, object_index::tpdo_mapping_last);
   if (rpdos_ && consumes) mpdo_consumer_.emplace(*node_, *rpdos_);
   if (!tpdos_ || !produces) return;
   scanned_objects_.resize(detail::count_mpdo_values(tables_));

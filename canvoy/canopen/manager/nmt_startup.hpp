@@ -10,6 +10,7 @@
 #include "canvoy/can/time.hpp"
 #include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/canopen/dictionary/dictionary.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
 
 namespace canvoy {
 
@@ -83,7 +84,7 @@ inline SlaveAssignment slave_assignment(const Dictionary& dictionary, NodeId sla
 /// How long a node may be silent by the consumer heartbeat times (1016h) of this dictionary; zero
 /// where it is not named there. Linear in the number of entries.
 inline Duration heartbeat_time(const Dictionary& dictionary, NodeId slave) {
-  constexpr std::uint16_t consumer_heartbeat = 0x1016;
+  constexpr std::uint16_t consumer_heartbeat = object_index::heartbeat_consumers;
   const auto count = static_cast<unsigned>(dictionary.number(consumer_heartbeat, 0));
   for (unsigned sub = 1; sub <= count; ++sub) {
     const auto entry = static_cast<std::uint32_t>(

@@ -13,9 +13,9 @@ namespace {
 constexpr std::uint16_t heartbeat_ms = 1000;
 constexpr std::uint8_t errors_kept = 8;
 constexpr unsigned nodes_watched = 16;
-constexpr std::uint16_t first_tpdo = 0x1800;
-constexpr std::uint16_t first_rpdo = 0x1400;
-constexpr std::uint16_t to_mapping = 0x200;
+constexpr std::uint16_t first_tpdo = object_index::tpdo_parameter;
+constexpr std::uint16_t first_rpdo = object_index::rpdo_parameter;
+constexpr std::uint16_t to_mapping = object_index::tpdo_mapping - object_index::tpdo_parameter;
 constexpr unsigned pdos_max = 512;
 constexpr unsigned tpdos_of_connection_set = 4;
 constexpr std::uint32_t first_can_id = 0x180;

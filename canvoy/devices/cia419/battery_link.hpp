@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/canopen/sdo/sdo_client.hpp"
 
@@ -98,7 +99,8 @@ class BatteryLink {
   std::size_t mapping_ = 0;       ///< that is compared just now
   std::uint8_t mapping_sub_ = 0;  ///< its entry
   std::array<std::uint8_t, 4> buffer_{};
-  std::array<Message, 2> messages_{Message{.index = 0x6052}, Message{.index = 0x1017}};
+  std::array<Message, 2> messages_{Message{.index = 0x6052},
+                                   Message{.index = object_index::heartbeat_producer}};
   Message* under_way_ = nullptr;  ///< that the client tells, or told last
 };
 

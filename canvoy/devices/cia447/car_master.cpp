@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/profiles/cia447.hpp"
 
@@ -159,7 +160,7 @@ void CarMaster::ask_next() {
     if (!to_be_asked_[node]) continue;
     to_be_asked_[node] = false;
     asked_ = node;
-    client_.upload(node, 0x1000, 0, device_type_,
+    client_.upload(node, object_index::device_type, 0, device_type_,
                    SdoClient::Done::to<&CarMaster::device_type_came>(*this));
     return;
   }

@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::uint32_t off = 0x8000'0000;
 constexpr std::uint32_t not_on_request = 0x4000'0000;
-constexpr std::uint16_t first_mesh_server = 0x1201;
-constexpr std::uint16_t first_mesh_client = 0x1280;
+constexpr std::uint16_t first_mesh_server = object_index::sdo_server + 1;
+constexpr std::uint16_t first_mesh_client = object_index::sdo_client;
 constexpr std::uint16_t error_control = 0x700;
 constexpr std::uint16_t default_request = 0x600;
 constexpr unsigned offset_mask = pdos_per_node - 1;

@@ -1,12 +1,12 @@
 #include "canvoy/devices/cia852/collision_watch.hpp"
 
+#include "canvoy/canopen/dictionary/object_index.hpp"
+
 namespace canvoy::cia852 {
 
 namespace {
 
 constexpr std::uint16_t collision_code = 0x8150;
-constexpr std::uint16_t first_tpdo = 0x1800;
-constexpr std::uint16_t last_tpdo = 0x19FF;
 constexpr std::uint8_t cob_id_sub = 1;
 
 Error collision(std::uint16_t can_id) {
@@ -18,8 +18,8 @@ Error collision(std::uint16_t can_id) {
 }  // namespace
 
 constexpr HookCalls CollisionWatch::hook_calls[] = {
-    {.first = first_tpdo,
-     .last = last_tpdo,
+    {.first = object_index::tpdo_parameter,
+     .last = object_index::tpdo_parameter_last,
      .sub_first = cob_id_sub,
      .sub_last = cob_id_sub,
      .after_write = method<&CollisionWatch::written>}};
@@ -49,7 +49,8 @@ void CollisionWatch::listen_anew() {
        {can_id::emergency, can_id::sdo_response, can_id::error_control}) {
     listen_to(static_cast<std::uint16_t>(of_node + node_.id()));
   }
-  for (std::uint16_t index = first_tpdo; index <= last_tpdo; ++index) {
+  for (std::uint16_t index = object_index::tpdo_parameter;
+       index <= object_index::tpdo_parameter_last; ++index) {
     const Result<Entry> entry = node_.dictionary().find(index, cob_id_sub);
     if (!entry) continue;
     const CobId cob_id{node_.dictionary().word(index, cob_id_sub)};

@@ -1,5 +1,7 @@
 #include "canvoy/formats/sheet/data_sheet.hpp"
 
+#include "canvoy/canopen/dictionary/object_index.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -101,7 +103,9 @@ bool is_writable(const SheetEntry& entry) {
 SheetObject::Group group_of(unsigned index) {
   constexpr unsigned manufacturer_first = 0x2000;
   constexpr unsigned manufacturer_last = 0x5FFF;
-  if (index == 0x1000 || index == 0x1001 || index == 0x1018) return SheetObject::Group::mandatory;
+  if (index == object_index::device_type || index == object_index::error_register ||
+      index == object_index::identity)
+    return SheetObject::Group::mandatory;
   const bool own = index >= manufacturer_first && index <= manufacturer_last;
   return own ? SheetObject::Group::manufacturer : SheetObject::Group::optional;
 }

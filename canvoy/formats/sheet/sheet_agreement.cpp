@@ -167,8 +167,10 @@ void make_agree(DataSheet& sheet) {
   if (granularity && (granularity->number != 0) != can_change) {
     set("Granularity", can_change ? "1" : "0");
   }
-  set("NrOfRXPDO", fmt::format("{}", sheet.count_objects(0x1400, 0x15FF)));
-  set("NrOfTXPDO", fmt::format("{}", sheet.count_objects(0x1800, 0x19FF)));
+  set("NrOfRXPDO", fmt::format("{}", sheet.count_objects(object_index::rpdo_parameter,
+                                                         object_index::rpdo_parameter_last)));
+  set("NrOfTXPDO", fmt::format("{}", sheet.count_objects(object_index::tpdo_parameter,
+                                                         object_index::tpdo_parameter_last)));
 }
 
 void check_agreement(const DataSheet& sheet, Findings& findings) {

@@ -29,7 +29,7 @@ bool is_pdo_parameter(std::uint16_t index) {
          is_between(index, object_index::tpdo_parameter, object_index::tpdo_parameter_last);
 }
 bool is_sdo_channel(std::uint16_t index) {
-  return is_between(index, 0x1201, 0x12FF);
+  return is_between(index, object_index::sdo_server + 1, object_index::sdo_client_last);
 }
 
 /// What an RPDO may carry: a TPDO's entry that SDO may write is `rwr`.
@@ -68,7 +68,7 @@ class Maker {
   /// Devices of CiA 417 have their objects and PDOs where their lift has them: what is of lift 3 is
   /// not there before 6001h says so.
   bool is_of_lift() const {
-    const SheetEntry* type = sheet_.find(0x1000, 0);
+    const SheetEntry* type = sheet_.find(object_index::device_type, 0);
     if (type == nullptr) return false;
     const auto number = sheet_number(type->value.empty() ? type->default_value : type->value);
     return number && (number->number & 0xFFFF) == cia417::profile_number;

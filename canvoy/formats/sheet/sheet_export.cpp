@@ -221,18 +221,19 @@ void SheetMaker::add_basics(std::uint32_t device_type) {
     if (!has(index)) add_variable(index, entry);
   };
   const std::string type_text = sheet_number_text(device_type, unsigned32);
-  add_missing(0x1000, made_entry("Device type", unsigned32, "ro", type_text));
+  add_missing(object_index::device_type, made_entry("Device type", unsigned32, "ro", type_text));
   // A profile that describes 1000h itself leaves its value to the device.
-  SheetEntry& type_entry = sheet_.objects[0x1000].own;
+  SheetEntry& type_entry = sheet_.objects[object_index::device_type].own;
   const auto type_number = sheet_number(type_entry.default_value);
   if (type_number && type_number->number == 0) type_entry.default_value = type_text;
   SheetEntry error_register = made_entry("Error register", unsigned8, "ro", "0x00");
   error_register.pdo_mapping = true;
-  add_missing(0x1001, error_register);
-  add_missing(0x1017, made_entry("Producer heartbeat time", unsigned16, "rw", "0x0000"));
-  if (has(0x1018)) return;
+  add_missing(object_index::error_register, error_register);
+  add_missing(object_index::heartbeat_producer,
+              made_entry("Producer heartbeat time", unsigned16, "rw", "0x0000"));
+  if (has(object_index::identity)) return;
   const auto hex = [](std::uint32_t number) { return sheet_number_text(number, unsigned32); };
-  add_record(0x1018, "Identity object").subs = {
+  add_record(object_index::identity, "Identity object").subs = {
       {0, made_entry("Highest sub-index supported", unsigned8, "const", "0x04")},
       {1, made_entry("Vendor-ID", unsigned32, "ro", hex(identity_.vendor_id))},
       {2, made_entry("Product code", unsigned32, "ro", hex(identity_.product_code))},

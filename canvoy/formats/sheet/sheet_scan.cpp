@@ -25,7 +25,9 @@ bool is_readable(const SheetEntry& entry) {
 
 /// What tells a device from others does not change: its value is its default.
 bool is_fixed(std::uint16_t index) {
-  constexpr std::uint16_t fixed[] = {0x1000, 0x1008, 0x1009, 0x100A, 0x1018};
+  constexpr std::uint16_t fixed[] = {object_index::device_type, object_index::device_name,
+                                     object_index::hardware_version, object_index::software_version,
+                                     object_index::identity};
   return std::ranges::find(fixed, index) != std::end(fixed);
 }
 

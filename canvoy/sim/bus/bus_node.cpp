@@ -1,13 +1,14 @@
 #include "canvoy/sim/bus/bus_node.hpp"
 
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/sim/device_name.hpp"
 
 namespace canvoy::bus {
 
 namespace {
 
-constexpr std::uint16_t rpdo_mappings = 0x1600;
-constexpr std::uint16_t tpdo_mappings = 0x1A00;
+constexpr std::uint16_t rpdo_mappings = object_index::rpdo_mapping;
+constexpr std::uint16_t tpdo_mappings = object_index::tpdo_mapping;
 constexpr std::uint16_t to_mapping = 0x200;
 constexpr std::uint16_t pdos_looked_at = 64;
 

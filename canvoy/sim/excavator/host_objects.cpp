@@ -1,13 +1,14 @@
 #include "canvoy/sim/excavator/host_objects.hpp"
 
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/canopen/little_endian.hpp"
 
 namespace canvoy::excavator {
 
 namespace {
 
-constexpr std::uint16_t to_parameter = 0x1400;
-constexpr std::uint16_t to_mapping = 0x1600;
+constexpr std::uint16_t to_parameter = object_index::rpdo_parameter;
+constexpr std::uint16_t to_mapping = object_index::rpdo_mapping;
 constexpr std::uint16_t transmit = 0x400;  ///< from RPDOs to TPDOs
 
 NodeValue host_value_of(std::uint16_t index, unsigned sub, std::uint32_t value, unsigned bytes) {
@@ -106,7 +107,7 @@ void add_outputs(std::vector<NodeValue>& values) {
 }  // namespace
 
 std::vector<NodeValue> host_configuration(Duration seat_time_out) {
-  constexpr std::uint16_t consumers = 0x1016;
+  constexpr std::uint16_t consumers = object_index::heartbeat_consumers;
   const auto in_ms = [](Duration time) {
     return static_cast<std::uint32_t>(
         std::chrono::duration_cast<std::chrono::milliseconds>(time).count());

@@ -32,8 +32,8 @@ struct StoreVerb {
   std::string_view signature;
   std::string_view done;
 };
-constexpr StoreVerb storing = {"store", 0x1010, "save", "has stored"};
-constexpr StoreVerb restoring = {"restore", 0x1011, "load",
+constexpr StoreVerb storing = {"store", object_index::store_parameters, "save", "has stored"};
+constexpr StoreVerb restoring = {"restore", object_index::restore_parameters, "load",
                                  "takes its defaults at the next reset of"};
 
 constexpr auto store_groups =

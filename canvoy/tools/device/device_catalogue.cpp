@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/devices/cia407/bus_device.hpp"
 #include "canvoy/devices/cia447/car_device.hpp"
 #include "canvoy/profiles/cia301.hpp"
@@ -18,7 +19,6 @@ namespace canvoy::tools {
 
 namespace {
 
-constexpr std::uint16_t device_type_index = 0x1000;
 constexpr std::uint16_t device_types_index = 0x6000;
 
 constexpr DeviceForm bootloader_forms[] = {{.parts =
@@ -44,7 +44,7 @@ std::uint32_t initial_value(const Part& part, const EntryInfo& entry) {
 /// What 1000h says that the device is; and where it is several, 6000h, which has the high words.
 std::vector<std::uint32_t> device_types(const DeviceKind& kind) {
   std::vector<std::uint32_t> types;
-  const Part* own = find_part(kind, device_type_index);
+  const Part* own = find_part(kind, object_index::device_type);
   if (own == nullptr) return types;
   types.push_back(initial_value(*own, own->object().entry));
   const Part* several = find_part(kind, device_types_index);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/devices/cia447/car_device.hpp"
 #include "canvoy/tools/device/bootloader.hpp"
 #include "canvoy/tools/failure.hpp"
@@ -26,10 +27,9 @@ class HostedDevice::HeartbeatOption {
   void reset(ResetScope) {
     std::uint8_t bytes[2];
     store(bytes, static_cast<std::uint16_t>(period_ms_));
-    node_.dictionary().write(producer_heartbeat, 0, bytes, Source::application);
+    node_.dictionary().write(object_index::heartbeat_producer, 0, bytes, Source::application);
   }
 
-  static constexpr std::uint16_t producer_heartbeat = 0x1017;
   Node& node_;
   unsigned period_ms_;
   Service service_;

@@ -9,6 +9,7 @@
 #include <array>
 
 #include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/devices/cia417/bus_warning.hpp"
 #include "canvoy/devices/cia417/group/group_controller.hpp"
 #include "canvoy/devices/cia417/group/group_member.hpp"
@@ -44,9 +45,9 @@ class GroupMemberDevice {
 
  private:
   void restored(ResetScope) {
-    constexpr std::uint16_t watched_nodes_object = 0x1016;
-    const std::uint64_t time_ms = node().dictionary().number(watched_nodes_object, 1) & 0xFFFF;
-    node().dictionary().set_number(watched_nodes_object, 1,
+    const std::uint64_t time_ms =
+        node().dictionary().number(object_index::heartbeat_consumers, 1) & 0xFFFF;
+    node().dictionary().set_number(object_index::heartbeat_consumers, 1,
                                    std::uint64_t{group_controller_} << 16 | time_ms);
   }
 

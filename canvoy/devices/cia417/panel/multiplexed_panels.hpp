@@ -11,15 +11,16 @@
 // the rest where its layout has 5F11h.
 #pragma once
 
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/devices/cia417/panel/virtual_input_rpdos.hpp"
 #include "canvoy/devices/cia417/panel/virtual_mpdo.hpp"
 
 namespace canvoy::cia417 {
 
 /// The number of the RPDO from node-ID 1.
-inline constexpr std::uint16_t first_multiplexed_rpdo = number_of_rpdo(0x1401);
+inline constexpr std::uint16_t first_multiplexed_rpdo =
+    number_of_rpdo(object_index::rpdo_parameter + 1);
 inline constexpr std::uint32_t first_multiplexed_cob_id = 0x501;
-inline constexpr std::uint16_t dispatching_list = 0x1FD0;
 
 /// Whether a dictionary has what multiplexed_panels() adds.
 constexpr bool hears_multiplexed(const DictionaryTables& tables) {
@@ -55,14 +56,15 @@ inline void use_multiplexed_panels(Dictionary& dictionary, unsigned count, NodeI
                                    unsigned first = first_multiplexed_rpdo) {
   for (unsigned id = 1; id <= count; ++id) {
     if (id == own) continue;
-    const auto parameter = static_cast<std::uint16_t>(0x1400 + first + id - 2);
+    const auto parameter =
+        static_cast<std::uint16_t>(object_index::rpdo_parameter + first + id - 2);
     dictionary.set_number(parameter, 1, first_multiplexed_cob_id + id - 1);
     // Two objects from 5F10h:01h of that node on, into its two of 5F11h.
     const std::uint64_t entry = std::uint64_t{2} << 56 |
                                 std::uint64_t{received_parts_object.index} << 40 |
                                 std::uint64_t{2 * id - 1} << 32 |
                                 std::uint64_t{record_parts_object.index} << 16 | 1U << 8 | id;
-    dictionary.set_number(dispatching_list, static_cast<std::uint8_t>(id), entry);
+    dictionary.set_number(object_index::dispatching_list, static_cast<std::uint8_t>(id), entry);
   }
 }
 

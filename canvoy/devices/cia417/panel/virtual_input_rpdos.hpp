@@ -8,6 +8,7 @@
 #pragma once
 
 #include "canvoy/canopen/dictionary/dictionary.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/profiles/cia417/lift_device.hpp"
 
 namespace canvoy::cia417 {
@@ -70,7 +71,7 @@ consteval auto virtual_input_rpdos() {
 inline void use_panels(Dictionary& dictionary, unsigned count, NodeId own,
                        unsigned first = first_input_rpdo) {
   for (unsigned i = 0; i < count; ++i) {
-    const auto parameter = static_cast<std::uint16_t>(0x1400 + first - 1 + i);
+    const auto parameter = static_cast<std::uint16_t>(object_index::rpdo_parameter + first - 1 + i);
     if (i + 1 != own) dictionary.set_number(parameter, 1, first_input_cob_id + i);
   }
 }
