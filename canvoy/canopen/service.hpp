@@ -75,6 +75,11 @@ struct ServiceEvent {
   const Entry& entry() const { return *static_cast<const Entry*>(subject); }
   std::span<const std::uint8_t> value() const { return {data, number}; }
   bool is_access() const { return kind >= before_read; }
+  /// Of a kind of access, and of all: bits of ObjectState::hooks.
+  static constexpr std::uint8_t bit_of(Kind kind) {
+    return static_cast<std::uint8_t>(1U << (kind - before_read));
+  }
+  static constexpr std::uint8_t all_accesses = 0x0F;
 
   /// With the domain in place of the entry that was asked for.
   void serve(const Domain& domain) {
@@ -151,6 +156,16 @@ struct HookCalls {
   AbortCode (*before_read)(void*, const Entry&) = nullptr;
   AbortCode (*before_write)(void*, const Entry&, std::span<const std::uint8_t> value) = nullptr;
   void (*after_write)(void*, const Entry&, Source) = nullptr;
+
+  /// What it is asked or told of: see ServiceEvent::bit_of().
+  constexpr std::uint8_t accesses() const {
+    const auto bit_if = [](bool has_function, ServiceEvent::Kind kind) {
+      return has_function ? ServiceEvent::bit_of(kind) : 0;
+    };
+    return static_cast<std::uint8_t>(bit_if(before_read != nullptr, ServiceEvent::before_read) |
+                                     bit_if(before_write != nullptr, ServiceEvent::before_write) |
+                                     bit_if(after_write != nullptr, ServiceEvent::after_write));
+  }
 };
 
 /// What a class of services does as the life of its node goes on, as ServiceEvent has it: constant,

@@ -4,7 +4,7 @@ file(GLOB tested CONFIGURE_DEPENDS device_node_test.cpp dictionary/dictionary_*_
   node_test.cpp pdo/pdo_*_test.cpp router_test.cpp pdo/rpdo_*test.cpp sdo/sdo_server_*test.cpp sdo/sdo_state_test.cpp
   sync/sync_*test.cpp timer_queue_test.cpp pdo/tpdo_*test.cpp lss/lss_slave_*_test.cpp)
 get_target_property(sources canvoy_canopen SOURCES)
-file(GLOB can CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/canvoy/can/*.cpp")
+file(GLOB can CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/canvoy/can/*.cpp" "${PROJECT_SOURCE_DIR}/canvoy/can/simulated/*.cpp")
 list(FILTER can EXCLUDE REGEX "_test\\.cpp$")
 
 add_executable(canvoy_small_machine_test ${tested} "${PROJECT_SOURCE_DIR}/tests/embed/constant_node_test.cpp" ${sources} ${can})
@@ -21,18 +21,18 @@ target_precompile_headers(canvoy_small_machine_test REUSE_FROM canvoy_test_heade
 # without one, times beyond its 55 bits; what it refuses otherwise (a mapping record that the application overwrites);
 # and a backlog from which the frames of a PDO that is no more are taken: they leave as soon as there is room.
 set(absent
-  DeviceNode.has_a_route_for_each_service_and_all_that_1028h_may_name
+  DeviceNode.HasARouteForEachServiceAndAllThat1028hMayName
   DictionaryChanges.*
-  DictionaryHook.is_counted_as_a_revision
-  DictionaryString.tells_its_watchers_of_a_change_of_length_as_well
-  NodeValues.are_announced_when_the_node_is_called
+  DictionaryHook.IsCountedAsARevision
+  DictionaryString.TellsItsWatchersOfAChangeOfLengthAsWell
+  NodeValues.AreAnnouncedWhenTheNodeIsCalled
   PdoMapping.WhichTheApplicationOverwritesUnderAWorkingPdoTouchesNoOtherValue
   Rpdo.IsRefusedWhereNoRouteIsLeft
   Rpdo.WithoutMemoryForItsValuesRefusesTheirNumber
   SdoServerBlockDownload.TheBlockSizeIs127UnlessTheOwnerWantsLess
   SdoServerTest.TheTimeOutIsTheOwnersChoice
   SdoServerTest.ValuesOfEightBytesNeedNoBuffer
-  TimerQueue.serves_times_before_the_start_and_at_the_end_of_all_days
+  TimerQueue.ServesTimesBeforeTheStartAndAtTheEndOfAllDays
   Tpdo.IsRefusedWhereNoRouteForItsRemoteFramesIsLeft
   Tpdo.ThatBecomesInvalidIsForgottenWithWhatWaitsForRoom
   Tpdo.WatchesItsValuesOnlyWhileItIsSentForEvents)

@@ -118,9 +118,12 @@ AbortCode put_to(const HookCalls& calls, void* service, const ServiceEvent& acce
   }
 }
 
+/// Writes `count` numbers, and says what comes behind them. Most often it is one.
 template <class Number>
-void fill(std::uint8_t* values, Number number, unsigned count) {
-  for (unsigned i = 0; i < count; ++i) store(values + i * sizeof number, number);
+std::uint8_t* fill(std::uint8_t* values, Number number, unsigned count) {
+  store(values, number);
+  for (; count > 1; --count) store(values += sizeof number, number);
+  return values + sizeof number;
 }
 
 [[gnu::always_inline]] inline const ObjectRow* search(std::span<const ObjectRow> objects,
@@ -165,7 +168,7 @@ inline const EntryShape* Dictionary::find_row(const ObjectRow& object, std::uint
   return row != nullptr && sub <= row->sub_last ? row : nullptr;
 }
 
-AbortCode Dictionary::locate(Entry& entry) const {
+[[gnu::always_inline]] inline AbortCode Dictionary::look_up(Entry& entry) const {
   const ObjectRow* object = find_object(entry.index);
   if (object == nullptr) return AbortCode::no_object;
   const EntryShape* row = find_row(*object, entry.sub);
@@ -180,6 +183,15 @@ AbortCode Dictionary::locate(Entry& entry) const {
   }
   entry.value = place == 0 ? value : value + place * row->pitch();
   return AbortCode::none;
+}
+
+AbortCode Dictionary::locate(Entry& entry) const {
+  return look_up(entry);
+}
+
+/// For who takes a number alone: a host then finds out nothing else.
+[[gnu::always_inline]] inline bool Dictionary::has_value(Entry& entry) const {
+  return (is_small_machine ? locate(entry) : look_up(entry)) == AbortCode::none;
 }
 
 Result<Entry> Dictionary::find(std::uint16_t index, std::uint8_t sub) const {
@@ -341,7 +353,7 @@ AbortCode Dictionary::check(const Entry& entry, std::span<const std::uint8_t> va
   if (answer == AbortCode::none && tables_.check_number != nullptr) {
     answer = tables_.check_number(tables_, *entry.row, value.data());
   }
-  if (answer != AbortCode::none || !entry.is_hooked()) return answer;
+  if (answer != AbortCode::none || !entry.is_hooked(ServiceEvent::before_write)) return answer;
   ServiceEvent event{.kind = ServiceEvent::before_write,
                      .number = static_cast<std::uint32_t>(value.size()),
                      .subject = &entry,
@@ -355,7 +367,7 @@ void Dictionary::commit(const Entry& entry, std::span<const std::uint8_t> value,
 }
 
 void Dictionary::announce(const Entry& entry, Source source) {
-  if (!entry.is_hooked()) return;
+  if (!entry.is_hooked(ServiceEvent::after_write)) return;
   tell(ServiceEvent::after_write, static_cast<std::uint32_t>(source), &entry);
 }
 
@@ -401,14 +413,14 @@ void Dictionary::set_word(std::uint16_t index, std::uint32_t number) {
 std::uint64_t Dictionary::number(std::uint16_t index, std::uint8_t sub) const {
   Entry entry{.index = index, .sub = sub};
   std::uint64_t number = 0;
-  if (locate(entry) != AbortCode::none || entry.row->bits == 0) return number;
+  if (!has_value(entry) || entry.row->bits == 0) return number;
   std::memcpy(&number, entry.value, entry.row->capacity);
   return number;
 }
 
 std::uint32_t Dictionary::word(std::uint16_t index, std::uint8_t sub, std::uint32_t absent) const {
   Entry entry{.index = index, .sub = sub};
-  return locate(entry) == AbortCode::none ? entry.word() : absent;
+  return has_value(entry) ? entry.word() : absent;
 }
 
 std::uint32_t Dictionary::word(std::uint16_t index) const {
@@ -416,7 +428,7 @@ std::uint32_t Dictionary::word(std::uint16_t index) const {
 }
 
 const Domain* Dictionary::domain(const Entry& entry) const {
-  if (!entry.is_hooked()) return nullptr;
+  if (!entry.is_hooked(ServiceEvent::domain_wanted)) return nullptr;
   ServiceEvent event{.kind = ServiceEvent::domain_wanted, .subject = &entry};
   return tell(event) == 0 ? nullptr : static_cast<const Domain*>(event.subject);
 }
@@ -442,23 +454,23 @@ void Dictionary::attach(Hook& hook) {
   link.next_ = services_;
   if (services_ == nullptr) last_ = &link.next_;
   services_ = &link;
-  mark_hooked(hook.first, hook.last);
+  mark_hooked(hook.first, hook.last, ServiceEvent::all_accesses);
 }
 
 void Dictionary::mark_hooked(const ServiceLink& service) {
   for (const HookCalls& calls : service.calls_->hooks) {
     mark_hooked(static_cast<std::uint16_t>(calls.first + service.shift_),
-                static_cast<std::uint16_t>(calls.last + service.shift_));
+                static_cast<std::uint16_t>(calls.last + service.shift_), calls.accesses());
   }
 }
 
-void Dictionary::mark_hooked(std::uint16_t first, std::uint16_t last) {
+void Dictionary::mark_hooked(std::uint16_t first, std::uint16_t last, std::uint8_t accesses) {
   if constexpr (is_small_machine) return;
   ++revision_.value;
   for (std::size_t row = 0; row < tables_.objects.size(); ++row) {
     const ObjectRow& object = tables_.objects[row];
     const bool apart = object.index > last || object.index + object.count - 1 < first;
-    if (!apart) states_.value[row].hooked = true;
+    if (!apart) states_.value[row].hooks |= accesses;
   }
 }
 
@@ -482,7 +494,7 @@ void Dictionary::restore_defaults(std::uint16_t first, std::uint16_t last, std::
     if constexpr (!is_small_machine) {
       entry.state.value = states_.value + (&object - tables_.objects.data());
     }
-    const EntryShape* const rows = tables_.entries.data() + object.entry_first;
+    const std::span<const EntryShape> rows = tables_.entries_of(object);
     const std::uint32_t* places = tables_.defaults_of(object, object.index);
     for (unsigned index = object.index; index < unsigned{object.index} + object.count; ++index) {
       const bool is_wanted = index >= first && index <= last;
@@ -491,45 +503,52 @@ void Dictionary::restore_defaults(std::uint16_t first, std::uint16_t last, std::
       if constexpr (!is_small_machine) {
         if (!is_wanted || entry.watchers() == 0) {
           std::uint8_t* const next = entry.value + object.pitch;
-          entry.row = is_wanted ? rows : rows + object.entry_count;
-          for (; entry.row != rows + object.entry_count; ++entry.row) {
-            restore_unwatched(entry, *place++, node_id);
-          }
+          if (is_wanted) restore_unwatched(rows, entry, place, node_id);
           entry.value = next;
           continue;
         }
       }
-      for (entry.row = rows; entry.row != rows + object.entry_count; ++entry.row, ++place) {
-        for (unsigned sub = entry.row->sub_first; sub <= entry.row->sub_last; ++sub) {
+      for (const EntryShape& row : rows) {
+        entry.row = &row;
+        for (unsigned sub = row.sub_first; sub <= row.sub_last; ++sub) {
           if (is_wanted) restore_default(entry, *place, node_id);
-          entry.value += entry.row->pitch();
+          entry.value += row.pitch();
         }
+        ++place;
       }
     }
   }
 }
 
-/// All sub-indices of a row of which nobody is to be told.
-[[gnu::always_inline]] inline void Dictionary::restore_unwatched(Entry& entry, std::uint32_t place,
+/// All entries of an object of which nobody is to be told.
+[[gnu::always_inline]] inline void Dictionary::restore_unwatched(std::span<const EntryShape> rows,
+                                                                 Entry& entry,
+                                                                 const std::uint32_t* place,
                                                                  std::uint8_t node_id) {
-  const EntryShape& row = *entry.row;
-  const unsigned count = row.sub_last - row.sub_first + 1U;
-  const std::uint32_t number = has(row.traits, EntryTraits::plus_node_id) ? place + node_id : place;
-  const unsigned size = row.is_text() ? 0 : row.capacity;
-  if (size == 1) {
-    fill(entry.value, static_cast<std::uint8_t>(number), count);
-  } else if (size == 2) {
-    fill(entry.value, static_cast<std::uint16_t>(number), count);
-  } else if (size == 4) {
-    fill(entry.value, number, count);
-  } else {
-    std::uint8_t* const value = entry.value;
-    for (unsigned i = 0; i < count; ++i, entry.value += row.pitch()) {
-      restore_default(entry, place, node_id);
+  std::uint8_t* value = entry.value;
+  for (const EntryShape& row : rows) {
+    const std::uint32_t number =
+        *place + (has(row.traits, EntryTraits::plus_node_id) ? node_id : 0U);
+    const unsigned count = row.sub_last - row.sub_first + 1U;
+    switch (row.is_text() ? 0 : row.capacity) {
+      case 1:
+        value = fill(value, static_cast<std::uint8_t>(number), count);
+        break;
+      case 2:
+        value = fill(value, static_cast<std::uint16_t>(number), count);
+        break;
+      case 4:
+        value = fill(value, number, count);
+        break;
+      default:
+        entry.row = &row;
+        for (unsigned i = 0; i < count; ++i, value += row.pitch()) {
+          entry.value = value;
+          restore_default(entry, *place, node_id);
+        }
     }
-    entry.value = value;
+    ++place;
   }
-  entry.value += std::size_t{row.pitch()} * count;
 }
 
 inline void Dictionary::restore_default(const Entry& entry, std::uint32_t place,

@@ -146,7 +146,7 @@ struct DictionaryTables {
 struct ObjectState {
   std::uint32_t watchers =
       0;  ///< bit n: a TPDO of which the number modulo 32 is n maps an entry of this row
-  bool hooked = false;
+  std::uint8_t hooks = 0;  ///< accesses of which somebody is asked or told: ServiceEvent::bit_of()
 };
 
 /// One entry, found: lives as long as the dictionary.
@@ -159,8 +159,13 @@ struct Entry {
 
   /// The first four bytes of a number.
   std::uint32_t word() const { return load_word(value, row->capacity); }
-  /// There may be a hook.
-  bool is_hooked() const { return is_small_machine || state.value->hooked; }
+  /// There may be a hook of one of these accesses: ServiceEvent::bit_of().
+  bool is_hooked(unsigned accesses) const {
+    return is_small_machine || (state.value->hooks & accesses) != 0;
+  }
+  bool is_hooked(ServiceEvent::Kind access) const {
+    return is_hooked(unsigned{ServiceEvent::bit_of(access)});
+  }
   std::uint32_t watchers() const { return is_small_machine ? ~0U : state.value->watchers; }
   /// The bytes of the present value.
   std::span<std::uint8_t> bytes() const {
@@ -303,7 +308,8 @@ class Dictionary {
   AbortCode open_read(const Entry& entry) {
     if constexpr (is_small_machine) return refresh(entry);
     const AbortCode answer = check_read(entry);
-    return answer == AbortCode::none && entry.is_hooked() ? refresh(entry) : answer;
+    return answer == AbortCode::none && entry.is_hooked(ServiceEvent::before_read) ? refresh(entry)
+                                                                                   : answer;
   }
 
   /// Checks what CiA 301 asks for (access, length, range, hooks) and writes, or answers why not and
@@ -351,7 +357,7 @@ class Dictionary {
       if (service.frequent_.value.cares != 0) append_frequent(service);
     }
     if (!is_small_machine && service.covers(service.listener_.first)) {
-      mark_hooked(service.listener_.first, service.listener_.last);
+      mark_hooked(service.listener_.first, service.listener_.last, ServiceEvent::all_accesses);
     }
   }
   constexpr void attach(ServiceLink& service) {
@@ -414,6 +420,8 @@ class Dictionary {
   const ObjectRow* find_object(std::uint16_t index) const;
   const ObjectRow* search_object(std::uint16_t index) const;
   const EntryShape* find_row(const ObjectRow& object, std::uint8_t sub) const;
+  AbortCode look_up(Entry& entry) const;
+  bool has_value(Entry& entry) const;
   static AbortCode check_read(const Entry& entry) {
     if (!allows(entry.row->access, Access::sdo_read)) return AbortCode::write_only;
     return entry.row->type == DataType::domain ? AbortCode::unsupported_access : AbortCode::none;
@@ -421,8 +429,9 @@ class Dictionary {
   AbortCode refresh(const Entry& entry);
   std::uint64_t default_of(const EntryShape& row, std::uint32_t place, std::uint8_t node_id) const;
   void restore_default(const Entry& entry, std::uint32_t place, std::uint8_t node_id);
-  void restore_unwatched(Entry& entry, std::uint32_t place, std::uint8_t node_id);
-  void mark_hooked(std::uint16_t first, std::uint16_t last);
+  void restore_unwatched(std::span<const EntryShape> rows, Entry& entry, const std::uint32_t* place,
+                         std::uint8_t node_id);
+  void mark_hooked(std::uint16_t first, std::uint16_t last, std::uint8_t accesses);
   void mark_hooked(const ServiceLink& service);
   constexpr void append(NodeService& service) {
     *last_ = &service;

@@ -219,6 +219,7 @@ class PdoService : protected NodeService {
   /// Finds the object of a mapped value by its position (from 0); false where nobody wants it, as
   /// of a dummy entry.
   bool find_value(const Pdo& pdo, unsigned position, Entry& entry) const;
+  bool find_once(const Pdo& pdo, unsigned position, Entry& entry);
   /// What is done with all values of a PDO.
   enum class Step : std::uint8_t { read, refresh, check, write, announce };
   /// To `image` (read; refresh: hooks may do so before), or from it. Which object cannot have its
@@ -226,17 +227,25 @@ class PdoService : protected NodeService {
   std::uint32_t go_through(const Pdo& pdo, std::uint8_t* image, Step step);
   /// The steps of received data.
   std::uint32_t unpack(const Pdo& pdo, PdoImage& image, Step step) {
+    if (Pdo::has_plans && step == Step::check) places_.value.found.pdo = nullptr;
     if (Pdo::has_plans && !pdo.special_ && step != Step::write) return 0;
     return go_through(pdo, image.data(), step);
   }
 
+  /// The value of a received frame that was looked up last: the steps go through them again.
+  struct FoundValue {
+    const Pdo* pdo = nullptr;
+    unsigned position = 0;
+    Entry entry;
+  };
   /// Where a host keeps what it knows of mapped values.
   struct Places {
     MappedValue* values = nullptr;
     std::uint32_t revision = 0;  ///< Dictionary::revision() when renew() looked last
     std::uint16_t share = 0;     ///< of the values that each PDO may have
     bool are_found = false;      ///< for TPDOs: by PlacesOfValues
-    PdoSet chosen;               ///< TPDOs that wait for SYNC; RPDOs that may hold values for it
+    FoundValue found;
+    PdoSet chosen;  ///< TPDOs that wait for SYNC; RPDOs that may hold values for it
   };
 
   // What is small comes first: a Cortex-M0+ reaches it with shorter instructions.

@@ -140,6 +140,7 @@ AbortCode PdoService::map(Pdo& pdo, unsigned count) {
 inline void PdoService::forget_plan(Pdo& pdo) {
   pdo.plan_ = Pdo::mixed;
   pdo.special_ = pdo.stale_ = pdo.simple_ = false;
+  places_.value.found.pdo = nullptr;
 }
 
 inline void PdoService::keep_place(Pdo& pdo, unsigned position, const Entry& entry, unsigned bits) {
@@ -164,7 +165,11 @@ inline unsigned PdoService::place_of(const Entry& entry) const {
 
 /// What there is to know of its object must be looked up when the value is accessed.
 inline bool PdoService::needs_more(const Entry& entry) const {
-  if (entry.row == nullptr || entry.is_hooked() || entry.row->is_text()) return true;
+  constexpr unsigned received = ServiceEvent::bit_of(ServiceEvent::before_write) |
+                                ServiceEvent::bit_of(ServiceEvent::after_write);
+  constexpr unsigned sent = ServiceEvent::bit_of(ServiceEvent::before_read);
+  if (entry.row == nullptr || entry.row->is_text()) return true;
+  if (entry.is_hooked(is_receive() ? received : sent)) return true;
   const bool is_checked =
       entry.watchers() != 0 || canvoy::has(entry.row->traits, EntryTraits::limited);
   return (is_receive() && is_checked) || place_of(entry) > MappedValue::offset_max;
@@ -227,6 +232,18 @@ bool PdoService::find_value(const Pdo& pdo, unsigned position, Entry& entry) con
   return !Pdo::has_plans || static_cast<std::uint8_t>(written) == values_of(pdo)[position].bits();
 }
 
+/// The same, remembered from one step to the next.
+inline bool PdoService::find_once(const Pdo& pdo, unsigned position, Entry& entry) {
+  FoundValue& found = places_.value.found;
+  if (found.pdo == &pdo && found.position == position) {
+    entry = found.entry;
+    return true;
+  }
+  if (!find_value(pdo, position, entry)) return false;
+  if (is_receive()) found = {&pdo, position, entry};
+  return true;
+}
+
 void PdoService::pack_any(const Pdo& pdo, PdoImage& image, bool asks) {
   image = {};
   if constexpr (Pdo::has_plans) {
@@ -262,7 +279,7 @@ std::uint32_t PdoService::go_through(const Pdo& pdo, std::uint8_t* image, Step s
       if (step == Step::write) extract(image, start, bits, place_of(pdo, i));
       continue;
     }
-    if (!(Pdo::has_plans ? find_value(pdo, i, entry) : is_there(written, entry))) continue;
+    if (!(Pdo::has_plans ? find_once(pdo, i, entry) : is_there(written, entry))) continue;
     if (!access(image, {start, bits}, step, entry)) {
       return static_cast<std::uint32_t>(entry.index) << 16 | unsigned{entry.sub} << 8;
     }
