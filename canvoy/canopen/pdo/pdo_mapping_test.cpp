@@ -407,5 +407,18 @@ TEST(PdoMapping, WhichTheApplicationOverwritesUnderAWorkingPdoTouchesNoOtherValu
   EXPECT_EQ(node.number(0x2000, 1), 0x22U);
 }
 
+TEST(PdoMapping, WhichTheApplicationOverwritesBetweenFramesHoldsForTheNextOne) {
+  PdoNode node;
+  Hook hook{.first = 0x2000, .last = 0x2000};
+  node.node.dictionary().attach(hook);
+  node.map_rpdo(1, 0x205, 255, {0x2000'01'08});
+  node.operate();
+  node.receive("205#11");
+  node.set(0x1600, 1, 0x2000'02'08);
+  node.receive("205#22");
+  EXPECT_EQ(node.number(0x2000, 1), 0x11U);
+  EXPECT_EQ(node.number(0x2000, 2), 0x22U);
+}
+
 }  // namespace
 }  // namespace canvoy::pdo_mapping_test

@@ -122,9 +122,8 @@ void OutputPanelUnit::written(const Entry& entry, Source) {
 }
 
 /// Each panel of a lift hears each record, and most are for others.
-void OutputPanelUnit::record_came(const Entry&, Source) {
-  const std::uint16_t mapping = virtual_output_mapping_object.index;
-  const VirtualOutput record = decode_output(node_.dictionary().number(mapping, 0));
+void OutputPanelUnit::record_came(const Entry& entry, Source) {
+  const VirtualOutput record = decode_output(canvoy::load<std::uint64_t>(entry.value));
   bool is_for_any = false;
   for_each_of(record.function, [&](std::uint32_t output, IoPlace place) {
     // Whether it is enabled is looked up last.
