@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <span>
-#include <utility>
 
 #include "canvoy/can/frame_bits.hpp"
 #include "canvoy/can/simulated/arbitration.hpp"
 
 namespace canvoy {
 namespace {
-
-constexpr std::size_t identifiers = Frame::id_max + std::size_t{1};
 
 SimulatedBusOptions within_limits(SimulatedBusOptions options) {
   const std::size_t most = ControllerSet::capacity;
@@ -20,131 +17,79 @@ SimulatedBusOptions within_limits(SimulatedBusOptions options) {
   return options;
 }
 
-/// For each n the threshold of an error in one of the first n bits. In integers, so that it is the
-/// same everywhere.
-void fill_bit_errors(std::vector<std::uint64_t>& by_bit, Probability rate) {
-  std::uint64_t unharmed = ~std::uint64_t{0};
-  for (std::uint64_t& threshold : by_bit) {
-    threshold = ~unharmed;
-    const std::uint64_t high = (unharmed >> 32) * (rate.threshold() >> 32);
-    const std::uint64_t low = ((unharmed >> 32) * (rate.threshold() & 0xFFFF'FFFF)) >> 32;
-    unharmed -= std::min(unharmed, high + low);
-  }
+PendingFrame pending(const Frame& frame) {
+  return {frame, arbitration_key(frame), frame_bits(frame)};
+}
+
+/// Of two frames with the same arbitration field: whether the first is dominant in the bit in which
+/// they differ. All that follows is sent with the most significant bit first, so that is the order
+/// of numbers.
+bool is_dominant(const Frame& a, const Frame& b) {
+  return a.length != b.length ? a.length < b.length : a.data < b.data;
 }
 
 }  // namespace
 
 SimulatedBus::SimulatedBus(const SimulatedBusOptions& options)
-    : controllers_(within_limits(options).controllers_max),
-      wires_(controllers_.size()),
-      transmit_storage_(controllers_.size() * within_limits(options).transmit_queue_max),
-      receive_storage_(controllers_.size() * within_limits(options).receive_queue_max),
-      accepting_(identifiers),
-      contest_(controllers_.size()),
-      options_(within_limits(options)),
-      random_(options.seed),
-      frame_error_(options.faults.frame_error_probability) {
-  for (Wire& wire : wires_) {
-    wire.bit_ns = bit_time_ns(options_.bit_rate);
-    wire.load = BusLoad(to_ns(Time(options_.load_window)));
-  }
-  const Probability bit_error_rate(options_.faults.bit_error_rate);
-  if (!bit_error_rate.is_zero()) {
-    bit_error_by_.resize(frame_bits_max + 1);
-    fill_bit_errors(bit_error_by_, bit_error_rate);
-  }
-  has_disturbances_ = !frame_error_.is_zero() || !bit_error_by_.empty();
-  fault_ns_ = next_fault_after(-1);
-}
+    : options_(within_limits(options)),
+      controllers_(options_.controllers_max),
+      plugs_(options_.controllers_max),
+      transmit_storage_(options_.controllers_max * options_.transmit_queue_max),
+      receive_storage_(options_.controllers_max * options_.receive_queue_max),
+      cable_(options_.controllers_max, bit_time_ns(options_.bit_rate),
+             to_ns(Time(options_.load_window))),
+      contest_(options_.controllers_max),
+      bit_times_(bit_time_ns(options_.bit_rate)),
+      errors_(options_.seed, options_.faults),
+      timeline_(options_.faults) {}
 
 ControllerId SimulatedBus::attach(const ControllerOptions& options) {
   if (controller_count_ == controllers_.size()) return no_controller;
   const ControllerId id = static_cast<ControllerId>(controller_count_++);
-  const std::span sends(transmit_storage_);
-  const std::span receives(receive_storage_);
-  Controller& controller = controllers_[id];
-  controller.bus = this;
-  controller.id = id;
-  controller.listener = options.listener;
-  controller.on_error = options.on_error;
-  controller.to_send =
-      TransmitQueue(sends.subspan(id * options_.transmit_queue_max, options_.transmit_queue_max),
-                    options.transmit_order);
-  controller.received =
-      ReceiveQueue(receives.subspan(id * options_.receive_queue_max, options_.receive_queue_max));
-  controller.is_listen_only = options.listen_only;
-  controller.queues_received = options.queue_received;
-  controller.recovers_automatically = options.recover_automatically;
-  controller.misreads = Probability(options.misread_probability);
-  controller.clock = DriftingClock(options.clock_drift_ppm);
-  misreading_.assign(id, !controller.misreads.is_zero());
-  if (options.accept_all) {
-    for (ControllerSet& accepting : accepting_) accepting.insert(id);
-    accepting_extended_.insert(id);
-  }
+  const std::size_t sends = options_.transmit_queue_max;
+  const std::size_t receives = options_.receive_queue_max;
+  controllers_[id] =
+      Controller(id, options, std::span(transmit_storage_).subspan(id * sends, sends),
+                 std::span(receive_storage_).subspan(id * receives, receives));
+  plugs_[id] = {.bus = this, .id = id};
+  errors_.set_misreading(id, Probability(options.misread_probability));
+  if (options.accept_all) filters_.accept_all(id);
   contest_.resize(controller_count_);
   for (std::size_t i = 0; i < controller_count_; ++i) offer(controllers_[i]);
-  set_bit_rate(id, options.bit_rate);
-  refresh(controller);
+  bit_times_.set(id, options.bit_rate);
+  participants_.update(controllers_[id]);
+  cable_.layout().append(id);
   rewire();
   return id;
-}
-
-bool SimulatedBus::observe(const BusTap& tap) {
-  if (tap_count_ == taps_max) return false;
-  taps_[tap_count_++] = tap;
-  return true;
 }
 
 bool SimulatedBus::send(ControllerId id, const Frame& frame) {
   const std::uint32_t id_max = frame.is_extended() ? Frame::extended_id_max : Frame::id_max;
   if (frame.is_error() || frame.length > Frame::length_max || frame.id > id_max) return false;
   Controller& controller = at(id);
-  if (!controller.is_powered || controller.is_listen_only) return false;
-  if (!controller.to_send.push({frame, arbitration_key(frame), frame_bits(frame)})) return false;
+  if (!controller.queue(pending(frame))) return false;
   offer(controller);
-  schedule(wires_[controller.wire]);
+  schedule(cable_.wire_of(id));
   return true;
 }
 
-bool SimulatedBus::receive(ControllerId id, Frame& frame) {
-  return at(id).received.pop(frame);
-}
-
 void SimulatedBus::discard_pending(ControllerId id) {
-  at(id).to_send.clear();
+  at(id).discard_pending();
   refresh(at(id));
 }
 
-void SimulatedBus::accept(ControllerId id, std::uint16_t can_id, bool wanted) {
-  if (can_id < identifiers) accepting_[can_id].assign(id, wanted);
-}
-
-void SimulatedBus::accept_extended(ControllerId id, bool wanted) {
-  accepting_extended_.assign(id, wanted);
-}
-
 Port SimulatedBus::port(ControllerId id) {
-  return {.context = &at(id),
+  assert(is_attached(id));
+  return {.context = &plugs_[id],
           .send = [](void* context, const Frame& frame) -> bool {
-            Controller& controller = *static_cast<Controller*>(context);
-            return controller.bus->send(controller.id, frame);
+            const Plug& plug = *static_cast<Plug*>(context);
+            return plug.bus->send(plug.id, frame);
           },
           .accept =
               [](void* context, std::uint16_t can_id, bool wanted) {
-                Controller& controller = *static_cast<Controller*>(context);
-                controller.bus->accept(controller.id, can_id, wanted);
+                const Plug& plug = *static_cast<Plug*>(context);
+                plug.bus->accept(plug.id, can_id, wanted);
               }};
-}
-
-Time SimulatedBus::now() const {
-  return to_time(now_ns_);
-}
-
-std::int64_t SimulatedBus::next_event_of_pieces_ns() const {
-  std::int64_t next_ns = fault_ns_;
-  for (std::size_t i = 0; i < wires_used_; ++i) next_ns = std::min(next_ns, wires_[i].event_ns);
-  return next_ns;
 }
 
 Time SimulatedBus::step(Time until) {
@@ -152,44 +97,44 @@ Time SimulatedBus::step(Time until) {
   return now();
 }
 
-SimulatedBus::Wire& SimulatedBus::earliest_of_pieces() {
-  Wire* earliest = &wires_[0];
-  for (std::size_t i = 1; i < wires_used_; ++i) {
-    if (wires_[i].event_ns < earliest->event_ns) earliest = &wires_[i];
-  }
-  return *earliest;
-}
-
 // All that is asked of the hot path: of the earliest event, whether it is due.
 void SimulatedBus::run(std::int64_t limit_ns, bool stop_when_told) {
   has_told_ = is_interrupted_ = false;
   while (!is_interrupted_ && !(stop_when_told && has_told_)) {
-    Wire& wire = earliest_wire();
-    const std::int64_t event_ns = std::min(wire.event_ns, fault_ns_);
+    Wire& wire = cable_.earliest();
+    const std::int64_t event_ns = std::min(wire.event_ns(), timeline_.next_ns());
     if (event_ns > limit_ns || event_ns == never_ns) {
       if (limit_ns != never_ns) now_ns_ = std::max(now_ns_, limit_ns);
       return;
     }
     now_ns_ = std::max(now_ns_, event_ns);
-    if (fault_ns_ <= event_ns) {
-      apply_fault();
+    if (timeline_.next_ns() <= event_ns) {
+      apply_faults();
     } else {
       handle(wire);
     }
   }
 }
 
+void SimulatedBus::apply_faults() {
+  const FaultsDue due = timeline_.take_next();
+  if (is_attached(due.cut_after)) cut_cable(due.cut_after);
+  if (is_attached(due.mend_after)) mend_cable();
+  if (is_attached(due.babble)) babble(due.babble, timeline_.babble());
+  if (is_attached(due.stop_babbling)) stop_babbling(due.stop_babbling);
+}
+
 void SimulatedBus::handle(Wire& wire) {
-  switch (wire.phase) {
+  switch (wire.phase()) {
     case Wire::Phase::idle:
-      if (!recovering_.empty()) complete_recoveries(wire);
-      wire.start_ns <= now_ns_ ? start_frame(wire) : schedule(wire);
+      if (!recovery_.is_empty()) complete_recoveries(wire);
+      wire.may_start(now_ns_) ? start_frame(wire) : schedule(wire);
       break;
     case Wire::Phase::frame:
-      wire.failure_ns <= now_ns_ ? fail(wire) : deliver(wire);
+      wire.has_failed(now_ns_) ? fail(wire) : deliver(wire);
       break;
     case Wire::Phase::last_bit:
-      wire.failure_ns <= now_ns_ ? fail(wire) : finish(wire);
+      wire.has_failed(now_ns_) ? fail(wire) : finish(wire);
       break;
     case Wire::Phase::ended:
       break;
@@ -197,66 +142,291 @@ void SimulatedBus::handle(Wire& wire) {
 }
 
 void SimulatedBus::schedule(Wire& wire) {
-  if (wire.phase != Wire::Phase::idle) return;
-  const ControllerSet ready = contest_.contenders() & wire.members;
-  wire.start_ns = never_ns;
-  if (!ready.empty()) {
-    const bool is_suspended = (ready - wire.suspended).empty();
-    const std::int64_t free_ns = is_suspended ? wire.suspended_until_ns() : wire.free_ns;
-    wire.start_ns = std::max(free_ns, now_ns_);
-  }
-  wire.event_ns = wire.start_ns;
-  if (recovering_.empty()) return;
+  if (wire.phase() != Wire::Phase::idle) return;
+  wire.await_start(contest_.contenders() & wire.members(), now_ns_);
+  if (recovery_.is_empty()) return;
   // A bit rate that became higher may have put the end of a recovery into the past.
-  wire.event_ns = std::min(wire.event_ns, std::max(next_recovery_ns(wire), now_ns_));
+  wire.wake_at(
+      std::max(recovery_.next_ns(wire.members(), wire.recessive_since_ns(), bit_times_), now_ns_));
 }
 
 /// What the controller has to send, if anything, takes part in the next arbitration.
 void SimulatedBus::offer(const Controller& controller) {
-  if (controller.may_send() && controller.has_pending()) {
-    contest_.enter(controller.id, controller.head().key);
+  if (controller.wants_bus()) {
+    contest_.enter(controller.id(), controller.head().key);
   } else {
-    contest_.leave(controller.id);
+    contest_.leave(controller.id());
   }
 }
 
-void SimulatedBus::refresh(Controller& controller) {
-  const ControllerId id = controller.id;
-  const bool hears = controller.is_powered && controller.state != BusState::bus_off;
-  hearing_.assign(id, hears);
-  acknowledging_.assign(id, hears && !controller.is_listen_only);
-  flagging_.assign(id, acknowledging_.contains(id) && is_error_active(controller.state));
-  with_receive_errors_.assign(id, acknowledging_.contains(id) && controller.counters.receive() > 0);
+/// A controller may send or hear what it could not before, or no longer.
+void SimulatedBus::refresh(const Controller& controller) {
+  participants_.update(controller);
   offer(controller);
-  schedule(wires_[controller.wire]);
+  schedule(cable_.wire_of(controller.id()));
 }
 
-BusState SimulatedBus::state(ControllerId id) const {
-  return at(id).state;
+void SimulatedBus::start_frame(Wire& wire) {
+  if (!recovery_.is_empty()) {
+    recovery_.interrupt(wire.members(), wire.recessive_since_ns(), now_ns_, bit_times_);
+  }
+  const ControllerSet transmitters = elect(wire);
+  const ControllerId leader = transmitters.first();
+  wire.begin(controllers_[leader].head(), bit_times_.of(leader), now_ns_, transmitters,
+             participants_.hearing());
+  transmitters.for_each([this](ControllerId id) { controllers_[id].begin_sending(); });
+  if (transmitters.has_several()) collide(wire);
+  const ControllerSet deaf = errors_.plan(wire, participants_, bit_times_);
+  deaf.for_each([this](ControllerId id) { count_receive_error(controllers_[id], false); });
+  wire.await_delivery();
 }
 
-const ErrorCounters& SimulatedBus::error_counters(ControllerId id) const {
-  return at(id).counters;
+/// All that are ready begin at once; who sends a recessive bit and reads a dominant one withdraws.
+/// Left are those with the lowest key: one, unless identifiers are used twice.
+ControllerSet SimulatedBus::elect(Wire& wire) {
+  const bool anybody_may = cable_.is_one_wire() && wire.suspended().empty();
+  if (anybody_may) return contest_.winners();
+  return contest_.winners_among(wire.admit(contest_.contenders(), now_ns_));
 }
 
-const ControllerStatistics& SimulatedBus::statistics(ControllerId id) const {
-  return at(id).statistics;
+/// Several controllers send the same identifier. Equal frames go on as one. Where they differ, the
+/// one that sends a recessive bit sees a bit error: its error flag destroys the frame, or, if it is
+/// error-passive, is not seen by anyone and it drops out. (It counts that at the start of frame,
+/// not at the bit.)
+void SimulatedBus::collide(Wire& wire) {
+  const ControllerSet together = wire.transmitters();
+  together.for_each([&](ControllerId id) {
+    const PendingFrame& own = controllers_[id].head();
+    if (is_dominant(own.frame, wire.current().frame)) wire.carry(own);
+  });
+  together.for_each([&](ControllerId id) {
+    Controller& sender = controllers_[id];
+    const unsigned bit = first_different_bit(sender.head().frame, wire.current().frame);
+    if (bit == 0) return;
+    if (participants_.flagging().contains(id)) {
+      wire.plan_failure(wire.bit_end_ns(bit), BusErrorKind::bit, id);
+      return;
+    }
+    wire.drop_out(id);
+    count_transmit_error(sender, false);
+  });
 }
 
-bool SimulatedBus::take_overrun(ControllerId id) {
-  return std::exchange(at(id).has_overrun, false);
+void SimulatedBus::deliver(Wire& wire) {
+  wire.await_end();
+  const Frame frame = wire.current().frame;
+  const ControllerSet receivers = wire.receivers();
+  const Time now = to_time(now_ns_);
+  if (wire.will_be_acknowledged()) {
+    observers_.frame_carried(now, wire.transmitters().first(), frame, wire.current().bits);
+  }
+  (receivers & filters_.accepting(frame)).for_each([&](ControllerId id) {
+    hand_over(controllers_[id], now, frame);
+  });
+  (receivers & participants_.with_receive_errors()).for_each([this](ControllerId id) {
+    Controller& controller = controllers_[id];
+    const bool has_changed = controller.count_received();
+    participants_.update(controller);
+    if (has_changed) tell_state(controller);
+  });
+  if (bit_times_.are_mixed()) {
+    const ControllerSet hearing = participants_.hearing() & wire.members();
+    tell_error(bit_times_.other_than(wire.bit_ns(), hearing));
+  }
 }
 
-const DriftingClock& SimulatedBus::clock(ControllerId id) const {
-  return at(id).clock;
+inline void SimulatedBus::hand_over(Controller& controller, Time now, const Frame& frame) {
+  const BusListener& listener = controller.listener();
+  if (controller.take(frame)) return tell(listener.on_frame, listener.context, now, frame);
+  observers_.frame_lost(now, controller.id());
+  tell(listener.on_overrun, listener.context, now);
+}
+
+/// For the transmitter the frame is good when the end of frame is over.
+void SimulatedBus::finish(Wire& wire) {
+  wire.end();
+  const Frame frame = wire.current().frame;
+  const ControllerSet transmitters = wire.transmitters();
+  // What one node does when it is told may be about another one that sent the same frame.
+  to_tell_ = transmitters;
+  transmitters.for_each([this](ControllerId id) {
+    controllers_[id].end_sending();
+    offer(controllers_[id]);
+  });
+  transmitters.for_each([&](ControllerId id) { complete_transmission(controllers_[id], frame); });
+  wire.turn_idle();
+  schedule(wire);
+}
+
+void SimulatedBus::complete_transmission(Controller& controller, const Frame& frame) {
+  const ControllerId id = controller.id();
+  if (!to_tell_.contains(id)) return;
+  if (controller.count_transmitted()) tell_state(controller);
+  if (controller.state() == BusState::error_passive) cable_.wire_of(id).suspend(id);
+  if (!to_tell_.contains(id) || controller.is_sending_babble()) return;
+  tell(controller.listener().on_sent, controller.listener().context, to_time(now_ns_), frame);
+}
+
+/// An error flag of those that have detected the error, and of those that see it only in that flag.
+void SimulatedBus::fail(Wire& wire) {
+  const bool receivers_have_it = wire.phase() == Wire::Phase::last_bit;
+  const ControllerSet transmitters = wire.transmitters();
+  // Those that have dropped out of the frame are no receivers of it.
+  const ControllerSet others =
+      (participants_.acknowledging() & wire.members()) - transmitters - wire.suspended();
+  const ControllerSet first = wire.detectors().empty() ? transmitters : wire.detectors();
+  const bool is_echoed = !((participants_.flagging() & wire.members()) - first).empty();
+  const bool is_unseen = wire.failure_kind() == BusErrorKind::acknowledgement && !is_echoed;
+  wire.end_in_error(is_unseen ? wire.acknowledgement_ns() : now_ns_,
+                    bit_times_.longest(first, wire.bit_ns()), is_echoed);
+  observers_.frame_destroyed(to_time(now_ns_), wire.error(now_ns_));
+
+  transmitters.for_each(
+      [&](ControllerId id) { count_transmit_error(controllers_[id], is_unseen); });
+  if (!receivers_have_it) {
+    others.for_each([&](ControllerId id) {
+      count_receive_error(controllers_[id], is_echoed && first.contains(id));
+    });
+    tell_error((participants_.hearing() & wire.members()) - transmitters);
+  }
+  schedule(wire);
+}
+
+/// A node loses its part in the frame that is on the wire.
+void SimulatedBus::leave_frame(Controller& controller) {
+  const ControllerId id = controller.id();
+  Wire& wire = cable_.wire_of(id);
+  if (!wire.is_busy()) return;
+  wire.leave(id);
+  wire.expect_acknowledgement(participants_.acknowledging(), now_ns_);
+  if (!wire.transmitters().contains(id)) return;
+  controller.break_off();
+  wire.abandon(id, now_ns_);
+}
+
+void SimulatedBus::count_receive_error(Controller& controller, bool alone) {
+  const bool has_changed = controller.count_receive_error(alone);
+  participants_.update(controller);
+  if (has_changed) tell_state(controller);
+}
+
+void SimulatedBus::count_transmit_error(Controller& controller, bool unacknowledged) {
+  controller.break_off();
+  offer(controller);
+  if (controller.count_transmit_error(unacknowledged)) tell_state(controller);
+  if (controller.state() != BusState::error_passive) return;
+  cable_.wire_of(controller.id()).suspend(controller.id());
+}
+
+void SimulatedBus::complete_recoveries(const Wire& wire) {
+  const ControllerSet completed =
+      recovery_.take_completed(wire.members(), wire.recessive_since_ns(), now_ns_, bit_times_);
+  completed.for_each([this](ControllerId id) {
+    if (controllers_[id].restart_counters()) tell_state(controllers_[id]);
+  });
+}
+
+void SimulatedBus::tell_state(Controller& controller) {
+  const BusState state = controller.state();
+  if (state == BusState::bus_off && controller.recovers_automatically()) {
+    recovery_.begin(controller.id(), now_ns_);
+  }
+  refresh(controller);
+  const Time now = to_time(now_ns_);
+  observers_.state_changed(now, controller.id(), state);
+  tell(controller.listener().on_state, controller.listener().context, now, state);
+}
+
+void SimulatedBus::tell_error(const ControllerSet& who) {
+  who.for_each([this](ControllerId id) {
+    const Controller& controller = controllers_[id];
+    tell(controller.on_error(), controller.listener().context, to_time(now_ns_));
+  });
+}
+
+void SimulatedBus::power(ControllerId id, bool on) {
+  Controller& controller = at(id);
+  if (controller.is_powered() == on) return;
+  leave_frame(controller);
+  controller.switch_power(on);
+  recovery_.cancel(id);
+  to_tell_.erase(id);
+  refresh(controller);
+}
+
+void SimulatedBus::set_bit_rate(ControllerId id, std::uint32_t bit_rate) {
+  leave_frame(at(id));
+  bit_times_.set(id, bit_rate);
+}
+
+void SimulatedBus::set_listen_only(ControllerId id, bool on) {
+  Controller& controller = at(id);
+  if (on) leave_frame(controller);
+  controller.set_listen_only(on);
+  refresh(controller);
+}
+
+void SimulatedBus::recover(ControllerId id) {
+  if (at(id).state() != BusState::bus_off || recovery_.is_under_way(id)) return;
+  recovery_.begin(id, now_ns_);
+  schedule(cable_.wire_of(id));
+}
+
+void SimulatedBus::babble(ControllerId id, const Frame& frame) {
+  at(id).babble(pending(frame));
+  refresh(at(id));
+}
+
+void SimulatedBus::stop_babbling(ControllerId id) {
+  at(id).stop_babbling();
+  refresh(at(id));
+}
+
+void SimulatedBus::cut_cable(ControllerId after) {
+  cable_.layout().cut(at(after).id());
+  rewire();
+}
+
+void SimulatedBus::mend_cable() {
+  cable_.layout().mend();
+  rewire();
+}
+
+void SimulatedBus::unplug(ControllerId id) {
+  cable_.layout().unplug(at(id).id());
+  rewire();
+}
+
+void SimulatedBus::plug(ControllerId id) {
+  cable_.layout().plug(at(id).id());
+  rewire();
+}
+
+/// The cable lies otherwise than before.
+void SimulatedBus::rewire() {
+  cable_.frames_that_meet().for_each([this](ControllerId number) {
+    Wire& wire = cable_.wires()[number];
+    wire.spoil();
+    fail(wire);
+  });
+  const Rewired rewired = cable_.rewire(now_ns_);
+  rewired.cut_off.for_each([this](ControllerId id) { controllers_[id].break_off(); });
+  for (Wire& wire : cable_.wires()) {
+    wire.expect_acknowledgement(participants_.acknowledging(), now_ns_);
+    if (!(wire.members() & rewired.interrupted).empty()) wire.hold_after_cut(now_ns_);
+    schedule(wire);
+  }
+  (rewired.interrupted & participants_.acknowledging()).for_each([this](ControllerId id) {
+    count_receive_error(controllers_[id], false);
+  });
 }
 
 double SimulatedBus::load(ControllerId id) const {
-  return controller_count_ == 0 ? 0 : wires_[at(id).wire].load.recent(now_ns_);
+  return controller_count_ == 0 ? 0 : cable_.wire_of(at(id).id()).load().recent(now_ns_);
 }
 
 double SimulatedBus::load_total(ControllerId id) const {
-  return controller_count_ == 0 ? 0 : wires_[at(id).wire].load.total(now_ns_);
+  return controller_count_ == 0 ? 0 : cable_.wire_of(at(id).id()).load().total(now_ns_);
 }
 
 }  // namespace canvoy

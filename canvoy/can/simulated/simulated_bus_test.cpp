@@ -1,5 +1,6 @@
 // What holds on the bus whatever happens: properties over random histories. Single sentences of the
-// standard are in simulated_frame_test.cpp, simulated_errors_test.cpp and simulated_cable_test.cpp.
+// standard are in simulated_bus_frame_test.cpp, simulated_bus_errors_test.cpp and
+// simulated_cable_test.cpp.
 #include "canvoy/can/simulated/simulated_bus.hpp"
 
 #include <gtest/gtest.h>

@@ -1,16 +1,16 @@
-// A CAN controller on the simulated bus: what its node chooses, is told and may read, and what the
-// bus keeps of it.
+// A CAN controller on the simulated bus: what its node chooses, is told and may read, and what it
+// does: queues, fault confinement, and the node that listens.
 //
 //     ControllerOptions options{.listener = {.context = &node, .on_frame = handle}, .listen_only =
 //     true};
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
+#include <span>
+#include <utility>
 
 #include "canvoy/can/frame.hpp"
 #include "canvoy/can/port.hpp"
-#include "canvoy/can/random.hpp"
 #include "canvoy/can/simulated/controller_set.hpp"
 #include "canvoy/can/simulated/drifting_clock.hpp"
 #include "canvoy/can/simulated/fault_confinement.hpp"
@@ -19,8 +19,6 @@
 #include "canvoy/can/time.hpp"
 
 namespace canvoy {
-
-class SimulatedBus;
 
 /// What a node is told by its controller, at the moment it happens. Null: not told.
 struct BusListener {
@@ -61,45 +59,153 @@ struct ControllerStatistics {
   std::uint64_t receive_errors = 0;
 };
 
-/// What the bus keeps of a controller. What it needs to hand over a frame shares a cache line.
-struct alignas(64) SimulatedController {
-  SimulatedBus* bus = nullptr;
-  BusListener listener{};
-  ControllerId id = no_controller;
-  std::uint8_t wire = 0;  ///< the piece of cable that it is on
-  BusState state = BusState::error_active;
-  bool queues_received = false;
-  bool is_powered = true;
-  bool is_plugged = true;
-  bool is_listen_only = false;
-  bool is_babbling = false;
-  ControllerStatistics statistics{};
-
-  void (*on_error)(void* context, Time now) = nullptr;
-  bool is_sending_babble = false;  ///< what is on the wire did not come from the queue
-  bool recovers_automatically = true;
-  bool has_overrun = false;
-  TransmitQueue to_send{};
-  ReceiveQueue received{};
-  ErrorCounters counters{};
-  PendingFrame babble{};
-  std::int64_t bit_ns = 0;
-  Probability misreads{};
-  DriftingClock clock{};
-
-  std::uint32_t recovery_sequences_left =
-      0;  ///< of 11 recessive bits, until it is back from bus-off
-  std::int64_t recovery_counted_to_ns = 0;
-
-  std::int64_t recovery_end_ns(std::int64_t recessive_since_ns) const {
-    const std::int64_t from_ns = std::max(recessive_since_ns, recovery_counted_to_ns);
-    return from_ns + recovery_sequences_left * 11 * bit_ns;
+/// What it has to send and has received, its mode, and its fault confinement. What it needs to hand
+/// over a frame shares a cache line.
+class alignas(64) SimulatedController {
+ public:
+  SimulatedController() = default;
+  SimulatedController(ControllerId id, const ControllerOptions& options,
+                      std::span<PendingFrame> to_send, std::span<Frame> received)
+      : listener_(options.listener),
+        id_(id),
+        queues_received_(options.queue_received),
+        is_listen_only_(options.listen_only),
+        on_error_(options.on_error),
+        recovers_automatically_(options.recover_automatically),
+        to_send_(to_send, options.transmit_order),
+        received_(received),
+        clock_(options.clock_drift_ppm) {
+    if (queues_received_) listener_.on_frame = nullptr;
   }
 
-  bool may_send() const { return is_powered && !is_listen_only && state != BusState::bus_off; }
-  bool has_pending() const { return is_babbling || !to_send.empty(); }
-  /// What it puts on the wire next; only where has_pending().
-  const PendingFrame& head() const { return is_babbling ? babble : to_send.front(); }
+  ControllerId id() const { return id_; }
+  /// Without on_frame, where its node fetches them.
+  const BusListener& listener() const { return listener_; }
+  /// With the listener's context.
+  auto on_error() const { return on_error_; }
+  BusState state() const { return state_; }
+  bool is_powered() const { return is_powered_; }
+  bool is_listen_only() const { return is_listen_only_; }
+  bool recovers_automatically() const { return recovers_automatically_; }
+  const ErrorCounters& counters() const { return counters_; }
+  const ControllerStatistics& statistics() const { return statistics_; }
+  const DriftingClock& clock() const { return clock_; }
+
+  void set_listen_only(bool on) { is_listen_only_ = on; }
+  /// As it comes from a reset: queues empty, counters at zero.
+  void switch_power(bool on) {
+    is_powered_ = on;
+    to_send_.unlock();
+    to_send_.clear();
+    received_.clear();
+    counters_.restart();
+    state_ = BusState::error_active;
+    has_overrun_ = false;
+  }
+
+  /// False: the queue is full, or it cannot send.
+  bool queue(const PendingFrame& frame) {
+    return is_powered_ && !is_listen_only_ && to_send_.push(frame);
+  }
+  /// Drops what waits, except a frame that is on the wire.
+  void discard_pending() { to_send_.clear(); }
+  /// Puts this frame on the wire again and again, in place of what is queued.
+  void babble(const PendingFrame& frame) {
+    babble_ = frame;
+    is_babbling_ = true;
+  }
+  void stop_babbling() { is_babbling_ = false; }
+
+  /// Whether it has something to send, and may.
+  bool wants_bus() const {
+    const bool may_send = is_powered_ && !is_listen_only_ && state_ != BusState::bus_off;
+    return may_send && (is_babbling_ || !to_send_.empty());
+  }
+  /// What it puts on the wire next; only where wants_bus().
+  const PendingFrame& head() const { return is_babbling_ ? babble_ : to_send_.front(); }
+  /// Of what is on the wire, or was: it did not come from the queue, and its node knows nothing of
+  /// it.
+  bool is_sending_babble() const { return is_sending_babble_; }
+  /// Its frame is on the wire, until end_sending() or break_off().
+  void begin_sending() {
+    is_sending_babble_ = is_babbling_;
+    if (!is_babbling_) to_send_.lock();
+  }
+  void end_sending() {
+    if (!is_sending_babble_) to_send_.pop();
+    ++statistics_.sent;
+  }
+  /// It has to be sent again.
+  void break_off() {
+    if (!is_sending_babble_) to_send_.unlock();
+  }
+
+  /// A frame that its filter lets pass; false where it is lost for a full queue.
+  bool take(const Frame& frame) {
+    if (queues_received_ && !received_.push(frame)) [[unlikely]] {
+      ++statistics_.overruns;
+      has_overrun_ = true;
+      return false;
+    }
+    ++statistics_.received;
+    return true;
+  }
+  /// The oldest one that its node has not fetched; false where there is none.
+  bool fetch(Frame& frame) { return received_.pop(frame); }
+  /// Whether frames were lost since it was asked last.
+  bool take_overrun() { return std::exchange(has_overrun_, false); }
+
+  // Fault confinement. Each answers whether the state is another then.
+  bool count_receive_error(bool alone) {
+    ++statistics_.receive_errors;
+    counters_.receive_error();
+    if (alone) counters_.receive_error_alone();
+    return follow_counters();
+  }
+  bool count_transmit_error(bool unacknowledged) {
+    ++statistics_.transmit_errors;
+    unacknowledged ? counters_.acknowledgement_missing() : counters_.transmit_error();
+    return follow_counters();
+  }
+  bool count_received() {
+    counters_.received();
+    return follow_counters();
+  }
+  bool count_transmitted() {
+    if (counters_.transmit() == 0) return false;
+    counters_.transmitted();
+    return follow_counters();
+  }
+  /// Back from bus-off.
+  bool restart_counters() {
+    counters_.restart();
+    return follow_counters();
+  }
+
+ private:
+  bool follow_counters() {
+    const BusState state = counters_.state();
+    return std::exchange(state_, state) != state;
+  }
+
+  BusListener listener_{};
+  ControllerId id_ = no_controller;
+  BusState state_ = BusState::error_active;
+  bool queues_received_ = false;
+  bool is_powered_ = true;
+  bool is_listen_only_ = false;
+  bool is_babbling_ = false;
+  bool is_sending_babble_ = false;  // what is on the wire did not come from the queue
+  ErrorCounters counters_{};
+  ControllerStatistics statistics_{};
+
+  void (*on_error_)(void* context, Time now) = nullptr;
+  bool recovers_automatically_ = true;
+  bool has_overrun_ = false;
+  TransmitQueue to_send_{};
+  ReceiveQueue received_{};
+  PendingFrame babble_{};
+  DriftingClock clock_{};
 };
 
 }  // namespace canvoy

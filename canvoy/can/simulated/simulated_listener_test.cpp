@@ -109,5 +109,18 @@ TEST(Listener, HasErrorCountersThatStandStill) {
   EXPECT_EQ(third.rec(), before - 1);
 }
 
+TEST(Listener, HasErrorCountersThatStandStillWhenItIsCutOffFromAFrame) {
+  SimulatedBus bus;
+  BusTestNode sender(bus);
+  BusTestNode receiver(bus);
+  Listener listener(bus);
+  BusTestNode last(bus);
+  sender.send(sync);
+  bus.advance(Time(bits(20)));
+  bus.cut_cable(receiver.id);
+  EXPECT_EQ(bus.error_counters(listener.id).receive(), 0);
+  EXPECT_EQ(last.rec(), 1);
+}
+
 }  // namespace
 }  // namespace canvoy::simulated_listener_test

@@ -23,13 +23,12 @@ BootManager::BootManager(Node& node, NmtMaster& master, NmtQueue& commands, cons
                settings.guarding,
                settings.options,
                Callback<void(const BootReport&)>::to<&BootManager::report>(*this)},
-      memory_(memory),
-      timer_(Callback<void(Time)>::to<&BootManager::run_due>(*this)) {
-  for (BootSlave& slot : memory_.slots) {
-    slot.prepare(context_, BootSlave::Finished::to<&BootManager::finished>(*this));
-  }
-  master.on_message(Callback<void(NodeId, RemoteState)>::to<&BootManager::heard>(*this));
-  master.on_change(Callback<void(NodeId, RemoteState)>::to<&BootManager::changed>(*this));
+      slaves_(context_, memory,
+              {.booted = Callback<void(NodeId)>::to<&BootManager::booted>(*this),
+               .changed = Callback<void()>::to<&BootManager::check_network>(*this)}) {
+  using Told = Callback<void(NodeId, RemoteState)>;
+  master.on_message(Told::to<&SlaveBoots::heard>(slaves_));
+  master.on_change(Told::to<&SlaveBoots::changed>(slaves_));
   commands.on_sent(Callback<void(const NmtQueue::Request&)>::to<&BootManager::command_sent>(*this));
   node_.attach(service_);
 }
@@ -41,13 +40,13 @@ void BootManager::reset(ResetScope) {
 
 void BootManager::state_entered(NmtState state) {
   if (state == NmtState::initialisation) return;
-  if (state == NmtState::stopped) return rest();
+  if (state == NmtState::stopped) return slaves_.rest();
   if (std::exchange(was_reset_, false)) {
     const NmtStartup wanted = startup();
     if (wanted.is_master() && !wanted.is_flying_master()) become_master();
     if (wanted.is_self_starting()) context_.commands.add({node_.id(), NmtCommand::start});
   }
-  if (is_active()) node_.timers().arm(timer_, node_.now());
+  if (is_active()) slaves_.wake();
 }
 
 /// 1F80h: what is not known here cannot be switched on.
@@ -62,74 +61,29 @@ AbortCode BootManager::check(const Entry& entry, std::span<const std::uint8_t> v
 void BootManager::written(const Entry& entry, Source) {
   if (entry.index != master_object::slave_assignment || !is_active()) return;
   if (!is_node_id(entry.sub) || entry.sub == node_.id()) return;
-  const bool is_slave = assignment(entry.sub).is_slave();
-  if (!is_slave) forget(entry.sub);
-  if (is_slave && record(entry.sub).state == SlaveState::none) queue(entry.sub, node_.now());
+  slaves_.assign(entry.sub, assignment(entry.sub).is_slave());
   check_network();
 }
 
 void BootManager::become_master() {
   if (is_active()) return;
-  for (NodeId slave = node_id_min; slave <= node_id_max; ++slave) {
-    record(slave) = {};
-    if (slave == node_.id() || !assignment(slave).is_slave()) continue;
-    record(slave) = {.due = node_.now(), .since = node_.now(), .state = SlaveState::waiting};
-  }
+  slaves_.begin();
   set_network(NetworkBoot::booting);
   if (!is_active()) return;  // whoever was told had it retire
-  if (context_.options.resets_slaves) reset_slaves();
-  node_.timers().arm(timer_, node_.now());
+  if (context_.options.resets_slaves) slaves_.reset_all();
+  slaves_.wake();
   check_network();
 }
 
-/// All by one command, unless one of them is to be kept alive. What was reset waits for its boot-up
-/// message from when the command is sent: see command_sent().
-void BootManager::reset_slaves() {
-  bool keeps_some = false;
-  for (NodeId slave = node_id_min; slave <= node_id_max; ++slave) {
-    const bool is_slave = record(slave).state != SlaveState::none;
-    keeps_some = keeps_some || (is_slave && assignment(slave).is_kept_alive());
-  }
-  const bool resets_all =
-      !keeps_some &&
-      context_.commands.add({NmtQueue::all_nodes, NmtCommand::reset_communication, true});
-  for (NodeId slave = node_id_min; slave <= node_id_max; ++slave) {
-    if (record(slave).state == SlaveState::none || assignment(slave).is_kept_alive()) continue;
-    const bool is_reset =
-        resets_all || context_.commands.add({slave, NmtCommand::reset_communication});
-    if (is_reset) record(slave).due = never;
-  }
-}
-
 void BootManager::command_sent(const NmtQueue::Request& request) {
-  if (!is_active()) return;
   const bool is_reset = request.command == NmtCommand::reset_communication ||
                         request.command == NmtCommand::reset_node;
-  if (!is_reset) return;
-  const Time due = node_.now() + context_.options.boot_up_time_out;
-  for (NodeId slave = node_id_min; slave <= node_id_max; ++slave) {
-    if (request.node != slave && request.node != NmtQueue::all_nodes) continue;
-    if (BootSlave* slot = find_slot(slave); slot != nullptr) slot->reset_sent();
-    Record& waiting = record(slave);
-    if (waiting.state == SlaveState::waiting && waiting.due == never) queue(slave, due);
-  }
+  if (is_active() && is_reset) slaves_.reset_sent(request.node);
 }
 
 void BootManager::retire() {
-  rest();
-  node_.timers().disarm(timer_);
-  for (NodeId slave = node_id_min; slave <= node_id_max; ++slave) forget(slave);
+  slaves_.retire();
   network_ = NetworkBoot::idle;
-}
-
-/// What is under way begins anew when the node leaves NMT state stopped.
-void BootManager::rest() {
-  for (BootSlave& slot : memory_.slots) {
-    if (!slot.busy()) continue;
-    const NodeId slave = slot.slave();
-    slot.abandon();
-    queue(slave, node_.now());
-  }
 }
 
 /// By one command for all, all have had their chance before it is given: it must not hit a slave in
@@ -144,8 +98,9 @@ void BootManager::check_network() {
   NetworkBoot next = NetworkBoot::complete;
   for (NodeId slave = node_id_min; slave <= node_id_max; ++slave) {
     const SlaveAssignment assigned = assignment(slave);
-    if (!is_waited_for(record(slave), assigned)) continue;
-    const bool has_failed = record(slave).state == SlaveState::failed && assigned.is_mandatory();
+    if (!is_waited_for(slaves_.record(slave), assigned)) continue;
+    const bool has_failed =
+        slaves_.record(slave).state == SlaveState::failed && assigned.is_mandatory();
     if (has_failed) return set_network(NetworkBoot::failed);
     next = NetworkBoot::booting;
   }
@@ -160,12 +115,14 @@ void BootManager::complete() {
   if (wanted.enters_operational()) context_.commands.add({node_.id(), NmtCommand::start});
   if (!wanted.starts_slaves() || !wanted.starts_all_at_once()) return;
   context_.commands.add({NmtQueue::all_nodes, NmtCommand::start, true});
-  for (NodeId slave = node_id_min; slave <= node_id_max; ++slave) {
-    Record& booted = record(slave);
-    if (booted.state != SlaveState::booted || booted.is_started) continue;
-    booted.is_started = true;
-    report({.slave = slave, .event = BootEvent::started, .step = BootStep::done});
-  }
+  slaves_.all_started();
+}
+
+/// Where all are started at once, those that come later are started one by one.
+void BootManager::booted(NodeId slave) {
+  const NmtStartup wanted = startup();
+  const bool waits = wanted.starts_all_at_once() && network_ != NetworkBoot::complete;
+  if (wanted.starts_slaves() && assignment(slave).is_booted() && !waits) slaves_.start(slave);
 }
 
 void BootManager::set_network(NetworkBoot network) {

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <span>
 
-#include "canvoy/canopen/manager/boot_slave.hpp"
+#include "canvoy/canopen/manager/slave_boots.hpp"
 
 namespace canvoy {
 
@@ -24,31 +24,17 @@ namespace canvoy {
 ///
 /// A slave that does not answer (B, or a time-out in a later step) is booted again a second later:
 /// an optional one for ever, a mandatory one until its boot time (1F89h) is over. All other errors
-/// are final. Whatever failed
-/// is booted anew when it sends a boot-up message, or is heard again after it did not answer.
+/// are final. Whatever failed is booted anew when it sends a boot-up message, or is heard again
+/// after it did not answer.
 ///
 /// A slave that restarts without being told is booted anew at once three times; where it does not
 /// leave off for half a minute, after 1, 2, 4 and 8 s, and then it is given up (J, where it was
 /// being configured, or else B). Each further boot-up message is worth one attempt, 8 s later.
 class BootManager {
  public:
-  enum class SlaveState : std::uint8_t { none, waiting, booting, booted, failed };
-  /// What the manager knows of one slave.
-  struct Record {
-    Time due = never;  ///< of its next attempt, while it is waiting
-    Time since{};      ///< begin of the boot time (1F89h)
-    SlaveState state = SlaveState::none;
-    BootError error = BootError::none;
-    Time restarted{};           ///< without being told, last
-    std::uint8_t restarts = 0;  ///< one after the other
-    bool is_fresh = false;      ///< has sent a boot-up message, and nothing was changed since
-    bool was_tried = false;     ///< an attempt has ended
-    bool is_started = false;    ///< commanded into operational, or about to be
-  };
-  struct Memory {
-    std::span<Record, node_id_max> records;
-    std::span<BootSlave> slots;  ///< as many slaves are booted at once; each needs a route
-  };
+  using SlaveState = SlaveBoots::State;
+  using Record = SlaveBoots::Record;
+  using Memory = SlaveBoots::Memory;
   struct Settings {
     BootHooks hooks = {};
     GuardingHooks guarding = {};
@@ -76,12 +62,12 @@ class BootManager {
   bool is_active() const { return network_ != NetworkBoot::idle; }
 
   /// Node guarding found a slave silent.
-  void guarding_lost(NodeId slave) { lost(slave); }
+  void guarding_lost(NodeId slave) { slaves_.lost(slave); }
 
   NetworkBoot network() const { return network_; }
-  SlaveState slave_state(NodeId slave) const;
+  SlaveState slave_state(NodeId slave) const { return slaves_.record(slave).state; }
   /// Why it is not up, or the last error that it met; L where it was not touched.
-  BootError slave_error(NodeId slave) const;
+  BootError slave_error(NodeId slave) const { return slaves_.record(slave).error; }
 
  private:
   void reset(ResetScope scope);
@@ -89,34 +75,14 @@ class BootManager {
   AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
   void written(const Entry& entry, Source source);
 
-  // boot_manager.cpp: the network
-  void reset_slaves();
-  void rest();
   void check_network();
   bool is_waited_for(const Record& record, SlaveAssignment slave) const;
   void complete();
+  void booted(NodeId slave);
   void set_network(NetworkBoot network);
   void command_sent(const NmtQueue::Request& request);
-
-  // boot_manager_slaves.cpp: one slave
-  void heard(NodeId slave, RemoteState state);
-  void changed(NodeId slave, RemoteState state);
-  void booted_up(NodeId slave);
-  void restarted(NodeId slave, BootReport restart);
-  void give_up(NodeId slave, BootReport restart);
-  void lost(NodeId slave);
-  void queue(NodeId slave, Time due);
-  void forget(NodeId slave);
-  void run_due(Time now);
-  NodeId find_due(Time now) const;
-  BootSlave* find_slot(NodeId slave);
-  void finished(BootSlave& slot, BootOutcome outcome);
-  void no_answer(NodeId slave, BootReport report);
-  void succeeded(NodeId slave);
-  void start(NodeId slave);
   void report(const BootReport& report) { told_(report); }
 
-  Record& record(NodeId slave) const { return memory_.records[slave - std::size_t{1}]; }
   SlaveAssignment assignment(NodeId slave) const {
     return slave_assignment(node_.dictionary(), slave);
   }
@@ -124,22 +90,14 @@ class BootManager {
 
   Node& node_;
   BootContext context_;
-  Memory memory_;
+  SlaveBoots slaves_;
   Callback<void(const BootReport&)> told_;
   Callback<void(NetworkBoot)> network_changed_;
-  Timer timer_;
   static const ServiceCalls service_calls;
   static const HookCalls hook_calls[1];
   ServiceLink service_{&service_calls, this};
   NetworkBoot network_ = NetworkBoot::idle;
   bool was_reset_ = false;  ///< and has not begun yet
 };
-
-inline BootManager::SlaveState BootManager::slave_state(NodeId slave) const {
-  return record(slave).state;
-}
-inline BootError BootManager::slave_error(NodeId slave) const {
-  return record(slave).error;
-}
 
 }  // namespace canvoy

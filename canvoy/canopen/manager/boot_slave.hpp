@@ -2,7 +2,7 @@
 // right one, may it be reset, has it the right software and configuration, does its error control
 // work?
 //
-// A BootManager owns the order in which slaves come up, and hands each to one of these. As many as
+// SlaveBoots owns the order in which slaves come up, and hands each to one of these. As many as
 // there are work at once.
 //
 //     BootSlave slots[4] = {BootSlave(node), BootSlave(node), BootSlave(node), BootSlave(node)};
@@ -54,11 +54,11 @@ class BootSlave {
   NodeId slave() const { return slave_; }
 
  private:
-  friend class BootManager;
+  friend class SlaveBoots;
 
   using Finished = Callback<void(BootSlave&, BootOutcome)>;
 
-  // What the manager asks for
+  // What SlaveBoots asks for
   void prepare(BootContext& context, Finished finished);
   /// `is_fresh`: it has just booted, and need not be reset.
   void begin(NodeId slave, bool is_fresh);
@@ -70,6 +70,8 @@ class BootSlave {
   void heard(RemoteState state);
   void reset_sent();
   BootReport report_of(BootEvent event) const;
+  /// Of its slave there is nothing more to do.
+  void release() { slave_ = 0; }
 
   // Is it there, and the right one?
   void ask(BootStep step);

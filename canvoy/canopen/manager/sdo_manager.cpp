@@ -1,6 +1,5 @@
 #include "canvoy/canopen/manager/sdo_manager.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "canvoy/canopen/little_endian.hpp"
@@ -9,13 +8,11 @@ namespace canvoy {
 
 namespace {
 
-bool belongs_to(const DynamicSdoRequest& request, const SdoConnection& connection) {
-  if (connection.client != request.device) return false;
-  if (request.client_parameter != 0) {
-    return request.client_parameter == sdo_client_parameter + connection.client_channel;
-  }
-  if (request.server != 0) return connection.server == request.server;
-  return true;  // the registration, and all with it
+constexpr unsigned lists = 4;
+constexpr unsigned list_length = 254;
+
+constexpr std::uint8_t client_channel(std::uint16_t client_parameter) {
+  return static_cast<std::uint8_t>(client_parameter - sdo_client_parameter);
 }
 
 }  // namespace
@@ -31,10 +28,12 @@ constexpr ServiceCalls SdoManager::service_calls = {
 
 SdoManager::SdoManager(Node& node, std::span<SdoConnection> connections, const Settings& settings)
     : node_(node),
-      connections_(connections),
       settings_(settings),
       client_(node),
-      writes_(node, client_, settings.time_out, settings.tries),
+      connections_(connections),
+      cob_ids_(node.dictionary(), connections_),
+      connector_(node, client_, cob_ids_, {.time_out = settings.time_out, .tries = settings.tries},
+                 SdoConnector::Ended::to<&SdoManager::ended>(*this)),
       timer_(Callback<void(Time)>::to<&SdoManager::work>(*this)) {
   node_.attach(service_);
   node_.router().add(can_id::dynamic_sdo_request, Router::Receiver::to<&SdoManager::called>(*this));
@@ -43,24 +42,20 @@ SdoManager::SdoManager(Node& node, std::span<SdoConnection> connections, const S
 void SdoManager::reset(ResetScope) {
   client_.cancel();
   node_.timers().disarm(timer_);
-  std::ranges::fill(connections_, SdoConnection{});
-  current_ = nullptr;
-  busy_ = call_waits_ = scanning_ = false;
-  heard_.reset();
+  connections_.clear();
+  connector_.reset();
+  search_.reset();
+  asked_ = 0;
 }
 
 void SdoManager::state_entered(NmtState) {
-  if (may_speak()) wake();
-}
-
-bool SdoManager::may_speak() const {
-  return node_.state() == NmtState::pre_operational || node_.state() == NmtState::operational;
+  if (connector_.may_speak()) wake();
 }
 
 void SdoManager::called(const Frame& frame, Time) {
   if (frame.length != 0) return node_.count_malformed();
-  if (!may_speak()) return;
-  call_waits_ = true;
+  if (!connector_.may_speak()) return;
+  search_.call();
   wake();
 }
 
@@ -73,7 +68,7 @@ AbortCode SdoManager::before_write(const Entry& entry, std::span<const std::uint
       return check_release(DynamicSdoRequest::from(number));
     default:
       return entry.sub == 0 ? AbortCode::none
-                            : check_cob_id(entry, static_cast<std::uint32_t>(number));
+                            : cob_ids_.check(entry, static_cast<std::uint32_t>(number));
   }
 }
 
@@ -88,16 +83,12 @@ AbortCode SdoManager::check_request(const DynamicSdoRequest& request) const {
                         request.device != request.server && request.server != node_.id() &&
                         dynamic_sdo::is_client_parameter(request.client_parameter);
   if (!is_sound) return AbortCode::value_range;
-  if (registration(request.device) == nullptr) return AbortCode::device_state;
-  const auto channel = static_cast<std::uint8_t>(request.client_parameter - sdo_client_parameter);
-  const SdoConnection* present = find(request.device, channel);
+  if (!is_registered(request.device)) return AbortCode::device_state;
+  const SdoConnection* present =
+      connections_.find(request.device, client_channel(request.client_parameter));
   if (present == nullptr) {
-    return std::ranges::any_of(connections_,
-                               [](const SdoConnection& connection) {
-                                 return connection.state == SdoConnection::State::unused;
-                               })
-               ? AbortCode::none
-               : AbortCode::no_sdo_connection;
+    const bool has_room = connections_.has(SdoConnection::State::unused);
+    return has_room ? AbortCode::none : AbortCode::no_sdo_connection;
   }
   const bool is_same =
       present->server == request.server && present->state != SdoConnection::State::ending;
@@ -109,120 +100,103 @@ AbortCode SdoManager::check_release(const DynamicSdoRequest& request) const {
       is_node_id(request.device) && request.server <= node_id_max &&
       (request.client_parameter == 0 || dynamic_sdo::is_client_parameter(request.client_parameter));
   if (!is_sound) return AbortCode::value_range;
-  return registration(request.device) == nullptr ? AbortCode::device_state : AbortCode::none;
-}
-
-/// A COB-ID that is given stays as it is until it comes back.
-AbortCode SdoManager::check_cob_id(const Entry& entry, std::uint32_t value) const {
-  const CobId present{load<std::uint32_t>(entry.value)};
-  if (present.raw == value) return AbortCode::none;
-  if (present.valid() && is_given(present.can_id())) return AbortCode::device_state;
-  const CobId wanted{value};
-  if (!wanted.valid()) return AbortCode::none;
-  if (!wanted.is_base_frame() || is_restricted(wanted.can_id())) return AbortCode::value_range;
-  const auto count = static_cast<unsigned>(node_.dictionary().number(dynamic_sdo::cob_ids, 0));
-  for (unsigned sub = 1; sub <= count; ++sub) {
-    const CobId other{static_cast<std::uint32_t>(
-        node_.dictionary().number(dynamic_sdo::cob_ids, static_cast<std::uint8_t>(sub)))};
-    if (sub != entry.sub && other.valid() && other.can_id() == wanted.can_id()) {
-      return AbortCode::parameter_incompatible;
-    }
-  }
-  return AbortCode::none;
+  return is_registered(request.device) ? AbortCode::none : AbortCode::device_state;
 }
 
 /// Asked for again, a connection is written again: its answer may have been lost.
 void SdoManager::request(const DynamicSdoRequest& request) {
-  const auto channel = static_cast<std::uint8_t>(request.client_parameter - sdo_client_parameter);
-  for (SdoConnection& connection : connections_) {
-    if (connection.state == SdoConnection::State::unused) continue;
-    if (connection.client != request.device || connection.client_channel != channel) continue;
-    connection.state = SdoConnection::State::requested;
-    return wake();
+  const std::uint8_t channel = client_channel(request.client_parameter);
+  if (!connections_.request_again(request.device, channel)) {
+    connections_.add({.state = SdoConnection::State::requested,
+                      .client = request.device,
+                      .client_channel = channel,
+                      .server = request.server});
   }
-  add({.state = SdoConnection::State::requested,
-       .client = request.device,
-       .client_channel = channel,
-       .server = request.server});
   wake();
 }
 
 void SdoManager::release(const DynamicSdoRequest& request) {
-  for (SdoConnection& connection : connections_) {
-    const bool is_used = connection.state != SdoConnection::State::unused;
-    if (is_used && belongs_to(request, connection)) {
-      connection.state = SdoConnection::State::ending;
-    }
-  }
+  connections_.release(request);
   wake();
 }
 
 void SdoManager::remote_changed(NodeId node, RemoteState state) {
   if (!is_node_id(node)) return;
-  heard_[node] = state != RemoteState::lost;
+  search_.hear(node, state != RemoteState::lost);
   if (state != RemoteState::lost && state != RemoteState::boot_up) return;
-  for (SdoConnection& connection : connections_) {
-    if (connection.state == SdoConnection::State::unused) continue;
-    if (connection.client != node && connection.server != node) continue;
-    connection.state = SdoConnection::State::ending;
-    if (connection.client == node) {
-      connection.client_is_gone = true;
-    } else {
-      connection.server_is_gone = connection.tell_client = true;
-      connection.error = DynamicSdoError::connection_lost;
-    }
-  }
+  connections_.lose(node);
   wake();
-}
-
-SdoConnection* SdoManager::find(SdoConnection::State state) {
-  const auto found = std::ranges::find(connections_, state, &SdoConnection::state);
-  return found == connections_.end() ? nullptr : &*found;
-}
-
-const SdoConnection* SdoManager::find(NodeId client, std::uint8_t client_channel) const {
-  for (const SdoConnection& connection : connections_) {
-    const bool is_used = connection.state != SdoConnection::State::unused;
-    if (is_used && connection.client == client && connection.client_channel == client_channel) {
-      return &connection;
-    }
-  }
-  return nullptr;
-}
-
-/// One that is under way counts: a device that reads of it in its 1F10h may be faster with its
-/// first request than with its confirmation.
-const SdoConnection* SdoManager::registration(NodeId client) const {
-  for (const SdoConnection& connection : connections_) {
-    const bool is_good = connection.state == SdoConnection::State::given ||
-                         connection.state == SdoConnection::State::requested;
-    if (is_good && connection.client == client && connection.server == node_.id()) {
-      return &connection;
-    }
-  }
-  return nullptr;
-}
-
-bool SdoManager::is_lent() const {
-  return std::ranges::any_of(connections_, [](const SdoConnection& connection) {
-    return connection.wants_all && connection.state == SdoConnection::State::given;
-  });
-}
-
-SdoConnection* SdoManager::add(const SdoConnection& connection) {
-  SdoConnection* const place = find(SdoConnection::State::unused);
-  if (place != nullptr) *place = connection;
-  return place;
 }
 
 /// What is to be closed comes first, since it brings COB-IDs and channels back.
 void SdoManager::work(Time now) {
+  using State = SdoConnection::State;
   changed_(now);
-  if (busy_ || !may_speak() || is_lent()) return;
-  if (SdoConnection* const ending = find(SdoConnection::State::ending)) return close(*ending);
-  if (SdoConnection* const wanted = find(SdoConnection::State::requested)) return open(*wanted);
-  if (call_waits_) begin_scan();
-  if (scanning_) scan();
+  if (busy() || !connector_.may_speak() || connections_.is_lent()) return;
+  if (SdoConnection* const ending = connections_.find(State::ending)) {
+    return connector_.close(*ending);
+  }
+  if (SdoConnection* const wanted = connections_.find(State::requested)) {
+    return connector_.open(*wanted);
+  }
+  if (search_.is_called()) search_.begin();
+  while (const NodeId node = search_.next(node_.id())) {
+    if (ask(node)) return;
+  }
+}
+
+void SdoManager::ended(const SdoConnection* connection) {
+  wake();
+  if (connection != nullptr) list(*connection);
+}
+
+bool SdoManager::ask(NodeId node) {
+  asked_ = node;  // before the answer, which may come at once
+  buffer_ = {};
+  const AbortCode refused =
+      client_.upload(node, dynamic_sdo::state, 0, std::span<std::uint8_t>(buffer_),
+                     SdoClient::Done::to<&SdoManager::answered>(*this),
+                     search_.was_heard(node) ? settings_.time_out : settings_.scan_time_out);
+  if (refused != AbortCode::none) asked_ = 0;
+  return refused == AbortCode::none;
+}
+
+void SdoManager::answered(SdoClient::Outcome outcome) {
+  const NodeId node = std::exchange(asked_, NodeId{0});
+  wake();
+  if (!outcome || *outcome != buffer_.size()) return;
+  const DynamicSdoState state(load<std::uint32_t>(buffer_.data()));
+  if (state.is_request()) found(node, state);
+}
+
+/// A device that registers anew has forgotten what it had, or wants to.
+void SdoManager::found(NodeId node, const DynamicSdoState& state) {
+  search_.find(node);
+  connections_.end_all(node);
+  SdoConnection wanted{.state = SdoConnection::State::requested,
+                       .client = node,
+                       .client_channel = client_channel(state.client_parameter),
+                       .server = node_.id(),
+                       .wants_all = state.wants_all};
+  if (connections_.add(wanted) != nullptr) return;
+  // A place is about to come free, perhaps one of its own: it is asked again then.
+  if (connections_.has(SdoConnection::State::ending)) return search_.call();
+  wanted.error = DynamicSdoError::no_manager_channel;
+  connector_.refuse(wanted);
+}
+
+/// In 1F03h to 1F06h, where the dictionary has them.
+void SdoManager::list(const SdoConnection& connection) {
+  if (connection.state == SdoConnection::State::ending) return;
+  const auto position = static_cast<unsigned>(&connection - connections_.all().data());
+  if (position >= lists * list_length) return;
+  const std::uint32_t value = static_cast<std::uint32_t>(connection.client) << 24 |
+                              static_cast<std::uint32_t>(connection.client_channel) << 16 |
+                              static_cast<std::uint32_t>(connection.server) << 8 |
+                              connection.server_channel;
+  node_.dictionary().set_number(
+      static_cast<std::uint16_t>(dynamic_sdo::connections + position / list_length),
+      static_cast<std::uint8_t>(position % list_length + 1), value);
 }
 
 }  // namespace canvoy

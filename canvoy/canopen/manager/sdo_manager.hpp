@@ -11,36 +11,19 @@
 #pragma once
 
 #include <array>
-#include <bitset>
 #include <cstdint>
 #include <span>
 
 #include "canvoy/canopen/manager/dynamic_sdo.hpp"
-#include "canvoy/canopen/manager/sdo_write_list.hpp"
+#include "canvoy/canopen/manager/sdo_call_search.hpp"
+#include "canvoy/canopen/manager/sdo_cob_ids.hpp"
+#include "canvoy/canopen/manager/sdo_connections.hpp"
+#include "canvoy/canopen/manager/sdo_connector.hpp"
 #include "canvoy/canopen/nmt/remote_state.hpp"
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/canopen/sdo/sdo_client.hpp"
 
 namespace canvoy {
-
-/// A connection that was asked for or given. One to the SDO manager itself is the registration of
-/// a device.
-struct SdoConnection {
-  enum class State : std::uint8_t { unused, requested, given, ending };
-
-  State state = State::unused;
-  NodeId client = 0;
-  std::uint8_t client_channel = 0;  ///< 1280h + this
-  NodeId server = 0;
-  std::uint8_t server_channel = 0;  ///< 1200h + this; 0 while there is none
-  std::uint16_t request = 0;        ///< CAN-ID client to server; 0 while there is none
-  std::uint16_t response = 0;
-  bool wants_all = false;       ///< of a registration: all default SDO channels are the device's
-  bool tell_client = false;     ///< ending: by 1F10h, with `error`
-  bool client_is_gone = false;  ///< ending: its end needs not be closed
-  bool server_is_gone = false;
-  DynamicSdoError error = DynamicSdoError::none;
-};
 
 /// It does one thing at a time, on the default SDO channels of the nodes, of which it must be the
 /// only user, as CiA 302-5 has it: look for the device that called on 6E0h, which says no more than
@@ -77,8 +60,8 @@ class SdoManager {
   /// Whenever a connection may have been given, or have begun to end.
   void on_change(Callback<void(Time)> changed) { changed_ = changed; }
 
-  std::span<const SdoConnection> connections() const { return connections_; }
-  bool busy() const { return busy_; }
+  std::span<const SdoConnection> connections() const { return connections_.all(); }
+  bool busy() const { return asked_ != 0 || connector_.busy(); }
 
  private:
   void reset(ResetScope scope);
@@ -88,65 +71,35 @@ class SdoManager {
   void after_write(const Entry& entry, Source source);
   AbortCode check_request(const DynamicSdoRequest& request) const;
   AbortCode check_release(const DynamicSdoRequest& request) const;
-  AbortCode check_cob_id(const Entry& entry, std::uint32_t value) const;
   void request(const DynamicSdoRequest& request);
   void release(const DynamicSdoRequest& request);
 
   void work(Time now);
   void wake() { node_.timers().arm(timer_, node_.now()); }
-  bool may_speak() const;
-  SdoConnection* find(SdoConnection::State state);
-  const SdoConnection* find(NodeId client, std::uint8_t client_channel) const;
-  const SdoConnection* registration(NodeId client) const;
-  bool is_lent() const;
-  SdoConnection* add(const SdoConnection& connection);
-
-  void scan();
-  NodeId choose() const;
+  bool is_registered(NodeId device) const {
+    return connections_.registration(device, node_.id()) != nullptr;
+  }
   bool ask(NodeId node);
-  void begin_scan();
-  void scanned(SdoClient::Outcome outcome);
+  void answered(SdoClient::Outcome outcome);
   void found(NodeId node, const DynamicSdoState& state);
-
-  void open(SdoConnection& connection);
-  bool allocate(SdoConnection& connection);
-  std::uint16_t free_can_id(std::uint16_t taken) const;
-  bool is_given(std::uint32_t can_id) const;
-  std::uint8_t free_channel_here() const;
-  void try_server_channel();
-  void server_channel_read(SdoClient::Outcome outcome);
-  void write_connection();
-  void opened(const SdoWriteList::Outcome& outcome);
-  void refuse(DynamicSdoError error);
-
-  void close(SdoConnection& connection);
-  void closed(const SdoWriteList::Outcome& outcome);
-  void tell(const SdoConnection& connection, DynamicSdoState::Status status);
+  void ended(const SdoConnection* connection);
   void list(const SdoConnection& connection);
 
   static const ServiceCalls service_calls;
   static const HookCalls hook_calls;
 
   Node& node_;
-  std::span<SdoConnection> connections_;
   Settings settings_;
   SdoClient client_;
-  SdoWriteList writes_;
+  SdoConnections connections_;
+  SdoCobIds cob_ids_;
+  SdoConnector connector_;
+  SdoCallSearch search_;
   ServiceLink service_{&service_calls, this};
   Timer timer_;
   Callback<void(Time)> changed_;
-  SdoConnection* current_ = nullptr;
-  std::bitset<node_id_max + 1> heard_;
-  std::bitset<node_id_max + 1> to_ask_;  ///< of the present scan
   std::array<std::uint8_t, 4> buffer_{};
-  unsigned tries_left_ = 0;
-  NodeId asked_ = 0;
-  std::uint8_t channel_ = 0;  ///< of the server, that is looked at
-  bool busy_ = false;
-  bool call_waits_ = false;  ///< a device called, and no scan for it has begun
-  bool scanning_ = false;
-  bool asks_all_ = false;  ///< the scan has come to nodes that were not heard
-  bool has_found_ = false;
+  NodeId asked_ = 0;  ///< whether it called; 0: nobody is
 };
 
 }  // namespace canvoy

@@ -12,6 +12,8 @@
 
 namespace canvoy::cia447 {
 
+inline constexpr unsigned profile_number = 447;
+
 /// The gateway is the NMT master; add-on devices are given 2 to 16 by LSS Fastscan.
 inline constexpr unsigned gateway_node_id = 1;
 inline constexpr unsigned node_id_max = 16;

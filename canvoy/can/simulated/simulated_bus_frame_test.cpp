@@ -11,7 +11,7 @@
 #include "canvoy/can/simulated/simulated_bus.hpp"
 #include "canvoy/can/simulated/simulated_bus_test.hpp"
 
-namespace canvoy::simulated_frame_test {
+namespace canvoy::simulated_bus_frame_test {
 namespace {
 
 using Frames = std::vector<TimedFrame>;
@@ -497,4 +497,4 @@ TEST(SimulatedBusControllers, MayBeAsManyAsOneHundredAndTwentyEight) {
 }
 
 }  // namespace
-}  // namespace canvoy::simulated_frame_test
+}  // namespace canvoy::simulated_bus_frame_test

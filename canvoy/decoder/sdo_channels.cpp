@@ -1,6 +1,6 @@
-// The part of Network that knows SDO channels.
+#include "canvoy/decoder/sdo_channels.hpp"
+
 #include "canvoy/canopen/dictionary/object_index.hpp"
-#include "canvoy/decoder/network.hpp"
 #include "canvoy/profiles/cia447/network.hpp"
 
 namespace canvoy::decoder {
@@ -33,39 +33,36 @@ std::optional<SdoRoute> mesh_route(std::uint32_t can_id) {
 
 }  // namespace
 
-std::optional<SdoRoute> Network::sdo(std::uint32_t can_id) const {
+std::optional<SdoRoute> SdoChannels::find(std::uint32_t can_id, bool has_car) const {
   if (can_id > Frame::id_max) return std::nullopt;
-  const SdoRoute* learned = sdo_routes_.find(can_id);
+  const SdoRoute* learned = routes_.find(can_id);
   if (learned != nullptr && learned->channel != 0) return *learned;
   if (const std::optional<SdoRoute> route = default_route(can_id)) return route;
-  return has_car_ ? mesh_route(can_id) : std::nullopt;
+  return has_car ? mesh_route(can_id) : std::nullopt;
 }
 
-void Network::learn_channel(NodeId node, std::uint16_t index, std::uint8_t sub,
-                            std::uint64_t value) {
+void SdoChannels::learn(NodeId node, std::uint16_t index, std::uint8_t sub, std::uint32_t value) {
   const std::pair key{node, index};
-  if (sdo_parameters_.size() == channels_max && !sdo_parameters_.contains(key)) return;
-  SdoParameters& own = sdo_parameters_[key];
-  if (sub == 1) own.to_server.raw = static_cast<std::uint32_t>(value);
-  if (sub == 2) own.to_client.raw = static_cast<std::uint32_t>(value);
-  if (sub == 3)
-    own.partner =
-        is_node_id(static_cast<unsigned>(value & 0xFF)) ? static_cast<NodeId>(value) : NodeId{0};
-  place_channel(node, index, own);
+  if (parameters_.size() == channels_max && !parameters_.contains(key)) return;
+  Parameters& own = parameters_[key];
+  if (sub == 1) own.to_server.raw = value;
+  if (sub == 2) own.to_client.raw = value;
+  if (sub == 3) own.partner = is_node_id(value & 0xFF) ? static_cast<NodeId>(value) : NodeId{0};
+  place(node, index, own);
 }
 
-void Network::forget_channels(NodeId node) {
-  for (auto& [key, own] : sdo_parameters_) {
+void SdoChannels::forget(NodeId node) {
+  for (auto& [key, own] : parameters_) {
     if (key.first != node) continue;
     own.to_server = own.to_client = {};
-    place_channel(node, key.second, own);
+    place(node, key.second, own);
   }
 }
 
 /// A client that does not say who its server is tells nothing that could be named.
-void Network::place_channel(NodeId node, std::uint16_t index, SdoParameters& own) {
-  sdo_routes_.at(own.placed_request) = {};
-  sdo_routes_.at(own.placed_response) = {};
+void SdoChannels::place(NodeId node, std::uint16_t index, Parameters& own) {
+  routes_.at(own.placed_request) = {};
+  routes_.at(own.placed_response) = {};
   own.placed_request = own.placed_response = 0;
   const bool is_client = index >= object_index::sdo_client;
   const NodeId server = is_client ? own.partner : node;
@@ -76,8 +73,8 @@ void Network::place_channel(NodeId node, std::uint16_t index, SdoParameters& own
   own.placed_request = static_cast<std::uint16_t>(own.to_server.can_id());
   own.placed_response = static_cast<std::uint16_t>(own.to_client.can_id());
   const NodeId client = is_client ? node : own.partner;
-  sdo_routes_.at(own.placed_response) = {own.placed_request, client, server, false};
-  sdo_routes_.at(own.placed_request) = {own.placed_request, client, server, true};
+  routes_.at(own.placed_response) = {own.placed_request, client, server, false};
+  routes_.at(own.placed_request) = {own.placed_request, client, server, true};
 }
 
 }  // namespace canvoy::decoder

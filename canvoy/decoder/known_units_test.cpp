@@ -9,7 +9,7 @@
 #include "canvoy/formats/sheet/data_sheet.hpp"
 #include "canvoy/profiles/registry.hpp"
 
-namespace canvoy::decoder::network_units_test {
+namespace canvoy::decoder::known_units_test {
 namespace {
 
 /// What the only value of the last frame is counted in.
@@ -189,4 +189,4 @@ TEST_F(NodeUnits, AreWhatADataSheetSays) {
 }
 
 }  // namespace
-}  // namespace canvoy::decoder::network_units_test
+}  // namespace canvoy::decoder::known_units_test

@@ -11,7 +11,7 @@
 #include "canvoy/can/simulated/simulated_bus.hpp"
 #include "canvoy/can/simulated/simulated_bus_test.hpp"
 
-namespace canvoy::simulated_errors_test {
+namespace canvoy::simulated_bus_errors_test {
 namespace {
 
 using Frames = std::vector<TimedFrame>;
@@ -518,4 +518,4 @@ TEST(Seed, DecidesEveryErrorAndAnotherSeedDecidesOthers) {
 }
 
 }  // namespace
-}  // namespace canvoy::simulated_errors_test
+}  // namespace canvoy::simulated_bus_errors_test

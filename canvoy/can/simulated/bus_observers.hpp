@@ -1,0 +1,86 @@
+// Who looks at the whole simulated bus rather than takes part in it: loggers, referees, and the
+// count of all frames.
+//
+//     BusObservers observers;
+//     observers.add({.context = &log, .on_frame = write_line});
+//     observers.frame_carried(now, sender, frame, frame_bits(frame));
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "canvoy/can/frame.hpp"
+#include "canvoy/can/port.hpp"
+#include "canvoy/can/simulated/bus_error.hpp"
+#include "canvoy/can/simulated/controller_set.hpp"
+#include "canvoy/can/time.hpp"
+
+namespace canvoy {
+
+/// What an observer of the whole bus is told, at the moment it happens and before the nodes are.
+/// Null: not told.
+struct BusTap {
+  void* context = nullptr;
+  /// A frame went over the bus whole; `now` is when receivers have it.
+  void (*on_frame)(void* context, Time now, ControllerId sender, const Frame& frame) = nullptr;
+  /// A frame was destroyed; an error frame follows on the wire.
+  void (*on_error)(void* context, Time now, const BusError& error) = nullptr;
+  void (*on_state)(void* context, Time now, ControllerId controller, BusState state) = nullptr;
+  void (*on_overrun)(void* context, Time now, ControllerId controller) = nullptr;
+};
+
+/// Counted since the construction of the bus.
+struct BusStatistics {
+  std::uint64_t frames = 0;
+  std::uint64_t frame_bits = 0;  ///< of these frames, with stuff bits, without intermissions
+  std::uint64_t error_frames = 0;
+};
+
+/// Tells all taps, in the order in which they came, and counts.
+class BusObservers {
+ public:
+  static constexpr std::size_t taps_max = 4;
+
+  /// False where there are taps_max already.
+  constexpr bool add(const BusTap& tap) {
+    if (count_ == taps_max) return false;
+    taps_[count_++] = tap;
+    return true;
+  }
+  constexpr const BusStatistics& statistics() const { return statistics_; }
+
+  void frame_carried(Time now, ControllerId sender, const Frame& frame, unsigned bits) {
+    ++statistics_.frames;
+    statistics_.frame_bits += bits;
+    for (const BusTap& tap : taps()) {
+      if (tap.on_frame != nullptr) tap.on_frame(tap.context, now, sender, frame);
+    }
+  }
+  void frame_destroyed(Time now, const BusError& error) {
+    ++statistics_.error_frames;
+    for (const BusTap& tap : taps()) {
+      if (tap.on_error != nullptr) tap.on_error(tap.context, now, error);
+    }
+  }
+  void state_changed(Time now, ControllerId controller, BusState state) const {
+    for (const BusTap& tap : taps()) {
+      if (tap.on_state != nullptr) tap.on_state(tap.context, now, controller, state);
+    }
+  }
+  void frame_lost(Time now, ControllerId controller) const {
+    for (const BusTap& tap : taps()) {
+      if (tap.on_overrun != nullptr) tap.on_overrun(tap.context, now, controller);
+    }
+  }
+
+ private:
+  std::span<const BusTap> taps() const { return std::span(taps_).first(count_); }
+
+  std::array<BusTap, taps_max> taps_{};
+  std::size_t count_ = 0;
+  BusStatistics statistics_{};
+};
+
+}  // namespace canvoy

@@ -1,0 +1,99 @@
+// Which objects the PDOs on a bus carry, by their CAN-ID: what the profiles of the nodes say, and
+// before it what SDO transfers wrote to the PDO parameters (CiA 301, 7.5.2.33 to 7.5.2.38), or read
+// from them.
+//
+//     PdoPlans plans;
+//     plans.use_profile(10, cia419::profile);
+//     plans.learn(10, 0x1800, 1, 0x18A, cia419::profile);
+//     if (const PdoPlan* plan = plans.find(0x18A)) show(plan->mapping);
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/decoder/by_can_id.hpp"
+#include "canvoy/profiles/description.hpp"
+
+namespace canvoy::decoder {
+
+/// What a PDO with some CAN-ID carries.
+struct PdoPlan {
+  NodeId node = 0;  ///< 0: the profile gives the CAN-ID to a message, whichever node sends it
+  PdoInfo::Direction direction = PdoInfo::Direction::transmit;
+  std::uint16_t number = 0;  ///< 0: not known
+  MpdoKind multiplexed = MpdoKind::no;
+  std::vector<std::uint32_t> mapping;
+  std::string_view name = {};  ///< of the message, where the profile gives it one
+  const Profile* profile = nullptr;
+};
+
+class PdoPlans {
+ public:
+  /// The parameters of PDOs: 1400h to 1BFFh.
+  static constexpr std::uint16_t index_first = 0x1400;
+  static constexpr std::uint16_t index_last = 0x1BFF;
+
+  /// The node has this profile now: what the one before said is gone, what was heard stays.
+  void use_profile(NodeId node, const Profile& profile);
+  /// A PDO parameter of a node that has this profile.
+  void learn(NodeId node, std::uint16_t index, std::uint8_t sub, std::uint32_t value,
+             const Profile& profile);
+  /// Another device, of which nothing is known, has its node-ID now.
+  void forget(NodeId node, const Profile& profile);
+
+  /// Of who sends the PDO with this CAN-ID, or else of a receiver; null where there is none. Until
+  /// something is learned.
+  const PdoPlan* find(std::uint32_t can_id) const;
+  /// Another number whenever a plan may be another one.
+  std::uint32_t generation() const { return generation_; }
+
+ private:
+  struct Key {
+    NodeId node;
+    PdoInfo::Direction direction;
+    std::uint16_t number;
+    friend auto operator<=>(const Key&, const Key&) = default;
+  };
+  /// The parameters of a PDO, as far as they are known.
+  struct Parameters {
+    void map(std::uint8_t sub, std::uint32_t value);
+
+    CobId cob_id;
+    bool learned_cob_id = false;
+    bool learned_mapping = false;
+    std::uint8_t count = 0;  ///< sub-index 00h of the mapping parameter
+    std::vector<std::uint32_t> mapping;
+    std::optional<std::uint16_t> placed;  ///< the CAN-ID under which its plan stands
+  };
+  struct Plans {
+    std::optional<PdoPlan> transmit;
+    std::optional<PdoPlan> receive;
+  };
+
+  /// Beside those that profiles tell of. A bus has room for a quarter of them: one of each
+  /// direction on each CAN-ID.
+  static constexpr std::size_t learned_max = 16384;
+
+  void forget_defaults(NodeId node, const Profile& profile);
+  void add_default(NodeId node, const Profile& profile, const PdoInfo& pdo, bool is_message);
+  void add_car_pdo(NodeId node, const Profile& profile, const PdoInfo& pdo);
+  void add_message(NodeId node, const Profile& profile, const PdoInfo& pdo, CobId cob_id);
+  void add_parameters(const Key& key, const Profile& profile, const PdoInfo& pdo, CobId cob_id);
+  Parameters& parameters(const Key& key);
+  Parameters* learned_parameters(const Key& key);
+  void place(const Key& key, const Profile& profile, Parameters& own);
+  std::optional<PdoPlan>& plan(std::uint32_t can_id, PdoInfo::Direction direction);
+
+  std::map<Key, Parameters> parameters_;
+  std::size_t learned_ = 0;  ///< of `parameters_`, those of which no profile had told
+  ByCanId<Plans> plans_;
+  std::uint32_t generation_ = 0;
+};
+
+}  // namespace canvoy::decoder
