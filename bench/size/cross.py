@@ -30,7 +30,7 @@ def library_sources(*folders):
 
 def seat_sources():
     """What an operator seat takes beside the application layer: nothing of it has a heap."""
-    return [path for path in library_sources("devices/cia401", "devices/cia852") if path.stem != "operator_on_heap"]
+    return [path for path in library_sources("devices/cia401", "devices/cia852") if path.stem != "kinds"]
 
 
 def compile_all(sources, folder, flags):

@@ -1,59 +1,10 @@
 #include "canvoy/devices/cia417/call/call_controller.hpp"
 
-#include <algorithm>
 #include <bit>
 
 #include "canvoy/profiles/reactions.hpp"
 
 namespace canvoy::cia417 {
-
-namespace {
-
-constexpr auto first_hall_call = static_cast<unsigned>(BasicFunction::standard_hall_call);
-constexpr auto first_car_call = static_cast<unsigned>(BasicFunction::standard_car_call);
-
-/// Of a hall call.
-std::uint8_t sub_function_of(CallKind kind) {
-  if (kind == CallKind::up) return hall_up;
-  return kind == CallKind::down ? hall_down : hall_undirected;
-}
-Direction direction_of(CallKind kind) {
-  if (kind == CallKind::up) return Direction::up;
-  return kind == CallKind::down ? Direction::down : Direction::none;
-}
-
-}  // namespace
-
-/// Which panel shows a call. Car panels at all doors do, in the column of the door that opens.
-VirtualOutput acknowledgement_of(const Call& call, std::uint8_t lifts, bool on) {
-  const auto priority = static_cast<unsigned>(call.priority);
-  const auto door_bits = static_cast<unsigned>(call.doors);
-  VirtualOutput output{.lifts = lifts, .data = output_data(on, Property::standard, 0, on)};
-  if (call.kind == CallKind::car) {
-    output.function = static_cast<BasicFunction>(first_car_call + priority);
-    output.sub_function = call.floor;
-    output.doors = static_cast<std::uint8_t>(0xF0U | door_bits);
-  } else {
-    output.function = static_cast<BasicFunction>(first_hall_call + priority);
-    output.sub_function = sub_function_of(call.kind);
-    output.floor = call.floor;
-    output.doors = static_cast<std::uint8_t>(door_bits << 4);
-  }
-  return output;
-}
-
-CallPriority priority_of(BasicFunction function) {
-  const unsigned first = is_hall_call(function) ? first_hall_call : first_car_call;
-  return static_cast<CallPriority>((static_cast<unsigned>(function) - first) % 3);
-}
-
-Call hall_call_of(const VirtualInput& input, DoorMask doors) {
-  Call call{CallKind::any, priority_of(input.function), input.floor, doors};
-  const unsigned direction = input.sub_function & unsigned{hall_undirected};
-  if (direction == hall_up) call.kind = CallKind::up;
-  if (direction == hall_down) call.kind = CallKind::down;
-  return call;
-}
 
 constexpr HookCalls CallController::hook_calls[] = {
     after_write<&CallController::received, virtual_input_mapping_object>};
@@ -65,8 +16,10 @@ constexpr ServiceCalls CallController::service_calls = {
 CallController::CallController(Node& node, Tpdos& tpdos, std::span<Destination> destinations,
                                const CallControllerSettings& settings)
     : node_(node),
+      lift_(settings.lift),
+      low_priority_max_(settings.low_priority_max),
+      served_(settings.served, settings.locked_by_key),
       destinations_(destinations),
-      settings_(settings),
       mapping_(node, tpdos, virtual_output_mapping_object.index,
                {.waits = Callback<bool()>::to<&CallController::waits>(*this),
                 .next = Callback<std::uint64_t()>::to<&CallController::next>(*this)}),
@@ -77,18 +30,13 @@ CallController::CallController(Node& node, Tpdos& tpdos, std::span<Destination> 
 
 void CallController::reset(ResetScope) {
   calls_.remove_all();
-  shown_.remove_all();
-  told_.remove_all();
-  were_on_.remove_all();
-  told_again_.remove_all();
-  tells_again_ = false;
+  lamps_.begin_anew();
   specials_.clear();
   indications_.forget();
   lamps_out_.begin();
   answers_.clear();
   help_is_coming_ = false;
-  std::ranges::fill(destinations_, Destination{});
-  destinations_used_ = 0;
+  destinations_.begin_anew();
   node_.timers().disarm(low_timer_);
 }
 
@@ -99,13 +47,10 @@ void CallController::state_entered(NmtState state) {
 
 void CallController::set_lift_mask(std::uint8_t mask) {
   const auto lift = static_cast<unsigned>(std::countr_zero(mask)) + 1;
-  if (lift == settings_.lift) return;
-  settings_.lift = lift;
+  if (lift == lift_) return;
+  lift_ = lift;
   indications_.set_lift(lift);
-  told_.remove_all();
-  were_on_.remove_all();
-  told_again_.remove_all();
-  tells_again_ = false;
+  lamps_.forget();
   show();
 }
 
@@ -175,19 +120,13 @@ void CallController::take_hall_call(const VirtualInput& input) {
     return refuse(call);
   }
   if (offered_(input)) return;
-  if (!is_hall_call_possible(call)) return refuse(call);
+  if (!served_.takes_hall_call(call)) return refuse(call);
   register_call(call);
-}
-
-/// From the highest floor of the lift nobody goes up with it, nor down from the lowest.
-bool CallController::is_hall_call_possible(const Call& call) const {
-  const GroupLift lift{.served = settings_.served};
-  return lift.serves(call.floor, call.doors) && lift.leaves(call.floor, direction_of(call.kind));
 }
 
 void CallController::take_car_call(const VirtualInput& input) {
   const Call call = target_call_of(input);
-  if (!is_car_call_possible(call)) return refuse(call);
+  if (!takes_car_call(call)) return refuse(call);
   register_call(call);
 }
 
@@ -197,9 +136,8 @@ Call CallController::target_call_of(const VirtualInput& input) const {
           wanted == 0 ? doors_at(input.sub_function) : wanted};
 }
 
-bool CallController::is_car_call_possible(const Call& call) const {
-  const bool has_doors = call.doors != 0 && (call.doors & ~doors_at(call.floor)) == 0;
-  return has_doors && (accepted_ & car_calls) != 0 && !is_locked(call.floor);
+bool CallController::takes_car_call(const Call& call) const {
+  return (accepted_ & car_calls) != 0 && served_.takes_car_call(call, specials_);
 }
 
 /// A panel whose button is pressed again may have lost the answer: it gets another one.
@@ -215,12 +153,8 @@ void CallController::refuse(const Call& call) {
   Call one = call;
   for (unsigned door = 0; door < lift_doors_max; ++door) {
     one.doors = static_cast<DoorMask>((call.doors == 0 ? 1U : call.doors) & 1U << door);
-    if (one.doors != 0 && !shown_.contains(one)) acknowledge(one, false);
+    if (one.doors != 0 && !shows(one)) acknowledge(one, false);
   }
-}
-
-void CallController::serve_up_to(unsigned floor) {
-  for (FloorSet& floors : settings_.served) floors &= FloorSet::between(1, floor);
 }
 
 void CallController::add(const Call& call) {
@@ -233,30 +167,28 @@ void CallController::add(const Call& call) {
 /// Where destination calls wait for the same car, it has to stop for them all the same.
 void CallController::withdraw(const Call& call) {
   calls_.remove(call);
-  for (const Destination& destination : destinations()) {
+  for (const Destination& destination : destinations_.used()) {
     if (!destination.active) continue;
-    const DoorMask at_panel = source_doors(destination.input.doors);
-    const Call source = source_call_of(
-        destination.input, at_panel == 0 ? doors_at(destination.input.floor) : at_panel);
+    const Call source = source_call_of(destination.input, doors_here(destination.input));
     if (source.floor == call.floor && source.kind == call.kind) add(source);
   }
 }
 
+/// The doors at which a destination call waits: those of its panel, or all.
+DoorMask CallController::doors_here(const VirtualInput& input) const {
+  const DoorMask at_panel = source_doors(input.doors);
+  return at_panel == 0 ? doors_at(input.floor) : at_panel;
+}
+
 void CallController::acknowledge(const Call& call, bool on) {
-  if (on) {
-    shown_.add(call);
-    told_.remove(call);
-  } else {
-    shown_.remove(call);
-    told_.add(call);
-  }
+  lamps_.set(call, on);
   show();
 }
 
 void CallController::adopt(std::uint8_t lift) {
   refuse_out_of_reach();
-  calls_.add_all(shown_, hall_calls);
-  for (Destination& destination : destinations()) {
+  calls_.add_all(shown(), hall_calls);
+  for (const Destination& destination : destinations_.used()) {
     if (!destination.told || destination.is_in_car()) continue;
     if (!destination.active) add_destination(destination.input);
     acknowledge_destination(destination.input, true, lift);
@@ -268,41 +200,89 @@ void CallController::adopt(std::uint8_t lift) {
 /// Hall calls that are shown, and that another lift of the group would have answered.
 void CallController::refuse_out_of_reach() {
   for (const CallKind kind : {CallKind::up, CallKind::down, CallKind::any}) {
-    const FloorSet floors = shown_.floors(kinds_of(kind));
+    const FloorSet floors = shown().floors(kinds_of(kind));
     for (std::uint8_t floor = floors.lowest(); floor != 0; floor = floors.next_up(floor + 1U)) {
       for (const CallPriority priority :
            {CallPriority::standard, CallPriority::low, CallPriority::high}) {
         for (unsigned door = 0; door < lift_doors_max; ++door) {
           const Call call{kind, priority, floor, static_cast<DoorMask>(1U << door)};
-          if (!is_hall_call_possible(call)) shown_.remove(call);
+          if (!served_.takes_hall_call(call)) lamps_.end(call);
         }
       }
     }
   }
 }
 
+void CallController::take_destination(const VirtualInput& input) {
+  if (input.floor == floor_of_car) return take_destination_in_car(input);
+  const bool is_possible = served_.takes_destination(input, specials_) &&
+                           (accepted_ & hall_calls) != 0 &&
+                           !is_on(SpecialFunction::hall_call_disable);
+  if (!is_possible) return refuse_destination(input);
+  if (offered_(input)) return;
+  acknowledge_destination(input, add_destination(input), lift_mask());
+}
+
+/// Who names his destination in the car has no source floor to wait at: it is a car call, which his
+/// panel is told of by the function that he asked with, too.
+void CallController::take_destination_in_car(const VirtualInput& input) {
+  const Call call = target_call_of(input);
+  if (!takes_car_call(call)) return refuse_destination(input);
+  const bool is_kept = destinations_.keep(input);
+  if (is_kept) register_call(call);
+  acknowledge_destination(input, is_kept, lift_mask());
+}
+
+/// One that came before, and was affirmed, is still to be answered.
+void CallController::refuse_destination(const VirtualInput& input) {
+  if (!destinations_.tell_again(input)) answer(input, false, lift_mask());
+  show();
+}
+
+bool CallController::add_destination(const VirtualInput& input) {
+  if (!destinations_.add(input)) return false;
+  add(source_call_of(input, doors_here(input)));
+  return true;
+}
+
+/// Somebody else may wait there: another destination call, or a hall call that panels show, which
+/// may be that of this lift.
+void CallController::withdraw_destination(const VirtualInput& input) {
+  if (!destinations_.withdraw(input)) return;
+  const Call source = source_call_of(input, 0x0F);
+  if (!shows(source) && !destinations_.has_source(source)) calls_.remove(source);
+}
+
+void CallController::acknowledge_destination(const VirtualInput& input, bool on,
+                                             std::uint8_t lifts) {
+  const DestinationCalls::Answer told = destinations_.tell(input, on, lifts);
+  if (told == DestinationCalls::Answer::others) return;
+  if (told == DestinationCalls::Answer::no_room) {
+    ++destinations_without_room_;
+    answer(input, on, lifts);
+  }
+  show();
+}
+
+/// Of a call that is not kept.
+void CallController::answer(const VirtualInput& input, bool on, std::uint8_t lifts) {
+  if (!answers_.push(encode(answer_to(input, on, lifts)))) ++answers_lost_;
+}
+
 void CallController::answered(std::uint8_t floor, Direction departure, CallKinds kinds) {
   const auto done = static_cast<CallKinds>(answered_calls(departure) & kinds);
   calls_.remove_at(floor, done);
-  shown_.remove_at(floor, done);
-  for (Destination& destination : destinations()) {
-    const bool has_arrived = destination.is_in_car() && destination.input.sub_function == floor;
-    if (has_arrived && (done & car_calls) != 0) destination.end();
-    if (!destination.active || destination.input.floor != floor) continue;
-    const Call source = source_call_of(destination.input, 0x0F);
-    if ((done & kinds_of(source.kind)) != 0) board(destination);
-  }
+  lamps_.end_at(floor, done);
+  destinations_.answered(
+      floor, done, [this](const VirtualInput& boarded) { register_call(target_call_of(boarded)); });
   watch_low();
   show();
 }
 
 void CallController::cancel(CallKinds kinds) {
   calls_.remove_all(kinds);
-  shown_.remove_all(kinds);
-  for (Destination& destination : destinations()) {
-    const CallKinds its_kinds = destination.is_in_car() ? car_calls : hall_calls;
-    if ((kinds & its_kinds) == its_kinds) destination.end();
-  }
+  lamps_.end_all(kinds);
+  destinations_.cancel(kinds);
   watch_low();
   show();
 }
@@ -312,24 +292,11 @@ void CallController::set(SpecialFunction function, bool on) {
   show();
 }
 
-DoorMask CallController::doors_at(std::uint8_t floor) const {
-  return GroupLift{.served = settings_.served}.doors_at(floor);
-}
-
-bool CallController::is_locked(std::uint8_t floor) const {
-  constexpr auto first_key = static_cast<std::size_t>(SpecialFunction::key_lock_1);
-  for (std::size_t key = 0; key < settings_.locked_by_key.size(); ++key) {
-    const auto function = static_cast<SpecialFunction>(first_key + key);
-    if (settings_.locked_by_key[key].contains(floor) && !is_on(function)) return true;
-  }
-  return false;
-}
-
 void CallController::watch_low() {
   const bool waits = !calls_.floors(all_calls, CallPriority::low).empty();
   if (!waits) return node_.timers().disarm(low_timer_);
   if (!low_timer_.armed()) {
-    node_.timers().arm(low_timer_, node_.now() + settings_.low_priority_max);
+    node_.timers().arm(low_timer_, node_.now() + low_priority_max_);
   }
 }
 
@@ -344,9 +311,8 @@ void CallController::show() {
 }
 
 void CallController::show_again() {
-  told_again_ = were_on_;
-  tells_again_ = !told_again_.empty();
-  show_destinations_again();
+  lamps_.tell_again();
+  destinations_.tell_all_again();
   specials_.tell_again();
   indications_.tell_again();
   show();
@@ -358,8 +324,8 @@ void CallController::ring(std::uint8_t floor, DoorMask doors, Direction directio
 }
 
 bool CallController::waits() {
-  return lamps_out_.waits() || next_untold().floor != 0 || destination_waits() ||
-         !answers_.empty() || specials_.waits() || indications_.waits();
+  return lamps_out_.waits() || lamps_.waits() || destinations_.waits() || !answers_.empty() ||
+         specials_.waits() || indications_.waits();
 }
 
 std::uint64_t CallController::next() {
@@ -370,45 +336,11 @@ std::uint64_t CallController::next() {
 
 VirtualOutput CallController::next_record() {
   if (lamps_out_.waits()) return lamps_out_.next(lift_mask());
-  if (next_untold().floor != 0) return next_acknowledgement();
-  if (destination_waits()) return next_destination();
+  if (lamps_.waits()) return lamps_.next(lift_mask());
+  if (destinations_.waits()) return destinations_.next();
   if (!answers_.empty()) return decode_output(answers_.pop());
   if (specials_.waits()) return specials_.next(lift_mask());
   return indications_.next();
-}
-
-/// What has changed comes first; of floor 0: nothing waits.
-Call CallController::next_untold() const {
-  const Call changed = shown_.first_difference(told_);
-  constexpr LiftCalls none{};
-  if (changed.floor != 0 || !tells_again_) return changed;
-  return told_again_.first_difference(none);
-}
-
-VirtualOutput CallController::next_acknowledgement() {
-  const Call call = next_untold();
-  const bool on = shown_.contains(call);
-  told_again_.remove(call);
-  tells_again_ = tells_again_ && !told_again_.empty();
-  if (on) {
-    told_.add(call);
-    were_on_.add(call);
-  } else {
-    told_.remove(call);
-    if (call.kind != CallKind::car) tell_overlapping(call);
-  }
-  return acknowledgement_of(call, lift_mask(), on);
-}
-
-/// The sub-function addresses the lamps of each direction (4.4.1): where a call without a direction
-/// goes out, so do those of both, and the other way round. Those of calls that stand are lit again.
-void CallController::tell_overlapping(const Call& gone) {
-  for (const CallKind kind : {CallKind::up, CallKind::down, CallKind::any}) {
-    const Call standing{kind, gone.priority, gone.floor, gone.doors};
-    const bool shares_a_lamp =
-        kind != gone.kind && (sub_function_of(kind) & sub_function_of(gone.kind)) != 0;
-    if (shares_a_lamp && shown_.contains(standing)) told_.remove(standing);
-  }
 }
 
 }  // namespace canvoy::cia417

@@ -7,8 +7,10 @@
 //     next_stop(calls.calls(), car);
 //     calls.answered(7, Direction::up);   // the doors open there
 //
-// It knows nothing of the car: LiftController does. What a call is, and the choices that the
-// profile leaves, are in docs/decisions.md.
+// It takes what panels say, and keeps the order in which they are told. What they show of calls is
+// kept by CallLamps, who named a destination by DestinationCalls, keys by SpecialFunctions, the
+// rest by LiftIndications. It knows nothing of the car: LiftController does. What a call is, and
+// the choices that the profile leaves, are in docs/decisions.md.
 #pragma once
 
 #include <array>
@@ -17,10 +19,13 @@
 
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/canopen/pdo/tpdo.hpp"
+#include "canvoy/devices/cia417/call/call_lamps.hpp"
+#include "canvoy/devices/cia417/call/call_records.hpp"
+#include "canvoy/devices/cia417/call/destination_calls.hpp"
+#include "canvoy/devices/cia417/call/served_floors.hpp"
 #include "canvoy/devices/cia417/call/special_functions.hpp"
 #include "canvoy/devices/cia417/controller/lift_calls.hpp"
 #include "canvoy/devices/cia417/controller/lift_display.hpp"
-#include "canvoy/devices/cia417/group/destination_dispatcher.hpp"
 #include "canvoy/devices/cia417/group/waiting_queue.hpp"
 #include "canvoy/devices/cia417/panel/lamps_out.hpp"
 #include "canvoy/devices/cia417/panel/virtual_mapping.hpp"
@@ -32,7 +37,7 @@ struct CallControllerSettings {
   /// The floors that have a door, for each door of the car.
   std::array<FloorSet, lift_doors_max> served{FloorSet::between(1, FloorSet::floor_max)};
   /// Car calls to these floors are taken while key 1 to 4 is turned only.
-  std::array<FloorSet, 4> locked_by_key{};
+  std::array<FloorSet, key_locks> locked_by_key{};
   /// A call of low priority that has waited for so long becomes a standard one.
   Duration low_priority_max = 60s;
 };
@@ -43,24 +48,7 @@ inline constexpr std::size_t destinations_default = FloorSet::floor_max;
 
 class CallController {
  public:
-  /// A passenger who said where he wants to go, or a car that is sent somewhere: basic functions
-  /// 08h to 0Dh. The owner provides the memory.
-  struct Destination {
-    VirtualInput input{};
-    std::uint8_t lifts = 0;  ///< that the panel shows
-    bool active = false;     ///< the car has not been at its source floor yet
-    bool told = false;       ///< the panel shows it
-    bool wants_answer = false;
-    bool was_told = false;  ///< a panel may still show it
-
-    bool is_used() const { return active || told || wants_answer; }
-    bool is_in_car() const { return input.floor == floor_of_car; }
-    /// It waits no longer, which the panel is told where it shows it.
-    void end() {
-      wants_answer = wants_answer || told;
-      active = told = false;
-    }
-  };
+  using Destination = DestinationCalls::Slot;
 
   /// The dictionary has 6010h and 6011h, and the node a backlog of two frames. `destinations`
   /// bounds the destination calls that wait. All must outlive this.
@@ -96,7 +84,7 @@ class CallController {
   /// Calls of other kinds are refused, which the panel is told.
   void accept(CallKinds kinds) { accepted_ = kinds; }
   /// The building has no floors above.
-  void serve_up_to(unsigned floor);
+  void serve_up_to(unsigned floor) { served_.end_at(floor); }
   /// A call of the lift's own, or one that its group assigned: no panel is told of it. Doors that
   /// are not there are left out.
   void add(const Call& call);
@@ -111,8 +99,8 @@ class CallController {
   void acknowledge_destination(const VirtualInput& input, bool on, std::uint8_t lifts);
 
   /// The panels show it.
-  bool shows(const Call& call) const { return shown_.contains(call); }
-  const LiftCalls& shown() const { return shown_; }
+  bool shows(const Call& call) const { return lamps_.shown().contains(call); }
+  const LiftCalls& shown() const { return lamps_.shown(); }
   /// The group is gone: what panels show of it is this lift's now, which has the bit `lift` in the
   /// group: that is shown to those who wait with a destination.
   void adopt(std::uint8_t lift);
@@ -128,7 +116,7 @@ class CallController {
   DoorMask held_doors(SpecialFunction function) const { return specials_.doors(function); }
   /// Sets a special function from inside, as if a key was turned.
   void set(SpecialFunction function, bool on);
-  DoorMask doors_at(std::uint8_t floor) const;
+  DoorMask doors_at(std::uint8_t floor) const { return served_.doors_at(floor); }
 
   /// What is shown; call show() after a change.
   LiftDisplay& display() { return indications_.display; }
@@ -144,7 +132,7 @@ class CallController {
   /// affirmed, unless the bus was too busy for as many answers.
   std::uint32_t destinations_without_room() const { return destinations_without_room_; }
   std::uint32_t answers_lost() const { return answers_lost_; }
-  std::uint8_t lift_mask() const { return lift_bit(settings_.lift); }
+  std::uint8_t lift_mask() const { return lift_bit(lift_); }
   /// It belongs to another lift now (6001h), whose panels are told what is shown.
   void set_lift_mask(std::uint8_t mask);
 
@@ -161,47 +149,31 @@ class CallController {
   void refuse_destination(const VirtualInput& input);
   void take_connection(const VirtualInput& input);
   Call target_call_of(const VirtualInput& input) const;
-  bool is_car_call_possible(const Call& call) const;
-  bool is_hall_call_possible(const Call& call) const;
+  bool takes_car_call(const Call& call) const;
   void register_call(const Call& call);
   void refuse(const Call& call);
   void refuse_out_of_reach();
-  bool is_locked(std::uint8_t floor) const;
-  Destination* find(const VirtualInput& input);
-  Destination* find_or_make(const VirtualInput& input);
-  void board(Destination& destination);
   void promote(Time now);
   void watch_low();
 
   bool waits();
   std::uint64_t next();
   VirtualOutput next_record();
-  VirtualOutput next_acknowledgement();
-  Call next_untold() const;
-  void tell_overlapping(const Call& gone);
-  VirtualOutput next_destination();
-  bool destination_waits() const;
-  void show_destinations_again();
-  bool is_needed(const Call& source) const;
   void answer(const VirtualInput& input, bool on, std::uint8_t lifts);
 
-  Node& node_;
-  /// That were used since the reset: none, where nobody says at the landing where he wants to go.
-  std::span<Destination> destinations() const { return destinations_.first(destinations_used_); }
+  DoorMask doors_here(const VirtualInput& input) const;
 
-  std::span<Destination> destinations_;
-  std::size_t destinations_used_ = 0;
-  CallControllerSettings settings_;
+  Node& node_;
+  unsigned lift_;
+  Duration low_priority_max_;
+  ServedFloors served_;
+  DestinationCalls destinations_;
   VirtualMapping mapping_;
   LampsOut lamps_out_;
   LiftIndications indications_;
   SpecialFunctions specials_;
   LiftCalls calls_;
-  LiftCalls shown_;       ///< what panels are to show
-  LiftCalls told_;        ///< what they were told
-  LiftCalls were_on_;     ///< what they have shown since the controller began
-  LiftCalls told_again_;  ///< what they are told whether it has changed or not
-  bool tells_again_ = false;
+  CallLamps lamps_;
   CallKinds accepted_ = all_calls;
   bool help_is_coming_ = false;
   std::uint32_t defective_inputs_ = 0;
@@ -218,21 +190,5 @@ class CallController {
   ServiceLink service_{&service_calls, this};
   Timer low_timer_;
 };
-
-/// How panels are told of a call.
-VirtualOutput acknowledgement_of(const Call& call, std::uint8_t lifts, bool on);
-/// The call of a hall call input at these doors.
-Call hall_call_of(const VirtualInput& input, DoorMask doors);
-/// The way that a destination call waits for the car at its source floor.
-Call source_call_of(const VirtualInput& input, DoorMask doors);
-CallPriority priority_of(BasicFunction function);
-constexpr bool is_connection_request(BasicFunction function) {
-  return is_between(function, BasicFunction::access_code_upload,
-                    BasicFunction::area_monitoring_connection);
-}
-constexpr bool is_destination_call(BasicFunction function) {
-  return is_between(function, BasicFunction::standard_destination_call,
-                    BasicFunction::high_priority_call_to_destination_floor);
-}
 
 }  // namespace canvoy::cia417

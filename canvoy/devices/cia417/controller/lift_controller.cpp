@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <utility>
 
 namespace canvoy::cia417 {
+
+constexpr ServiceCalls LiftController::service_calls = {
+    .reset = method<&LiftController::reset>,
+    .state_entered = method<&LiftController::state_entered>};
 
 LiftController::LiftController(Node& node, CallController& calls, const LiftParts& parts,
                                const LiftControllerSettings& settings)
@@ -12,9 +15,8 @@ LiftController::LiftController(Node& node, CallController& calls, const LiftPart
       calls_(calls),
       parts_(parts),
       settings_(settings),
-      timer_(Callback<void(Time)>::to<&LiftController::expired>(*this)) {
-  link_.reset = Callback<void(ResetScope)>::to<&LiftController::reset>(*this);
-  link_.state_entered = Callback<void(NmtState)>::to<&LiftController::state_entered>(*this);
+      timer_(Callback<void(Time)>::to<&LiftController::expired>(*this)),
+      faults_(node) {
   node.attach(link_);
   settings_.floors =
       settings.floors.first(std::min<std::size_t>(settings.floors.size(), FloorSet::floor_max));
@@ -28,18 +30,17 @@ LiftController::LiftController(Node& node, CallController& calls, const LiftPart
 
 void LiftController::reset(ResetScope) {
   node_.timers().disarm(timer_);
-  fault_ = latched_ = LiftFault::none;
-  service_ = LiftService::normal;
+  faults_.begin_anew();
+  service_.begin_anew();
+  dwell_.begin_anew();
+  hand_.begin_anew();
+  levelling_.give_up();
   phase_ = LiftPhase::idle;
   direction_ = Direction::none;
   target_ = 0;
   open_doors_ = settings_.doors;  // what they were told before is not known
-  tries_ = 0;
-  by_hand_ = end_ = 0;
   promised_ = {};
-  is_levelling_ = false;
-  is_errand_ = is_cleared_ = is_held_ = nudging_ = ignores_button_ = late_opening_ = late_closing_ =
-      false;
+  is_errand_ = false;
   idle_since_ = resume_at_ = node_.now();
 }
 
@@ -50,13 +51,13 @@ void LiftController::state_entered(NmtState state) {
     // What was under way has been stopped.
     if (phase_ == LiftPhase::driving || phase_ == LiftPhase::manual) phase_ = LiftPhase::idle;
     target_ = 0;
-    by_hand_ = end_ = 0;
+    hand_.begin_anew();
     promised_ = {};
-    is_levelling_ = false;
+    levelling_.give_up();
     return update();
   }
   const bool drives = phase_ == LiftPhase::driving || phase_ == LiftPhase::manual;
-  if (drives || is_levelling_) parts_.motion.fast_stop();
+  if (drives || levelling_.is_under_way()) parts_.motion.fast_stop();
   node_.timers().disarm(timer_);
 }
 
@@ -75,6 +76,20 @@ void LiftController::update() {
   changed_();
 }
 
+void LiftController::wake_at(Time at) {
+  if (at < timer_.at()) node_.timers().arm(timer_, std::max(at, node_.now()));
+}
+
+AbortCode LiftController::refuses_lift_number() {
+  const MotionStatus motion = parts_.motion.status();
+  const bool moves = motion.available && !motion.standing;
+  const bool rests = phase_ == LiftPhase::idle || phase_ == LiftPhase::stopped;
+  const bool serves = node_.state() == NmtState::operational && !rests;
+  return moves || serves ? AbortCode::device_state : AbortCode::none;
+}
+
+// What is the case.
+
 void LiftController::look() {
   motion_ = parts_.motion.status();
   doors_ = parts_.doors.status();
@@ -82,13 +97,10 @@ void LiftController::look() {
   watch_position();
   if (!motion_.available) return;
   const std::uint8_t before = floor_;
-  // One that has not succeeded lets the lift go on meanwhile.
-  constexpr Duration between_levellings = 1s;
-  if (motion_.standing && std::exchange(is_levelling_, false)) {
-    level_at_ = node_.now() + between_levellings;
-  }
-  const bool stays = motion_.standing || is_levelling_;
-  floor_ = stays ? nearest_floor(motion_.position_micrometre) : reachable_floor();
+  if (motion_.standing) levelling_.end(node_.now());
+  const bool stays = motion_.standing || levelling_.is_under_way();
+  floor_ = stays ? floors().nearest(motion_.position_micrometre)
+                 : floors().reachable(motion_, direction_, departed_);
   const bool drives = phase_ == LiftPhase::driving && !motion_.standing;
   if (drives && floor_ != before) deadline_ = node_.now() + settings_.times.travel_max;
 }
@@ -103,6 +115,114 @@ void LiftController::watch_position() {
   steady_since_ = node_.now();
 }
 
+LiftFault LiftController::find_fault() const {
+  if (!motion_.available) return LiftFault::motion;
+  const bool moves = !motion_.standing;
+  const DoorMask unlocked = settings_.doors & ~doors_.locked;
+  const bool is_free = (unlocked & ~doors_.faulty) != 0;
+  if (moves && is_free && !is_levelling_in_zone()) return LiftFault::unlocked;
+  // A moving car with a door that is not heard ends at the next floor: see drive().
+  if ((doors_.faulty & settings_.doors) != 0 && !moves) return LiftFault::door;
+  if (!load_.known && !moves) return LiftFault::load;
+  return faults_.latched();
+}
+
+bool LiftController::is_levelling_in_zone() const {
+  return levelling_.is_under_way() &&
+         floors().off_floor(motion_.position_micrometre) <= settings_.door_zone_micrometre;
+}
+
+void LiftController::change_fault(LiftFault fault) {
+  if (!faults_.change(fault)) return;
+  deadline_ = never;
+  if (fault == LiftFault::none) {
+    resume_at_ = node_.now() + settings_.times.retry;
+    return;
+  }
+  if (fault == LiftFault::unlocked) faults_.latch(fault);
+  if (!motion_.standing || !motion_.available) parts_.motion.fast_stop();
+  direction_ = Direction::none;
+  target_ = 0;
+  hand_.stop();
+  levelling_.give_up();
+  is_errand_ = false;
+  enter(LiftPhase::stopped);
+}
+
+bool LiftController::takes_hall_calls() const {
+  // With doors that do not lock it goes nowhere: between floors at once, elsewhere after some
+  // tries.
+  const bool is_between = motion_.standing && floor_here() == 0 && !levelling_.is_under_way();
+  const bool is_stranded = faults_.is_closing_late() || (is_between && !is_locked());
+  return !faults_.is_there() && !is_stranded && service_.accepted() == all_calls &&
+         node_.state() == NmtState::operational &&
+         !calls_.is_on(SpecialFunction::hall_call_disable);
+}
+
+/// Calls that the new service does not answer are taken back.
+void LiftController::change_service(LiftService service) {
+  if (calls_.is_on(SpecialFunction::hall_call_disable)) calls_.cancel(hall_calls);
+  if (!service_.change(service)) return;
+  const CallKinds accepted = service_.accepted();
+  calls_.accept(accepted);
+  calls_.cancel(static_cast<CallKinds>(all_calls & ~accepted));
+  // The fire brigade begins without the calls of those who were there before.
+  if (service == LiftService::fire_brigade) calls_.cancel(all_calls);
+  // Nobody gets in any more.
+  if (accepted == 0) dwell_.end(node_.now());
+  idle_since_ = node_.now();
+}
+
+void LiftController::show() {
+  LiftDisplay& display = calls_.display();
+  display.floor = motion_.available ? floors().nearest(motion_.position_micrometre) : 0;
+  display.moving = phase_ == LiftPhase::driving || hand_.direction() != 0;
+  display.direction = direction_;
+  const bool stops = phase_ == LiftPhase::opening || phase_ == LiftPhase::open;
+  display.lantern_floor = stops ? floor_ : promised_.floor;
+  display.lantern_doors = stops ? open_doors_ : promised_.doors;
+  const Direction departs = stops ? direction_ : promised_.departure;
+  display.lantern = service_.accepted() == all_calls ? departs : Direction::none;
+  display.specials = special_indications();
+  calls_.show();
+}
+
+SpecialIndications LiftController::special_indications() const {
+  SpecialIndications specials = 0;
+  const auto add = [&](bool is_case, SpecialIndication indication) {
+    if (is_case) specials |= indication_bit(indication);
+  };
+  const bool takes_time =
+      calls_.is_on(SpecialFunction::load_time_1) || calls_.is_on(SpecialFunction::load_time_2);
+  add(load_.zero && load_.known, SpecialIndication::no_load);
+  add(load_.full && !load_.overload, SpecialIndication::full_load);
+  add(load_.overload, SpecialIndication::overload);
+  add(service_.is_in_fire(), SpecialIndication::fire);
+  add(service_.is(LiftService::fire_brigade), SpecialIndication::fire_brigade_service);
+  add(calls_.is_help_coming(), SpecialIndication::help_is_coming);
+  add(service_.is(LiftService::special) || service_.is_manual(),
+      SpecialIndication::special_service);
+  add(takes_time, SpecialIndication::load_time);
+  add(service_.is_occupied(), SpecialIndication::occupied);
+  add(service_.is(LiftService::out_of_order) || faults_.is_there(),
+      SpecialIndication::out_of_order);
+  return specials;
+}
+
+/// The floor with a door that is next to this one, which is asked first; itself where none has one.
+std::uint8_t LiftController::nearest_served_floor(std::uint8_t floor) const {
+  return floors().nearest_where(floor, [this](std::uint8_t near) { return doors_at(near) != 0; });
+}
+
+/// On its way, from a floor on at which it can stop: the first one with a door, where people can
+/// get out; behind it, where the rest of the way has none.
+std::uint8_t LiftController::next_served_floor(std::uint8_t floor) const {
+  return floors().next_where(floor, direction_,
+                             [this](std::uint8_t next) { return doors_at(next) != 0; });
+}
+
+// What is done about it, by phase.
+
 void LiftController::step() {
   look();
   node_.timers().disarm(timer_);
@@ -111,7 +231,7 @@ void LiftController::step() {
   const bool is_early = phase_ == LiftPhase::idle && node_.now() < patient_until;
   if (fault != LiftFault::none && is_early) return wake_at(patient_until);
   change_fault(fault);
-  change_service(wanted_service());
+  change_service(service_.wanted(calls_, is_at_fire_floor()));
   act();
 }
 
@@ -134,222 +254,341 @@ void LiftController::act() {
   }
 }
 
-LiftFault LiftController::find_fault() const {
-  if (!motion_.available) return LiftFault::motion;
-  const bool moves = !motion_.standing;
-  const DoorMask unlocked = settings_.doors & ~doors_.locked;
-  const bool is_free = (unlocked & ~doors_.faulty) != 0;
-  if (moves && is_free && !is_levelling_in_zone()) return LiftFault::unlocked;
-  // A moving car with a door that is not heard ends at the next floor: see drive().
-  if ((doors_.faulty & settings_.doors) != 0 && !moves) return LiftFault::door;
-  if (!load_.known && !moves) return LiftFault::load;
-  return latched_;
+void LiftController::enter(LiftPhase phase) {
+  phase_ = phase;
+  promised_ = {};
+  again_ = true;
 }
 
-bool LiftController::is_levelling_in_zone() const {
-  const std::int32_t here = motion_.position_micrometre;
-  return is_levelling_ &&
-         std::abs(here - position_of(nearest_floor(here))) <= settings_.door_zone_micrometre;
+void LiftController::idle() {
+  if (!motion_.standing) return;
+  if (node_.now() < resume_at_) return wake_at(resume_at_);
+  // Doors that were told to open, and did not, may still do so.
+  if (!is_locked() || open_doors_ != 0) return close_doors();
+  if (service_.is_manual()) return enter(LiftPhase::manual);
+  const std::uint8_t floor = floor_here();
+  if (floor != 0) return begin_trip(floor);
+  // Between floors, after a fault: to the next one, and on from there.
+  is_errand_ = true;
+  go_to(nearest_served_floor(floors().nearest(motion_.position_micrometre)));
 }
 
-void LiftController::change_fault(LiftFault fault) {
-  if (fault == fault_) return;
-  if (fault_ != LiftFault::none) tell_error(static_cast<std::uint16_t>(fault_), false);
-  if (fault != LiftFault::none) tell_error(static_cast<std::uint16_t>(fault), true);
-  fault_ = fault;
-  deadline_ = never;
-  if (fault == LiftFault::none) {
-    resume_at_ = node_.now() + settings_.times.retry;
+void LiftController::drive() {
+  if (motion_.standing) return arrive();
+  if (node_.now() >= deadline_) {
+    faults_.latch(LiftFault::travel_time);
+    again_ = true;
     return;
   }
-  if (fault == LiftFault::unlocked) latched_ = fault;
-  if (!motion_.standing || !motion_.available) parts_.motion.fast_stop();
-  direction_ = Direction::none;
-  target_ = 0;
-  by_hand_ = 0;
-  is_errand_ = is_levelling_ = false;
-  enter(LiftPhase::stopped);
+  wake_at(deadline_);
+  follow_calls();
 }
 
-void LiftController::tell_error(std::uint16_t instance, bool present) {
-  const Error error{.code = error_code,
-                    .instance = instance,
-                    .register_bits = error_register::generic | error_register::profile};
-  if (present) {
-    node_.raise(error);
-  } else {
-    node_.clear(error);
+void LiftController::await_open() {
+  if (relevel()) return wake_at(deadline_);
+  if ((open_doors_ & ~doors_.open) == 0) {
+    faults_.doors_opened(true);
+    dwell_.opened(node_.now());
+    return enter(LiftPhase::open);
   }
+  answer_here();
+  if (node_.now() < deadline_) return wake_at(deadline_);
+  faults_.doors_opened(false);
+  close_doors();
 }
 
-AbortCode LiftController::refuses_lift_number() {
-  const MotionStatus motion = parts_.motion.status();
-  const bool moves = motion.available && !motion.standing;
-  const bool rests = phase_ == LiftPhase::idle || phase_ == LiftPhase::stopped;
-  const bool serves = node_.state() == NmtState::operational && !rests;
-  return moves || serves ? AbortCode::device_state : AbortCode::none;
-}
-
-LiftService LiftController::wanted_service() const {
-  const auto on = [&](SpecialFunction function) { return calls_.is_on(function); };
-  if (on(SpecialFunction::out_of_order)) return LiftService::out_of_order;
-  const bool alarm = on(SpecialFunction::fire_service_enable);
-  const bool brigade = on(SpecialFunction::fire_service);
-  const bool in_fire_service =
-      service_ == LiftService::fire_recall || service_ == LiftService::fire_brigade;
-  if (alarm || brigade) {
-    // The fire brigade takes the car over at the fire floor, each time anew.
-    const bool has_come = in_fire_service && is_cleared_;
-    return brigade && has_come ? LiftService::fire_brigade : LiftService::fire_recall;
+void LiftController::keep_open() {
+  if (relevel()) return;
+  const Time now = node_.now();
+  if (service_.clear(is_at_fire_floor())) again_ = true;  // the service may end with it
+  if (answer_here() || is_barred() || is_open_wanted()) {
+    dwell_.prolong(now + settings_.times.dwell_again);
   }
-  // When the keys are turned back it returns to the fire floor first.
-  if (in_fire_service && !(is_cleared_ && floor_here() == settings_.fire_floor)) {
-    return LiftService::fire_recall;
+  const bool is_held = load_.overload || service_.keeps_doors_open(calls_, is_at_fire_floor());
+  if (dwell_.hold(is_held, now)) return;
+  const bool hurries = calls_.is_on(SpecialFunction::door_close) && !is_barred();
+  const bool ends =
+      dwell_.ends(now, settings_.times.nudging, calls_.is_on(SpecialFunction::door_open));
+  if (ends || hurries) return close_doors();
+  wake_at(dwell_.next(settings_.times.nudging));
+}
+
+void LiftController::await_closed() {
+  if (is_locked()) {
+    faults_.doors_closed(true);
+    dwell_.closed();
+    open_doors_ = 0;
+    idle_since_ = node_.now();
+    return enter(LiftPhase::idle);
   }
-  if (on(SpecialFunction::service_run)) return LiftService::service_run;
-  if (on(SpecialFunction::dogging_service_enable)) return LiftService::dogging;
-  if (on(SpecialFunction::special_service)) return LiftService::special;
-  if (on(SpecialFunction::bed_passenger_service)) return LiftService::bed_passenger;
-  if (on(SpecialFunction::vip_service)) return LiftService::vip;
-  if (on(SpecialFunction::attendant_service)) return LiftService::attendant;
-  return LiftService::normal;
-}
-
-bool LiftController::is_exclusive() const {
-  return service_ == LiftService::vip || service_ == LiftService::bed_passenger ||
-         service_ == LiftService::special || service_ == LiftService::fire_brigade;
-}
-
-CallKinds LiftController::accepted() const {
-  if (service_ == LiftService::normal || service_ == LiftService::attendant) return all_calls;
-  return is_exclusive() ? car_calls : CallKinds{0};
-}
-
-bool LiftController::takes_hall_calls() const {
-  // With doors that do not lock it goes nowhere: between floors at once, elsewhere after some
-  // tries.
-  const bool is_stranded =
-      late_closing_ || (motion_.standing && floor_here() == 0 && !is_levelling_ && !is_locked());
-  return fault_ == LiftFault::none && !is_stranded && accepted() == all_calls &&
-         node_.state() == NmtState::operational &&
-         !calls_.is_on(SpecialFunction::hall_call_disable);
-}
-
-/// Calls that the new service does not answer are taken back.
-void LiftController::change_service(LiftService service) {
-  if (calls_.is_on(SpecialFunction::hall_call_disable)) calls_.cancel(hall_calls);
-  if (service == service_) return;
-  if (service == LiftService::fire_recall || service == LiftService::out_of_order) {
-    is_cleared_ = false;
+  const bool is_late = node_.now() >= deadline_;
+  if (!is_late && !should_open()) {
+    // A light barrier that breaks on the way slows them down.
+    if (closing_ == DoorClosing::normal && wanted_closing() != closing_) return close_doors();
+    return wake_at(deadline_);
   }
-  service_ = service;
-  calls_.accept(accepted());
-  calls_.cancel(static_cast<CallKinds>(all_calls & ~accepted()));
-  // The fire brigade begins without the calls of those who were there before.
-  if (service == LiftService::fire_brigade) calls_.cancel(all_calls);
-  // Nobody gets in any more.
-  if (accepted() == 0) dwell_until_ = std::min(dwell_until_, node_.now());
-  idle_since_ = node_.now();
+  if (is_late && dwell_.was_late()) faults_.doors_closed(false);
+  const std::uint8_t floor = floor_here();
+  // Nobody gets out between floors: it only tries again.
+  if (floor == 0) return is_late ? close_doors() : wake_at(deadline_);
+  dwell_.open_again(settings_.times.dwell_again);
+  open_doors(open_doors_ != 0 ? open_doors_ : calls_.doors_at(floor));
 }
 
-void LiftController::show() {
-  LiftDisplay& display = calls_.display();
-  display.floor = motion_.available ? nearest_floor(motion_.position_micrometre) : 0;
-  display.moving = phase_ == LiftPhase::driving || by_hand_ != 0;
-  display.direction = direction_;
-  const bool stops = phase_ == LiftPhase::opening || phase_ == LiftPhase::open;
-  display.lantern_floor = stops ? floor_ : promised_.floor;
-  display.lantern_doors = stops ? open_doors_ : promised_.doors;
-  const Direction departs = stops ? direction_ : promised_.departure;
-  display.lantern = accepted() == all_calls ? departs : Direction::none;
-  SpecialIndications specials = 0;
-  const auto add = [&](bool is_case, SpecialIndication indication) {
-    if (is_case) specials |= indication_bit(indication);
-  };
-  const bool in_fire =
-      service_ == LiftService::fire_recall || service_ == LiftService::fire_brigade;
-  add(load_.zero && load_.known, SpecialIndication::no_load);
-  add(load_.full && !load_.overload, SpecialIndication::full_load);
-  add(load_.overload, SpecialIndication::overload);
-  add(in_fire, SpecialIndication::fire);
-  add(service_ == LiftService::fire_brigade, SpecialIndication::fire_brigade_service);
-  add(calls_.is_help_coming(), SpecialIndication::help_is_coming);
-  add(service_ == LiftService::special || service_ == LiftService::service_run ||
-          service_ == LiftService::dogging,
-      SpecialIndication::special_service);
-  add(calls_.is_on(SpecialFunction::load_time_1) || calls_.is_on(SpecialFunction::load_time_2),
-      SpecialIndication::load_time);
-  add(service_ == LiftService::vip || service_ == LiftService::bed_passenger,
-      SpecialIndication::occupied);
-  add(service_ == LiftService::out_of_order || fault_ != LiftFault::none,
-      SpecialIndication::out_of_order);
-  display.specials = specials;
-  calls_.show();
-}
-
-void LiftController::wake_at(Time at) {
-  if (at < timer_.at()) node_.timers().arm(timer_, std::max(at, node_.now()));
-}
-
-std::uint8_t LiftController::nearest_floor(std::int32_t position) const {
-  const auto above = std::ranges::lower_bound(settings_.floors, position);
-  const auto number = static_cast<std::size_t>(above - settings_.floors.begin()) + 1;
-  if (number > settings_.floors.size()) return static_cast<std::uint8_t>(number - 1);
-  const auto floor = static_cast<std::uint8_t>(number);
-  if (floor == 1) return floor;
-  const auto below = static_cast<std::uint8_t>(floor - 1);
-  return *above - position <= position - position_of(below) ? floor : below;
-}
-
-std::uint8_t LiftController::floor_here() const {
-  if (!motion_.available || !motion_.standing) return 0;
-  const std::uint8_t floor = nearest_floor(motion_.position_micrometre);
-  const std::int32_t off = motion_.position_micrometre - position_of(floor);
-  return std::abs(off) <= settings_.floor_tolerance_micrometre ? floor : std::uint8_t{0};
-}
-
-std::uint8_t LiftController::reachable_floor() const {
-  const std::int32_t tolerance = settings_.floor_tolerance_micrometre;
-  const std::int32_t stops_at = motion_.stopping_position_micrometre;
-  const auto count = static_cast<std::uint8_t>(settings_.floors.size());
-  if (motion_.velocity_micrometre_per_second >= 0 && direction_ != Direction::down) {
-    const auto floor = std::ranges::lower_bound(settings_.floors, stops_at - tolerance);
-    const auto number = static_cast<std::size_t>(floor - settings_.floors.begin()) + 1;
-    const std::size_t next = direction_ == Direction::up ? departed_ + std::size_t{1} : 1;
-    return static_cast<std::uint8_t>(std::min<std::size_t>(std::max(number, next), count));
-  }
-  const auto above = std::ranges::upper_bound(settings_.floors, stops_at + tolerance);
-  const std::ptrdiff_t next =
-      direction_ == Direction::down && departed_ > 1 ? departed_ - 1 : count;
-  return static_cast<std::uint8_t>(
-      std::clamp<std::ptrdiff_t>(above - settings_.floors.begin(), 1, next));
-}
-
-/// The floor with a door that is next to this one, which is asked first; itself where none has one.
-std::uint8_t LiftController::nearest_served_floor(std::uint8_t floor) const {
-  const auto count = static_cast<unsigned>(settings_.floors.size());
-  for (unsigned away = 0; away < count; ++away) {
-    const unsigned below = floor > away ? floor - away : 0;
-    const unsigned above = floor + away;
-    for (const unsigned near : {below, above}) {
-      const auto number = static_cast<std::uint8_t>(near);
-      const bool is_floor = near >= 1 && near <= count;
-      if (is_floor && (calls_.doors_at(number) & settings_.doors) != 0) return number;
+/// By two buttons: see HandDrive.
+void LiftController::drive_by_hand() {
+  departed_ = 0;
+  const bool up = calls_.is_on(SpecialFunction::dogging_service_up);
+  const bool down = calls_.is_on(SpecialFunction::dogging_service_down);
+  const bool may_move = service_.is_manual() && is_locked() && up != down;
+  const int wanted = up ? 1 : -1;
+  if (hand_.obey(may_move ? wanted : 0, motion_.stopping_position_micrometre, floors())) {
+    direction_ = static_cast<Direction>(hand_.direction());
+    const std::int32_t speed = service_.is(LiftService::dogging)
+                                   ? settings_.dogging_speed_micrometre_per_second
+                                   : settings_.service_speed_micrometre_per_second;
+    if (hand_.direction() == 0) {
+      parts_.motion.stop();
+    } else {
+      parts_.motion.run(hand_.direction() * speed);
     }
   }
-  return floor;
+  if (!service_.is_manual() && motion_.standing) enter(LiftPhase::idle);
 }
 
-/// On its way, from a floor on at which it can stop: the first one with a door, where people can
-/// get out; behind it, where the rest of the way has none.
-std::uint8_t LiftController::next_served_floor(std::uint8_t floor) const {
-  const int step = direction_ == Direction::down ? -1 : 1;
-  const int count = static_cast<int>(settings_.floors.size());
-  for (int next = floor; next >= 1 && next <= count; next += step) {
-    const auto number = static_cast<std::uint8_t>(next);
-    if ((calls_.doors_at(number) & settings_.doors) != 0) return number;
+/// By a fault. When it has gone, the lift goes on after a while.
+void LiftController::stand() {
+  if (!faults_.is_there()) {
+    if (node_.now() < resume_at_) return wake_at(resume_at_);
+    idle_since_ = node_.now();
+    return enter(LiftPhase::idle);
   }
-  return floor;
+  let_out();
+  if (faults_.latched() == LiftFault::none || !motion_.standing || !motion_.available) return;
+  if (deadline_ == never) deadline_ = node_.now() + settings_.times.retry;
+  if (node_.now() < deadline_) return wake_at(deadline_);
+  faults_.latch(LiftFault::none);
+  again_ = true;
+}
+
+// Where the car goes.
+
+void LiftController::begin_trip(std::uint8_t floor) {
+  const DoorMask here = doors_at(floor);
+  if (service_.is(LiftService::out_of_order)) {
+    if (service_.is_cleared()) return;
+    return here != 0 ? stop_at(floor, here) : leave_for_a_door(floor);
+  }
+  if (load_.overload) return here != 0 ? stop_at(floor, here) : void();
+  if (is_open_wanted() && here != 0) {
+    const DoorMask held = calls_.held_doors(SpecialFunction::door_open) & here;
+    return stop_at(floor, held != 0 ? held : here);
+  }
+  // The fire brigade opens with the button for it, also where it is already.
+  if (service_.is(LiftService::fire_brigade)) calls_.answered(floor, Direction::none);
+  const NextStop stop = wanted_stop(floor, false);
+  if (stop.floor == 0) return park(floor);
+  if (stop.floor == floor) return stop_at(floor, stop.doors);
+  is_errand_ = false;
+  go_to(stop.floor);
+}
+
+/// Stands where it has no door: people get out at the nearest floor that has one.
+void LiftController::leave_for_a_door(std::uint8_t floor) {
+  const std::uint8_t nearest = nearest_served_floor(floor);
+  if (nearest == floor) return;
+  is_errand_ = true;
+  go_to(nearest);
+}
+
+void LiftController::park(std::uint8_t floor) {
+  direction_ = Direction::none;
+  const bool away = settings_.parking_floor != 0 && settings_.parking_floor != floor;
+  if (!away || !service_.is(LiftService::normal)) return;
+  const Time at = idle_since_ + settings_.times.parking;
+  if (node_.now() < at) return wake_at(at);
+  is_errand_ = true;
+  go_to(settings_.parking_floor);
+}
+
+void LiftController::go_to(std::uint8_t floor) {
+  target_ = floor;
+  // It does not go back to where it has just left, as a call that comes late would have it.
+  departed_ = floor_here();
+  const std::int32_t position = floors().position_of(floor);
+  const std::int32_t here = motion_.position_micrometre;
+  if (position != here) direction_ = position > here ? Direction::up : Direction::down;
+  deadline_ = node_.now() + settings_.times.travel_max;
+  enter(LiftPhase::driving);
+  parts_.motion.travel_to(position);
+}
+
+/// What comes while the car moves: calls on its way, or none any more.
+void LiftController::follow_calls() {
+  const std::int32_t left = motion_.stopping_position_micrometre - floors().position_of(target_);
+  const bool ends = (doors_.faulty & settings_.doors) != 0 || !load_.known;
+  if (std::abs(left) <= settings_.floor_tolerance_micrometre) {
+    promised_ = ends ? NextStop{} : promised_stop();
+    return;
+  }
+  const std::uint8_t reachable = floors().reachable(motion_, direction_, departed_);
+  const NextStop stop =
+      ends ? NextStop{.floor = next_served_floor(reachable)} : wanted_stop(reachable, true);
+  const bool is_called = stop.doors != 0 || ends || service_.is(LiftService::fire_recall) ||
+                         service_.is(LiftService::out_of_order);
+  if (stop.floor == 0 || stop.floor == target_ || (is_errand_ && !is_called)) return;
+  is_errand_ = false;
+  target_ = stop.floor;
+  parts_.motion.travel_to(floors().position_of(target_));
+}
+
+/// Where the drive says so, or where it has given up: at its target it has arrived all the same.
+void LiftController::arrive() {
+  const std::uint8_t floor = floor_here();
+  if (floor == 0 || (!motion_.arrived && floor != target_)) {
+    faults_.latch(LiftFault::position);
+    again_ = true;
+    return;
+  }
+  target_ = 0;
+  is_errand_ = false;
+  idle_since_ = node_.now();
+  // What the lantern promised holds while somebody wants it.
+  if (promised_.departure != Direction::none) direction_ = promised_.departure;
+  // The fire brigade opens by itself, where it has seen what is behind the door.
+  if (service_.is(LiftService::fire_brigade)) calls_.answered(floor, Direction::none);
+  const NextStop stop = wanted_stop(floor, false);
+  if (stop.floor == floor && stop.doors != 0) return stop_at(floor, stop.doors);
+  enter(LiftPhase::idle);
+}
+
+/// The stop to which the car slows down, for those who see its lantern there: where it goes on to
+/// does not change any more while somebody wants that. None where no door will open.
+NextStop LiftController::promised_stop() const {
+  CollectiveCar car = car_at(target_, true);
+  if (promised_.departure != Direction::none) car.direction = promised_.departure;
+  const NextStop stop = next_stop(calls_.calls(), car);
+  return stop.floor == target_ && stop.doors != 0 ? stop : NextStop{};
+}
+
+/// The next stop by the service that is on: for the fire recall one floor, out of order the first.
+NextStop LiftController::wanted_stop(std::uint8_t floor, bool moving) const {
+  if (service_.is(LiftService::out_of_order)) {
+    return {.floor = moving ? next_served_floor(floor) : std::uint8_t{0}};
+  }
+  if (!service_.is(LiftService::fire_recall))
+    return next_stop(calls_.calls(), car_at(floor, moving));
+  const std::uint8_t fire_floor = settings_.fire_floor;
+  const bool lies_behind = direction_ == Direction::up ? fire_floor < floor : fire_floor > floor;
+  if (moving && lies_behind) return {.floor = floor};
+  if (service_.is_cleared()) return {};
+  return {.floor = fire_floor, .doors = calls_.doors_at(fire_floor)};
+}
+
+CollectiveCar LiftController::car_at(std::uint8_t floor, bool moving) const {
+  const bool takes = !is_full() && service_.accepted() == all_calls;
+  return {.floor = floor, .direction = direction_, .moving = moving, .takes_hall_calls = takes};
+}
+
+// What its doors do.
+
+/// Answers the calls of this stop, and opens.
+void LiftController::stop_at(std::uint8_t floor, DoorMask doors) {
+  direction_ = departure(calls_.calls(), car_at(floor, false));
+  const auto kinds = static_cast<CallKinds>(answered_calls(direction_) & service_.accepted());
+  const CallKinds there =
+      calls_.calls().doors_at(floor, hall_calls & kinds) != 0 ? hall_calls : car_calls;
+  dwell_.begin(dwell_for(there));
+  calls_.ring(floor, doors, direction_);
+  calls_.answered(floor, direction_, kinds);
+  open_doors(doors);
+  tell_stop(floor, open_doors_);
+}
+
+void LiftController::tell_stop(std::uint8_t floor, DoorMask doors) {
+  if (service_.accepted() == all_calls) stopped_({floor, direction_}, doors);
+}
+
+void LiftController::open_doors(DoorMask doors) {
+  const auto wanted = static_cast<DoorMask>(doors & settings_.doors);
+  if (floor_here() == 0 || wanted == 0) return;
+  open_doors_ = wanted;
+  deadline_ = node_.now() + settings_.times.door_opens_max;
+  enter(LiftPhase::opening);
+  parts_.doors.open(open_doors_);
+}
+
+void LiftController::close_doors() {
+  deadline_ = node_.now() + settings_.times.door_closes_max;
+  enter(LiftPhase::closing);
+  closing_ = wanted_closing();
+  parts_.doors.close(settings_.doors, closing_);
+}
+
+/// Who is in the car of a lift that has a fault gets out where there is a floor.
+void LiftController::let_out() {
+  const std::uint8_t floor = floor_here();
+  if (floor == 0) return;
+  const Time steady_at = steady_since_ + settings_.times.steady;
+  if (node_.now() < steady_at) return wake_at(steady_at);
+  const auto doors = static_cast<DoorMask>(doors_at(floor) & ~doors_.faulty & ~open_doors_);
+  if (doors == 0) return;
+  open_doors_ |= doors;
+  parts_.doors.open(doors);
+}
+
+/// Whether it is on its way back to its floor.
+bool LiftController::relevel() {
+  if (levelling_.is_under_way()) return true;
+  const std::int32_t here = motion_.position_micrometre;
+  const bool is_off = !floors().is_at_floor(here);
+  const bool is_in_zone = floors().off_floor(here) <= settings_.door_zone_micrometre;
+  if (!motion_.standing || !is_off || !is_in_zone) return false;
+  if (node_.now() < levelling_.may_begin_at()) {
+    wake_at(levelling_.may_begin_at());
+    return false;
+  }
+  levelling_.begin();
+  again_ = true;
+  parts_.motion.travel_to(floors().position_of(floors().nearest(here)));
+  return true;
+}
+
+/// A call at this floor that the stop answers as well.
+bool LiftController::answer_here() {
+  const std::uint8_t floor = floor_here();
+  if (floor == 0) return false;
+  if (direction_ == Direction::none) direction_ = departure(calls_.calls(), car_at(floor, false));
+  const auto kinds = static_cast<CallKinds>(answered_calls(direction_) & service_.accepted());
+  const DoorMask doors = calls_.calls().doors_at(floor, kinds);
+  if (doors == 0) return false;
+  calls_.answered(floor, direction_, kinds);
+  const auto more = static_cast<DoorMask>(doors & settings_.doors & ~open_doors_);
+  if (more != 0 && phase_ != LiftPhase::closing) open_doors(open_doors_ | more);
+  open_doors_ |= more;
+  tell_stop(floor, open_doors_);
+  return true;
+}
+
+/// While it closes.
+bool LiftController::should_open() {
+  const bool is_released =
+      service_.is(LiftService::fire_brigade) && !calls_.is_on(SpecialFunction::door_close);
+  if (load_.overload || is_released) return true;
+  return !dwell_.is_nudging() && (is_barred() || is_open_wanted() || answer_here());
+}
+
+DoorClosing LiftController::wanted_closing() const {
+  if (dwell_.is_nudging() || service_.distrusts_barriers()) return DoorClosing::nudging;
+  const bool is_unprotected = (doors_.unprotected & settings_.doors) != 0;
+  return is_unprotected ? DoorClosing::gentle : DoorClosing::normal;
+}
+
+Duration LiftController::dwell_for(CallKinds kinds) const {
+  const bool long_load =
+      calls_.is_on(SpecialFunction::load_time_1) || calls_.is_on(SpecialFunction::load_time_2);
+  if (long_load || service_.is(LiftService::bed_passenger)) return settings_.times.dwell_long;
+  return (kinds & hall_calls) != 0 ? settings_.times.dwell_hall : settings_.times.dwell_car;
 }
 
 }  // namespace canvoy::cia417

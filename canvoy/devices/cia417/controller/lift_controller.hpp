@@ -8,8 +8,11 @@
 //
 // A trip: doors close and lock; the car drives, stops for what its collective control collects,
 // stands within 10 mm of the floor; doors open, wait, and close again. A car that sinks by those
-// who get in is brought back to its floor with open doors. What a service does is in
-// docs/decisions.md: the profile names them and leaves the rest to the maker.
+// who get in is brought back to its floor with open doors.
+//
+// It goes from phase to phase. What it knows meanwhile is kept by those who know it: which service
+// is on (LiftServiceState), how long doors stay open (DoorDwell), where its floors are
+// (LiftFloors), what is wrong (LiftFaults).
 #pragma once
 
 #include <cstdint>
@@ -18,7 +21,13 @@
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/devices/cia417/call/call_controller.hpp"
 #include "canvoy/devices/cia417/controller/collective_control.hpp"
+#include "canvoy/devices/cia417/controller/door_dwell.hpp"
+#include "canvoy/devices/cia417/controller/hand_drive.hpp"
+#include "canvoy/devices/cia417/controller/levelling.hpp"
+#include "canvoy/devices/cia417/controller/lift_faults.hpp"
+#include "canvoy/devices/cia417/controller/lift_floors.hpp"
 #include "canvoy/devices/cia417/controller/lift_interfaces.hpp"
+#include "canvoy/devices/cia417/controller/lift_service.hpp"
 
 namespace canvoy::cia417 {
 
@@ -68,20 +77,6 @@ struct LiftParts {
   Callback<LiftLoad()> load;  ///< without one the car is neither empty nor full
 };
 
-/// In the order of what goes before what.
-enum class LiftService : std::uint8_t {
-  normal,
-  attendant,  ///< doors close when the attendant says so
-  vip,        ///< car calls only, and so for the next two
-  bed_passenger,
-  special,
-  dogging,       ///< by two buttons, slowly
-  service_run,   ///< the same for who maintains it
-  fire_brigade,  ///< car calls only, doors by their buttons alone
-  fire_recall,   ///< to the fire floor, and out
-  out_of_order,
-};
-
 enum class LiftPhase : std::uint8_t {
   idle,     ///< stands with closed doors
   driving,  ///< to target()
@@ -92,24 +87,8 @@ enum class LiftPhase : std::uint8_t {
   stopped,  ///< by a fault
 };
 
-/// Each is an application error FF04h with this as instance.
-enum class LiftFault : std::uint8_t {
-  none,
-  motion,       ///< drive or position unit
-  unlocked,     ///< a door is not locked while the car moves
-  door,         ///< a door is not heard or tells an error
-  load,         ///< the load is not known
-  travel_time,  ///< the car does not arrive
-  position,     ///< the car does not stand where it should: no floor, or short of its target
-};
-
 class LiftController {
  public:
-  static constexpr std::uint16_t error_code = 0xFF04;
-  /// Instances of the errors that doors did not open, or not close, in time.
-  static constexpr std::uint16_t opens_late = 0x10;
-  static constexpr std::uint16_t closes_late = 0x11;
-
   /// All must outlive the controller.
   LiftController(Node& node, CallController& calls, const LiftParts& parts,
                  const LiftControllerSettings& settings);
@@ -127,8 +106,8 @@ class LiftController {
   void on_stop(Callback<void(const Landing&, DoorMask)> stopped) { stopped_ = stopped; }
 
   LiftPhase phase() const { return phase_; }
-  LiftService service() const { return service_; }
-  LiftFault fault() const { return fault_; }
+  LiftService service() const { return service_.now(); }
+  LiftFault fault() const { return faults_.now(); }
   /// The next one that it comes to, or stands at.
   std::uint8_t floor() const { return floor_; }
   std::uint8_t target() const { return target_; }
@@ -147,70 +126,67 @@ class LiftController {
   void reset(ResetScope scope);
   void state_entered(NmtState state);
   void expired(Time) { update(); }
+  void wake_at(Time at);
+
+  // What is the case.
   void look();
   void watch_position();
-  void step();
-  void act();
-
-  // lift_controller.cpp: what is the case
   LiftFault find_fault() const;
   void change_fault(LiftFault fault);
-  LiftService wanted_service() const;
   void change_service(LiftService service);
-  CallKinds accepted() const;
-  bool is_exclusive() const;
   void show();
-  void wake_at(Time at);
-  void tell_error(std::uint16_t instance, bool present);
+  SpecialIndications special_indications() const;
 
-  // lift_trip.cpp: where the car goes
+  // What is done about it, by phase.
+  void step();
+  void act();
+  void enter(LiftPhase phase);
   void idle();
+  void drive();
+  void await_open();
+  void keep_open();
+  void await_closed();
+  void drive_by_hand();
+  void stand();
+
+  // Where the car goes.
   void begin_trip(std::uint8_t floor);
   void leave_for_a_door(std::uint8_t floor);
   void park(std::uint8_t floor);
-  void drive();
-  void follow_calls();
-  NextStop promised_stop() const;
-  void arrive();
   void go_to(std::uint8_t floor);
-  void stand();
-  void let_out();
-  void drive_by_hand();
-  void enter(LiftPhase phase);
+  void follow_calls();
+  void arrive();
+  NextStop promised_stop() const;
   NextStop wanted_stop(std::uint8_t floor, bool moving) const;
   CollectiveCar car_at(std::uint8_t floor, bool moving) const;
 
-  // lift_stop.cpp: what its doors do
+  // What its doors do.
   void stop_at(std::uint8_t floor, DoorMask doors);
-  void open_doors(DoorMask doors);
-  bool relevel();
-  void await_open();
-  void keep_open();
-  void close_doors();
-  DoorClosing wanted_closing() const;
-  void await_closed();
-  void opened(bool in_time) { tell_late(opens_late, late_opening_, !in_time); }
-  void closed(bool in_time) { tell_late(closes_late, late_closing_, !in_time); }
-  void tell_late(std::uint16_t instance, bool& told, bool late);
-  bool answer_here();
   void tell_stop(std::uint8_t floor, DoorMask doors);
-  bool must_stay_open() const;
+  void open_doors(DoorMask doors);
+  void close_doors();
+  void let_out();
+  bool relevel();
+  bool answer_here();
   bool should_open();
-  bool is_obstructed() const { return (doors_.obstructed & settings_.doors) != 0; }
-  /// Light barriers and motion detectors see smoke as well as people (EN 81-73, 5.3; EN 81-72).
-  bool distrusts_barriers() const {
-    return service_ == LiftService::fire_recall || service_ == LiftService::fire_brigade;
-  }
-  bool is_levelling_in_zone() const;
-  bool is_open_wanted();
+  DoorClosing wanted_closing() const;
   Duration dwell_for(CallKinds kinds) const;
 
+  bool is_levelling_in_zone() const;
   bool is_locked() const { return (settings_.doors & ~doors_.locked) == 0; }
-  std::int32_t position_of(std::uint8_t floor) const { return settings_.floors[floor - 1U]; }
+  bool is_barred() const {
+    return (doors_.obstructed & settings_.doors) != 0 && !service_.distrusts_barriers();
+  }
+  bool is_open_wanted() {
+    return dwell_.obeys_button(calls_.is_on(SpecialFunction::door_open)) &&
+           service_.has_door_button();
+  }
+  LiftFloors floors() const { return {settings_.floors, settings_.floor_tolerance_micrometre}; }
   /// The floor at which the car stands; 0: none.
-  std::uint8_t floor_here() const;
-  std::uint8_t nearest_floor(std::int32_t position) const;
-  std::uint8_t reachable_floor() const;
+  std::uint8_t floor_here() const { return floors().at(motion_); }
+  bool is_at_fire_floor() const { return floor_here() == settings_.fire_floor; }
+  /// Those of the car that open there.
+  DoorMask doors_at(std::uint8_t floor) const { return calls_.doors_at(floor) & settings_.doors; }
   std::uint8_t nearest_served_floor(std::uint8_t floor) const;
   std::uint8_t next_served_floor(std::uint8_t floor) const;
 
@@ -220,46 +196,35 @@ class LiftController {
   LiftControllerSettings settings_;
   Callback<void()> changed_;
   Callback<void(const Landing&, DoorMask)> stopped_;
-  Service link_;
+  static const ServiceCalls service_calls;
+  ServiceLink link_{&service_calls, this};
   Timer timer_;
 
   MotionStatus motion_;
   DoorsStatus doors_;
   LiftLoad load_;
 
+  LiftFaults faults_;
+  DoorDwell dwell_;
+  Levelling levelling_;
+  LiftServiceState service_;
+  HandDrive hand_;
   LiftPhase phase_ = LiftPhase::idle;
-  LiftService service_ = LiftService::normal;
-  LiftFault fault_ = LiftFault::none;
-  LiftFault latched_ = LiftFault::none;  ///< a fault of the trip, which ends when the car stands
   std::uint8_t floor_ = 1;
   std::uint8_t target_ = 0;
   std::uint8_t departed_ = 0;  ///< the floor that a trip has begun at; 0: none
   Direction direction_ = Direction::none;
   DoorMask open_doors_ = 0;
-  std::int8_t by_hand_ = 0;    ///< up, down, or standing
-  std::int8_t end_ = 0;        ///< of its travel, reached by the button that is still held
-  NextStop promised_{};        ///< while it comes to a stop: where, and where it goes on to
-  std::uint8_t tries_ = 0;     ///< of closing
-  bool is_errand_ = false;     ///< it goes to its target without a call
-  bool is_levelling_ = false;  ///< on its way back to its floor, with open doors
-  bool is_cleared_ = false;    ///< in recall or out of order: everybody could get out
-  bool is_held_ = false;       ///< the doors have to stay open
-  bool nudging_ = false;
   DoorClosing closing_ = DoorClosing::normal;
-  bool ignores_button_ = false;  ///< door open was held for too long
-  bool late_opening_ = false;
-  bool late_closing_ = false;
+  NextStop promised_{};     ///< while it comes to a stop: where, and where it goes on to
+  bool is_errand_ = false;  ///< it goes to its target without a call
   bool is_updating_ = false;
   bool again_ = false;
-  Duration dwell_{};
-  Time dwell_until_{};
-  Time opened_at_{};
+  std::int32_t steady_micrometre_ = 0;
+  Time steady_since_{};
   Time deadline_ = never;
   Time idle_since_{};
   Time resume_at_{};
-  Time level_at_{};
-  Time steady_since_{};
-  std::int32_t steady_micrometre_ = 0;
   Time started_at_{};
 };
 

@@ -13,9 +13,6 @@ namespace {
 
 using cia402::DriveMode;
 
-/// In motion, in units of the drive: more than an encoder jitters.
-constexpr double moving_velocity = 20;
-constexpr double moving_distance = 5;
 /// Past its target: more than a car is wrong by that is seen late.
 constexpr double overshoot_distance = 300;
 /// It may be as much farther: a car that stops short of a target says how far it is.
@@ -27,6 +24,14 @@ constexpr std::uint16_t rpdo_of(unsigned lift, std::uint16_t rpdo) {
 }
 constexpr std::uint16_t control_rpdo = 0x1504;
 constexpr std::uint16_t status_rpdos[] = {0x1505, 0x1507, 0x1506};
+
+constexpr unsigned shutdown_word = 0x0006;
+constexpr unsigned switch_on_word = 0x0007;
+constexpr unsigned enable_word = 0x000F;
+constexpr unsigned immediately = enable_word | control_bit::change_immediately;
+constexpr unsigned quick_stop_word = 0x0002;
+/// Between the target and the edge that makes it a set-point: two frames.
+constexpr Duration set_point_gap = 5ms;
 
 }  // namespace
 
@@ -43,24 +48,26 @@ constexpr ServiceCalls CarDriveController::service_calls = {
 CarDriveController::CarDriveController(Node& node, const CarDriveControllerServices& services,
                                        const CarDriveControllerSettings& settings)
     : node_(node),
-      services_(services),
+      rpdos_(services.rpdos),
+      tpdos_(services.tpdos),
       settings_(settings),
       controlword_(node.dictionary(), settings.lift),
       statusword_(node.dictionary(), settings.lift),
-      target_position_(node.dictionary(), settings.lift),
       target_velocity_(node.dictionary(), settings.lift),
-      velocity_(node.dictionary(), settings.lift),
-      position_(node.dictionary(), settings.lift),
+      car_(node.dictionary(), settings.lift,
+           {settings.drive_unit_micrometre, settings.position_step_micrometre}),
+      mode_(services.client, settings.drive, settings.trip_mode,
+            Callback<void()>::to<&CarDriveController::pursue>(*this)),
       timer_(Callback<void(Time)>::to<&CarDriveController::expired>(*this)) {
   node.attach(service_);
 }
 
 void CarDriveController::reset(ResetScope) {
   aim_ = Aim::none;
-  is_reached_ = is_writing_mode_ = is_stopping_fast_ = has_homed_ = false;
+  is_reached_ = is_stopping_fast_ = has_homed_ = false;
   drive_is_known_ = position_is_known_ = false;
   drive_is_lost_ = position_is_lost_ = position_stands_ = is_held_ = false;
-  mode_.reset();
+  mode_.begin_anew();
   controlword_ = 0;
   is_at_target_ = false;
   node_.timers().disarm(timer_);
@@ -112,9 +119,9 @@ void CarDriveController::heard(NodeId node, RemoteState state) {
 void CarDriveController::forget_drive() {
   drive_is_known_ = false;
   aim_ = Aim::none;
-  mode_.reset();
+  mode_.forget();
   position_stands_ = false;
-  velocity_ = 0;
+  car_.forget_velocity();
 }
 
 /// What is not known yet; the answers are ordinary PDOs.
@@ -126,9 +133,9 @@ void CarDriveController::ask() {
 }
 
 void CarDriveController::request(std::uint16_t rpdo) {
-  if (services_.rpdos == nullptr || node_.state() != NmtState::operational) return;
+  if (rpdos_ == nullptr || node_.state() != NmtState::operational) return;
   const std::uint16_t number = rpdo_of(settings_.lift, rpdo);
-  if (services_.rpdos->has(number)) services_.rpdos->request(number);
+  if (rpdos_->has(number)) rpdos_->request(number);
 }
 
 void CarDriveController::status_received() {
@@ -137,14 +144,13 @@ void CarDriveController::status_received() {
 }
 
 void CarDriveController::velocity_received() {
-  acceleration_ = velocity() - last_velocity_;
-  last_velocity_ = velocity();
+  car_.velocity_came();
   drive_told();
 }
 
 void CarDriveController::drive_told() {
   // The time before a start does not count.
-  if (std::abs(velocity()) <= moving_velocity) watch_anew();
+  if (!car_.moves()) car_.watch_anew(node_.now());
   watch_overshoot();
   pursue();
   tell();
@@ -152,7 +158,7 @@ void CarDriveController::drive_told() {
 
 void CarDriveController::position_received() {
   position_is_known_ = !position_is_lost_;
-  if (std::abs(position() - watched_position_) > moving_distance) position_stands_ = false;
+  if (car_.has_moved()) position_stands_ = false;
   watch_overshoot();
   if (aim_ == Aim::trip && settings_.trip_mode == DriveMode::profile_velocity) pursue();
   tell();
@@ -162,7 +168,7 @@ void CarDriveController::position_received() {
 
 void CarDriveController::travel_to(std::int32_t position_micrometre) {
   wanted_position_ = static_cast<double>(position_micrometre) / settings_.drive_unit_micrometre;
-  goes_up_ = wanted_position_ > nearest_stop();
+  goes_up_ = wanted_position_ > car_.nearest_stop(settings_.ramps);
   take_aim(Aim::trip);
 }
 
@@ -190,7 +196,7 @@ void CarDriveController::fast_stop() {
 /// Less than an encoder jitters is none.
 void CarDriveController::learn_drift() {
   if (!is_at_target_ || !position_is_known_) return;
-  const double drift = target_position_.raw() - position();
+  const double drift = target().raw() - position();
   if (std::abs(drift - drift_) > moving_distance) drift_ = drift;
 }
 
@@ -210,9 +216,9 @@ void CarDriveController::begin_anew() {
   aim_ = Aim::none;
   is_at_target_ = false;
   drive_is_known_ = position_is_known_ = position_stands_ = is_stopping_fast_ = false;
-  mode_.reset();
+  mode_.forget();
   controlword_ = 0;
-  velocity_ = 0;
+  car_.forget_velocity();
   ask();
   tell();
 }
@@ -244,7 +250,7 @@ void CarDriveController::expired(Time now) {
   if (step_ == Step::placed && aim_ == Aim::trip) return send_set_point();
   if (!drive_is_known_ || !position_is_known_) ask();
   const bool is_late = now - told_at_ >= settings_.answer_time;
-  const bool by_position = aim_ == Aim::trip && mode() == DriveMode::profile_position;
+  const bool by_position = aim_ == Aim::trip && mode_.now() == DriveMode::profile_position;
   if (is_late && by_position && step_ == Step::sent) return repeat_set_point();
   pursue();
   if (is_late) tell_again(now);
@@ -254,31 +260,23 @@ void CarDriveController::expired(Time now) {
 /// Where the drive did not do what it was told: a frame was lost, or it was held.
 void CarDriveController::tell_again(Time now) {
   const bool is_done = is_powered(drive_state()) == (aim_ != Aim::none);
-  if (is_done || services_.tpdos == nullptr || !drive_is_known_) return;
+  if (is_done || tpdos_ == nullptr || !drive_is_known_) return;
   told_at_ = now;
   const std::uint16_t number = rpdo_of(settings_.lift, control_rpdo);
-  if (services_.tpdos->has(number)) services_.tpdos->trigger(number);
+  if (tpdos_->has(number)) tpdos_->trigger(number);
 }
 
-void CarDriveController::watch_anew() {
-  watched_position_ = position();
-  watched_since_ = node_.now();
-}
-
-/// A dead encoder tells the same position for ever.
 void CarDriveController::watch_position(Time now) {
-  const bool is_watched = drive_is_known_ && position_is_known_;
-  const bool moves = is_watched && std::abs(velocity()) > moving_velocity;
-  const bool has_moved = std::abs(position() - watched_position_) > moving_distance;
-  if (!moves || has_moved) return watch_anew();
-  if (now - watched_since_ < settings_.position_time || position_stands_) return;
+  const bool is_watched = drive_is_known_ && position_is_known_ && car_.moves();
+  if (!is_watched || car_.has_moved()) return car_.watch_anew(now);
+  if (!car_.is_encoder_dead(settings_.position_time, now) || position_stands_) return;
   position_stands_ = true;
   fast_stop();
 }
 
 /// A limit stops the car, or the drive goes on waiting for what never comes.
 void CarDriveController::watch_standstill(Time now) {
-  const bool stands = aim_ == Aim::trip && std::abs(velocity()) <= moving_velocity;
+  const bool stands = aim_ == Aim::trip && !car_.moves();
   if (!stands) {
     stands_since_ = now;
   } else if (now - stands_since_ >= settings_.standstill_time) {
@@ -289,14 +287,182 @@ void CarDriveController::watch_standstill(Time now) {
 /// A drive whose ropes have slipped leads the car past its target, if need be into the buffers.
 /// Where it counts is known only so far: it needs as much way to its target as to stop, or more.
 void CarDriveController::watch_overshoot() {
-  const bool is_led = aim_ == Aim::trip && mode() == DriveMode::profile_position;
+  const bool is_led = aim_ == Aim::trip && mode_.now() == DriveMode::profile_position;
   const double sign = goes_up_ ? 1 : -1;
-  const bool goes_there = velocity() * sign > moving_velocity && position_is_known_;
+  const bool goes_there = car_.moves() && velocity() * sign > 0 && position_is_known_;
   if (!is_led || !goes_there || step_ != Step::taken) return;
-  const double past = (nearest_stop() - wanted_position_) * sign;
+  const double past = (car_.nearest_stop(settings_.ramps) - wanted_position_) * sign;
   if (past <= overshoot_distance) return;
   drift_ -= sign * (past + overshoot_more);
   fast_stop();
+}
+
+// How the drive is led to the aim.
+
+DriveMode CarDriveController::wanted_mode() const {
+  if (aim_ == Aim::home) return DriveMode::homing;
+  return aim_ == Aim::run ? DriveMode::profile_velocity : settings_.trip_mode;
+}
+
+void CarDriveController::command(unsigned word) {
+  if (controlword_.raw() != word) told_at_ = node_.now();
+  controlword_ = word;
+}
+
+/// One step further towards the aim, by what the drive says now.
+void CarDriveController::pursue() {
+  if (!drive_is_known_ || node_.state() != NmtState::operational) return;
+  const std::uint16_t status = statusword_.raw();
+  const DriveState state = cia402::drive_state(status);
+  if (is_stopping_fast_) {
+    is_stopping_fast_ = is_powered(state);
+    return command(quick_stop_word);
+  }
+  switch (state) {
+    case DriveState::switch_on_disabled:
+      if (aim_ != Aim::none) command(shutdown_word);
+      break;
+    case DriveState::ready_to_switch_on:
+      if (aim_ != Aim::none && has_mode()) command(switch_on_word);
+      break;
+    case DriveState::switched_on:
+      if (aim_ != Aim::none && has_mode()) command(enable_word);
+      break;
+    case DriveState::operation_enabled:
+      pursue_enabled(status);
+      break;
+    case DriveState::fault:
+      recover();
+      break;
+    default:  // the drive is under way by itself
+      break;
+  }
+}
+
+void CarDriveController::pursue_enabled(std::uint16_t status) {
+  if (aim_ == Aim::none || mode_.now() != wanted_mode()) return rest();
+  // Taken back on its way to stand: it has to get there first.
+  if ((controlword_.raw() & 0x000F) == switch_on_word) return;
+  if (aim_ == Aim::home) return lead_homing(status);
+  if (aim_ == Aim::run) return lead_run();
+  if (mode_.now() == DriveMode::profile_velocity) return lead_approach();
+  lead_trip(status);
+}
+
+/// Slows down and disables operation: the brake holds the car.
+void CarDriveController::rest() {
+  target_velocity_ = 0;
+  command(switch_on_word);
+}
+
+/// By the handshake of bits 4 and 12. A target that the drive cannot stop at is not acknowledged:
+/// it goes to the one before, and is told again from there.
+void CarDriveController::lead_trip(std::uint16_t status) {
+  const bool is_acknowledged = (status & status_bit::set_point_acknowledge) != 0;
+  const bool is_at_target = (status & status_bit::target_reached) != 0;
+  switch (step_) {
+    case Step::wanted:
+      if (is_acknowledged) return command(immediately);
+      // Two PDOs bring the controlword, one of them the target: it is there before the edge.
+      target() = std::lround(wanted_position_ + drift_);
+      command(immediately);
+      step_ = Step::placed;
+      node_.timers().arm(timer_, node_.now() + set_point_gap);
+      break;
+    case Step::placed:
+      break;
+    case Step::sent:
+      if (!is_acknowledged) break;
+      step_ = Step::taken;
+      command(immediately);
+      break;
+    case Step::taken:
+      if (!is_at_target) break;
+      is_at_target_ = true;
+      reach(true);
+      break;
+  }
+}
+
+void CarDriveController::send_set_point() {
+  step_ = Step::sent;
+  command(immediately | control_bit::new_set_point);
+}
+
+/// The edge of bit 4 takes a frame in which it is 0.
+void CarDriveController::repeat_set_point() {
+  step_ = Step::wanted;
+  command(immediately);
+}
+
+/// In profile velocity mode: at full velocity, then at that of the end, then none (4.11).
+void CarDriveController::lead_approach() {
+  const double left = wanted_position_ - position();
+  const double sign = left < 0 ? -1 : 1;
+  const double creep = settings_.creep_velocity;
+  const double late = std::chrono::duration<double>(settings_.latency).count();
+  const MotionState at = car_.state(settings_.ramps);
+  const double now = std::abs(at.velocity);
+  const MotionState moving = {0, now, std::abs(at.acceleration)};
+  const double to_creep = MotionProfile::to_velocity(moving, creep, settings_.ramps).end().position;
+  const double to_stop = MotionProfile::stopping_distance({0, creep, 0}, settings_.ramps);
+  // Once slow it stays slow, and once stopping it stops.
+  if (step_ == Step::wanted && std::abs(left) <= to_creep + to_stop + now * late) {
+    step_ = Step::sent;
+  }
+  if (std::abs(left) <= to_stop + creep * late) step_ = Step::taken;
+  double wanted = settings_.ramps.velocity;
+  if (step_ == Step::sent) wanted = creep;
+  if (step_ == Step::taken) wanted = 0;
+  target_velocity_ = std::lround(sign * wanted);
+  command(enable_word);
+  constexpr unsigned standing = status_bit::target_reached | status_bit::speed_zero;
+  const bool stands = (statusword_.raw() & standing) == standing;
+  if (wanted == 0 && stands) reach(true);
+}
+
+void CarDriveController::lead_run() {
+  target_velocity_ = std::lround(wanted_velocity_);
+  command(enable_word);
+}
+
+void CarDriveController::lead_homing(std::uint16_t status) {
+  command(enable_word | control_bit::new_set_point);
+  if ((status & status_bit::homing_attained) != 0 && step_ == Step::taken) {
+    has_homed_ = true;
+    drift_ = 0;
+  }
+  const bool has_ended = (status & (status_bit::homing_attained | status_bit::homing_error)) != 0;
+  if (step_ == Step::taken && has_ended) return reach(has_homed_);
+  if (!has_ended) step_ = Step::taken;
+}
+
+void CarDriveController::reach(bool is_reached) {
+  is_reached_ = is_reached && aim_ == Aim::trip;
+  aim_ = Aim::none;
+  rest();
+}
+
+void CarDriveController::recover() {
+  aim_ = Aim::none;
+  is_at_target_ = false;
+  const unsigned word = controlword_.raw();
+  if (word != 0 && word != control_bit::fault_reset) reset_at_ = node_.now();
+  const bool is_due = node_.now() - reset_at_ >= settings_.fault_reset_period;
+  if (settings_.fault_reset_period > Duration{} && is_due) return reset_fault();
+  command(0);
+}
+
+/// Whether the drive has the mode that the aim needs; otherwise that is on its way.
+bool CarDriveController::has_mode() {
+  if (mode_.now() == wanted_mode()) return true;
+  if (!mode_.can_change()) {
+    aim_ = Aim::none;
+  } else {
+    const unsigned lift = present_lift(node_.dictionary(), settings_.lift);
+    mode_.write(in_lift(lift, modes_of_operation).index(), wanted_mode());
+  }
+  return false;
 }
 
 // What the lift controller sees.
@@ -307,33 +473,14 @@ bool CarDriveController::has_fault() const {
          (state == DriveState::fault || state == DriveState::fault_reaction_active);
 }
 
-double CarDriveController::position() const {
-  const auto counts = static_cast<std::int32_t>(position_.raw());
-  return static_cast<double>(counts) * settings_.position_step_micrometre /
-         settings_.drive_unit_micrometre;
-}
-
-/// While it gains speed, with all of its acceleration: so the stopping position is never too near.
-MotionState CarDriveController::motion() const {
-  const double now = velocity();
-  const bool speeds_up = acceleration_ * now > 0 && std::abs(now) < settings_.ramps.velocity;
-  const double sign = now < 0 ? -1 : 1;
-  return {position(), now, speeds_up ? sign * settings_.ramps.acceleration : 0};
-}
-
-/// Where a car stands still that slows down with all of its deceleration already.
-double CarDriveController::nearest_stop() const {
-  return position() + velocity() * std::abs(velocity()) / (2 * settings_.ramps.deceleration);
-}
-
 MotionStatus CarDriveController::status() const {
   const double unit = settings_.drive_unit_micrometre;
   const auto micrometres = [&](double value) {
     return static_cast<std::int32_t>(std::lround(value * unit));
   };
-  const MotionState now = motion();
+  const MotionState now = car_.state(settings_.ramps);
   double stopping = now.position;
-  if (std::abs(now.velocity) > moving_velocity) {
+  if (car_.moves()) {
     stopping += MotionProfile::stopping_distance(now, settings_.ramps);
     // On its last ramp it stops at its target, and not behind it.
     const bool leads_there =
@@ -342,7 +489,7 @@ MotionStatus CarDriveController::status() const {
     if (leads_there && now.velocity < 0) stopping = std::max(stopping, wanted_position_);
   }
   const DriveState state = drive_state();
-  const bool is_still = !is_powered(state) && std::abs(now.velocity) <= moving_velocity;
+  const bool is_still = !is_powered(state) && !car_.moves();
   MotionStatus status;
   status.available =
       drive_is_known_ && position_is_known_ && !has_fault() && !position_stands_ && !is_held_;

@@ -14,13 +14,15 @@
 // lead past its target is stopped fast. A trip that comes to a standstill before its target ends
 // there, without an arrival.
 //
+// Commands give it an aim, and each PDO of the drive brings it a step further: by the state machine
+// of the drive, the handshake of set-points, the approach in profile velocity mode, or homing (CiA
+// 417-4, 4.11.1 to 4.11.3). What it sees of the car is a SeenCar.
+//
 // Where the drive is to have another mode of operation (run(), home(), or trips in profile velocity
 // mode), the mode is written by SDO while the car stands.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <optional>
 
 #include "canvoy/canopen/nmt/remote_state.hpp"
 #include "canvoy/canopen/node.hpp"
@@ -29,9 +31,10 @@
 #include "canvoy/canopen/sdo/sdo_client.hpp"
 #include "canvoy/devices/cia417/controller/lift_bound.hpp"
 #include "canvoy/devices/cia417/controller/lift_interfaces.hpp"
+#include "canvoy/devices/cia417/drive/drive_mode_client.hpp"
 #include "canvoy/devices/cia417/drive/drive_state.hpp"
 #include "canvoy/devices/cia417/drive/motion_profile.hpp"
-#include "canvoy/profiles/cia417/car_handles.hpp"
+#include "canvoy/devices/cia417/drive/seen_car.hpp"
 #include "canvoy/profiles/cia417/drive_handles.hpp"
 
 namespace canvoy::cia417 {
@@ -124,7 +127,6 @@ class CarDriveController {
   void velocity_received();
   void drive_told();
   void position_received();
-  void mode_written(SdoClient::Outcome outcome);
 
   void take_aim(Aim aim);
   void pursue();
@@ -140,8 +142,6 @@ class CarDriveController {
   void learn_drift();
   void recover();
   bool has_mode();
-  cia402::DriveMode mode() const;
-  void write_mode();
   void tell_again(Time now);
   cia402::DriveMode wanted_mode() const;
   void command(unsigned word);
@@ -149,26 +149,28 @@ class CarDriveController {
   void ask();
   void request(std::uint16_t rpdo);
   void watch_position(Time now);
-  void watch_anew();
   void watch_standstill(Time now);
   void watch_overshoot();
-  double nearest_stop() const;
   void expired(Time now);
-  double position() const;
-  double velocity() const { return velocity_.raw(); }
-  MotionState motion() const;
+  double position() const { return car_.position(); }
+  double velocity() const { return car_.velocity(); }
   void tell();
   MotionStatus status_for_lift() { return status(); }
 
+  /// Of 6420h.
+  auto target() const {
+    return Values(node_.dictionary())[in_lift(settings_.lift, target_position)];
+  }
+
   Node& node_;
-  CarDriveControllerServices services_;
+  Rpdos* rpdos_;
+  Tpdos* tpdos_;
   CarDriveControllerSettings settings_;
   LiftBound<controlword> controlword_;
   LiftBound<statusword> statusword_;
-  LiftBound<target_position> target_position_;
   LiftBound<target_velocity> target_velocity_;
-  LiftBound<velocity_actual_value> velocity_;
-  LiftBound<position_value> position_;
+  SeenCar car_;
+  DriveModeClient mode_;
   Callback<void()> changed_;
   static const HookCalls hook_calls[];
   static const ServiceCalls service_calls;
@@ -177,9 +179,6 @@ class CarDriveController {
 
   Aim aim_ = Aim::none;
   Step step_ = Step::wanted;
-  std::optional<cia402::DriveMode> mode_;  ///< that was written to the drive
-  std::array<std::uint8_t, 1> mode_byte_{};
-  bool is_writing_mode_ = false;
   bool is_stopping_fast_ = false;
   bool is_reached_ = false;  ///< the last trip ended where it should
   bool has_homed_ = false;
@@ -196,10 +195,6 @@ class CarDriveController {
   bool is_at_target_ = false;  ///< the drive, since a trip
   bool goes_up_ = false;       ///< to the target of a trip from where it was given
   double wanted_velocity_ = 0;
-  double last_velocity_ = 0;
-  double acceleration_ = 0;
-  double watched_position_ = 0;
-  Time watched_since_{};
   Time stands_since_{};  ///< on a trip
   Time reset_at_{};
   Time told_at_{};

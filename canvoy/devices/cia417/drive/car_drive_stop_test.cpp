@@ -214,5 +214,17 @@ TEST_F(CarDrive, LivesThroughEveryControlwordAndNeverMovesWithoutASetPoint) {
   EXPECT_EQ(position_mm(), 0);
 }
 
+/// CiA 402: bit 13 of the statusword in profile position mode.
+TEST_F(CarDrive, ForgetsAFollowingErrorByAReset) {
+  travel_for(4s);
+  bench.detached = true;
+  bench.run_for(1s);
+  ASSERT_EQ(state(), DriveState::fault);
+  EXPECT_EQ(status() & status_bit::following_error, status_bit::following_error);
+  bench.send("000#81 02");
+  EXPECT_EQ(state(), DriveState::switch_on_disabled);
+  EXPECT_EQ(status() & status_bit::following_error, 0);
+}
+
 }  // namespace
 }  // namespace canvoy::cia417::car_drive_stop_test

@@ -2,20 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
-#include "canvoy/canopen/nmt/error_control_id.hpp"
-#include "canvoy/canopen/nmt/remote_state.hpp"
-#include "canvoy/profiles/cia417/errors.hpp"
 #include "canvoy/profiles/reactions.hpp"
 
 namespace canvoy::cia417 {
 
 namespace {
 
-/// Of CiA 417 (facts 1.6) and of CiA 402.
-constexpr std::uint16_t unintended_code = 0xFF06;
-constexpr std::uint16_t following_code = 0x8611;
+using cia402::DriveMode;
+
+/// So long after its end a stop for a fault has had its chance; then the brake does it.
+constexpr Duration stop_time_reserve = 500ms;
+
+/// In units of the drive: what an encoder that stands may change in one period.
+constexpr double jump_distance = 5;
 
 /// After these nothing is known of what the controller wants.
 bool is_loss_of_control(const Error& error, NodeId controller) {
@@ -58,28 +58,38 @@ constexpr ServiceCalls CarDriveUnit::service_calls = {
 CarDriveUnit::CarDriveUnit(Node& node, const CarDriveServices& services,
                            const CarDriveHardware& hardware, const CarDriveSettings& settings)
     : node_(node),
-      hardware_(hardware),
-      settings_(settings),
-      parameters_(node.dictionary(), settings.lift),
+      lift_(settings.lift),
+      tuning_(settings.tuning),
+      control_period_(settings.control_period),
+      standing_period_(settings.standing_period),
+      parameters_(node.dictionary(), settings.lift,
+                  {settings.current_limit_deceleration, settings.voltage_limit_deceleration}),
+      car_(hardware, settings.brake_time, Callback<void()>::to<&CarDriveUnit::look_again>(*this)),
+      position_mode_(car_, parameters_, settings.position_window),
+      velocity_mode_(car_, parameters_, settings.control_period),
+      homing_mode_(car_, parameters_,
+                   {.method = settings.homing,
+                    .velocity = settings.homing_velocity,
+                    .travel = settings.travel,
+                    .time_max = settings.homing_time_max}),
+      watch_({.overspeed_percent = settings.overspeed_percent,
+              .unintended_distance = settings.unintended_distance,
+              .following_window = settings.following_window,
+              .following_time = settings.following_time}),
+      faults_(node),
+      hold_(node, services.emergencies, settings.stops_for,
+            Callback<void()>::to<&CarDriveUnit::held>(*this)),
       controlword_(node.dictionary(), settings.lift),
       statusword_(node.dictionary(), settings.lift),
       mode_wanted_(node.dictionary(), settings.lift),
-      mode_shown_(node.dictionary(), settings.lift),
-      target_position_(node.dictionary(), settings.lift),
-      target_velocity_(node.dictionary(), settings.lift),
       velocity_demand_(node.dictionary(), settings.lift),
       velocity_actual_(node.dictionary(), settings.lift),
       velocity_sensor_(node.dictionary(), settings.lift),
       sensor_selection_(node.dictionary(), settings.lift),
       control_effort_(node.dictionary(), settings.lift),
       timer_(Callback<void(Time)>::to<&CarDriveUnit::tick>(*this)),
-      search_(settings.homing) {
+      controller_(settings.controller) {
   node.attach(service_);
-  if (services.emergencies != nullptr) {
-    services.emergencies->on_emergency(
-        Callback<void(NodeId, const Emergency&)>::to<&CarDriveUnit::emergency_heard>(*this));
-    for (const NodeId node_id : settings.stops_for) services.emergencies->listen(node_id);
-  }
 }
 
 // The bus.
@@ -89,13 +99,13 @@ void CarDriveUnit::reset(ResetScope scope) {
   if (scope == ResetScope::node) tune();
   read_parameters();
   if (scope == ResetScope::communication) return stop_fast();
-  readings_ = hardware_.sense();
-  release_all();
-  faults_ = 0;
+  car_.begin_anew();
+  hold_.release_all();
+  faults_.begin_anew();
+  homing_mode_.begin_anew();
+  watch_.begin_anew();
   asked_ = obeyed_ = 0;
-  count_from(0, 0);
-  has_homed_ = homing_failed_ = is_standing_ = has_stood_ = false;
-  slow_since_ = near_since_ = behind_since_ = never;
+  parameters_.count_from(0, 0);
   take_mode();
   enter(DriveState::switch_on_disabled);
   tick(node_.now());
@@ -103,24 +113,21 @@ void CarDriveUnit::reset(ResetScope scope) {
 
 void CarDriveUnit::read_parameters() {
   parameters_.read();
-  hardware_.control(parameters_.gain(), parameters_.integration_time());
+  car_.tune(parameters_.gain(), parameters_.integration_time());
 }
 
 void CarDriveUnit::tune() {
-  const auto set = [this](const auto& handle, std::uint32_t value) {
-    if (value == 0) return;
-    Values(node_.dictionary())[in_lift(settings_.lift, handle)].set_raw(value);
+  const auto set = [this](const auto& handle, std::uint32_t wanted) {
+    if (wanted != 0) value(handle).set_raw(wanted);
   };
-  const DriveTuning& tuning = settings_.tuning;
-  set(max_profile_velocity, tuning.velocity);
-  set(profile_velocity, tuning.velocity);
-  set(profile_acceleration, tuning.acceleration);
-  set(profile_deceleration, tuning.acceleration);
-  for (unsigned bend = 1; bend <= 6; ++bend) set(profile_jerk[bend], tuning.jerk);
-  const auto highest = Values(node_.dictionary())[in_lift(settings_.lift, max_acceleration)];
-  if (highest.raw() >= tuning.acceleration) return;
-  set(max_acceleration, tuning.acceleration);
-  set(max_deceleration, tuning.acceleration);
+  set(max_profile_velocity, tuning_.velocity);
+  set(profile_velocity, tuning_.velocity);
+  set(profile_acceleration, tuning_.acceleration);
+  set(profile_deceleration, tuning_.acceleration);
+  for (unsigned bend = 1; bend <= 6; ++bend) set(profile_jerk[bend], tuning_.jerk);
+  if (value(max_acceleration).raw() >= tuning_.acceleration) return;
+  set(max_acceleration, tuning_.acceleration);
+  set(max_deceleration, tuning_.acceleration);
 }
 
 void CarDriveUnit::state_entered(NmtState state) {
@@ -133,44 +140,13 @@ void CarDriveUnit::bus_state_changed(BusState state) {
 }
 
 void CarDriveUnit::error_changed(const Error& error, bool present) {
-  if (present && is_loss_of_control(error, settings_.controller)) stop_fast();
+  if (present && is_loss_of_control(error, controller_)) stop_fast();
 }
 
-/// An error that goes leaves others there while the register is not 0.
-void CarDriveUnit::emergency_heard(NodeId node_id, const Emergency& emergency) {
-  if (emergency.code == emergency_code::overspeed || emergency.code == unintended_code) {
-    hold_for(node_id);
-    stop_fast();
-    hasten();
-  }
-  if (emergency.code == canvoy::emergency_code::no_error && emergency.register_bits == 0) {
-    release(node_id);
-  }
-}
-
-/// Its boot-up is heard meanwhile. Without room for that, a fault reset is left.
-void CarDriveUnit::hold_for(NodeId node_id) {
-  if (holders_[node_id]) return;
-  holders_[node_id] = true;
-  node_.router().add(error_control_id(node_id),
-                     Router::Receiver::to<&CarDriveUnit::error_control_heard>(*this));
-}
-
-void CarDriveUnit::release(NodeId node_id) {
-  if (!holders_[node_id]) return;
-  holders_[node_id] = false;
-  node_.router().remove(error_control_id(node_id),
-                        Router::Receiver::to<&CarDriveUnit::error_control_heard>(*this));
-}
-
-void CarDriveUnit::release_all() {
-  for (NodeId node_id = node_id_min; node_id <= node_id_max; ++node_id) release(node_id);
-}
-
-/// A node that boots has forgotten its errors, and tells no end of them.
-void CarDriveUnit::error_control_heard(const Frame& frame, Time) {
-  const bool is_boot_up = frame.length == 1 && remote_state(frame.data[0]) == RemoteState::boot_up;
-  if (is_boot_up) release(static_cast<NodeId>(frame.id - can_id::error_control));
+/// Some node tells of what is dangerous.
+void CarDriveUnit::held() {
+  stop_fast();
+  hasten();
 }
 
 /// All values of a PDO are asked for before one is written: the controlword comes first.
@@ -190,12 +166,12 @@ void CarDriveUnit::order_written() {
 }
 
 void CarDriveUnit::mode_written() {
-  if (is_standing_ || !is_powered(state_)) take_mode();
+  if (is_standing() || !is_powered(state_)) take_mode();
   refresh_status();
 }
 
 void CarDriveUnit::target_velocity_written() {
-  change_velocity();
+  obey_velocity();
   refresh_status();
 }
 
@@ -211,8 +187,7 @@ void CarDriveUnit::obey(std::uint16_t word) {
   const std::uint16_t changed = word ^ obeyed_;
   obeyed_ = word;
   if ((changed & word & control_bit::fault_reset) != 0) {
-    // Who told of an error may have started again, and never tell that it is gone.
-    release_all();
+    hold_.release_all();
     if (state_ == DriveState::fault) return reset_fault();
   }
   obey_level();
@@ -233,8 +208,8 @@ void CarDriveUnit::change_state(DriveState next) {
   if (is_held() && (is_start || state_ == DriveState::switch_on_disabled)) return;
   // While the brake still stops the car, or the safety chain is open, the power stage stays off;
   // tick() asks again.
-  if (is_start && !readings_.voltage) return;
-  if (is_start && !is_powered(state_) && !is_standing_) return;
+  if (is_start && !readings().voltage) return;
+  if (is_start && !is_powered(state_) && !is_standing()) return;
   if (state_ != DriveState::operation_enabled || next == DriveState::switch_on_disabled) {
     return enter(next);
   }
@@ -254,16 +229,22 @@ void CarDriveUnit::change_state(DriveState next) {
 
 /// `then` is entered when the car stands; without it the drive stays in this state.
 void CarDriveUnit::stop(StopReaction reaction, std::optional<DriveState> then) {
-  is_travelling_ = false;
   is_halted_ = false;
-  next_.is_waiting = false;
-  homing_ = Homing::idle;
+  position_mode_.give_up();
+  homing_mode_.give_up();
   if (reaction == StopReaction::disable && then) return enter(*then);
   after_stop_ = then;
   is_stopping_ = true;
   reaction_ = must_be_fast() ? fast(reaction) : reaction;
   slow_down(reaction_);
-  node_.timers().arm(timer_, node_.now());
+  look_again();
+}
+
+void CarDriveUnit::slow_down(StopReaction reaction) {
+  if (reaction == StopReaction::disable) return car_.close_brake();
+  velocity_mode_.give_up();
+  const double velocity = car_.present(node_.now()).velocity;
+  car_.slow_down(parameters_.stop_ramp(reaction, velocity), node_.now());
 }
 
 /// Of a stop that is under way.
@@ -273,26 +254,21 @@ void CarDriveUnit::hasten() {
 
 void CarDriveUnit::enter(DriveState state) {
   state_ = state;
-  is_stopping_ = is_halted_ = is_travelling_ = false;
-  is_acknowledged_ = has_arrived_ = is_limited_ = false;
-  next_.is_waiting = false;
-  homing_ = Homing::idle;
-  velocity_goal_ = 0;
-  velocity_obeyed_.reset();
+  is_stopping_ = is_halted_ = has_arrived_ = false;
+  position_mode_.begin_anew();
+  velocity_mode_.begin_anew();
+  homing_mode_.give_up();
   after_stop_.reset();
   if (!is_powered(state)) {
-    close_brake();
-    switch_power(false);
+    car_.close_brake();
+    car_.switch_power(false);
   } else if (state == DriveState::operation_enabled) {
-    switch_power(true);
-    begin_operation();
+    // With power, standing, and nothing to do yet.
+    car_.switch_power(true);
+    car_.hold(node_.now());
+    take_mode();
   }
-  node_.timers().arm(timer_, node_.now());
-}
-
-void CarDriveUnit::switch_power(bool on) {
-  if (has_power_ != on) hardware_.power(on);
-  has_power_ = on;
+  look_again();
 }
 
 void CarDriveUnit::stop_fast() {
@@ -302,41 +278,25 @@ void CarDriveUnit::stop_fast() {
 }
 
 /// Transitions 13 and 14.
-void CarDriveUnit::fail(Fault fault, const Error& error) {
-  if ((faults_ & fault) != 0) return;
-  faults_ |= fault;
-  node_.raise(error);
+void CarDriveUnit::fail(DriveFault fault, std::uint16_t hardware_code) {
+  if (!faults_.add(fault, hardware_code)) return;
   if (state_ == DriveState::fault || state_ == DriveState::fault_reaction_active) return hasten();
   if (!is_powered(state_)) return enter(DriveState::fault);
   state_ = DriveState::fault_reaction_active;
   // Who does not know where the car is leads it to no stop: the brake does.
-  const bool is_blind = fault == following;
+  const bool is_blind = fault == DriveFault::following;
   stop(is_blind ? StopReaction::disable : parameters_.option(5), DriveState::fault);
 }
 
-Error CarDriveUnit::error_of(Fault fault) const {
+bool CarDriveUnit::is_gone(DriveFault fault) const {
   switch (fault) {
-    case overspeed:
-      return {.code = emergency_code::overspeed};
-    case unintended:
-      return {.code = unintended_code};
-    case following:
-      return {.code = following_code};
-    case hardware_fault:
-      return {.code = hardware_code_};
-  }
-  return {};
-}
-
-bool CarDriveUnit::is_gone(Fault fault) const {
-  switch (fault) {
-    case overspeed:
-      return std::abs(readings_.velocity) <= parameters_.velocity_max() && readings_.voltage;
-    case unintended:
-      return is_standing_ && readings_.voltage;
-    case hardware_fault:
-      return readings_.fault == 0;
-    case following:
+    case DriveFault::overspeed:
+      return std::abs(readings().velocity) <= parameters_.velocity_max() && readings().voltage;
+    case DriveFault::unintended:
+      return is_standing() && readings().voltage;
+    case DriveFault::hardware:
+      return readings().fault == 0;
+    case DriveFault::following:
       break;
   }
   return true;
@@ -345,17 +305,188 @@ bool CarDriveUnit::is_gone(Fault fault) const {
 /// Transition 15.
 void CarDriveUnit::reset_fault() {
   measure(node_.now());
-  constexpr Fault all[] = {overspeed, unintended, following, hardware_fault};
-  const auto is_present = [this](Fault fault) { return (faults_ & fault) != 0; };
-  if (std::ranges::any_of(all, [&](Fault f) { return is_present(f) && !is_gone(f); })) return;
-  for (const Fault fault : all) {
-    if (is_present(fault)) node_.clear(error_of(fault));
-  }
-  faults_ = 0;
-  stood_at_ = readings_.position;
-  is_following_error_ = false;
-  behind_since_ = never;
+  const auto is_there = [this](DriveFault fault) { return faults_.has(fault) && !is_gone(fault); };
+  if (std::ranges::any_of(all_drive_faults, is_there)) return;
+  faults_.end_all();
+  car_.settle();
+  watch_.begin_anew();
   enter(DriveState::switch_on_disabled);
+}
+
+// The mode of operation.
+
+/// That which is wanted, as far as the drive has it.
+void CarDriveUnit::take_mode() {
+  const auto wanted = mode_wanted_.value();
+  if (wanted) mode_ = *wanted;
+  value(modes_of_operation_display) = mode_;
+  has_arrived_ = false;
+  position_mode_.begin_anew();
+  velocity_mode_.begin_anew();
+  homing_mode_.give_up();
+  obey_velocity();
+}
+
+void CarDriveUnit::obey_mode(std::uint16_t word, std::uint16_t changed) {
+  const bool is_halted = (word & control_bit::halt) != 0;
+  if (is_halted != is_halted_) obey_halt(is_halted);
+  if ((changed & control_bit::new_set_point) == 0) return;
+  const Time now = node_.now();
+  if (mode_ == DriveMode::profile_position) {
+    if (position_mode_.take(word, value(target_position).raw(), is_halted_, now))
+      has_arrived_ = false;
+  }
+  if (mode_ != DriveMode::homing) return;
+  if ((word & control_bit::new_set_point) == 0) return homing_mode_.cancel(now);
+  has_arrived_ = false;
+  homing_mode_.start(is_halted_, now);
+}
+
+/// The target is kept, and travelled to when the halt ends.
+void CarDriveUnit::obey_halt(bool is_halted) {
+  is_halted_ = is_halted;
+  has_arrived_ = false;
+  velocity_mode_.ask_again();
+  if (is_halted) return slow_down(parameters_.option(4));
+  if (mode_ == DriveMode::profile_position) position_mode_.go_on(node_.now());
+  if (mode_ == DriveMode::homing && homing_mode_.is_under_way()) {
+    homing_mode_.start(false, node_.now());
+  }
+  obey_velocity();
+}
+
+/// What 6430h asks for now.
+void CarDriveUnit::obey_velocity() {
+  const bool obeys = state_ == DriveState::operation_enabled && !is_stopping_ && !is_halted_;
+  if (mode_ != DriveMode::profile_velocity || !obeys) return;
+  if (velocity_mode_.obey(value(target_velocity).raw(), node_.now())) has_arrived_ = false;
+}
+
+// Each period.
+
+void CarDriveUnit::tick(Time now) {
+  measure(now);
+  supervise(now);
+  if (is_stopping_) {
+    finish_stop(now);
+  } else if (state_ == DriveState::operation_enabled) {
+    advance_mode(now);
+  } else if (state_ == DriveState::ready_to_switch_on || state_ == DriveState::switched_on) {
+    obey_level();
+  }
+  refresh_status();
+  arm(now);
+}
+
+void CarDriveUnit::measure(Time now) {
+  car_.sense(now, parameters_.windows(), parameters_.increments(jump_distance));
+  velocity_mode_.watch_slippage(now);
+  tell_velocities(now);
+}
+
+void CarDriveUnit::tell_velocities(Time now) {
+  const DriveUnits& units = parameters_.units();
+  const double wanted = car_.has_power() ? demand(now).velocity : 0;
+  const bool by_sensor = sensor_selection_.is(cia402::SensorSelection::velocity_encoder);
+  const double actual = by_sensor ? readings().sensor_velocity : readings().velocity;
+  const auto in_units = [&](double velocity) { return std::llround(velocity / units.velocity); };
+  velocity_demand_ = in_units(wanted);
+  velocity_actual_ = in_units(actual);
+  velocity_sensor_ = std::llround(readings().sensor_velocity * units.sensor_velocity);
+  control_effort_ = in_units(wanted);
+}
+
+void CarDriveUnit::supervise(Time now) {
+  if (readings().fault != 0) fail(DriveFault::hardware, readings().fault);
+  if (watch_.is_too_fast(car_, parameters_) && !faults_.has(DriveFault::overspeed)) {
+    car_.arrest();
+    fail(DriveFault::overspeed);
+  }
+  if (watch_.strays(car_, parameters_) && !faults_.has(DriveFault::unintended)) {
+    car_.arrest();
+    fail(DriveFault::unintended);
+  }
+  watch_voltage();
+  if (watch_.lags_behind(car_, parameters_, now)) fail(DriveFault::following);
+}
+
+/// Transitions 9, 12 and 14: as if the voltage were disabled.
+void CarDriveUnit::watch_voltage() {
+  if (readings().voltage || !is_powered(state_)) return;
+  const bool is_fault = state_ == DriveState::fault_reaction_active;
+  enter(is_fault ? DriveState::fault : DriveState::switch_on_disabled);
+}
+
+void CarDriveUnit::finish_stop(Time now) {
+  const bool gives_up =
+      state_ == DriveState::fault_reaction_active && car_.seconds_left(now - stop_time_reserve) < 0;
+  if (!is_standing() && !gives_up) return;
+  is_stopping_ = false;
+  has_arrived_ = true;
+  car_.close_brake();
+  if (!after_stop_) return;
+  enter(*after_stop_);
+  // What was commanded on the way, and could not be done yet.
+  obey_level();
+}
+
+void CarDriveUnit::advance_mode(Time now) {
+  if (is_halted_) {
+    has_arrived_ = is_standing();
+    if (is_standing()) car_.close_brake();
+    return;
+  }
+  if (is_standing() && mode_wanted_.value() && mode_wanted_.value() != mode_) take_mode();
+  has_arrived_ = look_at_mode(now).value_or(has_arrived_);
+}
+
+std::optional<bool> CarDriveUnit::look_at_mode(Time now) {
+  switch (mode_) {
+    case DriveMode::profile_position:
+      return position_mode_.look(now);
+    case DriveMode::profile_velocity:
+      return velocity_mode_.look(now);
+    case DriveMode::homing:
+      return homing_mode_.look(now);
+    default:
+      return std::nullopt;
+  }
+}
+
+std::uint16_t CarDriveUnit::mode_bits() const {
+  const auto bits = [](bool bit_12, bool bit_13) {
+    return static_cast<std::uint16_t>((bit_12 ? 0x1000 : 0) | (bit_13 ? 0x2000 : 0));
+  };
+  switch (mode_) {
+    case DriveMode::profile_velocity:
+      return bits(car_.is_slow(), velocity_mode_.slips());
+    case DriveMode::homing:
+      return bits(homing_mode_.has_homed(), homing_mode_.has_failed());
+    default:
+      return bits(position_mode_.is_acknowledged(), faults_.has(DriveFault::following));
+  }
+}
+
+void CarDriveUnit::refresh_status() {
+  const bool is_limited = position_mode_.is_limited() || velocity_mode_.is_limited();
+  unsigned word = state_bits(state_) | mode_bits();
+  if (readings().voltage) word |= status_bit::voltage_enabled;
+  if (readings().warning) word |= status_bit::warning;
+  if (node_.state() == NmtState::operational) word |= status_bit::remote;
+  if (has_arrived_) word |= status_bit::target_reached;
+  if (is_limited) word |= status_bit::internal_limit;
+  statusword_ = word;
+}
+
+/// Again when the profile ends; else often while the car moves, and seldom while it stands.
+void CarDriveUnit::arm(Time now) {
+  const bool is_busy = car_.is_brake_released() || !is_standing();
+  Time next = now + (is_busy ? control_period_ : standing_period_);
+  if (car_.is_brake_released() && !car_.has_ended(now)) {
+    const auto left = std::min(car_.seconds_left(now), 1e6) * 1e6;
+    next = std::min(next, now + Duration(std::llround(std::ceil(left))));
+  }
+  if (timer_.at() > next) node_.timers().arm(timer_, std::max(next, now + 1us));
 }
 
 }  // namespace canvoy::cia417

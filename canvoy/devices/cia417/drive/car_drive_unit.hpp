@@ -13,21 +13,28 @@
 // safety chain is open) operation ends, the brake closes, and overspeed and unintended movement
 // stay faults: so they need the hand that closes the chain (EN 81-20, 5.6).
 //
+// It is the state machine of CiA 402. The car that it moves is a DrivenCar; how it moves, that of
+// its three modes which is on; who holds it from outside is known by DriveHold.
+//
 // What CiA 402 and CiA 417-4 leave open, and how it is taken here: docs/decisions.md, "The drive of
 // lifts".
 #pragma once
 
 #include <array>
-#include <bitset>
 #include <cstdint>
 #include <optional>
 
 #include "canvoy/canopen/emergency/emergency_consumer.hpp"
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/devices/cia417/controller/lift_bound.hpp"
-#include "canvoy/devices/cia417/drive/car_drive_hardware.hpp"
-#include "canvoy/devices/cia417/drive/drive_homing.hpp"
+#include "canvoy/devices/cia417/drive/drive_faults.hpp"
+#include "canvoy/devices/cia417/drive/drive_hold.hpp"
 #include "canvoy/devices/cia417/drive/drive_parameters.hpp"
+#include "canvoy/devices/cia417/drive/drive_watch.hpp"
+#include "canvoy/devices/cia417/drive/driven_car.hpp"
+#include "canvoy/devices/cia417/drive/homing_mode.hpp"
+#include "canvoy/devices/cia417/drive/profile_position_mode.hpp"
+#include "canvoy/devices/cia417/drive/profile_velocity_mode.hpp"
 #include "canvoy/profiles/cia417/drive_handles.hpp"
 
 namespace canvoy::cia417 {
@@ -87,45 +94,29 @@ class CarDriveUnit {
   DriveState state() const { return state_; }
   cia402::DriveMode mode() const { return mode_; }
   /// In increments from the encoder's zero: what the car is to do now.
-  MotionState demand(Time now) const { return profile_.at(seconds_since(start_, now)); }
-  const DriveReadings& readings() const { return readings_; }
+  MotionState demand(Time now) const { return car_.demand(now); }
+  const DriveReadings& readings() const { return car_.readings(); }
   /// The car stands: it is slower than the velocity threshold, and nothing moves it.
-  bool is_standing() const { return is_standing_; }
+  bool is_standing() const { return car_.is_standing(); }
   /// Some nodes tell of overspeed or unintended movement.
-  bool is_held() const { return holders_.any(); }
+  bool is_held() const { return hold_.is_held(); }
 
   /// It is not configured while it has power (4.11).
   AbortCode refuses_lift_number() {
     return is_powered(state_) ? AbortCode::device_state : AbortCode::none;
   }
   /// The readings are others: has them looked at when the node is called next.
-  void hardware_changed() { node_.timers().arm(timer_, node_.now()); }
+  void hardware_changed() { look_again(); }
 
  private:
-  /// What the drive itself finds wrong, a bit for each.
-  enum Fault : std::uint8_t { overspeed = 1, unintended = 2, following = 4, hardware_fault = 8 };
-  enum class Homing : std::uint8_t { idle, searching, stopping };
-  struct SetPoint {
-    double position = 0;
-    bool is_waiting = false;
-  };
-
-  static double seconds_since(Time start, Time now) {
-    return std::chrono::duration<double>(now - start).count();
-  }
-
-  // The bus (car_drive_unit.cpp).
+  // The bus.
   void reset(ResetScope scope);
   void tune();
   void read_parameters();
   void state_entered(NmtState state);
   void bus_state_changed(BusState state);
   void error_changed(const Error& error, bool present);
-  void emergency_heard(NodeId node_id, const Emergency& emergency);
-  void hold_for(NodeId node_id);
-  void release(NodeId node_id);
-  void release_all();
-  void error_control_heard(const Frame& frame, Time now);
+  void held();
   AbortCode note_order(std::uint16_t word);
   AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
   void order_written();
@@ -138,63 +129,56 @@ class CarDriveUnit {
   void obey_level();
   void change_state(DriveState next);
   void stop(StopReaction reaction, std::optional<DriveState> then);
-  void enter(DriveState state);
-  void switch_power(bool on);
-  void stop_fast();
-  bool must_be_fast() const { return is_held() || (faults_ & (overspeed | unintended)) != 0; }
-  void hasten();
-  void fail(Fault fault, const Error& error);
-  void reset_fault();
-  Error error_of(Fault fault) const;
-  bool is_gone(Fault fault) const;
-
-  // Moving (car_drive_motion.cpp).
-  void follow(const MotionProfile& profile);
   void slow_down(StopReaction reaction);
-  void release_brake();
-  void close_brake();
-  MotionState present() const;
-  void begin_operation();
+  void enter(DriveState state);
+  void stop_fast();
+  bool must_be_fast() const { return is_held() || faults_.has_dangerous_motion(); }
+  void hasten();
+  void fail(DriveFault fault, std::uint16_t hardware_code = 0);
+  void reset_fault();
+  bool is_gone(DriveFault fault) const;
+
+  // The mode of operation.
   void take_mode();
   void obey_mode(std::uint16_t word, std::uint16_t changed);
   void obey_halt(bool is_halted);
-  double wanted_position(bool is_relative);
-  void take_set_point(std::uint16_t word);
-  void travel(double target, double velocity_there);
-  void change_velocity();
-  void start_homing();
-  void seek_home();
-  void end_homing();
-  void count_from(double home, double zero);
+  void obey_velocity();
 
-  // Watching (car_drive_watch.cpp).
+  // Each period.
   void tick(Time now);
   void measure(Time now);
   void tell_velocities(Time now);
   void supervise(Time now);
   void watch_voltage();
-  bool lags_behind(Time now);
   void finish_stop(Time now);
   void advance_mode(Time now);
-  void finish_travel();
-  void watch_position_limit(Time now);
-  void watch_homing(Time now);
-  bool has_missed_home(Time now) const;
+  std::optional<bool> look_at_mode(Time now);
   void refresh_status();
   std::uint16_t mode_bits() const;
+  void look_again() { node_.timers().arm(timer_, node_.now()); }
   void arm(Time now);
-  bool has_ended(Time now) const { return seconds_since(start_, now) >= profile_.duration(); }
+
+  /// Of this lift; looked up each time, for what comes seldom.
+  auto value(const auto& handle) const {
+    return Values(node_.dictionary())[in_lift(lift_, handle)];
+  }
 
   Node& node_;
-  CarDriveHardware hardware_;
-  CarDriveSettings settings_;
+  unsigned lift_;
+  DriveTuning tuning_;
+  Duration control_period_;
+  Duration standing_period_;
   DriveParameters parameters_;
+  DrivenCar car_;
+  ProfilePositionMode position_mode_;
+  ProfileVelocityMode velocity_mode_;
+  HomingMode homing_mode_;
+  DriveWatch watch_;
+  DriveFaults faults_;
+  DriveHold hold_;
   LiftBound<controlword> controlword_;
   LiftBound<statusword> statusword_;
   LiftBound<modes_of_operation> mode_wanted_;
-  LiftBound<modes_of_operation_display> mode_shown_;
-  LiftBound<target_position> target_position_;
-  LiftBound<target_velocity> target_velocity_;
   LiftBound<velocity_demand_value> velocity_demand_;
   LiftBound<velocity_actual_value> velocity_actual_;
   LiftBound<velocity_sensor_actual_value> velocity_sensor_;
@@ -202,9 +186,10 @@ class CarDriveUnit {
   LiftBound<control_effort> control_effort_;
   static const HookCalls hook_calls[];
   static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this, block_shift(settings_.lift)};
+  ServiceLink service_{&service_calls, this, block_shift(lift_)};
   Timer timer_;
 
+  NodeId controller_;
   DriveState state_ = DriveState::not_ready_to_switch_on;
   cia402::DriveMode mode_ = cia402::DriveMode::profile_position;
   std::uint16_t asked_ = 0;   ///< the controlword that may be written next
@@ -214,41 +199,7 @@ class CarDriveUnit {
   StopReaction reaction_ = StopReaction::disable;  ///< of that stop
   bool is_stopping_ = false;
   bool is_halted_ = false;
-  bool has_power_ = false;
-  bool brake_released_ = false;
-  bool is_standing_ = false;
-  bool has_stood_ = false;           ///< since the brake closed
-  bool is_slow_ = false;             ///< for the time of the velocity threshold
-  bool is_travelling_ = false;       ///< to target_
-  bool has_arrived_ = false;         ///< bit 10
-  bool is_acknowledged_ = false;     ///< bit 12 in profile position mode
-  bool is_limited_ = false;          ///< bit 11
-  bool slips_ = false;               ///< bit 13 in profile velocity mode
-  bool is_following_error_ = false;  ///< bit 13 in profile position mode
-  bool has_homed_ = false;           ///< bit 12 in homing mode
-  bool homing_failed_ = false;       ///< bit 13 in homing mode
-  std::uint8_t faults_ = 0;
-  std::uint16_t hardware_code_ = 0;
-  Homing homing_ = Homing::idle;
-  SetPoint next_;             ///< waits behind the one that is travelled to
-  double target_ = 0;         ///< of the travel, in increments
-  double velocity_goal_ = 0;  ///< of profile velocity mode, in increments per second
-  std::optional<std::int32_t> velocity_obeyed_;  ///< 6430h, once it was obeyed
-  HomingSearch search_;
-  std::optional<double> found_;  ///< the home position of this search, in increments
-  double home_ = 0;              ///< the home position from which software limits count
-  double zero_ = 0;              ///< increments of position 0
-  double stood_at_ = 0;          ///< where the car came to stand behind its brake
-  MotionProfile profile_;
-  Time start_{};
-  Time measured_at_{};
-  Time slow_since_ = never;    ///< below the velocity threshold
-  Time near_since_ = never;    ///< within the velocity window
-  Time behind_since_ = never;  ///< out of the following window
-  Time homing_since_{};
-  double homing_from_ = 0;  ///< where the search began, or turned; in increments
-  DriveReadings readings_;
-  std::bitset<node_id_max + 1> holders_;  ///< nodes that tell of overspeed or unintended movement
+  bool has_arrived_ = false;  ///< bit 10
 };
 
 }  // namespace canvoy::cia417

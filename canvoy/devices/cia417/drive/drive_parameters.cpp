@@ -179,6 +179,39 @@ double DriveParameters::in_range(double position) const {
 }
 
 /// The defaults of CiA 402 where the drive does not have 6402h.
+MotionLimits DriveParameters::stop_ramp(cia402::StopReaction reaction, double velocity) const {
+  using enum cia402::StopReaction;
+  const auto by = [this](double deceleration) {
+    MotionLimits limits = ramps_;
+    limits.deceleration = deceleration * std::abs(units_.acceleration);
+    limits.jerk = {};
+    limits.type = ProfileType::linear;
+    return limits;
+  };
+  switch (reaction) {
+    case quick_stop_ramp:
+    case quick_stop_ramp_and_stay:
+      return quick_stop_;
+    case current_limit:
+    case current_limit_and_stay:
+      return by(motor_.current_deceleration);
+    case voltage_limit:
+    case voltage_limit_and_stay:
+      return by(motor_.voltage_deceleration);
+    case disable:
+    case slow_down_ramp:
+    case slow_down_ramp_and_stay:
+      break;
+  }
+  return std::abs(velocity) <= end_velocity_ ? final_ramp_ : ramps_;
+}
+
+void DriveParameters::count_from(double home, double zero) {
+  home_ = home;
+  zero_ = zero;
+  zero_above_home_ = (zero - home) / units_.position;
+}
+
 cia402::StopReaction DriveParameters::option(unsigned sub) const {
   constexpr std::int64_t defaults[] = {0, 0, 1, 2, 1, 2};
   const auto at = static_cast<std::uint8_t>(sub);

@@ -6,6 +6,7 @@
 //     MotionProfile::to_position(now, parameters.units().position * 12500, parameters.ramps());
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -36,16 +37,26 @@ struct DriveWindows {
   std::optional<double> max_slippage = {};
 };
 
+/// What a motor brakes with on its current and on its voltage limit, in units of 640Ah.
+struct MotorLimits {
+  double current_deceleration = 2500;
+  double voltage_deceleration = 2000;
+};
+
 class DriveParameters {
  public:
   /// `dictionary` must outlive this; `lift` is 1 to 8.
-  DriveParameters(Dictionary& dictionary, unsigned lift)
-      : dictionary_(&dictionary), shift_(static_cast<std::uint16_t>((lift - 1) * 0x800)) {}
+  DriveParameters(Dictionary& dictionary, unsigned lift, const MotorLimits& motor = {})
+      : dictionary_(&dictionary),
+        shift_(static_cast<std::uint16_t>((lift - 1) * 0x800)),
+        motor_(motor) {}
 
   /// Takes what the dictionary now has. Call it after a reset and after writes.
   void read();
 
   const DriveUnits& units() const { return units_; }
+  /// So many units of position.
+  double increments(double positions) const { return positions * std::abs(units_.position); }
   const DriveWindows& windows() const { return windows_; }
   /// Of travels and of stops on the slow-down ramp (6423h, 640Bh, 640Dh).
   const MotionLimits& ramps() const { return ramps_; }
@@ -53,6 +64,9 @@ class DriveParameters {
   const MotionLimits& final_ramp() const { return final_ramp_; }
   /// Of the quick stop (640Ah): without jerk.
   const MotionLimits& quick_stop() const { return quick_stop_; }
+  /// That by which an option code stops a car that is so fast (6402h); not of `disable`, by which
+  /// the brake does.
+  MotionLimits stop_ramp(cia402::StopReaction reaction, double velocity) const;
   /// Increments per second, by 6408h; 0: not limited.
   double velocity_max() const { return velocity_max_; }
   double end_velocity() const { return end_velocity_; }
@@ -62,8 +76,10 @@ class DriveParameters {
   /// The position that is the same one in the range of 6421h; both in units. Behind an end of the
   /// range the other one follows.
   double in_range(double position) const;
-  /// Position 0 is so many units above the home position.
-  void set_zero(double above_home) { zero_above_home_ = above_home; }
+  /// In increments: the home position, from which software limits count, and that of position 0.
+  double home() const { return home_; }
+  double zero() const { return zero_; }
+  void count_from(double home, double zero);
 
   cia402::StopReaction option(unsigned sub) const;
   std::int64_t home_offset() const { return number(0x6428, 0); }
@@ -101,6 +117,7 @@ class DriveParameters {
 
   Dictionary* dictionary_;
   std::uint16_t shift_;
+  MotorLimits motor_;
   DriveUnits units_;
   DriveWindows windows_;
   MotionLimits ramps_;
@@ -110,7 +127,9 @@ class DriveParameters {
   double end_velocity_ = 0;
   double position_min_ = 0;
   double position_max_ = 0;
-  double zero_above_home_ = 0;
+  double home_ = 0;
+  double zero_ = 0;
+  double zero_above_home_ = 0;  ///< in the units that held when it was found
 };
 
 }  // namespace canvoy::cia417

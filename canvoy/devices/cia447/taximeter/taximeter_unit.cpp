@@ -43,6 +43,7 @@ TaximeterUnit::TaximeterUnit(CarNetwork& network, const TaximeterHardware& hardw
       settings_(settings),
       bus_clock_(network.node()),
       memory_(network.node(), hardware.flash, settings.memory),
+      objects_(network.node()),
       wheel_reader_(
           network,
           {.server = settings.wheel_node,
@@ -133,6 +134,26 @@ void TaximeterUnit::keep() {
   memory_.save(kept());
   kept_at_ = network_.node().now();
   kept_distance_ = record_.total.distance;
+}
+
+/// At a reset of the bus all is told, else what has changed.
+void TaximeterUnit::publish(bool is_all) {
+  const TripData data = trip_data(record_.trip, fare_);
+  objects_.tell_trip(data, is_all);
+  objects_.tell_state(record_.state, is_turning_off_);
+  objects_.tell_totals(record_);
+  if (is_all) publish_configuration();
+  const TaximeterDisplay display = {.state = record_.state,
+                                    .trip = data,
+                                    .has_error = errors_ != 0,
+                                    .has_wheel_signal = has_wheel_signal()};
+  if (display == shown_) return;
+  shown_ = display;
+  hardware_.show(display);
+}
+
+void TaximeterUnit::hardware_changed() {
+  hardware_.show(shown_);
 }
 
 // Time.

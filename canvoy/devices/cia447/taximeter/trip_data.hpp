@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "canvoy/canopen/dictionary/dictionary.hpp"
+#include "canvoy/devices/cia447/taximeter/taximeter_record.hpp"
 #include "canvoy/profiles/cia447/add_on_states.hpp"
 
 namespace canvoy::cia447 {
@@ -33,6 +34,12 @@ struct TripData {
 
   bool operator==(const TripData&) const = default;
 };
+
+/// That of a trip, and of what it costs.
+TripData trip_data(const TaxiTrip& trip, const FareCalculation& fare);
+
+/// As 32 bits have seconds since 1970-01-01; TripData::unknown where they do not.
+std::uint32_t seconds_since_1970(std::int64_t time);
 
 void tell(Dictionary& dictionary, const TripData& data);
 

@@ -1,3 +1,5 @@
+#include "canvoy/devices/cia852/kinds.hpp"
+
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -5,7 +7,6 @@
 
 #include "canvoy/canopen/heap_node.hpp"
 #include "canvoy/devices/cia852/collision_watch.hpp"
-#include "canvoy/devices/cia852/kinds.hpp"
 #include "canvoy/devices/cia852/operator_device.hpp"
 #include "canvoy/devices/part_tables.hpp"
 #include "canvoy/devices/program_place.hpp"

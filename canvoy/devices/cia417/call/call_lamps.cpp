@@ -1,0 +1,66 @@
+#include "canvoy/devices/cia417/call/call_lamps.hpp"
+
+namespace canvoy::cia417 {
+
+void CallLamps::begin_anew() {
+  shown_.remove_all();
+  forget();
+}
+
+void CallLamps::forget() {
+  told_.remove_all();
+  were_on_.remove_all();
+  told_again_.remove_all();
+  tells_again_ = false;
+}
+
+void CallLamps::set(const Call& call, bool on) {
+  if (on) {
+    shown_.add(call);
+    told_.remove(call);
+  } else {
+    shown_.remove(call);
+    told_.add(call);
+  }
+}
+
+void CallLamps::tell_again() {
+  told_again_ = were_on_;
+  tells_again_ = !told_again_.empty();
+}
+
+/// What has changed comes first; of floor 0: nothing waits.
+Call CallLamps::next_untold() const {
+  const Call changed = shown_.first_difference(told_);
+  constexpr LiftCalls none{};
+  if (changed.floor != 0 || !tells_again_) return changed;
+  return told_again_.first_difference(none);
+}
+
+VirtualOutput CallLamps::next(std::uint8_t lifts) {
+  const Call call = next_untold();
+  const bool on = shown_.contains(call);
+  told_again_.remove(call);
+  tells_again_ = tells_again_ && !told_again_.empty();
+  if (on) {
+    told_.add(call);
+    were_on_.add(call);
+  } else {
+    told_.remove(call);
+    if (call.kind != CallKind::car) tell_overlapping(call);
+  }
+  return acknowledgement_of(call, lifts, on);
+}
+
+/// The sub-function addresses the lamps of each direction (4.4.1): where a call without a direction
+/// goes out, so do those of both, and the other way round. Those of calls that stand are lit again.
+void CallLamps::tell_overlapping(const Call& gone) {
+  for (const CallKind kind : {CallKind::up, CallKind::down, CallKind::any}) {
+    const Call standing{kind, gone.priority, gone.floor, gone.doors};
+    const bool shares_a_lamp =
+        kind != gone.kind && (hall_sub_function(kind) & hall_sub_function(gone.kind)) != 0;
+    if (shares_a_lamp && shown_.contains(standing)) told_.remove(standing);
+  }
+}
+
+}  // namespace canvoy::cia417

@@ -1,0 +1,33 @@
+// The way of a car back to its floor with open doors, from where those who got in or out have
+// brought it.
+//
+//     if (now >= levelling.may_begin_at()) levelling.begin();
+//     levelling.end(now);              // the car stands
+#pragma once
+
+#include <utility>
+
+#include "canvoy/can/time.hpp"
+
+namespace canvoy::cia417 {
+
+class Levelling {
+ public:
+  /// One that has not succeeded lets the lift go on meanwhile.
+  static constexpr Duration pause = 1s;
+
+  bool is_under_way() const { return is_under_way_; }
+  Time may_begin_at() const { return may_begin_at_; }
+  void begin() { is_under_way_ = true; }
+  void end(Time now) {
+    if (std::exchange(is_under_way_, false)) may_begin_at_ = now + pause;
+  }
+  /// Something else has stopped the car.
+  void give_up() { is_under_way_ = false; }
+
+ private:
+  Time may_begin_at_{};
+  bool is_under_way_ = false;
+};
+
+}  // namespace canvoy::cia417

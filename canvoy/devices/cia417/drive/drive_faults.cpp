@@ -1,0 +1,41 @@
+#include "canvoy/devices/cia417/drive/drive_faults.hpp"
+
+namespace canvoy::cia417 {
+
+namespace {
+
+/// Of CiA 402.
+constexpr std::uint16_t following_error_code = 0x8611;
+
+}  // namespace
+
+bool DriveFaults::add(DriveFault fault, std::uint16_t code) {
+  if (has(fault)) return false;
+  present_ |= bit(fault);
+  if (fault == DriveFault::hardware) hardware_code_ = code;
+  node_.raise(error_of(fault));
+  return true;
+}
+
+void DriveFaults::end_all() {
+  for (const DriveFault fault : all_drive_faults) {
+    if (has(fault)) node_.clear(error_of(fault));
+  }
+  present_ = 0;
+}
+
+Error DriveFaults::error_of(DriveFault fault) const {
+  switch (fault) {
+    case DriveFault::overspeed:
+      return {.code = emergency_code::overspeed};
+    case DriveFault::unintended:
+      return {.code = emergency_code::unintended_car_movement};
+    case DriveFault::following:
+      return {.code = following_error_code};
+    case DriveFault::hardware:
+      return {.code = hardware_code_};
+  }
+  return {};
+}
+
+}  // namespace canvoy::cia417

@@ -1,0 +1,29 @@
+// Whether something has been so without a break for a while: a window of velocity (6435h to 6437h),
+// a following error.
+//
+//     Lasting slow;
+//     slow.watch(speed < threshold, now);       // each time that it was measured
+//     if (slow.lasts(100ms, now)) ...
+#pragma once
+
+#include "canvoy/can/time.hpp"
+
+namespace canvoy::cia417 {
+
+class Lasting {
+ public:
+  void watch(bool is_so, Time now) {
+    if (!is_so) {
+      since_ = never;
+    } else if (since_ == never) {
+      since_ = now;
+    }
+  }
+  bool lasts(Duration time, Time now) const { return since_ != never && now - since_ >= time; }
+  void begin_anew() { since_ = never; }
+
+ private:
+  Time since_ = never;
+};
+
+}  // namespace canvoy::cia417

@@ -1,0 +1,91 @@
+#include "canvoy/devices/cia417/drive/profile_position_mode.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace canvoy::cia417 {
+
+void ProfilePositionMode::begin_anew() {
+  give_up();
+  is_acknowledged_ = is_limited_ = false;
+}
+
+void ProfilePositionMode::give_up() {
+  is_travelling_ = false;
+  next_.reset();
+}
+
+/// Acknowledged where it can be done; otherwise the drive goes on to the target that it had (4.11).
+bool ProfilePositionMode::take(std::uint16_t word, std::int32_t target, bool is_halted, Time now) {
+  is_acknowledged_ = false;
+  if ((word & control_bit::new_set_point) == 0) return false;
+  const double wanted = wanted_position(target, (word & control_bit::relative) != 0, now);
+  const double possible = std::clamp(wanted, parameters_.home() + parameters_.position_min(),
+                                     parameters_.home() + parameters_.position_max());
+  const bool is_immediate = (word & control_bit::change_immediately) != 0;
+  if (is_travelling_ && !is_immediate) return wait_behind(possible, is_halted, now);
+  if (is_travelling_ &&
+      !MotionProfile::can_reach(car_.present(now), possible, parameters_.ramps())) {
+    return false;
+  }
+  is_acknowledged_ = true;
+  is_limited_ = possible != wanted;
+  next_.reset();
+  target_ = possible;
+  is_travelling_ = true;
+  if (is_halted) return false;
+  travel(possible, 0, now);
+  return true;
+}
+
+/// Through the present target at the end velocity, where the next one lies in the same direction.
+bool ProfilePositionMode::wait_behind(double target, bool is_halted, Time now) {
+  if (next_) return false;
+  next_ = target;
+  is_acknowledged_ = true;
+  const bool goes_on = (target - target_) * (target_ - car_.present(now).position) > 0;
+  if (!goes_on || is_halted) return false;
+  travel(target_, parameters_.end_velocity(), now);
+  return true;
+}
+
+/// In increments. Positions count from one end of their range to the other (6421h): where the car
+/// has left it, position 0 is another place; a target out of it is that in it. A relative one is a
+/// way, which has no range.
+double ProfilePositionMode::wanted_position(std::int32_t target, bool is_relative, Time now) {
+  const double from = is_travelling_ ? target_ : car_.present(now).position;
+  const double unit = parameters_.units().position;
+  if (is_relative) return from + target * unit;
+  const double counted = (from - parameters_.zero()) / unit;
+  const double turns = counted - parameters_.in_range(counted);
+  if (turns != 0) parameters_.count_from(parameters_.home(), parameters_.zero() + turns * unit);
+  return parameters_.zero() + parameters_.in_range(target) * unit;
+}
+
+void ProfilePositionMode::go_on(Time now) {
+  if (is_travelling_) travel(target_, 0, now);
+}
+
+void ProfilePositionMode::travel(double target, double velocity_there, Time now) {
+  target_ = target;
+  is_travelling_ = true;
+  car_.follow(
+      MotionProfile::to_position(car_.present(now), target, parameters_.ramps(), velocity_there),
+      now);
+}
+
+std::optional<bool> ProfilePositionMode::look(Time now) {
+  if (!is_travelling_ || !car_.has_ended(now)) return std::nullopt;
+  if (const std::optional<double> next = std::exchange(next_, std::nullopt)) {
+    travel(*next, 0, now);
+    return false;
+  }
+  const double off = std::abs(car_.readings().position - target_);
+  if (!car_.is_standing() || off > parameters_.increments(window_)) return std::nullopt;
+  is_travelling_ = false;
+  car_.close_brake();
+  return true;
+}
+
+}  // namespace canvoy::cia417
