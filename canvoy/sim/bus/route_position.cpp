@@ -1,14 +1,13 @@
-// Where the vehicle is on its route, by pulses of the wheels, contacts of the doors, and
-// satellites.
-#include <cmath>
-#include <utility>
+#include "canvoy/sim/bus/route_position.hpp"
 
-#include "canvoy/sim/bus/line_control.hpp"
+#include <cmath>
 
 namespace canvoy::bus {
 
 namespace {
 
+/// A device that boots may tell an old journey for a moment.
+constexpr Duration settled = 10s;
 /// Longer than who brakes takes for the last pulse.
 constexpr Duration stands_after = 600ms;
 /// So near to the first stop it is there.
@@ -29,8 +28,34 @@ constexpr double leaving_m = 0.1;  // the first pulse
 
 }  // namespace
 
-void LineControl::sense_motion(Time now) {
-  const double odometer = hardware_.odometer();
+void RoutePosition::begin(const BusRoute& route, Time now) {
+  has_just_begun_ = route_ != nullptr && is_located_ && is_at_end();
+  has_changed_ = route_ != nullptr && is_standing_ && now - journey_since_ > settled;
+  journey_since_ = now;
+  route_ = &route;
+  is_located_ = false;
+  place_ = reached_ = 0;
+}
+
+void RoutePosition::lose_route() {
+  route_ = nullptr;
+  is_located_ = false;
+}
+
+void RoutePosition::forget() {
+  lose_route();
+  fix_.reset();
+}
+
+void RoutePosition::take_fix(const std::optional<GeoPoint>& point) {
+  fix_.reset();
+  if (!point) return;
+  fix_ = Fix{*point, sensors_.odometer()};
+  if (is_located_ && !is_exact_) refine();
+}
+
+void RoutePosition::sense(Time now) {
+  const double odometer = sensors_.odometer();
   if (odometer != odometer_) moved_at_ = now;
   odometer_ = odometer;
   is_standing_ = now - moved_at_ >= stands_after;
@@ -40,43 +65,40 @@ void LineControl::sense_motion(Time now) {
 }
 
 /// What positioning tells when it is started may be a second old: the next positions are better.
-void LineControl::refine() {
-  if (!fix_) return;
-  const double along = route().path.nearest_to(fix_->point);
+void RoutePosition::refine() {
+  const double along = route_->path.nearest_to(fix_->point);
   const double known = base_metres_ + fix_->odometer - base_odometer_;
   if (std::abs(along - known) > off_route_m) return;
   base_metres_ = along;
   base_odometer_ = fix_->odometer;
 }
 
-bool LineControl::is_at_end() const {
+bool RoutePosition::is_at_end() const {
   return is_last() && (is_at_stop_ || metres_of(place_) - metres() < near_first_stop_m);
 }
 
-void LineControl::stand_at_first_stop(double odometer) {
+void RoutePosition::stand_at_first_stop(double odometer) {
   place_ = reached_ = 0;
   is_at_stop_ = is_exact_ = true;
   base_metres_ = metres_of(0);
   base_odometer_ = odometer;
-  hardware_.computer->begin_route({});
 }
 
-/// Whether it knows where it is.
-bool LineControl::locate() {
+bool RoutePosition::locate() {
+  if (route_ == nullptr || is_located_) return false;
+  is_located_ = find();
+  return is_located_;
+}
+
+bool RoutePosition::find() {
   if (!fix_) {
     // The driver logs in where a journey begins.
-    if (!has_changed_) return false;
-    stand_at_first_stop(odometer_);
-    return true;
+    if (has_changed_) stand_at_first_stop(odometer_);
+    return has_changed_;
   }
-  const Path& path = route().path;
-  const GeoPoint first = path.at(metres_of(0));
-  if (metres_between(fix_->point, first) < near_first_stop_m) {
-    // A position from before it stood there is none of this journey.
-    if (odometer_ - fix_->odometer > near_first_stop_m) return false;
-    const bool is_old = odometer_ != fix_->odometer && has_just_begun_;
-    if (!is_old) stand_at_first_stop(fix_->odometer);
-    return !is_old;
+  const Path& path = route_->path;
+  if (metres_between(fix_->point, path.at(metres_of(0))) < near_first_stop_m) {
+    return find_first_stop();
   }
   const double along = path.nearest_to(fix_->point);
   if (metres_between(path.at(along), fix_->point) > off_route_m || has_just_begun_) return false;
@@ -85,33 +107,36 @@ bool LineControl::locate() {
   is_at_stop_ = was_slow_ = is_exact_ = false;
   for (place_ = 0; !is_last() && metres_of(place_) < metres() - at_stop_m;) ++place_;
   reached_ = place_ == 0 ? 0 : place_ - 1;
-  hardware_.computer->begin_route({});
   return true;
 }
 
-void LineControl::reach(std::size_t place) {
-  reached_ = place;
+/// A position from before it stood there is none of this journey.
+bool RoutePosition::find_first_stop() {
+  if (odometer_ - fix_->odometer > near_first_stop_m) return false;
+  const bool is_old = odometer_ != fix_->odometer && has_just_begun_;
+  if (!is_old) stand_at_first_stop(fix_->odometer);
+  return !is_old;
 }
 
-void LineControl::follow(Time) {
+void RoutePosition::follow() {
   if (is_at_stop_) {
     if (odometer_ - base_odometer_ < leaving_m || is_last()) return;
     is_at_stop_ = false;
     ++place_;
   }
   const double beyond = metres() - metres_of(place_);
-  const bool has_open_door = is_standing_ && hardware_.has_open_door && hardware_.has_open_door();
+  const bool has_open_door = is_standing_ && sensors_.has_open_door && sensors_.has_open_door();
   if (is_standing_ && std::abs(beyond) < (has_open_door ? doors_open_m : at_stop_m)) {
-    is_at_stop_ = true;
+    is_at_stop_ = is_exact_ = true;
     was_slow_ = false;
     base_metres_ = metres_of(place_);
     base_odometer_ = odometer_;
-    is_exact_ = true;
-    return reach(place_);
+    reached_ = place_;
+    return;
   }
   was_slow_ = was_slow_ || (is_slow_ && std::abs(beyond) < touched_stop_m);
   if (is_standing_ || beyond < (was_slow_ ? left_stop_m : past_stop_m) || is_last()) return;
-  reach(place_);
+  reached_ = place_;
   ++place_;
   was_slow_ = false;
 }

@@ -1,13 +1,11 @@
+#include "canvoy/sim/bus/places_along.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <numbers>
 #include <utility>
-#include <vector>
-
-#include "canvoy/sim/bus/line_of_feed.hpp"
 
 namespace canvoy::bus {
 
