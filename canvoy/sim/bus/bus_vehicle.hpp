@@ -10,6 +10,7 @@
 // leaves no timing point early.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -112,6 +113,7 @@ class BusVehicle {
   double metres_on_route() const { return drive_.metres(); }
   const BusDoor& door(std::size_t number) const { return doors_[number]; }
   std::size_t door_count() const { return doors_.size(); }
+  bool all_doors_closed() const { return std::ranges::all_of(doors_, &BusDoor::is_closed); }
   const Riders& riders() const { return riders_; }
   /// Behind the timetable at the last arrival, departure or passing; early is negative.
   Duration delay() const { return delay_; }

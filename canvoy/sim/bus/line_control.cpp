@@ -12,12 +12,7 @@ namespace {
 
 constexpr Duration look_period = 50ms;
 constexpr Duration start_period = 1s;
-/// A device that boots may tell an old journey for a moment.
-constexpr Duration settled = 10s;
 constexpr Duration refresh_after = 200ms;
-constexpr Duration time_is_fresh = 5s;
-/// Its own clock may be wrong: it waits for that of the satellites.
-constexpr Duration clock_patience = 3s;
 
 }  // namespace
 
@@ -29,7 +24,9 @@ LineControl::LineControl(cia407::VirtualDevice& device, const LineControlHardwar
       remotes_(std::make_unique<std::array<NmtMaster::RemoteNode, node_id_max>>()),
       master_(device.node(), *remotes_),
       displays_(device.node(), master_, hardware.computer->texts()),
-      timer_(Callback<void(Time)>::to<&LineControl::look>(*this)) {
+      timer_(Callback<void(Time)>::to<&LineControl::look>(*this)),
+      position_({.odometer = hardware.odometer, .has_open_door = hardware.has_open_door}),
+      clock_(hardware.clock) {
   for (const DisplayServer::Display& display : settings_.displays) displays_.add(display);
   device.on_reset = Callback<void(ResetScope)>::to<&LineControl::reset>(*this);
   device.on_written = Callback<void(const Entry&)>::to<&LineControl::written>(*this);
@@ -55,7 +52,7 @@ LineControl::~LineControl() {
 
 void LineControl::reset(ResetScope) {
   forget_all();
-  booted_ = node().now();
+  clock_.begin(node().now());
   node().timers().arm(timer_, node().now());
 }
 
@@ -63,10 +60,8 @@ void LineControl::forget_all() {
   has_begun_ = false;
   has_journey_told_ = false;
   journey_ = nullptr;
-  is_located_ = false;
-  fix_.reset();
-  time_base_.reset();
-  told_time_ = false;
+  position_.forget();
+  clock_.forget();
   told_.reset();
   refresh_at_ = never;
   train_wants_stop_.reset();
@@ -88,16 +83,20 @@ void LineControl::look(Time now) {
   if (!has_begun_) begin();
   if (now >= next_start_) start_waiting();
   if (now >= refresh_at_) refresh();
-  sense_motion(now);
-  watch_clock();
-  if (journey_ != nullptr && !is_located_) {
-    is_located_ = locate();
-    // The route begins anew, were it at the same place.
-    if (is_located_) told_.reset();
-  }
-  if (is_located_) follow(now);
+  position_.sense(now);
+  if (clock_.has_come_or_gone(now)) hardware_.computer->clock_changed();
+  locate();
   tell();
   displays_.serve();
+}
+
+void LineControl::locate() {
+  if (position_.locate()) {
+    hardware_.computer->begin_route({});
+    // The route begins anew, were it at the same place.
+    told_.reset();
+  }
+  if (position_.is_located()) position_.follow();
 }
 
 /// Who is not operational is started, again where that was not heard.
@@ -143,7 +142,7 @@ void LineControl::changed(NodeId id, RemoteState state) {
     lose_journey();
     has_journey_told_ = false;
   }
-  if (id == settings_.positioning && begins_anew) fix_.reset();
+  if (id == settings_.positioning && begins_anew) position_.take_fix({});
   // Whether a door was open meanwhile is not known: who still wants to get off presses again.
   if (id == settings_.doors && begins_anew) hardware_.computer->request_stop(false);
   if (state == RemoteState::lost) {
@@ -183,26 +182,21 @@ void LineControl::take_journey() {
   }
   if (found == nullptr) return lose_journey();
   if (found == journey_) return;
-  has_just_begun_ = journey_ != nullptr && is_located_ && is_at_end();
-  has_changed_ = journey_ != nullptr && is_standing_ && node().now() - journey_since_ > settled;
-  journey_since_ = node().now();
   journey_ = found;
-  is_located_ = false;
-  place_ = reached_ = 0;
+  position_.begin(route(), node().now());
 }
 
 void LineControl::lose_journey() {
   journey_ = nullptr;
-  is_located_ = false;
+  position_.lose_route();
 }
 
 void LineControl::take_fix() {
   const std::optional<double> latitude = device_[cia407::latitude].value();
   const std::optional<double> longitude = device_[cia407::longitude].value();
-  fix_.reset();
-  if (!latitude || !longitude) return;
-  fix_ = Fix{{*latitude, *longitude}, hardware_.odometer()};
-  if (is_located_ && !is_exact_) refine();
+  std::optional<GeoPoint> point;
+  if (latitude && longitude) point = {*latitude, *longitude};
+  position_.take_fix(point);
 }
 
 void LineControl::take_time() {
@@ -213,29 +207,58 @@ void LineControl::take_time() {
   const auto offset = static_cast<std::int64_t>(hours.value_or(0)) * cia447::seconds_an_hour +
                       static_cast<std::int64_t>(minutes.value_or(0)) * cia447::seconds_a_minute;
   const std::int64_t local = cia447::seconds_since_1970(*utc) + offset;
-  time_heard_ = node().now();
-  // Between two messages it goes by its own oscillator: they come a little late, now and then.
-  const auto passed = std::chrono::floor<std::chrono::seconds>(time_heard_ - time_at_).count();
-  if (time_base_ && std::abs(*time_base_ + passed - local) <= 1) return;
-  // Summer time begins or ends: what was told last is not so any more.
-  if (time_base_) hardware_.computer->clock_changed();
-  time_base_ = local;
-  time_at_ = time_heard_;
+  // Then what was told last is not so any more.
+  if (clock_.hear(local, node().now())) hardware_.computer->clock_changed();
 }
 
 std::optional<cia407::CivilTime> LineControl::local_time() const {
-  const Time now = device_.node().now();
-  if (time_base_ && now - time_heard_ < time_is_fresh) {
-    const auto passed = std::chrono::floor<std::chrono::seconds>(now - time_at_).count();
-    return cia447::civil_time(*time_base_ + passed);
-  }
-  if (now - booted_ < clock_patience || !hardware_.clock) return std::nullopt;
-  return hardware_.clock();
+  return clock_.local(device_.node().now());
 }
 
-void LineControl::watch_clock() {
-  const bool is_told = local_time().has_value();
-  if (std::exchange(told_time_, is_told) != is_told) hardware_.computer->clock_changed();
+// What is told: numbers by the pre-defined messages, texts to displays.
+
+JourneyTexts LineControl::texts() const {
+  return {line(), journey_, {.place = position_.place(), .is_known = position_.knows_stop()}};
+}
+
+/// What is not known is not told.
+void LineControl::tell() {
+  const Told now = {journey_, position_.knows_stop(), position_.is_located(), position_.place(),
+                    position_.reached()};
+  if (std::exchange(told_, now) == now) return;
+  hardware_.computer->block_tickets(!now.knows_stop);
+  if (now.knows_stop) {
+    tell_position();
+  } else {
+    hardware_.computer->set_position({});
+  }
+  displays_.want([texts = texts()](DisplayUse use) { return texts.view_of(use); });
+  keep_texts();
+}
+
+/// Whoever wants one may read it here (5.2).
+void LineControl::keep_texts() {
+  if (journey_ == nullptr) return;
+  for (const DisplayText& text : texts().all()) {
+    const Result<Entry> entry = node().dictionary().find(text.index, text.sub);
+    if (entry) node().dictionary().set(*entry, text.octets);
+  }
+}
+
+void LineControl::tell_position() {
+  const std::size_t place = position_.place();
+  const BusStop& stop = line().stop(journey_->route, place);
+  // On the way to the first stop it has not reached another zone.
+  if (position_.is_located()) told_stop_ = route().stops[position_.reached()];
+  using cia407::JourneyDirection;
+  hardware_.computer->set_line_name(to_ascii(line().name));
+  hardware_.computer->set_stop_name(to_ascii(stop.short_name));
+  hardware_.computer->set_position(
+      {.stop_point_id = stop.number,
+       .number_of_running = static_cast<std::uint8_t>(std::min<std::size_t>(place + 1, 255)),
+       .fare_zone = told_stop_.fare_zone,
+       .route_segment = told_stop_.route_segment,
+       .direction = route().is_backward ? JourneyDirection::backward : JourneyDirection::forward});
 }
 
 /// What the train wants first may be left from before: only from then on a request is a new one.

@@ -18,6 +18,9 @@
 #include "canvoy/devices/cia407/main_on_board_computer/main_on_board_computer_unit.hpp"
 #include "canvoy/sim/bus/bus_line.hpp"
 #include "canvoy/sim/bus/display_server.hpp"
+#include "canvoy/sim/bus/journey_texts.hpp"
+#include "canvoy/sim/bus/line_clock.hpp"
+#include "canvoy/sim/bus/route_position.hpp"
 
 namespace canvoy::bus {
 
@@ -58,14 +61,8 @@ class LineControl {
   std::optional<cia407::CivilTime> local_time() const;
   /// A passenger has pressed a button. False: it is not in service.
   bool press_stop_button();
-  bool is_located() const { return is_located_; }
 
  private:
-  struct Fix {
-    GeoPoint point{};
-    double odometer = 0;
-  };
-
   Node& node() { return device_.node(); }
   const BusRoute& route() const { return settings_.line->routes[journey_->route]; }
   const BusLine& line() const { return *settings_.line; }
@@ -86,31 +83,12 @@ class LineControl {
   void lose_journey();
   void take_fix();
   void take_time();
-  void watch_clock();
+  void locate();
 
-  // line_control_position.cpp
-  bool locate();
-  void stand_at_first_stop(double odometer);
-  void refine();
-  void sense_motion(Time now);
-  void follow(Time now);
-  void reach(std::size_t place);
-  double metres() const { return base_metres_ + odometer_ - base_odometer_; }
-  double metres_of(std::size_t place) const { return route().stops[place].metres; }
-  /// At the last stop, or about to stand there.
-  bool is_at_end() const;
-  bool is_last() const { return place_ + 1 >= route().stops.size(); }
-
-  // line_control_texts.cpp
-  /// Also on the way to the first stop.
-  bool knows_stop() const { return is_located_ || (journey_ != nullptr && has_just_begun_); }
+  JourneyTexts texts() const;
   void tell();
   void tell_position();
   void keep_texts();
-  DisplayView view_of(DisplayUse use) const;
-  DisplayView view_for_train() const;
-  DisplayText stop_text(std::size_t place) const;
-  void add_next_stops(DisplayView& view) const;
 
   cia407::VirtualDevice& device_;
   LineControlHardware hardware_;
@@ -126,24 +104,8 @@ class LineControl {
 
   const Journey* journey_ = nullptr;  ///< null: none is told
   bool has_journey_told_ = false;     ///< were it that none is driven
-  bool is_located_ = false;
-  bool is_at_stop_ = false;
-  bool is_exact_ = false;  ///< it has stood at a stop of this route
-  Time journey_since_{};
-  bool has_just_begun_ = false;  ///< the one before was driven to its end
-  bool has_changed_ = false;     ///< another one was told for some time, and then this one
-  std::size_t place_ = 0;        ///< of the stop at which it stands, or the next one
-  std::size_t reached_ = 0;      ///< the last one
-  double base_metres_ = 0;       ///< along the route, where the odometer was base_odometer_
-  double base_odometer_ = 0;
-  double odometer_ = 0;
-  Time moved_at_{};
-  bool is_standing_ = false;
-  std::array<double, 4> pulses_{};  ///< the odometer at the last looks
-  std::size_t looks_ = 0;
-  bool is_slow_ = false;
-  bool was_slow_ = false;  ///< at the stop of place_: it stood there, were it for a moment
-  std::optional<Fix> fix_;
+  RoutePosition position_;
+  LineClock clock_;
 
   struct Told {
     const Journey* journey = nullptr;
@@ -158,12 +120,6 @@ class LineControl {
   RouteStop told_stop_;  ///< of which zone and segment are told
 
   std::optional<bool> train_wants_stop_;  ///< nothing: it has not been told since the begin
-
-  std::optional<std::int64_t> time_base_;  ///< local, s since 1970, at time_at_
-  Time time_at_{};
-  Time time_heard_{};
-  Time booted_{};
-  bool told_time_ = false;
 };
 
 struct LineControlKind : cia407::BusKind<LineControl, LineControlHardware, LineControlSettings> {

@@ -9,6 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include "canvoy/sim/bus/places_along.hpp"
+
 namespace canvoy::bus {
 
 namespace {

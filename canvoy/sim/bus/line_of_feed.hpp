@@ -24,11 +24,4 @@ inline constexpr std::size_t journeys_max = 100'000;
 
 LineOfFeed line_of_feed(const gtfs::Feed& feed, const gtfs::Date& date);
 
-/// Into at most so many more pieces places_along divides a path.
-inline constexpr std::size_t pieces_more_max = 4000;
-
-/// Where each of `places` is along the path, in m: the order kept, as near to them as can be.
-/// Takes time and memory in proportion to the product of both numbers of points.
-std::vector<double> places_along(const Path& path, const std::vector<GeoPoint>& places);
-
 }  // namespace canvoy::bus

@@ -77,17 +77,5 @@ TEST(LineOfFeed, FrequenciesRepeatATrip) {
   EXPECT_EQ(made.line.blocks[2].journeys[0].passings[2].arrival, 10h + 50min);
 }
 
-/// The way goes to the end and comes back along the same street.
-TEST(LineOfFeed, StopsStandOnTheirWayInTheirOrder) {
-  const Path path({{0, 0}, {0, 0.02}, {0, 0}});
-  const std::vector<double> metres =
-      places_along(path, {{0.0001, 0.005}, {0.0001, 0.015}, {-0.0001, 0.01}, {0, 0.001}});
-  const double degree = path.metres() / 0.04;
-  EXPECT_NEAR(metres[0], 0.005 * degree, 1);
-  EXPECT_NEAR(metres[1], 0.015 * degree, 1);
-  EXPECT_NEAR(metres[2], 0.03 * degree, 1);
-  EXPECT_NEAR(metres[3], 0.039 * degree, 1);
-}
-
 }  // namespace
 }  // namespace canvoy::bus::line_of_feed_test

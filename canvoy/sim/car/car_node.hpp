@@ -5,12 +5,10 @@
 //     node.power(true);
 #pragma once
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "canvoy/canopen/identity.hpp"
 #include "canvoy/canopen/lss/lss_slave.hpp"
@@ -24,10 +22,6 @@ namespace canvoy::car {
 /// The virtual devices of a physical one.
 template <class... Kind>
 inline constexpr const cia447::CarUnit* units_of[] = {&cia447::car_unit<Kind>...};
-
-/// Until a car with real devices is judged, though not all have started yet. By LSS all wait for
-/// all, and a real device answers when its computer lets it.
-inline constexpr Duration real_start = 1min;
 
 class CarNode {
  public:
@@ -106,14 +100,5 @@ class CarNode {
   std::optional<Identity> identity_;
   std::optional<LssSlave> lss_;
 };
-
-using CarNodes = std::vector<std::unique_ptr<CarNode>>;
-
-/// Not all do their work, and what is real may come yet. `is_at_work` says it of a node.
-template <class IsAtWork>
-bool waits_for_real(const CarNodes& nodes, Time now, const IsAtWork& is_at_work) {
-  return now - Time{} < real_start &&
-         !std::ranges::all_of(nodes, [&](const auto& node) { return is_at_work(*node); });
-}
 
 }  // namespace canvoy::car

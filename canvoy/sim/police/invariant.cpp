@@ -20,7 +20,7 @@ constexpr auto invariants = std::to_array<InvariantName>({
     {"calls", "calls for help that were not attended to and reported", ""},
     {"device_missing", "a device was missing without an excuse for at most", "s"},
 });
-static_assert(invariants.size() == static_cast<std::size_t>(InvariantKind::device_missing) + 1);
+static_assert(invariants.size() == invariant_kinds);
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 // What must hold in a police car, whatever happens, and by how much it did.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -23,6 +24,8 @@ enum class InvariantKind : std::uint8_t {
   calls,    ///< calls for help that were not attended to, and reported, in time
   device_missing,  ///< the longest time that a device was not operational without an excuse; in s
 };
+inline constexpr std::size_t invariant_kinds =
+    static_cast<std::size_t>(InvariantKind::device_missing) + 1;
 
 /// All kinds, in the order of InvariantKind.
 std::span<const InvariantName> invariant_names();

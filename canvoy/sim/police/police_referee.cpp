@@ -58,22 +58,10 @@ void PoliceReferee::acted(const KeyAction& action) {
   }
 }
 
-void PoliceReferee::judge(InvariantKind kind, Time now, bool is_right) {
-  Time& at = right_at_[index(kind)];
-  if (is_right) at = now;
-  worst_[index(kind)] = std::max(worst_[index(kind)], now - at);
-}
-
-void PoliceReferee::judge_device(NodeId id, Time now, bool is_there) {
-  Time& at = there_at_.at(id);
-  if (is_there) at = now;
-  Duration& worst = worst_[index(InvariantKind::device_missing)];
-  worst = std::max(worst, now - at);
-}
-
-void PoliceReferee::waits(Time now, Time since) {
-  Duration& worst = worst_[index(InvariantKind::terminal_wait)];
-  worst = std::max(worst, now - since);
+Duration PoliceReferee::worst(InvariantKind kind) const {
+  if (kind == InvariantKind::device_missing) return missing_.worst();
+  if (kind == InvariantKind::terminal_wait) return longest_wait_;
+  return wrong_[index(kind)].worst();
 }
 
 std::vector<Invariant> PoliceReferee::verdicts(std::span<const EmergencyCall> calls) const {
@@ -84,7 +72,7 @@ std::vector<Invariant> PoliceReferee::verdicts(std::span<const EmergencyCall> ca
     const auto kind = static_cast<InvariantKind>(i);
     Invariant made{.kind = kind, .decided = !undecided_[i]};
     if (has_time(kind)) {
-      made.worst = in_seconds(worst_[i]);
+      made.worst = in_seconds(worst(kind));
       made.allowed = in_seconds(bound_of(kind));
     } else if (kind == InvariantKind::keypad) {
       made.worst = wrong_keys_;

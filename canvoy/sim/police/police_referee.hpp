@@ -6,14 +6,16 @@
 //     referee.judge(InvariantKind::siren, now, is_right);
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
 #include "canvoy/can/time.hpp"
-#include "canvoy/devices/cia447/car_network.hpp"
+#include "canvoy/sim/missing_devices.hpp"
 #include "canvoy/sim/police/client.hpp"
 #include "canvoy/sim/police/crew.hpp"
 #include "canvoy/sim/police/invariant.hpp"
+#include "canvoy/sim/wrong_time.hpp"
 
 namespace canvoy::police {
 
@@ -26,18 +28,21 @@ class PoliceReferee {
   void pressed(const KeyAction& key, bool may_come_late = false);
   void acted(const KeyAction& action);
   /// Whether something is as it shall be; called in each step.
-  void judge(InvariantKind kind, Time now, bool is_right);
+  void judge(InvariantKind kind, Time now, bool is_right) {
+    wrong_[index(kind)].judge(now, is_right);
+  }
   /// The same of a device.
-  void judge_device(NodeId id, Time now, bool is_there);
+  void judge_device(NodeId id, Time now, bool is_there) { missing_.judge(id, now, is_there); }
   /// Somebody waits since then.
-  void waits(Time now, Time since);
+  void waits(Time now, Time since) { longest_wait_ = std::max(longest_wait_, now - since); }
   void frame_asleep() { ++frames_asleep_; }
   void cannot_judge(InvariantKind kind) { undecided_[index(kind)] = true; }
 
   std::vector<Invariant> verdicts(std::span<const EmergencyCall> calls) const;
 
  private:
-  static constexpr std::size_t kinds = static_cast<std::size_t>(InvariantKind::device_missing) + 1;
+  Duration worst(InvariantKind kind) const;
+  static constexpr std::size_t kinds = invariant_kinds;
   static constexpr std::size_t index(InvariantKind kind) { return static_cast<std::size_t>(kind); }
   /// How often it was pressed and nobody has acted on it.
   struct Pressed {
@@ -52,10 +57,10 @@ class PoliceReferee {
 
   std::array<std::vector<Pressed>, 2> pads_{};  ///< at most one for each client and key
   unsigned wrong_keys_ = 0;
-  std::array<Time, kinds> right_at_{};
-  std::array<Duration, kinds> worst_{};
+  std::array<WrongTime, kinds> wrong_{};
   std::array<bool, kinds> undecided_{};
-  std::array<Time, cia447::node_id_max + 1> there_at_{};
+  MissingDevices missing_;
+  Duration longest_wait_{};  ///< at the terminal
   std::uint64_t frames_asleep_ = 0;
 };
 

@@ -1,0 +1,114 @@
+#include "canvoy/sim/bus/bus_faults.hpp"
+
+#include "canvoy/sim/bus/excused_kinds.hpp"
+
+namespace canvoy::bus {
+
+namespace {
+
+constexpr std::size_t second_door = 1;
+
+/// 0: it is at no node.
+NodeId place_of_fault(const ScheduledFault& fault) {
+  if (!has_node(fault.kind)) return 0;
+  if (fault.node != 0) return fault.node;
+  return fault.kind == FaultKind::restart ? computer_id : next_stop_id;
+}
+
+}  // namespace
+
+BusFaults::BusFaults(BusNodes& nodes, const FaultPlan& plan, const Parts& parts, const Hands& hands,
+                     EventLog<NetworkEvent>& events)
+    : nodes_(nodes),
+      plan_(plan),
+      parts_(parts),
+      hands_(hands),
+      events_(events),
+      faults_(plan.faults,
+              {.began = Callback<void(std::size_t)>::to<&BusFaults::began>(*this),
+               .ended = Callback<void(std::size_t)>::to<&BusFaults::ended>(*this),
+               .set = Callback<void(const ScheduledFault&, bool)>::to<&BusFaults::set>(*this)}),
+      troubles_{BusTrouble(nodes.cable(1)), BusTrouble(nodes.cable(2))} {}
+
+void BusFaults::plan() {
+  if (faults_.has_any(FaultKind::babbling_node)) troubles_[0].attach_babbler();
+  faults_.plan(nodes_.world());
+}
+
+void BusFaults::began(std::size_t fault) {
+  const ScheduledFault& it = plan_.faults[fault];
+  const NodeId id = place_of_fault(it);
+  events_.note(now(), FaultBegan{fault, it.kind, {.bus = nodes_.index_of(id), .node = id}});
+  const InvariantSet kinds = affected_by(it.kind, id);
+  parts_.referee.fault_begins(kinds, now());
+  hands_.began(kinds);
+  if (!lasts(it.kind)) parts_.referee.fault_ends(kinds, now());
+}
+
+void BusFaults::ended(std::size_t fault) {
+  const ScheduledFault& it = plan_.faults[fault];
+  const NodeId id = place_of_fault(it);
+  events_.note(now(), FaultEnded{fault, it.kind, {.bus = nodes_.index_of(id), .node = id}});
+  if (lasts(it.kind)) parts_.referee.fault_ends(affected_by(it.kind, id), now());
+}
+
+void BusFaults::set(const ScheduledFault& fault, bool is_present) {
+  switch (fault.kind) {
+    case FaultKind::lost_node:
+      return set_power(place_of_fault(fault), !is_present);
+    case FaultKind::restart:
+      return is_present ? restart(place_of_fault(fault)) : void();
+    case FaultKind::cable_cut:
+    case FaultKind::babbling_node:
+    case FaultKind::corrupted_frames:
+    case FaultKind::train_bus_cut:
+      return set_of_cables(fault, is_present);
+    case FaultKind::broken_door:
+      parts_.vehicle.break_door(now(), second_door, is_present);
+      return hands_.vehicle_touched();
+    case FaultKind::blocked_door:
+      parts_.vehicle.obstruct_door(now(), second_door, is_present);
+      return hands_.vehicle_touched();
+    case FaultKind::wrong_clock:
+      return parts_.computer.mistake_clock(is_present);
+    case FaultKind::no_satellites:
+      return parts_.sensors.lose_satellites(is_present);
+    case FaultKind::no_paper:
+      return parts_.tickets.take_paper(is_present);
+  }
+}
+
+void BusFaults::set_of_cables(const ScheduledFault& fault, bool is_present) {
+  BusTrouble& first = troubles_[0];
+  switch (fault.kind) {
+    case FaultKind::cable_cut:
+      return first.cut_cable(nodes_.node(computer_id).controller(), is_present);
+    case FaultKind::babbling_node:
+      return first.babble(is_present);
+    case FaultKind::corrupted_frames:
+      for (BusTrouble& trouble : troubles_) {
+        trouble.disturb(is_present ? plan_.corrupted_share : 0);
+      }
+      return;
+    default:
+      return parts_.second_car.cut_train_bus(is_present);
+  }
+}
+
+void BusFaults::power(NodeId id, bool is_on) {
+  if (!is_on) parts_.displays.lose_power(id);
+  nodes_.node(id).power(is_on);
+}
+
+void BusFaults::restart(NodeId id) {
+  if (cuts_.is_cut(id)) return;
+  power(id, false);
+  power(id, true);
+}
+
+/// Two faults may keep a device from its power; it has it again when both are over.
+void BusFaults::set_power(NodeId id, bool is_on) {
+  if (is_on ? cuts_.mend(id) : cuts_.cut(id)) power(id, is_on);
+}
+
+}  // namespace canvoy::bus

@@ -1,0 +1,75 @@
+// Makes the faults of the plan in a bus, and mends them; and says to its referee what they excuse.
+//
+//     BusFaults faults(nodes, options.faults, {.displays = displays, ...}, hands, events);
+//     faults.plan();
+#pragma once
+
+#include <array>
+
+#include "canvoy/sim/bus/bus_displays.hpp"
+#include "canvoy/sim/bus/bus_nodes.hpp"
+#include "canvoy/sim/bus/bus_referee.hpp"
+#include "canvoy/sim/bus/on_board_computer.hpp"
+#include "canvoy/sim/bus/second_car.hpp"
+#include "canvoy/sim/bus/ticket_devices.hpp"
+#include "canvoy/sim/bus/vehicle_sensors.hpp"
+#include "canvoy/sim/bus_trouble.hpp"
+#include "canvoy/sim/planned_faults.hpp"
+#include "canvoy/sim/power_cuts.hpp"
+
+namespace canvoy::bus {
+
+class BusFaults {
+ public:
+  /// What faults are about; all must outlive the faults.
+  struct Parts {
+    BusDisplays& displays;
+    OnBoardComputer& computer;
+    VehicleSensors& sensors;
+    TicketDevices& tickets;
+    SecondCar& second_car;
+    BusVehicle& vehicle;
+    BusReferee& referee;
+  };
+  struct Hands {
+    /// A fault has begun that affects these.
+    Callback<void(const InvariantSet&)> began;
+    /// Something was done to the vehicle: it wants to be called at another time.
+    Callback<void()> vehicle_touched;
+  };
+
+  /// All must outlive this.
+  BusFaults(BusNodes& nodes, const FaultPlan& plan, const Parts& parts, const Hands& hands,
+            EventLog<NetworkEvent>& events);
+  BusFaults(const BusFaults&) = delete;
+  BusFaults& operator=(const BusFaults&) = delete;
+
+  /// This must outlive the world's last run.
+  void plan();
+  /// The first car's: it is cut, or somebody babbles.
+  bool cable_is_broken() const {
+    return faults_.is_present(FaultKind::cable_cut) || faults_.is_present(FaultKind::babbling_node);
+  }
+  bool is_without_power(NodeId id) const { return cuts_.is_cut(id); }
+
+ private:
+  Time now() const { return nodes_.world().now(); }
+  void began(std::size_t fault);
+  void ended(std::size_t fault);
+  void set(const ScheduledFault& fault, bool is_present);
+  void set_of_cables(const ScheduledFault& fault, bool is_present);
+  void power(NodeId id, bool is_on);
+  void restart(NodeId id);
+  void set_power(NodeId id, bool is_on);
+
+  BusNodes& nodes_;
+  const FaultPlan& plan_;
+  Parts parts_;
+  Hands hands_;
+  EventLog<NetworkEvent>& events_;
+  PlannedFaults<ScheduledFault, fault_kinds> faults_;
+  std::array<BusTrouble, 2> troubles_;  ///< of the cable of each car
+  PowerCuts cuts_;
+};
+
+}  // namespace canvoy::bus

@@ -1,0 +1,61 @@
+// What is chosen for a day of a bus: the plan of faults and the seed, its line and block, the day,
+// who is not played here.
+//
+//     BusNetworkOptions options;
+//     options.faults.faults = {{.kind = FaultKind::restart, .node = 1, .start = Time(20min)}};
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <vector>
+
+#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/sim/bus/bus_fault.hpp"
+#include "canvoy/sim/bus/bus_line.hpp"
+#include "canvoy/sim/bus/bus_vehicle.hpp"
+#include "canvoy/sim/bus/local_clock.hpp"
+
+namespace canvoy::bus {
+
+/// What no fault of a plan does, so that each referee has something to see.
+struct Sabotage {
+  bool cuts_next_stop = false;    ///< the wires to its lamps
+  bool cuts_destination = false;  ///< of the front display
+  bool cuts_information = false;
+  bool freezes_destination = false;  ///< the side display shows its first text for ever
+  bool short_memory = false;         ///< the information display keeps 40 octets
+  bool no_sign_lamp = false;         ///< of the next stop indicator
+  bool mute_announcer = false;       ///< the wire to the loudspeakers
+  bool stuck_zone_wheel = false;     ///< of the canceller's stamp
+  bool blind_counter = false;        ///< of the first door
+  bool false_messages = false;       ///< a stranger sends the driver's message
+  bool slow_clocks = false;          ///< satellites and own clock are ten minutes late
+  bool jammed_canceller = false;     ///< its slot takes no tickets
+  bool cuts_second_car = false;      ///< the next stop indicator of the second car
+  bool freezes_second_car = false;   ///< it shows its first text for ever
+  bool mute_second_announcer = false;
+  bool no_second_sign_lamp = false;  ///< of the next stop indicator of the second car
+  bool dead_second_button = false;   ///< the wire from the buttons of the second car
+  bool stuck_sign = false;           ///< of the next stop indicator: it is lit for ever
+};
+
+struct BusNetworkOptions {
+  FaultPlan faults{};  ///< and the seed
+  std::uint32_t bit_rate = 125'000;
+  Duration length{};  ///< of the whole run; 0: until ten minutes after the end of the block
+  BusLine line = built_in_line();
+  std::size_t block = 0;  ///< of the line; it has a journey
+  std::chrono::year_month_day date{std::chrono::year(2026), std::chrono::month(11),
+                                   std::chrono::day(23)};  ///< of the day of service
+  LocalClock clock{{OffsetChange{.offset = 3600}}};        ///< of the line: UTC + 1 h
+  BusOptions vehicle{};  ///< its seed is that of the faults; each third rides in the second car
+  std::vector<NodeId> real{};  ///< who is not played here
+  Sabotage sabotage{};
+};
+
+/// When a run is over.
+Time end_of(const BusNetworkOptions& options);
+/// With the seed of the faults, and riders in the second car.
+BusOptions vehicle_options(const BusNetworkOptions& options);
+
+}  // namespace canvoy::bus

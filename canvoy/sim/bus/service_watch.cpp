@@ -1,0 +1,92 @@
+#include "canvoy/sim/bus/service_watch.hpp"
+
+namespace canvoy::bus {
+
+namespace {
+
+constexpr std::size_t place_of_kind(InvariantKind kind) {
+  return static_cast<std::size_t>(kind);
+}
+
+}  // namespace
+
+/// Who knows where the bus is has to learn it anew.
+void ServiceWatch::fault_begins(const InvariantSet& kinds) {
+  if (kinds[place_of_kind(InvariantKind::passengers)]) counts_are_lost_ = true;
+  const bool is_blinded = kinds[place_of_kind(InvariantKind::announcements)] &&
+                          kinds[place_of_kind(InvariantKind::next_stop)];
+  needs_fix_ = needs_fix_ || is_blinded;
+}
+
+/// Identification is heard by the on-board computer.
+bool ServiceWatch::can_log_in() {
+  return nodes_.is_at_work(computer_id) && nodes_.is_at_work(identification_id) &&
+         !parts_.faults.cable_is_broken();
+}
+
+void ServiceWatch::journey_begins() {
+  if (parts_.vehicle.truth().aboard == 0) {
+    parts_.sensors.clear_counts();
+    counts_are_lost_ = !parts_.sensors.count_passengers() || !nodes_.is_at_work(computer_id);
+  }
+  if (can_log_in()) needs_fix_ = false;
+}
+
+void ServiceWatch::ticket_issued(const cia407::TicketData& ticket, bool is_printed) {
+  const Time now = nodes_.world().now();
+  events_.note(now, TicketIssued{is_printed, ticket.fare_zone, ticket.route_segment_number});
+  const bool is_right = parts_.truth.is_true(now, [&](const TrueData& data) {
+    return ticket.fare_zone == data.fare_zone &&
+           ticket.route_segment_number == data.route_segment && ticket.line_id == data.line &&
+           ticket.block_id == data.block &&
+           (!is_printed || ticket.stop_point_id == data.stop_point);
+  });
+  if (!is_right) parts_.referee.count(InvariantKind::tickets, now);
+}
+
+void ServiceWatch::step(Time now) {
+  judge_people(now);
+  judge_counts(now);
+  excuse_blindness(now);
+}
+
+/// Carried past their stop, or without a ticket that they wanted.
+void ServiceWatch::judge_people(Time now) {
+  const RiderStatistics& riders = parts_.vehicle.riders().statistics();
+  const std::uint64_t all = riders.carried_past + riders.without_ticket;
+  for (; badly_served_ < all; ++badly_served_) parts_.referee.count(InvariantKind::service, now);
+}
+
+void ServiceWatch::judge_counts(Time now) {
+  const BusVehicle& vehicle = parts_.vehicle;
+  if (counts_are_lost_) parts_.referee.excuse(InvariantKind::passengers, now + 1s);
+  const bool can_tell = vehicle.all_doors_closed() && vehicle.state() == BusState::driving;
+  parts_.referee.judge(InvariantKind::passengers, now,
+                       !can_tell || parts_.computer.counted() == vehicle.riders().aboard());
+}
+
+/// An on-board computer that begins anew learns where it is from satellites, or when a journey
+/// begins.
+void ServiceWatch::excuse_blindness(Time now) {
+  if (!needs_fix_) return;
+  for (const auto kind :
+       {InvariantKind::next_stop, InvariantKind::announcements, InvariantKind::service,
+        InvariantKind::second_car, InvariantKind::second_announcements}) {
+    parts_.referee.excuse(kind, now + BusReferee::return_bound);
+  }
+  const bool is_located = parts_.sensors.has_satellites() && nodes_.is_at_work(positioning_id);
+  if (is_located && can_log_in()) needs_fix_ = false;
+}
+
+/// One that has no power by plan is missing, and so are all whose bus is broken.
+void ServiceWatch::judge_devices(Time now) {
+  BusReferee& referee = parts_.referee;
+  for (const auto& node : nodes_.all()) {
+    const NodeId id = node->place().id;
+    const bool is_excused = parts_.faults.is_without_power(id) ||
+                            referee.is_excused(InvariantKind::device_missing, now);
+    referee.judge_device(id, now, nodes_.is_at_work(id) || is_excused || nodes_.is_awaited(id));
+  }
+}
+
+}  // namespace canvoy::bus

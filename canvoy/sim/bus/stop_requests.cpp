@@ -1,0 +1,77 @@
+#include "canvoy/sim/bus/stop_requests.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace canvoy::bus {
+
+namespace {
+
+constexpr Duration press_after = 2s;
+constexpr unsigned presses_max = 3;
+
+}  // namespace
+
+bool StopRequests::press(Time now, unsigned car) {
+  Pressed& pressed = pressed_.at(car - 1);
+  pressed.last = now;
+  ++pressed.times;
+  return car == 2 ? parts_.second_car.press_stop_button() : parts_.computer.press_stop_button();
+}
+
+bool StopRequests::is_wanted() const {
+  return std::ranges::any_of(pressed_, [](const Pressed& pressed) { return pressed.times != 0; });
+}
+
+/// Who has pressed the button, and sees no sign, presses it again; in the second car he goes and
+/// presses one of the first when that does not help.
+void StopRequests::press_again(Time now, unsigned car) {
+  const Pressed& pressed = pressed_.at(car - 1);
+  if (pressed.times == 0 || now < pressed.last + press_after) return;
+  const bool goes_forward = car == 2 && pressed.times >= presses_max;
+  if (goes_forward && pressed_.front().times != 0) return;
+  press(now, goes_forward ? 1 : car);
+}
+
+/// Nobody here sees the sign, or the button's wire ends at a real computer: the driver stops.
+bool StopRequests::has_unseen_sign() const {
+  const bool is_out_of_sight = !nodes_.is_played(next_stop_id) && !nodes_.is_played(information_id);
+  return is_wanted() && (is_out_of_sight || !nodes_.is_played(computer_id));
+}
+
+/// By who has pressed the button. A real display shows what it was told.
+bool StopRequests::is_sign_seen(unsigned car) const {
+  if (car == 2 && nodes_.is_played(second_next_stop_id)) return parts_.displays.is_sign_lit(car);
+  return parts_.displays.is_sign_lit(1) || has_unseen_sign();
+}
+
+void StopRequests::look(Time now) {
+  const bool is_driving = parts_.vehicle.state() == BusState::driving;
+  if (is_sign_seen(1) && is_driving) parts_.vehicle.request_stop(now);
+  for (unsigned car = 1; car <= pressed_.size(); ++car) {
+    if (!is_sign_seen(car)) press_again(now, car);
+    const bool is_lit = parts_.displays.is_sign_lit(car);
+    if (std::exchange(told_signs_.at(car - 1), is_lit) != is_lit) {
+      events_.note(now, StopSignLit{is_lit, car});
+    }
+  }
+}
+
+/// Who has pressed a button reads in his car that the bus will stop, and so do those of the other
+/// car. In the first one two displays have a sign: that of the next stop has to be lit for its own
+/// people, one of both for those of the second car. Where nobody has pressed, none is lit on the
+/// way.
+void StopRequests::judge(Time now) {
+  const BusDisplays& displays = parts_.displays;
+  BusReferee& referee = parts_.referee;
+  const bool is_first_lit = displays.at(next_stop_id).is_sign_lit();
+  referee.judge(InvariantKind::stop_sign, now, pressed_[0].times == 0 || is_first_lit);
+  const bool is_told_forward = pressed_[1].times == 0 || displays.is_sign_lit(1);
+  referee.judge(InvariantKind::second_stop_sign, now,
+                !is_wanted() || (displays.is_sign_lit(2) && is_told_forward));
+  const bool is_on_the_way = parts_.vehicle.state() != BusState::at_stop;
+  const bool is_any_lit = displays.is_sign_lit(1) || displays.is_sign_lit(2);
+  referee.judge(InvariantKind::false_stop_sign, now, !is_on_the_way || is_wanted() || !is_any_lit);
+}
+
+}  // namespace canvoy::bus

@@ -1,0 +1,45 @@
+// What goes wrong with a cable and by strangers on it: it is cut, somebody babbles, frames are
+// disturbed.
+//
+//     BusTrouble trouble(world.bus());
+//     trouble.attach_babbler();       // before the world runs
+//     trouble.babble(true);
+#pragma once
+
+#include "canvoy/can/frame.hpp"
+#include "canvoy/can/simulated/simulated_bus.hpp"
+#include "canvoy/canopen/cob_id.hpp"
+
+namespace canvoy {
+
+class BusTrouble {
+ public:
+  /// The bus must outlive this.
+  explicit BusTrouble(SimulatedBus& bus) : bus_(bus) {}
+  BusTrouble(const BusTrouble&) = delete;
+  BusTrouble& operator=(const BusTrouble&) = delete;
+
+  /// Behind the controller.
+  void cut_cable(ControllerId controller, bool is_cut) {
+    is_cut ? bus_.cut_cable(controller) : bus_.mend_cable();
+  }
+  /// Without power until it babbles.
+  void attach_babbler() {
+    babbler_ = bus_.attach({});
+    bus_.power(babbler_, false);
+  }
+  /// An NMT command of the wrong length: nobody obeys it, and nothing has a higher priority.
+  void babble(bool does_babble) {
+    constexpr Frame babble{.id = can_id::nmt, .length = Frame::length_max};
+    bus_.power(babbler_, does_babble);
+    does_babble ? bus_.babble(babbler_, babble) : bus_.stop_babbling(babbler_);
+  }
+  /// `share` of all frames, 0 to 1.
+  void disturb(double share) { bus_.set_frame_error_probability(share); }
+
+ private:
+  SimulatedBus& bus_;
+  ControllerId babbler_ = no_controller;
+};
+
+}  // namespace canvoy

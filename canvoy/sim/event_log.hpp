@@ -1,0 +1,38 @@
+// What has happened in a world so far, oldest first: its own events, and what is heard on its
+// buses. Whoever notes something holds a reference to it.
+//
+//     EventLog<TaxiEvent> events;
+//     events.note(now, AlarmPressed{});
+//     BusWatch watch(bus, [&](Time now, const BusEvent& heard) { events.hear(now, heard); });
+#pragma once
+
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "canvoy/sim/event.hpp"
+
+namespace canvoy {
+
+/// `Event` has a time, and a variant of all that can happen.
+template <class Event>
+class EventLog {
+ public:
+  EventLog() = default;
+  EventLog(const EventLog&) = delete;
+  EventLog& operator=(const EventLog&) = delete;
+
+  template <class What>
+  void note(Time now, const What& what) {
+    events_.push_back({now, what});
+  }
+  void hear(Time now, const BusEvent& heard) {
+    std::visit([&](const auto& seen) { note(now, seen); }, heard);
+  }
+  std::span<const Event> all() const { return events_; }
+
+ private:
+  std::vector<Event> events_;
+};
+
+}  // namespace canvoy

@@ -1,0 +1,31 @@
+// For how long a device was missing at the worst, of all devices of a world.
+//
+//     MissingDevices missing;
+//     missing.judge(5, now, is_at_work || is_excused);    // each step, each device
+//     if (missing.worst() > 20s) ...
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/sim/wrong_time.hpp"
+
+namespace canvoy {
+
+class MissingDevices {
+ public:
+  /// One that may be missing counts as there.
+  void judge(NodeId id, Time now, bool is_there) {
+    WrongTime& device = devices_.at(id);
+    device.judge(now, is_there);
+    worst_ = std::max(worst_, device.worst());
+  }
+  Duration worst() const { return worst_; }
+
+ private:
+  std::array<WrongTime, node_id_max + 1> devices_{};
+  Duration worst_{};
+};
+
+}  // namespace canvoy

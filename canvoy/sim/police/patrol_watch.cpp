@@ -1,0 +1,143 @@
+#include "canvoy/sim/police/patrol_watch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "canvoy/profiles/cia447/network.hpp"
+#include "canvoy/sim/police/police_faults.hpp"
+
+namespace canvoy::police {
+
+PatrolWatch::PatrolWatch(PoliceCar& car, const PoliceOptions& options, Crew& crew,
+                         car::Excuse& excuse, PoliceReferee& referee)
+    : car_(car),
+      options_(options),
+      crew_(crew),
+      excuse_(excuse),
+      referee_(referee),
+      undecided_(undecided_kinds()),
+      silence_(car.bus(), 5ms),
+      settled_at_(PoliceFaults::return_bound) {
+  for (const InvariantKind kind : undecided_) referee_.cannot_judge(kind);
+}
+
+/// What a real device does is not seen here, and its keys are out of the crew's reach.
+std::vector<InvariantKind> PatrolWatch::undecided_kinds() const {
+  using Kind = InvariantKind;
+  std::vector<Kind> kinds;
+  const auto add = [&kinds](std::initializer_list<Kind> more) { kinds.insert(kinds.end(), more); };
+  const bool has_keys = is_played(terminal_id) && is_played(roof_sound_id);
+  if (!is_played(terminal_id)) add({Kind::keypad, Kind::terminal_wait});
+  if (!is_played(radio_id) || !is_played(navigation_id)) add({Kind::terminal_wait});
+  if (!has_keys) add({Kind::terminal_wait, Kind::blue_light, Kind::siren, Kind::display});
+  if (!has_keys || !is_played(cia447::gateway_node_id)) add({Kind::locks});
+  if (!is_played(roof_light_id) || !is_played(blue_light_id)) {
+    add({Kind::blue_light, Kind::display});
+  }
+  if (!talks_are_played()) add({Kind::speech, Kind::carrier});
+  if (!is_played(power_supply_id) || !is_played(cia447::gateway_node_id)) add({Kind::power});
+  if (!is_played(cia447::gateway_node_id)) add({Kind::silence});  // who has all sleep
+  return kinds;
+}
+
+/// All that a word goes through on its way.
+bool PatrolWatch::talks_are_played() const {
+  return std::ranges::all_of(std::array{radio_id, audio_switch_id, hands_free_id, power_supply_id,
+                                        inputs_id, NodeId{cia447::gateway_node_id}},
+                             [this](NodeId id) { return is_played(id); });
+}
+
+bool PatrolWatch::room_hears_crew() const {
+  return crew_.speaks() && (!talks_are_played() || car_.radio().carries_from_car());
+}
+
+bool PatrolWatch::crew_hears_room() const {
+  return crew_.room_speaks() && (!talks_are_played() || car_.radio().carries_to_car());
+}
+
+bool PatrolWatch::is_conversation_shown() const {
+  return talks_are_played() ? car_.radio().led_is_lit() : crew_.activity() == Activity::conversing;
+}
+
+Wish PatrolWatch::look() const {
+  Wish is = crew_.wish();
+  const SignalDevices& signals = car_.signals();
+  const Time now = car_.bus().world().now();
+  const auto is_decided = [this](InvariantKind kind) {
+    return std::ranges::find(undecided_, kind) == undecided_.end();
+  };
+  if (is_decided(InvariantKind::blue_light)) {
+    is.is_blue = is.is_blue ? signals.all_blue_is_seen(now) : signals.any_blue_is_seen(now);
+  }
+  if (is_decided(InvariantKind::siren)) is.has_siren = signals.siren_is_heard();
+  if (is_decided(InvariantKind::locks)) is.is_locked = car_.is_locked();
+  return is;
+}
+
+void PatrolWatch::frame_sent(Time now) {
+  if (silence_.frame_sent(now, excuse_.is_excused(now))) referee_.frame_asleep();
+}
+
+void PatrolWatch::step(Time now) {
+  car::CarBus& bus = car_.bus();
+  if (excuse_.waits_for_real() && !bus.waits_for_real()) excuse_.all_have_come();
+  const bool sleeps = bus.any_sleeps();
+  const bool is_excused = excuse_.is_excused(now);
+  silence_.look(now);
+  const bool is_free = sleeps || is_excused || now < settled_at_;
+  if (is_free) free_at_ = now;
+  judge_wishes(now, is_free);
+  judge_waits(now);
+  for (const auto& node : bus.nodes()) {
+    const bool is_there = sleeps || is_excused || bus.is_at_work(*node);
+    referee_.judge_device(node->place().id, now, is_there);
+  }
+  if (crew_.calls().empty() || crew_.calls().back().reported || is_excused) return;
+  crew_.calls().back().age += Crew::step_time;
+}
+
+void PatrolWatch::judge_wishes(Time now, bool is_free) {
+  const auto judge = [&](InvariantKind kind, bool is_right) {
+    referee_.judge(kind, now, is_free || is_right);
+  };
+  const Wish is = look();
+  const Wish& wish = crew_.wish();
+  judge(InvariantKind::blue_light, is.is_blue == wish.is_blue);
+  judge(InvariantKind::siren, is.has_siren == wish.has_siren);
+  judge(InvariantKind::locks, is.is_locked == wish.is_locked);
+  judge(InvariantKind::speech,
+        crew_.speaks() == room_hears_crew() && crew_.room_speaks() == crew_hears_room());
+  judge(InvariantKind::carrier, !car_.radio().is_on_the_air() || crew_.speaks());
+  judge(InvariantKind::display, display_is_right());
+  judge(InvariantKind::power, power_is_right(now));
+}
+
+void PatrolWatch::judge_waits(Time now) {
+  for (const Operator* person : {&crew_.driver(), &crew_.partner()}) {
+    const Time since = person->waits_since(now);
+    longest_wait_ = std::max(longest_wait_, now - since);
+    referee_.waits(now, std::max(since, free_at_));
+  }
+}
+
+/// What the crew reads there against what it has ordered, and against the lamps.
+bool PatrolWatch::display_is_right() const {
+  const std::string& text = car_.terminal().text_2();
+  const auto says = [&text](std::string_view word) { return text.find(word) != text.npos; };
+  return says("BLUE") == crew_.wish().is_blue && says("READY") != says("BLUE") &&
+         says("SIREN") == crew_.wish().has_siren && says("LAMP") == car_.signals().has_burnt_lamp();
+}
+
+bool PatrolWatch::power_is_right(Time now) const {
+  const bool has_radio = car_.supply().radio_has_power();
+  const bool has_periphery = car_.supply().periphery_has_power();
+  if (car_.is_ignited()) return has_radio && has_periphery;
+  // Which of both is over. While it lasts a supply that boots may have forgotten it.
+  const Time off_at = car_.ignition_off_at();
+  const bool radio_is_over = now >= off_at + options_.supply.radio_after_run;
+  const bool periphery_is_over = now >= off_at + options_.supply.periphery_after_run;
+  return !(radio_is_over && has_radio) && !(periphery_is_over && has_periphery);
+}
+
+}  // namespace canvoy::police

@@ -1,0 +1,103 @@
+#include "canvoy/sim/police/police_faults.hpp"
+
+#include <array>
+#include <optional>
+#include <utility>
+
+namespace canvoy::police {
+
+namespace {
+
+/// 0: it is at no node.
+NodeId place_of_fault(const ScheduledFault& fault) {
+  if (!has_node(fault.kind)) return 0;
+  return fault.node == 0 ? terminal_id : fault.node;
+}
+
+/// Nobody notices that frames are sent again.
+constexpr Duration excuse_of(FaultKind kind) {
+  return kind == FaultKind::corrupted_frames ? Duration{} : PoliceFaults::return_bound;
+}
+
+}  // namespace
+
+PoliceFaults::PoliceFaults(PoliceCar& car, const FaultPlan& plan, car::Excuse& excuse,
+                           EventLog<PoliceEvent>& events)
+    : car_(car),
+      plan_(plan),
+      excuse_(excuse),
+      events_(events),
+      faults_(plan.faults,
+              {.began = Callback<void(std::size_t)>::to<&PoliceFaults::began>(*this),
+               .ended = Callback<void(std::size_t)>::to<&PoliceFaults::ended>(*this),
+               .set = Callback<void(const ScheduledFault&, bool)>::to<&PoliceFaults::set>(*this)}),
+      trouble_(car.bus().bus()) {}
+
+void PoliceFaults::plan() {
+  if (faults_.has_any(FaultKind::babbling_node)) trouble_.attach_babbler();
+  faults_.plan(car_.bus().world());
+}
+
+void PoliceFaults::began(std::size_t fault) {
+  const ScheduledFault& it = plan_.faults[fault];
+  events_.note(now(),
+               FaultBegan{fault, it.kind, {.bus = car_.bus().index(), .node = place_of_fault(it)}});
+  if (lasts(it.kind) && !is_harmless(it.kind)) excuse_.fault_begins();
+  excuse_.extend(now() + excuse_of(it.kind));
+}
+
+void PoliceFaults::ended(std::size_t fault) {
+  const ScheduledFault& it = plan_.faults[fault];
+  events_.note(now(),
+               FaultEnded{fault, it.kind, {.bus = car_.bus().index(), .node = place_of_fault(it)}});
+  if (lasts(it.kind) && !is_harmless(it.kind)) excuse_.fault_ends();
+  excuse_.extend(now() + excuse_of(it.kind));
+}
+
+void PoliceFaults::set(const ScheduledFault& fault, bool is_present) {
+  switch (fault.kind) {
+    case FaultKind::lost_node:
+      return set_power(place_of_fault(fault), !is_present);
+    case FaultKind::restart:
+      return is_present ? restart(place_of_fault(fault)) : void();
+    case FaultKind::cable_cut:
+      return trouble_.cut_cable(car_.bus().gateway().controller(), is_present);
+    case FaultKind::babbling_node:
+      return trouble_.babble(is_present);
+    case FaultKind::corrupted_frames:
+      return trouble_.disturb(is_present ? plan_.corrupted_share : 0);
+    case FaultKind::burnt_lamp:
+      return car_.signals().burn_lamp(is_present);
+    case FaultKind::overload:
+      return car_.supply().overload(is_present);
+    case FaultKind::dead_client:
+      return let_client_die(is_present);
+  }
+}
+
+void PoliceFaults::let_client_die(bool shall_die) {
+  client_shall_die_ = shall_die;
+  if (!shall_die && dead_client_ != 0) set_power(std::exchange(dead_client_, NodeId{0}), true);
+}
+
+void PoliceFaults::step() {
+  const std::optional<Client> client = car_.terminal().client();
+  if (!client_shall_die_ || !client) return;
+  constexpr std::array<NodeId, client_count> nodes = {radio_id, roof_sound_id, navigation_id};
+  client_shall_die_ = false;
+  dead_client_ = nodes.at(static_cast<std::size_t>(*client));
+  set_power(dead_client_, false);
+}
+
+void PoliceFaults::restart(NodeId id) {
+  if (cuts_.is_cut(id)) return;
+  car_.power(car_.bus().node(id), false);
+  car_.power(car_.bus().node(id), true);
+}
+
+/// Two faults may keep a device from its power; it has it again when both are over.
+void PoliceFaults::set_power(NodeId id, bool is_on) {
+  if (is_on ? cuts_.mend(id) : cuts_.cut(id)) car_.power(car_.bus().node(id), is_on);
+}
+
+}  // namespace canvoy::police

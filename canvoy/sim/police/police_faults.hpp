@@ -1,0 +1,52 @@
+// Makes the faults of the plan in a police car, and mends them; and says what they excuse.
+//
+//     PoliceFaults faults(car, options.faults, excuse, events);
+//     faults.plan();
+//     faults.step();       // each 100 ms
+#pragma once
+
+#include "canvoy/sim/bus_trouble.hpp"
+#include "canvoy/sim/car/excuse.hpp"
+#include "canvoy/sim/planned_faults.hpp"
+#include "canvoy/sim/police/police_car.hpp"
+#include "canvoy/sim/power_cuts.hpp"
+
+namespace canvoy::police {
+
+class PoliceFaults {
+ public:
+  /// A device that has lost its power, or its bus, is named, booted and started in this time.
+  static constexpr Duration return_bound = 20s;
+
+  /// All must outlive this.
+  PoliceFaults(PoliceCar& car, const FaultPlan& plan, car::Excuse& excuse,
+               EventLog<PoliceEvent>& events);
+  PoliceFaults(const PoliceFaults&) = delete;
+  PoliceFaults& operator=(const PoliceFaults&) = delete;
+
+  /// This must outlive the world's last run.
+  void plan();
+  /// A client that shall lose its power loses it while it has the terminal.
+  void step();
+
+ private:
+  Time now() const { return car_.bus().world().now(); }
+  void began(std::size_t fault);
+  void ended(std::size_t fault);
+  void set(const ScheduledFault& fault, bool is_present);
+  void let_client_die(bool shall_die);
+  void restart(NodeId id);
+  void set_power(NodeId id, bool is_on);
+
+  PoliceCar& car_;
+  const FaultPlan& plan_;
+  car::Excuse& excuse_;
+  EventLog<PoliceEvent>& events_;
+  PlannedFaults<ScheduledFault, fault_kinds> faults_;
+  BusTrouble trouble_;
+  PowerCuts cuts_;
+  bool client_shall_die_ = false;
+  NodeId dead_client_ = 0;
+};
+
+}  // namespace canvoy::police

@@ -1,0 +1,72 @@
+// Blue light and siren of a police car: roof bar, flashers and their control, with the lamps and
+// the loudspeaker that they drive; what people at the road see and hear.
+//
+//     SignalDevices signals(bus, sabotage, acted);
+//     signals.step(now);                    // each 100 ms
+//     signals.any_blue_is_seen(now)
+#pragma once
+
+#include "canvoy/devices/cia447/blue_light/blue_light_unit.hpp"
+#include "canvoy/devices/cia447/roof_bar_light/roof_bar_light_unit.hpp"
+#include "canvoy/devices/cia447/roof_bar_sound/roof_bar_sound_unit.hpp"
+#include "canvoy/sim/car/car_bus.hpp"
+#include "canvoy/sim/police/client.hpp"
+#include "canvoy/sim/police/flashing_lamps.hpp"
+#include "canvoy/sim/police/police_options.hpp"
+#include "canvoy/sim/police/signal_control.hpp"
+
+namespace canvoy::police {
+
+inline constexpr unsigned beacon_count = 2;
+inline constexpr unsigned flasher_count = 10;
+
+class SignalDevices {
+ public:
+  /// All must outlive this. `acted` is told of each key that the control has acted on.
+  SignalDevices(car::CarBus& bus, const Sabotage& sabotage, const Acted& acted)
+      : bus_(bus), sabotage_(sabotage), acted_(acted) {}
+  SignalDevices(const SignalDevices&) = delete;
+  SignalDevices& operator=(const SignalDevices&) = delete;
+
+  /// Puts its three devices on the bus.
+  void add_nodes();
+  /// What they do without power; of other nodes nothing happens.
+  void lose_power(NodeId id);
+  /// What they sense when they get it.
+  void sense(NodeId id);
+  /// The front left flasher. The module notices that no current flows.
+  void burn_lamp(bool is_burnt);
+  void step(Time now);
+
+  bool all_blue_is_seen(Time now) const { return beacons_.is_seen(now) && flashers_.is_seen(now); }
+  bool any_blue_is_seen(Time now) const { return beacons_.is_seen(now) || flashers_.is_seen(now); }
+  bool siren_is_heard() const { return sound_.sound != cia447::AdditionalSound::none; }
+  const cia447::RoofBarSound& sound() const { return sound_; }
+  bool has_burnt_lamp() const { return lamp_is_burnt_; }
+  const FlashingLamps<beacon_count>& beacons() const { return beacons_; }
+  const FlashingLamps<flasher_count>& flashers() const { return flashers_; }
+
+ private:
+  cia447::SwitchedHardware roof_light_hardware();
+  void roof_light_became(const cia447::FieldPlace& status, std::uint32_t code);
+  cia447::RoofBarSoundHardware sound_hardware();
+  void play(const cia447::RoofBarSound& sound);
+  void is_sound(cia447::RoofBarSoundUnit& unit, Node& /*node*/) { sound_unit_ = &unit; }
+  SignalControlHardware control_hardware();
+  SignalControlSettings control_settings();
+  cia447::SwitchedHardware blue_light_hardware();
+  void blue_light_became(const cia447::FieldPlace& status, std::uint32_t code);
+  void is_blue_light(cia447::BlueLightUnit& unit, Node& /*node*/) { blue_light_ = &unit; }
+
+  car::CarBus& bus_;
+  const Sabotage& sabotage_;
+  Acted acted_;
+  cia447::BlueLightUnit* blue_light_ = nullptr;
+  cia447::RoofBarSoundUnit* sound_unit_ = nullptr;
+  FlashingLamps<beacon_count> beacons_;
+  FlashingLamps<flasher_count> flashers_;
+  cia447::RoofBarSound sound_{};
+  bool lamp_is_burnt_ = false;
+};
+
+}  // namespace canvoy::police

@@ -1,0 +1,212 @@
+#include "canvoy/sim/taxi/taxi_car.hpp"
+
+#include <chrono>
+
+#include "canvoy/sim/car/network_changed.hpp"
+
+namespace canvoy::taxi {
+
+std::int64_t local_seconds(CivilTime time) {
+  return std::chrono::floor<std::chrono::seconds>(time.time_since_epoch()).count();
+}
+
+TaxiCar::TaxiCar(car::CarBus& bus, const TaxiOptions& options, const Sabotage& sabotage,
+                 EventLog<TaxiEvent>& events)
+    : bus_(bus),
+      options_(options),
+      sabotage_(sabotage),
+      events_(events),
+      drive_(options.record.get()),
+      meter_(bus, options, sabotage, TaxiMeter::Clock::to<&TaxiCar::meter_clock>(*this), events),
+      sign_(sabotage),
+      screens_(sabotage),
+      guidance_(bus, options.places) {
+  add_nodes();
+}
+
+/// What all devices of a car are told.
+Site& TaxiCar::add_site() {
+  Site& site = bus_.add_site();
+  site.offer(Callback<cia447::CarNetworkSettings()>::to<&TaxiCar::network_settings>(*this));
+  site.offer(Callback<cia447::CarMasterSettings()>::to<&TaxiCar::master_settings>(*this));
+  site.offer(Callback<cia447::CarSleepSettings()>::to<&TaxiCar::sleep_settings>(*this));
+  return site;
+}
+
+void TaxiCar::add_nodes() {
+  add_gateway();
+  add_meter();
+  Site& others = add_site();
+  offer_to_others(others);
+  bus_.add(car::units_of<cia447::PrinterKind>, others);
+  bus_.add(
+      car::units_of<cia447::DriverIdentificationKind, cia447::RealTimeClockKind, RouteDisplayKind>,
+      others);
+  bus_.add(car::units_of<cia447::TariffDisplayKind>, others);
+  bus_.add(car::units_of<cia447::TerminalKind>, others);
+  add_navigation();
+  bus_.add(car::units_of<cia447::TaxiAlarmKind>, others);
+  bus_.complete();
+}
+
+void TaxiCar::add_gateway() {
+  Site& car = add_site();
+  gateway_site_ = &car;
+  car.offer(Callback<cia447::CarHardware()>::to<&TaxiCar::car_hardware>(*this));
+  car.offer(Callback<cia447::CarSettings()>::to<&TaxiCar::car_settings>(*this));
+  car.offer(Callback<cia447::CarMemory()>::to<&car::CarBus::memory>(bus_));
+  car.watch(Callback<void(cia447::IvnGatewayUnit&, Node&)>::to<&TaxiCar::is_gateway>(*this));
+  bus_.add(car::units_of<cia447::IvnGatewayKind>, car);
+}
+
+void TaxiCar::add_meter() {
+  Site& site = add_site();
+  meter_.offer(site);
+  bus_.add(car::units_of<cia447::TaximeterKind, FareDisplayKind>, site);
+  meter_.offer_outputs(site);
+}
+
+void TaxiCar::offer_to_others(Site& site) {
+  site.offer(Callback<cia447::PrinterHardware()>::to<&TaxiCar::printer_hardware>(*this));
+  site.watch(Callback<void(cia447::PrinterUnit&, Node&)>::to<&TaxiCar::is_printer>(*this));
+  site.offer(
+      Callback<cia447::DriverIdentificationHardware()>::to<&TaxiCar::reader_hardware>(*this));
+  site.watch(
+      Callback<void(cia447::DriverIdentificationUnit&, Node&)>::to<&TaxiCar::is_driver_reader>(
+          *this));
+  site.offer(Callback<cia447::RealTimeClockHardware()>::to<&TaxiCar::clock_hardware>(*this));
+  site.offer(Callback<cia447::TariffDisplayHardware()>::to<&RoofSign::hardware>(sign_));
+  site.offer(Callback<cia447::TerminalHardware()>::to<&TerminalScreens::hardware>(screens_));
+  site.offer(Callback<cia447::TerminalSettings()>::to<&TerminalScreens::settings>(screens_));
+  site.watch(Callback<void(cia447::TaxiAlarmUnit&, Node&)>::to<&TaxiCar::is_alarm>(*this));
+  guidance_.offer_display(site);
+}
+
+void TaxiCar::add_navigation() {
+  Site& site = add_site();
+  navigation_site_ = &site;
+  site.offer(Callback<cia447::GpsHardware()>::to<&TaxiCar::gps_hardware>(*this));
+  guidance_.offer_navigation(site);
+  bus_.add(car::units_of<cia447::GpsKind, cia447::NavigationKind>, site);
+}
+
+NodeId TaxiCar::meter_reader_id() const {
+  return bus_.is_played(cia447::gateway_node_id) ? NodeId{cia447::gateway_node_id} : navigation_id;
+}
+
+void TaxiCar::attach(const MeterReader& reader) {
+  meter_reader_ = reader;
+  Site* site = meter_reader_id() == navigation_id ? navigation_site_ : gateway_site_;
+  site->watch(reader.device_is_made);
+}
+
+void TaxiCar::power(car::CarNode& node, bool is_on) {
+  const NodeId id = node.place().id;
+  if (id == taximeter_id) meter_.power_changes(is_on);
+  if (id == driver_id) guidance_.lose_display();
+  if (id == meter_reader_id()) meter_reader_.device_ends();
+  if (!is_on && id == sign_id) sign_.darken();
+  if (!is_on && id == terminal_id) screens_.darken();
+  node.power(is_on);
+  if (id == driver_id) guidance_.type_again();
+  if (cia447::CarMaster* master = node.device().master()) {
+    master->on_event(Callback<void(const cia447::CarEvent&)>::to<&TaxiCar::car_event>(*this));
+  }
+}
+
+void TaxiCar::car_event(const cia447::CarEvent& event) {
+  events_.note(now(), car::NetworkChanged{event});
+}
+
+cia447::CarHardware TaxiCar::car_hardware() {
+  cia447::CarHardware car = cia447::parked_car();
+  car.speed = cia447::Sensor::to<&TaxiCar::speed>(*this);
+  car.distance = cia447::Sensor::to<&TaxiCar::distance>(*this);
+  return car;
+}
+
+/// What the wheels tell.
+std::optional<double> TaxiCar::distance() {
+  if (wheel_is_lost_) return std::nullopt;
+  return drive_.metres();
+}
+
+void TaxiCar::roll(std::uint32_t pulses) {
+  drive_.roll(pulses * options_.car.wheel_circumference_m / options_.car.pulses_per_rotation,
+              now() - rolled_);
+  rolled_ = now();
+}
+
+cia447::LocalTime TaxiCar::local_time(Duration ahead) const {
+  const auto passed = std::chrono::floor<std::chrono::seconds>(now() - Time{} + ahead);
+  return {.seconds = local_seconds(options_.begin) + passed.count()};
+}
+
+/// Its chip has a battery.
+cia447::RealTimeClockHardware TaxiCar::clock_hardware() {
+  return {.read = Callback<std::optional<cia447::ChipTime>()>::to<&TaxiCar::chip_time>(*this),
+          .write = {}};
+}
+std::optional<cia447::ChipTime> TaxiCar::chip_time() {
+  return cia447::ChipTime{.since_1970 = std::chrono::seconds(local_seconds(options_.begin)) +
+                                        (now() - Time{}) + options_.clock_ahead};
+}
+
+cia447::DriverIdentificationHardware TaxiCar::reader_hardware() {
+  return {.clock = Callback<std::optional<cia447::LocalTime>()>::to<&TaxiCar::reader_clock>(*this),
+          .knows = {}};
+}
+
+cia447::GpsHardware TaxiCar::gps_hardware() {
+  return {.read = Callback<cia447::GpsReading()>::to<&TaxiCar::gps_reading>(*this)};
+}
+
+cia447::GpsReading TaxiCar::gps_reading() {
+  cia447::GpsReading reading = drive_.receiver();
+  if (!sabotage_.blinds_receiver) {
+    return fix_is_lost_ ? cia447::GpsReading{.fix = cia447::GpsFix::none} : reading;
+  }
+  const cia447::GeoPosition start = car::Drive::town_position(0);
+  reading.latitude = start.latitude;
+  reading.longitude = start.longitude;
+  return reading;
+}
+
+void TaxiCar::log_driver_in() {
+  if (bus_.has_power(driver_id)) driver_reader_->log_in({.id = 4711, .name = "A. Driver"});
+  bus_.touched(driver_id);
+}
+
+void TaxiCar::log_driver_out() {
+  if (!bus_.has_power(driver_id)) return;
+  driver_reader_->log_out();
+  bus_.touched(driver_id);
+}
+
+bool TaxiCar::press_alarm() {
+  if (!bus_.has_power(alarm_id)) return false;
+  alarm_->press_key(true);
+  alarm_->press_key(false);
+  bus_.touched(alarm_id);
+  bus_.world().at(now() + 1min, [this](Time) {
+    if (!bus_.has_power(alarm_id)) return;
+    alarm_->reset_alarm();
+    bus_.touched(alarm_id);
+  });
+  return true;
+}
+
+void TaxiCar::take_paper(bool is_out) {
+  paper_is_out_ = is_out;
+  if (!is_out) paper_.new_roll();
+  if (bus_.has_power(printer_id)) printer_->sense_paper(!is_out);
+  bus_.touched(printer_id);
+}
+
+/// A printer that starts looks whether it has paper.
+void TaxiCar::is_printer(cia447::PrinterUnit& unit, Node& /*node*/) {
+  printer_ = &unit;
+  unit.sense_paper(!paper_is_out_);
+}
+
+}  // namespace canvoy::taxi

@@ -1,0 +1,86 @@
+#include "canvoy/sim/taxi/taxi_faults.hpp"
+
+namespace canvoy::taxi {
+
+namespace {
+
+/// 0: it is at no node.
+NodeId node_of(const ScheduledFault& fault) {
+  if (!has_node(fault.kind)) return 0;
+  return fault.node == 0 ? taximeter_id : fault.node;
+}
+
+}  // namespace
+
+TaxiFaults::TaxiFaults(TaxiCar& car, const FaultPlan& plan, TripBook& trips, car::Excuse& excuse,
+                       EventLog<TaxiEvent>& events)
+    : car_(car),
+      plan_(plan),
+      trips_(trips),
+      excuse_(excuse),
+      events_(events),
+      faults_(plan.faults,
+              {.began = Callback<void(std::size_t)>::to<&TaxiFaults::began>(*this),
+               .ended = Callback<void(std::size_t)>::to<&TaxiFaults::ended>(*this),
+               .set = Callback<void(const ScheduledFault&, bool)>::to<&TaxiFaults::set>(*this)}),
+      trouble_(car.bus().bus()) {}
+
+void TaxiFaults::plan() {
+  if (faults_.has_any(FaultKind::babbling_node)) trouble_.attach_babbler();
+  faults_.plan(car_.bus().world());
+}
+
+void TaxiFaults::began(std::size_t fault) {
+  const ScheduledFault& it = plan_.faults[fault];
+  events_.note(now(), FaultBegan{fault, it.kind, {.bus = car_.bus().index(), .node = node_of(it)}});
+  if (lasts(it.kind) && !is_local(it.kind)) excuse_.fault_begins();
+  excuse(it.kind);
+}
+
+void TaxiFaults::ended(std::size_t fault) {
+  const ScheduledFault& it = plan_.faults[fault];
+  events_.note(now(), FaultEnded{fault, it.kind, {.bus = car_.bus().index(), .node = node_of(it)}});
+  if (lasts(it.kind) && !is_local(it.kind)) excuse_.fault_ends();
+  excuse(it.kind);
+}
+
+/// What has just begun or ended may cost a trip, and others the time to come back.
+void TaxiFaults::excuse(FaultKind kind) {
+  if (is_local(kind)) return;
+  trips_.disturb();
+  excuse_.extend(now() + return_bound);
+}
+
+void TaxiFaults::set(const ScheduledFault& fault, bool is_present) {
+  switch (fault.kind) {
+    case FaultKind::lost_node:
+      return set_power(node_of(fault), !is_present);
+    case FaultKind::restart:
+      return is_present ? restart(node_of(fault)) : void();
+    case FaultKind::cable_cut:
+      return trouble_.cut_cable(car_.bus().gateway().controller(), is_present);
+    case FaultKind::babbling_node:
+      return trouble_.babble(is_present);
+    case FaultKind::corrupted_frames:
+      return trouble_.disturb(is_present ? plan_.corrupted_share : 0);
+    case FaultKind::wheel_signal:
+      return car_.lose_wheels(is_present);
+    case FaultKind::paper_out:
+      return car_.take_paper(is_present);
+    case FaultKind::no_fix:
+      return car_.lose_satellites(is_present);
+  }
+}
+
+void TaxiFaults::restart(NodeId id) {
+  if (cuts_.is_cut(id)) return;
+  car_.power(car_.bus().node(id), false);
+  car_.power(car_.bus().node(id), true);
+}
+
+/// Two faults may keep a device from its power; it has it again when both are over.
+void TaxiFaults::set_power(NodeId id, bool is_on) {
+  if (is_on ? cuts_.mend(id) : cuts_.cut(id)) car_.power(car_.bus().node(id), is_on);
+}
+
+}  // namespace canvoy::taxi

@@ -1,0 +1,61 @@
+// Judges a shift of a taxi by what passengers pay and read, what is seen on the roof and on the
+// terminal, who has to wait, and which devices are there: never by what a controller says of
+// itself. What a fault excuses is not judged.
+//
+//     TaxiReferee referee(car, options, shift, trips, excuse);
+//     referee.step(now);            // each 100 ms
+//     referee.frame_sent(now);
+//     for (const Invariant& verdict : referee.verdicts(now)) ...
+#pragma once
+
+#include <vector>
+
+#include "canvoy/sim/car/excuse.hpp"
+#include "canvoy/sim/car/silence_referee.hpp"
+#include "canvoy/sim/missing_devices.hpp"
+#include "canvoy/sim/taxi/invariant.hpp"
+#include "canvoy/sim/taxi/taxi_car.hpp"
+#include "canvoy/sim/taxi/trip_book.hpp"
+#include "canvoy/sim/wrong_time.hpp"
+
+namespace canvoy::taxi {
+
+class TaxiReferee {
+ public:
+  /// All must outlive this.
+  TaxiReferee(TaxiCar& car, const TaxiOptions& options, const Shift& shift, const TripBook& trips,
+              car::Excuse& excuse);
+  TaxiReferee(const TaxiReferee&) = delete;
+  TaxiReferee& operator=(const TaxiReferee&) = delete;
+
+  void step(Time now);
+  void frame_sent(Time now) { silence_.frame_sent(now, excuse_.is_excused(now)); }
+  /// As they stand now.
+  std::vector<Invariant> verdicts(Time now) const;
+
+ private:
+  bool is_played(NodeId id) const { return car_.bus().is_played(id); }
+  bool can_be_judged(InvariantKind kind) const;
+  void judge_service(Time now);
+  void judge_devices(Time now);
+  void judge_sign(Time now);
+  void judge_terminal(Time now);
+  bool is_awake(NodeId id);
+  bool place_is_shown() const;
+  Invariant judge_carried(Time now) const;
+  bool is_excused_all_along() const;
+
+  TaxiCar& car_;
+  const TaxiOptions& options_;
+  const Shift& shift_;
+  const TripBook& trips_;
+  car::Excuse& excuse_;
+  car::SilenceReferee silence_;
+  WrongTime wait_;  ///< of who wants to ride or to pay
+  WrongTime sign_;
+  WrongTime fare_screen_;
+  WrongTime place_screen_;
+  MissingDevices missing_;
+};
+
+}  // namespace canvoy::taxi

@@ -1,0 +1,29 @@
+// Tells of each invariant of a world once that it is broken, when it is.
+//
+//     ToldInvariants<invariant_kinds> told;
+//     told.tell_broken(referee.verdicts(), [&](const Invariant& it) { note(InvariantBroken{it});
+//     });
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace canvoy {
+
+template <std::size_t kinds>
+class ToldInvariants {
+ public:
+  template <class Invariants, class Tell>
+  void tell_broken(const Invariants& invariants, const Tell& tell) {
+    for (const auto& invariant : invariants) {
+      bool& is_told = is_told_.at(static_cast<std::size_t>(invariant.kind));
+      if (!invariant.held && !std::exchange(is_told, true)) tell(invariant);
+    }
+  }
+
+ private:
+  std::array<bool, kinds> is_told_{};
+};
+
+}  // namespace canvoy
