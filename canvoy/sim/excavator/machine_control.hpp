@@ -16,31 +16,11 @@
 #include "canvoy/canopen/nmt/nmt_master.hpp"
 #include "canvoy/sim/excavator/armrest_watch.hpp"
 #include "canvoy/sim/excavator/host_objects.hpp"
+#include "canvoy/sim/excavator/machine_setup.hpp"
 #include "canvoy/sim/excavator/node_setup.hpp"
 #include "canvoy/sim/excavator/seat_panel.hpp"
 
 namespace canvoy::excavator {
-
-/// Least change of an axis that is told, in digits.
-inline constexpr std::uint16_t axis_delta = 400;
-
-struct HostSettings {
-  /// What a careful host does. Without, a referee has something to see.
-  Duration seat_time_out = consumer_time;
-  Duration host_time_out = consumer_time;  ///< 1016h of the module
-  bool has_armrest = true;                 ///< behind the seat; without, there is no safety lever
-  bool checks_armrest = true;              ///< else its lever is where it was last
-  std::uint16_t delta = axis_delta;
-  bool checks_contacts = true;
-  bool counts_edges = true;      ///< of buttons; else each PDO is a press
-  bool filters_buttons = false;  ///< 6003h
-  bool sets_error_values = true;
-  bool restarts_others = true;  ///< who has booted again
-};
-
-/// The lists of writes for both.
-std::vector<SetupWrite> seat_setup(const HostSettings& settings);
-std::vector<SetupWrite> valves_setup(const HostSettings& settings);
 
 class MachineControl {
  public:

@@ -47,6 +47,7 @@ class MachineNode {
   void power(bool is_on) {
     world_.stop(slot_);
     if (!is_on || !place_.is_played) return;
+    ++starts_;
     occupy();
     world_.start(slot_);
   }
@@ -60,6 +61,8 @@ class MachineNode {
   FaultyPort& port() { return port_; }
   ControllerId controller() const { return world_.controller(slot_); }
   bool is_powered() const { return world_.is_running(slot_); }
+  /// How often it got power.
+  unsigned starts() const { return starts_; }
   bool is_operational() const { return is_powered() && node_->state() == NmtState::operational; }
   /// Something outside of the bus has changed: the device is brought up to the present, and called
   /// again when `act` is done. Not where it has no power.
@@ -86,6 +89,7 @@ class MachineNode {
   FaultyPort port_;
   Make make_;
   Node* node_ = nullptr;
+  unsigned starts_ = 0;
 };
 
 }  // namespace canvoy::excavator

@@ -1,7 +1,9 @@
-// What a host writes into a seat and into an input and output module before it starts them.
+#include "canvoy/sim/excavator/machine_setup.hpp"
+
 #include "canvoy/profiles/cia852/pdos.hpp"
 #include "canvoy/profiles/cia852/values.hpp"
-#include "canvoy/sim/excavator/machine_control.hpp"
+#include "canvoy/sim/excavator/machine_wiring.hpp"
+#include "canvoy/sim/excavator/seat_panel.hpp"
 
 namespace canvoy::excavator {
 

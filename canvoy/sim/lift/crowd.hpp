@@ -13,21 +13,20 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <queue>
-#include <set>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "canvoy/can/random.hpp"
 #include "canvoy/sim/lift/building.hpp"
+#include "canvoy/sim/lift/call_buttons.hpp"
+#include "canvoy/sim/lift/crowd_agenda.hpp"
+#include "canvoy/sim/lift/crowd_car.hpp"
 #include "canvoy/sim/lift/passenger.hpp"
 #include "canvoy/sim/lift/statistics.hpp"
 #include "canvoy/sim/lift/traffic.hpp"
 
 namespace canvoy::lift {
-
-using PassengerId = std::size_t;
 
 class Crowd {
  public:
@@ -37,7 +36,7 @@ class Crowd {
   Crowd(const Crowd&) = delete;
   Crowd& operator=(const Crowd&) = delete;
 
-  Time deadline() const { return plan_.empty() ? never : plan_.top().when; }
+  Time deadline() const { return agenda_.deadline(); }
   void advance(Time now);
   /// Somebody comes beside those of the traffic. Nobody does who is not in the building, or has no
   /// way.
@@ -62,99 +61,63 @@ class Crowd {
   std::span<const PassengerId> waiting(FloorNumber floor) const {
     return waiting_[floor - std::size_t{1}];
   }
-  std::span<const PassengerId> riding(LiftNumber lift) const { return car(lift).riders; }
-  double load_kg(LiftNumber lift) const { return car(lift).load_kg; }
+  std::span<const PassengerId> riding(LiftNumber lift) const { return car(lift).riders(); }
+  double load_kg(LiftNumber lift) const { return car(lift).load_kg(); }
   /// Nobody is in it, nor on the way in or out.
-  bool is_empty(LiftNumber lift) const { return car(lift).riders.empty() && !car(lift).is_passed; }
+  bool is_empty(LiftNumber lift) const { return car(lift).is_empty(); }
   std::size_t waiting_count() const;
   std::size_t riding_count() const;
   /// How long the one who waits, or rides, longest does so, of the time since `from`; 0: nobody.
   Duration longest_wait(Time now, Time from = {}) const;
   Duration longest_ride(Time now, Time from = {}) const;
-  std::uint64_t presses() const { return presses_; }
+  std::uint64_t presses() const { return buttons_.presses(); }
 
  private:
-  enum class Act : std::uint8_t {
-    arrive,
-    look,          // whether a button has to be pressed
-    give_up,       // waiting
-    release,       // a button
-    release_door,  // the button for it
-    out_of_way,    // the doorway is free
-    through,       // a person is in, or out
-    hand_away,     // that stopped a closing door
-    try_again,     // to get through the door
-    leave_stuck,   // a car that does not go on
-  };
-  /// A button as one number, so that it can be planned.
-  struct Button {
-    enum class Kind : std::uint8_t { hall, car, destination } kind = Kind::hall;
-    std::uint8_t place = 0;  ///< floor or lift
-    std::uint8_t what = 0;   ///< direction or floor
-    auto operator<=>(const Button&) const = default;
-  };
-  struct Planned {
-    Time when{};
-    std::uint64_t order = 0;
-    Act act = Act::arrive;
-    std::size_t who = 0;  ///< passenger, or lift
-    Button button{};
-    bool operator<(const Planned& other) const {
-      return when != other.when ? when > other.when : order > other.order;
-    }
-  };
-  struct Car {
-    CarView view{};
-    std::vector<PassengerId> riders{};
-    double load_kg = 0;
-    bool is_passed = false;  ///< somebody is on the way through the door
-    unsigned in_the_way = 0;
-    DoorNumber barred_door = 1;  ///< where they are in the way
-    Time stuck_since{};
-    Time load_changed_at{};
-  };
-
-  void plan(Time when, Act act, std::size_t who, const Button& button);
-  void plan_for(PassengerId who, Time when, Act act);
+  void plan_for(PassengerId who, Time when, CrowdAct act) {
+    agenda_.plan({.when = when, .act = act, .who = who});
+  }
+  void plan_at(LiftNumber lift, Time when, CrowdAct act, PassengerId who = nobody) {
+    agenda_.plan({.when = when, .act = act, .who = who, .lift = lift});
+  }
   void plan_look(PassengerId who, Time when);
-  void begin_to_wait(PassengerId who);
-  void act(const Planned& planned);
+  void act(const CrowdAgenda::Entry& due);
+
+  // At a landing, and in a car.
   void plan_arrival();
   void arrive();
+  void begin_to_wait(PassengerId who);
   void look(PassengerId who);
   void look_at_landing(PassengerId who);
   void ask(PassengerId who);
   void look_in_car(PassengerId who);
-  void press(Time now, const Button& button, FloorNumber to);
-  void press_where_dark(Passenger& person, const Button& button);
-  void move(const Button& button, bool pressed, FloorNumber to = no_floor);
+  void press(const CallButton& button, FloorNumber to);
+  void press_where_dark(Passenger& person, const CallButton& button);
   void give_up(PassengerId who);
   void leave_stuck_car(LiftNumber lift);
 
-  // crowd_transfer.cpp: through the door
+  // Through the door: one after the other, those who leave first.
   void transfer(Time now, LiftNumber lift);
-  PassengerId next_to_leave(const Car& car) const;
+  PassengerId next_to_leave(const CrowdCar& car) const;
   PassengerId next_to_board(LiftNumber lift) const;
   bool may_board(const Passenger& person, LiftNumber lift) const;
   bool is_his(const Passenger& person, LiftNumber lift) const;
-  bool is_served_here(const Passenger& person) const;
   void go_through(Time now, LiftNumber lift, PassengerId who);
   void is_through(Time now, LiftNumber lift, PassengerId who);
   void has_boarded(Time now, LiftNumber lift, PassengerId who);
   void has_left(Time now, LiftNumber lift, PassengerId who);
-  void stand_in_doorway(Time now, LiftNumber lift, Duration how_long, Act end);
+  void stand_in_doorway(Time now, LiftNumber lift, CrowdAct end);
   void free_doorway(LiftNumber lift);
   void stop_closing_door(Time now, LiftNumber lift);
   void car_left(Time now, LiftNumber lift, FloorNumber floor);
-  void update_load(LiftNumber lift);
+  void weigh(LiftNumber lift);
 
-  Car& car(LiftNumber lift) { return cars_[lift - std::size_t{1}]; }
-  const Car& car(LiftNumber lift) const { return cars_[lift - std::size_t{1}]; }
+  CrowdCar& car(LiftNumber lift) { return cars_[lift - std::size_t{1}]; }
+  const CrowdCar& car(LiftNumber lift) const { return cars_[lift - std::size_t{1}]; }
   std::vector<PassengerId>& landing(FloorNumber floor) { return waiting_[floor - std::size_t{1}]; }
-  Button hall_button_of(const Passenger& person) const;
+  CallButton hall_button_of(const Passenger& person) const;
   Duration between(Duration least, Duration most);
 
-  static constexpr PassengerId nobody = ~std::size_t{0};
+  static constexpr PassengerId nobody = CrowdAgenda::nobody;
 
   const Building* building_;
   Traffic traffic_;
@@ -164,12 +127,9 @@ class Crowd {
   Arrival next_arrival_{};
   std::deque<Passenger> people_;
   std::vector<std::vector<PassengerId>> waiting_;
-  std::vector<Car> cars_;
-  std::set<Button> lit_;
-  std::set<Button> held_;
-  std::priority_queue<Planned> plan_;
-  std::uint64_t plan_order_ = 0;
-  std::uint64_t presses_ = 0;
+  std::vector<CrowdCar> cars_;
+  CallButtons buttons_{hands_};
+  CrowdAgenda agenda_;
   PassengerStatistics statistics_;
   DepartureStatistics departures_;
   Time now_{};

@@ -21,12 +21,6 @@
 
 namespace canvoy::lift {
 
-/// A value of a description that its node did not take.
-struct RefusedValue {
-  NodeDescription node{};
-  NodeConfiguration::Refusal refusal{};
-};
-
 class LiftNetwork {
  public:
   /// check(description) has to be empty. It is copied.
@@ -62,8 +56,8 @@ class LiftNetwork {
   World& world();
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace canvoy::lift

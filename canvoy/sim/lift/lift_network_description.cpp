@@ -101,9 +101,8 @@ std::string check_node(const LiftNetworkDescription& description, const NodeDesc
     return name_of(node) + (node.floors.empty() ? " needs a floor" : " hangs at no floor");
   }
   if (node.doors == 0 || node.doors >= 1U << doors_max) return name_of(node) + " has no such door";
-  const bool is_panel =
-      node.kind == DeviceKind::landing_panel || node.kind == DeviceKind::car_panel;
-  if (!is_panel && node.panel != PanelDescription{}) return name_of(node) + " is no panel";
+  if (!is_panel(node.kind) && node.panel != PanelDescription{})
+    return name_of(node) + " is no panel";
   for (const FloorNumber floor : node.floors) {
     if (!needs_lift || building.serves(node.lift, floor)) continue;
     return name_of(node) + ": lift " + std::to_string(node.lift) + " does not serve floor " +

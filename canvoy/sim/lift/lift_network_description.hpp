@@ -40,6 +40,9 @@ enum class DeviceKind : std::uint8_t {
   car_panel,         ///< input and output panel unit in the car
   landing_panel,     ///< input and output panel unit of one landing
 };
+constexpr bool is_panel(DeviceKind kind) {
+  return kind == DeviceKind::car_panel || kind == DeviceKind::landing_panel;
+}
 /// As it is written in a file: `lift-controller`. Empty for a number that is none.
 std::string_view device_kind_name(DeviceKind kind);
 std::optional<DeviceKind> device_kind_of(std::string_view name);
@@ -71,6 +74,12 @@ struct NodeDescription {
   std::vector<NodeValue> values{};
 
   friend bool operator==(const NodeDescription&, const NodeDescription&) = default;
+};
+
+/// A value of a description that its node did not take.
+struct RefusedValue {
+  NodeDescription node{};
+  NodeConfiguration::Refusal refusal{};
 };
 
 /// How the controllers of lifts serve.

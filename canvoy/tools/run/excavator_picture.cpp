@@ -1,5 +1,5 @@
-// An excavator on a terminal of 80 columns and 24 lines: the arm from the side, the seat with its
-// sticks and lamps, the bus.
+#include "canvoy/tools/run/excavator_picture.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// An excavator in words and as JSON (docs/json.md): events, the picture, the summary.
+// An excavator in words and as JSON (docs/json.md): events, a look, the summary.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -17,10 +17,6 @@ std::string_view activity_text(excavator::Activity activity);
 ToldEvent told_event(const excavator::ExcavatorEvent& event,
                      const excavator::ExcavatorNetwork& network);
 
-/// The arm from the side, as lines of text: `metres` in front of the slew and around the ground.
-std::string arm_picture(const excavator::ExcavatorSnapshot& now);
-/// What a terminal shows while the network runs: machine, seat, bus, the last events.
-std::string dashboard_text(excavator::ExcavatorNetwork& network, double speed);
 nlohmann::ordered_json snapshot_json(excavator::ExcavatorNetwork& network);
 
 std::string summary_text(excavator::ExcavatorNetwork& network);

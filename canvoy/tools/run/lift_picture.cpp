@@ -1,16 +1,10 @@
-// The drawing of a building with lifts, a row a floor:
-//
-//      8     ^2 v1  ^v |      :  |  [ 4]  |
-//      7              |  ]12[^  |        |
-//
-// A car is `[ 4]` with closed doors, `] 4[` with open ones, `) 4(` while they move; behind it ^ or
-// v for where it goes on. A dot is a floor that somebody in the car wants to.
+#include "canvoy/tools/run/lift_picture.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "canvoy/tools/run/lift_text.hpp"
 #include "canvoy/words/text.hpp"
 
 namespace canvoy::tools {

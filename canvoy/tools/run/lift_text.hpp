@@ -1,4 +1,4 @@
-// A building with lifts in words, as a drawing and as JSON.
+// A building with lifts in words and as JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -15,11 +15,6 @@ namespace canvoy::tools {
 /// `lift 2 stops at floor 7`
 ToldEvent told_event(const lift::LiftEvent& event, const lift::LiftNetworkDescription& network);
 
-/// What a terminal shows: the shafts with cars, doors, calls and people. Where the building has
-/// more floors than `rows_max`, a row is several of them.
-std::string lift_picture(const lift::LiftNetworkDescription& network,
-                         const lift::LiftNetworkSnapshot& snapshot, double speed, unsigned rows_max,
-                         unsigned columns_max = 200);
 /// Floors and lifts, for who draws them.
 nlohmann::ordered_json building_json(const lift::LiftNetworkDescription& network);
 nlohmann::ordered_json lift_snapshot_json(const lift::LiftNetworkDescription& network,

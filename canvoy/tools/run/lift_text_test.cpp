@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "canvoy/tools/run/lift_picture.hpp"
+
 namespace canvoy::tools::lift_text_test {
 namespace {
 

@@ -11,6 +11,7 @@
 #include "canvoy/tools/help/verb_help.hpp"
 #include "canvoy/tools/live/play_world.hpp"
 #include "canvoy/tools/run/excavator_file.hpp"
+#include "canvoy/tools/run/excavator_picture.hpp"
 #include "canvoy/tools/run/excavator_text.hpp"
 #include "canvoy/tools/run/run.hpp"
 #include "canvoy/tools/run/shift_file.hpp"

@@ -12,6 +12,7 @@
 #include "canvoy/tools/live/play_world.hpp"
 #include "canvoy/tools/run/arrival_list.hpp"
 #include "canvoy/tools/run/lift_file.hpp"
+#include "canvoy/tools/run/lift_picture.hpp"
 #include "canvoy/tools/run/lift_text.hpp"
 #include "canvoy/tools/run/run.hpp"
 #include "canvoy/tools/terminal/screen.hpp"

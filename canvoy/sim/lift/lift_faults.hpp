@@ -1,0 +1,41 @@
+// The faults of a plan in a building: made in the devices and by fire brigades, mended, told, and
+// given to the referee with what each must bring about.
+//
+//     LiftFaults faults(world, description, devices, people, referee, events);   // plans them all
+#pragma once
+
+#include <vector>
+
+#include "canvoy/sim/lift/fault_consequences.hpp"
+#include "canvoy/sim/lift/lift_event.hpp"
+#include "canvoy/sim/lift/lift_people.hpp"
+#include "canvoy/sim/lift/present_faults.hpp"
+
+namespace canvoy::lift {
+
+class LiftFaults {
+ public:
+  /// All must outlive the last run of `world`; `events` are those that are told.
+  LiftFaults(World& world, const LiftNetworkDescription& description, LiftDevices& devices,
+             LiftPeople& people, FaultReferee& referee, std::vector<LiftEvent>& events);
+  LiftFaults(const LiftFaults&) = delete;
+  LiftFaults& operator=(const LiftFaults&) = delete;
+
+ private:
+  void begin(std::size_t fault);
+  void end(std::size_t fault);
+  void set(const ScheduledFault& fault, bool present);
+  template <class Act>
+  void for_each_lift(ScheduledFault fault, const Act& act) const;
+
+  World* world_;
+  const std::vector<ScheduledFault>* plan_;
+  LiftDevices* devices_;
+  LiftPeople* people_;
+  FaultReferee* referee_;
+  std::vector<LiftEvent>* events_;
+  PresentFaults present_;
+  FaultConsequences consequences_;
+};
+
+}  // namespace canvoy::lift

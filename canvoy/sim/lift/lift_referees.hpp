@@ -1,0 +1,72 @@
+// All that is judged in a building: referees are told what cars, lamps, people and nodes do, and of
+// each of these what excuses it.
+//
+//     LiftReferees referees(description, devices, events);
+//     referees.car_changed(now, 1, persons);
+//     if (referees.lamp_changed(now, 1, call, true) == CallLamps::Change::lit) ...
+//     referees.look(now, people, referees.is_anything_hindered(now));   // each look_period
+//     for (const Invariant& invariant : referees.invariants(now)) ok = ok && invariant.held;
+#pragma once
+
+#include <vector>
+
+#include "canvoy/sim/lift/call_lamps.hpp"
+#include "canvoy/sim/lift/car_watch.hpp"
+#include "canvoy/sim/lift/crowd_watch.hpp"
+#include "canvoy/sim/lift/fault_referee.hpp"
+#include "canvoy/sim/lift/lift_devices.hpp"
+#include "canvoy/sim/lift/lift_people.hpp"
+#include "canvoy/sim/lift/referee.hpp"
+
+namespace canvoy::lift {
+
+class LiftReferees {
+ public:
+  /// What needs no better time is looked at so often.
+  static constexpr Duration look_period = 1s;
+
+  /// All must outlive this; what is seen is noted in `events`.
+  LiftReferees(const LiftNetworkDescription& description, const LiftDevices& devices,
+               std::vector<LiftEvent>& events);
+  LiftReferees(const LiftReferees&) = delete;
+  LiftReferees& operator=(const LiftReferees&) = delete;
+
+  void car_changed(Time now, LiftNumber lift, unsigned persons);
+  /// On the panel of this lift; what that is for people.
+  CallLamps::Change lamp_changed(Time now, LiftNumber lift, const CallKey& call, bool is_lit);
+  /// The display of a destination terminal is its acknowledgement.
+  void assigned(Time now, LiftNumber panel, const DestinationButton& button, LiftNumber lift);
+  void pressed(Time now, const CallKey& call);
+  void carried(Time now, LiftNumber lift) { fault_referee_.serves(now, lift); }
+  /// Somebody takes the stairs who has waited since then.
+  void gave_up(Time now, Time since);
+  void emergency_seen(Time now, const EmergencySeen& told);
+  /// Who waits for what for how long; `is_hindered`: is_anything_hindered() of just before.
+  void look(Time now, const LiftPeople& people, bool is_hindered);
+  /// A lift, or the group, by a fault, or what is left of one.
+  bool is_anything_hindered(Time now) const;
+
+  FaultReferee& faults() { return fault_referee_; }
+  const CallLamps& lamps() const { return lamps_; }
+  const CarWatch& cars() const { return cars_; }
+  bool is_saturated() const { return crowd_.is_saturated(); }
+  std::vector<Invariant> invariants(Time now) const;
+
+ private:
+  LiftFacts facts(Time now, LiftNumber lift) const { return devices_->shaft(lift).facts(now); }
+  CallEnd end_of(Time now, const CallKey& call) const;
+  bool was_opened_for(const CallKey& call) const;
+  bool is_at(Time now, LiftNumber lift, FloorNumber floor) const;
+  bool is_hindered(Time now, LiftNumber lift) const;
+
+  const LiftNetworkDescription* description_;
+  const LiftDevices* devices_;
+  std::vector<LiftEvent>* events_;
+  Referee referee_;
+  FaultReferee fault_referee_;
+  CallLamps lamps_;
+  CarWatch cars_;
+  CrowdWatch crowd_;
+};
+
+}  // namespace canvoy::lift

@@ -1,0 +1,42 @@
+#include "canvoy/sim/lift/present_faults.hpp"
+
+#include <algorithm>
+
+namespace canvoy::lift {
+
+namespace {
+
+/// Panels send the first one so late.
+constexpr Duration first_heartbeat = 2s;
+
+bool takes_heartbeats(FaultKind kind) {
+  return kind == FaultKind::lost_node || kind == FaultKind::cable_cut ||
+         kind == FaultKind::babbling_node;
+}
+
+}  // namespace
+
+bool PresentFaults::has_like(const ScheduledFault& fault) const {
+  return std::ranges::any_of(present_, [&](std::size_t number) {
+    const ScheduledFault& other = (*plan_)[number];
+    if (other.kind != fault.kind) return false;
+    if (fault.kind == FaultKind::fire_alarm) return other.lift == 0 || other.lift == fault.lift;
+    if (other.lift != fault.lift) return false;
+    if (fault.kind == FaultKind::cable_cut) return true;
+    return node_of(other) == node_of(fault) && other.floor == fault.floor;
+  });
+}
+
+bool PresentFaults::silences(const ScheduledFault& fault) const {
+  if (!takes_heartbeats(fault.kind)) return false;
+  if (fault.start < Time(first_heartbeat)) return true;
+  return std::ranges::any_of(present_, [&](std::size_t number) {
+    const ScheduledFault& other = (*plan_)[number];
+    if (other.lift != fault.lift || !takes_heartbeats(other.kind)) return false;
+    if (fault.lift == 0 || other.kind == FaultKind::babbling_node) return true;
+    if (other.kind == FaultKind::lost_node) return node_of(other) == node_id::lift_controller;
+    return fault.kind == FaultKind::lost_node && devices_->is_behind(node_of(fault), other);
+  });
+}
+
+}  // namespace canvoy::lift

@@ -1,0 +1,79 @@
+// The devices of one lift without its panels: each unit at its place on the bus, with the plant
+// that it senses and moves.
+//
+//     ShaftUnits units(world, plan, {car, doors, barrier, load}, nodes);
+//     units.add(node);
+//     units.controller()->mode();
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "canvoy/sim/lift/shaft_car.hpp"
+#include "canvoy/sim/lift/shaft_controller.hpp"
+#include "canvoy/sim/lift/shaft_door.hpp"
+#include "canvoy/sim/lift/shaft_light_barrier.hpp"
+#include "canvoy/sim/lift/shaft_load.hpp"
+#include "canvoy/sim/lift/shaft_nodes.hpp"
+#include "canvoy/sim/lift/shaft_plan.hpp"
+#include "canvoy/sim/node_configuration.hpp"
+
+namespace canvoy::lift {
+
+/// What the units of a lift sense and move.
+struct ShaftPlants {
+  ShaftCar& car;
+  ShaftDoors& doors;
+  ShaftLightBarrier& barrier;
+  ShaftLoad& load;
+};
+
+class ShaftUnits {
+ public:
+  /// All must outlive this.
+  ShaftUnits(World& world, const ShaftPlan& plan, const ShaftPlants& plants, ShaftNodes& nodes)
+      : world_(&world), plan_(&plan), plants_(plants), nodes_(&nodes), cams_(plan.cams()) {}
+  ShaftUnits(const ShaftUnits&) = delete;
+  ShaftUnits& operator=(const ShaftUnits&) = delete;
+
+  /// One that is no panel.
+  void add(const NodeDescription& node);
+  /// The controller gets a second node on the bus of a group.
+  void join_group(BusIndex group_bus, NodeId group_controller);
+  /// Null where it is not simulated here.
+  const ShaftController* controller() const { return controller_; }
+
+ private:
+  /// PDOs of light barriers about doors that another one watches.
+  struct LeftOut {
+    std::vector<NodeValue> values{};
+    std::unique_ptr<NodeConfiguration> configuration{};
+  };
+
+  void add_controller(const NodeDescription& node);
+  void add_drive(const NodeDescription& node);
+  void add_position(const NodeDescription& node);
+  void add_door(const NodeDescription& node);
+  template <unsigned mask>
+  void add_door_unit(const NodeDescription& node);
+  void add_light_barrier(const NodeDescription& node);
+  void leave_doors_to_others(const NodeDescription& watching, Node& device);
+  void add_load(const NodeDescription& node);
+  template <class Device>
+  void keep(const NodeDescription& node, SlotIndex slot, std::shared_ptr<Device> device);
+  /// Of a device with one unit.
+  template <class Device>
+  ChangeSignal signal_to(Device& device, SlotIndex slot) const;
+
+  World* world_;
+  const ShaftPlan* plan_;
+  ShaftPlants plants_;
+  ShaftNodes* nodes_;
+  std::vector<cia417::Cam> cams_;
+  std::vector<std::shared_ptr<void>> devices_;
+  ShaftController* controller_ = nullptr;
+  NodeId controller_id_ = 0;
+  std::vector<std::unique_ptr<LeftOut>> left_out_;
+};
+
+}  // namespace canvoy::lift
