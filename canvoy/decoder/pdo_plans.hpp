@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/decoder/by_can_id.hpp"
 #include "canvoy/profiles/description.hpp"
 
@@ -36,7 +37,7 @@ struct PdoPlan {
 class PdoPlans {
  public:
   /// The parameters of PDOs: 1400h to 1BFFh.
-  static constexpr std::uint16_t index_first = 0x1400;
+  static constexpr std::uint16_t index_first = object_index::rpdo_parameter;
   static constexpr std::uint16_t index_last = 0x1BFF;
 
   /// The node has this profile now: what the one before said is gone, what was heard stays.

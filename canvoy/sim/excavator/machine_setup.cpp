@@ -1,5 +1,6 @@
 #include "canvoy/sim/excavator/machine_setup.hpp"
 
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/profiles/cia852/pdos.hpp"
 #include "canvoy/profiles/cia852/values.hpp"
 #include "canvoy/sim/excavator/machine_wiring.hpp"
@@ -20,8 +21,9 @@ std::uint16_t in_ms(Duration time) {
 }
 
 void add_error_control(Writes& writes, Duration host_time_out) {
-  writes.push_back({0x1017, 0, heartbeat_ms, 2});
-  writes.push_back({0x1016, 1, std::uint32_t{host_id} << 16 | in_ms(host_time_out), 4});
+  writes.push_back({object_index::heartbeat_producer, 0, heartbeat_ms, 2});
+  writes.push_back({object_index::heartbeat_consumers, 1,
+                    std::uint32_t{host_id} << 16 | in_ms(host_time_out), 4});
 }
 
 struct SetupPdo {
@@ -35,8 +37,8 @@ struct SetupPdo {
 /// A PDO is off while it is changed (CiA 301, 7.5.2.36).
 void add_tpdo(Writes& writes, const SetupPdo& pdo) {
   constexpr unsigned hundred_microseconds_a_ms = 10;
-  const auto parameter = static_cast<std::uint16_t>(0x1800 + pdo.number - 1);
-  const auto mapping = static_cast<std::uint16_t>(0x1A00 + pdo.number - 1);
+  const auto parameter = static_cast<std::uint16_t>(object_index::tpdo_parameter + pdo.number - 1);
+  const auto mapping = static_cast<std::uint16_t>(object_index::tpdo_mapping + pdo.number - 1);
   writes.push_back({parameter, 1, off | pdo.can_id, 4});
   if (!pdo.mapping.empty()) {
     writes.push_back({mapping, 0, 0, 1});
@@ -52,7 +54,7 @@ void add_tpdo(Writes& writes, const SetupPdo& pdo) {
 }
 
 void add_rpdo(Writes& writes, unsigned number, std::uint32_t can_id) {
-  const auto parameter = static_cast<std::uint16_t>(0x1400 + number - 1);
+  const auto parameter = static_cast<std::uint16_t>(object_index::rpdo_parameter + number - 1);
   writes.push_back({parameter, 1, off | can_id, 4});
   writes.push_back({parameter, 1, can_id, 4});
 }
