@@ -8,6 +8,7 @@
 #include <ostream>
 #include <string>
 
+#include "canvoy/devices/cia407/console/driver_indicator_unit.hpp"
 #include "canvoy/devices/cia407/passenger_information/passenger_information_unit.hpp"
 #include "canvoy/sim/bus/bus_network.hpp"
 
