@@ -7,7 +7,7 @@
 //     inputs.position(place.index, place.sub);     // 3
 //
 // Costs nothing but a few words: everything is read from the tables of the dictionary, in a time
-// that is linear in the number of groups.
+// that is linear in the number of groups; to make one, in that of objects.
 #pragma once
 
 #include <cstdint>
@@ -134,13 +134,18 @@ class IoGroups {
   /// `first` is the index of the first group of lift 1: 6100h, 6200h or 6500h. The tables must
   /// outlive this.
   constexpr IoGroups(const DictionaryTables& tables, std::uint16_t first)
-      : tables_(&tables), first_(first) {}
+      : tables_(&tables), first_(first) {
+    while (!rows_.empty() && !is_group_of(rows_.front().index, first)) rows_ = rows_.subspan(1);
+    while (!rows_.empty() && !is_group_of(rows_.back().index, first)) {
+      rows_ = rows_.first(rows_.size() - 1);
+    }
+  }
 
   constexpr std::uint32_t size() const { return count_in_groups(*tables_, first_); }
 
   /// Of input `position`, which is below size().
   constexpr IoPlace place(std::uint32_t position) const {
-    for (const ObjectRow& object : tables_->objects) {
+    for (const ObjectRow& object : rows_) {
       if (!is_group_of(object.index, first_)) continue;
       const std::uint32_t in_each = entries_of(*tables_, object);
       if (position < object.count * in_each) {
@@ -167,7 +172,7 @@ class IoGroups {
   template <class Visit>
   constexpr void for_each_group(Visit visit) const {
     std::uint32_t position = 0;
-    for (const ObjectRow& object : tables_->objects) {
+    for (const ObjectRow& object : rows_) {
       if (!is_group_of(object.index, first_)) continue;
       const std::uint32_t in_each = entries_of(*tables_, object);
       for (unsigned group = 0; group < object.count; ++group) {
@@ -180,7 +185,7 @@ class IoGroups {
   /// io_nowhere where no such entry is. Sub-index 0 is none.
   constexpr std::uint32_t position(IoPlace place) const {
     std::uint32_t before = 0;
-    for (const ObjectRow& object : tables_->objects) {
+    for (const ObjectRow& object : rows_) {
       if (!is_group_of(object.index, first_)) continue;
       const std::uint32_t in_each = entries_of(*tables_, object);
       if (place.index >= object.index && place.index < object.index + object.count) {
@@ -194,6 +199,8 @@ class IoGroups {
 
  private:
   const DictionaryTables* tables_;
+  /// From the first group to the last: they stand together, or with what else other lifts have.
+  std::span<const ObjectRow> rows_ = tables_->objects;
   std::uint16_t first_;
 };
 
