@@ -6,8 +6,6 @@ namespace canvoy::cia407 {
 
 namespace {
 
-constexpr std::uint16_t first_object = 0x6000;
-constexpr std::uint16_t last_object = 0x67FF;
 constexpr std::uint16_t types_index = 0x6000;
 constexpr std::uint16_t events_from_index = 0x6001;
 constexpr std::uint16_t events_for_index = 0x6002;
@@ -22,8 +20,8 @@ constexpr std::uint32_t event_word(std::uint8_t code, std::uint16_t information,
 }  // namespace
 
 constexpr HookCalls VirtualDevices::hook_calls[] = {
-    {.first = first_object,
-     .last = last_object,
+    {.first = any_object.first,
+     .last = any_object.last,
      .before_read = method<&VirtualDevices::before_read>,
      .before_write = method<&VirtualDevices::check>,
      .after_write = method<&VirtualDevices::written>}};
@@ -55,30 +53,52 @@ void VirtualDevices::reset(ResetScope scope) {
   }
 }
 
-AbortCode VirtualDevices::before_read(const Entry& entry) {
-  for (VirtualDevice* device = first_; device != nullptr; device = device->next_) {
-    if (device->on_read) device->on_read(entry);
+template <class Act>
+AbortCode VirtualDevice::for_rows_of(const Entry& entry, const Act& act) const {
+  AbortCode answer = AbortCode::none;
+  for (const HookCalls& row : rows_) {
+    const bool is_its = entry.index >= row.first && entry.index <= row.last &&
+                        entry.sub >= row.sub_first && entry.sub <= row.sub_last;
+    if (is_its && answer == AbortCode::none) answer = act(row, unit_);
   }
-  return AbortCode::none;
+  return answer;
+}
+
+AbortCode VirtualDevices::before_read(const Entry& entry) {
+  const auto ask = [&entry](const HookCalls& row, void* unit) {
+    return row.before_read == nullptr ? AbortCode::none : row.before_read(unit, entry);
+  };
+  AbortCode answer = AbortCode::none;
+  const VirtualDevice* device = first_;
+  for (; device != nullptr && answer == AbortCode::none; device = device->next_) {
+    answer = device->for_rows_of(entry, ask);
+  }
+  return answer;
 }
 
 AbortCode VirtualDevices::check(const Entry& entry, std::span<const std::uint8_t> value) {
+  const auto ask = [&](const HookCalls& row, void* unit) {
+    return row.before_write == nullptr ? AbortCode::none : row.before_write(unit, entry, value);
+  };
   for (VirtualDevice* device = first_; device != nullptr; device = device->next_) {
     // An event for another virtual device than is at this place; all zeros are no event.
     if (entry.index == events_for_index && entry.sub == device->number_ && value.size() == 4) {
       const std::uint32_t word = load_word(value.data(), 4);
       if (word != 0 && word >> event_code_bit != device->info_.code) return AbortCode::value_range;
     }
-    if (!device->on_check) continue;
-    const AbortCode answer = device->on_check(entry, value);
+    const AbortCode answer = device->for_rows_of(entry, ask);
     if (answer != AbortCode::none) return answer;
   }
   return AbortCode::none;
 }
 
-void VirtualDevices::written(const Entry& entry, Source /*source*/) {
+void VirtualDevices::written(const Entry& entry, Source source) {
+  const auto tell = [&](const HookCalls& row, void* unit) {
+    if (row.after_write != nullptr) row.after_write(unit, entry, source);
+    return AbortCode::none;
+  };
   for (VirtualDevice* device = first_; device != nullptr; device = device->next_) {
-    if (device->on_written && device != teller_) device->on_written(entry);
+    if (device != teller_) device->for_rows_of(entry, tell);
     if (entry.index != events_for_index || entry.sub != device->number_) continue;
     const std::uint32_t word = entry.word();
     if (device->on_event) {

@@ -6,12 +6,15 @@
 //     VirtualDevice canceller(all, ticket_canceller, 1);
 //     canceller.signal(1, true);       // an event arises: 6001h:02h, and its bit in 6001h:01h
 //     canceller.on_event = ...;        // somebody wrote 6002h:01h
+//     canceller.react(*this, rows);    // a table of reactions: see profiles/reactions.hpp
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/profiles/cia407/handles.hpp"
+#include "canvoy/profiles/reactions.hpp"
 
 namespace canvoy::cia407 {
 
@@ -19,9 +22,20 @@ namespace canvoy::cia407 {
 inline constexpr unsigned event_code_bit = 24;
 inline constexpr unsigned event_information_bit = 8;
 
+/// The objects of the profile: 6000h to 67FFh.
+inline constexpr HookCalls any_object = {.first = 0x6000, .last = 0x67FF};
+/// `function` reacts to all of them: see after_write.
+template <auto function>
+inline constexpr HookCalls after_any_write = [] {
+  HookCalls row = any_object;
+  row.after_write = detail::Reaction<function>::after_write;
+  return row;
+}();
+
 class VirtualDevice;
 
-/// It has to be made before the node starts. A step for each virtual device at each access.
+/// It has to be made before the node starts. A step for each row of each virtual device at each
+/// access.
 class VirtualDevices {
  public:
   /// 6001h and 6002h have room for so many; others have no events (errata 80).
@@ -72,14 +86,17 @@ class VirtualDevice {
 
   /// All events are gone, and its objects have their defaults where the node was reset.
   Callback<void(ResetScope)> on_reset = {};
-  /// Of objects from 6000h to 67FFh; the first that refuses decides.
-  Callback<AbortCode(const Entry&, std::span<const std::uint8_t> value)> on_check = {};
-  /// Written by the bus, or by another virtual device of this physical one.
-  Callback<void(const Entry&)> on_written = {};
-  /// Is about to be read by the bus.
-  Callback<void(const Entry&)> on_read = {};
   /// 6002h was written for this one: its flags, and the manufacturer-specific information.
   Callback<void(std::uint8_t flags, std::uint16_t information)> on_event = {};
+
+  /// What `unit` does when objects of the profile are accessed by the bus, or were written by
+  /// another virtual device of this physical one; the first that refuses decides. Both must outlive
+  /// this.
+  template <class Unit>
+  void react(Unit& unit, std::span<const HookCalls> rows) {
+    unit_ = &unit;
+    rows_ = rows;
+  }
 
   /// Sets or clears flags of 6001h. While there is neither a flag nor information the entry is
   /// zero.
@@ -109,11 +126,17 @@ class VirtualDevice {
  private:
   friend class VirtualDevices;
 
+  /// Calls act(row, unit) for the rows of this entry, until one refuses.
+  template <class Act>
+  AbortCode for_rows_of(const Entry& entry, const Act& act) const;
+
   VirtualDevices& all_;
   const VirtualDeviceInfo& info_;
   unsigned number_;
   std::uint8_t flags_ = 0;
   std::uint16_t information_ = 0;
+  void* unit_ = nullptr;
+  std::span<const HookCalls> rows_;
   VirtualDevice* next_ = nullptr;
 };
 

@@ -16,6 +16,11 @@ constexpr Duration refresh_after = 200ms;
 
 }  // namespace
 
+constexpr HookCalls LineControl::hook_calls[] = {
+    after_write<&LineControl::take_journey, cia407::journey_number_object>,
+    after_write<&LineControl::take_fix, cia407::longitude>,
+    after_write<&LineControl::take_time, cia407::universal_second>};
+
 LineControl::LineControl(cia407::VirtualDevice& device, const LineControlHardware& hardware,
                          LineControlSettings settings)
     : device_(device),
@@ -29,7 +34,7 @@ LineControl::LineControl(cia407::VirtualDevice& device, const LineControlHardwar
       clock_(hardware.clock) {
   for (const DisplayServer::Display& display : settings_.displays) displays_.add(display);
   device.on_reset = Callback<void(ResetScope)>::to<&LineControl::reset>(*this);
-  device.on_written = Callback<void(const Entry&)>::to<&LineControl::written>(*this);
+  device.react(*this, hook_calls);
   master_.on_change(Callback<void(NodeId, RemoteState)>::to<&LineControl::changed>(*this));
   for (const NodeId id : settings_.nodes) {
     master_.set_time_out(
@@ -151,19 +156,6 @@ void LineControl::changed(NodeId id, RemoteState state) {
     // Who was not heard for a time tells all that it has, once more.
     if (state == RemoteState::operational) master_.command(id, NmtCommand::enter_pre_operational);
     start(id);
-  }
-}
-
-void LineControl::written(const Entry& entry) {
-  switch (entry.index) {
-    case cia407::journey_number_object.index:
-      return take_journey();
-    case cia407::position_object.index:
-      return entry.sub == 2 ? take_fix() : void();
-    case cia407::time_universal_reference_object.index:
-      return entry.sub == 8 ? take_time() : void();
-    default:
-      return;
   }
 }
 

@@ -63,6 +63,8 @@ class LineControl {
   bool press_stop_button();
 
  private:
+  static const HookCalls hook_calls[];
+
   Node& node() { return device_.node(); }
   const BusRoute& route() const { return settings_.line->routes[journey_->route]; }
   const BusLine& line() const { return *settings_.line; }
@@ -70,7 +72,6 @@ class LineControl {
   void reset(ResetScope scope);
   void begin();
   void look(Time now);
-  void written(const Entry& entry);
   void changed(NodeId id, RemoteState state);
   void start_waiting();
   void start(NodeId id);

@@ -19,6 +19,9 @@ constexpr std::uint16_t iso_8859_1 = 1;
 
 }  // namespace
 
+constexpr HookCalls MirrorControl::hook_calls[] = {
+    cia407::after_any_write<&MirrorControl::written>};
+
 MirrorControl::MirrorControl(cia407::VirtualDevice& device, const MirrorControlHardware& hardware,
                              MirrorControlSettings settings)
     : device_(device),
@@ -31,7 +34,7 @@ MirrorControl::MirrorControl(cia407::VirtualDevice& device, const MirrorControlH
       timer_(Callback<void(Time)>::to<&MirrorControl::look>(*this)) {
   for (const DisplayServer::Display& display : settings_.displays) displays_.add(display);
   device.on_reset = Callback<void(ResetScope)>::to<&MirrorControl::reset>(*this);
-  device.on_written = Callback<void(const Entry&)>::to<&MirrorControl::written>(*this);
+  device.react(*this, hook_calls);
   master_.on_change(Callback<void(NodeId, RemoteState)>::to<&MirrorControl::changed>(*this));
   for (const NodeId id : settings_.nodes) master_.set_time_out(id, mirror_time_out);
 }

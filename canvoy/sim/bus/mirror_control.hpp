@@ -38,6 +38,8 @@ class MirrorControl {
   MirrorControl& operator=(const MirrorControl&) = delete;
 
  private:
+  static const HookCalls hook_calls[];
+
   Node& node() { return device_.node(); }
   void reset(ResetScope scope);
   void begin();

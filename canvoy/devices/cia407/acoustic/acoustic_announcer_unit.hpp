@@ -28,7 +28,7 @@ class AcousticAnnouncerUnit {
                         const NoSettings& /*settings*/)
       : device_(device), hardware_(hardware), state_(device) {
     device.on_reset = Callback<void(ResetScope)>::to<&AcousticAnnouncerUnit::reset>(*this);
-    device.on_written = Callback<void(const Entry&)>::to<&AcousticAnnouncerUnit::written>(*this);
+    device.react(*this, reactions());
     device.on_event =
         Callback<void(std::uint8_t, std::uint16_t)>::to<&AcousticAnnouncerUnit::take_event>(*this);
   }
@@ -36,11 +36,11 @@ class AcousticAnnouncerUnit {
   AcousticAnnouncerUnit& operator=(const AcousticAnnouncerUnit&) = delete;
 
  private:
+  static std::span<const HookCalls> reactions();
   void reset(ResetScope scope) {
     if (scope == ResetScope::node) announced_ = 0;
   }
-  void written(const Entry& entry) {
-    if (entry.index != stop_point_id_object.index) return;
+  void stop_point_written() {
     const std::uint32_t stop_point = device_[stop_point_id].raw();
     if (std::exchange(announced_, stop_point) == stop_point || stop_point == 0) return;
     if (!hardware_.announce) return;
@@ -54,6 +54,12 @@ class AcousticAnnouncerUnit {
   StateAnswer state_;
   std::uint32_t announced_ = 0;
 };
+
+inline std::span<const HookCalls> AcousticAnnouncerUnit::reactions() {
+  static constexpr HookCalls rows[] = {
+      after_write<&AcousticAnnouncerUnit::stop_point_written, stop_point_id_object>};
+  return rows;
+}
 
 struct AcousticAnnouncerKind : BusKind<AcousticAnnouncerUnit, AcousticAnnouncerHardware> {
   static constexpr DeviceInfo info = {.name = "acoustic-announcer",

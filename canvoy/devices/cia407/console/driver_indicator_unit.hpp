@@ -38,17 +38,17 @@ class DriverIndicatorUnit {
                       const NoSettings& /*settings*/)
       : device_(device), hardware_(hardware) {
     device.on_reset = Callback<void(ResetScope)>::to<&DriverIndicatorUnit::reset>(*this);
-    device.on_written = Callback<void(const Entry&)>::to<&DriverIndicatorUnit::written>(*this);
+    device.react(*this, reactions());
   }
   DriverIndicatorUnit(const DriverIndicatorUnit&) = delete;
   DriverIndicatorUnit& operator=(const DriverIndicatorUnit&) = delete;
 
  private:
+  static std::span<const HookCalls> reactions();
   void reset(ResetScope /*scope*/) {
     shown_ = std::nullopt;
     show();
   }
-  void written(const Entry& /*entry*/) { show(); }
   void show() {
     const DriverView view = {.time = local_time(device_.values()),
                              .has_open_door = device_[all_doors].is(Doors::open),
@@ -71,6 +71,11 @@ class DriverIndicatorUnit {
   DriverIndicatorHardware hardware_;
   std::optional<DriverView> shown_;
 };
+
+inline std::span<const HookCalls> DriverIndicatorUnit::reactions() {
+  static constexpr HookCalls rows[] = {after_any_write<&DriverIndicatorUnit::show>};
+  return rows;
+}
 
 struct DriverDisplayKind : BusKind<DriverIndicatorUnit, DriverIndicatorHardware> {
   static constexpr DeviceInfo info = {.name = "driver-display",

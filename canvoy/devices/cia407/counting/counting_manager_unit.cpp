@@ -20,6 +20,11 @@ void add(std::span<std::uint8_t> bytes, std::uint8_t count) {
 
 }  // namespace
 
+constexpr HookCalls CountingManagerUnit::hook_calls[] = {
+    after_write<&CountingManagerUnit::counts_written,
+                passenger_counting_in_and_out_per_door_object>,
+    after_write<&CountingManagerUnit::stop_point_written, stop_point_id_object>};
+
 CountingManagerUnit::CountingManagerUnit(VirtualDevice& device, const NoHardware& /*hardware*/,
                                          const CountingManagerSettings& settings)
     : device_(device),
@@ -28,7 +33,7 @@ CountingManagerUnit::CountingManagerUnit(VirtualDevice& device, const NoHardware
             .last = passenger_counting_manager_data_object.index,
             .domain = &domain_} {
   device.on_reset = Callback<void(ResetScope)>::to<&CountingManagerUnit::reset>(*this);
-  device.on_written = Callback<void(const Entry&)>::to<&CountingManagerUnit::written>(*this);
+  device.react(*this, hook_calls);
   domain_.open_read =
       Callback<Result<std::uint32_t>(const Entry&)>::to<&CountingManagerUnit::open_read>(*this);
   domain_.read = Callback<Result<std::size_t>(
@@ -40,12 +45,8 @@ void CountingManagerUnit::reset(ResetScope scope) {
   if (scope == ResetScope::node) tell();
 }
 
-void CountingManagerUnit::written(const Entry& entry) {
-  if (entry.index == passenger_counting_in_and_out_per_door_object.index) {
-    take(device_[incoming_passengers_of_door].raw(), device_[outgoing_passengers_of_door].raw());
-  } else if (entry.index == stop_point_id_object.index) {
-    is_stop_open_ = false;
-  }
+void CountingManagerUnit::counts_written() {
+  take(device_[incoming_passengers_of_door].raw(), device_[outgoing_passengers_of_door].raw());
 }
 
 void CountingManagerUnit::take(std::uint8_t in, std::uint8_t out) {

@@ -53,10 +53,13 @@ class CountingManagerUnit {
   void clear();
 
  private:
+  static const HookCalls hook_calls[];
+
   using Record = std::array<std::uint8_t, record_size>;
 
   void reset(ResetScope scope);
-  void written(const Entry& entry);
+  void counts_written();
+  void stop_point_written() { is_stop_open_ = false; }
   void take(std::uint8_t in, std::uint8_t out);
   void tell();
   void note(std::uint8_t in, std::uint8_t out);

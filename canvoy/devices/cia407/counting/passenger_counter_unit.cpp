@@ -10,11 +10,14 @@ constexpr std::uint8_t flag_many = 1;
 
 }  // namespace
 
+constexpr HookCalls PassengerCounterUnit::hook_calls[] = {
+    after_write<&PassengerCounterUnit::doors_written, state_of_doors_object>};
+
 PassengerCounterUnit::PassengerCounterUnit(VirtualDevice& device, const NoHardware& /*hardware*/,
                                            const PassengerCounterSettings& settings)
     : device_(device), settings_(settings) {
   device.on_reset = Callback<void(ResetScope)>::to<&PassengerCounterUnit::reset>(*this);
-  device.on_written = Callback<void(const Entry&)>::to<&PassengerCounterUnit::written>(*this);
+  device.react(*this, hook_calls);
 }
 
 /// A count that was under way is told again: the passengers have passed.
@@ -24,8 +27,8 @@ void PassengerCounterUnit::reset(ResetScope scope) {
   device_.signal(flag_many, in_ > many || out_ > many);
 }
 
-void PassengerCounterUnit::written(const Entry& entry) {
-  if (entry.index != state_of_doors_object.index || entry.sub != door_sub(settings_.door)) return;
+void PassengerCounterUnit::doors_written(const Entry& entry) {
+  if (entry.sub != door_sub(settings_.door)) return;
   const DoorState door = door_state(device_.node().dictionary(), settings_.door);
   if (door.is_valid) set_door(door.is_open);
 }

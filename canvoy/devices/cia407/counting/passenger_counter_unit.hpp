@@ -38,8 +38,10 @@ class PassengerCounterUnit {
   bool is_counting() const { return is_counting_; }
 
  private:
+  static const HookCalls hook_calls[];
+
   void reset(ResetScope scope);
-  void written(const Entry& entry);
+  void doors_written(const Entry& entry);
   void count(unsigned& counter, unsigned people);
   void tell();
 

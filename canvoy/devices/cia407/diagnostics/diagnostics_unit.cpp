@@ -57,6 +57,16 @@ bool is_ascii(std::span<const std::uint8_t> text) {
 
 }  // namespace
 
+constexpr HookCalls DiagnosticsUnit::hook_calls[] = {
+    before_write<&DiagnosticsUnit::check_shorts, short_diagnostic_error_field_object>,
+    before_write<&DiagnosticsUnit::check_messages, error_class_1_messages_object,
+                 error_class_3_messages_object>,
+    after_write<&DiagnosticsUnit::shorts_written, short_diagnostic_error_field_object>,
+    after_write<&DiagnosticsUnit::messages_written, error_class_1_messages_object,
+                error_class_3_messages_object>,
+    before_read<&DiagnosticsUnit::about_to_be_read, error_class_1_messages_object,
+                error_class_3_messages_object>};
+
 DiagnosticsUnit::DiagnosticsUnit(VirtualDevice& device, const NoHardware& /*hardware*/,
                                  const DiagnosticsSettings& settings)
     : device_(device),
@@ -76,11 +86,7 @@ DiagnosticsUnit::DiagnosticsUnit(VirtualDevice& device, const NoHardware& /*hard
               Callback<AbortCode(const Entry&, bool)>::to<&DiagnosticsUnit::close_write>(*this)},
       hook_{.first = file_index, .last = file_index, .domain = &domain_} {
   device.on_reset = Callback<void(ResetScope)>::to<&DiagnosticsUnit::reset>(*this);
-  device.on_check =
-      Callback<AbortCode(const Entry&, std::span<const std::uint8_t>)>::to<&DiagnosticsUnit::check>(
-          *this);
-  device.on_written = Callback<void(const Entry&)>::to<&DiagnosticsUnit::written>(*this);
-  device.on_read = Callback<void(const Entry&)>::to<&DiagnosticsUnit::about_to_be_read>(*this);
+  device.react(*this, hook_calls);
   device.node().dictionary().attach(hook_);
 }
 
@@ -97,38 +103,38 @@ DiagnosticsUnit::Messages* DiagnosticsUnit::messages_of(std::uint16_t index) {
   return is_class ? &classes_[index - first_class_index] : nullptr;
 }
 
-AbortCode DiagnosticsUnit::check(const Entry& entry, std::span<const std::uint8_t> value) {
-  const Messages* const messages = messages_of(entry.index);
-  if (entry.sub == 0) {
-    const std::uint8_t highest = messages != nullptr ? 1 : 0;
-    const bool is_history = messages != nullptr || entry.index == short_index;
-    return is_history && value[0] > highest ? AbortCode::value_range : AbortCode::none;
-  }
-  if (messages == nullptr) return AbortCode::none;
-  if (!is_ascii(value)) return AbortCode::value_range;
-  return messages->count == entries_max ? AbortCode::cannot_store : AbortCode::none;
+/// 0 alone, which deletes them.
+AbortCode DiagnosticsUnit::check_shorts(const Entry& entry, std::span<const std::uint8_t> value) {
+  return entry.sub == 0 && value[0] > 0 ? AbortCode::value_range : AbortCode::none;
 }
 
-void DiagnosticsUnit::written(const Entry& entry) {
-  const Messages* const messages = messages_of(entry.index);
-  if (entry.index != short_index && messages == nullptr) return;
-  if (entry.sub > 1) return;
-  if (entry.sub == 1 && messages == nullptr) return add_short(entry.word());
-  if (entry.sub == 1) {
-    Message text{};
-    const std::span<const std::uint8_t> bytes = entry.bytes();
-    std::ranges::copy(bytes, text.begin());
-    return add_message(entry.index, std::span(text).first(bytes.size()));
-  }
-  if (messages != nullptr) return remove_messages(entry.index, entry.word() == 1);
+void DiagnosticsUnit::shorts_written(const Entry& entry) {
+  if (entry.sub == 1) return add_short(entry.word());
+  if (entry.sub != 0) return;
   short_count_ = 0;
   tell_shorts();
 }
 
+/// 0 deletes those that were read, 1 all.
+AbortCode DiagnosticsUnit::check_messages(const Entry& entry, std::span<const std::uint8_t> value) {
+  if (entry.sub == 0) return value[0] > 1 ? AbortCode::value_range : AbortCode::none;
+  if (!is_ascii(value)) return AbortCode::value_range;
+  const bool is_full = messages_of(entry.index)->count == entries_max;
+  return is_full ? AbortCode::cannot_store : AbortCode::none;
+}
+
+void DiagnosticsUnit::messages_written(const Entry& entry) {
+  if (entry.sub == 0) return remove_messages(entry.index, entry.word() == 1);
+  if (entry.sub != 1) return;
+  Message text{};
+  const std::span<const std::uint8_t> bytes = entry.bytes();
+  std::ranges::copy(bytes, text.begin());
+  add_message(entry.index, std::span(text).first(bytes.size()));
+}
+
 void DiagnosticsUnit::about_to_be_read(const Entry& entry) {
-  Messages* const messages = messages_of(entry.index);
-  if (messages == nullptr || entry.sub == 0 || entry.sub > messages->count) return;
-  messages->is_read[entry.sub - 1U] = true;
+  Messages& messages = *messages_of(entry.index);
+  if (entry.sub != 0 && entry.sub <= messages.count) messages.is_read[entry.sub - 1U] = true;
 }
 
 void DiagnosticsUnit::report(std::uint16_t device_code, std::uint16_t error_code) {

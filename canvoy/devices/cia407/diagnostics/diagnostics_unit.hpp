@@ -47,6 +47,8 @@ class DiagnosticsUnit {
   std::string_view file() const { return {file_.data(), file_length_}; }
 
  private:
+  static const HookCalls hook_calls[];
+
   using Message = std::array<std::uint8_t, message_size>;
   struct Messages {
     std::array<Message, entries_max> messages{};
@@ -55,8 +57,10 @@ class DiagnosticsUnit {
   };
 
   void reset(ResetScope scope);
-  AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
-  void written(const Entry& entry);
+  AbortCode check_shorts(const Entry& entry, std::span<const std::uint8_t> value);
+  void shorts_written(const Entry& entry);
+  AbortCode check_messages(const Entry& entry, std::span<const std::uint8_t> value);
+  void messages_written(const Entry& entry);
   void about_to_be_read(const Entry& entry);
   Messages* messages_of(std::uint16_t index);
   void add_short(std::uint32_t error);

@@ -28,7 +28,7 @@ class TrainBusGatewayUnit {
   TrainBusGatewayUnit(VirtualDevice& device, const TrainBusGatewayHardware& hardware,
                       const NoSettings& /*settings*/)
       : device_(device), hardware_(hardware) {
-    device.on_written = Callback<void(const Entry&)>::to<&TrainBusGatewayUnit::written>(*this);
+    device.react(*this, reactions());
   }
   TrainBusGatewayUnit(const TrainBusGatewayUnit&) = delete;
   TrainBusGatewayUnit& operator=(const TrainBusGatewayUnit&) = delete;
@@ -54,6 +54,7 @@ class TrainBusGatewayUnit {
   }
 
  private:
+  static std::span<const HookCalls> reactions();
   static bool sub_is_value(const Entry& entry) { return entry.row->access != Access::const_; }
   static bool is_object(std::uint16_t index) {
     for (const DeviceObject& object : train_bus_gateway.objects) {
@@ -61,7 +62,7 @@ class TrainBusGatewayUnit {
     }
     return false;
   }
-  void written(const Entry& entry) {
+  void relay(const Entry& entry) {
     if (!hardware_.send || !is_object(entry.index)) return;
     if (entry.row->type != DataType::domain) {
       hardware_.send(entry.index, entry.sub, entry.bytes());
@@ -71,6 +72,11 @@ class TrainBusGatewayUnit {
   VirtualDevice& device_;
   TrainBusGatewayHardware hardware_;
 };
+
+inline std::span<const HookCalls> TrainBusGatewayUnit::reactions() {
+  static constexpr HookCalls rows[] = {after_any_write<&TrainBusGatewayUnit::relay>};
+  return rows;
+}
 
 /// A pre-defined message (8.1.4.3), as the gateway takes it, or sends it where it stands in for who
 /// would.

@@ -36,12 +36,13 @@ class GenericIoUnit {
         errors_(device, errors, hardware.has_error),
         timer_(Callback<void(Time)>::to<&GenericIoUnit::look>(*this)) {
     device.on_reset = Callback<void(ResetScope)>::to<&GenericIoUnit::reset>(*this);
-    device.on_written = Callback<void(const Entry&)>::to<&GenericIoUnit::written>(*this);
+    device.react(*this, reactions());
   }
   GenericIoUnit(const GenericIoUnit&) = delete;
   GenericIoUnit& operator=(const GenericIoUnit&) = delete;
 
  private:
+  static std::span<const HookCalls> reactions();
   void reset(ResetScope scope) {
     if (scope == ResetScope::node) {
       drive_digital();
@@ -59,10 +60,7 @@ class GenericIoUnit {
       device_.tell(analogue_input_2(group), hardware_.analogue_input(2 * group));
     }
   }
-  void written(const Entry& entry) {
-    if (entry.index == digital_output_object.index) drive_digital();
-    if (entry.index == analogue_output_object.index) drive_analogue(entry.sub);
-  }
+  void analogue_written(const Entry& entry) { drive_analogue(entry.sub); }
   void drive_digital() {
     if (hardware_.set_digital_outputs) {
       hardware_.set_digital_outputs(device_[digital_outputs].raw());
@@ -79,6 +77,13 @@ class GenericIoUnit {
   ErrorWatch errors_;
   Timer timer_;
 };
+
+inline std::span<const HookCalls> GenericIoUnit::reactions() {
+  static constexpr HookCalls rows[] = {
+      after_write<&GenericIoUnit::drive_digital, digital_output_object>,
+      after_write<&GenericIoUnit::analogue_written, analogue_output_object>};
+  return rows;
+}
 
 struct GenericIoKind : BusKind<GenericIoUnit, GenericIoHardware> {
   static constexpr DeviceInfo info = {.name = "generic-io",

@@ -11,6 +11,17 @@ constexpr std::uint16_t events_index = events_from_virtual_devices_object.index;
 
 }  // namespace
 
+constexpr HookCalls MainOnBoardComputerUnit::hook_calls[] = {
+    after_write<&MainOnBoardComputerUnit::event_written, events_from_virtual_devices_object>,
+    after_write<&MainOnBoardComputerUnit::doors_written, state_of_doors_object>,
+    after_write<&MainOnBoardComputerUnit::mileage_written, vehicle_mileage_object>,
+    after_write<&MainOnBoardComputerUnit::mileage_precision_written,
+                vehicle_mileage_precision_object>,
+    after_write<&MainOnBoardComputerUnit::follow_speed, tachograph_speed_object>,
+    after_write<&MainOnBoardComputerUnit::follow_speed, wheel_based_vehicle_speed_object>,
+    after_write<&MainOnBoardComputerUnit::follow_speed, gps_based_speed_object>,
+    after_any_write<&MainOnBoardComputerUnit::told>};
+
 MainOnBoardComputerUnit::MainOnBoardComputerUnit(VirtualDevice& device,
                                                  const MainOnBoardComputerHardware& hardware,
                                                  const MainOnBoardComputerSettings& settings)
@@ -20,7 +31,7 @@ MainOnBoardComputerUnit::MainOnBoardComputerUnit(VirtualDevice& device,
       texts_(device.node()),
       timer_(Callback<void(Time)>::to<&MainOnBoardComputerUnit::look>(*this)) {
   device.on_reset = Callback<void(ResetScope)>::to<&MainOnBoardComputerUnit::reset>(*this);
-  device.on_written = Callback<void(const Entry&)>::to<&MainOnBoardComputerUnit::written>(*this);
+  device.react(*this, hook_calls);
 }
 
 void MainOnBoardComputerUnit::reset(ResetScope scope) {
@@ -95,28 +106,23 @@ void MainOnBoardComputerUnit::command(unsigned number, DeviceCode code, std::uin
                                  static_cast<std::uint8_t>(number), is_event ? word : 0);
 }
 
-void MainOnBoardComputerUnit::written(const Entry& entry) {
-  switch (entry.index) {
-    case events_index:
-      if (entry.sub >= 2) take_event(entry.sub);
-      break;
-    case state_of_doors_object.index:
-      if (device_[all_doors].is(Doors::open)) request_stop(false);
-      break;
-    case vehicle_mileage_object.index:
-      device_.tell(car_mileage, device_[vehicle_mileage].value());
-      break;
-    case vehicle_mileage_precision_object.index:
-      device_.tell(car_mileage_calibration_information, device_[vehicle_mileage_precision].value());
-      break;
-    case tachograph_speed_object.index:
-    case wheel_based_vehicle_speed_object.index:
-    case gps_based_speed_object.index:
-      follow_speed();
-      break;
-    default:
-      break;
-  }
+void MainOnBoardComputerUnit::event_written(const Entry& entry) {
+  if (entry.sub >= 2) take_event(entry.sub);
+}
+
+void MainOnBoardComputerUnit::doors_written() {
+  if (device_[all_doors].is(Doors::open)) request_stop(false);
+}
+
+void MainOnBoardComputerUnit::mileage_written() {
+  device_.tell(car_mileage, device_[vehicle_mileage].value());
+}
+
+void MainOnBoardComputerUnit::mileage_precision_written() {
+  device_.tell(car_mileage_calibration_information, device_[vehicle_mileage_precision].value());
+}
+
+void MainOnBoardComputerUnit::told(const Entry& entry) {
   if (hardware_.on_told) hardware_.on_told(entry);
 }
 

@@ -81,11 +81,17 @@ class MainOnBoardComputerUnit {
   TextSender& texts() { return texts_; }
 
  private:
+  static const HookCalls hook_calls[];
+
   Node& node() { return device_.node(); }
   void reset(ResetScope scope);
   void tell_vehicle();
   void look(Time now);
-  void written(const Entry& entry);
+  void event_written(const Entry& entry);
+  void doors_written();
+  void mileage_written();
+  void mileage_precision_written();
+  void told(const Entry& entry);
   void take_event(std::uint8_t sub);
   void follow_speed();
   void tell_position(const RoutePosition& position);

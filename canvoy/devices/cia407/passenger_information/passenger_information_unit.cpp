@@ -11,7 +11,6 @@ namespace canvoy::cia407 {
 
 namespace {
 
-constexpr std::uint16_t mapping_index = display_mapping_object.index;
 constexpr std::uint8_t flag_test_mode = 0b10;
 constexpr std::uint8_t flag_cannot_be_displayed = 0b100;
 constexpr std::uint8_t event_test_mode = 0b10;
@@ -86,6 +85,11 @@ constexpr bool is_shown_number(std::uint16_t index) {
 constexpr ServiceCalls PassengerInformationUnit::service_calls = {
     .state_entered = method<&PassengerInformationUnit::state_entered>};
 
+constexpr HookCalls PassengerInformationUnit::hook_calls[] = {
+    before_write<&PassengerInformationUnit::check_character_set, selected_character_set>,
+    after_write<&PassengerInformationUnit::update, display_update>,
+    after_write<&PassengerInformationUnit::stop_request_written, bus_stop_request_object>};
+
 PassengerInformationUnit::PassengerInformationUnit(VirtualDevice& device,
                                                    const DisplayHardware& hardware,
                                                    const NoSettings& /*settings*/)
@@ -95,9 +99,7 @@ PassengerInformationUnit::PassengerInformationUnit(VirtualDevice& device,
       special_characters_(device.node(), special_character_files_object.index),
       pictures_(device.node(), referenced_files_for_xml_files_object.index) {
   device.on_reset = Callback<void(ResetScope)>::to<&PassengerInformationUnit::reset>(*this);
-  device.on_check = Callback<AbortCode(
-      const Entry&, std::span<const std::uint8_t>)>::to<&PassengerInformationUnit::check>(*this);
-  device.on_written = Callback<void(const Entry&)>::to<&PassengerInformationUnit::written>(*this);
+  device.react(*this, hook_calls);
   device.on_event =
       Callback<void(std::uint8_t, std::uint16_t)>::to<&PassengerInformationUnit::take_event>(*this);
   device.node().attach(service_);
@@ -129,22 +131,19 @@ void PassengerInformationUnit::state_entered(NmtState state) {
 }
 
 /// A character set that is not available is not selected.
-AbortCode PassengerInformationUnit::check(const Entry& entry, std::span<const std::uint8_t> value) {
-  if (entry.index != character_set_object.index || entry.sub != 1) return AbortCode::none;
-  const std::uint32_t wanted = load_word(value);
+AbortCode PassengerInformationUnit::check_character_set(std::uint32_t wanted) {
   if (wanted == 0) return AbortCode::none;
-  const auto count = device_.node().dictionary().word(entry.index, 0);
+  const Dictionary& dictionary = device_.node().dictionary();
+  const auto count = dictionary.word(character_set_object.index, 0);
   for (std::uint8_t sub = 2; sub <= count; ++sub) {
-    if (device_.node().dictionary().word(entry.index, sub) == wanted) return AbortCode::none;
+    if (dictionary.word(character_set_object.index, sub) == wanted) return AbortCode::none;
   }
   return AbortCode::value_range;
 }
 
-void PassengerInformationUnit::written(const Entry& entry) {
-  if (entry.index == mapping_index && entry.sub == 1) update();
-  if (entry.index == bus_stop_request_object.index && hardware_.show_stop_request) {
-    hardware_.show_stop_request(device_[bus_stop_request].is(BusStop::requested));
-  }
+void PassengerInformationUnit::stop_request_written() {
+  if (!hardware_.show_stop_request) return;
+  hardware_.show_stop_request(device_[bus_stop_request].is(BusStop::requested));
 }
 
 void PassengerInformationUnit::take_event(std::uint8_t flags, std::uint16_t /*information*/) {

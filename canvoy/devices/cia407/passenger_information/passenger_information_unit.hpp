@@ -46,12 +46,14 @@ class PassengerInformationUnit {
   FileShelf& special_character_files() { return special_characters_.shelf(); }
 
  private:
+  static const HookCalls hook_calls[];
+
   static constexpr std::size_t number_size = 16;
   using NumberText = std::array<char, number_size>;
 
   void reset(ResetScope scope);
-  AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
-  void written(const Entry& entry);
+  AbortCode check_character_set(std::uint32_t wanted);
+  void stop_request_written();
   void take_event(std::uint8_t flags, std::uint16_t information);
   void state_entered(NmtState state);
   void go_dark();

@@ -17,6 +17,9 @@ constexpr std::int8_t minutes_of(std::uint16_t information) {
 
 }  // namespace
 
+constexpr HookCalls TachographUnit::hook_calls[] = {
+    before_write<&TachographUnit::check_event, events_for_virtual_devices_object>};
+
 TachographUnit::TachographUnit(VirtualDevice& device, const TachographHardware& hardware,
                                const TachographSettings& settings)
     : device_(device),
@@ -25,9 +28,7 @@ TachographUnit::TachographUnit(VirtualDevice& device, const TachographHardware& 
       trip_begin_(settings.trip_begin_metres),
       timer_(Callback<void(Time)>::to<&TachographUnit::look>(*this)) {
   device.on_reset = Callback<void(ResetScope)>::to<&TachographUnit::reset>(*this);
-  device.on_check =
-      Callback<AbortCode(const Entry&, std::span<const std::uint8_t>)>::to<&TachographUnit::check>(
-          *this);
+  device.react(*this, hook_calls);
   device.on_event =
       Callback<void(std::uint8_t, std::uint16_t)>::to<&TachographUnit::take_event>(*this);
 }
@@ -38,10 +39,8 @@ void TachographUnit::reset(ResetScope /*scope*/) {
 }
 
 /// An offset that the clock cannot have is refused.
-AbortCode TachographUnit::check(const Entry& entry, std::span<const std::uint8_t> value) {
-  if (entry.index != events_for_virtual_devices_object.index || entry.sub != device_.number()) {
-    return AbortCode::none;
-  }
+AbortCode TachographUnit::check_event(const Entry& entry, std::span<const std::uint8_t> value) {
+  if (entry.sub != device_.number()) return AbortCode::none;
   const std::uint32_t word = load_word(value);
   const auto information = static_cast<std::uint16_t>(word >> event_information_bit);
   const auto hours = hours_of(information);

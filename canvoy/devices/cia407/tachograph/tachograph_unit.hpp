@@ -46,8 +46,10 @@ class TachographUnit {
   double trip_begin_metres() const { return trip_begin_; }
 
  private:
+  static const HookCalls hook_calls[];
+
   void reset(ResetScope scope);
-  AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
+  AbortCode check_event(const Entry& entry, std::span<const std::uint8_t> value);
   void take_event(std::uint8_t flags, std::uint16_t information);
   void look(Time now);
   void tell();

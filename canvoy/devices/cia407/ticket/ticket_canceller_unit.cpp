@@ -5,6 +5,9 @@ namespace canvoy::cia407 {
 constexpr ServiceCalls TicketCancellerUnit::service_calls = {
     .state_entered = method<&TicketCancellerUnit::state_entered>};
 
+constexpr HookCalls TicketCancellerUnit::hook_calls[] = {
+    after_any_write<&TicketCancellerUnit::look>};
+
 TicketCancellerUnit::TicketCancellerUnit(VirtualDevice& device,
                                          const TicketCancellerHardware& hardware,
                                          const NoSettings& /*settings*/)
@@ -16,7 +19,7 @@ TicketCancellerUnit::TicketCancellerUnit(VirtualDevice& device,
                          },
                          this)) {
   device.on_reset = Callback<void(ResetScope)>::to<&TicketCancellerUnit::reset>(*this);
-  device.on_written = Callback<void(const Entry&)>::to<&TicketCancellerUnit::written>(*this);
+  device.react(*this, hook_calls);
   device.on_event = Callback<void(std::uint8_t, std::uint16_t)>(
       [](void* state, std::uint8_t flags, std::uint16_t) {
         static_cast<StateAnswer*>(state)->take(flags);

@@ -30,10 +30,11 @@ class TicketCancellerUnit {
   std::uint16_t cancelled() const { return cancelled_; }
 
  private:
+  static const HookCalls hook_calls[];
+
   void reset(ResetScope scope);
   void look();
   void state_entered(NmtState /*state*/) { look(); }
-  void written(const Entry& /*entry*/) { look(); }
 
   VirtualDevice& device_;
   TicketCancellerHardware hardware_;
