@@ -82,6 +82,7 @@ std::vector<NodeSnapshot> BusNodes::node_snapshots() {
 
 std::vector<std::string_view> BusNodes::names() const {
   std::vector<std::string_view> all;
+  all.reserve(nodes_.size());
   for (const auto& node : nodes_) all.push_back(node->place().name);
   return all;
 }

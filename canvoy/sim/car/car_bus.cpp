@@ -83,6 +83,7 @@ BusSnapshot CarBus::snapshot() const {
 
 std::vector<NodeSnapshot> CarBus::node_snapshots() const {
   std::vector<NodeSnapshot> all;
+  all.reserve(nodes_.size());
   for (const auto& node : nodes_) {
     all.push_back(snapshot_of(world_, *node, watch_, settings_.time_out));
   }
@@ -91,6 +92,7 @@ std::vector<NodeSnapshot> CarBus::node_snapshots() const {
 
 std::vector<std::string_view> CarBus::names() const {
   std::vector<std::string_view> all;
+  all.reserve(nodes_.size());
   for (const auto& node : nodes_) all.push_back(node->place().name);
   return all;
 }
