@@ -1,5 +1,5 @@
 // Descriptions of the communication objects 1000h to 1029h (CiA 301 version 4.2, 7.5.2.1 to
-// 7.5.2.32). Those of SDO and PDO are in cia301_channels.hpp; devices pick them with the help of
+// 7.5.2.32). Those of SDO and PDO are in channels.hpp; devices pick them with the help of
 // cia301.hpp.
 //
 //     cia301::producer_heartbeat_object.entry.value.unit  // Unit::millisecond
