@@ -23,8 +23,9 @@ class BusTrouble {
   void cut_cable(ControllerId controller, bool is_cut) {
     is_cut ? bus_.cut_cable(controller) : bus_.mend_cable();
   }
-  /// Without power until it babbles.
+  /// Without power until it babbles. Once, however often it is asked for.
   void attach_babbler() {
+    if (babbler_ != no_controller) return;
     babbler_ = bus_.attach({});
     bus_.power(babbler_, false);
   }

@@ -4,13 +4,6 @@
 
 namespace canvoy::charging {
 
-namespace {
-
-/// An NMT command of the wrong length: nobody obeys it, and nothing has a higher priority.
-constexpr Frame babble{.id = can_id::nmt, .length = Frame::length_max};
-
-}  // namespace
-
 ChargingFaults::ChargingFaults(World& world, const ChargingOptions& options,
                                ChargingDevices& devices, ChargingReferees& referees,
                                std::vector<ChargingEvent>& events)
@@ -18,7 +11,8 @@ ChargingFaults::ChargingFaults(World& world, const ChargingOptions& options,
       options_(&options),
       devices_(&devices),
       referees_(&referees),
-      events_(&events) {
+      events_(&events),
+      trouble_(world.bus(devices.bus())) {
   for (std::size_t i = 0; i < options.faults.faults.size(); ++i) {
     const ScheduledFault& fault = options.faults.faults[i];
     prepare(fault.kind);
@@ -36,10 +30,7 @@ void ChargingFaults::prepare(FaultKind kind) {
                                            devices_->plant().battery.hardware(),
                                            devices_->battery_settings());
   }
-  if (kind == FaultKind::babbling_node && babbler_ == no_controller) {
-    babbler_ = world_->bus(devices_->bus()).attach({});
-    world_->bus(devices_->bus()).power(babbler_, false);
-  }
+  if (kind == FaultKind::babbling_node) trouble_.attach_babbler();
 }
 
 void ChargingFaults::begin(std::size_t fault) {
@@ -61,7 +52,6 @@ void ChargingFaults::end(std::size_t fault) {
 }
 
 void ChargingFaults::set(FaultKind kind, bool present) {
-  SimulatedBus& bus = world_->bus(devices_->bus());
   switch (kind) {
     case FaultKind::heartbeat_loss:
       return devices_->battery_port().lose(
@@ -76,17 +66,17 @@ void ChargingFaults::set(FaultKind kind, bool present) {
       return present && !is_present(FaultKind::battery_silent) ? devices_->power_battery(true)
                                                                : void();
     case FaultKind::cable_cut:
-      return present ? bus.cut_cable(devices_->charger_controller()) : bus.mend_cable();
+      return trouble_.cut_cable(devices_->charger_controller(), present);
     case FaultKind::corrupted_frames:
-      return bus.set_frame_error_probability(present ? options_->faults.corrupted_share : 0);
+      return trouble_.disturb(present ? options_->faults.corrupted_share : 0);
     case FaultKind::babbling_node:
-      bus.power(babbler_, present);
-      return present ? bus.babble(babbler_, babble) : bus.stop_babbling(babbler_);
+      return trouble_.babble(present);
     case FaultKind::duplicate_node_id:
       return present ? world_->start(imposter_->slot) : world_->stop(imposter_->slot);
     case FaultKind::wrong_bit_rate:
-      return bus.set_bit_rate(devices_->battery_controller(),
-                              present ? options_->faults.wrong_bit_rate : options_->bit_rate);
+      return world_->bus(devices_->bus())
+          .set_bit_rate(devices_->battery_controller(),
+                        present ? options_->faults.wrong_bit_rate : options_->bit_rate);
     case FaultKind::clock_drift:
       return world_->set_clock_drift(devices_->battery_slot(),
                                      present ? options_->faults.clock_drift_ppm : 0);

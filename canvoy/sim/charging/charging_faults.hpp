@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "canvoy/sim/bus_trouble.hpp"
 #include "canvoy/sim/charging/charging_devices.hpp"
 #include "canvoy/sim/charging/charging_event.hpp"
 #include "canvoy/sim/charging/charging_referees.hpp"
@@ -41,7 +42,7 @@ class ChargingFaults {
   ChargingReferees* referees_;
   std::vector<ChargingEvent>* events_;
   std::unique_ptr<Imposter> imposter_;
-  ControllerId babbler_ = no_controller;
+  BusTrouble trouble_;
   std::array<unsigned, fault_kinds> present_{};  ///< how many of each kind
 };
 

@@ -4,9 +4,6 @@ namespace canvoy::excavator {
 
 namespace {
 
-/// An NMT command of the wrong length: nobody obeys it, and nothing has a higher priority.
-constexpr Frame excavator_babble{.id = can_id::nmt, .length = Frame::length_max};
-
 NodeId place_of_fault(const ScheduledFault& fault) {
   if (fault.kind == FaultKind::vanished_armrest) return armrest_id;
   if (!has_node(fault.kind)) return 0;
@@ -28,13 +25,11 @@ ExcavatorFaults::ExcavatorFaults(World& world, BusIndex bus, const ExcavatorOpti
       devices_(&devices),
       panel_(&panel),
       referees_(&referees),
-      events_(&events) {
+      events_(&events),
+      trouble_(world.bus(bus)) {
   for (std::size_t i = 0; i < options.faults.faults.size(); ++i) {
     const ScheduledFault& fault = options.faults.faults[i];
-    if (fault.kind == FaultKind::babbling_node && babbler_ == no_controller) {
-      babbler_ = world.bus(bus_).attach({});
-      world.bus(bus_).power(babbler_, false);
-    }
+    if (fault.kind == FaultKind::babbling_node) trouble_.attach_babbler();
     world.at(fault.start, [this, i](Time) { begin(i); });
     if (fault.end() != never) world.at(fault.end(), [this, i](Time) { end(i); });
   }
@@ -72,7 +67,7 @@ void ExcavatorFaults::set(const ScheduledFault& fault, bool present) {
     case FaultKind::lost_node:
       return set_power(id, !present);
     case FaultKind::restart:
-      if (present && without_power_.at(id) == 0) {
+      if (present && !cuts_.is_cut(id)) {
         devices_->power(devices_->node(id), false);
         devices_->power(devices_->node(id), true);
       }
@@ -84,10 +79,9 @@ void ExcavatorFaults::set(const ScheduledFault& fault, bool present) {
     case FaultKind::cable_cut:
       return cut_cables();
     case FaultKind::babbling_node:
-      bus.power(babbler_, present);
-      return present ? bus.babble(babbler_, excavator_babble) : bus.stop_babbling(babbler_);
+      return trouble_.babble(present);
     case FaultKind::corrupted_frames:
-      return bus.set_frame_error_probability(present ? options_->faults.corrupted_share : 0);
+      return trouble_.disturb(present ? options_->faults.corrupted_share : 0);
     case FaultKind::lost_frames:
       return devices_->node(id).port().lose(Probability(present ? options_->faults.lost_share : 0));
     case FaultKind::delayed_frames:
@@ -115,8 +109,7 @@ void ExcavatorFaults::cut_cables() {
 
 /// Two faults may keep a device from its power; it has it again when both are over.
 void ExcavatorFaults::set_power(NodeId id, bool is_on) {
-  unsigned& without = without_power_.at(id);
-  if (is_on ? --without == 0 : ++without == 1) devices_->power(devices_->node(id), is_on);
+  if (is_on ? cuts_.mend(id) : cuts_.cut(id)) devices_->power(devices_->node(id), is_on);
 }
 
 }  // namespace canvoy::excavator

@@ -6,9 +6,11 @@
 #include <array>
 #include <vector>
 
+#include "canvoy/sim/bus_trouble.hpp"
 #include "canvoy/sim/excavator/excavator_devices.hpp"
 #include "canvoy/sim/excavator/excavator_event.hpp"
 #include "canvoy/sim/excavator/excavator_referees.hpp"
+#include "canvoy/sim/power_cuts.hpp"
 
 namespace canvoy::excavator {
 
@@ -36,12 +38,12 @@ class ExcavatorFaults {
   SeatPanel* panel_;
   ExcavatorReferees* referees_;
   std::vector<ExcavatorEvent>* events_;
-  ControllerId babbler_ = no_controller;
+  BusTrouble trouble_;  ///< of the machine's bus
 
   // How many of each are present, and where.
   std::array<std::array<unsigned, node_id_max + 1>, fault_kinds> at_node_{};
   std::array<std::array<unsigned, stick_count>, fault_kinds> at_axis_{};
-  std::array<unsigned, node_id_max + 1> without_power_{};  ///< a node-ID is on one of both buses
+  PowerCuts cuts_;  ///< a node-ID is on one of both buses
 };
 
 }  // namespace canvoy::excavator
