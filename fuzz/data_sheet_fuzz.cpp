@@ -12,6 +12,7 @@
 #include "canvoy/formats/sheet/sheet_diff.hpp"
 #include "canvoy/formats/sheet/stored_configurations.hpp"
 #include "canvoy/formats/xdd/xdd.hpp"
+#include "canvoy/formats/xdd/xdd_writer.hpp"
 #include "canvoy/profiles/registry.hpp"
 
 namespace {

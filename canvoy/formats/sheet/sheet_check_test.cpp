@@ -6,6 +6,7 @@
 #include "canvoy/formats/eds/eds_writer.hpp"
 #include "canvoy/formats/sheet/sheet_export.hpp"
 #include "canvoy/formats/xdd/xdd.hpp"
+#include "canvoy/formats/xdd/xdd_writer.hpp"
 #include "canvoy/profiles/cia419.hpp"
 #include "canvoy/profiles/cia852/operator_environment.hpp"
 #include "canvoy/profiles/registry.hpp"

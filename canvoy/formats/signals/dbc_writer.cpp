@@ -1,10 +1,11 @@
+#include "canvoy/formats/signals/dbc_writer.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 #include <set>
 
-#include "canvoy/formats/signals/signal_table.hpp"
 
 namespace canvoy::formats {
 

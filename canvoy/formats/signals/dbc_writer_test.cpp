@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "canvoy/formats/signals/signal_table.hpp"
+#include "canvoy/formats/signals/dbc_writer.hpp"
+#include "canvoy/formats/signals/signal_csv.hpp"
+#include "canvoy/formats/signals/signal_html.hpp"
 
 namespace canvoy::formats {
 namespace dbc_writer_test {

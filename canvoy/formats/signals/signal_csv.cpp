@@ -1,9 +1,10 @@
+#include "canvoy/formats/signals/signal_csv.hpp"
+
 #include <fmt/format.h>
 
 #include <map>
 #include <tuple>
 
-#include "canvoy/formats/signals/signal_table.hpp"
 
 namespace canvoy::formats {
 

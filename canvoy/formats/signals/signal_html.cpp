@@ -1,6 +1,7 @@
+#include "canvoy/formats/signals/signal_html.hpp"
+
 #include <fmt/format.h>
 
-#include "canvoy/formats/signals/signal_table.hpp"
 
 namespace canvoy::formats {
 

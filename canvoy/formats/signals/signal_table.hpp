@@ -1,6 +1,6 @@
 // What the nodes of a bus have and say, as tables: their dictionaries, and which bits of which
 // message carry what. Made of data sheets and profiles (canvoy/words/signal_table_maker.hpp),
-// written as DBC, CSV and HTML.
+// written as DBC, CSV and HTML (dbc_writer.hpp, signal_csv.hpp, signal_html.hpp).
 //
 //     write_text("charger.dbc", write_dbc(table));
 #pragma once
@@ -77,17 +77,5 @@ struct SignalTable {
   std::vector<SignalNode> nodes;
   std::vector<SignalMessage> messages;  ///< in the order of their CAN-IDs
 };
-
-/// DBC, in ISO 8859-1 as its readers expect it; names that are longer than 32 characters are also
-/// there in full, as SystemSignalLongSymbol and its like.
-std::string write_dbc(const SignalTable& table);
-/// A line for each number of each entry, and where in a message it is. UTF-8.
-std::string write_signal_csv(const SignalTable& table);
-/// A page of its own, to read and to print.
-std::string write_signal_html(const SignalTable& table, const std::string& title);
-
-/// A name as C and DBC allow it: `Input group 1, Virtual input 3` is
-/// `Input_group_1_Virtual_input_3`.
-std::string identifier_of(std::string_view name);
 
 }  // namespace canvoy::formats

@@ -11,6 +11,7 @@
 
 #include "canvoy/formats/trace/inflater.hpp"
 #include "canvoy/formats/trace/trace_parser.hpp"
+#include "canvoy/formats/trace/trace_recognize.hpp"
 
 namespace canvoy::formats {
 

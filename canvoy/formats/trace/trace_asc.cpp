@@ -1,5 +1,5 @@
-// Vector ASC: `   3.098426 1  18EBFF00x       Rx d 8 01 A0 0F A6 60 3B D1 40`, behind a header that
-// says when it began, in which base its numbers are, and whether times count from the line before.
+#include "canvoy/formats/trace/trace_asc.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <memory>
@@ -7,7 +7,6 @@
 
 #include "canvoy/formats/trace/trace_error.hpp"
 #include "canvoy/formats/trace/trace_fields.hpp"
-#include "canvoy/formats/trace/trace_parser.hpp"
 #include "canvoy/formats/trace/trace_scanner.hpp"
 #include "canvoy/formats/trace/trace_text.hpp"
 

@@ -1,5 +1,5 @@
-// Vector BLF: a header that says when it began, then objects behind `LOBJ`, most of them within
-// containers that zlib has compressed. An object may begin in one container and end in the next.
+#include "canvoy/formats/trace/trace_blf.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -13,7 +13,6 @@
 #include "canvoy/formats/trace/trace_error.hpp"
 #include "canvoy/formats/trace/trace_fields.hpp"
 #include "canvoy/formats/trace/trace_packet.hpp"
-#include "canvoy/formats/trace/trace_parser.hpp"
 
 namespace canvoy::formats {
 

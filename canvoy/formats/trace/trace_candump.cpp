@@ -1,5 +1,5 @@
-// candump -l: `(1700000000.000125) can0 185#1E2F`, newer ones with ` R` or ` T` behind it; and what
-// candump shows on the screen.
+#include "canvoy/formats/trace/trace_candump.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -7,7 +7,6 @@
 
 #include "canvoy/can/host/candump_log.hpp"
 #include "canvoy/formats/trace/trace_candump_screen.hpp"
-#include "canvoy/formats/trace/trace_parser.hpp"
 #include "canvoy/formats/trace/trace_text.hpp"
 
 namespace canvoy::formats {

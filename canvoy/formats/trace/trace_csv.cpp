@@ -1,5 +1,5 @@
-// CSV with a frame a line, of python-can (`timestamp,arbitration_id,...,data` with the data as
-// base64) and of SavvyCAN (`Time Stamp,ID,...,D1,...,D8`, in microseconds and hexadecimal digits).
+#include "canvoy/formats/trace/trace_csv.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -11,7 +11,6 @@
 #include "canvoy/formats/trace/trace_error.hpp"
 #include "canvoy/formats/trace/trace_fields.hpp"
 #include "canvoy/formats/trace/trace_packet.hpp"
-#include "canvoy/formats/trace/trace_parser.hpp"
 #include "canvoy/formats/trace/trace_text.hpp"
 
 namespace canvoy::formats {

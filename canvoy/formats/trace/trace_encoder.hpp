@@ -17,8 +17,4 @@ class TraceEncoder {
   virtual void append(std::string& bytes, const TraceFrame& frame, std::string_view comment) = 0;
 };
 
-std::unique_ptr<TraceEncoder> make_candump_encoder();
-std::unique_ptr<TraceEncoder> make_asc_encoder();
-std::unique_ptr<TraceEncoder> make_pcapng_encoder();
-
 }  // namespace canvoy::formats

@@ -69,21 +69,4 @@ class TraceLineParser : public TraceParser {
   std::string last_line_;  ///< of a file that ends without an end of line
 };
 
-/// `are_deltas`: on the screen, times count from the frame before.
-std::unique_ptr<TraceParser> make_candump_parser(bool are_deltas = false);
-std::unique_ptr<TraceParser> make_asc_parser();
-std::unique_ptr<TraceParser> make_trc_parser();
-std::unique_ptr<TraceParser> make_pcapng_parser();
-std::unique_ptr<TraceParser> make_pcap_parser(bool big_endian, bool nanoseconds);
-
-std::unique_ptr<TraceParser> make_blf_parser();
-/// By the names of its columns; null where they are of no CSV that is known.
-std::unique_ptr<TraceParser> make_csv_parser(std::string_view header);
-
-/// The format of a file that begins with `head`, and a parser for it; null where none is known.
-std::unique_ptr<TraceParser> recognize_trace(std::string_view head);
-
-/// What a file of no known format that begins with `head` may be: "a JPEG picture".
-std::string_view looks_like(std::string_view head);
-
 }  // namespace canvoy::formats

@@ -1,10 +1,10 @@
-// Classic pcap: a header of 24 bytes, then packets behind 16 bytes each of time and lengths.
+#include "canvoy/formats/trace/trace_pcap.hpp"
+
 #include <cstdint>
 #include <memory>
 #include <string_view>
 
 #include "canvoy/formats/trace/trace_packet.hpp"
-#include "canvoy/formats/trace/trace_parser.hpp"
 
 namespace canvoy::formats {
 

@@ -1,5 +1,5 @@
-// pcapng: blocks of sections, interfaces and packets. Packets are read from enhanced packet blocks
-// (type 6), which all programs write today; simple ones have no time, and are passed over.
+#include "canvoy/formats/trace/trace_pcapng.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -10,7 +10,6 @@
 
 #include "canvoy/formats/trace/pcapng.hpp"
 #include "canvoy/formats/trace/trace_packet.hpp"
-#include "canvoy/formats/trace/trace_parser.hpp"
 
 namespace canvoy::formats {
 

@@ -1,5 +1,5 @@
-// Frames as packets of pcapng, little-endian, in microseconds; a channel is an interface, described
-// before its first frame.
+#include "canvoy/formats/trace/trace_pcapng_encoder.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <string>
@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "canvoy/formats/trace/pcapng.hpp"
-#include "canvoy/formats/trace/trace_encoder.hpp"
 #include "canvoy/formats/trace/trace_packet.hpp"
 #include "canvoy/formats/trace/trace_writer.hpp"
 

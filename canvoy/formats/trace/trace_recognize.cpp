@@ -1,12 +1,19 @@
-// Which format a file has shows how it begins.
+#include "canvoy/formats/trace/trace_recognize.hpp"
+
 #include <algorithm>
 #include <array>
 #include <string_view>
 #include <utility>
 
+#include "canvoy/formats/trace/trace_asc.hpp"
+#include "canvoy/formats/trace/trace_blf.hpp"
+#include "canvoy/formats/trace/trace_candump.hpp"
 #include "canvoy/formats/trace/trace_candump_screen.hpp"
-#include "canvoy/formats/trace/trace_parser.hpp"
+#include "canvoy/formats/trace/trace_csv.hpp"
+#include "canvoy/formats/trace/trace_pcap.hpp"
+#include "canvoy/formats/trace/trace_pcapng.hpp"
 #include "canvoy/formats/trace/trace_text.hpp"
+#include "canvoy/formats/trace/trace_trc.hpp"
 
 namespace canvoy::formats {
 

@@ -1,4 +1,5 @@
-// Frames as lines of candump -l and of Vector ASC.
+#include "canvoy/formats/trace/trace_text_encoder.hpp"
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -6,7 +7,6 @@
 #include <optional>
 
 #include "canvoy/can/host/candump_log.hpp"
-#include "canvoy/formats/trace/trace_encoder.hpp"
 #include "canvoy/formats/trace/trace_fields.hpp"
 #include "canvoy/formats/trace/trace_text.hpp"
 

@@ -1,5 +1,5 @@
-// PEAK TRC 1.0 to 2.1: `      1     17535.400 DT 1  00000100 Tx -  8    00 11 22 33 44 55 66 77`. A
-// version is an order of columns; from 2.0 on the file names them itself, by letters.
+#include "canvoy/formats/trace/trace_trc.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -10,7 +10,6 @@
 #include "canvoy/can/error_frame.hpp"
 #include "canvoy/formats/trace/trace_error.hpp"
 #include "canvoy/formats/trace/trace_fields.hpp"
-#include "canvoy/formats/trace/trace_parser.hpp"
 #include "canvoy/formats/trace/trace_scanner.hpp"
 #include "canvoy/formats/trace/trace_text.hpp"
 

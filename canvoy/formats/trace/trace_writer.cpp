@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "canvoy/formats/trace/trace_encoder.hpp"
+#include "canvoy/formats/trace/trace_pcapng_encoder.hpp"
+#include "canvoy/formats/trace/trace_text_encoder.hpp"
 
 namespace canvoy::formats {
 

@@ -4,7 +4,7 @@
 //
 //     Findings findings;
 //     DataSheet sheet = read_xdd(text, findings);
-//     write_xdd(sheet);  // with all that the file had beside what a DataSheet knows
+//     write_xdd(sheet);  // xdd_writer.hpp: with all that the file had beside what a DataSheet knows
 #pragma once
 
 #include <string>
@@ -17,11 +17,6 @@ namespace canvoy::formats {
 
 /// Any text is read; what is no XDD at all has no objects.
 DataSheet read_xdd(std::string_view text, Findings& findings);
-
-/// An XDC where the sheet is configured, else an XDD without values, by the schema of CiA 311 1.1.
-/// Elements and attributes of the file that the sheet was read from stay, whether they are known or
-/// not. Characters that XML cannot have are written as plain_text() does.
-std::string write_xdd(const DataSheet& sheet);
 
 /// Whether a text is XML.
 bool is_xml(std::string_view text);

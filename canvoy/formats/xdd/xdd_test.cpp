@@ -1,5 +1,6 @@
 // A file as CiA 311 has it, with what nobody here knows: it stays.
 #include "canvoy/formats/xdd/xdd.hpp"
+#include "canvoy/formats/xdd/xdd_writer.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,11 @@
-// Writes XDD and XDC files by the schema of CiA 311 1.1: elements that it declares globally have
-// its namespace, all others have none.
+#include "canvoy/formats/xdd/xdd_writer.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <sstream>
 
 #include "canvoy/formats/plain_text.hpp"
-#include "canvoy/formats/xdd/xdd.hpp"
 #include "canvoy/formats/xdd/xdd_parts.hpp"
 
 namespace canvoy::formats {

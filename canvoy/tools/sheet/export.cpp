@@ -7,6 +7,9 @@
 #include <memory>
 #include <set>
 
+#include "canvoy/formats/signals/dbc_writer.hpp"
+#include "canvoy/formats/signals/signal_csv.hpp"
+#include "canvoy/formats/signals/signal_html.hpp"
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/tools/ask/node_argument.hpp"
 #include "canvoy/tools/bus/session.hpp"

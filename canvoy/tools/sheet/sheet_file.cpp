@@ -5,6 +5,7 @@
 #include "canvoy/formats/eds/eds_writer.hpp"
 #include "canvoy/formats/plain_text.hpp"
 #include "canvoy/formats/xdd/xdd.hpp"
+#include "canvoy/formats/xdd/xdd_writer.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/value_file.hpp"
 

@@ -1,0 +1,13 @@
+// Frames as packets of pcapng, little-endian, in microseconds; a channel is an interface, described
+// before its first frame.
+#pragma once
+
+#include <memory>
+
+#include "canvoy/formats/trace/trace_encoder.hpp"
+
+namespace canvoy::formats {
+
+std::unique_ptr<TraceEncoder> make_pcapng_encoder();
+
+}  // namespace canvoy::formats
