@@ -157,6 +157,10 @@ struct HookCalls {
   AbortCode (*before_write)(void*, const Entry&, std::span<const std::uint8_t> value) = nullptr;
   void (*after_write)(void*, const Entry&, Source) = nullptr;
 
+  constexpr bool covers(std::uint16_t index) const { return index >= first && index <= last; }
+  constexpr bool covers(std::uint16_t index, std::uint8_t sub) const {
+    return covers(index) && sub >= sub_first && sub <= sub_last;
+  }
   /// What it is asked or told of: see ServiceEvent::bit_of().
   constexpr std::uint8_t accesses() const {
     const auto bit_if = [](bool has_function, ServiceEvent::Kind kind) {

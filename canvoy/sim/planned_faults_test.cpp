@@ -83,15 +83,33 @@ TEST(PlannedFaults, EachFaultOfANodeIsMadeForItself) {
   EXPECT_EQ(diary.until(Time(8s)), "ends 0; node back; ends 1; node back; ");
 }
 
+struct PowerDiary {
+  std::string text;
+
+  void power(NodeId id, bool is_on) { text += std::to_string(id) + (is_on ? " on; " : " off; "); }
+};
+
 TEST(PowerCuts, ANodeHasItsPowerAgainWhenTheLastCutIsOver) {
-  PowerCuts cuts;
-  EXPECT_TRUE(cuts.cut(5));
-  EXPECT_FALSE(cuts.cut(5));
-  EXPECT_FALSE(cuts.mend(5));
+  PowerDiary diary;
+  PowerCuts cuts(PowerCuts::Switch::to<&PowerDiary::power>(diary));
+  cuts.set_power(5, false);
+  cuts.set_power(5, false);
+  cuts.set_power(5, true);
   EXPECT_TRUE(cuts.is_cut(5));
   EXPECT_FALSE(cuts.is_cut(6));
-  EXPECT_TRUE(cuts.mend(5));
+  EXPECT_EQ(diary.text, "5 off; ");
+  cuts.set_power(5, true);
   EXPECT_FALSE(cuts.is_cut(5));
+  EXPECT_EQ(diary.text, "5 off; 5 on; ");
+}
+
+TEST(PowerCuts, ANodeWithoutPowerDoesNotRestart) {
+  PowerDiary diary;
+  PowerCuts cuts(PowerCuts::Switch::to<&PowerDiary::power>(diary));
+  cuts.set_power(5, false);
+  cuts.restart(5);
+  cuts.restart(6);
+  EXPECT_EQ(diary.text, "5 off; 6 off; 6 on; ");
 }
 
 }  // namespace

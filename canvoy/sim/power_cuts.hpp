@@ -1,26 +1,39 @@
 // Who has no power by a fault: several may keep a node from it, and it has it again when the last
 // one is over.
 //
-//     PowerCuts cuts;
-//     if (cuts.cut(5)) node.power(false);    // it had power
-//     if (cuts.mend(5)) node.power(true);
+//     PowerCuts cuts(Callback<void(NodeId, bool)>::to<&Faults::power>(faults));
+//     cuts.set_power(5, false);    // power(5, false), if it had power
+//     cuts.set_power(5, true);     // power(5, true), if nobody else keeps it from it
 #pragma once
 
 #include <array>
 
+#include "canvoy/can/callback.hpp"
 #include "canvoy/canopen/cob_id.hpp"
 
 namespace canvoy {
 
 class PowerCuts {
  public:
-  /// True: it loses its power now.
-  bool cut(NodeId id) { return ++cuts_.at(id) == 1; }
-  /// True: it has it again.
-  bool mend(NodeId id) { return --cuts_.at(id) == 0; }
+  using Switch = Callback<void(NodeId, bool is_on)>;
+
+  explicit PowerCuts(Switch power) : power_(power) {}
+
+  /// A fault begins with false, and ends with true.
+  void set_power(NodeId id, bool is_on) {
+    const bool changes = is_on ? --cuts_.at(id) == 0 : ++cuts_.at(id) == 1;
+    if (changes) power_(id, is_on);
+  }
+  /// Off and on again at once; nothing for a node that has no power.
+  void restart(NodeId id) {
+    if (is_cut(id)) return;
+    power_(id, false);
+    power_(id, true);
+  }
   bool is_cut(NodeId id) const { return cuts_.at(id) != 0; }
 
  private:
+  Switch power_;
   std::array<unsigned, node_id_max + 1> cuts_{};
 };
 

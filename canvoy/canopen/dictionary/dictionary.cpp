@@ -98,10 +98,6 @@ bool contains(const ObjectRow& row, std::uint16_t index) {
   return (index * 0x9E37'79B9U) >> 28;
 }
 
-bool covers(const HookCalls& calls, std::uint16_t index) {
-  return index >= calls.first && index <= calls.last;
-}
-
 AbortCode put_to(const HookCalls& calls, void* service, const ServiceEvent& access) {
   const Entry& entry = access.entry();
   switch (access.kind) {
@@ -241,8 +237,8 @@ std::uint32_t Dictionary::tell(ServiceEvent& event) const {
 
 bool ServiceLink::covers_object(std::uint16_t index) const {
   const auto in_table = static_cast<std::uint16_t>(index - shift_);
-  return std::ranges::any_of(
-      calls_->hooks, [&](const HookCalls& calls) { return canvoy::covers(calls, in_table); });
+  return std::ranges::any_of(calls_->hooks,
+                             [&](const HookCalls& calls) { return calls.covers(in_table); });
 }
 
 /// The first refusal among its hooks.
@@ -250,8 +246,7 @@ AbortCode ServiceLink::answer(const ServiceEvent& access) const {
   const Entry& entry = access.entry();
   const auto in_table = static_cast<std::uint16_t>(entry.index - shift_);
   for (const HookCalls& calls : calls_->hooks) {
-    if (!canvoy::covers(calls, in_table)) continue;
-    if (entry.sub < calls.sub_first || entry.sub > calls.sub_last) continue;
+    if (!calls.covers(in_table, entry.sub)) continue;
     const AbortCode answer = put_to(calls, service_, access);
     if (answer != AbortCode::none) return answer;
   }

@@ -57,9 +57,8 @@ template <class Act>
 AbortCode VirtualDevice::for_rows_of(const Entry& entry, const Act& act) const {
   AbortCode answer = AbortCode::none;
   for (const HookCalls& row : rows_) {
-    const bool is_its = entry.index >= row.first && entry.index <= row.last &&
-                        entry.sub >= row.sub_first && entry.sub <= row.sub_last;
-    if (is_its && answer == AbortCode::none) answer = act(row, unit_);
+    if (answer != AbortCode::none) break;
+    if (row.covers(entry.index, entry.sub)) answer = act(row, unit_);
   }
   return answer;
 }

@@ -28,7 +28,8 @@ BusFaults::BusFaults(BusNodes& nodes, const FaultPlan& plan, const Parts& parts,
               {.began = Callback<void(std::size_t)>::to<&BusFaults::began>(*this),
                .ended = Callback<void(std::size_t)>::to<&BusFaults::ended>(*this),
                .set = Callback<void(const ScheduledFault&, bool)>::to<&BusFaults::set>(*this)}),
-      troubles_{BusTrouble(nodes.cable(1)), BusTrouble(nodes.cable(2))} {}
+      troubles_{BusTrouble(nodes.cable(1)), BusTrouble(nodes.cable(2))},
+      cuts_(PowerCuts::Switch::to<&BusFaults::power>(*this)) {}
 
 void BusFaults::plan() {
   if (faults_.has_any(FaultKind::babbling_node)) troubles_[0].attach_babbler();
@@ -55,9 +56,9 @@ void BusFaults::ended(std::size_t fault) {
 void BusFaults::set(const ScheduledFault& fault, bool is_present) {
   switch (fault.kind) {
     case FaultKind::lost_node:
-      return set_power(place_of_fault(fault), !is_present);
+      return cuts_.set_power(place_of_fault(fault), !is_present);
     case FaultKind::restart:
-      return is_present ? restart(place_of_fault(fault)) : void();
+      return is_present ? cuts_.restart(place_of_fault(fault)) : void();
     case FaultKind::cable_cut:
     case FaultKind::babbling_node:
     case FaultKind::corrupted_frames:
@@ -98,17 +99,6 @@ void BusFaults::set_of_cables(const ScheduledFault& fault, bool is_present) {
 void BusFaults::power(NodeId id, bool is_on) {
   if (!is_on) parts_.displays.lose_power(id);
   nodes_.node(id).power(is_on);
-}
-
-void BusFaults::restart(NodeId id) {
-  if (cuts_.is_cut(id)) return;
-  power(id, false);
-  power(id, true);
-}
-
-/// Two faults may keep a device from its power; it has it again when both are over.
-void BusFaults::set_power(NodeId id, bool is_on) {
-  if (is_on ? cuts_.mend(id) : cuts_.cut(id)) power(id, is_on);
 }
 
 }  // namespace canvoy::bus

@@ -59,8 +59,6 @@ class BusFaults {
   void set(const ScheduledFault& fault, bool is_present);
   void set_of_cables(const ScheduledFault& fault, bool is_present);
   void power(NodeId id, bool is_on);
-  void restart(NodeId id);
-  void set_power(NodeId id, bool is_on);
 
   BusNodes& nodes_;
   const FaultPlan& plan_;

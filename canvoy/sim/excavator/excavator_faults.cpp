@@ -26,7 +26,8 @@ ExcavatorFaults::ExcavatorFaults(World& world, BusIndex bus, const ExcavatorOpti
       panel_(&panel),
       referees_(&referees),
       events_(&events),
-      trouble_(world.bus(bus)) {
+      trouble_(world.bus(bus)),
+      cuts_(PowerCuts::Switch::to<&ExcavatorFaults::power>(*this)) {
   for (std::size_t i = 0; i < options.faults.faults.size(); ++i) {
     const ScheduledFault& fault = options.faults.faults[i];
     if (fault.kind == FaultKind::babbling_node) trouble_.attach_babbler();
@@ -65,13 +66,9 @@ void ExcavatorFaults::set(const ScheduledFault& fault, bool present) {
   const NodeId id = place_of_fault(fault);
   switch (fault.kind) {
     case FaultKind::lost_node:
-      return set_power(id, !present);
+      return cuts_.set_power(id, !present);
     case FaultKind::restart:
-      if (present && !cuts_.is_cut(id)) {
-        devices_->power(devices_->node(id), false);
-        devices_->power(devices_->node(id), true);
-      }
-      return;
+      return present ? cuts_.restart(id) : void();
     case FaultKind::bus_off:
       bus.set_bit_rate(devices_->node(id).controller(),
                        present ? options_->bit_rate / 2 : options_->bit_rate);
@@ -93,7 +90,7 @@ void ExcavatorFaults::set(const ScheduledFault& fault, bool present) {
       panel_->break_wire(axis_of_fault(fault), present);
       return devices_->hands_moved();
     case FaultKind::vanished_armrest:
-      return set_power(armrest_id, !present);
+      return cuts_.set_power(armrest_id, !present);
   }
 }
 
@@ -105,11 +102,6 @@ void ExcavatorFaults::cut_cables() {
     const auto& cuts = at_node_[static_cast<std::size_t>(FaultKind::cable_cut)];
     if (cuts[node->place().id] != 0) bus.cut_cable(node->controller());
   }
-}
-
-/// Two faults may keep a device from its power; it has it again when both are over.
-void ExcavatorFaults::set_power(NodeId id, bool is_on) {
-  if (is_on ? cuts_.mend(id) : cuts_.cut(id)) devices_->power(devices_->node(id), is_on);
 }
 
 }  // namespace canvoy::excavator

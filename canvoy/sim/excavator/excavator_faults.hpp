@@ -27,7 +27,7 @@ class ExcavatorFaults {
   void begin(std::size_t fault);
   void end(std::size_t fault);
   void set(const ScheduledFault& fault, bool present);
-  void set_power(NodeId id, bool is_on);
+  void power(NodeId id, bool is_on) { devices_->power(devices_->node(id), is_on); }
   void cut_cables();
   unsigned& count_of(const ScheduledFault& fault);
 

@@ -31,7 +31,8 @@ PoliceFaults::PoliceFaults(PoliceCar& car, const FaultPlan& plan, car::Excuse& e
               {.began = Callback<void(std::size_t)>::to<&PoliceFaults::began>(*this),
                .ended = Callback<void(std::size_t)>::to<&PoliceFaults::ended>(*this),
                .set = Callback<void(const ScheduledFault&, bool)>::to<&PoliceFaults::set>(*this)}),
-      trouble_(car.bus().bus()) {}
+      trouble_(car.bus().bus()),
+      cuts_(PowerCuts::Switch::to<&PoliceFaults::power>(*this)) {}
 
 void PoliceFaults::plan() {
   if (faults_.has_any(FaultKind::babbling_node)) trouble_.attach_babbler();
@@ -57,9 +58,9 @@ void PoliceFaults::ended(std::size_t fault) {
 void PoliceFaults::set(const ScheduledFault& fault, bool is_present) {
   switch (fault.kind) {
     case FaultKind::lost_node:
-      return set_power(place_of_fault(fault), !is_present);
+      return cuts_.set_power(place_of_fault(fault), !is_present);
     case FaultKind::restart:
-      return is_present ? restart(place_of_fault(fault)) : void();
+      return is_present ? cuts_.restart(place_of_fault(fault)) : void();
     case FaultKind::cable_cut:
       return trouble_.cut_cable(car_.bus().gateway().controller(), is_present);
     case FaultKind::babbling_node:
@@ -77,7 +78,8 @@ void PoliceFaults::set(const ScheduledFault& fault, bool is_present) {
 
 void PoliceFaults::let_client_die(bool shall_die) {
   client_shall_die_ = shall_die;
-  if (!shall_die && dead_client_ != 0) set_power(std::exchange(dead_client_, NodeId{0}), true);
+  if (!shall_die && dead_client_ != 0)
+    cuts_.set_power(std::exchange(dead_client_, NodeId{0}), true);
 }
 
 void PoliceFaults::step() {
@@ -86,18 +88,7 @@ void PoliceFaults::step() {
   constexpr std::array<NodeId, client_count> nodes = {radio_id, roof_sound_id, navigation_id};
   client_shall_die_ = false;
   dead_client_ = nodes.at(static_cast<std::size_t>(*client));
-  set_power(dead_client_, false);
-}
-
-void PoliceFaults::restart(NodeId id) {
-  if (cuts_.is_cut(id)) return;
-  car_.power(car_.bus().node(id), false);
-  car_.power(car_.bus().node(id), true);
-}
-
-/// Two faults may keep a device from its power; it has it again when both are over.
-void PoliceFaults::set_power(NodeId id, bool is_on) {
-  if (is_on ? cuts_.mend(id) : cuts_.cut(id)) car_.power(car_.bus().node(id), is_on);
+  cuts_.set_power(dead_client_, false);
 }
 
 }  // namespace canvoy::police

@@ -35,8 +35,7 @@ class PoliceFaults {
   void ended(std::size_t fault);
   void set(const ScheduledFault& fault, bool is_present);
   void let_client_die(bool shall_die);
-  void restart(NodeId id);
-  void set_power(NodeId id, bool is_on);
+  void power(NodeId id, bool is_on) { car_.power(car_.bus().node(id), is_on); }
 
   PoliceCar& car_;
   const FaultPlan& plan_;

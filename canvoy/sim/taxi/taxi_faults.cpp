@@ -23,7 +23,8 @@ TaxiFaults::TaxiFaults(TaxiCar& car, const FaultPlan& plan, TripBook& trips, car
               {.began = Callback<void(std::size_t)>::to<&TaxiFaults::began>(*this),
                .ended = Callback<void(std::size_t)>::to<&TaxiFaults::ended>(*this),
                .set = Callback<void(const ScheduledFault&, bool)>::to<&TaxiFaults::set>(*this)}),
-      trouble_(car.bus().bus()) {}
+      trouble_(car.bus().bus()),
+      cuts_(PowerCuts::Switch::to<&TaxiFaults::power>(*this)) {}
 
 void TaxiFaults::plan() {
   if (faults_.has_any(FaultKind::babbling_node)) trouble_.attach_babbler();
@@ -54,9 +55,9 @@ void TaxiFaults::excuse(FaultKind kind) {
 void TaxiFaults::set(const ScheduledFault& fault, bool is_present) {
   switch (fault.kind) {
     case FaultKind::lost_node:
-      return set_power(node_of(fault), !is_present);
+      return cuts_.set_power(node_of(fault), !is_present);
     case FaultKind::restart:
-      return is_present ? restart(node_of(fault)) : void();
+      return is_present ? cuts_.restart(node_of(fault)) : void();
     case FaultKind::cable_cut:
       return trouble_.cut_cable(car_.bus().gateway().controller(), is_present);
     case FaultKind::babbling_node:
@@ -70,17 +71,6 @@ void TaxiFaults::set(const ScheduledFault& fault, bool is_present) {
     case FaultKind::no_fix:
       return car_.lose_satellites(is_present);
   }
-}
-
-void TaxiFaults::restart(NodeId id) {
-  if (cuts_.is_cut(id)) return;
-  car_.power(car_.bus().node(id), false);
-  car_.power(car_.bus().node(id), true);
-}
-
-/// Two faults may keep a device from its power; it has it again when both are over.
-void TaxiFaults::set_power(NodeId id, bool is_on) {
-  if (is_on ? cuts_.mend(id) : cuts_.cut(id)) car_.power(car_.bus().node(id), is_on);
 }
 
 }  // namespace canvoy::taxi

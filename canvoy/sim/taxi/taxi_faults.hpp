@@ -33,8 +33,7 @@ class TaxiFaults {
   void ended(std::size_t fault);
   void excuse(FaultKind kind);
   void set(const ScheduledFault& fault, bool is_present);
-  void restart(NodeId id);
-  void set_power(NodeId id, bool is_on);
+  void power(NodeId id, bool is_on) { car_.power(car_.bus().node(id), is_on); }
 
   TaxiCar& car_;
   const FaultPlan& plan_;

@@ -1,0 +1,135 @@
+// The slaves of a master in node 127 (CiA 302-2), without the network around them: whose turn it
+// is, and what is left of them when there is no room.
+#include "canvoy/canopen/manager/slave_boots.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "canvoy/canopen/testing/boot_network.hpp"
+
+namespace canvoy::slave_boots_test {
+namespace {
+
+using State = SlaveBoots::State;
+
+/// Bits 0 and 2 of 1F81h: a slave, and the master boots it. Bit 4: it is kept alive.
+constexpr std::uint32_t booted_slave = 0x05;
+constexpr std::uint32_t kept_alive = 0x15;
+
+/// One slave is booted at a time, and two NMT commands may wait.
+struct Slaves : WireNode {
+  Slaves() : WireNode(detail::boot_layout.tables(), 127) { boot(); }
+
+  void name(NodeId slave, std::uint32_t assignment = booted_slave) {
+    node.dictionary().set_number(master_object::slave_assignment, slave, assignment);
+  }
+  /// Named while the others are under way.
+  void add(NodeId slave) {
+    name(slave);
+    node.advance(now);
+    sut.assign(slave, true);
+    settle();
+  }
+  /// It answers the only question: what is it?
+  void answer(NodeId slave) {
+    node.receive(Frame::data_frame(0x580U + slave, {0x43, 0x00, 0x10, 0x00, 0, 0, 0, 0}), now);
+    settle();
+  }
+  void boot_up(NodeId slave) {
+    node.advance(now);
+    sut.heard(slave, RemoteState::boot_up);
+    settle();
+  }
+  void note(const BootReport& report) { log.push_back(boot_text(report)); }
+  bool guard(NodeId slave, Duration, std::uint8_t) {
+    log.push_back("guards " + std::to_string(slave));
+    return true;
+  }
+  void leave(NodeId slave) { log.push_back("leaves " + std::to_string(slave)); }
+
+  std::vector<std::string> log;
+  std::array<NmtMaster::RemoteNode, 127> remotes;
+  std::array<NmtQueue::Request, 2> requests{};
+  std::array<SlaveBoots::Record, 127> records{};
+  std::array<BootSlave, 1> slots{BootSlave(node)};
+  NmtMaster master{node, remotes};
+  NmtQueue commands{node, requests};
+  BootContext context{node,
+                      master,
+                      commands,
+                      {},
+                      {.start = Callback<bool(NodeId, Duration, std::uint8_t)>::to<&Slaves::guard>(
+                           *this),
+                       .stop = Callback<void(NodeId)>::to<&Slaves::leave>(*this)},
+                      {},
+                      Callback<void(const BootReport&)>::to<&Slaves::note>(*this)};
+  SlaveBoots sut{context, {records, slots}, {}};
+};
+
+TEST(SlaveBoots, WhoHasWaitedLongestIsNextWhicheverItsNodeId) {
+  Slaves slaves;
+  slaves.sut.begin();
+  for (const NodeId slave : {NodeId{9}, NodeId{7}, NodeId{5}, NodeId{6}}) {
+    slaves.add(slave);
+    slaves.boot_up(slave);
+    slaves.run_for(1ms);
+  }
+  slaves.expect({"609#40 00 10 00 00 00 00 00"});
+  slaves.answer(9);
+  slaves.expect({"607#40 00 10 00 00 00 00 00"});
+  slaves.answer(7);
+  slaves.expect({"605#40 00 10 00 00 00 00 00"});
+  slaves.answer(5);
+  slaves.expect({"606#40 00 10 00 00 00 00 00"});
+}
+
+/// Waiting for the boot-up message of a slave that nobody has reset would last for ever.
+TEST(SlaveBoots, OfWhichTheResetFindsNoRoomAreAskedWithoutIt) {
+  Slaves slaves;
+  slaves.name(4, kept_alive);
+  for (const NodeId slave : {NodeId{5}, NodeId{6}, NodeId{7}}) slaves.name(slave);
+  slaves.sut.begin();
+  slaves.sut.reset_all();
+  EXPECT_EQ(slaves.sut.record(4).due, slaves.now) << "one that is kept alive is not reset";
+  EXPECT_EQ(slaves.sut.record(5).due, never);
+  EXPECT_EQ(slaves.sut.record(6).due, never);
+  EXPECT_EQ(slaves.sut.record(7).due, slaves.now) << "two commands wait";
+}
+
+TEST(SlaveBoots, ThatIsLostAndCannotBeResetIsAskedWithoutIt) {
+  Slaves slaves;
+  slaves.sut.begin();
+  slaves.add(5);
+  slaves.boot_up(5);
+  slaves.answer(5);
+  ASSERT_EQ(slaves.sut.record(5).state, State::booted);
+  slaves.full = true;
+  while (slaves.commands.add({6, NmtCommand::start})) {
+  }
+  slaves.sut.lost(5);
+  EXPECT_EQ(slaves.sut.record(5).state, State::waiting);
+  EXPECT_EQ(slaves.sut.record(5).due, slaves.now);
+}
+
+/// Guard time 100 ms, retry factor 3 (1F81h, bits 31 to 8).
+TEST(SlaveBoots, ThatIsNoLongerNamedIsNeitherGuardedNorMissed) {
+  Slaves slaves;
+  slaves.name(5, 0x0064'0300 | booted_slave);
+  slaves.sut.begin();
+  slaves.boot_up(5);
+  slaves.answer(5);
+  EXPECT_EQ(slaves.log.back(), "5 booted");
+  slaves.log.clear();
+  slaves.name(5, 0);
+  slaves.sut.assign(5, false);
+  EXPECT_EQ(slaves.log, std::vector<std::string>{"leaves 5"});
+  slaves.sut.lost(5);
+  EXPECT_EQ(slaves.log.size(), 1U) << "nobody misses it";
+  EXPECT_EQ(slaves.sut.record(5).state, State::none);
+}
+
+}  // namespace
+}  // namespace canvoy::slave_boots_test
