@@ -27,8 +27,6 @@ test:
 	@cmake --build --preset release -j $(JOBS)
 	@cmake --preset asan --log-level=WARNING
 	@cmake --build --preset asan -j $(JOBS)
-	@cmake --preset fuzz-short --log-level=WARNING
-	@cmake --build --preset fuzz-short -j $(JOBS)
 	@scripts/run-tests
 
 bench:

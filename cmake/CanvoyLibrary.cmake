@@ -2,6 +2,10 @@
 set(canvoy_standard_headers <algorithm> <array> <bit> <bitset> <chrono> <cmath> <cstddef> <cstdint> <cstring> <functional>
   <limits> <map> <memory> <optional> <span> <string> <string_view> <tuple> <utility> <variant> <vector>)
 
+# What the fuzz targets count of a library, where its tests share it with them: that takes no time that could be
+# measured. A campaign's build (preset fuzz) looks at comparisons as well.
+set(canvoy_coverage -fsanitize-coverage=inline-8bit-counters,pc-table)
+
 # canvoy_library(<name> [FREESTANDING] [NO_INSTALL] [DEPENDS <name>...] [LINK <target>...] [EXCLUDE <path>...])
 #
 # Called in a folder's CMakeLists.txt, it makes
@@ -32,6 +36,9 @@ function(canvoy_library name)
       target_compile_options(${target} PRIVATE -fno-exceptions -fno-rtti -fno-threadsafe-statics)
     else()
       canvoy_warnings(${target})
+    endif()
+    if(CANVOY_FUZZ AND NOT CMAKE_CXX_FLAGS MATCHES "fuzzer")
+      target_compile_options(${target} PRIVATE ${canvoy_coverage})
     endif()
     if(CANVOY_PRECOMPILED_HEADERS)
       target_precompile_headers(${target} PRIVATE ${canvoy_standard_headers} ${arg_PRECOMPILE})

@@ -5,9 +5,8 @@ find_package(GTest REQUIRED)
 find_package(rapidcheck REQUIRED)
 include(GoogleTest)
 
-# Tests take longer to be compiled than to run. The sanitizers' builds are of type Debug. At -O1, g++ takes a test's
-# own operator new for the library's.
-set(canvoy_test_options $<$<CONFIG:Release>:-O1> $<$<CONFIG:Debug>:-O0> -Wno-mismatched-new-delete)
+# Tests take longer to be compiled than to run. The sanitizers' builds are of type Debug.
+set(canvoy_test_options $<$<CONFIG:Release,Debug>:-O0>)
 
 # GoogleTest's headers compiled once for all of them: they take longer than most tests.
 file(GENERATE OUTPUT test_headers.cpp CONTENT "// Only carries the precompiled headers of the tests.\n")
@@ -25,9 +24,6 @@ function(canvoy_test name)
   canvoy_warnings(${target})
   target_compile_options(${target} PRIVATE ${canvoy_test_options})
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
-  if(CANVOY_TESTS_IN_BATCHES)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
-  endif()
   target_link_libraries(${target} PRIVATE canvoy_${name} GTest::gmock_main rapidcheck)
   target_precompile_headers(${target} REUSE_FROM canvoy_test_headers)
   # Of an inline function that the library and a test have compiled, the linker takes the first: the library's, which is

@@ -53,13 +53,14 @@ bool KnownDevices::forget(NodeId node) {
 }
 
 const Profile* KnownDevices::product_of(NodeId node) const {
-  const auto known = products_.find(product(nodes_.at(node).identity));
+  const Identity& identity = nodes_.at(node).identity;
+  const auto known = identity.is_product() ? products_.find(product(identity)) : products_.end();
   return known == products_.end() ? nullptr : known->second;
 }
 
 const DeviceSheet* KnownDevices::sheet_of(NodeId node) const {
   const Node& known = nodes_.at(node);
-  if (known.by >= KnownBy::sheet) return nullptr;
+  if (known.by >= KnownBy::sheet || !known.identity.is_product()) return nullptr;
   const auto found = std::ranges::find_if(sheets_, [&known](const DeviceSheet* sheet) {
     return product(sheet->identity) == product(known.identity);
   });
@@ -69,7 +70,9 @@ const DeviceSheet* KnownDevices::sheet_of(NodeId node) const {
 void KnownDevices::remember_product(NodeId node) {
   const Node& known = nodes_.at(node);
   if (!known.identity.is_product() || known.profile == nullptr) return;
-  if (products_.size() < products_max) products_[product(known.identity)] = known.profile;
+  const auto is_of = product(known.identity);
+  if (products_.size() < products_max || products_.contains(is_of))
+    products_[is_of] = known.profile;
 }
 
 }  // namespace canvoy::decoder

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "canvoy/profiles/cia447/network.hpp"
 #include "canvoy/profiles/profile_pdo.hpp"
@@ -181,23 +182,35 @@ PdoPlans::Parameters* PdoPlans::learned_parameters(const Key& key) {
 /// Puts the plan of a PDO where its CAN-ID is now.
 void PdoPlans::place(const Key& key, const Profile& profile, Parameters& own) {
   ++generation_;
-  if (own.placed) {
-    std::optional<PdoPlan>& old = plan(*own.placed, key.direction);
-    if (old && old->node == key.node && old->number == key.number) old.reset();
-    own.placed.reset();
-  }
+  own.profile = &profile;
+  if (const auto before = std::exchange(own.placed, std::nullopt)) take_away(key, *before);
   const MpdoKind kind = mpdo_kind(own.count);
   const bool carries = kind != MpdoKind::no || (own.count > 0 && own.count <= own.mapping.size());
   if (!own.cob_id.valid() || !own.cob_id.is_base_frame() || !carries) return;
-  const std::size_t count = kind == MpdoKind::no ? own.count : 0;
   own.placed = static_cast<std::uint16_t>(own.cob_id.can_id());
-  plan(*own.placed, key.direction) = {
+  plan(*own.placed, key.direction) = plan_of(key, own);
+}
+
+PdoPlan PdoPlans::plan_of(const Key& key, const Parameters& own) {
+  const MpdoKind kind = mpdo_kind(own.count);
+  const std::size_t count = kind == MpdoKind::no ? own.count : 0;
+  return {
       .node = key.node,
       .direction = key.direction,
       .number = key.number,
       .multiplexed = kind,
       .mapping = {own.mapping.begin(), own.mapping.begin() + static_cast<std::ptrdiff_t>(count)},
-      .profile = &profile};
+      .profile = own.profile};
+}
+
+/// Another node may have a PDO there: several receive what one sends.
+void PdoPlans::take_away(const Key& key, std::uint16_t can_id) {
+  std::optional<PdoPlan>& old = plan(can_id, key.direction);
+  if (!old || old->node != key.node || old->number != key.number) return;
+  old.reset();
+  for (const auto& [other, its] : parameters_) {
+    if (other.direction == key.direction && its.placed == can_id) old = plan_of(other, its);
+  }
 }
 
 }  // namespace canvoy::decoder

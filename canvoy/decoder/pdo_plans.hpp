@@ -71,6 +71,7 @@ class PdoPlans {
     std::uint8_t count = 0;  ///< sub-index 00h of the mapping parameter
     std::vector<std::uint32_t> mapping;
     std::optional<std::uint16_t> placed;  ///< the CAN-ID under which its plan stands
+    const Profile* profile = nullptr;     ///< of its node
   };
   struct Plans {
     std::optional<PdoPlan> transmit;
@@ -89,6 +90,8 @@ class PdoPlans {
   Parameters& parameters(const Key& key);
   Parameters* learned_parameters(const Key& key);
   void place(const Key& key, const Profile& profile, Parameters& own);
+  static PdoPlan plan_of(const Key& key, const Parameters& own);
+  void take_away(const Key& key, std::uint16_t can_id);
   std::optional<PdoPlan>& plan(std::uint32_t can_id, PdoInfo::Direction direction);
 
   std::map<Key, Parameters> parameters_;

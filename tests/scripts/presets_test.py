@@ -41,7 +41,6 @@ class Presets(unittest.TestCase):
         # CMakePresets.json: the release is built in build itself, all others beside it.
         self.assertEqual(presets.build_folder("release"), script.ROOT / "build")
         self.assertEqual(presets.build_folder("asan"), script.ROOT / "build/asan")
-        self.assertEqual(presets.build_folder("fuzz-short"), script.ROOT / "build/fuzz-short")
         self.assertEqual(presets.build_folder("bench"), script.ROOT / "build/bench")
 
 

@@ -114,8 +114,7 @@ void BootManager::complete() {
   const NmtStartup wanted = startup();
   if (wanted.enters_operational()) context_.commands.add({node_.id(), NmtCommand::start});
   if (!wanted.starts_slaves() || !wanted.starts_all_at_once()) return;
-  context_.commands.add({NmtQueue::all_nodes, NmtCommand::start, true});
-  slaves_.all_started();
+  slaves_.start_all();
 }
 
 /// Where all are started at once, those that come later are started one by one.

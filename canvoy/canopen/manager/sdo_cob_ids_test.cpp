@@ -12,8 +12,7 @@ namespace {
 constexpr std::uint32_t invalid = 0x8000'0000;
 
 /// 1F02h with 680h to 684h, and a sixth entry that is not valid.
-class SdoCobIdsTest : public testing::Test {
- protected:
+struct SdoCobIdsTest : testing::Test {
   SdoCobIdsTest() { manager.boot(); }
   void set(std::uint8_t sub, std::uint32_t value) {
     manager.node.dictionary().set_number(dynamic_sdo::cob_ids, sub, value);

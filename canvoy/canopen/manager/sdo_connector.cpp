@@ -8,9 +8,6 @@ namespace canvoy {
 
 namespace {
 
-constexpr std::uint8_t sub_request = 1;
-constexpr std::uint8_t sub_response = 2;
-constexpr std::uint8_t sub_peer = 3;
 constexpr std::uint32_t closed_cob_id = CobId::bit31 | CobId::bit30;
 
 constexpr std::uint16_t server_parameter(unsigned channel) {
@@ -65,7 +62,7 @@ bool SdoConnector::allocate(SdoConnection& connection) const {
 /// 0 where there is none.
 std::uint8_t SdoConnector::free_channel_here() const {
   for (unsigned channel = 1; channel < sdo_channels_max; ++channel) {
-    const Result<Entry> entry = node_.dictionary().find(server_parameter(channel), sub_request);
+    const Result<Entry> entry = node_.dictionary().find(server_parameter(channel), sdo_sub_request);
     if (entry && !CobId{load<std::uint32_t>(entry->value)}.valid()) {
       return static_cast<std::uint8_t>(channel);
     }
@@ -78,7 +75,8 @@ void SdoConnector::try_server_channel() {
   --tries_left_;
   buffer_ = {};
   const AbortCode refused = client_.upload(
-      current_->server, server_parameter(channel_), sub_request, std::span<std::uint8_t>(buffer_),
+      current_->server, server_parameter(channel_), sdo_sub_request,
+      std::span<std::uint8_t>(buffer_),
       SdoClient::Done::to<&SdoConnector::server_channel_read>(*this), settings_.time_out);
   if (refused != AbortCode::none) give_up(DynamicSdoError::server_silent);
 }
@@ -108,15 +106,16 @@ void SdoConnector::write_ends() {
   writes_.begin(SdoWriteList::Done::to<&SdoConnector::opened>(*this));
   writes_.add({.node = c.server,
                .index = server,
-               .sub = sub_peer,
+               .sub = sdo_sub_peer,
                .value = c.client,
                .size = 1,
                .may_fail = true});  // an optional entry
-  writes_.add({c.server, server, sub_response, c.response | CobId::bit30});
-  writes_.add({c.server, server, sub_request, c.request | CobId::bit30});
-  writes_.add({.node = c.client, .index = client, .sub = sub_peer, .value = c.server, .size = 1});
-  writes_.add({c.client, client, sub_request, c.request | CobId::bit30});
-  writes_.add({c.client, client, sub_response, c.response | CobId::bit30});
+  writes_.add({c.server, server, sdo_sub_response, c.response | CobId::bit30});
+  writes_.add({c.server, server, sdo_sub_request, c.request | CobId::bit30});
+  writes_.add(
+      {.node = c.client, .index = client, .sub = sdo_sub_peer, .value = c.server, .size = 1});
+  writes_.add({c.client, client, sdo_sub_request, c.request | CobId::bit30});
+  writes_.add({c.client, client, sdo_sub_response, c.response | CobId::bit30});
   using Status = DynamicSdoState::Status;
   const bool is_registration = c.server == node_.id();
   tell(c, !is_registration ? Status::connected
@@ -184,7 +183,7 @@ void SdoConnector::close(SdoConnection& connection) {
   const bool was_written = c.server_channel != 0;
   writes_.begin(SdoWriteList::Done::to<&SdoConnector::closed>(*this));
   const auto invalidate = [this](NodeId node, std::uint16_t index) {
-    for (const std::uint8_t sub : {sub_request, sub_response}) {
+    for (const std::uint8_t sub : {sdo_sub_request, sdo_sub_response}) {
       writes_.add(
           {.node = node, .index = index, .sub = sub, .value = closed_cob_id, .may_fail = true});
     }

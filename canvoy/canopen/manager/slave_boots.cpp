@@ -69,17 +69,26 @@ void SlaveBoots::rest() {
   }
 }
 
-void SlaveBoots::all_started() {
+/// By one command, or where there is no room for it one by one.
+void SlaveBoots::start_all() {
+  const bool is_sent = context_.commands.add({NmtQueue::all_nodes, NmtCommand::start, true});
   for (NodeId slave = node_id_min; slave <= node_id_max; ++slave) {
     Record& booted = at(slave);
     if (booted.state != State::booted || booted.is_started) continue;
+    if (!is_sent) {
+      start(slave);
+      continue;
+    }
     booted.is_started = true;
     report({.slave = slave, .event = BootEvent::started, .step = BootStep::done});
   }
 }
 
 void SlaveBoots::assign(NodeId slave, bool is_slave) {
-  if (!is_slave) forget(slave);
+  if (!is_slave) {
+    forget(slave);
+    if (is_active_) wake();  // its slot may be free
+  }
   if (is_slave && record(slave).state == State::none) queue(slave, now());
 }
 
@@ -218,12 +227,24 @@ NodeId SlaveBoots::find_due(Time now) const {
   return found;
 }
 
+/// Those for whose command there was no room.
+void SlaveBoots::start_late(Time now) {
+  for (NodeId slave = node_id_min; slave <= node_id_max; ++slave) {
+    Record& booted = at(slave);
+    if (!starts_late(booted) || booted.due > now) continue;
+    booted.due = never;
+    start(slave);
+  }
+}
+
 /// One slave a call, as it may come back at once; the timer goes on with the next.
 void SlaveBoots::run_due(Time now) {
   context_.node.timers().disarm(timer_);
+  if (context_.node.state() == NmtState::stopped) return;
+  start_late(now);
   constexpr NodeId nobody = 0;
   BootSlave* slot = find_slot(nobody);
-  if (slot == nullptr || context_.node.state() == NmtState::stopped) return;
+  if (slot == nullptr) return;
   if (const NodeId slave = find_due(now); slave != nobody) {
     Record& booting = at(slave);
     booting.state = State::booting;
@@ -231,7 +252,8 @@ void SlaveBoots::run_due(Time now) {
   }
   Time next = never;
   for (const Record& waiting : memory_.records) {
-    if (waiting.state == State::waiting && waiting.due < next) next = waiting.due;
+    if ((waiting.state == State::waiting || starts_late(waiting)) && waiting.due < next)
+      next = waiting.due;
   }
   if (next < timer_.at()) context_.node.timers().arm(timer_, next);
 }
@@ -244,6 +266,7 @@ void SlaveBoots::finished(BootSlave& slot, BootOutcome outcome) {
   Record& ended = at(slave);
   ended.error = outcome.error;
   ended.was_tried = true;
+  ended.due = never;
   const bool is_up =
       outcome.error == BootError::none || outcome.error == BootError::already_operational;
   if (outcome.error == BootError::no_answer || outcome.abort == AbortCode::time_out) {
@@ -281,7 +304,12 @@ void SlaveBoots::start(NodeId slave) {
   Record& booted = at(slave);
   booted.is_started = true;
   if (booted.error == BootError::already_operational) return;
-  if (!context_.commands.add({slave, NmtCommand::start})) return;
+  if (!context_.commands.add({slave, NmtCommand::start})) {
+    booted.is_started = false;
+    booted.due = now() + context_.options.retry_interval;
+    if (booted.due < timer_.at()) context_.node.timers().arm(timer_, booted.due);
+    return;
+  }
   report({.slave = slave, .event = BootEvent::started, .step = BootStep::done});
 }
 

@@ -24,7 +24,7 @@ class SlaveBoots {
   enum class State : std::uint8_t { none, waiting, booting, booted, failed };
   /// What is known of one slave.
   struct Record {
-    Time due = never;  ///< of its next attempt, while it is waiting
+    Time due = never;  ///< of its next attempt, while it is waiting; of a start that found no room
     Time since{};      ///< begin of the boot time (1F89h)
     State state = State::none;
     BootError error = BootError::none;
@@ -65,9 +65,10 @@ class SlaveBoots {
   void assign(NodeId slave, bool is_slave);
   /// A command to reset it is on the bus, or all are reset.
   void reset_sent(std::uint8_t slave_or_all);
+  /// Later where there is no room for its command.
   void start(NodeId slave);
-  /// By one command that was given to all: those that are up.
-  void all_started();
+  /// Those that are up.
+  void start_all();
 
   /// Each error control message of each node.
   void heard(NodeId slave, RemoteState state);
@@ -82,6 +83,10 @@ class SlaveBoots {
   void queue(NodeId slave, Time due);
   void forget(NodeId slave);
   void run_due(Time now);
+  void start_late(Time now);
+  static bool starts_late(const Record& record) {
+    return record.state == State::booted && !record.is_started && record.due != never;
+  }
   NodeId find_due(Time now) const;
   BootSlave* find_slot(NodeId slave);
   void finished(BootSlave& slot, BootOutcome outcome);

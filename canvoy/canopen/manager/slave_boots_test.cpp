@@ -26,13 +26,6 @@ struct Slaves : WireNode {
   void name(NodeId slave, std::uint32_t assignment = booted_slave) {
     node.dictionary().set_number(master_object::slave_assignment, slave, assignment);
   }
-  /// Named while the others are under way.
-  void add(NodeId slave) {
-    name(slave);
-    node.advance(now);
-    sut.assign(slave, true);
-    settle();
-  }
   /// It answers the only question: what is it?
   void answer(NodeId slave) {
     node.receive(Frame::data_frame(0x580U + slave, {0x43, 0x00, 0x10, 0x00, 0, 0, 0, 0}), now);
@@ -57,15 +50,15 @@ struct Slaves : WireNode {
   std::array<BootSlave, 1> slots{BootSlave(node)};
   NmtMaster master{node, remotes};
   NmtQueue commands{node, requests};
-  BootContext context{node,
-                      master,
-                      commands,
-                      {},
-                      {.start = Callback<bool(NodeId, Duration, std::uint8_t)>::to<&Slaves::guard>(
-                           *this),
-                       .stop = Callback<void(NodeId)>::to<&Slaves::leave>(*this)},
-                      {},
-                      Callback<void(const BootReport&)>::to<&Slaves::note>(*this)};
+  BootContext context{
+      node,
+      master,
+      commands,
+      {},
+      {.start = Callback<bool(NodeId, Duration, std::uint8_t)>::to<&Slaves::guard>(*this),
+       .stop = Callback<void(NodeId)>::to<&Slaves::leave>(*this)},
+      {},
+      Callback<void(const BootReport&)>::to<&Slaves::note>(*this)};
   SlaveBoots sut{context, {records, slots}, {}};
 };
 
@@ -73,7 +66,7 @@ TEST(SlaveBoots, WhoHasWaitedLongestIsNextWhicheverItsNodeId) {
   Slaves slaves;
   slaves.sut.begin();
   for (const NodeId slave : {NodeId{9}, NodeId{7}, NodeId{5}, NodeId{6}}) {
-    slaves.add(slave);
+    slaves.name(slave);
     slaves.boot_up(slave);
     slaves.run_for(1ms);
   }
@@ -101,8 +94,8 @@ TEST(SlaveBoots, OfWhichTheResetFindsNoRoomAreAskedWithoutIt) {
 
 TEST(SlaveBoots, ThatIsLostAndCannotBeResetIsAskedWithoutIt) {
   Slaves slaves;
+  slaves.name(5);
   slaves.sut.begin();
-  slaves.add(5);
   slaves.boot_up(5);
   slaves.answer(5);
   ASSERT_EQ(slaves.sut.record(5).state, State::booted);
@@ -129,6 +122,44 @@ TEST(SlaveBoots, ThatIsNoLongerNamedIsNeitherGuardedNorMissed) {
   slaves.sut.lost(5);
   EXPECT_EQ(slaves.log.size(), 1U) << "nobody misses it";
   EXPECT_EQ(slaves.sut.record(5).state, State::none);
+}
+
+TEST(SlaveBoots, WhoseTurnItIsGivesItToTheNextWhenItIsNoLongerNamed) {
+  Slaves slaves;
+  slaves.sut.begin();
+  for (const NodeId slave : {NodeId{5}, NodeId{6}}) {
+    slaves.name(slave);
+    slaves.boot_up(slave);
+  }
+  slaves.expect({"605#40 00 10 00 00 00 00 00"});
+  slaves.name(5, 0);
+  slaves.sut.assign(5, false);
+  slaves.settle();
+  slaves.expect({"605#80 00 10 00 00 00 00 08", "606#40 00 10 00 00 00 00 00"});
+}
+
+/// Two commands wait, and the bus takes nothing; then it does.
+TEST(SlaveBoots, WhoseStartFindsNoRoomAreStartedWhenThereIsSome) {
+  for (const bool all : {false, true}) {
+    Slaves slaves;
+    slaves.name(5);
+    slaves.sut.begin();
+    slaves.boot_up(5);
+    slaves.answer(5);
+    slaves.expect({"605#40 00 10 00 00 00 00 00"});
+    slaves.full = true;
+    while (slaves.commands.add({6, NmtCommand::start})) {
+    }
+    all ? slaves.sut.start_all() : slaves.sut.start(5);
+    EXPECT_FALSE(slaves.sut.record(5).is_started);
+    slaves.run_for(10s);
+    slaves.full = false;
+    slaves.node.tx_ready(slaves.now);
+    slaves.run_for(2s);
+    slaves.expect({"000#01 06", "000#01 06", "000#01 05"});
+    EXPECT_TRUE(slaves.sut.record(5).is_started);
+    EXPECT_EQ(slaves.log.back(), "5 started");
+  }
 }
 
 }  // namespace

@@ -6,21 +6,19 @@ namespace canvoy {
 
 namespace {
 
-constexpr std::uint8_t sub_request = 1;   // COB-ID client to server
-constexpr std::uint8_t sub_response = 2;  // COB-ID server to client
-
 bool is_usable(const Entry& entry, std::uint32_t can_id) {
   if (!is_restricted(can_id)) return true;
   if (entry.index < sdo_client_parameter) return false;
-  const std::uint16_t base = entry.sub == sub_request ? can_id::sdo_request : can_id::sdo_response;
+  const std::uint16_t base =
+      entry.sub == sdo_sub_request ? can_id::sdo_request : can_id::sdo_response;
   return can_id > base && can_id - base <= node_id_max;
 }
 
 }  // namespace
 
 SdoChannel sdo_channel(const Dictionary& dictionary, std::uint16_t index) {
-  const Result<Entry> request = dictionary.find(index, sub_request);
-  const Result<Entry> response = dictionary.find(index, sub_response);
+  const Result<Entry> request = dictionary.find(index, sdo_sub_request);
+  const Result<Entry> response = dictionary.find(index, sdo_sub_response);
   if (!request || !response) return {};
   const CobId request_id{load<std::uint32_t>(request->value)};
   const CobId response_id{load<std::uint32_t>(response->value)};
@@ -32,7 +30,7 @@ SdoChannel sdo_channel(const Dictionary& dictionary, std::uint16_t index) {
 }
 
 AbortCode check_sdo_parameter(const Entry& entry, std::span<const std::uint8_t> value) {
-  if (entry.sub != sub_request && entry.sub != sub_response) return AbortCode::none;
+  if (entry.sub != sdo_sub_request && entry.sub != sdo_sub_response) return AbortCode::none;
   const CobId present{load<std::uint32_t>(entry.value)};
   const CobId wanted{load<std::uint32_t>(value.data())};
   if (!wanted.valid()) return AbortCode::none;

@@ -17,7 +17,11 @@ namespace canvoy {
 inline constexpr std::uint16_t sdo_server_parameter =
     object_index::sdo_server;  ///< of SDO server 0
 inline constexpr std::uint16_t sdo_client_parameter =
-    object_index::sdo_client;                          ///< of SDO client 0
+    object_index::sdo_client;  ///< of SDO client 0
+/// Their sub-indices: COB-IDs client to server and back, and the node-ID of the other side.
+inline constexpr std::uint8_t sdo_sub_request = 1;
+inline constexpr std::uint8_t sdo_sub_response = 2;
+inline constexpr std::uint8_t sdo_sub_peer = 3;
 inline constexpr std::uint8_t sdo_channels_max = 128;  ///< servers, and clients, in a node
 
 /// The CAN-IDs on which a client and a server talk.

@@ -31,6 +31,8 @@ class Cable {
   void connect(std::size_t place, Node& node) { places_[place].node = &node; }
   /// From here on frames of this place are lost, and none reach it.
   void cut(std::size_t place, bool is_cut = true) { places_[place].is_cut = is_cut; }
+  /// The controller of this place has no room: what it is to send waits in its node.
+  void refuse(std::size_t place, bool is_full = true) { places_[place].is_full = is_full; }
 
   void start_all() {
     for (Place& place : places_) {
@@ -83,6 +85,7 @@ class Cable {
     std::size_t number = 0;
     Node* node = nullptr;
     bool is_cut = false;
+    bool is_full = false;
   };
   struct Sent {
     std::size_t from;
@@ -91,6 +94,7 @@ class Cable {
 
   static bool take(void* context, const Frame& frame) {
     const auto& place = *static_cast<Place*>(context);
+    if (place.is_full) return false;
     if (!place.is_cut) place.cable->queue_.push_back({place.number, frame});
     return true;
   }

@@ -146,8 +146,8 @@ void CarMaster::heard(NodeId node, std::uint8_t state) {
   if (!waits || !settings_.starts_nodes || sleep_.state() != SleepState::awake) return;
   const Frame start = {
       .id = can_id::nmt, .length = 2, .data = {static_cast<std::uint8_t>(NmtCommand::start), node}};
-  network_.node().transmitter().send(start);
-  started_[node] = true;
+  started_[node] = network_.node().transmitter().send(start);
+  if (!started_[node]) return;  // once more with its next heartbeat
   tell({.kind = CarEvent::Kind::started, .node = node});
   to_be_asked_[node] = true;
   ask_next();

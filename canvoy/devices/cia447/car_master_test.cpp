@@ -259,5 +259,24 @@ TEST_F(Gateway, ADeviceAsksForSleepAndAnotherWakesAllUp) {
   EXPECT_EQ(two.device.node().state(), NmtState::operational);
 }
 
+/// A cable that is cut behind the gateway leaves its queue full: the port takes nothing.
+TEST_F(Gateway, ADeviceThatBootsWhileNothingCanBeSentIsStartedLater) {
+  cable.start_all();
+  cable.run_for(5s);
+  cable.refuse(0);
+  Node& node = device.node();
+  while (node.transmitter().send(Frame::data_frame(0x7F0, {}))) {
+  }
+  node.receive(wire_frame("703#00"), cable.now);
+  EXPECT_EQ(count(CarEvent::Kind::started), 0U);
+  cable.refuse(0, false);
+  node.tx_ready(cable.now);
+  cable.run_for(1s);
+  cable.clear();
+  cable.send("703#7F");
+  EXPECT_EQ(cable.last(0), "000#01 03");
+  EXPECT_EQ(count(CarEvent::Kind::started), 1U);
+}
+
 }  // namespace
 }  // namespace canvoy::cia447::car_master_test

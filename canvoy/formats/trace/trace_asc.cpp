@@ -16,8 +16,6 @@ namespace {
 
 constexpr std::int64_t second_max = 1'000'000'000'000;  // times 10^6, it fits in 63 bits
 
-constexpr TraceStep note{TraceItem::note, 0, {}};
-
 class AscParser final : public TraceLineParser {
  public:
   AscParser() : TraceLineParser(Behind::end_of_line) {}
@@ -85,17 +83,17 @@ TraceStep AscParser::read_header(std::string_view line) {
   const std::string_view word = take_word(line);
   if (word == "date") {
     read_asc_date(line, start_);
-    return note;
+    return trace_note;
   }
   if (word == "base") {
     const std::string_view base = take_word(line);
     if (base != "hex" && base != "dec") return bad_record("the base is neither hex nor dec");
     hexadecimal_ = base == "hex";
     relative_ = line.find("relative") != std::string_view::npos;
-    return note;
+    return trace_note;
   }
-  if (word.empty() || word.starts_with("//")) return note;
-  if (word == "Begin" || word == "End" || word == "internal" || word == "no") return note;
+  if (word.empty() || word.starts_with("//")) return trace_note;
+  if (word == "Begin" || word == "End" || word == "internal" || word == "no") return trace_note;
   return bad_record("it begins neither with a time nor with a word of the header");
 }
 
@@ -143,7 +141,7 @@ TraceStep AscParser::read_event(std::string_view channel, std::string_view rest,
                                 TraceFrame& frame) {
   if (channel == "CANFD") return read_fd_event(rest, frame);
   std::int64_t number = 0;
-  if (!read_decimal(channel, number)) return note;
+  if (!read_decimal(channel, number)) return trace_note;
   frame.channel = channel_.name(number);
   if (frame.channel.empty()) return bad_record("the channel is not 1 to 255");
   const std::string_view identifier = take_word(rest);
@@ -154,7 +152,7 @@ TraceStep AscParser::read_event(std::string_view channel, std::string_view rest,
     return {TraceItem::frame, 0, {}};
   }
   const std::string_view direction = take_word(rest);
-  if (direction != "Rx" && direction != "Tx") return note;
+  if (direction != "Rx" && direction != "Tx") return trace_note;
   frame.direction = direction == "Rx" ? TraceDirection::received : TraceDirection::sent;
   if (!read_identifier(identifier, frame.frame)) return bad_record("the identifier is no number");
   return read_content(rest, frame.frame);

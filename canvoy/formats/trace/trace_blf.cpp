@@ -19,10 +19,10 @@ namespace canvoy::formats {
 namespace {
 
 constexpr std::string_view object_mark = "LOBJ";
-constexpr std::size_t file_header_size = 144;
+constexpr std::size_t blf_header_size = 144;
 constexpr std::size_t start_at = 40;  ///< eight numbers of 16 bits
 constexpr std::size_t base_size = 16;
-constexpr std::size_t header_size = 32;
+constexpr std::size_t object_header_size = 32;
 constexpr std::size_t container_header_size = 32;
 constexpr std::size_t padding_max = 7;
 constexpr std::uint64_t microseconds_max = 1'000'000'000'000'000;
@@ -38,7 +38,6 @@ enum class Kind : std::uint32_t {
 };
 
 constexpr FileNumbers numbers{};
-constexpr TraceStep of_no_interest{TraceItem::note, 0, {}};
 constexpr TraceStep short_object = bad_record("the object is shorter than its kind");
 
 std::uint8_t byte_at(std::string_view bytes, std::size_t at) {
@@ -110,13 +109,13 @@ TraceStep BlfParser::step(std::string_view bytes, bool last, TraceFrame& frame) 
 }
 
 TraceStep BlfParser::read_file_header(std::string_view bytes, bool last) {
-  if (bytes.size() < file_header_size) {
+  if (bytes.size() < blf_header_size) {
     return last ? TraceStep{TraceItem::bad, bytes.size(), "the file ends within its header"}
                 : TraceStep{};
   }
   in_ = In::file;
   start_ = date_of(bytes);
-  return {TraceItem::note, std::max<std::uint64_t>(numbers.u32(bytes, 4), file_header_size), {}};
+  return {TraceItem::note, std::max<std::uint64_t>(numbers.u32(bytes, 4), blf_header_size), {}};
 }
 
 TraceStep BlfParser::read_outer(std::string_view bytes, bool last, TraceFrame& frame) {
@@ -132,7 +131,7 @@ TraceStep BlfParser::read_outer(std::string_view bytes, bool last, TraceFrame& f
   const TraceStep cut{TraceItem::bad, bytes.size(), "the file ends within an object"};
   if (bytes.size() < container_header_size) return last ? cut : TraceStep{};
   const std::uint64_t size = size_of(bytes);
-  if (size < header_size) return {TraceItem::bad, base_size, "the object has no size"};
+  if (size < object_header_size) return {TraceItem::bad, base_size, "the object has no size"};
   if (kind_of(bytes) == Kind::container) {
     is_compressed_ = numbers.u16(bytes, base_size) != 0;
     is_damaged_ = false;
@@ -191,7 +190,7 @@ bool BlfParser::read_inner(TraceFrame& frame, TraceStep& step) {
     inner_pass_ -= passed;
     drop(static_cast<std::size_t>(passed));
     rest = std::string_view(inner_).substr(done_);
-    if (rest.size() < header_size) return false;
+    if (rest.size() < object_header_size) return false;
     const std::size_t at = rest.find(object_mark);
     if (at > padding_max) {
       step = {TraceItem::bad, 0, "no object begins there"};
@@ -203,13 +202,13 @@ bool BlfParser::read_inner(TraceFrame& frame, TraceStep& step) {
       continue;
     }
     const std::uint64_t size = size_of(rest);
-    if (size < header_size) {
+    if (size < object_header_size) {
       step = {TraceItem::bad, 0, "the object has no size"};
       drop(base_size);
       return true;
     }
     if (size > trace_record_max) {
-      step = of_no_interest;
+      step = trace_note;
       inner_pass_ = size;
       return true;
     }
@@ -225,7 +224,7 @@ TraceStep BlfParser::read_object(std::string_view object, TraceFrame& frame) {
   constexpr std::uint32_t ten_microseconds = 1;
   const std::uint16_t own_size = numbers.u16(object, 4);
   const Kind kind = kind_of(object);
-  if (own_size < header_size || own_size > object.size()) return of_no_interest;
+  if (own_size < object_header_size || own_size > object.size()) return trace_note;
   const std::uint64_t count = numbers.u64(object, 24);
   const bool is_coarse = numbers.u32(object, base_size) == ten_microseconds;
   const std::uint64_t microseconds = is_coarse ? count * 10 : (count / 100 + 5) / 10;
@@ -252,7 +251,7 @@ TraceStep BlfParser::read_kind(Kind kind, std::string_view content, TraceFrame& 
     case Kind::container:
       break;
   }
-  return of_no_interest;
+  return trace_note;
 }
 
 bool BlfParser::set_channel(unsigned number, bool sent, TraceFrame& frame) {

@@ -94,7 +94,7 @@ class CandumpParser final : public TraceLineParser {
     frame.direction = direction_of(line);
     if (read_usual_line(line, frame)) return {TraceItem::frame, 0, {}};
     // The details of an error frame above (-e).
-    if (is_detail(line)) return {TraceItem::note, 0, {}};
+    if (is_detail(line)) return trace_note;
     ScreenLine screen;
     if (screen.parse(line)) return read_screen_line(screen, times_, frame);
     const host::LogLine read = host::parse_log_line(line);
@@ -105,7 +105,7 @@ class CandumpParser final : public TraceLineParser {
       case host::LogLineKind::frame:
         return {TraceItem::frame, 0, {}};
       case host::LogLineKind::note:
-        return {TraceItem::note, 0, {}};
+        return trace_note;
       case host::LogLineKind::fd:
         return {TraceItem::fd, 0, {}};
       case host::LogLineKind::malformed:

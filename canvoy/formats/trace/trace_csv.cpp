@@ -89,7 +89,7 @@ class PythonCanParser final : public TraceLineParser {
 
  protected:
   TraceStep read_line(std::string_view line, TraceFrame& heard) override {
-    if (line.empty() || line.starts_with(python_can_header)) return {TraceItem::note, 0, {}};
+    if (line.empty() || line.starts_with(python_can_header)) return trace_note;
     if (!read_seconds(take_cell(line), heard.time)) return bad_record("the time is no number");
     heard.channel = "can0";
     heard.direction = TraceDirection::unknown;
@@ -144,10 +144,10 @@ class SavvyCanParser final : public TraceLineParser {
 
  protected:
   TraceStep read_line(std::string_view line, TraceFrame& heard) override {
-    if (line.empty()) return {TraceItem::note, 0, {}};
+    if (line.empty()) return trace_note;
     if (line.starts_with(savvycan_header)) {
       has_direction_ = line.find(",Dir,") != std::string_view::npos;
-      return {TraceItem::note, 0, {}};
+      return trace_note;
     }
     std::int64_t microseconds = 0;
     if (!read_fixed(take_cell(line), 0, microseconds) || microseconds > cell_microseconds_max) {

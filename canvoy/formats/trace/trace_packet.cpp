@@ -7,7 +7,7 @@ namespace canvoy::formats {
 namespace {
 
 constexpr std::uint8_t fd_flag = 0x04;
-constexpr std::size_t header_size = 8;
+constexpr std::size_t frame_header_size = 8;
 
 FrameFlags flags_of(std::uint32_t word) {
   if ((word & error_flag) != 0) return FrameFlags::error;
@@ -18,7 +18,8 @@ FrameFlags flags_of(std::uint32_t word) {
 }  // namespace
 
 TraceStep read_can_packet(std::string_view packet, Frame& frame) {
-  if (packet.size() < header_size) return bad_record("the packet is shorter than a CAN frame");
+  if (packet.size() < frame_header_size)
+    return bad_record("the packet is shorter than a CAN frame");
   const std::uint32_t word = FileNumbers{true}.u32(packet, 0);
   const auto length = static_cast<std::uint8_t>(packet[4]);
   const auto fd_flags = static_cast<std::uint8_t>(packet[5]);
@@ -30,9 +31,9 @@ TraceStep read_can_packet(std::string_view packet, Frame& frame) {
   if (!frame.is_extended() && !frame.is_error() && frame.id > Frame::id_max)
     return bad_record("the identifier has more than 11 bits, but not the flag of 29");
   if (frame.is_remote()) return {TraceItem::frame, 0, {}};
-  if (packet.size() < header_size + length)
+  if (packet.size() < frame_header_size + length)
     return bad_record("the packet has fewer bytes than its length says");
-  std::memcpy(frame.data.data(), packet.data() + header_size, length);
+  std::memcpy(frame.data.data(), packet.data() + frame_header_size, length);
   return {TraceItem::frame, 0, {}};
 }
 

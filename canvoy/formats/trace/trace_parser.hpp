@@ -34,6 +34,9 @@ struct TraceStep {
   std::string_view problem;
 };
 
+/// It says nothing of frames.
+inline constexpr TraceStep trace_note{TraceItem::note, 0, {}};
+
 constexpr TraceStep bad_record(std::string_view problem) {
   return {TraceItem::bad, 0, problem};
 }

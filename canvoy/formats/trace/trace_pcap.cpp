@@ -10,7 +10,7 @@ namespace canvoy::formats {
 
 namespace {
 
-constexpr std::size_t file_header_size = 24;
+constexpr std::size_t pcap_header_size = 24;
 constexpr std::size_t packet_header_size = 16;
 constexpr std::size_t link_type_at = 20;
 constexpr std::uint32_t link_type_mask = 0x0FFF'FFFF;
@@ -24,12 +24,12 @@ class PcapParser final : public TraceParser {
   bool has_lines() const override { return false; }
 
   TraceStep step(std::string_view bytes, bool last, TraceFrame& frame) override {
-    const std::size_t header = in_packets_ ? packet_header_size : file_header_size;
+    const std::size_t header = in_packets_ ? packet_header_size : pcap_header_size;
     if (bytes.size() < header) return want(bytes, last);
     if (in_packets_) return read_packet(bytes, last, frame);
     in_packets_ = true;
     is_can_ = (numbers_.u32(bytes, link_type_at) & link_type_mask) == link_type_can;
-    return {TraceItem::note, file_header_size, {}};
+    return {TraceItem::note, pcap_header_size, {}};
   }
 
  private:

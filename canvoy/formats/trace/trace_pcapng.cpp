@@ -112,7 +112,7 @@ TraceStep PcapngParser::read_block(std::string_view block, TraceFrame& frame) {
     return bad_record("the section's header is too short");
   if (type == interface_block) return read_interface(block);
   if (type == packet_block) return read_packet(block, frame);
-  return {TraceItem::note, 0, {}};
+  return trace_note;
 }
 
 template <class Use>
@@ -146,7 +146,7 @@ TraceStep PcapngParser::read_interface(std::string_view block) {
     made.offset_seconds = 0;
   make_name_unique(made.name);
   interfaces_.push_back(std::move(made));
-  return {TraceItem::note, 0, {}};
+  return trace_note;
 }
 
 // Of captures of several machines that were merged, two buses may have one name: they stay two.
@@ -165,7 +165,7 @@ TraceStep PcapngParser::read_packet(std::string_view block, TraceFrame& frame) c
   const std::uint32_t number = numbers_.u32(block, 8);
   if (number >= interfaces_.size()) return bad_record("the packet is of no interface");
   const Interface& interface = interfaces_[number];
-  if (!interface.is_can) return {TraceItem::note, 0, {}};
+  if (!interface.is_can) return trace_note;
   const std::uint64_t size = numbers_.u32(block, 20);
   const std::string_view body = block.substr(packet_at, block.size() - packet_at - 4);
   if (size > body.size()) return bad_record("the packet is larger than its block");

@@ -17,8 +17,6 @@ namespace canvoy::formats {
 
 namespace {
 
-constexpr TraceStep note{TraceItem::note, 0, {}};
-
 constexpr std::string_view known_columns = "NOTBIdRlLD";
 constexpr unsigned millisecond_fraction_digits = 3;
 constexpr std::int64_t offset_max = 100'000'000'000'000'000;  // microseconds
@@ -137,7 +135,7 @@ class TrcParser final : public TraceLineParser {
 
 TraceStep TrcParser::read_line(std::string_view line, TraceFrame& frame) {
   skip_blanks(line);
-  if (line.empty()) return note;
+  if (line.empty()) return trace_note;
   if (line.front() == ';') return read_comment(line.substr(1));
   if (read_usual_line(line, frame)) return {TraceItem::frame, 0, {}};
   return read_words(split(line), frame);
@@ -145,14 +143,14 @@ TraceStep TrcParser::read_line(std::string_view line, TraceFrame& frame) {
 
 TraceStep TrcParser::read_comment(std::string_view line) {
   const std::size_t equals = line.find('=');
-  if (!line.starts_with('$') || equals == std::string_view::npos) return note;
+  if (!line.starts_with('$') || equals == std::string_view::npos) return trace_note;
   const std::string_view key = line.substr(1, equals - 1);
   std::string_view rest = line.substr(equals + 1);
   const std::string_view value = take_word(rest);
   if (key == "FILEVERSION") return choose_version(value);
   if (key == "COLUMNS") return choose_columns(value);
   if (key == "STARTTIME") return read_start(value);
-  return note;
+  return trace_note;
 }
 
 TraceStep TrcParser::choose_version(std::string_view version) {
@@ -160,7 +158,7 @@ TraceStep TrcParser::choose_version(std::string_view version) {
     if (known.name != version) continue;
     columns_ = known.columns;
     take_usual_ = known.take;
-    return note;
+    return trace_note;
   }
   return bad_record("the file has another version than 1.0 to 2.1");
 }
@@ -179,7 +177,7 @@ TraceStep TrcParser::choose_columns(std::string_view list) {
   columns_ = columns;
   const auto* same = std::ranges::find(versions, std::string_view(columns), &Version::columns);
   take_usual_ = same == versions.end() ? nullptr : same->take;
-  return note;
+  return trace_note;
 }
 
 // Days since 30 December 1899, which is 25569 days before 1970.
@@ -191,7 +189,7 @@ TraceStep TrcParser::read_start(std::string_view days) {
   const std::int64_t whole = value / parts - 25'569;
   const std::int64_t microseconds = value % parts * 864 / 10'000;
   start_ = std::chrono::days{whole} + Duration{microseconds};
-  return note;
+  return trace_note;
 }
 
 // What nearly all lines look like, in a fraction of the time of the careful way; whatever is
@@ -278,7 +276,7 @@ TraceStep TrcParser::read_frame(const Words& words, TraceFrame& frame) {
     return {TraceItem::frame, 0, {}};
   }
   const bool known = type.empty() || type == "Rx" || type == "Tx" || type == "DT" || type == "RR";
-  if (!known || words.identifier == "FFFFFFFF") return note;
+  if (!known || words.identifier == "FFFFFFFF") return trace_note;
   std::uint32_t id = 0;
   std::int64_t length = 0;
   const bool extended = words.identifier.size() > 4;

@@ -12,9 +12,9 @@ namespace {
 
 using namespace detail;
 
-class Reader {
+class XddReader {
  public:
-  Reader(std::string_view text, Findings& findings) : text_(text), findings_(findings) {}
+  XddReader(std::string_view text, Findings& findings) : text_(text), findings_(findings) {}
 
   DataSheet read() {
     const pugi::xml_parse_result result = document_.load_buffer(text_.data(), text_.size());
@@ -146,7 +146,7 @@ bool is_xml(std::string_view text) {
 }
 
 DataSheet read_xdd(std::string_view text, Findings& findings) {
-  return Reader(text, findings).read();
+  return XddReader(text, findings).read();
 }
 
 }  // namespace canvoy::formats

@@ -37,9 +37,9 @@ std::string utf8(std::string_view text) {
   return plain_text(text);
 }
 
-class Writer {
+class XddWriter {
  public:
-  explicit Writer(const DataSheet& sheet) : sheet_(sheet) {}
+  explicit XddWriter(const DataSheet& sheet) : sheet_(sheet) {}
 
   std::string write() {
     constexpr unsigned all = pugi::parse_full | pugi::parse_ws_pcdata;
@@ -299,7 +299,7 @@ class Writer {
 }  // namespace
 
 std::string write_xdd(const DataSheet& sheet) {
-  return Writer(sheet).write();
+  return XddWriter(sheet).write();
 }
 
 }  // namespace canvoy::formats

@@ -37,9 +37,16 @@ bool CabTruth::lamps_are_right(bool has_valves, bool has_armrest) const {
           is_as(Lamp::hot, machine_->oil_celsius() > Excavator::hot));
 }
 
+bool CabTruth::is_blank() const {
+  for (std::size_t each = 0; each < shown_parameters; ++each) {
+    if (panel_->shown(static_cast<Shown>(each)) != no_value) return false;
+  }
+  return true;
+}
+
 /// What moves is told a moment later.
 bool CabTruth::display_is_right(Time now, bool has_valves) const {
-  if (!has_valves) return panel_->shown(Shown::fuel) == no_value;
+  if (!has_valves) return is_blank();
   const bool is_still = now - moved_at_ > 1s;
   const auto is_near = [this](Shown what, double is, double tolerance) {
     return std::abs(panel_->shown(what) - is) <= tolerance;

@@ -25,11 +25,14 @@ class CabTruth {
   /// With a host they say what is so. `has_valves`: the module works; `has_armrest`: it does, or
   /// there is none to be.
   bool lamps_are_right(bool has_valves, bool has_armrest) const;
+  /// Without the module for the valves, it has nothing to show.
   bool display_is_right(Time now, bool has_valves) const;
   /// Without one they show what 6207h and 6444h say.
   bool is_as_without_host() const;
 
  private:
+  bool is_blank() const;
+
   const Excavator* machine_;
   const SeatPanel* panel_;
   const ValvesHardware* valves_;

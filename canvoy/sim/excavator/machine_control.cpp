@@ -116,8 +116,11 @@ void MachineControl::start_valves(Time) {
 }
 
 void MachineControl::start(Partner& who) {
+  if (!master_.command(who.id, NmtCommand::start)) {
+    node().timers().arm(who.start_timer, node().now() + heartbeat_ms * Duration(1ms));
+    return;
+  }
   who.is_ready = who.was_ready = true;
-  master_.command(who.id, NmtCommand::start);
   drive();
   const bool is_seat = &who == &seat_;
   if (is_seat && settings_.has_armrest) armrest_.begin();

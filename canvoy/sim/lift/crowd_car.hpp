@@ -20,7 +20,7 @@ namespace canvoy::lift {
 class CrowdCar {
  public:
   const CarView& view() const { return view_; }
-  /// From now on. Its door has just begun to be open: is_patient_until() counts from here.
+  /// From now on. Its door has just begun to be open: is_stuck() counts from here.
   void see(const CarView& view, Time now) {
     if (!stands_open(view_) && stands_open(view)) opened_at_ = now;
     view_ = view;

@@ -68,5 +68,21 @@ TEST(CutCableOfALift, ALampBehindItOfACallThatIsAnsweredMeanwhileGoesOut) {
   EXPECT_EQ(broken(network), "");
 }
 
+/// The controller is alone on its piece of cable, and its queue is full of what it had to say.
+TEST(CutCableOfALift, ADriveThatBootsBehindItIsStartedWhenItIsMended) {
+  LiftNetworkDescription description = standard_lift_network({.floors = 4});
+  description.arrivals = {{.at = Time(250s), .from = 3, .to = 1}};
+  description.faults = {
+      {.kind = FaultKind::cable_cut,
+       .start = Time(100s),
+       .duration = 30s,
+       .node = node_id::lift_controller},
+      {.kind = FaultKind::lost_node, .start = Time(102s), .duration = 5s, .node = node_id::drive}};
+  LiftNetwork network(description);
+  network.run_until(Time(400s));
+  EXPECT_EQ(network.summary().served, 1U);
+  EXPECT_EQ(broken(network), "");
+}
+
 }  // namespace
 }  // namespace canvoy::lift::lift_cable_cut_test

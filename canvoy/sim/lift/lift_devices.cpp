@@ -119,11 +119,12 @@ FaultPlace LiftDevices::place_of(const ScheduledFault& fault) const {
 }
 
 bool LiftDevices::is_behind(NodeId node, const ScheduledFault& cut) const {
+  const NodeId last_before = place_of(cut).node;
   bool is_behind = false;
   for (const NodeDescription& each : description_->nodes) {
     if (each.lift != cut.lift || each.kind == DeviceKind::group_controller) continue;
     if (each.id == node) return is_behind || !each.played;
-    is_behind = is_behind || each.id == cut.node;
+    is_behind = is_behind || each.id == last_before;
   }
   return false;
 }

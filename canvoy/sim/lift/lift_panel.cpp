@@ -13,25 +13,25 @@
 
 namespace canvoy::lift {
 
+inline constexpr std::uint32_t panel_heartbeat_ms = 1000;
+
+/// Hundreds of them are in a building: without parameters, unless they are asked for.
+template <std::size_t inputs, std::size_t outputs, bool parameters>
+inline constexpr auto panel_device =
+    describe(cia417::panel<cia417::PanelOptions{.inputs = static_cast<std::uint16_t>(inputs),
+                                                .outputs = static_cast<std::uint16_t>(outputs),
+                                                .parameters = parameters}>(),
+             cia301::identity({.product_code = 41702}),
+             cia301::heartbeat_producer(panel_heartbeat_ms), cia301::emergency());
+template <std::size_t inputs, std::size_t outputs, bool parameters>
+inline constexpr auto panel_layout = lay_out_device<panel_device<inputs, outputs, parameters>>();
+
 namespace {
 
 using cia417::BasicFunction;
 using cia417::SpecialFunction;
 using cia417::VirtualInput;
 using cia417::VirtualOutput;
-
-constexpr std::uint32_t heartbeat_ms = 1000;
-
-/// Hundreds of them are in a building: without parameters, unless they are asked for.
-template <std::size_t inputs, std::size_t outputs, bool parameters>
-constexpr auto panel_device =
-    describe(cia417::panel<cia417::PanelOptions{.inputs = static_cast<std::uint16_t>(inputs),
-                                                .outputs = static_cast<std::uint16_t>(outputs),
-                                                .parameters = parameters}>(),
-             cia301::identity({.product_code = 41702}), cia301::heartbeat_producer(heartbeat_ms),
-             cia301::emergency());
-template <std::size_t inputs, std::size_t outputs, bool parameters>
-constexpr auto panel_layout = lay_out_device<panel_device<inputs, outputs, parameters>>();
 
 std::uint8_t at_doors(unsigned doors) {
   return static_cast<std::uint8_t>(doors << 4U);

@@ -9,7 +9,7 @@
 
 #include "canvoy/devices/cia852/kinds.hpp"
 #include "canvoy/formats/sheet/data_sheet.hpp"
-#include "canvoy/tools/device/device_bus_panel.hpp"
+#include "canvoy/tools/device/bus/device_bus_panel.hpp"
 #include "canvoy/tools/device/device_car.hpp"
 #include "canvoy/tools/device/device_car_panel.hpp"
 #include "canvoy/tools/device/device_catalogue.hpp"

@@ -21,7 +21,7 @@ namespace {
 using Json = LiveSource::Json;
 
 NodeId node_in(const Json& arguments, bool may_be_all) {
-  const double number = number_of(arguments, "node");
+  const double number = number_argument(arguments, "node");
   const bool is_all = may_be_all && number == 0;
   if (number != std::floor(number) || (!is_all && (number < 1 || number > node_id_max))) {
     throw UsageError("node: give a node-ID, 1 to 127");
@@ -91,7 +91,7 @@ std::string text_of(const Json& arguments, const char* name) {
   return found->get<std::string>();
 }
 
-double number_of(const Json& arguments, const char* name) {
+double number_argument(const Json& arguments, const char* name) {
   const auto found = arguments.find(name);
   if (found == arguments.end() || !found->is_number()) {
     throw UsageError(fmt::format("{}: give a number", name));

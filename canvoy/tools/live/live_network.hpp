@@ -52,6 +52,6 @@ class LiveNetwork : public LiveSource {
 
 /// A member of a request. Throws UsageError where it is not there, or of another type.
 std::string text_of(const nlohmann::ordered_json& arguments, const char* name);
-double number_of(const nlohmann::ordered_json& arguments, const char* name);
+double number_argument(const nlohmann::ordered_json& arguments, const char* name);
 
 }  // namespace canvoy::tools

@@ -202,13 +202,13 @@ void LiveWorld::act(std::string_view what, const Json& arguments, const Done& do
     playback_.set_paused(arguments.value("paused", true));
   } else if (what == "speed") {
     check_can_replay();
-    playback_.set_speed(number_of(arguments, "speed"));
+    playback_.set_speed(number_argument(arguments, "speed"));
     playback_.set_paused(false);
   } else if (what == "step") {
     check_can_replay();
-    playback_.step(std::min(seconds(number_of(arguments, "step_s")), step_most));
+    playback_.step(std::min(seconds(number_argument(arguments, "step_s")), step_most));
   } else if (what == "seek") {
-    const Time to = Time(seconds(number_of(arguments, "time")));
+    const Time to = Time(seconds(number_argument(arguments, "time")));
     if (to < now()) begin_again(options_.plan, to);
     playback_.seek(to);
   } else if (what == "fault") {
@@ -230,7 +230,7 @@ void LiveWorld::add_fault(const Json& arguments) {
   const Time start = now() + fault_after;
   if (start >= playback_.end()) throw UsageError("the run is over: go back, or start anew");
   std::string text = fmt::format("{}@{}", text_of(arguments, "fault"), written(start - Time{}));
-  const Duration duration = seconds(number_of(arguments, "duration_s"));
+  const Duration duration = seconds(number_argument(arguments, "duration_s"));
   if (duration != Duration::zero()) text += "+" + written(duration);
   const FaultParse parsed = parse_fault(options_.grammar, text);
   if (!parsed.fault) throw UsageError(parsed.error);
@@ -242,8 +242,8 @@ void LiveWorld::add_fault(const Json& arguments) {
 void LiveWorld::visit(const Json& arguments) {
   if (!made_.visit) throw UsageError("nobody visits this network");
   if (playback_.is_seeking()) throw UsageError("the run is on its way to where it was");
-  const double from = number_of(arguments, "from");
-  const double to = number_of(arguments, "to");
+  const double from = number_argument(arguments, "from");
+  const double to = number_argument(arguments, "to");
   const double most = 254;
   if (!(from >= 1 && from <= most && to >= 1 && to <= most)) {
     throw UsageError("from, to: give floors");
@@ -261,7 +261,7 @@ void LiveWorld::visit(const Json& arguments) {
 void LiveWorld::restart(const Json& arguments) {
   WorldPlan plan = options_.plan;
   if (arguments.contains("seed")) {
-    const double seed = number_of(arguments, "seed");
+    const double seed = number_argument(arguments, "seed");
     if (!(seed >= 0 && seed <= 0x1p53 && seed == std::floor(seed))) {
       throw UsageError("seed: give a whole number");
     }

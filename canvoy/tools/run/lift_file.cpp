@@ -336,7 +336,7 @@ door_close_s = {}
          served_text(design);
 }
 
-std::string bus_text(const LiftRun& run, std::size_t place) {
+std::string bus_table(const LiftRun& run, std::size_t place) {
   const BusDescription& bus = run.network.buses[place];
   std::string text =
       fmt::format("\n[[bus]]\nname = {}\nbit_rate = {}\n", text_value(bus.name), bus.bit_rate);
@@ -383,7 +383,7 @@ std::string panel_text(const lift::PanelDescription& panel) {
   return text + (panel.parameters ? "parameters = true\n" : "");
 }
 
-std::string device_text(const NodeDescription& node, const std::string& bus) {
+std::string node_table(const NodeDescription& node, const std::string& bus) {
   std::string text =
       fmt::format("\n[[node]]\nbus = {}\nid = {}\ndevice = \"{}\"\nlift = {}\n", text_value(bus),
                   node.id, lift::device_kind_name(node.kind), node.lift);
@@ -492,9 +492,9 @@ faults = [{}]  # NAME@START or NAME@START+DURATION; canvoy run lift --help lists
   text += zones_text(network.building);
   for (const LiftDesign& design : network.building.lifts) text += lift_text(design);
   text += conditions_text(run);
-  for (std::size_t bus = 0; bus < network.buses.size(); ++bus) text += bus_text(run, bus);
+  for (std::size_t bus = 0; bus < network.buses.size(); ++bus) text += bus_table(run, bus);
   for (const NodeDescription& node : network.nodes) {
-    text += device_text(node, network.buses[node.bus].name);
+    text += node_table(node, network.buses[node.bus].name);
   }
   return text;
 }

@@ -116,6 +116,8 @@ class LiftControllerDevice {
     errors_.on_change(update);
     returned_.on_question(
         Callback<bool(NodeId)>::template to<&LiftControllerDevice::has_inputs>(*this));
+    nmt_master_.on_message(
+        Callback<void(NodeId, RemoteState)>::template to<&LiftControllerDevice::heard>(*this));
     nmt_master_.on_change(
         Callback<void(NodeId, RemoteState)>::template to<&LiftControllerDevice::network_changed>(
             *this));
@@ -164,7 +166,8 @@ class LiftControllerDevice {
   }
   void state_entered(NmtState state) {
     if (manages_ && state == NmtState::operational) {
-      nmt_master_.command(NmtMaster::all_nodes, NmtCommand::start);
+      const bool is_sent = nmt_master_.command(NmtMaster::all_nodes, NmtCommand::start);
+      is_to_be_started_.fill(!is_sent);
     }
   }
   void lift_changed(std::uint8_t lift) {
@@ -183,10 +186,14 @@ class LiftControllerDevice {
     load_.heard(id, state);
     returned_.heard(id, state);
     const bool waits = state == RemoteState::boot_up || state == RemoteState::pre_operational;
-    if (manages_ && waits && node().state() == NmtState::operational) {
-      nmt_master_.command(id, NmtCommand::start);
-    }
+    if (manages_ && waits && node().state() == NmtState::operational) start(id);
   }
+  /// Each heartbeat: a command that found no room, behind a cut cable, is given again.
+  void heard(NodeId id, RemoteState state) {
+    const bool waits = state == RemoteState::pre_operational && is_to_be_started_[id];
+    if (waits && node().state() == NmtState::operational) start(id);
+  }
+  void start(NodeId id) { is_to_be_started_[id] = !nmt_master_.command(id, NmtCommand::start); }
 
   bool manages_;
   /// All nodes may be lost at once: their errors, and those of the lift.
@@ -201,6 +208,7 @@ class LiftControllerDevice {
            Callback<void(std::uint8_t)>::template to<&LiftControllerDevice::lift_changed>(*this)}};
   std::array<NmtMaster::RemoteNode, node_id_max> remote_nodes_;
   NmtMaster nmt_master_;
+  std::array<bool, node_id_max + 1> is_to_be_started_{};  ///< a command found no room
   SdoClient client_;
   SdoClient register_client_;
   SdoClient key_client_;

@@ -1,4 +1,4 @@
-#include "canvoy/tools/device/bus_press.hpp"
+#include "canvoy/tools/device/bus/bus_press.hpp"
 
 #include <fmt/format.h>
 

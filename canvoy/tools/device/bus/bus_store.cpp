@@ -1,4 +1,4 @@
-#include "canvoy/tools/device/bus_store.hpp"
+#include "canvoy/tools/device/bus/bus_store.hpp"
 
 #include <array>
 #include <bit>

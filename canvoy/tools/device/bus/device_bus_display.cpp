@@ -1,4 +1,4 @@
-#include "canvoy/tools/device/device_bus_display.hpp"
+#include "canvoy/tools/device/bus/device_bus_display.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,84 @@
+#include "canvoy/tools/device/bus/bus_tickets.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "canvoy/tools/device/bus/bus_words.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+std::string_view ticket_answer_text(cia407::TicketAnswer answer) {
+  switch (answer) {
+    case cia407::TicketAnswer::done:
+      return "";
+    case cia407::TicketAnswer::blocked:
+      return "it is blocked";
+    case cia407::TicketAnswer::not_in_service:
+      return "it is not in service";
+    case cia407::TicketAnswer::out_of_paper:
+      return "there is no paper";
+  }
+  return "";
+}
+
+std::string ticket_words(const cia407::TicketData& ticket) {
+  std::string text = fmt::format("{} stop {} zone {} segment {} line {} route {} block {}",
+                                 clock_words(ticket.time), ticket.stop_point_id, ticket.fare_zone,
+                                 ticket.route_segment_number, ticket.line_id, ticket.route_number,
+                                 ticket.block_id);
+  if (!ticket.stop_point_text.empty()) text += fmt::format(", {}", ticket.stop_point_text);
+  return text;
+}
+
+}  // namespace
+
+void BusTickets::join(Site& site) {
+  using namespace cia407;
+  site.offer(Callback<TicketCancellerHardware()>::to<&BusTickets::canceller_hardware>(*this));
+  site.watch(Callback<void(TicketCancellerUnit&, Node&)>::to<&BusTickets::is_canceller>(*this));
+  site.offer(Callback<TicketPrinterHardware()>::to<&BusTickets::printer_hardware>(*this));
+  site.watch(Callback<void(TicketPrinterUnit&, Node&)>::to<&BusTickets::is_printer>(*this));
+}
+
+void BusTickets::act(const BusPress& press) {
+  if (press.what == "ticket") {
+    answer(canceller_->insert_ticket(), "ticket-canceller");
+  } else if (press.what == "sell") {
+    answer(printer_->sell_ticket(), "ticket-printer");
+  } else if (press.what == "paper" || press.what == "no-paper") {
+    has_paper_ = press.what == "paper";
+  }
+}
+
+void BusTickets::answer(cia407::TicketAnswer answer, std::string_view who) {
+  if (answer == cia407::TicketAnswer::done) return;
+  output_.say(who, fmt::format("no ticket: {}", ticket_answer_text(answer)));
+}
+
+cia407::TicketCancellerHardware BusTickets::canceller_hardware() {
+  return {.stamp = Callback<void(const cia407::TicketData&)>::to<&BusTickets::stamp>(*this),
+          .show_ready = Callback<void(bool)>::to<&BusTickets::show_ready>(*this)};
+}
+
+void BusTickets::stamp(const cia407::TicketData& ticket) {
+  output_.say("ticket-canceller", fmt::format("stamps {}", ticket_words(ticket)));
+}
+
+void BusTickets::show_ready(bool is_ready) {
+  output_.say("ticket-canceller", is_ready ? "takes tickets" : "takes no tickets");
+}
+
+cia407::TicketPrinterHardware BusTickets::printer_hardware() {
+  return {.print = Callback<bool(const cia407::TicketData&)>::to<&BusTickets::print>(*this),
+          .has_paper = Callback<bool()>::to<&BusTickets::has_paper>(*this)};
+}
+
+bool BusTickets::print(const cia407::TicketData& ticket) {
+  if (has_paper_) output_.say("ticket-printer", fmt::format("prints {}", ticket_words(ticket)));
+  return has_paper_;
+}
+
+}  // namespace canvoy::tools

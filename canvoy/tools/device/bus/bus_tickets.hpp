@@ -1,0 +1,48 @@
+// The ticket canceller and the ticket printer of a bus (CiA 407) that `canvoy device` runs, with
+// the slot, the stamp and the paper that passengers and the driver find there.
+//
+//     BusTickets tickets(output);
+//     tickets.join(site);
+//     tickets.act(parse_bus_press(units, "ticket@2s"));
+#pragma once
+
+#include <string_view>
+
+#include "canvoy/devices/cia407/ticket/ticket_canceller_unit.hpp"
+#include "canvoy/devices/cia407/ticket/ticket_printer_unit.hpp"
+#include "canvoy/devices/site.hpp"
+#include "canvoy/tools/device/bus/bus_press.hpp"
+#include "canvoy/tools/device/device_output.hpp"
+
+namespace canvoy::tools {
+
+class BusTickets {
+ public:
+  /// `output` must outlive this.
+  explicit BusTickets(const DeviceOutput& output) : output_(output) {}
+  BusTickets(const BusTickets&) = delete;
+  BusTickets& operator=(const BusTickets&) = delete;
+
+  /// This must outlive the devices that are made there.
+  void join(Site& site);
+  /// `ticket` and `sell`, which want the device there; `paper`, `no-paper`; others do nothing.
+  void act(const BusPress& press);
+
+ private:
+  cia407::TicketCancellerHardware canceller_hardware();
+  void is_canceller(cia407::TicketCancellerUnit& unit, Node& /*node*/) { canceller_ = &unit; }
+  void stamp(const cia407::TicketData& ticket);
+  void show_ready(bool is_ready);
+  cia407::TicketPrinterHardware printer_hardware();
+  void is_printer(cia407::TicketPrinterUnit& unit, Node& /*node*/) { printer_ = &unit; }
+  bool print(const cia407::TicketData& ticket);
+  bool has_paper() { return has_paper_; }
+  void answer(cia407::TicketAnswer answer, std::string_view who);
+
+  const DeviceOutput& output_;
+  cia407::TicketCancellerUnit* canceller_ = nullptr;
+  cia407::TicketPrinterUnit* printer_ = nullptr;
+  bool has_paper_ = true;
+};
+
+}  // namespace canvoy::tools

@@ -1,0 +1,55 @@
+// The displays of all passenger information devices of one node (CiA 407) that `canvoy device`
+// runs.
+//
+//     DeviceBusDisplays displays(display_names(units), {.columns = 32}, "stop.png", clock, output);
+//     displays.join(site);
+//     displays.look();   // often
+#pragma once
+
+#include <deque>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "canvoy/devices/cia407/bus_device.hpp"
+#include "canvoy/devices/site.hpp"
+#include "canvoy/tools/device/bus/device_bus_display.hpp"
+
+namespace canvoy::tools {
+
+/// Of those among the units that have a display.
+std::vector<std::string_view> display_names(std::span<const cia407::BusUnit* const> units);
+
+class DeviceBusDisplays {
+ public:
+  /// All are of one size, and have one picture: `png` is a file, or empty. What `clock` refers to,
+  /// and `output`, must outlive this.
+  DeviceBusDisplays(std::vector<std::string_view> names, const BusDisplay::Size& size,
+                    std::string png, Callback<Time()> clock, const DeviceOutput& output)
+      : names_(std::move(names)),
+        size_(size),
+        png_(std::move(png)),
+        clock_(clock),
+        output_(output) {}
+  DeviceBusDisplays(const DeviceBusDisplays&) = delete;
+  DeviceBusDisplays& operator=(const DeviceBusDisplays&) = delete;
+
+  /// This must outlive the devices that are made there.
+  void join(Site& site);
+  /// Throws Failure where the picture cannot be written.
+  void look();
+
+ private:
+  cia407::DisplayHardware next();
+
+  std::vector<std::string_view> names_;
+  BusDisplay::Size size_;
+  std::string png_;
+  Callback<Time()> clock_;
+  const DeviceOutput& output_;
+  std::deque<DeviceBusDisplay> displays_;
+};
+
+}  // namespace canvoy::tools
