@@ -4,7 +4,7 @@
 //
 //     Findings findings;
 //     DataSheet sheet = read_xdd(text, findings);
-//     write_xdd(sheet);  // xdd_writer.hpp: with all that the file had beside what a DataSheet knows
+//     write_xdd(sheet);  // xdd_writer.hpp; with all that the file had and a DataSheet has not
 #pragma once
 
 #include <string>
