@@ -298,7 +298,7 @@ Result<void> FeedTables::read_services() {
   if (Result<void> read = read_calendar_dates(has_dates); !read) return read;
   if (has_calendar || has_dates) return {};
   return Error{archive_->name() + "/calendar.txt", "missing, and calendar_dates.txt as well",
-                     "a GTFS feed has one of them"};
+               "a GTFS feed has one of them"};
 }
 
 Result<void> FeedTables::read_calendar(bool& is_there) {
