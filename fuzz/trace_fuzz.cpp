@@ -7,6 +7,8 @@
 
 #include "canvoy/formats/trace/trace.hpp"
 #include "canvoy/formats/trace/trace_encoder.hpp"
+#include "canvoy/formats/trace/trace_pcapng_encoder.hpp"
+#include "canvoy/formats/trace/trace_text_encoder.hpp"
 #include "fuzz/require.hpp"
 
 namespace {
