@@ -6,6 +6,10 @@ set(canvoy_standard_headers <algorithm> <array> <bit> <bitset> <chrono> <cmath> 
 # measured. A campaign's build (preset fuzz) looks at comparisons as well.
 set(canvoy_coverage -fsanitize-coverage=inline-8bit-counters,pc-table)
 
+# Of the libraries for boards, the sources that take memory from the heap: the simulated bus, and nodes that are put
+# together when the program runs. They are objects of their own, also in batches, so that a board links none of them.
+set(canvoy_on_the_heap "(simulated_[a-z_]+|frame_errors|heap_node|part_tables|car_device|bus_device|kinds)[.]cpp")
+
 # canvoy_library(<name> [FREESTANDING] [NO_INSTALL] [DEPENDS <name>...] [LINK <target>...] [EXCLUDE <path>...])
 #
 # Called in a folder's CMakeLists.txt, it makes
@@ -34,6 +38,11 @@ function(canvoy_library name)
     if(arg_FREESTANDING)
       canvoy_warnings(${target} FREESTANDING)
       target_compile_options(${target} PRIVATE -fno-exceptions -fno-rtti -fno-threadsafe-statics)
+      set(on_the_heap ${sources})
+      list(FILTER on_the_heap INCLUDE REGEX "/${canvoy_on_the_heap}$")
+      if(on_the_heap)
+        set_source_files_properties(${on_the_heap} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+      endif()
     else()
       canvoy_warnings(${target})
     endif()
