@@ -302,15 +302,14 @@ void SlaveBoots::no_answer(NodeId slave, BootReport end) {
 
 void SlaveBoots::start(NodeId slave) {
   Record& booted = at(slave);
-  booted.is_started = true;
-  if (booted.error == BootError::already_operational) return;
-  if (!context_.commands.add({slave, NmtCommand::start})) {
-    booted.is_started = false;
-    booted.due = now() + context_.options.retry_interval;
-    if (booted.due < timer_.at()) context_.node.timers().arm(timer_, booted.due);
-    return;
+  const bool runs_already = booted.error == BootError::already_operational;
+  booted.is_started = runs_already || context_.commands.add({slave, NmtCommand::start});
+  if (runs_already) return;
+  if (booted.is_started) {
+    return report({.slave = slave, .event = BootEvent::started, .step = BootStep::done});
   }
-  report({.slave = slave, .event = BootEvent::started, .step = BootStep::done});
+  booted.due = now() + context_.options.retry_interval;
+  if (booted.due < timer_.at()) context_.node.timers().arm(timer_, booted.due);
 }
 
 }  // namespace canvoy
