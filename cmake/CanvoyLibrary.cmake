@@ -22,12 +22,16 @@ set(canvoy_on_the_heap "(simulated_[a-z_]+|frame_errors|heap_node|part_tables|ca
 #   DEPENDS       the folders that this one is built on, by name
 #   LINK          other targets that it needs
 #   EXCLUDE       files and subfolders that belong to something else
+#   GATHER        a header that takes long: in batches, the sources that include it stand together
 #   PRECOMPILE    headers that most of its sources include, compiled once with those of the standard library
 #
 # The target's property CANVOY_ARCHIVES names it and all that it is built on, the lowest first.
 function(canvoy_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "FREESTANDING;NO_INSTALL" "" "DEPENDS;LINK;EXCLUDE;PRECOMPILE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "FREESTANDING;NO_INSTALL" "GATHER" "DEPENDS;LINK;EXCLUDE;PRECOMPILE")
   canvoy_sources(sources tests ${arg_EXCLUDE})
+  if(arg_GATHER)
+    canvoy_gather(sources "${arg_GATHER}")
+  endif()
   list(TRANSFORM arg_DEPENDS PREPEND canvoy_)
 
   set(target canvoy_${name})
@@ -82,6 +86,19 @@ function(canvoy_library name)
   if(CANVOY_TESTS AND tests)
     canvoy_test(${name} ${tests})
   endif()
+endfunction()
+
+# canvoy_gather(<sources> <header>): those of the sources that include the header come first.
+function(canvoy_gather sources_inout header)
+  foreach(source IN LISTS ${sources_inout})
+    file(STRINGS "${source}" includes REGEX "^#include <${header}>" LIMIT_COUNT 1)
+    if(includes)
+      list(APPEND gathered "${source}")
+    else()
+      list(APPEND others "${source}")
+    endif()
+  endforeach()
+  set(${sources_inout} ${gathered} ${others} PARENT_SCOPE)
 endfunction()
 
 # canvoy_sources(<sources> <tests> <exclude>...): the current folder's sources, without and with a test's name.

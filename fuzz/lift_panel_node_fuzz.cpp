@@ -22,7 +22,7 @@ constexpr std::size_t queue_max = 3;
 constexpr NodeId node_id = 22;
 constexpr std::uint32_t input_cob_id = 0x480 + node_id;
 
-consteval auto make_parts() {
+constexpr auto make_parts() {
   DeviceDescription<64> parts;
   parts.add(panel<PanelOptions{
                 .inputs = input_count, .outputs = output_count, .low_pdo_numbers = true}>());

@@ -10,7 +10,7 @@
 //     struct LoadKind {
 //       static constexpr DeviceInfo info = {.name = "lift-load", ...};  // for people
 //       static constexpr auto description = describe(...);  // its objects; a maker has his own
-//       template <const auto& device> static consteval auto lay_out();  // its memory
+//       template <const auto& device> static constexpr auto lay_out();  // its memory
 //       using Unit = LoadMeasuringUnit;
 //       using Hardware = LoadHardware;    // or NoHardware
 //       using Settings = LoadSettings;
@@ -63,7 +63,7 @@ struct KindOf {
   static constexpr std::size_t routes = 0;  ///< CAN-IDs that the unit itself listens to
 
   template <const auto& device>
-  static consteval auto lay_out() {
+  static constexpr auto lay_out() {
     return lay_out_device<device>();
   }
   static constexpr Settings fit(const Settings& settings) { return settings; }

@@ -386,7 +386,7 @@ struct BatteryOptions {
 /// The objects of a battery module: device type, error register, PDOs and what they map, and its
 /// parameters. Others of this file are added one by one; its maker adds identity and heartbeat
 /// producer.
-consteval auto battery(const BatteryOptions& options = {}) {
+constexpr auto battery(const BatteryOptions& options = {}) {
   DeviceDescription<24> parts;
   parts.add(cia301::profile);
   parts.add(profile);

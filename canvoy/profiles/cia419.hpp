@@ -340,7 +340,7 @@ struct ChargerOptions {
 };
 /// The objects of a charger: device type, error register, PDOs and what they map. Its maker adds
 /// identity and heartbeat producer.
-consteval auto charger(const ChargerOptions& options = {}) {
+constexpr auto charger(const ChargerOptions& options = {}) {
   DeviceDescription<24> parts;
   parts.add(cia301::profile);
   parts.add(profile);

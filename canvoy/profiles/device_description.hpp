@@ -216,15 +216,23 @@ class DeviceDescription {
     }
     parts_[position] = part;
     ++size_;
-    const bool meets_last =
-        position > 0 && parts_[position - 1].index() + parts_[position - 1].count() > part.index();
-    const bool meets_next =
-        position + 1 < size_ && part.index() + part.count() > parts_[position + 1].index();
-    if (meets_last || meets_next) detail::description_is_wrong("an object is there twice");
+    if (position > 0) check_order(position);
+    if (position + 1 < size_) check_order(position + 1);
   }
+  /// Each part of both is moved once, the last first: compilers count the steps that they take.
   template <std::size_t other>
   constexpr void add(const DeviceDescription<other>& more) {
-    for (const Part& part : more) add(part);
+    std::size_t own = size_;
+    std::size_t others = more.size();
+    size_ += others;
+    for (std::size_t position = size_; others > 0;) {
+      const Part& part = more.begin()[others - 1];
+      const bool is_next = own == 0 || parts_[own - 1].index() <= part.index();
+      parts_[--position] = is_next ? part : parts_[own - 1];
+      --(is_next ? others : own);
+      if (position + 1 < size_) check_order(position + 1);
+    }
+    if (own > 0 && own < size_) check_order(own);
     for (const Profile* profile : more.profiles()) {
       if (profile != nullptr) add(*profile);
     }
@@ -291,6 +299,13 @@ class DeviceDescription {
   constexpr const std::array<const Profile*, 4>& profiles() const { return profiles_; }
 
  private:
+  /// Of the part at `position` and the one before it.
+  constexpr void check_order(std::size_t position) const {
+    const Part& last = parts_[position - 1];
+    if (last.index() + last.count() > parts_[position].index()) {
+      detail::description_is_wrong("an object is there twice");
+    }
+  }
   constexpr std::size_t position_of(unsigned index) const {
     for (std::size_t position = 0; position < size_; ++position) {
       if (parts_[position].index() == index) return position;
@@ -313,7 +328,7 @@ inline constexpr std::size_t part_capacity<DeviceDescription<capacity>> = capaci
 
 /// Puts parts, objects, and sets of them together, in any order.
 template <class... Pieces>
-consteval auto describe(const Pieces&... pieces) {
+constexpr auto describe(const Pieces&... pieces) {
   DeviceDescription<(detail::part_capacity<Pieces> + ... + 0)> device;
   (device.add(pieces), ...);
   return device;

@@ -272,7 +272,7 @@ constexpr void check_profiles(const DeviceDescription<capacity>& device) {
 
 /// The tables of the kind of node that `device` describes.
 template <const auto& device>
-consteval auto lay_out_device() {
+constexpr auto lay_out_device() {
   std::array<ObjectRow, device.size()> objects{};
   std::array<EntryRow, detail::count_entries(device)> entries{};
   std::size_t object_position = 0;

@@ -34,8 +34,9 @@ struct MappingValue {
 constexpr bool is_rpdo_mapping(unsigned index) {
   return index >= 0x1600 && index <= 0x17FF;
 }
+inline constexpr unsigned last_pdo_mapping_index = 0x1BFF;
 constexpr bool is_tpdo_mapping(unsigned index) {
-  return index >= 0x1A00 && index <= 0x1BFF;
+  return index >= 0x1A00 && index <= last_pdo_mapping_index;
 }
 constexpr bool is_pdo_mapping(unsigned index) {
   return is_rpdo_mapping(index) || is_tpdo_mapping(index);

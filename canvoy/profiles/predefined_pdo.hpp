@@ -80,30 +80,46 @@ class PredefinedPdo {
   static constexpr ObjectInfo mapping = object(mapping_shape, mapped);
 };
 
-template <const Profile& profile, auto is_wanted, std::size_t position, std::size_t capacity>
+template <const Profile& profile, std::size_t position, std::size_t capacity>
 constexpr void add_predefined_pdo(DeviceDescription<capacity>& parts) {
-  if constexpr (is_wanted(profile.pdos[position])) {
-    using Objects = PredefinedPdo<ListedPdo<profile, position>>;
-    parts.add_pdo(Objects::parameter, Objects::mapping);
-  }
+  using Objects = PredefinedPdo<ListedPdo<profile, position>>;
+  parts.add_pdo(Objects::parameter, Objects::mapping);
 }
+
+template <const Profile& profile, auto is_wanted>
+constexpr std::size_t count_wanted_pdos() {
+  std::size_t count = 0;
+  for (const PdoInfo& pdo : profile.pdos) count += is_wanted(pdo) ? 1U : 0U;
+  return count;
+}
+/// Where the wanted ones stand in the profile's list: a compiler looks at no others.
+template <const Profile& profile, auto is_wanted>
+inline constexpr auto wanted_pdos = [] {
+  std::array<std::size_t, count_wanted_pdos<profile, is_wanted>()> positions{};
+  std::size_t found = 0;
+  for (std::size_t position = 0; position < profile.pdos.size(); ++position) {
+    if (is_wanted(profile.pdos[position])) positions[found++] = position;
+  }
+  return positions;
+}();
 
 }  // namespace detail
 
 /// Those of a profile's PDOs for which `is_wanted(const PdoInfo&)` holds.
 template <const Profile& profile, auto is_wanted>
-consteval auto predefined_pdos() {
-  DeviceDescription<2 * profile.pdos.size()> parts;
-  [&]<std::size_t... position>(std::index_sequence<position...>) {
-    (detail::add_predefined_pdo<profile, is_wanted, position>(parts), ...);
-  }(std::make_index_sequence<profile.pdos.size()>());
+constexpr auto predefined_pdos() {
+  constexpr const auto& wanted = detail::wanted_pdos<profile, is_wanted>;
+  DeviceDescription<2 * wanted.size()> parts;
+  [&]<std::size_t... which>(std::index_sequence<which...>) {
+    (detail::add_predefined_pdo<profile, wanted[which]>(parts), ...);
+  }(std::make_index_sequence<wanted.size()>());
   return parts;
 }
 
 /// A PDO that is as the device maker has it: its records can be read and not written, as CiA 301
 /// allows. A device of which all PDOs are such carries nothing of what would change them.
 template <const PdoInfo& pdo>
-consteval auto static_pdo() {
+constexpr auto static_pdo() {
   using Objects = detail::PredefinedPdo<detail::OwnPdo<pdo>>;
   DeviceDescription<2> parts;
   parts.add_pdo(Part(Objects::parameter).constant(), Part(Objects::mapping).constant());

@@ -61,10 +61,12 @@ constexpr Part part_of(const ObjectInfo& object, unsigned index, const DeviceObj
   return wanted.capacity != 0 ? part.capacity(wanted.capacity) : part;
 }
 
-/// Whether a PDO of the device maps the object by default: then it has to be there.
+/// Whether a PDO of the device maps the object by default: then it has to be there. Parts stand in
+/// the order of their indices: behind the last mapping there is none to look at.
 template <std::size_t capacity>
 constexpr bool is_mapped(const DeviceDescription<capacity>& parts, unsigned index) {
   for (const Part& part : parts) {
+    if (part.index() > last_pdo_mapping_index) return false;
     if (maps(part.object(), index)) return true;
   }
   return false;
@@ -79,6 +81,15 @@ constexpr void merge(DeviceDescription<capacity>& parts, const Part& part) {
   } else if (known->is_consumed() && !part.is_consumed()) {
     parts = parts.with(part);
   }
+}
+
+/// The object at `index`, where the profile describes it.
+template <std::size_t capacity>
+constexpr void add_device_object(DeviceDescription<capacity>& parts, const Profile& profile,
+                                 unsigned index, const DeviceObject& as,
+                                 const WantedObject& wanted) {
+  const ObjectInfo* object = find_object(profile, index);
+  if (object != nullptr) merge(parts, part_of(*object, index, as, wanted));
 }
 
 }  // namespace detail
@@ -96,14 +107,23 @@ constexpr void add_virtual_device(DeviceDescription<capacity>& parts, const Prof
   }
   for (const DeviceObject& as : device.objects) {
     for (unsigned index = as.index; index <= detail::last_index(as); ++index) {
-      const ObjectInfo* object = find_object(profile, index);
       const WantedObject wish = detail::find_wanted(wanted, index);
       const bool is_there = wish.index == index || as.category == Category::mandatory ||
                             detail::is_mapped(parts, index);
-      if (object == nullptr || !is_there) continue;
-      detail::merge(parts, detail::part_of(*object, index, as, wish));
+      if (is_there) detail::add_device_object(parts, profile, index, as, wish);
     }
   }
+}
+
+/// Adds one object that a virtual device may have.
+template <std::size_t capacity>
+constexpr void add_wanted_object(DeviceDescription<capacity>& parts, const Profile& profile,
+                                 const VirtualDeviceInfo& device, const WantedObject& wanted) {
+  const DeviceObject* as = detail::find_device_object(device, wanted.index);
+  if (as == nullptr) {
+    detail::description_is_wrong("the virtual device does not have a wanted object");
+  }
+  detail::add_device_object(parts, profile, wanted.index, *as, wanted);
 }
 
 /// Adds what a virtual device may have, mandatory or not.
@@ -111,14 +131,13 @@ template <std::size_t capacity>
 constexpr void add_device_object(DeviceDescription<capacity>& parts, const Profile& profile,
                                  const DeviceObject& as) {
   for (unsigned index = as.index; index <= detail::last_index(as); ++index) {
-    const ObjectInfo* object = find_object(profile, index);
-    if (object != nullptr) detail::merge(parts, detail::part_of(*object, index, as, {}));
+    detail::add_device_object(parts, profile, index, as, {});
   }
 }
 
 /// The parts of a device that is this virtual device.
 template <std::size_t capacity = 96>
-consteval DeviceDescription<capacity> virtual_device(const Profile& profile,
+constexpr DeviceDescription<capacity> virtual_device(const Profile& profile,
                                                      const VirtualDeviceInfo& device,
                                                      const WantedObjects& wanted = {}) {
   DeviceDescription<capacity> parts;

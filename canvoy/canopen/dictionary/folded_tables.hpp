@@ -90,7 +90,7 @@ constexpr Layout fold(const Layout& layout) {
 /// `layout` is a DictionaryLayout of static storage. Consecutive objects of one shape become one
 /// row: a host, which keeps an ObjectState for each row, would tell them less well apart.
 template <const auto& layout>
-consteval auto fold_tables() {
+constexpr auto fold_tables() {
   constexpr auto folded = detail::fold(layout);
   DictionaryLayout<folded.objects.count, folded.entries.count, folded.defaults.count,
                    folded.numbers.count, folded.texts.count>

@@ -45,7 +45,7 @@ constexpr EntryRow limited(EntryRow row, std::int64_t low, std::int64_t high) {
 /// TPDOs: at events (10 ms apart, all 50 ms at least), at each second SYNC from the third on, at
 /// the SYNC after an event, on request (253 and 252). SYNC has a counter and a window of 5 ms.
 template <Access access>
-consteval auto lay_out_pdos() {
+constexpr auto lay_out_pdos() {
   using namespace testing_detail;
   using enum DataType;
   constexpr Access value = Access::rw | Access::rpdo | Access::tpdo;

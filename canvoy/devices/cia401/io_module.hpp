@@ -71,7 +71,7 @@ constexpr void add_pdo(DeviceDescription<capacity>& parts, unsigned channels, un
 
 /// All objects of the profile that such a module has, and its default PDOs.
 template <IoOptions options>
-consteval auto io_module() {
+constexpr auto io_module() {
   using namespace detail;  // NOLINT(google-build-using-namespace)
   constexpr unsigned inputs = in_groups(options.digital_inputs, 8);
   constexpr unsigned outputs = in_groups(options.digital_outputs, 8);

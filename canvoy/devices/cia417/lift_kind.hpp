@@ -52,13 +52,13 @@ struct LiftKind : KindOf<UnitType, HardwareType, SettingsType> {
   using Manners = LiftManners;
 
   template <const auto& device>
-  static consteval auto lay_out() {
+  static constexpr auto lay_out() {
     return in_any_lift(lay_out_device<device>());
   }
 };
 
 /// Identity, names, SYNC, heartbeat, emergencies and the last errors.
-consteval auto lift_basics(const DeviceInfo& info, std::uint16_t heartbeat_ms,
+constexpr auto lift_basics(const DeviceInfo& info, std::uint16_t heartbeat_ms,
                            std::uint8_t errors_kept = 8) {
   return describe(
       cia301::identity({.product_code = info.product_code}),

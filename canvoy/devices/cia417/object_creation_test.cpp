@@ -12,7 +12,7 @@ namespace canvoy::cia417::object_creation_test {
 namespace {
 
 /// Room for parameters of four groups with eight inputs each, and groups that are always there.
-consteval auto creating_device() {
+constexpr auto creating_device() {
   DeviceDescription<64> parts;
   parts.add(panel<PanelOptions{.inputs = 8, .parameters = false}>());
   parts.add(object_creation_object);

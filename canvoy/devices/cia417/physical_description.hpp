@@ -33,7 +33,7 @@ constexpr void add_with_wanted(DeviceDescription<capacity>& own, const WantedObj
   add_virtual_device(own, profile, info_of(device));
   for (const WantedObject& object : wanted) {
     if (canvoy::detail::find_device_object(info_of(device), object.index) == nullptr) continue;
-    add_virtual_device(own, profile, info_of(device), {object});
+    add_wanted_object(own, profile, info_of(device), object);
   }
 }
 
@@ -116,7 +116,7 @@ constexpr void add_device_types(DeviceDescription<capacity>& parts) {
 /// `wanted` are the objects that part 4 does not demand, by their indices in lift 1; each virtual
 /// device takes those that it can have.
 template <PhysicalOptions options, VirtualDevice... devices>
-consteval auto physical_device(const WantedObjects& wanted) {
+constexpr auto physical_device(const WantedObjects& wanted) {
   static_assert(options.lifts != 0 && options.lifts <= 0xFF, "there are 8 lifts");
   static_assert(sizeof...(devices) != 0, "a device of nothing");
   DeviceDescription<options.parts> own;

@@ -36,7 +36,7 @@ constexpr void add_operator_module(Parts& parts, const OperatorEnvironment& has,
 }
 /// The same for a device that is known when the program is compiled.
 template <OperatorEnvironment has, unsigned emergency_nodes = 1>
-consteval auto operator_module() {
+constexpr auto operator_module() {
   check_elements(has);
   constexpr std::size_t beside = 4;
   DeviceDescription<capacity_for(has) + beside> parts;

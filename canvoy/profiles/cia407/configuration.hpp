@@ -52,7 +52,7 @@ constexpr void add_precisions(DeviceDescription<capacity>& parts, const VirtualD
 /// and the wanted ones.
 template <const VirtualDeviceInfo& virtual_device,
           Configuration configuration = Configuration::none>
-consteval auto device(const WantedObjects& wanted = {}) {
+constexpr auto device(const WantedObjects& wanted = {}) {
   constexpr auto has = [](const PdoInfo& pdo) {
     return has_pdo(virtual_device, configuration, pdo);
   };

@@ -173,7 +173,7 @@ constexpr std::size_t matrix_column(unsigned device_class, unsigned subclass) {
   return (device_class - 1) * 5 + subclass - 1;
 }
 template <std::size_t column>
-consteval auto passenger_information_column() {
+constexpr auto passenger_information_column() {
   constexpr auto has = [](const MatrixRow& row) { return row.categories[column] != '-'; };
   constexpr auto count = std::ranges::count_if(passenger_information_matrix, has);
   std::array<DeviceObject, static_cast<std::size_t>(count)> objects{};

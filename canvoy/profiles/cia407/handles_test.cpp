@@ -13,7 +13,7 @@ namespace canvoy::cia407_handles_test {
 namespace {
 
 /// All application objects; of arrays of up to 254 the first entries.
-consteval auto make_everything() {
+constexpr auto make_everything() {
   DeviceDescription<110> parts;
   for (const ObjectInfo* object : cia407::profile.objects) {
     constexpr unsigned enough = 8;

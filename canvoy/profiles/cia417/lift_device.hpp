@@ -87,7 +87,7 @@ constexpr void add_pdos(DeviceDescription<capacity>& parts) {
 /// With those of the objects that part 4 does not demand which are `wanted`, by their indices in
 /// lift 1.
 template <VirtualDevice device, LiftDeviceOptions options = LiftDeviceOptions{}>
-consteval auto lift_device(const WantedObjects& wanted) {
+constexpr auto lift_device(const WantedObjects& wanted) {
   static_assert(options.lift >= 1 && options.lift <= lift_count, "there are 8 lifts");
   DeviceDescription<options.parts> own;
   add_virtual_device(own, profile, info_of(device), wanted);

@@ -49,7 +49,7 @@ constexpr void add_pdos(DeviceDescription<capacity>& parts) {
 
 /// Device type, error register, all objects of these virtual devices, and their TPDOs.
 template <class... Device>
-consteval auto device_with(const Device&... devices) {
+constexpr auto device_with(const Device&... devices) {
   constexpr std::size_t capacity = objects.size() + pdos.size() + 2;
   DeviceDescription<capacity> parts;
   parts.add(cia301::profile);
@@ -69,7 +69,7 @@ consteval auto device_with(const Device&... devices) {
 /// Objects of other devices, as those have them who consume them: rw; with the RPDOs of which all
 /// objects are among them.
 template <class... Object>
-consteval auto consumed(const Object&... of_others) {
+constexpr auto consumed(const Object&... of_others) {
   DeviceDescription<sizeof...(Object) + pdos.size()> parts;
   (parts.add(Part(of_others).consumed()), ...);
   add_pdos<PdoInfo::Direction::receive>(parts);

@@ -225,7 +225,7 @@ constexpr void add_operator_environment(Parts& parts, const OperatorEnvironment&
 /// maker adds identity and heartbeat producer; with outputs, consumers of heartbeats and
 /// emergencies as well.
 template <OperatorEnvironment has>
-consteval auto operator_environment() {
+constexpr auto operator_environment() {
   check_elements(has);
   DeviceDescription<capacity_for(has)> parts;
   parts.add(cia301::profile);

@@ -64,7 +64,7 @@ inline constexpr ObjectInfo controller_types_object =
 }  // namespace detail
 
 template <LiftControllerOptions options = LiftControllerOptions{}>
-consteval auto lift_controller() {
+constexpr auto lift_controller() {
   static_assert(options.lift >= 1 && options.lift <= lift_count, "there are 8 lifts");
   static_assert(options.outputs <= group_count * last_of_many, "32 groups of 254 outputs");
   DeviceDescription<80> own;
@@ -85,7 +85,7 @@ consteval auto lift_controller() {
   constexpr auto is_mine = [](const PdoInfo& pdo) {
     return detail::is_pdo_of_controller<options.lift>(pdo);
   };
-  for (const Part& part : predefined_pdos<profile, is_mine>()) parts.add(part);
+  parts.add(predefined_pdos<profile, is_mine>());
   parts.add(virtual_input_rpdos<options.panels>());
   if constexpr (options.multiplexed != MpdoMode::none) {
     parts.add(multiplexed_panels<options.multiplexed, options.panels>());

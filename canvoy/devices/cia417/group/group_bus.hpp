@@ -86,7 +86,7 @@ inline constexpr Profile group_controller_profile = {.number = profile_number,
                                                      .pdos = group_controller_pdos};
 
 template <const Profile& pdos>
-consteval auto group_node() {
+constexpr auto group_node() {
   DeviceDescription<48> parts;
   parts.add(cia301::profile);
   parts.add(cia301::device_type(device_type(VirtualDevice::call_controller)));
@@ -96,7 +96,7 @@ consteval auto group_node() {
   parts.add(virtual_input_mapping_object);
   parts.add(virtual_output_mapping_object);
   constexpr auto is_mine = [](const PdoInfo&) { return true; };
-  for (const Part& part : predefined_pdos<pdos, is_mine>()) parts.add(part);
+  parts.add(predefined_pdos<pdos, is_mine>());
   return parts;
 }
 

@@ -41,7 +41,7 @@ TEST(IoGroups, AGroupIsKnownByItsIndexInEveryLift) {
 }
 
 /// All groups of all lifts, with their first parameters.
-consteval auto everything() {
+constexpr auto everything() {
   DeviceDescription<40> parts;
   parts.add(panel<PanelOptions{.outputs = 1, .parameters = false}>());
   parts.add(cia301::identity({}));

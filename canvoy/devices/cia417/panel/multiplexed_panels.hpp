@@ -34,7 +34,7 @@ constexpr bool hears_multiplexed(const DictionaryTables& tables) {
 /// into the mapping of the others. 5F11h takes 1 KiB, 1FD0h eight bytes for each. With another
 /// `first` they are at other numbers than part 3 says.
 template <MpdoMode mode, unsigned count, unsigned first = first_multiplexed_rpdo>
-consteval auto multiplexed_panels() {
+constexpr auto multiplexed_panels() {
   constexpr std::uint8_t event_driven = 254;
   DeviceDescription<8> parts;
   parts.add(Part(cia301::rpdo_parameter_object)

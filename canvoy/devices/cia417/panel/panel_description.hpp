@@ -65,8 +65,7 @@ constexpr void add_groups(DeviceDescription<capacity>& own, std::uint16_t first,
     count -= in_this;
     for (unsigned object = 0; object <= (parameters ? 4U : 0U); ++object) {
       const auto index = static_cast<std::uint16_t>(first + group + object * group_count);
-      const WantedObject wanted{index, static_cast<std::uint8_t>(in_this)};
-      add_virtual_device(own, profile, info_of(device), {wanted});
+      add_wanted_object(own, profile, info_of(device), {index, static_cast<std::uint8_t>(in_this)});
     }
   }
 }
@@ -85,7 +84,7 @@ constexpr void add_units(DeviceDescription<capacity>& own) {
 }
 
 template <PanelOptions options>
-consteval auto panel() {
+constexpr auto panel() {
   static_assert(options.lift >= 1 && options.lift <= lift_count, "there are 8 lifts");
   static_assert(options.inputs != 0 || options.outputs != 0, "a panel of nothing");
   static_assert(options.inputs <= 4 * last_of_many && options.outputs <= 4 * last_of_many,
@@ -107,7 +106,7 @@ consteval auto panel() {
     parts.add(is_of_lift(part.index()) ? part.moved((options.lift - 1) * block_pitch) : part);
   }
   constexpr auto is_mine = [](const PdoInfo& pdo) { return is_pdo_of_panel<options>(pdo); };
-  for (const Part& part : predefined_pdos<panel_pdo_profile, is_mine>()) parts.add(part);
+  parts.add(predefined_pdos<panel_pdo_profile, is_mine>());
   return parts;
 }
 

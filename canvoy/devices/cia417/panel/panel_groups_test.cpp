@@ -42,7 +42,7 @@ std::size_t told(const Cable& cable, std::uint32_t can_id, std::string_view reco
 
 /// A small panel, which has all groups of another virtual device besides.
 template <class... Objects>
-consteval auto panel_with(const Objects&... objects) {
+constexpr auto panel_with(const Objects&... objects) {
   DeviceDescription<40> parts;
   parts.add(panel<PanelOptions{.outputs = 1, .parameters = false}>());
   parts.add(cia301::identity({}));

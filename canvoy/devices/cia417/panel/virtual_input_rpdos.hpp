@@ -59,7 +59,7 @@ inline constexpr ObjectInfo input_rpdo_mapping_objects =
 /// description says the default of all. With another `first` a device with little memory has them
 /// at lower numbers than part 3 says.
 template <unsigned count, unsigned first = first_input_rpdo>
-consteval auto virtual_input_rpdos() {
+constexpr auto virtual_input_rpdos() {
   DeviceDescription<2> parts;
   parts.add(detail::input_rpdo_parameter_objects<first, count>);
   parts.add(detail::input_rpdo_mapping_objects<first, count>);

@@ -25,7 +25,7 @@ constexpr VirtualInput buttons[] = {{.function = BasicFunction::standard_hall_ca
 
 /// PDO 2 with 500h + node-ID is multiplexed, that of 6010h is not valid.
 template <MpdoMode mode>
-consteval auto panel_parts() {
+constexpr auto panel_parts() {
   DeviceDescription<64> parts;
   parts.add(panel<PanelOptions{.inputs = 2, .low_pdo_numbers = true, .valid_tpdo = false}>());
   parts.add(cia301::identity({}));
@@ -45,7 +45,7 @@ constexpr auto panel_layout = lay_out_device<described<mode>>();
 
 /// A call controller that hears node 22 by a multiplexed PDO.
 template <MpdoMode mode>
-consteval auto controller_parts() {
+constexpr auto controller_parts() {
   DeviceDescription<64> parts;
   parts.add(lift_device<VirtualDevice::call_controller>({0x6010, 0x6011}));
   parts.add(cia301::identity({}));
