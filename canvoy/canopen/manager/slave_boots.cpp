@@ -196,7 +196,7 @@ void SlaveBoots::queue(NodeId slave, Time due) {
   waiting.due = due;
   context_.master.set_time_out(slave, Duration::zero());
   context_.guarding.stop(slave);
-  if (due < timer_.at()) context_.node.timers().arm(timer_, due);
+  wake_at(due);
 }
 
 void SlaveBoots::forget(NodeId slave) {
@@ -238,24 +238,25 @@ void SlaveBoots::start_late(Time now) {
 }
 
 /// One slave a call, as it may come back at once; the timer goes on with the next.
+void SlaveBoots::boot_next(Time now) {
+  BootSlave* slot = find_slot(nobody);
+  const NodeId slave = find_due(now);
+  if (slot == nullptr || slave == nobody) return;
+  Record& booting = at(slave);
+  booting.state = State::booting;
+  slot->begin(slave, std::exchange(booting.is_fresh, false));
+}
+
+/// Who waits for a turn is looked at again when one is over: see finished().
 void SlaveBoots::run_due(Time now) {
   context_.node.timers().disarm(timer_);
   if (context_.node.state() == NmtState::stopped) return;
   start_late(now);
-  constexpr NodeId nobody = 0;
-  BootSlave* slot = find_slot(nobody);
-  if (slot == nullptr) return;
-  if (const NodeId slave = find_due(now); slave != nobody) {
-    Record& booting = at(slave);
-    booting.state = State::booting;
-    slot->begin(slave, std::exchange(booting.is_fresh, false));
-  }
-  Time next = never;
+  boot_next(now);
+  const bool has_turn = find_slot(nobody) != nullptr;
   for (const Record& waiting : memory_.records) {
-    if ((waiting.state == State::waiting || starts_late(waiting)) && waiting.due < next)
-      next = waiting.due;
+    if ((has_turn && waiting.state == State::waiting) || starts_late(waiting)) wake_at(waiting.due);
   }
-  if (next < timer_.at()) context_.node.timers().arm(timer_, next);
 }
 
 void SlaveBoots::finished(BootSlave& slot, BootOutcome outcome) {
@@ -309,7 +310,7 @@ void SlaveBoots::start(NodeId slave) {
     return report({.slave = slave, .event = BootEvent::started, .step = BootStep::done});
   }
   booted.due = now() + context_.options.retry_interval;
-  if (booted.due < timer_.at()) context_.node.timers().arm(timer_, booted.due);
+  wake_at(booted.due);
 }
 
 }  // namespace canvoy

@@ -77,12 +77,19 @@ class SlaveBoots {
   void lost(NodeId slave);
 
  private:
+  static constexpr NodeId nobody = 0;
+
   void booted_up(NodeId slave);
   void restarted(NodeId slave, BootReport restart);
   void give_up(NodeId slave, BootReport restart);
   void queue(NodeId slave, Time due);
   void forget(NodeId slave);
   void run_due(Time now);
+  void boot_next(Time now);
+  /// Not later than that.
+  void wake_at(Time due) {
+    if (due < timer_.at()) context_.node.timers().arm(timer_, due);
+  }
   void start_late(Time now);
   static bool starts_late(const Record& record) {
     return record.state == State::booted && !record.is_started && record.due != never;

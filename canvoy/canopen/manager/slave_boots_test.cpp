@@ -162,5 +162,28 @@ TEST(SlaveBoots, WhoseStartFindsNoRoomAreStartedWhenThereIsSome) {
   }
 }
 
+/// The one turn that there is is taken by a slave that answers late, and another waits for it.
+TEST(SlaveBoots, WhoseStartFindsNoRoomAreStartedWhileOthersAreBooted) {
+  Slaves slaves;
+  slaves.sut.begin();
+  slaves.context.options.sdo_time_out = 20s;
+  for (const NodeId slave : {NodeId{5}, NodeId{6}, NodeId{7}}) slaves.name(slave);
+  slaves.boot_up(5);
+  slaves.answer(5);
+  slaves.boot_up(6);
+  slaves.expect({"605#40 00 10 00 00 00 00 00", "606#40 00 10 00 00 00 00 00"});
+  slaves.full = true;
+  while (slaves.commands.add({8, NmtCommand::start})) {
+  }
+  slaves.sut.start(5);
+  slaves.boot_up(7);
+  slaves.full = false;
+  slaves.node.tx_ready(slaves.now);
+  slaves.expect({"000#01 08", "000#01 08"});
+  slaves.run_for(1s);
+  slaves.expect({"000#01 05"});
+  EXPECT_EQ(slaves.sut.record(6).state, State::booting);
+}
+
 }  // namespace
 }  // namespace canvoy::slave_boots_test
