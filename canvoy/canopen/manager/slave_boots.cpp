@@ -127,7 +127,10 @@ void SlaveBoots::booted_up(NodeId slave) {
     if (slot == nullptr) restart.step = BootStep::done;
     report(restart);
     if (!is_active_) return;
-    if (slot != nullptr) slot->abandon();
+    if (slot != nullptr) {
+      slot->abandon();
+      wake();  // its slot is free
+    }
     return restarted(slave, restart);
   }
   booted.since = now();
@@ -164,7 +167,6 @@ void SlaveBoots::give_up(NodeId slave, BootReport restart) {
   restart.outcome.error = failed.error;
   report(restart);
   owner_.changed();
-  if (is_active_) wake();  // its slot is free
 }
 
 /// The reaction of 1F80h bits 4 and 6, or the slave alone. A slave that the master does not boot is
@@ -247,7 +249,7 @@ void SlaveBoots::boot_next(Time now) {
   slot->begin(slave, std::exchange(booting.is_fresh, false));
 }
 
-/// Who waits for a turn is looked at again when one is over: see finished().
+/// Who waits for a turn is looked at again when a slot is free.
 void SlaveBoots::run_due(Time now) {
   context_.node.timers().disarm(timer_);
   if (context_.node.state() == NmtState::stopped) return;

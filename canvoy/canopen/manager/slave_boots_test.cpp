@@ -185,5 +185,22 @@ TEST(SlaveBoots, WhoseStartFindsNoRoomAreStartedWhileOthersAreBooted) {
   EXPECT_EQ(slaves.sut.record(6).state, State::booting);
 }
 
+/// One that restarts again and again is made to wait, and those that wait beside it are not.
+TEST(SlaveBoots, WhoRestartsTooOftenGivesItsTurnToTheNext) {
+  Slaves slaves;
+  slaves.sut.begin();
+  slaves.name(5);
+  slaves.name(6);
+  slaves.boot_up(5);
+  for (int restart = 1; restart <= 4; ++restart) slaves.boot_up(5);
+  EXPECT_EQ(slaves.sut.record(5).state, State::waiting) << "for a second";
+  slaves.run_for(1s);
+  ASSERT_EQ(slaves.sut.record(5).state, State::booting);
+  slaves.boot_up(6);
+  slaves.sent.clear();
+  slaves.boot_up(5);
+  slaves.expect({"605#80 00 10 00 00 00 00 08", "606#40 00 10 00 00 00 00 00"});
+}
+
 }  // namespace
 }  // namespace canvoy::slave_boots_test
