@@ -36,20 +36,6 @@ Marks marks_of(const EntryInfo& entry, std::span<const std::uint8_t> bytes) {
   return marks;
 }
 
-/// Of an object of `node`; 0: it is not known whose.
-DecodedValue value_at(Network& network, NodeId node, const Profile& profile, unsigned index,
-                      unsigned sub) {
-  DecodedValue value = {.index = static_cast<std::uint16_t>(index),
-                        .sub = static_cast<std::uint8_t>(sub),
-                        .profile = &profile};
-  value.object = find_description(profile, index);
-  if (value.object == nullptr) return value;
-  const EntryInfo* described = find_entry(*value.object, sub);
-  value.entry = network.as_told(node, profile, described, index, sub);
-  value.is_told = value.entry != described;
-  return value;
-}
-
 bool may_write(const EntryInfo& entry) {
   return entry.access_by_device || allows(entry.access, Access::sdo_write) ||
          allows(entry.consumer_access, Access::sdo_write);
@@ -101,6 +87,28 @@ const Decoded& Decoder::decode(const Frame& frame) {
   return decoded_;
 }
 
+DecodedValue Decoder::described(const Profile& profile, sdo::Multiplexer place) {
+  const Described& known = entries_.at(profile, place, [&] {
+    const ObjectInfo* object = find_description(profile, place.index());
+    return Described{object, object == nullptr ? nullptr : find_entry(*object, place.sub())};
+  });
+  return {.index = place.index(),
+          .sub = place.sub(),
+          .profile = &profile,
+          .object = known.object,
+          .entry = known.entry};
+}
+
+/// Of an object of `node`; 0: it is not known whose.
+DecodedValue Decoder::value_at(NodeId node, const Profile& profile, sdo::Multiplexer place) {
+  DecodedValue value = described(profile, place);
+  if (value.object == nullptr) return value;
+  const EntryInfo* told = network_.as_told(node, profile, value.entry, place.index(), place.sub());
+  value.is_told = told != value.entry;
+  value.entry = told;
+  return value;
+}
+
 void Decoder::add_value(DecodedValue value) {
   if (value.entry != nullptr) value.marks.add(marks_of(*value.entry, value.bytes()));
   decoded_.marks.add(value.marks);
@@ -142,9 +150,7 @@ void Decoder::decode_sdo(const Frame& frame, const SdoRoute& route) {
 /// Of a device behind the server nothing is known.
 void Decoder::describe(sdo::Multiplexer entry, const SdoBehind& behind, NodeId server) {
   const Profile& profile = behind.node == 0 ? network_.profile(server) : cia301::profile;
-  about_ = {.index = entry.index(), .sub = entry.sub(), .profile = &profile};
-  about_.object = find_description(profile, entry.index());
-  if (about_.object != nullptr) about_.entry = find_entry(*about_.object, entry.sub());
+  about_ = described(profile, entry);
   decoded_.about = &about_;
 }
 
@@ -152,9 +158,7 @@ void Decoder::describe(sdo::Multiplexer entry, const SdoBehind& behind, NodeId s
 /// tells no size (CiA 301, 7.2.4.3: s is 0) cannot be judged.
 void Decoder::check_length(const sdo::Message& message, NodeId server) {
   if (!message.is_expedited() || !message.has_size()) return;
-  const sdo::Multiplexer place = message.multiplexer();
-  const DecodedValue value =
-      value_at(network_, server, network_.profile(server), place.index(), place.sub());
+  const DecodedValue value = value_at(server, network_.profile(server), message.multiplexer());
   const std::size_t length = value.entry == nullptr ? 0 : byte_length(value.entry->type);
   if (length != 0 && length != message.expedited_size()) decoded_.marks.add(Mark::wrong_length);
 }
@@ -163,8 +167,7 @@ void Decoder::decode_transfer(const SdoTransfer& transfer, NodeId server) {
   network_.clear_news();
   network_.learn(server, transfer.index, transfer.sub, transfer.bytes);
   decoded_.news = network_.news();
-  DecodedValue value =
-      value_at(network_, server, network_.profile(server), transfer.index, transfer.sub);
+  DecodedValue value = value_at(server, network_.profile(server), {transfer.index, transfer.sub});
   value.transferred = transfer.bytes;
   const bool may = value.entry == nullptr ||
                    (transfer.is_write ? may_write(*value.entry) : may_read(*value.entry));
@@ -200,7 +203,7 @@ void Decoder::make_image(Image& image, const PdoPlan& plan) {
                            .is_value = is_value});
     image.bits += mapped.bits;
     if (!is_value) continue;
-    image.values.push_back(value_at(network_, teller, *plan.profile, mapped.index, mapped.sub));
+    image.values.push_back(value_at(teller, *plan.profile, {mapped.index, mapped.sub}));
   }
 }
 
@@ -238,8 +241,7 @@ void Decoder::decode_multiplexed(const Frame& frame, const PdoPlan& plan) {
   if (frame.length != Frame::length_max) return decoded_.marks.add(Mark::wrong_length);
   const auto address = static_cast<NodeId>(frame.data[0] & 0x7FU);
   const Profile& profile = address == 0 ? *plan.profile : network_.profile(address);
-  const unsigned index = frame.data[1] | unsigned{frame.data[2]} << 8;
-  DecodedValue value = value_at(network_, address, profile, index, frame.data[3]);
+  DecodedValue value = value_at(address, profile, sdo::Message(frame).multiplexer());
   const unsigned length = value.entry == nullptr ? 0 : bit_length(value.entry->type);
   const bool is_known = length != 0 && length <= mpdo_data_bits;
   const unsigned bits = is_known ? length : mpdo_data_bits;

@@ -7,7 +7,7 @@
 //
 // Memory is bounded whatever comes: a few hundred bytes for each node, PDO and SDO channel, and
 // 4 KiB for the transfer that is under way on a channel. A bus of which nothing was heard takes
-// some 20 KiB.
+// some 20 KiB, and 8 more for what profiles say of entries from its first object on.
 #pragma once
 
 #include <array>
@@ -19,6 +19,7 @@
 
 #include "canvoy/can/frame.hpp"
 #include "canvoy/decoder/by_can_id.hpp"
+#include "canvoy/decoder/by_entry.hpp"
 #include "canvoy/decoder/lss_follower.hpp"
 #include "canvoy/decoder/mark.hpp"
 #include "canvoy/decoder/network.hpp"
@@ -90,6 +91,15 @@ class Decoder {
     unsigned bits = 0;
   };
 
+  /// What a profile says of an entry; null where it does not know it.
+  struct Described {
+    const ObjectInfo* object = nullptr;
+    const EntryInfo* entry = nullptr;
+  };
+  static constexpr std::size_t entries_max = 256;
+
+  DecodedValue described(const Profile& profile, sdo::Multiplexer place);
+  DecodedValue value_at(NodeId node, const Profile& profile, sdo::Multiplexer place);
   void decode_lss(const Frame& frame);
   void decode_sdo(const Frame& frame, const SdoRoute& route);
   void describe(sdo::Multiplexer entry, const SdoBehind& behind, NodeId server);
@@ -105,6 +115,7 @@ class Decoder {
   std::map<std::uint16_t, SdoFollower> channels_;
   LssFollower lss_;
   ByCanId<Image> images_;
+  ByEntry<Described, entries_max> entries_;
   std::vector<DecodedValue> values_;
   DecodedValue about_;
   std::uint64_t versions_ = 0;

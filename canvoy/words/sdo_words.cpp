@@ -107,17 +107,11 @@ std::string_view short_text(SdoMessage kind) {
 }  // namespace
 
 const SdoWords::Object& SdoWords::object(const Profile& profile, sdo::Multiplexer multiplexer) {
-  const unsigned index = multiplexer.index();
-  const auto place = reinterpret_cast<std::uintptr_t>(&profile) / alignof(Profile);
-  constexpr unsigned subs = 8;  // Neighbours get places of their own.
-  Object& known = objects_[(index * subs + multiplexer.sub() + place) % objects_max];
-  if (known.profile == &profile && known.multiplexer == multiplexer) return known;
-  const ObjectInfo* info = find_description(profile, index);
-  known = {.profile = &profile,
-           .multiplexer = multiplexer,
-           .entry = info == nullptr ? nullptr : find_entry(*info, multiplexer.sub()),
-           .text = object_words(profile, multiplexer)};
-  return known;
+  return objects_.at(profile, multiplexer, [&] {
+    const ObjectInfo* info = find_description(profile, multiplexer.index());
+    return Object{.entry = info == nullptr ? nullptr : find_entry(*info, multiplexer.sub()),
+                  .text = object_words(profile, multiplexer)};
+  });
 }
 
 void SdoWords::append_object(std::string& text, std::string_view front, const sdo::Message& message,
@@ -136,7 +130,7 @@ void SdoWords::append_initiate(std::string& text, const sdo::Message& message,
     std::array<std::uint8_t, sdo::expedited_max> bytes{};
     store(bytes.data(), message.value());
     text += " = ";
-    const sdo::Multiplexer place = known.multiplexer;
+    const sdo::Multiplexer place = message.multiplexer();
     const EntryInfo* entry =
         network.as_told(server, profile, known.entry, place.index(), place.sub());
     const std::span value = std::span(bytes).first(size);

@@ -8,10 +8,10 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "canvoy/can/frame.hpp"
 #include "canvoy/canopen/sdo/sdo.hpp"
+#include "canvoy/decoder/by_entry.hpp"
 #include "canvoy/decoder/decoder.hpp"
 #include "canvoy/profiles/description.hpp"
 #include "canvoy/words/value_words.hpp"
@@ -32,8 +32,6 @@ class SdoWords {
   /// The latest of each hash: to look for a name takes longer than to write it.
   static constexpr std::size_t objects_max = 1024;
   struct Object {
-    const Profile* profile = nullptr;
-    sdo::Multiplexer multiplexer;
     const EntryInfo* entry = nullptr;  ///< null: the profile does not know it
     std::string text;                  ///< `6010h:00h temperature`
   };
@@ -46,7 +44,7 @@ class SdoWords {
   void append_block(std::string& text, decoder::SdoMessage kind, const sdo::Message& message,
                     const Profile& profile);
 
-  std::vector<Object> objects_{objects_max};
+  decoder::ByEntry<Object, objects_max> objects_;
   ValueWords values_;
 };
 

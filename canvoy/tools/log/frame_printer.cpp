@@ -232,17 +232,21 @@ std::string_view FramePrinter::text_of(words::FrameDecoder& decoder,
   return transfers_ && words.is_end ? decoder.transfer_text() : words.text;
 }
 
-words::FrameDecoder& FramePrinter::decoder_of(std::string_view bus) {
-  return buses_.at(bus, [this, bus] { return make_decoder(bus); });
+FramePrinter::Bus::Bus(std::string_view name,
+                       const std::shared_ptr<words::FrameDecoder::Said>& said)
+    : name(formats::plain_text(name)), decoder(said) {}
+
+FramePrinter::Bus& FramePrinter::bus_of(std::string_view name) {
+  return buses_.at(name, [this, name] { return make_bus(name); });
 }
 
-std::unique_ptr<words::FrameDecoder> FramePrinter::make_decoder(std::string_view bus) {
-  auto made = std::make_unique<words::FrameDecoder>(said_);
-  made->network() = any_bus_;
+std::unique_ptr<FramePrinter::Bus> FramePrinter::make_bus(std::string_view name) {
+  auto made = std::make_unique<Bus>(name, said_);
+  made->decoder.network() = any_bus_;
   for (Given& given : given_) {
-    if (given.bus != bus) continue;
+    if (given.bus != name) continue;
     given.is_heard = true;
-    tell(made->network(), given);
+    tell(made->decoder.network(), given);
   }
   return made;
 }
@@ -265,22 +269,22 @@ bool FramePrinter::append(std::string& lines, Duration time, std::string_view bu
 
 void FramePrinter::append_words(std::string& lines, Duration time, std::string_view bus,
                                 const Frame& frame, const words::FrameWords& words) {
-  words::FrameDecoder& decoder = decoder_of(bus);
+  Bus& heard = bus_of(bus);
   const FrameText text(frame);
   if (json_) {
-    frame_json_.append(lines, time, bus, text.view(), words, text_of(decoder, words));
+    frame_json_.append(lines, time, bus, text.view(), words, text_of(heard.decoder, words));
   } else {
     constexpr std::size_t frame_width = 21;
     constexpr std::size_t service_width = 16;
     append_time(lines, time);
     lines += ' ';
-    lines += formats::plain_text(bus);
+    lines += heard.name;
     lines += ' ';
     append_text(lines, text.view(), frame_width);
     lines += ' ';
     append_text(lines, words.service, service_width);
     lines += ' ';
-    append_meaning(lines, words, text_of(decoder, words));
+    append_meaning(lines, words, text_of(heard.decoder, words));
   }
   lines += '\n';
 }

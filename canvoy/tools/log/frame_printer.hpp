@@ -91,8 +91,16 @@ class FramePrinter {
   void add_filters(const std::vector<std::string>& filters);
   void add(const Given& given);
   static void tell(decoder::Network& network, const Given& given);
-  words::FrameDecoder& decoder_of(std::string_view bus);
-  std::unique_ptr<words::FrameDecoder> make_decoder(std::string_view bus);
+  struct Bus {
+    Bus(std::string_view name, const std::shared_ptr<words::FrameDecoder::Said>& said);
+
+    std::string name;  ///< as a terminal can show it
+    words::FrameDecoder decoder;
+  };
+
+  Bus& bus_of(std::string_view name);
+  words::FrameDecoder& decoder_of(std::string_view bus) { return bus_of(bus).decoder; }
+  std::unique_ptr<Bus> make_bus(std::string_view name);
   std::string_view text_of(words::FrameDecoder& decoder, const words::FrameWords& words) const;
   bool is_wanted(Duration time, std::string_view bus, const Frame& frame,
                  const words::FrameWords& words);
@@ -101,7 +109,7 @@ class FramePrinter {
   std::deque<decoder::SheetProfile> sheets_;
   decoder::Network any_bus_;  ///< what is known of each bus before anything is heard
   std::vector<Given> given_;  ///< of one bus
-  decoder::BusTable<words::FrameDecoder> buses_;
+  decoder::BusTable<Bus> buses_;
   std::shared_ptr<words::FrameDecoder::Said> said_ = std::make_shared<words::FrameDecoder::Said>();
   Filter filter_;
   std::optional<Duration> first_;  ///< when the first frame came
