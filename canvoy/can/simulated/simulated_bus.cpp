@@ -4,6 +4,7 @@
 #include <span>
 
 #include "canvoy/can/frame_bits.hpp"
+#include "canvoy/can/must_hold.hpp"
 #include "canvoy/can/simulated/arbitration.hpp"
 
 namespace canvoy {
@@ -172,6 +173,7 @@ void SimulatedBus::start_frame(Wire& wire) {
   }
   const ControllerSet transmitters = elect(wire);
   const ControllerId leader = transmitters.first();
+  must_hold(leader != no_controller);
   wire.begin(controllers_[leader].head(), bit_times_.of(leader), now_ns_, transmitters,
              participants_.hearing());
   transmitters.for_each([this](ControllerId id) { controllers_[id].begin_sending(); });
@@ -301,6 +303,7 @@ void SimulatedBus::leave_frame(Controller& controller) {
   wire.expect_acknowledgement(participants_.acknowledging(), now_ns_);
   if (!wire.transmitters().contains(id)) return;
   controller.break_off();
+  offer(controller);
   wire.abandon(id, now_ns_);
 }
 
@@ -410,7 +413,10 @@ void SimulatedBus::rewire() {
     fail(wire);
   });
   const Rewired rewired = cable_.rewire(now_ns_);
-  rewired.cut_off.for_each([this](ControllerId id) { controllers_[id].break_off(); });
+  rewired.cut_off.for_each([this](ControllerId id) {
+    controllers_[id].break_off();
+    offer(controllers_[id]);
+  });
   for (Wire& wire : cable_.wires()) {
     wire.expect_acknowledgement(participants_.acknowledging(), now_ns_);
     if (!(wire.members() & rewired.interrupted).empty()) wire.hold_after_cut(now_ns_);

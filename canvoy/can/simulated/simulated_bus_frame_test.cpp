@@ -176,6 +176,24 @@ TEST(SimulatedBusFrame, ThatIsUrgentOvertakesInAQueueByIdentifier) {
                                        {bits(65 + 3 + 117 + 3 + 55), heartbeat}}));
 }
 
+/// What waits behind a frame that breaks off is first in a queue by identifier, and takes part as
+/// what it is.
+TEST(SimulatedBusFrame, ThatIsUrgentIsNextWhereTheOneOnTheWireBreaksOff) {
+  SimulatedBus bus;
+  BusTestNode by_identifier(bus, {.transmit_order = TransmitOrder::by_identifier});
+  BusTestNode other(bus);
+  BusTestNode listener(bus);
+  by_identifier.send(heartbeat);
+  bus.advance(Time(bits(20)));
+  by_identifier.send(start_all);
+  other.send(pdo);
+  bus.set_bit_rate(by_identifier.id, SimulatedBusOptions{}.bit_rate);
+  bus.advance(Time(1s));
+  std::vector<Frame> order;
+  for (const TimedFrame& each : listener.received) order.push_back(each.frame);
+  EXPECT_EQ(order, (std::vector<Frame>{start_all, pdo, heartbeat}));
+}
+
 TEST(SimulatedBusFrame, SentByTwoAtOnceWithTheSameDataGoesThroughAsOne) {
   SimulatedBus bus;
   BusTestNode first(bus);

@@ -36,12 +36,12 @@ void NmtQueue::send_due(Time now) {
   while (size_ != 0) {
     if (now < inhibited_until_) return node_.timers().arm(timer_, inhibited_until_);
     const Request request = memory_[first_];
-    if (request.node != node_.id()) {
-      if (node_.transmitter().full()) return;
-      send(request);
-    }
+    const bool has_frame = request.node != node_.id();
+    if (has_frame && node_.transmitter().full()) return;
+    // Taken out first: what answers the frame may come at once, and reset this node.
     first_ = (first_ + 1) % memory_.size();
     --size_;
+    if (has_frame) send(request);
     sent_(request);
     const bool means_all = request.node == all_nodes && !request.spares_master;
     if (means_all || request.node == node_.id()) node_.command(request.command);

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/testing/boot_network.hpp"
+#include "canvoy/canopen/testing/dynamic_sdo_nodes.hpp"
+#include "canvoy/canopen/testing/prompt_bus.hpp"
 
 namespace canvoy::nmt_queue_test {
 namespace {
@@ -113,6 +115,24 @@ TEST(NmtQueue, RefusesWhatIsNoNode) {
   }
   sut.settle();
   sut.expect({});
+}
+
+/// Another master answers the first command at once: what still waited is forgotten.
+TEST(NmtQueue, IsEmptyWhereItsNodeIsResetWhileACommandLeaves) {
+  PromptBus bus(dynamic_sdo_manager(), 1);
+  std::array<NmtQueue::Request, 4> memory;
+  NmtQueue sut(bus.node, memory);
+  bus.sent.clear();
+  bus.answers = [](const Frame& frame) -> std::optional<Frame> {
+    if (frame.id != 0) return std::nullopt;
+    return wire_frame("000#82 01");
+  };
+  for (const NodeId slave : {NodeId{5}, NodeId{6}, NodeId{7}}) {
+    EXPECT_TRUE(sut.add({slave, NmtCommand::start}));
+  }
+  bus.run_for(Duration::zero());
+  EXPECT_EQ(bus.sent, (std::vector<std::string>{"000#01 05", "701#00"}));
+  EXPECT_TRUE(sut.empty());
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "canvoy/can/must_hold.hpp"
 #include "canvoy/canopen/dictionary/object_index.hpp"
 
 namespace canvoy {
@@ -121,6 +122,7 @@ void Tpdos::restart_mpdos(MpdoMode mode) {
   for (std::size_t i = 0; i < changed.count; ++i) {
     unsigned value = values.first(changed.places[i]);
     for (; value != PlacesOfValues::nothing; value = values.next(value)) {
+      must_hold(value < unsigned{places_.value.share} * count_);
       if (count == positions.size()) return false;
       positions[count++] = static_cast<std::uint16_t>(value / places_.value.share);
     }
@@ -234,6 +236,7 @@ inline bool Tpdos::is_in_time() const {
     if (start != 0 && counter != 0 && counter != start) return false;
     pdo.counting_ = true;
   }
+  must_hold(pdo.syncs_or_faults_ < pdo.type_);
   ++pdo.syncs_or_faults_;
   if (pdo.syncs_or_faults_ < pdo.type_) return false;
   pdo.syncs_or_faults_ = 0;
@@ -389,11 +392,13 @@ void Tpdos::answer_routed(void* context, const Frame&, Time) {
   transmit_sample(pdo);
 }
 
+/// Who is asked for values may end the PDO, by an invalid COB-ID or another NMT state: there is no
+/// sample then.
 void Tpdos::sample(Tpdo& pdo) {
+  pdo.sampled_ = true;
   if (is_small_machine || before_transmit) before_transmit(number_of(pdo));
   renew(pdo);
   pack(pdo, pdo.image_, true);
-  pdo.sampled_ = true;
 }
 
 /// Samples as late as can be: not before there is room for the frame.
@@ -421,11 +426,13 @@ bool Tpdos::may_send_mpdo(std::uint16_t number) {
 bool Tpdos::send_mpdo(std::uint16_t number, const PdoImage& image) {
   Tpdo& pdo = (*this)[number];
   pdo.image_ = image;
+  pdo.sampled_ = true;
   transmit_sample(pdo);
   return !pdo.waiting_;
 }
 
 void Tpdos::transmit_sample(Tpdo& pdo) {
+  if (!pdo.sampled_) return;
   pdo.waiting_ = false;
   if (node_.transmitter().crowded()) return wait(pdo);
   Frame frame;

@@ -72,6 +72,30 @@ TEST(Tpdo, AsksTheApplicationToRefreshBeforeItIsSampled) {
   EXPECT_EQ(asked, (std::vector<std::uint16_t>{1, 2, 1}));
 }
 
+TEST(Tpdo, IsNotSentWhereTheApplicationThatIsAskedToRefreshItHasMadeItInvalid) {
+  for (const unsigned type : {1U, 255U}) {
+    PdoNode node;
+    auto refresh = [&](std::uint16_t) { ASSERT_EQ(node.write(0x1800, 1, 0x8000'0185), none); };
+    node.tpdos.before_transmit = Callback<void(std::uint16_t)>::of(refresh);
+    node.map_tpdo(1, 0x185, type, {0x2010'01'10});
+    node.operate();
+    node.receive("080#");
+    node.receive("080#");
+    node.expect({});
+  }
+}
+
+TEST(Tpdo, IsNotSentWhereTheApplicationThatIsAskedToRefreshItHasStoppedTheNode) {
+  PdoNode node;
+  auto refresh = [&](std::uint16_t) { node.node.command(NmtCommand::stop); };
+  node.tpdos.before_transmit = Callback<void(std::uint16_t)>::of(refresh);
+  node.map_tpdo(1, 0x185, 1, {0x2010'01'10});
+  node.operate();
+  node.receive("080#");
+  node.expect({});
+  EXPECT_EQ(node.node.state(), NmtState::stopped);
+}
+
 TEST(Tpdo, LetsTheHooksOfItsValuesRefreshThem) {
   PdoNode node;
   unsigned count = 0;

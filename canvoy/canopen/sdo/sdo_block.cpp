@@ -5,6 +5,7 @@
 namespace canvoy {
 
 void SdoBlockSender::begin(std::uint8_t block_size, bool with_crc, const std::uint8_t* memory) {
+  must_hold(is_block_size(block_size));
   *this = {};
   memory_ = memory;
   block_size_ = block_size;
@@ -38,6 +39,7 @@ void SdoBlockReceiver::begin(std::uint8_t block_size, bool with_crc, const std::
 }
 
 void SdoBlockReceiver::sum() {
+  must_hold(taken_ <= block_size_);
   if (!with_crc_ || memory_ == nullptr) return;
   must_hold(summed_ <= written_);
   crc_ = crc16({memory_ + summed_, written_ - summed_}, crc_);

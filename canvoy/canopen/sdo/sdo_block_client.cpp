@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "canvoy/can/must_hold.hpp"
+
 namespace canvoy {
 
 constexpr ServiceCalls SdoBlockClient::service_calls = {.tx_ready =
@@ -176,9 +178,8 @@ void SdoBlockClient::end_upload(sdo::Message answer) {
     code = AbortCode::length_too_low;
   }
   if (code != AbortCode::none) return client_.fail(code);
-  client_.state_ = SdoClient::State::idle;
-  client_.send(sdo::Message(sdo::command(sdo::Request::block_upload, sdo::block_end)));
-  client_.finish(client_.transferred_);
+  client_.finish_with(sdo::Message(sdo::command(sdo::Request::block_upload, sdo::block_end)),
+                      client_.transferred_);
 }
 
 bool SdoBlockClient::initiate_download() {
@@ -237,6 +238,7 @@ inline void SdoBlockClient::send_segment() {
 
 /// What a supply gave comes from the buffer again where it was lost.
 Result<std::span<const std::uint8_t>> SdoBlockClient::fetch(std::span<std::uint8_t> memory) {
+  must_hold(sender_.position() - block_begin_ <= buffer_.size());
   const auto place = buffer_.subspan(sender_.position() - block_begin_);
   const std::size_t kept = client_.transferred_ - sender_.position();
   if (kept != 0 || client_.nothing_follows_) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "canvoy/can/must_hold.hpp"
+
 namespace canvoy {
 
 constexpr HookCalls SdoClient::hook_calls = {.first = sdo_client_parameter,
@@ -308,6 +310,7 @@ void SdoClient::give_segment() {
 /// The next bytes of a download, no more than `memory` has room for, and whether they are the last.
 /// Where the supply has ended the transfer, nothing is touched: it may be the next one's.
 Result<std::span<const std::uint8_t>> SdoClient::give(std::span<std::uint8_t> memory) {
+  must_hold(!announced_ || transferred_ <= *announced_);
   std::size_t wanted = memory.size();
   if (announced_) wanted = std::min<std::size_t>(wanted, *announced_ - transferred_);
   auto bytes = std::span<const std::uint8_t>(memory.first(wanted));
@@ -365,9 +368,15 @@ void SdoClient::give_up(Time now) {
 }
 
 void SdoClient::fail(AbortCode code) {
-  state_ = State::idle;
-  if (may_speak()) send(sdo::Message(multiplexer_, code));
-  finish(code);
+  finish_with(sdo::Message(multiplexer_, code), code);
+}
+
+/// Who is called from within, as on some buses the server is, finds it busy; he may end it.
+void SdoClient::finish_with(sdo::Message last, Outcome outcome) {
+  if (state_ == State::ending) return;
+  state_ = State::ending;
+  if (may_speak()) send(last);
+  if (state_ == State::ending) finish(outcome);
 }
 
 }  // namespace canvoy

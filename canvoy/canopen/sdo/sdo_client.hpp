@@ -88,6 +88,7 @@ class SdoClient {
 
  private:
   friend class SdoBlockClient;
+  friend class SdoQueue;
 
   /// Who makes block transfers: a table, so that nothing of it is linked where there is none.
   struct Extension {
@@ -107,7 +108,8 @@ class SdoClient {
     upload_segment,
     download_initiated,
     download_segment,
-    block,  ///< what the extension waits for
+    block,   ///< what the extension waits for
+    ending,  ///< while its last message is handed over
   };
 
   void state_entered(NmtState state);
@@ -154,6 +156,7 @@ class SdoClient {
 
   void give_up(Time now);
   void fail(AbortCode code);
+  void finish_with(sdo::Message last, Outcome outcome);
   void finish(Outcome outcome);
   void ask(sdo::Message message);
   void send(sdo::Message message) { node_.transmitter().send(message.frame(channel_.request)); }

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "canvoy/can/must_hold.hpp"
+
 namespace canvoy {
 
 /// What is found is filled in in its place: a copy would have to wait for its parts to get there.
@@ -76,6 +78,7 @@ AbortCode SdoEntry::write(std::span<const std::uint8_t> bytes) {
 AbortCode SdoEntry::finish() {
   if (announced_ && offset_ < size_) return AbortCode::length_too_low;
   if (is_domain()) return domain_->transfer->close(*this, true);
+  must_hold(offset_ <= buffer_.size());
   return write_whole(buffer_.first(offset_));
 }
 

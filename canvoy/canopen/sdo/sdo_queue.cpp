@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "canvoy/can/must_hold.hpp"
+
 namespace canvoy {
 
 std::size_t SdoRequest::transferred() const {
@@ -40,6 +42,7 @@ bool SdoQueue::add(SdoRequest& request, bool is_download) {
 }
 
 void SdoQueue::append(SdoRequest& request) {
+  must_hold(request.place.next == nullptr);
   SdoRequest** link = first_of(request.server);
   while (*link != nullptr) link = &(*link)->place.behind;
   *link = &request;
@@ -72,8 +75,8 @@ void SdoQueue::start_waiting() {
 /// Whether there was a request that could be started, with success or without.
 bool SdoQueue::start_one() {
   if (!node_.transmitter().idle()) return false;
-  const auto worker = std::ranges::find_if(
-      workers_, [](const Worker& candidate) { return candidate.request_ == nullptr; });
+  const auto worker =
+      std::ranges::find_if(workers_, [](const Worker& candidate) { return candidate.is_free(); });
   if (worker == workers_.end()) return false;
   SdoRequest* request = first_;
   while (request != nullptr && request->place.state != SdoRequest::State::waiting) {
@@ -110,12 +113,14 @@ AbortCode SdoQueue::start(Worker& worker, SdoRequest& request) {
 }
 
 void SdoQueue::finished(Worker& worker, SdoClient::Outcome outcome) {
-  finish(*std::exchange(worker.request_, nullptr), outcome);
+  SdoRequest* const request = std::exchange(worker.request_, nullptr);
+  if (request != nullptr) finish(*request, outcome);
   start_waiting();
 }
 
 /// Nothing of the request is touched after the callback: its memory may be gone.
 void SdoQueue::finish(SdoRequest& request, SdoClient::Outcome outcome) {
+  must_hold(request.place.state == SdoRequest::State::active);
   remove(request);
   request.place.outcome = outcome;
   const SdoRequest::Done done = request.done;
@@ -127,7 +132,8 @@ void SdoQueue::cancel(SdoRequest& request) {
   for (Worker& worker : workers_) {
     if (worker.request_ != &request) continue;
     worker.request_ = nullptr;
-    worker.client_.cancel();
+    // Where its last message is just being handed over, the worker is free after that.
+    if (worker.client_.state_ != SdoClient::State::ending) worker.client_.cancel();
   }
   remove(request);
   start_waiting();

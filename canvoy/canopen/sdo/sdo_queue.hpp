@@ -78,6 +78,7 @@ class SdoQueue {
 
    private:
     friend class SdoQueue;
+    bool is_free() const { return request_ == nullptr && !client_.busy(); }
     void finished(SdoClient::Outcome outcome) { queue_->finished(*this, outcome); }
 
     SdoClient client_;

@@ -8,6 +8,7 @@
 
 #include "canvoy/canopen/sdo/sdo_block_server.hpp"
 #include "canvoy/canopen/testing/bus_node.hpp"
+#include "canvoy/canopen/testing/prompt_bus.hpp"
 #include "canvoy/canopen/testing/sdo_objects.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
@@ -260,6 +261,40 @@ TEST(SdoQueueTransfers, LongValuesGoInBlocksAndShortOnesDoNot) {
   request.value = value;
   EXPECT_TRUE(sut.download(request));
   wire.expect({"605#80 21 20 00 00 00 00 08", "605#21 21 20 00 40 00 00 00"});
+}
+
+/// The answers come at once, and so does what is done about the abort of a request: it is taken
+/// back while that leaves. The next one neither begins before that, nor is ended by it.
+TEST(SdoQueueOnAPromptBus, ARequestThatIsTakenBackWhileItsAbortLeavesEndsNoOther) {
+  PromptBus bus(sdo_objects(), 1);
+  bus.run_for(Duration::zero());
+  bus.sent.clear();
+  SdoWorkers<1> workers(bus.node);
+  SdoQueue sut(bus.node, workers.all());
+  std::vector<SdoRequest*> finished;
+  auto note = [&](SdoRequest& request) { finished.push_back(&request); };
+  const auto done = SdoRequest::Done::of(note);
+  std::array<std::uint8_t, 1> too_small{};
+  std::array<std::uint8_t, 4> bytes{};
+  SdoRequest first = {.server = 5, .index = 0x1000, .destination = too_small, .done = done};
+  SdoRequest second = {.server = 6, .index = 0x1000, .destination = bytes, .done = done};
+  bus.answers = [&](const Frame& frame) -> std::optional<Frame> {
+    if (frame == wire_frame("605#40 00 10 00 00 00 00 00")) {
+      EXPECT_TRUE(sut.upload(second));
+      return wire_frame("585#43 00 10 00 01 02 03 04");
+    }
+    if (frame.id == 0x605) sut.cancel(first);
+    if (frame.id == 0x606) return wire_frame("586#43 00 10 00 05 06 07 08");
+    return std::nullopt;
+  };
+  EXPECT_TRUE(sut.upload(first));
+  bus.run_for(1s);
+  EXPECT_EQ(bus.sent,
+            (std::vector<std::string>{"605#40 00 10 00 00 00 00 00", "605#80 00 10 00 05 00 04 05",
+                                      "606#40 00 10 00 00 00 00 00"}));
+  EXPECT_EQ(finished, (std::vector<SdoRequest*>{&second}));
+  EXPECT_EQ(*second.outcome(), 4U);
+  EXPECT_TRUE(sut.idle());
 }
 
 /// Node 127 reads and writes all others, each of which has a server.

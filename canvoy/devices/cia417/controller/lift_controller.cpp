@@ -32,6 +32,7 @@ void LiftController::reset(ResetScope) {
   node_.timers().disarm(timer_);
   faults_.begin_anew();
   service_.begin_anew();
+  calls_.accept(service_.accepted());
   dwell_.begin_anew();
   hand_.begin_anew();
   levelling_.give_up();
@@ -332,7 +333,7 @@ void LiftController::await_closed() {
   // Nobody gets out between floors: it only tries again.
   if (floor == 0) return is_late ? close_doors() : wake_at(deadline_);
   dwell_.open_again(settings_.times.dwell_again);
-  open_doors(open_doors_ != 0 ? open_doors_ : calls_.doors_at(floor));
+  open_doors(open_doors_ != 0 ? open_doors_ : doors_at(floor));
 }
 
 /// By two buttons: see HandDrive.
@@ -388,7 +389,7 @@ void LiftController::begin_trip(std::uint8_t floor) {
   if (service_.is(LiftService::fire_brigade)) calls_.answered(floor, Direction::none);
   const NextStop stop = wanted_stop(floor, false);
   if (stop.floor == 0) return park(floor);
-  if (stop.floor == floor) return stop_at(floor, stop.doors);
+  if (stop.floor == floor) return stop.doors != 0 ? stop_at(floor, stop.doors) : void();
   is_errand_ = false;
   go_to(stop.floor);
 }
@@ -458,8 +459,9 @@ void LiftController::arrive() {
   // The fire brigade opens by itself, where it has seen what is behind the door.
   if (service_.is(LiftService::fire_brigade)) calls_.answered(floor, Direction::none);
   const NextStop stop = wanted_stop(floor, false);
-  if (stop.floor == floor && stop.doors != 0) return stop_at(floor, stop.doors);
+  // It stands, also where the doors that are called for are none of the car's.
   enter(LiftPhase::idle);
+  if (stop.floor == floor && stop.doors != 0) stop_at(floor, stop.doors);
 }
 
 /// The stop to which the car slows down, for those who see its lantern there: where it goes on to
@@ -482,7 +484,7 @@ NextStop LiftController::wanted_stop(std::uint8_t floor, bool moving) const {
   const bool lies_behind = direction_ == Direction::up ? fire_floor < floor : fire_floor > floor;
   if (moving && lies_behind) return {.floor = floor};
   if (service_.is_cleared()) return {};
-  return {.floor = fire_floor, .doors = calls_.doors_at(fire_floor)};
+  return {.floor = fire_floor, .doors = doors_at(fire_floor)};
 }
 
 CollectiveCar LiftController::car_at(std::uint8_t floor, bool moving) const {

@@ -29,13 +29,14 @@ class LiftBench {
   }();
 
   explicit LiftBench(LiftControllerSettings settings = {}, unsigned number = 1,
-                     const FloorSet& served = FloorSet::between(1, 10))
+                     const FloorSet& served = FloorSet::between(1, 10),
+                     DoorMask doors_of_car = 0b11)
       : device(cable.port(0), 1,
                {.lift = number, .served = {served, served & FloorSet::between(5, 5)}}),
         lift(
             device.node(), device.calls(),
             {car.interface(), doors.interface(), Callback<LiftLoad()>::to<&LiftBench::load>(*this)},
-            complete(settings)) {
+            complete(settings, doors_of_car)) {
     cable.connect(0, device.node());
   }
   void start() {
@@ -98,9 +99,9 @@ class LiftBench {
   LiftController lift;
 
  private:
-  static LiftControllerSettings complete(LiftControllerSettings settings) {
+  static LiftControllerSettings complete(LiftControllerSettings settings, DoorMask doors_of_car) {
     settings.floors = floors;
-    settings.doors = 0b11;
+    settings.doors = doors_of_car;
     return settings;
   }
   LiftLoad load() { return weighed; }

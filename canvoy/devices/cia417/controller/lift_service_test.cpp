@@ -516,5 +516,23 @@ TEST_F(LiftServiceTest, LeavingOperationalStopsTheCar) {
   ASSERT_TRUE(bench.run_to(7, open));
 }
 
+// Reset.
+
+TEST_F(LiftServiceTest, AfterAResetCallsAreTakenAgainWhateverWasOnBefore) {
+  for (const SpecialFunction key :
+       {SpecialFunction::fire_service_enable, SpecialFunction::out_of_order}) {
+    bench.turn(key);
+    bench.run_for(1s);
+    bench.cable.send("000#82 00");
+    bench.run_for(100ms);
+    bench.cable.send("000#01 00");
+    bench.run_for(100ms);
+    const auto floor = static_cast<std::uint8_t>(bench.at(4) ? 6 : 4);
+    bench.press(floor == 4 ? "05 04 01 00 11 01" : "05 06 01 00 11 01");
+    EXPECT_TRUE(bench.run_to(floor, open)) << static_cast<unsigned>(key);
+    EXPECT_TRUE(bench.run_to(floor, idle));
+  }
+}
+
 }  // namespace
 }  // namespace canvoy::cia417::lift_service_test

@@ -56,6 +56,38 @@ TEST(LiftAtAnUnservedFloor, OutOfOrderItGoesToTheNearestFloorWithADoor) {
   EXPECT_TRUE(bench.run_to(2, open));
 }
 
+/// Panels and car come from two makers, who do not agree on the doors: the car has the second one
+/// only, which is there at floor 5.
+struct LiftWithoutTheDoorsOfItsPanels : testing::Test {
+  LiftWithoutTheDoorsOfItsPanels() {
+    bench.car.motion.position_micrometre = LiftBench::floors[4];
+    bench.start();
+  }
+  LiftBench bench{{}, 1, FloorSet::between(1, 10), 0b10};
+};
+
+TEST_F(LiftWithoutTheDoorsOfItsPanels, StandsAtTheFireFloorUntilItIsReset) {
+  bench.turn(SpecialFunction::fire_service_enable);
+  EXPECT_TRUE(bench.run_to(1, idle));
+  bench.turn(SpecialFunction::fire_service_enable, false);
+  bench.run_for(120s);
+  EXPECT_EQ(bench.lift.phase(), idle);
+  EXPECT_EQ(bench.lift.fault(), LiftFault::none);
+  EXPECT_EQ(bench.lift.service(), LiftService::fire_recall) << "nobody could get out";
+  bench.cable.send("000#82 00");
+  bench.cable.send("000#01 00");
+  bench.run_for(100ms);
+  bench.press("05 05 01 00 12 01");
+  EXPECT_TRUE(bench.run_to(5, open));
+}
+
+TEST_F(LiftWithoutTheDoorsOfItsPanels, GoesOnFromACallThatItCannotAnswer) {
+  bench.press("05 03 01 00 11 01");
+  EXPECT_TRUE(bench.run_to(3, idle));
+  bench.press("05 05 01 00 12 01");
+  EXPECT_TRUE(bench.run_to(5, open));
+}
+
 TEST_F(LiftUnservedFloorTest, CallsToAFloorWithoutADoorAreRefused) {
   bench.press("05 04 01 00 11 01");
   bench.press("02 01 01 04 10 01");
