@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "canvoy/can/gap.hpp"
+#include "canvoy/can/must_hold.hpp"
 
 namespace canvoy {
 
@@ -36,6 +37,7 @@ void Router::follow(const Route* place, int step) {
     if (place > walk->end || (place == walk->end && step > 0)) continue;
     walk->end += step;
     if (place <= walk->next) walk->next += step;
+    must_hold(walk->next <= walk->end && walk->end <= table_ + size_);
   }
   forget();
 }

@@ -92,6 +92,7 @@ inline void TimerQueue::take_out(Timer& timer) {
   Timer* const previous = timer.place_.value.previous;
   must_hold(previous != nullptr);
   Timer*& child = previous->place_.value.child;
+  must_hold(child == &timer || previous->next_ == &timer);
   (child == &timer ? child : previous->next_) = timer.next_;
   if (timer.next_ != nullptr) timer.next_->place_.value.previous = previous;
   if (below != nullptr) first_ = meld(first_, below);

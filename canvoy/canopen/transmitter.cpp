@@ -61,6 +61,7 @@ void Transmitter::flush() {
     leaving_ = false;
     if (sent) continue;
     if (cleared) return;
+    must_hold(size_ < backlog_.size());
     first_ = first;
     ++size_;
     return;

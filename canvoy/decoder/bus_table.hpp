@@ -15,6 +15,8 @@
 #include <string_view>
 #include <vector>
 
+#include "canvoy/can/must_hold.hpp"
+
 namespace canvoy::decoder {
 
 template <class Bus>
@@ -54,6 +56,7 @@ class BusTable {
         ++forgotten_;
       }
       rooms_.push_back({std::string(name), make()});
+      must_hold(rooms_.size() <= max_);
       room = rooms_.end() - 1;
     }
     return static_cast<std::size_t>(room - rooms_.begin());

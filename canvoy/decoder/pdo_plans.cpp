@@ -4,6 +4,7 @@
 #include <functional>
 #include <utility>
 
+#include "canvoy/can/must_hold.hpp"
 #include "canvoy/profiles/cia447/network.hpp"
 #include "canvoy/profiles/profile_pdo.hpp"
 
@@ -194,6 +195,7 @@ void PdoPlans::place(const Key& key, const Profile& profile, Parameters& own) {
 PdoPlan PdoPlans::plan_of(const Key& key, const Parameters& own) {
   const MpdoKind kind = mpdo_kind(own.count);
   const std::size_t count = kind == MpdoKind::no ? own.count : 0;
+  must_hold(count <= own.mapping.size());
   return {
       .node = key.node,
       .direction = key.direction,

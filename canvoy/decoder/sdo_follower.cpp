@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "canvoy/can/must_hold.hpp"
 #include "canvoy/canopen/remote/remote_access.hpp"
 
 namespace canvoy::decoder {
@@ -184,6 +185,7 @@ void SdoFollower::take(std::span<const std::uint8_t> bytes) {
   const auto kept = bytes.first(std::min(room, bytes.size()));
   transfer_.bytes.insert(transfer_.bytes.end(), kept.begin(), kept.end());
   transfer_.size += bytes.size();
+  must_hold(transfer_.bytes.size() <= bytes_max && transfer_.bytes.size() <= transfer_.size);
 }
 
 // What is to be expected
@@ -314,6 +316,7 @@ void SdoFollower::acknowledge_block(const sdo::Message& message) {
   if (message.acknowledged() > sequence_) marks_.add(Mark::out_of_range);
   const unsigned got = std::min<unsigned>(message.acknowledged(), sequence_);
   const std::size_t again = (sequence_ - got) * sdo::segment_max;
+  must_hold(again <= transfer_.size);
   transfer_.size -= again;
   transfer_.bytes.resize(std::min(transfer_.bytes.size(), transfer_.size));
   if (again != 0) last_ = false;

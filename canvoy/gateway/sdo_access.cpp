@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "canvoy/can/must_hold.hpp"
+
 namespace canvoy::gateway {
 
 Answer sdo_answer(const Operation& operation, AbortCode outcome, Version version) {
@@ -46,7 +48,9 @@ void SdoAccess::finished(Job& job) {
   const bool stopped = outcome == AbortCode::device_state && is_stopped();
   job.operation->answer = stopped ? Answer::failed(ErrorCode::internal_state)
                                   : sdo_answer(*job.operation, outcome, version_);
-  std::erase_if(jobs_, [&](const auto& other) { return other.get() == &job; });
+  const std::size_t gone =
+      std::erase_if(jobs_, [&](const auto& other) { return other.get() == &job; });
+  must_hold(gone == 1);
 }
 
 bool SdoAccess::cancel(Operation& operation) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "canvoy/can/must_hold.hpp"
 #include "canvoy/gateway/gateway.hpp"
 
 namespace canvoy::gateway {
@@ -159,6 +160,7 @@ bool Session::begin_ready(Time now) {
   for (std::size_t i = 0; i < pending_.size(); ++i) {
     Pending& pending = *pending_[i];
     if (pending.begun || pending.operation.answer || !may_begin(i)) continue;
+    must_hold(pending.network != nullptr);
     pending.begun = true;
     if (command_time_out_) pending.until = now + *command_time_out_;
     pending.network->begin(pending.operation, now);
@@ -223,6 +225,7 @@ void Session::tell(const Event& event) {
 }
 
 void Session::consume(std::size_t size) {
+  must_hold(size <= output_.size());
   output_.erase(0, size);
   if (output_.empty()) event_bytes_ = 0;
 }

@@ -10,6 +10,7 @@
 #include <iterator>
 #include <utility>
 
+#include "canvoy/can/must_hold.hpp"
 #include "canvoy/gateway/first_line.hpp"
 
 namespace canvoy::gateway {
@@ -111,6 +112,7 @@ class TcpServer::Connection {
 
   void die(const std::string& reason) {
     if (std::exchange(dead_, true)) return;
+    must_hold(watch_ != 0);
     server_.loop_.unwatch(std::exchange(watch_, 0));
     server_.note("client " + peer_ + " " + reason);
     server_.sweep_later();
@@ -197,7 +199,9 @@ void TcpServer::bound_memory() {
   for (const auto& connection : connections_) sum += held(connection);
   while (sum > limits_.bytes_max) {
     const auto most = std::ranges::max_element(connections_, {}, held);
-    sum -= held(*most);
+    const std::size_t freed = held(*most);
+    must_hold(freed > 0 && freed <= sum);
+    sum -= freed;
     (*most)->drop("it holds most of the memory of all clients");
   }
 }

@@ -10,6 +10,7 @@ std::size_t DeadlineTree::add(Time deadline) {
   const std::size_t actor = size_++;
   matches_[leaf_first_ + actor].actor = actor;
   set(actor, deadline);
+  must_hold(earliest() <= deadline);
   return actor;
 }
 

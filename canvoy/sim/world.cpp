@@ -37,6 +37,7 @@ SlotIndex World::add_slot(BusIndex bus, const SlotOptions& options) {
                                          .clock_drift_ppm = options.clock_drift_ppm});
   buses_[bus]->power(slot.controller, false);
   slot.actor = deadlines_.add();
+  must_hold(slot.actor == actors_.size());
   actors_.push_back({Actor::Kind::node, slots_.size() - 1});
   return slots_.size() - 1;
 }
@@ -121,7 +122,8 @@ PlantIndex World::add(const Plant& plant) {
   plants_.push_back(plant);
   plants_.back().actor = actors_.size();
   actors_.push_back({Actor::Kind::plant, plants_.size() - 1});
-  deadlines_.add(plant.next);
+  const std::size_t actor = deadlines_.add(plant.next);
+  must_hold(actor == plants_.back().actor);
   return plants_.size() - 1;
 }
 

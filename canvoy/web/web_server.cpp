@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "canvoy/can/must_hold.hpp"
 #include "canvoy/gateway/tcp_listener.hpp"
 #include "canvoy/web/access.hpp"
 #include "canvoy/web/page_files.hpp"
@@ -342,6 +343,7 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
   }
 
   void send_message() {
+    must_hold(stream_.has_value());
     is_writing_ = true;
     deadline_ = hub_.loop_.now() + hub_.limits_.message_time_out;
     stream_->async_write(

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "canvoy/can/must_hold.hpp"
 #include "canvoy/formats/plain_text.hpp"
 #include "canvoy/words/json_number.hpp"
 
@@ -82,6 +83,7 @@ template <class Number>
 void append_integer(std::string& line, Number number) {
   std::array<char, integer_length> digits{};
   const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), number);
+  must_hold(error == std::errc{});
   line.append(digits.data(), end);
 }
 

@@ -6,6 +6,7 @@
 #include "canvoy/can/host/socketcan.hpp"
 #include "canvoy/can/host/socketcand.hpp"
 #include "canvoy/can/host/udp_multicast.hpp"
+#include "canvoy/can/must_hold.hpp"
 
 namespace canvoy::host {
 
@@ -201,6 +202,7 @@ void HostBus::each_seat(Action action) {
   const std::size_t count = seats_.size();
   ++rounds_;
   for (std::size_t i = 0; i < count; ++i) {
+    must_hold(i < seats_.size());
     Seat& seat = *seats_[i];
     if (!seat.left_) action(seat);
   }

@@ -1,5 +1,7 @@
 #include "canvoy/can/simulated/cable_layout.hpp"
 
+#include "canvoy/can/must_hold.hpp"
+
 namespace canvoy {
 
 std::span<const ControllerSet> CableLayout::pieces(Pieces& storage) const {
@@ -18,6 +20,7 @@ std::span<const ControllerSet> CableLayout::pieces(Pieces& storage) const {
     storage[found++] = piece;
     piece.clear();
   }
+  must_hold(found <= count_);
   return std::span(storage).first(found);
 }
 

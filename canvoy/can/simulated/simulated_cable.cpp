@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "canvoy/can/must_hold.hpp"
+
 namespace canvoy {
 namespace {
 
@@ -53,6 +55,7 @@ Rewired SimulatedCable::rewire(std::int64_t now_ns) {
   used_ = 1;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const WireNumber number = wire_of[i];
+    must_hold(number < wires_.size());
     SimulatedWire& wire = wires_[number];
     used_ = std::max(used_, number + std::size_t{1});
     if (wire.is_busy()) rewired.cut_off = rewired.cut_off | (wire.transmitters() - pieces[i]);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "canvoy/can/gap.hpp"
+#include "canvoy/can/must_hold.hpp"
 #include "canvoy/canopen/dictionary/object_index.hpp"
 
 namespace canvoy {
@@ -195,6 +196,7 @@ inline void EmergencyProducer::make_room() {
 }
 
 void EmergencyProducer::drop_waiting(std::size_t position) {
+  must_hold(position < waiting_count_ && waiting_count_ <= waiting_max_);
   take_out(waiting_, waiting_count_--, position);
 }
 

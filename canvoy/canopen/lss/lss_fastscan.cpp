@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "canvoy/can/must_hold.hpp"
+
 namespace canvoy {
 
 namespace {
@@ -115,6 +117,7 @@ Duration LssFastscan::next_settle() const {
 }
 
 void LssFastscan::begin_part() {
+  must_hold(part_ <= LssAddress::serial);
   trying_guess_ = guessed_[part_];
   number_ = trying_guess_ ? guess_.parts[part_] : 0;
   bit_ = trying_guess_ ? 0 : top_bit;
@@ -128,6 +131,7 @@ void LssFastscan::ask_bit() {
 }
 
 void LssFastscan::bit_answered(const LssMaster::Reply& reply) {
+  must_hold((number_ >> bit_ & 1) == 0);
   if (!reply.ok()) number_ |= 1U << bit_;
   note_company(reply);
   if (bit_ == 0) return confirm();

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "canvoy/can/must_hold.hpp"
+
 namespace canvoy {
 
 namespace {
@@ -146,6 +148,7 @@ void LssMaster::expired(Time) {
 }
 
 void LssMaster::finish(Outcome outcome) {
+  must_hold(busy_);
   cancel();
   reply_.outcome = outcome;
   const Reply reply = reply_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "canvoy/can/must_hold.hpp"
+
 namespace canvoy {
 
 namespace {
@@ -93,6 +95,7 @@ void LssScan::walk() {
 /// A lost message hides a branch: it is over when one walk finds nothing more than another.
 void LssScan::walked(const LssTree::Result& result) {
   if (result.outcome == LssTree::Outcome::nobody) {
+    must_hold(count_before_ <= count_);
     return std::exchange(count_before_, count_) == count_ ? finish(Outcome::complete) : walk();
   }
   if (result.outcome == LssTree::Outcome::lost) return finish(Outcome::hidden);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "canvoy/can/must_hold.hpp"
+
 namespace canvoy {
 
 namespace {
@@ -93,6 +95,7 @@ void LssTree::anybody_answered(const LssMaster::Reply& reply) {
 
 /// Who has all parts so far gets to the one that is looked for.
 void LssTree::go_down() {
+  must_hold(place_ <= part_ && part_ <= LssAddress::serial);
   if (place_ == part_) return descend();
   ask(&LssTree::part_answered, {.id_number = address_.parts[place_],
                                 .bit_checked = 0,
@@ -139,6 +142,7 @@ void LssTree::zero_answered(const LssMaster::Reply& reply) {
 
 void LssTree::one_answered(const LssMaster::Reply& reply) {
   if (!reply.ok() && !zero_answered_) return walk_again();
+  must_hold(((address_.parts[part_] | ones_[part_]) >> bit_ & 1) == 0);
   if (reply.ok()) (zero_answered_ ? ones_ : address_.parts)[part_] |= 1U << bit_;
   descend();
 }

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "canvoy/can/must_hold.hpp"
 #include "canvoy/canopen/dictionary/object_index.hpp"
 
 namespace canvoy {
@@ -52,6 +53,7 @@ SlaveAssignment BootSlave::assignment() const {
 }
 
 void BootSlave::begin(NodeId slave, bool is_fresh) {
+  must_hold(!busy());
   slave_ = slave;
   is_fresh_ = is_fresh;
   was_reset_ = false;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "canvoy/can/must_hold.hpp"
+
 namespace canvoy {
 
 /// What only hosts keep: places of mapped values, and whose each PDO is.
@@ -101,6 +103,7 @@ bool PdoService::reload(Pdo& pdo) {
   // Where the record cannot be mapped nothing is: a master may yet write a better one.
   static_cast<void>(map(pdo, count));
   pdo.length_ = static_cast<std::uint8_t>((pdo.bits_ + 7U) / 8);
+  must_hold(pdo.length_ <= pdo_bytes_max && (pdo.length_ == 0 || can_id != 0));
   bool is_routed = is_receive() || (cob_id.raw & CobId::bit30) == 0;
   pdo.mode_ = (multiplexed_ == nullptr ? 0 : multiplexed_(type, count)) & Pdo::mode_mask;
   if (pdo.mode_ != 0) {

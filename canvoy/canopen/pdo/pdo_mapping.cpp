@@ -185,6 +185,7 @@ std::uint8_t PdoService::plan_copies(const Pdo& pdo) const {
   bool is_uniform = pdo.bits_ == pdo_bits_max;
   for (unsigned i = 0, position = 0; position < pdo.bits_; ++i) {
     const unsigned bits = values[i].bits();
+    must_hold(bits != 0 && position + bits <= pdo.bits_);
     is_adjacent = is_adjacent && values[i].offset() == end && bits % 8 == 0;
     is_uniform = is_uniform && bits == size;
     end += bits / 8;

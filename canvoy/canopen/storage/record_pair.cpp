@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "canvoy/can/must_hold.hpp"
+
 namespace canvoy {
 
 namespace {
@@ -28,7 +30,9 @@ RecordState RecordPair::find() {
     newest_ = 1;
   }
   head_ = newest_ == nowhere ? RecordHead{} : heads[newest_];
-  return state_ = judge(first, second);
+  state_ = judge(first, second);
+  must_hold(state_ != RecordState::valid || newest_ != nowhere);
+  return state_;
 }
 
 /// An attempt that was cancelled may still be going on in the flash, which cannot be read
@@ -138,6 +142,7 @@ RecordStep RecordPair::write() {
     programmed_ = {};
     source_.rewind();
   }
+  must_hold(offset_ <= capacity());
   Piece piece;
   piece.fill(0xFF);
   const Result<std::size_t> filled = source_.next(piece);
@@ -190,6 +195,7 @@ bool RecordPair::holds(std::size_t slot_number, std::uint32_t length) const {
   std::size_t size = piece_size;
   source_.rewind();
   for (std::uint32_t offset = 0; size == piece_size; offset += piece_size) {
+    must_hold(offset <= length);
     const Result<std::size_t> filled = source_.next(wanted);
     if (!filled) return false;
     size = *filled;

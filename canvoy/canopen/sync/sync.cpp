@@ -1,5 +1,6 @@
 #include "canvoy/canopen/sync/sync.hpp"
 
+#include "canvoy/can/must_hold.hpp"
 #include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/canopen/pdo/pdo_parameter.hpp"
 
@@ -141,6 +142,7 @@ void Sync::keep_period(Sync& self, Beat beat) {
 /// The next SYNC, after one that comes `late` by that many microseconds. Those that nobody had time
 /// for are left out.
 void Sync::schedule(std::uint32_t late) {
+  must_hold(period_ != 0);
   const std::uint32_t left = period_ - remainder(late, period_);
   due_ = low_ticks(node_.now()) + left;
   node_.timers().arm_in(timer_, left);
@@ -160,6 +162,7 @@ void Sync::set_lost(bool lost) {
 
 inline void Sync::produce() {
   schedule(low_ticks(node_.now()) - due_);
+  must_hold(can_id_ != 0);  // or it would be a command of NMT
   Frame frame;
   frame.id = can_id_;
   if (overflow_ != 0) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "canvoy/can/must_hold.hpp"
+
 namespace canvoy::cia407 {
 
 namespace {
@@ -64,6 +66,7 @@ AbortCode FileShelf::open_write(const Entry& entry, std::uint32_t size) {
 
 AbortCode FileShelf::write(const Entry& entry, std::span<const std::uint8_t> bytes) {
   if (arriving_ != entry.sub) return AbortCode::device_state;
+  must_hold(arrived_ <= memory_.size_max);
   if (bytes.size() > memory_.size_max - arrived_) return AbortCode::length_too_high;
   std::ranges::copy(bytes, place(arrival).subspan(arrived_).begin());
   arrived_ += static_cast<std::uint32_t>(bytes.size());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "canvoy/can/must_hold.hpp"
 #include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/profiles/cia447.hpp"
@@ -123,6 +124,7 @@ NodeId CarMaster::find_free() const {
 
 void CarMaster::found(const LssScan::Found& found) {
   if (!is_node_id(found.id)) return;
+  must_hold(found.id >= first_add_on);
   const std::size_t position = position_of(found.id);
   known_.addresses[position] = found.address;
   known_.is_known[position] = true;

@@ -79,7 +79,9 @@ void Switching::commanded(const Commanded& wanted) {
 }
 
 void Switching::act(const Effect& effect) {
-  Field& field = *find(effect.status);
+  Field* const found = find(effect.status);
+  must_hold(found != nullptr);
+  Field& field = *found;
   if (effect.from != Effect::any_state && effect.from != field.actual) return;
   switch (effect.manner) {
     case Manner::motion:

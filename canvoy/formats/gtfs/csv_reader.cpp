@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "canvoy/can/must_hold.hpp"
+
 namespace canvoy::gtfs {
 
 namespace {
@@ -149,6 +151,7 @@ bool CsvReader::split_quoted(std::string_view row) {
   unquoted_.clear();
   // What it gets is never longer than the row: its views stay valid.
   unquoted_.reserve(row.size());
+  const char* const unquoted = unquoted_.data();
   while (true) {
     while (!row.empty() && is_blank(row.front())) row.remove_prefix(1);
     if (row.starts_with('"')) {
@@ -156,6 +159,7 @@ bool CsvReader::split_quoted(std::string_view row) {
         bad("text behind a closing quotation mark");
         return false;
       }
+      must_hold(unquoted_.data() == unquoted);
     } else {
       const std::size_t comma = std::min(row.find(','), row.size());
       fields_.push_back(trimmed(row.substr(0, comma)));

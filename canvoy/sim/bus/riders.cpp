@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "canvoy/can/must_hold.hpp"
+
 namespace canvoy::bus {
 
 namespace {
@@ -83,6 +85,9 @@ void Riders::begin_journey(Time now, const Journey& journey, Time zero) {
   last_stop_ = journey.passings.size() - 1;
   for (std::size_t i = 0; i + 1 < journey.passings.size(); ++i) draw_stop(journey, i, zero);
   statistics_.came += waiting_.size();
+  // Nobody is lost: each one waits, is at a door, has been in, or was left behind.
+  must_hold(statistics_.came ==
+            waiting_.size() + going_in_ + statistics_.in + statistics_.left_behind);
   std::stable_sort(waiting_.begin(), waiting_.end(),
                    [](const Rider& a, const Rider& b) { return a.comes < b.comes; });
   // Whom nobody let out at the end is at the end of his way here.
@@ -186,9 +191,11 @@ void Riders::finish_passage(Time now, std::size_t door) {
   passage.who.reset();
   passage.until = never;
   if (!passage.is_in) {
+    must_hold(going_out_ > 0);
     --going_out_;
     ++statistics_.out;
   } else {
+    must_hold(going_in_ > 0);
     --going_in_;
     ++statistics_.in;
     rider.boarded = now;
@@ -201,6 +208,7 @@ void Riders::finish_passage(Time now, std::size_t door) {
     aboard_.push_back(rider);
     statistics_.aboard_max = std::max(statistics_.aboard_max, aboard());
   }
+  must_hold(statistics_.in - statistics_.out == aboard());
   if (hands_.through) hands_.through(now, door, passage.is_in);
 }
 
@@ -236,6 +244,7 @@ void Riders::begin_passage(Time now, std::size_t door) {
   if (in->ticket == Ticket::from_driver) passage.until += time_between(8s, 14s);
   waiting_.erase(in);
   ++going_in_;
+  must_hold(aboard() + going_in_ <= options_.capacity);
 }
 
 unsigned Riders::waiting_at(std::size_t stop, Time now) const {

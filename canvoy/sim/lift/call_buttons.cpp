@@ -1,5 +1,7 @@
 #include "canvoy/sim/lift/call_buttons.hpp"
 
+#include "canvoy/can/must_hold.hpp"
+
 namespace canvoy::lift {
 
 bool CallButtons::press(const CallButton& button, FloorNumber to) {
@@ -10,7 +12,8 @@ bool CallButtons::press(const CallButton& button, FloorNumber to) {
 }
 
 void CallButtons::release(const CallButton& button) {
-  held_.erase(button);
+  const std::size_t left = held_.erase(button);
+  must_hold(left == 1);
   move(button, false);
 }
 

@@ -144,6 +144,7 @@ void Crowd::ask(PassengerId who) {
 void Crowd::look_in_car(PassengerId who) {
   Passenger& person = people_[who];
   plan_look(who, now_ + options_.look_again);
+  must_hold(person.lift != 0);
   if (car(person.lift).is_open_at(person.wish.to)) return;
   // Who has said where to expects to be brought there, for a while.
   if (options_.destination_control && now_ < person.pressed_at + options_.press_anyway) return;
@@ -167,7 +168,8 @@ void Crowd::give_up(PassengerId who) {
   Passenger& person = people_[who];
   if (person.state != PassengerState::waiting || person.gives_up_at != now_) return;
   person.state = PassengerState::gave_up;
-  std::erase(landing(person.wish.from), who);
+  const std::size_t left = std::erase(landing(person.wish.from), who);
+  must_hold(left == 1);
   statistics_.gave_up(now_ - person.waiting_since);
   if (hands_.gave_up) hands_.gave_up(person.waiting_since);
 }
@@ -234,7 +236,8 @@ void Crowd::transfer(Time now, LiftNumber lift) {
   people_[boards].state = PassengerState::boarding;
   people_[boards].lift = lift;
   people_[boards].asks = people_[boards].told_to_wait = false;
-  std::erase(landing(here.view().floor), boards);
+  const std::size_t left = std::erase(landing(here.view().floor), boards);
+  must_hold(left == 1);
   go_through(now, lift, boards);
 }
 
@@ -275,12 +278,14 @@ bool Crowd::is_his(const Passenger& person, LiftNumber lift) const {
 }
 
 void Crowd::go_through(Time now, LiftNumber lift, PassengerId who) {
+  must_hold(!car(lift).is_passed());
   car(lift).pass(true);
   stand_in_doorway(now, lift, CrowdAct::out_of_way);
   plan_at(lift, now + options_.transfer, CrowdAct::through, who);
 }
 
 void Crowd::is_through(Time now, LiftNumber lift, PassengerId who) {
+  must_hold(car(lift).is_passed());
   car(lift).pass(false);
   if (people_[who].state == PassengerState::boarding) {
     has_boarded(now, lift, who);
@@ -309,6 +314,7 @@ void Crowd::has_boarded(Time now, LiftNumber lift, PassengerId who) {
 /// the fire brigade.
 void Crowd::has_left(Time now, LiftNumber lift, PassengerId who) {
   Passenger& person = people_[who];
+  must_hold(person.state == PassengerState::leaving);
   const CarView& view = car(lift).view();
   if (view.floor == no_floor) {
     // The car has left its floor under him, as one without a brake does: he stays in it.

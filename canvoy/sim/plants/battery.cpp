@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "canvoy/can/must_hold.hpp"
+
 namespace canvoy {
 
 namespace {
@@ -109,6 +111,7 @@ cia418::BatteryHardware BatteryPlant::hardware() {
 }
 
 cia418::BatteryReadings BatteryPlant::sense() {
+  must_hold(ampere_hours_since_charge_ >= 0);
   cia418::BatteryReadings readings;
   const double shown_celsius = faults.shown_celsius.value_or(celsius_);
   if (!faults.temperature_is_invalid) readings.temperature_celsius = shown_celsius;

@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "canvoy/can/must_hold.hpp"
+
 namespace canvoy::police {
 
 namespace {
@@ -171,6 +173,7 @@ void Crew::converse(Time now) {
 
 /// The room says it again until the crew has heard it.
 void Crew::hear_call(Time now, bool room_is_heard) {
+  must_hold(!calls_.empty());
   room_speaks_ = (now - until_) % (call_takes + pause_after_call) < call_takes;
   if (!room_speaks_) {
     said_ = {};
@@ -186,6 +189,7 @@ void Crew::hear_call(Time now, bool room_is_heard) {
 void Crew::respond(Time now) {
   EmergencyCall& call = calls_.back();
   if (!drive_.is_standing()) return;
+  must_hold(call.acknowledged.has_value());
   call.arrived = now;
   want_light(now, true, false);
   send_status(4);

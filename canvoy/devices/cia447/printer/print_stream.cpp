@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "canvoy/can/must_hold.hpp"
 #include "canvoy/profiles/cia447/printer.hpp"
 
 namespace canvoy::cia447 {
@@ -147,6 +148,7 @@ void PrintStream::dot_byte(std::uint8_t byte) {
     }
     return;
   }
+  must_hold(dot_byte_count_ < bytes_of_dot(mode_));
   dot_bytes_[dot_byte_count_++] = byte;
   if (dot_byte_count_ < bytes_of_dot(mode_)) return;
   dot_byte_count_ = 0;
