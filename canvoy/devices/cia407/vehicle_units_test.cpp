@@ -82,6 +82,20 @@ TEST(Tachograph, AnEventBeginsATripAnewAndMovesTheLocalTime) {
   EXPECT_EQ(bench.bench.ask("23 02 60 01 02 18 00 0C"), "80 02 60 01 30 00 09 06") << "24 h";
 }
 
+TEST(Tachograph, AnEventThatIsStillPendingBeginsNoOtherTrip) {
+  TachographReading reading = {.distance_metres = 5000};
+  Bench<TachographKind> bench(
+      {.read = {[](void* of) { return *static_cast<TachographReading*>(of); }, &reading}});
+  bench.bench.ask("23 02 60 01 01 00 00 0C");
+  reading.distance_metres = 6000;
+  bench.bench.cable.run_for(1s);
+  bench.bench.ask("23 02 60 01 01 00 00 0C");
+  EXPECT_EQ(bench.ask("22 65 02"), "C8 00 00 00") << "1 km, in 5 m";
+  bench.bench.ask("23 02 60 01 00 00 00 00");
+  bench.bench.ask("23 02 60 01 01 00 00 0C");
+  EXPECT_EQ(bench.ask("22 65 02"), "00 00 00 00");
+}
+
 TEST(Tachograph, CountsDrivingUntilABreak) {
   TachographReading reading = {.speed_kmh = 30, .cards = {"D  1234567890123456", ""}};
   Bench<TachographKind> bench(

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::uint16_t battery_profile = 418;
 constexpr Duration command_interval = 1s;
+constexpr Duration reminder_interval = 15s;
 
 constexpr std::uint8_t cob_id_sub = 1;
 constexpr std::uint8_t event_timer_sub = 5;
@@ -97,6 +98,11 @@ void Charger::reset(ResetScope) {
   linked_rpdos_.reset();
   counted_at_ = node_.now();
   pilot_signal_ = false;
+  // What was counted of a battery that has gone is not for the next one.
+  if (!hardware_.pilot_signal()) {
+    charging_ = false;
+    link_.forget();
+  }
   enter(ChargerPhase::unplugged);
   node_.timers().arm(timer_, node_.now());
 }
@@ -119,7 +125,20 @@ void Charger::control(Time now) {
   watch_pilot_signal();
   tell_time();
   if (settings_.manage_network) manage(now);
+  remind_battery(now);
   act();
+}
+
+/// A battery that sends no heartbeat by itself may not have heard that it is to, or have forgotten.
+void Charger::remind_battery(Time now) {
+  const bool is_asked = phase_ == ChargerPhase::linked && offer_.heartbeat_ms == 0;
+  if (!is_asked || now < asked_at_ + reminder_interval || inputs().heartbeat_alive) return;
+  ask_for_heartbeat();
+}
+
+void Charger::ask_for_heartbeat() {
+  asked_at_ = node_.now();
+  link_.write_heartbeat(offer_.id, static_cast<std::uint16_t>(settings_.battery_heartbeat / 1ms));
 }
 
 void Charger::watch_pilot_signal() {
@@ -336,7 +355,7 @@ bool Charger::link_tpdo(std::size_t position) {
 
 void Charger::supervise_battery() {
   const auto asked = static_cast<std::uint16_t>(settings_.battery_heartbeat / 1ms);
-  if (offer_.heartbeat_ms == 0) link_.write_heartbeat(offer_.id, asked);
+  if (offer_.heartbeat_ms == 0) ask_for_heartbeat();
   const unsigned period = offer_.heartbeat_ms == 0 ? asked : offer_.heartbeat_ms;
   const unsigned time = std::min(period * settings_.heartbeat_periods_max, 0xFFFFU);
   configure(object_index::heartbeat_consumers, 1,

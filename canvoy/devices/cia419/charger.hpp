@@ -128,6 +128,8 @@ class Charger {
   void link_rpdo(std::size_t position, bool use);
   bool link_tpdo(std::size_t position);
   void supervise_battery();
+  void remind_battery(Time now);
+  void ask_for_heartbeat();
   void request_first_values();
   void enter(ChargerPhase phase);
   bool configure(std::uint16_t index, std::uint8_t sub, std::uint32_t value);
@@ -165,6 +167,7 @@ class Charger {
   bool pilot_signal_ = false;
   bool charging_ = false;  ///< a charge has begun and has not come to its end
   Time commanded_at_{};
+  Time asked_at_{};  ///< for a heartbeat
   Time counted_at_{};
   double set_point_ = 0;
   double ampere_hours_ = 0;  ///< of this charge

@@ -221,6 +221,21 @@ TEST_F(ChargerConnection, ABatteryThatDoesNotAnswerIsToldOfItsHeartbeatThreeTime
   EXPECT_EQ(count(0x60A, 0x2B, 0x1017), 3u);
 }
 
+TEST_F(ChargerConnection, ABatteryThatHasMissedThemAllIsToldAgainAndIsCharged) {
+  cable.filter = [](const Frame& frame) { return frame.id != 0x60A || frame.data[0] != 0x2B; };
+  battery.node().start(cable.now);
+  battery.node().dictionary().set_number(0x1017, 0, 0);
+  charger.node().start(cable.now);
+  cable.run_for(10s);
+  EXPECT_EQ(bench.delivered, 0);
+  cable.filter = [](const Frame&) { return true; };
+  cable.run_for(15s);
+  EXPECT_GT(bench.delivered, 0);
+  cable.clear();
+  cable.run_for(1min);
+  EXPECT_EQ(count(0x60A, 0x2B, 0x1017), 0u) << "it has heard it";
+}
+
 // 7.2.4
 
 TEST_F(ChargerConnection, TheAmpereHoursOfABatteryAreNotForTheNextOne) {

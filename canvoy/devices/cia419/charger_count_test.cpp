@@ -31,6 +31,23 @@ TEST_F(ChargerCount, AChargeWithALowCurrentIsAChargeToo) {
       << "0.5 Ah in 0.125 Ah";
 }
 
+TEST_F(ChargerCount, WhatABatteryGotThatWasUnpluggedJustBeforeAResetIsNotCountedForTheNextOne) {
+  cable.start_all();
+  while (bench.delivered == 0) cable.run_for(1ms);
+  cable.run_for(30min);
+  bench.plugged = false;
+  cable.send("000#82 05");
+  cable.run_for(1s);
+  std::vector<Charger::Event> events;
+  auto note = [&](Charger::Event event) { events.push_back(event); };
+  charger.charger().on_event(Callback<void(Charger::Event)>::of(note));
+  bench.plugged = true;
+  cable.run_for(10s);
+  EXPECT_GT(bench.delivered, 0);
+  EXPECT_EQ(std::ranges::count(events, Charger::Event::charge_began), 1);
+  EXPECT_LT(charger.node().dictionary().number(0x6052, 0), 8u) << "less than 1 Ah";
+}
+
 TEST_F(ChargerCount, CountsAmpereHoursAndWritesThemBackAtTheEnd) {
   battery.node().start(cable.now);
   battery.node().dictionary().set_number(0x6052, 0, 800);  // 100 Ah of the last charge

@@ -189,6 +189,12 @@ void CarMaster::send_to_sleep() {
   network_.node().timers().arm(objection_timer_, network_.node().now() + settings_.objection_time);
 }
 
+/// Who asks for it does not want to sleep: a query that is under way has had its answer.
+void CarMaster::wake_up() {
+  network_.node().timers().disarm(objection_timer_);
+  sleep_.wake_up();
+}
+
 void CarMaster::sleep_message(const Frame& frame, Time) {
   constexpr std::uint8_t length = 8;
   if (frame.length != length) return;  // CarSleep counts it
@@ -201,6 +207,9 @@ void CarMaster::sleep_message(const Frame& frame, Time) {
       break;
     case SleepCommand::request_sleep:
       send_to_sleep();
+      break;
+    case SleepCommand::wake_up:
+      network_.node().timers().disarm(objection_timer_);
       break;
     default:
       break;

@@ -78,7 +78,7 @@ class CarMaster {
   /// Asks whether anybody objects; where nobody does in time, the network is sent to sleep. Nothing
   /// happens while it asks already, or sleeps.
   void send_to_sleep();
-  void wake_up() { sleep_.wake_up(); }
+  void wake_up();
 
   const KnownDevices& known() const { return known_; }
   /// It is heard.

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <deque>
+#include <functional>
 
 #include "canvoy/canopen/lss/lss_slave.hpp"
 #include "canvoy/canopen/testing/cable.hpp"
@@ -241,6 +243,27 @@ TEST_F(Gateway, AnObjectionKeepsTheNetworkAwake) {
   EXPECT_EQ(events.back().node, 2);
   EXPECT_EQ(events.back().reason, 0x33);
   EXPECT_EQ(device.sleep().state(), SleepState::awake);
+}
+
+TEST_F(Gateway, AWakeUpWhileItAsksForObjectionsKeepsTheNetworkAwake) {
+  AddOn& one = add(0x11);
+  cable.start_all();
+  cable.run_for(10s);
+  const std::function<void()> ways[] = {[&] { master.wake_up(); },
+                                        [&] { one.device.sleep().wake_up(); }};
+  for (const auto& wake_up : ways) {
+    cable.clear();
+    master.send_to_sleep();
+    cable.run_for(500ms);
+    wake_up();
+    cable.run_for(10s);
+    EXPECT_EQ(device.sleep().state(), SleepState::awake);
+    EXPECT_EQ(one.device.sleep().state(), SleepState::awake);
+    const auto is_order = [](const auto& heard) {
+      return heard.frame.id == 0x691 && heard.frame.data[0] == 0x02;
+    };
+    EXPECT_TRUE(std::ranges::none_of(cable.heard, is_order));
+  }
 }
 
 TEST_F(Gateway, ADeviceAsksForSleepAndAnotherWakesAllUp) {

@@ -53,8 +53,8 @@ void CarSleep::wake_up() {
   const Time now = network_.node().now();
   port_.mute(false);
   send(SleepCommand::wake_up, no_reason);
-  network_.node().timers().arm(timer_, now + settings_.repetition);
   if (state_ != SleepState::awake) awake();
+  network_.node().timers().arm(timer_, now + settings_.repetition);
 }
 
 void CarSleep::awake() {

@@ -47,6 +47,16 @@ TEST_F(Sleeper, ItFallsSilentASecondAfterTheOrderAndNothingMakesItSend) {
   EXPECT_EQ(bench.cable.count(0x38B), 0u);
 }
 
+TEST_F(Sleeper, ThatPreparesItselfWakesTheOthersTwice) {
+  order_sleep();
+  bench.cable.run_for(500ms);
+  bench.cable.clear();
+  bench.device().sleep().wake_up();
+  bench.cable.run_for(1h);
+  EXPECT_EQ(bench.cable.count(0x695), 2u);
+  EXPECT_EQ(bench.device().sleep().state(), SleepState::awake);
+}
+
 TEST_F(Sleeper, AnyNodeWakesItUpAndItBootsAnew) {
   order_sleep();
   bench.cable.run_for(2s);

@@ -45,6 +45,32 @@ TEST_F(Counter, CountsWhileItsDoorIsOpenAndTellsWhenItCloses) {
   EXPECT_EQ(told(), "00 00");
 }
 
+/// A TPDO of this type is sent whenever the node becomes operational (CiA 301, 7.5.2.37).
+TEST_F(Counter, WhatIsToldIsNotToldAgainAtTheNextStart) {
+  door("30");
+  counter->count_in(3);
+  door("10");
+  EXPECT_EQ(bench.cable.last(0x285), "285#00 03");
+  for (const char* command : {"000#80 05", "000#81 05", "000#82 05"}) {
+    bench.cable.clear();
+    bench.cable.send(command);
+    bench.cable.send("000#01 05");
+    bench.cable.run_for(1s);
+    EXPECT_EQ(bench.cable.last(0x285), "285#00 00") << command;
+  }
+}
+
+TEST_F(Counter, WhatCameWhileItCouldNotBeToldIsToldAtTheNextStart) {
+  door("30");
+  counter->count_in(3);
+  bench.cable.send("000#80 05");
+  door("10");
+  bench.cable.clear();
+  bench.cable.send("000#01 05");
+  bench.cable.run_for(0s);
+  EXPECT_EQ(bench.cable.last(0x285), "285#00 03");
+}
+
 TEST_F(Counter, ADoorThatIsNotValidChangesNothing) {
   door("30");
   counter->count_in();

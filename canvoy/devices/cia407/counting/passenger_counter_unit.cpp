@@ -1,6 +1,7 @@
 #include "canvoy/devices/cia407/counting/passenger_counter_unit.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace canvoy::cia407 {
 
@@ -10,6 +11,8 @@ constexpr std::uint8_t flag_many = 1;
 
 }  // namespace
 
+constexpr ServiceCalls PassengerCounterUnit::service_calls = {
+    .state_entered = method<&PassengerCounterUnit::state_entered>};
 constexpr HookCalls PassengerCounterUnit::hook_calls[] = {
     after_write<&PassengerCounterUnit::doors_written, state_of_doors_object>};
 
@@ -18,6 +21,17 @@ PassengerCounterUnit::PassengerCounterUnit(VirtualDevice& device, const NoHardwa
     : device_(device), settings_(settings) {
   device.on_reset = Callback<void(ResetScope)>::to<&PassengerCounterUnit::reset>(*this);
   device.react(*this, hook_calls);
+  device.node().attach(service_);
+}
+
+/// What was told of a closed door would be told again at the next start, as a result of its own.
+void PassengerCounterUnit::state_entered(NmtState state) {
+  const bool is_operational = state == NmtState::operational;
+  const bool has_left = std::exchange(was_operational_, is_operational) && !is_operational;
+  if (!has_left || is_counting_) return;
+  in_ = 0;
+  out_ = 0;
+  tell();
 }
 
 /// A count that was under way is told again: the passengers have passed.

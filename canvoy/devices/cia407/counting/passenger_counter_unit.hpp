@@ -39,7 +39,9 @@ class PassengerCounterUnit {
 
  private:
   static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
 
+  void state_entered(NmtState state);
   void reset(ResetScope scope);
   void doors_written(const Entry& entry);
   void count(unsigned& counter, unsigned people);
@@ -50,6 +52,8 @@ class PassengerCounterUnit {
   bool is_counting_ = false;
   unsigned in_ = 0;
   unsigned out_ = 0;
+  bool was_operational_ = false;
+  ServiceLink service_{&service_calls, this};
 };
 
 struct PassengerCounterKind : BusKind<PassengerCounterUnit, NoHardware, PassengerCounterSettings> {

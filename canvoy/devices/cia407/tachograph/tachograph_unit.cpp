@@ -1,5 +1,7 @@
 #include "canvoy/devices/cia407/tachograph/tachograph_unit.hpp"
 
+#include <utility>
+
 namespace canvoy::cia407 {
 
 namespace {
@@ -34,7 +36,8 @@ TachographUnit::TachographUnit(VirtualDevice& device, const TachographHardware& 
 }
 
 /// What a tachograph has recorded outlives an NMT reset.
-void TachographUnit::reset(ResetScope /*scope*/) {
+void TachographUnit::reset(ResetScope scope) {
+  if (scope == ResetScope::node) flags_ = 0;
   look(device_.node().now());
 }
 
@@ -50,8 +53,11 @@ AbortCode TachographUnit::check_event(const Entry& entry, std::span<const std::u
   return is_hour_wrong || is_minute_wrong ? AbortCode::value_range : AbortCode::none;
 }
 
+/// A flag stands as long as its event is pending (9.2.5): the same one may be told again, as at a
+/// start of the node that has it, and is no other event.
 void TachographUnit::take_event(std::uint8_t flags, std::uint16_t information) {
-  if ((flags & flag_reset_trip) != 0) trip_begin_ = reading_.distance_metres;
+  const unsigned arisen = flags & ~std::exchange(flags_, flags);
+  if ((arisen & flag_reset_trip) != 0) trip_begin_ = reading_.distance_metres;
   if ((flags & flag_adjust_hour) != 0) offset_hours_ = hours_of(information);
   if ((flags & flag_adjust_minute) != 0) offset_minutes_ = minutes_of(information);
   tell();

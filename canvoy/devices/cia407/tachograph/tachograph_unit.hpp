@@ -61,6 +61,7 @@ class TachographUnit {
   TachographReading reading_;
   MotionRecognition recognition_;
   double trip_begin_ = 0;
+  std::uint8_t flags_ = 0;  ///< events that are pending
   std::int8_t offset_hours_ = 0;
   std::int8_t offset_minutes_ = 0;
   Duration driven_{};

@@ -32,9 +32,11 @@ void PanelKeys::reset(ResetScope) {
   node_.timers().disarm(timer_);
 }
 
-/// What was under way has ended: the client tells so.
+/// A question that was under way has ended, the client tells so; the one behind an answer may have
+/// found the node in another state.
 void PanelKeys::state_entered(NmtState state) {
-  if (state == NmtState::operational && waiting_.any()) node_.timers().arm(timer_, node_.now());
+  if (state != NmtState::operational) return;
+  if (is_reading() || waiting_.any()) node_.timers().arm(timer_, node_.now());
 }
 
 void PanelKeys::read(NodeId panel) {

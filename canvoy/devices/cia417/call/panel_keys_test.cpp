@@ -181,5 +181,18 @@ TEST(PanelKeys, AfterARestartOfItsControllerAKeyThatStayedTurnedIsKnown) {
   EXPECT_TRUE(controller.calls().is_on(SpecialFunction::fire_service));
 }
 
+TEST(PanelKeys, GoOnWhereTheirNodeIsStartedAgainInTheMiddleOfAPanel) {
+  Bench bench;
+  bench.cable.send("716#05");
+  bench.asked();
+  EXPECT_EQ(bench.answer("4F 00 61 00 02 00 00 00"), "616#40 00 61 01 00 00 00 00");
+  bench.cable.send("000#80 01");
+  EXPECT_EQ(bench.answer_record("00 61 01", "02 01 01 03 10 00"), "") << "not now";
+  bench.cable.run_for(100ms);
+  bench.cable.clear();
+  bench.cable.send("000#01 01");
+  EXPECT_EQ(bench.asked(), "616#40 00 61 02 00 00 00 00");
+}
+
 }  // namespace
 }  // namespace canvoy::cia417::panel_keys_test

@@ -4,6 +4,7 @@ namespace canvoy::cia417 {
 
 constexpr ServiceCalls ReturnedPanels::service_calls = {
     .reset = method<&ReturnedPanels::reset>,
+    .state_entered = method<&ReturnedPanels::state_entered>,
     .error_changed = method<&ReturnedPanels::error_changed>};
 
 ReturnedPanels::ReturnedPanels(Node& node, SdoClient& client, CallController& calls)
@@ -17,6 +18,14 @@ ReturnedPanels::ReturnedPanels(Node& node, SdoClient& client, CallController& ca
 void ReturnedPanels::reset(ResetScope) {
   heard_.reset();
   node_.timers().disarm(timer_);
+}
+
+/// What panels told while this node could hear no PDOs they do not tell again.
+void ReturnedPanels::state_entered(NmtState state) {
+  if (state != NmtState::operational) return;
+  for (unsigned id = 1; id <= node_id_max; ++id) {
+    if (heard_[id]) returned(static_cast<NodeId>(id));
+  }
 }
 
 /// Who boots hears PDOs soon, and answers questions when it has been started.

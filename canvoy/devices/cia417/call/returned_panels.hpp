@@ -35,6 +35,7 @@ class ReturnedPanels {
 
  private:
   void reset(ResetScope scope);
+  void state_entered(NmtState state);
   void error_changed(const Error& error, bool present);
   void returned(NodeId panel);
   void tell();

@@ -76,6 +76,18 @@ TEST(ReturnedPanels, AKeyThatWasTurnedBackWhileItsPanelWasNotHeardIsLearnt) {
   EXPECT_FALSE(bench.is_on(SpecialFunction::fire_service));
 }
 
+TEST(ReturnedPanels, AKeyThatWasTurnedWhileTheControllerWasStoppedIsLearnt) {
+  OfALift bench;
+  bench.cable.send("000#02 01");
+  bench.cable.send("496#0E 0C 01 03 10 81");
+  bench.cable.run_for(1s);
+  bench.cable.send("716#05");
+  EXPECT_FALSE(bench.is_on(SpecialFunction::fire_service));
+  bench.cable.send("000#01 01");
+  bench.answer("0E 0C 01 03 10 81");
+  EXPECT_TRUE(bench.is_on(SpecialFunction::fire_service));
+}
+
 TEST(ReturnedPanels, AButtonThatWasLetGoMeanwhileIsNoLongerHeld) {
   OfALift bench;
   bench.cable.send("496#0E 09 01 00 11 01");

@@ -60,6 +60,7 @@ void LiftController::state_entered(NmtState state) {
   const bool drives = phase_ == LiftPhase::driving || phase_ == LiftPhase::manual;
   if (drives || levelling_.is_under_way()) parts_.motion.fast_stop();
   node_.timers().disarm(timer_);
+  changed_();
 }
 
 void LiftController::update() {
@@ -136,6 +137,7 @@ bool LiftController::is_levelling_in_zone() const {
 void LiftController::change_fault(LiftFault fault) {
   if (!faults_.change(fault)) return;
   deadline_ = never;
+  let_out_ = 0;
   if (fault == LiftFault::none) {
     resume_at_ = node_.now() + settings_.times.retry;
     return;
@@ -533,8 +535,9 @@ void LiftController::let_out() {
   if (floor == 0) return;
   const Time steady_at = steady_since_ + settings_.times.steady;
   if (node_.now() < steady_at) return wake_at(steady_at);
-  const auto doors = static_cast<DoorMask>(doors_at(floor) & ~doors_.faulty & ~open_doors_);
+  const auto doors = static_cast<DoorMask>(doors_at(floor) & ~doors_.faulty & ~let_out_);
   if (doors == 0) return;
+  let_out_ |= doors;
   open_doors_ |= doors;
   parts_.doors.open(doors);
 }

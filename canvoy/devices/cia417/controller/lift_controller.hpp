@@ -215,6 +215,7 @@ class LiftController {
   std::uint8_t departed_ = 0;  ///< the floor that a trip has begun at; 0: none
   Direction direction_ = Direction::none;
   DoorMask open_doors_ = 0;
+  DoorMask let_out_ = 0;  ///< doors that were told to open since there is a fault
   DoorClosing closing_ = DoorClosing::normal;
   NextStop promised_{};     ///< while it comes to a stop: where, and where it goes on to
   bool is_errand_ = false;  ///< it goes to its target without a call

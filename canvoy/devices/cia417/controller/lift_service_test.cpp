@@ -416,6 +416,26 @@ TEST_F(LiftServiceTest, WithoutALoadItDoesNotLeave) {
   ASSERT_TRUE(bench.run_to(7, open));
 }
 
+TEST_F(LiftServiceTest, WhoIsInsideGetsOutAlsoWhereTheFaultComesWhileDoorsClose) {
+  bench.press("05 03 01 00 11 01");
+  ASSERT_TRUE(bench.run_to(3, open));
+  ASSERT_TRUE(bench.run_to(3, LiftPhase::closing));
+  bench.step();
+  bench.weighed.known = false;
+  bench.run_for(20s);
+  EXPECT_EQ(lift.fault(), LiftFault::load);
+  EXPECT_EQ(bench.doors.open_steps[0], BenchDoors::travel_steps);
+}
+
+TEST_F(LiftServiceTest, WhoIsInsideGetsOutAlsoWhereTheControllerIsResetInAFault) {
+  bench.weighed.known = false;
+  bench.cable.send("000#81 01");
+  bench.cable.send("000#01 01");
+  bench.run_for(20s);
+  EXPECT_EQ(lift.fault(), LiftFault::load);
+  EXPECT_EQ(bench.doors.open_steps[0], BenchDoors::travel_steps);
+}
+
 TEST_F(LiftServiceTest, NobodyIsLetOutWhileThePositionIsTold) {
   bench.press("05 07 01 00 11 01");
   ASSERT_TRUE(bench.run_until([&] { return lift.floor() == 3; }));

@@ -79,6 +79,9 @@ void CarDriveController::state_entered(NmtState state) {
     controlword_ = 0;
     return;
   }
+  // Of before: no PDO has come since, and a unit that stands does not tell again where.
+  forget_drive();
+  position_is_known_ = false;
   ask();
   node_.timers().arm(timer_, node_.now() + settings_.answer_time);
 }

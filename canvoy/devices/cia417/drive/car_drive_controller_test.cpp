@@ -35,6 +35,22 @@ TEST_F(DriveControllerAtTheWire, LeadsTheDriveToOperationAndToItsTargetByTheHand
   EXPECT_EQ(controller().status().position_micrometre, 12'000'000);
 }
 
+/// No PDO has come meanwhile, and a unit that stands does not tell again where it is.
+TEST_F(DriveControllerAtTheWire, AsksAnewWhereTheCarIsWhenItIsStartedAgain) {
+  ASSERT_TRUE(controller().status().available);
+  bench.send("000#02 01");
+  bench.sent.clear();
+  bench.send("000#01 01");
+  EXPECT_TRUE(bench.has_sent("18C#R4"));
+  EXPECT_TRUE(bench.has_sent("181#R6"));
+  EXPECT_FALSE(controller().status().available);
+  hear("181#50 02 00 00 00 00");
+  hear("185#50 02 00 00 00 00");
+  hear("18C#C0 D4 01 00");
+  EXPECT_TRUE(controller().status().available);
+  EXPECT_EQ(controller().status().position_micrometre, 12'000'000);
+}
+
 struct Drift {
   const char* position;  ///< where the position unit sees the car: 12,000 mm, less ...
   const char* target;    ///< then that of the next trip, to 9 m

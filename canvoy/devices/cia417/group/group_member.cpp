@@ -29,6 +29,8 @@ VirtualInput input_of(const Call& call) {
 constexpr HookCalls GroupMember::hook_calls[] = {
     after_write<&GroupMember::assigned, group_input_object>,
     after_write<&GroupMember::acknowledged, group_output_object>};
+constexpr ServiceCalls GroupMember::lift_service_calls = {.reset =
+                                                              method<&GroupMember::lift_reset>};
 constexpr ServiceCalls GroupMember::service_calls = {
     .reset = method<&GroupMember::reset>,
     .state_entered = method<&GroupMember::state_entered>,
@@ -51,6 +53,7 @@ GroupMember::GroupMember(Node& node, Tpdos& tpdos, HeartbeatConsumer& heartbeats
                       {.waits = Callback<bool()>::to<&GroupMember::status_waits>(*this),
                        .next = Callback<std::uint64_t()>::to<&GroupMember::next_status>(*this)}) {
   node.attach(service_);
+  lift_node.attach(lift_service_);
   heartbeats_.on_change(Callback<void(NodeId, RemoteState)>::to<&GroupMember::group_heard>(*this));
   calls_.on_hall_call(Callback<bool(const VirtualInput&)>::to<&GroupMember::offer>(*this));
   lift_.on_stop(Callback<void(const Landing&, DoorMask)>::to<&GroupMember::stopped>(*this));
@@ -62,6 +65,11 @@ void GroupMember::reset(ResetScope) {
   own_calls_.remove_all();
   is_in_group_ = knows_status_ = false;
   stop_ = {};
+}
+
+/// The lift knows no call any more: the group is told so by a status from the beginning.
+void GroupMember::lift_reset(ResetScope) {
+  knows_status_ = false;
 }
 
 void GroupMember::state_entered(NmtState state) {
@@ -214,9 +222,12 @@ std::uint64_t GroupMember::next_status() {
     return encode(record);
   }
   if (!knows_status_) {
-    // All that follows differs from what is told now, or is what a group begins with.
+    // All that follows differs from what is told now. Car calls that have gone may have been told.
     knows_status_ = true;
-    told_ = {.serves = !now.serves};
+    told_ = {.moving = !now.moving,
+             .serves = !now.serves,
+             .full = !now.full,
+             .car_calls = told_.car_calls ^ (told_.car_calls & now.car_calls)};
   }
   if (told_.floor != now.floor) {
     told_.floor = record.sub_function = now.floor;

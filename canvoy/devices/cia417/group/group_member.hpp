@@ -56,6 +56,7 @@ class GroupMember {
   };
 
   void reset(ResetScope scope);
+  void lift_reset(ResetScope scope);
   void state_entered(NmtState state);
   void error_changed(const Error& error, bool present);
   void group_heard(NodeId id, RemoteState state);
@@ -89,7 +90,9 @@ class GroupMember {
   Callback<void()> changed_;
   static const HookCalls hook_calls[];
   static const ServiceCalls service_calls;
+  static const ServiceCalls lift_service_calls;
   ServiceLink service_{&service_calls, this};
+  ServiceLink lift_service_{&lift_service_calls, this};  ///< of the lift's node
   bool is_in_group_ = false;
   bool is_inside_ = false;  ///< in a callback of the group's node
   bool knows_status_ = false;

@@ -266,5 +266,47 @@ TEST_F(GroupTest, ManyCallsAreAllAnswered) {
   }
 }
 
+/// Its own bus knows no call any more; what the group gave to it is given again.
+TEST_F(GroupTest, ACallOfALiftWhoseControllerIsResetIsAnsweredAllTheSame) {
+  send_to(3, 8);
+  press(1, "02 02 07 09 10 01");
+  ASSERT_EQ(group.hall_calls().calls()[0].lift, 3);
+  benches[2].cable.send("000#81 01");
+  benches[2].cable.send("000#01 01");
+  EXPECT_TRUE(run_until([&] { return is_open_at(1, 9) || is_open_at(2, 9) || is_open_at(3, 9); }));
+}
+
+TEST_F(GroupTest, ALiftWhoseControllerIsNotOperationalDoesNotServe) {
+  benches[2].cable.send("000#80 01");
+  run_for(2s);
+  EXPECT_FALSE(group.lift(3).in_service);
+  benches[2].cable.send("000#01 01");
+  run_for(2s);
+  EXPECT_TRUE(group.lift(3).in_service);
+}
+
+TEST_F(GroupTest, WhatHasChangedWhileALiftWasNotHeardIsToldWhenItIsBack) {
+  benches[2].weighed.full = true;
+  run_for(100ms);
+  ASSERT_TRUE(group.lift(3).full);
+  bus.cut(3);
+  run_for(2s);
+  benches[2].weighed.full = false;
+  bus.cut(3, false);
+  run_for(3s);
+  EXPECT_FALSE(group.lift(3).full);
+}
+
+TEST_F(GroupTest, CarCallsThatWereAnsweredWhileTheGroupWasStoppedAreToldWhenItStarts) {
+  press(3, "05 03 FF 00 11 01");
+  run_for(100ms);
+  ASSERT_FALSE(group.lift(3).car_calls.empty());
+  bus.send("000#02 11");
+  ASSERT_TRUE(run_until([&] { return is_open_at(3, 3); }));
+  bus.send("000#01 11");
+  run_for(3s);
+  EXPECT_TRUE(group.lift(3).car_calls.empty());
+}
+
 }  // namespace
 }  // namespace canvoy::cia417::group_test

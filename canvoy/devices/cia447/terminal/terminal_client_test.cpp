@@ -80,6 +80,19 @@ TEST_F(ClientAtTerminal, APartIsLockedAndItsTextWritten) {
   EXPECT_FALSE(terminal().has(TerminalPart::display_2));
 }
 
+TEST_F(ClientAtTerminal, APartThatIsNotWantedAnyMoreWhileItIsStoppedIsReleasedAfterThat) {
+  terminal().want(TerminalPart::display_2, true);
+  asked();
+  answer("60 9D 60 00 00 00 00 00");
+  cable.send("000#02 05");
+  terminal().want(TerminalPart::display_2, false);
+  cable.run_for(1s);
+  cable.send("000#01 05");
+  cable.clear();
+  cable.run_for(1s);
+  EXPECT_EQ(cable.last(0x341), "341#2F 9D 60 00 FC 00 00 00") << "release is 00b";
+}
+
 TEST_F(ClientAtTerminal, WhatAnotherOneHoldsIsAskedForAgain) {
   terminal().want(TerminalPart::number_pad, true);
   EXPECT_EQ(asked(), "341#2F 81 60 00 FD 00 00 00");
