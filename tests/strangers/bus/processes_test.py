@@ -55,9 +55,10 @@ class Processes(CommandTest):
 
     def test_python_can_shows_the_clock(self):
         with can.Bus(interface="udp_multicast", channel=GROUP, port=PORT) as bus:
+            # It looks at its clock now and then, the last time perhaps in the minute before.
+            before = time.gmtime()
             computer = self.start("device", "on-board-computer", BUS)
             self.until_said(computer, "pre-operational")
-            before = time.gmtime()
             bus.send(can.Message(arbitration_id=0x000, data=[1, 1], is_extended_id=False))
             give_up = time.monotonic() + PATIENCE
             message = None
