@@ -132,7 +132,7 @@ void Charger::control(Time now) {
 /// A battery that sends no heartbeat by itself may not have heard that it is to, or have forgotten.
 void Charger::remind_battery(Time now) {
   const bool is_asked = phase_ == ChargerPhase::linked && offer_.heartbeat_ms == 0;
-  if (!is_asked || now < asked_at_ + reminder_interval || inputs().heartbeat_alive) return;
+  if (!is_asked || now < asked_at_ + reminder_interval || is_battery_heard()) return;
   ask_for_heartbeat();
 }
 
@@ -193,14 +193,17 @@ void Charger::count(Time now) {
   }
 }
 
+bool Charger::is_battery_heard() const {
+  return battery_state() != RemoteState::unknown && battery_state() != RemoteState::lost;
+}
+
 ChargeInputs Charger::inputs() const {
   const bool sends_voltage = linked_rpdos_[1];
   const bool sends_request = linked_rpdos_[2];
   return {.pilot_signal = pilot_signal_,
           .bus_off = node_.bus_state() == BusState::bus_off,
           .linked = phase_ == ChargerPhase::linked,
-          .heartbeat_alive =
-              battery_state() != RemoteState::unknown && battery_state() != RemoteState::lost,
+          .heartbeat_alive = is_battery_heard(),
           .operational = node_.state() == NmtState::operational,
           .data_fresh = linked_rpdos_.any() && fresh_rpdos_ == linked_rpdos_ &&
                         battery_state() == RemoteState::operational,

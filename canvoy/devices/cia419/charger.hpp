@@ -115,6 +115,7 @@ class Charger {
   void tell_time();
   void count(Time now);
   void act();
+  bool is_battery_heard() const;
   ChargeInputs inputs() const;
   RemoteState battery_state() const { return services_.heartbeats.state(offer_.id); }
   void report(StopReason reason);
