@@ -67,6 +67,13 @@ std::string plain_text(std::string_view text) {
   return plain;
 }
 
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r\v\f";
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
 std::string hex(std::uint64_t number, unsigned digits) {
   return fmt::format("{:0{}X}", number, digits);
 }

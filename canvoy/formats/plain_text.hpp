@@ -15,6 +15,9 @@ bool is_plain_text(std::string_view text);
 /// Each byte that is not of such a text becomes `\x1B`; the result is UTF-8.
 std::string plain_text(std::string_view text);
 
+/// Without the blanks before and behind it, a carriage return at its end among them.
+std::string_view trimmed(std::string_view text);
+
 /// Capital hexadecimal digits, with zeros in front: "0A".
 std::string hex(std::uint64_t number, unsigned digits);
 

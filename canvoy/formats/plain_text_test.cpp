@@ -42,5 +42,12 @@ TEST(PlainText, WhatIsNoUtf8IsWrittenAsItsBytes) {
   EXPECT_EQ(plain_text("\x9B"), "\\x9B");
 }
 
+TEST(PlainText, IsTrimmedOfBlanks) {
+  EXPECT_EQ(trimmed(" \t a b\r"), "a b");
+  EXPECT_EQ(trimmed("a"), "a");
+  EXPECT_EQ(trimmed(" \v\f "), "");
+  EXPECT_EQ(trimmed(""), "");
+}
+
 }  // namespace
 }  // namespace canvoy::formats::plain_text_test

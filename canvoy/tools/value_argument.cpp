@@ -11,6 +11,7 @@
 #include <map>
 #include <ranges>
 
+#include "canvoy/formats/plain_text.hpp"
 #include "canvoy/formats/terms.hpp"
 #include "canvoy/profiles/number_rules.hpp"
 #include "canvoy/profiles/physical.hpp"
@@ -25,11 +26,7 @@ namespace canvoy::tools {
 
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
-}
+using formats::trimmed;
 
 const NamedValue* named_value(const ValueInfo& value, std::string_view text) {
   const auto* found = std::ranges::find_if(value.names, [text](const NamedValue& named) {

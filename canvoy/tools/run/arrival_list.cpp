@@ -6,6 +6,7 @@
 #include <charconv>
 #include <optional>
 
+#include "canvoy/formats/plain_text.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/value_file.hpp"
 
@@ -13,6 +14,7 @@ namespace canvoy::tools {
 
 namespace {
 
+using formats::trimmed;
 using lift::Arrival;
 using lift::Building;
 using lift::FloorNumber;
@@ -21,13 +23,6 @@ constexpr std::size_t arrivals_max = 1'000'000;
 constexpr double seconds_max = 1e6;
 constexpr double kilograms_max = 1000;
 constexpr double microseconds_of_second = 1e6;
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
 
 /// Takes what is before the next comma.
 std::string_view next_field(std::string_view& line) {

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "canvoy/formats/plain_text.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/run/excavator_text.hpp"
 #include "canvoy/tools/value_file.hpp"
@@ -32,16 +33,9 @@ constexpr std::string_view input_texts[] = {
     "knob",   "lever",  "horn",    "light",   "beacon",     "travel",      "lock",     "operator"};
 static_assert(std::size(input_texts) == excavator::hand_inputs);
 
-std::string_view without_blanks(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 std::string_view take_field(std::string_view& line) {
   const std::size_t comma = line.find(',');
-  const std::string_view field = without_blanks(line.substr(0, comma));
+  const std::string_view field = formats::trimmed(line.substr(0, comma));
   line = comma == std::string_view::npos ? std::string_view{} : line.substr(comma + 1);
   return field;
 }
@@ -114,7 +108,7 @@ RecordedShift parse_shift(std::string_view name, std::string_view text) {
   for (std::size_t count = 1; !text.empty(); ++count) {
     const std::size_t end = text.find('\n');
     const std::string_view with_comment = text.substr(0, end);
-    const std::string_view line = without_blanks(with_comment.substr(0, with_comment.find('#')));
+    const std::string_view line = formats::trimmed(with_comment.substr(0, with_comment.find('#')));
     text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
     if (line.empty() || (count == 1 && line.starts_with("seconds"))) continue;
     try {

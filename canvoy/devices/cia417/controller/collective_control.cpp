@@ -72,10 +72,6 @@ Direction first_direction(const Wanted& wanted, std::uint8_t floor) {
   return above - floor <= floor - below ? Direction::up : Direction::down;
 }
 
-constexpr Direction reverse(Direction direction) {
-  return direction == Direction::up ? Direction::down : Direction::up;
-}
-
 Direction departure_among(const Wanted& wanted, std::uint8_t floor, Direction arrival) {
   const Direction first = arrival == Direction::none ? Direction::up : arrival;
   for (const Direction direction : {first, reverse(first)}) {

@@ -18,6 +18,11 @@ namespace canvoy::cia417 {
 
 enum class Direction : std::int8_t { down = -1, none = 0, up = 1 };
 
+/// Of up and down the other one.
+constexpr Direction reverse(Direction direction) {
+  return direction == Direction::up ? Direction::down : Direction::up;
+}
+
 struct CollectiveCar {
   /// Where it stands; while it moves, the first floor at which it can still stop.
   std::uint8_t floor = 1;

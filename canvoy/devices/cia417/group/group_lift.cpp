@@ -6,9 +6,6 @@ namespace canvoy::cia417 {
 
 namespace {
 
-constexpr Direction reverse(Direction direction) {
-  return direction == Direction::up ? Direction::down : Direction::up;
-}
 constexpr bool is_ahead(std::uint8_t floor, std::uint8_t of, Direction direction) {
   return direction == Direction::up ? floor >= of : floor <= of;
 }

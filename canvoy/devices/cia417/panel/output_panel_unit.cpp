@@ -15,7 +15,7 @@ constexpr std::uint32_t tenth_of_second = 100'000;  // us
 constexpr unsigned default_value_byte = 3;
 constexpr unsigned impulse_time_byte = 3;
 constexpr unsigned polarity_byte = 1;
-constexpr unsigned status_bit = 0x01;
+constexpr unsigned lit_bit = 0x01;
 
 }  // namespace
 
@@ -176,7 +176,7 @@ void OutputPanelUnit::message(std::uint32_t output, IoPlace place, const Virtual
   const bool has_own = record.function == BasicFunction::special_indication &&
                        state.assigned != any_special_indication;
   const std::uint8_t sub_function = shows && !has_own ? record.sub_function : state.assigned;
-  const auto data = static_cast<std::uint8_t>(record.data & (all_off ? ~status_bit : 0xFFU));
+  const auto data = static_cast<std::uint8_t>(record.data & (all_off ? ~lit_bit : 0xFFU));
   if (is_allowed(state, place)) return apply(output, place, sub_function, data);
   state.held = true;
   state.held_sub_function = sub_function;
@@ -244,7 +244,7 @@ void OutputPanelUnit::expire(Time now) {
     if (state.impulse && is_over(state.off_at, ticks)) {
       state.impulse = false;
       VirtualOutput record = output(i);
-      record.data = static_cast<std::uint8_t>(record.data & ~status_bit);
+      record.data = static_cast<std::uint8_t>(record.data & ~lit_bit);
       store(groups_.place(i), record);
       show(i);
     }
