@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "canvoy/sim/fault_cases_test.hpp"
+
 namespace canvoy::bus::bus_network_test {
 namespace {
 
@@ -455,7 +457,7 @@ constexpr const char* bus_fault_cases[] = {"lost-node@10min+3min",
                                            "blocked-door@10min+3min",
                                            "no-paper@10min+10min"};
 
-INSTANTIATE_TEST_SUITE_P(Each, BusFault, testing::ValuesIn(bus_fault_cases));
+INSTANTIATE_TEST_SUITE_P(Each, BusFault, testing::ValuesIn(cases_here(bus_fault_cases)));
 
 // Each referee can fail: a sabotage in the whole network breaks it, and no other one.
 

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "canvoy/sim/fault_cases_test.hpp"
+
 namespace canvoy::police::police_network_test {
 namespace {
 
@@ -205,7 +207,7 @@ constexpr FaultCase fault_cases[] = {
     {"babbling-node@11min+10s"},      {"corrupted-frames@5min+2h"},
     {"overload@11min+3min"},          {"dead-client@10min+5min"}};
 
-INSTANTIATE_TEST_SUITE_P(Each, PoliceFault, testing::ValuesIn(fault_cases));
+INSTANTIATE_TEST_SUITE_P(Each, PoliceFault, testing::ValuesIn(cases_here(fault_cases)));
 
 // Each referee can fail: a sabotage in the whole network breaks it, and no other one.
 

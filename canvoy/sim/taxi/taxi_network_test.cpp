@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "canvoy/sim/fault_cases_test.hpp"
+
 namespace canvoy::taxi::taxi_network_test {
 namespace {
 
@@ -327,7 +329,7 @@ constexpr FaultCase fault_cases[] = {{"lost-node@15min+5s"},
                                      {"no-fix@0s+20min"},
                                      {"no-fix@15min+1h"}};
 
-INSTANTIATE_TEST_SUITE_P(Each, TaxiFault, testing::ValuesIn(fault_cases));
+INSTANTIATE_TEST_SUITE_P(Each, TaxiFault, testing::ValuesIn(cases_here(fault_cases)));
 
 // Each referee can fail: a sabotage in the whole network breaks it, and no other one.
 
