@@ -82,6 +82,9 @@ class SdoClient {
   void cancel(AbortCode reason = AbortCode::general);
 
   bool busy() const { return state_ != State::idle; }
+  /// Whether the node's NMT state lets it ask: else a request, also the one that is under way, ends
+  /// with device_state. A node without a node-ID, that of a tool, always may.
+  bool may_speak() const;
   /// Of the present or last transfer: bytes until now, and in all where that is known.
   std::size_t transferred() const { return transferred_; }
   std::optional<std::uint32_t> announced() const { return announced_; }
@@ -116,7 +119,6 @@ class SdoClient {
   AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
   void after_write(const Entry& entry, Source source);
 
-  bool may_speak() const;
   SdoChannel channel_to(NodeId server) const;
   AbortCode find_connection(NodeId server);
   AbortCode connect(NodeId server);

@@ -138,7 +138,11 @@ void Charger::remind_battery(Time now) {
 
 void Charger::ask_for_heartbeat() {
   asked_at_ = node_.now();
-  link_.write_heartbeat(offer_.id, static_cast<std::uint16_t>(settings_.battery_heartbeat / 1ms));
+  link_.write_heartbeat(offer_.id, asked_heartbeat_ms());
+}
+
+std::uint16_t Charger::asked_heartbeat_ms() const {
+  return static_cast<std::uint16_t>(settings_.battery_heartbeat / 1ms);
 }
 
 void Charger::watch_pilot_signal() {
@@ -357,9 +361,8 @@ bool Charger::link_tpdo(std::size_t position) {
 }
 
 void Charger::supervise_battery() {
-  const auto asked = static_cast<std::uint16_t>(settings_.battery_heartbeat / 1ms);
   if (offer_.heartbeat_ms == 0) ask_for_heartbeat();
-  const unsigned period = offer_.heartbeat_ms == 0 ? asked : offer_.heartbeat_ms;
+  const unsigned period = offer_.heartbeat_ms == 0 ? asked_heartbeat_ms() : offer_.heartbeat_ms;
   const unsigned time = std::min(period * settings_.heartbeat_periods_max, 0xFFFFU);
   configure(object_index::heartbeat_consumers, 1,
             static_cast<std::uint32_t>(offer_.id) << 16 | time);

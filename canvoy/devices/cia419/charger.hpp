@@ -131,6 +131,7 @@ class Charger {
   void supervise_battery();
   void remind_battery(Time now);
   void ask_for_heartbeat();
+  std::uint16_t asked_heartbeat_ms() const;
   void request_first_values();
   void enter(ChargerPhase phase);
   bool configure(std::uint16_t index, std::uint8_t sub, std::uint32_t value);

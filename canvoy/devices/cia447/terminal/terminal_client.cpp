@@ -196,9 +196,8 @@ void TerminalClient::done(SdoClient::Outcome outcome) {
   const Job job = job_;
   job_ = {};
   // Device state is also what is said of a request that the own NMT state has ended.
-  const NmtState own = network_.node().state();
-  const bool may_speak = own == NmtState::pre_operational || own == NmtState::operational;
-  const bool was_answered = outcome || (outcome.abort() == AbortCode::device_state && may_speak) ||
+  const bool was_answered = outcome ||
+                            (outcome.abort() == AbortCode::device_state && client_.may_speak()) ||
                             outcome.abort() == AbortCode::value_range;
   switch (job.kind) {
     case Job::Kind::none:
