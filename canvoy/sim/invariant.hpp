@@ -25,7 +25,8 @@ struct Invariant {
   double worst = 0;
   double allowed = 0;
   bool held = true;
-  /// False: nothing can be said (yet), or there was nothing to judge.
+  /// False: nothing can be said (yet). Where there was nothing to judge a lift says so too; other
+  /// worlds call that held.
   bool decided = true;
 };
 

@@ -40,6 +40,17 @@ TEST(ExcavatorNetwork, SeesAllThatThereIsToJudge) {
   }
 }
 
+TEST(ExcavatorNetwork, WhoWorksWithoutABreakFillsTheTankWhenTheLampSaysSo) {
+  ExcavatorOptions options{.length = 90min};
+  options.shift.work = 12h;
+  ExcavatorNetwork network(options);
+  network.run_until(Time(30min));
+  EXPECT_LT(network.snapshot().fuel_percent, 20) << "with a fifth it begins";
+  network.run_until(Time(90min));
+  EXPECT_EQ(broken(network), Names());
+  EXPECT_GT(network.snapshot().fuel_percent, 80);
+}
+
 TEST(ExcavatorNetwork, ASeatThatPollsDoesAsWell) {
   ExcavatorNetwork network({.length = 10min, .sensing_period = 2ms});
   network.run_until(Time(10min));

@@ -123,7 +123,8 @@ void ExcavatorOperator::act(Time now) {
       aim({swing, -70, -5, 0});
       if (!is_at({swing, -70, -5, 0}) && now - since_ <= gives_up) return;
       ++cycles_;
-      if (now >= rest_at_) {
+      // The tank is filled meanwhile.
+      if (now >= rest_at_ || is_lit(panel_.lit(), Lamp::low_fuel)) {
         enter(now, Activity::rests);
         return rest(now);
       }

@@ -22,13 +22,18 @@ class CrowdWatch {
 
   /// The last time that anything hindered them; 0: never.
   Time hindered_at() const { return hindered_at_; }
+  /// The same, or that the crowd which it left had not once become small enough for all cars; for
+  /// half an hour at most.
+  Time excused_at() const { return excused_at_; }
   /// For five minutes on end more people waited than fill each car twice.
   bool is_saturated() const { return is_saturated_; }
 
  private:
   double places_ = 0;  ///< in all cars, as people fill them
   Time hindered_at_{};
+  Time excused_at_{};
   Time not_crowded_at_{};  ///< or hindered; the last time
+  bool is_left_ = false;   ///< a crowd, by what hindered it
   bool is_saturated_ = false;
 };
 

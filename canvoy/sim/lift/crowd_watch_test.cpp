@@ -34,5 +34,26 @@ TEST(CrowdWatchTest, ACrowdThatSomethingHinderedSaysNothingOfLifts) {
   EXPECT_EQ(sut.hindered_at(), Time(4min));
 }
 
+TEST(CrowdWatchTest, ACrowdIsLeftByWhatHinderedItUntilAllCarsHoldIt) {
+  CrowdWatch sut = watch_of_ten();
+  sut.look(Time(1min), true, 30);
+  for (int minute = 2; minute <= 20; ++minute) sut.look(Time(minute * 1min), false, 25);
+  EXPECT_FALSE(sut.is_saturated());
+  EXPECT_EQ(sut.excused_at(), Time(20min));
+  sut.look(Time(21min), false, 10);
+  sut.look(Time(22min), false, 25);
+  sut.look(Time(27min), false, 25);
+  EXPECT_EQ(sut.excused_at(), Time(20min)) << "they come by themselves";
+  EXPECT_TRUE(sut.is_saturated());
+}
+
+TEST(CrowdWatchTest, ACrowdIsNotLeftForEver) {
+  CrowdWatch sut = watch_of_ten();
+  sut.look(Time(1min), true, 30);
+  for (int minute = 2; minute <= 60; ++minute) sut.look(Time(minute * 1min), false, 25);
+  EXPECT_EQ(sut.excused_at(), Time(30min));
+  EXPECT_TRUE(sut.is_saturated());
+}
+
 }  // namespace
 }  // namespace canvoy::lift::crowd_watch_test

@@ -16,7 +16,7 @@ constexpr FaultName fault_names[] = {
     {"light-barrier", "a light barrier is broken"},
     {"dead-encoder", "the position unit measures nothing"},
     {"babbling-node", "a panel, or a lift in the group, sends without a pause"},
-    {"fire-alarm", "all cars are called to the fire floor"},
+    {"fire-alarm", "the car is called to the fire floor; with :group, all cars"},
     {"fire-brigade", "the fire brigade calls a car, and drives it"},
     {"finger-protector", "that of a door is broken, and says so"},
     {"motion-detector", "that of a door is broken, and says so"},

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <variant>
+#include <vector>
 
 #include "canvoy/sim/duration_text.hpp"
 #include "canvoy/sim/lift/lift_network.hpp"
@@ -62,6 +64,41 @@ TEST(TwoFaultsOfALift, AControllerThatComesBackKnowsThatTheRopesHaveSlipped) {
   expect_all_to_hold(
       {.kind = FaultKind::rope_slip, .duration = 12s},
       {.kind = FaultKind::lost_node, .duration = 20s, .node = node_id::lift_controller}, 14s);
+}
+
+TEST(TwoFaultsOfALift, TheFireAlarmOutlastsTheFireBrigade) {
+  LiftNetworkDescription description = building();
+  description.faults = {{.kind = FaultKind::fire_alarm, .start = Time(1min), .duration = 8min},
+                        {.kind = FaultKind::fire_brigade, .start = Time(2min), .duration = 2min}};
+  LiftNetwork sut(description);
+  sut.run_until(Time(8min));
+  EXPECT_EQ(sut.snapshot().lifts.at(0).mode, LiftMode::fire_recall);
+  sut.run_until(Time(10min));
+  EXPECT_EQ(sut.snapshot().lifts.at(0).mode, LiftMode::normal);
+  EXPECT_EQ(broken(sut), "");
+}
+
+/// The error registers that emergencies had, one after the other.
+std::vector<unsigned> registers_told(const LiftNetwork& network) {
+  std::vector<unsigned> told;
+  for (const LiftEvent& event : network.events()) {
+    const auto* const seen = std::get_if<EmergencySeen>(&event.what);
+    if (seen != nullptr) told.push_back(seen->error_register);
+  }
+  return told;
+}
+
+TEST(TwoFaultsOfALift, OfOnePanelsButtonsOneSticksThoughAnotherIsFree) {
+  LiftNetworkDescription description = standard_lift_network({.floors = 110});
+  description.arrivals = {{.at = Time(40s), .from = 4, .to = 1}};  // presses, and lets go
+  description.faults = {
+      {.kind = FaultKind::stuck_button, .start = Time(10s), .duration = 20s, .floor = 3},
+      {.kind = FaultKind::stuck_button, .start = Time(12s), .duration = 68s, .floor = 4}};
+  LiftNetwork sut(description);
+  sut.run_until(Time(70s));
+  EXPECT_EQ(registers_told(sut), (std::vector{0x21U, 0x21U, 0x21U})) << "both stick, then one";
+  sut.run_until(Time(90s));
+  EXPECT_EQ(registers_told(sut), (std::vector{0x21U, 0x21U, 0x21U, 0U}));
 }
 
 TEST(AFaultAtTime0, OfTheBrakeIsToldAsOverspeedByADriveThatHasNotSeenTheCarStand) {

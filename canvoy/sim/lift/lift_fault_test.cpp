@@ -300,6 +300,20 @@ struct Inputs {
   std::vector<Request> requests{};
 };
 
+TEST_F(LiftFaultTest, APanelWithoutPowerShowsNothing) {
+  description.arrivals = {{.at = Time(2s), .from = 8, .to = 1}};
+  description.faults = {
+      {.kind = FaultKind::lost_node, .start = Time(10s), .duration = 5s, .node = 28}};
+  LiftNetwork sut(description);
+  sut.run_until(Time(9'999ms));
+  EXPECT_TRUE(sut.snapshot().landings.at(7).lamp_down);
+  sut.run_until(Time(10s));
+  EXPECT_FALSE(sut.snapshot().landings.at(7).lamp_down);
+  sut.run_until(Time(4min));
+  EXPECT_EQ(sut.summary().served, 1U);
+  EXPECT_EQ(broken(sut), "");
+}
+
 TEST_F(LiftFaultTest, AButtonThatIsLetGoWithoutPowerIsNotPressedWhenThePowerComesBack) {
   constexpr NodeId panel = node_id::first_landing_panel + 2;  // of floor 3
   // They press half a second after they have come, for 0.3 s.

@@ -210,8 +210,9 @@ LiftSummary LiftNetwork::summary() const {
                              .distance_m = each.distance_m,
                              .energy_wh = each.energy_wh});
   }
-  for (std::size_t bus = 0; bus < description().buses.size(); ++bus) {
-    account.bus_loads.push_back(parts_->devices.bus(bus).load_total());
+  account.buses = view.buses;
+  for (std::size_t bus = 0; bus < account.buses.size(); ++bus) {
+    account.buses[bus].load = parts_->devices.bus(bus).load_total();
   }
   return account;
 }

@@ -104,8 +104,8 @@ TEST(LiftNetworkTest, AQuarterOfAnHourOfInterfloorTrafficIsServedWithAllInvarian
   EXPECT_GT(summary.served, 10U);
   EXPECT_EQ(broken(network), "");
   EXPECT_GT(summary.lifts.at(0).energy_wh, 0);
-  EXPECT_GT(summary.bus_loads.at(0), 0.001);
-  EXPECT_LT(summary.bus_loads.at(0), 0.3);
+  EXPECT_GT(summary.buses.at(0).load, 0.001);
+  EXPECT_LT(summary.buses.at(0).load, 0.3);
 }
 
 TEST(LiftNetworkTest, TheSameDescriptionGivesTheSameFramesAtTheSameTimes) {
@@ -132,7 +132,7 @@ TEST(LiftNetworkTest, AGroupServesInterfloorTrafficWithAllInvariants) {
   EXPECT_GT(network.summary().served, 30U);
   EXPECT_EQ(broken(network), "");
   for (const LiftSummary::Lift& lift : network.summary().lifts) EXPECT_GT(lift.starts, 5U);
-  EXPECT_EQ(network.summary().bus_loads.size(), 4U);
+  EXPECT_EQ(network.summary().buses.size(), 4U);
 }
 
 #ifdef NDEBUG  // takes too long with sanitizers

@@ -233,6 +233,7 @@ LiftPanel::LiftPanel(World& world, BusIndex bus, NodeId id, PanelControls contro
   controls_.inputs.resize(std::min(controls_.inputs.size(), inputs_max));
   controls_.outputs.resize(std::min(controls_.outputs.size(), outputs_max));
   fingers_.resize(controls_.inputs.size());
+  is_stuck_.resize(controls_.inputs.size());
   high_since_.resize(controls_.inputs.size(), never);
   is_defective_.resize(controls_.inputs.size());
   body_ = std::make_unique<Body>();
@@ -268,12 +269,11 @@ std::optional<std::size_t> LiftPanel::find(const PanelInput& wanted) const {
 
 void LiftPanel::press(std::size_t input, bool pressed) {
   fingers_[input] = pressed;
-  if (stuck_ != input) set_level(input, pressed);
+  if (!is_stuck_[input]) set_level(input, pressed);
 }
 
 void LiftPanel::stick(std::size_t input, bool stuck) {
-  stuck_.reset();
-  if (stuck) stuck_ = input;
+  is_stuck_[input] = stuck;
   set_level(input, stuck || fingers_[input]);
 }
 
@@ -318,6 +318,13 @@ void LiftPanel::tell_defect(std::size_t input, bool is_defective) {
   const auto condition = is_defective ? cia417::CallRequest::defective : cia417::CallRequest::none;
   std::visit([&](auto& device) { device->input_unit.report(number, condition, world_->now()); },
              body_->device);
+}
+
+void LiftPanel::go_dark() {
+  if (!shown_) return;
+  for (const VirtualOutput& output : controls_.outputs) {
+    shown_(output, {.sub_function = output.sub_function});
+  }
 }
 
 void LiftPanel::show(std::uint32_t output, const cia417::OutputView& view) {

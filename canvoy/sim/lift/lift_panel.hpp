@@ -98,6 +98,8 @@ class LiftPanel {
   void press(std::size_t input, bool pressed);
   /// It stays as it is, whoever presses or lets go.
   void stick(std::size_t input, bool stuck);
+  /// Without power no output shows anything.
+  void go_dark();
   SlotIndex slot() const { return slot_; }
   Node& node();
 
@@ -116,10 +118,10 @@ class LiftPanel {
   SlotIndex slot_;
   PanelControls controls_;
   Shown shown_;
-  std::vector<bool> fingers_;       ///< on which inputs there are any
+  std::vector<bool> fingers_;  ///< on which inputs there are any
+  std::vector<bool> is_stuck_;
   std::vector<Time> high_since_;    ///< never: an input is low
   std::vector<bool> is_defective_;  ///< and the panel has told so
-  std::optional<std::size_t> stuck_{};
   std::unique_ptr<Body> body_;
 };
 

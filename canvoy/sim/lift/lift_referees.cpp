@@ -55,7 +55,7 @@ void LiftReferees::pressed(Time now, const CallKey& call) {
 /// Who began to wait while something hindered people, or just after, finds a crowd before him: he
 /// gives up because of it, however long his patience is.
 void LiftReferees::gave_up(Time now, Time since) {
-  const bool was_hindered = is_anything_hindered(now) || crowd_.hindered_at() > since;
+  const bool was_hindered = is_anything_hindered(now) || crowd_.excused_at() > since;
   if (!was_hindered && !fault_referee_.excuses_waiting(since)) referee_.gave_up();
 }
 

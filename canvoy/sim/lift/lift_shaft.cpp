@@ -59,6 +59,7 @@ struct LiftShaft::Parts {
   ShaftUnits units;
   std::unique_ptr<RealDevices> real{};
   Time looked_at_until{};  ///< something has just changed
+  unsigned fire_alarms = 0;
   bool is_put_together = false;
 };
 
@@ -174,7 +175,8 @@ void LiftShaft::press_door_close(bool pressed) {
 }
 
 void LiftShaft::turn_fire_key(bool on) {
-  parts_->panels.press(SpecialFunction::fire_service_enable, on);
+  on ? ++parts_->fire_alarms : --parts_->fire_alarms;
+  parts_->panels.press(SpecialFunction::fire_service_enable, parts_->fire_alarms != 0);
   parts_->kick();
 }
 
@@ -284,6 +286,7 @@ void LiftShaft::set_fault(const ScheduledFault& fault, bool present) {
   switch (fault.kind) {
     case FaultKind::lost_node:
       parts.nodes.power(id, !present);
+      if (present) parts.panels.go_dark(id);
       if (present && parts.nodes.is_a(DeviceKind::drive, id)) parts.car.lose_drive();
       return;
     case FaultKind::cable_cut:

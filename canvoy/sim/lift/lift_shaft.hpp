@@ -54,7 +54,7 @@ class LiftShaft {
   bool press(const CallKey& button, bool pressed);
   void press_door_open(bool pressed);
   void press_door_close(bool pressed);
-  /// The key at the fire floor.
+  /// The key at the fire floor: it stays on until each that turned it has turned it back.
   void turn_fire_key(bool on);
   /// The key in the car, of the fire brigade.
   void turn_brigade_key(bool on);

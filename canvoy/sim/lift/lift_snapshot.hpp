@@ -97,7 +97,7 @@ struct LiftSummary {
     double energy_wh = 0;
   };
   std::vector<Lift> lifts{};
-  std::vector<double> bus_loads{};  ///< since the start, 0 to 1
+  std::vector<BusSnapshot> buses{};  ///< with their load since the start
 };
 
 }  // namespace canvoy::lift

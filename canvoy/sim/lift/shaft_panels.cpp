@@ -90,6 +90,11 @@ void ShaftPanels::stick(const CallKey& button, bool stuck) {
   if (input) panel->panel->stick(*input, stuck);
 }
 
+void ShaftPanels::go_dark(NodeId id) {
+  const auto found = std::ranges::find(panels_, id, &Panel::id);
+  if (found != panels_.end()) found->panel->go_dark();
+}
+
 /// A lamp or display has changed.
 void ShaftPanels::shown(const NodeDescription& panel, const cia417::VirtualOutput& output,
                         const cia417::OutputView& view) {

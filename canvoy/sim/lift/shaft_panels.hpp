@@ -49,6 +49,8 @@ class ShaftPanels {
   }
   /// It stays as it is, whoever presses or lets go.
   void stick(const CallKey& button, bool stuck);
+  /// The panel with this node-ID, if it is one, has lost its power.
+  void go_dark(NodeId id);
   /// That has the button; 0: there is none here.
   NodeId with(const CallKey& button) const;
 

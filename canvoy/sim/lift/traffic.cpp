@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "canvoy/sim/duration_text.hpp"
 #include "canvoy/sim/lift/round_trip_time.hpp"
 
 namespace canvoy::lift {
@@ -54,6 +55,7 @@ std::optional<Arrival> Traffic::next() {
   if (people_per_second_ <= 0) return std::nullopt;
   // The time between two events of a Poisson process is exponentially distributed.
   const double gap_s = -std::log1p(-uniform()) / people_per_second_;
+  if (gap_s >= in_seconds(options_.until - at_)) return std::nullopt;
   at_ += Duration(std::llround(gap_s * 1e6));
   if (at_ >= options_.until) return std::nullopt;
   Arrival arrival = draw_way();

@@ -127,6 +127,16 @@ TEST(TrafficTest, AListIsPlayedInTheOrderOfItsTimes) {
   EXPECT_EQ(all_of(Traffic({late, early})), (std::vector<Arrival>{early, late}));
 }
 
+TEST(TrafficTest, WhoHardlyEverComesComesBeyondAllTime) {
+  // One in 10^18 years, and beyond what a time holds.
+  for (const double percent : {1e-20, 1e-30, 1e-300}) {
+    for (const Time until : {Time(60min), never}) {
+      Traffic sut(ten_floors, {.percent_in_5_minutes = percent, .until = until});
+      EXPECT_FALSE(sut.next()) << percent;
+    }
+  }
+}
+
 TEST(TrafficTest, NobodyComesToABuildingWithOneFloorOrWithoutPeople) {
   const Building low = uniform_building({.floors = 1});
   const Building empty = uniform_building({.floors = 5, .population_per_floor = 0});

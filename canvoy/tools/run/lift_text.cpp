@@ -348,11 +348,12 @@ std::string lift_summary_text(const LiftSummary& summary, std::span<const Invari
                         fmt::format("lift {}", i + 1), each.starts, each.starts_an_hour,
                         each.distance_m, kilowatt_hours(each.energy_wh));
   }
-  for (std::size_t bus = 0; bus < summary.bus_loads.size() && bus < network.buses.size(); ++bus) {
-    text += fmt::format("  {:<22}{:6.1f} % load\n", "bus " + network.buses[bus].name,
-                        summary.bus_loads[bus] * 100);
+  const LiftNames names(network);
+  for (std::size_t bus = 0; bus < summary.buses.size(); ++bus) {
+    text += fmt::format("  {:<22}{:6.1f} % load\n", fmt::format("bus {}", names.bus(bus)),
+                        summary.buses[bus].load * 100);
   }
-  text += invariants_text(LiftNames(network), invariants);
+  text += invariants_text(names, invariants);
   return text;
 }
 
@@ -365,11 +366,7 @@ Json lift_summary_json(const LiftSummary& summary, std::span<const Invariant> in
                      {"distance_m", each.distance_m},
                      {"energy_wh", each.energy_wh}});
   }
-  Json buses = Json::array();
-  for (std::size_t bus = 0; bus < summary.bus_loads.size() && bus < network.buses.size(); ++bus) {
-    buses.push_back(
-        {{"bus", network.buses[bus].name}, {"load_percent", summary.bus_loads[bus] * 100}});
-  }
+  const LiftNames names(network);
   Json json = line_json(Time{} + summary.run, "summary");
   json.update({{"arrived", summary.arrived},
                {"served", summary.served},
@@ -383,8 +380,8 @@ Json lift_summary_json(const LiftSummary& summary, std::span<const Invariant> in
                {"saturated", summary.is_saturated},
                {"persons_of_car", summary.persons_of_car},
                {"lifts", lifts},
-               {"buses", buses}});
-  add_invariants(json, LiftNames(network), invariants);
+               {"buses", buses_json(names, summary.buses)}});
+  add_invariants(json, names, invariants);
   return json;
 }
 

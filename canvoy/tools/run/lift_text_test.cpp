@@ -91,6 +91,10 @@ TEST(LiftText, TellsEventsInWords) {
             "group: lift-group-controller (17): NMT state operational");
   EXPECT_EQ(words(EmergencySeen{.bus = 0, .node = 4, .code = 0xFF05}),
             "lift1: lift-position (4): EMERGENCY FF05h: overspeed");
+  EXPECT_EQ(words(EmergencySeen{.bus = 0, .node = 4, .code = 0, .error_register = 0x21}),
+            "lift1: lift-position (4): emergency: an error is gone");
+  EXPECT_EQ(words(EmergencySeen{.bus = 0, .node = 4}),
+            "lift1: lift-position (4): emergency: no error any more");
   EXPECT_EQ(
       words(lift::LampChanged{.call = {.floor = 2, .direction = lift::Direction::up}, .lit = true}),
       "call up at floor 2 is acknowledged");
@@ -172,6 +176,16 @@ TEST(LiftText, SaysAllOfASnapshotAsJson) {
   EXPECT_EQ(json["lifts"][0]["floor"], 3);
   EXPECT_EQ(json["lifts"][1]["open"], 1);
   EXPECT_EQ(json["buses"][1]["load_percent"], 5);
+}
+
+TEST(LiftText, SaysOfEachBusOfASummaryWhatItSaysOfOneOfASnapshot) {
+  lift::LiftSummary summary;
+  summary.buses = {{.load = 0.25, .frames = 7, .error_frames = 2}};
+  const auto json = lift_summary_json(summary, {}, house());
+  EXPECT_EQ(json["buses"][0]["bus"], "lift1");
+  EXPECT_EQ(json["buses"][0]["load_percent"], 25);
+  EXPECT_EQ(json["buses"][0]["frames"], 7);
+  EXPECT_EQ(json["buses"][0]["error_frames"], 2);
 }
 
 }  // namespace

@@ -85,9 +85,11 @@ Told told(const WorldNames& names, const EmergencySeen& event) {
   Json json = json_of(names, "emergency", event);
   json["code"] = fmt::format("{:04X}", event.code);
   json["error_register"] = fmt::format("{:02X}", event.error_register);
-  const std::string text = event.code == 0 ? "emergency: no error any more"
-                                           : fmt::format("EMERGENCY {:04X}h: {}", event.code,
-                                                         names.emergency(event.code));
+  std::string text = fmt::format("EMERGENCY {:04X}h: {}", event.code, names.emergency(event.code));
+  if (event.code == 0) {
+    text =
+        event.error_register == 0 ? "emergency: no error any more" : "emergency: an error is gone";
+  }
   return told_of(names.device(event.bus, event.node), text, std::move(json));
 }
 
