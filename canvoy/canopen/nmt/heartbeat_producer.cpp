@@ -20,7 +20,7 @@ void HeartbeatProducer::expire(void* producer, Time now) {
 
 [[gnu::always_inline]] inline void HeartbeatProducer::send(Time now) {
   if (node_.state() == NmtState::initialisation) return;
-  node_.send_state();
+  if (node_.bus_state() != BusState::bus_off) node_.send_state();
   schedule(low_ticks(now) - due_);
 }
 

@@ -46,6 +46,19 @@ TEST(HeartbeatProducer, CountsTheBootUpMessageAsTheFirstHeartbeat) {
   sut.expect({"@300000 705#00", "@1300000 705#7F", "@2300000 705#7F", "@3300000 705#7F"});
 }
 
+TEST(HeartbeatProducer, TellsNothingAfterABusOffOfWhatWasMeanwhile) {
+  ProducingNode sut;
+  sut.boot();
+  sut.full = true;
+  sut.node.bus_state(BusState::bus_off, sut.now);
+  sut.run_until(Time(3500ms));
+  sut.full = false;
+  sut.node.bus_state(BusState::error_active, sut.now);
+  sut.expect({});
+  sut.run_until(Time(4s));
+  sut.expect({"@4000000 705#7F"});
+}
+
 TEST(HeartbeatProducer, TellsTheNmtStateOfTheMomentAlsoWhenStopped) {
   ProducingNode sut;
   sut.boot();

@@ -20,7 +20,8 @@ constexpr bool knows_events(std::uint8_t type) {
 /// There may be hundreds of them, and much of what happens is nothing to any.
 [[maybe_unused]] constexpr bool concerns_tpdos(ServiceEvent::Kind kind) {
   return kind == ServiceEvent::reset || kind == ServiceEvent::state_entered ||
-         kind == ServiceEvent::values_changed || kind == ServiceEvent::tx_ready;
+         kind == ServiceEvent::values_changed || kind == ServiceEvent::tx_ready ||
+         kind == ServiceEvent::bus_state_changed;
 }
 
 }  // namespace
@@ -68,6 +69,9 @@ void Tpdos::told(PdoService& service, Tpdo& pdo, ServiceEvent& event) {
       return self.begin(pdo);
     case ServiceEvent::values_changed:
       return self.values_changed(pdo, event.watchers());
+    case ServiceEvent::bus_state_changed:
+      if (event.bus_state() == BusState::bus_off) return self.bus_off(pdo);
+      [[fallthrough]];
     case ServiceEvent::tx_ready:
       return self.tx_ready(pdo);
     case ServiceEvent::sample:
@@ -162,7 +166,7 @@ inline bool Tpdos::is_plain(const Tpdo& pdo) const {
 
 /// The short way of those: what is compared is what is sent.
 inline void Tpdos::send_changed(Tpdo& pdo) {
-  if (pdo.event_) return;
+  if (pdo.event_ || pdo.waiting_) return;
   PdoImage present{};
   pack(pdo, present, false);
   if (present == pdo.image_ || keep_inhibited(pdo)) return;
@@ -201,6 +205,12 @@ inline void Tpdos::tx_ready(Tpdo& pdo) {
     // Too late for this SYNC. What an acyclic one has to tell it tells at the next.
     pdo.event_ = true;
   }
+}
+
+/// What waited for the controller is lost in bus-off, and was taken for sent: all that tells values
+/// when they change tells them after it.
+inline void Tpdos::bus_off(Tpdo& pdo) {
+  if (operational_ && pdo.is_active() && is_event_driven(pdo.type_)) wait(pdo);
 }
 
 /// The synchronous window is open.
@@ -404,7 +414,7 @@ void Tpdos::sample(Tpdo& pdo) {
 /// Samples as late as can be: not before there is room for the frame.
 void Tpdos::transmit(Tpdo& pdo) {
   pdo.event_ = false;
-  if (node_.transmitter().crowded()) return wait(pdo);
+  if (pdo.waiting_ || node_.transmitter().crowded()) return wait(pdo);
   if (pdo.mode_ != 0) return tell_source(pdo, MpdoEvent::transmit);
   sample(pdo);
   transmit_sample(pdo);

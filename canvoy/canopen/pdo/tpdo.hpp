@@ -121,6 +121,7 @@ class Tpdos : public PdoService {
   void find_values(PlacesOfValues values);
   void values_changed(Tpdo& pdo, std::uint32_t watchers);
   void tx_ready(Tpdo& pdo);
+  void bus_off(Tpdo& pdo);
   void sync(std::uint8_t counter);
   void sync(Tpdo& pdo, std::uint8_t counter);
   bool is_plain(const Tpdo& pdo) const;

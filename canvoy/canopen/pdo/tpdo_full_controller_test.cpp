@@ -28,6 +28,40 @@ TEST(Tpdo, ThatFindsNoRoomIsSentLaterWithTheValuesOfThen) {
   EXPECT_EQ(node.sent.size(), 10U);
 }
 
+TEST(Tpdo, OfWhichBusOffTookTheFrameIsSentAfterIt) {
+  PdoNode node;
+  node.map_tpdo(1, 0x185, 255, {0x2000'01'08});
+  node.map_tpdo(2, 0x285, 1, {0x2000'02'08});
+  node.operate();
+  node.full = true;
+  node.set(0x2000, 1, 1);
+  node.set(0x2000, 2, 2);
+  node.receive("080#");
+  node.node.bus_state(BusState::bus_off, node.now);
+  node.run_for(100ms);
+  node.expect({});
+  node.full = false;
+  node.node.bus_state(BusState::error_active, node.now);
+  node.expect({"185#01"});
+  node.node.tx_ready(node.now);
+  node.expect({});
+}
+
+TEST(Tpdo, OfABusOffHasTheLastOfItsValues) {
+  PdoNode node;
+  node.map_tpdo(1, 0x185, 255, {0x2000'01'08});
+  node.operate();
+  node.node.bus_state(BusState::error_passive, node.now);
+  node.expect({});
+  node.full = true;
+  node.node.bus_state(BusState::bus_off, node.now);
+  node.set(0x2000, 1, 1);
+  node.set(0x2000, 1, 2);
+  node.full = false;
+  node.node.bus_state(BusState::error_passive, node.now);
+  node.expect({"185#02"});
+}
+
 TEST(Tpdo, LeavesHalfOfTheBacklogToAnswersErrorControlAndSync) {
   PdoNode node;
   node.map_tpdo(1, 0x185, 255, {0x2000'01'08});

@@ -170,7 +170,8 @@ inline void Sync::produce() {
     frame.length = 1;
     frame.data[0] = counter_;
   }
-  node_.transmitter().send(frame);
+  // Those of a bus-off would leave all at once after it, and each of them is an order to all.
+  if (node_.bus_state() != BusState::bus_off) node_.transmitter().send(frame);
   announce(counter_);
 }
 

@@ -254,6 +254,20 @@ TEST(Sync, ThatNobodyHadTimeForIsLeftOut) {
   node.expect({"@60000 080#", "@70000 080#"});
 }
 
+TEST(Sync, OfABusOffIsNotSentAfterIt) {
+  PdoNode node;
+  node.write(0x1005, 0, 0x4000'0080);
+  node.write(0x1006, 0, 10'000);
+  node.full = true;
+  node.node.bus_state(BusState::bus_off, node.now);
+  node.run_until(Time(1s + 5ms));
+  node.full = false;
+  node.node.bus_state(BusState::error_active, node.now);
+  node.expect({});
+  node.run_until(Time(1s + 20ms));
+  node.expect({"@1010000 080#", "@1020000 080#"});
+}
+
 TEST(Sync, HasItsDefaultsAgainAfterAReset) {
   PdoNode node;
   Listener listener(node);
