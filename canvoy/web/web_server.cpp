@@ -60,6 +60,10 @@ std::uint16_t port_of(std::string_view address) {
   return port;
 }
 
+std::string host_of(std::string_view address) {
+  return std::string(address.substr(0, address.rfind(':')));
+}
+
 WebResponse told(unsigned status, std::string_view text) {
   return {.status = status, .type = "text/plain; charset=utf-8", .body = fmt::format("{}\n", text)};
 }
@@ -88,6 +92,7 @@ class WebServer::Hub {
         listener_(std::move(listener)),
         rules_{.port = port_of(listener_->address()),
                .is_loopback = listener_->is_loopback(),
+               .host = host_of(listener_->address()),
                .token = listener_->is_loopback() ? "" : make_token()} {
     listener_->on_client(
         [this](host::Descriptor client, const std::string&) { admit(std::move(client)); });

@@ -99,9 +99,9 @@ class Client {
 
 class WebServerTest : public ::testing::Test {
  protected:
-  void serve(const WebLimits& limits = {}) {
+  void serve(const WebLimits& limits = {}, const std::string& at = "127.0.0.1:0") {
     loop_ = *host::EventLoop::create();
-    server_ = *WebServer::create(*loop_, {.limits = limits}, application_);
+    server_ = *WebServer::create(*loop_, {.address = at, .limits = limits}, application_);
   }
   /// Plays the client while the loop serves him.
   void play(const std::function<void()>& client) {
@@ -154,6 +154,15 @@ TEST_F(WebServerTest, AnswersRequestsOneAfterTheOther) {
   });
   EXPECT_TRUE(has(all, "GET /api/a ")) << all;
   EXPECT_TRUE(has(all, "POST /api/b {}")) << all;
+}
+
+// All of 127.0.0.0/8 is this machine.
+TEST_F(WebServerTest, AnswersAtTheAddressThatItTells) {
+  serve({}, "127.0.0.2:0");
+  EXPECT_TRUE(has(answer(request("GET /api/a")), "GET /api/a "));
+  const std::string foreign =
+      "GET /api/a HTTP/1.1\r\nHost: evil.example\r\nConnection: close\r\n\r\n";
+  EXPECT_TRUE(has(answer(foreign), "HTTP/1.1 403 "));
 }
 
 TEST_F(WebServerTest, AnAnswerMayComeLaterOrWhenNobodyWaitsAnyMore) {
