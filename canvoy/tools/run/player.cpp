@@ -102,11 +102,12 @@ class Player {
         speed_(options.speed >= 0 ? options.speed
                : is_live_         ? options.terminal_speed
                                   : 0) {
-    if (!options.log.empty()) log_ = std::make_unique<FrameLog>(options.log, network);
     if (!options.real.empty()) {
       speed_ = 1;
       real_ = std::make_unique<RealBuses>(network, options.real);
     }
+    // Last: what was there before is gone then.
+    if (!options.log.empty()) log_ = std::make_unique<FrameLog>(options.log, network);
   }
 
   int run() {
