@@ -61,7 +61,9 @@ LiveSource::Json LiveBus::description() {
             {"nmt", permission().allows_nmt()}}}};
 }
 
-void LiveBus::advance(Time) {
+void LiveBus::advance(Time clock) {
+  recorder().flush_each_second(clock);
+  if (log_) ok_or_throw(log_->flush_each_second(clock));
   if (failure_) throw Failure(*failure_);
 }
 

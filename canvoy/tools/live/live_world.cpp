@@ -155,6 +155,8 @@ void LiveWorld::advance(Time clock) {
   }
   playback_.reached(now());
   take_events();
+  recorder().flush_each_second(clock);
+  if (log_) ok_or_throw(log_->flush_each_second(clock));
   if (log_failure_) throw Failure(*log_failure_);
 }
 

@@ -46,6 +46,12 @@ class FrameLog {
   void check() const {
     if (failure_) throw Failure(*failure_);
   }
+  /// Of the clock of the machine: in the time of a run, a day of it would take as many writes as it
+  /// has seconds.
+  void flush_each_second() {
+    const auto clock = std::chrono::steady_clock::now().time_since_epoch();
+    ok_or_throw(writer_.flush_each_second(Time(std::chrono::duration_cast<Duration>(clock))));
+  }
   void finish() {
     check();
     ok_or_throw(writer_.flush());
@@ -122,7 +128,10 @@ class Player {
       } else {
         run_until(std::min(end, next_stop()));
       }
-      if (log_) log_->check();
+      if (log_) {
+        log_->check();
+        log_->flush_each_second();
+      }
       tell();
       if (screen_) draw();
     }
