@@ -25,5 +25,10 @@ def enter_or_skip():
     libc = ctypes.CDLL(None, use_errno=True)
     if libc.unshare(CLONE_NEWNET) != 0:
         skip(f"a network of its own needs root: {os.strerror(ctypes.get_errno())}")
+    raise_loopback()
+
+
+def raise_loopback():
+    """Also where a test has taken it down."""
     subprocess.run(["ip", "link", "set", "lo", "up", "multicast", "on"], check=True)
     subprocess.run(["ip", "route", "add", "224.0.0.0/4", "dev", "lo"], check=True)

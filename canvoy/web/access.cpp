@@ -10,13 +10,22 @@ namespace canvoy::web {
 
 namespace {
 
+char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+/// Hosts and origins are the same in capital letters (RFC 3986, 3.2.2).
+bool is_same_name(std::string_view one, std::string_view other) {
+  return std::ranges::equal(one, other, {}, lower, lower);
+}
+
 bool is_own_host(const AccessRules& rules, std::string_view host) {
-  constexpr std::array<std::string_view, 3> own = {"localhost", "127.0.0.1", "[::1]"};
-  for (const std::string_view name : own) {
-    if (host == fmt::format("{}:{}", name, rules.port)) return true;
-    if (rules.port == 80 && host == name) return true;
-  }
-  return false;
+  const std::array<std::string_view, 4> own = {"localhost", "127.0.0.1", "[::1]", rules.host};
+  return std::ranges::any_of(own, [&](std::string_view name) {
+    if (name.empty()) return false;
+    if (is_same_name(host, fmt::format("{}:{}", name, rules.port))) return true;
+    return rules.port == 80 && is_same_name(host, name);
+  });
 }
 
 /// Takes as long for each token of this length.
@@ -37,7 +46,7 @@ std::string_view refusal_of(const AccessRules& rules, const AccessClaims& claims
     return "this host is none of this machine's names with this port";
   }
   const bool has_origin = !claims.origin.empty();
-  if (has_origin && claims.origin != fmt::format("http://{}", claims.host)) {
+  if (has_origin && !is_same_name(claims.origin, fmt::format("http://{}", claims.host))) {
     return "a page of another origin asks";
   }
   if (!rules.token.empty() && !is_same_secret(claims.token, rules.token)) {

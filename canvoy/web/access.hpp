@@ -15,6 +15,7 @@ namespace canvoy::web {
 struct AccessRules {
   std::uint16_t port = 0;
   bool is_loopback = true;  ///< only this machine reaches it
+  std::string host{};       ///< where it listens: `127.0.0.2`; one of its names
   std::string token{};      ///< has to be told; empty: no need
 };
 
@@ -26,7 +27,8 @@ struct AccessClaims {
 };
 
 /// Why it is refused, in one line; empty: it is not. On loopback the host has to be a name of this
-/// machine, with the port: a foreign name that leads here (DNS rebinding) is not.
+/// machine or the address that is listened at, with the port: a foreign name that leads here (DNS
+/// rebinding) is not. Names are the same in capital letters.
 std::string_view refusal_of(const AccessRules& rules, const AccessClaims& claims);
 
 /// The value of a cookie in the header of this name; empty: it is not there.

@@ -22,6 +22,34 @@ TEST(Access, OnLoopbackTheHostIsANameOfThisMachineWithThePort) {
   }
 }
 
+TEST(Access, OnLoopbackTheHostMayBeTheAddressThatIsListenedAt) {
+  const AccessRules second{.port = 8080, .host = "127.0.0.2"};
+  EXPECT_TRUE(passes(second, {.host = "127.0.0.2:8080", .origin = "http://127.0.0.2:8080"}));
+  EXPECT_TRUE(passes(second, {.host = "localhost:8080"}));
+  for (const char* host : {"127.0.0.2", "127.0.0.2:8081", "127.0.0.3:8080", "evil.example:8080",
+                           "127.0.0.2.evil.example:8080", ":8080"}) {
+    EXPECT_FALSE(passes(second, {.host = host})) << host;
+  }
+  EXPECT_FALSE(passes(loopback, {.host = "127.0.0.2:8080"}));
+  EXPECT_FALSE(passes(loopback, {.host = ":8080"}));
+}
+
+// RFC 3986, 3.2.2
+TEST(Access, CapitalLettersMakeNoOtherHost) {
+  EXPECT_TRUE(passes(loopback, {.host = "LocalHost:8080", .origin = "http://localhost:8080"}));
+  EXPECT_FALSE(passes(loopback, {.host = "LocalHost:8080", .origin = "HTTP://EVIL.EXAMPLE"}));
+}
+
+TEST(Access, AtPort80TheHostMayStandWithoutIt) {
+  const AccessRules usual{.port = 80, .host = "127.0.0.2"};
+  for (const char* host : {"localhost", "127.0.0.1:80", "127.0.0.2"}) {
+    EXPECT_TRUE(passes(usual, {.host = host})) << host;
+  }
+  for (const char* host : {"evil.example", "", ":80"}) {
+    EXPECT_FALSE(passes(usual, {.host = host})) << host;
+  }
+}
+
 TEST(Access, APageOfAnotherOriginIsRefused) {
   EXPECT_TRUE(passes(loopback, {.host = "localhost:8080", .origin = "http://localhost:8080"}));
   for (const char* origin : {"http://evil.example", "https://localhost:8080", "null",

@@ -37,6 +37,11 @@ using HttpResponse = http::response<http::string_body>;
 
 constexpr Duration sweep_period = 1s;
 constexpr int keep_alive_seconds = 30;
+/// What is done for clients before the loop serves others: a client that always has the next
+/// request there would keep it for ever. Some handlers take microseconds, some have a megabyte to
+/// write.
+constexpr int handlers_per_turn = 32;
+constexpr Duration turn_time = 5ms;
 constexpr std::string_view live_path = "/live";
 /// The page loads nothing from elsewhere, and stands in no frame of another page.
 constexpr const char* content_policy =
@@ -53,6 +58,10 @@ std::uint16_t port_of(std::string_view address) {
   const std::string_view digits = address.substr(address.rfind(':') + 1);
   std::from_chars(digits.data(), digits.data() + digits.size(), port);
   return port;
+}
+
+std::string host_of(std::string_view address) {
+  return std::string(address.substr(0, address.rfind(':')));
 }
 
 WebResponse told(unsigned status, std::string_view text) {
@@ -83,6 +92,7 @@ class WebServer::Hub {
         listener_(std::move(listener)),
         rules_{.port = port_of(listener_->address()),
                .is_loopback = listener_->is_loopback(),
+               .host = host_of(listener_->address()),
                .token = listener_->is_loopback() ? "" : make_token()} {
     listener_->on_client(
         [this](host::Descriptor client, const std::string&) { admit(std::move(client)); });
@@ -105,10 +115,13 @@ class WebServer::Hub {
 
   void admit(host::Descriptor client);
   void make_room();
-  /// Does what can be done at once, and says what is waited for from now on.
+  /// Does what can be done at once, or the beginning of it, and says what is waited for from now
+  /// on.
   void turn();
-  /// The same, from outside of a turn.
+  /// The same, in this turn of the loop or in its next one.
   void turn_soon();
+  /// As much as a turn takes; whether nothing is left that could be done at once.
+  bool work();
   void sweep();
   void sweep_later();
 
@@ -166,7 +179,7 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
 
   void ready(host::Readiness readiness) {
     if (readiness.failed && !is_reading_ && !is_writing_) end();
-    hub_.turn();
+    hub_.turn_soon();  // one for all who are ready
   }
 
   // HTTP
@@ -299,6 +312,10 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
     stream_.emplace(std::move(socket_));
     stream_->read_message_max(hub_.limits_.body_max);
     stream_->text(true);
+    // Each ping is answered, so it counts as a message does.
+    stream_->control_callback([this](websocket::frame_type, boost::beast::string_view) {
+      if (says_too_much()) end();
+    });
     is_writing_ = true;
     deadline_ = hub_.loop_.now() + hub_.limits_.message_time_out;
     stream_->async_accept(request_, [self = shared_from_this()](const Failed& failed) {
@@ -433,9 +450,17 @@ void WebServer::Hub::make_room() {
   connections_.erase(oldest);
 }
 
+bool WebServer::Hub::work() {
+  const Time end = loop_.now() + turn_time;
+  for (int i = 0; i < handlers_per_turn && loop_.now() < end; ++i) {
+    if (io_.poll_one() == 0) return true;
+  }
+  return false;
+}
+
 void WebServer::Hub::turn() {
   io_.restart();
-  io_.poll();
+  if (!work()) turn_soon();
   for (const auto& connection : connections_) connection->rewatch();
   std::erase_if(connections_, [](const auto& each) { return each->is_over(); });
 }

@@ -77,7 +77,7 @@ struct WebLimits {
   Duration request_time_out = 10s;     ///< from its first byte to its answer
   Duration idle_time_out = 30s;        ///< between two requests
   Duration message_time_out = 20s;     ///< until a client has taken a message; else it is let go
-  unsigned said_max_per_second = 100;  ///< messages of one client; beyond, it is let go
+  unsigned said_max_per_second = 100;  ///< messages and pings of a client; beyond, it is let go
 };
 
 struct WebOptions {

@@ -39,6 +39,7 @@ class Application : public WebApplication {
   };
 
   void answer(const WebRequest& request, Answer done) override {
+    if (on_request) on_request();
     if (request.target.path == "/api/later") {
       later = std::move(done);
     } else {
@@ -52,6 +53,7 @@ class Application : public WebApplication {
   std::string heard;
   int live = 0;
   Answer later;
+  std::function<void()> on_request;
 };
 
 /// A client program that waits for ten seconds at most.
@@ -73,6 +75,11 @@ class Client {
     return ::send(socket_.get(), text.data(), text.size(), MSG_NOSIGNAL) ==
            static_cast<ssize_t>(text.size());
   }
+  /// Takes what has come until now.
+  void forget_heard() {
+    std::array<char, 4096> bytes;
+    while (::recv(socket_.get(), bytes.data(), bytes.size(), MSG_DONTWAIT) > 0) continue;
+  }
   void end_output() { ::shutdown(socket_.get(), SHUT_WR); }
   /// What has come when `end` has; all until the connection ends where that is empty.
   std::string heard(std::string_view end = {}) {
@@ -92,9 +99,9 @@ class Client {
 
 class WebServerTest : public ::testing::Test {
  protected:
-  void serve(const WebLimits& limits = {}) {
+  void serve(const WebLimits& limits = {}, const std::string& at = "127.0.0.1:0") {
     loop_ = *host::EventLoop::create();
-    server_ = *WebServer::create(*loop_, {.limits = limits}, application_);
+    server_ = *WebServer::create(*loop_, {.address = at, .limits = limits}, application_);
   }
   /// Plays the client while the loop serves him.
   void play(const std::function<void()>& client) {
@@ -147,6 +154,15 @@ TEST_F(WebServerTest, AnswersRequestsOneAfterTheOther) {
   });
   EXPECT_TRUE(has(all, "GET /api/a ")) << all;
   EXPECT_TRUE(has(all, "POST /api/b {}")) << all;
+}
+
+// All of 127.0.0.0/8 is this machine.
+TEST_F(WebServerTest, AnswersAtTheAddressThatItTells) {
+  serve({}, "127.0.0.2:0");
+  EXPECT_TRUE(has(answer(request("GET /api/a")), "GET /api/a "));
+  const std::string foreign =
+      "GET /api/a HTTP/1.1\r\nHost: evil.example\r\nConnection: close\r\n\r\n";
+  EXPECT_TRUE(has(answer(foreign), "HTTP/1.1 403 "));
 }
 
 TEST_F(WebServerTest, AnAnswerMayComeLaterOrWhenNobodyWaitsAnyMore) {
@@ -253,6 +269,59 @@ TEST_F(WebServerTest, AFrameThatNeverEndsKeepsNobodyWaiting) {
     all = other.heard();
   });
   EXPECT_TRUE(has(all, "GET /api/a ")) << all;
+}
+
+TEST_F(WebServerTest, WhoAsksWithoutEndLeavesTheLoopToOthers) {
+  serve();
+  constexpr int many = 5000;
+  Client client(*server_);
+  const std::string next = request("GET /api/a", "\r\n");
+  int asked = 0;
+  // Each request is there before the one ahead of it is answered: the server is never idle.
+  application_.on_request = [&] {
+    client.forget_heard();
+    if (++asked == many) return loop_->stop();
+    client.say(next);
+  };
+  client.say(next);
+  int turns = 0;
+  std::function<void(Time)> count = [&](Time now) {
+    ++turns;
+    loop_->at(now, count);
+  };
+  count(loop_->now());
+  loop_->run_until(loop_->now() + Duration(60s));
+  EXPECT_EQ(asked, many);
+  EXPECT_GT(turns, many / 100);
+}
+
+// RFC 6455, 5.5.2: each is answered with a pong.
+TEST_F(WebServerTest, WhoPingsTooMuchIsLetGo) {
+  serve({.said_max_per_second = 10});
+  std::string all;
+  play([&] {
+    Client client(*server_);
+    client.say(upgrade());
+    client.heard("{}");
+    const std::string ping = "\x89\x80" + std::string(4, '\0');
+    for (int i = 0; i < 200 && client.try_say(ping); ++i) continue;
+    all = client.heard();
+  });
+  EXPECT_NE(all, "timed out");
+  EXPECT_EQ(application_.live, 0);
+}
+
+TEST_F(WebServerTest, APingIsAnswered) {
+  serve();
+  std::string all;
+  play([&] {
+    Client client(*server_);
+    client.say(upgrade());
+    client.heard("{}");
+    client.say("\x89\x81" + std::string(4, '\0') + "a");
+    all = client.heard("a");
+  });
+  EXPECT_EQ(all, "\x8a\1a");
 }
 
 TEST_F(WebServerTest, ANewcomerTakesThePlaceOfWhoIsThereLongestWithoutAWebSocket) {

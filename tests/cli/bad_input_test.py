@@ -2,6 +2,7 @@
 """Whatever is wrong on the command line or with what it names: one line that says what and what to do, status 1 or 2."""
 
 import pathlib
+import socket
 import sys
 import tempfile
 import unittest
@@ -316,17 +317,29 @@ class BadInput(CommandTest):
                 self.assertIn("operational", result.stdout)
 
     def test_nothing_is_written_where_the_command_is_wrong(self):
-        with tempfile.TemporaryDirectory() as folder:
+        with tempfile.TemporaryDirectory() as folder, socket.create_server(("127.0.0.1", 0)) as other:
+            taken = str(other.getsockname()[1])
+            network = pathlib.Path(folder) / "charger.toml"
+            network.write_text('network = "charger"\n[bus]\nreal = "nocan0"\n[battery]\nplayed = false\n', encoding="ascii")
             log = pathlib.Path(folder) / "precious.log"
-            log.write_text("a night's work\n", encoding="ascii")
             for arguments in (
                 ["run", "charger", "--fault", "earthquake@1min", "--log", log],
                 ["run", "charger", "--for", "soon", "--log", log],
                 ["monitor", QUIET, "--for", "soon", "--log", log],
                 ["monitor", "nocan0", "--log", log],
+                ["run", "charger", "--web", "99999", "--log", log],
+                ["run", "charger", "--web", taken, "--log", log],
+                ["run", "charger", "--web", "--allow-record", "/no/such", "--log", log],
+                ["run", network, "--log", log],
+                ["run", network, "--web", "--log", log],
+                ["view", QUIET, "--web", "99999", "--record", log],
+                ["view", QUIET, "--web", taken, "--record", log],
+                ["view", QUIET, "--allow-record", "/no/such", "--record", log],
             ):
-                self.assertNotEqual(run(*map(str, arguments)).returncode, DONE)
-                self.assertEqual(log.read_text(encoding="ascii"), "a night's work\n")
+                with self.subTest(" ".join(map(str, arguments))):
+                    log.write_text("a night's work\n", encoding="ascii")
+                    self.assertNotEqual(run(*map(str, arguments)).returncode, DONE)
+                    self.assertEqual(log.read_text(encoding="ascii"), "a night's work\n")
 
     def test_help_is_no_error(self):
         names = ["run", "device", "monitor", "read", "write", "configure", "nmt", "boot", "lss", "gateway", "program",

@@ -6,6 +6,7 @@ import os
 import pathlib
 import pty
 import re
+import signal
 import subprocess
 import tempfile
 import unittest
@@ -164,6 +165,36 @@ class DecodeTest(CommandTest):
         out = self.log("") + ".log"
         self.assert_done(run("decode", self.log(), "--filter", "object=temperature", "--out", out))
         self.assertEqual(pathlib.Path(out).read_text(), "(0000000001.100000) can0 18A#A00001\n")
+
+    def test_what_is_refused_leaves_the_log_of_before(self):
+        for out in (self.log("") + ".log", self.log("") + ".pcapng"):
+            for content in ("", "Dear reader,\n", ";$FILEVERSION=1.1\n;$STARTTIME=43008.5\n", "(1.000000) can0 185##01E2F\n"):
+                with self.subTest(content):
+                    pathlib.Path(out).write_text("kept")
+                    self.assertEqual(run("decode", self.log(content), "--out", out).returncode, FAILED)
+                    self.assertEqual(pathlib.Path(out).read_text(), "kept")
+            # Nothing of the new one is left beside it.
+            self.assertEqual([path.name for path in pathlib.Path(out).parent.iterdir() if path.name.endswith(".part")], [])
+
+    def test_a_log_from_a_pipe_does_not_become_itself(self):
+        log = self.log()
+        for verb in (["decode", "-", "--out", log], ["convert-log", "-", log]):
+            with open(log, encoding="ascii") as standard_input:
+                result = subprocess.run([CANVOY, *verb], stdin=standard_input, capture_output=True, text=True, timeout=60, check=False)
+            self.assert_refused(result, USAGE, log)
+            self.assertEqual(pathlib.Path(log).read_text(), LOG)
+
+    def test_what_came_by_a_pipe_is_kept_when_it_is_interrupted(self):
+        out = self.log("") + ".log"
+        with subprocess.Popen([CANVOY, "decode", "-", "--out", out], stdin=subprocess.PIPE, bufsize=0) as process:
+            many = LOG * 2000
+            process.stdin.write(many.encode())  # more than a pipe holds: it has been begun with
+            process.send_signal(signal.SIGINT)
+            process.stdin.close()
+        self.assertEqual(process.returncode, DONE)
+        lines = pathlib.Path(out).read_text().splitlines()
+        self.assertGreater(len(lines), 0)
+        self.assertLessEqual(len(lines), 14_000)
 
     def test_counts_bad_lines_and_goes_on(self):
         result = run("decode", self.log(LOG + "junk\n" + LOG))

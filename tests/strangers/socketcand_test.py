@@ -7,6 +7,7 @@ python-can's client and the command are two of its clients, and hear each other.
 
 import pathlib
 import re
+import select
 import socket
 import subprocess
 import sys
@@ -38,6 +39,8 @@ class Server:
         self.listener = socket.create_server(("127.0.0.1", port))
         self.port = self.listener.getsockname()[1]
         self.clients = []
+        self.is_silent = False
+        self.unanswered = []  # clients who came while it was silent
         self.said = []  # by all clients in raw mode
         self.wrong = []
         threading.Thread(target=self.accept, daemon=True).start()
@@ -66,6 +69,9 @@ class Server:
                 yield message + ">"
 
     def serve(self, client):
+        if self.is_silent:
+            self.unanswered.append(client)
+            return
         client.sendall(b"< hi >")
         for message in self.messages(client):
             if message == "< open can0 >" or message == "< rawmode >":
@@ -109,7 +115,10 @@ class Server:
         # To wake who waits in accept().
         self.listener.shutdown(socket.SHUT_RDWR)
         self.listener.close()
-        for client in self.clients:
+        self.drop_clients()
+
+    def drop_clients(self):
+        for client in self.clients + self.unanswered:
             try:
                 client.shutdown(socket.SHUT_RDWR)
             except OSError:
@@ -130,10 +139,17 @@ class Socketcand(CommandTest):
         return program
 
     def wait_for_clients(self, count):
+        self.wait_until(lambda: len(self.server.clients) >= count, "the command does not come")
+
+    def wait_until(self, holds, complaint):
         give_up = time.monotonic() + PATIENCE
-        while len(self.server.clients) < count:
-            self.assertLess(time.monotonic(), give_up, "the command does not come")
+        while not holds():
+            self.assertLess(time.monotonic(), give_up, complaint)
             time.sleep(0.01)
+
+    def error_line(self, program, patience):
+        self.assertTrue(select.select([program.stderr], [], [], patience)[0], "no trouble is told")
+        return program.stderr.readline()
 
     def test_a_device_is_asked_over_it(self):
         self.start("device", "battery", self.bus, "--node-id", "10")
@@ -196,6 +212,32 @@ class Socketcand(CommandTest):
         self.assertIn("7A0#01", output)
         self.assertIn("the server has closed the connection", errors)
         self.assertEqual(monitor.returncode, DONE)
+
+    def test_a_server_that_says_nothing_is_asked_anew(self):
+        monitor = self.start("monitor", self.bus, "--filter", "id=7A0", "--count", "1")
+        self.wait_for_clients(1)
+        self.server.is_silent = True
+        self.server.drop_clients()
+        self.wait_until(lambda: self.server.unanswered, "the command does not come back")
+        self.server.is_silent = False
+        self.wait_for_clients(2)
+        self.assert_done(run("send", self.bus, "7A0#01"))
+        self.assertIn("7A0#01", monitor.communicate(timeout=PATIENCE)[0])
+
+    def test_a_server_without_power_is_noticed_and_found_again(self):
+        monitor = self.start("monitor", self.bus, "--filter", "id=7A0", "--count", "1")
+        self.wait_for_clients(1)
+        device = self.start("device", "battery", self.bus, "--node-id", "10")  # always has something to say
+        self.wait_for_clients(2)
+        subprocess.run(["ip", "link", "set", "lo", "down"], check=True)
+        try:
+            for program in (monitor, device):
+                self.assertIn("timed out", self.error_line(program, 2 * PATIENCE))
+        finally:
+            own_network.raise_loopback()
+        self.wait_for_clients(4)
+        self.assert_done(run("send", self.bus, "7A0#01"))
+        self.assertIn("7A0#01", monitor.communicate(timeout=PATIENCE)[0])
 
 
 if __name__ == "__main__":

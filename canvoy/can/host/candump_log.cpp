@@ -139,6 +139,12 @@ Result<void> CandumpWriter::flush() {
   return {};
 }
 
+Result<void> CandumpWriter::flush_each_second(Time clock) {
+  if (clock < next_flush_) return {};
+  next_flush_ = clock + Duration(1s);
+  return flush();
+}
+
 // A part of the buffer may have been written: the last line that is whole is looked for in what
 // was.
 Result<void> CandumpWriter::fail(int error) {

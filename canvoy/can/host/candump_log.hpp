@@ -35,6 +35,9 @@ class CandumpWriter {
   Result<void> write(Time time, std::string_view interface, const Frame& frame);
   /// To the operating system, for those who read along.
   Result<void> flush();
+  /// The same where a second has passed since the last time, by any steady clock: to be called now
+  /// and then, so that who follows the file sees it grow.
+  Result<void> flush_each_second(Time clock);
   std::uint64_t lines() const { return lines_; }
 
  private:
@@ -48,6 +51,7 @@ class CandumpWriter {
   std::int64_t whole_ = 0;  // bytes in the file, all of whole lines
   std::uint64_t lines_ = 0;
   bool failed_ = false;
+  Time next_flush_{};
 };
 
 /// A frame of a log; its time counts from 1970, or from whatever the log counts from.

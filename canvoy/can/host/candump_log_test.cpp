@@ -112,6 +112,21 @@ TEST(CandumpWriter, FlushHandsTheLinesToThoseWhoReadAlong) {
   EXPECT_EQ(file.content(), "(0000000000.000000) can0 185#1E2F\n");
 }
 
+TEST(CandumpWriter, WhoFollowsTheFileHasTheLinesASecondLaterAtMost) {
+  const TemporaryFile file;
+  Result<CandumpWriter> log = CandumpWriter::create(file.path());
+  ASSERT_TRUE(log);
+  EXPECT_TRUE(log->flush_each_second(Time{50s}));
+  EXPECT_TRUE(log->write(Time{}, "can0", tpdo));
+  EXPECT_TRUE(log->flush_each_second(Time{50s + 999ms}));
+  EXPECT_EQ(file.content(), "");
+  EXPECT_TRUE(log->flush_each_second(Time{51s}));
+  EXPECT_EQ(file.content(), "(0000000000.000000) can0 185#1E2F\n");
+  EXPECT_TRUE(log->write(Time{}, "can0", tpdo));
+  EXPECT_TRUE(log->flush_each_second(Time{51s + 999ms}));
+  EXPECT_EQ(file.content(), "(0000000000.000000) can0 185#1E2F\n");
+}
+
 TEST(CandumpWriter, AFileThatCannotBeMadeIsRefusedInOneLine) {
   const Result<CandumpWriter> log = CandumpWriter::create("/no/such/folder/bus.log");
   ASSERT_FALSE(log);

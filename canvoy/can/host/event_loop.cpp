@@ -62,6 +62,19 @@ void drain(const Descriptor& counter) {
   [[maybe_unused]] const ssize_t size = ::read(counter.get(), &count, sizeof count);
 }
 
+// SIGHUP only where nobody has given it another effect: who starts a program by nohup wants it to
+// outlive the terminal.
+sigset_t ending_signals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  struct sigaction hang_up {};
+  sigaction(SIGHUP, nullptr, &hang_up);
+  if (hang_up.sa_handler == SIG_DFL) sigaddset(&signals, SIGHUP);
+  return signals;
+}
+
 Error loop_error(int error) {
   return {"event loop", std::strerror(error), "close some files, or raise `ulimit -n`"};
 }
@@ -157,10 +170,7 @@ void EventLoop::cancel(Id id) {
 
 Result<void> EventLoop::stop_on_signals() {
   if (signals_) return {};
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGINT);
-  sigaddset(&signals, SIGTERM);
+  const sigset_t signals = ending_signals();
   pthread_sigmask(SIG_BLOCK, &signals, &mask_before_);
   signals_ = Descriptor{signalfd(-1, &signals, SFD_NONBLOCK | SFD_CLOEXEC)};
   if (!signals_) {
@@ -182,6 +192,8 @@ void EventLoop::on_signal(Readiness) {
   signalfd_siginfo info{};
   if (::read(signals_.get(), &info, sizeof info) != sizeof info) return;
   signal_ = static_cast<int>(info.ssi_signo);
+  // Both the terminal and the shell tell of it, and the second one is no wish to end at once.
+  if (signal_ == SIGHUP) std::signal(SIGHUP, SIG_IGN);
   forget_signals();
   stop();
 }

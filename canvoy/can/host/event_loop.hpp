@@ -96,8 +96,9 @@ class EventLoop {
   Id at(Time time, TimerAction action);
   void cancel(Id id);
 
-  /// From now on SIGINT and SIGTERM stop the loop. After the first of them they have their old
-  /// effect again, so that a second one ends a process that hangs.
+  /// From now on SIGINT, SIGTERM, and SIGHUP unless it is ignored or handled (nohup), stop the
+  /// loop. After the first of them they have their old effect again, so that a second one ends a
+  /// process that hangs; only a SIGHUP that follows another is ignored.
   Result<void> stop_on_signals();
   /// The signal that stopped the loop, or 0.
   int signal() const { return signal_; }

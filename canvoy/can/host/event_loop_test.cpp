@@ -6,6 +6,7 @@
 
 #include <array>
 #include <csignal>
+#include <cstdlib>
 #include <thread>
 
 namespace canvoy::host::event_loop_test {
@@ -337,6 +338,31 @@ TEST_F(EventLoopTest, ASignalStopsTheLoopAndIsKnownAfterwards) {
   loop_->at(loop_->now(), [](Time) { ::kill(::getpid(), SIGTERM); });
   EXPECT_EQ(loop_->run_until(loop_->now() + 5s), EventLoop::End::stopped);
   EXPECT_EQ(loop_->signal(), SIGTERM);
+}
+
+// What a signal does is of the process: each of these is one of its own.
+TEST_F(EventLoopTest, AHangUpStopsTheLoopAndThoseThatFollowDoNothing) {
+  const auto hang_up = [this] {
+    std::signal(SIGHUP, SIG_DFL);  // whoever runs the tests by nohup
+    if (!loop_->stop_on_signals()) std::exit(2);
+    loop_->at(loop_->now(), [](Time) { ::kill(::getpid(), SIGHUP); });
+    loop_->run_until(loop_->now() + 5s);
+    // The terminal tells it, and then the shell.
+    ::kill(::getpid(), SIGHUP);
+    std::exit(loop_->signal() == SIGHUP ? 0 : 1);
+  };
+  EXPECT_EXIT(hang_up(), testing::ExitedWithCode(0), "");
+}
+
+TEST_F(EventLoopTest, AHangUpThatIsIgnoredStaysSo) {
+  const auto hang_up = [this] {
+    std::signal(SIGHUP, SIG_IGN);  // as nohup does
+    if (!loop_->stop_on_signals()) std::exit(2);
+    loop_->at(loop_->now(), [](Time) { ::kill(::getpid(), SIGHUP); });
+    loop_->run_until(loop_->now() + soon);
+    std::exit(loop_->signal() == 0 ? 0 : 1);
+  };
+  EXPECT_EXIT(hang_up(), testing::ExitedWithCode(0), "");
 }
 
 TEST_F(EventLoopTest, AfterTheFirstSignalASecondOneHasItsOldEffect) {

@@ -15,9 +15,30 @@ namespace canvoy::host {
 namespace {
 
 constexpr Duration open_time_out = 3s;
+constexpr std::string_view no_answer = "no answer within 3 s";
 constexpr Duration reconnect_interval = 1s;
 /// A server that takes nothing any more holds up whoever sends, not the memory.
 constexpr std::size_t unsent_max = 64UL * 1024;
+
+// A server without power, or behind a cut cable, says no goodbye. TCP by itself would wait two
+// hours before it asked one that is silent, and repeat what was sent for a quarter of an hour. In
+// less than ten seconds a network that is only busy, or a radio link, may be back.
+constexpr int seconds_until_probe = 5;  ///< in which nothing came
+constexpr int seconds_between_probes = 1;
+constexpr int probes_max = 5;
+constexpr int milliseconds_unanswered_max = 10'000;
+
+/// As far as the system has it: without it the loss is noticed later.
+void notice_loss(const Descriptor& socket) {
+  const auto set = [&](int level, int option, int value) {
+    setsockopt(socket.get(), level, option, &value, sizeof value);
+  };
+  set(SOL_SOCKET, SO_KEEPALIVE, 1);
+  set(IPPROTO_TCP, TCP_KEEPIDLE, seconds_until_probe);
+  set(IPPROTO_TCP, TCP_KEEPINTVL, seconds_between_probes);
+  set(IPPROTO_TCP, TCP_KEEPCNT, probes_max);
+  set(IPPROTO_TCP, TCP_USER_TIMEOUT, milliseconds_unanswered_max);
+}
 
 }  // namespace
 
@@ -70,6 +91,7 @@ Result<void> Socketcand::connect() {
       ::socket(server_.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, IPPROTO_TCP)};
   const int on = 1;
   setsockopt(socket_.get(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+  notice_loss(socket_);
   const auto* address = reinterpret_cast<const sockaddr*>(&server_);
   if (::connect(socket_.get(), address, server_size_) == 0 || errno == EINPROGRESS) return {};
   return failure(std::strerror(errno));
@@ -83,7 +105,7 @@ Result<void> Socketcand::wait_until_up() {
     const bool is_connecting = stage_ == Stage::connecting || !unsent_.empty();
     pollfd wanted{socket_.get(), static_cast<short>(is_connecting ? POLLOUT : POLLIN), 0};
     if (left.count() <= 0 || ::poll(&wanted, 1, static_cast<int>(left.count())) == 0) {
-      return failure("no answer within 3 s");
+      return failure(no_answer);
     }
     on_ready({.readable = (wanted.revents & POLLIN) != 0,
               .writable = (wanted.revents & POLLOUT) != 0,
@@ -162,6 +184,7 @@ void Socketcand::answer(std::string_view message) {
     return say("< rawmode >");
   }
   stage_ = Stage::up;
+  loop_.cancel(retry_);
   if (std::exchange(is_down_, false)) events_.state(BusState::error_active, loop_.now());
 }
 
@@ -220,7 +243,8 @@ void Socketcand::lost(std::string_view what) {
 }
 
 void Socketcand::try_again() {
-  if (const Result<void> begun = connect(); !begun || !watch()) lost("no connection");
+  if (const Result<void> begun = connect(); !begun || !watch()) return lost("no connection");
+  retry_ = loop_.at(loop_.now() + open_time_out, [this](Time) { lost(no_answer); });
 }
 
 }  // namespace canvoy::host

@@ -20,9 +20,10 @@
 namespace canvoy::host {
 
 /// A server does not hand back what its own client sends: a frame counts as having been on the bus
-/// when it was given to the connection. No bus state is told but that the connection is lost; then
-/// it is made anew every second. Frames are stamped as they arrive here, since the server's clock
-/// is another one.
+/// when it was given to the connection. No bus state is told but that the connection is lost,
+/// also where the server is gone without a word: then after 10 s. It is made anew every second, or
+/// 4 s after a server took it and did not give the bus. Frames are stamped as they arrive here,
+/// since the server's clock is another one.
 class Socketcand final : public Carrier {
  public:
   /// Connects, and waits up to three seconds for the server to give the bus. Fails with what to do
@@ -68,7 +69,7 @@ class Socketcand final : public Carrier {
   bool is_open_ = false;  ///< it has been up once: from then on it comes back by itself
   bool is_down_ = false;
   EventLoop::Id watch_ = 0;
-  EventLoop::Id retry_ = 0;
+  EventLoop::Id retry_ = 0;  ///< when the connection is tried, or the try that runs is given up
   EventLoop::Id confirmation_ = 0;
 };
 

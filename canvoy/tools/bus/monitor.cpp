@@ -96,15 +96,16 @@ class BusMonitor {
     });
   }
 
-  /// Between two looks at the keyboard, and at whom to ask.
+  /// Between two looks at the keyboard, at whom to ask, and at the log.
   static constexpr Duration period = 100ms;
   /// Pictures in a second are a half of the looks.
   static constexpr unsigned steps_per_picture = 2;
 
   void step(Time end) {
-    const bool is_calm = !screen_ && !options_.ask;
+    const bool is_calm = !screen_ && !options_.ask && !log_;
     const Time until = is_calm ? end : std::min(end, session_.loop().now() + period);
     if (session_.loop().run_until(until) == host::EventLoop::End::stopped) is_over_ = true;
+    if (log_) check(log_->flush_each_second(session_.loop().now()));
     if (options_.ask && !is_over_) ask_next();
     if (!screen_) return;
     if (!screen_->take_keys()) is_over_ = true;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/sim/duration_text.hpp"
 #include "canvoy/tools/bus/session.hpp"
@@ -10,18 +12,15 @@
 
 namespace canvoy::tools {
 
-LiveBus::LiveBus(const std::string& address, const std::string& record,
-                 const FramePrinterOptions& options, WritePermission permission,
-                 host::EventLoop& loop)
+LiveBus::LiveBus(const std::string& address, std::string record, const FramePrinterOptions& options,
+                 WritePermission permission, host::EventLoop& loop)
     : LiveNetwork(options, std::move(permission)),
       loop_(loop),
       bus_(value_or_throw(host::open_bus(loop, real_bus(address)))),
       attachment_(loop, *bus_),
       desk_(attachment_.port()),
-      nodes_(feed_, [this](ToldEvent event) { events_.add(std::move(event)); }) {
-  if (!record.empty()) {
-    log_.emplace(value_or_throw(host::CandumpWriter::create(record, loop.epoch())));
-  }
+      nodes_(feed_, [this](ToldEvent event) { events_.add(std::move(event)); }),
+      record_(std::move(record)) {
   attachment_.serve(desk_.node());
   bus_->on_frame([this](const host::BusFrame& heard) { hear(heard); });
   bus_->on_trouble([this](const host::Error& error) {
@@ -31,6 +30,11 @@ LiveBus::LiveBus(const std::string& address, const std::string& record,
 }
 
 LiveBus::~LiveBus() = default;
+
+void LiveBus::begin_log() {
+  if (record_.empty()) return;
+  log_.emplace(value_or_throw(host::CandumpWriter::create(record_, loop_.epoch())));
+}
 
 void LiveBus::hear(const host::BusFrame& heard) {
   const Duration time = loop_.epoch() + heard.time.time_since_epoch();
@@ -57,7 +61,9 @@ LiveSource::Json LiveBus::description() {
             {"nmt", permission().allows_nmt()}}}};
 }
 
-void LiveBus::advance(Time) {
+void LiveBus::advance(Time clock) {
+  recorder().flush_each_second(clock);
+  if (log_) ok_or_throw(log_->flush_each_second(clock));
   if (failure_) throw Failure(*failure_);
 }
 

@@ -17,11 +17,12 @@ namespace canvoy::tools {
 class LiveBus : public LiveNetwork {
  public:
   /// `record`: the path of a log; empty: none. Throws Failure where the bus cannot be opened.
-  LiveBus(const std::string& address, const std::string& record, const FramePrinterOptions& options,
+  LiveBus(const std::string& address, std::string record, const FramePrinterOptions& options,
           WritePermission permission, host::EventLoop& loop);
   ~LiveBus() override;
 
   Json description() override;
+  void begin_log() override;
   void advance(Time clock) override;
   Json state() override;
   void act(std::string_view what, const Json& arguments, const Done& done) override;
@@ -39,6 +40,7 @@ class LiveBus : public LiveNetwork {
   host::Attachment attachment_;
   SdoDesk desk_;
   HeardNodes nodes_;
+  std::string record_;
   std::optional<host::CandumpWriter> log_;
   std::optional<std::string> failure_;
   std::string trouble_;

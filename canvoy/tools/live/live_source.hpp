@@ -53,6 +53,9 @@ class LiveSource {
 
   /// What does not change while it is looked at: `kind`, `title`, and what may be done.
   virtual Json description() = 0;
+  /// Begins the log of all frames, where one is wanted: once, before anything is heard, and when
+  /// nothing else can be wrong any more, since the file of before is gone then. Throws Failure.
+  virtual void begin_log() {}
   /// Goes on, for some milliseconds at most.
   virtual void advance(Time clock) = 0;
   /// As it is now: `time`, `snapshot`, and what else there is.

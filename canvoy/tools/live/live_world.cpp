@@ -81,7 +81,6 @@ void LiveWorld::build() {
   told_ = 0;
   buses_ = network().bus_names();
   desks_.resize(buses_.size());
-  if (!play_.log.empty()) log_.emplace(value_or_throw(host::CandumpWriter::create(play_.log)));
   for (BusIndex i = 0; i < buses_.size(); ++i) {
     taps_.push_back(std::make_unique<Tap>(Tap{this, buses_[i]}));
     world().bus(i).observe({.context = taps_.back().get(),
@@ -99,6 +98,10 @@ void LiveWorld::build() {
   judged_at_ = never;
 }
 
+void LiveWorld::begin_log() {
+  if (!play_.log.empty()) log_.emplace(value_or_throw(host::CandumpWriter::create(play_.log)));
+}
+
 void LiveWorld::check_can_replay() const {
   if (has_real()) {
     throw UsageError("a run with real buses cannot be played from its start once more");
@@ -113,6 +116,7 @@ void LiveWorld::begin_again(const WorldPlan& plan, Time up_to) {
   recorder().end();  // it is of one run
   begin_anew();
   build();
+  begin_log();
   playback_.restart(up_to);
 }
 
@@ -151,6 +155,8 @@ void LiveWorld::advance(Time clock) {
   }
   playback_.reached(now());
   take_events();
+  recorder().flush_each_second(clock);
+  if (log_) ok_or_throw(log_->flush_each_second(clock));
   if (log_failure_) throw Failure(*log_failure_);
 }
 

@@ -58,6 +58,7 @@ class LiveWorld : public LiveNetwork {
   ~LiveWorld() override;
 
   Json description() override;
+  void begin_log() override;
   void advance(Time clock) override;
   Json state() override;
   std::string run_file() const override { return options_.file(options_.plan); }

@@ -47,6 +47,14 @@ void Recorder::hear(Time at, std::string_view bus, const Frame& frame) {
   if (!trouble_.empty()) log_.reset();
 }
 
+void Recorder::flush_each_second(Time clock) {
+  if (!log_) return;
+  const host::Result<void> flushed = log_->flush_each_second(clock);
+  if (flushed) return;
+  trouble_ = flushed.error().line();
+  log_.reset();
+}
+
 nlohmann::ordered_json Recorder::json() const {
   return {{"on", log_.has_value()}, {"file", file_}, {"frames", frames_}, {"trouble", trouble_}};
 }

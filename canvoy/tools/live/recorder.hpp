@@ -33,6 +33,8 @@ class Recorder {
   void end();
   /// A log that cannot be written any more ends, and its trouble is told.
   void hear(Time at, std::string_view bus, const Frame& frame);
+  /// As CandumpWriter has it; trouble as of hear().
+  void flush_each_second(Time clock);
   /// `on`, `file`, `frames`, `trouble`.
   nlohmann::ordered_json json() const;
 

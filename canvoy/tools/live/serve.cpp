@@ -83,7 +83,9 @@ std::string listening_address(const std::string& text) {
 
 int serve(LiveSource& source, host::EventLoop& loop, const ServeOptions& options) {
   ok_or_throw(loop.stop_on_signals());
-  Server(source, loop, options).run();
+  Server server(source, loop, options);
+  source.begin_log();
+  server.run();
   return source.finish();
 }
 

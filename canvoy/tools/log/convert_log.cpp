@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -34,8 +33,7 @@ formats::TraceFormat format_to_write(const std::string& out) {
 }
 
 void refuse_same_file(const ConvertOptions& options) {
-  std::error_code missing;
-  if (std::filesystem::equivalent(options.in, options.out, missing))
+  if (is_log_itself(options.in, options.out))
     throw UsageError(options.out + ": it is the log that is read; name another");
 }
 

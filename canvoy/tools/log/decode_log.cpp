@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <system_error>
+#include <optional>
+#include <string>
+#include <string_view>
 
+#include "canvoy/can/host/file_draft.hpp"
 #include "canvoy/formats/trace/trace.hpp"
 #include "canvoy/formats/trace/trace_writer.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/interruption.hpp"
 #include "canvoy/tools/log/line_output.hpp"
 #include "canvoy/tools/log/trace_complaints.hpp"
 #include "canvoy/tools/log/trace_progress.hpp"
@@ -42,30 +45,52 @@ void show_without_match(const LogOptions& options, const FramePrinter& printer) 
   if (!without_match.empty()) fmt::print(stderr, "{}: {}\n", options.log, without_match);
 }
 
-formats::TraceWriter create_log(const LogOptions& options) {
+formats::TraceFormat format_of_other_log(const LogOptions& options) {
   if (options.printer.json) throw UsageError("--json prints lines, and --out writes a log");
   const std::optional<formats::TraceFormat> format = formats::trace_format_of(options.out);
   if (!format) {
     throw UsageError(fmt::format("'{}' ends like no log: .pcapng, .asc or .log", options.out));
   }
-  std::error_code none;
-  if (std::filesystem::equivalent(options.log, options.out, none)) {
+  if (is_log_itself(options.log, options.out)) {
     throw UsageError(fmt::format("'{}' is the log itself", options.out));
   }
-  return value_or_throw(formats::TraceWriter::create(options.out, *format));
+  return *format;
 }
+
+/// A log that takes the place of the one before when it is whole.
+class OtherLog {
+ public:
+  explicit OtherLog(const LogOptions& options)
+      : OtherLog(options.out, format_of_other_log(options)) {}
+
+  void write(const formats::TraceFrame& frame, std::string_view meaning) {
+    ok_or_throw(writer_.write(frame, meaning));
+  }
+  void finish() {
+    ok_or_throw(writer_.flush());
+    ok_or_throw(draft_.finish());
+  }
+
+ private:
+  OtherLog(const std::string& path, formats::TraceFormat format)
+      : draft_(value_or_throw(host::FileDraft::begin(path))),
+        writer_(value_or_throw(formats::TraceWriter::onto(draft_.descriptor(), path, format))) {}
+
+  host::FileDraft draft_;
+  formats::TraceWriter writer_;
+};
 
 /// Where the meaning goes: to the standard output, or into another log.
 class Output {
  public:
   explicit Output(const LogOptions& options)
       : printer_(options.printer), lines_(options.printer.json) {
-    if (!options.out.empty()) writer_.emplace(create_log(options));
+    if (!options.out.empty()) log_.emplace(options);
   }
 
   /// Whether a filter wanted the frame.
   bool show(const formats::TraceFrame& heard) {
-    if (!writer_) {
+    if (!log_) {
       const bool is_wanted = printer_.append(lines_.lines(), heard.time.time_since_epoch(),
                                              heard.channel, heard.frame);
       lines_.pass_on();
@@ -73,24 +98,27 @@ class Output {
     }
     const std::optional<std::string> meaning =
         printer_.describe(heard.time.time_since_epoch(), heard.channel, heard.frame);
-    if (meaning) ok_or_throw(writer_->write(heard, *meaning));
+    if (meaning) log_->write(heard, *meaning);
     return meaning.has_value();
   }
+  void flush() { lines_.flush(); }
+  /// When the log that is read was good for something.
   void finish() {
-    if (writer_) ok_or_throw(writer_->flush());
-    lines_.flush();
+    if (log_) log_->finish();
   }
   const FramePrinter& printer() const { return printer_; }
 
  private:
   FramePrinter printer_;
   LineOutput lines_;
-  std::optional<formats::TraceWriter> writer_;
+  std::optional<OtherLog> log_;
 };
 
 }  // namespace
 
 int decode_log(const LogOptions& options) {
+  // Of a pipe that is what ends it, and what has come is to be kept.
+  if (!options.out.empty()) heed_interruption();
   formats::TraceReader trace = value_or_throw(formats::TraceReader::open(options.log));
   Output output(options);
   {
@@ -98,6 +126,7 @@ int decode_log(const LogOptions& options) {
     formats::TraceFrame heard;
     std::optional<Time> first;
     for (std::uint64_t shown = 0; options.count == 0 || shown < options.count;) {
+      if (is_interrupted()) break;
       const formats::TraceRead read = trace.next(heard);
       if (read == formats::TraceRead::end) break;
       progress.show(trace);
@@ -111,11 +140,13 @@ int decode_log(const LogOptions& options) {
       if (output.show(heard)) ++shown;
     }
   }
-  output.finish();
+  if (is_interrupted() && options.log != "-") throw Failure("interrupted");
+  output.flush();
   show_left_out(options, trace);
   show_buses(options, output.printer());
   show_without_match(options, output.printer());
   refuse_log_without_frames(options.log, trace);
+  output.finish();
   return exit_done;
 }
 

@@ -1,6 +1,8 @@
 #include "canvoy/tools/log/trace_complaints.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "canvoy/tools/failure.hpp"
 
@@ -19,6 +21,15 @@ void refuse_log_without_frames(const std::string& log, const formats::TraceReade
   }
   throw Failure(fmt::format("{}: no frame can be read in it, though it looks like a {}", log,
                             formats::name_of(trace.format())));
+}
+
+bool is_log_itself(const std::string& log, const std::string& out) {
+  struct stat read {};
+  struct stat written {};
+  const bool is_there =
+      (log == "-" ? ::fstat(STDIN_FILENO, &read) : ::stat(log.c_str(), &read)) == 0 &&
+      ::stat(out.c_str(), &written) == 0;
+  return is_there && read.st_dev == written.st_dev && read.st_ino == written.st_ino;
 }
 
 }  // namespace canvoy::tools

@@ -17,4 +17,7 @@ void show_bad(const std::string& log, const formats::TraceReader& trace);
 /// Throws Failure where not one frame stood in the log that was read to its end.
 void refuse_log_without_frames(const std::string& log, const formats::TraceReader& trace);
 
+/// Whether `out` is the file that is read, by whatever names; `log` is `-` for the standard input.
+bool is_log_itself(const std::string& log, const std::string& out);
+
 }  // namespace canvoy::tools

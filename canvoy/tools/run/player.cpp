@@ -46,6 +46,12 @@ class FrameLog {
   void check() const {
     if (failure_) throw Failure(*failure_);
   }
+  /// Of the clock of the machine: in the time of a run, a day of it would take as many writes as it
+  /// has seconds.
+  void flush_each_second() {
+    const auto clock = std::chrono::steady_clock::now().time_since_epoch();
+    ok_or_throw(writer_.flush_each_second(Time(std::chrono::duration_cast<Duration>(clock))));
+  }
   void finish() {
     check();
     ok_or_throw(writer_.flush());
@@ -102,11 +108,12 @@ class Player {
         speed_(options.speed >= 0 ? options.speed
                : is_live_         ? options.terminal_speed
                                   : 0) {
-    if (!options.log.empty()) log_ = std::make_unique<FrameLog>(options.log, network);
     if (!options.real.empty()) {
       speed_ = 1;
       real_ = std::make_unique<RealBuses>(network, options.real);
     }
+    // Last: what was there before is gone then.
+    if (!options.log.empty()) log_ = std::make_unique<FrameLog>(options.log, network);
   }
 
   int run() {
@@ -121,7 +128,10 @@ class Player {
       } else {
         run_until(std::min(end, next_stop()));
       }
-      if (log_) log_->check();
+      if (log_) {
+        log_->check();
+        log_->flush_each_second();
+      }
       tell();
       if (screen_) draw();
     }

@@ -53,8 +53,8 @@ struct PlayOptions {
   std::vector<RealBus> real = {};  ///< with any, the speed is 1
 };
 
-/// Plays until the end, or SIGINT or SIGTERM, and prints the summary. The exit status: whether all
-/// invariants held. Throws Failure.
+/// Plays until the end, or SIGINT, SIGTERM or SIGHUP, and prints the summary. The exit status:
+/// whether all invariants held. Throws Failure.
 int play(PlayedNetwork& network, const PlayOptions& options);
 
 }  // namespace canvoy::tools

@@ -16,9 +16,9 @@ struct DepotOptions {
   bool json = false;
 };
 
-/// Plays each vehicle until its end, or all until SIGINT or SIGTERM, and prints who has failed and
-/// totals: the same whatever the number of threads. The exit status: whether all were played, and
-/// held.
+/// Plays each vehicle until its end, or all until SIGINT, SIGTERM or SIGHUP, and prints who has
+/// failed and totals: the same whatever the number of threads. The exit status: whether all were
+/// played, and held.
 int run_depot(const DepotOptions& options);
 
 }  // namespace canvoy::tools
