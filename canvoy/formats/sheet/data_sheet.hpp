@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/formats/eds/ini.hpp"
 #include "canvoy/profiles/description.hpp"
 
@@ -88,6 +89,10 @@ SheetObject::Group group_of(unsigned index);
 std::string place_text(unsigned index);
 std::string place_text(unsigned index, unsigned sub);
 
+/// Whether it is the section of the node in its network. CiA 306 spells it `DeviceComissioning`;
+/// not everybody does.
+bool is_commissioning(std::string_view section_name);
+
 /// Hexadecimal digits without a prefix, all of the text and not more than `digits_max`.
 std::optional<unsigned> parse_hex(std::string_view text, std::size_t digits_max);
 
@@ -103,12 +108,14 @@ struct DataSheet {
 
   /// The entry at an address, or null.
   const SheetEntry* find(unsigned index, unsigned sub) const;
-  /// The first section of this name, or null.
+  /// The first section of this name, or null. Both spellings of `DeviceComissioning` are one.
   const IniSection* section(std::string_view name) const;
   /// How many objects have an index from `first` to `last`.
   std::size_t count_objects(unsigned first, unsigned last) const;
   /// A key of a section; empty where there is none.
   std::string_view text(std::string_view section_name, std::string_view key) const;
+  /// That of a configured device; 0: none is said.
+  NodeId node_id() const;
 };
 
 }  // namespace canvoy::formats

@@ -41,6 +41,12 @@ TEST(SheetDiff, CommentsAndTheDatesOfTheFileAreNoDifference) {
   EXPECT_EQ(differences("[DeviceInfo]", "; by hand\n[DeviceInfo]"), "");
 }
 
+TEST(SheetDiff, TheSpellingOfASectionIsNoDifference) {
+  Findings findings;
+  const DataSheet one = read_eds("[DeviceCommissioning]\nNodeID=5\n", findings);
+  EXPECT_TRUE(compare_sheets(one, read_eds("[DeviceComissioning]\nNodeID=5\n", findings)).empty());
+}
+
 TEST(SheetDiff, EachAttributeThatDiffersIsTold) {
   EXPECT_EQ(differences("AccessType=rw", "AccessType=ro"), "[2000] AccessType: rw | ro\n");
   EXPECT_EQ(differences("DataType=3", "DataType=4"), "[2000] DataType: 0x3 | 0x4\n");

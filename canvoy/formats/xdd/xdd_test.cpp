@@ -242,6 +242,18 @@ TEST(Xdd, WhatAnXdcSaysOfTheNodeGoesThereAndBack) {
   EXPECT_EQ(again.text("DeviceComissioning", "Baudrate"), "125");
 }
 
+TEST(Xdd, TheNodeOfADcfThatSpellsItsSectionOtherwiseIsInTheXdc) {
+  Findings findings;
+  const DataSheet dcf =
+      read_eds("[DeviceCommissioning]\nNodeID=10\nNodeName=left\nBaudrate=250\n", findings);
+  const std::string text = write_xdd(dcf);
+  EXPECT_NE(
+      text.find(R"(<deviceCommissioning nodeID="10" nodeName="left" actualBaudRate="250 Kbps")"),
+      std::string::npos)
+      << text;
+  EXPECT_EQ(read(text).node_id(), 10);
+}
+
 TEST(Xdd, WhatXmlCannotHaveIsWrittenAsItsBytes) {
   DataSheet sheet;
   sheet.objects[0x2000].own = {.name = "a\x1B[2J \xFC", .data_type = 5, .access = "ro"};
