@@ -113,10 +113,27 @@ NodeId DataSheet::node_id() const {
   return is_said ? static_cast<NodeId>(number->number) : NodeId{0};
 }
 
+std::optional<SaidAccess> said_access(const SheetEntry& entry) {
+  struct Named {
+    std::string_view name;
+    SaidAccess access;
+  };
+  constexpr Named names[] = {
+      {"ro", {Access::ro, Access::tpdo}},
+      {"wo", {Access::wo, Access::rpdo}},
+      {"rw", {Access::rw, Access::tpdo | Access::rpdo}},
+      {"rwr", {Access::rw, Access::tpdo}},
+      {"rww", {Access::rw, Access::rpdo}},
+      {"const", {Access::const_, Access::tpdo}},
+  };
+  const auto* found = std::ranges::find_if(
+      names, [&entry](const Named& named) { return same_letters(named.name, entry.access); });
+  return found == std::end(names) ? std::nullopt : std::optional(found->access);
+}
+
 bool is_writable(const SheetEntry& entry) {
-  constexpr std::string_view names[] = {"rw", "rwr", "rww", "wo"};
-  return std::ranges::any_of(
-      names, [&entry](std::string_view name) { return same_letters(name, entry.access); });
+  const auto said = said_access(entry);
+  return said && allows(said->by_sdo, Access::sdo_write);
 }
 
 SheetObject::Group group_of(unsigned index) {

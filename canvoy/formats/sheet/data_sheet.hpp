@@ -70,6 +70,12 @@ struct SheetEntry {
   std::size_t line = 0;
 };
 
+struct SaidAccess {
+  Access by_sdo = Access::none;
+  Access in_pdos = Access::none;  ///< those that may carry it where it can be mapped
+};
+/// What `access` stands for (CiA 306), in letters of any case; nothing where it is none.
+std::optional<SaidAccess> said_access(const SheetEntry& entry);
 /// By its access: rw, rwr, rww or wo.
 bool is_writable(const SheetEntry& entry);
 

@@ -33,6 +33,7 @@ TEST(SheetDiff, TheSameValueInAnotherNotationIsNoDifference) {
   EXPECT_EQ(differences("=0x10", "=16"), "");
   EXPECT_EQ(differences("=-1", "=0xFFFF"), "");
   EXPECT_EQ(differences("DataType=3", "datatype=0x0003"), "");
+  EXPECT_EQ(differences("AccessType=rw", "AccessType=RW"), "");
 }
 
 TEST(SheetDiff, CommentsAndTheDatesOfTheFileAreNoDifference) {

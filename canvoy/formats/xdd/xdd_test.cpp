@@ -214,6 +214,15 @@ TEST(Xdd, AccessAndDirectionOfPdosAreTwoAttributes) {
   }
 }
 
+TEST(Xdd, AnAccessInCapitalsIsInTheLettersOfTheSchema) {
+  DataSheet sheet;
+  sheet.objects[0x2000].own = {.name = "a", .data_type = 5, .access = "RWR", .pdo_mapping = true};
+  sheet.objects[0x2001].own = {.name = "b", .data_type = 5, .access = "Const"};
+  const std::string text = write_xdd(sheet);
+  EXPECT_NE(text.find(R"(accessType="rw" PDOmapping="TPDO")"), std::string::npos) << text;
+  EXPECT_NE(text.find(R"(accessType="const" PDOmapping="no")"), std::string::npos) << text;
+}
+
 TEST(Xdd, WhatAnXdcSaysOfTheNodeGoesThereAndBack) {
   Findings findings;
   const DataSheet dcf = read_eds(
