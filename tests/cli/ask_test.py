@@ -101,6 +101,7 @@ class Ask(CommandTest):
         for node in ("10", "0Ah", "0x0A", "10 (0Ah)", "pump"):
             with self.subTest(node=node):
                 self.assertIn("\nBO_ 394 ", self.assert_done(run("export", "dbc", BUS, node, "--network", str(network), encoding="latin-1")), "18Ah")
+        self.assertIn("\nBO_ 394 ", self.assert_done(run("export", "dbc", f"{BUS}?ttl=0", "10", encoding="latin-1")), "a sign in the bus")
         self.assert_refused(run("export", "dbc", "charger", "pump", "--network", str(network)), USAGE, "'pump' is neither a file nor a device")
 
     def test_what_is_printed_of_an_object_is_accepted(self):
