@@ -261,6 +261,14 @@ class Ask(CommandTest):
         self.assert_refused(run("pdo", BUS, "10", "tpdo1", "battery_voltage=48"), USAGE, "'battery_voltage'", "temperature")
         self.assert_refused(run("pdo", BUS, "10", "tpdo99"), FAILED, "1862h:01h")
 
+    def test_fields_of_a_pdo_that_are_not_named_stay_as_the_node_has_them(self):  # CiA 407, 6488h:02h: four doors, all valid and closed
+        self.start("vehicle-gateway", "11")
+        doors = "state_of_doors, specific_state_1_to_4"
+        self.assertRegex(self.done("pdo", BUS, "11", "tpdo1"), r"\A18B#0000000055 ")
+        one = f"{doors}=door N: door open"
+        self.assertRegex(self.done("pdo", BUS, "11", "tpdo1", one), r"\A18B#00000000D5 ")
+        self.assertRegex(self.done("pdo", BUS, "11", "tpdo1", one, f"{doors}=door N+1: door open"), r"\A18B#00000000F5 ")
+
     # -- parameters
 
     def test_store_and_restore_write_the_signatures(self):  # CiA 301, 7.5.2.13 and 7.5.2.14
