@@ -59,7 +59,7 @@ formats::TraceWriter create_log(const LogOptions& options) {
 class Output {
  public:
   explicit Output(const LogOptions& options)
-      : printer_(options.printer), lines_(options.printer.json) {
+      : printer_(options.printer), lines_(options.printer.json), out_(options.out) {
     if (!options.out.empty()) writer_.emplace(create_log(options));
   }
 
@@ -77,7 +77,10 @@ class Output {
     return meaning.has_value();
   }
   void finish() {
-    if (writer_) ok_or_throw(writer_->flush());
+    if (writer_) {
+      ok_or_throw(writer_->flush());
+      show_early(out_, *writer_);
+    }
     lines_.flush();
   }
   const FramePrinter& printer() const { return printer_; }
@@ -85,6 +88,7 @@ class Output {
  private:
   FramePrinter printer_;
   LineOutput lines_;
+  std::string out_;
   std::optional<formats::TraceWriter> writer_;
 };
 
