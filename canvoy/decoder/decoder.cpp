@@ -72,6 +72,14 @@ void set_value(DecodedValue& value, std::uint64_t raw, unsigned bits,
   if (!may_map(*value.entry, direction)) value.marks.add(Mark::wrong_access);
 }
 
+/// Whose boot-up message it is (CiA 301, 7.2.8.3.3); 0: it is none.
+NodeId booting_node(const Frame& frame) {
+  const std::uint32_t node = frame.id - can_id::error_control;
+  const bool boots = frame.id > can_id::error_control && is_node_id(node) && frame.length == 1 &&
+                     frame.data[0] == 0;
+  return boots ? static_cast<NodeId>(node) : NodeId{0};
+}
+
 }  // namespace
 
 const Decoded& Decoder::decode(const Frame& frame) {
@@ -83,6 +91,8 @@ const Decoded& Decoder::decode(const Frame& frame) {
     decode_pdo(frame, *plan);
   } else if (frame.id == can_id::lss_request || frame.id == can_id::lss_response) {
     decode_lss(frame);
+  } else if (const NodeId node = booting_node(frame); node != 0) {
+    end_transfers_with(node);
   }
   return decoded_;
 }
@@ -126,6 +136,14 @@ void Decoder::decode_lss(const Frame& frame) {
 }
 
 // SDO
+
+/// What a client began goes on when the client starts anew: its server knows nothing of that.
+void Decoder::end_transfers_with(NodeId server) {
+  for (auto& [can_id, channel] : channels_) {
+    const std::optional<SdoRoute> route = network_.sdo(can_id);
+    if (route && route->server == server) channel.server_starts();
+  }
+}
 
 void Decoder::decode_sdo(const Frame& frame, const SdoRoute& route) {
   decoded_.service =

@@ -101,6 +101,7 @@ class Decoder {
   DecodedValue described(const Profile& profile, sdo::Multiplexer place);
   DecodedValue value_at(NodeId node, const Profile& profile, sdo::Multiplexer place);
   void decode_lss(const Frame& frame);
+  void end_transfers_with(NodeId server);
   void decode_sdo(const Frame& frame, const SdoRoute& route);
   void describe(sdo::Multiplexer entry, const SdoBehind& behind, NodeId server);
   void decode_transfer(const SdoTransfer& transfer, NodeId server);

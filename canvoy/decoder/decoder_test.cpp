@@ -184,6 +184,51 @@ TEST(Decoder, PutsABlockUploadTogether) {
   EXPECT_EQ(std::string(decoded.transfer->bytes.begin(), decoded.transfer->bytes.end()), "ABCDE");
 }
 
+/// A block download to node 10 in its middle.
+void begin_block(Decoder& sut) {
+  feed(sut, {"60A#C600201000000000", "58A#A40020107F000000", "60A#0141414141414141"});
+}
+
+TEST(Decoder, ABootUpMessageEndsWhatWasTransferredWithTheNode) {
+  Decoder sut;
+  begin_block(sut);
+  feed(sut, {"70A#00"});
+  EXPECT_EQ(decode(sut, "60A#4018100100000000").message, SdoMessage::read);
+  const Decoded& answer = decode(sut, "58A#4318100101020304");
+  EXPECT_THAT(indices(answer), ElementsAre(0x1018));
+  EXPECT_TRUE(answer.marks.empty());
+  // What is left of the block has no place any more.
+  begin_block(sut);
+  feed(sut, {"70A#00"});
+  EXPECT_TRUE(decode(sut, "60A#0241414141414141").marks.has(Mark::out_of_place));
+}
+
+TEST(Decoder, TransfersGoOnWhereAnotherNodeStartsOrTheStateIsTold) {
+  for (const char* heard : {"70B#00", "70A#05", "70A#7F", "70A#0000", "70A#", "700#00", "70A#R1"}) {
+    Decoder sut;
+    begin_block(sut);
+    feed(sut, {heard});
+    EXPECT_EQ(decode(sut, "60A#0241414141414141").message, SdoMessage::block_segment) << heard;
+  }
+}
+
+TEST(Decoder, ABootUpMessageEndsTransfersOfAllChannelsOfItsServer) {
+  Decoder sut;
+  // 1201h of node 10: requests on 621h, answers on 5A1h.
+  feed(sut, {"60A#2301120121060000", "58A#6001120100000000", "60A#23011202A1050000",
+             "58A#6001120200000000"});
+  feed(sut, {"621#C600201000000000", "5A1#A40020107F000000", "70A#00"});
+  EXPECT_EQ(decode(sut, "621#4018100100000000").message, SdoMessage::read);
+}
+
+TEST(Decoder, TheAnswerToARequestMayComeBehindTheBootUpMessage) {
+  Decoder sut;
+  feed(sut, {"60A#4018100100000000", "58A#4318100101020304", "60A#4018100200000000", "70A#00"});
+  const Decoded& answer = decode(sut, "58A#4318100201020304");
+  EXPECT_THAT(indices(answer), ElementsAre(0x1018));
+  EXPECT_TRUE(answer.marks.empty());
+}
+
 TEST(Decoder, KeepsTheFirstBytesOfALongTransferAndCountsTheRest) {
   Decoder sut;
   feed(sut, {"60A#4050200100000000", "58A#4050200100000000"});

@@ -80,6 +80,16 @@ SdoStep SdoFollower::response(const Frame& frame) {
   return step;
 }
 
+/// A request alone may have come when the server was up already, with its boot-up message still to
+/// be sent: the answer to it has its place.
+void SdoFollower::server_starts() {
+  next_ = {};
+  if (phase_ == Phase::asked) return;
+  phase_ = Phase::idle;
+  is_known_ = true;
+  is_answer_due_ = false;
+}
+
 SdoStep SdoFollower::take_request(const sdo::Message& message) {
   if (message.first_byte() == sdo::command(sdo::Request::abort)) return abort(message);
   if (is_in(Phase::block, true)) return take_block_segment(message);

@@ -88,6 +88,8 @@ class SdoFollower {
   /// Takes a message of eight bytes from the client, or from the server.
   SdoStep request(const Frame& frame);
   SdoStep response(const Frame& frame);
+  /// The server has started anew: of what was transferred it knows nothing any more.
+  void server_starts();
 
  private:
   enum class Phase : std::uint8_t { idle, asked, segments, block, block_end };

@@ -25,12 +25,12 @@ const Profile& base_of(const formats::DataSheet& sheet, const Network* network) 
 }
 
 /// CiA 306: rwr and rww are rw, in PDOs for reading or for writing only.
-Access access_of(const std::string& text) {
-  if (text == "ro") return Access::ro;
-  if (text == "wo") return Access::wo;
-  if (text == "rwr") return Access::rw | Access::tpdo;
-  if (text == "rww") return Access::rw | Access::rpdo;
-  return text == "const" ? Access::const_ : Access::rw;
+Access access_of(const formats::SheetEntry& entry) {
+  const auto said = formats::said_access(entry);
+  if (!said) return Access::rw;
+  const bool is_one_way =
+      said->by_sdo == Access::rw && said->in_pdos != (Access::tpdo | Access::rpdo);
+  return is_one_way ? said->by_sdo | said->in_pdos : said->by_sdo;
 }
 
 /// None where the sheet gives none, or none that can be told of any node.
@@ -53,7 +53,7 @@ void refine(EntryInfo& entry, const formats::SheetEntry& said) {
   const Limits limits = limits_of(said, entry.type);
   if (limits.kind != Limits::Kind::none) entry.value.limits = limits;
   if (said.access.empty()) return;
-  entry.access = access_of(said.access);
+  entry.access = access_of(said);
   entry.consumer_access = Access::none;
   entry.access_by_device = false;
   entry.mapping = said.pdo_mapping ? Mapping::optional : Mapping::no;

@@ -1,5 +1,6 @@
 #include "canvoy/decoder/sheet_profile.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -180,6 +181,47 @@ TEST_F(SheetProfileTest, SaysWhatMayBeReadWrittenAndMapped) {
   }
   EXPECT_TRUE(is_wrong({"205#0002"})) << "rwr in an RPDO";
   EXPECT_TRUE(is_wrong({"185#32"})) << "not to be mapped";
+}
+
+TEST(SheetProfile, LettersOfAnAccessMayBeOfEitherCase) {
+  struct Row {
+    const char* access;
+    bool is_read;
+    bool is_written;
+    bool is_transmitted;
+    bool is_received;
+  };
+  for (const Row& row :
+       {Row{"RO", true, false, true, false}, Row{"Wo", false, true, false, true},
+        Row{"RW", true, true, true, true}, Row{"RWR", true, true, true, false},
+        Row{"Rww", true, true, false, true}, Row{"Const", true, false, true, false}}) {
+    const std::string sheet = fmt::format(
+        "[1400]\nObjectType=9\n[1400sub1]\nDataType=7\nDefaultValue=0x205\n"
+        "[1600]\nObjectType=9\n[1600sub0]\nDataType=5\nDefaultValue=1\n"
+        "[1600sub1]\nDataType=7\nDefaultValue=0x20000010\n"
+        "[1800]\nObjectType=9\n[1800sub1]\nDataType=7\nDefaultValue=0x185\n"
+        "[1A00]\nObjectType=9\n[1A00sub0]\nDataType=5\nDefaultValue=1\n"
+        "[1A00sub1]\nDataType=7\nDefaultValue=0x20000010\n"
+        "[2000]\nParameterName=a\nDataType=6\nPDOMapping=1\nAccessType={}\n",
+        row.access);
+    formats::Findings findings;
+    const SheetProfile sut(formats::read_eds(sheet, findings));
+    Decoder decoder;
+    decoder.network().set_sheet(5, sut.sheet());
+    const auto is_right = [&](std::initializer_list<std::string_view> frames) {
+      bool right = false;
+      for (const std::string_view text : frames) {
+        const Decoded& decoded = decoder.decode(parse_frame(text).frame);
+        right = decoded.values.size() == 1 && decoded.marks.empty();
+      }
+      return right;
+    };
+    EXPECT_EQ(is_right({"585#4B00200002000000"}), row.is_read) << row.access;
+    EXPECT_EQ(is_right({"605#2B00200002000000", "585#6000200000000000"}), row.is_written)
+        << row.access;
+    EXPECT_EQ(is_right({"185#0200"}), row.is_transmitted) << row.access;
+    EXPECT_EQ(is_right({"205#0200"}), row.is_received) << row.access;
+  }
 }
 
 TEST_F(SheetProfileTest, GivesTheSameSheetToSeveralNodes) {

@@ -101,6 +101,7 @@ class Ask(CommandTest):
         for node in ("10", "0Ah", "0x0A", "10 (0Ah)", "pump"):
             with self.subTest(node=node):
                 self.assertIn("\nBO_ 394 ", self.assert_done(run("export", "dbc", BUS, node, "--network", str(network), encoding="latin-1")), "18Ah")
+        self.assertIn("\nBO_ 394 ", self.assert_done(run("export", "dbc", f"{BUS}?ttl=0", "10", encoding="latin-1")), "a sign in the bus")
         self.assert_refused(run("export", "dbc", "charger", "pump", "--network", str(network)), USAGE, "'pump' is neither a file nor a device")
 
     def test_what_is_printed_of_an_object_is_accepted(self):
@@ -259,6 +260,14 @@ class Ask(CommandTest):
         self.assertEqual(self.heard("18A#R", "pdo", BUS, "10", "tpdo1", "--request")[0], "18A#R")
         self.assert_refused(run("pdo", BUS, "10", "tpdo1", "battery_voltage=48"), USAGE, "'battery_voltage'", "temperature")
         self.assert_refused(run("pdo", BUS, "10", "tpdo99"), FAILED, "1862h:01h")
+
+    def test_fields_of_a_pdo_that_are_not_named_stay_as_the_node_has_them(self):  # CiA 407, 6488h:02h: four doors, all valid and closed
+        self.start("vehicle-gateway", "11")
+        doors = "state_of_doors, specific_state_1_to_4"
+        self.assertRegex(self.done("pdo", BUS, "11", "tpdo1"), r"\A18B#0000000055 ")
+        one = f"{doors}=door N: door open"
+        self.assertRegex(self.done("pdo", BUS, "11", "tpdo1", one), r"\A18B#00000000D5 ")
+        self.assertRegex(self.done("pdo", BUS, "11", "tpdo1", one, f"{doors}=door N+1: door open"), r"\A18B#00000000F5 ")
 
     # -- parameters
 

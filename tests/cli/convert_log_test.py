@@ -48,6 +48,28 @@ class ConvertLogTest(CommandTest):
             first = self.path(name)
         self.assertEqual((self.folder / "c.log").read_text(), LOG)
 
+    def test_times_that_jump_back_are_kept(self):
+        jump = LOG + "junk\n(1699990000.250000) can0 18A#01\n"
+        log = self.path("jump.log", jump)
+        result = run("convert-log", log, self.path("jump.asc"))
+        self.assertEqual(len(result.stderr.splitlines()), 1, "the bad line is told once")
+        self.assertIn("3 frames of a candump log; 1 lines", result.stdout)
+        self.assertTrue((self.folder / "jump.asc").read_text().startswith("date Tue Nov 14 19:26:40 2023\n"))
+        self.assert_done(run("convert-log", self.path("jump.asc"), self.path("back.log")))
+        self.assertEqual((self.folder / "back.log").read_text(), jump.replace("junk\n", ""))
+
+    def test_times_that_a_file_cannot_say_are_told_of(self):
+        jump = (LOG + "(1699990000.250000) can0 18A#01\n").encode()
+        command = [CANVOY, "convert-log", "-", self.path("jump.asc")]
+        told = "jump.asc: 1 frame was earlier than its beginning, and got the time of that; a .log keeps all times\n"
+        result = subprocess.run(command, input=jump, capture_output=True, timeout=60)
+        self.assertTrue(result.stderr.decode().endswith(told), result.stderr)
+        self.assertEqual(result.returncode, DONE)
+        result = subprocess.run([*command, "--json"], input=jump, capture_output=True, timeout=60)
+        self.assertEqual(json.loads(result.stdout)["early"], 1)
+        result = run("decode", self.path("jump.log", jump.decode()), "--out", self.path("jump.asc"))
+        self.assertTrue(result.stderr.endswith(told), result.stderr)
+
     def test_shows_bad_lines_with_their_number_and_goes_on(self):
         result = run("convert-log", self.path("bus.log", LOG + "junk\n" + LOG), self.path("out.log"))
         self.assertRegex(result.stderr, r"\A[^\n]*bus.log, line 3: [^\n]+\n\Z")

@@ -16,6 +16,7 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
 import own_network
 
 BUS = "udp:239.74.163.16:43119"
+OTHER = "udp:239.74.163.16:43219"
 
 
 class Terminal:
@@ -104,6 +105,21 @@ class MonitorTable(CommandTest):
         told = self.assert_done(run("monitor", BUS, "--table", "--json", "--ask", "--for", "3s"))
         rows = [json.loads(line) for line in told.splitlines()]
         self.assertIn("Device type", [row.get("name") for row in rows])
+
+    def test_nodes_are_asked_on_the_bus_that_they_are_on(self):
+        for buses in (f"{OTHER},{BUS}", f"{BUS},{OTHER}"):
+            told = self.assert_done(run("monitor", buses, "--json", "--ask", "--for", "2s"))
+            frames = [json.loads(line) for line in told.splitlines()]
+            self.assertIn("58A#43001000A2010000", [frame["frame"] for frame in frames if frame["bus"] == BUS], buses)
+            self.assertEqual([frame for frame in frames if frame["bus"] != BUS], [], "nobody is on the other one")
+
+    def test_a_node_that_is_known_on_one_bus_is_unknown_on_another(self):
+        log = self.folder / "known.log"
+        log.write_text("(1.0) can0 58A#43001000A2010200\n(1.2) can1 18A#A00001\n(1.3) can0 18A#A00001\n")
+        text = self.assert_done(run("monitor", str(log), "--table"))
+        self.assertIn("not known: node can1:10. Say a profile, --node can1:10=418", text)
+        text = self.assert_done(run("monitor", str(log), "--table", "--node", "can1:10=418"))
+        self.assertNotIn("not known", text)
 
     @unittest.skipIf(shutil.which("tmux") is None, "tmux is not installed")
     def test_it_fits_terminals_of_three_sizes_and_heeds_keys(self):

@@ -58,6 +58,18 @@ class Plot(CommandTest):
     def plot(self, *arguments):
         return run("plot", self.log, *arguments, "--node", "10=418")
 
+    def test_curves_of_one_node_id_on_two_buses_say_which_is_which(self):
+        log, picture = self.folder / "two.log", self.folder / "two.svg"
+        log.write_text("".join(f"({i}.0) {bus} 18A#{value}0001\n" for i in (1, 2) for bus, value in (("can0", "A0"), ("can1", "50"))))
+        names = ["temperature (10 on can0)", "temperature (10 on can1)"]
+        self.assert_done(run("plot", str(log), "temperature", "--node", "10=418", "--out", str(picture)))
+        texts = [text.text for text in xml.etree.ElementTree.parse(picture).getroot().iter(SVG + "text")]
+        self.assertEqual([text for text in texts if text.startswith("temperature")], names)
+        shown = self.assert_done(run("plot", str(log), "temperature", "--node", "10=418"))
+        self.assertTrue(shown.startswith("".join(f"{name}, °C\n" for name in names)), shown)
+        one = self.assert_done(run("plot", str(log), "temperature", "--node", "10=418", "--filter", "bus=can1"))
+        self.assertTrue(one.startswith("temperature (10), °C\n"), one)
+
     def test_each_value_is_told_as_json(self):
         lines = [json.loads(line) for line in self.assert_done(self.plot("6010", "--json")).splitlines()]
         self.assertEqual(len(lines), 3599, "what is invalid is no value")

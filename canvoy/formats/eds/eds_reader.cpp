@@ -149,8 +149,7 @@ class Reader {
     } else if (same_letters(section.name, "Comments")) {
       read_comments(section);
     } else if (!is_list(section.name)) {
-      sheet_.configured = sheet_.configured || same_letters(section.name, "DeviceComissioning") ||
-                          same_letters(section.name, "DeviceCommissioning");
+      sheet_.configured = sheet_.configured || is_commissioning(section.name);
       sheet_.sections.push_back(section);
     }
   }

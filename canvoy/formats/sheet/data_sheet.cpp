@@ -54,7 +54,16 @@ std::optional<SheetNumber> plus_node_id(const std::optional<SheetNumber>& number
   return SheetNumber{.number = number->number, .plus_node_id = true};
 }
 
+bool is_same_section(std::string_view one, std::string_view other) {
+  return same_letters(one, other) || (is_commissioning(one) && is_commissioning(other));
+}
+
 }  // namespace
+
+bool is_commissioning(std::string_view section_name) {
+  return same_letters(section_name, "DeviceComissioning") ||
+         same_letters(section_name, "DeviceCommissioning");
+}
 
 std::optional<SheetNumber> sheet_number(std::string_view text) {
   const std::string kept = without_blanks(text);
@@ -80,7 +89,7 @@ const SheetEntry* DataSheet::find(unsigned index, unsigned sub) const {
 
 const IniSection* DataSheet::section(std::string_view name) const {
   const auto found = std::ranges::find_if(
-      sections, [name](const IniSection& each) { return same_letters(each.name, name); });
+      sections, [name](const IniSection& each) { return is_same_section(each.name, name); });
   return found == sections.end() ? nullptr : &*found;
 }
 
@@ -90,14 +99,41 @@ std::size_t DataSheet::count_objects(unsigned first, unsigned last) const {
 }
 
 std::string_view DataSheet::text(std::string_view section_name, std::string_view key) const {
-  const IniSection* found = section(section_name);
-  return found == nullptr ? std::string_view() : found->value(key).value_or("");
+  for (const IniSection& each : sections) {
+    // A sheet may have both spellings, and the key in one of them.
+    const auto value = is_same_section(each.name, section_name) ? each.value(key) : std::nullopt;
+    if (value) return *value;
+  }
+  return {};
+}
+
+NodeId DataSheet::node_id() const {
+  const auto number = sheet_number(text("DeviceComissioning", "NodeID"));
+  const bool is_said = number && number->number >= node_id_min && number->number <= node_id_max;
+  return is_said ? static_cast<NodeId>(number->number) : NodeId{0};
+}
+
+std::optional<SaidAccess> said_access(const SheetEntry& entry) {
+  struct Named {
+    std::string_view name;
+    SaidAccess access;
+  };
+  constexpr Named names[] = {
+      {"ro", {Access::ro, Access::tpdo}},
+      {"wo", {Access::wo, Access::rpdo}},
+      {"rw", {Access::rw, Access::tpdo | Access::rpdo}},
+      {"rwr", {Access::rw, Access::tpdo}},
+      {"rww", {Access::rw, Access::rpdo}},
+      {"const", {Access::const_, Access::tpdo}},
+  };
+  const auto* found = std::ranges::find_if(
+      names, [&entry](const Named& named) { return same_letters(named.name, entry.access); });
+  return found == std::end(names) ? std::nullopt : std::optional(found->access);
 }
 
 bool is_writable(const SheetEntry& entry) {
-  constexpr std::string_view names[] = {"rw", "rwr", "rww", "wo"};
-  return std::ranges::any_of(
-      names, [&entry](std::string_view name) { return same_letters(name, entry.access); });
+  const auto said = said_access(entry);
+  return said && allows(said->by_sdo, Access::sdo_write);
 }
 
 SheetObject::Group group_of(unsigned index) {

@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/formats/eds/ini.hpp"
 #include "canvoy/profiles/description.hpp"
 
@@ -69,6 +70,12 @@ struct SheetEntry {
   std::size_t line = 0;
 };
 
+struct SaidAccess {
+  Access by_sdo = Access::none;
+  Access in_pdos = Access::none;  ///< those that may carry it where it can be mapped
+};
+/// What `access` stands for (CiA 306), in letters of any case; nothing where it is none.
+std::optional<SaidAccess> said_access(const SheetEntry& entry);
 /// By its access: rw, rwr, rww or wo.
 bool is_writable(const SheetEntry& entry);
 
@@ -88,6 +95,10 @@ SheetObject::Group group_of(unsigned index);
 std::string place_text(unsigned index);
 std::string place_text(unsigned index, unsigned sub);
 
+/// Whether it is the section of the node in its network. CiA 306 spells it `DeviceComissioning`;
+/// not everybody does.
+bool is_commissioning(std::string_view section_name);
+
 /// Hexadecimal digits without a prefix, all of the text and not more than `digits_max`.
 std::optional<unsigned> parse_hex(std::string_view text, std::size_t digits_max);
 
@@ -103,12 +114,14 @@ struct DataSheet {
 
   /// The entry at an address, or null.
   const SheetEntry* find(unsigned index, unsigned sub) const;
-  /// The first section of this name, or null.
+  /// The first section of this name, or null. Both spellings of `DeviceComissioning` are one.
   const IniSection* section(std::string_view name) const;
   /// How many objects have an index from `first` to `last`.
   std::size_t count_objects(unsigned first, unsigned last) const;
   /// A key of a section; empty where there is none.
   std::string_view text(std::string_view section_name, std::string_view key) const;
+  /// That of a configured device; 0: none is said.
+  NodeId node_id() const;
 };
 
 }  // namespace canvoy::formats

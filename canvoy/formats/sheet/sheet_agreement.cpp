@@ -98,14 +98,13 @@ class AgreementChecker {
   }
 
   void check_bit_rate() {
-    for (const char* name : {"DeviceComissioning", "DeviceCommissioning"}) {
-      const IniSection* node = sheet_.section(name);
-      const IniLine* line = node == nullptr ? nullptr : node->find("Baudrate");
+    for (const IniSection& node : sheet_.sections) {
+      const IniLine* line = is_commissioning(node.name) ? node.find("Baudrate") : nullptr;
       const auto rate = number(line);
       if (!rate) continue;
       const auto supported = device_->value(fmt::format("BaudRate_{}", *rate));
       if (supported && *supported != "0") continue;
-      warn(*line, node->name, fmt::format("a rate that DeviceInfo has, BaudRate_{}=1", *rate));
+      warn(*line, node.name, fmt::format("a rate that DeviceInfo has, BaudRate_{}=1", *rate));
     }
   }
 

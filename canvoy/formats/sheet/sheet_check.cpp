@@ -180,8 +180,8 @@ class Checker {
     }
     const auto count = sheet_number(first->second.default_value);
     const unsigned highest = object.subs.rbegin()->first;
-    const bool varies = is_pdo_mapping(index) || index == object_index::error_history ||
-                        first->second.access.starts_with("rw");
+    const bool varies =
+        is_pdo_mapping(index) || index == object_index::error_history || is_writable(first->second);
     if (count && !varies && count->number != static_cast<std::int64_t>(highest)) {
       warn(first->second.line, place_text(index, 0),
            fmt::format("the highest sub-index is given as {}", count->number),

@@ -47,9 +47,7 @@ std::uint64_t number_in(const Bytes& value) {
 class Maker {
  public:
   Maker(const DataSheet& sheet, NodeId node_id) : sheet_(sheet), node_id_(node_id) {
-    const auto id = sheet_number(sheet.text("DeviceComissioning", "NodeID"));
-    const bool is_id = id && id->number >= 1 && id->number <= 127;
-    made_.sheet_node = is_id ? static_cast<NodeId>(id->number) : NodeId{0};
+    made_.sheet_node = sheet.node_id();
     if (node_id_ == 0) node_id_ = made_.sheet_node;
   }
 

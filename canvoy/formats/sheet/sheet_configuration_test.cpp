@@ -64,6 +64,31 @@ TEST(SheetConfiguration, ValuesThatGoWithTheNodeIdGoWithTheNewOne) {
   EXPECT_EQ(moved.sheet_node, 5);
 }
 
+TEST(SheetConfiguration, TheNodeIdOfTheSheetIsReadInBothSpellingsOfItsSection) {
+  const std::string value = variable("1014", "7", "0x8A", "rw", "DefaultValue=$NODEID+0x80\n");
+  for (const char* node :
+       {"[DeviceComissioning]\nNodeID=10\n", "[DeviceCommissioning]\nNodeID=10\n",
+        "[devicecommissioning]\nNodeID=0x0A\n",
+        "[DeviceComissioning]\nNodeName=a\n[DeviceCommissioning]\nNodeID=10\n"}) {
+    Findings findings;
+    const DataSheet sheet = read_eds(value + node, findings);
+    const Configuration made = configuration_of(sheet, 11);
+    EXPECT_EQ(lines(made), (Lines{"1014:00 8B 00 00 80", "1014:00 8B 00 00 00"})) << node;
+    EXPECT_EQ(made.moved, 1U) << node;
+    EXPECT_EQ(made.sheet_node, 10) << node;
+    EXPECT_EQ(sheet.node_id(), 10) << node;
+  }
+}
+
+TEST(SheetConfiguration, ASheetMaySayNoNodeId) {
+  for (const char* node :
+       {"", "[DeviceComissioning]\nNodeID=0\n", "[DeviceComissioning]\nNodeID=128\n",
+        "[DeviceComissioning]\nNodeID=\n", "[DeviceInfo]\nNodeID=5\n"}) {
+    Findings findings;
+    EXPECT_EQ(read_eds(node, findings).node_id(), 0) << node;
+  }
+}
+
 TEST(SheetConfiguration, AValueOfItsOwnStaysWhereTheDefaultGoesWithTheNodeId) {
   EXPECT_EQ(
       lines(configuration(variable("1014", "7", "0xC0", "rw", "DefaultValue=$NODEID+0x80\n"), 6)),

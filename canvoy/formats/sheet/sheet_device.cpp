@@ -27,23 +27,9 @@ bool is_storage(std::uint16_t index) {
 }
 
 Access access_of(const SheetEntry& entry) {
-  struct Named {
-    std::string_view name;
-    Access access;
-    Access mapped;
-  };
-  constexpr Named names[] = {
-      {"ro", Access::ro, Access::tpdo},
-      {"wo", Access::wo, Access::rpdo},
-      {"rw", Access::rw, Access::tpdo | Access::rpdo},
-      {"rwr", Access::rw, Access::tpdo},
-      {"rww", Access::rw, Access::rpdo},
-      {"const", Access::const_, Access::tpdo},
-  };
-  const auto* found = std::ranges::find_if(
-      names, [&entry](const Named& named) { return same_letters(named.name, entry.access); });
-  if (found == std::end(names)) return Access::rw;
-  return entry.pdo_mapping ? found->access | found->mapped : found->access;
+  const auto said = said_access(entry);
+  if (!said) return Access::rw;
+  return entry.pdo_mapping ? said->by_sdo | said->in_pdos : said->by_sdo;
 }
 
 }  // namespace

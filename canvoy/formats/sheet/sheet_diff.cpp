@@ -119,7 +119,7 @@ class Comparer {
     compare("ParameterName", one.name, other.name);
     compare("ObjectType", hex(one.object_type), hex(other.object_type));
     compare("DataType", hex(one.data_type), hex(other.data_type));
-    compare("AccessType", one.access, other.access);
+    if (!same_letters(one.access, other.access)) add(place, "AccessType", one.access, other.access);
     compare_value("DefaultValue", one.default_value, other.default_value);
     compare_value("LowLimit", one.low_limit, other.low_limit);
     compare_value("HighLimit", one.high_limit, other.high_limit);

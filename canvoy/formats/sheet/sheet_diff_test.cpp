@@ -33,12 +33,19 @@ TEST(SheetDiff, TheSameValueInAnotherNotationIsNoDifference) {
   EXPECT_EQ(differences("=0x10", "=16"), "");
   EXPECT_EQ(differences("=-1", "=0xFFFF"), "");
   EXPECT_EQ(differences("DataType=3", "datatype=0x0003"), "");
+  EXPECT_EQ(differences("AccessType=rw", "AccessType=RW"), "");
 }
 
 TEST(SheetDiff, CommentsAndTheDatesOfTheFileAreNoDifference) {
   EXPECT_EQ(differences("; a comment", "; another"), "");
   EXPECT_EQ(differences("[DeviceInfo]", "[FileInfo]\nFileName=x\n[DeviceInfo]"), "");
   EXPECT_EQ(differences("[DeviceInfo]", "; by hand\n[DeviceInfo]"), "");
+}
+
+TEST(SheetDiff, TheSpellingOfASectionIsNoDifference) {
+  Findings findings;
+  const DataSheet one = read_eds("[DeviceCommissioning]\nNodeID=5\n", findings);
+  EXPECT_TRUE(compare_sheets(one, read_eds("[DeviceComissioning]\nNodeID=5\n", findings)).empty());
 }
 
 TEST(SheetDiff, EachAttributeThatDiffersIsTold) {

@@ -52,9 +52,9 @@ std::string value_at(const SheetEntry& entry, std::uint8_t node_id) {
 }
 
 IniSection& section_of(DataSheet& sheet, std::string_view name) {
-  const auto found = std::ranges::find_if(
-      sheet.sections, [name](const IniSection& each) { return same_letters(each.name, name); });
-  if (found != sheet.sections.end()) return *found;
+  const IniSection* found = sheet.section(name);
+  if (found != nullptr)
+    return sheet.sections[static_cast<std::size_t>(found - sheet.sections.data())];
   return sheet.sections.emplace_back(IniSection{std::string(name), 0, {}});
 }
 
@@ -96,9 +96,7 @@ void commission(DataSheet& sheet, const SheetIdentity& identity) {
   set(file, "ModificationDate", identity.date);
   set(file, "ModifiedBy", "Canvoy");
   set(file, "LastEDS", identity.last_eds);
-  // CiA 306 spells it with one m; not everybody does.
-  const bool is_other = sheet.section("DeviceCommissioning") != nullptr;
-  IniSection& node = section_of(sheet, is_other ? "DeviceCommissioning" : "DeviceComissioning");
+  IniSection& node = section_of(sheet, "DeviceComissioning");
   set(node, "NodeID", fmt::format("{}", identity.node_id));
   set(node, "NodeName", identity.node_name.empty() ? identity.product_name : identity.node_name);
   set(node, "Baudrate", fmt::format("{}", identity.kilobits_per_second));

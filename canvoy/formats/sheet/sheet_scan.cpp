@@ -239,7 +239,7 @@ void SheetScan::fill(std::uint16_t index, SheetObject& object, const Answers& an
     if (is_fixed(index)) entry.default_value = entry.value;
   }
   const auto first = object.subs.find(0);
-  if (first == object.subs.end() || first->second.access.starts_with("rw")) return;
+  if (first == object.subs.end() || is_writable(first->second)) return;
   first->second.default_value = sheet_number_text(object.subs.rbegin()->first, DataType::unsigned8);
 }
 

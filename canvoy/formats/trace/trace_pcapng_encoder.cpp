@@ -64,8 +64,7 @@ class PcapngEncoder final : public TraceEncoder {
 
   void append(std::string& bytes, const TraceFrame& frame, std::string_view comment) override {
     const std::size_t interface = interface_of(frame.channel, bytes);
-    const auto time =
-        static_cast<std::uint64_t>(std::max(frame.time.time_since_epoch(), Duration{}).count());
+    const auto time = static_cast<std::uint64_t>(time_from(frame, Duration{}).count());
     packet_.clear();
     append_can_packet(packet_, frame.frame);
     body_.clear();

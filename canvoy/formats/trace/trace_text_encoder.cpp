@@ -74,24 +74,27 @@ void append_formatted(std::string& bytes, const char* format, Values... values) 
 
 class AscEncoder final : public TraceEncoder {
  public:
+  explicit AscEncoder(std::optional<Time> begin) : begin_(begin) {}
+
   void append(std::string& bytes, const TraceFrame& frame, std::string_view) override;
 
  private:
   static void append_header(std::string& bytes, std::chrono::sys_seconds start);
   static void append_content(std::string& bytes, const TraceFrame& frame);
 
+  std::optional<Time> begin_;
   std::optional<Duration> start_;
   ChannelNumbers channels_;
 };
 
 void AscEncoder::append(std::string& bytes, const TraceFrame& frame, std::string_view) {
-  const Duration time = std::max(frame.time.time_since_epoch(), Duration{});
   if (!start_) {
-    const auto second = std::chrono::floor<std::chrono::seconds>(time);
+    const Duration first = std::max(begin_.value_or(frame.time).time_since_epoch(), Duration{});
+    const auto second = std::chrono::floor<std::chrono::seconds>(first);
     append_header(bytes, std::chrono::sys_seconds{second});
     start_ = second;
   }
-  const long long offset = std::max(time - *start_, Duration{}).count();
+  const long long offset = (time_from(frame, *start_) - *start_).count();
   append_formatted(bytes, "%4lld.%06lld %-2zu", offset / 1'000'000, offset % 1'000'000,
                    channels_[frame.channel]);
   append_content(bytes, frame);
@@ -135,8 +138,8 @@ std::unique_ptr<TraceEncoder> make_candump_encoder() {
   return std::make_unique<CandumpEncoder>();
 }
 
-std::unique_ptr<TraceEncoder> make_asc_encoder() {
-  return std::make_unique<AscEncoder>();
+std::unique_ptr<TraceEncoder> make_asc_encoder(std::optional<Time> begin) {
+  return std::make_unique<AscEncoder>(begin);
 }
 
 }  // namespace canvoy::formats

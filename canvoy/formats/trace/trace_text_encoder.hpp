@@ -2,12 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "canvoy/formats/trace/trace_encoder.hpp"
 
 namespace canvoy::formats {
 
 std::unique_ptr<TraceEncoder> make_candump_encoder();
-std::unique_ptr<TraceEncoder> make_asc_encoder();
+/// It begins in the second of its first frame, or of `begin`.
+std::unique_ptr<TraceEncoder> make_asc_encoder(std::optional<Time> begin);
 
 }  // namespace canvoy::formats

@@ -17,12 +17,12 @@ namespace {
 
 constexpr std::size_t buffer_size = 64 * 1024;
 
-std::unique_ptr<TraceEncoder> encoder_of(TraceFormat format) {
+std::unique_ptr<TraceEncoder> encoder_of(TraceFormat format, std::optional<Time> begin = {}) {
   switch (format) {
     case TraceFormat::candump:
       return make_candump_encoder();
     case TraceFormat::asc:
-      return make_asc_encoder();
+      return make_asc_encoder(begin);
     case TraceFormat::pcapng:
       return make_pcapng_encoder();
     case TraceFormat::trc:
@@ -54,8 +54,8 @@ host::Result<TraceWriter> TraceWriter::create(const std::string& path, TraceForm
 }
 
 host::Result<TraceWriter> TraceWriter::onto(int descriptor, const std::string& path,
-                                            TraceFormat format) {
-  std::unique_ptr<TraceEncoder> encoder = encoder_of(format);
+                                            TraceFormat format, std::optional<Time> begin) {
+  std::unique_ptr<TraceEncoder> encoder = encoder_of(format, begin);
   if (encoder == nullptr) {
     return host::Error{path, std::string(name_of(format)) + " is only read, not written",
                        "write a .log (candump), .asc or .pcapng"};
@@ -81,6 +81,10 @@ host::Result<void> TraceWriter::write(const TraceFrame& frame, std::string_view 
   if (failed_) return {};
   encoder_->append(buffer_, frame, comment);
   return buffer_.size() >= buffer_size ? flush() : host::Result<void>{};
+}
+
+std::uint64_t TraceWriter::early() const {
+  return encoder_->early();
 }
 
 host::Result<void> TraceWriter::flush() {

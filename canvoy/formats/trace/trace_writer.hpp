@@ -30,18 +30,21 @@ class TraceWriter {
 
   /// Replaces the file; `-` is the standard output. PEAK TRC and pcap are not written.
   static host::Result<TraceWriter> create(const std::string& path, TraceFormat format);
-  /// Writes to a copy of an open descriptor; `path` is how errors call it.
-  static host::Result<TraceWriter> onto(int descriptor, const std::string& path,
-                                        TraceFormat format);
+  /// Writes to a copy of an open descriptor; `path` is how errors call it. `begin`: the time of the
+  /// earliest frame, where it is not the first.
+  static host::Result<TraceWriter> onto(int descriptor, const std::string& path, TraceFormat format,
+                                        std::optional<Time> begin = {});
   TraceWriter(TraceWriter&&) noexcept;
   TraceWriter& operator=(TraceWriter&&) = delete;
   ~TraceWriter();
 
   /// `comment` is kept in pcapng only, at most comment_length_max bytes of it. An ASC file counts
-  /// from the second in which its first frame was heard, and numbers its channels: canN is N + 1,
-  /// as for log2asc; a candump log does not have the direction.
+  /// from the second in which its first frame was heard, or from `begin`, and numbers its channels:
+  /// canN is N + 1, as for log2asc; a candump log does not have the direction.
   host::Result<void> write(const TraceFrame& frame, std::string_view comment = {});
   host::Result<void> flush();
+  /// Frames that are earlier than the beginning of an ASC file, or than 1970: they have its time.
+  std::uint64_t early() const;
 
  private:
   TraceWriter(std::string path, host::Descriptor file, std::unique_ptr<TraceEncoder> encoder);

@@ -1,6 +1,7 @@
 // Logs as other programs expect them: the text of an ASC file is what log2asc of can-utils writes.
 #include "canvoy/formats/trace/trace_writer.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -53,6 +54,43 @@ TEST(TraceWriter, WritesWhatLog2ascWrites) {
             "   2.600000 1  701             Rx   r 4\n"
             "   3.500000 1  ErrorFrame\n"
             "   4.500001 2  0               Rx   d 0\n");
+}
+
+/// The ASC file of two frames, the second 10 s before the first, and how many are counted as early.
+std::pair<std::string, std::uint64_t> written_backwards(std::optional<Time> begin) {
+  const TemporaryFile file;
+  std::uint64_t early = 0;
+  {
+    const host::Descriptor out{::open(file.path().c_str(), O_WRONLY | O_CLOEXEC)};
+    auto writer = TraceWriter::onto(out.get(), file.path(), TraceFormat::asc, begin);
+    EXPECT_TRUE(writer->write({start + 10s, Frame::data_frame(1, {}), "can0"}));
+    EXPECT_TRUE(writer->write({start, Frame::data_frame(2, {}), "can0"}));
+    early = writer->early();
+  }
+  return {file.content(), early};
+}
+
+TEST(TraceWriter, AnAscFileBeginsWithTheEarliestFrameWhereThatIsSaid) {
+  const auto [content, early] = written_backwards(start + 125us);
+  EXPECT_EQ(early, 0U);
+  EXPECT_EQ(content,
+            "date Tue Nov 14 22:13:20 2023\n"
+            "base hex  timestamps absolute\n"
+            "no internal events logged\n"
+            "  10.000000 1  1               Rx   d 0\n"
+            "   0.000000 1  2               Rx   d 0\n");
+}
+
+TEST(TraceWriter, CountsFramesBeforeTheBeginningOfTheFile) {
+  const auto [content, early] = written_backwards(std::nullopt);
+  EXPECT_EQ(early, 1U);
+  EXPECT_NE(content.find("   0.000000 1  2 "), std::string::npos);
+  for (const TraceFormat format : {TraceFormat::candump, TraceFormat::asc, TraceFormat::pcapng}) {
+    const TemporaryFile file;
+    auto writer = TraceWriter::create(file.path(), format);
+    EXPECT_TRUE(writer->write({Time{} - 1s, Frame::data_frame(1, {}), "can0"}));
+    EXPECT_EQ(writer->early(), format == TraceFormat::candump ? 0U : 1U) << name_of(format);
+  }
 }
 
 TEST(TraceWriter, WritesWhatCandumpWrites) {

@@ -214,6 +214,15 @@ TEST(Xdd, AccessAndDirectionOfPdosAreTwoAttributes) {
   }
 }
 
+TEST(Xdd, AnAccessInCapitalsIsInTheLettersOfTheSchema) {
+  DataSheet sheet;
+  sheet.objects[0x2000].own = {.name = "a", .data_type = 5, .access = "RWR", .pdo_mapping = true};
+  sheet.objects[0x2001].own = {.name = "b", .data_type = 5, .access = "Const"};
+  const std::string text = write_xdd(sheet);
+  EXPECT_NE(text.find(R"(accessType="rw" PDOmapping="TPDO")"), std::string::npos) << text;
+  EXPECT_NE(text.find(R"(accessType="const" PDOmapping="no")"), std::string::npos) << text;
+}
+
 TEST(Xdd, WhatAnXdcSaysOfTheNodeGoesThereAndBack) {
   Findings findings;
   const DataSheet dcf = read_eds(
@@ -240,6 +249,18 @@ TEST(Xdd, WhatAnXdcSaysOfTheNodeGoesThereAndBack) {
   xdd.configured = true;
   const DataSheet again = read(write_xdd(xdd));
   EXPECT_EQ(again.text("DeviceComissioning", "Baudrate"), "125");
+}
+
+TEST(Xdd, TheNodeOfADcfThatSpellsItsSectionOtherwiseIsInTheXdc) {
+  Findings findings;
+  const DataSheet dcf =
+      read_eds("[DeviceCommissioning]\nNodeID=10\nNodeName=left\nBaudrate=250\n", findings);
+  const std::string text = write_xdd(dcf);
+  EXPECT_NE(
+      text.find(R"(<deviceCommissioning nodeID="10" nodeName="left" actualBaudRate="250 Kbps")"),
+      std::string::npos)
+      << text;
+  EXPECT_EQ(read(text).node_id(), 10);
 }
 
 TEST(Xdd, WhatXmlCannotHaveIsWrittenAsItsBytes) {

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "canvoy/formats/plain_text.hpp"
+#include "canvoy/formats/terms.hpp"
 #include "canvoy/formats/xdd/xdd_parts.hpp"
 
 namespace canvoy::formats {
@@ -28,8 +29,8 @@ std::string xml_date(std::string_view date) {
 /// The value of PDOmapping. What is of one direction only has no access of its own here.
 const char* mapping_text(const SheetEntry& entry) {
   if (!entry.pdo_mapping) return "no";
-  if (entry.access == "rwr") return "TPDO";
-  return entry.access == "rww" ? "RPDO" : "optional";
+  if (same_letters(entry.access, "rwr")) return "TPDO";
+  return same_letters(entry.access, "rww") ? "RPDO" : "optional";
 }
 
 /// Texts of EDS are ASCII, or of a code page that nobody names: XML wants UTF-8.
@@ -285,9 +286,10 @@ class XddWriter {
 
   static void write_access(pugi::xml_node element, const SheetEntry& entry,
                            const SheetEntry& present) {
-    if (present.access == entry.access && present.pdo_mapping == entry.pdo_mapping) return;
-    const bool is_one_way = entry.access == "rwr" || entry.access == "rww";
-    set(element, "accessType", is_one_way ? "rw" : entry.access);
+    if (same_letters(present.access, entry.access) && present.pdo_mapping == entry.pdo_mapping)
+      return;
+    const auto said = said_access(entry);
+    set(element, "accessType", said ? std::string(access_name(said->by_sdo)) : entry.access);
     set(element, "PDOmapping", mapping_text(entry));
   }
 

@@ -153,7 +153,10 @@ bool Expectation::holds(const EntryInfo* known, std::span<const std::uint8_t> by
 std::optional<Duration> take_span(std::string& text, std::string_view word) {
   const std::string behind = fmt::format(" {} ", word);
   const std::size_t at = text.rfind(behind);
-  if (at == std::string::npos) return std::nullopt;
+  // What stands in quotes is text.
+  const std::size_t quote = text.find_last_of("\"'");
+  const bool is_text = quote != std::string::npos && at < quote;
+  if (at == std::string::npos || is_text) return std::nullopt;
   const Duration time = parse_duration_argument(without_edges(text.substr(at + behind.size())));
   text = without_edges(text.substr(0, at));
   return time;

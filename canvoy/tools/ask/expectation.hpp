@@ -34,8 +34,8 @@ struct Expectation {
 /// and with `within 2s` or `for 2s` behind it. Throws UsageError.
 Expectation parse_expectation(std::string_view text);
 
-/// `within 2s` at the end of a text, which is taken from it. Throws UsageError where the time is
-/// none.
+/// `within 2s` at the end of a text, behind all that is in quotes, which is taken from it. Throws
+/// UsageError where the time is none.
 std::optional<Duration> take_span(std::string& text, std::string_view word);
 
 }  // namespace canvoy::tools

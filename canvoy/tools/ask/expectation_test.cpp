@@ -1,5 +1,6 @@
 #include "canvoy/tools/ask/expectation.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "canvoy/profiles/cia418.hpp"
@@ -88,6 +89,29 @@ TEST(Expectation, HasATimeToComeTrueOrToHold) {
   EXPECT_EQ(parse_expectation("6010 < 5").within, std::nullopt);
   EXPECT_EQ(parse_expectation("6010 in 5..7degC within 2s").within, Duration(2s));
   EXPECT_EQ(parse_expectation("6010 in 5..7degC for 2s").holding, Duration(2s));
+}
+
+TEST(Expectation, WordsInATextAreNoTime) {
+  for (const char* value : {R"("waiting for bus")", R"("stays within 5 m")", R"("it's for 2s")"}) {
+    const std::string text = fmt::format("manufacturer_device_name = {}", value);
+    const Expectation plain = parse_expectation(text);
+    EXPECT_EQ(plain.value, value);
+    EXPECT_EQ(plain.within, std::nullopt) << value;
+    EXPECT_EQ(plain.holding, std::nullopt) << value;
+    const Expectation within = parse_expectation(text + " within 2s");
+    EXPECT_EQ(within.value, value);
+    EXPECT_EQ(within.within, Duration(2s)) << value;
+    EXPECT_EQ(parse_expectation(text + " for 300ms").holding, Duration(300ms)) << value;
+  }
+  std::string filter = "text='is within 5 m' and node=5";
+  EXPECT_EQ(take_span(filter, "within"), std::nullopt);
+  EXPECT_EQ(filter, "text='is within 5 m' and node=5");
+  filter += " within 5s";
+  EXPECT_EQ(take_span(filter, "within"), Duration(5s));
+  EXPECT_EQ(filter, "text='is within 5 m' and node=5");
+  constexpr std::string_view bytes = "waiting for bus";
+  const std::span said(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  EXPECT_TRUE(holds(R"(1008 = "waiting for bus")", said, "1008"));
 }
 
 TEST(Expectation, IsRefusedWhereItIsNone) {

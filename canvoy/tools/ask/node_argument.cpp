@@ -118,6 +118,10 @@ std::vector<NamedNode> nodes_called(std::string_view text) {
   return nodes_where([&part](std::string_view name) { return has_name(plain_name(name), part); });
 }
 
+bool names_node(std::string_view text) {
+  return find_node_id(text).has_value() || !nodes_called(text).empty();
+}
+
 std::string choices_text(const std::vector<NamedNode>& nodes) {
   constexpr std::size_t shown_max = 8;
   std::vector<std::string> choices;

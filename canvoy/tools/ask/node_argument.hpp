@@ -35,6 +35,8 @@ const std::vector<NamedNode>& named_nodes();
 
 /// Those with this name, or else those that have it as a part of theirs: each node-ID once.
 std::vector<NamedNode> nodes_called(std::string_view text);
+/// Whether it is the number of a node, or the name of one or several.
+bool names_node(std::string_view text);
 /// `pump left: node 5 (05h)` each, with commas; as many as can be read.
 std::string choices_text(const std::vector<NamedNode>& nodes);
 

@@ -105,7 +105,8 @@ class HandmadePdo {
     for (Part& part : parts_) {
       if (part.mapped.index != address.index || part.mapped.sub != address.sub) continue;
       const EntryInfo* entry = part.object ? part.object->entry() : nullptr;
-      part.bytes = parse_value(entry == nullptr ? entry_of(part.mapped) : *entry, wanted.value);
+      part.bytes = parse_value(entry == nullptr ? entry_of(part.mapped) : *entry, wanted.value,
+                               present(part));
       return;
     }
     std::vector<std::string> names;
@@ -125,7 +126,7 @@ class HandmadePdo {
     unsigned first = 0;
     for (Part& part : parts_) {
       if (part.bytes.empty() && part.object) part.bytes = part.object->read(session_);
-      const std::uint64_t value = part.bytes.size() > 8 ? 0 : load_unsigned(part.bytes);
+      const std::uint64_t value = number_in(part.bytes);
       const BitRange range{static_cast<std::uint8_t>(first), part.mapped.bits, false};
       whole = insert(whole, range, static_cast<std::int64_t>(value));
       first += part.mapped.bits;
@@ -150,10 +151,22 @@ class HandmadePdo {
     std::vector<std::uint8_t> bytes = {};
   };
 
-  std::uint64_t number(unsigned index, unsigned sub) {
-    const auto bytes =
-        session_.read(node_, static_cast<std::uint16_t>(index), static_cast<std::uint8_t>(sub));
+  /// What fields that nobody puts in hold: as it was put in before, or as the node has it, where it
+  /// tells that.
+  std::uint64_t present(const Part& part) {
+    const bool has_fields =
+        part.object && part.object->entry() != nullptr && !part.object->entry()->fields.empty();
+    if (!has_fields) return 0;
+    if (!part.bytes.empty()) return number_in(part.bytes);
+    const auto held = session_.try_read(node_, part.mapped.index, part.mapped.sub);
+    return held ? number_in(*held) : 0;
+  }
+  static std::uint64_t number_in(std::span<const std::uint8_t> bytes) {
     return bytes.size() > sizeof(std::uint64_t) ? 0 : load_unsigned(bytes);
+  }
+  std::uint64_t number(unsigned index, unsigned sub) {
+    return number_in(
+        session_.read(node_, static_cast<std::uint16_t>(index), static_cast<std::uint8_t>(sub)));
   }
   void add(std::uint32_t raw) {
     const MappingValue mapped(raw);

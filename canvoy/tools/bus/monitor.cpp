@@ -114,8 +114,12 @@ class BusMonitor {
 
   /// The answers are heard like all else.
   void ask_next() {
-    const std::optional<NodeId> node = nodes_.next_unasked();
-    if (node) ask_node(session_, *node);
+    if (const auto node = nodes_.next_unasked()) {
+      for (const host::HostBus* bus : session_.buses()) {
+        if (bus->name() == node->bus) session_.speak_on(*bus);
+      }
+      ask_node(session_, node->id);
+    }
     is_over_ = is_over_ || session_.loop().signal() != 0;
   }
 
@@ -144,7 +148,7 @@ class BusMonitor {
     if (shown_ == options_.count && options_.count != 0) return;
     const Duration time = session_.loop().epoch() + heard.time.time_since_epoch();
     const words::FrameWords* words = printer_.look(time, bus, heard.frame);
-    if (words != nullptr) nodes_.hear(heard.frame, *words);
+    if (words != nullptr) nodes_.hear(bus, heard.frame, *words);
     if (options_.table) {
       traffic_.add(time, heard.frame);
       if (words != nullptr) table_.take(time, bus, heard.frame, *words);
@@ -160,8 +164,8 @@ class BusMonitor {
   /// Once for each node, beside what is shown to people.
   void tell_unknown() {
     if (options_.ask || options_.printer.json) return;
-    if (const auto node = nodes_.next_untold())
-      fmt::print(stderr, "{}\n", unknown_node_text(*node));
+    const std::string text = nodes_.next_untold();
+    if (!text.empty()) fmt::print(stderr, "{}\n", text);
   }
 
   /// A log that cannot be written any more ends the monitor.
@@ -201,7 +205,7 @@ int show_log_table(const MonitorOptions& options) {
     const words::FrameWords* words =
         printer.look(heard.time.time_since_epoch(), heard.channel, heard.frame);
     if (words == nullptr) continue;
-    nodes.hear(heard.frame, *words);
+    nodes.hear(heard.channel, heard.frame, *words);
     table.take(heard.time.time_since_epoch(), heard.channel, heard.frame, *words);
   }
   refuse_log_without_frames(options.source, trace);

@@ -54,6 +54,16 @@ Session::Session(std::string_view bus, Duration time_out)
   for (const host::BusAddress& other : std::span(addresses).subspan(1)) {
     others_.push_back(value_or_throw(host::open_bus(*loop_, other)));
   }
+  join();
+  ok_or_throw(loop_->stop_on_signals());
+}
+
+Session::~Session() = default;
+
+/// As a node on the bus that is spoken on.
+void Session::join() {
+  routes_ = {};
+  backlog_ = {};
   attachment_ = std::make_unique<host::Attachment>(*loop_, *bus_);
   node_ = std::make_unique<Node>(
       no_dictionary, NodeMemory{.values = {}, .states = {}, .routes = routes_, .backlog = backlog_},
@@ -62,10 +72,18 @@ Session::Session(std::string_view bus, Duration time_out)
   client_->choose(SdoTransfer::segmented);
   blocks_ = std::make_unique<SdoBlockClient>(*client_, block_);
   attachment_->serve(*node_);
-  ok_or_throw(loop_->stop_on_signals());
 }
 
-Session::~Session() = default;
+void Session::speak_on(const host::HostBus& bus) {
+  const auto other = std::ranges::find(others_, &bus, &std::unique_ptr<host::HostBus>::get);
+  if (other == others_.end()) return;
+  blocks_.reset();
+  client_.reset();
+  node_.reset();
+  attachment_.reset();
+  bus_.swap(*other);
+  join();
+}
 
 std::vector<host::HostBus*> Session::buses() {
   std::vector<host::HostBus*> all = {bus_.get()};

@@ -31,9 +31,9 @@ class Session {
  public:
   static constexpr Duration default_time_out = 1s;
 
-  /// Of several buses with commas between them (`can0,can1`) the first is spoken on; the others are
-  /// only listened to. Throws Failure where one cannot be opened; UsageError where an address is
-  /// none, or `sim`.
+  /// Of several buses with commas between them (`can0,can1`) the first is spoken on, until another
+  /// one is chosen; the others are only listened to. Throws Failure where one cannot be opened;
+  /// UsageError where an address is none, or `sim`.
   explicit Session(std::string_view bus, Duration time_out = default_time_out);
   ~Session();
 
@@ -55,6 +55,9 @@ class Session {
   void reach_bus() { behind_ = {}; }
   /// In which nodes are reached; 0: the bus itself.
   std::uint16_t network() const { return behind_.module == 0 ? 0 : behind_.settings.network; }
+  /// One of buses() is spoken on from now on, as by a new Session. Not while a transfer is under
+  /// way.
+  void speak_on(const host::HostBus& bus);
   /// Shows on a terminal how far a transfer of many bytes is.
   void show_progress(bool shows = true) { shows_progress_ = shows; }
 
@@ -80,6 +83,7 @@ class Session {
     RemoteSettings settings{};
   };
 
+  void join();
   NodeId server_of(NodeId node);
   void confirmed(const Frame& frame, Time now);
   std::string node_text(NodeId node) const;

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/formats/plain_text.hpp"
 #include "canvoy/profiles/mapping_value.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/words/text.hpp"
@@ -63,58 +66,84 @@ NodeId sender_of(const Frame& frame) {
   return is_of_node ? static_cast<NodeId>(id & node_id_max) : NodeId{0};
 }
 
-void UnknownNodes::hear(const Frame& frame, const words::FrameWords& words) {
+void UnknownNodes::hear(std::string_view bus, const Frame& frame, const words::FrameWords& words) {
   const NodeId node = sender_of(frame);
   if (!is_node_id(node)) return;
-  heard_[node] = true;
+  auto found = buses_.find(bus);
+  if (found == buses_.end()) {
+    if (buses_.size() == buses_max) return;
+    found = buses_.emplace(bus, Bus{}).first;
+  }
+  found->second.heard[node] = true;
   if (!is_predefined_tpdo(frame.id) || frame.length == 0) return;
   if (!words.values.empty()) {
-    unknown_[node] = false;
+    found->second.unknown[node] = false;
   } else if (words.service.find("PDO") != std::string_view::npos) {
-    unknown_[node] = true;
+    found->second.unknown[node] = true;
   }
 }
 
-std::vector<NodeId> UnknownNodes::unknown() const {
-  std::vector<NodeId> nodes;
-  for (NodeId node = 1; node <= node_id_max; ++node) {
-    if (unknown_[node]) nodes.push_back(node);
+std::vector<NodeOnBus> UnknownNodes::unknown() const {
+  std::vector<NodeOnBus> nodes;
+  for (const auto& [name, bus] : buses_) {
+    for (NodeId id = 1; id <= node_id_max; ++id) {
+      if (bus.unknown[id]) nodes.push_back({name, id});
+    }
   }
   return nodes;
 }
 
-std::optional<NodeId> UnknownNodes::next_untold() {
-  for (const NodeId node : unknown()) {
-    if (told_[node]) continue;
-    told_[node] = true;
-    return node;
+std::optional<NodeOnBus> UnknownNodes::next_unasked() {
+  for (auto& [name, bus] : buses_) {
+    for (NodeId id = 1; id <= node_id_max; ++id) {
+      if (!bus.heard[id] || bus.asked[id]) continue;
+      bus.asked[id] = true;
+      return NodeOnBus{name, id};
+    }
   }
   return std::nullopt;
 }
 
-std::optional<NodeId> UnknownNodes::next_unasked() {
-  for (NodeId node = 1; node <= node_id_max; ++node) {
-    if (!heard_[node] || asked_[node]) continue;
-    asked_[node] = true;
-    return node;
+bool UnknownNodes::is_on_several(NodeId id) const {
+  return std::ranges::count_if(buses_, [id](const auto& bus) { return bus.second.heard[id]; }) > 1;
+}
+
+/// As --node and --eds name it: `10`, or `can1:10`.
+std::string UnknownNodes::option(const NodeOnBus& node) const {
+  const std::string id = fmt::format("{}", node.id);
+  return is_on_several(node.id) ? formats::plain_text(node.bus) + ':' + id : id;
+}
+
+std::string UnknownNodes::next_untold() {
+  for (auto& [name, bus] : buses_) {
+    const Nodes untold = bus.unknown & ~bus.told;
+    for (NodeId id = 1; untold.any() && id <= node_id_max; ++id) {
+      if (!untold[id]) continue;
+      bus.told[id] = true;
+      return how_to_know({name, id});
+    }
   }
-  return std::nullopt;
+  return {};
+}
+
+std::string UnknownNodes::how_to_know(const NodeOnBus& node) const {
+  const std::string own = option(node);
+  const std::string on =
+      is_on_several(node.id) ? " on " + formats::plain_text(node.bus) : std::string();
+  return fmt::format(
+      "{}{} sends PDOs, and it is not known what they carry: say its profile, --node {}=418, or "
+      "a data sheet, --eds {}=FILE, or have it asked, --ask",
+      words::node_text(node.id), on, own, own);
 }
 
 std::string UnknownNodes::text() const {
-  const std::vector<NodeId> nodes = unknown();
+  const std::vector<NodeOnBus> nodes = unknown();
   if (nodes.empty()) return {};
+  std::vector<std::string> names;
+  for (const NodeOnBus& node : nodes) names.push_back(option(node));
   return fmt::format(
       "not known: node{} {}. Say a profile, --node {}=418, or have them asked, --ask",
-      nodes.size() == 1 ? "" : "s", fmt::join(nodes, ", "), nodes.front());
-}
-
-std::string unknown_node_text(NodeId node) {
-  return fmt::format(
-      "{} sends PDOs, and it is not known what they carry: say its profile, --node {}=418, or a "
-      "data sheet, --eds "
-      "{}=FILE, or have it asked, --ask",
-      words::node_text(node), node, node);
+      names.size() == 1 ? "" : "s", fmt::join(names, ", "), names.front());
 }
 
 bool ask_node(Session& session, NodeId node) {

@@ -69,13 +69,6 @@ std::shared_ptr<const formats::DataSheet> sheet_of(const std::string& kind) {
   return std::make_shared<formats::DataSheet>(read_sheet_file(kind, findings));
 }
 
-/// The node-ID that a DCF gives, or 0.
-NodeId node_id_in(const formats::DataSheet& sheet) {
-  const auto id = formats::sheet_number(sheet.text("DeviceComissioning", "NodeID"));
-  const bool is_id = id && id->number >= 1 && id->number <= 127;
-  return is_id ? static_cast<NodeId>(id->number) : NodeId{0};
-}
-
 void check_place(const DeviceOptions& options) {
   const auto check = [](const char* option, unsigned value, unsigned least, unsigned most) {
     if (value >= least && value <= most) return;
@@ -123,7 +116,7 @@ NodeId wanted_node_id(const Wanted& wanted, const DeviceOptions& options, std::s
   }
   Site site;
   put_in_place(site, options);
-  const NodeId id = wanted.sheet                 ? node_id_in(*wanted.sheet)
+  const NodeId id = wanted.sheet                 ? wanted.sheet->node_id()
                     : !wanted.shared.car.empty() ? wanted.shared.car.front()->info.node_id
                     : !wanted.shared.bus.empty() ? wanted.shared.bus.front()->info.node_id
                                                  : wanted.kind->node_id(site);

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -37,41 +39,81 @@ void refuse_same_file(const ConvertOptions& options) {
     throw UsageError(options.out + ": it is the log that is read; name another");
 }
 
-void tell(const ConvertOptions& options, const formats::TraceReader& trace) {
-  JsonEvent event("converted");
-  event->key("file").text(options.out);
-  event->key("format").text(formats::name_of(trace.format()));
-  event->key("frames").number(trace.frames());
-  event->key("bad").number(trace.bad());
-  event->key("fd_skipped").number(trace.fd_skipped());
-  event.print();
-}
+/// The earliest frame need not be the first: that shows when all have been read. What can be read
+/// and written twice is converted again then, and begins with it.
+class Conversion {
+ public:
+  explicit Conversion(const ConvertOptions& options)
+      : options_(options), format_(format_to_write(options.out)) {
+    refuse_same_file(options);
+  }
+
+  void run() {
+    convert(std::nullopt);
+    if (out_->early() != 0 && is_repeatable()) convert(earliest_);
+    refuse_log_without_frames(options_.in, *trace_);
+    ok_or_throw(draft_->finish());
+    show_early(options_.out, *out_);
+  }
+
+  void tell() const {
+    if (options_.json) return tell_json();
+    fmt::print(
+        "{} frames of a {}; {} lines or blocks could not be read, {} CAN FD frames left out\n",
+        trace_->frames(), formats::name_of(trace_->format()), trace_->bad(), trace_->fd_skipped());
+  }
+
+ private:
+  void convert(std::optional<Time> begin) {
+    out_.reset();
+    draft_.reset();
+    trace_.emplace(value_or_throw(formats::TraceReader::open(options_.in)));
+    draft_.emplace(value_or_throw(host::FileDraft::begin(options_.out)));
+    out_.emplace(value_or_throw(
+        formats::TraceWriter::onto(draft_->descriptor(), options_.out, format_, begin)));
+    TraceProgress progress(*trace_);
+    formats::TraceFrame frame;
+    for (formats::TraceRead read; (read = trace_->next(frame)) != formats::TraceRead::end;) {
+      if (read == formats::TraceRead::frame) {
+        ok_or_throw(out_->write(frame));
+        earliest_ = std::min(earliest_, frame.time);
+      }
+      if (read == formats::TraceRead::bad && !begin) show_bad(options_.in, *trace_);
+      progress.show(*trace_);
+    }
+    ok_or_throw(out_->flush());
+  }
+
+  bool is_repeatable() const {
+    namespace fs = std::filesystem;
+    std::error_code none;
+    return options_.in != "-" && fs::is_regular_file(options_.in, none) &&
+           (fs::is_regular_file(options_.out, none) || !fs::exists(options_.out, none));
+  }
+
+  void tell_json() const {
+    JsonEvent event("converted");
+    event->key("file").text(options_.out);
+    event->key("format").text(formats::name_of(trace_->format()));
+    event->key("frames").number(trace_->frames());
+    event->key("bad").number(trace_->bad());
+    event->key("fd_skipped").number(trace_->fd_skipped());
+    if (out_->early() != 0) event->key("early").number(out_->early());
+    event.print();
+  }
+
+  const ConvertOptions& options_;
+  formats::TraceFormat format_;
+  std::optional<formats::TraceReader> trace_;
+  std::optional<host::FileDraft> draft_;
+  std::optional<formats::TraceWriter> out_;
+  Time earliest_ = Time::max();
+};
 
 int convert_log(const ConvertOptions& options) {
-  const formats::TraceFormat format = format_to_write(options.out);
-  refuse_same_file(options);
-  formats::TraceReader trace = value_or_throw(formats::TraceReader::open(options.in));
-  host::FileDraft draft = value_or_throw(host::FileDraft::begin(options.out));
-  formats::TraceWriter out =
-      value_or_throw(formats::TraceWriter::onto(draft.descriptor(), options.out, format));
-  {
-    TraceProgress progress(trace);
-    formats::TraceFrame frame;
-    for (formats::TraceRead read; (read = trace.next(frame)) != formats::TraceRead::end;) {
-      if (read == formats::TraceRead::frame) ok_or_throw(out.write(frame));
-      if (read == formats::TraceRead::bad) show_bad(options.in, trace);
-      progress.show(trace);
-    }
-  }
-  refuse_log_without_frames(options.in, trace);
-  ok_or_throw(out.flush());
-  ok_or_throw(draft.finish());
-  if (options.json) {
-    tell(options, trace);
-    return exit_done;
-  }
-  fmt::print("{} frames of a {}; {} lines or blocks could not be read, {} CAN FD frames left out\n",
-             trace.frames(), formats::name_of(trace.format()), trace.bad(), trace.fd_skipped());
+  Conversion conversion(options);
+  conversion.run();
+  conversion.tell();
   return exit_done;
 }
 

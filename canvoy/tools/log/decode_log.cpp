@@ -69,13 +69,16 @@ class OtherLog {
   void finish() {
     ok_or_throw(writer_.flush());
     ok_or_throw(draft_.finish());
+    show_early(path_, writer_);
   }
 
  private:
   OtherLog(const std::string& path, formats::TraceFormat format)
-      : draft_(value_or_throw(host::FileDraft::begin(path))),
+      : path_(path),
+        draft_(value_or_throw(host::FileDraft::begin(path))),
         writer_(value_or_throw(formats::TraceWriter::onto(draft_.descriptor(), path, format))) {}
 
+  std::string path_;
   host::FileDraft draft_;
   formats::TraceWriter writer_;
 };

@@ -33,15 +33,6 @@ const std::string& node_name(NodeId node) {
   return names[node];
 }
 
-/// `5=419` before and behind the sign; throws where there is none.
-std::pair<std::string, std::string> split(const std::string& text, std::string_view example) {
-  const std::size_t sign = text.find('=');
-  if (sign == std::string::npos || sign == 0 || sign + 1 == text.size()) {
-    throw UsageError(fmt::format("'{}' is not understood: write {}", text, example));
-  }
-  return {text.substr(0, sign), text.substr(sign + 1)};
-}
-
 /// `can1:5`; all buses where none is named.
 struct NodeOfBus {
   std::string bus;
@@ -53,6 +44,30 @@ NodeOfBus parse_node_of_bus(const std::string& text) {
   const std::size_t colon = text.rfind(':');
   if (colon == std::string::npos || colon == 0) return {{}, parse_node_id(text)};
   return {text.substr(0, colon), parse_node_id(std::string_view(text).substr(colon + 1))};
+}
+
+/// Names of buses may have signs in them (`udp:239.74.163.2:43113?ttl=1`), and those of files: the
+/// sign that counts is the last one, or of a file the first behind a node-ID.
+enum class Behind : std::uint8_t { word, file };
+
+std::size_t sign_in(std::string_view text, Behind behind) {
+  if (behind == Behind::word) return text.rfind('=');
+  const std::size_t first = text.find('=');
+  for (std::size_t sign = first; sign != std::string_view::npos; sign = text.find('=', sign + 1)) {
+    const std::string_view before = text.substr(0, sign);
+    if (names_node(before.substr(before.rfind(':') + 1))) return sign;
+  }
+  return first;
+}
+
+/// `5=419` before and behind the sign; throws where there is none.
+std::pair<std::string, std::string> split(const std::string& text, std::string_view example,
+                                          Behind behind = Behind::word) {
+  const std::size_t sign = sign_in(text, behind);
+  if (sign == std::string::npos || sign == 0 || sign + 1 == text.size()) {
+    throw UsageError(fmt::format("'{}' is not understood: write {}", text, example));
+  }
+  return {text.substr(0, sign), text.substr(sign + 1)};
 }
 
 void append_text(std::string& line, std::string_view text, std::size_t width) {
@@ -180,7 +195,7 @@ void FramePrinter::add_sheet(const std::string& text) {
   const bool is_for_all = sign == std::string::npos || std::filesystem::exists(text, none);
   formats::Findings findings;
   if (!is_for_all) {
-    const auto [node, path] = split(text, "--eds 5=FILE, or can1:5=FILE");
+    const auto [node, path] = split(text, "--eds 5=FILE, or can1:5=FILE", Behind::file);
     const auto [bus, node_id] = parse_node_of_bus(node);
     const auto& sheet = sheets_.emplace_back(read_sheet_file(path, findings), &any_bus_);
     return add({.bus = bus, .node = node_id, .sheet = &sheet.sheet()});

@@ -6,6 +6,7 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 
 #include "canvoy/decoder/active_field.hpp"
@@ -97,6 +98,8 @@ class Plot {
       const Duration time = heard.time.time_since_epoch();
       const words::FrameWords* words = printer_.look(time, heard.channel, heard.frame);
       if (words == nullptr) continue;
+      if (!first_bus_) first_bus_ = heard.channel;
+      has_buses_ = has_buses_ || heard.channel != *first_bus_;
       for (const decoder::DecodedValue& value : words->values)
         take(time, heard.channel, words->node, value);
     }
@@ -107,11 +110,18 @@ class Plot {
             "{}: no value in it is called '{}'; canvoy monitor {} --table shows those that are{}",
             options_.log, wanted.text(), options_.log, did_you_mean(wanted.text(), names())));
     }
-    if (!options_.printer.json && series_.empty())
+    if (!options_.printer.json && curves_.empty())
       throw Failure(fmt::format("{}: what was asked for has no number in it", options_.log));
   }
 
-  std::vector<PlotSeries> series() const { return {series_.begin(), series_.end()}; }
+  std::vector<PlotSeries> series() const {
+    std::vector<PlotSeries> made;
+    for (const Curve& curve : curves_) {
+      made.push_back(curve.series);
+      made.back().rename(label(curve));
+    }
+    return made;
+  }
 
  private:
   /// What is known of an entry of a node: whether it is wanted, and the series of its numbers.
@@ -122,6 +132,20 @@ class Plot {
     std::map<const FieldInfo*, PlotSeries*> series;
   };
   using Key = std::tuple<std::string, NodeId, std::uint16_t, std::uint8_t>;
+  struct Curve {
+    PlotSeries series;
+    std::string bus;
+    NodeId node = 0;  ///< 0: it is not known whose it is
+  };
+
+  /// `temperature (10)`; with the bus where the log has several, which is known at its end only.
+  std::string label(const Curve& curve) const {
+    std::vector<std::string> places;
+    if (curve.node != 0) places.push_back(fmt::format("{}", curve.node));
+    if (has_buses_) places.push_back(fmt::format("on {}", formats::plain_text(curve.bus)));
+    if (places.empty()) return curve.series.name();
+    return fmt::format("{} ({})", curve.series.name(), fmt::join(places, " "));
+  }
 
   /// Of all that was said.
   std::vector<std::string> names() const {
@@ -157,14 +181,14 @@ class Plot {
     if (options_.printer.json) return print(at, bus, node, value, known.name, field, reading);
     PlotSeries*& series = known.series[field];
     if (series == nullptr) {
-      if (series_.size() == series_max)
+      if (curves_.size() == series_max)
         throw Failure(fmt::format("{}: there are more than {} values of this: say which",
                                   options_.log, series_max));
       const bool is_only = field == nullptr || field == only_field(*value.entry);
       const std::string name =
           is_only ? known.name : known.name + ", " + formats::field_name(*field);
-      series = &series_.emplace_back(node == 0 ? name : fmt::format("{} ({})", name, node),
-                                     std::string(unit));
+      series =
+          &curves_.emplace_back(PlotSeries(name, std::string(unit)), std::string(bus), node).series;
     }
     series->add(at, reading.number);
   }
@@ -191,7 +215,9 @@ class Plot {
   FramePrinter printer_;
   std::deque<WantedObject> wanted_;
   std::map<Key, Known> known_;
-  std::deque<PlotSeries> series_;
+  std::deque<Curve> curves_;
+  std::optional<std::string> first_bus_;
+  bool has_buses_ = false;
 };
 
 int plot(const PlotOptions& options) {

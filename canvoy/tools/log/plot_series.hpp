@@ -35,6 +35,7 @@ class PlotSeries {
   void add(double time, double value);
 
   const std::string& name() const { return name_; }
+  void rename(std::string name) { name_ = std::move(name); }
   const std::string& unit() const { return unit_; }
   /// Those in which something was said, in order.
   std::vector<Span> spans() const;

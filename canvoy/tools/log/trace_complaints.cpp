@@ -13,6 +13,15 @@ void show_bad(const std::string& log, const formats::TraceReader& trace) {
   fmt::print(stderr, "{}, {}: {}\n", log, trace.where(), trace.problem());
 }
 
+void show_early(const std::string& out, const formats::TraceWriter& writer) {
+  const std::uint64_t early = writer.early();
+  if (early == 0) return;
+  fmt::print(stderr,
+             "{}: {} frame{} earlier than its beginning, and got the time of that; a .log keeps "
+             "all times\n",
+             out, early, early == 1 ? " was" : "s were");
+}
+
 void refuse_log_without_frames(const std::string& log, const formats::TraceReader& trace) {
   if (trace.frames() > 0) return;
   if (trace.position() == 0) throw Failure(log + ": it is empty");

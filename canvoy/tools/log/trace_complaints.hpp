@@ -5,6 +5,7 @@
 #include <string>
 
 #include "canvoy/formats/trace/trace.hpp"
+#include "canvoy/formats/trace/trace_writer.hpp"
 
 namespace canvoy::tools {
 
@@ -13,6 +14,9 @@ inline constexpr std::uint64_t bad_shown_max = 20;
 
 /// Where what was read last could not be understood, and why.
 void show_bad(const std::string& log, const formats::TraceReader& trace);
+
+/// Where frames of what was written have another time than they had.
+void show_early(const std::string& out, const formats::TraceWriter& writer);
 
 /// Throws Failure where not one frame stood in the log that was read to its end.
 void refuse_log_without_frames(const std::string& log, const formats::TraceReader& trace);

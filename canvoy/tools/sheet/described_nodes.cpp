@@ -29,17 +29,10 @@ bool is_file(const std::string& path) {
   return std::filesystem::is_regular_file(path, none);
 }
 
-/// What the sheet says; 0: nothing.
-NodeId node_id_of(const formats::DataSheet& sheet) {
-  const auto number = formats::sheet_number(sheet.text("DeviceComissioning", "NodeID"));
-  const bool is_said = number && number->number >= 1 && number->number <= node_id_max;
-  return is_said ? static_cast<NodeId>(number->number) : NodeId{0};
-}
-
 DescribedNode of_file(const std::string& path, NodeId id) {
   formats::Findings findings;
   DescribedNode node = {.id = id, .sheet = read_sheet_file(path, findings)};
-  if (node.id == 0) node.id = std::max<NodeId>(1, node_id_of(node.sheet));
+  if (node.id == 0) node.id = std::max<NodeId>(1, node.sheet.node_id());
   node.name = formats::plain_text(node.sheet.text("DeviceComissioning", "NodeName"));
   if (node.name.empty())
     node.name = formats::plain_text(node.sheet.text("DeviceInfo", "ProductName"));

@@ -36,9 +36,12 @@ struct TableOptions {
 
 /// `can0 10`, `can0 0Ah`, and with --network `can0 pump`.
 bool is_node_on_bus(const std::vector<std::string>& what) {
-  if (what.size() != 2 || is_device_name(what[0]) || what[0].find('=') != std::string::npos)
-    return false;
-  return find_node_id(what[1]).has_value() || !nodes_called(what[1]).empty();
+  if (what.size() != 2 || is_device_name(what[0])) return false;
+  // In `5=charger` a node-ID stands before the sign; in `udp:...?ttl=1` none does.
+  const std::size_t sign = what[0].find('=');
+  const bool is_of_node =
+      sign != std::string::npos && names_node(std::string_view(what[0]).substr(0, sign));
+  return !is_of_node && names_node(what[1]);
 }
 
 std::vector<DescribedNode> node_on_bus(const TableOptions& options) {
