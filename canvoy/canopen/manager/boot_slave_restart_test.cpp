@@ -47,6 +47,29 @@ TEST(BootSlaveRestart, InTheMiddleOfAnyQuestionBeginsTheBootUpAnew) {
   }
 }
 
+/// 1F82h, or whoever has its master reset it: no fault of the slave, however often.
+TEST(BootSlaveRestart, ThatItIsToldOfIsNone) {
+  DisturbedMaster sut;
+  sut.boot_up(5);
+  for (unsigned question = 0; question < 5; ++question) sut.answer_next(question);
+  sut.heartbeat(5, 0x7F);
+  for (int times = 0; times < 10; ++times) {
+    sut.forget();
+    EXPECT_TRUE(sut.commands.add({5, NmtCommand::reset_communication}));
+    sut.run_for(100ms);
+    sut.boot_up(5);
+    for (unsigned question = 0; question < 5; ++question) sut.answer_next(question);
+    sut.heartbeat(5, 0x7F);
+    for (const auto& note : sut.log) {
+      EXPECT_EQ(note.text.find("restarted"), std::string::npos) << times;
+    }
+    EXPECT_EQ(wire_text(sut.sent.back().frame), "000#01 05") << times;
+  }
+  sut.boot_up(5);
+  EXPECT_EQ(sut.log.back().text, "5 device_type");
+  EXPECT_EQ(sut.log.rbegin()[1].text, "5 restarted in done") << "by itself";
+}
+
 /// Slave 5 boots in place of each answer, 3 ms later; what its boot-up was asked, with times.
 struct RestartingSlave : DisturbedMaster {
   void answer_by_boot_ups(Duration time) {

@@ -48,8 +48,9 @@ void SlaveBoots::reset_sent(std::uint8_t slave_or_all) {
   for (NodeId slave = node_id_min; slave <= node_id_max; ++slave) {
     if (slave_or_all != slave && slave_or_all != NmtQueue::all_nodes) continue;
     if (BootSlave* slot = find_slot(slave); slot != nullptr) slot->reset_sent();
-    const Record& waiting = record(slave);
-    if (waiting.state == State::waiting && waiting.due == never) queue(slave, due);
+    Record& told = at(slave);
+    if (told.state == State::booted) told.is_told_reset = true;
+    if (told.state == State::waiting && told.due == never) queue(slave, due);
   }
 }
 
@@ -120,7 +121,8 @@ void SlaveBoots::booted_up(NodeId slave) {
   Record& booted = at(slave);
   BootSlave* slot = find_slot(slave);
   if (slot != nullptr && slot->expects_boot_up()) return slot->booted_up();
-  if (slot != nullptr || booted.state == State::booted) {
+  const bool was_told = std::exchange(booted.is_told_reset, false);
+  if (slot != nullptr || (booted.state == State::booted && !was_told)) {
     BootReport restart = slot != nullptr ? slot->report_of(BootEvent::restarted) : BootReport{};
     restart.slave = slave;
     restart.event = BootEvent::restarted;

@@ -29,9 +29,10 @@ class SlaveBoots {
     State state = State::none;
     BootError error = BootError::none;
     SlaveRestarts restarts{};
-    bool is_fresh = false;    ///< has sent a boot-up message, and nothing was changed since
-    bool was_tried = false;   ///< an attempt has ended
-    bool is_started = false;  ///< commanded into operational, or about to be
+    bool is_fresh = false;       ///< has sent a boot-up message, and nothing was changed since
+    bool was_tried = false;      ///< an attempt has ended
+    bool is_started = false;     ///< commanded into operational, or about to be
+    bool is_told_reset = false;  ///< while it was booted: its next boot-up message is no fault
   };
   struct Memory {
     std::span<Record, node_id_max> records;

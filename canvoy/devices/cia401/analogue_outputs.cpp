@@ -25,8 +25,8 @@ constexpr bool is_parameter(std::uint16_t index) {
 
 }  // namespace
 
-void AnalogueOutputs::begin() {
-  if (reals_ != nullptr) reals_->written_last.reset();
+void AnalogueOutputs::begin(ResetScope scope) {
+  if (reals_ != nullptr && scope == ResetScope::node) reals_->written_last.reset();
   for_each_channel([this](std::uint8_t channel) { drive(index_of(channel), channel); });
 }
 

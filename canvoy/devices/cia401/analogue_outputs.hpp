@@ -31,8 +31,8 @@ class AnalogueOutputs {
   AnalogueOutputs(const AnalogueOutputs&) = delete;
   AnalogueOutputs& operator=(const AnalogueOutputs&) = delete;
 
-  /// Drives what the objects say: after a reset.
-  void begin();
+  /// Drives what the objects say: after a reset. One of communication changes none of them.
+  void begin(ResetScope scope);
   /// An element of this object was written by the bus; of one that is no output's, nothing happens.
   void written(std::uint16_t index, std::uint8_t sub);
   /// Outputs with error mode 1 take their error value.

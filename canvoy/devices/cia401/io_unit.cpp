@@ -47,11 +47,11 @@ IoUnit::IoUnit(Node& node, const IoMemory& memory, const IoHardware& hardware,
   node.attach(service_);
 }
 
-void IoUnit::reset(ResetScope) {
+void IoUnit::reset(ResetScope scope) {
   digital_inputs_.begin();
   analogue_inputs_.begin();
   digital_outputs_.begin();
-  analogue_outputs_.begin();
+  analogue_outputs_.begin(scope);
   if (settings_.sensing_period > Duration::zero()) {
     node_.timers().arm(timer_, node_.now() + settings_.sensing_period);
   }

@@ -584,5 +584,12 @@ TEST_F(WideModule, FloatingPointOutputsTakeTheirErrorValues) {
   EXPECT_EQ(board.driven[0], 0) << "6411h again, which is 0";
 }
 
+TEST_F(WideModule, AResetOfCommunicationMovesNoOutput) {
+  write("2B 11 64 01 E8 03 00 00");
+  write("23 13 64 01 00 00 80 3E");  // 0.25
+  cable.send("000#82 21");
+  EXPECT_EQ(board.driven[0], 0x2000'0000);
+}
+
 }  // namespace
 }  // namespace canvoy::cia401::io_unit_test

@@ -54,11 +54,14 @@ CarMaster::CarMaster(CarNetwork& network, CarSleep& sleep, const CarMemory& memo
   for (NodeId node = first_add_on; node <= node_id_max; ++node) {
     network.node().router().add(static_cast<std::uint16_t>(sleep_can_id(node)), came);
   }
+  network.node().router().add(can_id::nmt,
+                              Callback<void(const Frame&, Time)>::to<&CarMaster::commanded>(*this));
 }
 
 void CarMaster::reset(ResetScope) {
   present_.reset();
   started_.reset();
+  halted_.reset();
   to_be_asked_.reset();
   scan_.cancel();
   look_around_at_ = network_.node().now();
@@ -136,15 +139,30 @@ void CarMaster::found(const LssScan::Found& found) {
 
 // States.
 
-/// A device is started when it boots, and when it is heard pre-operational for the first time (not
-/// all send a boot-up message): not where somebody else has made it pre-operational since.
+/// Whom a tool stops or makes pre-operational stays so until he is started, or boots.
+void CarMaster::commanded(const Frame& frame, Time) {
+  if (frame.length != 2 || frame.data[1] > node_id_max) return;
+  const auto command = static_cast<NmtCommand>(frame.data[0]);
+  const bool halts = command == NmtCommand::stop || command == NmtCommand::enter_pre_operational;
+  const NodeId node = frame.data[1];
+  if (node != 0) {
+    halted_[node] = halts;
+  } else {
+    halts ? halted_.set() : halted_.reset();
+  }
+}
+
+/// A device is started when it boots, and when it is heard pre-operational where nobody has
+/// commanded that: not all send a boot-up message, and bus-off or another error may lead there.
 void CarMaster::heard(NodeId node, std::uint8_t state) {
   if (node < first_add_on) return;
   constexpr std::uint8_t boot_up = 0;
   present_[node] = true;
   network_.watch(node);
   const bool is_met = state == static_cast<std::uint8_t>(NmtState::pre_operational);
-  const bool waits = state == boot_up || (is_met && !started_[node]);
+  if (state == boot_up) halted_[node] = false;
+  if (state == static_cast<std::uint8_t>(NmtState::operational)) started_[node] = false;
+  const bool waits = state == boot_up || (is_met && !started_[node] && !halted_[node]);
   if (!waits || !settings_.starts_nodes || sleep_.state() != SleepState::awake) return;
   const Frame start = {
       .id = can_id::nmt, .length = 2, .data = {static_cast<std::uint8_t>(NmtCommand::start), node}};
@@ -169,6 +187,8 @@ void CarMaster::ask_next() {
 }
 
 void CarMaster::device_type_came(SdoClient::Outcome outcome) {
+  // The own NMT state has ended the question.
+  if (!outcome && !client_.may_speak()) return;
   const bool is_of_car = outcome && load<std::uint16_t>(device_type_.data()) == device_type;
   if (!is_of_car) tell({.kind = CarEvent::Kind::stranger, .node = asked_});
   ask_next();

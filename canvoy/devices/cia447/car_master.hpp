@@ -64,7 +64,7 @@ struct CarEvent {
 
 class CarMaster {
  public:
-  static constexpr std::size_t routes = LssMaster::routes + node_id_max + 1;
+  static constexpr std::size_t routes = LssMaster::routes + node_id_max + 2;
 
   /// `sleep` is that of the same device. All must outlive this. It takes on_heard(), on_lost() and
   /// on_change() of them for itself.
@@ -93,6 +93,7 @@ class CarMaster {
   void found(const LssScan::Found& found);
   void scanned(LssScan::Outcome outcome);
   void looked(LssScan::Outcome outcome);
+  void commanded(const Frame& frame, Time now);
   void heard(NodeId node, std::uint8_t state);
   void lost(NodeId node);
   void ask_next();
@@ -119,8 +120,9 @@ class CarMaster {
   static const ServiceCalls service_calls;
   ServiceLink service_{&service_calls, this};
   std::bitset<node_id_max + 1> present_;
-  std::bitset<node_id_max + 1> started_;
-  SdoClient client_;  ///< on the default channels, as CiA 301 has them
+  std::bitset<node_id_max + 1> started_;  ///< and not yet heard to be operational
+  std::bitset<node_id_max + 1> halted_;   ///< by somebody's command
+  SdoClient client_;                      ///< on the default channels, as CiA 301 has them
   std::bitset<node_id_max + 1> to_be_asked_;
   NodeId asked_ = 0;
   std::array<std::uint8_t, 4> device_type_{};

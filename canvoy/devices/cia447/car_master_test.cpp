@@ -282,6 +282,42 @@ TEST_F(Gateway, ADeviceAsksForSleepAndAnotherWakesAllUp) {
   EXPECT_EQ(two.device.node().state(), NmtState::operational);
 }
 
+TEST_F(Gateway, ADeviceThatABusOffMadePreOperationalIsStartedAgain) {
+  Node& node = add(0x11).device.node();
+  cable.start_all();
+  cable.run_for(10s);
+  ASSERT_EQ(node.state(), NmtState::operational);
+  node.bus_state(BusState::bus_off, cable.now);
+  cable.run_for(20ms);
+  node.bus_state(BusState::error_active, cable.now);
+  EXPECT_EQ(node.state(), NmtState::pre_operational) << "1029h";
+  cable.run_for(3s);
+  EXPECT_EQ(node.state(), NmtState::operational);
+}
+
+TEST_F(Gateway, ADeviceThatAToolMadePreOperationalStaysSo) {
+  Node& node = add(0x11).device.node();
+  cable.start_all();
+  cable.run_for(10s);
+  cable.send("000#80 02");
+  cable.run_for(60s);
+  EXPECT_EQ(node.state(), NmtState::pre_operational);
+  cable.send("000#01 00");
+  cable.run_for(2s);
+  node.bus_state(BusState::bus_off, cable.now);
+  node.bus_state(BusState::error_active, cable.now);
+  cable.run_for(3s);
+  EXPECT_EQ(node.state(), NmtState::operational) << "it has been started since";
+}
+
+TEST_F(Gateway, WhoseQuestionItsOwnResetEndsTakesNobodyForAStranger) {
+  cable.start_all();
+  cable.run_for(1s);
+  cable.send("705#00");
+  cable.send("000#82 01");
+  EXPECT_EQ(count(CarEvent::Kind::stranger), 0U);
+}
+
 /// A cable that is cut behind the gateway leaves its queue full: the port takes nothing.
 TEST_F(Gateway, ADeviceThatBootsWhileNothingCanBeSentIsStartedLater) {
   cable.start_all();
