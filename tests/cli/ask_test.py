@@ -68,7 +68,7 @@ class Ask(CommandTest):
         cls.addClassCleanup(device.terminate)
         for _ in range(100):
             if run("read", BUS, node, "1000", "--timeout", "200ms").returncode == DONE:
-                return
+                return device
         raise AssertionError(f"the {kind} does not come up")
 
     def done(self, *arguments):
@@ -262,7 +262,9 @@ class Ask(CommandTest):
         self.assert_refused(run("pdo", BUS, "10", "tpdo99"), FAILED, "1862h:01h")
 
     def test_fields_of_a_pdo_that_are_not_named_stay_as_the_node_has_them(self):  # CiA 407, 6488h:02h: four doors, all valid and closed
-        self.start("vehicle-gateway", "11")
+        gateway = self.start("vehicle-gateway", "11")
+        self.addCleanup(gateway.wait)
+        self.addCleanup(gateway.terminate)
         doors = "state_of_doors, specific_state_1_to_4"
         self.assertRegex(self.done("pdo", BUS, "11", "tpdo1"), r"\A18B#0000000055 ")
         one = f"{doors}=door N: door open"
