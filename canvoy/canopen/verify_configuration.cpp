@@ -1,22 +1,19 @@
 #include "canvoy/canopen/verify_configuration.hpp"
 
-#include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/canopen/dictionary/action_objects.hpp"
 #include "canvoy/canopen/dictionary/object_index.hpp"
+#include "canvoy/canopen/sdo/sdo_channel.hpp"
 
 namespace canvoy {
 
 namespace {
 
-constexpr std::uint8_t sdo_peer_sub = 3;
-
-/// Bit 30 says so; the node at the other end comes and goes with its COB-IDs.
-bool is_dynamic_channel(const Entry& entry) {
-  if (entry.index < object_index::sdo_server || entry.index > object_index::sdo_client_last)
-    return false;
-  if (entry.sub == sdo_peer_sub) return true;
-  return byte_length(entry.row->type) == sizeof(std::uint32_t) &&
-         (load<std::uint32_t>(entry.value) & CobId::bit30) != 0;
+/// The node at the other end comes and goes with its COB-IDs.
+bool is_of_dynamic_channel(const Entry& entry) {
+  const bool is_of_channel =
+      entry.index >= object_index::sdo_server && entry.index <= object_index::sdo_client_last;
+  return (is_of_channel && entry.sub == sdo_sub_peer) ||
+         is_dynamic_channel(entry.index, entry.bytes());
 }
 
 }  // namespace
@@ -32,7 +29,7 @@ VerifyConfiguration::VerifyConfiguration(Node& node) : node_(node) {
 bool VerifyConfiguration::is_configuration(const Entry& entry) {
   if (allows(entry.row->access, Access::rpdo)) return false;
   const bool is_verification = entry.index == object_index::verify_configuration;
-  return !is_verification && !is_action_or_state(entry.index) && !is_dynamic_channel(entry);
+  return !is_verification && !is_action_or_state(entry.index) && !is_of_dynamic_channel(entry);
 }
 
 void VerifyConfiguration::after_write(const Entry& entry, Source source) {

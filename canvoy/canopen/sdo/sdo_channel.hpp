@@ -11,6 +11,7 @@
 #include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/canopen/dictionary/dictionary.hpp"
 #include "canvoy/canopen/dictionary/object_index.hpp"
+#include "canvoy/canopen/little_endian.hpp"
 
 namespace canvoy {
 
@@ -41,6 +42,14 @@ constexpr SdoChannel default_sdo_channel(NodeId server) {
 
 /// What the object says: not valid where it is absent, or one of its COB-IDs is not valid.
 SdoChannel sdo_channel(const Dictionary& dictionary, std::uint16_t index);
+
+/// Whether `value` of this object is the COB-ID of an SDO channel that comes and goes with a
+/// connection: bit 30 says so.
+inline bool is_dynamic_channel(std::uint16_t index, std::span<const std::uint8_t> value) {
+  return index >= object_index::sdo_server && index <= object_index::sdo_client_last &&
+         value.size() == sizeof(std::uint32_t) &&
+         (load<std::uint32_t>(value.data()) & CobId::bit30) != 0;
+}
 
 /// Whether a COB-ID of an SDO channel may become `value`. Its CAN-ID changes only on the way from
 /// or to invalid, has 11 bits, and is none of the restricted ones; clients may use those of default

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "canvoy/canopen/sdo/sdo_channel.hpp"
+
 namespace canvoy {
 
 namespace {
@@ -15,6 +17,9 @@ bool follows_node_id(const Dictionary& dictionary, const Entry& entry, std::uint
   store(bytes, dictionary.default_number(entry) + node_id);
   return std::ranges::equal(entry.bytes(), std::span(bytes).first(row.capacity));
 }
+
+/// What is stored of an SDO channel that ends with its connection: it is not there (bit 31).
+constexpr std::uint8_t no_channel[] = {0, 0, 0, 0x80};
 
 }  // namespace
 
@@ -134,7 +139,7 @@ bool ParameterSet::next_own() {
     if (!own_.next(entry)) return false;
   } while (!wanted(entry));
   const auto bytes = entry.bytes();
-  value_ = bytes.data();
+  value_ = is_dynamic_channel(entry.index, bytes) ? no_channel : bytes.data();
   length_ = static_cast<std::uint32_t>(bytes.size());
   head_ = StoredHead{.index = entry.index, .sub = entry.sub, .length = length_}.bytes();
   return true;

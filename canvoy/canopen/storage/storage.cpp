@@ -1,6 +1,7 @@
 #include "canvoy/canopen/storage/storage.hpp"
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
+#include "canvoy/canopen/sdo/sdo_channel.hpp"
 #include "canvoy/canopen/storage/crc32.hpp"
 
 namespace canvoy {
@@ -93,6 +94,8 @@ bool Storage::take(const StoredHead& head, std::uint32_t at) {
   std::uint8_t bytes[8];
   const auto value = std::span(bytes).first(head.length);
   if (!record_.read(at, value)) return false;
+  // A set of before may hold one.
+  if (is_dynamic_channel(head.index, value)) return true;
   if (node_.dictionary().check_value(*entry.row, value) == AbortCode::none) {
     node_.dictionary().set(entry, value);
   }
