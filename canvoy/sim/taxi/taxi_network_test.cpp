@@ -323,6 +323,7 @@ constexpr FaultCase fault_cases[] = {{"lost-node@15min+5s"},
                                      {"cable-cut@0s+20s"},
                                      {"babbling-node@15min+10s"},
                                      {"corrupted-frames@10min+1h"},
+                                     {"corrupted-frames@0s"},
                                      {"wheel-signal@15min+3min"},
                                      {"paper-out@0s+30min"},
                                      {"paper-out@15min+3h"},
@@ -406,6 +407,30 @@ TEST(TaxiSabotage, ReceiptsAreReadWhereSomeAreMissing) {
   network.sabotage().pocketed = 500;
   network.run_until(Time(evening));
   EXPECT_EQ(broken(network), "totals receipts ");
+}
+
+TEST(TaxiSabotage, FramesThatAreSentAgainExcuseNothing) {
+  TaxiOptions options = short_shift(1);
+  options.faults.faults = {{.kind = FaultKind::corrupted_frames}};
+  TaxiNetwork network(options);
+  network.sabotage().pocketed = 500;
+  network.run_until(Time(evening));
+  EXPECT_EQ(broken(network), "totals receipts ");
+  ASSERT_GE(network.trips().size(), 2u);
+  EXPECT_TRUE(std::ranges::none_of(network.trips(), &Trip::is_disturbed));
+}
+
+TEST(TaxiSabotage, ReceiptsAreMissedWherePaperWasThere) {
+  TaxiOptions options = short_shift(1);
+  options.faults.faults = {{.kind = FaultKind::no_fix, .start = Time(20min), .duration = 10min}};
+  TaxiNetwork network(options);
+  network.run_until(Time(1min));
+  network.node(printer_id).power(false);  // by no fault of the plan
+  network.run_until(Time(91min));
+  ASSERT_GE(network.trips().size(), 2u);
+  network.node(printer_id).power(true);
+  network.run_until(Time(evening));
+  EXPECT_EQ(broken(network), "receipts device_missing ");
 }
 
 TEST(TaxiSabotage, ADeviceThatDoesNotSleep) {

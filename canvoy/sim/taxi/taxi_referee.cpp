@@ -17,6 +17,8 @@ constexpr Duration wait_bound = 3s;
 constexpr Duration sign_bound = 3s;
 /// What the terminal shows of trip and place.
 constexpr Duration screen_bound = 5s;
+/// All are named and booted by then, also where frames are sent again.
+constexpr Time settled_at{TaxiFaults::return_bound};
 /// In so much time that no fault excuses somebody is carried.
 constexpr Duration long_enough = 2h;
 
@@ -83,12 +85,13 @@ bool TaxiReferee::is_awake(NodeId id) {
 /// Who stands at the road sees whether the taxi is vacant.
 void TaxiReferee::judge_sign(Time now) {
   const bool is_vacant = car_.meter().display().state == cia447::Taximeter::for_hire;
-  const bool can_be_seen = is_awake(sign_id) && car_.bus().has_power(taximeter_id);
+  const bool can_be_seen =
+      now >= settled_at && is_awake(sign_id) && car_.bus().has_power(taximeter_id);
   sign_.judge(now, excuse_.is_excused(now) || !can_be_seen || car_.sign().is_vacant() == is_vacant);
 }
 
 void TaxiReferee::judge_terminal(Time now) {
-  const bool can_be_read = !excuse_.is_excused(now) && is_awake(terminal_id);
+  const bool can_be_read = now >= settled_at && !excuse_.is_excused(now) && is_awake(terminal_id);
   const bool has_fare = can_be_read && is_awake(taximeter_id);
   fare_screen_.judge(now,
                      !has_fare || fare_is_right(car_.screens().fare(), car_.meter().display()));
