@@ -264,6 +264,29 @@ TEST(TaxiShift, TheTerminalNamesNoPlaceWithoutSatellites) {
   EXPECT_TRUE(network.snapshot().screens[1].text.find('\n') != 0);
 }
 
+TEST(TaxiShift, AMeterWithoutPowerShowsNothing) {
+  TaxiOptions options = short_shift(1);
+  TaxiNetwork healthy(options);
+  while (healthy.snapshot().meter != cia447::Taximeter::hired && healthy.now() < Time(1h)) {
+    healthy.run_until(healthy.now() + 1s);
+  }
+  const Time hired = healthy.now();
+  options.faults.faults = {
+      {.kind = FaultKind::lost_node, .node = taximeter_id, .start = hired + 10s, .duration = 5s}};
+  TaxiNetwork network(options);
+  network.run_until(hired + 9s);
+  const std::uint32_t fare = network.snapshot().trip.fare;
+  EXPECT_EQ(network.snapshot().meter, cia447::Taximeter::hired);
+  EXPECT_NE(fare, cia447::TripData::unknown);
+  network.run_until(hired + 12s);
+  EXPECT_EQ(network.snapshot().meter, cia447::Taximeter::not_available);
+  EXPECT_EQ(network.snapshot().trip.fare, cia447::TripData::unknown);
+  network.run_until(hired + 20s);
+  EXPECT_EQ(network.snapshot().meter, cia447::Taximeter::hired) << "it has kept the trip";
+  EXPECT_GE(network.snapshot().trip.fare, fare);
+  EXPECT_NE(network.snapshot().trip.fare, cia447::TripData::unknown);
+}
+
 TEST(TaxiShift, LampsAndDisplaysAreDarkWithoutPower) {
   TaxiOptions options = short_shift(1);
   options.faults.faults = {
