@@ -264,6 +264,31 @@ TEST(TaxiShift, TheTerminalNamesNoPlaceWithoutSatellites) {
   EXPECT_TRUE(network.snapshot().screens[1].text.find('\n') != 0);
 }
 
+/// When the network of this shift has fallen asleep.
+Time asleep_at(const TaxiOptions& options) {
+  TaxiNetwork network(options);
+  while (!network.snapshot().is_asleep && network.now() < Time(evening)) {
+    network.run_until(network.now() + 1s);
+  }
+  return network.now();
+}
+
+TEST(TaxiShift, AGatewayThatHadNoPowerWakesTheOthersWhenItIsBack) {
+  TaxiOptions options = short_shift(1);
+  const ScheduledFault lost = {.kind = FaultKind::lost_node,
+                               .node = cia447::gateway_node_id,
+                               .start = asleep_at(options) + 1min,
+                               .duration = 25min};
+  options.faults.faults = {lost};
+  TaxiNetwork network(options);
+  network.run_until(lost.end() - 1s);
+  EXPECT_FALSE(network.node(taximeter_id).is_operational());
+  network.run_until(lost.end() + 20s);
+  for (const auto& node : network.nodes()) {
+    EXPECT_TRUE(node->is_operational()) << node->place().name;
+  }
+}
+
 TEST(TaxiShift, AMeterWithoutPowerShowsNothing) {
   TaxiOptions options = short_shift(1);
   TaxiNetwork healthy(options);
