@@ -19,9 +19,14 @@ CommandKeeper::CommandKeeper(CarNetwork& network, const CommandKeeperSettings& s
 
 void CommandKeeper::want(unsigned place, const KeptCommand& command) {
   Kept& kept = kept_[place];
-  if (kept.wanted == command) return;
-  kept = {.wanted = command};
-  network_.node().timers().arm(timer_, std::max(network_.node().now(), not_before_));
+  const Time now = network_.node().now();
+  const Time until = command.is_once ? now + settings_.lifetime : never;
+  if (kept.wanted == command) {
+    kept.until = until;
+    return;
+  }
+  kept = {.wanted = command, .until = until};
+  network_.node().timers().arm(timer_, std::max(now, not_before_));
 }
 
 bool CommandKeeper::is_done() const {
@@ -45,8 +50,15 @@ void CommandKeeper::tell_all_anew(Duration after) {
   network_.node().timers().arm(timer_, not_before_);
 }
 
+void CommandKeeper::drop_old(Time now) {
+  for (Kept& kept : kept_) {
+    if (now >= kept.until) kept = {};
+  }
+}
+
 void CommandKeeper::go_on(Time now) {
   if (client_.busy()) return;  // its end goes on
+  drop_old(now);
   if (now < not_before_) return network_.node().timers().arm(timer_, not_before_);
   network_.watch(settings_.server);
   if (now >= renewal_due_) {

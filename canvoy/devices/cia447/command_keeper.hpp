@@ -19,7 +19,7 @@ struct KeptCommand {
   std::uint8_t sub = 0;
   std::uint32_t value = 0;
   std::uint8_t size = 0;  ///< 0: there is none
-  bool is_once = false;   ///< forgotten when it was taken
+  bool is_once = false;   ///< forgotten when it was taken, or is too old
 
   bool operator==(const KeptCommand&) const = default;
 };
@@ -29,6 +29,8 @@ struct CommandKeeperSettings {
   Duration retry = 500ms;     ///< of what was not taken
   Duration renewal = 10s;     ///< all is told again: a loss may have been too short to be seen
   Duration time_out = 500ms;  ///< of an answer
+  /// So old a command that is for once is dropped: who wanted it may have gone.
+  Duration lifetime = 3s;
 };
 
 /// It has to be made before the node starts. It takes on_lost() of the network, and calls who was
@@ -42,20 +44,22 @@ class CommandKeeper {
   CommandKeeper& operator=(const CommandKeeper&) = delete;
 
   /// Takes the place of what stood at `place`, 0 to commands_max - 1. Commands are told in the
-  /// order of their places.
+  /// order of their places. One for once that is wanted again is as new.
   void want(unsigned place, const KeptCommand& command);
-  /// The device has taken all of them.
+  /// The device has taken all of them that are not too old.
   bool is_done() const;
 
  private:
   struct Kept {
     KeptCommand wanted;
     bool is_told = false;
+    Time until = never;
   };
 
   void reset(ResetScope scope);
   void lost(NodeId node);
   void tell_all_anew(Duration after);
+  void drop_old(Time now);
   void go_on(Time now);
   void taken(SdoClient::Outcome outcome);
 

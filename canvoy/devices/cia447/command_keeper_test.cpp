@@ -28,6 +28,12 @@ class Keeper : public testing::Test {
     cable.send("2C2#" + answer);
     cable.run_for(0s);
   }
+  bool is_told_within(Duration time, std::string_view what) {
+    cable.clear();
+    cable.run_for(time);
+    return std::ranges::any_of(cable.heard,
+                               [&](const Cable::Heard& it) { return wire_text(it.frame) == what; });
+  }
 
   void hear_node_3_for(int seconds) {
     for (int second = 0; second < seconds; ++second) {
@@ -44,6 +50,8 @@ class Keeper : public testing::Test {
 
   static constexpr KeptCommand on = {0x6130, 1, 0xFFFF'FFFD, 4};
   static constexpr KeptCommand off = {0x6130, 1, 0xFFFF'FFFC, 4};
+  static constexpr KeptCommand unlock = {0x600A, 0, 0xF2, 1, true};
+  const std::string told_unlock = "342#2F 0A 60 00 F2 00 00 00";
   const std::string told_on = "342#23 30 61 01 FD FF FF FF";
   const std::string told_off = "342#23 30 61 01 FC FF FF FF";
   const std::string taken = "60 30 61 01 00 00 00 00";
@@ -84,8 +92,8 @@ TEST_F(Keeper, ADeviceThatBootsIsToldAllAnewButWhatWasForOnce) {
   keeper().want(0, off);
   asked();
   answer(taken);
-  keeper().want(1, {0x600A, 0, 0xF2, 1, true});
-  EXPECT_EQ(asked(), "342#2F 0A 60 00 F2 00 00 00");
+  keeper().want(1, unlock);
+  EXPECT_EQ(asked(), told_unlock);
   answer("60 0A 60 00 00 00 00 00");
   cable.send("703#00");
   cable.clear();
@@ -95,6 +103,34 @@ TEST_F(Keeper, ADeviceThatBootsIsToldAllAnewButWhatWasForOnce) {
   cable.run_for(1s);
   EXPECT_EQ(cable.last(0x342), "");
   EXPECT_TRUE(keeper().is_done());
+}
+
+TEST_F(Keeper, WhatIsForOnceIsDroppedWhereItIsNotTakenInTime) {
+  keeper().want(0, unlock);
+  cable.run_for(2400ms);
+  EXPECT_EQ(cable.last(0x342), told_unlock) << "nobody answers: again and again";
+  cable.run_for(1s);
+  cable.clear();
+  cable.send("703#00");
+  cable.run_for(60s);
+  EXPECT_EQ(cable.last(0x342), "") << "who wanted it may have gone";
+  EXPECT_TRUE(keeper().is_done());
+}
+
+TEST_F(Keeper, WhatIsForOnceAndWantedAgainIsAsNew) {
+  keeper().want(0, unlock);
+  cable.run_for(2900ms);
+  keeper().want(0, unlock);
+  cable.run_for(500ms);
+  EXPECT_TRUE(is_told_within(2s, told_unlock));
+}
+
+TEST_F(Keeper, WhatIsToHoldIsNeverTooOld) {
+  keeper().want(0, on);
+  keeper().want(1, unlock);
+  cable.run_for(60s);
+  EXPECT_TRUE(is_told_within(2s, told_on));
+  EXPECT_FALSE(is_told_within(2s, told_unlock));
 }
 
 TEST_F(Keeper, AllIsToldAgainNowAndThen) {

@@ -36,5 +36,29 @@ TEST_P(BusFaultPairs, WithEachOtherKind) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, BusFaultPairs, testing::Range<std::size_t>(0, fault_kinds));
 
+std::string played_with_wrong_clock(ScheduledFault other, Sabotage sabotage = {}) {
+  BusNetworkOptions options;
+  options.sabotage = sabotage;
+  options.faults.faults = {{.kind = FaultKind::wrong_clock, .start = Time(8min), .duration = 10min},
+                           other};
+  BusNetwork network(options);
+  network.run_until(Time(22min));
+  return broken_names(network);
+}
+
+/// No device can know the time then; as soon as one can, all do.
+TEST(BusFaultPairsFound, AWrongClockIsGoneByWhereNoSatellitesAreHeard) {
+  const ScheduledFault blind = {
+      .kind = FaultKind::no_satellites, .start = Time(10min), .duration = 5min};
+  EXPECT_EQ(played_with_wrong_clock(blind), "");
+  const ScheduledFault lost = {
+      .kind = FaultKind::lost_node, .node = positioning_id, .start = Time(10min), .duration = 5min};
+  EXPECT_EQ(played_with_wrong_clock(lost), "");
+  const ScheduledFault brief = {
+      .kind = FaultKind::no_satellites, .start = Time(10min), .duration = 1min};
+  EXPECT_EQ(played_with_wrong_clock(brief, {.slow_clocks = true}), "clock ")
+      << "it is judged again";
+}
+
 }  // namespace
 }  // namespace canvoy::bus::bus_fault_pairs_test

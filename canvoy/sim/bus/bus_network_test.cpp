@@ -265,6 +265,18 @@ TEST(BusNetwork, AComputerThatComesBackTakesNoOldRequestOfTheTrain) {
   EXPECT_FALSE(network.display(second_next_stop_id).is_sign_lit());
 }
 
+/// Somebody had wished to get off while the cable was cut, and long is where he wanted to be.
+TEST(BusNetwork, AComputerThatHearsTheTrainAgainTakesNoOldRequest) {
+  BusNetworkOptions options = with_seed(1);
+  options.faults.faults = {{.kind = FaultKind::cable_cut, .start = Time(13min), .duration = 12min}};
+  BusNetwork network(options);
+  network.run_until(Time(25min + 20s));
+  EXPECT_TRUE(network.node(train_gateway_id).is_operational());
+  EXPECT_FALSE(network.display(next_stop_id).is_sign_lit());
+  EXPECT_FALSE(network.display(second_next_stop_id).is_sign_lit());
+  EXPECT_EQ(broken(network), "");
+}
+
 TEST(BusNetwork, PeopleAreCarriedAndCountedAndHaveTickets) {
   BusNetwork network(with_seed(2));
   network.run_until(Time(3h));

@@ -150,6 +150,8 @@ void LineControl::changed(NodeId id, RemoteState state) {
   if (id == settings_.positioning && begins_anew) position_.take_fix({});
   // Whether a door was open meanwhile is not known: who still wants to get off presses again.
   if (id == settings_.doors && begins_anew) hardware_.computer->request_stop(false);
+  // What it tells then may be left from before.
+  if (id == settings_.train_gateway && begins_anew) train_wants_stop_.reset();
   if (state == RemoteState::lost) {
     is_started_.at(id) = false;
   } else if (begins_anew) {

@@ -42,6 +42,7 @@ struct LineControlSettings {
   /// Of 6204h of the train bus gateway, TRUE where somebody in another vehicle wants to get off: an
   /// on-board computer provides this object, and so has no entry to which it could be mapped.
   std::uint16_t train_stop_request_id = 0;
+  NodeId train_gateway = 0;  ///< who tells it
 };
 
 class LineControl {
@@ -120,7 +121,7 @@ class LineControl {
   std::optional<Told> told_;
   RouteStop told_stop_;  ///< of which zone and segment are told
 
-  std::optional<bool> train_wants_stop_;  ///< nothing: it has not been told since the begin
+  std::optional<bool> train_wants_stop_;  ///< nothing: not told since the begin of who tells it
 };
 
 struct LineControlKind : cia407::BusKind<LineControl, LineControlHardware, LineControlSettings> {

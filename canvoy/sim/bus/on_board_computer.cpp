@@ -89,7 +89,8 @@ LineControlSettings OnBoardComputer::line_control_settings() {
       .identification_time_out = nodes_.heartbeat_time_out(identification_id),
       .positioning = positioning_id,
       .doors = vehicle_gateway_id,
-      .train_stop_request_id = train_stop_request_id};
+      .train_stop_request_id = train_stop_request_id,
+      .train_gateway = train_gateway_id};
   for (const DevicePlace& place : device_places) {
     if (place.id != computer_id && place.car == 1) settings.nodes.push_back(place.id);
   }

@@ -34,6 +34,7 @@ class OnBoardComputer {
   bool press_stop_button();
   /// Its own clock is an hour ahead.
   void mistake_clock(bool is_wrong) { clock_is_wrong_ = is_wrong; }
+  bool has_wrong_clock() const { return clock_is_wrong_; }
 
   /// So many are aboard, by what it has heard.
   unsigned counted() const;

@@ -24,6 +24,11 @@ bool ServiceWatch::can_log_in() {
          !parts_.faults.cable_is_broken();
 }
 
+/// Of place and time, to who wants to know.
+bool ServiceWatch::can_tell_satellites() {
+  return parts_.sensors.has_satellites() && nodes_.is_at_work(positioning_id);
+}
+
 void ServiceWatch::journey_begins() {
   if (parts_.vehicle.truth().aboard == 0) {
     parts_.sensors.clear_counts();
@@ -48,6 +53,7 @@ void ServiceWatch::step(Time now) {
   judge_people(now);
   judge_counts(now);
   excuse_blindness(now);
+  excuse_clock(now);
 }
 
 /// Carried past their stop, or without a ticket that they wanted.
@@ -74,8 +80,13 @@ void ServiceWatch::excuse_blindness(Time now) {
         InvariantKind::second_car, InvariantKind::second_announcements}) {
     parts_.referee.excuse(kind, now + BusReferee::return_bound);
   }
-  const bool is_located = parts_.sensors.has_satellites() && nodes_.is_at_work(positioning_id);
-  if (is_located && can_log_in()) needs_fix_ = false;
+  if (can_tell_satellites() && can_log_in()) needs_fix_ = false;
+}
+
+/// Without satellites the on-board computer has its own clock only.
+void ServiceWatch::excuse_clock(Time now) {
+  if (!parts_.computer.has_wrong_clock() || can_tell_satellites()) return;
+  parts_.referee.excuse(InvariantKind::clock, now + BusReferee::return_bound);
 }
 
 /// One that has no power by plan is missing, and so are all whose bus is broken.

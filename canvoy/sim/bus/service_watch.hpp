@@ -45,9 +45,11 @@ class ServiceWatch {
 
  private:
   bool can_log_in();
+  bool can_tell_satellites();
   void judge_people(Time now);
   void judge_counts(Time now);
   void excuse_blindness(Time now);
+  void excuse_clock(Time now);
 
   BusNodes& nodes_;
   Parts parts_;

@@ -4,10 +4,29 @@
 
 namespace canvoy::car {
 
+namespace {
+
+constexpr Duration look_period = 1s;
+
+/// A gateway without power learns when that comes back that a door was opened.
+void wake(CarBus& bus, Time now) {
+  cia447::CarMaster* master = bus.master();
+  if (master == nullptr) return;
+  if (!bus.has_power(cia447::gateway_node_id)) {
+    return bus.world().at(now + look_period, [&bus](Time then) { wake(bus, then); });
+  }
+  master->wake_up();
+  bus.touched(cia447::gateway_node_id);
+}
+
+}  // namespace
+
 void plan_sleep(CarBus& bus, const SleepPlan& plan) {
   World& world = bus.world();
   world.at(plan.sleep, [&bus](Time) {
-    if (cia447::CarMaster* master = bus.master()) master->send_to_sleep();
+    cia447::CarMaster* master = bus.master();
+    if (master == nullptr || !bus.has_power(cia447::gateway_node_id)) return;
+    master->send_to_sleep();
     bus.touched(cia447::gateway_node_id);
   });
   if (plan.stranger_speaks) {
@@ -15,10 +34,7 @@ void plan_sleep(CarBus& bus, const SleepPlan& plan) {
     world.at(*plan.stranger_speaks,
              [&bus, stranger](Time) { bus.bus().send(stranger, {.id = 0x7DF, .length = 8}); });
   }
-  world.at(plan.wake, [&bus](Time) {
-    if (cia447::CarMaster* master = bus.master()) master->wake_up();
-    bus.touched(cia447::gateway_node_id);
-  });
+  world.at(plan.wake, [&bus](Time now) { wake(bus, now); });
 }
 
 }  // namespace canvoy::car

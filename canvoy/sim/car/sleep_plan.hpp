@@ -17,7 +17,8 @@ struct SleepPlan {
   Time wake{};
 };
 
-/// Nothing sleeps where the gateway is not played. The bus must outlive the world's last run.
+/// Nothing sleeps where the gateway is not played, or has no power then; one without power when it
+/// shall wake up does so when that comes back. The bus must outlive the world's last run.
 void plan_sleep(CarBus& bus, const SleepPlan& plan);
 
 }  // namespace canvoy::car

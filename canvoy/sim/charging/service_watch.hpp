@@ -44,7 +44,8 @@ class ServiceWatch {
   static constexpr double no_current_ampere = 0.01;
 
   static constexpr bool lets_charge_go_on(FaultKind kind) {
-    return kind == FaultKind::battery_restart || kind == FaultKind::clock_drift;
+    return kind == FaultKind::battery_restart || kind == FaultKind::clock_drift ||
+           kind == FaultKind::corrupted_frames;
   }
 
   Time waiting_since_{};

@@ -54,5 +54,12 @@ TEST_F(ServiceWatchTest, ARestartExcusesFromItsStartAndNotForEver) {
   EXPECT_EQ(sut.waiting_max(), 4s);
 }
 
+TEST_F(ServiceWatchTest, FramesThatAreSentAgainExcuseFromTheirStartAndNotForEver) {
+  run_for(2s, true, 0);
+  sut.fault_began(now, FaultKind::corrupted_frames);
+  run_for(20s, true, 0);
+  EXPECT_EQ(sut.waiting_max(), 20s);
+}
+
 }  // namespace
 }  // namespace canvoy::charging::service_watch_test

@@ -81,6 +81,11 @@ void Crew::want_lock(Time now, bool is_locked) {
   has_new_lock_ = true;
 }
 
+/// A key was pressed for it, and it is so.
+bool Crew::light_is_right(const Wish& is) const {
+  return !has_new_light_ && is.is_blue == wish_.is_blue && is.has_siren == wish_.has_siren;
+}
+
 /// Presses the key for what is not as it is wished, and again; one key at a time.
 void Crew::insist(Time now) {
   const bool talks = activity_ == Activity::conversing;
@@ -91,10 +96,8 @@ void Crew::insist(Time now) {
   if (!is_ignited_) return;
   if (now < key_pressed_ + between_keys) return;
   const Wish is = hands_.look();
-  const bool light_is_right =
-      !has_new_light_ && is.is_blue == wish_.is_blue && is.has_siren == wish_.has_siren;
   const bool lock_is_right = !has_new_lock_ && is.is_locked == wish_.is_locked;
-  const bool wants_light = !light_is_right && now >= light_pressed_ + insist_after;
+  const bool wants_light = !light_is_right(is) && now >= light_pressed_ + insist_after;
   const bool wants_lock = !lock_is_right && now >= lock_pressed_ + insist_after;
   if (!wants_light && !wants_lock && !wants_menu_) return;
   key_pressed_ = now;
@@ -204,6 +207,25 @@ void Crew::leave_scene(Time now) {
   if (now >= until_) enter(now, Activity::reporting);
 }
 
+/// Who has waited long enough for a terminal that does not answer gives up what he was going to
+/// type; but nobody goes home from a car that flashes.
+bool Crew::can_leave(Time now) const {
+  const bool has_typed = partner_.is_idle() && driver_.is_idle();
+  const bool has_patience = now < until_ + 2min;
+  return now >= until_ && (has_typed || !has_patience) && light_is_right(hands_.look());
+}
+
+void Crew::leave(Time now) {
+  partner_.give_up();
+  driver_.give_up();
+  hands_.turn_ignition(false);
+  is_ignited_ = false;
+  hands_.turn_key(true);
+  wish_ = {};
+  is_over_ = true;
+  enter(now, Activity::off_duty);
+}
+
 void Crew::step(Time now, bool car_is_heard, bool room_is_heard) {
   driver_.step(now);
   partner_.step(now);
@@ -259,16 +281,7 @@ void Crew::step(Time now, bool car_is_heard, bool room_is_heard) {
       if (now >= until_) enter(now, Activity::patrolling, between(2min, 8min));
       break;
     case Activity::parking:
-      // Who has waited long enough for a terminal that does not answer goes home.
-      if (now < until_ + 2min && !(partner_.is_idle() && driver_.is_idle() && now >= until_)) break;
-      partner_.give_up();
-      driver_.give_up();
-      hands_.turn_ignition(false);
-      is_ignited_ = false;
-      hands_.turn_key(true);
-      wish_ = {};
-      is_over_ = true;
-      enter(now, Activity::off_duty);
+      if (can_leave(now)) leave(now);
       break;
   }
   insist(now);

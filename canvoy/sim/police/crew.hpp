@@ -32,7 +32,7 @@ enum class Activity : std::uint8_t {
   at_scene,
   reporting,  ///< by radio
   clearing,   ///< lights off, and on
-  parking,    ///< the end of the patrol
+  parking,    ///< the end of the patrol: until light and sound are off
 };
 
 /// What the crew wants to be so: by it light, sound and locks are judged.
@@ -109,9 +109,12 @@ class Crew {
   void hear_call(Time now, bool room_is_heard);
   void respond(Time now);
   void leave_scene(Time now);
+  bool can_leave(Time now) const;
+  void leave(Time now);
   bool say(Time now, bool is_heard, Duration takes);
   void want_light(Time now, bool is_blue, bool has_siren);
   void want_lock(Time now, bool is_locked);
+  bool light_is_right(const Wish& is) const;
   void insist(Time now);
   TerminalHands with_one_finger(TerminalHands hands);
   void send_status(unsigned status);

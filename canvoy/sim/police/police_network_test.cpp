@@ -153,6 +153,22 @@ TEST(PolicePatrol, WhoWakesUpLearnsWhatTheCrewWants) {
   EXPECT_EQ(broken(network), "");
 }
 
+/// The terminal is lost as the last emergency ends: its key is pressed in vain until it is back.
+TEST(PolicePatrol, NobodyGoesHomeFromACarThatFlashes) {
+  PoliceOptions options = short_patrol(1);
+  options.length = 3h;
+  options.faults.faults = {
+      {.kind = FaultKind::lost_node, .node = terminal_id, .start = Time(7170s), .duration = 10min}};
+  PoliceNetwork network(options);
+  network.run_until(Time(7170s + 9min));
+  EXPECT_TRUE(network.snapshot().is_blue);
+  EXPECT_EQ(network.crew().activity(), Activity::parking);
+  network.run_until(Time(2h + 20min));
+  EXPECT_FALSE(network.snapshot().is_blue);
+  EXPECT_EQ(network.crew().activity(), Activity::off_duty);
+  EXPECT_EQ(broken(network), "");
+}
+
 class PoliceSeed : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(PoliceSeed, AllHoldsWithoutAFault) {

@@ -38,9 +38,11 @@ constexpr bool has_node(FaultKind kind) {
   return kind == FaultKind::lost_node || kind == FaultKind::restart;
 }
 
-/// One device lacks what it works with: it has to say so, and all others go on.
-constexpr bool is_local(FaultKind kind) {
-  return kind == FaultKind::paper_out || kind == FaultKind::no_fix;
+/// It excuses nothing: one device lacks what it works with, and has to say so, or frames are sent
+/// again; all goes on.
+constexpr bool is_harmless(FaultKind kind) {
+  return kind == FaultKind::paper_out || kind == FaultKind::no_fix ||
+         kind == FaultKind::corrupted_frames;
 }
 
 struct ScheduledFault {

@@ -34,20 +34,20 @@ void TaxiFaults::plan() {
 void TaxiFaults::began(std::size_t fault) {
   const ScheduledFault& it = plan_.faults[fault];
   events_.note(now(), FaultBegan{fault, it.kind, {.bus = car_.bus().index(), .node = node_of(it)}});
-  if (lasts(it.kind) && !is_local(it.kind)) excuse_.fault_begins();
+  if (lasts(it.kind) && !is_harmless(it.kind)) excuse_.fault_begins();
   excuse(it.kind);
 }
 
 void TaxiFaults::ended(std::size_t fault) {
   const ScheduledFault& it = plan_.faults[fault];
   events_.note(now(), FaultEnded{fault, it.kind, {.bus = car_.bus().index(), .node = node_of(it)}});
-  if (lasts(it.kind) && !is_local(it.kind)) excuse_.fault_ends();
+  if (lasts(it.kind) && !is_harmless(it.kind)) excuse_.fault_ends();
   excuse(it.kind);
 }
 
 /// What has just begun or ended may cost a trip, and others the time to come back.
 void TaxiFaults::excuse(FaultKind kind) {
-  if (is_local(kind)) return;
+  if (is_harmless(kind)) return;
   trips_.disturb();
   excuse_.extend(now() + return_bound);
 }

@@ -26,6 +26,7 @@ class TaxiFaults {
 
   /// This must outlive the world's last run.
   void plan();
+  bool has_any(FaultKind kind) const { return faults_.has_any(kind); }
 
  private:
   Time now() const { return car_.bus().world().now(); }

@@ -16,9 +16,12 @@ void TaxiMeter::offer_outputs(Site& site) {
   site.watch(Callback<void(cia447::CarNetwork&, Node&)>::to<&TaxiMeter::is_network>(*this));
 }
 
-/// Its supply sinks slowly enough for it to keep what it has.
+/// Its supply sinks slowly enough for it to keep what it has; its display is dark then.
 void TaxiMeter::power_changes(bool is_on) {
-  if (!is_on && bus_.has_power(taximeter_id)) unit_->power_fails();
+  if (!is_on && bus_.has_power(taximeter_id)) {
+    unit_->power_fails();
+    display_ = {.state = cia447::Taximeter::not_available, .trip = {}};
+  }
   outputs_.reset();
   fare_display_ = nullptr;
 }

@@ -153,14 +153,13 @@ void TaxiNetwork::print_receipt() {
 /// The totals of the shift, and sleep.
 void TaxiNetwork::end_shift(Time now) {
   is_over_ = true;
-  // Nothing has happened but that a device lacked what it works with.
-  const bool is_only_local = std::ranges::all_of(
-      options_.faults.faults, [](const ScheduledFault& fault) { return is_local(fault.kind); });
-  if (is_only_local && bus_.has_power(taximeter_id)) {
+  const std::vector<ScheduledFault>& faults = options_.faults.faults;
+  const auto is_harmless_fault = [](const ScheduledFault& it) { return is_harmless(it.kind); };
+  if (std::ranges::all_of(faults, is_harmless_fault) && bus_.has_power(taximeter_id)) {
     trips_.judge_totals(car_.meter().unit().record().shift.income);
-    if (is_played(printer_id)) {
-      trips_.judge_receipts(car_.paper().lines(), !options_.faults.faults.empty());
-    }
+    // Of receipts that wait for paper the meter keeps the last one only.
+    const bool some_may_lack = faults_.has_any(FaultKind::paper_out);
+    if (is_played(printer_id)) trips_.judge_receipts(car_.paper().lines(), some_may_lack);
   }
   real_meter_.ask_for_totals();
   car::SleepPlan plan{.sleep = now + 1min, .wake = now + 20min};

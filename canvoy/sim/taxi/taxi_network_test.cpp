@@ -264,6 +264,54 @@ TEST(TaxiShift, TheTerminalNamesNoPlaceWithoutSatellites) {
   EXPECT_TRUE(network.snapshot().screens[1].text.find('\n') != 0);
 }
 
+/// When the network of this shift has fallen asleep.
+Time asleep_at(const TaxiOptions& options) {
+  TaxiNetwork network(options);
+  while (!network.snapshot().is_asleep && network.now() < Time(evening)) {
+    network.run_until(network.now() + 1s);
+  }
+  return network.now();
+}
+
+TEST(TaxiShift, AGatewayThatHadNoPowerWakesTheOthersWhenItIsBack) {
+  TaxiOptions options = short_shift(1);
+  const ScheduledFault lost = {.kind = FaultKind::lost_node,
+                               .node = cia447::gateway_node_id,
+                               .start = asleep_at(options) + 1min,
+                               .duration = 25min};
+  options.faults.faults = {lost};
+  TaxiNetwork network(options);
+  network.run_until(lost.end() - 1s);
+  EXPECT_FALSE(network.node(taximeter_id).is_operational());
+  network.run_until(lost.end() + 20s);
+  for (const auto& node : network.nodes()) {
+    EXPECT_TRUE(node->is_operational()) << node->place().name;
+  }
+}
+
+TEST(TaxiShift, AMeterWithoutPowerShowsNothing) {
+  TaxiOptions options = short_shift(1);
+  TaxiNetwork healthy(options);
+  while (healthy.snapshot().meter != cia447::Taximeter::hired && healthy.now() < Time(1h)) {
+    healthy.run_until(healthy.now() + 1s);
+  }
+  const Time hired = healthy.now();
+  options.faults.faults = {
+      {.kind = FaultKind::lost_node, .node = taximeter_id, .start = hired + 10s, .duration = 5s}};
+  TaxiNetwork network(options);
+  network.run_until(hired + 9s);
+  const std::uint32_t fare = network.snapshot().trip.fare;
+  EXPECT_EQ(network.snapshot().meter, cia447::Taximeter::hired);
+  EXPECT_NE(fare, cia447::TripData::unknown);
+  network.run_until(hired + 12s);
+  EXPECT_EQ(network.snapshot().meter, cia447::Taximeter::not_available);
+  EXPECT_EQ(network.snapshot().trip.fare, cia447::TripData::unknown);
+  network.run_until(hired + 20s);
+  EXPECT_EQ(network.snapshot().meter, cia447::Taximeter::hired) << "it has kept the trip";
+  EXPECT_GE(network.snapshot().trip.fare, fare);
+  EXPECT_NE(network.snapshot().trip.fare, cia447::TripData::unknown);
+}
+
 TEST(TaxiShift, LampsAndDisplaysAreDarkWithoutPower) {
   TaxiOptions options = short_shift(1);
   options.faults.faults = {
@@ -323,6 +371,7 @@ constexpr FaultCase fault_cases[] = {{"lost-node@15min+5s"},
                                      {"cable-cut@0s+20s"},
                                      {"babbling-node@15min+10s"},
                                      {"corrupted-frames@10min+1h"},
+                                     {"corrupted-frames@0s"},
                                      {"wheel-signal@15min+3min"},
                                      {"paper-out@0s+30min"},
                                      {"paper-out@15min+3h"},
@@ -406,6 +455,30 @@ TEST(TaxiSabotage, ReceiptsAreReadWhereSomeAreMissing) {
   network.sabotage().pocketed = 500;
   network.run_until(Time(evening));
   EXPECT_EQ(broken(network), "totals receipts ");
+}
+
+TEST(TaxiSabotage, FramesThatAreSentAgainExcuseNothing) {
+  TaxiOptions options = short_shift(1);
+  options.faults.faults = {{.kind = FaultKind::corrupted_frames}};
+  TaxiNetwork network(options);
+  network.sabotage().pocketed = 500;
+  network.run_until(Time(evening));
+  EXPECT_EQ(broken(network), "totals receipts ");
+  ASSERT_GE(network.trips().size(), 2u);
+  EXPECT_TRUE(std::ranges::none_of(network.trips(), &Trip::is_disturbed));
+}
+
+TEST(TaxiSabotage, ReceiptsAreMissedWherePaperWasThere) {
+  TaxiOptions options = short_shift(1);
+  options.faults.faults = {{.kind = FaultKind::no_fix, .start = Time(20min), .duration = 10min}};
+  TaxiNetwork network(options);
+  network.run_until(Time(1min));
+  network.node(printer_id).power(false);  // by no fault of the plan
+  network.run_until(Time(91min));
+  ASSERT_GE(network.trips().size(), 2u);
+  network.node(printer_id).power(true);
+  network.run_until(Time(evening));
+  EXPECT_EQ(broken(network), "receipts device_missing ");
 }
 
 TEST(TaxiSabotage, ADeviceThatDoesNotSleep) {

@@ -17,7 +17,9 @@ constexpr Duration wait_bound = 3s;
 constexpr Duration sign_bound = 3s;
 /// What the terminal shows of trip and place.
 constexpr Duration screen_bound = 5s;
-/// In this time somebody is carried.
+/// All are named and booted by then, also where frames are sent again.
+constexpr Time settled_at{TaxiFaults::return_bound};
+/// In so much time that no fault excuses somebody is carried.
 constexpr Duration long_enough = 2h;
 
 Invariant none(InvariantKind kind, double worst) {
@@ -43,6 +45,7 @@ TaxiReferee::TaxiReferee(TaxiCar& car, const TaxiOptions& options, const Shift& 
       silence_(car.bus()) {}
 
 void TaxiReferee::step(Time now) {
+  if (!excuse_.is_excused(now)) without_excuse_ += Shift::step_time;
   judge_service(now);
   judge_devices(now);
   judge_sign(now);
@@ -82,12 +85,13 @@ bool TaxiReferee::is_awake(NodeId id) {
 /// Who stands at the road sees whether the taxi is vacant.
 void TaxiReferee::judge_sign(Time now) {
   const bool is_vacant = car_.meter().display().state == cia447::Taximeter::for_hire;
-  const bool can_be_seen = is_awake(sign_id) && car_.bus().has_power(taximeter_id);
+  const bool can_be_seen =
+      now >= settled_at && is_awake(sign_id) && car_.bus().has_power(taximeter_id);
   sign_.judge(now, excuse_.is_excused(now) || !can_be_seen || car_.sign().is_vacant() == is_vacant);
 }
 
 void TaxiReferee::judge_terminal(Time now) {
-  const bool can_be_read = !excuse_.is_excused(now) && is_awake(terminal_id);
+  const bool can_be_read = now >= settled_at && !excuse_.is_excused(now) && is_awake(terminal_id);
   const bool has_fare = can_be_read && is_awake(taximeter_id);
   fare_screen_.judge(now,
                      !has_fare || fare_is_right(car_.screens().fare(), car_.meter().display()));
@@ -131,23 +135,17 @@ bool TaxiReferee::can_be_judged(InvariantKind kind) const {
   }
 }
 
-bool TaxiReferee::is_excused_all_along() const {
-  return std::ranges::any_of(options_.faults.faults, [](const ScheduledFault& fault) {
-    return fault.end() == never && !is_local(fault.kind);
-  });
-}
-
 /// Whose hands a real meter and a real car are in, nobody knows here.
-Invariant TaxiReferee::judge_carried(Time now) const {
+Invariant TaxiReferee::judge_carried() const {
   const bool is_led = !is_played(taximeter_id) || !is_played(cia447::gateway_node_id);
-  const bool was_long_enough = !is_led && now - Time{} >= long_enough;
+  const bool was_long_enough = !is_led && without_excuse_ >= long_enough;
   return {.kind = InvariantKind::carried,
           .worst = was_long_enough && shift_.carried() == 0 ? 1.0 : 0.0,
-          .held = !was_long_enough || shift_.carried() != 0 || is_excused_all_along(),
+          .held = !was_long_enough || shift_.carried() != 0,
           .decided = was_long_enough};
 }
 
-std::vector<Invariant> TaxiReferee::verdicts(Time now) const {
+std::vector<Invariant> TaxiReferee::verdicts() const {
   std::vector<Invariant> all = {
       none(InvariantKind::fare, trips_.fare_excess() / cents),
       none(InvariantKind::distance, trips_.distance_excess()),
@@ -159,7 +157,7 @@ std::vector<Invariant> TaxiReferee::verdicts(Time now) const {
       in_time(InvariantKind::terminal_place, place_screen_.worst(), screen_bound),
       none(InvariantKind::silence, static_cast<double>(silence_.frames())),
       in_time(InvariantKind::no_service, wait_.worst(), wait_bound),
-      judge_carried(now),
+      judge_carried(),
       in_time(InvariantKind::device_missing, missing_.worst(), TaxiFaults::return_bound)};
   for (Invariant& each : all) each.decided = each.decided && can_be_judged(each.kind);
   return all;

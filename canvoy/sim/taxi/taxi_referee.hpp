@@ -5,7 +5,7 @@
 //     TaxiReferee referee(car, options, shift, trips, excuse);
 //     referee.step(now);            // each 100 ms
 //     referee.frame_sent(now);
-//     for (const Invariant& verdict : referee.verdicts(now)) ...
+//     for (const Invariant& verdict : referee.verdicts()) ...
 #pragma once
 
 #include <vector>
@@ -31,7 +31,7 @@ class TaxiReferee {
   void step(Time now);
   void frame_sent(Time now) { silence_.frame_sent(now, excuse_.is_excused(now)); }
   /// As they stand now.
-  std::vector<Invariant> verdicts(Time now) const;
+  std::vector<Invariant> verdicts() const;
 
  private:
   bool is_played(NodeId id) const { return car_.bus().is_played(id); }
@@ -42,8 +42,7 @@ class TaxiReferee {
   void judge_terminal(Time now);
   bool is_awake(NodeId id);
   bool place_is_shown() const;
-  Invariant judge_carried(Time now) const;
-  bool is_excused_all_along() const;
+  Invariant judge_carried() const;
 
   TaxiCar& car_;
   const TaxiOptions& options_;
@@ -56,6 +55,7 @@ class TaxiReferee {
   WrongTime fare_screen_;
   WrongTime place_screen_;
   MissingDevices missing_;
+  Duration without_excuse_{};  ///< in all
 };
 
 }  // namespace canvoy::taxi

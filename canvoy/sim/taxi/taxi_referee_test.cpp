@@ -57,6 +57,32 @@ TEST(TaxiReferee, ADriverWhoOversleeps) {
   EXPECT_EQ(broken(network), "carried ");
 }
 
+/// `carried` as it stands after three hours of a driver who begins at `begin`.
+Invariant carried_with(const ScheduledFault& fault, Time begin) {
+  TaxiOptions options = evening_shift();
+  options.shift.begin = begin;
+  options.faults.faults = {fault};
+  TaxiNetwork network(options);
+  network.run_until(Time(3h));
+  return network.invariants().at(static_cast<std::size_t>(InvariantKind::carried));
+}
+
+TEST(TaxiReferee, TimeThatAFaultExcusesIsNoneInWhichSomebodyIsCarried) {
+  // Its end may be known, or not.
+  for (const Duration duration : {for_the_rest, Duration(3h), Duration(70min)}) {
+    const ScheduledFault fault{.node = taximeter_id, .duration = duration};
+    const Invariant carried = carried_with(fault, Time(175min));
+    EXPECT_TRUE(carried.held);
+    EXPECT_FALSE(carried.decided);
+  }
+  const ScheduledFault in_time{.node = taximeter_id, .duration = 50min};
+  EXPECT_FALSE(carried_with(in_time, Time(175min)).held) << "more than two hours are left";
+  const ScheduledFault at_last{.node = alarm_id, .start = Time(150min)};
+  EXPECT_FALSE(carried_with(at_last, Time(175min)).held) << "two hours were before it";
+  const Invariant of_a_shift = carried_with(at_last, Time(2min));
+  EXPECT_TRUE(of_a_shift.held && of_a_shift.decided);
+}
+
 TEST(TaxiReferee, ANavigationThatLeadsElsewhere) {
   TaxiNetwork network(evening_shift());
   while (network.snapshot().driver != Activity::carrying && network.now() < Time(2h)) {
