@@ -2,6 +2,8 @@
 // and what is written of it is read as the same frames.
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -17,8 +19,10 @@ using namespace canvoy::formats;
 using canvoy::fuzz::require;
 
 using MakeEncoder = std::unique_ptr<TraceEncoder> (*)();
-constexpr std::array<MakeEncoder, 3> makers = {make_candump_encoder, make_asc_encoder,
-                                               make_pcapng_encoder};
+std::unique_ptr<TraceEncoder> make_asc() {
+  return make_asc_encoder(std::nullopt);
+}
+constexpr std::array<MakeEncoder, 3> makers = {make_candump_encoder, make_asc, make_pcapng_encoder};
 
 void check_frame(const canvoy::Frame& frame) {
   require(frame.length <= canvoy::Frame::length_max);

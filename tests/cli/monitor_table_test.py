@@ -113,6 +113,10 @@ class MonitorTable(CommandTest):
             self.assertIn("58A#43001000A2010000", [frame["frame"] for frame in frames if frame["bus"] == BUS], buses)
             self.assertEqual([frame for frame in frames if frame["bus"] != BUS], [], "nobody is on the other one")
 
+    def test_several_buses_stand_in_one_table(self):
+        text = self.assert_done(run("monitor", f"{OTHER},{BUS}", "--table", "--by", "frame", "--for", "3s"))
+        self.assertIn("70A", text)
+
     def test_a_node_that_is_known_on_one_bus_is_unknown_on_another(self):
         log = self.folder / "known.log"
         log.write_text("(1.0) can0 58A#43001000A2010200\n(1.2) can1 18A#A00001\n(1.3) can0 18A#A00001\n")

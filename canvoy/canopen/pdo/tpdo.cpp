@@ -70,6 +70,7 @@ void Tpdos::told(PdoService& service, Tpdo& pdo, ServiceEvent& event) {
     case ServiceEvent::values_changed:
       return self.values_changed(pdo, event.watchers());
     case ServiceEvent::bus_state_changed:
+      if constexpr (is_small_machine) return;
       if (event.bus_state() == BusState::bus_off) return self.bus_off(pdo);
       [[fallthrough]];
     case ServiceEvent::tx_ready:
@@ -208,7 +209,8 @@ inline void Tpdos::tx_ready(Tpdo& pdo) {
 }
 
 /// What waited for the controller is lost in bus-off, and was taken for sent: all that tells values
-/// when they change tells them after it.
+/// when they change tells them after it. A small node does so where bus-off ends its operational
+/// state (1029h).
 inline void Tpdos::bus_off(Tpdo& pdo) {
   if (operational_ && pdo.is_active() && is_event_driven(pdo.type_)) wait(pdo);
 }
@@ -414,7 +416,8 @@ void Tpdos::sample(Tpdo& pdo) {
 /// Samples as late as can be: not before there is room for the frame.
 void Tpdos::transmit(Tpdo& pdo) {
   pdo.event_ = false;
-  if (pdo.waiting_ || node_.transmitter().crowded()) return wait(pdo);
+  const bool is_waited_for = !is_small_machine && pdo.waiting_;
+  if (is_waited_for || node_.transmitter().crowded()) return wait(pdo);
   if (pdo.mode_ != 0) return tell_source(pdo, MpdoEvent::transmit);
   sample(pdo);
   transmit_sample(pdo);

@@ -45,10 +45,11 @@ LiveTable::By parse_table_rows(const std::string& by) {
   return by == "node" ? LiveTable::By::node : LiveTable::By::object;
 }
 
-/// In bit/s; 0 where it cannot be known.
+/// In bit/s; 0 where it cannot be known, as of several buses.
 unsigned bit_rate_of(const MonitorOptions& options) {
   constexpr unsigned kilo = 1000;
   if (options.bit_rate != 0) return options.bit_rate * kilo;
+  if (options.source.find(',') != std::string::npos) return 0;
   const host::BusAddress address = real_bus(options.source);
   if (address.kind != host::BusKind::socketcan) return 0;
   const auto link = host::read_can_link(address.interface);
