@@ -140,6 +140,7 @@ std::string UnknownNodes::text() const {
   const std::vector<NodeOnBus> nodes = unknown();
   if (nodes.empty()) return {};
   std::vector<std::string> names;
+  names.reserve(nodes.size());
   for (const NodeOnBus& node : nodes) names.push_back(option(node));
   return fmt::format(
       "not known: node{} {}. Say a profile, --node {}=418, or have them asked, --ask",
