@@ -142,6 +142,13 @@ class SdoBlockReceiver {
     return with_crc_ && end.crc() != crc_ ? AbortCode::crc : AbortCode::none;
   }
 
+  /// Whether the checksum of a message that looks like the end is that of all segments: of a copy
+  /// of the last segment it is that by chance alone. Without checksums the end has 0 there.
+  bool is_right(sdo::Message end) const {
+    const std::size_t size = sdo::segment_max - end.block_unused();
+    return end.crc() == (with_crc_ ? held_.segment_crc(size, crc_) : 0);
+  }
+
   /// The acknowledgement of this block; what follows is the next.
   sdo::Message acknowledge(std::uint8_t command) {
     sum();

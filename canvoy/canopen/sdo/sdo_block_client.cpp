@@ -157,9 +157,9 @@ void SdoBlockClient::acknowledge() {
       receiver_.acknowledge(sdo::command(sdo::Request::block_upload, sdo::block_acknowledge)));
 }
 
-/// Which may look like the end: then the size tells, or whether another end follows.
+/// Which may look like the end: then checksum and size tell, or whether another end follows.
 void SdoBlockClient::take_copy_of_last_segment() {
-  if (!last_.looks_like_block_end()) return;
+  if (!last_.looks_like_block_end() || !receiver_.is_right(last_)) return;
   if (client_.announced_) {
     const std::size_t end = client_.transferred_ + sdo::segment_max - last_.block_unused();
     if (end == *client_.announced_) end_upload(last_);

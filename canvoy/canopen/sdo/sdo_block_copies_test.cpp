@@ -42,6 +42,13 @@ Bytes with_four_in_the_last(std::size_t segments, bool zeros) {
 }
 constexpr const char* end_without_three = "CD 00 00 00 00 00 00 00";
 
+/// The end that follows `bytes`, with their checksum (7.2.4.3.16).
+std::string end_of(const Bytes& bytes) {
+  const unsigned unused = static_cast<unsigned>((7 - bytes.size() % 7) % 7);
+  const unsigned crc = crc16(bytes);
+  return hex({0xC1 | unused << 2, crc & 0xFF, crc >> 8, 0, 0, 0, 0, 0});
+}
+
 /// The answer to `segments` of one block.
 std::string acknowledged(std::size_t segments) {
   return hex({0xA2, static_cast<unsigned>(segments), 0x7F, 0, 0, 0, 0, 0});
@@ -112,6 +119,20 @@ TEST_F(SdoServerBlockCopies, OfALastSegmentAreToldFromTheEndByTheSizeThatWasTold
   download(Bytes(455), "C2 21 20 00 C7 01 00 00");
   ask(last, "A1 00 00 00 00 00 00 00");
   EXPECT_EQ(value(0x2021), Bytes(455));
+}
+
+/// 89 segments of which the last has one byte: by its number it leaves six without data, as it does,
+/// and that byte is where an end has its checksum.
+TEST_F(SdoServerBlockCopies, OfALastSegmentAreToldFromTheEndByTheChecksum) {
+  const Bytes bytes = pattern(88 * 7 + 1);
+  for (const char* initiate : {"C6 21 20 00 69 02 00 00", "C4 21 20 00 00 00 00 00"}) {
+    download(bytes, initiate);
+    EXPECT_EQ(last.substr(0, 2), "D9");
+    ask_in_vain(last);
+    wire.run_until(wire.now + 900ms);
+    ask(end_of(bytes), "A1 00 00 00 00 00 00 00");
+    EXPECT_EQ(value(0x2021), bytes);
+  }
 }
 
 TEST_F(SdoServerBlockCopies, OfALastSegmentPutTheTimeOutNotOff) {
@@ -276,6 +297,18 @@ TEST_F(SdoClientBlockCopies, OfALastSegmentAreToldFromTheEndByTheSizeThatWasTold
   expect_taken(Bytes(455));
 }
 
+TEST_F(SdoClientBlockCopies, OfALastSegmentAreToldFromTheEndByTheChecksum) {
+  const Bytes data = pattern(88 * 7 + 1);
+  for (const char* initiated : {"C6 21 20 00 69 02 00 00", "C4 21 20 00 00 00 00 00"}) {
+    take(data, initiated);
+    answer(last_segment);
+    wire.run_until(wire.now + 900ms);
+    expect_waiting();
+    answer(end_of(data), "A1 00 00 00 00 00 00 00");
+    expect_taken(data);
+  }
+}
+
 TEST_F(SdoClientBlockCopies, OfTheEndOfABlockAcknowledgeNothing) {
   take({1, 2, 3, 4, 5, 6, 7, 8}, "C2 21 20 00 08 00 00 00");
   answer("D9 00 00 00 00 00 00 00", "A1 00 00 00 00 00 00 00");
@@ -375,6 +408,15 @@ TEST_F(SdoBlockCopies, OfAnyFrameButAnAcknowledgementBringNoFurtherFrame) {
           EXPECT_EQ(frames(trial, fates), undisturbed + again);
         }
       }
+    }
+  }
+}
+
+/// Where the last segment has one byte or two, and a number that says so as the end does.
+TEST_F(SdoBlockCopies, OfALastSegmentThatLooksLikeAnEndCostNoTransfer) {
+  for (const bool is_upload : {true, false}) {
+    for (const std::size_t size : {88 * 7 + 1, 84 * 7 + 2}) {
+      frames({is_upload, 127, size}, std::vector<Fate>(1000, Fate::comes_twice));
     }
   }
 }

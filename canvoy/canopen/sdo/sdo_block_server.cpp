@@ -107,9 +107,9 @@ void SdoBlockServer::acknowledge() {
       receiver_.acknowledge(sdo::command(sdo::Response::block_download, sdo::block_acknowledge)));
 }
 
-/// Which may look like the end: then the size tells, or whether another end follows.
+/// Which may look like the end: then checksum and size tell, or whether another end follows.
 void SdoBlockServer::take_copy_of_last_segment() {
-  if (!last_.looks_like_block_end()) return;
+  if (!last_.looks_like_block_end() || !receiver_.is_right(last_)) return;
   const SdoEntry& entry = server_.entry_;
   if (entry.announced()) {
     if (entry.left() == sdo::segment_max - last_.block_unused()) end_download(last_);
