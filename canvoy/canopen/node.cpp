@@ -85,12 +85,13 @@ void Node::announce_changes() {
 void Node::bus_state(BusState state, Time now) {
   timers_.set_now(now);
   if (state == bus_state_) return;
-  bus_state_ = state;
+  const bool recovers = std::exchange(bus_state_, state) == BusState::bus_off;
   if (state == BusState::bus_off) {
     ++counters_.bus_off;
     transmitter_.clear();
   }
-  dictionary_.tell(ServiceEvent::bus_state_changed, static_cast<std::uint32_t>(state));
+  dictionary_.tell(recovers ? ServiceEvent::bus_recovered : ServiceEvent::bus_state_changed,
+                   static_cast<std::uint32_t>(state));
 }
 
 void Node::tx_ready(Time now) {

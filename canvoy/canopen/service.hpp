@@ -35,6 +35,7 @@ struct ServiceEvent {
     reset,
     state_entered,
     bus_state_changed,  ///< of the CAN controller
+    bus_recovered,      ///< the same, from bus-off: what waited for the controller was lost
     error_came,
     error_went,
     /// TPDOs with these numbers modulo 32 map something that changed. On a host, `subject` are the

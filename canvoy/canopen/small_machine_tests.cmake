@@ -19,14 +19,12 @@ target_precompile_headers(canvoy_small_machine_test REUSE_FROM canvoy_test_heade
 
 # What a small machine does not have: watchers of rows, routes and memory of PDOs, eight bytes of buffer in an SDO server
 # without one, times beyond its 55 bits; what it refuses otherwise (a mapping record that the application overwrites);
-# a backlog from which the frames of a PDO that is no more are taken: they leave as soon as there is room; and what a host
-# does of its own at bus-off (where 1029h ends the operational state, a small node sends its TPDOs anew as well).
+# and a backlog from which the frames of a PDO that is no more are taken: they leave as soon as there is room.
 set(absent
   DeviceNode.HasARouteForEachServiceAndAllThat1028hMayName
   DictionaryChanges.*
   DictionaryHook.IsCountedAsARevision
   DictionaryString.TellsItsWatchersOfAChangeOfLengthAsWell
-  HeartbeatProducer.TellsNothingAfterABusOffOfWhatWasMeanwhile
   NodeValues.AreAnnouncedWhenTheNodeIsCalled
   PdoMapping.WhichTheApplicationOverwritesUnderAWorkingPdoTouchesNoOtherValue
   Rpdo.IsRefusedWhereNoRouteIsLeft
@@ -35,8 +33,6 @@ set(absent
   SdoServerTest.TheTimeOutIsTheOwnersChoice
   SdoServerTest.ValuesOfEightBytesNeedNoBuffer
   TimerQueue.ServesTimesBeforeTheStartAndAtTheEndOfAllDays
-  Tpdo.OfABusOffHasTheLastOfItsValues
-  Tpdo.OfWhichBusOffTookTheFrameIsSentAfterIt
   Tpdo.IsRefusedWhereNoRouteForItsRemoteFramesIsLeft
   Tpdo.ThatBecomesInvalidIsForgottenWithWhatWaitsForRoom
   Tpdo.WatchesItsValuesOnlyWhileItIsSentForEvents)

@@ -10,9 +10,7 @@ namespace {
 
 /// The node at the other end comes and goes with its COB-IDs.
 bool is_of_dynamic_channel(const Entry& entry) {
-  const bool is_of_channel =
-      entry.index >= object_index::sdo_server && entry.index <= object_index::sdo_client_last;
-  return (is_of_channel && entry.sub == sdo_sub_peer) ||
+  return (is_sdo_parameter(entry.index) && entry.sub == sdo_sub_peer) ||
          is_dynamic_channel(entry.index, entry.bytes());
 }
 

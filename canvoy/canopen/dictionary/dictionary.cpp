@@ -267,6 +267,7 @@ void ServiceLink::told(NodeService& link, ServiceEvent& event) {
     case ServiceEvent::state_entered:
       return call(calls.state_entered, event.state());
     case ServiceEvent::bus_state_changed:
+    case ServiceEvent::bus_recovered:
       return call(calls.bus_state_changed, event.bus_state());
     case ServiceEvent::error_came:
     case ServiceEvent::error_went:

@@ -54,6 +54,7 @@ void EmergencyProducer::told_of_constant(NodeService& service, ServiceEvent& eve
     case ServiceEvent::tx_ready:
       return self.flush();
     case ServiceEvent::bus_state_changed:
+    case ServiceEvent::bus_recovered:
       return self.bus_state_changed(event.bus_state());
     case ServiceEvent::error_came:
       return self.come(event.error());

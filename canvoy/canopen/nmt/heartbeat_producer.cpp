@@ -20,8 +20,8 @@ void HeartbeatProducer::expire(void* producer, Time now) {
 
 [[gnu::always_inline]] inline void HeartbeatProducer::send(Time now) {
   if (node_.state() == NmtState::initialisation) return;
-  // Those of a bus-off would leave all at once after it. A small node has room for few of them.
-  if (is_small_machine || node_.bus_state() != BusState::bus_off) node_.send_state();
+  // Those of a bus-off would leave all at once after it.
+  if (node_.bus_state() != BusState::bus_off) node_.send_state();
   schedule(low_ticks(now) - due_);
 }
 

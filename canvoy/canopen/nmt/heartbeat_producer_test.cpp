@@ -54,6 +54,7 @@ TEST(HeartbeatProducer, TellsNothingAfterABusOffOfWhatWasMeanwhile) {
   sut.run_until(Time(3500ms));
   sut.full = false;
   sut.node.bus_state(BusState::error_active, sut.now);
+  sut.node.tx_ready(sut.now);
   sut.expect({});
   sut.run_until(Time(4s));
   sut.expect({"@4000000 705#7F"});

@@ -177,7 +177,8 @@ bool PdoService::takes(const Pdo& pdo, ServiceEvent& event) const {
 }
 
 void PdoService::tell_each(ServiceEvent& event) {
-  if (event.kind == ServiceEvent::state_entered) {
+  // The scope of a reset is no such state.
+  if (event.kind <= ServiceEvent::state_entered) {
     operational_ = event.state() == NmtState::operational;
   }
   for (Pdo& pdo : all()) kind_.told(*this, pdo, event);

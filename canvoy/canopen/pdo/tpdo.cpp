@@ -21,7 +21,7 @@ constexpr bool knows_events(std::uint8_t type) {
 [[maybe_unused]] constexpr bool concerns_tpdos(ServiceEvent::Kind kind) {
   return kind == ServiceEvent::reset || kind == ServiceEvent::state_entered ||
          kind == ServiceEvent::values_changed || kind == ServiceEvent::tx_ready ||
-         kind == ServiceEvent::bus_state_changed;
+         kind == ServiceEvent::bus_recovered;
 }
 
 }  // namespace
@@ -60,19 +60,18 @@ void Tpdos::told(NodeService& service, ServiceEvent& event) {
 
 void Tpdos::told(PdoService& service, Tpdo& pdo, ServiceEvent& event) {
   Tpdos& self = static_cast<Tpdos&>(service);
+  if (!self.is_at_work(pdo) && event.kind > ServiceEvent::state_entered) return;
   switch (event.kind) {
     case ServiceEvent::reset:
-      return self.end(pdo);
     case ServiceEvent::state_entered:
       self.end(pdo);
       // What is sent at the beginning may end it: an answer of the application, a full bus.
       return self.begin(pdo);
+    case ServiceEvent::bus_recovered:
     case ServiceEvent::values_changed:
+      if (!knows_events(pdo.type_)) return;
+      if (event.kind == ServiceEvent::bus_recovered) return self.bus_recovered(pdo);
       return self.values_changed(pdo, event.watchers());
-    case ServiceEvent::bus_state_changed:
-      if constexpr (is_small_machine) return;
-      if (event.bus_state() == BusState::bus_off) return self.bus_off(pdo);
-      [[fallthrough]];
     case ServiceEvent::tx_ready:
       return self.tx_ready(pdo);
     case ServiceEvent::sample:
@@ -134,7 +133,9 @@ void Tpdos::restart_mpdos(MpdoMode mode) {
   }
   if (count > 1) std::sort(positions.data(), positions.data() + count);
   for (std::size_t i = 0; i < count; ++i) {
-    if (i == 0 || positions[i] != positions[i - 1]) values_changed(pdos_[positions[i]], ~0U);
+    if (i != 0 && positions[i] == positions[i - 1]) continue;
+    Tpdo& pdo = pdos_[positions[i]];
+    if (is_at_work(pdo) && knows_events(pdo.type_)) values_changed(pdo, ~0U);
   }
   return true;
 }
@@ -154,7 +155,6 @@ void Tpdos::find_values(PlacesOfValues values) {
 
 [[gnu::always_inline]] inline void Tpdos::values_changed(Tpdo& pdo, std::uint32_t watchers) {
   if (!is_small_machine && (watchers & watcher_of(number_of(pdo))) == 0) return;
-  if (!operational_ || !pdo.is_active() || !knows_events(pdo.type_)) return;
   if (Pdo::has_plans && is_plain(pdo)) return send_changed(pdo);
   if (has_changed(pdo)) event(pdo);
 }
@@ -167,7 +167,7 @@ inline bool Tpdos::is_plain(const Tpdo& pdo) const {
 
 /// The short way of those: what is compared is what is sent.
 inline void Tpdos::send_changed(Tpdo& pdo) {
-  if (pdo.event_ || pdo.waiting_) return;
+  if (pdo.event_) return;
   PdoImage present{};
   pack(pdo, present, false);
   if (present == pdo.image_ || keep_inhibited(pdo)) return;
@@ -208,11 +208,11 @@ inline void Tpdos::tx_ready(Tpdo& pdo) {
   }
 }
 
-/// What waited for the controller is lost in bus-off, and was taken for sent: all that tells values
-/// when they change tells them after it. A small node does so where bus-off ends its operational
-/// state (1029h).
-inline void Tpdos::bus_off(Tpdo& pdo) {
-  if (operational_ && pdo.is_active() && is_event_driven(pdo.type_)) wait(pdo);
+/// What waited for the controller when bus-off came was lost, and had been taken for sent; what has
+/// waited since then is no longer true.
+inline void Tpdos::bus_recovered(Tpdo& pdo) {
+  end(pdo);
+  occur(pdo);
 }
 
 /// The synchronous window is open.
@@ -223,13 +223,13 @@ inline bool Tpdos::is_in_time() const {
 /// Those that wait for it; a host knows them.
 [[gnu::flatten]] void Tpdos::sync(std::uint8_t counter) {
   if constexpr (is_small_machine) return;
-  if (operational_) for_chosen([&](Tpdo& pdo) { sync(pdo, counter); });
+  for_chosen([&](Tpdo& pdo) {
+    if (is_at_work(pdo)) sync(pdo, counter);
+  });
 }
 
 [[gnu::always_inline]] inline void Tpdos::sync(Tpdo& pdo, std::uint8_t counter) {
-  if (!operational_ || !pdo.is_active() || pdo.type_ > transmission_type::remote_synchronous) {
-    return;
-  }
+  if (pdo.type_ > transmission_type::remote_synchronous) return;
   if (pdo.type_ == transmission_type::remote_synchronous) return sample(pdo);
   if (!is_turn(pdo, counter)) return;
   pdo.event_ = false;
@@ -263,7 +263,7 @@ inline void Tpdos::parameter_written(const Entry& entry) {
     watch(watcher_of(number_of(*pdo)));
     return begin(*pdo);
   }
-  if (entry.sub != pdo_sub::event_timer) return;
+  if (entry.sub != pdo_sub::event_timer || !is_at_work(*pdo)) return;
   begin_anew(*pdo);
   wake(*pdo);
 }
@@ -294,7 +294,7 @@ void Tpdos::watch(std::uint32_t watchers) {
 }
 
 void Tpdos::begin(Tpdo& pdo) {
-  if (!operational_ || !pdo.is_active()) return;
+  if (!is_at_work(pdo)) return;
   pdo.since_ = ticks();
   wake(pdo);
   if (!knows_events(pdo.type_)) return;
@@ -320,9 +320,7 @@ bool Tpdos::is_inhibited(const Tpdo& pdo) const {
 /// time of the last transmission is to be forgotten, before it would seem to be near again.
 std::uint32_t Tpdos::time_left(const Tpdo& pdo) const {
   constexpr std::uint32_t long_time = UINT32_MAX / 2;
-  if (!operational_ || !pdo.is_active() || !is_event_driven(pdo.type_) || pdo.waiting_) {
-    return no_limit;
-  }
+  if (!is_event_driven(pdo.type_) || pdo.waiting_) return no_limit;
   const std::uint32_t inhibit_time = inhibit_time_of(pdo);
   if (pdo.event_) return PdoService::time_left(pdo, inhibit_time);
   std::uint32_t limit = period_of(pdo);
@@ -393,11 +391,11 @@ void Tpdos::event(Tpdo& pdo) {
 void Tpdos::answer_routed(void* context, const Frame&, Time) {
   if constexpr (!Pdo::has_routes) return;
   Tpdo& pdo = *static_cast<Tpdo*>(context);
-  static_cast<Tpdos&>(*pdo.owner_.value).answer(pdo);
+  Tpdos& self = static_cast<Tpdos&>(*pdo.owner_.value);
+  if (self.is_at_work(pdo)) self.answer(pdo);
 }
 
 [[gnu::always_inline]] inline void Tpdos::answer(Tpdo& pdo) {
-  if (!operational_) return;
   if (is_event_driven(pdo.type_)) return event(pdo);
   if (pdo.type_ == transmission_type::remote) return transmit(pdo);
   if (!pdo.sampled_) sample(pdo);
@@ -416,8 +414,7 @@ void Tpdos::sample(Tpdo& pdo) {
 /// Samples as late as can be: not before there is room for the frame.
 void Tpdos::transmit(Tpdo& pdo) {
   pdo.event_ = false;
-  const bool is_waited_for = !is_small_machine && pdo.waiting_;
-  if (is_waited_for || node_.transmitter().crowded()) return wait(pdo);
+  if (node_.transmitter().crowded()) return wait(pdo);
   if (pdo.mode_ != 0) return tell_source(pdo, MpdoEvent::transmit);
   sample(pdo);
   transmit_sample(pdo);

@@ -121,7 +121,7 @@ class Tpdos : public PdoService {
   void find_values(PlacesOfValues values);
   void values_changed(Tpdo& pdo, std::uint32_t watchers);
   void tx_ready(Tpdo& pdo);
-  void bus_off(Tpdo& pdo);
+  void bus_recovered(Tpdo& pdo);
   void sync(std::uint8_t counter);
   void sync(Tpdo& pdo, std::uint8_t counter);
   bool is_plain(const Tpdo& pdo) const;
@@ -130,6 +130,8 @@ class Tpdos : public PdoService {
   void answer(Tpdo& pdo);
   void parameter_written(const Entry& entry);
 
+  /// Without it a PDO only begins and ends.
+  bool is_at_work(const Tpdo& pdo) const { return operational_ && pdo.is_active(); }
   static std::uint32_t watcher_of(std::uint16_t number);
   void watch(std::uint32_t watchers);
   void begin(Tpdo& pdo);

@@ -59,6 +59,7 @@ TEST(Tpdo, OfABusOffHasTheLastOfItsValues) {
   node.set(0x2000, 1, 2);
   node.full = false;
   node.node.bus_state(BusState::error_passive, node.now);
+  node.node.tx_ready(node.now);
   node.expect({"185#02"});
 }
 

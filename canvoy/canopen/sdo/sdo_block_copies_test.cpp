@@ -121,8 +121,8 @@ TEST_F(SdoServerBlockCopies, OfALastSegmentAreToldFromTheEndByTheSizeThatWasTold
   EXPECT_EQ(value(0x2021), Bytes(455));
 }
 
-/// 89 segments of which the last has one byte: by its number it leaves six without data, as it does,
-/// and that byte is where an end has its checksum.
+/// 89 segments of which the last has one byte: by its number it leaves six without data, as it
+/// does, and that byte is where an end has its checksum.
 TEST_F(SdoServerBlockCopies, OfALastSegmentAreToldFromTheEndByTheChecksum) {
   const Bytes bytes = pattern(88 * 7 + 1);
   for (const char* initiate : {"C6 21 20 00 69 02 00 00", "C4 21 20 00 00 00 00 00"}) {

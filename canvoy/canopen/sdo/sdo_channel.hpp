@@ -43,11 +43,14 @@ constexpr SdoChannel default_sdo_channel(NodeId server) {
 /// What the object says: not valid where it is absent, or one of its COB-IDs is not valid.
 SdoChannel sdo_channel(const Dictionary& dictionary, std::uint16_t index);
 
+constexpr bool is_sdo_parameter(std::uint16_t index) {
+  return index >= object_index::sdo_server && index <= object_index::sdo_client_last;
+}
+
 /// Whether `value` of this object is the COB-ID of an SDO channel that comes and goes with a
 /// connection: bit 30 says so.
 inline bool is_dynamic_channel(std::uint16_t index, std::span<const std::uint8_t> value) {
-  return index >= object_index::sdo_server && index <= object_index::sdo_client_last &&
-         value.size() == sizeof(std::uint32_t) &&
+  return is_sdo_parameter(index) && value.size() == sizeof(std::uint32_t) &&
          (load<std::uint32_t>(value.data()) & CobId::bit30) != 0;
 }
 

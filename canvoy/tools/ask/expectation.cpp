@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "canvoy/formats/plain_text.hpp"
 #include "canvoy/profiles/physical.hpp"
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/tools/duration_argument.hpp"
@@ -21,9 +22,7 @@ namespace {
 using Comparison = Expectation::Comparison;
 
 std::string without_edges(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  return std::string(text);
+  return std::string(formats::trimmed(text));
 }
 
 bool is_about_equality(Comparison comparison) {
