@@ -103,7 +103,7 @@ class RunCarParts(CommandTest):
 
     def test_a_blue_light_on_the_bus_is_named_and_started_by_the_police_car(self):
         blue_light = ["blue-light", "--node-id", "lss", "--serial-number", "2005"]
-        lines, told = self.play(POLICE, ["blue-light"], [blue_light], "25s")
+        lines, told = self.play(POLICE, ["blue-light"], [blue_light], "40s")
         self.assertIn("is node 5", told[0])
         self.assertIn("blue-light: operational", told[0])
         states = [line["state"] for line in lines if line.get("event") == "nmt-state" and line["node"] == 5]
