@@ -6,9 +6,10 @@ FUZZ_SECONDS ?= 3600
 SEEDS ?= 1000
 FOLDERS ?= canvoy/devices/cia419
 COUNT ?= 20
+CASES ?= 20000
 SEED ?= 1
 
-.PHONY: build demo test bench bench-page fuzz soak-lift soak-charger soak-taxi soak-police soak-bus soak-excavator mutate format install clean
+.PHONY: build demo test bench bench-page fuzz properties soak-lift soak-charger soak-taxi soak-police soak-bus soak-excavator mutate format install clean
 
 # The command, at build/canvoy.
 build:
@@ -46,9 +47,17 @@ bench-page:
 # A long campaign; what is found stays in fuzz/found, which `make clean` leaves alone.
 fuzz:
 	@scripts/install-packages test
-	@cmake --preset fuzz --log-level=WARNING -DCANVOY_FUZZ_SECONDS=$(FUZZ_SECONDS)
+	@cmake --preset fuzz --log-level=WARNING -DCANVOY_FUZZ_SECONDS=$(FUZZ_SECONDS) -DCANVOY_FUZZ_SEED=0
 	@cmake --build --preset fuzz -j $(JOBS)
 	@ctest --test-dir build/fuzz -j $(JOBS) --verbose
+
+# Properties in CASES cases by chance; the tests have the same hundred of them each time.
+properties:
+	@scripts/install-packages test
+	@cmake --preset release --log-level=WARNING
+	@cmake --build --preset release -j $(JOBS)
+	@for test in $$(find build/folders -name 'canvoy_*_test'); do \
+	  echo "== $$test"; RC_PARAMS=max_success=$(CASES) $$test --gtest_brief=1 --gtest_filter='*RapidCheck*' || exit 1; done
 
 # Hours of lifts with faults, one for each seed: what must hold is checked at each event.
 soak-lift:

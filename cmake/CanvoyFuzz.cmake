@@ -3,6 +3,7 @@
 # alone, and are tried first from then on; so do new ways through the code where a campaign asks for that. Those that
 # feed no node but a reader of text or bytes have soon seen all: half of the time is theirs.
 set(CANVOY_FUZZ_SECONDS 6 CACHE STRING "How long each fuzz target runs as a test")
+set(CANVOY_FUZZ_SEED 301 CACHE STRING "Of what they try; 0 is another one each time")
 set(CANVOY_FUZZ_FOUND "${PROJECT_SOURCE_DIR}/fuzz/found" CACHE PATH "Where inputs that break something are kept")
 set(CANVOY_FUZZ_CORPUS "${PROJECT_BINARY_DIR}/corpus" CACHE PATH "Where inputs that go new ways are kept")
 
@@ -38,7 +39,7 @@ function(canvoy_fuzz source)
   endif()
   math(EXPR timeout "${seconds} + 120")
   add_test(NAME fuzz.${name}
-    COMMAND ${name} -max_total_time=${seconds} -timeout=10 -rss_limit_mb=2048 -print_final_stats=1
+    COMMAND ${name} -max_total_time=${seconds} -seed=${CANVOY_FUZZ_SEED} -timeout=10 -rss_limit_mb=2048 -print_final_stats=1
             -artifact_prefix=${found}/ ${corpora})
   set_tests_properties(fuzz.${name} PROPERTIES LABELS fuzz TIMEOUT ${timeout})
 endfunction()

@@ -186,7 +186,7 @@ class Ask(CommandTest):
         self.assert_refused(run("nmt", BUS, "10", "operatinal"), USAGE, "did you mean 'operational'?")
 
     def test_nmt_tells_of_all_nodes_that_are_heard(self):
-        output = self.done("nmt", BUS, "all", "pre-operational", "--timeout", "1200ms")
+        output = self.done("nmt", BUS, "all", "pre-operational", "--timeout", "3s")
         self.assertEqual(output, "node 5 (05h) is pre-operational\nnode 10 (0Ah) is pre-operational\n")
         listener = self.listen()
         self.done("nmt", BUS, "0", "pre-operational", "--unchecked")
@@ -198,7 +198,7 @@ class Ask(CommandTest):
         self.addCleanup(stubborn.wait)
         self.addCleanup(stubborn.terminate)
         listener.next("707")
-        result = run("nmt", BUS, "7", "operational", "--timeout", "300ms")
+        result = run("nmt", BUS, "7", "operational", "--timeout", "2s")
         self.assertEqual((result.stdout, result.returncode), ("node 7 (07h) is still pre-operational\n", FAILED))
 
     # -- frames by hand
@@ -309,7 +309,7 @@ class Ask(CommandTest):
     def test_an_expectation_is_told_or_fails(self):
         self.assertRegex(self.done("expect", BUS, "10", "temperature > 5degC"), r"\Anode 10 \(0Ah\): temperature = \d+\.\d+ °C\n\Z")
         self.assert_refused(run("expect", BUS, "10", "temperature > 90degC", "within", "150ms"), FAILED,
-                            "temperature = ", "after 0.1", "expected temperature > 90degC within 150ms")  # fmt: skip
+                            "temperature = ", "after 0.", "expected temperature > 90degC within 150ms")  # fmt: skip
         failed = run("expect", BUS, "10", "temperature < 5", "--json")
         self.assertEqual((json.loads(failed.stdout)["held"], failed.returncode), (False, FAILED))
         self.done("expect", BUS, "10", "temperature < 90 for 150ms")

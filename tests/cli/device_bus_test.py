@@ -48,9 +48,9 @@ class OnAWire(CommandTest):
         self.assert_done(run("write", BUS, node, entry, *value, "--profile", "407"))
 
     def test_a_ticket_says_where_it_was_bought(self):
-        presses = ["place:stop=17:zone=2:segment=4@1s", "ticket@2500ms", "sell@2500ms", "no-paper@3s", "sell@3500ms"]
+        presses = ["place:stop=17:zone=2:segment=4@5s", "ticket@6500ms", "sell@6500ms", "no-paper@7s", "sell@7500ms"]
         options = [word for press in presses for word in ("--press", press)]
-        devices = self.start("on-board-computer", "ticket-canceller", "ticket-printer", *options, "--for", "4s")
+        devices = self.start("on-board-computer", "ticket-canceller", "ticket-printer", *options, "--for", "8s")
         self.assert_done(run("nmt", BUS, "all", "start"))
         said = devices.stdout.read()
         # The message with the stop point is none of a canceller's (8.1.4.3).

@@ -17,13 +17,13 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
 import own_network
 
 BUS = "udp:239.74.163.23:43123"
-# The driver is in a hurry: all takes some 40 s of the clock.
+# The driver is in a hurry: all takes some 50 s of the clock.
 TAXI = f"""network = "taxi"
 nmea = "drive.nmea"
 [bus]
 real = "{BUS}"
 [shift]
-sign_on_after = "10s"
+sign_on_after = "20s"
 waiting_max = "1s"
 boarding_max = "2s"
 paying_max = "2s"
@@ -76,11 +76,11 @@ class RunCarParts(CommandTest):
         return [json.loads(line) for line in result.stdout.splitlines()], told
 
     def test_a_meter_on_the_bus_is_what_the_driver_follows(self):
-        keys = ["sign-on@12s", "hire@18s", "stop@46s", "for-hire@50s", "sign-off@54s"]
+        keys = ["sign-on@22s", "hire@28s", "stop@56s", "for-hire@60s", "sign-off@64s"]
         presses = [word for key in keys for word in ("--press", key)]
         meter = ["taximeter", "--node-id", "lss", "--serial-number", "1002"]
         others = ["--printer", "3", "--sign", "5", "--clock", "4", *presses]
-        lines, told = self.play(TAXI, ["taximeter"], [[*meter, *others]], "60s")
+        lines, told = self.play(TAXI, ["taximeter"], [[*meter, *others]], "80s")
         states = [line["state"] for line in lines if line.get("event") == "meter"]
         self.assertEqual(states, ["for hire", "hired", "stopped", "for hire", "signed off"])
         for text in ("for hire", "hired, 3.90", "stopped, ", "signed off"):
@@ -95,7 +95,7 @@ class RunCarParts(CommandTest):
 
     def test_a_printer_on_the_bus_prints_the_receipt(self):
         printer = ["printer", "--node-id", "lss", "--serial-number", "1003"]
-        lines, told = self.play(TAXI, ["printer"], [printer], "50s")
+        lines, told = self.play(TAXI, ["printer"], [printer], "90s")
         self.assertEqual(len(lines[-1]["trips"]), 1)
         self.assertIn("printer: TAXI M-TX 447", told[0])
         self.assertRegex(told[0], r"printer: TOTAL +\d+\.\d\d")
@@ -103,7 +103,7 @@ class RunCarParts(CommandTest):
 
     def test_a_blue_light_on_the_bus_is_named_and_started_by_the_police_car(self):
         blue_light = ["blue-light", "--node-id", "lss", "--serial-number", "2005"]
-        lines, told = self.play(POLICE, ["blue-light"], [blue_light], "40s")
+        lines, told = self.play(POLICE, ["blue-light"], [blue_light], "60s")
         self.assertIn("is node 5", told[0])
         self.assertIn("blue-light: operational", told[0])
         states = [line["state"] for line in lines if line.get("event") == "nmt-state" and line["node"] == 5]

@@ -61,7 +61,7 @@ class RunLiftParts(CommandTest):
 
     def test_brings_a_passenger_down_by_a_drive_and_an_encoder_on_the_bus(self):
         network = self.network("lift-drive", "lift-position")
-        output, told = self.play(network, [["lift-drive"], ["lift-position"]], "--for", "40s")
+        output, told = self.play(network, [["lift-drive"], ["lift-position"]], "--for", "60s")
         self.assertIn("lift-drive node 2 (02h): operational", told[0])
         self.assertIn("lift-position node 4 (04h): operational", told[1])
         self.assert_served(output)
@@ -69,7 +69,7 @@ class RunLiftParts(CommandTest):
     def test_a_passenger_boards_through_a_door_on_the_bus_past_a_light_barrier_and_onto_a_scale(self):
         network = self.network("lift-door", "lift-light-barrier", "lift-load")
         units = [["lift-door"], ["lift-light-barrier"], ["lift-load"]]
-        output, told = self.play(network, units, "--for", "40s")
+        output, told = self.play(network, units, "--for", "60s")
         for line, text in zip(["lift-door node 6", "lift-light-barrier node 9", "lift-load node 13"], told):
             self.assertRegex(text, line + r" \(0.h\): operational")
         self.assert_served(output)
@@ -91,7 +91,7 @@ class RunLiftParts(CommandTest):
     def test_a_hand_on_a_panel_on_the_bus_calls_the_car_for_a_passenger(self):
         network = self.network("floors = [3]")
         panel = ["lift-landing-panel", "--node-id", "23", "--floor", "3", "--floors", "5", "--press", "down@10s"]
-        output, told = self.play(network, [panel], "--for", "40s")
+        output, told = self.play(network, [panel], "--for", "60s")
         self.assertIn("lift-landing-panel: Standard hall call acknowledgement 2: on", told[0])
         self.assert_served(output)
 
@@ -99,7 +99,7 @@ class RunLiftParts(CommandTest):
         kinds = ["lift-controller", "lift-drive", "lift-position", "lift-door", "lift-light-barrier", "lift-load"]
         devices = [kind if kind.startswith("lift-") else f"lift-{kind}" for kind in kinds]
         network = self.network(*kinds)
-        output, told = self.play(network, [[*devices, "--floors", "5"]], "--for", "40s")
+        output, told = self.play(network, [[*devices, "--floors", "5"]], "--for", "60s")
         self.assertIn("lift-controller node 1 (01h): operational", told[0])
         self.assert_served(output)
 

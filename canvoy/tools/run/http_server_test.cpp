@@ -130,7 +130,7 @@ TEST(HttpServer, WhatIsSentBehindTheRequestDoesNotTakeTheAnswerAlong) {
 }
 
 TEST(HttpServer, WhoDoesNotComeToAnEndIsSentAway) {
-  const auto server = served("content", {.time_out = 100ms});
+  const auto server = served("content", {.time_out = 500ms});
   Client silent(*server);
   Client slow(*server);
   slow.say("GET / HT");
