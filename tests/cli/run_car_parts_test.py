@@ -15,22 +15,23 @@ from command import CANVOY, USAGE, CommandTest, run
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
 import own_network
+import side_by_side
 
-BUS = "udp:239.74.163.23:43123"
+BUSES = side_by_side.buses("udp:239.74.163.23", 43123)
 # The driver is in a hurry: all takes some 50 s of the clock.
-TAXI = f"""network = "taxi"
+TAXI = """network = "taxi"
 nmea = "drive.nmea"
 [bus]
-real = "{BUS}"
+real = "BUS"
 [shift]
 sign_on_after = "20s"
 waiting_max = "1s"
 boarding_max = "2s"
 paying_max = "2s"
 """
-POLICE = f"""network = "police"
+POLICE = """network = "police"
 [bus]
-real = "{BUS}"
+real = "BUS"
 """
 
 
@@ -50,6 +51,7 @@ def at_noon():
 
 class RunCarParts(CommandTest):
     def setUp(self):
+        self.bus = next(BUSES)
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
@@ -60,9 +62,9 @@ class RunCarParts(CommandTest):
     def play(self, network, elsewhere, devices, length):
         """The lines of the rest, and what each process of devices has said."""
         path = self.folder / "car.toml"
-        path.write_text(network + "".join(f"[{name}]\nplayed = false\n" for name in elsewhere))
+        path.write_text(network.replace("BUS", self.bus) + "".join(f"[{name}]\nplayed = false\n" for name in elsewhere))
         parts = [
-            subprocess.Popen([CANVOY, "device", *device, BUS], stdout=subprocess.PIPE, text=True, env=at_noon())
+            subprocess.Popen([CANVOY, "device", *device, self.bus], stdout=subprocess.PIPE, text=True, env=at_noon())
             for device in devices
         ]
         try:
@@ -117,14 +119,14 @@ class RunCarParts(CommandTest):
             """The node-ID that each device was given by a gateway that is started now."""
             parts = {
                 name: subprocess.Popen(
-                    [CANVOY, "device", name, "--node-id", "lss", "--serial-number", devices[name], BUS],
+                    [CANVOY, "device", name, "--node-id", "lss", "--serial-number", devices[name], self.bus],
                     stdout=subprocess.PIPE,
                     text=True,
                 )
                 for name in names
             }
             self.assert_done_loosely(
-                run("device", "ivn-gateway", BUS, "--store", str(self.folder / "gateway.store"), "--for", "12s")
+                run("device", "ivn-gateway", self.bus, "--store", str(self.folder / "gateway.store"), "--for", "12s")
             )
             found = {}
             for name, part in parts.items():
@@ -141,13 +143,13 @@ class RunCarParts(CommandTest):
         def ask_gateway(*requests):
             """What is read of the driver's seat after these commands (6018:01, table of 4.2.2.12)."""
             part = subprocess.Popen(
-                [CANVOY, "device", "ivn-gateway", BUS, "--store", str(self.folder / "gateway.store")], stdout=subprocess.PIPE, text=True
+                [CANVOY, "device", "ivn-gateway", self.bus, "--store", str(self.folder / "gateway.store")], stdout=subprocess.PIPE, text=True
             )
             try:
                 part.stdout.readline()
                 for request in requests:
-                    self.assert_done_loosely(run("write", BUS, "1", "6018:01", request))
-                return run("read", BUS, "1", "6019:01").stdout
+                    self.assert_done_loosely(run("write", self.bus, "1", "6018:01", request))
+                return run("read", self.bus, "1", "6019:01").stdout
             finally:
                 part.terminate()
                 part.communicate(timeout=60)
@@ -170,8 +172,8 @@ class RunCarParts(CommandTest):
     def test_a_gps_says_what_was_recorded(self):
         log = self.folder / "gps.log"
         drive = pathlib.Path(__file__).parents[2] / "examples" / "town.nmea"
-        watcher = subprocess.Popen([CANVOY, "monitor", BUS, "--profile", "447-3", "--for", "4s"], stdout=subprocess.PIPE, text=True)
-        self.assert_done_loosely(run("device", "ivn-gateway", "gps", BUS, "--nmea", str(drive), "--for", "3s"))
+        watcher = subprocess.Popen([CANVOY, "monitor", self.bus, "--profile", "447-3", "--for", "4s"], stdout=subprocess.PIPE, text=True)
+        self.assert_done_loosely(run("device", "ivn-gateway", "gps", self.bus, "--nmea", str(drive), "--for", "3s"))
         log.write_text(watcher.communicate(timeout=60)[0])
         self.assertIn("48.140", log.read_text())
 
@@ -188,6 +190,10 @@ class RunCarParts(CommandTest):
         ]:
             with self.subTest(arguments=arguments):
                 self.assert_refused(run("device", *arguments, "sim", "--for", "1s"), USAGE, *parts)
+
+
+def load_tests(loader, tests, pattern):
+    return side_by_side.Suite(tests)
 
 
 if __name__ == "__main__":
