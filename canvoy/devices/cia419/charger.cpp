@@ -218,7 +218,8 @@ ChargeInputs Charger::inputs() const {
           .voltage_volt = sends_voltage ? voltage_.value() : std::nullopt,
           .has_request = sends_request,
           .requested_ampere = sends_request ? requested_.value() : std::nullopt,
-          .state_of_charge_percent = sends_request ? state_of_charge_.value() : std::nullopt};
+          .state_of_charge_percent = sends_request ? state_of_charge_.value() : std::nullopt,
+          .battery_max_ampere = offer_.current_max_ampere};
 }
 
 /// Decides with what is known now, drives the power stage, and answers the battery by the status.
