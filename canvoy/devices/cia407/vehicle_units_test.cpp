@@ -109,6 +109,15 @@ TEST(Tachograph, CountsDrivingUntilABreak) {
   EXPECT_EQ(bench.ask("25 65 01"), "00 00 00 00");
 }
 
+TEST(Tachograph, ItsSpeedIsPositiveBackwardAsWell) {
+  TachographReading reading = {.speed_kmh = -5, .direction = Direction::reverse};
+  Bench<TachographKind> bench(
+      {.read = {[](void* of) { return *static_cast<TachographReading*>(of); }, &reading}});
+  EXPECT_EQ(bench.ask("20 65 00"), "00 05 00 00") << "9.2.17.1";
+  bench.bench.cable.run_for(5s);
+  EXPECT_EQ(bench.ask("21 65 00"), "50 00 00 00") << "motion, reverse";
+}
+
 TEST(Positioning, TellsWhatAReceiverSays) {
   cia447::NmeaReceiver nmea;
   Bench<PositioningKind> bench(
@@ -188,6 +197,23 @@ TEST(VehicleGateway, HasTheRangesOfJ1939) {
   EXPECT_EQ(bench.ask("88 64 01"), "A0 00 00 00");
   EXPECT_EQ(bench.ask("88 64 02"), "40 00 00 00");
   EXPECT_EQ(bench.ask("88 64 03"), "C0 00 00 00");
+}
+
+/// 9.2.15.1: positive backward as well; 9.2.15.5: degrees of a whole turn.
+TEST(VehicleGateway, TellsASpeedBackwardAsItIs) {
+  VehicleReading reading;
+  reading.speed_kmh = -5;
+  reading.direction = Direction::reverse;
+  reading.bearing_degrees = -10;
+  Bench<VehicleGatewayKind> bench(
+      {.read = {[](void* of) { return *static_cast<VehicleReading*>(of); }, &reading}});
+  EXPECT_EQ(bench.ask("81 64 00"), "00 05 00 00") << "5 x 256";
+  EXPECT_EQ(bench.ask("86 64 00"), "00 AF 00 00") << "350 x 128";
+  reading.bearing_degrees = 370;
+  reading.speed_kmh = Measured::failure();
+  bench.bench.cable.run_for(5s);
+  EXPECT_EQ(bench.ask("86 64 00"), "00 05 00 00");
+  EXPECT_EQ(bench.ask("81 64 00"), "00 FE 00 00") << "error";
 }
 
 /// Raw values by the ranges of 9.2.15: 5 m, 1/128 degree, 0.05 l/h, 1/512 km/l, 0.5 l, 0.05 h.

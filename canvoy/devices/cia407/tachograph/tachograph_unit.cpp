@@ -1,5 +1,6 @@
 #include "canvoy/devices/cia407/tachograph/tachograph_unit.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace canvoy::cia407 {
@@ -66,6 +67,8 @@ void TachographUnit::take_event(std::uint8_t flags, std::uint16_t information) {
 void TachographUnit::look(Time now) {
   if (hardware_.read) reading_ = hardware_.read();
   device_.node().timers().arm(timer_, now + settings_.period);
+  // Positive backward as well (9.2.17.1).
+  if (reading_.speed_kmh) reading_.speed_kmh = std::abs(*reading_.speed_kmh);
   const auto metres_per_second = reading_.speed_kmh
                                      ? std::optional(*reading_.speed_kmh / kmh_of_metres_per_second)
                                      : std::nullopt;
