@@ -8,6 +8,7 @@
 #include "canvoy/devices/cia407/gateway/train_bus_gateway_unit.hpp"
 #include "canvoy/devices/cia407/gateway/vehicle_gateway_unit.hpp"
 #include "canvoy/devices/cia407/generic_io/generic_io_unit.hpp"
+#include "canvoy/devices/cia407/main_on_board_computer/main_on_board_computer_unit.hpp"
 #include "canvoy/devices/cia407/positioning/positioning_unit.hpp"
 #include "canvoy/devices/cia407/positioning/time_fixing_unit.hpp"
 #include "canvoy/devices/cia407/tachograph/tachograph_unit.hpp"
@@ -214,6 +215,26 @@ TEST(VehicleGateway, TellsASpeedBackwardAsItIs) {
   bench.bench.cable.run_for(5s);
   EXPECT_EQ(bench.ask("86 64 00"), "00 05 00 00");
   EXPECT_EQ(bench.ask("81 64 00"), "00 FE 00 00") << "error";
+}
+
+/// The on-board computer takes the speed by satellites then (9.2.6.36).
+TEST(VehicleGateway, TellsTheFailureOfASensorToOthersOfItsNode) {
+  VehicleReading reading;
+  reading.speed_kmh = 50;
+  const VehicleGatewayHardware hardware = {
+      .read = {[](void* of) { return *static_cast<VehicleReading*>(of); }, &reading}};
+  auto gateway = [&hardware] { return hardware; };
+  static constexpr const BusUnit* units[] = {&bus_unit<VehicleGatewayKind>,
+                                             &bus_unit<MainOnBoardComputerKind>};
+  BusBench bench(units,
+                 [&](Site& site) { site.offer(Callback<VehicleGatewayHardware()>::of(gateway)); });
+  bench.ask("2B 62 66 00 32 00 00 00");  // 5 m/s
+  bench.cable.run_for(100ms);
+  ASSERT_EQ(bench.ask("40 23 61 00 00 00 00 00").substr(12), "00 32 00 00") << "50 km/h";
+  reading.speed_kmh = Measured::failure();
+  bench.cable.run_for(100ms);
+  EXPECT_EQ(bench.ask("40 81 64 00 00 00 00 00").substr(12), "00 FE 00 00") << "error";
+  EXPECT_EQ(bench.ask("40 23 61 00 00 00 00 00").substr(12), "00 12 00 00") << "18 km/h";
 }
 
 /// Raw values by the ranges of 9.2.15: 5 m, 1/128 degree, 0.05 l/h, 1/512 km/l, 0.5 l, 0.05 h.

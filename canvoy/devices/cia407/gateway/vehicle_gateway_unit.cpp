@@ -39,6 +39,7 @@ template <class Handle>
 void VehicleGatewayUnit::tell(const Handle& handle, const Measured& measured) {
   if (measured.has_failed) {
     device_.values()[handle].set_raw(error_code<typename Handle::Reference::Raw>());
+    device_.announce_at(handle.index(), handle.sub());
   } else if (!measured.value || std::isnan(*measured.value)) {
     device_.tell(handle, std::nullopt);
   } else {
