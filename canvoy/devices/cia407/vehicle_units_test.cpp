@@ -142,6 +142,27 @@ TEST(Positioning, TellsWhatAReceiverSays) {
   EXPECT_EQ(bench.bench.cable.last(0x085), "085#02 FF 01 01 00 00 00 00");
 }
 
+/// 9.2.21.5: moved metres, however long the node's clock has been running.
+TEST(Positioning, CountsMileageFromItsFirstLookOn) {
+  cia447::NmeaReceiver nmea;
+  nmea.receive("$GPRMC,123519,A,4807.038,N,01131.000,E,022.4,084.4,230394,,*11\r\n");
+  const auto read = Callback<cia447::GpsReading()>::to<&cia447::NmeaReceiver::reading>(nmea);
+  auto hardware = [&read] { return PositioningHardware{.read = read}; };
+  static constexpr const BusUnit* units[] = {&bus_unit<PositioningKind>};
+  Site site;
+  site.offer(Callback<PositioningHardware()>::of(hardware));
+  Cable cable;
+  cable.now = Time(10h);
+  BusDevice device(units, cable.port(0), 5, site);
+  cable.connect(0, device.node());
+  cable.start_all();
+  cable.send("605#40 64 66 00 00 00 00 00");
+  EXPECT_EQ(cable.last(0x585), "585#43 64 66 00 00 00 00 00");
+  cable.run_for(100s);
+  cable.send("605#40 64 66 00 00 00 00 00");
+  EXPECT_EQ(cable.last(0x585), "585#43 64 66 00 E6 00 00 00") << "1152 m";
+}
+
 TEST(TimeFixing, TellsUtcAndSaysWhenItHasNone) {
   std::optional<CivilTime> utc;
   Bench<TimeFixingKind> bench(

@@ -42,7 +42,7 @@ void PositioningUnit::look(Time now) {
   // 6662h has no code for "not known".
   device_.tell(gps_based_speed, velocity.value_or(0));
   device_.tell(gps_based_heading, if_known(within_turn(reading.heading)));
-  const std::chrono::duration<double> passed = now - looked_;
+  const std::chrono::duration<double> passed = now - looked_.value_or(now);
   looked_ = now;
   mileage_metres_ += std::abs(velocity.value_or(0)) * passed.count();
   device_.tell(gps_mileage, mileage_metres_);
