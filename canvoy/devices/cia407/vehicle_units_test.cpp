@@ -110,6 +110,23 @@ TEST(Tachograph, CountsDrivingUntilABreak) {
   EXPECT_EQ(bench.ask("25 65 01"), "00 00 00 00");
 }
 
+/// 9.2.17.6: the time is that of a driver, who is known by his card (9.2.17.5).
+TEST(Tachograph, AnotherDriverBeginsAnew) {
+  TachographReading reading = {.speed_kmh = 30, .cards = {"D  1234567890123456", ""}};
+  Bench<TachographKind> bench(
+      {.read = {[](void* of) { return *static_cast<TachographReading*>(of); }, &reading}});
+  bench.bench.cable.run_for(10min + 6s);
+  EXPECT_EQ(bench.ask("25 65 01"), "0A 00 00 00");
+  reading.cards[0] = "D  1234567890123457";
+  bench.bench.cable.run_for(100ms);
+  EXPECT_EQ(bench.ask("25 65 01"), "00 00 00 00");
+  bench.bench.cable.run_for(2min);
+  EXPECT_EQ(bench.ask("25 65 01"), "02 00 00 00");
+  reading.cards[0] = "";
+  bench.bench.cable.run_for(1s);
+  EXPECT_EQ(bench.ask("25 65 01"), "00 00 00 00");
+}
+
 TEST(Tachograph, ItsSpeedIsPositiveBackwardAsWell) {
   TachographReading reading = {.speed_kmh = -5, .direction = Direction::reverse};
   Bench<TachographKind> bench(
