@@ -53,6 +53,12 @@ void AnalogueInputs::begin() {
   }
 }
 
+void AnalogueInputs::rescale(unsigned channel) {
+  for (AnalogueInputState& state : states_) {
+    if (state.channel == channel) read(state, false);
+  }
+}
+
 /// Where nothing moves, no object is looked up.
 void AnalogueInputs::look() {
   for (AnalogueInputState& state : states_) {

@@ -56,9 +56,11 @@ class AnalogueInputs {
   AnalogueInputs(const AnalogueInputs&) = delete;
   AnalogueInputs& operator=(const AnalogueInputs&) = delete;
 
-  /// Takes the inputs as they are, without an event: after a reset, and when a parameter was
-  /// written.
+  /// Takes the inputs as they are, without an event: after a reset.
   void begin();
+  /// Offset or scaling of an input was written: what it was at the last look is read by them,
+  /// without an event.
+  void rescale(unsigned channel);
   /// An input that has not moved costs no more than to be sensed.
   void look();
   bool are_enabled() const;

@@ -1,6 +1,7 @@
 #include "canvoy/devices/cia401/io_unit.hpp"
 
 #include "canvoy/canopen/emergency/error.hpp"
+#include "canvoy/devices/cia401/scaling.hpp"
 #include "canvoy/profiles/reactions.hpp"
 
 namespace canvoy::cia401 {
@@ -19,6 +20,10 @@ constexpr bool is_one_of_analogue_inputs(std::uint16_t index) {
   constexpr std::uint16_t first = analogue_input_interrupt_trigger_selection_object.index;
   constexpr std::uint16_t last = analogue_input_scaling_integer_object.index;
   return index >= first && index <= last;
+}
+constexpr bool is_scaling_of_inputs(std::uint16_t index) {
+  return index == input_scaling.offset_integer || index == input_scaling.scaling_integer ||
+         index == input_scaling.offset_real || index == input_scaling.scaling_real;
 }
 
 }  // namespace
@@ -99,13 +104,18 @@ void IoUnit::source_is_read(const Entry& entry) {
 
 void IoUnit::written(const Entry& entry, Source) {
   if (is_one_of_inputs(entry.index)) return digital_inputs_.show();
-  if (is_one_of_analogue_inputs(entry.index)) {
-    const bool is_enabling = entry.index == analogue_input_global_interrupt_enable_object.index;
-    return is_enabling && analogue_inputs_.are_enabled() ? node_.clear(inputs_disabled)
-                                                         : analogue_inputs_.begin();
-  }
+  if (is_one_of_analogue_inputs(entry.index)) return analogue_parameter_written(entry);
   digital_outputs_.written(entry.index, entry.sub);
   analogue_outputs_.written(entry.index, entry.sub);
+}
+
+/// Limits and deltas count from the next look on; what is still to be told is told.
+void IoUnit::analogue_parameter_written(const Entry& entry) {
+  if (entry.index == analogue_input_global_interrupt_enable_object.index) {
+    if (analogue_inputs_.are_enabled()) node_.clear(inputs_disabled);
+  } else if (is_scaling_of_inputs(entry.index)) {
+    analogue_inputs_.rescale(entry.sub);
+  }
 }
 
 }  // namespace canvoy::cia401

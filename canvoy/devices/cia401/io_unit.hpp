@@ -64,6 +64,7 @@ class IoUnit {
   void bus_state_changed(BusState state);
   void error_changed(const Error& error, bool present);
   void source_is_read(const Entry& entry);
+  void analogue_parameter_written(const Entry& entry);
   void written(const Entry& entry, Source source);
   void expired(Time now);
   void warn(bool is_operational);

@@ -8,6 +8,7 @@
 #include "canvoy/devices/cia407/gateway/train_bus_gateway_unit.hpp"
 #include "canvoy/devices/cia407/gateway/vehicle_gateway_unit.hpp"
 #include "canvoy/devices/cia407/generic_io/generic_io_unit.hpp"
+#include "canvoy/devices/cia407/main_on_board_computer/main_on_board_computer_unit.hpp"
 #include "canvoy/devices/cia407/positioning/positioning_unit.hpp"
 #include "canvoy/devices/cia407/positioning/time_fixing_unit.hpp"
 #include "canvoy/devices/cia407/tachograph/tachograph_unit.hpp"
@@ -109,6 +110,32 @@ TEST(Tachograph, CountsDrivingUntilABreak) {
   EXPECT_EQ(bench.ask("25 65 01"), "00 00 00 00");
 }
 
+/// 9.2.17.6: the time is that of a driver, who is known by his card (9.2.17.5).
+TEST(Tachograph, AnotherDriverBeginsAnew) {
+  TachographReading reading = {.speed_kmh = 30, .cards = {"D  1234567890123456", ""}};
+  Bench<TachographKind> bench(
+      {.read = {[](void* of) { return *static_cast<TachographReading*>(of); }, &reading}});
+  bench.bench.cable.run_for(10min + 6s);
+  EXPECT_EQ(bench.ask("25 65 01"), "0A 00 00 00");
+  reading.cards[0] = "D  1234567890123457";
+  bench.bench.cable.run_for(100ms);
+  EXPECT_EQ(bench.ask("25 65 01"), "00 00 00 00");
+  bench.bench.cable.run_for(2min);
+  EXPECT_EQ(bench.ask("25 65 01"), "02 00 00 00");
+  reading.cards[0] = "";
+  bench.bench.cable.run_for(1s);
+  EXPECT_EQ(bench.ask("25 65 01"), "00 00 00 00");
+}
+
+TEST(Tachograph, ItsSpeedIsPositiveBackwardAsWell) {
+  TachographReading reading = {.speed_kmh = -5, .direction = Direction::reverse};
+  Bench<TachographKind> bench(
+      {.read = {[](void* of) { return *static_cast<TachographReading*>(of); }, &reading}});
+  EXPECT_EQ(bench.ask("20 65 00"), "00 05 00 00") << "9.2.17.1";
+  bench.bench.cable.run_for(5s);
+  EXPECT_EQ(bench.ask("21 65 00"), "50 00 00 00") << "motion, reverse";
+}
+
 TEST(Positioning, TellsWhatAReceiverSays) {
   cia447::NmeaReceiver nmea;
   Bench<PositioningKind> bench(
@@ -130,6 +157,27 @@ TEST(Positioning, TellsWhatAReceiverSays) {
   bench.bench.cable.run_for(1s);
   EXPECT_EQ(bench.ask("60 66 01"), "FF FF FF FF");
   EXPECT_EQ(bench.bench.cable.last(0x085), "085#02 FF 01 01 00 00 00 00");
+}
+
+/// 9.2.21.5: moved metres, however long the node's clock has been running.
+TEST(Positioning, CountsMileageFromItsFirstLookOn) {
+  cia447::NmeaReceiver nmea;
+  nmea.receive("$GPRMC,123519,A,4807.038,N,01131.000,E,022.4,084.4,230394,,*11\r\n");
+  const auto read = Callback<cia447::GpsReading()>::to<&cia447::NmeaReceiver::reading>(nmea);
+  auto hardware = [&read] { return PositioningHardware{.read = read}; };
+  static constexpr const BusUnit* units[] = {&bus_unit<PositioningKind>};
+  Site site;
+  site.offer(Callback<PositioningHardware()>::of(hardware));
+  Cable cable;
+  cable.now = Time(10h);
+  BusDevice device(units, cable.port(0), 5, site);
+  cable.connect(0, device.node());
+  cable.start_all();
+  cable.send("605#40 64 66 00 00 00 00 00");
+  EXPECT_EQ(cable.last(0x585), "585#43 64 66 00 00 00 00 00");
+  cable.run_for(100s);
+  cable.send("605#40 64 66 00 00 00 00 00");
+  EXPECT_EQ(cable.last(0x585), "585#43 64 66 00 E6 00 00 00") << "1152 m";
 }
 
 TEST(TimeFixing, TellsUtcAndSaysWhenItHasNone) {
@@ -188,6 +236,43 @@ TEST(VehicleGateway, HasTheRangesOfJ1939) {
   EXPECT_EQ(bench.ask("88 64 01"), "A0 00 00 00");
   EXPECT_EQ(bench.ask("88 64 02"), "40 00 00 00");
   EXPECT_EQ(bench.ask("88 64 03"), "C0 00 00 00");
+}
+
+/// 9.2.15.1: positive backward as well; 9.2.15.5: degrees of a whole turn.
+TEST(VehicleGateway, TellsASpeedBackwardAsItIs) {
+  VehicleReading reading;
+  reading.speed_kmh = -5;
+  reading.direction = Direction::reverse;
+  reading.bearing_degrees = -10;
+  Bench<VehicleGatewayKind> bench(
+      {.read = {[](void* of) { return *static_cast<VehicleReading*>(of); }, &reading}});
+  EXPECT_EQ(bench.ask("81 64 00"), "00 05 00 00") << "5 x 256";
+  EXPECT_EQ(bench.ask("86 64 00"), "00 AF 00 00") << "350 x 128";
+  reading.bearing_degrees = 370;
+  reading.speed_kmh = Measured::failure();
+  bench.bench.cable.run_for(5s);
+  EXPECT_EQ(bench.ask("86 64 00"), "00 05 00 00");
+  EXPECT_EQ(bench.ask("81 64 00"), "00 FE 00 00") << "error";
+}
+
+/// The on-board computer takes the speed by satellites then (9.2.6.36).
+TEST(VehicleGateway, TellsTheFailureOfASensorToOthersOfItsNode) {
+  VehicleReading reading;
+  reading.speed_kmh = 50;
+  const VehicleGatewayHardware hardware = {
+      .read = {[](void* of) { return *static_cast<VehicleReading*>(of); }, &reading}};
+  auto gateway = [&hardware] { return hardware; };
+  static constexpr const BusUnit* units[] = {&bus_unit<VehicleGatewayKind>,
+                                             &bus_unit<MainOnBoardComputerKind>};
+  BusBench bench(units,
+                 [&](Site& site) { site.offer(Callback<VehicleGatewayHardware()>::of(gateway)); });
+  bench.ask("2B 62 66 00 32 00 00 00");  // 5 m/s
+  bench.cable.run_for(100ms);
+  ASSERT_EQ(bench.ask("40 23 61 00 00 00 00 00").substr(12), "00 32 00 00") << "50 km/h";
+  reading.speed_kmh = Measured::failure();
+  bench.cable.run_for(100ms);
+  EXPECT_EQ(bench.ask("40 81 64 00 00 00 00 00").substr(12), "00 FE 00 00") << "error";
+  EXPECT_EQ(bench.ask("40 23 61 00 00 00 00 00").substr(12), "00 12 00 00") << "18 km/h";
 }
 
 /// Raw values by the ranges of 9.2.15: 5 m, 1/128 degree, 0.05 l/h, 1/512 km/l, 0.5 l, 0.05 h.

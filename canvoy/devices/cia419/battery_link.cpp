@@ -66,8 +66,10 @@ const std::array<BatteryLink::Question, 13> BatteryLink::questions = {{
      [](BatteryOffer& offer,
         std::uint32_t answer) { offer.capacity_ampere_hours = low_word(answer); }},
     {0x6020, 3,
-     [](BatteryOffer& offer,
-        std::uint32_t answer) { offer.current_max_ampere = low_word(answer); }},
+     [](BatteryOffer& offer, std::uint32_t answer) {
+       const std::uint16_t ampere = low_word(answer);
+       if (ampere != 0 && ampere != 0xFFFF) offer.current_max_ampere = ampere;
+     }},
 }};
 
 BatteryLink::BatteryLink(Node& node) : node_(node), default_client_(node) {}

@@ -32,7 +32,7 @@ struct BatteryOffer {
   std::uint16_t heartbeat_ms = 0;                      ///< 1017h
   std::optional<std::uint16_t> ampere_hours_returned;  ///< 6052h, 0.125 Ah
   std::optional<std::uint16_t> capacity_ampere_hours;  ///< 6020h, sub-index 2
-  std::optional<std::uint16_t> current_max_ampere;     ///< 6020h, sub-index 3
+  std::optional<std::uint16_t> current_max_ampere;     ///< 6020h, sub-index 3; neither 0 nor FFFFh
 };
 
 class BatteryLink {

@@ -137,5 +137,13 @@ TEST_F(ChargeControlTest, WithoutARequestFromTheBatteryTheConfiguredCurrentIsDel
   EXPECT_EQ(configured.decide(inputs).ampere, 5);
 }
 
+/// CiA 418, 6020h: the maximum charge current, whatever is asked for.
+TEST_F(ChargeControlTest, DeliversNoMoreThanTheBatteryBears) {
+  inputs.battery_max_ampere = 20;
+  expect_current(inputs, 20);
+  inputs.battery_max_ampere = 50;
+  expect_current(inputs, 40);
+}
+
 }  // namespace
 }  // namespace canvoy::cia419::charge_control_test

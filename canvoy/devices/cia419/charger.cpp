@@ -96,6 +96,7 @@ void Charger::reset(ResetScope) {
   link_.use(nullptr);
   is_connected_ = false;
   linked_rpdos_.reset();
+  forget_values();
   counted_at_ = node_.now();
   pilot_signal_ = false;
   // What was counted of a battery that has gone is not for the next one.
@@ -217,7 +218,8 @@ ChargeInputs Charger::inputs() const {
           .voltage_volt = sends_voltage ? voltage_.value() : std::nullopt,
           .has_request = sends_request,
           .requested_ampere = sends_request ? requested_.value() : std::nullopt,
-          .state_of_charge_percent = sends_request ? state_of_charge_.value() : std::nullopt};
+          .state_of_charge_percent = sends_request ? state_of_charge_.value() : std::nullopt,
+          .battery_max_ampere = offer_.current_max_ampere};
 }
 
 /// Decides with what is known now, drives the power stage, and answers the battery by the status.
@@ -261,7 +263,8 @@ void Charger::begin_charge() {
   charging_ = true;
   ampere_hours_ = 0;
   returned_ = 0;
-  state_of_charge_begin_ = state_of_charge_.value().value_or(-1);
+  state_of_charge_begin_ = inputs().state_of_charge_percent.value_or(-1);
+  if (state_of_charge_begin_ < 0) estimate_ = std::nullopt;
   event_(Event::charge_began);
 }
 
@@ -335,7 +338,7 @@ void Charger::link() {
     if (link_tpdo(position)) tells_status_ = true;
   }
   supervise_battery();
-  if (!charging_ && offer_.ampere_hours_returned) returned_.set_raw(*offer_.ampere_hours_returned);
+  if (!charging_) returned_.set_raw(offer_.ampere_hours_returned.value_or(0xFFFF));
   commanded_at_ = Time{} - command_interval;
   enter(ChargerPhase::linked);
   tell_misfits(true);
@@ -382,6 +385,17 @@ void Charger::unlink() {
   }
   configure(object_index::heartbeat_consumers, 1, 0);
   linked_rpdos_.reset();
+  forget_values();
+}
+
+/// What one battery said is not of the next one.
+void Charger::forget_values() {
+  battery_status_ = Readiness::not_ready;
+  temperature_ = std::nullopt;
+  voltage_ = std::nullopt;
+  requested_ = std::nullopt;
+  state_of_charge_ = std::nullopt;
+  estimate_ = std::nullopt;
 }
 
 /// A first value by remote frame, where the battery allows it; others come with its event timer

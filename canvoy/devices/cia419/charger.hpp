@@ -126,6 +126,7 @@ class Charger {
   void link();
   void tell_misfits(bool present);
   void unlink();
+  void forget_values();
   void link_rpdo(std::size_t position, bool use);
   bool link_tpdo(std::size_t position);
   void supervise_battery();

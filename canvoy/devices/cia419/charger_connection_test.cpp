@@ -423,5 +423,28 @@ TEST(ChargerTime, IsNotToldBy1012hWithoutBit30) {
   EXPECT_EQ(cable.count(0x100), 0u);
 }
 
+/// 6020h, sub-index 3, is asked for at the link; 0 and FFFFh say nothing.
+TEST(ChargerLimit, WhatTheBatteryBearsBoundsTheCurrentWithoutARequest) {
+  struct Case {
+    std::uint16_t told;
+    double delivered;
+  };
+  for (const auto& [told, delivered] :
+       std::to_array<Case>({{20, 20}, {39, 39}, {40, 40}, {60, 40}, {0, 40}, {0xFFFF, 40}})) {
+    Bench bench;
+    Cable cable;
+    ChargerDevice<> charger(cable.port(0), 5, bench.charger_hardware(),
+                            {.limits = {.current_without_request_ampere = 40}});
+    cia418::BatteryDevice<> battery(cable.port(1), 10, bench.battery_hardware(), {});
+    cable.connect(0, charger.node());
+    cable.connect(1, battery.node());
+    cable.start_all();
+    battery.node().dictionary().set_number(0x1802, 1, 0x8000'038A);
+    battery.node().dictionary().set_number(0x6020, 3, told);
+    cable.run_for(10s);
+    EXPECT_EQ(bench.delivered, delivered) << told;
+  }
+}
+
 }  // namespace
 }  // namespace canvoy::cia419::charger_connection_test

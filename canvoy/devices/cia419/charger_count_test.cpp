@@ -131,5 +131,84 @@ TEST_F(ChargerCount, EstimatesNothingWhereTheBatteryDoesNotKnowItsCapacity) {
   EXPECT_EQ(charger.node().dictionary().number(0x6080, 0), 0xFFu) << "invalid";
 }
 
+class ChargerNextBattery : public ChargerTest {
+ protected:
+  std::string ask(std::string_view request) {
+    cable.send("605#" + std::string(request));
+    return cable.last(0x585).substr(4);
+  }
+  void expect_nothing_known() {
+    EXPECT_EQ(ask("40 60 60 00 00 00 00 00"), "43 60 60 00 FF FF FF FF");
+    EXPECT_EQ(ask("40 70 60 00 00 00 00 00"), "4B 70 60 00 FF FF 00 00");
+    EXPECT_EQ(ask("40 10 60 00 00 00 00 00"), "4B 10 60 00 FF FF 00 00");
+    EXPECT_EQ(ask("40 00 60 00 00 00 00 00"), "4F 00 60 00 00 00 00 00") << "not ready";
+    EXPECT_EQ(ask("40 80 60 00 00 00 00 00"), "4F 80 60 00 FF 00 00 00") << "7.2.7: invalid";
+    EXPECT_EQ(ask("40 81 60 00 00 00 00 00"), "4F 81 60 00 FF 00 00 00");
+  }
+  /// Its TPDO 3 is not valid: it tells neither a request nor a state of charge.
+  void plug_next_without_request() {
+    bench.plugged = false;
+    cable.run_for(2s);
+    battery.node().dictionary().set_number(0x1802, 1, 0x8000'038A);
+    bench.plugged = true;
+    cable.run_for(10s);
+    cable.clear();
+  }
+};
+
+TEST_F(ChargerNextBattery, WhatABatteryToldIsGoneWithIt) {
+  run_until_charging();
+  cable.run_for(10min);
+  ASSERT_EQ(ask("40 81 60 00 00 00 00 00"), "4F 81 60 00 1E 00 00 00");
+  ASSERT_EQ(ask("40 80 60 00 00 00 00 00"), "4F 80 60 00 20 00 00 00") << "30 %, and 6.7 of 400 Ah";
+  bench.plugged = false;
+  cable.run_for(2s);
+  expect_nothing_known();
+}
+
+/// Reset of communication leaves objects of the profile as they are (CiA 301); unplugged meanwhile.
+TEST_F(ChargerNextBattery, WhatABatteryToldIsGoneWithAReset) {
+  run_until_charging();
+  cable.run_for(10min);
+  bench.plugged = false;
+  cable.send("000#82 05");
+  cable.run_for(1s);
+  expect_nothing_known();
+}
+
+/// 6080h stands in TPDO 3 (6.2.8).
+TEST_F(ChargerNextBattery, IsNotToldTheStateOfChargeOfTheOneBefore) {
+  ChargerDevice<> sut(cable.port(0), 5, bench.charger_hardware(),
+                      {.limits = {.current_without_request_ampere = 40}});
+  cable.connect(0, sut.node());
+  bench.readings.state_of_charge_percent = 80;
+  cable.start_all();
+  cable.run_for(10min);
+  ASSERT_EQ(cable.last(0x40A).substr(13), "52") << "80 %, and 6.7 of 400 Ah";
+  plug_next_without_request();
+  cable.run_for(5min);
+  EXPECT_EQ(bench.delivered, 40);
+  EXPECT_EQ(cable.last(0x40A).substr(13), "FF");
+}
+
+/// 6052h is what the battery remembers (7.2.4); the next one does not have the object.
+TEST_F(ChargerNextBattery, IsNotToldTheAmpereHoursOfTheOneBefore) {
+  run_until_charging();
+  cable.run_for(30min);
+  ASSERT_EQ(ask("40 52 60 00 00 00 00 00"), "4B 52 60 00 A0 00 00 00") << "20 Ah";
+  bench.plugged = false;
+  cable.run_for(2s);
+  bench.readings.ready = false;
+  cable.filter = [this](const Frame& frame) {
+    if (wire_text(frame) != "60A#40 52 60 00 00 00 00 00") return true;
+    cable.send("58A#80 52 60 00 00 00 02 06");
+    return false;
+  };
+  bench.plugged = true;
+  cable.run_for(10s);
+  ASSERT_EQ(charger.charger().battery(), 10);
+  EXPECT_EQ(ask("40 52 60 00 00 00 00 00"), "4B 52 60 00 FF FF 00 00") << "invalid";
+}
+
 }  // namespace
 }  // namespace canvoy::cia419::charger_count_test

@@ -1,5 +1,7 @@
 #include "canvoy/devices/cia407/gateway/vehicle_gateway_unit.hpp"
 
+#include "canvoy/devices/cia407/turn.hpp"
+
 namespace canvoy::cia407 {
 
 namespace {
@@ -14,6 +16,11 @@ constexpr unsigned right_bit = 5;
 template <class Raw>
 constexpr Raw error_code() {
   return static_cast<Raw>(Raw{0xFE} << (sizeof(Raw) * 8 - 8));
+}
+
+/// Speeds are positive backward as well (9.2.15.1).
+std::optional<double> absolute(std::optional<double> value) {
+  return value ? std::optional(std::abs(*value)) : std::nullopt;
 }
 
 }  // namespace
@@ -32,6 +39,7 @@ template <class Handle>
 void VehicleGatewayUnit::tell(const Handle& handle, const Measured& measured) {
   if (measured.has_failed) {
     device_.values()[handle].set_raw(error_code<typename Handle::Reference::Raw>());
+    device_.announce_at(handle.index(), handle.sub());
   } else if (!measured.value || std::isnan(*measured.value)) {
     device_.tell(handle, std::nullopt);
   } else {
@@ -42,9 +50,9 @@ void VehicleGatewayUnit::tell(const Handle& handle, const Measured& measured) {
 void VehicleGatewayUnit::look(Time now) {
   device_.node().timers().arm(timer_, now + settings_.period);
   const VehicleReading reading = hardware_.read ? hardware_.read() : VehicleReading{};
-  tell(wheel_based_vehicle_speed, reading.speed_kmh);
+  tell(wheel_based_vehicle_speed, reading.speed_kmh.changed(&absolute));
   tell(vehicle_mileage, reading.mileage_metres);
-  tell(compass_bearing, reading.bearing_degrees);
+  tell(compass_bearing, reading.bearing_degrees.changed(&within_turn));
   tell(ambient_air_temperature, reading.ambient_celsius);
   const std::optional<double> kmh = reading.speed_kmh.value;
   recognition_.take(

@@ -23,6 +23,12 @@ struct Measured {
 
   constexpr Measured() = default;
   constexpr Measured(double number) : value(number) {}  // NOLINT(google-explicit-constructor)
+  /// What `convert` makes of the value; a failure stays one.
+  Measured changed(std::optional<double> (*convert)(std::optional<double>)) const {
+    Measured made = *this;
+    made.value = convert(value);
+    return made;
+  }
   static constexpr Measured failure() {
     Measured made;
     made.has_failed = true;

@@ -19,7 +19,7 @@ constexpr HookCalls MainOnBoardComputerUnit::hook_calls[] = {
                 vehicle_mileage_precision_object>,
     after_write<&MainOnBoardComputerUnit::follow_speed, tachograph_speed_object>,
     after_write<&MainOnBoardComputerUnit::follow_speed, wheel_based_vehicle_speed_object>,
-    after_write<&MainOnBoardComputerUnit::follow_speed, gps_based_speed_object>,
+    after_write<&MainOnBoardComputerUnit::satellite_speed_written, gps_based_speed_object>,
     after_any_write<&MainOnBoardComputerUnit::told>};
 
 MainOnBoardComputerUnit::MainOnBoardComputerUnit(VirtualDevice& device,
@@ -35,7 +35,10 @@ MainOnBoardComputerUnit::MainOnBoardComputerUnit(VirtualDevice& device,
 }
 
 void MainOnBoardComputerUnit::reset(ResetScope scope) {
-  if (scope == ResetScope::node) tell_vehicle();
+  if (scope == ResetScope::node) {
+    has_satellite_speed_ = false;
+    tell_vehicle();
+  }
   look(node().now());
 }
 
@@ -136,8 +139,13 @@ void MainOnBoardComputerUnit::take_event(std::uint8_t sub) {
   if (hardware_.on_event) hardware_.on_event(sub - 1U, event);
 }
 
+void MainOnBoardComputerUnit::satellite_speed_written() {
+  has_satellite_speed_ = true;
+  follow_speed();
+}
+
 /// 6123h is from one or several of these: of the tachograph, the wheels, GPS, the first that is
-/// valid and was ever told.
+/// valid and was ever told. It has no code for "not known" (9.2.6.36): where none is, it stays.
 void MainOnBoardComputerUnit::follow_speed() {
   const auto by_tachograph = device_[tachograph_speed].value();
   const auto by_wheels = device_[wheel_based_vehicle_speed].value();
@@ -146,7 +154,7 @@ void MainOnBoardComputerUnit::follow_speed() {
     device_.tell(vehicle_speed, *by_tachograph);
   } else if (by_wheels) {
     device_.tell(vehicle_speed, *by_wheels);
-  } else if (by_satellites) {
+  } else if (has_satellite_speed_ && by_satellites) {
     device_.tell(vehicle_speed, *by_satellites * kmh_of_metres_per_second);
   }
 }

@@ -93,6 +93,7 @@ class MainOnBoardComputerUnit {
   void mileage_precision_written();
   void told(const Entry& entry);
   void take_event(std::uint8_t sub);
+  void satellite_speed_written();
   void follow_speed();
   void tell_position(const RoutePosition& position);
 
@@ -100,6 +101,7 @@ class MainOnBoardComputerUnit {
   MainOnBoardComputerHardware hardware_;
   MainOnBoardComputerSettings settings_;
   TextSender texts_;
+  bool has_satellite_speed_ = false;  ///< 6662h was told: 0 is a speed there
   Timer timer_;
 };
 

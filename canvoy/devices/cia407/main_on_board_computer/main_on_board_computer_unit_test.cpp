@@ -214,6 +214,30 @@ TEST_F(Computer, ItsSpeedIsTheFirstThatIsKnown) {
   EXPECT_EQ(bench.ask("40 23 61 00 00 00 00 00"), "4B 23 61 00 00 1E 00 00");
 }
 
+/// 9.2.6.36: 6123h has no code for "not known"; nobody has told a speed by satellites.
+TEST_F(Computer, ItsSpeedStaysWhereNoneIsKnownAnyMore) {
+  bench.ask("2B 81 64 00 00 32 00 00");
+  for (const char* lost : {"2B 81 64 00 FF FF 00 00", "2B 81 64 00 00 FE 00 00"}) {
+    bench.ask(lost);
+    EXPECT_EQ(bench.ask("40 23 61 00 00 00 00 00").substr(12), "00 32 00 00") << lost;
+  }
+  bench.ask("2B 62 66 00 00 00 00 00");  // the satellites say that it stands
+  EXPECT_EQ(bench.ask("40 23 61 00 00 00 00 00").substr(12), "00 00 00 00");
+  bench.ask("2B 81 64 00 00 14 00 00");
+  EXPECT_EQ(bench.ask("40 23 61 00 00 00 00 00").substr(12), "00 14 00 00");
+  bench.ask("2B 81 64 00 FF FF 00 00");
+  EXPECT_EQ(bench.ask("40 23 61 00 00 00 00 00").substr(12), "00 00 00 00");
+}
+
+TEST_F(Computer, ASpeedBySatellitesIsForgottenAtAReset) {
+  bench.ask("2B 62 66 00 00 00 00 00");
+  bench.cable.send("000#81 00");
+  settle();
+  bench.ask("2B 81 64 00 00 32 00 00");
+  bench.ask("2B 81 64 00 FF FF 00 00");
+  EXPECT_EQ(bench.ask("40 23 61 00 00 00 00 00").substr(12), "00 32 00 00");
+}
+
 TEST_F(Computer, ATextOf128OctetsArrivesWholeBeforeItIsShown) {
   using NextStop = PassengerInformationKind<InformationClass::next_stop, InformationSubclass::text>;
   static constexpr const BusUnit* display_units[] = {&bus_unit<NextStop>};

@@ -3,22 +3,16 @@
 #include <cmath>
 
 #include "canvoy/devices/cia407/errors.hpp"
+#include "canvoy/devices/cia407/turn.hpp"
 
 namespace canvoy::cia407 {
 
 namespace {
 
-constexpr double whole_turn = 360;
-
 bool has_position(const cia447::GpsReading& reading) {
   const bool is_within = reading.latitude && reading.longitude &&
                          std::abs(*reading.latitude) <= 90 && std::abs(*reading.longitude) <= 180;
   return is_within && !reading.has_failed && reading.fix != cia447::GpsFix::none;
-}
-std::optional<double> within_turn(std::optional<double> degrees) {
-  if (!degrees || !std::isfinite(*degrees)) return std::nullopt;
-  const double turned = std::fmod(*degrees, whole_turn);
-  return turned < 0 ? turned + whole_turn : turned;
 }
 
 }  // namespace
@@ -48,7 +42,7 @@ void PositioningUnit::look(Time now) {
   // 6662h has no code for "not known".
   device_.tell(gps_based_speed, velocity.value_or(0));
   device_.tell(gps_based_heading, if_known(within_turn(reading.heading)));
-  const std::chrono::duration<double> passed = now - looked_;
+  const std::chrono::duration<double> passed = now - looked_.value_or(now);
   looked_ = now;
   mileage_metres_ += std::abs(velocity.value_or(0)) * passed.count();
   device_.tell(gps_mileage, mileage_metres_);

@@ -8,6 +8,8 @@
 // The mileage is the speed over the time, while there is a position; how exact it is nobody knows.
 #pragma once
 
+#include <optional>
+
 #include "canvoy/devices/cia407/bus_kind.hpp"
 #include "canvoy/devices/cia447/gps/gps_reading.hpp"
 #include "canvoy/profiles/cia407/devices.hpp"
@@ -38,7 +40,7 @@ class PositioningUnit {
   PositioningHardware hardware_;
   PositioningSettings settings_;
   double mileage_metres_ = 0;
-  Time looked_{};
+  std::optional<Time> looked_;
   Timer timer_;
 };
 

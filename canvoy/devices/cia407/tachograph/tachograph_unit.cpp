@@ -1,10 +1,14 @@
 #include "canvoy/devices/cia407/tachograph/tachograph_unit.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace canvoy::cia407 {
 
 namespace {
+
+using Card = TachographReading::Card;
 
 constexpr std::uint8_t flag_reset_trip = 1;
 constexpr std::uint8_t flag_adjust_hour = 2;
@@ -15,6 +19,13 @@ constexpr std::int8_t hours_of(std::uint16_t information) {
 }
 constexpr std::int8_t minutes_of(std::uint16_t information) {
   return static_cast<std::int8_t>(information >> 8);
+}
+
+/// All zeros: no card.
+Card card_of(std::string_view text) {
+  Card card{};
+  std::ranges::copy(text.substr(0, card.size()), card.begin());
+  return card;
 }
 
 }  // namespace
@@ -66,6 +77,8 @@ void TachographUnit::take_event(std::uint8_t flags, std::uint16_t information) {
 void TachographUnit::look(Time now) {
   if (hardware_.read) reading_ = hardware_.read();
   device_.node().timers().arm(timer_, now + settings_.period);
+  // Positive backward as well (9.2.17.1).
+  if (reading_.speed_kmh) reading_.speed_kmh = std::abs(*reading_.speed_kmh);
   const auto metres_per_second = reading_.speed_kmh
                                      ? std::optional(*reading_.speed_kmh / kmh_of_metres_per_second)
                                      : std::nullopt;
@@ -93,13 +106,14 @@ void TachographUnit::tell() {
   device_.tell(driver_2_driving_time, 0.0);
 }
 
-/// Who sits in the first slot drives. A card that goes, and a break, begin anew.
+/// Who sits in the first slot drives. Another card, none, and a break begin anew.
 void TachographUnit::count_driving(const TachographReading& reading, Time now) {
   const Duration passed = now - looked_;
   looked_ = now;
   const bool has_driver = !reading.cards[0].empty();
-  const bool is_other = has_driver != has_driver_;
-  has_driver_ = has_driver;
+  const Card card = card_of(reading.cards[0]);
+  const bool is_other = card != driver_;
+  driver_ = card;
   if (recognition_.motion() == Motion::detected) {
     rested_ = {};
     if (has_driver) driven_ += passed;

@@ -22,7 +22,9 @@ struct TachographReading {
   Direction direction = Direction::not_available;
   double distance_metres = 0;  ///< in all of its life
   std::optional<CivilTime> utc = {};
-  /// Three characters of the member state and 16 of the card; empty: no card.
+  /// Three characters of the member state and 16 of the card (9.2.17.5).
+  using Card = std::array<char, 19>;
+  /// Empty: no card.
   std::array<std::string_view, 2> cards = {};
 };
 struct TachographHardware {
@@ -66,7 +68,7 @@ class TachographUnit {
   std::int8_t offset_minutes_ = 0;
   Duration driven_{};
   Duration rested_{};
-  bool has_driver_ = false;
+  TachographReading::Card driver_{};  ///< of the first slot; zeros: none
   Time looked_{};
   Timer timer_;
 };
