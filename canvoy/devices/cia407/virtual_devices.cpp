@@ -100,14 +100,16 @@ void VirtualDevices::written(const Entry& entry, Source source) {
     if (device != teller_) device->for_rows_of(entry, tell);
     if (entry.index != events_for_index || entry.sub != device->number_) continue;
     const std::uint32_t word = entry.word();
-    if (device->on_event) {
+    // What is written within may be for a device at this place of the network.
+    const bool is_for_it = word == 0 || word >> event_code_bit == device->info_.code;
+    if (is_for_it && device->on_event) {
       device->on_event(static_cast<std::uint8_t>(word),
                        static_cast<std::uint16_t>(word >> event_information_bit));
     }
   }
 }
 
-void VirtualDevices::tell_events(const VirtualDevice& device) {
+void VirtualDevices::tell_events(VirtualDevice& device) {
   if (device.number_ > with_events_max) return;
   const bool has_event = device.flags_ != 0 || device.information_ != 0;
   const std::uint32_t word =
@@ -115,8 +117,11 @@ void VirtualDevices::tell_events(const VirtualDevice& device) {
   Dictionary& dictionary = node_.dictionary();
   const std::uint32_t bit = std::uint32_t{1} << (device.number_ - 1);
   const std::uint32_t others = dictionary.word(events_from_index, 1) & ~bit;
-  dictionary.set_number(events_from_index, static_cast<std::uint8_t>(device.number_ + 1), word);
+  const auto sub = static_cast<std::uint8_t>(device.number_ + 1);
+  const bool is_news = dictionary.word(events_from_index, sub) != word;
+  dictionary.set_number(events_from_index, sub, word);
   dictionary.set_number(events_from_index, 1, others | (has_event ? bit : 0));
+  if (is_news) device.announce_at(events_from_index, sub);
 }
 
 VirtualDevice::VirtualDevice(VirtualDevices& all, const VirtualDeviceInfo& info, unsigned number)

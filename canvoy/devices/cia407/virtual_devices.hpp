@@ -55,7 +55,7 @@ class VirtualDevices {
   AbortCode before_read(const Entry& entry);
   AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
   void written(const Entry& entry, Source source);
-  void tell_events(const VirtualDevice& device);
+  void tell_events(VirtualDevice& device);
 
   Node& node_;
   VirtualDevice* first_ = nullptr;

@@ -102,8 +102,10 @@ void MainOnBoardComputerUnit::command(unsigned number, DeviceCode code, std::uin
   const bool is_event = flags != 0 || information != 0;
   const std::uint32_t word = std::uint32_t{code_of(code)} << event_code_bit |
                              std::uint32_t{information} << event_information_bit | flags;
-  node().dictionary().set_number(events_for_virtual_devices_object.index,
-                                 static_cast<std::uint8_t>(number), is_event ? word : 0);
+  const std::uint16_t index = events_for_virtual_devices_object.index;
+  const auto sub = static_cast<std::uint8_t>(number);
+  node().dictionary().set_number(index, sub, is_event ? word : 0);
+  device_.announce_at(index, sub);
 }
 
 void MainOnBoardComputerUnit::event_written(const Entry& entry) {
