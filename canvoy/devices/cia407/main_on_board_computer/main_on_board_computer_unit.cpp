@@ -55,10 +55,9 @@ void MainOnBoardComputerUnit::tell_vehicle() {
 void MainOnBoardComputerUnit::look(Time now) {
   const std::optional<CivilTime> time = hardware_.clock ? hardware_.clock() : std::nullopt;
   tell_clock(device_, local_clock, time);
-  const auto to_next_minute = std::chrono::seconds(time && time->second < seconds_of_minute
-                                                       ? seconds_of_minute - time->second
-                                                       : seconds_of_minute);
-  node().timers().arm(timer_, now + (time ? to_next_minute : std::chrono::seconds(1)));
+  const bool is_known = time && can_be_told(*time);
+  node().timers().arm(timer_,
+                      now + std::chrono::seconds(is_known ? seconds_of_minute - time->second : 1));
   const auto warmth = hardware_.inside_temperature ? hardware_.inside_temperature() : std::nullopt;
   if (warmth) device_.tell(inside_temperature, *warmth);
 }

@@ -93,6 +93,42 @@ TEST_F(Computer, AClockThatIsNotSetSaysSo) {
   EXPECT_EQ(bench.cable.last(0x181), "181#29 5C 0B 08 05 98") << "as soon as it is";
 }
 
+/// Seconds are 0 to 59.75 (9.2.6.15): 23:59:60 is told as 23:59:59, and the new year in time.
+TEST(ComputerClock, ALeapSecondIsTheSecondBeforeIt) {
+  static constexpr const BusUnit* units[] = {&bus_unit<MainOnBoardComputerKind>};
+  CivilTime time = {.year = 2026, .month = 12, .day = 31, .hour = 23, .minute = 59};
+  auto clock = [&time] { return std::optional(time); };
+  auto hardware = [&clock] {
+    return MainOnBoardComputerHardware{.clock = Callback<std::optional<CivilTime>()>::of(clock)};
+  };
+  const auto prepare = [&](Site& site) {
+    site.offer(Callback<MainOnBoardComputerHardware()>::of(hardware));
+  };
+  BusBench bench(units, prepare, 1);
+  EXPECT_EQ(bench.cable.last(0x181), "181#29 7C 0C 17 3B 00");
+  bench.cable.run_for(59s);
+  time.second = 60;
+  bench.cable.run_for(1s);
+  EXPECT_EQ(bench.cable.last(0x181), "181#29 7C 0C 17 3B EC");
+  time = {.year = 2027, .month = 1, .day = 1};
+  bench.cable.run_for(1s);
+  EXPECT_EQ(bench.cable.last(0x181), "181#2A 04 01 00 00 00");
+  time.minute = 1;
+  bench.cable.run_for(1min);
+  EXPECT_EQ(bench.cable.last(0x181), "181#2A 04 01 00 01 00") << "and the next full minute";
+}
+
+/// A year that the objects cannot hold is no time: what follows is seen within a second.
+TEST_F(Computer, ATimeThatCannotBeToldIsLookedAtAgainSoon) {
+  begin = 0;  // 1970
+  computer->clock_changed();
+  settle();
+  EXPECT_EQ(bench.cable.last(0x181), "181#FF FF FF FF FF FF");
+  begin = cia447::seconds_since_1970({.year = 2026, .month = 11, .day = 23, .hour = 8});
+  run(1s);
+  EXPECT_EQ(bench.cable.last(0x181), "181#29 5C 0B 08 00 04");
+}
+
 TEST_F(Computer, TellsWhatIsPreviousAsTable1HasIt) {
   const auto previous = [this] {
     return std::pair(computer->device()[previous_fare_zone].raw(),
