@@ -181,6 +181,22 @@ TEST_F(Manager, KeepsTheCountsOfEachStopWithTheLine) {
   EXPECT_EQ(data.substr(44, 4), std::string("\x00\x00\x04\x00", 4));
 }
 
+/// The message with the stop point has the events of others, too, and comes with each (8.1.4.3).
+TEST_F(Manager, TheSameStopToldAgainIsOneRecord) {
+  const char* seventh = "23 09 61 00 07 00 00 00";
+  bench.ask(seventh);
+  count("00", "02");
+  bench.ask(seventh);
+  count("01", "03");
+  std::string data = bench.upload(0x6720, 0);
+  ASSERT_EQ(data.size(), 24u);
+  EXPECT_EQ(data.substr(20, 4), std::string("\x05\x00\x01\x00", 4));
+  bench.ask("23 09 61 00 08 00 00 00");
+  bench.ask(seventh);
+  count("00", "01");
+  EXPECT_EQ(bench.upload(0x6720, 0).size(), 48u) << "it was elsewhere meanwhile";
+}
+
 TEST_F(Manager, OfMoreStopsThanItKeepsTheOldestGo) {
   for (unsigned stop = 1; stop <= 130; ++stop) {
     char request[40];
