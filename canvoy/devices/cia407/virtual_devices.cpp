@@ -9,6 +9,7 @@ namespace {
 constexpr std::uint16_t types_index = 0x6000;
 constexpr std::uint16_t events_from_index = 0x6001;
 constexpr std::uint16_t events_for_index = 0x6002;
+constexpr std::uint16_t counts_index = passenger_counting_in_and_out_per_door_object.index;
 
 /// An event as 6001h and 6002h have it.
 constexpr std::uint32_t event_word(std::uint8_t code, std::uint16_t information,
@@ -76,6 +77,7 @@ AbortCode VirtualDevices::before_read(const Entry& entry) {
 }
 
 AbortCode VirtualDevices::check(const Entry& entry, std::span<const std::uint8_t> value) {
+  if (entry.index == counts_index) own_counts_ = static_cast<std::uint16_t>(entry.word());
   const auto ask = [&](const HookCalls& row, void* unit) {
     return row.before_write == nullptr ? AbortCode::none : row.before_write(unit, entry, value);
   };
@@ -106,6 +108,11 @@ void VirtualDevices::written(const Entry& entry, Source source) {
       device->on_event(static_cast<std::uint8_t>(word),
                        static_cast<std::uint16_t>(word >> event_information_bit));
     }
+  }
+  // Counts of another door are taken: what is read and sent stays that of the one here (6.21).
+  const bool is_provided = allows(entry.row->access, Access::sdo_read);
+  if (entry.index == counts_index && is_provided && source != Source::application) {
+    node_.dictionary().set_number(counts_index, 0, own_counts_);
   }
 }
 

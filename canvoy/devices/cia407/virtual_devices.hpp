@@ -63,6 +63,7 @@ class VirtualDevices {
   VirtualDevice** last_ = &first_;
   const VirtualDevice* teller_ = nullptr;  ///< whose value it is that is announced
   FileShelf* shelves_ = nullptr;
+  std::uint16_t own_counts_ = 0;  ///< 6700h before it was written
   Callback<void(ResetScope)> next_restored_;
   static const HookCalls hook_calls[];
   static const ServiceCalls service_calls;
