@@ -1,5 +1,7 @@
 #include "canvoy/devices/cia407/main_on_board_computer/main_on_board_computer_unit.hpp"
 
+#include <utility>
+
 #include "canvoy/devices/cia407/motion_recognition.hpp"
 
 namespace canvoy::cia407 {
@@ -35,7 +37,10 @@ MainOnBoardComputerUnit::MainOnBoardComputerUnit(VirtualDevice& device,
 }
 
 void MainOnBoardComputerUnit::reset(ResetScope scope) {
-  if (scope == ResetScope::node) tell_vehicle();
+  if (scope == ResetScope::node) {
+    are_doors_open_ = false;
+    tell_vehicle();
+  }
   look(node().now());
 }
 
@@ -111,8 +116,11 @@ void MainOnBoardComputerUnit::event_written(const Entry& entry) {
   if (entry.sub >= 2) take_event(entry.sub);
 }
 
+/// A request is for the next station (9.2.8.5): doors that open end it, not those that are open.
 void MainOnBoardComputerUnit::doors_written() {
-  if (device_[all_doors].is(Doors::open)) request_stop(false);
+  const bool are_open = device_[all_doors].is(Doors::open);
+  const bool were_open = std::exchange(are_doors_open_, are_open);
+  if (are_open && !were_open) request_stop(false);
 }
 
 void MainOnBoardComputerUnit::mileage_written() {

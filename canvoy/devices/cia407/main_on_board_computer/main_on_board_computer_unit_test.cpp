@@ -230,6 +230,24 @@ TEST_F(Computer, OpenDoorsEndARequestToStop) {
   EXPECT_EQ(bench.ask("40 04 62 00 00 00 00 00"), "4F 04 62 00 00 00 00 00");
 }
 
+// It is for the next station (9.2.8.5): that of the doors that are open already is not meant.
+TEST_F(Computer, ARequestWhileDoorsAreOpenIsForTheNextStop) {
+  const auto is_requested = [this] { return bench.ask("40 04 62 00 00 00 00 00").substr(12, 2); };
+  bench.ask("2F 88 64 01 80 00 00 00");
+  bench.ask("2F 88 64 02 C0 00 00 00");  // door 1
+  computer->request_stop();
+  settle();
+  EXPECT_EQ(bench.cable.last(0x1C1), "1C1#01");
+  bench.ask("2F 88 64 02 F0 00 00 00");  // and door 2
+  bench.ask("2F 88 64 01 80 00 00 00");
+  EXPECT_EQ(is_requested(), "01");
+  bench.ask("2F 88 64 02 50 00 00 00");
+  bench.ask("2F 88 64 01 00 00 00 00");
+  EXPECT_EQ(is_requested(), "01") << "doors close";
+  bench.ask("2F 88 64 01 80 00 00 00");
+  EXPECT_EQ(is_requested(), "00") << "the next stop";
+}
+
 // 6204h is TRUE or FALSE (9.2.8.5), in a message of its own (8.1.5) that no network has to set up.
 TEST_F(Computer, ARequestToStopIsSentWithoutBeingConfigured) {
   bench.cable.clear();
