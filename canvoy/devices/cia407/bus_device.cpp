@@ -126,9 +126,14 @@ class BusParts {
     Part* known = find(as.index);
     if (known == nullptr) {
       parts_.push_back(part);
-    } else if (known->is_consumed() && !part.is_consumed()) {
-      *known = part;
+    } else if (known->is_consumed() != part.is_consumed()) {
+      if (known->is_consumed()) *known = part;
+      if (has_counts_of_others(as.index)) *known = known->access(0, Access::rw);
     }
+  }
+  /// Whoever takes counts takes them of all doors (6.22), though one is counted in this device.
+  static bool has_counts_of_others(std::uint16_t index) {
+    return index == passenger_counting_in_and_out_per_door_object.index;
   }
   /// The third message of a main on-board computer carries what others told it (errata 96).
   bool passes_events_on(const BusUnit& unit, std::uint16_t index) const {

@@ -243,19 +243,55 @@ struct Voice {
   }
 };
 
-TEST(BusDevice, VirtualDevicesOfOneDeviceHearEachOther) {
+class ComputerAndAnnouncer : public testing::Test {
+ protected:
+  using Event = std::pair<unsigned, std::uint32_t>;
+
+  void made(MainOnBoardComputerUnit& unit, Node& /*node*/) { computer = &unit; }
+  void heard(unsigned number, std::uint32_t event) { events.emplace_back(number, event); }
+  MainOnBoardComputerHardware hardware() {
+    return {.on_event =
+                Callback<void(unsigned, std::uint32_t)>::to<&ComputerAndAnnouncer::heard>(*this)};
+  }
+
   Voice voice;
+  std::vector<Event> events;
   MainOnBoardComputerUnit* computer = nullptr;
-  auto made = [&](MainOnBoardComputerUnit& unit, Node&) { computer = &unit; };
-  BusBench bench(
+  BusBench bench{
       computer_and_announcer,
-      [&](Site& site) {
+      [this](Site& site) {
         site.offer(Callback<AcousticAnnouncerHardware()>::to<&Voice::hardware>(voice));
-        site.watch(Callback<void(MainOnBoardComputerUnit&, Node&)>::of(made));
+        site.offer(
+            Callback<MainOnBoardComputerHardware()>::to<&ComputerAndAnnouncer::hardware>(*this));
+        site.watch(Callback<void(MainOnBoardComputerUnit&, Node&)>::to<&ComputerAndAnnouncer::made>(
+            *this));
       },
-      1);
+      1};
+};
+
+TEST_F(ComputerAndAnnouncer, VirtualDevicesOfOneDeviceHearEachOther) {
   computer->set_position({.stop_point_id = 17});
   EXPECT_EQ(voice.said, (std::vector<std::uint32_t>{17}));
+}
+
+/// 9.2.4, 9.2.5: the announcer is the second one, 6002h:02h and 6001h:03h.
+TEST_F(ComputerAndAnnouncer, CommandsAndEventsOfOneDeviceAreHeardWithin) {
+  computer->command(2, DeviceCode::acoustic_announcer, 1);
+  EXPECT_EQ(bench.ask("40 02 60 02 00 00 00 00"), "43 02 60 02 01 00 00 07");
+  EXPECT_EQ(bench.ask("40 01 60 03 00 00 00 00"), "43 01 60 03 01 00 00 07") << "it lives";
+  EXPECT_EQ(bench.cable.last(0x401), "401#00 00 00 00 02 00 00 00");
+  EXPECT_EQ(events, (std::vector<Event>{{2, 0x07000001}}));
+  computer->command(2, DeviceCode::acoustic_announcer, 0);
+  EXPECT_EQ(events, (std::vector<Event>{{2, 0x07000001}, {2, 0}}));
+  bench.cable.run_for(0s);
+  EXPECT_EQ(bench.cable.last(0x401), "401#00 00 00 00 00 00 00 00");
+}
+
+/// The second one of the network may be in another device: its code says so.
+TEST_F(ComputerAndAnnouncer, ACommandForAnotherCodeIsNotTakenWithin) {
+  computer->command(2, DeviceCode::tachograph, 1);
+  EXPECT_EQ(bench.ask("40 02 60 02 00 00 00 00"), "43 02 60 02 01 00 00 0C");
+  EXPECT_EQ(events, std::vector<Event>{});
 }
 
 TEST(BusDevice, AHeartbeatThatIsLostLeavesOperational) {

@@ -27,6 +27,13 @@ constexpr bool can_be_told(const CivilTime& time) {
          time.minute <= 59 && time.second <= 59;
 }
 
+/// Seconds end with 59.75: a leap second is told as the second before it (9.2.6.15).
+constexpr CivilTime without_leap_second(CivilTime time) {
+  constexpr unsigned last_second = 59;
+  if (time.second == last_second + 1) time.second = last_second;
+  return time;
+}
+
 /// The six handles of a clock: year, day, month, hour, minute, second.
 template <class Year, class Day, class Month, class Hour, class Minute, class Second>
 struct ClockHandles {
@@ -58,6 +65,7 @@ concept MayBeNothing = requires(Reference reference) { reference = std::nullopt;
 /// is a time that the object cannot hold.
 template <class Clock>
 void tell_clock(VirtualDevice& device, const Clock& clock, std::optional<CivilTime> time) {
+  if (time) time = without_leap_second(*time);
   if (time && !can_be_told(*time)) time = std::nullopt;
   const auto tell = [&](const auto& handle, std::int64_t value) {
     using Reference = typename std::remove_cvref_t<decltype(handle)>::Reference;

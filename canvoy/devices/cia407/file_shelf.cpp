@@ -1,6 +1,7 @@
 #include "canvoy/devices/cia407/file_shelf.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "canvoy/can/must_hold.hpp"
 
@@ -13,7 +14,7 @@ constexpr unsigned arrival = 0;
 
 }  // namespace
 
-FileShelf::FileShelf(Node& node, std::uint16_t index, const Memory& memory)
+FileShelf::FileShelf(VirtualDevice& device, std::uint16_t index, const Memory& memory)
     : memory_(memory),
       domain_{
           .open_read =
@@ -26,16 +27,28 @@ FileShelf::FileShelf(Node& node, std::uint16_t index, const Memory& memory)
                                       std::span<const std::uint8_t>)>::to<&FileShelf::write>(*this),
           .close_write =
               Callback<AbortCode(const Entry&, bool)>::to<&FileShelf::close_write>(*this)},
-      hook_{.first = index, .last = index, .domain = &domain_} {
-  node.dictionary().attach(hook_);
+      hook_{.first = index, .last = index, .domain = &domain_},
+      next_(std::exchange(device.shelves(), this)),
+      shared_(shared(next_)) {
+  if (&shared_ == this) device.node().dictionary().attach(hook_);
+}
+
+/// Of those that were made before, from `shelf` on.
+FileShelf& FileShelf::shared(FileShelf* shelf) {
+  for (; shelf != nullptr; shelf = shelf->next_) {
+    if (shelf->hook_.first == hook_.first) return shelf->shared_;
+  }
+  return *this;
 }
 
 std::span<const std::uint8_t> FileShelf::file(unsigned sub) const {
+  if (&shared_ != this) return shared_.file(sub);
   if (!has(sub)) return {};
   return place(sub).first(memory_.sizes[sub - 1]);
 }
 
 void FileShelf::clear() {
+  if (&shared_ != this) return shared_.clear();
   std::ranges::fill(memory_.sizes, 0);
   arriving_ = 0;
   read_ = 0;

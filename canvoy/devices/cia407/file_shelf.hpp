@@ -1,15 +1,16 @@
 // Files that a device stores by SDO (6201h, 6202h; CiA 407, 9.2.8): a sub-index each, of any size
-// up to a bound. A file that does not arrive whole changes nothing.
+// up to a bound. A file that does not arrive whole changes nothing. Virtual devices of one physical
+// one share the files of an object: those of the shelf that was made first.
 //
-//     FileShelfOf<8, 8192> pictures{node, 0x6202};
-//     pictures.file(1);   // the bytes of 6202h:01h
+//     FileShelfOf<8, 8192> pictures{device, 0x6202};
+//     pictures.shelf().file(1);   // the bytes of 6202h:01h
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <span>
 
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/devices/cia407/virtual_devices.hpp"
 
 namespace canvoy::cia407 {
 
@@ -22,7 +23,7 @@ class FileShelf {
     std::uint32_t size_max = 0;
   };
 
-  FileShelf(Node& node, std::uint16_t index, const Memory& memory);
+  FileShelf(VirtualDevice& device, std::uint16_t index, const Memory& memory);
   FileShelf(const FileShelf&) = delete;
   FileShelf& operator=(const FileShelf&) = delete;
 
@@ -31,6 +32,7 @@ class FileShelf {
   void clear();
 
  private:
+  FileShelf& shared(FileShelf* shelf);
   bool has(unsigned sub) const { return sub >= 1 && sub <= memory_.sizes.size(); }
   std::span<std::uint8_t> place(unsigned sub) const {
     return memory_.bytes.subspan(std::size_t{memory_.size_max} * sub, memory_.size_max);
@@ -44,6 +46,8 @@ class FileShelf {
   Memory memory_;
   Domain domain_;
   Hook hook_;
+  FileShelf* next_;    ///< of another object, or that shares files with another
+  FileShelf& shared_;  ///< which has the files: often this one
   std::uint32_t arrived_ = 0;
   std::uint8_t arriving_ = 0;  ///< sub-index of the file that is being written; 0: none
   std::uint8_t read_ = 0;      ///< that is being read, and has not been written since; 0: none
@@ -52,8 +56,8 @@ class FileShelf {
 template <std::size_t files, std::size_t size_max>
 class FileShelfOf {
  public:
-  FileShelfOf(Node& node, std::uint16_t index)
-      : shelf_(node, index, {.bytes = bytes_, .sizes = sizes_, .size_max = size_max}) {}
+  FileShelfOf(VirtualDevice& device, std::uint16_t index)
+      : shelf_(device, index, {.bytes = bytes_, .sizes = sizes_, .size_max = size_max}) {}
   FileShelf& shelf() { return shelf_; }
 
  private:

@@ -191,6 +191,21 @@ TEST(TimeFixing, TellsUtcAndSaysWhenItHasNone) {
   EXPECT_EQ(bench.bench.cable.last(0x085), "085#00 00 00 00 00 00 00 00");
 }
 
+/// 9.2.22.1: seconds are 0 to 59.75. The signal is there in a leap second, too.
+TEST(TimeFixing, ALeapSecondIsTheSecondBeforeIt) {
+  std::optional<CivilTime> utc =
+      CivilTime{.year = 2026, .month = 12, .day = 31, .hour = 23, .minute = 59, .second = 58};
+  Bench<TimeFixingKind> bench(
+      {.utc = {[](void* of) { return *static_cast<std::optional<CivilTime>*>(of); }, &utc}});
+  utc->second = 60;
+  bench.bench.cable.run_for(1s);
+  EXPECT_EQ(bench.bench.cable.last(0x185), "185#00 00 29 7C 0C 17 3B EC");
+  EXPECT_EQ(bench.bench.cable.count(0x085), 0u);
+  utc->second = 61;
+  bench.bench.cable.run_for(1s);
+  EXPECT_EQ(bench.bench.cable.last(0x085), "085#02 FF 01 01 00 00 00 00") << "there is none";
+}
+
 TEST(TimeFixing, TellsHowFarTheLocalTimeIsNow) {
   std::optional<CivilTime> utc =
       CivilTime{.year = 2026, .month = 3, .day = 29, .hour = 0, .minute = 59, .second = 59};

@@ -9,6 +9,7 @@ namespace {
 constexpr std::uint16_t types_index = 0x6000;
 constexpr std::uint16_t events_from_index = 0x6001;
 constexpr std::uint16_t events_for_index = 0x6002;
+constexpr std::uint16_t counts_index = passenger_counting_in_and_out_per_door_object.index;
 
 /// An event as 6001h and 6002h have it.
 constexpr std::uint32_t event_word(std::uint8_t code, std::uint16_t information,
@@ -76,6 +77,7 @@ AbortCode VirtualDevices::before_read(const Entry& entry) {
 }
 
 AbortCode VirtualDevices::check(const Entry& entry, std::span<const std::uint8_t> value) {
+  if (entry.index == counts_index) own_counts_ = static_cast<std::uint16_t>(entry.word());
   const auto ask = [&](const HookCalls& row, void* unit) {
     return row.before_write == nullptr ? AbortCode::none : row.before_write(unit, entry, value);
   };
@@ -100,14 +102,21 @@ void VirtualDevices::written(const Entry& entry, Source source) {
     if (device != teller_) device->for_rows_of(entry, tell);
     if (entry.index != events_for_index || entry.sub != device->number_) continue;
     const std::uint32_t word = entry.word();
-    if (device->on_event) {
+    // What is written within may be for a device at this place of the network.
+    const bool is_for_it = word == 0 || word >> event_code_bit == device->info_.code;
+    if (is_for_it && device->on_event) {
       device->on_event(static_cast<std::uint8_t>(word),
                        static_cast<std::uint16_t>(word >> event_information_bit));
     }
   }
+  // Counts of another door are taken: what is read and sent stays that of the one here (6.21).
+  const bool is_provided = allows(entry.row->access, Access::sdo_read);
+  if (entry.index == counts_index && is_provided && source != Source::application) {
+    node_.dictionary().set_number(counts_index, 0, own_counts_);
+  }
 }
 
-void VirtualDevices::tell_events(const VirtualDevice& device) {
+void VirtualDevices::tell_events(VirtualDevice& device) {
   if (device.number_ > with_events_max) return;
   const bool has_event = device.flags_ != 0 || device.information_ != 0;
   const std::uint32_t word =
@@ -115,8 +124,11 @@ void VirtualDevices::tell_events(const VirtualDevice& device) {
   Dictionary& dictionary = node_.dictionary();
   const std::uint32_t bit = std::uint32_t{1} << (device.number_ - 1);
   const std::uint32_t others = dictionary.word(events_from_index, 1) & ~bit;
-  dictionary.set_number(events_from_index, static_cast<std::uint8_t>(device.number_ + 1), word);
+  const auto sub = static_cast<std::uint8_t>(device.number_ + 1);
+  const bool is_news = dictionary.word(events_from_index, sub) != word;
+  dictionary.set_number(events_from_index, sub, word);
   dictionary.set_number(events_from_index, 1, others | (has_event ? bit : 0));
+  if (is_news) device.announce_at(events_from_index, sub);
 }
 
 VirtualDevice::VirtualDevice(VirtualDevices& all, const VirtualDeviceInfo& info, unsigned number)

@@ -32,6 +32,7 @@ inline constexpr HookCalls after_any_write = [] {
   return row;
 }();
 
+class FileShelf;
 class VirtualDevice;
 
 /// It has to be made before the node starts. A step for each row of each virtual device at each
@@ -55,12 +56,14 @@ class VirtualDevices {
   AbortCode before_read(const Entry& entry);
   AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
   void written(const Entry& entry, Source source);
-  void tell_events(const VirtualDevice& device);
+  void tell_events(VirtualDevice& device);
 
   Node& node_;
   VirtualDevice* first_ = nullptr;
   VirtualDevice** last_ = &first_;
   const VirtualDevice* teller_ = nullptr;  ///< whose value it is that is announced
+  FileShelf* shelves_ = nullptr;
+  std::uint16_t own_counts_ = 0;  ///< 6700h before it was written
   Callback<void(ResetScope)> next_restored_;
   static const HookCalls hook_calls[];
   static const ServiceCalls service_calls;
@@ -122,6 +125,9 @@ class VirtualDevice {
   }
   /// The same of a value that was written past tell().
   void announce_at(std::uint16_t index, std::uint8_t sub);
+
+  /// Of this physical device: the last that was made.
+  FileShelf*& shelves() { return all_.shelves_; }
 
  private:
   friend class VirtualDevices;

@@ -10,6 +10,7 @@ constexpr std::uint8_t flag_close = 1;
 constexpr std::uint8_t flag_limit = 2;
 constexpr unsigned percent = 100;
 constexpr unsigned usage_max = 255;
+constexpr std::size_t stop_point_at = 14;
 constexpr std::size_t in_at = 20;
 constexpr std::size_t out_at = 22;
 
@@ -49,6 +50,13 @@ void CountingManagerUnit::counts_written() {
   take(device_[incoming_passengers_of_door].raw(), device_[outgoing_passengers_of_door].raw());
 }
 
+/// The same stop is told again, as with each event of another device (8.1.4.3).
+void CountingManagerUnit::stop_point_written() {
+  if (!is_stop_open_) return;
+  const auto open_stop = load<std::uint32_t>(&last_record()[stop_point_at]);
+  is_stop_open_ = device_[stop_point_id].raw() == open_stop;
+}
+
 void CountingManagerUnit::take(std::uint8_t in, std::uint8_t out) {
   if (in == 0 && out == 0) return;
   counts_.in = static_cast<std::uint16_t>(counts_.in + in);
@@ -77,7 +85,7 @@ CountingManagerUnit::Record& CountingManagerUnit::open_record() {
   if (!is_stop_open_) {
     is_stop_open_ = true;
     ++records_made_;
-    Record& made = records_[(records_made_ - 1) % records_max];
+    Record& made = last_record();
     made = {};
     const Dictionary& dictionary = device_.node().dictionary();
     for (std::uint8_t sub = 1; sub <= 6; ++sub) {
@@ -87,10 +95,10 @@ CountingManagerUnit::Record& CountingManagerUnit::open_record() {
     store(&made[6], device_[line_id].raw());
     store(&made[8], device_[route_number].raw());
     store(&made[10], device_[destination_number].raw());
-    store(&made[14], device_[stop_point_id].raw());
+    store(&made[stop_point_at], device_[stop_point_id].raw());
     made[18] = device_[journey_direction].raw();
   }
-  return records_[(records_made_ - 1) % records_max];
+  return last_record();
 }
 
 void CountingManagerUnit::note(std::uint8_t in, std::uint8_t out) {

@@ -59,10 +59,11 @@ class CountingManagerUnit {
 
   void reset(ResetScope scope);
   void counts_written();
-  void stop_point_written() { is_stop_open_ = false; }
+  void stop_point_written();
   void take(std::uint8_t in, std::uint8_t out);
   void tell();
   void note(std::uint8_t in, std::uint8_t out);
+  Record& last_record() { return records_[(records_made_ - 1) % records_max]; }
   Record& open_record();
   Result<std::uint32_t> open_read(const Entry& entry);
   Result<std::size_t> read(const Entry& entry, std::uint32_t offset, std::span<std::uint8_t> bytes);

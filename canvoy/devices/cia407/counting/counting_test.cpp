@@ -181,6 +181,22 @@ TEST_F(Manager, KeepsTheCountsOfEachStopWithTheLine) {
   EXPECT_EQ(data.substr(44, 4), std::string("\x00\x00\x04\x00", 4));
 }
 
+/// The message with the stop point has the events of others, too, and comes with each (8.1.4.3).
+TEST_F(Manager, TheSameStopToldAgainIsOneRecord) {
+  const char* seventh = "23 09 61 00 07 00 00 00";
+  bench.ask(seventh);
+  count("00", "02");
+  bench.ask(seventh);
+  count("01", "03");
+  std::string data = bench.upload(0x6720, 0);
+  ASSERT_EQ(data.size(), 24u);
+  EXPECT_EQ(data.substr(20, 4), std::string("\x05\x00\x01\x00", 4));
+  bench.ask("23 09 61 00 08 00 00 00");
+  bench.ask(seventh);
+  count("00", "01");
+  EXPECT_EQ(bench.upload(0x6720, 0).size(), 48u) << "it was elsewhere meanwhile";
+}
+
 TEST_F(Manager, OfMoreStopsThanItKeepsTheOldestGo) {
   for (unsigned stop = 1; stop <= 130; ++stop) {
     char request[40];
@@ -192,6 +208,60 @@ TEST_F(Manager, OfMoreStopsThanItKeepsTheOldestGo) {
   ASSERT_EQ(data.size(), 128u * 24);
   EXPECT_EQ(data[14], 3) << "stop 3 is the oldest";
   EXPECT_EQ(static_cast<unsigned char>(data[127 * 24 + 14]), 130);
+}
+
+class CounterAndManager : public testing::Test {
+ protected:
+  static constexpr const BusUnit* units[] = {&bus_unit<PassengerCounterKind>,
+                                             &bus_unit<CountingManagerKind>};
+  void counter_made(PassengerCounterUnit& of, Node& /*node*/) { counter = &of; }
+  void manager_made(CountingManagerUnit& of, Node& /*node*/) { manager = &of; }
+
+  PassengerCounterUnit* counter = nullptr;
+  CountingManagerUnit* manager = nullptr;
+  BusBench bench{
+      units, [this](Site& site) {
+        site.watch(
+            Callback<void(PassengerCounterUnit&, Node&)>::to<&CounterAndManager::counter_made>(
+                *this));
+        site.watch(
+            Callback<void(CountingManagerUnit&, Node&)>::to<&CounterAndManager::manager_made>(
+                *this));
+      }};
+};
+
+/// 6.22: the values of all doors, those of other devices too.
+TEST_F(CounterAndManager, TheCountsOfOtherDoorsAreTaken) {
+  counter->set_door(true);
+  counter->count_in(3);
+  counter->set_door(false);
+  EXPECT_EQ(manager->aboard(), 3u);
+  EXPECT_EQ(bench.ask("2B 00 67 00 00 02 00 00"), "60 00 67 00 00 00 00 00");
+  EXPECT_EQ(manager->aboard(), 5u);
+  EXPECT_EQ(bench.ask("40 00 67 00 00 00 00 00"), "4B 00 67 00 00 03 00 00") << "its own door";
+}
+
+TEST_F(CounterAndManager, ADoorsMessageIsTaken) {
+  unsigned taken = 0;
+  for (const char* number : {"00", "01", "02", "03", "04", "05", "06", "07", "08", "09", "0A"}) {
+    const std::string mapped =
+        bench.ask("40 " + std::string(number) + " 16 01 00 00 00 00").substr(12);
+    if (mapped != "10 00 00 67" || taken != 0) continue;
+    bench.ask("23 " + std::string(number) + " 14 01 94 02 00 00");
+    ++taken;
+  }
+  EXPECT_EQ(taken, 1u);
+  counter->set_door(true);
+  counter->count_in(3);
+  counter->set_door(false);
+  bench.cable.run_for(0s);
+  EXPECT_EQ(bench.cable.last(0x285), "285#00 03");
+  bench.cable.clear();
+  bench.cable.send("294#00 05");
+  EXPECT_EQ(manager->aboard(), 8u);
+  EXPECT_EQ(bench.cable.last(0x485), "485#08 00 0A") << "of 80";
+  EXPECT_EQ(bench.ask("40 00 67 00 00 00 00 00"), "4B 00 67 00 00 03 00 00");
+  EXPECT_EQ(bench.cable.count(0x285), 0u) << "its own door has counted nobody more";
 }
 
 }  // namespace

@@ -108,8 +108,12 @@ AbortCode DiagnosticsUnit::check_shorts(const Entry& entry, std::span<const std:
   return entry.sub == 0 && value[0] > 0 ? AbortCode::value_range : AbortCode::none;
 }
 
+/// Of a device that tells error code 0000h there is none: there are 65,535 (9.2.27.1).
 void DiagnosticsUnit::shorts_written(const Entry& entry) {
-  if (entry.sub == 1) return add_short(entry.word());
+  constexpr std::uint32_t error_code = 0xFFFF;
+  if (entry.sub == 1) {
+    return (entry.word() & error_code) == 0 ? tell_shorts() : add_short(entry.word());
+  }
   if (entry.sub != 0) return;
   short_count_ = 0;
   tell_shorts();

@@ -37,6 +37,19 @@ TEST_F(Diagnostics, ShortErrorsMoveDownTheList) {
   EXPECT_EQ(bench.ask("23 40 67 02 00 00 00 00"), "80 40 67 02 02 00 01 06") << "read only";
 }
 
+/// 65,535 errors (9.2.27.1) are 1 to FFFFh: a device that tells 0 has none.
+TEST_F(Diagnostics, NoErrorIsNone) {
+  EXPECT_EQ(bench.ask("23 40 67 01 00 00 00 00"), "60 40 67 01 00 00 00 00");
+  EXPECT_EQ(count("40 67"), "00");
+  EXPECT_EQ(bench.upload(0x6741, 0), "");
+  bench.ask("23 40 67 01 20 31 12 00");
+  bench.ask("23 40 67 01 00 00 00 00");
+  bench.ask("23 40 67 01 00 00 12 00");
+  EXPECT_EQ(count("40 67"), "01");
+  EXPECT_EQ(short_error("01"), "20 31 12 00");
+  EXPECT_EQ(short_error("02"), "00 00 00 00");
+}
+
 TEST_F(Diagnostics, A0DeletesThemAndMoreIsRefused) {
   unit->report(0x12, 0x3120);
   EXPECT_EQ(bench.ask("2F 40 67 00 01 00 00 00"), "80 40 67 00 30 00 09 06");

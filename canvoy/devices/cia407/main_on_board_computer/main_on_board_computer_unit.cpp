@@ -1,5 +1,7 @@
 #include "canvoy/devices/cia407/main_on_board_computer/main_on_board_computer_unit.hpp"
 
+#include <utility>
+
 #include "canvoy/devices/cia407/motion_recognition.hpp"
 
 namespace canvoy::cia407 {
@@ -37,6 +39,7 @@ MainOnBoardComputerUnit::MainOnBoardComputerUnit(VirtualDevice& device,
 void MainOnBoardComputerUnit::reset(ResetScope scope) {
   if (scope == ResetScope::node) {
     has_satellite_speed_ = false;
+    are_doors_open_ = false;
     tell_vehicle();
   }
   look(node().now());
@@ -58,10 +61,9 @@ void MainOnBoardComputerUnit::tell_vehicle() {
 void MainOnBoardComputerUnit::look(Time now) {
   const std::optional<CivilTime> time = hardware_.clock ? hardware_.clock() : std::nullopt;
   tell_clock(device_, local_clock, time);
-  const auto to_next_minute = std::chrono::seconds(time && time->second < seconds_of_minute
-                                                       ? seconds_of_minute - time->second
-                                                       : seconds_of_minute);
-  node().timers().arm(timer_, now + (time ? to_next_minute : std::chrono::seconds(1)));
+  const bool is_known = time && can_be_told(*time);
+  node().timers().arm(timer_,
+                      now + std::chrono::seconds(is_known ? seconds_of_minute - time->second : 1));
   const auto warmth = hardware_.inside_temperature ? hardware_.inside_temperature() : std::nullopt;
   if (warmth) device_.tell(inside_temperature, *warmth);
 }
@@ -105,16 +107,21 @@ void MainOnBoardComputerUnit::command(unsigned number, DeviceCode code, std::uin
   const bool is_event = flags != 0 || information != 0;
   const std::uint32_t word = std::uint32_t{code_of(code)} << event_code_bit |
                              std::uint32_t{information} << event_information_bit | flags;
-  node().dictionary().set_number(events_for_virtual_devices_object.index,
-                                 static_cast<std::uint8_t>(number), is_event ? word : 0);
+  const std::uint16_t index = events_for_virtual_devices_object.index;
+  const auto sub = static_cast<std::uint8_t>(number);
+  node().dictionary().set_number(index, sub, is_event ? word : 0);
+  device_.announce_at(index, sub);
 }
 
 void MainOnBoardComputerUnit::event_written(const Entry& entry) {
   if (entry.sub >= 2) take_event(entry.sub);
 }
 
+/// A request is for the next station (9.2.8.5): doors that open end it, not those that are open.
 void MainOnBoardComputerUnit::doors_written() {
-  if (device_[all_doors].is(Doors::open)) request_stop(false);
+  const bool are_open = device_[all_doors].is(Doors::open);
+  const bool were_open = std::exchange(are_doors_open_, are_open);
+  if (are_open && !were_open) request_stop(false);
 }
 
 void MainOnBoardComputerUnit::mileage_written() {

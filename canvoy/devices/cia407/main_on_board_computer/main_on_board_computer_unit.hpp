@@ -67,7 +67,7 @@ class MainOnBoardComputerUnit {
   /// A journey begins: nothing is previous.
   void begin_route(const RoutePosition& position);
   void block_tickets(bool is_blocked);
-  /// Somebody wants to get off. Open doors end it.
+  /// Somebody wants to get off. Doors that open end it.
   void request_stop(bool is_requested = true);
   void set_line_name(std::string_view name) { device_.tell(line_short_representation, name); }
   void set_stop_name(std::string_view name) { device_.tell(stop_point_short_representation, name); }
@@ -103,6 +103,7 @@ class MainOnBoardComputerUnit {
   TextSender texts_;
   bool has_satellite_speed_ = false;  ///< 6662h was told: 0 is a speed there
   Timer timer_;
+  bool are_doors_open_ = false;
 };
 
 struct MainOnBoardComputerKind

@@ -93,6 +93,42 @@ TEST_F(Computer, AClockThatIsNotSetSaysSo) {
   EXPECT_EQ(bench.cable.last(0x181), "181#29 5C 0B 08 05 98") << "as soon as it is";
 }
 
+/// Seconds are 0 to 59.75 (9.2.6.15): 23:59:60 is told as 23:59:59, and the new year in time.
+TEST(ComputerClock, ALeapSecondIsTheSecondBeforeIt) {
+  static constexpr const BusUnit* units[] = {&bus_unit<MainOnBoardComputerKind>};
+  CivilTime time = {.year = 2026, .month = 12, .day = 31, .hour = 23, .minute = 59};
+  auto clock = [&time] { return std::optional(time); };
+  auto hardware = [&clock] {
+    return MainOnBoardComputerHardware{.clock = Callback<std::optional<CivilTime>()>::of(clock)};
+  };
+  const auto prepare = [&](Site& site) {
+    site.offer(Callback<MainOnBoardComputerHardware()>::of(hardware));
+  };
+  BusBench bench(units, prepare, 1);
+  EXPECT_EQ(bench.cable.last(0x181), "181#29 7C 0C 17 3B 00");
+  bench.cable.run_for(59s);
+  time.second = 60;
+  bench.cable.run_for(1s);
+  EXPECT_EQ(bench.cable.last(0x181), "181#29 7C 0C 17 3B EC");
+  time = {.year = 2027, .month = 1, .day = 1};
+  bench.cable.run_for(1s);
+  EXPECT_EQ(bench.cable.last(0x181), "181#2A 04 01 00 00 00");
+  time.minute = 1;
+  bench.cable.run_for(1min);
+  EXPECT_EQ(bench.cable.last(0x181), "181#2A 04 01 00 01 00") << "and the next full minute";
+}
+
+/// A year that the objects cannot hold is no time: what follows is seen within a second.
+TEST_F(Computer, ATimeThatCannotBeToldIsLookedAtAgainSoon) {
+  begin = 0;  // 1970
+  computer->clock_changed();
+  settle();
+  EXPECT_EQ(bench.cable.last(0x181), "181#FF FF FF FF FF FF");
+  begin = cia447::seconds_since_1970({.year = 2026, .month = 11, .day = 23, .hour = 8});
+  run(1s);
+  EXPECT_EQ(bench.cable.last(0x181), "181#29 5C 0B 08 00 04");
+}
+
 TEST_F(Computer, TellsWhatIsPreviousAsTable1HasIt) {
   const auto previous = [this] {
     return std::pair(computer->device()[previous_fare_zone].raw(),
@@ -192,6 +228,24 @@ TEST_F(Computer, OpenDoorsEndARequestToStop) {
   EXPECT_EQ(bench.ask("40 04 62 00 00 00 00 00"), "4F 04 62 00 01 00 00 00");
   EXPECT_EQ(bench.ask("2F 88 64 01 80 00 00 00"), "60 88 64 01 00 00 00 00");
   EXPECT_EQ(bench.ask("40 04 62 00 00 00 00 00"), "4F 04 62 00 00 00 00 00");
+}
+
+// It is for the next station (9.2.8.5): that of the doors that are open already is not meant.
+TEST_F(Computer, ARequestWhileDoorsAreOpenIsForTheNextStop) {
+  const auto is_requested = [this] { return bench.ask("40 04 62 00 00 00 00 00").substr(12, 2); };
+  bench.ask("2F 88 64 01 80 00 00 00");
+  bench.ask("2F 88 64 02 C0 00 00 00");  // door 1
+  computer->request_stop();
+  settle();
+  EXPECT_EQ(bench.cable.last(0x1C1), "1C1#01");
+  bench.ask("2F 88 64 02 F0 00 00 00");  // and door 2
+  bench.ask("2F 88 64 01 80 00 00 00");
+  EXPECT_EQ(is_requested(), "01");
+  bench.ask("2F 88 64 02 50 00 00 00");
+  bench.ask("2F 88 64 01 00 00 00 00");
+  EXPECT_EQ(is_requested(), "01") << "doors close";
+  bench.ask("2F 88 64 01 80 00 00 00");
+  EXPECT_EQ(is_requested(), "00") << "the next stop";
 }
 
 // 6204h is TRUE or FALSE (9.2.8.5), in a message of its own (8.1.5) that no network has to set up.

@@ -96,8 +96,8 @@ PassengerInformationUnit::PassengerInformationUnit(VirtualDevice& device,
     : device_(device),
       hardware_(hardware),
       state_(device),
-      special_characters_(device.node(), special_character_files_object.index),
-      pictures_(device.node(), referenced_files_for_xml_files_object.index) {
+      special_characters_(device, special_character_files_object.index),
+      pictures_(device, referenced_files_for_xml_files_object.index) {
   device.on_reset = Callback<void(ResetScope)>::to<&PassengerInformationUnit::reset>(*this);
   device.react(*this, hook_calls);
   device.on_event =

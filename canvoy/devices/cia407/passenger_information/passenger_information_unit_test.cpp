@@ -265,6 +265,32 @@ TEST_F(GraphicsDisplay, PicturesAreStoredWholeOrNotAtAll) {
   EXPECT_EQ(panel.shown[0].octets, file);
 }
 
+/// A node has one 6202h (9.2.8.3), whichever of its displays shows it.
+TEST(TwoDisplays, OfOneNodeHaveTheSameFiles) {
+  using Destination =
+      PassengerInformationKind<InformationClass::destination, InformationSubclass::graphics>;
+  using NextStop =
+      PassengerInformationKind<InformationClass::next_stop, InformationSubclass::graphics>;
+  static constexpr const BusUnit* units[] = {&bus_unit<Destination>, &bus_unit<NextStop>};
+  std::array<Panel, 2> panels;
+  std::size_t made = 0;
+  auto hardware = [&] { return panels.at(made++).hardware(); };
+  BusBench bench(units, [&](Site& site) { site.offer(Callback<DisplayHardware()>::of(hardware)); });
+  const std::string picture = "GIF89a, and what follows";
+  EXPECT_TRUE(bench.download(0x6202, 1, picture));
+  EXPECT_EQ(bench.upload(0x6202, 1), picture);
+  bench.ask("23 03 62 02 01 62 02 00");
+  bench.ask("23 03 62 01 01 00 00 00");
+  for (const Panel& panel : panels) {
+    ASSERT_EQ(panel.shown.size(), 1u);
+    EXPECT_EQ(panel.shown[0].octets, picture);
+  }
+  EXPECT_EQ(bench.cable.count(0x085), 0u);
+  EXPECT_EQ(bench.ask("40 01 60 01 00 00 00 00"), "43 01 60 01 00 00 00 00") << "no event";
+  bench.cable.send("000#81 05");
+  EXPECT_EQ(bench.upload(0x6202, 1), "");
+}
+
 TEST_F(TextDisplay, ADisplayForTextShowsNoPictures) {
   bench.download(0x6202, 1, "GIF89a");
   map("02", "01 62 02 00");
