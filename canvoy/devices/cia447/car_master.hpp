@@ -67,7 +67,7 @@ class CarMaster {
   static constexpr std::size_t routes = LssMaster::routes + node_id_max + 2;
 
   /// `sleep` is that of the same device. All must outlive this. It takes on_heard(), on_lost() and
-  /// on_change() of them for itself.
+  /// on_change() of them, and calls who was called before for the first two.
   CarMaster(CarNetwork& network, CarSleep& sleep, const CarMemory& memory,
             const CarMasterSettings& settings = {});
   CarMaster(const CarMaster&) = delete;
@@ -96,6 +96,7 @@ class CarMaster {
   void commanded(const Frame& frame, Time now);
   void heard(NodeId node, std::uint8_t state);
   void lost(NodeId node);
+  void start(NodeId node);
   void ask_next();
   void device_type_came(SdoClient::Outcome outcome);
   void sleep_message(const Frame& frame, Time now);
@@ -110,6 +111,8 @@ class CarMaster {
   CarMasterSettings settings_;
   KnownDevices known_;
   Callback<void(const CarEvent&)> told_;
+  Callback<void(NodeId, std::uint8_t)> next_heard_;
+  Callback<void(NodeId)> next_lost_;
   LssMaster lss_;
   std::array<LssAddress, add_on_devices_max + 1> scanned_{};
   LssScan scan_;
@@ -125,6 +128,7 @@ class CarMaster {
   SdoClient client_;                      ///< on the default channels, as CiA 301 has them
   std::bitset<node_id_max + 1> to_be_asked_;
   NodeId asked_ = 0;
+  std::uint32_t bus_offs_before_ = 0;  ///< of this node, before it asked
   std::array<std::uint8_t, 4> device_type_{};
 };
 

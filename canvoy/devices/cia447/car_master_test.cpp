@@ -318,6 +318,50 @@ TEST_F(Gateway, WhoseQuestionItsOwnResetEndsTakesNobodyForAStranger) {
   EXPECT_EQ(count(CarEvent::Kind::stranger), 0U);
 }
 
+/// CiA 401, which is no device of the car (1000h), answers when it is asked once more.
+TEST_F(Gateway, AsksAgainWhatADeviceIsWhereItsOwnStateEndedTheQuestion) {
+  const std::string question = "605#40 00 10 00 00 00 00 00";
+  const std::function<void()> ends[] = {[&] {
+                                          cable.send("000#02 01");
+                                          cable.send("000#01 01");
+                                        },
+                                        [&] {
+                                          device.node().bus_state(BusState::bus_off, cable.now);
+                                          cable.run_for(2s);
+                                          device.node().bus_state(BusState::error_active,
+                                                                  cable.now);
+                                        },
+                                        [&] { cable.send("000#82 01"); }};
+  cable.start_all();
+  for (const auto& end : ends) {
+    cable.run_for(5s);
+    events.clear();
+    cable.send("705#00");
+    ASSERT_EQ(cable.last(0x605), question);
+    cable.clear();
+    end();
+    cable.send("705#05");
+    EXPECT_EQ(cable.last(0x605), question);
+    EXPECT_EQ(count(CarEvent::Kind::stranger), 0U);
+    cable.send("585#43 00 10 00 91 01 00 00");
+    EXPECT_EQ(count(CarEvent::Kind::stranger), 1U);
+    cable.clear();
+    cable.send("705#05");
+    EXPECT_EQ(cable.count(0x605), 0U) << "now it is known";
+  }
+}
+
+TEST_F(Gateway, AsksWhatADeviceIsThatBootedWhileItCouldNotAsk) {
+  cable.start_all();
+  cable.run_for(5s);
+  cable.send("000#02 01");
+  cable.send("705#00");
+  EXPECT_EQ(cable.count(0x605), 0U);
+  cable.send("000#01 01");
+  cable.send("705#05");
+  EXPECT_EQ(cable.last(0x605), "605#40 00 10 00 00 00 00 00");
+}
+
 /// A cable that is cut behind the gateway leaves its queue full: the port takes nothing.
 TEST_F(Gateway, ADeviceThatBootsWhileNothingCanBeSentIsStartedLater) {
   cable.start_all();
