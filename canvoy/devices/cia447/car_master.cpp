@@ -42,6 +42,7 @@ CarMaster::CarMaster(CarNetwork& network, CarSleep& sleep, const CarMemory& memo
       scan_(network.node(), lss_, scanned_, fastscan_options),
       scan_timer_(Callback<void(Time)>::to<&CarMaster::look>(*this)),
       objection_timer_(Callback<void(Time)>::to<&CarMaster::nobody_objected>(*this)),
+      wake_up_timer_(Callback<void(Time)>::to<&CarMaster::wake_up_unheard>(*this)),
       client_(network.node()) {
   if (memory_.load) known_ = memory_.load();
   network.node().attach(service_);
@@ -66,6 +67,7 @@ void CarMaster::reset(ResetScope) {
   scan_.cancel();
   look_around_at_ = network_.node().now();
   network_.node().timers().arm(scan_timer_, network_.node().now());
+  network_.node().timers().arm(wake_up_timer_, network_.node().now() + settings_.wake_up_after);
 }
 
 // Names.
@@ -157,6 +159,7 @@ void CarMaster::commanded(const Frame& frame, Time) {
 void CarMaster::heard(NodeId node, std::uint8_t state) {
   if (next_heard_) next_heard_(node, state);
   if (node < first_add_on) return;
+  if (sleep_.state() == SleepState::asleep) return repeat_order();
   constexpr std::uint8_t boot_up = 0;
   present_[node] = true;
   network_.watch(node);
@@ -216,7 +219,7 @@ void CarMaster::lost(NodeId node) {
 
 void CarMaster::send_to_sleep() {
   if (sleep_.state() != SleepState::awake || objection_timer_.armed()) return;
-  send(SleepCommand::query_objection);
+  sleep_.say(SleepCommand::query_objection);
   network_.node().timers().arm(objection_timer_, network_.node().now() + settings_.objection_time);
 }
 
@@ -235,6 +238,7 @@ void CarMaster::sleep_message(const Frame& frame, Time) {
       if (!objection_timer_.armed()) break;
       network_.node().timers().disarm(objection_timer_);
       tell({.kind = CarEvent::Kind::objection, .node = node, .reason = frame.data[1]});
+      if (sleep_.state() == SleepState::asleep) wake_up();
       break;
     case SleepCommand::request_sleep:
       send_to_sleep();
@@ -247,10 +251,30 @@ void CarMaster::sleep_message(const Frame& frame, Time) {
   }
 }
 
-void CarMaster::nobody_objected(Time) {
+void CarMaster::nobody_objected(Time now) {
+  sleep_.say(SleepCommand::set_sleep_mode);
+  order_again_at_ = now + settings_.order_period;
+  if (sleep_.state() != SleepState::awake) return;
   scan_.cancel();
-  send(SleepCommand::set_sleep_mode);
   sleep_.prepare();
+}
+
+/// Somebody has not heard that all sleep: nor was it asked whether it objects to that.
+void CarMaster::repeat_order() {
+  const Time now = network_.node().now();
+  if (objection_timer_.armed() || now < order_again_at_) return;
+  sleep_.say(SleepCommand::query_objection);
+  network_.node().timers().arm(objection_timer_, now + settings_.objection_time);
+}
+
+/// It may have lost its power while all others slept.
+void CarMaster::wake_up_unheard(Time) {
+  if (sleep_.state() != SleepState::awake || objection_timer_.armed()) return;
+  bool all_are_heard = true;
+  for (NodeId node = first_add_on; node <= node_id_max; ++node) {
+    all_are_heard = all_are_heard && (present_[node] || !known_.is_known[position_of(node)]);
+  }
+  if (!all_are_heard) sleep_.wake_up();
 }
 
 void CarMaster::sleep_changed(SleepState state) {
@@ -262,13 +286,6 @@ void CarMaster::sleep_changed(SleepState state) {
   } else if (state == SleepState::awake) {
     tell({.kind = CarEvent::Kind::awake});
   }
-}
-
-void CarMaster::send(SleepCommand command) {
-  const Frame frame = {.id = sleep_can_id(gateway_node_id),
-                       .length = 8,
-                       .data = {static_cast<std::uint8_t>(command)}};
-  network_.node().transmitter().send(frame);
 }
 
 void CarMaster::tell(const CarEvent& event) {

@@ -44,6 +44,10 @@ struct CarMasterSettings {
   Duration answered_scan_period = 30s;
   Duration objection_time = 1s;  ///< how long objections to sleep are waited for
   bool starts_nodes = true;      ///< into NMT state operational
+  /// Whom it knows and does not hear so long after it has booted may be asleep: it wakes all up.
+  Duration wake_up_after = 10s;
+  /// While it sleeps, one that is awake is asked so often whether it may sleep as well.
+  Duration order_period = 10s;
 };
 
 struct CarEvent {
@@ -97,12 +101,13 @@ class CarMaster {
   void heard(NodeId node, std::uint8_t state);
   void lost(NodeId node);
   void start(NodeId node);
+  void wake_up_unheard(Time now);
+  void repeat_order();
   void ask_next();
   void device_type_came(SdoClient::Outcome outcome);
   void sleep_message(const Frame& frame, Time now);
   void nobody_objected(Time now);
   void sleep_changed(SleepState state);
-  void send(SleepCommand command);
   void tell(const CarEvent& event);
 
   CarNetwork& network_;
@@ -120,6 +125,8 @@ class CarMaster {
   Time look_around_at_{};  ///< before it, only those who were lost are looked for
   NodeId looked_for_ = node_id_max;
   Timer objection_timer_;
+  Timer wake_up_timer_;
+  Time order_again_at_{};  ///< while it sleeps
   static const ServiceCalls service_calls;
   ServiceLink service_{&service_calls, this};
   std::bitset<node_id_max + 1> present_;
