@@ -67,11 +67,11 @@ void FlyingMaster::state_entered(NmtState state) {
 }
 
 /// The loss of the active master, by its heartbeat, or by life guarding, which does not name it.
+/// One that is heard again before this node's slot is not lost.
 void FlyingMaster::error_changed(const Error& error, bool present) {
-  const bool is_loss = present && error.code == emergency_code::heartbeat;
-  if (state_ != State::slave || !is_loss) return;
+  if (state_ != State::slave || error.code != emergency_code::heartbeat) return;
   if (error.instance != active_ && error.instance != 0) return;
-  wait(node_slot());
+  present ? wait(node_slot()) : node_.timers().disarm(timer_);
 }
 
 void FlyingMaster::received(const Frame& frame, Time) {

@@ -212,6 +212,36 @@ TEST(FlyingMaster, TakesALifeGuardingEventForTheLossOfTheMaster) {
   sut.expect({"@550000 000#82 00", "@550000 705#00"});
 }
 
+/// Node 5 waits for its slot, 5 x 10 ms (1F90h:05h), from the loss.
+TEST(FlyingMaster, StaysASlaveWhereTheActiveMasterIsHeardAgainBeforeItsSlot) {
+  for (const std::uint8_t instance : {std::uint8_t{10}, std::uint8_t{0}}) {
+    const Error loss = {.code = 0x8130, .instance = instance, .register_bits = 0x10};
+    FlyingNode sut;
+    sut.follow();
+    sut.node.raise(loss);
+    sut.run_until(Time(549ms));
+    sut.node.clear(loss);
+    sut.run_until(Time(1h));
+    sut.expect({});
+    EXPECT_EQ(sut.flying.state(), FlyingMaster::State::slave);
+    EXPECT_EQ(sut.flying.active_master(), 10);
+    sut.node.advance(Time(1h));
+    sut.node.raise(loss);
+    sut.run_until(Time(1h + 50ms));
+    sut.expect({"@3600050000 000#82 00", "@3600050000 705#00"});
+  }
+}
+
+TEST(FlyingMaster, TheReturnOfAnotherNodeBringsNoActiveMasterBack) {
+  FlyingNode sut;
+  sut.follow();
+  sut.node.raise({.code = 0x8130, .instance = 11, .register_bits = 0x10});
+  sut.node.raise({.code = 0x8130, .instance = 10, .register_bits = 0x10});
+  sut.node.clear({.code = 0x8130, .instance = 11, .register_bits = 0x10});
+  sut.run_until(Time(550ms));
+  sut.expect({"@550000 000#82 00", "@550000 705#00"});
+}
+
 TEST(FlyingMaster, DoesNotCareForTheLossOfOthers) {
   FlyingNode sut;
   sut.follow();

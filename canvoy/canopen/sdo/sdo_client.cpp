@@ -17,10 +17,13 @@ constexpr ServiceCalls SdoClient::service_calls = {
 SdoClient::SdoClient(Node& node, std::optional<std::uint8_t> number)
     : node_(node), watchdog_(node.timers(), Callback<void(Time)>::to<&SdoClient::give_up>(*this)) {
   node_.attach(service_);
-  if (!number) return;
-  const auto index = static_cast<std::uint16_t>(sdo_client_parameter + *number);
-  if (!node_.dictionary().find(index, 0)) return;
-  parameter_ = index;
+  if (number) choose_channel(*number);
+}
+
+void SdoClient::choose_channel(std::uint8_t number) {
+  const auto index = static_cast<std::uint16_t>(sdo_client_parameter + number);
+  parameter_ = node_.dictionary().find(index, 0) ? index : std::uint16_t{0};
+  connected_to_ = nobody;
 }
 
 bool SdoClient::may_speak() const {

@@ -56,6 +56,8 @@ class SdoClient {
   SdoClient(const SdoClient&) = delete;
   SdoClient& operator=(const SdoClient&) = delete;
 
+  /// From the next request on, as if made with `number`. Not while one is under way.
+  void choose_channel(std::uint8_t number);
   /// For requests to come. Without a SdoBlockClient, automatic is segmented.
   void choose(SdoTransfer transfer) { transfer_ = transfer; }
 

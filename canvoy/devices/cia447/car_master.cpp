@@ -42,11 +42,13 @@ CarMaster::CarMaster(CarNetwork& network, CarSleep& sleep, const CarMemory& memo
       scan_(network.node(), lss_, scanned_, fastscan_options),
       scan_timer_(Callback<void(Time)>::to<&CarMaster::look>(*this)),
       objection_timer_(Callback<void(Time)>::to<&CarMaster::nobody_objected>(*this)),
+      wake_up_timer_(Callback<void(Time)>::to<&CarMaster::wake_up_unheard>(*this)),
       client_(network.node()) {
   if (memory_.load) known_ = memory_.load();
   network.node().attach(service_);
-  network.on_heard(Callback<void(NodeId, std::uint8_t)>::to<&CarMaster::heard>(*this));
-  network.on_lost(Callback<void(NodeId)>::to<&CarMaster::lost>(*this));
+  next_heard_ =
+      network.on_heard(Callback<void(NodeId, std::uint8_t)>::to<&CarMaster::heard>(*this));
+  next_lost_ = network.on_lost(Callback<void(NodeId)>::to<&CarMaster::lost>(*this));
   sleep.on_change(Callback<void(SleepState)>::to<&CarMaster::sleep_changed>(*this));
   scan_.on_choose(LssScan::Choose::to<&CarMaster::choose>(*this));
   scan_.on_found(LssScan::Report::to<&CarMaster::found>(*this));
@@ -62,10 +64,10 @@ void CarMaster::reset(ResetScope) {
   present_.reset();
   started_.reset();
   halted_.reset();
-  to_be_asked_.reset();
   scan_.cancel();
   look_around_at_ = network_.node().now();
   network_.node().timers().arm(scan_timer_, network_.node().now());
+  network_.node().timers().arm(wake_up_timer_, network_.node().now() + settings_.wake_up_after);
 }
 
 // Names.
@@ -155,7 +157,9 @@ void CarMaster::commanded(const Frame& frame, Time) {
 /// A device is started when it boots, and when it is heard pre-operational where nobody has
 /// commanded that: not all send a boot-up message, and bus-off or another error may lead there.
 void CarMaster::heard(NodeId node, std::uint8_t state) {
+  if (next_heard_) next_heard_(node, state);
   if (node < first_add_on) return;
+  if (sleep_.state() == SleepState::asleep) return repeat_order();
   constexpr std::uint8_t boot_up = 0;
   present_[node] = true;
   network_.watch(node);
@@ -163,23 +167,29 @@ void CarMaster::heard(NodeId node, std::uint8_t state) {
   if (state == boot_up) halted_[node] = false;
   if (state == static_cast<std::uint8_t>(NmtState::operational)) started_[node] = false;
   const bool waits = state == boot_up || (is_met && !started_[node] && !halted_[node]);
-  if (!waits || !settings_.starts_nodes || sleep_.state() != SleepState::awake) return;
+  if (waits && settings_.starts_nodes && sleep_.state() == SleepState::awake) start(node);
+  ask_next();
+}
+
+void CarMaster::start(NodeId node) {
   const Frame start = {
       .id = can_id::nmt, .length = 2, .data = {static_cast<std::uint8_t>(NmtCommand::start), node}};
   started_[node] = network_.node().transmitter().send(start);
   if (!started_[node]) return;  // once more with its next heartbeat
   tell({.kind = CarEvent::Kind::started, .node = node});
   to_be_asked_[node] = true;
-  ask_next();
 }
 
-/// What a device is: one that is none of this profile is told of, and left alone.
+/// What a device is: one that is none of this profile is told of, and left alone. Who cannot be
+/// asked now is asked when he is heard again.
 void CarMaster::ask_next() {
-  if (client_.busy()) return;
+  const Node& own = network_.node();
+  if (client_.busy() || !client_.may_speak() || own.bus_state() == BusState::bus_off) return;
   for (NodeId node = first_add_on; node <= node_id_max; ++node) {
-    if (!to_be_asked_[node]) continue;
+    if (!to_be_asked_[node] || !present_[node]) continue;
     to_be_asked_[node] = false;
     asked_ = node;
+    bus_offs_before_ = own.counters().bus_off;
     client_.upload(node, object_index::device_type, 0, device_type_,
                    SdoClient::Done::to<&CarMaster::device_type_came>(*this));
     return;
@@ -187,14 +197,18 @@ void CarMaster::ask_next() {
 }
 
 void CarMaster::device_type_came(SdoClient::Outcome outcome) {
-  // The own NMT state has ended the question.
-  if (!outcome && !client_.may_speak()) return;
+  const bool is_cut_off = network_.node().counters().bus_off != bus_offs_before_;
+  if (!outcome && (is_cut_off || !client_.may_speak())) {
+    to_be_asked_[asked_] = true;
+    return;
+  }
   const bool is_of_car = outcome && load<std::uint16_t>(device_type_.data()) == device_type;
   if (!is_of_car) tell({.kind = CarEvent::Kind::stranger, .node = asked_});
   ask_next();
 }
 
 void CarMaster::lost(NodeId node) {
+  if (next_lost_) next_lost_(node);
   // Who boots anew is heard at once again.
   present_[node] = false;
   started_[node] = false;
@@ -205,7 +219,7 @@ void CarMaster::lost(NodeId node) {
 
 void CarMaster::send_to_sleep() {
   if (sleep_.state() != SleepState::awake || objection_timer_.armed()) return;
-  send(SleepCommand::query_objection);
+  sleep_.say(SleepCommand::query_objection);
   network_.node().timers().arm(objection_timer_, network_.node().now() + settings_.objection_time);
 }
 
@@ -224,6 +238,7 @@ void CarMaster::sleep_message(const Frame& frame, Time) {
       if (!objection_timer_.armed()) break;
       network_.node().timers().disarm(objection_timer_);
       tell({.kind = CarEvent::Kind::objection, .node = node, .reason = frame.data[1]});
+      if (sleep_.state() == SleepState::asleep) wake_up();
       break;
     case SleepCommand::request_sleep:
       send_to_sleep();
@@ -236,10 +251,30 @@ void CarMaster::sleep_message(const Frame& frame, Time) {
   }
 }
 
-void CarMaster::nobody_objected(Time) {
+void CarMaster::nobody_objected(Time now) {
+  sleep_.say(SleepCommand::set_sleep_mode);
+  order_again_at_ = now + settings_.order_period;
+  if (sleep_.state() != SleepState::awake) return;
   scan_.cancel();
-  send(SleepCommand::set_sleep_mode);
   sleep_.prepare();
+}
+
+/// Somebody has not heard that all sleep: nor was it asked whether it objects to that.
+void CarMaster::repeat_order() {
+  const Time now = network_.node().now();
+  if (objection_timer_.armed() || now < order_again_at_) return;
+  sleep_.say(SleepCommand::query_objection);
+  network_.node().timers().arm(objection_timer_, now + settings_.objection_time);
+}
+
+/// It may have lost its power while all others slept.
+void CarMaster::wake_up_unheard(Time) {
+  if (sleep_.state() != SleepState::awake || objection_timer_.armed()) return;
+  bool all_are_heard = true;
+  for (NodeId node = first_add_on; node <= node_id_max; ++node) {
+    all_are_heard = all_are_heard && (present_[node] || !known_.is_known[position_of(node)]);
+  }
+  if (!all_are_heard) sleep_.wake_up();
 }
 
 void CarMaster::sleep_changed(SleepState state) {
@@ -251,13 +286,6 @@ void CarMaster::sleep_changed(SleepState state) {
   } else if (state == SleepState::awake) {
     tell({.kind = CarEvent::Kind::awake});
   }
-}
-
-void CarMaster::send(SleepCommand command) {
-  const Frame frame = {.id = sleep_can_id(gateway_node_id),
-                       .length = 8,
-                       .data = {static_cast<std::uint8_t>(command)}};
-  network_.node().transmitter().send(frame);
 }
 
 void CarMaster::tell(const CarEvent& event) {

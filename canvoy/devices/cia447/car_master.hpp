@@ -44,6 +44,10 @@ struct CarMasterSettings {
   Duration answered_scan_period = 30s;
   Duration objection_time = 1s;  ///< how long objections to sleep are waited for
   bool starts_nodes = true;      ///< into NMT state operational
+  /// Whom it knows and does not hear so long after it has booted may be asleep: it wakes all up.
+  Duration wake_up_after = 10s;
+  /// While it sleeps, one that is awake is asked so often whether it may sleep as well.
+  Duration order_period = 10s;
 };
 
 struct CarEvent {
@@ -67,7 +71,7 @@ class CarMaster {
   static constexpr std::size_t routes = LssMaster::routes + node_id_max + 2;
 
   /// `sleep` is that of the same device. All must outlive this. It takes on_heard(), on_lost() and
-  /// on_change() of them for itself.
+  /// on_change() of them, and calls who was called before for the first two.
   CarMaster(CarNetwork& network, CarSleep& sleep, const CarMemory& memory,
             const CarMasterSettings& settings = {});
   CarMaster(const CarMaster&) = delete;
@@ -96,12 +100,14 @@ class CarMaster {
   void commanded(const Frame& frame, Time now);
   void heard(NodeId node, std::uint8_t state);
   void lost(NodeId node);
+  void start(NodeId node);
+  void wake_up_unheard(Time now);
+  void repeat_order();
   void ask_next();
   void device_type_came(SdoClient::Outcome outcome);
   void sleep_message(const Frame& frame, Time now);
   void nobody_objected(Time now);
   void sleep_changed(SleepState state);
-  void send(SleepCommand command);
   void tell(const CarEvent& event);
 
   CarNetwork& network_;
@@ -110,6 +116,8 @@ class CarMaster {
   CarMasterSettings settings_;
   KnownDevices known_;
   Callback<void(const CarEvent&)> told_;
+  Callback<void(NodeId, std::uint8_t)> next_heard_;
+  Callback<void(NodeId)> next_lost_;
   LssMaster lss_;
   std::array<LssAddress, add_on_devices_max + 1> scanned_{};
   LssScan scan_;
@@ -117,6 +125,8 @@ class CarMaster {
   Time look_around_at_{};  ///< before it, only those who were lost are looked for
   NodeId looked_for_ = node_id_max;
   Timer objection_timer_;
+  Timer wake_up_timer_;
+  Time order_again_at_{};  ///< while it sleeps
   static const ServiceCalls service_calls;
   ServiceLink service_{&service_calls, this};
   std::bitset<node_id_max + 1> present_;
@@ -125,6 +135,7 @@ class CarMaster {
   SdoClient client_;                      ///< on the default channels, as CiA 301 has them
   std::bitset<node_id_max + 1> to_be_asked_;
   NodeId asked_ = 0;
+  std::uint32_t bus_offs_before_ = 0;  ///< of this node, before it asked
   std::array<std::uint8_t, 4> device_type_{};
 };
 

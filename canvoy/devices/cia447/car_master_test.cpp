@@ -282,6 +282,79 @@ TEST_F(Gateway, ADeviceAsksForSleepAndAnotherWakesAllUp) {
   EXPECT_EQ(two.device.node().state(), NmtState::operational);
 }
 
+/// A network half asleep: one device has not heard that it shall sleep.
+class HalfAsleep : public Gateway {
+ protected:
+  HalfAsleep() {
+    cable.start_all();
+    cable.run_for(10s);
+    cable.cut(1);
+    master.send_to_sleep();
+    cable.run_for(30s);
+    cable.cut(1, false);
+    cable.clear();
+  }
+  AddOn& one = add(0x11);
+  AddOn& two = add(0x22);
+};
+
+TEST_F(HalfAsleep, WhoHasNotHeardTheOrderIsAskedAndSentToSleep) {
+  ASSERT_EQ(one.device.sleep().state(), SleepState::awake);
+  ASSERT_EQ(two.device.sleep().state(), SleepState::asleep);
+  cable.run_for(1s);
+  EXPECT_EQ(cable.last(0x691), "691#01 00 00 00 00 00 00 00");
+  cable.run_for(1s);
+  EXPECT_EQ(cable.last(0x691), "691#02 00 00 00 00 00 00 00");
+  cable.run_for(1s);
+  EXPECT_EQ(one.device.sleep().state(), SleepState::asleep);
+  cable.clear();
+  cable.run_for(1h);
+  EXPECT_TRUE(cable.heard.empty());
+  EXPECT_EQ(count(CarEvent::Kind::awake), 0u);
+}
+
+TEST_F(HalfAsleep, WhoHasNotHeardTheQueryMayStillObjectAndAllAreWokenUp) {
+  one.device.sleep().object(0x33);
+  cable.run_for(10s);
+  ASSERT_EQ(count(CarEvent::Kind::objection), 1u);
+  EXPECT_EQ(device.sleep().state(), SleepState::awake);
+  EXPECT_EQ(one.device.node().state(), NmtState::operational);
+  EXPECT_EQ(two.device.node().state(), NmtState::operational);
+}
+
+/// A device of others may know nothing of sleep.
+TEST_F(HalfAsleep, WhoNeverSleepsIsAskedNowAndThen) {
+  for (int second = 0; second < 60; ++second) {
+    cable.send("709#05");
+    cable.run_for(1s);
+  }
+  EXPECT_LE(cable.count(0x691), 12u) << "a query and an order each 10 s";
+  EXPECT_EQ(two.device.sleep().state(), SleepState::asleep);
+}
+
+TEST_F(Gateway, ThatBootsWhileTheOthersSleepWakesThemUp) {
+  AddOn& one = add(0x11);
+  cable.start_all();
+  cable.run_for(60s);
+  EXPECT_EQ(cable.count(0x691), 0u) << "all are there";
+  master.send_to_sleep();
+  cable.run_for(10s);
+  ASSERT_EQ(one.device.sleep().state(), SleepState::asleep);
+  kept = master.known();
+  const CarMemory memory = {.load = {[](void*) { return remembered(); }, nullptr}};
+  CarDevice again(only_unit<BlueLightKind>, cable.port(0), 1, site);
+  CarMaster reborn(again.network(), again.sleep(), memory);
+  cable.connect(0, again.node());
+  cable.clear();
+  again.node().start(cable.now);
+  cable.run_for(10s);
+  EXPECT_EQ(cable.last(0x691), "691#82 FE 00 00 00 00 00 00");
+  cable.run_for(10s);
+  EXPECT_EQ(cable.count(0x691), 2u);
+  EXPECT_EQ(one.device.node().id(), 2);
+  EXPECT_EQ(one.device.node().state(), NmtState::operational);
+}
+
 TEST_F(Gateway, ADeviceThatABusOffMadePreOperationalIsStartedAgain) {
   Node& node = add(0x11).device.node();
   cable.start_all();
@@ -316,6 +389,50 @@ TEST_F(Gateway, WhoseQuestionItsOwnResetEndsTakesNobodyForAStranger) {
   cable.send("705#00");
   cable.send("000#82 01");
   EXPECT_EQ(count(CarEvent::Kind::stranger), 0U);
+}
+
+/// CiA 401, which is no device of the car (1000h), answers when it is asked once more.
+TEST_F(Gateway, AsksAgainWhatADeviceIsWhereItsOwnStateEndedTheQuestion) {
+  const std::string question = "605#40 00 10 00 00 00 00 00";
+  const std::function<void()> ends[] = {[&] {
+                                          cable.send("000#02 01");
+                                          cable.send("000#01 01");
+                                        },
+                                        [&] {
+                                          device.node().bus_state(BusState::bus_off, cable.now);
+                                          cable.run_for(2s);
+                                          device.node().bus_state(BusState::error_active,
+                                                                  cable.now);
+                                        },
+                                        [&] { cable.send("000#82 01"); }};
+  cable.start_all();
+  for (const auto& end : ends) {
+    cable.run_for(5s);
+    events.clear();
+    cable.send("705#00");
+    ASSERT_EQ(cable.last(0x605), question);
+    cable.clear();
+    end();
+    cable.send("705#05");
+    EXPECT_EQ(cable.last(0x605), question);
+    EXPECT_EQ(count(CarEvent::Kind::stranger), 0U);
+    cable.send("585#43 00 10 00 91 01 00 00");
+    EXPECT_EQ(count(CarEvent::Kind::stranger), 1U);
+    cable.clear();
+    cable.send("705#05");
+    EXPECT_EQ(cable.count(0x605), 0U) << "now it is known";
+  }
+}
+
+TEST_F(Gateway, AsksWhatADeviceIsThatBootedWhileItCouldNotAsk) {
+  cable.start_all();
+  cable.run_for(5s);
+  cable.send("000#02 01");
+  cable.send("705#00");
+  EXPECT_EQ(cable.count(0x605), 0U);
+  cable.send("000#01 01");
+  cable.send("705#05");
+  EXPECT_EQ(cable.last(0x605), "605#40 00 10 00 00 00 00 00");
 }
 
 /// A cable that is cut behind the gateway leaves its queue full: the port takes nothing.

@@ -72,7 +72,10 @@ class CarNetwork {
   const std::optional<std::uint8_t>& sleep_objection() const { return sleep_objection_; }
 
   /// Called for each boot-up message and heartbeat, with the state that it tells (00h: boot-up).
-  void on_heard(Callback<void(NodeId, std::uint8_t state)> heard) { heard_ = heard; }
+  /// Answers who was called until now, as on_lost() does.
+  Callback<void(NodeId, std::uint8_t)> on_heard(Callback<void(NodeId, std::uint8_t state)> heard) {
+    return std::exchange(heard_, heard);
+  }
   /// Whether a node is heard: its heartbeats, from its boot-up message on. A node that boots anew
   /// was lost.
   void watch(NodeId node);

@@ -57,6 +57,13 @@ void CarSleep::wake_up() {
   network_.node().timers().arm(timer_, now + settings_.repetition);
 }
 
+void CarSleep::say(SleepCommand command) {
+  const bool was_muted = port_.is_muted();
+  port_.mute(false);
+  send(command, 0);
+  port_.mute(was_muted);
+}
+
 void CarSleep::awake() {
   if (state_ == SleepState::preparing) network_.node().timers().disarm(timer_);
   port_.mute(false);

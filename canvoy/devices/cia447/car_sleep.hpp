@@ -44,6 +44,8 @@ class CarSleep {
   void object(std::optional<std::uint8_t> reason) { network_.object_to_sleep(reason); }
   /// As if the gateway had ordered sleep: for the gateway itself.
   void prepare();
+  /// Also while this device sleeps, which stays silent otherwise.
+  void say(SleepCommand command);
   /// Asks the gateway to let the network sleep.
   void request_sleep() { send(SleepCommand::request_sleep, 0); }
   /// Wakes everybody up, and this device where it sleeps.

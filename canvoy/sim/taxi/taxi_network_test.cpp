@@ -289,6 +289,25 @@ TEST(TaxiShift, AGatewayThatHadNoPowerWakesTheOthersWhenItIsBack) {
   }
 }
 
+/// The cable is cut when the order to sleep is given, and the gateway restarts while all sleep.
+TEST(TaxiShift, ANetworkHalfAsleepDoesNotStaySo) {
+  TaxiOptions options = short_shift(1);
+  const Time asleep = asleep_at(options);
+  const ScheduledFault cut = {.kind = FaultKind::cable_cut, .start = asleep - 10s, .duration = 20s};
+  const ScheduledFault restart = {
+      .kind = FaultKind::restart, .node = cia447::gateway_node_id, .start = asleep + 5min};
+  options.faults.faults = {cut, restart};
+  TaxiNetwork network(options);
+  network.run_until(cut.end() + 30s);
+  for (const auto& node : network.nodes()) {
+    EXPECT_EQ(node->device().sleep().state(), cia447::SleepState::asleep) << node->place().name;
+  }
+  network.run_until(restart.start + 30s);
+  for (const auto& node : network.nodes()) {
+    EXPECT_TRUE(node->is_operational()) << node->place().name;
+  }
+}
+
 TEST(TaxiShift, AMeterWithoutPowerShowsNothing) {
   TaxiOptions options = short_shift(1);
   TaxiNetwork healthy(options);

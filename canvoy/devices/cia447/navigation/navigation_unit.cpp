@@ -33,13 +33,15 @@ NavigationUnit::NavigationUnit(CarNetwork& network, const NavigationHardware& ha
       hardware_(hardware),
       settings_(settings),
       values_(network.node().dictionary()),
+      gps_(network, {.pdo_number = position_pdo,
+                     .lost = Callback<void()>::to<&NavigationUnit::position_lost>(*this),
+                     .read = Callback<void()>::to<&NavigationUnit::follow>(*this)}),
       commands_(
           network, navigation_commands,
           {.commanded = Callback<void(const Commanded&)>::to<&NavigationUnit::commanded>(*this),
            .refuses = Callback<AbortCode(const Commanded&)>::to<&NavigationUnit::refuses>(*this)}),
       timer_(Callback<void(Time)>::to<&NavigationUnit::look>(*this)) {
   network.node().attach(service_);
-  next_lost_ = network.on_lost(Callback<void(NodeId)>::to<&NavigationUnit::lost>(*this));
 }
 
 /// The driver is led on, whatever happens to the network.
@@ -51,16 +53,7 @@ void NavigationUnit::reset(ResetScope) {
 
 // Where the car is.
 
-void NavigationUnit::position_written(Source source) {
-  if (source != Source::pdo) return;
-  gps_ = network_.source_of(position_pdo);
-  network_.watch(gps_);
-}
-
-void NavigationUnit::lost(NodeId node) {
-  if (next_lost_) next_lost_(node);
-  if (gps_ == 0 || node != gps_) return;
-  gps_ = 0;
+void NavigationUnit::position_lost() {
   values_[gps_current_position_latitude] = std::nullopt;
   values_[gps_current_position_longitude] = std::nullopt;
   tell_distance();

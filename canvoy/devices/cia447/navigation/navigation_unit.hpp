@@ -4,7 +4,8 @@
 //     navigation.select({48.137, 11.575});   // the driver chooses
 //
 // Where the car is, its own receiver says, or else the GPS of the network (60B0h, which it consumes
-// from whoever sends it): when that one falls silent, the position is not available.
+// from whoever sends it): when that one falls silent, the position is not available, until it is
+// heard again.
 //
 // A destination that is to be taken "without interrupting" waits until the car has arrived at the
 // present one; one can wait, and a later one takes its place.
@@ -13,6 +14,7 @@
 #include <optional>
 
 #include "canvoy/devices/cia447/car_kind.hpp"
+#include "canvoy/devices/cia447/car_source.hpp"
 #include "canvoy/devices/cia447/commands.hpp"
 #include "canvoy/devices/cia447/navigation/gazetteer.hpp"
 #include "canvoy/profiles/cia447/devices.hpp"
@@ -70,8 +72,8 @@ class NavigationUnit {
   };
 
   void reset(ResetScope scope);
-  void lost(NodeId node);
-  void position_written(Source source);
+  void position_written(Source source) { gps_.came(source); }
+  void position_lost();
   AbortCode refuses(const Commanded& wanted);
   void commanded(const Commanded& wanted);
   void describe();
@@ -91,8 +93,7 @@ class NavigationUnit {
   Request wanted_;
   std::optional<GeoPosition> destination_;
   std::optional<GeoPosition> waiting_;
-  NodeId gps_ = 0;  ///< who sends the position
-  Callback<void(NodeId)> next_lost_;
+  CarSource gps_;
   Commands commands_;
   static const HookCalls hook_calls[];
   static const ServiceCalls service_calls;

@@ -263,6 +263,67 @@ TEST_F(Navigation, AGpsThatFallsSilentMakesThePositionNotAvailable) {
   EXPECT_EQ(distance_told(), "FF FF 00 00");
 }
 
+/// A car that stands still has a GPS that sends nothing by itself. Node 5 asks node 7 on 346h, and
+/// is answered on 2C6h (facts 2.2).
+class NavigationRegained : public Navigation {
+ protected:
+  NavigationRegained() {
+    be_at(north_48, east_11);
+    unit->select({48, 11});
+    unit->select({48.1, 11});
+  }
+  void answer_both() {
+    EXPECT_EQ(bench.cable.last(0x346), "346#40 B0 60 01 00 00 00 00");
+    bench.cable.send(std::string("2C6#43 B0 60 01 ") + north_48);
+    EXPECT_EQ(bench.cable.last(0x346), "346#40 B0 60 02 00 00 00 00");
+    bench.cable.send(std::string("2C6#43 B0 60 02 ") + east_11);
+  }
+};
+
+TEST_F(NavigationRegained, AGpsThatIsHeardAgainIsAskedWhereTheCarIs) {
+  bench.cable.run_for(3s);
+  EXPECT_EQ(distance_told(), "FF FF 00 00");
+  bench.cable.send("707#7F");
+  EXPECT_EQ(bench.cable.count(0x346), 0u) << "it is not at work yet";
+  bench.cable.send("707#05");
+  answer_both();
+  EXPECT_EQ(distance_told(), "6F 00 00 00");
+  bench.cable.send("707#05");
+  EXPECT_EQ(bench.cable.count(0x346), 0u) << "once is enough";
+  bench.cable.run_for(3s);
+  EXPECT_EQ(distance_told(), "FF FF 00 00") << "it is watched again";
+}
+
+TEST_F(NavigationRegained, AGpsThatDoesNotAnswerIsAskedAgainWhenItIsHeard) {
+  bench.cable.run_for(3s);
+  bench.cable.send("707#05");
+  bench.cable.run_for(1s);
+  EXPECT_EQ(bench.cable.last(0x346), "346#80 B0 60 01 00 00 04 05") << "time-out";
+  EXPECT_EQ(distance_told(), "FF FF 00 00");
+  bench.cable.send("707#05");
+  answer_both();
+  EXPECT_EQ(distance_told(), "6F 00 00 00");
+}
+
+TEST_F(NavigationRegained, APdoThatComesWhileItIsAskedIsNewer) {
+  bench.cable.run_for(3s);
+  bench.cable.send("707#05");
+  bench.cable.send(std::string("48F#") + "20 D9 A3 1C " + east_11);
+  bench.cable.send(std::string("2C6#43 B0 60 01 ") + north_48);
+  EXPECT_EQ(bench.cable.count(0x346), 1u) << "nothing is left to ask";
+  bench.cable.run_for(1s);
+  EXPECT_EQ(distance_told(), "38 00 00 00");
+}
+
+TEST_F(NavigationRegained, AfterItsOwnResetItAsksTheGpsThatItHad) {
+  bench.cable.send("000#81 05");
+  bench.cable.send("000#01 05");
+  EXPECT_EQ(distance_told(), "FF FF 00 00");
+  bench.cable.send("707#05");
+  answer_both();
+  EXPECT_EQ(distance_told(), "6F 00 00 00");
+}
+
 TEST_F(Navigation, AFrameThatIsTooShortIsNoPosition) {
   be_at(north_48_1, east_11);
   unit->select({48, 11});

@@ -43,8 +43,8 @@ PowerSupplyUnit::PowerSupplyUnit(CarNetwork& network, const PowerSupplyHardware&
       statuses_(network,
                 {.drive = Callback<bool(const Commanded&)>::to<&PowerSupplyUnit::commanded>(*this)},
                 settings.switched),
-      ignition_(network, ignition_pdo,
-                Callback<void()>::to<&PowerSupplyUnit::ignition_lost>(*this)),
+      ignition_(network, {.pdo_number = ignition_pdo,
+                          .lost = Callback<void()>::to<&PowerSupplyUnit::ignition_lost>(*this)}),
       // Its PDO comes when the key is turned, and this device may not have heard that.
       reader_(network,
               {.server = gateway_node_id,

@@ -24,7 +24,9 @@ RadioUnit::RadioUnit(CarNetwork& network, const SwitchedHardware& hardware,
              .became =
                  Callback<void(const FieldPlace&, std::uint32_t)>::to<&RadioUnit::became>(*this)},
             settings),
-      supply_(network, power_supply_pdo, Callback<void()>::to<&RadioUnit::supply_lost>(*this)) {
+      supply_(network, {.pdo_number = power_supply_pdo,
+                        .lost = Callback<void()>::to<&RadioUnit::supply_lost>(*this),
+                        .read = Callback<void()>::to<&RadioUnit::look_at_supply>(*this)}) {
   network.node().attach(service_);
 }
 

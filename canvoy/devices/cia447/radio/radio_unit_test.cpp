@@ -96,6 +96,20 @@ TEST_F(Radio, APowerSupplyThatFallsSilentSaysNothingOfThePower) {
   EXPECT_EQ(cable.last(0x39C), "39C#F0 F1");
 }
 
+/// Node 5 asks node 10 on 349h, and is answered on 2C9h (facts 2.2).
+TEST_F(Radio, APowerSupplyThatIsHeardAgainIsAskedForThePower) {
+  cable.send("23D#00 01");
+  cable.run_for(3s);
+  ASSERT_EQ(cable.last(0x39C), "39C#F0 F0");
+  cable.send("70A#05");
+  EXPECT_EQ(cable.last(0x349), "349#40 70 60 00 00 00 00 00");
+  cable.send("2C9#4F 70 60 00 00 00 00 00");
+  EXPECT_EQ(cable.last(0x349), "349#40 73 60 00 00 00 00 00");
+  cable.send("2C9#80 73 60 00 00 00 02 06");
+  cable.run_for(0s);
+  EXPECT_EQ(cable.last(0x39C), "39C#F4 F0") << "power off detected";
+}
+
 TEST_F(Radio, AnErrorIsTold) {
   unit_->switching().report(radio_status_error_1, Signal::yes);
   cable.run_for(0s);

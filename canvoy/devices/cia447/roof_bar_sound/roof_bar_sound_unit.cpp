@@ -27,8 +27,8 @@ RoofBarSoundUnit::RoofBarSoundUnit(CarNetwork& network, const RoofBarSoundHardwa
                  Callback<void(const FieldPlace&, std::uint32_t)>::to<&RoofBarSoundUnit::became>(
                      *this)},
             settings.switched),
-      speed_(network, wheel_pdo_number,
-             Callback<void()>::to<&RoofBarSoundUnit::speed_lost>(*this)) {
+      speed_(network, {.pdo_number = wheel_pdo_number,
+                       .lost = Callback<void()>::to<&RoofBarSoundUnit::speed_lost>(*this)}) {
   network.node().attach(service_);
 }
 

@@ -75,12 +75,15 @@ void MeterOutputs::go_on_soon() {
 void MeterOutputs::go_on(Time now) {
   const bool has_sign = settings_.sign != 0;
   const bool has_printer = settings_.printer != 0;
-  if (has_sign && wanted_ == told_ && receipt_length_ == 0) told_ = {};
+  if (now >= renewal_due_) {
+    renewal_due_ = now + renewal;
+    told_ = {};
+  }
   if (has_sign) network_.watch(settings_.sign);
   if (has_sign && wanted_ != told_ && !sign_.busy()) write_sign();
   if (has_printer && receipt_length_ != 0 && !printer_.busy()) write_receipt();
   const bool is_done = (!has_sign || wanted_ == told_) && (!has_printer || receipt_length_ == 0);
-  network_.node().timers().arm(timer_, now + (is_done ? renewal : settings_.repetition));
+  network_.node().timers().arm(timer_, is_done ? renewal_due_ : now + settings_.repetition);
 }
 
 void MeterOutputs::write_sign() {
@@ -97,8 +100,9 @@ void MeterOutputs::lamps_written(SdoClient::Outcome outcome) {
 void MeterOutputs::level_written(SdoClient::Outcome outcome) {
   if (!outcome) return;
   told_ = writing_;
-  const bool is_done = wanted_ == told_ && receipt_length_ == 0;
-  if (is_done) network_.node().timers().arm(timer_, network_.node().now() + renewal);
+  renewal_due_ = network_.node().now() + renewal;
+  const bool is_done = wanted_ == told_ && (settings_.printer == 0 || receipt_length_ == 0);
+  if (is_done) network_.node().timers().arm(timer_, renewal_due_);
 }
 
 void MeterOutputs::write_receipt() {

@@ -70,6 +70,7 @@ class MeterOutputs {
   Sign wanted_;
   Sign writing_;
   Sign told_;
+  Time renewal_due_{};
   std::array<std::uint8_t, 4> lamp_bytes_{};
   std::array<std::uint8_t, 512> receipt_{};
   std::size_t receipt_length_ = 0;

@@ -94,6 +94,30 @@ TEST(MeterOutputsWire, AReceiptIsPrinted) {
   EXPECT_EQ(meter.outputs->printed(), 1u);
 }
 
+/// A receipt waits for paper for ever, and a sign that lost its power for a moment for its lights
+/// (4.2.16.7): it is told anew each 10 s.
+TEST(MeterOutputsWire, TheSignIsRenewedWhileAReceiptWaits) {
+  for (const NodeId printer : {NodeId{3}, NodeId{0}}) {
+    Outputs meter({.printer = printer, .sign = 6});
+    meter.outputs->print("EUR\n");
+    meter.outputs->show(vacant);
+    meter.bench.cable.run_for(0s);
+    ASSERT_EQ(meter.last_to(6), "23 06 61 00 11 FF FF FF");
+    meter.answer(6, "60 06 61 00 00 00 00 00");
+    meter.answer(6, "60 D3 60 00 00 00 00 00");
+    meter.bench.cable.clear();
+    for (int second = 1; second < 10; ++second) {
+      meter.answer(3, "80 EB 60 00 22 00 00 08");
+      meter.bench.cable.send("706#05");
+      meter.bench.cable.run_for(1s);
+    }
+    EXPECT_EQ(meter.last_to(6), "");
+    meter.answer(3, "80 EB 60 00 22 00 00 08");
+    meter.bench.cable.run_for(1s);
+    EXPECT_EQ(meter.last_to(6), "23 06 61 00 11 FF FF FF");
+  }
+}
+
 TEST(MeterOutputsWire, WhoIsNotThereIsToldNothing) {
   Outputs none({});
   none.outputs->show(vacant);
