@@ -415,7 +415,7 @@ TEST_F(SdoBlockCopies, OfAnyFrameButAnAcknowledgementBringNoFurtherFrame) {
 /// Where the last segment has one byte or two, and a number that says so as the end does.
 TEST_F(SdoBlockCopies, OfALastSegmentThatLooksLikeAnEndCostNoTransfer) {
   for (const bool is_upload : {true, false}) {
-    for (const std::size_t size : {88 * 7 + 1, 84 * 7 + 2}) {
+    for (const std::size_t size : {std::size_t{88 * 7 + 1}, std::size_t{84 * 7 + 2}}) {
       frames({is_upload, 127, size}, std::vector<Fate>(1000, Fate::comes_twice));
     }
   }

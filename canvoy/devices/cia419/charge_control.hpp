@@ -55,7 +55,7 @@ struct ChargeInputs {
   bool has_request = false;  ///< the battery sends its requested current (RPDO 3 is linked)
   std::optional<double> requested_ampere;
   std::optional<double> state_of_charge_percent;
-  std::optional<double> battery_max_ampere;  ///< that the battery bears (CiA 418, 6020h)
+  std::optional<double> battery_max_ampere = {};  ///< that the battery bears (CiA 418, 6020h)
 };
 
 struct ChargeDecision {

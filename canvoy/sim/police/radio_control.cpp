@@ -36,9 +36,10 @@ RadioControl::RadioControl(CarNetwork& network, const RadioControlHardware& hard
       menu_(network, terminal_, title_of(Client::radio)),
       audio_(network, {.server = settings.audio_switch}),
       hands_free_(network, {.server = settings.hands_free}),
-      handset_source_(network, handset_pdo,
-                      Callback<void()>::to<&RadioControl::handset_lost>(*this)),
-      key_source_(network, hands_free_pdo, Callback<void()>::to<&RadioControl::key_lost>(*this)) {
+      handset_source_(network, {.pdo_number = handset_pdo,
+                                .lost = Callback<void()>::to<&RadioControl::handset_lost>(*this)}),
+      key_source_(network, {.pdo_number = hands_free_pdo,
+                            .lost = Callback<void()>::to<&RadioControl::key_lost>(*this)}) {
   terminal_.on_number_key(Callback<void(NumberPadKey)>::to<&RadioControl::number_pressed>(*this));
   network.node().attach(service_);
 }
