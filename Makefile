@@ -9,7 +9,7 @@ COUNT ?= 20
 CASES ?= 20000
 SEED ?= 1
 
-.PHONY: build demo test bench bench-page fuzz properties soak-lift soak-charger soak-taxi soak-police soak-bus soak-excavator mutate format install clean
+.PHONY: build demo test check test-all tidy bench bench-page fuzz properties soak-lift soak-charger soak-taxi soak-police soak-bus soak-excavator mutate format install clean
 
 # The command, at build/canvoy.
 build:
@@ -21,14 +21,26 @@ build:
 demo: build
 	@if [ -t 1 ]; then build/canvoy run charger --speed 600; else build/canvoy run charger; fi
 
-# All tests: the release by g++, the same with sanitizers by clang, strangers, embedding, fuzzing, style.
+# Each test once: the command, strangers and embedding by the release, unit tests with sanitizers, fuzzing, style.
 test:
 	@scripts/install-packages test
+	@JOBS=$(JOBS) scripts/run-tests test
+
+# Before each commit: the command, unit tests of the lower libraries, a run of each world.
+check:
+	@scripts/install-packages check
+	@JOBS=$(JOBS) scripts/run-tests check
+
+# Before each release: all tests in both builds, long runs, long fuzzing, clang-tidy on all sources.
+test-all:
+	@scripts/install-packages test
+	@JOBS=$(JOBS) scripts/run-tests all
+
+# clang-tidy on all sources; notes the commit from which on `make test` looks at what has changed.
+tidy:
+	@scripts/install-packages test
 	@cmake --preset release --log-level=WARNING
-	@cmake --build --preset release -j $(JOBS)
-	@cmake --preset asan --log-level=WARNING
-	@cmake --build --preset asan -j $(JOBS)
-	@scripts/run-tests
+	@tests/style/clang_tidy build/compile_commands.json --record
 
 bench:
 	@scripts/install-packages bench
@@ -54,8 +66,8 @@ fuzz:
 # Properties in CASES cases by chance; the tests have the same hundred of them each time.
 properties:
 	@scripts/install-packages test
-	@cmake --preset release --log-level=WARNING
-	@cmake --build --preset release -j $(JOBS)
+	@cmake --preset release-tests --log-level=WARNING
+	@cmake --build --preset release-tests -j $(JOBS)
 	@for test in $$(find build/folders -name 'canvoy_*_test'); do \
 	  echo "== $$test"; RC_PARAMS=max_success=$(CASES) $$test --gtest_brief=1 --gtest_filter='*RapidCheck*' || exit 1; done
 

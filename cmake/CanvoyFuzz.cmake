@@ -38,13 +38,13 @@ function(canvoy_fuzz source)
     math(EXPR seconds "${seconds} / 2")
   endif()
   math(EXPR timeout "${seconds} + 120")
-  add_test(NAME fuzz.${name}
-    COMMAND ${name} -max_total_time=${seconds} -seed=${CANVOY_FUZZ_SEED} -timeout=10 -rss_limit_mb=2048 -print_final_stats=1
-            -artifact_prefix=${found}/ ${corpora})
-  set_tests_properties(fuzz.${name} PROPERTIES LABELS fuzz TIMEOUT ${timeout})
+  canvoy_add_test(fuzz.${name} fuzz ${timeout}
+    $<TARGET_FILE:${name}> -max_total_time=${seconds} -seed=${CANVOY_FUZZ_SEED} -timeout=10 -rss_limit_mb=2048
+    -print_final_stats=1 -artifact_prefix=${found}/ ${corpora})
 endfunction()
 
 enable_testing()
+include("${CMAKE_CURRENT_LIST_DIR}/CanvoyTimedTest.cmake")
 file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/fuzz/*_fuzz.cpp")
 foreach(source IN LISTS sources)
   canvoy_fuzz(${source})

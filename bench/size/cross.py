@@ -11,6 +11,8 @@ ROOT = HERE.parent.parent
 CROSS = "arm-none-eabi-"
 FLAGS = ["-std=c++20", "-Os", "-mcpu=cortex-m0plus", "-mthumb", "-ffunction-sections", "-fdata-sections",
          "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics", "-Wno-psabi", f"-I{ROOT}"]
+SHARED = "canvoy/canopen/node.hpp"
+FEW = 8  # sources for which it takes longer to precompile it
 LINK = ["--specs=nano.specs", "-nostartfiles", "-Wl,--gc-sections", "-Wl,-e,main"]
 
 
@@ -33,9 +35,20 @@ def seat_sources():
     return [path for path in library_sources("devices/cia401", "devices/cia852") if path.stem != "kinds"]
 
 
+def precompile(folder, flags):
+    """The header that most sources include, compiled once for this folder; returns what makes the compiler take it."""
+    header = folder / "shared.hpp"
+    if not header.exists():
+        header.write_text(f'#include "{SHARED}"\n')
+        subprocess.run([f"{CROSS}g++", *FLAGS, *flags, "-x", "c++-header", header, "-o", f"{header}.gch"], check=True)
+    return ["-include", header]
+
+
 def compile_all(sources, folder, flags):
     """Compiles two at a time; returns the objects."""
     objects, running = [], []
+    if len(sources) > FEW:
+        flags = [*flags, *precompile(folder, flags)]
     for source in sources:
         objects.append(folder / f"{source.parent.name}-{source.stem}.o")
         running.append(subprocess.Popen([f"{CROSS}g++", *FLAGS, *flags, "-c", source, "-o", objects[-1]]))

@@ -37,5 +37,4 @@ set(absent
   Tpdo.ThatBecomesInvalidIsForgottenWithWhatWaitsForRoom
   Tpdo.WatchesItsValuesOnlyWhileItIsSentForEvents)
 list(JOIN absent ":" filter)
-add_test(NAME canopen.small_machine COMMAND canvoy_small_machine_test --gtest_brief=1 --gtest_filter=-${filter})
-set_tests_properties(canopen.small_machine PROPERTIES TIMEOUT 300)
+canvoy_add_test(canopen.small_machine unit 300 $<TARGET_FILE:canvoy_small_machine_test> --gtest_brief=1 --gtest_filter=-${filter})

@@ -1,0 +1,32 @@
+// Ends with 0 if a node of one's own boots and answers: what a source folder is embedded for.
+#include <iostream>
+
+#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/profiles/cia419.hpp"
+#include "canvoy/profiles/layout.hpp"
+
+namespace {
+
+bool keep_frame(void* context, const canvoy::Frame& frame) {
+  *static_cast<canvoy::Frame*>(context) = frame;
+  return true;
+}
+
+constexpr auto description =
+    canvoy::describe(canvoy::cia419::charger({}), canvoy::cia301::identity({.vendor_id = 0x123}),
+                     canvoy::cia301::heartbeat_producer(1000));
+constexpr auto layout = canvoy::lay_out_device<description>();
+
+}  // namespace
+
+int main() {
+  canvoy::Frame sent;
+  canvoy::DeviceNode<layout> device({.context = &sent, .send = keep_frame}, 5);
+  device.node().start({});
+  // CiA 301, 7.2.8.3.3: the boot-up message is a byte 0 under 700h and the node-ID.
+  if (sent != canvoy::Frame::data_frame(0x705, {0})) return 1;
+  // CiA 301, 7.2.4.3.5 and 7.2.4.3.6: an expedited upload of 1000h; CiA 419, 6.2.1: 419 is 1A3h.
+  device.node().receive(canvoy::Frame::data_frame(0x605, {0x40, 0x00, 0x10, 0, 0, 0, 0, 0}), {});
+  if (sent != canvoy::Frame::data_frame(0x585, {0x43, 0x00, 0x10, 0, 0xA3, 0x01, 0, 0})) return 1;
+  std::cout << "a node boots and answers\n";
+}

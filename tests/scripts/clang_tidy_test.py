@@ -1,0 +1,66 @@
+#!/usr/bin/env python3
+"""Which sources tests/style/clang_tidy looks at again."""
+
+import pathlib
+import sys
+import tempfile
+import unittest
+
+import script
+
+sys.path.insert(0, str(script.ROOT / "tests/style"))
+clang_tidy = script.load("../tests/style/clang_tidy")
+
+SOURCES = {
+    "low.hpp": "",
+    "middle.hpp": '#include "low.hpp"\n',
+    "one.cpp": '#include "middle.hpp"\n',
+    "two.cpp": '#include "low.hpp"\n',
+    "three.cpp": "",
+}
+
+
+class ClangTidy(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        for name, text in SOURCES.items():
+            (self.folder / name).write_text(text)
+        self.arguments = [f"-I{self.folder}", "-std=c++20"]
+
+    def concerned(self, *changed):
+        commands = {self.folder / name: self.arguments for name in SOURCES if name.endswith(".cpp")}
+        return {path.name for path in clang_tidy.concerned(commands, {self.folder / name for name in changed})}
+
+    def test_what_has_changed_is_looked_at(self):
+        self.assertEqual(self.concerned("two.cpp", "three.cpp"), {"two.cpp", "three.cpp"})
+        self.assertEqual(self.concerned(), set())
+
+    def test_of_a_header_one_source_that_includes_it(self):
+        self.assertEqual(self.concerned("low.hpp"), {"one.cpp"})
+        self.assertEqual(self.concerned("middle.hpp", "low.hpp"), {"one.cpp"})
+
+    def test_a_source_that_has_changed_stands_for_its_headers(self):
+        self.assertEqual(self.concerned("two.cpp", "low.hpp"), {"two.cpp"})
+        self.assertEqual(self.concerned("two.cpp", "middle.hpp"), {"two.cpp", "one.cpp"})
+
+    def test_a_header_that_is_gone_or_that_nobody_includes_is_none(self):
+        (self.folder / "alone.hpp").write_text("")
+        self.assertEqual(self.concerned("gone.hpp", "alone.hpp"), set())
+
+    def test_a_clean_result_holds_as_long_as_all_that_it_rests_on(self):
+        def mark():
+            clang_tidy.included.cache_clear()
+            return clang_tidy.content_hash(b"16", self.folder / "one.cpp", self.arguments)
+
+        before = mark()
+        self.assertEqual(before, mark())
+        (self.folder / "two.cpp").write_text("int two();\n")
+        self.assertEqual(before, mark())
+        (self.folder / "low.hpp").write_text("int low();\n")
+        self.assertNotEqual(before, mark())
+
+
+if __name__ == "__main__":
+    unittest.main()
