@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -111,41 +110,44 @@ void append_meaning(std::string& line, const words::FrameWords& words, std::stri
 
 }  // namespace
 
-void FramePrinterOptions::add_nodes_to(CLI::App& command) {
-  command.add_option("--node", nodes,
-                     "which profile a node has, where nobody reads its device type: 5=419, "
-                     "7=447-3; of one bus only: can1:5=419; of 407 and 417, whose CAN-IDs are "
-                     "fixed, any node will do; or which device of canvoy device --list it is: "
-                     "11=vehicle-gateway");
-  command
-      .add_option("--profile", profiles,
-                  "the profile of all nodes of which nothing else is known: 447-3; of one bus: "
-                  "can1=447-3")
-      ->allow_extra_args(false);
-  command.add_option("--reading", readings,
-                     "where the text of a profile contradicts itself: another reading than the "
-                     "usual one, as `canvoy profile 852` tells them: 852=wide-displays");
-  command.add_option("--eds", sheets,
-                     "the data sheet of a node (EDS, DCF, XDD, XDC): 5=FILE, or of one bus "
-                     "can1:5=FILE; FILE alone is for all nodes that tell its vendor-ID and product "
-                     "code");
+void FramePrinterOptions::add_nodes_to(Verb& command) {
+  command.add({
+      {"--node", nodes,
+       "which profile a node has, where nobody reads its device type: 5=419, "
+       "7=447-3; of one bus only: can1:5=419; of 407 and 417, whose CAN-IDs are "
+       "fixed, any node will do; or which device of canvoy device --list it is: "
+       "11=vehicle-gateway"},
+      {"--profile", profiles,
+       "the profile of all nodes of which nothing else is known: 447-3; of one bus: "
+       "can1=447-3",
+       one_each},
+      {"--reading", readings,
+       "where the text of a profile contradicts itself: another reading than the "
+       "usual one, as `canvoy profile 852` tells them: 852=wide-displays"},
+      {"--eds", sheets,
+       "the data sheet of a node (EDS, DCF, XDD, XDC): 5=FILE, or of one bus "
+       "can1:5=FILE; FILE alone is for all nodes that tell its vendor-ID and product "
+       "code"},
+  });
 }
 
-void FramePrinterOptions::add_filter_to(CLI::App& command) {
-  command
-      .add_option(
-          "--filter", filters,
-          "show only frames of which this holds: bus=can1, node=5, id=180..1FF, service=SDO, "
-          "object=temperature, temperature>40degC, time=10s..1min, marks; joined by and, "
-          "or, not and parentheses; several: all must hold")
-      ->allow_extra_args(false);
+void FramePrinterOptions::add_filter_to(Verb& command) {
+  command.add({
+      {"--filter", filters,
+       "show only frames of which this holds: bus=can1, node=5, id=180..1FF, service=SDO, "
+       "object=temperature, temperature>40degC, time=10s..1min, marks; joined by and, "
+       "or, not and parentheses; several: all must hold",
+       one_each},
+  });
 }
 
-void FramePrinterOptions::add_to(CLI::App& command) {
+void FramePrinterOptions::add_to(Verb& command) {
   add_nodes_to(command);
   add_filter_to(command);
-  command.add_flag("--transfers", transfers, "one line for each SDO transfer, with its value");
-  command.add_flag("--json", json, "one JSON object a line");
+  command.add({
+      {"--transfers", transfers, "one line for each SDO transfer, with its value"},
+      {"--json", json, "one JSON object a line"},
+  });
 }
 
 FramePrinter::FramePrinter(const FramePrinterOptions& options)
