@@ -97,7 +97,9 @@ MadeWorld made(const LiftRun& run) {
   const lift::LiftNetworkDescription& network = run.network;
   auto played = std::make_unique<PlayedLifts>(network);
   played->check_values();
-  MadeWorld world{.network = nullptr, .scenery = building_json(network)};
+  MadeWorld world{
+      .network = nullptr,
+      .scenery = std::make_shared<const nlohmann::ordered_json>(building_json(network))};
   world.visit = [&lifts = *played](unsigned from, unsigned to) { return lifts.visit(from, to); };
   world.network = std::move(played);
   return world;
