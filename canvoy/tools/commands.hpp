@@ -2,38 +2,30 @@
 // does when it is chosen.
 #pragma once
 
-#include <functional>
-
-namespace CLI {  // NOLINT(readability-identifier-naming): the name that it has
-class App;
-}
+#include "canvoy/tools/cli/verb.hpp"
 
 namespace canvoy::tools {
 
-/// What the chosen subcommand does; it returns the exit status.
-using Action = std::function<int()>;
-
-// Each in a file of its name; those that ask and tell on a bus are in ask/ask_verbs.hpp. `action`
-// is set when the subcommand was chosen, and must outlive the parsing.
-void add_run(CLI::App& app, Action& action);
-void add_device(CLI::App& app, Action& action);
-void add_monitor(CLI::App& app, Action& action);
-void add_view(CLI::App& app, Action& action);
-void add_report(CLI::App& app, Action& action);
-void add_decode(CLI::App& app, Action& action);
-void add_convert_log(CLI::App& app, Action& action);
-void add_program(CLI::App& app, Action& action);
-void add_boot(CLI::App& app, Action& action);
-void add_gateway(CLI::App& app, Action& action);
-void add_lss(CLI::App& app, Action& action);
-void add_profile(CLI::App& app, Action& action);
-void add_eds(CLI::App& app, Action& action);
-void add_export_table(CLI::App& app, Action& action);
-void add_scan(CLI::App& app, Action& action);
-void add_clone(CLI::App& app, Action& action);
-void add_plot(CLI::App& app, Action& action);
-void add_browse(CLI::App& app, Action& action);
+// Each in a file of its name; those that ask and tell on a bus are in ask/ask_verbs.hpp.
+void add_run(Verb& app);
+void add_device(Verb& app);
+void add_monitor(Verb& app);
+void add_view(Verb& app);
+void add_report(Verb& app);
+void add_decode(Verb& app);
+void add_convert_log(Verb& app);
+void add_program(Verb& app);
+void add_boot(Verb& app);
+void add_gateway(Verb& app);
+void add_lss(Verb& app);
+void add_profile(Verb& app);
+void add_eds(Verb& app);
+void add_export_table(Verb& app);
+void add_scan(Verb& app);
+void add_clone(Verb& app);
+void add_plot(Verb& app);
+void add_browse(Verb& app);
 /// For shells and man: not in the help.
-void add_help_verbs(CLI::App& app, Action& action);
+void add_help_verbs(Verb& app);
 
 }  // namespace canvoy::tools

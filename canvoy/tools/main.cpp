@@ -1,7 +1,6 @@
 // The canvoy command.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -15,7 +14,7 @@
 #include "canvoy/tools/ask/ask_verbs.hpp"
 #include "canvoy/tools/ask/node_argument.hpp"
 #include "canvoy/tools/ask/remote_argument.hpp"
-#include "canvoy/tools/command_line.hpp"
+#include "canvoy/tools/cli/verb.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/terminal_text.hpp"
@@ -26,11 +25,6 @@ namespace {
 constexpr const char* version_option = "--version";
 constexpr const char* output_lost = "the output could not be written: is there room on the disk?";
 
-int refuse(const CLI::App& app, const CLI::ParseError& error) {
-  fmt::print(stderr, "canvoy: {}\n", refusal(app, error));
-  return exit_usage;
-}
-
 /// What was printed may still be on its way, to a disk that is full.
 int finish_output(int status) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
@@ -40,7 +34,7 @@ int finish_output(int status) {
 /// A verb of the command line.
 struct VerbEntry {
   std::string_view name;
-  void (*add)(CLI::App& app, Action& action);
+  void (*add)(Verb& app);
 };
 constexpr auto verb_entries = std::to_array<VerbEntry>({
     {"run", add_run},
@@ -65,15 +59,15 @@ constexpr auto verb_entries = std::to_array<VerbEntry>({
 
 /// The verb that is called alone, where it is plain which that is: to describe all of them takes
 /// longer than most of them take.
-void add_verbs(CLI::App& app, Action& action, Sessions& sessions, std::string_view first_word) {
+void add_verbs(Verb& app, Sessions& sessions, std::string_view first_word) {
   if (first_word == version_option) return;
   const auto* called = std::ranges::find(verb_entries, first_word, &VerbEntry::name);
-  if (called != verb_entries.end()) return called->add(app, action);
-  if (add_ask_verb(app, action, sessions, first_word)) return;
-  for (const VerbEntry& verb : verb_entries) verb.add(app, action);
-  add_ask_verbs(app, action, sessions);
-  add_script(app, action, sessions);
-  add_help_verbs(app, action);
+  if (called != verb_entries.end()) return called->add(app);
+  if (add_ask_verb(app, sessions, first_word)) return;
+  for (const VerbEntry& verb : verb_entries) verb.add(app);
+  add_ask_verbs(app, sessions);
+  add_script(app, sessions);
+  add_help_verbs(app);
 }
 
 /// Of verbs that ask nodes, `can0/2:7` is the bus and the node.
@@ -87,27 +81,27 @@ std::vector<std::string> words_of(int count, char** arguments) {
 }
 
 int run(int count, char** arguments) {
-  CLI::App app("Canvoy: see, simulate, test and drive CANopen networks", "canvoy");
-  app.set_version_flag(version_option, "canvoy 0.1.0");
-  app.require_subcommand(1);
-  app.get_formatter()->column_width(34);
-  app.fallthrough();
-  app.add_option_function<std::string>(
-      "--colour,--color", use_colour,
-      "everywhere: auto (on a terminal, unless NO_COLOR is set), always or never");
-  app.add_option_function<std::string>("--network", use_network_file,
-                                       "everywhere: a file of the network, whose names of nodes "
-                                       "are understood (default: $CANVOY_NETWORK)");
-  Action action;
+  CommandLine line("Canvoy: see, simulate, test and drive CANopen networks", "canvoy");
+  line.set_version(version_option, "canvoy 0.1.0");
+  line.require_verb();
+  line.take_options_anywhere();
+  line.add_taken("--colour,--color", use_colour,
+                 "everywhere: auto (on a terminal, unless NO_COLOR is set), always or never");
+  line.add_taken("--network", use_network_file,
+                 "everywhere: a file of the network, whose names of nodes are understood (default: "
+                 "$CANVOY_NETWORK)");
   Sessions sessions;
-  add_verbs(app, action, sessions, count > 1 ? arguments[1] : "");
+  add_verbs(line, sessions, count > 1 ? arguments[1] : "");
   try {
-    std::vector<std::string> words = words_of(count, arguments);
-    std::ranges::reverse(words);  // as CLI11 wants them
-    app.parse(std::move(words));
-    return finish_output(action());
-  } catch (const CLI::ParseError& error) {
-    return error.get_exit_code() == 0 ? app.exit(error) : refuse(app, error);
+    using Kind = CommandLine::Outcome::Kind;
+    const CommandLine::Outcome outcome = line.parse(words_of(count, arguments));
+    if (outcome.kind == Kind::understood) return finish_output(line.run());
+    if (outcome.kind == Kind::answered) {
+      fmt::print("{}", outcome.text);
+      return finish_output(exit_done);
+    }
+    fmt::print(stderr, "canvoy: {}\n", outcome.text);
+    return exit_usage;
   } catch (const Failure& failure) {
     // It may quote what stands in a file.
     fmt::print(stderr, "canvoy: {}\n", formats::plain_text(failure.what()));

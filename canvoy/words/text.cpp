@@ -18,7 +18,17 @@ std::string object_text(std::uint16_t index, std::uint8_t sub) {
 }
 
 std::string bytes_text(std::span<const std::uint8_t> bytes) {
-  return fmt::format("{:02X}", fmt::join(bytes, " "));
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  constexpr std::size_t width = 3;  // with the blank before the next one
+  std::string text(bytes.size() * width, ' ');
+  char* at = text.data();
+  for (const std::uint8_t byte : bytes) {
+    at[0] = digits[byte >> 4U];
+    at[1] = digits[byte & 0xFU];
+    at += width;
+  }
+  if (!text.empty()) text.pop_back();
+  return text;
 }
 
 std::string abort_text(AbortCode code) {

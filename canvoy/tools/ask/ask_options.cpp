@@ -1,22 +1,24 @@
 #include "canvoy/tools/ask/ask_options.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/sheet/profile_argument.hpp"
 
 namespace canvoy::tools {
 
-void AskOptions::add_bus(CLI::App& command) {
-  command.add_option("bus", bus, bus_text)->required();
+void AskOptions::add_bus(Verb& command) {
+  command.add({
+      {"bus", bus, bus_text, required},
+  });
 }
 
-void AskOptions::add_node(CLI::App& command, const char* text) {
+void AskOptions::add_node(Verb& command, const char* text) {
   constexpr const char* usual = "10, 0x0A, 0Ah, or its name in the file of --network";
-  command.add_option("node", node, text == nullptr ? usual : text)->required();
+  command.add({
+      {"node", node, text == nullptr ? usual : text, required},
+  });
 }
 
-void AskOptions::add_any_node(CLI::App& command) {
+void AskOptions::add_any_node(Verb& command) {
   add_node(
       command,
       "10, 0x0A, 0Ah, its name in the file of --network, or 2:7 for node 7 of network 2 behind "
@@ -25,18 +27,22 @@ void AskOptions::add_any_node(CLI::App& command) {
   remote.add_to(command);
 }
 
-void AskOptions::add_time_out(CLI::App& command) {
-  command.add_option("--timeout", time_out, "for one answer: 500ms, 2s (default 1s)");
+void AskOptions::add_time_out(Verb& command) {
+  command.add({
+      {"--timeout", time_out, "for one answer: 500ms, 2s (default 1s)"},
+  });
 }
 
-void AskOptions::add_profile(CLI::App& command) {
-  command.add_option_function<std::string>(
+void AskOptions::add_profile(Verb& command) {
+  command.add_taken(
       "--profile", [this](const std::string& text) { profile = parse_profile(text).number; },
       "419, 417-4 (default: what the node's 1000h says)");
 }
 
-void AskOptions::add_json(CLI::App& command) {
-  command.add_flag("--json", json, "one JSON object a line");
+void AskOptions::add_json(Verb& command) {
+  command.add({
+      {"--json", json, "one JSON object a line"},
+  });
 }
 
 RemotePlace AskOptions::place() const {

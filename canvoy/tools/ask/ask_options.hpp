@@ -1,7 +1,7 @@
 // What all verbs that ask and tell have in common on the command line:
 // `canvoy VERB BUS [NODE] [OBJECT] ...`.
 //
-//     CLI::App& command = *app.add_subcommand("read", "Read objects of a node by SDO");
+//     Verb& command = app.add_verb("read", "Read objects of a node by SDO");
 //     options->add_bus(command);
 //     options->add_node(command);
 //     options->add_time_out(command);
@@ -26,13 +26,13 @@ struct AskOptions {
   bool takes_remote = false;  ///< nodes of a network behind another, too
   RemoteOptions remote = {};
 
-  void add_bus(CLI::App& command);
-  void add_node(CLI::App& command, const char* text = nullptr);
+  void add_bus(Verb& command);
+  void add_node(Verb& command, const char* text = nullptr);
   /// The same for who asks nodes of networks behind another as well, as 2:7.
-  void add_any_node(CLI::App& command);
-  void add_time_out(CLI::App& command);
-  void add_profile(CLI::App& command);
-  void add_json(CLI::App& command);
+  void add_any_node(Verb& command);
+  void add_time_out(Verb& command);
+  void add_profile(Verb& command);
+  void add_json(Verb& command);
 
   /// Throw UsageError where what was said is none.
   NodeId node_id() const;

@@ -9,7 +9,7 @@ namespace {
 
 struct AskVerb {
   std::string_view name;
-  void (*add)(CLI::App& app, Action& action, Sessions& sessions);
+  void (*add)(Verb& app, Sessions& sessions);
 };
 constexpr auto ask_verbs = std::to_array<AskVerb>({
     {"read", add_read},
@@ -29,22 +29,22 @@ constexpr auto ask_verbs = std::to_array<AskVerb>({
 
 }  // namespace
 
-void add_ask_verbs(CLI::App& app, Action& action, Sessions& sessions) {
-  for (const AskVerb& verb : ask_verbs) verb.add(app, action, sessions);
+void add_ask_verbs(Verb& app, Sessions& sessions) {
+  for (const AskVerb& verb : ask_verbs) verb.add(app, sessions);
 }
 
 bool is_ask_verb(std::string_view name) {
   return std::ranges::find(ask_verbs, name, &AskVerb::name) != ask_verbs.end();
 }
 
-bool add_ask_verb(CLI::App& app, Action& action, Sessions& sessions, std::string_view name) {
+bool add_ask_verb(Verb& app, Sessions& sessions, std::string_view name) {
   if (name == "script") {
-    add_script(app, action, sessions);
+    add_script(app, sessions);
     return true;
   }
   const auto* called = std::ranges::find(ask_verbs, name, &AskVerb::name);
   if (called == ask_verbs.end()) return false;
-  called->add(app, action, sessions);
+  called->add(app, sessions);
   return true;
 }
 

@@ -10,28 +10,28 @@
 namespace canvoy::tools {
 
 // Each in a file of its name or its group.
-void add_read(CLI::App& app, Action& action, Sessions& sessions);
-void add_write(CLI::App& app, Action& action, Sessions& sessions);
-void add_nmt(CLI::App& app, Action& action, Sessions& sessions);
-void add_configure(CLI::App& app, Action& action, Sessions& sessions);
-void add_store(CLI::App& app, Action& action, Sessions& sessions);
-void add_restore(CLI::App& app, Action& action, Sessions& sessions);
-void add_send(CLI::App& app, Action& action, Sessions& sessions);
-void add_sync(CLI::App& app, Action& action, Sessions& sessions);
-void add_time(CLI::App& app, Action& action, Sessions& sessions);
-void add_emcy(CLI::App& app, Action& action, Sessions& sessions);
-void add_pdo(CLI::App& app, Action& action, Sessions& sessions);
-void add_expect(CLI::App& app, Action& action, Sessions& sessions);
-void add_wait(CLI::App& app, Action& action, Sessions& sessions);
+void add_read(Verb& app, Sessions& sessions);
+void add_write(Verb& app, Sessions& sessions);
+void add_nmt(Verb& app, Sessions& sessions);
+void add_configure(Verb& app, Sessions& sessions);
+void add_store(Verb& app, Sessions& sessions);
+void add_restore(Verb& app, Sessions& sessions);
+void add_send(Verb& app, Sessions& sessions);
+void add_sync(Verb& app, Sessions& sessions);
+void add_time(Verb& app, Sessions& sessions);
+void add_emcy(Verb& app, Sessions& sessions);
+void add_pdo(Verb& app, Sessions& sessions);
+void add_expect(Verb& app, Sessions& sessions);
+void add_wait(Verb& app, Sessions& sessions);
 /// All of these.
-void add_ask_verbs(CLI::App& app, Action& action, Sessions& sessions);
+void add_ask_verbs(Verb& app, Sessions& sessions);
 
 /// Lines of them.
-void add_script(CLI::App& app, Action& action, Sessions& sessions);
+void add_script(Verb& app, Sessions& sessions);
 
 /// Whether it is one of them.
 bool is_ask_verb(std::string_view name);
 /// The one of this name, or `script`; false where there is none.
-bool add_ask_verb(CLI::App& app, Action& action, Sessions& sessions, std::string_view name);
+bool add_ask_verb(Verb& app, Sessions& sessions, std::string_view name);
 
 }  // namespace canvoy::tools

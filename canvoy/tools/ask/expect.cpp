@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 
@@ -166,52 +165,49 @@ int wait_for(const WaitOptions& options, Sessions& sessions) {
 
 }  // namespace
 
-void add_expect(CLI::App& app, Action& action, Sessions& sessions) {
+void add_expect(Verb& app, Sessions& sessions) {
   const auto options = std::make_shared<ExpectOptions>();
-  CLI::App* command = app.add_subcommand(
+  Verb& command = app.add_verb(
       "expect", "See whether an object of a node is as expected, or becomes so in time");
-  options->add_bus(*command);
-  options->add_any_node(*command);
-  command
-      ->add_option(
-          "condition", options->words,
-          "OBJECT = VALUE, with =, !=, <, <=, > or >=, or OBJECT in FROM..TO; within 2s: it may "
-          "take so long; for 2s: it has to stay so")
-      ->required();
-  command->add_option("--every", options->interval, "how often it is read (default 50ms)");
-  command->add_option("--type", options->type, "of an object that no profile knows: u16, vs, ...");
-  options->add_profile(*command);
-  options->add_time_out(*command);
-  options->add_json(*command);
-  add_examples(*command,
-               "  canvoy expect can0 10 'temperature > -20degC within 2s'\n"
-               "  canvoy expect can0 10 'battery_voltage < 60 V' --json\n"
-               "  canvoy expect can0 10 'temperature in 15..30degC'\n"
-               "  canvoy expect can0 10 'temperature < 60degC for 300ms' --every 100ms");
-  command->callback([options, &action, &sessions] {
-    action = [options, &sessions] { return expect_value(*options, sessions); };
+  options->add_bus(command);
+  options->add_any_node(command);
+  command.add({
+      {"condition", options->words,
+       "OBJECT = VALUE, with =, !=, <, <=, > or >=, or OBJECT in FROM..TO; within 2s: it may "
+       "take so long; for 2s: it has to stay so",
+       required},
+      {"--every", options->interval, "how often it is read (default 50ms)"},
+      {"--type", options->type, "of an object that no profile knows: u16, vs, ..."},
   });
+  options->add_profile(command);
+  options->add_time_out(command);
+  options->add_json(command);
+  command.add_examples(
+      "  canvoy expect can0 10 'temperature > -20degC within 2s'\n"
+      "  canvoy expect can0 10 'battery_voltage < 60 V' --json\n"
+      "  canvoy expect can0 10 'temperature in 15..30degC'\n"
+      "  canvoy expect can0 10 'temperature < 60degC for 300ms' --every 100ms");
+  command.runs([options, &sessions] { return expect_value(*options, sessions); });
 }
 
-void add_wait(CLI::App& app, Action& action, Sessions& sessions) {
+void add_wait(Verb& app, Sessions& sessions) {
   const auto options = std::make_shared<WaitOptions>();
-  CLI::App* command = app.add_subcommand("wait", "Wait for a frame on a bus, or for some time");
-  options->add_bus(*command);
-  command
-      ->add_option("what", options->words,
-                   "500ms, or a filter as that of monitor: 'heartbeat and node=10 within 5s' "
-                   "(default: within 10s)")
-      ->required();
-  command->add_option("--node", options->profiles, "which profile a node has: 5=419");
-  options->add_json(*command);
-  add_examples(*command,
-               "  canvoy wait can0 200ms\n"
-               "  canvoy wait can0 'heartbeat and node=10 within 5s'\n"
-               "  canvoy wait can0,can1 'heartbeat within 5s'\n"
-               "  canvoy wait can0 'temperature > -20' --node 10=418 --json");
-  command->callback([options, &action, &sessions] {
-    action = [options, &sessions] { return wait_for(*options, sessions); };
+  Verb& command = app.add_verb("wait", "Wait for a frame on a bus, or for some time");
+  options->add_bus(command);
+  command.add({
+      {"what", options->words,
+       "500ms, or a filter as that of monitor: 'heartbeat and node=10 within 5s' "
+       "(default: within 10s)",
+       required},
+      {"--node", options->profiles, "which profile a node has: 5=419"},
   });
+  options->add_json(command);
+  command.add_examples(
+      "  canvoy wait can0 200ms\n"
+      "  canvoy wait can0 'heartbeat and node=10 within 5s'\n"
+      "  canvoy wait can0,can1 'heartbeat within 5s'\n"
+      "  canvoy wait can0 'temperature > -20' --node 10=418 --json");
+  command.runs([options, &sessions] { return wait_for(*options, sessions); });
 }
 
 }  // namespace canvoy::tools

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -218,26 +217,25 @@ int send_pdo(const PdoOptions& options, Sessions& sessions) {
 
 }  // namespace
 
-void add_pdo(CLI::App& app, Action& action, Sessions& sessions) {
+void add_pdo(Verb& app, Sessions& sessions) {
   const auto options = std::make_shared<PdoOptions>();
-  CLI::App* command = app.add_subcommand(
+  Verb& command = app.add_verb(
       "pdo", "Send a PDO to a node, or in its name, with values as the node maps them");
-  options->add_bus(*command);
-  options->add_node(*command);
-  command->add_option("pdo", options->pdo, "rpdo1: to the node; tpdo1: in its name")->required();
-  command->add_option("value", options->values,
-                      "OBJECT=VALUE of what is mapped (default: as the node has it)");
-  command->add_flag("--request", options->requests, "ask for a TPDO by a remote frame");
-  options->add_profile(*command);
-  options->add_time_out(*command);
-  options->add_json(*command);
-  add_examples(*command,
-               "  canvoy pdo can0 5 rpdo2 battery_status=ready battery_temperature='21.5 degC'\n"
-               "  canvoy pdo can0 10 tpdo1\n"
-               "  canvoy pdo can0 10 tpdo1 --request --json");
-  command->callback([options, &action, &sessions] {
-    action = [options, &sessions] { return send_pdo(*options, sessions); };
+  options->add_bus(command);
+  options->add_node(command);
+  command.add({
+      {"pdo", options->pdo, "rpdo1: to the node; tpdo1: in its name", required},
+      {"value", options->values, "OBJECT=VALUE of what is mapped (default: as the node has it)"},
+      {"--request", options->requests, "ask for a TPDO by a remote frame"},
   });
+  options->add_profile(command);
+  options->add_time_out(command);
+  options->add_json(command);
+  command.add_examples(
+      "  canvoy pdo can0 5 rpdo2 battery_status=ready battery_temperature='21.5 degC'\n"
+      "  canvoy pdo can0 10 tpdo1\n"
+      "  canvoy pdo can0 10 tpdo1 --request --json");
+  command.runs([options, &sessions] { return send_pdo(*options, sessions); });
 }
 
 }  // namespace canvoy::tools

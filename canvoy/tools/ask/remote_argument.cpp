@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <optional>
 
@@ -70,13 +69,13 @@ void split_remote_bus(std::vector<std::string>& words) {
   words.insert(words.begin() + 1, bus.substr(slash + 1));
 }
 
-void RemoteOptions::add_to(CLI::App& command) {
-  command.add_option("--through", through,
-                     "of a node 2:7: the node behind which that network is (default 10)");
-  command
-      .add_option("--indication", indication,
-                  "the SDO command by which that node is told of the network (default 0xE0)")
-      ->check(CLI::Range(0xE0U, 0xFFU));
+void RemoteOptions::add_to(Verb& command) {
+  command.add({
+      {"--through", through, "of a node 2:7: the node behind which that network is (default 10)"},
+      {"--indication", indication,
+       "the SDO command by which that node is told of the network (default 0xE0)",
+       between(0xE0U, 0xFFU)},
+  });
 }
 
 }  // namespace canvoy::tools

@@ -11,10 +11,7 @@
 #include <vector>
 
 #include "canvoy/canopen/remote/remote_access.hpp"
-
-namespace CLI {  // NOLINT(readability-identifier-naming): the name that it has
-class App;
-}
+#include "canvoy/tools/cli/verb.hpp"
 
 namespace canvoy::tools {
 
@@ -35,7 +32,7 @@ struct RemoteOptions {
   std::string through = "10";
   unsigned indication = RemoteSettings{}.indication;
 
-  void add_to(CLI::App& command);
+  void add_to(Verb& command);
 };
 
 }  // namespace canvoy::tools

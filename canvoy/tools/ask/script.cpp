@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <deque>
 #include <iostream>
@@ -15,7 +14,6 @@
 #include "canvoy/tools/ask/ask_verbs.hpp"
 #include "canvoy/tools/ask/junit.hpp"
 #include "canvoy/tools/ask/script_line.hpp"
-#include "canvoy/tools/command_line.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/spelling.hpp"
 #include "canvoy/tools/value_file.hpp"
@@ -51,7 +49,7 @@ class ScriptLine {
 
   /// Throws UsageError where the line calls no verb in the right way.
   void parse(std::vector<std::string> words, const ScriptOptions& options, Sessions& sessions) {
-    add_ask_verbs(app_, action_, sessions);
+    add_ask_verbs(line_, sessions);
     const std::vector<std::string> buses = buses_of(options);
     check_verb(words.front());
     const bool is_named = words.size() > 1 && std::ranges::find(buses, words[1]) != buses.end();
@@ -60,31 +58,26 @@ class ScriptLine {
     }
     if (!is_named) words.insert(words.begin() + 1, options.bus);
     if (options.json) words.emplace_back("--json");
-    std::ranges::reverse(words);
-    try {
-      app_.parse(std::move(words));
-    } catch (const CLI::ParseError& error) {
-      const bool is_help = error.get_exit_code() == 0;
-      throw UsageError(is_help ? "a line has no --help" : refusal(app_, error));
-    }
+    using Kind = CommandLine::Outcome::Kind;
+    const CommandLine::Outcome outcome = line_.parse(std::move(words));
+    if (outcome.kind == Kind::answered) throw UsageError("a line has no --help");
+    if (outcome.kind == Kind::refused) throw UsageError(outcome.text);
   }
-  int run() const { return action_(); }
+  int run() const { return line_.run(); }
 
  private:
   /// Others, as monitor, are no lines.
   void check_verb(const std::string& verb) const {
     if (is_ask_verb(verb)) return;
     std::vector<std::string> names;
-    for (const CLI::App* each : app_.get_subcommands([](const CLI::App*) { return true; }))
-      names.push_back(each->get_name());
+    for (const std::unique_ptr<Verb>& each : line_.verbs()) names.push_back(each->name());
     throw UsageError(fmt::format("'{}' is no verb of a script: {}{}", verb, fmt::join(names, ", "),
                                  did_you_mean(verb, names)));
   }
 
   unsigned number_;
   std::string text_;
-  CLI::App app_{"", "canvoy"};
-  Action action_;
+  CommandLine line_{"", "canvoy"};
 };
 
 class Script {
@@ -210,29 +203,28 @@ int run_script(const ScriptOptions& options, Sessions& sessions) {
 
 }  // namespace
 
-void add_script(CLI::App& app, Action& action, Sessions& sessions) {
+void add_script(Verb& app, Sessions& sessions) {
   const auto options = std::make_shared<ScriptOptions>();
-  CLI::App* command = app.add_subcommand(
+  Verb& command = app.add_verb(
       "script", "Run lines of read, write, nmt, expect, wait and others on buses, and judge them");
-  options->add_bus(*command);
-  command
-      ->add_option("file", options->file,
-                   "a line for each verb, without canvoy and the bus: 'nmt 10 operational'; of "
-                   "several buses with it: 'nmt can1 10 operational', 'wait heartbeat' for all; # "
-                   "begins a comment; - for stdin")
-      ->required();
-  command->add_option("--junit", options->junit, "write a report, as JUnit has it, into this file");
-  command->add_flag("--keep-going", options->keeps_going, "also behind a line that has failed");
-  options->add_json(*command);
-  add_examples(*command,
-               "  canvoy script can0 acceptance.canvoy --junit report.xml\n"
-               "  printf 'sync can0\\nread can1 10 temperature\\nwait heartbeat within 5s\\n' | "
-               "canvoy script can0,can1 -\n"
-               "  printf 'nmt 10 start\\nexpect 10 temperature > -20degC within 2s\\n' | "
-               "canvoy script can0 -");
-  command->callback([options, &action, &sessions] {
-    action = [options, &sessions] { return run_script(*options, sessions); };
+  options->add_bus(command);
+  command.add({
+      {"file", options->file,
+       "a line for each verb, without canvoy and the bus: 'nmt 10 operational'; of "
+       "several buses with it: 'nmt can1 10 operational', 'wait heartbeat' for all; # "
+       "begins a comment; - for stdin",
+       required},
+      {"--junit", options->junit, "write a report, as JUnit has it, into this file"},
+      {"--keep-going", options->keeps_going, "also behind a line that has failed"},
   });
+  options->add_json(command);
+  command.add_examples(
+      "  canvoy script can0 acceptance.canvoy --junit report.xml\n"
+      "  printf 'sync can0\\nread can1 10 temperature\\nwait heartbeat within 5s\\n' | "
+      "canvoy script can0,can1 -\n"
+      "  printf 'nmt 10 start\\nexpect 10 temperature > -20degC within 2s\\n' | "
+      "canvoy script can0 -");
+  command.runs([options, &sessions] { return run_script(*options, sessions); });
 }
 
 }  // namespace canvoy::tools

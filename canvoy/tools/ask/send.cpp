@@ -1,7 +1,6 @@
 // canvoy send, sync, time, emcy BUS ...: frames by hand.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <chrono>
 #include <memory>
@@ -27,10 +26,11 @@ struct SendOptions : AskOptions {
   std::string interval = {};
   std::uint64_t count = 0;
 
-  void add_to(CLI::App& command) {
-    command.add_option("--every", interval, "again and again, so long apart: 10ms, 1s");
-    command.add_option("--count", count, "with --every: how often (default: until interrupted)")
-        ->check(CLI::PositiveNumber);
+  void add_to(Verb& command) {
+    command.add({
+        {"--every", interval, "again and again, so long apart: 10ms, 1s"},
+        {"--count", count, "with --every: how often (default: until interrupted)", above_zero},
+    });
     add_json(command);
   }
   void check() const {
@@ -196,74 +196,75 @@ int send_emergency(const EmergencyOptions& options, Sessions& sessions) {
 }
 
 template <class Options, class Run>
-void on_callback(CLI::App& command, Action& action, Sessions& sessions,
-                 const std::shared_ptr<Options>& options, Run run) {
-  command.callback([options, &action, &sessions, run] {
-    action = [options, &sessions, run] { return run(*options, sessions); };
-  });
+void on_chosen(Verb& command, Sessions& sessions, const std::shared_ptr<Options>& options,
+               Run run) {
+  command.runs([options, &sessions, run] { return run(*options, sessions); });
 }
 
 }  // namespace
 
-void add_send(CLI::App& app, Action& action, Sessions& sessions) {
+void add_send(Verb& app, Sessions& sessions) {
   const auto options = std::make_shared<FrameOptions>();
-  CLI::App* command = app.add_subcommand("send", "Send frames, as cansend does");
-  options->add_bus(*command);
-  command
-      ->add_option("frame", options->frames,
-                   "123#DEADBEEF, 123#R, 123#R4, 00000123#11.22; or several")
-      ->required();
-  options->add_to(*command);
-  add_examples(*command,
-               "  canvoy send can0 123#DEADBEEF\n"
-               "  canvoy send can0 70A#R 00000123#11.22.33\n"
-               "  canvoy send can0 18A#A000 --every 100ms --count 3 --json");
-  on_callback(*command, action, sessions, options, send_frames);
+  Verb& command = app.add_verb("send", "Send frames, as cansend does");
+  options->add_bus(command);
+  command.add({
+      {"frame", options->frames, "123#DEADBEEF, 123#R, 123#R4, 00000123#11.22; or several",
+       required},
+  });
+  options->add_to(command);
+  command.add_examples(
+      "  canvoy send can0 123#DEADBEEF\n"
+      "  canvoy send can0 70A#R 00000123#11.22.33\n"
+      "  canvoy send can0 18A#A000 --every 100ms --count 3 --json");
+  on_chosen(command, sessions, options, send_frames);
 }
 
-void add_sync(CLI::App& app, Action& action, Sessions& sessions) {
+void add_sync(Verb& app, Sessions& sessions) {
   const auto options = std::make_shared<SyncOptions>();
-  CLI::App* command = app.add_subcommand("sync", "Send SYNC, once or as its producer");
-  options->add_bus(*command);
-  command
-      ->add_option("--counter", options->counter_max,
-                   "count from 1 to this number in it (1019h; default: no counter)")
-      ->check(CLI::Range(2U, 240U));
-  options->add_to(*command);
-  add_examples(*command,
-               "  canvoy sync can0\n"
-               "  canvoy sync can0 --every 20ms --count 5 --counter 4");
-  on_callback(*command, action, sessions, options, send_sync);
+  Verb& command = app.add_verb("sync", "Send SYNC, once or as its producer");
+  options->add_bus(command);
+  command.add({
+      {"--counter", options->counter_max,
+       "count from 1 to this number in it (1019h; default: no counter)", between(2U, 240U)},
+  });
+  options->add_to(command);
+  command.add_examples(
+      "  canvoy sync can0\n"
+      "  canvoy sync can0 --every 20ms --count 5 --counter 4");
+  on_chosen(command, sessions, options, send_sync);
 }
 
-void add_time(CLI::App& app, Action& action, Sessions& sessions) {
+void add_time(Verb& app, Sessions& sessions) {
   const auto options = std::make_shared<TimeOptions>();
-  CLI::App* command = app.add_subcommand("time", "Send TIME: the date and the time of day");
-  options->add_bus(*command);
-  command->add_option("time", options->time,
-                      "2026-11-21 12:00:00 (default: that of this machine, UTC)");
-  options->add_to(*command);
-  add_examples(*command,
-               "  canvoy time can0\n"
-               "  canvoy time can0 '2026-11-21 12:00:00' --json");
-  on_callback(*command, action, sessions, options, send_time);
+  Verb& command = app.add_verb("time", "Send TIME: the date and the time of day");
+  options->add_bus(command);
+  command.add({
+      {"time", options->time, "2026-11-21 12:00:00 (default: that of this machine, UTC)"},
+  });
+  options->add_to(command);
+  command.add_examples(
+      "  canvoy time can0\n"
+      "  canvoy time can0 '2026-11-21 12:00:00' --json");
+  on_chosen(command, sessions, options, send_time);
 }
 
-void add_emcy(CLI::App& app, Action& action, Sessions& sessions) {
+void add_emcy(Verb& app, Sessions& sessions) {
   const auto options = std::make_shared<EmergencyOptions>();
-  CLI::App* command = app.add_subcommand("emcy", "Send an emergency in the name of a node");
-  options->add_bus(*command);
-  options->add_node(*command);
-  command->add_option("code", options->code, "8130 or 8130h; 0: no error any more")->required();
-  command->add_option("register", options->error_register,
-                      "error register (1001h), as 11 (default 01, and 00 with code 0)");
-  command->add_option("--data", options->data, "of the manufacturer, up to 5 bytes: '01 02'");
-  options->add_to(*command);
-  add_examples(*command,
-               "  canvoy emcy can0 10 8130h\n"
-               "  canvoy emcy can0 10 0x5000 11 --data '01 02 03 04 05' --json\n"
-               "  canvoy emcy can0 10 0");
-  on_callback(*command, action, sessions, options, send_emergency);
+  Verb& command = app.add_verb("emcy", "Send an emergency in the name of a node");
+  options->add_bus(command);
+  options->add_node(command);
+  command.add({
+      {"code", options->code, "8130 or 8130h; 0: no error any more", required},
+      {"register", options->error_register,
+       "error register (1001h), as 11 (default 01, and 00 with code 0)"},
+      {"--data", options->data, "of the manufacturer, up to 5 bytes: '01 02'"},
+  });
+  options->add_to(command);
+  command.add_examples(
+      "  canvoy emcy can0 10 8130h\n"
+      "  canvoy emcy can0 10 0x5000 11 --data '01 02 03 04 05' --json\n"
+      "  canvoy emcy can0 10 0");
+  on_chosen(command, sessions, options, send_emergency);
 }
 
 }  // namespace canvoy::tools

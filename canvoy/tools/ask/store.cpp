@@ -2,7 +2,6 @@
 // to its defaults (CiA 301, 7.5.2.13 and 7.5.2.14).
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -83,33 +82,31 @@ int store_parameters(const StoreOptions& options, Sessions& sessions, const Stor
   return exit_done;
 }
 
-void add_store_verb(CLI::App& app, Action& action, Sessions& sessions, const StoreVerb& verb,
-                    const std::string& text, std::string_view examples) {
+void add_store_verb(Verb& app, Sessions& sessions, const StoreVerb& verb, const std::string& text,
+                    std::string_view examples) {
   const auto options = std::make_shared<StoreOptions>();
-  CLI::App* command = app.add_subcommand(std::string(verb.name), text);
-  options->add_bus(*command);
-  options->add_any_node(*command);
-  command->add_option("group", options->group,
-                      "all (the default), communication, application, or a sub-index");
-  options->add_time_out(*command);
-  options->add_json(*command);
-  add_examples(*command, examples);
-  command->callback([options, &action, &sessions, &verb] {
-    action = [options, &sessions, &verb] { return store_parameters(*options, sessions, verb); };
+  Verb& command = app.add_verb(std::string(verb.name), text);
+  options->add_bus(command);
+  options->add_any_node(command);
+  command.add({
+      {"group", options->group, "all (the default), communication, application, or a sub-index"},
   });
+  options->add_time_out(command);
+  options->add_json(command);
+  command.add_examples(examples);
+  command.runs([options, &sessions, &verb] { return store_parameters(*options, sessions, verb); });
 }
 
 }  // namespace
 
-void add_store(CLI::App& app, Action& action, Sessions& sessions) {
-  add_store_verb(app, action, sessions, storing,
-                 "Have a node keep its parameters without power (1010h)",
+void add_store(Verb& app, Sessions& sessions) {
+  add_store_verb(app, sessions, storing, "Have a node keep its parameters without power (1010h)",
                  "  canvoy store can0 10\n"
                  "  canvoy store can0 10 communication --json");
 }
 
-void add_restore(CLI::App& app, Action& action, Sessions& sessions) {
-  add_store_verb(app, action, sessions, restoring,
+void add_restore(Verb& app, Sessions& sessions) {
+  add_store_verb(app, sessions, restoring,
                  "Have a node go back to its defaults at the next reset (1011h)",
                  "  canvoy restore can0 10\n"
                  "  canvoy restore can0 10 application --timeout 5s");

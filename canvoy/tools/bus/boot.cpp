@@ -2,7 +2,6 @@
 // one does not come up.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <map>
@@ -310,40 +309,37 @@ int boot_network(const BootCommand& command) {
 
 }  // namespace
 
-void add_boot(CLI::App& app, Action& action) {
+void add_boot(Verb& app) {
   const auto options = std::make_shared<BootCommand>();
-  CLI::App* command = app.add_subcommand(
+  Verb& command = app.add_verb(
       "boot", "Boot a network as its NMT master, and say why a slave does not come up");
-  command
-      ->add_option("bus", options->bus,
-                   "can0, udp:239.74.163.2:43113, tcp:HOST:PORT/can0 of a socketcand, or sim: a "
-                   "network of this process with the usual defects")
-      ->required();
-  command
-      ->add_option("--node", options->slaves,
-                   "a slave, what is expected of it and what it is given: "
-                   "5:mandatory,vendor=0x123,heartbeat=500ms,configuration=pump.cdcf; there are "
-                   "mandatory, keep-alive, watch-only, name, device, vendor, product, revision, "
-                   "serial, heartbeat, guard=200ms*3; configuration, configuration-date, restore; "
-                   "program, program-id, program-date, update")
-      ->allow_extra_args(false);
-  command->add_option("--config", options->config, "a TOML file with [master] and [[slave]]");
-  command->add_option("--node-id", options->master, "of the master (default 127)");
-  command->add_option("--boot-time", options->boot_time,
-                      "how long mandatory slaves are waited for (default 10s)");
-  command->add_option("--start", options->start,
-                      "each slave when it is up (the default), all by one command, or none");
-  command->add_flag("--no-reset", options->no_reset,
-                    "the slaves are not reset before they are asked");
-  command->add_flag("--stay", options->stays,
-                    "watch over the network afterwards, and boot again what is lost");
-  command->add_option("--for", options->duration, "end after this time: 30s, 10min, 8h");
-  command->add_flag("--json", options->json, "one JSON object a line");
-  add_examples(*command,
-               "  canvoy boot sim --for 20s\n"
-               "  canvoy boot can0 --node 10:mandatory,heartbeat=2s,name=battery --for 5s\n"
-               "  canvoy boot can0 --config network.toml --json");
-  command->callback([options, &action] { action = [options] { return boot_network(*options); }; });
+  command.add({
+      {"bus", options->bus,
+       "can0, udp:239.74.163.2:43113, tcp:HOST:PORT/can0 of a socketcand, or sim: a "
+       "network of this process with the usual defects",
+       required},
+      {"--node", options->slaves,
+       "a slave, what is expected of it and what it is given: "
+       "5:mandatory,vendor=0x123,heartbeat=500ms,configuration=pump.cdcf; there are "
+       "mandatory, keep-alive, watch-only, name, device, vendor, product, revision, "
+       "serial, heartbeat, guard=200ms*3; configuration, configuration-date, restore; "
+       "program, program-id, program-date, update",
+       one_each},
+      {"--config", options->config, "a TOML file with [master] and [[slave]]"},
+      {"--node-id", options->master, "of the master (default 127)"},
+      {"--boot-time", options->boot_time, "how long mandatory slaves are waited for (default 10s)"},
+      {"--start", options->start,
+       "each slave when it is up (the default), all by one command, or none"},
+      {"--no-reset", options->no_reset, "the slaves are not reset before they are asked"},
+      {"--stay", options->stays, "watch over the network afterwards, and boot again what is lost"},
+      {"--for", options->duration, "end after this time: 30s, 10min, 8h"},
+      {"--json", options->json, "one JSON object a line"},
+  });
+  command.add_examples(
+      "  canvoy boot sim --for 20s\n"
+      "  canvoy boot can0 --node 10:mandatory,heartbeat=2s,name=battery --for 5s\n"
+      "  canvoy boot can0 --config network.toml --json");
+  command.runs([options] { return boot_network(*options); });
 }
 
 }  // namespace canvoy::tools

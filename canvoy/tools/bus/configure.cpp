@@ -1,7 +1,6 @@
 // canvoy configure BUS NODE FILE: writes the configuration of a node, entry by entry.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "canvoy/tools/ask/ask_options.hpp"
@@ -152,33 +151,31 @@ int configure(const ConfigureOptions& options, Sessions& sessions) {
 
 }  // namespace
 
-void add_configure(CLI::App& app, Action& action, Sessions& sessions) {
+void add_configure(Verb& app, Sessions& sessions) {
   const auto options = std::make_shared<ConfigureOptions>();
-  CLI::App* command = app.add_subcommand(
+  Verb& command = app.add_verb(
       "configure", "Write a file of entries into a node by SDO, or see what would change");
-  options->add_bus(*command);
-  options->add_any_node(*command);
-  command
-      ->add_option(
-          "file", options->file,
-          "a DCF or XDC, a concise DCF (CiA 302-3), or text: 'index sub type value' a line, as "
-          "'1017 0 u16 500'; # begins a comment")
-      ->required();
-  CLI::Option* check =
-      command->add_flag("--check", options->check, "only read the file and list its entries");
-  command
-      ->add_flag("--diff", options->diff,
-                 "only show what the node has otherwise; status 1 where there is something")
-      ->excludes(check);
-  options->add_time_out(*command);
-  command->add_flag("--json", options->json, "one JSON object a line")->excludes(check);
-  add_examples(*command,
-               "  canvoy configure can0 10 battery.dcf --check\n"
-               "  canvoy configure can0 10 battery.dcf --diff\n"
-               "  canvoy configure can0 10 battery.dcf --json");
-  command->callback([options, &action, &sessions] {
-    action = [options, &sessions] { return configure(*options, sessions); };
+  options->add_bus(command);
+  options->add_any_node(command);
+  command.add({
+      {"file", options->file,
+       "a DCF or XDC, a concise DCF (CiA 302-3), or text: 'index sub type value' a line, as "
+       "'1017 0 u16 500'; # begins a comment",
+       required},
+      {"--check", options->check, "only read the file and list its entries"},
+      {"--diff", options->diff,
+       "only show what the node has otherwise; status 1 where there is something",
+       excludes("--check")},
   });
+  options->add_time_out(command);
+  command.add({
+      {"--json", options->json, "one JSON object a line", excludes("--check")},
+  });
+  command.add_examples(
+      "  canvoy configure can0 10 battery.dcf --check\n"
+      "  canvoy configure can0 10 battery.dcf --diff\n"
+      "  canvoy configure can0 10 battery.dcf --json");
+  command.runs([options, &sessions] { return configure(*options, sessions); });
 }
 
 }  // namespace canvoy::tools

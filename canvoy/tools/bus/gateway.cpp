@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstring>
 #include <memory>
@@ -315,37 +314,34 @@ int run_gateway(const GatewayOptions& options) {
 
 }  // namespace
 
-void add_gateway(CLI::App& app, Action& action) {
+void add_gateway(Verb& app) {
   const auto options = std::make_shared<GatewayOptions>();
-  CLI::App* command = app.add_subcommand(
+  Verb& command = app.add_verb(
       "gateway", "Serve networks to clients that speak the ASCII protocol of CiA 309-3");
-  command
-      ->add_option("bus", options->buses,
-                   "a network: can0, udp:239.74.163.2:43113, tcp:HOST:PORT/can0; with a number of "
-                   "its own as 2=can1; or several")
-      ->required();
-  CLI::Option* listen = command->add_option("--listen", options->listen,
-                                            "address and port of TCP (default 127.0.0.1:60000)");
-  command
-      ->add_flag("--stdin", options->from_stdin,
-                 "take commands from stdin instead, and end with it; status 1 if one failed")
-      ->excludes(listen);
-  command->add_option("--idle", options->idle,
-                      "drop clients that say nothing for so long (default 1h)");
-  command->add_option("--node-id", options->node_id,
-                      "of the gateway itself, for PDOs, guarding and a heartbeat (default: none)");
-  command->add_option("--version", options->version,
-                      "how answers are written: 3.0 (as CANopenNode) or 2.1 (as Lely)");
-  command->add_option(
-      "--boot", options->boot,
-      "a network to boot, in a file as that of canvoy boot: clients are told how it "
-      "ended for each slave (USER BOOT)");
-  command->add_flag("--explain", options->explain, "add the meaning of errors as a comment");
-  add_examples(*command,
-               "  canvoy gateway can0 --listen 127.0.0.1:60000\n"
-               "  canvoy gateway can0 2=can1 --node-id 127 --idle 10min\n"
-               "  echo '[1] 10 read 0x1000 0 u32' | canvoy gateway can0 --stdin");
-  command->callback([options, &action] { action = [options] { return run_gateway(*options); }; });
+  command.add({
+      {"bus", options->buses,
+       "a network: can0, udp:239.74.163.2:43113, tcp:HOST:PORT/can0; with a number of "
+       "its own as 2=can1; or several",
+       required},
+      {"--listen", options->listen, "address and port of TCP (default 127.0.0.1:60000)"},
+      {"--stdin", options->from_stdin,
+       "take commands from stdin instead, and end with it; status 1 if one failed",
+       excludes("--listen")},
+      {"--idle", options->idle, "drop clients that say nothing for so long (default 1h)"},
+      {"--node-id", options->node_id,
+       "of the gateway itself, for PDOs, guarding and a heartbeat (default: none)"},
+      {"--version", options->version,
+       "how answers are written: 3.0 (as CANopenNode) or 2.1 (as Lely)"},
+      {"--boot", options->boot,
+       "a network to boot, in a file as that of canvoy boot: clients are told how it "
+       "ended for each slave (USER BOOT)"},
+      {"--explain", options->explain, "add the meaning of errors as a comment"},
+  });
+  command.add_examples(
+      "  canvoy gateway can0 --listen 127.0.0.1:60000\n"
+      "  canvoy gateway can0 2=can1 --node-id 127 --idle 10min\n"
+      "  echo '[1] 10 read 0x1000 0 u32' | canvoy gateway can0 --stdin");
+  command.runs([options] { return run_gateway(*options); });
 }
 
 }  // namespace canvoy::tools

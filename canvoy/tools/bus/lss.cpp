@@ -2,7 +2,6 @@
 // (CiA 305).
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -409,38 +408,39 @@ int run_lss(const LssOptions& options) {
 
 }  // namespace
 
-void add_lss(CLI::App& app, Action& action) {
+void add_lss(Verb& app) {
   const auto options = std::make_shared<LssOptions>();
-  CLI::App* command =
-      app.add_subcommand("lss", "Find nodes without node-ID; set node-IDs and bit rates (LSS)");
-  command->add_option("bus", options->bus, bus_text)->required();
-  command
-      ->add_option("command", options->command,
-                   "scan; inquire; set-node-id ID; set-bit-rate RATE; activate DELAY; store; "
-                   "identify; switch waiting|configuration")
-      ->required();
-  command->add_option("value", options->value, "what the command needs: 10, 125k, 1s");
-  command->add_option("--select", options->select,
-                      "VENDOR:PRODUCT:REVISION:SERIAL of the one node that is meant (default: all; "
-                      "then only one may be there)");
-  command->add_option("--assign", options->assign,
-                      "scan: node-IDs to give, as 10-20 or 10,12 (default: none, only look)");
-  command->add_option("--only", options->only,
-                      "scan: VENDOR[:PRODUCT[:REVISION[:SERIAL]]] of the nodes to look for");
-  command->add_flag("--store", options->store, "let the node keep it without power");
-  command->add_option("--bit-rate", options->bit_rate,
-                      "activate: that this machine's interface takes along with the nodes, as 250k "
-                      "(needs root; default: it keeps its own)");
-  command->add_option("--timeout", options->time_out_text, "for one answer: 500ms (default 1s)");
-  command->add_option("--first-timeout", options->first_time_out_text,
-                      "scan: for the first answers (default 100ms); the rest is measured");
-  command->add_flag("--json", options->json, "one JSON object a line");
-  add_examples(*command,
-               "  canvoy lss can0 scan --assign 20-30 --store\n"
-               "  canvoy lss can0 inquire --select 1:2:3:4 --timeout 500ms\n"
-               "  canvoy lss can0 set-node-id 10 --store\n"
-               "  canvoy lss can0 activate 1s");
-  command->callback([options, &action] { action = [options] { return run_lss(*options); }; });
+  Verb& command =
+      app.add_verb("lss", "Find nodes without node-ID; set node-IDs and bit rates (LSS)");
+  command.add({
+      {"bus", options->bus, bus_text, required},
+      {"command", options->command,
+       "scan; inquire; set-node-id ID; set-bit-rate RATE; activate DELAY; store; "
+       "identify; switch waiting|configuration",
+       required},
+      {"value", options->value, "what the command needs: 10, 125k, 1s"},
+      {"--select", options->select,
+       "VENDOR:PRODUCT:REVISION:SERIAL of the one node that is meant (default: all; "
+       "then only one may be there)"},
+      {"--assign", options->assign,
+       "scan: node-IDs to give, as 10-20 or 10,12 (default: none, only look)"},
+      {"--only", options->only,
+       "scan: VENDOR[:PRODUCT[:REVISION[:SERIAL]]] of the nodes to look for"},
+      {"--store", options->store, "let the node keep it without power"},
+      {"--bit-rate", options->bit_rate,
+       "activate: that this machine's interface takes along with the nodes, as 250k "
+       "(needs root; default: it keeps its own)"},
+      {"--timeout", options->time_out_text, "for one answer: 500ms (default 1s)"},
+      {"--first-timeout", options->first_time_out_text,
+       "scan: for the first answers (default 100ms); the rest is measured"},
+      {"--json", options->json, "one JSON object a line"},
+  });
+  command.add_examples(
+      "  canvoy lss can0 scan --assign 20-30 --store\n"
+      "  canvoy lss can0 inquire --select 1:2:3:4 --timeout 500ms\n"
+      "  canvoy lss can0 set-node-id 10 --store\n"
+      "  canvoy lss can0 activate 1s");
+  command.runs([options] { return run_lss(*options); });
 }
 
 }  // namespace canvoy::tools

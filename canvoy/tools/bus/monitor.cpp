@@ -1,7 +1,6 @@
 // canvoy monitor SOURCE: every frame on a bus, or in a log, with its service in words.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 
@@ -232,36 +231,33 @@ int show_log(const MonitorOptions& options) {
 
 }  // namespace
 
-void add_monitor(CLI::App& app, Action& action) {
+void add_monitor(Verb& app) {
   const auto options = std::make_shared<MonitorOptions>();
-  CLI::App* command =
-      app.add_subcommand("monitor", "Show every frame on a bus or in a log in words");
-  command
-      ->add_option("source", options->source,
-                   "can0, udp:239.74.163.2:43113, tcp:HOST:PORT/can0 of a socketcand; several as "
-                   "can0,can1; or a log (candump, ASC, TRC, pcapng): night.log, ./night")
-      ->required();
-  command->add_option("--log", options->log, "write a candump log as well");
-  command->add_option("--for", options->duration, "end after this time: 30s, 10min, 8h");
-  command->add_option("--count", options->count, "end after as many frames")
-      ->check(CLI::PositiveNumber);
-  CLI::Option* table = command->add_flag(
-      "--table", options->table,
-      "one row for each object, with its value, age and rate, drawn anew; where no terminal shows "
-      "it, once at the end");
-  command->add_option("--by", options->by, "rows of the table: object (default), frame or node")
-      ->check(CLI::IsMember({"object", "frame", "node"}))
-      ->needs(table);
-  command
-      ->add_option("--bit-rate", options->bit_rate,
-                   "in kbit/s, for the bus load (default: that of the interface)")
-      ->check(CLI::Range(1U, 1000U))
-      ->needs(table);
-  command->add_flag("--ask", options->ask,
-                    "ask each node that is heard for its device type, identity and PDOs, by SDO");
-  options->printer.add_to(*command);
-  command->footer(
-      "Examples:\n"
+  Verb& command = app.add_verb("monitor", "Show every frame on a bus or in a log in words");
+  command.add({
+      {"source", options->source,
+       "can0, udp:239.74.163.2:43113, tcp:HOST:PORT/can0 of a socketcand; several as "
+       "can0,can1; or a log (candump, ASC, TRC, pcapng): night.log, ./night",
+       required},
+      {"--log", options->log, "write a candump log as well"},
+      {"--for", options->duration, "end after this time: 30s, 10min, 8h"},
+      {"--count", options->count, "end after as many frames", above_zero},
+      {"--table", options->table,
+       "one row for each object, with its value, age and rate, drawn anew; where no terminal shows "
+       "it, once at the end"},
+      {"--by",
+       options->by,
+       "rows of the table: object (default), frame or node",
+       {.allowed = OneOf{"object", "frame", "node"}, .needs = "--table"}},
+      {"--bit-rate",
+       options->bit_rate,
+       "in kbit/s, for the bus load (default: that of the interface)",
+       {.allowed = Within<unsigned>{1, 1000}, .needs = "--table"}},
+      {"--ask", options->ask,
+       "ask each node that is heard for its device type, identity and PDOs, by SDO"},
+  });
+  options->printer.add_to(command);
+  command.add_examples(
       "  canvoy monitor can0\n"
       "  canvoy monitor can0,can1 --for 500ms\n"
       "  canvoy monitor can0 --table\n"
@@ -271,10 +267,8 @@ void add_monitor(CLI::App& app, Action& action) {
       "  canvoy monitor night.log --filter 'boot-up or service=SDO' --count 3\n"
       "  canvoy monitor night.log --node 10=418 --filter 'battery_status=ready'\n"
       "  canvoy monitor ./night.log --filter 'object=6000..6FFF' --json");
-  command->callback([options, &action] {
-    action = [options] {
-      return is_log_source(options->source) ? show_log(*options) : BusMonitor(*options).run();
-    };
+  command.runs([options] {
+    return is_log_source(options->source) ? show_log(*options) : BusMonitor(*options).run();
   });
 }
 

@@ -2,7 +2,6 @@
 // are in it (CiA 301, 7.3.2 and 7.2.8).
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <map>
@@ -171,29 +170,27 @@ int command_nodes(const NmtOptions& options, Sessions& sessions) {
 
 }  // namespace
 
-void add_nmt(CLI::App& app, Action& action, Sessions& sessions) {
+void add_nmt(Verb& app, Sessions& sessions) {
   const auto options = std::make_shared<NmtOptions>();
-  CLI::App* command = app.add_subcommand(
+  Verb& command = app.add_verb(
       "nmt", "Start, stop or reset nodes, and see by their heartbeats that it was done");
-  options->add_bus(*command);
-  options->add_node(*command, "10, 0x0A, 0Ah, its name in the file of --network, or all");
-  command
-      ->add_option("state", options->state,
-                   "operational, stopped, pre-operational, reset-node, reset-communication")
-      ->required();
-  command->add_option("--timeout", options->time_out,
-                      "how long heartbeats are waited for; of all nodes, listened to (default 2s)");
-  command->add_flag("--unchecked", options->unchecked, "only send the command");
-  options->add_json(*command);
-  add_examples(*command,
-               "  canvoy nmt can0 10 operational\n"
-               "  canvoy nmt can0 0Ah pre-operational --json\n"
-               "  canvoy nmt can0 all start --timeout 1500ms\n"
-               "  canvoy nmt can0 10 reset-communication\n"
-               "  canvoy nmt can0 10 stop --unchecked");
-  command->callback([options, &action, &sessions] {
-    action = [options, &sessions] { return command_nodes(*options, sessions); };
+  options->add_bus(command);
+  options->add_node(command, "10, 0x0A, 0Ah, its name in the file of --network, or all");
+  command.add({
+      {"state", options->state,
+       "operational, stopped, pre-operational, reset-node, reset-communication", required},
+      {"--timeout", options->time_out,
+       "how long heartbeats are waited for; of all nodes, listened to (default 2s)"},
+      {"--unchecked", options->unchecked, "only send the command"},
   });
+  options->add_json(command);
+  command.add_examples(
+      "  canvoy nmt can0 10 operational\n"
+      "  canvoy nmt can0 0Ah pre-operational --json\n"
+      "  canvoy nmt can0 all start --timeout 1500ms\n"
+      "  canvoy nmt can0 10 reset-communication\n"
+      "  canvoy nmt can0 10 stop --unchecked");
+  command.runs([options, &sessions] { return command_nodes(*options, sessions); });
 }
 
 }  // namespace canvoy::tools

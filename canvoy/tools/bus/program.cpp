@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <chrono>
 #include <filesystem>
@@ -167,28 +166,25 @@ int download_program(const ProgramOptions& options) {
 
 }  // namespace
 
-void add_program(CLI::App& app, Action& action) {
+void add_program(Verb& app) {
   const auto options = std::make_shared<ProgramOptions>();
-  CLI::App* command =
-      app.add_subcommand("program", "Download a program into a node, and start it (CiA 302-3)");
-  command->add_option("bus", options->bus, bus_text)->required();
-  command->add_option("node", options->node, "10, 0x0A, 0Ah, or its name in the file of --network")
-      ->required();
-  command->add_option("file", options->file, "the program, in the form that the node wants")
-      ->required();
-  command->add_option("--slot", options->slot, "number of the program: sub-index (default 1)")
-      ->check(CLI::Range(1U, 254U));
-  command->add_option("--timeout", options->time_out, "for one answer: 500ms, 2s (default 1s)");
-  command->add_flag("--segmented", options->segmented, "without block transfer");
-  command->add_flag("--check-crc", options->check_crc,
-                    "1F56h has to be the CRC-32 of the file afterwards");
-  command->add_flag("--no-start", options->no_start, "leave the program stopped");
-  command->add_flag("--json", options->json, "one JSON object a line");
-  add_examples(*command,
-               "  canvoy program can0 10 pump.bin --check-crc\n"
-               "  canvoy program can0 10 pump.bin --slot 2 --no-start --timeout 5s");
-  command->callback(
-      [options, &action] { action = [options] { return download_program(*options); }; });
+  Verb& command =
+      app.add_verb("program", "Download a program into a node, and start it (CiA 302-3)");
+  command.add({
+      {"bus", options->bus, bus_text, required},
+      {"node", options->node, "10, 0x0A, 0Ah, or its name in the file of --network", required},
+      {"file", options->file, "the program, in the form that the node wants", required},
+      {"--slot", options->slot, "number of the program: sub-index (default 1)", between(1U, 254U)},
+      {"--timeout", options->time_out, "for one answer: 500ms, 2s (default 1s)"},
+      {"--segmented", options->segmented, "without block transfer"},
+      {"--check-crc", options->check_crc, "1F56h has to be the CRC-32 of the file afterwards"},
+      {"--no-start", options->no_start, "leave the program stopped"},
+      {"--json", options->json, "one JSON object a line"},
+  });
+  command.add_examples(
+      "  canvoy program can0 10 pump.bin --check-crc\n"
+      "  canvoy program can0 10 pump.bin --slot 2 --no-start --timeout 5s");
+  command.runs([options] { return download_program(*options); });
 }
 
 }  // namespace canvoy::tools

@@ -1,7 +1,6 @@
 // canvoy read BUS NODE OBJECT...: values of a node, in their units; again and again where wanted.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -150,46 +149,37 @@ int read_objects(const ReadObjectsOptions& options, Sessions& sessions) {
 
 }  // namespace
 
-void add_read(CLI::App& app, Action& action, Sessions& sessions) {
+void add_read(Verb& app, Sessions& sessions) {
   const auto options = std::make_shared<ReadObjectsOptions>();
-  CLI::App* command = app.add_subcommand("read", "Read objects of a node by SDO");
-  options->add_bus(*command);
-  options->add_any_node(*command);
-  command
-      ->add_option("object", options->objects,
-                   "6010, 1018:4, a name as battery_voltage, or a part of it; or several")
-      ->required();
-  CLI::Option* type = command->add_option(
-      "--type", options->type, "what the value is, whatever the profile says: u16, vs, ...");
-  options->add_profile(*command);
-  options->add_time_out(*command);
-  CLI::Option* json = command->add_flag("--json", options->json, "one JSON object a line");
-  CLI::Option* watch =
-      command
-          ->add_option("--watch", options->watch,
-                       "again and again, and show what has changed: every 200ms (default 1s)")
-          ->expected(0, 1);
-  command->add_option("--for", options->duration, "with --watch: end after this time");
-  command->add_option("--count", options->count, "with --watch: end after as many lines")
-      ->check(CLI::PositiveNumber);
-  command
-      ->add_option("--out", options->out,
-                   "write the bytes to this file; in blocks, where the node knows them")
-      ->excludes(json)
-      ->excludes(type)
-      ->excludes(watch);
-  CLI::Option* block = command->add_flag("--block", options->block, "in blocks, or not at all");
-  command->add_flag("--segmented", options->segmented, "in segments (default without --out)")
-      ->excludes(block);
-  add_examples(*command,
-               "  canvoy read can0 10 temperature\n"
-               "  canvoy read can0 10 6010 1018:4 battery_parameters:ah_capacity --json\n"
-               "  canvoy read can0 0Ah temperature battery_voltage --watch 200ms --for 1s\n"
-               "  canvoy read can0 10 1017 --type u16 --timeout 500ms\n"
-               "  canvoy read udp:239.74.163.2:43113 10 1008 --out name.txt");
-  command->callback([options, &action, &sessions] {
-    action = [options, &sessions] { return read_objects(*options, sessions); };
+  Verb& command = app.add_verb("read", "Read objects of a node by SDO");
+  options->add_bus(command);
+  options->add_any_node(command);
+  command.add({
+      {"object", options->objects,
+       "6010, 1018:4, a name as battery_voltage, or a part of it; or several", required},
+      {"--type", options->type, "what the value is, whatever the profile says: u16, vs, ..."},
   });
+  options->add_profile(command);
+  options->add_time_out(command);
+  command.add({
+      {"--json", options->json, "one JSON object a line"},
+      {"--watch", options->watch,
+       "again and again, and show what has changed: every 200ms (default 1s)", may_be_bare},
+      {"--for", options->duration, "with --watch: end after this time"},
+      {"--count", options->count, "with --watch: end after as many lines", above_zero},
+      {"--out", options->out, "write the bytes to this file; in blocks, where the node knows them",
+       excludes("--json", "--type", "--watch")},
+      {"--block", options->block, "in blocks, or not at all"},
+      {"--segmented", options->segmented, "in segments (default without --out)",
+       excludes("--block")},
+  });
+  command.add_examples(
+      "  canvoy read can0 10 temperature\n"
+      "  canvoy read can0 10 6010 1018:4 battery_parameters:ah_capacity --json\n"
+      "  canvoy read can0 0Ah temperature battery_voltage --watch 200ms --for 1s\n"
+      "  canvoy read can0 10 1017 --type u16 --timeout 500ms\n"
+      "  canvoy read udp:239.74.163.2:43113 10 1008 --out name.txt");
+  command.runs([options, &sessions] { return read_objects(*options, sessions); });
 }
 
 }  // namespace canvoy::tools

@@ -2,7 +2,6 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
 #include <map>
@@ -235,30 +234,31 @@ int scan_bus(const ScanOptions& options) {
 
 }  // namespace
 
-void add_scan(CLI::App& app, Action& action) {
+void add_scan(Verb& app) {
   const auto options = std::make_shared<ScanOptions>();
-  CLI::App* command = app.add_subcommand("scan", "Say who is on a bus, and write it down");
-  command->add_option("bus", options->bus, bus_text)->required();
-  command->add_option("--listen", options->listen,
-                      "for so long in all, while nodes are asked (default 1100ms)");
-  command->add_option("--timeout", options->time_out,
-                      "for the last answers, at least: 500ms, 2s (default 100ms)");
-  command->add_flag("--no-lss", options->no_lss, "do not ask for devices without a node-ID");
-  command
-      ->add_option("--out", options->out,
-                   "write the network into this file (.toml), and a DCF for each node beside it")
-      ->check([](const std::string& path) {
-        return path.ends_with(".toml") ? std::string() : path + ": name it .toml";
-      });
-  command->add_flag("--json", options->json, "one JSON object for each node, and one at the end");
-  command->footer(
+  Verb& command = app.add_verb("scan", "Say who is on a bus, and write it down");
+  command.add({
+      {"bus", options->bus, bus_text, required},
+      {"--listen", options->listen, "for so long in all, while nodes are asked (default 1100ms)"},
+      {"--timeout", options->time_out, "for the last answers, at least: 500ms, 2s (default 100ms)"},
+      {"--no-lss", options->no_lss, "do not ask for devices without a node-ID"},
+      {"--out",
+       options->out,
+       "write the network into this file (.toml), and a DCF for each node beside it",
+       {.allowed =
+            [](const std::string& path) {
+              return path.ends_with(".toml") ? std::string() : path + ": name it .toml";
+            }}},
+      {"--json", options->json, "one JSON object for each node, and one at the end"},
+  });
+  command.set_footer(
       "Nobody is changed by it: it listens, reads 1000h, 1008h and 1018h, and asks by LSS whether\n"
       "anybody has no node-ID. The exit status is 1 where nobody is there.\n"
       "Examples:\n"
       "  canvoy scan can0\n"
       "  canvoy scan can0 --out network.toml\n"
       "  canvoy scan udp:239.74.163.2:43113 --listen 5s --json");
-  command->callback([options, &action] { action = [options] { return scan_bus(*options); }; });
+  command.runs([options] { return scan_bus(*options); });
 }
 
 }  // namespace canvoy::tools

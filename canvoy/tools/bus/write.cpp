@@ -2,7 +2,6 @@
 // it is now.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 
@@ -141,40 +140,35 @@ int write_object(const WriteOptions& options, Sessions& sessions) {
 
 }  // namespace
 
-void add_write(CLI::App& app, Action& action, Sessions& sessions) {
+void add_write(Verb& app, Sessions& sessions) {
   const auto options = std::make_shared<WriteOptions>();
-  CLI::App* command =
-      app.add_subcommand("write", "Write one object of a node by SDO; tells the old and new value");
-  options->add_bus(*command);
-  options->add_any_node(*command);
-  command
-      ->add_option("object", options->object,
-                   "6010, 1018:4, a name as battery_voltage, or a part of it")
-      ->required();
-  CLI::Option* value = command->add_option(
-      "value", options->value,
-      "in the object's unit or one that measures the same: 21.5, '48 V', 1min30s, ready; the "
-      "stored number, 0x1A3; 'FIELD: VALUE, ...'; a text; or hex:01 02");
-  command
-      ->add_option("--file", options->file,
-                   "write the bytes of this file; in blocks, where the node knows them")
-      ->excludes(value);
-  CLI::Option* block = command->add_flag("--block", options->block, "in blocks, or not at all");
-  command->add_flag("--segmented", options->segmented, "in segments (default without --file)")
-      ->excludes(block);
-  command->add_flag("--blind", options->blind, "read neither the old nor the new value");
-  command->add_option("--type", options->type, "of an object that no profile knows: u16, vs, ...");
-  options->add_profile(*command);
-  options->add_time_out(*command);
-  options->add_json(*command);
-  add_examples(*command,
-               "  canvoy write can0 10 producer_heartbeat_time 500ms\n"
-               "  canvoy write can0 10 1017 1s --json\n"
-               "  canvoy write can0 5 battery_temperature '21.5 degC'\n"
-               "  canvoy write can0 10 1017 0x1F4 --type u16 --blind");
-  command->callback([options, &action, &sessions] {
-    action = [options, &sessions] { return write_object(*options, sessions); };
+  Verb& command =
+      app.add_verb("write", "Write one object of a node by SDO; tells the old and new value");
+  options->add_bus(command);
+  options->add_any_node(command);
+  command.add({
+      {"object", options->object, "6010, 1018:4, a name as battery_voltage, or a part of it",
+       required},
+      {"value", options->value,
+       "in the object's unit or one that measures the same: 21.5, '48 V', 1min30s, ready; the "
+       "stored number, 0x1A3; 'FIELD: VALUE, ...'; a text; or hex:01 02"},
+      {"--file", options->file,
+       "write the bytes of this file; in blocks, where the node knows them", excludes("value")},
+      {"--block", options->block, "in blocks, or not at all"},
+      {"--segmented", options->segmented, "in segments (default without --file)",
+       excludes("--block")},
+      {"--blind", options->blind, "read neither the old nor the new value"},
+      {"--type", options->type, "of an object that no profile knows: u16, vs, ..."},
   });
+  options->add_profile(command);
+  options->add_time_out(command);
+  options->add_json(command);
+  command.add_examples(
+      "  canvoy write can0 10 producer_heartbeat_time 500ms\n"
+      "  canvoy write can0 10 1017 1s --json\n"
+      "  canvoy write can0 5 battery_temperature '21.5 degC'\n"
+      "  canvoy write can0 10 1017 0x1F4 --type u16 --blind");
+  command.runs([options, &sessions] { return write_object(*options, sessions); });
 }
 
 }  // namespace canvoy::tools

@@ -1,7 +1,6 @@
 // canvoy device KIND... BUS: one or several devices, with simulated hardware, on a bus.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <chrono>
 #include <deque>
@@ -338,75 +337,71 @@ int run_devices(DeviceOptions options) {
   return run_on_host(on_host, wanted, output);
 }
 
-void add_lift_options(CLI::App& command, DeviceOptions& options) {
-  command.add_option("--lift", options.lift, "of a lift panel: 1 to 8 (default 1)");
-  command.add_option("--floor", options.floor, "where a landing panel hangs (default 1)");
-  command.add_option("--floors", options.floors,
-                     "of the building of a lift panel or controller (default 10)");
-  command.add_option("--door", options.door,
-                     "of a lift door, and of a light barrier: 1 to 4 (default 1)");
-  command
-      .add_option("--press", options.presses,
-                  "a button of a lift panel and when: up@2s, down@2s; in a car 7@2s, open@2s, "
-                  "close@2s; of a taximeter sign-on@2s, hire, stop, for-hire, sign-off; of a taxi "
-                  "alarm alarm@2s, reset; of devices of CiA 407 as docs/devices.md has it")
-      ->allow_extra_args(false);
+void add_lift_options(Verb& command, DeviceOptions& options) {
+  command.add({
+      {"--lift", options.lift, "of a lift panel: 1 to 8 (default 1)"},
+      {"--floor", options.floor, "where a landing panel hangs (default 1)"},
+      {"--floors", options.floors, "of the building of a lift panel or controller (default 10)"},
+      {"--door", options.door, "of a lift door, and of a light barrier: 1 to 4 (default 1)"},
+      {"--press", options.presses,
+       "a button of a lift panel and when: up@2s, down@2s; in a car 7@2s, open@2s, "
+       "close@2s; of a taximeter sign-on@2s, hire, stop, for-hire, sign-off; of a taxi "
+       "alarm alarm@2s, reset; of devices of CiA 407 as docs/devices.md has it",
+       one_each},
+  });
 }
 
 }  // namespace
 
-void add_device(CLI::App& app, Action& action) {
+void add_device(Verb& app) {
   const auto options = std::make_shared<DeviceOptions>();
-  CLI::App* command = app.add_subcommand("device", "Put a device with simulated hardware on a bus");
-  command->add_option(
-      "device", options->kinds,
-      "one of --list, several of CiA 447 or CiA 407 on one node (taximeter+printer), or a "
-      "data sheet (FILE.eds); or several; and behind them the BUS: can0, "
-      "udp:239.74.163.2:43113, tcp:HOST:PORT/can0 of a socketcand, or sim");
-  command->add_flag("--list", options->list, "say which devices there are");
-  command
-      ->add_option("--node-id", options->node_ids,
-                   "10 or 0x0A, one for each device (default: as --list says, and by --door); lss: "
-                   "it waits for one by LSS")
-      ->allow_extra_args(false);
-  command->add_option("--serial-number", options->serial_number,
-                      "of the identity, 1018h:04h: with it LSS tells equal devices apart");
-  command
-      ->add_option(
-          "--store", options->stores,
-          "file in which the device keeps its parameters (1010h, 1011h), one for each "
-          "device; it is made where there is none. A node-ID that LSS has stored there goes "
-          "before --node-id")
-      ->allow_extra_args(false);
-  command->add_option("--heartbeat", options->heartbeat,
-                      "its period: 500ms, up to 65535ms; 0: none (default: as stored, else 1s)");
-  command->add_option(
-      "--bit-rate", options->bit_rate,
-      "of a simulated bus, in bit/s (default 125000); that of a CAN interface is set "
-      "with ip link, or auto: the device listens until it knows it (needs root)");
-  command
-      ->add_option("--state-of-charge", options->state_of_charge,
-                   "of the battery at the start, in % (default 20)")
-      ->check(CLI::Range(0.0, 100.0));
-  add_lift_options(*command, *options);
-  add_lift_unit_options(*command, options->unit);
-  add_device_car_options(*command, options->car);
-  add_car_panel_options(*command, options->car_panel);
-  add_bus_panel_options(*command, options->bus_panel);
-  add_operator_panel_options(*command, options->operator_panel);
-  add_embedded_options(*command, options->embedded);
-  command->add_option("--for", options->duration, "end after this time: 30s, 10min, 8h");
-  command->add_flag("--json", options->json, "one JSON object a line");
-  command->add_flag("--no-manage", options->no_manage,
-                    "the charger leaves it to another NMT master to start the network");
-  add_examples(*command,
-               "  canvoy device battery can0\n"
-               "  canvoy device charger battery sim --for 1s --json\n"
-               "  canvoy device battery can0 --node-id 0Ah --heartbeat 500ms --state-of-charge 80\n"
-               "  canvoy device taximeter+printer can0 --node-id lss\n"
-               "  canvoy device pump.eds can0 --node-id 9\n"
-               "  canvoy device --list");
-  command->callback([options, &action] { action = [options] { return run_devices(*options); }; });
+  Verb& command = app.add_verb("device", "Put a device with simulated hardware on a bus");
+  command.add({
+      {"device", options->kinds,
+       "one of --list, several of CiA 447 or CiA 407 on one node (taximeter+printer), or a "
+       "data sheet (FILE.eds); or several; and behind them the BUS: can0, "
+       "udp:239.74.163.2:43113, tcp:HOST:PORT/can0 of a socketcand, or sim"},
+      {"--list", options->list, "say which devices there are"},
+      {"--node-id", options->node_ids,
+       "10 or 0x0A, one for each device (default: as --list says, and by --door); lss: "
+       "it waits for one by LSS",
+       one_each},
+      {"--serial-number", options->serial_number,
+       "of the identity, 1018h:04h: with it LSS tells equal devices apart"},
+      {"--store", options->stores,
+       "file in which the device keeps its parameters (1010h, 1011h), one for each "
+       "device; it is made where there is none. A node-ID that LSS has stored there goes "
+       "before --node-id",
+       one_each},
+      {"--heartbeat", options->heartbeat,
+       "its period: 500ms, up to 65535ms; 0: none (default: as stored, else 1s)"},
+      {"--bit-rate", options->bit_rate,
+       "of a simulated bus, in bit/s (default 125000); that of a CAN interface is set "
+       "with ip link, or auto: the device listens until it knows it (needs root)"},
+      {"--state-of-charge", options->state_of_charge,
+       "of the battery at the start, in % (default 20)", between(0.0, 100.0)},
+  });
+  add_lift_options(command, *options);
+  add_lift_unit_options(command, options->unit);
+  add_device_car_options(command, options->car);
+  add_car_panel_options(command, options->car_panel);
+  add_bus_panel_options(command, options->bus_panel);
+  add_operator_panel_options(command, options->operator_panel);
+  add_embedded_options(command, options->embedded);
+  command.add({
+      {"--for", options->duration, "end after this time: 30s, 10min, 8h"},
+      {"--json", options->json, "one JSON object a line"},
+      {"--no-manage", options->no_manage,
+       "the charger leaves it to another NMT master to start the network"},
+  });
+  command.add_examples(
+      "  canvoy device battery can0\n"
+      "  canvoy device charger battery sim --for 1s --json\n"
+      "  canvoy device battery can0 --node-id 0Ah --heartbeat 500ms --state-of-charge 80\n"
+      "  canvoy device taximeter+printer can0 --node-id lss\n"
+      "  canvoy device pump.eds can0 --node-id 9\n"
+      "  canvoy device --list");
+  command.runs([options] { return run_devices(*options); });
 }
 
 }  // namespace canvoy::tools

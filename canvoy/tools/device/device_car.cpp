@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <chrono>
@@ -26,15 +25,16 @@ Duration since_1970() {
 
 }  // namespace
 
-void add_device_car_options(CLI::App& command, DeviceCarOptions& options) {
-  command
-      .add_option("--speed", options.speeds,
-                  "km/h of the car or bus of an ivn-gateway, gps, vehicle-gateway, tachograph or "
-                  "geographical-positioning, and from when on: 50@10s")
-      ->allow_extra_args(false);
-  command.add_option("--nmea", options.nmea,
-                     "a recorded drive of that car, as NMEA 0183; stops of 2 min are left out");
-  command.add_option("--places", options.places, "the gazetteer of a navigation system");
+void add_device_car_options(Verb& command, DeviceCarOptions& options) {
+  command.add({
+      {"--speed", options.speeds,
+       "km/h of the car or bus of an ivn-gateway, gps, vehicle-gateway, tachograph or "
+       "geographical-positioning, and from when on: 50@10s",
+       one_each},
+      {"--nmea", options.nmea,
+       "a recorded drive of that car, as NMEA 0183; stops of 2 min are left out"},
+      {"--places", options.places, "the gazetteer of a navigation system"},
+  });
 }
 
 cia447::LocalTime host_local_time() {

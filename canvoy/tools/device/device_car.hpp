@@ -18,11 +18,8 @@
 #include "canvoy/devices/cia447/real_time_clock/real_time_clock_unit.hpp"
 #include "canvoy/devices/site.hpp"
 #include "canvoy/sim/car/drive.hpp"
+#include "canvoy/tools/cli/verb.hpp"
 #include "canvoy/tools/place_file.hpp"
-
-namespace CLI {  // NOLINT(readability-identifier-naming): the name that it has
-class App;
-}
 
 namespace canvoy::tools {
 
@@ -32,7 +29,7 @@ struct DeviceCarOptions {
   std::string places{};               ///< that of a gazetteer
 };
 
-void add_device_car_options(CLI::App& command, DeviceCarOptions& options);
+void add_device_car_options(Verb& command, DeviceCarOptions& options);
 
 /// The clock of this machine, as UTC.
 cia447::LocalTime host_local_time();

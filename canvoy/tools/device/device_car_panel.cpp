@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <utility>
 
@@ -57,16 +56,16 @@ void check_car_presses(std::span<const cia447::CarUnit* const> units,
   }
 }
 
-void add_car_panel_options(CLI::App& command, CarPanelOptions& options) {
+void add_car_panel_options(Verb& command, CarPanelOptions& options) {
   constexpr unsigned id_max = cia447::node_id_max;
-  command.add_option("--k", options.k, "of a taximeter: pulses for a kilometre (default 24000)")
-      ->check(CLI::Range(1U, 10'000'000U));
-  command.add_option("--printer", options.printer, "node-ID of the printer of a taximeter")
-      ->check(CLI::Range(1U, id_max));
-  command.add_option("--sign", options.sign, "node-ID of the tariff display of a taximeter")
-      ->check(CLI::Range(1U, id_max));
-  command.add_option("--clock", options.clock, "node-ID of the real time clock of a taximeter")
-      ->check(CLI::Range(1U, id_max));
+  command.add({
+      {"--k", options.k, "of a taximeter: pulses for a kilometre (default 24000)",
+       between(1U, 10'000'000U)},
+      {"--printer", options.printer, "node-ID of the printer of a taximeter", between(1U, id_max)},
+      {"--sign", options.sign, "node-ID of the tariff display of a taximeter", between(1U, id_max)},
+      {"--clock", options.clock, "node-ID of the real time clock of a taximeter",
+       between(1U, id_max)},
+  });
 }
 
 CarPanel::CarPanel(std::span<const cia447::CarUnit* const> units,

@@ -20,11 +20,8 @@
 #include "canvoy/devices/cia447/taximeter/taximeter_unit.hpp"
 #include "canvoy/devices/cia447/terminal/terminal_unit.hpp"
 #include "canvoy/devices/site.hpp"
+#include "canvoy/tools/cli/verb.hpp"
 #include "canvoy/tools/device/device_output.hpp"
-
-namespace CLI {  // NOLINT(readability-identifier-naming): the name that it has
-class App;
-}
 
 namespace canvoy::tools {
 
@@ -36,7 +33,7 @@ struct CarPanelOptions {
   unsigned clock = 0;
 };
 
-void add_car_panel_options(CLI::App& command, CarPanelOptions& options);
+void add_car_panel_options(Verb& command, CarPanelOptions& options);
 
 /// Throws UsageError for one that is none of these units, all that there are.
 void check_car_presses(std::span<const cia447::CarUnit* const> units,

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 
@@ -21,15 +20,13 @@ constexpr double load_kg_max = 50'000;
 
 }  // namespace
 
-void add_lift_unit_options(CLI::App& command, LiftUnitOptions& options) {
-  command
-      .add_option("--in-door", options.in_door,
-                  "somebody stands in the lift door, when and for how long: 20s+5s")
-      ->allow_extra_args(false);
-  command
-      .add_option("--load", options.loads,
-                  "kg that people in the lift car weigh, and from when on: 300@10s")
-      ->allow_extra_args(false);
+void add_lift_unit_options(Verb& command, LiftUnitOptions& options) {
+  command.add({
+      {"--in-door", options.in_door,
+       "somebody stands in the lift door, when and for how long: 20s+5s", one_each},
+      {"--load", options.loads, "kg that people in the lift car weigh, and from when on: 300@10s",
+       one_each},
+  });
 }
 
 LiftUnits::LiftUnits(const LiftUnitOptions& options) {

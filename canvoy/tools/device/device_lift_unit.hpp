@@ -14,10 +14,7 @@
 #include "canvoy/devices/site.hpp"
 #include "canvoy/sim/lift/door_plant.hpp"
 #include "canvoy/sim/lift/load_cell.hpp"
-
-namespace CLI {  // NOLINT(readability-identifier-naming): the name that it has
-class App;
-}
+#include "canvoy/tools/cli/verb.hpp"
 
 namespace canvoy::tools {
 
@@ -26,7 +23,7 @@ struct LiftUnitOptions {
   std::vector<std::string> loads{};    ///< `300@10s`: kg, and from when on
 };
 
-void add_lift_unit_options(CLI::App& command, LiftUnitOptions& options);
+void add_lift_unit_options(Verb& command, LiftUnitOptions& options);
 
 /// The units of one process are at the same car.
 class LiftUnits {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 
 #include "canvoy/can/host/host_bus.hpp"
@@ -36,19 +35,19 @@ RemoteSettings settings_of(const EmbeddedOptions& options) {
 
 }  // namespace
 
-void add_embedded_options(CLI::App& command, EmbeddedOptions& options) {
-  command.add_option("--embedded", options.bus,
-                     "a bus behind an operator environment, as can1: devices there are reached "
-                     "through it, as can0/2:7");
-  command.add_option("--embedded-network", options.network, "its number, 1 to 65535 (default 2)")
-      ->check(CLI::Range(1U, 0xFFFFU));
-  command
-      .add_option("--embedded-indication", options.indication,
-                  "the SDO command by which a host says the network (default 0xE0)")
-      ->check(CLI::Range(0xE0U, 0xFFU));
-  command.add_option("--embedded-emergency", options.emergency,
-                     "the CAN-ID by which emergencies from there are told, as 0x6C0 (default: they "
-                     "are not)");
+void add_embedded_options(Verb& command, EmbeddedOptions& options) {
+  command.add({
+      {"--embedded", options.bus,
+       "a bus behind an operator environment, as can1: devices there are reached "
+       "through it, as can0/2:7"},
+      {"--embedded-network", options.network, "its number, 1 to 65535 (default 2)",
+       between(1U, 0xFFFFU)},
+      {"--embedded-indication", options.indication,
+       "the SDO command by which a host says the network (default 0xE0)", between(0xE0U, 0xFFU)},
+      {"--embedded-emergency", options.emergency,
+       "the CAN-ID by which emergencies from there are told, as 0x6C0 (default: they "
+       "are not)"},
+  });
 }
 
 void check_embedded(const EmbeddedOptions& options, const std::string& host_bus) {

@@ -11,10 +11,7 @@
 
 #include "canvoy/can/host/attachment.hpp"
 #include "canvoy/canopen/remote/remote_access.hpp"
-
-namespace CLI {  // NOLINT(readability-identifier-naming): the name that it has
-class App;
-}
+#include "canvoy/tools/cli/verb.hpp"
 
 namespace canvoy::tools {
 
@@ -24,7 +21,7 @@ struct EmbeddedOptions {
   unsigned indication = RemoteSettings{}.indication;
   std::string emergency{};  ///< CAN-ID; empty: they are not told
 };
-void add_embedded_options(CLI::App& command, EmbeddedOptions& options);
+void add_embedded_options(Verb& command, EmbeddedOptions& options);
 /// Throws UsageError for what makes no sense on a device that is on `host_bus`.
 void check_embedded(const EmbeddedOptions& options, const std::string& host_bus);
 

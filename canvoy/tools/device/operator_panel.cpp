@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <limits>
@@ -20,22 +19,22 @@ constexpr std::uint16_t additional_module_code = 0x7000;
 
 }  // namespace
 
-void add_operator_panel_options(CLI::App& command, OperatorPanelOptions& options) {
-  command.add_option("--elements", options.elements, operator_elements_help);
-  command
-      .add_option("--move", options.moves,
-                  "what is moved or pressed of an operator environment, and when: "
-                  "joystick1.x=12000@2s, joystick1.b3=1@2s, joystick1.hold-x=1@2s, foot-pedal1=, "
-                  "foot-pedal1.hold=, encoder1=, wheel1=, push-button-cluster1.b13=1@3s")
-      ->allow_extra_args(false);
-  command.add_option("--program-store", options.program_store,
-                     "keep the program that the network downloads to an operator environment "
-                     "(1F50h) in this file");
-  command
-      .add_option("--joystick", options.hands,
-                  "an input device of Linux, as /dev/input/event5, that is the next joystick of an "
-                  "operator environment; or a file .toml that says what it moves")
-      ->allow_extra_args(false);
+void add_operator_panel_options(Verb& command, OperatorPanelOptions& options) {
+  command.add({
+      {"--elements", options.elements, operator_elements_help},
+      {"--move", options.moves,
+       "what is moved or pressed of an operator environment, and when: "
+       "joystick1.x=12000@2s, joystick1.b3=1@2s, joystick1.hold-x=1@2s, foot-pedal1=, "
+       "foot-pedal1.hold=, encoder1=, wheel1=, push-button-cluster1.b13=1@3s",
+       one_each},
+      {"--program-store", options.program_store,
+       "keep the program that the network downloads to an operator environment "
+       "(1F50h) in this file"},
+      {"--joystick", options.hands,
+       "an input device of Linux, as /dev/input/event5, that is the next joystick of an "
+       "operator environment; or a file .toml that says what it moves",
+       one_each},
+  });
 }
 
 OperatorPanel::OperatorPanel(const OperatorPanelOptions& options, Site& site,

@@ -15,14 +15,11 @@
 #include "canvoy/devices/cia852/operator_unit.hpp"
 #include "canvoy/devices/site.hpp"
 #include "canvoy/profiles/cia852/operator_environment.hpp"
+#include "canvoy/tools/cli/verb.hpp"
 #include "canvoy/tools/device/device_output.hpp"
 #include "canvoy/tools/device/hands.hpp"
 #include "canvoy/tools/device/program_store.hpp"
 #include "canvoy/tools/device/seat_state.hpp"
-
-namespace CLI {  // NOLINT(readability-identifier-naming): the name that it has
-class App;
-}
 
 namespace canvoy::tools {
 
@@ -33,7 +30,7 @@ struct OperatorPanelOptions {
   std::string program_store{};       ///< a file for the program that the network downloads
 };
 
-void add_operator_panel_options(CLI::App& command, OperatorPanelOptions& options);
+void add_operator_panel_options(Verb& command, OperatorPanelOptions& options);
 
 class OperatorPanel {
  public:

@@ -1,6 +1,5 @@
 #include "canvoy/tools/help/completion.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -21,36 +20,42 @@ using Words = std::vector<std::string>;
 
 /// What the words before the last one mean.
 struct Line {
-  const CLI::App* verb;
-  std::vector<std::string> places = {};   ///< what stands at the positions so far
-  const CLI::Option* awaiting = nullptr;  ///< an option whose value comes next
+  const Verb* verb;
+  std::vector<std::string> places = {};     ///< what stands at the positions so far
+  std::optional<OptionInfo> awaiting = {};  ///< an option whose value comes next
 };
 
-const CLI::Option* option_named(const CLI::App& app, const std::string& word) {
-  for (const CLI::App* verb = &app; verb != nullptr; verb = verb->get_parent()) {
-    if (const CLI::Option* option = verb->get_option_no_throw(word)) return option;
+bool is_named(const OptionInfo& option, std::string_view name) {
+  return std::ranges::find(option.names, name) != option.names.end();
+}
+
+std::optional<OptionInfo> option_named(const Verb& innermost, std::string_view name) {
+  for (const Verb* verb = &innermost; verb != nullptr; verb = verb->parent()) {
+    for (const OptionInfo& option : verb->options()) {
+      if (is_named(option, name)) return option;
+    }
+  }
+  return std::nullopt;
+}
+
+const Verb* verb_named(const Verb& above, const std::string& word) {
+  for (const std::unique_ptr<Verb>& verb : above.verbs()) {
+    if (verb->name() == word) return verb.get();
   }
   return nullptr;
 }
 
-const CLI::App* verb_named(const CLI::App& app, const std::string& word) {
-  for (const CLI::App* verb : app.get_subcommands(nullptr)) {
-    if (verb->get_name() == word) return verb;
-  }
-  return nullptr;
-}
-
-Line read_line(const CLI::App& app, const Words& words) {
+Line read_line(const Verb& app, const Words& words) {
   Line line{&app};
   for (std::size_t i = 0; i + 1 < words.size(); ++i) {
     const std::string& word = words[i];
-    if (line.awaiting != nullptr) {
-      if (line.awaiting->check_lname("network")) use_network_file(word);
-      line.awaiting = nullptr;
+    if (line.awaiting) {
+      if (is_named(*line.awaiting, "--network")) use_network_file(word);
+      line.awaiting.reset();
     } else if (word.starts_with('-')) {
-      const CLI::Option* option = option_named(*line.verb, word);
-      if (option != nullptr && option->get_items_expected_min() > 0) line.awaiting = option;
-    } else if (const CLI::App* verb = verb_named(*line.verb, word)) {
+      const std::optional<OptionInfo> option = option_named(*line.verb, word);
+      if (option && option->takes_value) line.awaiting = option;
+    } else if (const Verb* verb = verb_named(*line.verb, word)) {
       line.verb = verb;
     } else {
       line.places.push_back(word);
@@ -149,10 +154,10 @@ Words profile_words() {
 }
 
 /// Of an option that is one of a few words.
-Words option_values(const CLI::Option& option) {
-  if (option.check_lname("colour")) return {"auto", "always", "never"};
-  if (option.check_lname("by")) return {"object", "frame", "node"};
-  return option.check_lname("profile") ? profile_words() : Words{};
+Words option_values(const OptionInfo& option) {
+  if (is_named(option, "--colour")) return {"auto", "always", "never"};
+  if (is_named(option, "--by")) return {"object", "frame", "node"};
+  return is_named(option, "--profile") ? profile_words() : Words{};
 }
 
 /// By the name that the help gives a place.
@@ -181,43 +186,40 @@ Words place_words(const Line& line, const std::string& place) {
   return found == known.end() ? Words{} : found->second(line);
 }
 
-const CLI::Option* next_place(const Line& line) {
-  std::size_t at = 0;
-  const CLI::Option* last = nullptr;
-  for (const CLI::Option* option : line.verb->get_options()) {
-    if (!option->get_positional()) continue;
-    last = option;
-    if (at++ == line.places.size()) return option;
-  }
+std::optional<OptionInfo> next_place(const Line& line) {
+  std::vector<OptionInfo> places = line.verb->options();
+  std::erase_if(places, [](const OptionInfo& option) { return !option.is_place; });
+  if (line.places.size() < places.size()) return places[line.places.size()];
   // Only the last one may stand for several.
-  return last != nullptr && last->get_expected_max() > 1 ? last : nullptr;
+  if (places.empty() || !places.back().takes_several) return std::nullopt;
+  return places.back();
 }
 
-Words verb_words(const CLI::App& app) {
+Words verb_words(const Verb& above) {
   Words words;
-  for (const CLI::App* verb : app.get_subcommands(nullptr)) {
-    if (!verb->get_group().empty()) words.push_back(verb->get_name());
+  for (const std::unique_ptr<Verb>& verb : above.verbs()) {
+    if (!verb->is_hidden()) words.push_back(verb->name());
   }
   return words;
 }
 
-Words option_words(const CLI::App& app) {
+Words option_words(const Verb& innermost) {
   Words words;
-  for (const CLI::App* verb = &app; verb != nullptr; verb = verb->get_parent()) {
-    for (const CLI::Option* option : verb->get_options()) {
-      for (const std::string& name : option->get_lnames()) words.push_back("--" + name);
+  for (const Verb* verb = &innermost; verb != nullptr; verb = verb->parent()) {
+    for (const OptionInfo& option : verb->options()) {
+      words.insert(words.end(), option.names.begin(), option.names.end());
     }
   }
   return words;
 }
 
 Words candidates(const Line& line, const std::string& typed) {
-  if (line.awaiting != nullptr) return option_values(*line.awaiting);
+  if (line.awaiting) return option_values(*line.awaiting);
   if (typed.starts_with('-')) return option_words(*line.verb);
   Words words = verb_words(*line.verb);
   if (!words.empty()) return words;
-  const CLI::Option* place = next_place(line);
-  return place == nullptr ? words : place_words(line, place->get_single_name());
+  const std::optional<OptionInfo> place = next_place(line);
+  return place ? place_words(line, place->name) : words;
 }
 
 char folded(char c) {
@@ -232,7 +234,7 @@ bool begins_with(const std::string& word, const std::string& typed) {
 
 }  // namespace
 
-std::vector<std::string> completions(const CLI::App& app, const std::vector<std::string>& words) {
+std::vector<std::string> completions(const Verb& app, const std::vector<std::string>& words) {
   const std::string typed = words.empty() ? "" : words.back();
   Words found = candidates(read_line(app, words), typed);
   std::erase_if(found, [&typed](const std::string& word) { return !begins_with(word, typed); });

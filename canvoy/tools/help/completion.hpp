@@ -6,14 +6,12 @@
 #include <string>
 #include <vector>
 
-namespace CLI {  // NOLINT(readability-identifier-naming): the name that it has
-class App;
-}
+#include "canvoy/tools/cli/verb.hpp"
 
 namespace canvoy::tools {
 
 /// `words` are those behind `canvoy`; the last is the one that is being typed, and may be empty.
 /// None where the shell knows better: names of files.
-std::vector<std::string> completions(const CLI::App& app, const std::vector<std::string>& words);
+std::vector<std::string> completions(const Verb& app, const std::vector<std::string>& words);
 
 }  // namespace canvoy::tools

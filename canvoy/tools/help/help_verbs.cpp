@@ -1,7 +1,6 @@
 // canvoy complete WORD..., canvoy man [VERB...]: what shells and man ask for; people see neither.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -22,7 +21,7 @@ struct HelpOptions {
   std::string folder = {};
 };
 
-int print_completions(const CLI::App& app, const HelpOptions& options) {
+int print_completions(const Verb& app, const HelpOptions& options) {
   // Nobody wants to read in the middle of a line what is wrong with a file.
   try {
     for (const std::string& word : completions(app, options.words)) fmt::print("{}\n", word);
@@ -33,32 +32,32 @@ int print_completions(const CLI::App& app, const HelpOptions& options) {
 }
 
 /// A page, and those of the verbs below.
-void write_pages(const CLI::App& verb, const std::string& name, const std::string& folder) {
+void write_pages(const Verb& verb, const std::string& name, const std::string& folder) {
   std::string file = name;
   std::ranges::replace(file, ' ', '-');
   const std::string text = man_page(verb, name);
   write_value_file(fmt::format("{}/{}.1", folder, file),
                    {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-  for (const CLI::App* each : verb.get_subcommands(nullptr)) {
-    if (!each->get_group().empty()) write_pages(*each, name + ' ' + each->get_name(), folder);
+  for (const std::unique_ptr<Verb>& each : verb.verbs()) {
+    if (!each->is_hidden()) write_pages(*each, name + ' ' + each->name(), folder);
   }
 }
 
-int print_page(const CLI::App& app, const HelpOptions& options) {
+int print_page(const Verb& app, const HelpOptions& options) {
   if (!options.folder.empty()) {
-    write_pages(app, app.get_name(), options.folder);
+    write_pages(app, app.name(), options.folder);
     return exit_done;
   }
-  const CLI::App* verb = &app;
-  std::string name = app.get_name();
+  const Verb* verb = &app;
+  std::string name = app.name();
   for (const std::string& word : options.words) {
-    const CLI::App* next = nullptr;
-    for (const CLI::App* each : verb->get_subcommands(nullptr)) {
-      if (each->get_name() == word) next = each;
+    const Verb* next = nullptr;
+    for (const std::unique_ptr<Verb>& each : verb->verbs()) {
+      if (each->name() == word) next = each.get();
     }
     if (next == nullptr) {
       std::vector<std::string> known;
-      for (const CLI::App* each : verb->get_subcommands(nullptr)) known.push_back(each->get_name());
+      for (const std::unique_ptr<Verb>& each : verb->verbs()) known.push_back(each->name());
       throw UsageError(
           fmt::format("'{}' is no verb of {}{}", word, name, did_you_mean(word, known)));
     }
@@ -71,20 +70,20 @@ int print_page(const CLI::App& app, const HelpOptions& options) {
 
 }  // namespace
 
-void add_help_verbs(CLI::App& app, Action& action) {
+void add_help_verbs(Verb& app) {
   const auto options = std::make_shared<HelpOptions>();
-  CLI::App* complete = app.add_subcommand("complete", "What may stand next on a command line");
-  complete->group("")->fallthrough(false);
-  complete->add_option("word", options->words, "those behind canvoy, behind --");
-  complete->callback([&app, options, &action] {
-    action = [&app, options] { return print_completions(app, *options); };
+  Verb& complete = app.add_verb("complete", "What may stand next on a command line");
+  complete.hide();
+  complete.keep_options_apart();
+  complete.add({{"word", options->words, "those behind canvoy, behind --"}});
+  complete.runs([&app, options] { return print_completions(app, *options); });
+  Verb& man = app.add_verb("man", "The help of a verb as a page for man");
+  man.hide();
+  man.add({
+      {"verb", options->words, "none: of all"},
+      {"--all", options->folder, "write all pages into this folder"},
   });
-  CLI::App* man = app.add_subcommand("man", "The help of a verb as a page for man");
-  man->group("");
-  man->add_option("verb", options->words, "none: of all");
-  man->add_option("--all", options->folder, "write all pages into this folder");
-  man->callback(
-      [&app, options, &action] { action = [&app, options] { return print_page(app, *options); }; });
+  man.runs([&app, options] { return print_page(app, *options); });
 }
 
 }  // namespace canvoy::tools

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 namespace canvoy::tools {
@@ -31,50 +30,44 @@ std::string dashed(std::string name) {
   return name;
 }
 
-std::vector<const CLI::Option*> options_of(const CLI::App& verb, bool positional) {
-  std::vector<const CLI::Option*> options;
-  for (const CLI::Option* option : verb.get_options()) {
-    if (option->get_positional() == positional && !option->get_group().empty()) {
-      options.push_back(option);
-    }
-  }
+std::vector<OptionInfo> options_of(const Verb& verb, bool is_place) {
+  std::vector<OptionInfo> options = verb.options();
+  std::erase_if(options, [=](const OptionInfo& option) { return option.is_place != is_place; });
   return options;
 }
 
-std::string synopsis(const CLI::App& verb, const std::string& name) {
+std::string synopsis(const Verb& verb, const std::string& name) {
   std::string text = fmt::format(".B {}\n", roff(name));
-  for (const CLI::Option* option : options_of(verb, true)) {
-    const std::string word = option->get_single_name();
-    const std::string several = option->get_expected_max() > 1 ? "..." : "";
-    text += option->get_required() ? fmt::format(".I {}{}\n", roff(word), several)
-                                   : fmt::format(".RI [ {}{} ]\n", roff(word), several);
+  for (const OptionInfo& place : options_of(verb, true)) {
+    const std::string several = place.takes_several ? "..." : "";
+    text += place.is_required ? fmt::format(".I {}{}\n", roff(place.name), several)
+                              : fmt::format(".RI [ {}{} ]\n", roff(place.name), several);
   }
-  if (!verb.get_subcommands(nullptr).empty()) text += ".I verb\n";
+  if (!verb.verbs().empty()) text += ".I verb\n";
   return text + ".RI [ options ]\n";
 }
 
-std::string options_text(const CLI::App& verb, bool positional) {
+std::string options_text(const Verb& verb, bool is_place) {
   std::string text;
-  for (const CLI::Option* option : options_of(verb, positional)) {
-    text += fmt::format(".TP\n.B {}\n{}\n", roff(option->get_name(positional)),
-                        roff(option->get_description()));
+  for (const OptionInfo& option : options_of(verb, is_place)) {
+    text += fmt::format(".TP\n.B {}\n{}\n", roff(option.name), roff(option.about));
   }
   return text;
 }
 
-std::string verbs_text(const CLI::App& verb, const std::string& name) {
+std::string verbs_text(const Verb& verb, const std::string& name) {
   std::string text;
-  for (const CLI::App* each : verb.get_subcommands(nullptr)) {
-    if (each->get_group().empty()) continue;
-    text += fmt::format(".TP\n.BR {} (1)\n{}\n", roff(dashed(name) + '-' + each->get_name()),
-                        roff(each->get_description()));
+  for (const std::unique_ptr<Verb>& each : verb.verbs()) {
+    if (each->is_hidden()) continue;
+    text += fmt::format(".TP\n.BR {} (1)\n{}\n", roff(dashed(name) + '-' + each->name()),
+                        roff(each->about()));
   }
   return text;
 }
 
 /// The footer, whose first line says that they are examples.
-std::string examples_text(const CLI::App& verb) {
-  const std::string footer = verb.get_footer();
+std::string examples_text(const Verb& verb) {
+  const std::string footer = verb.footer();
   const std::size_t begin = footer.find('\n');
   if (begin == std::string::npos) return {};
   return ".SH EXAMPLES\n.nf\n" + roff(footer.substr(begin + 1)) + "\n.fi\n";
@@ -86,13 +79,13 @@ std::string section(const char* title, const std::string& text) {
 
 }  // namespace
 
-std::string man_page(const CLI::App& verb, const std::string& name) {
+std::string man_page(const Verb& verb, const std::string& name) {
   std::string title = dashed(name);
   std::ranges::transform(title, title.begin(), [](char c) {
     return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
   });
   return fmt::format(".TH {} 1\n.SH NAME\n{} \\- {}\n", roff(title), roff(dashed(name)),
-                     roff(verb.get_description())) +
+                     roff(verb.about())) +
          section("SYNOPSIS", synopsis(verb, name)) +
          section("ARGUMENTS", options_text(verb, true)) +
          section("OPTIONS", options_text(verb, false)) + section("VERBS", verbs_text(verb, name)) +

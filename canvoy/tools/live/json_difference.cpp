@@ -1,5 +1,7 @@
 #include "canvoy/tools/live/json_difference.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace canvoy::tools {
 
 nlohmann::ordered_json json_difference(const nlohmann::ordered_json& before,

@@ -5,7 +5,7 @@
 //     before.merge_patch(patch);  // is after
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace canvoy::tools {
 

@@ -1,6 +1,7 @@
 #include "canvoy/tools/live/json_difference.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace canvoy::tools::json_difference_test {
 namespace {

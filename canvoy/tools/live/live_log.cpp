@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "canvoy/formats/trace/trace.hpp"
 #include "canvoy/sim/duration_text.hpp"

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "canvoy/canopen/nmt/nmt.hpp"
 #include "canvoy/tools/failure.hpp"

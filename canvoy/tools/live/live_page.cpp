@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -79,6 +80,13 @@ std::uint64_t since(const web::WebRequest& request) {
 }
 
 }  // namespace
+
+LivePage::LivePage(LiveSource& source)
+    : source_(source), state_(std::make_shared<const Json>(Json::object())) {}
+
+void LivePage::look() {
+  state_ = std::make_shared<const Json>(source_.state());
+}
 
 std::unique_ptr<web::LiveClient> LivePage::connect() {
   look();

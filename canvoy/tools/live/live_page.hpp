@@ -7,7 +7,7 @@
 #pragma once
 
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "canvoy/tools/live/live_source.hpp"
 #include "canvoy/web/web_server.hpp"
@@ -18,10 +18,10 @@ class LivePage : public web::WebApplication {
  public:
   using Json = nlohmann::ordered_json;
 
-  explicit LivePage(LiveSource& source) : source_(source) {}
+  explicit LivePage(LiveSource& source);
 
   /// Takes the state of the source: what clients are told from now on.
-  void look() { state_ = std::make_shared<const Json>(source_.state()); }
+  void look();
 
   void answer(const web::WebRequest& request, Answer done) override;
   std::unique_ptr<web::LiveClient> connect() override;
@@ -31,7 +31,7 @@ class LivePage : public web::WebApplication {
   std::string log_text() const;
 
   LiveSource& source_;
-  std::shared_ptr<const Json> state_ = std::make_shared<const Json>(Json::object());
+  std::shared_ptr<const Json> state_;
 };
 
 }  // namespace canvoy::tools

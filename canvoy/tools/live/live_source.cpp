@@ -1,8 +1,21 @@
 #include "canvoy/tools/live/live_source.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "canvoy/sim/duration_text.hpp"
+#include "canvoy/words/json_line.hpp"
 
 namespace canvoy::tools {
+
+void EventLines::add(ToldEvent event) {
+  std::string& line = lines_.emplace_back(std::move(event.json));
+  line.pop_back();
+  words::JsonLine(line).key("words").text(event.text);
+  line += '}';
+  if (lines_.size() <= lines_max) return;
+  lines_.pop_front();
+  ++first_;
+}
 
 namespace {
 

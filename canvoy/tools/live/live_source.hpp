@@ -4,7 +4,7 @@
 
 #include <deque>
 #include <functional>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
@@ -20,13 +20,7 @@ class EventLines {
   static constexpr std::size_t lines_max = 10'000;
 
   /// As JSON, with its `words`.
-  void add(ToldEvent event) {
-    event.json["words"] = std::move(event.text);
-    lines_.push_back(event.json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
-    if (lines_.size() <= lines_max) return;
-    lines_.pop_front();
-    ++first_;
-  }
+  void add(ToldEvent event);
   void clear() {
     first_ += lines_.size();
     lines_.clear();

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/live/json_difference.hpp"

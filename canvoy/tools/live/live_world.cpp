@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "canvoy/canopen/cob_id.hpp"
@@ -144,7 +145,7 @@ LiveSource::Json LiveWorld::description() {
             {"record", recorder().is_allowed()},
             {"write", permission().text()},
             {"nmt", permission().allows_nmt()}}},
-          {"scenery", made_.scenery}};
+          {"scenery", made_.scenery ? *made_.scenery : Json::object()}};
 }
 
 void LiveWorld::advance(Time clock) {
@@ -194,11 +195,11 @@ LiveSource::Json LiveWorld::plan_json() const {
 
 LiveSource::Json LiveWorld::state() {
   if (judged_at_ == never || now() < judged_at_ || now() >= judged_at_ + verdict_period) {
-    summary_ = network().summary_json();
+    summary_ = std::make_unique<Json>(network().summary_json());
     judged_at_ = now();
   }
-  return {{"time", in_seconds(now() - Time{})}, {"play", play_json()}, {"plan", plan_json()},
-          {"snapshot", network().snapshot()},   {"summary", summary_}, {"counts", counts()},
+  return {{"time", in_seconds(now() - Time{})}, {"play", play_json()},  {"plan", plan_json()},
+          {"snapshot", network().snapshot()},   {"summary", *summary_}, {"counts", counts()},
           {"record", recorder().json()}};
 }
 

@@ -31,7 +31,7 @@ struct WorldPlan {
 struct MadeWorld {
   std::unique_ptr<PlayedNetwork> network;
   /// What does not change of the place that it is in, for who draws it.
-  nlohmann::ordered_json scenery = nlohmann::ordered_json::object();
+  std::shared_ptr<const nlohmann::ordered_json> scenery{};  ///< null: there is nothing
   /// Somebody comes now, and wants to go from one floor to another; false: there is no way. Empty:
   /// nobody comes.
   std::function<bool(unsigned from, unsigned to)> visit{};
@@ -111,7 +111,7 @@ class LiveWorld : public LiveNetwork {
   std::size_t done_ = 0;  ///< of the deeds, in this run
   std::optional<host::CandumpWriter> log_;
   std::optional<std::string> log_failure_;
-  Json summary_;  ///< as of `judged_at_`
+  std::unique_ptr<Json> summary_;  ///< as of `judged_at_`
   Time judged_at_ = never;
 };
 

@@ -2,7 +2,7 @@
 // anything was read. docs/web.md has the keys.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string_view>
 
 #include "canvoy/profiles/description.hpp"

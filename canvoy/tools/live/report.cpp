@@ -1,7 +1,6 @@
 // canvoy report RUN: a run or a log as one page that needs no server.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 
@@ -45,29 +44,26 @@ int report(const ReportOptions& options) {
 
 }  // namespace
 
-void add_report(CLI::App& app, Action& action) {
+void add_report(Verb& app) {
   const auto options = std::make_shared<ReportOptions>();
-  CLI::App* command = app.add_subcommand(
+  Verb& command = app.add_verb(
       "report", "Write a run or a log as one page, with pictures, verdicts and statistics");
-  command->add_option("source", options->source,
-                      "a network file (lift.toml), or a log: candump, ASC, BLF, TRC, pcap, CSV");
-  add_run_options(*command, options->run, "as the network has it; see canvoy run NETWORK --help");
-  add_networks(*command, action);
-  for (CLI::App* network : command->get_subcommands([](const CLI::App*) { return true; })) {
-    network->footer(
-        fmt::format("Examples:\n"
-                    "  canvoy report {0} --for 10min --out {0}.html",
-                    network->get_name()));
-  }
-  options->decoding.add_nodes_to(*command);
-  add_examples(*command,
-               "  canvoy report charger --for 10min --seed 7 --out charger.html\n"
-               "  canvoy report night.log --node 10=418 --out night.html");
-  command->require_subcommand(0, 1);
-  command->callback([command, options, &action] {
-    if (!command->get_subcommands().empty()) return;
-    action = [options] { return report(*options); };
+  command.add({
+      {"source", options->source,
+       "a network file (lift.toml), or a log: candump, ASC, BLF, TRC, pcap, CSV"},
   });
+  add_run_options(command, options->run, "as the network has it; see canvoy run NETWORK --help");
+  add_networks(command);
+  for (const std::unique_ptr<Verb>& network : command.verbs()) {
+    network->add_examples(
+        fmt::format("  canvoy report {0} --for 10min --out {0}.html", network->name()));
+  }
+  options->decoding.add_nodes_to(command);
+  command.add_examples(
+      "  canvoy report charger --for 10min --seed 7 --out charger.html\n"
+      "  canvoy report night.log --node 10=418 --out night.html");
+  command.allow_verb();
+  command.runs([options] { return report(*options); });
 }
 
 }  // namespace canvoy::tools

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 
@@ -60,13 +59,15 @@ class Server {
 
 }  // namespace
 
-void ServeOptions::add_to(CLI::App& command) {
-  command.add_option("--allow-write", allow_write,
-                     "what people at the page may write and command: all, or a list as "
-                     "nmt,1017,6000-67FF,10:6010 (default: nothing)");
-  command.add_option("--allow-record", allow_record,
-                     "a folder for logs that people at the page begin by a button, as "
-                     "canvoy-1.log (default: they begin none)");
+void ServeOptions::add_to(Verb& command) {
+  command.add({
+      {"--allow-write", allow_write,
+       "what people at the page may write and command: all, or a list as "
+       "nmt,1017,6000-67FF,10:6010 (default: nothing)"},
+      {"--allow-record", allow_record,
+       "a folder for logs that people at the page begin by a button, as "
+       "canvoy-1.log (default: they begin none)"},
+  });
 }
 
 std::string listening_address(const std::string& text) {

@@ -6,11 +6,8 @@
 #include <string>
 
 #include "canvoy/can/host/event_loop.hpp"
+#include "canvoy/tools/cli/verb.hpp"
 #include "canvoy/tools/live/live_source.hpp"
-
-namespace CLI {  // NOLINT(readability-identifier-naming): the name that it has
-class App;
-}
 
 namespace canvoy::tools {
 
@@ -21,7 +18,7 @@ struct ServeOptions {
   std::string allow_record{};  ///< as Recorder::allow() takes it
 
   /// All but the address.
-  void add_to(CLI::App& command);
+  void add_to(Verb& command);
 };
 
 /// `8080` and `192.168.1.5:8080` as an address to listen on. Throws UsageError.

@@ -1,7 +1,6 @@
 // canvoy view SOURCE: a bus or a log as a page in the browser.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "canvoy/tools/bus/log_source.hpp"
@@ -41,25 +40,24 @@ int view(const ViewOptions& options) {
 
 }  // namespace
 
-void add_view(CLI::App& app, Action& action) {
+void add_view(Verb& app) {
   const auto options = std::make_shared<ViewOptions>();
-  CLI::App* command = app.add_subcommand("view", "Show a bus or a log as a page in the browser");
-  command
-      ->add_option("source", options->source,
-                   "can0, vcan0, udp:239.74.163.2:43113, or a log: night.log, ./night")
-      ->required();
-  command->add_option("--web", options->serve.address,
-                      "where to listen: a port of this machine (default: a free one), or an "
-                      "address that others reach as well: they need the token that is printed");
-  command->add_option("--record", options->record, "write all frames of the bus as a candump log");
-  options->serve.add_to(*command);
-  options->decoding.add_nodes_to(*command);
-  command->footer(
-      "Examples:\n"
+  Verb& command = app.add_verb("view", "Show a bus or a log as a page in the browser");
+  command.add({
+      {"source", options->source,
+       "can0, vcan0, udp:239.74.163.2:43113, or a log: night.log, ./night", required},
+      {"--web", options->serve.address,
+       "where to listen: a port of this machine (default: a free one), or an "
+       "address that others reach as well: they need the token that is printed"},
+      {"--record", options->record, "write all frames of the bus as a candump log"},
+  });
+  options->serve.add_to(command);
+  options->decoding.add_nodes_to(command);
+  command.add_examples(
       "  canvoy view can0\n"
       "  canvoy view can0 --web 8080 --allow-write 10:6010,nmt\n"
       "  canvoy view night.log --node 10=418");
-  command->callback([options, &action] { action = [options] { return view(*options); }; });
+  command.runs([options] { return view(*options); });
 }
 
 }  // namespace canvoy::tools

@@ -1,7 +1,6 @@
 // canvoy convert-log IN OUT: the log of one CAN tool as that of another.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -119,18 +118,18 @@ int convert_log(const ConvertOptions& options) {
 
 }  // namespace
 
-void add_convert_log(CLI::App& app, Action& action) {
+void add_convert_log(Verb& app) {
   const auto options = std::make_shared<ConvertOptions>();
-  CLI::App* command =
-      app.add_subcommand("convert-log", "Write the log of one CAN tool as that of another");
-  command->add_option("in", options->in, log_argument_text)->required();
-  command->add_option("out", options->out, "a file that ends in .log (candump), .asc or .pcapng")
-      ->required();
-  command->add_flag("--json", options->json, "one JSON object a line");
-  add_examples(*command,
-               "  canvoy convert-log bus.log bus.asc\n"
-               "  canvoy convert-log bus.log bus.pcapng --json");
-  command->callback([options, &action] { action = [options] { return convert_log(*options); }; });
+  Verb& command = app.add_verb("convert-log", "Write the log of one CAN tool as that of another");
+  command.add({
+      {"in", options->in, log_argument_text, required},
+      {"out", options->out, "a file that ends in .log (candump), .asc or .pcapng", required},
+      {"--json", options->json, "one JSON object a line"},
+  });
+  command.add_examples(
+      "  canvoy convert-log bus.log bus.asc\n"
+      "  canvoy convert-log bus.log bus.pcapng --json");
+  command.runs([options] { return convert_log(*options); });
 }
 
 }  // namespace canvoy::tools

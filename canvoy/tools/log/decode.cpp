@@ -1,5 +1,4 @@
 // canvoy decode LOG: what the frames of a log mean, printed or as comments in another log.
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "canvoy/tools/commands.hpp"
@@ -7,25 +6,25 @@
 
 namespace canvoy::tools {
 
-void add_decode(CLI::App& app, Action& action) {
+void add_decode(Verb& app) {
   const auto options = std::make_shared<LogOptions>();
-  CLI::App* command = app.add_subcommand(
+  Verb& command = app.add_verb(
       "decode", "Show what the frames of a log mean: services, objects, fields, units");
-  command->add_option("log", options->log, log_argument_text)->required();
-  command->add_option("--count", options->count, "end after as many frames")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--out", options->out,
-                      "write a log in place of lines: .pcapng, with the meaning as comments of the "
-                      "packets, or .asc, .log");
-  options->printer.add_to(*command);
-  command->footer(
-      "Examples:\n"
+  command.add({
+      {"log", options->log, log_argument_text, required},
+      {"--count", options->count, "end after as many frames", above_zero},
+      {"--out", options->out,
+       "write a log in place of lines: .pcapng, with the meaning as comments of the "
+       "packets, or .asc, .log"},
+  });
+  options->printer.add_to(command);
+  command.add_examples(
       "  canvoy decode bus.log\n"
       "  canvoy decode bus.log --filter 'node=10 and temperature>40degC'\n"
       "  canvoy decode bus.log --filter 'time=1s..1min and not (heartbeat or SYNC)'\n"
       "  canvoy decode bus.log --transfers --json\n"
       "  canvoy decode bus.log --out words.pcapng");
-  command->callback([options, &action] { action = [options] { return decode_log(*options); }; });
+  command.runs([options] { return decode_log(*options); });
 }
 
 }  // namespace canvoy::tools

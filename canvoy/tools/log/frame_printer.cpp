@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <filesystem>
 
 #include "canvoy/can/frame_text.hpp"
@@ -16,22 +13,11 @@
 #include "canvoy/tools/sheet/described_nodes.hpp"
 #include "canvoy/tools/sheet/profile_argument.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
-#include "canvoy/words/object_words.hpp"
-#include "canvoy/words/text.hpp"
+#include "canvoy/words/frame_line.hpp"
 
 namespace canvoy::tools {
 
 namespace {
-
-/// `node 10 (0Ah)` of each node.
-const std::string& node_name(NodeId node) {
-  static const auto names = [] {
-    std::array<std::string, 256> made;
-    for (unsigned i = 0; i < made.size(); ++i) made[i] = words::node_text(static_cast<NodeId>(i));
-    return made;
-  }();
-  return names[node];
-}
 
 /// `can1:5`; all buses where none is named.
 struct NodeOfBus {
@@ -70,82 +56,46 @@ std::pair<std::string, std::string> split(const std::string& text, std::string_v
   return {text.substr(0, sign), text.substr(sign + 1)};
 }
 
-void append_text(std::string& line, std::string_view text, std::size_t width) {
-  line += text;
-  if (text.size() < width) line.append(width - text.size(), ' ');
-}
-
-/// `(1700000000.000125)`, as candump writes it.
-void append_time(std::string& line, Duration time) {
-  constexpr std::int64_t second = 1'000'000;
-  constexpr std::size_t length_max = 32;
-  const std::int64_t count = time.count();
-  std::array<char, length_max> digits{};
-  char* at = digits.data();
-  *at++ = '(';
-  if (count < 0) *at++ = '-';
-  const std::uint64_t size =
-      count < 0 ? 0 - static_cast<std::uint64_t>(count) : static_cast<std::uint64_t>(count);
-  at = std::to_chars(at, digits.data() + length_max, size / second).ptr;
-  *at++ = '.';
-  for (std::uint64_t place = second / 10; place > 0; place /= 10) {
-    *at++ = static_cast<char>('0' + size % second / place % 10);
-  }
-  *at++ = ')';
-  line.append(digits.data(), at);
-}
-
-/// `node 10 (0Ah): temperature = 20.000 °C [!] wrong length`
-void append_meaning(std::string& line, const words::FrameWords& words, std::string_view text) {
-  if (words.client != 0 && words.is_answer) {
-    line.append(node_name(words.node)).append(" to ").append(node_name(words.client));
-  } else {
-    if (words.client != 0) line.append(node_name(words.client)).append(" to ");
-    if (words.node != 0) line += node_name(words.node);
-  }
-  if (words.node != 0 && !text.empty()) line += ": ";
-  line += text;
-  if (!words.marks.empty()) line.append(" [!] ").append(words::marks_text(words.marks));
-  if (!words.news.empty()) line.append(" => ").append(words.news);
-}
-
 }  // namespace
 
-void FramePrinterOptions::add_nodes_to(CLI::App& command) {
-  command.add_option("--node", nodes,
-                     "which profile a node has, where nobody reads its device type: 5=419, "
-                     "7=447-3; of one bus only: can1:5=419; of 407 and 417, whose CAN-IDs are "
-                     "fixed, any node will do; or which device of canvoy device --list it is: "
-                     "11=vehicle-gateway");
-  command
-      .add_option("--profile", profiles,
-                  "the profile of all nodes of which nothing else is known: 447-3; of one bus: "
-                  "can1=447-3")
-      ->allow_extra_args(false);
-  command.add_option("--reading", readings,
-                     "where the text of a profile contradicts itself: another reading than the "
-                     "usual one, as `canvoy profile 852` tells them: 852=wide-displays");
-  command.add_option("--eds", sheets,
-                     "the data sheet of a node (EDS, DCF, XDD, XDC): 5=FILE, or of one bus "
-                     "can1:5=FILE; FILE alone is for all nodes that tell its vendor-ID and product "
-                     "code");
+void FramePrinterOptions::add_nodes_to(Verb& command) {
+  command.add({
+      {"--node", nodes,
+       "which profile a node has, where nobody reads its device type: 5=419, "
+       "7=447-3; of one bus only: can1:5=419; of 407 and 417, whose CAN-IDs are "
+       "fixed, any node will do; or which device of canvoy device --list it is: "
+       "11=vehicle-gateway"},
+      {"--profile", profiles,
+       "the profile of all nodes of which nothing else is known: 447-3; of one bus: "
+       "can1=447-3",
+       one_each},
+      {"--reading", readings,
+       "where the text of a profile contradicts itself: another reading than the "
+       "usual one, as `canvoy profile 852` tells them: 852=wide-displays"},
+      {"--eds", sheets,
+       "the data sheet of a node (EDS, DCF, XDD, XDC): 5=FILE, or of one bus "
+       "can1:5=FILE; FILE alone is for all nodes that tell its vendor-ID and product "
+       "code"},
+  });
 }
 
-void FramePrinterOptions::add_filter_to(CLI::App& command) {
-  command
-      .add_option(
-          "--filter", filters,
-          "show only frames of which this holds: bus=can1, node=5, id=180..1FF, service=SDO, "
-          "object=temperature, temperature>40degC, time=10s..1min, marks; joined by and, "
-          "or, not and parentheses; several: all must hold")
-      ->allow_extra_args(false);
+void FramePrinterOptions::add_filter_to(Verb& command) {
+  command.add({
+      {"--filter", filters,
+       "show only frames of which this holds: bus=can1, node=5, id=180..1FF, service=SDO, "
+       "object=temperature, temperature>40degC, time=10s..1min, marks; joined by and, "
+       "or, not and parentheses; several: all must hold",
+       one_each},
+  });
 }
 
-void FramePrinterOptions::add_to(CLI::App& command) {
+void FramePrinterOptions::add_to(Verb& command) {
   add_nodes_to(command);
   add_filter_to(command);
-  command.add_flag("--transfers", transfers, "one line for each SDO transfer, with its value");
-  command.add_flag("--json", json, "one JSON object a line");
+  command.add({
+      {"--transfers", transfers, "one line for each SDO transfer, with its value"},
+      {"--json", json, "one JSON object a line"},
+  });
 }
 
 FramePrinter::FramePrinter(const FramePrinterOptions& options)
@@ -289,17 +239,8 @@ void FramePrinter::append_words(std::string& lines, Duration time, std::string_v
   if (json_) {
     frame_json_.append(lines, time, bus, text.view(), words, text_of(heard.decoder, words));
   } else {
-    constexpr std::size_t frame_width = 21;
-    constexpr std::size_t service_width = 16;
-    append_time(lines, time);
-    lines += ' ';
-    lines += heard.name;
-    lines += ' ';
-    append_text(lines, text.view(), frame_width);
-    lines += ' ';
-    append_text(lines, words.service, service_width);
-    lines += ' ';
-    append_meaning(lines, words, text_of(heard.decoder, words));
+    words::append_frame_line(lines, {time, heard.name, text.view()}, words,
+                             text_of(heard.decoder, words));
   }
   lines += '\n';
 }
@@ -311,7 +252,7 @@ std::optional<std::string> FramePrinter::describe(Duration time, std::string_vie
   std::string text(words->service);
   const std::size_t bare = text.size() + 1;
   text += ' ';
-  append_meaning(text, *words, text_of(decoder_of(bus), *words));
+  words::append_meaning(text, *words, text_of(decoder_of(bus), *words));
   if (text.size() == bare) text.pop_back();
   return text;
 }

@@ -34,10 +34,10 @@ struct FramePrinterOptions {
   bool transfers = false;  ///< one line for each SDO transfer
   bool json = false;
 
-  void add_to(CLI::App& command);
+  void add_to(Verb& command);
   /// Only what says of nodes what they are, or which frames are wanted: for who prints no lines.
-  void add_nodes_to(CLI::App& command);
-  void add_filter_to(CLI::App& command);
+  void add_nodes_to(Verb& command);
+  void add_filter_to(Verb& command);
 };
 
 class FramePrinter {

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <deque>
 #include <map>
 #include <memory>
@@ -248,27 +247,27 @@ int plot(const PlotOptions& options) {
 
 }  // namespace
 
-void add_plot(CLI::App& app, Action& action) {
+void add_plot(Verb& app) {
   const auto options = std::make_shared<PlotOptions>();
-  CLI::App* command = app.add_subcommand("plot", "Show values of a log over time");
-  command->add_option("log", options->log, "candump, ASC, BLF, TRC, pcap, pcapng, CSV; - is a pipe")
-      ->required();
-  command
-      ->add_option("objects", options->objects, "6010, 6020:02, or a part of a name: temperature")
-      ->required();
-  command->add_option("--out", options->out,
-                      "write a picture into this file: .svg or .png (default: on the terminal)");
-  options->printer.add_nodes_to(*command);
-  options->printer.add_filter_to(*command);
-  command->add_flag("--json", options->printer.json, "one JSON object for each value");
-  command->footer(
-      "Examples:\n"
+  Verb& command = app.add_verb("plot", "Show values of a log over time");
+  command.add({
+      {"log", options->log, "candump, ASC, BLF, TRC, pcap, pcapng, CSV; - is a pipe", required},
+      {"objects", options->objects, "6010, 6020:02, or a part of a name: temperature", required},
+      {"--out", options->out,
+       "write a picture into this file: .svg or .png (default: on the terminal)"},
+  });
+  options->printer.add_nodes_to(command);
+  options->printer.add_filter_to(command);
+  command.add({
+      {"--json", options->printer.json, "one JSON object for each value"},
+  });
+  command.add_examples(
       "  canvoy plot night.log temperature\n"
       "  canvoy plot night.log temperature voltage --out night.svg\n"
       "  canvoy plot night.log temperature --out night.png\n"
       "  canvoy plot night.log 6010 --node 10=418 --filter 'time<1h'\n"
       "  canvoy plot night.log state_of_charge --json");
-  command->callback([options, &action] { action = [options] { return plot(*options); }; });
+  command.runs([options] { return plot(*options); });
 }
 
 }  // namespace canvoy::tools

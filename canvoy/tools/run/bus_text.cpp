@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "canvoy/tools/run/bus_words.hpp"
 #include "canvoy/tools/run/world_text.hpp"

@@ -1,5 +1,7 @@
 #include "canvoy/tools/run/car_text.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "canvoy/tools/car_words.hpp"
 
 namespace canvoy::tools {
@@ -12,7 +14,7 @@ Told told(const WorldNames& names, const car::NetworkChanged& event) {
     const bool is_of_all = event.event.kind == Kind::asleep || event.event.kind == Kind::awake;
     const std::string text = car_event_words(event.event.kind, device);
     Told told{is_of_all ? text : "gateway: " + text, {{"event", name}}};
-    if (node != 0) told.json["node"] = node;
+    if (node != 0) told.json()["node"] = node;
     return told;
   };
   switch (event.event.kind) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "canvoy/tools/run/world_text.hpp"
@@ -146,7 +147,7 @@ class ChargingTeller {
  private:
   static Told charger(const std::string& text, Json json) {
     Told told{"charger: " + text, std::move(json)};
-    told.json["text"] = text;
+    told.json()["text"] = text;
     return told;
   }
   template <class Event>

@@ -1,6 +1,7 @@
 #include "canvoy/tools/run/excavator_text.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "canvoy/tools/run/world_text.hpp"
 #include "canvoy/words/text.hpp"

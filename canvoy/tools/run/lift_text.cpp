@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "canvoy/profiles/cia417.hpp"
 #include "canvoy/sim/duration_text.hpp"

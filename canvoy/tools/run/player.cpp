@@ -187,7 +187,7 @@ class Player {
     std::string events;
     for (; told_ < network_.event_count(); ++told_) {
       const ToldEvent event = network_.event(told_);
-      events += options_.json ? event.json.dump() + "\n" : event.line();
+      events += options_.json ? event.json + "\n" : event.line();
     }
     if (is_live_) {
       keep(events);

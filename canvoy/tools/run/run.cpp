@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -23,28 +22,26 @@ namespace canvoy::tools {
 namespace {
 
 /// Whether it is written down, and not shown.
-bool is_of_report(const CLI::App& command) {
-  const CLI::App* const parent = command.get_parent();
-  return command.get_name() == "report" || (parent != nullptr && parent->get_name() == "report");
+bool is_of_report(const Verb& command) {
+  const Verb* const parent = command.parent();
+  return command.name() == "report" || (parent != nullptr && parent->name() == "report");
 }
 
 /// `canvoy run lift --lifts 4`: what says which run it is, but for the seed.
-std::string command_of(const CLI::App& command, const RunOptions& options) {
+std::string command_of(const Verb& command, const RunOptions& options) {
   constexpr std::array left_out = {"--seed", "--speed",        "--web",  "--allow-write",
                                    "--out",  "--log",          "--json", "--print",
                                    "--help", "--allow-record", "--link", "--fault"};
   std::string text;
-  for (const CLI::App* app = &command; app != nullptr; app = app->get_parent()) {
-    const std::string& name = app->get_name();
+  for (const Verb* verb = &command; verb != nullptr; verb = verb->parent()) {
+    const std::string name = verb->name();
     text.insert(0, (name == "report" ? "run" : name) + (text.empty() ? "" : " "));
   }
-  for (const CLI::Option* option : command.get_options()) {
-    const bool is_left_out = std::ranges::find(left_out, option->get_name()) != left_out.end();
-    if (option->count() == 0 || is_left_out) continue;
-    const bool is_flag = option->get_items_expected_max() == 0;
-    for (const std::string& value : option->results()) {
-      if (!option->get_positional()) text += " " + option->get_name();
-      if (!is_flag) text += " " + value;
+  for (const OptionInfo& option : command.options()) {
+    if (std::ranges::find(left_out, option.name) != left_out.end()) continue;
+    for (const std::string& value : option.said) {
+      if (!option.is_place) text += " " + option.name;
+      if (!option.is_flag) text += " " + value;
     }
   }
   for (const std::string& fault : options.faults) text += " --fault " + fault;
@@ -52,20 +49,27 @@ std::string command_of(const CLI::App& command, const RunOptions& options) {
 }
 
 /// `http://127.0.0.1:8080/#seed=7&fault=pilot-loss@1min`: what behind the # says which run it is.
-void take_link(RunOptions& options, const std::string& link) {
-  const std::size_t mark = link.find('#');
+struct RunLink {
+  std::uint64_t seed = 0;
+  std::vector<std::string> faults = {};
+};
+std::optional<RunLink> parse_link(const std::string& text) {
+  const std::size_t mark = text.find('#');
   const std::optional<web::RequestTarget> target =
-      mark == std::string::npos ? std::nullopt : web::parse_target("/?" + link.substr(mark + 1));
+      mark == std::string::npos ? std::nullopt : web::parse_target("/?" + text.substr(mark + 1));
   const std::string_view seed = target ? target->value("seed").value_or("") : "";
-  std::uint64_t number = 0;
-  const auto [stop, error] = std::from_chars(seed.data(), seed.data() + seed.size(), number);
+  RunLink link;
+  const auto [stop, error] = std::from_chars(seed.data(), seed.data() + seed.size(), link.seed);
   if (!target || seed.empty() || error != std::errc{} || stop != seed.data() + seed.size()) {
-    throw CLI::ValidationError("--link", "give what Share this run says: http://.../#seed=1");
+    return std::nullopt;
   }
-  options.seed = number;
   for (const auto& [name, value] : target->query) {
-    if (name == "fault") options.faults.push_back(value);
+    if (name == "fault") link.faults.push_back(value);
   }
+  return link;
+}
+std::string a_link(const std::string& text) {
+  return parse_link(text) ? "" : "give what Share this run says: http://.../#seed=1";
 }
 
 /// In place of what the library says of 2^64 in decimal places.
@@ -101,51 +105,59 @@ WrittenFault parse_run_fault(const FaultGrammar& grammar, const std::string& tex
 
 namespace {
 
-/// How it is shown. Returns `--web`.
-CLI::Option* add_show_options(CLI::App& command, RunOptions& options) {
-  command
-      .add_option(
-          "--speed", options.speed,
-          "times faster than the clock; 0: as fast as it goes, the default where no terminal "
-          "shows it")
-      ->check(CLI::Range(0.0, 1e6));
-  command.add_option("--log", options.log, "write all frames as a candump log");
-  command.add_flag("--json", options.json, "events and values, one JSON object a line");
-  command.add_flag("--print", options.print,
-                   "print the network as a file that `canvoy run FILE` plays, and end");
-  command.add_option("--allow-write", options.allow_write,
-                     "what people at the page may write and command by SDO and NMT: all, or a "
-                     "list as nmt,1017,6000-67FF,10:6010 (default: nothing)");
-  command.add_option("--allow-record", options.allow_record,
-                     "a folder for logs that people at the page begin by a button, as "
-                     "canvoy-1.log (default: they begin none)");
-  return command
-      .add_option("--web", options.web,
-                  "a page of it in the browser, to watch, play with and break: at a port of this "
-                  "machine (default: a free one), or an address that others reach as well")
-      ->expected(0, 1);
+void add_show_options(Verb& command, RunOptions& options) {
+  command.add({
+      {"--speed", options.speed,
+       "times faster than the clock; 0: as fast as it goes, the default where no terminal "
+       "shows it",
+       between(0.0, 1e6)},
+      {"--log", options.log, "write all frames as a candump log"},
+      {"--json", options.json, "events and values, one JSON object a line"},
+      {"--print", options.print,
+       "print the network as a file that `canvoy run FILE` plays, and end"},
+      {"--allow-write", options.allow_write,
+       "what people at the page may write and command by SDO and NMT: all, or a "
+       "list as nmt,1017,6000-67FF,10:6010 (default: nothing)"},
+      {"--allow-record", options.allow_record,
+       "a folder for logs that people at the page begin by a button, as "
+       "canvoy-1.log (default: they begin none)"},
+      {"--web", options.web,
+       "a page of it in the browser, to watch, play with and break: at a port of this "
+       "machine (default: a free one), or an address that others reach as well",
+       may_be_bare},
+  });
+}
+
+/// What is known when all was read.
+void complete(const Verb& command, RunOptions& options) {
+  if (const std::optional<RunLink> link = parse_link(options.link)) {
+    options.seed = link->seed;
+    options.faults.insert(options.faults.end(), link->faults.begin(), link->faults.end());
+  }
+  options.command = command_of(command, options);
+  const bool is_web = !is_of_report(command) && command.count("--web") != 0;
+  if (is_web && !options.web) options.web.emplace();
 }
 
 }  // namespace
 
-void add_run_options(CLI::App& command, RunOptions& options, const std::string& fault_help) {
-  command.add_option("--for", options.duration, "virtual time: 30s, 10min, 8h");
-  command.add_option("--seed", options.seed, "of all that is left to chance (default 1)")
-      ->check(whole_number);
-  command.add_option("--fault", options.faults, fault_help)->allow_extra_args(false);
-  command.add_option_function<std::string>(
-      "--link", [&options](const std::string& link) { take_link(options, link); },
-      "a link of the page: its seed and its faults");
-  const CLI::Option* const shown =
-      is_of_report(command)
-          ? command.add_option("--out", options.report, "write the page into this file")
-                ->required(command.get_name() != "report")
-          : add_show_options(command, options);
-  command.parse_complete_callback([&command, &options, shown] {
-    options.command = command_of(command, options);
-    const bool is_web = shown->get_name() == "--web" && shown->count() != 0;
-    if (is_web && !options.web) options.web.emplace();
+void add_run_options(Verb& command, RunOptions& options, const std::string& fault_help) {
+  command.add({
+      {"--for", options.duration, "virtual time: 30s, 10min, 8h"},
+      {"--seed", options.seed, "of all that is left to chance (default 1)",
+       checked_by(whole_number)},
+      {"--fault", options.faults, fault_help, one_each},
+      {"--link", options.link, "a link of the page: its seed and its faults", checked_by(a_link)},
   });
+  if (is_of_report(command)) {
+    command.add({{"--out",
+                  options.report,
+                  "write the page into this file",
+                  {.is_required = command.name() != "report"}}});
+  } else {
+    add_show_options(command, options);
+  }
+  command.when_parsed([&command, &options] { complete(command, options); });
 }
 
 int run_network_file(const std::string& path, const RunOptions& options) {
@@ -170,13 +182,13 @@ std::vector<std::string> built_in_networks() {
   return {"charger", "lift", "taxi", "police", "bus", "excavator"};
 }
 
-void add_networks(CLI::App& run, Action& action) {
-  add_run_charger(run, action);
-  add_run_lift(run, action);
-  add_run_taxi(run, action);
-  add_run_police(run, action);
-  add_run_bus(run, action);
-  add_run_excavator(run, action);
+void add_networks(Verb& run) {
+  add_run_charger(run);
+  add_run_lift(run);
+  add_run_taxi(run);
+  add_run_police(run);
+  add_run_bus(run);
+  add_run_excavator(run);
 }
 
 PlayOptions play_options(const RunOptions& options, Duration duration) {
@@ -200,36 +212,34 @@ void take_real_bus(TomlTable& table, BusIndex bus, std::vector<RealBus>& real) {
   real.push_back({bus, address});
 }
 
-void add_run(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("run", "Play a network in virtual time");
+void add_run(Verb& app) {
+  Verb& command = app.add_verb("run", "Play a network in virtual time");
   struct FileOptions {
     std::string path;
     RunOptions run;
   };
   const auto options = std::make_shared<FileOptions>();
-  command->add_option("file", options->path,
-                      "a network that a file describes (see --print of the built-in ones)");
-  add_run_options(*command, options->run, "as the network has it; see canvoy run NETWORK --help");
-  add_networks(*command, action);
-  add_examples(*command,
-               "  canvoy run charger --for 10min\n"
-               "  canvoy run charging.toml --for 10min");
-  command->require_subcommand(0, 1);
-  command->callback([command, options, &action] {
-    if (!command->get_subcommands().empty()) return;
-    action = [options]() -> int {
-      if (options->path.empty()) {
-        throw UsageError(
-            "a network is missing: charger, lift, taxi, police, bus, excavator, or a file; see "
-            "canvoy run --help");
-      }
-      if (!std::filesystem::exists(options->path)) {
-        throw UsageError(
-            fmt::format("'{}' is neither a built-in network nor a file{}; see canvoy run --help",
-                        options->path, did_you_mean(options->path, built_in_networks())));
-      }
-      return run_network_file(options->path, options->run);
-    };
+  command.add({
+      {"file", options->path, "a network that a file describes (see --print of the built-in ones)"},
+  });
+  add_run_options(command, options->run, "as the network has it; see canvoy run NETWORK --help");
+  add_networks(command);
+  command.add_examples(
+      "  canvoy run charger --for 10min\n"
+      "  canvoy run charging.toml --for 10min");
+  command.allow_verb();
+  command.runs([options] {
+    if (options->path.empty()) {
+      throw UsageError(
+          "a network is missing: charger, lift, taxi, police, bus, excavator, or a file; see "
+          "canvoy run --help");
+    }
+    if (!std::filesystem::exists(options->path)) {
+      throw UsageError(
+          fmt::format("'{}' is neither a built-in network nor a file{}; see canvoy run --help",
+                      options->path, did_you_mean(options->path, built_in_networks())));
+    }
+    return run_network_file(options->path, options->run);
   });
 }
 

@@ -8,12 +8,9 @@
 #include <vector>
 
 #include "canvoy/sim/fault.hpp"
+#include "canvoy/tools/cli/verb.hpp"
 #include "canvoy/tools/run/player.hpp"
 #include "canvoy/tools/toml_file.hpp"
-
-namespace CLI {  // NOLINT(readability-identifier-naming): the name that it has
-class App;
-}
 
 namespace canvoy::tools {
 
@@ -23,6 +20,7 @@ struct RunOptions {
   std::vector<std::string> faults;  ///< beside those of the file
   std::string log;
   std::optional<std::uint64_t> seed;
+  std::string link;   ///< of a page: its seed and faults, which are taken over
   double speed = -1;  ///< as PlayOptions have it
   bool json = false;
   bool print = false;                 ///< the network as a file, in place of a run
@@ -38,7 +36,7 @@ struct RunOptions {
 
 /// `fault_help` lists the kinds of faults. Of `canvoy report` those alone that say which run it is,
 /// and where it is written.
-void add_run_options(CLI::App& command, RunOptions& options, const std::string& fault_help);
+void add_run_options(Verb& command, RunOptions& options, const std::string& fault_help);
 /// All of the command line but the real buses. `duration` is that of the network.
 PlayOptions play_options(const RunOptions& options, Duration duration);
 
@@ -64,13 +62,13 @@ int run_network_file(const std::string& path, const RunOptions& options);
 /// Their names.
 std::vector<std::string> built_in_networks();
 /// Adds all of the built-in networks.
-void add_networks(CLI::App& run, std::function<int()>& action);
+void add_networks(Verb& run);
 // Each adds a built-in network as a subcommand of `run`.
-void add_run_charger(CLI::App& run, std::function<int()>& action);
-void add_run_lift(CLI::App& run, std::function<int()>& action);
-void add_run_taxi(CLI::App& run, std::function<int()>& action);
-void add_run_police(CLI::App& run, std::function<int()>& action);
-void add_run_bus(CLI::App& run, std::function<int()>& action);
-void add_run_excavator(CLI::App& run, std::function<int()>& action);
+void add_run_charger(Verb& run);
+void add_run_lift(Verb& run);
+void add_run_taxi(Verb& run);
+void add_run_police(Verb& run);
+void add_run_bus(Verb& run);
+void add_run_excavator(Verb& run);
 
 }  // namespace canvoy::tools

@@ -1,7 +1,6 @@
 // canvoy run bus: plays a day of a bus on its line.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <functional>
@@ -138,37 +137,38 @@ struct BusCommand {
   unsigned threads = 0;
 };
 
-void add_line_options(CLI::App& bus, LineChoice& line) {
-  bus.add_option("--gtfs", line.feed,
-                 "a timetable: a folder or zip archive of GTFS (default: a built-in line)");
-  bus.add_option(
-      "--route", line.route,
-      "which route of the feed: its route_id or short name; not needed where it has one");
-  bus.add_option("--date", line.date,
-                 "the day of service, as 2026-11-23 (default: the first on which the route runs)");
-  bus.add_option("--block", line.block, "which vehicle of the line (default 1)");
+void add_line_options(Verb& bus, LineChoice& line) {
+  bus.add({
+      {"--gtfs", line.feed,
+       "a timetable: a folder or zip archive of GTFS (default: a built-in line)"},
+      {"--route", line.route,
+       "which route of the feed: its route_id or short name; not needed where it has one"},
+      {"--date", line.date,
+       "the day of service, as 2026-11-23 (default: the first on which the route runs)"},
+      {"--block", line.block, "which vehicle of the line (default 1)"},
+  });
 }
 
-void add_depot_options(CLI::App& bus, BusCommand& options) {
-  bus.add_option("--vehicles", options.vehicles,
-                 "a depot: so many vehicles, each a bus of its own with the next seed and the next "
-                 "block of the line; says who failed, and totals")
-      ->check(CLI::Range(1U, bus::depot_vehicles_max));
-  bus.add_option("--threads", options.threads,
-                 "on which a depot is played (default: one for each core)")
-      ->check(CLI::Range(1U, depot_threads_max));
+void add_depot_options(Verb& bus, BusCommand& options) {
+  bus.add({
+      {"--vehicles", options.vehicles,
+       "a depot: so many vehicles, each a bus of its own with the next seed and the next "
+       "block of the line; says who failed, and totals",
+       between(1U, bus::depot_vehicles_max)},
+      {"--threads", options.threads, "on which a depot is played (default: one for each core)",
+       between(1U, depot_threads_max)},
+  });
 }
 
 /// Of a depot that has options of one bus, or one bus that has those of a depot.
-void check_options(const CLI::App& bus, const BusCommand& options) {
+void check_options(const Verb& bus, const BusCommand& options) {
   if (options.vehicles == 0) {
     if (bus.count("--threads") != 0) throw UsageError("--threads is of a depot: give --vehicles");
     return;
   }
   for (const char* name :
        {"--log", "--print", "--speed", "--gtfs-rt", "--displays", "--block", "--web", "--out"}) {
-    const CLI::Option* const option = bus.get_option_no_throw(name);
-    if (option == nullptr || option->count() == 0) continue;
+    if (bus.count(name) == 0) continue;
     throw UsageError(fmt::format("{} is of one bus: leave it out, or --vehicles", name));
   }
 }
@@ -185,28 +185,27 @@ int run_chosen(const BusCommand& options) {
 
 }  // namespace
 
-void add_run_bus(CLI::App& app, std::function<int()>& action) {
-  CLI::App* bus = app.add_subcommand("bus", "A bus on its line: CiA 407 (a day)");
+void add_run_bus(Verb& app) {
+  Verb& bus = app.add_verb("bus", "A bus on its line: CiA 407 (a day)");
   const auto options = std::make_shared<BusCommand>();
-  add_run_options(*bus, options->run, fault_help(bus::fault_grammar()));
-  add_line_options(*bus, options->line);
-  bus->add_option(
-      "--gtfs-rt", options->outlets.realtime,
-      "says where the bus is, how full and how late, as GTFS-Realtime, anew each 15 s of "
-      "its time: in a file, or by HTTP at :PORT, 127.0.0.1:PORT or [::1]:PORT (0: a free "
-      "one)");
-  bus->add_option("--displays", options->outlets.displays,
-                  "a folder for pictures of all displays, one whenever a display looks different: "
-                  "next-stop-0001.png and so on");
-  add_depot_options(*bus, *options);
-  add_examples(*bus,
-               "  canvoy run bus --for 30min\n"
-               "  canvoy run bus --for 20min --log bus.log --json");
-  bus->callback([bus, options, &action] {
-    action = [bus, options] {
-      check_options(*bus, *options);
-      return run_chosen(*options);
-    };
+  add_run_options(bus, options->run, fault_help(bus::fault_grammar()));
+  add_line_options(bus, options->line);
+  bus.add({
+      {"--gtfs-rt", options->outlets.realtime,
+       "says where the bus is, how full and how late, as GTFS-Realtime, anew each 15 s of "
+       "its time: in a file, or by HTTP at :PORT, 127.0.0.1:PORT or [::1]:PORT (0: a free "
+       "one)"},
+      {"--displays", options->outlets.displays,
+       "a folder for pictures of all displays, one whenever a display looks different: "
+       "next-stop-0001.png and so on"},
+  });
+  add_depot_options(bus, *options);
+  bus.add_examples(
+      "  canvoy run bus --for 30min\n"
+      "  canvoy run bus --for 20min --log bus.log --json");
+  bus.runs([&bus, options] {
+    check_options(bus, *options);
+    return run_chosen(*options);
   });
 }
 

@@ -1,7 +1,6 @@
 // canvoy run charger: plays the network of a battery and its charger.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -86,29 +85,26 @@ int run_charger_file(TomlTable& table, const RunOptions& options) {
   return run(read_charging_run(table), options);
 }
 
-void add_run_charger(CLI::App& app, std::function<int()>& action) {
-  CLI::App* charger =
-      app.add_subcommand("charger", "A CiA 419 charger charges a CiA 418 battery (8h)");
+void add_run_charger(Verb& app) {
+  Verb& charger = app.add_verb("charger", "A CiA 419 charger charges a CiA 418 battery (8h)");
   const auto options = std::make_shared<ChargerOptions>();
-  add_run_options(*charger, options->run, fault_help(charging::fault_grammar()));
-  charger
-      ->add_option("--state-of-charge", options->state_of_charge,
-                   "of the battery at the start, in % (default 20)")
-      ->check(CLI::Range(0.0, 100.0));
-  charger->add_option("--ambience", options->ambience, "temperature, in °C (default 20)")
-      ->check(CLI::Range(-40.0, 85.0));
-  charger->add_option("--begin", options->begin,
-                      "date and time of the charger's clock at the start (default 2026-11-21 "
-                      "18:00:00); it tells them each minute (TIME)");
-  charger->add_flag("--no-sdo-manager", options->no_sdo_manager,
-                    "no CANopen manager gives the charger its SDO connection to the battery: it "
-                    "takes the default channel");
-  add_examples(*charger,
-               "  canvoy run charger --for 20min --fault heartbeat-loss@5min+30s --log bus.log\n"
-               "  canvoy run charger --for 10min --state-of-charge 80 --seed 7 --json\n"
-               "  canvoy run charger --print");
-  charger->callback(
-      [options, &action] { action = [options] { return run(chosen(*options), options->run); }; });
+  add_run_options(charger, options->run, fault_help(charging::fault_grammar()));
+  charger.add({
+      {"--state-of-charge", options->state_of_charge,
+       "of the battery at the start, in % (default 20)", between(0.0, 100.0)},
+      {"--ambience", options->ambience, "temperature, in °C (default 20)", between(-40.0, 85.0)},
+      {"--begin", options->begin,
+       "date and time of the charger's clock at the start (default 2026-11-21 "
+       "18:00:00); it tells them each minute (TIME)"},
+      {"--no-sdo-manager", options->no_sdo_manager,
+       "no CANopen manager gives the charger its SDO connection to the battery: it "
+       "takes the default channel"},
+  });
+  charger.add_examples(
+      "  canvoy run charger --for 20min --fault heartbeat-loss@5min+30s --log bus.log\n"
+      "  canvoy run charger --for 10min --state-of-charge 80 --seed 7 --json\n"
+      "  canvoy run charger --print");
+  charger.runs([options] { return run(chosen(*options), options->run); });
 }
 
 }  // namespace canvoy::tools

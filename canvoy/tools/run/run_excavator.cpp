@@ -1,7 +1,6 @@
 // canvoy run excavator: plays a shift of an excavator.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -88,22 +87,20 @@ int run_excavator_file(TomlTable& table, const std::string& path, const RunOptio
   return run_excavator(read_excavator_run(table, folder), options);
 }
 
-void add_run_excavator(CLI::App& app, std::function<int()>& action) {
-  CLI::App* shift =
-      app.add_subcommand("excavator", "A shift of an excavator: CiA 852 and CiA 401 (8h)");
+void add_run_excavator(Verb& app) {
+  Verb& shift = app.add_verb("excavator", "A shift of an excavator: CiA 852 and CiA 401 (8h)");
   const auto options = std::make_shared<RunOptions>();
   const auto files = std::make_shared<ShiftFiles>();
-  add_run_options(*shift, *options, fault_help(excavator::fault_grammar()));
-  shift->add_option("--shift", files->played,
-                    "a recorded shift that is played again, as CSV (docs/excavator.md)");
-  shift->add_option("--record-shift", files->recorded,
-                    "write what hands do into a file that --shift takes");
-  add_examples(*shift,
-               "  canvoy run excavator --for 10min\n"
-               "  canvoy run excavator --for 10min --fault lost-node@2min+10s");
-  shift->callback([options, files, &action] {
-    action = [options, files] { return run_excavator(ExcavatorRun{}, *options, *files); };
+  add_run_options(shift, *options, fault_help(excavator::fault_grammar()));
+  shift.add({
+      {"--shift", files->played,
+       "a recorded shift that is played again, as CSV (docs/excavator.md)"},
+      {"--record-shift", files->recorded, "write what hands do into a file that --shift takes"},
   });
+  shift.add_examples(
+      "  canvoy run excavator --for 10min\n"
+      "  canvoy run excavator --for 10min --fault lost-node@2min+10s");
+  shift.runs([options, files] { return run_excavator(ExcavatorRun{}, *options, *files); });
 }
 
 }  // namespace canvoy::tools

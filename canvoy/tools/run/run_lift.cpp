@@ -1,7 +1,6 @@
 // canvoy run lift: plays a building with lifts.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -98,7 +97,9 @@ MadeWorld made(const LiftRun& run) {
   const lift::LiftNetworkDescription& network = run.network;
   auto played = std::make_unique<PlayedLifts>(network);
   played->check_values();
-  MadeWorld world{.network = nullptr, .scenery = building_json(network)};
+  MadeWorld world{
+      .network = nullptr,
+      .scenery = std::make_shared<const nlohmann::ordered_json>(building_json(network))};
   world.visit = [&lifts = *played](unsigned from, unsigned to) { return lifts.visit(from, to); };
   world.network = std::move(played);
   return world;
@@ -156,35 +157,29 @@ int run_lift_file(TomlTable& table, const std::string& path, const RunOptions& o
   return run(read_lift_run(table, std::filesystem::path(path).parent_path().string()), options);
 }
 
-void add_run_lift(CLI::App& app, std::function<int()>& action) {
-  CLI::App* command = app.add_subcommand("lift", "A building with lifts of CiA 417 (1h)");
+void add_run_lift(Verb& app) {
+  Verb& command = app.add_verb("lift", "A building with lifts of CiA 417 (1h)");
   const auto options = std::make_shared<LiftOptions>();
-  add_run_options(*command, options->run, fault_help(lift::fault_grammar()));
-  command->add_option("--lifts", options->lifts, "1 (default) to 8")
-      ->check(CLI::Range(1U, unsigned{lift::lifts_max}));
-  command->add_option("--floors", options->floors, "2 to 254 (default 10)")
-      ->check(CLI::Range(2U, unsigned{lift::floors_max}));
-  CLI::Option* traffic = command->add_option("--traffic", options->traffic,
-                                             "up-peak, down-peak, interfloor (default), lunch");
-  CLI::Option* percent =
-      command
-          ->add_option("--percent", options->percent,
-                       "of the population (50 a floor) that comes within five minutes (default 6)")
-          ->check(CLI::Range(0.0, 100.0));
-  command
-      ->add_option("--people", options->people,
-                   "a CSV file of those who come, in place of --traffic: seconds,from,to,kg")
-      ->excludes(traffic)
-      ->excludes(percent);
-  command->add_flag("--destination-control", options->destination_control,
-                    "people say at the landing where they want to go");
-  add_examples(
-      *command,
+  add_run_options(command, options->run, fault_help(lift::fault_grammar()));
+  command.add({
+      {"--lifts", options->lifts, "1 (default) to 8", between(1U, unsigned{lift::lifts_max})},
+      {"--floors", options->floors, "2 to 254 (default 10)",
+       between(2U, unsigned{lift::floors_max})},
+      {"--traffic", options->traffic, "up-peak, down-peak, interfloor (default), lunch"},
+      {"--percent", options->percent,
+       "of the population (50 a floor) that comes within five minutes (default 6)",
+       between(0.0, 100.0)},
+      {"--people", options->people,
+       "a CSV file of those who come, in place of --traffic: seconds,from,to,kg",
+       excludes("--traffic", "--percent")},
+      {"--destination-control", options->destination_control,
+       "people say at the landing where they want to go"},
+  });
+  command.add_examples(
       "  canvoy run lift --lifts 2 --floors 6 --for 5min\n"
       "  canvoy run lift --traffic lunch --percent 12 --for 2min --fault dead-encoder@1min+30s\n"
       "  canvoy run lift --lifts 4 --print");
-  command->callback(
-      [options, &action] { action = [options] { return run(chosen(*options), options->run); }; });
+  command.runs([options] { return run(chosen(*options), options->run); });
 }
 
 }  // namespace canvoy::tools

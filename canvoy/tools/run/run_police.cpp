@@ -1,7 +1,6 @@
 // canvoy run police: plays a patrol of a police car.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -63,15 +62,14 @@ int run_police_file(TomlTable& table, const RunOptions& options) {
   return run_police(read_police_run(table), options);
 }
 
-void add_run_police(CLI::App& app, std::function<int()>& action) {
-  CLI::App* patrol = app.add_subcommand("police", "A patrol of a police car: CiA 447-3 (8h)");
+void add_run_police(Verb& app) {
+  Verb& patrol = app.add_verb("police", "A patrol of a police car: CiA 447-3 (8h)");
   const auto options = std::make_shared<RunOptions>();
-  add_run_options(*patrol, *options, fault_help(police::fault_grammar()));
-  add_examples(*patrol,
-               "  canvoy run police --for 1h\n"
-               "  canvoy run police --for 30min --fault dead-client@10min+5min");
-  patrol->callback(
-      [options, &action] { action = [options] { return run_police(PoliceRun{}, *options); }; });
+  add_run_options(patrol, *options, fault_help(police::fault_grammar()));
+  patrol.add_examples(
+      "  canvoy run police --for 1h\n"
+      "  canvoy run police --for 30min --fault dead-client@10min+5min");
+  patrol.runs([options] { return run_police(PoliceRun{}, *options); });
 }
 
 }  // namespace canvoy::tools

@@ -1,7 +1,6 @@
 // canvoy run taxi: plays a shift of a taxi.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -95,33 +94,33 @@ int run_taxi_file(TomlTable& table, const std::string& path, const RunOptions& o
   return run(read_taxi_run(table, std::filesystem::path(path).parent_path().string()), options);
 }
 
-void add_run_taxi(CLI::App& app, std::function<int()>& action) {
-  CLI::App* taxi = app.add_subcommand("taxi", "A shift of a taxi: CiA 447-3 (12h)");
+void add_run_taxi(Verb& app) {
+  Verb& taxi = app.add_verb("taxi", "A shift of a taxi: CiA 447-3 (12h)");
   struct TaxiCommand {
     RunOptions run;
     TaxiFiles files;
     std::string nmea;
   };
   const auto options = std::make_shared<TaxiCommand>();
-  add_run_options(*taxi, options->run, fault_help(taxi::fault_grammar()));
-  taxi->add_option("--report", options->files.report,
-                   "write what a verification of a taximeter asks for: as JSON where the name ends "
-                   "with .json, else as text");
-  taxi->add_option("--receipts", options->files.receipts,
-                   "a folder for pictures of all receipts: receipt-0001.png and so on");
-  taxi->add_option("--nmea", options->nmea,
-                   "a drive that a satellite receiver recorded, as NMEA 0183 (RMC, GGA, VTG): the "
-                   "car goes as it went then, and each way between two stops of 2 min is a trip");
-  add_examples(*taxi,
-               "  canvoy run taxi --for 1h\n"
-               "  canvoy run taxi --for 30min --fault lost-node:node=5@16min+1min --json");
-  taxi->callback([options, &action] {
-    action = [options] {
-      TaxiRun chosen;
-      chosen.nmea = options->nmea;
-      if (!chosen.nmea.empty()) chosen.network.record = read_drive_file(chosen.nmea);
-      return run(std::move(chosen), options->run, options->files);
-    };
+  add_run_options(taxi, options->run, fault_help(taxi::fault_grammar()));
+  taxi.add({
+      {"--report", options->files.report,
+       "write what a verification of a taximeter asks for: as JSON where the name ends "
+       "with .json, else as text"},
+      {"--receipts", options->files.receipts,
+       "a folder for pictures of all receipts: receipt-0001.png and so on"},
+      {"--nmea", options->nmea,
+       "a drive that a satellite receiver recorded, as NMEA 0183 (RMC, GGA, VTG): the "
+       "car goes as it went then, and each way between two stops of 2 min is a trip"},
+  });
+  taxi.add_examples(
+      "  canvoy run taxi --for 1h\n"
+      "  canvoy run taxi --for 30min --fault lost-node:node=5@16min+1min --json");
+  taxi.runs([options] {
+    TaxiRun chosen;
+    chosen.nmea = options->nmea;
+    if (!chosen.nmea.empty()) chosen.network.record = read_drive_file(chosen.nmea);
+    return run(std::move(chosen), options->run, options->files);
   });
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "canvoy/tools/car_words.hpp"
 #include "canvoy/tools/run/car_text.hpp"

@@ -1,7 +1,6 @@
 // What has happened in a world, as it is told: in words to a terminal, as JSON to programs.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "canvoy/can/time.hpp"
@@ -11,7 +10,7 @@ namespace canvoy::tools {
 struct ToldEvent {
   Time at{};
   std::string text{};
-  nlohmann::ordered_json json{};  ///< with its `time`, as docs/json.md says
+  std::string json{};  ///< an object, with its `time`, as docs/json.md says
 
   /// A line of a terminal, with its end.
   std::string line() const;

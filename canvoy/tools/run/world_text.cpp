@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "canvoy/words/text.hpp"
 
@@ -45,11 +47,17 @@ Json json_of(const WorldNames& names, std::string_view name, const Event& event)
 /// With the text at the end.
 Told told_of(const std::string& who, const std::string& what, Json json) {
   Told told{fmt::format("{}: {}", who, what), std::move(json)};
-  told.json["text"] = what;
+  told.json()["text"] = what;
   return told;
 }
 
 }  // namespace
+
+Told::Told(std::string told, Json json)
+    : text(std::move(told)), json_(std::make_unique<Json>(std::move(json))) {}
+Told::Told(Told&& other) noexcept = default;
+Told& Told::operator=(Told&& other) noexcept = default;
+Told::~Told() = default;
 
 std::string ToldEvent::line() const {
   return fmt::format("{:>20}  {}\n", words::duration_text(at - Time{}), text);
@@ -57,8 +65,8 @@ std::string ToldEvent::line() const {
 
 ToldEvent told_at(Time at, Told told) {
   Json json{{"time", in_seconds(at - Time{})}};
-  json.update(told.json);
-  return {at, std::move(told.text), std::move(json)};
+  json.update(told.json());
+  return {at, std::move(told.text), json.dump(-1, ' ', false, Json::error_handler_t::replace)};
 }
 
 Told told(const WorldNames& names, const BootedUp& event) {
@@ -106,12 +114,12 @@ Told told_fault(const WorldNames& names, bool begins, std::string_view fault,
   Told told{fmt::format("{}: {}{}{}", begins ? "FAULT begins" : "fault ends", fault,
                         where.empty() ? "" : " ", where),
             {{"event", begins ? "fault-begins" : "fault-ends"}, {"fault", fault}}};
-  if (!names.part().empty()) told.json[std::string(names.part())] = place.part;
+  if (!names.part().empty()) told.json()[std::string(names.part())] = place.part;
   if (place.node != 0) {
-    told.json["bus"] = names.bus(place.bus);
-    told.json["node"] = place.node;
+    told.json()["bus"] = names.bus(place.bus);
+    told.json()["node"] = place.node;
   }
-  told.json["text"] = told.text;
+  told.json()["text"] = told.text;
   return told;
 }
 
@@ -140,9 +148,16 @@ Json invariant_json(const WorldNames& names, const Judged& invariant) {
 
 Told told_broken(const WorldNames& names, const Judged& invariant) {
   Told told{"BROKEN: " + invariant_text(names, invariant), {{"event", "broken"}}};
-  told.json.update(invariant_json(names, invariant));
-  told.json["text"] = told.text;
+  told.json().update(invariant_json(names, invariant));
+  told.json()["text"] = told.text;
   return told;
+}
+
+void add_judged(Json& json, const WorldNames& names, std::span<const Judged> all) {
+  Json invariants = Json::array();
+  for (const Judged& each : all) invariants.push_back(invariant_json(names, each));
+  json["invariants"] = std::move(invariants);
+  json["all_held"] = std::ranges::all_of(all, &Judged::held);
 }
 
 std::string invariant_line(const WorldNames& names, const Judged& invariant) {

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "canvoy/sim/duration_text.hpp"
 #include "canvoy/sim/event.hpp"
@@ -35,9 +37,19 @@ class WorldNames {
 };
 
 /// An event in both forms: the words, and an object without the time.
-struct Told {
+class Told {
+ public:
+  Told(std::string told, Json json);
+  Told(Told&& other) noexcept;
+  Told& operator=(Told&& other) noexcept;
+  ~Told();
+
+  Json& json() { return *json_; }
+
   std::string text;
-  Json json;
+
+ private:
+  std::unique_ptr<Json> json_;
 };
 ToldEvent told_at(Time at, Told told);
 Told told(const WorldNames& names, const BootedUp& event);
@@ -63,6 +75,7 @@ Told told_broken(const WorldNames& names, const Judged& invariant);
 template <class Kind>
 std::string invariants_text(const WorldNames& names, std::span<const Invariant<Kind>> all);
 /// As `invariants`, and `all_held`, at the end of an object.
+void add_judged(Json& json, const WorldNames& names, std::span<const Judged> all);
 template <class Kind>
 void add_invariants(Json& json, const WorldNames& names, std::span<const Invariant<Kind>> all);
 
@@ -84,14 +97,9 @@ std::string invariants_text(const WorldNames& names, std::span<const Invariant<K
 
 template <class Kind>
 void add_invariants(Json& json, const WorldNames& names, std::span<const Invariant<Kind>> all) {
-  Json invariants = Json::array();
-  bool held = true;
-  for (const Invariant<Kind>& each : all) {
-    invariants.push_back(invariant_json(names, judged(each)));
-    held = held && each.held;
-  }
-  json["invariants"] = std::move(invariants);
-  json["all_held"] = held;
+  std::vector<Judged> each;
+  for (const Invariant<Kind>& invariant : all) each.push_back(judged(invariant));
+  add_judged(json, names, each);
 }
 
 }  // namespace canvoy::tools

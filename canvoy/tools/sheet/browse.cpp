@@ -1,7 +1,6 @@
 // canvoy browse BUS NODE: the dictionary of a running node on the terminal.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "canvoy/tools/commands.hpp"
@@ -346,22 +345,19 @@ int browse(const BrowseOptions& options) {
 
 }  // namespace
 
-void add_browse(CLI::App& app, Action& action) {
+void add_browse(Verb& app) {
   const auto options = std::make_shared<BrowseOptions>();
-  CLI::App* command =
-      app.add_subcommand("browse", "Look at the dictionary of a node, and change it");
-  command->add_option("bus", options->bus, bus_text)->required();
-  command->add_option("node", options->node, "10, 0x0A, 0Ah, or its name in the file of --network")
-      ->required();
-  CLI::Option* sheet = command->add_option("--eds", options->sheet,
-                                           "what the node has (default: as for canvoy eds read)");
-  command
-      ->add_option("--profile", options->profile,
-                   "447-3, 417-4 (default: what the node's 1000h says)")
-      ->excludes(sheet);
-  command->add_option("--timeout", options->time_out, "for one answer: 500ms, 2s (default 1s)");
-  command->add_flag("--json", options->json, "all entries once, one JSON object a line");
-  command->footer(
+  Verb& command = app.add_verb("browse", "Look at the dictionary of a node, and change it");
+  command.add({
+      {"bus", options->bus, bus_text, required},
+      {"node", options->node, "10, 0x0A, 0Ah, or its name in the file of --network", required},
+      {"--eds", options->sheet, "what the node has (default: as for canvoy eds read)"},
+      {"--profile", options->profile, "447-3, 417-4 (default: what the node's 1000h says)",
+       excludes("--eds")},
+      {"--timeout", options->time_out, "for one answer: 500ms, 2s (default 1s)"},
+      {"--json", options->json, "all entries once, one JSON object a line"},
+  });
+  command.set_footer(
       "Where no terminal shows it, all entries are printed once.\n"
       "Keys: arrows, Page Up and Down, Home, End; Enter opens an object, or edits an entry in its "
       "unit;\n"
@@ -370,7 +366,7 @@ void add_browse(CLI::App& app, Action& action) {
       "  canvoy browse can0 10\n"
       "  canvoy browse can0 5 --eds pump.eds\n"
       "  canvoy browse can0 10 --json");
-  command->callback([options, &action] { action = [options] { return browse(*options); }; });
+  command.runs([options] { return browse(*options); });
 }
 
 }  // namespace canvoy::tools

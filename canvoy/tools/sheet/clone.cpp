@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <memory>
 
@@ -99,21 +98,21 @@ int clone_node(const CloneOptions& options) {
 
 }  // namespace
 
-void add_clone(CLI::App& app, Action& action) {
+void add_clone(Verb& app) {
   const auto options = std::make_shared<CloneOptions>();
-  CLI::App* command = app.add_subcommand("clone", "Make a data sheet of a device, for a stand-in");
-  command->add_option("bus", options->bus, bus_text)->required();
-  command->add_option("node", options->node, "10, 0x0A, 0Ah, or its name in the file of --network")
-      ->required();
-  command->add_option("--out", options->out, "into this file: .dcf or .xdc (default: node10.dcf)");
-  command
-      ->add_option("--ask", options->ranges,
-                   "indices that are asked for beside those that are described (default: "
-                   "2000-5FFF,6000-9FFF)")
-      ->delimiter(',');
-  command->add_option("--timeout", options->time_out, "for one answer: 500ms, 2s (default 1s)");
-  command->add_flag("--json", options->json, "one JSON object");
-  command->footer(
+  Verb& command = app.add_verb("clone", "Make a data sheet of a device, for a stand-in");
+  command.add({
+      {"bus", options->bus, bus_text, required},
+      {"node", options->node, "10, 0x0A, 0Ah, or its name in the file of --network", required},
+      {"--out", options->out, "into this file: .dcf or .xdc (default: node10.dcf)"},
+      {"--ask", options->ranges,
+       "indices that are asked for beside those that are described (default: "
+       "2000-5FFF,6000-9FFF)",
+       separated_by(',')},
+      {"--timeout", options->time_out, "for one answer: 500ms, 2s (default 1s)"},
+      {"--json", options->json, "one JSON object"},
+  });
+  command.set_footer(
       "Nothing is written to the device. Of objects that nobody describes the types are guessed "
       "by\n"
       "the length of their values, and the stand-in lets all of them be written.\n"
@@ -121,7 +120,7 @@ void add_clone(CLI::App& app, Action& action) {
       "  canvoy clone can0 10\n"
       "  canvoy clone can0 10 --ask 2000-20FF --out pump.dcf\n"
       "  canvoy device pump.dcf can0 --node-id 10");
-  command->callback([options, &action] { action = [options] { return clone_node(*options); }; });
+  command.runs([options] { return clone_node(*options); });
 }
 
 }  // namespace canvoy::tools

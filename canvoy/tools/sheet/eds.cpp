@@ -1,7 +1,6 @@
 // canvoy eds export|read|check|diff|convert: data sheets of devices.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 
@@ -161,83 +160,86 @@ int convert(const std::string& from, const std::string& to, bool json) {
   return exit_done;
 }
 
-std::shared_ptr<bool> add_json_flag(CLI::App& command) {
+std::shared_ptr<bool> add_json_flag(Verb& command) {
   auto json = std::make_shared<bool>(false);
-  command.add_flag("--json", *json, "one JSON object a line");
+  command.add({
+      {"--json", *json, "one JSON object a line"},
+  });
   return json;
 }
 
-void add_export(CLI::App& eds, Action& action) {
+void add_export(Verb& eds) {
   const auto options = std::make_shared<ExportOptions>();
   const auto out = std::make_shared<std::string>();
-  CLI::App* command = eds.add_subcommand("export", "Write the data sheet of a device");
-  command
-      ->add_option("what", options->what,
-                   "a profile (407, 417-4), or a device of canvoy device --list")
-      ->required();
-  command->add_option("--device", options->device, "a virtual device: its code (03) or name");
-  command->add_option("--class", options->device_class, "of the virtual device");
-  command->add_option("--subclass", options->subclass, "of the virtual device");
-  command
-      ->add_option("--objects", options->objects,
-                   "further objects: 6010, 6100-611F, or names, with commas between them")
-      ->delimiter(',');
-  command->add_flag("--optional", options->optional, "with all that is optional");
-  command->add_option("--elements", options->elements, operator_elements_help);
-  command->add_option("--reading", options->reading,
-                      "where the text of the profile contradicts itself: another reading");
-  command->add_option("--node-id", options->node_id, "a DCF of the node with this node-ID");
-  command->add_option("--out", *out, "into this file: .eds, .dcf, .xdd or .xdc");
-  const auto json = add_json_flag(*command);
-  add_examples(*command,
-               "  canvoy eds export charger --out charger.eds\n"
-               "  canvoy eds export 407 --device 03 --class 1 --subclass 2 --out indicator.eds\n"
-               "  canvoy eds export battery --node-id 10 --out node10.dcf");
-  command->callback([=, &action] { action = [=] { return export_to(*options, *out, *json); }; });
+  Verb& command = eds.add_verb("export", "Write the data sheet of a device");
+  command.add({
+      {"what", options->what, "a profile (407, 417-4), or a device of canvoy device --list",
+       required},
+      {"--device", options->device, "a virtual device: its code (03) or name"},
+      {"--class", options->device_class, "of the virtual device"},
+      {"--subclass", options->subclass, "of the virtual device"},
+      {"--objects", options->objects,
+       "further objects: 6010, 6100-611F, or names, with commas between them", separated_by(',')},
+      {"--optional", options->optional, "with all that is optional"},
+      {"--elements", options->elements, operator_elements_help},
+      {"--reading", options->reading,
+       "where the text of the profile contradicts itself: another reading"},
+      {"--node-id", options->node_id, "a DCF of the node with this node-ID"},
+      {"--out", *out, "into this file: .eds, .dcf, .xdd or .xdc"},
+  });
+  const auto json = add_json_flag(command);
+  command.add_examples(
+      "  canvoy eds export charger --out charger.eds\n"
+      "  canvoy eds export 407 --device 03 --class 1 --subclass 2 --out indicator.eds\n"
+      "  canvoy eds export battery --node-id 10 --out node10.dcf");
+  command.runs([=] { return export_to(*options, *out, *json); });
 }
 
-void add_check(CLI::App& eds, Action& action) {
+void add_check(Verb& eds) {
   const auto path = std::make_shared<std::string>();
   const auto profile = std::make_shared<std::string>();
-  CLI::App* command = eds.add_subcommand("check", "Say what is wrong with a data sheet");
-  command->add_option("file", *path, "EDS, DCF, XDD or XDC")->required();
-  command->add_option("--profile", *profile, "check it against this profile, too: 447-3");
-  const auto json = add_json_flag(*command);
-  add_examples(*command,
-               "  canvoy eds check pump.eds\n"
-               "  canvoy eds check battery.dcf --profile 418");
-  command->callback([=, &action] { action = [=] { return check(*path, *profile, *json); }; });
+  Verb& command = eds.add_verb("check", "Say what is wrong with a data sheet");
+  command.add({
+      {"file", *path, "EDS, DCF, XDD or XDC", required},
+      {"--profile", *profile, "check it against this profile, too: 447-3"},
+  });
+  const auto json = add_json_flag(command);
+  command.add_examples(
+      "  canvoy eds check pump.eds\n"
+      "  canvoy eds check battery.dcf --profile 418");
+  command.runs([=] { return check(*path, *profile, *json); });
 }
 
 /// A subcommand with two files.
-void add_pair(CLI::App& eds, Action& action, const char* name, const char* text, const char* first,
-              const char* second, const char* second_text, const char* examples,
+void add_pair(Verb& eds, const char* name, const char* text, const char* first, const char* second,
+              const char* second_text, const char* examples,
               int (*run)(const std::string&, const std::string&, bool)) {
   const auto one = std::make_shared<std::string>();
   const auto other = std::make_shared<std::string>();
-  CLI::App* command = eds.add_subcommand(name, text);
-  command->add_option(first, *one, "EDS, DCF, XDD or XDC")->required();
-  command->add_option(second, *other, second_text)->required();
-  const auto json = add_json_flag(*command);
-  add_examples(*command, examples);
-  command->callback([=, &action] { action = [=] { return run(*one, *other, *json); }; });
+  Verb& command = eds.add_verb(name, text);
+  command.add({
+      {first, *one, "EDS, DCF, XDD or XDC", required},
+      {second, *other, second_text, required},
+  });
+  const auto json = add_json_flag(command);
+  command.add_examples(examples);
+  command.runs([=] { return run(*one, *other, *json); });
 }
 
 }  // namespace
 
-void add_eds(CLI::App& app, Action& action) {
-  CLI::App* eds =
-      app.add_subcommand("eds", "Write, read from nodes, check, compare and convert data sheets");
-  eds->require_subcommand(1);
-  add_examples(*eds,
-               "  canvoy eds check pump.eds\n"
-               "  canvoy eds read can0 10 --out node10.dcf");
-  add_export(*eds, action);
-  add_check(*eds, action);
-  add_eds_read(*eds, action);
-  add_pair(*eds, action, "diff", "Say what two data sheets say differently", "first", "second",
+void add_eds(Verb& app) {
+  Verb& eds = app.add_verb("eds", "Write, read from nodes, check, compare and convert data sheets");
+  eds.require_verb();
+  eds.add_examples(
+      "  canvoy eds check pump.eds\n"
+      "  canvoy eds read can0 10 --out node10.dcf");
+  add_export(eds);
+  add_check(eds);
+  add_eds_read(eds);
+  add_pair(eds, "diff", "Say what two data sheets say differently", "first", "second",
            "EDS, DCF, XDD or XDC", "  canvoy eds diff pump.eds battery.dcf", compare);
-  add_pair(*eds, action, "convert", "Write a data sheet in another form", "from", "to",
+  add_pair(eds, "convert", "Write a data sheet in another form", "from", "to",
            ".eds, .dcf, .xdd, .xdc; .cdcf: of a DCF, what a configuration manager has in 1F22h",
            "  canvoy eds convert pump.eds pump.xdd\n"
            "  canvoy eds convert battery.dcf battery.cdcf",

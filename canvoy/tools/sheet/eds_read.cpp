@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -112,36 +111,31 @@ int read_node(const ReadOptions& options) {
 
 }  // namespace
 
-void add_eds_read(CLI::App& eds, Action& action) {
+void add_eds_read(Verb& eds) {
   const auto options = std::make_shared<ReadOptions>();
-  CLI::App* command =
-      eds.add_subcommand("read", "Read all of a running node by SDO, and write its DCF");
-  command->add_option("bus", options->bus, bus_text)->required();
-  command->add_option("node", options->node, "10, 0x0A, 0Ah, or its name in the file of --network")
-      ->required();
-  CLI::Option* sheet =
-      command->add_option("--eds", options->sheet,
-                          "what the node has (default: the EDS that it stores in 1021h, else what "
-                          "its profile and CiA 301 and 302 describe)");
-  command
-      ->add_option("--profile", options->profile,
-                   "447-3, 417-4 (default: what the node's 1000h says)")
-      ->excludes(sheet);
-  command->add_option("--out", options->out, "into this file: .dcf or .xdc (default: node10.dcf)");
-  command->add_option("--domains", options->domains,
-                      "read the domains too, each into a file of this folder, which the DCF names "
-                      "as its UploadFile (default: they are described without a value)");
-  command->add_option("--name", options->name, "of the node in the DCF (default: its 1008h)");
-  command
-      ->add_option("--bit-rate", options->bit_rate,
-                   "in kbit/s, for the DCF (default: that of the interface, else 125)")
-      ->check(CLI::Range(1U, 1000U));
-  command->add_option("--timeout", options->time_out, "for one answer: 500ms, 2s (default 1s)");
-  command->add_flag("--json", options->json, "one JSON object a line");
-  add_examples(*command,
-               "  canvoy eds read can0 10\n"
-               "  canvoy eds read can0 10 --profile 418 --out battery.xdc --name battery");
-  command->callback([options, &action] { action = [options] { return read_node(*options); }; });
+  Verb& command = eds.add_verb("read", "Read all of a running node by SDO, and write its DCF");
+  command.add({
+      {"bus", options->bus, bus_text, required},
+      {"node", options->node, "10, 0x0A, 0Ah, or its name in the file of --network", required},
+      {"--eds", options->sheet,
+       "what the node has (default: the EDS that it stores in 1021h, else what "
+       "its profile and CiA 301 and 302 describe)"},
+      {"--profile", options->profile, "447-3, 417-4 (default: what the node's 1000h says)",
+       excludes("--eds")},
+      {"--out", options->out, "into this file: .dcf or .xdc (default: node10.dcf)"},
+      {"--domains", options->domains,
+       "read the domains too, each into a file of this folder, which the DCF names "
+       "as its UploadFile (default: they are described without a value)"},
+      {"--name", options->name, "of the node in the DCF (default: its 1008h)"},
+      {"--bit-rate", options->bit_rate,
+       "in kbit/s, for the DCF (default: that of the interface, else 125)", between(1U, 1000U)},
+      {"--timeout", options->time_out, "for one answer: 500ms, 2s (default 1s)"},
+      {"--json", options->json, "one JSON object a line"},
+  });
+  command.add_examples(
+      "  canvoy eds read can0 10\n"
+      "  canvoy eds read can0 10 --profile 418 --out battery.xdc --name battery");
+  command.runs([options] { return read_node(*options); });
 }
 
 }  // namespace canvoy::tools

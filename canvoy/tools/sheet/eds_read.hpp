@@ -6,6 +6,6 @@
 namespace canvoy::tools {
 
 /// As a subcommand of `eds`.
-void add_eds_read(CLI::App& eds, Action& action);
+void add_eds_read(Verb& eds);
 
 }  // namespace canvoy::tools

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <set>
@@ -115,36 +114,34 @@ int export_table(const TableOptions& options) {
 
 }  // namespace
 
-void add_export_table(CLI::App& app, Action& action) {
+void add_export_table(Verb& app) {
   const auto options = std::make_shared<TableOptions>();
-  CLI::App* command =
-      app.add_subcommand("export", "Write what nodes have and say as DBC, CSV or HTML");
-  command->add_option("format", options->format, "dbc, csv or html")
-      ->required()
-      ->check(CLI::IsMember({"dbc", "csv", "html"}));
-  command
-      ->add_option(
-          "what", options->what,
-          "a device of canvoy device --list, a data sheet, several of them with their "
-          "node-IDs (5=charger 10=pump.eds), a network file, a bus and a node (can0 10), or "
-          "a profile of which the messages have CAN-IDs (417-4)")
-      ->required();
-  command->add_option("--bus", options->bus, "of a network file with several buses");
-  command->add_flag(
-      "--sdo", options->sdo,
-      "with expedited SDO transfers, as signals that are multiplexed by command, index "
-      "and sub-index");
-  command->add_option("--out", options->out, "into this file (default: printed)");
-  command->add_option("--timeout", options->time_out, "for one answer: 500ms, 2s (default 1s)");
-  command->footer(
-      "Examples:\n"
+  Verb& command = app.add_verb("export", "Write what nodes have and say as DBC, CSV or HTML");
+  command.add({
+      {"format",
+       options->format,
+       "dbc, csv or html",
+       {.is_required = true, .allowed = OneOf{"dbc", "csv", "html"}}},
+      {"what", options->what,
+       "a device of canvoy device --list, a data sheet, several of them with their "
+       "node-IDs (5=charger 10=pump.eds), a network file, a bus and a node (can0 10), or "
+       "a profile of which the messages have CAN-IDs (417-4)",
+       required},
+      {"--bus", options->bus, "of a network file with several buses"},
+      {"--sdo", options->sdo,
+       "with expedited SDO transfers, as signals that are multiplexed by command, index "
+       "and sub-index"},
+      {"--out", options->out, "into this file (default: printed)"},
+      {"--timeout", options->time_out, "for one answer: 500ms, 2s (default 1s)"},
+  });
+  command.add_examples(
       "  canvoy export dbc charger --out charger.dbc\n"
       "  canvoy export dbc 5=charger 10=battery --sdo\n"
       "  canvoy export csv battery.eds\n"
       "  canvoy export html house.toml --bus lift1 --out house.html\n"
       "  canvoy export dbc 417-4\n"
       "  canvoy export dbc can0 10 --out node10.dbc");
-  command->callback([options, &action] { action = [options] { return export_table(*options); }; });
+  command.runs([options] { return export_table(*options); });
 }
 
 }  // namespace canvoy::tools

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <vector>
@@ -80,22 +79,24 @@ int show(const ProfileOptions& options) {
 
 }  // namespace
 
-void add_profile(CLI::App& app, Action& action) {
+void add_profile(Verb& app) {
   const auto options = std::make_shared<ProfileOptions>();
-  CLI::App* command = app.add_subcommand("profile", "Show what the device profiles say");
-  command->add_option("profile", options->profile, "419, 447-3; without it, all are listed");
-  command->add_option("object", options->object,
-                      "an index (600D, 6383:1), a name (door_status), or a word of a name");
-  command->add_option("--reading", options->reading,
-                      "where the text contradicts itself: another reading than the usual one");
-  command->add_flag("--json", options->json, "the whole profile as JSON Lines");
-  add_examples(*command,
-               "  canvoy profile\n"
-               "  canvoy profile 447-3\n"
-               "  canvoy profile 407 6489\n"
-               "  canvoy profile 419 battery_temperature\n"
-               "  canvoy profile 418 --json");
-  command->callback([options, &action] { action = [options] { return show(*options); }; });
+  Verb& command = app.add_verb("profile", "Show what the device profiles say");
+  command.add({
+      {"profile", options->profile, "419, 447-3; without it, all are listed"},
+      {"object", options->object,
+       "an index (600D, 6383:1), a name (door_status), or a word of a name"},
+      {"--reading", options->reading,
+       "where the text contradicts itself: another reading than the usual one"},
+      {"--json", options->json, "the whole profile as JSON Lines"},
+  });
+  command.add_examples(
+      "  canvoy profile\n"
+      "  canvoy profile 447-3\n"
+      "  canvoy profile 407 6489\n"
+      "  canvoy profile 419 battery_temperature\n"
+      "  canvoy profile 418 --json");
+  command.runs([options] { return show(*options); });
 }
 
 }  // namespace canvoy::tools

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "canvoy/tools/device/bus/bus_loudspeakers.hpp"
@@ -44,25 +43,23 @@ cia407::BusSegment parse_bus_segment(const std::vector<std::string>& words) {
   return segment;
 }
 
-void add_bus_panel_options(CLI::App& command, BusPanelOptions& options) {
-  command
-      .add_option("--segment", options.segment,
-                  "of a network of CiA 407, each by itself: minimum (the configuration), "
-                  "no-main-computer, no-diagnostics, identification-texts")
-      ->allow_extra_args(false);
-  command.add_option("--display", options.display,
-                     "columns and lines of a passenger information device (default 32x4)");
-  command.add_option("--png", options.png,
-                     "the file in which its display is drawn, whenever it looks different");
-  command
-      .add_option("--announce", options.announcements,
-                  "what an acoustic-announcer says of a stop point: '17=Town Hall'; it has nothing "
-                  "for others then")
-      ->allow_extra_args(false);
-  command
-      .add_option("--capacity", options.capacity,
-                  "passengers of the vehicle of a passenger-counting-manager (default 80)")
-      ->check(CLI::Range(1U, 1000U));
+void add_bus_panel_options(Verb& command, BusPanelOptions& options) {
+  command.add({
+      {"--segment", options.segment,
+       "of a network of CiA 407, each by itself: minimum (the configuration), "
+       "no-main-computer, no-diagnostics, identification-texts",
+       one_each},
+      {"--display", options.display,
+       "columns and lines of a passenger information device (default 32x4)"},
+      {"--png", options.png, "the file in which its display is drawn, whenever it looks different"},
+      {"--announce", options.announcements,
+       "what an acoustic-announcer says of a stop point: '17=Town Hall'; it has nothing "
+       "for others then",
+       one_each},
+      {"--capacity", options.capacity,
+       "passengers of the vehicle of a passenger-counting-manager (default 80)",
+       between(1U, 1000U)},
+  });
 }
 
 void check_bus_options(std::span<const cia407::BusUnit* const> units,

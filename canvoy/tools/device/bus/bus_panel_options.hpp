@@ -11,10 +11,7 @@
 #include <vector>
 
 #include "canvoy/devices/cia407/bus_device.hpp"
-
-namespace CLI {  // NOLINT(readability-identifier-naming): the name that it has
-class App;
-}
+#include "canvoy/tools/cli/verb.hpp"
 
 namespace canvoy::tools {
 
@@ -26,7 +23,7 @@ struct BusPanelOptions {
   unsigned capacity = 80;                    ///< of the vehicle, of a counting manager
 };
 
-void add_bus_panel_options(CLI::App& command, BusPanelOptions& options);
+void add_bus_panel_options(Verb& command, BusPanelOptions& options);
 
 /// Throws UsageError.
 cia407::BusSegment parse_bus_segment(const std::vector<std::string>& words);

@@ -1,0 +1,238 @@
+#include "canvoy/tools/cli/verb.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <sstream>
+#include <type_traits>
+
+#include "canvoy/tools/spelling.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+/// Of the help: how far its right column is from the left.
+constexpr std::size_t column_width = 34;
+
+CLI::Option* add_row(CLI::App& app, const OptionRow& row) {
+  return std::visit(
+      [&](auto* place) {
+        const std::string about(row.about);
+        if constexpr (std::is_same_v<decltype(place), bool*>) {
+          return app.add_flag(row.name, *place, about);
+        } else {
+          return app.add_option(row.name, *place, about);
+        }
+      },
+      row.place);
+}
+
+struct AddCheck {
+  CLI::Option& option;
+
+  void operator()(std::monostate /*any*/) const {}
+  template <class Number>
+  void operator()(const Within<Number>& limits) const {
+    option.check(CLI::Range(limits.least, limits.most));
+  }
+  void operator()(AboveZero /*limit*/) const { option.check(CLI::PositiveNumber); }
+  void operator()(const OneOf& words) const {
+    option.check(CLI::IsMember(std::vector<std::string>(words.begin(), words.end())));
+  }
+  void operator()(Check check) const { option.check(check); }
+};
+
+void add_rules(CLI::App& app, CLI::Option& option, const Rules& rules) {
+  if (rules.is_required) option.required();
+  if (rules.takes_one_each) option.allow_extra_args(false);
+  if (rules.may_be_bare) option.expected(0, 1);
+  if (rules.separator != '\0') option.delimiter(rules.separator);
+  std::visit(AddCheck{option}, rules.allowed);
+  for (const char* other : rules.excludes) {
+    if (other != nullptr) option.excludes(app.get_option(other));
+  }
+  if (rules.needs != nullptr) option.needs(app.get_option(rules.needs));
+}
+
+OptionInfo info_of(const CLI::Option& option) {
+  OptionInfo info{
+      .name = option.get_name(option.get_positional()),
+      .about = option.get_description(),
+      .is_place = option.get_positional(),
+      .is_required = option.get_required(),
+      .takes_value = option.get_items_expected_min() > 0,
+      .takes_several = option.get_expected_max() > 1,
+      .is_flag = option.get_items_expected_max() == 0,
+      .said = option.results(),
+  };
+  for (const std::string& name : option.get_lnames()) info.names.push_back("--" + name);
+  return info;
+}
+
+// -- what is wrong with a command line
+
+/// CLI11 explains some errors over several lines; the first says what is wrong.
+std::string first_line(const std::string& text) {
+  return text.substr(0, text.find('\n'));
+}
+
+/// The innermost verb that was understood, and how it is called: `canvoy run charger`.
+struct Understood {
+  const CLI::App* app;
+  std::string text;
+};
+Understood understood(const CLI::App& app) {
+  Understood made{&app, app.get_name()};
+  while (!made.app->get_subcommands().empty()) {
+    made.app = made.app->get_subcommands().front();
+    made.text += ' ' + made.app->get_name();
+  }
+  return made;
+}
+
+/// What could stand there in place of an unknown word: options, or verbs.
+std::vector<std::string> words_known_to(const CLI::App& app, bool is_option) {
+  std::vector<std::string> words;
+  if (is_option) {
+    for (const CLI::Option* option : app.get_options()) {
+      for (const std::string& name : option->get_lnames()) words.push_back("--" + name);
+    }
+    return words;
+  }
+  for (const CLI::App* verb : app.get_subcommands(nullptr)) {
+    if (!verb->get_group().empty()) words.push_back(verb->get_name());
+  }
+  return words;
+}
+
+/// CLI11 asks for what is missing before it looks at what is too much, which is mostly the same
+/// thing misspelt.
+std::string refusal(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<std::string> unknown = app.remaining(true);
+  const int code = error.get_exit_code();
+  const bool is_unknown =
+      !unknown.empty() && (code == static_cast<int>(CLI::ExitCodes::RequiredError) ||
+                           code == static_cast<int>(CLI::ExitCodes::ExtrasError));
+  const Understood verb = understood(app);
+  if (!is_unknown) return fmt::format("{}; see {} --help", first_line(error.what()), verb.text);
+  const std::string word = first_line(unknown.front());
+  const std::string name = word.substr(0, word.find('='));
+  const std::string meant = did_you_mean(name, words_known_to(*verb.app, word.starts_with('-')));
+  return fmt::format("'{}' is not known here{}{} {} --help", word, meant,
+                     meant.empty() ? "; see" : " See", verb.text);
+}
+
+}  // namespace
+
+Verb::Verb(std::shared_ptr<CLI::App> app, const Verb* parent, std::shared_ptr<Action> chosen)
+    : app_(std::move(app)), parent_(parent), chosen_(std::move(chosen)) {}
+
+Verb::~Verb() = default;
+
+Verb& Verb::add_verb(const std::string& name, const std::string& about) {
+  std::shared_ptr<CLI::App> app = app_->get_subcommand_ptr(app_->add_subcommand(name, about));
+  verbs_.push_back(std::unique_ptr<Verb>(new Verb(std::move(app), this, chosen_)));
+  return *verbs_.back();
+}
+
+void Verb::add(std::initializer_list<OptionRow> rows) {
+  for (const OptionRow& row : rows) add_rules(*app_, *add_row(*app_, row), row.rules);
+}
+
+void Verb::add_taken(const char* name, std::function<void(const std::string&)> take,
+                     std::string_view about) {
+  app_->add_option_function<std::string>(name, std::move(take), std::string(about));
+}
+
+void Verb::add_examples(std::string_view examples) {
+  app_->footer("Examples:\n" + std::string(examples));
+}
+
+void Verb::set_footer(const std::string& text) {
+  app_->footer(text);
+}
+
+void Verb::hide() {
+  app_->group("");
+}
+
+void Verb::require_verb() {
+  app_->require_subcommand(1);
+}
+
+void Verb::allow_verb() {
+  app_->require_subcommand(0, 1);
+}
+
+void Verb::keep_options_apart() {
+  app_->fallthrough(false);
+}
+
+void Verb::when_parsed(std::function<void()> then) {
+  app_->parse_complete_callback(std::move(then));
+}
+
+void Verb::runs(Action action) {
+  app_->callback([this, action = std::move(action)] {
+    if (app_->get_subcommands().empty()) *chosen_ = action;
+  });
+}
+
+std::string Verb::name() const {
+  return app_->get_name();
+}
+
+std::string Verb::about() const {
+  return app_->get_description();
+}
+
+std::string Verb::footer() const {
+  return app_->get_footer();
+}
+
+bool Verb::is_hidden() const {
+  return app_->get_group().empty();
+}
+
+std::vector<OptionInfo> Verb::options() const {
+  std::vector<OptionInfo> infos;
+  for (const CLI::Option* option : std::as_const(*app_).get_options()) {
+    infos.push_back(info_of(*option));
+  }
+  return infos;
+}
+
+std::size_t Verb::count(const char* option) const {
+  const CLI::Option* found = std::as_const(*app_).get_option_no_throw(option);
+  return found == nullptr ? 0 : found->count();
+}
+
+CommandLine::CommandLine(const std::string& about, const std::string& name)
+    : Verb(std::make_shared<CLI::App>(about, name), nullptr, std::make_shared<Action>()) {
+  app_->get_formatter()->column_width(column_width);
+}
+
+void CommandLine::set_version(const char* name, const std::string& version) {
+  app_->set_version_flag(name, version);
+}
+
+void CommandLine::take_options_anywhere() {
+  app_->fallthrough();
+}
+
+CommandLine::Outcome CommandLine::parse(std::vector<std::string> words) {
+  try {
+    std::ranges::reverse(words);  // as CLI11 wants them
+    app_->parse(std::move(words));
+    return {Outcome::Kind::understood};
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) return {Outcome::Kind::refused, refusal(*app_, error)};
+    std::ostringstream help;
+    app_->exit(error, help);
+    return {Outcome::Kind::answered, help.str()};
+  }
+}
+
+}  // namespace canvoy::tools

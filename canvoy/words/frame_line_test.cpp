@@ -1,0 +1,50 @@
+// The head of a line is candump's, `(seconds.microseconds) bus frame`; what it says of the frame is
+// typed from the clauses that are named.
+#include "canvoy/words/frame_line.hpp"
+
+#include <gtest/gtest.h>
+
+#include "canvoy/can/frame_text.hpp"
+#include "canvoy/profiles/registry.hpp"
+
+namespace canvoy::words::frame_line_test {
+namespace {
+
+using namespace std::chrono_literals;
+
+class FrameLineTest : public testing::Test {
+ protected:
+  FrameLineTest() { decoder.network().set_profile(10, *find_profile("418")); }
+
+  std::string line(std::string_view frame, Duration time = 1'700'000'000'000'125us) {
+    const FrameWords& words = decoder.decode(parse_frame(frame).frame);
+    std::string made;
+    append_frame_line(made, {time, "can0", frame}, words, words.text);
+    return made;
+  }
+
+  FrameDecoder decoder;
+};
+
+TEST_F(FrameLineTest, HasItsColumnsOneBelowTheOther) {
+  // CiA 418: 0.125 °C a step in 6010h; ready is bit 0 of 6000h. CiA 301, 7.2.8.3.1: start all.
+  EXPECT_EQ(line("18A#A00001"),
+            "(1700000000.000125) can0 18A#A00001            TPDO1            node 10 (0Ah): "
+            "temperature = 20.000 °C; battery_status = ready");
+  EXPECT_EQ(line("000#0100"),
+            "(1700000000.000125) can0 000#0100              NMT              start all nodes");
+}
+
+TEST_F(FrameLineTest, AMarkStandsBehindTheMeaning) {
+  // TPDO1 of CiA 418 has three bytes.
+  EXPECT_TRUE(line("18A#A000").ends_with("temperature = 20.000 °C [!] wrong length"));
+}
+
+TEST_F(FrameLineTest, TimesHaveSixPlacesAndASign) {
+  EXPECT_TRUE(line("000#0100", 0us).starts_with("(0.000000) can0 "));
+  EXPECT_TRUE(line("000#0100", 1'000'001us).starts_with("(1.000001) can0 "));
+  EXPECT_TRUE(line("000#0100", -500us).starts_with("(-0.000500) can0 "));
+}
+
+}  // namespace
+}  // namespace canvoy::words::frame_line_test
