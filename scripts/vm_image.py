@@ -15,7 +15,7 @@ MODULES = (
     "virtio_ring virtio virtio_pci_modern_dev virtio_pci_legacy_dev virtio_pci netfs fscache 9pnet 9pnet_virtio 9p "
     "can can-raw can-dev vcan sja1000 kvaser_pci evdev uinput"
 )
-PROGRAMS = ("qemu-system-x86_64", "busybox", "cpio", "ip", "apt-get", "dpkg-deb", "setpriv", "unshare", "nsenter")
+PROGRAMS = ("qemu-system-x86_64", "busybox", "cpio", "ip", "apt-get", "dpkg-deb", "setpriv")
 
 # Mounts this machine's root, and serves jobs: their files are in /job, and the second serial port says which is to run or
 # to be killed, and is told how each has ended. Names of files are looked up anew for each job, since the root is cached
@@ -30,26 +30,22 @@ for module in $(cat /modules/order); do
 done
 mount -t 9p -o trans=virtio,version=9p2000.L,msize=262144,cache=loose hostroot /h || poweroff -f
 mount -t 9p -o trans=virtio,version=9p2000.L job /job || poweroff -f
-mount -t proc proc /h/proc
-mount -t sysfs sysfs /h/sys
 mount -t devtmpfs dev /h/dev
 mkdir -p /h/dev/pts /h/dev/shm
 mount -t devpts devpts /h/dev/pts
 
-# Killing the process in the file kills all of the job.
 run_job() {
   echo 2 >/proc/sys/vm/drop_caches
-  chroot /h unshare --net bash -c "$(cat /job/$1/command)" </dev/null >/job/$1/stdout 2>/job/$1/stderr &
-  echo $! >/running/$1
-  wait $!
+  unshare -n -m -p -f /enter $1 </dev/null >/job/$1/stdout 2>/job/$1/stderr
   status=$?
   sync
   rm /running/$1
   echo "done $1 $status"
 }
 
+# The first process of a job takes all others with it.
 kill_job() {
-  while [ -e /running/$1 ] && [ ! -s /running/$1 ]; do sleep 0.1; done
+  while [ -e /running/$1 ] && [ ! -s /running/$1 ]; do usleep 100000; done
   [ ! -e /running/$1 ] || kill -9 $(cat /running/$1)
 }
 
@@ -63,6 +59,26 @@ while read -r verb job; do
   esac
 done
 poweroff -f
+"""
+
+# The first process of a job, in a network of its own and with processes and mounts of its own. A controller comes back to
+# the machine's network a moment after the job that had it.
+ENTER = r"""#!/bin/busybox sh
+read -r pid rest </proc/self/stat
+echo $pid >/running/$1
+if [ -e /job/$1/controllers ]; then
+  for controller in can0 can1; do
+    for i in $(seq 100); do
+      nsenter -n/proc/1/ns/net ip link set $controller netns 1 2>/dev/null && break || usleep 100000
+    done
+    ip link show $controller >/dev/null || exit 125
+  done
+fi
+mount -t proc proc /h/proc && mount -t sysfs sysfs /h/sys && mount -t tmpfs run /h/run || exit 125
+mount -t tmpfs shm /h/dev/shm || exit 125
+ip link set lo up
+for bus in vcan0 vcan1; do ip link add $bus type vcan && ip link set $bus up || exit 125; done
+exec chroot /h /bin/bash -c "$(cat /job/$1/command)"
 """
 
 
@@ -156,7 +172,8 @@ def build_initramfs(cache, path):
         for module in (cache / "modules").glob("*.ko"):
             shutil.copy(module, tree / "modules")
         (tree / "modules" / "order").write_text("\n".join(MODULES.split()) + "\n")
-        (tree / "init").write_text(INIT)
-        (tree / "init").chmod(0o755)
+        for script, text in (("init", INIT), ("enter", ENTER)):
+            (tree / script).write_text(text)
+            (tree / script).chmod(0o755)
         with path.open("wb") as file:
             subprocess.run("find . | cpio -o -H newc --quiet", shell=True, cwd=tree, stdout=file, check=True)

@@ -2,9 +2,10 @@
 
 Who wants something connects to the folder's socket and sends a line of JSON:
 
-    {"command": TEXT, "seconds": N}   answered when the command has ended, in a folder with `stdout` and `stderr`:
-                                      {"folder": PATH, "status": N}, or "error" and the status to end with. A job
-                                      whose client goes away is killed
+    {"command": TEXT, "controllers": BOOLEAN, "seconds": N}
+                                      a job for bash, answered when it has ended, with a folder that has its `stdout`
+                                      and `stderr`: {"folder": PATH, "status": N}, and "error" where it has not ended
+                                      by itself. A job whose client goes away is killed
     {"stay": PID}                     the machine stays until this process is gone, or says:
     {"leave": PID}                    answered by whether the machine ends: {"is_ending": true}
 
@@ -33,6 +34,8 @@ QEMU = (
     "-object can-bus,id=bus -device kvaser_pci,canbus=bus -device kvaser_pci,canbus=bus "
     "-virtfs local,path=/,mount_tag=hostroot,security_model=none,multidevs=remap -serial file:console -serial stdio"
 )
+# The kernel distrusts the emulated counter of cycles, and would ask a slow device at each look at the clock.
+KERNEL_OPTIONS = "console=ttyS0 quiet nokaslr mitigations=off panic=-1 tsc=reliable clocksource=tsc rcupdate.rcu_expedited=1"
 
 
 class Folder:
@@ -99,7 +102,7 @@ class Keeper:
     def start(self, kernel):
         share = f"local,path={self.folder.jobs},mount_tag=job,security_model=none"
         words = [*QEMU.split(), "-kernel", kernel, "-initrd", self.folder.path / "initramfs", "-virtfs", share]
-        words += ["-append", "console=ttyS0 quiet nokaslr mitigations=off panic=-1"]
+        words += ["-append", KERNEL_OPTIONS]
         return subprocess.Popen(words, cwd=self.folder.path, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
 
     def run(self):
@@ -163,8 +166,8 @@ class Keeper:
         self.last_asked = time.monotonic()
         self.selector.unregister(client)
         match json.loads(request) if request else None:
-            case {"command": command, "seconds": seconds}:
-                self.begin(client, command, seconds)
+            case {"command": command, "controllers": controllers, "seconds": seconds}:
+                self.begin(client, command, controllers, seconds)
             case {"stay": process}:
                 self.stay(process)
                 self.send(client, {})
@@ -174,11 +177,13 @@ class Keeper:
             case None:
                 client.close()
 
-    def begin(self, client, command, seconds):
+    def begin(self, client, command, controllers, seconds):
         self.count += 1
         folder = self.folder.jobs / str(self.count)
         folder.mkdir()
         (folder / "command").write_text(command)
+        if controllers:
+            (folder / "controllers").touch()
         self.jobs[self.count] = Job(client, folder, seconds)
         number = self.count
         self.selector.register(client, selectors.EVENT_READ, lambda client: self.gone(client, number))

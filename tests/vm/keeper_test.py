@@ -104,7 +104,7 @@ class Keeper(Machine):
         return words
 
     def job(self, does, seconds=1000):
-        return self.ask(command=f"JOB={does}", seconds=seconds)
+        return self.ask(command=f"JOB={does}", controllers=False, seconds=seconds)
 
     def has_ended(self):
         return not self.thread.is_alive() and self.keeper.qemu.poll() is not None
