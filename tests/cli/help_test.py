@@ -102,13 +102,14 @@ class Help(CommandTest):
 
     @staticmethod
     def wait_until_it_can_be_ended(process):
-        """It has come to what it does when it is told to end; a pipe's shell never does."""
+        """It has come to where it catches SIGTERM, or has blocked it to read it from a descriptor."""
         for _ in range(600):
             try:
                 status = pathlib.Path(f"/proc/{process}/status").read_text()
             except OSError:
                 return
-            if "\nName:\tbash\n" in "\n" + status or int(re.search(r"SigCgt:\t(\w+)", status)[1], 16) >> signal.SIGTERM - 1 & 1:
+            masks = [int(mask, 16) for mask in re.findall(r"Sig(?:Cgt|Blk):\t(\w+)", status)]
+            if not masks or any(mask >> (signal.SIGTERM - 1) & 1 for mask in masks):
                 return
             time.sleep(0.1)
 
@@ -127,7 +128,8 @@ class Help(CommandTest):
             shell = subprocess.Popen(["bash", "-c", f"exec {command}" if "|" not in command else command], cwd=folder, env=self.variables,
                                      stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace")  # fmt: skip
             if ENDLESS.search(line) or ENDLESS_FOR_LONG.search(line):
-                self.wait_until_it_can_be_ended(shell.pid)
+                if "|" not in command:
+                    self.wait_until_it_can_be_ended(shell.pid)
                 time.sleep(1)
                 shell.send_signal(signal.SIGTERM)
             output, errors = shell.communicate(timeout=120)
