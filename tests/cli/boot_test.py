@@ -104,7 +104,7 @@ class Boot(CommandTest):
             try:
                 device.stdout.readline()
                 time.sleep(0.2)
-                result = run("boot", BUS, "--node", "10:mandatory,name=battery,heartbeat=1s", "--json")
+                result = run("boot", BUS, "--node", "10:mandatory,name=battery,heartbeat=5s", "--json")
                 self.assertEqual((result.stderr, result.returncode), ("", DONE), result.stdout)
                 events = [json.loads(line) for line in result.stdout.splitlines()]
                 self.assertEqual(events[-1]["slaves"], [{"node": 10, "mandatory": True, "up": True, "error": "", "told": ""}])

@@ -100,6 +100,19 @@ class Help(CommandTest):
             with self.subTest(verb=" ".join(verb)):
                 self.assertTrue(examples(verb), "no example")
 
+    @staticmethod
+    def wait_until_it_can_be_ended(process):
+        """It has come to where it catches SIGTERM, or has blocked it to read it from a descriptor."""
+        for _ in range(600):
+            try:
+                status = pathlib.Path(f"/proc/{process}/status").read_text()
+            except OSError:
+                return
+            masks = [int(mask, 16) for mask in re.findall(r"Sig(?:Cgt|Blk):\t(\w+)", status)]
+            if not masks or any(mask >> (signal.SIGTERM - 1) & 1 for mask in masks):
+                return
+            time.sleep(0.1)
+
     def run_example(self, line):
         # Each in a folder of its own: some write the same file.
         with tempfile.TemporaryDirectory(dir=self.folder) as folder:
@@ -115,6 +128,8 @@ class Help(CommandTest):
             shell = subprocess.Popen(["bash", "-c", f"exec {command}" if "|" not in command else command], cwd=folder, env=self.variables,
                                      stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace")  # fmt: skip
             if ENDLESS.search(line) or ENDLESS_FOR_LONG.search(line):
+                if "|" not in command:
+                    self.wait_until_it_can_be_ended(shell.pid)
                 time.sleep(1)
                 shell.send_signal(signal.SIGTERM)
             output, errors = shell.communicate(timeout=120)

@@ -18,7 +18,7 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
 import own_network
 
 BUS = "udp:239.74.163.10:43120"
-PATIENCE = 10  # seconds
+PATIENCE = 60  # seconds
 LINE = re.compile(rb"\(\d{10}\.\d{6}\) \S+ [0-9A-F]{3}#[0-9A-FR]*")
 
 

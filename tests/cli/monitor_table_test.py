@@ -36,7 +36,7 @@ class Terminal:
         self.call("send-keys", *keys)
 
     def wait_for(self, wanted):
-        for _ in range(100):
+        for _ in range(600):
             lines = self.lines()
             if any(wanted in line for line in lines):
                 return lines
@@ -44,14 +44,14 @@ class Terminal:
         raise AssertionError(f"{wanted!r} is not shown: {lines}")
 
     def comes_to(self, wanted):
-        for _ in range(50):
+        for _ in range(600):
             if wanted(self.lines()):
                 return True
             time.sleep(0.1)
         return False
 
     def is_over(self):
-        for _ in range(50):
+        for _ in range(600):
             if self.call("list-sessions") == "":
                 return True
             time.sleep(0.1)

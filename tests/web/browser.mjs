@@ -7,6 +7,8 @@ import { join } from "node:path";
 
 const modules = createRequire(new URL("../../canvoy/web/page/package.json", import.meta.url));
 const canvoy = process.env.CANVOY ?? "build/canvoy";
+/** How long is waited for what takes a few seconds at most. */
+export const PATIENCE_MS = 120000;
 const chromium_path = ["/usr/bin/chromium", "/usr/bin/chromium-browser"].find(existsSync);
 
 /** Ends the test as skipped. */
@@ -62,6 +64,7 @@ export async function open_browser() {
       "--disable-background-networking", "--disable-component-update", "--disable-sync",
     ],
   });
+  context.setDefaultTimeout(PATIENCE_MS);
   const close = async () => {
     await context.close();
     rmSync(folder, { recursive: true, force: true });

@@ -5,7 +5,7 @@
 import assert from "node:assert/strict";
 import { existsSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { load, serve, skip } from "./browser.mjs";
+import { load, PATIENCE_MS, serve, skip } from "./browser.mjs";
 
 const puppeteer = load("puppeteer-core");
 const firefox_path = ["/usr/bin/firefox-esr", "/usr/bin/firefox"].find(existsSync);
@@ -24,6 +24,7 @@ after(async () => browser?.close());
 async function shown(command, work) {
   const server = await serve(...command);
   const page = await browser.newPage();
+  page.setDefaultTimeout(PATIENCE_MS);
   const complaints = [];
   page.on("pageerror", (error) => complaints.push(String(error)));
   page.on("console", (message) => { if (message.type() === "error") complaints.push(message.text()); });
@@ -41,8 +42,8 @@ async function shown(command, work) {
 const button = (page, name) => page.locator(`::-p-aria([name="${name}"][role="button"])`);
 const field = (page, name) => page.locator(`::-p-aria([name="${name}"])`);
 /** Waits until an element of the selector says what is looked for. */
-const says = (page, selector, wanted, timeout = 15000) => page.waitForFunction(
-  (where, pattern) => [...document.querySelectorAll(where)].some((each) => new RegExp(pattern).test(each.innerText)), { timeout }, selector, wanted.source);
+const says = (page, selector, wanted) => page.waitForFunction(
+  (where, pattern) => [...document.querySelectorAll(where)].some((each) => new RegExp(pattern).test(each.innerText)), {}, selector, wanted.source);
 const view = async (page, name) => {
   await page.locator(`::-p-xpath(//nav//button[normalize-space()="${name}"])`).click();
   await page.waitForSelector(`main[data-view="${name.toLowerCase()}"] > *`);
@@ -87,7 +88,7 @@ test("each view of a charger shows what there is", async () => {
     await button(page, "Let it happen").click();
     await says(page, ".events li", /FAULT begins: pilot-loss/);
     await view(page, "Events");
-    await says(page, ".verdicts tr", /^held\s+pilot-loss/, 30000);
+    await says(page, ".verdicts tr", /^held\s+pilot-loss/);
   });
 });
 

@@ -39,9 +39,9 @@ test("a landing call by a click makes the car come, and carries who called", asy
     await page.getByRole("button", { name: "Somebody at floor 4 wants up" }).click();
     await page.getByText(/A visitor at floor 4 wants to floor [56]\./).waitFor();
     await event(page, /call up at floor 4 is acknowledged/).waitFor();
-    await event(page, /lift 1 is open at floor 4/).waitFor({ timeout: 15000 });
+    await event(page, /lift 1 is open at floor 4/).waitFor();
     const carried = page.locator(".figure", { hasText: "carried" }).locator(".figure-value");
-    await assert.doesNotReject(page.waitForFunction(() => [...document.querySelectorAll(".figure")].some((each) => /carried\s*1$/.test(each.innerText.trim())), null, { timeout: 20000 }));
+    await assert.doesNotReject(page.waitForFunction(() => [...document.querySelectorAll(".figure")].some((each) => /carried\s*1$/.test(each.innerText.trim()))));
     assert.equal(await number_in(carried), 1);
   });
 });
@@ -57,25 +57,25 @@ test("a call is made by the keyboard alone", async () => {
 
 test("a fault by a click is told with its code, and with its verdict", async () => {
   await shown(charger, async (page) => {
-    await page.waitForFunction(() => /^[1-9]:/.test(document.querySelector(".clock").innerText), null, { timeout: 15000 });
+    await page.waitForFunction(() => /^[1-9]:/.test(document.querySelector(".clock").innerText));
     await page.getByLabel("What should go wrong?").selectOption("heartbeat-loss");
     await page.locator("label.field.small", { hasText: /^for/ }).locator("select").selectOption("30");
     await page.getByRole("button", { name: "Let it happen" }).click();
-    await event(page, "FAULT begins: heartbeat-loss").waitFor({ timeout: 20000 });
-    await event(page, /EMERGENCY 8130h: life guard or heartbeat error/).waitFor({ timeout: 15000 });
+    await event(page, "FAULT begins: heartbeat-loss").waitFor();
+    await event(page, /EMERGENCY 8130h: life guard or heartbeat error/).waitFor();
     await view(page, "Events");
     const verdict = page.locator(".verdicts tr", { hasText: "heartbeat-loss" }).first();
-    await verdict.getByText("held", { exact: true }).waitFor({ timeout: 20000 });
+    await verdict.getByText("held", { exact: true }).waitFor();
   });
 });
 
 test("a link and a file play the same run", async () => {
   await shown(charger, async (page) => {
-    await page.waitForFunction(() => /^[1-9]:/.test(document.querySelector(".clock").innerText), null, { timeout: 15000 });
+    await page.waitForFunction(() => /^[1-9]:/.test(document.querySelector(".clock").innerText));
     await page.getByLabel("What should go wrong?").selectOption("pilot-loss");
     await page.getByRole("button", { name: "Let it happen" }).click();
     const begins = event(page, "FAULT begins: pilot-loss");
-    await begins.waitFor({ timeout: 20000 });
+    await begins.waitFor();
     const told = await begins.innerText();
     await page.getByRole("button", { name: "Share this run" }).click();
     const link = await page.locator("#share-link").inputValue();
@@ -93,7 +93,7 @@ test("a link and a file play the same run", async () => {
     await shown(charger, async (other, server) => {
       await other.goto(`${server.url}${new URL(link).hash}`);
       await other.reload();
-      await event(other, "FAULT begins: pilot-loss").waitFor({ timeout: 30000 });
+      await event(other, "FAULT begins: pilot-loss").waitFor();
       assert.equal(await event(other, "FAULT begins: pilot-loss").innerText(), told);
     });
   });
@@ -203,11 +203,11 @@ test("an excavator digs: its arm moves, sticks are held, the display shows what 
     await page.waitForFunction(() => [...document.querySelectorAll(".stick svg")].some((each) => !/: 0 %(, 0 %)?$/.test(each.getAttribute("aria-label"))));
     await page.locator(".seat-display div", { hasText: "Fuel" }).getByText(/^[0-9]+ %$/).waitFor();
     await page.locator(".seat .chips li.on", { hasText: "ready" }).waitFor();
-    await page.locator(".figure", { hasText: "cycles" }).getByText(/^[1-9]/).waitFor({ timeout: 30000 });
+    await page.locator(".figure", { hasText: "cycles" }).getByText(/^[1-9]/).waitFor();
     await page.getByLabel("What should go wrong?").selectOption("broken-wire");
     await page.getByRole("button", { name: "Let it happen" }).click();
-    await event(page, "FAULT begins: broken-wire").waitFor({ timeout: 20000 });
-    await page.locator(".seat .chips li.on.bad", { hasText: "fault" }).waitFor({ timeout: 20000 });
+    await event(page, "FAULT begins: broken-wire").waitFor();
+    await page.locator(".seat .chips li.on.bad", { hasText: "fault" }).waitFor();
   });
 });
 
@@ -245,7 +245,7 @@ test("a plot is zoomed by dragging, and is whole again by a double click", async
     await page.getByLabel("Search").fill("battery_voltage");
     await page.getByRole("button", { name: "Pin to the plots: battery_voltage", exact: true }).first().click();
     await view(page, "Plots");
-    await page.waitForFunction(() => /^([2-9]|\d\d):/.test(document.querySelector(".clock").innerText), null, { timeout: 20000 });
+    await page.waitForFunction(() => /^([2-9]|\d\d):/.test(document.querySelector(".clock").innerText));
     await page.getByRole("button", { name: "Pause" }).click();
     const area = await page.locator(".plot .u-over").boundingBox();
     const y = area.y + area.height / 2;
@@ -292,7 +292,7 @@ test("a log's time line is dragged, and all is as it was then", async () => {
 
 test("a click on the time of an event goes there", async () => {
   await shown(charger, async (page) => {
-    await page.waitForFunction(() => /^([2-9]|\d\d):/.test(document.querySelector(".clock").innerText), null, { timeout: 20000 });
+    await page.waitForFunction(() => /^([2-9]|\d\d):/.test(document.querySelector(".clock").innerText));
     await page.getByRole("button", { name: "Pause" }).click();
     await page.locator(".events li", { hasText: "tells the time" }).locator("button.time").last().click();
     await page.waitForFunction(() => /^0:58/.test(document.querySelector(".clock").innerText));
@@ -301,7 +301,7 @@ test("a click on the time of an event goes there", async () => {
 
 test("time stands when it is told to, goes in steps and back", async () => {
   await shown(charger, async (page) => {
-    await page.waitForFunction(() => /^[1-9]:/.test(document.querySelector(".clock").innerText), null, { timeout: 15000 });
+    await page.waitForFunction(() => /^[1-9]:/.test(document.querySelector(".clock").innerText));
     await page.getByRole("button", { name: "Pause" }).click();
     await page.getByRole("button", { name: "Play" }).waitFor();
     await page.waitForTimeout(300);

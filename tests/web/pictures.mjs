@@ -16,7 +16,7 @@ async function at(name, seconds, command, ready, work = async () => {}) {
   const ask = (what, body) => fetch(`${server.url}api/run/${what}`, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body) });
   await ask("pause", { paused: true });
   await ask("seek", { time: seconds });
-  await page.waitForFunction((wanted) => document.querySelector(".clock").innerText === wanted, ready, { timeout: 60000 });
+  await page.waitForFunction((wanted) => document.querySelector(".clock").innerText === wanted, ready);
   await work(page);
   await page.waitForTimeout(500);
   await page.screenshot({ path: join(folder, `web-${name}.png`) });
@@ -44,7 +44,7 @@ await at("plots", 600, charger, "10:00.0", async (page) => {
   await view(page, "Plots");
   await page.getByRole("button", { name: "Play" }).click();
   await page.locator("header select").selectOption("60");
-  await page.waitForFunction(() => /^1[5-9]:/.test(document.querySelector(".clock").innerText), null, { timeout: 60000 });
+  await page.waitForFunction(() => /^1[5-9]:/.test(document.querySelector(".clock").innerText));
   await page.getByRole("button", { name: "Pause" }).click();
 });
 await at("taxi", 1500, ["taxi"], "25:00.0");

@@ -74,7 +74,7 @@ TEST_F(EventLoopTest, TheEpochIsTheWallClockAtTimeZero) {
   clock_gettime(CLOCK_REALTIME, &wall);
   const Duration since_1970 = std::chrono::seconds{wall.tv_sec} + Duration{wall.tv_nsec / 1000};
   const Duration difference = loop_->epoch() + loop_->now().time_since_epoch() - since_1970;
-  EXPECT_LT(std::chrono::abs(difference), 100ms);
+  EXPECT_LT(std::chrono::abs(difference), 10s) << "between two looks, a busy machine stands still";
 }
 
 TEST_F(EventLoopTest, AKernelStampKeepsItsMicrosecondsWhenItBecomesLoopTimeAndBack) {

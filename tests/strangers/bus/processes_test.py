@@ -26,7 +26,7 @@ except ImportError as error:
 GROUP, PORT = "239.74.163.27", 43127
 BUS = f"udp:{GROUP}:{PORT}"
 SECOND_BUS = "udp:239.74.163.28:43128"
-PATIENCE = 60  # seconds
+PATIENCE = 120  # seconds
 
 
 def shown_clock(data):

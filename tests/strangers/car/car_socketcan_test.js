@@ -1,9 +1,9 @@
 'use strict';
 
 // A car on a real CAN interface, in three processes: gateway, taximeter, and an add-on device of node-canopen. Neither
-// device has a node-ID: the gateway finds, names and starts both, and gives the taximeter its own again when it comes
-// back. The stranger reads it on the channel that the two have for themselves. candump listens, and each frame of its
-// log has a name.
+// device has a node-ID: the gateway finds, names and starts both. The stranger reads the taximeter on the channel that the
+// two have for themselves. candump listens, and each frame of its log has a name. (A device that comes back gets the
+// node-ID that it had: cli.run_car_parts.)
 //
 //     node tests/strangers/car/car_socketcan_test.js COMMAND FOLDER
 //
@@ -33,7 +33,7 @@ async function listen() {
   const bus = new CanBus(BUS, path.join(folder, 'candump.log'));
   // candump hears nothing until its socket is open.
   for (let tries = 0; tries < 100 && bus.heard.length === 0; ++tries) {
-    bus.cansend('7FF#');
+    bus.throwIn('7FF#');
     await sleep(200);
   }
   return bus;
@@ -107,18 +107,13 @@ function decodes(log) {
 async function main() {
   const bus = await listen();
   const gateway = await comesUp(bus, 1, () => new Program(SPEAKERS, command, 'device', 'ivn-gateway', BUS));
-  let taximeter = await comesUp(bus, TAXIMETER, startTaximeter);
+  const taximeter = await comesUp(bus, TAXIMETER, startTaximeter);
   console.log('the taximeter has its node-ID, and is operational');
 
   const device = stranger(bus);
   await joins(device);
   await readsTheTaximeter(device);
   console.log('node-canopen has joined, and reads it');
-
-  await taximeter.end();
-  taximeter = await comesUp(bus, TAXIMETER, startTaximeter);
-  await readsTheTaximeter(device);
-  console.log('the taximeter has come back as the node that it was');
 
   device.stop();
   await taximeter.end();

@@ -1,7 +1,7 @@
 'use strict';
 
-// A CAN interface for node, which has no CAN sockets: it hears through candump, and speaks through canplayer or, as a
-// stranger of its own, cansend.
+// A CAN interface for node, which has no CAN sockets: it hears through candump, and speaks through canplayer, also as a
+// stranger of its own.
 //
 //     const bus = new CanBus('vcan0', 'candump.log');
 //     bus.on('frame', ({time, id, extended, remote, data, text}) => ...);
@@ -46,9 +46,7 @@ class CanBus extends EventEmitter {
     this.log = fs.openSync(logPath, 'w');
     this.candump = start(LISTENERS, ['candump', '-L', `${name},0:0,#FFFFFFFF`], ['ignore', 'pipe', 'inherit']);
     readline.createInterface({input: this.candump.stdout}).on('line', (line) => this.hear(line));
-    this.player = start(SPEAKERS, ['canplayer', '-t'], ['pipe', 'inherit', 'inherit']);
-    const loop = 'while read -r frame; do cansend "$0" "$frame"; done';
-    this.thrower = start(SPEAKERS, ['bash', '-c', loop, name], ['pipe', 'inherit', 'inherit']);
+    [this.player, this.thrower] = [0, 1].map(() => start(SPEAKERS, ['canplayer', '-t'], ['pipe', 'inherit', 'inherit']));
   }
 
   hear(line) {
@@ -62,12 +60,16 @@ class CanBus extends EventEmitter {
   // The identifier has 11 bits, as all of node-canopen.
   send(id, data) {
     const hex = (number, digits) => number.toString(16).toUpperCase().padStart(digits, '0');
-    this.player.stdin.write(`(0.000000) ${this.name} ${hex(id, 3)}#${data.toString('hex').toUpperCase()}\n`);
+    this.play(this.player, `${hex(id, 3)}#${data.toString('hex').toUpperCase()}`);
   }
 
   // By another program; the frames of one go out in their order.
-  cansend(text) {
-    this.thrower.stdin.write(text + '\n');
+  throwIn(text) {
+    this.play(this.thrower, text);
+  }
+
+  play(program, text) {
+    program.stdin.write(`(0.000000) ${this.name} ${text}\n`);
   }
 
   // Resolves with the first frame from now on of which `wanted` holds; rejects after a time that only a dead partner
@@ -94,7 +96,7 @@ class CanBus extends EventEmitter {
   // Throws a frame in, and resolves when it was heard.
   async mark(text) {
     const heard = this.until(text, (frame) => frame.text === text);
-    this.cansend(text);
+    this.throwIn(text);
     await heard;
   }
 

@@ -1,11 +1,11 @@
 'use strict';
 
 // A battery and a charger, each a process, on a real CAN interface; node-canopen is their NMT master and SDO client,
-// candump and `canvoy monitor` listen, and cansend throws garbage.
+// candump and `canvoy monitor` listen, and canplayer throws garbage.
 //
 //     node tests/strangers/charging/charging_test.js COMMAND FOLDER
 //
-// COMMAND is canvoy; candump.log and canvoy.log are left in FOLDER, and in garbage.txt what cansend threw.
+// COMMAND is canvoy; candump.log and canvoy.log are left in FOLDER, and in garbage.txt what was thrown.
 
 const assert = require('assert');
 const {execFileSync} = require('child_process');
@@ -35,7 +35,7 @@ async function listen() {
   const bus = new CanBus(BUS, path.join(folder, 'candump.log'));
   // candump hears nothing until its socket is open.
   for (let tries = 0; tries < 100 && bus.heard.length === 0; ++tries) {
-    bus.cansend('7FF#');
+    bus.throwIn('7FF#');
     await sleep(200);
   }
   await bus.mark(BEGIN);
@@ -274,7 +274,7 @@ async function main() {
   const garbage = [];
   const throwIn = (text) => {
     garbage.push(text);
-    bus.cansend(text);
+    bus.throwIn(text);
   };
   await step('garbage: what is not for them is ignored', ignoresWhatIsNotForIt(bus, throwIn));
   await step('garbage: a SYNC with data is told of', tellsOfASyncWithData(bus, throwIn));

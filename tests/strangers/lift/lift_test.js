@@ -69,7 +69,7 @@ async function listen() {
   const bus = new CanBus(BUS, path.join(folder, 'candump.log'));
   // candump hears nothing until its socket is open.
   for (let tries = 0; tries < 100 && bus.heard.length === 0; ++tries) {
-    bus.cansend('7FF#');
+    bus.throwIn('7FF#');
     await sleep(200);
   }
   return bus;

@@ -97,7 +97,7 @@ class Host {
 async function listen() {
   const bus = new CanBus(BUS, path.join(folder, 'candump.log'));
   for (let tries = 0; tries < 100 && bus.heard.length === 0; ++tries) {
-    bus.cansend('7FF#');
+    bus.throwIn('7FF#');
     await sleep(200);
   }
   return bus;

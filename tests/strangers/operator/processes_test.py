@@ -20,7 +20,7 @@ from command import CANVOY, CommandTest, run
 
 BUS = "udp:239.74.163.41:43141"
 BEHIND = "udp:239.74.163.42:43142"
-PATIENCE = 60  # seconds
+PATIENCE = 300  # seconds
 # The contact of the right stick's direction (button 8: y+) is closed where the sensor says that it is there.
 UNLOCKS_AND_LIFTS = ["push-button-cluster1.b5=1@5s", "push-button-cluster1.b5=0@5200ms", "joystick2.b8=1@7s", "joystick2.y=20000@7s"]
 
