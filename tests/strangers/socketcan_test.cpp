@@ -307,7 +307,7 @@ TEST_F(SocketCanTest, ASendThatFindsTheInterfaceDownIsRefusedAndReported) {
 TEST_F(SocketCanTest, WhatTheSocketCannotHoldIsCountedAsOverrun) {
   const auto bus = open();
   ASSERT_TRUE(bus);
-  shell("cangen vtest -g 0 -i -n 2000 -I 123 -L 8");
+  shell("cangen vtest -g 0 -i -n 20000 -I 123 -L 8");
   EXPECT_TRUE(run_until([&] {
     std::system("cansend vtest 7FF#");
     return bus->counters().carrier.overrun > 0;
