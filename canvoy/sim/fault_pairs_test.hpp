@@ -13,17 +13,14 @@
 #include <string_view>
 #include <vector>
 
+#include "canvoy/can/testing/tries_all.hpp"
 #include "canvoy/can/time.hpp"
 
 namespace canvoy {
 
-/// Which kinds are tried beside this one: all; with sanitizers some, others for each.
+/// Which kinds are tried beside this one: each fourth, others for each; or all.
 inline std::vector<std::size_t> kinds_beside(std::size_t first, std::size_t kinds) {
-#ifdef NDEBUG
-  constexpr std::size_t step = 1;
-#else
-  constexpr std::size_t step = 4;
-#endif
+  const std::size_t step = tries_all() ? 1 : 4;
   std::vector<std::size_t> all;
   for (std::size_t kind = first % step; kind < kinds; kind += step) all.push_back(kind);
   return all;

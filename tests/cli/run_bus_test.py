@@ -85,14 +85,14 @@ class RunBus(CommandTest):
         logs = []
         for name, seed in (("first", "1"), ("again", "1"), ("other", "2")):
             path = self.folder / f"{name}.log"
-            arguments = ["--for", "20min", "--seed", seed, "--log", str(path)]
+            arguments = ["--for", "8min", "--seed", seed, "--log", str(path)]
             self.assert_done(run("run", "bus", *arguments, "--fault", "corrupted-frames@1min+1min"))
             logs.append(path.read_bytes())
         self.assertEqual(logs[0], logs[1])
         self.assertNotEqual(logs[0], logs[2])
 
     def test_what_is_printed_plays_the_same(self):
-        arguments = ["--for", "40min", "--seed", "7", "--fault", "restart:node=5@12min", "--fault", "no-paper@5min"]
+        arguments = ["--for", "15min", "--seed", "7", "--fault", "restart:node=5@12min", "--fault", "no-paper@5min"]
         path = self.folder / "bus.toml"
         path.write_text(self.assert_done(run("run", "bus", *arguments, "--print")))
         self.assertEqual(self.assert_done(run("run", str(path))), self.assert_done(run("run", "bus", *arguments)))
@@ -187,7 +187,7 @@ class RunBus(CommandTest):
 
     def test_a_log_names_every_frame(self):
         path = self.folder / "bus.log"
-        self.assert_done(run("run", "bus", "--for", "2h", "--log", str(path)))
+        self.assert_done(run("run", "bus", "--for", "45min", "--log", str(path)))
         output = self.assert_done(run("decode", str(path), "--json", "--profile", "407"))
         services = {json.loads(line)["service"] for line in output.splitlines()}
         # PDOs that are not pre-defined (8.1.5) by the connection set alone.
@@ -199,7 +199,7 @@ class RunBus(CommandTest):
 
     def test_with_its_devices_named_each_frame_has_its_meaning(self):
         log = self.folder / "bus.log"
-        self.assert_done(run("run", "bus", "--for", "1h", "--log", str(log)))
+        self.assert_done(run("run", "bus", "--for", "45min", "--log", str(log)))
         options = [word for device in DEVICES for word in ("--node", device)]
         output = self.assert_done(run("decode", str(log), "--json", "--profile", "407", *options))
         frames = [json.loads(line) for line in output.splitlines()]
@@ -253,7 +253,7 @@ class RunBus(CommandTest):
         self.assert_refused(run(*arguments, "--vehicles", "2"), USAGE, "--displays is of one bus")
 
     def test_a_depot_is_the_same_whatever_the_number_of_threads(self):
-        arguments = ["--vehicles", "5", "--for", "15min", "--seed", "9", "--fault", "restart:node=5@8min", "--json"]
+        arguments = ["--vehicles", "5", "--for", "10min", "--seed", "9", "--fault", "restart:node=5@8min", "--json"]
         one = self.assert_done(run("run", "bus", *arguments, "--threads", "1"))
         self.assertEqual(self.assert_done(run("run", "bus", *arguments, "--threads", "4")), one)
         self.assertEqual(self.assert_done(run("run", "bus", *arguments)), one)

@@ -22,14 +22,14 @@ class RunExcavator(CommandTest):
         logs = []
         for name, seed in (("first", "1"), ("again", "1"), ("other", "2")):
             path = self.folder / f"{name}.log"
-            arguments = ["--for", "10min", "--seed", seed, "--log", str(path)]
+            arguments = ["--for", "4min", "--seed", seed, "--log", str(path)]
             self.assert_done(run("run", "excavator", *arguments, "--fault", "corrupted-frames@1min+1min"))
             logs.append(path.read_bytes())
         self.assertEqual(logs[0], logs[1])
         self.assertNotEqual(logs[0], logs[2])
 
     def test_what_is_printed_plays_the_same(self):
-        arguments = ["--for", "10min", "--seed", "7", "--fault", "restart:node=10@2min", "--fault", "stuck-axis:axis=1@5min+5s"]
+        arguments = ["--for", "7min", "--seed", "7", "--fault", "restart:node=10@2min", "--fault", "stuck-axis:axis=1@5min+5s"]
         path = self.folder / "excavator.toml"
         path.write_text(self.assert_done(run("run", "excavator", *arguments, "--print")))
         self.assertEqual(self.assert_done(run("run", str(path))), self.assert_done(run("run", "excavator", *arguments)))
@@ -38,7 +38,7 @@ class RunExcavator(CommandTest):
         self.assert_done(run("run", str(path)))
 
     def test_json_tells_earth_presses_and_what_held(self):
-        output = self.assert_done(run("run", "excavator", "--for", "20min", "--json"))
+        output = self.assert_done(run("run", "excavator", "--for", "15min", "--json"))
         lines = [json.loads(line) for line in output.splitlines()]
         summary = lines[-1]
         self.assertIs(summary["all_held"], True)
@@ -81,15 +81,15 @@ class RunExcavator(CommandTest):
     def test_the_referee_looks_at_the_lamps_of_a_recorded_shift(self):
         """Nobody else does: the hydraulics stay locked after the fault, and the lamp says why nothing is dug."""
         shift = str(self.folder / "shift.csv")
-        self.assert_done(run("run", "excavator", "--for", "10min", "--record-shift", shift))
-        output = self.assert_done(run("run", "excavator", "--for", "10min", "--shift", shift, "--fault", "lost-node@3min+20s"))
+        self.assert_done(run("run", "excavator", "--for", "6min", "--record-shift", shift))
+        output = self.assert_done(run("run", "excavator", "--for", "6min", "--shift", shift, "--fault", "lost-node@3min+20s"))
         after = output[output.index("fault ends: lost-node"):]
         self.assertRegex(after, r"lamps: (light, )?(beacon, )?(fast, )?locked, ready\n")
         self.assertNotIn("broken", output)
 
     def test_a_log_names_every_frame(self):
         path = self.folder / "bus.log"
-        self.assert_done(run("run", "excavator", "--for", "30min", "--log", str(path)))
+        self.assert_done(run("run", "excavator", "--for", "12min", "--log", str(path)))
         output = self.assert_done(run("decode", str(path), "--json", "--node", "10=852", "--node", "33=401", "--node", "7=401"))
         self.assertIn("node 7 (07h) of network 2: read 6000h:01h", output)
         self.assertIn("node 7 (07h) of network 2: 6000h:01h = 01", output)

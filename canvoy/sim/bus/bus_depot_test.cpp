@@ -8,7 +8,7 @@
 namespace canvoy::bus::bus_depot_test {
 namespace {
 
-constexpr Duration played = 30min;
+constexpr Duration played = 22min;
 
 BusNetworkOptions depot() {
   BusNetworkOptions options;

@@ -23,7 +23,7 @@ TEST_P(BusFaultPairs, WithEachOtherKind) {
     if (has_node(faults.back().kind)) faults.back().node = second_next_stop_id;
     const std::string pair = pair_name(faults);
     BusNetwork network(options);
-    network.run_until(Time(22min));
+    network.run_until(Time(17min));
     EXPECT_EQ(broken_names(network), "") << pair;
     for (const auto& node : network.nodes()) {
       EXPECT_TRUE(node->is_operational()) << pair << ": " << node->place().name;

@@ -146,11 +146,7 @@ class BusWith {
 
 class RealBusDevice : public testing::TestWithParam<RealCase> {};
 
-#ifdef NDEBUG
-constexpr Duration driven = 50min;
-#else  // with sanitizers: to the first stops
-constexpr Duration driven = 6min;
-#endif
+constexpr Duration driven = 6min;  // to the first stops
 
 TEST_P(RealBusDevice, HasItsPlaceAndIsSupervised) {
   BusWith bus(GetParam());
@@ -261,7 +257,7 @@ TEST(RealBusDevices, PeopleGetOutWhereNobodyHereSeesTheSign) {
   options.faults.seed = 1;
   options.real = {next_stop_id, information_id};
   BusNetwork network(options);
-  network.run_until(Time(1h));
+  network.run_until(Time(35min));
   EXPECT_EQ(network.vehicle().riders().statistics().carried_past, 0u);
   EXPECT_GE(network.vehicle().riders().statistics().out, 5u);
   EXPECT_EQ(broken(network), "device_missing ");

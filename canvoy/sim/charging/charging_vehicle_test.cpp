@@ -125,11 +125,14 @@ TEST(ChargingInAVehicle, AChargerWithoutAClockTellsNoTime) {
   EXPECT_TRUE(events_of<TimeSeen>(sut).empty());
 }
 
-TEST(ChargingInAVehicle, ANightFillsTheBatteryAndEveryInvariantHolds) {
-  ChargingNetwork sut(in_vehicle());
-  sut.run_until(Time(8h));
+TEST(ChargingInAVehicle, TheBatteryIsFilledAndEveryInvariantHolds) {
+  ChargingOptions options = in_vehicle();
+  options.state_of_charge = 0.9;
+  ChargingNetwork sut(options);
+  sut.run_until(Time(3h));
   EXPECT_TRUE(sut.all_hold());
-  EXPECT_GT(sut.snapshot().state_of_charge, 0.99);
+  EXPECT_EQ(sut.snapshot().reason, cia419::StopReason::battery_full);
+  EXPECT_GT(sut.snapshot().state_of_charge, 0.95);
 }
 
 }  // namespace

@@ -42,20 +42,20 @@ RecordedShift recording_of(Duration length) {
 }
 
 TEST(RecordedShift, GivesTheSameFramesWhenItIsPlayedAgain) {
-  ExcavatorOptions options{.length = 45min};
-  options.shift.work = 15min;
-  options.shift.rest = 2min;
+  ExcavatorOptions options{.length = 7min};
+  options.shift.work = 3min;
+  options.shift.rest = 1min;
   options.records_shift = true;
   ExcavatorNetwork first(options);
-  const std::vector<std::string> frames = frames_of(first, Time(45min));
+  const std::vector<std::string> frames = frames_of(first, Time(7min));
   const ExcavatorStatistics done = first.snapshot().statistics;
-  ASSERT_GT(done.earth.heaped, 50);
+  ASSERT_GT(done.earth.heaped, 5);
 
-  ExcavatorOptions again{.length = 45min};
+  ExcavatorOptions again{.length = 7min};
   again.faults.seed = options.faults.seed;
   again.shift.recorded = first.recorded_shift();
   ExcavatorNetwork second(again);
-  const std::vector<std::string> replayed = frames_of(second, Time(45min));
+  const std::vector<std::string> replayed = frames_of(second, Time(7min));
   const auto [one, other] = std::ranges::mismatch(frames, replayed);
   EXPECT_TRUE(one == frames.end() && other == replayed.end())
       << (one == frames.end() ? "its end" : *one) << " became "
@@ -96,11 +96,11 @@ TEST(RecordedShift, ALampThatDoesNotSayWhyNobodyDigsIsSeen) {
 }
 
 TEST(RecordedShift, ALampThatIsBurntIsSeenAsWell) {
-  ExcavatorOptions again{.length = 1h};
-  again.shift.recorded = recording_of(Duration(1h));
+  ExcavatorOptions again{.length = 10min};
+  again.shift.recorded = recording_of(Duration(10min));
   again.sabotage.burnt_lamp = true;  // of the work light
   ExcavatorNetwork network(again);
-  network.run_until(Time(1h));
+  network.run_until(Time(10min));
   EXPECT_EQ(broken(network), Names({"indicators"}));
 }
 

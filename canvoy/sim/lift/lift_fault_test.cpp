@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "canvoy/can/testing/tries_all.hpp"
 #include "canvoy/sim/lift/lift_network.hpp"
 #include "canvoy/sim/lift/lift_soak.hpp"
 #include "canvoy/sim/lift/testing/broken.hpp"
@@ -338,35 +339,31 @@ TEST_F(LiftFaultTest, InAFireTheCarGoesToTheFireFloorAndEverybodyLeavesIt) {
   EXPECT_EQ(sut.snapshot().riding, 0U);
 }
 
-#ifdef NDEBUG
-constexpr std::uint64_t seeds = 20;
-constexpr std::uint64_t pair_seeds = 8;
-constexpr Duration run_time = soak_time;
-#else  // with sanitizers
-constexpr std::uint64_t seeds = 2;
-constexpr std::uint64_t pair_seeds = 1;
-constexpr Duration run_time = 12min;
-#endif
+Duration run_time() {
+  return tries_all() ? soak_time : Duration(12min);
+}
 
 class LiftSeedTest : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(LiftSeedTest, WhateverGoesWrongWhatMustHoldDoes) {
-  LiftNetwork network(soak_network(GetParam(), run_time));
-  network.run_until(Time(run_time));
+  LiftNetwork network(soak_network(GetParam(), run_time()));
+  network.run_until(Time(run_time()));
   EXPECT_EQ(broken(network), "");
   EXPECT_GT(network.summary().served, 0U);
 }
-INSTANTIATE_TEST_SUITE_P(Seeds, LiftSeedTest, testing::Range(std::uint64_t{1}, seeds + 1));
+INSTANTIATE_TEST_SUITE_P(Seeds, LiftSeedTest,
+                         testing::Range<std::uint64_t>(1, tries_all() ? 21 : 7));
 
 class LiftPairSeedTest : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(LiftPairSeedTest, WhereTwoFaultsMeetWhatMustHoldDoes) {
-  LiftNetwork network(soak_network_of_pairs(GetParam(), run_time));
-  network.run_until(Time(run_time));
+  LiftNetwork network(soak_network_of_pairs(GetParam(), run_time()));
+  network.run_until(Time(run_time()));
   EXPECT_EQ(broken(network), "");
   EXPECT_GT(network.summary().served, 0U);
 }
-INSTANTIATE_TEST_SUITE_P(Seeds, LiftPairSeedTest, testing::Range(std::uint64_t{1}, pair_seeds + 1));
+INSTANTIATE_TEST_SUITE_P(Seeds, LiftPairSeedTest,
+                         testing::Range<std::uint64_t>(1, tries_all() ? 9 : 4));
 
 }  // namespace
 }  // namespace canvoy::lift::lift_fault_test

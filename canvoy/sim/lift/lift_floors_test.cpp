@@ -35,7 +35,7 @@ LiftNetworkDescription two_zones(bool destination_control) {
   description.building.lifts[0].zone = "low";
   description.building.lifts[1].zone = "high";
   description.traffic.pattern = TrafficPattern::lunch;
-  description.traffic.percent_in_5_minutes = 5;
+  description.traffic.percent_in_5_minutes = 8;
   take_down_panels(description);
   if (!destination_control) {
     std::erase_if(description.nodes, [](const NodeDescription& node) { return node.lift == 0; });
@@ -48,7 +48,7 @@ TEST(LiftFloors, EachLiftServesTheFloorsOfItsZone) {
     const LiftNetworkDescription description = two_zones(destination_control);
     ASSERT_EQ(check(description), "");
     LiftNetwork network(description);
-    network.run_until(Time(20min));
+    network.run_until(Time(12min));
     std::set<FloorNumber> stops[2];
     for (const LiftEvent& event : network.events()) {
       const auto* const opened = std::get_if<DoorsOpened>(&event.what);

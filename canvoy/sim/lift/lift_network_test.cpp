@@ -135,22 +135,6 @@ TEST(LiftNetworkTest, AGroupServesInterfloorTrafficWithAllInvariants) {
   EXPECT_EQ(network.summary().buses.size(), 4U);
 }
 
-#ifdef NDEBUG  // takes too long with sanitizers
-TEST(LiftNetworkTest, InABusyUpPeakDestinationControlBringsPeopleSoonerThanCollectiveControl) {
-  const auto time_to_destination = [](bool destination_control) {
-    StandardLifts options{.lifts = 4, .floors = 16, .destination_control = destination_control};
-    options.traffic = {.pattern = TrafficPattern::up_peak, .percent_in_5_minutes = 9};
-    LiftNetwork network(standard_lift_network(options));
-    network.run_until(Time(60min));
-    return network.summary().to_destination;
-  };
-  const LiftSummary::Times collective = time_to_destination(false);
-  const LiftSummary::Times destination = time_to_destination(true);
-  EXPECT_LT(destination.mean, collective.mean);
-  EXPECT_LT(destination.percentile_90, collective.percentile_90);
-}
-#endif
-
 TEST(LiftNetworkTest, WithDestinationControlPeopleTakeTheLiftThatTheirPanelNames) {
   StandardLifts options{.lifts = 2, .floors = 6, .destination_control = true};
   LiftNetworkDescription description = standard_lift_network(options);

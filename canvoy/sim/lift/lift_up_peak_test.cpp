@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
+#include "canvoy/can/testing/tries_all.hpp"
 #include "canvoy/sim/lift/lift_network.hpp"
 #include "canvoy/sim/lift/round_trip_time.hpp"
 #include "canvoy/sim/lift/statistics.hpp"
@@ -93,15 +96,17 @@ TEST_P(LiftUpPeakTest, IntervalAndHandlingCapacityAreThoseOfTheCalculation) {
               expected.persons_in_5_minutes * 0.1);
 }
 
-#ifdef NDEBUG
-INSTANTIATE_TEST_SUITE_P(Groups, LiftUpPeakTest,
-                         testing::Values(Group{1, 10}, Group{1, 20}, Group{1, 40}, Group{2, 10},
-                                         Group{2, 20}, Group{2, 40}, Group{4, 10}, Group{4, 20},
-                                         Group{4, 40}, Group{6, 10}, Group{6, 20}, Group{6, 40},
-                                         Group{8, 10}, Group{8, 20}, Group{8, 40}));
-#else  // with sanitizers
-INSTANTIATE_TEST_SUITE_P(Groups, LiftUpPeakTest, testing::Values(Group{2, 10}, Group{8, 10}));
-#endif
+std::vector<Group> groups() {
+  if (!tries_all()) return {{2, 10}, {4, 10}};
+  std::vector<Group> all;
+  for (const LiftNumber lifts : std::to_array<LiftNumber>({1, 2, 4, 6, 8})) {
+    for (const FloorNumber floors : std::to_array<FloorNumber>({10, 20, 40})) {
+      all.push_back({lifts, floors});
+    }
+  }
+  return all;
+}
+INSTANTIATE_TEST_SUITE_P(Groups, LiftUpPeakTest, testing::ValuesIn(groups()));
 
 }  // namespace
 }  // namespace canvoy::lift::lift_up_peak_test

@@ -46,7 +46,7 @@ TEST_P(TaxiFaultPairs, WithEachOtherKind) {
     for (const auto& node : network.nodes()) {
       EXPECT_TRUE(node->is_operational()) << node->place().name;
     }
-    network.run_until(Time(24min));
+    network.run_until(Time(20min));
     EXPECT_EQ(broken_names(network), "");
     EXPECT_TRUE(is_carried_after(network, trips));
     network.node(alarm_id).power(false);  // by no fault of the plan

@@ -1,0 +1,17 @@
+// How much a test tries. What takes long has two sizes: one that finds nearly all, each time, and
+// all of it where the environment has CANVOY_TESTS=all, before a release.
+//
+//     const std::uint64_t seeds = tries_all() ? 10 : 2;
+#pragma once
+
+#include <cstdlib>
+#include <string_view>
+
+namespace canvoy {
+
+inline bool tries_all() {
+  const char* const wanted = std::getenv("CANVOY_TESTS");
+  return wanted != nullptr && std::string_view(wanted) == "all";
+}
+
+}  // namespace canvoy
