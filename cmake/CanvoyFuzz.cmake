@@ -2,7 +2,7 @@
 # the seeds in fuzz/corpus/<name>_fuzz. Inputs that break something go to fuzz/found/<name>, which `make clean` leaves
 # alone, and are tried first from then on; so do new ways through the code where a campaign asks for that. Those that
 # feed no node but a reader of text or bytes have soon seen all: half of the time is theirs.
-set(CANVOY_FUZZ_SECONDS 6 CACHE STRING "How long each fuzz target runs as a test")
+set(CANVOY_FUZZ_SECONDS 4 CACHE STRING "How long each fuzz target runs as a test")
 set(CANVOY_FUZZ_SEED 301 CACHE STRING "Of what they try; 0 is another one each time")
 set(CANVOY_FUZZ_FOUND "${PROJECT_SOURCE_DIR}/fuzz/found" CACHE PATH "Where inputs that break something are kept")
 set(CANVOY_FUZZ_CORPUS "${PROJECT_BINARY_DIR}/corpus" CACHE PATH "Where inputs that go new ways are kept")

@@ -13,7 +13,7 @@ MINUTES = 5
 class Worlds(CommandTest):
     def names(self):
         """The worlds that the help of `run` lists below its subcommands."""
-        listed = self.assert_done(run("run", "--help")).partition("Subcommands:")[2]
+        listed = self.assert_done(run("run", "--help")).partition("Subcommands:")[2].partition("\n\n")[0]
         return re.findall(r"^  ([a-z-]+) ", listed, re.MULTILINE)
 
     def test_each_plays_and_holds(self):
