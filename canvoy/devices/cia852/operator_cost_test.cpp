@@ -1,6 +1,7 @@
 // What an operator environment with everything may cost: 10 ms of the processor to start, and for
 // 10,000 input changes a second 5 % of a core. Measured in time of the processor, the best of a
-// few, so that what else the machine does is not counted. With sanitizers nothing is measured.
+// few, so that what else the machine does is not counted. With sanitizers it is allowed four times
+// as much.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,10 +39,11 @@ void run_a_second(OperatorCabin& cabin, bool is_told) {
 
 void expect_at_most(double ms, double limit) {
 #ifdef NDEBUG
-  EXPECT_LT(ms, limit);
+  constexpr double factor = 1;
 #else
-  static_cast<void>(ms + limit);
+  constexpr double factor = 4;
 #endif
+  EXPECT_LT(ms, factor * limit);
 }
 
 TEST(OperatorCost, ItStartsInLessThanTenMilliseconds) {
