@@ -23,17 +23,15 @@ inline constexpr NamedValue presence_names[] = {{0, "no"}, {1, "yes"}};
 inline constexpr NamedValue pdo_mapping_names[] = {{0, "pre-defined"}, {1, "device-specific"}};
 
 /// Bits of 1000h that profiles built on this one have, too.
-inline constexpr FieldInfo profile_field = {
-    .first_bit = 0, .bits = 16, .name = "Device profile number", .value = {.names = profile_names}};
+inline constexpr FieldInfo profile_field = field(0, 16, "Device profile number", profile_names);
 constexpr FieldInfo io_field(std::uint8_t bit, std::string_view name) {
-  return {.first_bit = bit, .name = name, .value = {.names = presence_names}};
+  return field(bit, 1, name, presence_names);
 }
 inline constexpr FieldInfo digital_input_field = io_field(16, "Digital input");
 inline constexpr FieldInfo digital_output_field = io_field(17, "Digital output");
 inline constexpr FieldInfo analogue_input_field = io_field(18, "Analogue input");
 inline constexpr FieldInfo analogue_output_field = io_field(19, "Analogue output");
-inline constexpr FieldInfo pdo_mapping_field = {
-    .first_bit = 23, .name = "M", .value = {.names = pdo_mapping_names}};
+inline constexpr FieldInfo pdo_mapping_field = field(23, 1, "M", pdo_mapping_names);
 
 inline constexpr FieldInfo device_type_fields[] = {
     profile_field,
@@ -42,11 +40,8 @@ inline constexpr FieldInfo device_type_fields[] = {
     analogue_input_field,
     analogue_output_field,
     pdo_mapping_field,
-    {.first_bit = 24,
-     .bits = 8,
-     .name = "Specific functionality",
-     .value = {.notation = Notation::hexadecimal},
-     .description = "0 of generic modules; others say which part of the profile they follow."},
+    field(24, 8, "Specific functionality", {.notation = Notation::hexadecimal},
+          "0 of generic modules; others say which part of the profile they follow."),
 };
 
 /// `count` entries of one object, side by side in a PDO.
@@ -113,77 +108,43 @@ inline constexpr ErrorCodeInfo error_codes[] = {
     {0x3320, "output voltage too low"},
 };
 
-inline constexpr const ObjectInfo* objects[] = {
-    &read_input_8_bit_object,
-    &polarity_input_8_bit_object,
-    &filter_constant_input_8_bit_object,
-    &global_interrupt_enable_digital_object,
-    &interrupt_mask_any_change_8_bit_object,
-    &interrupt_mask_low_to_high_8_bit_object,
-    &interrupt_mask_high_to_low_8_bit_object,
-    &read_input_bit_object,
-    &read_input_16_bit_object,
-    &polarity_input_16_bit_object,
-    &filter_constant_input_16_bit_object,
-    &interrupt_mask_any_change_16_bit_object,
-    &interrupt_mask_low_to_high_16_bit_object,
-    &interrupt_mask_high_to_low_16_bit_object,
-    &read_input_32_bit_object,
-    &polarity_input_32_bit_object,
-    &filter_constant_input_32_bit_object,
-    &interrupt_mask_any_change_32_bit_object,
-    &interrupt_mask_low_to_high_32_bit_object,
-    &interrupt_mask_high_to_low_32_bit_object,
-    &write_output_8_bit_object,
-    &change_polarity_output_8_bit_object,
-    &error_mode_output_8_bit_object,
-    &error_value_output_8_bit_object,
-    &filter_mask_output_8_bit_object,
-    &write_output_16_bit_object,
-    &change_polarity_output_16_bit_object,
-    &error_mode_output_16_bit_object,
-    &error_value_output_16_bit_object,
-    &filter_mask_output_16_bit_object,
-    &write_output_32_bit_object,
-    &change_polarity_output_32_bit_object,
-    &error_mode_output_32_bit_object,
-    &error_value_output_32_bit_object,
-    &filter_mask_output_32_bit_object,
-    &read_analogue_input_8_bit_object,
-    &read_analogue_input_16_bit_object,
-    &read_analogue_input_32_bit_object,
-    &read_analogue_input_float_object,
-    &write_analogue_output_8_bit_object,
-    &write_analogue_output_16_bit_object,
-    &write_analogue_output_32_bit_object,
-    &write_analogue_output_float_object,
-    &analogue_input_interrupt_trigger_selection_object,
-    &analogue_input_interrupt_source_object,
-    &analogue_input_global_interrupt_enable_object,
-    &analogue_input_interrupt_upper_limit_integer_object,
-    &analogue_input_interrupt_lower_limit_integer_object,
-    &analogue_input_interrupt_delta_unsigned_object,
-    &analogue_input_interrupt_negative_delta_unsigned_object,
-    &analogue_input_interrupt_positive_delta_unsigned_object,
-    &analogue_input_interrupt_upper_limit_float_object,
-    &analogue_input_interrupt_lower_limit_float_object,
-    &analogue_input_interrupt_delta_float_object,
-    &analogue_input_interrupt_negative_delta_float_object,
-    &analogue_input_interrupt_positive_delta_float_object,
-    &analogue_input_offset_float_object,
-    &analogue_input_scaling_float_object,
-    &analogue_input_si_unit_object,
-    &analogue_input_offset_integer_object,
-    &analogue_input_scaling_integer_object,
-    &analogue_output_offset_float_object,
-    &analogue_output_scaling_float_object,
-    &analogue_output_error_mode_object,
-    &analogue_output_error_value_integer_object,
-    &analogue_output_error_value_float_object,
-    &analogue_output_offset_integer_object,
-    &analogue_output_scaling_integer_object,
-    &analogue_output_si_unit_object,
-};
+inline constexpr auto objects = objects_of(
+    read_input_8_bit_object, polarity_input_8_bit_object, filter_constant_input_8_bit_object,
+    global_interrupt_enable_digital_object, interrupt_mask_any_change_8_bit_object,
+    interrupt_mask_low_to_high_8_bit_object, interrupt_mask_high_to_low_8_bit_object,
+    read_input_bit_object, read_input_16_bit_object, polarity_input_16_bit_object,
+    filter_constant_input_16_bit_object, interrupt_mask_any_change_16_bit_object,
+    interrupt_mask_low_to_high_16_bit_object, interrupt_mask_high_to_low_16_bit_object,
+    read_input_32_bit_object, polarity_input_32_bit_object, filter_constant_input_32_bit_object,
+    interrupt_mask_any_change_32_bit_object, interrupt_mask_low_to_high_32_bit_object,
+    interrupt_mask_high_to_low_32_bit_object, write_output_8_bit_object,
+    change_polarity_output_8_bit_object, error_mode_output_8_bit_object,
+    error_value_output_8_bit_object, filter_mask_output_8_bit_object, write_output_16_bit_object,
+    change_polarity_output_16_bit_object, error_mode_output_16_bit_object,
+    error_value_output_16_bit_object, filter_mask_output_16_bit_object, write_output_32_bit_object,
+    change_polarity_output_32_bit_object, error_mode_output_32_bit_object,
+    error_value_output_32_bit_object, filter_mask_output_32_bit_object,
+    read_analogue_input_8_bit_object, read_analogue_input_16_bit_object,
+    read_analogue_input_32_bit_object, read_analogue_input_float_object,
+    write_analogue_output_8_bit_object, write_analogue_output_16_bit_object,
+    write_analogue_output_32_bit_object, write_analogue_output_float_object,
+    analogue_input_interrupt_trigger_selection_object, analogue_input_interrupt_source_object,
+    analogue_input_global_interrupt_enable_object,
+    analogue_input_interrupt_upper_limit_integer_object,
+    analogue_input_interrupt_lower_limit_integer_object,
+    analogue_input_interrupt_delta_unsigned_object,
+    analogue_input_interrupt_negative_delta_unsigned_object,
+    analogue_input_interrupt_positive_delta_unsigned_object,
+    analogue_input_interrupt_upper_limit_float_object,
+    analogue_input_interrupt_lower_limit_float_object, analogue_input_interrupt_delta_float_object,
+    analogue_input_interrupt_negative_delta_float_object,
+    analogue_input_interrupt_positive_delta_float_object, analogue_input_offset_float_object,
+    analogue_input_scaling_float_object, analogue_input_si_unit_object,
+    analogue_input_offset_integer_object, analogue_input_scaling_integer_object,
+    analogue_output_offset_float_object, analogue_output_scaling_float_object,
+    analogue_output_error_mode_object, analogue_output_error_value_integer_object,
+    analogue_output_error_value_float_object, analogue_output_offset_integer_object,
+    analogue_output_scaling_integer_object, analogue_output_si_unit_object);
 /// Of several logical devices in a node, each has its objects 800h above those before it (CiA 301).
 inline constexpr Profile profile = {.number = profile_number,
                                     .name = "CiA 401",

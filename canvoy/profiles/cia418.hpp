@@ -18,8 +18,11 @@
 #include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/handle.hpp"
 #include "canvoy/profiles/mapping_value.hpp"
+#include "canvoy/profiles/rows.hpp"
 
 namespace canvoy::cia418 {
+
+using namespace rows;  // NOLINT(google-build-using-namespace): the columns of its tables
 
 using canvoy::Readiness;
 
@@ -27,180 +30,96 @@ using canvoy::Readiness;
 inline constexpr std::uint32_t device_type = 418;
 inline constexpr NamedValue profile_names[] = {{device_type, "CiA 418"}};
 inline constexpr FieldInfo device_type_fields[] = {
-    {.bits = 16, .name = "Device profile number", .value = {.names = profile_names}},
-    {.first_bit = 16, .bits = 16, .name = "Additional information"},
+    field(0, 16, "Device profile number", profile_names),
+    field(16, 16, "Additional information"),
 };
 
 /// Battery modules have a heartbeat (public description of the profile), never guarding alone.
-inline constexpr ObjectInfo producer_heartbeat_object =
+inline constexpr auto producer_heartbeat_object =
     cia301::refined(cia301::producer_heartbeat_object, Category::mandatory, {});
 
-inline constexpr ObjectInfo battery_status_object = {
-    .index = 0x6000,
-    .name = "battery_status",
-    .description = "Whether the battery can accept a charge.",
-    .entry = {.type = DataType::unsigned8,
-              .mapping = Mapping::by_default,
-              .fields = battery_values::readiness}};
-inline constexpr ObjectInfo charger_status_object = {
-    .index = 0x6001,
-    .name = "charger_status",
-    .description = "Whether the charger can deliver a charge.",
-    .entry = {.type = DataType::unsigned8,
-              .access = Access::rw,
-              .mapping = Mapping::by_default,
-              .initial = 0,
-              .fields = battery_values::readiness}};
-inline constexpr ObjectInfo temperature_object = {
-    .index = 0x6010,
-    .name = "temperature",
-    .description = "Temperature of the battery pack, measured on the battery module.",
-    .entry = {.type = DataType::integer16,
-              .mapping = Mapping::by_default,
-              .value = battery_values::temperature}};
+inline constexpr auto battery_status_object =
+    var_object(0x6000, "battery_status", "", "Whether the battery can accept a charge.",
+               entry(unsigned8, ro, by_default, {}, battery_values::readiness));
+inline constexpr auto charger_status_object =
+    var_object(0x6001, "charger_status", "", "Whether the charger can deliver a charge.",
+               entry(unsigned8, rw, by_default, 0, battery_values::readiness));
+inline constexpr auto temperature_object = var_object(
+    0x6010, "temperature", "", "Temperature of the battery pack, measured on the battery module.",
+    entry(integer16, ro, by_default, {}, battery_values::temperature));
 
 inline constexpr EntryInfo parameter_entries[] = {
     cia301::highest_sub_index,
-    {.sub_first = 1,
-     .name = "battery_type",
-     .value = {.notation = Notation::hexadecimal},
-     .description = "A code, of which the list is not public."},
-    {.sub_first = 2,
-     .name = "ah_capacity",
-     .type = DataType::unsigned16,
-     .value = {.unit = Unit::ampere_hour}},
-    {.sub_first = 3,
-     .name = "maximum_charge_current",
-     .type = DataType::unsigned16,
-     .value = {.unit = Unit::ampere}},
-    {.sub_first = 4, .name = "number_of_cells", .type = DataType::unsigned16},
+    sub_index(1, "battery_type", entry(unsigned8, ro, no, {}, {.notation = Notation::hexadecimal}),
+              {.description = "A code, of which the list is not public."}),
+    sub_index(2, "ah_capacity", entry(unsigned16, ro, no, {}, {.unit = Unit::ampere_hour})),
+    sub_index(3, "maximum_charge_current", entry(unsigned16, ro, no, {}, {.unit = Unit::ampere})),
+    sub_index(4, "number_of_cells", entry(unsigned16, ro)),
 };
-inline constexpr ObjectInfo parameters_object = {.index = 0x6020,
-                                                 .code = ObjectCode::record,
-                                                 .name = "battery_parameters",
-                                                 .subs = parameter_entries};
+inline constexpr auto parameters_object =
+    record_object(0x6020, "battery_parameters", "", "", parameter_entries);
 
 /// Characters, four in a number, the first in its lowest byte.
 constexpr EntryInfo packed_characters(std::uint8_t numbers) {
-  return {.sub_first = 1,
-          .sub_last = numbers,
-          .name = "characters",
-          .type = DataType::unsigned32,
-          .initial = 0,
-          .value = {.notation = Notation::characters}};
+  return sub_index(1, numbers, "characters",
+                   entry(unsigned32, ro, no, 0, {.notation = Notation::characters}));
 }
 inline constexpr EntryInfo serial_number_entries[] = {cia301::highest_sub_index,
                                                       packed_characters(3)};
 inline constexpr EntryInfo id_entries[] = {cia301::highest_sub_index, packed_characters(5)};
-inline constexpr ObjectInfo battery_serial_number_object = {.index = 0x6030,
-                                                            .code = ObjectCode::array,
-                                                            .name = "battery_serial_number",
-                                                            .category = Category::optional,
-                                                            .subs = serial_number_entries};
-inline constexpr ObjectInfo battery_id_object = {.index = 0x6031,
-                                                 .code = ObjectCode::array,
-                                                 .name = "battery_id",
-                                                 .category = Category::optional,
-                                                 .subs = id_entries};
-inline constexpr ObjectInfo vehicle_serial_number_object = {.index = 0x6040,
-                                                            .code = ObjectCode::array,
-                                                            .name = "vehicle_serial_number",
-                                                            .category = Category::optional,
-                                                            .subs = id_entries};
-inline constexpr ObjectInfo vehicle_id_object = {.index = 0x6041,
-                                                 .code = ObjectCode::array,
-                                                 .name = "vehicle_id",
-                                                 .category = Category::optional,
-                                                 .subs = id_entries};
+inline constexpr auto battery_serial_number_object =
+    array_object(0x6030, "battery_serial_number", "", "", serial_number_entries,
+                 {.category = Category::optional});
+inline constexpr auto battery_id_object =
+    array_object(0x6031, "battery_id", "", "", id_entries, {.category = Category::optional});
+inline constexpr auto vehicle_serial_number_object = array_object(
+    0x6040, "vehicle_serial_number", "", "", id_entries, {.category = Category::optional});
+inline constexpr auto vehicle_id_object =
+    array_object(0x6041, "vehicle_id", "", "", id_entries, {.category = Category::optional});
 
-inline constexpr ObjectInfo cumulative_total_ah_charge_object = {
-    .index = 0x6050,
-    .name = "cumulative_total_ah_charge",
-    .category = Category::optional,
-    .description = "All that was ever charged into the battery.",
-    .entry = {.type = DataType::unsigned32, .value = {.unit = Unit::ampere_hour}}};
-inline constexpr ObjectInfo ah_expended_since_last_charge_object = {
-    .index = 0x6051,
-    .name = "ah_expended_since_last_charge",
-    .category = Category::optional,
-    .entry = {.type = DataType::unsigned16, .value = battery_values::ampere_hours}};
-inline constexpr ObjectInfo ah_returned_during_last_charge_object = {
-    .index = 0x6052,
-    .name = "ah_returned_during_last_charge",
-    .category = Category::optional,
-    .description =
-        "The charger reads it before a charge, and writes it at the end (CiA 419, 7.2.4).",
-    .entry = {.type = DataType::unsigned16,
-              .access = Access::rw,
-              .mapping = Mapping::by_default,
-              .value = battery_values::ampere_hours}};
-inline constexpr ObjectInfo ah_since_last_equalization_object = {
-    .index = 0x6053,
-    .name = "ah_since_last_equalization",
-    .category = Category::optional,
-    .entry = {
-        .type = DataType::unsigned16, .access = Access::rw, .value = battery_values::ampere_hours}};
+inline constexpr auto cumulative_total_ah_charge_object = var_object(
+    0x6050, "cumulative_total_ah_charge", "", "All that was ever charged into the battery.",
+    entry(unsigned32, ro, no, {}, {.unit = Unit::ampere_hour}), {.category = Category::optional});
+inline constexpr auto ah_expended_since_last_charge_object = var_object(
+    0x6051, "ah_expended_since_last_charge", "", "",
+    entry(unsigned16, ro, no, {}, battery_values::ampere_hours), {.category = Category::optional});
+inline constexpr auto ah_returned_during_last_charge_object =
+    var_object(0x6052, "ah_returned_during_last_charge", "",
+               "The charger reads it before a charge, and writes it at the end (CiA 419, 7.2.4).",
+               entry(unsigned16, rw, by_default, {}, battery_values::ampere_hours),
+               {.category = Category::optional});
+inline constexpr auto ah_since_last_equalization_object = var_object(
+    0x6053, "ah_since_last_equalization", "", "",
+    entry(unsigned16, rw, no, {}, battery_values::ampere_hours), {.category = Category::optional});
 
 inline constexpr EntryInfo equalization_date_entries[] = {
     cia301::highest_sub_index,
-    {.sub_first = 1,
-     .name = "minutes",
-     .type = DataType::unsigned16,
-     .access = Access::rw,
-     .initial = 0,
-     .value = {.unit = Unit::minute}},
-    {.sub_first = 2,
-     .name = "days",
-     .type = DataType::unsigned16,
-     .access = Access::rw,
-     .initial = 0,
-     .value = {.unit = Unit::day}},
+    sub_index(1, "minutes", entry(unsigned16, rw, no, 0, {.unit = Unit::minute})),
+    sub_index(2, "days", entry(unsigned16, rw, no, 0, {.unit = Unit::day})),
 };
-inline constexpr ObjectInfo date_of_last_equalization_object = {.index = 0x6054,
-                                                                .code = ObjectCode::array,
-                                                                .name = "date_of_last_equalization",
-                                                                .category = Category::optional,
-                                                                .subs = equalization_date_entries};
+inline constexpr auto date_of_last_equalization_object =
+    array_object(0x6054, "date_of_last_equalization", "", "", equalization_date_entries,
+                 {.category = Category::optional});
 
-inline constexpr ObjectInfo voltage_object = {
-    .index = 0x6060,
-    .name = "battery_voltage",
-    .category = Category::optional,
-    .description = "Present voltage across the terminals of the battery.",
-    .entry = {.type = DataType::unsigned32,
-              .mapping = Mapping::by_default,
-              .value = battery_values::voltage}};
-inline constexpr ObjectInfo charge_current_requested_object = {
-    .index = 0x6070,
-    .name = "charge_current_requested",
-    .category = Category::optional,
-    .description = "The current that the battery wants from the charger.",
-    .entry = {.type = DataType::unsigned16,
-              .mapping = Mapping::by_default,
-              .value = battery_values::current}};
-inline constexpr ObjectInfo charger_state_of_charge_object = {
-    .index = 0x6080,
-    .name = "charger_state_of_charge",
-    .category = Category::optional,
-    .description = "How full the battery is, as the charger estimates it.",
-    .entry = {.type = DataType::unsigned8,
-              .access = Access::rw,
-              .mapping = Mapping::by_default,
-              .initial = 0xFF,
-              .value = battery_values::state_of_charge}};
-inline constexpr ObjectInfo battery_state_of_charge_object = {
-    .index = 0x6081,
-    .name = "battery_state_of_charge",
-    .category = Category::optional,
-    .description = "How full the battery is, as it measures it itself.",
-    .entry = {.type = DataType::unsigned8,
-              .mapping = Mapping::by_default,
-              .value = battery_values::state_of_charge}};
-inline constexpr ObjectInfo water_level_status_object = {
-    .index = 0x6090,
-    .name = "water_level_status",
-    .category = Category::optional,
-    .entry = {.type = DataType::unsigned8, .initial = 0}};
+inline constexpr auto voltage_object = var_object(
+    0x6060, "battery_voltage", "", "Present voltage across the terminals of the battery.",
+    entry(unsigned32, ro, by_default, {}, battery_values::voltage),
+    {.category = Category::optional});
+inline constexpr auto charge_current_requested_object = var_object(
+    0x6070, "charge_current_requested", "", "The current that the battery wants from the charger.",
+    entry(unsigned16, ro, by_default, {}, battery_values::current),
+    {.category = Category::optional});
+inline constexpr auto charger_state_of_charge_object = var_object(
+    0x6080, "charger_state_of_charge", "", "How full the battery is, as the charger estimates it.",
+    entry(unsigned8, rw, by_default, 0xFF, battery_values::state_of_charge),
+    {.category = Category::optional});
+inline constexpr auto battery_state_of_charge_object = var_object(
+    0x6081, "battery_state_of_charge", "", "How full the battery is, as it measures it itself.",
+    entry(unsigned8, ro, by_default, {}, battery_values::state_of_charge),
+    {.category = Category::optional});
+inline constexpr auto water_level_status_object =
+    var_object(0x6090, "water_level_status", "", "", entry(unsigned8, ro, no, 0),
+               {.category = Category::optional});
 
 // PDOs: what a charger receives, the battery transmits, and the other way round.
 
@@ -267,107 +186,48 @@ inline constexpr EntryInfo tpdo3_mapping_entries[] = {
     mapped_objects(2), mapping_entry(1, charge_current_requested_object),
     mapping_entry(2, battery_state_of_charge_object)};
 
-inline constexpr ObjectInfo rpdo1_parameter_object = {.index = 0x1400,
-                                                      .code = ObjectCode::record,
-                                                      .name = "RPDO parameter",
-                                                      .description = "Status of the charger.",
-                                                      .subs = rpdo1_parameter_entries};
-inline constexpr ObjectInfo rpdo2_parameter_object = {
-    .index = 0x1401,
-    .code = ObjectCode::record,
-    .name = "RPDO parameter",
-    .category = Category::optional,
-    .description = "Status of the charger and charge returned.",
-    .subs = rpdo2_parameter_entries};
-inline constexpr ObjectInfo rpdo3_parameter_object = {
-    .index = 0x1402,
-    .code = ObjectCode::record,
-    .name = "RPDO parameter",
-    .category = Category::optional,
-    .description = "Status of the charger, charge returned and estimated state of charge.",
-    .subs = rpdo3_parameter_entries};
-inline constexpr ObjectInfo rpdo1_mapping_object = {.index = 0x1600,
-                                                    .code = ObjectCode::record,
-                                                    .name = "RPDO mapping",
-                                                    .subs = rpdo1_mapping_entries};
-inline constexpr ObjectInfo rpdo2_mapping_object = {.index = 0x1601,
-                                                    .code = ObjectCode::record,
-                                                    .name = "RPDO mapping",
-                                                    .category = Category::optional,
-                                                    .subs = rpdo2_mapping_entries};
-inline constexpr ObjectInfo rpdo3_mapping_object = {.index = 0x1602,
-                                                    .code = ObjectCode::record,
-                                                    .name = "RPDO mapping",
-                                                    .category = Category::optional,
-                                                    .subs = rpdo3_mapping_entries};
-inline constexpr ObjectInfo tpdo1_parameter_object = {
-    .index = 0x1800,
-    .code = ObjectCode::record,
-    .name = "TPDO parameter",
-    .description = "Temperature and status of the battery.",
-    .subs = tpdo1_parameter_entries};
-inline constexpr ObjectInfo tpdo2_parameter_object = {
-    .index = 0x1801,
-    .code = ObjectCode::record,
-    .name = "TPDO parameter",
-    .category = Category::optional,
-    .description = "The first TPDO and the voltage of the battery.",
-    .subs = tpdo2_parameter_entries};
-inline constexpr ObjectInfo tpdo3_parameter_object = {
-    .index = 0x1802,
-    .code = ObjectCode::record,
-    .name = "TPDO parameter",
-    .category = Category::optional,
-    .description = "Requested current and state of charge of the battery.",
-    .subs = tpdo3_parameter_entries};
-inline constexpr ObjectInfo tpdo1_mapping_object = {.index = 0x1A00,
-                                                    .code = ObjectCode::record,
-                                                    .name = "TPDO mapping",
-                                                    .subs = tpdo1_mapping_entries};
-inline constexpr ObjectInfo tpdo2_mapping_object = {.index = 0x1A01,
-                                                    .code = ObjectCode::record,
-                                                    .name = "TPDO mapping",
-                                                    .category = Category::optional,
-                                                    .subs = tpdo2_mapping_entries};
-inline constexpr ObjectInfo tpdo3_mapping_object = {.index = 0x1A02,
-                                                    .code = ObjectCode::record,
-                                                    .name = "TPDO mapping",
-                                                    .category = Category::optional,
-                                                    .subs = tpdo3_mapping_entries};
+inline constexpr auto rpdo1_parameter_object =
+    record_object(0x1400, "RPDO parameter", "", "Status of the charger.", rpdo1_parameter_entries);
+inline constexpr auto rpdo2_parameter_object =
+    record_object(0x1401, "RPDO parameter", "", "Status of the charger and charge returned.",
+                  rpdo2_parameter_entries, {.category = Category::optional});
+inline constexpr auto rpdo3_parameter_object =
+    record_object(0x1402, "RPDO parameter", "",
+                  "Status of the charger, charge returned and estimated state of charge.",
+                  rpdo3_parameter_entries, {.category = Category::optional});
+inline constexpr auto rpdo1_mapping_object =
+    record_object(0x1600, "RPDO mapping", "", "", rpdo1_mapping_entries);
+inline constexpr auto rpdo2_mapping_object = record_object(
+    0x1601, "RPDO mapping", "", "", rpdo2_mapping_entries, {.category = Category::optional});
+inline constexpr auto rpdo3_mapping_object = record_object(
+    0x1602, "RPDO mapping", "", "", rpdo3_mapping_entries, {.category = Category::optional});
+inline constexpr auto tpdo1_parameter_object =
+    record_object(0x1800, "TPDO parameter", "", "Temperature and status of the battery.",
+                  tpdo1_parameter_entries);
+inline constexpr auto tpdo2_parameter_object =
+    record_object(0x1801, "TPDO parameter", "", "The first TPDO and the voltage of the battery.",
+                  tpdo2_parameter_entries, {.category = Category::optional});
+inline constexpr auto tpdo3_parameter_object = record_object(
+    0x1802, "TPDO parameter", "", "Requested current and state of charge of the battery.",
+    tpdo3_parameter_entries, {.category = Category::optional});
+inline constexpr auto tpdo1_mapping_object =
+    record_object(0x1A00, "TPDO mapping", "", "", tpdo1_mapping_entries);
+inline constexpr auto tpdo2_mapping_object = record_object(
+    0x1A01, "TPDO mapping", "", "", tpdo2_mapping_entries, {.category = Category::optional});
+inline constexpr auto tpdo3_mapping_object = record_object(
+    0x1A02, "TPDO mapping", "", "", tpdo3_mapping_entries, {.category = Category::optional});
 
-inline constexpr const ObjectInfo* objects[] = {
-    &producer_heartbeat_object,
-    &rpdo1_parameter_object,
-    &rpdo2_parameter_object,
-    &rpdo3_parameter_object,
-    &rpdo1_mapping_object,
-    &rpdo2_mapping_object,
-    &rpdo3_mapping_object,
-    &tpdo1_parameter_object,
-    &tpdo2_parameter_object,
-    &tpdo3_parameter_object,
-    &tpdo1_mapping_object,
-    &tpdo2_mapping_object,
-    &tpdo3_mapping_object,
-    &battery_status_object,
-    &charger_status_object,
-    &temperature_object,
-    &parameters_object,
-    &battery_serial_number_object,
-    &battery_id_object,
-    &vehicle_serial_number_object,
-    &vehicle_id_object,
-    &cumulative_total_ah_charge_object,
-    &ah_expended_since_last_charge_object,
-    &ah_returned_during_last_charge_object,
-    &ah_since_last_equalization_object,
-    &date_of_last_equalization_object,
-    &voltage_object,
-    &charge_current_requested_object,
-    &charger_state_of_charge_object,
-    &battery_state_of_charge_object,
-    &water_level_status_object,
-};
+inline constexpr auto objects = objects_of(
+    producer_heartbeat_object, rpdo1_parameter_object, rpdo2_parameter_object,
+    rpdo3_parameter_object, rpdo1_mapping_object, rpdo2_mapping_object, rpdo3_mapping_object,
+    tpdo1_parameter_object, tpdo2_parameter_object, tpdo3_parameter_object, tpdo1_mapping_object,
+    tpdo2_mapping_object, tpdo3_mapping_object, battery_status_object, charger_status_object,
+    temperature_object, parameters_object, battery_serial_number_object, battery_id_object,
+    vehicle_serial_number_object, vehicle_id_object, cumulative_total_ah_charge_object,
+    ah_expended_since_last_charge_object, ah_returned_during_last_charge_object,
+    ah_since_last_equalization_object, date_of_last_equalization_object, voltage_object,
+    charge_current_requested_object, charger_state_of_charge_object, battery_state_of_charge_object,
+    water_level_status_object);
 /// Of several batteries behind one node-ID, each has its objects 800h above those of the last.
 inline constexpr Profile profile = {.number = 418,
                                     .name = "CiA 418",

@@ -14,8 +14,11 @@
 #include "canvoy/profiles/handle.hpp"
 #include "canvoy/profiles/mapping_value.hpp"
 #include "canvoy/profiles/provisions.hpp"
+#include "canvoy/profiles/rows.hpp"
 
 namespace canvoy::cia419 {
+
+using namespace rows;  // NOLINT(google-build-using-namespace): the columns of its tables
 
 using canvoy::Readiness;
 
@@ -25,176 +28,85 @@ inline constexpr NamedValue profile_names[] = {{device_type, "CiA 419"}};
 inline constexpr NamedValue reserved_names[] = {{0, "0", Meaning::padding},
                                                 {1, 0xFFFF, "reserved", Meaning::reserved}};
 inline constexpr FieldInfo device_type_fields[] = {
-    {.bits = 16, .name = "Device profile number", .value = {.names = profile_names}},
-    {.first_bit = 16,
-     .bits = 16,
-     .name = "Additional information",
-     .value = {.names = reserved_names}},
+    field(0, 16, "Device profile number", profile_names),
+    field(16, 16, "Additional information", reserved_names),
 };
 
 // Communication objects that a charger has beyond CiA 301, or with another category.
 
 inline constexpr ObjectInfo error_register_object = cia301::error_register_with_reserve("6.2.2");
-inline constexpr ObjectInfo time_cob_id_object =
+inline constexpr auto time_cob_id_object =
     cia301::refined(cia301::time_cob_id_object, Category::optional, "4.1");
 /// The sentence names the function, not the object.
-inline constexpr ObjectInfo producer_heartbeat_object =
+inline constexpr auto producer_heartbeat_object =
     cia301::refined(cia301::producer_heartbeat_object, Category::mandatory, "4.1");
-inline constexpr ObjectInfo error_behavior_object =
+inline constexpr auto error_behavior_object =
     cia301::refined(cia301::error_behavior_object, Category::optional, "5.2");
 
 // Application objects (clause 7).
 
-inline constexpr ObjectInfo battery_status_object = {
-    .index = 0x6000,
-    .name = "battery_status",
-    .clause = "7.2.1",
-    .errata = "26",
-    .description = "Whether the battery can accept a charge.",
-    .entry = {.type = DataType::unsigned8,
-              .access = Access::rw,
-              .mapping = Mapping::by_default,
-              .initial = 0,
-              .fields = battery_values::readiness}};
-inline constexpr ObjectInfo charger_status_object = {
-    .index = 0x6001,
-    .name = "charger_status",
-    .clause = "7.2.2",
-    .errata = "26",
-    .description = "Whether the charger can deliver a charge.",
-    .entry = {.type = DataType::unsigned8,
-              .mapping = Mapping::by_default,
-              .fields = battery_values::readiness}};
-inline constexpr ObjectInfo battery_temperature_object = {
-    .index = 0x6010,
-    .name = "battery_temperature",
-    .clause = "7.2.3",
-    .errata = "1, 2, 25",
-    .description = "Temperature of the battery pack, measured on the battery module.",
-    .entry = {.type = DataType::integer16,
-              .access = Access::rw,
-              .mapping = Mapping::by_default,
-              .initial = 0xFFFF,
-              .value = battery_values::temperature}};
-inline constexpr ObjectInfo ah_returned_during_last_charge_object = {
-    .index = 0x6052,
-    .name = "ah_returned_during_last_charge",
-    .category = Category::conditional,
-    .condition = "if TPDO2 or TPDO3 is supported",
-    .clause = "7.2.4",
-    .errata = "4, 15, 16",
-    .description = "Charge delivered to the battery: counts during a charge, and is kept after it.",
-    .entry = {.type = DataType::unsigned16,
-              .mapping = Mapping::by_default,
-              .value = battery_values::ampere_hours}};
-inline constexpr ObjectInfo battery_voltage_object = {
-    .index = 0x6060,
-    .name = "battery_voltage",
-    .category = Category::conditional,
-    .condition = "if RPDO2 is supported",
-    .clause = "7.2.5",
-    .description = "Present voltage across the terminals of the battery.",
-    .entry = {.type = DataType::unsigned32,
-              .access = Access::rw,
-              .mapping = Mapping::by_default,
-              .initial = 0xFFFF'FFFF,
-              .value = battery_values::voltage}};
-inline constexpr ObjectInfo charge_current_requested_object = {
-    .index = 0x6070,
-    .name = "charge_current_requested",
-    .category = Category::conditional,
-    .condition = "if RPDO3 is supported",
-    .clause = "7.2.6",
-    .description = "The current that the battery wants from the charger.",
-    .entry = {.type = DataType::unsigned16,
-              .access = Access::rw,
-              .mapping = Mapping::by_default,
-              .initial = 0xFFFF,
-              .value = battery_values::current}};
-inline constexpr ObjectInfo charger_state_of_charge_object = {
-    .index = 0x6080,
-    .name = "charger_state_of_charge",
-    .category = Category::conditional,
-    .condition = "if TPDO3 is supported",
-    .clause = "7.2.7",
-    .errata = "5, 20",
-    .description = "How full the battery is, as the charger estimates it.",
-    .entry = {.type = DataType::unsigned8,
-              .mapping = Mapping::by_default,
-              .value = battery_values::state_of_charge}};
-inline constexpr ObjectInfo battery_state_of_charge_object = {
-    .index = 0x6081,
-    .name = "battery_state_of_charge",
-    .category = Category::conditional,
-    .condition = "if RPDO3 is supported",
-    .clause = "7.2.8",
-    .errata = "14, 17",
-    .description = "How full the battery is, as it measures it itself.",
-    .entry = {.type = DataType::unsigned8,
-              .access = Access::rw,
-              .mapping = Mapping::by_default,
-              .initial = 0xFF,
-              .value = battery_values::state_of_charge}};
+inline constexpr auto battery_status_object =
+    var_object(0x6000, "battery_status", "7.2.1", "Whether the battery can accept a charge.",
+               entry(unsigned8, rw, by_default, 0, battery_values::readiness), {.errata = "26"});
+inline constexpr auto charger_status_object =
+    var_object(0x6001, "charger_status", "7.2.2", "Whether the charger can deliver a charge.",
+               entry(unsigned8, ro, by_default, {}, battery_values::readiness), {.errata = "26"});
+inline constexpr auto battery_temperature_object = var_object(
+    0x6010, "battery_temperature", "7.2.3",
+    "Temperature of the battery pack, measured on the battery module.",
+    entry(integer16, rw, by_default, 0xFFFF, battery_values::temperature), {.errata = "1, 2, 25"});
+inline constexpr auto ah_returned_during_last_charge_object =
+    var_object(0x6052, "ah_returned_during_last_charge", "7.2.4",
+               "Charge delivered to the battery: counts during a charge, and is kept after it.",
+               entry(unsigned16, ro, by_default, {}, battery_values::ampere_hours),
+               {.condition = "if TPDO2 or TPDO3 is supported", .errata = "4, 15, 16"});
+inline constexpr auto battery_voltage_object = var_object(
+    0x6060, "battery_voltage", "7.2.5", "Present voltage across the terminals of the battery.",
+    entry(unsigned32, rw, by_default, 0xFFFF'FFFF, battery_values::voltage),
+    {.condition = "if RPDO2 is supported"});
+inline constexpr auto charge_current_requested_object =
+    var_object(0x6070, "charge_current_requested", "7.2.6",
+               "The current that the battery wants from the charger.",
+               entry(unsigned16, rw, by_default, 0xFFFF, battery_values::current),
+               {.condition = "if RPDO3 is supported"});
+inline constexpr auto charger_state_of_charge_object =
+    var_object(0x6080, "charger_state_of_charge", "7.2.7",
+               "How full the battery is, as the charger estimates it.",
+               entry(unsigned8, ro, by_default, {}, battery_values::state_of_charge),
+               {.condition = "if TPDO3 is supported", .errata = "5, 20"});
+inline constexpr auto battery_state_of_charge_object =
+    var_object(0x6081, "battery_state_of_charge", "7.2.8",
+               "How full the battery is, as it measures it itself.",
+               entry(unsigned8, rw, by_default, 0xFF, battery_values::state_of_charge),
+               {.condition = "if RPDO3 is supported", .errata = "14, 17"});
 
 // PDOs (6.2.3 to 6.2.8). They are all invalid until the charger has found its battery; that the
 // three of a direction have the same parameters is the reading of errata 3 and 6 to 13.
 
 inline constexpr EntryInfo rpdo_parameter_entries[] = {
-    {.name = "highest sub-index supported", .initial = highest_sub(), .errata = "13"},
-    {.sub_first = 1,
-     .name = "COB-ID",
-     .type = DataType::unsigned32,
-     .access = Access::rw,
-     .initial = cia301::invalid_cob_id,
-     .value = cia301::code},
-    {.sub_first = 2,
-     .name = "transmission type",
-     .initial = 255,
-     .value = {.names = cia301::transmission_types}},
-    {.sub_first = 5,
-     .name = "event timer",
-     .type = DataType::unsigned16,
-     .access = Access::rw,
-     .category = Category::optional,
-     .initial = 0,
-     .value = cia301::milliseconds},
+    sub_index(0, "highest sub-index supported", entry(unsigned8, ro, no, highest_sub()),
+              {.errata = "13"}),
+    sub_index(1, "COB-ID", entry(unsigned32, rw, no, cia301::invalid_cob_id, cia301::code)),
+    sub_index(2, "transmission type", entry(unsigned8, ro, no, 255, cia301::transmission_types)),
+    sub_index(5, "event timer", entry(unsigned16, rw, no, 0, cia301::milliseconds),
+              {.category = Category::optional}),
 };
 inline constexpr EntryInfo tpdo_parameter_entries[] = {
-    {.name = "highest sub-index supported", .initial = highest_sub(5), .errata = "3"},
-    {.sub_first = 1,
-     .name = "COB-ID",
-     .type = DataType::unsigned32,
-     .access = Access::rw,
-     .initial = cia301::invalid_cob_id,
-     .value = cia301::code,
-     .errata = "10"},
-    {.sub_first = 2,
-     .name = "transmission type",
-     .initial = 255,
-     .value = {.names = cia301::transmission_types}},
-    {.sub_first = 3,
-     .name = "inhibit timer",
-     .type = DataType::unsigned16,
-     .access = Access::rw,
-     .category = Category::optional,
-     .initial = 0,
-     .value = cia301::hundred_microseconds,
-     .errata = "7, 8"},
-    {.sub_first = 5,
-     .name = "event timer",
-     .type = DataType::unsigned16,
-     .access = Access::rw,
-     .initial = 200,
-     .value = cia301::milliseconds,
-     .errata = "9"},
+    sub_index(0, "highest sub-index supported", entry(unsigned8, ro, no, highest_sub(5)),
+              {.errata = "3"}),
+    sub_index(1, "COB-ID", entry(unsigned32, rw, no, cia301::invalid_cob_id, cia301::code),
+              {.errata = "10"}),
+    sub_index(2, "transmission type", entry(unsigned8, ro, no, 255, cia301::transmission_types)),
+    sub_index(3, "inhibit timer", entry(unsigned16, rw, no, 0, cia301::hundred_microseconds),
+              {.category = Category::optional, .errata = "7, 8"}),
+    sub_index(5, "event timer", entry(unsigned16, rw, no, 200, cia301::milliseconds),
+              {.errata = "9"}),
 };
 
 /// Sub-index 00h of a mapping: rw, as most of them are printed.
 constexpr EntryInfo mapped_objects(std::uint8_t count) {
-  return {.name = "highest sub-index supported",
-          .access = Access::rw,
-          .initial = count,
-          .errata = "6, 11, 21"};
+  return sub_index(0, "highest sub-index supported", entry(unsigned8, rw, no, count),
+                   {.errata = "6, 11, 21"});
 }
 inline constexpr EntryInfo rpdo1_mapping_entries[] = {mapped_objects(2),
                                                       mapping_entry(1, battery_temperature_object),
@@ -215,107 +127,49 @@ inline constexpr EntryInfo tpdo3_mapping_entries[] = {
     mapping_entry(2, ah_returned_during_last_charge_object),
     mapping_entry(3, charger_state_of_charge_object)};
 
-inline constexpr ObjectInfo rpdo1_parameter_object = {.index = 0x1400,
-                                                      .code = ObjectCode::record,
-                                                      .name = "RPDO parameter",
-                                                      .clause = "6.2.3.2",
-                                                      .description =
-                                                          "Status and temperature of "
-                                                          "the battery.",
-                                                      .subs = rpdo_parameter_entries};
-inline constexpr ObjectInfo rpdo2_parameter_object = {
-    .index = 0x1401,
-    .code = ObjectCode::record,
-    .name = "RPDO parameter",
-    .category = Category::optional,
-    .clause = "6.2.5.2",
-    .description = "The first RPDO and the voltage of the battery: used in its place.",
-    .subs = rpdo_parameter_entries};
-inline constexpr ObjectInfo rpdo3_parameter_object = {
-    .index = 0x1402,
-    .code = ObjectCode::record,
-    .name = "RPDO parameter",
-    .category = Category::optional,
-    .clause = "6.2.7.2",
-    .errata = "17",
-    .description = "Requested current and state of charge of the battery.",
-    .subs = rpdo_parameter_entries};
-inline constexpr ObjectInfo rpdo1_mapping_object = {.index = 0x1600,
-                                                    .code = ObjectCode::record,
-                                                    .name = "RPDO mapping",
-                                                    .clause = "6.2.3.3",
-                                                    .subs = rpdo1_mapping_entries};
-inline constexpr ObjectInfo rpdo2_mapping_object = {.index = 0x1601,
-                                                    .code = ObjectCode::record,
-                                                    .name = "RPDO mapping",
-                                                    .category = Category::conditional,
-                                                    .condition = "if RPDO2 is supported",
-                                                    .clause = "6.2.5.3",
-                                                    .errata = "12",
-                                                    .subs = rpdo2_mapping_entries};
-inline constexpr ObjectInfo rpdo3_mapping_object = {.index = 0x1602,
-                                                    .code = ObjectCode::record,
-                                                    .name = "RPDO mapping",
-                                                    .category = Category::optional,
-                                                    .clause = "6.2.7.3",
-                                                    .subs = rpdo3_mapping_entries};
-inline constexpr ObjectInfo tpdo1_parameter_object = {.index = 0x1800,
-                                                      .code = ObjectCode::record,
-                                                      .name = "TPDO parameter",
-                                                      .clause = "6.2.4.2",
-                                                      .description = "Status of the charger.",
-                                                      .subs = tpdo_parameter_entries};
-inline constexpr ObjectInfo tpdo2_parameter_object = {
-    .index = 0x1801,
-    .code = ObjectCode::record,
-    .name = "TPDO parameter",
-    .category = Category::optional,
-    .clause = "6.2.6.2",
-    .description = "Status of the charger and charge returned.",
-    .subs = tpdo_parameter_entries};
-inline constexpr ObjectInfo tpdo3_parameter_object = {
-    .index = 0x1802,
-    .code = ObjectCode::record,
-    .name = "TPDO parameter",
-    .category = Category::optional,
-    .clause = "6.2.8.2",
-    .errata = "18",
-    .description = "Status of the charger, charge returned and estimated state of charge.",
-    .subs = tpdo_parameter_entries};
-inline constexpr ObjectInfo tpdo1_mapping_object = {.index = 0x1A00,
-                                                    .code = ObjectCode::record,
-                                                    .name = "TPDO mapping",
-                                                    .clause = "6.2.4.3",
-                                                    .subs = tpdo1_mapping_entries};
-inline constexpr ObjectInfo tpdo2_mapping_object = {.index = 0x1A01,
-                                                    .code = ObjectCode::record,
-                                                    .name = "TPDO mapping",
-                                                    .category = Category::optional,
-                                                    .clause = "6.2.6.3",
-                                                    .errata = "19",
-                                                    .subs = tpdo2_mapping_entries};
-inline constexpr ObjectInfo tpdo3_mapping_object = {.index = 0x1A02,
-                                                    .code = ObjectCode::record,
-                                                    .name = "TPDO mapping",
-                                                    .category = Category::optional,
-                                                    .clause = "6.2.8.3",
-                                                    .errata = "20",
-                                                    .subs = tpdo3_mapping_entries};
+inline constexpr auto rpdo1_parameter_object =
+    record_object(0x1400, "RPDO parameter", "6.2.3.2", "Status and temperature of the battery.",
+                  rpdo_parameter_entries);
+inline constexpr auto rpdo2_parameter_object =
+    record_object(0x1401, "RPDO parameter", "6.2.5.2",
+                  "The first RPDO and the voltage of the battery: used in its place.",
+                  rpdo_parameter_entries, {.category = Category::optional});
+inline constexpr auto rpdo3_parameter_object = record_object(
+    0x1402, "RPDO parameter", "6.2.7.2", "Requested current and state of charge of the battery.",
+    rpdo_parameter_entries, {.category = Category::optional, .errata = "17"});
+inline constexpr auto rpdo1_mapping_object =
+    record_object(0x1600, "RPDO mapping", "6.2.3.3", "", rpdo1_mapping_entries);
+inline constexpr auto rpdo2_mapping_object =
+    record_object(0x1601, "RPDO mapping", "6.2.5.3", "", rpdo2_mapping_entries,
+                  {.condition = "if RPDO2 is supported", .errata = "12"});
+inline constexpr auto rpdo3_mapping_object = record_object(
+    0x1602, "RPDO mapping", "6.2.7.3", "", rpdo3_mapping_entries, {.category = Category::optional});
+inline constexpr auto tpdo1_parameter_object = record_object(
+    0x1800, "TPDO parameter", "6.2.4.2", "Status of the charger.", tpdo_parameter_entries);
+inline constexpr auto tpdo2_parameter_object =
+    record_object(0x1801, "TPDO parameter", "6.2.6.2", "Status of the charger and charge returned.",
+                  tpdo_parameter_entries, {.category = Category::optional});
+inline constexpr auto tpdo3_parameter_object =
+    record_object(0x1802, "TPDO parameter", "6.2.8.2",
+                  "Status of the charger, charge returned and estimated state of charge.",
+                  tpdo_parameter_entries, {.category = Category::optional, .errata = "18"});
+inline constexpr auto tpdo1_mapping_object =
+    record_object(0x1A00, "TPDO mapping", "6.2.4.3", "", tpdo1_mapping_entries);
+inline constexpr auto tpdo2_mapping_object =
+    record_object(0x1A01, "TPDO mapping", "6.2.6.3", "", tpdo2_mapping_entries,
+                  {.category = Category::optional, .errata = "19"});
+inline constexpr auto tpdo3_mapping_object =
+    record_object(0x1A02, "TPDO mapping", "6.2.8.3", "", tpdo3_mapping_entries,
+                  {.category = Category::optional, .errata = "20"});
 
-inline constexpr const ObjectInfo* objects[] = {
-    &error_register_object,          &time_cob_id_object,
-    &producer_heartbeat_object,      &error_behavior_object,
-    &rpdo1_parameter_object,         &rpdo2_parameter_object,
-    &rpdo3_parameter_object,         &rpdo1_mapping_object,
-    &rpdo2_mapping_object,           &rpdo3_mapping_object,
-    &tpdo1_parameter_object,         &tpdo2_parameter_object,
-    &tpdo3_parameter_object,         &tpdo1_mapping_object,
-    &tpdo2_mapping_object,           &tpdo3_mapping_object,
-    &battery_status_object,          &charger_status_object,
-    &battery_temperature_object,     &ah_returned_during_last_charge_object,
-    &battery_voltage_object,         &charge_current_requested_object,
-    &charger_state_of_charge_object, &battery_state_of_charge_object,
-};
+inline constexpr auto objects = objects_of(
+    error_register_object, time_cob_id_object, producer_heartbeat_object, error_behavior_object,
+    rpdo1_parameter_object, rpdo2_parameter_object, rpdo3_parameter_object, rpdo1_mapping_object,
+    rpdo2_mapping_object, rpdo3_mapping_object, tpdo1_parameter_object, tpdo2_parameter_object,
+    tpdo3_parameter_object, tpdo1_mapping_object, tpdo2_mapping_object, tpdo3_mapping_object,
+    battery_status_object, charger_status_object, battery_temperature_object,
+    ah_returned_during_last_charge_object, battery_voltage_object, charge_current_requested_object,
+    charger_state_of_charge_object, battery_state_of_charge_object);
 inline constexpr BitRateProvision bit_rates[] = {{125, Category::mandatory, "4.2.2"}};
 inline constexpr FailureProvision failures[] = {
     {bus_off_failure, "5.2"},

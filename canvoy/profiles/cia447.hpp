@@ -38,9 +38,9 @@ inline constexpr RecordTypeInfo record_types[] = {{.name = "Start route guidance
                                                    .members = taximeter_configuration_entries}};
 
 inline constexpr auto objects_with_month_above_day =
-    object_list(rtc_date_month_above_object, set_rtc_date_month_above_object);
+    rows::objects_of(rtc_date_month_above_object, set_rtc_date_month_above_object);
 inline constexpr auto objects_with_warnings_from_bit_1 =
-    object_list(functional_warnings_from_bit_1_object);
+    rows::objects_of(functional_warnings_from_bit_1_object);
 inline constexpr ReadingInfo readings[] = {
     {.name = "month-above-day",
      .description = "60F0h and 60F1h: month in bits 27 to 24, day in bits 23 to 16",

@@ -5,17 +5,11 @@
 // derived from it: the dictionary of a node (layout.hpp), typed access (handle.hpp), decoding,
 // files, checks and documents. What a node needs on the bus is copied into ObjectRow and EntryRow
 // at compile time; names, units and texts stay here, and a device that does not ask for them does
-// not carry them.
+// not carry them. Most of it is written in rows (rows.hpp):
 //
-//     inline constexpr ObjectInfo battery_temperature_object = {
-//         .index = 0x6010,
-//         .name = "battery_temperature",
-//         .clause = "7.2.3",
-//         .entry = {.type = DataType::integer16,
-//                   .access = Access::rw,
-//                   .mapping = Mapping::by_default,
-//                   .initial = 0xFFFF,
-//                   .value = {.unit = Unit::degree_celsius, .scale = {.denominator = 8}}}};
+//     inline constexpr auto battery_temperature_object =
+//         var_object(0x6010, "battery_temperature", "7.2.3", "Temperature of the battery pack.",
+//                    entry(integer16, rw, by_default, 0xFFFF, temperature), {.errata = "1, 2"});
 #pragma once
 
 #include <array>

@@ -10,82 +10,52 @@
 #include "canvoy/profiles/cia301/channels.hpp"
 #include "canvoy/profiles/cia301/objects.hpp"
 #include "canvoy/profiles/device_description.hpp"
+#include "canvoy/profiles/rows.hpp"
 
 namespace canvoy::cia302 {
 
+using namespace rows;  // NOLINT(google-build-using-namespace): the columns of its tables
+
 inline constexpr FieldInfo sdo_request_fields[] = {
-    {.first_bit = 0, .bits = 8, .name = "Node-ID of the SDO server"},
-    {.first_bit = 8, .bits = 8, .name = "Node-ID of the requesting device"},
-    {.first_bit = 16, .bits = 16, .name = "Index of its SDO client parameter"},
+    field(0, 8, "Node-ID of the SDO server"),
+    field(8, 8, "Node-ID of the requesting device"),
+    field(16, 16, "Index of its SDO client parameter"),
 };
-inline constexpr ObjectInfo request_sdo_object = {.index = 0x1F00,
-                                                  .name = "Request SDO",
-                                                  .category = Category::optional,
-                                                  .clause = "302-5",
-                                                  .entry = {.type = DataType::unsigned32,
-                                                            .access = Access::wo,
-                                                            .initial = 0,
-                                                            .value = cia301::code,
-                                                            .fields = sdo_request_fields}};
-inline constexpr ObjectInfo release_sdo_object = {
-    .index = 0x1F01,
-    .name = "Release SDO",
-    .category = Category::optional,
-    .clause = "302-5",
-    .description = "Index 0: all connections; server 0: the registration as well.",
-    .entry = {.type = DataType::unsigned32,
-              .access = Access::wo,
-              .initial = 0,
-              .value = cia301::code,
-              .fields = sdo_request_fields}};
+inline constexpr auto request_sdo_object =
+    var_object(0x1F00, "Request SDO", "302-5", "",
+               entry(unsigned32, wo, no, 0, cia301::code, sdo_request_fields),
+               {.category = Category::optional});
+inline constexpr auto release_sdo_object = var_object(
+    0x1F01, "Release SDO", "302-5", "Index 0: all connections; server 0: the registration as well.",
+    entry(unsigned32, wo, no, 0, cia301::code, sdo_request_fields),
+    {.category = Category::optional});
 
 inline constexpr EntryInfo sdo_manager_cob_id_entries[] = {
     cia301::highest_sub_index,
-    {.sub_first = 1,
-     .sub_last = 254,
-     .name = "COB-ID",
-     .type = DataType::unsigned32,
-     .access = Access::rw,
-     .initial = cia301::invalid_cob_id,
-     .value = cia301::code,
-     .description = "Bit 31: not to be given out."},
+    sub_index(1, 254, "COB-ID", entry(unsigned32, rw, no, cia301::invalid_cob_id, cia301::code),
+              {.description = "Bit 31: not to be given out."}),
 };
-inline constexpr ObjectInfo sdo_manager_cob_ids_object = {
-    .index = 0x1F02,
-    .code = ObjectCode::array,
-    .name = "SDO manager COB-IDs",
-    .category = Category::optional,
-    .clause = "302-5",
-    .description = "What the SDO manager has to give; two for each connection.",
-    .subs = sdo_manager_cob_id_entries};
+inline constexpr auto sdo_manager_cob_ids_object =
+    array_object(0x1F02, "SDO manager COB-IDs", "302-5",
+                 "What the SDO manager has to give; two for each connection.",
+                 sdo_manager_cob_id_entries, {.category = Category::optional});
 
 inline constexpr FieldInfo sdo_connection_fields[] = {
-    {.first_bit = 0, .bits = 8, .name = "SDO server parameter, from 1200h on"},
-    {.first_bit = 8, .bits = 8, .name = "Node-ID of the SDO server"},
-    {.first_bit = 16, .bits = 8, .name = "SDO client parameter, from 1280h on"},
-    {.first_bit = 24, .bits = 8, .name = "Node-ID of the SDO client"},
+    field(0, 8, "SDO server parameter, from 1200h on"),
+    field(8, 8, "Node-ID of the SDO server"),
+    field(16, 8, "SDO client parameter, from 1280h on"),
+    field(24, 8, "Node-ID of the SDO client"),
 };
 inline constexpr EntryInfo sdo_connection_entries[] = {
     cia301::highest_sub_index,
-    {.sub_first = 1,
-     .sub_last = 254,
-     .name = "SDO connection",
-     .type = DataType::unsigned32,
-     .initial = 0,
-     .value = cia301::code,
-     .fields = sdo_connection_fields,
-     .description = "0: none."},
+    sub_index(1, 254, "SDO connection",
+              entry(unsigned32, ro, no, 0, cia301::code, sdo_connection_fields),
+              {.description = "0: none."}),
 };
 /// 1F03h to 1F06h.
-inline constexpr ObjectInfo sdo_connections_object = {
-    .index = 0x1F03,
-    .count = 4,
-    .code = ObjectCode::array,
-    .name = "SDO connections",
-    .category = Category::optional,
-    .clause = "302-5",
-    .description = "Those that the SDO manager has given.",
-    .subs = sdo_connection_entries};
+inline constexpr auto sdo_connections_object =
+    array_object(0x1F03, "SDO connections", "302-5", "Those that the SDO manager has given.",
+                 sdo_connection_entries, {.count = 4, .category = Category::optional});
 
 inline constexpr NamedValue dynamic_sdo_states[] = {
     {0, "not connected"},
@@ -95,20 +65,15 @@ inline constexpr NamedValue dynamic_sdo_states[] = {
 };
 inline constexpr NamedValue dynamic_sdo_requests[] = {{0, "single"}, {1, "all default SDOs"}};
 inline constexpr FieldInfo dynamic_sdo_fields[] = {
-    {.first_bit = 0, .name = "Request", .value = {.names = dynamic_sdo_requests}},
-    {.first_bit = 1, .bits = 2, .name = "State", .value = {.names = dynamic_sdo_states}},
-    {.first_bit = 8, .bits = 8, .name = "Error code"},
-    {.first_bit = 16, .bits = 16, .name = "Index of the SDO client parameter"},
+    field(0, 1, "Request", dynamic_sdo_requests),
+    field(1, 2, "State", dynamic_sdo_states),
+    field(8, 8, "Error code"),
+    field(16, 16, "Index of the SDO client parameter"),
 };
-inline constexpr ObjectInfo dynamic_sdo_state_object = {.index = 0x1F10,
-                                                        .name = "Dynamic SDO connection state",
-                                                        .category = Category::optional,
-                                                        .clause = "302-5",
-                                                        .entry = {.type = DataType::unsigned32,
-                                                                  .access = Access::rw,
-                                                                  .initial = 0,
-                                                                  .value = cia301::code,
-                                                                  .fields = dynamic_sdo_fields}};
+inline constexpr auto dynamic_sdo_state_object =
+    var_object(0x1F10, "Dynamic SDO connection state", "302-5", "",
+               entry(unsigned32, rw, no, 0, cia301::code, dynamic_sdo_fields),
+               {.category = Category::optional});
 
 /// 1F00h to 1F03h of an SDO manager that has `cob_ids` to give, and lists `connections`.
 constexpr auto sdo_manager(unsigned cob_ids, unsigned connections) {

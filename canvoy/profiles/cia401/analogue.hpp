@@ -13,157 +13,140 @@ namespace canvoy::cia401 {
 
 inline constexpr auto read_analogue_input_8_bit_entries =
     channels(input(DataType::integer8, "Read analogue input 8-bit #"));
-inline constexpr ObjectInfo read_analogue_input_8_bit_object =
+inline constexpr auto read_analogue_input_8_bit_object =
     array(0x6400, "Read analogue input 8-bit", read_analogue_input_8_bit_entries);
 inline constexpr auto read_analogue_input_16_bit_entries =
     channels(by_default(input(DataType::integer16, "Read analogue input 16-bit #")));
-inline constexpr ObjectInfo read_analogue_input_16_bit_object =
+inline constexpr auto read_analogue_input_16_bit_object =
     array(0x6401, "Read analogue input 16-bit", read_analogue_input_16_bit_entries,
           "Values of up to 16 bits are adjusted to the left.");
 inline constexpr auto read_analogue_input_32_bit_entries =
     channels(input(DataType::integer32, "Read analogue input 32-bit #"));
-inline constexpr ObjectInfo read_analogue_input_32_bit_object =
+inline constexpr auto read_analogue_input_32_bit_object =
     array(0x6402, "Read analogue input 32-bit", read_analogue_input_32_bit_entries);
 inline constexpr auto read_analogue_input_float_entries =
     channels(input(DataType::real32, "Read analogue input float #"));
-inline constexpr ObjectInfo read_analogue_input_float_object =
+inline constexpr auto read_analogue_input_float_object =
     array(0x6403, "Read analogue input float", read_analogue_input_float_entries);
 inline constexpr auto write_analogue_output_8_bit_entries =
     channels(output(DataType::integer8, "Write analogue output 8-bit #"));
-inline constexpr ObjectInfo write_analogue_output_8_bit_object =
+inline constexpr auto write_analogue_output_8_bit_object =
     array(0x6410, "Write analogue output 8-bit", write_analogue_output_8_bit_entries);
 inline constexpr auto write_analogue_output_16_bit_entries =
     channels(by_default(output(DataType::integer16, "Write analogue output 16-bit #")));
-inline constexpr ObjectInfo write_analogue_output_16_bit_object =
+inline constexpr auto write_analogue_output_16_bit_object =
     array(0x6411, "Write analogue output 16-bit", write_analogue_output_16_bit_entries,
           "Values of up to 16 bits are adjusted to the left.");
 inline constexpr auto write_analogue_output_32_bit_entries =
     channels(output(DataType::integer32, "Write analogue output 32-bit #"));
-inline constexpr ObjectInfo write_analogue_output_32_bit_object =
+inline constexpr auto write_analogue_output_32_bit_object =
     array(0x6412, "Write analogue output 32-bit", write_analogue_output_32_bit_entries);
 inline constexpr auto write_analogue_output_float_entries =
     channels(output(DataType::real32, "Write analogue output float #"));
-inline constexpr ObjectInfo write_analogue_output_float_object =
+inline constexpr auto write_analogue_output_float_object =
     array(0x6413, "Write analogue output float", write_analogue_output_float_entries);
 
 // Configuration of inputs.
 
 /// What causes an event: one bit for each condition (6421h).
 inline constexpr FieldInfo trigger_fields[] = {
-    {.first_bit = 0, .name = "upper limit exceeded", .value = {.names = enabled_names}},
-    {.first_bit = 1, .name = "input below lower limit", .value = {.names = enabled_names}},
-    {.first_bit = 2, .name = "input changed by more than delta", .value = {.names = enabled_names}},
-    {.first_bit = 3,
-     .name = "input reduced by more than negative delta",
-     .value = {.names = enabled_names}},
-    {.first_bit = 4,
-     .name = "input increased by more than positive delta",
-     .value = {.names = enabled_names}},
+    field(0, 1, "upper limit exceeded", enabled_names),
+    field(1, 1, "input below lower limit", enabled_names),
+    field(2, 1, "input changed by more than delta", enabled_names),
+    field(3, 1, "input reduced by more than negative delta", enabled_names),
+    field(4, 1, "input increased by more than positive delta", enabled_names),
 };
 inline constexpr auto analogue_input_interrupt_trigger_selection_entries =
-    channels({.name = "Analogue input interrupt trigger selection #",
-              .access = Access::rw,
-              .initial = 0x07,
-              .value = mask,
-              .fields = trigger_fields});
-inline constexpr ObjectInfo analogue_input_interrupt_trigger_selection_object =
+    channels(sub_index(0, "Analogue input interrupt trigger selection #",
+                       entry(unsigned8, rw, no, 0x07, mask, trigger_fields)));
+inline constexpr auto analogue_input_interrupt_trigger_selection_object =
     array(0x6421, "Analogue input interrupt trigger selection",
           analogue_input_interrupt_trigger_selection_entries, "Which events an input causes.");
-inline constexpr auto analogue_input_interrupt_source_entries =
-    channels({.name = "Analogue input interrupt source bank #",
-              .type = DataType::unsigned32,
-              .initial = 0,
-              .value = mask},
-             8);
-inline constexpr ObjectInfo analogue_input_interrupt_source_object =
+inline constexpr auto analogue_input_interrupt_source_entries = channels(
+    sub_index(0, "Analogue input interrupt source bank #", entry(unsigned32, ro, no, 0, mask)), 8);
+inline constexpr auto analogue_input_interrupt_source_object =
     array(0x6422, "Analogue input interrupt source", analogue_input_interrupt_source_entries,
           "Which inputs caused an event, 32 in each bank; reading it clears it.");
-inline constexpr ObjectInfo analogue_input_global_interrupt_enable_object = {
-    .index = 0x6423,
-    .name = "Analogue input global interrupt enable",
-    .category = Category::optional,
-    .description =
-        "Whether analogue inputs cause events at all: no TPDO is sent for them until then.",
-    .entry = {.type = DataType::boolean,
-              .access = Access::rw,
-              .initial = 0,
-              .value = {.names = enabled_names}}};
+inline constexpr auto analogue_input_global_interrupt_enable_object =
+    var_object(0x6423, "Analogue input global interrupt enable", "",
+               "Whether analogue inputs cause events at all: no TPDO is sent for them until then.",
+               entry(boolean, rw, no, 0, enabled_names), {.category = Category::optional});
 inline constexpr auto analogue_input_interrupt_upper_limit_integer_entries =
     channels(parameter(DataType::integer32, "Analogue input interrupt upper limit integer #", 0));
-inline constexpr ObjectInfo analogue_input_interrupt_upper_limit_integer_object =
+inline constexpr auto analogue_input_interrupt_upper_limit_integer_object =
     array(0x6424, "Analogue input interrupt upper limit integer",
           analogue_input_interrupt_upper_limit_integer_entries,
           "An event, as long as the value is at or above it.");
 inline constexpr auto analogue_input_interrupt_lower_limit_integer_entries =
     channels(parameter(DataType::integer32, "Analogue input interrupt lower limit integer #", 0));
-inline constexpr ObjectInfo analogue_input_interrupt_lower_limit_integer_object =
+inline constexpr auto analogue_input_interrupt_lower_limit_integer_object =
     array(0x6425, "Analogue input interrupt lower limit integer",
           analogue_input_interrupt_lower_limit_integer_entries,
           "An event, as long as the value is below it.");
 inline constexpr auto analogue_input_interrupt_delta_unsigned_entries =
     channels(parameter(DataType::unsigned32, "Analogue input interrupt delta unsigned #", 0));
-inline constexpr ObjectInfo analogue_input_interrupt_delta_unsigned_object =
+inline constexpr auto analogue_input_interrupt_delta_unsigned_object =
     array(0x6426, "Analogue input interrupt delta unsigned",
           analogue_input_interrupt_delta_unsigned_entries,
           "An event when the value has changed by as much since the last one.");
 inline constexpr auto analogue_input_interrupt_negative_delta_unsigned_entries = channels(
     parameter(DataType::unsigned32, "Analogue input interrupt negative delta unsigned #", 0));
-inline constexpr ObjectInfo analogue_input_interrupt_negative_delta_unsigned_object = array(
+inline constexpr auto analogue_input_interrupt_negative_delta_unsigned_object = array(
     0x6427, "Analogue input interrupt negative delta unsigned",
     analogue_input_interrupt_negative_delta_unsigned_entries, "The same, of values that fall.");
 inline constexpr auto analogue_input_interrupt_positive_delta_unsigned_entries = channels(
     parameter(DataType::unsigned32, "Analogue input interrupt positive delta unsigned #", 0));
-inline constexpr ObjectInfo analogue_input_interrupt_positive_delta_unsigned_object = array(
+inline constexpr auto analogue_input_interrupt_positive_delta_unsigned_object = array(
     0x6428, "Analogue input interrupt positive delta unsigned",
     analogue_input_interrupt_positive_delta_unsigned_entries, "The same, of values that rise.");
 inline constexpr auto analogue_input_interrupt_upper_limit_float_entries =
     channels(parameter(DataType::real32, "Analogue input interrupt upper limit float #", 0));
-inline constexpr ObjectInfo analogue_input_interrupt_upper_limit_float_object =
+inline constexpr auto analogue_input_interrupt_upper_limit_float_object =
     array(0x6429, "Analogue input interrupt upper limit float",
           analogue_input_interrupt_upper_limit_float_entries, "As 6424h.");
 inline constexpr auto analogue_input_interrupt_lower_limit_float_entries =
     channels(parameter(DataType::real32, "Analogue input interrupt lower limit float #", 0));
-inline constexpr ObjectInfo analogue_input_interrupt_lower_limit_float_object =
+inline constexpr auto analogue_input_interrupt_lower_limit_float_object =
     array(0x642A, "Analogue input interrupt lower limit float",
           analogue_input_interrupt_lower_limit_float_entries, "As 6425h.");
 inline constexpr auto analogue_input_interrupt_delta_float_entries =
     channels(parameter(DataType::real32, "Analogue input interrupt delta float #", 0));
-inline constexpr ObjectInfo analogue_input_interrupt_delta_float_object =
+inline constexpr auto analogue_input_interrupt_delta_float_object =
     array(0x642B, "Analogue input interrupt delta float",
           analogue_input_interrupt_delta_float_entries, "As 6426h.");
 inline constexpr auto analogue_input_interrupt_negative_delta_float_entries =
     channels(parameter(DataType::real32, "Analogue input interrupt negative delta float #", 0));
-inline constexpr ObjectInfo analogue_input_interrupt_negative_delta_float_object =
+inline constexpr auto analogue_input_interrupt_negative_delta_float_object =
     array(0x642C, "Analogue input interrupt negative delta float",
           analogue_input_interrupt_negative_delta_float_entries, "As 6427h.");
 inline constexpr auto analogue_input_interrupt_positive_delta_float_entries =
     channels(parameter(DataType::real32, "Analogue input interrupt positive delta float #", 0));
-inline constexpr ObjectInfo analogue_input_interrupt_positive_delta_float_object =
+inline constexpr auto analogue_input_interrupt_positive_delta_float_object =
     array(0x642D, "Analogue input interrupt positive delta float",
           analogue_input_interrupt_positive_delta_float_entries, "As 6428h.");
 inline constexpr auto analogue_input_offset_float_entries =
     channels(parameter(DataType::real32, "Analogue input offset float #", 0));
-inline constexpr ObjectInfo analogue_input_offset_float_object =
+inline constexpr auto analogue_input_offset_float_object =
     array(0x642E, "Analogue input offset float", analogue_input_offset_float_entries,
           "Added to the scaled value of 6403h.");
 inline constexpr auto analogue_input_scaling_float_entries =
     channels(parameter(DataType::real32, "Analogue input scaling float #", 0x3F80'0000));
-inline constexpr ObjectInfo analogue_input_scaling_float_object =
+inline constexpr auto analogue_input_scaling_float_object =
     array(0x642F, "Analogue input scaling float", analogue_input_scaling_float_entries,
           "Multiplies the value of 6403h; 1.0 by default.");
 inline constexpr auto analogue_input_si_unit_entries = channels(parameter(
     DataType::unsigned32, "Analogue input SI unit #", 0, {.notation = Notation::hexadecimal}));
-inline constexpr ObjectInfo analogue_input_si_unit_object =
+inline constexpr auto analogue_input_si_unit_object =
     array(0x6430, "Analogue input SI unit", analogue_input_si_unit_entries,
           "Unit and prefix, by CiA 303-2.");
 inline constexpr auto analogue_input_offset_integer_entries =
     channels(parameter(DataType::integer32, "Analogue input offset integer #", 0));
-inline constexpr ObjectInfo analogue_input_offset_integer_object =
+inline constexpr auto analogue_input_offset_integer_object =
     array(0x6431, "Analogue input offset integer", analogue_input_offset_integer_entries,
           "Added to the scaled value of the integer objects.");
 inline constexpr auto analogue_input_scaling_integer_entries =
     channels(parameter(DataType::integer32, "Analogue input scaling integer #", 1));
-inline constexpr ObjectInfo analogue_input_scaling_integer_object =
+inline constexpr auto analogue_input_scaling_integer_object =
     array(0x6432, "Analogue input scaling integer", analogue_input_scaling_integer_entries,
           "Multiplies the value of the integer objects.");
 
@@ -171,42 +154,42 @@ inline constexpr ObjectInfo analogue_input_scaling_integer_object =
 
 inline constexpr auto analogue_output_offset_float_entries =
     channels(parameter(DataType::real32, "Analogue output offset float #", 0));
-inline constexpr ObjectInfo analogue_output_offset_float_object =
+inline constexpr auto analogue_output_offset_float_object =
     array(0x6441, "Analogue output offset float", analogue_output_offset_float_entries,
           "Added to the scaled value of 6413h.");
 inline constexpr auto analogue_output_scaling_float_entries =
     channels(parameter(DataType::real32, "Analogue output scaling float #", 0x3F80'0000));
-inline constexpr ObjectInfo analogue_output_scaling_float_object =
+inline constexpr auto analogue_output_scaling_float_object =
     array(0x6442, "Analogue output scaling float", analogue_output_scaling_float_entries,
           "Multiplies the value of 6413h; 1.0 by default.");
 inline constexpr auto analogue_output_error_mode_entries = channels(parameter(
     DataType::unsigned8, "Analogue output error mode #", 1, {.names = error_mode_byte_names}));
-inline constexpr ObjectInfo analogue_output_error_mode_object =
+inline constexpr auto analogue_output_error_mode_object =
     array(0x6443, "Analogue output error mode", analogue_output_error_mode_entries,
           "Whether an output takes its error value when the device fails.");
 inline constexpr auto analogue_output_error_value_integer_entries =
     channels(parameter(DataType::integer32, "Analogue output error value integer #", 0));
-inline constexpr ObjectInfo analogue_output_error_value_integer_object = array(
+inline constexpr auto analogue_output_error_value_integer_object = array(
     0x6444, "Analogue output error value integer", analogue_output_error_value_integer_entries,
     "What the output of an integer object is set to.");
 inline constexpr auto analogue_output_error_value_float_entries =
     channels(parameter(DataType::real32, "Analogue output error value float #", 0));
-inline constexpr ObjectInfo analogue_output_error_value_float_object =
+inline constexpr auto analogue_output_error_value_float_object =
     array(0x6445, "Analogue output error value float", analogue_output_error_value_float_entries,
           "What the output of 6413h is set to.");
 inline constexpr auto analogue_output_offset_integer_entries =
     channels(parameter(DataType::integer32, "Analogue output offset integer #", 0));
-inline constexpr ObjectInfo analogue_output_offset_integer_object =
+inline constexpr auto analogue_output_offset_integer_object =
     array(0x6446, "Analogue output offset integer", analogue_output_offset_integer_entries,
           "Added to the scaled value of the integer objects.");
 inline constexpr auto analogue_output_scaling_integer_entries =
     channels(parameter(DataType::integer32, "Analogue output scaling integer #", 1));
-inline constexpr ObjectInfo analogue_output_scaling_integer_object =
+inline constexpr auto analogue_output_scaling_integer_object =
     array(0x6447, "Analogue output scaling integer", analogue_output_scaling_integer_entries,
           "Multiplies the value of the integer objects.");
 inline constexpr auto analogue_output_si_unit_entries = channels(parameter(
     DataType::unsigned32, "Analogue output SI unit #", 0, {.notation = Notation::hexadecimal}));
-inline constexpr ObjectInfo analogue_output_si_unit_object =
+inline constexpr auto analogue_output_si_unit_object =
     array(0x6450, "Analogue output SI unit", analogue_output_si_unit_entries,
           "Unit and prefix, by CiA 303-2.");
 

@@ -4,9 +4,11 @@
 //     .entry = {.type = DataType::unsigned8, .value = {.names = cia401::error_mode_names}}
 #pragma once
 
-#include "canvoy/profiles/description.hpp"
+#include "canvoy/profiles/rows.hpp"
 
 namespace canvoy::cia401 {
+
+using namespace rows;  // NOLINT(google-build-using-namespace): the columns of its tables
 
 /// What an output does when the device fails or is stopped (6206h, 6443h and their like).
 enum class ErrorMode : std::uint8_t { keep = 0, take_error_value = 1 };
@@ -28,7 +30,7 @@ inline constexpr std::uint8_t channels_max = 254;
 
 /// Sub-index 00h of all arrays.
 constexpr EntryInfo number_of_channels(std::string_view name) {
-  return {.name = name, .initial = highest_sub()};
+  return sub_index(0, name, entry(unsigned8, ro, no, highest_sub()));
 }
 /// An array with as many inputs or outputs as the device has.
 constexpr std::array<EntryInfo, 2> channels(EntryInfo each, std::uint8_t last = channels_max) {
@@ -38,16 +40,15 @@ constexpr std::array<EntryInfo, 2> channels(EntryInfo each, std::uint8_t last = 
 }
 /// Values from the process: those of inputs to be read, those of outputs to be written.
 constexpr EntryInfo input(DataType type, std::string_view name) {
-  return {.name = name, .type = type, .access = Access::ro, .mapping = Mapping::optional};
+  return sub_index(0, name, entry(type, ro, optional));
 }
 constexpr EntryInfo output(DataType type, std::string_view name) {
-  return {
-      .name = name, .type = type, .access = Access::rw, .mapping = Mapping::optional, .initial = 0};
+  return sub_index(0, name, entry(type, rw, optional, 0));
 }
 /// What configures an input or output.
 constexpr EntryInfo parameter(DataType type, std::string_view name, Default initial,
                               const ValueInfo& value = {}) {
-  return {.name = name, .type = type, .access = Access::rw, .initial = initial, .value = value};
+  return sub_index(0, name, entry(type, rw, no, initial, value));
 }
 constexpr EntryInfo by_default(EntryInfo entry) {
   entry.mapping = Mapping::by_default;
@@ -57,12 +58,7 @@ constexpr EntryInfo by_default(EntryInfo entry) {
 constexpr ObjectInfo array(std::uint16_t index, std::string_view name,
                            const std::array<EntryInfo, 2>& entries,
                            std::string_view description = {}) {
-  return {.index = index,
-          .code = ObjectCode::array,
-          .name = name,
-          .category = Category::optional,
-          .description = description,
-          .subs = entries};
+  return array_object(index, name, "", description, entries, {.category = Category::optional});
 }
 
 }  // namespace canvoy::cia401

@@ -1,7 +1,7 @@
 // How the objects of CiA 402 are shaped. The text of CiA 402 is not at hand: see cia402.hpp.
 //
-//     inline constexpr ObjectInfo polarity_object =
-//         variable(0x607E, "Polarity", {.type = DataType::unsigned8, .access = Access::rw});
+//     inline constexpr auto polarity_object =
+//         variable(0x607E, "Polarity", entry(unsigned8, rw));
 #pragma once
 
 #include <array>
@@ -13,20 +13,11 @@ namespace canvoy::cia402 {
 
 constexpr ObjectInfo variable(std::uint16_t index, std::string_view name, const EntryInfo& entry,
                               std::string_view description = {}) {
-  return {.index = index,
-          .name = name,
-          .category = Category::optional,
-          .description = description,
-          .entry = entry};
+  return var_object(index, name, "", description, entry, {.category = Category::optional});
 }
 constexpr ObjectInfo array(std::uint16_t index, std::string_view name, Items<EntryInfo> entries,
                            std::string_view description = {}) {
-  return {.index = index,
-          .code = ObjectCode::array,
-          .name = name,
-          .category = Category::optional,
-          .description = description,
-          .subs = entries};
+  return array_object(index, name, "", description, entries, {.category = Category::optional});
 }
 /// Sub-index 00h and two entries of one shape.
 constexpr std::array<EntryInfo, 3> pair(EntryInfo each, std::string_view first,

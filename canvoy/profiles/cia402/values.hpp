@@ -6,18 +6,11 @@
 
 #include <cstdint>
 
-#include "canvoy/profiles/description.hpp"
+#include "canvoy/profiles/rows.hpp"
 
 namespace canvoy::cia402 {
 
-constexpr FieldInfo field(unsigned first_bit, unsigned bits, std::string_view name,
-                          Items<NamedValue> names = {}, std::string_view description = {}) {
-  return {.first_bit = static_cast<std::uint8_t>(first_bit),
-          .bits = static_cast<std::uint8_t>(bits),
-          .name = name,
-          .value = {.names = names},
-          .description = description};
-}
+using namespace rows;  // NOLINT(google-build-using-namespace): the columns of its tables
 
 /// Quick stop is requested, or active, while the bit is 0.
 inline constexpr NamedValue quick_stop_names[] = {{0, "quick stop"}, {1, "no quick stop"}};
@@ -36,10 +29,10 @@ inline constexpr FieldInfo controlword_fields[] = {
     field(1, 1, "Enable voltage"),
     field(2, 1, "Quick stop", quick_stop_names),
     field(3, 1, "Enable operation"),
-    field(4, 1, "New set-point", {}, "Profile position mode; in homing mode it starts the homing."),
-    field(5, 1, "Change set immediately", {}, "Profile position mode."),
-    field(6, 1, "Relative", {}, "Profile position mode: from the last target on."),
-    field(7, 1, "Fault reset", {}, "By its edge from 0 to 1."),
+    field(4, 1, "New set-point", "Profile position mode; in homing mode it starts the homing."),
+    field(5, 1, "Change set immediately", "Profile position mode."),
+    field(6, 1, "Relative", "Profile position mode: from the last target on."),
+    field(7, 1, "Fault reset", "By its edge from 0 to 1."),
     field(8, 1, "Halt"),
     field(9, 1, "Operation mode specific"),
     field(10, 1, "reserved", reserved_1),
@@ -60,9 +53,9 @@ inline constexpr FieldInfo statusword_fields[] = {
     field(9, 1, "Remote"),
     field(10, 1, "Target reached"),
     field(11, 1, "Internal limit active"),
-    field(12, 1, "Set-point acknowledge, speed 0 or homing attained", {},
+    field(12, 1, "Set-point acknowledge, speed 0 or homing attained",
           "Profile position, profile velocity, homing mode."),
-    field(13, 1, "Following error, max slippage or homing error", {},
+    field(13, 1, "Following error, max slippage or homing error",
           "Profile position, profile velocity, homing mode."),
     field(14, 2, "Manufacturer-specific bits", manufacturer_2),
 };

@@ -19,309 +19,156 @@ constexpr std::array<EntryInfo, 2> channels(EntryInfo each) {
 
 // Parameters, positions and speeds.
 
-inline constexpr ObjectInfo operating_parameters_object = {
-    .index = 0x6000,
-    .name = "Operating parameters",
-    .category = Category::optional,
-    .description = "How the encoder counts.",
-    .entry = {.type = DataType::unsigned16,
-              .access = Access::rw,
-              .initial = 0,
-              .value = {.notation = Notation::bit_mask},
-              .fields = operating_fields}};
-inline constexpr ObjectInfo measuring_units_per_revolution_object = {
-    .index = 0x6001,
-    .name = "Measuring units per revolution",
-    .category = Category::optional,
-    .description = "Of rotary encoders.",
-    .entry = {.type = DataType::unsigned32, .access = Access::rw}};
-inline constexpr ObjectInfo total_measuring_range_in_measuring_units_object = {
-    .index = 0x6002,
-    .name = "Total measuring range in measuring units",
-    .category = Category::optional,
-    .description = "Where the count begins anew.",
-    .entry = {.type = DataType::unsigned32, .access = Access::rw}};
-inline constexpr ObjectInfo preset_value_object = {
-    .index = 0x6003,
-    .name = "Preset value",
-    .category = Category::optional,
-    .description = "What the position is to be where the encoder now is.",
-    .entry = {.type = DataType::unsigned32, .access = Access::rw}};
-inline constexpr ObjectInfo position_value_object = {
-    .index = 0x6004,
-    .name = "Position value",
-    .category = Category::optional,
-    .description = "Where the encoder is.",
-    .entry = {.type = DataType::unsigned32, .access = Access::ro, .mapping = Mapping::by_default}};
+inline constexpr auto operating_parameters_object =
+    var_object(0x6000, "Operating parameters", "", "How the encoder counts.",
+               entry(unsigned16, rw, no, 0, {.notation = Notation::bit_mask}, operating_fields),
+               {.category = Category::optional});
+inline constexpr auto measuring_units_per_revolution_object =
+    var_object(0x6001, "Measuring units per revolution", "", "Of rotary encoders.",
+               entry(unsigned32, rw), {.category = Category::optional});
+inline constexpr auto total_measuring_range_in_measuring_units_object = var_object(
+    0x6002, "Total measuring range in measuring units", "", "Where the count begins anew.",
+    entry(unsigned32, rw), {.category = Category::optional});
+inline constexpr auto preset_value_object =
+    var_object(0x6003, "Preset value", "", "What the position is to be where the encoder now is.",
+               entry(unsigned32, rw), {.category = Category::optional});
+inline constexpr auto position_value_object =
+    var_object(0x6004, "Position value", "", "Where the encoder is.",
+               entry(unsigned32, ro, by_default), {.category = Category::optional});
 inline constexpr auto linear_encoder_measuring_step_settings_entries =
-    channels({.name = "Measuring step #", .type = DataType::unsigned32, .access = Access::rw});
-inline constexpr ObjectInfo linear_encoder_measuring_step_settings_object = {
-    .index = 0x6005,
-    .code = ObjectCode::array,
-    .name = "Linear encoder measuring step settings",
-    .category = Category::optional,
-    .description = "What one count of a linear encoder is.",
-    .subs = linear_encoder_measuring_step_settings_entries};
-inline constexpr auto preset_values_for_multi_sensor_devices_entries = channels(
-    {.name = "Preset value channel #", .type = DataType::unsigned32, .access = Access::rw});
-inline constexpr ObjectInfo preset_values_for_multi_sensor_devices_object = {
-    .index = 0x6010,
-    .code = ObjectCode::array,
-    .name = "Preset values for multi-sensor devices",
-    .category = Category::optional,
-    .description = "As 6003h.",
-    .subs = preset_values_for_multi_sensor_devices_entries};
+    channels(sub_index(0, "Measuring step #", entry(unsigned32, rw)));
+inline constexpr auto linear_encoder_measuring_step_settings_object = array_object(
+    0x6005, "Linear encoder measuring step settings", "", "What one count of a linear encoder is.",
+    linear_encoder_measuring_step_settings_entries, {.category = Category::optional});
+inline constexpr auto preset_values_for_multi_sensor_devices_entries =
+    channels(sub_index(0, "Preset value channel #", entry(unsigned32, rw)));
+inline constexpr auto preset_values_for_multi_sensor_devices_object =
+    array_object(0x6010, "Preset values for multi-sensor devices", "", "As 6003h.",
+                 preset_values_for_multi_sensor_devices_entries, {.category = Category::optional});
 inline constexpr auto position_values_for_multi_sensor_devices_entries =
-    channels({.name = "Position value channel #",
-              .type = DataType::integer32,
-              .access = Access::ro,
-              .mapping = Mapping::optional});
-inline constexpr ObjectInfo position_values_for_multi_sensor_devices_object = {
-    .index = 0x6020,
-    .code = ObjectCode::array,
-    .name = "Position values for multi-sensor devices",
-    .category = Category::optional,
-    .description = "As 6004h, with a sign.",
-    .subs = position_values_for_multi_sensor_devices_entries};
-inline constexpr auto speed_value_entries = channels({.name = "Speed value channel #",
-                                                      .type = DataType::integer16,
-                                                      .access = Access::ro,
-                                                      .mapping = Mapping::optional});
-inline constexpr ObjectInfo speed_value_object = {.index = 0x6030,
-                                                  .code = ObjectCode::array,
-                                                  .name = "Speed value",
-                                                  .category = Category::optional,
-                                                  .description = "How fast the position changes.",
-                                                  .subs = speed_value_entries};
-inline constexpr auto acceleration_value_entries = channels({.name = "Acceleration value channel #",
-                                                             .type = DataType::integer16,
-                                                             .access = Access::ro,
-                                                             .mapping = Mapping::optional});
-inline constexpr ObjectInfo acceleration_value_object = {
-    .index = 0x6040,
-    .code = ObjectCode::array,
-    .name = "Acceleration value",
-    .category = Category::optional,
-    .description = "How fast the speed changes.",
-    .subs = acceleration_value_entries};
-inline constexpr ObjectInfo cyclic_timer_object = {
-    .index = 0x6200,
-    .name = "Cyclic timer",
-    .category = Category::optional,
-    .description = "The event timer of TPDO 1.",
-    .entry = {
-        .type = DataType::unsigned16, .access = Access::rw, .value = {.unit = Unit::millisecond}}};
+    channels(sub_index(0, "Position value channel #", entry(integer32, ro, optional)));
+inline constexpr auto position_values_for_multi_sensor_devices_object = array_object(
+    0x6020, "Position values for multi-sensor devices", "", "As 6004h, with a sign.",
+    position_values_for_multi_sensor_devices_entries, {.category = Category::optional});
+inline constexpr auto speed_value_entries =
+    channels(sub_index(0, "Speed value channel #", entry(integer16, ro, optional)));
+inline constexpr auto speed_value_object =
+    array_object(0x6030, "Speed value", "", "How fast the position changes.", speed_value_entries,
+                 {.category = Category::optional});
+inline constexpr auto acceleration_value_entries =
+    channels(sub_index(0, "Acceleration value channel #", entry(integer16, ro, optional)));
+inline constexpr auto acceleration_value_object =
+    array_object(0x6040, "Acceleration value", "", "How fast the speed changes.",
+                 acceleration_value_entries, {.category = Category::optional});
+inline constexpr auto cyclic_timer_object = var_object(
+    0x6200, "Cyclic timer", "", "The event timer of TPDO 1.",
+    entry(unsigned16, rw, no, {}, {.unit = Unit::millisecond}), {.category = Category::optional});
 
 // Cams and work areas.
 
-inline constexpr auto cam_state_register_entries =
-    channels({.name = "CAM state channel #",
-              .type = DataType::unsigned8,
-              .access = Access::ro,
-              .mapping = Mapping::optional,
-              .value = {.notation = Notation::bit_mask},
-              .fields = cam_state_fields});
-inline constexpr ObjectInfo cam_state_register_object = {
-    .index = 0x6300,
-    .code = ObjectCode::array,
-    .name = "CAM state register",
-    .category = Category::optional,
-    .description = "Which cams the position is on.",
-    .subs = cam_state_register_entries};
-inline constexpr auto cam_enable_register_entries =
-    channels({.name = "CAM enable channel #",
-              .type = DataType::unsigned8,
-              .access = Access::rw,
-              .mapping = Mapping::optional,
-              .initial = 0,
-              .value = {.notation = Notation::bit_mask},
-              .fields = cam_enable_fields});
-inline constexpr ObjectInfo cam_enable_register_object = {
-    .index = 0x6301,
-    .code = ObjectCode::array,
-    .name = "CAM enable register",
-    .category = Category::optional,
-    .description = "Which cams are worked out.",
-    .subs = cam_enable_register_entries};
-inline constexpr auto cam_polarity_register_entries =
-    channels({.name = "CAM polarity channel #",
-              .type = DataType::unsigned8,
-              .access = Access::rw,
-              .mapping = Mapping::optional,
-              .initial = 0,
-              .value = {.notation = Notation::bit_mask},
-              .fields = cam_polarity_fields});
-inline constexpr ObjectInfo cam_polarity_register_object = {
-    .index = 0x6302,
-    .code = ObjectCode::array,
-    .name = "CAM polarity register",
-    .category = Category::optional,
-    .description = "Which cams are inverted.",
-    .subs = cam_polarity_register_entries};
+inline constexpr auto cam_state_register_entries = channels(sub_index(
+    0, "CAM state channel #",
+    entry(unsigned8, ro, optional, {}, {.notation = Notation::bit_mask}, cam_state_fields)));
+inline constexpr auto cam_state_register_object =
+    array_object(0x6300, "CAM state register", "", "Which cams the position is on.",
+                 cam_state_register_entries, {.category = Category::optional});
+inline constexpr auto cam_enable_register_entries = channels(sub_index(
+    0, "CAM enable channel #",
+    entry(unsigned8, rw, optional, 0, {.notation = Notation::bit_mask}, cam_enable_fields)));
+inline constexpr auto cam_enable_register_object =
+    array_object(0x6301, "CAM enable register", "", "Which cams are worked out.",
+                 cam_enable_register_entries, {.category = Category::optional});
+inline constexpr auto cam_polarity_register_entries = channels(sub_index(
+    0, "CAM polarity channel #",
+    entry(unsigned8, rw, optional, 0, {.notation = Notation::bit_mask}, cam_polarity_fields)));
+inline constexpr auto cam_polarity_register_object =
+    array_object(0x6302, "CAM polarity register", "", "Which cams are inverted.",
+                 cam_polarity_register_entries, {.category = Category::optional});
 inline constexpr auto cam_low_limit_entries =
-    channels({.name = "Low limit channel #", .type = DataType::integer32, .access = Access::rw});
-inline constexpr ObjectInfo cam_low_limit_object = {.index = 0x6310,
-                                                    .count = 8,
-                                                    .code = ObjectCode::array,
-                                                    .name = "CAM # low limit",
-                                                    .category = Category::optional,
-                                                    .description = "Where the cam begins.",
-                                                    .subs = cam_low_limit_entries};
+    channels(sub_index(0, "Low limit channel #", entry(integer32, rw)));
+inline constexpr auto cam_low_limit_object =
+    array_object(0x6310, "CAM # low limit", "", "Where the cam begins.", cam_low_limit_entries,
+                 {.count = 8, .category = Category::optional});
 inline constexpr auto cam_high_limit_entries =
-    channels({.name = "High limit channel #", .type = DataType::integer32, .access = Access::rw});
-inline constexpr ObjectInfo cam_high_limit_object = {.index = 0x6320,
-                                                     .count = 8,
-                                                     .code = ObjectCode::array,
-                                                     .name = "CAM # high limit",
-                                                     .category = Category::optional,
-                                                     .description = "Where the cam ends.",
-                                                     .subs = cam_high_limit_entries};
+    channels(sub_index(0, "High limit channel #", entry(integer32, rw)));
+inline constexpr auto cam_high_limit_object =
+    array_object(0x6320, "CAM # high limit", "", "Where the cam ends.", cam_high_limit_entries,
+                 {.count = 8, .category = Category::optional});
 inline constexpr auto cam_hysteresis_entries =
-    channels({.name = "Hysteresis channel #", .type = DataType::unsigned16, .access = Access::rw});
-inline constexpr ObjectInfo cam_hysteresis_object = {
-    .index = 0x6330,
-    .count = 8,
-    .code = ObjectCode::array,
-    .name = "CAM # hysteresis",
-    .category = Category::optional,
-    .description = "How far the position has to leave the cam again.",
-    .subs = cam_hysteresis_entries};
-inline constexpr auto area_state_register_entries =
-    channels({.name = "Work area state channel #",
-              .type = DataType::unsigned8,
-              .access = Access::ro,
-              .mapping = Mapping::optional,
-              .value = {.notation = Notation::bit_mask},
-              .fields = area_state_fields});
-inline constexpr ObjectInfo area_state_register_object = {
-    .index = 0x6400,
-    .code = ObjectCode::array,
-    .name = "Area state register",
-    .category = Category::optional,
-    .description = "Whether the position is within the work area.",
-    .subs = area_state_register_entries};
-inline constexpr auto work_area_low_limit_entries = channels(
-    {.name = "Work area low limit channel #", .type = DataType::integer32, .access = Access::rw});
-inline constexpr ObjectInfo work_area_low_limit_object = {.index = 0x6401,
-                                                          .code = ObjectCode::array,
-                                                          .name = "Work area low limit",
-                                                          .category = Category::optional,
-                                                          .subs = work_area_low_limit_entries};
-inline constexpr auto work_area_high_limit_entries = channels(
-    {.name = "Work area high limit channel #", .type = DataType::integer32, .access = Access::rw});
-inline constexpr ObjectInfo work_area_high_limit_object = {.index = 0x6402,
-                                                           .code = ObjectCode::array,
-                                                           .name = "Work area high limit",
-                                                           .category = Category::optional,
-                                                           .subs = work_area_high_limit_entries};
+    channels(sub_index(0, "Hysteresis channel #", entry(unsigned16, rw)));
+inline constexpr auto cam_hysteresis_object =
+    array_object(0x6330, "CAM # hysteresis", "", "How far the position has to leave the cam again.",
+                 cam_hysteresis_entries, {.count = 8, .category = Category::optional});
+inline constexpr auto area_state_register_entries = channels(sub_index(
+    0, "Work area state channel #",
+    entry(unsigned8, ro, optional, {}, {.notation = Notation::bit_mask}, area_state_fields)));
+inline constexpr auto area_state_register_object =
+    array_object(0x6400, "Area state register", "", "Whether the position is within the work area.",
+                 area_state_register_entries, {.category = Category::optional});
+inline constexpr auto work_area_low_limit_entries =
+    channels(sub_index(0, "Work area low limit channel #", entry(integer32, rw)));
+inline constexpr auto work_area_low_limit_object =
+    array_object(0x6401, "Work area low limit", "", "", work_area_low_limit_entries,
+                 {.category = Category::optional});
+inline constexpr auto work_area_high_limit_entries =
+    channels(sub_index(0, "Work area high limit channel #", entry(integer32, rw)));
+inline constexpr auto work_area_high_limit_object =
+    array_object(0x6402, "Work area high limit", "", "", work_area_high_limit_entries,
+                 {.category = Category::optional});
 
 // What the encoder says of itself.
 
-inline constexpr ObjectInfo operating_status_object = {
-    .index = 0x6500,
-    .name = "Operating status",
-    .category = Category::optional,
-    .description = "What of 6000h holds.",
-    .entry = {.type = DataType::unsigned16,
-              .access = Access::ro,
-              .value = {.notation = Notation::bit_mask},
-              .fields = operating_fields}};
-inline constexpr ObjectInfo single_turn_resolution_object = {
-    .index = 0x6501,
-    .name = "Single-turn resolution",
-    .category = Category::optional,
-    .description = "Steps in a revolution, or the step of a linear encoder.",
-    .entry = {.type = DataType::unsigned32, .access = Access::ro}};
-inline constexpr ObjectInfo number_of_distinguishable_revolutions_object = {
-    .index = 0x6502,
-    .name = "Number of distinguishable revolutions",
-    .category = Category::optional,
-    .entry = {.type = DataType::unsigned16, .access = Access::ro}};
-inline constexpr ObjectInfo alarms_object = {.index = 0x6503,
-                                             .name = "Alarms",
-                                             .category = Category::optional,
-                                             .description = "The position may be wrong.",
-                                             .entry = {.type = DataType::unsigned16,
-                                                       .access = Access::ro,
-                                                       .mapping = Mapping::optional,
-                                                       .value = {.notation = Notation::bit_mask},
-                                                       .fields = alarm_fields}};
-inline constexpr ObjectInfo supported_alarms_object = {
-    .index = 0x6504,
-    .name = "Supported alarms",
-    .category = Category::optional,
-    .entry = {.type = DataType::unsigned16,
-              .access = Access::ro,
-              .value = {.notation = Notation::bit_mask},
-              .fields = alarm_fields}};
-inline constexpr ObjectInfo warnings_object = {
-    .index = 0x6505,
-    .name = "Warnings",
-    .category = Category::optional,
-    .description = "The position is good, but something is near its limit.",
-    .entry = {.type = DataType::unsigned16,
-              .access = Access::ro,
-              .mapping = Mapping::optional,
-              .value = {.notation = Notation::bit_mask},
-              .fields = warning_fields}};
-inline constexpr ObjectInfo supported_warnings_object = {
-    .index = 0x6506,
-    .name = "Supported warnings",
-    .category = Category::optional,
-    .entry = {.type = DataType::unsigned16,
-              .access = Access::ro,
-              .value = {.notation = Notation::bit_mask},
-              .fields = warning_fields}};
-inline constexpr ObjectInfo profile_and_software_version_object = {
-    .index = 0x6507,
-    .name = "Profile and software version",
-    .category = Category::optional,
-    .entry = {.type = DataType::unsigned32,
-              .access = Access::ro,
-              .value = {.notation = Notation::hexadecimal}}};
-inline constexpr ObjectInfo operating_time_object = {
-    .index = 0x6508,
-    .name = "Operating time",
-    .category = Category::optional,
-    .description = "Since the encoder was made.",
-    .entry = {.type = DataType::unsigned32, .access = Access::ro, .value = tenths_of_an_hour}};
-inline constexpr ObjectInfo offset_value_object = {
-    .index = 0x6509,
-    .name = "Offset value",
-    .category = Category::optional,
-    .description = "What the preset has added to the measured position.",
-    .entry = {.type = DataType::integer32, .access = Access::ro}};
+inline constexpr auto operating_status_object =
+    var_object(0x6500, "Operating status", "", "What of 6000h holds.",
+               entry(unsigned16, ro, no, {}, {.notation = Notation::bit_mask}, operating_fields),
+               {.category = Category::optional});
+inline constexpr auto single_turn_resolution_object = var_object(
+    0x6501, "Single-turn resolution", "", "Steps in a revolution, or the step of a linear encoder.",
+    entry(unsigned32, ro), {.category = Category::optional});
+inline constexpr auto number_of_distinguishable_revolutions_object =
+    var_object(0x6502, "Number of distinguishable revolutions", "", "", entry(unsigned16, ro),
+               {.category = Category::optional});
+inline constexpr auto alarms_object =
+    var_object(0x6503, "Alarms", "", "The position may be wrong.",
+               entry(unsigned16, ro, optional, {}, {.notation = Notation::bit_mask}, alarm_fields),
+               {.category = Category::optional});
+inline constexpr auto supported_alarms_object =
+    var_object(0x6504, "Supported alarms", "", "",
+               entry(unsigned16, ro, no, {}, {.notation = Notation::bit_mask}, alarm_fields),
+               {.category = Category::optional});
+inline constexpr auto warnings_object = var_object(
+    0x6505, "Warnings", "", "The position is good, but something is near its limit.",
+    entry(unsigned16, ro, optional, {}, {.notation = Notation::bit_mask}, warning_fields),
+    {.category = Category::optional});
+inline constexpr auto supported_warnings_object =
+    var_object(0x6506, "Supported warnings", "", "",
+               entry(unsigned16, ro, no, {}, {.notation = Notation::bit_mask}, warning_fields),
+               {.category = Category::optional});
+inline constexpr auto profile_and_software_version_object =
+    var_object(0x6507, "Profile and software version", "", "",
+               entry(unsigned32, ro, no, {}, {.notation = Notation::hexadecimal}),
+               {.category = Category::optional});
+inline constexpr auto operating_time_object =
+    var_object(0x6508, "Operating time", "", "Since the encoder was made.",
+               entry(unsigned32, ro, no, {}, tenths_of_an_hour), {.category = Category::optional});
+inline constexpr auto offset_value_object =
+    var_object(0x6509, "Offset value", "", "What the preset has added to the measured position.",
+               entry(integer32, ro), {.category = Category::optional});
 inline constexpr EntryInfo module_identification_entries[] = {
-    cia301::highest_sub_index,
-    {.sub_first = 1, .name = "Manufacturer offset value", .type = DataType::integer32},
-    {.sub_first = 2,
-     .name = "Manufacturer minimum position value",
-     .type = DataType::integer32,
-     .category = Category::optional},
-    {.sub_first = 3,
-     .name = "Manufacturer maximum position value",
-     .type = DataType::integer32,
-     .category = Category::optional}};
-inline constexpr ObjectInfo module_identification_object = {
-    .index = 0x650A,
-    .code = ObjectCode::array,
-    .name = "Module identification",
-    .category = Category::optional,
-    .description = "Offset and range as the maker has set them.",
-    .subs = module_identification_entries};
-inline constexpr ObjectInfo serial_number_object = {
-    .index = 0x650B,
-    .name = "Serial number",
-    .category = Category::optional,
-    .entry = {.type = DataType::unsigned32, .access = Access::ro}};
+    cia301::highest_sub_index, sub_index(1, "Manufacturer offset value", entry(integer32, ro)),
+    sub_index(2, "Manufacturer minimum position value", entry(integer32, ro),
+              {.category = Category::optional}),
+    sub_index(3, "Manufacturer maximum position value", entry(integer32, ro),
+              {.category = Category::optional})};
+inline constexpr auto module_identification_object =
+    array_object(0x650A, "Module identification", "", "Offset and range as the maker has set them.",
+                 module_identification_entries, {.category = Category::optional});
+inline constexpr auto serial_number_object = var_object(
+    0x650B, "Serial number", "", "", entry(unsigned32, ro), {.category = Category::optional});
 inline constexpr auto offset_values_for_multi_sensor_devices_entries =
-    channels({.name = "Offset value channel #", .type = DataType::integer32, .access = Access::ro});
-inline constexpr ObjectInfo offset_values_for_multi_sensor_devices_object = {
-    .index = 0x650C,
-    .code = ObjectCode::array,
-    .name = "Offset values for multi-sensor devices",
-    .category = Category::optional,
-    .description = "As 6509h.",
-    .subs = offset_values_for_multi_sensor_devices_entries};
+    channels(sub_index(0, "Offset value channel #", entry(integer32, ro)));
+inline constexpr auto offset_values_for_multi_sensor_devices_object =
+    array_object(0x650C, "Offset values for multi-sensor devices", "", "As 6509h.",
+                 offset_values_for_multi_sensor_devices_entries, {.category = Category::optional});
 
 }  // namespace canvoy::cia406

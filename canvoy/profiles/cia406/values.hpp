@@ -3,18 +3,12 @@
 //     .fields = cia406::alarm_fields
 #pragma once
 
-#include "canvoy/profiles/description.hpp"
+#include "canvoy/profiles/rows.hpp"
 
 namespace canvoy::cia406 {
 
-constexpr FieldInfo field(unsigned first_bit, unsigned bits, std::string_view name,
-                          Items<NamedValue> names = {}, std::string_view description = {}) {
-  return {.first_bit = static_cast<std::uint8_t>(first_bit),
-          .bits = static_cast<std::uint8_t>(bits),
-          .name = name,
-          .value = {.names = names},
-          .description = description};
-}
+using namespace rows;  // NOLINT(google-build-using-namespace): the columns of its tables
+
 template <unsigned bits>
 inline constexpr NamedValue reserved[] = {
     {0, "0", Meaning::padding}, {1ULL, (1ULL << bits) - 1, "reserved", Meaning::reserved}};

@@ -10,43 +10,32 @@ namespace canvoy::cia407 {
 
 inline constexpr ValueInfo passengers = {.counting = Counting::counts};
 inline constexpr FieldInfo passenger_counting_fields[] = {
-    {.first_bit = 0, .bits = 8, .name = "number of outgoing passengers", .value = passengers},
-    {.first_bit = 8, .bits = 8, .name = "number of incoming passengers", .value = passengers},
+    field(0, 8, "number of outgoing passengers", passengers),
+    field(8, 8, "number of incoming passengers", passengers),
 };
-inline constexpr ObjectInfo passenger_counting_in_and_out_per_door_object =
+inline constexpr auto passenger_counting_in_and_out_per_door_object =
     variable(0x6700, "passenger_counting_in_and_out_per_door", "9.2.25.1",
              "How many passengers came in and went out by the door.",
-             {.type = DataType::unsigned16,
-              .mapping = Mapping::optional,
-              .initial = 0,
-              .fields = passenger_counting_fields});
+             entry(unsigned16, ro, optional, 0, passenger_counting_fields));
 
-inline constexpr ObjectInfo passenger_counting_manager_data_object =
-    variable(0x6720, "passenger_counting_manager_data", "9.2.26.1", "Transparent data.",
-             {.type = DataType::domain});
+inline constexpr auto passenger_counting_manager_data_object = variable(
+    0x6720, "passenger_counting_manager_data", "9.2.26.1", "Transparent data.", entry(domain, ro));
 
 constexpr EntryInfo total_of_passengers(std::uint8_t sub, std::string_view name) {
-  return by_device({.sub_first = sub,
-                    .name = name,
-                    .type = DataType::unsigned16,
-                    .initial = 0,
-                    .value = passengers});
+  return by_device(sub_index(sub, name, entry(unsigned16, ro, no, 0, passengers)));
 }
 inline constexpr EntryInfo total_in_out_passenger_counting_value_entries[] = {
     entries_always(2), total_of_passengers(1, "number_incoming_passengers"),
     total_of_passengers(2, "number_outgoing_passengers")};
-inline constexpr ObjectInfo total_in_out_passenger_counting_value_object =
+inline constexpr auto total_in_out_passenger_counting_value_object =
     array(0x6721, "total_in_out_passenger_counting_value", "9.2.26.2",
           "How many passengers came in and went out of the car.",
           total_in_out_passenger_counting_value_entries, "39");
-inline constexpr ObjectInfo counter_passenger_sum_object =
+inline constexpr auto counter_passenger_sum_object =
     variable(0x6722, "counter_passenger_sum", "9.2.26.3", "How many passengers are in the car.",
-             {.type = DataType::unsigned16,
-              .mapping = Mapping::optional,
-              .initial = 0,
-              .value = passengers});
-inline constexpr ObjectInfo passenger_capacity_usage_object = variable(
-    0x6723, "passenger_capacity_usage", "9.2.26.4", "How full the car is.",
-    {.mapping = Mapping::optional, .initial = 0, .value = {.unit = Unit::percent}, .errata = "40"});
+             entry(unsigned16, ro, optional, 0, passengers));
+inline constexpr auto passenger_capacity_usage_object =
+    variable(0x6723, "passenger_capacity_usage", "9.2.26.4", "How full the car is.",
+             entry(unsigned8, ro, optional, 0, {.unit = Unit::percent}), {.errata = "40"});
 
 }  // namespace canvoy::cia407

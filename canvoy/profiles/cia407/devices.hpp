@@ -5,6 +5,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <concepts>
 
 #include "canvoy/profiles/cia407/system.hpp"
 
@@ -23,6 +25,9 @@ constexpr DeviceObject provides(std::uint16_t index, Category category) {
 }
 constexpr DeviceObject takes(std::uint16_t index, Category category) {
   return {.index = index, .category = category, .access = Access::wo, .consumed = true};
+}
+constexpr DeviceObject provides_rw(std::uint16_t index, Category category) {
+  return {.index = index, .category = category, .access = Access::rw};
 }
 /// The precision of a value that is measured (errata 104).
 constexpr DeviceObject precision(DeviceObject object, std::string_view condition) {
@@ -50,6 +55,11 @@ inline constexpr std::string_view no_main_computer =
 inline constexpr std::string_view no_diagnostics =
     "ro, where the segment has no diagnostics device";
 
+template <std::same_as<DeviceObject>... Object>
+constexpr std::array<DeviceObject, sizeof...(Object)> device_objects(const Object&... objects) {
+  return {objects...};
+}
+
 /// 6196h to 6198h: who provides them is open (errata 26).
 constexpr DeviceObject provides_text(std::uint16_t index) {
   return with_note(provides(index, O), identification_provides_texts);
@@ -58,88 +68,30 @@ constexpr DeviceObject takes_text(std::uint16_t index) {
   return with_note(takes(index, O), main_computer_takes_texts);
 }
 
-inline constexpr DeviceObject main_on_board_computer_objects[] = {
-    takes(0x6001, M),
-    provides(0x6002, M),
-    provides(0x6100, O),
-    provides(0x6101, O),
-    provides(0x6102, O),
-    provides(0x6103, O),
-    provides(0x6104, O),
-    provides(0x6105, O),
-    provides(0x6106, O),
-    provides(0x6107, O),
-    provides(0x6108, M),
-    provides(0x6109, M),
-    provides(0x610A, O),
-    provides(0x610B, O),
-    provides(0x610C, O),
-    provides(0x610D, O),
-    provides(0x610E, M),
-    provides(0x610F, O),
-    provides(0x6110, M),
-    provides(0x6111, M),
-    provides(0x6112, O),
-    provides(0x6113, O),
-    provides(0x6114, O),
-    provides(0x6115, O),
-    provides(0x6116, O),
-    provides(0x6117, O),
-    provides(0x6118, O),
-    provides(0x6119, O),
-    provides(0x611A, O),
-    precision(provides(0x611B, O), if_611a),
-    provides(0x611C, O),
-    provides(0x611D, O),
-    provides(0x611E, O),
-    provides(0x611F, O),
-    provides(0x6120, O),
-    provides(0x6121, O),
-    provides(0x6122, O),
-    provides(0x6123, O),
-    takes(0x6190, M),
-    takes(0x6191, M),
-    takes(0x6192, M),
-    takes(0x6193, M),
-    takes(0x6194, M),
-    takes(0x6195, M),
-    provides_text(0x6196),
-    provides_text(0x6197),
-    provides_text(0x6198),
-    provides(0x6204, M),
-    takes(0x6481, O),
-    takes(0x6482, O),
-    precision(takes(0x6483, O), if_6482),
-    takes(0x6484, O),
-    takes(0x6486, O),
-    precision(takes(0x6487, O), if_6486),
-    takes(0x6488, O),
-    takes(0x6489, O),
-    takes(0x6520, O),
-    takes(0x6522, O),
-    takes(0x6660, O),
-    precision(takes(0x6661, O), if_6660),
-    takes(0x6662, O),
-    takes(0x6663, O),
-    takes(0x6664, O),
-    precision(takes(0x6665, O), if_6664),
-    takes(0x6680, O),
-    takes(0x6720, O),
-    takes(0x6721, O),
-    takes(0x6722, O),
-    takes(0x6723, O),
-    takes(0x6740, M),
-    takes(0x6741, O),
-    takes(0x6742, O),
-    takes(0x6743, O),
-    takes(0x6744, O),
-};
+inline constexpr auto main_on_board_computer_objects = device_objects(
+    takes(0x6001, M), provides(0x6002, M), provides(0x6100, O), provides(0x6101, O),
+    provides(0x6102, O), provides(0x6103, O), provides(0x6104, O), provides(0x6105, O),
+    provides(0x6106, O), provides(0x6107, O), provides(0x6108, M), provides(0x6109, M),
+    provides(0x610A, O), provides(0x610B, O), provides(0x610C, O), provides(0x610D, O),
+    provides(0x610E, M), provides(0x610F, O), provides(0x6110, M), provides(0x6111, M),
+    provides(0x6112, O), provides(0x6113, O), provides(0x6114, O), provides(0x6115, O),
+    provides(0x6116, O), provides(0x6117, O), provides(0x6118, O), provides(0x6119, O),
+    provides(0x611A, O), precision(provides(0x611B, O), if_611a), provides(0x611C, O),
+    provides(0x611D, O), provides(0x611E, O), provides(0x611F, O), provides(0x6120, O),
+    provides(0x6121, O), provides(0x6122, O), provides(0x6123, O), takes(0x6190, M),
+    takes(0x6191, M), takes(0x6192, M), takes(0x6193, M), takes(0x6194, M), takes(0x6195, M),
+    provides_text(0x6196), provides_text(0x6197), provides_text(0x6198), provides(0x6204, M),
+    takes(0x6481, O), takes(0x6482, O), precision(takes(0x6483, O), if_6482), takes(0x6484, O),
+    takes(0x6486, O), precision(takes(0x6487, O), if_6486), takes(0x6488, O), takes(0x6489, O),
+    takes(0x6520, O), takes(0x6522, O), takes(0x6660, O), precision(takes(0x6661, O), if_6660),
+    takes(0x6662, O), takes(0x6663, O), takes(0x6664, O), precision(takes(0x6665, O), if_6664),
+    takes(0x6680, O), takes(0x6720, O), takes(0x6721, O), takes(0x6722, O), takes(0x6723, O),
+    takes(0x6740, M), takes(0x6741, O), takes(0x6742, O), takes(0x6743, O), takes(0x6744, O));
 
-inline constexpr DeviceObject identification_objects[] = {
-    provides(0x6190, M), provides(0x6191, M), provides(0x6192, M),
-    provides(0x6193, O), provides(0x6194, M), provides(0x6195, M),
-    takes_text(0x6196),  takes_text(0x6197),  takes_text(0x6198),
-};
+inline constexpr auto identification_objects =
+    device_objects(provides(0x6190, M), provides(0x6191, M), provides(0x6192, M),
+                   provides(0x6193, O), provides(0x6194, M), provides(0x6195, M),
+                   takes_text(0x6196), takes_text(0x6197), takes_text(0x6198));
 
 /// A row of the matrix in 6.4: categories of the classes 1, 2 and 3, of each the subclasses 1 to 4.
 struct MatrixRow {
@@ -194,24 +146,22 @@ template <InformationClass device_class, InformationSubclass subclass>
 inline constexpr auto passenger_information_objects = passenger_information_column<matrix_column(
     static_cast<unsigned>(device_class), static_cast<unsigned>(subclass))>();
 
-inline constexpr DeviceObject ticket_canceller_objects[] = {
+inline constexpr auto ticket_canceller_objects = device_objects(
     provides(0x6001, O), takes(0x6002, O), takes(0x6100, O), takes(0x6105, O), takes(0x6108, M),
-    takes(0x6109, M),    takes(0x610A, O), takes(0x610B, O), takes(0x610E, M), takes(0x6110, M),
-    takes(0x6111, M),    takes(0x6112, O), takes(0x6116, O), takes(0x6118, O), takes(0x611C, O),
-    takes(0x6120, M),    takes(0x6191, M), takes(0x6192, M), takes(0x6193, O), takes(0x6194, M),
-};
-inline constexpr DeviceObject ticket_printer_objects[] = {
+    takes(0x6109, M), takes(0x610A, O), takes(0x610B, O), takes(0x610E, M), takes(0x6110, M),
+    takes(0x6111, M), takes(0x6112, O), takes(0x6116, O), takes(0x6118, O), takes(0x611C, O),
+    takes(0x6120, M), takes(0x6191, M), takes(0x6192, M), takes(0x6193, O), takes(0x6194, M));
+inline constexpr auto ticket_printer_objects = device_objects(
     takes(0x6100, O), takes(0x6108, M), takes(0x6109, M), takes(0x610A, O), takes(0x610B, O),
     takes(0x610C, O), takes(0x610E, M), takes(0x6110, M), takes(0x6111, M), takes(0x6112, M),
     takes(0x6116, O), takes(0x6118, O), takes(0x611C, O), takes(0x6120, M), takes(0x6191, M),
     takes(0x6192, M), takes(0x6193, M), takes(0x6194, M), takes(0x6196, M), takes(0x6197, O),
-    takes(0x6740, M), takes(0x6741, O), takes(0x6742, O), takes(0x6743, O), takes(0x6744, O),
-};
+    takes(0x6740, M), takes(0x6741, O), takes(0x6742, O), takes(0x6743, O), takes(0x6744, O));
 /// 6001h and 6002h are not listed in 6.8, but 9.2.5 has events for it (errata 22).
-inline constexpr DeviceObject acoustic_announcer_objects[] = {provides(0x6001, O), takes(0x6002, O),
-                                                              takes(0x6109, M), takes(0x6120, O)};
-inline constexpr DeviceObject acoustic_control_manager_objects[] = {provides(0x6001, O),
-                                                                    takes(0x6002, O)};
+inline constexpr auto acoustic_announcer_objects =
+    device_objects(provides(0x6001, O), takes(0x6002, O), takes(0x6109, M), takes(0x6120, O));
+inline constexpr auto acoustic_control_manager_objects =
+    device_objects(provides(0x6001, O), takes(0x6002, O));
 
 /// The gateway stands in for those who provide the object where they are missing (footnotes of
 /// 6.10).
@@ -227,84 +177,54 @@ constexpr DeviceObject relays_both_ways(std::uint16_t index, Category category) 
   object.access = Access::rw;
   return object;
 }
-inline constexpr DeviceObject train_bus_gateway_objects[] = {
-    relays(0x6100, O),          relays(0x6101, O),           relays(0x6102, O),
-    relays(0x6103, O),          relays(0x6104, O),           relays(0x6105, O),
-    relays(0x6106, O),          relays(0x6107, O),           relays(0x6108, M),
-    relays(0x6109, M),          relays(0x610A, O),           relays(0x610B, O),
-    relays(0x610C, O),          relays(0x610D, O),           relays(0x610E, M),
-    relays(0x610F, O),          relays(0x6110, M),           relays(0x6111, M),
-    relays(0x6112, O),          relays(0x6113, O),           relays(0x6114, O),
-    relays(0x6115, O),          relays(0x6116, O),           relays(0x6117, O),
-    relays(0x6118, O),          relays(0x611C, O),           relays(0x611D, O),
-    relays(0x611E, O),          relays(0x611F, O),           relays(0x6120, O),
-    relays(0x6121, O),          relays(0x6123, O),           relays(0x6190, M),
-    relays(0x6191, M),          relays(0x6192, M),           relays(0x6193, M),
-    relays(0x6194, M),          relays(0x6195, M),           relays(0x6196, O),
-    relays(0x6197, O),          relays_both_ways(0x6204, O), relays(0x6481, O),
-    relays(0x6484, O),          relays(0x6488, O),           relays(0x6489, O),
-    relays(0x6660, O),          relays(0x6680, O),           takes(0x6700, O),
-    relays(0x6720, O),          relays_diagnostics(0x6740),  relays_diagnostics(0x6741),
-    relays_diagnostics(0x6742), relays_diagnostics(0x6743),  relays_diagnostics(0x6744),
-};
-inline constexpr DeviceObject vehicle_gateway_objects[] = {
-    provides(0x610E, O),
-    provides(0x6481, O),
-    provides(0x6482, O),
-    precision(provides(0x6483, O), if_6482),
-    provides(0x6484, O),
-    provides(0x6486, O),
-    precision(provides(0x6487, O), if_6486),
-    provides(0x6488, O),
-    provides(0x6489, O),
-    provides(0x648A, O),
-    provides(0x648B, O),
-    provides(0x648C, O),
-    provides(0x648D, O),
-};
-inline constexpr DeviceObject driver_display_objects[] = {
-    takes(0x610E, O), takes(0x6488, O), takes(0x6489, O), takes(0x648A, O),
-    takes(0x648B, O), takes(0x648C, O), takes(0x648D, O), takes(0x6740, O)};
-inline constexpr DeviceObject driver_display_with_keyboard_objects[] = {
-    takes(0x610E, M), takes(0x6488, O), takes(0x6489, O), takes(0x648A, O),
-    takes(0x648B, O), takes(0x648C, O), takes(0x648D, O), takes(0x6740, O)};
+inline constexpr auto train_bus_gateway_objects = device_objects(
+    relays(0x6100, O), relays(0x6101, O), relays(0x6102, O), relays(0x6103, O), relays(0x6104, O),
+    relays(0x6105, O), relays(0x6106, O), relays(0x6107, O), relays(0x6108, M), relays(0x6109, M),
+    relays(0x610A, O), relays(0x610B, O), relays(0x610C, O), relays(0x610D, O), relays(0x610E, M),
+    relays(0x610F, O), relays(0x6110, M), relays(0x6111, M), relays(0x6112, O), relays(0x6113, O),
+    relays(0x6114, O), relays(0x6115, O), relays(0x6116, O), relays(0x6117, O), relays(0x6118, O),
+    relays(0x611C, O), relays(0x611D, O), relays(0x611E, O), relays(0x611F, O), relays(0x6120, O),
+    relays(0x6121, O), relays(0x6123, O), relays(0x6190, M), relays(0x6191, M), relays(0x6192, M),
+    relays(0x6193, M), relays(0x6194, M), relays(0x6195, M), relays(0x6196, O), relays(0x6197, O),
+    relays_both_ways(0x6204, O), relays(0x6481, O), relays(0x6484, O), relays(0x6488, O),
+    relays(0x6489, O), relays(0x6660, O), relays(0x6680, O), takes(0x6700, O), relays(0x6720, O),
+    relays_diagnostics(0x6740), relays_diagnostics(0x6741), relays_diagnostics(0x6742),
+    relays_diagnostics(0x6743), relays_diagnostics(0x6744));
+inline constexpr auto vehicle_gateway_objects = device_objects(
+    provides(0x610E, O), provides(0x6481, O), provides(0x6482, O),
+    precision(provides(0x6483, O), if_6482), provides(0x6484, O), provides(0x6486, O),
+    precision(provides(0x6487, O), if_6486), provides(0x6488, O), provides(0x6489, O),
+    provides(0x648A, O), provides(0x648B, O), provides(0x648C, O), provides(0x648D, O));
+inline constexpr auto driver_display_objects =
+    device_objects(takes(0x610E, O), takes(0x6488, O), takes(0x6489, O), takes(0x648A, O),
+                   takes(0x648B, O), takes(0x648C, O), takes(0x648D, O), takes(0x6740, O));
+inline constexpr auto driver_display_with_keyboard_objects =
+    device_objects(takes(0x610E, M), takes(0x6488, O), takes(0x6489, O), takes(0x648A, O),
+                   takes(0x648B, O), takes(0x648C, O), takes(0x648D, O), takes(0x6740, O));
 /// 6002h is not listed in 6.13, but 9.2.5 has events for it (errata 21).
-inline constexpr DeviceObject tachograph_objects[] = {
-    takes(0x6002, O),    takes(0x6190, M),    provides(0x6520, M), provides(0x6521, M),
-    provides(0x6522, M), provides(0x6523, O), provides(0x6524, M), provides(0x6525, M)};
+inline constexpr auto tachograph_objects = device_objects(
+    takes(0x6002, O), takes(0x6190, M), provides(0x6520, M), provides(0x6521, M),
+    provides(0x6522, M), provides(0x6523, O), provides(0x6524, M), provides(0x6525, M));
 /// 6661h and 6665h are listed as optional, but what they qualify is mandatory (errata 104).
-inline constexpr DeviceObject geographical_positioning_objects[] = {
-    provides(0x6660, M), provides(0x6661, M), provides(0x6662, O),
-    provides(0x6663, O), provides(0x6664, M), provides(0x6665, M),
-};
-inline constexpr DeviceObject time_fixing_objects[] = {takes(0x6660, M), provides(0x6680, M)};
-inline constexpr DeviceObject keyboard_objects[] = {provides(0x66C0, O), provides(0x6760, M)};
-inline constexpr DeviceObject passenger_counter_objects[] = {provides(0x6001, O), takes(0x6002, O),
-                                                             takes(0x6488, O), provides(0x6700, M)};
-inline constexpr DeviceObject passenger_counting_manager_objects[] = {
-    provides(0x6001, M), takes(0x6002, M),    takes(0x6100, O),    takes(0x6108, M),
-    takes(0x6109, M),    takes(0x610E, M),    takes(0x6191, M),    takes(0x6192, M),
-    takes(0x6193, M),    takes(0x6488, O),    takes(0x6700, M),    provides(0x6720, O),
-    provides(0x6721, M), provides(0x6722, M), provides(0x6723, O),
-};
+inline constexpr auto geographical_positioning_objects =
+    device_objects(provides(0x6660, M), provides(0x6661, M), provides(0x6662, O),
+                   provides(0x6663, O), provides(0x6664, M), provides(0x6665, M));
+inline constexpr auto time_fixing_objects = device_objects(takes(0x6660, M), provides(0x6680, M));
+inline constexpr auto keyboard_objects = device_objects(provides(0x66C0, O), provides(0x6760, M));
+inline constexpr auto passenger_counter_objects =
+    device_objects(provides(0x6001, O), takes(0x6002, O), takes(0x6488, O), provides(0x6700, M));
+inline constexpr auto passenger_counting_manager_objects =
+    device_objects(provides(0x6001, M), takes(0x6002, M), takes(0x6100, O), takes(0x6108, M),
+                   takes(0x6109, M), takes(0x610E, M), takes(0x6191, M), takes(0x6192, M),
+                   takes(0x6193, M), takes(0x6488, O), takes(0x6700, M), provides(0x6720, O),
+                   provides(0x6721, M), provides(0x6722, M), provides(0x6723, O));
 /// 6001h is not listed in 6.23, but 9.2.4 has events from it (errata 23). 6741h is listed as ro,
 /// but 9.2.27.2 has it written to (errata 91).
-inline constexpr DeviceObject diagnostics_objects[] = {
-    provides(0x6001, O),
-    takes(0x610E, M),
-    takes(0x6660, O),
-    provides(0x6740, M),
-    {.index = 0x6741, .category = O, .access = Access::rw},
-    provides(0x6742, O),
-    provides(0x6743, O),
-    provides(0x6744, O),
-};
-inline constexpr DeviceObject generic_io_objects[] = {
-    {.index = 0x6760, .category = O, .access = Access::ro},
-    {.index = 0x6761, .category = O, .access = Access::rw},
-    {.index = 0x6762, .category = O, .access = Access::ro},
-    {.index = 0x6763, .category = O, .access = Access::rw},
-};
+inline constexpr auto diagnostics_objects = device_objects(
+    provides(0x6001, O), takes(0x610E, M), takes(0x6660, O), provides(0x6740, M),
+    provides_rw(0x6741, O), provides(0x6742, O), provides(0x6743, O), provides(0x6744, O));
+inline constexpr auto generic_io_objects = device_objects(
+    provides(0x6760, O), provides_rw(0x6761, O), provides(0x6762, O), provides_rw(0x6763, O));
 
 // The devices.
 

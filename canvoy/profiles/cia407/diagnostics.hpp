@@ -11,12 +11,8 @@ namespace canvoy::cia407 {
 /// Sub-index 00h of a history: how many errors are in it. Writing deletes some (errata 86, 89).
 constexpr EntryInfo number_of_reports(std::string_view name, Mapping mapping,
                                       std::string_view errata, std::string_view description) {
-  return {.name = name,
-          .access = Access::rw,
-          .mapping = mapping,
-          .value = {.limits = within(0, 254)},
-          .errata = errata,
-          .description = description};
+  return sub_index(0, name, entry(unsigned8, rw, mapping, {}, {.limits = within(0, 254)}),
+                   {.errata = errata, .description = description});
 }
 /// Sub-index 01h, which reporting devices write to, and the others, which they do not.
 constexpr std::array<EntryInfo, 3> reports(const EntryInfo& number, EntryInfo shape) {
@@ -28,25 +24,18 @@ constexpr std::array<EntryInfo, 3> reports(const EntryInfo& number, EntryInfo sh
 }
 
 inline constexpr FieldInfo short_error_fields[] = {
-    {.first_bit = 0,
-     .bits = 16,
-     .name = "error code",
-     .value = {.notation = Notation::hexadecimal}},
-    {.first_bit = 16,
-     .bits = 16,
-     .name = "device code",
-     .value = {.notation = Notation::hexadecimal},
-     .description = "Which device; how devices are numbered is the system's choice."},
+    field(0, 16, "error code", {.notation = Notation::hexadecimal}),
+    field(16, 16, "device code", {.notation = Notation::hexadecimal},
+          "Which device; how devices are numbered is the system's choice."),
 };
-inline constexpr auto short_diagnostic_error_field_entries =
-    reports(number_of_reports("number_of_errors", Mapping::optional, "86, 88",
-                              "Writing 0 deletes all; other values are refused (0609 0030h)."),
-            {.name = "short_error_field_#",
-             .type = DataType::unsigned32,
-             .value = {.notation = Notation::hexadecimal},
-             .fields = short_error_fields,
-             .errata = "87"});
-inline constexpr ObjectInfo short_diagnostic_error_field_object =
+inline constexpr auto short_diagnostic_error_field_entries = reports(
+    number_of_reports("number_of_errors", Mapping::optional, "86, 88",
+                      "Writing 0 deletes all; other values are refused (0609 0030h)."),
+    sub_index(
+        0, "short_error_field_#",
+        entry(unsigned32, ro, no, {}, {.notation = Notation::hexadecimal}, short_error_fields),
+        {.errata = "87"}));
+inline constexpr auto short_diagnostic_error_field_object =
     array(0x6740, "short_diagnostic_error_field", "9.2.27.1",
           "The history of errors of devices and of error inputs: the newest first.",
           short_diagnostic_error_field_entries, "41, 86, 87, 88");

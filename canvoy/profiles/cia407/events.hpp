@@ -53,14 +53,10 @@ constexpr FieldInfo undefined_events(const Items<FieldCondition>& when) {
           .description = "Eight events; what they are is not defined.",
           .when = when};
 }
-inline constexpr FieldInfo manufacturer_information = {
-    .first_bit = 8,
-    .bits = 16,
-    .name = "manufacturer-specific information",
-    .value = {.notation = Notation::hexadecimal},
-    .description = "Bits that are not used are zero."};
-inline constexpr FieldInfo event_code = {
-    .first_bit = 24, .bits = 8, .name = event_code_field, .value = {.names = event_codes}};
+inline constexpr FieldInfo manufacturer_information =
+    field(8, 16, "manufacturer-specific information", {.notation = Notation::hexadecimal},
+          "Bits that are not used are zero.");
+inline constexpr FieldInfo event_code = field(24, 8, event_code_field, event_codes);
 
 // The tables of 9.2.4 and 9.2.5, by the code of the virtual device.
 inline constexpr auto& of_passenger_information = events_of<DeviceCode::passenger_information>;
@@ -202,22 +198,17 @@ inline constexpr OrdinalNames events_for_names = {
 constexpr std::array<EntryInfo, 12> make_events_from() {
   std::array<EntryInfo, 12> entries{};
   entries[0] = entries_within(0x02, 0x21);
-  entries[1] = by_device({.sub_first = 1,
-                          .name = "event_at_sub",
-                          .type = DataType::unsigned32,
-                          .mapping = Mapping::by_default,
-                          .initial = 0,
-                          .value = {.notation = Notation::bit_mask},
-                          .fields = event_at_sub_fields,
-                          .errata = "96",
-                          .description = "Which of the sub-indices 02h to 21h are not zero."});
+  entries[1] = by_device(sub_index(
+      1, "event_at_sub",
+      entry(unsigned32, ro, by_default, 0, {.notation = Notation::bit_mask}, event_at_sub_fields),
+      {.errata = "96", .description = "Which of the sub-indices 02h to 21h are not zero."}));
   const auto devices =
-      of_32_devices(2, events_from_names, {.initial = 0, .fields = events_from_fields});
+      of_32_devices(2, events_from_names, entry(unsigned8, ro, no, 0, events_from_fields));
   for (std::size_t i = 0; i < devices.size(); ++i) entries[i + 2] = devices[i];
   return entries;
 }
 inline constexpr auto events_from_entries = make_events_from();
-inline constexpr ObjectInfo events_from_virtual_devices_object =
+inline constexpr auto events_from_virtual_devices_object =
     array(0x6001, "events_from_virtual_devices", "9.2.4",
           "States of the virtual devices in this device, and events that they tell.",
           events_from_entries, "3, 19, 20, 22, 23, 80, 81, 82, 83");
@@ -230,7 +221,7 @@ constexpr std::array<EntryInfo, 11> make_events_for() {
   return entries;
 }
 inline constexpr auto events_for_entries = make_events_for();
-inline constexpr ObjectInfo events_for_virtual_devices_object =
+inline constexpr auto events_for_virtual_devices_object =
     array(0x6002, "events_for_virtual_devices", "9.2.5",
           "Commands to the virtual devices in this device, and events that they are told of.",
           events_for_entries, "19, 20, 21, 22, 80, 82, 83");

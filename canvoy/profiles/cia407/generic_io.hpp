@@ -10,19 +10,10 @@ namespace canvoy::cia407 {
 /// An input or output, with the access that the object description prints.
 constexpr ObjectInfo io(std::uint16_t index, std::string_view name, std::string_view clause,
                         std::string_view description) {
-  return {.index = index,
-          .name = name,
-          .category = Category::conditional,
-          .condition = by_virtual_device,
-          .clause = clause,
-          .description = description};
+  return var_object(index, name, clause, description, {}, of_device({}));
 }
 constexpr ObjectInfo digital(ObjectInfo object, Access access, Default initial) {
-  object.entry = {.type = DataType::unsigned32,
-                  .access = access,
-                  .mapping = Mapping::optional,
-                  .initial = initial,
-                  .value = {.notation = Notation::bit_mask}};
+  object.entry = entry(unsigned32, access, optional, initial, {.notation = Notation::bit_mask});
   return object;
 }
 inline constexpr ObjectInfo digital_input_object =
@@ -37,11 +28,9 @@ inline constexpr FieldInfo analogue_channels[] = {
 };
 inline constexpr auto analogue_input_entries =
     one_or_more(entries_within(1, 4, "number_of_input_groups"),
-                {.name = "input_group_#",
-                 .type = DataType::unsigned32,
-                 .mapping = Mapping::optional,
-                 .value = {.notation = Notation::hexadecimal},
-                 .fields = analogue_channels},
+                sub_index(0, "input_group_#",
+                          entry(unsigned32, ro, optional, {}, {.notation = Notation::hexadecimal},
+                                analogue_channels)),
                 4);
 inline constexpr auto analogue_output_entries =
     one_or_more(entries_within(1, 4, "number_of_output_groups"),
@@ -54,10 +43,10 @@ inline constexpr auto analogue_output_entries =
                  .value = {.notation = Notation::hexadecimal},
                  .fields = analogue_channels},
                 4);
-inline constexpr ObjectInfo analogue_input_object =
+inline constexpr auto analogue_input_object =
     array(0x6762, "analogue_input", "9.2.28.3", "Up to 4 groups of 2 analogue inputs.",
           analogue_input_entries);
-inline constexpr ObjectInfo analogue_output_object =
+inline constexpr auto analogue_output_object =
     array(0x6763, "analogue_output", "9.2.28.4", "Up to 4 groups of 2 analogue outputs.",
           analogue_output_entries);
 

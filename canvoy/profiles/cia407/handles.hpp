@@ -22,17 +22,13 @@ namespace canvoy::cia407 {
 
 // Virtual devices and their events (9.2.3 to 9.2.5).
 
-constexpr auto supported_virtual_device(unsigned number) {
-  return State<DeviceCode, supported_virtual_device_types_object, "virtual_device_type_#",
-               "device code">{}[number];
-}
-constexpr auto supported_virtual_device_class(unsigned number) {
-  return Number<supported_virtual_device_types_object, "virtual_device_type_#", "class">{}[number];
-}
-constexpr auto supported_virtual_device_subclass(unsigned number) {
-  return Number<supported_virtual_device_types_object, "virtual_device_type_#",
-                "sub-class">{}[number];
-}
+inline constexpr State<DeviceCode, supported_virtual_device_types_object, "virtual_device_type_#",
+                       "device code">
+    supported_virtual_device;
+inline constexpr Number<supported_virtual_device_types_object, "virtual_device_type_#", "class">
+    supported_virtual_device_class;
+inline constexpr Number<supported_virtual_device_types_object, "virtual_device_type_#", "sub-class">
+    supported_virtual_device_subclass;
 
 /// Bit b: the entry of the (b + 1)-th virtual device is not zero.
 inline constexpr Number<events_from_virtual_devices_object, "event_at_sub"> event_at_sub;
@@ -40,130 +36,79 @@ inline constexpr Number<events_from_virtual_devices_object, "event_at_sub"> even
 /// An event, or the whole entry, of the n-th virtual device. A flag means what its name says where
 /// `event_from_code` is the code of the virtual device whose table has it.
 template <Name flag>
-constexpr auto event_from(unsigned device) {
-  return State<Event, events_from_virtual_devices_object, "events_from_1st_virtual_device",
-               flag>{}[device + 1];
-}
+inline constexpr State<Event, events_from_virtual_devices_object, "events_from_1st_virtual_device",
+                       flag>
+    event_from;
 template <Name flag>
-constexpr auto event_for(unsigned device) {
-  return State<Event, events_for_virtual_devices_object, "events_for_1st_virtual_device",
-               flag>{}[device];
-}
-constexpr auto event_from_code(unsigned device) {
-  return State<DeviceCode, events_from_virtual_devices_object, "events_from_1st_virtual_device",
-               "code of virtual device">{}[device + 1];
-}
-constexpr auto event_for_code(unsigned device) {
-  return State<DeviceCode, events_for_virtual_devices_object, "events_for_1st_virtual_device",
-               "code of virtual device">{}[device];
-}
-constexpr auto event_from_manufacturer(unsigned device) {
-  return Number<events_from_virtual_devices_object, "events_from_1st_virtual_device",
-                "manufacturer-specific information">{}[device + 1];
-}
-constexpr auto event_for_manufacturer(unsigned device) {
-  return Number<events_for_virtual_devices_object, "events_for_1st_virtual_device",
-                "manufacturer-specific information">{}[device];
-}
+inline constexpr State<Event, events_for_virtual_devices_object, "events_for_1st_virtual_device",
+                       flag>
+    event_for;
+inline constexpr State<DeviceCode, events_from_virtual_devices_object,
+                       "events_from_1st_virtual_device", "code of virtual device">
+    event_from_code;
+inline constexpr State<DeviceCode, events_for_virtual_devices_object,
+                       "events_for_1st_virtual_device", "code of virtual device">
+    event_for_code;
+inline constexpr Number<events_from_virtual_devices_object, "events_from_1st_virtual_device",
+                        "manufacturer-specific information">
+    event_from_manufacturer;
+inline constexpr Number<events_for_virtual_devices_object, "events_for_1st_virtual_device",
+                        "manufacturer-specific information">
+    event_for_manufacturer;
 /// All eight flags.
-constexpr auto event_flags_from(unsigned device) {
-  return Number<events_from_virtual_devices_object, "events_from_1st_virtual_device",
-                "event flags">{}[device + 1];
-}
-constexpr auto event_flags_for(unsigned device) {
-  return Number<events_for_virtual_devices_object, "events_for_1st_virtual_device",
-                "event flags">{}[device];
-}
+inline constexpr Number<events_from_virtual_devices_object, "events_from_1st_virtual_device",
+                        "event flags">
+    event_flags_from;
+inline constexpr Number<events_for_virtual_devices_object, "events_for_1st_virtual_device",
+                        "event flags">
+    event_flags_for;
 
 // Passenger information, and acoustic announcer and ticket canceller where they have the same.
-constexpr auto state_information(unsigned device) {
-  return event_from<"state information">(device);
-}
-constexpr auto display_in_test_mode(unsigned device) {
-  return event_from<"display in test mode">(device);
-}
-constexpr auto information_cannot_be_displayed(unsigned device) {
-  return event_from<"mapped information cannot be displayed">(device);
-}
-constexpr auto send_state_information(unsigned device) {
-  return event_for<"send state information">(device);
-}
-constexpr auto enter_test_mode(unsigned device) {
-  return event_for<"enter testmode">(device);
-}
+inline constexpr auto state_information = event_from<"state information">;
+inline constexpr auto display_in_test_mode = event_from<"display in test mode">;
+inline constexpr auto information_cannot_be_displayed =
+    event_from<"mapped information cannot be displayed">;
+inline constexpr auto send_state_information = event_for<"send state information">;
+inline constexpr auto enter_test_mode = event_for<"enter testmode">;
 // Acoustic control manager: as states and as commands.
-constexpr auto driver_to_indoor_loudspeakers(unsigned device) {
-  return event_from<"driver microphone to indoor loudspeakers">(device);
-}
-constexpr auto driver_to_outdoor_loudspeakers(unsigned device) {
-  return event_from<"driver microphone to outdoor loudspeakers">(device);
-}
-constexpr auto driver_to_voice_radio(unsigned device) {
-  return event_from<"driver microphone to VRCC">(device);
-}
-constexpr auto attendant_to_indoor_loudspeakers(unsigned device) {
-  return event_from<"travel attendant microphone to indoor loudspeakers">(device);
-}
-constexpr auto voice_radio_to_indoor_loudspeakers(unsigned device) {
-  return event_from<"VRCC to indoor loudspeakers">(device);
-}
-constexpr auto acoustic_state_information(unsigned device) {
-  return event_from<"state information of the acoustic control manager">(device);
-}
-constexpr auto switch_driver_to_indoor_loudspeakers(unsigned device) {
-  return event_for<"driver microphone to indoor loudspeakers">(device);
-}
-constexpr auto switch_driver_to_outdoor_loudspeakers(unsigned device) {
-  return event_for<"driver microphone to outdoor loudspeakers">(device);
-}
-constexpr auto switch_driver_to_voice_radio(unsigned device) {
-  return event_for<"driver microphone to VRCC">(device);
-}
-constexpr auto switch_attendant_to_indoor_loudspeakers(unsigned device) {
-  return event_for<"travel attendant microphone to indoor loudspeakers">(device);
-}
-constexpr auto switch_voice_radio_to_indoor_loudspeakers(unsigned device) {
-  return event_for<"VRCC to indoor loudspeakers">(device);
-}
-constexpr auto send_acoustic_state_information(unsigned device) {
-  return event_for<"state information of the acoustic control manager">(device);
-}
+inline constexpr auto driver_to_indoor_loudspeakers =
+    event_from<"driver microphone to indoor loudspeakers">;
+inline constexpr auto driver_to_outdoor_loudspeakers =
+    event_from<"driver microphone to outdoor loudspeakers">;
+inline constexpr auto driver_to_voice_radio = event_from<"driver microphone to VRCC">;
+inline constexpr auto attendant_to_indoor_loudspeakers =
+    event_from<"travel attendant microphone to indoor loudspeakers">;
+inline constexpr auto voice_radio_to_indoor_loudspeakers =
+    event_from<"VRCC to indoor loudspeakers">;
+inline constexpr auto acoustic_state_information =
+    event_from<"state information of the acoustic control manager">;
+inline constexpr auto switch_driver_to_indoor_loudspeakers =
+    event_for<"driver microphone to indoor loudspeakers">;
+inline constexpr auto switch_driver_to_outdoor_loudspeakers =
+    event_for<"driver microphone to outdoor loudspeakers">;
+inline constexpr auto switch_driver_to_voice_radio = event_for<"driver microphone to VRCC">;
+inline constexpr auto switch_attendant_to_indoor_loudspeakers =
+    event_for<"travel attendant microphone to indoor loudspeakers">;
+inline constexpr auto switch_voice_radio_to_indoor_loudspeakers =
+    event_for<"VRCC to indoor loudspeakers">;
+inline constexpr auto send_acoustic_state_information =
+    event_for<"state information of the acoustic control manager">;
 // Passenger counter and passenger counting manager.
-constexpr auto many_passengers_counted(unsigned device) {
-  return event_from<"more than 200 incoming or outgoing passengers">(device);
-}
-constexpr auto close_to_passenger_capacity(unsigned device) {
-  return event_from<"close to passenger capacity limit">(device);
-}
-constexpr auto passenger_capacity_warning(unsigned device) {
-  return event_from<"passenger capacity warning limit">(device);
-}
+inline constexpr auto many_passengers_counted =
+    event_from<"more than 200 incoming or outgoing passengers">;
+inline constexpr auto close_to_passenger_capacity = event_from<"close to passenger capacity limit">;
+inline constexpr auto passenger_capacity_warning = event_from<"passenger capacity warning limit">;
 // Diagnostics.
-constexpr auto many_short_errors(unsigned device) {
-  return event_from<"more than 200 entries in object 6740h">(device);
-}
-constexpr auto short_errors_close_to_capacity(unsigned device) {
-  return event_from<"object 6740h close to capacity limit">(device);
-}
-constexpr auto many_class_1_messages(unsigned device) {
-  return event_from<"more than 200 entries in object 6742h">(device);
-}
-constexpr auto many_class_2_messages(unsigned device) {
-  return event_from<"more than 200 entries in object 6743h">(device);
-}
-constexpr auto many_class_3_messages(unsigned device) {
-  return event_from<"more than 200 entries in object 6744h">(device);
-}
+inline constexpr auto many_short_errors = event_from<"more than 200 entries in object 6740h">;
+inline constexpr auto short_errors_close_to_capacity =
+    event_from<"object 6740h close to capacity limit">;
+inline constexpr auto many_class_1_messages = event_from<"more than 200 entries in object 6742h">;
+inline constexpr auto many_class_2_messages = event_from<"more than 200 entries in object 6743h">;
+inline constexpr auto many_class_3_messages = event_from<"more than 200 entries in object 6744h">;
 // Tachograph.
-constexpr auto reset_trip_distance(unsigned device) {
-  return event_for<"reset tachograph trip distance">(device);
-}
-constexpr auto adjust_local_hour(unsigned device) {
-  return event_for<"adjust local hour offset">(device);
-}
-constexpr auto adjust_local_minute(unsigned device) {
-  return event_for<"adjust local minute offset">(device);
-}
+inline constexpr auto reset_trip_distance = event_for<"reset tachograph trip distance">;
+inline constexpr auto adjust_local_hour = event_for<"adjust local hour offset">;
+inline constexpr auto adjust_local_minute = event_for<"adjust local minute offset">;
 
 // Main on-board computer (9.2.6).
 
@@ -181,12 +126,9 @@ inline constexpr Number<number_of_running_in_route_representation_object>
     number_of_running_in_route_representation;
 inline constexpr PackedText<line_short_representation_object, "character_#">
     line_short_representation;
-constexpr auto text_line_route_description(unsigned number) {
-  return Text<text_line_route_description_object, "text_line/route_description_#">{}[number];
-}
-constexpr auto text_of_destination(unsigned number) {
-  return Text<text_of_destination_object, "text_of_destination_#">{}[number];
-}
+inline constexpr Text<text_line_route_description_object, "text_line/route_description_#">
+    text_line_route_description;
+inline constexpr Text<text_of_destination_object, "text_of_destination_#"> text_of_destination;
 inline constexpr Quantity<local_time_and_date_object, "year"> local_year;
 inline constexpr Quantity<local_time_and_date_object, "day"> local_day;
 inline constexpr Number<local_time_and_date_object, "month"> local_month;
@@ -196,9 +138,7 @@ inline constexpr Quantity<local_time_and_date_object, "second"> local_second;
 inline constexpr Quantity<time_standby_object> time_standby;
 inline constexpr Number<route_segment_number_object> route_segment_number;
 inline constexpr Number<fare_zone_object> fare_zone;
-constexpr auto text_of_stop_point(unsigned number) {
-  return Text<text_of_stop_point_object, "text_of_stop_point_#">{}[number];
-}
+inline constexpr Text<text_of_stop_point_object, "text_of_stop_point_#"> text_of_stop_point;
 inline constexpr Number<previous_route_segment_object> previous_route_segment;
 inline constexpr Number<previous_fare_zone_object> previous_fare_zone;
 inline constexpr Quantity<scheduled_time_and_date_object, "year"> scheduled_year;
@@ -239,44 +179,27 @@ inline constexpr Text<driver_id_text_object> driver_id_text;
 
 // Passenger information (9.2.8).
 
-constexpr auto xml_file(unsigned number) {
-  return Text<xml_text_object, "XML_file_#">{}[number];
-}
+inline constexpr Text<xml_text_object, "XML_file_#"> xml_file;
 /// How many objects are shown; writing it shows them.
 inline constexpr Number<display_mapping_object, "display_update", "number of mapped objects">
     display_update;
 inline constexpr Number<display_mapping_object, "display_update", "manufacturer-specific">
     display_update_manufacturer;
 /// What is shown, and how, as one number; then its parts.
-constexpr auto mapped_object(unsigned number) {
-  return Number<display_mapping_object, "mapped_object_#">{}[number + 1];
-}
-constexpr auto mapped_index_msb(unsigned number) {
-  return Number<display_mapping_object, "mapped_object_#", "Index-MSB">{}[number + 1];
-}
-constexpr auto mapped_index_lsb(unsigned number) {
-  return Number<display_mapping_object, "mapped_object_#", "Index-LSB">{}[number + 1];
-}
-constexpr auto mapped_sub_index(unsigned number) {
-  return Number<display_mapping_object, "mapped_object_#", "Sub-Index">{}[number + 1];
-}
-constexpr auto flash_speed(unsigned number) {
-  return State<FlashSpeed, display_mapping_object, "mapped_object_#", "flash speed">{}[number + 1];
-}
-constexpr auto font_style(unsigned number) {
-  return State<FontStyle, display_mapping_object, "mapped_object_#", "font style">{}[number + 1];
-}
-constexpr auto alignment(unsigned number) {
-  return State<Alignment, display_mapping_object, "mapped_object_#", "alignment">{}[number + 1];
-}
-constexpr auto font_size(unsigned number) {
-  return State<FontSize, display_mapping_object, "mapped_object_#", "font size">{}[number + 1];
-}
+inline constexpr Number<display_mapping_object, "mapped_object_#"> mapped_object;
+inline constexpr Number<display_mapping_object, "mapped_object_#", "Index-MSB"> mapped_index_msb;
+inline constexpr Number<display_mapping_object, "mapped_object_#", "Index-LSB"> mapped_index_lsb;
+inline constexpr Number<display_mapping_object, "mapped_object_#", "Sub-Index"> mapped_sub_index;
+inline constexpr State<FlashSpeed, display_mapping_object, "mapped_object_#", "flash speed">
+    flash_speed;
+inline constexpr State<FontStyle, display_mapping_object, "mapped_object_#", "font style">
+    font_style;
+inline constexpr State<Alignment, display_mapping_object, "mapped_object_#", "alignment"> alignment;
+inline constexpr State<FontSize, display_mapping_object, "mapped_object_#", "font size"> font_size;
 inline constexpr State<BusStop, bus_stop_request_object> bus_stop_request;
 inline constexpr Number<character_set_object, "selected_character_set"> selected_character_set;
-constexpr auto available_character_set(unsigned number) {
-  return Number<character_set_object, "1st additional available character set">{}[number + 1];
-}
+inline constexpr Number<character_set_object, "1st additional available character set">
+    available_character_set;
 
 // Vehicle gateway (9.2.15).
 
@@ -410,45 +333,28 @@ inline constexpr Quantity<passenger_capacity_usage_object> passenger_capacity_us
 // Diagnostics (9.2.27).
 
 inline constexpr Number<short_diagnostic_error_field_object, "number_of_errors"> number_of_errors;
-constexpr auto short_error_code(unsigned number) {
-  return Number<short_diagnostic_error_field_object, "short_error_field_#", "error code">{}[number];
-}
-constexpr auto short_error_device(unsigned number) {
-  return Number<short_diagnostic_error_field_object, "short_error_field_#",
-                "device code">{}[number];
-}
+inline constexpr Number<short_diagnostic_error_field_object, "short_error_field_#", "error code">
+    short_error_code;
+inline constexpr Number<short_diagnostic_error_field_object, "short_error_field_#", "device code">
+    short_error_device;
 inline constexpr Number<error_class_1_messages_object, "number_of_messages">
     number_of_class_1_messages;
 inline constexpr Number<error_class_2_messages_object, "number_of_messages">
     number_of_class_2_messages;
 inline constexpr Number<error_class_3_messages_object, "number_of_messages">
     number_of_class_3_messages;
-constexpr auto class_1_message(unsigned number) {
-  return Text<error_class_1_messages_object, "message_#">{}[number];
-}
-constexpr auto class_2_message(unsigned number) {
-  return Text<error_class_2_messages_object, "message_#">{}[number];
-}
-constexpr auto class_3_message(unsigned number) {
-  return Text<error_class_3_messages_object, "message_#">{}[number];
-}
+inline constexpr Text<error_class_1_messages_object, "message_#"> class_1_message;
+inline constexpr Text<error_class_2_messages_object, "message_#"> class_2_message;
+inline constexpr Text<error_class_3_messages_object, "message_#"> class_3_message;
 
 // Generic I/O (9.2.28).
 
 inline constexpr Number<digital_input_object> digital_inputs;
 inline constexpr Number<digital_output_object> digital_outputs;
-constexpr auto analogue_input_1(unsigned group) {
-  return Number<analogue_input_object, "input_group_#", "channel 1">{}[group];
-}
-constexpr auto analogue_input_2(unsigned group) {
-  return Number<analogue_input_object, "input_group_#", "channel 2">{}[group];
-}
-constexpr auto analogue_output_1(unsigned group) {
-  return Number<analogue_output_object, "output_group_#", "channel 1">{}[group];
-}
-constexpr auto analogue_output_2(unsigned group) {
-  return Number<analogue_output_object, "output_group_#", "channel 2">{}[group];
-}
+inline constexpr Number<analogue_input_object, "input_group_#", "channel 1"> analogue_input_1;
+inline constexpr Number<analogue_input_object, "input_group_#", "channel 2"> analogue_input_2;
+inline constexpr Number<analogue_output_object, "output_group_#", "channel 1"> analogue_output_1;
+inline constexpr Number<analogue_output_object, "output_group_#", "channel 2"> analogue_output_2;
 
 // Several logical devices in one (9.2.30.1): 1000h of the first.
 

@@ -10,39 +10,37 @@ namespace canvoy::cia407 {
 
 // Identification.
 
-inline constexpr ObjectInfo driver_id_object = variable(
-    0x6190, "driver_ID", "9.2.7.1",
-    "Identifies the driver, as 6524h does by the card; 6198h is its text.",
-    {.type = DataType::unsigned32, .mapping = Mapping::by_default, .initial = 0, .errata = "85"});
-inline constexpr ObjectInfo destination_number_object =
+inline constexpr auto driver_id_object =
+    variable(0x6190, "driver_ID", "9.2.7.1",
+             "Identifies the driver, as 6524h does by the card; 6198h is its text.",
+             entry(unsigned32, ro, by_default, 0), {.errata = "85"});
+inline constexpr auto destination_number_object =
     variable(0x6191, "destination_number", "9.2.7.2", "Where the line goes.",
-             {.type = DataType::unsigned32, .mapping = Mapping::by_default, .initial = 0});
-inline constexpr ObjectInfo line_id_object =
+             entry(unsigned32, ro, by_default, 0));
+inline constexpr auto line_id_object =
     variable(0x6192, "line_ID", "9.2.7.3", "Identifies the line; 6196h is its text.",
-             {.type = DataType::unsigned16, .mapping = Mapping::by_default, .initial = 0});
-inline constexpr ObjectInfo route_number_object = variable(
-    0x6193, "route_number", "9.2.7.4", "The sequence of stops of a line.",
-    {.type = DataType::unsigned16, .mapping = Mapping::by_default, .initial = 0, .errata = "25"});
-inline constexpr ObjectInfo block_id_object = variable(
+             entry(unsigned16, ro, by_default, 0));
+inline constexpr auto route_number_object =
+    variable(0x6193, "route_number", "9.2.7.4", "The sequence of stops of a line.",
+             entry(unsigned16, ro, by_default, 0), {.errata = "25"});
+inline constexpr auto block_id_object = variable(
     0x6194, "block_ID", "9.2.7.5",
     "The work of the vehicle from leaving a parking point to the return; 6197h is its text.",
-    {.type = DataType::unsigned32, .mapping = Mapping::by_default, .initial = 0});
+    entry(unsigned32, ro, by_default, 0));
 inline constexpr NamedValue journey_numbers[] = {{0, "non-service journey"}};
-inline constexpr ObjectInfo journey_number_object =
+inline constexpr auto journey_number_object =
     variable(0x6195, "journey_number", "9.2.7.6",
              "A journey from one terminal to another by a time table; 0: not in service.",
-             {.type = DataType::unsigned16,
-              .mapping = Mapping::by_default,
-              .initial = 0,
-              .value = {.names = journey_numbers, .counting = Counting::identifies}});
+             entry(unsigned16, ro, by_default, 0,
+                   {.names = journey_numbers, .counting = Counting::identifies}));
 
 // Provided by identification or the main on-board computer.
-inline constexpr ObjectInfo line_id_text_object =
-    variable(0x6196, "line_ID_text", "9.2.7.7", "The text to 6192h.", visible_text("26"));
-inline constexpr ObjectInfo block_id_text_object =
-    variable(0x6197, "block_ID_text", "9.2.7.8", "The text to 6194h.", visible_text("26"));
-inline constexpr ObjectInfo driver_id_text_object =
-    variable(0x6198, "driver_ID_text", "9.2.7.9", "The text to 6190h.", visible_text("26"));
+inline constexpr auto line_id_text_object = variable(
+    0x6196, "line_ID_text", "9.2.7.7", "The text to 6192h.", visible_text, {.errata = "26"});
+inline constexpr auto block_id_text_object = variable(
+    0x6197, "block_ID_text", "9.2.7.8", "The text to 6194h.", visible_text, {.errata = "26"});
+inline constexpr auto driver_id_text_object = variable(
+    0x6198, "driver_ID_text", "9.2.7.9", "The text to 6190h.", visible_text, {.errata = "26"});
 
 // Passenger information: files.
 
@@ -53,21 +51,21 @@ constexpr EntryInfo of_display(EntryInfo entry) {
   return entry;
 }
 constexpr EntryInfo file(std::string_view name, DataType type, std::uint16_t capacity = 0) {
-  return of_display({.name = name, .type = type, .capacity = capacity});
+  return of_display(sub_index(0, name, string_entry(type, ro, capacity)));
 }
 inline constexpr auto xml_text_entries = one_or_more(
     entries_within(1, 254), file("XML_file_#", DataType::visible_string, xml_capacity), 254);
-inline constexpr ObjectInfo xml_text_object =
+inline constexpr auto xml_text_object =
     array(0x6200, "XML_text", "9.2.8.1",
           "XML files, or segments of them; shown when 6203h says so.", xml_text_entries);
 inline constexpr auto special_character_files_entries =
     one_or_more(entries_within(1, 254), file("special_character_file_#", DataType::domain), 254);
-inline constexpr ObjectInfo special_character_files_object =
+inline constexpr auto special_character_files_object =
     array(0x6201, "special_character_files", "9.2.8.2",
           "Each describes a special character of the display.", special_character_files_entries);
 inline constexpr auto referenced_files_entries =
     one_or_more(entries_within(1, 254), file("reference_file_#", DataType::domain), 254);
-inline constexpr ObjectInfo referenced_files_for_xml_files_object =
+inline constexpr auto referenced_files_for_xml_files_object =
     array(0x6202, "referenced_files_for_XML_files", "9.2.8.3",
           "Pictures that the XML files name; shown when 6203h says so.", referenced_files_entries);
 
@@ -112,14 +110,10 @@ inline constexpr DisplayLayout display_by_byte_order = {24, 16, 8, 0};
 
 constexpr std::array<FieldInfo, 7> display_fields(const DisplayLayout& layout) {
   const auto byte = [](std::uint8_t first, std::string_view name) {
-    return FieldInfo{
-        .first_bit = first, .bits = 8, .name = name, .value = {.notation = Notation::hexadecimal}};
+    return field(first, 8, name, {.notation = Notation::hexadecimal});
   };
   const auto mode = [&](unsigned offset, std::string_view name, const Items<NamedValue>& names) {
-    return FieldInfo{.first_bit = static_cast<std::uint8_t>(layout.format + offset),
-                     .bits = 2,
-                     .name = name,
-                     .value = {.names = names}};
+    return field(static_cast<std::uint8_t>(layout.format + offset), 2, name, names);
   };
   return {byte(layout.sub_index, "Sub-Index"), byte(layout.index_msb, "Index-MSB"),
           byte(layout.index_lsb, "Index-LSB"), mode(0, "font size", font_sizes),
@@ -130,22 +124,17 @@ inline constexpr auto display_mapping_fields = display_fields(display_by_bit_num
 inline constexpr auto display_mapping_fields_reversed = display_fields(display_by_byte_order);
 
 inline constexpr FieldInfo display_update_fields[] = {
-    {.first_bit = 0, .bits = 8, .name = "number of mapped objects"},
-    {.first_bit = 8,
-     .bits = 24,
-     .name = "manufacturer-specific",
-     .value = {.notation = Notation::hexadecimal}},
+    field(0, 8, "number of mapped objects"),
+    field(8, 24, "manufacturer-specific", {.notation = Notation::hexadecimal}),
 };
 /// Two texts are shown from the start (errata 75, 76): 610Ch and 6112h, of each the first, since
 /// the specification gives neither sub-index nor format.
 constexpr std::array<EntryInfo, 5> display_entries(const DisplayLayout& layout,
                                                    const Items<FieldInfo>& fields) {
-  const EntryInfo shown = of_display({.name = "mapped_object_#",
-                                      .type = DataType::unsigned32,
-                                      .mapping = Mapping::optional,
-                                      .value = {.notation = Notation::hexadecimal},
-                                      .fields = fields,
-                                      .errata = "74, 75, 76"});
+  const EntryInfo shown = of_display(
+      sub_index(0, "mapped_object_#",
+                entry(unsigned32, ro, optional, {}, {.notation = Notation::hexadecimal}, fields),
+                {.errata = "74, 75, 76"}));
   EntryInfo update = at(1, shown);
   update.name = "display_update";
   update.initial = 2;
@@ -177,13 +166,9 @@ inline constexpr ObjectInfo display_mapping_object_reversed =
 enum class BusStop : std::uint8_t { not_requested = 0, requested = 1 };
 inline constexpr NamedValue bus_stop_requests[] = {
     {BusStop::not_requested, "bus stop not requested"}, {BusStop::requested, "bus stop requested"}};
-inline constexpr ObjectInfo bus_stop_request_object =
+inline constexpr auto bus_stop_request_object =
     variable(0x6204, "bus_stop_request", "9.2.8.5", "Somebody wants to get off at the next stop.",
-             {.type = DataType::boolean,
-              .mapping = Mapping::optional,
-              .initial = 0,
-              .value = {.names = bus_stop_requests},
-              .errata = "28"});
+             entry(boolean, ro, optional, 0, bus_stop_requests), {.errata = "28"});
 
 inline constexpr NamedValue character_sets[] = {
     {0x0, "ISO 646-US"},
@@ -205,8 +190,7 @@ inline constexpr NamedValue character_sets[] = {
     {0x0010, 0x7FFF, "reserved", Meaning::reserved},
     {0x8000, 0xFFFF, "manufacturer-specific character set", Meaning::manufacturer},
 };
-inline constexpr EntryInfo character_set = {.type = DataType::unsigned16,
-                                            .value = {.names = character_sets}};
+inline constexpr EntryInfo character_set = entry(unsigned16, ro, no, {}, character_sets);
 constexpr std::array<EntryInfo, 5> make_character_set_entries() {
   EntryInfo selected = at(1, character_set);
   selected.name = "selected_character_set";
@@ -222,7 +206,7 @@ constexpr std::array<EntryInfo, 5> make_character_set_entries() {
   return {entries_within(1, 254), selected, first, others, last};
 }
 inline constexpr auto character_set_entries = make_character_set_entries();
-inline constexpr ObjectInfo character_set_object =
+inline constexpr auto character_set_object =
     array(0x6205, "character_set", "9.2.8.6", "The character set of 610Ch, 610Dh and 6112h.",
           character_set_entries, "29, 77");
 

@@ -98,19 +98,13 @@ constexpr std::array<FieldInfo, 6> additional_information(std::uint8_t first) {
           nibble(4, "class", information_classes, is_information),
           nibble(4, "class", indicator_classes, is_indicator),
           nibble(4, "class", no_class, has_no_class),
-          {.first_bit = static_cast<std::uint8_t>(first + 8),
-           .bits = 8,
-           .name = device_code_field,
-           .value = {.names = device_codes}}};
+          field(static_cast<std::uint8_t>(first + 8), 8, device_code_field, device_codes)};
 }
 
 inline constexpr NamedValue profile_numbers[] = {{profile_number, "CiA 407"}};
 constexpr std::array<FieldInfo, 7> make_device_type_fields() {
   std::array<FieldInfo, 7> fields{};
-  fields[0] = {.first_bit = 0,
-               .bits = 16,
-               .name = "number of device profile",
-               .value = {.names = profile_numbers}};
+  fields[0] = field(0, 16, "number of device profile", profile_numbers);
   const auto additional = additional_information(16);
   for (std::size_t i = 0; i < additional.size(); ++i) fields[i + 1] = additional[i];
   return fields;
@@ -142,28 +136,20 @@ inline constexpr ObjectInfo error_register_object = make_error_register();
 inline constexpr EntryInfo error_behavior_entries[] = {
     cia301::highest_sub_index,
     cia301::error_behavior_entries[1],
-    {.sub_first = 2,
-     .name = "Internal_Device_Error",
-     .access = Access::rw,
-     .category = Category::optional,
-     .initial = 0,
-     .value = {.limits = within(0, 2), .names = cia301::error_behaviors},
-     .description = "What the device does when it finds an error within itself."},
+    sub_index(
+        2, "Internal_Device_Error",
+        entry(unsigned8, rw, no, 0, {.limits = within(0, 2), .names = cia301::error_behaviors}),
+        {.category = Category::optional,
+         .description = "What the device does when it finds an error within itself."}),
 };
-inline constexpr ObjectInfo error_behavior_object = {
-    .index = 0x1029,
-    .code = ObjectCode::array,
-    .name = "Error behavior",
-    .category = Category::optional,
-    .clause = "8.1.3",
-    .description = "The NMT state that a device enters when an error comes.",
-    .subs = error_behavior_entries};
+inline constexpr auto error_behavior_object = array_object(
+    0x1029, "Error behavior", "8.1.3", "The NMT state that a device enters when an error comes.",
+    error_behavior_entries, {.category = Category::optional});
 
 inline constexpr auto virtual_device_type_fields = additional_information(0);
-inline constexpr EntryInfo virtual_device_type = {.name = "virtual_device_type_#",
-                                                  .type = DataType::unsigned16,
-                                                  .value = {.notation = Notation::hexadecimal},
-                                                  .fields = virtual_device_type_fields};
+inline constexpr EntryInfo virtual_device_type = sub_index(
+    0, "virtual_device_type_#",
+    entry(unsigned16, ro, no, {}, {.notation = Notation::hexadecimal}, virtual_device_type_fields));
 constexpr EntryInfo more_virtual_device_types() {
   EntryInfo more = optional_at(3, 254, virtual_device_type);
   more.first_number = 3;
@@ -172,28 +158,18 @@ constexpr EntryInfo more_virtual_device_types() {
 inline constexpr EntryInfo supported_virtual_device_types_entries[] = {
     entries_within(2, 254, "number_of_supported_virtual_devices"), at(1, 2, virtual_device_type),
     more_virtual_device_types()};
-inline constexpr ObjectInfo supported_virtual_device_types_object = {
-    .index = 0x6000,
-    .code = ObjectCode::array,
-    .name = "supported_virtual_device_types",
-    .category = Category::conditional,
-    .condition = "if the device is several virtual devices",
-    .clause = "9.2.3.1",
-    .errata = "79",
-    .description = "The virtual devices in this device, each as the high word of 1000h would be.",
-    .subs = supported_virtual_device_types_entries};
+inline constexpr auto supported_virtual_device_types_object =
+    array_object(0x6000, "supported_virtual_device_types", "9.2.3.1",
+                 "The virtual devices in this device, each as the high word of 1000h would be.",
+                 supported_virtual_device_types_entries,
+                 {.condition = "if the device is several virtual devices", .errata = "79"});
 
 /// The specification has no object description; type and access are those of 1000h.
-inline constexpr ObjectInfo device_type_object = {
-    .index = 0x67FF,
-    .name = "device_type",
-    .category = Category::conditional,
-    .condition = "if the device is a multiple device module",
-    .clause = "9.2.30.1",
-    .description = "1000h of the first logical device of a multiple device module.",
-    .entry = {.type = DataType::unsigned32,
-              .initial = multiple_device_type,
-              .value = {.notation = Notation::hexadecimal},
-              .fields = device_type_fields}};
+inline constexpr auto device_type_object =
+    var_object(0x67FF, "device_type", "9.2.30.1",
+               "1000h of the first logical device of a multiple device module.",
+               entry(unsigned32, ro, no, multiple_device_type, {.notation = Notation::hexadecimal},
+                     device_type_fields),
+               {.condition = "if the device is a multiple device module"});
 
 }  // namespace canvoy::cia407

@@ -1,16 +1,18 @@
 // What the objects of CiA 407 have in common: codes of virtual devices, shapes of objects, and
 // codings of quantities.
 //
-//     inline constexpr ObjectInfo fare_zone_object =
+//     inline constexpr auto fare_zone_object =
 //         variable(0x6111, "fare_zone", "9.2.6.18", "The present fare zone.",
-//                  {.mapping = Mapping::by_default, .initial = 0});
+//                  entry(unsigned8, ro, by_default, 0));
 #pragma once
 
 #include <array>
 
-#include "canvoy/profiles/description.hpp"
+#include "canvoy/profiles/rows.hpp"
 
 namespace canvoy::cia407 {
+
+using namespace rows;  // NOLINT(google-build-using-namespace): the columns of its tables
 
 /// Virtual devices, as 1000h, 6000h, 6001h and 6002h name them (8.1.1).
 enum class DeviceCode : std::uint8_t {
@@ -56,52 +58,36 @@ constexpr EntryInfo by_device(EntryInfo entry) {
   if (entry.consumer_access == Access::none) entry.consumer_access = Access::wo;
   return entry;
 }
-/// A variable; condition and errata of the entry become those of the object.
+/// An object that is there as clause 6 says, where `remarks` give no other condition.
+constexpr ObjectRemarks of_device(ObjectRemarks remarks) {
+  if (remarks.condition.empty()) remarks.condition = by_virtual_device;
+  return remarks;
+}
 constexpr ObjectInfo variable(std::uint16_t index, std::string_view name, std::string_view clause,
-                              std::string_view description, const EntryInfo& entry) {
-  ObjectInfo object = {.index = index,
-                       .name = name,
-                       .category = Category::conditional,
-                       .condition = entry.condition.empty() ? by_virtual_device : entry.condition,
-                       .clause = clause,
-                       .errata = entry.errata,
-                       .description = description,
-                       .entry = by_device(entry)};
-  object.entry.condition = {};
-  object.entry.errata = {};
-  return object;
+                              std::string_view description, const EntryInfo& entry,
+                              const ObjectRemarks& remarks = {}) {
+  return var_object(index, name, clause, description, by_device(entry), of_device(remarks));
 }
 constexpr ObjectInfo array(std::uint16_t index, std::string_view name, std::string_view clause,
                            std::string_view description, Items<EntryInfo> subs,
                            std::string_view errata = {}) {
-  return {.index = index,
-          .code = ObjectCode::array,
-          .name = name,
-          .category = Category::conditional,
-          .condition = by_virtual_device,
-          .clause = clause,
-          .errata = errata,
-          .description = description,
-          .subs = subs};
+  return array_object(index, name, clause, description, subs, of_device({.errata = errata}));
 }
 constexpr ObjectInfo record(std::uint16_t index, std::string_view name, std::string_view clause,
                             std::string_view description, Items<EntryInfo> subs,
                             std::string_view errata = {}) {
-  ObjectInfo object = array(index, name, clause, description, subs, errata);
-  object.code = ObjectCode::record;
-  return object;
+  return record_object(index, name, clause, description, subs, of_device({.errata = errata}));
 }
 
 /// Sub-index 00h where the specification leaves the number of entries to the device.
 constexpr EntryInfo entries_within(std::uint8_t low, std::uint8_t high,
                                    std::string_view name = "number_of_entries") {
-  return {.name = name, .initial = highest_sub(), .value = {.limits = within(low, high)}};
+  return sub_index(0, name, entry(unsigned8, ro, no, highest_sub(), {.limits = within(low, high)}));
 }
 /// Sub-index 00h where there are as many entries in each device.
 constexpr EntryInfo entries_always(std::uint8_t count) {
-  return {.name = "number_of_entries",
-          .initial = highest_sub(count),
-          .value = {.limits = within(count, count)}};
+  return sub_index(0, "number_of_entries",
+                   entry(unsigned8, ro, no, highest_sub(count), {.limits = within(count, count)}));
 }
 /// Entries of one shape at the sub-indices from `first` to `last`.
 constexpr EntryInfo at(std::uint8_t first, std::uint8_t last, EntryInfo shape) {
@@ -132,17 +118,14 @@ template <unsigned bits>
 inline constexpr NamedValue padding[] = {{0, (1 << bits) - 1, "reserved", Meaning::padding}};
 template <unsigned bits>
 constexpr FieldInfo reserved(std::uint8_t first_bit) {
-  return {
-      .first_bit = first_bit, .bits = bits, .name = "reserved", .value = {.names = padding<bits>}};
+  return field(first_bit, bits, "reserved", {.names = padding<bits>});
 }
 
 // Texts. The profile gives no length for them: these are ours, and a device may have less or more.
 
 inline constexpr std::uint16_t text_capacity = 64;
 inline constexpr std::uint16_t xml_capacity = 1024;
-constexpr EntryInfo visible_text(std::string_view errata = {}) {
-  return {.type = DataType::visible_string, .capacity = text_capacity, .errata = errata};
-}
+inline constexpr EntryInfo visible_text = string_entry(visible_string, ro, text_capacity);
 /// Plain texts of 128 octets (errata 106).
 inline constexpr EntryInfo plain_text = {
     .type = DataType::octet_string, .capacity = 128, .capacity_is_printed = true};

@@ -10,20 +10,16 @@ namespace canvoy::cia407 {
 
 // Speed, distance and direction.
 
-inline constexpr ObjectInfo wheel_based_vehicle_speed_object =
+inline constexpr auto wheel_based_vehicle_speed_object =
     variable(0x6481, "wheel_based_vehicle_speed", "9.2.15.1", "The speed, forward or backward.",
-             {.type = DataType::unsigned16, .mapping = Mapping::optional, .value = speed});
-inline constexpr ObjectInfo vehicle_mileage_object = variable(
+             entry(unsigned16, ro, optional, {}, speed));
+inline constexpr auto vehicle_mileage_object = variable(
     0x6482, "vehicle_mileage", "9.2.15.2", "The distance that the vehicle has gone in all.",
-    {.type = DataType::unsigned32, .mapping = Mapping::optional, .initial = 0, .value = distance});
-inline constexpr ObjectInfo vehicle_mileage_precision_object =
+    entry(unsigned32, ro, optional, 0, distance));
+inline constexpr auto vehicle_mileage_precision_object =
     variable(0x6483, "vehicle_mileage_precision", "9.2.15.3", "How exact 6482h is.",
-             {.type = DataType::unsigned16,
-              .mapping = Mapping::optional,
-              .condition = "if object 6482h is implemented",
-              .initial = 0xFFFF,
-              .value = distance_precision,
-              .errata = "104"});
+             entry(unsigned16, ro, optional, 0xFFFF, distance_precision),
+             {.condition = "if object 6482h is implemented", .errata = "104"});
 
 enum class Direction : std::uint8_t { forward = 0, reverse = 1, error = 2, not_available = 3 };
 enum class Motion : std::uint8_t { not_detected = 0, detected = 1, error = 2, not_available = 3 };
@@ -40,27 +36,21 @@ inline constexpr NamedValue motions[] = {
 /// Of 6484h and 6521h (errata 73).
 inline constexpr FieldInfo drive_fields[] = {
     reserved<4>(0),
-    {.first_bit = 4, .bits = 2, .name = "drive recognition", .value = {.names = motions}},
-    {.first_bit = 6, .bits = 2, .name = "direction indicator", .value = {.names = directions}},
+    field(4, 2, "drive recognition", motions),
+    field(6, 2, "direction indicator", directions),
 };
-inline constexpr ObjectInfo drive_flag_and_direction_flag_object =
+inline constexpr auto drive_flag_and_direction_flag_object =
     variable(0x6484, "drive_flag_and_direction_flag", "9.2.15.4",
              "Whether the vehicle moves (pulses of the sensor for 5 s), and which way.",
-             {.mapping = Mapping::optional, .fields = drive_fields, .errata = "72"});
-inline constexpr ObjectInfo compass_bearing_object =
+             entry(unsigned8, ro, optional, {}, drive_fields), {.errata = "72"});
+inline constexpr auto compass_bearing_object =
     variable(0x6486, "compass_bearing", "9.2.15.5", "Where the vehicle heads to, by compass.",
-             {.type = DataType::unsigned16,
-              .mapping = Mapping::optional,
-              .value = heading,
-              .errata = "63, 64"});
-inline constexpr ObjectInfo compass_bearing_precision_object = variable(
+             entry(unsigned16, ro, optional, {}, heading), {.errata = "63, 64"});
+inline constexpr auto compass_bearing_precision_object = variable(
     0x6487, "compass_bearing_precision", "9.2.15.6", "How exact 6486h is.",
-    {.type = DataType::unsigned16,
-     .mapping = Mapping::optional,
-     .condition = "if object 6486h is implemented",
-     .initial = 0xFFFF,
-     .value = {.unit = Unit::degree, .scale = {.denominator = 128}, .names = precision_unknown_16},
-     .errata = "104"});
+    entry(unsigned16, ro, optional, 0xFFFF,
+          {.unit = Unit::degree, .scale = {.denominator = 128}, .names = precision_unknown_16}),
+    {.condition = "if object 6486h is implemented", .errata = "104"});
 
 // Doors.
 
@@ -78,26 +68,20 @@ inline constexpr NamedValue validities[] = {{Validity::invalid, "door invalid"},
                                             {Validity::valid, "door valid"}};
 inline constexpr FieldInfo general_door_fields[] = {
     reserved<5>(0),
-    {.first_bit = 5, .name = "right side doors", .value = {.names = release_states}},
-    {.first_bit = 6, .name = "left side doors", .value = {.names = release_states}},
-    {.first_bit = 7, .name = "all doors", .value = {.names = doors_states}},
+    field(5, 1, "right side doors", release_states),
+    field(6, 1, "left side doors", release_states),
+    field(7, 1, "all doors", doors_states),
 };
 /// Four doors in a byte: the first of them, N, in the highest bits.
 inline constexpr FieldInfo specific_door_fields[] = {
-    {.first_bit = 0, .name = "door N+3 valid", .value = {.names = validities}},
-    {.first_bit = 1, .name = "door N+3", .value = {.names = door_states}},
-    {.first_bit = 2, .name = "door N+2 valid", .value = {.names = validities}},
-    {.first_bit = 3, .name = "door N+2", .value = {.names = door_states}},
-    {.first_bit = 4, .name = "door N+1 valid", .value = {.names = validities}},
-    {.first_bit = 5, .name = "door N+1", .value = {.names = door_states}},
-    {.first_bit = 6, .name = "door N valid", .value = {.names = validities}},
-    {.first_bit = 7, .name = "door N", .value = {.names = door_states}},
+    field(0, 1, "door N+3 valid", validities), field(1, 1, "door N+3", door_states),
+    field(2, 1, "door N+2 valid", validities), field(3, 1, "door N+2", door_states),
+    field(4, 1, "door N+1 valid", validities), field(5, 1, "door N+1", door_states),
+    field(6, 1, "door N valid", validities),   field(7, 1, "door N", door_states),
 };
 constexpr std::array<EntryInfo, 6> make_state_of_doors_entries() {
-  EntryInfo general = by_device({.sub_first = 1,
-                                 .name = "general_state",
-                                 .mapping = Mapping::optional,
-                                 .fields = general_door_fields});
+  EntryInfo general = by_device(
+      sub_index(1, "general_state", entry(unsigned8, ro, optional, {}, general_door_fields)));
   EntryInfo four = by_device({.mapping = Mapping::optional,
                               .fields = specific_door_fields,
                               .description = "Of the doors from N = 4 x sub-index - 7 on."});
@@ -113,18 +97,17 @@ constexpr std::array<EntryInfo, 6> make_state_of_doors_entries() {
   return {entries_within(2, 254), general, first, second, others, last};
 }
 inline constexpr auto state_of_doors_entries = make_state_of_doors_entries();
-inline constexpr ObjectInfo state_of_doors_object =
+inline constexpr auto state_of_doors_object =
     array(0x6488, "state_of_doors", "9.2.15.7", "Which doors are open, and which may be opened.",
           state_of_doors_entries, "10, 44, 78, 79");
 
 // Temperatures, fuel and times of operation.
 
-inline constexpr ObjectInfo ambient_air_temperature_object = variable(
+inline constexpr auto ambient_air_temperature_object = variable(
     0x6489, "ambient_air_temperature", "9.2.15.8", "The temperature outside: -273 to 1735 °C.",
-    {.type = DataType::unsigned16,
-     .mapping = Mapping::optional,
-     .value = coded_16(Unit::degree_celsius, {.denominator = 32, .offset = -273 * 32}),
-     .errata = "60"});
+    entry(unsigned16, ro, optional, {},
+          coded_16(Unit::degree_celsius, {.denominator = 32, .offset = -273 * 32})),
+    {.errata = "60"});
 
 /// The members of 0080h, in the shape of 648Ah (errata 66).
 constexpr std::array<EntryInfo, 7> fuel_members(const EntryInfo& number, const EntryInfo& shape) {
@@ -151,8 +134,8 @@ constexpr std::array<EntryInfo, 7> fuel_members(const EntryInfo& number, const E
           member(6, "total_idle_fuel_used", DataType::unsigned32, volume, "While idling.")};
 }
 inline constexpr auto fuel_economy_entries =
-    fuel_members(entries_always(6), by_device({.mapping = Mapping::optional}));
-inline constexpr ObjectInfo fuel_economy_object =
+    fuel_members(entries_always(6), by_device(entry(unsigned8, ro, optional)));
+inline constexpr auto fuel_economy_object =
     record(0x648A, "fuel_economy", "9.2.15.9", "What the engine consumes (record type 0080h).",
            fuel_economy_entries, "65, 66, 67, 105");
 
@@ -169,57 +152,49 @@ inline constexpr NamedValue brake_pedal_states[] = {
     {BrakePedal::not_available, "information not available", Meaning::invalid}};
 inline constexpr FieldInfo brake_switch_fields[] = {
     reserved<6>(0),
-    {.first_bit = 6, .bits = 2, .name = "brake pedal", .value = {.names = brake_pedal_states}},
+    field(6, 2, "brake pedal", brake_pedal_states),
 };
-inline constexpr ObjectInfo brake_switch_object =
+inline constexpr auto brake_switch_object =
     variable(0x648B, "brake_switch", "9.2.15.10", "Whether the driver brakes.",
-             {.mapping = Mapping::optional, .fields = brake_switch_fields});
-inline constexpr ObjectInfo engine_coolant_temperature_object = variable(
-    0x648C, "engine_coolant_temperature", "9.2.15.11",
-    "The temperature of the liquid that cools the engine: -40 to 210 °C.",
-    {.mapping = Mapping::optional, .value = coded_8(Unit::degree_celsius, {.offset = -40})});
+             entry(unsigned8, ro, optional, {}, brake_switch_fields));
+inline constexpr auto engine_coolant_temperature_object =
+    variable(0x648C, "engine_coolant_temperature", "9.2.15.11",
+             "The temperature of the liquid that cools the engine: -40 to 210 °C.",
+             entry(unsigned8, ro, optional, {}, coded_8(Unit::degree_celsius, {.offset = -40})));
 
 /// A time of 648Dh.
 constexpr EntryInfo operation_time(std::uint8_t sub, std::string_view name,
                                    std::string_view description) {
-  return by_device({.sub_first = sub,
-                    .name = name,
-                    .type = DataType::unsigned32,
-                    .mapping = Mapping::optional,
-                    .category = Category::optional,
-                    .value = coded_32(Unit::hour, {.denominator = 20}),
-                    .description = description});
+  return by_device(sub_index(
+      sub, name, entry(unsigned32, ro, optional, {}, coded_32(Unit::hour, {.denominator = 20})),
+      {.category = Category::optional, .description = description}));
 }
 inline constexpr EntryInfo operation_times_entries[] = {
     entries_within(1, 4), operation_time(1, "total_idle_hours", "The engine idles."),
     operation_time(2, "total_vehicle_hours", "The vehicle is in operation."),
     operation_time(3, "total_engine_hours", "The engine is in operation."),
     operation_time(4, "total_power_takeoff_hours", "The power take-off is in operation.")};
-inline constexpr ObjectInfo operation_times_object =
+inline constexpr auto operation_times_object =
     array(0x648D, "operation_times", "9.2.15.12", "How long the vehicle and its parts have worked.",
           operation_times_entries, "6, 50");
 
 // Tachograph.
 
-inline constexpr ObjectInfo tachograph_speed_object = variable(
-    0x6520, "tachograph_speed", "9.2.17.1", "The speed, forward or backward, to 1 km/h.",
-    {.type = DataType::unsigned16, .mapping = Mapping::optional, .value = speed, .errata = "61"});
-inline constexpr ObjectInfo drive_recognition_and_direction_indication_object =
+inline constexpr auto tachograph_speed_object =
+    variable(0x6520, "tachograph_speed", "9.2.17.1", "The speed, forward or backward, to 1 km/h.",
+             entry(unsigned16, ro, optional, {}, speed), {.errata = "61"});
+inline constexpr auto drive_recognition_and_direction_indication_object =
     variable(0x6521, "drive_recognition_and_direction_indication", "9.2.17.2",
              "Whether the vehicle moves (pulses of the sensor for 5 s), and which way.",
-             {.mapping = Mapping::optional, .fields = drive_fields, .errata = "73"});
+             entry(unsigned8, ro, optional, {}, drive_fields), {.errata = "73"});
 
 constexpr EntryInfo vehicle_distance(std::uint8_t sub, std::string_view name) {
-  return by_device({.sub_first = sub,
-                    .name = name,
-                    .type = DataType::unsigned32,
-                    .mapping = Mapping::optional,
-                    .value = distance});
+  return by_device(sub_index(sub, name, entry(unsigned32, ro, optional, {}, distance)));
 }
 inline constexpr EntryInfo high_resolution_vehicle_distance_entries[] = {
     entries_within(1, 2), vehicle_distance(1, "total_vehicle_distance"),
     vehicle_distance(2, "trip_distance")};
-inline constexpr ObjectInfo high_resolution_vehicle_distance_object =
+inline constexpr auto high_resolution_vehicle_distance_object =
     array(0x6522, "high_resolution_vehicle_distance", "9.2.17.3",
           "The distance gone in all, and in a journey or part of one; exact to 10 m.",
           high_resolution_vehicle_distance_entries, "4");
@@ -244,9 +219,9 @@ constexpr std::array<EntryInfo, 9> time_members(const EntryInfo& number, const E
   return entries;
 }
 /// The clause points to ISO 16844-7, and so has its codes for what is not available.
-inline constexpr auto tachograph_time_and_date_entries = time_members(
-    entries_always(8), by_device({.mapping = Mapping::optional, .value = {.names = not_values_8}}));
-inline constexpr ObjectInfo tachograph_time_and_date_object = record(
+inline constexpr auto tachograph_time_and_date_entries =
+    time_members(entries_always(8), by_device(entry(unsigned8, ro, optional, {}, not_values_8)));
+inline constexpr auto tachograph_time_and_date_object = record(
     0x6523, "tachograph_time_and_date", "9.2.17.4", "Time and date in UTC (record type 0081h).",
     tachograph_time_and_date_entries, "48, 52, 53, 56, 105");
 
@@ -259,21 +234,18 @@ constexpr EntryInfo driver_card(std::uint8_t sub, std::string_view name) {
 }
 inline constexpr EntryInfo tachograph_driver_id_entries[] = {
     entries_always(2), driver_card(1, "driver_1"), driver_card(2, "driver_2")};
-inline constexpr ObjectInfo tachograph_driver_id_object =
+inline constexpr auto tachograph_driver_id_object =
     array(0x6524, "tachograph_driver_ID", "9.2.17.5",
           "The driver cards in both slots: 3 bytes of the member state, 16 of the card's number.",
           tachograph_driver_id_entries, "84");
 
 constexpr EntryInfo driving_time(std::uint8_t sub, std::string_view name) {
-  return by_device({.sub_first = sub,
-                    .name = name,
-                    .type = DataType::unsigned16,
-                    .mapping = Mapping::optional,
-                    .value = {.unit = Unit::minute}});
+  return by_device(
+      sub_index(sub, name, entry(unsigned16, ro, optional, {}, {.unit = Unit::minute})));
 }
 inline constexpr EntryInfo continuous_driving_time_entries[] = {
     entries_always(2), driving_time(1, "driver_1"), driving_time(2, "driver_2")};
-inline constexpr ObjectInfo continuous_driving_time_object = array(
+inline constexpr auto continuous_driving_time_object = array(
     0x6525, "continuous_driving_time", "9.2.17.6",
     "How long each driver has driven without a break.", continuous_driving_time_entries, "84");
 

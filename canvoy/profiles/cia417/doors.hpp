@@ -68,33 +68,22 @@ inline constexpr NamedValue battery_power_command_names[] = {
 
 inline constexpr FieldInfo door_controlword_fields[] = {
     reserved_ones<2>(0),
-    field(2, 2, "Battery power", {.names = battery_power_command_names}),
-    field(4, 2, "Door lock", {.names = door_lock_command_names}),
-    field(6, 2, "Finger protector", {.names = finger_protector_command_names}),
-    field(8, 2, "Motion detector", {.names = motion_detector_command_names}),
-    field(10, 2, "Door velocity", {.names = door_velocity_names}),
-    field(12, 4, "Command", {.names = door_command_names})};
+    field(2, 2, "Battery power", battery_power_command_names),
+    field(4, 2, "Door lock", door_lock_command_names),
+    field(6, 2, "Finger protector", finger_protector_command_names),
+    field(8, 2, "Motion detector", motion_detector_command_names),
+    field(10, 2, "Door velocity", door_velocity_names),
+    field(12, 4, "Command", door_command_names)};
 /// The default is printed for those who consume it; those who provide it begin with it, too: it
 /// takes no action (errata B27).
-inline constexpr EntryInfo door_controlword_entry = provided({.name = door_name,
-                                                              .type = DataType::unsigned16,
-                                                              .mapping = Mapping::by_default,
-                                                              .initial = 0xFFFF,
-                                                              .value = hexadecimal,
-                                                              .fields = door_controlword_fields});
+inline constexpr EntryInfo door_controlword_entry = provided(sub_index(
+    0, door_name, entry(unsigned16, ro, by_default, 0xFFFF, hexadecimal, door_controlword_fields)));
 inline constexpr EntryInfo door_controlword_entries[] = {
     number_of_entries(1, door_count), at(1, door_controlword_entry),
     optional_at(2, door_count, door_controlword_entry)};
-inline constexpr ObjectInfo door_controlword_object = {
-    .index = 0x6300,
-    .code = ObjectCode::array,
-    .name = "Door controlword",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.6.1",
-    .errata = "B2, B27",
-    .description = "What the car door controller wants of each door.",
-    .subs = door_controlword_entries};
+inline constexpr auto door_controlword_object = array_object(
+    0x6300, "Door controlword", "4.6.1", "What the car door controller wants of each door.",
+    door_controlword_entries, {.condition = see_part_2, .errata = "B2, B27"});
 
 // 6301h Door statusword
 
@@ -158,56 +147,37 @@ inline constexpr NamedValue safety_contact_names[] = {
     {Detection::not_available, "not available or not installed", Meaning::invalid}};
 
 inline constexpr FieldInfo door_statusword_fields[] = {
-    field(0, 2, "Safety contact", {.names = safety_contact_names}),
-    field(2, 2, "Battery power", {.names = battery_power_names}),
-    field(4, 2, "Door lock", {.names = door_lock_names}),
-    field(6, 2, "Finger protector", {.names = finger_protector_names}),
-    field(8, 2, "Motion detector", {.names = motion_detector_names}),
-    field(10, 2, "Force limit", {.names = force_limit_names}),
-    field(12, 4, "Status", {.names = door_state_names})};
-inline constexpr EntryInfo door_statusword_entry = provided({.name = door_name,
-                                                             .type = DataType::unsigned16,
-                                                             .mapping = Mapping::by_default,
-                                                             .initial = 0xFFFF,
-                                                             .value = hexadecimal,
-                                                             .fields = door_statusword_fields});
+    field(0, 2, "Safety contact", safety_contact_names),
+    field(2, 2, "Battery power", battery_power_names),
+    field(4, 2, "Door lock", door_lock_names),
+    field(6, 2, "Finger protector", finger_protector_names),
+    field(8, 2, "Motion detector", motion_detector_names),
+    field(10, 2, "Force limit", force_limit_names),
+    field(12, 4, "Status", door_state_names)};
+inline constexpr EntryInfo door_statusword_entry = provided(sub_index(
+    0, door_name, entry(unsigned16, ro, by_default, 0xFFFF, hexadecimal, door_statusword_fields)));
 inline constexpr EntryInfo door_statusword_entries[] = {
     number_of_entries(1, door_count), at(1, door_statusword_entry),
     optional_at(2, door_count, door_statusword_entry)};
-inline constexpr ObjectInfo door_statusword_object = {
-    .index = 0x6301,
-    .code = ObjectCode::array,
-    .name = "Door statusword",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.7.1",
-    .errata = "A1, B27, C19",
-    .description = "What each door does, and what its contacts and detectors say.",
-    .subs = door_statusword_entries};
+inline constexpr auto door_statusword_object =
+    array_object(0x6301, "Door statusword", "4.7.1",
+                 "What each door does, and what its contacts and detectors say.",
+                 door_statusword_entries, {.condition = see_part_2, .errata = "A1, B27, C19"});
 
 // 6302h Door position
 
 inline constexpr NamedValue door_position_names[] = {
     {0x0000, "door is closed"}, {0xFFFF, "not available or not requested", Meaning::invalid}};
 inline constexpr EntryInfo door_position_entry =
-    provided({.name = door_name,
-              .type = DataType::unsigned16,
-              .mapping = Mapping::optional,
-              .initial = 0xFFFF,
-              .value = {.unit = Unit::millimetre, .names = door_position_names}});
+    provided(sub_index(0, door_name,
+                       entry(unsigned16, ro, optional, 0xFFFF,
+                             {.unit = Unit::millimetre, .names = door_position_names})));
 inline constexpr EntryInfo door_position_entries[] = {
     number_of_entries(1, door_count), at(1, door_position_entry),
     optional_at(2, door_count, door_position_entry)};
-inline constexpr ObjectInfo door_position_object = {
-    .index = 0x6302,
-    .code = ObjectCode::array,
-    .name = "Door position",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.7.2",
-    .errata = "B27",
-    .description = "How far the closing edges of each door are apart.",
-    .subs = door_position_entries};
+inline constexpr auto door_position_object = array_object(
+    0x6302, "Door position", "4.7.2", "How far the closing edges of each door are apart.",
+    door_position_entries, {.condition = see_part_2, .errata = "B27"});
 
 // 6304h to 6307h Door configuration
 
@@ -264,14 +234,8 @@ inline constexpr NamedValue heartbeat_loss_names[] = {
 /// Errata B15: two of them cannot be mapped.
 constexpr EntryInfo door_setting(std::uint8_t sub, std::string_view name, Mapping mapping,
                                  const ValueInfo& value, std::string_view errata = {}) {
-  return {.sub_first = sub,
-          .name = name,
-          .access = Access::rw,
-          .mapping = mapping,
-          .category = Category::optional,
-          .initial = 0x00,
-          .value = value,
-          .errata = errata};
+  return sub_index(sub, name, entry(unsigned8, rw, mapping, 0x00, value),
+                   {.category = Category::optional, .errata = errata});
 }
 inline constexpr EntryInfo door_configuration_entries[] = {
     number_of_entries(0x01, 0x0B),
@@ -291,17 +255,10 @@ inline constexpr EntryInfo door_configuration_entries[] = {
     door_setting(0x09, "Closing force limit reclose", Mapping::optional, reclose_time),
     door_setting(0x0A, "Light barrier broken", Mapping::optional, reclose_broken_time, "B12, B13"),
     door_setting(0x0B, "Lost of heartbeat", Mapping::optional, {.names = heartbeat_loss_names})};
-inline constexpr ObjectInfo door_configuration_object = {
-    .index = 0x6304,
-    .count = door_count,
-    .code = ObjectCode::array,
-    .name = "Door # configuration",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.7.3 to 4.7.6",
-    .errata = "B15, B30, C12",
-    .description = "Profiles of movement, and what a door does of its own accord.",
-    .subs = door_configuration_entries};
+inline constexpr auto door_configuration_object = array_object(
+    0x6304, "Door # configuration", "4.7.3 to 4.7.6",
+    "Profiles of movement, and what a door does of its own accord.", door_configuration_entries,
+    {.count = door_count, .condition = see_part_2, .errata = "B15, B30, C12"});
 
 // 6310h Light barrier status
 
@@ -310,26 +267,15 @@ inline constexpr NamedValue light_barrier_names[] = {
     {Detection::yes, "Subject detected"},
     {Detection::error, "Error indicator", Meaning::failure},
     {Detection::not_available, "not available / not installed", Meaning::invalid}};
-inline constexpr FieldInfo light_barrier_fields[] = {
-    reserved_ones<6>(0), field(6, 2, "Status", {.names = light_barrier_names})};
-inline constexpr EntryInfo light_barrier_entry = provided({.name = door_name,
-                                                           .type = DataType::unsigned8,
-                                                           .mapping = Mapping::by_default,
-                                                           .initial = 0xFF,
-                                                           .value = hexadecimal,
-                                                           .fields = light_barrier_fields});
+inline constexpr FieldInfo light_barrier_fields[] = {reserved_ones<6>(0),
+                                                     field(6, 2, "Status", light_barrier_names)};
+inline constexpr EntryInfo light_barrier_entry = provided(sub_index(
+    0, door_name, entry(unsigned8, ro, by_default, 0xFF, hexadecimal, light_barrier_fields)));
 inline constexpr EntryInfo light_barrier_status_entries[] = {
     number_of_entries(1, door_count), at(1, light_barrier_entry),
     optional_at(2, door_count, light_barrier_entry)};
-inline constexpr ObjectInfo light_barrier_status_object = {
-    .index = 0x6310,
-    .code = ObjectCode::array,
-    .name = "Light barrier status",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.8.1",
-    .errata = "B27",
-    .description = "What the light barrier of each door sees.",
-    .subs = light_barrier_status_entries};
+inline constexpr auto light_barrier_status_object = array_object(
+    0x6310, "Light barrier status", "4.8.1", "What the light barrier of each door sees.",
+    light_barrier_status_entries, {.condition = see_part_2, .errata = "B27"});
 
 }  // namespace canvoy::cia417

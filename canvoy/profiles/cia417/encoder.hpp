@@ -10,28 +10,19 @@ namespace canvoy::cia417 {
 
 // 63B0h to 63BBh Work areas: three objects for each position unit.
 
-inline constexpr EntryInfo area_state_entry = {.name = "Work area state channel #",
-                                               .mapping = Mapping::optional,
-                                               .value = {.notation = Notation::bit_mask},
-                                               .fields = cia406::area_state_fields};
+inline constexpr EntryInfo area_state_entry =
+    sub_index(0, "Work area state channel #",
+              entry(unsigned8, ro, optional, {}, {.notation = Notation::bit_mask},
+                    cia406::area_state_fields));
 inline constexpr EntryInfo area_state_entries[] = {available_channels, at(1, area_state_entry),
                                                    optional_at(2, last_of_many, area_state_entry)};
-inline constexpr ObjectInfo area_state_object = {
-    .index = 0x63B0,
-    .count = position_unit_count,
-    .code = ObjectCode::array,
-    .name = "Area state register position unit #",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.9.11 to 4.9.14",
-    .description = "As 6400h of CiA 406: whether the position is within the work areas.",
-    .subs = area_state_entries};
+inline constexpr auto area_state_object =
+    array_object(0x63B0, "Area state register position unit #", "4.9.11 to 4.9.14",
+                 "As 6400h of CiA 406: whether the position is within the work areas.",
+                 area_state_entries, {.count = position_unit_count, .condition = see_part_2});
 
 constexpr std::array<EntryInfo, 3> work_area_limits(std::string_view name, unsigned unit) {
-  const EntryInfo limit = {.name = name,
-                           .type = DataType::integer32,
-                           .access = Access::rw,
-                           .value = position_counts(unit)};
+  const EntryInfo limit = sub_index(0, name, entry(integer32, rw, no, {}, position_counts(unit)));
   return {available_channels, at(1, limit), optional_at(2, last_of_many, limit)};
 }
 template <unsigned unit>
@@ -41,27 +32,16 @@ inline constexpr auto high_limit_entries = work_area_limits("Work area highlimit
 
 constexpr ObjectInfo low_limit_of_unit(unsigned unit, std::string_view clause,
                                        Items<EntryInfo> entries) {
-  return {.index = static_cast<std::uint16_t>(0x63B4 + unit - 1),
-          .code = ObjectCode::array,
-          .name = "Work area lowlimit position unit #",
-          .first_number = static_cast<std::uint16_t>(unit),
-          .category = Category::conditional,
-          .condition = see_part_2,
-          .clause = clause,
-          .description = "As 6401h of CiA 406.",
-          .subs = entries};
+  return array_object(static_cast<std::uint16_t>(0x63B4 + unit - 1),
+                      "Work area lowlimit position unit #", clause, "As 6401h of CiA 406.", entries,
+                      {.first_number = static_cast<std::uint16_t>(unit), .condition = see_part_2});
 }
 constexpr ObjectInfo high_limit_of_unit(unsigned unit, std::string_view clause,
                                         Items<EntryInfo> entries) {
-  return {.index = static_cast<std::uint16_t>(0x63B8 + unit - 1),
-          .code = ObjectCode::array,
-          .name = "Work area highlimit position unit #",
-          .first_number = static_cast<std::uint16_t>(unit),
-          .category = Category::conditional,
-          .condition = see_part_2,
-          .clause = clause,
-          .description = "As 6402h of CiA 406.",
-          .subs = entries};
+  return array_object(static_cast<std::uint16_t>(0x63B8 + unit - 1),
+                      "Work area highlimit position unit #", clause, "As 6402h of CiA 406.",
+                      entries,
+                      {.first_number = static_cast<std::uint16_t>(unit), .condition = see_part_2});
 }
 inline constexpr ObjectInfo work_area_low_limit_1_object =
     low_limit_of_unit(1, "4.9.15", low_limit_entries<1>);
@@ -84,78 +64,41 @@ inline constexpr ObjectInfo work_area_high_limit_4_object =
 
 inline constexpr auto operating_status_entries =
     for_units_alike(with_fields(measured(DataType::unsigned16), cia406::operating_fields));
-inline constexpr ObjectInfo operating_status_object = {
-    .index = 0x63C0,
-    .code = ObjectCode::array,
-    .name = "Operating status",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.9.23",
-    .description = "As 6500h of CiA 406: what of the operating parameter holds.",
-    .subs = operating_status_entries};
+inline constexpr auto operating_status_object =
+    array_object(0x63C0, "Operating status", "4.9.23",
+                 "As 6500h of CiA 406: what of the operating parameter holds.",
+                 operating_status_entries, {.condition = see_part_2});
 
 inline constexpr auto single_turn_resolution_entries =
     for_units_alike(measured(DataType::unsigned32));
-inline constexpr ObjectInfo single_turn_resolution_object = {
-    .index = 0x63C1,
-    .code = ObjectCode::array,
-    .name = "Single turn resolution",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.9.24",
-    .description = "As 6501h of CiA 406: steps in a revolution, or the step of a linear encoder.",
-    .subs = single_turn_resolution_entries};
+inline constexpr auto single_turn_resolution_object =
+    array_object(0x63C1, "Single turn resolution", "4.9.24",
+                 "As 6501h of CiA 406: steps in a revolution, or the step of a linear encoder.",
+                 single_turn_resolution_entries, {.condition = see_part_2});
 
 inline constexpr auto distinguishable_revolutions_entries =
     for_units_alike(measured(DataType::unsigned16));
-inline constexpr ObjectInfo distinguishable_revolutions_object = {
-    .index = 0x63C2,
-    .code = ObjectCode::array,
-    .name = "Number of distinguishable revolutions",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.9.25",
-    .description = "As 6502h of CiA 406.",
-    .subs = distinguishable_revolutions_entries};
+inline constexpr auto distinguishable_revolutions_object =
+    array_object(0x63C2, "Number of distinguishable revolutions", "4.9.25", "As 6502h of CiA 406.",
+                 distinguishable_revolutions_entries, {.condition = see_part_2});
 
 inline constexpr auto warnings_entries =
     for_units_alike(with_fields(measured(DataType::unsigned16), cia406::warning_fields));
 inline constexpr auto alarms_entries =
     for_units_alike(with_fields(measured(DataType::unsigned16), cia406::alarm_fields));
-inline constexpr ObjectInfo supported_warnings_object = {.index = 0x63C4,
-                                                         .code = ObjectCode::array,
-                                                         .name = "Supported warnings",
-                                                         .category = Category::conditional,
-                                                         .condition = see_part_2,
-                                                         .clause = "4.9.26",
-                                                         .description = "As 6506h of CiA 406.",
-                                                         .subs = warnings_entries};
-inline constexpr ObjectInfo warnings_object = {
-    .index = 0x63C5,
-    .code = ObjectCode::array,
-    .name = "Warnings",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.9.27",
-    .description = "As 6505h of CiA 406: the position is good, but something is near its limit.",
-    .subs = warnings_entries};
-inline constexpr ObjectInfo supported_alarms_object = {.index = 0x63C6,
-                                                       .code = ObjectCode::array,
-                                                       .name = "Supported alarms",
-                                                       .category = Category::conditional,
-                                                       .condition = see_part_2,
-                                                       .clause = "4.9.28",
-                                                       .description = "As 6504h of CiA 406.",
-                                                       .subs = alarms_entries};
-inline constexpr ObjectInfo alarms_object = {
-    .index = 0x63C7,
-    .code = ObjectCode::array,
-    .name = "Alarms",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.9.29",
-    .description = "As 6503h of CiA 406: the position may be wrong.",
-    .subs = alarms_entries};
+inline constexpr auto supported_warnings_object =
+    array_object(0x63C4, "Supported warnings", "4.9.26", "As 6506h of CiA 406.", warnings_entries,
+                 {.condition = see_part_2});
+inline constexpr auto warnings_object =
+    array_object(0x63C5, "Warnings", "4.9.27",
+                 "As 6505h of CiA 406: the position is good, but something is near its limit.",
+                 warnings_entries, {.condition = see_part_2});
+inline constexpr auto supported_alarms_object =
+    array_object(0x63C6, "Supported alarms", "4.9.28", "As 6504h of CiA 406.", alarms_entries,
+                 {.condition = see_part_2});
+inline constexpr auto alarms_object =
+    array_object(0x63C7, "Alarms", "4.9.29", "As 6503h of CiA 406: the position may be wrong.",
+                 alarms_entries, {.condition = see_part_2});
 
 constexpr EntryInfo with_value(EntryInfo entry, const ValueInfo& value) {
   entry.value = value;
@@ -163,33 +106,21 @@ constexpr EntryInfo with_value(EntryInfo entry, const ValueInfo& value) {
 }
 inline constexpr auto operating_time_entries =
     for_units_alike(with_value(measured(DataType::unsigned32), cia406::tenths_of_an_hour));
-inline constexpr ObjectInfo operating_time_object = {.index = 0x63C8,
-                                                     .code = ObjectCode::array,
-                                                     .name = "Operating time",
-                                                     .category = Category::conditional,
-                                                     .condition = see_part_2,
-                                                     .clause = "4.9.30",
-                                                     .errata = "A12",
-                                                     .description = "As 6508h of CiA 406.",
-                                                     .subs = operating_time_entries};
+inline constexpr auto operating_time_object =
+    array_object(0x63C8, "Operating time", "4.9.30", "As 6508h of CiA 406.", operating_time_entries,
+                 {.condition = see_part_2, .errata = "A12"});
 
 inline constexpr auto offset_value_entries =
     for_each_unit(measured(DataType::integer16), position_counts);
-inline constexpr ObjectInfo offset_value_object = {
-    .index = 0x63C9,
-    .code = ObjectCode::array,
-    .name = "Offset value",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.9.31",
-    .errata = "A12, B23",
-    .description = "As 6509h of CiA 406: what the preset has added to the measured position.",
-    .subs = offset_value_entries};
+inline constexpr auto offset_value_object =
+    array_object(0x63C9, "Offset value", "4.9.31",
+                 "As 6509h of CiA 406: what the preset has added to the measured position.",
+                 offset_value_entries, {.condition = see_part_2, .errata = "A12, B23"});
 
 // 63D0h to 63D3h Module identification.
 
 constexpr std::array<EntryInfo, 4> module_identification_of(unsigned unit) {
-  const EntryInfo shape = {.type = DataType::unsigned32, .value = position_counts(unit)};
+  const EntryInfo shape = entry(unsigned32, ro, no, {}, position_counts(unit));
   std::array<EntryInfo, 4> entries{number_of_entries(0x01, 0x03), at(1, shape),
                                    optional_at(2, 2, shape), optional_at(3, 3, shape)};
   entries[1].name = "Manufacturer offset value";
@@ -202,16 +133,10 @@ template <unsigned unit>
 inline constexpr auto module_identification_entries = module_identification_of(unit);
 constexpr ObjectInfo module_identification(unsigned unit, std::string_view clause,
                                            Items<EntryInfo> entries) {
-  return {.index = static_cast<std::uint16_t>(0x63D0 + unit - 1),
-          .code = ObjectCode::array,
-          .name = "Module identification position unit #",
-          .first_number = static_cast<std::uint16_t>(unit),
-          .category = Category::conditional,
-          .condition = see_part_2,
-          .clause = clause,
-          .errata = "B23",
-          .description = "As 650Ah of CiA 406: offset and range as the maker has set them.",
-          .subs = entries};
+  return array_object(
+      static_cast<std::uint16_t>(0x63D0 + unit - 1), "Module identification position unit #",
+      clause, "As 650Ah of CiA 406: offset and range as the maker has set them.", entries,
+      {.first_number = static_cast<std::uint16_t>(unit), .condition = see_part_2, .errata = "B23"});
 }
 inline constexpr ObjectInfo module_identification_1_object =
     module_identification(1, "4.9.32", module_identification_entries<1>);

@@ -13,8 +13,8 @@ namespace canvoy::cia417 {
 inline constexpr std::uint16_t dimension_record_index = 0x0080;
 inline constexpr EntryInfo dimension_record_members[] = {
     {.name = "Number of entries"},
-    {.sub_first = 1, .name = "Notation index", .type = DataType::integer8},
-    {.sub_first = 2, .name = "Dimension index", .type = DataType::unsigned8}};
+    sub_index(1, "Notation index", entry(integer8, ro)),
+    sub_index(2, "Dimension index", entry(unsigned8, ro))};
 
 constexpr std::array<EntryInfo, 3> dimension_record(std::string_view notation,
                                                     std::string_view dimension) {
@@ -24,45 +24,25 @@ constexpr std::array<EntryInfo, 3> dimension_record(std::string_view notation,
 }
 inline constexpr auto position_dimension_entries =
     dimension_record("Position notation index", "Position dimension index");
-inline constexpr ObjectInfo position_dimension_object = {
-    .index = 0x6410,
-    .code = ObjectCode::record,
-    .name = "Position dimension",
-    .category = Category::optional,
-    .clause = "4.11.3.1",
-    .description = "As 6089h and 608Ah of CiA 402: power of ten and unit of positions.",
-    .subs = position_dimension_entries};
+inline constexpr auto position_dimension_object =
+    record_object(0x6410, "Position dimension", "4.11.3.1",
+                  "As 6089h and 608Ah of CiA 402: power of ten and unit of positions.",
+                  position_dimension_entries, {.category = Category::optional});
 inline constexpr auto velocity_dimension_entries =
     dimension_record("Velocity notation index", "Velocity dimension index");
-inline constexpr ObjectInfo velocity_dimension_object = {
-    .index = 0x6411,
-    .code = ObjectCode::record,
-    .name = "Velocity dimension",
-    .category = Category::optional,
-    .clause = "4.11.3.2",
-    .description = "As 608Bh and 608Ch of CiA 402.",
-    .subs = velocity_dimension_entries};
+inline constexpr auto velocity_dimension_object =
+    record_object(0x6411, "Velocity dimension", "4.11.3.2", "As 608Bh and 608Ch of CiA 402.",
+                  velocity_dimension_entries, {.category = Category::optional});
 inline constexpr auto acceleration_dimension_entries =
     dimension_record("Acceleration notation index", "Acceleration dimension index");
-inline constexpr ObjectInfo acceleration_dimension_object = {
-    .index = 0x6412,
-    .code = ObjectCode::record,
-    .name = "Acceleration dimension",
-    .category = Category::optional,
-    .clause = "4.11.3.3",
-    .description = "As 608Dh and 608Eh of CiA 402.",
-    .subs = acceleration_dimension_entries};
+inline constexpr auto acceleration_dimension_object =
+    record_object(0x6412, "Acceleration dimension", "4.11.3.3", "As 608Dh and 608Eh of CiA 402.",
+                  acceleration_dimension_entries, {.category = Category::optional});
 inline constexpr auto jerk_dimension_entries =
     dimension_record("Jerk notation index", "Jerk dimension index");
-inline constexpr ObjectInfo jerk_dimension_object = {
-    .index = 0x6413,
-    .code = ObjectCode::record,
-    .name = "Jerk dimension",
-    .category = Category::optional,
-    .clause = "4.11.3.4",
-    .errata = "B7",
-    .description = "Power of ten and unit of jerks.",
-    .subs = jerk_dimension_entries};
+inline constexpr auto jerk_dimension_object =
+    record_object(0x6413, "Jerk dimension", "4.11.3.4", "Power of ten and unit of jerks.",
+                  jerk_dimension_entries, {.category = Category::optional, .errata = "B7"});
 
 // 6414h to 641Dh: fractions.
 
@@ -75,14 +55,8 @@ constexpr std::array<EntryInfo, 3> fraction(std::string_view numerator, std::str
 constexpr ObjectInfo factor(std::uint16_t index, std::string_view clause, std::string_view name,
                             Items<EntryInfo> entries, std::string_view description,
                             std::string_view errata = {}) {
-  return {.index = index,
-          .code = ObjectCode::array,
-          .name = name,
-          .category = Category::optional,
-          .clause = clause,
-          .errata = errata,
-          .description = description,
-          .subs = entries};
+  return array_object(index, name, clause, description, entries,
+                      {.category = Category::optional, .errata = errata});
 }
 inline constexpr auto position_encoder_resolution_entries =
     fraction("Encoder increments", "Motor revolutions");
@@ -120,16 +94,10 @@ inline constexpr ObjectInfo jerk_factor_object =
 
 // 641Eh
 
-inline constexpr ObjectInfo polarity_object = {
-    .index = 0x641E,
-    .name = "Polarity",
-    .category = Category::optional,
-    .clause = "4.11.3.15",
-    .description = "As 607Eh of CiA 402: whether positions and velocities change their sign.",
-    .entry = {.type = DataType::unsigned8,
-              .access = Access::rw,
-              .initial = 0x00,
-              .value = {.notation = Notation::bit_mask},
-              .fields = cia402::polarity_fields}};
+inline constexpr auto polarity_object = var_object(
+    0x641E, "Polarity", "4.11.3.15",
+    "As 607Eh of CiA 402: whether positions and velocities change their sign.",
+    entry(unsigned8, rw, no, 0x00, {.notation = Notation::bit_mask}, cia402::polarity_fields),
+    {.category = Category::optional});
 
 }  // namespace canvoy::cia417

@@ -109,8 +109,8 @@ inline constexpr NamedValue predicate_names[] = {{0, "acknowledgement is not aff
                                                  {1, "acknowledgement is affirmed"}};
 
 constexpr std::array<FieldInfo, 9> output_data_fields(unsigned first) {
-  return {field(first, 1, "Status", {.names = status_names}),
-          field(first + 1, 3, property_name, {.names = property_names}),
+  return {field(first, 1, "Status", status_names),
+          field(first + 1, 3, property_name, property_names),
           field_when(on_plain_property, first + 4, 3, "Property parameter", {.names = any_bits<3>}),
           field_when(on_impulse, first + 4, 3, "Impulse",
                      {.unit = Unit::second, .names = impulse_names, .pieces = impulse_times}),
@@ -120,7 +120,7 @@ constexpr std::array<FieldInfo, 9> output_data_fields(unsigned first) {
           field_when(on_volume, first + 4, 3, "Volume", {.names = volume_names}),
           field_when(on_scroll_rate, first + 4, 3, "Scroll rate",
                      {.unit = Unit::line_per_second, .names = scroll_names}),
-          field(first + 7, 1, "Predicate", {.names = predicate_names})};
+          field(first + 7, 1, "Predicate", predicate_names)};
 }
 
 // The second byte, by basic function.
@@ -158,7 +158,7 @@ inline constexpr std::array indication_fields = {
 
 /// A virtual output: 6 bytes, of 6011h as of 6200h to 621Fh.
 inline constexpr auto virtual_output_fields = join_fields(
-    field(0, 8, basic_function_name, {.names = output_function_names}), hall_call_fields,
+    field(0, 8, basic_function_name, output_function_names), hall_call_fields,
     field_when(on_target_stop, sub_function_bit, 8, "Target stop acknowledgement",
                {.names = target_acknowledgement_names}, "The button that is to answer."),
     field_when(on_special_function, sub_function_bit, 8, "Special function acknowledgement",
@@ -172,41 +172,27 @@ inline constexpr auto virtual_output_fields = join_fields(
     field(24, 8, "Destination panel", destination_floor, "The floor that is to look."),
     door_bits(32, "Dest. button #"), door_bits(36, "Dest. door #"), output_data_fields(40));
 
-inline constexpr ObjectInfo virtual_output_mapping_object = {
-    .index = 0x6011,
-    .name = "Virtual output mapping",
-    .category = Category::conditional,
-    .condition = "if output groups are implemented",
-    .clause = "4.2.4",
-    .errata = "A6, B9",
-    .description = "The output that has come last, to be put into an output group.",
-    .entry = provided({.type = DataType::unsigned48,
-                       .mapping = Mapping::by_default,
-                       .initial = 0,
-                       .value = hexadecimal,
-                       .fields = virtual_output_fields})};
+inline constexpr auto virtual_output_mapping_object =
+    var_object(0x6011, "Virtual output mapping", "4.2.4",
+               "The output that has come last, to be put into an output group.",
+               provided({.type = DataType::unsigned48,
+                         .mapping = Mapping::by_default,
+                         .initial = 0,
+                         .value = hexadecimal,
+                         .fields = virtual_output_fields}),
+               {.condition = "if output groups are implemented", .errata = "A6, B9"});
 
 inline constexpr EntryInfo supported_outputs =
     count_entry("Number of supported outputs", 0x01, last_of_many);
-inline constexpr EntryInfo virtual_output_entry = provided({.name = "Virtual output #",
-                                                            .type = DataType::unsigned48,
-                                                            .initial = 0,
-                                                            .value = hexadecimal,
-                                                            .fields = virtual_output_fields});
+inline constexpr EntryInfo virtual_output_entry = provided(sub_index(
+    0, "Virtual output #", entry(unsigned48, ro, no, 0, hexadecimal, virtual_output_fields)));
 inline constexpr EntryInfo output_group_entries[] = {
     supported_outputs, at(1, virtual_output_entry),
     optional_at(2, last_of_many, virtual_output_entry)};
-inline constexpr ObjectInfo output_group_object = {
-    .index = 0x6200,
-    .count = group_count,
-    .code = ObjectCode::array,
-    .name = "Output group #",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.4.1",
-    .errata = "A4, A5, A6, A22, B9, B31, C4",
-    .description = "State, function and place of up to 254 digital outputs.",
-    .subs = output_group_entries};
+inline constexpr auto output_group_object = array_object(
+    0x6200, "Output group #", "4.4.1", "State, function and place of up to 254 digital outputs.",
+    output_group_entries,
+    {.count = group_count, .condition = see_part_2, .errata = "A4, A5, A6, A22, B9, B31, C4"});
 
 // Their parameters: of the output panel unit.
 
@@ -218,7 +204,7 @@ constexpr EntryInfo output_parameter(std::string_view name, Items<FieldInfo> fie
 inline constexpr NamedValue output_error_names[] = {{0x00, 0xFE, "reserved", Meaning::reserved},
                                                     {0xFF, "not used", Meaning::invalid}};
 inline constexpr FieldInfo output_parameter_1_fields[] = {
-    field(0, 1, "Enable", {.names = enable_names}), reserved_bits<7>(1, 1),
+    field(0, 1, "Enable", enable_names), reserved_bits<7>(1, 1),
     field(8, 8, "Error code", {.names = output_error_names, .notation = Notation::hexadecimal}),
     reserved_ones<8>(16, 2),
     field(24, 8, "Default value", {.names = not_used_8, .notation = Notation::hexadecimal},
@@ -228,23 +214,16 @@ inline constexpr EntryInfo output_parameter_1 =
 inline constexpr EntryInfo output_parameter_1_entries[] = {
     supported_outputs, at(1, output_parameter_1),
     conditional_at(2, last_of_many, output_parameter_1, "if the output is implemented")};
-inline constexpr ObjectInfo output_parameter_1_object = {
-    .index = 0x6220,
-    .count = group_count,
-    .code = ObjectCode::array,
-    .name = "Output parameter 1 group #",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.5.1",
-    .errata = "A7, A24, B11, B19",
-    .description = "System behaviour: enabled or not, error, and the value after power-on.",
-    .subs = output_parameter_1_entries};
+inline constexpr auto output_parameter_1_object =
+    array_object(0x6220, "Output parameter 1 group #", "4.5.1",
+                 "System behaviour: enabled or not, error, and the value after power-on.",
+                 output_parameter_1_entries,
+                 {.count = group_count, .condition = see_part_2, .errata = "A7, A24, B11, B19"});
 
 inline constexpr FieldInfo output_parameter_2_fields[] = {
     reserved_ones<8>(0),
     field(8, 8, "Limitation", events_per_second, "More events are not accepted."),
-    field(16, 8, "Reception event", {.names = count_names},
-          "As many messages lead to an output event."),
+    field(16, 8, "Reception event", count_names, "As many messages lead to an output event."),
     field(24, 8, "Impulse time",
           {.unit = Unit::second, .scale = {.denominator = 10}, .names = not_used_8},
           "How long the output stays active; messages meanwhile are not processed.")};
@@ -252,36 +231,23 @@ inline constexpr EntryInfo output_parameter_2 =
     output_parameter("Parameter 2 output #", output_parameter_2_fields);
 inline constexpr EntryInfo output_parameter_2_entries[] = {
     supported_outputs, optional_at(1, last_of_many, output_parameter_2)};
-inline constexpr ObjectInfo output_parameter_2_object = {
-    .index = 0x6240,
-    .count = group_count,
-    .code = ObjectCode::array,
-    .name = "Output parameter 2 group #",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.5.2",
-    .errata = "B19, B28",
-    .description = "Logical behaviour: how often and for how long the outputs are activated.",
-    .subs = output_parameter_2_entries};
+inline constexpr auto output_parameter_2_object =
+    array_object(0x6240, "Output parameter 2 group #", "4.5.2",
+                 "Logical behaviour: how often and for how long the outputs are activated.",
+                 output_parameter_2_entries,
+                 {.count = group_count, .condition = see_part_2, .errata = "B19, B28"});
 
 inline constexpr FieldInfo output_parameter_3_fields[] = {
-    reserved_ones<8>(0, 1), reserved_ones<7>(8, 2),
-    field(15, 1, "Polarity", {.names = polarity_names}), reserved_ones<16>(16, 3)};
+    reserved_ones<8>(0, 1), reserved_ones<7>(8, 2), field(15, 1, "Polarity", polarity_names),
+    reserved_ones<16>(16, 3)};
 inline constexpr EntryInfo output_parameter_3 =
     output_parameter("Parameter 3 output #", output_parameter_3_fields);
 inline constexpr EntryInfo output_parameter_3_entries[] = {
     supported_outputs, optional_at(1, last_of_many, output_parameter_3)};
-inline constexpr ObjectInfo output_parameter_3_object = {
-    .index = 0x6260,
-    .count = group_count,
-    .code = ObjectCode::array,
-    .name = "Output parameter 3 group #",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.5.3",
-    .errata = "B19, C6",
-    .description = "Physical behaviour: polarity.",
-    .subs = output_parameter_3_entries};
+inline constexpr auto output_parameter_3_object =
+    array_object(0x6260, "Output parameter 3 group #", "4.5.3", "Physical behaviour: polarity.",
+                 output_parameter_3_entries,
+                 {.count = group_count, .condition = see_part_2, .errata = "B19, C6"});
 
 inline constexpr NamedValue flash_rate_names[] = {{0x00, "always set"},
                                                   {0xFF, "not used", Meaning::invalid}};
@@ -302,16 +268,10 @@ inline constexpr EntryInfo output_parameter_4 =
     output_parameter("Parameter 4 output #", output_parameter_4_fields);
 inline constexpr EntryInfo output_parameter_4_entries[] = {
     supported_outputs, optional_at(1, last_of_many, output_parameter_4)};
-inline constexpr ObjectInfo output_parameter_4_object = {
-    .index = 0x6280,
-    .count = group_count,
-    .code = ObjectCode::array,
-    .name = "Output parameter 4 group #",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.5.4",
-    .errata = "B19, B28",
-    .description = "Basic setting: flashing, scrolling, color, and how bright or loud.",
-    .subs = output_parameter_4_entries};
+inline constexpr auto output_parameter_4_object =
+    array_object(0x6280, "Output parameter 4 group #", "4.5.4",
+                 "Basic setting: flashing, scrolling, color, and how bright or loud.",
+                 output_parameter_4_entries,
+                 {.count = group_count, .condition = see_part_2, .errata = "B19, B28"});
 
 }  // namespace canvoy::cia417

@@ -63,7 +63,7 @@ inline constexpr unsigned virtual_device_bit = 24;
 /// 1000h.
 inline constexpr NamedValue profile_number_names[] = {{profile_number, "CiA 417"}};
 inline constexpr FieldInfo device_type_fields[] = {
-    field(0, 16, "Device profile number", {.names = profile_number_names}), reserved_bits<8>(16),
+    field(0, 16, "Device profile number", profile_number_names), reserved_bits<8>(16),
     field(virtual_device_bit, 8, "Virtual device", virtual_device_code)};
 
 constexpr std::uint32_t device_type(VirtualDevice device) {
@@ -74,48 +74,34 @@ constexpr std::uint32_t device_type(VirtualDevice device) {
 
 inline constexpr FieldInfo virtual_device_type_fields[] = {
     reserved_bits<8>(0), field(8, 8, "Virtual device", virtual_device_code)};
-inline constexpr EntryInfo virtual_device_type = {.name = "Virtual device type #",
-                                                  .type = DataType::unsigned16,
-                                                  .value = hexadecimal,
-                                                  .fields = virtual_device_type_fields};
+inline constexpr EntryInfo virtual_device_type =
+    sub_index(0, "Virtual device type #",
+              entry(unsigned16, ro, no, {}, hexadecimal, virtual_device_type_fields));
 inline constexpr EntryInfo supported_virtual_device_types_entries[] = {
     count_entry("Number of supported virtual devices", 0x01, last_of_many),
     at(1, virtual_device_type), at(2, virtual_device_type),
     optional_at(3, last_of_many, virtual_device_type)};
-inline constexpr ObjectInfo supported_virtual_device_types_object = {
-    .index = 0x6000,
-    .code = ObjectCode::array,
-    .name = "Supported virtual device types",
-    .category = Category::conditional,
-    .condition = "if the device is several virtual devices",
-    .clause = "4.2.1",
-    .errata = "B16, B32",
-    .description = "The virtual devices in this device, as the high word of 1000h would name each.",
-    .once = true,
-    .subs = supported_virtual_device_types_entries};
+inline constexpr auto supported_virtual_device_types_object = array_object(
+    0x6000, "Supported virtual device types", "4.2.1",
+    "The virtual devices in this device, as the high word of 1000h would name each.",
+    supported_virtual_device_types_entries,
+    {.condition = "if the device is several virtual devices", .errata = "B16, B32", .once = true});
 
 // 6001h
 
 inline constexpr NamedValue lift_number_names[] = {{0x00, "reserved", Meaning::reserved}};
 inline constexpr auto lift_number_fields = lift_bits(0, "Lift #");
-inline constexpr ObjectInfo lift_number_object = {
-    .index = 0x6001,
-    .name = "Lift number",
-    .category = Category::conditional,
-    .condition =
-        "if the device is a call, car door or car drive controller, a car door, light barrier, car "
-        "position, car drive or load measuring unit",
-    .clause = "4.2.2",
-    .errata = "A23, B17, B18, B32",
-    .description = "The lifts that the device belongs to; only gateways and the like have several.",
-    .once = true,
-    .entry = {.type = DataType::unsigned8,
-              .access = Access::rw,
-              .initial = 0x01,
-              .value = {.limits = within(0x01, 0xFF),
-                        .names = lift_number_names,
-                        .notation = Notation::bit_mask},
-              .fields = lift_number_fields}};
+inline constexpr auto lift_number_object = var_object(
+    0x6001, "Lift number", "4.2.2",
+    "The lifts that the device belongs to; only gateways and the like have several.",
+    entry(
+        unsigned8, rw, no, 0x01,
+        {.limits = within(0x01, 0xFF), .names = lift_number_names, .notation = Notation::bit_mask},
+        lift_number_fields),
+    {.condition = "if the device is a call, car door or car drive controller, a car door, light "
+                  "barrier, car position, car drive or load measuring unit",
+     .errata = "A23, B17, B18, B32",
+     .once = true});
 
 // 6020h
 
@@ -130,21 +116,14 @@ inline constexpr NamedValue created_access_names[] = {{CreatedAccess::as_specifi
                                                       {CreatedAccess::wo, "wo"},
                                                       {CreatedAccess::rw, "rw"}};
 inline constexpr FieldInfo object_creation_fields[] = {
-    field(0, 2, "Action", {.names = creation_names}), reserved_bits<4>(2),
-    field(6, 2, "Access", {.names = created_access_names}), field(8, 8, "Sub-index", hexadecimal),
+    field(0, 2, "Action", creation_names), reserved_bits<4>(2),
+    field(6, 2, "Access", created_access_names), field(8, 8, "Sub-index", hexadecimal),
     field(16, 16, "Index", hexadecimal)};
-inline constexpr ObjectInfo object_creation_object = {
-    .index = 0x6020,
-    .name = "Object creation",
-    .category = Category::optional,
-    .clause = "4.2.6",
-    .errata = "A20, B32",
-    .description =
-        "Writing creates or destroys an object: 0609 0030h or 0800 0000h where the device does not "
-        "support it, 0504 0005h or 0800 0000h without room. Reading gives the last one created.",
-    .entry = {.type = DataType::unsigned32,
-              .access = Access::rw,
-              .value = hexadecimal,
-              .fields = object_creation_fields}};
+inline constexpr auto object_creation_object = var_object(
+    0x6020, "Object creation", "4.2.6",
+    "Writing creates or destroys an object: 0609 0030h or 0800 0000h where the device does not "
+    "support it, 0504 0005h or 0800 0000h without room. Reading gives the last one created.",
+    entry(unsigned32, rw, no, {}, hexadecimal, object_creation_fields),
+    {.category = Category::optional, .errata = "A20, B32"});
 
 }  // namespace canvoy::cia417

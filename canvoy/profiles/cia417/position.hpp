@@ -26,12 +26,10 @@ inline constexpr Scale acceleration_step = {};
 /// Errata A13: transferred as Unsigned32, with the values of an Unsigned16.
 constexpr EntryInfo step_entry(std::string_view name, Unit unit, const Scale& scale,
                                std::int64_t initial) {
-  return {.name = name,
-          .type = DataType::unsigned32,
-          .access = Access::rw,
-          .initial = initial,
-          .value = {.unit = unit, .scale = scale, .limits = within(0, 0xFFFF)},
-          .errata = "A13"};
+  return sub_index(0, name,
+                   entry(unsigned32, rw, no, initial,
+                         {.unit = unit, .scale = scale, .limits = within(0, 0xFFFF)}),
+                   {.errata = "A13"});
 }
 inline constexpr EntryInfo measuring_step_entries[] = {
     number_of_entries(0x03),
@@ -40,17 +38,10 @@ inline constexpr EntryInfo measuring_step_entries[] = {
                      speed_step_default)),
     at(3, step_entry("Acceleration measuring step", Unit::millimetre_per_second_squared,
                      acceleration_step, acceleration_step_default))};
-inline constexpr ObjectInfo measuring_step_settings_object = {
-    .index = measuring_step_index,
-    .count = position_unit_count,
-    .code = ObjectCode::array,
-    .name = "Encoder measuring step settings position unit #",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.9.5 to 4.9.8",
-    .errata = "A3, A13, A19",
-    .description = "What one count of position, speed and acceleration is.",
-    .subs = measuring_step_entries};
+inline constexpr auto measuring_step_settings_object = array_object(
+    measuring_step_index, "Encoder measuring step settings position unit #", "4.9.5 to 4.9.8",
+    "What one count of position, speed and acceleration is.", measuring_step_entries,
+    {.count = position_unit_count, .condition = see_part_2, .errata = "A3, A13, A19"});
 
 /// Counts of position unit `unit`, from 1 on.
 constexpr ValueInfo steps(Unit of, Scale step, std::int64_t count, unsigned unit, unsigned sub) {
@@ -99,10 +90,10 @@ constexpr std::array<EntryInfo, 3> for_units_alike(EntryInfo shape) {
 }
 /// Values that the encoder gives, and settings of it.
 constexpr EntryInfo measured(DataType type) {
-  return provided({.type = type});
+  return provided(entry(type, ro));
 }
 constexpr EntryInfo setting(DataType type) {
-  return {.type = type, .access = Access::rw};
+  return entry(type, rw);
 }
 
 // Settings.
@@ -115,95 +106,56 @@ constexpr EntryInfo with_fields(EntryInfo entry, Items<FieldInfo> fields) {
 
 inline constexpr auto operating_parameter_entries =
     for_units_alike(with_fields(setting(DataType::unsigned16), cia406::operating_fields));
-inline constexpr ObjectInfo operating_parameter_object = {
-    .index = 0x6380,
-    .code = ObjectCode::array,
-    .name = "Operating parameter",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.9.1",
-    .description = "As 6000h of CiA 406: direction, scaling, diagnostics.",
-    .subs = operating_parameter_entries};
+inline constexpr auto operating_parameter_object = array_object(
+    0x6380, "Operating parameter", "4.9.1", "As 6000h of CiA 406: direction, scaling, diagnostics.",
+    operating_parameter_entries, {.condition = see_part_2});
 
 inline constexpr auto units_per_revolution_entries = for_units_alike(setting(DataType::unsigned32));
-inline constexpr ObjectInfo units_per_revolution_object = {
-    .index = 0x6381,
-    .code = ObjectCode::array,
-    .name = "Measuring units per revolution",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.9.2",
-    .description = "As 6001h of CiA 406: counts of a rotary encoder in one revolution.",
-    .subs = units_per_revolution_entries};
+inline constexpr auto units_per_revolution_object =
+    array_object(0x6381, "Measuring units per revolution", "4.9.2",
+                 "As 6001h of CiA 406: counts of a rotary encoder in one revolution.",
+                 units_per_revolution_entries, {.condition = see_part_2});
 
 inline constexpr auto preset_value_entries =
     for_each_unit(setting(DataType::unsigned32), position_counts);
-inline constexpr ObjectInfo preset_value_object = {
-    .index = 0x6382,
-    .code = ObjectCode::array,
-    .name = "Preset value",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.9.3",
-    .description = "As 6003h of CiA 406: what the position is to be where the car now is.",
-    .subs = preset_value_entries};
+inline constexpr auto preset_value_object =
+    array_object(0x6382, "Preset value", "4.9.3",
+                 "As 6003h of CiA 406: what the position is to be where the car now is.",
+                 preset_value_entries, {.condition = see_part_2});
 
 // Position, speed, acceleration.
 
 inline constexpr auto position_value_entries =
     for_each_unit(measured(DataType::unsigned32), position_counts, Mapping::by_default);
-inline constexpr ObjectInfo position_value_object = {
-    .index = 0x6383,
-    .code = ObjectCode::array,
-    .name = "Position value",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.9.4",
-    .description = "As 6004h of CiA 406, in the measuring steps of 6384h and above.",
-    .subs = position_value_entries};
+inline constexpr auto position_value_object =
+    array_object(0x6383, "Position value", "4.9.4",
+                 "As 6004h of CiA 406, in the measuring steps of 6384h and above.",
+                 position_value_entries, {.condition = see_part_2});
 
 inline constexpr auto speed_value_entries =
     for_each_unit(measured(DataType::integer16), speed_counts, Mapping::by_default);
-inline constexpr ObjectInfo speed_value_car_object = {
-    .index = 0x6390,
-    .code = ObjectCode::array,
-    .name = "Speed value car",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.9.9",
-    .errata = "A19, C11",
-    .description = "In the speed measuring steps of 6384h and above.",
-    .subs = speed_value_entries};
+inline constexpr auto speed_value_car_object = array_object(
+    0x6390, "Speed value car", "4.9.9", "In the speed measuring steps of 6384h and above.",
+    speed_value_entries, {.condition = see_part_2, .errata = "A19, C11"});
 
 inline constexpr auto acceleration_value_entries =
     for_each_unit(measured(DataType::integer16), acceleration_counts, Mapping::by_default);
-inline constexpr ObjectInfo acceleration_value_car_object = {
-    .index = 0x6391,
-    .code = ObjectCode::array,
-    .name = "Acceleration value car",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.9.10",
-    .errata = "A19, C11",
-    .description = "In the acceleration measuring steps of 6384h and above.",
-    .subs = acceleration_value_entries};
+inline constexpr auto acceleration_value_car_object =
+    array_object(0x6391, "Acceleration value car", "4.9.10",
+                 "In the acceleration measuring steps of 6384h and above.",
+                 acceleration_value_entries, {.condition = see_part_2, .errata = "A19, C11"});
 
 // 63A0h to 63A2h Cams: a bit for each cam of a channel.
 
 inline constexpr EntryInfo available_channels =
     count_entry("Number of available channels", 0x01, last_of_many);
 
-inline constexpr EntryInfo cam_state_entry = {.name = "CAM state channel #",
-                                              .mapping = Mapping::optional,
-                                              .value = {.notation = Notation::bit_mask},
-                                              .fields = cia406::cam_state_fields};
+inline constexpr EntryInfo cam_state_entry = sub_index(
+    0, "CAM state channel #",
+    entry(unsigned8, ro, optional, {}, {.notation = Notation::bit_mask}, cia406::cam_state_fields));
 constexpr EntryInfo cam_setting(std::string_view name, Items<FieldInfo> fields) {
-  return {.name = name,
-          .access = Access::rw,
-          .mapping = Mapping::optional,
-          .initial = 0x00,
-          .value = {.notation = Notation::bit_mask},
-          .fields = fields};
+  return sub_index(0, name,
+                   entry(unsigned8, rw, optional, 0x00, {.notation = Notation::bit_mask}, fields));
 }
 inline constexpr EntryInfo cam_enable_entry =
     cam_setting("CAM enable channel #", cia406::cam_enable_fields);
@@ -216,35 +168,14 @@ inline constexpr EntryInfo cam_enable_entries[] = {available_channels, at(1, cam
 inline constexpr EntryInfo cam_polarity_entries[] = {
     available_channels, at(1, cam_polarity_entry),
     optional_at(2, last_of_many, cam_polarity_entry)};
-inline constexpr ObjectInfo cam_state_object = {
-    .index = 0x63A0,
-    .code = ObjectCode::array,
-    .name = "CAM state register",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.10.1",
-    .errata = "B29",
-    .description = "As 6300h of CiA 406: which cams the position is on.",
-    .subs = cam_state_entries};
-inline constexpr ObjectInfo cam_enable_object = {
-    .index = 0x63A1,
-    .code = ObjectCode::array,
-    .name = "CAM enable register",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.10.2",
-    .errata = "B29",
-    .description = "As 6301h of CiA 406: which cams are worked out.",
-    .subs = cam_enable_entries};
-inline constexpr ObjectInfo cam_polarity_object = {
-    .index = 0x63A2,
-    .code = ObjectCode::array,
-    .name = "CAM polarity register",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.10.3",
-    .errata = "A17, B4, B29",
-    .description = "As 6302h of CiA 406: which cams are inverted.",
-    .subs = cam_polarity_entries};
+inline constexpr auto cam_state_object = array_object(
+    0x63A0, "CAM state register", "4.10.1", "As 6300h of CiA 406: which cams the position is on.",
+    cam_state_entries, {.condition = see_part_2, .errata = "B29"});
+inline constexpr auto cam_enable_object = array_object(
+    0x63A1, "CAM enable register", "4.10.2", "As 6301h of CiA 406: which cams are worked out.",
+    cam_enable_entries, {.condition = see_part_2, .errata = "B29"});
+inline constexpr auto cam_polarity_object = array_object(
+    0x63A2, "CAM polarity register", "4.10.3", "As 6302h of CiA 406: which cams are inverted.",
+    cam_polarity_entries, {.condition = see_part_2, .errata = "A17, B4, B29"});
 
 }  // namespace canvoy::cia417

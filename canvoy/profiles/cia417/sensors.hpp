@@ -79,7 +79,7 @@ constexpr FieldInfo sensor_value(UnitEntry unit) {
 /// parameter 3; 6012h does not say which sensor it is of.
 constexpr auto sensor_fields(UnitEntry unit) {
   return join_fields(
-      field(0, 8, basic_function_name, {.names = sensor_function_names}),
+      field(0, 8, basic_function_name, sensor_function_names),
       lift_bits(8, "Source lift #", request_bit),
       field(16, 8, "Source floor", source_floor, "The floor at which the sensor is."),
       field(24, 8, "Source position",
@@ -95,40 +95,27 @@ inline constexpr auto sensor_mapping_fields = sensor_fields({});
 inline constexpr auto virtual_sensor_fields =
     sensor_fields({.index = 0x6560, .first_bit = sensor_unit_first_bit});
 
-inline constexpr ObjectInfo virtual_sensor_mapping_object = {
-    .index = 0x6012,
-    .name = "Virtual sensor mapping",
-    .category = Category::conditional,
-    .condition = "if sensor groups are implemented",
-    .clause = "4.2.5",
-    .errata = "A6, A8, A9",
-    .description = "The sensor that is sent next: a copy of the one that has changed.",
-    .entry = provided({.type = DataType::unsigned48,
-                       .mapping = Mapping::by_default,
-                       .initial = 0,
-                       .value = hexadecimal,
-                       .fields = sensor_mapping_fields})};
+inline constexpr auto virtual_sensor_mapping_object =
+    var_object(0x6012, "Virtual sensor mapping", "4.2.5",
+               "The sensor that is sent next: a copy of the one that has changed.",
+               provided({.type = DataType::unsigned48,
+                         .mapping = Mapping::by_default,
+                         .initial = 0,
+                         .value = hexadecimal,
+                         .fields = sensor_mapping_fields}),
+               {.condition = "if sensor groups are implemented", .errata = "A6, A8, A9"});
 
 inline constexpr EntryInfo supported_sensors =
     count_entry("Number of supported sensors", 0x01, last_of_many);
-inline constexpr EntryInfo virtual_sensor_entry = provided({.name = "Virtual sensor #",
-                                                            .type = DataType::unsigned48,
-                                                            .value = hexadecimal,
-                                                            .fields = virtual_sensor_fields});
+inline constexpr EntryInfo virtual_sensor_entry = provided(sub_index(
+    0, "Virtual sensor #", entry(unsigned48, ro, no, {}, hexadecimal, virtual_sensor_fields)));
 inline constexpr EntryInfo sensor_group_entries[] = {
     supported_sensors, at(1, virtual_sensor_entry),
     optional_at(2, last_of_many, virtual_sensor_entry)};
-inline constexpr ObjectInfo sensor_group_object = {
-    .index = 0x6500,
-    .count = group_count,
-    .code = ObjectCode::array,
-    .name = "Sensor group #",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.13.1",
-    .errata = "A9, A11, A21, B31, C7, C8",
-    .description = "State, function and place of up to 254 sensors.",
-    .subs = sensor_group_entries};
+inline constexpr auto sensor_group_object = array_object(
+    0x6500, "Sensor group #", "4.13.1", "State, function and place of up to 254 sensors.",
+    sensor_group_entries,
+    {.count = group_count, .condition = see_part_2, .errata = "A9, A11, A21, B31, C7, C8"});
 
 // Their parameters.
 
@@ -141,34 +128,20 @@ inline constexpr EntryInfo sensor_parameter_1 =
 inline constexpr EntryInfo sensor_parameter_1_entries[] = {
     supported_sensors, at(1, sensor_parameter_1),
     conditional_at(2, last_of_many, sensor_parameter_1, "if the sensor is implemented")};
-inline constexpr ObjectInfo sensor_parameter_1_object = {
-    .index = 0x6520,
-    .count = group_count,
-    .code = ObjectCode::array,
-    .name = "Sensor parameter 1 group #",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.13.2",
-    .errata = "A24, B1, B19",
-    .description =
-        "System behaviour: whether the sensors are enabled, and what is wrong with them.",
-    .subs = sensor_parameter_1_entries};
+inline constexpr auto sensor_parameter_1_object =
+    array_object(0x6520, "Sensor parameter 1 group #", "4.13.2",
+                 "System behaviour: whether the sensors are enabled, and what is wrong with them.",
+                 sensor_parameter_1_entries,
+                 {.count = group_count, .condition = see_part_2, .errata = "A24, B1, B19"});
 
 inline constexpr EntryInfo sensor_parameter_2 =
     sensor_parameter("Parameter 2 sensor #", input_parameter_2_fields);
 inline constexpr EntryInfo sensor_parameter_2_entries[] = {
     supported_sensors, optional_at(1, last_of_many, sensor_parameter_2)};
-inline constexpr ObjectInfo sensor_parameter_2_object = {
-    .index = 0x6540,
-    .count = group_count,
-    .code = ObjectCode::array,
-    .name = "Sensor parameter 2 group #",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.13.3",
-    .errata = "B19",
-    .description = "Logical behaviour: how often the sensors may change.",
-    .subs = sensor_parameter_2_entries};
+inline constexpr auto sensor_parameter_2_object =
+    array_object(0x6540, "Sensor parameter 2 group #", "4.13.3",
+                 "Logical behaviour: how often the sensors may change.", sensor_parameter_2_entries,
+                 {.count = group_count, .condition = see_part_2, .errata = "B19"});
 
 inline constexpr auto sensor_parameter_3_fields =
     join_fields(debounce_and_edge_fields,
@@ -180,16 +153,10 @@ inline constexpr EntryInfo sensor_parameter_3 =
     sensor_parameter("Parameter 3 sensor #", sensor_parameter_3_fields);
 inline constexpr EntryInfo sensor_parameter_3_entries[] = {
     supported_sensors, optional_at(1, last_of_many, sensor_parameter_3)};
-inline constexpr ObjectInfo sensor_parameter_3_object = {
-    .index = 0x6560,
-    .count = group_count,
-    .code = ObjectCode::array,
-    .name = "Sensor parameter 3 group #",
-    .category = Category::conditional,
-    .condition = see_part_2,
-    .clause = "4.13.4",
-    .errata = "A10, A18, B19, B30, C6",
-    .description = "Physical behaviour: debouncing, edges that are sent, polarity, unit.",
-    .subs = sensor_parameter_3_entries};
+inline constexpr auto sensor_parameter_3_object = array_object(
+    0x6560, "Sensor parameter 3 group #", "4.13.4",
+    "Physical behaviour: debouncing, edges that are sent, polarity, unit.",
+    sensor_parameter_3_entries,
+    {.count = group_count, .condition = see_part_2, .errata = "A10, A18, B19, B30, C6"});
 
 }  // namespace canvoy::cia417

@@ -4,9 +4,11 @@
 //                                                  optional_at(2, 4, door)};
 #pragma once
 
-#include "canvoy/profiles/description.hpp"
+#include "canvoy/profiles/rows.hpp"
 
 namespace canvoy::cia417 {
+
+using namespace rows;  // NOLINT(google-build-using-namespace): the columns of its tables
 
 /// Of the objects whose category this part leaves to another one.
 inline constexpr std::string_view see_part_2 = "as CiA 417-2 says for the virtual device";
@@ -16,7 +18,8 @@ inline constexpr std::string_view see_part_2 = "as CiA 417-2 says for the virtua
 /// Sub-index 00h; `printed` is the default, 0 where the device says how many there are.
 constexpr EntryInfo count_entry(std::string_view name, std::uint8_t low, std::uint8_t high,
                                 std::uint8_t printed = 0) {
-  return {.name = name, .initial = highest_sub(printed), .value = {.limits = within(low, high)}};
+  return sub_index(0, name,
+                   entry(unsigned8, ro, no, highest_sub(printed), {.limits = within(low, high)}));
 }
 constexpr EntryInfo number_of_entries(std::uint8_t low, std::uint8_t high) {
   return count_entry("Number of entries", low, high);
@@ -69,14 +72,6 @@ inline constexpr NamedValue count_names[] = {{0x00, "reserved", Meaning::reserve
 
 // Fields.
 
-constexpr FieldInfo field(unsigned first_bit, unsigned bits, std::string_view name,
-                          const ValueInfo& value = {}, std::string_view description = {}) {
-  return {.first_bit = static_cast<std::uint8_t>(first_bit),
-          .bits = static_cast<std::uint8_t>(bits),
-          .name = name,
-          .value = value,
-          .description = description};
-}
 /// A field that is there while another one has certain values.
 constexpr FieldInfo field_when(Items<FieldCondition> when, unsigned first_bit, unsigned bits,
                                std::string_view name, const ValueInfo& value = {},

@@ -6,70 +6,28 @@
 
 namespace canvoy::cia447 {
 
+// An enumeration reads as a row, its sentinels behind its states.
+// clang-format off
+
 // Terminal (4.2.9).
 
 /// Who has a part of the terminal.
 enum class TerminalAccess : std::uint8_t {
-  none,
-  off = none,
-  vehicle,
-  device_1,
-  device_2,
-  device_3,
-  device_4,
-  device_5,
-  device_6,
-  device_7,
-  device_8,
-  device_9,
-  device_10,
-  device_11,
-  device_12,
-  device_13,
-  device_14,
-  device_15,
-  device_16,
-  failure = 0x1E,
-  not_available = 0x1F
+  none, off = none, vehicle, device_1, device_2, device_3, device_4, device_5, device_6, device_7,
+  device_8, device_9, device_10, device_11, device_12, device_13, device_14, device_15, device_16,
+  failure = 0x1E, not_available = 0x1F
 };
 /// Code 2 locks display 1 for ISO-TP; of others it is `not_implemented`.
 enum class AccessCommand : std::uint8_t {
-  release,
-  lock,
-  lock_for_iso_tp,
-  not_implemented = lock_for_iso_tp,
-  do_not_care
+  release, lock, lock_for_iso_tp, not_implemented = lock_for_iso_tp, do_not_care
 };
 enum class NumberPadKey : std::uint8_t {
-  none,
-  key_1,
-  key_2,
-  key_3,
-  key_4,
-  key_5,
-  key_6,
-  key_7,
-  key_8,
-  key_9,
-  hash,
-  key_0,
-  star,
-  several,
-  failure = 0x1E,
-  not_available = 0x1F
+  none, key_1, key_2, key_3, key_4, key_5, key_6, key_7, key_8, key_9, hash, key_0, star, several,
+  failure = 0x1E, not_available = 0x1F
 };
 enum class FunctionKey : std::uint8_t {
-  none,
-  key_1,
-  key_2,
-  key_3,
-  key_4,
-  key_5,
-  key_6,
-  key_7,
-  several,
-  failure = 0xE,
-  not_available = 0xF
+  none, key_1, key_2, key_3, key_4, key_5, key_6, key_7, several,
+  failure = 0xE, not_available = 0xF
 };
 enum class ControlKey : std::uint8_t {
   none,
@@ -93,22 +51,9 @@ enum class ControlKey : std::uint8_t {
   not_available = 0x1F
 };
 enum class TipSwitch : std::uint8_t {
-  none,
-  switch_1,
-  switch_2,
-  switch_3,
-  switch_4,
-  switch_5,
-  switch_6,
-  switch_7,
-  switch_8,
-  switch_9,
-  switch_10,
-  switch_11,
-  switch_12,
-  several,
-  failure,
-  not_available
+  none, switch_1, switch_2, switch_3, switch_4, switch_5, switch_6, switch_7, switch_8, switch_9,
+  switch_10, switch_11, switch_12, several,
+  failure, not_available
 };
 enum class WarningCommand : std::uint16_t {
   reset_all,
@@ -131,42 +76,20 @@ enum class WarningCommand : std::uint16_t {
 };
 enum class IconAccess : std::uint8_t { released, locked, failure, not_available };
 enum class Icon : std::uint8_t {
-  none,
-  antenna,
-  micro,
-  empty_circle,
-  filled_circle,
-  speaker_on,
-  speaker_off,
-  signal_out,
-  signal_in,
-  gps_active,
-  crossed_circle,
-  bell,
-  clock,
-  skip_to_end,
-  taximeter,
-  failure = 0xFE,
-  not_implemented = failure,
-  not_available = 0xFF,
-  do_not_care = not_available
+  none, antenna, micro, empty_circle, filled_circle, speaker_on, speaker_off, signal_out, signal_in,
+  gps_active, crossed_circle, bell, clock, skip_to_end, taximeter,
+  failure = 0xFE, not_implemented = failure, not_available = 0xFF, do_not_care = not_available
 };
 enum class IconFormat : std::uint8_t {
-  standard,
-  highlighted,
-  failure = 6,
-  not_implemented = failure,
-  not_available = 7,
-  do_not_care = not_available
+  standard, highlighted,
+  failure = 6, not_implemented = failure, not_available = 7, do_not_care = not_available
 };
 
 // GPS and navigation system (4.2.10, 4.2.11).
 
 enum class GpsFix : std::uint8_t { none, fix_2d, fix_3d, failure = 0xE, not_available = 0xF };
 enum class StartGuidance : std::uint8_t {
-  without_interrupting,
-  with_interrupting,
-  do_not_care = 0xFF
+  without_interrupting, with_interrupting, do_not_care = 0xFF
 };
 enum class PositionRequest : std::uint8_t { read, do_not_care };
 
@@ -180,20 +103,11 @@ enum class FareMode : std::uint32_t {
   not_available = 0xFFFF'FFFF
 };
 enum class Taximeter : std::uint8_t {
-  for_hire,
-  hired,
-  stopped,
-  signed_off,
-  service_mode,
-  standby_mode,
-  failure = 0xE,
-  not_available = 0xF
+  for_hire, hired, stopped, signed_off, service_mode, standby_mode,
+  failure = 0xE, not_available = 0xF
 };
 enum class TaximeterMode : std::uint8_t {
-  taximeter_operation,
-  odometer_operation,
-  failure = 0xFE,
-  not_available = 0xFF
+  taximeter_operation, odometer_operation, failure = 0xFE, not_available = 0xFF
 };
 enum class PrinterState : std::uint8_t { ready, busy, standby, failure = 0xE, not_available = 0xF };
 enum class FontCommand : std::uint8_t { no_command, execute, not_implemented, do_not_care };
@@ -201,138 +115,60 @@ enum class FontCommand : std::uint8_t { no_command, execute, not_implemented, do
 enum class ColorSpaceCommand : std::uint8_t { no_command, rgb, cmyk, do_not_care };
 enum class ColorSpace : std::uint8_t { rgb, cmyk, failure, not_available };
 enum class PrinterMode : std::uint8_t {
-  text,
-  graphics_black,
-  graphics_gray,
-  graphics_rgb,
-  graphics_cmyk,
-  logo,
-  failure = 0xFE,
-  not_implemented = failure,
-  not_available = 0xFF,
-  do_not_care = not_available
+  text, graphics_black, graphics_gray, graphics_rgb, graphics_cmyk, logo,
+  failure = 0xFE, not_implemented = failure, not_available = 0xFF, do_not_care = not_available
 };
 enum class RtcSource : std::uint8_t {
-  unknown,
-  gps,
-  time_normal,
-  battery_buffered,
-  failure = 0xE,
-  not_available = 0xF
+  unknown, gps, time_normal, battery_buffered, failure = 0xE, not_available = 0xF
 };
 enum class RtcTrustability : std::uint8_t {
-  user_adjustable,
-  accepted_by_authority,
-  failure = 0xE,
-  not_available = 0xF
+  user_adjustable, accepted_by_authority, failure = 0xE, not_available = 0xF
 };
 
 // Tariff display (4.2.16).
 
 enum class LampInput : std::uint8_t { can, discrete_inputs, failure, not_available };
 enum class LampFailure : std::uint8_t {
-  none,
-  open_load,
-  over_load,
-  failure = 0xE,
-  not_available = 0xF
+  none, open_load, over_load, failure = 0xE, not_available = 0xF
 };
 enum class Lamp : std::uint8_t {
-  off,
-  on,
-  dimmed,
-  blinking,
-  failure = 0xE,
-  not_implemented = failure,
-  not_available = 0xF,
-  do_not_care = not_available
+  off, on, dimmed, blinking,
+  failure = 0xE, not_implemented = failure, not_available = 0xF, do_not_care = not_available
 };
 enum class DisplayConfiguration : std::uint8_t { no_command, can, discrete_inputs, do_not_care };
 
 // Roof bar (4.2.20, 4.2.21).
 
 enum class SearchLampTurn : std::uint8_t {
-  stop,
-  right,
-  left,
-  not_available,
-  do_not_care = not_available
+  stop, right, left, not_available, do_not_care = not_available
 };
 enum class SearchLampTilt : std::uint8_t {
-  stop,
-  up,
-  down,
-  not_available,
-  do_not_care = not_available
+  stop, up, down, not_available, do_not_care = not_available
 };
 enum class SearchLampPosition : std::uint8_t {
-  position_1,
-  position_2,
-  position_3,
-  not_available,
-  do_not_care = not_available
+  position_1, position_2, position_3, not_available, do_not_care = not_available
 };
 enum class LocalVoltage : std::uint8_t { ok, under_voltage, over_voltage, not_available };
 enum class CountrySound : std::uint8_t {
-  none,
-  din,
-  italian_police,
-  italian_ambulance,
-  italian_fire_fight,
-  netherlands_2_sound,
-  netherlands_3_sound,
-  austria_vienna_rescue,
-  austria_rescue,
-  austria_police,
-  austria_fire_fight,
-  austria_ambulance,
-  norway,
-  sweden,
-  denmark,
-  france_police,
-  france_fire_fight,
-  france_gendarmerie,
-  france_umh,
-  france_ambulance,
-  piste,
-  great_britain_fire_fight,
-  usa,
-  failure = 0xFE,
-  not_implemented = failure,
-  not_available = 0xFF,
-  do_not_care = not_available
+  none, din, italian_police, italian_ambulance, italian_fire_fight, netherlands_2_sound,
+  netherlands_3_sound, austria_vienna_rescue, austria_rescue, austria_police, austria_fire_fight,
+  austria_ambulance, norway, sweden, denmark, france_police, france_fire_fight, france_gendarmerie,
+  france_umh, france_ambulance, piste, great_britain_fire_fight, usa,
+  failure = 0xFE, not_implemented = failure, not_available = 0xFF, do_not_care = not_available
 };
 enum class AdditionalSound : std::uint8_t {
-  none,
-  country_specific,
-  peak,
-  us_hi_lo,
-  us_yelp,
-  sweden_yelp,
-  wail,
-  air_horn,
-  cricket,
-  failure = 0xFE,
-  not_implemented = failure,
-  not_available = 0xFF,
-  do_not_care = not_available
+  none, country_specific, peak, us_hi_lo, us_yelp, sweden_yelp, wail, air_horn, cricket,
+  failure = 0xFE, not_implemented = failure, not_available = 0xFF, do_not_care = not_available
 };
 enum class SoundSpeed : std::uint8_t {
-  normal,
-  double_speed,
-  failure,
-  not_implemented = failure,
-  not_available,
-  do_not_care = not_available
+  normal, double_speed,
+  failure, not_implemented = failure, not_available, do_not_care = not_available
 };
 enum class SoundPlace : std::uint8_t {
-  land,
-  city,
-  failure,
-  not_implemented = failure,
-  not_available,
-  do_not_care = not_available
+  land, city, failure, not_implemented = failure, not_available, do_not_care = not_available
 };
 enum class Speaker : std::uint8_t { not_defined, ok, failure, not_available };
+
+// clang-format on
 
 }  // namespace canvoy::cia447

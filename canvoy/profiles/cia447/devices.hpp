@@ -16,16 +16,13 @@
 #include "canvoy/profiles/cia447/taximeter.hpp"
 #include "canvoy/profiles/cia447/terminal.hpp"
 #include "canvoy/profiles/cia447/vehicle_systems.hpp"
+#include "canvoy/profiles/rows.hpp"
 
 namespace canvoy::cia447 {
 
 template <std::size_t count>
 using ObjectList = std::array<const ObjectInfo*, count>;
 
-template <class... Object>
-constexpr ObjectList<sizeof...(Object)> object_list(const Object&... objects) {
-  return {&objects...};
-}
 template <std::size_t count>
 constexpr std::array<DeviceObject, count> provided(const ObjectList<count>& objects) {
   std::array<DeviceObject, count> all{};
@@ -47,7 +44,7 @@ constexpr auto joined(const ObjectList<counts>&... lists) {
   return all;
 }
 
-inline constexpr auto car_body_list = object_list(
+inline constexpr auto car_body_list = rows::objects_of(
     switch_illumination_level_status_object, switch_illumination_level_command_object,
     ignition_switch_status_object, central_locking_system_status_object,
     central_locking_system_command_object, window_status_object, window_command_object,
@@ -60,13 +57,13 @@ inline constexpr auto car_body_list = object_list(
     user_selected_language_command_object, user_selected_language_status_object,
     day_night_detection_object, environment_light_intensity_object, accident_detection_object,
     tester_present_object);
-inline constexpr auto light_list =
-    object_list(car_light_status_object, car_light_command_object, car_interior_light_status_object,
-                car_interior_light_command_object, anti_theft_warning_system_status_object,
-                anti_theft_warning_system_command_object, mirror_anti_dazzle_position_object,
-                horn_status_object, horn_command_object, flashing_light_command_object,
-                flashing_light_status_object);
-inline constexpr auto power_train_list = object_list(
+inline constexpr auto light_list = rows::objects_of(
+    car_light_status_object, car_light_command_object, car_interior_light_status_object,
+    car_interior_light_command_object, anti_theft_warning_system_status_object,
+    anti_theft_warning_system_command_object, mirror_anti_dazzle_position_object,
+    horn_status_object, horn_command_object, flashing_light_command_object,
+    flashing_light_status_object);
+inline constexpr auto power_train_list = rows::objects_of(
     actual_engine_revolutions_object, engine_status_object,
     transmission_selector_lever_position_object, wheel_rpm_object, wheel_signal_source_object,
     wheel_pulse_counter_object, wheel_pulse_counter_overrun_value_object,
@@ -75,14 +72,14 @@ inline constexpr auto power_train_list = object_list(
     cruise_control_status_object, four_wheel_drive_command_object, four_wheel_drive_status_object);
 inline constexpr auto ivn_gateway_list = joined(car_body_list, light_list, power_train_list);
 inline constexpr auto fire_extinguishing_system_list =
-    object_list(fire_extinguishing_system_status_object);
+    rows::objects_of(fire_extinguishing_system_status_object);
 inline constexpr auto emergency_fresh_air_system_list =
-    object_list(emergency_fresh_air_system_status_object);
+    rows::objects_of(emergency_fresh_air_system_status_object);
 inline constexpr auto power_supply_list =
-    object_list(radio_power_supply_status_object, radio_power_supply_command_object,
-                periphery_power_supply_status_object, periphery_power_supply_command_object);
-inline constexpr auto discrete_inputs_list = object_list(discrete_inputs_status_object);
-inline constexpr auto terminal_list = object_list(
+    rows::objects_of(radio_power_supply_status_object, radio_power_supply_command_object,
+                     periphery_power_supply_status_object, periphery_power_supply_command_object);
+inline constexpr auto discrete_inputs_list = rows::objects_of(discrete_inputs_status_object);
+inline constexpr auto terminal_list = rows::objects_of(
     number_pad_status_object, number_pad_command_object, number_pad_user_interaction_object,
     function_keys_status_object, function_keys_command_object,
     function_keys_user_interaction_object, control_keys_status_object, control_keys_command_object,
@@ -95,50 +92,50 @@ inline constexpr auto terminal_list = object_list(
     display_2_text_object, buzzer_command_object, functional_warnings_status_object,
     functional_warnings_command_object, icon_display_1_command_object, icon_display_1_status_object,
     icon_display_2_command_object, icon_display_2_status_object);
-inline constexpr auto gps_list = object_list(
+inline constexpr auto gps_list = rows::objects_of(
     gps_current_position_object, gps_satellites_object, gps_status_object, gps_date_object,
     gps_utc_time_object, gps_velocity_and_heading_object, gps_altitude_object);
 inline constexpr auto navigation_system_list =
-    object_list(distance_to_selected_destination_object, position_description_request_object,
-                position_description_object, start_route_guidance_object,
-                current_position_request_object, current_position_object);
-inline constexpr auto taximeter_list =
-    object_list(taxi_trip_payment_object, taxi_trip_distance_travelled_object,
-                taxi_trip_time_information_object, taxi_trip_tariff_level_object,
-                taxi_trip_tariff_value_object, taximeter_status_object, taximeter_totalizers_object,
-                taximeter_configuration_object, taxi_trip_data_sequence_counter_object);
-inline constexpr auto printer_list =
-    object_list(printer_status_object, printer_errors_object, printer_features_object,
-                printer_text_status_object, printer_graphics_status_object,
-                printer_configuration_command_object, printer_configuration_status_object,
-                printer_mode_command_object, printer_mode_status_object, printer_transport_object);
+    rows::objects_of(distance_to_selected_destination_object, position_description_request_object,
+                     position_description_object, start_route_guidance_object,
+                     current_position_request_object, current_position_object);
+inline constexpr auto taximeter_list = rows::objects_of(
+    taxi_trip_payment_object, taxi_trip_distance_travelled_object,
+    taxi_trip_time_information_object, taxi_trip_tariff_level_object, taxi_trip_tariff_value_object,
+    taximeter_status_object, taximeter_totalizers_object, taximeter_configuration_object,
+    taxi_trip_data_sequence_counter_object);
+inline constexpr auto printer_list = rows::objects_of(
+    printer_status_object, printer_errors_object, printer_features_object,
+    printer_text_status_object, printer_graphics_status_object,
+    printer_configuration_command_object, printer_configuration_status_object,
+    printer_mode_command_object, printer_mode_status_object, printer_transport_object);
 inline constexpr auto real_time_clock_list =
-    object_list(rtc_date_object, set_rtc_date_object, rtc_time_object, set_rtc_time_object,
-                rtc_type_and_status_object, rtc_time_zone_object);
+    rows::objects_of(rtc_date_object, set_rtc_date_object, rtc_time_object, set_rtc_time_object,
+                     rtc_type_and_status_object, rtc_time_zone_object);
 inline constexpr auto driver_identification_list =
-    object_list(unique_driver_id_object, driver_id_status_object, drivers_name_object,
-                driver_login_and_logout_time_object);
-inline constexpr auto tariff_display_list =
-    object_list(tariff_display_information_and_status_object, tariff_display_lamp_failures_1_object,
-                tariff_display_lamp_failures_2_object, tariff_display_inputs_status_object,
-                tariff_display_lamps_status_1_object, tariff_display_lamps_status_2_object,
-                tariff_display_lamps_command_1_object, tariff_display_lamps_command_2_object,
-                tariff_display_configuration_object, tariff_display_tariff_level_object);
-inline constexpr auto taxi_alarm_system_list = object_list(taxi_alarm_system_status_object);
+    rows::objects_of(unique_driver_id_object, driver_id_status_object, drivers_name_object,
+                     driver_login_and_logout_time_object);
+inline constexpr auto tariff_display_list = rows::objects_of(
+    tariff_display_information_and_status_object, tariff_display_lamp_failures_1_object,
+    tariff_display_lamp_failures_2_object, tariff_display_inputs_status_object,
+    tariff_display_lamps_status_1_object, tariff_display_lamps_status_2_object,
+    tariff_display_lamps_command_1_object, tariff_display_lamps_command_2_object,
+    tariff_display_configuration_object, tariff_display_tariff_level_object);
+inline constexpr auto taxi_alarm_system_list = rows::objects_of(taxi_alarm_system_status_object);
 inline constexpr auto radio_list =
-    object_list(radio_status_object, radio_device_command_object, radio_device_status_object);
+    rows::objects_of(radio_status_object, radio_device_command_object, radio_device_status_object);
 inline constexpr auto audio_switch_list =
-    object_list(audio_switch_command_object, audio_switch_status_request_object,
-                audio_switch_status_response_object);
+    rows::objects_of(audio_switch_command_object, audio_switch_status_request_object,
+                     audio_switch_status_response_object);
 inline constexpr auto roof_bar_light_list =
-    object_list(light_commands_roof_bar_object, light_status_roof_bar_object);
+    rows::objects_of(light_commands_roof_bar_object, light_status_roof_bar_object);
 inline constexpr auto roof_bar_sound_list =
-    object_list(country_specific_sound_command_object, country_specific_sound_status_object,
-                sound_command_roof_bar_object, sound_status_roof_bar_object);
+    rows::objects_of(country_specific_sound_command_object, country_specific_sound_status_object,
+                     sound_command_roof_bar_object, sound_status_roof_bar_object);
 inline constexpr auto blue_light_flasher_module_list =
-    object_list(blue_light_flasher_command_object, blue_light_flasher_status_object);
+    rows::objects_of(blue_light_flasher_command_object, blue_light_flasher_status_object);
 inline constexpr auto radio_hand_free_conversation_list =
-    object_list(radio_hand_free_status_object, radio_hand_free_command_object);
+    rows::objects_of(radio_hand_free_status_object, radio_hand_free_command_object);
 
 inline constexpr auto objects = joined(
     ivn_gateway_list, fire_extinguishing_system_list, emergency_fresh_air_system_list,

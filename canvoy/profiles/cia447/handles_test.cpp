@@ -1,10 +1,12 @@
 // CiA 447-3: each object and each field has one handle.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "canvoy/profiles/cia447.hpp"
 #include "canvoy/profiles/cia447/car_handles.hpp"
@@ -13,6 +15,7 @@
 #include "canvoy/profiles/cia447/roof_bar_handles.hpp"
 #include "canvoy/profiles/cia447/taxi_handles.hpp"
 #include "canvoy/profiles/cia447/terminal_handles.hpp"
+#include "canvoy/profiles/testing/clause_table.hpp"
 
 namespace canvoy::cia447_handles_test {
 namespace {
@@ -20,11 +23,76 @@ namespace {
 /// Index, sub-index, lowest bit: how many handles point there.
 using Places = std::map<std::tuple<unsigned, unsigned, unsigned>, unsigned>;
 
+/// The two highest codes of an enumeration, where it has them, are those of its field.
+template <class Place, class Enumeration>
+void expect_sentinels(const StateReference<Place, Enumeration>* /*kind*/) {
+  constexpr auto code = [](Enumeration state) { return static_cast<std::int64_t>(state); };
+  constexpr std::int64_t highest = (std::int64_t{1} << Place::bits.bits) - 1;
+  SCOPED_TRACE(testing::Message() << std::hex << Place::object.index << " " << Place::bits.first);
+  if constexpr (requires { Enumeration::not_available; }) {
+    EXPECT_EQ(code(Enumeration::not_available), highest);
+  }
+  if constexpr (requires { Enumeration::do_not_care; }) {
+    EXPECT_EQ(code(Enumeration::do_not_care), highest);
+  }
+  if constexpr (requires { Enumeration::failure; }) {
+    EXPECT_EQ(code(Enumeration::failure), highest - 1);
+  }
+  if constexpr (requires { Enumeration::not_implemented; }) {
+    EXPECT_EQ(code(Enumeration::not_implemented), highest - 1);
+  }
+}
+void expect_sentinels(const void* /*no state*/) {}
+
+/// An enumeration, and the names of its enumerators by their codes.
+struct States {
+  std::string enumeration;
+  std::map<std::int64_t, std::string> enumerators;
+};
+/// `canvoy::cia447::Opening::closed`; of a code without an enumerator it is a cast.
+template <auto state>
+std::string_view spelling() {
+  std::string_view text = __PRETTY_FUNCTION__;
+  text.remove_prefix(text.find("state = ") + 8);
+  return text.substr(0, text.find_first_of(";]"));
+}
+/// Those of the codes from `first` on.
+template <class Enumeration, int first, int... code>
+void add_states(States& states, std::integer_sequence<int, code...> /*codes*/) {
+  const auto add = [&states](int number, std::string_view text) {
+    if (text.find(')') != std::string_view::npos) return;
+    const std::size_t end = text.rfind("::");
+    const std::size_t begin = text.rfind("::", end - 1) + 2;
+    states.enumeration = text.substr(begin, end - begin);
+    states.enumerators[number] = text.substr(end + 2);
+  };
+  (add(first + code, spelling<static_cast<Enumeration>(first + code)>()), ...);
+}
+using StatesByPlace = std::map<Places::key_type, States>;
+template <class Place, class Enumeration>
+void note_states(StatesByPlace& all, const Places::key_type& place,
+                 const StateReference<Place, Enumeration>* /*kind*/) {
+  constexpr auto codes =
+      std::make_integer_sequence<int, 1 << std::min<unsigned>(Place::bits.bits, 5)>();
+  States& states = all[place];
+  add_states<Enumeration, 0>(states, codes);
+  if constexpr (Place::bits.bits == 16) add_states<Enumeration, 0x8000>(states, codes);
+}
+void note_states(StatesByPlace& /*all*/, const Places::key_type& /*place*/, const void* /*no*/) {}
+StatesByPlace& states_by_place() {
+  static StatesByPlace all;
+  return all;
+}
+
 template <class... Handle>
 void count(Places& places, const Handle&... handles) {
   const auto one = [&places](const auto& handle) {
     using Place = typename std::remove_cvref_t<decltype(handle)>::Place;
-    ++places[{handle.index(), handle.sub(), Place::bits.first}];
+    const Places::key_type place = {handle.index(), handle.sub(), Place::bits.first};
+    ++places[place];
+    using Reference = typename std::remove_cvref_t<decltype(handle)>::Reference;
+    expect_sentinels(static_cast<const Reference*>(nullptr));
+    note_states(states_by_place(), place, static_cast<const Reference*>(nullptr));
   };
   (one(handles), ...);
 }
@@ -334,6 +402,18 @@ void count_numbered(Places& places) {
   count_lights<"af">(places, std::make_integer_sequence<unsigned, 16>());
 }
 
+Places all_places() {
+  Places places;
+  count_car(places);
+  count_terminal(places);
+  count_taxi(places);
+  count_equipment(places);
+  count_radio(places);
+  count_roof_bar(places);
+  count_numbered(places);
+  return places;
+}
+
 /// Entries of one shape, of which handles point to the first.
 bool is_like_the_one_before(const ObjectInfo& object, const EntryInfo& entry) {
   if (entry.fields.empty() || entry.sub_first < 2) return false;
@@ -353,15 +433,43 @@ TEST(Cia447Handles, ThereIsOneForEachValue) {
       }
     }
   }
-  Places places;
-  count_car(places);
-  count_terminal(places);
-  count_taxi(places);
-  count_equipment(places);
-  count_radio(places);
-  count_roof_bar(places);
-  count_numbered(places);
-  EXPECT_EQ(places, expected);
+  EXPECT_EQ(all_places(), expected);
+}
+
+unsigned first_bit_of(const clauses::EntryRow& row, const std::string& field) {
+  for (const clauses::Field& one : row.fields) {
+    if (one.name == field) return one.first_bit;
+  }
+  return 0;
+}
+TEST(Cia447Handles, StatesHaveTheEnumerationsOfTheTable) {
+  all_places();
+  for (const clauses::ObjectRow& object : clauses::Reader().read("447-3").objects) {
+    for (const clauses::EntryRow& row : object.entries) {
+      for (const clauses::Values& values : row.values) {
+        if (values.enumeration.empty()) continue;
+        const Places::key_type place = {object.first, row.first, first_bit_of(row, values.field)};
+        EXPECT_EQ(states_by_place()[place].enumeration, values.enumeration)
+            << "line " << row.line << ", " << values.field;
+      }
+    }
+  }
+}
+
+TEST(Cia447Handles, EnumeratorsHaveTheCodesOfTheTable) {
+  static_assert(cia447::TerminalAccess::off == cia447::TerminalAccess::none);
+  all_places();
+  for (const clauses::Enumeration& expected : clauses::Reader().read("447-3").enumerations) {
+    const auto found = std::ranges::find_if(states_by_place(), [&](const auto& states) {
+      return states.second.enumeration == expected.name;
+    });
+    ASSERT_NE(found, states_by_place().end()) << expected.name;
+    for (const clauses::Value& value : expected.values) {
+      const auto name = found->second.enumerators.find(value.first);
+      EXPECT_TRUE(name != found->second.enumerators.end() && name->second == value.text)
+          << expected.name << " " << value.first;
+    }
+  }
 }
 
 }  // namespace

@@ -12,14 +12,12 @@
 
 namespace canvoy::cia447 {
 
+// An enumeration reads as a row, its sentinels behind its states.
+// clang-format off
+
 /// What is so, or not: most statuses of two bits.
 enum class Signal : std::uint8_t {
-  no = 0,
-  off = no,
-  yes = 1,
-  on = yes,
-  failure = 2,
-  not_available = 3
+  no = 0, off = no, yes = 1, on = yes, failure = 2, not_available = 3
 };
 /// What is to be on, or off: most commands of two bits.
 enum class Order : std::uint8_t { off, on, not_implemented, do_not_care };
@@ -27,267 +25,116 @@ enum class Order : std::uint8_t { off, on, not_implemented, do_not_care };
 // Car body (4.2.2).
 
 enum class Locking : std::uint8_t {
-  unlocked,
-  internal,
-  external,
-  selective_unlocked,
-  failure = 0xE,
-  not_implemented = failure,
-  not_available = 0xF,
-  do_not_care = not_available
+  unlocked, internal, external, selective_unlocked,
+  failure = 0xE, not_implemented = failure, not_available = 0xF, do_not_care = not_available
 };
 /// Of windows and doors; flaps count the other way round.
 enum class Opening : std::uint8_t {
-  open,
-  closed,
-  is_getting_open,
-  is_getting_closed,
-  failure = 6,
-  not_available = 7
+  open, closed, is_getting_open, is_getting_closed, failure = 6, not_available = 7
 };
 enum class OpeningCommand : std::uint8_t { open, close, not_implemented, do_not_care };
 /// Only tops and back doors can be stopped.
 enum class Flap : std::uint8_t {
-  closed,
-  open,
-  is_getting_closed,
-  is_getting_open,
-  stopped,
-  failure = 6,
-  not_available = 7
+  closed, open, is_getting_closed, is_getting_open, stopped, failure = 6, not_available = 7
 };
 /// Code 2 stops tops and back doors; of others it is `not_implemented`.
 enum class FlapCommand : std::uint8_t { close, open, stop, not_implemented = stop, do_not_care };
 enum class SlidingRoof : std::uint8_t {
-  closed,
-  open_tilt,
-  open_slide,
-  is_getting_closed_tilt,
-  is_getting_closed_slide,
-  is_getting_open_tilt,
-  is_getting_open_slide,
-  stopped_tilt,
-  stopped_slide,
-  failure = 0xE,
-  not_available = 0xF
+  closed, open_tilt, open_slide, is_getting_closed_tilt, is_getting_closed_slide,
+  is_getting_open_tilt, is_getting_open_slide, stopped_tilt, stopped_slide,
+  failure = 0xE, not_available = 0xF
 };
 enum class SlidingRoofCommand : std::uint8_t {
-  close_tilt,
-  close_slide,
-  open_tilt,
-  open_slide,
-  stop,
-  not_implemented = 6,
-  do_not_care = 7
+  close_tilt, close_slide, open_tilt, open_slide, stop, not_implemented = 6, do_not_care = 7
 };
 enum class SeatMotion : std::uint8_t {
-  forward,
-  backward,
-  failure,
-  not_implemented = failure,
-  not_available,
-  do_not_care = not_available
+  forward, backward,
+  failure, not_implemented = failure, not_available, do_not_care = not_available
 };
 enum class SeatHeight : std::uint8_t {
-  up,
-  down,
-  failure,
-  not_implemented = failure,
-  not_available,
-  do_not_care = not_available
+  up, down, failure, not_implemented = failure, not_available, do_not_care = not_available
 };
 enum class SeatAngle : std::uint8_t {
-  lift,
-  sink,
-  failure,
-  not_implemented = failure,
-  not_available,
-  do_not_care = not_available
+  lift, sink, failure, not_implemented = failure, not_available, do_not_care = not_available
 };
 enum class SeatMemory : std::uint8_t {
-  none,
-  memory_1,
-  memory_2,
-  memory_3,
-  memory_4,
-  failure = 6,
-  not_implemented = failure,
-  not_available = 7,
-  do_not_care = not_available
+  none, memory_1, memory_2, memory_3, memory_4,
+  failure = 6, not_implemented = failure, not_available = 7, do_not_care = not_available
 };
 enum class Wiper : std::uint8_t { off, on, failure = 6, not_available = 7 };
 enum class WiperSwitch : std::uint8_t {
-  off,
-  interval,
-  stage_1,
-  stage_2,
-  automatic,
-  failure = 6,
-  not_implemented = failure,
-  not_available = 7,
-  do_not_care = not_available
+  off, interval, stage_1, stage_2, automatic,
+  failure = 6, not_implemented = failure, not_available = 7, do_not_care = not_available
 };
 enum class SteeringWheelSide : std::uint8_t { left, right, failure, not_available };
 enum class TemperatureStep : std::uint8_t { deactivate, warmer, colder, do_not_care };
 enum class Language : std::uint8_t {
-  german,
-  english,
-  french,
-  italian,
-  spanish,
-  japanese,
-  dutch = 7,
-  danish,
-  swedish,
-  turkish,
-  portuguese,
-  russian,
-  failure = 0x1E,
-  not_implemented = failure,
-  not_available = 0x1F,
-  do_not_care = not_available
+  german, english, french, italian, spanish, japanese, dutch = 7, danish, swedish, turkish,
+  portuguese, russian,
+  failure = 0x1E, not_implemented = failure, not_available = 0x1F, do_not_care = not_available
 };
 enum class DayNight : std::uint8_t {
-  day,
-  night,
-  failure,
-  not_implemented = failure,
-  not_available,
-  do_not_care = not_available
+  day, night, failure, not_implemented = failure, not_available, do_not_care = not_available
 };
 
 // Light (4.2.3).
 
 enum class InteriorLight : std::uint8_t {
-  off,
-  on_dimmed,
-  on_undimmed,
-  failure = 6,
-  not_implemented = failure,
-  not_available = 7,
-  do_not_care = not_available
+  off, on_dimmed, on_undimmed,
+  failure = 6, not_implemented = failure, not_available = 7, do_not_care = not_available
 };
 enum class AntiTheft : std::uint8_t {
-  disabled,
-  pre_active,
-  active,
-  triggered,
-  failure = 6,
-  not_available = 7
+  disabled, pre_active, active, triggered, failure = 6, not_available = 7
 };
 enum class AntiTheftCommand : std::uint8_t {
-  disable,
-  do_not_trigger,
-  activate,
-  trigger,
-  not_implemented = 6,
-  do_not_care = 7
+  disable, do_not_trigger, activate, trigger, not_implemented = 6, do_not_care = 7
 };
 
 // Power train (4.2.4).
 
 enum class Engine : std::uint8_t {
-  off,
-  ready,
-  cranking,
-  running,
-  stalled,
-  after_run,
-  shutdown,
-  failure = 0xFE,
-  not_available = 0xFF
+  off, ready, cranking, running, stalled, after_run, shutdown,
+  failure = 0xFE, not_available = 0xFF
 };
 enum class SelectorLever : std::uint8_t {
-  intermediate,
-  position_1,
-  position_2,
-  position_3,
-  position_4,
-  driving,
-  neutral,
-  reverse,
-  parking,
+  intermediate, position_1, position_2, position_3, position_4, driving, neutral, reverse, parking,
   low,
-  failure = 0xE,
-  not_available = 0xF
+  failure = 0xE, not_available = 0xF
 };
 enum class GearMode : std::uint8_t {
-  manual,
-  sport,
-  comfort,
-  winter,
-  failure = 6,
-  not_available = 7
+  manual, sport, comfort, winter, failure = 6, not_available = 7
 };
 enum class Gear : std::uint8_t {
-  none,
-  first,
-  second,
-  third,
-  fourth,
-  fifth,
-  sixth,
-  seventh,
-  eighth,
-  reverse,
-  failure = 0xE,
-  not_available = 0xF
+  none, first, second, third, fourth, fifth, sixth, seventh, eighth, reverse,
+  failure = 0xE, not_available = 0xF
 };
 enum class WheelSource : std::uint8_t {
-  front_right,
-  front_left,
-  rear_right,
-  rear_left,
-  average_front,
-  average_rear,
-  average_all,
-  failure = 0xFE,
-  not_available = 0xFF
+  front_right, front_left, rear_right, rear_left, average_front, average_rear, average_all,
+  failure = 0xFE, not_available = 0xFF
 };
 enum class FuelUnit : std::uint8_t { litre, kilogram, failure, not_available };
 enum class Acceleration : std::uint8_t {
-  accelerate,
-  decelerate,
-  failure,
-  not_implemented = failure,
-  not_available,
-  do_not_care = not_available
+  accelerate, decelerate,
+  failure, not_implemented = failure, not_available, do_not_care = not_available
 };
 enum class StoredSpeed : std::uint8_t {
-  stored,
-  stored_as_maximum,
-  released,
-  recalled,
-  failure = 6,
-  not_implemented = failure,
-  not_available = 7,
-  do_not_care = not_available
+  stored, stored_as_maximum, released, recalled,
+  failure = 6, not_implemented = failure, not_available = 7, do_not_care = not_available
 };
 
 // Fire and air (4.2.5, 4.2.6).
 
 enum class FireExtinguishing : std::uint8_t {
-  deactivated,
-  standby,
-  standby_limited,
-  initialization,
-  automatic_started,
-  manual_started,
+  deactivated, standby, standby_limited, initialization, automatic_started, manual_started,
   activated,
-  failure = 0xE,
-  not_available = 0xF
+  failure = 0xE, not_available = 0xF
 };
 enum class FreshAir : std::uint8_t {
-  deactivated,
-  standby,
-  standby_limited,
-  standby_without_sensors,
-  initialization,
-  manual_started,
-  manually_activated,
-  automatic_activated,
-  failure = 0xE,
-  not_available = 0xF
+  deactivated, standby, standby_limited, standby_without_sensors, initialization, manual_started,
+  manually_activated, automatic_activated,
+  failure = 0xE, not_available = 0xF
 };
+
+// clang-format on
 
 }  // namespace canvoy::cia447

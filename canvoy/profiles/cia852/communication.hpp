@@ -6,8 +6,11 @@
 #include "canvoy/profiles/cia302/program.hpp"
 #include "canvoy/profiles/cia401.hpp"
 #include "canvoy/profiles/cia852/values.hpp"
+#include "canvoy/profiles/rows.hpp"
 
 namespace canvoy::cia852 {
+
+using namespace rows;  // NOLINT(google-build-using-namespace): the columns of its tables
 
 /// Which functional elements a device has.
 struct Functions {
@@ -61,7 +64,7 @@ inline constexpr std::uint32_t device_type_mask = 0x80F0'FFFF;
 
 inline constexpr NamedValue one_names[] = {{0, "reserved", Meaning::reserved}, {1, "1"}};
 constexpr FieldInfo function_field(std::uint8_t bit, std::string_view name) {
-  return {.first_bit = bit, .name = name, .value = {.names = cia401::presence_names}};
+  return field(bit, 1, name, cia401::presence_names);
 }
 inline constexpr FieldInfo device_type_fields[] = {
     cia401::profile_field,
@@ -69,10 +72,8 @@ inline constexpr FieldInfo device_type_fields[] = {
     cia401::digital_output_field,
     cia401::analogue_input_field,
     cia401::analogue_output_field,
-    {.first_bit = cia401::pdo_mapping_field.first_bit,
-     .name = cia401::pdo_mapping_field.name,
-     .value = {.names = one_names},
-     .description = "PDOs are mapped as the device has it, not as CiA 401 pre-defines it."},
+    field(cia401::pdo_mapping_field.first_bit, 1, cia401::pdo_mapping_field.name, one_names,
+          "PDOs are mapped as the device has it, not as CiA 401 pre-defines it."),
     function_field(joystick_bit, "Joystick"),
     function_field(foot_pedal_bit, "Foot-pedal"),
     function_field(encoder_bit, "Encoder"),
@@ -80,7 +81,7 @@ inline constexpr FieldInfo device_type_fields[] = {
     function_field(push_button_cluster_bit, "Push-button cluster"),
     function_field(indicator_cluster_bit, "Indicator cluster"),
     function_field(display_bit, "Display"),
-    {.first_bit = always_bit, .name = "Operator environment", .value = {.names = one_names}},
+    field(always_bit, 1, "Operator environment", one_names),
 };
 
 constexpr ObjectInfo named(std::string_view name, ObjectInfo object) {
@@ -122,19 +123,19 @@ inline constexpr ObjectInfo identity_object = [] {
 
 inline constexpr ObjectInfo sync_cob_id_object = named(
     "COB-ID SYNC", cia301::refined(cia301::sync_cob_id_object, Category::mandatory, annex, "44"));
-inline constexpr ObjectInfo sync_window_object =
+inline constexpr auto sync_window_object =
     cia301::refined(cia301::sync_window_object, Category::optional, annex);
-inline constexpr ObjectInfo store_object =
+inline constexpr auto store_object =
     cia301::refined(cia301::store_object, Category::optional, annex);
-inline constexpr ObjectInfo restore_object =
+inline constexpr auto restore_object =
     cia301::refined(cia301::restore_object, Category::optional, annex);
 inline constexpr ObjectInfo emergency_cob_id_object = named(
     "COB-ID EMCY", cia301::refined(cia301::emergency_cob_id_object, Category::mandatory, annex));
-inline constexpr ObjectInfo emergency_inhibit_object =
+inline constexpr auto emergency_inhibit_object =
     cia301::refined(cia301::emergency_inhibit_object, Category::mandatory, annex);
 inline constexpr ObjectInfo consumer_heartbeat_object =
     for_outputs(cia301::consumer_heartbeat_object);
-inline constexpr ObjectInfo producer_heartbeat_object =
+inline constexpr auto producer_heartbeat_object =
     cia301::refined(cia301::producer_heartbeat_object, Category::mandatory, annex);
 inline constexpr ObjectInfo emergency_consumer_object =
     named("Emergency consumer", for_outputs(cia301::emergency_consumer_object));
@@ -142,7 +143,7 @@ inline constexpr ObjectInfo error_behavior_object =
     named("Error behavior",
           cia301::refined(cia301::error_behavior_object, Category::mandatory, "11.5", "42"));
 /// Recommended for the more sophisticated modules.
-inline constexpr ObjectInfo program_data_object =
+inline constexpr auto program_data_object =
     cia301::refined(cia302::program_data_object, Category::optional, "11.7");
 
 /// Table 37.

@@ -25,9 +25,8 @@ inline constexpr std::string_view push_button_names[groups_of_cluster] = {
 inline constexpr std::string_view axis_names[joystick_axes] = {
     "Joystick #: x-dimension", "Joystick #: y-dimension", "Joystick #: z-dimension"};
 
-inline constexpr EntryInfo input_8_bit = {.type = DataType::unsigned8,
-                                          .mapping = Mapping::by_default,
-                                          .value = {.notation = Notation::bit_mask}};
+inline constexpr EntryInfo input_8_bit =
+    entry(unsigned8, ro, by_default, {}, {.notation = Notation::bit_mask});
 constexpr EntryInfo input_8_bit_with(Items<FieldInfo> fields, std::string_view description) {
   EntryInfo entry = input_8_bit;
   entry.fields = fields;
@@ -43,12 +42,10 @@ inline constexpr EntryInfo foot_pedal_memory_input =
 inline constexpr EntryInfo push_buttons_input =
     input_8_bit_with(push_button_fields, "Eight push-buttons of a cluster.");
 /// A position: no clause says in which unit.
-inline constexpr EntryInfo input_16_bit = {.type = DataType::integer16,
-                                           .mapping = Mapping::by_default,
-                                           .value = {.counting = Counting::counts}};
-inline constexpr EntryInfo input_32_bit = {.type = DataType::unsigned32,
-                                           .mapping = Mapping::by_default,
-                                           .value = {.counting = Counting::counts}};
+inline constexpr EntryInfo input_16_bit =
+    entry(integer16, ro, by_default, {}, {.counting = Counting::counts});
+inline constexpr EntryInfo input_32_bit =
+    entry(unsigned32, ro, by_default, {}, {.counting = Counting::counts});
 
 /// Tables 1, 2 and 5: an entry's place is its sub-index.
 inline constexpr auto read_input_8_bit_entries = [] {
@@ -77,15 +74,10 @@ inline constexpr auto read_input_8_bit_entries = [] {
   }
   return entries;
 }();
-inline constexpr ObjectInfo read_input_8_bit_object = {
-    .index = cia401::read_input_8_bit_object.index,
-    .code = ObjectCode::array,
-    .name = cia401::read_input_8_bit_object.name,
-    .category = Category::optional,
-    .clause = "9",
-    .errata = "1, 8, 14, 49",
-    .description = "Buttons, push-buttons and memory functions.",
-    .subs = read_input_8_bit_entries};
+inline constexpr auto read_input_8_bit_object =
+    array_object(cia401::read_input_8_bit_object.index, cia401::read_input_8_bit_object.name, "9",
+                 "Buttons, push-buttons and memory functions.", read_input_8_bit_entries,
+                 {.category = Category::optional, .errata = "1, 8, 14, 49"});
 
 /// Table 3.
 inline constexpr auto read_input_32_bit_entries = [] {
@@ -96,15 +88,10 @@ inline constexpr auto read_input_32_bit_entries = [] {
   }
   return entries;
 }();
-inline constexpr ObjectInfo read_input_32_bit_object = {
-    .index = cia401::read_input_32_bit_object.index,
-    .code = ObjectCode::array,
-    .name = cia401::read_input_32_bit_object.name,
-    .category = Category::optional,
-    .clause = "9.4",
-    .errata = "15, 49",
-    .description = "Positions of encoders with one turn or many.",
-    .subs = read_input_32_bit_entries};
+inline constexpr auto read_input_32_bit_object =
+    array_object(cia401::read_input_32_bit_object.index, cia401::read_input_32_bit_object.name,
+                 "9.4", "Positions of encoders with one turn or many.", read_input_32_bit_entries,
+                 {.category = Category::optional, .errata = "15, 49"});
 
 /// Tables 1, 2 and 4: an entry's place is its sub-index.
 inline constexpr auto read_analogue_input_16_bit_entries = [] {
@@ -126,24 +113,17 @@ inline constexpr auto read_analogue_input_16_bit_entries = [] {
   }
   return entries;
 }();
-inline constexpr ObjectInfo read_analogue_input_16_bit_object = {
-    .index = cia401::read_analogue_input_16_bit_object.index,
-    .code = ObjectCode::array,
-    .name = cia401::read_analogue_input_16_bit_object.name,
-    .category = Category::optional,
-    .clause = "9",
-    .errata = "7, 13, 49",
-    .description = "Positions of joysticks, foot pedals and wheels.",
-    .subs = read_analogue_input_16_bit_entries};
+inline constexpr auto read_analogue_input_16_bit_object = array_object(
+    cia401::read_analogue_input_16_bit_object.index, cia401::read_analogue_input_16_bit_object.name,
+    "9", "Positions of joysticks, foot pedals and wheels.", read_analogue_input_16_bit_entries,
+    {.category = Category::optional, .errata = "7, 13, 49"});
 
 /// Tables 1, 2 and 4.
-inline constexpr ObjectInfo analogue_input_global_interrupt_enable_object = {
-    .index = cia401::analogue_input_global_interrupt_enable_object.index,
-    .name = cia401::analogue_input_global_interrupt_enable_object.name,
-    .category = Category::optional,
-    .clause = "9",
-    .errata = "48, 49",
-    .description = "While it is FALSE, Operational is entered with emergency 0080h (8.6).",
-    .entry = cia401::analogue_input_global_interrupt_enable_object.entry};
+inline constexpr auto analogue_input_global_interrupt_enable_object =
+    var_object(cia401::analogue_input_global_interrupt_enable_object.index,
+               cia401::analogue_input_global_interrupt_enable_object.name, "9",
+               "While it is FALSE, Operational is entered with emergency 0080h (8.6).",
+               cia401::analogue_input_global_interrupt_enable_object.entry,
+               {.category = Category::optional, .errata = "48, 49"});
 
 }  // namespace canvoy::cia852

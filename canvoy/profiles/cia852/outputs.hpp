@@ -57,15 +57,10 @@ inline constexpr auto write_output_8_bit_entries =
                        .errata = "2, 9",
                        .description = "Eight indicators of a cluster."},
                       indicator_names);
-inline constexpr ObjectInfo write_output_8_bit_object = {
-    .index = cia401::write_output_8_bit_object.index,
-    .code = ObjectCode::array,
-    .name = cia401::write_output_8_bit_object.name,
-    .category = Category::optional,
-    .clause = "9.7",
-    .errata = "2, 9, 10, 11, 49",
-    .description = "What the indicators show.",
-    .subs = write_output_8_bit_entries};
+inline constexpr auto write_output_8_bit_object =
+    array_object(cia401::write_output_8_bit_object.index, cia401::write_output_8_bit_object.name,
+                 "9.7", "What the indicators show.", write_output_8_bit_entries,
+                 {.category = Category::optional, .errata = "2, 9, 10, 11, 49"});
 
 inline constexpr auto error_mode_output_8_bit_entries =
     indicator_entries({.type = DataType::unsigned8,
@@ -76,15 +71,10 @@ inline constexpr auto error_mode_output_8_bit_entries =
                        .errata = "3, 12",
                        .description = "Which indicators take their error value on a failure."},
                       indicator_error_mode_names);
-inline constexpr ObjectInfo error_mode_output_8_bit_object = {
-    .index = cia401::error_mode_output_8_bit_object.index,
-    .code = ObjectCode::array,
-    .name = cia401::error_mode_output_8_bit_object.name,
-    .category = Category::optional,
-    .clause = "9.7",
-    .errata = "3, 12, 49",
-    .description = "What the indicators do on a failure: one bit for each.",
-    .subs = error_mode_output_8_bit_entries};
+inline constexpr auto error_mode_output_8_bit_object = array_object(
+    cia401::error_mode_output_8_bit_object.index, cia401::error_mode_output_8_bit_object.name,
+    "9.7", "What the indicators do on a failure: one bit for each.",
+    error_mode_output_8_bit_entries, {.category = Category::optional, .errata = "3, 12, 49"});
 
 inline constexpr auto error_value_output_8_bit_entries =
     indicator_entries({.type = DataType::unsigned8,
@@ -95,16 +85,10 @@ inline constexpr auto error_value_output_8_bit_entries =
                        .errata = "3",
                        .description = "What eight indicators show on a failure."},
                       indicator_error_value_names);
-inline constexpr ObjectInfo error_value_output_8_bit_object = {
-    .index = cia401::error_value_output_8_bit_object.index,
-    .code = ObjectCode::array,
-    .name = cia401::error_value_output_8_bit_object.name,
-    .category = Category::conditional,
-    .condition = "if 6206h has the value 1",
-    .clause = "9.7",
-    .errata = "3, 49",
-    .description = "What the indicators show on a failure.",
-    .subs = error_value_output_8_bit_entries};
+inline constexpr auto error_value_output_8_bit_object = array_object(
+    cia401::error_value_output_8_bit_object.index, cia401::error_value_output_8_bit_object.name,
+    "9.7", "What the indicators show on a failure.", error_value_output_8_bit_entries,
+    {.condition = "if 6206h has the value 1", .errata = "3, 49"});
 
 // Displays: matrix displays, bar graphs and round meters.
 

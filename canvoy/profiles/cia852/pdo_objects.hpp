@@ -94,28 +94,18 @@ constexpr unsigned printed_offset_of(unsigned number) {
 
 constexpr ObjectInfo parameter_object(unsigned index, const PdoSet& set, std::string_view name,
                                       Items<EntryInfo> entries) {
-  return {.index = static_cast<std::uint16_t>(index),
-          .code = ObjectCode::record,
-          .name = name,
-          .first_number = static_cast<std::uint16_t>(set.number),
-          .category = Category::conditional,
-          .condition = set.condition,
-          .clause = set.clause,
-          .errata = set.errata,
-          .description = set.description,
-          .subs = entries};
+  return record_object(static_cast<std::uint16_t>(index), name, set.clause, set.description,
+                       entries,
+                       {.first_number = static_cast<std::uint16_t>(set.number),
+                        .condition = set.condition,
+                        .errata = set.errata});
 }
 constexpr ObjectInfo mapping_object(unsigned index, const PdoSet& set, std::string_view name) {
-  return {.index = static_cast<std::uint16_t>(index),
-          .code = ObjectCode::record,
-          .name = name,
-          .first_number = static_cast<std::uint16_t>(set.number),
-          .category = Category::conditional,
-          .condition = "if the communication parameter of the PDO is implemented",
-          .clause = set.clause,
-          .errata = set.errata,
-          .description = set.description,
-          .subs = set.mapping};
+  return record_object(static_cast<std::uint16_t>(index), name, set.clause, set.description,
+                       set.mapping,
+                       {.first_number = static_cast<std::uint16_t>(set.number),
+                        .condition = "if the communication parameter of the PDO is implemented",
+                        .errata = set.errata});
 }
 
 template <std::size_t count, class Make>

@@ -55,45 +55,27 @@ constexpr EntryInfo rw_or_const(EntryInfo entry) {
   entry.or_const = true;
   return entry;
 }
-inline constexpr EntryInfo tpdo_highest_sub_index = {.name = "Highest sub-index supported",
-                                                     .access = Access::const_,
-                                                     .initial = highest_sub(),
-                                                     .value = {.limits = within(2, 6)}};
-inline constexpr EntryInfo rpdo_highest_sub_index = {.name = "Highest sub-index supported",
-                                                     .access = Access::const_,
-                                                     .initial = highest_sub(),
-                                                     .value = {.limits = within(2, 5)},
-                                                     .errata = "30"};
+inline constexpr EntryInfo tpdo_highest_sub_index =
+    sub_index(0, "Highest sub-index supported",
+              entry(unsigned8, const_, no, highest_sub(), {.limits = within(2, 6)}));
+inline constexpr EntryInfo rpdo_highest_sub_index = sub_index(
+    0, "Highest sub-index supported",
+    entry(unsigned8, const_, no, highest_sub(), {.limits = within(2, 5)}), {.errata = "30"});
 constexpr EntryInfo cob_id_entry(Default initial) {
-  return rw_or_const({.sub_first = 1,
-                      .name = "COB-ID",
-                      .type = DataType::unsigned32,
-                      .initial = initial,
-                      .value = cia301::code,
-                      .description = "Bit 31: invalid; bit 30 of a TPDO, not on request, may be "
-                                     "set as well."});
+  return rw_or_const(sub_index(
+      1, "COB-ID", entry(unsigned32, ro, no, initial, cia301::code),
+      {.description = "Bit 31: invalid; bit 30 of a TPDO, not on request, may be set as well."}));
 }
-inline constexpr EntryInfo transmission_type_entry =
-    rw_or_const({.sub_first = 2,
-                 .name = "Transmission type",
-                 .initial = 0xFF,
-                 .value = {.names = cia301::transmission_types}});
-inline constexpr EntryInfo inhibit_time_entry = {.sub_first = 3,
-                                                 .name = "Inhibit time",
-                                                 .type = DataType::unsigned16,
-                                                 .access = Access::rw,
-                                                 .category = Category::optional,
-                                                 .initial = 0,
-                                                 .value = cia301::hundred_microseconds};
-inline constexpr EntryInfo event_timer_entry = {.sub_first = 5,
-                                                .name = "Event-timer",
-                                                .type = DataType::unsigned16,
-                                                .access = Access::rw,
-                                                .category = Category::optional,
-                                                .initial = 0,
-                                                .value = cia301::milliseconds};
-inline constexpr EntryInfo sync_start_entry = rw_or_const(
-    {.sub_first = 6, .name = "SYNC start value", .category = Category::optional, .initial = 0});
+inline constexpr EntryInfo transmission_type_entry = rw_or_const(
+    sub_index(2, "Transmission type", entry(unsigned8, ro, no, 0xFF, cia301::transmission_types)));
+inline constexpr EntryInfo inhibit_time_entry =
+    sub_index(3, "Inhibit time", entry(unsigned16, rw, no, 0, cia301::hundred_microseconds),
+              {.category = Category::optional});
+inline constexpr EntryInfo event_timer_entry =
+    sub_index(5, "Event-timer", entry(unsigned16, rw, no, 0, cia301::milliseconds),
+              {.category = Category::optional});
+inline constexpr EntryInfo sync_start_entry = rw_or_const(sub_index(
+    6, "SYNC start value", entry(unsigned8, ro, no, 0), {.category = Category::optional}));
 
 /// Tables 10 and, of the other TPDOs, 14, 18, 22 and 26.
 inline constexpr EntryInfo tpdo1_parameter_entries[] = {
@@ -117,15 +99,12 @@ inline constexpr std::string_view ordinals[] = {
     "7th application parameter", "8th application parameter"};
 
 constexpr EntryInfo number_of_mapped(std::uint8_t count) {
-  return rw_or_const(
-      {.name = "Number of mapped application objects in PDO", .initial = count, .errata = "31"});
+  return rw_or_const(sub_index(0, "Number of mapped application objects in PDO",
+                               entry(unsigned8, ro, no, count), {.errata = "31"}));
 }
 constexpr EntryInfo mapped(unsigned position, const ObjectInfo& object, unsigned sub) {
-  return rw_or_const({.sub_first = static_cast<std::uint8_t>(position),
-                      .name = ordinals[position - 1],
-                      .type = DataType::unsigned32,
-                      .initial = mapped_value(object, sub),
-                      .value = cia301::code});
+  return rw_or_const(sub_index(static_cast<std::uint8_t>(position), ordinals[position - 1],
+                               entry(unsigned32, ro, no, mapped_value(object, sub), cia301::code)));
 }
 /// An entry that is there if something beyond the first element is.
 constexpr EntryInfo optionally(EntryInfo entry) {

@@ -5,8 +5,11 @@
 #pragma once
 
 #include "canvoy/profiles/cia401/values.hpp"
+#include "canvoy/profiles/rows.hpp"
 
 namespace canvoy::cia852 {
+
+using namespace rows;  // NOLINT(google-build-using-namespace): the columns of its tables
 
 // How many of each an operator environment may have (9.1).
 inline constexpr unsigned joysticks_max = 16;
@@ -136,15 +139,15 @@ inline constexpr NamedValue reserved_7_names[] = {{0, "0", Meaning::padding},
 /// Figure 5: whether the joystick holds its position in a direction. A joystick with two axes has
 /// no m-z: 0b.
 inline constexpr FieldInfo joystick_memory_fields[] = {
-    {.first_bit = 0, .name = "m-x", .value = {.names = memory_names}},
-    {.first_bit = 1, .name = "m-y", .value = {.names = memory_names}},
-    {.first_bit = 2, .name = "m-z", .value = {.names = memory_names}},
-    {.first_bit = 3, .bits = 5, .name = "reserved", .value = {.names = reserved_5_names}},
+    field(0, 1, "m-x", memory_names),
+    field(1, 1, "m-y", memory_names),
+    field(2, 1, "m-z", memory_names),
+    field(3, 5, "reserved", reserved_5_names),
 };
 /// Figure 6.
 inline constexpr FieldInfo foot_pedal_memory_fields[] = {
-    {.first_bit = 0, .name = "m-x", .value = {.names = memory_names}},
-    {.first_bit = 1, .bits = 7, .name = "reserved", .value = {.names = reserved_7_names}},
+    field(0, 1, "m-x", memory_names),
+    field(1, 7, "reserved", reserved_7_names),
 };
 
 /// An entry that is there where its functional element is.
