@@ -83,7 +83,7 @@ class World {
     const BootTask task = place;
     place = {};
     const auto error = static_cast<BootError>(code % 4 == 0 ? 'G' + code / 4 % 4 : 0);
-    task.done({error, code % 8 == 0 ? AbortCode::time_out : AbortCode::none});
+    task.done({error, code % 8 == 0 ? SdoEnd::no_answer() : SdoEnd()});
   }
 
   /// Told once of each restart, unless its task was abandoned.

@@ -34,7 +34,7 @@ class Network : public tools::LiveNetwork {
  protected:
   void request(const tools::BusRequest& request, const tools::SdoDesk::Done& done) override {
     if (request.node > node_id_max || request.bytes.size() > 64 * 1024) std::abort();
-    if (done) done(AbortCode::time_out);
+    if (done) done({.end = SdoEnd::no_answer()});
   }
 };
 

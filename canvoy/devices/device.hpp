@@ -32,6 +32,7 @@
 #include <type_traits>
 
 #include "canvoy/canopen/device_node.hpp"
+#include "canvoy/profiles/device_values.hpp"
 #include "canvoy/profiles/layout.hpp"
 
 namespace canvoy {
@@ -93,7 +94,7 @@ inline constexpr auto layout_of = Kind::template lay_out<Kind::description>();
 /// `layout` is that of a description with the objects that the kind's unit works with; `own_routes`
 /// as DeviceNode has them.
 template <class Kind, const auto& layout = layout_of<Kind>, std::size_t own_routes = 0>
-class Device {
+class Device : public DeviceValues<Device<Kind, layout, own_routes>, layout> {
  public:
   using Unit = typename detail::UnitOn<Kind, layout>::Type;
   using Hardware = typename Kind::Hardware;

@@ -36,7 +36,6 @@ void SdoAccess::begin(Operation& operation, Duration time_out) {
   }
 }
 
-/// Then an abort is no word of the server.
 bool SdoAccess::is_stopped() const {
   const NmtState state = node_.state();
   const bool speaks = state == NmtState::operational || state == NmtState::pre_operational;
@@ -44,10 +43,11 @@ bool SdoAccess::is_stopped() const {
 }
 
 void SdoAccess::finished(Job& job) {
-  const AbortCode outcome = job.request.outcome().abort();
-  const bool stopped = outcome == AbortCode::device_state && is_stopped();
-  job.operation->answer = stopped ? Answer::failed(ErrorCode::internal_state)
-                                  : sdo_answer(*job.operation, outcome, version_);
+  const SdoEnd end = job.request.outcome();
+  const bool is_own = !end && !end.is_refusal() && end.abort() == AbortCode::device_state;
+  job.operation->answer = is_own && is_stopped()
+                              ? Answer::failed(ErrorCode::internal_state)
+                              : sdo_answer(*job.operation, end.abort(), version_);
   const std::size_t gone =
       std::erase_if(jobs_, [&](const auto& other) { return other.get() == &job; });
   must_hold(gone == 1);

@@ -11,7 +11,8 @@
 //     Bound<cia419::battery_voltage> voltage(node.dictionary());  // looked up once: for hot code
 //
 // Values are written through Dictionary::set, so that TPDOs learn of changes. Where a node does not
-// have an object, reading it gives nothing, and writing it does nothing.
+// have an object, reading it gives nothing, and writing it does nothing: Values::find() and set()
+// say why. A device whose description is known does not compile then (device_values.hpp).
 #pragma once
 
 #include <cstdint>
@@ -119,6 +120,22 @@ class Values {
   template <class Handle>
   typename Handle::Reference operator[](const Handle& handle) const {
     return {*dictionary_, handle.index(), handle.sub()};
+  }
+
+  /// Whether the node has the value: none, or no_object, no_sub_index, or length where its type is
+  /// another one.
+  template <class Handle>
+  [[nodiscard]] AbortCode find(const Handle& handle) const {
+    const Result<Entry> entry = dictionary_->find(handle.index(), handle.sub());
+    if (!entry) return entry.abort();
+    return entry->row->type == Handle::Place::entry.type ? AbortCode::none : AbortCode::length;
+  }
+  /// Writes it as an assignment does, or says as find() why not.
+  template <class Handle, class Value>
+  [[nodiscard]] AbortCode set(const Handle& handle, const Value& value) const {
+    const AbortCode missing = find(handle);
+    if (missing == AbortCode::none) (*this)[handle] = value;
+    return missing;
   }
 
  private:

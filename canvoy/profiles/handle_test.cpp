@@ -326,6 +326,20 @@ TEST_F(Handles, AnObjectThatTheNodeDoesNotHaveGivesNothingAndTakesNothing) {
   EXPECT_EQ(values[absent].value(), std::nullopt);
 }
 
+TEST_F(Handles, WhatCannotBeWrittenIsAnErrorValue) {
+  EXPECT_EQ(values.set(level, 12.5), AbortCode::none);
+  EXPECT_EQ(dictionary.number(0x6101, 0), 25U);
+  EXPECT_EQ(values.set(absent, 12.0), AbortCode::no_object);
+  EXPECT_EQ(values.set(lamp[15], 1), AbortCode::no_sub_index) << "lamps stand at 11 to 14";
+  static constexpr ObjectInfo wide = {
+      .index = 0x6101,
+      .name = "level",
+      .entry = {.type = DataType::unsigned32, .value = {.unit = Unit::litre}}};
+  EXPECT_EQ(values.set(Quantity<wide>{}, 1.0), AbortCode::length);
+  EXPECT_EQ(values.find(level), AbortCode::none);
+  EXPECT_EQ(values.find(absent), AbortCode::no_object);
+}
+
 TEST_F(Handles, AnObjectOfAnotherTypeThanDescribedIsNotThere) {
   static constexpr ObjectInfo wide = {
       .index = 0x6101,

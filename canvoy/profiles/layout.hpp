@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 #include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "canvoy/profiles/device_description.hpp"
@@ -270,6 +271,12 @@ constexpr void check_profiles(const DeviceDescription<capacity>& device) {
 
 }  // namespace detail
 
+/// Tables that know of what they were made: see DeviceValues.
+template <const auto& device, class Tables>
+struct DeviceLayout : Tables {
+  static constexpr const auto& description = device;
+};
+
 /// The tables of the kind of node that `device` describes.
 template <const auto& device>
 constexpr auto lay_out_device() {
@@ -291,7 +298,7 @@ constexpr auto lay_out_device() {
   const auto layout = lay_out(objects, entries);
   detail::check_mappings(layout.objects, entries);
   detail::check_profiles(device);
-  return layout;
+  return DeviceLayout<device, std::remove_const_t<decltype(layout)>>{layout};
 }
 
 }  // namespace canvoy

@@ -2,6 +2,10 @@
 // for all units of its class. A row names a member function, and by handle or object the values
 // that it is for; the function takes of the access what it needs.
 //
+//     AbortCode check_mode(Mode wanted);                            // State<Mode, ...>
+//     AbortCode check_speed(std::optional<Amount<Unit::volt>> wanted);  // Quantity of volts
+//     AbortCode check_unit(Raw<std::uint16_t> wanted);              // the bits, whatever they mean
+//
 //     constexpr HookCalls LoadMeasuringUnit::hook_calls[] = {
 //         before_write<&LoadMeasuringUnit::check_unit, load_si_unit>,
 //         after_write<&LoadMeasuringUnit::look_again, absolute_load_value, rope_ratio_nominator>};
@@ -21,9 +25,9 @@
 #include <span>
 #include <type_traits>
 
-#include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/canopen/service.hpp"
 #include "canvoy/profiles/handle.hpp"
+#include "canvoy/profiles/written_value.hpp"
 
 namespace canvoy {
 
@@ -51,10 +55,20 @@ consteval HookCalls range_of_place() {
 
 template <class Unit, class Function>
 Unit& unit_of(Function Unit::*);
-template <class Unit, class Number>
-Number argument_of(AbortCode (Unit::*)(Number));
-template <class Unit, class Number>
-Number argument_of(AbortCode (Unit::*)(Number) const);
+
+/// What a hook takes: the value, and before it, where it asks for that, the entry.
+template <class Argument>
+struct Takes {
+  using Value = std::remove_cvref_t<Argument>;
+};
+template <class Unit, class Value>
+Takes<Value> taken_by(AbortCode (Unit::*)(Value));
+template <class Unit, class Value>
+Takes<Value> taken_by(AbortCode (Unit::*)(Value) const);
+template <class Unit, class Value>
+Takes<Value> taken_by(AbortCode (Unit::*)(const Entry&, Value));
+template <class Unit, class Value>
+Takes<Value> taken_by(AbortCode (Unit::*)(const Entry&, Value) const);
 
 /// A member function of a unit as HookCalls wants it.
 template <auto function>
@@ -81,12 +95,20 @@ struct Reaction {
       return call(unit);
     }
   }
+  /// Bytes of any entries.
   static AbortCode before_write(void* unit, const Entry& entry,
                                 std::span<const std::uint8_t> value) {
-    if constexpr (takes<const Entry&, std::span<const std::uint8_t>>) {
-      return call<const Entry&, std::span<const std::uint8_t>>(unit, entry, value);
+    return call<const Entry&, std::span<const std::uint8_t>>(unit, entry, value);
+  }
+  /// The value of one kind of entries.
+  template <class Written>
+  static AbortCode before_value(void* unit, const Entry& entry,
+                                std::span<const std::uint8_t> bytes) {
+    using Value = typename decltype(taken_by(function))::Value;
+    if constexpr (takes<const Entry&, Value>) {
+      return call<const Entry&, Value>(unit, entry, Written::value(bytes));
     } else {
-      return call(unit, static_cast<decltype(argument_of(function))>(load_unsigned(value)));
+      return call<Value>(unit, Written::value(bytes));
     }
   }
   static void after_write(void* unit, const Entry& entry, Source source) {
@@ -112,12 +134,21 @@ inline constexpr HookCalls before_read = [] {
   return row;
 }();
 
-/// `function` may refuse what is to be written: AbortCode, of the number or state that is written,
-/// or of (const Entry&, std::span<const std::uint8_t>). See Hook::before_write.
+/// `function` may refuse what is to be written: AbortCode, of what a handle of the entry gives
+/// (written_value.hpp; with const Entry& before it, of which of several entries), or of (const
+/// Entry&, std::span<const std::uint8_t>). Anything else does not compile. See Hook::before_write.
 template <auto function, const auto&... places>
 inline constexpr HookCalls before_write = [] {
+  using Reaction = detail::Reaction<function>;
   HookCalls row = detail::range_of_place<places...>();
-  row.before_write = detail::Reaction<function>::before_write;
+  if constexpr (Reaction::template takes<const Entry&, std::span<const std::uint8_t>>) {
+    row.before_write = Reaction::before_write;
+  } else {
+    using Value = typename decltype(detail::taken_by(function))::Value;
+    using Written = detail::WrittenAt<Value, places...>;
+    if (Written::is_behind_count) row.sub_first = 1;
+    row.before_write = Reaction::template before_value<Written>;
+  }
   return row;
 }();
 

@@ -127,13 +127,13 @@ TEST(SdoWords, TakesNoSegmentForAMessageWhateverItsFirstByteIs) {
 TEST(SdoWords, EndsABlockTransferByAnAbortOfEitherSide) {
   expect_words({
       {"58A#A450200102000000", "block download 2050h:01h, 2 segments a block, with CRC"},
-      {"60A#8050200100000405", "abort 2050h:01h, 05040000h: no answer within the SDO time-out"},
+      {"60A#8050200100000405", "abort 2050h:01h, 05040000h: SDO time-out"},
       {"60A#4000200000000000", "read 2000h:00h"},
       {"58A#A450200102000000", "block download 2050h:01h, 2 segments a block, with CRC"},
-      {"58A#8050200100000405", "abort 2050h:01h, 05040000h: no answer within the SDO time-out"},
+      {"58A#8050200100000405", "abort 2050h:01h, 05040000h: SDO time-out"},
       {"60A#4000200000000000", "read 2000h:00h"},
       {"60A#A300000000000000", "block upload start"},
-      {"58A#8050200100000405", "abort 2050h:01h, 05040000h: no answer within the SDO time-out"},
+      {"58A#8050200100000405", "abort 2050h:01h, 05040000h: SDO time-out"},
       {"58A#6000200000000000", "2000h:00h written"},
   });
 }

@@ -35,6 +35,22 @@ std::string abort_text(AbortCode code) {
   return fmt::format("{:08X}h: {}", static_cast<std::uint32_t>(code), abort_reason(code));
 }
 
+std::string end_text(const SdoEnd& end) {
+  switch (end.kind()) {
+    case SdoEnd::Kind::done:
+      return "done";
+    case SdoEnd::Kind::aborted_by_server:
+      return abort_text(end.abort());
+    case SdoEnd::Kind::aborted_by_client:
+      return "aborted here, " + abort_text(end.abort());
+    case SdoEnd::Kind::no_answer:
+      return "no answer";
+    case SdoEnd::Kind::cancelled:
+      break;
+  }
+  return "cancelled, " + abort_text(end.abort());
+}
+
 std::string_view emergency_text(std::uint16_t code) {
   // The code itself, or the class that it belongs to: 4310h is of 4300h, and that of 4000h.
   for (const unsigned mask : {0xFFFFU, 0xFF00U, 0xF000U}) {

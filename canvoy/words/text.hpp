@@ -12,6 +12,7 @@
 #include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/canopen/dictionary/abort_code.hpp"
 #include "canvoy/canopen/nmt/nmt.hpp"
+#include "canvoy/canopen/sdo/sdo_outcome.hpp"
 #include "canvoy/devices/cia419/charge_control.hpp"
 
 namespace canvoy::words {
@@ -24,6 +25,9 @@ std::string object_text(std::uint16_t index, std::uint8_t sub);
 std::string bytes_text(std::span<const std::uint8_t> bytes);
 /// `06020000h: the object does not exist in the dictionary`
 std::string abort_text(AbortCode code);
+/// Who ended a request: the same of a server's abort, `aborted here, ...` of one by this side,
+/// `no answer`, `cancelled, ...`, `done`.
+std::string end_text(const SdoEnd& end);
 /// What an emergency error code means, by its class where the code itself is not known.
 std::string_view emergency_text(std::uint16_t code);
 /// `pre-operational`

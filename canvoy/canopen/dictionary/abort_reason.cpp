@@ -10,7 +10,7 @@ std::string_view abort_reason(AbortCode code) {
     case toggle_bit:
       return "the toggle bit did not alternate";
     case time_out:
-      return "no answer within the SDO time-out";
+      return "SDO time-out";
     case command_specifier:
       return "the command specifier is unknown or not supported";
     case block_size:

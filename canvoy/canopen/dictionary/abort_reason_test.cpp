@@ -25,7 +25,7 @@ TEST(AbortReason, IsOneOfItsOwnForEachCodeOfCia301) {
 
 TEST(AbortReason, SaysWhatIsWrong) {
   EXPECT_EQ(abort_reason(AbortCode{0x0602'0000}), "the object does not exist in the dictionary");
-  EXPECT_EQ(abort_reason(AbortCode{0x0504'0000}), "no answer within the SDO time-out");
+  EXPECT_EQ(abort_reason(AbortCode{0x0504'0000}), "SDO time-out");
   EXPECT_EQ(abort_reason(AbortCode{0x0601'0001}), "the object is write-only");
   EXPECT_EQ(abort_reason(AbortCode{0x0601'0002}), "the object is read-only");
   EXPECT_EQ(abort_reason(AbortCode::none), "no abort");

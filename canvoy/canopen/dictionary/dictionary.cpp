@@ -1,6 +1,7 @@
 #include "canvoy/canopen/dictionary/dictionary.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "canvoy/can/frame.hpp"
 
@@ -451,6 +452,16 @@ void Dictionary::attach(Hook& hook) {
   if (services_ == nullptr) last_ = &link.next_;
   services_ = &link;
   mark_hooked(hook.first, hook.last, ServiceEvent::all_accesses);
+}
+
+/// Its rows keep their marks: that something may be hooked there is a hint.
+void Dictionary::detach(Hook& hook) {
+  NodeService** link = &services_;
+  while (*link != nullptr && *link != &hook.link) link = &(*link)->next_;
+  if (*link == nullptr) return;
+  *link = std::exchange(hook.link.next_, nullptr);
+  if (*link == nullptr) last_ = link;
+  if constexpr (!is_small_machine) ++revision_.value;
 }
 
 void Dictionary::mark_hooked(const ServiceLink& service) {

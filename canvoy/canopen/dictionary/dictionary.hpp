@@ -350,6 +350,9 @@ class Dictionary {
 
   /// It is asked and told before all that are attached already. Linear in the number of rows.
   void attach(Hook& hook);
+  /// It is asked and told no more. Not from within a callback of a hook. Linear in the number of
+  /// services.
+  void detach(Hook& hook);
   /// Services are asked and told in the order in which they were attached. See Node::attach().
   constexpr void attach(NodeService& service) {
     append(service);

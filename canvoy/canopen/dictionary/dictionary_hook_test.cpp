@@ -153,6 +153,27 @@ TEST(DictionaryHook, MayRefreshAValueBeforeItIsRead) {
   EXPECT_EQ(sut.read(0x1018, 1), (Bytes{2, 0, 0, 0}));
 }
 
+TEST(DictionaryHook, IsAskedNoMoreOnceItIsDetached) {
+  Held sut(shapes.tables());
+  Log log;
+  Recorder a(sut.dictionary, 0x1018, 0x1018, log, "a");
+  Recorder b(sut.dictionary, 0x1018, 0x1018, log, "b");
+  Recorder c(sut.dictionary, 0x1018, 0x1018, log, "c");
+  sut.dictionary.detach(b.hook);
+  EXPECT_EQ(sut.write(0x1018, 1, {1, 2, 3, 4}), AbortCode::none);
+  EXPECT_EQ(log, (Log{"c checks 1018:1", "a checks 1018:1", "c wrote 1018:1", "a wrote 1018:1"}));
+  log.clear();
+  sut.dictionary.detach(c.hook);
+  sut.dictionary.detach(a.hook);
+  sut.dictionary.detach(a.hook);  // that is not there
+  EXPECT_EQ(sut.write(0x1018, 1, {1, 2, 3, 4}), AbortCode::none);
+  EXPECT_EQ(log, Log{});
+  sut.dictionary.attach(b.hook);
+  Recorder d(sut.dictionary, 0x1018, 0x1018, log, "d");
+  EXPECT_EQ(sut.write(0x1018, 1, {1, 2, 3, 4}), AbortCode::none);
+  EXPECT_EQ(log, (Log{"d checks 1018:1", "b checks 1018:1", "d wrote 1018:1", "b wrote 1018:1"}));
+}
+
 TEST(DictionaryHook, IsCountedAsARevision) {
   Held sut(shapes.tables());
   const std::uint32_t before = sut.dictionary.revision();

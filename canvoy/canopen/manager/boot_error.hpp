@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-#include "canvoy/canopen/dictionary/abort_code.hpp"
+#include "canvoy/canopen/sdo/sdo_outcome.hpp"
 
 namespace canvoy {
 
@@ -16,7 +16,7 @@ enum class BootError : std::uint8_t {
   none = 0,
   not_in_list = 'A',          ///< no slave by 1F81h
   no_answer = 'B',            ///< to the request for 1000h
-  device_type = 'C',          ///< 1000h differs from 1F84h
+  device_type = 'C',          ///< 1000h differs from 1F84h, or is refused
   vendor_id = 'D',            ///< 1018h:01h differs from 1F85h
   no_heartbeat = 'E',         ///< when the state of a slave to be kept alive was asked
   no_guarding_answer = 'F',   ///< the same, by node guarding
@@ -36,10 +36,10 @@ constexpr char letter(BootError error) {
   return error == BootError::none ? '-' : static_cast<char>(error);
 }
 
-/// How a step of the procedure ended: a letter, and the SDO abort code where one is its cause.
+/// How a step of the procedure ended: a letter, and how a request ended that is its cause.
 struct BootOutcome {
   BootError error = BootError::none;
-  AbortCode abort = AbortCode::none;
+  SdoEnd end = {};
 
   friend constexpr bool operator==(const BootOutcome&, const BootOutcome&) = default;
 };

@@ -130,13 +130,10 @@ void BootSlave::ask(BootStep step) {
 }
 
 /// A lost frame is no proof of a wrong device: whoever does not answer is asked again later.
+/// Who refuses has answered, with whatever abort code.
 void BootSlave::answered(SdoClient::Outcome outcome) {
-  const bool is_first = step_ == BootStep::device_type;
   const BootError error = question_of(step_).error;
-  if (!outcome) {
-    const bool is_silent = is_first || outcome.abort() == AbortCode::time_out;
-    return finish({is_silent ? BootError::no_answer : error, outcome.abort()});
-  }
+  if (!outcome) return finish({outcome.is_silence() ? BootError::no_answer : error, outcome});
   found_ = load<std::uint32_t>(value_.data());
   if (expected_ != 0 && found_ != expected_) return finish({error, AbortCode::none});
   // Without a boot-up message after its reset, the answer says that it is there.

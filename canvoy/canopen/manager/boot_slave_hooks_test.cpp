@@ -172,7 +172,7 @@ TEST(BootSlaveHooks, EndTheBootUpWithTheLetterThatTheyGive) {
 TEST(BootSlaveHooks, ThatMetASilentSlaveAreAskedAgain) {
   WorkingMaster sut;
   sut.BootNetwork::forget();
-  sut.work({BootError::configuration, AbortCode::time_out});
+  sut.work({BootError::configuration, SdoEnd::no_answer()});
   sut.run_until(Time(1s));
   sut.expect({"@1000000 605#40 00 10 00 00 00 00 00"});
   sut.expect_log({"@0 5 retried J 05040000", "@1000 5 device_type"});
@@ -215,7 +215,7 @@ TEST(BootSlaveHooks, ThatEndSinceTheMasterWasStoppedBlameNoSlave) {
   std::uint8_t bytes[4];
   struct Ending {
     WorkingMaster& sut;
-    void ended(SdoClient::Outcome outcome) { sut.end({BootError::configuration, outcome.abort()}); }
+    void ended(SdoClient::Outcome outcome) { sut.end({BootError::configuration, outcome}); }
   } ending{sut};
   EXPECT_EQ(
       sut.tasks[0].client->upload(5, 0x1020, 1, bytes, SdoClient::Done::to<&Ending::ended>(ending)),

@@ -110,7 +110,7 @@ TEST_P(BootSlaveDifference, EndsTheBootUpForGood) {
 TEST_P(BootSlaveDifference, IsAssumedWhereTheSlaveRefusesToAnswer) {
   IdentifyingMaster sut;
   const std::uint32_t good[] = {0x000F'0191, 0x123, 7, 0x0001'0002, 0xDEAD'BEEF};
-  if (GetParam().sub == 0) return;  // that is B: see below
+  if (GetParam().sub == 0) return;  // that may change: see below
   for (std::uint8_t sub = 0; sub < GetParam().sub; ++sub) {
     sut.answer(5, sub == 0 ? 0x1000 : 0x1018, sub, good[sub]);
   }
@@ -164,13 +164,24 @@ TEST(BootSlaveIdentity, IsWaitedForWithoutEndWhereTheBootTimeIs0) {
   EXPECT_EQ(sut.manager.network(), NetworkBoot::booting);
 }
 
-TEST(BootSlaveIdentity, IsNotThereWhereTheDeviceTypeIsRefused) {
+/// It has answered: that is not B. Each device has 1000h, so that it is not ready yet.
+TEST(BootSlaveIdentity, IsAskedForAgainWhereTheDeviceTypeIsRefused) {
   IdentifyingMaster sut;
   sut.forget();
   sut.receive("585#80 00 10 00 00 00 02 06");
-  sut.expect_log({"5 retried B 06020000"});
+  sut.expect_log({"5 retried C 06020000"});
+  EXPECT_EQ(sut.manager.slave_error(5), BootError::device_type);
   sut.run_until(Time(1030ms));
   sut.expect({"@1030000 605#40 00 10 00 00 00 00 00"});
+}
+
+TEST(BootSlaveIdentity, IsAnotherWhereTheSlaveTellsATimeOut) {
+  IdentifyingMaster sut;
+  sut.answer(5, 0x1000, 0, 0x000F'0191);
+  sut.forget();
+  sut.receive("585#80 18 10 01 00 00 04 05");
+  sut.expect_log({"5 failed D 05040000"});
+  EXPECT_EQ(sut.manager.slave_error(5), BootError::vendor_id);
 }
 
 TEST(BootSlaveIdentity, IsAskedForAgainFromTheBeginningWhereOneAnswerWasLost) {

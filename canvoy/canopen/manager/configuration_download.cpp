@@ -62,18 +62,18 @@ Result<std::size_t> ConfigurationDownload::supply(std::span<std::uint8_t> bytes)
 
 void ConfigurationDownload::written(SdoClient::Outcome outcome) {
   if (!busy_) return;
-  if (!outcome) return finish(outcome.abort());
+  if (!outcome) return finish(outcome);
   ++written_;
-  if (dcf_.at_end()) return finish(AbortCode::none);
+  if (dcf_.at_end()) return finish({});
   const AbortCode refused = write_next();
   if (refused != AbortCode::none) finish(refused);
 }
 
 /// Nothing is touched after the callback: it may have started the next download.
-void ConfigurationDownload::finish(AbortCode abort) {
+void ConfigurationDownload::finish(SdoEnd end) {
   busy_ = false;
-  Outcome outcome{.abort = abort, .written = written_};
-  if (abort != AbortCode::none) {
+  Outcome outcome{.end = end, .written = written_};
+  if (!end) {
     outcome.index = item_.index;
     outcome.sub = item_.sub;
   }

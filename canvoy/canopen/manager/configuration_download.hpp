@@ -19,10 +19,10 @@ namespace canvoy {
 /// stays.
 class ConfigurationDownload {
  public:
-  /// none, or why it ended early, with the entry that was refused. Where the concise DCF itself is
+  /// Done, or why it ended early, with the entry that was refused. Where the concise DCF itself is
   /// to blame, the index is 0.
   struct Outcome {
-    AbortCode abort = AbortCode::none;
+    SdoEnd end = {};
     std::uint16_t index = 0;
     std::uint8_t sub = 0;
     std::uint32_t written = 0;  ///< entries
@@ -53,7 +53,7 @@ class ConfigurationDownload {
   AbortCode write_long();
   Result<std::size_t> supply(std::span<std::uint8_t> bytes);
   void written(SdoClient::Outcome outcome);
-  void finish(AbortCode abort);
+  void finish(SdoEnd end);
 
   SdoClient* client_ = nullptr;
   ConciseDcf dcf_;

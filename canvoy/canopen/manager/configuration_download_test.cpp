@@ -50,7 +50,7 @@ TEST(ConfigurationDownload, WritesOneEntryAfterTheOther) {
   manager.receive("585#60 00 20 03 00 00 00 00");
   manager.expect({});
   EXPECT_EQ(manager.ends, 1);
-  EXPECT_EQ(manager.outcome.abort, AbortCode::none);
+  EXPECT_TRUE(manager.outcome.end);
   EXPECT_EQ(manager.outcome.written, 3u);
   EXPECT_FALSE(manager.sut.busy());
 }
@@ -77,7 +77,7 @@ TEST(ConfigurationDownload, StopsAtTheFirstEntryThatIsRefusedAndNamesIt) {
   manager.receive("585#80 00 18 01 30 00 09 06");
   manager.expect({});
   EXPECT_EQ(manager.ends, 1);
-  EXPECT_EQ(manager.outcome.abort, AbortCode::value_range);
+  EXPECT_EQ(manager.outcome.end, SdoEnd::by_server(AbortCode::value_range));
   EXPECT_EQ(manager.outcome.index, 0x1800);
   EXPECT_EQ(manager.outcome.sub, 1);
   EXPECT_EQ(manager.outcome.written, 1u);
@@ -93,7 +93,7 @@ TEST(ConfigurationDownload, ASlaveThatDoesNotAnswerEndsItAfterTheTimeOut) {
   EXPECT_EQ(manager.ends, 0);
   manager.run_for(1ms);
   EXPECT_EQ(manager.ends, 1);
-  EXPECT_EQ(manager.outcome.abort, AbortCode::time_out);
+  EXPECT_EQ(manager.outcome.end, SdoEnd::no_answer());
   EXPECT_EQ(manager.outcome.index, 0x1017);
   manager.expect({"@200000 605#80 17 10 00 00 00 04 05"});
 }
@@ -123,7 +123,7 @@ TEST(ConfigurationDownload, AConciseDcfThatShrinksUnderWayEndsIt) {
   manager.receive("585#60 17 10 00 00 00 00 00");
   manager.expect({});
   EXPECT_EQ(manager.ends, 1);
-  EXPECT_EQ(manager.outcome.abort, AbortCode::length_too_low);
+  EXPECT_EQ(manager.outcome.end, AbortCode::length_too_low);
   EXPECT_EQ(manager.outcome.index, 0);
   EXPECT_EQ(manager.outcome.written, 1u);
 }
@@ -143,7 +143,7 @@ TEST(ConfigurationDownload, NeedsAnNmtStateWithSdo) {
   manager.receive("000#80 01");
   EXPECT_EQ(manager.start(), AbortCode::none);
   manager.receive("000#02 01");
-  EXPECT_EQ(manager.outcome.abort, AbortCode::device_state);
+  EXPECT_EQ(manager.outcome.end, SdoEnd::cancelled(AbortCode::device_state));
   EXPECT_EQ(manager.ends, 1);
 }
 

@@ -158,7 +158,7 @@ void ConfigurationManager::finished(Worker& worker, const ConfigurationOutcome& 
   worker.slave_ = 0;
   const BootTask task = std::exchange(worker.task_, {});
   const bool failed = outcome.kind == ConfigurationOutcome::Kind::failed;
-  task.done(failed ? BootOutcome{BootError::configuration, outcome.abort} : BootOutcome{});
+  task.done(failed ? BootOutcome{BootError::configuration, outcome.end} : BootOutcome{});
 }
 
 void ConfigurationManager::Worker::begin(ConfigurationManager& manager, NodeId slave, When when) {
@@ -214,15 +214,15 @@ void ConfigurationManager::Worker::write_verification(std::uint8_t sub, std::uin
 }
 
 void ConfigurationManager::Worker::date_read(SdoClient::Outcome outcome) {
-  has_verification_ = !is_absent(outcome.abort());
+  has_verification_ = !is_absent(outcome);
   if (!has_verification_) return configure();
-  if (!outcome) return fail(outcome.abort(), object_index::verify_configuration, date_sub);
+  if (!outcome) return fail(outcome, object_index::verify_configuration, date_sub);
   if (load<std::uint32_t>(buffer_.data()) != expected_date_) return configure();
   read_verification<&Worker::time_read>(time_sub);
 }
 
 void ConfigurationManager::Worker::time_read(SdoClient::Outcome outcome) {
-  if (!outcome) return fail(outcome.abort(), object_index::verify_configuration, time_sub);
+  if (!outcome) return fail(outcome, object_index::verify_configuration, time_sub);
   if (load<std::uint32_t>(buffer_.data()) != expected_time_) return configure();
   finish({.kind = ConfigurationOutcome::Kind::up_to_date});
 }
@@ -244,15 +244,15 @@ void ConfigurationManager::Worker::configure() {
 }
 
 void ConfigurationManager::Worker::restored(SdoClient::Outcome outcome) {
-  if (!outcome) return fail(outcome.abort(), object_index::restore_parameters, restore_sub_);
+  if (!outcome) return fail(outcome, object_index::restore_parameters, restore_sub_);
   task_.restart(restore_sub_ == restore_communication_sub ? NmtCommand::reset_communication
                                                           : NmtCommand::reset_node,
                 Callback<void(AbortCode)>::to<&Worker::restarted>(*this));
 }
 
 void ConfigurationManager::Worker::restarted(AbortCode answer) {
-  if (answer != AbortCode::none)
-    return fail(answer, object_index::restore_parameters, restore_sub_);
+  const SdoEnd end = answer == AbortCode::time_out ? SdoEnd::no_answer() : SdoEnd(answer);
+  if (!end) return fail(end, object_index::restore_parameters, restore_sub_);
   download();
 }
 
@@ -300,7 +300,7 @@ AbortCode ConfigurationManager::Worker::read_source(std::uint32_t offset,
 
 void ConfigurationManager::Worker::downloaded(const ConfigurationDownload::Outcome& outcome) {
   written_ = outcome.written;
-  if (outcome.abort != AbortCode::none) return fail(outcome.abort, outcome.index, outcome.sub);
+  if (!outcome.end) return fail(outcome.end, outcome.index, outcome.sub);
   if (!is_expected() || !has_verification_) {
     return finish({.kind = ConfigurationOutcome::Kind::downloaded});
   }
@@ -309,18 +309,18 @@ void ConfigurationManager::Worker::downloaded(const ConfigurationDownload::Outco
 
 void ConfigurationManager::Worker::date_written(SdoClient::Outcome outcome) {
   // Where it was not read before, now is the time to learn that the slave has none.
-  if (is_absent(outcome.abort())) return finish({.kind = ConfigurationOutcome::Kind::downloaded});
-  if (!outcome) return fail(outcome.abort(), object_index::verify_configuration, date_sub);
+  if (is_absent(outcome)) return finish({.kind = ConfigurationOutcome::Kind::downloaded});
+  if (!outcome) return fail(outcome, object_index::verify_configuration, date_sub);
   write_verification<&Worker::time_written>(time_sub, expected_time_);
 }
 
 void ConfigurationManager::Worker::time_written(SdoClient::Outcome outcome) {
-  if (!outcome) return fail(outcome.abort(), object_index::verify_configuration, time_sub);
+  if (!outcome) return fail(outcome, object_index::verify_configuration, time_sub);
   finish({.kind = ConfigurationOutcome::Kind::downloaded});
 }
 
-void ConfigurationManager::Worker::fail(AbortCode abort, std::uint16_t index, std::uint8_t sub) {
-  finish({.kind = ConfigurationOutcome::Kind::failed, .abort = abort, .index = index, .sub = sub});
+void ConfigurationManager::Worker::fail(SdoEnd end, std::uint16_t index, std::uint8_t sub) {
+  finish({.kind = ConfigurationOutcome::Kind::failed, .end = end, .index = index, .sub = sub});
 }
 
 void ConfigurationManager::Worker::finish(ConfigurationOutcome outcome) {

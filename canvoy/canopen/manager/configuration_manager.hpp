@@ -32,7 +32,7 @@ struct ConfigurationOutcome {
     failed,
   };
   Kind kind = Kind::failed;
-  AbortCode abort = AbortCode::none;
+  SdoEnd end = {};
   /// The object of the slave at which it failed; 0: no object, but the concise DCF is to blame.
   std::uint16_t index = 0;
   std::uint8_t sub = 0;
@@ -146,7 +146,7 @@ class ConfigurationManager::Worker {
   template <auto step>
   void write_verification(std::uint8_t sub, std::uint32_t value);
   bool is_expected() const { return expected_date_ != 0 || expected_time_ != 0; }
-  void fail(AbortCode abort, std::uint16_t index, std::uint8_t sub);
+  void fail(SdoEnd end, std::uint16_t index, std::uint8_t sub);
   void finish(ConfigurationOutcome outcome);
 
   Node& node_;

@@ -155,7 +155,7 @@ TEST(ConfigurationManager, ASlaveThatIsSilentHasFailedAt1020h) {
   manager.run_for(500ms);
   EXPECT_EQ(manager.slaves, std::vector<NodeId>{5});
   EXPECT_EQ(manager.outcome.kind, Kind::failed);
-  EXPECT_EQ(manager.outcome.abort, AbortCode::time_out);
+  EXPECT_EQ(manager.outcome.end, SdoEnd::no_answer());
   EXPECT_EQ(manager.outcome.index, 0x1020);
   EXPECT_EQ(manager.outcome.sub, 1);
 }
@@ -170,7 +170,7 @@ TEST(ConfigurationManager, AnEntryThatIsRefusedIsNamedAndTheDateNotWritten) {
   manager.receive("585#80 00 20 03 30 00 09 06");
   manager.expect({});
   EXPECT_EQ(manager.outcome.kind, Kind::failed);
-  EXPECT_EQ(manager.outcome.abort, AbortCode::value_range);
+  EXPECT_EQ(manager.outcome.end, SdoEnd::by_server(AbortCode::value_range));
   EXPECT_EQ(manager.outcome.index, 0x2000);
   EXPECT_EQ(manager.outcome.sub, 3);
   EXPECT_EQ(manager.outcome.written, 1u);
@@ -186,7 +186,7 @@ TEST(ConfigurationManager, ADateThatIsRefusedHasFailed) {
   manager.receive("586#80 20 10 01 02 00 01 06");
   manager.expect({});
   EXPECT_EQ(manager.outcome.kind, Kind::failed);
-  EXPECT_EQ(manager.outcome.abort, AbortCode::read_only);
+  EXPECT_EQ(manager.outcome.end, SdoEnd::by_server(AbortCode::read_only));
   EXPECT_EQ(manager.outcome.index, 0x1020);
   EXPECT_EQ(manager.outcome.written, 1u);
 }
@@ -196,7 +196,7 @@ TEST(ConfigurationManager, AMalformedConciseDcfIsToBlameItself) {
   manager.update(7);
   manager.expect({});
   EXPECT_EQ(manager.outcome.kind, Kind::failed);
-  EXPECT_EQ(manager.outcome.abort, AbortCode::length_too_low);
+  EXPECT_EQ(manager.outcome.end, AbortCode::length_too_low);
   EXPECT_EQ(manager.outcome.index, 0);
 }
 
@@ -218,7 +218,7 @@ TEST(ConfigurationManager, AnExpectedDateWithoutAConciseDcfCannotBeReached) {
   manager.receive("589#43 20 10 01 00 00 00 00");
   manager.expect({});
   EXPECT_EQ(manager.outcome.kind, Kind::failed);
-  EXPECT_EQ(manager.outcome.abort, AbortCode::no_data);
+  EXPECT_EQ(manager.outcome.end, AbortCode::no_data);
 }
 
 TEST(ConfigurationManager, ConfiguresAsManyAtATimeAsItHasWorkers) {
@@ -281,7 +281,7 @@ TEST(ConfigurationManager, InNmtStateStoppedAllSlavesFail) {
   manager.settle();
   manager.receive("000#02 01");
   EXPECT_EQ(manager.slaves, (std::vector<NodeId>{5, 6, 20}));
-  EXPECT_EQ(manager.outcome.abort, AbortCode::device_state);
+  EXPECT_EQ(manager.outcome.end, SdoEnd(AbortCode::device_state)) << "20 could not begin";
 }
 
 // 1F25h: configure request
@@ -378,7 +378,8 @@ TEST(ConfigurationAtBoot, ASlaveThatRefusesHasErrorJAndTheAbortCode) {
   manager.boot_slave(6, manager.clients[0]);
   manager.receive("586#80 00 20 03 30 00 09 06");
   EXPECT_EQ(manager.outcomes,
-            (std::vector<BootOutcome>{{BootError::configuration, AbortCode::value_range}}));
+            (std::vector<BootOutcome>{
+                {BootError::configuration, SdoEnd::by_server(AbortCode::value_range)}}));
 }
 
 TEST(ConfigurationAtBoot, ASlaveOfWhichNothingIsKnownGoesOn) {

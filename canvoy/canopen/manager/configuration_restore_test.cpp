@@ -60,9 +60,9 @@ struct RestoringManager : WireNode {
     receive("585#60 00 20 03 00 00 00 00");
     EXPECT_EQ(outcomes, std::vector<BootOutcome>{{}});
   }
-  void expect_failure(AbortCode abort) {
+  void expect_failure(SdoEnd end) {
     expect({});
-    EXPECT_EQ(outcomes, (std::vector<BootOutcome>{{BootError::configuration, abort}}));
+    EXPECT_EQ(outcomes, (std::vector<BootOutcome>{{BootError::configuration, end}}));
   }
 
   FixedConfigurations configurations{node, items};
@@ -141,7 +141,7 @@ TEST(RestoreConfiguration, ThatIsRefusedIsErrorJAndNothingIsReset) {
   sut.begin();
   sut.expect({load_all});
   sut.receive("585#80 11 10 01 00 00 02 06");
-  sut.expect_failure(AbortCode::no_object);
+  sut.expect_failure(SdoEnd::by_server(AbortCode::no_object));
   EXPECT_TRUE(sut.commands.empty());
 }
 
@@ -151,7 +151,7 @@ TEST(RestoreConfiguration, WithoutABootUpMessageIsASilentSlave) {
   sut.expect({load_all});
   sut.receive("585#60 11 10 01 00 00 00 00");
   sut.end_restart(AbortCode::time_out);
-  sut.expect_failure(AbortCode::time_out);
+  sut.expect_failure(SdoEnd::no_answer());
 }
 
 TEST(RestoreConfiguration, IsAPartOfTheBootUpAlone) {

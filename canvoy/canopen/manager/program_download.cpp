@@ -98,25 +98,25 @@ AbortCode ProgramDownload::read(std::uint16_t index) {
 }
 
 void ProgramDownload::answered(SdoClient::Outcome outcome) {
-  const AbortCode answer = outcome.abort();
+  const SdoEnd answer = outcome;
   switch (step_) {
     case ProgramStep::stop:
     case ProgramStep::start:
-      restarting_ = answer == AbortCode::time_out;
-      return answer == AbortCode::none || restarting_ ? go_on() : finish(answer);
+      restarting_ = answer.is_silence();
+      return answer || restarting_ ? go_on() : finish(answer);
     case ProgramStep::clear:
       return cleared(answer);
     case ProgramStep::wait_cleared:
     case ProgramStep::wait_programmed:
       return status_came(answer);
     case ProgramStep::date:
-      if (answer == AbortCode::time_out) return finish(answer);
-      if (answer != AbortCode::none || date_part_++ == 2) return go_on();
+      if (answer.is_silence()) return finish(answer);
+      if (!answer || date_part_++ == 2) return go_on();
       return repeat(node_.now());
     case ProgramStep::identify:
       return identified(answer);
     case ProgramStep::download:
-      return answer == AbortCode::none ? go_on() : finish(answer);
+      return answer ? go_on() : finish(answer);
     case ProgramStep::done:
       return;
   }
@@ -128,32 +128,32 @@ void ProgramDownload::repeat(Time) {
 }
 
 /// A node that restarts answers late.
-void ProgramDownload::cleared(AbortCode answer) {
-  if (answer == AbortCode::none) return go_on();
-  const bool may_come = answer == AbortCode::time_out && restarting_ && node_.now() < step_ends_;
+void ProgramDownload::cleared(SdoEnd answer) {
+  if (answer) return go_on();
+  const bool may_come = answer.is_silence() && restarting_ && node_.now() < step_ends_;
   return may_come ? repeat(node_.now()) : finish(answer);
 }
 
-void ProgramDownload::status_came(AbortCode answer) {
+void ProgramDownload::status_came(SdoEnd answer) {
   if (is_absent(answer)) return go_on();
-  if (answer != AbortCode::none) return finish(answer);
+  if (!answer) return finish(answer);
   const FlashStatus status(load<std::uint32_t>(value_.data()));
   if (status.busy()) {
-    if (node_.now() >= step_ends_) return finish(AbortCode::time_out, status);
+    if (node_.now() >= step_ends_) return finish(SdoEnd::no_answer(), status);
     return node_.timers().arm(timer_, node_.now() + settings_.poll_interval);
   }
   // There is no program after clearing, and some nodes call that an error.
   const bool is_expected =
       step_ == ProgramStep::wait_cleared && status.error() == FlashError::no_valid_program;
   if (status.error() == FlashError::none || is_expected) return go_on();
-  finish(AbortCode::none, status);
+  finish({}, status);
 }
 
-void ProgramDownload::identified(AbortCode answer) {
+void ProgramDownload::identified(SdoEnd answer) {
   if (is_absent(answer)) return go_on();
-  if (answer != AbortCode::none) return finish(answer);
+  if (!answer) return finish(answer);
   if (load<std::uint32_t>(value_.data()) == plan_.identification) return go_on();
-  finish(AbortCode::none, FlashStatus(FlashError::checksum));
+  finish({}, FlashStatus(FlashError::checksum));
 }
 
 void ProgramDownload::go_on() {
@@ -161,8 +161,8 @@ void ProgramDownload::go_on() {
   if (started != AbortCode::none) finish(started);
 }
 
-void ProgramDownload::finish(AbortCode abort, FlashStatus status) {
-  const ProgramOutcome outcome{.step = step_, .abort = abort, .status = status};
+void ProgramDownload::finish(SdoEnd end, FlashStatus status) {
+  const ProgramOutcome outcome{.step = step_, .end = end, .status = status};
   step_ = ProgramStep::done;
   done_(outcome);
 }

@@ -45,7 +45,7 @@ struct ProgramPlan {
 /// How it ended: where, and why.
 struct ProgramOutcome {
   ProgramStep step = ProgramStep::done;  ///< done: all is well
-  AbortCode abort = AbortCode::none;     ///< what the node answered, or time_out
+  SdoEnd end = {};                       ///< how the last request ended
   FlashStatus status = {};               ///< 1F57h where that says what is wrong
   explicit operator bool() const { return step == ProgramStep::done; }
 };
@@ -94,11 +94,11 @@ class ProgramDownload {
   AbortCode read(std::uint16_t index);
   void answered(SdoClient::Outcome outcome);
   void repeat(Time now);
-  void cleared(AbortCode answer);
-  void status_came(AbortCode answer);
-  void identified(AbortCode answer);
+  void cleared(SdoEnd answer);
+  void status_came(SdoEnd answer);
+  void identified(SdoEnd answer);
   void go_on();
-  void finish(AbortCode abort, FlashStatus status = FlashStatus());
+  void finish(SdoEnd end, FlashStatus status = FlashStatus());
 
   Node& node_;
   SdoClient& client_;

@@ -66,11 +66,10 @@ class ProgramDownloadTest : public testing::Test {
     answer("00 31 32 33 34 35 36 37", "20 00 00 00 00 00 00 00");
     answer("1B 38 39 00 00 00 00 00", "30 00 00 00 00 00 00 00");
   }
-  void expect_end(ProgramStep step, AbortCode abort = AbortCode::none,
-                  FlashError error = FlashError::none) {
+  void expect_end(ProgramStep step, SdoEnd end = {}, FlashError error = FlashError::none) {
     EXPECT_EQ(outcome.calls, 1);
     EXPECT_EQ(outcome.last.step, step);
-    EXPECT_EQ(outcome.last.abort, abort);
+    EXPECT_EQ(outcome.last.end, end);
     EXPECT_EQ(outcome.last.status.error(), error);
     EXPECT_FALSE(sut.busy());
     wire.expect({});
@@ -128,7 +127,7 @@ TEST_F(ProgramDownloadTest, AFlashThatStaysBusyForAMinuteIsGivenUp) {
     if (sut.busy()) wire.run_for(100ms);
   }
   EXPECT_EQ(wire.now - begun, 60s);
-  EXPECT_EQ(outcome.last.abort, AbortCode::time_out);
+  EXPECT_TRUE(outcome.last.end.is_silence());
   EXPECT_EQ(outcome.last.step, ProgramStep::wait_cleared);
 }
 
@@ -173,19 +172,26 @@ TEST_F(ProgramDownloadTest, ANodeWithoutAFlashStatusIsNotAskedForIt) {
 TEST_F(ProgramDownloadTest, AnAbortEndsItWhereItComes) {
   begin(image.plan(5));
   answer("2F 51 1F 01 00 00 00 00", "80 51 1F 01 00 00 02 06");
-  expect_end(ProgramStep::stop, AbortCode::no_object);
+  expect_end(ProgramStep::stop, SdoEnd::by_server(AbortCode::no_object));
 
   outcome = {};
   begin(image.plan(5));
   answer("2F 51 1F 01 00 00 00 00", "60 51 1F 01 00 00 00 00");
   answer("2F 51 1F 01 03 00 00 00", "80 51 1F 01 22 00 00 08");
-  expect_end(ProgramStep::clear, AbortCode::device_state);
+  expect_end(ProgramStep::clear, SdoEnd::by_server(AbortCode::device_state));
 
   outcome = {};
   begin(image.plan(5));
   up_to_download();
   answer("21 50 1F 01 09 00 00 00", "80 50 1F 01 12 00 07 06");
-  expect_end(ProgramStep::download, AbortCode::length_too_high);
+  expect_end(ProgramStep::download, SdoEnd::by_server(AbortCode::length_too_high));
+}
+
+/// It is there, and does not restart with its bootloader.
+TEST_F(ProgramDownloadTest, ATimeOutThatTheNodeTellsEndsItAsOtherAbortsDo) {
+  begin(image.plan(5));
+  answer("2F 51 1F 01 00 00 00 00", "80 51 1F 01 00 00 04 05");
+  expect_end(ProgramStep::stop, SdoEnd::by_server(AbortCode::time_out));
 }
 
 TEST_F(ProgramDownloadTest, AnAbortOfTheStartEndsIt) {
@@ -194,7 +200,7 @@ TEST_F(ProgramDownloadTest, AnAbortOfTheStartEndsIt) {
   send_nine_bytes();
   answer("40 57 1F 01 00 00 00 00", "43 57 1F 01 00 00 00 00");
   answer("2F 51 1F 01 01 00 00 00", "80 51 1F 01 22 00 00 08");
-  expect_end(ProgramStep::start, AbortCode::device_state);
+  expect_end(ProgramStep::start, SdoEnd::by_server(AbortCode::device_state));
 }
 
 TEST_F(ProgramDownloadTest, ANodeThatIsGoneWithItsNewProgramWasStarted) {
@@ -222,7 +228,7 @@ TEST_F(ProgramDownloadTest, ANodeThatIsNotThereIsGivenUpAfterElevenSeconds) {
   EXPECT_TRUE(sut.busy());
   wire.run_for(1us);
   wire.sent.clear();
-  expect_end(ProgramStep::clear, AbortCode::time_out);
+  expect_end(ProgramStep::clear, SdoEnd::no_answer());
 }
 
 TEST_F(ProgramDownloadTest, ANodeMayClearBeforeItAnswers) {
@@ -350,7 +356,7 @@ TEST_F(ProgramTransfer, FramesThatAreLostDoNotHarm) {
   if (ended) {
     EXPECT_TRUE(std::equal(image.bytes.begin(), image.bytes.end(), memory.bytes.begin() + 32));
   } else {
-    EXPECT_EQ(ended.abort, AbortCode::time_out);
+    EXPECT_EQ(ended.end.abort(), AbortCode::time_out) << "of one side or the other";
   }
   EXPECT_EQ(static_cast<bool>(ended), programs.is_valid(1) && slots[0].running);
 }
@@ -363,7 +369,8 @@ TEST_F(ProgramTransfer, ANodeThatIsCutOffInTheMiddleHasNoProgram) {
   cable.filter = [&](const Frame& frame) { return frame.id != 0x605 || ++number < 2'000; };
   for (int i = 0; download.busy() && i < 1'000; ++i) cable.run_for(100ms);
   EXPECT_EQ(outcome.last.step, ProgramStep::download);
-  EXPECT_EQ(outcome.last.abort, AbortCode::time_out);
+  EXPECT_EQ(outcome.last.end, SdoEnd::by_server(AbortCode::time_out))
+      << "it hears nothing any more, and says so";
   cable.run_for(10s);
   EXPECT_FALSE(programs.is_valid(1));
   EXPECT_EQ(device.dictionary().number(0x1F57, 1), 2U);

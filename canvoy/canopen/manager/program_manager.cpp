@@ -62,7 +62,7 @@ void ProgramManager::Worker::check() {
 }
 
 void ProgramManager::Worker::checked(SdoClient::Outcome outcome) {
-  if (!outcome) return finish(BootError::no_program_data, outcome.abort());
+  if (!outcome) return finish(BootError::no_program_data, outcome);
   if (load<std::uint32_t>(value_.data()) != checks_[position_].expected) return update();
   ++position_;
   check();
@@ -106,13 +106,12 @@ void ProgramManager::Worker::downloaded(const ProgramOutcome& outcome) {
   manager_->told_(slave, ended);
   if (task_.slave != slave) return;
   if (ended) return finish(BootError::none);
-  finish(BootError::program_download,
-         ended.abort == AbortCode::none ? AbortCode::cannot_store : ended.abort);
+  finish(BootError::program_download, ended.end ? SdoEnd(AbortCode::cannot_store) : ended.end);
 }
 
-void ProgramManager::Worker::finish(BootError error, AbortCode abort) {
+void ProgramManager::Worker::finish(BootError error, SdoEnd end) {
   const BootTask task = std::exchange(task_, {});
-  task.done({error, abort});
+  task.done({error, end});
 }
 
 }  // namespace canvoy

@@ -88,7 +88,7 @@ class ProgramManager::Worker {
   Result<std::size_t> supply(std::span<std::uint8_t> bytes);
   void downloaded(const ProgramOutcome& outcome);
   std::uint32_t expected(std::uint16_t index) const;
-  void finish(BootError error, AbortCode abort = AbortCode::none);
+  void finish(BootError error, SdoEnd end = {});
 
   Node& node_;
   ProgramManager* manager_ = nullptr;

@@ -56,10 +56,10 @@ class ProgramManagerTest : public testing::Test {
     answer("1B 38 39 00 00 00 00 00", "30 00 00 00 00 00 00 00");
     answer("40 57 1F 01 00 00 00 00", "43 57 1F 01 00 00 00 00");
   }
-  void expect_end(char expected, AbortCode abort = AbortCode::none) {
+  void expect_end(char expected, SdoEnd end = {}) {
     EXPECT_EQ(ends, 1);
     EXPECT_EQ(letter(last.error), expected);
-    EXPECT_EQ(last.abort, abort);
+    EXPECT_EQ(last.end, end);
     wire.expect({});
   }
   void done(BootOutcome outcome) {
@@ -125,7 +125,7 @@ TEST_F(ProgramManagerTest, ASlaveWithoutTheObjectEndsWithG) {
   set(0x1F55, 1);
   boot();
   answer("40 56 1F 01 00 00 00 00", "80 56 1F 01 00 00 02 06");
-  expect_end('G', AbortCode::no_object);
+  expect_end('G', SdoEnd::by_server(AbortCode::no_object));
 }
 
 TEST_F(ProgramManagerTest, ASlaveThatDoesNotAnswerEndsWithG) {
@@ -133,7 +133,7 @@ TEST_F(ProgramManagerTest, ASlaveThatDoesNotAnswerEndsWithG) {
   boot();
   wire.run_for(1s);
   wire.expect({"605#40 56 1F 01 00 00 00 00", "605#80 56 1F 01 00 00 04 05"});
-  expect_end('G', AbortCode::time_out);
+  expect_end('G', SdoEnd::no_answer());
 }
 
 TEST_F(ProgramManagerTest, AnUpdateThatIsNotAllowedEndsWithH) {
@@ -190,7 +190,7 @@ TEST_F(ProgramManagerTest, TellsHowAnUpdateEnded) {
   answer("21 50 1F 01 09 00 00 00", "80 50 1F 01 21 00 00 08");
   ASSERT_EQ(updates.size(), 1U);
   EXPECT_EQ(updates[0].step, ProgramStep::download);
-  EXPECT_EQ(updates[0].abort, static_cast<AbortCode>(0x0800'0021));
+  EXPECT_EQ(updates[0].end, SdoEnd::by_server(AbortCode{0x0800'0021}));
 }
 
 TEST_F(ProgramManagerTest, DateAndTimeOfAnUpdateAreThoseExpected) {
@@ -210,7 +210,7 @@ TEST_F(ProgramManagerTest, AnUpdateThatFailsEndsWithI) {
   boot();
   answer("40 56 1F 01 00 00 00 00", "43 56 1F 01 02 00 00 00");
   answer("2F 51 1F 01 00 00 00 00", "80 51 1F 01 22 00 00 08");
-  expect_end('I', AbortCode::device_state);
+  expect_end('I', SdoEnd::by_server(AbortCode::device_state));
 }
 
 TEST_F(ProgramManagerTest, AnUpdateThatTheSlaveDoesNotTakeEndsWithI) {

@@ -82,13 +82,12 @@ void SdoConnector::try_server_channel() {
 }
 
 void SdoConnector::server_channel_read(SdoClient::Outcome outcome) {
-  if (outcome.abort() == AbortCode::time_out) {
+  if (outcome.is_silence()) {
     return tries_left_ != 0 ? try_server_channel() : give_up(DynamicSdoError::server_silent);
   }
   if (!outcome) {
-    const bool is_absent = outcome.abort() == AbortCode::no_object;
-    return give_up(is_absent ? DynamicSdoError::no_server_channel
-                             : DynamicSdoError::server_refused);
+    const bool has_none = outcome == SdoEnd::by_server(AbortCode::no_object);
+    return give_up(has_none ? DynamicSdoError::no_server_channel : DynamicSdoError::server_refused);
   }
   if (!CobId{load<std::uint32_t>(buffer_.data())}.valid()) {
     current_->server_channel = channel_;
@@ -138,11 +137,11 @@ void SdoConnector::opened(const SdoWriteList::Outcome& outcome) {
   SdoConnection& connection = *std::exchange(current_, nullptr);
   busy_ = false;
   if (connection.state == SdoConnection::State::ending) return ended_(&connection);
-  if (outcome.abort == AbortCode::none) {
+  if (outcome.end) {
     connection.state = SdoConnection::State::given;
     return ended_(&connection);
   }
-  const bool is_silent = outcome.abort == AbortCode::time_out;
+  const bool is_silent = outcome.end.is_silence();
   connection.state = SdoConnection::State::ending;
   connection.tell_client = true;
   if (outcome.node == connection.server) {

@@ -131,9 +131,9 @@ void SdoRequester::sent(SdoClient::Outcome outcome) {
   if (state_ == State::releasing) state_ = State::idle;
   if (state_ != State::requesting || outcome) return;
   const bool is_stale =
-      outcome.abort() == AbortCode::device_state || outcome.abort() == AbortCode::time_out;
+      outcome.is_silence() || outcome == SdoEnd::by_server(AbortCode::device_state);
   if (is_kept_ && is_stale && may_speak()) return register_anew();
-  finish(outcome.abort());
+  finish(outcome);
 }
 
 void SdoRequester::after_write(const Entry& entry, Source source) {
@@ -152,7 +152,7 @@ void SdoRequester::answered_by_manager(const DynamicSdoState& answer) {
   }
   if (answer.status == Status::failed && answer.error != DynamicSdoError::none) {
     error_ = answer.error;
-    return finish(AbortCode::no_sdo_connection);
+    return finish(SdoEnd::by_server(AbortCode::no_sdo_connection));
   }
   if (state_ == State::calling && answer.status == Status::registered && !wants_all_) {
     const AbortCode refused = registered() ? request() : AbortCode::no_sdo_connection;
@@ -162,7 +162,7 @@ void SdoRequester::answered_by_manager(const DynamicSdoState& answer) {
   const bool all_given =
       state_ == State::calling && answer.status == Status::all_given && wants_all_;
   const bool connected = state_ == State::requesting && answer.status == Status::connected;
-  if (all_given || connected) finish(AbortCode::none);
+  if (all_given || connected) finish({});
 }
 
 bool SdoRequester::release(std::uint8_t client) {
@@ -190,7 +190,7 @@ void SdoRequester::expired(Time) {
   if (state_ == State::requesting && is_kept_) return register_anew();
   const bool may_come = state_ == State::requesting;
   const DynamicSdoRequest late = wanted_;
-  finish(AbortCode::time_out);
+  finish(SdoEnd::no_answer());
   if (!may_come || busy()) return;
   state_ = State::releasing;
   if (!send(dynamic_sdo::release, late)) state_ = State::idle;
@@ -198,17 +198,17 @@ void SdoRequester::expired(Time) {
 
 void SdoRequester::state_entered(NmtState state) {
   if (state == NmtState::pre_operational || state == NmtState::operational || !busy()) return;
-  finish(AbortCode::device_state);
+  finish(SdoEnd::cancelled(AbortCode::device_state));
 }
 
 /// Nothing is touched after the callback: it may have started the next request.
-void SdoRequester::finish(AbortCode abort) {
+void SdoRequester::finish(SdoEnd end) {
   const State was = std::exchange(state_, State::idle);
   node_.timers().disarm(timer_);
   if (was == State::releasing) return;
-  if (abort != AbortCode::none) client_.cancel();
+  if (!end) client_.cancel();
   const Done done = done_;
-  done(abort);
+  done(end);
 }
 
 }  // namespace canvoy

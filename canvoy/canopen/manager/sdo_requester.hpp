@@ -21,7 +21,7 @@ namespace canvoy {
 
 /// The first connect() registers the device with the SDO manager: it calls on 6E0h, is found by its
 /// 1F10h, and gets a channel to the manager, on which all requests go from then on. Where no
-/// manager answers, connect() ends with time_out, and the device may use the default channels.
+/// manager answers, connect() ends without an answer, and the device may use the default channels.
 ///
 /// A manager that started anew knows nothing of a registration, and one that still closes what was
 /// lost refuses: where a registration from before leads to silence or to 0800 0022h, the device
@@ -33,9 +33,10 @@ class SdoRequester {
     Duration time_out = 500ms;        ///< for the registration, and for each request
     unsigned calls_max = 2;           ///< of 6E0h, each with its own time-out
   };
-  /// none, or why there is no connection: time_out (no SDO manager, or it was too slow),
-  /// no_sdo_connection (refused, see error()), device_state (NMT ended it), or the manager's abort.
-  using Done = Callback<void(AbortCode)>;
+  /// done, or why there is no connection: no answer (no SDO manager, or it was too slow), aborted
+  /// by the manager (by SDO; or no_sdo_connection for a refusal in 1F10h, see error()), or
+  /// cancelled by NMT.
+  using Done = Callback<void(SdoEnd)>;
 
   SdoRequester(Node& node, const Settings& settings);
   SdoRequester(const SdoRequester&) = delete;
@@ -77,7 +78,7 @@ class SdoRequester {
   bool send(std::uint16_t index, const DynamicSdoRequest& request);
   void sent(SdoClient::Outcome outcome);
   void expired(Time now);
-  void finish(AbortCode abort);
+  void finish(SdoEnd end);
   NodeId manager() const;
   std::uint16_t manager_parameter() const {
     return static_cast<std::uint16_t>(sdo_client_parameter + settings_.manager_client);

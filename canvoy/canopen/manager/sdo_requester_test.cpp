@@ -18,7 +18,7 @@ struct Device : WireNode {
     return sut.connect(id, number, SdoRequester::Done::to<&Device::done>(*this));
   }
   AbortCode connect_all() { return sut.connect_all(SdoRequester::Done::to<&Device::done>(*this)); }
-  void done(AbortCode abort) { answers.push_back(abort); }
+  void done(SdoEnd end) { answers.push_back(end); }
   /// As the SDO manager writes it.
   void give_manager_channel() {
     receive("605#2F 80 12 03 01 00 00 00");
@@ -44,7 +44,7 @@ struct Device : WireNode {
   SdoServer server{node, 0, {}};
   SdoClient client{node, 1};
   SdoRequester sut{node, {.time_out = 500ms, .calls_max = 2}};
-  std::vector<AbortCode> answers;
+  std::vector<SdoEnd> answers;
 };
 
 TEST(SdoRequester, FillsInIts1F10hAndCalls) {
@@ -66,7 +66,7 @@ TEST(SdoRequester, WhenItIsRegisteredItRequestsOnItsOwnChannel) {
   device.receive("681#60 00 1F 00 00 00 00 00");
   EXPECT_TRUE(device.sut.busy()) << "it was heard, no more";
   device.give_connection();
-  EXPECT_EQ(device.answers, std::vector<AbortCode>{AbortCode::none});
+  EXPECT_EQ(device.answers, std::vector<SdoEnd>{SdoEnd()});
   EXPECT_TRUE(device.sut.registered());
 }
 
@@ -97,7 +97,7 @@ TEST(SdoRequester, CallsTwiceAndThenGivesUp) {
   EXPECT_TRUE(device.answers.empty());
   device.run_for(1ms);
   device.expect({});
-  EXPECT_EQ(device.answers, std::vector<AbortCode>{AbortCode::time_out});
+  EXPECT_EQ(device.answers, std::vector<SdoEnd>{SdoEnd::no_answer()});
   EXPECT_FALSE(device.sut.busy());
   EXPECT_EQ(device.connect(), AbortCode::none) << "and may try again";
   device.expect({"6E0#"});
@@ -118,7 +118,7 @@ TEST(SdoRequester, AnErrorCodeRefusesTheRegistration) {
   Device device;
   EXPECT_EQ(device.connect(), AbortCode::none);
   device.receive("605#23 10 1F 00 00 01 80 12");
-  EXPECT_EQ(device.answers, std::vector<AbortCode>{AbortCode::no_sdo_connection});
+  EXPECT_EQ(device.answers, std::vector<SdoEnd>{SdoEnd::by_server(AbortCode::no_sdo_connection)});
   EXPECT_EQ(device.sut.error(), DynamicSdoError::no_cob_id);
 }
 
@@ -126,7 +126,7 @@ TEST(SdoRequester, AnErrorCodeRefusesTheConnection) {
   Device device;
   device.register_it();
   device.receive("605#23 10 1F 00 00 02 81 12");
-  EXPECT_EQ(device.answers, std::vector<AbortCode>{AbortCode::no_sdo_connection});
+  EXPECT_EQ(device.answers, std::vector<SdoEnd>{SdoEnd::by_server(AbortCode::no_sdo_connection)});
   EXPECT_EQ(device.sut.error(), DynamicSdoError::no_server_channel);
   EXPECT_TRUE(device.sut.registered());
 }
@@ -137,22 +137,34 @@ TEST(SdoRequester, AnAbortOfTheManagerRefusesTheConnection) {
   device.give_manager_channel();
   device.receive("605#23 10 1F 00 02 00 80 12");
   device.receive("681#80 00 1F 00 23 00 0A 06");
-  EXPECT_EQ(device.answers, std::vector<AbortCode>{AbortCode::no_sdo_connection});
+  EXPECT_EQ(device.answers, std::vector<SdoEnd>{SdoEnd::by_server(AbortCode::no_sdo_connection)});
   EXPECT_FALSE(device.sut.busy());
+}
+
+/// A manager that answers 0504 0000h is there: nobody needs to register anew.
+TEST(SdoRequester, ATimeOutThatTheManagerTellsIsNoSilenceOfTheManager) {
+  Device device;
+  device.register_it();
+  device.give_connection();
+  EXPECT_EQ(device.connect(11, 2), AbortCode::none);
+  device.sent.clear();
+  device.receive("681#80 00 1F 00 00 00 04 05");
+  device.expect({});
+  EXPECT_EQ(device.answers, (std::vector{SdoEnd(), SdoEnd::by_server(AbortCode::time_out)}));
 }
 
 TEST(SdoRequester, ARegistrationWithoutAChannelIsNone) {
   Device device;
   EXPECT_EQ(device.connect(), AbortCode::none);
   device.receive("605#23 10 1F 00 02 00 80 12");
-  EXPECT_EQ(device.answers, std::vector<AbortCode>{AbortCode::no_sdo_connection});
+  EXPECT_EQ(device.answers, std::vector<SdoEnd>{AbortCode::no_sdo_connection});
 }
 
 TEST(SdoRequester, AConnectionThatDoesNotComeTimesOut) {
   Device device;
   device.register_it();
   device.run_for(500ms);
-  EXPECT_EQ(device.answers, std::vector<AbortCode>{AbortCode::time_out});
+  EXPECT_EQ(device.answers, std::vector<SdoEnd>{SdoEnd::no_answer()});
   device.expect({"@500000 680#23 01 1F 00 0A 05 81 12"});  // what still comes is given back
   device.receive("681#60 01 1F 00 00 00 00 00");
   EXPECT_FALSE(device.sut.busy());
@@ -200,7 +212,7 @@ TEST(SdoRequester, RegistersAnewWhenItIsRefusedWith08000022hButOnlyOnce) {
   device.sent.clear();
   device.receive("681#80 00 1F 00 22 00 00 08");
   device.expect({});
-  EXPECT_EQ(device.answers, (std::vector{AbortCode::none, AbortCode::device_state}));
+  EXPECT_EQ(device.answers, (std::vector{SdoEnd(), SdoEnd::by_server(AbortCode::device_state)}));
 }
 
 TEST(SdoRequester, OtherRefusalsSayNothingOfTheRegistration) {
@@ -211,7 +223,8 @@ TEST(SdoRequester, OtherRefusalsSayNothingOfTheRegistration) {
   device.sent.clear();
   device.receive("681#80 00 1F 00 23 00 0A 06");
   device.expect({});
-  EXPECT_EQ(device.answers, (std::vector{AbortCode::none, AbortCode::no_sdo_connection}));
+  EXPECT_EQ(device.answers,
+            (std::vector{SdoEnd(), SdoEnd::by_server(AbortCode::no_sdo_connection)}));
   EXPECT_TRUE(device.sut.registered());
 }
 
@@ -242,7 +255,7 @@ TEST(SdoRequester, AllDefaultChannelsAreRequestedWithBit0) {
   device.expect({"6E0#", "585#43 10 1F 00 01 00 80 12"});
   device.give_manager_channel();
   device.receive("605#23 10 1F 00 05 00 80 12");
-  EXPECT_EQ(device.answers, std::vector<AbortCode>{AbortCode::none});
+  EXPECT_EQ(device.answers, std::vector<SdoEnd>{SdoEnd()});
   device.sent.clear();
   EXPECT_TRUE(device.sut.leave());
   device.expect({"680#23 01 1F 00 00 05 00 00"});
@@ -271,7 +284,7 @@ TEST(SdoRequester, GivesNothingBackWhileARequestIsUnderWay) {
   device.receive("681#60 00 1F 00 00 00 00 00");
   device.expect({});
   device.receive("605#23 10 1F 00 06 00 81 12");
-  EXPECT_EQ(device.answers, (std::vector{AbortCode::none, AbortCode::none}));
+  EXPECT_EQ(device.answers, (std::vector{SdoEnd(), SdoEnd()}));
 }
 
 TEST(SdoRequester, HasNothingToGiveBackWithoutARegistration) {
@@ -319,7 +332,8 @@ TEST(SdoRequester, NmtStateStoppedAndResetsEndARequest) {
     Device device;
     EXPECT_EQ(device.connect(), AbortCode::none);
     device.receive(command);
-    EXPECT_EQ(device.answers, std::vector<AbortCode>{AbortCode::device_state}) << command;
+    EXPECT_EQ(device.answers, std::vector<SdoEnd>{SdoEnd::cancelled(AbortCode::device_state)})
+        << command;
     device.sent.clear();
     device.run_for(10s);
     device.expect({});

@@ -32,20 +32,20 @@ AbortCode SdoWriteList::write_here(const Write& write, std::span<const std::uint
 }
 
 /// Whether there is a next one to write.
-bool SdoWriteList::step(AbortCode answer) {
+bool SdoWriteList::step(SdoEnd answer) {
   const Write& write = writes_[position_];
-  if (answer == AbortCode::none || write.may_fail) {
+  if (answer || write.may_fail) {
     ++position_;
     tries_left_ = tries_max_;
     return true;
   }
-  done_({.abort = answer, .node = write.node});
+  done_({.end = answer, .node = write.node});
   return false;
 }
 
 void SdoWriteList::written(SdoClient::Outcome outcome) {
-  const bool again = outcome.abort() == AbortCode::time_out && tries_left_ != 0;
-  if (!again && !step(outcome.abort())) return;
+  const bool again = outcome.is_silence() && tries_left_ != 0;
+  if (!again && !step(outcome)) return;
   while (write_next()) {
   }
 }

@@ -29,7 +29,7 @@ class SdoWriteList {
     bool may_fail = false;  ///< then the list goes on
   };
   struct Outcome {
-    AbortCode abort = AbortCode::none;
+    SdoEnd end = {};
     NodeId node = 0;  ///< where it failed
   };
   using Done = Callback<void(const Outcome&)>;
@@ -54,7 +54,7 @@ class SdoWriteList {
  private:
   bool write_next();
   AbortCode write_here(const Write& write, std::span<const std::uint8_t> value);
-  bool step(AbortCode answer);
+  bool step(SdoEnd answer);
   void written(SdoClient::Outcome outcome);
 
   Node& node_;

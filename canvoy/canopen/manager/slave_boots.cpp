@@ -274,8 +274,10 @@ void SlaveBoots::finished(BootSlave& slot, BootOutcome outcome) {
   ended.due = never;
   const bool is_up =
       outcome.error == BootError::none || outcome.error == BootError::already_operational;
-  if (outcome.error == BootError::no_answer || outcome.abort == AbortCode::time_out) {
-    no_answer(slave, end);
+  // Each device has 1000h: one that refuses it is not ready.
+  const bool is_refused = outcome.error == BootError::device_type && !outcome.end;
+  if (outcome.error == BootError::no_answer || outcome.end.is_silence() || is_refused) {
+    try_again(slave, end);
   } else {
     ended.state = is_up ? State::booted : State::failed;
     if (is_up) {
@@ -291,7 +293,7 @@ void SlaveBoots::finished(BootSlave& slot, BootOutcome outcome) {
 }
 
 /// The next attempt follows, unless the boot time of a mandatory slave is over by then.
-void SlaveBoots::no_answer(NodeId slave, BootReport end) {
+void SlaveBoots::try_again(NodeId slave, BootReport end) {
   const auto limit =
       std::chrono::milliseconds(context_.node.dictionary().number(master_object::boot_time, 0));
   const Time next = now() + context_.options.retry_interval;

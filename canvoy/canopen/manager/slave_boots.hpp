@@ -98,7 +98,7 @@ class SlaveBoots {
   NodeId find_due(Time now) const;
   BootSlave* find_slot(NodeId slave);
   void finished(BootSlave& slot, BootOutcome outcome);
-  void no_answer(NodeId slave, BootReport end);
+  void try_again(NodeId slave, BootReport end);
   void report(const BootReport& report) { context_.report(report); }
 
   Record& at(NodeId slave) { return memory_.records[slave - std::size_t{1}]; }

@@ -25,16 +25,17 @@ void RemoteIndication::cancel() {
 void RemoteIndication::receive(const Frame& frame, Time /*now*/) {
   if (frame.length != Frame::length_max) return;
   const sdo::Message answer(frame);
-  if (answer == said_) return end(AbortCode::none);
-  if (answer.first_byte() == sdo::command(sdo::Response::abort)) end(answer.abort_code());
+  if (answer == said_) return end({});
+  if (answer.first_byte() == sdo::command(sdo::Response::abort))
+    end(SdoEnd::by_server(answer.abort_code()));
 }
 
 void RemoteIndication::expired(Time /*now*/) {
   node_.router().remove(channel_.response, Router::Receiver::to<&RemoteIndication::receive>(*this));
-  done_(AbortCode::time_out);
+  done_(SdoEnd::no_answer());
 }
 
-void RemoteIndication::end(AbortCode outcome) {
+void RemoteIndication::end(SdoEnd outcome) {
   cancel();
   done_(outcome);
 }

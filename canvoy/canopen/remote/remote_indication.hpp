@@ -3,18 +3,19 @@
 // it were with the node itself.
 //
 //     RemoteIndication indication(host, {.network = 2});
-//     indication.begin(10, 7, Callback<void(AbortCode)>::to<&Host::may_ask>(*this), 100ms);
+//     indication.begin(10, 7, Callback<void(SdoEnd)>::to<&Host::may_ask>(*this), 100ms);
 //     // may_ask: client.upload(10, 0x6000, 1, bytes, done);
 #pragma once
 
 #include "canvoy/canopen/remote/remote_access.hpp"
+#include "canvoy/canopen/sdo/sdo_outcome.hpp"
 
 namespace canvoy {
 
 class RemoteIndication {
  public:
-  /// none, or why it is not confirmed: the node's abort code, or time_out.
-  using Done = Callback<void(AbortCode)>;
+  /// Done, or why it is not confirmed: aborted by the node, or no answer.
+  using Done = Callback<void(SdoEnd)>;
 
   /// `node` must outlive this.
   RemoteIndication(Node& node, const RemoteSettings& settings) : node_(node), settings_(settings) {}
@@ -32,7 +33,7 @@ class RemoteIndication {
  private:
   void receive(const Frame& frame, Time now);
   void expired(Time now);
-  void end(AbortCode outcome);
+  void end(SdoEnd outcome);
 
   Node& node_;
   RemoteSettings settings_;

@@ -17,15 +17,15 @@ struct RemoteIndications : testing::Test {
     return indication.begin(module, device,
                             RemoteIndication::Done::to<&RemoteIndications::done>(*this), 100ms);
   }
-  void done(AbortCode outcome) { outcomes.push_back(outcome); }
-  void expect_outcomes(const std::vector<AbortCode>& expected) {
+  void done(SdoEnd outcome) { outcomes.push_back(outcome); }
+  void expect_outcomes(const std::vector<SdoEnd>& expected) {
     EXPECT_EQ(outcomes, expected);
     outcomes.clear();
   }
 
   WireNode client{sdo_objects(), 5};
   RemoteIndication indication{client.node, {.network = 2}};
-  std::vector<AbortCode> outcomes;
+  std::vector<SdoEnd> outcomes;
 };
 
 TEST_F(RemoteIndications, AreConfirmedByTheSameBytes) {
@@ -37,7 +37,7 @@ TEST_F(RemoteIndications, AreConfirmedByTheSameBytes) {
   client.receive("58B#E0 02 00 07 00 00 00 00");
   expect_outcomes({});
   client.receive("58A#E0 02 00 07 00 00 00 00");
-  expect_outcomes({AbortCode::none});
+  expect_outcomes({SdoEnd()});
   EXPECT_FALSE(indication.busy());
   client.receive("58A#E0 02 00 07 00 00 00 00");
   client.run_for(1s);
@@ -47,7 +47,7 @@ TEST_F(RemoteIndications, AreConfirmedByTheSameBytes) {
 TEST_F(RemoteIndications, SayWhyTheyAreRefused) {
   begin();
   client.receive("58A#80 02 00 07 01 00 04 05");
-  expect_outcomes({AbortCode::command_specifier});
+  expect_outcomes({SdoEnd::by_server(AbortCode::command_specifier)});
   EXPECT_FALSE(indication.busy());
 }
 
@@ -56,7 +56,7 @@ TEST_F(RemoteIndications, GiveUpWhereNobodyAnswers) {
   client.run_for(99ms);
   expect_outcomes({});
   client.run_for(1ms);
-  expect_outcomes({AbortCode::time_out});
+  expect_outcomes({SdoEnd::no_answer()});
   client.receive("58A#E0 02 00 07 00 00 00 00");
   expect_outcomes({});
   EXPECT_EQ(begin(), AbortCode::none);

@@ -42,7 +42,7 @@ void SdoClient::finish(Outcome outcome) {
 void SdoClient::state_entered(NmtState) {
   if (may_speak()) return;
   connected_to_ = nobody;
-  if (busy()) finish(AbortCode::device_state);
+  if (busy()) finish(SdoEnd::cancelled(AbortCode::device_state));
 }
 
 AbortCode SdoClient::before_write(const Entry& entry, std::span<const std::uint8_t> value) {
@@ -52,7 +52,7 @@ AbortCode SdoClient::before_write(const Entry& entry, std::span<const std::uint8
 void SdoClient::after_write(const Entry& entry, Source) {
   if (entry.index != parameter_) return;
   connected_to_ = nobody;
-  if (busy()) fail(AbortCode::no_sdo_connection);
+  if (busy()) end_with(SdoEnd::cancelled(AbortCode::no_sdo_connection));
 }
 
 /// None but the node's own object says who is at the other end.
@@ -226,7 +226,7 @@ void SdoClient::upload_initiated(sdo::Message answer) {
     const std::uint8_t before = ended_;
     const Outcome outcome = take_expedited(answer);
     if (ended_ != before) return;
-    return outcome ? finish(outcome) : fail(outcome.abort());
+    return outcome ? finish(outcome) : end_with(outcome);
   }
   if (answer.has_size()) announced_ = answer.value();
   if (!sink_ && announced_ > destination_.size()) return fail(AbortCode::out_of_memory);
@@ -346,8 +346,7 @@ void SdoClient::aborted_by_server(sdo::Message answer) {
                                 state_ == State::download_segment || state_ == State::block;
   const bool nameless = answer.multiplexer() == sdo::Multiplexer{};
   if (!busy() || (answer.multiplexer() != multiplexer_ && !(nameless && between_segments))) return;
-  const AbortCode code = answer.abort_code();
-  finish(code == AbortCode::none ? AbortCode::general : code);
+  finish(SdoEnd::by_server(answer.abort_code()));
 }
 
 /// A segment cannot be the answer to the beginning of a transfer: it is late. In the middle of one
@@ -367,11 +366,11 @@ void SdoClient::cancel(AbortCode reason) {
 void SdoClient::give_up(Time now) {
   if (watchdog_.put_off(now)) return;
   if (!busy() || (state_ == State::block && extension_->expired())) return;
-  fail(AbortCode::time_out);
+  end_with(SdoEnd::no_answer());
 }
 
-void SdoClient::fail(AbortCode code) {
-  finish_with(sdo::Message(multiplexer_, code), code);
+void SdoClient::end_with(SdoEnd end) {
+  finish_with(sdo::Message(multiplexer_, end.abort()), end);
 }
 
 /// Who is called from within, as on some buses the server is, finds it busy; he may end it.

@@ -15,6 +15,7 @@
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/canopen/sdo/sdo.hpp"
 #include "canvoy/canopen/sdo/sdo_channel.hpp"
+#include "canvoy/canopen/sdo/sdo_outcome.hpp"
 #include "canvoy/canopen/sdo/sdo_watchdog.hpp"
 
 namespace canvoy {
@@ -31,15 +32,15 @@ enum class SdoTransfer : std::uint8_t {
 ///
 /// Time is that of the node: from outside of its callbacks, call node.advance(now) before a
 /// request. Each request that was started ends with one call of `done`, from where a new one may be
-/// started at once: its server's abort code, time_out, or what went wrong here (toggle_bit,
+/// started at once: done, aborted by the server, without an answer, aborted here (toggle_bit,
 /// command_specifier, length_too_high, length_too_low, out_of_memory where the destination is too
-/// short; device_state where NMT ended it; no_sdo_connection where the channel was changed).
+/// short), or cancelled (device_state where NMT ended it; no_sdo_connection where the channel was
+/// changed).
 /// Spans and objects that are handed in must live until then. A sink or supply may cancel its own
 /// request.
 class SdoClient {
  public:
-  /// The number of bytes that were transferred, or why the transfer failed.
-  using Outcome = Result<std::size_t>;
+  using Outcome = SdoOutcome;
   using Done = Callback<void(Outcome)>;
   /// Takes the next bytes of an upload, 1 to 7 of them; an abort code ends the transfer.
   using Sink = Callback<AbortCode(std::span<const std::uint8_t> bytes)>;
@@ -159,7 +160,8 @@ class SdoClient {
   void unexpected();
 
   void give_up(Time now);
-  void fail(AbortCode code);
+  void fail(AbortCode code) { end_with(code); }
+  void end_with(SdoEnd end);
   void finish_with(sdo::Message last, Outcome outcome);
   void finish(Outcome outcome);
   void ask(sdo::Message message);

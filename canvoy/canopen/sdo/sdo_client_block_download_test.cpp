@@ -165,7 +165,7 @@ TEST_F(SdoClientBlockDownload, AServerThatFallsSilentIsGivenUpAfterTheTimeOut) {
     wire.expect({});
     wire.run_for(10s);
     wire.expect({"605#80 08 20 00 00 00 04 05"});
-    expect_failed(AbortCode::time_out);
+    expect_failed(SdoEnd::no_answer());
   }
 }
 
@@ -250,18 +250,18 @@ TEST_F(SdoClientBlockDownload, AnAbortFromTheServerEndsItAtAnyTime) {
   EXPECT_EQ(download(eight), AbortCode::none);
   wire.sent.clear();
   answer("80 08 20 00 22 00 00 08");
-  expect_failed(AbortCode::device_state);
+  expect_failed(SdoEnd::by_server(AbortCode::device_state));
   EXPECT_EQ(download(eight), AbortCode::none);
   wire.receive("585#A4 08 20 00 7F 00 00 00");
   wire.sent.clear();
   answer("80 08 20 00 00 00 06 06");
-  expect_failed(AbortCode::hardware);
+  expect_failed(SdoEnd::by_server(AbortCode::hardware));
   EXPECT_EQ(download(eight), AbortCode::none);
   wire.receive("585#A4 08 20 00 7F 00 00 00");
   wire.receive("585#A2 02 7F 00 00 00 00 00");
   wire.sent.clear();
   answer("80 08 20 00 04 00 04 05");
-  expect_failed(AbortCode::crc);
+  expect_failed(SdoEnd::by_server(AbortCode::crc));
 }
 
 TEST_F(SdoClientBlockDownload, ASupplyMayEndIt) {
@@ -331,7 +331,7 @@ TEST_F(SdoClientBlockDownload, WhoWantsBlocksOnlyIsToldThatTheServerKnowsNone) {
   EXPECT_EQ(download(eight), AbortCode::none);
   wire.sent.clear();
   answer("80 08 20 00 01 00 04 05");
-  expect_failed(AbortCode::command_specifier);
+  expect_failed(SdoEnd::by_server(AbortCode::command_specifier));
 }
 
 TEST(SdoClientWithoutBlocks, CannotBeAskedForThem) {

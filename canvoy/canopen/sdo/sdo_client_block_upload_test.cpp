@@ -139,11 +139,11 @@ TEST_F(SdoClientBlockUpload, AServerThatFallsSilentIsGivenUpAfterTheTimeOut) {
   answer("01 01 02 03 04 05 06 07");
   wire.run_until(Time(10s));
   wire.expect({"@500000 605#A2 01 04 00 00 00 00 00", "@1000000 605#80 08 20 00 00 00 04 05"});
-  expect_failed(AbortCode::time_out);
+  expect_failed(SdoEnd::no_answer());
   begin("C4 08 20 00 00 00 00 00");
   wire.run_for(10s);
   wire.expect({"605#80 08 20 00 00 00 04 05"});
-  expect_failed(AbortCode::time_out);
+  expect_failed(SdoEnd::no_answer());
 }
 
 TEST_F(SdoClientBlockUpload, ABlockOfWhichNothingComesIsAskedForAgainWhereTheSizeWasTold) {
@@ -223,15 +223,15 @@ TEST_F(SdoClientBlockUpload, AnAbortFromTheServerEndsItAtAnyTime) {
   EXPECT_EQ(upload(bytes), AbortCode::none);
   wire.sent.clear();
   answer("80 08 20 00 00 00 02 06");
-  expect_failed(AbortCode::no_object);
+  expect_failed(SdoEnd::by_server(AbortCode::no_object));
   begin("C6 08 20 00 08 00 00 00");
   answer("01 01 02 03 04 05 06 07");
   answer("80 08 20 00 00 00 06 06");
-  expect_failed(AbortCode::hardware);
+  expect_failed(SdoEnd::by_server(AbortCode::hardware));
   begin("C6 08 20 00 08 00 00 00");
   answer_with({"01 01 02 03 04 05 06 07", "82 08 00 00 00 00 00 00"}, "A2 02 04 00 00 00 00 00");
   answer("80 08 20 00 00 00 04 05");
-  expect_failed(AbortCode::time_out);
+  expect_failed(SdoEnd::by_server(AbortCode::time_out));
 }
 
 TEST_F(SdoClientBlockUpload, OtherCommandsInPlaceOfTheEndEndTheTransfer) {
@@ -258,7 +258,7 @@ TEST_F(SdoClientBlockUpload, StoppedEndsItWithoutAWord) {
   wire.receive("000#02 01");
   wire.run_for(10s);
   wire.expect({});
-  expect_failed(AbortCode::device_state);
+  expect_failed(SdoEnd::cancelled(AbortCode::device_state));
 }
 
 // Which kind of transfer
@@ -296,14 +296,14 @@ TEST_F(SdoClientBlockUpload, AServerThatKnowsNoBlocksIsAskedInSegmentsFromThenOn
   EXPECT_EQ(upload(destination), AbortCode::none);
   expect_request("40 08 20 00 00 00 00 00");
   answer("80 08 20 00 00 00 02 06");
-  expect_failed(AbortCode::no_object);
+  expect_failed(SdoEnd::by_server(AbortCode::no_object));
 }
 
 TEST_F(SdoClientBlockUpload, WhoWantsBlocksOnlyIsToldThatTheServerKnowsNone) {
   EXPECT_EQ(upload(bytes), AbortCode::none);
   wire.sent.clear();
   answer("80 08 20 00 01 00 04 05");
-  expect_failed(AbortCode::command_specifier);
+  expect_failed(SdoEnd::by_server(AbortCode::command_specifier));
 }
 
 }  // namespace

@@ -14,18 +14,30 @@ TEST_F(SdoClientTest, AnAbortFromTheServerEndsTheRequest) {
   EXPECT_EQ(upload(bytes), AbortCode::none);
   wire.sent.clear();
   answer("80 08 20 00 00 00 02 06");
-  expect_failed(AbortCode::no_object);
+  expect_failed(SdoEnd::by_server(AbortCode::no_object));
   EXPECT_EQ(download(Bytes{1}), AbortCode::none);
   wire.sent.clear();
   answer("80 08 20 00 78 56 34 12");
-  expect_failed(static_cast<AbortCode>(0x1234'5678));
+  expect_failed(SdoEnd::by_server(static_cast<AbortCode>(0x1234'5678)));
 }
 
 TEST_F(SdoClientTest, AnAbortWithoutAReasonIsNoSuccess) {
   EXPECT_EQ(upload(bytes), AbortCode::none);
   wire.sent.clear();
   answer("80 08 20 00 00 00 00 00");
-  expect_failed(AbortCode::general);
+  expect_failed(SdoEnd::by_server(AbortCode::general));
+}
+
+/// 0504 0000h is also what a server says that has waited for a segment, or for a bus behind it.
+TEST_F(SdoClientTest, AServerThatAbortsWithATimeOutHasAnswered) {
+  EXPECT_EQ(upload(bytes), AbortCode::none);
+  wire.sent.clear();
+  wire.run_until(Time(76ms));
+  answer("80 08 20 00 00 00 04 05");
+  expect_failed(SdoEnd::by_server(AbortCode::time_out));
+  EXPECT_FALSE(last.is_silence());
+  EXPECT_TRUE(last.is_refusal());
+  EXPECT_EQ(last.abort(), AbortCode::time_out);
 }
 
 TEST_F(SdoClientTest, AnAbortFromTheServerEndsATransferInSegments) {
@@ -33,7 +45,7 @@ TEST_F(SdoClientTest, AnAbortFromTheServerEndsATransferInSegments) {
   wire.sent.clear();
   answer("41 08 20 00 08 00 00 00", "60 00 00 00 00 00 00 00");
   answer("80 08 20 00 22 00 00 08");
-  expect_failed(AbortCode::device_state);
+  expect_failed(SdoEnd::by_server(AbortCode::device_state));
 }
 
 TEST_F(SdoClientTest, AServerThatHasForgottenATransferNeedNotNameItInItsAbort) {
@@ -43,7 +55,7 @@ TEST_F(SdoClientTest, AServerThatHasForgottenATransferNeedNotNameItInItsAbort) {
   expect_waiting();
   answer("41 08 20 00 08 00 00 00", "60 00 00 00 00 00 00 00");
   answer("80 00 00 00 01 00 04 05");
-  expect_failed(AbortCode::command_specifier);
+  expect_failed(SdoEnd::by_server(AbortCode::command_specifier));
 }
 
 TEST_F(SdoClientTest, LateAnswersToOtherRequestsAreNotTakenForThePresentOne) {
@@ -132,7 +144,7 @@ TEST_F(SdoClientTest, AServerThatDoesNotAnswerIsGivenOneSecond) {
   expect_waiting();
   wire.run_until(Time(5s));
   wire.expect({"@1000000 605#80 08 20 00 00 00 04 05"});
-  expect_failed(AbortCode::time_out);
+  expect_failed(SdoEnd::no_answer());
 }
 
 TEST_F(SdoClientTest, EachAnswerStartsTheTimeOutAnew) {
@@ -146,7 +158,7 @@ TEST_F(SdoClientTest, EachAnswerStartsTheTimeOutAnew) {
   expect_waiting();
   wire.run_until(Time(5s));
   wire.expect({"@2800000 605#80 08 20 00 00 00 04 05"});
-  expect_failed(AbortCode::time_out);
+  expect_failed(SdoEnd::no_answer());
 }
 
 TEST_F(SdoClientTest, ARequestMayHaveAShorterTimeOutThanTheOneBefore) {
@@ -158,7 +170,7 @@ TEST_F(SdoClientTest, ARequestMayHaveAShorterTimeOutThanTheOneBefore) {
   wire.sent.clear();
   wire.run_until(Time(5s));
   wire.expect({"@100000 605#80 08 20 00 00 00 04 05"});
-  expect_failed(AbortCode::time_out);
+  expect_failed(SdoEnd::no_answer());
 }
 
 TEST_F(SdoClientTest, LateAnswersDoNotPutTheTimeOutOff) {
@@ -209,11 +221,11 @@ TEST_F(SdoClientTest, ACancelledRequestIsAbortedAndNotToldOf) {
 }
 
 TEST_F(SdoClientTest, TheNextRequestMayBeStartedFromTheOutcomeOfTheLast) {
-  std::vector<AbortCode> outcomes;
+  std::vector<SdoEnd> outcomes;
   SdoClient::Done ask_next;
   std::uint8_t sub = 0;
   auto again = [&](SdoClient::Outcome outcome) {
-    outcomes.push_back(outcome.abort());
+    outcomes.push_back(outcome);
     if (++sub > 3) return;
     EXPECT_EQ(sut.upload(5, 0x2009, sub, bytes, ask_next), AbortCode::none);
   };
@@ -225,8 +237,9 @@ TEST_F(SdoClientTest, TheNextRequestMayBeStartedFromTheOutcomeOfTheLast) {
   wire.run_for(1s);                                              // after a time-out
   wire.expect({"605#80 09 20 02 00 00 04 05", "605#40 09 20 03 00 00 00 00"});
   wire.receive("000#02 01");  // a stop ends it
-  EXPECT_EQ(outcomes, (std::vector{AbortCode::none, AbortCode::no_sub_index, AbortCode::time_out,
-                                   AbortCode::device_state}));
+  EXPECT_EQ(outcomes,
+            (std::vector{SdoEnd(), SdoEnd::by_server(AbortCode::no_sub_index), SdoEnd::no_answer(),
+                         SdoEnd::cancelled(AbortCode::device_state)}));
 }
 
 TEST_F(SdoClientTest, SeveralClientsAskSeveralServersAtOnce) {
@@ -290,7 +303,7 @@ TEST_F(SdoClientTest, StoppedEndsARequestAndAllowsNone) {
   wire.sent.clear();
   wire.receive("000#02 01");
   wire.expect({});
-  expect_failed(AbortCode::device_state);
+  expect_failed(SdoEnd::cancelled(AbortCode::device_state));
   EXPECT_EQ(upload(bytes), AbortCode::device_state);
   wire.receive("000#01 01");
   EXPECT_EQ(upload(bytes), AbortCode::none);
@@ -320,7 +333,7 @@ TEST_F(SdoClientTest, ResetEndsARequest) {
   wire.sent.clear();
   wire.receive("000#81 01");
   wire.expect({"701#00"});
-  expect_failed(AbortCode::device_state);
+  expect_failed(SdoEnd::cancelled(AbortCode::device_state));
   wire.run_until(Time(5s));
   wire.expect({});
 }
@@ -352,7 +365,7 @@ TEST_F(SdoClientTest, WhatTheBacklogCannotHoldEndsWithATimeOut) {
   }
   wire.run_until(Time(1s));
   EXPECT_EQ(calls, 17);
-  EXPECT_EQ(last.abort(), AbortCode::time_out);
+  EXPECT_EQ(last, SdoEnd::no_answer());
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ class SdoClientOwnEnd : public SdoClientNode {
       wire.expect({"605#80 08 20 00 00 00 00 08"});
     } else {
       wire.expect({});
-      expect_failed(AbortCode::device_state);
+      expect_failed(SdoEnd::cancelled(AbortCode::device_state));
     }
     wire.run_for(10s);
     wire.expect({});

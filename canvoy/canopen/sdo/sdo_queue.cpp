@@ -34,7 +34,7 @@ bool SdoQueue::add(SdoRequest& request, bool is_download) {
   if (is_refusing_) return false;
   if (request.place.state != SdoRequest::State::idle || !is_node_id(request.server)) return false;
   request.place.is_download = is_download;
-  request.place.outcome = AbortCode::no_data;
+  request.place.outcome = SdoEnd::cancelled(AbortCode::no_data);
   request.place.state = SdoRequest::State::waiting;
   append(request);
   start_waiting();

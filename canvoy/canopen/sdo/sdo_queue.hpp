@@ -44,7 +44,7 @@ struct SdoRequest {
 
   enum class State : std::uint8_t { idle, waiting, active };
   State state() const { return place.state; }
-  /// The number of bytes that were transferred, or why the last transfer failed; of SdoClient.
+  /// How the last transfer ended; cancelled while there is none, or where it was taken back.
   const SdoClient::Outcome& outcome() const { return place.outcome; }
   /// Progress: bytes until now, and in all where that is known.
   std::size_t transferred() const;
@@ -54,7 +54,7 @@ struct SdoRequest {
   struct Place {
     bool is_download = false;
     State state = State::idle;
-    SdoClient::Outcome outcome{AbortCode::no_data};
+    SdoOutcome outcome = SdoEnd::cancelled(AbortCode::no_data);
     const SdoClient* client = nullptr;  ///< that works on it
     SdoRequest* next = nullptr;         ///< the first request to the next server
     SdoRequest* behind = nullptr;       ///< the next request to this server

@@ -56,12 +56,12 @@ TEST_F(SdoQueueTest, RequestsToOneServerAreMadeOneAfterTheOtherInTheirOrder) {
   wire.expect({"605#40 02 20 00 00 00 00 00"});
   wire.receive("585#80 02 20 00 00 00 02 06");
   expect_finished({&second});
-  EXPECT_EQ(second.outcome().abort(), AbortCode::no_object);
+  EXPECT_EQ(second.outcome(), SdoEnd::by_server(AbortCode::no_object));
   wire.expect({"605#40 03 20 00 00 00 00 00"});
   wire.run_for(1s);
   wire.expect({"605#80 03 20 00 00 00 04 05"});
   expect_finished({&third});
-  EXPECT_EQ(third.outcome().abort(), AbortCode::time_out);
+  EXPECT_EQ(third.outcome(), SdoEnd::no_answer());
   EXPECT_EQ(*first.outcome(), 1U);
   EXPECT_EQ(bytes[0], 0x11);
   EXPECT_TRUE(sut.idle());
@@ -223,7 +223,7 @@ TEST_F(SdoQueueTest, ARequestThatIsQueuedAgainHasTransferredNothingYet) {
   EXPECT_TRUE(sut.upload(request));
   EXPECT_EQ(request.state(), SdoRequest::State::waiting);
   EXPECT_EQ(request.transferred(), 0U);
-  EXPECT_EQ(request.outcome().abort(), AbortCode::no_data);
+  EXPECT_EQ(request.outcome(), SdoEnd::cancelled(AbortCode::no_data));
 }
 
 TEST_F(SdoQueueTest, RequestsWaitWhileTheControllerTakesNoFrames) {

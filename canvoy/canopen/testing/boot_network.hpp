@@ -120,8 +120,9 @@ inline std::string boot_text(const BootReport& report) {
     text += std::string(" ") + letter(report.outcome.error);
   }
   char number[32];
-  if (report.outcome.abort != AbortCode::none) {
-    std::snprintf(number, sizeof number, " %08X", static_cast<unsigned>(report.outcome.abort));
+  if (!report.outcome.end) {
+    std::snprintf(number, sizeof number, " %08X",
+                  static_cast<unsigned>(report.outcome.end.abort()));
     text += number;
   } else if (report.event == BootEvent::failed && report.expected != report.found) {
     std::snprintf(number, sizeof number, " %08X not %08X", report.found, report.expected);

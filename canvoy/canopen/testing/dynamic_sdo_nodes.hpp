@@ -88,12 +88,12 @@ struct RequestingNode : PortNode {
   AbortCode connect(NodeId partner, std::uint8_t number) {
     return requester.connect(partner, number, SdoRequester::Done::to<&RequestingNode::done>(*this));
   }
-  void done(AbortCode abort) { answers.push_back(abort); }
+  void done(SdoEnd end) { answers.push_back(end); }
 
   SdoServer server{node, 0, {}};
   SdoClient clients[3] = {SdoClient(node, 0), SdoClient(node, 1), SdoClient(node, 2)};
   SdoRequester requester{node, {}};
-  std::vector<AbortCode> answers;
+  std::vector<SdoEnd> answers;
 };
 
 struct ServingNode : PortNode {

@@ -54,13 +54,14 @@ class SdoClientNode : public testing::Test {
   void expect_request(const std::string& request) { wire.expect({"605#" + request}); }
   void expect_done(std::size_t size) {
     EXPECT_EQ(std::exchange(calls, 0), 1);
-    EXPECT_EQ(last.abort(), AbortCode::none);
+    EXPECT_TRUE(last) << std::hex << static_cast<unsigned>(last.abort());
     EXPECT_EQ(*last, size);
     EXPECT_FALSE(sut.busy());
   }
-  void expect_failed(AbortCode code) {
+  /// An abort code alone: aborted by the client.
+  void expect_failed(SdoEnd end) {
     EXPECT_EQ(std::exchange(calls, 0), 1);
-    EXPECT_EQ(last.abort(), code);
+    EXPECT_EQ(last, end) << std::hex << static_cast<unsigned>(last.abort());
     EXPECT_FALSE(sut.busy());
   }
   void expect_waiting() {

@@ -71,8 +71,8 @@ inline constexpr decltype(DictionaryTables::index_in_tables) index_in_tables_of_
 }  // namespace detail
 
 /// The layout of a device of one lift, which goes to any other lift by 6001h.
-template <std::size_t object_rows, std::size_t entry_rows>
-constexpr auto in_any_lift(DictionaryLayout<object_rows, entry_rows> layout) {
+template <class Layout>
+constexpr Layout in_any_lift(Layout layout) {
   const unsigned lifts = lifts_of(layout.tables());
   if (lifts == 0 || (lifts & (lifts - 1)) != 0) {
     canvoy::detail::description_is_wrong("a device of one lift goes to another one");

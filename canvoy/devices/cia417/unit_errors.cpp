@@ -126,8 +126,7 @@ void UnitErrors::ask_next(Time) {
 }
 
 void UnitErrors::answered(SdoClient::Outcome outcome) {
-  const bool is_answer = outcome.abort() != AbortCode::time_out;
-  if (is_answer) question_of(asking_).left = 0;
+  if (!outcome.is_silence()) question_of(asking_).left = 0;
   if (outcome && concerns_trips(register_[0])) set(asking_, true);
   // Not from here: the NMT state may have ended it.
   node_.timers().arm(timer_, node_.now());

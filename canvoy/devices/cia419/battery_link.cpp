@@ -11,9 +11,8 @@ std::uint16_t low_word(std::uint32_t answer) {
 }
 
 /// Who answers, even with a refusal, is there.
-bool is_silent(SdoClient::Outcome outcome) {
-  return outcome.abort() == AbortCode::time_out || outcome.abort() == AbortCode::device_state ||
-         outcome.abort() == AbortCode::no_sdo_connection;
+bool is_silent(SdoOutcome outcome) {
+  return outcome.is_silence() || outcome.kind() == SdoEnd::Kind::cancelled;
 }
 
 /// What one end sends, the other receives.
@@ -103,11 +102,11 @@ void BatteryLink::ask_for(std::uint16_t index, std::uint8_t sub, SdoClient::Done
   buffer_ = {};
   const AbortCode refused =
       client_->upload(offer_.id, index, sub, std::span<std::uint8_t>(buffer_), done);
-  if (refused != AbortCode::none) failed_(refused);
+  if (refused != AbortCode::none) failed_();
 }
 
 void BatteryLink::answered(SdoClient::Outcome outcome) {
-  if (is_silent(outcome)) return failed_(outcome.abort());
+  if (is_silent(outcome)) return failed_();
   if (outcome) questions[question_].take(offer_, load<std::uint32_t>(buffer_.data()));
   ++question_;
   next();
@@ -132,7 +131,7 @@ bool BatteryLink::is_linkable(std::size_t mapping) const {
 }
 
 void BatteryLink::mapping_answered(SdoClient::Outcome outcome) {
-  if (is_silent(outcome)) return failed_(outcome.abort());
+  if (is_silent(outcome)) return failed_();
   const std::uint16_t own = mapping_of_charger(mapping_);
   const bool is_alike =
       load<std::uint32_t>(buffer_.data()) == node_.dictionary().number(own, mapping_sub_);

@@ -42,7 +42,7 @@ class BatteryLink {
   /// All questions were answered, or refused by a battery that does not have the object.
   void on_answered(Callback<void(const BatteryOffer&)> answered) { answered_ = answered; }
   /// The battery does not answer any more.
-  void on_failed(Callback<void(AbortCode)> failed) { failed_ = failed; }
+  void on_failed(Callback<void()> failed) { failed_ = failed; }
 
   /// On which channel to talk to the battery from now on: a connection that the SDO manager gave,
   /// or (null) the battery's default channel. Nothing may be under way.
@@ -93,7 +93,7 @@ class BatteryLink {
   SdoClient default_client_;
   SdoClient* client_ = &default_client_;
   Callback<void(const BatteryOffer&)> answered_;
-  Callback<void(AbortCode)> failed_;
+  Callback<void()> failed_;
   BatteryOffer offer_;
   std::size_t question_ = 0;
   std::size_t mapping_ = 0;       ///< that is compared just now

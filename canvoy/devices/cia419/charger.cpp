@@ -72,7 +72,7 @@ Charger::Charger(Node& node, const ChargerServices& services, const ChargerHardw
   node.attach(service_);
   scan_.on_found(Callback<void(NodeId)>::to<&Charger::battery_found>(*this));
   link_.on_answered(Callback<void(const BatteryOffer&)>::to<&Charger::battery_answered>(*this));
-  link_.on_failed(Callback<void(AbortCode)>::to<&Charger::battery_silent>(*this));
+  link_.on_failed(Callback<void()>::to<&Charger::battery_silent>(*this));
   services_.heartbeats.on_change(
       Callback<void(NodeId, RemoteState)>::to<&Charger::battery_changed>(*this));
   if (services_.nmt_master != nullptr) {
@@ -291,18 +291,18 @@ void Charger::battery_found(NodeId id) {
 }
 
 /// Without an SDO manager, or with one that has nothing to give, the default channel is left (6.1).
-void Charger::connection_answered(AbortCode abort) {
+void Charger::connection_answered(SdoEnd end) {
   const NodeId battery = std::exchange(found_, NodeId{0});
   if (battery == 0) {
-    if (abort == AbortCode::none) services_.sdo_requester->release(battery_connection);
+    if (end) services_.sdo_requester->release(battery_connection);
     return;
   }
-  is_connected_ = abort == AbortCode::none;
+  is_connected_ = bool(end);
   link_.use(is_connected_ ? services_.battery_client : nullptr);
   link_.ask(battery);
 }
 
-void Charger::battery_silent(AbortCode) {
+void Charger::battery_silent() {
   if (phase_ == ChargerPhase::linking) search();
 }
 

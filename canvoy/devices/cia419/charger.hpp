@@ -105,9 +105,9 @@ class Charger {
   void refresh(std::uint16_t number);
   bool has_told_ready() const;
   void battery_found(NodeId id);
-  void connection_answered(AbortCode abort);
+  void connection_answered(SdoEnd end);
   void battery_answered(const BatteryOffer& offer);
-  void battery_silent(AbortCode abort);
+  void battery_silent();
 
   void control(Time now);
   void watch_pilot_signal();

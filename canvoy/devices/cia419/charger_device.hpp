@@ -13,6 +13,7 @@
 #include "canvoy/devices/cia419/charger.hpp"
 #include "canvoy/devices/device.hpp"
 #include "canvoy/profiles/cia302/sdo_manager.hpp"
+#include "canvoy/profiles/device_values.hpp"
 #include "canvoy/profiles/layout.hpp"
 
 namespace canvoy::cia419 {
@@ -43,7 +44,7 @@ inline constexpr auto full_charger_layout = lay_out_device<full_charger>();
 /// with cia301::time_producer() it tells the time of day. `further_routes` are those of the
 /// application's own services.
 template <const auto& layout = full_charger_layout, std::size_t further_routes = 0>
-class ChargerDevice {
+class ChargerDevice : public DeviceValues<ChargerDevice<layout, further_routes>, layout> {
  public:
   /// See Charger; `port`'s context, and what `hardware` refers to, must outlive the device.
   ChargerDevice(const Port& port, NodeId node_id, const ChargerHardware& hardware,

@@ -74,9 +74,7 @@ void CarSource::read_next() {
 /// Where the PDO has come meanwhile, that is newer.
 void CarSource::answered(SdoClient::Outcome outcome) {
   if (awaited_ == 0) return;
-  const bool is_broken_off =
-      !outcome && (outcome.abort() == AbortCode::time_out || !client_.may_speak());
-  if (is_broken_off) return;
+  if (outcome.is_silence() || outcome.kind() == SdoEnd::Kind::cancelled) return;
   const MappingValue mapped(mapping_[position_++]);
   Dictionary& dictionary = network_.node().dictionary();
   const Result<Entry> entry = dictionary.find(mapped.index, mapped.sub);

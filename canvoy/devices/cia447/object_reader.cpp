@@ -38,7 +38,7 @@ void ObjectReader::ask() {
 
 /// Who does not answer is asked no more until the next time; who lacks one object may have others.
 void ObjectReader::answered(SdoClient::Outcome outcome) {
-  if (!outcome && outcome.abort() == AbortCode::time_out) return;
+  if (outcome.is_silence()) return;
   const std::uint16_t index = settings_.indices[position_++];
   Dictionary& dictionary = network_.node().dictionary();
   const Result<Entry> entry = dictionary.find(index, 0);

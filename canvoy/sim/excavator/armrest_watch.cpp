@@ -37,14 +37,14 @@ void ArmrestWatch::ask(Time now) {
                     RemoteIndication::Done::to<&ArmrestWatch::confirmed>(*this), confirms_within);
 }
 
-void ArmrestWatch::confirmed(AbortCode outcome) {
-  if (outcome != AbortCode::none) return;  // it is tried again
+void ArmrestWatch::confirmed(SdoEnd outcome) {
+  if (!outcome) return;  // it is tried again
   client_.upload(seat_id, lever_index, lever_sub, buffer_,
                  SdoClient::Done::to<&ArmrestWatch::answered>(*this), answers_within);
 }
 
 void ArmrestWatch::answered(SdoClient::Outcome outcome) {
-  if (outcome.abort() != AbortCode::none) return;
+  if (!outcome) return;
   const bool was_there = is_there();
   const bool was_lowered = std::exchange(is_lowered_, (buffer_[0] & lever_bit) != 0);
   node_.timers().arm(lost_timer_, asked_at_ + consumer_time);

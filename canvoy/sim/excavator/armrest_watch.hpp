@@ -44,7 +44,7 @@ class ArmrestWatch {
 
  private:
   void ask(Time now);
-  void confirmed(AbortCode outcome);
+  void confirmed(SdoEnd outcome);
   void answered(SdoClient::Outcome outcome);
   void lost(Time now);
 

@@ -34,12 +34,9 @@ void NodeSetup::write() {
 }
 
 void NodeSetup::written(SdoClient::Outcome outcome) {
-  const AbortCode abort = outcome.abort();
-  const bool is_silent = abort == AbortCode::time_out;
-  if (is_silent && tries_left_ != 0) return write();
-  if (abort != AbortCode::none && (is_silent || !writes_[place_].may_be_missing)) {
-    return done_(server_, false);
-  }
+  if (outcome.is_silence() && tries_left_ != 0) return write();
+  const bool may_fail = outcome.is_refusal() && writes_[place_].may_be_missing;
+  if (!outcome && !may_fail) return done_(server_, false);
   ++place_;
   tries_left_ = setup_tries;
   write();

@@ -189,8 +189,8 @@ void Boot::say(const BootReport& report) {
                                  {"step", boot_step_word(report.step)}};
   const BootError error = report.outcome.error;
   if (error != BootError::none) line["error"] = std::string(1, letter(error));
-  if (report.outcome.abort != AbortCode::none)
-    line["abort"] = words::abort_text(report.outcome.abort);
+  const SdoEnd end = report.outcome.end;
+  if (!end && !end.is_silence()) line["abort"] = words::abort_text(end.abort());
   if (report.expected != report.found) {
     line["expected"] = report.expected;
     line["found"] = report.found;

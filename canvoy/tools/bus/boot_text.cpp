@@ -107,8 +107,10 @@ std::string_view boot_advice(BootError error) {
 std::string boot_reason(const BootReport& report) {
   const BootError error = report.outcome.error;
   std::string text = fmt::format("{}: {}", letter(error), boot_error_text(error));
-  if (report.outcome.abort != AbortCode::none) {
-    return fmt::format("{} ({})", text, words::abort_text(report.outcome.abort));
+  // "No answer" is said once.
+  if (error == BootError::no_answer && report.outcome.end.is_silence()) return text;
+  if (!report.outcome.end) {
+    return fmt::format("{} ({})", text, words::end_text(report.outcome.end));
   }
   if (!compares(error)) return text;
   return fmt::format("{}: expected {:08X}h, found {:08X}h", text, report.expected, report.found);
@@ -129,14 +131,14 @@ std::string configuration_line(const ConfigurationOutcome& outcome) {
       break;
   }
   if (outcome.index == 0) {
-    return outcome.abort == AbortCode::no_data
+    return outcome.end.abort() == AbortCode::no_data
                ? "has not the expected configuration, and there is none to give it"
                : fmt::format("its concise DCF cannot be used: {}",
-                             words::abort_text(outcome.abort));
+                             words::abort_text(outcome.end.abort()));
   }
   return fmt::format("{} was not taken ({}); {} written before",
-                     words::object_text(outcome.index, outcome.sub),
-                     words::abort_text(outcome.abort), entries);
+                     words::object_text(outcome.index, outcome.sub), words::end_text(outcome.end),
+                     entries);
 }
 
 std::string boot_line(const BootReport& report) {

@@ -50,8 +50,23 @@ TEST(BootText, TellsTheAbortCodeThatIsTheCause) {
       boot_line({.slave = 5,
                  .event = BootEvent::failed,
                  .step = BootStep::configuration,
-                 .outcome = {BootError::configuration, AbortCode::value_range}});
+                 .outcome = {BootError::configuration, SdoEnd::by_server(AbortCode::value_range)}});
   EXPECT_EQ(text.substr(0, 61), "failed, J: the download of its configuration failed (06090030");
+}
+
+TEST(BootText, TellsASilentSlaveFromOneThatTellsATimeOut) {
+  const auto text = [](BootError error, SdoEnd end) {
+    return boot_line({.slave = 5,
+                      .event = BootEvent::retried,
+                      .step = BootStep::device_type,
+                      .outcome = {error, end}});
+  };
+  EXPECT_EQ(text(BootError::no_answer, SdoEnd::no_answer()),
+            "B: no answer; the next attempt follows");
+  EXPECT_EQ(text(BootError::configuration, SdoEnd::no_answer()),
+            "J: the download of its configuration failed (no answer); the next attempt follows");
+  EXPECT_EQ(text(BootError::device_type, SdoEnd::by_server(AbortCode::time_out)),
+            "C: another device type (1000h) (05040000h: SDO time-out); the next attempt follows");
 }
 
 TEST(BootText, TellsWhatBecameOfAConfiguration) {
@@ -63,12 +78,13 @@ TEST(BootText, TellsWhatBecameOfAConfiguration) {
   EXPECT_EQ(configuration_line({.kind = Kind::downloaded, .written = 12}),
             "is configured: 12 entries written");
   EXPECT_EQ(configuration_line({.kind = Kind::nothing_known}), "there is no configuration for it");
-  EXPECT_EQ(configuration_line({.abort = AbortCode::no_data}),
+  EXPECT_EQ(configuration_line({.end = AbortCode::no_data}),
             "has not the expected configuration, and there is none to give it");
-  EXPECT_TRUE(configuration_line({.abort = AbortCode::length_too_low})
+  EXPECT_TRUE(configuration_line({.end = AbortCode::length_too_low})
                   .starts_with("its concise DCF cannot be used: 06070013h"));
   EXPECT_EQ(
-      configuration_line({.abort = AbortCode::no_object, .index = 0x2000, .sub = 1, .written = 2})
+      configuration_line(
+          {.end = SdoEnd::by_server(AbortCode::no_object), .index = 0x2000, .sub = 1, .written = 2})
           .substr(0, 33),
       "2000h:01h was not taken (06020000");
 }

@@ -35,10 +35,10 @@ std::string_view step_text(ProgramStep step) {
 }
 
 std::string reason_text(const ProgramOutcome& outcome) {
-  if (outcome.abort == AbortCode::time_out && outcome.step == ProgramStep::clear) {
+  if (outcome.end.is_silence() && outcome.step == ProgramStep::clear) {
     return "no answer; is the node on the bus, with power and this node-ID?";
   }
-  if (outcome.abort != AbortCode::none) return words::abort_text(outcome.abort);
+  if (!outcome.end) return words::end_text(outcome.end);
   const auto error = static_cast<std::int64_t>(outcome.status.error());
   for (const NamedValue& named : cia302::flash_errors) {
     if (named.first == error) return std::string(named.name);

@@ -98,8 +98,8 @@ std::vector<std::uint8_t> Session::read(NodeId node, std::uint16_t index, std::u
 
 Result<std::vector<std::uint8_t>> Session::try_read(NodeId node, std::uint16_t index,
                                                     std::uint8_t sub) {
-  const AbortCode abort = wait(node, index, sub, start_upload(node, index, sub));
-  if (abort != AbortCode::none) return abort;
+  const SdoEnd end = wait(node, index, sub, start_upload(node, index, sub));
+  if (!end) return end.abort();
   return read_;
 }
 
@@ -162,18 +162,18 @@ void Session::confirmed(const Frame& frame, Time /*now*/) {
 }
 
 void Session::wait_done(NodeId node, std::uint16_t index, std::uint8_t sub, AbortCode started) {
-  const AbortCode abort = wait(node, index, sub, started);
-  if (abort == AbortCode::none) return;
+  const SdoEnd end = wait(node, index, sub, started);
+  if (end) return;
   throw Failure(fmt::format("{}, {}: {}", node_text(node), words::object_text(index, sub),
-                            words::abort_text(abort)));
+                            words::end_text(end)));
 }
 
 /// What became of a transfer, if the node answers at all.
-AbortCode Session::wait(NodeId node, std::uint16_t index, std::uint8_t sub, AbortCode started) {
-  outcome_ = started;
+SdoEnd Session::wait(NodeId node, std::uint16_t index, std::uint8_t sub, AbortCode started) {
+  end_ = started;
   if (started == AbortCode::none) run();
   if (loop_->signal() != 0) throw Failure("interrupted");
-  if (outcome_.abort() != AbortCode::time_out) return outcome_.abort();
+  if (!end_.is_silence()) return end_;
   throw Failure(
       fmt::format("{}, {}: no answer within {}; is the node on {}, with power and this node-ID?",
                   node_text(node), words::object_text(index, sub), words::duration_text(time_out_),
@@ -194,7 +194,7 @@ void Session::run() {
 }
 
 void Session::finished(SdoClient::Outcome outcome) {
-  outcome_ = outcome;
+  end_ = outcome;
   loop_->stop();
 }
 

@@ -39,7 +39,7 @@ class Session {
 
   /// Throws Failure with what the node answered, or that it did not.
   std::vector<std::uint8_t> read(NodeId node, std::uint16_t index, std::uint8_t sub);
-  /// The same, and the node's own abort code where it answers one: throws Failure only where it
+  /// The same, and the abort code where the node or this side aborts: throws Failure only where it
   /// does not answer.
   Result<std::vector<std::uint8_t>> try_read(NodeId node, std::uint16_t index, std::uint8_t sub);
   void write(NodeId node, std::uint16_t index, std::uint8_t sub,
@@ -88,7 +88,7 @@ class Session {
   void confirmed(const Frame& frame, Time now);
   std::string node_text(NodeId node) const;
   AbortCode start_upload(NodeId node, std::uint16_t index, std::uint8_t sub);
-  AbortCode wait(NodeId node, std::uint16_t index, std::uint8_t sub, AbortCode started);
+  SdoEnd wait(NodeId node, std::uint16_t index, std::uint8_t sub, AbortCode started);
   void wait_done(NodeId node, std::uint16_t index, std::uint8_t sub, AbortCode started);
   AbortCode take(std::span<const std::uint8_t> bytes);
   void run();
@@ -110,7 +110,7 @@ class Session {
   Behind behind_;
   std::optional<sdo::Message> confirmation_;
   bool shows_progress_ = false;
-  SdoClient::Outcome outcome_{AbortCode::time_out};
+  SdoEnd end_ = SdoEnd::no_answer();
   std::vector<std::uint8_t> read_;
 };
 

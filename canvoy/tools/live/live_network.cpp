@@ -68,11 +68,15 @@ Json value_json(NodeId node, const ObjectAddress& object, std::span<const std::u
   return Json::parse(line, nullptr, false);
 }
 
-Json abort_json(NodeId node, const ObjectAddress& object, AbortCode abort) {
-  return {{"error",
-           fmt::format("{}, {}: {}", words::node_text(node),
-                       words::object_text(object.index, object.sub), words::abort_text(abort))},
-          {"abort", fmt::format("{:08X}", static_cast<std::uint32_t>(abort))}};
+/// Silence has no abort code.
+Json failure_json(NodeId node, const ObjectAddress& object, const SdoEnd& end) {
+  Json made = {
+      {"error", fmt::format("{}, {}: {}", words::node_text(node),
+                            words::object_text(object.index, object.sub), words::end_text(end))}};
+  if (!end.is_silence()) {
+    made["abort"] = fmt::format("{:08X}", static_cast<std::uint32_t>(end.abort()));
+  }
+  return made;
 }
 
 }  // namespace
@@ -131,15 +135,15 @@ void LiveNetwork::read(const Json& arguments, const Done& done) {
   const std::string bus = text_of(arguments, "bus");
   const NodeId node = node_in(arguments, false);
   const ObjectAddress object = address_of(bus, node, text_of(arguments, "object"));
-  request(
-      {.kind = BusRequest::Kind::read,
-       .bus = bus,
-       .node = node,
-       .index = object.index,
-       .sub = object.sub},
-      [node, object, done](const Result<SdoDesk::Bytes>& value) {
-        done(value ? value_json(node, object, *value) : abort_json(node, object, value.abort()));
-      });
+  request({.kind = BusRequest::Kind::read,
+           .bus = bus,
+           .node = node,
+           .index = object.index,
+           .sub = object.sub},
+          [node, object, done](const SdoDesk::Answer& answer) {
+            done(answer.end ? value_json(node, object, answer.bytes)
+                            : failure_json(node, object, answer.end));
+          });
 }
 
 void LiveNetwork::write(const Json& arguments, const Done& done) {
@@ -164,8 +168,8 @@ void LiveNetwork::write(const Json& arguments, const Done& done) {
            .index = object.index,
            .sub = object.sub,
            .bytes = parse_value(entry, text)},
-          [node, object, done](const Result<SdoDesk::Bytes>& written) {
-            done(written ? Json{{"written", true}} : abort_json(node, object, written.abort()));
+          [node, object, done](const SdoDesk::Answer& written) {
+            done(written.end ? Json{{"written", true}} : failure_json(node, object, written.end));
           });
 }
 

@@ -306,7 +306,7 @@ void LiveWorld::do_deed(const Deed& deed, const SdoDesk::Done& done) {
     made_.visit(deed.from, deed.to);
     return;
   }
-  const SdoDesk::Done told = done ? done : [](const Result<SdoDesk::Bytes>&) {};
+  const SdoDesk::Done told = done ? done : [](const SdoDesk::Answer&) {};
   const BusRequest& wanted = *deed.request;
   Desk& desk = desk_of(bus_of(wanted.bus));
   if (wanted.kind == BusRequest::Kind::nmt) {

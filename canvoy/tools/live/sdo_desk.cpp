@@ -32,7 +32,7 @@ void SdoDesk::write(NodeId server, std::uint16_t index, std::uint8_t sub, Bytes 
 }
 
 void SdoDesk::add(Request request) {
-  if (waiting_.size() == waiting_max) return request.done(AbortCode::out_of_memory);
+  if (waiting_.size() == waiting_max) return request.done({.end = AbortCode::out_of_memory});
   waiting_.push_back(std::move(request));
   if (waiting_.size() == 1) start_next();
 }
@@ -44,7 +44,7 @@ void SdoDesk::start_next() {
     if (refused == AbortCode::none) return;
     const Done done = std::move(waiting_.front().done);
     waiting_.pop_front();
-    done(refused);
+    done({.end = refused});
   }
 }
 
@@ -64,11 +64,11 @@ AbortCode SdoDesk::take(std::span<const std::uint8_t> bytes) {
 }
 
 void SdoDesk::finished(SdoClient::Outcome outcome) {
-  Result<Bytes> result = std::move(read_);
-  if (!outcome) result = Result<Bytes>(outcome.abort());
+  Answer answer{.end = outcome};
+  if (outcome) answer.bytes = std::move(read_);
   const Done done = std::move(waiting_.front().done);
   waiting_.pop_front();
-  done(result);
+  done(answer);
   start_next();
 }
 

@@ -3,7 +3,7 @@
 //
 //     SdoDesk desk(world.port(slot));
 //     world.occupy(slot, desk.node());
-//     desk.read(5, 0x1000, 0, [](Result<std::vector<std::uint8_t>> value) { ... });
+//     desk.read(5, 0x1000, 0, [](const SdoDesk::Answer& answer) { ... });
 #pragma once
 
 #include <array>
@@ -22,7 +22,11 @@ class SdoDesk {
  public:
   using Bytes = std::vector<std::uint8_t>;
   /// The value that was read, none of one that was written; or why not.
-  using Done = std::function<void(const Result<Bytes>&)>;
+  struct Answer {
+    SdoEnd end = {};
+    Bytes bytes = {};
+  };
+  using Done = std::function<void(const Answer&)>;
 
   static constexpr std::size_t waiting_max = 64;
   static constexpr std::size_t value_max = 64 * 1024;

@@ -34,7 +34,7 @@ void TextSender::done(SdoRequest& request) {
   }
   const auto job = std::ranges::find_if(
       jobs_, [&request](const Job& each) { return &each.request == &request; });
-  const bool may_try_again = request.outcome().abort() == AbortCode::time_out;
+  const bool may_try_again = request.outcome().is_silence();
   if (may_try_again && job->tries++ < tries_max && queue_.download(request)) return;
   ++failed_;
   if (done_) done_(request.server, false);

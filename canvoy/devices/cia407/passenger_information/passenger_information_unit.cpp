@@ -131,7 +131,7 @@ void PassengerInformationUnit::state_entered(NmtState state) {
 }
 
 /// A character set that is not available is not selected.
-AbortCode PassengerInformationUnit::check_character_set(std::uint32_t wanted) {
+AbortCode PassengerInformationUnit::check_character_set(std::uint16_t wanted) {
   if (wanted == 0) return AbortCode::none;
   const Dictionary& dictionary = device_.node().dictionary();
   const auto count = dictionary.word(character_set_object.index, 0);

@@ -52,7 +52,7 @@ class PassengerInformationUnit {
   using NumberText = std::array<char, number_size>;
 
   void reset(ResetScope scope);
-  AbortCode check_character_set(std::uint32_t wanted);
+  AbortCode check_character_set(std::uint16_t wanted);
   void stop_request_written();
   void take_event(std::uint8_t flags, std::uint16_t information);
   void state_entered(NmtState state);

@@ -18,6 +18,7 @@
 #include "canvoy/devices/cia417/lift_kind.hpp"
 #include "canvoy/devices/cia417/lift_number.hpp"
 #include "canvoy/profiles/cia417/watched_nodes.hpp"
+#include "canvoy/profiles/device_values.hpp"
 #include "canvoy/profiles/layout.hpp"
 
 namespace canvoy::cia417 {
@@ -53,7 +54,8 @@ inline constexpr auto multiplexed_call_controller_layout =
 /// `destinations` is how many destination calls can wait.
 template <const auto& layout = full_call_controller_layout,
           std::size_t destinations = destinations_default, std::size_t own_routes = 0>
-class CallControllerDevice {
+class CallControllerDevice
+    : public DeviceValues<CallControllerDevice<layout, destinations, own_routes>, layout> {
  public:
   /// `outputs` are those of the panels that 6200h is to list; they must outlive the device.
   CallControllerDevice(const Port& port, NodeId node_id, const CallControllerSettings& settings,

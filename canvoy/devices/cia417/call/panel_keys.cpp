@@ -75,7 +75,7 @@ std::uint16_t PanelKeys::index() const {
 void PanelKeys::answered(SdoClient::Outcome outcome) {
   // Not from here: the NMT state may have ended it.
   node_.timers().arm(timer_, node_.now() + pause);
-  if (outcome.abort() == AbortCode::time_out) {
+  if (outcome.is_silence()) {
     panel_ = 0;
   } else if (input_ == 0) {
     inputs_ = outcome && *outcome <= expedited_bytes ? value_[0] : std::uint8_t{0};

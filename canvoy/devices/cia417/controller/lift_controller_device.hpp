@@ -31,6 +31,7 @@
 #include "canvoy/devices/cia417/load/load_signals.hpp"
 #include "canvoy/devices/cia417/unit_errors.hpp"
 #include "canvoy/devices/device.hpp"
+#include "canvoy/profiles/device_values.hpp"
 #include "canvoy/profiles/layout.hpp"
 
 namespace canvoy::cia417 {
@@ -82,7 +83,9 @@ inline constexpr auto full_lift_controller_layout =
 template <LiftControllerOptions options = LiftControllerOptions{},
           const auto& layout = full_lift_controller_layout<options>,
           std::size_t destinations = destinations_default, std::size_t further_routes = 0>
-class LiftControllerDevice {
+class LiftControllerDevice
+    : public DeviceValues<LiftControllerDevice<options, layout, destinations, further_routes>,
+                          layout> {
  public:
   /// The lift in `settings` is that of `options`, and the doors are those of the door controller.
   /// `port`'s context must outlive the device.

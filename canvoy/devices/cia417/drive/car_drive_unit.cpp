@@ -150,8 +150,8 @@ void CarDriveUnit::held() {
 }
 
 /// All values of a PDO are asked for before one is written: the controlword comes first.
-AbortCode CarDriveUnit::note_order(std::uint16_t word) {
-  asked_ = word;
+AbortCode CarDriveUnit::note_order(Raw<std::uint16_t> controlword) {
+  asked_ = controlword.bits;
   return AbortCode::none;
 }
 

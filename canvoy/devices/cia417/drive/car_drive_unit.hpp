@@ -36,6 +36,7 @@
 #include "canvoy/devices/cia417/drive/profile_position_mode.hpp"
 #include "canvoy/devices/cia417/drive/profile_velocity_mode.hpp"
 #include "canvoy/profiles/cia417/drive_handles.hpp"
+#include "canvoy/profiles/written_value.hpp"
 
 namespace canvoy::cia417 {
 
@@ -117,7 +118,7 @@ class CarDriveUnit {
   void bus_state_changed(BusState state);
   void error_changed(const Error& error, bool present);
   void held();
-  AbortCode note_order(std::uint16_t word);
+  AbortCode note_order(Raw<std::uint16_t> controlword);
   AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
   void order_written();
   void mode_written();

@@ -13,6 +13,7 @@
 #include "canvoy/devices/cia417/bus_warning.hpp"
 #include "canvoy/devices/cia417/group/group_controller.hpp"
 #include "canvoy/devices/cia417/group/group_member.hpp"
+#include "canvoy/profiles/device_values.hpp"
 #include "canvoy/profiles/layout.hpp"
 
 namespace canvoy::cia417 {
@@ -25,7 +26,7 @@ inline constexpr auto multiplexed_group_controller_layout =
 
 /// Starts by itself; `queue_max` calls can wait for the bus.
 template <const auto& layout = full_group_member_layout, std::size_t queue_max = 32>
-class GroupMemberDevice {
+class GroupMemberDevice : public DeviceValues<GroupMemberDevice<layout, queue_max>, layout> {
  public:
   /// `lift` is 1 to 8, and the node-ID; the others are those of the lift's own device, and the
   /// node-ID of the group controller, which it watches (1016h).
@@ -63,7 +64,10 @@ class GroupMemberDevice {
 template <const auto& layout = full_group_controller_layout, std::size_t hall_max = 512,
           std::size_t destinations_max = 512, std::size_t queue_max = 64,
           std::size_t own_routes = 0>
-class GroupControllerDevice {
+class GroupControllerDevice
+    : public DeviceValues<
+          GroupControllerDevice<layout, hall_max, destinations_max, queue_max, own_routes>,
+          layout> {
  public:
   explicit GroupControllerDevice(const Port& port, const GroupControllerSettings& settings,
                                  NodeId node_id = group_controller_id)

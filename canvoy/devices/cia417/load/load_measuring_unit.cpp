@@ -60,16 +60,16 @@ void LoadMeasuringUnit::reset(ResetScope scope) {
 }
 
 /// Only kilograms, with a prefix.
-AbortCode LoadMeasuringUnit::check_unit(std::uint16_t word) {
-  const int prefix = (word >> 8 ^ 0x80) - 0x80;  // signed
+AbortCode LoadMeasuringUnit::check_unit(Raw<std::uint16_t> unit) {
+  const int prefix = (unit.bits >> 8 ^ 0x80) - 0x80;  // signed
   const bool is_known =
-      static_cast<std::uint8_t>(word) == kilogram_code && std::abs(prefix) <= prefix_max;
+      static_cast<std::uint8_t>(unit.bits) == kilogram_code && std::abs(prefix) <= prefix_max;
   return is_known ? AbortCode::none : AbortCode::value_range;
 }
 
 /// None that divides by nothing.
-AbortCode LoadMeasuringUnit::check_ratio(std::uint16_t word) {
-  const bool is_ratio = (word & 0xFF) != 0 && word >> 8 != 0;
+AbortCode LoadMeasuringUnit::check_ratio(Raw<std::uint16_t> ratio) {
+  const bool is_ratio = (ratio.bits & 0xFF) != 0 && ratio.bits >> 8 != 0;
   return is_ratio ? AbortCode::none : AbortCode::value_range;
 }
 

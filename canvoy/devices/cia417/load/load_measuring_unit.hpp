@@ -13,6 +13,7 @@
 
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/profiles/cia417/handles.hpp"
+#include "canvoy/profiles/written_value.hpp"
 
 namespace canvoy::cia417 {
 
@@ -48,8 +49,8 @@ class LoadMeasuringUnit {
 
  private:
   void reset(ResetScope scope);
-  AbortCode check_unit(std::uint16_t word);
-  AbortCode check_ratio(std::uint16_t word);
+  AbortCode check_unit(Raw<std::uint16_t> unit);
+  AbortCode check_ratio(Raw<std::uint16_t> ratio);
   void look_again();
   void look(Time now);
   std::optional<double> weigh();

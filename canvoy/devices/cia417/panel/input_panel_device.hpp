@@ -13,6 +13,7 @@
 #include "canvoy/devices/cia417/bus_warning.hpp"
 #include "canvoy/devices/cia417/panel/input_panel_unit.hpp"
 #include "canvoy/profiles/cia417/lift_device.hpp"
+#include "canvoy/profiles/device_values.hpp"
 #include "canvoy/profiles/layout.hpp"
 
 namespace canvoy::cia417 {
@@ -29,7 +30,8 @@ struct InputPanelArrays {
 
 /// `layout` has input groups and a TPDO with 6010h; `own_routes` as DeviceNode has them.
 template <const auto& layout, std::size_t queue_max = 16, std::size_t own_routes = 0>
-class InputPanelDevice {
+class InputPanelDevice
+    : public DeviceValues<InputPanelDevice<layout, queue_max, own_routes>, layout> {
  public:
   /// See InputPanelUnit; `port`'s context must outlive the device.
   InputPanelDevice(const Port& port, NodeId node_id, const InputPanelSettings& settings)

@@ -15,6 +15,7 @@
 #include "canvoy/devices/cia417/controller/lift_panels.hpp"
 #include "canvoy/devices/cia417/lift_kind.hpp"
 #include "canvoy/devices/cia417/panel/panel_device.hpp"
+#include "canvoy/profiles/device_values.hpp"
 
 namespace canvoy::cia417 {
 
@@ -99,7 +100,8 @@ class LiftPanelRecords {
 /// `options` are LandingPanelOptions or CarPanelOptions; `own_routes` as DeviceNode has them.
 template <auto options, std::size_t queue_max = 16, std::size_t own_routes = 0,
           const auto& layout = full_lift_panel_layout<options>>
-class LiftPanelDevice {
+class LiftPanelDevice
+    : public DeviceValues<LiftPanelDevice<options, queue_max, own_routes, layout>, layout> {
  public:
   /// `what` is a LandingPanel, a span of them, or a CarPanel; what finds no room is left out. See
   /// OutputPanelUnit; `port`'s context, and what `hardware` refers to, must outlive the device.

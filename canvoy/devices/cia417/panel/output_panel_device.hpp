@@ -11,6 +11,7 @@
 #include "canvoy/devices/cia417/bus_warning.hpp"
 #include "canvoy/devices/cia417/panel/output_panel_unit.hpp"
 #include "canvoy/devices/cia417/panel/panel_description.hpp"
+#include "canvoy/profiles/device_values.hpp"
 #include "canvoy/profiles/layout.hpp"
 
 namespace canvoy::cia417 {
@@ -22,7 +23,7 @@ using OutputStates =
 
 /// `layout` has output groups and an RPDO with 6011h; `own_routes` as DeviceNode has them.
 template <const auto& layout, std::size_t own_routes = 0>
-class OutputPanelDevice {
+class OutputPanelDevice : public DeviceValues<OutputPanelDevice<layout, own_routes>, layout> {
  public:
   /// See OutputPanelUnit; `port`'s context, and what `hardware` refers to, must outlive the device.
   OutputPanelDevice(const Port& port, NodeId node_id, const OutputHardware& hardware,

@@ -14,13 +14,14 @@
 #include "canvoy/devices/cia417/bus_warning.hpp"
 #include "canvoy/devices/cia417/panel/input_panel_device.hpp"
 #include "canvoy/devices/cia417/panel/output_panel_device.hpp"
+#include "canvoy/profiles/device_values.hpp"
 
 namespace canvoy::cia417 {
 
 /// `layout` has groups of inputs and outputs, a TPDO with 6010h and an RPDO with 6011h; `queue_max`
 /// changes may wait for the bus; `own_routes` as DeviceNode has them.
 template <const auto& layout, std::size_t queue_max = 16, std::size_t own_routes = 0>
-class PanelDevice {
+class PanelDevice : public DeviceValues<PanelDevice<layout, queue_max, own_routes>, layout> {
  public:
   /// See InputPanelUnit and OutputPanelUnit; `port`'s context, and what `hardware` refers to, must
   /// outlive the device.

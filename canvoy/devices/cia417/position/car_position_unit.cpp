@@ -106,12 +106,12 @@ void CarPositionUnit::configure(unsigned unit) {
   if (is_scaled) of.step = revolution / 1000 / counts;
 }
 
-AbortCode CarPositionUnit::check_parameter(std::uint16_t wanted) {
-  return (wanted & reserved_bits_mask) == 0 ? AbortCode::none : AbortCode::value_range;
+AbortCode CarPositionUnit::check_parameter(Raw<std::uint16_t> wanted) {
+  return (wanted.bits & reserved_bits_mask) == 0 ? AbortCode::none : AbortCode::value_range;
 }
 
-AbortCode CarPositionUnit::check_step(std::uint32_t wanted) {
-  return wanted != 0 ? AbortCode::none : AbortCode::value_too_low;
+AbortCode CarPositionUnit::check_step(Raw<std::uint32_t> wanted) {
+  return wanted.bits != 0 ? AbortCode::none : AbortCode::value_too_low;
 }
 
 /// Where a moving car is, nobody can say to the count.

@@ -21,6 +21,7 @@
 #include "canvoy/devices/cia417/position/car_position_hardware.hpp"
 #include "canvoy/devices/cia417/position/position_cam_unit.hpp"
 #include "canvoy/profiles/cia417/car_handles.hpp"
+#include "canvoy/profiles/written_value.hpp"
 
 namespace canvoy::cia417 {
 
@@ -79,8 +80,8 @@ class CarPositionUnit {
   };
 
   void reset(ResetScope scope);
-  AbortCode check_parameter(std::uint16_t wanted);
-  AbortCode check_step(std::uint32_t wanted);
+  AbortCode check_parameter(Raw<std::uint16_t> wanted);
+  AbortCode check_step(Raw<std::uint32_t> wanted);
   AbortCode check_preset(const Entry& entry, std::span<const std::uint8_t> value);
   void preset_written(const Entry& entry);
   void parameter_written();

@@ -161,8 +161,8 @@ void NavigationClient::take_distance(std::size_t length) {
 /// destination may still know where the car is.
 NavigationClient::Step NavigationClient::after(SdoClient::Outcome outcome) {
   const bool tells = step_ < Step::ask_position;
-  const bool is_refused = !outcome && outcome.abort() != AbortCode::time_out &&
-                          outcome.abort() != AbortCode::toggle_bit;
+  const bool is_refused =
+      !outcome && !outcome.is_silence() && outcome.abort() != AbortCode::toggle_bit;
   if (!outcome && tells) is_guided_ = is_described_ = false;
   if (!outcome && !is_refused) {
     forget_answers();

@@ -165,8 +165,8 @@ RealTimeClockUnit::Wanted RealTimeClockUnit::wanted_time(std::uint32_t raw) cons
 }
 
 /// What one field cannot know of the others: the 30th of February. Codes are checked by Commands.
-AbortCode RealTimeClockUnit::check_date(std::uint32_t raw) const {
-  const Wanted wanted = wanted_date(raw);
+AbortCode RealTimeClockUnit::check_date(Raw<std::uint32_t> raw) const {
+  const Wanted wanted = wanted_date(raw.bits);
   const AbortCode answer = check_may_set(wanted);
   if (answer != AbortCode::none || wanted.is_nothing()) return answer;
   const bool is_reset =
@@ -181,8 +181,8 @@ AbortCode RealTimeClockUnit::check_date(std::uint32_t raw) const {
   return of_month <= days_of_month(year, month) ? AbortCode::none : AbortCode::value_range;
 }
 
-AbortCode RealTimeClockUnit::check_time(std::uint32_t raw) const {
-  return check_may_set(wanted_time(raw));
+AbortCode RealTimeClockUnit::check_time(Raw<std::uint32_t> wanted) const {
+  return check_may_set(wanted_time(wanted.bits));
 }
 
 AbortCode RealTimeClockUnit::check_may_set(const Wanted& wanted) const {

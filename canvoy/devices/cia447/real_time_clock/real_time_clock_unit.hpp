@@ -17,6 +17,7 @@
 #include "canvoy/devices/cia447/commands.hpp"
 #include "canvoy/devices/cia447/real_time_clock/time_zone.hpp"
 #include "canvoy/profiles/cia447/equipment_handles.hpp"
+#include "canvoy/profiles/written_value.hpp"
 
 namespace canvoy::cia447 {
 
@@ -61,8 +62,8 @@ class RealTimeClockUnit {
  private:
   void reset(ResetScope scope);
   void refresh();
-  AbortCode check_date(std::uint32_t raw) const;
-  AbortCode check_time(std::uint32_t raw) const;
+  AbortCode check_date(Raw<std::uint32_t> raw) const;
+  AbortCode check_time(Raw<std::uint32_t> wanted) const;
   void date_written(const Entry& entry);
   void time_written(const Entry& entry);
   void tick(Time now);

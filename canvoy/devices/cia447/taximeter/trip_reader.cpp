@@ -49,7 +49,7 @@ void TripReader::ask() {
 
 /// Who does not answer is not asked for the rest; who lacks one object may have others.
 void TripReader::answered(SdoClient::Outcome outcome) {
-  if (!outcome && outcome.abort() == AbortCode::time_out) return done_(nullptr);
+  if (outcome.is_silence()) return done_(nullptr);
   if (position_ == 0) data_ = {};
   take(outcome ? *outcome : 0);
   const auto counted = outcome ? value_[0] : std::uint8_t{0xFF};

@@ -195,10 +195,9 @@ void TerminalClient::done(SdoClient::Outcome outcome) {
   const Time now = network_.node().now();
   const Job job = job_;
   job_ = {};
-  // Device state is also what is said of a request that the own NMT state has ended.
-  const bool was_answered = outcome ||
-                            (outcome.abort() == AbortCode::device_state && client_.may_speak()) ||
-                            outcome.abort() == AbortCode::value_range;
+  const bool has_no_room = outcome == SdoEnd::by_server(AbortCode::value_range);
+  const bool was_answered =
+      outcome || has_no_room || outcome == SdoEnd::by_server(AbortCode::device_state);
   switch (job.kind) {
     case Job::Kind::none:
       break;
@@ -220,7 +219,7 @@ void TerminalClient::done(SdoClient::Outcome outcome) {
       break;
     case Job::Kind::write:
       // What has no room there has none the next time.
-      if (outcome || outcome.abort() == AbortCode::value_range) break;
+      if (outcome || has_no_room) break;
       texts_[job.what].is_told = false;
       if (was_answered) let_go(number_of(text_places[job.what].part));
       break;

@@ -1,0 +1,78 @@
+// Names in the first line of a compiler's error. In C++20 the text of a static_assert is a literal,
+// and what a constant expression trips over is told behind many lines; but compilers print the name
+// of a type that is not there, with its arguments, at once:
+//
+//     error: ... incomplete type 'canvoy::wrong::Device<canvoy::Words<22>{"1018h Identity object"},
+//     canvoy::Words<14>{"01h Vendor-ID"}, canvoy::Words<31>{"CiA 301: every device has it"}>'
+//
+//     static_assert(Must<is_there, wrong::Device<object_words, entry_words, rule>>::hold);
+//
+// clang prints texts of more than 36 characters cut short: rules are no longer than that.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace canvoy {
+
+/// A text as a template argument, which compilers print as it is.
+template <std::size_t size>
+struct Words {
+  char text[size]{};
+
+  constexpr Words() = default;
+  constexpr Words(const char (&literal)[size]) {  // NOLINT(google-explicit-constructor)
+    for (std::size_t i = 0; i < size; ++i) text[i] = literal[i];
+  }
+};
+
+/// Where the condition is false, a compiler looks for what is `Wrong`, and names it.
+template <bool condition, class Wrong>
+struct Must {
+  static constexpr bool hold = true;
+};
+template <class Wrong>
+struct Must<false, Wrong> {
+  static constexpr bool hold = sizeof(Wrong) != 0;
+};
+
+namespace detail {
+
+constexpr char hexadecimal_digit(unsigned number) {
+  return "0123456789ABCDEF"[number % 16];
+}
+/// A number of so many hexadecimal digits, and `h`.
+constexpr char* write_hexadecimal(char* text, unsigned number, unsigned digits) {
+  while (digits-- > 0) *text++ = hexadecimal_digit(number >> (4 * digits));
+  *text++ = 'h';
+  return text;
+}
+template <std::size_t length>
+consteval auto words(std::string_view text) {
+  Words<length + 1> words;
+  for (std::size_t i = 0; i < length; ++i) words.text[i] = text[i];
+  words.text[length] = '\0';  // else clang may print numbers
+  return words;
+}
+/// `1018h Identity object`, `01h Vendor-ID`; of an empty name the number alone.
+template <unsigned digits, std::size_t length>
+consteval auto numbered_words(unsigned number, std::string_view name) {
+  Words<digits + 1 + (length == 0 ? 0 : 1 + length) + 1> words;
+  char* text = write_hexadecimal(words.text, number, digits);
+  if (length != 0) *text++ = ' ';
+  for (const char each : name) *text++ = each;
+  *text = '\0';
+  return words;
+}
+
+}  // namespace detail
+
+/// Types that are nowhere: their names are what compilers say.
+namespace wrong {
+
+/// What a device lacks, or has and must not have so.
+template <Words object, Words entry, Words rule>
+struct Device;
+
+}  // namespace wrong
+}  // namespace canvoy
