@@ -155,7 +155,7 @@ class Target {
     return true;
   }
   void configured(NodeId, const ConfigurationOutcome&) {}
-  void requested(AbortCode) { --requests_; }
+  void requested(SdoEnd) { --requests_; }
 
   NodeMemory memory() { return {values_, states_, routes_, backlog_}; }
   static constexpr DictionaryTables tables_ = layout.tables();
