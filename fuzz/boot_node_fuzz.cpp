@@ -19,7 +19,8 @@ constexpr NodeId master_id = 127;
 
 constexpr auto device =
     describe(cia301::device_type(0), cia301::error_register_object, cia301::identity({}),
-             cia301::heartbeat_consumers(4), cia302::nmt_master(), cia302::flying_master(1));
+             cia301::heartbeat_consumers(4), cia301::heartbeat_producer(0), cia302::nmt_master(),
+             cia302::flying_master(1));
 constexpr auto layout = lay_out_device<device>();
 
 class World {

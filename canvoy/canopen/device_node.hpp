@@ -2,7 +2,9 @@
 // time.
 //
 // Where the dictionary has no SYNC, TIME, node guarding, PDOs, heartbeat or emergency consumers,
-// the services for them are neither in the object nor linked.
+// the services for them are neither in the object nor linked. A dictionary without what CiA 301
+// wants of each device, and of the services that it claims, does not compile
+// (mandatory_objects.hpp).
 //
 //     constexpr auto layout = lay_out_device<my_charger>();
 //     DeviceNode<layout> device(port, 5);
@@ -27,6 +29,7 @@
 #include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/canopen/emergency/emergency_consumer.hpp"
 #include "canvoy/canopen/emergency/emergency_producer.hpp"
+#include "canvoy/canopen/mandatory_objects.hpp"
 #include "canvoy/canopen/nmt/error_behaviour.hpp"
 #include "canvoy/canopen/nmt/heartbeat_consumer.hpp"
 #include "canvoy/canopen/nmt/heartbeat_producer.hpp"
@@ -184,6 +187,8 @@ struct Optional<Type, false> {
 template <const auto& layout, std::size_t own_routes = 0, bool sdo_blocks = true,
           std::size_t backlog_max = 16, std::size_t errors_max = 8>
 class DeviceServices {
+  static_assert(detail::WholeDevice<layout>::is_whole);
+
  public:
   static constexpr DictionaryTables tables = detail::TablesOf<layout>::value;
 

@@ -17,38 +17,39 @@ constexpr EntryRow number(DataType type, std::int64_t initial = 0) {
   return {.type = type, .access = Access::rw, .initial = initial};
 }
 
-constexpr auto plain_layout =
+constexpr auto plain_layout = partial(
     lay_out(std::to_array<ObjectRow>({variable(0x1000), variable(0x1001)}),
-            std::to_array<EntryRow>({number(DataType::unsigned32), number(DataType::unsigned8)}));
+            std::to_array<EntryRow>({number(DataType::unsigned32), number(DataType::unsigned8)})));
 
 // 1012h a consumer; 1028h hears node 2 of the nodes 1 to 3.
-constexpr auto layout = lay_out(std::to_array<ObjectRow>({variable(0x1000),
-                                                          variable(0x1001),
-                                                          variable(0x100C),
-                                                          variable(0x100D),
-                                                          variable(0x1012),
-                                                          {.index = 0x1028, .entry_count = 4}}),
-                                std::to_array<EntryRow>({number(DataType::unsigned32),
-                                                         number(DataType::unsigned8),
-                                                         number(DataType::unsigned16, 100),
-                                                         number(DataType::unsigned8, 2),
-                                                         number(DataType::unsigned32, 0x8000'0100),
-                                                         {.access = Access::const_, .initial = 3},
-                                                         {.sub_first = 1,
-                                                          .sub_last = 1,
-                                                          .type = DataType::unsigned32,
-                                                          .access = Access::rw,
-                                                          .initial = 0x8000'0000},
-                                                         {.sub_first = 2,
-                                                          .sub_last = 2,
-                                                          .type = DataType::unsigned32,
-                                                          .access = Access::rw,
-                                                          .initial = 0x82},
-                                                         {.sub_first = 3,
-                                                          .sub_last = 3,
-                                                          .type = DataType::unsigned32,
-                                                          .access = Access::rw,
-                                                          .initial = 0x8000'0000}}));
+constexpr auto layout =
+    partial(lay_out(std::to_array<ObjectRow>({variable(0x1000),
+                                              variable(0x1001),
+                                              variable(0x100C),
+                                              variable(0x100D),
+                                              variable(0x1012),
+                                              {.index = 0x1028, .entry_count = 4}}),
+                    std::to_array<EntryRow>({number(DataType::unsigned32),
+                                             number(DataType::unsigned8),
+                                             number(DataType::unsigned16, 100),
+                                             number(DataType::unsigned8, 2),
+                                             number(DataType::unsigned32, 0x8000'0100),
+                                             {.access = Access::const_, .initial = 3},
+                                             {.sub_first = 1,
+                                              .sub_last = 1,
+                                              .type = DataType::unsigned32,
+                                              .access = Access::rw,
+                                              .initial = 0x8000'0000},
+                                             {.sub_first = 2,
+                                              .sub_last = 2,
+                                              .type = DataType::unsigned32,
+                                              .access = Access::rw,
+                                              .initial = 0x82},
+                                             {.sub_first = 3,
+                                              .sub_last = 3,
+                                              .type = DataType::unsigned32,
+                                              .access = Access::rw,
+                                              .initial = 0x8000'0000}})));
 
 template <class Device>
 concept HasTime = requires(Device device) { device.time_stamp(); };
@@ -111,7 +112,7 @@ TEST(DeviceNode, HasARouteForEachServiceAndAllThat1028hMayName) {
 }
 
 // A multiplexed RPDO in destination address mode, one TPDO in source address mode with a list.
-constexpr auto mpdo_layout = lay_out(
+constexpr auto mpdo_layout = partial(lay_out(
     std::to_array<ObjectRow>({{.index = 0x1400, .entry_count = 1},
                               {.index = 0x1600, .entry_count = 2},
                               {.index = 0x1800, .entry_count = 1},
@@ -131,7 +132,7 @@ constexpr auto mpdo_layout = lay_out(
          .sub_last = 2,
          .type = DataType::unsigned16,
          .access = Access::rw | Access::rpdo | Access::tpdo},
-    }));
+    })));
 
 TEST(DeviceNode, HasMultiplexedPdosWhereItsDictionaryHasThem) {
   static_assert(DeviceNode<mpdo_layout>::has_mpdo_consumer);
@@ -148,7 +149,7 @@ TEST(DeviceNode, HasMultiplexedPdosWhereItsDictionaryHasThem) {
 }
 
 // The 4th RPDO and the 3rd TPDO, and none below them.
-constexpr auto gaps_layout = lay_out(
+constexpr auto gaps_layout = partial(lay_out(
     std::to_array<ObjectRow>({{.index = 0x1403, .entry_count = 2},
                               {.index = 0x1603, .entry_count = 2},
                               {.index = 0x1802, .entry_count = 2},
@@ -164,7 +165,7 @@ constexpr auto gaps_layout = lay_out(
         number(DataType::unsigned8, 1),
         {.sub_first = 1, .sub_last = 1, .type = DataType::unsigned32, .initial = 0x2000'00'08},
         {.access = Access::rw | Access::rpdo | Access::tpdo},
-    }));
+    })));
 
 TEST(DeviceNode, MayHavePdosWithGapsInTheirNumbers) {
   Bench<gaps_layout> bench;
@@ -176,7 +177,7 @@ TEST(DeviceNode, MayHavePdosWithGapsInTheirNumbers) {
 }
 
 // RPDOs 300 and 302, and TPDO 512: the last one that there can be.
-constexpr auto high_layout = lay_out(
+constexpr auto high_layout = partial(lay_out(
     std::to_array<ObjectRow>({{.index = 0x152B, .entry_count = 2},
                               {.index = 0x152D, .entry_count = 2},
                               {.index = 0x172B, .entry_count = 2},
@@ -212,7 +213,7 @@ constexpr auto high_layout = lay_out(
         {.sub_first = 1, .sub_last = 1, .type = DataType::unsigned32, .initial = 0x2000'00'08},
         {.access = Access::rw | Access::rpdo | Access::tpdo},
         {.access = Access::rw | Access::rpdo | Access::tpdo},
-    }));
+    })));
 
 TEST(DeviceNode, HasRoomForPdosFromItsLowestToItsHighestNumberAlone) {
   static_assert(DeviceNode<high_layout>::rpdo_count == 3, "300, 302, and what is between them");

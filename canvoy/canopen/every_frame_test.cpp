@@ -30,7 +30,7 @@ using enum DataType;
 
 // It consumes SYNC, TIME, the heartbeat of node 10 and the emergencies of node 2; RPDO 1 takes one
 // byte, TPDO 1 sends one at each SYNC.
-constexpr auto layout = lay_out(
+constexpr auto layout = partial(lay_out(
     std::to_array<ObjectRow>(
         {object(0x1000), object(0x1001), object(0x1003, 2), object(0x1005), object(0x100C),
          object(0x100D), object(0x1012), object(0x1014), object(0x1015), object(0x1016, 2),
@@ -65,7 +65,7 @@ constexpr auto layout = lay_out(
                              entry(unsigned8, 1),
                              entry(1, unsigned32, 0x2001'0008),
                              entry(unsigned8),
-                             entry(unsigned8)}));
+                             entry(unsigned8)})));
 
 /// The device, and what it sends.
 class Bench {

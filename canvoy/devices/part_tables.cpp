@@ -13,8 +13,9 @@ PartTables::PartTables(std::span<const Part> parts) {
 
 void PartTables::add(const Part& part) {
   std::vector<EntryRow> entries;
+  detail::Reason reason;  // for the compiler, which has seen the description before
   for (const EntryInfo& entry : part.object().entries()) {
-    if (part.has(entry)) entries.push_back(detail::row_of(part, entry));
+    if (part.has(entry)) entries.push_back(detail::row_of(part, entry, reason));
   }
   add_object(tables_, {.index = part.index(), .count = part.count()}, entries);
 }

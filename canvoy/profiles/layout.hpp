@@ -3,23 +3,39 @@
 //     constexpr auto layout = lay_out_device<my_charger>();
 //     WireNode node(layout.tables(), 5);
 //
-// A description that contradicts itself does not compile; the error names the reason: a default
-// outside of its range, a mapped object that is not there or cannot be mapped, a mapping of the
-// wrong length or of more than 8 bytes, a missing mandatory object, gaps.
+// A description that contradicts itself does not compile; the first error names object, entry and
+// reason: a default outside of its range, a mapped object that is not there or cannot be mapped, a
+// mapping of the wrong length or of more than 8 bytes, a mandatory object of the profile that is
+// missing, gaps.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <string_view>
 #include <type_traits>
 
 #include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "canvoy/profiles/device_description.hpp"
 #include "canvoy/profiles/mapping_value.hpp"
 #include "canvoy/profiles/number_rules.hpp"
+#include "canvoy/profiles/words_of_error.hpp"
 
 namespace canvoy {
 
 namespace detail {
+
+/// The first reason counts.
+class Reason {
+ public:
+  constexpr void blame(std::string_view reason) {
+    if (text_.empty()) text_ = reason;
+  }
+  constexpr std::string_view text() const { return text_; }
+
+ private:
+  std::string_view text_;
+};
 
 /// What SDO and PDO may do with an entry that has this access and mapping.
 constexpr Access access_on_bus(Access access, Mapping mapping) {
@@ -74,13 +90,13 @@ constexpr Default initial_of(const Part& part, const EntryInfo& entry) {
 
 /// Limits of a row: those described, and the named values beside them. A row has room for one
 /// sentinel; more of them widen the limits, so that no legal value is refused.
-constexpr void limit(EntryRow& row, const EntryInfo& entry) {
+constexpr void limit(EntryRow& row, const EntryInfo& entry, Reason& reason) {
   if (entry.value.limits.kind != Limits::Kind::absolute) return;
-  if (!is_integer(entry.type)) description_is_wrong("limits of a type that has no order");
+  if (!is_integer(entry.type)) reason.blame("limits of a type that has no order");
   row.traits = row.traits | EntryTraits::limited;
   row.low = entry.value.limits.low;
   row.high = entry.value.limits.high;
-  if (row.low > row.high) description_is_wrong("limits are exchanged");
+  if (row.low > row.high) reason.blame("limits are exchanged");
   for (const NamedValue& named : entry.value.names) {
     if (named.meaning == Meaning::reserved) continue;
     const auto number = [&](std::int64_t pattern) {
@@ -100,19 +116,20 @@ constexpr void limit(EntryRow& row, const EntryInfo& entry) {
   }
 }
 
-constexpr void set_initial(EntryRow& row, const Default& initial, const Part& part) {
+constexpr void set_initial(EntryRow& row, const Default& initial, const Part& part,
+                           Reason& reason) {
   switch (initial.kind) {
     case Default::Kind::none:
       break;
     case Default::Kind::text:
-      if (!is_string(row.type)) description_is_wrong("a text is the default of a number");
-      if (initial.text.size() > row.capacity) description_is_wrong("a default is too long");
+      if (!is_string(row.type)) reason.blame("a text is the default of a number");
+      if (initial.text.size() > row.capacity) reason.blame("a default is too long");
       row.initial_text = initial.text;
       break;
     case Default::Kind::highest_sub:
       row.initial = part.highest_sub();
       if (initial.number != 0 && initial.number != row.initial) {
-        description_is_wrong("the highest sub-index is not the printed one");
+        reason.blame("not the printed highest sub-index");
       }
       break;
     case Default::Kind::plus_node_id:
@@ -120,13 +137,13 @@ constexpr void set_initial(EntryRow& row, const Default& initial, const Part& pa
       row.initial = initial.number;
       break;
     case Default::Kind::number:
-      if (is_string(row.type)) description_is_wrong("a number is the default of a string");
+      if (is_string(row.type)) reason.blame("a number as default of a string");
       row.initial = initial.number;
       break;
   }
 }
 
-constexpr void check_initial(const EntryRow& row) {
+constexpr void check_initial(const EntryRow& row, Reason& reason) {
   if (!is_integer(row.type)) return;
   const unsigned bits = bit_length(row.type);
   const std::int64_t number =
@@ -135,7 +152,7 @@ constexpr void check_initial(const EntryRow& row) {
   const std::int64_t pattern =
       number_of(static_cast<std::uint64_t>(row.initial), bits, !is_signed(row.type));
   if (number != row.initial && pattern != row.initial) {
-    description_is_wrong("a default does not fit into its type");
+    reason.blame("a default does not fit its type");
   }
   const bool is_sentinel = has(row.traits, EntryTraits::has_sentinel) && number == row.sentinel;
   const bool outside =
@@ -144,7 +161,7 @@ constexpr void check_initial(const EntryRow& row) {
            ? number < row.low || number > row.high
            : static_cast<std::uint64_t>(number) < static_cast<std::uint64_t>(row.low) ||
                  static_cast<std::uint64_t>(number) > static_cast<std::uint64_t>(row.high));
-  if (outside && !is_sentinel) description_is_wrong("a default is out of its range");
+  if (outside && !is_sentinel) reason.blame("a default is out of its range");
 }
 
 /// A PDO that carries a value by default makes it one of the process, not a parameter: unless the
@@ -157,7 +174,7 @@ constexpr bool is_stored(const Part& part, const EntryInfo& entry, Access access
          (!allows(access, Access::tpdo) && !allows(access, Access::rpdo));
 }
 
-constexpr EntryRow row_of(const Part& part, const EntryInfo& entry) {
+constexpr EntryRow row_of(const Part& part, const EntryInfo& entry, Reason& reason) {
   EntryRow row;
   row.sub_first = entry.sub_first;
   row.sub_last = part.last_sub(entry);
@@ -166,25 +183,25 @@ constexpr EntryRow row_of(const Part& part, const EntryInfo& entry) {
   row.capacity = is_string(entry.type) && part.capacity() != 0 ? part.capacity() : entry.capacity;
   if (!is_stored(part, entry, row.access)) row.traits = row.traits | EntryTraits::not_stored;
   if (is_string(entry.type) && entry.capacity == 0) {
-    description_is_wrong("a string without a capacity");
+    reason.blame("a string without a capacity");
   }
-  limit(row, entry);
-  set_initial(row, initial_of(part, entry), part);
-  check_initial(row);
+  limit(row, entry, reason);
+  set_initial(row, initial_of(part, entry), part, reason);
+  check_initial(row, reason);
   return row;
 }
 
-constexpr void check_object(const ObjectInfo& object) {
+constexpr void check_object(const ObjectInfo& object, Reason& reason) {
   const bool is_variable = object.code == ObjectCode::var || object.code == ObjectCode::domain;
-  if (object.count == 0 || object.index == 0) description_is_wrong("an object without an index");
-  if (object.name.empty()) description_is_wrong("an object without a name");
+  if (object.count == 0 || object.index == 0) reason.blame("an object without an index");
+  if (object.name.empty()) reason.blame("an object without a name");
   if (is_variable != object.subs.empty()) {
-    description_is_wrong("variables have an entry, arrays and records have subs");
+    reason.blame("variables have no subs, others do");
   }
   if (is_variable) return;
   const EntryInfo& first = object.subs[0];
   if (first.sub_first != 0 || first.last_sub() != 0 || first.type != DataType::unsigned8) {
-    description_is_wrong("an array or record begins with sub-index 00h, Unsigned8");
+    reason.blame("sub-index 00h is an Unsigned8");
   }
 }
 
@@ -221,52 +238,111 @@ constexpr const EntryRow* find_row(std::span<const ObjectRow> objects,
 
 constexpr unsigned check_mapped(std::span<const ObjectRow> objects,
                                 std::span<const EntryRow> entries, const MappingValue& mapping,
-                                Access direction) {
+                                Access direction, Reason& reason) {
   if (direction == Access::rpdo && mapping.is_dummy()) return mapping.bits;
   const EntryRow* row = find_row(objects, entries, mapping.index, mapping.sub);
   if (row == nullptr) {
-    description_is_wrong("a PDO maps an entry that is not there");
+    reason.blame("a PDO maps what is not there");
   } else if (!allows(row->access, direction)) {
-    description_is_wrong("a PDO maps an entry that cannot be mapped into it");
+    reason.blame("the mapped entry cannot be mapped");
   } else if (bit_length(row->type) != mapping.bits) {
-    description_is_wrong("a mapping has another length than the entry that it maps");
+    reason.blame("not the length of the mapped entry");
   }
   return mapping.bits;
 }
 
-/// The mappings that hold after power-on.
-constexpr void check_mappings(std::span<const ObjectRow> objects,
-                              std::span<const EntryRow> entries) {
-  for (const ObjectRow& object : objects) {
-    if (!is_pdo_mapping(object.index)) continue;
-    const Access direction = is_rpdo_mapping(object.index) ? Access::rpdo : Access::tpdo;
-    const EntryRow* number = find_row(objects, entries, object.index, 0);
-    // Beyond 64: multiplexed PDOs (FEh, FFh), which have no mapping of this kind.
-    if (number == nullptr || number->initial > pdo_bits_max) continue;
-    unsigned bits = 0;
-    for (unsigned sub = 1; sub <= static_cast<unsigned>(number->initial); ++sub) {
-      const EntryRow* row = find_row(objects, entries, object.index, sub);
-      if (row == nullptr) {
-        description_is_wrong("a PDO maps more than its mapping parameter has entries");
-        return;
-      }
-      bits += check_mapped(objects, entries, MappingValue(static_cast<std::uint32_t>(row->initial)),
-                           direction);
-    }
-    if (bits > pdo_bits_max) description_is_wrong("a PDO maps more than 8 bytes");
+/// Where something is wrong, and what.
+struct DescriptionFault {
+  std::uint16_t index = 0;
+  std::uint8_t sub = 0;
+  std::string_view object = {};
+  std::string_view entry = {};
+  std::string_view reason = {};
+
+  /// The first one counts.
+  constexpr void note(const Part& part, unsigned wrong_sub, const Reason& why) {
+    if (!reason.empty() || why.text().empty()) return;
+    const EntryInfo* info = find_entry(part.object(), wrong_sub);
+    *this = {part.index(), static_cast<std::uint8_t>(wrong_sub), part.object().name,
+             info == nullptr ? std::string_view() : info->name, why.text()};
   }
+};
+
+/// The mapping of one PDO that holds after power-on: the sub-index that is wrong, if one is.
+constexpr unsigned check_mapping(std::span<const ObjectRow> objects,
+                                 std::span<const EntryRow> entries, const ObjectRow& object,
+                                 Reason& reason) {
+  const Access direction = is_rpdo_mapping(object.index) ? Access::rpdo : Access::tpdo;
+  const EntryRow* number = find_row(objects, entries, object.index, 0);
+  // Beyond 64: multiplexed PDOs (FEh, FFh), which have no mapping of this kind.
+  if (number == nullptr || number->initial > pdo_bits_max) return 0;
+  unsigned bits = 0;
+  for (unsigned sub = 1; sub <= static_cast<unsigned>(number->initial); ++sub) {
+    const EntryRow* row = find_row(objects, entries, object.index, sub);
+    if (row == nullptr) {
+      reason.blame("more entries than the mapping has");
+      return 0;
+    }
+    bits += check_mapped(objects, entries, MappingValue(static_cast<std::uint32_t>(row->initial)),
+                         direction, reason);
+    if (bits > pdo_bits_max) reason.blame("a PDO maps more than 8 bytes");
+    if (!reason.text().empty()) return sub;
+  }
+  return 0;
 }
 
+/// The mandatory objects of its profiles.
 template <std::size_t capacity>
-constexpr void check_profiles(const DeviceDescription<capacity>& device) {
+constexpr DescriptionFault find_missing_of_profiles(const DeviceDescription<capacity>& device) {
   for (const Profile* profile : device.profiles()) {
     if (profile == nullptr) continue;
     for (const ObjectInfo* object : profile->objects) {
       if (object->category == Category::mandatory && device.find(object->index) == nullptr) {
-        description_is_wrong("a mandatory object of the profile is not there");
+        return {object->index, 0, object->name, {}, "a mandatory object of the profile"};
       }
     }
   }
+  return {};
+}
+
+/// The tables of a description, and what is wrong with it.
+template <class Tables>
+struct LaidOut {
+  Tables tables;
+  DescriptionFault fault;
+};
+
+template <const auto& device>
+constexpr auto lay_out_parts() {
+  std::array<ObjectRow, device.size()> objects{};
+  std::array<EntryRow, count_entries(device)> entries{};
+  std::size_t object_position = 0;
+  std::size_t entry_position = 0;
+  DescriptionFault fault;
+  for (const Part& part : device) {
+    Reason of_object;
+    check_object(part.object(), of_object);
+    fault.note(part, 0, of_object);
+    ObjectRow& object = objects[object_position++];
+    object.index = part.index();
+    object.count = part.count();
+    for (const EntryInfo& entry : part.object().entries()) {
+      if (!part.has(entry)) continue;
+      Reason of_entry;
+      entries[entry_position++] = row_of(part, entry, of_entry);
+      fault.note(part, entry.sub_first, of_entry);
+      ++object.entry_count;
+    }
+  }
+  const auto tables = lay_out(objects, entries);
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (!is_pdo_mapping(objects[i].index)) continue;
+    Reason of_mapping;
+    const unsigned sub = check_mapping(tables.objects, entries, objects[i], of_mapping);
+    fault.note(device.begin()[i], sub, of_mapping);
+  }
+  if (fault.reason.empty()) fault = find_missing_of_profiles(device);
+  return LaidOut<std::remove_const_t<decltype(tables)>>{tables, fault};
 }
 
 }  // namespace detail
@@ -280,25 +356,14 @@ struct DeviceLayout : Tables {
 /// The tables of the kind of node that `device` describes.
 template <const auto& device>
 constexpr auto lay_out_device() {
-  std::array<ObjectRow, device.size()> objects{};
-  std::array<EntryRow, detail::count_entries(device)> entries{};
-  std::size_t object_position = 0;
-  std::size_t entry_position = 0;
-  for (const Part& part : device) {
-    detail::check_object(part.object());
-    ObjectRow& object = objects[object_position++];
-    object.index = part.index();
-    object.count = part.count();
-    for (const EntryInfo& entry : part.object().entries()) {
-      if (!part.has(entry)) continue;
-      entries[entry_position++] = detail::row_of(part, entry);
-      ++object.entry_count;
-    }
-  }
-  const auto layout = lay_out(objects, entries);
-  detail::check_mappings(layout.objects, entries);
-  detail::check_profiles(device);
-  return DeviceLayout<device, std::remove_const_t<decltype(layout)>>{layout};
+  constexpr auto made = detail::lay_out_parts<device>();
+  constexpr detail::DescriptionFault fault = made.fault;
+  using Wrong =
+      wrong::Device<detail::numbered_words<4, fault.object.size()>(fault.index, fault.object),
+                    detail::numbered_words<2, fault.entry.size()>(fault.sub, fault.entry),
+                    detail::words<fault.reason.size()>(fault.reason)>;
+  static_assert(Must<fault.reason.empty(), Wrong>::hold);
+  return DeviceLayout<device, std::remove_cvref_t<decltype(made.tables)>>{made.tables};
 }
 
 }  // namespace canvoy

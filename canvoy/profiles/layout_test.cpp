@@ -10,9 +10,12 @@
 namespace canvoy::layout_test {
 namespace {
 
-/// Whether a description compiles.
+/// Whether a description compiles: how compilers tell, tests/embed/wrong_descriptions sees.
 template <const auto& device>
-concept LaysOut = requires { typename std::bool_constant<(lay_out_device<device>(), true)>; };
+concept LaysOut = requires {
+  typename std::bool_constant<(detail::lay_out_parts<device>(), true)>;
+  requires detail::lay_out_parts<device>().fault.reason.empty();
+};
 
 constexpr auto charger = describe(cia419::charger(), cia301::identity({.vendor_id = 1}),
                                   cia301::heartbeat_producer(1000));

@@ -311,7 +311,7 @@ class IntegerReference : public detail::NumberReference<Place> {
 template <class Place, class Enumeration>
 class StateReference : public detail::NumberReference<Place> {
  public:
-  static_assert(std::is_enum_v<Enumeration>);
+  static_assert(std::is_enum_v<Enumeration>, "the states of a State are an enumeration");
 
   using detail::NumberReference<Place>::NumberReference;
   StateReference(const StateReference&) = default;

@@ -26,9 +26,10 @@ constexpr NodeId master_id = 127;
 constexpr NodeId slave_count = 126;
 constexpr std::uint32_t heartbeat_ms = 1000;
 
-constexpr auto master_device = describe(
-    cia301::device_type(0), cia301::error_register_object, cia301::identity({.vendor_id = 1}),
-    cia301::heartbeat_consumers(127), cia302::nmt_master(), cia302::configuration());
+constexpr auto master_device =
+    describe(cia301::device_type(0), cia301::error_register_object,
+             cia301::identity({.vendor_id = 1}), cia301::heartbeat_consumers(127),
+             cia301::heartbeat_producer(0), cia302::nmt_master(), cia302::configuration());
 constexpr auto master_layout = lay_out_device<master_device>();
 
 constexpr auto slave_device = describe(

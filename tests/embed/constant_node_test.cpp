@@ -23,7 +23,8 @@ constexpr auto layout = lay_out(
                               variable(0x1005),
                               variable(0x1014),
                               variable(0x1017),
-                              {.index = 0x1800, .entry_count = 2},
+                              {.index = 0x1018, .entry_count = 2},
+                              {.index = 0x1800, .entry_count = 3},
                               {.index = 0x1A00, .entry_count = 2},
                               variable(0x6000)}),
     std::to_array<EntryRow>(
@@ -35,8 +36,11 @@ constexpr auto layout = lay_out(
           .traits = EntryTraits::plus_node_id,
           .initial = 0x80},
          {.type = DataType::unsigned16, .access = Access::rw, .initial = 100},
+         {.initial = 1},
+         {.sub_first = 1, .sub_last = 1, .type = DataType::unsigned32, .initial = 1},
          {.access = Access::const_, .initial = 2},
          {.sub_first = 1, .sub_last = 1, .type = DataType::unsigned32, .initial = 0x185},
+         {.sub_first = 2, .sub_last = 2, .initial = 255},
          {.access = Access::rw, .initial = 1},
          {.sub_first = 1, .sub_last = 1, .type = DataType::unsigned32, .initial = 0x6000'0008},
          {.access = Access::rw | Access::tpdo}}));

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "canvoy/canopen/dictionary/dictionary.hpp"
 
@@ -179,6 +180,17 @@ constexpr DictionaryLayout<object_rows, entry_rows> lay_out(
   }
   if (entry_first != entry_rows) detail::description_is_wrong("entries without an object");
   return layout;
+}
+
+/// Tables of a part of a device, as those have them who try one service by itself: a DeviceNode
+/// does not ask whether it is a whole one (mandatory_objects.hpp).
+template <class Layout>
+struct PartialLayout : Layout {
+  static constexpr bool is_partial = true;
+};
+template <class Layout>
+constexpr PartialLayout<Layout> partial(Layout layout) {
+  return {std::move(layout)};
 }
 
 }  // namespace canvoy

@@ -14,23 +14,23 @@ namespace {
 using State = FlyingMaster::State;
 
 inline constexpr auto flying_layout =
-    lay_out(std::to_array<ObjectRow>({{.index = 0x1000, .entry_count = 1},
-                                      {.index = 0x1016, .entry_count = 2},
-                                      {.index = 0x1017, .entry_count = 1},
-                                      {.index = 0x1F80, .entry_count = 1},
-                                      {.index = 0x1F81, .entry_count = 2},
-                                      {.index = 0x1F90, .entry_count = 2}}),
-            std::to_array<EntryRow>({
-                detail::boot_entries(0, 0, DataType::unsigned32, Access::const_),
-                detail::boot_count(127),
-                detail::boot_entries(1, 127, DataType::unsigned32),
-                detail::boot_entries(0, 0, DataType::unsigned16),
-                detail::boot_entries(0, 0, DataType::unsigned32),
-                detail::boot_count(127),
-                detail::boot_entries(1, 127, DataType::unsigned32),
-                detail::boot_count(6),
-                detail::boot_entries(1, 6, DataType::unsigned16),
-            }));
+    partial(lay_out(std::to_array<ObjectRow>({{.index = 0x1000, .entry_count = 1},
+                                              {.index = 0x1016, .entry_count = 2},
+                                              {.index = 0x1017, .entry_count = 1},
+                                              {.index = 0x1F80, .entry_count = 1},
+                                              {.index = 0x1F81, .entry_count = 2},
+                                              {.index = 0x1F90, .entry_count = 2}}),
+                    std::to_array<EntryRow>({
+                        detail::boot_entries(0, 0, DataType::unsigned32, Access::const_),
+                        detail::boot_count(127),
+                        detail::boot_entries(1, 127, DataType::unsigned32),
+                        detail::boot_entries(0, 0, DataType::unsigned16),
+                        detail::boot_entries(0, 0, DataType::unsigned32),
+                        detail::boot_count(127),
+                        detail::boot_entries(1, 127, DataType::unsigned32),
+                        detail::boot_count(6),
+                        detail::boot_entries(1, 6, DataType::unsigned16),
+                    })));
 
 /// Sends a heartbeat each 100 ms, and watches the two others.
 class Candidate {

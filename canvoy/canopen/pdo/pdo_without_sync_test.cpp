@@ -27,11 +27,11 @@ constexpr auto entries_behind_sync = std::to_array<EntryRow>(
      parameter(0, DataType::unsigned8, 1),
      parameter(1, DataType::unsigned32, 0x2000'00'08),
      {.type = DataType::unsigned8, .access = Access::rw | Access::rpdo | Access::tpdo}});
-constexpr auto without_sync = lay_out(objects_behind_sync, entries_behind_sync);
+constexpr auto without_sync = partial(lay_out(objects_behind_sync, entries_behind_sync));
 
 constexpr auto consumer_alone =
-    lay_out(std::to_array<ObjectRow>({{.index = 0x1005, .entry_count = 1}}),
-            std::to_array<EntryRow>({parameter(0, DataType::unsigned32, 0x80)}));
+    partial(lay_out(std::to_array<ObjectRow>({{.index = 0x1005, .entry_count = 1}}),
+                    std::to_array<EntryRow>({parameter(0, DataType::unsigned32, 0x80)})));
 
 template <const auto& layout>
 struct Bench {

@@ -49,7 +49,7 @@ constexpr auto lay_out_pdos() {
   using namespace testing_detail;
   using enum DataType;
   constexpr Access value = Access::rw | Access::rpdo | Access::tpdo;
-  return lay_out(
+  return partial(lay_out(
       std::to_array<ObjectRow>(
           {object_of(0x1001, 1), object_of(0x1005, 1), object_of(0x1007, 1), object_of(0x1014, 1),
            object_of(0x1015, 1), object_of(0x1019, 1), object_of(0x1400, 4), object_of(0x1401, 3),
@@ -126,7 +126,7 @@ constexpr auto lay_out_pdos() {
           limited(number_at(0, unsigned8, value, 15), 10, 20),
           {.access = Access::const_, .initial = 3},
           {.sub_first = 1, .sub_last = 3, .type = boolean, .access = value},
-      }));
+      })));
 }
 
 inline constexpr auto static_pdo_layout = lay_out_pdos<Access::const_>();

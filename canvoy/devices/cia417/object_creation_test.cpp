@@ -18,6 +18,7 @@ constexpr auto creating_device() {
   parts.add(object_creation_object);
   parts.add(Part(input_parameter_1_object).only(0, 4).up_to(8));
   parts.add(cia301::identity({}));
+  parts.add(cia301::heartbeat_producer(0));
   return parts;
 }
 constexpr auto device_parts = creating_device();

@@ -47,7 +47,7 @@ constexpr auto controller = describe(
                     VirtualDevice::car_door_controller, VirtualDevice::car_drive_controller>(
         {0x6010, 0x6011, {0x6300, 4}, {0x6301, 4}, {0x6302, 4}, 0x6400, 0x6401, 0x6406, 0x6420}),
     cia301::identity({}));
-constexpr auto controller_layout = lay_out_device<controller>();
+constexpr auto controller_layout = partial(lay_out_device<controller>());
 
 TEST(PhysicalDevice, SeveralVirtualDevicesAreListedIn6000h) {
   SdoBench<controller_layout> bench;
@@ -73,7 +73,7 @@ TEST(PhysicalDevice, ItHasThePdosOfAllItsVirtualDevices) {
 constexpr auto one_unit = describe(
     physical_device<PhysicalOptions{}, VirtualDevice::load_measuring_unit>({{0x6480, 2}, 0x6482}),
     cia301::identity({}));
-constexpr auto one_unit_layout = lay_out_device<one_unit>();
+constexpr auto one_unit_layout = partial(lay_out_device<one_unit>());
 
 TEST(PhysicalDevice, OneVirtualDeviceIsNamedBy1000hAlone) {
   SdoBench<one_unit_layout> bench;
@@ -83,7 +83,7 @@ TEST(PhysicalDevice, OneVirtualDeviceIsNamedBy1000hAlone) {
 
 constexpr auto landing =
     describe(panel<PanelOptions{.inputs = 2, .outputs = 3}>(), cia301::identity({}));
-constexpr auto landing_layout = lay_out_device<landing>();
+constexpr auto landing_layout = partial(lay_out_device<landing>());
 
 TEST(PhysicalDevice, APanelOfInputsAndOutputsIsTwoVirtualDevicesWithoutALiftNumber) {
   SdoBench<landing_layout> bench;
@@ -99,7 +99,7 @@ TEST(PhysicalDevice, APanelOfInputsAndOutputsIsTwoVirtualDevicesWithoutALiftNumb
 constexpr auto small_landing = describe(
     panel<PanelOptions{.inputs = 2, .outputs = 3, .low_pdo_numbers = true, .valid_tpdo = false}>(),
     cia301::identity({}));
-constexpr auto small_landing_layout = lay_out_device<small_landing>();
+constexpr auto small_landing_layout = partial(lay_out_device<small_landing>());
 
 TEST(PhysicalDevice, ASmallPanelMayHaveItsPdosAtLowNumbers) {
   SdoBench<small_landing_layout> bench;
@@ -118,7 +118,7 @@ constexpr auto third_lift = describe(
     physical_device<PhysicalOptions{.lifts = lift_bit(3)}, VirtualDevice::load_measuring_unit>(
         {{0x6480, 2}, 0x6482}),
     cia301::identity({}));
-constexpr auto third_lift_layout = lay_out_device<third_lift>();
+constexpr auto third_lift_layout = partial(lay_out_device<third_lift>());
 
 TEST(PhysicalDevice, ObjectsOfLift3Stand1000hAboveThoseOfLift1) {
   SdoBench<third_lift_layout> bench;
@@ -134,7 +134,7 @@ constexpr auto gateway = describe(
     physical_device<PhysicalOptions{.lifts = lift_bit(1) | lift_bit(2) | lift_bit(8)},
                     VirtualDevice::car_door_controller>({{0x6300, 4}, {0x6301, 4}, {0x6302, 4}}),
     cia301::identity({}));
-constexpr auto gateway_layout = lay_out_device<gateway>();
+constexpr auto gateway_layout = partial(lay_out_device<gateway>());
 
 TEST(PhysicalDevice, ADeviceOfSeveralLiftsHasTheObjectsAndPdosOfEach) {
   SdoBench<gateway_layout> bench;

@@ -11,10 +11,11 @@
 namespace canvoy::cia302_master_test {
 namespace {
 
-constexpr auto master = describe(
-    cia301::device_type(0), cia301::error_register_object, cia301::identity({.vendor_id = 1}),
-    cia301::heartbeat_consumers(127), cia302::nmt_master({.startup = 0x01, .boot_time_ms = 5000}),
-    cia302::flying_master(2), cia302::restore_configuration_object);
+constexpr auto master = describe(cia301::device_type(0), cia301::error_register_object,
+                                 cia301::identity({.vendor_id = 1}),
+                                 cia301::heartbeat_consumers(127), cia301::heartbeat_producer(0),
+                                 cia302::nmt_master({.startup = 0x01, .boot_time_ms = 5000}),
+                                 cia302::flying_master(2), cia302::restore_configuration_object);
 constexpr auto master_layout = lay_out_device<master>();
 
 constexpr unsigned u8 = 5, u16 = 6, u32 = 7;

@@ -17,9 +17,10 @@
 namespace canvoy::cia302_network_test {
 namespace {
 
-constexpr auto master_device = describe(cia301::device_type(0), cia301::error_register_object,
-                                        cia301::identity({.vendor_id = 1}), cia302::nmt_master(),
-                                        cia302::configuration(), cia302::expected_programs());
+constexpr auto master_device =
+    describe(cia301::device_type(0), cia301::error_register_object,
+             cia301::identity({.vendor_id = 1}), cia301::heartbeat_producer(0),
+             cia302::nmt_master(), cia302::configuration(), cia302::expected_programs());
 constexpr auto master_layout = lay_out_device<master_device>();
 
 constexpr auto slave_device = describe(

@@ -40,12 +40,12 @@ constexpr auto printer = describe(
     cia407::device<cia407::ticket_printer, Configuration::typical>({{0x6112, 1}, {0x6740, 1}}),
     cia301::identity({.vendor_id = 1}));
 
-constexpr auto computer_layout = lay_out_device<computer>();
-constexpr auto identification_layout = lay_out_device<identification>();
-constexpr auto destination_layout = lay_out_device<destination_indicator>();
-constexpr auto next_stop_layout = lay_out_device<next_stop_indicator>();
-constexpr auto canceller_layout = lay_out_device<canceller>();
-constexpr auto printer_layout = lay_out_device<printer>();
+constexpr auto computer_layout = partial(lay_out_device<computer>());
+constexpr auto identification_layout = partial(lay_out_device<identification>());
+constexpr auto destination_layout = partial(lay_out_device<destination_indicator>());
+constexpr auto next_stop_layout = partial(lay_out_device<next_stop_indicator>());
+constexpr auto canceller_layout = partial(lay_out_device<canceller>());
+constexpr auto printer_layout = partial(lay_out_device<printer>());
 
 class Cia407Configuration : public testing::Test {
  protected:

@@ -39,7 +39,7 @@ constexpr auto door_2 =
     describe(lift_device<VirtualDevice::car_door_unit, LiftDeviceOptions{.doors = 0b0010}>(
                  {0x6300, 0x6301, 0x6302, 0x6305}),
              cia301::identity({.vendor_id = 1}));
-constexpr auto door_2_layout = lay_out_device<door_2>();
+constexpr auto door_2_layout = partial(lay_out_device<door_2>());
 
 TEST(Cia417LiftDevice, ADoorUnitSendsTheStateOfItsOwnDoorAndHearsCommandsToAll) {
   const DeviceMemory memory(door_2_layout.tables());
@@ -56,7 +56,7 @@ constexpr auto position_5 =
     describe(lift_device<VirtualDevice::car_position_unit, LiftDeviceOptions{.lift = 5}>(
                  {{0x6383, 1}, {0x6384, 3}}),
              cia301::identity({.vendor_id = 1}));
-constexpr auto position_5_layout = lay_out_device<position_5>();
+constexpr auto position_5_layout = partial(lay_out_device<position_5>());
 
 TEST(Cia417LiftDevice, TheObjectsAndPdosOfLift5AreFourBlocksAbove) {
   const DeviceMemory memory(position_5_layout.tables());
@@ -70,7 +70,7 @@ TEST(Cia417LiftDevice, TheObjectsAndPdosOfLift5AreFourBlocksAbove) {
 constexpr auto drive = describe(
     lift_device<VirtualDevice::car_drive_unit>({0x6400, 0x6401, 0x6403, 0x6404, 0x6430, 0x6433}),
     cia301::identity({.vendor_id = 1}));
-constexpr auto drive_layout = lay_out_device<drive>();
+constexpr auto drive_layout = partial(lay_out_device<drive>());
 
 TEST(Cia417LiftDevice, ADriveHasThePdosOfTheModeWhoseObjectsItHas) {
   const DeviceMemory memory(drive_layout.tables());
@@ -86,13 +86,13 @@ TEST(Cia417LiftDevice, ADriveHasThePdosOfTheModeWhoseObjectsItHas) {
 constexpr auto panel =
     describe(lift_device<VirtualDevice::input_panel_unit>({0x6010, {0x6100, 4}, {0x6120, 4}}),
              cia301::identity({.vendor_id = 1}));
-constexpr auto panel_layout = lay_out_device<panel>();
+constexpr auto panel_layout = partial(lay_out_device<panel>());
 
 constexpr auto panel_8 =
     describe(lift_device<VirtualDevice::input_panel_unit, LiftDeviceOptions{.lift = 8}>(
                  {0x6010, {0x6100, 4}}),
              cia301::identity({.vendor_id = 1}));
-constexpr auto panel_8_layout = lay_out_device<panel_8>();
+constexpr auto panel_8_layout = partial(lay_out_device<panel_8>());
 
 TEST(Cia417LiftDevice, WhatIsNextToBeSentStandsAtOnePlaceForAllLifts) {
   const DeviceMemory memory(panel_8_layout.tables(), 17);
@@ -110,7 +110,7 @@ TEST(Cia417LiftDevice, AnInputPanelHasThePdoOfItsNodeButInvalid) {
 constexpr auto display =
     describe(lift_device<VirtualDevice::output_panel_unit>({0x6011, {0x6200, 4}, {0x6220, 4}}),
              cia301::identity({.vendor_id = 1}));
-constexpr auto display_layout = lay_out_device<display>();
+constexpr auto display_layout = partial(lay_out_device<display>());
 
 TEST(Cia417LiftDevice, AnOutputPanelHearsTheOutputsOfTheCallController) {
   const DeviceMemory memory(display_layout.tables());

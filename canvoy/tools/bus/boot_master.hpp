@@ -23,10 +23,11 @@
 
 namespace canvoy::tools {
 
-inline constexpr auto boot_master_device = describe(
-    cia301::device_type(0), cia301::error_register_object, cia301::identity({}),
-    cia301::heartbeat_consumers(node_id_max), cia301::error_behavior(), cia302::nmt_master(),
-    cia302::restore_configuration_object, cia302::configuration(), cia302::expected_programs());
+inline constexpr auto boot_master_device =
+    describe(cia301::device_type(0), cia301::error_register_object, cia301::identity({}),
+             cia301::heartbeat_consumers(node_id_max), cia301::heartbeat_producer(0),
+             cia301::error_behavior(), cia302::nmt_master(), cia302::restore_configuration_object,
+             cia302::configuration(), cia302::expected_programs());
 inline constexpr auto boot_master_layout = lay_out_device<boot_master_device>();
 
 class BootMaster {

@@ -18,7 +18,7 @@ constexpr EntryRow number(DataType type, std::int64_t initial) {
   return {.type = type, .access = Access::rw, .initial = initial};
 }
 
-constexpr auto layout = lay_out(
+constexpr auto layout = partial(lay_out(
     std::to_array<ObjectRow>({{.index = 0x1000, .entry_count = 1},
                               {.index = 0x1001, .entry_count = 1},
                               {.index = 0x1F80, .entry_count = 1},
@@ -27,7 +27,7 @@ constexpr auto layout = lay_out(
     std::to_array<EntryRow>({number(DataType::unsigned32, 0), number(DataType::unsigned8, 0),
                              number(DataType::unsigned32, 0x01), number(DataType::unsigned8, 127),
                              slaves(DataType::unsigned32), number(DataType::unsigned8, 127),
-                             slaves(DataType::unsigned32)}));
+                             slaves(DataType::unsigned32)})));
 
 /// Slaves 10, 11 and 12, of which all are expected to be of vendor 123h.
 class Peer {

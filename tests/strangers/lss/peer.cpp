@@ -19,7 +19,7 @@ namespace {
 using namespace canvoy;
 
 // Revision and serial number are different, so that parts that are mixed up show.
-constexpr auto layout = lay_out(
+constexpr auto layout = partial(lay_out(
     std::to_array<ObjectRow>({{.index = 0x1000, .entry_count = 1},
                               {.index = 0x1001, .entry_count = 1},
                               {.index = 0x1018, .entry_count = 5}}),
@@ -30,7 +30,7 @@ constexpr auto layout = lay_out(
          {.sub_first = 1, .sub_last = 1, .type = DataType::unsigned32, .initial = 0x2F0},
          {.sub_first = 2, .sub_last = 2, .type = DataType::unsigned32, .initial = 0x1A3},
          {.sub_first = 3, .sub_last = 3, .type = DataType::unsigned32, .initial = 0x8001'0002},
-         {.sub_first = 4, .sub_last = 4, .type = DataType::unsigned32}}));
+         {.sub_first = 4, .sub_last = 4, .type = DataType::unsigned32}})));
 
 /// Frames that were sent since the last one was received.
 std::vector<Frame> bus;

@@ -18,7 +18,7 @@ constexpr EntryRow watched_node = {.sub_first = 1,
                                    .access = Access::rw,
                                    .initial = 0x0001'07D0};
 
-constexpr auto layout = lay_out(
+constexpr auto layout = partial(lay_out(
     std::to_array<ObjectRow>({{.index = 0x1000, .entry_count = 1},
                               {.index = 0x1001, .entry_count = 1},
                               {.index = 0x1014, .entry_count = 1},
@@ -26,7 +26,7 @@ constexpr auto layout = lay_out(
                               {.index = 0x1017, .entry_count = 1}}),
     std::to_array<EntryRow>({number(DataType::unsigned32, 0), number(DataType::unsigned8, 0),
                              number(DataType::unsigned32, 0x85), number(DataType::unsigned8, 1),
-                             watched_node, number(DataType::unsigned16, 0)}));
+                             watched_node, number(DataType::unsigned16, 0)})));
 
 }  // namespace
 }  // namespace canvoy

@@ -23,21 +23,22 @@ constexpr EntryRow number(DataType type, std::int64_t initial) {
 }
 
 // Node 5 consumes and produces TIME, and hears the emergencies of node 1.
-constexpr auto layout = lay_out(std::to_array<ObjectRow>({{.index = 0x1000, .entry_count = 1},
-                                                          {.index = 0x1001, .entry_count = 1},
-                                                          {.index = 0x1012, .entry_count = 1},
-                                                          {.index = 0x1014, .entry_count = 1},
-                                                          {.index = 0x1028, .entry_count = 2}}),
-                                std::to_array<EntryRow>({number(DataType::unsigned32, 0),
-                                                         number(DataType::unsigned8, 0),
-                                                         number(DataType::unsigned32, 0xC000'0100),
-                                                         number(DataType::unsigned32, 0x85),
-                                                         number(DataType::unsigned8, 1),
-                                                         {.sub_first = 1,
-                                                          .sub_last = 1,
-                                                          .type = DataType::unsigned32,
-                                                          .access = Access::rw,
-                                                          .initial = 0x81}}));
+constexpr auto layout =
+    partial(lay_out(std::to_array<ObjectRow>({{.index = 0x1000, .entry_count = 1},
+                                              {.index = 0x1001, .entry_count = 1},
+                                              {.index = 0x1012, .entry_count = 1},
+                                              {.index = 0x1014, .entry_count = 1},
+                                              {.index = 0x1028, .entry_count = 2}}),
+                    std::to_array<EntryRow>({number(DataType::unsigned32, 0),
+                                             number(DataType::unsigned8, 0),
+                                             number(DataType::unsigned32, 0xC000'0100),
+                                             number(DataType::unsigned32, 0x85),
+                                             number(DataType::unsigned8, 1),
+                                             {.sub_first = 1,
+                                              .sub_last = 1,
+                                              .type = DataType::unsigned32,
+                                              .access = Access::rw,
+                                              .initial = 0x81}})));
 
 class Peer {
  public:

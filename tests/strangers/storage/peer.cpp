@@ -23,7 +23,7 @@ constexpr EntryRow first(DataType type, Access access, std::int64_t initial = 0)
   return {.sub_first = 1, .sub_last = 1, .type = type, .access = access, .initial = initial};
 }
 
-constexpr auto layout = lay_out(
+constexpr auto layout = partial(lay_out(
     std::to_array<ObjectRow>({{.index = 0x1000, .entry_count = 1},
                               {.index = 0x1001, .entry_count = 1},
                               {.index = 0x1010, .count = 2, .entry_count = 2},
@@ -36,7 +36,7 @@ constexpr auto layout = lay_out(
         {number(DataType::unsigned32, 0), number(DataType::unsigned8, 0), count,
          first(DataType::unsigned32, Access::rw, 1), number(DataType::unsigned16, 0), count,
          first(DataType::domain, Access::wo), count, first(DataType::unsigned8, Access::rw), count,
-         first(DataType::unsigned32, Access::ro), number(DataType::unsigned32, 42)}));
+         first(DataType::unsigned32, Access::ro), number(DataType::unsigned32, 42)})));
 
 constexpr std::uint32_t sector_size = 4096;
 

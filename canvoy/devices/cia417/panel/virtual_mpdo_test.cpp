@@ -29,6 +29,7 @@ constexpr auto panel_parts() {
   DeviceDescription<64> parts;
   parts.add(panel<PanelOptions{.inputs = 2, .low_pdo_numbers = true, .valid_tpdo = false}>());
   parts.add(cia301::identity({}));
+  parts.add(cia301::heartbeat_producer(0));
   parts.add(cia301::tpdo({.number = 2,
                           .entries = 1,
                           .cob_id = canvoy::plus_node_id(0x500),
@@ -49,6 +50,7 @@ constexpr auto controller_parts() {
   DeviceDescription<64> parts;
   parts.add(lift_device<VirtualDevice::call_controller>({0x6010, 0x6011}));
   parts.add(cia301::identity({}));
+  parts.add(cia301::heartbeat_producer(0));
   parts.add(cia301::rpdo(
       {.number = 1, .entries = 1, .cob_id = 0x516, .transmission_type = 254, .multiplexed = mode}));
   parts.add(cia301::dispatching_lists(1));
