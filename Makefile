@@ -9,7 +9,7 @@ COUNT ?= 20
 CASES ?= 20000
 SEED ?= 1
 
-.PHONY: build demo test check test-all tidy bench bench-page fuzz properties soak-lift soak-charger soak-taxi soak-police soak-bus soak-excavator mutate format install clean
+.PHONY: build demo docs test check test-all tidy bench bench-page fuzz properties soak-lift soak-charger soak-taxi soak-police soak-bus soak-excavator mutate format install clean
 
 # The command, at build/canvoy.
 build:
@@ -20,6 +20,17 @@ build:
 # A night in which a battery is charged: a live table on a terminal, its summary into a pipe.
 demo: build
 	@if [ -t 1 ]; then build/canvoy run charger --speed 600; else build/canvoy run charger; fi
+
+# The documentation as a site, at build/docs/site: all links are checked.
+docs: build build/docs/venv/installed
+	@CANVOY=build/canvoy NO_MKDOCS_2_WARNING=1 build/docs/venv/bin/mkdocs build --strict
+	@echo "build/docs/site/index.html"
+
+build/docs/venv/installed: docs/requirements.txt
+	@scripts/install-packages docs
+	@python3 -m venv build/docs/venv
+	@build/docs/venv/bin/pip install --quiet --requirement docs/requirements.txt
+	@touch $@
 
 # Each test once: the command, strangers and embedding by the release, unit tests with sanitizers, fuzzing, style.
 test:

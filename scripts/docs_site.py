@@ -1,0 +1,81 @@
+"""What MkDocs does not do by itself for the site (mkdocs.yml): the command reference, and links to files of the sources.
+
+The reference is made of what the command prints: `canvoy VERB --help` and that of all verbs below it. CANVOY says where the
+command is (default: build/canvoy).
+"""
+
+import os
+import pathlib
+import posixpath
+import re
+import subprocess
+
+import mkdocs.exceptions
+from mkdocs.structure.files import File
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+SOURCES = "https://github.com/canvoy/canvoy/blob/main/"
+LINK = re.compile(r"(?<=\]\()(\.\./[^)#\s]+)(?=[)#])")
+
+
+def help_of(*verb):
+    command = os.environ.get("CANVOY", str(ROOT / "build" / "canvoy"))
+    return subprocess.run([command, *verb, "--help"], capture_output=True, text=True, check=True).stdout.rstrip()
+
+
+def verbs_below(text):
+    """The verbs that a help lists, with what they do."""
+    _, found, listed = text.partition("\nSubcommands:\n")
+    return re.findall(r"(?m)^  ([a-z][a-z-]*) +(\S.*)$", listed.split("\n\n")[0]) if found else []
+
+
+def section(verb, depth):
+    """A verb and those below it, as Markdown."""
+    text = help_of(*verb)
+    parts = [f"{'#' * depth} canvoy {' '.join(verb)}\n\n```text\n{text}\n```\n"]
+    for name, _ in verbs_below(text):
+        parts += section((*verb, name), depth + 1)
+    return parts
+
+
+def on_files(files, config):
+    """Adds a page for each verb, and one that lists them."""
+    overview = help_of()
+    verbs = verbs_below(overview)
+    if not verbs:
+        raise mkdocs.exceptions.PluginError("canvoy --help lists no verbs")
+    pages = {f"{name}.md": "\n".join(section((name,), 1)) for name, _ in verbs}
+    rows = "\n".join(f"| [`{name}`]({name}.md) | {what} |" for name, what in verbs)
+    pages["index.md"] = (
+        "# Commands\n\nWhat the commands say of themselves; `man canvoy-VERB` says the same. "
+        "[Ask and tell](../commands.md) has the grammar that they share.\n\n"
+        f"| verb | |\n| --- | --- |\n{rows}\n\n```text\n{overview}\n```\n"
+    )
+    for name, text in pages.items():
+        files.append(File.generated(config, f"reference/{name}", content=text))
+    return files
+
+
+def on_config(config):
+    """The pages of the verbs stand below the one that lists them."""
+    for entry in config["nav"]:
+        for pages in entry.values():
+            if isinstance(pages, list) and {"Commands": "reference/index.md"} in pages:
+                place = pages.index({"Commands": "reference/index.md"})
+                below = [f"reference/{name}.md" for name, _ in verbs_below(help_of())]
+                pages[place] = {"Commands": ["reference/index.md", *below]}
+    return config
+
+
+def on_page_markdown(markdown, page, **_):
+    """Links to files outside of docs lead to the repository, and have to be there."""
+
+    def rewritten(match):
+        path = posixpath.normpath(posixpath.join("docs", posixpath.dirname(page.file.src_uri), match.group(1)))
+        if path.startswith("docs/"):
+            return match.group(1)
+        if not (ROOT / path).exists():
+            raise mkdocs.exceptions.PluginError(f"docs/{page.file.src_uri}: {match.group(1)} is not there")
+        return SOURCES + path
+
+    return LINK.sub(rewritten, markdown)
