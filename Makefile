@@ -9,7 +9,7 @@ COUNT ?= 20
 CASES ?= 20000
 SEED ?= 1
 
-.PHONY: build demo docs test check test-all tidy bench bench-page fuzz properties soak-lift soak-charger soak-taxi soak-police soak-bus soak-excavator mutate format install clean
+.PHONY: build demo docs test check test-all tidy bench bench-page fuzz properties soak-lift soak-charger soak-taxi soak-police soak-bus soak-excavator soak-gaps mutate format install clean
 
 # The command, at build/canvoy.
 build:
@@ -123,6 +123,13 @@ soak-excavator:
 	@cmake --preset bench --log-level=WARNING
 	@cmake --build --preset bench -j $(JOBS) --target canvoy_soak_excavator
 	@build/bench/canvoy_soak_excavator $(SEEDS)
+
+# Gaps of 1 ms to 3 s in the communication of each world.
+soak-gaps:
+	@scripts/install-packages bench
+	@cmake --preset bench --log-level=WARNING
+	@cmake --build --preset bench -j $(JOBS) --target canvoy_soak_gaps
+	@build/bench/canvoy_soak_gaps $(SEEDS)
 
 # Breaks the code of FOLDERS in small ways, and says which of them no test notices.
 mutate:

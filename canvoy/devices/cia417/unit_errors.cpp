@@ -8,6 +8,8 @@ namespace {
 
 /// A unit that starts at the same time may not be ready for the first one.
 constexpr std::uint8_t questions_max = 3;
+/// While a unit has an error.
+constexpr Duration looks_again_after = 5s;
 
 /// Whether an error register tells of more than the bus and voltages. Any error sets the generic
 /// bit; alone, it says nothing else of its error.
@@ -29,7 +31,8 @@ UnitErrors::UnitErrors(Node& node, EmergencyConsumer& emergencies, SdoClient& cl
     : node_(node),
       client_(client),
       units_(units),
-      timer_(Callback<void(Time)>::to<&UnitErrors::ask_next>(*this)) {
+      timer_(Callback<void(Time)>::to<&UnitErrors::ask_next>(*this)),
+      again_timer_(Callback<void(Time)>::to<&UnitErrors::look_again>(*this)) {
   node.attach(service_);
   emergencies.on_emergency(Callback<void(NodeId, const Emergency&)>::to<&UnitErrors::heard>(*this));
 }
@@ -68,11 +71,15 @@ LiftLoad UnitErrors::load() {
 void UnitErrors::reset(ResetScope) {
   errors_.reset();
   node_.timers().disarm(timer_);
+  node_.timers().disarm(again_timer_);
   questions_ = {};
 }
 
 void UnitErrors::state_entered(NmtState state) {
-  if (state != NmtState::operational) return;
+  if (state == NmtState::operational) ask_anew();
+}
+
+void UnitErrors::ask_anew() {
   ask(units_.position_unit);
   ask(units_.load_unit);
 }
@@ -88,6 +95,7 @@ void UnitErrors::error_changed(const Error& error, bool present) {
 }
 
 void UnitErrors::heard(NodeId unit, const Emergency& emergency) {
+  told_(unit, emergency);
   if (concerns_trips(emergency.code)) set(unit, true);
   const bool is_free =
       emergency.code == canvoy::emergency_code::no_error && emergency.register_bits == 0;
@@ -97,37 +105,50 @@ void UnitErrors::heard(NodeId unit, const Emergency& emergency) {
 void UnitErrors::set(NodeId unit, bool has_error) {
   if (errors_[unit] == has_error) return;
   errors_[unit] = has_error;
+  if (has_error) node_.timers().arm(again_timer_, node_.now() + looks_again_after);
   changed_();
+}
+
+/// One after the other, of those that have an error.
+void UnitErrors::look_again(Time now) {
+  if (errors_.none()) return;
+  node_.timers().arm(again_timer_, now + looks_again_after);
+  Question& question = questions_.back();
+  do {
+    question.unit = static_cast<NodeId>(question.unit < node_id_max ? question.unit + 1 : 1);
+  } while (!errors_[question.unit]);
+  question.left = 1;
+  ask_next(now);
 }
 
 // Reading of error registers.
 
-UnitErrors::Question& UnitErrors::question_of(NodeId unit) {
-  return questions_[unit == units_.position_unit ? 0 : 1];
-}
-
 void UnitErrors::ask(NodeId unit) {
   if (!is_node_id(unit)) return;
-  question_of(unit) = {.unit = unit, .left = questions_max};
+  questions_[unit == units_.position_unit ? 0 : 1] = {.unit = unit, .left = questions_max};
   ask_next(node_.now());
 }
 
+/// In turn: one that nobody answers does not keep the others waiting.
 void UnitErrors::ask_next(Time) {
   if (client_.busy()) return;
-  for (Question& question : questions_) {
+  const auto asked = static_cast<std::size_t>(asking_ - questions_.data());
+  for (std::size_t i = 1; i <= questions_.size(); ++i) {
+    Question& question = questions_[(asked + i) % questions_.size()];
     if (question.left == 0) continue;
     --question.left;
-    asking_ = question.unit;
-    const AbortCode started =
-        client_.upload(asking_, object_index::error_register, 0, std::span<std::uint8_t>(register_),
-                       SdoClient::Done::to<&UnitErrors::answered>(*this));
+    asking_ = &question;
+    const AbortCode started = client_.upload(question.unit, object_index::error_register, 0,
+                                             std::span<std::uint8_t>(register_),
+                                             SdoClient::Done::to<&UnitErrors::answered>(*this));
     if (started == AbortCode::none) return;
   }
 }
 
 void UnitErrors::answered(SdoClient::Outcome outcome) {
-  if (!outcome.is_silence()) question_of(asking_).left = 0;
-  if (outcome && concerns_trips(register_[0])) set(asking_, true);
+  if (!outcome.is_silence()) asking_->left = 0;
+  if (outcome && concerns_trips(register_[0])) set(asking_->unit, true);
+  if (outcome && register_[0] == 0) set(asking_->unit, false);
   // Not from here: the NMT state may have ended it.
   node_.timers().arm(timer_, node_.now());
 }

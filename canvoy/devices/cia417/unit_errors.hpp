@@ -12,8 +12,10 @@
 // trip is not held: concerns_trips().
 //
 // An error is gone when its unit says so with an empty error register, boots, or is lost: what is
-// lost counts by that already. After a loss without a boot-up, and when this node itself starts,
-// a unit may have an error that nobody heard of: its error register 1001h is read.
+// lost counts by that already. After a loss without a boot-up, a sign of lost frames (ask_anew()),
+// and when this node itself starts, a unit may have an error that nobody heard of: its error
+// register 1001h is read. That of a unit with an error is read again as long as the error lasts:
+// its end may not have been heard.
 #pragma once
 
 #include <array>
@@ -47,19 +49,23 @@ constexpr bool concerns_trips(std::uint16_t code) {
 
 class UnitErrors {
  public:
-  /// All must outlive this. `client` reads error registers, of position and load unit: what drives
-  /// and doors have is in their statuswords.
+  /// All must outlive this. `client` reads error registers, where there is no error those of
+  /// position and load unit alone: what drives and doors have is in their statuswords.
   UnitErrors(Node& node, EmergencyConsumer& emergencies, SdoClient& client, const LiftUnits& units);
   UnitErrors(const UnitErrors&) = delete;
   UnitErrors& operator=(const UnitErrors&) = delete;
 
   /// Called when a unit has an error, or has none any more.
   void on_change(Callback<void()> changed) { changed_ = changed; }
+  /// Called for each emergency message, first.
+  void on_emergency(Callback<void(NodeId, const Emergency&)> told) { told_ = told; }
   bool has_error(NodeId unit) const { return errors_[unit]; }
   /// Of those that 1028h names.
   bool has_any_error() const { return errors_.any(); }
   /// The boot-up message of a node was heard: it begins without errors.
   void booted(NodeId unit) { set(unit, false); }
+  /// Emergency messages may have been lost (see GapWatch).
+  void ask_anew();
 
   /// `parts` as they are while no unit has an error; valid as long as this. Called once.
   LiftParts guard(const LiftParts& parts);
@@ -75,7 +81,7 @@ class UnitErrors {
     NodeId unit = 0;
     std::uint8_t left = 0;  ///< so often it is still to be asked
   };
-  Question& question_of(NodeId unit);
+  void look_again(Time now);
   void ask(NodeId unit);
   void ask_next(Time now);
   void answered(SdoClient::Outcome outcome);
@@ -89,13 +95,15 @@ class UnitErrors {
   LiftUnits units_;
   LiftParts behind_;
   std::bitset<node_id_max + 1> errors_;
-  std::array<Question, 2> questions_;  ///< to position unit and load unit
-  NodeId asking_ = 0;
+  std::array<Question, 3> questions_;  ///< to position unit, load unit, and one with an error
+  Question* asking_ = &questions_.back();
   std::array<std::uint8_t, 1> register_{};
   Callback<void()> changed_;
+  Callback<void(NodeId, const Emergency&)> told_;
   static const ServiceCalls service_calls;
   ServiceLink service_{&service_calls, this};
   Timer timer_;
+  Timer again_timer_;
 };
 
 }  // namespace canvoy::cia417

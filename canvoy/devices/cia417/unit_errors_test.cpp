@@ -68,6 +68,10 @@ TEST_F(UnitErrorsTest, OverspeedThatThePositionUnitSeesDoesSo) {
 }
 
 TEST_F(UnitErrorsTest, ACarThatStandsDoesNotStartBeforeTheErrorHasGone) {
+  // Drive and door have no error in truth, and would say so where their registers are read.
+  cable.filter = [](const Frame& frame) {
+    return wire_text(frame).find("#40 01 10") == std::string::npos;
+  };
   for (const char* unit : {"82", "84", "86", "8D"}) {
     emergency(unit, "00 50");
     press_in_car(8);

@@ -68,7 +68,8 @@ Charger::Charger(Node& node, const ChargerServices& services, const ChargerHardw
       charge_control_(settings.limits),
       scan_(node, {.profile = battery_profile}),
       link_(node),
-      timer_(Callback<void(Time)>::to<&Charger::control>(*this)) {
+      timer_(Callback<void(Time)>::to<&Charger::control>(*this)),
+      gaps_(node, Callback<void(NodeId)>::to<&Charger::ask_anew>(*this)) {
   node.attach(service_);
   scan_.on_found(Callback<void(NodeId)>::to<&Charger::battery_found>(*this));
   link_.on_answered(Callback<void(const BatteryOffer&)>::to<&Charger::battery_answered>(*this));
@@ -400,13 +401,18 @@ void Charger::forget_values() {
 
 /// A first value by remote frame, where the battery allows it; others come with its event timer
 /// (6.2.3.1).
-void Charger::request_first_values() {
+void Charger::request_values(const std::bitset<BatteryOffer::pdos>& wanted) {
   for (std::size_t position = 0; position < BatteryOffer::pdos; ++position) {
     const bool allows_remote = (offer_.tpdo[position].raw & CobId::bit30) == 0;
-    if (linked_rpdos_[position] && !fresh_rpdos_[position] && allows_remote) {
+    if (linked_rpdos_[position] && wanted[position] && allows_remote) {
       services_.rpdos.request(static_cast<std::uint16_t>(position + 1));
     }
   }
+}
+
+/// Its values may have changed unheard: without event timers they would be old for ever.
+void Charger::ask_anew(NodeId) {
+  if (phase_ == ChargerPhase::linked) request_values(linked_rpdos_);
 }
 
 void Charger::battery_changed(NodeId id, RemoteState state) {

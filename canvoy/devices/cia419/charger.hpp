@@ -20,6 +20,7 @@
 #include "canvoy/devices/cia419/battery_link.hpp"
 #include "canvoy/devices/cia419/charge_control.hpp"
 #include "canvoy/devices/cia419/charger_hardware.hpp"
+#include "canvoy/devices/gap_watch.hpp"
 #include "canvoy/profiles/cia419.hpp"
 
 namespace canvoy::cia419 {
@@ -133,7 +134,9 @@ class Charger {
   void remind_battery(Time now);
   void ask_for_heartbeat();
   std::uint16_t asked_heartbeat_ms() const;
-  void request_first_values();
+  void request_values(const std::bitset<BatteryOffer::pdos>& wanted);
+  void request_first_values() { request_values(~fresh_rpdos_); }
+  void ask_anew(NodeId battery);
   void enter(ChargerPhase phase);
   bool configure(std::uint16_t index, std::uint8_t sub, std::uint32_t value);
 
@@ -163,6 +166,7 @@ class Charger {
 
   std::bitset<BatteryOffer::pdos> linked_rpdos_;
   std::bitset<BatteryOffer::pdos> fresh_rpdos_;
+  GapWatch gaps_;
   NodeId found_ = 0;            ///< the battery that a connection is requested to; 0: none
   bool is_connected_ = false;   ///< by an SDO connection of its own
   bool tells_status_ = false;   ///< a TPDO is linked, and each of them begins with the status

@@ -31,7 +31,10 @@ NodeId sender_of(std::uint32_t can_id) {
 }  // namespace
 
 CarNetwork::CarNetwork(Node& node, const CarNetworkSettings& settings)
-    : node_(node), settings_(settings), timer_(Callback<void(Time)>::to<&CarNetwork::look>(*this)) {
+    : node_(node),
+      settings_(settings),
+      timer_(Callback<void(Time)>::to<&CarNetwork::look>(*this)),
+      gaps_(node, Callback<void(NodeId)>::to<&CarNetwork::missed>(*this), rhythms_) {
   next_restored_ = node.on_defaults_restored(
       Callback<void(ResetScope)>::to<&CarNetwork::defaults_restored>(*this));
   const auto heard = Callback<void(const Frame&, Time)>::to<&CarNetwork::error_control_came>(*this);
@@ -159,6 +162,7 @@ void CarNetwork::error_control_came(const Frame& frame, Time now) {
   const std::uint8_t state = frame.data[0];
   last_heard_[node] = now;
   if (state == boot_up && watched_[node]) lose(node);
+  gaps_.heard(node, remote_state(state));
   if (heard_) heard_(node, state);
 }
 

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "canvoy/canopen/node.hpp"
+#include "canvoy/devices/gap_watch.hpp"
 #include "canvoy/profiles/cia447/network.hpp"
 #include "canvoy/profiles/cia447/pdos.hpp"
 
@@ -83,6 +84,9 @@ class CarNetwork {
   /// Called for each watched node that is lost, which is not watched any more then. Answers who was
   /// called until now: who is called now calls that one as well.
   Callback<void(NodeId)> on_lost(Callback<void(NodeId)> lost) { return std::exchange(lost_, lost); }
+  /// Called after a sign that PDOs of a node, or of all (GapWatch::everyone), were lost. Answers
+  /// who was called until now, as on_lost() does.
+  Callback<void(NodeId)> on_gap(Callback<void(NodeId)> gap) { return std::exchange(gap_, gap); }
 
  private:
   void defaults_restored(ResetScope scope);
@@ -95,11 +99,13 @@ class CarNetwork {
   void error_control_came(const Frame& frame, Time now);
   void look(Time now);
   void lose(NodeId node);
+  void missed(NodeId node) { gap_(node); }
 
   Node& node_;
   CarNetworkSettings settings_;
   Callback<void(ResetScope)> next_restored_;
   Callback<void(NodeId)> lost_;
+  Callback<void(NodeId)> gap_;
   Callback<void(NodeId, std::uint8_t)> heard_;
   Timer timer_;
   std::array<Time, node_id_max + 1> last_heard_{};
@@ -110,6 +116,8 @@ class CarNetwork {
   NodeId listens_as_ = 0;  ///< node-ID of the requests that have routes
   bool listens_to_pdos_ = false;
   bool hands_on_ = false;  ///< an RPDO of another node than the gateway
+  std::array<GapWatch::Rhythm, node_id_max> rhythms_;
+  GapWatch gaps_;
 };
 
 }  // namespace canvoy::cia447

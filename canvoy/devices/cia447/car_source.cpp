@@ -21,6 +21,7 @@ CarSource::CarSource(CarNetwork& network, const Settings& settings)
       client_(network.node(), mesh_channel_to(0)),
       mapping_(mapping_of_pdo(settings.pdo_number)) {
   next_lost_ = network.on_lost(Callback<void(NodeId)>::to<&CarSource::node_lost>(*this));
+  next_gap_ = network.on_gap(Callback<void(NodeId)>::to<&CarSource::missed>(*this));
   next_heard_ =
       network.on_heard(Callback<void(NodeId, std::uint8_t)>::to<&CarSource::node_heard>(*this));
   network.node().attach(service_);
@@ -50,8 +51,22 @@ void CarSource::node_lost(NodeId node) {
 void CarSource::node_heard(NodeId node, std::uint8_t state) {
   if (next_heard_) next_heard_(node, state);
   const bool is_operational = state == static_cast<std::uint8_t>(NmtState::operational);
-  if (node != awaited_ || node == 0 || !is_operational || !settings_.read || client_.busy()) return;
-  client_.choose_channel(mesh_channel_to(node));
+  if (node == awaited_ && is_operational) begin_reading();
+}
+
+/// What the source told meanwhile has not come: its values hold until it has answered.
+void CarSource::missed(NodeId node) {
+  if (next_gap_) next_gap_(node);
+  const bool is_meant = node == GapWatch::everyone || node == source_;
+  if (!is_meant || source_ == 0 || !settings_.read) return;
+  awaited_ = source_;
+  begin_reading();
+}
+
+/// Where it cannot be now, the next heartbeat of the source begins it.
+void CarSource::begin_reading() {
+  if (awaited_ == 0 || !settings_.read || client_.busy()) return;
+  client_.choose_channel(mesh_channel_to(awaited_));
   position_ = 0;
   read_next();
 }

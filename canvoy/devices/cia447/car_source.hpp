@@ -7,7 +7,8 @@
 //
 // A PDO that is sent when its values change does not come because its receiver has missed it. So
 // its entries are read by SDO when the source is heard to be operational again: after a loss
-// without a boot-up, and after a reset of this node, which has forgotten them.
+// without a boot-up, and after a reset of this node, which has forgotten them; and as they are
+// after a sign that PDOs were lost (GapWatch).
 #pragma once
 
 #include <array>
@@ -43,12 +44,15 @@ class CarSource {
   void reset(ResetScope scope);
   void node_heard(NodeId node, std::uint8_t state);
   void node_lost(NodeId node);
+  void missed(NodeId node);
+  void begin_reading();
   void read_next();
   void answered(SdoClient::Outcome outcome);
 
   CarNetwork& network_;
   Settings settings_;
   Callback<void(NodeId)> next_lost_;
+  Callback<void(NodeId)> next_gap_;
   Callback<void(NodeId, std::uint8_t)> next_heard_;
   NodeId source_ = 0;
   NodeId awaited_ = 0;  ///< who was the source, and is to be read

@@ -9,7 +9,7 @@ namespace {
 constexpr std::array fault_names{
     FaultName{"lost-node", "a device has no power (default: the next stop indicator)"},
     FaultName{"restart", "a device boots again (default: the on-board computer)"},
-    FaultName{"cable-cut", "the bus cable is cut behind the on-board computer"},
+    FaultName{"cable-cut", "the bus cable is cut behind a device (default: the on-board computer)"},
     FaultName{"babbling-node", "a stranger fills the bus with frames of the highest priority"},
     FaultName{"corrupted-frames", "one frame in a hundred is disturbed, and sent again"},
     FaultName{"wrong-clock", "the clock of the on-board computer is an hour fast"},

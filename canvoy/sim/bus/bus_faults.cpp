@@ -79,11 +79,15 @@ void BusFaults::set(const ScheduledFault& fault, bool is_present) {
   }
 }
 
+void BusFaults::cut(NodeId behind, bool is_present) {
+  troubles_.at(car_of(behind) - 1U).cut_cable(nodes_.node(behind).controller(), is_present);
+}
+
 void BusFaults::set_of_cables(const ScheduledFault& fault, bool is_present) {
   BusTrouble& first = troubles_[0];
   switch (fault.kind) {
     case FaultKind::cable_cut:
-      return first.cut_cable(nodes_.node(computer_id).controller(), is_present);
+      return cut(fault.node == 0 ? computer_id : fault.node, is_present);
     case FaultKind::babbling_node:
       return first.babble(is_present);
     case FaultKind::corrupted_frames:

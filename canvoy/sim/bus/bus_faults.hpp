@@ -58,6 +58,7 @@ class BusFaults {
   void ended(std::size_t fault);
   void set(const ScheduledFault& fault, bool is_present);
   void set_of_cables(const ScheduledFault& fault, bool is_present);
+  void cut(NodeId behind, bool is_present);
   void power(NodeId id, bool is_on);
 
   BusNodes& nodes_;

@@ -28,6 +28,7 @@ LineControl::LineControl(cia407::VirtualDevice& device, const LineControlHardwar
       settings_(std::move(settings)),
       remotes_(std::make_unique<std::array<NmtMaster::RemoteNode, node_id_max>>()),
       master_(device.node(), *remotes_),
+      gaps_(device.node(), Callback<void(NodeId)>::to<&LineControl::ask_anew>(*this), rhythms_),
       displays_(device.node(), master_, hardware.computer->texts()),
       timer_(Callback<void(Time)>::to<&LineControl::look>(*this)),
       position_({.odometer = hardware.odometer, .has_open_door = hardware.has_open_door}),
@@ -35,6 +36,7 @@ LineControl::LineControl(cia407::VirtualDevice& device, const LineControlHardwar
   for (const DisplayServer::Display& display : settings_.displays) displays_.add(display);
   device.on_reset = Callback<void(ResetScope)>::to<&LineControl::reset>(*this);
   device.react(*this, hook_calls);
+  master_.on_message(Callback<void(NodeId, RemoteState)>::to<&LineControl::heard>(*this));
   master_.on_change(Callback<void(NodeId, RemoteState)>::to<&LineControl::changed>(*this));
   for (const NodeId id : settings_.nodes) {
     master_.set_time_out(
@@ -122,6 +124,16 @@ void LineControl::start_waiting() {
 void LineControl::tell_again(NodeId id) {
   master_.command(id, NmtCommand::enter_pre_operational);
   master_.command(id, NmtCommand::start);
+}
+
+/// Who enters operational tells all that it has (8.1.4.3).
+void LineControl::ask_anew(NodeId id) {
+  if (!has_begun_) return;
+  for (const NodeId source : settings_.sources) {
+    const bool is_meant = id == GapWatch::everyone || id == source;
+    if (is_meant && master_.remote(source).state() == RemoteState::operational) tell_again(source);
+  }
+  tell_again(node().id());
 }
 
 /// It has missed what was told: all is told again (8.1.4.3: once after reaching operational).

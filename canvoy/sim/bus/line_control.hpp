@@ -5,7 +5,8 @@
 // It senses what a real one does: pulses of the wheels and the contacts of the doors, which are
 // wired to it; the journey, position and time by CAN, from identification, positioning and time
 // fixing. What it does not know it does not say: then displays are dark, tickets are blocked, and
-// the stop point is 0.
+// the stop point is 0. After a sign of lost frames (GapWatch) those who know something tell it
+// again, and the computer tells its own.
 #pragma once
 
 #include <array>
@@ -16,6 +17,7 @@
 #include "canvoy/canopen/nmt/nmt_master.hpp"
 #include "canvoy/devices/cia407/bus_kind.hpp"
 #include "canvoy/devices/cia407/main_on_board_computer/main_on_board_computer_unit.hpp"
+#include "canvoy/devices/gap_watch.hpp"
 #include "canvoy/sim/bus/bus_line.hpp"
 #include "canvoy/sim/bus/display_server.hpp"
 #include "canvoy/sim/bus/journey_texts.hpp"
@@ -43,6 +45,8 @@ struct LineControlSettings {
   /// on-board computer provides this object, and so has no entry to which it could be mapped.
   std::uint16_t train_stop_request_id = 0;
   NodeId train_gateway = 0;  ///< who tells it
+  /// Who tells by PDOs what the computer has to know.
+  std::vector<NodeId> sources{};
 };
 
 class LineControl {
@@ -78,6 +82,8 @@ class LineControl {
   void start(NodeId id);
   void refresh();
   void tell_again(NodeId id);
+  void heard(NodeId id, RemoteState state) { gaps_.heard(id, state); }
+  void ask_anew(NodeId id);
   void forget_all();
   void train_told(const Frame& frame, Time now);
 
@@ -97,6 +103,8 @@ class LineControl {
   LineControlSettings settings_;
   std::unique_ptr<std::array<NmtMaster::RemoteNode, node_id_max>> remotes_;
   NmtMaster master_;
+  std::array<GapWatch::Rhythm, node_id_max> rhythms_;
+  GapWatch gaps_;
   DisplayServer displays_;
   Timer timer_;
   bool has_begun_ = false;

@@ -5,7 +5,7 @@
 // It knows no timetable: texts come from the first car (610Ch, 610Dh, 6112h), and which stop is
 // next by its number in the route (610Ah). While texts of another journey come in, no stop is
 // shown. Where the train bus is silent, or the first car does not know, all is dark and the stop
-// point is 0.
+// point is 0. After a sign of lost frames (GapWatch) all is told again.
 #pragma once
 
 #include <array>
@@ -15,6 +15,7 @@
 #include "canvoy/canopen/nmt/nmt_master.hpp"
 #include "canvoy/devices/cia407/bus_kind.hpp"
 #include "canvoy/devices/cia407/main_on_board_computer/text_sender.hpp"
+#include "canvoy/devices/gap_watch.hpp"
 #include "canvoy/sim/bus/display_server.hpp"
 
 namespace canvoy::bus {
@@ -49,6 +50,10 @@ class MirrorControl {
   void start(NodeId id);
   void written(const Entry& entry);
   void tell_again();
+  void heard(NodeId id, RemoteState state) { gaps_.heard(id, state); }
+  void ask_anew(NodeId /*id*/) {
+    if (has_begun_) tell_again();
+  }
   void forget_train();
   std::vector<std::uint8_t> text(std::uint16_t index, std::uint8_t sub);
   DisplayView view_of(DisplayUse use);
@@ -58,6 +63,8 @@ class MirrorControl {
   MirrorControlSettings settings_;
   std::unique_ptr<std::array<NmtMaster::RemoteNode, node_id_max>> remotes_;
   NmtMaster master_;
+  std::array<GapWatch::Rhythm, node_id_max> rhythms_;
+  GapWatch gaps_;
   cia407::TextSender texts_;
   DisplayServer displays_;
   Timer timer_;

@@ -90,7 +90,8 @@ LineControlSettings OnBoardComputer::line_control_settings() {
       .positioning = positioning_id,
       .doors = vehicle_gateway_id,
       .train_stop_request_id = train_stop_request_id,
-      .train_gateway = train_gateway_id};
+      .train_gateway = train_gateway_id,
+      .sources = {identification_id, positioning_id, vehicle_gateway_id, counting_manager_id}};
   for (const DevicePlace& place : device_places) {
     if (place.id != computer_id && place.car == 1) settings.nodes.push_back(place.id);
   }

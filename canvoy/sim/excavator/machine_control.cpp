@@ -32,7 +32,8 @@ MachineControl::MachineControl(HostNode& device, const HostSettings& settings)
               Callback<void(Time)>::to<&MachineControl::start_valves>(*this)),
       armrest_(device.node(), Callback<void()>::to<&MachineControl::armrest_changed>(*this)),
       look_timer_(Callback<void(Time)>::to<&MachineControl::look>(*this)),
-      horn_timer_(Callback<void(Time)>::to<&MachineControl::end_horn>(*this)) {
+      horn_timer_(Callback<void(Time)>::to<&MachineControl::end_horn>(*this)),
+      gaps_(device.node(), Callback<void(NodeId)>::to<&MachineControl::ask_anew>(*this)) {
   device.node().attach(service_);
   device.heartbeat_consumer().on_change(
       Callback<void(NodeId, RemoteState)>::to<&MachineControl::changed>(*this));
@@ -122,11 +123,23 @@ void MachineControl::start(Partner& who) {
   }
   who.is_ready = who.was_ready = true;
   drive();
-  const bool is_seat = &who == &seat_;
-  if (is_seat && settings_.has_armrest) armrest_.begin();
+  if (&who == &seat_ && settings_.has_armrest) armrest_.begin();
+  tell_anew(who);
+}
+
+void MachineControl::tell_anew(const Partner& partner) {
+  const bool is_seat = &partner == &seat_;
   const auto first = static_cast<std::uint16_t>(is_seat ? Output::lamps : Output::switches);
   for (std::uint16_t i = 0; i < 3; ++i) {
     device_.tpdos().trigger(static_cast<std::uint16_t>(first + i));
+  }
+}
+
+/// Buttons and the knob are told when they change alone, and so are lamps, display and switches.
+void MachineControl::ask_anew(NodeId) {
+  for (std::uint16_t input = 1; input <= host_inputs; ++input) device_.rpdos().request(input);
+  for (const Partner* partner : {&seat_, &valves_}) {
+    if (partner->is_ready) tell_anew(*partner);
   }
 }
 

@@ -14,6 +14,7 @@
 #include <memory>
 
 #include "canvoy/canopen/nmt/nmt_master.hpp"
+#include "canvoy/devices/gap_watch.hpp"
 #include "canvoy/sim/excavator/armrest_watch.hpp"
 #include "canvoy/sim/excavator/host_objects.hpp"
 #include "canvoy/sim/excavator/machine_setup.hpp"
@@ -64,6 +65,8 @@ class MachineControl {
   void begin(Partner& partner);
   void received(std::uint16_t number);
   void timed_out(std::uint16_t number);
+  void ask_anew(NodeId partner);
+  void tell_anew(const Partner& partner);
   void armrest_changed();
   /// The safety lever is down.
   bool is_released() const {
@@ -93,6 +96,7 @@ class MachineControl {
   ServiceLink service_{&service_calls, this};
   Timer look_timer_;
   Timer horn_timer_;
+  GapWatch gaps_;
 
   std::array<bool, host_inputs + 1> is_fresh_{};
   std::array<bool, commands> is_armed_{};   ///< was let go since something was wrong

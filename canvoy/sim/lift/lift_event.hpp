@@ -11,6 +11,7 @@
 #include "canvoy/sim/lift/fault.hpp"
 #include "canvoy/sim/lift/invariant.hpp"
 #include "canvoy/sim/lift/referee.hpp"
+#include "canvoy/sim/lift/safety_chain.hpp"
 
 namespace canvoy::lift {
 
@@ -34,6 +35,11 @@ struct DoorsOpened {
   LiftNumber lift = 1;
   FloorNumber floor = no_floor;
 };
+/// The safety chain is open until somebody comes; `none`: he has, and has reset it by hand.
+struct ChainTripped {
+  LiftNumber lift = 1;
+  SafetyChain::Trip trip = SafetyChain::Trip::none;
+};
 
 // Done by the simulation. The part of a place is the number of a lift; 0: the group, or all.
 
@@ -44,7 +50,7 @@ using InvariantBroken = canvoy::InvariantBroken<InvariantKind>;
 struct LiftEvent {
   Time at{};
   std::variant<BootedUp, NmtStateSeen, EmergencySeen, BusStateChanged, LampChanged, CarStarted,
-               CarStopped, DoorsOpened, FaultBegan, FaultEnded, InvariantBroken>
+               CarStopped, DoorsOpened, ChainTripped, FaultBegan, FaultEnded, InvariantBroken>
       what;
 };
 

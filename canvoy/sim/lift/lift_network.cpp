@@ -94,6 +94,10 @@ LiftDevicesHooks LiftNetwork::Parts::of_devices() {
                         [this](LiftNumber panel, const DestinationButton& button, LiftNumber lift) {
                           referees.assigned(world.now(), panel, button, lift);
                           people.assigned(panel, button, lift);
+                        },
+                    .tripped =
+                        [this](LiftNumber lift, SafetyChain::Trip trip) {
+                          events.push_back({world.now(), ChainTripped{lift, trip}});
                         }},
           .heard = [this](Time now, const BusEvent& event) { heard(now, event); }};
 }

@@ -18,6 +18,8 @@ using cia417::SpecialFunction;
 constexpr Duration moving_period = 100ms;
 /// A car that was told to move waits for its brake.
 constexpr Duration watched_period = 1s;
+/// Who is called by a car that stands comes, and resets by hand what is whole.
+constexpr Duration somebody_comes_after = 2min;
 /// People step in as soon as the door is open by so much of its width.
 constexpr double walkable_share = 0.8;
 constexpr double joule_per_wh = 3600;
@@ -35,6 +37,8 @@ struct LiftShaft::Parts {
   RealDevices::Hands led_by_real_devices();
   void kick();
   void step(Time at);
+  Time watch_trip(Time at);
+  bool is_whole() const;
   void reset_by_hand();
   void set_door_fault(FaultKind kind, NodeId unit, bool present);
   ShaftDoor& door(DoorNumber number) { return *doors.at(number - std::size_t{1}); }
@@ -49,6 +53,7 @@ struct LiftShaft::Parts {
   World& world;
   ShaftPlan plan;
   std::function<void(LiftNumber)> changed;
+  std::function<void(LiftNumber, SafetyChain::Trip)> told_of_trip;
   PlantIndex plant;
   ShaftCar car;
   ShaftDoors doors;
@@ -58,7 +63,9 @@ struct LiftShaft::Parts {
   ShaftPanels panels;
   ShaftUnits units;
   std::unique_ptr<RealDevices> real{};
-  Time looked_at_until{};  ///< something has just changed
+  Time looked_at_until{};                            ///< something has just changed
+  SafetyChain::Trip trip = SafetyChain::Trip::none;  ///< that was told
+  Time tripped_at{};
   unsigned fire_alarms = 0;
   bool is_put_together = false;
 };
@@ -68,6 +75,7 @@ LiftShaft::Parts::Parts(World& its_world, const LiftNetworkDescription& descript
     : world(its_world),
       plan(description, number),
       changed(std::move(hooks.changed)),
+      told_of_trip(std::move(hooks.tripped)),
       plant(world.add_sleeping_plant(Callback<void(Time)>::to<&Parts::step>(*this))),
       car(description.building, number, Callback<Time()>::to<&Parts::now>(*this)),
       doors(doors_of(plan.design(), Callback<void()>::to<&Parts::kick>(*this))),
@@ -130,7 +138,7 @@ void LiftShaft::Parts::kick() {
 
 void LiftShaft::Parts::step(Time at) {
   car.look_at_chain(at, doors);
-  Time next = never;
+  Time next = watch_trip(at);
   if (car.plant().truth().velocity_m_s != 0 || at < looked_at_until) next = at + moving_period;
   for (const auto& each : doors) {
     if (each->plant().is_moving(at)) next = std::min(next, at + moving_period);
@@ -140,11 +148,27 @@ void LiftShaft::Parts::step(Time at) {
   if (changed) changed(plan.lift());
 }
 
+/// Answers when it is to be looked at again: where nothing is broken (any more), somebody has to
+/// come all the same.
+Time LiftShaft::Parts::watch_trip(Time at) {
+  if (std::exchange(trip, car.trip()) != car.trip()) {
+    tripped_at = at;
+    if (told_of_trip) told_of_trip(plan.lift(), trip);
+  }
+  if (trip == SafetyChain::Trip::none) return never;
+  if (at < tripped_at + somebody_comes_after) return tripped_at + somebody_comes_after;
+  if (is_whole()) reset_by_hand();
+  return never;
+}
+
+bool LiftShaft::Parts::is_whole() const {
+  return car.is_whole() &&
+         std::ranges::all_of(doors, [](const auto& each) { return each->is_whole(); });
+}
+
 /// Who mends the last thing that is broken.
 void LiftShaft::Parts::reset_by_hand() {
-  const bool are_doors_whole =
-      std::ranges::all_of(doors, [](const auto& each) { return each->is_whole(); });
-  if (car.is_whole() && are_doors_whole) car.reset_by_hand();
+  if (is_whole()) car.reset_by_hand();
   kick();
 }
 

@@ -19,6 +19,7 @@
 #include "canvoy/sim/lift/lift_snapshot.hpp"
 #include "canvoy/sim/lift/passenger.hpp"
 #include "canvoy/sim/lift/referee.hpp"
+#include "canvoy/sim/lift/safety_chain.hpp"
 #include "canvoy/sim/world.hpp"
 
 namespace canvoy::lift {
@@ -32,6 +33,8 @@ struct ShaftHooks {
   std::function<void(LiftNumber, const CallKey&, bool lit)> lamp{};
   /// A landing panel of this lift says to which one a destination call was given; 0: to none yet.
   std::function<void(LiftNumber, const DestinationButton&, LiftNumber assigned)> assigned{};
+  /// What only a hand resets has opened the safety chain; `none`: a hand has reset it.
+  std::function<void(LiftNumber, SafetyChain::Trip)> tripped{};
 };
 
 class LiftShaft {

@@ -36,6 +36,10 @@ class ShaftCar {
   /// Whether the frame was of that drive, or for it.
   bool hear(const Frame& frame) { return real_.hear(frame); }
 
+  /// What of the safety chain only a hand resets.
+  SafetyChain::Trip trip() const {
+    return chain_.is_closed() ? SafetyChain::Trip::none : chain_.trip();
+  }
   /// What the safety chain lets the drive do from now on.
   void look_at_chain(Time now, const ShaftDoors& doors);
   /// It moves although its brake is closed.

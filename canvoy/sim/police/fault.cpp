@@ -11,7 +11,7 @@ namespace {
 constexpr std::array fault_names{
     FaultName{"lost-node", "a device has no power (default: the terminal)"},
     FaultName{"restart", "a device boots again (default: the terminal)"},
-    FaultName{"cable-cut", "the bus cable is cut behind the gateway"},
+    FaultName{"cable-cut", "the bus cable is cut behind a device (default: the gateway)"},
     FaultName{"babbling-node", "a stranger fills the bus with frames of the highest priority"},
     FaultName{"corrupted-frames", "one frame in a hundred is disturbed, and sent again"},
     FaultName{"burnt-lamp", "a blue flasher in front gives no light"},

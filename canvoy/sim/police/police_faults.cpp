@@ -19,6 +19,11 @@ constexpr Duration excuse_of(FaultKind kind) {
   return kind == FaultKind::corrupted_frames ? Duration{} : PoliceFaults::return_bound;
 }
 
+/// Of a cut cable.
+car::CarNode& cut_behind(const ScheduledFault& fault, car::CarBus& bus) {
+  return fault.node == 0 ? bus.gateway() : bus.node(fault.node);
+}
+
 }  // namespace
 
 PoliceFaults::PoliceFaults(PoliceCar& car, const FaultPlan& plan, car::Excuse& excuse,
@@ -62,7 +67,7 @@ void PoliceFaults::set(const ScheduledFault& fault, bool is_present) {
     case FaultKind::restart:
       return is_present ? cuts_.restart(place_of_fault(fault)) : void();
     case FaultKind::cable_cut:
-      return trouble_.cut_cable(car_.bus().gateway().controller(), is_present);
+      return trouble_.cut_cable(cut_behind(fault, car_.bus()).controller(), is_present);
     case FaultKind::babbling_node:
       return trouble_.babble(is_present);
     case FaultKind::corrupted_frames:

@@ -36,10 +36,13 @@ RadioControl::RadioControl(CarNetwork& network, const RadioControlHardware& hard
       menu_(network, terminal_, title_of(Client::radio)),
       audio_(network, {.server = settings.audio_switch}),
       hands_free_(network, {.server = settings.hands_free}),
-      handset_source_(network, {.pdo_number = handset_pdo,
-                                .lost = Callback<void()>::to<&RadioControl::handset_lost>(*this)}),
+      handset_source_(network,
+                      {.pdo_number = handset_pdo,
+                       .lost = Callback<void()>::to<&RadioControl::handset_lost>(*this),
+                       .read = Callback<void()>::to<&RadioControl::look_at_handset>(*this)}),
       key_source_(network, {.pdo_number = hands_free_pdo,
-                            .lost = Callback<void()>::to<&RadioControl::key_lost>(*this)}) {
+                            .lost = Callback<void()>::to<&RadioControl::key_lost>(*this),
+                            .read = Callback<void()>::to<&RadioControl::look_at_key>(*this)}) {
   terminal_.on_number_key(Callback<void(NumberPadKey)>::to<&RadioControl::number_pressed>(*this));
   network.node().attach(service_);
 }
@@ -69,6 +72,9 @@ void RadioControl::number_pressed(NumberPadKey key) {
 
 void RadioControl::handset_written(const Entry&, Source source) {
   handset_source_.came(source);
+  look_at_handset();
+}
+void RadioControl::look_at_handset() {
   const Values inputs(network_.node().dictionary());
   handset_is_pressed_ = inputs[discrete_inputs_status_ptt_di].is(Signal::on);
   talk();
@@ -82,6 +88,9 @@ void RadioControl::handset_lost() {
 /// Each press begins a conversation, or ends it.
 void RadioControl::key_written(const Entry&, Source source) {
   key_source_.came(source);
+  look_at_key();
+}
+void RadioControl::look_at_key() {
   const Values values(network_.node().dictionary());
   const bool is_pressed = values[radio_hand_free_status_key].is(Signal::yes);
   if (is_pressed && !key_is_pressed_) is_hands_free_ = !is_hands_free_;

@@ -43,8 +43,10 @@ class RadioControl {
   void number_pressed(cia447::NumberPadKey key);
   void handset_written(const Entry& entry, Source source);
   void handset_lost();
+  void look_at_handset();
   void key_written(const Entry& entry, Source source);
   void key_lost();
+  void look_at_key();
   void talk();
   void connect(unsigned place, NodeId input, NodeId output, bool is_on);
 

@@ -10,6 +10,11 @@ NodeId node_of(const ScheduledFault& fault) {
   return fault.node == 0 ? taximeter_id : fault.node;
 }
 
+/// Of a cut cable.
+car::CarNode& cut_behind(const ScheduledFault& fault, car::CarBus& bus) {
+  return fault.node == 0 ? bus.gateway() : bus.node(fault.node);
+}
+
 }  // namespace
 
 TaxiFaults::TaxiFaults(TaxiCar& car, const FaultPlan& plan, TripBook& trips, car::Excuse& excuse,
@@ -59,7 +64,7 @@ void TaxiFaults::set(const ScheduledFault& fault, bool is_present) {
     case FaultKind::restart:
       return is_present ? cuts_.restart(node_of(fault)) : void();
     case FaultKind::cable_cut:
-      return trouble_.cut_cable(car_.bus().gateway().controller(), is_present);
+      return trouble_.cut_cable(cut_behind(fault, car_.bus()).controller(), is_present);
     case FaultKind::babbling_node:
       return trouble_.babble(is_present);
     case FaultKind::corrupted_frames:

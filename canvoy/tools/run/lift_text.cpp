@@ -93,6 +93,23 @@ std::string_view end_text(CallEnd end) {
   return "ends";
 }
 
+std::string_view trip_text(lift::SafetyChain::Trip trip) {
+  using enum lift::SafetyChain::Trip;
+  switch (trip) {
+    case none:
+      break;
+    case overspeed:
+      return "overspeed governor";
+    case unintended_movement:
+      return "unintended movement";
+    case final_limit:
+      return "final limit switch";
+    case gear:
+      return "safety gear";
+  }
+  return "";
+}
+
 std::string_view emergency_meaning(std::uint16_t code) {
   const auto known = std::ranges::find(cia417::profile.error_codes, code, &ErrorCodeInfo::code);
   return known != cia417::profile.error_codes.end() ? known->text : words::emergency_text(code);
@@ -149,6 +166,18 @@ class LiftTeller {
   }
   Told operator()(const lift::DoorsOpened& event) const {
     return car("doors", event.lift, event.floor, "is open " + place_name(network_, event.floor));
+  }
+  Told operator()(const lift::ChainTripped& event) const {
+    const bool is_reset = event.trip == lift::SafetyChain::Trip::none;
+    const std::string text =
+        is_reset
+            ? fmt::format("safety chain of lift {} is reset by hand", event.lift)
+            : fmt::format("safety chain of lift {} is open: {}", event.lift, trip_text(event.trip));
+    return {text,
+            {{"event", "safety_chain"},
+             {"lift", event.lift},
+             {"trip", is_reset ? std::string_view() : trip_text(event.trip)},
+             {"text", text}}};
   }
   Told operator()(const lift::FaultBegan& event) const { return fault(true, event); }
   Told operator()(const lift::FaultEnded& event) const { return fault(false, event); }

@@ -17,6 +17,7 @@
 #include "canvoy/devices/cia417/controller/lift_units.hpp"
 #include "canvoy/devices/cia417/lift_kind.hpp"
 #include "canvoy/devices/cia417/lift_number.hpp"
+#include "canvoy/devices/gap_watch.hpp"
 #include "canvoy/profiles/cia417/watched_nodes.hpp"
 #include "canvoy/profiles/device_values.hpp"
 #include "canvoy/profiles/layout.hpp"
@@ -100,6 +101,7 @@ class CallControllerDevice
   CallController calls_;
   CallPanels<layout> panels_;
   ReturnedPanels returned_;
+  GapWatch gaps_{node(), Callback<void(NodeId)>::to<&ReturnedPanels::ask_anew>(returned_)};
 };
 
 }  // namespace canvoy::cia417

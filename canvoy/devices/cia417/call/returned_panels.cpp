@@ -1,5 +1,7 @@
 #include "canvoy/devices/cia417/call/returned_panels.hpp"
 
+#include "canvoy/devices/gap_watch.hpp"
+
 namespace canvoy::cia417 {
 
 constexpr ServiceCalls ReturnedPanels::service_calls = {
@@ -22,9 +24,13 @@ void ReturnedPanels::reset(ResetScope) {
 
 /// What panels told while this node could hear no PDOs they do not tell again.
 void ReturnedPanels::state_entered(NmtState state) {
-  if (state != NmtState::operational) return;
+  if (state == NmtState::operational) ask_anew(GapWatch::everyone);
+}
+
+void ReturnedPanels::ask_anew(NodeId panel) {
   for (unsigned id = 1; id <= node_id_max; ++id) {
-    if (heard_[id]) returned(static_cast<NodeId>(id));
+    const bool is_meant = panel == GapWatch::everyone || panel == id;
+    if (is_meant && heard_[id]) returned(static_cast<NodeId>(id));
   }
 }
 
@@ -37,10 +43,8 @@ void ReturnedPanels::heard(NodeId panel, RemoteState state) {
 void ReturnedPanels::error_changed(const Error& error, bool present) {
   constexpr std::uint16_t own_life_guarding = 0;
   if (error.code != canvoy::emergency_code::heartbeat || present) return;
-  for (unsigned id = 1; id <= node_id_max; ++id) {
-    const bool is_all = error.instance == own_life_guarding && heard_[id];
-    if (is_all || error.instance == id) returned(static_cast<NodeId>(id));
-  }
+  if (error.instance == own_life_guarding) return ask_anew(GapWatch::everyone);
+  if (is_node_id(error.instance)) returned(static_cast<NodeId>(error.instance));
 }
 
 void ReturnedPanels::returned(NodeId panel) {

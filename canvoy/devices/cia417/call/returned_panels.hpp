@@ -8,6 +8,8 @@
 //     nmt_master.on_change(Callback<void(NodeId,
 //     RemoteState)>::to<&ReturnedPanels::heard>(returned));
 //
+// After a sign of lost frames (GapWatch) the same is done by ask_anew().
+//
 // Losses and returns that the node's own heartbeat consumer sees come here by themselves.
 #pragma once
 
@@ -29,6 +31,9 @@ class ReturnedPanels {
   /// Nodes for which it answers false have no inputs to be read.
   void on_question(Callback<bool(NodeId)> has_inputs) { has_inputs_ = has_inputs; }
   void heard(NodeId panel, RemoteState state);
+  /// PDOs of this panel, or of all that were heard (GapWatch::everyone), may have been lost, and
+  /// some to it.
+  void ask_anew(NodeId panel);
 
   /// Where many come at one time, they are told together.
   static constexpr Duration tells_after = 200ms;

@@ -142,6 +142,8 @@ void LiftController::change_fault(LiftFault fault) {
     resume_at_ = node_.now() + settings_.times.retry;
     return;
   }
+  parts_.ask_anew();
+  ask_at_ = node_.now() + settings_.times.retry;
   if (fault == LiftFault::unlocked) faults_.latch(fault);
   if (!motion_.standing || !motion_.available) parts_.motion.fast_stop();
   direction_ = Direction::none;
@@ -174,42 +176,6 @@ void LiftController::change_service(LiftService service) {
   // Nobody gets in any more.
   if (accepted == 0) dwell_.end(node_.now());
   idle_since_ = node_.now();
-}
-
-void LiftController::show() {
-  LiftDisplay& display = calls_.display();
-  display.floor = motion_.available ? floors().nearest(motion_.position_micrometre) : 0;
-  display.moving = phase_ == LiftPhase::driving || hand_.direction() != 0;
-  display.direction = direction_;
-  const bool stops = phase_ == LiftPhase::opening || phase_ == LiftPhase::open;
-  display.lantern_floor = stops ? floor_ : promised_.floor;
-  display.lantern_doors = stops ? open_doors_ : promised_.doors;
-  const Direction departs = stops ? direction_ : promised_.departure;
-  display.lantern = service_.accepted() == all_calls ? departs : Direction::none;
-  display.specials = special_indications();
-  calls_.show();
-}
-
-SpecialIndications LiftController::special_indications() const {
-  SpecialIndications specials = 0;
-  const auto add = [&](bool is_case, SpecialIndication indication) {
-    if (is_case) specials |= indication_bit(indication);
-  };
-  const bool takes_time =
-      calls_.is_on(SpecialFunction::load_time_1) || calls_.is_on(SpecialFunction::load_time_2);
-  add(load_.zero && load_.known, SpecialIndication::no_load);
-  add(load_.full && !load_.overload, SpecialIndication::full_load);
-  add(load_.overload, SpecialIndication::overload);
-  add(service_.is_in_fire(), SpecialIndication::fire);
-  add(service_.is(LiftService::fire_brigade), SpecialIndication::fire_brigade_service);
-  add(calls_.is_help_coming(), SpecialIndication::help_is_coming);
-  add(service_.is(LiftService::special) || service_.is_manual(),
-      SpecialIndication::special_service);
-  add(takes_time, SpecialIndication::load_time);
-  add(service_.is_occupied(), SpecialIndication::occupied);
-  add(service_.is(LiftService::out_of_order) || faults_.is_there(),
-      SpecialIndication::out_of_order);
-  return specials;
 }
 
 /// The floor with a door that is next to this one, which is asked first; itself where none has one.
@@ -296,6 +262,7 @@ void LiftController::await_open() {
   }
   answer_here();
   if (node_.now() < deadline_) return wake_at(deadline_);
+  parts_.ask_anew();
   faults_.doors_opened(false);
   close_doors();
 }
@@ -330,6 +297,7 @@ void LiftController::await_closed() {
     if (closing_ == DoorClosing::normal && wanted_closing() != closing_) return close_doors();
     return wake_at(deadline_);
   }
+  if (is_late) parts_.ask_anew();
   if (is_late && dwell_.was_late()) faults_.doors_closed(false);
   const std::uint8_t floor = floor_here();
   // Nobody gets out between floors: it only tries again.
@@ -366,6 +334,7 @@ void LiftController::stand() {
     idle_since_ = node_.now();
     return enter(LiftPhase::idle);
   }
+  ask_while_it_waits();
   let_out();
   if (faults_.latched() == LiftFault::none || !motion_.standing || !motion_.available) return;
   if (deadline_ == never) deadline_ = node_.now() + settings_.times.retry;
@@ -527,6 +496,15 @@ void LiftController::close_doors() {
   enter(LiftPhase::closing);
   closing_ = wanted_closing();
   parts_.doors.close(settings_.doors, closing_);
+}
+
+/// The end of what is wrong may not have been heard.
+void LiftController::ask_while_it_waits() {
+  if (node_.now() >= ask_at_) {
+    parts_.ask_anew();
+    ask_at_ = node_.now() + settings_.times.retry;
+  }
+  wake_at(ask_at_);
 }
 
 /// Who is in the car of a lift that has a fault gets out where there is a floor.

@@ -75,6 +75,9 @@ struct LiftParts {
   LiftMotion motion;
   LiftDoors doors;
   Callback<LiftLoad()> load;  ///< without one the car is neither empty nor full
+  /// What is known of them may be old: they are to be asked. Called when a trip or a door does not
+  /// come to its end in time, and again and again while there is a fault.
+  Callback<void()> ask_anew = {};
 };
 
 enum class LiftPhase : std::uint8_t {
@@ -166,6 +169,7 @@ class LiftController {
   void open_doors(DoorMask doors);
   void close_doors();
   void let_out();
+  void ask_while_it_waits();
   bool relevel();
   bool answer_here();
   bool should_open();
@@ -226,6 +230,7 @@ class LiftController {
   Time deadline_ = never;
   Time idle_since_{};
   Time resume_at_{};
+  Time ask_at_{};  ///< while there is a fault
   Time started_at_{};
 };
 

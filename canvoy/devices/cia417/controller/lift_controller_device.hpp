@@ -10,7 +10,8 @@
 // 8130h with its node-ID; a unit that a trip needs and that is silent, or tells of an error, makes
 // the lift stand (LiftFault). Nodes that boot, or are found in pre-operational, are started. What
 // comes, or comes back, has not heard this node or not been heard by it: units are asked for their
-// state, of all others the inputs are read, and all outputs are told (see ReturnedPanels).
+// state, of all others the inputs are read, and all outputs are told (see ReturnedPanels). The same
+// is done after a sign that frames were lost (see GapWatch), and while the lift waits in vain.
 #pragma once
 
 #include <array>
@@ -31,6 +32,7 @@
 #include "canvoy/devices/cia417/load/load_signals.hpp"
 #include "canvoy/devices/cia417/unit_errors.hpp"
 #include "canvoy/devices/device.hpp"
+#include "canvoy/devices/gap_watch.hpp"
 #include "canvoy/profiles/device_values.hpp"
 #include "canvoy/profiles/layout.hpp"
 
@@ -102,21 +104,26 @@ class LiftControllerDevice
         returned_(node(), key_client_, calls_),
         doors_(node(), of_lift(settings.doors), &device_.rpdos()),
         drive_(node(), {.rpdos = &device_.rpdos(), .tpdos = &device_.tpdos(), .client = &client_},
-               of_lift(settings.drive)),
+               between(settings.lift.floors, of_lift(settings.drive))),
         load_(node(), device_.rpdos(), device_.heartbeat_consumer(),
               {.lift = options.lift, .load_unit = settings.load_unit}),
         units_(units_of(settings)),
         errors_(node(), device_.emergency_consumer(), register_client_, units_),
         lift_(node(), calls_,
-              errors_.guard({.motion = drive_.interface(),
-                             .doors = doors_.interface(),
-                             .load = load_.interface()}),
+              errors_.guard(
+                  {.motion = drive_.interface(),
+                   .doors = doors_.interface(),
+                   .load = load_.interface(),
+                   .ask_anew = Callback<void()>::template to<&LiftControllerDevice::ask_units_anew>(
+                       *this)}),
               with_doors(settings.lift, settings.doors.doors)) {
     const auto update = Callback<void()>::template to<&LiftController::update>(lift_);
     doors_.on_change(update);
     drive_.on_change(update);
     load_.on_change(update);
     errors_.on_change(update);
+    errors_.on_emergency(
+        Callback<void(NodeId, const Emergency&)>::template to<&LiftControllerDevice::told>(*this));
     returned_.on_question(
         Callback<bool(NodeId)>::template to<&LiftControllerDevice::has_inputs>(*this));
     nmt_master_.on_message(
@@ -148,6 +155,13 @@ class LiftControllerDevice
   template <class Settings>
   static constexpr Settings of_lift(Settings settings) {
     settings.lift = options.lift;
+    return settings;
+  }
+  static constexpr CarDriveControllerSettings between(std::span<const std::int32_t> floors,
+                                                      CarDriveControllerSettings settings) {
+    if (floors.empty()) return settings;
+    settings.lowest_micrometre = floors.front();
+    settings.highest_micrometre = floors.back();
     return settings;
   }
   static constexpr LiftControllerSettings with_doors(LiftControllerSettings settings,
@@ -191,8 +205,22 @@ class LiftControllerDevice
     const bool waits = state == RemoteState::boot_up || state == RemoteState::pre_operational;
     if (manages_ && waits && node().state() == NmtState::operational) start(id);
   }
+  void told(NodeId unit, const Emergency& emergency) { gaps_.heard(unit, emergency); }
+  void ask_units_anew() {
+    drive_.ask_anew();
+    doors_.ask_anew();
+    load_.ask_anew();
+  }
+  void ask_anew(NodeId id) {
+    if (id == GapWatch::everyone || units_.has(id)) {
+      ask_units_anew();
+      errors_.ask_anew();
+    }
+    returned_.ask_anew(id);
+  }
   /// Each heartbeat: a command that found no room, behind a cut cable, is given again.
   void heard(NodeId id, RemoteState state) {
+    gaps_.heard(id, state);
     const bool waits = state == RemoteState::pre_operational && is_to_be_started_[id];
     if (waits && node().state() == NmtState::operational) start(id);
   }
@@ -225,6 +253,10 @@ class LiftControllerDevice
   LiftUnits units_;
   UnitErrors errors_;
   LiftController lift_;
+  std::array<GapWatch::Rhythm, node_id_max> rhythms_;
+  GapWatch gaps_{node(),
+                 Callback<void(NodeId)>::template to<&LiftControllerDevice::ask_anew>(*this),
+                 rhythms_};
   Service service_;
 };
 

@@ -138,6 +138,10 @@ void CarDoorController::heard(NodeId node, RemoteState state) {
   }
 }
 
+void CarDoorController::ask_anew() {
+  for (unsigned number = 1; number <= door_count; ++number) ask(number);
+}
+
 void CarDoorController::forget(unsigned number) {
   doors_[number - 1].view.is_known = false;
   refresh(number);
@@ -304,7 +308,7 @@ void CarDoorController::expired(Time now) {
       tell(number);
     } else if (door.tell_at == never && now - door.told_at >= settings_.repeat_time) {
       door.told_at = now;
-      if (!door.view.is_known) ask(number);
+      ask(number);
       const bool is_barred_now = closes(door.order.command) && is_barred(door.view);
       if (!follows(door.view.report.state, door.order.command) && !is_barred_now) {
         tell_again(number);

@@ -9,6 +9,7 @@
 //
 // A door that does not do what it was told is told again: a frame was lost, the door has started
 // again, or has stopped since it did not hear its controller. A door with an error is reset first.
+// It is asked for its state as well: what it did may not have been heard.
 //
 // Where a door unit or light barrier unit is in 1016h and its heartbeat is lost, what it said
 // before counts no longer.
@@ -83,6 +84,9 @@ class CarDoorController {
   void lift_changed(std::uint8_t lift) {
     if (std::exchange(lift_, lift) != lift) begin_anew();
   }
+  /// PDOs may have been lost (see GapWatch): all doors are asked for their state. Where that is not
+  /// as it was ordered they are told again.
+  void ask_anew();
   /// A boot-up message or heartbeat of a node: of a door that has begun anew nothing is known, and
   /// one that becomes operational is asked. Losses and returns of those in 1016h are known here.
   void heard(NodeId node, RemoteState state);

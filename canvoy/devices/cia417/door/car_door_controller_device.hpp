@@ -7,14 +7,28 @@
 
 #include "canvoy/devices/cia417/door/car_door_controller.hpp"
 #include "canvoy/devices/cia417/lift_kind.hpp"
+#include "canvoy/devices/gap_watch.hpp"
 #include "canvoy/profiles/cia417/watched_nodes.hpp"
 
 namespace canvoy::cia417 {
 
+/// A controller that is nothing else: after a sign of lost frames it asks its doors.
+class LoneDoorController : public CarDoorController {
+ public:
+  LoneDoorController(Node& node, const CarDoorControllerSettings& settings, Rpdos& rpdos)
+      : CarDoorController(node, settings, &rpdos),
+        gaps_(node, Callback<void(NodeId)>::to<&LoneDoorController::ask_all>(*this)) {}
+
+ private:
+  void ask_all(NodeId /*door*/) { ask_anew(); }
+
+  GapWatch gaps_;
+};
+
 /// Every object of the virtual device, a heartbeat each 300 ms, and three doors watched, and
 /// room to watch as many nodes as there can be.
 template <LiftDeviceOptions options = LiftDeviceOptions{}>
-struct CarDoorControllerKind : LiftKind<CarDoorController, NoHardware, CarDoorControllerSettings> {
+struct CarDoorControllerKind : LiftKind<LoneDoorController, NoHardware, CarDoorControllerSettings> {
   static constexpr DeviceInfo info = {.name = "lift-door-controller",
                                       .title = "car door controller",
                                       .product = "Canvoy CiA 417 door controller",
@@ -33,7 +47,7 @@ struct CarDoorControllerKind : LiftKind<CarDoorController, NoHardware, CarDoorCo
   template <class Made, class Services>
   static Made make(Services& services, const NoHardware& /*none*/,
                    const CarDoorControllerSettings& settings) {
-    return Made(services.node(), settings, &services.rpdos());
+    return Made(services.node(), settings, services.rpdos());
   }
   template <class Services>
   static void connect(Services& services, CarDoorController& controller) {

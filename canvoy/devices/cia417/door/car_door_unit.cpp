@@ -1,6 +1,7 @@
 #include "canvoy/devices/cia417/door/car_door_unit.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "canvoy/profiles/cia417/errors.hpp"
 #include "canvoy/profiles/reactions.hpp"
@@ -168,6 +169,12 @@ void CarDoorUnit::stop(bool has_torque) {
   has_torque_ = has_torque;
 }
 
+/// Its command has ended, so that the same one is another one: who repeats it is obeyed.
+void CarDoorUnit::stop_by_itself() {
+  last_command_ = DoorCommand::no_action;
+  stop(true);
+}
+
 void CarDoorUnit::clear_error() {
   stop(false);
   has_failed_ = false;
@@ -212,6 +219,9 @@ void CarDoorUnit::look(Time now) {
   const bool is_told = told.exists() && !told.is(Detection::not_available);
   barrier_ = is_told ? static_cast<Detection>(told.raw()) : readings_.light_barrier;
   if (barrier_is_lost_) barrier_ = Detection::error;
+  if (std::exchange(seen_position_, readings_.position_mm) != readings_.position_mm) {
+    position_changed_at_ = now;
+  }
 }
 
 void CarDoorUnit::react(Time now) {
@@ -241,12 +251,12 @@ void CarDoorUnit::react_while_opening() {
          Goal::close);
   } else if (limits_force_ && readings_.force_limit == Detection::yes &&
              setting(force_limit_modus).is(DoorReaction::stop)) {
-    stop(true);
+    stop_by_itself();
   }
 }
 
 void CarDoorUnit::turn(DoorReaction reaction, Cause cause, Goal goal) {
-  if (reaction == DoorReaction::stop) return stop(true);
+  if (reaction == DoorReaction::stop) return stop_by_itself();
   if (reaction != DoorReaction::turn) return;
   goal_ = goal;
   cause_ = cause;
@@ -410,7 +420,12 @@ void CarDoorUnit::tell_defects() {
 void CarDoorUnit::plan(Time now) {
   Time next = hardware_.next_change ? hardware_.next_change() : now + settings_.sensing_period;
   if (next <= now) next = now + shortest_look;
-  if (is_moving(report_.state)) next = std::min(next, now + settings_.position_period);
+  // A door that has been stopped takes a moment to stand: where it is then has to be told.
+  const bool slows_down = report_.state == DoorState::stopped &&
+                          now - position_changed_at_ < 2 * settings_.position_period;
+  if (is_moving(report_.state) || slows_down) {
+    next = std::min(next, now + settings_.position_period);
+  }
   if (unlocking_since_ != never) next = std::min(next, unlocking_since_ + settings_.lock_time);
   node_.timers().arm(timer_, next);
 }

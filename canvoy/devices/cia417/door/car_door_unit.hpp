@@ -78,6 +78,7 @@ class CarDoorUnit {
   void obey_command(DoorCommand command);
   void go(Goal goal, bool limits_force);
   void stop(bool has_torque);
+  void stop_by_itself();
   void clear_error();
   void lose_controller();
 
@@ -135,6 +136,8 @@ class CarDoorUnit {
   Time moved_at_{};
   std::optional<std::uint16_t> moved_position_{};
   Time position_told_at_{};
+  std::optional<std::uint16_t> seen_position_;
+  Time position_changed_at_{};
 
   static const HookCalls hook_calls[];
   static const ServiceCalls service_calls;

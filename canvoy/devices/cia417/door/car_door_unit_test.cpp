@@ -73,7 +73,8 @@ TEST_F(CarDoor, ItsSpeedCanChangeOnTheWay) {
   EXPECT_FALSE(bench.driven.is_reduced);
 }
 
-TEST_F(CarDoor, ACommandThatIsRepeatedIsNoNewOne) {
+/// "Take no action" is there to leave a door alone: another word is a command (4.6.1).
+TEST_F(CarDoor, ADoorThatStoppedByItselfStaysWhereItIsUntilItIsCommanded) {
   command(0x4);
   cable.run_for(1s);
   bench.is_blocked = true;
@@ -83,9 +84,8 @@ TEST_F(CarDoor, ACommandThatIsRepeatedIsNoNewOne) {
   command(0x1);
   EXPECT_EQ(state(), DoorState::stopped) << "the light barrier stops it";
   bench.light_barrier = Detection::no;
-  cable.send("200#FF 1F FF FF 00 00 00 00");
+  cable.send("200#FF FF FF FF 00 00 00 00");
   EXPECT_EQ(state(), DoorState::stopped) << "the words of other doors changed";
-  command(0xF);
   command(0x1);
   EXPECT_EQ(state(), DoorState::closing);
 }

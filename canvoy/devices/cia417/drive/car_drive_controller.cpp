@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "canvoy/devices/cia417/lift_number.hpp"
 #include "canvoy/profiles/cia417/pdos.hpp"
@@ -15,6 +16,10 @@ using cia402::DriveMode;
 
 /// Past its target: more than a car is wrong by that is seen late.
 constexpr double overshoot_distance = 300;
+/// Past the last floor: the limit switches of the shaft are behind it (EN 81-20, 5.12.2). A car
+/// that is seen late is seen too fast, the more the faster it is.
+constexpr double beyond_last_floor = 30;
+constexpr double seen_late_s = 0.08;
 /// It may be as much farther: a car that stops short of a target says how far it is.
 constexpr double overshoot_more = 1000;
 
@@ -22,7 +27,7 @@ constexpr double overshoot_more = 1000;
 constexpr std::uint16_t rpdo_of(unsigned lift, std::uint16_t rpdo) {
   return number_of_rpdo(rpdo + (lift - 1) * lift_pdo_pitch);
 }
-constexpr std::uint16_t control_rpdo = 0x1504;
+constexpr std::uint16_t control_rpdos[] = {0x1504, 0x1503};
 constexpr std::uint16_t status_rpdos[] = {0x1505, 0x1507, 0x1506};
 
 constexpr unsigned shutdown_word = 0x0006;
@@ -67,6 +72,7 @@ void CarDriveController::reset(ResetScope) {
   is_reached_ = is_stopping_fast_ = has_homed_ = false;
   drive_is_known_ = position_is_known_ = false;
   drive_is_lost_ = position_is_lost_ = position_stands_ = is_held_ = false;
+  is_told_by_answer_ = false;
   mode_.begin_anew();
   controlword_ = 0;
   is_at_target_ = false;
@@ -123,7 +129,7 @@ void CarDriveController::forget_drive() {
   drive_is_known_ = false;
   aim_ = Aim::none;
   mode_.forget();
-  position_stands_ = false;
+  position_stands_ = is_told_by_answer_ = false;
   car_.forget_velocity();
 }
 
@@ -135,6 +141,11 @@ void CarDriveController::ask() {
   }
 }
 
+void CarDriveController::ask_anew() {
+  is_told_by_answer_ = drive_is_known_;
+  for (const std::uint16_t rpdo : status_rpdos) request(rpdo);
+}
+
 void CarDriveController::request(std::uint16_t rpdo) {
   if (rpdos_ == nullptr || node_.state() != NmtState::operational) return;
   const std::uint16_t number = rpdo_of(settings_.lift, rpdo);
@@ -144,10 +155,15 @@ void CarDriveController::request(std::uint16_t rpdo) {
 void CarDriveController::status_received() {
   drive_is_known_ = !drive_is_lost_;
   drive_told();
+  const bool rests = aim_ == Aim::none && !is_powered(drive_state());
+  if (std::exchange(is_told_by_answer_, false) && !rests) tell_command();
 }
 
 void CarDriveController::velocity_received() {
   car_.velocity_came();
+  // It tells its velocity often while it moves, so it stood before: what was old is that.
+  const bool was_old = std::exchange(velocity_may_be_old_, false) && !car_.moves();
+  if (was_old) position_stands_ = false;
   drive_told();
 }
 
@@ -252,6 +268,7 @@ void CarDriveController::expired(Time now) {
   watch_standstill(now);
   if (step_ == Step::placed && aim_ == Aim::trip) return send_set_point();
   if (!drive_is_known_ || !position_is_known_) ask();
+  ask_what_is_odd();
   const bool is_late = now - told_at_ >= settings_.answer_time;
   const bool by_position = aim_ == Aim::trip && mode_.now() == DriveMode::profile_position;
   if (is_late && by_position && step_ == Step::sent) return repeat_set_point();
@@ -260,26 +277,52 @@ void CarDriveController::expired(Time now) {
   tell();
 }
 
-/// Where the drive did not do what it was told: a frame was lost, or it was held.
+/// Where the drive did not do what it was told: a frame was lost, or it was held. What it said may
+/// be old as well.
 void CarDriveController::tell_again(Time now) {
-  const bool is_done = is_powered(drive_state()) == (aim_ != Aim::none);
-  if (is_done || tpdos_ == nullptr || !drive_is_known_) return;
+  if (!drive_is_known_ || is_obeyed()) return;
   told_at_ = now;
-  const std::uint16_t number = rpdo_of(settings_.lift, control_rpdo);
-  if (tpdos_->has(number)) tpdos_->trigger(number);
+  tell_command();
+  request(status_rpdos[0]);
+}
+
+bool CarDriveController::is_obeyed() const {
+  const bool has_power = is_powered(drive_state());
+  if (has_power != (aim_ != Aim::none)) return false;
+  if (aim_ == Aim::run) return car_.moves();
+  // An acknowledgement of the set-point before, which ends with bit 4.
+  const bool is_led = aim_ == Aim::trip && mode_.now() == DriveMode::profile_position;
+  return !is_led || step_ != Step::wanted;
+}
+
+void CarDriveController::tell_command() {
+  if (tpdos_ == nullptr) return;
+  for (const std::uint16_t rpdo : control_rpdos) {
+    const std::uint16_t number = rpdo_of(settings_.lift, rpdo);
+    if (tpdos_->has(number)) tpdos_->trigger(number);
+  }
+}
+
+/// A car does not move without power, nor stand while its drive moves: one of the two is old.
+void CarDriveController::ask_what_is_odd() {
+  const bool is_odd = drive_is_known_ && !is_powered(drive_state()) && car_.moves();
+  if (!is_odd && !position_stands_) return;
+  request(status_rpdos[1]);
+  if (position_stands_) request(status_rpdos[2]);
 }
 
 void CarDriveController::watch_position(Time now) {
   const bool is_watched = drive_is_known_ && position_is_known_ && car_.moves();
   if (!is_watched || car_.has_moved()) return car_.watch_anew(now);
   if (!car_.is_encoder_dead(settings_.position_time, now) || position_stands_) return;
-  position_stands_ = true;
+  position_stands_ = velocity_may_be_old_ = true;
   fast_stop();
+  ask_what_is_odd();
 }
 
 /// A limit stops the car, or the drive goes on waiting for what never comes.
 void CarDriveController::watch_standstill(Time now) {
-  const bool stands = aim_ == Aim::trip && !car_.moves();
+  const bool stands = (aim_ == Aim::trip || aim_ == Aim::home) && !car_.moves();
   if (!stands) {
     stands_since_ = now;
   } else if (now - stands_since_ >= settings_.standstill_time) {
@@ -295,9 +338,18 @@ void CarDriveController::watch_overshoot() {
   const bool goes_there = car_.moves() && velocity() * sign > 0 && position_is_known_;
   if (!is_led || !goes_there || step_ != Step::taken) return;
   const double past = (car_.nearest_stop(settings_.ramps) - wanted_position_) * sign;
-  if (past <= overshoot_distance) return;
+  if (past <= overshoot_distance && !passes_last_floor()) return;
   drift_ -= sign * (past + overshoot_more);
   fast_stop();
+}
+
+/// Terminal slow-down: by where the car is, and not by where the drive counts.
+bool CarDriveController::passes_last_floor() const {
+  const double sign = goes_up_ ? 1 : -1;
+  const std::int32_t last = goes_up_ ? settings_.highest_micrometre : settings_.lowest_micrometre;
+  const double end = static_cast<double>(last) / settings_.drive_unit_micrometre;
+  const double beyond = (car_.nearest_stop(settings_.ramps) - end) * sign;
+  return beyond > beyond_last_floor + std::abs(velocity()) * seen_late_s;
 }
 
 // How the drive is led to the aim.
@@ -323,6 +375,10 @@ void CarDriveController::pursue() {
   }
   switch (state) {
     case DriveState::switch_on_disabled:
+      // It has fallen out of operation by itself, perhaps by a restart: a set-point is of the
+      // operation in which it was taken.
+      if ((controlword_.raw() & 0x000F) == enable_word) mode_.forget();
+      step_ = Step::wanted;
       if (aim_ != Aim::none) command(shutdown_word);
       break;
     case DriveState::ready_to_switch_on:

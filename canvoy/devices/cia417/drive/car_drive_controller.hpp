@@ -11,8 +11,13 @@
 // fault that has gone. A car whose position unit is lost, or stands still while the drive says that
 // it moves, is stopped fast. Where the drive stands at its target and the car does not (ropes have
 // slipped, or stretch by the load), the next target is as much farther. A car that the drive would
-// lead past its target is stopped fast. A trip that comes to a standstill before its target ends
+// lead past its target is stopped fast, near the last floors sooner than elsewhere: behind them are
+// limit switches. A trip that comes to a standstill before its target ends
 // there, without an arrival.
+//
+// What it knows comes by event-driven PDOs: ask_anew() is for whoever sees a sign that some were
+// lost (GapWatch). A command without its effect is asked for by itself, and a car that stands
+// while its velocity or its position says otherwise.
 //
 // Commands give it an aim, and each PDO of the drive brings it a step further: by the state machine
 // of the drive, the handshake of set-points, the approach in profile velocity mode, or homing (CiA
@@ -48,6 +53,9 @@ struct CarDriveControllerSettings {
   cia402::DriveMode trip_mode = cia402::DriveMode::profile_position;
   std::int32_t drive_unit_micrometre = 1000;    ///< of 6420h, 6430h and 6433h
   std::int32_t position_step_micrometre = 100;  ///< one count of 6383h
+  /// Of the last floors, as LiftMotion counts them: no trip goes beyond.
+  std::int32_t lowest_micrometre = INT32_MIN;
+  std::int32_t highest_micrometre = INT32_MAX;
   /// The ramps of the drive, in its units.
   MotionLimits ramps = {.velocity = 1600,
                         .acceleration = 1000,
@@ -61,8 +69,8 @@ struct CarDriveControllerSettings {
   Duration fault_reset_period = 2s;
   /// The drive says that it moves, and the position does not change: for as long.
   Duration position_time = 500ms;
-  /// On a trip the car stands still for as long, and the drive does not say that it has arrived:
-  /// then the trip has ended short of its target.
+  /// On a trip, or on its way home, the car stands still for as long, and the drive does not say
+  /// that it has arrived: then the trip has ended short of its target.
   Duration standstill_time = 4s;
 };
 
@@ -100,6 +108,9 @@ class CarDriveController {
   /// A boot-up message or heartbeat of a node: of a unit that has begun anew nothing is known, and
   /// one that becomes operational is asked. Losses and returns of those in 1016h are known here.
   void heard(NodeId node, RemoteState state);
+  /// PDOs may have been lost: drive and position unit are asked for their state, and the drive is
+  /// told its command again when it has answered.
+  void ask_anew();
   /// Not while a car is under way.
   AbortCode refuses_lift_number();
 
@@ -143,6 +154,9 @@ class CarDriveController {
   void recover();
   bool has_mode();
   void tell_again(Time now);
+  bool is_obeyed() const;
+  void tell_command();
+  void ask_what_is_odd();
   cia402::DriveMode wanted_mode() const;
   void command(unsigned word);
   void forget_drive();
@@ -151,6 +165,7 @@ class CarDriveController {
   void watch_position(Time now);
   void watch_standstill(Time now);
   void watch_overshoot();
+  bool passes_last_floor() const;
   void expired(Time now);
   double position() const { return car_.position(); }
   double velocity() const { return car_.velocity(); }
@@ -186,7 +201,9 @@ class CarDriveController {
   bool position_is_known_ = false;
   bool drive_is_lost_ = false;
   bool position_is_lost_ = false;
-  bool position_stands_ = false;  ///< while the drive moves
+  bool position_stands_ = false;      ///< while the drive moves
+  bool is_told_by_answer_ = false;    ///< the command, once more
+  bool velocity_may_be_old_ = false;  ///< it was not told since the position stands
   bool is_held_ = false;
   double wanted_position_ = 0;  ///< in units of the drive
   /// Where the drive counts a position, above where the position unit does. No reset of a node

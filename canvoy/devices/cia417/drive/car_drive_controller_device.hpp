@@ -7,6 +7,8 @@
 // Overspeed, unintended car movement, and what else makes a trip unsafe stop the drive fast and
 // hold it while a node tells of them that 1028h names (see UnitErrors): by default drive and
 // position unit.
+//
+// After a sign of lost frames (GapWatch) both are asked for their state.
 #pragma once
 
 #include <utility>
@@ -17,6 +19,7 @@
 #include "canvoy/devices/cia417/drive/car_drive_controller.hpp"
 #include "canvoy/devices/cia417/lift_kind.hpp"
 #include "canvoy/devices/cia417/unit_errors.hpp"
+#include "canvoy/devices/gap_watch.hpp"
 #include "canvoy/profiles/cia417/watched_nodes.hpp"
 
 namespace canvoy::cia417 {
@@ -34,8 +37,10 @@ class LoneDriveController {
         units_(units_of(settings)),
         errors_(services.node(), services.emergency_consumer(), register_client_, units_),
         dictionary_(services.node().dictionary()),
-        lift_(lift_bit(settings.lift)) {
+        lift_(lift_bit(settings.lift)),
+        gaps_(services.node(), Callback<void(NodeId)>::to<&LoneDriveController::ask_anew>(*this)) {
     using Self = LoneDriveController;
+    errors_.on_emergency(Callback<void(NodeId, const Emergency&)>::to<&Self::told>(*this));
     errors_.on_change(Callback<void()>::to<&Self::errors_changed>(*this));
     services.heartbeat_consumer().on_change(
         Callback<void(NodeId, RemoteState)>::to<&Self::unit_changed>(*this));
@@ -66,6 +71,11 @@ class LoneDriveController {
     if (state == RemoteState::boot_up) errors_.booted(unit);
     controller_.heard(unit, state);
   }
+  void told(NodeId unit, const Emergency& emergency) { gaps_.heard(unit, emergency); }
+  void ask_anew(NodeId /*unit*/) {
+    controller_.ask_anew();
+    errors_.ask_anew();
+  }
   void errors_changed() { controller_.hold(errors_.has_any_error()); }
 
   SdoClient client_;
@@ -75,6 +85,7 @@ class LoneDriveController {
   UnitErrors errors_;
   Dictionary& dictionary_;
   std::uint8_t lift_;
+  GapWatch gaps_;
 };
 
 /// What a drive and a position unit tell, a heartbeat each 300 ms, these two watched, and room to

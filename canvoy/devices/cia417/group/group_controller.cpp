@@ -82,7 +82,8 @@ GroupController::GroupController(Node& node, Tpdos& tpdos, HeartbeatConsumer& he
           {.waits = Callback<bool()>::to<&GroupController::acknowledgement_waits>(*this),
            .next = Callback<std::uint64_t()>::to<&GroupController::next_acknowledgement>(*this)}),
       timer_(Callback<void(Time)>::to<&GroupController::reconsider>(*this)),
-      again_timer_(Callback<void(Time)>::to<&GroupController::tell_again>(*this)) {
+      again_timer_(Callback<void(Time)>::to<&GroupController::tell_again>(*this)),
+      gaps_(node, Callback<void(NodeId)>::to<&GroupController::ask_anew>(*this)) {
   node.attach(service_);
   heartbeats.on_change(Callback<void(NodeId, RemoteState)>::to<&GroupController::heard>(*this));
   hall_.plan_with(destinations_.plans());

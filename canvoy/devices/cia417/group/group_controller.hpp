@@ -20,6 +20,7 @@
 #include "canvoy/devices/cia417/group/up_peak.hpp"
 #include "canvoy/devices/cia417/group/waiting_queue.hpp"
 #include "canvoy/devices/cia417/panel/virtual_mapping.hpp"
+#include "canvoy/devices/gap_watch.hpp"
 
 namespace canvoy::cia417 {
 
@@ -76,6 +77,7 @@ class GroupController {
   void reconsider(Time now);
   void tell_again(Time now);
   void lift_returned();
+  void ask_anew(NodeId /*lift*/) { lift_returned(); }
   void open_more();
   void refresh_shown();
   void announce();
@@ -110,6 +112,7 @@ class GroupController {
   ServiceLink service_{&service_calls, this};
   Timer timer_;
   Timer again_timer_;
+  GapWatch gaps_;
 };
 
 }  // namespace canvoy::cia417

@@ -51,7 +51,8 @@ GroupMember::GroupMember(Node& node, Tpdos& tpdos, HeartbeatConsumer& heartbeats
                      .next = Callback<std::uint64_t()>::to<&GroupMember::next_call>(*this)}),
       status_mapping_(node, tpdos, virtual_output_mapping_object.index,
                       {.waits = Callback<bool()>::to<&GroupMember::status_waits>(*this),
-                       .next = Callback<std::uint64_t()>::to<&GroupMember::next_status>(*this)}) {
+                       .next = Callback<std::uint64_t()>::to<&GroupMember::next_status>(*this)}),
+      gaps_(node, Callback<void(NodeId)>::to<&GroupMember::tell_anew>(*this)) {
   node.attach(service_);
   lift_node.attach(lift_service_);
   heartbeats_.on_change(Callback<void(NodeId, RemoteState)>::to<&GroupMember::group_heard>(*this));
@@ -100,6 +101,14 @@ void GroupMember::join(bool is_in_group) {
     act_on_lift();
   }
   is_inside_ = false;
+}
+
+/// The group has no request for what it may have missed: it is told all, as by who joins it.
+void GroupMember::tell_anew(NodeId) {
+  if (!is_in_group_) return;
+  knows_status_ = false;
+  own_calls_.add_all(calls_.shown(), hall_calls);
+  announce();
 }
 
 /// What the panels asked for while nobody else was there to take it comes last.

@@ -17,6 +17,7 @@
 #include "canvoy/devices/cia417/group/group_bus.hpp"
 #include "canvoy/devices/cia417/group/waiting_queue.hpp"
 #include "canvoy/devices/cia417/panel/virtual_mapping.hpp"
+#include "canvoy/devices/gap_watch.hpp"
 
 namespace canvoy::cia417 {
 
@@ -69,6 +70,7 @@ class GroupMember {
   void acknowledged();
   void assign(const VirtualInput& call);
   void act_on_lift();
+  void tell_anew(NodeId /*group*/);
 
   Status status() const;
   bool call_waits() { return !queue_.empty() || !own_calls_.empty(); }
@@ -98,6 +100,7 @@ class GroupMember {
   bool knows_status_ = false;
   Status told_;
   Stop stop_;  ///< the last one, which was not told yet; floor 0: none
+  GapWatch gaps_;
 };
 
 }  // namespace canvoy::cia417

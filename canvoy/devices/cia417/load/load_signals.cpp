@@ -11,6 +11,8 @@ namespace {
 constexpr unsigned load_rpdo = 0x1502;
 /// Where many nodes come back at one time, the bus may have no room for a question.
 constexpr Duration asks_again_after = 1s;
+/// A car waits with open doors until an overload has gone: that PDO may be lost.
+constexpr Duration asks_for_overload_after = 5s;
 
 }  // namespace
 
@@ -67,11 +69,13 @@ void LoadSignals::ask() {
 }
 
 void LoadSignals::expired(Time) {
-  if (!is_heard_ && heartbeats_.state(settings_.load_unit) != RemoteState::lost) ask();
+  const bool waits = !is_heard_ || overload_.is_set();
+  if (waits && heartbeats_.state(settings_.load_unit) != RemoteState::lost) ask();
 }
 
 void LoadSignals::received() {
   is_heard_ = true;
+  if (overload_.is_set()) node_.timers().arm(timer_, node_.now() + asks_for_overload_after);
   changed_();
 }
 

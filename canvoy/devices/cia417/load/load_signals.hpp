@@ -21,7 +21,7 @@ struct LoadSignalsSettings {
 
 /// The load is known from the first PDO on, which is asked for by remote frame. What the unit said
 /// before it was lost (1016h), or began anew, counts no longer: it is asked again, each second
-/// until it answers.
+/// until it answers. An overload, for which a lift waits, is asked for again as long as it lasts.
 class LoadSignals {
  public:
   /// All must outlive this.
@@ -34,6 +34,8 @@ class LoadSignals {
   LiftLoad now();
   /// The device belongs to another lift now (6001h): what it heard was of another car.
   void begin_anew();
+  /// PDOs may have been lost (see GapWatch): the unit is asked.
+  void ask_anew() { ask(); }
   /// A boot-up message or heartbeat of a node.
   void heard(NodeId node, RemoteState state);
   /// For a LiftController; valid as long as this.
