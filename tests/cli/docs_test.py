@@ -233,6 +233,16 @@ class Docs(unittest.TestCase):
         self.assertGreater(played, 100)
         self.assertLess(len(left_out), played / 4)
 
+    def test_the_picture_is_of_a_run(self):
+        picture = ROOT / "docs" / "pictures" / "lift.svg"
+        with tempfile.TemporaryDirectory() as temporary:
+            drawn = pathlib.Path(temporary) / "lift.svg"
+            subprocess.run([ROOT / "scripts" / "make-picture", CANVOY, drawn], check=True)
+            if os.environ.get("CANVOY_APPROVE"):
+                picture.write_text(drawn.read_text())
+            self.assertTrue(picture.read_text() == drawn.read_text(), "scripts/make-picture draws another one")
+            self.assertLess(drawn.stat().st_size, 200_000)
+
     def test_links_lead_somewhere(self):
         for path in [*PAGES, *ROOT.glob("*.md")]:
             text = re.sub(r"`[^`\n]*`", "", re.sub(r"(?ms)^```.*?^```", "", path.read_text()))
