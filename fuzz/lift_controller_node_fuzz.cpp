@@ -24,7 +24,7 @@ constexpr auto parts =
     describe(lift_device<VirtualDevice::call_controller, LiftDeviceOptions{}>({0x6010, 0x6011}),
              virtual_input_rpdos<4, 1>(), cia301::identity({}), cia301::heartbeat_consumers(8),
              cia301::emergency());
-constexpr auto layout = lay_out_device<parts>();
+constexpr auto layout = partial(lay_out_device<parts>());
 
 class World {
  public:

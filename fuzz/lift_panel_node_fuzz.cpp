@@ -34,7 +34,7 @@ constexpr auto make_parts() {
   return parts;
 }
 constexpr auto parts = make_parts();
-constexpr auto layout = lay_out_device<parts>();
+constexpr auto layout = partial(lay_out_device<parts>());
 constexpr CreatableObjects creatable[] = {
     {.first = 0x6124, .last = 0x6125, .highest_sub = 4, .specified = Access::rw}};
 
