@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <source_location>
 #include <string>
 #include <vector>
 
@@ -11,6 +14,16 @@
 #include "canvoy/profiles/testing/clause_table.hpp"
 
 namespace canvoy::clauses {
+
+Table read_table(std::string_view name) {
+  const std::filesystem::path here(std::source_location::current().file_name());
+  const auto path = here.parent_path() / "clauses" / (std::string(name) + ".txt");
+  std::ifstream file(path);
+  EXPECT_TRUE(file.is_open()) << path;
+  SCOPED_TRACE(path);
+  return Reader().read(file);
+}
+
 namespace {
 
 // What the description says, as a table has it.
@@ -245,7 +258,7 @@ void expect_no_other_entries(const ObjectRow& row, const ObjectInfo& object) {
 }
 
 struct Clauses : testing::TestWithParam<const char*> {
-  const Table table = Reader().read(GetParam());
+  const Table table = read_table(GetParam());
   const Profile& profile = *find_profile(std::string_view(GetParam()));
 };
 
