@@ -444,7 +444,7 @@ unsigned first_bit_of(const clauses::EntryRow& row, const std::string& field) {
 }
 TEST(Cia447Handles, StatesHaveTheEnumerationsOfTheTable) {
   all_places();
-  for (const clauses::ObjectRow& object : clauses::Reader().read("447-3").objects) {
+  for (const clauses::ObjectRow& object : clauses::read_table("447-3").objects) {
     for (const clauses::EntryRow& row : object.entries) {
       for (const clauses::Values& values : row.values) {
         if (values.enumeration.empty()) continue;
@@ -459,7 +459,7 @@ TEST(Cia447Handles, StatesHaveTheEnumerationsOfTheTable) {
 TEST(Cia447Handles, EnumeratorsHaveTheCodesOfTheTable) {
   static_assert(cia447::TerminalAccess::off == cia447::TerminalAccess::none);
   all_places();
-  for (const clauses::Enumeration& expected : clauses::Reader().read("447-3").enumerations) {
+  for (const clauses::Enumeration& expected : clauses::read_table("447-3").enumerations) {
     const auto found = std::ranges::find_if(states_by_place(), [&](const auto& states) {
       return states.second.enumeration == expected.name;
     });

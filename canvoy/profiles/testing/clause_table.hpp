@@ -28,13 +28,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
+#include <istream>
 #include <optional>
-#include <source_location>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -136,16 +135,12 @@ inline std::optional<std::pair<std::int64_t, std::int64_t>> range_in(std::string
 /// Reads a table line by line; a line that it does not know is a failure of the test.
 class Reader {
  public:
-  Table read(std::string_view name) {
-    const std::filesystem::path here(std::source_location::current().file_name());
-    const auto path = here.parent_path().parent_path() / "clauses" / (std::string(name) + ".txt");
-    std::ifstream file(path);
-    EXPECT_TRUE(file.is_open()) << path;
+  Table read(std::istream& file) {
     for (std::string line; std::getline(file, line);) {
       ++line_;
       if (line.starts_with('#')) continue;
       const std::string text = trimmed(line.substr(0, line.find("  # ")));
-      if (!text.empty() && !read_line(text)) ADD_FAILURE() << path << ":" << line_ << ": " << line;
+      if (!text.empty() && !read_line(text)) ADD_FAILURE() << "line " << line_ << ": " << line;
     }
     return std::move(table_);
   }
@@ -286,5 +281,8 @@ class Reader {
   Table table_;
   std::vector<Value>* values_ = nullptr;
 };
+
+/// The table canvoy/profiles/clauses/`name`.txt; clauses_test.cpp opens it.
+Table read_table(std::string_view name);
 
 }  // namespace canvoy::clauses
