@@ -129,10 +129,9 @@ TEST(LiftText, SaysWhereAFaultIs) {
 }
 
 TEST(LiftText, SaysWhereAFaultIsAsJson) {
+  const lift::FaultBegan began{0, lift::FaultKind::dead_encoder, {1, 0, 4}};
   const auto json =
-      told_event(LiftEvent{.what = lift::FaultBegan{0, lift::FaultKind::dead_encoder, {1, 0, 4}}},
-                 house())
-          .json;
+      nlohmann::ordered_json::parse(told_event(LiftEvent{.what = began}, house()).json);
   EXPECT_EQ(json["event"], "fault-begins");
   EXPECT_EQ(json["fault"], "dead-encoder");
   EXPECT_EQ(json["lift"], 1);

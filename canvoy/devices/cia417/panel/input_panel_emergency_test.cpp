@@ -9,7 +9,7 @@ namespace {
 
 constexpr auto telling_panel =
     describe(panel<PanelOptions{.inputs = 4}>(), cia301::identity({}), cia301::emergency());
-constexpr auto telling_panel_layout = lay_out_device<telling_panel>();
+constexpr auto telling_panel_layout = partial(lay_out_device<telling_panel>());
 
 const Records first_is_defective{"04 FF 21 01 00 00 00 00"};
 const Records none_is_left{"00 00 00 00 00 00 00 00"};

@@ -175,7 +175,7 @@ TEST_F(InputPanelUnitTest, WhileThePdoIsInvalidStatesAreKeptForLater) {
 
 constexpr auto synchronous_panel =
     describe(panel<PanelOptions{.inputs = 4}>(), cia301::identity({}), cia301::sync_consumer());
-constexpr auto synchronous_layout = lay_out_device<synchronous_panel>();
+constexpr auto synchronous_layout = partial(lay_out_device<synchronous_panel>());
 
 TEST(InputPanelUnit, ASynchronousPdoCarriesOneRecordForEachSync) {
   PanelBench<synchronous_layout> bench;
