@@ -219,7 +219,7 @@ TEST_F(InputParameterTest, Parameter4IsReservedAndMeansNothing) {
 
 constexpr auto bare_panel =
     describe(panel<PanelOptions{.inputs = 2, .parameters = false}>(), cia301::identity({}));
-constexpr auto bare_layout = lay_out_device<bare_panel>();
+constexpr auto bare_layout = partial(lay_out_device<bare_panel>());
 
 TEST(InputParameter, APanelWithoutParametersIsEnabledAndTellsBothEdges) {
   PanelBench<bare_layout> bench;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr auto third_lift =
     describe(panel<PanelOptions{.lift = 3, .inputs = 5, .outputs = 2}>(), cia301::identity({}));
-constexpr auto third_lift_layout = lay_out_device<third_lift>();
+constexpr auto third_lift_layout = partial(lay_out_device<third_lift>());
 
 TEST(IoGroups, GroupsOfLift3Begin1000hAboveThoseOfLift1) {
   static constexpr DictionaryTables tables = third_lift_layout.tables();
@@ -54,7 +54,7 @@ constexpr auto everything() {
   return parts;
 }
 constexpr auto full_device = everything();
-constexpr auto full_layout = lay_out_device<full_device>();
+constexpr auto full_layout = partial(lay_out_device<full_device>());
 
 TEST(IoGroups, EightLiftsHave32GroupsOf254InputsEach) {
   static constexpr DictionaryTables tables = full_layout.tables();

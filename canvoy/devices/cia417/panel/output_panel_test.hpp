@@ -35,7 +35,7 @@ inline constexpr VirtualOutput bench_outputs[] = {
 
 inline constexpr auto bench_lamps =
     describe(panel<PanelOptions{.outputs = 7}>(), cia301::identity({}));
-inline constexpr auto bench_lamps_layout = lay_out_device<bench_lamps>();
+inline constexpr auto bench_lamps_layout = partial(lay_out_device<bench_lamps>());
 
 class OutputBench {
  public:

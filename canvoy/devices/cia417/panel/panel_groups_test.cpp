@@ -53,7 +53,7 @@ constexpr auto panel_with(const Objects&... objects) {
 constexpr auto all_inputs = panel_with(
     virtual_input_mapping_object, input_group_object, input_parameter_1_object,
     input_parameter_2_object, input_parameter_3_object, cia301::tpdo({.number = 1, .entries = 1}));
-constexpr auto all_inputs_layout = lay_out_device<all_inputs>();
+constexpr auto all_inputs_layout = partial(lay_out_device<all_inputs>());
 
 TEST(PanelGroups, TheLastInputOfGroup32HasItsParameters) {
   std::vector<VirtualInput> inputs(all_of_a_lift);
@@ -90,7 +90,7 @@ TEST(PanelGroups, TheLastInputOfGroup32HasItsParameters) {
 constexpr std::uint16_t four_groups = 4 * 254;
 constexpr auto many_outputs =
     describe(panel<PanelOptions{.outputs = four_groups}>(), cia301::identity({}));
-constexpr auto many_outputs_layout = lay_out_device<many_outputs>();
+constexpr auto many_outputs_layout = partial(lay_out_device<many_outputs>());
 
 TEST(PanelGroups, TheLastOutputOfGroup4HasItsParameters) {
   std::vector<VirtualOutput> outputs(four_groups);
@@ -130,7 +130,7 @@ constexpr auto all_sensors =
     panel_with(virtual_sensor_mapping_object, sensor_group_object, sensor_parameter_1_object,
                sensor_parameter_2_object, sensor_parameter_3_object,
                cia301::tpdo({.number = 1, .entries = 1}));
-constexpr auto all_sensors_layout = lay_out_device<all_sensors>();
+constexpr auto all_sensors_layout = partial(lay_out_device<all_sensors>());
 
 TEST(PanelGroups, TheLastSensorOfGroup32HasItsParameters) {
   std::vector<VirtualSensor> sensors(all_of_a_lift);
