@@ -161,6 +161,8 @@ class UdpNeighbour : public UdpMulticastTest {
     EXPECT_TRUE(
         shell("ip addr add 10.74.163.1/24 dev here && ip link set here up && "
               "ip route add 239.0.0.0/8 dev here"));
+    EXPECT_TRUE(run_until([] { return shell("ip link show here | grep -q 'state UP'"); }))
+        << "the kernel has not noticed that there is a carrier: what is sent is lost";
   }
 
   /// To the default group, from an address of the neighbour.
