@@ -143,7 +143,7 @@ void Verb::add(std::initializer_list<OptionRow> rows) {
 
 void Verb::add_taken(const char* name, std::function<void(const std::string&)> take,
                      std::string_view about) {
-  app_->add_option_function<std::string>(name, std::move(take), std::string(about));
+  app_->add_option_function<std::string>(name, take, std::string(about));
 }
 
 void Verb::add_examples(std::string_view examples) {
