@@ -9,7 +9,7 @@ COUNT ?= 20
 CASES ?= 20000
 SEED ?= 1
 
-.PHONY: build demo docs test check test-all tidy bench bench-page fuzz properties soak-lift soak-charger soak-taxi soak-police soak-bus soak-excavator soak-gaps mutate format install clean
+.PHONY: build demo docs test check test-all tidy bench bench-page fuzz properties mutate format install clean
 
 # The command, at build/canvoy.
 build:
@@ -42,7 +42,7 @@ check:
 	@scripts/install-packages check
 	@JOBS=$(JOBS) scripts/run-tests check
 
-# Before each release: all tests in both builds, long runs, long fuzzing, clang-tidy on all sources.
+# Before each release: all tests in both builds, long runs, campaigns of faults, long fuzzing, clang-tidy on all sources.
 test-all:
 	@scripts/install-packages test
 	@JOBS=$(JOBS) scripts/run-tests all
@@ -82,54 +82,13 @@ properties:
 	@for test in $$(find build/folders -name 'canvoy_*_test'); do \
 	  echo "== $$test"; RC_PARAMS=max_success=$(CASES) $$test --gtest_brief=1 --gtest_filter='*RapidCheck*' || exit 1; done
 
-# Hours of lifts with faults, one for each seed: what must hold is checked at each event.
-soak-lift:
+# Hours of a world with faults, one for each seed: what must hold is checked at each event. soak-gaps has gaps of 1 ms to
+# 3 s in the communication of each world.
+soak-%:
 	@scripts/install-packages bench
 	@cmake --preset bench --log-level=WARNING
-	@cmake --build --preset bench -j $(JOBS) --target canvoy_soak_lift
-	@build/bench/canvoy_soak_lift $(SEEDS)
-
-# The same for a charger and its battery.
-soak-charger:
-	@scripts/install-packages bench
-	@cmake --preset bench --log-level=WARNING
-	@cmake --build --preset bench -j $(JOBS) --target canvoy_soak_charger
-	@build/bench/canvoy_soak_charger $(SEEDS)
-
-# The same for shifts of a taxi.
-soak-taxi:
-	@scripts/install-packages bench
-	@cmake --preset bench --log-level=WARNING
-	@cmake --build --preset bench -j $(JOBS) --target canvoy_soak_taxi
-	@build/bench/canvoy_soak_taxi $(SEEDS)
-
-# The same for patrols of a police car.
-soak-police:
-	@scripts/install-packages bench
-	@cmake --preset bench --log-level=WARNING
-	@cmake --build --preset bench -j $(JOBS) --target canvoy_soak_police
-	@build/bench/canvoy_soak_police $(SEEDS)
-
-# The same for days of a bus.
-soak-bus:
-	@scripts/install-packages bench
-	@cmake --preset bench --log-level=WARNING
-	@cmake --build --preset bench -j $(JOBS) --target canvoy_soak_bus
-	@build/bench/canvoy_soak_bus $(SEEDS)
-
-# The same of shifts of an excavator.
-soak-excavator:
-	@scripts/install-packages bench
-	@cmake --preset bench --log-level=WARNING
-	@cmake --build --preset bench -j $(JOBS) --target canvoy_soak_excavator
-	@build/bench/canvoy_soak_excavator $(SEEDS)
-
-# Gaps of 1 ms to 3 s in the communication of each world.
-soak-gaps:
-	@scripts/install-packages bench
-	@cmake --preset bench --log-level=WARNING
-	@cmake --build --preset bench -j $(JOBS) --target canvoy_soak_gaps
-	@build/bench/canvoy_soak_gaps $(SEEDS)
+	@cmake --build --preset bench -j $(JOBS) --target canvoy_soak_$*
+	@build/bench/canvoy_soak_$* $(SEEDS)
 
 # Breaks the code of FOLDERS in small ways, and says which of them no test notices.
 mutate:
