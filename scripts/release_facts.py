@@ -12,7 +12,7 @@ COPIES = {
     "CHANGELOG.md": r"(?m)^## \[(\d[^\]]*)\]",
     "debian/changelog": r"\Acanvoy \(([^)]+)\)",
     "packaging/vcpkg/ports/canvoy/vcpkg.json": r'"version": "([^"]+)"',
-    "ports/platformio/library.json": r'"version": "([^"]+)"',
+    "library.json": r'"version": "([^"]+)"',
     "ports/esp-idf/idf_component.yml": r'(?m)^version: "([^"]+)"',
 }
 # Where its first two numbers stand.

@@ -49,14 +49,14 @@ class ReleaseFacts(unittest.TestCase):
             "CHANGELOG.md": GOOD,
             "debian/changelog": "canvoy (0.2.0) unstable; urgency=medium\n",
             "packaging/vcpkg/ports/canvoy/vcpkg.json": '{"version": "0.2.0"}',
-            "ports/platformio/library.json": '{"version": "0.1.9"}',
+            "library.json": '{"version": "0.1.9"}',
             "ports/esp-idf/idf_component.yml": "description: x\n",
         }.items():
             (self.root / path).parent.mkdir(parents=True, exist_ok=True)
             (self.root / path).write_text(text)
         self.assertEqual(
             release_facts.wrong_copies(self.root),
-            ["ports/platformio/library.json: names 0.1.9, expected 0.2.0", "ports/esp-idf/idf_component.yml: names no version, expected 0.2.0"],
+            ["library.json: names 0.1.9, expected 0.2.0", "ports/esp-idf/idf_component.yml: names no version, expected 0.2.0"],
         )
 
     def test_a_page_that_says_that_nothing_is_released_is_refused(self):
