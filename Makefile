@@ -9,7 +9,7 @@ COUNT ?= 20
 CASES ?= 20000
 SEED ?= 1
 
-.PHONY: build demo docs test check test-all tidy bench bench-page fuzz properties mutate format install clean
+.PHONY: build dist release-check demo docs test check test-all tidy bench bench-page fuzz properties mutate format install clean
 
 # The command, at build/canvoy.
 build:
@@ -97,6 +97,15 @@ mutate:
 
 format:
 	@git ls-files '*.cpp' '*.hpp' | xargs clang-format-16 -i
+
+# The source archive of what is committed, at build/dist.
+dist:
+	@scripts/make-dist
+
+# Whether what is committed can be released: a table of PASS and FAIL.
+release-check:
+	@scripts/install-packages release
+	@scripts/release-check
 
 install: build
 	@cmake --install build --prefix $(PREFIX)

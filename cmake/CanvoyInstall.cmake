@@ -4,10 +4,12 @@ include(CMakePackageConfigHelpers)
 
 get_property(libraries GLOBAL PROPERTY CANVOY_INSTALLED_LIBRARIES)
 install(TARGETS ${libraries} EXPORT canvoy)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 if(TARGET canvoy)
   install(TARGETS canvoy)
   install(FILES scripts/completion/canvoy.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME canvoy)
   install(FILES scripts/completion/_canvoy DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+  install(FILES scripts/completion/canvoy.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
   # The command writes its pages itself, from its help.
   if(NOT CMAKE_CROSSCOMPILING)
     install(CODE "
@@ -24,7 +26,7 @@ install(FILES "${PROJECT_BINARY_DIR}/include/canvoy/version.hpp" DESTINATION ${C
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/canvoy)
 install(EXPORT canvoy NAMESPACE canvoy:: DESTINATION ${package_dir} FILE canvoyTargets.cmake)
 write_basic_package_version_file(canvoyConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES cmake/canvoyConfig.cmake "${PROJECT_BINARY_DIR}/canvoyConfigVersion.cmake" DESTINATION ${package_dir})
+install(FILES cmake/canvoyConfig.cmake cmake/CanvoyDataSheet.cmake "${PROJECT_BINARY_DIR}/canvoyConfigVersion.cmake" DESTINATION ${package_dir})
 
 # canvoy-<library>.pc for each; canvoy.pc stands for all that need no library of others.
 set(pc_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

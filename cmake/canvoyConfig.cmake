@@ -1,12 +1,14 @@
 # find_package(canvoy CONFIG REQUIRED [COMPONENTS canopen devices ...]): a target canvoy::<component> for each library.
-# Of them formats, gtfs, decoder and words are built on libraries of others, which are looked for where one of these is asked for.
+# Of them formats, gtfs, decoder and words are built on libraries of others: these have to be there where one of the four is asked
+# for, and are looked for where no component is named, so that canvoy::words can be linked where they are.
 include(CMakeFindDependencyMacro)
+set(canvoy_formats_needs fmt nlohmann_json pugixml ZLIB)
+
 foreach(component IN LISTS canvoy_FIND_COMPONENTS)
   if(component MATCHES "^(formats|gtfs|decoder|words)$")
-    find_dependency(fmt)
-    find_dependency(nlohmann_json)
-    find_dependency(pugixml)
-    find_dependency(ZLIB)
+    foreach(package IN LISTS canvoy_formats_needs)
+      find_dependency(${package})
+    endforeach()
     break()
   endif()
 endforeach()
@@ -14,8 +16,18 @@ if("gtfs" IN_LIST canvoy_FIND_COMPONENTS)
   find_dependency(PkgConfig)
   pkg_check_modules(libzip REQUIRED IMPORTED_TARGET GLOBAL libzip)
 endif()
+if(NOT canvoy_FIND_COMPONENTS)
+  foreach(package IN LISTS canvoy_formats_needs)
+    find_package(${package} QUIET)
+  endforeach()
+  find_package(PkgConfig QUIET)
+  if(PkgConfig_FOUND)
+    pkg_check_modules(libzip QUIET IMPORTED_TARGET GLOBAL libzip)
+  endif()
+endif()
 
 include("${CMAKE_CURRENT_LIST_DIR}/canvoyTargets.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/CanvoyDataSheet.cmake")
 
 foreach(component IN LISTS canvoy_FIND_COMPONENTS)
   if(TARGET canvoy::${component})

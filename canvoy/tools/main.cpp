@@ -18,6 +18,7 @@
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/terminal_text.hpp"
+#include "canvoy/version.hpp"
 
 namespace canvoy::tools {
 namespace {
@@ -82,7 +83,7 @@ std::vector<std::string> words_of(int count, char** arguments) {
 
 int run(int count, char** arguments) {
   CommandLine line("Canvoy: see, simulate, test and drive CANopen networks", "canvoy");
-  line.set_version(version_option, "canvoy 0.1.0");
+  line.set_version(version_option, fmt::format("canvoy {}", version));
   line.require_verb();
   line.take_options_anywhere();
   line.add_taken("--colour,--color", use_colour,

@@ -204,6 +204,18 @@ class Help(CommandTest):
         self.assertEqual(bash("canvoy read can0 10 battery_parameters:ah"), ["ah_capacity"], "bash parts words at colons")
         self.assertIn("write", bash("canvoy "))
 
+    @unittest.skipIf(shutil.which("fish") is None, "fish is not installed; scripts/install-packages test installs it")
+    def test_fish_completes(self):
+        def fish(line):
+            script = f"source scripts/completion/canvoy.fish; complete --do-complete '{line}'"
+            variables = dict(self.variables, HOME=str(self.folder))
+            return subprocess.run(["fish", "--no-config", "-c", script], env=variables, capture_output=True, text=True, check=True).stdout.splitlines()
+
+        self.assertEqual(fish("canvoy monit"), ["monitor"])
+        self.assertEqual(fish("canvoy nmt can0 10 oper"), ["operational"])
+        self.assertEqual(fish("canvoy read can0 10 battery_parameters:ah"), ["battery_parameters:ah_capacity"])
+        self.assertIn("write", fish("canvoy "))
+
     @unittest.skipIf(shutil.which("zsh") is None, "zsh is not installed; scripts/install-packages test installs it")
     def test_zsh_completes(self):
         network = str(self.folder / "network.toml")

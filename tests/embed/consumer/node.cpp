@@ -1,9 +1,7 @@
 // Ends with 0 if a node of one's own boots and answers: what a source folder is embedded for.
 #include <iostream>
 
-#include "canvoy/canopen/device_node.hpp"
-#include "canvoy/profiles/cia419.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "node.hpp"
 
 namespace {
 
@@ -12,16 +10,11 @@ bool keep_frame(void* context, const canvoy::Frame& frame) {
   return true;
 }
 
-constexpr auto description =
-    canvoy::describe(canvoy::cia419::charger({}), canvoy::cia301::identity({.vendor_id = 0x123}),
-                     canvoy::cia301::heartbeat_producer(1000));
-constexpr auto layout = canvoy::lay_out_device<description>();
-
 }  // namespace
 
 int main() {
   canvoy::Frame sent;
-  canvoy::DeviceNode<layout> device({.context = &sent, .send = keep_frame}, 5);
+  canvoy::DeviceNode<my_charger::layout> device({.context = &sent, .send = keep_frame}, 5);
   device.node().start({});
   // CiA 301, 7.2.8.3.3: the boot-up message is a byte 0 under 700h and the node-ID.
   if (sent != canvoy::Frame::data_frame(0x705, {0})) return 1;

@@ -1,0 +1,67 @@
+// A board with FreeRTOS. FreeRTOS knows no CAN: what sends a frame is the driver's, and what the
+// driver receives it puts into a queue, from its interrupt.
+//
+//     bool can_transmit(const canvoy::Frame& frame);           // yours; false where there is no
+//     room FreeRtosCan can(can_transmit); can.received_from_isr(frame); // from the interrupt of
+//     the driver BoardPort port(can); for (;;) can.wait(port.turn(device.node()));             //
+//     in a task
+#pragma once
+
+#include <FreeRTOS.h>
+#include <queue.h>
+#include <task.h>
+
+#include <algorithm>
+
+#include "canvoy_board.hpp"
+
+namespace canvoy::board {
+
+/// `frames_max` received frames wait for the node. Its time has the resolution of a tick: give it
+/// configTICK_RATE_HZ of 1000.
+template <unsigned frames_max = 16>
+class FreeRtosCan {
+ public:
+  explicit FreeRtosCan(bool (*transmit)(const Frame&))
+      : transmit_(transmit),
+        queue_(xQueueCreateStatic(frames_max, sizeof(Frame), buffer_, &control_)) {}
+  FreeRtosCan(const FreeRtosCan&) = delete;
+  FreeRtosCan& operator=(const FreeRtosCan&) = delete;
+
+  /// Called by the driver's interrupt. False where the queue is full: tell Node::overrun().
+  bool received_from_isr(const Frame& frame) {
+    BaseType_t has_woken = pdFALSE;
+    const bool has_room = xQueueSendFromISR(queue_, &frame, &has_woken) == pdTRUE;
+    portYIELD_FROM_ISR(has_woken);
+    return has_room;
+  }
+
+  bool send(const Frame& frame) { return transmit_(frame); }
+  bool receive(Frame& frame) { return xQueueReceive(queue_, &frame, 0) == pdTRUE; }
+
+  /// Ticks have 32 bits in most ports, and overflow after 49 days: this counts on, if it is called
+  /// at least once in that time, as turn() does.
+  Time now() {
+    const TickType_t ticks = xTaskGetTickCount();
+    ticks_ += static_cast<TickType_t>(ticks - last_);
+    last_ = ticks;
+    return Time(Duration(static_cast<std::int64_t>(ticks_) * (1'000'000 / configTICK_RATE_HZ)));
+  }
+
+  /// Until a frame has come, for this long at most.
+  void wait(Duration longest) {
+    Frame next;
+    const auto ticks = static_cast<TickType_t>(longest.count() * configTICK_RATE_HZ / 1'000'000);
+    if (longest.count() != 0) xQueuePeek(queue_, &next, std::max<TickType_t>(ticks, 1));
+  }
+
+ private:
+  bool (*transmit_)(const Frame&);
+  std::uint64_t ticks_ = 0;
+  TickType_t last_ = 0;
+  StaticQueue_t control_{};
+  std::uint8_t buffer_[frames_max * sizeof(Frame)];
+  QueueHandle_t queue_;
+};
+
+}  // namespace canvoy::board

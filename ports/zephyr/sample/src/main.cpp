@@ -1,0 +1,12 @@
+// A pump with an object of its own, on the CAN controller that the board's devicetree has chosen.
+#include "canvoy_zephyr.hpp"
+#include "pump.hpp"
+
+int main() {
+  static canvoy::board::ZephyrCan can(DEVICE_DT_GET(DT_CHOSEN(zephyr_canbus)));
+  if (!can.start(125'000)) return -1;
+  static canvoy::board::BoardPort board(can);
+  static pump::Device device(board.port(), 9);
+  device.node().start(can.now());
+  for (;;) can.wait(board.turn(device.node()));
+}
