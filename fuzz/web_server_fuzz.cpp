@@ -1,7 +1,7 @@
 // Bytes that a stranger sends to the page's port: requests of HTTP, frames of a WebSocket that was
 // opened, and what is neither. Whatever they are, the server lets the client go when he goes, keeps
 // nothing of him, and answers the next. The first byte says what the client does, `@` in a request
-// is the server's address.
+// is the server's address with the token.
 #include <sys/socket.h>
 
 #include <array>
@@ -57,6 +57,10 @@ class Server {
         *loop_, {.limits = {.head_max = 1024, .body_max = Application::body_max}}, application_);
   }
   const std::string& address() const { return server_->address(); }
+  /// What a Host field takes, and behind it the token.
+  std::string host() const {
+    return server_->address() + "\r\nAuthorization: Bearer " + server_->token();
+  }
 
   /// `greeting` is sent first, and its answer waited for.
   void serve(std::string_view greeting, std::string_view bytes, bool ends_output) {
@@ -116,12 +120,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   constexpr std::uint8_t ends_output = 2;
   const std::string_view text(reinterpret_cast<const char*>(data) + 1, size - 1);
   const std::string upgrade =
-      "GET /live HTTP/1.1\r\nHost: " + server.address() +
+      "GET /live HTTP/1.1\r\nHost: " + server.host() +
       "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
       "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n";
   const bool is_web_socket = (data[0] & opens_web_socket) != 0;
   server.serve(is_web_socket ? upgrade : "",
-               is_web_socket ? std::string(text) : with_address(text, server.address()),
+               is_web_socket ? std::string(text) : with_address(text, server.host()),
                (data[0] & ends_output) != 0);
   return 0;
 }

@@ -1,6 +1,8 @@
 """A network for one test: nothing but a loopback interface that carries multicast. Needs root.
 
     own_network.enter_or_skip()
+
+As a program it runs another one there: `python3 tests/own_network.py COMMAND...`.
 """
 
 import ctypes
@@ -32,3 +34,8 @@ def raise_loopback():
     """Also where a test has taken it down."""
     subprocess.run(["ip", "link", "set", "lo", "up", "multicast", "on"], check=True)
     subprocess.run(["ip", "route", "add", "224.0.0.0/4", "dev", "lo"], check=True)
+
+
+if __name__ == "__main__":
+    enter_or_skip()
+    os.execvp(sys.argv[1], sys.argv[1:])

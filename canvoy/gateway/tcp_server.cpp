@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::size_t chunk = 4096;     ///< bytes of one client in one turn
 constexpr int send_buffer = 64 * 1024;  ///< bytes that the kernel holds for one client
+constexpr unsigned notes_max = 30;      ///< in a minute
 constexpr std::string_view full = "# too many clients: try again later\r\n";
 
 void set_option(const host::Descriptor& socket, int level, int option, int value = 1) {
@@ -35,7 +36,8 @@ class TcpServer::Connection {
         socket_(std::move(socket)),
         peer_(std::move(peer)),
         session_(server_.gateway_.open()),
-        busy_at_(server_.loop_.now()) {}
+        busy_at_(server_.loop_.now()),
+        asked_at_(busy_at_) {}
   ~Connection() {
     if (watch_ != 0) server_.loop_.unwatch(watch_);
     server_.gateway_.close(session_);
@@ -54,7 +56,7 @@ class TcpServer::Connection {
   /// Sends what there is to say, and waits for what can be done next.
   void serve() {
     if (dead_) return;
-    if (session_.is_busy()) busy_at_ = server_.loop_.now();
+    if (session_.is_busy()) busy_at_ = asked_at_ = server_.loop_.now();
     send();
     if (session_.is_too_slow()) return die("dropped: it does not read its events");
     if (ended_ && session_.idle()) return die("left");
@@ -66,6 +68,8 @@ class TcpServer::Connection {
   const std::string& peer() const { return peer_; }
   /// Since when it is idle; now while it is not.
   Time busy_at() const { return session_.is_busy() ? server_.loop_.now() : busy_at_; }
+  /// Its latest command; now while one is under way.
+  Time asked_at() const { return session_.is_busy() ? server_.loop_.now() : asked_at_; }
   std::size_t held_bytes() const { return dead_ ? 0 : session_.held_bytes(); }
 
  private:
@@ -96,6 +100,7 @@ class TcpServer::Connection {
     if (!protocol.empty()) return drop("it speaks " + std::string(protocol));
     busy_at_ = server_.loop_.now();
     session_.receive(bytes);
+    if (session_.is_busy() || !session_.output().empty()) asked_at_ = busy_at_;
   }
 
   void send() {
@@ -123,7 +128,8 @@ class TcpServer::Connection {
   std::string peer_;
   Session& session_;
   FirstLine first_line_;
-  Time busy_at_;  ///< when it last said something or a command was under way
+  Time busy_at_;   ///< when it last said something or a command was under way
+  Time asked_at_;  ///< when it last said a command, or one was under way
   host::EventLoop::Id watch_ = 0;
   bool ended_ = false;  ///< the client says no more
   bool dead_ = false;   ///< until the next turn of the loop
@@ -176,16 +182,29 @@ void TcpServer::admit(host::Descriptor socket, std::string peer) {
   if (idling_ == 0) drop_idle();
 }
 
-/// Who is idle longest gives its place to a newcomer.
+/// The one whose latest command is longest ago gives its place to a newcomer.
 bool TcpServer::make_room() {
   sweep();
   if (connections_.size() < limits_.clients_max) return true;
   const auto idlest = std::ranges::min_element(
-      connections_, {}, [](const auto& connection) { return connection->busy_at(); });
-  if ((*idlest)->busy_at() + limits_.idle_for_others > loop_.now()) return false;
+      connections_, {}, [](const auto& connection) { return connection->asked_at(); });
+  if ((*idlest)->asked_at() + limits_.idle_for_others > loop_.now()) return false;
   (*idlest)->drop("it is idle, and others wait");
   sweep();
   return true;
+}
+
+/// A stranger that comes and goes without end fills no disk.
+void TcpServer::note(const std::string& line) {
+  if (!note_) return;
+  if (loop_.now() - minute_ >= Duration(1min)) {
+    minute_ = loop_.now();
+    if (noted_ > notes_max) {
+      note_(std::to_string(noted_ - notes_max) + " more lines on clients were left out");
+    }
+    noted_ = 0;
+  }
+  if (++noted_ <= notes_max) note_(line);
 }
 
 void TcpServer::serve_all() {

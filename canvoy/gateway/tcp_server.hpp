@@ -24,8 +24,10 @@ namespace canvoy::gateway {
 /// commands is under way, whatever it is told.
 struct TcpLimits {
   std::size_t clients_max = 16;
-  Duration idle_max = 1h;          ///< who is idle for longer is dropped
-  Duration idle_for_others = 10s;  ///< so is who is idle longest, where a newcomer has no place
+  Duration idle_max = 1h;  ///< who is idle for longer is dropped
+  /// So is the one whose latest command is longest ago, and as long as this, where a newcomer has
+  /// no place. Empty lines and comments are no commands.
+  Duration idle_for_others = 10s;
   std::size_t bytes_max = 32 * 1024 * 1024;  ///< held for all of them; beyond, who holds most goes
 };
 
@@ -50,7 +52,8 @@ class TcpServer {
   /// Whether only programs on this machine reach it.
   bool is_loopback() const { return listener_->is_loopback(); }
   std::size_t clients() const { return connections_.size(); }
-  /// Clients that come, go, and are dropped: a line for each.
+  /// Clients that come, go, and are dropped: a line for each, 30 in a minute; then one that counts
+  /// those that were left out.
   void on_note(std::function<void(std::string_view)> handler) { note_ = std::move(handler); }
 
  private:
@@ -65,9 +68,7 @@ class TcpServer {
   void drop_idle();
   void sweep_later();
   void sweep();
-  void note(const std::string& line) const {
-    if (note_) note_(line);
-  }
+  void note(const std::string& line);
 
   host::EventLoop& loop_;
   Gateway& gateway_;
@@ -77,6 +78,8 @@ class TcpServer {
   host::EventLoop::Id task_ = 0;
   host::EventLoop::Id sweeping_ = 0;
   std::function<void(std::string_view)> note_;
+  Time minute_{};  ///< when the notes began to be counted
+  unsigned noted_ = 0;
   std::vector<std::unique_ptr<Connection>> connections_;
 };
 

@@ -318,8 +318,9 @@ TEST_F(GatewayTcpWithLittleTime, WhoIsIdleLongestMakesRoomForANewcomer) {
   EXPECT_TRUE(until([&] { return too_early.is_closed(); }));
   EXPECT_EQ(too_early.heard(), "# too many clients: try again later\r\n");
   for (const Time end = loop_->now() + 400ms; loop_->now() < end;) {
-    busy.say("\r\n");
-    other.say("\r\n");
+    busy.say("[1] 5 start\r\n");
+    other.say("[1] 5 start\r\n");
+    idle.say("\r\n# nothing\r\n");  // no command
     loop_->run_until(loop_->now() + 3ms);
   }
   Client newcomer(server_->address());
@@ -329,6 +330,18 @@ TEST_F(GatewayTcpWithLittleTime, WhoIsIdleLongestMakesRoomForANewcomer) {
   EXPECT_TRUE(is_noted("dropped: it is idle, and others wait"));
   EXPECT_FALSE(busy.is_closed());
   EXPECT_FALSE(other.is_closed());
+}
+
+TEST_F(GatewayTcp, NotesOnClientsHaveAnEnd) {
+  for (int i = 0; i < 100; ++i) {
+    const std::size_t before = server_->clients();
+    {
+      Client passing(server_->address());
+      until([&] { return server_->clients() > before; });
+    }
+    until([&] { return server_->clients() == before; });
+  }
+  EXPECT_EQ(notes_.size(), 30U);
 }
 
 class GatewayTcpWithLittleMemory : public GatewayTcp {

@@ -49,7 +49,10 @@ std::string_view refusal_of(const AccessRules& rules, const AccessClaims& claims
   if (has_origin && !is_same_name(claims.origin, fmt::format("http://{}", claims.host))) {
     return "a page of another origin asks";
   }
-  if (!rules.token.empty() && !is_same_secret(claims.token, rules.token)) {
+  const bool is_own_site =
+      claims.site.empty() || claims.site == "same-origin" || claims.site == "none";
+  if (!is_own_site) return "a page of another site asks";
+  if (!is_same_secret(claims.token, rules.token)) {
     return "the token is missing or wrong: open the address that the command has printed";
   }
   return {};

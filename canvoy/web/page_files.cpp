@@ -1,7 +1,14 @@
 #include "canvoy/web/page_files.hpp"
 
+#include <fmt/format.h>
+#include <zlib.h>
+
 #include <algorithm>
 #include <array>
+#include <deque>
+#include <string>
+
+#include "canvoy/can/must_hold.hpp"
 
 // As they are: a generator of sources for them would be one more program that a build has to have.
 #define CANVOY_PAGE_FILE(name, file)                                                         \
@@ -28,18 +35,48 @@ std::string_view between(const char* begin, const char* end) {
   return {begin, static_cast<std::size_t>(end - begin)};
 }
 
+constexpr int gzip_window = 15 + 16;  ///< zlib: the largest window, and a head as gzip has it
+constexpr int gzip_memory = 9;
+
+std::string compressed(std::string_view text) {
+  z_stream stream{};
+  must_hold(deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, gzip_window, gzip_memory,
+                         Z_DEFAULT_STRATEGY) == Z_OK);
+  std::string made(deflateBound(&stream, text.size()), '\0');
+  // zlib does not write to it.
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
+  stream.avail_in = static_cast<uInt>(text.size());
+  stream.next_out = reinterpret_cast<Bytef*>(made.data());
+  stream.avail_out = static_cast<uInt>(made.size());
+  must_hold(deflate(&stream, Z_FINISH) == Z_STREAM_END);
+  made.resize(stream.total_out);
+  deflateEnd(&stream);
+  return made;
+}
+
+/// With what is kept for it.
+PageFile page_file(std::string_view path, std::string_view type, std::string_view content) {
+  static std::deque<std::string> kept;
+  PageFile file{.path = path, .type = type, .content = content};
+  file.gzip = kept.emplace_back(compressed(content));
+  const uLong sum =
+      crc32(0, reinterpret_cast<const Bytef*>(content.data()), static_cast<uInt>(content.size()));
+  file.tag = kept.emplace_back(fmt::format("\"{:08x}-{}\"", sum, content.size()));
+  return file;
+}
+
 }  // namespace
 
 std::span<const PageFile> page_files() {
   static const std::array files = {
-      PageFile{"/", "text/html; charset=utf-8", between(canvoy_page_html, canvoy_page_html_end)},
-      PageFile{"/page.js", "text/javascript; charset=utf-8",
-               between(canvoy_page_script, canvoy_page_script_end)},
-      PageFile{"/page.css", "text/css; charset=utf-8",
-               between(canvoy_page_style, canvoy_page_style_end)},
-      PageFile{"/icon.svg", "image/svg+xml", between(canvoy_page_icon, canvoy_page_icon_end)},
-      PageFile{"/openapi.json", "application/json",
-               between(canvoy_page_openapi, canvoy_page_openapi_end)},
+      page_file("/", "text/html; charset=utf-8", between(canvoy_page_html, canvoy_page_html_end)),
+      page_file("/page.js", "text/javascript; charset=utf-8",
+                between(canvoy_page_script, canvoy_page_script_end)),
+      page_file("/page.css", "text/css; charset=utf-8",
+                between(canvoy_page_style, canvoy_page_style_end)),
+      page_file("/icon.svg", "image/svg+xml", between(canvoy_page_icon, canvoy_page_icon_end)),
+      page_file("/openapi.json", "application/json",
+                between(canvoy_page_openapi, canvoy_page_openapi_end)),
   };
   return files;
 }

@@ -12,8 +12,11 @@ struct PageFile {
   std::string_view path;  ///< `/page.js`
   std::string_view type;
   std::string_view content;
+  std::string_view gzip{};  ///< the same, compressed
+  std::string_view tag{};   ///< another one for each content, as ETag has it
 };
 
+/// Compressed at the first call.
 std::span<const PageFile> page_files();
 /// `/` is the page itself; null where there is no such file.
 const PageFile* find_page_file(std::string_view path);

@@ -80,12 +80,22 @@ std::optional<std::string> percent_decoded(std::string_view text, bool is_form) 
 }
 
 std::optional<RequestTarget> parse_target(std::string_view text) {
-  if (!text.starts_with('/') || text.size() > target_length_max) return std::nullopt;
+  if (text.size() > target_length_max) return std::nullopt;
+  constexpr std::string_view scheme = "http://";
+  std::string host;
+  if (text.starts_with(scheme)) {
+    text.remove_prefix(scheme.size());
+    host = text.substr(0, text.find_first_of("/?"));
+    if (host.empty()) return std::nullopt;
+    text.remove_prefix(host.size());
+    if (text.empty()) text = "/";
+  }
+  if (!text.starts_with('/')) return std::nullopt;
   const auto is_printed = [](char c) { return c >= first_printed && c <= last_printed; };
   if (!std::ranges::all_of(text, is_printed)) return std::nullopt;
   std::optional<std::string> path = percent_decoded(take_until(text, '?'), false);
   if (!path || goes_up(*path) || path->find('\0') != std::string::npos) return std::nullopt;
-  RequestTarget target{.path = *std::move(path)};
+  RequestTarget target{.path = *std::move(path), .host = std::move(host)};
   if (!add_query(target, text)) return std::nullopt;
   return target;
 }

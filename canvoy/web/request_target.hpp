@@ -17,6 +17,7 @@ namespace canvoy::web {
 struct RequestTarget {
   std::string path;  ///< begins with a slash
   std::vector<std::pair<std::string, std::string>> query{};
+  std::string host{};  ///< of the absolute form, instead of the field Host; empty: another form
 
   /// The first of this name.
   std::optional<std::string_view> value(std::string_view name) const;
@@ -26,8 +27,9 @@ struct RequestTarget {
 
 inline constexpr std::size_t target_length_max = 4096;
 
-/// Nothing where it is none: no slash in front, a percent sign without two digits behind it, a
-/// character that must not be there, too long, or a path that goes up.
+/// In origin form or in absolute form (3.2.1, 3.2.2). Nothing where it is none: no slash in front,
+/// a percent sign without two digits behind it, a character that must not be there, too long, or a
+/// path that goes up.
 std::optional<RequestTarget> parse_target(std::string_view text);
 
 /// `%20` and, where it is a form, `+` as they are meant; nothing where that is wrong.

@@ -27,11 +27,23 @@ TEST(RequestTarget, PercentSignsAreOfBytes) {
 }
 
 TEST(RequestTarget, NothingGoesUpOrIsHidden) {
-  for (const char* text : {"", "*", "http://a/", "/..", "/../etc", "/a/../b", "/%2e%2e/x", "/a b",
-                           "/a\x01", "/a%00b", "/\xC3\xA9"}) {
+  for (const char* text :
+       {"", "*", "http://", "http:///a", "https://a/", "http://a?b", "http://a/../b", "/..",
+        "/../etc", "/a/../b", "/%2e%2e/x", "/a b", "/a\x01", "/a%00b", "/\xC3\xA9"}) {
     EXPECT_FALSE(parse_target(text)) << text;
   }
   EXPECT_TRUE(parse_target("/..a/b..c"));
+}
+
+// RFC 9112, 3.2.2: a server accepts it, and the host in it counts.
+TEST(RequestTarget, MayBeInAbsoluteForm) {
+  const auto target = parse_target("http://127.0.0.1:8080/api/nodes?x=1");
+  ASSERT_TRUE(target);
+  EXPECT_EQ(target->host, "127.0.0.1:8080");
+  EXPECT_EQ(target->path, "/api/nodes");
+  EXPECT_EQ(target->value("x"), "1");
+  EXPECT_EQ(parse_target("http://a")->path, "/");
+  EXPECT_EQ(parse_target("/http://a")->host, "");
 }
 
 TEST(RequestTarget, HasAnEnd) {

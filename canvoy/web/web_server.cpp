@@ -23,6 +23,7 @@
 #include "canvoy/gateway/tcp_listener.hpp"
 #include "canvoy/web/access.hpp"
 #include "canvoy/web/page_files.hpp"
+#include "canvoy/web/request_head.hpp"
 
 namespace canvoy::web {
 
@@ -43,6 +44,7 @@ constexpr int keep_alive_seconds = 30;
 constexpr int handlers_per_turn = 32;
 constexpr Duration turn_time = 5ms;
 constexpr std::string_view live_path = "/live";
+constexpr std::string_view go_on = "HTTP/1.1 100 Continue\r\n\r\n";
 /// The page loads nothing from elsewhere, and stands in no frame of another page.
 constexpr const char* content_policy =
     "default-src 'self'; img-src 'self' data:; frame-ancestors 'none'; base-uri 'none'; "
@@ -64,8 +66,9 @@ std::string host_of(std::string_view address) {
   return std::string(address.substr(0, address.rfind(':')));
 }
 
+/// `text` has neither a quotation mark nor a backslash.
 WebResponse told(unsigned status, std::string_view text) {
-  return {.status = status, .type = "text/plain; charset=utf-8", .body = fmt::format("{}\n", text)};
+  return {.status = status, .body = fmt::format("{{\"error\":\"{}\"}}\n", text)};
 }
 
 /// What cannot be read is answered as it deserves, where there is anybody to answer to.
@@ -85,15 +88,15 @@ std::optional<WebResponse> answer_to(const Failed& failed) {
 class WebServer::Hub {
  public:
   Hub(host::EventLoop& loop, std::unique_ptr<gateway::TcpListener> listener,
-      const WebLimits& limits, WebApplication& application)
+      const WebOptions& options, WebApplication& application)
       : loop_(loop),
-        limits_(limits),
+        limits_(options.limits),
         application_(application),
         listener_(std::move(listener)),
         rules_{.port = port_of(listener_->address()),
                .is_loopback = listener_->is_loopback(),
                .host = host_of(listener_->address()),
-               .token = listener_->is_loopback() ? "" : make_token()} {
+               .token = options.token.empty() ? make_token() : options.token} {
     listener_->on_client(
         [this](host::Descriptor client, const std::string&) { admit(std::move(client)); });
   }
@@ -102,10 +105,8 @@ class WebServer::Hub {
   Hub& operator=(const Hub&) = delete;
 
   const std::string& address() const { return listener_->address(); }
-  std::string url() const {
-    const std::string token = rules_.token.empty() ? "" : "?token=" + rules_.token;
-    return fmt::format("http://{}/{}", address(), token);
-  }
+  std::string url() const { return fmt::format("http://{}/?token={}", address(), token()); }
+  const std::string& token() const { return rules_.token; }
   void offer();
   std::size_t clients() const { return connections_.size(); }
   std::size_t live_clients() const;
@@ -115,6 +116,9 @@ class WebServer::Hub {
 
   void admit(host::Descriptor client);
   void make_room();
+  void make_live_room();
+  /// Bytes of answers and messages that clients have not taken yet.
+  std::size_t unread() const;
   /// Does what can be done at once, or the beginning of it, and says what is waited for from now
   /// on.
   void turn();
@@ -161,6 +165,22 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
   }
   bool is_over() const { return is_over_; }
   bool is_live() const { return client_ != nullptr; }
+  std::size_t unread() const {
+    return is_writing_ ? response_.body().size() + message_.size() : std::size_t{0};
+  }
+  Time heard_at() const { return heard_at_; }
+  /// Ends the WebSocket with a status by which the page knows that it is not to come back by
+  /// itself.
+  void give_way() {
+    client_.reset();
+    if (!stream_) return end();
+    if (is_writing_) return;  // then once that has gone
+    is_writing_ = true;
+    deadline_ = hub_.loop_.now() + sweep_period;
+    stream_->async_close({websocket::close_code::try_again_later, "a newer viewer has this place"},
+                         [self = shared_from_this()](const Failed&) { self->end(); });
+    hub_.turn_soon();
+  }
   bool is_late() const { return hub_.loop_.now() >= deadline_; }
   void rewatch() {
     const host::Readiness wanted{.readable = is_reading_, .writable = is_writing_};
@@ -170,6 +190,7 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
   }
   void offer() {
     if (client_ == nullptr || is_writing_ || is_over_) return;
+    if (hub_.unread() >= hub_.limits_.unread_max) return;
     message_ = client_->next();
     if (!message_.empty()) send_message();
   }
@@ -189,6 +210,41 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
     parser_.emplace();
     parser_->header_limit(hub_.limits_.head_max);
     parser_->body_limit(hub_.limits_.body_max);
+    request_ = {};
+    is_reading_ = true;
+    http::async_read_header(socket_, buffer_, *parser_,
+                            [self = shared_from_this()](const Failed& failed, std::size_t) {
+                              self->has_read_head(failed);
+                            });
+  }
+
+  void has_read_head(const Failed& failed) {
+    is_reading_ = false;
+    if (is_over_) return;
+    if (failed) return cannot_read(failed);
+    const auto& head = parser_->get();
+    const std::string_view fault =
+        fault_of({.is_1_1 = head.version() == 11,
+                  .hosts = head.count(http::field::host),
+                  .origins = head.count(http::field::origin),
+                  .sites = head.count("Sec-Fetch-Site"),
+                  .authorizations = head.count(http::field::authorization)});
+    if (!fault.empty()) return respond_last(told(400, fault));
+    const boost::beast::string_view expected = head[http::field::expect];
+    if (expected.empty() || parser_->is_done()) return read_body();
+    if (!boost::beast::iequals(expected, "100-continue")) {
+      return respond_last(told(417, "nothing but 100-continue can be expected"));
+    }
+    is_writing_ = true;
+    boost::asio::async_write(socket_, boost::asio::buffer(go_on),
+                             [self = shared_from_this()](const Failed& gone, std::size_t) {
+                               self->is_writing_ = false;
+                               if (self->is_over_) return;
+                               gone ? self->end() : self->read_body();
+                             });
+  }
+
+  void read_body() {
     is_reading_ = true;
     http::async_read(
         socket_, buffer_, *parser_,
@@ -198,12 +254,7 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
   void has_read(const Failed& failed) {
     is_reading_ = false;
     if (is_over_) return;
-    if (failed) {
-      const std::optional<WebResponse> answer = answer_to(failed);
-      if (!answer) return end();
-      is_last_ = true;
-      return respond(*answer);
-    }
+    if (failed) return cannot_read(failed);
     request_ = parser_->release();
     is_last_ = !request_.keep_alive();
     const std::optional<RequestTarget> target = parse_target(view_of(request_.target()));
@@ -214,6 +265,17 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
     serve(*target);
   }
 
+  void cannot_read(const Failed& failed) {
+    const std::optional<WebResponse> answer = answer_to(failed);
+    if (!answer) return end();
+    respond_last(*answer);
+  }
+
+  void respond_last(const WebResponse& answer) {
+    is_last_ = true;
+    respond(answer);
+  }
+
   std::string cookie_name() const { return fmt::format("canvoy-{}", hub_.rules_.port); }
 
   std::string_view refusal_of(const RequestTarget& target) {
@@ -222,10 +284,15 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
     std::string_view token = cookie_of(view_of(request_[http::field::cookie]), cookie_name());
     if (authorization.starts_with(bearer)) token = authorization.substr(bearer.size());
     if (const auto given = target.value("token")) token = *given;
-    gives_cookie_ = !hub_.rules_.token.empty() && target.value("token").has_value();
-    return web::refusal_of(hub_.rules_, {.host = view_of(request_[http::field::host]),
-                                         .origin = view_of(request_[http::field::origin]),
-                                         .token = token});
+    gives_cookie_ = target.value("token").has_value();
+    // A link from elsewhere may lead to the page, which asks for nothing else by itself.
+    const bool is_page = find_page_file(target.path) != nullptr;
+    return web::refusal_of(
+        hub_.rules_,
+        {.host = target.host.empty() ? view_of(request_[http::field::host]) : target.host,
+         .origin = view_of(request_[http::field::origin]),
+         .site = is_page ? std::string_view() : view_of(request_["Sec-Fetch-Site"]),
+         .token = token});
   }
 
   void serve(const RequestTarget& target) {
@@ -236,7 +303,7 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
       if (!reads) return respond(told(405, "the page is only read"));
       const PageFile* const file = find_page_file(target.path);
       if (file == nullptr) return respond(told(404, "there is no such page"));
-      return respond({.type = std::string(file->type), .body = std::string(file->content)});
+      return respond(*file);
     }
     const bool writes = request_.method() == http::verb::post;
     if (!reads && !writes) return respond(told(405, "GET and POST only"));
@@ -252,21 +319,49 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
         });
   }
 
+  /// A file of the page: compressed where the client takes that, and not sent to whom has it.
+  void respond(const PageFile& file) {
+    const bool is_known = view_of(request_[http::field::if_none_match]) == file.tag;
+    const bool is_small = accepts_gzip(view_of(request_[http::field::accept_encoding]));
+    begin_response(is_known ? 304 : 200, file.type);
+    response_.set(http::field::cache_control, "no-cache");
+    response_.set(http::field::etag, std::string(file.tag));
+    response_.set(http::field::vary, "Accept-Encoding");
+    if (!is_known && is_small) response_.set(http::field::content_encoding, "gzip");
+    if (!is_known) response_.body() = is_small ? file.gzip : file.content;
+    send_response();
+  }
+
   void respond(const WebResponse& answer) {
     if (is_over_ || is_writing_) return;
-    response_ = HttpResponse(http::int_to_status(answer.status), 11);
-    response_.set(http::field::content_type, answer.type);
+    const std::size_t unread = hub_.unread();
+    if (unread != 0 && unread + answer.body.size() > hub_.limits_.unread_max) {
+      begin_response(503, "application/json");
+      response_.set(http::field::retry_after, "1");
+      response_.body() = told(503, "others have not taken their answers yet").body;
+      return send_response();
+    }
+    begin_response(answer.status, answer.type);
+    response_.body() = answer.body;
+    send_response();
+  }
+
+  void begin_response(unsigned status, std::string_view type) {
+    response_ = HttpResponse(http::int_to_status(status), 11);
+    response_.set(http::field::content_type, std::string(type));
     response_.set(http::field::cache_control, "no-store");
     response_.set("X-Content-Type-Options", "nosniff");
     response_.set("Referrer-Policy", "no-referrer");
     response_.set("Content-Security-Policy", content_policy);
-    if (answer.status == 405) response_.set(http::field::allow, "GET, HEAD, POST");
-    if (gives_cookie_ && answer.status == 200) {
+    if (status == 405) response_.set(http::field::allow, "GET, HEAD, POST");
+    if (gives_cookie_ && status < 400) {
       response_.set(http::field::set_cookie, fmt::format("{}={}; HttpOnly; SameSite=Strict; Path=/",
                                                          cookie_name(), hub_.rules_.token));
     }
+  }
+
+  void send_response() {
     response_.keep_alive(!is_last_);
-    response_.body() = answer.body;
     response_.prepare_payload();
     if (request_.method() == http::verb::head) response_.body().clear();
     is_writing_ = true;
@@ -282,6 +377,7 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
     is_writing_ = false;
     if (is_over_) return;
     if (failed) return end();
+    response_ = {};  // the memory of what has gone
     if (!is_last_) return read(hub_.limits_.idle_time_out);
     Failed ignored;
     socket_.shutdown(tcp::socket::shutdown_send, ignored);
@@ -305,13 +401,18 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
 
   void upgrade() {
     if (!websocket::is_upgrade(request_)) return respond(told(426, "this is a WebSocket"));
-    if (hub_.live_clients() >= hub_.limits_.live_clients_max) {
-      return respond(told(503, "too many look on already"));
+    if (!is_socket_key(view_of(request_[http::field::sec_websocket_key]))) {
+      return respond(told(400, "Sec-WebSocket-Key is 16 bytes in base64"));
     }
+    hub_.make_live_room();
+    heard_at_ = hub_.loop_.now();
     client_ = hub_.application_.connect();
     stream_.emplace(std::move(socket_));
     stream_->read_message_max(hub_.limits_.body_max);
     stream_->text(true);
+    websocket::permessage_deflate small;
+    small.server_enable = true;
+    stream_->set_option(small);
     // Each ping is answered, so it counts as a message does.
     stream_->control_callback([this](websocket::frame_type, boost::beast::string_view) {
       if (says_too_much()) end();
@@ -327,6 +428,7 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
     is_writing_ = false;
     if (is_over_) return;
     if (failed) return end();
+    if (client_ == nullptr) return give_way();
     deadline_ = never;
     listen();
     offer();
@@ -343,7 +445,7 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
   void has_heard(const Failed& failed) {
     is_reading_ = false;
     if (is_over_) return;
-    if (failed || !stream_->got_text() || says_too_much()) return end();
+    if (failed || client_ == nullptr || !stream_->got_text() || says_too_much()) return end();
     const auto bytes = buffer_.data();
     client_->said({static_cast<const char*>(bytes.data()), bytes.size()});
     listen();
@@ -352,6 +454,7 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
 
   bool says_too_much() {
     const Time now = hub_.loop_.now();
+    heard_at_ = now;
     if (now - second_ >= Duration(1s)) {
       second_ = now;
       said_ = 0;
@@ -374,6 +477,8 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
     if (is_over_) return;
     if (failed) return end();
     deadline_ = never;
+    message_ = {};  // the memory of what has gone
+    if (client_ == nullptr) return give_way();
     if (client_->is_behind()) offer();
   }
 
@@ -389,7 +494,8 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
   host::EventLoop::Id watch_ = 0;
   host::Readiness wanted_{.readable = true};
   Time deadline_ = never;
-  Time second_{};  ///< when the messages began to be counted
+  Time second_{};    ///< when the messages began to be counted
+  Time heard_at_{};  ///< when the client last said something
   unsigned said_ = 0;
   bool is_reading_ = false;
   bool is_writing_ = false;
@@ -437,6 +543,22 @@ void WebServer::Hub::admit(host::Descriptor client) {
   connections_.push_back(connection);
   sweep_later();
   turn_soon();
+}
+
+std::size_t WebServer::Hub::unread() const {
+  std::size_t bytes = 0;
+  for (const auto& connection : connections_) bytes += connection->unread();
+  return bytes;
+}
+
+/// The viewer that has said nothing for longest goes before a newcomer is sent away.
+void WebServer::Hub::make_live_room() {
+  if (live_clients() < limits_.live_clients_max) return;
+  std::shared_ptr<Connection> longest;
+  for (const auto& each : connections_) {
+    if (each->is_live() && (!longest || each->heard_at() < longest->heard_at())) longest = each;
+  }
+  longest->give_way();
 }
 
 /// Who is there longest without a WebSocket goes before a newcomer is sent away.
@@ -502,8 +624,8 @@ host::Result<std::unique_ptr<WebServer>> WebServer::create(host::EventLoop& loop
                                                            WebApplication& application) {
   auto listener = gateway::TcpListener::create(loop, options.address);
   if (!listener) return listener.error();
-  return std::unique_ptr<WebServer>(new WebServer(
-      std::make_unique<Hub>(loop, *std::move(listener), options.limits, application)));
+  return std::unique_ptr<WebServer>(
+      new WebServer(std::make_unique<Hub>(loop, *std::move(listener), options, application)));
 }
 
 const std::string& WebServer::address() const {
@@ -512,6 +634,10 @@ const std::string& WebServer::address() const {
 
 std::string WebServer::url() const {
   return hub_->url();
+}
+
+const std::string& WebServer::token() const {
+  return hub_->token();
 }
 
 void WebServer::offer() {

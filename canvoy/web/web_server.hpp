@@ -22,7 +22,7 @@
 
 namespace canvoy::web {
 
-/// A request for something else than the page.
+/// A request for something other than the page.
 struct WebRequest {
   std::string method;  ///< `GET`, `POST`
   RequestTarget target;
@@ -69,25 +69,31 @@ class WebApplication {
 
 /// What all clients together may take.
 struct WebLimits {
-  std::size_t clients_max = 64;        ///< connections; a newcomer beyond is sent away
-  std::size_t live_clients_max = 16;   ///< of them, those with a WebSocket
+  std::size_t clients_max = 64;  ///< connections; a newcomer beyond is sent away
+  /// Of them, those with a WebSocket: a newcomer takes the place of the one that has said nothing
+  /// for longest.
+  std::size_t live_clients_max = 16;
   std::uint32_t head_max = 8 * 1024;   ///< bytes of a request's first line and headers
   std::uint64_t body_max = 64 * 1024;  ///< bytes of a request's body, and of a client's message
   int send_buffer = 128 * 1024;        ///< bytes that the system keeps for a client
   Duration request_time_out = 10s;     ///< from its first byte to its answer
   Duration idle_time_out = 30s;        ///< between two requests
   Duration message_time_out = 20s;     ///< until a client has taken a message; else it is let go
+  /// Bytes of answers and messages that clients have not taken yet, of all together. Beyond, a
+  /// request is answered with 503, and what a WebSocket would be told waits.
+  std::size_t unread_max = std::size_t{64} << 20;
   unsigned said_max_per_second = 100;  ///< messages and pings of a client; beyond, it is let go
 };
 
 struct WebOptions {
   std::string address = "127.0.0.1:0";  ///< with 0 as the port, a free one
   WebLimits limits{};
+  std::string token{};  ///< what requests have to know; empty: one by chance
 };
 
 class WebServer {
  public:
-  /// `application` has to outlive it. An address that others can reach gets a token.
+  /// `application` has to outlive it.
   static host::Result<std::unique_ptr<WebServer>> create(host::EventLoop& loop,
                                                          const WebOptions& options,
                                                          WebApplication& application);
@@ -97,8 +103,9 @@ class WebServer {
 
   /// `127.0.0.1:8080`, with the port that was free.
   const std::string& address() const;
-  /// What a browser opens, with the token where there is one.
+  /// What a browser opens, with the token.
   std::string url() const;
+  const std::string& token() const;
   /// Asks all clients that can take a message for their next one.
   void offer();
   /// Connections, and those of them with a WebSocket.

@@ -43,13 +43,15 @@ class Application : public WebApplication {
     if (request.target.path == "/api/later") {
       later = std::move(done);
     } else {
-      done({.body = fmt::format("{} {} {}", request.method, request.target.path, request.body)});
+      done({.body = fmt::format("{} {} {}", request.method, request.target.path, request.body) +
+                    std::string(answer_size, 'x')});
     }
   }
   std::unique_ptr<LiveClient> connect() override { return std::make_unique<Live>(*this); }
 
   std::string message = "{}";
   bool is_behind = false;
+  std::size_t answer_size = 0;  ///< bytes beside the echo
   std::string heard;
   int live = 0;
   Answer later;
@@ -101,7 +103,8 @@ class WebServerTest : public ::testing::Test {
  protected:
   void serve(const WebLimits& limits = {}, const std::string& at = "127.0.0.1:0") {
     loop_ = *host::EventLoop::create();
-    server_ = *WebServer::create(*loop_, {.address = at, .limits = limits}, application_);
+    server_ = *WebServer::create(*loop_, {.address = at, .limits = limits, .token = token_},
+                                 application_);
   }
   /// Plays the client while the loop serves him.
   void play(const std::function<void()>& client) {
@@ -114,7 +117,8 @@ class WebServerTest : public ::testing::Test {
   }
   std::string request(std::string_view first_line,
                       std::string_view rest = "Connection: close\r\n\r\n") {
-    return fmt::format("{} HTTP/1.1\r\nHost: {}\r\n{}", first_line, server_->address(), rest);
+    return fmt::format("{} HTTP/1.1\r\nHost: {}\r\nAuthorization: Bearer {}\r\n{}", first_line,
+                       server_->address(), token_, rest);
   }
   std::string upgrade() {
     return request("GET /live",
@@ -131,6 +135,7 @@ class WebServerTest : public ::testing::Test {
     return all;
   }
 
+  const std::string token_ = "0123456789abcdef";
   Application application_;
   std::unique_ptr<host::EventLoop> loop_;
   std::unique_ptr<WebServer> server_;
@@ -345,6 +350,124 @@ TEST_F(WebServerTest, ANewcomerTakesThePlaceOfWhoIsThereLongestWithoutAWebSocket
   });
   EXPECT_TRUE(has(third, "GET /api/c ")) << third;
   EXPECT_EQ(first, "");
+}
+
+TEST_F(WebServerTest, WithoutTheTokenNothingIsAnswered) {
+  serve();
+  const std::string head = fmt::format("Host: {}\r\nConnection: close\r\n\r\n", server_->address());
+  for (const char* target : {"/api/a", "/", "/page.js", "/live", "/api/a?token=x"}) {
+    EXPECT_TRUE(has(answer(fmt::format("GET {} HTTP/1.1\r\n{}", target, head)), "HTTP/1.1 403 "))
+        << target;
+  }
+  const std::string page =
+      answer(fmt::format("GET /?token={} HTTP/1.1\r\n{}", server_->token(), head));
+  EXPECT_TRUE(has(page, "HTTP/1.1 200 ")) << page;
+  EXPECT_TRUE(has(page, fmt::format("={}; HttpOnly; SameSite=Strict; Path=/", token_))) << page;
+}
+
+// An image of a foreign page has no Origin; all browsers of today say whose page asks.
+TEST_F(WebServerTest, WhatAForeignPageLoadsIsRefused) {
+  serve();
+  const std::string foreign = "Sec-Fetch-Site: cross-site\r\nConnection: close\r\n\r\n";
+  EXPECT_TRUE(has(answer(request("GET /api/a", foreign)), "HTTP/1.1 403 "));
+  EXPECT_TRUE(has(answer(request("GET /live", foreign)), "HTTP/1.1 403 "));
+  EXPECT_TRUE(has(answer(request("GET /", foreign)), "HTTP/1.1 200 ")) << "a link to the page";
+}
+
+// RFC 9112, 3.2 and RFC 9110, 10.1.1
+TEST_F(WebServerTest, HeadsThatCanBeReadInTwoWaysAreRefused) {
+  serve();
+  const std::string host = fmt::format("Host: {}\r\n", server_->address());
+  const std::string close = "Connection: close\r\n\r\n";
+  EXPECT_TRUE(has(answer(request("GET /api/a", host + close)), "HTTP/1.1 400 "));
+  EXPECT_TRUE(has(answer("GET /api/a HTTP/1.1\r\n" + close), "HTTP/1.1 400 "));
+  EXPECT_TRUE(
+      has(answer(request("GET /api/a", "Origin: a\r\nOrigin: b\r\n" + close)), "HTTP/1.1 400 "));
+  EXPECT_TRUE(has(answer(request("POST /api/a", "Expect: more\r\nContent-Length: 2\r\n" + close)),
+                  "HTTP/1.1 417 "));
+  std::string upgrading = upgrade();
+  upgrading.replace(upgrading.find("dGhl"), 24, "AAAA");
+  upgrading.replace(upgrading.find("Connection: Upgrade"), 19, "Connection: Upgrade, close");
+  EXPECT_TRUE(has(answer(upgrading), "HTTP/1.1 400 "));
+}
+
+TEST_F(WebServerTest, WhoExpectsToBeToldToGoOnIsTold) {
+  serve();
+  std::string all;
+  play([&] {
+    Client client(*server_);
+    client.say(request("POST /api/b",
+                       "Content-Type: application/json\r\nContent-Length: 2\r\n"
+                       "Expect: 100-continue\r\nConnection: close\r\n\r\n"));
+    all = client.heard("\r\n\r\n");
+    client.say("{}");
+    all += client.heard();
+  });
+  EXPECT_TRUE(all.starts_with("HTTP/1.1 100 ")) << all;
+  EXPECT_TRUE(has(all, "POST /api/b {}")) << all;
+}
+
+TEST_F(WebServerTest, TheHostOfTheAbsoluteFormCounts) {
+  serve();
+  const std::string own = fmt::format("GET http://{}/api/a", server_->address());
+  EXPECT_TRUE(has(answer(request(own)), "GET /api/a "));
+  EXPECT_TRUE(has(answer(request("GET http://evil.example/api/a")), "HTTP/1.1 403 "));
+}
+
+TEST_F(WebServerTest, AViewerTakesThePlaceOfTheOneThatHasSaidNothingForLongest) {
+  serve({.live_clients_max = 2});
+  std::string silent_heard;
+  std::string newcomer_heard;
+  play([&] {
+    Client silent(*server_);
+    silent.say(upgrade());
+    silent.heard("{}");
+    Client other(*server_);
+    other.say(upgrade());
+    other.heard("{}");
+    other.say("\x81\x85\x37\xfa\x21\x3d\x7f\x9f\x4d\x51\x58");
+    other.heard("{}");
+    Client newcomer(*server_);
+    newcomer.say(upgrade());
+    newcomer_heard = newcomer.heard("{}");
+    silent_heard = silent.heard("\x03\xf5");  // RFC 6455, 7.4: 1013, try again later
+  });
+  EXPECT_TRUE(has(newcomer_heard, "HTTP/1.1 101 ")) << newcomer_heard;
+  EXPECT_TRUE(has(silent_heard, "\x88")) << silent_heard;
+}
+
+TEST_F(WebServerTest, AnswersThatNobodyTakesHaveABudget) {
+  serve({.send_buffer = 4096, .unread_max = 1 << 20});
+  application_.answer_size = 800 << 10;
+  std::string second;
+  play([&] {
+    Client first(*server_);
+    first.say(request("GET /api/a"));
+    first.heard("HTTP/1.1 200 ");  // and no more
+    Client other(*server_);
+    other.say(request("GET /api/a"));
+    second = other.heard();
+  });
+  EXPECT_TRUE(has(second, "HTTP/1.1 503 ")) << second.substr(0, 200);
+  EXPECT_TRUE(has(second, "Retry-After: 1"));
+  application_.answer_size = 0;
+  EXPECT_TRUE(has(answer(request("GET /api/a")), "GET /api/a "));
+}
+
+TEST_F(WebServerTest, ThePageIsCompressedAndNotSentTwice) {
+  serve();
+  const std::string close = "Connection: close\r\n\r\n";
+  const std::string plain = answer(request("GET /page.js"));
+  const std::string small = answer(request("GET /page.js", "Accept-Encoding: gzip\r\n" + close));
+  EXPECT_FALSE(has(plain, "Content-Encoding"));
+  EXPECT_TRUE(has(small, "Content-Encoding: gzip"));
+  EXPECT_LT(small.size() * 2, plain.size());
+  const std::size_t tag = plain.find("ETag: ") + 6;
+  const std::string known = plain.substr(tag, plain.find('\r', tag) - tag);
+  const std::string again =
+      answer(request("GET /page.js", fmt::format("If-None-Match: {}\r\n{}", known, close)));
+  EXPECT_TRUE(has(again, "HTTP/1.1 304 ")) << again.substr(0, 100);
+  EXPECT_LT(again.size(), 1000U);
 }
 
 TEST_F(WebServerTest, EndsWhileClientsAreThere) {

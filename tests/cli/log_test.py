@@ -73,8 +73,9 @@ class Log(CommandTest):
 
     def test_who_follows_what_is_recorded_at_the_page_sees_it_grow(self):
         _, url = self.start("run", "charger", "--web", "0", "--speed", "1", "--allow-record", str(self.folder))
-        request = urllib.request.Request(url.strip() + "api/run/record", json.dumps({"on": True}).encode(),
-                                         {"Content-Type": "application/json"})  # fmt: skip
+        page, _, token = url.strip().partition("?token=")
+        request = urllib.request.Request(page + "api/run/record", json.dumps({"on": True}).encode(),
+                                         {"Content-Type": "application/json", "Authorization": f"Bearer {token}"})  # fmt: skip
         with urllib.request.urlopen(request, timeout=PATIENCE) as answer:
             self.assertEqual(answer.status, 200)
         self.wait_for(b" 705#05\n", self.folder / "canvoy-1.log")

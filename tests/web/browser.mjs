@@ -29,6 +29,9 @@ export const path_of = (name) => modules.resolve(name);
 const { chromium } = load("playwright-core");
 if (!chromium_path) skip("there is no chromium");
 
+/** Starts the command, and looks at nothing that it says. */
+export const start = (...command) => spawn(canvoy, command, { stdio: ["pipe", "ignore", "inherit"] });
+
 /** Starts the command; gives its address and what ends it. */
 export async function serve(...command) {
   const child = spawn(canvoy, command, { stdio: ["ignore", "pipe", "inherit"] });
@@ -45,6 +48,13 @@ export async function serve(...command) {
       child.kill("SIGTERM");
     });
   return { url, end, pid: child.pid };
+}
+
+/** What the API of a server answers: with its token, which is in the address. */
+export function ask(server, path, options = {}) {
+  const url = new URL(server.url);
+  const headers = { Authorization: `Bearer ${url.searchParams.get("token")}`, "Content-Type": "application/json", ...options.headers };
+  return fetch(new URL(path, url.origin), { ...options, headers });
 }
 
 /** Runs the command to its end; that it could is what the test wants. */

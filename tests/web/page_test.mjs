@@ -6,7 +6,7 @@ import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { load, look_at, open_browser, path_of, run, serve, view } from "./browser.mjs";
+import { ask, load, look_at, open_browser, path_of, run, serve, view } from "./browser.mjs";
 
 let browser;
 const folder = mkdtempSync(join(tmpdir(), "canvoy-page-test-"));
@@ -91,10 +91,13 @@ test("a link and a file play the same run", async () => {
     const length = ["--for", "20min"];
     assert.ok(played(join(folder, "run.toml"), ...length) === played(...command.split(" ").slice(2), ...length), "the file and the command play the same frames");
     await shown(charger, async (other, server) => {
+      const asked = [];
+      other.on("dialog", (dialog) => { asked.push(dialog.message()); void dialog.accept(); });
       await other.goto(`${server.url}${new URL(link).hash}`);
       await other.reload();
       await event(other, "FAULT begins: pilot-loss").waitFor();
       assert.equal(await event(other, "FAULT begins: pilot-loss").innerText(), told);
+      assert.match(asked[0], /starts anew for everyone/);
     });
   });
 });
@@ -128,7 +131,7 @@ test("a node says who it is when it is asked", async () => {
     const identity = row.locator(".mono span");
     await identity.nth(3).filter({ hasText: /[0-9]/ }).waitFor();
     for (const sub of [1, 2, 3, 4]) {
-      const answer = await (await fetch(`${server.url}api/networks/lift1/nodes/2/objects/1018:${sub}`)).json();
+      const answer = await (await ask(server, `/api/networks/lift1/nodes/2/objects/1018:${sub}/read`, { method: "POST", body: "{}" })).json();
       assert.equal((await identity.nth(sub - 1).innerText()).trim(), answer.text);
     }
   });
@@ -226,6 +229,23 @@ test("frames are filtered as on the command line, and a wrong filter is explaine
     await filter.fill("tempersture>40");
     await page.getByText(/no object is called 'tempersture'; did you mean 'temperature'/).waitFor();
   });
+});
+
+test("a server that is gone leaves nothing green", async () => {
+  const server = await serve(...charger);
+  const page = await look_at(browser.context, server.url);
+  try {
+    const verdict = page.locator("button.verdict");
+    await verdict.filter({ hasText: "all holds" }).waitFor();
+    assert.equal(await page.getByRole("alert").count(), 0);
+    process.kill(server.pid, "SIGKILL");
+    await page.getByRole("alert").filter({ hasText: /connection to the server is lost: what is shown is \d+ s old/ }).waitFor();
+    await verdict.filter({ hasText: "unknown" }).waitFor();
+    assert.doesNotMatch(await verdict.getAttribute("class"), /good/);
+  } finally {
+    await page.close();
+    await server.end();
+  }
 });
 
 test("a value that is pinned is drawn", async () => {

@@ -2,7 +2,7 @@
 //
 //     CANVOY=build/canvoy node tests/web/pictures.mjs docs/pictures
 import { join } from "node:path";
-import { look_at, open_browser, serve, view } from "./browser.mjs";
+import { ask, look_at, open_browser, serve, view } from "./browser.mjs";
 
 const folder = process.argv[2] ?? "docs/pictures";
 const size = { width: 1200, height: 680 };
@@ -13,9 +13,9 @@ async function at(name, seconds, command, ready, work = async () => {}) {
   const server = await serve("run", ...command, "--web");
   const page = await look_at(browser.context, server.url);
   await page.setViewportSize(size);
-  const ask = (what, body) => fetch(`${server.url}api/run/${what}`, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body) });
-  await ask("pause", { paused: true });
-  await ask("seek", { time: seconds });
+  const run = (what, body) => ask(server, `/api/run/${what}`, { method: "POST", body: JSON.stringify(body) });
+  await run("pause", { paused: true });
+  await run("seek", { time: seconds });
   await page.waitForFunction((wanted) => document.querySelector(".clock").innerText === wanted, ready);
   await work(page);
   await page.waitForTimeout(500);

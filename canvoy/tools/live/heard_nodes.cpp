@@ -12,10 +12,21 @@
 
 namespace canvoy::tools {
 
+namespace {
+
+constexpr int periods_until_silent = 3;
+constexpr Duration silent_after_min = 1s;
+
+}  // namespace
+
 struct HeardNodes::Bus {
   Bus(std::string bus_name, std::size_t number, BusWatch::Note note)
-      : name(std::move(bus_name)), watch(number, std::move(note)), tap(watch.tap()) {}
+      : name(std::move(bus_name)),
+        index(static_cast<BusIndex>(number)),
+        watch(number, std::move(note)),
+        tap(watch.tap()) {}
   std::string name;
+  BusIndex index;
   BusWatch watch;
   BusTap tap;
 };
@@ -60,6 +71,20 @@ void HeardNodes::hear(Duration time, std::string_view bus, const Frame& frame) {
   if (heard_on == nullptr) return;
   const BusTap& tap = heard_on->tap;
   tap.on_frame(tap.context, Time{} + time, no_controller, frame);
+  hear_heartbeat(time, heard_on->index, frame);
+}
+
+/// The period follows what is heard, so that a node that is told another one is not silent for it.
+void HeardNodes::hear_heartbeat(Duration time, BusIndex bus, const Frame& frame) {
+  const std::uint32_t node = frame.id() - can_id::heartbeat;
+  if (frame.is_remote() || frame.size() != 1 || node < 1 || node > node_id_max) return;
+  Said& said = nodes_[{bus, static_cast<NodeId>(node)}];
+  const bool is_boot_up = frame.data()[0] == 0;
+  if (said.heard_at != Duration{} && !is_boot_up) {
+    const Duration passed = time - said.heard_at;
+    said.period = std::max(passed, said.period - said.period / 8);
+  }
+  said.heard_at = time;
 }
 
 void HeardNodes::note(Time now, const BusEvent& event) {
@@ -79,14 +104,20 @@ void HeardNodes::note(Time now, const BusEvent& event) {
   std::visit(say, event);
 }
 
-Json HeardNodes::nodes_json() {
+Json HeardNodes::nodes_json(Duration now) {
+  const auto is_silent = [&](const Said& said) {
+    return said.period > Duration{} &&
+           now - said.heard_at > std::max(periods_until_silent * said.period, silent_after_min);
+  };
   Json all = Json::array();
   for (const auto& [place, said] : nodes_) {
     const auto& [bus, node] = place;
     all.push_back({{"bus", buses_[bus]->name},
                    {"node", node},
                    {"device", names_->device(bus, node)},
-                   {"state", said.state.empty() ? "unknown" : said.state},
+                   {"state", is_silent(said)       ? "silent"
+                             : said.state.empty() ? "unknown"
+                                                  : said.state},
                    {"error_register", fmt::format("{:02X}", said.error_register)}});
   }
   return all;

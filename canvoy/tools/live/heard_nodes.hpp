@@ -30,8 +30,9 @@ class HeardNodes {
   HeardNodes& operator=(const HeardNodes&) = delete;
 
   void hear(Duration time, std::string_view bus, const Frame& frame);
-  /// As `nodes` of a snapshot.
-  Json nodes_json();
+  /// As `nodes` of a snapshot. A node whose heartbeats have stopped is `silent` after three of its
+  /// periods, one second at least: nobody tells its end.
+  Json nodes_json(Duration now);
 
  private:
   class Names;
@@ -39,11 +40,14 @@ class HeardNodes {
   struct Said {
     std::string state;
     std::uint8_t error_register = 0;
+    Duration heard_at{};  ///< its latest heartbeat
+    Duration period{};    ///< the longest of late between two; 0: there was one at most
   };
 
   /// Null: there are too many.
   Bus* bus_of(std::string_view name);
   void note(Time now, const BusEvent& event);
+  void hear_heartbeat(Duration time, BusIndex bus, const Frame& frame);
 
   FrameFeed& feed_;
   Tell tell_;

@@ -24,6 +24,9 @@ LiveBus::LiveBus(const std::string& address, std::string record, const FramePrin
       record_(std::move(record)) {
   attachment_.serve(desk_.node());
   bus_->on_frame([this](const host::BusFrame& heard) { hear(heard); });
+  bus_->on_state([this](BusState state, Time) {
+    if (state == BusState::error_active) trouble_.clear();
+  });
   bus_->on_trouble([this](const host::Error& error) {
     trouble_ = error.line();
     fmt::print(stderr, "canvoy: {}\n", trouble_);
@@ -74,7 +77,8 @@ LiveSource::Json LiveBus::state() {
           {"snapshot",
            {{"bus_state", words::bus_state_text(bus_->state())},
             {"trouble", trouble_},
-            {"nodes", nodes_.nodes_json()}}},
+            {"frames_lost", bus_->counters().carrier.overrun},
+            {"nodes", nodes_.nodes_json(now)}}},
           {"counts", counts()},
           {"record", recorder().json()}};
 }

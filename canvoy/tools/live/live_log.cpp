@@ -103,7 +103,8 @@ LiveSource::Json LiveLog::state() {
             {"paused", playback_->is_paused()},
             {"seeking", playback_->is_seeking()},
             {"over", playback_->is_over()}}},
-          {"snapshot", {{"nodes", nodes_->nodes_json()}}},
+          {"snapshot",
+           {{"nodes", nodes_->nodes_json((begin() - Time{}) + (playback_->now() - Time{}))}}},
           {"counts", counts()}};
 }
 
@@ -111,11 +112,11 @@ void LiveLog::act(std::string_view what, const Json& arguments, const Done& done
   if (what == "pause") {
     playback_->set_paused(arguments.value("paused", true));
   } else if (what == "speed") {
-    playback_->set_speed(number_argument(arguments, "speed"));
+    playback_->set_speed(not_negative(arguments, "speed"));
     playback_->set_paused(false);
   } else if (what == "step" || what == "seek") {
     const bool is_step = what == "step";
-    const double seconds = number_argument(arguments, is_step ? "step_s" : "time");
+    const double seconds = not_negative(arguments, is_step ? "step_s" : "time");
     if (!(std::abs(seconds) <= 1e9)) throw UsageError("give a time in seconds");
     const Time to = (is_step ? playback_->now() : Time{}) + Duration(std::llround(seconds * 1e6));
     if (is_step) playback_->set_paused(true);

@@ -104,6 +104,12 @@ double number_argument(const Json& arguments, const char* name) {
   return found->get<double>();
 }
 
+double not_negative(const Json& arguments, const char* name) {
+  const double number = number_argument(arguments, name);
+  if (number < 0) throw UsageError(fmt::format("{}: {} is below 0", name, number));
+  return number;
+}
+
 void LiveNetwork::act(std::string_view what, const Json& arguments, const Done& done) {
   if (what == "read") return read(arguments, done);
   if (what == "write") return write(arguments, done);
@@ -151,7 +157,7 @@ void LiveNetwork::write(const Json& arguments, const Done& done) {
   const NodeId node = node_in(arguments, false);
   const ObjectAddress object = address_of(bus, node, text_of(arguments, "object"));
   if (!permission_.allows(node, object.index)) {
-    throw UsageError(
+    throw NotAllowed(
         fmt::format("{} of node {} may not be written: start the command with "
                     "--allow-write {}:{:04X}",
                     words::object_text(object.index, object.sub), node, node, object.index));
@@ -175,7 +181,7 @@ void LiveNetwork::write(const Json& arguments, const Done& done) {
 
 void LiveNetwork::command(const Json& arguments, const Done& done) {
   if (!permission_.allows_nmt()) {
-    throw UsageError("NMT commands are not allowed: start the command with --allow-write nmt");
+    throw NotAllowed("NMT commands are not allowed: start the command with --allow-write nmt");
   }
   const auto command = static_cast<std::uint8_t>(nmt_command_of(text_of(arguments, "command")));
   request({.kind = BusRequest::Kind::nmt,

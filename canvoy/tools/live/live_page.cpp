@@ -15,6 +15,7 @@
 #include "canvoy/can/frame_text.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/live/live_viewer.hpp"
+#include "canvoy/tools/live/write_permission.hpp"
 
 namespace canvoy::tools {
 
@@ -38,22 +39,44 @@ struct Asked {
   Json arguments = Json::object();
 };
 
-/// /api/networks/BUS/nodes/NODE/...
+/// The whole text as a decimal number.
+std::optional<std::uint64_t> number_of(std::string_view text) {
+  std::uint64_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc{} || stop != end) return std::nullopt;
+  return number;
+}
+
+Json body_of(const web::WebRequest& request) {
+  Json body = Json::parse(request.body, nullptr, false);
+  if (!body.is_object()) throw UsageError("the body is no JSON object");
+  return body;
+}
+
+/// /api/networks/BUS/nodes/NODE/... To read an object is to send frames: a POST, as all that has an
+/// effect.
 std::optional<Asked> asked_of_node(const Segments& path, const web::WebRequest& request) {
   if (path.size() < 6 || path[1] != "networks" || path[3] != "nodes") return std::nullopt;
-  Asked asked;
-  if (request.method == "POST") asked.arguments = Json::parse(request.body, nullptr, false);
-  if (!asked.arguments.is_object()) throw UsageError("the body is no JSON object");
-  asked.arguments["bus"] = path[2];
-  asked.arguments["node"] = Json::parse(path[4], nullptr, false);
   const bool posts = request.method == "POST";
+  Asked asked;
+  if (posts) asked.arguments = body_of(request);
+  const std::optional<std::uint64_t> node = number_of(path[4]);
+  if (!node || *node > node_id_max) {
+    throw UsageError(fmt::format("'{}' is no node-ID", path[4]));
+  }
+  asked.arguments["bus"] = path[2];
+  asked.arguments["node"] = *node;
   if (path.size() == 6 && path[5] == "nmt" && posts) {
     asked.what = "nmt";
   } else if (path.size() == 6 && path[5] == "objects" && !posts) {
     asked.what = "objects";
     asked.arguments["search"] = request.target.value("search").value_or("");
-  } else if (path.size() == 7 && path[5] == "objects") {
-    asked.what = posts ? "write" : "read";
+  } else if (path.size() == 7 && path[5] == "objects" && posts) {
+    asked.what = "write";
+    asked.arguments["object"] = path[6];
+  } else if (path.size() == 8 && path[5] == "objects" && path[7] == "read" && posts) {
+    asked.what = "read";
     asked.arguments["object"] = path[6];
   } else {
     return std::nullopt;
@@ -67,16 +90,14 @@ std::optional<Asked> asked_of_run(const Segments& path, const web::WebRequest& r
   constexpr std::array all = {"pause", "speed", "step",    "seek",
                               "fault", "visit", "restart", "record"};
   if (std::ranges::find(all, path[2]) == all.end()) return std::nullopt;
-  Asked asked{.what = std::string(path[2]), .arguments = Json::parse(request.body, nullptr, false)};
-  if (!asked.arguments.is_object()) throw UsageError("the body is no JSON object");
-  return asked;
+  return Asked{.what = std::string(path[2]), .arguments = body_of(request)};
 }
 
 std::uint64_t since(const web::WebRequest& request) {
-  std::uint64_t number = 0;
-  const std::string_view text = request.target.value("since").value_or("");
-  std::from_chars(text.data(), text.data() + text.size(), number);
-  return number;
+  const std::string_view text = request.target.value("since").value_or("0");
+  const std::optional<std::uint64_t> number = number_of(text);
+  if (!number) throw UsageError(fmt::format("since: '{}' is no number of an event", text));
+  return *number;
 }
 
 }  // namespace
@@ -102,6 +123,8 @@ void LivePage::answer(const web::WebRequest& request, Answer done) {
     source_.act(asked->what, asked->arguments, [done](const Json& answer) {
       done(json_response(answer, answer.contains("error") ? 502 : 200));
     });
+  } catch (const NotAllowed& failure) {
+    done(refused(403, failure.what()));
   } catch (const Failure& failure) {
     done(refused(failure.status() == exit_usage ? 400 : 502, failure.what()));
   } catch (const nlohmann::json::exception&) {
@@ -113,6 +136,10 @@ void LivePage::answer(const web::WebRequest& request, Answer done) {
 void LivePage::get(const web::WebRequest& request, const Answer& done) {
   const std::string& path = request.target.path;
   if (request.method != "GET") return done(refused(404, "nothing of this name can be done"));
+  if (path.find("/objects/") != std::string::npos) {
+    return done(
+        refused(405, "to read an object is to ask the bus: POST {} to .../objects/OBJECT/read"));
+  }
   look();
   if (path == "/api") return done(json_response(source_.description()));
   if (path == "/api/state") return done(json_response(*state_));

@@ -209,13 +209,13 @@ void LiveWorld::act(std::string_view what, const Json& arguments, const Done& do
     playback_.set_paused(arguments.value("paused", true));
   } else if (what == "speed") {
     check_can_replay();
-    playback_.set_speed(number_argument(arguments, "speed"));
+    playback_.set_speed(not_negative(arguments, "speed"));
     playback_.set_paused(false);
   } else if (what == "step") {
     check_can_replay();
-    playback_.step(std::min(seconds(number_argument(arguments, "step_s")), step_most));
+    playback_.step(std::min(seconds(not_negative(arguments, "step_s")), step_most));
   } else if (what == "seek") {
-    const Time to = Time(seconds(number_argument(arguments, "time")));
+    const Time to = Time(seconds(not_negative(arguments, "time")));
     if (to < now()) begin_again(options_.plan, to);
     playback_.seek(to);
   } else if (what == "fault") {
@@ -237,7 +237,7 @@ void LiveWorld::add_fault(const Json& arguments) {
   const Time start = now() + fault_after;
   if (start >= playback_.end()) throw UsageError("the run is over: go back, or start anew");
   std::string text = fmt::format("{}@{}", text_of(arguments, "fault"), written(start - Time{}));
-  const Duration duration = seconds(number_argument(arguments, "duration_s"));
+  const Duration duration = seconds(not_negative(arguments, "duration_s"));
   if (duration != Duration::zero()) text += "+" + written(duration);
   const FaultParse parsed = parse_fault(options_.grammar, text);
   if (!parsed.fault) throw UsageError(parsed.error);

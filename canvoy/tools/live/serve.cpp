@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
+#include <cstdlib>
 
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/live/live_page.hpp"
@@ -15,6 +17,18 @@ namespace {
 
 constexpr Duration look_period = 50ms;
 
+/// Of $CANVOY_WEB_TOKEN, for programs that are to know it before; empty: one by chance.
+std::string chosen_token() {
+  constexpr std::size_t token_min = 16;
+  const char* const given = std::getenv("CANVOY_WEB_TOKEN");
+  const std::string token = given == nullptr ? "" : given;
+  const auto is_plain = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  if (!token.empty() && (token.size() < token_min || !std::ranges::all_of(token, is_plain))) {
+    throw UsageError("$CANVOY_WEB_TOKEN has to be at least 16 letters and digits");
+  }
+  return token;
+}
+
 /// Goes on with the source, and shows it, at each look.
 class Server {
  public:
@@ -23,7 +37,8 @@ class Server {
         loop_(loop),
         page_(source),
         server_(value_or_throw(web::WebServer::create(
-            loop, {.address = listening_address(options.address)}, page_))) {}
+            loop, {.address = listening_address(options.address), .token = chosen_token()},
+            page_))) {}
 
   void run() {
     fmt::print("{}\n", server_->url());

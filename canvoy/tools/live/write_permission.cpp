@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <charconv>
 
-#include "canvoy/tools/failure.hpp"
-
 namespace canvoy::tools {
 
 namespace {

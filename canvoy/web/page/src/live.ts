@@ -35,6 +35,8 @@ const samples_max = 20_000;
 
 export const live = {
   is_open: false,
+  heard_at: 0, // when the server last told something, by performance.now()
+  lost_place: false, // to a newer viewer: the server wants no other try
   hello: {} as Json,
   state: {} as Json,
   events: [] as Json[],
@@ -184,13 +186,17 @@ export function connect() {
     wanted.forEach((say) => say());
     changed();
   };
-  socket.onmessage = (event) => take(JSON.parse(event.data));
-  socket.onclose = () => {
+  socket.onmessage = (event) => {
+    live.heard_at = performance.now();
+    take(JSON.parse(event.data));
+  };
+  socket.onclose = (event) => {
     live.is_open = false;
+    live.lost_place = event.code === 1013;
     waiting.forEach((answer) => answer({ error: "the connection is lost" }));
     waiting.clear();
     changed();
-    setTimeout(connect, 1000);
+    if (!live.lost_place) setTimeout(connect, 1000);
   };
 }
 

@@ -8,7 +8,8 @@ import { ask, connect, live, useLive } from "./live";
 import { Load } from "./load";
 import { Nodes } from "./nodes";
 import { Objects } from "./objects";
-import { Card, Copy, time_text } from "./parts";
+import { Card, Copy, day_text, time_text } from "./parts";
+import { Status } from "./status";
 import { Plots } from "./plots";
 import { texts } from "./texts";
 import { worlds } from "./worlds";
@@ -34,7 +35,7 @@ function Transport() {
   const [dragged, drag] = useState<number | null>(null);
   const time = state.time ?? 0;
   const at = time - (hello.begin ?? 0);
-  if (!play) return <time class="clock">{time_text(state.time, 1)}</time>;
+  if (!play) return <time class="clock">{time_text(state.time, 1)} <small class="muted">{day_text(state.time)}</small></time>;
   const can = hello.can?.replay;
   const stands = play.paused || play.over;
   return (
@@ -43,13 +44,16 @@ function Transport() {
         <svg viewBox="0 0 16 16" width="14" height="14" aria-hidden="true"><path d="M3 2h2v12H3zM14 2v12L6 8z" fill="currentColor" /></svg>
       </button>
       <button type="button" class="icon main" disabled={!can} aria-label={stands ? texts.play : texts.pause} title={stands ? texts.play : texts.pause}
-        onClick={() => void ask("pause", { paused: !play.paused })}>
+        onClick={async () => {
+          if (play.over) await ask("seek", { time: 0 });
+          void ask("pause", { paused: !play.over && !play.paused });
+        }}>
         <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d={stands ? "M4 2l10 6-10 6z" : "M3 2h4v12H3zM9 2h4v12H9z"} fill="currentColor" /></svg>
       </button>
       <button type="button" class="icon" disabled={!can} title={texts.step} aria-label={texts.step} onClick={() => void ask("step", { step_s: 0.1 })}>
         <svg viewBox="0 0 16 16" width="14" height="14" aria-hidden="true"><path d="M2 2l8 6-8 6zM11 2h2v12h-2z" fill="currentColor" /></svg>
       </button>
-      <time class="clock">{play.seeking ? texts.seeking : time_text(dragged ?? time, 1)}</time>
+      <time class="clock">{play.seeking ? texts.seeking : time_text(dragged ?? time, 1)} <small class="muted">{day_text(time)}</small></time>
       <input type="range" class="timeline" aria-label={texts.timeline} min={0} max={hello.end ?? 1} step={0.1} value={dragged ?? at} disabled={!can}
         aria-valuetext={time_text(time, 0)}
         onInput={(event) => drag(Number(event.currentTarget.value))}
@@ -69,6 +73,7 @@ function play_link() {
   const faults = asked.getAll("fault");
   const plan = live.state.plan;
   if (plan && String(plan.seed) === asked.get("seed") && JSON.stringify(plan.faults) === JSON.stringify(faults)) return;
+  if (!confirm(texts.restart_asks)) return history.replaceState(null, "", location.pathname);
   void ask("restart", { seed: Number(asked.get("seed")), faults });
 }
 
@@ -124,6 +129,7 @@ function set_theme(theme: string) {
 
 function Page() {
   const { hello, state, is_open } = useLive();
+  useEffect(() => void document.documentElement.classList.toggle("stale", !is_open), [is_open]);
   const has_world = hello.kind in worlds;
   const [picked, pick] = useState("");
   const [shares, share] = useState(false);
@@ -151,7 +157,9 @@ function Page() {
         <Transport />
         <div class="right">
           {invariants.length > 0 && (
-            <button type="button" class={`verdict ${broken ? "bad" : "good"}`} onClick={() => pick("events")}>{broken ? texts.broken(broken) : texts.all_held}</button>
+            <button type="button" class={`verdict ${!is_open ? "" : broken ? "bad" : "good"}`} onClick={() => pick("events")}>
+              {!is_open ? texts.unknown_verdict : broken ? texts.broken(broken) : texts.all_held}
+            </button>
           )}
           {state.plan && <button type="button" onClick={() => share(true)}>{texts.share}</button>}
           <button type="button" class="icon" aria-label={texts.theme} title={texts.theme} onClick={toggle_theme}>◐</button>
@@ -165,7 +173,7 @@ function Page() {
         ))}
       </nav>
       <main id="view" tabIndex={0} data-view={view}>
-        {!is_open && <p class="lost" role="alert">{hello.kind ? texts.lost : texts.waiting}</p>}
+        <Status />
         {known && <View />}
       </main>
       {shares && <Share close={() => share(false)} />}

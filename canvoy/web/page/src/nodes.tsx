@@ -24,12 +24,14 @@ function Identity(props: { node: Json }) {
 export function Nodes() {
   const { state, hello, events } = useLive();
   const [said, say] = useState("");
+  const [picked, pick] = useState<Record<string, string>>({});
   const nodes: Json[] = state.snapshot?.nodes ?? [];
   const emergencies = new Map<string, Json>();
   for (const event of events) {
     if (event.event === "emergency") emergencies.set(`${event.bus} ${event.node}`, event);
   }
   const command = async (node: Json, what: string) => {
+    if (hello.kind === "bus" && !confirm(texts.nmt_asks(what, node.device))) return;
     const answer = await ask("nmt", { bus: node.bus, node: node.node, command: what });
     say(answer.error ?? `${node.device}: ${what}`);
   };
@@ -51,8 +53,9 @@ export function Nodes() {
             {nodes.map((node) => {
               const emergency = emergencies.get(`${node.bus} ${node.node}`);
               const last = heard(node);
+              const place = `${node.bus} ${node.node}`;
               return (
-                <tr key={`${node.bus} ${node.node}`}>
+                <tr key={place}>
                   <td>{node.device}</td><td>{node.bus}</td><td class="number">{node.node}</td>
                   <td><State state={node.state} /></td>
                   <td>{node.can_state && <State state={node.can_state} />}</td>
@@ -61,11 +64,11 @@ export function Nodes() {
                   <td class="muted">{last === undefined ? texts.never : texts.ago(Math.max(0, state.time - last))}</td>
                   <td>{emergency && <span class={emergency.code === "0000" ? "muted" : "bad-text"}>{time_text(emergency.time, 1)} {emergency.text}</span>}</td>
                   {hello.can?.nmt && (
-                    <td>
-                      <select aria-label={`${texts.nmt}: ${node.device}`} value="" onChange={(event) => { void command(node, event.currentTarget.value); event.currentTarget.value = ""; }}>
-                        <option value="">…</option>
+                    <td class="together">
+                      <select aria-label={`${texts.nmt}: ${node.device}`} value={picked[place] ?? commands[0]} onChange={(event) => pick({ ...picked, [place]: event.currentTarget.value })}>
                         {commands.map((each) => <option key={each}>{each}</option>)}
                       </select>
+                      <button type="button" class="small" aria-label={`${texts.nmt_send}: ${node.device}`} onClick={() => void command(node, picked[place] ?? commands[0])}>{texts.nmt_send}</button>
                     </td>
                   )}
                 </tr>

@@ -4,18 +4,34 @@ import { useState } from "preact/hooks";
 import { live, type Value } from "./live";
 import { texts } from "./texts";
 
-/** `1:02:03.4` of a run, or the time of day of a bus. */
+const pad = (n: number) => String(n).padStart(2, "0");
+
+/** Times of buses and their logs are of the calendar; those of runs begin at 0. */
+const is_calendar = (seconds: number) => seconds > 4e8;
+
+/** `1:02:03.4` of a run, or the time of day of a bus, where the browser is. What is not shown is cut, not rounded. */
 export function time_text(seconds: number | undefined, digits = 1): string {
   if (seconds === undefined || !Number.isFinite(seconds)) return "–";
-  if (seconds > 4e8) {
-    return new Date(seconds * 1000).toISOString().slice(11, 20 + digits).replace(/\.$/, "");
+  const part = 10 ** digits;
+  const parts = Math.floor(seconds * part + 1e-6); // 1e-6 of a part: what a double makes of 0.3
+  const whole = Math.floor(parts / part);
+  const rest = digits ? `.${String(parts - whole * part).padStart(digits, "0")}` : "";
+  if (is_calendar(seconds)) {
+    const day = new Date(whole * 1000);
+    return `${pad(day.getHours())}:${pad(day.getMinutes())}:${pad(day.getSeconds())}${rest}`;
   }
-  const whole = Math.floor(seconds + 1e-9);
-  const rest = (seconds - whole).toFixed(digits).slice(1).replace("-", "");
-  const pad = (n: number) => String(n).padStart(2, "0");
   const h = Math.floor(whole / 3600);
   const m = Math.floor(whole / 60) % 60;
   return `${h ? `${h}:${pad(m)}` : m}:${pad(whole % 60)}${rest}`;
+}
+
+/** The date and the zone of times of day; empty for those of a run. */
+export function day_text(seconds: number | undefined): string {
+  if (seconds === undefined || !is_calendar(seconds)) return "";
+  const day = new Date(seconds * 1000);
+  const minutes = -day.getTimezoneOffset();
+  const zone = `UTC${minutes < 0 ? "−" : "+"}${Math.floor(Math.abs(minutes) / 60)}${minutes % 60 ? `:${pad(Math.abs(minutes) % 60)}` : ""}`;
+  return `${day.getFullYear()}-${pad(day.getMonth() + 1)}-${pad(day.getDate())}, ${zone}`;
 }
 
 export function number_text(value: number): string {
@@ -83,7 +99,7 @@ export function Bar(props: { share: number; label: string; warns?: boolean }) {
 }
 
 const tones: Record<string, string> = {
-  operational: "good", "pre-operational": "warn", stopped: "bad", off: "off", initialisation: "warn",
+  operational: "good", "pre-operational": "warn", stopped: "bad", silent: "bad", off: "off", initialisation: "warn",
   "error-active": "good", "error-warning": "warn", "error-passive": "warn", "bus-off": "bad",
   normal: "good", fault: "bad", "out of order": "bad",
 };
@@ -92,17 +108,17 @@ export function State(props: { state: string }) {
 }
 
 export function Copy(props: { text: string }) {
-  const [done, set] = useState(false);
+  const [said, say] = useState("");
   const copy = async () => {
-    await navigator.clipboard?.writeText(props.text).catch(() => undefined);
-    set(true);
-    setTimeout(() => set(false), 1500);
+    try {
+      await navigator.clipboard.writeText(props.text); // not there where the page came by plain HTTP from another machine
+      say(texts.copied);
+    } catch {
+      say(texts.not_copied);
+    }
+    setTimeout(() => say(""), 3000);
   };
-  return (
-    <button type="button" onClick={copy}>
-      {done ? texts.copied : texts.copy}
-    </button>
-  );
+  return <button type="button" onClick={copy}>{said || texts.copy}</button>;
 }
 
 export function save(name: string, text: string, type = "text/plain") {

@@ -1,0 +1,39 @@
+// What is wrong with what is shown, on one line above each view: a connection, a bus or a node that is gone, frames that
+// were lost, a log that was cut.
+import { useEffect, useState } from "preact/hooks";
+import { useLive, type Json } from "./live";
+import { texts } from "./texts";
+
+const news_within_s = 3; // the server looks twenty times a second
+
+/** Draws anew each second while nothing comes from the server. */
+function useClock(runs: boolean) {
+  const [, tick] = useState(0);
+  useEffect(() => {
+    if (!runs) return;
+    const timer = setInterval(() => tick((n) => n + 1), 1000);
+    return () => clearInterval(timer);
+  }, [runs]);
+}
+
+export function Status() {
+  const { hello, state, is_open, heard_at, lost_place, frames_lost } = useLive();
+  const is_bus = hello.kind === "bus"; // a run that stands still says nothing, a bus has the time of day
+  useClock(!is_open || is_bus);
+  if (!hello.kind) return <p class="lost" role="alert">{texts.waiting}</p>;
+  const snapshot: Json = state.snapshot ?? {};
+  const silent = (snapshot.nodes ?? []).filter((node: Json) => node.state === "silent").map((node: Json) => node.device);
+  const lines: string[] = [];
+  const age = (performance.now() - heard_at) / 1000;
+  if (lost_place) lines.push(texts.lost_place);
+  else if (!is_open) lines.push(texts.lost(Math.round(age)));
+  else if (is_bus && age > news_within_s) lines.push(texts.no_news(Math.round(age)));
+  if (snapshot.trouble) lines.push(texts.trouble(snapshot.trouble));
+  else if (snapshot.bus_state && snapshot.bus_state !== "error-active") lines.push(texts.bus_state(snapshot.bus_state));
+  if (silent.length > 0) lines.push(texts.silent(silent));
+  if (snapshot.frames_lost > 0) lines.push(texts.frames_lost_before(snapshot.frames_lost));
+  if (frames_lost > 0) lines.push(texts.frames_lost(frames_lost));
+  if (hello.is_cut) lines.push(texts.is_cut(hello.frames));
+  if (lines.length === 0) return null;
+  return <div class="lost" role="alert" aria-label={texts.status}>{lines.map((line) => <p key={line}>{line}</p>)}</div>;
+}

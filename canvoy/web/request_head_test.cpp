@@ -1,0 +1,46 @@
+#include "canvoy/web/request_head.hpp"
+
+#include <gtest/gtest.h>
+
+namespace canvoy::web::request_head_test {
+namespace {
+
+// RFC 9112, 3.2: 400 where HTTP/1.1 has no Host, or any request more than one.
+TEST(RequestHead, HasOneHost) {
+  EXPECT_EQ(fault_of({.hosts = 1}), "");
+  EXPECT_NE(fault_of({.hosts = 0}), "");
+  EXPECT_NE(fault_of({.hosts = 2}), "");
+  EXPECT_EQ(fault_of({.is_1_1 = false, .hosts = 0}), "");
+  EXPECT_NE(fault_of({.is_1_1 = false, .hosts = 2}), "");
+}
+
+TEST(RequestHead, HasAtMostOneOfEachFieldThatDecides) {
+  EXPECT_EQ(fault_of({.hosts = 1, .origins = 1, .sites = 1, .authorizations = 1}), "");
+  EXPECT_NE(fault_of({.hosts = 1, .origins = 2}), "");
+  EXPECT_NE(fault_of({.hosts = 1, .sites = 2}), "");
+  EXPECT_NE(fault_of({.hosts = 1, .authorizations = 2}), "");
+}
+
+// RFC 6455, 4.2.1; the first key is that of its example in 1.3.
+TEST(RequestHead, AKeyOfAWebSocketIsOfSixteenBytes) {
+  EXPECT_TRUE(is_socket_key("dGhlIHNhbXBsZSBub25jZQ=="));
+  EXPECT_TRUE(is_socket_key("AAAAAAAAAAAAAAAAAAAAAA=="));
+  for (const char* text : {"", "AAAA", "dGhlIHNhbXBsZSBub25jZQ", "dGhlIHNhbXBsZSBub25jZR==",
+                           "dGhlIHNhbXBsZSBub25jZQ==AAAA", "dGhlIHNhbXBsZSBub25j!Q=="}) {
+    EXPECT_FALSE(is_socket_key(text)) << text;
+  }
+}
+
+// RFC 9110, 12.5.3: a weight of 0 is "not acceptable".
+TEST(RequestHead, TakesGzipWhereItSaysSo) {
+  for (const char* text :
+       {"gzip", "gzip, deflate, br", "br, gzip;q=0.5", "deflate,\tgzip ; q=1.0"}) {
+    EXPECT_TRUE(accepts_gzip(text)) << text;
+  }
+  for (const char* text : {"", "br", "gzip;q=0", "br, gzip;q=0.000", "xgzip", "gzipped"}) {
+    EXPECT_FALSE(accepts_gzip(text)) << text;
+  }
+}
+
+}  // namespace
+}  // namespace canvoy::web::request_head_test
