@@ -71,7 +71,7 @@ def on_post_build(config):
     """The C++ API stands beside the pages."""
     api = ROOT / "build" / "docs" / "api"
     if not (api / "index.html").exists():
-        raise mkdocs.exceptions.PluginError("build/docs/api is not there: doxygen docs/Doxyfile")
+        raise mkdocs.exceptions.PluginError("build/docs/api is not there: scripts/api-docs")
     shutil.copytree(api, pathlib.Path(config["site_dir"]) / "api" / "html", dirs_exist_ok=True)
 
 
