@@ -23,6 +23,7 @@ demo: build
 
 # The documentation as a site, at build/docs/site: all links are checked.
 docs: build build/docs/venv/installed
+	@scripts/api-docs
 	@CANVOY=build/canvoy NO_MKDOCS_2_WARNING=1 build/docs/venv/bin/mkdocs build --strict
 	@echo "build/docs/site/index.html"
 

@@ -1,4 +1,5 @@
-"""What MkDocs does not do by itself for the site (mkdocs.yml): the command reference, and links to files of the sources.
+"""What MkDocs does not do by itself for the site (mkdocs.yml): the command reference, a page for each object of the profiles, the C++
+API as Doxygen has made it, and links to files of the sources.
 
 The reference is made of what the command prints: `canvoy VERB --help` and that of all verbs below it. CANVOY says where the
 command is (default: build/canvoy).
@@ -8,19 +9,27 @@ import os
 import pathlib
 import posixpath
 import re
+import shutil
 import subprocess
+import sys
 
 import mkdocs.exceptions
 from mkdocs.structure.files import File
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import object_pages
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCES = "https://github.com/canvoy/canvoy/blob/main/"
 LINK = re.compile(r"(?<=\]\()(\.\./[^)#\s]+)(?=[)#])")
 
 
+def command():
+    return os.environ.get("CANVOY", str(ROOT / "build" / "canvoy"))
+
+
 def help_of(*verb):
-    command = os.environ.get("CANVOY", str(ROOT / "build" / "canvoy"))
-    return subprocess.run([command, *verb, "--help"], capture_output=True, text=True, check=True).stdout.rstrip()
+    return subprocess.run([command(), *verb, "--help"], capture_output=True, text=True, check=True).stdout.rstrip()
 
 
 def verbs_below(text):
@@ -53,7 +62,17 @@ def on_files(files, config):
     )
     for name, text in pages.items():
         files.append(File.generated(config, f"reference/{name}", content=text))
+    for path, text in object_pages.make(command()).items():
+        files.append(File.generated(config, path, content=text))
     return files
+
+
+def on_post_build(config):
+    """The C++ API stands beside the pages."""
+    api = ROOT / "build" / "docs" / "api"
+    if not (api / "index.html").exists():
+        raise mkdocs.exceptions.PluginError("build/docs/api is not there: scripts/api-docs")
+    shutil.copytree(api, pathlib.Path(config["site_dir"]) / "api" / "html", dirs_exist_ok=True)
 
 
 def on_config(config):

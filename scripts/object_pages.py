@@ -137,13 +137,20 @@ def shown(value):
     return " to ".join(map(str, value)) if isinstance(value, list) else str(value)
 
 
+def descriptions_of(each):
+    return list(dict.fromkeys(row["description"] for row in each.rows["entry"] if "description" in row))
+
+
 def entries_section(each):
     def cells(row):
         access = row["access"] + (f", consumer {row['consumer_access']}" if "consumer_access" in row else "")
         category = row["entry_category"] + (f": {row['entry_condition']}" if "entry_condition" in row else "")
         return [place_cell(row, each), row["entry"], row["type"], access, row["pdo"], shown(row["default"]), shown(row["range"]), category]
 
-    return table(["sub-index", "name", "type", "access", "PDO mapping", "default", "range (raw)", "category"], map(cells, each.rows["entry"]))
+    headings = ["sub-index", "name", "type", "access", "PDO mapping", "default", "range (raw)", "category"]
+    if len(descriptions_of(each)) < 2:
+        return table(headings, map(cells, each.rows["entry"]))
+    return table([*headings, ""], ([*cells(row), row.get("description", "")] for row in each.rows["entry"]))
 
 
 def values_text(values):
@@ -214,8 +221,8 @@ def page_of(profile, each, ours, told):
     facts = [f"**{entry['category']}**" + (f": {entry['condition']}" if "condition" in entry else ""), entry["code"], f"CiA {profile}, {entry['clause']}"]
     if "errata" in entry:
         facts.append(f"our findings: {entry['errata']}")
-    said = list(dict.fromkeys(row["description"] for row in each.rows["entry"] if "description" in row))
-    parts = [f"# {each.title}", " · ".join(facts), " ".join(said), "## Entries", entries_section(each)]
+    said = descriptions_of(each)
+    parts = [f"# {each.title}", " · ".join(facts), said[0] if len(said) == 1 else "", "## Entries", entries_section(each)]
     for kind, title, section in (("field", "Fields and states", fields_section), ("quantity", "Units and scales", quantities_section), ("device", "Virtual devices", devices_section),
                                  ("pdo", "Predefined PDOs", pdos_section)):  # fmt: skip
         if each.rows[kind]:

@@ -50,7 +50,7 @@ def samples_of_page(path, text):
     """The blocks of C++ of a page that are not whole programs: those are compiled by tests/cli/docs_test.py."""
     found = []
     for block in re.finditer(r"(?ms)^```cpp\n(.*?)^```", text):
-        if '#include "canvoy/' not in block[1]:
+        if '#include "canvoy' not in block[1]:
             found.append(Sample(path, text.count("\n", 0, block.start()) + 2, block[1].rstrip("\n"), "canvoy"))
     return found
 

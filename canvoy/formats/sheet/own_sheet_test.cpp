@@ -17,7 +17,9 @@ constexpr auto pump = describe(cia301::device_type(0), cia301::error_register_ob
                                cia301::heartbeat_producer(1000), speed);
 
 /// What stands in a section, a line for each key.
-std::string section(const std::string& text, const std::string& name) {
+std::string section(std::string text, const std::string& name) {
+  std::erase(text, '\r');
+  text += '\n';
   const std::size_t begin = text.find("[" + name + "]\n");
   if (begin == std::string::npos) return {};
   return text.substr(begin, text.find("\n\n", begin) - begin);
@@ -28,7 +30,7 @@ bool has_line(const std::string& text, const std::string& line) {
 }
 
 TEST(OwnSheet, NamesObjectsOfTheManufacturer) {
-  const std::string text = own_sheet(pump, {.product_name = "Pump"}) + "\n";
+  const std::string text = own_sheet(pump, {.product_name = "Pump"});
   const std::string own = section(text, "2000") + "\n";
   EXPECT_TRUE(has_line(own, "ParameterName=speed")) << text;
   EXPECT_TRUE(has_line(own, "DataType=0x0006")) << own;  // CiA 301, 7.4.7.1: UNSIGNED16
