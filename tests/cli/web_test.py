@@ -462,16 +462,20 @@ class ViewTest(CommandTest):
                 self.assertEqual(len(get(port, "/api/frames.log")[1].splitlines()), until)
 
     def test_others_need_the_token(self):
-        with served("run", "charger", "--web", "0.0.0.0:0") as (_, port, url):
+        for address in ("0.0.0.0:0", "127.0.0.1:0"):
+            self.check_token(address)
+
+    def check_token(self, address):
+        with served("run", "charger", "--web", address) as (_, port, url):
             token = url.split("token=")[1]
-            self.assertEqual(get(port, "/")[0], 403)
-            self.assertEqual(get(port, "/api/state", Authorization="Bearer " + "0" * 32)[0], 403)
-            status, _, headers = get(port, f"/?token={token}")
+            self.assertEqual(get(port, "/", token=None)[0], 403)
+            self.assertEqual(get(port, "/api/state", token="0" * 32)[0], 403)
+            status, _, headers = get(port, f"/?token={token}", token=None)
             self.assertEqual(status, 200)
-            self.assertIn("HttpOnly", headers["Set-Cookie"])
+            self.assertIn("HttpOnly; SameSite=Strict", headers["Set-Cookie"])
             cookie = headers["Set-Cookie"].split(";")[0]
-            self.assertEqual(get(port, "/api/state", Cookie=cookie)[0], 200)
-            self.assertEqual(get(port, "/api/state", Authorization=f"Bearer {token}")[0], 200)
+            self.assertEqual(get(port, "/api/state", token=None, Cookie=cookie)[0], 200)
+            self.assertEqual(get(port, "/api/state", token=token)[0], 200)
 
 
 if __name__ == "__main__":

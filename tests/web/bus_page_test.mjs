@@ -7,7 +7,7 @@ import { look_at, open_browser, serve, start, view } from "./browser.mjs";
 
 test("a node that was killed, and a bus that has one gone, are not shown as before", async () => {
   const bus = "udp:239.74.163.44:43144";
-  const device = start("device", "charger", bus, "--node", "5");
+  const device = start("device", "charger", bus, "--node-id", "5");
   const server = await serve("view", bus, "--allow-write", "nmt");
   const browser = await open_browser();
   try {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <variant>
@@ -76,10 +77,10 @@ void HeardNodes::hear(Duration time, std::string_view bus, const Frame& frame) {
 
 /// The period follows what is heard, so that a node that is told another one is not silent for it.
 void HeardNodes::hear_heartbeat(Duration time, BusIndex bus, const Frame& frame) {
-  const std::uint32_t node = frame.id() - can_id::heartbeat;
-  if (frame.is_remote() || frame.size() != 1 || node < 1 || node > node_id_max) return;
+  const std::uint32_t node = frame.id - can_id::error_control;
+  if (!frame.is_plain() || frame.length != 1 || !is_node_id(node)) return;
   Said& said = nodes_[{bus, static_cast<NodeId>(node)}];
-  const bool is_boot_up = frame.data()[0] == 0;
+  const bool is_boot_up = frame.data[0] == 0;
   if (said.heard_at != Duration{} && !is_boot_up) {
     const Duration passed = time - said.heard_at;
     said.period = std::max(passed, said.period - said.period / 8);
@@ -115,7 +116,7 @@ Json HeardNodes::nodes_json(Duration now) {
     all.push_back({{"bus", buses_[bus]->name},
                    {"node", node},
                    {"device", names_->device(bus, node)},
-                   {"state", is_silent(said)       ? "silent"
+                   {"state", is_silent(said)      ? "silent"
                              : said.state.empty() ? "unknown"
                                                   : said.state},
                    {"error_register", fmt::format("{:02X}", said.error_register)}});
