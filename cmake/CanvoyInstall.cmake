@@ -20,7 +20,8 @@ if(TARGET canvoy)
 endif()
 
 install(DIRECTORY canvoy TYPE INCLUDE
-  FILES_MATCHING PATTERN "*.hpp" PATTERN "*_test.hpp" EXCLUDE PATTERN testing EXCLUDE PATTERN tools EXCLUDE)
+  FILES_MATCHING PATTERN "*.hpp" PATTERN "*_test.hpp" EXCLUDE PATTERN testing EXCLUDE PATTERN tools EXCLUDE
+  PATTERN web EXCLUDE PATTERN clauses EXCLUDE)
 install(FILES "${PROJECT_BINARY_DIR}/include/canvoy/version.hpp" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/canvoy)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/canvoy)
