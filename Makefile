@@ -9,7 +9,7 @@ COUNT ?= 20
 CASES ?= 20000
 SEED ?= 1
 
-.PHONY: build demo docs test check test-all tidy bench bench-page fuzz properties soak-lift soak-charger soak-taxi soak-police soak-bus soak-excavator soak-gaps mutate format install clean
+.PHONY: build demo docs test check test-all tidy bench bench-page fuzz properties soak-lift soak-charger soak-taxi soak-police soak-bus soak-excavator soak-gaps mutate mutate-all format install clean
 
 # The command, at build/canvoy.
 build:
@@ -135,6 +135,13 @@ soak-gaps:
 mutate:
 	@scripts/install-packages build
 	@scripts/mutate $(FOLDERS) --count $(COUNT) --seed $(SEED)
+
+# The same by the hundred, in one build and judged by all unit tests.
+mutate-all: FOLDERS = canvoy/canopen canvoy/devices canvoy/formats canvoy/sim
+mutate-all: COUNT = 200
+mutate-all:
+	@scripts/install-packages test
+	@scripts/mutate $(FOLDERS) --at-once --count $(COUNT) --seed $(SEED)
 
 format:
 	@git ls-files '*.cpp' '*.hpp' | xargs clang-format-16 -i
