@@ -75,6 +75,8 @@ class Schemata:
         self.mutants = []
         self.refused = 0
         self.left_out = 0
+        self.memory = tree / "build" / "refused-mutations"
+        self.known_refused = set(self.memory.read_text().splitlines()) if self.memory.exists() else set()
         (tree / schemata.HEADER).parent.mkdir(parents=True, exist_ok=True)
         write(tree / schemata.HEADER, schemata.HEADER_TEXT.replace("COUNT", str(self.numbers_max + 1)))
 
@@ -88,6 +90,9 @@ class Schemata:
         while self.waiting and len(self.mutants) < count:
             number, mutation = self.waiting.pop()
             text = self.original(mutation.path)
+            if key_of(mutation, text) in self.known_refused:
+                self.refused += 1
+                continue
             edit = schemata.edit_of(mutation, number, text)
             others = [mutant.edit for mutant in self.mutants if mutant.mutation.path == mutation.path]
             if edit is None or schemata.overlaps(edit, others):
@@ -104,6 +109,9 @@ class Schemata:
         """Takes out what the compiler complains of, and says whether there was any."""
         refused = refused_by(output, self.mutants, self.tree)
         self.refused += len(refused)
+        self.memory.parent.mkdir(exist_ok=True)
+        with open(self.memory, "a", encoding="utf-8") as file:
+            file.writelines(f"{key_of(each.mutation, self.original(each.mutation.path))}\n" for each in refused)
         self.mutants = [mutant for mutant in self.mutants if mutant not in refused]
         return bool(refused)
 
@@ -111,6 +119,11 @@ class Schemata:
         for path, text in self.originals.items():
             write(self.tree / path, text)
         (self.tree / schemata.HEADER).unlink(missing_ok=True)
+
+
+def key_of(mutation, text):
+    """By which the compiler's refusal is remembered: the next run does not compile a batch of sources for it in vain."""
+    return f"{mutation.path}:{mutation.column}:{mutation.new.strip()}:{text.split(chr(10))[mutation.line].strip()}"
 
 
 def write(path, text):

@@ -121,13 +121,16 @@ class AtOnce(unittest.TestCase):
         self.assertEqual(self.source.read_text(), SOURCE)
         self.assertEqual(list((self.tree / "canvoy").rglob("*.hpp")), [])
 
-        # The survivors alone, with a test that sees one of them, and a line more above it.
+        self.assertIn("\nthe compiler has refused 1 so far\n", result.stdout)
+
+        # What is refused once is not compiled again. The survivors alone, with a test that sees one of them, and a line more above it.
         self.source.write_text("\n" + SOURCE)
         test = self.tree / FOLDER / "level_test.cpp"
         test.write_text(TEST.replace("is_high(11)", "is_high(10)"))
         survivors = [json.loads(line) for line in results.read_text().splitlines()]
         survivors = [each for each in survivors if each["verdict"] != "killed"]
         result = self.run_tool("--survivors-of", results)
+        self.assertNotIn("the compiler has refused", result.stdout)
         self.assertRegex(result.stdout, r"\nkilled +\d+ canvoy/small/level.cpp:4: comparison: >= -> >  \[the tests\]\n")
         self.assertRegex(result.stdout, rf"\n{len(survivors)} mutations: \d killed, \d survived ")
         self.assertEqual(result.returncode, 1)
