@@ -10,7 +10,6 @@ import json
 import os
 import pathlib
 import re
-import resource
 import shlex
 import signal
 import subprocess
@@ -218,16 +217,10 @@ class Programs:
 
 def run_suite(suite, tree, environment, seconds_max=None):
     """Why the suite fails, or nothing; and the seconds of a processor that it took."""
-
-    def limit():
-        resource.setrlimit(resource.RLIMIT_AS, (MEMORY_MAX, MEMORY_MAX))
-        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-        if seconds_max:
-            resource.setrlimit(resource.RLIMIT_CPU, (seconds_max, seconds_max + 1))
-
+    limits = ["prlimit", f"--as={MEMORY_MAX}", "--core=0", *([f"--cpu={seconds_max}:{seconds_max + 1}"] if seconds_max else [])]
     with tempfile.TemporaryFile() as output:
         process = subprocess.Popen(
-            suite.command, cwd=tree, stdout=output, stderr=subprocess.STDOUT, preexec_fn=limit,
+            [*limits, *suite.command], cwd=tree, stdout=output, stderr=subprocess.STDOUT,
             env={**os.environ, "RC_PARAMS": "seed=301", **environment},
         )  # fmt: skip
         # What waits takes no time of a processor: the clock ends it, late enough for a machine that is busy.
