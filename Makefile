@@ -9,7 +9,7 @@ COUNT ?= 20
 CASES ?= 20000
 SEED ?= 1
 
-.PHONY: build dist release-check demo docs test check test-all tidy bench bench-page fuzz properties mutate format install clean
+.PHONY: build dist release-check demo docs test check test-all tidy bench bench-page fuzz properties mutate mutate-all format install clean
 
 # The command, at build/canvoy.
 build:
@@ -95,6 +95,13 @@ soak-%:
 mutate:
 	@scripts/install-packages build
 	@scripts/mutate $(FOLDERS) --count $(COUNT) --seed $(SEED)
+
+# The same by the hundred, in one build and judged by all unit tests.
+mutate-all: FOLDERS = canvoy/canopen canvoy/devices canvoy/formats canvoy/sim
+mutate-all: COUNT = 200
+mutate-all:
+	@scripts/install-packages test
+	@scripts/mutate $(FOLDERS) --at-once --count $(COUNT) --seed $(SEED)
 
 format:
 	@git ls-files '*.cpp' '*.hpp' | xargs clang-format-16 -i

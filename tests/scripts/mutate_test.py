@@ -9,7 +9,8 @@ import unittest
 
 import script
 
-mutate = script.load("mutate")
+script.load("mutate")
+from mutation import one_by_one, places  # noqa: E402: script makes it known
 
 SOURCE = """// a comment with a < b, 1 and true
 #include <vector>
@@ -49,7 +50,7 @@ class Mutate(unittest.TestCase):
         )  # fmt: skip
 
     def test_code_is_broken_and_comments_strings_and_includes_are_not(self):
-        found = [(each.line + 1, each.kind, each.old, each.new) for each in mutate.mutations_of("level.cpp", SOURCE)]
+        found = [(each.line + 1, each.kind, each.old, each.new) for each in places.mutations_of("level.cpp", SOURCE)]
         self.assertIn((5, "comparison", "<", "<="), found)
         self.assertIn((5, "bound", "0", "1"), found)
         self.assertIn((5, "toggle", "false", "true"), found)
@@ -60,7 +61,7 @@ class Mutate(unittest.TestCase):
 
     def test_timers_durations_flags_and_logic_are_broken_too(self):
         code = "  timers.arm(timer_, now + 100ms);\n  flags |= bit;\n  ready_ = x && !y;\n  mask = 0x80'00;\n"
-        found = {(each.kind, each.old.strip(), each.new) for each in mutate.mutations_of("x.cpp", code)}
+        found = {(each.kind, each.old.strip(), each.new) for each in places.mutations_of("x.cpp", code)}
         self.assertTrue(
             found >= {
                 ("timer", "100ms", "201ms"), ("timer", "timers.arm(timer_, now + 100ms);", ";"), ("flag", "|=", "&="),
@@ -75,10 +76,10 @@ class Mutate(unittest.TestCase):
             ("canvoy/canopen/host/file_flash.cpp", "folders/canopen/host/canvoy_canopen_host_test"),
             ("canvoy/can/host/socketcan.cpp", "folders/can/host/canvoy_host_test"),
         ):
-            self.assertEqual(mutate.program_of(path), program)
+            self.assertEqual(one_by_one.program_of(path), program)
 
     def test_a_seed_gives_the_same_places_and_another_one_others(self):
-        first, again, other = (mutate.drawn(self.tree, [FOLDER], seed) for seed in (1, 1, 2))
+        first, again, other = (places.drawn(self.tree, [FOLDER], seed) for seed in (1, 1, 2))
         self.assertEqual(first, again)
         self.assertNotEqual(first, other)
         self.assertCountEqual(first, other)

@@ -316,6 +316,28 @@ TEST(BusVehicle, ARealVehicleLeadsIt) {
   EXPECT_GE(day.count(BusEvent::leaves), 2u) << "the driver goes on";
 }
 
+TEST(BusVehicle, ARealVehicleLeadsItToItsNextStart) {
+  BusLine line = short_day(1);
+  line.blocks[0].journeys.push_back(line.blocks[0].journeys[0]);  // from the station once more
+  Day day(line);
+  const auto runs_while = [&](const auto& condition) {
+    for (int i = 0; condition() && i < 7200; ++i) day.run_until(day.now + 1s);
+  };
+  runs_while([&] { return day.bus.state() != BusState::transferring; });
+  day.follow(RealMotion{.speed = 10});
+  runs_while([&] { return metres_between(day.bus.position(), line.stops[0].place) > 100; });
+  day.follow(RealMotion{});
+  day.run_until(day.now + 1min);
+  EXPECT_EQ(day.bus.state(), BusState::transferring) << "100 m before the stop";
+  day.follow(RealMotion{.speed = 10});
+  day.run_until(day.now + 8s);
+  EXPECT_EQ(day.bus.state(), BusState::transferring) << "it still rolls";
+  day.follow(RealMotion{});
+  day.run_until(day.now + 1s);
+  EXPECT_EQ(day.bus.state(), BusState::at_stop) << "20 m before it";
+  EXPECT_EQ(day.bus.truth().stop->name, "Central Station");
+}
+
 TEST(BusVehicle, ARealVehicleThatIsLostOnTheWayIsDrivenToTheNextStop) {
   const BusLine line = built_in_line();
   Day day(line);

@@ -164,7 +164,7 @@ void Crew::patrol(Time now) {
     return enter(now, Activity::listening);
   }
   if (now >= until_ && next_call_ - now > 2min) return enter(now, Activity::conversing, 15s);
-  if (drive_.is_standing() && now < options_.end) drive_.go(between(200, 1500), patrol_speed);
+  if (drive_.is_standing()) drive_.go(between(200, 1500), patrol_speed);
 }
 
 /// As long as the LED says that they can.

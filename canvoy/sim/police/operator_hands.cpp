@@ -5,7 +5,7 @@ namespace canvoy::police {
 namespace {
 
 constexpr Duration thought = 700ms;   ///< before a hand is moved
-constexpr Duration reaction = 400ms;  ///< from what is read to a key
+constexpr Duration reaction = 400ms;  ///< from a title that is read, or a key, to the next key
 constexpr Duration press_again = 3s;  ///< where nothing comes of a key
 constexpr Duration open_again = 5s;   ///< where the client does not show itself
 
