@@ -273,8 +273,8 @@ WorldFile<BusRun> BusWorld::file(const std::string& folder) {
                                   "",
                                   {setting<network, &BusNetworkOptions::bit_rate>(
                                        "bit_rate", "bit/s", {{50'000, 1'000'000}}),
-                                   real_bus<Run>(0)}},
-                SettingTable<Run>{"second_bus", "in the second car", {real_bus<Run>(1)}},
+                                   real_setting<Run>(0)}},
+                SettingTable<Run>{"second_bus", "in the second car", {real_setting<Run>(1)}},
                 line_table(folder)}};
   for (const bus::DevicePlace& place : bus::device_places) {
     file.parts.emplace_back(SettingTable<Run>{std::string(place.name),

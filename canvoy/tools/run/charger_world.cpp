@@ -74,7 +74,7 @@ WorldFile<ChargingRun> ChargerWorld::file(const std::string&) {
                                 "",
                                 {setting<network, &ChargingOptions::bit_rate>(
                                      "bit_rate", "bit/s", {{10'000, 1'000'000}}),
-                                 real_bus<Run>(0)}},
+                                 real_setting<Run>(0)}},
               SettingTable<Run>{"charger",
                                 "",
                                 {setting<network, &ChargingOptions::charger_id>("id", "", {ids}),

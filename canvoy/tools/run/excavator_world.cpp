@@ -85,18 +85,18 @@ WorldFile<ExcavatorRun> ExcavatorWorld::file(const std::string& folder) {
       .network = name,
       .title = "A shift of an excavator: CiA 852 and CiA 401.",
       .head = world_head(setting<network, &ExcavatorOptions::length>("for", "virtual time"), name),
-      .parts = {
-          SettingTable<Run>{"bus",
-                            "",
-                            {setting<network, &ExcavatorOptions::bit_rate>("bit_rate", "bit/s",
-                                                                           {{125'000, 1'000'000}}),
-                             real_bus<Run>(0)}},
-          SettingTable<Run>{"embedded", "the bus behind the seat: network 2", {real_bus<Run>(1)}},
-          SettingTable<Run>{
-              "shift",
-              "",
-              {setting<network, shift, &Shift::work>("work", "between two breaks"),
-               setting<network, shift, &Shift::rest>("rest"), recorded_shift(folder)}}}};
+      .parts = {SettingTable<Run>{"bus",
+                                  "",
+                                  {setting<network, &ExcavatorOptions::bit_rate>(
+                                       "bit_rate", "bit/s", {{125'000, 1'000'000}}),
+                                   real_setting<Run>(0)}},
+                SettingTable<Run>{
+                    "embedded", "the bus behind the seat: network 2", {real_setting<Run>(1)}},
+                SettingTable<Run>{
+                    "shift",
+                    "",
+                    {setting<network, shift, &Shift::work>("work", "between two breaks"),
+                     setting<network, shift, &Shift::rest>("rest"), recorded_shift(folder)}}}};
   for (const excavator::DevicePlace& place : excavator::device_places) {
     SettingTable<Run> device{
         std::string(place.name), "", {played<Run>(place.id, place.id == excavator::host_id)}};

@@ -58,7 +58,7 @@ WorldFile<PoliceRun> PoliceWorld::file(const std::string&) {
                                                   "",
                                                   {setting<network, &PoliceOptions::bit_rate>(
                                                        "bit_rate", "bit/s", {{50'000, 1'000'000}}),
-                                                   real_bus<Run>(0)}}}};
+                                                   real_setting<Run>(0)}}}};
   for (std::size_t i = 0; i < police::device_names.size(); ++i) {
     const auto id = static_cast<NodeId>(i + 1);
     SettingTable<Run> device{

@@ -14,7 +14,8 @@ std::string setting_line(std::string_view key, std::string_view value, std::stri
 
 namespace detail {
 
-void take_time(TomlTable& table, std::string_view key, Duration& to, Limits<Duration> limits) {
+void take_time(TomlTable& table, std::string_view key, Duration& to,
+               SettingLimits<Duration> limits) {
   table.take(key, to);
   if (!table.has(key) || (to >= limits.least && to <= limits.most)) return;
   table.refuse(key, fmt::format("{} is not from {} to {}", written(to), written(limits.least),
@@ -55,7 +56,7 @@ std::string in_file(const std::vector<std::string>& value) {
   return fmt::format("[{}]", fmt::join(texts, ", "));
 }
 
-std::string range_words(const Limits<Duration>& limits) {
+std::string range_words(const SettingLimits<Duration>& limits) {
   const std::string_view what = "a time, as `\"30s\"`";
   return limits.most == Duration::max()
              ? std::string(what)

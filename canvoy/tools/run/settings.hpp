@@ -70,18 +70,18 @@ struct SettingTable {
 
 /// What may stand behind a key, both ends included; of a time, as of a number.
 template <class Value>
-struct Limits {};
+struct SettingLimits {};
 template <class Value>
   requires std::floating_point<Value> ||
            (std::unsigned_integral<Value> && !std::same_as<Value, bool>)
-struct Limits<Value> : Range<Value> {};
+struct SettingLimits<Value> : Range<Value> {};
 template <>
-struct Limits<Duration> {
+struct SettingLimits<Duration> {
   Duration least = Duration{1};
   Duration most = Duration::max();
 };
 template <>
-struct Limits<Time> : Limits<Duration> {};
+struct SettingLimits<Time> : SettingLimits<Duration> {};
 
 namespace detail {
 
@@ -102,17 +102,19 @@ struct LastOf<last> {
 template <auto first, auto... rest>
 struct LastOf<first, rest...> : LastOf<rest...> {};
 
-void take_time(TomlTable& table, std::string_view key, Duration& to, Limits<Duration> limits);
+void take_time(TomlTable& table, std::string_view key, Duration& to,
+               SettingLimits<Duration> limits);
 
 template <class Value>
-void take_value(TomlTable& table, const std::string& key, Value& to, const Limits<Value>& limits) {
+void take_value(TomlTable& table, const std::string& key, Value& to,
+                const SettingLimits<Value>& limits) {
   if constexpr (std::same_as<Value, Duration>) {
     take_time(table, key, to, limits);
   } else if constexpr (std::same_as<Value, Time>) {
     Duration time = to - Time{};
     take_time(table, key, time, limits);
     to = Time{} + time;
-  } else if constexpr (std::derived_from<Limits<Value>, Range<Value>>) {
+  } else if constexpr (std::derived_from<SettingLimits<Value>, Range<Value>>) {
     table.take(key, to, Range<Value>(limits));
   } else if constexpr (requires { to.reset(); }) {
     typename Value::value_type value{};
@@ -149,11 +151,11 @@ std::string range_words(std::string_view what, const Range<Number>& range) {
   return is_open ? std::string(what)
                  : fmt::format("{} from {} to {}", what, range.least, range.most);
 }
-std::string range_words(const Limits<Duration>& limits);
+std::string range_words(const SettingLimits<Duration>& limits);
 
 /// What a key takes, in words.
 template <class Value>
-std::string words_of(const Limits<Value>& limits) {
+std::string words_of(const SettingLimits<Value>& limits) {
   if constexpr (std::same_as<Value, bool>)
     return "`true` or `false`";
   else if constexpr (std::floating_point<Value>)
@@ -174,7 +176,7 @@ std::string words_of(const Limits<Value>& limits) {
 template <auto... path>
 Setting<typename detail::FirstOf<path...>::Owner> setting(
     std::string key, std::string help = {},
-    Limits<typename detail::LastOf<path...>::Value> limits = {}) {
+    SettingLimits<typename detail::LastOf<path...>::Value> limits = {}) {
   using Owner = typename detail::FirstOf<path...>::Owner;
   return {.key = key,
           .takes = detail::words_of(limits),

@@ -102,7 +102,7 @@ WorldFile<TaxiRun> TaxiWorld::file(const std::string&) {
                                                   "",
                                                   {setting<network, &TaxiOptions::bit_rate>(
                                                        "bit_rate", "bit/s", {{50'000, 1'000'000}}),
-                                                   real_bus<Run>(0)}}}};
+                                                   real_setting<Run>(0)}}}};
   file.head.push_back(
       setting<network, &TaxiOptions::begin>("begin", "what clocks show at the start"));
   file.head.push_back(setting<&Run::nmea>("nmea", "a recorded drive is what the car does")

@@ -125,7 +125,7 @@ std::vector<Setting<Run>> world_head(Setting<Run> length, std::string_view netwo
 
 /// `real = "can0"` at a bus.
 template <class Run>
-Setting<Run> real_bus(BusIndex bus) {
+Setting<Run> real_setting(BusIndex bus) {
   return {.key = "real",
           .takes = "a bus, as `\"can0\"`",
           .help = "a real bus is a part of it; all runs at the speed of the clock",
