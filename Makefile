@@ -88,8 +88,8 @@ properties:
 soak-%:
 	@scripts/install-packages bench
 	@cmake --preset bench --log-level=WARNING
-	@cmake --build --preset bench -j $(JOBS) --target canvoy_soak_$*
-	@build/bench/canvoy_soak_$* $(SEEDS)
+	@cmake --build --preset bench -j $(JOBS) --target canvoy_soak
+	@build/bench/canvoy_soak $* $(SEEDS)
 
 # Breaks the code of FOLDERS in small ways, and says which of them no test notices.
 mutate:

@@ -6,10 +6,7 @@
 #include <string_view>
 
 #include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/run/bus_file.hpp"
-#include "canvoy/tools/run/charging_file.hpp"
-#include "canvoy/tools/run/lift_file.hpp"
-#include "canvoy/tools/run/taxi_file.hpp"
+#include "canvoy/tools/run/world.hpp"
 
 namespace {
 
@@ -21,10 +18,10 @@ std::string written(std::string_view text) {
   TomlTable& table = file.table();
   std::string network;
   table.take("network", network);
-  if (network == "bus") return bus_run_text(read_bus_run(table, ""));
-  if (network == "charger") return charging_run_text(read_charging_run(table));
-  if (network == "taxi") return taxi_run_text(read_taxi_run(table, ""));
-  return lift_run_text(read_lift_run(table, ""));
+  for (const WorldEntry& world : worlds()) {
+    if (world.name == network) return world.rewrite(table, "");
+  }
+  throw Failure("there is no such network");
 }
 
 void check(std::string_view text) {
@@ -42,7 +39,8 @@ void check(std::string_view text) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   // These name other files, which could be any of this machine.
-  for (const std::string_view key : {"list", "configuration", "nmea", "places", "gtfs"}) {
+  for (const std::string_view key :
+       {"list", "configuration", "nmea", "places", "gtfs", "recorded"}) {
     if (text.find(key) != std::string_view::npos) return 0;
   }
   check(text);

@@ -22,7 +22,7 @@ std::string sign_of(const FaultPlaceName& place) {
 }
 
 /// Empty, or what is wrong.
-std::string take_place(const FaultGrammar& grammar, std::string_view word, WrittenFault& fault) {
+std::string take_place(const FaultGrammar& grammar, std::string_view word, AnyFault& fault) {
   const std::size_t sign = std::min(word.find('='), word.size());
   const std::string_view digits = word.substr(std::min(sign + 1, word.size()));
   const auto found = std::ranges::find(grammar.places, word.substr(0, sign), &FaultPlaceName::name);
@@ -34,20 +34,20 @@ std::string take_place(const FaultGrammar& grammar, std::string_view word, Writt
     return "'" + std::string(word) + "' is no place; there " +
            (known.empty() ? "are none here" : "are " + known);
   }
-  WrittenFault::Place place{static_cast<std::size_t>(found - grammar.places.begin()), 0};
+  unsigned number = 0;
   if (found->most != 0) {
     const char* const end = digits.data() + digits.size();
-    const auto [stop, error] = std::from_chars(digits.data(), end, place.number);
-    if (error != std::errc{} || stop != end || place.number > found->most) {
+    const auto [stop, error] = std::from_chars(digits.data(), end, number);
+    if (error != std::errc{} || stop != end || number > found->most) {
       return "'" + std::string(digits) + "' is no number up to " + std::to_string(found->most);
     }
   }
-  fault.places.push_back(place);
+  fault.*(found->member) = static_cast<std::uint8_t>(number);
   return {};
 }
 
 /// `20min` or `20min+30s`. Empty, or what is wrong.
-std::string take_times(std::string_view text, WrittenFault& fault) {
+std::string take_times(std::string_view text, AnyFault& fault) {
   const std::size_t plus = text.find('+');
   const std::string units(duration_units);
   const auto start = parse_duration(text.substr(0, plus));
@@ -63,12 +63,12 @@ std::string take_times(std::string_view text, WrittenFault& fault) {
 }
 
 /// Empty, or what is wrong.
-std::string take(const FaultGrammar& grammar, std::string_view text, WrittenFault& fault) {
+std::string take(const FaultGrammar& grammar, std::string_view text, AnyFault& fault) {
   const std::size_t at = text.find('@');
   std::string_view places = text.substr(0, at);
   const std::size_t colon = std::min(places.find(':'), places.size());
   const std::string name(places.substr(0, colon));
-  const auto known = std::ranges::find(grammar.kinds, name, &FaultName::name);
+  const auto known = std::ranges::find(grammar.kinds, name, &FaultRow::name);
   if (known == grammar.kinds.end()) return "no such fault; there are " + list_of(grammar.kinds);
   fault.kind = static_cast<std::size_t>(known - grammar.kinds.begin());
   if (at == std::string_view::npos) {
@@ -87,18 +87,21 @@ std::string take(const FaultGrammar& grammar, std::string_view text, WrittenFaul
 }  // namespace
 
 FaultParse parse_fault(const FaultGrammar& grammar, std::string_view text) {
-  WrittenFault fault;
+  AnyFault fault;
   const std::string wrong = take(grammar, text, fault);
   if (wrong.empty()) return {fault, {}};
   return {std::nullopt, "fault '" + std::string(text) + "': " + wrong};
 }
 
-std::string fault_text(const FaultGrammar& grammar, const WrittenFault& fault) {
+std::string fault_text(const FaultGrammar& grammar, const AnyFault& fault) {
   std::string text(grammar.kinds[fault.kind].name);
-  for (const WrittenFault::Place& place : fault.places) {
-    const FaultPlaceName& name = grammar.places[place.place];
-    text += ":" + sign_of(name);
-    if (name.most != 0) text += std::to_string(place.number);
+  for (const FaultPlaceName& place : grammar.places) {
+    const unsigned number = fault.*(place.member);
+    const bool is_said =
+        place.most == 0 ? number == 0 : number != 0 && number != AnyFault{}.*(place.member);
+    if (!is_said) continue;
+    text += ":" + sign_of(place);
+    if (place.most != 0) text += std::to_string(number);
   }
   text += "@" + written(fault.start - Time{});
   if (fault.duration != for_the_rest) text += "+" + written(fault.duration);
@@ -116,7 +119,7 @@ std::string fault_help(const FaultGrammar& grammar) {
     text += "), ";
   }
   text += "any number of:\n";
-  for (const FaultName& kind : grammar.kinds) {
+  for (const FaultRow& kind : grammar.kinds) {
     text.append("  ").append(kind.name).append(": ").append(kind.description).append("\n");
   }
   return text;

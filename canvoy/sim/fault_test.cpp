@@ -16,8 +16,8 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr FaultName names[] = {{"heartbeat-loss", "it is silent"}, {"not-ready", "it says so"}};
-constexpr FaultPlaceName places[] = {{"node", 127}, {"group"}};
+constexpr FaultRow names[] = {{"heartbeat-loss", "it is silent"}, {"not-ready", "it says so"}};
+constexpr FaultPlaceName places[] = {{"node", 127}, {"group", 0, &AnyFault::part}};
 constexpr FaultGrammar grammar{names, places};
 
 TEST(FaultText, IsANameAndAStart) {
@@ -26,7 +26,8 @@ TEST(FaultText, IsANameAndAStart) {
   EXPECT_EQ(parsed.fault->kind, 1U);
   EXPECT_EQ(parsed.fault->start, Time(20min));
   EXPECT_EQ(parsed.fault->duration, for_the_rest);
-  EXPECT_TRUE(parsed.fault->places.empty());
+  EXPECT_EQ(parsed.fault->node, 0U);
+  EXPECT_EQ(parsed.fault->part, 1U);
 }
 
 TEST(FaultText, MayHaveADurationAndPlaces) {
@@ -35,10 +36,8 @@ TEST(FaultText, MayHaveADurationAndPlaces) {
   EXPECT_EQ(parsed.fault->kind, 0U);
   EXPECT_EQ(parsed.fault->start, Time(90min));
   EXPECT_EQ(parsed.fault->duration, 30s);
-  ASSERT_EQ(parsed.fault->places.size(), 2U);
-  EXPECT_EQ(parsed.fault->places[0].place, 0U);
-  EXPECT_EQ(parsed.fault->places[0].number, 5U);
-  EXPECT_EQ(parsed.fault->places[1].place, 1U);
+  EXPECT_EQ(parsed.fault->node, 5U);
+  EXPECT_EQ(parsed.fault->part, 0U);
 }
 
 TEST(FaultText, MayBeginAtTheStart) {
@@ -91,7 +90,7 @@ TEST(FaultText, ThatIsWrongIsRefusedInOneLine) {
 
 void expect_names_of_their_own(const FaultGrammar& world) {
   std::set<std::string_view> seen;
-  for (const FaultName& kind : world.kinds) {
+  for (const FaultRow& kind : world.kinds) {
     EXPECT_TRUE(seen.insert(kind.name).second) << kind.name;
     EXPECT_FALSE(kind.description.empty()) << kind.name;
     EXPECT_THAT(std::string(kind.description), Not(HasSubstr("\n")));
@@ -101,28 +100,27 @@ void expect_names_of_their_own(const FaultGrammar& world) {
 
 TEST(FaultOfACharger, EveryKindHasItsName) {
   using charging::FaultKind;
-  const FaultGrammar world = charging::fault_grammar();
+  const FaultGrammar world = fault_grammar<charging::FaultKind>();
   EXPECT_EQ(world.kinds.size(), charging::fault_kinds);
   expect_names_of_their_own(world);
-  EXPECT_EQ(charging::fault_name(FaultKind::heartbeat_loss), "heartbeat-loss");
-  EXPECT_EQ(charging::fault_name(FaultKind::pilot_loss), "pilot-loss");
-  EXPECT_EQ(charging::fault_name(FaultKind::clock_drift), "clock-drift");
+  EXPECT_EQ(fault_name(FaultKind::heartbeat_loss), "heartbeat-loss");
+  EXPECT_EQ(fault_name(FaultKind::pilot_loss), "pilot-loss");
+  EXPECT_EQ(fault_name(FaultKind::clock_drift), "clock-drift");
 }
 
 TEST(FaultOfACharger, IsScheduledAsItIsWritten) {
   const charging::ScheduledFault cut{charging::FaultKind::cable_cut, Time(90min), 30s};
-  const FaultParse parsed = parse_fault(charging::fault_grammar(), "cable-cut@90min+30s");
-  EXPECT_EQ(charging::scheduled(parsed.fault.value()), cut);
+  EXPECT_EQ(parse_fault<charging::FaultKind>("cable-cut@90min+30s").fault, cut);
   EXPECT_EQ(cut.end(), Time(90min) + 30s);
-  EXPECT_EQ(fault_text(charging::fault_grammar(), charging::written(cut)), "cable-cut@90min+30s");
+  EXPECT_EQ(fault_text(cut), "cable-cut@90min+30s");
 }
 
 TEST(FaultOfALift, EveryKindHasItsName) {
   using lift::FaultKind;
-  expect_names_of_their_own(lift::fault_grammar());
-  EXPECT_EQ(lift::fault_name(FaultKind::lost_node), "lost-node");
-  EXPECT_EQ(lift::fault_name(FaultKind::fire_alarm), "fire-alarm");
-  EXPECT_EQ(lift::fault_name(FaultKind::smoke), "smoke");
+  expect_names_of_their_own(fault_grammar<lift::FaultKind>());
+  EXPECT_EQ(fault_name(FaultKind::lost_node), "lost-node");
+  EXPECT_EQ(fault_name(FaultKind::fire_alarm), "fire-alarm");
+  EXPECT_EQ(fault_name(FaultKind::smoke), "smoke");
 }
 
 TEST(FaultOfALift, IsScheduledAsItIsWritten) {
@@ -134,16 +132,15 @@ TEST(FaultOfALift, IsScheduledAsItIsWritten) {
   const Row rows[] = {
       {"dead-encoder@10min", {.kind = dead_encoder, .start = Time(10min)}},
       {"lost-node:lift=2:node=6@10min+30s",
-       {.kind = lost_node, .start = Time(10min), .duration = 30s, .lift = 2, .node = 6}},
+       {.kind = lost_node, .start = Time(10min), .duration = 30s, .part = 2, .node = 6}},
       {"cable-cut:group:node=2@5min",
-       {.kind = cable_cut, .start = Time(5min), .lift = 0, .node = 2}},
+       {.kind = cable_cut, .start = Time(5min), .part = 0, .node = 2}},
       {"stuck-button:floor=5@1h+2min",
-       {.kind = stuck_button, .start = Time(1h), .duration = 2min, .floor = 5}},
+       {.kind = stuck_button, .start = Time(1h), .duration = 2min, .spot = 5}},
   };
   for (const Row& row : rows) {
-    const FaultParse parsed = parse_fault(lift::fault_grammar(), row.text);
-    EXPECT_EQ(lift::scheduled(parsed.fault.value()), row.fault) << row.text;
-    EXPECT_EQ(fault_text(lift::fault_grammar(), lift::written(row.fault)), row.text);
+    EXPECT_EQ(parse_fault<lift::FaultKind>(row.text).fault, row.fault) << row.text;
+    EXPECT_EQ(fault_text(row.fault), row.text);
   }
 }
 

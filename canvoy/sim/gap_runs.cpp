@@ -3,14 +3,15 @@
 #include <cmath>
 #include <cstdio>
 
-#include "canvoy/sim/bus/bus_network.hpp"
-#include "canvoy/sim/charging/charging_network.hpp"
-#include "canvoy/sim/excavator/excavator_network.hpp"
+#include "canvoy/sim/bus/bus_soak.hpp"
+#include "canvoy/sim/charging/charging_soak.hpp"
+#include "canvoy/sim/excavator/excavator_soak.hpp"
 #include "canvoy/sim/gap_sweep.hpp"
 #include "canvoy/sim/lift/lift_network.hpp"
+#include "canvoy/sim/lift/lift_soak.hpp"
 #include "canvoy/sim/lift/standstill_watch.hpp"
-#include "canvoy/sim/police/police_network.hpp"
-#include "canvoy/sim/taxi/taxi_network.hpp"
+#include "canvoy/sim/police/police_soak.hpp"
+#include "canvoy/sim/taxi/taxi_soak.hpp"
 
 namespace canvoy {
 
@@ -54,7 +55,6 @@ void place(Fault& fault, const Kinds& kinds, Random& random, const Gap& gap) {
 
 /// What a run of a world with one gap is drawn from.
 struct Drawn {
-  FaultGrammar grammar;
   Duration time;
   std::span<const Duration> consumer_times;
 };
@@ -66,7 +66,7 @@ GapRun run_gap(Options options, const Drawn& drawn, const Kinds& kinds, Fault fa
   const auto moments = moments_without_fault<Network>(options, time);
   if (moments.empty()) return {};
   place(fault, kinds, random, draw_gap(random, moments, drawn.consumer_times));
-  GapRun run{.fault = fault_text(drawn.grammar, written(fault)), .wrong = {}};
+  GapRun run{.fault = fault_text(fault), .wrong = {}};
   options.faults.faults = {fault};
   Network network(options);
   network.run_until(Time(time));
@@ -95,7 +95,7 @@ lift::LiftNetworkDescription lifts_of(Random& random, std::uint64_t seed) {
 
 GapRun run_lift(const lift::LiftNetworkDescription& description,
                 const lift::ScheduledFault& fault) {
-  GapRun run{.fault = fault_text(lift::fault_grammar(), lift::written(fault)), .wrong = {}};
+  GapRun run{.fault = fault_text(fault), .wrong = {}};
   lift::LiftNetwork network(description);
   lift::StandstillWatch watch;
   for (Time at{}; at <= Time(lift_time); at += lift::StandstillWatch::period) {
@@ -120,9 +120,9 @@ GapRun lift_gap(std::uint64_t seed) {
   constexpr lift::FaultKind kinds[] = {lift::FaultKind::cable_cut, lift::FaultKind::cable_cut,
                                        lift::FaultKind::cable_cut, lift::FaultKind::lost_node};
   const lift::NodeDescription& node = one_of(description.nodes, random);
-  lift::ScheduledFault fault{.lift = node.lift, .node = node.id};
+  lift::ScheduledFault fault{.part = node.lift, .node = node.id};
   place(fault, kinds, random, draw_gap(random, moments, lift_times));
-  description.faults = {fault};
+  description.faults.faults = {fault};
   return run_lift(description, fault);
 }
 
@@ -138,7 +138,7 @@ GapRun charger_gap(std::uint64_t seed) {
   constexpr FaultKind kinds[] = {FaultKind::cable_cut, FaultKind::pdo_loss,
                                  FaultKind::heartbeat_loss, FaultKind::battery_silent};
   constexpr Duration times[] = {1s, 2s, 3s};
-  return run_gap<ChargingNetwork>(options, {fault_grammar(), 20min, times}, kinds, ScheduledFault{},
+  return run_gap<ChargingNetwork>(options, {20min, times}, kinds, charging::ScheduledFault{},
                                   random);
 }
 
@@ -154,8 +154,8 @@ GapRun taxi_gap(std::uint64_t seed) {
   options.length = 50min;
   constexpr Duration times[] = {500ms, 1s, 2s};
   const auto node = static_cast<NodeId>(1 + random.below(device_names.size()));
-  return run_gap<TaxiNetwork>(options, {fault_grammar(), options.length, times},
-                              gap_kinds<FaultKind>, ScheduledFault{.node = node}, random);
+  return run_gap<TaxiNetwork>(options, {options.length, times}, gap_kinds<FaultKind>,
+                              taxi::ScheduledFault{.node = node}, random);
 }
 
 GapRun police_gap(std::uint64_t seed) {
@@ -166,8 +166,8 @@ GapRun police_gap(std::uint64_t seed) {
   options.length = 50min;
   constexpr Duration times[] = {500ms, 1s, 2s};
   const auto node = static_cast<NodeId>(1 + random.below(device_names.size()));
-  return run_gap<PoliceNetwork>(options, {fault_grammar(), options.length, times},
-                                gap_kinds<FaultKind>, ScheduledFault{.node = node}, random);
+  return run_gap<PoliceNetwork>(options, {options.length, times}, gap_kinds<FaultKind>,
+                                police::ScheduledFault{.node = node}, random);
 }
 
 GapRun bus_gap(std::uint64_t seed) {
@@ -178,8 +178,8 @@ GapRun bus_gap(std::uint64_t seed) {
   options.length = 45min;
   constexpr Duration times[] = {1200ms, 2500ms};
   const NodeId node = one_of(device_places, random).id;
-  return run_gap<BusNetwork>(options, {fault_grammar(), options.length, times},
-                             gap_kinds<FaultKind>, ScheduledFault{.node = node}, random);
+  return run_gap<BusNetwork>(options, {options.length, times}, gap_kinds<FaultKind>,
+                             bus::ScheduledFault{.node = node}, random);
 }
 
 GapRun excavator_gap(std::uint64_t seed) {
@@ -192,18 +192,98 @@ GapRun excavator_gap(std::uint64_t seed) {
                                  FaultKind::lost_node};
   constexpr Duration times[] = {consumer_time};
   const NodeId node = one_of(device_places, random).id;
-  return run_gap<ExcavatorNetwork>(options, {fault_grammar(), options.length, times}, kinds,
-                                   ScheduledFault{.node = node}, random);
+  return run_gap<ExcavatorNetwork>(options, {options.length, times}, kinds,
+                                   excavator::ScheduledFault{.node = node}, random);
 }
 
-constexpr GapWorld worlds[] = {{"lift", lift_gap}, {"charger", charger_gap},
-                               {"taxi", taxi_gap}, {"police", police_gap},
-                               {"bus", bus_gap},   {"excavator", excavator_gap}};
+// Soaks.
+
+template <class Network, class Options>
+std::vector<std::string> wrong_of(const Options& options, Duration time) {
+  Network network(options);
+  network.run_until(Time(time));
+  GapRun run;
+  judge(network, run);
+  return run.wrong;
+}
+
+/// Where this invariant is not broken in spite of a sabotage, one more line.
+template <class Network, class Kind>
+std::vector<std::string> and_seen(std::vector<std::string> wrong, const Network& sabotaged,
+                                  Kind kind, const char* complaint) {
+  for (const auto& invariant : sabotaged.invariants()) {
+    if (invariant.kind == kind && !invariant.held) return wrong;
+  }
+  wrong.emplace_back(complaint);
+  return wrong;
+}
+template <class Network, class Options, class Kind>
+std::vector<std::string> soak_of(const Options& options, const Options& sabotaged, Duration time,
+                                 Kind kind, const char* complaint) {
+  Network network(sabotaged);
+  network.run_until(Time(time));
+  return and_seen(wrong_of<Network>(options, time), network, kind, complaint);
+}
+
+std::vector<std::string> lift_soak(std::uint64_t seed) {
+  using namespace lift;
+  std::vector<std::string> wrong = wrong_of<LiftNetwork>(soak_network(seed), soak_time);
+  for (const std::string& line : wrong_of<LiftNetwork>(soak_network_of_pairs(seed), soak_time)) {
+    wrong.push_back("pairs of faults: " + line);
+  }
+  return wrong;
+}
+
+std::vector<std::string> charger_soak(std::uint64_t seed) {
+  using namespace charging;
+  ChargingNetwork network(soak_charging(seed));
+  weld_contactor(network);
+  network.run_until(Time(charging_soak_time));
+  return and_seen(wrong_of<ChargingNetwork>(soak_charging(seed), charging_soak_time), network,
+                  InvariantKind::current_outside_handshake, "a welded contactor was not seen");
+}
+
+std::vector<std::string> taxi_soak(std::uint64_t seed) {
+  using namespace taxi;
+  TaxiOptions sabotaged = soak_taxi(seed);
+  enlarge_wheels(sabotaged);
+  return soak_of<TaxiNetwork>(soak_taxi(seed), sabotaged, taxi_soak_time, InvariantKind::distance,
+                              "wheels that are too large were not seen");
+}
+
+std::vector<std::string> police_soak(std::uint64_t seed) {
+  using namespace police;
+  PoliceOptions sabotaged = soak_police(seed);
+  darken(sabotaged);
+  return soak_of<PoliceNetwork>(soak_police(seed), sabotaged, police_soak_time,
+                                InvariantKind::blue_light, "flashers without light were not seen");
+}
+
+std::vector<std::string> bus_soak(std::uint64_t seed) {
+  using namespace bus;
+  BusNetworkOptions sabotaged = soak_bus(seed);
+  freeze(sabotaged);
+  return soak_of<BusNetwork>(soak_bus(seed), sabotaged, bus_soak_time, InvariantKind::lie,
+                             "a destination that does not change was not seen");
+}
+
+std::vector<std::string> excavator_soak(std::uint64_t seed) {
+  using namespace excavator;
+  ExcavatorOptions sabotaged = soak_excavator(seed);
+  darken(sabotaged);
+  return soak_of<ExcavatorNetwork>(soak_excavator(seed), sabotaged, excavator_soak_time,
+                                   InvariantKind::indicators, "a lamp without light was not seen");
+}
+
+constexpr SimulatedWorld all_worlds[] = {
+    {"lift", lift_gap, lift_soak}, {"charger", charger_gap, charger_soak},
+    {"taxi", taxi_gap, taxi_soak}, {"police", police_gap, police_soak},
+    {"bus", bus_gap, bus_soak},    {"excavator", excavator_gap, excavator_soak}};
 
 }  // namespace
 
-std::span<const GapWorld> gap_worlds() {
-  return worlds;
+std::span<const SimulatedWorld> simulated_worlds() {
+  return all_worlds;
 }
 
 }  // namespace canvoy

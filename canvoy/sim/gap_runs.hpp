@@ -1,8 +1,9 @@
-// Runs of each world with one gap in its communication, drawn by a seed: what the world judges has
-// to hold, and nothing may stand still for longer than the gap and the time in which it is noticed.
+// Runs of each world that are drawn by a seed, as tests and campaigns try them. One row of the
+// table registers a world.
 //
-//     const GapRun run = lift_gap(17);
-//     if (!run.wrong.empty()) report(run.fault, run.wrong);
+//     for (const SimulatedWorld& world : simulated_worlds()) {
+//       for (const std::string& wrong : world.soak(17)) report(world.name, wrong);
+//     }
 #pragma once
 
 #include <cstdint>
@@ -12,16 +13,20 @@
 
 namespace canvoy {
 
+/// A run with one gap in the communication: what the world judges has to hold, and nothing may
+/// stand still for longer than the gap and the time in which it is noticed.
 struct GapRun {
   std::string fault;               ///< as `canvoy run WORLD --fault` takes it
   std::vector<std::string> wrong;  ///< a line for each thing; empty: nothing was
 };
 
-/// A world, and how one of its runs is drawn.
-struct GapWorld {
+struct SimulatedWorld {
   const char* name = "";
-  GapRun (*run)(std::uint64_t seed) = nullptr;
+  GapRun (*gap)(std::uint64_t seed) = nullptr;
+  /// Hours with faults, alone and in pairs, in which all has to hold; and the same with a sabotage,
+  /// which has to be seen. A line for each wrong verdict.
+  std::vector<std::string> (*soak)(std::uint64_t seed) = nullptr;
 };
-std::span<const GapWorld> gap_worlds();
+std::span<const SimulatedWorld> simulated_worlds();
 
 }  // namespace canvoy

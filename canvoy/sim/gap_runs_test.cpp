@@ -12,11 +12,11 @@ constexpr std::uint64_t seeds = 10;
 constexpr std::uint64_t seeds = 2;
 #endif
 
-class Gaps : public testing::TestWithParam<GapWorld> {};
+class Gaps : public testing::TestWithParam<SimulatedWorld> {};
 
 TEST_P(Gaps, LeaveNobodyStandingForLongerThanTheyLastAndAreNoticed) {
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-    const GapRun run = GetParam().run(seed);
+    const GapRun run = GetParam().gap(seed);
     for (const std::string& wrong : run.wrong) {
       ADD_FAILURE() << "seed " << seed << ", " << run.fault << ": " << wrong;
     }
@@ -24,7 +24,7 @@ TEST_P(Gaps, LeaveNobodyStandingForLongerThanTheyLastAndAreNoticed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(EachWorld, Gaps,
-                         testing::ValuesIn(gap_worlds().begin(), gap_worlds().end()),
+                         testing::ValuesIn(simulated_worlds().begin(), simulated_worlds().end()),
                          [](const auto& row) { return std::string(row.param.name); });
 
 }  // namespace

@@ -4,12 +4,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <span>
 #include <string_view>
 
 namespace canvoy {
 
-/// In the words of its world; its place in a list of them is the number of the kind.
-struct InvariantName {
+/// An invariant in the words of its world: a row, whose place is the number of the kind.
+struct InvariantRow {
   std::string_view name;  ///< `no_endless_wait`
   std::string_view text;  ///< in front of a measure: `longest wait`
   std::string_view unit;  ///< of the measure: `s`; empty: a count
@@ -29,5 +31,11 @@ struct Invariant {
   /// worlds call that held.
   bool decided = true;
 };
+
+/// Of the world of a kind, whose rows_of(Kind) is found beside it.
+template <class Kind>
+constexpr const InvariantRow& invariant_name(Kind kind) {
+  return rows_of(kind)[static_cast<std::size_t>(kind)];
+}
 
 }  // namespace canvoy

@@ -2,7 +2,7 @@
 //
 //     Random random(seed);
 //     faults = soak_faults(random, 6, time - quiet, [](Random& random, Time start) {
-//       return soak_fault<ScheduledFault>(random, fault_kinds, start);
+//       return soak_fault<FaultKind>(random, start);
 //     });
 #pragma once
 
@@ -13,6 +13,7 @@
 
 #include "canvoy/can/random.hpp"
 #include "canvoy/can/time.hpp"
+#include "canvoy/sim/fault.hpp"
 
 namespace canvoy {
 
@@ -20,14 +21,22 @@ inline Duration soak_time_up_to(Random& random, Duration max) {
   return Duration(1ms) * random.below(static_cast<std::uint32_t>(max / Duration(1ms)));
 }
 
-/// Any of so many kinds, from an instant to minutes.
-template <class Fault>
-Fault soak_fault(Random& random, std::size_t kinds, Time start) {
+/// Any kind of a world, from an instant to minutes. One of a node is at any of `nodes`, which
+/// `node_at` numbers from 0 on.
+template <class Kind>
+ScheduledFault<Kind> soak_fault(Random& random, Time start, std::size_t nodes = 0,
+                                NodeId (*node_at)(std::size_t) = nullptr) {
   constexpr Duration longest[] = {200ms, 3s, 30s, 5min};
-  Fault fault{};
-  fault.kind = static_cast<decltype(fault.kind)>(random.below(static_cast<std::uint32_t>(kinds)));
+  const auto any_of = [&random](std::size_t count) {
+    return random.below(static_cast<std::uint32_t>(count));
+  };
+  ScheduledFault<Kind> fault{};
+  fault.kind = static_cast<Kind>(any_of(fault_grammar<Kind>().kinds.size()));
   fault.start = start;
   fault.duration = Duration(1ms) + soak_time_up_to(random, longest[random.below(4)]);
+  if (has_node(fault.kind)) fault.node = node_at(any_of(nodes));
+  if (has_spot(fault.kind))
+    fault.spot = static_cast<std::uint8_t>(1 + any_of(fault_row(fault.kind).traits.spot));
   return fault;
 }
 

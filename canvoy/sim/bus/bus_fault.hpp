@@ -1,14 +1,9 @@
-// What goes wrong in a bus, when and for how long.
+// What goes wrong in a bus.
 //
-//     ScheduledFault fault{.kind = FaultKind::lost_node, .node = 5, .start = Time(20min)};
+//     ScheduledFault fault{.kind = FaultKind::lost_node, .start = Time(20min), .node = 5};
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <string_view>
-#include <vector>
-
-#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/sim/bus/bus_places.hpp"
 #include "canvoy/sim/fault.hpp"
 
 namespace canvoy::bus {
@@ -24,40 +19,33 @@ enum class FaultKind : std::uint8_t {
   broken_door,
   blocked_door,
   no_paper,
-  train_bus_cut,
+  train_bus_cut
 };
-inline constexpr std::size_t fault_kinds = static_cast<std::size_t>(FaultKind::train_bus_cut) + 1;
 
-/// A restart is over at once.
-constexpr bool lasts(FaultKind kind) {
-  return kind != FaultKind::restart;
+inline constexpr FaultRow fault_rows[] = {
+    {"lost-node",
+     "a device has no power (default: the next stop indicator)",
+     {.is_at_node = true, .node = next_stop_id}},
+    {"restart",
+     "a device boots again (default: the on-board computer)",
+     {.is_at_node = true, .node = computer_id, .is_over_at_once = true}},
+    {"cable-cut", "the bus cable is cut behind a device (default: the on-board computer)"},
+    {"babbling-node", "a stranger fills the bus with frames of the highest priority"},
+    {"corrupted-frames", "one frame in a hundred is disturbed, and sent again"},
+    {"wrong-clock", "the clock of the on-board computer is an hour fast"},
+    {"no-satellites", "there is no signal of satellites: no position, no time"},
+    {"broken-door", "the second door stays as it is"},
+    {"blocked-door", "something lies in the second door"},
+    {"no-paper", "the ticket printer has no paper"},
+    {"train-bus-cut", "the train bus to the second car is cut"},
+};
+inline constexpr std::size_t fault_kinds = std::size(fault_rows);
+static_assert(fault_kinds == static_cast<std::size_t>(FaultKind::train_bus_cut) + 1);
+constexpr FaultGrammar grammar_of(FaultKind) {
+  return {fault_rows, node_place};
 }
-/// The fault is one of a node: lost_node, restart.
-constexpr bool has_node(FaultKind kind) {
-  return kind == FaultKind::lost_node || kind == FaultKind::restart;
-}
 
-/// All kinds, in the order of FaultKind; `:node=N` says where.
-FaultGrammar fault_grammar();
-std::string_view fault_name(FaultKind kind);
-
-struct ScheduledFault {
-  FaultKind kind = FaultKind::lost_node;
-  NodeId node = 0;  ///< 0: the plan leaves it open: the next stop indicator, or of a restart the
-                    ///< on-board computer
-  Time start{};
-  Duration duration = for_the_rest;
-
-  Time end() const { return end_of_fault(start, duration); }
-  friend bool operator==(const ScheduledFault&, const ScheduledFault&) = default;
-};
-ScheduledFault scheduled(const WrittenFault& fault);
-WrittenFault written(const ScheduledFault& fault);
-
-struct FaultPlan {
-  std::uint64_t seed = 1;  ///< of what is left to chance
-  std::vector<ScheduledFault> faults{};
-  double corrupted_share = 0.01;  ///< corrupted_frames: of all frames, 0 to 1
-};
+using ScheduledFault = canvoy::ScheduledFault<FaultKind>;
+using FaultPlan = canvoy::FaultPlan<FaultKind>;
 
 }  // namespace canvoy::bus

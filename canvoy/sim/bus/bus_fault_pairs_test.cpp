@@ -52,7 +52,7 @@ TEST(BusFaultPairsFound, AWrongClockIsGoneByWhereNoSatellitesAreHeard) {
       .kind = FaultKind::no_satellites, .start = Time(10min), .duration = 5min};
   EXPECT_EQ(played_with_wrong_clock(blind), "");
   const ScheduledFault lost = {
-      .kind = FaultKind::lost_node, .node = positioning_id, .start = Time(10min), .duration = 5min};
+      .kind = FaultKind::lost_node, .start = Time(10min), .duration = 5min, .node = positioning_id};
   EXPECT_EQ(played_with_wrong_clock(lost), "");
   const ScheduledFault brief = {
       .kind = FaultKind::no_satellites, .start = Time(10min), .duration = 1min};

@@ -8,26 +8,15 @@ namespace {
 
 constexpr std::size_t second_door = 1;
 
-/// 0: it is at no node.
-NodeId place_of_fault(const ScheduledFault& fault) {
-  if (!has_node(fault.kind)) return 0;
-  if (fault.node != 0) return fault.node;
-  return fault.kind == FaultKind::restart ? computer_id : next_stop_id;
-}
-
 }  // namespace
 
 BusFaults::BusFaults(BusNodes& nodes, const FaultPlan& plan, const Parts& parts, const Hands& hands,
                      EventLog<NetworkEvent>& events)
     : nodes_(nodes),
-      plan_(plan),
       parts_(parts),
       hands_(hands),
       events_(events),
-      faults_(plan.faults,
-              {.began = Callback<void(std::size_t)>::to<&BusFaults::began>(*this),
-               .ended = Callback<void(std::size_t)>::to<&BusFaults::ended>(*this),
-               .set = Callback<void(const ScheduledFault&, bool)>::to<&BusFaults::set>(*this)}),
+      faults_(plan.faults, Engine::of(*this)),
       troubles_{BusTrouble(nodes.cable(1)), BusTrouble(nodes.cable(2))},
       cuts_(PowerCuts::Switch::to<&BusFaults::power>(*this)) {}
 
@@ -37,8 +26,8 @@ void BusFaults::plan() {
 }
 
 void BusFaults::began(std::size_t fault) {
-  const ScheduledFault& it = plan_.faults[fault];
-  const NodeId id = place_of_fault(it);
+  const ScheduledFault& it = faults_[fault];
+  const NodeId id = node_of(it);
   events_.note(now(), FaultBegan{fault, it.kind, {.bus = nodes_.index_of(id), .node = id}});
   const InvariantSet kinds = affected_by(it.kind, id);
   parts_.referee.fault_begins(kinds, now());
@@ -47,18 +36,19 @@ void BusFaults::began(std::size_t fault) {
 }
 
 void BusFaults::ended(std::size_t fault) {
-  const ScheduledFault& it = plan_.faults[fault];
-  const NodeId id = place_of_fault(it);
+  const ScheduledFault& it = faults_[fault];
+  const NodeId id = node_of(it);
   events_.note(now(), FaultEnded{fault, it.kind, {.bus = nodes_.index_of(id), .node = id}});
   if (lasts(it.kind)) parts_.referee.fault_ends(affected_by(it.kind, id), now());
 }
 
-void BusFaults::set(const ScheduledFault& fault, bool is_present) {
+void BusFaults::set(std::size_t number, bool is_present) {
+  const ScheduledFault& fault = faults_[number];
   switch (fault.kind) {
     case FaultKind::lost_node:
-      return cuts_.set_power(place_of_fault(fault), !is_present);
+      return cuts_.set_power(node_of(fault), !is_present);
     case FaultKind::restart:
-      return is_present ? cuts_.restart(place_of_fault(fault)) : void();
+      return is_present ? cuts_.restart(node_of(fault)) : void();
     case FaultKind::cable_cut:
     case FaultKind::babbling_node:
     case FaultKind::corrupted_frames:
@@ -92,7 +82,7 @@ void BusFaults::set_of_cables(const ScheduledFault& fault, bool is_present) {
       return first.babble(is_present);
     case FaultKind::corrupted_frames:
       for (BusTrouble& trouble : troubles_) {
-        trouble.disturb(is_present ? plan_.corrupted_share : 0);
+        trouble.disturb(is_present ? corrupted_share : 0);
       }
       return;
     default:

@@ -14,7 +14,7 @@
 #include "canvoy/sim/bus/ticket_devices.hpp"
 #include "canvoy/sim/bus/vehicle_sensors.hpp"
 #include "canvoy/sim/bus_trouble.hpp"
-#include "canvoy/sim/planned_faults.hpp"
+#include "canvoy/sim/fault_engine.hpp"
 #include "canvoy/sim/power_cuts.hpp"
 
 namespace canvoy::bus {
@@ -53,20 +53,21 @@ class BusFaults {
   bool is_without_power(NodeId id) const { return cuts_.is_cut(id); }
 
  private:
+  using Engine = FaultEngine<FaultKind>;
+  friend Engine;
   Time now() const { return nodes_.world().now(); }
   void began(std::size_t fault);
   void ended(std::size_t fault);
-  void set(const ScheduledFault& fault, bool is_present);
+  void set(std::size_t fault, bool is_present);
   void set_of_cables(const ScheduledFault& fault, bool is_present);
   void cut(NodeId behind, bool is_present);
   void power(NodeId id, bool is_on);
 
   BusNodes& nodes_;
-  const FaultPlan& plan_;
   Parts parts_;
   Hands hands_;
   EventLog<NetworkEvent>& events_;
-  PlannedFaults<ScheduledFault, fault_kinds> faults_;
+  Engine faults_;
   std::array<BusTrouble, 2> troubles_;  ///< of the cable of each car
   PowerCuts cuts_;
 };

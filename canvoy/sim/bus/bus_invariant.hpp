@@ -1,41 +1,57 @@
 // What must hold in a bus, whatever happens, and by how much it did.
 #pragma once
 
-#include <cstdint>
-#include <span>
-
 #include "canvoy/sim/invariant.hpp"
 
 namespace canvoy::bus {
 
 enum class InvariantKind : std::uint8_t {
-  next_stop,      ///< the longest time that the next stop was not to be read; in s
-  destination,    ///< the same of line and destination
-  information,    ///< the same of the route's text
-  lie,            ///< the longest time that a display said what is not so; in s
-  texts,          ///< texts that were shown and are none of the line's: mangled, cut
-  stop_sign,      ///< the longest time that somebody had pressed the button and no sign lit; in s
-  announcements,  ///< stops that were not announced, or another one was
-  tickets,        ///< tickets with another zone, segment, line, block or stop than the bus is at
-  clock,          ///< the longest time between two messages with the right time; in s
-  passengers,     ///< the longest time that others were counted than are aboard; in s
-  pdo_tables,     ///< pre-defined messages with anything but what their table says is so
-  service,        ///< people who were carried past their stop, or got no ticket
-  second_car,     ///< the longest time that line, destination or next stop were not to be read
-                  ///< there; in s
-  second_announcements,  ///< stops that were not announced there, or another one was
-  second_stop_sign,  ///< the longest time that somebody had pressed a button and no sign lit there,
-                     ///< or one of there, and none lit in the first car; in s
-  false_stop_sign,   ///< the longest time on the way that a sign was lit, in either car, though
-                     ///< nobody had pressed a button since the bus stood; in s
-  device_missing,    ///< the longest time that a device was not operational without an excuse; in s
+  next_stop,
+  destination,
+  information,
+  lie,
+  texts,
+  stop_sign,
+  announcements,
+  tickets,
+  clock,
+  passengers,
+  pdo_tables,
+  service,
+  second_car,
+  second_announcements,
+  second_stop_sign,
+  false_stop_sign,
+  device_missing
 };
-inline constexpr std::size_t invariant_kinds =
-    static_cast<std::size_t>(InvariantKind::device_missing) + 1;
 
 /// All kinds, in the order of InvariantKind.
-std::span<const InvariantName> invariant_names();
-const InvariantName& invariant_name(InvariantKind kind);
+inline constexpr InvariantRow invariant_rows[] = {
+    {"next_stop", "the next stop was not to be read for at most", "s"},
+    {"destination", "the destination was not to be read for at most", "s"},
+    {"information", "the route was not to be read for at most", "s"},
+    {"lie", "a display said what is not so for at most", "s"},
+    {"texts", "texts shown that are none of the line's", ""},
+    {"stop_sign", "the stop button was pressed and no sign was lit for at most", "s"},
+    {"announcements", "stops that were announced wrongly or not", ""},
+    {"tickets", "tickets with a wrong place, line or block", ""},
+    {"clock", "the right time was not told for at most", "s"},
+    {"passengers", "others were counted than are aboard for at most", "s"},
+    {"pdo_tables", "pre-defined messages with other than their table's contents", ""},
+    {"service", "people who were carried past their stop, or got no ticket", ""},
+    {"second_car", "destination or next stop were not to be read in the second car for at most",
+     "s"},
+    {"second_announcements", "stops that were announced wrongly or not in the second car", ""},
+    {"second_stop_sign",
+     "the stop button was pressed and no sign was lit in or for the second car for at most", "s"},
+    {"false_stop_sign", "a stop sign was lit though nobody had pressed for at most", "s"},
+    {"device_missing", "a device was missing without an excuse for at most", "s"},
+};
+inline constexpr std::size_t invariant_kinds = std::size(invariant_rows);
+static_assert(invariant_kinds == static_cast<std::size_t>(InvariantKind::device_missing) + 1);
+constexpr std::span<const InvariantRow> rows_of(InvariantKind) {
+  return invariant_rows;
+}
 
 using Invariant = canvoy::Invariant<InvariantKind>;
 

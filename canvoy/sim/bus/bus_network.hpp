@@ -3,7 +3,7 @@
 // plan, and referees.
 //
 //     BusNetworkOptions options;
-//     options.faults.faults = {{.kind = FaultKind::restart, .node = 1, .start = Time(20min)}};
+//     options.faults.faults = {{.kind = FaultKind::restart, .start = Time(20min), .node = 1}};
 //     BusNetwork network(options);
 //     network.run_until(network.end());
 //     for (const Invariant& invariant : network.invariants()) ok = ok && invariant.held;

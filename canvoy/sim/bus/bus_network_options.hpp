@@ -2,7 +2,7 @@
 // who is not played here.
 //
 //     BusNetworkOptions options;
-//     options.faults.faults = {{.kind = FaultKind::restart, .node = 1, .start = Time(20min)}};
+//     options.faults.faults = {{.kind = FaultKind::restart, .start = Time(20min), .node = 1}};
 #pragma once
 
 #include <chrono>

@@ -211,7 +211,7 @@ TEST(BusNetwork, TheSecondCarIsDarkWithoutTheTrainBus) {
 
 TEST(BusNetwork, TheSecondCarIsDarkWithoutTheComputerOfTheFirst) {
   BusNetworkOptions options = with_seed(1);
-  options.faults.faults = {{.node = computer_id, .start = Time(10min), .duration = 5min}};
+  options.faults.faults = {{.start = Time(10min), .duration = 5min, .node = computer_id}};
   BusNetwork network(options);
   // The gateway misses its heartbeat after 1.2 s, as displays of the first car do.
   network.run_until(Time(10min + 1900ms));
@@ -260,7 +260,7 @@ TEST(BusNetwork, WithoutTheTrainBusPeopleOfTheSecondCarGoForwardToPress) {
 /// The gateway keeps 6204h while the computer is lost, and the stop that was meant goes by.
 TEST(BusNetwork, AComputerThatComesBackTakesNoOldRequestOfTheTrain) {
   BusNetworkOptions options = with_seed(1);
-  options.faults.faults = {{.node = computer_id, .start = Time(9min + 30s), .duration = 2min}};
+  options.faults.faults = {{.start = Time(9min + 30s), .duration = 2min, .node = computer_id}};
   BusNetwork network(options);
   network.run_until(Time(9min + 29s));
   EXPECT_TRUE(network.display(second_next_stop_id).is_sign_lit());
@@ -358,7 +358,7 @@ TEST(BusPath, TheNearestPlaceOfAPointIsOnAPiece) {
 
 TEST(BusNetwork, AComputerThatRestartsOnTheWayFindsItsPlaceAgain) {
   BusNetworkOptions options = with_seed(1);
-  options.faults.faults = {{.kind = FaultKind::restart, .node = computer_id, .start = Time(10min)}};
+  options.faults.faults = {{.kind = FaultKind::restart, .start = Time(10min), .node = computer_id}};
   BusNetwork network(options);
   network.run_until(Time(10min) - 1us);
   const std::string before = network.display(next_stop_id).text();
@@ -373,7 +373,7 @@ TEST(BusNetwork, AComputerThatRestartsOnTheWayFindsItsPlaceAgain) {
 
 TEST(BusNetwork, DisplaysGoDarkWithoutTheirComputer) {
   BusNetworkOptions options = with_seed(1);
-  options.faults.faults = {{.node = computer_id, .start = Time(10min), .duration = 5min}};
+  options.faults.faults = {{.start = Time(10min), .duration = 5min, .node = computer_id}};
   BusNetwork network(options);
   // Its heartbeat is twice a second, and is waited for 1.2 s.
   network.run_until(Time(10min + 1300ms));
@@ -408,9 +408,9 @@ class BusFault : public testing::TestWithParam<const char*> {};
 
 TEST_P(BusFault, AloneBreaksNothing) {
   BusNetworkOptions options = with_seed(1);
-  const FaultParse parsed = parse_fault(fault_grammar(), GetParam());
+  const ParsedFault<FaultKind> parsed = parse_fault<FaultKind>(GetParam());
   ASSERT_TRUE(parsed.fault) << parsed.error;
-  options.faults.faults = {scheduled(*parsed.fault)};
+  options.faults.faults = {*parsed.fault};
   // To the next stops, where what came back is learnt anew; or on through the next journey.
   const ScheduledFault& fault = options.faults.faults.front();
   const Time over = fault.end() == never ? fault.start : fault.end();

@@ -11,12 +11,8 @@ constexpr std::uint32_t bus_faults_max = 6;
 constexpr Duration bus_quiet = 30min;
 
 ScheduledFault any_bus_fault(Random& random, Time start) {
-  auto fault = soak_fault<ScheduledFault>(random, fault_kinds, start);
-  if (has_node(fault.kind)) {
-    constexpr auto nodes = static_cast<std::uint32_t>(device_places.size());
-    fault.node = device_places.at(random.below(nodes)).id;
-  }
-  return fault;
+  return soak_fault<FaultKind>(random, start, device_places.size(),
+                               [](std::size_t i) { return device_places.at(i).id; });
 }
 
 }  // namespace

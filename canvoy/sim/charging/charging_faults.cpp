@@ -4,6 +4,16 @@
 
 namespace canvoy::charging {
 
+namespace {
+
+// How bad faults of the battery are, as the rows of the kinds say.
+constexpr std::int32_t clock_drift_ppm = 5000;
+constexpr double hot_celsius = 55;  ///< what its sensor shows
+constexpr double cold_celsius = -12;
+constexpr std::uint32_t wrong_bit_rate = 250'000;
+
+}  // namespace
+
 ChargingFaults::ChargingFaults(World& world, const ChargingOptions& options,
                                ChargingDevices& devices, ChargingReferees& referees,
                                std::vector<ChargingEvent>& events)
@@ -12,13 +22,10 @@ ChargingFaults::ChargingFaults(World& world, const ChargingOptions& options,
       devices_(&devices),
       referees_(&referees),
       events_(&events),
-      trouble_(world.bus(devices.bus())) {
-  for (std::size_t i = 0; i < options.faults.faults.size(); ++i) {
-    const ScheduledFault& fault = options.faults.faults[i];
-    prepare(fault.kind);
-    world.at(fault.start, [this, i](Time) { begin(i); });
-    if (fault.end() != never) world.at(fault.end(), [this, i](Time) { end(i); });
-  }
+      trouble_(world.bus(devices.bus())),
+      faults_(options.faults.faults, Engine::of(*this), FaultMaking::each) {
+  for (const ScheduledFault& fault : options.faults.faults) prepare(fault.kind);
+  faults_.plan(world);
 }
 
 ChargingFaults::~ChargingFaults() = default;
@@ -33,25 +40,18 @@ void ChargingFaults::prepare(FaultKind kind) {
   if (kind == FaultKind::babbling_node) trouble_.attach_babbler();
 }
 
-void ChargingFaults::begin(std::size_t fault) {
-  const FaultKind kind = options_->faults.faults[fault].kind;
-  const Time now = world_->now();
-  events_->push_back({now, FaultBegan{fault, kind}});
-  ++present_.at(static_cast<std::size_t>(kind));
-  set(kind, true);
-  referees_->fault_began(now, fault);
+void ChargingFaults::began(std::size_t fault) {
+  events_->push_back({world_->now(), FaultBegan{fault, faults_[fault].kind}});
+  referees_->fault_began(world_->now(), fault);
 }
 
-void ChargingFaults::end(std::size_t fault) {
-  const FaultKind kind = options_->faults.faults[fault].kind;
-  const Time now = world_->now();
-  events_->push_back({now, FaultEnded{fault, kind}});
-  // Another one of the same kind may last longer.
-  if (--present_.at(static_cast<std::size_t>(kind)) == 0) set(kind, false);
-  referees_->fault_ended(now, fault);
+void ChargingFaults::ended(std::size_t fault) {
+  events_->push_back({world_->now(), FaultEnded{fault, faults_[fault].kind}});
+  referees_->fault_ended(world_->now(), fault);
 }
 
-void ChargingFaults::set(FaultKind kind, bool present) {
+void ChargingFaults::set(std::size_t fault, bool present) {
+  const FaultKind kind = faults_[fault].kind;
   switch (kind) {
     case FaultKind::heartbeat_loss:
       return devices_->battery_port().lose(
@@ -63,12 +63,13 @@ void ChargingFaults::set(FaultKind kind, bool present) {
     case FaultKind::battery_silent:
       return devices_->power_battery(!present);
     case FaultKind::battery_restart:
-      return present && !is_present(FaultKind::battery_silent) ? devices_->power_battery(true)
-                                                               : void();
+      return present && !faults_.is_present(FaultKind::battery_silent)
+                 ? devices_->power_battery(true)
+                 : void();
     case FaultKind::cable_cut:
       return trouble_.cut_cable(devices_->charger_controller(), present);
     case FaultKind::corrupted_frames:
-      return trouble_.disturb(present ? options_->faults.corrupted_share : 0);
+      return trouble_.disturb(present ? corrupted_share : 0);
     case FaultKind::babbling_node:
       return trouble_.babble(present);
     case FaultKind::duplicate_node_id:
@@ -76,10 +77,9 @@ void ChargingFaults::set(FaultKind kind, bool present) {
     case FaultKind::wrong_bit_rate:
       return world_->bus(devices_->bus())
           .set_bit_rate(devices_->battery_controller(),
-                        present ? options_->faults.wrong_bit_rate : options_->bit_rate);
+                        present ? wrong_bit_rate : options_->bit_rate);
     case FaultKind::clock_drift:
-      return world_->set_clock_drift(devices_->battery_slot(),
-                                     present ? options_->faults.clock_drift_ppm : 0);
+      return world_->set_clock_drift(devices_->battery_slot(), present ? clock_drift_ppm : 0);
     default:
       return set_in_plant(kind, present);
   }
@@ -111,11 +111,11 @@ void ChargingFaults::set_in_plant(FaultKind kind, bool present) {
 /// One sensor shows both: the fault that came last, as long as it lasts.
 void ChargingFaults::show_temperature(FaultKind last) {
   const FaultKind other = last == FaultKind::too_hot ? FaultKind::too_cold : FaultKind::too_hot;
-  const FaultKind kind = is_present(last) ? last : other;
+  const FaultKind kind = faults_.is_present(last) ? last : other;
   std::optional<double>& shown = devices_->plant().battery.faults.shown_celsius;
   shown.reset();
-  if (!is_present(kind)) return;
-  shown = kind == FaultKind::too_hot ? options_->faults.hot_celsius : options_->faults.cold_celsius;
+  if (!faults_.is_present(kind)) return;
+  shown = kind == FaultKind::too_hot ? hot_celsius : cold_celsius;
 }
 
 }  // namespace canvoy::charging

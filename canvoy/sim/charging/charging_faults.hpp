@@ -4,7 +4,6 @@
 //     ChargingFaults faults(world, options, devices, referees, events);   // plans them all
 #pragma once
 
-#include <array>
 #include <memory>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include "canvoy/sim/charging/charging_devices.hpp"
 #include "canvoy/sim/charging/charging_event.hpp"
 #include "canvoy/sim/charging/charging_referees.hpp"
+#include "canvoy/sim/fault_engine.hpp"
 
 namespace canvoy::charging {
 
@@ -28,11 +28,12 @@ class ChargingFaults {
   ChargingFaults& operator=(const ChargingFaults&) = delete;
 
  private:
+  using Engine = FaultEngine<FaultKind>;
+  friend Engine;
   void prepare(FaultKind kind);
-  void begin(std::size_t fault);
-  void end(std::size_t fault);
-  bool is_present(FaultKind kind) const { return present_.at(static_cast<std::size_t>(kind)) != 0; }
-  void set(FaultKind kind, bool present);
+  void began(std::size_t fault);
+  void ended(std::size_t fault);
+  void set(std::size_t fault, bool present);
   void set_in_plant(FaultKind kind, bool present);
   void show_temperature(FaultKind last);
 
@@ -43,7 +44,7 @@ class ChargingFaults {
   std::vector<ChargingEvent>* events_;
   std::unique_ptr<Imposter> imposter_;
   BusTrouble trouble_;
-  std::array<unsigned, fault_kinds> present_{};  ///< how many of each kind
+  Engine faults_;
 };
 
 }  // namespace canvoy::charging

@@ -11,7 +11,7 @@ constexpr Duration last_fault = 30s;
 constexpr double welded_ampere = 30;
 
 ScheduledFault any_fault(Random& random, Time start) {
-  return soak_fault<ScheduledFault>(random, fault_kinds, start);
+  return soak_fault<FaultKind>(random, start);
 }
 
 }  // namespace

@@ -1,15 +1,9 @@
-// What goes wrong between a battery and its charger, when and for how long: a plain struct of
-// options. With the seed it decides every failure.
+// What goes wrong between a battery and its charger. With the seed a plan of faults decides every
+// failure.
 //
 //     FaultPlan plan{.seed = 1, .faults = {{FaultKind::heartbeat_loss, Time(20min)}}};
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <string_view>
-#include <vector>
-
-#include "canvoy/can/time.hpp"
 #include "canvoy/sim/fault.hpp"
 
 namespace canvoy::charging {
@@ -30,35 +24,35 @@ enum class FaultKind : std::uint8_t {
   babbling_node,
   duplicate_node_id,
   wrong_bit_rate,
-  clock_drift,
+  clock_drift
 };
 
-inline constexpr std::size_t fault_kinds = static_cast<std::size_t>(FaultKind::clock_drift) + 1;
-
-/// All kinds, in the order of FaultKind. They have no places: there is one of each.
-FaultGrammar fault_grammar();
-std::string_view fault_name(FaultKind kind);
-
-struct ScheduledFault {
-  FaultKind kind = FaultKind::heartbeat_loss;
-  Time start{};
-  Duration duration = for_the_rest;
-
-  Time end() const { return end_of_fault(start, duration); }
-  friend bool operator==(const ScheduledFault&, const ScheduledFault&) = default;
+/// They have no places: there is one of each.
+inline constexpr FaultRow fault_rows[] = {
+    {"heartbeat-loss", "the battery's heartbeat does not arrive; all else does"},
+    {"pdo-loss", "the battery's TPDOs do not arrive"},
+    {"battery-silent", "the battery module has no power"},
+    {"battery-restart", "the battery module boots again"},
+    {"not-ready", "the battery says that it is not ready"},
+    {"too-hot", "the battery's temperature sensor shows 55 °C"},
+    {"too-cold", "the battery's temperature sensor shows -12 °C"},
+    {"invalid-temperature", "the battery cannot measure its temperature"},
+    {"invalid-voltage", "the battery cannot measure its voltage"},
+    {"pilot-loss", "the charger's pilot signal is gone"},
+    {"cable-cut", "the bus cable is cut between the charger and the battery"},
+    {"corrupted-frames", "one frame in a hundred is disturbed, and sent again"},
+    {"babbling-node", "a third node fills the bus with frames of the highest priority"},
+    {"duplicate-node-id", "a second module at the battery boots with the node-ID of the first"},
+    {"wrong-bit-rate", "the battery is set to 250 kbit/s"},
+    {"clock-drift", "the battery's clock is fast by 0.5 %"},
 };
-ScheduledFault scheduled(const WrittenFault& fault);
-WrittenFault written(const ScheduledFault& fault);
+inline constexpr std::size_t fault_kinds = std::size(fault_rows);
+static_assert(fault_kinds == static_cast<std::size_t>(FaultKind::clock_drift) + 1);
+constexpr FaultGrammar grammar_of(FaultKind) {
+  return {fault_rows};
+}
 
-/// The schedule, and how bad the faults are.
-struct FaultPlan {
-  std::uint64_t seed = 1;  ///< of what is left to chance
-  std::vector<ScheduledFault> faults{};
-  double corrupted_share = 0.01;           ///< corrupted_frames: of all frames, 0 to 1
-  std::int32_t clock_drift_ppm = 5000;     ///< clock_drift: of the battery's clock
-  double hot_celsius = 55;                 ///< too_hot: what the battery's sensor shows
-  double cold_celsius = -12;               ///< too_cold
-  std::uint32_t wrong_bit_rate = 250'000;  ///< wrong_bit_rate: of the battery, in bit/s
-};
+using ScheduledFault = canvoy::ScheduledFault<FaultKind>;
+using FaultPlan = canvoy::FaultPlan<FaultKind>;
 
 }  // namespace canvoy::charging

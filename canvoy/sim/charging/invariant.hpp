@@ -2,26 +2,33 @@
 // did.
 #pragma once
 
-#include <cstdint>
-#include <span>
-
 #include "canvoy/sim/invariant.hpp"
 
 namespace canvoy::charging {
 
 enum class InvariantKind : std::uint8_t {
-  ampere_hours,  ///< as the charger counts them, against those that went in; in percent
-  energy,        ///< the same for the energy; in percent
-  current_outside_handshake,  ///< the longest time that it flowed without agreement; in seconds
-  current_before_ready,       ///< how often it began before the charger said that it is ready
-  battery_left_waiting,  ///< the longest time that it asked for current, nothing was wrong, and
-                         ///< none flowed; in seconds
-  fault_seen,            ///< from a fault's start to the charger's answer; in seconds
+  ampere_hours,
+  energy,
+  current_outside_handshake,
+  current_before_ready,
+  battery_left_waiting,
+  fault_seen
 };
 
 /// All kinds, in the order of InvariantKind.
-std::span<const InvariantName> invariant_names();
-const InvariantName& invariant_name(InvariantKind kind);
+inline constexpr InvariantRow invariant_rows[] = {
+    {"ampere_hours", "ampere-hours of charger and plant differ by", "%"},
+    {"energy", "energy of charger and plant differs by", "%"},
+    {"current_outside_handshake", "current outside of a handshake for at most", "s"},
+    {"current_before_ready", "currents that began before ready", ""},
+    {"battery_left_waiting", "battery left without current for at most", "s"},
+    {"fault_seen", "seen after", "s"},
+};
+inline constexpr std::size_t invariant_kinds = std::size(invariant_rows);
+static_assert(invariant_kinds == static_cast<std::size_t>(InvariantKind::fault_seen) + 1);
+constexpr std::span<const InvariantRow> rows_of(InvariantKind) {
+  return invariant_rows;
+}
 
 using Invariant = canvoy::Invariant<InvariantKind>;
 

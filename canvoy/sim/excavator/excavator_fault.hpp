@@ -1,15 +1,11 @@
-// What goes wrong in an excavator, when and for how long.
+// What goes wrong in an excavator.
 //
-//     ScheduledFault fault{.kind = FaultKind::stuck_axis, .axis = 4, .start = Time(20min)};
+//     ScheduledFault fault{.kind = FaultKind::stuck_axis, .start = Time(20min), .spot = 4};
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <string_view>
-#include <vector>
-
-#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/sim/excavator/armrest_watch.hpp"
 #include "canvoy/sim/excavator/excavator_invariant.hpp"
+#include "canvoy/sim/excavator/host_objects.hpp"
 #include "canvoy/sim/excavator/seat_panel.hpp"
 #include "canvoy/sim/fault.hpp"
 
@@ -26,51 +22,41 @@ enum class FaultKind : std::uint8_t {
   delayed_frames,
   stuck_axis,
   broken_wire,
-  vanished_armrest,
+  vanished_armrest
 };
-inline constexpr std::size_t fault_kinds =
-    static_cast<std::size_t>(FaultKind::vanished_armrest) + 1;
 
-/// A restart is over at once.
-constexpr bool lasts(FaultKind kind) {
-  return kind != FaultKind::restart;
-}
-/// The fault is one of a node.
-constexpr bool has_node(FaultKind kind) {
-  return kind <= FaultKind::cable_cut || kind == FaultKind::lost_frames ||
-         kind == FaultKind::delayed_frames;
-}
-/// The fault is one of an axis of the sticks.
-constexpr bool has_axis(FaultKind kind) {
-  return kind == FaultKind::stuck_axis || kind == FaultKind::broken_wire;
-}
-
-/// All kinds, in the order of FaultKind; `:node=N` and `:axis=N` say where.
-FaultGrammar fault_grammar();
-std::string_view fault_name(FaultKind kind);
-
-struct ScheduledFault {
-  FaultKind kind = FaultKind::lost_node;
-  NodeId node = 0;    ///< 0: the plan leaves it open: the host
-  unsigned axis = 0;  ///< 1 to 4, as Stick has them; 0: the plan leaves it open: the last
-  Time start{};
-  Duration duration = for_the_rest;
-
-  Time end() const { return end_of_fault(start, duration); }
-  friend bool operator==(const ScheduledFault&, const ScheduledFault&) = default;
+inline constexpr FaultTraits at_a_node{.is_at_node = true, .node = host_id};
+inline constexpr FaultTraits at_a_stick{.is_at_spot = true, .spot = stick_count};
+inline constexpr FaultRow fault_rows[] = {
+    {"lost-node", "a device has no power (default: the host)", at_a_node},
+    {"restart",
+     "a device boots again (default: the host)",
+     {.is_at_node = true, .node = host_id, .is_over_at_once = true}},
+    {"bus-off", "a device has the wrong bit rate, until it gives up (default: the host)",
+     at_a_node},
+    {"cable-cut", "the bus cable is cut behind a device (default: the host)", at_a_node},
+    {"babbling-node", "a stranger fills the bus with frames of the highest priority"},
+    {"corrupted-frames", "one frame in a hundred is disturbed, and sent again"},
+    {"lost-frames", "one in twenty frames of a device is lost (default: the host)", at_a_node},
+    {"delayed-frames", "all frames of a device come 20 ms late (default: the host)", at_a_node},
+    {"stuck-axis", "the sensor of a stick stays where it is (default: axis 4, boom)", at_a_stick},
+    {"broken-wire", "the wire of a stick's sensor is broken (default: axis 4, boom)", at_a_stick},
+    {"vanished-armrest",
+     "the device on the network behind the seat has no power",
+     {.node = armrest_id}},
 };
-ScheduledFault scheduled(const WrittenFault& fault);
-WrittenFault written(const ScheduledFault& fault);
+inline constexpr std::size_t fault_kinds = std::size(fault_rows);
+static_assert(fault_kinds == static_cast<std::size_t>(FaultKind::vanished_armrest) + 1);
+inline constexpr FaultPlaceName fault_places[] = {{"node", node_id_max},
+                                                  {"axis", stick_count, &AnyFault::spot}};
+constexpr FaultGrammar grammar_of(FaultKind) {
+  return {fault_rows, fault_places};
+}
+
+using ScheduledFault = canvoy::ScheduledFault<FaultKind>;
+using FaultPlan = canvoy::FaultPlan<FaultKind>;
 
 /// Which invariants cannot hold while it is present, and for a time after it.
 InvariantSet affected_by(FaultKind kind);
-
-struct FaultPlan {
-  std::uint64_t seed = 1;  ///< of what is left to chance
-  std::vector<ScheduledFault> faults{};
-  double corrupted_share = 0.01;  ///< corrupted_frames: of all frames, 0 to 1
-  double lost_share = 0.05;       ///< lost_frames: of those of a node
-  Duration delay = 20ms;          ///< delayed_frames
-};
 
 }  // namespace canvoy::excavator

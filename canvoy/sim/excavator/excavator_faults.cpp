@@ -4,17 +4,40 @@ namespace canvoy::excavator {
 
 namespace {
 
-NodeId place_of_fault(const ScheduledFault& fault) {
-  if (fault.kind == FaultKind::vanished_armrest) return armrest_id;
-  if (!has_node(fault.kind)) return 0;
-  return fault.node == 0 ? host_id : fault.node;
+using Kind = InvariantKind;
+
+constexpr double lost_share = 0.05;  ///< lost_frames: of those of a node
+constexpr Duration frame_delay = 20ms;
+
+InvariantSet set_of(std::initializer_list<Kind> kinds) {
+  InvariantSet set;
+  for (const Kind kind : kinds) set.set(static_cast<std::size_t>(kind));
+  return set;
 }
 
-Stick axis_of_fault(const ScheduledFault& fault) {
-  return static_cast<Stick>(fault.axis == 0 ? stick_count - 1 : fault.axis - 1);
+Stick axis_of(const ScheduledFault& fault) {
+  return static_cast<Stick>(spot_of(fault) - 1);
 }
 
 }  // namespace
+
+/// Never that of motion: it stops, whatever happens.
+InvariantSet affected_by(FaultKind kind) {
+  switch (kind) {
+    case FaultKind::corrupted_frames:
+      return {};
+    case FaultKind::delayed_frames:
+      return set_of({Kind::axis_delta});
+    case FaultKind::stuck_axis:
+    case FaultKind::broken_wire:
+      return set_of({Kind::axis_delta, Kind::service});
+    case FaultKind::vanished_armrest:
+      return set_of({Kind::presses, Kind::service});
+    default:
+      return set_of({Kind::presses, Kind::axis_delta, Kind::indicators, Kind::display,
+                     Kind::service, Kind::device_missing});
+  }
+}
 
 ExcavatorFaults::ExcavatorFaults(World& world, BusIndex bus, const ExcavatorOptions& options,
                                  ExcavatorDevices& devices, SeatPanel& panel,
@@ -27,43 +50,32 @@ ExcavatorFaults::ExcavatorFaults(World& world, BusIndex bus, const ExcavatorOpti
       referees_(&referees),
       events_(&events),
       trouble_(world.bus(bus)),
+      faults_(options.faults.faults, Engine::of(*this)),
       cuts_(PowerCuts::Switch::to<&ExcavatorFaults::power>(*this)) {
-  for (std::size_t i = 0; i < options.faults.faults.size(); ++i) {
-    const ScheduledFault& fault = options.faults.faults[i];
-    if (fault.kind == FaultKind::babbling_node) trouble_.attach_babbler();
-    world.at(fault.start, [this, i](Time) { begin(i); });
-    if (fault.end() != never) world.at(fault.end(), [this, i](Time) { end(i); });
-  }
+  if (faults_.has_any(FaultKind::babbling_node)) trouble_.attach_babbler();
+  faults_.plan(world);
 }
 
-unsigned& ExcavatorFaults::count_of(const ScheduledFault& fault) {
-  const auto kind = static_cast<std::size_t>(fault.kind);
-  if (has_axis(fault.kind)) return at_axis_[kind][static_cast<std::size_t>(axis_of_fault(fault))];
-  return at_node_[kind][place_of_fault(fault)];
-}
-
-void ExcavatorFaults::begin(std::size_t fault) {
-  const ScheduledFault& it = options_->faults.faults[fault];
-  const NodeId id = place_of_fault(it);
+void ExcavatorFaults::began(std::size_t fault) {
+  const ScheduledFault& it = faults_[fault];
+  const NodeId id = node_of(it);
   const Time now = world_->now();
   events_->push_back({now, FaultBegan{fault, it.kind, {.bus = devices_->bus_of(id), .node = id}}});
   referees_->fault_begins(now, it.kind);
-  if (++count_of(it) == 1 || !lasts(it.kind)) set(it, true);
 }
 
-void ExcavatorFaults::end(std::size_t fault) {
-  const ScheduledFault& it = options_->faults.faults[fault];
-  const NodeId id = place_of_fault(it);
+void ExcavatorFaults::ended(std::size_t fault) {
+  const ScheduledFault& it = faults_[fault];
+  const NodeId id = node_of(it);
   const Time now = world_->now();
   events_->push_back({now, FaultEnded{fault, it.kind, {.bus = devices_->bus_of(id), .node = id}}});
   referees_->fault_ends(now, it.kind);
-  // Another one of the same kind may last longer.
-  if (--count_of(it) == 0) set(it, false);
 }
 
-void ExcavatorFaults::set(const ScheduledFault& fault, bool present) {
+void ExcavatorFaults::set(std::size_t number, bool present) {
+  const ScheduledFault& fault = faults_[number];
   SimulatedBus& bus = world_->bus(bus_);
-  const NodeId id = place_of_fault(fault);
+  const NodeId id = node_of(fault);
   switch (fault.kind) {
     case FaultKind::lost_node:
       return cuts_.set_power(id, !present);
@@ -78,16 +90,16 @@ void ExcavatorFaults::set(const ScheduledFault& fault, bool present) {
     case FaultKind::babbling_node:
       return trouble_.babble(present);
     case FaultKind::corrupted_frames:
-      return trouble_.disturb(present ? options_->faults.corrupted_share : 0);
+      return trouble_.disturb(present ? corrupted_share : 0);
     case FaultKind::lost_frames:
-      return devices_->node(id).port().lose(Probability(present ? options_->faults.lost_share : 0));
+      return devices_->node(id).port().lose(Probability(present ? lost_share : 0));
     case FaultKind::delayed_frames:
-      return devices_->node(id).port().delay(present ? options_->faults.delay : Duration{});
+      return devices_->node(id).port().delay(present ? frame_delay : Duration{});
     case FaultKind::stuck_axis:
-      panel_->jam(axis_of_fault(fault), present);
+      panel_->jam(axis_of(fault), present);
       return devices_->hands_moved();
     case FaultKind::broken_wire:
-      panel_->break_wire(axis_of_fault(fault), present);
+      panel_->break_wire(axis_of(fault), present);
       return devices_->hands_moved();
     case FaultKind::vanished_armrest:
       return cuts_.set_power(armrest_id, !present);
@@ -99,8 +111,8 @@ void ExcavatorFaults::cut_cables() {
   SimulatedBus& bus = world_->bus(bus_);
   bus.mend_cable();
   for (const auto& node : devices_->nodes()) {
-    const auto& cuts = at_node_[static_cast<std::size_t>(FaultKind::cable_cut)];
-    if (cuts[node->place().id] != 0) bus.cut_cable(node->controller());
+    const bool is_cut = faults_.is_present(FaultKind::cable_cut, node->place().id);
+    if (is_cut) bus.cut_cable(node->controller());
   }
 }
 

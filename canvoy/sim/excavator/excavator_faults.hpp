@@ -3,13 +3,13 @@
 //     ExcavatorFaults faults(world, bus, options, devices, panel, referees, events);   // plans all
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "canvoy/sim/bus_trouble.hpp"
 #include "canvoy/sim/excavator/excavator_devices.hpp"
 #include "canvoy/sim/excavator/excavator_event.hpp"
 #include "canvoy/sim/excavator/excavator_referees.hpp"
+#include "canvoy/sim/fault_engine.hpp"
 #include "canvoy/sim/power_cuts.hpp"
 
 namespace canvoy::excavator {
@@ -24,12 +24,13 @@ class ExcavatorFaults {
   ExcavatorFaults& operator=(const ExcavatorFaults&) = delete;
 
  private:
-  void begin(std::size_t fault);
-  void end(std::size_t fault);
-  void set(const ScheduledFault& fault, bool present);
+  using Engine = FaultEngine<FaultKind>;
+  friend Engine;
+  void began(std::size_t fault);
+  void ended(std::size_t fault);
+  void set(std::size_t fault, bool present);
   void power(NodeId id, bool is_on) { devices_->power(devices_->node(id), is_on); }
   void cut_cables();
-  unsigned& count_of(const ScheduledFault& fault);
 
   World* world_;
   BusIndex bus_;
@@ -39,10 +40,7 @@ class ExcavatorFaults {
   ExcavatorReferees* referees_;
   std::vector<ExcavatorEvent>* events_;
   BusTrouble trouble_;  ///< of the machine's bus
-
-  // How many of each are present, and where.
-  std::array<std::array<unsigned, node_id_max + 1>, fault_kinds> at_node_{};
-  std::array<std::array<unsigned, stick_count>, fault_kinds> at_axis_{};
+  Engine faults_;
   PowerCuts cuts_;  ///< a node-ID is on one of both buses
 };
 

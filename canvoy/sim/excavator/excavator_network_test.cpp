@@ -127,7 +127,7 @@ const Tampering tamperings[] = {
      [](ExcavatorOptions& options) {
        options.sabotage.forgetful_host = true;
        options.faults.faults = {
-           {.kind = FaultKind::restart, .node = valves_id, .start = Time(2min)}};
+           {.kind = FaultKind::restart, .start = Time(2min), .node = valves_id}};
      },
      150s},
 };
@@ -200,9 +200,9 @@ class ExcavatorReturn : public testing::TestWithParam<Return> {};
 
 TEST_P(ExcavatorReturn, ItDigsAndTheLampsAreRight) {
   ExcavatorNetwork network(with_faults({{.kind = GetParam().kind,
-                                         .node = GetParam().node,
                                          .start = Time(1min),
-                                         .duration = Duration(20s)}}));
+                                         .duration = Duration(20s),
+                                         .node = GetParam().node}}));
   network.run_until(Time(1min + 20s));
   const double heap = network.machine().earth().heaped;
   network.run_until(Time(3min));

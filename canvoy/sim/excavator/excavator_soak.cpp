@@ -11,12 +11,8 @@ constexpr std::uint32_t excavator_faults_max = 6;
 constexpr Duration excavator_quiet = 10min;
 
 ScheduledFault any_excavator_fault(Random& random, Time start) {
-  auto fault = soak_fault<ScheduledFault>(random, fault_kinds, start);
-  if (has_node(fault.kind)) {
-    fault.node = device_places.at(random.below(device_places.size())).id;
-  }
-  if (has_axis(fault.kind)) fault.axis = 1 + random.below(stick_count);
-  return fault;
+  return soak_fault<FaultKind>(random, start, device_places.size(),
+                               [](std::size_t i) { return device_places.at(i).id; });
 }
 
 }  // namespace

@@ -9,30 +9,6 @@ namespace canvoy::lift {
 
 namespace {
 
-constexpr FaultName fault_names[] = {
-    {"lost-node", "a node has no power"},
-    {"cable-cut", "the cable of a lift, or of the group, is cut"},
-    {"stuck-button", "a button stays pressed"},
-    {"light-barrier", "a light barrier is broken"},
-    {"dead-encoder", "the position unit measures nothing"},
-    {"babbling-node", "a panel, or a lift in the group, sends without a pause"},
-    {"fire-alarm", "the car is called to the fire floor; with :group, all cars"},
-    {"fire-brigade", "the fire brigade calls a car, and drives it"},
-    {"finger-protector", "that of a door is broken, and says so"},
-    {"motion-detector", "that of a door is broken, and says so"},
-    {"door-lock", "the lock of a door springs open: the safety chain opens"},
-    {"safety-contact", "that of a door does not close: the safety chain is open"},
-    {"brake", "the brake holds nothing: a car that should stand moves"},
-    {"rope-slip", "the ropes slip by a tenth of the way"},
-    {"rope-sensor", "the load of a rope is not known"},
-    {"runaway", "the motor gets faster whatever the drive wants"},
-    {"smoke", "light barriers see somebody always"},
-};
-
-constexpr FaultPlaceName places[] = {
-    {"lift", lifts_max}, {"group", 0}, {"node", node_id_max}, {"floor", floors_max}};
-enum Place : std::size_t { place_lift, place_group, place_node, place_floor };
-
 constexpr Duration rest_least = 150s;
 constexpr std::uint32_t rest_more_s = 120;
 constexpr Duration fault_least = 5s;
@@ -47,7 +23,7 @@ constexpr std::array<std::uint8_t, doors_max> doors = {first_door, 7, 8, 12};
 constexpr std::array<std::uint8_t, 9> lost_nodes = {1, 2, 4, first_door, 9, 13, 16, 21, 22};
 constexpr std::array<std::uint8_t, 5> cut_behind = {1, 2, 4, first_door, 16};
 
-constexpr auto kinds = static_cast<std::uint32_t>(std::size(fault_names));
+constexpr auto kinds = static_cast<std::uint32_t>(fault_kinds);
 constexpr std::array drawn_of_group = {FaultKind::lost_node, FaultKind::cable_cut,
                                        FaultKind::babbling_node, FaultKind::fire_alarm};
 /// One of so many faults of a group of lifts is one of the group.
@@ -67,7 +43,7 @@ std::uint8_t one_of_doors(const LiftDesign& lift, Random& random) {
 }
 
 ScheduledFault draw_of_group(const Building& building, Random& random) {
-  ScheduledFault fault{.kind = one_of(drawn_of_group, random), .lift = 0};
+  ScheduledFault fault{.kind = one_of(drawn_of_group, random), .part = 0};
   const bool has_place =
       fault.kind == FaultKind::cable_cut || fault.kind == FaultKind::babbling_node;
   // 0 is its controller.
@@ -81,14 +57,14 @@ ScheduledFault draw(const Building& building, Random& random) {
   const LiftNumber lifts = building.lift_count();
   if (lifts > 1 && random.below(of_group_each) == 0) return draw_of_group(building, random);
   ScheduledFault fault{.kind = static_cast<FaultKind>(random.below(kinds)),
-                       .lift = static_cast<LiftNumber>(1 + random.below(lifts))};
+                       .part = static_cast<LiftNumber>(1 + random.below(lifts))};
   if (fault.kind == FaultKind::lost_node) fault.node = one_of(lost_nodes, random);
   if (fault.kind == FaultKind::cable_cut) fault.node = one_of(cut_behind, random);
   if (is_of_door(fault.kind) || fault.node == first_door) {
-    fault.node = one_of_doors(building.lift(fault.lift), random);
+    fault.node = one_of_doors(building.lift(fault.part), random);
   }
   if (fault.kind == FaultKind::stuck_button) {
-    fault.floor = static_cast<FloorNumber>(random.below(building.floor_count() + 1U));
+    fault.spot = static_cast<FloorNumber>(random.below(building.floor_count() + 1U));
   }
   return fault;
 }
@@ -111,40 +87,9 @@ ScheduledFault draw_beside(const ScheduledFault& first, const Building& building
 
 }  // namespace
 
-FaultGrammar fault_grammar() {
-  return {fault_names, places};
-}
-
-std::string_view fault_name(FaultKind kind) {
-  return fault_names[static_cast<std::size_t>(kind)].name;
-}
-
 bool is_of_door(FaultKind kind) {
   return kind == FaultKind::finger_protector || kind == FaultKind::motion_detector ||
          kind == FaultKind::door_lock || kind == FaultKind::safety_contact;
-}
-
-ScheduledFault scheduled(const WrittenFault& fault) {
-  ScheduledFault made{
-      .kind = static_cast<FaultKind>(fault.kind), .start = fault.start, .duration = fault.duration};
-  for (const auto& [place, number] : fault.places) {
-    if (place == place_lift) made.lift = static_cast<LiftNumber>(number);
-    if (place == place_group) made.lift = 0;
-    if (place == place_node) made.node = static_cast<std::uint8_t>(number);
-    if (place == place_floor) made.floor = static_cast<FloorNumber>(number);
-  }
-  return made;
-}
-
-WrittenFault written(const ScheduledFault& fault) {
-  WrittenFault made{.kind = static_cast<std::size_t>(fault.kind),
-                    .start = fault.start,
-                    .duration = fault.duration};
-  if (fault.lift == 0) made.places.push_back({place_group});
-  if (fault.lift > 1) made.places.push_back({place_lift, fault.lift});
-  if (fault.node != 0) made.places.push_back({place_node, fault.node});
-  if (fault.floor != no_floor) made.places.push_back({place_floor, fault.floor});
-  return made;
 }
 
 std::vector<ScheduledFault> random_faults(const Building& building, Time from, Time until,

@@ -1,7 +1,6 @@
-// What goes wrong in a building with lifts, when and where: a plain struct of options.
+// What goes wrong in a building with lifts, and where.
 //
-//     LiftFaultPlan plan{.faults = {{.kind = FaultKind::dead_encoder, .start = Time(5min),
-//                                    .duration = 30s, .lift = 2}}};
+//     FaultPlan plan{.faults = {{FaultKind::dead_encoder, Time(5min), 30s, 2}}};   // of lift 2
 #pragma once
 
 #include <cstdint>
@@ -34,29 +33,43 @@ enum class FaultKind : std::uint8_t {
   smoke,             ///< in the light barriers, which see somebody always
 };
 
-/// All kinds, in the order of FaultKind, and the places `lift=`, `group`, `node=` and `floor=`.
-FaultGrammar fault_grammar();
-std::string_view fault_name(FaultKind kind);
+inline constexpr FaultRow fault_rows[] = {
+    {"lost-node", "a node has no power"},
+    {"cable-cut", "the cable of a lift, or of the group, is cut"},
+    {"stuck-button", "a button stays pressed"},
+    {"light-barrier", "a light barrier is broken"},
+    {"dead-encoder", "the position unit measures nothing"},
+    {"babbling-node", "a panel, or a lift in the group, sends without a pause"},
+    {"fire-alarm", "the car is called to the fire floor; with :group, all cars"},
+    {"fire-brigade", "the fire brigade calls a car, and drives it"},
+    {"finger-protector", "that of a door is broken, and says so"},
+    {"motion-detector", "that of a door is broken, and says so"},
+    {"door-lock", "the lock of a door springs open: the safety chain opens"},
+    {"safety-contact", "that of a door does not close: the safety chain is open"},
+    {"brake", "the brake holds nothing: a car that should stand moves"},
+    {"rope-slip", "the ropes slip by a tenth of the way"},
+    {"rope-sensor", "the load of a rope is not known"},
+    {"runaway", "the motor gets faster whatever the drive wants"},
+    {"smoke", "light barriers see somebody always"},
+};
+inline constexpr std::size_t fault_kinds = std::size(fault_rows);
+static_assert(fault_kinds == static_cast<std::size_t>(FaultKind::smoke) + 1);
+/// The part is the lift, 0: the group, of a fire alarm all. A node-ID is one on the bus of the
+/// lift, or of the group; of a fault of a door that of its unit; 0: the first one that suits the
+/// kind. The spot of a stuck button is its landing; 0: it is in the car, for the main floor.
+inline constexpr FaultPlaceName fault_places[] = {{"lift", lifts_max, &AnyFault::part},
+                                                  {"group", 0, &AnyFault::part},
+                                                  {"node", node_id_max},
+                                                  {"floor", floors_max, &AnyFault::spot}};
+constexpr FaultGrammar grammar_of(FaultKind) {
+  return {fault_rows, fault_places};
+}
+
+using ScheduledFault = canvoy::ScheduledFault<FaultKind>;
+using FaultPlan = canvoy::FaultPlan<FaultKind>;
+
 /// One of a door of the car.
 bool is_of_door(FaultKind kind);
-
-struct ScheduledFault {
-  FaultKind kind = FaultKind::lost_node;
-  Time start{};
-  Duration duration = for_the_rest;
-  LiftNumber lift = 1;  ///< 0: the group; of a fire alarm all
-  /// Node-ID on the bus of the lift, or of the group; of a fault of a door that of its unit; 0: the
-  /// first one that suits the kind.
-  std::uint8_t node = 0;
-  /// stuck_button: of that landing; 0: in the car, for the main floor.
-  FloorNumber floor = no_floor;
-
-  Time end() const { return end_of_fault(start, duration); }
-  friend bool operator==(const ScheduledFault&, const ScheduledFault&) = default;
-};
-
-ScheduledFault scheduled(const WrittenFault& fault);
-WrittenFault written(const ScheduledFault& fault);
 
 /// Faults of one lift after the other, and of the group where there are several lifts, drawn by a
 /// seed: one at a time, and time to recover.

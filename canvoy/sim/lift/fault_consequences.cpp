@@ -100,10 +100,10 @@ FaultExpectation FaultConsequences::of(const ScheduledFault& fault) const {
 }
 
 FaultExpectation FaultConsequences::alone(const ScheduledFault& fault) const {
-  if (fault.lift == 0) return of_group(fault);
+  if (fault.part == 0) return of_group(fault);
   FaultExpectation expected{
-      .lift = fault.lift,
-      .serves_within = devices_->count() > 1 ? idle_most : serves_most(*description_, fault.lift)};
+      .lift = fault.part,
+      .serves_within = devices_->count() > 1 ? idle_most : serves_most(*description_, fault.part)};
   switch (fault.kind) {
     case FaultKind::lost_node:
     case FaultKind::cable_cut: {
@@ -147,7 +147,7 @@ FaultExpectation FaultConsequences::alone(const ScheduledFault& fault) const {
       expected.stands_within = stands_most;
       break;
     case FaultKind::stuck_button:
-      if (!devices_->shaft(fault.lift).has_stuck_button(fault)) break;
+      if (!devices_->shaft(fault.part).has_stuck_button(fault)) break;
       expected.emergencies = {application_error};
       expected.told_within = stuck_after + 1s;
       break;
@@ -171,7 +171,7 @@ FaultExpectation FaultConsequences::of_group(const ScheduledFault& fault) const 
 /// What opens the safety chain of a car on its way, and what makes it move as it should not.
 void FaultConsequences::expect_of_motion(FaultExpectation& expected,
                                          const ScheduledFault& fault) const {
-  const LiftShaft& lift = devices_->shaft(fault.lift);
+  const LiftShaft& lift = devices_->shaft(fault.part);
   const double speed = std::abs(lift.snapshot(world_->now()).speed_m_s);
   const bool travels = speed >= travelling_m_s;
   const auto stops = [&](std::vector<std::uint16_t> codes, Duration noticed) {
@@ -195,7 +195,7 @@ void FaultConsequences::expect_of_motion(FaultExpectation& expected,
       expected.told_within = arrives_first;
       break;
     case FaultKind::runaway:
-      if (speed >= nearly_rated * description_->building.lift(fault.lift).speed_m_s) {
+      if (speed >= nearly_rated * description_->building.lift(fault.part).speed_m_s) {
         stops({overspeed}, movement_noticed);
       }
       break;
@@ -212,7 +212,7 @@ FaultConsequences::Loss FaultConsequences::loss_of(const ScheduledFault& fault) 
   if (fault.node == 0) return Loss::needed;
   Loss loss = Loss::none;
   for (const NodeDescription& node : description_->nodes) {
-    if (node.lift != fault.lift || node.kind == DeviceKind::group_controller) continue;
+    if (node.lift != fault.part || node.kind == DeviceKind::group_controller) continue;
     const bool is_cut = fault.kind == FaultKind::cable_cut;
     const bool is_lost = is_cut ? devices_->is_behind(node.id, fault) : node.id == fault.node;
     if (is_lost && is_needed(node.kind)) return Loss::needed;
@@ -225,12 +225,12 @@ FaultConsequences::Loss FaultConsequences::loss_of(const ScheduledFault& fault) 
 /// anybody can have noticed.
 bool FaultConsequences::has_no_current(const ScheduledFault& fault) const {
   if (fault.kind != FaultKind::runaway && fault.kind != FaultKind::rope_slip) return false;
-  return std::ranges::any_of(description_->faults, [&](const ScheduledFault& other) {
+  return std::ranges::any_of(description_->faults.faults, [&](const ScheduledFault& other) {
     const bool takes_it = other.kind == FaultKind::door_lock ||
                           other.kind == FaultKind::safety_contact ||
                           (other.kind == FaultKind::lost_node &&
                            devices_->place_of(other).node == devices_->place_of(fault).node);
-    return takes_it && other.lift == fault.lift && other.start <= fault.start + movement_noticed &&
+    return takes_it && other.part == fault.part && other.start <= fault.start + movement_noticed &&
            other.end() > fault.start;
   });
 }

@@ -26,11 +26,11 @@ struct Lifts {
             .heard = [](Time, const BusEvent&) {}};
   }
   static ScheduledFault fault(FaultKind kind, NodeId node = 0, LiftNumber lift = 1) {
-    return {.kind = kind, .start = Time(1min), .duration = 30s, .lift = lift, .node = node};
+    return {.kind = kind, .start = Time(1min), .duration = 30s, .part = lift, .node = node};
   }
   FaultExpectation of(const ScheduledFault& fault) const { return sut.of(fault); }
   FaultExpectation beside(const ScheduledFault& other, const ScheduledFault& fault) {
-    description.faults = {other};
+    description.faults.faults = {other};
     present.add(0);
     FaultExpectation expected = sut.of(fault);
     present.remove(0);
@@ -48,7 +48,7 @@ struct Lifts {
   World world;
   LiftNetworkDescription description;
   LiftDevices devices{world, description, silent()};
-  PresentFaults present{description.faults, devices};
+  PresentFaults present{description.faults.faults, devices};
   FaultConsequences sut{world, description, devices, present};
 };
 
@@ -110,8 +110,8 @@ TEST(FaultConsequences, OfRopesThatSlipAreNoneWhereTheCurrentGoesBeforeAnybodyCa
         std::pair(ScheduledFault{.kind = safety_contact, .duration = 60s + 1us}, false),
         std::pair(ScheduledFault{.kind = lost_node, .start = slip.start}, false),
         std::pair(ScheduledFault{.kind = lost_node, .start = slip.start, .node = 16}, true),
-        std::pair(ScheduledFault{.kind = door_lock, .start = slip.start, .lift = 2}, true)}) {
-    sut.description.faults = {slip, other};
+        std::pair(ScheduledFault{.kind = door_lock, .start = slip.start, .part = 2}, true)}) {
+    sut.description.faults.faults = {slip, other};
     EXPECT_EQ(sut.of(slip).emergencies != nothing, is_told) << fault_name(other.kind);
   }
 }
@@ -139,9 +139,9 @@ TEST(FaultConsequences, OfAButtonThatNobodyHasAreNone) {
   std::erase_if(description.nodes, [](const NodeDescription& node) { return node.id == 23; });
   const Lifts sut(std::move(description));
   ScheduledFault button = Lifts::fault(FaultKind::stuck_button);
-  button.floor = 4;
+  button.spot = 4;
   EXPECT_NE(sut.of(button).emergencies, nothing);
-  button.floor = 3;
+  button.spot = 3;
   EXPECT_EQ(sut.of(button).emergencies, nothing) << "the panel of floor 3 is left out";
 }
 

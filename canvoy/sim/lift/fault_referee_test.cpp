@@ -227,7 +227,7 @@ TEST(RandomFaultsTest, TheyComeOneAtATimeInTheSpanAndByTheSeed) {
   EXPECT_LE(faults.back().end(), Time(65min));
   for (std::size_t i = 1; i < faults.size(); ++i) {
     EXPECT_GT(faults[i].start, faults[i - 1].end());
-    EXPECT_LE(faults[i].lift, 3);
+    EXPECT_LE(faults[i].part, 3);
   }
 }
 

@@ -12,10 +12,10 @@ namespace {
 LiftNetworkDescription building() {
   LiftNetworkDescription made = standard_lift_network({.floors = 6});
   made.people.holds_door = 0;
-  made.faults = {{.kind = FaultKind::cable_cut,
-                  .start = Time(300s),
-                  .duration = 20s,
-                  .node = node_id::first_car_panel}};
+  made.faults.faults = {{.kind = FaultKind::cable_cut,
+                         .start = Time(300s),
+                         .duration = 20s,
+                         .node = node_id::first_car_panel}};
   return made;
 }
 ScheduledFault alarm(Time start, Duration duration) {
@@ -24,7 +24,7 @@ ScheduledFault alarm(Time start, Duration duration) {
 
 TEST(CutCableOfALift, AnAlarmThatBeginsBehindItIsHeardWhenItIsMended) {
   LiftNetworkDescription description = building();
-  description.faults.push_back(alarm(Time(310s), 600s));
+  description.faults.faults.push_back(alarm(Time(310s), 600s));
   description.arrivals = {{.at = Time(400s), .from = 1, .to = 5},
                           {.at = Time(500s), .from = 5, .to = 1},
                           {.at = Time(600s), .from = 2, .to = 4},
@@ -41,7 +41,7 @@ TEST(CutCableOfALift, AnAlarmThatBeginsBehindItIsHeardWhenItIsMended) {
 
 TEST(CutCableOfALift, AnAlarmThatEndsBehindItEnds) {
   LiftNetworkDescription description = building();
-  description.faults.push_back(alarm(Time(100s), 210s));
+  description.faults.faults.push_back(alarm(Time(100s), 210s));
   description.arrivals = {{.at = Time(400s), .from = 5, .to = 1}};
   LiftNetwork network(description);
   network.run_until(Time(290s));
@@ -72,7 +72,7 @@ TEST(CutCableOfALift, ALampBehindItOfACallThatIsAnsweredMeanwhileGoesOut) {
 TEST(CutCableOfALift, ADriveThatBootsBehindItIsStartedWhenItIsMended) {
   LiftNetworkDescription description = standard_lift_network({.floors = 4});
   description.arrivals = {{.at = Time(250s), .from = 3, .to = 1}};
-  description.faults = {
+  description.faults.faults = {
       {.kind = FaultKind::cable_cut,
        .start = Time(100s),
        .duration = 30s,

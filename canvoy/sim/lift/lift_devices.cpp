@@ -23,7 +23,7 @@ LiftDevices::LiftDevices(World& world, const LiftNetworkDescription& description
 void LiftDevices::add_buses() {
   for (std::size_t i = 0; i < description_->buses.size(); ++i) {
     buses_.push_back(world_->add_bus(
-        {.bit_rate = description_->buses[i].bit_rate, .seed = description_->seed + i}));
+        {.bit_rate = description_->buses[i].bit_rate, .seed = description_->faults.seed + i}));
     watches_.push_back(std::make_unique<BusWatch>(
         i, [this](Time now, const BusEvent& event) { heard_(now, event); }));
     world_->bus(buses_.back()).observe(watches_.back()->tap());
@@ -72,8 +72,8 @@ Node* LiftDevices::node_of(const NodeDescription& node) {
 }
 
 void LiftDevices::set_fault(const ScheduledFault& fault, bool present) {
-  if (fault.lift == 0) return set_group_fault(fault, present);
-  shaft(fault.lift).set_fault(fault, present);
+  if (fault.part == 0) return set_group_fault(fault, present);
+  shaft(fault.part).set_fault(fault, present);
 }
 
 /// A node on the bus of the group: its controller (0 as well), or the second one of a lift.
@@ -106,12 +106,12 @@ void LiftDevices::set_group_fault(const ScheduledFault& fault, bool present) {
 }
 
 FaultPlace LiftDevices::place_of(const ScheduledFault& fault) const {
-  FaultPlace place{.part = fault.lift};
-  if (fault.kind == FaultKind::fire_alarm && fault.lift == 0) return place;
-  if (fault.lift != 0) place.node = shaft(fault.lift).node_of(fault);
+  FaultPlace place{.part = fault.part};
+  if (fault.kind == FaultKind::fire_alarm && fault.part == 0) return place;
+  if (fault.part != 0) place.node = shaft(fault.part).node_of(fault);
   for (const NodeDescription& node : description_->nodes) {
     const bool is_of_group = node.kind == DeviceKind::group_controller;
-    if (is_of_group != (fault.lift == 0) || (!is_of_group && node.lift != fault.lift)) continue;
+    if (is_of_group != (fault.part == 0) || (!is_of_group && node.lift != fault.part)) continue;
     place.bus = node.bus;
     if (is_of_group) place.node = fault.node != 0 ? fault.node : node.id;
   }
@@ -122,7 +122,7 @@ bool LiftDevices::is_behind(NodeId node, const ScheduledFault& cut) const {
   const NodeId last_before = place_of(cut).node;
   bool is_behind = false;
   for (const NodeDescription& each : description_->nodes) {
-    if (each.lift != cut.lift || each.kind == DeviceKind::group_controller) continue;
+    if (each.lift != cut.part || each.kind == DeviceKind::group_controller) continue;
     if (each.id == node) return is_behind || !each.played;
     is_behind = is_behind || each.id == last_before;
   }

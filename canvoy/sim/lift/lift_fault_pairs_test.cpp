@@ -31,7 +31,7 @@ void expect_all_to_hold(ScheduledFault first, ScheduledFault second, Duration af
     LiftNetworkDescription description = building();
     first.start = start;
     second.start = start + after;
-    description.faults = {first, second};
+    description.faults.faults = {first, second};
     LiftNetwork network(description);
     network.run_until(Time(5min));
     EXPECT_EQ(broken(network), "") << "from " << in_seconds(start.time_since_epoch());
@@ -69,8 +69,9 @@ TEST(TwoFaultsOfALift, AControllerThatComesBackKnowsThatTheRopesHaveSlipped) {
 
 TEST(TwoFaultsOfALift, TheFireAlarmOutlastsTheFireBrigade) {
   LiftNetworkDescription description = building();
-  description.faults = {{.kind = FaultKind::fire_alarm, .start = Time(1min), .duration = 8min},
-                        {.kind = FaultKind::fire_brigade, .start = Time(2min), .duration = 2min}};
+  description.faults.faults = {
+      {.kind = FaultKind::fire_alarm, .start = Time(1min), .duration = 8min},
+      {.kind = FaultKind::fire_brigade, .start = Time(2min), .duration = 2min}};
   LiftNetwork sut(description);
   sut.run_until(Time(8min));
   EXPECT_EQ(sut.snapshot().lifts.at(0).mode, LiftMode::fire_recall);
@@ -92,9 +93,9 @@ std::vector<unsigned> registers_told(const LiftNetwork& network) {
 TEST(TwoFaultsOfALift, OfOnePanelsButtonsOneSticksThoughAnotherIsFree) {
   LiftNetworkDescription description = standard_lift_network({.floors = 110});
   description.arrivals = {{.at = Time(40s), .from = 4, .to = 1}};  // presses, and lets go
-  description.faults = {
-      {.kind = FaultKind::stuck_button, .start = Time(10s), .duration = 20s, .floor = 3},
-      {.kind = FaultKind::stuck_button, .start = Time(12s), .duration = 68s, .floor = 4}};
+  description.faults.faults = {
+      {.kind = FaultKind::stuck_button, .start = Time(10s), .duration = 20s, .spot = 3},
+      {.kind = FaultKind::stuck_button, .start = Time(12s), .duration = 68s, .spot = 4}};
   LiftNetwork sut(description);
   sut.run_until(Time(70s));
   EXPECT_EQ(registers_told(sut), (std::vector{0x21U, 0x21U, 0x21U})) << "both stick, then one";
@@ -104,7 +105,7 @@ TEST(TwoFaultsOfALift, OfOnePanelsButtonsOneSticksThoughAnotherIsFree) {
 
 TEST(AFaultAtTime0, OfTheBrakeIsToldAsOverspeedByADriveThatHasNotSeenTheCarStand) {
   LiftNetworkDescription description = building();
-  description.faults = {{.kind = FaultKind::brake, .duration = 10s}};
+  description.faults.faults = {{.kind = FaultKind::brake, .duration = 10s}};
   LiftNetwork network(description);
   network.run_until(Time(5min));
   EXPECT_EQ(broken(network), "");

@@ -34,7 +34,7 @@ struct LiftFaultTest : testing::Test {
   LiftNetwork& run(ScheduledFault fault) {
     fault.start = Time(14s);
     fault.duration = 40s;
-    description.faults = {fault};
+    description.faults.faults = {fault};
     network = std::make_unique<LiftNetwork>(description);
     network->run_until(Time(4min));
     return *network;
@@ -60,8 +60,8 @@ std::ptrdiff_t times_told(const LiftNetwork& network, NodeId node, std::uint16_t
 }
 
 TEST_F(LiftFaultTest, AStuckButtonIsToldAgainByAPanelThatRestarts) {
-  description.faults = {
-      {.kind = FaultKind::stuck_button, .start = Time(14s), .duration = 60s, .floor = 4},
+  description.faults.faults = {
+      {.kind = FaultKind::stuck_button, .start = Time(14s), .duration = 60s, .spot = 4},
       {.kind = FaultKind::lost_node, .start = Time(40s), .duration = 5s, .node = 24}};
   LiftNetwork sut(description);
   sut.run_until(Time(39s));
@@ -72,9 +72,9 @@ TEST_F(LiftFaultTest, AStuckButtonIsToldAgainByAPanelThatRestarts) {
 }
 
 TEST_F(LiftFaultTest, AButtonThatSticksWhileItsPanelHasNoPowerIsToldWhenItHas) {
-  description.faults = {
+  description.faults.faults = {
       {.kind = FaultKind::lost_node, .start = Time(14s), .duration = 20s, .node = 24},
-      {.kind = FaultKind::stuck_button, .start = Time(20s), .duration = 60s, .floor = 4}};
+      {.kind = FaultKind::stuck_button, .start = Time(20s), .duration = 60s, .spot = 4}};
   LiftNetwork sut(description);
   sut.run_until(Time(34s));
   EXPECT_EQ(times_told(sut, 24, 0xFF04), 0);
@@ -108,7 +108,7 @@ TEST_F(LiftFaultTest, AfterOverspeedOrUnintendedMovementTheCarStandsUntilAHandRe
     const bool runs_away = kind == FaultKind::runaway;
     description.arrivals = {{.at = Time(60s), .from = 3, .to = 1}};
     if (runs_away) description.arrivals.push_back({.at = Time(2s), .from = 1, .to = 8});
-    description.faults = {{.kind = kind, .start = Time(14s)}};
+    description.faults.faults = {{.kind = kind, .start = Time(14s)}};
     LiftNetwork sut(description);
     sut.run_until(Time(20s));
     const LiftSnapshot caught = sut.snapshot().lifts[0];
@@ -130,7 +130,7 @@ TEST_F(LiftFaultTest, ACarThatRanIntoAFinalLimitComesBackWhenSomebodyHasResetIt)
   description.arrivals = {{.at = Time(2s), .from = 1, .to = 8},
                           {.at = Time(70s), .from = 8, .to = 1},
                           {.at = Time(180s), .from = 8, .to = 1}};
-  description.faults = {{.kind = FaultKind::runaway, .start = Time(60s), .duration = 60s}};
+  description.faults.faults = {{.kind = FaultKind::runaway, .start = Time(60s), .duration = 60s}};
   LiftNetwork sut(description);
   sut.run_until(Time(119s));
   const double beyond_m = sut.snapshot().lifts[0].position_m - description.building.top_m();
@@ -150,7 +150,7 @@ TEST_F(LiftFaultTest, ACarOfWhichTheRopesHaveSlippedGoesToItsFloorsAgain) {
 }
 
 TEST_F(LiftFaultTest, ALockThatSpringsOpenStopsTheCarByTheSafetyChain) {
-  description.faults = {{.kind = FaultKind::door_lock, .start = Time(14s), .duration = 40s}};
+  description.faults.faults = {{.kind = FaultKind::door_lock, .start = Time(14s), .duration = 40s}};
   LiftNetwork sut(description);
   sut.run_until(Time(14s));
   const double at = sut.snapshot().lifts[0].position_m;
@@ -172,9 +172,9 @@ TEST_F(LiftFaultTest, SmokeInTheLightBarriersDoesNotDelayARecall) {
   const Time alarm = before.now() + 100ms;
   double recalled_s[2] = {};
   for (const bool with_smoke : {false, true}) {
-    description.faults = {{.kind = FaultKind::fire_alarm, .start = alarm, .duration = 2min}};
+    description.faults.faults = {{.kind = FaultKind::fire_alarm, .start = alarm, .duration = 2min}};
     if (with_smoke) {
-      description.faults.push_back(
+      description.faults.faults.push_back(
           {.kind = FaultKind::smoke, .start = before.now(), .duration = 2min});
     }
     LiftNetwork sut(description);
@@ -199,10 +199,10 @@ TEST_F(LiftFaultTest, ACarThatSinksByTenPeopleIsLevelledWithOpenDoors) {
 }
 
 TEST_F(LiftFaultTest, AFaultLastsThoughAnotherOfItsKindEnds) {
-  description.faults = {
+  description.faults.faults = {
       {.kind = FaultKind::dead_encoder, .start = Time(60s), .duration = 20s},
       {.kind = FaultKind::dead_encoder, .start = Time(70s), .duration = 60s},
-      {.kind = FaultKind::fire_alarm, .start = Time(200s), .duration = 20s, .lift = 0},
+      {.kind = FaultKind::fire_alarm, .start = Time(200s), .duration = 20s, .part = 0},
       {.kind = FaultKind::fire_alarm, .start = Time(210s), .duration = 60s}};
   LiftNetwork sut(description);
   sut.run_until(Time(81s));
@@ -220,14 +220,14 @@ TEST_F(LiftFaultTest, AFaultThatTakesOverFromOneOfItsKindIsToldOnce) {
       .kind = FaultKind::cable_cut, .start = Time(14s), .duration = 20s, .node = 2};
   ScheduledFault second = first;
   second.start = first.end();
-  description.faults = {first, second};
+  description.faults.faults = {first, second};
   network = std::make_unique<LiftNetwork>(description);
   network->run_until(Time(4min));
   EXPECT_EQ(broken(*network), "");
 }
 
 TEST_F(LiftFaultTest, NobodyMissesAHeartbeatThatNeverCameOrThatAnotherFaultHasTaken) {
-  description.faults = {
+  description.faults.faults = {
       {.kind = FaultKind::babbling_node, .start = Time{}, .duration = 20s},
       {.kind = FaultKind::cable_cut, .start = Time(100s), .duration = 20s, .node = 4},
       {.kind = FaultKind::lost_node, .start = Time(120s), .duration = 6s, .node = 16},
@@ -240,7 +240,7 @@ TEST_F(LiftFaultTest, NobodyMissesAHeartbeatThatNeverCameOrThatAnotherFaultHasTa
 
 TEST_F(LiftFaultTest, ACableIsCutInOnePlaceAtATime) {
   description.arrivals = {{.at = Time(2s), .from = 1, .to = 8}};
-  description.faults = {
+  description.faults.faults = {
       {.kind = FaultKind::cable_cut, .start = Time(10s), .duration = 60s, .node = 22},
       {.kind = FaultKind::cable_cut, .start = Time(12s), .duration = 40s, .node = 4}};
   LiftNetwork sut(description);
@@ -256,26 +256,26 @@ TEST_F(LiftFaultTest, TheEventOfAFaultSaysWhereItIs) {
     std::size_t bus;
     NodeId node;
   };
-  const Expected all[] = {{{.kind = FaultKind::lost_node, .lift = 2}, 2, 1, 2},
-                          {{.kind = FaultKind::lost_node, .lift = 2, .node = 13}, 2, 1, 13},
-                          {{.kind = FaultKind::cable_cut, .lift = 1}, 1, 0, 1},
-                          {{.kind = FaultKind::stuck_button, .lift = 1, .floor = 4}, 1, 0, 24},
-                          {{.kind = FaultKind::stuck_button, .lift = 2}, 2, 1, 16},
-                          {{.kind = FaultKind::light_barrier, .lift = 2}, 2, 1, 9},
-                          {{.kind = FaultKind::dead_encoder, .lift = 1}, 1, 0, 4},
-                          {{.kind = FaultKind::babbling_node, .lift = 2}, 2, 1, 16},
-                          {{.kind = FaultKind::finger_protector, .lift = 2}, 2, 1, 6},
-                          {{.kind = FaultKind::door_lock, .lift = 2, .node = 6}, 2, 1, 6},
-                          {{.kind = FaultKind::rope_sensor, .lift = 1}, 1, 0, 13},
-                          {{.kind = FaultKind::brake, .lift = 2}, 2, 1, 2},
-                          {{.kind = FaultKind::smoke, .lift = 1}, 1, 0, 9},
-                          {{.kind = FaultKind::fire_brigade, .lift = 2}, 2, 1, 0},
-                          {{.kind = FaultKind::fire_alarm, .lift = 0}, 0, 0, 0},
-                          {{.kind = FaultKind::lost_node, .lift = 0}, 0, 2, 17},
-                          {{.kind = FaultKind::babbling_node, .lift = 0, .node = 2}, 0, 2, 2}};
+  const Expected all[] = {{{.kind = FaultKind::lost_node, .part = 2}, 2, 1, 2},
+                          {{.kind = FaultKind::lost_node, .part = 2, .node = 13}, 2, 1, 13},
+                          {{.kind = FaultKind::cable_cut, .part = 1}, 1, 0, 1},
+                          {{.kind = FaultKind::stuck_button, .part = 1, .spot = 4}, 1, 0, 24},
+                          {{.kind = FaultKind::stuck_button, .part = 2}, 2, 1, 16},
+                          {{.kind = FaultKind::light_barrier, .part = 2}, 2, 1, 9},
+                          {{.kind = FaultKind::dead_encoder, .part = 1}, 1, 0, 4},
+                          {{.kind = FaultKind::babbling_node, .part = 2}, 2, 1, 16},
+                          {{.kind = FaultKind::finger_protector, .part = 2}, 2, 1, 6},
+                          {{.kind = FaultKind::door_lock, .part = 2, .node = 6}, 2, 1, 6},
+                          {{.kind = FaultKind::rope_sensor, .part = 1}, 1, 0, 13},
+                          {{.kind = FaultKind::brake, .part = 2}, 2, 1, 2},
+                          {{.kind = FaultKind::smoke, .part = 1}, 1, 0, 9},
+                          {{.kind = FaultKind::fire_brigade, .part = 2}, 2, 1, 0},
+                          {{.kind = FaultKind::fire_alarm, .part = 0}, 0, 0, 0},
+                          {{.kind = FaultKind::lost_node, .part = 0}, 0, 2, 17},
+                          {{.kind = FaultKind::babbling_node, .part = 0, .node = 2}, 0, 2, 2}};
   for (const Expected& expected : all) {
-    description.faults = {expected.fault};
-    description.faults[0].start = Time(1s);
+    description.faults.faults = {expected.fault};
+    description.faults.faults[0].start = Time(1s);
     LiftNetwork sut(description);
     sut.run_until(Time(1s));
     const auto found = std::ranges::find_if(sut.events(), [](const LiftEvent& event) {
@@ -303,7 +303,7 @@ struct Inputs {
 
 TEST_F(LiftFaultTest, APanelWithoutPowerShowsNothing) {
   description.arrivals = {{.at = Time(2s), .from = 8, .to = 1}};
-  description.faults = {
+  description.faults.faults = {
       {.kind = FaultKind::lost_node, .start = Time(10s), .duration = 5s, .node = 28}};
   LiftNetwork sut(description);
   sut.run_until(Time(9'999ms));
@@ -320,7 +320,7 @@ TEST_F(LiftFaultTest, AButtonThatIsLetGoWithoutPowerIsNotPressedWhenThePowerCome
   // They press half a second after they have come, for 0.3 s.
   description.arrivals = {{.at = Time(13'400ms), .from = 3, .to = 1},
                           {.at = Time(80s), .from = 3, .to = 1}};
-  description.faults = {
+  description.faults.faults = {
       {.kind = FaultKind::lost_node, .start = Time(14s), .duration = 500ms, .node = panel}};
   network = std::make_unique<LiftNetwork>(description);
   Inputs told{.node = panel};

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "canvoy/sim/fault_engine.hpp"
 #include "canvoy/sim/lift/fault_consequences.hpp"
 #include "canvoy/sim/lift/lift_event.hpp"
 #include "canvoy/sim/lift/lift_people.hpp"
@@ -22,20 +23,23 @@ class LiftFaults {
   LiftFaults& operator=(const LiftFaults&) = delete;
 
  private:
-  void begin(std::size_t fault);
-  void end(std::size_t fault);
-  void set(const ScheduledFault& fault, bool present);
+  using Engine = FaultEngine<FaultKind>;
+  friend Engine;
+  void began(std::size_t fault);
+  void ended(std::size_t fault);
+  void set(std::size_t fault, bool present);
+  void set_one(const ScheduledFault& fault, bool present);
   template <class Act>
   void for_each_lift(ScheduledFault fault, const Act& act) const;
 
   World* world_;
-  const std::vector<ScheduledFault>* plan_;
   LiftDevices* devices_;
   LiftPeople* people_;
   FaultReferee* referee_;
   std::vector<LiftEvent>* events_;
   PresentFaults present_;
   FaultConsequences consequences_;
+  Engine faults_;
 };
 
 }  // namespace canvoy::lift

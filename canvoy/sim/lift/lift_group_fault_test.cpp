@@ -38,7 +38,8 @@ TEST(LiftFireTest, TheFireBrigadeGoesWhereItWantsAndNobodyElseIsServed) {
                           {.at = Time(100s), .from = 4, .to = 1},
                           {.at = Time(330s), .from = 3, .to = 1}};
   description.people.patience_least = description.people.patience_most = 60s;
-  description.faults = {{.kind = FaultKind::fire_brigade, .start = Time(14s), .duration = 290s}};
+  description.faults.faults = {
+      {.kind = FaultKind::fire_brigade, .start = Time(14s), .duration = 290s}};
   LiftNetwork network(description);
   network.run_until(Time(400s));
   EXPECT_EQ(broken(network), "");
@@ -53,8 +54,8 @@ TEST(LiftFireTest, TheFireBrigadeGoesWhereItWantsAndNobodyElseIsServed) {
 
 TEST(LiftFireTest, AnAlarmOfTheGroupCallsAllCars) {
   LiftNetworkDescription description = standard_lift_network({.lifts = 2, .floors = 5});
-  description.faults = {
-      {.kind = FaultKind::fire_alarm, .start = Time(60s), .duration = 60s, .lift = 0}};
+  description.faults.faults = {
+      {.kind = FaultKind::fire_alarm, .start = Time(60s), .duration = 60s, .part = 0}};
   description.traffic.percent_in_5_minutes = 10;
   LiftNetwork network(description);
   network.run_until(Time(119s));
@@ -83,10 +84,10 @@ struct LiftGroupFaultTest : testing::TestWithParam<bool> {
     LiftNetworkDescription description = standard_lift_network(
         {.lifts = 3, .floors = 6, .destination_control = GetParam(), .seed = 5});
     description.traffic.percent_in_5_minutes = 10;
-    description.faults = {fault};
-    description.faults[0].lift = 0;
-    description.faults[0].start = Time(100s);
-    description.faults[0].duration = 100s;
+    description.faults.faults = {fault};
+    description.faults.faults[0].part = 0;
+    description.faults.faults[0].start = Time(100s);
+    description.faults.faults[0].duration = 100s;
     network.emplace(description);
     network->run_until(Time(110s));
     const std::size_t before = network->snapshot().served;

@@ -275,16 +275,15 @@ bool hangs_at(const NodeDescription& node, FloorNumber floor) {
 /// It is made at this node.
 bool is_made_at(const LiftNetworkDescription& description, const ScheduledFault& fault,
                 const NodeDescription& node) {
-  const bool is_of_all = fault.kind == FaultKind::fire_alarm && fault.lift == 0;
-  if (node.lift != fault.lift && !(is_of_all && node.lift != 0)) return false;
+  const bool is_of_all = fault.kind == FaultKind::fire_alarm && fault.part == 0;
+  if (node.lift != fault.part && !(is_of_all && node.lift != 0)) return false;
   if (fault.node != 0) return node.id == fault.node;
   if (fault.kind == FaultKind::fire_alarm) return hangs_at(node, description.service.fire_floor);
   if (fault.kind == FaultKind::fire_brigade) {
     return hangs_at(node, description.service.fire_floor) || node.kind == DeviceKind::car_panel;
   }
   if (fault.kind == FaultKind::stuck_button) {
-    return fault.floor == no_floor ? node.kind == DeviceKind::car_panel
-                                   : hangs_at(node, fault.floor);
+    return fault.spot == no_floor ? node.kind == DeviceKind::car_panel : hangs_at(node, fault.spot);
   }
   return usual_place_of(fault.kind) == node.kind;
 }
@@ -323,8 +322,8 @@ std::string check_group_fault(const LiftNetworkDescription& description,
 }
 
 std::string check_place(const LiftNetworkDescription& description, const ScheduledFault& fault) {
-  const std::string lift = "lift " + std::to_string(fault.lift);
-  if (!has_node(description, fault.lift, fault.node)) {
+  const std::string lift = "lift " + std::to_string(fault.part);
+  if (!has_node(description, fault.part, fault.node)) {
     return lift + " has no node " + std::to_string(fault.node);
   }
   const std::optional<DeviceKind> kind = place_of(fault.kind);
@@ -332,7 +331,7 @@ std::string check_place(const LiftNetworkDescription& description, const Schedul
   const std::string name(device_kind_name(*kind));
   const bool is_there = std::ranges::any_of(description.nodes, [&](const NodeDescription& node) {
     const bool is_it = fault.node == 0 || node.id == fault.node;
-    return is_it && node.lift == fault.lift && node.kind == *kind;
+    return is_it && node.lift == fault.part && node.kind == *kind;
   });
   if (is_there) return {};
   if (fault.node == 0) return lift + " has no " + name;
@@ -343,13 +342,13 @@ std::string check_fault(const LiftNetworkDescription& description, const Schedul
   const Building& building = description.building;
   const bool has_place = fault.kind == FaultKind::lost_node || fault.kind == FaultKind::cable_cut ||
                          fault.kind == FaultKind::babbling_node || is_of_door(fault.kind);
-  if (fault.lift > building.lift_count()) {
-    return "there is no lift " + std::to_string(fault.lift);
+  if (fault.part > building.lift_count()) {
+    return "there is no lift " + std::to_string(fault.part);
   }
   if (fault.node != 0 && !has_place) return "it has no node";
-  if (fault.floor != no_floor && fault.kind != FaultKind::stuck_button) return "it has no floor";
-  if (fault.floor > building.floor_count()) return "the floor is not there";
-  if (fault.lift == 0) return check_group_fault(description, fault);
+  if (fault.spot != no_floor && fault.kind != FaultKind::stuck_button) return "it has no floor";
+  if (fault.spot > building.floor_count()) return "the floor is not there";
+  if (fault.part == 0) return check_group_fault(description, fault);
   const std::string error = check_place(description, fault);
   return error.empty() ? check_is_played(description, fault) : error;
 }
@@ -382,7 +381,7 @@ LiftNetworkDescription standard_lift_network(const StandardLifts& options) {
   made.service.destination_control = options.destination_control;
   made.traffic = options.traffic;
   made.people.destination_control = options.destination_control;
-  made.seed = made.traffic.seed = made.people.seed = options.seed;
+  made.faults.seed = made.traffic.seed = made.people.seed = options.seed;
   if (options.traffic.pattern == TrafficPattern::up_peak) {
     made.service.parking_floor = made.building.main_floor;
     made.service.parking_after = 1s;
@@ -407,7 +406,7 @@ std::string check(const LiftNetworkDescription& description) {
     if (!error.empty()) return error;
     if (!taken.emplace(node.bus, node.id).second) return name_of(node) + " is not the only one";
   }
-  for (const ScheduledFault& fault : description.faults) {
+  for (const ScheduledFault& fault : description.faults.faults) {
     error = check_fault(description, fault);
     if (!error.empty()) return "fault " + std::string(fault_name(fault.kind)) + ": " + error;
   }

@@ -103,8 +103,7 @@ struct LiftNetworkDescription {
   /// In place of traffic, where there are any.
   std::vector<Arrival> arrivals{};
   PassengerOptions people{};
-  std::vector<ScheduledFault> faults{};
-  std::uint64_t seed = 1;  ///< of all that is left to chance, beside what has its own
+  FaultPlan faults{};  ///< and the seed of all that is left to chance, beside what has its own
 };
 
 /// What `canvoy run lift` asks for.

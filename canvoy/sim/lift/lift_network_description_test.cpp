@@ -119,41 +119,41 @@ TEST_F(WrongDescriptionTest, AFireOrParkingFloorThatIsNotThere) {
 struct WrongFaultTest : testing::Test {
   static std::string check_of(const ScheduledFault& fault, LiftNumber lifts = 1) {
     LiftNetworkDescription network = standard_lift_network({.lifts = lifts, .floors = 3});
-    network.faults = {fault};
+    network.faults.faults = {fault};
     return check(network);
   }
 };
 
 TEST_F(WrongFaultTest, OfALiftThatIsNotThere) {
-  EXPECT_EQ(check_of({.lift = 2}), "fault lost-node: there is no lift 2");
+  EXPECT_EQ(check_of({.part = 2}), "fault lost-node: there is no lift 2");
 }
 TEST_F(WrongFaultTest, OfANodeThatIsNotThere) {
   EXPECT_EQ(check_of({.node = 21}), "");
   EXPECT_EQ(check_of({.node = 99}), "fault lost-node: lift 1 has no node 99");
 }
 TEST_F(WrongFaultTest, AtAFloorThatIsNotThere) {
-  EXPECT_EQ(check_of({.kind = FaultKind::stuck_button, .floor = 3}), "");
-  EXPECT_EQ(check_of({.kind = FaultKind::stuck_button, .floor = 4}),
+  EXPECT_EQ(check_of({.kind = FaultKind::stuck_button, .spot = 3}), "");
+  EXPECT_EQ(check_of({.kind = FaultKind::stuck_button, .spot = 4}),
             "fault stuck-button: the floor is not there");
 }
 TEST_F(WrongFaultTest, WithANodeOrAFloorThatSayNothing) {
   EXPECT_EQ(check_of({.kind = FaultKind::dead_encoder, .node = 4}),
             "fault dead-encoder: it has no node");
-  EXPECT_EQ(check_of({.kind = FaultKind::lost_node, .floor = 2}),
+  EXPECT_EQ(check_of({.kind = FaultKind::lost_node, .spot = 2}),
             "fault lost-node: it has no floor");
 }
 TEST_F(WrongFaultTest, OfAGroupThatIsNotThere) {
-  EXPECT_EQ(check_of({.lift = 0}), "fault lost-node: there is no group");
-  EXPECT_EQ(check_of({.kind = FaultKind::fire_alarm, .lift = 0}), "");
+  EXPECT_EQ(check_of({.part = 0}), "fault lost-node: there is no group");
+  EXPECT_EQ(check_of({.kind = FaultKind::fire_alarm, .part = 0}), "");
 }
 TEST_F(WrongFaultTest, OfAGroupThatCannotHaveIt) {
-  EXPECT_EQ(check_of({.kind = FaultKind::dead_encoder, .lift = 0}, 2),
+  EXPECT_EQ(check_of({.kind = FaultKind::dead_encoder, .part = 0}, 2),
             "fault dead-encoder: it is no fault of a group");
-  EXPECT_EQ(check_of({.kind = FaultKind::lost_node, .lift = 0, .node = 17}, 2), "");
-  EXPECT_EQ(check_of({.kind = FaultKind::lost_node, .lift = 0, .node = 2}, 2),
+  EXPECT_EQ(check_of({.kind = FaultKind::lost_node, .part = 0, .node = 17}, 2), "");
+  EXPECT_EQ(check_of({.kind = FaultKind::lost_node, .part = 0, .node = 2}, 2),
             "fault lost-node: of a group it is its controller");
-  EXPECT_EQ(check_of({.kind = FaultKind::cable_cut, .lift = 0, .node = 2}, 2), "");
-  EXPECT_EQ(check_of({.kind = FaultKind::cable_cut, .lift = 0, .node = 3}, 2),
+  EXPECT_EQ(check_of({.kind = FaultKind::cable_cut, .part = 0, .node = 2}, 2), "");
+  EXPECT_EQ(check_of({.kind = FaultKind::cable_cut, .part = 0, .node = 3}, 2),
             "fault cable-cut: there is no node 3 on the bus of the group");
 }
 

@@ -67,7 +67,7 @@ void LiftPeople::add_brigades() {
                          .door_close = [&lift](bool pressed) { lift.press_door_close(pressed); }},
         FireBrigadeOptions{.fire_floor = description_->service.fire_floor,
                            .floors = description_->building.floor_count(),
-                           .seed = description_->seed + number}));
+                           .seed = description_->faults.seed + number}));
   }
 }
 

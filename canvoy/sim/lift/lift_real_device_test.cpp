@@ -282,7 +282,7 @@ TEST(LiftRealDevice, OfTwoLightBarriersEachSpeaksOfItsOwnDoor) {
 TEST(LiftRealDevice, IsNotBrokenHere) {
   LiftNetworkDescription description = house_with_a_real(DeviceKind::light_barrier);
   const auto error_of = [&](FaultKind kind, NodeId node = 0) {
-    description.faults = {{.kind = kind, .start = Time(1s), .lift = 1, .node = node}};
+    description.faults.faults = {{.kind = kind, .start = Time(1s), .part = 1, .node = node}};
     return check(description);
   };
   EXPECT_EQ(

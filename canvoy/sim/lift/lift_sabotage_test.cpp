@@ -160,7 +160,8 @@ TEST_F(LiftSabotageTest, ACarThatIsNotLevelledIsSeen) {
 
 TEST_F(LiftSabotageTest, ADoorThatIsOpenedBetweenFloorsIsSeen) {
   description.arrivals = {{.at = Time(6s), .from = 1, .to = 6}};
-  description.faults = {{.kind = FaultKind::lost_node, .start = Time(18s), .node = node_id::drive}};
+  description.faults.faults = {
+      {.kind = FaultKind::lost_node, .start = Time(18s), .node = node_id::drive}};
   run_until(Time(30s));
   ASSERT_NE(opening.length, 0);
   ASSERT_EQ(network->snapshot().lifts.at(0).speed_m_s, 0);
@@ -212,7 +213,8 @@ TEST_F(LiftSabotageTest, ACallThatNoCarAnswersAndWhoWaitsForItAreSeen) {
 TEST_F(LiftSabotageTest, AFireAlarmThatNobodyHearsIsSeenInEachOfItsRules) {
   mute(landing_panel(description.service.fire_floor));
   description.arrivals = {{.at = Time(61s), .from = 5, .to = 2}};
-  description.faults = {{.kind = FaultKind::fire_alarm, .start = Time(60s), .duration = 5min}};
+  description.faults.faults = {
+      {.kind = FaultKind::fire_alarm, .start = Time(60s), .duration = 5min}};
   run_until(Time(5min));
   EXPECT_TRUE(is_broken(InvariantKind::fire_recall));
   EXPECT_TRUE(is_broken(InvariantKind::fire_doors));
@@ -220,7 +222,8 @@ TEST_F(LiftSabotageTest, AFireAlarmThatNobodyHearsIsSeenInEachOfItsRules) {
 }
 
 TEST_F(LiftSabotageTest, ADoorThatOpensByItselfUnderTheFireBrigadeIsSeen) {
-  description.faults = {{.kind = FaultKind::fire_brigade, .start = Time(10s), .duration = 5min}};
+  description.faults.faults = {
+      {.kind = FaultKind::fire_brigade, .start = Time(10s), .duration = 5min}};
   begin();
   run_until(Time(30s));
   run_until_it_moves();
@@ -234,14 +237,15 @@ TEST_F(LiftSabotageTest, AnEncoderThatDiesSilentlyIsSeen) {
   // 1014h of the position unit is not valid: its emergencies are not sent.
   node(DeviceKind::position).values = {{0x1014, 0, {0x84, 0x00, 0x00, 0x80}}};
   description.arrivals = {{.at = Time(2s), .from = 1, .to = 6}};
-  description.faults = {{.kind = FaultKind::dead_encoder, .start = Time(14s), .duration = 40s}};
+  description.faults.faults = {
+      {.kind = FaultKind::dead_encoder, .start = Time(14s), .duration = 40s}};
   run_until(Time(60s));
   EXPECT_TRUE(is_broken(InvariantKind::emergency_told));
 }
 
 TEST_F(LiftSabotageTest, ACarThatGoesOnWithoutAUnitThatItNeedsIsSeen) {
   description.arrivals = {{.at = Time(2s), .from = 1, .to = 6}, {.at = Time(20s), .from = 3}};
-  description.faults = {
+  description.faults.faults = {
       {.kind = FaultKind::lost_node, .start = Time(14s), .duration = 60s, .node = node_id::load}};
   begin();
   // Somebody else sends its heartbeats.
@@ -254,7 +258,8 @@ TEST_F(LiftSabotageTest, ACarThatGoesOnWithoutAUnitThatItNeedsIsSeen) {
 }
 
 TEST_F(LiftSabotageTest, ALiftThatStaysOutOfOrderAfterAFaultIsSeen) {
-  description.faults = {{.kind = FaultKind::light_barrier, .start = Time(14s), .duration = 10s}};
+  description.faults.faults = {
+      {.kind = FaultKind::light_barrier, .start = Time(14s), .duration = 10s}};
   run_until(Time(20s));
   send_record(virtual_input + node_id::first_car_panel,
               cia417::encode(cia417::VirtualInput{
@@ -308,7 +313,8 @@ TEST_F(LiftSabotageTest, ALiftThatSaysThatItServesAndCarriesNobodyIsSeen) {
   // After the fault its drive is stopped behind the back of its controller.
   description.arrivals = {{.at = Time(2s), .from = 1, .to = 5}, {.at = Time(90s), .from = 2}};
   description.arrivals.back().to = 4;
-  description.faults = {{.kind = FaultKind::light_barrier, .start = Time(60s), .duration = 10s}};
+  description.faults.faults = {
+      {.kind = FaultKind::light_barrier, .start = Time(60s), .duration = 10s}};
   run_until(Time(75s));
   send(Frame::data_frame(0, {0x02, node_id::drive}));
   run_until(Time(6min));
@@ -330,8 +336,8 @@ TEST_F(LiftSabotageTest, AGroupThatDoesNotComeBackIsSeen) {
   description = standard_lift_network({.lifts = 2, .floors = 5});
   // Its controller sends no heartbeat: no lift gives it calls.
   node(DeviceKind::group_controller).values = {{0x1017, 0, {0, 0}}};
-  description.faults = {
-      {.kind = FaultKind::lost_node, .start = Time(14s), .duration = 10s, .lift = 0}};
+  description.faults.faults = {
+      {.kind = FaultKind::lost_node, .start = Time(14s), .duration = 10s, .part = 0}};
   run_until(Time(2min));
   EXPECT_TRUE(is_broken(InvariantKind::service_resumed));
 }

@@ -70,11 +70,11 @@ struct SingleFaultTest : testing::TestWithParam<std::tuple<Row, bool>> {
     made.arrivals = {{.at = Time(2s), .from = 1, .to = 8},
                      {.at = Time(20s), .from = 3, .to = 1},
                      {.at = Time(90s), .from = 3, .to = 1}};
-    made.faults = {{.kind = row().kind,
-                    .start = begin,
-                    .duration = end - begin,
-                    .node = row().node,
-                    .floor = row().floor}};
+    made.faults.faults = {{.kind = row().kind,
+                           .start = begin,
+                           .duration = end - begin,
+                           .node = row().node,
+                           .spot = row().floor}};
     return made;
   }
 

@@ -23,13 +23,13 @@ LiftNetworkDescription soak_network(std::uint64_t seed, Duration time) {
   options.traffic.percent_in_5_minutes = 3;
   LiftNetworkDescription made = standard_lift_network(options);
   made.service.fire_floor = static_cast<FloorNumber>(1 + seed % 5 / 4);
-  made.faults = random_faults(made.building, Time(1min), Time(time), seed);
+  made.faults.faults = random_faults(made.building, Time(1min), Time(time), seed);
   return made;
 }
 
 LiftNetworkDescription soak_network_of_pairs(std::uint64_t seed, Duration time) {
   LiftNetworkDescription made = soak_network(seed, time);
-  made.faults = random_fault_pairs(made.building, Time(1min), Time(time), seed);
+  made.faults.faults = random_fault_pairs(made.building, Time(1min), Time(time), seed);
   return made;
 }
 

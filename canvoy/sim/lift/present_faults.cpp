@@ -20,10 +20,10 @@ bool PresentFaults::has_like(const ScheduledFault& fault) const {
   return std::ranges::any_of(present_, [&](std::size_t number) {
     const ScheduledFault& other = (*plan_)[number];
     if (other.kind != fault.kind) return false;
-    if (fault.kind == FaultKind::fire_alarm) return other.lift == 0 || other.lift == fault.lift;
-    if (other.lift != fault.lift) return false;
+    if (fault.kind == FaultKind::fire_alarm) return other.part == 0 || other.part == fault.part;
+    if (other.part != fault.part) return false;
     if (fault.kind == FaultKind::cable_cut) return true;
-    return node_of(other) == node_of(fault) && other.floor == fault.floor;
+    return node_of(other) == node_of(fault) && other.spot == fault.spot;
   });
 }
 
@@ -32,8 +32,8 @@ bool PresentFaults::silences(const ScheduledFault& fault) const {
   if (fault.start < Time(first_heartbeat)) return true;
   return std::ranges::any_of(present_, [&](std::size_t number) {
     const ScheduledFault& other = (*plan_)[number];
-    if (other.lift != fault.lift || !takes_heartbeats(other.kind)) return false;
-    if (fault.lift == 0 || other.kind == FaultKind::babbling_node) return true;
+    if (other.part != fault.part || !takes_heartbeats(other.kind)) return false;
+    if (fault.part == 0 || other.kind == FaultKind::babbling_node) return true;
     if (other.kind == FaultKind::lost_node) return node_of(other) == node_id::lift_controller;
     return fault.kind == FaultKind::lost_node && devices_->is_behind(node_of(fault), other);
   });

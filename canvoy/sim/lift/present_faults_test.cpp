@@ -20,7 +20,7 @@ struct PresentFaultsTest : testing::Test {
     return made;
   }
   static ScheduledFault fault(FaultKind kind, NodeId node = 0, LiftNumber lift = 1) {
-    return {.kind = kind, .start = Time(1min), .lift = lift, .node = node};
+    return {.kind = kind, .start = Time(1min), .part = lift, .node = node};
   }
   /// Whether `later` has nobody who would tell of it, where `present` is there alone.
   bool silences(const ScheduledFault& present, const ScheduledFault& later) {
@@ -50,9 +50,9 @@ TEST_F(PresentFaultsTest, AreTheSameByTheirKindLiftNodeAndFloor) {
   EXPECT_FALSE(is_like(lost, fault(FaultKind::lost_node, 2, 2)));
   EXPECT_FALSE(is_like(lost, fault(FaultKind::babbling_node, 2)));
   ScheduledFault button = fault(FaultKind::stuck_button);
-  button.floor = 3;
+  button.spot = 3;
   ScheduledFault other = button;
-  other.floor = 4;
+  other.spot = 4;
   EXPECT_TRUE(is_like(button, button));
   EXPECT_FALSE(is_like(button, other)) << "of one panel";
 }

@@ -211,13 +211,13 @@ NodeId ShaftPlan::node_of(const ScheduledFault& fault) const {
 
 CallKey ShaftPlan::stuck_button(const ScheduledFault& fault) const {
   const FloorNumber main = building().main_floor;
-  const bool is_at_main = fault.floor == main;
-  if (fault.floor == no_floor) return {.lift = lift_, .floor = main};
+  const bool is_at_main = fault.spot == main;
+  if (fault.spot == no_floor) return {.lift = lift_, .floor = main};
   if (service().destination_control) {
     const FloorNumber other = main == 1 ? 2 : 1;
-    return {.floor = fault.floor, .to = is_at_main ? other : main};
+    return {.floor = fault.spot, .to = is_at_main ? other : main};
   }
-  return {.floor = fault.floor, .direction = is_at_main ? Direction::up : Direction::down};
+  return {.floor = fault.spot, .direction = is_at_main ? Direction::up : Direction::down};
 }
 
 std::optional<std::size_t> ShaftPlan::key_for(const CallKey& button) const {

@@ -1,17 +1,14 @@
-// What goes wrong in a police car, when and for how long.
+// What goes wrong in a police car.
 //
-//     ScheduledFault fault{.kind = FaultKind::lost_node, .node = 2, .start = Time(20min)};
+//     ScheduledFault fault{.kind = FaultKind::lost_node, .start = Time(20min), .node = 2};
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <string_view>
-#include <vector>
-
-#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/profiles/cia447/network.hpp"
 #include "canvoy/sim/fault.hpp"
 
 namespace canvoy::police {
+
+inline constexpr NodeId terminal_id = 2;
 
 enum class FaultKind : std::uint8_t {
   lost_node,
@@ -21,43 +18,34 @@ enum class FaultKind : std::uint8_t {
   corrupted_frames,
   burnt_lamp,
   overload,
-  dead_client,
+  dead_client
 };
-inline constexpr std::size_t fault_kinds = static_cast<std::size_t>(FaultKind::dead_client) + 1;
 
-/// A restart is over at once.
-constexpr bool lasts(FaultKind kind) {
-  return kind != FaultKind::restart;
-}
-/// All has to go well in spite of it, but for the moment in which it begins or ends.
-constexpr bool is_harmless(FaultKind kind) {
-  return kind == FaultKind::burnt_lamp || kind == FaultKind::corrupted_frames;
-}
-
-/// All kinds, in the order of FaultKind; `:node=N` says where.
-FaultGrammar fault_grammar();
-std::string_view fault_name(FaultKind kind);
-/// The fault is one of a node: lost_node, restart.
-constexpr bool has_node(FaultKind kind) {
-  return kind == FaultKind::lost_node || kind == FaultKind::restart;
-}
-
-struct ScheduledFault {
-  FaultKind kind = FaultKind::lost_node;
-  NodeId node = 0;  ///< 0: the plan leaves it open: the terminal
-  Time start{};
-  Duration duration = for_the_rest;
-
-  Time end() const { return end_of_fault(start, duration); }
-  friend bool operator==(const ScheduledFault&, const ScheduledFault&) = default;
+/// Harmless: all has to go well in spite of it.
+inline constexpr FaultRow fault_rows[] = {
+    {"lost-node",
+     "a device has no power (default: the terminal)",
+     {.is_at_node = true, .node = terminal_id}},
+    {"restart",
+     "a device boots again (default: the terminal)",
+     {.is_at_node = true, .node = terminal_id, .is_over_at_once = true}},
+    {"cable-cut", "the bus cable is cut behind a device (default: the gateway)"},
+    {"babbling-node", "a stranger fills the bus with frames of the highest priority"},
+    {"corrupted-frames",
+     "one frame in a hundred is disturbed, and sent again",
+     {.is_harmless = true}},
+    {"burnt-lamp", "a blue flasher in front gives no light", {.is_harmless = true}},
+    {"overload", "the power supply has no power for the radio"},
+    {"dead-client", "who holds the number pad next has no power from then on"},
 };
-ScheduledFault scheduled(const WrittenFault& fault);
-WrittenFault written(const ScheduledFault& fault);
+inline constexpr std::size_t fault_kinds = std::size(fault_rows);
+static_assert(fault_kinds == static_cast<std::size_t>(FaultKind::dead_client) + 1);
+inline constexpr FaultPlaceName fault_places[] = {{"node", cia447::node_id_max}};
+constexpr FaultGrammar grammar_of(FaultKind) {
+  return {fault_rows, fault_places};
+}
 
-struct FaultPlan {
-  std::uint64_t seed = 1;  ///< of what is left to chance
-  std::vector<ScheduledFault> faults{};
-  double corrupted_share = 0.01;  ///< corrupted_frames: of all frames, 0 to 1
-};
+using ScheduledFault = canvoy::ScheduledFault<FaultKind>;
+using FaultPlan = canvoy::FaultPlan<FaultKind>;
 
 }  // namespace canvoy::police

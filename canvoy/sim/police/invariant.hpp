@@ -1,35 +1,45 @@
 // What must hold in a police car, whatever happens, and by how much it did.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <span>
-
 #include "canvoy/sim/invariant.hpp"
 
 namespace canvoy::police {
 
 enum class InvariantKind : std::uint8_t {
-  keypad,         ///< keys that another client acted on than the one for which they were pressed
-  terminal_wait,  ///< the longest time that somebody at the terminal waited for a client; in s
-  blue_light,     ///< the longest time that the blue light was not as the crew wished; in s
-  siren,          ///< the same of the siren
-  speech,         ///< the longest time that somebody spoke and was not heard; in s
-  carrier,  ///< the longest time that the radio blocked the channel with nobody speaking; in s
-  display,  ///< the longest time that display 2 said what is not so; in s
-  locks,    ///< the longest time that the car was not locked, or unlocked, as wished; in s
-  power,    ///< the longest time that there was no power with the ignition on, or some when the
-            ///< after-run was over; in s
-  silence,  ///< frames that were sent while all slept
-  calls,    ///< calls for help that were not attended to, and reported, in time
-  device_missing,  ///< the longest time that a device was not operational without an excuse; in s
+  keypad,
+  terminal_wait,
+  blue_light,
+  siren,
+  speech,
+  carrier,
+  display,
+  locks,
+  power,
+  silence,
+  calls,
+  device_missing
 };
-inline constexpr std::size_t invariant_kinds =
-    static_cast<std::size_t>(InvariantKind::device_missing) + 1;
 
 /// All kinds, in the order of InvariantKind.
-std::span<const InvariantName> invariant_names();
-const InvariantName& invariant_name(InvariantKind kind);
+inline constexpr InvariantRow invariant_rows[] = {
+    {"keypad", "keys on which another client acted than they were pressed for", ""},
+    {"terminal_wait", "somebody waited at the terminal for at most", "s"},
+    {"blue_light", "the blue light was not as wished for at most", "s"},
+    {"siren", "the siren was not as wished for at most", "s"},
+    {"speech", "somebody spoke and was not heard for at most", "s"},
+    {"carrier", "the radio blocked the channel with nobody speaking for at most", "s"},
+    {"display", "display 2 said what is not so for at most", "s"},
+    {"locks", "the locks were not as wished for at most", "s"},
+    {"power", "radio and periphery were powered wrongly for at most", "s"},
+    {"silence", "frames sent while all slept", ""},
+    {"calls", "calls for help that were not attended to and reported", ""},
+    {"device_missing", "a device was missing without an excuse for at most", "s"},
+};
+inline constexpr std::size_t invariant_kinds = std::size(invariant_rows);
+static_assert(invariant_kinds == static_cast<std::size_t>(InvariantKind::device_missing) + 1);
+constexpr std::span<const InvariantRow> rows_of(InvariantKind) {
+  return invariant_rows;
+}
 
 using Invariant = canvoy::Invariant<InvariantKind>;
 

@@ -64,7 +64,7 @@ TEST(PoliceFaultPairsFound, AKeyThatComesLateIsNobodyElses) {
   options.faults.seed = 1004;
   for (const FaultKind kind : {FaultKind::lost_node, FaultKind::babbling_node}) {
     options.faults.faults.push_back(
-        {.kind = kind, .node = blue_light_id, .start = Time(677s), .duration = 25s});
+        {.kind = kind, .start = Time(677s), .duration = 25s, .node = blue_light_id});
   }
   PoliceNetwork network(options);
   network.run_until(Time(750s));
@@ -104,7 +104,7 @@ TEST(PoliceFaultPairsFound, WhoGetsPowerAsAFullBusIsFreeIsNamedInTime) {
   options.length = 2h;
   options.faults.seed = 1004;
   const ScheduledFault lost = {
-      .kind = FaultKind::lost_node, .node = blue_light_id, .start = Time(4min), .duration = 12s};
+      .kind = FaultKind::lost_node, .start = Time(4min), .duration = 12s, .node = blue_light_id};
   ScheduledFault full = lost;
   full.kind = FaultKind::babbling_node;
   options.faults.faults = {lost, full};

@@ -8,12 +8,6 @@ namespace canvoy::police {
 
 namespace {
 
-/// 0: it is at no node.
-NodeId place_of_fault(const ScheduledFault& fault) {
-  if (!has_node(fault.kind)) return 0;
-  return fault.node == 0 ? terminal_id : fault.node;
-}
-
 /// Nobody notices that frames are sent again.
 constexpr Duration excuse_of(FaultKind kind) {
   return kind == FaultKind::corrupted_frames ? Duration{} : PoliceFaults::return_bound;
@@ -29,13 +23,9 @@ car::CarNode& cut_behind(const ScheduledFault& fault, car::CarBus& bus) {
 PoliceFaults::PoliceFaults(PoliceCar& car, const FaultPlan& plan, car::Excuse& excuse,
                            EventLog<PoliceEvent>& events)
     : car_(car),
-      plan_(plan),
       excuse_(excuse),
       events_(events),
-      faults_(plan.faults,
-              {.began = Callback<void(std::size_t)>::to<&PoliceFaults::began>(*this),
-               .ended = Callback<void(std::size_t)>::to<&PoliceFaults::ended>(*this),
-               .set = Callback<void(const ScheduledFault&, bool)>::to<&PoliceFaults::set>(*this)}),
+      faults_(plan.faults, Engine::of(*this)),
       trouble_(car.bus().bus()),
       cuts_(PowerCuts::Switch::to<&PoliceFaults::power>(*this)) {}
 
@@ -45,33 +35,32 @@ void PoliceFaults::plan() {
 }
 
 void PoliceFaults::began(std::size_t fault) {
-  const ScheduledFault& it = plan_.faults[fault];
-  events_.note(now(),
-               FaultBegan{fault, it.kind, {.bus = car_.bus().index(), .node = place_of_fault(it)}});
+  const ScheduledFault& it = faults_[fault];
+  events_.note(now(), FaultBegan{fault, it.kind, {.bus = car_.bus().index(), .node = node_of(it)}});
   if (lasts(it.kind) && !is_harmless(it.kind)) excuse_.fault_begins();
   excuse_.extend(now() + excuse_of(it.kind));
 }
 
 void PoliceFaults::ended(std::size_t fault) {
-  const ScheduledFault& it = plan_.faults[fault];
-  events_.note(now(),
-               FaultEnded{fault, it.kind, {.bus = car_.bus().index(), .node = place_of_fault(it)}});
+  const ScheduledFault& it = faults_[fault];
+  events_.note(now(), FaultEnded{fault, it.kind, {.bus = car_.bus().index(), .node = node_of(it)}});
   if (lasts(it.kind) && !is_harmless(it.kind)) excuse_.fault_ends();
   excuse_.extend(now() + excuse_of(it.kind));
 }
 
-void PoliceFaults::set(const ScheduledFault& fault, bool is_present) {
+void PoliceFaults::set(std::size_t number, bool is_present) {
+  const ScheduledFault& fault = faults_[number];
   switch (fault.kind) {
     case FaultKind::lost_node:
-      return cuts_.set_power(place_of_fault(fault), !is_present);
+      return cuts_.set_power(node_of(fault), !is_present);
     case FaultKind::restart:
-      return is_present ? cuts_.restart(place_of_fault(fault)) : void();
+      return is_present ? cuts_.restart(node_of(fault)) : void();
     case FaultKind::cable_cut:
       return trouble_.cut_cable(cut_behind(fault, car_.bus()).controller(), is_present);
     case FaultKind::babbling_node:
       return trouble_.babble(is_present);
     case FaultKind::corrupted_frames:
-      return trouble_.disturb(is_present ? plan_.corrupted_share : 0);
+      return trouble_.disturb(is_present ? corrupted_share : 0);
     case FaultKind::burnt_lamp:
       return car_.signals().burn_lamp(is_present);
     case FaultKind::overload:

@@ -7,7 +7,7 @@
 
 #include "canvoy/sim/bus_trouble.hpp"
 #include "canvoy/sim/car/excuse.hpp"
-#include "canvoy/sim/planned_faults.hpp"
+#include "canvoy/sim/fault_engine.hpp"
 #include "canvoy/sim/police/police_car.hpp"
 #include "canvoy/sim/power_cuts.hpp"
 
@@ -30,18 +30,19 @@ class PoliceFaults {
   void step();
 
  private:
+  using Engine = FaultEngine<FaultKind>;
+  friend Engine;
   Time now() const { return car_.bus().world().now(); }
   void began(std::size_t fault);
   void ended(std::size_t fault);
-  void set(const ScheduledFault& fault, bool is_present);
+  void set(std::size_t fault, bool is_present);
   void let_client_die(bool shall_die);
   void power(NodeId id, bool is_on) { car_.power(car_.bus().node(id), is_on); }
 
   PoliceCar& car_;
-  const FaultPlan& plan_;
   car::Excuse& excuse_;
   EventLog<PoliceEvent>& events_;
-  PlannedFaults<ScheduledFault, fault_kinds> faults_;
+  Engine faults_;
   BusTrouble trouble_;
   PowerCuts cuts_;
   bool client_shall_die_ = false;

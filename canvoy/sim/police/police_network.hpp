@@ -3,7 +3,7 @@
 // referees.
 //
 //     PoliceOptions options;
-//     options.faults.faults = {{.kind = FaultKind::restart, .node = 2, .start = Time(20min)}};
+//     options.faults.faults = {{.kind = FaultKind::restart, .start = Time(20min), .node = 2}};
 //     PoliceNetwork network(options);
 //     network.run_until(Time(8h));
 //     for (const Invariant& invariant : network.invariants()) ok = ok && invariant.held;

@@ -156,7 +156,7 @@ TEST(PolicePatrol, NobodyGoesHomeFromACarThatFlashes) {
   PoliceOptions options = short_patrol(1);
   options.length = 3h;
   options.faults.faults = {
-      {.kind = FaultKind::lost_node, .node = terminal_id, .start = Time(7170s), .duration = 10min}};
+      {.kind = FaultKind::lost_node, .start = Time(7170s), .duration = 10min, .node = terminal_id}};
   PoliceNetwork network(options);
   network.run_until(Time(7170s + 9min));
   EXPECT_TRUE(network.snapshot().is_blue);
@@ -188,9 +188,9 @@ class PoliceFault : public testing::TestWithParam<FaultCase> {};
 
 TEST_P(PoliceFault, AloneBreaksNothing) {
   PoliceOptions options = short_patrol(1);
-  const FaultParse parsed = parse_fault(fault_grammar(), GetParam().text);
+  const ParsedFault<FaultKind> parsed = parse_fault<FaultKind>(GetParam().text);
   ASSERT_TRUE(parsed.fault) << parsed.error;
-  options.faults.faults = {scheduled(*parsed.fault)};
+  options.faults.faults = {*parsed.fault};
   const Time over = options.faults.faults.front().end();
   PoliceNetwork network(options);
   network.run_until(Time(25min));

@@ -2,7 +2,7 @@
 // who is not played here; and the node-IDs of its devices.
 //
 //     PoliceOptions options;
-//     options.faults.faults = {{.kind = FaultKind::restart, .node = 2, .start = Time(20min)}};
+//     options.faults.faults = {{.kind = FaultKind::restart, .start = Time(20min), .node = 2}};
 #pragma once
 
 #include <array>
@@ -15,7 +15,6 @@
 
 namespace canvoy::police {
 
-inline constexpr NodeId terminal_id = 2;
 inline constexpr NodeId roof_light_id = 3;
 inline constexpr NodeId roof_sound_id = 4;
 inline constexpr NodeId blue_light_id = 5;

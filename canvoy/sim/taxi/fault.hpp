@@ -1,17 +1,14 @@
-// What goes wrong in a taxi, when and for how long.
+// What goes wrong in a taxi.
 //
-//     ScheduledFault fault{.kind = FaultKind::lost_node, .node = 2, .start = Time(20min)};
+//     ScheduledFault fault{.kind = FaultKind::lost_node, .start = Time(20min), .node = 2};
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <string_view>
-#include <vector>
-
-#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/profiles/cia447/network.hpp"
 #include "canvoy/sim/fault.hpp"
 
 namespace canvoy::taxi {
+
+inline constexpr NodeId taximeter_id = 2;
 
 enum class FaultKind : std::uint8_t {
   lost_node,
@@ -21,46 +18,35 @@ enum class FaultKind : std::uint8_t {
   corrupted_frames,
   wheel_signal,
   paper_out,
-  no_fix,
+  no_fix
 };
-inline constexpr std::size_t fault_kinds = static_cast<std::size_t>(FaultKind::no_fix) + 1;
 
-/// A restart is over at once.
-constexpr bool lasts(FaultKind kind) {
-  return kind != FaultKind::restart;
+/// Harmless: one device lacks what it works with, and has to say so, or frames are sent again; all
+/// goes on.
+inline constexpr FaultRow fault_rows[] = {
+    {"lost-node",
+     "a device has no power (default: the taximeter)",
+     {.is_at_node = true, .node = taximeter_id}},
+    {"restart",
+     "a device boots again (default: the taximeter)",
+     {.is_at_node = true, .node = taximeter_id, .is_over_at_once = true}},
+    {"cable-cut", "the bus cable is cut behind a device (default: the gateway)"},
+    {"babbling-node", "a stranger fills the bus with frames of the highest priority"},
+    {"corrupted-frames",
+     "one frame in a hundred is disturbed, and sent again",
+     {.is_harmless = true}},
+    {"wheel-signal", "the wheel pulse counter does not know how far the car has gone"},
+    {"paper-out", "the printer has no paper", {.is_harmless = true}},
+    {"no-fix", "the GPS receiver sees no satellites", {.is_harmless = true}},
+};
+inline constexpr std::size_t fault_kinds = std::size(fault_rows);
+static_assert(fault_kinds == static_cast<std::size_t>(FaultKind::no_fix) + 1);
+inline constexpr FaultPlaceName fault_places[] = {{"node", cia447::node_id_max}};
+constexpr FaultGrammar grammar_of(FaultKind) {
+  return {fault_rows, fault_places};
 }
 
-/// All kinds, in the order of FaultKind; `:node=N` says where.
-FaultGrammar fault_grammar();
-std::string_view fault_name(FaultKind kind);
-/// The fault is one of a node: lost_node, restart.
-constexpr bool has_node(FaultKind kind) {
-  return kind == FaultKind::lost_node || kind == FaultKind::restart;
-}
-
-/// It excuses nothing: one device lacks what it works with, and has to say so, or frames are sent
-/// again; all goes on.
-constexpr bool is_harmless(FaultKind kind) {
-  return kind == FaultKind::paper_out || kind == FaultKind::no_fix ||
-         kind == FaultKind::corrupted_frames;
-}
-
-struct ScheduledFault {
-  FaultKind kind = FaultKind::lost_node;
-  NodeId node = 0;  ///< 0: the plan leaves it open: the taximeter
-  Time start{};
-  Duration duration = for_the_rest;
-
-  Time end() const { return end_of_fault(start, duration); }
-  friend bool operator==(const ScheduledFault&, const ScheduledFault&) = default;
-};
-ScheduledFault scheduled(const WrittenFault& fault);
-WrittenFault written(const ScheduledFault& fault);
-
-struct FaultPlan {
-  std::uint64_t seed = 1;  ///< of what is left to chance
-  std::vector<ScheduledFault> faults{};
-  double corrupted_share = 0.01;  ///< corrupted_frames: of all frames, 0 to 1
-};
+using ScheduledFault = canvoy::ScheduledFault<FaultKind>;
+using FaultPlan = canvoy::FaultPlan<FaultKind>;
 
 }  // namespace canvoy::taxi

@@ -4,12 +4,6 @@ namespace canvoy::taxi {
 
 namespace {
 
-/// 0: it is at no node.
-NodeId node_of(const ScheduledFault& fault) {
-  if (!has_node(fault.kind)) return 0;
-  return fault.node == 0 ? taximeter_id : fault.node;
-}
-
 /// Of a cut cable.
 car::CarNode& cut_behind(const ScheduledFault& fault, car::CarBus& bus) {
   return fault.node == 0 ? bus.gateway() : bus.node(fault.node);
@@ -20,14 +14,10 @@ car::CarNode& cut_behind(const ScheduledFault& fault, car::CarBus& bus) {
 TaxiFaults::TaxiFaults(TaxiCar& car, const FaultPlan& plan, TripBook& trips, car::Excuse& excuse,
                        EventLog<TaxiEvent>& events)
     : car_(car),
-      plan_(plan),
       trips_(trips),
       excuse_(excuse),
       events_(events),
-      faults_(plan.faults,
-              {.began = Callback<void(std::size_t)>::to<&TaxiFaults::began>(*this),
-               .ended = Callback<void(std::size_t)>::to<&TaxiFaults::ended>(*this),
-               .set = Callback<void(const ScheduledFault&, bool)>::to<&TaxiFaults::set>(*this)}),
+      faults_(plan.faults, Engine::of(*this)),
       trouble_(car.bus().bus()),
       cuts_(PowerCuts::Switch::to<&TaxiFaults::power>(*this)) {}
 
@@ -37,14 +27,14 @@ void TaxiFaults::plan() {
 }
 
 void TaxiFaults::began(std::size_t fault) {
-  const ScheduledFault& it = plan_.faults[fault];
+  const ScheduledFault& it = faults_[fault];
   events_.note(now(), FaultBegan{fault, it.kind, {.bus = car_.bus().index(), .node = node_of(it)}});
   if (lasts(it.kind) && !is_harmless(it.kind)) excuse_.fault_begins();
   excuse(it.kind);
 }
 
 void TaxiFaults::ended(std::size_t fault) {
-  const ScheduledFault& it = plan_.faults[fault];
+  const ScheduledFault& it = faults_[fault];
   events_.note(now(), FaultEnded{fault, it.kind, {.bus = car_.bus().index(), .node = node_of(it)}});
   if (lasts(it.kind) && !is_harmless(it.kind)) excuse_.fault_ends();
   excuse(it.kind);
@@ -57,7 +47,8 @@ void TaxiFaults::excuse(FaultKind kind) {
   excuse_.extend(now() + return_bound);
 }
 
-void TaxiFaults::set(const ScheduledFault& fault, bool is_present) {
+void TaxiFaults::set(std::size_t number, bool is_present) {
+  const ScheduledFault& fault = faults_[number];
   switch (fault.kind) {
     case FaultKind::lost_node:
       return cuts_.set_power(node_of(fault), !is_present);
@@ -68,7 +59,7 @@ void TaxiFaults::set(const ScheduledFault& fault, bool is_present) {
     case FaultKind::babbling_node:
       return trouble_.babble(is_present);
     case FaultKind::corrupted_frames:
-      return trouble_.disturb(is_present ? plan_.corrupted_share : 0);
+      return trouble_.disturb(is_present ? corrupted_share : 0);
     case FaultKind::wheel_signal:
       return car_.lose_wheels(is_present);
     case FaultKind::paper_out:

@@ -6,7 +6,7 @@
 
 #include "canvoy/sim/bus_trouble.hpp"
 #include "canvoy/sim/car/excuse.hpp"
-#include "canvoy/sim/planned_faults.hpp"
+#include "canvoy/sim/fault_engine.hpp"
 #include "canvoy/sim/power_cuts.hpp"
 #include "canvoy/sim/taxi/taxi_car.hpp"
 #include "canvoy/sim/taxi/trip_book.hpp"
@@ -29,19 +29,20 @@ class TaxiFaults {
   bool has_any(FaultKind kind) const { return faults_.has_any(kind); }
 
  private:
+  using Engine = FaultEngine<FaultKind>;
+  friend Engine;
   Time now() const { return car_.bus().world().now(); }
   void began(std::size_t fault);
   void ended(std::size_t fault);
   void excuse(FaultKind kind);
-  void set(const ScheduledFault& fault, bool is_present);
+  void set(std::size_t fault, bool is_present);
   void power(NodeId id, bool is_on) { car_.power(car_.bus().node(id), is_on); }
 
   TaxiCar& car_;
-  const FaultPlan& plan_;
   TripBook& trips_;
   car::Excuse& excuse_;
   EventLog<TaxiEvent>& events_;
-  PlannedFaults<ScheduledFault, fault_kinds> faults_;
+  Engine faults_;
   BusTrouble trouble_;
   PowerCuts cuts_;
 };

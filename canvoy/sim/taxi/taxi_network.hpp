@@ -2,7 +2,7 @@
 // gateway names and starts, a driver, those whom he carries, faults by plan, and referees.
 //
 //     TaxiOptions options;
-//     options.faults.faults = {{.kind = FaultKind::restart, .node = 2, .start = Time(20min)}};
+//     options.faults.faults = {{.kind = FaultKind::restart, .start = Time(20min), .node = 2}};
 //     TaxiNetwork network(options);
 //     network.run_until(Time(12h));
 //     for (const Invariant& invariant : network.invariants()) ok = ok && invariant.held;

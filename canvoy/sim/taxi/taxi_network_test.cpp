@@ -111,9 +111,9 @@ TEST(TaxiClock, TheTariffGoesByTheClockOnTheBus) {
 
 TEST(TaxiClock, TheMeterGoesOnFromItWhileItIsLost) {
   TaxiNetwork network(late_shift({{.kind = FaultKind::lost_node,
-                                   .node = driver_id,
                                    .start = night - 5min,
-                                   .duration = 10min}}));
+                                   .duration = 10min,
+                                   .node = driver_id}}));
   network.run_until(night + 6min);
   EXPECT_TRUE(network.node(driver_id).is_operational());
   network.run_until(Time(shift_over));
@@ -123,11 +123,11 @@ TEST(TaxiClock, TheMeterGoesOnFromItWhileItIsLost) {
 
 TEST(TaxiClock, AndKnowsTheTimeAfterALossOfItsOwnPowerMeanwhile) {
   TaxiNetwork network(late_shift(
-      {{.kind = FaultKind::lost_node, .node = driver_id, .start = night - 7min, .duration = 1h},
+      {{.kind = FaultKind::lost_node, .start = night - 7min, .duration = 1h, .node = driver_id},
        {.kind = FaultKind::lost_node,
-        .node = taximeter_id,
         .start = night - 2min,
-        .duration = 20s}}));
+        .duration = 20s,
+        .node = taximeter_id}}));
   network.run_until(Time(shift_over));
   EXPECT_EQ(broken(network), "");
   EXPECT_EQ(levels(network), "1 2");
@@ -239,7 +239,7 @@ TEST(TaxiShift, TheLastReceiptComesWhenThereIsPaperAgain) {
 TEST(TaxiShift, APrinterThatStartsLooksForPaper) {
   TaxiOptions options = short_shift(1);
   options.faults.faults = {{.kind = FaultKind::paper_out, .start = Time(1min), .duration = 15min},
-                           {.kind = FaultKind::restart, .node = printer_id, .start = Time(10min)}};
+                           {.kind = FaultKind::restart, .start = Time(10min), .node = printer_id}};
   TaxiNetwork network(options);
   network.run_until(Time(16min - 1ms));
   ASSERT_GE(network.trips().size(), 2u);
@@ -271,9 +271,9 @@ Time asleep_at(const TaxiOptions& options) {
 TEST(TaxiShift, AGatewayThatHadNoPowerWakesTheOthersWhenItIsBack) {
   TaxiOptions options = short_shift(1);
   const ScheduledFault lost = {.kind = FaultKind::lost_node,
-                               .node = cia447::gateway_node_id,
                                .start = asleep_at(options) + 1min,
-                               .duration = 25min};
+                               .duration = 25min,
+                               .node = cia447::gateway_node_id};
   options.faults.faults = {lost};
   TaxiNetwork network(options);
   network.run_until(lost.end() - 1s);
@@ -290,7 +290,7 @@ TEST(TaxiShift, ANetworkHalfAsleepDoesNotStaySo) {
   const Time asleep = asleep_at(options);
   const ScheduledFault cut = {.kind = FaultKind::cable_cut, .start = asleep - 10s, .duration = 20s};
   const ScheduledFault restart = {
-      .kind = FaultKind::restart, .node = cia447::gateway_node_id, .start = asleep + 5min};
+      .kind = FaultKind::restart, .start = asleep + 5min, .node = cia447::gateway_node_id};
   options.faults.faults = {cut, restart};
   TaxiNetwork network(options);
   network.run_until(cut.end() + 30s);
@@ -311,7 +311,7 @@ TEST(TaxiShift, AMeterWithoutPowerShowsNothing) {
   }
   const Time hired = healthy.now();
   options.faults.faults = {
-      {.kind = FaultKind::lost_node, .node = taximeter_id, .start = hired + 10s, .duration = 5s}};
+      {.kind = FaultKind::lost_node, .start = hired + 10s, .duration = 5s, .node = taximeter_id}};
   TaxiNetwork network(options);
   network.run_until(hired + 9s);
   const std::uint32_t fare = network.snapshot().trip.fare;
@@ -329,8 +329,8 @@ TEST(TaxiShift, AMeterWithoutPowerShowsNothing) {
 TEST(TaxiShift, LampsAndDisplaysAreDarkWithoutPower) {
   TaxiOptions options = evening(1);
   options.faults.faults = {
-      {.kind = FaultKind::lost_node, .node = sign_id, .start = Time(10min), .duration = 1min},
-      {.kind = FaultKind::lost_node, .node = terminal_id, .start = Time(10min), .duration = 1min}};
+      {.kind = FaultKind::lost_node, .start = Time(10min), .duration = 1min, .node = sign_id},
+      {.kind = FaultKind::lost_node, .start = Time(10min), .duration = 1min, .node = terminal_id}};
   TaxiNetwork network(options);
   network.run_until(Time(10min - 1ms));
   const auto is_lit = [](cia447::Lamp lamp) { return lamp == cia447::Lamp::on; };
@@ -353,9 +353,9 @@ class TaxiFault : public testing::TestWithParam<FaultCase> {};
 
 TEST_P(TaxiFault, AloneBreaksNothing) {
   TaxiOptions options = short_shift(1);
-  const FaultParse parsed = parse_fault(fault_grammar(), GetParam().text);
+  const ParsedFault<FaultKind> parsed = parse_fault<FaultKind>(GetParam().text);
   ASSERT_TRUE(parsed.fault) << parsed.error;
-  options.faults.faults = {scheduled(*parsed.fault)};
+  options.faults.faults = {*parsed.fault};
   TaxiNetwork network(options);
   network.run_until(Time(25min));
   for (const auto& node : network.nodes()) {

@@ -2,7 +2,7 @@
 // town, who is not played here; and the node-IDs of its devices.
 //
 //     TaxiOptions options;
-//     options.faults.faults = {{.kind = FaultKind::restart, .node = 2, .start = Time(20min)}};
+//     options.faults.faults = {{.kind = FaultKind::restart, .start = Time(20min), .node = 2}};
 #pragma once
 
 #include <array>
@@ -23,7 +23,6 @@
 
 namespace canvoy::taxi {
 
-inline constexpr NodeId taximeter_id = 2;
 inline constexpr NodeId printer_id = 3;
 inline constexpr NodeId driver_id = 4;
 inline constexpr NodeId sign_id = 5;

@@ -68,12 +68,12 @@ std::string broken_with(const ScheduledFault& fault, Time begin) {
 TEST(TaxiReferee, TimeThatAFaultExcusesIsNoneInWhichSomebodyIsCarried) {
   constexpr Time oversleeps(126min);
   const auto until = [](Duration end) {
-    return ScheduledFault{.node = taximeter_id, .duration = end};
+    return ScheduledFault{.duration = end, .node = taximeter_id};
   };
   EXPECT_EQ(broken_with(until(10min), oversleeps), "undecided");
   EXPECT_EQ(broken_with(until(2min), oversleeps), "carried decided")
       << "more than two hours are left";
-  const ScheduledFault at_last{.node = alarm_id, .start = Time(122min)};
+  const ScheduledFault at_last{.start = Time(122min), .node = alarm_id};
   EXPECT_EQ(broken_with(at_last, oversleeps), "carried decided") << "two hours were before it";
   EXPECT_EQ(broken_with(at_last, Time(2min)), "decided");
   if (!tries_all()) return;

@@ -11,12 +11,8 @@ constexpr std::uint32_t faults_max = 6;
 constexpr Duration quiet = 90min;
 
 ScheduledFault any_fault(Random& random, Time start) {
-  auto fault = soak_fault<ScheduledFault>(random, fault_kinds, start);
-  if (has_node(fault.kind)) {
-    const auto nodes = static_cast<std::uint32_t>(device_names.size());
-    fault.node = static_cast<NodeId>(1 + random.below(nodes));
-  }
-  return fault;
+  return soak_fault<FaultKind>(random, start, device_names.size(),
+                               [](std::size_t i) { return static_cast<NodeId>(i + 1); });
 }
 
 }  // namespace

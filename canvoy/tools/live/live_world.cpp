@@ -123,7 +123,7 @@ void LiveWorld::begin_again(const WorldPlan& plan, Time up_to) {
 
 LiveSource::Json LiveWorld::description() {
   Json faults = Json::array();
-  for (const FaultName& kind : options_.grammar.kinds) {
+  for (const FaultRow& kind : options_.grammar.kinds) {
     faults.push_back({{"fault", kind.name}, {"text", kind.description}});
   }
   Json places = Json::array();

@@ -10,6 +10,7 @@
 #include "canvoy/tools/live/live_log.hpp"
 #include "canvoy/tools/live/report_page.hpp"
 #include "canvoy/tools/run/run.hpp"
+#include "canvoy/tools/run/world.hpp"
 #include "canvoy/tools/spelling.hpp"
 
 namespace canvoy::tools {
@@ -24,9 +25,9 @@ struct ReportOptions {
 
 int report(const ReportOptions& options) {
   if (options.source.empty()) {
-    throw UsageError(
-        "what is reported is missing: charger, lift, taxi, police, bus, excavator, a network file "
-        "or a log; see canvoy report --help");
+    throw UsageError(fmt::format(
+        "what is reported is missing: {}, a network file or a log; see canvoy report --help",
+        world_names(", ")));
   }
   if (!options.run.report) throw UsageError("--out is missing: name the file of the report");
   if (!std::filesystem::exists(options.source)) {

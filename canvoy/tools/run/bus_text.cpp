@@ -43,15 +43,11 @@ std::string_view how_text(bus::StopReached::How how) {
   return how == How::leaves ? "leaves" : "goes past";
 }
 
-class BusTeller {
+class BusTeller : public WorldTeller<BusNames> {
  public:
-  explicit BusTeller(const BusNetwork& network) : names_(network.options()) {}
+  using WorldTeller::WorldTeller;
+  using WorldTeller::operator();
 
-  template <class Event>
-    requires requires(const WorldNames& names, const Event& event) { told(names, event); }
-  Told operator()(const Event& event) const {
-    return told(names_, event);
-  }
   Told operator()(const bus::JourneyBegan& event) const {
     return {fmt::format("journey {} to {}", event.journey, event.destination),
             {{"event", "journey"}, {"journey", event.journey}, {"destination", event.destination}}};
@@ -98,21 +94,6 @@ class BusTeller {
          {"fare_zone", event.fare_zone},
          {"route_segment", event.route_segment}}};
   }
-  Told operator()(const bus::FaultBegan& event) const { return fault(true, event); }
-  Told operator()(const bus::FaultEnded& event) const { return fault(false, event); }
-  Told operator()(const bus::InvariantBroken& event) const {
-    return told_broken(names_, judged(event.invariant));
-  }
-
- private:
-  template <class Event>
-  Told fault(bool begins, const Event& event) const {
-    const std::string where =
-        event.place.node == 0 ? "" : "at " + names_.device(0, event.place.node);
-    return told_fault(names_, begins, bus::fault_name(event.kind), event.place, where);
-  }
-
-  BusNames names_;
 };
 
 /// A display as it looks, with its name above.
@@ -204,11 +185,11 @@ Json bus_look_json(BusNetwork& network, std::string_view event) {
 
 }  // namespace
 
-ToldEvent told_event(const NetworkEvent& event, const BusNetwork& network) {
-  return told_at(event.at, std::visit(BusTeller(network), event.what));
+ToldEvent WorldText<bus::BusNetwork>::event(const NetworkEvent& event, const BusNetwork& network) {
+  return told_at(event.at, std::visit(BusTeller(network.options()), event.what));
 }
 
-std::string dashboard_text(BusNetwork& network, double speed) {
+std::string WorldText<bus::BusNetwork>::picture(BusNetwork& network, double speed) {
   const BusNetworkSnapshot now = network.snapshot();
   const BusNames names(network.options());
   std::string text = fmt::format("Canvoy: a bus, CiA 407 at {} kbit/s    {}    {}{}\n\n",
@@ -229,20 +210,14 @@ std::string dashboard_text(BusNetwork& network, double speed) {
                         fmt::format("bus load, car {}", i + 1), bus.load * 100, bus.frames,
                         bus.error_frames);
   }
-  text += "\n";
-  const auto events = network.events();
-  constexpr std::size_t shown = 8;
-  for (const NetworkEvent& event : events.last(std::min(shown, events.size()))) {
-    text += "  " + told_event(event, network).line();
-  }
-  return text;
+  return text + "\n" + last_events(network, 8);
 }
 
-Json snapshot_json(BusNetwork& network) {
+Json WorldText<bus::BusNetwork>::snapshot(BusNetwork& network) {
   return bus_look_json(network, "snapshot");
 }
 
-std::string summary_text(BusNetwork& network) {
+std::string WorldText<bus::BusNetwork>::summary_text(BusNetwork& network) {
   const BusNetworkSnapshot end = network.snapshot();
   const BusNames names(network.options());
   const std::vector<bus::Invariant> all = network.invariants();
@@ -251,7 +226,7 @@ std::string summary_text(BusNetwork& network) {
          invariants_text(names, std::span<const bus::Invariant>(all));
 }
 
-Json summary_json(BusNetwork& network) {
+Json WorldText<bus::BusNetwork>::summary(BusNetwork& network) {
   Json json = bus_look_json(network, "summary");
   const std::vector<bus::Invariant> all = network.invariants();
   add_invariants(json, BusNames(network.options()), std::span<const bus::Invariant>(all));

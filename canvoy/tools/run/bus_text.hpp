@@ -9,15 +9,16 @@
 
 namespace canvoy::tools {
 
-/// `stop: arrives at Town Hall, 32 s late, 12 aboard`
-ToldEvent told_event(const bus::NetworkEvent& event, const bus::BusNetwork& network);
-
-/// What a terminal shows while the network runs: displays as they look, the line with the vehicle
-/// on it, bus, the last events.
-std::string dashboard_text(bus::BusNetwork& network, double speed);
-nlohmann::ordered_json snapshot_json(bus::BusNetwork& network);
-
-std::string summary_text(bus::BusNetwork& network);
-nlohmann::ordered_json summary_json(bus::BusNetwork& network);
+template <>
+struct WorldText<bus::BusNetwork> {
+  /// `stop: arrives at Town Hall, 32 s late, 12 aboard`
+  static ToldEvent event(const bus::NetworkEvent& event, const bus::BusNetwork& network);
+  /// What a terminal shows: displays as they look, the line with the vehicle on it, bus, the last
+  /// events.
+  static std::string picture(bus::BusNetwork& network, double speed);
+  static nlohmann::ordered_json snapshot(bus::BusNetwork& network);
+  static std::string summary_text(bus::BusNetwork& network);
+  static nlohmann::ordered_json summary(bus::BusNetwork& network);
+};
 
 }  // namespace canvoy::tools

@@ -21,14 +21,6 @@ std::string BusNames::device(BusIndex, NodeId id) const {
   return name.empty() ? words::node_text(id) : fmt::format("{} ({})", name, id);
 }
 
-std::string BusNames::fault(std::size_t fault) const {
-  return std::string(fault_name(options_.faults.faults.at(fault).kind));
-}
-
-std::string_view BusNames::emergency(std::uint16_t code) const {
-  return words::emergency_text(code);
-}
-
 std::string service_text(const bus::BusNetworkStatistics& statistics,
                          const bus::RiderStatistics& riders, double odometer,
                          const BusSnapshot& bus) {

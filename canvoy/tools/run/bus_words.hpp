@@ -12,19 +12,13 @@ namespace canvoy::tools {
 /// `ticket-canceller`; empty: no device of the bus has this node-ID.
 std::string_view bus_device_name(NodeId id);
 
-class BusNames : public WorldNames {
+/// `sim0` is in the first car, `sim1` in the second one.
+class BusNames : public PlanNames<bus::FaultKind> {
  public:
   /// `options` live as long as this.
-  explicit BusNames(const bus::BusNetworkOptions& options) : options_(options) {}
+  explicit BusNames(const bus::BusNetworkOptions& options) : PlanNames(options.faults) {}
 
-  /// `sim0` in the first car, `sim1` in the second one.
-  std::string bus(BusIndex index) const override { return "sim" + std::to_string(index); }
   std::string device(BusIndex, NodeId id) const override;
-  std::string fault(std::size_t fault) const override;
-  std::string_view emergency(std::uint16_t code) const override;
-
- private:
-  const bus::BusNetworkOptions& options_;
 };
 
 /// `3 journeys, 22 stops, 16.5 km; 17 people in, ...; 88233 frames, 0 error frames`; of the bus the

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <utility>
 
 #include "canvoy/sim/car/network_changed.hpp"
 #include "canvoy/tools/run/world_text.hpp"
@@ -12,24 +13,23 @@
 
 namespace canvoy::tools {
 
+/// The kind of fault of a network.
+template <class Network>
+using KindOf = std::remove_cvref_t<
+    decltype(std::declval<const Network&>().options().faults.faults.front().kind)>;
+
 /// Of a world with one car, which has nodes() and options().
 template <class Network>
-class CarNames : public WorldNames {
+class CarNames : public PlanNames<KindOf<Network>> {
  public:
-  explicit CarNames(const Network& network) : network_(network) {}
+  explicit CarNames(const Network& network)
+      : PlanNames<KindOf<Network>>(network.options().faults), network_(network) {}
 
-  std::string bus(BusIndex) const override { return "sim0"; }
   std::string device(BusIndex, NodeId id) const override {
     if (id == 0) return "all";
     const auto nodes = network_.nodes();
     return id <= nodes.size() ? fmt::format("{} ({})", nodes[id - 1U]->place().name, id)
                               : words::node_text(id);
-  }
-  std::string fault(std::size_t fault) const override {
-    return std::string(fault_name(network_.options().faults.faults.at(fault).kind));
-  }
-  std::string_view emergency(std::uint16_t code) const override {
-    return words::emergency_text(code);
   }
 
  private:

@@ -52,18 +52,13 @@ std::string connection_text(const SdoConnectionChanged& it, const ChargingOption
                      it.is_given ? "has got" : "has no longer", name_of_node(it.server, options));
 }
 
-class ChargingNames : public WorldNames {
+class ChargingNames : public PlanNames<charging::FaultKind> {
  public:
-  explicit ChargingNames(const ChargingOptions& options) : options_(options) {}
+  explicit ChargingNames(const ChargingOptions& options)
+      : PlanNames(options.faults), options_(options) {}
 
-  std::string bus(BusIndex) const override { return "sim0"; }
   std::string device(BusIndex, NodeId id) const override { return name_of_node(id, options_); }
-  std::string fault(std::size_t fault) const override {
-    return std::string(charging::fault_name(options_.faults.faults.at(fault).kind));
-  }
-  std::string_view emergency(std::uint16_t code) const override {
-    return words::emergency_text(code);
-  }
+  const ChargingOptions& options() const { return options_; }
 
  private:
   const ChargingOptions& options_;
@@ -87,24 +82,11 @@ std::string node_rows(const ChargingSnapshot& now) {
                      fmt::format("{:02X}h", now.battery.error_register));
 }
 
-std::string last_events(const ChargingNetwork& network, std::size_t count) {
-  std::string text;
-  const auto events = network.events();
-  for (const ChargingEvent& event : events.last(std::min(count, events.size()))) {
-    text += "  " + told_event(event, network.options()).line();
-  }
-  return text;
-}
-
-class ChargingTeller {
+class ChargingTeller : public WorldTeller<ChargingNames> {
  public:
-  explicit ChargingTeller(const ChargingOptions& options) : options_(options), names_(options) {}
+  using WorldTeller::WorldTeller;
+  using WorldTeller::operator();
 
-  template <class Event>
-    requires requires(const WorldNames& names, const Event& event) { told(names, event); }
-  Told operator()(const Event& event) const {
-    return told(names_, event);
-  }
   Told operator()(const charging::PhaseEntered& event) const {
     std::string text(phase_text(event.phase));
     if (event.battery != 0) text += ", " + words::node_text(event.battery);
@@ -130,18 +112,13 @@ class ChargingTeller {
                    {{"event", "time-of-day"}, {"time_of_day", time}});
   }
   Told operator()(const charging::SdoConnectionChanged& event) const {
-    const std::string text = connection_text(event, options_);
+    const std::string text = connection_text(event, names_.options());
     return {text,
             {{"event", "sdo-connection"},
              {"client", event.client},
              {"server", event.server},
              {"given", event.is_given},
              {"text", text}}};
-  }
-  Told operator()(const charging::FaultBegan& event) const { return fault(true, event); }
-  Told operator()(const charging::FaultEnded& event) const { return fault(false, event); }
-  Told operator()(const charging::InvariantBroken& event) const {
-    return told_broken(names_, judged(event.invariant));
   }
 
  private:
@@ -150,22 +127,16 @@ class ChargingTeller {
     told.json()["text"] = text;
     return told;
   }
-  template <class Event>
-  Told fault(bool begins, const Event& event) const {
-    return told_fault(names_, begins, charging::fault_name(event.kind), event.place, "");
-  }
-
-  const ChargingOptions& options_;
-  ChargingNames names_;
 };
 
 }  // namespace
 
-ToldEvent told_event(const ChargingEvent& event, const ChargingOptions& options) {
-  return told_at(event.at, std::visit(ChargingTeller(options), event.what));
+ToldEvent WorldText<charging::ChargingNetwork>::event(const ChargingEvent& event,
+                                                      const ChargingNetwork& network) {
+  return told_at(event.at, std::visit(ChargingTeller(network.options()), event.what));
 }
 
-std::string table_text(ChargingNetwork& network, double speed) {
+std::string WorldText<charging::ChargingNetwork>::picture(ChargingNetwork& network, double speed) {
   const ChargingSnapshot now = network.snapshot();
   const ChargingOptions& options = network.options();
   std::string text = fmt::format("Canvoy: CiA 419 charger and CiA 418 battery at {} kbit/s\n\n",
@@ -228,11 +199,11 @@ Json look_json(ChargingNetwork& network, std::string_view event) {
 
 }  // namespace
 
-Json snapshot_json(ChargingNetwork& network) {
+Json WorldText<charging::ChargingNetwork>::snapshot(ChargingNetwork& network) {
   return look_json(network, "snapshot");
 }
 
-std::string summary_text(ChargingNetwork& network) {
+std::string WorldText<charging::ChargingNetwork>::summary_text(ChargingNetwork& network) {
   const ChargingSnapshot end = network.snapshot();
   std::string text = fmt::format(
       "{} simulated: battery at {:.1f} %, {:.1f} °C, {:.2f} V; {:.2f} Ah and {:.2f} kWh delivered; "
@@ -249,7 +220,7 @@ std::string summary_text(ChargingNetwork& network) {
   return text;
 }
 
-Json summary_json(ChargingNetwork& network) {
+Json WorldText<charging::ChargingNetwork>::summary(ChargingNetwork& network) {
   Json json = look_json(network, "summary");
   add_invariants(json, ChargingNames(network.options()),
                  std::span<const charging::Invariant>(network.invariants()));

@@ -10,15 +10,16 @@
 
 namespace canvoy::tools {
 
-/// `the charger enters NMT state operational`
-ToldEvent told_event(const charging::ChargingEvent& event,
-                     const charging::ChargingOptions& options);
-
-/// What a terminal shows while the network runs: some twenty lines.
-std::string table_text(charging::ChargingNetwork& network, double speed);
-nlohmann::ordered_json snapshot_json(charging::ChargingNetwork& network);
-
-std::string summary_text(charging::ChargingNetwork& network);
-nlohmann::ordered_json summary_json(charging::ChargingNetwork& network);
+template <>
+struct WorldText<charging::ChargingNetwork> {
+  /// `the charger enters NMT state operational`
+  static ToldEvent event(const charging::ChargingEvent& event,
+                         const charging::ChargingNetwork& network);
+  /// What a terminal shows: some twenty lines.
+  static std::string picture(charging::ChargingNetwork& network, double speed);
+  static nlohmann::ordered_json snapshot(charging::ChargingNetwork& network);
+  static std::string summary_text(charging::ChargingNetwork& network);
+  static nlohmann::ordered_json summary(charging::ChargingNetwork& network);
+};
 
 }  // namespace canvoy::tools

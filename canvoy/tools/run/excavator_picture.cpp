@@ -108,7 +108,8 @@ std::string arm_picture(const ExcavatorSnapshot& now) {
   return text;
 }
 
-std::string dashboard_text(excavator::ExcavatorNetwork& network, double speed) {
+std::string WorldText<excavator::ExcavatorNetwork>::picture(excavator::ExcavatorNetwork& network,
+                                                            double speed) {
   const ExcavatorSnapshot now = network.snapshot();
   std::string text = fmt::format(
       "Canvoy: an excavator, CiA 852 on {} kbit/s   {}{}\n\n", network.options().bit_rate / 1000,
@@ -134,7 +135,7 @@ std::string dashboard_text(excavator::ExcavatorNetwork& network, double speed) {
   constexpr std::size_t shown = 4;
   for (const excavator::ExcavatorEvent& event : events.last(std::min(shown, events.size()))) {
     text += fmt::format("  {:>16}  {:.60}\n", words::duration_text(event.at - Time{}),
-                        told_event(event, network).text);
+                        WorldText<excavator::ExcavatorNetwork>::event(event, network).text);
   }
   return text;
 }

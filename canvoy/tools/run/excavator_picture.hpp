@@ -1,7 +1,7 @@
 // An excavator on a terminal of 80 columns and 24 lines: the arm from the side, the seat with its
 // sticks and lamps, the bus.
 //
-//     out << dashboard_text(network, speed);
+//     out << arm_picture(network.snapshot());
 #pragma once
 
 #include <string>
@@ -12,7 +12,5 @@ namespace canvoy::tools {
 
 /// The arm from the side, as lines of text: `metres` in front of the slew and around the ground.
 std::string arm_picture(const excavator::ExcavatorSnapshot& now);
-/// What a terminal shows while the network runs: machine, seat, bus, the last events.
-std::string dashboard_text(excavator::ExcavatorNetwork& network, double speed);
 
 }  // namespace canvoy::tools

@@ -28,11 +28,11 @@ constexpr std::string_view shown_texts[] = {"fuel_percent", "oil_celsius", "slew
                                             "height_cm",    "rpm",         "reach_cm",
                                             "page",         "detail"};
 
-class ExcavatorNames : public WorldNames {
+class ExcavatorNames : public PlanNames<excavator::FaultKind> {
  public:
-  explicit ExcavatorNames(const ExcavatorNetwork& network) : network_(network) {}
+  explicit ExcavatorNames(const ExcavatorNetwork& network)
+      : PlanNames(network.options().faults), network_(network) {}
 
-  std::string bus(BusIndex bus) const override { return fmt::format("sim{}", bus); }
   std::string device(BusIndex bus, NodeId id) const override {
     if (id == 0) return "all";
     const excavator::DevicePlace& armrest = excavator::armrest_place;
@@ -42,12 +42,8 @@ class ExcavatorNames : public WorldNames {
     }
     return words::node_text(id);
   }
-  std::string fault(std::size_t fault) const override {
-    return std::string(excavator::fault_name(network_.options().faults.faults.at(fault).kind));
-  }
-  std::string_view emergency(std::uint16_t code) const override {
-    return words::emergency_text(code);
-  }
+  /// Of a fault of the plan; 0: it is at none.
+  unsigned axis(std::size_t fault) const { return network_.options().faults.faults.at(fault).spot; }
 
  private:
   const ExcavatorNetwork& network_;
@@ -69,15 +65,11 @@ Json lit_json(const excavator::Lamps& lit) {
   return json;
 }
 
-class ExcavatorTeller {
+class ExcavatorTeller : public WorldTeller<ExcavatorNames> {
  public:
-  explicit ExcavatorTeller(const ExcavatorNetwork& network) : network_(network), names_(network) {}
+  using WorldTeller::WorldTeller;
+  using WorldTeller::operator();
 
-  template <class Event>
-    requires requires(const WorldNames& names, const Event& event) { told(names, event); }
-  Told operator()(const Event& event) const {
-    return told(names_, event);
-  }
   Told operator()(const excavator::ActivityChanged& event) const {
     const std::string_view activity = activity_text(event.activity);
     return {fmt::format("operator {}", activity), {{"event", "operator"}, {"operator", activity}}};
@@ -102,22 +94,14 @@ class ExcavatorTeller {
   }
   Told operator()(const excavator::FaultBegan& event) const { return fault(true, event); }
   Told operator()(const excavator::FaultEnded& event) const { return fault(false, event); }
-  Told operator()(const excavator::InvariantBroken& event) const {
-    return told_broken(names_, judged(event.invariant));
-  }
 
  private:
   template <class Event>
   Told fault(bool begins, const Event& event) const {
-    const unsigned axis = network_.options().faults.faults.at(event.fault).axis;
-    std::string where =
-        event.place.node == 0 ? "" : "at " + names_.device(event.place.bus, event.place.node);
-    if (axis != 0) where = fmt::format("at axis {}", axis);
-    return told_fault(names_, begins, excavator::fault_name(event.kind), event.place, where);
+    const unsigned axis = names_.axis(event.fault);
+    const std::string at = axis != 0 ? fmt::format("at axis {}", axis) : where(event.place);
+    return told_fault(names_, begins, fault_name(event.kind), event.place, at);
   }
-
-  const ExcavatorNetwork& network_;
-  ExcavatorNames names_;
 };
 
 Json statistics_json(const excavator::ExcavatorStatistics& statistics) {
@@ -196,15 +180,16 @@ std::string_view activity_text(excavator::Activity activity) {
   return texts[static_cast<std::size_t>(activity)];
 }
 
-ToldEvent told_event(const ExcavatorEvent& event, const ExcavatorNetwork& network) {
+ToldEvent WorldText<excavator::ExcavatorNetwork>::event(const ExcavatorEvent& event,
+                                                        const ExcavatorNetwork& network) {
   return told_at(event.at, std::visit(ExcavatorTeller(network), event.what));
 }
 
-Json snapshot_json(ExcavatorNetwork& network) {
+Json WorldText<excavator::ExcavatorNetwork>::snapshot(ExcavatorNetwork& network) {
   return excavator_look_json(network, "snapshot");
 }
 
-std::string summary_text(ExcavatorNetwork& network) {
+std::string WorldText<excavator::ExcavatorNetwork>::summary_text(ExcavatorNetwork& network) {
   const ExcavatorSnapshot end = network.snapshot();
   const std::vector<excavator::Invariant> all = network.invariants();
   const excavator::ExcavatorStatistics& statistics = end.statistics;
@@ -217,7 +202,7 @@ std::string summary_text(ExcavatorNetwork& network) {
          invariants_text(ExcavatorNames(network), std::span<const excavator::Invariant>(all));
 }
 
-Json summary_json(ExcavatorNetwork& network) {
+Json WorldText<excavator::ExcavatorNetwork>::summary(ExcavatorNetwork& network) {
   Json json = excavator_look_json(network, "summary");
   const std::vector<excavator::Invariant> all = network.invariants();
   add_invariants(json, ExcavatorNames(network), std::span<const excavator::Invariant>(all));

@@ -1,4 +1,4 @@
-#include "canvoy/tools/run/lift_file.hpp"
+#include "canvoy/tools/run/lift_world.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ LiftRun read(std::string_view text) {
   TomlFile file("house.toml", text);
   std::string network;
   file.table().take("network", network);
-  return read_lift_run(file.table(), ".");
+  return read_run<LiftWorld>(file.table(), ".");
 }
 
 std::string refusal(std::string_view text) {
@@ -45,13 +45,14 @@ TEST(LiftFile, WhatIsWrittenIsReadAsTheSame) {
   run.network.building.lifts[1].doors = 0b0101;
   run.network.building.lifts[1].speed_m_s = 2.5;
   run.duration = 90s;
-  add_lift_faults(run, {"lost-node:lift=2:node=6@10s+5s", "stuck-button:floor=5@1min"});
+  add_fault<LiftWorld>(run, "lost-node:lift=2:node=6@10s+5s");
+  add_fault<LiftWorld>(run, "stuck-button:floor=5@1min");
   run.real = {{1, "can0"}};
-  const std::string text = lift_run_text(run);
+  const std::string text = run_text<LiftWorld>(run);
   const LiftRun again = read(text);
-  EXPECT_EQ(lift_run_text(again), text);
+  EXPECT_EQ(run_text<LiftWorld>(again), text);
   EXPECT_EQ(again.network.nodes, run.network.nodes);
-  EXPECT_EQ(again.network.faults, run.network.faults);
+  EXPECT_EQ(again.network.faults.faults, run.network.faults.faults);
   EXPECT_EQ(again.network.people.seed, 7U);
   EXPECT_EQ(again.network.building.floors[3].name, "a \"quoted\" \\ name");
   EXPECT_EQ(again.network.building.lifts[1].doors, 0b0101U);
@@ -107,9 +108,9 @@ keys = []
   EXPECT_TRUE(panel.parameters);
   EXPECT_TRUE(run.network.nodes[1].panel.keys->empty());
   EXPECT_FALSE(run.network.nodes[1].panel.displays);
-  const std::string written = lift_run_text(run);
+  const std::string written = run_text<LiftWorld>(run);
   const LiftRun again = read(written);
-  EXPECT_EQ(lift_run_text(again), written);
+  EXPECT_EQ(run_text<LiftWorld>(again), written);
   EXPECT_EQ(again.network.nodes, run.network.nodes);
   EXPECT_EQ(again.network.building.lifts[0].locked_by_key, design.locked_by_key);
   EXPECT_EQ(again.network.building.lifts[0].zone, "low \"rise\"");
@@ -120,10 +121,10 @@ TEST(LiftFile, KeepsWhereCarsWithoutACallGo) {
   lift::StandardLifts options;
   options.traffic.pattern = lift::TrafficPattern::up_peak;
   run.network = lift::standard_lift_network(options);
-  const LiftRun again = read(lift_run_text(run));
+  const LiftRun again = read(run_text<LiftWorld>(run));
   EXPECT_EQ(again.network.service.parking_floor, 1);
   EXPECT_EQ(again.network.service.parking_after, 1s);
-  EXPECT_EQ(lift_run_text(again), lift_run_text(run));
+  EXPECT_EQ(run_text<LiftWorld>(again), run_text<LiftWorld>(run));
 }
 
 TEST(LiftFile, ANodeIsGivenValuesInTheirOrder) {
@@ -135,7 +136,7 @@ TEST(LiftFile, ANodeIsGivenValuesInTheirOrder) {
                                          {0x1008, 0, {'a', ' ', 'b'}}};
   ASSERT_EQ(run.network.nodes.size(), 1U);
   EXPECT_EQ(run.network.nodes[0].values, wanted);
-  const LiftRun again = read(lift_run_text(run));
+  const LiftRun again = read(run_text<LiftWorld>(run));
   EXPECT_EQ(again.network.nodes[0].values, wanted);
 }
 
@@ -170,7 +171,7 @@ TEST(LiftFile, ADeviceThatIsNotPlayedNeedsARealBus) {
   ASSERT_EQ(run.network.nodes.size(), 1U) << "its node-ID stays in the network";
   EXPECT_EQ(run.network.nodes[0].id, 2);
   EXPECT_FALSE(run.network.nodes[0].played);
-  const std::string written = lift_run_text(run);
+  const std::string written = run_text<LiftWorld>(run);
   EXPECT_NE(written.find("played = false"), std::string::npos);
   EXPECT_EQ(read(written).network.nodes, run.network.nodes);
   EXPECT_EQ(
@@ -181,9 +182,10 @@ TEST(LiftFile, ADeviceThatIsNotPlayedNeedsARealBus) {
 
 TEST(LiftFile, TellsTheLineOfWhatIsWrong) {
   const std::string house(small_house);
-  EXPECT_EQ(refusal(house + "speed = 5"),
-            "house.toml line 13: speed: is not known here; there are bus, id, device, lift, doors, "
-            "floors, keys, displays, parameters, played, configuration, values");
+  EXPECT_EQ(
+      refusal(house + "speed = 5"),
+      "house.toml line 13: speed: is not known here; there are bus, id, device, lift, floors, "
+      "doors, keys, displays, parameters, played, configuration, values");
   EXPECT_EQ(refusal(house + "keys = [\"bell\"]").substr(0, 60),
             "house.toml line 13: keys: 'bell' is none; there are fan-1, f");
   EXPECT_EQ(refusal(house + "displays = [\"arrival\", \"arrival\"]"),
@@ -214,7 +216,7 @@ TEST(LiftFault, SaysWhatIsWrong) {
   const auto why = [](const std::string& text) -> std::string {
     LiftRun run;
     try {
-      add_lift_faults(run, {text});
+      add_fault<LiftWorld>(run, text);
     } catch (const UsageError& error) {
       return error.what();
     }

@@ -9,7 +9,9 @@
 
 #include "canvoy/profiles/cia417.hpp"
 #include "canvoy/sim/duration_text.hpp"
+#include "canvoy/tools/run/lift_picture.hpp"
 #include "canvoy/tools/run/world_text.hpp"
+#include "canvoy/tools/terminal/screen.hpp"
 #include "canvoy/words/text.hpp"
 
 namespace canvoy::tools {
@@ -115,35 +117,30 @@ std::string_view emergency_meaning(std::uint16_t code) {
   return known != cia417::profile.error_codes.end() ? known->text : words::emergency_text(code);
 }
 
-class LiftNames : public WorldNames {
+class LiftNames : public PlanNames<lift::FaultKind> {
  public:
-  explicit LiftNames(const LiftNetworkDescription& network) : network_(network) {}
+  explicit LiftNames(const LiftNetworkDescription& network)
+      : PlanNames(network.faults), network_(network) {}
 
   std::string bus(BusIndex bus) const override {
     return bus < network_.buses.size() ? network_.buses[bus].name : "";
   }
   std::string device(BusIndex bus, NodeId id) const override { return name_of(network_, bus, id); }
   std::string_view part() const override { return "lift"; }
-  std::string fault(std::size_t fault) const override {
-    return std::string(lift::fault_name(network_.faults.at(fault).kind));
-  }
   std::string_view emergency(std::uint16_t code) const override { return emergency_meaning(code); }
+  const LiftNetworkDescription& network() const { return network_; }
 
  private:
   const LiftNetworkDescription& network_;
 };
 
-class LiftTeller {
+class LiftTeller : public WorldTeller<LiftNames> {
  public:
-  explicit LiftTeller(const LiftNetworkDescription& network) : network_(network), names_(network) {}
+  using WorldTeller::WorldTeller;
+  using WorldTeller::operator();
 
-  template <class Event>
-    requires requires(const WorldNames& names, const Event& event) { told(names, event); }
-  Told operator()(const Event& event) const {
-    return told(names_, event);
-  }
   Told operator()(const lift::LampChanged& event) const {
-    const std::string call = call_text(network_, event.call);
+    const std::string call = call_text(names_.network(), event.call);
     const std::string text =
         event.lit ? call + " is acknowledged" : fmt::format("{} {}", call, end_text(event.end));
     return {text,
@@ -158,14 +155,16 @@ class LiftTeller {
   Told operator()(const lift::CarStarted& event) const {
     return car(
         "start", event.lift, event.floor,
-        fmt::format("starts {} with {}", place_name(network_, event.floor),
+        fmt::format("starts {} with {}", place_name(names_.network(), event.floor),
                     event.persons == 1 ? "1 person" : fmt::format("{} persons", event.persons)));
   }
   Told operator()(const lift::CarStopped& event) const {
-    return car("stop", event.lift, event.floor, "stops " + place_name(network_, event.floor));
+    return car("stop", event.lift, event.floor,
+               "stops " + place_name(names_.network(), event.floor));
   }
   Told operator()(const lift::DoorsOpened& event) const {
-    return car("doors", event.lift, event.floor, "is open " + place_name(network_, event.floor));
+    return car("doors", event.lift, event.floor,
+               "is open " + place_name(names_.network(), event.floor));
   }
   Told operator()(const lift::ChainTripped& event) const {
     const bool is_reset = event.trip == lift::SafetyChain::Trip::none;
@@ -181,9 +180,6 @@ class LiftTeller {
   }
   Told operator()(const lift::FaultBegan& event) const { return fault(true, event); }
   Told operator()(const lift::FaultEnded& event) const { return fault(false, event); }
-  Told operator()(const lift::InvariantBroken& event) const {
-    return told_broken(names_, judged(event.invariant));
-  }
 
  private:
   static Told car(std::string_view event, lift::LiftNumber lift, lift::FloorNumber floor,
@@ -193,7 +189,7 @@ class LiftTeller {
   }
   template <class Event>
   Told fault(bool begins, const Event& event) const {
-    return told_fault(names_, begins, lift::fault_name(event.kind), event.place, place_text(event));
+    return told_fault(names_, begins, fault_name(event.kind), event.place, place_text(event));
   }
   /// `at lift2: lift-landing-panel (24), floor 4`
   template <class Event>
@@ -203,16 +199,14 @@ class LiftTeller {
       return place.part == 0 ? "of all lifts" : fmt::format("of lift {}", place.part);
     }
     const bool is_cut = event.kind == lift::FaultKind::cable_cut;
-    std::string text =
-        fmt::format("{} {}", is_cut ? "behind" : "at", name_of(network_, place.bus, place.node));
-    const bool is_in_plan = event.fault < network_.faults.size();
-    const auto floor = is_in_plan ? network_.faults[event.fault].floor : lift::no_floor;
-    if (floor != lift::no_floor) text += ", " + floor_name(network_, floor);
+    std::string text = fmt::format("{} {}", is_cut ? "behind" : "at",
+                                   name_of(names_.network(), place.bus, place.node));
+    const bool is_in_plan = event.fault < names_.network().faults.faults.size();
+    const auto floor =
+        is_in_plan ? names_.network().faults.faults[event.fault].spot : lift::no_floor;
+    if (floor != lift::no_floor) text += ", " + floor_name(names_.network(), floor);
     return text;
   }
-
-  const LiftNetworkDescription& network_;
-  LiftNames names_;
 };
 
 std::string times_text(std::string_view title, const LiftSummary::Times& times) {
@@ -413,6 +407,35 @@ Json lift_summary_json(const LiftSummary& summary, std::span<const Invariant> in
                {"buses", buses_json(names, summary.buses)}});
   add_invariants(json, names, invariants);
   return json;
+}
+
+using LiftText = WorldText<lift::LiftNetwork>;
+
+ToldEvent LiftText::event(const lift::LiftEvent& event, const lift::LiftNetwork& network) {
+  return told_event(event, network.description());
+}
+
+/// As many rows of floors as a terminal has room for, beside what is around them and some events.
+std::string LiftText::picture(lift::LiftNetwork& network, double speed) {
+  constexpr unsigned rows_around = 10;
+  constexpr unsigned rows_of_events = 4;
+  constexpr unsigned rows_least = 8;
+  const Screen::Size size = Screen::size();
+  const unsigned rows =
+      std::max(size.rows, rows_around + rows_of_events + rows_least) - rows_around - rows_of_events;
+  return lift_picture(network.description(), network.snapshot(), speed, rows, size.columns);
+}
+
+Json LiftText::snapshot(lift::LiftNetwork& network) {
+  return lift_snapshot_json(network.description(), network.snapshot());
+}
+
+std::string LiftText::summary_text(lift::LiftNetwork& network) {
+  return lift_summary_text(network.summary(), network.invariants(), network.description());
+}
+
+Json LiftText::summary(lift::LiftNetwork& network) {
+  return lift_summary_json(network.summary(), network.invariants(), network.description());
 }
 
 }  // namespace canvoy::tools

@@ -14,7 +14,7 @@ using lift::LiftEvent;
 
 lift::LiftNetworkDescription house() {
   lift::LiftNetworkDescription made = lift::standard_lift_network({.lifts = 2, .floors = 4});
-  made.faults = {{.kind = lift::FaultKind::dead_encoder, .start = Time(5min)}};
+  made.faults.faults = {{.kind = lift::FaultKind::dead_encoder, .start = Time(5min)}};
   return made;
 }
 
@@ -109,7 +109,7 @@ TEST(LiftText, TellsEventsInWords) {
 
 TEST(LiftText, SaysWhereAFaultIs) {
   lift::LiftNetworkDescription network = house();
-  network.faults = {{.kind = lift::FaultKind::stuck_button, .floor = 2}};
+  network.faults.faults = {{.kind = lift::FaultKind::stuck_button, .spot = 2}};
   const auto told = [&](lift::FaultKind kind, const FaultPlace& place, std::size_t fault = 1) {
     return told_event(LiftEvent{.what = lift::FaultBegan{fault, kind, place}}, network).text;
   };

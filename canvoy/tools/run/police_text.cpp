@@ -79,15 +79,11 @@ std::string_view sound_text(cia447::AdditionalSound sound) {
   }
 }
 
-class PoliceTeller {
+class PoliceTeller : public WorldTeller<CarNames<PoliceNetwork>> {
  public:
-  explicit PoliceTeller(const PoliceNetwork& network) : names_(network) {}
+  using WorldTeller::WorldTeller;
+  using WorldTeller::operator();
 
-  template <class Event>
-    requires requires(const WorldNames& names, const Event& event) { told(names, event); }
-  Told operator()(const Event& event) const {
-    return told(names_, event);
-  }
   Told operator()(const police::CallMade& event) const {
     return {fmt::format("call {}: help is wanted {:.1f} km away", event.destination,
                         event.metres / 1000),
@@ -115,21 +111,6 @@ class PoliceTeller {
     return {fmt::format("{}: power {}", supply, event.is_on ? "on" : "off"),
             {{"event", "power"}, {"supply", supply}, {"on", event.is_on}}};
   }
-  Told operator()(const police::FaultBegan& event) const { return fault(true, event); }
-  Told operator()(const police::FaultEnded& event) const { return fault(false, event); }
-  Told operator()(const police::InvariantBroken& event) const {
-    return told_broken(names_, judged(event.invariant));
-  }
-
- private:
-  template <class Event>
-  Told fault(bool begins, const Event& event) const {
-    const std::string where =
-        event.place.node == 0 ? "" : "at " + names_.device(0, event.place.node);
-    return told_fault(names_, begins, police::fault_name(event.kind), event.place, where);
-  }
-
-  CarNames<PoliceNetwork> names_;
 };
 
 /// Of the roof from above: `[*] [ ]`.
@@ -242,11 +223,12 @@ Json call_json(const police::EmergencyCall& call) {
 
 }  // namespace
 
-ToldEvent told_event(const PoliceEvent& event, const PoliceNetwork& network) {
+ToldEvent WorldText<police::PoliceNetwork>::event(const PoliceEvent& event,
+                                                  const PoliceNetwork& network) {
   return told_at(event.at, std::visit(PoliceTeller(network), event.what));
 }
 
-std::string dashboard_text(PoliceNetwork& network, double speed) {
+std::string WorldText<police::PoliceNetwork>::picture(PoliceNetwork& network, double speed) {
   const PoliceSnapshot now = network.snapshot();
   const CarNames<PoliceNetwork> names(network);
   constexpr double to_kmh = 3.6;
@@ -267,19 +249,14 @@ std::string dashboard_text(PoliceNetwork& network, double speed) {
   }
   text += fmt::format("  {:<28}{:.1f} %, {} frames, {} error frames\n\n", "bus load",
                       now.bus.load * 100, now.bus.frames, now.bus.error_frames);
-  const auto events = network.events();
-  constexpr std::size_t shown = 8;
-  for (const PoliceEvent& event : events.last(std::min(shown, events.size()))) {
-    text += "  " + told_event(event, network).line();
-  }
-  return text;
+  return text + last_events(network, 8);
 }
 
-Json snapshot_json(PoliceNetwork& network) {
+Json WorldText<police::PoliceNetwork>::snapshot(PoliceNetwork& network) {
   return police_look_json(network, "snapshot");
 }
 
-std::string summary_text(PoliceNetwork& network) {
+std::string WorldText<police::PoliceNetwork>::summary_text(PoliceNetwork& network) {
   const PoliceSnapshot end = network.snapshot();
   const CarNames<PoliceNetwork> names(network);
   const std::vector<police::Invariant> all = network.invariants();
@@ -294,7 +271,7 @@ std::string summary_text(PoliceNetwork& network) {
          invariants_text(names, std::span<const police::Invariant>(all));
 }
 
-Json summary_json(PoliceNetwork& network) {
+Json WorldText<police::PoliceNetwork>::summary(PoliceNetwork& network) {
   Json json = police_look_json(network, "summary");
   Json calls = Json::array();
   for (const police::EmergencyCall& call : network.calls()) calls.push_back(call_json(call));

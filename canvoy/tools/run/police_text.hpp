@@ -9,15 +9,15 @@
 
 namespace canvoy::tools {
 
-/// `call 961: help is wanted 6.6 km away`
-ToldEvent told_event(const police::PoliceEvent& event, const police::PoliceNetwork& network);
-
-/// What a terminal shows while the network runs: roof, siren, displays, radio, crew, bus, the last
-/// events.
-std::string dashboard_text(police::PoliceNetwork& network, double speed);
-nlohmann::ordered_json snapshot_json(police::PoliceNetwork& network);
-
-std::string summary_text(police::PoliceNetwork& network);
-nlohmann::ordered_json summary_json(police::PoliceNetwork& network);
+template <>
+struct WorldText<police::PoliceNetwork> {
+  /// `call 961: help is wanted 6.6 km away`
+  static ToldEvent event(const police::PoliceEvent& event, const police::PoliceNetwork& network);
+  /// What a terminal shows: roof, siren, displays, radio, crew, bus, the last events.
+  static std::string picture(police::PoliceNetwork& network, double speed);
+  static nlohmann::ordered_json snapshot(police::PoliceNetwork& network);
+  static std::string summary_text(police::PoliceNetwork& network);
+  static nlohmann::ordered_json summary(police::PoliceNetwork& network);
+};
 
 }  // namespace canvoy::tools

@@ -14,6 +14,7 @@
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/help/verb_help.hpp"
+#include "canvoy/tools/run/world.hpp"
 #include "canvoy/tools/spelling.hpp"
 #include "canvoy/web/request_target.hpp"
 
@@ -85,7 +86,7 @@ std::string whole_number(const std::string& text) {
 std::string meant_fault(const FaultGrammar& grammar, const std::string& text) {
   const std::string name = text.substr(0, text.find_first_of("@:"));
   std::vector<std::string> names;
-  for (const FaultName& kind : grammar.kinds) {
+  for (const FaultRow& kind : grammar.kinds) {
     if (kind.name == name) return {};  // something else is wrong
     names.emplace_back(kind.name);
   }
@@ -94,7 +95,7 @@ std::string meant_fault(const FaultGrammar& grammar, const std::string& text) {
 
 }  // namespace
 
-WrittenFault parse_run_fault(const FaultGrammar& grammar, const std::string& text, Time end) {
+AnyFault parse_run_fault(const FaultGrammar& grammar, const std::string& text, Time end) {
   const FaultParse parsed = parse_fault(grammar, text);
   if (!parsed.fault) throw UsageError(parsed.error + meant_fault(grammar, text));
   if (parsed.fault->start >= end) {
@@ -165,30 +166,22 @@ int run_network_file(const std::string& path, const RunOptions& options) {
   TomlTable& table = file.table();
   std::string network;
   table.take("network", network);
-  if (network == "charger") return run_charger_file(table, options);
-  if (network == "taxi") return run_taxi_file(table, path, options);
-  if (network == "police") return run_police_file(table, options);
-  if (network == "excavator") return run_excavator_file(table, path, options);
-  if (network == "bus") return run_bus_file(table, path, options);
-  if (network == "lift") return run_lift_file(table, path, options);
+  const auto world = std::ranges::find(worlds(), network, &WorldEntry::name);
+  if (world != worlds().end()) {
+    return world->play(table, std::filesystem::path(path).parent_path().string(), options);
+  }
   if (!table.has("network")) table.refuse("write which network it is: network = \"lift\"");
-  table.refuse(
-      "network",
-      fmt::format("'{}' is not known; there are charger, lift, taxi, police, bus and excavator",
-                  network));
+  table.refuse("network", fmt::format("'{}' is not known; there are {}", network, world_names()));
 }
 
 std::vector<std::string> built_in_networks() {
-  return {"charger", "lift", "taxi", "police", "bus", "excavator"};
+  std::vector<std::string> names;
+  for (const WorldEntry& world : worlds()) names.emplace_back(world.name);
+  return names;
 }
 
 void add_networks(Verb& run) {
-  add_run_charger(run);
-  add_run_lift(run);
-  add_run_taxi(run);
-  add_run_police(run);
-  add_run_bus(run);
-  add_run_excavator(run);
+  for (const WorldEntry& world : worlds()) world.add_verb(run);
 }
 
 PlayOptions play_options(const RunOptions& options, Duration duration) {
@@ -230,9 +223,8 @@ void add_run(Verb& app) {
   command.allow_verb();
   command.runs([options] {
     if (options->path.empty()) {
-      throw UsageError(
-          "a network is missing: charger, lift, taxi, police, bus, excavator, or a file; see "
-          "canvoy run --help");
+      throw UsageError(fmt::format("a network is missing: {}, or a file; see canvoy run --help",
+                                   world_names(", ")));
     }
     if (!std::filesystem::exists(options->path)) {
       throw UsageError(

@@ -41,34 +41,17 @@ void add_run_options(Verb& command, RunOptions& options, const std::string& faul
 PlayOptions play_options(const RunOptions& options, Duration duration);
 
 /// Throws UsageError for what is no fault of the world, or begins when the run is over.
-WrittenFault parse_run_fault(const FaultGrammar& grammar, const std::string& text, Time end);
+AnyFault parse_run_fault(const FaultGrammar& grammar, const std::string& text, Time end);
 
 /// The keys of a network file that say which real bus is a part of `bus`: `real = "can0"`.
 void take_real_bus(TomlTable& table, BusIndex bus, std::vector<RealBus>& real);
 
-// Each takes the table of a network file of its kind, plays the network, and returns the exit
-// status. Throws Failure.
-int run_charger_file(TomlTable& table, const RunOptions& options);
-int run_police_file(TomlTable& table, const RunOptions& options);
-/// `path`: of the file.
-int run_excavator_file(TomlTable& table, const std::string& path, const RunOptions& options);
-int run_bus_file(TomlTable& table, const std::string& path, const RunOptions& options);
-int run_taxi_file(TomlTable& table, const std::string& path, const RunOptions& options);
-int run_lift_file(TomlTable& table, const std::string& path, const RunOptions& options);
-
-/// Plays what the file describes, as one of those above.
+/// Plays what a network file describes, and returns the exit status. Throws Failure.
 int run_network_file(const std::string& path, const RunOptions& options);
 
 /// Their names.
 std::vector<std::string> built_in_networks();
 /// Adds all of the built-in networks.
 void add_networks(Verb& run);
-// Each adds a built-in network as a subcommand of `run`.
-void add_run_charger(Verb& run);
-void add_run_lift(Verb& run);
-void add_run_taxi(Verb& run);
-void add_run_police(Verb& run);
-void add_run_bus(Verb& run);
-void add_run_excavator(Verb& run);
 
 }  // namespace canvoy::tools

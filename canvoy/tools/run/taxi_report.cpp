@@ -28,7 +28,7 @@ struct Interruption {
 std::vector<Interruption> interruptions(const TaxiNetwork& network) {
   std::vector<Interruption> all;
   const auto is_of_meter = [](const auto& fault) {
-    return taxi::has_node(fault.kind) && fault.place.node == taxi::taximeter_id;
+    return has_node(fault.kind) && fault.place.node == taxi::taximeter_id;
   };
   for (const TaxiEvent& event : network.events()) {
     if (const auto* began = std::get_if<taxi::FaultBegan>(&event.what)) {

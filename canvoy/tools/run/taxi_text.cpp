@@ -79,15 +79,11 @@ Json trip_json(const taxi::Trip& trip) {
           {"judged", !trip.is_disturbed}};
 }
 
-class TaxiTeller {
+class TaxiTeller : public WorldTeller<CarNames<TaxiNetwork>> {
  public:
-  explicit TaxiTeller(const TaxiNetwork& network) : names_(network) {}
+  using WorldTeller::WorldTeller;
+  using WorldTeller::operator();
 
-  template <class Event>
-    requires requires(const WorldNames& names, const Event& event) { told(names, event); }
-  Told operator()(const Event& event) const {
-    return told(names_, event);
-  }
   Told operator()(const taxi::MeterChanged& event) const {
     const std::string state = taximeter_words(event.state);
     return {fmt::format("meter: {}", state), {{"event", "meter"}, {"state", state}}};
@@ -111,21 +107,6 @@ class TaxiTeller {
     return {event.begins ? "the shift begins" : "the shift is over",
             {{"event", event.begins ? "shift-begins" : "shift-ends"}}};
   }
-  Told operator()(const taxi::FaultBegan& event) const { return fault(true, event); }
-  Told operator()(const taxi::FaultEnded& event) const { return fault(false, event); }
-  Told operator()(const taxi::InvariantBroken& event) const {
-    return told_broken(names_, judged(event.invariant));
-  }
-
- private:
-  template <class Event>
-  Told fault(bool begins, const Event& event) const {
-    const std::string where =
-        event.place.node == 0 ? "" : "at " + names_.device(0, event.place.node);
-    return told_fault(names_, begins, taxi::fault_name(event.kind), event.place, where);
-  }
-
-  CarNames<TaxiNetwork> names_;
 };
 
 /// As somebody sees it at this moment: on, dimmed, off; blinking twice in three seconds.
@@ -186,15 +167,6 @@ Json parts_json(const TaxiSnapshot& now) {
   return {{"lamps", lamps}, {"displays", screens}, {"paper", now.paper}};
 }
 
-std::string last_events(const TaxiNetwork& network, std::size_t count) {
-  std::string text;
-  const auto events = network.events();
-  for (const TaxiEvent& event : events.last(std::min(count, events.size()))) {
-    text += "  " + told_event(event, network).line();
-  }
-  return text;
-}
-
 Json meter_json(const TaxiSnapshot& now) {
   const auto amount = [](std::uint32_t value) {
     return value == cia447::TripData::unknown ? Json() : Json(value / money_unit);
@@ -222,11 +194,11 @@ Json look_json(TaxiNetwork& network, std::string_view event) {
 
 }  // namespace
 
-ToldEvent told_event(const TaxiEvent& event, const TaxiNetwork& network) {
+ToldEvent WorldText<taxi::TaxiNetwork>::event(const TaxiEvent& event, const TaxiNetwork& network) {
   return told_at(event.at, std::visit(TaxiTeller(network), event.what));
 }
 
-std::string dashboard_text(TaxiNetwork& network, double speed) {
+std::string WorldText<taxi::TaxiNetwork>::picture(TaxiNetwork& network, double speed) {
   const TaxiSnapshot now = network.snapshot();
   const CarNames<TaxiNetwork> names(network);
   constexpr double to_kmh = 3.6;
@@ -251,11 +223,11 @@ std::string dashboard_text(TaxiNetwork& network, double speed) {
   return text + last_events(network, 8);
 }
 
-Json snapshot_json(TaxiNetwork& network) {
+Json WorldText<taxi::TaxiNetwork>::snapshot(TaxiNetwork& network) {
   return look_json(network, "snapshot");
 }
 
-std::string summary_text(TaxiNetwork& network) {
+std::string WorldText<taxi::TaxiNetwork>::summary_text(TaxiNetwork& network) {
   const TaxiSnapshot end = network.snapshot();
   const CarNames<TaxiNetwork> names(network);
   const std::vector<taxi::Invariant> all = network.invariants();
@@ -266,7 +238,7 @@ std::string summary_text(TaxiNetwork& network) {
          invariants_text(names, std::span<const taxi::Invariant>(all));
 }
 
-Json summary_json(TaxiNetwork& network) {
+Json WorldText<taxi::TaxiNetwork>::summary(TaxiNetwork& network) {
   Json json = look_json(network, "summary");
   Json trips = Json::array();
   for (const taxi::Trip& trip : network.trips()) trips.push_back(trip_json(trip));

@@ -9,14 +9,15 @@
 
 namespace canvoy::tools {
 
-/// `the meter is hired`
-ToldEvent told_event(const taxi::TaxiEvent& event, const taxi::TaxiNetwork& network);
-
-/// What a terminal shows while the network runs: meter, car, bus, the last events.
-std::string dashboard_text(taxi::TaxiNetwork& network, double speed);
-nlohmann::ordered_json snapshot_json(taxi::TaxiNetwork& network);
-
-std::string summary_text(taxi::TaxiNetwork& network);
-nlohmann::ordered_json summary_json(taxi::TaxiNetwork& network);
+template <>
+struct WorldText<taxi::TaxiNetwork> {
+  /// `the meter is hired`
+  static ToldEvent event(const taxi::TaxiEvent& event, const taxi::TaxiNetwork& network);
+  /// What a terminal shows: meter, car, bus, the last events.
+  static std::string picture(taxi::TaxiNetwork& network, double speed);
+  static nlohmann::ordered_json snapshot(taxi::TaxiNetwork& network);
+  static std::string summary_text(taxi::TaxiNetwork& network);
+  static nlohmann::ordered_json summary(taxi::TaxiNetwork& network);
+};
 
 }  // namespace canvoy::tools

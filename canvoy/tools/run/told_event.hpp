@@ -16,4 +16,9 @@ struct ToldEvent {
   std::string line() const;
 };
 
+/// What a network of `canvoy/sim` says, in words and as JSON (docs/json.md): event(), picture() for
+/// a terminal, snapshot(), summary_text() and summary(). Each world has its own.
+template <class Network>
+struct WorldText;
+
 }  // namespace canvoy::tools

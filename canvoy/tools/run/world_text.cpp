@@ -53,6 +53,10 @@ Told told_of(const std::string& who, const std::string& what, Json json) {
 
 }  // namespace
 
+std::string_view WorldNames::emergency(std::uint16_t code) const {
+  return words::emergency_text(code);
+}
+
 Told::Told(std::string told, Json json)
     : text(std::move(told)), json_(std::make_unique<Json>(std::move(json))) {}
 Told::Told(Told&& other) noexcept = default;
@@ -124,7 +128,7 @@ Told told_fault(const WorldNames& names, bool begins, std::string_view fault,
 }
 
 std::string invariant_text(const WorldNames& names, const Judged& invariant) {
-  const InvariantName& words = *invariant.kind;
+  const InvariantRow& words = *invariant.kind;
   std::string text =
       invariant.part == 0 ? "" : fmt::format("{} {}: ", names.part(), invariant.part);
   if (invariant.fault != no_fault) text += names.fault(invariant.fault) + ": ";

@@ -2,6 +2,7 @@
 // faults, invariants, buses and nodes.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
@@ -12,6 +13,7 @@
 
 #include "canvoy/sim/duration_text.hpp"
 #include "canvoy/sim/event.hpp"
+#include "canvoy/sim/fault.hpp"
 #include "canvoy/sim/invariant.hpp"
 #include "canvoy/sim/snapshot.hpp"
 #include "canvoy/tools/run/told_event.hpp"
@@ -33,7 +35,23 @@ class WorldNames {
   virtual std::string_view part() const { return {}; }            ///< `lift`
   /// A fault of the plan: `dead-encoder`.
   virtual std::string fault(std::size_t fault) const = 0;
-  virtual std::string_view emergency(std::uint16_t code) const = 0;
+  virtual std::string_view emergency(std::uint16_t code) const;
+};
+
+/// Of a world whose options have a plan of faults.
+template <class Kind>
+class PlanNames : public WorldNames {
+ public:
+  /// The plan has to outlive this.
+  explicit PlanNames(const FaultPlan<Kind>& plan) : plan_(plan) {}
+
+  std::string bus(BusIndex bus) const override { return "sim" + std::to_string(bus); }
+  std::string fault(std::size_t fault) const override {
+    return std::string(fault_name(plan_.faults.at(fault).kind));
+  }
+
+ private:
+  const FaultPlan<Kind>& plan_;
 };
 
 /// An event in both forms: the words, and an object without the time.
@@ -62,7 +80,7 @@ Told told_fault(const WorldNames& names, bool begins, std::string_view fault,
                 const FaultPlace& place, std::string_view where);
 
 /// An invariant of any world.
-using Judged = Invariant<const InvariantName*>;
+using Judged = Invariant<const InvariantRow*>;
 template <class Kind>
 Judged judged(const Invariant<Kind>& it) {
   return {&invariant_name(it.kind), it.part, it.fault, it.worst, it.allowed, it.held, it.decided};
@@ -78,6 +96,40 @@ std::string invariants_text(const WorldNames& names, std::span<const Invariant<K
 void add_judged(Json& json, const WorldNames& names, std::span<const Judged> all);
 template <class Kind>
 void add_invariants(Json& json, const WorldNames& names, std::span<const Invariant<Kind>> all);
+
+/// Tells what all worlds tell alike: what is seen on buses, faults, invariants. A world has one of
+/// its own for what else happens in it.
+template <class Names>
+class WorldTeller {
+ public:
+  template <class... Arguments>
+  explicit WorldTeller(const Arguments&... arguments) : names_(arguments...) {}
+
+  template <class Event>
+    requires requires(const WorldNames& names, const Event& event) { told(names, event); }
+  Told operator()(const Event& event) const {
+    return told(names_, event);
+  }
+  template <class Kind>
+  Told operator()(const FaultBegan<Kind>& event) const {
+    return told_fault(names_, true, fault_name(event.kind), event.place, where(event.place));
+  }
+  template <class Kind>
+  Told operator()(const FaultEnded<Kind>& event) const {
+    return told_fault(names_, false, fault_name(event.kind), event.place, where(event.place));
+  }
+  template <class Kind>
+  Told operator()(const InvariantBroken<Kind>& event) const {
+    return told_broken(names_, judged(event.invariant));
+  }
+
+ protected:
+  std::string where(const FaultPlace& place) const {
+    return place.node == 0 ? "" : "at " + names_.device(place.bus, place.node);
+  }
+
+  Names names_;
+};
 
 /// `time` and `event`, with which each line begins.
 Json line_json(Time at, std::string_view event);
@@ -100,6 +152,17 @@ void add_invariants(Json& json, const WorldNames& names, std::span<const Invaria
   std::vector<Judged> each;
   for (const Invariant<Kind>& invariant : all) each.push_back(judged(invariant));
   add_judged(json, names, each);
+}
+
+/// The last ones that have happened, a line each.
+template <class Network>
+std::string last_events(const Network& network, std::size_t count) {
+  std::string text;
+  const auto events = network.events();
+  for (const auto& event : events.last(std::min(count, events.size()))) {
+    text += "  " + WorldText<Network>::event(event, network).line();
+  }
+  return text;
 }
 
 }  // namespace canvoy::tools

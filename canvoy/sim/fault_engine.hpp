@@ -1,0 +1,110 @@
+// The faults of a plan as they come and go in a world: each is told when it begins and ends, and is
+// made and mended. Several of one kind at one place may overlap: what they are about is mended when
+// the last one is over.
+//
+//     FaultEngine<FaultKind> faults(plan.faults, FaultEngine<FaultKind>::of(maker));
+//     faults.plan(world);
+//     if (faults.is_present(FaultKind::no_paper)) ...
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "canvoy/can/callback.hpp"
+#include "canvoy/sim/fault.hpp"
+#include "canvoy/sim/world.hpp"
+
+namespace canvoy {
+
+/// Of several faults like each other, which are made: the first one alone, each of them anew, or
+/// each, and each is mended for itself, since the world knows better what is alike.
+enum class FaultMaking : std::uint8_t { first, each, by_world };
+
+template <class Kind>
+class FaultEngine {
+ public:
+  using Fault = ScheduledFault<Kind>;
+  /// What is called, by the place of the fault in the plan: who is told, and who makes and mends
+  /// it, in this order.
+  struct Hooks {
+    Callback<void(std::size_t fault)> began;
+    Callback<void(std::size_t fault)> ended;
+    Callback<void(std::size_t fault, bool is_present)> set;
+  };
+
+  /// The members of these names of who makes the faults.
+  template <class Maker>
+  static Hooks of(Maker& maker) {
+    return {.began = Callback<void(std::size_t)>::template to<&Maker::began>(maker),
+            .ended = Callback<void(std::size_t)>::template to<&Maker::ended>(maker),
+            .set = Callback<void(std::size_t, bool)>::template to<&Maker::set>(maker)};
+  }
+
+  /// The faults must outlive this.
+  FaultEngine(std::span<const Fault> faults, const Hooks& hooks,
+              FaultMaking making = FaultMaking::first)
+      : faults_(faults), hooks_(hooks), making_(making) {}
+  FaultEngine(const FaultEngine&) = delete;
+  FaultEngine& operator=(const FaultEngine&) = delete;
+
+  /// This must outlive the world's last run. Of one instant, what comes first in the plan comes
+  /// first; where the world knows what is alike, all that begins, so that a fault that takes over
+  /// from another leaves no pause.
+  void plan(World& world) {
+    const auto plan_end = [&](std::size_t i) {
+      if (faults_[i].end() != never) world.at(faults_[i].end(), [this, i](Time) { end(i); });
+    };
+    for (std::size_t i = 0; i < faults_.size(); ++i) {
+      world.at(faults_[i].start, [this, i](Time) { begin(i); });
+      if (making_ != FaultMaking::by_world) plan_end(i);
+    }
+    for (std::size_t i = 0; making_ == FaultMaking::by_world && i < faults_.size(); ++i)
+      plan_end(i);
+  }
+
+  const Fault& operator[](std::size_t fault) const { return faults_[fault]; }
+  /// Places in the plan.
+  std::span<const std::size_t> present() const { return present_; }
+  bool is_present(Kind kind) const {
+    return std::ranges::any_of(present_, [&](std::size_t i) { return faults_[i].kind == kind; });
+  }
+  bool is_present(Kind kind, NodeId node) const {
+    return std::ranges::any_of(present_, [&](std::size_t i) {
+      return faults_[i].kind == kind && node_of(faults_[i]) == node;
+    });
+  }
+  bool has_any(Kind kind) const {
+    return std::ranges::any_of(faults_, [&](const Fault& fault) { return fault.kind == kind; });
+  }
+
+ private:
+  bool has_like(const Fault& fault) const {
+    return making_ != FaultMaking::by_world && std::ranges::any_of(present_, [&](std::size_t i) {
+             const Fault& other = faults_[i];
+             return other.kind == fault.kind &&
+                    (!has_node(fault.kind) || node_of(other) == node_of(fault)) &&
+                    (!has_spot(fault.kind) || spot_of(other) == spot_of(fault));
+           });
+  }
+  void begin(std::size_t fault) {
+    hooks_.began(fault);
+    const bool is_made =
+        making_ == FaultMaking::each || !lasts(faults_[fault].kind) || !has_like(faults_[fault]);
+    present_.push_back(fault);
+    if (is_made) hooks_.set(fault, true);
+  }
+  void end(std::size_t fault) {
+    hooks_.ended(fault);
+    std::erase(present_, fault);
+    if (!has_like(faults_[fault])) hooks_.set(fault, false);
+  }
+
+  std::span<const Fault> faults_;
+  Hooks hooks_;
+  FaultMaking making_;
+  std::vector<std::size_t> present_;  ///< in the order in which they began
+};
+
+}  // namespace canvoy

@@ -1,0 +1,254 @@
+// The built-in networks: a row for each, by which `run`, `report`, network files, data sheets and
+// fuzzing take it. What is the same for all of them stands here; a world says the rest by a class
+// of its own:
+//
+//     struct PoliceWorld {
+//       using Run = PoliceRun;                  // its network, as options, and what it has beside
+//       that using Kind = police::FaultKind; struct Choice {};                       // of the
+//       command line, beside what all have static WorldInfo info(); static WorldFile<Run>
+//       file(const std::string& folder); static void check(const TomlTable& file, const
+//       std::string& folder, Run& run); static Duration& length(Run& run); static
+//       std::unique_ptr<PlayedNetwork> make(const Run& run, const Choice& choice);
+//       ...
+//     };
+#pragma once
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "canvoy/tools/live/play_world.hpp"
+#include "canvoy/tools/run/run.hpp"
+#include "canvoy/tools/run/world_file.hpp"
+#include "canvoy/tools/sheet/world_nodes.hpp"
+
+namespace canvoy::tools {
+
+/// What is said of a world.
+struct WorldInfo {
+  std::string about{};  ///< of its verb
+  std::string examples{};
+  std::string page{};  ///< what the page calls it
+  double terminal_speed = 60;
+  FramePrinterOptions decoding{};
+};
+
+/// A row of the table.
+struct WorldEntry {
+  std::string_view name;  ///< `taxi`, in files and on the command line
+  void (*add_verb)(Verb& run);
+  /// Plays what a file describes, and returns the exit status. Paths in it are relative to
+  /// `folder`.
+  int (*play)(TomlTable& file, const std::string& folder, const RunOptions& options);
+  /// What a file describes, as a file that reads as the same.
+  std::string (*rewrite)(TomlTable& file, const std::string& folder);
+  /// Its nodes with their data sheets, where files do not have them; null: they have.
+  std::vector<DescribedNode> (*describe)(TomlTable& file, const std::string& folder);
+  /// Its keys, as a page of docs has them.
+  std::string (*keys)();
+};
+std::span<const WorldEntry> worlds();
+/// `charger, lift and taxi`
+std::string world_names(std::string_view last_comma = " and ");
+
+/// A fault of a run, which begins before it is over. Throws UsageError.
+template <class Kind>
+ScheduledFault<Kind> parse_run_fault(const std::string& text, Duration length) {
+  const Time end = length > Duration::zero() ? Time(length) : never;
+  return fault_as<Kind>(parse_run_fault(fault_grammar<Kind>(), text, end));
+}
+
+/// Adds a fault as `lost-node:node=2@20min+30s`. Throws UsageError.
+template <class World>
+void add_fault(typename World::Run& run, const std::string& text) {
+  const auto fault = parse_run_fault<typename World::Kind>(text, World::length(run));
+  if constexpr (requires { World::check_fault_node(fault.node); }) {
+    if (fault.node != 0 && !has_node(fault.kind)) {
+      throw UsageError(fmt::format("fault '{}': it is not one of a node", text));
+    }
+    if (fault.spot != 0 && !has_spot(fault.kind)) {
+      throw UsageError(fmt::format("fault '{}': it is not one of an axis", text));
+    }
+    const std::string wrong = fault.node == 0 ? "" : World::check_fault_node(fault.node);
+    if (!wrong.empty()) throw UsageError(fmt::format("fault '{}': {}", text, wrong));
+  }
+  run.network.faults.faults.push_back(fault);
+}
+
+/// Throws Failure with file and line. All of the table is looked at.
+template <class World>
+typename World::Run read_run(TomlTable& file, const std::string& folder) {
+  typename World::Run run = World::run_of_file();
+  take_run(file, World::file(folder), run);
+  try {
+    for (const std::string& fault : run.faults_of_file) add_fault<World>(run, fault);
+  } catch (const Failure& failure) {
+    file.refuse("faults", failure.what());
+  }
+  World::check(file, folder, run);
+  return run;
+}
+/// A file that reads as the same, with a comment beside each value.
+template <class World>
+std::string run_text(const typename World::Run& run) {
+  return run_text(World::file(""), run);
+}
+
+/// Of a world whose nodes are 1 to `most`: what is wrong with one.
+inline std::string check_node_up_to(std::size_t most, NodeId id) {
+  return id <= most ? "" : fmt::format("there are nodes 1 to {}", most);
+}
+
+namespace detail {
+
+template <class World>
+void set_seed(typename World::Run& run, std::uint64_t seed) {
+  if constexpr (requires { World::set_seed(run, seed); }) {
+    World::set_seed(run, seed);
+  } else {
+    run.network.faults.seed = seed;
+  }
+}
+
+template <class World>
+void check_run(const typename World::Run& run) {
+  if constexpr (requires { World::check_run(run); }) World::check_run(run);
+}
+
+/// By the plan: with its seed, and with its faults beside those that the run has.
+template <class World>
+typename World::Run planned(typename World::Run run, const WorldPlan& plan) {
+  if (plan.seed != run.network.faults.seed) set_seed<World>(run, plan.seed);
+  for (const std::string& fault : plan.faults) add_fault<World>(run, fault);
+  check_run<World>(run);
+  return run;
+}
+
+}  // namespace detail
+
+/// What the command line says goes before what the run has.
+template <class World>
+PlayOptions apply(const RunOptions& options, typename World::Run& run) {
+  PlayOptions play_as = play_options(options, World::length(run));
+  World::length(run) = play_as.duration;
+  if (options.seed) detail::set_seed<World>(run, *options.seed);
+  for (const std::string& fault : options.faults) add_fault<World>(run, fault);
+  detail::check_run<World>(run);
+  play_as.real = run.real;
+  play_as.terminal_speed = World::info().terminal_speed;
+  return play_as;
+}
+
+/// The exit status. Throws Failure.
+template <class World>
+int play_run(typename World::Run run, const RunOptions& options,
+             const typename World::Choice& choice = {}) {
+  PlayOptions play_as = apply<World>(options, run);
+  if constexpr (requires { World::play(run, play_as, options, choice); }) {
+    if (const std::optional<int> status = World::play(run, play_as, options, choice))
+      return *status;
+  }
+  const WorldInfo info = World::info();
+  return play_world({.kind = info.page,
+                     .grammar = fault_grammar<typename World::Kind>(),
+                     .make =
+                         [run, choice](const WorldPlan& plan) {
+                           return World::make(detail::planned<World>(run, plan), choice);
+                         },
+                     .file =
+                         [run](const WorldPlan& plan) {
+                           return run_text<World>(detail::planned<World>(run, plan));
+                         },
+                     .plan = {.seed = run.network.faults.seed},
+                     .decoding = info.decoding},
+                    play_as, options);
+}
+
+template <class World>
+void add_world_verb(Verb& run) {
+  struct Command {
+    RunOptions run;
+    typename World::Choice choice;
+  };
+  const WorldInfo info = World::info();
+  Verb& verb = run.add_verb(std::string(World::name), info.about);
+  const auto command = std::make_shared<Command>();
+  add_run_options(verb, command->run, fault_help(fault_grammar<typename World::Kind>()));
+  if constexpr (requires { World::add_options(verb, command->choice); })
+    World::add_options(verb, command->choice);
+  verb.add_examples(info.examples);
+  verb.runs([at = &verb, command] {
+    if constexpr (requires { World::run_chosen(verb, command->run, command->choice); }) {
+      return World::run_chosen(*at, command->run, command->choice);
+    } else {
+      static_cast<void>(at);
+      return play_run<World>(World::chosen(command->choice), command->run, command->choice);
+    }
+  });
+}
+
+template <class World>
+constexpr auto describer() -> std::vector<DescribedNode> (*)(TomlTable&, const std::string&) {
+  if constexpr (requires(const typename World::Run& run) { World::describe(run); }) {
+    return [](TomlTable& file, const std::string& folder) {
+      return World::describe(read_run<World>(file, folder));
+    };
+  } else {
+    return nullptr;
+  }
+}
+
+template <class World>
+constexpr WorldEntry world_entry() {
+  return {.name = World::name,
+          .add_verb = add_world_verb<World>,
+          .play =
+              [](TomlTable& file, const std::string& folder, const RunOptions& options) {
+                return play_run<World>(read_run<World>(file, folder), options);
+              },
+          .rewrite =
+              [](TomlTable& file, const std::string& folder) {
+                return run_text<World>(read_run<World>(file, folder));
+              },
+          .describe = describer<World>(),
+          .keys = [] { return keys_text(World::file("")); }};
+}
+
+/// A network of `canvoy/sim` as it is played, on so many buses: `sim0` and so on.
+template <class Network, unsigned buses = 1>
+class Played : public PlayedNetwork {
+ public:
+  template <class Options>
+  explicit Played(const Options& options) : network_(options) {}
+
+  World& world() override { return network_.world(); }
+  void run_until(Time until) override { network_.run_until(until); }
+  std::vector<std::string> bus_names() const override {
+    std::vector<std::string> names;
+    for (unsigned bus = 0; bus < buses; ++bus) names.push_back(fmt::format("sim{}", bus));
+    return names;
+  }
+  std::size_t event_count() const override { return network_.events().size(); }
+  ToldEvent event(std::size_t number) const override {
+    return Text::event(network_.events()[number], network_);
+  }
+  std::string picture(double speed) override { return Text::picture(network_, speed); }
+  nlohmann::ordered_json snapshot() override { return Text::snapshot(network_); }
+  std::string summary_text() override { return Text::summary_text(network_); }
+  nlohmann::ordered_json summary_json() override { return Text::summary(network_); }
+  bool all_hold() const override { return network_.all_hold(); }
+  Network& network() { return network_; }
+
+ protected:
+  using Text = WorldText<Network>;
+  Network network_;
+};
+
+}  // namespace canvoy::tools
