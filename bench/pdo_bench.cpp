@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "canvoy/canopen/dictionary/dictionary_layout.hpp"
@@ -19,17 +20,18 @@ constexpr std::int64_t tpdo_cob_id = 0x4000'0180;
 constexpr NodeId node_id = 5;
 
 /// A node like a small device: four RPDOs and four TPDOs, and arrays of values of 8, 16 and 32
-/// bits.
+/// bits, and of values with a range.
 constexpr auto layout = lay_out(
     std::to_array<ObjectRow>({{.index = 0x1000, .entry_count = 1},
                               {.index = 0x1400, .count = 4, .entry_count = 3},
                               {.index = 0x1600, .count = 4, .entry_count = 2},
-                              {.index = 0x1800, .count = 4, .entry_count = 3},
+                              {.index = 0x1800, .count = 4, .entry_count = 4},
                               {.index = 0x1A00, .count = 4, .entry_count = 2},
                               {.index = 0x6000, .entry_count = 1},
                               {.index = 0x6100, .entry_count = 1},
                               {.index = 0x6200, .entry_count = 1},
-                              {.index = 0x6300, .entry_count = 1}}),
+                              {.index = 0x6300, .entry_count = 1},
+                              {.index = 0x6400, .entry_count = 1}}),
     std::to_array<EntryRow>({
         {.type = DataType::unsigned32},
         {.type = DataType::unsigned8, .initial = 2},
@@ -58,12 +60,19 @@ constexpr auto layout = lay_out(
          .type = DataType::unsigned8,
          .access = Access::rw,
          .initial = 255},
+        {.sub_first = 3, .sub_last = 3, .type = DataType::unsigned16, .access = Access::rw},
         {.type = DataType::unsigned8, .access = Access::rw},
         {.sub_first = 1, .sub_last = 64, .type = DataType::unsigned32, .access = Access::rw},
         {.sub_first = 1, .sub_last = 16, .type = DataType::unsigned8, .access = process},
         {.sub_first = 1, .sub_last = 8, .type = DataType::unsigned16, .access = process},
         {.sub_first = 1, .sub_last = 4, .type = DataType::unsigned32, .access = process},
         {.sub_first = 1, .sub_last = 64, .type = DataType::boolean, .access = process},
+        {.sub_first = 1,
+         .sub_last = 4,
+         .type = DataType::unsigned32,
+         .access = process,
+         .traits = EntryTraits::limited,
+         .high = 0xFFFF'FFFF},
     }));
 constexpr DictionaryTables tables = layout.tables();
 
@@ -80,6 +89,7 @@ constexpr Mapped words_adjacent{0x6100, 16, 1};
 constexpr Mapped longs_apart{0x6200, 32, 2};
 constexpr Mapped longs_adjacent{0x6200, 32, 1};
 constexpr Mapped booleans{0x6300, 1, 1};
+constexpr Mapped longs_limited{0x6400, 32, 1};
 
 class BenchNode {
  public:
@@ -92,6 +102,14 @@ class BenchNode {
   }
 
   void operate() { node.command(NmtCommand::start); }
+  /// 6200h with this sub-index in TPDO 1, after no_tpdos().
+  void map_tpdo(std::uint64_t sub) {
+    write(0x1A00, 0, 0, 1);
+    write(0x1A00, 1, std::uint64_t{0x6200} << 16 | sub << 8 | 32, 4);
+    write(0x1A00, 0, 1, 1);
+    write(0x1800, 3, 0xFFFF, 2);
+    write(0x1800, 1, 0x4000'0185, 4);
+  }
   void no_tpdos() {
     for (std::uint16_t pdo = 0; pdo < 4; ++pdo) {
       write(static_cast<std::uint16_t>(0x1800 + pdo), 1, 0x8000'0000, 4);
@@ -169,6 +187,46 @@ BENCHMARK_CAPTURE(receive_rpdo, 4x16_apart, words_apart);
 BENCHMARK_CAPTURE(receive_rpdo, 2x32_adjacent, longs_adjacent);
 BENCHMARK_CAPTURE(receive_rpdo, 2x32_apart, longs_apart);
 BENCHMARK_CAPTURE(receive_rpdo, 64x1, booleans);
+
+/// The same with something that hangs on the values: `prepare` ties it to the node.
+template <class Prepare>
+void receive_rpdo_with(benchmark::State& state, const Mapped& mapped, Prepare prepare) {
+  BenchNode bench(mapped);
+  bench.no_tpdos();
+  const auto tied = prepare(bench);
+  bench.operate();
+  std::uint64_t number = 0;
+  for (auto _ : state) {
+    ++number;
+    bench.node.receive(next_frame(number, 0), Time(Duration(number)));
+    benchmark::ClobberMemory();
+  }
+  if (bench.node.counters().unwanted != 0) state.SkipWithError("frames were not received");
+}
+BENCHMARK_CAPTURE(receive_rpdo_with, 2x32_limits, longs_limited, [](BenchNode&) { return 0; });
+
+/// Told of both values.
+struct ToldOf {
+  explicit ToldOf(BenchNode& bench) { bench.node.attach(link); }
+
+  void told() { benchmark::DoNotOptimize(++count); }
+
+  int count = 0;
+  static constexpr HookCalls hooks[] = {
+      {.first = 0x6200, .last = 0x6200, .after_write = [](void* self, const Entry&, Source) {
+         static_cast<ToldOf*>(self)->told();
+       }}};
+  static constexpr ServiceCalls calls = {.hooks = hooks};
+  ServiceLink link{&calls, this};
+};
+BENCHMARK_CAPTURE(receive_rpdo_with, 2x32_hook, longs_adjacent,
+                  [](BenchNode& bench) { return std::make_unique<ToldOf>(bench); });
+/// The other one of two neighbours is in a TPDO.
+BENCHMARK_CAPTURE(receive_rpdo_with, 2x32_neighbour_in_tpdo, longs_adjacent,
+                  [](BenchNode& bench) { return bench.map_tpdo(3), 0; });
+/// One of both is, with an inhibit time that outlasts the run, so that it is not sent.
+BENCHMARK_CAPTURE(receive_rpdo_with, 2x32_one_in_tpdo, longs_adjacent,
+                  [](BenchNode& bench) { return bench.map_tpdo(1), 0; });
 
 /// A value of the second TPDO changes, and its frame reaches the port.
 void send_changed(benchmark::State& state, const Mapped& mapped) {

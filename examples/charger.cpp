@@ -1,10 +1,10 @@
-// A complete CiA 419 charger on a CAN interface. Replace the hardware by your own, and it is yours.
+// A complete CiA 419 charger on a CAN interface. Replace the power stage by your own, and it is
+// yours.
 //
 //     charger can0 5
 #include <cstdio>
-#include <cstdlib>
 
-#include "canvoy/can/host/attachment.hpp"
+#include "canvoy/canopen/host/program.hpp"
 #include "canvoy/devices/cia419/charger_device.hpp"
 
 using namespace canvoy;
@@ -14,26 +14,22 @@ struct PowerStage {
   double ampere = 0;
 
   void deliver(double wanted) { ampere = wanted; }
-  double current() { return ampere; }
-  bool pilot_signal() { return true; }
+  double current() const { return ampere; }
+  bool pilot_signal() const { return true; }
 };
 
 int main(int count, char** arguments) {
   if (count != 3) return std::puts("usage: charger INTERFACE NODE-ID"), 2;
-  auto loop = host::EventLoop::create();
-  if (!loop) return std::puts(loop.error().line().c_str()), 1;
-  auto bus = host::open_bus(**loop, arguments[1]);
-  if (!bus) return std::puts(bus.error().line().c_str()), 1;
+  auto bus = canvoy::open(arguments[1]);
+  if (!bus) return canvoy::fail(bus.error());
+  const auto node_id = canvoy::read_node_id(arguments[2]);
+  if (!node_id) return canvoy::fail(node_id.error());
 
   PowerStage stage;
-  const cia419::ChargerHardware hardware{
-      .deliver = Callback<void(double)>::to<&PowerStage::deliver>(stage),
-      .current = Callback<double()>::to<&PowerStage::current>(stage),
-      .pilot_signal = Callback<bool()>::to<&PowerStage::pilot_signal>(stage)};
-  host::Attachment attachment(**loop, **bus);
-  cia419::ChargerDevice<> charger(attachment.port(), static_cast<NodeId>(std::atoi(arguments[2])),
-                                  hardware, {.limits = {.current_max_ampere = 40}});
-  attachment.serve(charger.node());
-  charger.node().start((*loop)->now());
-  (*loop)->run();
+  cia419::ChargerDevice<> charger(bus->port(), *node_id, stage,
+                                  {.limits = {.current_max_ampere = 40}});
+  const auto watch = charger.on(cia419::battery_temperature, [](auto value) {
+    if (const auto celsius = value.value()) std::printf("battery: %.1f °C\n", *celsius);
+  });
+  return bus->run(charger);
 }

@@ -10,7 +10,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 CROSS = "arm-none-eabi-"
 FLAGS = ["-std=c++20", "-Os", "-mcpu=cortex-m0plus", "-mthumb", "-ffunction-sections", "-fdata-sections",
-         "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics", "-Wno-psabi", f"-I{ROOT}"]
+         "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics", "-Wno-psabi", "-DCANVOY_SMALL_MACHINE", f"-I{ROOT}"]
 SHARED = "canvoy/canopen/node.hpp"
 FEW = 8  # sources for which it takes longer to precompile it
 LINK = ["--specs=nano.specs", "-nostartfiles", "-Wl,--gc-sections", "-Wl,-e,main"]

@@ -27,6 +27,10 @@ class HeapNode {
   Node& node() { return *node_; }
   EmergencyProducer& emergency_producer() { return *emergency_producer_; }
   const DictionaryTables& tables() const { return tables_; }
+  /// The first entry that CiA 301 wants of a device with these objects, and that it lacks; without
+  /// a rule: none. A DeviceNode does not compile then; here who builds a device asks, and who plays
+  /// the data sheet of another one may not care.
+  MissingEntry missing() const { return find_missing(tables_); }
 
  private:
   bool has(std::uint16_t index) const;

@@ -45,6 +45,22 @@ void store(std::uint8_t* bytes, Number number) {
   std::memcpy(bytes, &number, sizeof number);
 }
 
+/// Most values have one of these sizes, for which it is a few instructions.
+inline bool are_equal(const std::uint8_t* one, const std::uint8_t* other, std::size_t size) {
+  switch (size) {
+    case 1:
+      return *one == *other;
+    case 2:
+      return load<std::uint16_t>(one) == load<std::uint16_t>(other);
+    case 4:
+      return load<std::uint32_t>(one) == load<std::uint32_t>(other);
+    case 8:
+      return load<std::uint64_t>(one) == load<std::uint64_t>(other);
+    default:
+      return std::memcmp(one, other, size) == 0;
+  }
+}
+
 /// An unsigned number of as many bytes as there are, 8 at most.
 inline std::uint64_t load_unsigned(std::span<const std::uint8_t> bytes) {
   std::uint64_t number = 0;

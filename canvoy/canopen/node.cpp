@@ -13,7 +13,8 @@ void Node::begin() {
   }
 }
 
-void Node::start(Time now) {
+template <>
+void Node::start_on<is_small_machine>(Time now) {
   timers_.set_now(now);
   transmitter_.clear();
   if constexpr (is_small_machine) router_.filter(can_id::nmt, true);
@@ -97,6 +98,7 @@ void Node::bus_state(BusState state, Time now) {
 void Node::tx_ready(Time now) {
   timers_.set_now(now);
   transmitter_.flush();
+  if (!is_small_machine && !transmitter_.is_awaited()) return;
   ServiceEvent event{.kind = ServiceEvent::tx_ready};
   for (NodeService* service = dictionary_.services(); service != nullptr && !transmitter_.full();
        service = service->next_) {

@@ -113,7 +113,8 @@ class Node {
 
   /// The controller's state changed.
   void bus_state(BusState state, Time now);
-  /// The controller has room for frames again.
+  /// The controller has room for frames again, or a frame has left. Where none had to wait, nobody
+  /// is told.
   void tx_ready(Time now);
   /// The controller lost received frames.
   void overrun(Time now);
@@ -181,6 +182,9 @@ class Node {
   const Counters& counters() const { return counters_; }
 
  private:
+  /// Its name is another one in the library for a small machine: see machine.hpp.
+  template <bool small_machine>
+  void start_on(Time now);
   void begin();
   void receive_odd(const Frame& frame, Time now);
   bool dispatch(const Frame& frame, Time now);
@@ -205,5 +209,12 @@ class Node {
   Callback<void(AbortCode)> deferred_;
   Callback<void(ResetScope)> defaults_restored_;
 };
+
+template <>
+void Node::start_on<is_small_machine>(Time now);
+
+inline void Node::start(Time now) {
+  start_on<is_small_machine>(now);
+}
 
 }  // namespace canvoy

@@ -415,6 +415,27 @@ TEST(Node, TellsItsServicesOfRoomOnlyWhereThereIsSome) {
   EXPECT_EQ(witness.take(), (std::vector<std::string>{"tx ready"}));
 }
 
+/// Where nothing had to wait, nobody can wait for room; a frame that was lost had to as well.
+TEST(Node, TellsItsServicesOfRoomOnlyWhereAFrameHadToWait) {
+  if (is_small_machine) GTEST_SKIP() << "a small machine tells each time";
+  WireNode sut(layout.tables(), own_id);
+  sut.boot();
+  Witness witness(sut.node);
+  sut.node.transmitter().send(wire_frame("123#01"));
+  sut.node.tx_ready(sut.now);
+  EXPECT_EQ(witness.take(), (std::vector<std::string>{}));
+  sut.full = true;
+  sut.node.transmitter().send(wire_frame("123#01"));
+  sut.node.transmitter().send(wire_frame("123#02"));
+  sut.node.tx_ready(sut.now);
+  EXPECT_EQ(witness.take(), (std::vector<std::string>{"tx ready"})) << "there is room for others";
+  sut.full = false;
+  sut.node.tx_ready(sut.now);
+  EXPECT_EQ(witness.take(), (std::vector<std::string>{"tx ready"}));
+  sut.node.tx_ready(sut.now);
+  EXPECT_EQ(witness.take(), (std::vector<std::string>{}));
+}
+
 TEST(Node, CountsFramesThatNobodyWants) {
   WireNode sut(layout.tables(), own_id);
   sut.boot();

@@ -49,6 +49,9 @@ struct ServiceEvent {
     /// A frame with NodeService::can_id_ came. Told on small machines only, to services for which a
     /// host has routes in the Router.
     frame_came,
+    /// Whether a TPDO maps the value that stands `number` bytes from the start of all: who does
+    /// wants it. Asked on hosts only, those that care for it, and so in the place of frame_came.
+    watch_asked = frame_came,
     // Accesses from the bus to an object of the service's range.
     before_read,   ///< it may refresh the value, or refuse
     before_write,  ///< it may refuse the new value
@@ -106,6 +109,7 @@ class NodeService {
     static constexpr std::uint32_t for_values = 1U << ServiceEvent::values_changed;
     static constexpr std::uint32_t for_actuate = 1U << ServiceEvent::actuate;
     static constexpr std::uint32_t for_sample = 1U << ServiceEvent::sample;
+    static constexpr std::uint32_t for_watch = 1U << ServiceEvent::watch_asked;
     static constexpr std::uint32_t for_all = for_values | for_actuate | for_sample;
     static constexpr std::uint32_t for_nothing_frequent = 0;
   };
@@ -186,6 +190,20 @@ struct ServiceCalls {
   std::span<const HookCalls> hooks = {};
 };
 
+/// Who is asked and told of accesses to an entry, found once for who writes it again and again: see
+/// Dictionary::find_hooks().
+struct EntryHooks {
+  static constexpr std::uint16_t any_row = 0xFFFF;  ///< of a service that has no table
+
+  NodeService* service = nullptr;      ///< the only one; null: nobody, or several
+  std::uint16_t before_row = any_row;  ///< the only row of its table that asks
+  std::uint16_t after_row = any_row;   ///< and the only one that tells
+  bool reads = false;                  ///< somebody may refresh it before it is read
+  bool asks = false;                   ///< somebody may refuse what is to be written
+  bool tells = false;                  ///< somebody is told that it was written
+  bool several = false;                ///< services, or rows of one table
+};
+
 /// Ties such a table to its service, which owns it.
 class ServiceLink : public NodeService {
  public:
@@ -197,11 +215,20 @@ class ServiceLink : public NodeService {
         calls_(calls),
         service_(service) {}
 
+  /// Calls what one row of its table has.
+  AbortCode ask_row(unsigned row, const Entry& entry, std::span<const std::uint8_t> value) const {
+    return calls_->hooks[row].before_write(service_, entry, value);
+  }
+  void tell_row(unsigned row, const Entry& entry, Source source) const {
+    calls_->hooks[row].after_write(service_, entry, source);
+  }
+
  private:
   friend class Dictionary;
 
   static void told(NodeService& link, ServiceEvent& event);
   bool covers_object(std::uint16_t index) const;
+  bool find_hooks(const Entry& entry, EntryHooks& hooks) const;
   AbortCode answer(const ServiceEvent& access) const;
 
   std::uint16_t shift_;

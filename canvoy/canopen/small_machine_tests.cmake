@@ -26,7 +26,8 @@ set(absent
   DictionaryHook.IsCountedAsARevision
   DictionaryString.TellsItsWatchersOfAChangeOfLengthAsWell
   NodeValues.AreAnnouncedWhenTheNodeIsCalled
-  PdoMapping.WhichTheApplicationOverwritesUnderAWorkingPdoTouchesNoOtherValue
+  PdoMapping.IsReadWhenItIsSetAndForNoFrame
+  PdoMapping.WhichTheApplicationOverwritesPastAllHooksHoldsWhenThePdoIsSetAnew
   Rpdo.IsRefusedWhereNoRouteIsLeft
   Rpdo.WithoutMemoryForItsValuesRefusesTheirNumber
   SdoServerBlockDownload.TheBlockSizeIs127UnlessTheOwnerWantsLess

@@ -19,6 +19,7 @@ bool Transmitter::send(std::uint16_t can_id, std::span<const std::uint8_t> bytes
 bool Transmitter::keep(const Frame& frame) {
   if (is_small_machine && pass_on(frame)) return true;
   if (muted_) return true;
+  if constexpr (!is_small_machine) awaited_.value = true;
   if (taken() >= backlog_.size()) {
     ++lost_;
     return false;

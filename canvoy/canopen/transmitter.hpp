@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "canvoy/can/frame.hpp"
 #include "canvoy/can/machine.hpp"
@@ -39,6 +40,10 @@ class Transmitter {
     leaving_ = false;
   }
 
+  /// For hosts: a frame has waited, or was lost, since this was asked with none waiting. Else
+  /// nobody can have been told that there is no room, and so nobody waits for it.
+  bool is_awaited() { return std::exchange(awaited_.value, awaited_.value && size_ != 0); }
+
   bool idle() const { return size_ == 0; }
   /// The next frame would be lost.
   bool full() const { return taken() != 0 && taken() >= backlog_.size(); }
@@ -68,6 +73,7 @@ class Transmitter {
   std::uint16_t size_ = 0;
   std::uint32_t lost_ = 0;
   bool muted_ = false;
+  [[no_unique_address]] HostOnly<bool> awaited_;
   bool leaving_ = false;  ///< a frame of the backlog is being sent; its place is kept for it
 };
 

@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "canvoy/canopen/mandatory_objects.hpp"
 #include "canvoy/devices/cia417/device_on_cable_test.hpp"
 #include "canvoy/devices/cia417/sensor/light_barrier_unit.hpp"
 #include "canvoy/devices/testing/every_device.hpp"
@@ -43,6 +44,12 @@ TEST_P(CatalogueTest, ADeviceHasTheObjectsOfItsDescription) {
   std::size_t rows = 0;
   for (const ObjectRow& row : device.node().dictionary().tables().objects) rows += row.count;
   EXPECT_EQ(rows, objects);
+}
+
+/// Those that the compiler knows do not compile otherwise; others are put together at run time.
+TEST_P(CatalogueTest, ADeviceLacksNothingThatCiA301WantsOfIt) {
+  const MissingEntry missing = find_missing(device.node().dictionary().tables());
+  EXPECT_EQ(missing.rule, "") << missing.object << ' ' << missing.entry;
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, CatalogueTest, testing::ValuesIn(every_device_kind()),

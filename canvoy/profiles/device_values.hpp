@@ -130,4 +130,34 @@ class DeviceValues {
   Dictionary& dictionary() { return static_cast<Self&>(*this).node().dictionary(); }
 };
 
+/// The same of a device that is put together when the program runs: whether it has what a handle
+/// names is an answer of find() and set().
+template <class Self>
+class FoundValues {
+ public:
+  /// Without the object it reads as zero, and writes nothing.
+  template <class Handle>
+  typename Handle::Reference operator[](const Handle& handle) {
+    return values()[handle];
+  }
+  /// See Values.
+  template <class Handle>
+  [[nodiscard]] AbortCode find(const Handle& handle) {
+    return values().find(handle);
+  }
+  template <class Handle, class Value>
+  [[nodiscard]] AbortCode set(const Handle& handle, const Value& value) {
+    return values().set(handle, value);
+  }
+  /// As DeviceValues has it; without the object it is never called.
+  template <class Handle, class Function>
+  ValueWatch<Handle, Function> on(const Handle& handle, Function function) {
+    return {dictionary(), handle, std::move(function)};
+  }
+
+ private:
+  Values values() { return Values(dictionary()); }
+  Dictionary& dictionary() { return static_cast<Self&>(*this).node().dictionary(); }
+};
+
 }  // namespace canvoy

@@ -25,8 +25,9 @@ const Row* last_not_above(std::span<const Row> rows, Key key, First first) {
 }
 
 /// Compares a number with a bound of its type, byte by byte from the top: where it has a sign, that
-/// is the first bit.
-int compare(const EntryShape& row, const std::uint8_t* value, const std::int64_t& bound) {
+/// is the first bit. Small and slow.
+[[maybe_unused]] int compare(const EntryShape& row, const std::uint8_t* value,
+                             const std::int64_t& bound) {
   const auto* with = reinterpret_cast<const std::uint8_t*>(&bound);
   unsigned flip = has(row.traits, EntryTraits::has_sign) ? 0x80 : 0;
   for (std::size_t i = row.capacity; i-- != 0; flip = 0) {
@@ -36,9 +37,40 @@ int compare(const EntryShape& row, const std::uint8_t* value, const std::int64_t
   return 0;
 }
 
+/// Of 1 to 8 bytes.
+[[maybe_unused]] inline std::uint64_t load_number(const std::uint8_t* value, unsigned size) {
+  switch (size) {
+    case 1:
+      return *value;
+    case 2:
+      return load<std::uint16_t>(value);
+    case 4:
+      return load<std::uint32_t>(value);
+    case 8:
+      return load<std::uint64_t>(value);
+    default:
+      return load_unsigned({value, size});
+  }
+}
+
+/// The same for hosts: numbers with a sign are compared as those without, with that bit turned.
+[[maybe_unused]] inline AbortCode check_limits_at_once(const EntryShape& row,
+                                                       const std::int64_t* limits,
+                                                       const std::uint8_t* value) {
+  const unsigned unused = 64 - 8U * row.capacity;
+  const std::uint64_t sign = has(row.traits, EntryTraits::has_sign) ? std::uint64_t{1} << 63 : 0;
+  const auto order = [&](std::uint64_t number) { return number << unused ^ sign; };
+  const std::uint64_t number = order(load_number(value, row.capacity));
+  const auto limit = [&](unsigned i) { return order(static_cast<std::uint64_t>(limits[i])); };
+  if (has(row.traits, EntryTraits::has_sentinel) && number == limit(2)) return AbortCode::none;
+  if (number < limit(0)) return AbortCode::value_too_low;
+  return number > limit(1) ? AbortCode::value_too_high : AbortCode::none;
+}
+
 /// Of a value that has the length of its type.
 AbortCode check_limits(const EntryShape& row, const std::int64_t* limits,
                        const std::uint8_t* value) {
+  if constexpr (!is_small_machine) return check_limits_at_once(row, limits, value);
   const std::int64_t& low = limits[0];
   const std::int64_t& high = limits[1];
   if (has(row.traits, EntryTraits::has_sentinel) && compare(row, value, limits[2]) == 0) {
@@ -54,23 +86,7 @@ AbortCode check_length(const EntryShape& row, std::size_t size) {
   return size < row.capacity && !row.is_text() ? AbortCode::length_too_low : AbortCode::none;
 }
 
-/// Most values have one of these sizes, for which both are a few instructions.
-[[maybe_unused]] bool are_equal(const std::uint8_t* one, const std::uint8_t* other,
-                                std::size_t size) {
-  switch (size) {
-    case 1:
-      return *one == *other;
-    case 2:
-      return load<std::uint16_t>(one) == load<std::uint16_t>(other);
-    case 4:
-      return load<std::uint32_t>(one) == load<std::uint32_t>(other);
-    case 8:
-      return load<std::uint64_t>(one) == load<std::uint64_t>(other);
-    default:
-      return std::equal(one, one + size, other);
-  }
-}
-
+/// Most values have one of these sizes, for which it is a few instructions.
 [[maybe_unused]] inline void copy(std::uint8_t* to, const std::uint8_t* from, std::size_t size) {
   switch (size) {
     case 0:
@@ -95,7 +111,7 @@ bool contains(const ObjectRow& row, std::uint16_t index) {
 
 /// Where the row of an object is remembered: spreads indices that differ in any digit (Fibonacci
 /// hashing). A small machine remembers none.
-[[maybe_unused]] std::size_t place_of(std::uint16_t index) {
+[[maybe_unused]] std::size_t slot_of(std::uint16_t index) {
   return (index * 0x9E37'79B9U) >> 28;
 }
 
@@ -142,7 +158,7 @@ inline const ObjectRow* Dictionary::find_object(std::uint16_t index) const {
   if constexpr (is_small_machine) {
     return search(tables_.objects, index);
   } else {
-    const ObjectRow*& remembered = remembered_.value[place_of(index)];
+    const ObjectRow*& remembered = remembered_.value[slot_of(index)];
     if (contains(*remembered, index)) return remembered;
     const ObjectRow* object = search_object(index);
     if (object != nullptr) remembered = object;
@@ -218,22 +234,119 @@ std::uint32_t Dictionary::tell(ServiceEvent::Kind kind, std::uint32_t number,
 }
 
 std::uint32_t Dictionary::tell(ServiceEvent& event) const {
-  // A link could be told of any object, and has hooks for a few: on a host that is seen here, for a
-  // node has many links.
-  const auto has_hook = [&event](const NodeService& service) {
-    if (is_small_machine || service.listener_.told != &ServiceLink::told) return true;
-    return static_cast<const ServiceLink&>(service).covers_object(event.entry().index);
-  };
+  if (!is_small_machine && event.is_access()) {
+    tell_of_access(event);
+    return event.answer;
+  }
   for (NodeService* service = services_; service != nullptr; service = service->next_) {
-    if (event.is_access()) {
+    if (is_small_machine && event.is_access()) {
       if (event.answer != 0) break;
-      if (!service->covers(event.entry().index) || !has_hook(*service)) continue;
+      if (!service->covers(event.entry().index)) continue;
     }
     const bool is_frame = is_small_machine && event.kind == ServiceEvent::frame_came;
     if (is_frame && !service->hears(event)) continue;
     service->tell(event);
   }
   return event.answer;
+}
+
+/// On a host: the row of the object knows who it is, or that there are several. A link could be
+/// told of any object, and has hooks for a few: that is seen here, for a node has many links.
+void Dictionary::tell_of_access(ServiceEvent& event) const {
+  if constexpr (is_small_machine) return;
+  const Entry& entry = event.entry();
+  const ObjectState& state = *entry.state.value;
+  if (!state.several) {
+    if (state.hooked != nullptr && state.hooked->covers(entry.index)) state.hooked->tell(event);
+    return;
+  }
+  for (NodeService* service = services_; service != nullptr; service = service->next_) {
+    if (event.answer != 0) return;
+    if (!service->covers(entry.index)) continue;
+    const bool is_link = service->listener_.told == &ServiceLink::told;
+    if (is_link && !static_cast<const ServiceLink*>(service)->covers_object(entry.index)) continue;
+    service->tell(event);
+  }
+}
+
+/// What a link may do is in its table; whoever has none may do anything.
+EntryHooks Dictionary::find_hooks(const Entry& entry) const {
+  EntryHooks found;
+  if (is_small_machine || entry.state.value->hooks == 0) return found;
+  for (NodeService* service = services_; service != nullptr; service = service->next_) {
+    if (!service->covers(entry.index)) continue;
+    EntryHooks hooks{.service = service, .reads = true, .asks = true, .tells = true};
+    if (service->listener_.told == &ServiceLink::told &&
+        !static_cast<const ServiceLink*>(service)->find_hooks(entry, hooks)) {
+      continue;
+    }
+    if (found.service == nullptr && !found.several) {
+      found = hooks;
+      continue;
+    }
+    found.several = true;
+    found.reads |= hooks.reads;
+    found.asks |= hooks.asks;
+    found.tells |= hooks.tells;
+  }
+  if (found.several) found.service = nullptr;
+  return found;
+}
+
+/// False where none of its rows is for the entry.
+bool ServiceLink::find_hooks(const Entry& entry, EntryHooks& hooks) const {
+  const auto in_table = static_cast<std::uint16_t>(entry.index - shift_);
+  hooks.reads = hooks.asks = hooks.tells = false;
+  for (std::size_t row = 0; row < calls_->hooks.size(); ++row) {
+    const HookCalls& calls = calls_->hooks[row];
+    if (!calls.covers(in_table, entry.sub)) continue;
+    hooks.reads |= calls.before_read != nullptr;
+    if (calls.before_write != nullptr) {
+      hooks.several |= hooks.asks;
+      hooks.asks = true;
+      hooks.before_row = static_cast<std::uint16_t>(row);
+    }
+    if (calls.after_write != nullptr) {
+      hooks.several |= hooks.tells;
+      hooks.tells = true;
+      hooks.after_row = static_cast<std::uint16_t>(row);
+    }
+  }
+  return hooks.reads || hooks.asks || hooks.tells;
+}
+
+AbortCode Dictionary::ask(const Entry& entry, std::span<const std::uint8_t> value,
+                          const EntryHooks& hooks) const {
+  if (hooks.service != nullptr && hooks.before_row != EntryHooks::any_row) {
+    return static_cast<const ServiceLink&>(*hooks.service).ask_row(hooks.before_row, entry, value);
+  }
+  ServiceEvent event{.kind = ServiceEvent::before_write,
+                     .number = static_cast<std::uint32_t>(value.size()),
+                     .subject = &entry,
+                     .data = value.data()};
+  if (hooks.service == nullptr) return static_cast<AbortCode>(tell(event));
+  hooks.service->tell(event);
+  return static_cast<AbortCode>(event.answer);
+}
+
+/// Of several, or of one that has no table.
+void Dictionary::tell_any(const Entry& entry, Source source, const EntryHooks& hooks) const {
+  ServiceEvent event{.kind = ServiceEvent::after_write,
+                     .number = static_cast<std::uint32_t>(source),
+                     .subject = &entry};
+  if (hooks.service == nullptr) {
+    tell(event);
+  } else {
+    hooks.service->tell(event);
+  }
+}
+
+bool Dictionary::is_watched(const Entry& entry) const {
+  if (is_small_machine || entry.watchers() == 0) return false;
+  ServiceEvent event{.kind = ServiceEvent::watch_asked,
+                     .number = static_cast<std::uint32_t>(entry.value - values_)};
+  tell_frequent(event);
+  return event.answer != 0;
 }
 
 bool ServiceLink::covers_object(std::uint16_t index) const {
@@ -451,33 +564,43 @@ void Dictionary::attach(Hook& hook) {
   link.next_ = services_;
   if (services_ == nullptr) last_ = &link.next_;
   services_ = &link;
-  mark_hooked(hook.first, hook.last, ServiceEvent::all_accesses);
+  mark_hooked(link, hook.first, hook.last, ServiceEvent::all_accesses);
 }
 
-/// Its rows keep their marks: that something may be hooked there is a hint.
+/// Its rows keep their marks: that something may be hooked there is a hint; but nobody is told of
+/// them any more by its address.
 void Dictionary::detach(Hook& hook) {
   NodeService** link = &services_;
   while (*link != nullptr && *link != &hook.link) link = &(*link)->next_;
   if (*link == nullptr) return;
   *link = std::exchange(hook.link.next_, nullptr);
   if (*link == nullptr) last_ = link;
-  if constexpr (!is_small_machine) ++revision_.value;
+  if constexpr (!is_small_machine) {
+    ++revision_.value;
+    for (std::size_t row = 0; row < tables_.objects.size(); ++row) {
+      if (states_.value[row].hooked == &hook.link) states_.value[row].hooked = nullptr;
+    }
+  }
 }
 
-void Dictionary::mark_hooked(const ServiceLink& service) {
+void Dictionary::mark_hooked(ServiceLink& service) {
   for (const HookCalls& calls : service.calls_->hooks) {
-    mark_hooked(static_cast<std::uint16_t>(calls.first + service.shift_),
+    mark_hooked(service, static_cast<std::uint16_t>(calls.first + service.shift_),
                 static_cast<std::uint16_t>(calls.last + service.shift_), calls.accesses());
   }
 }
 
-void Dictionary::mark_hooked(std::uint16_t first, std::uint16_t last, std::uint8_t accesses) {
+void Dictionary::mark_hooked(NodeService& service, std::uint16_t first, std::uint16_t last,
+                             std::uint8_t accesses) {
   if constexpr (is_small_machine) return;
   ++revision_.value;
   for (std::size_t row = 0; row < tables_.objects.size(); ++row) {
     const ObjectRow& object = tables_.objects[row];
-    const bool apart = object.index > last || object.index + object.count - 1 < first;
-    if (!apart) states_.value[row].hooks |= accesses;
+    if (object.index > last || object.index + object.count - 1 < first) continue;
+    ObjectState& state = states_.value[row];
+    state.hooks |= accesses;
+    state.several |= state.hooked != nullptr && state.hooked != &service;
+    state.hooked = &service;
   }
 }
 

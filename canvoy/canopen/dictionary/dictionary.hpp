@@ -144,9 +144,11 @@ struct DictionaryTables {
 /// What changes at run time for an ObjectRow, beside the values. A small machine has none: each
 /// change has all TPDOs look whether it concerns them, and each access asks all hooks.
 struct ObjectState {
-  std::uint32_t watchers =
-      0;  ///< bit n: a TPDO of which the number modulo 32 is n maps an entry of this row
+  /// Bit n: a TPDO of which the number modulo 32 is n maps an entry of this row.
+  std::uint32_t watchers = 0;
   std::uint8_t hooks = 0;  ///< accesses of which somebody is asked or told: ServiceEvent::bit_of()
+  bool several = false;    ///< services are, of which each covers an object of this row
+  NodeService* hooked = nullptr;  ///< the one that is, where there are not several
 };
 
 /// One entry, found: lives as long as the dictionary.
@@ -172,6 +174,15 @@ struct Entry {
     if (!row->is_text()) return {value, row->capacity};
     return {value + 2, load<std::uint16_t>(value)};
   }
+};
+
+/// Where an entry stands, in few bytes: for hosts, who keep thousands of them.
+struct EntryPlace {
+  std::uint32_t offset = 0;  ///< of its value, in bytes from the start of the block
+  std::uint16_t object = 0;  ///< position of its ObjectRow
+  std::uint16_t row = 0;     ///< position of its EntryShape
+  std::uint16_t index = 0;
+  std::uint8_t sub = 0;
 };
 
 /// The first few watched values that were changed, so that who maps them is found without a look at
@@ -327,6 +338,41 @@ class Dictionary {
   /// Calls after_write alone: for a PDO, of which all values are written before one is told of.
   void announce(const Entry& entry, Source source);
 
+  /// For hosts: who is asked and told of accesses to an entry, for ask() and tell_of(), which then
+  /// search for nobody. It holds until revision() changes. Linear in the number of services.
+  EntryHooks find_hooks(const Entry& entry) const;
+  AbortCode ask(const Entry& entry, std::span<const std::uint8_t> value,
+                const EntryHooks& hooks) const;
+  void tell_of(const Entry& entry, Source source, const EntryHooks& hooks) const {
+    if (hooks.service == nullptr || hooks.after_row == EntryHooks::any_row) {
+      return tell_any(entry, source, hooks);
+    }
+    static_cast<const ServiceLink&>(*hooks.service).tell_row(hooks.after_row, entry, source);
+  }
+  /// For hosts: a TPDO maps this very entry. It holds until revision() changes.
+  bool is_watched(const Entry& entry) const;
+  /// For hosts: where a located entry stands, and the entry there.
+  EntryPlace place_of(const Entry& entry) const {
+    return {.offset = static_cast<std::uint32_t>(entry.value - values_),
+            .object = static_cast<std::uint16_t>(entry.state.value - states_.value),
+            .row = static_cast<std::uint16_t>(entry.row - tables_.entries.data()),
+            .index = entry.index,
+            .sub = entry.sub};
+  }
+  Entry entry_at(const EntryPlace& place) const {
+    Entry entry{.row = &tables_.entries[place.row],
+                .value = values_ + place.offset,
+                .index = place.index,
+                .sub = place.sub};
+    entry.state.value = states_.value + place.object;
+    return entry;
+  }
+  /// For hosts: a watched value that stands there was changed past set().
+  void note_change(const EntryPlace& place) {
+    changes_ |= states_.value[place.object].watchers;
+    changed_places_.value.add(place.offset);
+  }
+
   /// Writes from inside the device: no access rights, ranges or hooks; TPDOs that map the entry
   /// learn of a change. Bytes beyond the capacity are dropped.
   void set(const Entry& entry, std::span<const std::uint8_t> value);
@@ -360,7 +406,8 @@ class Dictionary {
       if (service.frequent_.value.cares != 0) append_frequent(service);
     }
     if (!is_small_machine && service.covers(service.listener_.first)) {
-      mark_hooked(service.listener_.first, service.listener_.last, ServiceEvent::all_accesses);
+      mark_hooked(service, service.listener_.first, service.listener_.last,
+                  ServiceEvent::all_accesses);
     }
   }
   constexpr void attach(ServiceLink& service) {
@@ -402,12 +449,13 @@ class Dictionary {
   /// For hosts: where those changes were.
   const ChangedPlaces& changed_places() const { return changed_places_.value; }
 
-  /// Adds to the watchers of an entry's row: bits of TPDO numbers modulo 32.
+  /// Adds to the watchers of an entry's row: bits of TPDO numbers modulo 32. For TPDOs, which know
+  /// which entries of the row are meant (ServiceEvent::watch_asked).
   void watch(const Entry& entry, std::uint32_t watchers);
   /// Takes these bits from all rows. Linear in the number of rows.
   void unwatch(std::uint32_t watchers);
-  /// For hosts: counts attached hooks and changes of watchers: who keeps the address of a value and
-  /// what hangs on it compares this number, and looks again where it differs.
+  /// For hosts: counts attached hooks and changes of watchers: who keeps what hangs on a value
+  /// compares this number, and looks again where it differs.
   std::uint32_t revision() const { return revision_.value; }
 
   const DictionaryTables& tables() const { return tables_; }
@@ -434,8 +482,11 @@ class Dictionary {
   void restore_default(const Entry& entry, std::uint32_t place, std::uint8_t node_id);
   void restore_unwatched(std::span<const EntryShape> rows, Entry& entry, const std::uint32_t* place,
                          std::uint8_t node_id);
-  void mark_hooked(std::uint16_t first, std::uint16_t last, std::uint8_t accesses);
-  void mark_hooked(const ServiceLink& service);
+  void mark_hooked(NodeService& service, std::uint16_t first, std::uint16_t last,
+                   std::uint8_t accesses);
+  void mark_hooked(ServiceLink& service);
+  void tell_of_access(ServiceEvent& event) const;
+  void tell_any(const Entry& entry, Source source, const EntryHooks& hooks) const;
   constexpr void append(NodeService& service) {
     *last_ = &service;
     last_ = &service.next_;

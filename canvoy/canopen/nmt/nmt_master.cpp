@@ -1,6 +1,7 @@
 #include "canvoy/canopen/nmt/nmt_master.hpp"
 
 #include "canvoy/canopen/nmt/error_control_id.hpp"
+#include "canvoy/canopen/nmt/network_states.hpp"
 
 namespace canvoy {
 
@@ -19,11 +20,7 @@ NmtMaster::NmtMaster(Node& node, std::span<RemoteNode, node_id_max> nodes)
 }
 
 bool NmtMaster::command(NodeId node_id, NmtCommand command) {
-  if (node_id > node_id_max || node_.state() == NmtState::initialisation) return false;
-  const Frame frame = Frame::data_frame(can_id::nmt, {static_cast<std::uint8_t>(command), node_id});
-  if (node_id != node_.id() && !node_.transmitter().send(frame)) return false;
-  if (node_id == all_nodes || node_id == node_.id()) node_.command(command);
-  return true;
+  return command_node(node_, node_id, command);
 }
 
 void NmtMaster::set_time_out(NodeId node_id, Duration time_out) {

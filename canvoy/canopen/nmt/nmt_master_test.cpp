@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/dictionary/dictionary_layout.hpp"
+#include "canvoy/canopen/nmt/network_states.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
 namespace canvoy::nmt_master_test {
@@ -29,6 +30,51 @@ struct MasterNode : WireNode {
   NmtMaster::RemoteNode nodes[127];
   NmtMaster master;
 };
+
+/// Of the same network, without an NMT master.
+struct ListeningNode : WireNode {
+  ListeningNode() : WireNode(layout.tables(), 5), network(node) {
+    network.on_change(Callback<void(NodeId, RemoteState)>::to<&ListeningNode::changed>(*this));
+    boot();
+  }
+  void changed(NodeId node_id, RemoteState state) {
+    log.push_back(std::to_string(node_id) + " " + std::to_string(static_cast<unsigned>(state)));
+  }
+
+  std::vector<std::string> log;
+  NetworkStates network;
+};
+
+TEST(NetworkStates, TellsEachChangeAndEachBootUpOfEachNode) {
+  ListeningNode sut;
+  EXPECT_EQ(sut.network.state(10), RemoteState::unknown);
+  for (const char* frame : {"70A#00", "70A#7F", "70A#7F", "77F#05", "701#04", "70A#00", "70A#00"}) {
+    sut.receive(frame);
+  }
+  EXPECT_EQ(sut.log, (std::vector<std::string>{"10 0", "10 127", "127 5", "1 4", "10 0", "10 0"}));
+  EXPECT_EQ(sut.network.state(127), RemoteState::operational);
+  sut.receive("000#82 05");
+  EXPECT_EQ(sut.network.state(127), RemoteState::unknown);
+}
+
+TEST(NetworkStates, IgnoresWhatIsNoStateAndNoErrorControl) {
+  ListeningNode sut;
+  for (const char* frame : {"70A#06", "70A#05 00", "70A#", "700#05", "780#05", "70A#R1"}) {
+    sut.receive(frame);
+  }
+  EXPECT_EQ(sut.log, std::vector<std::string>{});
+  EXPECT_EQ(sut.node.counters().malformed, 3U);
+}
+
+TEST(NetworkStates, ACommandNeedsNoNmtMaster) {
+  ListeningNode sut;
+  EXPECT_TRUE(command_node(sut.node, 10, NmtCommand::start));
+  sut.expect({"000#01 0A"});
+  EXPECT_TRUE(command_node(sut.node, 5, NmtCommand::stop));
+  sut.expect({});
+  EXPECT_EQ(sut.node.state(), NmtState::stopped);
+  EXPECT_FALSE(command_node(sut.node, 128, NmtCommand::start));
+}
 
 constexpr NmtCommand commands[] = {NmtCommand::start, NmtCommand::stop,
                                    NmtCommand::enter_pre_operational, NmtCommand::reset_node,

@@ -37,6 +37,7 @@ std::uint32_t PdoService::parameter(const Pdo& pdo, unsigned sub, std::uint32_t 
 }
 
 std::uint32_t PdoService::mapped(const Pdo& pdo, unsigned sub) const {
+  if constexpr (Pdo::has_plans) ++places_.value.reads;
   return parameter(pdo, mapping + sub, nothing);
 }
 

@@ -37,7 +37,8 @@ class Pdo {
   static constexpr bool has_plans = !is_small_machine;
   /// Hosts find PDOs by routes. Small processors, which have few, look through them.
   static constexpr bool has_routes = !is_small_machine;
-  /// How the values are copied where none of them is special.
+  /// How the values are copied where none of them is special; else, of an RPDO, what is to be done
+  /// with any of them: MappedValue::Deed.
   enum Plan : std::uint8_t {
     mixed,     ///< one by one
     adjacent,  ///< as one
@@ -84,20 +85,23 @@ class Pdo {
   std::uint8_t plan_ : 3 = 0;
   std::uint8_t mode_ : 2 = 0;
   bool special_ : 1 = false;  ///< one of the values is: see MappedValue
-  bool stale_ : 1 = false;    ///< what hangs on the values may have changed
+  bool stale_ : 1 = false;    ///< what hangs on the values is to be found out
   bool routed_ : 1 = false;
   // State of a TPDO.
-  bool sampled_ : 1 = false;   ///< `image_` is one
-  bool sent_ : 1 = false;      ///< at since_; not, where that is so long ago that nobody asks
-  bool event_ : 1 = false;     ///< one that waits for SYNC or the end of the inhibit time
-  bool waiting_ : 1 = false;   ///< for room in the controller
-  bool counting_ : 1 = false;  ///< the SYNC start value was seen
+  bool sampled_ : 1 = false;  ///< `image_` is one
+  bool sent_ : 1 = false;     ///< at since_; not, where that is so long ago that nobody asks
+  bool event_ : 1 = false;    ///< one that waits for SYNC or the end of the inhibit time
+  bool waiting_ : 1 = false;  ///< for room in the controller
+  /// TPDO: the SYNC start value was seen. RPDO: as `simple_`, but what the plan says is more than
+  /// to copy.
+  bool counts_or_goes_ : 1 = false;
   // State of an RPDO.
   bool holds_ : 1 = false;
   bool supervised_ : 1 = false;
   bool simple_ : 1 = false;  ///< nothing to do but to copy: see Rpdos::take_any()
 };
-static_assert(sizeof(void*) > 4 || sizeof(Pdo) == 20, "small devices have many PDOs");
+static_assert(!is_small_machine || sizeof(void*) > 4 || sizeof(Pdo) == 20,
+              "small devices have many PDOs");
 
 /// What tells the two directions apart: constant.
 struct PdoKind {
@@ -119,6 +123,9 @@ class PdoService : protected NodeService {
   /// The lowest number that there is room for; size() - 1 more follow.
   std::uint16_t first() const { return first_; }
   bool has(std::uint16_t number) const { return position_of(number) < count_; }
+  /// For hosts: how often an entry of a mapping record was read since the start: it is when a
+  /// mapping is set, and never for a frame.
+  std::uint32_t mapping_reads() const { return places_.value.reads; }
   /// One that it has.
   Pdo& operator[](std::uint16_t number) { return pdos_[position_of(number)]; }
 
@@ -196,11 +203,11 @@ class PdoService : protected NodeService {
   /// The timer expires after this time, or earlier.
   void wake_in(std::uint32_t microseconds);
 
-  /// For hosts: what is known of the mapping may be no longer so.
+  /// For hosts: what is known of what hangs on the values may be no longer so.
   bool is_stale(const Pdo& pdo) const {
     return pdo.stale_ || places_.value.revision != node_.dictionary().revision();
   }
-  /// Maps anew what may have changed.
+  /// Finds out anew what may have changed, without a look at the mapping record.
   void renew(Pdo& pdo) {
     if (Pdo::has_plans && is_stale(pdo)) look_again(pdo);
   }
@@ -216,10 +223,6 @@ class PdoService : protected NodeService {
   MappedValue* values_of(const Pdo& pdo) const {
     return places_.value.values + static_cast<unsigned>(&pdo - pdos_) * places_.value.share;
   }
-  /// Finds the object of a mapped value by its position (from 0); false where nobody wants it, as
-  /// of a dummy entry.
-  bool find_value(const Pdo& pdo, unsigned position, Entry& entry) const;
-  bool find_once(const Pdo& pdo, unsigned position, Entry& entry);
   /// What is done with all values of a PDO.
   enum class Step : std::uint8_t { read, refresh, check, write, announce };
   /// To `image` (read; refresh: hooks may do so before), or from it. Which object cannot have its
@@ -227,24 +230,45 @@ class PdoService : protected NodeService {
   std::uint32_t go_through(const Pdo& pdo, std::uint8_t* image, Step step);
   /// The steps of received data.
   std::uint32_t unpack(const Pdo& pdo, PdoImage& image, Step step) {
-    if (Pdo::has_plans && step == Step::check) places_.value.found.pdo = nullptr;
-    if (Pdo::has_plans && !pdo.special_ && step != Step::write) return 0;
-    return go_through(pdo, image.data(), step);
+    if constexpr (!Pdo::has_plans) return go_through(pdo, image.data(), step);
+    switch (step) {
+      case Step::check:
+        return check_values(pdo, image);
+      case Step::write:
+        write_values(pdo, image);
+        return 0;
+      default:
+        announce_values(pdo);
+        return 0;
+    }
   }
-
-  /// The value of a received frame that was looked up last: the steps go through them again.
-  struct FoundValue {
-    const Pdo* pdo = nullptr;
-    unsigned position = 0;
-    Entry entry;
-  };
+  // The same for hosts, by what was resolved.
+  std::uint32_t check_values(const Pdo& pdo, const PdoImage& image) const;
+  void write_values(const Pdo& pdo, const PdoImage& image);
+  /// All of the steps.
+  std::uint32_t take_values(const Pdo& pdo, const PdoImage& image);
+  void announce_values(const Pdo& pdo) const {
+    if (pdo.special_ && (pdo.plan_ & MappedValue::tell) != 0) tell_of_values(pdo);
+  }
+  /// Of an active PDO its values, in their order: what it maps may change in between, and then it
+  /// goes on with the new ones. `act(value, start)` says whether it goes on.
+  template <class Act>
+  void for_values(const Pdo& pdo, Act act) const {
+    const MappedValue* value = values_of(pdo);
+    const MappedValue* const end = value + places_.value.share;
+    for (unsigned start = 0; start < pdo.bits_ && value != end; ++value) {
+      const unsigned bits = value->bits();
+      if (bits == 0 || start + bits > pdo.bits_ || !act(*value, start)) return;
+      start += bits;
+    }
+  }
   /// Where a host keeps what it knows of mapped values.
   struct Places {
     MappedValue* values = nullptr;
-    std::uint32_t revision = 0;  ///< Dictionary::revision() when renew() looked last
-    std::uint16_t share = 0;     ///< of the values that each PDO may have
-    bool are_found = false;      ///< for TPDOs: by PlacesOfValues
-    FoundValue found;
+    std::uint32_t revision = 0;       ///< Dictionary::revision() when renew() looked last
+    std::uint16_t share = 0;          ///< of the values that each PDO may have
+    bool are_found = false;           ///< for TPDOs: by PlacesOfValues
+    mutable std::uint32_t reads = 0;  ///< of mapping records
     PdoSet chosen;  ///< TPDOs that wait for SYNC; RPDOs that may hold values for it
   };
 
@@ -285,15 +309,20 @@ class PdoService : protected NodeService {
     unsigned bits;
   };
   bool access(std::uint8_t* image, BitField field, Step step, Entry& entry);
+  std::uint32_t check_limits(const Pdo& pdo, const PdoImage& image) const;
+  std::uint32_t ask_for_values(const Pdo& pdo, const PdoImage& image) const;
+  bool is_refused(const MappedValue& value, std::uint64_t number) const;
+  void write_numbers(const Pdo& pdo, const PdoImage& image);
+  void write_special(const MappedValue& value, std::uint64_t number);
+  void tell_of_values(const Pdo& pdo) const;
+  void pack_values(const Pdo& pdo, PdoImage& image, bool asks);
   void pack_any(const Pdo& pdo, PdoImage& image, bool asks);
   void look_again(Pdo& pdo);
   void forget_plan(Pdo& pdo);
   void keep_place(Pdo& pdo, unsigned position, const Entry& entry, unsigned bits);
   bool is_there(std::uint32_t mapped, Entry& entry) const;
-  bool is_special(const Pdo& pdo, unsigned position) const;
-  std::uint8_t* place_of(const Pdo& pdo, unsigned position) const;
-  unsigned place_of(const Entry& entry) const;
-  bool needs_more(const Entry& entry) const;
+  void resolve(Pdo& pdo);
+  unsigned resolve(MappedValue& value) const;
   std::uint8_t plan_copies(const Pdo& pdo) const;
 
   Timer timer_;

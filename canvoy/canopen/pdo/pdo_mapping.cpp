@@ -49,20 +49,36 @@ void gather(std::uint8_t* image, const MappedValue* values, const std::uint8_t* 
 }
 
 /// Takes 1 to 64 bits out of the eight bytes of a PDO, into as many whole bytes as they need, which
-/// are zero.
-void extract(const std::uint8_t* data, unsigned position, unsigned bits, std::uint8_t* value) {
+/// are zero: for small machines.
+[[maybe_unused]] void extract(const std::uint8_t* data, unsigned position, unsigned bits,
+                              std::uint8_t* value) {
   must_hold(bits != 0 && position + bits <= pdo_bits_max);
-  if constexpr (!Pdo::has_plans) return copy_bits(value, 0, data, position, bits);
-  const std::uint64_t number =
-      load<std::uint64_t>(data) >> position & ~std::uint64_t{0} >> (64 - bits);
-  if (bits <= 8) {
-    *value = static_cast<std::uint8_t>(number);
-    return;
-  }
-  std::array<std::uint8_t, sizeof number> bytes;
-  store(bytes.data(), number);
-  copy_bytes(value, bytes.data(), (bits + 7) / 8);
+  copy_bits(value, 0, data, position, bits);
 }
+
+// Hosts work with numbers.
+
+/// Of 1 to 64 bits.
+constexpr std::uint64_t mask_of(unsigned bits) {
+  return ~std::uint64_t{0} >> (64 - bits);
+}
+[[maybe_unused]] inline std::uint64_t number_in(const PdoImage& image, unsigned position,
+                                                unsigned bits) {
+  must_hold(bits != 0 && position + bits <= pdo_bits_max);
+  return load<std::uint64_t>(image.data()) >> position & mask_of(bits);
+}
+
+/// A value as it stands in the dictionary.
+struct ValueBytes {
+  explicit ValueBytes(std::uint64_t number, unsigned bits) : size((bits + 7) / 8) {
+    store(bytes.data(), number);
+  }
+  std::span<const std::uint8_t> span() const { return {bytes.data(), size}; }
+  std::uint64_t number() const { return load<std::uint64_t>(bytes.data()); }
+
+  std::array<std::uint8_t, sizeof(std::uint64_t)> bytes;
+  unsigned size;
+};
 
 /// Puts 0 to 64 bits of a value where a PDO is zero. A Boolean is true whatever its byte is but 0.
 void insert(std::uint8_t* data, unsigned position, unsigned bits, const std::uint8_t* value) {
@@ -107,6 +123,9 @@ AbortCode PdoService::find_mapped(std::uint32_t mapped, Entry& entry) const {
     const AbortCode answer = node_.dictionary().locate_for_bus(entry);
     if (answer != AbortCode::none) return answer;
     const EntryShape& row = *entry.row;
+    if (Pdo::has_plans && entry.value - node_.dictionary().values() > MappedValue::offset_max) {
+      return AbortCode::not_mappable;
+    }
     if (allows(row.access, kind_.mappable)) length = row.is_text() ? row.capacity * 8U : row.bits;
   }
   return bits != 0 && bits == length ? AbortCode::none : AbortCode::not_mappable;
@@ -133,46 +152,73 @@ AbortCode PdoService::map(Pdo& pdo, unsigned count) {
     if constexpr (Pdo::has_plans) keep_place(pdo, i, entry, size);
   }
   pdo.bits_ = static_cast<std::uint8_t>(bits);
-  if constexpr (Pdo::has_plans) pdo.plan_ = plan_copies(pdo) & Pdo::plan_mask;
   return AbortCode::none;
 }
 
+/// What hangs on the values is found out when the first frame comes or is sent.
 inline void PdoService::forget_plan(Pdo& pdo) {
   pdo.plan_ = Pdo::mixed;
-  pdo.special_ = pdo.stale_ = pdo.simple_ = false;
-  places_.value.found.pdo = nullptr;
+  pdo.special_ = pdo.simple_ = false;
+  if (is_receive()) pdo.counts_or_goes_ = false;
+  pdo.stale_ = true;
 }
 
 inline void PdoService::keep_place(Pdo& pdo, unsigned position, const Entry& entry, unsigned bits) {
-  const bool is_special = needs_more(entry);
-  if (values_of(pdo)[position].set(place_of(entry), bits, is_special)) {
-    places_.value.are_found = false;
+  EntryPlace place;
+  unsigned deeds = MappedValue::skip;
+  if (entry.row != nullptr) {
+    place = node_.dictionary().place_of(entry);
+    deeds = entry.row->is_text() ? MappedValue::set_text : MappedValue::nothing_more;
   }
-  if (is_special) pdo.special_ = true;
+  MappedValue& value = values_of(pdo)[position];
+  if (value.set(place, bits)) places_.value.are_found = false;
+  value.resolve(deeds);
 }
 
-inline bool PdoService::is_special(const Pdo& pdo, unsigned position) const {
-  return !Pdo::has_plans || values_of(pdo)[position].is_special();
-}
-inline std::uint8_t* PdoService::place_of(const Pdo& pdo, unsigned position) const {
-  return node_.dictionary().values() + values_of(pdo)[position].offset();
+/// What is to be done with each of its values, and so with all of them.
+void PdoService::resolve(Pdo& pdo) {
+  pdo.stale_ = false;
+  unsigned deeds = 0;
+  MappedValue* value = values_of(pdo);
+  for (unsigned bits = 0; bits < pdo.bits_; bits += value++->bits()) {
+    must_hold(value->bits() != 0);
+    deeds |= resolve(*value);
+  }
+  pdo.special_ = deeds != 0;
+  pdo.plan_ = (pdo.special_ && is_receive() ? deeds : plan_copies(pdo)) & Pdo::plan_mask;
 }
 
-/// From the start of the dictionary's values.
-inline unsigned PdoService::place_of(const Entry& entry) const {
-  return static_cast<unsigned>(entry.value - node_.dictionary().values());
-}
-
-/// What there is to know of its object must be looked up when the value is accessed.
-inline bool PdoService::needs_more(const Entry& entry) const {
-  constexpr unsigned received = ServiceEvent::bit_of(ServiceEvent::before_write) |
-                                ServiceEvent::bit_of(ServiceEvent::after_write);
-  constexpr unsigned sent = ServiceEvent::bit_of(ServiceEvent::before_read);
-  if (entry.row == nullptr || entry.row->is_text()) return true;
-  if (entry.is_hooked(is_receive() ? received : sent)) return true;
-  const bool is_checked =
-      entry.watchers() != 0 || canvoy::has(entry.row->traits, EntryTraits::limited);
-  return (is_receive() && is_checked) || place_of(entry) > MappedValue::offset_max;
+/// Of a value that has its place.
+inline unsigned PdoService::resolve(MappedValue& value) const {
+  constexpr unsigned accesses = ServiceEvent::all_accesses;
+  unsigned deeds = value.deeds() & (MappedValue::skip | MappedValue::set_text);
+  if ((deeds & MappedValue::skip) != 0) return deeds;
+  const Dictionary& dictionary = node_.dictionary();
+  const Entry entry = dictionary.entry_at(value.place());
+  const EntryHooks hooks = entry.is_hooked(accesses) ? dictionary.find_hooks(entry) : EntryHooks{};
+  if (!is_receive()) {
+    if (hooks.reads) deeds |= MappedValue::refresh;
+    value.resolve(deeds);
+    return deeds;
+  }
+  const EntryShape& row = *entry.row;
+  // What comes in as many bits as the type has leaves none of them over to be checked.
+  const std::int64_t* limits = nullptr;
+  if (canvoy::has(row.traits, EntryTraits::limited)) {
+    deeds |= MappedValue::limit;
+    limits = dictionary.tables().numbers.data() + row.limits;
+    const bool is_range =
+        canvoy::has(row.traits, EntryTraits::has_sign)
+            ? limits[0] <= limits[1]
+            : static_cast<std::uint64_t>(limits[0]) <= static_cast<std::uint64_t>(limits[1]);
+    // Where every number is refused, or nearly, it is asked for one by one.
+    if (!is_range) deeds |= MappedValue::ask;
+  }
+  if (hooks.asks) deeds |= MappedValue::ask;
+  if (hooks.tells) deeds |= MappedValue::tell;
+  if (dictionary.is_watched(entry)) deeds |= MappedValue::watch;
+  value.resolve(deeds, limits, hooks);
+  return deeds;
 }
 
 /// One copy of all, or full frames of values of one size.
@@ -212,10 +258,10 @@ void PdoService::look_again(Pdo& pdo) {
     for (Pdo& each : all()) {
       each.stale_ = true;
       each.simple_ = false;
+      if (is_receive()) each.counts_or_goes_ = false;
     }
   }
-  if (!pdo.stale_) return;
-  map(pdo, mapped(pdo, 0));
+  if (pdo.stale_) resolve(pdo);
 }
 
 /// What is mapped was checked when it was written, or by the compiler. Nothing stands where the
@@ -224,25 +270,6 @@ void PdoService::look_again(Pdo& pdo) {
   entry.index = static_cast<std::uint16_t>(mapped >> 16);
   entry.sub = static_cast<std::uint8_t>(mapped >> 8);
   return node_.dictionary().locate_for_bus(entry) == AbortCode::none;
-}
-
-bool PdoService::find_value(const Pdo& pdo, unsigned position, Entry& entry) const {
-  const std::uint32_t written = mapped(pdo, position + 1);
-  if (!is_there(written, entry)) return false;
-  // The application may have written another record, past all hooks.
-  return !Pdo::has_plans || static_cast<std::uint8_t>(written) == values_of(pdo)[position].bits();
-}
-
-/// The same, remembered from one step to the next.
-inline bool PdoService::find_once(const Pdo& pdo, unsigned position, Entry& entry) {
-  FoundValue& found = places_.value.found;
-  if (found.pdo == &pdo && found.position == position) {
-    entry = found.entry;
-    return true;
-  }
-  if (!find_value(pdo, position, entry)) return false;
-  if (is_receive()) found = {&pdo, position, entry};
-  return true;
 }
 
 void PdoService::pack_any(const Pdo& pdo, PdoImage& image, bool asks) {
@@ -263,24 +290,189 @@ void PdoService::pack_any(const Pdo& pdo, PdoImage& image, bool asks) {
         break;
     }
   }
-  go_through(pdo, image.data(), asks ? Step::refresh : Step::read);
+  if constexpr (Pdo::has_plans) {
+    pack_values(pdo, image, asks);
+  } else {
+    go_through(pdo, image.data(), asks ? Step::refresh : Step::read);
+  }
 }
 
+// Hosts go by what was resolved.
+
+/// A hook that refuses leaves the value as it is.
+void PdoService::pack_values(const Pdo& pdo, PdoImage& image, bool asks) {
+  Dictionary& dictionary = node_.dictionary();
+  for_values(pdo, [&](const MappedValue& value, unsigned start) {
+    const unsigned bits = value.bits();
+    if (!value.is(MappedValue::set_text | MappedValue::refresh)) {
+      insert(image.data(), start, bits, dictionary.values() + value.offset());
+      return true;
+    }
+    const Entry entry = dictionary.entry_at(value.place());
+    if (asks && value.is(MappedValue::refresh)) static_cast<void>(dictionary.open_read(entry));
+    const std::span<const std::uint8_t> present = entry.bytes();
+    insert(image.data(), start, std::min(bits, static_cast<unsigned>(present.size() * 8)),
+           present.data());
+    return true;
+  });
+}
+
+namespace {
+
+/// Not within its limits: in the arithmetic of its bits, so that it need not be known whether it
+/// has a sign. Of `number` the lower bits count.
+[[gnu::always_inline]] inline bool is_outside(const MappedValue& value, std::uint64_t number) {
+  const std::int64_t* const limits = value.limits();
+  const auto low = static_cast<std::uint64_t>(limits[0]);
+  const std::uint64_t range = static_cast<std::uint64_t>(limits[1]) - low;
+  const unsigned unused = 64 - value.bits();
+  return (number - low) << unused > range << unused;
+}
+
+/// Why it is refused: it may be the sentinel beside its limits.
+AbortCode check_number_of(const Dictionary& dictionary, const MappedValue& value,
+                          std::uint64_t number) {
+  if (!value.is(MappedValue::limit)) return AbortCode::none;
+  const DictionaryTables& tables = dictionary.tables();
+  const ValueBytes bytes(number, value.bits());
+  return check_number(tables, tables.entries[value.place().row], bytes.bytes.data());
+}
+
+std::uint32_t refused_at(const MappedValue& value) {
+  const EntryPlace place = value.place();
+  return static_cast<std::uint32_t>(place.index) << 16 | unsigned{place.sub} << 8;
+}
+
+}  // namespace
+
+/// Where nobody else is asked. Zeros come after the last bit of 64.
+[[gnu::always_inline]] inline std::uint32_t PdoService::check_limits(const Pdo& pdo,
+                                                                     const PdoImage& image) const {
+  const MappedValue* value = values_of(pdo);
+  auto rest = canvoy::load<std::uint64_t>(image.data());
+  for (unsigned left = pdo.bits_; left != 0; ++value) {
+    const unsigned bits = value->bits();
+    if (value->is(MappedValue::limit) && is_outside(*value, rest)) [[unlikely]] {
+      if (is_refused(*value, rest)) return refused_at(*value);
+    }
+    left -= bits;
+    rest = bits == pdo_bits_max ? 0 : rest >> bits;
+  }
+  return 0;
+}
+
+std::uint32_t PdoService::ask_for_values(const Pdo& pdo, const PdoImage& image) const {
+  const Dictionary& dictionary = node_.dictionary();
+  std::uint32_t refused = 0;
+  for_values(pdo, [&](const MappedValue& value, unsigned start) {
+    const ValueBytes bytes(number_in(image, start, value.bits()), value.bits());
+    const std::uint32_t object = refused_at(value);
+    AbortCode answer = check_number_of(dictionary, value, bytes.number());
+    if (answer == AbortCode::none && value.is(MappedValue::ask)) {
+      answer = dictionary.ask(dictionary.entry_at(value.place()), bytes.span(), value.hooks());
+    }
+    if (answer != AbortCode::none) refused = object;
+    return refused == 0;
+  });
+  return refused;
+}
+
+[[gnu::noinline]] bool PdoService::is_refused(const MappedValue& value,
+                                              std::uint64_t number) const {
+  return check_number_of(node_.dictionary(), value, number) != AbortCode::none;
+}
+
+[[gnu::always_inline]] inline void PdoService::write_numbers(const Pdo& pdo,
+                                                             const PdoImage& image) {
+  std::uint8_t* const block = node_.dictionary().values();
+  const MappedValue* value = values_of(pdo);
+  auto rest = canvoy::load<std::uint64_t>(image.data());
+  for (unsigned left = pdo.bits_; left != 0; ++value) {
+    const unsigned bits = value->bits();
+    if (value->is(MappedValue::watch | MappedValue::set_text | MappedValue::skip)) [[unlikely]] {
+      write_special(*value, rest);
+    } else if (bits == 32) {
+      store(block + value->offset(), static_cast<std::uint32_t>(rest));
+    } else if (bits == 16) {
+      store(block + value->offset(), static_cast<std::uint16_t>(rest));
+    } else if (bits == 8) {
+      block[value->offset()] = static_cast<std::uint8_t>(rest);
+    } else {
+      write_special(*value, rest);
+    }
+    left -= bits;
+    rest = bits == pdo_bits_max ? 0 : rest >> bits;
+  }
+}
+
+std::uint32_t PdoService::check_values(const Pdo& pdo, const PdoImage& image) const {
+  const unsigned deeds = pdo.special_ ? pdo.plan_ : 0U;
+  if ((deeds & MappedValue::ask) != 0) return ask_for_values(pdo, image);
+  return (deeds & MappedValue::limit) != 0 ? check_limits(pdo, image) : 0;
+}
+
+/// Nobody is called within.
+void PdoService::write_values(const Pdo& pdo, const PdoImage& image) {
+  write_numbers(pdo, image);
+}
+
+std::uint32_t PdoService::take_values(const Pdo& pdo, const PdoImage& image) {
+  const unsigned deeds = pdo.special_ ? pdo.plan_ : 0U;
+  if ((deeds & (MappedValue::ask | MappedValue::limit)) != 0) {
+    const std::uint32_t refused =
+        (deeds & MappedValue::ask) != 0 ? ask_for_values(pdo, image) : check_limits(pdo, image);
+    if (refused != 0) [[unlikely]]
+      return refused;
+  }
+  write_numbers(pdo, image);
+  if ((deeds & MappedValue::tell) != 0) tell_of_values(pdo);
+  return 0;
+}
+
+/// Of `number` the lower bits count.
+void PdoService::write_special(const MappedValue& value, std::uint64_t number) {
+  if (value.is(MappedValue::skip)) return;
+  Dictionary& dictionary = node_.dictionary();
+  const unsigned bits = value.bits();
+  const ValueBytes bytes(number & mask_of(bits), bits);
+  if (value.is(MappedValue::set_text)) {
+    return dictionary.set(dictionary.entry_at(value.place()), bytes.span());
+  }
+  std::uint8_t* const place = dictionary.values() + value.offset();
+  if (value.is(MappedValue::watch)) {
+    if (are_equal(place, bytes.bytes.data(), bytes.size)) return;
+    dictionary.note_change(value.place());
+  }
+  copy_bytes(place, bytes.bytes.data(), bytes.size);
+}
+
+void PdoService::tell_of_values(const Pdo& pdo) const {
+  const Dictionary& dictionary = node_.dictionary();
+  for_values(pdo, [&](const MappedValue& value, unsigned) {
+    if (!value.is(MappedValue::tell)) return true;
+    const Entry entry = dictionary.entry_at(value.place());
+    if (const ServiceLink* link = value.told(); link != nullptr) [[likely]] {
+      link->tell_row(value.after_row(), entry, Source::pdo);
+    } else {
+      dictionary.tell_of(entry, Source::pdo, value.hooks());
+    }
+    return true;
+  });
+}
+
+// A small machine reads the mapping record for each frame.
+
 std::uint32_t PdoService::go_through(const Pdo& pdo, std::uint8_t* image, Step step) {
+  if constexpr (Pdo::has_plans) return 0;
   Entry entry;
   unsigned bits = 0;
   // A hook may change the mapping under our feet: bits_ is looked at anew.
   for (unsigned i = 0, start = 0; start < pdo.bits_; ++i, start += bits) {
-    const std::uint32_t written = Pdo::has_plans ? nothing : mapped(pdo, i + 1);
-    bits = Pdo::has_plans ? values_of(pdo)[i].bits() : written % 256;
+    const std::uint32_t written = mapped(pdo, i + 1);
+    bits = written % 256;
     // The application may have written another record, past all hooks.
     if (bits == 0 || start + bits > pdo.bits_) break;
-    if (!is_special(pdo, i)) {
-      if (step <= Step::refresh) insert(image, start, bits, place_of(pdo, i));
-      if (step == Step::write) extract(image, start, bits, place_of(pdo, i));
-      continue;
-    }
-    if (!(Pdo::has_plans ? find_once(pdo, i, entry) : is_there(written, entry))) continue;
+    if (!is_there(written, entry)) continue;
     if (!access(image, {start, bits}, step, entry)) {
       return static_cast<std::uint32_t>(entry.index) << 16 | unsigned{entry.sub} << 8;
     }

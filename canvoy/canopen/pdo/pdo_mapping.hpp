@@ -1,8 +1,11 @@
-// What a PDO carries: a mapping record (1600h to 17FFh, 1A00h to 1BFFh), resolved once into places
-// in the dictionary's values (CiA 301, 7.5.2.36 and 7.5.2.38).
+// What a PDO carries: a mapping record (1600h to 17FFh, 1A00h to 1BFFh), resolved when it is set
+// into places in the dictionary's values, and into what is to be done with each: limits, hooks,
+// watchers (CiA 301, 7.5.2.36 and 7.5.2.38).
 //
-// Bits and odd sizes are shifted in and out. What has a range, a hook or a watcher is special: its
-// object is looked up when it is accessed, and checked before anything is written.
+// Bits and odd sizes are shifted in and out. All values of an RPDO are checked before one is
+// written. Where a hook or a watcher comes later, what is to be done is found out anew; the record
+// is read when it is set, and never again. A small machine keeps no plans, and reads it for each
+// frame.
 //
 //     MappedValue values[4 * 8];   // for four PDOs of up to eight values
 #pragma once
@@ -10,6 +13,9 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <utility>
+
+#include "canvoy/canopen/dictionary/dictionary.hpp"
 
 namespace canvoy {
 
@@ -52,38 +58,84 @@ class PdoSet {
   std::array<std::uint64_t, pdo_count_max / 64> words_{};
 };
 
-/// One value of a PDO: where it stands in the dictionary, in three bytes, and its part in a table
-/// that finds it by its place (see Tpdos). The owner of PDOs provides the memory.
+/// One value of a PDO: what is to be done with it, resolved when the mapping is set, and its part
+/// in a table that finds it by its place (see Tpdos). The owner of PDOs provides the memory; a
+/// small machine needs none.
 class MappedValue {
  public:
-  static constexpr unsigned offset_max = 0xFFFF;
+  static constexpr std::uint32_t offset_max = 0x1FF'FFFF;
   static constexpr unsigned bytes_max = 16;  ///< for as many bits as can be told
 
-  /// False where it was so before.
-  bool set(unsigned offset, unsigned bits, bool special) {
-    const auto wanted = static_cast<std::uint8_t>(special ? bits | special_bit : bits);
-    if (offset_ == static_cast<std::uint16_t>(offset) && bits_ == wanted) return false;
-    offset_ = static_cast<std::uint16_t>(offset);
-    bits_ = wanted;
-    return true;
-  }
+  /// What is to be done beside copying it: bits.
+  enum Deed : std::uint8_t {
+    nothing_more = 0,
+    limit = 1,      ///< it has a range
+    ask = 2,        ///< somebody may refuse it
+    tell = 4,       ///< somebody is told that it was written
+    watch = 8,      ///< a TPDO maps it
+    set_text = 16,  ///< a string, with its length
+    skip = 32,      ///< a dummy entry
+    refresh = 64,   ///< somebody may refresh it before it is sent
+  };
 
-  /// In bytes from the start of the dictionary's values; of no meaning where it is special.
-  unsigned offset() const { return offset_; }
-  unsigned bits() const { return bits_ & ~special_bit; }
-  /// More is to be done than to copy it.
-  bool is_special() const { return bits_ > special_bit; }
+  /// False where it stood there before, with as many bits.
+  bool set(const EntryPlace& place, unsigned bits) {
+    const std::uint32_t wanted = place.offset | bits << bits_shift;
+    const bool is_same = std::exchange(offset_and_bits_, wanted) == wanted;
+    object_ = place.object;
+    row_ = place.row;
+    index_ = place.index;
+    sub_ = place.sub;
+    return !is_same;
+  }
+  EntryPlace place() const { return {offset(), object_, row_, index_, sub_}; }
+  std::uint32_t offset() const { return offset_and_bits_ & offset_max; }
+  unsigned bits() const { return offset_and_bits_ >> bits_shift; }
+  unsigned deeds() const { return deeds_; }
+  bool is(unsigned deeds) const { return (deeds_ & deeds) != 0; }
+  /// Where it has a range: its lowest and highest value.
+  const std::int64_t* limits() const { return limits_; }
+
+  /// Of an RPDO: its range, and who is asked and told.
+  void resolve(unsigned deeds, const std::int64_t* limits, const EntryHooks& hooks) {
+    deeds_ = static_cast<std::uint8_t>(deeds);
+    limits_ = limits;
+    asked_ = hooks.service;
+    next_ = hooks.before_row;
+    bucket_ = hooks.after_row;
+  }
+  EntryHooks hooks() const {
+    return {.service = asked_, .before_row = next_, .after_row = bucket_};
+  }
+  /// A link to a service, of which one row tells; null where it is more than that.
+  const ServiceLink* told() const {
+    return bucket_ == EntryHooks::any_row ? nullptr : static_cast<const ServiceLink*>(asked_);
+  }
+  unsigned after_row() const { return bucket_; }
+  /// Of a TPDO, which stands in PlacesOfValues.
+  void resolve(unsigned deeds) { deeds_ = static_cast<std::uint8_t>(deeds); }
 
  private:
   friend class PlacesOfValues;
-  static constexpr unsigned special_bit = 0x80;
+  static constexpr unsigned bits_shift = 25;
 
-  std::uint16_t offset_ = 0;
-  std::uint8_t bits_ = 0;
-  std::uint16_t next_ = 0;    ///< value of which the place has the same hash: its position, from 1
-  std::uint16_t bucket_ = 0;  ///< the first value of the hash that is this one's position; or 0
+  NodeService* asked_ = nullptr;
+  const std::int64_t* limits_ = nullptr;
+  std::uint32_t offset_and_bits_ = 0;
+  std::uint16_t object_ = 0;
+  std::uint16_t row_ = 0;
+  std::uint16_t index_ = 0;
+  std::uint8_t sub_ = 0;
+  std::uint8_t deeds_ = 0;
+  /// Of a TPDO the value of which the place has the same hash: its position, from 1. Of an RPDO
+  /// EntryHooks::before_row.
+  std::uint16_t next_ = 0;
+  /// Of a TPDO the first value of the hash that is this one's position; or 0. Of an RPDO
+  /// EntryHooks::after_row.
+  std::uint16_t bucket_ = 0;
 };
-static_assert(sizeof(MappedValue) == 8, "some devices have thousands of mapped values");
+static_assert(sizeof(void*) != 8 || sizeof(MappedValue) == 32,
+              "some devices have thousands of mapped values");
 
 /// Finds mapped values by their places: a hash table in their own memory.
 class PlacesOfValues {
@@ -97,28 +149,25 @@ class PlacesOfValues {
   }
   /// One that is in it at most once.
   void add(unsigned position) {
-    std::uint16_t& bucket = values_[hash(values_[position].offset_)].bucket_;
+    std::uint16_t& bucket = values_[hash(values_[position].offset())].bucket_;
     values_[position].next_ = bucket;
     bucket = static_cast<std::uint16_t>(position + 1);
   }
   /// The positions of those at `place`, one after the other; nothing behind the last one.
-  unsigned first(std::uint32_t place) const {
-    const auto offset = static_cast<std::uint16_t>(place);
-    return seek(values_[hash(offset)].bucket_, offset);
-  }
+  unsigned first(std::uint32_t place) const { return seek(values_[hash(place)].bucket_, place); }
   unsigned next(unsigned position) const {
-    return seek(values_[position].next_, values_[position].offset_);
+    return seek(values_[position].next_, values_[position].offset());
   }
 
  private:
-  unsigned seek(unsigned candidate, std::uint16_t offset) const {
-    while (candidate != 0 && values_[candidate - 1].offset_ != offset) {
+  unsigned seek(unsigned candidate, std::uint32_t offset) const {
+    while (candidate != 0 && values_[candidate - 1].offset() != offset) {
       candidate = values_[candidate - 1].next_;
     }
     return candidate == 0 ? nothing : candidate - 1;
   }
   /// Fibonacci hashing, scaled to the number of values.
-  unsigned hash(std::uint16_t offset) const {
+  unsigned hash(std::uint32_t offset) const {
     return static_cast<unsigned>(std::uint64_t{offset * 0x9E37'79B9U} * count_ >> 32);
   }
 

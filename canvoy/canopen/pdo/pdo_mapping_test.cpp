@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <map>
 
 #include "canvoy/canopen/testing/pdo_node.hpp"
@@ -392,32 +393,119 @@ TEST(PdoMapping, SeesATpdoThatComesToWatchWhatAnRpdoWrites) {
   node.expect({"185#03 00"});
 }
 
-TEST(PdoMapping, WhichTheApplicationOverwritesUnderAWorkingPdoTouchesNoOtherValue) {
-  PdoNode node;
-  node.map_rpdo(1, 0x205, 255, {0x2060'00'08, 0x2000'01'08});
-  node.operate();
-  node.receive("205#0A 11");
-  EXPECT_EQ(node.number(0x2060, 0), 0x0AU);
-  node.set(0x1600, 1, 0x2020'01'20);
-  node.set(0x1600, 2, 0x2020'02'20);
-  node.receive("205#0B 22");
-  EXPECT_EQ(node.number(0x2020, 1), 0U);
-  EXPECT_EQ(node.number(0x2020, 2), 0U);
-  EXPECT_EQ(node.number(0x2060, 0), 0x0AU);
-  EXPECT_EQ(node.number(0x2000, 1), 0x22U);
-}
-
-TEST(PdoMapping, WhichTheApplicationOverwritesBetweenFramesHoldsForTheNextOne) {
+TEST(PdoMapping, WhichTheApplicationOverwritesPastAllHooksHoldsWhenThePdoIsSetAnew) {
   PdoNode node;
   Hook hook{.first = 0x2000, .last = 0x2000};
   node.node.dictionary().attach(hook);
-  node.map_rpdo(1, 0x205, 255, {0x2000'01'08});
+  node.map_rpdo(1, 0x205, 255, {0x2060'00'08, 0x2000'01'08});
   node.operate();
-  node.receive("205#11");
-  node.set(0x1600, 1, 0x2000'02'08);
-  node.receive("205#22");
-  EXPECT_EQ(node.number(0x2000, 1), 0x11U);
-  EXPECT_EQ(node.number(0x2000, 2), 0x22U);
+  node.receive("205#0A 11");
+  node.set(0x1600, 1, 0x2020'01'20);
+  node.set(0x1600, 2, 0x2000'02'08);
+  node.receive("205#0B 22");
+  EXPECT_EQ(node.number(0x2060, 0), 0x0BU);
+  EXPECT_EQ(node.number(0x2000, 1), 0x22U);
+  EXPECT_EQ(node.number(0x2020, 1), 0U);
+  ASSERT_EQ(node.write(0x1400, 1, 0x205), none);
+  node.receive("205#01 02 03 04 33");
+  EXPECT_EQ(node.number(0x2020, 1), 0x0403'0201U);
+  EXPECT_EQ(node.number(0x2000, 2), 0x33U);
+  EXPECT_EQ(node.number(0x2060, 0), 0x0BU);
+}
+
+/// Limits, hooks, watchers, strings, dummies, odd sizes: the record is read while a PDO is set, and
+/// for none of its frames, whatever comes to hang on its values.
+TEST(PdoMapping, IsReadWhenItIsSetAndForNoFrame) {
+  PdoNode node;
+  Hook hook{.first = 0x2062, .last = 0x2062};
+  node.node.dictionary().attach(hook);
+  node.map_rpdo(1, 0x205, 255, {0x2060'00'08, 0x2061'00'10, 0x2062'00'10});
+  node.map_rpdo(2, 0x305, 255, {0x2070'00'20, 0x0005'00'08, 0x2030'01'01, 0x2040'03'04});
+  node.map_rpdo(3, 0x405, 1, {0x2010'01'10});
+  node.map_tpdo(1, 0x185, 255, {0x2010'01'10, 0x2061'00'10});
+  node.map_tpdo(2, 0x285, 1, {0x2062'00'10, 0x2070'00'20});
+  node.operate();
+  const std::uint32_t received = node.rpdos.mapping_reads();
+  const std::uint32_t sent = node.tpdos.mapping_reads();
+  EXPECT_GT(received, 0U);
+  const auto run = [&] {
+    for (const char* frame : {"205#0A 01 00 02 00", "205#FE 01 00 02 00", "205#0B 02 00 03 00",
+                              "305#61 62 63 64 00 03", "405#07 00", "080#", "305#00"}) {
+      node.receive(frame);
+    }
+    node.sent.clear();
+  };
+  run();
+  Hook late{.first = 0x2060, .last = 0x2070};
+  node.node.dictionary().attach(late);
+  run();
+  node.node.dictionary().detach(late);
+  run();
+  EXPECT_EQ(node.rpdos.mapping_reads(), received);
+  EXPECT_EQ(node.tpdos.mapping_reads(), sent);
+}
+
+TEST(PdoMapping, OfANeighbourOfAWatchedValueTellsNobody) {
+  PdoNode node;
+  node.map_rpdo(1, 0x205, 255, {0x2010'02'10});
+  node.map_tpdo(1, 0x185, 255, {0x2010'01'10});
+  node.operate();
+  for (int i = 1; i <= 3; ++i) {
+    node.node.receive(
+        Frame::data_frame(0x205, std::array<std::uint8_t, 2>{static_cast<std::uint8_t>(i), 0}),
+        node.now);
+    EXPECT_EQ(node.number(0x2010, 2), static_cast<std::uint64_t>(i));
+    if (is_small_machine) continue;
+    EXPECT_EQ(node.node.deadline(), Time::max()) << "nobody is to be told";
+  }
+  node.expect({});
+  node.set(0x2010, 1, 9);
+  node.expect({"185#09 00"});
+}
+
+/// A hook of each kind, of which some come and go while the PDO works.
+TEST(PdoMapping, AsksAndTellsAllWhoAreAtTheTimeOfTheFrame) {
+  struct Asked {
+    explicit Asked(std::uint16_t first, std::uint16_t last) : hook{.first = first, .last = last} {
+      hook.before_write = Callback<AbortCode(const Entry&, std::span<const std::uint8_t>)>::of(ask);
+      hook.after_write = Callback<void(const Entry&, Source)>::of(tell);
+    }
+    AbortCode answer = none;
+    int asked = 0;
+    int told = 0;
+    std::function<AbortCode(const Entry&, std::span<const std::uint8_t>)> ask =
+        [this](const Entry&, std::span<const std::uint8_t>) { return ++asked, answer; };
+    std::function<void(const Entry&, Source)> tell = [this](const Entry&, Source) { ++told; };
+    Hook hook;
+  };
+  PdoNode node;
+  Asked one(0x2010, 0x2010);
+  Asked both(0x2010, 0x2020);
+  node.map_rpdo(1, 0x205, 255, {0x2010'01'10, 0x2020'01'20});
+  node.operate();
+  const auto receive = [&] { node.receive("205#01 00 02 00 00 00"); };
+  receive();
+  node.node.dictionary().attach(one.hook);
+  receive();
+  EXPECT_EQ(one.asked, 1);
+  EXPECT_EQ(one.told, 1);
+  node.node.dictionary().attach(both.hook);
+  receive();
+  EXPECT_EQ(one.told, 2);
+  EXPECT_EQ(both.told, 2) << "both values";
+  both.answer = value_range;
+  receive();
+  EXPECT_EQ(both.told, 2);
+  EXPECT_EQ(one.told, 2);
+  EXPECT_EQ(node.errors(), (std::vector<std::string>{"+8200/1"}));
+  node.node.dictionary().detach(both.hook);
+  receive();
+  EXPECT_EQ(one.told, 3);
+  EXPECT_EQ(both.told, 2);
+  EXPECT_EQ(node.errors(), (std::vector<std::string>{"-8200/1"}));
+  node.node.dictionary().detach(one.hook);
+  receive();
+  EXPECT_EQ(one.told, 3);
 }
 
 }  // namespace

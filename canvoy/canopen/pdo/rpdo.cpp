@@ -122,8 +122,17 @@ void Rpdos::receive_routed(void* context, const Frame& frame, Time now) {
 
 /// The way of those PDOs that need more than a copy. It leaves a note where the next one may take
 /// the short way: operational, taken at once, of the right length and without a fault, supervised
-/// already, and simply mapped.
+/// already, and simply mapped; or else all but the last.
 void Rpdos::take_any(Rpdo& pdo, const Frame& frame) {
+  if (Pdo::has_plans && pdo.counts_or_goes_ && frame.length == pdo.length_ &&
+      places_.value.revision == node_.dictionary().revision()) {
+    pdo.since_ = ticks();
+    const std::uint32_t object = take_values(pdo, frame.data);
+    if (object != 0) [[unlikely]]
+      return raise(pdo, refused, object);
+    if (received) received(number_of(pdo));
+    return;
+  }
   if (!operational_) return;
   if (frame.length != pdo.length_ || pdo.syncs_or_faults_ != 0) {
     if (!is_long_enough(pdo, frame.length)) return;
@@ -141,7 +150,12 @@ void Rpdos::take_any(Rpdo& pdo, const Frame& frame) {
     if constexpr (!is_small_machine) choose(pdo, true);
     return;
   }
-  if constexpr (Pdo::has_plans) pdo.simple_ = pdo.syncs_or_faults_ == 0 && pdo.plan_ != Pdo::mixed;
+  renew(pdo);
+  if constexpr (Pdo::has_plans) {
+    const bool is_right = pdo.syncs_or_faults_ == 0 && pdo.mode_ == 0;
+    pdo.simple_ = is_right && pdo.plan_ != Pdo::mixed && !pdo.special_;
+    pdo.counts_or_goes_ = is_right && !pdo.simple_;
+  }
   take(pdo, frame.data);
 }
 
@@ -189,6 +203,7 @@ inline void Rpdos::parameter_written(const Entry& entry) {
 
 void Rpdos::rest(Rpdo& pdo) {
   pdo.supervised_ = pdo.holds_ = pdo.simple_ = false;
+  if constexpr (Pdo::has_plans) pdo.counts_or_goes_ = false;
 }
 
 inline void Rpdos::change_deadline(Rpdo& pdo) {
@@ -242,6 +257,7 @@ inline void Rpdos::report(Rpdo& pdo, unsigned faults, std::uint32_t object) {
   if (changed == 0) return;
   pdo.syncs_or_faults_ = static_cast<std::uint8_t>(pdo.syncs_or_faults_ ^ changed);
   pdo.simple_ = false;
+  if constexpr (Pdo::has_plans) pdo.counts_or_goes_ = false;
   // Their bits are in the order of these codes, of which the upper byte is the same.
   static constexpr std::uint8_t codes[] = {
       low_byte(emergency_code::pdo_too_short), low_byte(emergency_code::pdo_too_long),

@@ -39,6 +39,7 @@ void Tpdos::told(NodeService& service, ServiceEvent& event) {
   if constexpr (!is_small_machine) {
     if (event.kind == ServiceEvent::sample) return self.sync(event.counter());
     if (event.kind == ServiceEvent::values_changed && self.values_changed(event)) return;
+    if (event.kind == ServiceEvent::watch_asked) return self.find_watcher(event);
   }
   if (event.kind == ServiceEvent::before_write) {
     return event.refuse(self.check_write(event.entry(), load_word(event.value())));
@@ -138,6 +139,16 @@ void Tpdos::restart_mpdos(MpdoMode mode) {
     if (is_at_work(pdo) && knows_events(pdo.type_)) values_changed(pdo, ~0U);
   }
   return true;
+}
+
+/// Of a value in a row that is watched. What multiplexed TPDOs send may be any of them.
+void Tpdos::find_watcher(ServiceEvent& event) {
+  if constexpr (is_small_machine) return;
+  if (mpdos_ != nullptr) return event.want();
+  if (places_.value.share == 0) return;
+  const PlacesOfValues values(places_.value.values, unsigned{places_.value.share} * count_);
+  if (!places_.value.are_found) find_values(values);
+  if (values.first(event.number) != PlacesOfValues::nothing) event.want();
 }
 
 void Tpdos::find_values(PlacesOfValues values) {
@@ -243,10 +254,10 @@ inline bool Tpdos::is_in_time() const {
   if (pdo.type_ == transmission_type::acyclic) {
     return pdo.event_ || differs(pdo);
   }
-  if (!pdo.counting_) {
+  if (!pdo.counts_or_goes_) {
     const std::uint32_t start = parameter(pdo, pdo_sub::sync_start, 0);
     if (start != 0 && counter != 0 && counter != start) return false;
-    pdo.counting_ = true;
+    pdo.counts_or_goes_ = true;
   }
   must_hold(pdo.syncs_or_faults_ < pdo.type_);
   ++pdo.syncs_or_faults_;
@@ -286,10 +297,10 @@ void Tpdos::watch(std::uint32_t watchers) {
       mpdos_->calls->watch(mpdos_->source, pdo.mode(), watcher);
       continue;
     }
-    Entry entry;
-    for (unsigned position = 0; find_value(pdo, position, entry); ++position) {
-      dictionary.watch(entry, watcher);
-    }
+    for_values(pdo, [&](const MappedValue& value, unsigned) {
+      dictionary.watch(dictionary.entry_at(value.place()), watcher);
+      return true;
+    });
   }
 }
 
@@ -309,7 +320,7 @@ void Tpdos::end(Tpdo& pdo) {
   node_.transmitter().drop(pdo.can_id_);
   tell_source(pdo, MpdoEvent::end);
   pdo.syncs_or_faults_ = 0;
-  pdo.sampled_ = pdo.sent_ = pdo.event_ = pdo.waiting_ = pdo.counting_ = false;
+  pdo.sampled_ = pdo.sent_ = pdo.event_ = pdo.waiting_ = pdo.counts_or_goes_ = false;
 }
 
 bool Tpdos::is_inhibited(const Tpdo& pdo) const {

@@ -74,7 +74,8 @@ class Tpdos : public PdoService {
             is_small_machine && records == PdoRecords::constant
                 ? Listener{told_of_constant}
                 : Listener{told, object_index::tpdo_parameter, object_index::tpdo_mapping_last},
-            Cares::for_values | Cares::for_sample, node, kind, pdos, values, sync, first),
+            Cares::for_values | Cares::for_sample | Cares::for_watch, node, kind, pdos, values,
+            sync, first),
         may_begin_(at_start == AtStart::send ? nullptr : waits_for_event) {}
 
   /// Before the values of a PDO are sampled: the application may refresh them, through
@@ -119,6 +120,7 @@ class Tpdos : public PdoService {
   static void told(PdoService& service, Tpdo& pdo, ServiceEvent& event);
   bool values_changed(const ServiceEvent& event);
   void find_values(PlacesOfValues values);
+  void find_watcher(ServiceEvent& event);
   void values_changed(Tpdo& pdo, std::uint32_t watchers);
   void tx_ready(Tpdo& pdo);
   void bus_recovered(Tpdo& pdo);

@@ -20,6 +20,7 @@
 #include "canvoy/devices/part_tables.hpp"
 #include "canvoy/devices/site.hpp"
 #include "canvoy/profiles/cia407/configuration.hpp"
+#include "canvoy/profiles/device_values.hpp"
 
 namespace canvoy::cia407 {
 
@@ -76,7 +77,7 @@ struct BusSegment {
 /// The objects of such a device, sorted: what a unit provides goes before what another consumes.
 std::vector<Part> bus_parts(std::span<const BusUnit* const> units, const BusSegment& segment = {});
 
-class BusDevice {
+class BusDevice : public FoundValues<BusDevice> {
  public:
   /// `port`'s context, and what `site` offers, must outlive this. The site may offer a BusSegment.
   /// It is told of the VirtualDevices, and then of each unit.
@@ -88,6 +89,8 @@ class BusDevice {
 
   Node& node() { return device_.node(); }
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
+  /// What the units that it is made of leave it without: see HeapNode.
+  MissingEntry missing() const { return device_.missing(); }
   /// `number` counts from 1 on.
   VirtualDevice& virtual_device(unsigned number) { return virtual_devices_[number - 1]; }
 

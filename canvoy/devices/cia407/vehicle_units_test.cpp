@@ -180,6 +180,18 @@ TEST(Positioning, CountsMileageFromItsFirstLookOn) {
   EXPECT_EQ(cable.last(0x585), "585#43 64 66 00 E6 00 00 00") << "1152 m";
 }
 
+/// Values of a device that is put together when the program runs, by handle.
+TEST(BusDevice, GivesItsValuesByHandleAndSaysWhichItHasNot) {
+  static constexpr const BusUnit* units[] = {&bus_unit<PositioningKind>};
+  Site site;
+  Cable cable;
+  BusDevice device(units, cable.port(0), 5, site);
+  EXPECT_EQ(device.missing().rule, "");
+  EXPECT_EQ(device.find(gps_mileage), AbortCode::none);
+  EXPECT_EQ(device.find(incoming_passengers_of_door), AbortCode::no_object);
+  EXPECT_EQ(device.set(incoming_passengers_of_door, 5), AbortCode::no_object);
+}
+
 TEST(TimeFixing, TellsUtcAndSaysWhenItHasNone) {
   std::optional<CivilTime> utc;
   Bench<TimeFixingKind> bench(

@@ -1,5 +1,6 @@
 #include "canvoy/devices/cia407/virtual_devices.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace canvoy::cia407 {
@@ -93,12 +94,25 @@ AbortCode VirtualDevices::check(const Entry& entry, std::span<const std::uint8_t
   return AbortCode::none;
 }
 
+void VirtualDevices::listen(std::span<const HookCalls> rows) {
+  for (const HookCalls& row : rows) {
+    if (row.after_write == nullptr) continue;
+    const unsigned count = static_cast<unsigned>(
+        std::min<std::size_t>(row.last - row.first + 1U, 64U * listened_.size()));
+    for (unsigned index = row.first; index < row.first + count; ++index) {
+      listened_[index / 64 % listened_.size()] |= std::uint64_t{1} << index % 64;
+    }
+  }
+}
+
 void VirtualDevices::written(const Entry& entry, Source source) {
+  const bool is_heard = has_listener(entry.index) || entry.index == events_for_index;
   const auto tell = [&](const HookCalls& row, void* unit) {
     if (row.after_write != nullptr) row.after_write(unit, entry, source);
     return AbortCode::none;
   };
-  for (VirtualDevice* device = first_; device != nullptr; device = device->next_) {
+  for (VirtualDevice* device = is_heard ? first_ : nullptr; device != nullptr;
+       device = device->next_) {
     if (device != teller_) device->for_rows_of(entry, tell);
     if (entry.index != events_for_index || entry.sub != device->number_) continue;
     const std::uint32_t word = entry.word();

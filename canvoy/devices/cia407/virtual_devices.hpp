@@ -14,6 +14,7 @@
 
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/profiles/cia407/handles.hpp"
+#include "canvoy/profiles/device_values.hpp"
 #include "canvoy/profiles/reactions.hpp"
 
 namespace canvoy::cia407 {
@@ -57,8 +58,14 @@ class VirtualDevices {
   AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
   void written(const Entry& entry, Source source);
   void tell_events(VirtualDevice& device);
+  void listen(std::span<const HookCalls> rows);
+  bool has_listener(std::uint16_t index) const {
+    return (listened_[index / 64 % listened_.size()] >> index % 64 & 1) != 0;
+  }
 
   Node& node_;
+  /// Indices modulo 512 of which a row of a virtual device is told, a bit each.
+  std::array<std::uint64_t, 8> listened_{};
   VirtualDevice* first_ = nullptr;
   VirtualDevice** last_ = &first_;
   const VirtualDevice* teller_ = nullptr;  ///< whose value it is that is announced
@@ -87,6 +94,12 @@ class VirtualDevice {
     return values()[handle];
   }
 
+  /// See FoundValues.
+  template <class Handle, class Function>
+  ValueWatch<Handle, Function> on(const Handle& handle, Function function) {
+    return {node().dictionary(), handle, std::move(function)};
+  }
+
   /// All events are gone, and its objects have their defaults where the node was reset.
   Callback<void(ResetScope)> on_reset = {};
   /// 6002h was written for this one: its flags, and the manufacturer-specific information.
@@ -99,6 +112,7 @@ class VirtualDevice {
   void react(Unit& unit, std::span<const HookCalls> rows) {
     unit_ = &unit;
     rows_ = rows;
+    all_.listen(rows);
   }
 
   /// Sets or clears flags of 6001h. While there is neither a flag nor information the entry is

@@ -76,8 +76,8 @@ Charger::Charger(Node& node, const ChargerServices& services, const ChargerHardw
   link_.on_failed(Callback<void()>::to<&Charger::battery_silent>(*this));
   services_.heartbeats.on_change(
       Callback<void(NodeId, RemoteState)>::to<&Charger::battery_changed>(*this));
-  if (services_.nmt_master != nullptr) {
-    services_.nmt_master->on_change(
+  if (services_.network != nullptr) {
+    services_.network->on_change(
         Callback<void(NodeId, RemoteState)>::to<&Charger::network_changed>(*this));
   }
   if (services_.time_stamp != nullptr && hardware_.time_of_day) {
@@ -175,12 +175,12 @@ void Charger::tell_time() {
 
 /// As the NMT master of two nodes: both are to be operational, unless something is wrong here.
 void Charger::manage(Time now) {
-  if (phase_ != ChargerPhase::linked || services_.nmt_master == nullptr) return;
+  if (phase_ != ChargerPhase::linked || services_.network == nullptr) return;
   if (node_.bus_state() == BusState::bus_off || battery_state() == RemoteState::lost) return;
   if (node_.state() != NmtState::operational) node_.command(NmtCommand::start);
   if (battery_state() == RemoteState::operational || now < commanded_at_ + command_interval) return;
   commanded_at_ = now;
-  services_.nmt_master->command(offer_.id, NmtCommand::start);
+  command_node(node_, offer_.id, NmtCommand::start);
 }
 
 void Charger::count(Time now) {

@@ -12,7 +12,7 @@
 #include "canvoy/canopen/manager/sdo_requester.hpp"
 #include "canvoy/canopen/nmt/error_behaviour.hpp"
 #include "canvoy/canopen/nmt/heartbeat_consumer.hpp"
-#include "canvoy/canopen/nmt/nmt_master.hpp"
+#include "canvoy/canopen/nmt/network_states.hpp"
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/canopen/pdo/rpdo.hpp"
 #include "canvoy/canopen/pdo/tpdo.hpp"
@@ -45,7 +45,7 @@ struct ChargerServices {
   Tpdos& tpdos;
   HeartbeatConsumer& heartbeats;
   ErrorBehaviour& error_behaviour;
-  NmtMaster* nmt_master = nullptr;        ///< needed to manage the network
+  NetworkStates* network = nullptr;       ///< needed to manage the network
   SdoRequester* sdo_requester = nullptr;  ///< needed for an SDO connection to the battery (6.1)
   SdoClient* battery_client = nullptr;    ///< of that connection: 1280h + battery_connection
   TimeStamp* time_stamp = nullptr;        ///< needed to be a TIME producer (4.1)

@@ -7,8 +7,6 @@
 // canvoy/canopen/lss/bit_rate_detection.hpp), and starts the node then.
 #pragma once
 
-#include <array>
-
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/devices/cia419/charger.hpp"
 #include "canvoy/devices/device.hpp"
@@ -50,7 +48,7 @@ class ChargerDevice : public DeviceValues<ChargerDevice<layout, further_routes>,
   ChargerDevice(const Port& port, NodeId node_id, const ChargerHardware& hardware,
                 const ChargerSettings& settings = {})
       : device_(port, node_id),
-        nmt_master_(device_.node(), remote_nodes_),
+        network_(device_.node()),
         sdo_requester_(device_.node(),
                        SdoRequester::Settings{.manager_client = manager_connection,
                                               .time_out = settings.sdo_manager_time_out}),
@@ -60,25 +58,31 @@ class ChargerDevice : public DeviceValues<ChargerDevice<layout, further_routes>,
                   .tpdos = device_.tpdos(),
                   .heartbeats = device_.heartbeat_consumer(),
                   .error_behaviour = device_.error_behaviour(),
-                  .nmt_master = &nmt_master_,
+                  .network = &network_,
                   .sdo_requester = sdo_requester_.get(),
                   .battery_client = battery_client_.get(),
                   .time_stamp = time_stamp()},
                  hardware, settings) {}
 
+  /// The same with a class of which the members are found by their names: see ChargerStage.
+  template <ChargerStage Stage>
+  ChargerDevice(const Port& port, NodeId node_id, Stage& stage,
+                const ChargerSettings& settings = {})
+      : ChargerDevice(port, node_id, hardware_of(stage), settings) {}
+
   Node& node() { return device_.node(); }
   const Node& node() const { return device_.node(); }
   Charger& charger() { return charger_; }
   const Charger& charger() const { return charger_; }
-  NmtMaster& nmt_master() { return nmt_master_; }
+  const NetworkStates& network() const { return network_; }
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
 
  private:
   static constexpr bool has_connections =
       detail::count_objects(layout.tables(), dynamic_sdo::state, dynamic_sdo::state) != 0;
-  /// The NMT master hears all nodes, and each SDO client one.
+  /// Each SDO client hears one node.
   static constexpr std::size_t own_routes =
-      node_id_max + DeviceScan::requests_max + 1 + 2 * has_connections + further_routes;
+      NetworkStates::routes + DeviceScan::requests_max + 1 + 2 * has_connections + further_routes;
 
   TimeStamp* time_stamp() {
     if constexpr (DeviceNode<layout, own_routes>::has_time) return &device_.time_stamp();
@@ -86,8 +90,7 @@ class ChargerDevice : public DeviceValues<ChargerDevice<layout, further_routes>,
   }
 
   DeviceNode<layout, own_routes> device_;
-  std::array<NmtMaster::RemoteNode, node_id_max> remote_nodes_;
-  NmtMaster nmt_master_;
+  NetworkStates network_;
   detail::Optional<SdoRequester, has_connections> sdo_requester_;
   detail::Optional<SdoClient, has_connections> battery_client_;
   Charger charger_;

@@ -1,7 +1,15 @@
 // What a CiA 419 charger senses and drives: the maker of a charger implements it, or a plant in a
 // simulation.
+//
+//     struct PowerStage {
+//       void deliver(double ampere);
+//       double current();
+//       bool pilot_signal();
+//     };
+//     const ChargerHardware hardware = hardware_of(stage);
 #pragma once
 
+#include <concepts>
 #include <optional>
 
 #include "canvoy/can/callback.hpp"
@@ -20,5 +28,33 @@ struct ChargerHardware {
   /// The time of day, where the charger has a clock and is to tell it (4.1); may be left empty.
   Callback<std::optional<TimeOfDay>()> time_of_day = {};
 };
+
+/// A class of which the member functions have the names of ChargerHardware; the one without a clock
+/// has no time_of_day.
+template <class Stage>
+concept ChargerStage = requires(Stage& stage, double ampere) {
+  stage.deliver(ampere);
+  { stage.current() } -> std::convertible_to<double>;
+  { stage.pilot_signal() } -> std::convertible_to<bool>;
+};
+
+/// Such a class as hardware: it must outlive who works with it.
+template <ChargerStage Stage>
+constexpr ChargerHardware hardware_of(Stage& stage) {
+  ChargerHardware hardware{
+      .deliver = {[](void* self, double ampere) { static_cast<Stage*>(self)->deliver(ampere); },
+                  &stage},
+      .current = {[](void* self) -> double { return static_cast<Stage*>(self)->current(); },
+                  &stage},
+      .pilot_signal = {[](void* self) -> bool { return static_cast<Stage*>(self)->pilot_signal(); },
+                       &stage}};
+  if constexpr (requires { stage.time_of_day(); }) {
+    hardware.time_of_day = {[](void* self) -> std::optional<TimeOfDay> {
+                              return static_cast<Stage*>(self)->time_of_day();
+                            },
+                            &stage};
+  }
+  return hardware;
+}
 
 }  // namespace canvoy::cia419

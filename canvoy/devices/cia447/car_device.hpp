@@ -38,7 +38,7 @@ struct CarUnit {
 std::vector<Part> car_parts(std::span<const CarUnit* const> units,
                             Duration heartbeat = CarNetworkSettings{}.heartbeat);
 
-class CarDevice {
+class CarDevice : public FoundValues<CarDevice> {
  public:
   /// `port`'s context, and what `site` offers, must outlive this. The site may offer
   /// CarNetworkSettings and CarSleepSettings; for the gateway, which is the master of the network
@@ -52,6 +52,8 @@ class CarDevice {
 
   Node& node() { return device_.node(); }
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
+  /// What the units that it is made of leave it without: see HeapNode.
+  MissingEntry missing() const { return device_.missing(); }
   CarNetwork& network() { return network_; }
   CarSleep& sleep() { return sleep_; }
   /// Null where it is not the gateway.
