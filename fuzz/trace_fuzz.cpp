@@ -1,6 +1,5 @@
 // Arbitrary bytes as the log of a CAN tool: it is read to its end, every frame is one that can be,
 // and what is written of it is read as the same frames.
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -9,20 +8,12 @@
 
 #include "canvoy/formats/trace/trace.hpp"
 #include "canvoy/formats/trace/trace_encoder.hpp"
-#include "canvoy/formats/trace/trace_pcapng_encoder.hpp"
-#include "canvoy/formats/trace/trace_text_encoder.hpp"
 #include "fuzz/require.hpp"
 
 namespace {
 
 using namespace canvoy::formats;
 using canvoy::fuzz::require;
-
-using MakeEncoder = std::unique_ptr<TraceEncoder> (*)();
-std::unique_ptr<TraceEncoder> make_asc() {
-  return make_asc_encoder(std::nullopt);
-}
-constexpr std::array<MakeEncoder, 3> makers = {make_candump_encoder, make_asc, make_pcapng_encoder};
 
 void check_frame(const canvoy::Frame& frame) {
   require(frame.length <= canvoy::Frame::length_max);
@@ -37,15 +28,16 @@ void check_same(const canvoy::Frame& frame, const canvoy::Frame& again) {
   require(frame.is_error() ? again.is_error() : frame == again);
 }
 
-void check_written(std::string_view content, MakeEncoder make) {
+void check_written(std::string_view content, const TraceFormat& format) {
   canvoy::host::Result<TraceReader> reader = TraceReader::of(content);
-  const std::unique_ptr<TraceEncoder> encoder = make();
+  const std::unique_ptr<TraceEncoder> encoder = format.encoder(std::nullopt);
   std::string written;
   encoder->begin(written);
   TraceFrame frame;
   for (TraceRead read; (read = reader->next(frame)) != TraceRead::end;) {
     if (read == TraceRead::frame) encoder->append(written, frame, "a comment");
   }
+  encoder->end(written);
   if (written.empty()) return;
   canvoy::host::Result<TraceReader> again = TraceReader::of(written);
   require(static_cast<bool>(again));
@@ -69,9 +61,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (TraceRead read; (read = reader->next(frame)) != TraceRead::end;) {
     if (read == TraceRead::frame) check_frame(frame.frame);
     if (read == TraceRead::bad) require(!reader->problem().empty());
+    if (read == TraceRead::fd) require(frame.fd.length <= frame.fd.data.size());
   }
   const bool is_gzip = content.starts_with("\x1F\x8B\x08");
   require(is_gzip || reader->position() == size);
-  for (const MakeEncoder make : makers) check_written(content, make);
+  for (const TraceFormat* format : trace_formats()) {
+    if (format->is_written()) check_written(content, *format);
+  }
   return 0;
 }

@@ -3,6 +3,7 @@
 #include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/formats/plain_text.hpp"
 #include "canvoy/formats/sheet/sheet_value.hpp"
+#include "canvoy/formats/terms.hpp"
 #include "canvoy/profiles/number_rules.hpp"
 #include "canvoy/profiles/registry.hpp"
 
@@ -110,7 +111,9 @@ SheetProfile::SheetProfile(const formats::DataSheet& sheet, const Network* netwo
 
 void SheetProfile::add_object(std::uint16_t index, const formats::SheetObject& object) {
   std::vector<EntryInfo>& entries = entries_.emplace_back();
-  ObjectInfo made = {.index = index, .name = keep(formats::plain_text(object.own.name))};
+  ObjectInfo made = {.index = index,
+                     .name = keep(formats::plain_text(object.own.name)),
+                     .first_number = formats::no_number};
   if (object.is_variable()) {
     add_entry(entries, 0, object.own);
     if (!entries.empty()) made.entry = entries.front();
@@ -127,12 +130,13 @@ void SheetProfile::add_object(std::uint16_t index, const formats::SheetObject& o
 
 void SheetProfile::add_entry(std::vector<EntryInfo>& entries, std::uint8_t sub,
                              const formats::SheetEntry& entry) {
-  const std::optional<DataType> type = formats::sheet_type(entry.data_type);
-  if (!type) return;
+  // Of a type of the maker's own, or that of a record, the bytes are shown as they are.
+  const DataType type = formats::sheet_type(entry.data_type).value_or(DataType::octet_string);
   entries.push_back({.sub_first = sub,
                      .sub_last = sub,
                      .name = keep(formats::plain_text(entry.name)),
-                     .type = *type});
+                     .first_number = formats::no_number,
+                     .type = type});
   refine(entries.back(), entry);
 }
 

@@ -7,6 +7,7 @@
 #include "canvoy/can/frame_text.hpp"
 #include "canvoy/decoder/decoder.hpp"
 #include "canvoy/formats/eds/eds_reader.hpp"
+#include "canvoy/formats/terms.hpp"
 #include "canvoy/profiles/registry.hpp"
 
 namespace canvoy::decoder::sheet_profile_test {
@@ -235,6 +236,32 @@ TEST(SheetProfile, OfASheetWithoutADeviceTypeIsThatOfAnyNode) {
   const SheetProfile sut(formats::read_eds("", findings));
   EXPECT_EQ(sut.profile().base, &base_profile());
   EXPECT_EQ(sut.profile().objects.size(), 0U);
+}
+
+// `#` is a placeholder of the profiles of CiA; what a maker writes is what is meant.
+TEST(SheetProfile, ANumberSignInTheNameOfAMakerIsItself) {
+  constexpr std::string_view sheet =
+      "[2000]\nParameterName=Motor #2\nObjectType=7\nDataType=6\nAccessType=rw\n"
+      "[2001]\nParameterName=C#\nObjectType=8\nSubNumber=2\n"
+      "[2001sub0]\nParameterName=Highest\nDataType=5\nAccessType=ro\nDefaultValue=1\n"
+      "[2001sub1]\nParameterName=Speed #\nDataType=6\nAccessType=rw\n"
+      "[2002]\nParameterName=Map #3\nObjectType=7\nDataType=0x21\nAccessType=ro\n";
+  formats::Findings findings;
+  const SheetProfile profile(formats::read_eds(sheet, findings));
+  const Profile& read = profile.profile();
+  const auto name = [&read](std::string_view text) {
+    const auto address = find_address(read, text);
+    return address ? formats::object_name(read, *address->object, address->index) + "/" +
+                         formats::entry_name(*address->object, *address->entry, address->sub)
+                   : "nothing";
+  };
+  EXPECT_EQ(name("2000"), "Motor #2/Motor #2");
+  EXPECT_EQ(name("2001:1"), "C#/Speed #");
+  EXPECT_EQ(name("2002"), "Map #3/Map #3") << "of the type of a record (CiA 301, 7.4.8)";
+  EXPECT_EQ(name("Motor #2"), "Motor #2/Motor #2") << "and is found by it";
+  EXPECT_EQ(name("motor_#2"), "Motor #2/Motor #2");
+  EXPECT_EQ(name("C#:Speed #"), "C#/Speed #");
+  EXPECT_EQ(name("Motor 12"), "nothing");
 }
 
 }  // namespace

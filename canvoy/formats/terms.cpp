@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 
+
 namespace canvoy::formats {
 
 namespace {
@@ -135,6 +136,7 @@ std::string pattern_text(std::int64_t number, unsigned bits) {
 }
 
 std::string numbered(std::string_view name, unsigned number) {
+  if (number == no_number) return std::string(name);
   const std::size_t place = name.find('#');
   if (place == std::string_view::npos) return std::string(name);
   return fmt::format("{}{}{}", name.substr(0, place), number, name.substr(place + 1));

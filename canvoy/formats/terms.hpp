@@ -34,7 +34,10 @@ double real_value(std::int64_t pattern, DataType type);
 
 /// A raw value as it stands in these bits, in as many hexadecimal digits as they need.
 std::string pattern_text(std::int64_t number, unsigned bits);
-/// `name` with a number in place of `#`.
+/// The first number of what has none: `#` in its name, as in a maker's "Motor #2", stands for
+/// itself.
+inline constexpr std::uint16_t no_number = 0xFFFF;
+/// `name` with a number in place of `#`, unless it is `no_number`.
 std::string numbered(std::string_view name, unsigned number);
 /// The name of the object at `index`, which may be in any block of the profile.
 std::string object_name(const Profile& profile, const ObjectInfo& object, unsigned index);

@@ -256,7 +256,9 @@ std::optional<unsigned> match_name(std::string_view pattern, std::string_view te
     pattern = without_fillers(pattern);
     text = without_fillers(text);
     if (pattern.empty()) return text.empty() ? std::optional(number) : std::nullopt;
-    if (pattern.front() == '#') {
+    // A maker's "Motor #2" is found by what it is called.
+    const bool is_itself = pattern.front() == '#' && !text.empty() && text.front() == '#';
+    if (pattern.front() == '#' && !is_itself) {
       pattern.remove_prefix(1);
       number = take_number(text);
       continue;

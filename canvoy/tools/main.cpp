@@ -14,6 +14,7 @@
 #include "canvoy/tools/ask/ask_verbs.hpp"
 #include "canvoy/tools/ask/node_argument.hpp"
 #include "canvoy/tools/ask/remote_argument.hpp"
+#include "canvoy/tools/ask/typed_words.hpp"
 #include "canvoy/tools/cli/verb.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
@@ -45,6 +46,11 @@ constexpr auto verb_entries = std::to_array<VerbEntry>({
     {"report", add_report},
     {"decode", add_decode},
     {"convert-log", add_convert_log},
+    {"record", add_record},
+    {"replay", add_replay},
+    {"stats", add_stats},
+    {"explain", add_explain},
+    {"search", add_search},
     {"program", add_program},
     {"boot", add_boot},
     {"gateway", add_gateway},
@@ -73,7 +79,7 @@ void add_verbs(Verb& app, Sessions& sessions, std::string_view first_word) {
 
 /// Of verbs that ask nodes, `can0/2:7` is the bus and the node.
 std::vector<std::string> words_of(int count, char** arguments) {
-  std::vector<std::string> words(arguments + 1, arguments + count);
+  std::vector<std::string> words = typed_words({arguments + 1, arguments + count});
   if (words.empty() || !is_ask_verb(words.front())) return words;
   std::vector<std::string> behind_verb(words.begin() + 1, words.end());
   split_remote_bus(behind_verb);
@@ -92,10 +98,11 @@ int run(int count, char** arguments) {
                  "everywhere: a file of the network, whose names of nodes are understood (default: "
                  "$CANVOY_NETWORK)");
   Sessions sessions;
-  add_verbs(line, sessions, count > 1 ? arguments[1] : "");
   try {
     using Kind = CommandLine::Outcome::Kind;
-    const CommandLine::Outcome outcome = line.parse(words_of(count, arguments));
+    const std::vector<std::string> words = words_of(count, arguments);
+    add_verbs(line, sessions, words.empty() ? std::string_view{} : std::string_view(words.front()));
+    const CommandLine::Outcome outcome = line.parse(words);
     if (outcome.kind == Kind::understood) return finish_output(line.run());
     if (outcome.kind == Kind::answered) {
       fmt::print("{}", outcome.text);

@@ -33,7 +33,7 @@ constexpr auto coloured_words = std::to_array<ColouredWord>({
     {"abort ", red},
     {"error frame ", red},
     {"BROKEN", red},
-    {"FAILED", red},
+    {"FAIL", red},
     {"FAULT begins", yellow},
     {"fault ends", yellow},
 });

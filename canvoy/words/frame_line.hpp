@@ -5,6 +5,7 @@
 //     // (1700000000.000125) can0 18A#A00001  TPDO1  node 10 (0Ah): temperature = 20.000 °C
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,13 @@ struct FrameHead {
 /// Without a break at its end; `text` stands for that of the words.
 void append_frame_line(std::string& line, const FrameHead& head, const FrameWords& words,
                        std::string_view text);
+/// For terminals of few columns: the time since the first frame, no bus where its name is empty,
+/// `10:` for a node. Where it is longer than `width`, it goes on in further lines, indented: all of
+/// it is shown.
+///
+///     12.345 18A#A00001           TPDO1 10: temperature = 20.000 °C
+void append_narrow_line(std::string& line, const FrameHead& head, const FrameWords& words,
+                        std::string_view text, std::size_t width);
 /// Its end: `node 10 (0Ah): temperature = 20.000 °C [!] wrong length`.
 void append_meaning(std::string& line, const FrameWords& words, std::string_view text);
 

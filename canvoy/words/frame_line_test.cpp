@@ -23,8 +23,30 @@ class FrameLineTest : public testing::Test {
     return made;
   }
 
+  std::string narrow(std::string_view frame, std::size_t width, std::string_view bus = "") {
+    const FrameWords& words = decoder.decode(parse_frame(frame).frame);
+    std::string made;
+    append_narrow_line(made, {12'345'678us, bus, frame}, words, words.text, width);
+    return made;
+  }
+
   FrameDecoder decoder;
 };
+
+TEST_F(FrameLineTest, OnFewColumnsTheLineGoesOnBelow) {
+  EXPECT_EQ(narrow("18A#A00001", 80),
+            "  12.345 18A#A00001           TPDO1 10: temperature = 20.000 \u00B0C; "
+            "battery_status\n      = ready");
+  EXPECT_EQ(narrow("18A#A00001", 100),
+            "  12.345 18A#A00001           TPDO1 10: temperature = 20.000 \u00B0C; "
+            "battery_status = ready");
+  EXPECT_EQ(narrow("000#0100", 80, "can1"),
+            "  12.345 can1 000#0100             NMT start all nodes");
+  for (std::size_t width = 1; width < 120; ++width) {
+    const std::string text = narrow("18A#A000", width);
+    EXPECT_NE(text.find("[!]"), std::string::npos) << "nothing is left out";
+  }
+}
 
 TEST_F(FrameLineTest, HasItsColumnsOneBelowTheOther) {
   // CiA 418: 0.125 °C a step in 6010h; ready is bit 0 of 6000h. CiA 301, 7.2.8.3.1: start all.

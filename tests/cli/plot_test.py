@@ -66,7 +66,7 @@ class Plot(CommandTest):
         texts = [text.text for text in xml.etree.ElementTree.parse(picture).getroot().iter(SVG + "text")]
         self.assertEqual([text for text in texts if text.startswith("temperature")], names)
         shown = self.assert_done(run("plot", str(log), "temperature", "--node", "10=418"))
-        self.assertTrue(shown.startswith("".join(f"{name}, °C\n" for name in names)), shown)
+        self.assertTrue(shown.startswith("".join(f"{mark} {name}, °C\n" for mark, name in zip("AB", names))), shown)
         one = self.assert_done(run("plot", str(log), "temperature", "--node", "10=418", "--filter", "bus=can1"))
         self.assertTrue(one.startswith("temperature (10), °C\n"), one)
 

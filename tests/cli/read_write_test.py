@@ -89,8 +89,8 @@ class ReadWrite(CommandTest):
 
     def test_texts_of_a_node_do_not_command_the_terminal(self):
         self.assertEqual(self.read("2002", "--type", "vs"), '"a\\x1B[2Jb"')
-        self.assertEqual(self.read("2003", "--type", "vs"), '"Pr\\xFCfer"')
-        self.assertEqual(json.loads(self.read("2003", "--type", "vs", "--json"))["value"], "Pr\\xFCfer")
+        self.assertEqual(self.read("2003", "--type", "vs"), '"Prüfer"')
+        self.assertEqual(json.loads(self.read("2003", "--type", "vs", "--json"))["value"], "Prüfer")
 
     def test_a_load_is_in_the_unit_that_the_node_tells(self):  # CiA 417-4, 4.12.1 to 4.12.3
         sheet = self.folder / "load.eds"

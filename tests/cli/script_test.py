@@ -58,7 +58,7 @@ class Script(CommandTest):
     def test_a_line_that_fails_ends_it(self):
         result = self.script("read 10 1017\nexpect 10 temperature < -20\nsync\n")
         self.assertEqual(result.returncode, FAILED)
-        self.assertRegex(result.stdout, r"  2  expect 10 temperature < -20\n     FAILED: node 10 \(0Ah\): temperature = .*expected")
+        self.assertRegex(result.stdout, r"  2  expect 10 temperature < -20\n     FAIL node 10 \(0Ah\): temperature = .*expected")
         self.assertTrue(result.stdout.endswith("1 of 3 lines passed, 1 failed, 1 not run\n"), result.stdout)
         going = self.script("read 77 1017 --timeout 50ms\nsync\n", "--keep-going")
         self.assertTrue(going.stdout.endswith("1 of 2 lines passed, 1 failed\n"), going.stdout)
@@ -110,7 +110,7 @@ class Script(CommandTest):
     def test_a_difference_fails_its_line(self):
         (self.folder / "node10.txt").write_text("1017 0 u16 777\n")
         done = self.script(f"configure 10 {self.folder}/node10.txt --diff\nsync\n")
-        self.assertIn("\nnode 10 (0Ah): 1 of 1 entry differs\n     FAILED: exit status 1\n0 of 2 lines passed, 1 failed, 1 not run\n", done.stdout)
+        self.assertIn("\nnode 10 (0Ah): 1 of 1 entry differs\n     FAIL: exit status 1\n0 of 2 lines passed, 1 failed, 1 not run\n", done.stdout)
         self.assertEqual(done.returncode, FAILED)
 
     def test_a_time_may_be_written_as_it_is_printed(self):

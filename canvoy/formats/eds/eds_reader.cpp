@@ -6,6 +6,9 @@
 #include <array>
 #include <set>
 
+#include "canvoy/formats/eds/eds_parts.hpp"
+#include "canvoy/formats/encoding.hpp"
+
 namespace canvoy::formats {
 
 namespace {
@@ -401,8 +404,15 @@ class Reader {
 }  // namespace
 
 DataSheet read_eds(std::string_view text, Findings& findings) {
-  const Ini file = parse_ini(text);
-  return Reader(file, findings).read();
+  const DecodedText decoded = decode_text(text);
+  if (!decoded.remark().empty()) {
+    findings.push_back({0, "", std::string(decoded.remark()), "", Finding::Weight::warning});
+  }
+  const Ini file = parse_ini(decoded.text);
+  DataSheet sheet = Reader(file, findings).read();
+  add_modules(sheet, findings);
+  add_compact_pdos(sheet, findings);
+  return sheet;
 }
 
 }  // namespace canvoy::formats

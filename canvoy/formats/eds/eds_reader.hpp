@@ -14,9 +14,10 @@ namespace canvoy::formats {
 
 using Findings = std::vector<Finding>;
 
-/// Any text is read; what is no EDS at all has no objects. At most `findings_max` errors and as
-/// many warnings are told, and one more of each that there are others. Objects whose entries are
-/// not written out (CompactSubObj) are expanded up to `compact_bytes_max` together.
+/// Any text is read, in the encodings of encoding.hpp; what is no EDS at all has no objects. At
+/// most `findings_max` errors and as many warnings are told, and one more of each that there are
+/// others. Objects whose entries are not written out (CompactSubObj) are expanded up to
+/// `compact_bytes_max` together.
 inline constexpr std::size_t findings_max = 10'000;
 inline constexpr std::size_t compact_bytes_max = 64 * 1024 * 1024;
 DataSheet read_eds(std::string_view text, Findings& findings);

@@ -263,5 +263,25 @@ TEST_F(EdsReader, ReadsAnything) {
   }
 }
 
+// What was made of modules and of CompactPDO is written out, and not made again.
+TEST(EdsModules, AreMadeOnce) {
+  constexpr std::string_view text =
+      "[DeviceInfo]\nCompactPDO=3\nNrOfRXPDO=1\nNrOfTXPDO=1\n[1000]\nParameterName=Type\n"
+      "DataType=7\nAccessType=ro\n[ConnectedModules]\nNrOfEntries=2\n1=1\n2=1\n"
+      "[M1Fixed2100]\nParameterName=Filter\nDataType=6\nAccessType=rw\n"
+      "[M1SubExt6000]\nParameterName=Input\nDataType=5\nAccessType=ro\nCount=2\n";
+  Findings findings;
+  DataSheet first = read_eds(text, findings);
+  EXPECT_EQ(first.objects.at(0x6000).subs.size(), 5U);
+  EXPECT_EQ(first.objects.size(), 7U);
+  first.objects.at(0x2100).own.value = "7";
+  first.configured = true;
+  findings.clear();
+  const DataSheet second = read_eds(write_eds(first), findings);
+  EXPECT_EQ(second.objects.at(0x6000).subs.size(), 5U);
+  EXPECT_EQ(second.objects.size(), first.objects.size());
+  EXPECT_EQ(second.objects.at(0x2100).own.value, "7");
+}
+
 }  // namespace
 }  // namespace canvoy::formats::eds_reader_test

@@ -81,7 +81,7 @@ TEST(SheetAgreement, TextsAreAscii) {
   EXPECT_EQ(told(device("VendorName=Pr\xFC"
                         "fer") +
                  "[1000]\nParameterName=\xB5\n"),
-            Lines{"[DeviceInfo] 'Pr\xFC"
+            Lines{"[DeviceInfo] 'Pr\xC3\xBC"
                   "fer' and 1 more are not ASCII; ASCII (CiA 306)"});
 }
 

@@ -88,6 +88,7 @@ class Checker {
     }
     for (const Keys& numbers : number_keys) check_numbers(numbers);
     check_pdo_counts();
+    check_pdo_pairs();
   }
 
   bool has_place_for(std::string_view key) const {
@@ -120,6 +121,38 @@ class Checker {
     };
     check("NrOfRXPDO", object_index::rpdo_parameter, object_index::rpdo_parameter_last);
     check("NrOfTXPDO", object_index::tpdo_parameter, object_index::tpdo_parameter_last);
+  }
+
+  /// Each PDO has both of its parameters (CiA 301, 7.5.2.35 to 7.5.2.38).
+  void check_pdo_pairs() {
+    const auto check = [&](unsigned first, unsigned last, unsigned other, const char* what) {
+      for (unsigned index = first; index <= last; ++index) {
+        const auto found = sheet_.objects.find(static_cast<std::uint16_t>(index));
+        const unsigned partner = index - first + other;
+        if (found == sheet_.objects.end() ||
+            sheet_.objects.contains(static_cast<std::uint16_t>(partner))) {
+          continue;
+        }
+        warn(found->second.own.line, place_text(index),
+             fmt::format("{}h is missing", place_text(partner)),
+             fmt::format("[{}], its {} parameter; or CompactPDO in DeviceInfo", place_text(partner),
+                         what));
+      }
+    };
+    using namespace object_index;
+    check(rpdo_parameter, rpdo_parameter_last, rpdo_mapping, "mapping");
+    check(rpdo_mapping, rpdo_mapping_last, rpdo_parameter, "communication");
+    check(tpdo_parameter, tpdo_parameter_last, tpdo_mapping, "mapping");
+    check(tpdo_mapping, tpdo_mapping_last, tpdo_parameter, "communication");
+  }
+
+  /// Of entries that PDOs map: `Granularity` says in which steps of bits (CiA 306).
+  unsigned granularity() const {
+    const auto number = sheet_number(sheet_.text("DeviceInfo", "Granularity"));
+    constexpr std::int64_t bits_max = 64;
+    return number && number->number > 0 && number->number <= bits_max
+               ? static_cast<unsigned>(number->number)
+               : 0;
   }
 
   void check_groups() {
@@ -241,7 +274,10 @@ class Checker {
     for (const Value& value : values) {
       if (value.text.empty() || sheet_bytes(type, value.text, any_node_id)) continue;
       complain(entry.line, place, fmt::format("{} is '{}'", value.key, value.text),
-               fmt::format("a value of {}", data_type_name(type)));
+               type == DataType::domain
+                   ? "no value: the content of a DOMAIN is in a file, UploadFile=NAME where it is "
+                     "read, DownloadFile=NAME where it is written"
+                   : fmt::format("a value of {}", data_type_name(type)));
     }
     if (is_integer(type)) check_limits(place, entry, type);
   }
@@ -307,6 +343,11 @@ class Checker {
                "PDOMapping=1 there");
     }
     const auto type = sheet_type(found->data_type);
+    const unsigned step = granularity();
+    if (step > 1 && mapped.bits % step != 0) {
+      warn(entry.line, place, fmt::format("{} bits are mapped", mapped.bits),
+           fmt::format("a multiple of {}, as Granularity says", step));
+    }
     if (type && bit_length(*type) != mapped.bits) {
       complain(entry.line, place, fmt::format("{} bits are mapped", mapped.bits),
                fmt::format("{}", bit_length(*type)));

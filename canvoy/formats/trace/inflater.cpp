@@ -45,4 +45,37 @@ void Inflater::begin_again() {
   ::inflateReset(&stream_->state);
 }
 
+struct Deflater::Stream {
+  z_stream state{};
+};
+
+Deflater::Deflater() : stream_(std::make_unique<Stream>()) {
+  constexpr int gzip_header = 16;
+  constexpr int memory_level = 8;
+  if (::deflateInit2(&stream_->state, Z_BEST_SPEED, Z_DEFLATED, gzip_header + MAX_WBITS,
+                     memory_level, Z_DEFAULT_STRATEGY) != Z_OK) {
+    throw std::bad_alloc();
+  }
+}
+
+Deflater::~Deflater() {
+  ::deflateEnd(&stream_->state);
+}
+
+std::string_view Deflater::run(std::string_view bytes, bool last) {
+  constexpr std::size_t step = std::size_t{64} * 1024;
+  z_stream& state = stream_->state;
+  state.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  state.avail_in = static_cast<uInt>(bytes.size());
+  std::size_t made = 0;
+  do {
+    room_.resize(made + step);
+    state.next_out = reinterpret_cast<Bytef*>(room_.data() + made);
+    state.avail_out = step;
+    ::deflate(&state, last ? Z_FINISH : Z_SYNC_FLUSH);
+    made += step - state.avail_out;
+  } while (state.avail_out == 0);
+  return std::string_view(room_).substr(0, made);
+}
+
 }  // namespace canvoy::formats

@@ -1,4 +1,4 @@
-// zlib's decompression in pieces, of logs that are compressed, or have compressed parts.
+// zlib in pieces, of logs that are compressed, or have compressed parts.
 //
 //     Inflater inflater(Inflater::Of::gzip);
 //     const Inflater::Step step = inflater.run(compressed, into);
@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace canvoy::formats {
@@ -35,6 +36,24 @@ class Inflater {
  private:
   struct Stream;
   std::unique_ptr<Stream> stream_;
+};
+
+/// Compresses by gzip, with its fastest level: logs are many bytes that are much alike.
+class Deflater {
+ public:
+  Deflater();
+  Deflater(const Deflater&) = delete;
+  Deflater& operator=(const Deflater&) = delete;
+  ~Deflater();
+
+  /// What becomes of `bytes`, until the next call; all that was given so far can be read of it.
+  /// `last`: nothing follows.
+  std::string_view run(std::string_view bytes, bool last);
+
+ private:
+  struct Stream;
+  std::unique_ptr<Stream> stream_;
+  std::string room_;
 };
 
 }  // namespace canvoy::formats

@@ -7,40 +7,26 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <optional>
+#include <span>
 #include <utility>
 
+#include "canvoy/formats/encoding.hpp"
 #include "canvoy/formats/trace/inflater.hpp"
 #include "canvoy/formats/trace/trace_parser.hpp"
-#include "canvoy/formats/trace/trace_recognize.hpp"
 
 namespace canvoy::formats {
-
-std::string_view name_of(TraceFormat format) {
-  switch (format) {
-    case TraceFormat::candump:
-      return "candump log";
-    case TraceFormat::asc:
-      return "Vector ASC";
-    case TraceFormat::trc:
-      return "PEAK TRC";
-    case TraceFormat::pcapng:
-      return "pcapng";
-    case TraceFormat::pcap:
-      return "pcap";
-    case TraceFormat::blf:
-      return "Vector BLF";
-    case TraceFormat::python_can_csv:
-      return "python-can CSV";
-    case TraceFormat::savvycan_csv:
-      return "SavvyCAN CSV";
-  }
-  return "";
-}
 
 namespace {
 
 bool is_gzip(std::string_view head) {
   return head.starts_with("\x1F\x8B\x08");
+}
+
+/// Text whose lines end with a carriage return alone, as of old Macs.
+bool ends_lines_with_returns(std::string_view head) {
+  const auto is_text = [](char c) { return c >= ' ' || c < 0 || c == '\r' || c == '\t'; };
+  return head.find('\r') != std::string_view::npos && std::ranges::all_of(head, is_text);
 }
 
 }  // namespace
@@ -51,6 +37,23 @@ struct TraceReader::Gzip {
   std::unique_ptr<char[]> buffer;  ///< none where all is in memory
   std::string_view rest;
   bool is_between = false;  ///< one piece has ended: another may follow
+};
+
+/// Text that is not read as it stands: what was read of it, and is not yet UTF-8 in lines.
+struct TraceReader::Recoding {
+  enum class Of : std::uint8_t { utf16_little, utf16_big, returns };
+
+  RecodeStep run(bool last, std::span<char> into) const {
+    if (of != Of::returns) return recode_utf16(rest, of == Of::utf16_big, last, into);
+    const std::size_t count = std::min(rest.size(), into.size());
+    std::ranges::replace_copy(rest.substr(0, count), into.data(), '\r', '\n');
+    return {count, count};
+  }
+
+  Of of = Of::returns;
+  std::unique_ptr<char[]> buffer;  ///< none where all is in memory
+  std::string_view rest;
+  bool is_ended = false;
 };
 
 TraceReader::TraceReader(host::Descriptor file, std::string name)
@@ -74,6 +77,7 @@ host::Result<TraceReader> TraceReader::open(const std::string& path) {
   reader.buffer_ = std::make_unique_for_overwrite<char[]>(trace_buffer_size);
   while (reader.rest_.size() < trace_record_max && reader.fill()) continue;
   if (is_gzip(reader.rest_)) reader.begin_gzip();
+  reader.begin_recoding();
   const host::Result<void> recognized = reader.recognize(reader.name_);
   if (!recognized) return recognized.error();
   return reader;
@@ -85,6 +89,7 @@ host::Result<TraceReader> TraceReader::of(std::string_view content) {
   reader.file_ended_ = true;
   reader.size_ = content.size();
   if (is_gzip(content)) reader.begin_gzip();
+  reader.begin_recoding();
   const host::Result<void> recognized = reader.recognize("the trace");
   if (!recognized) return recognized.error();
   return reader;
@@ -96,8 +101,7 @@ host::Result<void> TraceReader::recognize(const std::string& name) {
   return host::Error{name,
                      "it looks like " + std::string(looks_like(rest_.substr(0, trace_record_max))) +
                          ", not like a log",
-                     "candump, Vector ASC and BLF, PEAK TRC, pcapng, pcap, CSV of python-can and "
-                     "SavvyCAN are read"};
+                     "these are read: " + trace_format_list() + ", each also by gzip (.gz)"};
 }
 
 // What was read so far is the beginning of the compressed data.
@@ -110,6 +114,42 @@ void TraceReader::begin_gzip() {
   buffer_ = std::make_unique_for_overwrite<char[]>(trace_buffer_size);
   rest_ = {};
   while (rest_.size() < trace_record_max && fill()) continue;
+}
+
+// As begin_gzip(), of whatever comes out of that.
+void TraceReader::begin_recoding() {
+  const std::optional<TextEncoding> marked = marked_encoding(rest_);
+  if (marked == TextEncoding::utf8_with_mark) return pass(3);
+  if (!marked && !ends_lines_with_returns(rest_.substr(0, trace_record_max))) return;
+  if (marked) pass(2);
+  recoding_ = std::make_unique<Recoding>();
+  if (marked) {
+    const bool is_big = marked == TextEncoding::utf16_big;
+    recoding_->of = is_big ? Recoding::Of::utf16_big : Recoding::Of::utf16_little;
+  }
+  recoding_->rest = rest_;
+  recoding_->is_ended = file_ended_;
+  if (buffer_) recoding_->buffer = std::move(buffer_);
+  file_ended_ = false;
+  buffer_ = std::make_unique_for_overwrite<char[]>(trace_buffer_size);
+  rest_ = {};
+  while (rest_.size() < trace_record_max && fill()) continue;
+}
+
+// Where less than a character is left, what follows comes behind it.
+std::size_t TraceReader::recode(char* into, std::size_t room) {
+  Recoding& text = *recoding_;
+  while (true) {
+    const RecodeStep step = text.run(text.is_ended, {into, room});
+    text.rest.remove_prefix(step.taken);
+    if (!gzip_) position_ += step.taken;
+    if (step.made > 0 || text.is_ended) return step.made;
+    std::memmove(text.buffer.get(), text.rest.data(), text.rest.size());
+    const std::size_t kept = text.rest.size();
+    const std::size_t got = read_bytes(text.buffer.get() + kept, trace_buffer_size - kept);
+    text.is_ended = got == 0;
+    text.rest = {text.buffer.get(), kept + got};
+  }
 }
 
 std::size_t TraceReader::read_file(char* into, std::size_t room) {
@@ -127,10 +167,14 @@ bool TraceReader::fill() {
   if (!rest_.empty()) std::memmove(buffer_.get(), rest_.data(), rest_.size());
   char* const into = buffer_.get() + rest_.size();
   const std::size_t room = trace_buffer_size - rest_.size();
-  const std::size_t got = gzip_ ? inflate(into, room) : read_file(into, room);
+  const std::size_t got = recoding_ ? recode(into, room) : read_bytes(into, room);
   file_ended_ = got == 0;
   rest_ = {buffer_.get(), rest_.size() + got};
   return got > 0;
+}
+
+std::size_t TraceReader::read_bytes(char* into, std::size_t room) {
+  return gzip_ ? inflate(into, room) : read_file(into, room);
 }
 
 std::size_t TraceReader::inflate(char* into, std::size_t room) {
@@ -162,7 +206,7 @@ std::size_t TraceReader::inflate(char* into, std::size_t room) {
 void TraceReader::pass(std::uint64_t bytes) {
   const std::uint64_t here = std::min<std::uint64_t>(bytes, rest_.size());
   rest_.remove_prefix(static_cast<std::size_t>(here));
-  if (!gzip_) position_ += here;
+  if (!gzip_ && !recoding_) position_ += here;
   record_end_ += here;
   passing_ = bytes - here;
 }
@@ -190,8 +234,8 @@ TraceRead TraceReader::next(TraceFrame& frame) {
       case TraceItem::bad:
         return found_bad(step.problem);
       case TraceItem::fd:
-        ++fd_skipped_;
-        break;
+        ++fd_frames_;
+        return TraceRead::fd;
       case TraceItem::note:
         ++notes_skipped_;
         break;
@@ -208,7 +252,7 @@ TraceRead TraceReader::found_bad(std::string_view problem) {
   return TraceRead::bad;
 }
 
-TraceFormat TraceReader::format() const {
+const TraceFormat& TraceReader::format() const {
   return parser_->format();
 }
 

@@ -10,6 +10,7 @@
 //     }
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -20,51 +21,50 @@
 #include "canvoy/can/host/descriptor.hpp"
 #include "canvoy/can/host/result.hpp"
 #include "canvoy/can/time.hpp"
+#include "canvoy/formats/trace/trace_format.hpp"
 
 namespace canvoy::formats {
-
-enum class TraceFormat : std::uint8_t {
-  candump,
-  asc,
-  trc,
-  pcapng,
-  pcap,
-  blf,
-  python_can_csv,
-  savvycan_csv,
-};
-
-/// As its users call it: "candump log", "Vector ASC", "PEAK TRC", "pcapng", "pcap", "Vector BLF",
-/// "python-can CSV", "SavvyCAN CSV".
-std::string_view name_of(TraceFormat format);
 
 /// From the view of the program that wrote the log; many do not say.
 enum class TraceDirection : std::uint8_t { unknown, received, sent };
 
+/// What a CAN FD frame has beside its identifier (ISO 11898-1): up to 64 bytes.
+struct TraceFdContent {
+  static constexpr std::uint8_t bit_rate_switch = 1;
+  static constexpr std::uint8_t error_state = 2;
+
+  std::uint8_t flags = 0;   ///< as candump writes them behind `##`
+  std::uint8_t length = 0;  ///< bytes of `data`; 0 as well where the log tells none
+  std::array<std::uint8_t, 64> data{};
+};
+
 /// A frame of a trace. `time` counts from 1970 where the trace says when it began (a date without
 /// a time zone is taken as UTC), else from its beginning. `channel` lives until the next one is
-/// read; where a format numbers its channels, the first is can0.
+/// read; where a format numbers its channels, the first is can0. Of a CAN FD frame, `frame` is
+/// empty but for its identifier, and `fd` has the rest.
 struct TraceFrame {
   Time time{};
   Frame frame;
   std::string_view channel;
   TraceDirection direction = TraceDirection::unknown;
+  TraceFdContent fd = {};
 };
 
 enum class TraceRead : std::uint8_t {
   frame,  ///< a frame was read
+  fd,     ///< a frame of CAN FD, which CANopen does not use: told with its bytes
   bad,    ///< a line or block that cannot be read was passed over: where() and problem() say more
   end,    ///< nothing follows
 };
 
 class TraceParser;
 
-/// Reads a trace from a file, a pipe or memory. Nothing that stands in it is fatal; what is not a
-/// classic CAN frame is counted.
+/// Reads a trace from a file, a pipe or memory. Nothing that stands in it is fatal. Text may be
+/// UTF-16 with a byte order mark, and its lines may end with a carriage return alone.
 class TraceReader {
  public:
   /// The format is recognized by the first 64 KiB; `-` is the standard input. What gzip has
-  /// compressed is read as it was before.
+  /// compressed is read as it was before. Text in UTF-16 or with a byte order mark is read too.
   static host::Result<TraceReader> open(const std::string& path);
   /// Reads `content`, which has to outlive the reader.
   static host::Result<TraceReader> of(std::string_view content);
@@ -74,7 +74,7 @@ class TraceReader {
 
   TraceRead next(TraceFrame& frame);
 
-  TraceFormat format() const;
+  const TraceFormat& format() const;
   /// Where the latest was read: "line 12", or "byte 4096" in a file of blocks.
   std::string where() const;
   /// Why the latest is bad; lives as long as the program.
@@ -82,7 +82,7 @@ class TraceReader {
 
   std::uint64_t frames() const { return frames_; }
   std::uint64_t bad() const { return bad_; }
-  std::uint64_t fd_skipped() const { return fd_skipped_; }
+  std::uint64_t fd_frames() const { return fd_frames_; }
   /// Comments, headers and events that are no frames.
   std::uint64_t notes_skipped() const { return notes_skipped_; }
 
@@ -93,7 +93,11 @@ class TraceReader {
  private:
   TraceReader(host::Descriptor file, std::string name);
   struct Gzip;
+  struct Recoding;
   bool fill();
+  std::size_t read_bytes(char* into, std::size_t room);
+  std::size_t recode(char* into, std::size_t room);
+  void begin_recoding();
   std::size_t read_file(char* into, std::size_t room);
   std::size_t inflate(char* into, std::size_t room);
   void begin_gzip();
@@ -107,8 +111,9 @@ class TraceReader {
   std::string_view rest_;  // read from the file, not yet parsed
   bool file_ended_ = false;
   bool read_failed_ = false;
-  std::unique_ptr<Gzip> gzip_;  // null where the file is not compressed
-  bool source_ended_ = false;   // of the compressed data
+  std::unique_ptr<Gzip> gzip_;          // null where the file is not compressed
+  bool source_ended_ = false;           // of the compressed data
+  std::unique_ptr<Recoding> recoding_;  // null where the text is read as it stands
   std::unique_ptr<TraceParser> parser_;
   std::uint64_t passing_ = 0;  // bytes to be passed over that were not yet read from the file
   std::string_view problem_;
@@ -119,7 +124,7 @@ class TraceReader {
   std::uint64_t size_ = 0;
   std::uint64_t frames_ = 0;
   std::uint64_t bad_ = 0;
-  std::uint64_t fd_skipped_ = 0;
+  std::uint64_t fd_frames_ = 0;
   std::uint64_t notes_skipped_ = 0;
 };
 

@@ -1,12 +1,18 @@
-#include "canvoy/formats/trace/trace_asc.hpp"
-
+// Vector ASC: `   0.000125 1  185             Rx   d 2 1E 2F`, below a head or without one.
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
 
+#include "canvoy/formats/trace/trace_encoder.hpp"
 #include "canvoy/formats/trace/trace_error.hpp"
 #include "canvoy/formats/trace/trace_fields.hpp"
+#include "canvoy/formats/trace/trace_line.hpp"
+#include "canvoy/formats/trace/trace_parser.hpp"
 #include "canvoy/formats/trace/trace_scanner.hpp"
 #include "canvoy/formats/trace/trace_text.hpp"
 
@@ -19,7 +25,7 @@ constexpr std::int64_t second_max = 1'000'000'000'000;  // times 10^6, it fits i
 class AscParser final : public TraceLineParser {
  public:
   AscParser() : TraceLineParser(Behind::end_of_line) {}
-  TraceFormat format() const override { return TraceFormat::asc; }
+  const TraceFormat& format() const override { return TraceFormat::asc; }
 
  protected:
   TraceStep read_line(std::string_view line, TraceFrame& frame) override;
@@ -30,6 +36,8 @@ class AscParser final : public TraceLineParser {
   bool read_time(std::string_view word, Time& time);
   TraceStep read_event(std::string_view channel, std::string_view rest, TraceFrame& frame);
   TraceStep read_fd_event(std::string_view rest, TraceFrame& frame);
+  TraceStep read_fd_content(std::string_view rest, std::uint32_t code, std::int64_t length,
+                            TraceFrame& frame) const;
   bool read_identifier(std::string_view word, Frame& frame) const;
   TraceStep read_content(std::string_view rest, Frame& frame) const;
   TraceStep read_remote(std::string_view rest, Frame& frame) const;
@@ -163,35 +171,47 @@ TraceStep AscParser::read_event(std::string_view channel, std::string_view rest,
 // too.
 TraceStep AscParser::read_fd_event(std::string_view rest, TraceFrame& frame) {
   constexpr TraceStep fd{TraceItem::fd, 0, {}};
-  constexpr std::uint32_t remote_bit = 0x10;
-  constexpr std::uint32_t fd_flag = 0x1000;
+  frame.frame = {};
+  frame.fd = {};
   std::int64_t channel = 0;
   if (!read_decimal(take_word(rest), channel)) return fd;
+  frame.channel = channel_.name(channel);
+  if (frame.channel.empty()) return bad_record("the channel is not 1 to 255");
   const std::string_view direction = take_word(rest);
-  Frame content;
-  if (!read_identifier(take_word(rest), content)) return fd;
-  const std::string_view name_or_brs = take_word(rest);
-  if (name_or_brs != "0" && name_or_brs != "1") take_word(rest);
-  take_word(rest);
+  frame.direction = direction == "Tx" ? TraceDirection::sent : TraceDirection::received;
+  if (!read_identifier(take_word(rest), frame.frame)) return fd;
+  std::string_view bit_rate_switch = take_word(rest);
+  if (bit_rate_switch != "0" && bit_rate_switch != "1") bit_rate_switch = take_word(rest);
+  if (bit_rate_switch == "1") frame.fd.flags |= TraceFdContent::bit_rate_switch;
+  if (take_word(rest) == "1") frame.fd.flags |= TraceFdContent::error_state;
   std::uint32_t code = 0;
   std::int64_t length = 0;
   if (!read_hex(take_word(rest), code) || !read_decimal(take_word(rest), length)) return fd;
-  const bool has_bytes = length >= 0 && length <= Frame::length_max &&
-                         take_bytes(rest, static_cast<unsigned>(length), hexadecimal_, content);
-  if (!has_bytes) return fd;
+  return read_fd_content(rest, code, length, frame);
+}
+
+// Some programs write the length in hexadecimal digits: the code says it as well.
+TraceStep AscParser::read_fd_content(std::string_view rest, std::uint32_t code, std::int64_t length,
+                                     TraceFrame& frame) const {
+  constexpr std::uint32_t remote_bit = 0x10;
+  constexpr std::uint32_t fd_flag = 0x1000;
+  const bool is_remote_length = length == 0;
+  const std::size_t count = is_remote_length ? 0 : fd_length(code);
+  take_fd_bytes(rest, count, hexadecimal_, frame.fd);
+  if (frame.fd.length < count) return {TraceItem::fd, 0, {}};
   take_word(rest);
   take_word(rest);
   std::uint32_t flags = fd_flag;
-  if (!read_hex(take_word(rest), flags) || (flags & fd_flag) != 0) return fd;
+  const bool is_fd = !read_hex(take_word(rest), flags) || (flags & fd_flag) != 0;
+  if (is_fd || count > Frame::length_max) return {TraceItem::fd, 0, {}};
+  Frame& content = frame.frame;
+  content.length = static_cast<std::uint8_t>(count);
+  std::copy_n(frame.fd.data.begin(), count, content.data.begin());
   if ((flags & remote_bit) != 0) {
     content.flags = content.flags | FrameFlags::remote;
     content.data.fill(0);
     content.length = static_cast<std::uint8_t>(std::min<std::uint32_t>(code, Frame::length_max));
   }
-  frame.channel = channel_.name(channel);
-  if (frame.channel.empty()) return bad_record("the channel is not 1 to 255");
-  frame.direction = direction == "Tx" ? TraceDirection::sent : TraceDirection::received;
-  frame.frame = content;
   return {TraceItem::frame, 0, {}};
 }
 
@@ -213,7 +233,9 @@ TraceStep AscParser::read_content(std::string_view rest, Frame& frame) const {
   if (kind != "d") return bad_record("behind the direction is neither d nor r");
   std::uint32_t code = 0;
   const std::string_view code_word = take_word(rest);
-  if (code_word.size() != 1 || !read_hex(code_word, code))
+  // `d 40` is how some programs say 8: the length in bits.
+  if (code_word == "40") code = Frame::length_max;
+  if (code_word != "40" && (code_word.size() != 1 || !read_hex(code_word, code)))
     return bad_record("the data length code is not 0 to F");
   const unsigned length = code < Frame::length_max ? code : Frame::length_max;
   if (!take_bytes(rest, length, hexadecimal_, frame))
@@ -231,10 +253,125 @@ TraceStep AscParser::read_remote(std::string_view rest, Frame& frame) const {
   return {TraceItem::frame, 0, {}};
 }
 
+// As log2asc of can-utils writes it, and the register of error frames behind them.
+class AscEncoder final : public TraceEncoder {
+ public:
+  explicit AscEncoder(std::optional<Time> begin) : start_(begin) {}
+
+  void append(std::string& bytes, const TraceFrame& frame, std::string_view) override {
+    if (!start_.is_known()) {
+      start_.set(frame);
+      append_header(bytes, std::chrono::floor<std::chrono::seconds>(start_.value()));
+    }
+    TraceLine line;
+    const Duration offset = time_from(frame, start_.value()) - start_.value();
+    line.put_fixed<microsecond_digits>(static_cast<std::uint64_t>(offset.count()), 4);
+    const std::size_t channel_at = line.length() + 1;
+    line.put(' ');
+    line.put_decimal(channels_[frame.channel]);
+    line.pad_to(channel_at + 2);
+    put_content(line, frame);
+    line.put('\n');
+    bytes += line.view();
+  }
+
+ private:
+  static void append_header(std::string& bytes, std::chrono::seconds start);
+  static void put_content(TraceLine& line, const TraceFrame& frame);
+
+  TraceStart start_;
+  TraceChannelNumbers channels_;
+};
+
+void AscEncoder::append_header(std::string& bytes, std::chrono::seconds start) {
+  constexpr std::array<std::string_view, 7> days = {"Sun", "Mon", "Tue", "Wed",
+                                                    "Thu", "Fri", "Sat"};
+  constexpr std::array<std::string_view, 12> months = {"Jan", "Feb", "Mar", "Apr", "May", "Jun",
+                                                       "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
+  const auto day = std::chrono::floor<std::chrono::days>(std::chrono::sys_seconds{start});
+  const std::chrono::year_month_day date{day};
+  const std::chrono::hh_mm_ss clock{std::chrono::sys_seconds{start} - day};
+  TraceLine line;
+  line.put("date ");
+  line.put(days.at(std::chrono::weekday{day}.c_encoding()));
+  line.put(' ');
+  line.put(months.at(static_cast<unsigned>(date.month()) - 1));
+  line.put(' ');
+  line.put_decimal(static_cast<unsigned>(date.day()));
+  line.put(' ');
+  line.put_decimal(static_cast<std::uint64_t>(clock.hours().count()), 2, '0');
+  line.put(':');
+  line.put_decimal(static_cast<std::uint64_t>(clock.minutes().count()), 2, '0');
+  line.put(':');
+  line.put_decimal(static_cast<std::uint64_t>(clock.seconds().count()), 2, '0');
+  line.put(' ');
+  line.put_decimal(static_cast<std::uint64_t>(static_cast<int>(date.year())));
+  bytes += line.view();
+  bytes += "\nbase hex  timestamps absolute\nno internal events logged\n";
+}
+
+void AscEncoder::put_content(TraceLine& line, const TraceFrame& frame) {
+  constexpr std::size_t id_width = 15;
+  const Frame& content = frame.frame;
+  line.put(' ');
+  if (content.is_error()) {
+    line.put("ErrorFrame");
+    const std::optional<std::uint8_t> ecc = sja1000_register(content);
+    if (!ecc) return;
+    line.put("  ECC: ");
+    for (unsigned bit = 8; bit > 0;) line.put((unsigned{*ecc} >> --bit & 1U) != 0 ? '1' : '0');
+    return;
+  }
+  const std::size_t id_at = line.length();
+  line.put_hex(content.id, 1);
+  if (content.is_extended()) line.put('x');
+  line.pad_to(id_at + id_width);
+  line.put(frame.direction == TraceDirection::sent ? " Tx   " : " Rx   ");
+  line.put(content.is_remote() ? 'r' : 'd');
+  line.put(' ');
+  line.put(static_cast<char>('0' + content.length));
+  line.put_bytes(content);
+}
+
+/// Whether a line is that of a frame: some programs write no head.
+bool is_asc_frame(std::string_view line) {
+  std::string_view rest = line;
+  std::int64_t number = 0;
+  const std::string_view time = take_word(rest);
+  if (time.find('.') == std::string_view::npos || !read_fixed(time, 6, number)) return false;
+  std::string_view channel = take_word(rest);
+  if (channel == "CANFD") return true;
+  if (!read_decimal(channel, number) || number < 1 || number > TraceChannel::number_max)
+    return false;
+  std::string_view id = take_word(rest);
+  if (id == "ErrorFrame") return true;
+  if (id.ends_with('x')) id.remove_suffix(1);
+  std::uint32_t value = 0;
+  const std::string_view direction = take_word(rest);
+  const std::string_view kind = take_word(rest);
+  return read_hex(id, value) && (direction == "Rx" || direction == "Tx") &&
+         (kind == "d" || kind == "r");
+}
+
+std::unique_ptr<TraceParser> recognize_asc(const TraceHead& head) {
+  const std::string_view line = head.line;
+  if (line.starts_with("date ") || line.starts_with("base hex") || line.starts_with("base dec") ||
+      is_asc_frame(line)) {
+    return std::make_unique<AscParser>();
+  }
+  return nullptr;
+}
+
 }  // namespace
 
-std::unique_ptr<TraceParser> make_asc_parser() {
-  return std::make_unique<AscParser>();
-}
+constinit const TraceFormat TraceFormat::asc{
+    .name = "Vector ASC",
+    .endings = ".asc",
+    .lacks = trace_lack::bus_names | trace_lack::comments | trace_lack::errors,
+    .recognize = recognize_asc,
+    .encoder = [](std::optional<Time> begin) -> std::unique_ptr<TraceEncoder> {
+      return std::make_unique<AscEncoder>(begin);
+    },
+};
 
 }  // namespace canvoy::formats

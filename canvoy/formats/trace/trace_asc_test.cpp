@@ -106,9 +106,59 @@ TEST(AscTrace, CountsFramesOfCanFd) {
     const std::string content = std::string(header) + std::string(line) + "\n";
     auto trace = TraceReader::of(content);
     TraceFrame frame;
+    EXPECT_EQ(trace->next(frame), TraceRead::fd) << line;
     EXPECT_EQ(trace->next(frame), TraceRead::end) << line;
-    EXPECT_EQ(trace->fd_skipped(), 1U) << line;
+    EXPECT_EQ(trace->fd_frames(), 1U) << line;
   }
+}
+
+// Vector's CANFD event: bit rate switch, error state, data length code, length, bytes.
+TEST(AscTrace, TellsWhatAFrameOfCanFdHolds) {
+  const auto fd_of = [](std::string_view line) {
+    const std::string content = std::string(header) + std::string(line) + "\n";
+    auto trace = TraceReader::of(content);
+    TraceFrame frame;
+    EXPECT_EQ(trace->next(frame), TraceRead::fd) << line;
+    EXPECT_EQ(frame.channel, "can1");
+    EXPECT_EQ(frame.frame.id, 0x185U);
+    return frame.fd;
+  };
+  const TraceFdContent twelve =
+      fd_of("1.5 CANFD 2 Rx 185 1 0 9 12 1 2 3 4 5 6 7 8 9 A B C 130000 130 3000 0 0 0 0 0");
+  EXPECT_EQ(twelve.length, 12);
+  EXPECT_EQ(twelve.flags, TraceFdContent::bit_rate_switch);
+  EXPECT_EQ(twelve.data[11], 0x0C);
+  std::string bytes;
+  for (int byte = 0; byte < 64; ++byte) bytes += " 5A";
+  const TraceFdContent most =
+      fd_of("1.5 CANFD 2 Tx 185 name 0 1 f 40" + bytes + " 130000 130 5000 0 0 0 0 0");
+  EXPECT_EQ(most.length, 64) << "40h is how some programs write 64";
+  EXPECT_EQ(most.flags, TraceFdContent::error_state);
+  EXPECT_EQ(most.data[63], 0x5A);
+}
+
+TEST(AscTrace, WithoutAHeadIsReadInHexadecimalDigitsFromItsBeginning) {
+  const auto read = [](std::string_view content) {
+    auto trace = TraceReader::of(content);
+    EXPECT_TRUE(trace) << content;
+    TraceFrame frame;
+    if (trace) {
+      EXPECT_EQ(trace->format(), TraceFormat::asc);
+      EXPECT_EQ(trace->next(frame), TraceRead::frame) << content;
+    }
+    return frame;
+  };
+  const TraceFrame first = read("   0.500000 1  18A             Rx   d 2 1E 2F\n");
+  EXPECT_EQ(first.frame, Frame::data_frame(0x18A, {0x1E, 0x2F}));
+  EXPECT_EQ(first.time, Time{} + 500ms);
+  EXPECT_TRUE(read("// a remark\n\n 2.5 1 ErrorFrame\n").frame.is_error());
+  EXPECT_FALSE(TraceReader::of("1.5 metres 2\n"));
+  EXPECT_FALSE(TraceReader::of("1.5 1 18A Rx x 2\n"));
+}
+
+TEST(AscTrace, TakesALengthOfFortyHexadecimalForEightBytes) {
+  EXPECT_EQ(the_frame("2.5 1  185  Rx   d 40 1 2 3 4 5 6 7 8").frame,
+            Frame::data_frame(0x185, {1, 2, 3, 4, 5, 6, 7, 8}));
 }
 
 TEST(AscTrace, HasWhatVectorWritesBehindTheBytes) {

@@ -1,5 +1,4 @@
-#include "canvoy/formats/trace/trace_blf.hpp"
-
+// Vector BLF: objects in a file, most of them in containers that zlib has compressed.
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -10,32 +9,20 @@
 #include <utility>
 
 #include "canvoy/formats/trace/inflater.hpp"
+#include "canvoy/formats/trace/trace_blf_encoder.hpp"
+#include "canvoy/formats/trace/trace_blf_numbers.hpp"
 #include "canvoy/formats/trace/trace_error.hpp"
 #include "canvoy/formats/trace/trace_fields.hpp"
 #include "canvoy/formats/trace/trace_packet.hpp"
+#include "canvoy/formats/trace/trace_parser.hpp"
 
 namespace canvoy::formats {
 
 namespace {
 
-constexpr std::string_view object_mark = "LOBJ";
-constexpr std::size_t blf_header_size = 144;
 constexpr std::size_t start_at = 40;  ///< eight numbers of 16 bits
-constexpr std::size_t base_size = 16;
-constexpr std::size_t object_header_size = 32;
-constexpr std::size_t container_header_size = 32;
 constexpr std::size_t padding_max = 7;
-constexpr std::uint64_t microseconds_max = 1'000'000'000'000'000;
-
-enum class Kind : std::uint32_t {
-  message = 1,
-  error = 2,
-  container = 10,
-  error_ext = 73,
-  message_2 = 86,
-  fd_message = 100,
-  fd_message_64 = 101,
-};
+constexpr std::uint64_t microseconds_max = 100'000'000'000'000'000;  // 3,000 years
 
 constexpr FileNumbers numbers{};
 constexpr TraceStep short_object = bad_record("the object is shorter than its kind");
@@ -48,8 +35,8 @@ std::uint32_t size_of(std::string_view object) {
   return numbers.u32(object, 8);
 }
 
-Kind kind_of(std::string_view object) {
-  return Kind{numbers.u32(object, 12)};
+BlfKind kind_of(std::string_view object) {
+  return BlfKind{numbers.u32(object, 12)};
 }
 
 /// Year, month, day of the week, day, hour, minute, second, millisecond; none where it is no date.
@@ -65,7 +52,7 @@ Duration date_of(std::string_view header) {
 
 class BlfParser final : public TraceParser {
  public:
-  TraceFormat format() const override { return TraceFormat::blf; }
+  const TraceFormat& format() const override { return TraceFormat::blf; }
   bool has_lines() const override { return false; }
   TraceStep step(std::string_view bytes, bool last, TraceFrame& frame) override;
 
@@ -78,13 +65,14 @@ class BlfParser final : public TraceParser {
   bool read_inner(TraceFrame& frame, TraceStep& step);
   void drop(std::size_t count);
   TraceStep read_object(std::string_view object, TraceFrame& frame);
-  TraceStep read_kind(Kind kind, std::string_view content, TraceFrame& frame);
+  TraceStep read_kind(BlfKind kind, std::string_view content, TraceFrame& frame);
   TraceStep read_message(std::string_view content, TraceFrame& frame);
-  TraceStep read_error(Kind kind, std::string_view content, TraceFrame& frame);
+  TraceStep read_error(BlfKind kind, std::string_view content, TraceFrame& frame);
   TraceStep read_fd_message(std::string_view content, TraceFrame& frame);
   TraceStep read_fd_message_64(std::string_view content, TraceFrame& frame);
   bool set_channel(unsigned number, bool sent, TraceFrame& frame);
   static bool set_identifier(std::uint32_t word, bool remote, Frame& frame);
+  static TraceStep set_fd_data(TraceFdContent fd, std::string_view data, TraceFrame& frame);
   static TraceStep set_data(unsigned code, std::string_view data, Frame& frame);
 
   In in_ = In::file_header;
@@ -119,7 +107,7 @@ TraceStep BlfParser::read_file_header(std::string_view bytes, bool last) {
 }
 
 TraceStep BlfParser::read_outer(std::string_view bytes, bool last, TraceFrame& frame) {
-  const std::size_t at = bytes.find(object_mark);
+  const std::size_t at = bytes.find(blf_object_mark);
   if (at == std::string_view::npos) {
     if (!last && bytes.size() < trace_record_max) return {};
     const bool is_padding = last && bytes.size() <= padding_max;
@@ -129,16 +117,17 @@ TraceStep BlfParser::read_outer(std::string_view bytes, bool last, TraceFrame& f
   if (at > padding_max) return {TraceItem::bad, at, "no object begins there"};
   if (at > 0) return {TraceItem::remainder, at, {}};
   const TraceStep cut{TraceItem::bad, bytes.size(), "the file ends within an object"};
-  if (bytes.size() < container_header_size) return last ? cut : TraceStep{};
+  if (bytes.size() < blf_container_header_size) return last ? cut : TraceStep{};
   const std::uint64_t size = size_of(bytes);
-  if (size < object_header_size) return {TraceItem::bad, base_size, "the object has no size"};
-  if (kind_of(bytes) == Kind::container) {
-    is_compressed_ = numbers.u16(bytes, base_size) != 0;
+  if (size < blf_object_header_size)
+    return {TraceItem::bad, blf_base_size, "the object has no size"};
+  if (kind_of(bytes) == BlfKind::container) {
+    is_compressed_ = numbers.u16(bytes, blf_base_size) != 0;
     is_damaged_ = false;
-    left_ = size - container_header_size;
+    left_ = size - blf_container_header_size;
     in_ = left_ > 0 ? In::container : In::file;
     inflater_.begin_again();
-    return {TraceItem::remainder, container_header_size, {}};
+    return {TraceItem::remainder, blf_container_header_size, {}};
   }
   if (size > trace_record_max) return {TraceItem::note, size, {}};
   if (bytes.size() < size) return last ? cut : TraceStep{};
@@ -190,11 +179,11 @@ bool BlfParser::read_inner(TraceFrame& frame, TraceStep& step) {
     inner_pass_ -= passed;
     drop(static_cast<std::size_t>(passed));
     rest = std::string_view(inner_).substr(done_);
-    if (rest.size() < object_header_size) return false;
-    const std::size_t at = rest.find(object_mark);
+    if (rest.size() < blf_object_header_size) return false;
+    const std::size_t at = rest.find(blf_object_mark);
     if (at > padding_max) {
       step = {TraceItem::bad, 0, "no object begins there"};
-      drop(at == std::string_view::npos ? rest.size() - object_mark.size() + 1 : at);
+      drop(at == std::string_view::npos ? rest.size() - blf_object_mark.size() + 1 : at);
       return true;
     }
     if (at > 0) {
@@ -202,9 +191,9 @@ bool BlfParser::read_inner(TraceFrame& frame, TraceStep& step) {
       continue;
     }
     const std::uint64_t size = size_of(rest);
-    if (size < object_header_size) {
+    if (size < blf_object_header_size) {
       step = {TraceItem::bad, 0, "the object has no size"};
-      drop(base_size);
+      drop(blf_base_size);
       return true;
     }
     if (size > trace_record_max) {
@@ -223,12 +212,12 @@ bool BlfParser::read_inner(TraceFrame& frame, TraceStep& step) {
 TraceStep BlfParser::read_object(std::string_view object, TraceFrame& frame) {
   constexpr std::uint32_t ten_microseconds = 1;
   const std::uint16_t own_size = numbers.u16(object, 4);
-  const Kind kind = kind_of(object);
-  if (own_size < object_header_size || own_size > object.size()) return trace_note;
+  const BlfKind kind = kind_of(object);
+  if (own_size < blf_object_header_size || own_size > object.size()) return trace_note;
   const std::uint64_t count = numbers.u64(object, 24);
-  const bool is_coarse = numbers.u32(object, base_size) == ten_microseconds;
+  const bool is_coarse = numbers.u32(object, blf_base_size) == ten_microseconds;
   const std::uint64_t microseconds = is_coarse ? count * 10 : (count / 100 + 5) / 10;
-  if (count / 1000 > microseconds_max || microseconds > microseconds_max * 10) {
+  if (is_coarse && count > microseconds_max / 10) {
     return bad_record("the time is beyond all");
   }
   frame.time = Time{start_ + Duration{static_cast<std::int64_t>(microseconds)}};
@@ -236,19 +225,19 @@ TraceStep BlfParser::read_object(std::string_view object, TraceFrame& frame) {
   return read_kind(kind, object.substr(own_size), frame);
 }
 
-TraceStep BlfParser::read_kind(Kind kind, std::string_view content, TraceFrame& frame) {
+TraceStep BlfParser::read_kind(BlfKind kind, std::string_view content, TraceFrame& frame) {
   switch (kind) {
-    case Kind::message:
-    case Kind::message_2:
+    case BlfKind::message:
+    case BlfKind::message_2:
       return read_message(content, frame);
-    case Kind::error:
-    case Kind::error_ext:
+    case BlfKind::error:
+    case BlfKind::error_ext:
       return read_error(kind, content, frame);
-    case Kind::fd_message:
+    case BlfKind::fd_message:
       return read_fd_message(content, frame);
-    case Kind::fd_message_64:
+    case BlfKind::fd_message_64:
       return read_fd_message_64(content, frame);
-    case Kind::container:
+    case BlfKind::container:
       break;
   }
   return trace_note;
@@ -276,28 +265,35 @@ TraceStep BlfParser::set_data(unsigned code, std::string_view data, Frame& frame
   return {TraceItem::frame, 0, {}};
 }
 
+/// As many bytes as there are, up to the length.
+TraceStep BlfParser::set_fd_data(TraceFdContent fd, std::string_view data, TraceFrame& frame) {
+  fd.length =
+      static_cast<std::uint8_t>(std::min<std::size_t>({fd.length, fd.data.size(), data.size()}));
+  for (std::size_t at = 0; at < fd.length; ++at) fd.data.at(at) = byte_at(data, at);
+  frame.fd = fd;
+  return {TraceItem::fd, 0, {}};
+}
+
 constexpr TraceStep bad_channel = bad_record("the channel is not 1 to 255");
 constexpr TraceStep bad_identifier = bad_record("the identifier has more bits than there are");
-constexpr std::uint8_t sent_bit = 0x01;
-constexpr std::uint8_t remote_bit = 0x80;
 
 // Channel, flags, data length code, identifier, data.
 TraceStep BlfParser::read_message(std::string_view content, TraceFrame& frame) {
   if (content.size() < 16) return short_object;
   const std::uint8_t flags = byte_at(content, 2);
-  if (!set_channel(numbers.u16(content, 0), (flags & sent_bit) != 0, frame)) return bad_channel;
-  if (!set_identifier(numbers.u32(content, 4), (flags & remote_bit) != 0, frame.frame)) {
+  if (!set_channel(numbers.u16(content, 0), (flags & blf_sent_bit) != 0, frame)) return bad_channel;
+  if (!set_identifier(numbers.u32(content, 4), (flags & blf_remote_bit) != 0, frame.frame)) {
     return bad_identifier;
   }
   return set_data(byte_at(content, 3), content.substr(8, Frame::length_max), frame.frame);
 }
 
 // Only the extended object has the register of the controller, behind the flags that say which.
-TraceStep BlfParser::read_error(Kind kind, std::string_view content, TraceFrame& frame) {
-  if (content.size() < (kind == Kind::error ? 4U : 32U)) return short_object;
+TraceStep BlfParser::read_error(BlfKind kind, std::string_view content, TraceFrame& frame) {
+  if (content.size() < (kind == BlfKind::error ? 4U : 32U)) return short_object;
   if (!set_channel(numbers.u16(content, 0), false, frame)) return bad_channel;
   frame.direction = TraceDirection::unknown;
-  frame.frame = kind == Kind::error
+  frame.frame = kind == BlfKind::error
                     ? trace_error_frame()
                     : trace_error_frame(vector_error(numbers.u32(content, 4), byte_at(content, 8)));
   return {TraceItem::frame, 0, {}};
@@ -305,14 +301,20 @@ TraceStep BlfParser::read_error(Kind kind, std::string_view content, TraceFrame&
 
 TraceStep BlfParser::read_fd_message(std::string_view content, TraceFrame& frame) {
   constexpr std::uint8_t fd_flag = 0x01;
+  constexpr std::size_t flags_at = 13;
   if (content.size() < 20) return short_object;
-  if ((byte_at(content, 13) & fd_flag) != 0) return {TraceItem::fd, 0, {}};
   const std::uint8_t flags = byte_at(content, 2);
-  if (!set_channel(numbers.u16(content, 0), (flags & sent_bit) != 0, frame)) return bad_channel;
-  if (!set_identifier(numbers.u32(content, 4), (flags & remote_bit) != 0, frame.frame)) {
+  if (!set_channel(numbers.u16(content, 0), (flags & blf_sent_bit) != 0, frame)) return bad_channel;
+  if (!set_identifier(numbers.u32(content, 4), (flags & blf_remote_bit) != 0, frame.frame)) {
     return bad_identifier;
   }
-  return set_data(byte_at(content, 3), content.substr(20), frame.frame);
+  const std::uint8_t fd_flags = byte_at(content, flags_at);
+  if ((fd_flags & fd_flag) == 0) {
+    return set_data(byte_at(content, 3), content.substr(20), frame.frame);
+  }
+  return set_fd_data({.flags = static_cast<std::uint8_t>(fd_flags >> 1 & 3U),
+                      .length = byte_at(content, flags_at + 1)},
+                     content.substr(20), frame);
 }
 
 TraceStep BlfParser::read_fd_message_64(std::string_view content, TraceFrame& frame) {
@@ -320,18 +322,31 @@ TraceStep BlfParser::read_fd_message_64(std::string_view content, TraceFrame& fr
   constexpr std::uint32_t remote_bit_64 = 0x10;
   if (content.size() < 40) return short_object;
   const std::uint32_t flags = numbers.u32(content, 12);
-  if ((flags & fd_flag) != 0) return {TraceItem::fd, 0, {}};
   if (!set_channel(byte_at(content, 0), byte_at(content, 34) != 0, frame)) return bad_channel;
   if (!set_identifier(numbers.u32(content, 4), (flags & remote_bit_64) != 0, frame.frame)) {
     return bad_identifier;
   }
-  return set_data(byte_at(content, 1), content.substr(40), frame.frame);
+  if ((flags & fd_flag) == 0) {
+    return set_data(byte_at(content, 1), content.substr(40), frame.frame);
+  }
+  return set_fd_data(
+      {.flags = static_cast<std::uint8_t>(flags >> 13 & 3U), .length = byte_at(content, 2)},
+      content.substr(40), frame);
+}
+
+std::unique_ptr<TraceParser> recognize_blf(const TraceHead& head) {
+  if (!head.is_first || !head.rest.starts_with(blf_file_mark)) return nullptr;
+  return std::make_unique<BlfParser>();
 }
 
 }  // namespace
 
-std::unique_ptr<TraceParser> make_blf_parser() {
-  return std::make_unique<BlfParser>();
-}
+constinit const TraceFormat TraceFormat::blf{
+    .name = "Vector BLF",
+    .endings = ".blf",
+    .lacks = trace_lack::bus_names | trace_lack::comments | trace_lack::errors,
+    .recognize = recognize_blf,
+    .encoder = make_blf_encoder,
+};
 
 }  // namespace canvoy::formats

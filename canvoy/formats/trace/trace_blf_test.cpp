@@ -65,9 +65,10 @@ TEST(BlfTrace, IsReadAsItWasWritten) {
   TraceFrame error;
   ASSERT_EQ(trace->next(error), TraceRead::frame);
   EXPECT_TRUE(error.frame.is_error());
+  EXPECT_EQ(trace->next(error), TraceRead::fd);
   expect_next(start + 4499876us, Frame::data_frame(0, {}), "can1", received);
   EXPECT_EQ(trace->next(error), TraceRead::end);
-  EXPECT_EQ(trace->fd_skipped(), 1U);
+  EXPECT_EQ(trace->fd_frames(), 1U);
   EXPECT_EQ(trace->bad(), 0U);
 }
 
@@ -91,6 +92,26 @@ TEST(BlfTrace, TellsWhichErrorItIs) {
   EXPECT_EQ(error(0, 0), "20000080#0000000000000000");
   EXPECT_EQ(error(1, 0xA2), "20000088#0000040200000000") << "SJA1000: stuff, ID bits 28 to 21";
   EXPECT_EQ(error(2, 0x82), "20000088#0000040000000000") << "Vector: stuff, on reception";
+}
+
+// Some programs count from 1970, or from year 1, in place of the beginning of the file.
+TEST(BlfTrace, WithTimesBeyondThirtyOneYearsIsRead) {
+  const auto time_of = [](std::uint32_t unit, std::uint64_t count) {
+    std::string content(file().substr(0, 40));
+    content.append(0x90 - 40, '\0');
+    content.append("LOBJ\x20\0\1\0\x30\0\0\0\1\0\0\0", 16);
+    for (int byte = 0; byte < 8; ++byte)
+      content += static_cast<char>(unit >> 8 * byte & 0xFF * (byte < 4));
+    for (int byte = 0; byte < 8; ++byte) content += static_cast<char>(count >> 8 * byte & 0xFF);
+    content.append("\1\0\0\0\x85\1\0\0\0\0\0\0\0\0\0\0", 16);
+    auto trace = TraceReader::of(content);
+    TraceFrame frame;
+    EXPECT_EQ(trace->next(frame), TraceRead::frame) << trace->problem();
+    return frame.time.time_since_epoch();
+  };
+  EXPECT_EQ(time_of(2, 1'700'000'000'000'125'000), Duration{1'700'000'000'000'125});
+  EXPECT_EQ(time_of(1, 170'000'000'000'012), Duration{1'700'000'000'000'120});
+  EXPECT_EQ(time_of(2, 0xFFFF'FFFF'FFFF'FFFF), Duration{18'446'744'073'709'552}) << "584 years";
 }
 
 // However much is missing, or whatever a byte is replaced by, it is read to its end.

@@ -1,12 +1,20 @@
-#include "canvoy/formats/trace/trace_candump.hpp"
-
+// candump -l: `(1700000000.000125) can0 185#1E2F`, newer ones with ` R` or ` T` behind it; and what
+// candump shows on the screen.
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "canvoy/can/host/candump_log.hpp"
 #include "canvoy/formats/trace/trace_candump_screen.hpp"
+#include "canvoy/formats/trace/trace_encoder.hpp"
+#include "canvoy/formats/trace/trace_fields.hpp"
+#include "canvoy/formats/trace/trace_line.hpp"
+#include "canvoy/formats/trace/trace_packet.hpp"
+#include "canvoy/formats/trace/trace_parser.hpp"
 #include "canvoy/formats/trace/trace_text.hpp"
 
 namespace canvoy::formats {
@@ -84,10 +92,30 @@ bool is_detail(std::string_view line) {
   return line.size() > 1 && line[0] == '\t' && line[1] >= 'a' && line[1] <= 'z';
 }
 
+// `(1700000000.000125) can0 185##1AABB`: flags, then the bytes.
+void read_fd_frame(std::string_view line, TraceFrame& frame) {
+  frame.frame = {};
+  frame.fd = {};
+  const std::size_t hashes = line.find("##");
+  if (hashes == std::string_view::npos || hashes + 3 > line.size()) return;
+  std::string_view before = line.substr(0, hashes);
+  const std::size_t blank = before.find_last_of(" \t");
+  const std::string_view id = before.substr(blank == std::string_view::npos ? 0 : blank + 1);
+  if (!read_hex(id, frame.frame.id)) return;
+  if (id.size() > 3) frame.frame.flags = FrameFlags::extended;
+  frame.fd.flags = static_cast<std::uint8_t>(hex_digit(line[hashes + 2]) & 3U);
+  std::string_view pairs = line.substr(hashes + 3);
+  for (std::uint32_t byte = 0; frame.fd.length < frame.fd.data.size() && pairs.size() >= 2 &&
+                               read_hex(pairs.substr(0, 2), byte);
+       pairs.remove_prefix(2)) {
+    frame.fd.data.at(frame.fd.length++) = static_cast<std::uint8_t>(byte);
+  }
+}
+
 class CandumpParser final : public TraceLineParser {
  public:
   explicit CandumpParser(bool are_deltas) : times_(are_deltas) {}
-  TraceFormat format() const override { return TraceFormat::candump; }
+  const TraceFormat& format() const override { return TraceFormat::candump; }
 
  protected:
   TraceStep read_line(std::string_view line, TraceFrame& frame) override {
@@ -107,6 +135,7 @@ class CandumpParser final : public TraceLineParser {
       case host::LogLineKind::note:
         return trace_note;
       case host::LogLineKind::fd:
+        read_fd_frame(line, frame);
         return {TraceItem::fd, 0, {}};
       case host::LogLineKind::malformed:
         break;
@@ -118,10 +147,72 @@ class CandumpParser final : public TraceLineParser {
   ScreenTimes times_;
 };
 
+class CandumpEncoder final : public TraceEncoder {
+ public:
+  void append(std::string& bytes, const TraceFrame& frame, std::string_view) override {
+    TraceLine line;
+    put_time(line, frame.time.time_since_epoch());
+    bytes += line.view();
+    bytes += name_of(frame.channel);
+    TraceLine content;
+    put_frame(content, frame.frame);
+    bytes += content.view();
+  }
+
+ private:
+  static void put_time(TraceLine& line, Duration time) {
+    const std::int64_t microseconds = std::max<std::int64_t>(time.count(), 0);
+    line.put('(');
+    line.put_fixed<microsecond_digits>(static_cast<std::uint64_t>(microseconds), 10, '0');
+    line.put(") ");
+  }
+  static void put_frame(TraceLine& line, const Frame& frame) {
+    line.put(' ');
+    line.put_hex(frame.id | (frame.is_error() ? error_flag : 0U),
+                 frame.is_extended() || frame.is_error() ? 8 : 3);
+    line.put('#');
+    if (frame.is_remote()) line.put('R');
+    if (frame.is_remote() && frame.length > 0) line.put(static_cast<char>('0' + frame.length));
+    for (const std::uint8_t byte : frame.payload()) line.put_hex_byte(byte);
+    line.put('\n');
+  }
+
+  // An interface's name ends at a blank; those of other systems have blanks in them.
+  std::string_view name_of(std::string_view channel) {
+    if (channel == latest_ && !name_.empty()) return name_;
+    latest_ = channel;
+    name_ = channel.empty() ? "can0" : channel;
+    std::ranges::replace_if(
+        name_, [](char each) { return each <= ' ' && each >= 0; }, '_');
+    return name_;
+  }
+
+  std::string latest_;
+  std::string name_;
+};
+
+std::unique_ptr<TraceParser> recognize_candump(const TraceHead& head) {
+  std::string_view line = head.line;
+  skip_blanks(line);
+  // An empty file is a log in which nothing happened.
+  const bool is_empty =
+      head.is_first && head.rest.find_first_not_of(" \t\r\n") == std::string_view::npos;
+  ScreenLine screen;
+  if (!is_empty && !line.starts_with('(') && !line.starts_with("DROPCOUNT") && !screen.parse(line))
+    return nullptr;
+  return std::make_unique<CandumpParser>(ScreenTimes::look_like_deltas(head.rest));
+}
+
 }  // namespace
 
-std::unique_ptr<TraceParser> make_candump_parser(bool are_deltas) {
-  return std::make_unique<CandumpParser>(are_deltas);
-}
+constinit const TraceFormat TraceFormat::candump{
+    .name = "candump log",
+    .endings = ".log .candump",
+    .lacks = trace_lack::direction | trace_lack::comments,
+    .recognize = recognize_candump,
+    .encoder = [](std::optional<Time>) -> std::unique_ptr<TraceEncoder> {
+      return std::make_unique<CandumpEncoder>();
+    },
+};
 
 }  // namespace canvoy::formats

@@ -59,6 +59,18 @@ bool is_flag(std::string_view word, char flag) {
   return word.size() == 1 && (word[0] == '-' || word[0] == flag);
 }
 
+/// `[12]`: decimal, with two digits.
+TraceStep read_screen_fd(const ScreenLine& line, TraceFrame& frame) {
+  frame.fd = {};
+  if (line.identifier.size() == 8) frame.frame.flags = FrameFlags::extended;
+  std::int64_t length = 0;
+  std::string_view bytes = line.bytes;
+  if (read_hex(line.identifier, frame.frame.id) && read_decimal(line.length.substr(1, 2), length)) {
+    take_fd_bytes(bytes, static_cast<std::size_t>(length), true, frame.fd);
+  }
+  return {TraceItem::fd, 0, {}};
+}
+
 bool read_bytes(std::string_view text, unsigned length, Frame& frame) {
   return take_bytes(text, length, true, frame);
 }
@@ -125,15 +137,15 @@ bool ScreenTimes::look_like_deltas(std::string_view head) {
 TraceStep read_screen_line(const ScreenLine& line, ScreenTimes& times, TraceFrame& frame) {
   constexpr TraceStep read{TraceItem::frame, 0, {}};
   if (!times.read(line.time, frame.time)) return bad_record("the time is no number");
-  if (line.length.size() == 4) return {TraceItem::fd, 0, {}};
+  frame.channel = line.channel;
+  frame.direction = line.direction;
+  frame.frame = {};
+  if (line.length.size() == 4) return read_screen_fd(line, frame);
   std::uint32_t code = 0;
   std::uint32_t id = 0;
   if (!read_hex(line.length.substr(1, 1), code) || !read_hex(line.identifier, id)) {
     return bad_record("the identifier is no number");
   }
-  frame.channel = line.channel;
-  frame.direction = line.direction;
-  frame.frame = {};
   const unsigned length = std::min<unsigned>(code, Frame::length_max);
   const bool is_long = line.identifier.size() == 8;
   if (is_long && (id & error_flag) != 0) {

@@ -27,7 +27,7 @@ Read all_of(std::string_view content) {
     if (read == TraceRead::frame) made.frames.push_back(frame);
   }
   made.bad = trace->bad();
-  made.fd = trace->fd_skipped();
+  made.fd = trace->fd_frames();
   return made;
 }
 

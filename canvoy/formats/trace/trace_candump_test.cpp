@@ -47,12 +47,18 @@ TEST(CandumpTrace, HasRemoteAndErrorFrames) {
   EXPECT_EQ(error.id, 4U);
 }
 
-TEST(CandumpTrace, PassesOverFdFrames) {
+TEST(CandumpTrace, TellsFdFrames) {
   auto trace = TraceReader::of("(1700000000.000125) can0 123##1112233\n");
   ASSERT_TRUE(trace);
   TraceFrame frame;
+  ASSERT_EQ(trace->next(frame), TraceRead::fd);
+  EXPECT_EQ(frame.channel, "can0");
+  EXPECT_EQ(frame.frame.id, 0x123U);
+  EXPECT_EQ(frame.fd.flags, TraceFdContent::bit_rate_switch);
+  EXPECT_EQ(frame.fd.length, 3);
+  EXPECT_EQ(frame.fd.data[2], 0x33);
   EXPECT_EQ(trace->next(frame), TraceRead::end);
-  EXPECT_EQ(trace->fd_skipped(), 1U);
+  EXPECT_EQ(trace->fd_frames(), 1U);
 }
 
 // The quick way of usual lines and the careful reader of one line agree on every character that a

@@ -138,9 +138,15 @@ TEST(PcapngTrace, CountsFdFramesAndPassesOverWhatIsNotCan) {
   auto trace = TraceReader::of(content);
   ASSERT_TRUE(trace);
   TraceFrame frame;
+  EXPECT_EQ(trace->next(frame), TraceRead::fd);
+  EXPECT_EQ(frame.frame.id, 0x185U);
+  EXPECT_EQ(frame.fd.length, 2);
+  EXPECT_EQ(frame.fd.data[1], 2);
+  EXPECT_EQ(trace->next(frame), TraceRead::fd);
+  EXPECT_EQ(frame.fd.length, 12);
   EXPECT_EQ(trace->next(frame), TraceRead::frame);
   EXPECT_EQ(trace->next(frame), TraceRead::end);
-  EXPECT_EQ(trace->fd_skipped(), 2U);
+  EXPECT_EQ(trace->fd_frames(), 2U);
   EXPECT_EQ(trace->notes_skipped(), 6U);
   EXPECT_EQ(trace->bad(), 0U);
 }

@@ -1,16 +1,21 @@
-#include "canvoy/formats/trace/trace_csv.hpp"
-
+// CSV of python-can: `timestamp,arbitration_id,extended,remote,error,dlc,data`, data in base64; and
+// of SavvyCAN: `Time Stamp,ID,Extended,Dir,Bus,LEN,D1,...`, times in microseconds.
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 
+#include "canvoy/formats/trace/trace_encoder.hpp"
 #include "canvoy/formats/trace/trace_error.hpp"
 #include "canvoy/formats/trace/trace_fields.hpp"
+#include "canvoy/formats/trace/trace_line.hpp"
 #include "canvoy/formats/trace/trace_packet.hpp"
+#include "canvoy/formats/trace/trace_parser.hpp"
 #include "canvoy/formats/trace/trace_text.hpp"
 
 namespace canvoy::formats {
@@ -60,8 +65,8 @@ unsigned base64_digit(char c) {
   return c == '/' ? 63 : 64;
 }
 
-/// Into the frame's data and length; false where it is no base64 of 0 to 8 bytes.
-bool read_base64(std::string_view text, Frame& frame) {
+/// Into `data` and `length`; false where it is no base64 of as many bytes as there is room for.
+bool read_base64(std::string_view text, std::span<std::uint8_t> data, std::uint8_t& length) {
   while (text.ends_with('=')) text.remove_suffix(1);
   unsigned bits = 0;
   unsigned count = 0;
@@ -72,8 +77,8 @@ bool read_base64(std::string_view text, Frame& frame) {
     count += 6;
     if (count < 8) continue;
     count -= 8;
-    if (frame.length == Frame::length_max) return false;
-    frame.data.at(frame.length++) = static_cast<std::uint8_t>(bits >> count);
+    if (length == data.size()) return false;
+    data[length++] = static_cast<std::uint8_t>(bits >> count);
   }
   return count < 6;
 }
@@ -85,7 +90,7 @@ bool has_valid_id(const Frame& frame) {
 
 class PythonCanParser final : public TraceLineParser {
  public:
-  TraceFormat format() const override { return TraceFormat::python_can_csv; }
+  const TraceFormat& format() const override { return TraceFormat::python_can_csv; }
 
  protected:
   TraceStep read_line(std::string_view line, TraceFrame& heard) override {
@@ -107,7 +112,12 @@ class PythonCanParser final : public TraceLineParser {
     }
     std::int64_t length = 0;
     if (!read_decimal(take_cell(line), length)) return bad_record("the length is no number");
-    if (length > Frame::length_max) return {TraceItem::fd, 0, {}};
+    if (length > Frame::length_max) {
+      frame.flags = extended ? FrameFlags::extended : FrameFlags::none;
+      heard.fd = {};
+      read_base64(take_cell(line), heard.fd.data, heard.fd.length);
+      return {TraceItem::fd, 0, {}};
+    }
     return read_content(take_cell(line), extended, remote, error, length, frame);
   }
 
@@ -131,7 +141,7 @@ class PythonCanParser final : public TraceLineParser {
       frame.length = static_cast<std::uint8_t>(length);
       return read;
     }
-    if (!read_base64(data, frame) || frame.length != length) {
+    if (!read_base64(data, frame.data, frame.length) || frame.length != length) {
       return bad_record("the data are no base64 of as many bytes as the length says");
     }
     return read;
@@ -140,7 +150,7 @@ class PythonCanParser final : public TraceLineParser {
 
 class SavvyCanParser final : public TraceLineParser {
  public:
-  TraceFormat format() const override { return TraceFormat::savvycan_csv; }
+  const TraceFormat& format() const override { return TraceFormat::savvycan_csv; }
 
  protected:
   TraceStep read_line(std::string_view line, TraceFrame& heard) override {
@@ -173,14 +183,23 @@ class SavvyCanParser final : public TraceLineParser {
     if (!read_decimal(take_cell(line), bus)) return bad_record("the bus is no number");
     heard.channel = channel_.name(bus + 1);
     if (heard.channel.empty()) return bad_record("the bus is not 0 to 254");
-    return read_data(line, heard.frame);
+    return read_data(line, heard);
   }
 
  private:
-  static TraceStep read_data(std::string_view line, Frame& frame) {
+  static TraceStep read_data(std::string_view line, TraceFrame& heard) {
+    Frame& frame = heard.frame;
     std::int64_t length = 0;
     if (!read_decimal(take_cell(line), length)) return bad_record("the length is no number");
-    if (length > Frame::length_max) return {TraceItem::fd, 0, {}};
+    if (length > Frame::length_max) {
+      heard.fd = {};
+      std::uint32_t byte = 0;
+      while (heard.fd.length < std::min<std::int64_t>(length, 64) &&
+             read_hex(take_cell(line), byte) && byte <= 0xFF) {
+        heard.fd.data.at(heard.fd.length++) = static_cast<std::uint8_t>(byte);
+      }
+      return {TraceItem::fd, 0, {}};
+    }
     for (std::size_t at = 0; at < static_cast<std::size_t>(length); ++at) {
       std::uint32_t byte = 0;
       if (!read_hex(take_cell(line), byte) || byte > 0xFF) {
@@ -196,12 +215,77 @@ class SavvyCanParser final : public TraceLineParser {
   bool has_direction_ = true;
 };
 
+/// As python-can's CSVWriter writes it.
+class PythonCanEncoder final : public TraceEncoder {
+ public:
+  void begin(std::string& bytes) override {
+    bytes += python_can_header;
+    bytes += '\n';
+  }
+  void append(std::string& bytes, const TraceFrame& heard, std::string_view) override {
+    const Frame& frame = heard.frame;
+    TraceLine line;
+    line.put_fixed<microsecond_digits>(
+        static_cast<std::uint64_t>(time_from(heard, Duration{}).count()));
+    line.put(",0x");
+    const std::size_t digits_at = line.length();
+    line.put_hex(frame.id | (frame.is_error() ? error_flag : 0U), 1);
+    line.lower_from(digits_at);
+    for (const bool flag : {frame.is_extended(), frame.is_remote(), frame.is_error()}) {
+      line.put(flag ? ",1" : ",0");
+    }
+    line.put(',');
+    line.put(static_cast<char>('0' + frame.length));
+    line.put(',');
+    put_base64(line, frame.payload());
+    line.put('\n');
+    bytes += line.view();
+  }
+
+ private:
+  static void put_base64(TraceLine& line, std::span<const std::uint8_t> bytes) {
+    constexpr std::string_view characters =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    for (std::size_t at = 0; at < bytes.size(); at += 3) {
+      const std::size_t count = std::min<std::size_t>(bytes.size() - at, 3);
+      std::uint32_t bits = 0;
+      for (std::size_t byte = 0; byte < 3; ++byte) {
+        bits = bits << 8 | (byte < count ? bytes[at + byte] : 0U);
+      }
+      for (std::size_t digit = 0; digit < 4; ++digit) {
+        line.put(digit > count ? '=' : characters[bits >> 6 * (3 - digit) & 0x3F]);
+      }
+    }
+  }
+};
+
+std::unique_ptr<TraceParser> recognize_python_can(const TraceHead& head) {
+  if (!head.line.starts_with(python_can_header)) return nullptr;
+  return std::make_unique<PythonCanParser>();
+}
+
+std::unique_ptr<TraceParser> recognize_savvycan(const TraceHead& head) {
+  if (!head.line.starts_with(savvycan_header)) return nullptr;
+  return std::make_unique<SavvyCanParser>();
+}
+
 }  // namespace
 
-std::unique_ptr<TraceParser> make_csv_parser(std::string_view header) {
-  if (header.starts_with(python_can_header)) return std::make_unique<PythonCanParser>();
-  if (header.starts_with(savvycan_header)) return std::make_unique<SavvyCanParser>();
-  return nullptr;
-}
+constinit const TraceFormat TraceFormat::python_can_csv{
+    .name = "python-can CSV",
+    .endings = ".csv",
+    .lacks =
+        trace_lack::direction | trace_lack::bus_names | trace_lack::buses | trace_lack::comments,
+    .recognize = recognize_python_can,
+    .encoder = [](std::optional<Time>) -> std::unique_ptr<TraceEncoder> {
+      return std::make_unique<PythonCanEncoder>();
+    },
+};
+
+constinit const TraceFormat TraceFormat::savvycan_csv{
+    .name = "SavvyCAN CSV",
+    .endings = ".csv",
+    .recognize = recognize_savvycan,
+};
 
 }  // namespace canvoy::formats

@@ -53,7 +53,7 @@ TEST(PythonCanCsv, CountsFdFrames) {
   EXPECT_EQ(trace->format(), TraceFormat::python_can_csv);
   TraceFrame frame;
   while (trace->next(frame) != TraceRead::end) continue;
-  EXPECT_EQ(trace->fd_skipped(), 1U);
+  EXPECT_EQ(trace->fd_frames(), 1U);
 }
 
 TEST(PythonCanCsv, WithALineThatCannotBeReadSaysSo) {

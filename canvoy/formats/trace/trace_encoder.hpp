@@ -17,6 +17,11 @@ class TraceEncoder {
   /// What stands at the beginning of a file, also of one without frames.
   virtual void begin(std::string&) {}
   virtual void append(std::string& bytes, const TraceFrame& frame, std::string_view comment) = 0;
+  /// What stands at the end of a file.
+  virtual void end(std::string&) {}
+  /// Bytes that replace those at the beginning when all was written, where the file can be written
+  /// there; behind end().
+  virtual std::string final_header() const { return {}; }
 
   /// Frames that are earlier than what the format can say.
   std::uint64_t early() const { return early_; }
@@ -31,6 +36,24 @@ class TraceEncoder {
 
  private:
   std::uint64_t early_ = 0;
+};
+
+/// Of formats that count from a beginning: the second of the first frame, or of `begin`.
+class TraceStart {
+ public:
+  explicit TraceStart(std::optional<Time> begin) : begin_(begin) {}
+
+  bool is_known() const { return start_.has_value(); }
+  Duration value() const { return *start_; }
+  /// Whole seconds since 1970.
+  void set(const TraceFrame& first) {
+    const Duration time = std::max(begin_.value_or(first.time).time_since_epoch(), Duration{});
+    start_ = std::chrono::floor<std::chrono::seconds>(time);
+  }
+
+ private:
+  std::optional<Time> begin_;
+  std::optional<Duration> start_;
 };
 
 }  // namespace canvoy::formats

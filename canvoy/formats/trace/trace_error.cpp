@@ -34,6 +34,20 @@ TraceError sja1000_error(unsigned register_value) {
   return error;
 }
 
+std::optional<std::uint8_t> sja1000_register(const Frame& error) {
+  const std::uint8_t violation = error.data[error_byte::violation];
+  const std::uint8_t location = error.data[error_byte::location];
+  if ((error.id & error_class::protocol) == 0 || (violation == 0 && location == 0)) return {};
+  constexpr unsigned kind_place = 6;
+  constexpr unsigned other = 3;
+  unsigned kind = other;
+  if ((violation & error_violation::stuff) != 0) kind = 2;
+  if ((violation & error_violation::form) != 0) kind = 1;
+  if ((violation & error_violation::bit) != 0) kind = 0;
+  const unsigned reception = (violation & error_violation::on_transmission) == 0 ? 0x20 : 0;
+  return static_cast<std::uint8_t>(kind << kind_place | reception | (location & 0x1FU));
+}
+
 TraceError vector_core_error(unsigned register_value) {
   enum Kind : std::uint8_t { bit, form, stuff, other, crc, ack_delimiter, unused, ack };
   constexpr unsigned kind_bits = 0x3F;

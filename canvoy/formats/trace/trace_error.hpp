@@ -25,6 +25,8 @@ Frame trace_error_frame(const TraceError& error = {});
 /// Of the ECC register of an SJA1000: two bits of what it is, one of the direction, five of the
 /// place.
 TraceError sja1000_error(unsigned register_value);
+/// The register that says the same; none where the error frame names neither kind nor place.
+std::optional<std::uint8_t> sja1000_register(const Frame& error);
 /// Of the error register of Vector's own controller: six bits of what it is, two of the direction,
 /// and whether nobody has acknowledged.
 TraceError vector_core_error(unsigned register_value);

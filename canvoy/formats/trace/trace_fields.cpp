@@ -1,5 +1,6 @@
 #include "canvoy/formats/trace/trace_fields.hpp"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <utility>
@@ -85,6 +86,44 @@ std::string_view TraceChannel::change(std::int64_t number) {
   name_ = "can" + std::to_string(number - 1);
   number_ = number;
   return name_;
+}
+
+std::size_t TraceChannelNumbers::change(std::string_view channel) {
+  latest_ = channel;
+  number_ = find(channel.empty() ? "can0" : channel);
+  return number_;
+}
+
+std::size_t TraceChannelNumbers::find(std::string_view channel) {
+  const auto known = std::ranges::find(names_, channel);
+  if (known != names_.end()) return static_cast<std::size_t>(known - names_.begin()) + 1;
+  std::string_view digits = channel;
+  const std::size_t letters = digits.find_last_not_of("0123456789");
+  if (letters != std::string_view::npos) digits.remove_prefix(letters + 1);
+  std::int64_t number = 0;
+  const bool is_one = read_decimal(digits, number) && number < TraceChannel::number_max;
+  const std::size_t wanted = is_one ? static_cast<std::size_t>(number) : 0;
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    std::string& name = names_.at((wanted + i) % names_.size());
+    if (!name.empty()) continue;
+    name = channel;
+    return (wanted + i) % names_.size() + 1;
+  }
+  return wanted + 1;  // more than there are numbers: they share
+}
+
+void take_fd_bytes(std::string_view& text, std::size_t count, bool hexadecimal,
+                   TraceFdContent& content) {
+  content.length = 0;
+  for (; content.length < std::min(count, content.data.size()); ++content.length) {
+    const std::string_view word = take_word(text);
+    std::uint32_t value = 0x100;
+    std::int64_t decimal = 0x100;
+    if (hexadecimal ? !read_hex(word, value) : !read_decimal(word, decimal)) return;
+    if (!hexadecimal) value = static_cast<std::uint32_t>(std::min<std::int64_t>(decimal, 0x100));
+    if (value > 0xFF) return;
+    content.data.at(content.length) = static_cast<std::uint8_t>(value);
+  }
 }
 
 bool take_bytes(std::string_view& text, unsigned count, bool hexadecimal, Frame& frame) {

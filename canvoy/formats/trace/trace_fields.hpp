@@ -1,12 +1,15 @@
 // Fields that several formats of traces share: channels by number, bytes in words, dates.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
 #include "canvoy/can/frame.hpp"
 #include "canvoy/can/time.hpp"
+#include "canvoy/formats/trace/trace.hpp"
 
 namespace canvoy::formats {
 
@@ -29,6 +32,34 @@ class TraceChannel {
   std::int64_t number_ = 0;
   std::string name_;
 };
+
+/// The number of each name: can0 is channel 1, a name without a number as well; where a number is
+/// taken by another name, the next free one is taken: two buses do not become one.
+class TraceChannelNumbers {
+ public:
+  std::size_t operator[](std::string_view channel) {
+    return channel == latest_ && number_ != 0 ? number_ : change(channel);
+  }
+
+ private:
+  std::size_t change(std::string_view channel);
+  std::size_t find(std::string_view channel);
+
+  std::array<std::string, TraceChannel::number_max> names_;
+  std::string latest_;
+  std::size_t number_ = 0;
+};
+
+/// How many bytes a CAN FD frame has by its data length code, 0 to 15.
+constexpr std::uint8_t fd_length(std::uint32_t code) {
+  constexpr std::array<std::uint8_t, 16> lengths = {0, 1,  2,  3,  4,  5,  6,  7,
+                                                    8, 12, 16, 20, 24, 32, 48, 64};
+  return lengths[code & 0xF];
+}
+
+/// Takes up to `count` bytes, a word each, from the front of `text`; as many as there are.
+void take_fd_bytes(std::string_view& text, std::size_t count, bool hexadecimal,
+                   TraceFdContent& content);
 
 /// Takes `count` bytes, a word each, from the front of `text` into the frame, in hexadecimal or
 /// decimal digits; bytes beyond the eighth are not there to be taken.

@@ -1,5 +1,6 @@
 #include "canvoy/formats/trace/trace_packet.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 namespace canvoy::formats {
@@ -17,17 +18,25 @@ FrameFlags flags_of(std::uint32_t word) {
 
 }  // namespace
 
-TraceStep read_can_packet(std::string_view packet, Frame& frame) {
+TraceStep read_can_packet(std::string_view packet, TraceFrame& read) {
+  Frame& frame = read.frame;
   if (packet.size() < frame_header_size)
     return bad_record("the packet is shorter than a CAN frame");
   const std::uint32_t word = FileNumbers{true}.u32(packet, 0);
   const auto length = static_cast<std::uint8_t>(packet[4]);
   const auto fd_flags = static_cast<std::uint8_t>(packet[5]);
-  if (length > Frame::length_max || (fd_flags & fd_flag) != 0) return {TraceItem::fd, 0, {}};
   frame = {};
   frame.flags = flags_of(word);
-  frame.length = length;
   frame.id = word & Frame::extended_id_max;
+  if (length > Frame::length_max || (fd_flags & fd_flag) != 0) {
+    read.fd = {.flags = static_cast<std::uint8_t>(fd_flags & 3U)};
+    const std::size_t count =
+        std::min<std::size_t>({length, read.fd.data.size(), packet.size() - frame_header_size});
+    read.fd.length = static_cast<std::uint8_t>(count);
+    std::memcpy(read.fd.data.data(), packet.data() + frame_header_size, count);
+    return {TraceItem::fd, 0, {}};
+  }
+  frame.length = length;
   if (!frame.is_extended() && !frame.is_error() && frame.id > Frame::id_max)
     return bad_record("the identifier has more than 11 bits, but not the flag of 29");
   if (frame.is_remote()) return {TraceItem::frame, 0, {}};

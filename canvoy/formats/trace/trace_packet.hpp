@@ -48,9 +48,14 @@ struct FileNumbers {
   }
 };
 
+/// `size` bytes, the lowest first.
+inline void append_little(std::string& bytes, std::uint64_t value, unsigned size) {
+  for (unsigned byte = 0; byte < size; ++byte) bytes += static_cast<char>(value >> 8 * byte & 0xFF);
+}
+
 /// The frame of a packet: an identifier of 4 bytes, big-endian, with flags; the length, the flags
 /// of CAN FD, 2 reserved bytes, the data.
-TraceStep read_can_packet(std::string_view packet, Frame& frame);
+TraceStep read_can_packet(std::string_view packet, TraceFrame& frame);
 
 /// The same, written.
 void append_can_packet(std::string& bytes, const Frame& frame);

@@ -20,8 +20,8 @@ inline constexpr std::size_t trace_line_max = 4096;
 
 enum class TraceItem : std::uint8_t {
   frame,
+  fd,  ///< TraceFrame::fd has what is told of it
   note,
-  fd,
   bad,
   remainder,  ///< of a record that was already told of
   more,       ///< more bytes have to be shown than these, which are less than trace_record_max
@@ -44,7 +44,7 @@ constexpr TraceStep bad_record(std::string_view problem) {
 class TraceParser {
  public:
   virtual ~TraceParser() = default;
-  virtual TraceFormat format() const = 0;
+  virtual const TraceFormat& format() const = 0;
   virtual bool has_lines() const = 0;
   /// `bytes` are not empty; `last` says that the file ends with them.
   virtual TraceStep step(std::string_view bytes, bool last, TraceFrame& frame) = 0;

@@ -1,10 +1,13 @@
-#include "canvoy/formats/trace/trace_pcap.hpp"
-
+// pcap of one CAN interface (link type 227): microseconds or nanoseconds, either byte order.
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
 
+#include "canvoy/formats/trace/trace_encoder.hpp"
 #include "canvoy/formats/trace/trace_packet.hpp"
+#include "canvoy/formats/trace/trace_parser.hpp"
 
 namespace canvoy::formats {
 
@@ -20,7 +23,7 @@ class PcapParser final : public TraceParser {
   PcapParser(bool big_endian, bool nanoseconds)
       : numbers_{big_endian}, fraction_per_us_(nanoseconds ? 1000 : 1) {}
 
-  TraceFormat format() const override { return TraceFormat::pcap; }
+  const TraceFormat& format() const override { return TraceFormat::pcap; }
   bool has_lines() const override { return false; }
 
   TraceStep step(std::string_view bytes, bool last, TraceFrame& frame) override {
@@ -48,7 +51,7 @@ class PcapParser final : public TraceParser {
     frame.channel = "can0";
     frame.direction = TraceDirection::unknown;
     const std::string_view packet = bytes.substr(0, static_cast<std::size_t>(size));
-    TraceStep step = read_can_packet(packet.substr(packet_header_size), frame.frame);
+    TraceStep step = read_can_packet(packet.substr(packet_header_size), frame);
     step.taken = size;
     return step;
   }
@@ -59,10 +62,55 @@ class PcapParser final : public TraceParser {
   bool is_can_ = false;
 };
 
+std::unique_ptr<TraceParser> recognize_pcap(const TraceHead& head) {
+  const auto begins = [&head](std::string_view magic) {
+    return head.is_first && head.rest.starts_with(magic);
+  };
+  if (begins("\xD4\xC3\xB2\xA1")) return std::make_unique<PcapParser>(false, false);
+  if (begins("\xA1\xB2\xC3\xD4")) return std::make_unique<PcapParser>(true, false);
+  if (begins("\x4D\x3C\xB2\xA1")) return std::make_unique<PcapParser>(false, true);
+  if (begins("\xA1\xB2\x3C\x4D")) return std::make_unique<PcapParser>(true, true);
+  return nullptr;
+}
+
+class PcapEncoder final : public TraceEncoder {
+ public:
+  void begin(std::string& bytes) override {
+    append_little(bytes, 0xA1B2C3D4, 4);
+    append_little(bytes, 2, 2);  // version 2.4
+    append_little(bytes, 4, 2);
+    append_little(bytes, 0, 8);
+    append_little(bytes, packet_max, 4);
+    append_little(bytes, link_type_can, 4);
+  }
+  void append(std::string& bytes, const TraceFrame& frame, std::string_view) override {
+    const auto time = static_cast<std::uint64_t>(time_from(frame, Duration{}).count());
+    packet_.clear();
+    append_can_packet(packet_, frame.frame);
+    append_little(bytes, time / 1'000'000, 4);
+    append_little(bytes, time % 1'000'000, 4);
+    append_little(bytes, packet_.size(), 4);
+    append_little(bytes, packet_.size(), 4);
+    bytes += packet_;
+  }
+
+ private:
+  static constexpr std::uint32_t packet_max = 65'535;
+
+  std::string packet_;
+};
+
 }  // namespace
 
-std::unique_ptr<TraceParser> make_pcap_parser(bool big_endian, bool nanoseconds) {
-  return std::make_unique<PcapParser>(big_endian, nanoseconds);
-}
+constinit const TraceFormat TraceFormat::pcap{
+    .name = "pcap",
+    .endings = ".pcap .cap",
+    .lacks =
+        trace_lack::direction | trace_lack::bus_names | trace_lack::buses | trace_lack::comments,
+    .recognize = recognize_pcap,
+    .encoder = [](std::optional<Time>) -> std::unique_ptr<TraceEncoder> {
+      return std::make_unique<PcapEncoder>();
+    },
+};
 
 }  // namespace canvoy::formats

@@ -1,5 +1,4 @@
-#include "canvoy/formats/trace/trace_pcapng.hpp"
-
+// pcapng (draft-ietf-opsawg-pcapng) of CAN interfaces, as tshark and Wireshark have it.
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -10,6 +9,8 @@
 
 #include "canvoy/formats/trace/pcapng.hpp"
 #include "canvoy/formats/trace/trace_packet.hpp"
+#include "canvoy/formats/trace/trace_parser.hpp"
+#include "canvoy/formats/trace/trace_pcapng_encoder.hpp"
 
 namespace canvoy::formats {
 
@@ -60,7 +61,7 @@ bool read_ticks(std::uint64_t ticks, std::uint8_t resolution, Duration& time) {
 
 class PcapngParser final : public TraceParser {
  public:
-  TraceFormat format() const override { return TraceFormat::pcapng; }
+  const TraceFormat& format() const override { return TraceFormat::pcapng; }
   bool has_lines() const override { return false; }
   TraceStep step(std::string_view bytes, bool last, TraceFrame& frame) override;
 
@@ -185,13 +186,22 @@ TraceStep PcapngParser::read_packet(std::string_view block, TraceFrame& frame) c
                     if (way == 1) frame.direction = TraceDirection::received;
                     if (way == 2) frame.direction = TraceDirection::sent;
                   });
-  return read_can_packet(body.substr(0, packet_size), frame.frame);
+  return read_can_packet(body.substr(0, packet_size), frame);
+}
+
+std::unique_ptr<TraceParser> recognize_pcapng(const TraceHead& head) {
+  if (!head.is_first || !head.rest.starts_with("\x0A\x0D\x0D\x0A")) return nullptr;
+  return std::make_unique<PcapngParser>();
 }
 
 }  // namespace
 
-std::unique_ptr<TraceParser> make_pcapng_parser() {
-  return std::make_unique<PcapngParser>();
-}
+constinit const TraceFormat TraceFormat::pcapng{
+    .name = "pcapng",
+    .endings = ".pcapng .ntar",
+    .lacks = 0,
+    .recognize = recognize_pcapng,
+    .encoder = [](std::optional<Time>) { return make_pcapng_encoder(); },
+};
 
 }  // namespace canvoy::formats

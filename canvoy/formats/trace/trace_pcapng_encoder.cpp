@@ -18,27 +18,23 @@ constexpr std::uint16_t option_comment = 1;
 constexpr std::uint16_t option_application = 4;
 constexpr std::size_t channels_max = 255;  // what are more share one interface
 
-void append_number(std::string& bytes, std::uint64_t value, int size) {
-  for (int byte = 0; byte < size; ++byte) bytes += static_cast<char>(value >> 8 * byte & 0xFF);
-}
-
 void pad(std::string& bytes) {
   bytes.append((4 - bytes.size() % 4) % 4, '\0');
 }
 
 void append_option(std::string& bytes, std::uint16_t code, std::string_view value) {
-  append_number(bytes, code, 2);
-  append_number(bytes, value.size(), 2);
+  append_little(bytes, code, 2);
+  append_little(bytes, value.size(), 2);
   bytes += value;
   pad(bytes);
 }
 
 void append_block(std::string& bytes, std::uint32_t type, std::string_view body) {
   const std::size_t size = body.size() + 12;
-  append_number(bytes, type, 4);
-  append_number(bytes, size, 4);
+  append_little(bytes, type, 4);
+  append_little(bytes, size, 4);
   bytes += body;
-  append_number(bytes, size, 4);
+  append_little(bytes, size, 4);
 }
 
 // Cut off where no character of UTF-8 goes on.
@@ -53,12 +49,12 @@ class PcapngEncoder final : public TraceEncoder {
  public:
   void begin(std::string& bytes) override {
     body_.clear();
-    append_number(body_, 0x1A2B3C4D, 4);
-    append_number(body_, 1, 2);
-    append_number(body_, 0, 2);
-    append_number(body_, ~std::uint64_t{0}, 8);  // the length of the section is not known
+    append_little(body_, 0x1A2B3C4D, 4);
+    append_little(body_, 1, 2);
+    append_little(body_, 0, 2);
+    append_little(body_, ~std::uint64_t{0}, 8);  // the length of the section is not known
     append_option(body_, option_application, "canvoy");
-    append_number(body_, 0, 4);
+    append_little(body_, 0, 4);
     append_block(bytes, section_block, body_);
   }
 
@@ -68,11 +64,11 @@ class PcapngEncoder final : public TraceEncoder {
     packet_.clear();
     append_can_packet(packet_, frame.frame);
     body_.clear();
-    append_number(body_, interface, 4);
-    append_number(body_, time >> 32, 4);
-    append_number(body_, time, 4);
-    append_number(body_, packet_.size(), 4);
-    append_number(body_, packet_.size(), 4);
+    append_little(body_, interface, 4);
+    append_little(body_, time >> 32, 4);
+    append_little(body_, time, 4);
+    append_little(body_, packet_.size(), 4);
+    append_little(body_, packet_.size(), 4);
     body_ += packet_;
     pad(body_);
     append_options(frame, comment);
@@ -84,11 +80,11 @@ class PcapngEncoder final : public TraceEncoder {
     const bool directed = frame.direction != TraceDirection::unknown;
     if (!comment.empty()) append_option(body_, option_comment, cut(comment));
     if (directed) {
-      append_number(body_, option_flags, 2);
-      append_number(body_, 4, 2);
-      append_number(body_, frame.direction == TraceDirection::received ? 1 : 2, 4);
+      append_little(body_, option_flags, 2);
+      append_little(body_, 4, 2);
+      append_little(body_, frame.direction == TraceDirection::received ? 1 : 2, 4);
     }
-    if (directed || !comment.empty()) append_number(body_, 0, 4);
+    if (directed || !comment.empty()) append_little(body_, 0, 4);
   }
 
   std::size_t interface_of(std::string_view channel, std::string& bytes) {
@@ -98,11 +94,11 @@ class PcapngEncoder final : public TraceEncoder {
     if (channels_.size() > channels_max) return channels_max;
     channels_.emplace_back(channels_.size() == channels_max ? "others" : channel.substr(0, 256));
     body_.clear();
-    append_number(body_, link_type_can, 2);
-    append_number(body_, 0, 2);
-    append_number(body_, 0, 4);  // packets of any length
+    append_little(body_, link_type_can, 2);
+    append_little(body_, 0, 2);
+    append_little(body_, 0, 4);  // packets of any length
     append_option(body_, option_name, channels_.back());
-    append_number(body_, 0, 4);
+    append_little(body_, 0, 4);
     append_block(bytes, interface_block, body_);
     return channels_.size() - 1;
   }

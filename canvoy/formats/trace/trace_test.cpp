@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,44 @@ TEST(Trace, OfAnotherKindOfFileNamesTheKindsThatAreRead) {
   const TemporaryFile file("Dear reader,\nthis is a letter.\n");
   const auto trace = TraceReader::open(file.path());
   ASSERT_FALSE(trace);
-  EXPECT_THAT(trace.error().line(),
-              HasSubstr("it looks like text without frames, not like a log; candump, Vector ASC"));
+  EXPECT_THAT(
+      trace.error().line(),
+      HasSubstr("it looks like text without frames, not like a log; these are read: candump "
+                "log (.log), Vector ASC (.asc), Vector BLF (.blf)"));
+}
+
+// A log as another system writes it: in UTF-16, behind a mark, with returns alone.
+TEST(Trace, InOtherEncodingsIsReadAlike) {
+  std::string text;
+  for (int number = 0; number < 5000; ++number) {
+    text += "(1700000000.00" + std::to_string(1000 + number) + ") b\xC3\xBCs 185#1E2F\n";
+  }
+  std::string utf16 = "\xFF\xFE";
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const bool is_umlaut = text[at] == '\xC3';
+    utf16 += is_umlaut ? '\xFC' : text[at];
+    utf16 += '\0';
+    if (is_umlaut) ++at;
+  }
+  std::string big = "\xFE\xFF";
+  for (std::size_t at = 2; at < utf16.size(); at += 2) big += {utf16[at + 1], utf16[at]};
+  std::string returns = text;
+  std::ranges::replace(returns, '\n', '\r');
+  for (const std::string& content : {text, "\xEF\xBB\xBF" + text, utf16, big, returns}) {
+    const TemporaryFile file(content);
+    for (const bool is_file : {true, false}) {
+      auto trace = is_file ? TraceReader::open(file.path()) : TraceReader::of(content);
+      ASSERT_TRUE(trace);
+      TraceFrame frame;
+      for (int number = 0; number < 5000; ++number) {
+        ASSERT_EQ(trace->next(frame), TraceRead::frame) << number << trace->problem();
+        ASSERT_EQ(frame.channel, "b\xC3\xBCs");
+        ASSERT_EQ(frame.time, Time{} + 1'700'000'000s + Duration{1000 + number});
+      }
+      EXPECT_EQ(trace->next(frame), TraceRead::end);
+      EXPECT_EQ(trace->position(), content.size());
+    }
+  }
 }
 
 TEST(Trace, OfAnEmptyFileHasNoFrames) {

@@ -1,15 +1,18 @@
-#include "canvoy/formats/trace/trace_trc.hpp"
-
+// PEAK TRC, versions 1.0 to 2.1 (PEAK CAN TRC File Format); 2.1 is written.
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "canvoy/can/error_frame.hpp"
+#include "canvoy/formats/trace/trace_encoder.hpp"
 #include "canvoy/formats/trace/trace_error.hpp"
 #include "canvoy/formats/trace/trace_fields.hpp"
+#include "canvoy/formats/trace/trace_line.hpp"
+#include "canvoy/formats/trace/trace_parser.hpp"
 #include "canvoy/formats/trace/trace_scanner.hpp"
 #include "canvoy/formats/trace/trace_text.hpp"
 
@@ -19,6 +22,7 @@ namespace {
 
 constexpr std::string_view known_columns = "NOTBIdRlLD";
 constexpr unsigned millisecond_fraction_digits = 3;
+constexpr unsigned days_before_1970 = 25'569;                 // since 30 December 1899
 constexpr std::int64_t offset_max = 100'000'000'000'000'000;  // microseconds
 
 // The words of a line, by their columns; `rest` begins with the data.
@@ -112,7 +116,7 @@ constexpr std::array<Version, 6> versions = {{
 class TrcParser final : public TraceLineParser {
  public:
   TrcParser() : TraceLineParser(Behind::end_of_line) {}
-  TraceFormat format() const override { return TraceFormat::trc; }
+  const TraceFormat& format() const override { return TraceFormat::trc; }
 
  protected:
   TraceStep read_line(std::string_view line, TraceFrame& frame) override;
@@ -126,6 +130,7 @@ class TrcParser final : public TraceLineParser {
   Words split(std::string_view line) const;
   TraceStep read_words(const Words& words, TraceFrame& frame);
   TraceStep read_frame(const Words& words, TraceFrame& frame);
+  TraceStep read_fd_frame(const Words& words, TraceFrame& frame) const;
 
   std::string columns_{versions.front().columns};
   bool (*take_usual_)(UsualLine& read, TraceScanner& scanner) = versions.front().take;
@@ -186,7 +191,7 @@ TraceStep TrcParser::read_start(std::string_view days) {
   constexpr std::int64_t parts = 1'000'000'000'000;
   std::int64_t value = 0;
   if (!read_fixed(days, digits, value)) return bad_record("the time of the start is no number");
-  const std::int64_t whole = value / parts - 25'569;
+  const std::int64_t whole = value / parts - days_before_1970;
   const std::int64_t microseconds = value % parts * 864 / 10'000;
   start_ = std::chrono::days{whole} + Duration{microseconds};
   return trace_note;
@@ -265,12 +270,33 @@ TraceError read_trc_error(const Words& words, std::string_view rest) {
   return error;
 }
 
+// `L` is the data length code, `l` the length; FB and BI switch the bit rate, FE and BI tell an
+// error state.
+TraceStep TrcParser::read_fd_frame(const Words& words, TraceFrame& frame) const {
+  frame.frame = {};
+  frame.fd = {};
+  if (words.identifier.size() > 4) frame.frame.flags = FrameFlags::extended;
+  if (words.type == "FB" || words.type == "BI") frame.fd.flags |= TraceFdContent::bit_rate_switch;
+  if (words.type == "FE" || words.type == "BI") frame.fd.flags |= TraceFdContent::error_state;
+  std::int64_t length = 0;
+  if (!read_hex(words.identifier, frame.frame.id) || !read_decimal(words.length, length))
+    return {TraceItem::fd, 0, {}};
+  const bool is_code = columns_.find('L') != std::string::npos;
+  std::string_view rest = words.rest;
+  take_fd_bytes(rest,
+                is_code ? fd_length(static_cast<std::uint32_t>(length & 0xF))
+                        : static_cast<std::size_t>(length),
+                true, frame.fd);
+  return {TraceItem::fd, 0, {}};
+}
+
 // FD, FB, FE and BI are frames of CAN FD; ST, EC, EV and Warng tell of something else.
 TraceStep TrcParser::read_frame(const Words& words, TraceFrame& frame) {
   const std::string_view type = words.type;
   std::string_view rest = words.rest;
   skip_blanks(rest);
-  if (type == "FD" || type == "FB" || type == "FE" || type == "BI") return {TraceItem::fd, 0, {}};
+  if (type == "FD" || type == "FB" || type == "FE" || type == "BI")
+    return read_fd_frame(words, frame);
   if (type == "ER" || type == "Error" || (type.empty() && rest.starts_with("ERROR"))) {
     frame.frame = trace_error_frame(read_trc_error(words, rest));
     return {TraceItem::frame, 0, {}};
@@ -294,10 +320,109 @@ TraceStep TrcParser::read_frame(const Words& words, TraceFrame& frame) {
   return {TraceItem::frame, 0, {}};
 }
 
+class TrcEncoder final : public TraceEncoder {
+ public:
+  explicit TrcEncoder(std::optional<Time> begin) : start_(begin) {}
+
+  void append(std::string& bytes, const TraceFrame& frame, std::string_view) override {
+    if (!start_.is_known()) {
+      start_.set(frame);
+      append_header(bytes);
+    }
+    const Duration offset = time_from(frame, start_.value()) - start_.value();
+    TraceLine line;
+    line.put_decimal(++number_, 7);
+    line.put(' ');
+    line.put_fixed<millisecond_fraction_digits>(static_cast<std::uint64_t>(offset.count()), 9);
+    put_content(line, frame);
+    line.put('\n');
+    bytes += line.view();
+  }
+  /// Of a log without frames.
+  void end(std::string& bytes) override {
+    if (start_.is_known()) return;
+    start_.set({});
+    append_header(bytes);
+  }
+
+ private:
+  // Rounded up, the days are read as the same microsecond.
+  void append_header(std::string& bytes) const {
+    constexpr std::uint64_t seconds_per_day = 86'400;
+    constexpr std::uint64_t parts = 1'000'000'000'000;
+    const auto seconds = static_cast<std::uint64_t>(
+        std::chrono::floor<std::chrono::seconds>(start_.value()).count());
+    TraceLine line;
+    line.put(";$STARTTIME=");
+    line.put_decimal(seconds / seconds_per_day + days_before_1970);
+    line.put('.');
+    const std::uint64_t of_day = seconds % seconds_per_day;
+    line.put_decimal((of_day * parts + seconds_per_day - 1) / seconds_per_day, 12, '0');
+    bytes += ";$FILEVERSION=2.1\n";
+    bytes += line.view();
+    bytes +=
+        "\n;$COLUMNS=N,O,T,B,I,d,R,L,D\n;\n"
+        ";   Message   Time    Type Bus ID    Rx/Tx\n"
+        ";   Number    Offset  |    |   [hex] |  Reserved\n"
+        ";   |         [ms]    |    |   |     |  |  Data Length Code\n"
+        ";   |         |       |    |   |     |  |  |    Data [hex] ...\n"
+        ";---+-- ------+------ +- --+- --+-- +- +- +--  +- -- -- -- -- -- -- --\n";
+  }
+
+  void put_content(TraceLine& line, const TraceFrame& frame) {
+    constexpr std::size_t id_width = 8;
+    const Frame& content = frame.frame;
+    line.put(content.is_error() ? " ER " : content.is_remote() ? " RR " : " DT ");
+    const std::size_t bus_at = line.length();
+    line.put_decimal(channels_[frame.channel]);
+    line.pad_to(bus_at + 2);
+    line.put(' ');
+    if (content.is_error()) return put_error(line, content);
+    line.pad_to(line.length() + (content.is_extended() ? 0 : id_width - 4));
+    line.put_hex(content.id, content.is_extended() ? 8 : 4);
+    line.put(frame.direction == TraceDirection::sent ? " Tx -  " : " Rx -  ");
+    line.put(static_cast<char>('0' + content.length));
+    line.put("   ");
+    line.put_bytes(content);
+  }
+
+  // Kind, direction, place, counters of reception and of transmission.
+  static void put_error(TraceLine& line, const Frame& error) {
+    constexpr std::uint8_t kinds =
+        error_violation::bit | error_violation::form | error_violation::stuff;
+    const std::uint8_t violation = error.data[error_byte::violation];
+    Frame bytes;
+    bytes.length = 5;
+    bytes.data = {
+        static_cast<std::uint8_t>(violation & kinds),
+        (violation & error_violation::on_transmission) != 0 ? std::uint8_t{0} : std::uint8_t{1},
+        error.data[error_byte::location], error.data[error_byte::receive_counter],
+        error.data[error_byte::transmit_counter]};
+    line.put("       - Rx -  5   ");
+    line.put_bytes(bytes);
+  }
+
+  TraceStart start_;
+  TraceChannelNumbers channels_;
+  std::uint64_t number_ = 0;
+};
+
+std::unique_ptr<TraceParser> recognize_trc(const TraceHead& head) {
+  std::string_view line = head.line;
+  skip_blanks(line);
+  return line.starts_with(';') ? std::make_unique<TrcParser>() : nullptr;
+}
+
 }  // namespace
 
-std::unique_ptr<TraceParser> make_trc_parser() {
-  return std::make_unique<TrcParser>();
-}
+constinit const TraceFormat TraceFormat::trc{
+    .name = "PEAK TRC",
+    .endings = ".trc",
+    .lacks = trace_lack::bus_names | trace_lack::comments | trace_lack::errors,
+    .recognize = recognize_trc,
+    .encoder = [](std::optional<Time> begin) -> std::unique_ptr<TraceEncoder> {
+      return std::make_unique<TrcEncoder>(begin);
+    },
+};
 
 }  // namespace canvoy::formats

@@ -116,12 +116,15 @@ TEST(TrcTrace, PassesOverStatusAndCountersAndCountsFdFrames) {
     EXPECT_EQ(read_of(header_2_1, line), TraceRead::end) << type;
   }
   for (const std::string_view type : {"FD", "FB", "FE", "BI"}) {
-    const std::string content =
-        std::string(header_2_1) + "2 1.5 " + std::string(type) + " 1 0100 Rx - 9 00\n";
+    const std::string content = std::string(header_2_1) + "2 1.5 " + std::string(type) +
+                                " 1 0100 Rx - 9 01 02 03 04 05 06 07 08 09 0A 0B 0C\n";
     auto trace = TraceReader::of(content);
     TraceFrame frame;
+    ASSERT_EQ(trace->next(frame), TraceRead::fd);
+    EXPECT_EQ(frame.fd.length, 12) << "by the data length code 9";
+    EXPECT_EQ(frame.fd.data[11], 12);
     EXPECT_EQ(trace->next(frame), TraceRead::end);
-    EXPECT_EQ(trace->fd_skipped(), 1U) << type;
+    EXPECT_EQ(trace->fd_frames(), 1U) << type;
   }
 }
 

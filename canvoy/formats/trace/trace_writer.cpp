@@ -3,13 +3,13 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <utility>
 
+#include "canvoy/formats/trace/inflater.hpp"
 #include "canvoy/formats/trace/trace_encoder.hpp"
-#include "canvoy/formats/trace/trace_pcapng_encoder.hpp"
-#include "canvoy/formats/trace/trace_text_encoder.hpp"
 
 namespace canvoy::formats {
 
@@ -17,90 +17,116 @@ namespace {
 
 constexpr std::size_t buffer_size = 64 * 1024;
 
-std::unique_ptr<TraceEncoder> encoder_of(TraceFormat format, std::optional<Time> begin = {}) {
-  switch (format) {
-    case TraceFormat::candump:
-      return make_candump_encoder();
-    case TraceFormat::asc:
-      return make_asc_encoder(begin);
-    case TraceFormat::pcapng:
-      return make_pcapng_encoder();
-    case TraceFormat::trc:
-    case TraceFormat::pcap:
-    case TraceFormat::blf:
-    case TraceFormat::python_can_csv:
-    case TraceFormat::savvycan_csv:
-      break;
-  }
-  return nullptr;
+/// `can0`, as all that number their buses call the first.
+bool is_numbered_name(std::string_view name) {
+  if (name.empty()) return true;
+  if (!name.starts_with("can")) return false;
+  name.remove_prefix(3);
+  return !name.empty() && std::ranges::all_of(name, [](char c) { return c >= '0' && c <= '9'; });
 }
 
 }  // namespace
 
-std::optional<TraceFormat> trace_format_of(std::string_view path) {
-  if (path.ends_with(".log")) return TraceFormat::candump;
-  if (path.ends_with(".asc")) return TraceFormat::asc;
-  if (path.ends_with(".trc")) return TraceFormat::trc;
-  if (path.ends_with(".pcapng")) return TraceFormat::pcapng;
-  if (path.ends_with(".pcap")) return TraceFormat::pcap;
-  return std::nullopt;
-}
-
-host::Result<TraceWriter> TraceWriter::create(const std::string& path, TraceFormat format) {
-  if (encoder_of(format) == nullptr || path == "-") return onto(STDOUT_FILENO, path, format);
+host::Result<TraceWriter> TraceWriter::create(const std::string& path, const TraceFormat& format) {
+  if (!format.is_written() || path == "-") return onto(STDOUT_FILENO, path, format);
   const host::Descriptor file{::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)};
   if (!file) return host::Error{path, std::strerror(errno), "choose another file or folder"};
   return onto(file.get(), path, format);
 }
 
 host::Result<TraceWriter> TraceWriter::onto(int descriptor, const std::string& path,
-                                            TraceFormat format, std::optional<Time> begin) {
-  std::unique_ptr<TraceEncoder> encoder = encoder_of(format, begin);
-  if (encoder == nullptr) {
-    return host::Error{path, std::string(name_of(format)) + " is only read, not written",
-                       "write a .log (candump), .asc or .pcapng"};
+                                            const TraceFormat& format, std::optional<Time> begin) {
+  if (!format.is_written()) {
+    return host::Error{path, std::string(format.name) + " is only read, not written",
+                       "these are written: " + trace_format_list(true)};
   }
   host::Descriptor file{::fcntl(descriptor, F_DUPFD_CLOEXEC, 0)};
   if (!file) return host::Error{path, std::strerror(errno), "close other files"};
-  return TraceWriter(path, std::move(file), std::move(encoder));
+  return TraceWriter(path, std::move(file), format, format.encoder(begin));
 }
 
-TraceWriter::TraceWriter(std::string path, host::Descriptor file,
+TraceWriter::TraceWriter(std::string path, host::Descriptor file, const TraceFormat& format,
                          std::unique_ptr<TraceEncoder> encoder)
-    : path_(std::move(path)), file_(std::move(file)), encoder_(std::move(encoder)) {
+    : path_(std::move(path)),
+      file_(std::move(file)),
+      lacks_(format.lacks),
+      encoder_(std::move(encoder)),
+      deflater_(names_gzip(path_) ? std::make_unique<Deflater>() : nullptr) {
+  buffer_.reserve(buffer_size + buffer_size / 4);
   encoder_->begin(buffer_);
 }
 
 TraceWriter::TraceWriter(TraceWriter&&) noexcept = default;
 
 TraceWriter::~TraceWriter() {
-  if (file_) static_cast<void>(flush());
+  if (file_) static_cast<void>(finish());
 }
 
 host::Result<void> TraceWriter::write(const TraceFrame& frame, std::string_view comment) {
   if (failed_) return {};
+  if ((lacks_ & ~lost_) != 0) note_lost(frame, comment);
   encoder_->append(buffer_, frame, comment);
   return buffer_.size() >= buffer_size ? flush() : host::Result<void>{};
+}
+
+void TraceWriter::note_lost(const TraceFrame& frame, std::string_view comment) {
+  std::uint8_t lost = 0;
+  if (frame.direction != TraceDirection::unknown) lost |= trace_lack::direction;
+  if (!comment.empty()) lost |= trace_lack::comments;
+  if (frame.frame.is_error()) lost |= trace_lack::errors;
+  if (!has_bus_ || frame.channel != latest_bus_) {
+    if (has_bus_) lost |= trace_lack::buses;
+    if (!is_numbered_name(frame.channel)) lost |= trace_lack::bus_names;
+    latest_bus_ = frame.channel;
+    has_bus_ = true;
+  }
+  lost_ |= lost & lacks_;
 }
 
 std::uint64_t TraceWriter::early() const {
   return encoder_->early();
 }
 
+std::string TraceWriter::lost() const {
+  return trace_lack_text(lost_);
+}
+
 host::Result<void> TraceWriter::flush() {
-  std::string_view rest = buffer_;
-  while (!rest.empty() && !failed_) {
-    const ssize_t written = ::write(file_.get(), rest.data(), rest.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) {
-      failed_ = true;
-      buffer_.clear();
-      return host::Error{path_, std::strerror(errno), ""};
-    }
-    rest.remove_prefix(static_cast<std::size_t>(written));
-  }
+  if (failed_) return {};
+  const host::Result<void> written =
+      deflater_ ? write_out(deflater_->run(buffer_, is_finished_)) : write_out(buffer_);
   buffer_.clear();
+  return written;
+}
+
+host::Result<void> TraceWriter::finish() {
+  if (is_finished_ || failed_) return {};
+  is_finished_ = true;
+  encoder_->end(buffer_);
+  host::Result<void> written = flush();
+  const std::string header = encoder_->final_header();
+  if (!written || failed_ || header.empty() || deflater_) return written;
+  // Of a pipe the header stays as it was.
+  const ssize_t done = ::pwrite(file_.get(), header.data(), header.size(), 0);
+  if (done < 0 && errno != ESPIPE) return fail();
   return {};
+}
+
+host::Result<void> TraceWriter::write_out(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file_.get(), bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return fail();
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+    size_ += static_cast<std::uint64_t>(written);
+  }
+  return {};
+}
+
+host::Result<void> TraceWriter::fail() {
+  failed_ = true;
+  buffer_.clear();
+  return host::Error{path_, std::strerror(errno), ""};
 }
 
 }  // namespace canvoy::formats

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <string>
 #include <vector>
@@ -32,7 +33,7 @@ std::vector<TraceFrame> some_frames() {
           {start + 4500001us, Frame::data_frame(0, {}), "can1", TraceDirection::received}};
 }
 
-std::string written(TraceFormat format, const std::vector<TraceFrame>& frames,
+std::string written(const TraceFormat& format, const std::vector<TraceFrame>& frames,
                     std::string_view comment = {}) {
   const TemporaryFile file;
   {
@@ -85,11 +86,12 @@ TEST(TraceWriter, CountsFramesBeforeTheBeginningOfTheFile) {
   const auto [content, early] = written_backwards(std::nullopt);
   EXPECT_EQ(early, 1U);
   EXPECT_NE(content.find("   0.000000 1  2 "), std::string::npos);
-  for (const TraceFormat format : {TraceFormat::candump, TraceFormat::asc, TraceFormat::pcapng}) {
+  for (const TraceFormat* format : trace_formats()) {
+    if (!format->is_written()) continue;
     const TemporaryFile file;
-    auto writer = TraceWriter::create(file.path(), format);
+    auto writer = TraceWriter::create(file.path(), *format);
     EXPECT_TRUE(writer->write({Time{} - 1s, Frame::data_frame(1, {}), "can0"}));
-    EXPECT_EQ(writer->early(), format == TraceFormat::candump ? 0U : 1U) << name_of(format);
+    EXPECT_EQ(writer->early(), *format == TraceFormat::candump ? 0U : 1U) << format->name;
   }
 }
 
@@ -136,24 +138,107 @@ TEST(TraceWriter, CutsALongCommentBetweenCharacters) {
   EXPECT_EQ(trace->next(frame), TraceRead::frame);
 }
 
+Frame protocol_error() {
+  // Stuff error in transmission, at place 2 (SocketCAN: violation 84h, location 2).
+  Frame frame = Frame::data_frame(0x88, {0, 0, 0x84, 2, 0, 0, 0, 0});
+  frame.flags = FrameFlags::error;
+  return frame;
+}
+
+bool is_kept_error(const TraceFormat& format, const Frame& error, const Frame& read) {
+  if ((format.lacks & trace_lack::errors) == 0) return read == error;
+  return read.is_error() && read.data[2] == error.data[2] && read.data[3] == error.data[3];
+}
+
+// What a format keeps, by its row, is read as it was written.
 TEST(TraceWriter, WritesWhatTheReaderReads) {
-  for (const TraceFormat format : {TraceFormat::candump, TraceFormat::asc, TraceFormat::pcapng}) {
-    const std::string content = written(format, some_frames());
+  std::vector<TraceFrame> frames = some_frames();
+  frames.push_back({start + 5s, protocol_error(), "can1", TraceDirection::unknown});
+  for (const TraceFormat* format : trace_formats()) {
+    if (!format->is_written()) continue;
+    SCOPED_TRACE(format->name);
+    const std::string content = written(*format, frames);
     auto trace = TraceReader::of(content);
     ASSERT_TRUE(trace);
-    EXPECT_EQ(trace->format(), format);
-    for (const TraceFrame& expected : some_frames()) {
+    EXPECT_EQ(trace->format(), *format);
+    for (const TraceFrame& expected : frames) {
       TraceFrame frame;
       ASSERT_EQ(trace->next(frame), TraceRead::frame) << trace->problem();
-      EXPECT_EQ(frame.frame, expected.frame);
+      const bool is_kept = expected.frame.is_error()
+                               ? is_kept_error(*format, expected.frame, frame.frame)
+                               : frame.frame == expected.frame;
+      EXPECT_TRUE(is_kept) << expected.frame.id;
       EXPECT_EQ(frame.time, expected.time);
-      EXPECT_EQ(frame.channel, expected.channel);
-      if (format == TraceFormat::pcapng) {
+      if ((format->lacks & trace_lack::buses) == 0) {
+        EXPECT_EQ(frame.channel, expected.channel);
+      }
+      if ((format->lacks & trace_lack::direction) == 0 &&
+          expected.direction != TraceDirection::unknown) {
         EXPECT_EQ(frame.direction, expected.direction);
       }
     }
+    TraceFrame frame;
+    EXPECT_EQ(trace->next(frame), TraceRead::end);
     EXPECT_EQ(trace->bad(), 0U);
   }
+}
+
+TEST(TraceWriter, OfALogWithoutFramesWritesOneThatIsRead) {
+  for (const TraceFormat* format : trace_formats()) {
+    if (!format->is_written()) continue;
+    const std::string content = written(*format, {});
+    auto trace = TraceReader::of(content);
+    ASSERT_TRUE(trace) << format->name;
+    TraceFrame frame;
+    EXPECT_EQ(trace->next(frame), TraceRead::end) << format->name;
+    EXPECT_EQ(trace->bad(), 0U) << format->name;
+  }
+}
+
+TEST(TraceWriter, SaysWhatTheFormatDoesNotKeep) {
+  const TraceFrame plain{start, Frame::data_frame(1, {}), "can0"};
+  const auto lost = [](const TraceFormat& format, const std::vector<TraceFrame>& frames,
+                       std::string_view comment = {}) {
+    const TemporaryFile file;
+    auto writer = TraceWriter::create(file.path(), format);
+    for (const TraceFrame& frame : frames) EXPECT_TRUE(writer->write(frame, comment));
+    return writer->lost();
+  };
+  TraceFrame received = plain;
+  received.direction = TraceDirection::received;
+  TraceFrame named = plain;
+  named.channel = "lift1";
+  for (const TraceFormat* format : trace_formats()) {
+    if (format->is_written()) {
+      EXPECT_EQ(lost(*format, {plain, plain}), "") << format->name;
+    }
+  }
+  EXPECT_EQ(lost(TraceFormat::candump, {received}, "why"), "the direction of frames, comments");
+  EXPECT_EQ(lost(TraceFormat::asc, {received, named}), "names of buses");
+  EXPECT_EQ(lost(TraceFormat::python_can_csv, {plain, named}),
+            "names of buses, which bus a frame is of");
+  EXPECT_EQ(lost(TraceFormat::blf, {{start, error_frame(), "can0"}}), "what error frames tell");
+  EXPECT_EQ(lost(TraceFormat::pcapng, {received, named}, "why"), "");
+}
+
+TEST(TraceWriter, CompressesWhereTheNameSaysSo) {
+  const TemporaryFile file;
+  const std::string path = file.path() + ".log.gz";
+  {
+    auto writer = TraceWriter::create(path, *trace_format_of(path));
+    for (const TraceFrame& frame : some_frames()) EXPECT_TRUE(writer->write(frame));
+    EXPECT_TRUE(writer->finish());
+    EXPECT_GT(writer->size(), 0U);
+  }
+  auto trace = TraceReader::open(path);
+  ASSERT_TRUE(trace);
+  TraceFrame frame;
+  for (const TraceFrame& expected : some_frames()) {
+    ASSERT_EQ(trace->next(frame), TraceRead::frame) << trace->problem();
+    EXPECT_EQ(frame.frame, expected.frame);
+  }
+  EXPECT_EQ(trace->next(frame), TraceRead::end);
+  ::unlink(path.c_str());
 }
 
 TEST(TraceWriter, KeepsToABoundedNumberOfInterfaces) {
@@ -190,14 +275,21 @@ TEST(TraceWriter, KnowsFormatsByTheEndOfTheName) {
   EXPECT_EQ(trace_format_of("a.log"), TraceFormat::candump);
   EXPECT_EQ(trace_format_of("a.asc"), TraceFormat::asc);
   EXPECT_EQ(trace_format_of("a.pcapng"), TraceFormat::pcapng);
+  EXPECT_EQ(trace_format_of("A.BLF"), TraceFormat::blf);
+  EXPECT_EQ(trace_format_of("a.csv"), TraceFormat::python_can_csv);
+  EXPECT_EQ(trace_format_of("night.2.trc.gz"), TraceFormat::trc);
   EXPECT_EQ(trace_format_of("a.txt"), std::nullopt);
+  EXPECT_EQ(trace_format_of(".log"), std::nullopt);
+  EXPECT_EQ(trace_format_of("a.gz"), std::nullopt);
 }
 
 TEST(TraceWriter, RefusesWhatItCannotWriteInOneLine) {
-  const auto trc = TraceWriter::create("bus.trc", TraceFormat::trc);
-  ASSERT_FALSE(trc);
-  EXPECT_EQ(trc.error().line(),
-            "bus.trc: PEAK TRC is only read, not written; write a .log (candump), .asc or .pcapng");
+  const auto csv = TraceWriter::create("bus.csv", TraceFormat::savvycan_csv);
+  ASSERT_FALSE(csv);
+  EXPECT_EQ(csv.error().line(),
+            "bus.csv: SavvyCAN CSV is only read, not written; these are written: candump log "
+            "(.log), Vector ASC (.asc), Vector BLF (.blf), PEAK TRC (.trc), pcapng (.pcapng), "
+            "pcap (.pcap), python-can CSV (.csv)");
   EXPECT_FALSE(TraceWriter::create("/nowhere/bus.log", TraceFormat::candump));
 }
 

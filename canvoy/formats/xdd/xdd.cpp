@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "canvoy/formats/encoding.hpp"
 #include "canvoy/formats/xdd/xdd_parts.hpp"
 
 namespace canvoy::formats {
@@ -69,6 +70,9 @@ class XddReader {
       if (!is_text && !element.attribute(shared.attribute)) continue;
       const std::string_view value =
           is_text ? element.text().get() : element.attribute(shared.attribute).value();
+      // The versions of others are texts of their makers.
+      const bool is_revision = std::string_view(shared.key) == "RevisionNumber";
+      if (is_revision && !sheet_number(value)) continue;
       section(shared.section).add(shared.key, key_text(shared, value));
     }
     const pugi::xml_node rates = find_below(document_, "baudRate");
@@ -76,6 +80,11 @@ class XddReader {
       if (local_name(rate) != "supportedBaudRate") continue;
       const std::string_view text = rate.attribute("value").value();
       section("DeviceInfo").add(fmt::format("BaudRate_{}", text.substr(0, text.find(' '))), "1");
+    }
+    // An EDS says of each of them whether it is supported.
+    for (const unsigned rate : {10U, 20U, 50U, 125U, 250U, 500U, 800U, 1000U}) {
+      const std::string key = fmt::format("BaudRate_{}", rate);
+      if (rates && section("DeviceInfo").find(key) == nullptr) section("DeviceInfo").add(key, "0");
     }
     sheet_.configured = static_cast<bool>(find_below(document_, "deviceCommissioning"));
   }
@@ -137,16 +146,34 @@ class XddReader {
   std::ptrdiff_t lines_ = 0;
 };
 
+/// The declaration says so as well.
+std::string in_utf8(std::string text) {
+  const std::size_t end = text.starts_with("<?xml") ? text.find("?>") : 0;
+  constexpr std::string_view word = "encoding=";
+  const std::size_t at = text.substr(0, end).find(word);
+  if (at == std::string::npos || at + word.size() + 1 >= end) return text;
+  const std::size_t first = at + word.size() + 1;
+  const std::size_t last = text.find(text[first - 1], first);
+  if (last < end) text.replace(first, last - first, "UTF-8");
+  return text;
+}
+
 }  // namespace
 
 bool is_xml(std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  // Of UTF-16, the zeros between the characters.
+  if (marked_encoding(text)) text.remove_prefix(text.starts_with("\xEF") ? 3 : 2);
+  const std::size_t first = text.find_first_not_of(std::string_view(" \t\r\n\0", 5));
   return first != std::string_view::npos && text[first] == '<';
 }
 
 DataSheet read_xdd(std::string_view text, Findings& findings) {
-  return XddReader(text, findings).read();
+  const DecodedText decoded = decode_text(text);
+  if (decoded.encoding == TextEncoding::utf8) return XddReader(text, findings).read();
+  if (!decoded.remark().empty()) {
+    findings.push_back({0, "", std::string(decoded.remark()), "", Finding::Weight::warning});
+  }
+  return XddReader(in_utf8(decoded.text), findings).read();
 }
 
 }  // namespace canvoy::formats

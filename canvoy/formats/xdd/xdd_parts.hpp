@@ -40,6 +40,7 @@ constexpr auto shared_keys = std::to_array<SharedKey>({
     {"productName", nullptr, "DeviceInfo", "ProductName"},
     {"productID", nullptr, "DeviceInfo", "ProductNumber"},
     {"orderNumber", nullptr, "DeviceInfo", "OrderCode"},
+    {"version", nullptr, "DeviceInfo", "RevisionNumber"},
     {"CANopenGeneralFeatures", "granularity", "DeviceInfo", "Granularity", SharedKey::Kind::number},
     {"CANopenGeneralFeatures", "nrOfRxPDO", "DeviceInfo", "NrOfRXPDO", SharedKey::Kind::number},
     {"CANopenGeneralFeatures", "nrOfTxPDO", "DeviceInfo", "NrOfTXPDO", SharedKey::Kind::number},

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "canvoy/formats/eds/eds_reader.hpp"
 #include "canvoy/formats/eds/eds_writer.hpp"
 #include "canvoy/formats/sheet/sheet_diff.hpp"
 
@@ -151,6 +152,46 @@ constexpr std::string_view with_parameters = R"(<?xml version="1.0" encoding="ut
   </ISO15745Profile>
 </ISO15745ProfileContainer>
 )";
+
+// The keys of DeviceInfo (CiA 306) that have no place of their own in CiA 311.
+TEST(Xdd, KeepsRevisionAndBitRatesThatAreNotSupported) {
+  Findings findings;
+  const DataSheet eds = read_eds(
+      "[FileInfo]\nFileName=a.eds\n[DeviceInfo]\nVendorName=Maker\nRevisionNumber=0x10002\n"
+      "BaudRate_10=0\nBaudRate_125=1\n[1000]\nParameterName=Device type\nObjectType=7\n"
+      "DataType=7\nAccessType=ro\n",
+      findings);
+  findings.clear();
+  const DataSheet sheet = read_xdd(write_xdd(eds), findings);
+  EXPECT_TRUE(findings.empty());
+  EXPECT_EQ(sheet.text("DeviceInfo", "RevisionNumber"), "0x10002");
+  EXPECT_EQ(sheet.text("DeviceInfo", "BaudRate_10"), "0");
+  EXPECT_EQ(sheet.text("DeviceInfo", "BaudRate_125"), "1");
+  const std::string other =
+      "<a><DeviceIdentity><version versionType=\"HW\">1.0 B</version>"
+      "</DeviceIdentity><CANopenObjectList/></a>";
+  EXPECT_EQ(read_xdd(other, findings).text("DeviceInfo", "RevisionNumber"), "");
+}
+
+TEST(Xdd, InAnotherEncodingIsReadAndWrittenAsUtf8) {
+  const std::string in_windows =
+      "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>\n<a><CANopenObjectList><CANopenObject "
+      "index=\"2000\" name=\"Verz\xF6gerung\" objectType=\"7\" dataType=\"0006\"/>"
+      "</CANopenObjectList></a>\n";
+  std::string in_utf16 = "\xFF\xFE";
+  for (const char c : in_windows) in_utf16 += {c, '\0'};
+  for (const std::string& text : {in_windows, in_utf16}) {
+    EXPECT_TRUE(is_xml(text));
+    Findings findings;
+    const DataSheet sheet = read_xdd(text, findings);
+    ASSERT_NE(sheet.find(0x2000, 0), nullptr);
+    EXPECT_EQ(sheet.find(0x2000, 0)->name, "Verz\xC3\xB6gerung");
+    EXPECT_EQ(findings.size(), 1U) << "said once";
+    const std::string written = write_xdd(sheet);
+    EXPECT_NE(written.find("encoding=\"UTF-8\""), std::string::npos);
+    EXPECT_NE(written.find("Verz\xC3\xB6gerung"), std::string::npos);
+  }
+}
 
 TEST(Xdd, ReadsWhatStandsInTheParametersOfTheApplicationProcess) {
   const DataSheet sheet = read(with_parameters);

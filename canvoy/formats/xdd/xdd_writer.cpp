@@ -118,6 +118,10 @@ class XddWriter {
       identity.append_child(name);
     }
     if (!sheet_.text("DeviceInfo", "OrderCode").empty()) identity.append_child("co:orderNumber");
+    // CiA 311 has no place of its own for the revision number of 1018h:03h.
+    if (!sheet_.text("DeviceInfo", "RevisionNumber").empty()) {
+      identity.append_child("co:version").append_attribute("versionType") = "FW";
+    }
     pugi::xml_node characteristic = body.append_child("co:DeviceFunction")
                                         .append_child("co:capabilities")
                                         .append_child("co:characteristicsList")

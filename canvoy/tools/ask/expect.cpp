@@ -58,7 +58,9 @@ Verdict judge(const ExpectOptions& options, const Expectation& expected, const A
 void tell_verdict(const ExpectOptions& options, const AskedObject& object, const Verdict& verdict,
                   const std::string& text) {
   if (!options.json) {
-    if (verdict.held) fmt::print("{}\n", text);
+    if (verdict.held) {
+      fmt::print("PASS {}, expected {}\n", text, fmt::join(options.words, " "));
+    }
     return;
   }
   std::string line;
@@ -89,7 +91,7 @@ int expect_value(const ExpectOptions& options, Sessions& sessions) {
   const bool was_waited_for = expected.within || expected.holding;
   const std::string when =
       was_waited_for ? fmt::format(" after {}", words::duration_text(verdict.after)) : "";
-  throw Failure(fmt::format("{}{}, expected {}", said, when, fmt::join(options.words, " ")));
+  throw Failure(fmt::format("FAIL {}{}, expected {}", said, when, fmt::join(options.words, " ")));
 }
 
 // -- wait

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -84,7 +85,13 @@ std::vector<ObjectAddress> find_parts(const Profile* known, std::string_view tex
   for (const Profile* profile : profiles_for(known)) {
     each_value(*profile, [&](const ObjectInfo& object, const EntryInfo& entry) {
       if (!has_name(plain_name(described_name(object, entry)), part)) return;
-      found.push_back({object.index, static_cast<std::uint8_t>(entry.sub_first), &object, &entry});
+      // Profiles share objects: each place of a name is there once.
+      const auto sub = static_cast<std::uint8_t>(entry.sub_first);
+      const bool is_there = std::ranges::any_of(found, [&](const ObjectAddress& each) {
+        return each.index == object.index && each.sub == sub &&
+               described_name(each) == described_name(object, entry);
+      });
+      if (!is_there) found.push_back({object.index, sub, &object, &entry});
     });
   }
   return found;

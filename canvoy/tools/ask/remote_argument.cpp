@@ -5,7 +5,7 @@
 #include <charconv>
 #include <optional>
 
-#include "canvoy/formats/trace/trace_writer.hpp"
+#include "canvoy/formats/trace/trace_format.hpp"
 #include "canvoy/tools/ask/node_argument.hpp"
 #include "canvoy/tools/failure.hpp"
 

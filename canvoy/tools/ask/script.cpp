@@ -14,6 +14,7 @@
 #include "canvoy/tools/ask/ask_verbs.hpp"
 #include "canvoy/tools/ask/junit.hpp"
 #include "canvoy/tools/ask/script_line.hpp"
+#include "canvoy/tools/ask/typed_words.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/spelling.hpp"
 #include "canvoy/tools/value_file.hpp"
@@ -57,6 +58,7 @@ class ScriptLine {
       throw UsageError(fmt::format("on which bus? {} {} ...", words.front(), buses.front()));
     }
     if (!is_named) words.insert(words.begin() + 1, options.bus);
+    order_words(words);
     if (options.json) words.emplace_back("--json");
     using Kind = CommandLine::Outcome::Kind;
     const CommandLine::Outcome outcome = line_.parse(std::move(words));
@@ -136,7 +138,9 @@ class Script {
     }
     done.time = std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now() - begun);
     if (options_.json) return print_json(line, done);
-    if (!done.failure.empty()) fmt::print("     FAILED: {}\n", done.failure);
+    if (!done.failure.empty()) {
+      fmt::print("     {}{}\n", done.failure.starts_with("FAIL ") ? "" : "FAIL: ", done.failure);
+    }
     std::fflush(stdout);
   }
   static void print_json(const ScriptLine& line, const JunitCase& done) {

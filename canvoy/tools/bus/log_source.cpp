@@ -1,6 +1,6 @@
 #include "canvoy/tools/bus/log_source.hpp"
 
-#include "canvoy/formats/trace/trace_writer.hpp"
+#include "canvoy/formats/trace/trace_format.hpp"
 
 namespace canvoy::tools {
 

@@ -1,6 +1,7 @@
 // canvoy lss BUS COMMAND: finds nodes without node-ID, and gives nodes their node-ID and bit rate
 // (CiA 305).
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -127,7 +128,9 @@ class Scan {
         session.scan({.pattern = pattern_, .store = store_},
                      {.first_time_out = options.first_time_out(), .time_out_min = bit_time_out_min},
                      {.choose = LssScan::Choose::to<&Scan::choose>(*this),
-                      .found = LssScan::Report::to<&Scan::found>(*this)});
+                      .found = LssScan::Report::to<&Scan::found>(*this),
+                      .passed = [this] { show_progress(); }});
+    clear_progress();
     check(outcome);
     if (session.came_again()) {
       fmt::print(stderr,
@@ -145,7 +148,19 @@ class Scan {
     return id;
   }
 
+  /// On a terminal: Fastscan asks for 128 bits of each node, and whole seconds pass in silence.
+  void show_progress() {
+    if (json_ || ::isatty(STDERR_FILENO) != 1) return;
+    fmt::print(stderr, "\r{} s, {} found; it asks for the next ", ++seconds_, count_);
+    is_on_line_ = true;
+  }
+  void clear_progress() {
+    if (is_on_line_) fmt::print(stderr, "\r{:40}\r", "");
+    is_on_line_ = false;
+  }
+
   void found(const LssScan::Found& node) {
+    clear_progress();
     ++count_;
     std::string line = lss_address_text(node.address);
     if (is_node_id(node.id)) line += fmt::format(": {}", words::node_text(node.id));
@@ -205,6 +220,8 @@ class Scan {
   bool json_ = false;
   bool problem_ = false;
   unsigned count_ = 0;
+  unsigned seconds_ = 0;
+  bool is_on_line_ = false;
 };
 
 int scan(const LssOptions& options) {

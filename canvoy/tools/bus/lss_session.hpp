@@ -43,6 +43,7 @@ class LssSession {
   struct ScanCalls {
     LssScan::Choose choose;
     LssScan::Report found;
+    std::function<void()> passed = {};  ///< each second that it takes
   };
   /// What ended it: also a signal, as Failure.
   LssScan::Outcome scan(const LssScan::Options& options, const LssFastscan::Options& timing,

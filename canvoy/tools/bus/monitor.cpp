@@ -1,5 +1,6 @@
 // canvoy monitor SOURCE: every frame on a bus, or in a log, with its service in words.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <memory>
 #include <optional>
@@ -32,6 +33,7 @@ struct MonitorOptions {
   unsigned bit_rate = 0;  ///< in kbit/s; 0: that of the interface
   bool table = false;
   bool ask = false;
+  bool no_sheets = false;
   FramePrinterOptions printer;
 
   Duration limit() const {
@@ -70,6 +72,7 @@ class BusMonitor {
     }
     const bool has_screen = options.table && !options.printer.json && Screen::is_there();
     if (has_screen) screen_.emplace(options.source, table_);
+    use_sheets();
     for (host::HostBus* bus : session_.buses()) listen(*bus);
   }
 
@@ -86,6 +89,15 @@ class BusMonitor {
   }
 
  private:
+  /// Those of the folder, where none were said.
+  void use_sheets() {
+    if (!options_.printer.sheets.empty() || options_.no_sheets) return;
+    const std::vector<std::string> names = printer_.use_sheets_of(".");
+    if (names.empty()) return;
+    fmt::print(stderr, "data sheets of this folder are used: {}; --no-sheets uses none\n",
+               fmt::join(names, ", "));
+  }
+
   void listen(host::HostBus& bus) {
     bus.on_frame([this, &bus](const host::BusFrame& heard) { show(bus.name(), heard); });
     bus.on_state([this, &bus](BusState state, Time) {
@@ -200,7 +212,7 @@ int show_log_table(const MonitorOptions& options) {
   formats::TraceFrame heard;
   Duration last{};
   for (auto read = trace.next(heard); read != formats::TraceRead::end; read = trace.next(heard)) {
-    if (read == formats::TraceRead::bad) continue;
+    if (read != formats::TraceRead::frame) continue;
     last = std::max(last, heard.time.time_since_epoch());
     const words::FrameWords* words =
         printer.look(heard.time.time_since_epoch(), heard.channel, heard.frame);
@@ -237,7 +249,7 @@ void add_monitor(Verb& app) {
   command.add({
       {"source", options->source,
        "can0, udp:239.74.163.2:43113, tcp:HOST:PORT/can0 of a socketcand; several as "
-       "can0,can1; or a log (candump, ASC, TRC, pcapng): night.log, ./night",
+       "can0,can1; or a log of any format that canvoy decode reads: night.log, ./night",
        required},
       {"--log", options->log, "write a candump log as well"},
       {"--for", options->duration, "end after this time: 30s, 10min, 8h"},
@@ -255,6 +267,8 @@ void add_monitor(Verb& app) {
        {.allowed = Within<unsigned>{1, 1000}, .needs = "--table"}},
       {"--ask", options->ask,
        "ask each node that is heard for its device type, identity and PDOs, by SDO"},
+      {"--no-sheets", options->no_sheets,
+       "of a bus: do not use the data sheets of this folder (EDS, DCF, XDD, XDC)"},
   });
   options->printer.add_to(command);
   command.add_examples(

@@ -52,11 +52,7 @@ class ObjectReading {
  public:
   ObjectReading(const ReadObjectsOptions& options, Session& session)
       : options_(options), session_(session), node_(options.node_id()) {
-    for (const std::string& text : options.objects) {
-      objects_.push_back({AskedObject(session, node_, text, options.profile, options.type)});
-      const std::size_t width = objects_.back().object.name().size();
-      width_ = std::max(width_, width);
-    }
+    for (const std::string& text : options.objects) add(text);
   }
 
   void read_once() {
@@ -85,6 +81,34 @@ class ObjectReading {
   }
 
  private:
+  void add(const std::string& text) {
+    AskedObject object(session_, node_, text, options_.profile, options_.type);
+    const ObjectAddress& address = object.address();
+    const bool has_entries =
+        address.object != nullptr && !address.object->subs.empty() && address.sub == 0;
+    const bool is_whole = has_entries && text.find_first_of(": ") == std::string::npos;
+    if (is_whole && options_.type.empty() && add_entries(address.index)) return;
+    width_ = std::max(width_, object.name().size());
+    objects_.push_back({std::move(object)});
+  }
+
+  /// Those of a record or array that the node has, behind sub-index 00h; false where it says none.
+  bool add_entries(std::uint16_t index) {
+    const auto count = session_.try_read(node_, index, 0);
+    const unsigned highest = count && count->size() == 1 ? count->front() : 0U;
+    bool is_any = false;
+    for (unsigned sub = 1; sub <= highest; ++sub) {
+      const auto answer = session_.try_read(node_, index, static_cast<std::uint8_t>(sub));
+      if (!answer && (is_absent(answer.abort()) || answer.abort() == AbortCode::no_data)) continue;
+      AskedObject entry(session_, node_, fmt::format("{:04X}:{:02X}", index, sub),
+                        options_.profile);
+      width_ = std::max(width_, entry.name().size());
+      objects_.push_back({std::move(entry)});
+      is_any = true;
+    }
+    return is_any;
+  }
+
   void print(const WatchedObject& each) const {
     if (options_.json) return print_json(each);
     const std::string text = each.object.text(each.last);
@@ -156,7 +180,9 @@ void add_read(Verb& app, Sessions& sessions) {
   options->add_any_node(command);
   command.add({
       {"object", options->objects,
-       "6010, 1018:4, a name as battery_voltage, or a part of it; or several", required},
+       "6010, 1018:4, a name as battery_voltage, or a part of it; 1018: all of its entries; or "
+       "several",
+       required},
       {"--type", options->type, "what the value is, whatever the profile says: u16, vs, ..."},
   });
   options->add_profile(command);

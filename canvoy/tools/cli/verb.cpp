@@ -20,10 +20,12 @@ CLI::Option* add_row(CLI::App& app, const OptionRow& row) {
   return std::visit(
       [&](auto* place) {
         const std::string about(row.about);
+        // As everywhere, -o is the file that is written.
+        const std::string name = std::string_view(row.name) == "--out" ? "-o,--out" : row.name;
         if constexpr (std::is_same_v<decltype(place), bool*>) {
-          return app.add_flag(row.name, *place, about);
+          return app.add_flag(name, *place, about);
         } else {
-          return app.add_option(row.name, *place, about);
+          return app.add_option(name, *place, about);
         }
       },
       row.place);
@@ -124,6 +126,52 @@ std::string refusal(const CLI::App& app, const CLI::ParseError& error) {
                      meant.empty() ? "; see" : " See", verb.text);
 }
 
+/// Where a line of at most `room` characters ends: behind its last blank, or within a long word
+/// behind its last comma; else behind the word.
+std::size_t end_of_line(std::string_view text, std::size_t room) {
+  if (text.size() <= room) return text.size();
+  const std::size_t blank = text.rfind(' ', room);
+  if (blank != std::string_view::npos && blank != 0) return blank;
+  const std::size_t comma = text.rfind(',', room - 1);
+  if (comma != std::string_view::npos) return comma + 1;
+  return std::min(text.find(' '), text.size());
+}
+
+/// A line of help in as many as its words need; those behind the first begin where its right column
+/// does. What is no table stays as it is.
+void append_wrapped(std::string& text, std::string_view line) {
+  constexpr std::size_t width = 100;
+  const bool is_row = line.starts_with("  ") && line.size() > column_width;
+  const std::size_t indent = is_row ? column_width : 0;
+  text.append(line.substr(0, indent));
+  line.remove_prefix(indent);
+  while (true) {
+    const std::size_t end = end_of_line(line, width - indent);
+    text.append(line.substr(0, end)).append(1, '\n');
+    line.remove_prefix(end);
+    while (line.starts_with(' ') && end != 0) line.remove_prefix(1);
+    if (line.empty()) return;
+    text.append(indent, ' ');
+  }
+}
+
+std::string wrapped_help(std::string_view help) {
+  std::string text;
+  bool is_example = false;
+  while (!help.empty()) {
+    const std::size_t end = std::min(help.find('\n'), help.size());
+    const std::string_view line = help.substr(0, end);
+    is_example = is_example || line == "Examples:";
+    if (is_example) {
+      text.append(line).append(1, '\n');
+    } else {
+      append_wrapped(text, line);
+    }
+    help.remove_prefix(std::min(end + 1, help.size()));
+  }
+  return text;
+}
+
 }  // namespace
 
 Verb::Verb(std::shared_ptr<CLI::App> app, const Verb* parent, std::shared_ptr<Action> chosen)
@@ -138,7 +186,15 @@ Verb& Verb::add_verb(const std::string& name, const std::string& about) {
 }
 
 void Verb::add(std::initializer_list<OptionRow> rows) {
-  for (const OptionRow& row : rows) add_rules(*app_, *add_row(*app_, row), row.rules);
+  for (const OptionRow& row : rows) {
+    CLI::Option* const option = add_row(*app_, row);
+    add_rules(*app_, *option, row.rules);
+    if (!group_.empty() && !option->get_positional()) option->group(group_);
+  }
+}
+
+void Verb::begin_group(const std::string& title) {
+  group_ = title;
 }
 
 void Verb::add_taken(const char* name, std::function<void(const std::string&)> take,
@@ -231,7 +287,7 @@ CommandLine::Outcome CommandLine::parse(std::vector<std::string> words) {
     if (error.get_exit_code() != 0) return {Outcome::Kind::refused, refusal(*app_, error)};
     std::ostringstream help;
     app_->exit(error, help);
-    return {Outcome::Kind::answered, help.str()};
+    return {Outcome::Kind::answered, wrapped_help(help.str())};
   }
 }
 

@@ -126,6 +126,8 @@ class Verb {
   /// A verb behind this one. It lives as long as this.
   Verb& add_verb(const std::string& name, const std::string& about);
   void add(std::initializer_list<OptionRow> rows);
+  /// Options that are added from then on stand below this line of the help.
+  void begin_group(const std::string& title);
   /// An option with a value that `take` is called with. It may throw Failure.
   void add_taken(const char* name, std::function<void(const std::string&)> take,
                  std::string_view about);
@@ -170,6 +172,7 @@ class Verb {
   const Verb* parent_;
   std::shared_ptr<Action> chosen_;
   std::vector<std::unique_ptr<Verb>> verbs_ = {};
+  std::string group_ = {};
 };
 
 /// The first word, and all behind it.

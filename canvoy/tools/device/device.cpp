@@ -381,13 +381,18 @@ void add_device(Verb& app) {
       {"--state-of-charge", options->state_of_charge,
        "of the battery at the start, in % (default 20)", between(0.0, 100.0)},
   });
+  command.begin_group("Lifts (CiA 417)");
   add_lift_options(command, *options);
   add_lift_unit_options(command, options->unit);
+  command.begin_group("Cars (CiA 447)");
   add_device_car_options(command, options->car);
   add_car_panel_options(command, options->car_panel);
+  command.begin_group("Passenger information (CiA 407)");
   add_bus_panel_options(command, options->bus_panel);
+  command.begin_group("Operator environments (CiA 852, CiA 401)");
   add_operator_panel_options(command, options->operator_panel);
   add_embedded_options(command, options->embedded);
+  command.begin_group("Run");
   command.add({
       {"--for", options->duration, "end after this time: 30s, 10min, 8h"},
       {"--json", options->json, "one JSON object a line"},

@@ -8,6 +8,7 @@
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/help/completion.hpp"
+#include "canvoy/tools/help/completion_scripts.hpp"
 #include "canvoy/tools/help/man_page.hpp"
 #include "canvoy/tools/spelling.hpp"
 #include "canvoy/tools/value_file.hpp"
@@ -77,6 +78,19 @@ void add_help_verbs(Verb& app) {
   complete.keep_options_apart();
   complete.add({{"word", options->words, "those behind canvoy, behind --"}});
   complete.runs([&app, options] { return print_completions(app, *options); });
+  Verb& completion = app.add_verb("completion", "What bash or zsh wants to complete canvoy");
+  const Check is_shell = [](const std::string& said) {
+    return said == "bash" || said == "zsh" ? std::string() : "it is none of bash and zsh";
+  };
+  completion.add(
+      {{"shell", options->folder, "bash or zsh", Rules{.is_required = true, .allowed = is_shell}}});
+  completion.add_examples(
+      "  canvoy completion bash > canvoy.bash\n"
+      "  canvoy completion zsh > _canvoy");
+  completion.runs([options] {
+    fmt::print("{}", options->folder == "bash" ? bash_completion : zsh_completion);
+    return exit_done;
+  });
   Verb& man = app.add_verb("man", "The help of a verb as a page for man");
   man.hide();
   man.add({

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "canvoy/formats/trace/trace.hpp"
@@ -23,10 +24,14 @@ constexpr std::size_t frames_at_once = 2000;
 
 }  // namespace
 
-LiveLog::LiveLog(const std::string& path, const FramePrinterOptions& options)
+LiveLog::LiveLog(const std::string& path, const FramePrinterOptions& options, bool once)
     : LiveSource(options), path_(path) {
-  read(path);
-  playback_ = std::make_unique<Playback>(lines_.back().time - begin(), 1);
+  if (once && survey()) {
+    stream_.emplace(value_or_throw(formats::TraceReader::open(path)));
+  } else {
+    read(path);
+  }
+  playback_ = std::make_unique<Playback>(end_ - begin(), 1);
   begin_again();
   playback_->set_paused(true);
   playback_->seek(playback_->end());
@@ -34,22 +39,70 @@ LiveLog::LiveLog(const std::string& path, const FramePrinterOptions& options)
 
 LiveLog::~LiveLog() = default;
 
+/// Nothing: more buses than are shown.
+std::optional<std::uint8_t> LiveLog::bus_of(std::string_view channel) {
+  auto bus = std::ranges::find(buses_, channel);
+  if (bus == buses_.end() && buses_.size() == FrameFeed::buses_max) return std::nullopt;
+  if (bus == buses_.end()) bus = buses_.emplace(bus, channel);
+  return static_cast<std::uint8_t>(bus - buses_.begin());
+}
+
+/// Begin and end of the log; false where it cannot be read again, or its times jump back.
+bool LiveLog::survey() {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(path_, none)) return false;
+  formats::TraceReader trace = value_or_throw(formats::TraceReader::open(path_));
+  formats::TraceFrame heard;
+  for (formats::TraceRead read{}; (read = trace.next(heard)) != formats::TraceRead::end;) {
+    if (read != formats::TraceRead::frame) continue;
+    if (frames_++ == 0) begin_ = end_ = heard.time;
+    static_cast<void>(bus_of(heard.channel));
+    if (heard.time < end_) {
+      frames_ = 0;
+      buses_.clear();
+      return false;
+    }
+    end_ = heard.time;
+  }
+  refuse_log_without_frames(path_, trace);
+  return true;
+}
+
 void LiveLog::read(const std::string& path) {
   formats::TraceReader trace = value_or_throw(formats::TraceReader::open(path));
   formats::TraceFrame heard;
   for (formats::TraceRead read{}; (read = trace.next(heard)) != formats::TraceRead::end;) {
-    if (read == formats::TraceRead::bad) continue;
+    if (read != formats::TraceRead::frame) continue;
     if (lines_.size() == frames_max) {
       is_cut_ = true;
       break;
     }
-    auto bus = std::ranges::find(buses_, heard.channel);
-    if (bus == buses_.end() && buses_.size() == FrameFeed::buses_max) continue;
-    if (bus == buses_.end()) bus = buses_.emplace(bus, heard.channel);
-    lines_.push_back({heard.time, heard.frame, static_cast<std::uint8_t>(bus - buses_.begin())});
+    const std::optional<std::uint8_t> bus = bus_of(heard.channel);
+    if (bus) lines_.push_back({heard.time, heard.frame, *bus});
   }
   refuse_log_without_frames(path, trace);
   std::ranges::stable_sort(lines_, {}, &Line::time);
+  frames_ = lines_.size();
+  begin_ = lines_.front().time;
+  end_ = lines_.back().time;
+}
+
+/// Null: there is none any more.
+const LiveLog::Line* LiveLog::next_line() {
+  if (!stream_) return next_ < lines_.size() ? &lines_[next_] : nullptr;
+  return streamed_ || read_next() ? &*streamed_ : nullptr;
+}
+
+bool LiveLog::read_next() {
+  formats::TraceFrame heard;
+  for (formats::TraceRead read{}; (read = stream_->next(heard)) != formats::TraceRead::end;) {
+    if (read != formats::TraceRead::frame) continue;
+    const std::optional<std::uint8_t> bus = bus_of(heard.channel);
+    if (!bus) continue;
+    streamed_ = Line{heard.time, heard.frame, *bus};
+    return true;
+  }
+  return false;
 }
 
 void LiveLog::begin_again() {
@@ -65,7 +118,7 @@ LiveSource::Json LiveLog::description() {
           {"command", fmt::format("canvoy view {}", path_)},
           {"begin", in_seconds(begin() - Time{})},
           {"end", in_seconds(playback_->end() - Time{})},
-          {"frames", lines_.size()},
+          {"frames", frames_},
           {"is_cut", is_cut_},
           {"buses", buses_},
           {"can",
@@ -86,14 +139,20 @@ void LiveLog::hear(const Line& line) {
 
 void LiveLog::advance(Time clock) {
   const Time wanted = playback_->wanted(clock);
-  const auto is_due = [&] {
-    return next_ < lines_.size() && lines_[next_].time - begin() <= wanted - Time{};
+  const auto due = [&]() -> const Line* {
+    const Line* const line = next_line();
+    return line != nullptr && line->time - begin() <= wanted - Time{} ? line : nullptr;
   };
   const auto begun = Clock::now();
-  while (is_due() && Clock::now() - begun < log_work_most) {
-    for (std::size_t i = 0; i < frames_at_once && is_due(); ++i) hear(lines_[next_++]);
+  const Line* line = due();
+  while (line != nullptr && Clock::now() - begun < log_work_most) {
+    for (std::size_t i = 0; i < frames_at_once && line != nullptr; ++i, line = due()) {
+      hear(*line);
+      ++next_;
+      streamed_.reset();
+    }
   }
-  playback_->reached(is_due() ? Time{} + (lines_[next_].time - begin()) : wanted);
+  playback_->reached(line != nullptr ? Time{} + (line->time - begin()) : wanted);
 }
 
 LiveSource::Json LiveLog::state() {
@@ -121,6 +180,7 @@ void LiveLog::act(std::string_view what, const Json& arguments, const Done& done
     const Time to = (is_step ? playback_->now() : Time{}) + Duration(std::llround(seconds * 1e6));
     if (is_step) playback_->set_paused(true);
     if (to < playback_->now()) {
+      if (stream_) throw UsageError("this log is played once, from its beginning to its end");
       begin_again();
       playback_->restart(std::max(to, Time{}));
     } else {

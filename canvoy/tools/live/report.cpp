@@ -39,7 +39,7 @@ int report(const ReportOptions& options) {
   if (options.run.duration || options.run.seed || !options.run.faults.empty()) {
     throw UsageError("--for, --seed and --fault are of runs, and this is a log");
   }
-  LiveLog log(options.source, options.decoding);
+  LiveLog log(options.source, options.decoding, true);
   return write_report(log, *options.run.report);
 }
 
@@ -51,7 +51,7 @@ void add_report(Verb& app) {
       "report", "Write a run or a log as one page, with pictures, verdicts and statistics");
   command.add({
       {"source", options->source,
-       "a network file (lift.toml), or a log: candump, ASC, BLF, TRC, pcap, CSV"},
+       "a network file (lift.toml), or a log of any format that canvoy decode reads"},
   });
   add_run_options(command, options->run, "as the network has it; see canvoy run NETWORK --help");
   add_networks(command);

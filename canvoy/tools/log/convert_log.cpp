@@ -28,8 +28,9 @@ struct ConvertOptions {
 
 formats::TraceFormat format_to_write(const std::string& out) {
   const std::optional<formats::TraceFormat> format = formats::trace_format_of(out);
-  if (!format || *format == formats::TraceFormat::trc || *format == formats::TraceFormat::pcap)
-    throw UsageError(out + ": name it .log (as of candump), .asc or .pcapng");
+  if (!format || !format->is_written())
+    throw UsageError(
+        out + ": its end says no format; these are written: " + formats::trace_format_list(true));
   return *format;
 }
 
@@ -57,9 +58,11 @@ class Conversion {
 
   void tell() const {
     if (options_.json) return tell_json();
+    const std::string lost = out_->lost();
     fmt::print(
-        "{} frames of a {}; {} lines or blocks could not be read, {} CAN FD frames left out\n",
-        trace_->frames(), formats::name_of(trace_->format()), trace_->bad(), trace_->fd_skipped());
+        "{} frames of a {}; {} lines or blocks could not be read, {} CAN FD frames left out{}{}\n",
+        trace_->frames(), trace_->format().name, trace_->bad(), trace_->fd_frames(),
+        lost.empty() ? "" : "; not kept: ", lost);
   }
 
  private:
@@ -80,7 +83,7 @@ class Conversion {
       if (read == formats::TraceRead::bad && !begin) show_bad(options_.in, *trace_);
       progress.show(*trace_);
     }
-    ok_or_throw(out_->flush());
+    ok_or_throw(out_->finish());
   }
 
   bool is_repeatable() const {
@@ -93,10 +96,11 @@ class Conversion {
   void tell_json() const {
     JsonEvent event("converted");
     event->key("file").text(options_.out);
-    event->key("format").text(formats::name_of(trace_->format()));
+    event->key("format").text(trace_->format().name);
     event->key("frames").number(trace_->frames());
     event->key("bad").number(trace_->bad());
-    event->key("fd_skipped").number(trace_->fd_skipped());
+    event->key("fd_skipped").number(trace_->fd_frames());
+    if (!out_->lost().empty()) event->key("not_kept").text(out_->lost());
     if (out_->early() != 0) event->key("early").number(out_->early());
     event.print();
   }
@@ -122,12 +126,17 @@ void add_convert_log(Verb& app) {
   const auto options = std::make_shared<ConvertOptions>();
   Verb& command = app.add_verb("convert-log", "Write the log of one CAN tool as that of another");
   command.add({
-      {"in", options->in, log_argument_text, required},
-      {"out", options->out, "a file that ends in .log (candump), .asc or .pcapng", required},
+      {"in", options->in, log_argument_text(), required},
+      {"out", options->out,
+       "a file whose end says the format: " + formats::trace_format_list(true) +
+           "; with .gz behind it, it is compressed",
+       required},
       {"--json", options->json, "one JSON object a line"},
   });
   command.add_examples(
       "  canvoy convert-log bus.log bus.asc\n"
+      "  canvoy convert-log bus.log bus.blf\n"
+      "  canvoy convert-log bus.asc bus.log.gz\n"
       "  canvoy convert-log bus.log bus.pcapng --json");
   command.runs([options] { return convert_log(*options); });
 }

@@ -23,8 +23,8 @@ void show_left_out(const LogOptions& options, const formats::TraceReader& trace)
   if (trace.bad() > 0) {
     fmt::print(stderr, "{}: {} lines or blocks could not be read\n", options.log, trace.bad());
   }
-  if (trace.fd_skipped() > 0) {
-    fmt::print(stderr, "{}: {} CAN FD frames are left out\n", options.log, trace.fd_skipped());
+  if (trace.fd_frames() > 0 && !options.out.empty()) {
+    fmt::print(stderr, "{}: {} CAN FD frames are left out\n", options.log, trace.fd_frames());
   }
 }
 
@@ -48,8 +48,9 @@ void show_without_match(const LogOptions& options, const FramePrinter& printer) 
 formats::TraceFormat format_of_other_log(const LogOptions& options) {
   if (options.printer.json) throw UsageError("--json prints lines, and --out writes a log");
   const std::optional<formats::TraceFormat> format = formats::trace_format_of(options.out);
-  if (!format) {
-    throw UsageError(fmt::format("'{}' ends like no log: .pcapng, .asc or .log", options.out));
+  if (!format || !format->is_written()) {
+    throw UsageError(fmt::format("'{}' ends like no log that is written: {}", options.out,
+                                 formats::trace_format_list(true)));
   }
   if (is_log_itself(options.log, options.out)) {
     throw UsageError(fmt::format("'{}' is the log itself", options.out));
@@ -67,13 +68,13 @@ class OtherLog {
     ok_or_throw(writer_.write(frame, meaning));
   }
   void finish() {
-    ok_or_throw(writer_.flush());
+    ok_or_throw(writer_.finish());
     ok_or_throw(draft_.finish());
     show_early(path_, writer_);
   }
 
  private:
-  OtherLog(const std::string& path, formats::TraceFormat format)
+  OtherLog(const std::string& path, const formats::TraceFormat& format)
       : path_(path),
         draft_(value_or_throw(host::FileDraft::begin(path))),
         writer_(value_or_throw(formats::TraceWriter::onto(draft_.descriptor(), path, format))) {}
@@ -104,6 +105,12 @@ class Output {
     if (meaning) log_->write(heard, *meaning);
     return meaning.has_value();
   }
+  bool show_fd(const formats::TraceFrame& heard) {
+    if (log_) return false;
+    const bool is_wanted = printer_.append_fd(lines_.lines(), heard);
+    lines_.pass_on();
+    return is_wanted;
+  }
   void flush() { lines_.flush(); }
   /// When the log that is read was good for something.
   void finish() {
@@ -117,12 +124,26 @@ class Output {
   std::optional<OtherLog> log_;
 };
 
+/// Frames of a command line as a log.
+std::string log_of(const std::vector<std::string>& frames) {
+  std::string log;
+  for (const std::string& frame : frames) log += fmt::format("(0.000000) can0 {}\n", frame);
+  return log;
+}
+
 }  // namespace
+
+std::string log_argument_text() {
+  return "a log: " + formats::trace_format_list() + ", each also as .gz; - for standard input";
+}
 
 int decode_log(const LogOptions& options) {
   // Of a pipe that is what ends it, and what has come is to be kept.
   if (!options.out.empty()) heed_interruption();
-  formats::TraceReader trace = value_or_throw(formats::TraceReader::open(options.log));
+  const std::string typed = log_of(options.frames);
+  formats::TraceReader trace =
+      value_or_throw(options.frames.empty() ? formats::TraceReader::open(options.log)
+                                            : formats::TraceReader::of(typed));
   Output output(options);
   {
     TraceProgress progress(trace, options.out.empty());
@@ -140,7 +161,9 @@ int decode_log(const LogOptions& options) {
       }
       if (!first) first = heard.time;
       if (options.limit && heard.time - *first > *options.limit) break;
-      if (output.show(heard)) ++shown;
+      const bool is_shown =
+          read == formats::TraceRead::fd ? output.show_fd(heard) : output.show(heard);
+      if (is_shown) ++shown;
     }
   }
   if (is_interrupted() && options.log != "-") throw Failure("interrupted");

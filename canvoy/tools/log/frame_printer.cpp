@@ -2,18 +2,24 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "canvoy/can/frame_text.hpp"
+#include "canvoy/formats/encoding.hpp"
 #include "canvoy/formats/plain_text.hpp"
 #include "canvoy/tools/ask/node_argument.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/sheet/described_nodes.hpp"
 #include "canvoy/tools/sheet/profile_argument.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
+#include "canvoy/tools/terminal_text.hpp"
 #include "canvoy/words/frame_line.hpp"
+#include "canvoy/words/object_words.hpp"
+#include "canvoy/words/value_text.hpp"
 
 namespace canvoy::tools {
 
@@ -99,7 +105,10 @@ void FramePrinterOptions::add_to(Verb& command) {
 }
 
 FramePrinter::FramePrinter(const FramePrinterOptions& options)
-    : transfers_(options.transfers), json_(options.json) {
+    : transfers_(options.transfers), json_(options.json), csv_(options.csv) {
+  constexpr std::size_t narrow_below = 120;
+  const std::size_t width = json_ || csv_ ? 0 : terminal_width(STDOUT_FILENO);
+  if (width != 0 && width < narrow_below) narrow_ = width;
   for (const std::string& text : options.readings) add_reading(text);
   for (const std::string& text : options.profiles) add_profile(text);
   for (const std::string& text : options.nodes) add_node(text);
@@ -158,6 +167,44 @@ void FramePrinter::add_sheet(const std::string& text) {
   any_bus_.add_sheet(sheet.sheet());
 }
 
+std::vector<std::string> FramePrinter::use_sheets_of(const std::string& folder) {
+  namespace fs = std::filesystem;
+  constexpr std::uintmax_t size_max = 8'000'000;
+  std::vector<std::string> names;
+  std::error_code none;
+  for (const fs::directory_entry& file : fs::directory_iterator(folder, none)) {
+    const std::string ending = file.path().extension().string();
+    const bool is_sheet = std::ranges::any_of(
+        std::array{".eds", ".dcf", ".xdd", ".xdc"},
+        [&ending](const char* each) { return formats::same_letters(ending, each); });
+    const std::uintmax_t size = is_sheet ? file.file_size(none) : 0;
+    if (is_sheet && !none && size <= size_max) names.push_back(file.path().filename().string());
+  }
+  std::ranges::sort(names);
+  if (names.size() > sheets_max) names.resize(sheets_max);
+  std::erase_if(names, [&](const std::string& name) { return !use_sheet(folder + "/" + name); });
+  return names;
+}
+
+/// False where it is of no node that could be told.
+bool FramePrinter::use_sheet(const std::string& path) {
+  try {
+    formats::Findings findings;
+    const formats::DataSheet read = read_sheet_file(path, findings);
+    const NodeId node = read.node_id();
+    const auto& sheet = sheets_.emplace_back(read, &any_bus_);
+    if (node != 0) {
+      add({.node = node, .sheet = &sheet.sheet()});
+      return true;
+    }
+    if (!sheet.sheet().identity.is_product()) return false;
+    any_bus_.add_sheet(sheet.sheet());
+    return true;
+  } catch (const Failure&) {
+    return false;
+  }
+}
+
 /// What is said of one bus goes before what is said of all.
 void FramePrinter::add(const Given& given) {
   if (!given.bus.empty()) return given_.push_back(given);
@@ -199,7 +246,7 @@ std::string_view FramePrinter::text_of(words::FrameDecoder& decoder,
 
 FramePrinter::Bus::Bus(std::string_view name,
                        const std::shared_ptr<words::FrameDecoder::Said>& said)
-    : name(formats::plain_text(name)), decoder(said) {}
+    : name(formats::plain_text(formats::as_utf8(name))), decoder(said) {}
 
 FramePrinter::Bus& FramePrinter::bus_of(std::string_view name) {
   return buses_.at(name, [this, name] { return make_bus(name); });
@@ -232,10 +279,95 @@ bool FramePrinter::append(std::string& lines, Duration time, std::string_view bu
   return words != nullptr;
 }
 
+void FramePrinter::append_narrow(std::string& lines, Duration time, const Bus& heard,
+                                 std::string_view frame, const words::FrameWords& words,
+                                 std::string_view text) {
+  if (first_bus_.empty()) first_bus_ = heard.name;
+  has_buses_ = has_buses_ || first_bus_ != heard.name;
+  const Duration since = time - first_.value_or(time);
+  words::append_narrow_line(lines, {since, has_buses_ ? heard.name : std::string_view{}, frame},
+                            words, text, narrow_);
+  lines += '\n';
+}
+
+namespace {
+
+/// As RFC 4180 has it.
+void append_cell(std::string& line, std::string_view text) {
+  if (text.find_first_of(",\"\n\r") == std::string_view::npos) {
+    line += text;
+    return;
+  }
+  line += '"';
+  for (const char c : text) {
+    if (c == '"') line += '"';
+    line += c;
+  }
+  line += '"';
+}
+
+/// A number without its unit, which has a column of its own; else the text.
+std::string cell_value(const decoder::DecodedValue& value) {
+  std::string text = words::value_text(value.entry, value.bytes());
+  if (value.entry == nullptr || value.entry->value.unit == Unit::none) return text;
+  const std::string unit = " " + std::string(symbol(value.entry->value.unit));
+  if (text.ends_with(unit)) text.resize(text.size() - unit.size());
+  return text;
+}
+
+}  // namespace
+
+void FramePrinter::append_csv(std::string& lines, Duration time, std::string_view bus,
+                              const words::FrameWords& words) {
+  if (!has_head_) lines += "time,bus,node,index,sub,name,value,unit\n";
+  has_head_ = true;
+  for (const decoder::DecodedValue& value : words.values) {
+    lines += fmt::format("{}.{:06},", time.count() / 1'000'000, time.count() % 1'000'000);
+    append_cell(lines, bus);
+    lines += fmt::format(",{},{:04X},{:02X},", words.node, value.index, value.sub);
+    append_cell(lines, words::object_name_text(value));
+    lines += ',';
+    append_cell(lines, cell_value(value));
+    lines += ',';
+    const bool has_unit = value.entry != nullptr && value.entry->value.unit != Unit::none;
+    if (has_unit) append_cell(lines, symbol(value.entry->value.unit));
+    lines += '\n';
+  }
+}
+
+bool FramePrinter::append_fd(std::string& lines, const formats::TraceFrame& heard) {
+  const words::FrameWords words{.service = "CAN FD"};
+  const Duration time = heard.time.time_since_epoch();
+  if (!is_wanted(time, heard.channel, heard.frame, words)) return false;
+  // `185##1`: identifier and flags, then the bytes.
+  std::string text = formats::hex(heard.frame.id, heard.frame.is_extended() ? 8 : 3);
+  text += fmt::format("##{:X}", heard.fd.flags);
+  for (std::size_t at = 0; at < heard.fd.length; ++at)
+    text += formats::hex(heard.fd.data.at(at), 2);
+  if (csv_) return false;
+  if (json_) {
+    frame_json_.append(lines, time, heard.channel, text, words, {});
+  } else if (narrow_ != 0) {
+    append_narrow(lines, time, bus_of(heard.channel), text, words,
+                  fmt::format("{} bytes", heard.fd.length));
+    return true;
+  } else {
+    words::append_frame_line(lines, {time, bus_of(heard.channel).name, text}, words,
+                             fmt::format("{} bytes", heard.fd.length));
+  }
+  lines += '\n';
+  return true;
+}
+
 void FramePrinter::append_words(std::string& lines, Duration time, std::string_view bus,
                                 const Frame& frame, const words::FrameWords& words) {
   Bus& heard = bus_of(bus);
   const FrameText text(frame);
+  if (csv_) return append_csv(lines, time, heard.name, words);
+  if (narrow_ != 0) {
+    append_narrow(lines, time, heard, text.view(), words, text_of(heard.decoder, words));
+    return;
+  }
   if (json_) {
     frame_json_.append(lines, time, bus, text.view(), words, text_of(heard.decoder, words));
   } else {

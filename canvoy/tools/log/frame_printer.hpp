@@ -16,6 +16,7 @@
 #include "canvoy/decoder/bus_table.hpp"
 #include "canvoy/decoder/sheet_profile.hpp"
 #include "canvoy/formats/sheet/chosen_profile.hpp"
+#include "canvoy/formats/trace/trace.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/filter/filter.hpp"
 #include "canvoy/words/frame_decoder.hpp"
@@ -33,6 +34,7 @@ struct FramePrinterOptions {
   std::vector<std::string> filters = {};
   bool transfers = false;  ///< one line for each SDO transfer
   bool json = false;
+  bool csv = false;  ///< a row for each value in place of a line for each frame
 
   void add_to(Verb& command);
   /// Only what says of nodes what they are, or which frames are wanted: for who prints no lines.
@@ -45,8 +47,16 @@ class FramePrinter {
   /// Throws UsageError where an option makes no sense.
   explicit FramePrinter(const FramePrinterOptions& options);
 
+  /// The data sheets of a folder, each for the node that it is of (a DCF), or for those that tell
+  /// its identity; at most `sheets_max`. Their names; what is none, or cannot be read, is passed
+  /// over.
+  static constexpr std::size_t sheets_max = 64;
+  std::vector<std::string> use_sheets_of(const std::string& folder);
+
   /// `time` counts from 1970. Whether a line was added: no filter may have wanted it.
   bool append(std::string& lines, Duration time, std::string_view bus, const Frame& frame);
+  /// The same of a frame of CAN FD, which says nothing in CANopen: raw, as candump writes it.
+  bool append_fd(std::string& lines, const formats::TraceFrame& heard);
   /// What would be printed behind the frame; nothing where no filter wants it.
   std::optional<std::string> describe(Duration time, std::string_view bus, const Frame& frame);
   /// The same without a line, and whether a filter wants it or not.
@@ -88,6 +98,7 @@ class FramePrinter {
   void add_profile(const std::string& text);
   void add_node(const std::string& text);
   void add_sheet(const std::string& text);
+  bool use_sheet(const std::string& path);
   void add_filters(const std::vector<std::string>& filters);
   void add(const Given& given);
   static void tell(decoder::Network& network, const Given& given);
@@ -101,6 +112,10 @@ class FramePrinter {
   Bus& bus_of(std::string_view name);
   words::FrameDecoder& decoder_of(std::string_view bus) { return bus_of(bus).decoder; }
   std::unique_ptr<Bus> make_bus(std::string_view name);
+  void append_csv(std::string& lines, Duration time, std::string_view bus,
+                  const words::FrameWords& words);
+  void append_narrow(std::string& lines, Duration time, const Bus& heard, std::string_view frame,
+                     const words::FrameWords& words, std::string_view text);
   std::string_view text_of(words::FrameDecoder& decoder, const words::FrameWords& words) const;
   bool is_wanted(Duration time, std::string_view bus, const Frame& frame,
                  const words::FrameWords& words);
@@ -115,6 +130,11 @@ class FramePrinter {
   std::optional<Duration> first_;  ///< when the first frame came
   bool transfers_;
   bool json_;
+  bool csv_;
+  bool has_head_ = false;   ///< of CSV
+  std::size_t narrow_ = 0;  ///< columns of a terminal that has few; else 0
+  std::string first_bus_;
+  bool has_buses_ = false;
   words::FrameJson frame_json_;
 };
 

@@ -1,6 +1,7 @@
 // canvoy plot LOG OBJECT...: values over time, in their units.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <deque>
 #include <map>
@@ -22,6 +23,7 @@
 #include "canvoy/tools/png_file.hpp"
 #include "canvoy/tools/spelling.hpp"
 #include "canvoy/tools/terminal/screen.hpp"
+#include "canvoy/tools/terminal_text.hpp"
 #include "canvoy/tools/value_file.hpp"
 #include "canvoy/words/json_line.hpp"
 #include "canvoy/words/object_words.hpp"
@@ -93,7 +95,7 @@ class Plot {
     formats::TraceReader trace = value_or_throw(formats::TraceReader::open(options_.log));
     formats::TraceFrame heard;
     for (auto read = trace.next(heard); read != formats::TraceRead::end; read = trace.next(heard)) {
-      if (read == formats::TraceRead::bad) continue;
+      if (read != formats::TraceRead::frame) continue;
       const Duration time = heard.time.time_since_epoch();
       const words::FrameWords* words = printer_.look(time, heard.channel, heard.frame);
       if (words == nullptr) continue;
@@ -241,7 +243,7 @@ int plot(const PlotOptions& options) {
     return exit_done;
   }
   const Screen::Size size = Screen::size();
-  fmt::print("{}", plot_text(series, size.columns, size.rows - 2));
+  fmt::print("{}", plot_text(series, size.columns, size.rows - 2, wants_colour(STDOUT_FILENO)));
   return exit_done;
 }
 
@@ -251,7 +253,7 @@ void add_plot(Verb& app) {
   const auto options = std::make_shared<PlotOptions>();
   Verb& command = app.add_verb("plot", "Show values of a log over time");
   command.add({
-      {"log", options->log, "candump, ASC, BLF, TRC, pcap, pcapng, CSV; - is a pipe", required},
+      {"log", options->log, log_argument_text(), required},
       {"objects", options->objects, "6010, 6020:02, or a part of a name: temperature", required},
       {"--out", options->out,
        "write a picture into this file: .svg or .png (default: on the terminal)"},

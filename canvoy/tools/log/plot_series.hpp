@@ -69,7 +69,8 @@ std::string plot_svg(std::span<const PlotSeries> series, const std::string& titl
 /// The same as dots, for a PNG.
 Picture plot_dots(std::span<const PlotSeries> series, const std::string& title);
 /// The same in characters of Braille, for a terminal.
-std::string plot_text(std::span<const PlotSeries> series, unsigned columns, unsigned rows);
+std::string plot_text(std::span<const PlotSeries> series, unsigned columns, unsigned rows,
+                      bool coloured = false);
 
 /// Those of one unit together, in the order in which the units come first.
 std::vector<std::vector<const PlotSeries*>> plot_panels(std::span<const PlotSeries> series);

@@ -25,11 +25,12 @@ void show_early(const std::string& out, const formats::TraceWriter& writer) {
 void refuse_log_without_frames(const std::string& log, const formats::TraceReader& trace) {
   if (trace.frames() > 0) return;
   if (trace.position() == 0) throw Failure(log + ": it is empty");
-  if (trace.fd_skipped() > 0) {
-    throw Failure(fmt::format("{}: all {} frames in it are of CAN FD", log, trace.fd_skipped()));
+  if (trace.fd_frames() > 0) {
+    throw Failure(fmt::format("{}: all {} frames in it are of CAN FD, which CANopen does not use",
+                              log, trace.fd_frames()));
   }
   throw Failure(fmt::format("{}: no frame can be read in it, though it looks like a {}", log,
-                            formats::name_of(trace.format())));
+                            trace.format().name));
 }
 
 bool is_log_itself(const std::string& log, const std::string& out) {

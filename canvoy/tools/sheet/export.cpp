@@ -1,6 +1,7 @@
 // canvoy export dbc|csv|html WHAT: what nodes have and say, for tools that know nothing of CANopen.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <memory>
@@ -11,6 +12,8 @@
 #include "canvoy/formats/signals/signal_html.hpp"
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/tools/ask/node_argument.hpp"
+#include "canvoy/tools/ask/typed_words.hpp"
+#include "canvoy/tools/bus/node_sweep.hpp"
 #include "canvoy/tools/bus/session.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/duration_argument.hpp"
@@ -53,7 +56,37 @@ std::vector<DescribedNode> node_on_bus(const TableOptions& options) {
   return {read};
 }
 
+/// All that answer, one after the other.
+std::vector<DescribedNode> nodes_on_bus(const TableOptions& options) {
+  const std::string& bus = options.what.front();
+  const Duration length = parse_duration_argument(options.time_out);
+  Session session(bus, length);
+  std::vector<NodeId> found;
+  {
+    NodeSweep sweep(session);
+    sweep.ask_all();
+    sweep.listen_until(session.loop().now() + length);
+    for (const NodeSweep::Found& node : sweep.found()) {
+      if (node.answers) found.push_back(node.id);
+    }
+    session.hear({});
+  }
+  std::vector<DescribedNode> nodes;
+  for (const NodeId id : found) {
+    if (::isatty(STDERR_FILENO) == 1) fmt::print(stderr, "reads node {} ({:02X}h)\n", id, id);
+    NodeReader reader(session, id, {.bus = bus});
+    DescribedNode& node = nodes.emplace_back(DescribedNode{.id = id, .sheet = reader.read()});
+    node.name = node.sheet.text("DeviceInfo", "ProductName");
+    if (node.name.empty()) node.name = fmt::format("node {}", id);
+  }
+  if (nodes.empty()) {
+    throw Failure(fmt::format("{}: no node answers within {}", bus, options.time_out));
+  }
+  return nodes;
+}
+
 std::vector<DescribedNode> wanted_nodes(const TableOptions& options) {
+  if (options.what.size() == 1 && names_bus(options.what.front())) return nodes_on_bus(options);
   if (is_node_on_bus(options.what)) return node_on_bus(options);
   std::vector<DescribedNode> nodes;
   for (const std::string& text : options.what) {
@@ -124,8 +157,9 @@ void add_export_table(Verb& app) {
        {.is_required = true, .allowed = OneOf{"dbc", "csv", "html"}}},
       {"what", options->what,
        "a device of canvoy device --list, a data sheet, several of them with their "
-       "node-IDs (5=charger 10=pump.eds), a network file, a bus and a node (can0 10), or "
-       "a profile of which the messages have CAN-IDs (417-4)",
+       "node-IDs (5=charger 10=pump.eds), a network file, a bus (can0: all nodes that answer), a "
+       "bus "
+       "and a node (can0 10), or a profile of which the messages have CAN-IDs (417-4)",
        required},
       {"--bus", options->bus, "of a network file with several buses"},
       {"--sdo", options->sdo,
@@ -140,7 +174,8 @@ void add_export_table(Verb& app) {
       "  canvoy export csv battery.eds\n"
       "  canvoy export html house.toml --bus lift1 --out house.html\n"
       "  canvoy export dbc 417-4\n"
-      "  canvoy export dbc can0 10 --out node10.dbc");
+      "  canvoy export dbc can0 10 --out node10.dbc\n"
+      "  canvoy export dbc can0 --out can0.dbc");
   command.runs([options] { return export_table(*options); });
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "canvoy/formats/eds/eds_writer.hpp"
 #include "canvoy/formats/plain_text.hpp"
 #include "canvoy/formats/xdd/xdd.hpp"
@@ -10,6 +12,29 @@
 #include "canvoy/tools/value_file.hpp"
 
 namespace canvoy::tools {
+
+namespace {
+
+/// Why a file is no data sheet of a device: where, and what to do.
+std::string without_objects(const std::string& path, const formats::DataSheet& sheet,
+                            const formats::Findings& findings) {
+  const bool is_sheet =
+      sheet.section("FileInfo") != nullptr || sheet.section("DeviceInfo") != nullptr;
+  if (is_sheet) {
+    return fmt::format(
+        "{}: it is a template without objects: describe those of the device, as [1000] with "
+        "ParameterName, ObjectType, DataType and AccessType, and list them in [MandatoryObjects]",
+        path);
+  }
+  const auto first =
+      std::ranges::find(findings, formats::Finding::Weight::error, &formats::Finding::weight);
+  if (first != findings.end()) {
+    return finding_text(path, *first) + ": is it an EDS, DCF, XDD or XDC?";
+  }
+  return fmt::format("{}: no object is described here: is it an EDS, DCF, XDD or XDC?", path);
+}
+
+}  // namespace
 
 formats::DataSheet parse_sheet_text(std::string_view text, formats::Findings& findings) {
   return formats::is_xml(text) ? formats::read_xdd(text, findings)
@@ -21,8 +46,7 @@ formats::DataSheet read_sheet_file(const std::string& path, formats::Findings& f
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   formats::DataSheet sheet = parse_sheet_text(text, findings);
   if (!sheet.objects.empty()) return sheet;
-  throw Failure(
-      fmt::format("{}: no object is described here: is it an EDS, DCF, XDD or XDC?", path));
+  throw Failure(without_objects(path, sheet, findings));
 }
 
 std::string sheet_text(const formats::DataSheet& sheet, const std::string& path) {

@@ -1,0 +1,13 @@
+// Frames as objects of Vector's BLF, in containers that zlib compresses.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "canvoy/formats/trace/trace_encoder.hpp"
+
+namespace canvoy::formats {
+
+std::unique_ptr<TraceEncoder> make_blf_encoder(std::optional<Time> begin);
+
+}  // namespace canvoy::formats

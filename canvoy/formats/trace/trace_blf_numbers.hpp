@@ -1,0 +1,31 @@
+// Numbers of Vector's BLF, for its reader and its writer.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace canvoy::formats {
+
+inline constexpr std::string_view blf_file_mark = "LOGG";
+inline constexpr std::string_view blf_object_mark = "LOBJ";
+inline constexpr std::size_t blf_header_size = 144;
+inline constexpr std::size_t blf_base_size = 16;
+inline constexpr std::size_t blf_object_header_size = 32;
+inline constexpr std::size_t blf_container_header_size = 32;
+
+enum class BlfKind : std::uint32_t {
+  message = 1,
+  error = 2,
+  container = 10,
+  error_ext = 73,
+  message_2 = 86,
+  fd_message = 100,
+  fd_message_64 = 101,
+};
+
+/// Of the flags of a message.
+inline constexpr std::uint8_t blf_sent_bit = 0x01;
+inline constexpr std::uint8_t blf_remote_bit = 0x80;
+
+}  // namespace canvoy::formats
