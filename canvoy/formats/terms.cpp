@@ -6,7 +6,6 @@
 #include <array>
 #include <bit>
 
-
 namespace canvoy::formats {
 
 namespace {
