@@ -7,6 +7,7 @@
 #include "canvoy/formats/gtfs/feed_reader.hpp"
 #include "canvoy/sim/bus/bus_depot.hpp"
 #include "canvoy/sim/bus/line_of_feed.hpp"
+#include "canvoy/sim/duration_text.hpp"
 #include "canvoy/tools/interruption.hpp"
 #include "canvoy/tools/run/bus_realtime.hpp"
 #include "canvoy/tools/run/bus_text.hpp"
