@@ -86,7 +86,7 @@ LiveSource::Json LiveBus::state() {
 /// To look on sends nothing: also a question is a frame on the bus.
 void LiveBus::act(std::string_view what, const Json& arguments, const Done& done) {
   if (what == "read" && permission().is_empty()) {
-    throw UsageError(
+    throw NotAllowed(
         "a question is a frame on the bus: start the command with --allow-write, if only of one "
         "object");
   }

@@ -136,7 +136,7 @@ void add_convert_log(Verb& app) {
   command.add_examples(
       "  canvoy convert-log bus.log bus.asc\n"
       "  canvoy convert-log bus.log bus.blf\n"
-      "  canvoy convert-log bus.asc bus.log.gz\n"
+      "  canvoy convert-log bus.log bus.asc.gz\n"
       "  canvoy convert-log bus.log bus.pcapng --json");
   command.runs([options] { return convert_log(*options); });
 }

@@ -61,18 +61,12 @@ std::vector<DescribedNode> nodes_on_bus(const TableOptions& options) {
   const std::string& bus = options.what.front();
   const Duration length = parse_duration_argument(options.time_out);
   Session session(bus, length);
-  std::vector<NodeId> found;
-  {
-    NodeSweep sweep(session);
-    sweep.ask_all();
-    sweep.listen_until(session.loop().now() + length);
-    for (const NodeSweep::Found& node : sweep.found()) {
-      if (node.answers) found.push_back(node.id);
-    }
-    session.hear({});
-  }
+  NodeSweep sweep(session);
+  sweep.ask_all();
+  sweep.listen_until(session.loop().now() + length);
   std::vector<DescribedNode> nodes;
-  for (const NodeId id : found) {
+  for (const auto& [id, is_heard, answers, state, device_type] : sweep.found()) {
+    if (!answers) continue;
     if (::isatty(STDERR_FILENO) == 1) fmt::print(stderr, "reads node {} ({:02X}h)\n", id, id);
     NodeReader reader(session, id, {.bus = bus});
     DescribedNode& node = nodes.emplace_back(DescribedNode{.id = id, .sheet = reader.read()});

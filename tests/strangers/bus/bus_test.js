@@ -129,9 +129,9 @@ async function readsAText(device) {
 }
 
 // The status and the body. Node.js' own fetch wants a compiler, which it has none of here.
-function get(url) {
+function get(url, token) {
   return new Promise((resolve, reject) => {
-    http.get(url, (response) => {
+    http.get(url, {headers: {Authorization: `Bearer ${token}`}}, (response) => {
       let body = '';
       response.on('data', (text) => (body += text)).on('end', () => resolve({status: response.statusCode, body}));
     }).on('error', reject);
@@ -142,9 +142,9 @@ function get(url) {
 async function isViewed() {
   const view = new Program([], command, 'view', BUS, '--profile', '407');
   await view.says(/\n/);
-  const url = view.out.trim();
+  const [url, token] = view.out.trim().split('?token=');
   const operational = async () => {
-    const nodes = JSON.parse((await get(`${url}api/nodes`)).body);
+    const nodes = JSON.parse((await get(`${url}api/nodes`, token)).body);
     return nodes.filter(({state}) => state === 'operational').map(({node}) => node);
   };
   const giveUp = Date.now() + PATIENCE_MS;
@@ -152,7 +152,7 @@ async function isViewed() {
     assert.ok(Date.now() < giveUp, `operational: ${there}`);
     await sleep(100);
   }
-  assert.strictEqual((await get(`${url}api/networks/${BUS}/nodes/${CANCELLER}/objects/1000`)).status, 400);
+  assert.strictEqual((await get(`${url}api/networks/${BUS}/nodes/${CANCELLER}/objects/1000`, token)).status, 405);
   await view.end();
 }
 
