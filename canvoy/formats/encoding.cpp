@@ -17,7 +17,7 @@ constexpr std::array<char16_t, 32> windows_1252_characters = {
     0x2039, 0x0152, 0xFFFD, 0x017D, 0xFFFD, 0xFFFD, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
     0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0xFFFD, 0x017E, 0x0178};
 
-std::uint8_t byte_at(std::string_view bytes, std::size_t at) {
+std::uint8_t octet_at(std::string_view bytes, std::size_t at) {
   return static_cast<std::uint8_t>(bytes[at]);
 }
 
@@ -49,14 +49,14 @@ std::size_t put_utf8(char32_t character, char* into) {
 
 /// How many bytes the character at the front takes; 0 where it is none.
 std::size_t utf8_length(std::string_view text) {
-  const std::uint8_t first = byte_at(text, 0);
+  const std::uint8_t first = octet_at(text, 0);
   if (first < 0x80) return 1;
   const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
   if (first < 0xC2 || first > 0xF4 || text.size() < length) return 0;
   char32_t character = first & (0xFFU >> (length + 1));
   for (std::size_t i = 1; i < length; ++i) {
-    if ((byte_at(text, i) & 0xC0U) != 0x80) return 0;
-    character = character << 6 | (byte_at(text, i) & 0x3FU);
+    if ((octet_at(text, i) & 0xC0U) != 0x80) return 0;
+    character = character << 6 | (octet_at(text, i) & 0x3FU);
   }
   constexpr std::array<char32_t, 5> least = {0, 0, 0x80, 0x800, 0x10000};
   const bool is_half = character >= 0xD800 && character <= 0xDFFF;
@@ -157,8 +157,8 @@ DecodedText decode_text(std::string_view bytes) {
 RecodeStep recode_utf16(std::string_view bytes, bool big_endian, bool last, std::span<char> into) {
   RecodeStep step;
   const auto unit = [&](std::size_t at) -> char32_t {
-    const unsigned first = byte_at(bytes, at);
-    const unsigned second = byte_at(bytes, at + 1);
+    const unsigned first = octet_at(bytes, at);
+    const unsigned second = octet_at(bytes, at + 1);
     return big_endian ? first << 8 | second : second << 8 | first;
   };
   while (into.size() - step.made >= character_max) {

@@ -11,7 +11,7 @@ namespace canvoy::formats {
 
 namespace {
 
-constexpr unsigned sub_last = 254;
+constexpr unsigned module_sub_last = 254;
 constexpr unsigned modules_max = 1024;
 constexpr std::size_t digits_of_index = 4;
 
@@ -176,7 +176,7 @@ class Modules {
   void extend(const IniSection& section, std::uint16_t index) {
     const std::string_view text = section.value("Count").value_or("1");
     const auto count = sheet_number(text);
-    if (!count || count->number < 1 || count->number > std::int64_t{sub_last}) {
+    if (!count || count->number < 1 || count->number > std::int64_t{module_sub_last}) {
       return complain(section.number, section.name, fmt::format("Count is '{}'", text),
                       "a number of entries, 1 to 254: others are not made");
     }
@@ -202,7 +202,7 @@ class Modules {
     }
     unsigned last = object.subs.rbegin()->first;
     for (std::int64_t made = 0; made < count->number; ++made) {
-      if (++last > sub_last) {
+      if (++last > module_sub_last) {
         return complain(section.number, section.name,
                         fmt::format("{:04X}h has no room for more entries", index), "254 at most");
       }

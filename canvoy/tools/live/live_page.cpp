@@ -40,7 +40,7 @@ struct Asked {
 };
 
 /// The whole text as a decimal number.
-std::optional<std::uint64_t> number_of(std::string_view text) {
+std::optional<std::uint64_t> whole_number(std::string_view text) {
   std::uint64_t number = 0;
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, number);
@@ -61,7 +61,7 @@ std::optional<Asked> asked_of_node(const Segments& path, const web::WebRequest& 
   const bool posts = request.method == "POST";
   Asked asked;
   if (posts) asked.arguments = body_of(request);
-  const std::optional<std::uint64_t> node = number_of(path[4]);
+  const std::optional<std::uint64_t> node = whole_number(path[4]);
   if (!node || *node > node_id_max) {
     throw UsageError(fmt::format("'{}' is no node-ID", path[4]));
   }
@@ -95,7 +95,7 @@ std::optional<Asked> asked_of_run(const Segments& path, const web::WebRequest& r
 
 std::uint64_t since(const web::WebRequest& request) {
   const std::string_view text = request.target.value("since").value_or("0");
-  const std::optional<std::uint64_t> number = number_of(text);
+  const std::optional<std::uint64_t> number = whole_number(text);
   if (!number) throw UsageError(fmt::format("since: '{}' is no number of an event", text));
   return *number;
 }
