@@ -83,8 +83,8 @@ bool is_found(const Findings& findings, Finding::Weight weight, std::string_view
 }
 
 struct Sheet {
+  Findings findings;  // filled while the sheet is read
   DataSheet sheet;
-  Findings findings;
 
   explicit Sheet(std::string_view text) : sheet(read_eds(text, findings)) {
     check_sheet(sheet, nullptr, findings);
