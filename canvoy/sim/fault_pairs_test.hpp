@@ -15,6 +15,7 @@
 
 #include "canvoy/can/testing/tries_all.hpp"
 #include "canvoy/can/time.hpp"
+#include "canvoy/sim/fault.hpp"
 
 namespace canvoy {
 
