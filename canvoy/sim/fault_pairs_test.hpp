@@ -16,6 +16,7 @@
 #include "canvoy/can/testing/tries_all.hpp"
 #include "canvoy/can/time.hpp"
 #include "canvoy/sim/fault.hpp"
+#include "canvoy/sim/invariant.hpp"
 
 namespace canvoy {
 
