@@ -35,20 +35,24 @@ class TestTimes(unittest.TestCase):
     def test_a_folder_without_tests_has_no_times(self):
         self.assertEqual(test_times.read(self.folder / "none"), {})
 
-    def test_a_kind_that_takes_twice_its_time_is_found(self):
-        kinds = test_times.by_kind(test_times.read(self.folder))
-        self.assertEqual(cpu_time.complaints(kinds, {"canopen": 12.5, "cli": 0.1}, 1.0), [])
-        findings = cpu_time.complaints(kinds, {"canopen": 12.0, "cli": 0.1}, 1.0)
-        self.assertEqual(len(findings), 1)
-        self.assertIn("canopen: 2 tests took 24 s of a processor, 24 at most", findings[0])
+    LIMITS = {"can": 1.0, "canopen": 30.0, "devices": 20.0, "sim": 200.0, "cli": 60.0, "embed": 90.0}
 
-    def test_a_slower_machine_has_more_time(self):
-        kinds = test_times.by_kind(test_times.read(self.folder))
-        self.assertEqual(cpu_time.complaints(kinds, {"canopen": 6.5, "cli": 0.1}, 2.0), [])
+    def kinds(self, scale, **others):
+        """As long as their limits are, times `scale`, but for the others."""
+        seconds = {kind: limit * scale for kind, limit in self.LIMITS.items()} | others
+        return {kind: test_times.Times(2, each, each) for kind, each in seconds.items()}
+
+    def test_a_kind_that_takes_twice_its_time_is_found(self):
+        self.assertEqual(cpu_time.complaints(self.kinds(1, devices=40.0, can=9.0), self.LIMITS), [])
+        findings = cpu_time.complaints(self.kinds(1, devices=41.0), self.LIMITS)
+        self.assertEqual(findings, ["devices: 2 tests took 41 s of a processor, 40 at most"])
+
+    def test_a_slower_machine_has_more_time_and_finds_the_same(self):
+        self.assertEqual(cpu_time.complaints(self.kinds(3, cli=359.0), self.LIMITS), [])
+        self.assertIn("cli: ", cpu_time.complaints(self.kinds(3, cli=361.0), self.LIMITS)[0])
 
     def test_a_kind_without_a_line_is_found(self):
-        kinds = test_times.by_kind(test_times.read(self.folder))
-        self.assertIn("cli: no line", cpu_time.complaints(kinds, {"canopen": 30.0}, 1.0)[0])
+        self.assertIn("web: no line", cpu_time.complaints(self.kinds(1, web=1.0), self.LIMITS)[0])
 
 
 if __name__ == "__main__":

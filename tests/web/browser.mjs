@@ -32,21 +32,22 @@ if (!chromium_path) skip("there is no chromium");
 /** Starts the command, and looks at nothing that it says. */
 export const start = (...command) => spawn(canvoy, command, { stdio: ["pipe", "ignore", "inherit"] });
 
-/** Starts the command; gives its address and what ends it. */
+/** Starts the command; gives its address and what ends it, also where it has ended by itself. */
 export async function serve(...command) {
   const child = spawn(canvoy, command, { stdio: ["ignore", "pipe", "inherit"] });
+  const gone = new Promise((resolve) => child.once("close", resolve));
+  let text = "";
   const url = await new Promise((resolve, reject) => {
-    child.stdout.once("data", (data) => resolve(String(data).trim()));
-    child.once("exit", (code) => reject(new Error(`canvoy ended with ${code}`)));
-  });
-  child.removeAllListeners("exit");
-  const end = () =>
-    new Promise((resolve) => {
-      let text = "";
-      child.stdout.on("data", (data) => (text += data));
-      child.once("exit", (code) => resolve({ code, text }));
-      child.kill("SIGTERM");
+    child.stdout.once("data", (data) => {
+      child.stdout.on("data", (more) => (text += more));
+      resolve(String(data).trim());
     });
+    gone.then((code) => reject(new Error(`canvoy ended with ${code}`)));
+  });
+  const end = async () => {
+    child.kill("SIGTERM");
+    return { code: await gone, text };
+  };
   return { url, end, pid: child.pid };
 }
 

@@ -229,6 +229,7 @@ TraceRead TraceReader::next(TraceFrame& frame) {
     pass(step.taken);
     switch (step.item) {
       case TraceItem::frame:
+        if (frame.time > trace_time_max) return found_bad("its time is behind the year 3999");
         ++frames_;
         return TraceRead::frame;
       case TraceItem::bad:

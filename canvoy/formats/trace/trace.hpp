@@ -11,6 +11,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -58,6 +59,11 @@ enum class TraceRead : std::uint8_t {
 };
 
 class TraceParser;
+
+/// The end of the year 3999. A frame with a later time is none that can be read: no format but text
+/// would hold it.
+inline constexpr Time trace_time_max =
+    Time{std::chrono::sys_days{std::chrono::year{4000} / 1 / 1}.time_since_epoch()} - Duration{1};
 
 /// Reads a trace from a file, a pipe or memory. Nothing that stands in it is fatal. Text may be
 /// UTF-16 with a byte order mark, and its lines may end with a carriage return alone.

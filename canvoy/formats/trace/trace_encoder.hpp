@@ -25,17 +25,22 @@ class TraceEncoder {
 
   /// Frames that are earlier than what the format can say.
   std::uint64_t early() const { return early_; }
+  /// Frames that are later.
+  std::uint64_t late() const { return late_; }
 
  protected:
-  /// The time, or `first` where it is before that.
-  Duration time_from(const TraceFrame& frame, Duration first) {
+  /// The time, or `first` where it is before that, or `last` where it is behind.
+  Duration time_from(const TraceFrame& frame, Duration first,
+                     Duration last = trace_time_max.time_since_epoch()) {
     const Duration time = frame.time.time_since_epoch();
     if (time < first) ++early_;
-    return std::max(time, first);
+    if (time > last) ++late_;
+    return std::clamp(time, first, std::max(first, last));
   }
 
  private:
   std::uint64_t early_ = 0;
+  std::uint64_t late_ = 0;
 };
 
 /// Of formats that count from a beginning: the second of the first frame, or of `begin`.
@@ -47,7 +52,8 @@ class TraceStart {
   Duration value() const { return *start_; }
   /// Whole seconds since 1970.
   void set(const TraceFrame& first) {
-    const Duration time = std::max(begin_.value_or(first.time).time_since_epoch(), Duration{});
+    const Duration time = std::clamp(begin_.value_or(first.time).time_since_epoch(), Duration{},
+                                     trace_time_max.time_since_epoch());
     start_ = std::chrono::floor<std::chrono::seconds>(time);
   }
 

@@ -16,6 +16,8 @@ namespace {
 constexpr std::size_t pcap_header_size = 24;
 constexpr std::size_t packet_header_size = 16;
 constexpr std::size_t link_type_at = 20;
+/// Seconds have 32 bits.
+constexpr Duration time_max = std::chrono::seconds{0xFFFF'FFFF} + Duration{999'999};
 constexpr std::uint32_t link_type_mask = 0x0FFF'FFFF;
 
 class PcapParser final : public TraceParser {
@@ -84,7 +86,7 @@ class PcapEncoder final : public TraceEncoder {
     append_little(bytes, link_type_can, 4);
   }
   void append(std::string& bytes, const TraceFrame& frame, std::string_view) override {
-    const auto time = static_cast<std::uint64_t>(time_from(frame, Duration{}).count());
+    const auto time = static_cast<std::uint64_t>(time_from(frame, Duration{}, time_max).count());
     packet_.clear();
     append_can_packet(packet_, frame.frame);
     append_little(bytes, time / 1'000'000, 4);

@@ -87,6 +87,10 @@ std::uint64_t TraceWriter::early() const {
   return encoder_->early();
 }
 
+std::uint64_t TraceWriter::late() const {
+  return encoder_->late();
+}
+
 std::string TraceWriter::lost() const {
   return trace_lack_text(lost_);
 }

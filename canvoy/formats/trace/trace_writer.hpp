@@ -48,6 +48,9 @@ class TraceWriter {
   host::Result<void> finish();
   /// Frames that are earlier than the beginning of the file, or than 1970: they have its time.
   std::uint64_t early() const;
+  /// Frames that are later than what the format can say (pcap: 2106; BLF: 584 years behind its
+  /// beginning; all but candump's: trace_time_max): they have the latest time that it can.
+  std::uint64_t late() const;
   /// What was said of the frames so far and is not in the log: "comments, names of buses".
   std::string lost() const;
   /// Bytes in the file.

@@ -95,6 +95,37 @@ TEST(TraceWriter, CountsFramesBeforeTheBeginningOfTheFile) {
   }
 }
 
+TEST(TraceWriter, KeepsTheLatestTimeOrCountsIt) {
+  const Time pcap_end{std::chrono::seconds{0xFFFF'FFFF}};
+  for (const Time latest : {pcap_end, pcap_end + 1s, trace_time_max}) {
+    for (const TraceFormat* format : trace_formats()) {
+      if (!format->is_written()) continue;
+      const TemporaryFile file;
+      std::uint64_t late = 0;
+      {
+        auto writer = TraceWriter::create(file.path(), *format);
+        for (const Time time : {Time{}, latest})
+          EXPECT_TRUE(writer->write({time, Frame::data_frame(1, {}), "can0"}));
+        late = writer->late();
+      }
+      auto reader = TraceReader::open(file.path());
+      TraceFrame read;
+      EXPECT_EQ(reader->next(read), TraceRead::frame);
+      ASSERT_EQ(reader->next(read), TraceRead::frame) << format->name << reader->problem();
+      EXPECT_EQ(read.time == latest, late == 0) << format->name;
+    }
+  }
+}
+
+TEST(TraceReader, RefusesATimeThatNoOtherFormatCouldHold) {
+  auto reader = TraceReader::of("(64060588799.999999) can0 001#\n(64060588800.000000) can0 001#\n");
+  TraceFrame read;
+  EXPECT_EQ(reader->next(read), TraceRead::frame);
+  EXPECT_EQ(read.time, trace_time_max);
+  EXPECT_EQ(reader->next(read), TraceRead::bad);
+  EXPECT_EQ(reader->problem(), "its time is behind the year 3999");
+}
+
 TEST(TraceWriter, WritesWhatCandumpWrites) {
   EXPECT_EQ(written(TraceFormat::candump, some_frames()),
             "(1700000000.000000) can0 185#1E2F\n"

@@ -71,11 +71,12 @@ LiveWorld::LiveWorld(LiveWorldOptions options, const PlayOptions& play, WritePer
   build();
 }
 
-LiveWorld::~LiveWorld() = default;
+LiveWorld::~LiveWorld() {
+  loop_.cancel(real_timer_);
+}
 
 void LiveWorld::build() {
   desks_.clear();
-  bridges_.clear();
   taps_.clear();
   log_.reset();
   made_ = options_.make(options_.plan);
@@ -89,11 +90,9 @@ void LiveWorld::build() {
                               static_cast<Tap*>(self)->hear(at, frame);
                             }});
   }
-  for (const RealBus& each : play_.real) {
-    BusBridge& bridge = bridges_.emplace_back(world(), each.bus, loop_, each.address);
-    bridge.real().on_trouble(
-        [](const host::Error& error) { fmt::print(stderr, "canvoy: {}\n", error.line()); });
-    world().start(bridge.slot());
+  if (has_real()) {
+    real_ = std::make_unique<RealBuses>(world(), play_.real, loop_);
+    run_beside_real_buses();
   }
   done_ = 0;
   judged_at_ = never;
@@ -149,7 +148,7 @@ LiveSource::Json LiveWorld::description() {
 }
 
 void LiveWorld::advance(Time clock) {
-  const Time wanted = playback_.wanted(clock);
+  const Time wanted = has_real() ? now() : playback_.wanted(clock);
   const auto begun = Clock::now();
   while (now() < wanted && Clock::now() - begun < world_work_most) {
     run_until(std::min(wanted, now() + slice));
@@ -170,6 +169,14 @@ void LiveWorld::run_until(Time until) {
   network().run_until(until);
 }
 
+/// More often than people look: who is out there waits milliseconds for an answer.
+void LiveWorld::run_beside_real_buses() {
+  real_timer_ = loop_.at(loop_.now() + RealBuses::period, [this](Time clock) {
+    run_until(std::min(playback_.end(), real_->reach(clock)));
+    if (now() < playback_.end()) run_beside_real_buses();
+  });
+}
+
 void LiveWorld::take_events() {
   for (; told_ < network().event_count(); ++told_) {
     events_.add(network().event(told_));
@@ -177,10 +184,12 @@ void LiveWorld::take_events() {
 }
 
 LiveSource::Json LiveWorld::play_json() {
-  return {{"speed", playback_.speed()},
-          {"paused", playback_.is_paused()},
-          {"seeking", playback_.is_seeking()},
-          {"over", playback_.is_over()}};
+  Json play = {{"speed", playback_.speed()},
+               {"paused", playback_.is_paused()},
+               {"seeking", playback_.is_seeking()},
+               {"over", playback_.is_over()}};
+  if (real_) play["left_out"] = in_seconds(real_->left_out());
+  return play;
 }
 
 /// What plays the same run once more.
@@ -213,8 +222,10 @@ void LiveWorld::act(std::string_view what, const Json& arguments, const Done& do
     playback_.set_paused(false);
   } else if (what == "step") {
     check_can_replay();
+    check_can_replay();
     playback_.step(std::min(seconds(not_negative(arguments, "step_s")), step_most));
   } else if (what == "seek") {
+    check_can_replay();
     const Time to = Time(seconds(not_negative(arguments, "time")));
     if (to < now()) begin_again(options_.plan, to);
     playback_.seek(to);

@@ -16,8 +16,8 @@
 #include "canvoy/sim/fault.hpp"
 #include "canvoy/tools/live/live_network.hpp"
 #include "canvoy/tools/live/playback.hpp"
-#include "canvoy/tools/run/bus_bridge.hpp"
 #include "canvoy/tools/run/player.hpp"
+#include "canvoy/tools/run/real_buses.hpp"
 
 namespace canvoy::tools {
 
@@ -86,6 +86,7 @@ class LiveWorld : public LiveNetwork {
   void build();
   void begin_again(const WorldPlan& plan, Time up_to);
   void run_until(Time until);
+  void run_beside_real_buses();
   void take_events();
   void do_deed(const Deed& deed, const SdoDesk::Done& done);
   BusIndex bus_of(const std::string& name) const;
@@ -104,7 +105,8 @@ class LiveWorld : public LiveNetwork {
   MadeWorld made_;
   std::vector<std::string> buses_;
   std::vector<std::unique_ptr<Tap>> taps_;
-  std::deque<BusBridge> bridges_;
+  std::unique_ptr<RealBuses> real_;
+  host::EventLoop::Id real_timer_ = 0;
   std::vector<std::unique_ptr<Desk>> desks_;
   std::size_t told_ = 0;  ///< of the network's events
   std::vector<Deed> deeds_;

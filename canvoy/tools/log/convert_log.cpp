@@ -53,7 +53,7 @@ class Conversion {
     if (out_->early() != 0 && is_repeatable()) convert(earliest_);
     refuse_log_without_frames(options_.in, *trace_);
     ok_or_throw(draft_->finish());
-    show_early(options_.out, *out_);
+    show_shifted(options_.out, *out_);
   }
 
   void tell() const {
@@ -102,6 +102,7 @@ class Conversion {
     event->key("fd_skipped").number(trace_->fd_frames());
     if (!out_->lost().empty()) event->key("not_kept").text(out_->lost());
     if (out_->early() != 0) event->key("early").number(out_->early());
+    if (out_->late() != 0) event->key("late").number(out_->late());
     event.print();
   }
 

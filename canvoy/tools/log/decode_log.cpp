@@ -70,7 +70,7 @@ class OtherLog {
   void finish() {
     ok_or_throw(writer_.finish());
     ok_or_throw(draft_.finish());
-    show_early(path_, writer_);
+    show_shifted(path_, writer_);
   }
 
  private:

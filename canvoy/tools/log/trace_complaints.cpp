@@ -13,13 +13,14 @@ void show_bad(const std::string& log, const formats::TraceReader& trace) {
   fmt::print(stderr, "{}, {}: {}\n", log, trace.where(), trace.problem());
 }
 
-void show_early(const std::string& out, const formats::TraceWriter& writer) {
-  const std::uint64_t early = writer.early();
-  if (early == 0) return;
-  fmt::print(stderr,
-             "{}: {} frame{} earlier than its beginning, and got the time of that; a .log keeps "
-             "all times\n",
-             out, early, early == 1 ? " was" : "s were");
+void show_shifted(const std::string& out, const formats::TraceWriter& writer) {
+  const auto show = [&out](std::uint64_t count, std::string_view how) {
+    if (count == 0) return;
+    fmt::print(stderr, "{}: {} frame{} {}, and got the time of that; a .log keeps all times\n", out,
+               count, count == 1 ? " was" : "s were", how);
+  };
+  show(writer.early(), "earlier than its beginning");
+  show(writer.late(), "later than what its format can say at most");
 }
 
 void refuse_log_without_frames(const std::string& log, const formats::TraceReader& trace) {

@@ -16,7 +16,7 @@ inline constexpr std::uint64_t bad_shown_max = 20;
 void show_bad(const std::string& log, const formats::TraceReader& trace);
 
 /// Where frames of what was written have another time than they had.
-void show_early(const std::string& out, const formats::TraceWriter& writer);
+void show_shifted(const std::string& out, const formats::TraceWriter& writer);
 
 /// Throws Failure where not one frame stood in the log that was read to its end.
 void refuse_log_without_frames(const std::string& log, const formats::TraceReader& trace);

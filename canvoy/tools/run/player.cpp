@@ -15,7 +15,7 @@
 #include "canvoy/can/host/candump_log.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/interruption.hpp"
-#include "canvoy/tools/run/bus_bridge.hpp"
+#include "canvoy/tools/run/real_buses.hpp"
 #include "canvoy/tools/terminal/screen.hpp"
 #include "canvoy/tools/terminal_text.hpp"
 
@@ -25,8 +25,6 @@ namespace {
 
 /// How often the picture is drawn.
 constexpr auto picture_period = std::chrono::milliseconds(100);
-/// How far a network with real buses runs between two looks at them.
-constexpr Duration bridge_period = 1ms;
 
 /// The log of all frames. Its times count from zero, so that the same seed gives the same bytes.
 class FrameLog {
@@ -72,33 +70,6 @@ class FrameLog {
   std::optional<std::string> failure_;
 };
 
-/// The real buses that are parts of a network.
-class RealBuses {
- public:
-  RealBuses(PlayedNetwork& network, const std::vector<RealBus>& real)
-      : network_(network), loop_(value_or_throw(host::EventLoop::create())) {
-    for (const RealBus& each : real) {
-      BusBridge& bridge = bridges_.emplace_back(network.world(), each.bus, *loop_, each.address);
-      bridge.real().on_trouble(
-          [](const host::Error& error) { fmt::print(stderr, "canvoy: {}\n", error.line()); });
-      network.world().start(bridge.slot());
-    }
-  }
-
-  /// Runs both until this time of the clock; false where there was a signal.
-  void run_until(Time until) {
-    while (network_.world().now() < until && !is_interrupted()) {
-      loop_->run_until(std::min(until, loop_->now() + bridge_period));
-      network_.run_until(std::min(until, loop_->now()));
-    }
-  }
-
- private:
-  PlayedNetwork& network_;
-  std::unique_ptr<host::EventLoop> loop_;
-  std::deque<BusBridge> bridges_;
-};
-
 class Player {
  public:
   Player(PlayedNetwork& network, const PlayOptions& options)
@@ -110,7 +81,8 @@ class Player {
                                   : 0) {
     if (!options.real.empty()) {
       speed_ = 1;
-      real_ = std::make_unique<RealBuses>(network, options.real);
+      loop_ = value_or_throw(host::EventLoop::create());
+      real_ = std::make_unique<RealBuses>(network.world(), options.real, *loop_);
     }
     // Last: what was there before is gone then.
     if (!options.log.empty()) log_ = std::make_unique<FrameLog>(options.log, network);
@@ -137,8 +109,7 @@ class Player {
     }
     screen_.reset();
     if (log_) log_->finish();
-    fmt::print("{}", options_.json ? network_.summary_json().dump() + "\n"
-                                   : terminal_text(network_.summary_text(), STDOUT_FILENO));
+    fmt::print("{}", options_.json ? summary_json() : terminal_text(summary_text(), STDOUT_FILENO));
     return network_.all_hold() ? exit_done : exit_failed;
   }
 
@@ -152,7 +123,7 @@ class Player {
   }
 
   void run_until(Time until) {
-    if (real_) return real_->run_until(until);
+    if (real_) return run_beside_real_buses(until);
     if (speed_ != 0) {
       next_picture_ += picture_period;
       std::this_thread::sleep_until(next_picture_);
@@ -160,6 +131,13 @@ class Player {
     network_.run_until(until);
     // Where the machine is too slow, the clock does not run away.
     next_picture_ = std::max(next_picture_, std::chrono::steady_clock::now() - picture_period);
+  }
+
+  void run_beside_real_buses(Time until) {
+    while (network_.world().now() < until && !is_interrupted()) {
+      loop_->run_until(loop_->now() + RealBuses::period);
+      network_.run_until(std::min(until, real_->reach(loop_->now())));
+    }
   }
 
   /// False: the user wants to end.
@@ -181,6 +159,23 @@ class Player {
     if (speed_ == 0) return;
     if (key == Key{'+'}) speed_ = std::min(speed_ * 2, speed_max);
     if (key == Key{'-'}) speed_ = std::max(speed_ / 2, speed_min);
+  }
+
+  std::string summary_json() {
+    nlohmann::ordered_json summary = network_.summary_json();
+    if (real_) summary["left_out"] = in_seconds(real_->left_out());
+    return summary.dump() + "\n";
+  }
+
+  /// A reader wants to know of what a bus notices.
+  std::string summary_text() {
+    constexpr Duration told_from = 100ms;
+    const Duration left_out = real_ ? real_->left_out() : Duration{};
+    if (left_out < told_from) return network_.summary_text();
+    return network_.summary_text() +
+           fmt::format(
+               "this machine was too slow for {:.1f} s of the clock: the network stood still\n",
+               in_seconds(left_out));
   }
 
   void tell() {
@@ -256,6 +251,7 @@ class Player {
   bool is_live_;
   double speed_;
   std::unique_ptr<FrameLog> log_;
+  std::unique_ptr<host::EventLoop> loop_;  ///< of the real buses
   std::unique_ptr<RealBuses> real_;
   std::optional<Screen> screen_;
   std::deque<std::string> events_;

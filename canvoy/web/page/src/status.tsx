@@ -6,6 +6,8 @@ import { texts } from "./texts";
 
 const news_within_s = 3; // the server looks twenty times a second
 
+const left_out_from_s = 0.1;
+
 /** Draws anew each second while nothing comes from the server. */
 function useClock(runs: boolean) {
   const [, tick] = useState(0);
@@ -33,6 +35,7 @@ export function Status() {
   if (silent.length > 0) lines.push(texts.silent(silent));
   if (snapshot.frames_lost > 0) lines.push(texts.frames_lost_before(snapshot.frames_lost));
   if (frames_lost > 0) lines.push(texts.frames_lost(frames_lost));
+  if (state.play?.left_out > left_out_from_s) lines.push(texts.left_out(state.play.left_out));
   if (hello.is_cut) lines.push(texts.is_cut(hello.frames));
   if (lines.length === 0) return null;
   return <div class="lost" role="alert" aria-label={texts.status}>{lines.map((line) => <p key={line}>{line}</p>)}</div>;
