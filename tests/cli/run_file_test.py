@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
 """`canvoy run FILE`: networks that files describe, and real devices in them."""
 
+import itertools
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 from command import CANVOY, FAILED, CommandTest, run
@@ -72,6 +75,36 @@ class RunFile(CommandTest):
             told, _ = battery.communicate(timeout=60)
         self.assertIn("charger: a charge begins", output)
         self.assertIn("battery node 10 (0Ah): operational", told)
+
+    def test_behind_a_pause_of_the_machine_nobody_on_a_real_bus_is_hurried(self):
+        for name, options in {"run": ["--json"], "page": ["--web"]}.items():
+            with self.subTest(name):
+                self.check_that_heartbeats_keep_their_period(name, options)
+
+    def check_that_heartbeats_keep_their_period(self, name, options):
+        path = self.file(f'network = "charger"\n[bus]\nreal = "{BUS}"\n')
+        log = self.folder / f"{name}.log"
+        recorder = subprocess.Popen([CANVOY, "record", BUS, str(log), "--count", "400"], stdout=subprocess.DEVNULL)
+        player = subprocess.Popen([CANVOY, "run", path, "--for", "60s", *options], stdout=subprocess.DEVNULL)
+        try:
+            heard = 0
+            while heard < 60:
+                self.assertIsNone(player.poll())
+                heard = log.read_text().count("\n") if log.exists() else 0
+                time.sleep(0.05)
+            player.send_signal(signal.SIGSTOP)
+            time.sleep(2.5)
+            player.send_signal(signal.SIGCONT)
+            self.assertEqual(recorder.wait(timeout=100), 0)
+        finally:
+            recorder.kill()
+            player.kill()
+            player.wait()
+        beats = [float(line[1:].partition(")")[0]) for line in log.read_text().splitlines() if " 705#05" in line]
+        gaps = [later - earlier for earlier, later in itertools.pairwise(beats)]
+        self.assertGreater(len(gaps), 3)
+        self.assertGreater(max(gaps), 2.5, "it was stopped")
+        self.assertGreater(min(gaps), 0.5, "a period is 1 s, and of the clock")
 
 
 if __name__ == "__main__":
