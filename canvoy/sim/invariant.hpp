@@ -26,10 +26,13 @@ struct Invariant {
   std::size_t fault = no_fault;  ///< of those about one: its place in the plan
   double worst = 0;
   double allowed = 0;
-  bool held = true;
-  /// False: nothing can be said (yet). Where there was nothing to judge a lift says so too; other
-  /// worlds call that held.
-  bool decided = true;
+  bool held = true;  ///< so far, also where nothing was judged
+  /// How often it was: trips, calls, messages; of what must be so at all times, looks at it. What a
+  /// fault excuses, and what cannot be seen, is not judged.
+  std::uint64_t judged = 0;
+
+  /// Nothing could have broken it where not.
+  bool is_decided() const { return judged != 0; }
 };
 
 /// Of the world of a kind, whose rows_of(Kind) is found beside it.

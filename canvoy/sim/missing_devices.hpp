@@ -15,17 +15,21 @@ namespace canvoy {
 
 class MissingDevices {
  public:
-  /// One that may be missing counts as there.
   void judge(NodeId id, Time now, bool is_there) {
     WrongTime& device = devices_.at(id);
     device.judge(now, is_there);
     worst_ = std::max(worst_, device.worst());
+    ++judged_;
   }
+  /// It may be missing.
+  void pass(NodeId id, Time now) { devices_.at(id).pass(now); }
   Duration worst() const { return worst_; }
+  std::uint64_t judged() const { return judged_; }
 
  private:
   std::array<WrongTime, node_id_max + 1> devices_{};
   Duration worst_{};
+  std::uint64_t judged_ = 0;
 };
 
 }  // namespace canvoy

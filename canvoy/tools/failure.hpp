@@ -11,6 +11,7 @@ namespace canvoy::tools {
 inline constexpr int exit_done = 0;
 inline constexpr int exit_failed = 1;
 inline constexpr int exit_usage = 2;
+inline constexpr int exit_undecided = 3;  ///< all held, and not all was judged: `--require-decided`
 
 /// One line: where, what, and what to do.
 class Failure : public std::runtime_error {

@@ -32,7 +32,6 @@ constexpr auto coloured_words = std::to_array<ColouredWord>({
     {"EMERGENCY ", red},
     {"abort ", red},
     {"error frame ", red},
-    {"BROKEN", red},
     {"FAIL", red},
     {"FAULT begins", yellow},
     {"fault ends", yellow},

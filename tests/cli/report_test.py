@@ -57,7 +57,7 @@ class Report(CommandTest):
         arguments = ("lift", "--for", "15min", "--percent", "40")
         self.assertEqual(run("run", *arguments).returncode, 1)
         page, said = self.report(*arguments, status=1)
-        self.assertIn("BROKEN", said)
+        self.assertIn("FAIL", said)
         self.assertFalse(data_of(page)["end"]["summary"]["all_held"])
 
     def test_nothing_is_loaded_from_elsewhere(self):

@@ -58,7 +58,7 @@ bool Announcements::say(unsigned car, std::uint32_t stop_point, bool is_mute) {
   if (car == 1) ++heard_;
   const bool is_right =
       truth_.is_true(now, [&](const TrueData& data) { return data.stop_point == stop_point; });
-  if (!is_right) referee_.count(announcements_in(car), now);
+  referee_.judge_one(announcements_in(car), now, is_right);
   std::optional<std::uint32_t>& expected = expected_.at(car - 1);
   if (expected == stop_point) expected.reset();
   return is_known;
@@ -74,7 +74,7 @@ void Announcements::step(Time now) {
     std::optional<std::uint32_t>& expected = expected_.at(car - 1);
     if (!expected || now - expected_since_ <= announcement_bound) continue;
     expected.reset();
-    referee_.count(announcements_in(car), now);
+    referee_.judge_one(announcements_in(car), now, false);
   }
 }
 

@@ -32,6 +32,7 @@ void add_verdict(Invariant& worst, const Invariant& more) {
   must_hold(worst.kind == more.kind);
   worst.held = worst.held && more.held;
   worst.worst = std::max(worst.worst, more.worst);
+  worst.judged += more.judged;
 }
 
 }  // namespace
@@ -70,7 +71,10 @@ void DepotTotals::add(const VehicleReport& vehicle) {
   bus.load = std::max(bus.load, vehicle.bus.load);
   bus.frames += vehicle.bus.frames;
   bus.error_frames += vehicle.bus.error_frames;
-  if (invariants.empty()) invariants = vehicle.invariants;
+  if (invariants.empty()) {
+    invariants = vehicle.invariants;
+    return;
+  }
   must_hold(invariants.size() == vehicle.invariants.size());
   for (std::size_t i = 0; i < invariants.size(); ++i) {
     add_verdict(invariants[i], vehicle.invariants[i]);

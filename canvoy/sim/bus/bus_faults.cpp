@@ -77,7 +77,7 @@ void BusFaults::set_of_cables(const ScheduledFault& fault, bool is_present) {
   BusTrouble& first = troubles_[0];
   switch (fault.kind) {
     case FaultKind::cable_cut:
-      return cut(fault.node == 0 ? computer_id : fault.node, is_present);
+      return cut(node_of(fault), is_present);
     case FaultKind::babbling_node:
       return first.babble(is_present);
     case FaultKind::corrupted_frames:

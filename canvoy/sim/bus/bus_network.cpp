@@ -194,7 +194,7 @@ void BusNetwork::log_in() {
 
 void BusNetwork::frame_sent(Time now, ControllerId sender, const Frame& frame) {
   const std::optional<bool> is_right = messages_.is_right(now, sender, frame, truth_);
-  if (is_right && !*is_right) referee_.count(InvariantKind::pdo_tables, now);
+  if (is_right) referee_.judge_one(InvariantKind::pdo_tables, now, *is_right);
   if (frame.id != MessageReferee::time_id || !is_right) return;
   referee_.judge(InvariantKind::clock, now,
                  *is_right && MessageReferee::is_time(frame, clock_.local()));
@@ -202,7 +202,7 @@ void BusNetwork::frame_sent(Time now, ControllerId sender, const Frame& frame) {
 
 void BusNetwork::frame_sent_in_second_car(Time now, ControllerId sender, const Frame& frame) {
   const std::optional<bool> is_right = second_messages_.is_right(now, sender, frame, truth_);
-  if (is_right && !*is_right) referee_.count(InvariantKind::pdo_tables, now);
+  if (is_right) referee_.judge_one(InvariantKind::pdo_tables, now, *is_right);
 }
 
 void BusNetwork::step(Time now) {

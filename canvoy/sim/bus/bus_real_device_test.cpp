@@ -78,7 +78,7 @@ std::string broken(const BusNetwork& network) {
 std::string undecided(const BusNetwork& network) {
   std::string names;
   for (const Invariant& invariant : network.invariants()) {
-    if (!invariant.decided) names += std::string(invariant_name(invariant.kind).name) + " ";
+    if (!invariant.is_decided()) names += std::string(invariant_name(invariant.kind).name) + " ";
   }
   return names;
 }

@@ -67,14 +67,17 @@ bool BusReferee::is_excused(InvariantKind kind, Time now) const {
   return kept.faults != 0 || now < kept.excused_until || now < Time(return_bound);
 }
 
-void BusReferee::judge(InvariantKind kind, Time now, bool is_right) {
+void BusReferee::judge(InvariantKind kind, Time now, bool is_right, bool applies) {
   Kept& kept = kept_[index(kind)];
-  if (is_right || is_excused(kind, now)) kept.right_at = now;
+  const bool is_judged = applies && !is_excused(kind, now);
+  if (is_right || !is_judged) kept.right_at = now;
   kept.worst = std::max(kept.worst, now - kept.right_at);
+  if (is_judged) ++kept.judged;
 }
 
 void BusReferee::judge_honesty(Time now, bool is_honest) {
   Kept& kept = kept_[index(InvariantKind::lie)];
+  ++kept.judged;
   if (is_honest) kept.right_at = now;
   const Duration lied = now - kept.right_at;
   kept.worst = std::max(kept.worst, has_fault(now) ? lied - grace : lied);
@@ -83,18 +86,22 @@ void BusReferee::judge_honesty(Time now, bool is_honest) {
 void BusReferee::judge_device(NodeId id, Time now, bool is_there) {
   Time& at = there_at_.at(id);
   if (is_there) at = now;
-  Duration& worst = kept_[index(InvariantKind::device_missing)].worst;
-  worst = std::max(worst, now - at);
+  Kept& kept = kept_[index(InvariantKind::device_missing)];
+  kept.worst = std::max(kept.worst, now - at);
+  ++kept.judged;
 }
 
-void BusReferee::count(InvariantKind kind, Time now) {
-  if (!is_excused(kind, now)) ++kept_[index(kind)].count;
+void BusReferee::judge_one(InvariantKind kind, Time now, bool is_right) {
+  if (is_excused(kind, now)) return;
+  Kept& kept = kept_[index(kind)];
+  ++kept.judged;
+  if (!is_right) ++kept.wrong;
 }
 
 bool BusReferee::is_broken(std::size_t kind) const {
   const Duration bound = bound_of(static_cast<InvariantKind>(kind));
   return !undecided_[kind] &&
-         (kept_[kind].count != 0 || (bound > Duration::zero() && kept_[kind].worst > bound));
+         (kept_[kind].wrong != 0 || (bound > Duration::zero() && kept_[kind].worst > bound));
 }
 
 bool BusReferee::has_news() {
@@ -108,9 +115,9 @@ std::vector<Invariant> BusReferee::verdicts() const {
   for (std::size_t i = 0; i < kept_.size(); ++i) {
     const auto kind = static_cast<InvariantKind>(i);
     const Duration bound = bound_of(kind);
-    Invariant made{.kind = kind, .decided = !undecided_[i]};
+    Invariant made{.kind = kind, .judged = undecided_[i] ? 0 : kept_[i].judged};
     const bool has_time = bound > Duration::zero();
-    made.worst = has_time ? in_seconds(kept_[i].worst) : kept_[i].count;
+    made.worst = has_time ? in_seconds(kept_[i].worst) : kept_[i].wrong;
     made.allowed = in_seconds(bound);
     made.held = !is_broken(i);
     all.push_back(made);

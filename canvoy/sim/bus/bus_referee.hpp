@@ -33,13 +33,14 @@ class BusReferee {
   bool is_excused(InvariantKind kind, Time now) const;
   bool has_fault(Time now) const { return faults_ != 0 || now < troubled_until_; }
 
-  /// Of those with a time: whether it is as it shall be; called in each step.
-  void judge(InvariantKind kind, Time now, bool is_right);
+  /// Of those with a time: whether it is as it shall be; called in each step. `applies`: something
+  /// could be wrong.
+  void judge(InvariantKind kind, Time now, bool is_right, bool applies = true);
   /// Of `lie`: the same, without an excuse; while something is wrong a little more time is given.
   void judge_honesty(Time now, bool is_honest);
   void judge_device(NodeId id, Time now, bool is_there);
-  /// Of those that count: something was wrong.
-  void count(InvariantKind kind, Time now);
+  /// Of those that count: something has happened, rightly or not.
+  void judge_one(InvariantKind kind, Time now, bool is_right);
   void cannot_judge(const InvariantSet& kinds) { undecided_ |= kinds; }
 
   std::vector<Invariant> verdicts() const;
@@ -52,7 +53,8 @@ class BusReferee {
   struct Kept {
     Time right_at{};
     Duration worst{};
-    unsigned count = 0;
+    unsigned wrong = 0;
+    std::uint64_t judged = 0;
     unsigned faults = 0;  ///< that are present and excuse it
     Time excused_until{};
   };

@@ -41,7 +41,9 @@ void DisplayWatch::displays_changed() {
     told_texts_.at(id) = text;
     events_.note(now, DisplayShows{id, text});
     if (!text.empty()) ++texts_;
-    if (id == information_id && !is_whole_text(text)) referee_.count(InvariantKind::texts, now);
+    if (id == information_id) {
+      referee_.judge_one(InvariantKind::texts, now, is_whole_text(text));
+    }
   }
 }
 

@@ -46,7 +46,7 @@ void ServiceWatch::ticket_issued(const cia407::TicketData& ticket, bool is_print
            ticket.block_id == data.block &&
            (!is_printed || ticket.stop_point_id == data.stop_point);
   });
-  if (!is_right) parts_.referee.count(InvariantKind::tickets, now);
+  parts_.referee.judge_one(InvariantKind::tickets, now, is_right);
 }
 
 void ServiceWatch::step(Time now) {
@@ -59,8 +59,13 @@ void ServiceWatch::step(Time now) {
 /// Carried past their stop, or without a ticket that they wanted.
 void ServiceWatch::judge_people(Time now) {
   const RiderStatistics& riders = parts_.vehicle.riders().statistics();
-  const std::uint64_t all = riders.carried_past + riders.without_ticket;
-  for (; badly_served_ < all; ++badly_served_) parts_.referee.count(InvariantKind::service, now);
+  const std::uint64_t badly = riders.carried_past + riders.without_ticket;
+  const std::uint64_t well = riders.out + riders.bought + riders.cancelled;
+  const auto judge = [&](std::uint64_t& told, std::uint64_t all, bool is_right) {
+    for (; told < all; ++told) parts_.referee.judge_one(InvariantKind::service, now, is_right);
+  };
+  judge(badly_served_, badly, false);
+  judge(well_served_, well, true);
 }
 
 void ServiceWatch::judge_counts(Time now) {
@@ -68,7 +73,7 @@ void ServiceWatch::judge_counts(Time now) {
   if (counts_are_lost_) parts_.referee.excuse(InvariantKind::passengers, now + 1s);
   const bool can_tell = vehicle.all_doors_closed() && vehicle.state() == BusState::driving;
   parts_.referee.judge(InvariantKind::passengers, now,
-                       !can_tell || parts_.computer.counted() == vehicle.riders().aboard());
+                       parts_.computer.counted() == vehicle.riders().aboard(), can_tell);
 }
 
 /// An on-board computer that begins anew learns where it is from satellites, or when a journey

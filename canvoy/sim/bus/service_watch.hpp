@@ -55,8 +55,9 @@ class ServiceWatch {
   Parts parts_;
   EventLog<NetworkEvent>& events_;
   bool counts_are_lost_ = false;
-  bool needs_fix_ = true;  ///< the on-board computer has begun anew
-  std::uint64_t badly_served_ = 0;
+  bool needs_fix_ = true;           ///< the on-board computer has begun anew
+  std::uint64_t badly_served_ = 0;  ///< that were judged, as the next
+  std::uint64_t well_served_ = 0;
 };
 
 }  // namespace canvoy::bus

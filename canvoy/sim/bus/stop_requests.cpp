@@ -65,13 +65,13 @@ void StopRequests::judge(Time now) {
   const BusDisplays& displays = parts_.displays;
   BusReferee& referee = parts_.referee;
   const bool is_first_lit = displays.at(next_stop_id).is_sign_lit();
-  referee.judge(InvariantKind::stop_sign, now, pressed_[0].times == 0 || is_first_lit);
+  referee.judge(InvariantKind::stop_sign, now, is_first_lit, pressed_[0].times != 0);
   const bool is_told_forward = pressed_[1].times == 0 || displays.is_sign_lit(1);
-  referee.judge(InvariantKind::second_stop_sign, now,
-                !is_wanted() || (displays.is_sign_lit(2) && is_told_forward));
+  referee.judge(InvariantKind::second_stop_sign, now, displays.is_sign_lit(2) && is_told_forward,
+                is_wanted());
   const bool is_on_the_way = parts_.vehicle.state() != BusState::at_stop;
   const bool is_any_lit = displays.is_sign_lit(1) || displays.is_sign_lit(2);
-  referee.judge(InvariantKind::false_stop_sign, now, !is_on_the_way || is_wanted() || !is_any_lit);
+  referee.judge(InvariantKind::false_stop_sign, now, !is_any_lit, is_on_the_way && !is_wanted());
 }
 
 }  // namespace canvoy::bus

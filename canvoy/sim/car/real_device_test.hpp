@@ -55,7 +55,7 @@ template <class Network>
 std::string undecided_names(const Network& network) {
   std::string names;
   for (const auto& invariant : network.invariants()) {
-    if (!invariant.decided) names += std::string(invariant_name(invariant.kind).name) + " ";
+    if (!invariant.is_decided()) names += std::string(invariant_name(invariant.kind).name) + " ";
   }
   return names;
 }

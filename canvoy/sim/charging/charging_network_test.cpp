@@ -56,7 +56,7 @@ Invariant invariant_of(const ChargingNetwork& network, InvariantKind kind) {
   const std::vector<Invariant> all = network.invariants();
   const auto found = std::find_if(
       all.begin(), all.end(), [&](const Invariant& invariant) { return invariant.kind == kind; });
-  return found != all.end() ? *found : Invariant{.kind = kind, .decided = false};
+  return found != all.end() ? *found : Invariant{.kind = kind};
 }
 
 TEST(ChargingNetworkTest, TheChargerFindsTheBatteryAndCharges) {
@@ -143,7 +143,7 @@ TEST_P(FaultKindTest, EveryInvariantHoldsAndTheChargeGoesOnWhenTheFaultIsMended)
   for (const Invariant& invariant : sut.invariants()) {
     EXPECT_TRUE(invariant.held) << "kind " << static_cast<int>(invariant.kind) << ": "
                                 << invariant.worst << " of " << invariant.allowed;
-    EXPECT_TRUE(invariant.decided);
+    EXPECT_TRUE(invariant.is_decided());
   }
   EXPECT_EQ(events_of<FaultBegan>(sut).size(), 1U);
   EXPECT_EQ(events_of<FaultEnded>(sut).size(), 1U);
@@ -175,7 +175,7 @@ TEST(ChargingNetworkTest, ALostHeartbeatIsSeenAtItsConsumerTimeAndToldByAnEmerge
   ChargingNetwork sut(with_fault(FaultKind::heartbeat_loss));
   sut.run_until(Time(6min));
   const Invariant seen = invariant_of(sut, InvariantKind::fault_seen);
-  EXPECT_TRUE(seen.decided);
+  EXPECT_TRUE(seen.is_decided());
   // Two periods of one second each since the last heartbeat, which was up to one second before.
   EXPECT_GT(seen.worst, 0.99);
   EXPECT_LE(seen.worst, 2.0);
@@ -284,7 +284,7 @@ TEST(ChargingNetworkTest, AFaultThatIsShorterThanItsTimeDecidesNothing) {
   ChargingNetwork sut(with_fault(FaultKind::heartbeat_loss, 500ms));
   sut.run_until(Time(6min));
   EXPECT_TRUE(sut.all_hold());
-  EXPECT_FALSE(invariant_of(sut, InvariantKind::fault_seen).decided);
+  EXPECT_FALSE(invariant_of(sut, InvariantKind::fault_seen).is_decided());
   EXPECT_EQ(sut.snapshot().reason, StopReason::none);
 }
 
@@ -296,7 +296,7 @@ TEST(ChargingNetworkTest, SeveralFaultsAtOnceAreEachJudged) {
   EXPECT_EQ(sut.invariants().size(), 8U);
   for (const Invariant& invariant : sut.invariants()) {
     EXPECT_TRUE(invariant.held);
-    EXPECT_TRUE(invariant.decided);
+    EXPECT_TRUE(invariant.is_decided());
   }
   EXPECT_EQ(sut.snapshot().reason, StopReason::none);
 }

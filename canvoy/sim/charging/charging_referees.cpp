@@ -21,18 +21,22 @@ double error_percent(double counted, double truth, double floor) {
   return std::abs(counted - truth) / std::max(truth, floor) * percent;
 }
 
-Invariant count_invariant(InvariantKind kind, double value) {
+/// Where nothing was delivered and nothing is counted, nothing is said.
+Invariant count_invariant(InvariantKind kind, double counted, double truth, double floor) {
+  const double value = error_percent(counted, truth, floor);
   return {.kind = kind,
           .worst = value,
           .allowed = count_bound_percent,
-          .held = value <= count_bound_percent};
+          .held = value <= count_bound_percent,
+          .judged = truth > 0 || counted > 0 ? 1U : 0U};
 }
 
-Invariant time_invariant(InvariantKind kind, Duration value, Duration bound) {
+Invariant time_invariant(InvariantKind kind, Duration value, Duration bound, std::uint64_t judged) {
   return {.kind = kind,
           .worst = std::chrono::duration<double>(value).count(),
           .allowed = std::chrono::duration<double>(bound).count(),
-          .held = value <= bound};
+          .held = value <= bound,
+          .judged = judged};
 }
 
 }  // namespace
@@ -105,27 +109,27 @@ void ChargingReferees::tell_broken(Time now) {
 Invariant ChargingReferees::handshake() const {
   const Duration bound = options_->charger.control_period +
                          devices_->plant().stage.fall_time_max() + 2 * ChargingPlant::step_time;
-  return time_invariant(InvariantKind::current_outside_handshake, handshake_.outside_max(), bound);
+  return time_invariant(InvariantKind::current_outside_handshake, handshake_.outside_max(), bound,
+                        handshake_.steps_with_current());
 }
 
 Invariant ChargingReferees::service() const {
   return time_invariant(InvariantKind::battery_left_waiting, service_.waiting_max(),
-                        ServiceWatch::bound);
+                        ServiceWatch::bound, service_.judged());
 }
 
 std::array<Invariant, ChargingReferees::lasting> ChargingReferees::lasting_invariants() const {
   const cia419::Charger& charger = devices_->charger().charger();
   const ChargingPlant& plant = devices_->plant();
-  return {count_invariant(InvariantKind::ampere_hours,
-                          error_percent(charger.ampere_hours_total(), plant.ampere_hours(),
-                                        ampere_hours_floor)),
-          count_invariant(InvariantKind::energy,
-                          error_percent(charger.energy_total_watt_hours(), plant.energy_watt_hour(),
-                                        watt_hours_floor)),
+  return {count_invariant(InvariantKind::ampere_hours, charger.ampere_hours_total(),
+                          plant.ampere_hours(), ampere_hours_floor),
+          count_invariant(InvariantKind::energy, charger.energy_total_watt_hours(),
+                          plant.energy_watt_hour(), watt_hours_floor),
           handshake(),
           {.kind = InvariantKind::current_before_ready,
            .worst = static_cast<double>(handshake_.begun_before_ready()),
-           .held = handshake_.begun_before_ready() == 0},
+           .held = handshake_.begun_before_ready() == 0,
+           .judged = handshake_.begun()},
           service()};
 }
 

@@ -195,7 +195,7 @@ Invariant FaultWatch::invariant_of(std::size_t fault) const {
           .worst = seconds_of(watched.watched),
           .allowed = seconds_of(watched.bound),
           .held = in_time,
-          .decided = watched.is_seen || !in_time};
+          .judged = watched.is_seen || !in_time ? 1U : 0U};
 }
 
 std::vector<Invariant> FaultWatch::take_broken() {

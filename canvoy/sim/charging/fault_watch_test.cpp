@@ -32,7 +32,7 @@ TEST(FaultWatchTest, AFaultIsSeenWhenTheChargerSaysSo) {
   EXPECT_DOUBLE_EQ(invariants[0].worst, 2.0);
   EXPECT_DOUBLE_EQ(invariants[0].allowed, 2.1);
   EXPECT_TRUE(invariants[0].held);
-  EXPECT_TRUE(invariants[0].decided);
+  EXPECT_TRUE(invariants[0].is_decided());
   EXPECT_TRUE(sut.take_broken().empty());
 }
 
@@ -43,7 +43,7 @@ TEST(FaultWatchTest, AFaultThatIsSeenTooLateIsBrokenOnce) {
   const auto broken = sut.take_broken();
   ASSERT_EQ(broken.size(), 1U);
   EXPECT_FALSE(broken[0].held);
-  EXPECT_TRUE(broken[0].decided);
+  EXPECT_TRUE(broken[0].is_decided());
   EXPECT_TRUE(sut.take_broken().empty());
   sut.note(Time(63s), StopReason::heartbeat_lost);
   EXPECT_FALSE(sut.invariants()[0].held);
@@ -82,7 +82,7 @@ TEST(FaultWatchTest, ABootUpMessageThatCannotComeNeedNotBeSeen) {
   sut.began(0, Time(1min), StopReason::none);
   sut.note(Time(70s), StopReason::none);
   EXPECT_TRUE(sut.invariants()[0].held);
-  EXPECT_FALSE(sut.invariants()[0].decided);
+  EXPECT_FALSE(sut.invariants()[0].is_decided());
   EXPECT_FALSE(sut.invariants()[1].held) << "that one is to be seen";
 }
 
@@ -98,7 +98,7 @@ TEST(FaultWatchTest, AFaultThatBeginsWhileTheChargerHasStoppedIsJudgedFromWhenIt
   sut.began(0, Time(1min), StopReason::too_hot);
   sut.note(Time(70s), StopReason::too_hot);
   EXPECT_TRUE(sut.invariants()[0].held);
-  EXPECT_FALSE(sut.invariants()[0].decided);
+  EXPECT_FALSE(sut.invariants()[0].is_decided());
   sut.note(Time(71s), StopReason::none);
   sut.note(Time(73100ms), StopReason::none);
   EXPECT_TRUE(sut.invariants()[0].held);
@@ -112,7 +112,7 @@ TEST(FaultWatchTest, ARestartThatBeganWhileTheChargerHadStoppedIsNotWaitedFor) {
   sut.note(Time(2min), StopReason::none);
   sut.note(Time(3min), StopReason::none);
   EXPECT_TRUE(sut.invariants()[0].held);
-  EXPECT_FALSE(sut.invariants()[0].decided);
+  EXPECT_FALSE(sut.invariants()[0].is_decided());
 }
 
 TEST(FaultWatchTest, BesideASecondBatteryNothingIsExpectedOfTheFirst) {
@@ -125,9 +125,9 @@ TEST(FaultWatchTest, BesideASecondBatteryNothingIsExpectedOfTheFirst) {
   sut.began(1, Time(2min), StopReason::none);
   sut.note(Time(3min), StopReason::none);
   ASSERT_EQ(sut.invariants().size(), 2U);
-  EXPECT_TRUE(sut.invariants()[0].decided);
+  EXPECT_TRUE(sut.invariants()[0].is_decided());
   EXPECT_TRUE(sut.invariants()[1].held);
-  EXPECT_FALSE(sut.invariants()[1].decided);
+  EXPECT_FALSE(sut.invariants()[1].is_decided());
 }
 
 TEST(FaultWatchTest, AChargerThatHasStoppedForSomethingMoreSeriousNeedNotSayMore) {
@@ -144,7 +144,7 @@ TEST(FaultWatchTest, AFaultThatIsOverBeforeThePromisedTimeDecidesNothing) {
   sut.ended(0);
   sut.note(Time(70s), StopReason::none);
   EXPECT_TRUE(sut.invariants()[0].held);
-  EXPECT_FALSE(sut.invariants()[0].decided);
+  EXPECT_FALSE(sut.invariants()[0].is_decided());
 }
 
 TEST(FaultWatchTest, EachKindIsAnsweredByItsOwnReasonWithinItsOwnTime) {
@@ -178,7 +178,7 @@ TEST(FaultWatchTest, EachKindIsAnsweredByItsOwnReasonWithinItsOwnTime) {
     const auto invariants = sut.invariants();
     ASSERT_EQ(invariants.size(), 1U);
     EXPECT_TRUE(invariants[0].held) << fault_name(expected.kind);
-    EXPECT_TRUE(invariants[0].decided) << fault_name(expected.kind);
+    EXPECT_TRUE(invariants[0].is_decided()) << fault_name(expected.kind);
 
     FaultWatch late(plan_of(expected.kind), promises);
     late.began(0, Time(1min), StopReason::none);

@@ -89,6 +89,7 @@ void HandshakeMonitor::hear_charger_pdo(const Frame& frame) {
 void HandshakeMonitor::on_set_point(double ampere) {
   const bool begins = std::exchange(set_point_ampere_, ampere) <= 0 && ampere > 0;
   const bool is_told = charger_ready_ && charger_state_ == NmtState::operational;
+  if (begins) ++begun_;
   if (begins && !is_told) ++begun_before_ready_;
 }
 
@@ -96,7 +97,11 @@ void HandshakeMonitor::on_step(Time now, bool pilot_signal, double ampere) {
   note_validity(now);
   pilot_signal_ = pilot_signal;
   note_validity(now);
-  if (ampere <= no_current_ampere) no_current_until_ = now;
+  if (ampere <= no_current_ampere) {
+    no_current_until_ = now;
+  } else {
+    ++steps_with_current_;
+  }
   outside_max_ = std::max(outside_max_, now - std::max(valid_until_, no_current_until_));
 }
 

@@ -47,6 +47,10 @@ class HandshakeMonitor {
   /// How often current began although the charger had not said on the bus that it was ready (CiA
   /// 419, 7.2.2).
   unsigned begun_before_ready() const { return begun_before_ready_; }
+  /// How often a current began at all.
+  std::uint64_t begun() const { return begun_; }
+  /// Steps in which one flowed.
+  std::uint64_t steps_with_current() const { return steps_with_current_; }
   /// Both are ready and operational, and have been heard of in time.
   bool is_valid(Time now) const { return flags_valid() && now < deadline(); }
 
@@ -73,6 +77,8 @@ class HandshakeMonitor {
   Duration outside_max_{0};
   double set_point_ampere_ = 0;
   unsigned begun_before_ready_ = 0;
+  std::uint64_t begun_ = 0;
+  std::uint64_t steps_with_current_ = 0;
 };
 
 }  // namespace canvoy::charging

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 
 #include "canvoy/can/time.hpp"
 #include "canvoy/sim/charging/fault.hpp"
@@ -33,12 +34,16 @@ class ServiceWatch {
   }
   /// `asks`: the battery is plugged in, ready, and wants current.
   void on_step(Time now, bool asks, double ampere) {
-    if (!asks || present_ != 0 || ampere > no_current_ampere) waiting_since_ = now;
+    const bool is_judged = asks && present_ == 0;
+    if (!is_judged || ampere > no_current_ampere) waiting_since_ = now;
+    if (is_judged) ++judged_;
     waiting_max_ = std::max(waiting_max_, now - waiting_since_);
   }
 
   /// The longest time at a stretch.
   Duration waiting_max() const { return waiting_max_; }
+  /// Steps in which the battery asked, and no fault was there.
+  std::uint64_t judged() const { return judged_; }
 
  private:
   static constexpr double no_current_ampere = 0.01;
@@ -51,6 +56,7 @@ class ServiceWatch {
   Time waiting_since_{};
   Duration waiting_max_{0};
   unsigned present_ = 0;
+  std::uint64_t judged_ = 0;
 };
 
 }  // namespace canvoy::charging

@@ -30,7 +30,7 @@ TEST(ExcavatorNetwork, SeesAllThatThereIsToJudge) {
   ExcavatorNetwork network({.length = 10min});
   network.run_until(Time(10min));
   for (const Invariant& invariant : network.invariants()) {
-    EXPECT_TRUE(invariant.decided);
+    EXPECT_TRUE(invariant.is_decided());
     const bool is_always_seen = invariant.kind == InvariantKind::unwanted_motion ||
                                 invariant.kind == InvariantKind::axis_delta ||
                                 invariant.kind == InvariantKind::display ||
@@ -251,9 +251,9 @@ TEST(ExcavatorNetwork, WhoIsNotPlayedIsNotJudged) {
   ExcavatorNetwork network({.length = 5min, .real = {seat_id}});
   network.run_until(Time(5min));
   const std::vector<Invariant> all = network.invariants();
-  EXPECT_FALSE(find(all, InvariantKind::presses).decided);
-  EXPECT_FALSE(find(all, InvariantKind::unwanted_motion).decided);
-  EXPECT_TRUE(find(all, InvariantKind::device_missing).decided);
+  EXPECT_FALSE(find(all, InvariantKind::presses).is_decided());
+  EXPECT_FALSE(find(all, InvariantKind::unwanted_motion).is_decided());
+  EXPECT_TRUE(find(all, InvariantKind::device_missing).is_decided());
   EXPECT_FALSE(find(all, InvariantKind::device_missing).held) << "and it is missing";
 }
 

@@ -72,8 +72,9 @@ bool ExcavatorReferee::is_excused(Kind kind, Time now) const {
 }
 
 void ExcavatorReferee::measure(Kind kind, double value) {
-  double& worst = kept_[index(kind)].worst;
-  worst = std::max(worst, value);
+  Kept& kept = kept_[index(kind)];
+  kept.worst = std::max(kept.worst, value);
+  ++kept.judged;
 }
 
 /// Each instant has one judge: of who is silent, or of the hand.
@@ -107,6 +108,7 @@ void ExcavatorReferee::moves(Time now, const Excavator& machine, const SeatPanel
 void ExcavatorReferee::pressed(Time now, Button button) {
   Pressed& it = pressed_[static_cast<std::size_t>(button)];
   if (is_excused(Kind::presses, now)) return;
+  ++kept_[index(Kind::presses)].judged;
   if (it.open++ == 0) it.since = now;
 }
 
@@ -134,7 +136,7 @@ void ExcavatorReferee::compare(Time now, double digits_apart) {
 }
 
 void ExcavatorReferee::judge(Kind kind, Time now, bool is_right) {
-  judge_always(kind, now, is_right || is_excused(kind, now));
+  is_excused(kind, now) ? pass(kind, now) : judge_always(kind, now, is_right);
 }
 
 void ExcavatorReferee::judge_always(Kind kind, Time now, bool is_right) {
@@ -145,7 +147,9 @@ void ExcavatorReferee::judge_always(Kind kind, Time now, bool is_right) {
 
 void ExcavatorReferee::judge_device(NodeId id, Time now, bool is_there) {
   Time& at = there_at_.at(id);
-  if (is_there || is_excused(Kind::device_missing, now)) at = now;
+  const bool is_excused_now = is_excused(Kind::device_missing, now);
+  if (is_there || is_excused_now) at = now;
+  if (is_excused_now) return;
   measure(Kind::device_missing, in_seconds(now - at));
 }
 
@@ -167,7 +171,7 @@ std::vector<Invariant> ExcavatorReferee::verdicts() const {
                    .worst = kept_[i].worst,
                    .allowed = allowed_of(kind),
                    .held = !is_broken(i),
-                   .decided = !undecided_[i]});
+                   .judged = undecided_[i] ? 0 : kept_[i].judged});
   }
   return all;
 }

@@ -52,7 +52,9 @@ class ExcavatorReferee {
   void compare(Time now, double digits_apart);
   /// Whether it is as it shall be; called in each step.
   void judge(InvariantKind kind, Time now, bool is_right);
-  /// The same, whatever the faults.
+  /// It cannot be wrong now.
+  void pass(InvariantKind kind, Time now) { kept_[index(kind)].right_at = now; }
+  /// The same as judge(), whatever the faults.
   void judge_always(InvariantKind kind, Time now, bool is_right);
   void judge_device(NodeId id, Time now, bool is_there);
 
@@ -66,6 +68,7 @@ class ExcavatorReferee {
   struct Kept {
     Time right_at{};
     double worst = 0;
+    std::uint64_t judged = 0;
     unsigned faults = 0;  ///< that are present and excuse it
     Time excused_until{};
   };

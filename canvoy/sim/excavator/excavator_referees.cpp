@@ -83,7 +83,9 @@ void ExcavatorReferees::look(Time now) {
   referee_.moves(now, *machine_, *panel_);
   referee_.look_at_presses(now);
   look_at_lamps(now);
-  referee_.judge(InvariantKind::service, now, is_served(now));
+  const bool has_service = is_served(now);
+  driver_->is_working() ? referee_.judge(InvariantKind::service, now, has_service)
+                        : referee_.pass(InvariantKind::service, now);
   for (const auto& node : devices_->nodes()) {
     // Nobody starts what is behind the seat: it is read in NMT state pre-operational.
     if (node->place().id == armrest_id) continue;
@@ -119,7 +121,7 @@ void ExcavatorReferees::look_at_lamps(Time now) {
   const bool is_alone = referee_.host_silence(now) > notices && seat_was_set_up_;
   if (is_alone) {
     referee_.judge_always(InvariantKind::indicators, now, cab_.is_as_without_host());
-    return referee_.judge_always(InvariantKind::display, now, true);
+    return referee_.pass(InvariantKind::display, now);
   }
   const bool has_valves = is_at_work(*world_, devices_->node(valves_id), *watch_, consumer_time);
   referee_.judge(InvariantKind::indicators, now,

@@ -18,7 +18,7 @@ Invariant promise(InvariantKind kind, Time from, Time came, Time until, Duration
           .worst = in_seconds(took),
           .allowed = in_seconds(bound),
           .held = !is_late,
-          .decided = is_late || came != never};
+          .judged = is_late || came != never ? 1U : 0U};
 }
 
 }  // namespace
@@ -136,7 +136,7 @@ Invariant FaultReferee::service(const Watched& watched) {
           .worst = in_seconds(watched.wanted),
           .allowed = in_seconds(bound),
           .held = !is_late,
-          .decided = is_late || watched.served_at != never};
+          .judged = is_late || watched.served_at != never ? 1U : 0U};
 }
 
 /// It stands in time, and stays so.
@@ -148,7 +148,8 @@ Invariant FaultReferee::safe_stand(const Watched& watched, Time until) {
   return {.kind = InvariantKind::safe_stand,
           .worst = in_seconds(watched.started_at - watched.began_at),
           .allowed = in_seconds(watched.expected.noticed_within.value_or(0s)),
-          .held = false};
+          .held = false,
+          .judged = 1};
 }
 
 std::vector<Invariant> FaultReferee::invariants(Time now) const {

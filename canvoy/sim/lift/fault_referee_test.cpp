@@ -26,7 +26,7 @@ struct FaultRefereeTest : testing::Test {
     const std::vector<Invariant> all = sut.invariants(now);
     const auto found = std::find_if(all.begin(), all.end(),
                                     [&](const Invariant& one) { return one.kind == kind; });
-    if (found == all.end()) return {.held = false, .decided = false};
+    if (found == all.end()) return {.held = false};
     EXPECT_EQ(found->fault, 3U);
     EXPECT_EQ(found->part, 2);
     return *found;
@@ -37,10 +37,10 @@ struct FaultRefereeTest : testing::Test {
 
 TEST_F(FaultRefereeTest, ACarThatStandsInTimeIsSafe) {
   sut.stands(Time(12s), 1);  // another lift
-  EXPECT_FALSE(get(InvariantKind::safe_stand, Time(13s)).decided);
+  EXPECT_FALSE(get(InvariantKind::safe_stand, Time(13s)).is_decided());
   sut.stands(Time(13s), 2);
   EXPECT_TRUE(get(InvariantKind::safe_stand, Time(60s)).held);
-  EXPECT_TRUE(get(InvariantKind::safe_stand, Time(60s)).decided);
+  EXPECT_TRUE(get(InvariantKind::safe_stand, Time(60s)).is_decided());
   EXPECT_DOUBLE_EQ(get(InvariantKind::safe_stand, Time(60s)).worst, 3);
 }
 
@@ -101,7 +101,7 @@ TEST_F(FaultRefereeTest, ACarThatStartsWhenTheFaultHasGoneIsSafe) {
 TEST_F(FaultRefereeTest, AFaultThatWasOverBeforeCannotBeJudged) {
   sut.ended(Time(13s), 3);
   EXPECT_TRUE(get(InvariantKind::safe_stand, Time(60s)).held);
-  EXPECT_FALSE(get(InvariantKind::safe_stand, Time(60s)).decided);
+  EXPECT_FALSE(get(InvariantKind::safe_stand, Time(60s)).is_decided());
 }
 
 TEST_F(FaultRefereeTest, OneOfTheRightEmergenciesHasToBeHeard) {
@@ -120,11 +120,11 @@ TEST_F(FaultRefereeTest, ServiceResumesWhenTheFirstIsCarriedAfterTheFault) {
   EXPECT_FALSE(sut.is_hindered(Time(20s), 1));
   sut.starts(Time(22s), 2);
   pass(Time(20s), Time(45s));
-  EXPECT_FALSE(get(InvariantKind::service_resumed, Time(45s)).decided);
+  EXPECT_FALSE(get(InvariantKind::service_resumed, Time(45s)).is_decided());
   sut.serves(Time(45s), 2);
   pass(Time(45s), Time(90s));
   EXPECT_TRUE(get(InvariantKind::service_resumed, Time(90s)).held);
-  EXPECT_TRUE(get(InvariantKind::service_resumed, Time(90s)).decided);
+  EXPECT_TRUE(get(InvariantKind::service_resumed, Time(90s)).is_decided());
   EXPECT_DOUBLE_EQ(get(InvariantKind::service_resumed, Time(90s)).worst, 25);
   EXPECT_FALSE(sut.is_hindered(Time(51s), 2));
 }
@@ -160,7 +160,7 @@ TEST_F(FaultRefereeTest, WhereNobodyWantsItNothingCanBeSaid) {
   is_wanted = false;
   pass(Time(20s), Time(10min));
   EXPECT_TRUE(get(InvariantKind::service_resumed, Time(10min)).held);
-  EXPECT_FALSE(get(InvariantKind::service_resumed, Time(10min)).decided);
+  EXPECT_FALSE(get(InvariantKind::service_resumed, Time(10min)).is_decided());
   EXPECT_TRUE(sut.is_hindered(Time(199s), 2));
   EXPECT_FALSE(sut.is_hindered(Time(200s), 2)) << "no excuse for ever";
 }

@@ -47,7 +47,7 @@ TEST_F(LiftFaultTest, ACarThatStandsDoesNotStartWithADeadEncoder) {
   description.arrivals = {{.at = Time(20s), .from = 1, .to = 8}};  // in the midst of the fault
   run({.kind = FaultKind::dead_encoder});
   EXPECT_EQ(broken(*network), "");
-  EXPECT_TRUE(find(*network, InvariantKind::safe_stand).decided);
+  EXPECT_TRUE(find(*network, InvariantKind::safe_stand).is_decided());
   EXPECT_EQ(network->summary().served, 1U);
 }
 
@@ -97,8 +97,8 @@ TEST_F(LiftFaultTest, ACarWithoutABrakeIsCaughtTellsOfItAndServesWhenSomebodyHas
   const LiftNetwork& sut = run({.kind = FaultKind::brake});
   EXPECT_EQ(broken(sut), "");
   EXPECT_EQ(times_told(sut, 2, 0xFF06), 1);
-  EXPECT_TRUE(find(sut, InvariantKind::emergency_told).decided);
-  EXPECT_TRUE(find(sut, InvariantKind::safe_stand).decided);
+  EXPECT_TRUE(find(sut, InvariantKind::emergency_told).is_decided());
+  EXPECT_TRUE(find(sut, InvariantKind::safe_stand).is_decided());
   EXPECT_EQ(sut.summary().served, 2U);
 }
 
@@ -145,7 +145,7 @@ TEST_F(LiftFaultTest, ACarOfWhichTheRopesHaveSlippedGoesToItsFloorsAgain) {
   const LiftNetwork& sut = run({.kind = FaultKind::rope_slip});
   EXPECT_EQ(broken(sut), "");
   EXPECT_GE(times_told(sut, 1, 0xFF04), 1) << "it stood short of its floor";
-  EXPECT_TRUE(find(sut, InvariantKind::emergency_told).decided);
+  EXPECT_TRUE(find(sut, InvariantKind::emergency_told).is_decided());
   EXPECT_EQ(sut.summary().served, 2U);
 }
 
@@ -334,7 +334,7 @@ TEST_F(LiftFaultTest, InAFireTheCarGoesToTheFireFloorAndEverybodyLeavesIt) {
   description.arrivals.pop_back();
   const LiftNetwork& sut = run({.kind = FaultKind::fire_alarm});
   EXPECT_EQ(broken(sut), "");
-  EXPECT_TRUE(find(sut, InvariantKind::fire_recall).decided);
+  EXPECT_TRUE(find(sut, InvariantKind::fire_recall).is_decided());
   EXPECT_EQ(sut.summary().served, 0U);
   EXPECT_EQ(sut.snapshot().riding, 0U);
 }

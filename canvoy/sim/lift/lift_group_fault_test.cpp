@@ -17,7 +17,7 @@ namespace {
 bool is_decided(const LiftNetwork& network, InvariantKind kind) {
   const std::vector<Invariant> all = network.invariants();
   return std::any_of(all.begin(), all.end(), [kind](const Invariant& invariant) {
-    return invariant.kind == kind && invariant.decided;
+    return invariant.kind == kind && invariant.is_decided();
   });
 }
 

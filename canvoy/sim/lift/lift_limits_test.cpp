@@ -47,7 +47,7 @@ TEST_F(LiftLimitsTest, AllAreKeptWhereEachUnitIsSetAsTheLiftIsDesigned) {
   for (const InvariantKind kind : limits) {
     const Invariant* const judged = find(all, kind);
     ASSERT_NE(judged, nullptr);
-    EXPECT_TRUE(judged->decided);
+    EXPECT_TRUE(judged->is_decided());
   }
 }
 

@@ -91,7 +91,7 @@ struct SingleFaultTest : testing::TestWithParam<std::tuple<Row, bool>> {
   static bool is_judged(const LiftNetwork& network, InvariantKind kind) {
     const std::vector<Invariant> all = network.invariants();
     return std::any_of(all.begin(), all.end(), [&](const Invariant& one) {
-      return one.kind == kind && one.part == 1 && one.fault == 0 && one.decided && one.held;
+      return one.kind == kind && one.part == 1 && one.fault == 0 && one.is_decided() && one.held;
     });
   }
 };

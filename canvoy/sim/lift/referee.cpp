@@ -354,7 +354,7 @@ Invariant invariant_of(InvariantKind kind, LiftNumber lift, const Judged& judged
           .worst = judged.worst,
           .allowed = judged.bound,
           .held = judged.held(),
-          .decided = judged.is_judged};
+          .judged = judged.count};
 }
 
 }  // namespace

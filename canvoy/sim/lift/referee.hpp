@@ -122,13 +122,13 @@ class Referee {
   struct Judged {
     double worst = 0;
     double bound = 0;
-    bool is_judged = false;
+    std::uint64_t count = 0;
     bool is_told = false;
     void judge(double value) {
-      worst = is_judged && worst > value ? worst : value;
-      is_judged = true;
+      worst = count != 0 && worst > value ? worst : value;
+      ++count;
     }
-    bool held() const { return !is_judged || worst <= bound; }
+    bool held() const { return count == 0 || worst <= bound; }
   };
   struct Lift {
     std::optional<LiftFacts> last{};

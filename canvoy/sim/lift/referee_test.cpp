@@ -39,7 +39,7 @@ LiftFacts open(LiftFacts facts, double open_m = 0.9, std::size_t door = 0) {
 TEST_F(RefereeTest, NothingIsBrokenOrDecidedBeforeAnythingHappens) {
   for (const Invariant& one : sut.invariants()) {
     EXPECT_TRUE(one.held);
-    EXPECT_FALSE(one.decided);
+    EXPECT_FALSE(one.is_decided());
   }
 }
 
@@ -189,7 +189,7 @@ TEST_F(RefereeTest, ACarWithAsMuchAsItMayCarryLeaves) {
   facts.position_m = 1;
   sut.observe(Time(2s), 1, facts);
   EXPECT_TRUE(get(InvariantKind::no_overload).held);
-  EXPECT_TRUE(get(InvariantKind::no_overload).decided);
+  EXPECT_TRUE(get(InvariantKind::no_overload).is_decided());
 }
 
 TEST_F(RefereeTest, ACarAtItsBuffersHasGoneTooFar) {
@@ -268,7 +268,7 @@ TEST_F(RefereeTest, ACallIsServedWhereADoorIsWideOpenAlone) {
   sut.lamp_changed(Time(60s), up_at_3, false, CallEnd::served);
   sut.observe(Time(61s), 2, open(at_m(3.5)));
   sut.look_at_calls(Time(80s), false);
-  EXPECT_FALSE(common(InvariantKind::call_served).decided);
+  EXPECT_FALSE(common(InvariantKind::call_served).is_decided());
   EXPECT_TRUE(common(InvariantKind::no_call_lost).held);
   sut.look_at_calls(Time(81s), false);
   EXPECT_FALSE(common(InvariantKind::no_call_lost).held) << "20 s, and nobody got in";
@@ -338,7 +338,7 @@ TEST_F(RefereeTest, ADoorThatWasToldToOpenBeforeTheAlarmOpens) {
   sut.observe(Time(100ms), 1, recalled(unlocked(at_m(7))));
   sut.observe(Time(500ms), 1, recalled(open(at_m(7))));
   EXPECT_TRUE(get(InvariantKind::fire_doors).held);
-  EXPECT_TRUE(get(InvariantKind::fire_doors).decided);
+  EXPECT_TRUE(get(InvariantKind::fire_doors).is_decided());
   sut.observe(Time(10s), 1, recalled(at_m(7)));
   sut.observe(Time(11s), 1, recalled(open(at_m(7))));
   EXPECT_FALSE(get(InvariantKind::fire_doors).held) << "but not once more";
@@ -360,11 +360,11 @@ TEST_F(RefereeTest, UnderTheFireBrigadeADoorOpensByItsButtonAlone) {
   sut.observe(Time(0s), 1, of_brigade(at_m(7)));
   sut.observe(Time(5s), 1, of_brigade(open(at_m(7)), true));
   EXPECT_TRUE(get(InvariantKind::fire_buttons).held);
-  EXPECT_TRUE(get(InvariantKind::fire_buttons).decided);
+  EXPECT_TRUE(get(InvariantKind::fire_buttons).is_decided());
   sut.observe(Time(10s), 1, of_brigade(at_m(7)));
   sut.observe(Time(15s), 1, of_brigade(open(at_m(7))));
   EXPECT_FALSE(get(InvariantKind::fire_buttons).held);
-  EXPECT_FALSE(get(InvariantKind::fire_doors).decided);
+  EXPECT_FALSE(get(InvariantKind::fire_doors).is_decided());
 }
 
 TEST_F(RefereeTest, WhenTheFireBrigadeHasGoneTheCarReturnsToTheFireFloorFirst) {
@@ -403,7 +403,7 @@ TEST_F(RefereeTest, LandingCallsAreTakenAsLongAsOneLiftHasNoFireService) {
   sut.observe(Time(0s), 1, recalled(at_m(7)));
   sut.observe(Time(0s), 2, at_m(7));
   sut.lamp_changed(Time(2s), up_at_3, true);
-  EXPECT_FALSE(get(InvariantKind::fire_calls).decided);
+  EXPECT_FALSE(get(InvariantKind::fire_calls).is_decided());
   sut.lamp_changed(Time(3s), up_at_3, false);
   sut.observe(Time(3s), 2, of_brigade(at_m(7)));
   sut.lamp_changed(Time(5s), up_at_3, true);

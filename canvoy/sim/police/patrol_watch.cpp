@@ -85,13 +85,14 @@ void PatrolWatch::step(Time now) {
   const bool sleeps = bus.any_sleeps();
   const bool is_excused = excuse_.is_excused(now);
   silence_.look(now);
+  if (silence_.is_asleep() && !is_excused) referee_.is_quiet();
   const bool is_free = sleeps || is_excused || now < settled_at_;
   if (is_free) free_at_ = now;
   judge_wishes(now, is_free);
   judge_waits(now);
   for (const auto& node : bus.nodes()) {
-    const bool is_there = sleeps || is_excused || bus.is_at_work(*node);
-    referee_.judge_device(node->place().id, now, is_there);
+    referee_.judge_device_unless(sleeps || is_excused, node->place().id, now,
+                                 bus.is_at_work(*node));
   }
   if (crew_.calls().empty() || crew_.calls().back().reported || is_excused) return;
   crew_.calls().back().age += Crew::step_time;
@@ -99,7 +100,7 @@ void PatrolWatch::step(Time now) {
 
 void PatrolWatch::judge_wishes(Time now, bool is_free) {
   const auto judge = [&](InvariantKind kind, bool is_right) {
-    referee_.judge(kind, now, is_free || is_right);
+    referee_.judge_unless(is_free, kind, now, is_right);
   };
   const Wish is = look();
   const Wish& wish = crew_.wish();

@@ -13,11 +13,6 @@ constexpr Duration excuse_of(FaultKind kind) {
   return kind == FaultKind::corrupted_frames ? Duration{} : PoliceFaults::return_bound;
 }
 
-/// Of a cut cable.
-car::CarNode& cut_behind(const ScheduledFault& fault, car::CarBus& bus) {
-  return fault.node == 0 ? bus.gateway() : bus.node(fault.node);
-}
-
 }  // namespace
 
 PoliceFaults::PoliceFaults(PoliceCar& car, const FaultPlan& plan, car::Excuse& excuse,
@@ -56,7 +51,7 @@ void PoliceFaults::set(std::size_t number, bool is_present) {
     case FaultKind::restart:
       return is_present ? cuts_.restart(node_of(fault)) : void();
     case FaultKind::cable_cut:
-      return trouble_.cut_cable(cut_behind(fault, car_.bus()).controller(), is_present);
+      return trouble_.cut_cable(car_.bus().node(node_of(fault)).controller(), is_present);
     case FaultKind::babbling_node:
       return trouble_.babble(is_present);
     case FaultKind::corrupted_frames:

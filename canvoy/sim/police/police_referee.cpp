@@ -48,6 +48,7 @@ void PoliceReferee::pressed(const KeyAction& key, bool may_come_late) {
 }
 
 void PoliceReferee::acted(const KeyAction& action) {
+  ++keys_;
   std::vector<Pressed>& pad = pads_[action.is_function_key ? 1 : 0];
   const auto meant = std::ranges::find_if(
       pad, [&](const Pressed& one) { return one.is_for(action) && one.open != 0; });
@@ -64,13 +65,30 @@ Duration PoliceReferee::worst(InvariantKind kind) const {
   return wrong_[index(kind)].worst();
 }
 
+std::uint64_t PoliceReferee::judged(InvariantKind kind, std::size_t calls) const {
+  switch (kind) {
+    case InvariantKind::keypad:
+      return keys_;
+    case InvariantKind::terminal_wait:
+      return waits_;
+    case InvariantKind::silence:
+      return quiet_;
+    case InvariantKind::calls:
+      return calls;
+    case InvariantKind::device_missing:
+      return missing_.judged();
+    default:
+      return wrong_[index(kind)].judged();
+  }
+}
+
 std::vector<Invariant> PoliceReferee::verdicts(std::span<const EmergencyCall> calls) const {
   const auto failed = static_cast<double>(std::ranges::count_if(
       calls, [](const EmergencyCall& call) { return call.age > call_bound; }));
   std::vector<Invariant> all;
   for (std::size_t i = 0; i < kinds; ++i) {
     const auto kind = static_cast<InvariantKind>(i);
-    Invariant made{.kind = kind, .decided = !undecided_[i]};
+    Invariant made{.kind = kind, .judged = undecided_[i] ? 0 : judged(kind, calls.size())};
     if (has_time(kind)) {
       made.worst = in_seconds(worst(kind));
       made.allowed = in_seconds(bound_of(kind));
@@ -81,7 +99,7 @@ std::vector<Invariant> PoliceReferee::verdicts(std::span<const EmergencyCall> ca
     } else {
       made.worst = failed;
     }
-    made.held = !made.decided || made.worst <= made.allowed;
+    made.held = !made.is_decided() || made.worst <= made.allowed;
     all.push_back(made);
   }
   return all;

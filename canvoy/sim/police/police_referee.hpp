@@ -28,13 +28,20 @@ class PoliceReferee {
   void pressed(const KeyAction& key, bool may_come_late = false);
   void acted(const KeyAction& action);
   /// Whether something is as it shall be; called in each step.
-  void judge(InvariantKind kind, Time now, bool is_right) {
-    wrong_[index(kind)].judge(now, is_right);
+  void judge_unless(bool is_free, InvariantKind kind, Time now, bool is_right) {
+    wrong_[index(kind)].judge_unless(is_free, now, is_right);
   }
   /// The same of a device.
-  void judge_device(NodeId id, Time now, bool is_there) { missing_.judge(id, now, is_there); }
-  /// Somebody waits since then.
-  void waits(Time now, Time since) { longest_wait_ = std::max(longest_wait_, now - since); }
+  void judge_device_unless(bool is_free, NodeId id, Time now, bool is_there) {
+    is_free ? missing_.pass(id, now) : missing_.judge(id, now, is_there);
+  }
+  /// Somebody waits since then; not where that is now.
+  void waits(Time now, Time since) {
+    longest_wait_ = std::max(longest_wait_, now - since);
+    if (since < now) ++waits_;
+  }
+  /// All sleep, and are listened to.
+  void is_quiet() { ++quiet_; }
   void frame_asleep() { ++frames_asleep_; }
   void cannot_judge(InvariantKind kind) { undecided_[index(kind)] = true; }
 
@@ -42,6 +49,7 @@ class PoliceReferee {
 
  private:
   Duration worst(InvariantKind kind) const;
+  std::uint64_t judged(InvariantKind kind, std::size_t calls) const;
   static constexpr std::size_t kinds = invariant_kinds;
   static constexpr std::size_t index(InvariantKind kind) { return static_cast<std::size_t>(kind); }
   /// How often it was pressed and nobody has acted on it.
@@ -57,6 +65,9 @@ class PoliceReferee {
 
   std::array<std::vector<Pressed>, 2> pads_{};  ///< at most one for each client and key
   unsigned wrong_keys_ = 0;
+  std::uint64_t keys_ = 0;  ///< that were acted on
+  std::uint64_t waits_ = 0;
+  std::uint64_t quiet_ = 0;
   std::array<WrongTime, kinds> wrong_{};
   std::array<bool, kinds> undecided_{};
   MissingDevices missing_;

@@ -2,15 +2,6 @@
 
 namespace canvoy::taxi {
 
-namespace {
-
-/// Of a cut cable.
-car::CarNode& cut_behind(const ScheduledFault& fault, car::CarBus& bus) {
-  return fault.node == 0 ? bus.gateway() : bus.node(fault.node);
-}
-
-}  // namespace
-
 TaxiFaults::TaxiFaults(TaxiCar& car, const FaultPlan& plan, TripBook& trips, car::Excuse& excuse,
                        EventLog<TaxiEvent>& events)
     : car_(car),
@@ -55,7 +46,7 @@ void TaxiFaults::set(std::size_t number, bool is_present) {
     case FaultKind::restart:
       return is_present ? cuts_.restart(node_of(fault)) : void();
     case FaultKind::cable_cut:
-      return trouble_.cut_cable(cut_behind(fault, car_.bus()).controller(), is_present);
+      return trouble_.cut_cable(car_.bus().node(node_of(fault)).controller(), is_present);
     case FaultKind::babbling_node:
       return trouble_.babble(is_present);
     case FaultKind::corrupted_frames:

@@ -23,14 +23,15 @@ constexpr Time settled_at{TaxiFaults::return_bound};
 constexpr Duration long_enough = 2h;
 
 Invariant none(InvariantKind kind, double worst) {
-  return {.kind = kind, .worst = worst, .allowed = 0, .held = worst <= 0};
+  return {.kind = kind, .worst = worst, .allowed = 0, .held = worst <= 0, .judged = 1};
 }
 
 Invariant in_time(InvariantKind kind, Duration worst, Duration allowed) {
   return {.kind = kind,
           .worst = std::chrono::duration<double>(worst).count(),
           .allowed = std::chrono::duration<double>(allowed).count(),
-          .held = worst <= allowed};
+          .held = worst <= allowed,
+          .judged = 1};
 }
 
 }  // namespace
@@ -142,7 +143,7 @@ Invariant TaxiReferee::judge_carried() const {
   return {.kind = InvariantKind::carried,
           .worst = was_long_enough && shift_.carried() == 0 ? 1.0 : 0.0,
           .held = !was_long_enough || shift_.carried() != 0,
-          .decided = was_long_enough};
+          .judged = was_long_enough ? 1U : 0U};
 }
 
 std::vector<Invariant> TaxiReferee::verdicts() const {
@@ -159,7 +160,9 @@ std::vector<Invariant> TaxiReferee::verdicts() const {
       in_time(InvariantKind::no_service, wait_.worst(), wait_bound),
       judge_carried(),
       in_time(InvariantKind::device_missing, missing_.worst(), TaxiFaults::return_bound)};
-  for (Invariant& each : all) each.decided = each.decided && can_be_judged(each.kind);
+  for (Invariant& each : all) {
+    if (!can_be_judged(each.kind)) each.judged = 0;
+  }
   return all;
 }
 

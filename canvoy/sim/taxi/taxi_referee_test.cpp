@@ -62,7 +62,8 @@ std::string broken_with(const ScheduledFault& fault, Time begin) {
   TaxiNetwork network(options);
   network.run_until(Time(126min));
   const auto carried = static_cast<std::size_t>(InvariantKind::carried);
-  return broken(network) + (network.invariants().at(carried).decided ? "decided" : "undecided");
+  return broken(network) +
+         (network.invariants().at(carried).is_decided() ? "decided" : "undecided");
 }
 
 TEST(TaxiReferee, TimeThatAFaultExcusesIsNoneInWhichSomebodyIsCarried) {

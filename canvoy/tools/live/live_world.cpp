@@ -349,7 +349,7 @@ int LiveWorld::finish() {
   if (log_) ok_or_throw(log_->flush());
   recorder().end();
   fmt::print("{}", network().summary_text());
-  return network().all_hold() ? exit_done : exit_failed;
+  return verdict_status(network().summary_json(), play_.require_decided);
 }
 
 }  // namespace canvoy::tools

@@ -348,7 +348,8 @@ int BusWorld::run_chosen(const Verb& verb, const RunOptions& options, const Choi
   return run_depot({.vehicle = std::move(run.network),
                     .vehicles = choice.vehicles,
                     .threads = choice.threads,
-                    .json = options.json});
+                    .json = options.json,
+                    .require_decided = options.require_decided});
 }
 
 }  // namespace

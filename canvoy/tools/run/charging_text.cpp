@@ -211,13 +211,9 @@ std::string WorldText<charging::ChargingNetwork>::summary_text(ChargingNetwork& 
       words::duration_text(end.at - Time{}), end.state_of_charge * 100, end.celsius, end.volt,
       end.counted_ampere_hours, end.counted_watt_hours / 1000, end.bus.frames,
       end.bus.error_frames);
-  const ChargingNames names(network.options());
-  for (const charging::Invariant& invariant : network.invariants()) {
-    text += invariant.decided ? invariant_line(names, judged(invariant))
-                              : fmt::format("  open    {}, it ended too soon\n",
-                                            invariant_text(names, judged(invariant)));
-  }
-  return text;
+  const std::vector<charging::Invariant> invariants = network.invariants();
+  return text + invariants_text(ChargingNames(network.options()),
+                                std::span<const charging::Invariant>(invariants));
 }
 
 Json WorldText<charging::ChargingNetwork>::summary(ChargingNetwork& network) {

@@ -145,21 +145,24 @@ TEST(LiftText, AnInvariantNamesItsLiftAndFaultAndWhatIsAllowed) {
                                  .part = 2,
                                  .worst = 12.5,
                                  .allowed = 10,
-                                 .held = false},
+                                 .held = false,
+                                 .judged = 1},
                                 house()),
             "lift 2: a door began to open beside a floor by 12.5 mm, 10 mm allowed");
   EXPECT_EQ(lift_invariant_text({.kind = lift::InvariantKind::safe_stand,
                                  .part = 1,
                                  .fault = 0,
                                  .worst = 2,
-                                 .allowed = 5},
+                                 .allowed = 5,
+                                 .judged = 1},
                                 house()),
             "lift 1: dead-encoder: from the fault to a car that stands 2 s, 5 s allowed");
 }
 
 TEST(LiftText, AnInvariantIsReadAsPeopleReadNumbers) {
   const auto words = [](lift::InvariantKind kind, double value, double bound) {
-    return lift_invariant_text({.kind = kind, .worst = value, .allowed = bound}, house());
+    return lift_invariant_text({.kind = kind, .worst = value, .allowed = bound, .judged = 1},
+                               house());
   };
   EXPECT_EQ(words(lift::InvariantKind::no_overload, 828, 1100),
             "left a floor with 828 kg, 1100 kg allowed");
@@ -167,6 +170,8 @@ TEST(LiftText, AnInvariantIsReadAsPeopleReadNumbers) {
             "beyond the last floors by 0 m, 0.3 m allowed");
   EXPECT_EQ(words(lift::InvariantKind::fire_calls, 0, 0),
             "calls taken in a fire service 0, 0 allowed");
+  EXPECT_EQ(lift_invariant_text({.kind = lift::InvariantKind::fire_calls, .worst = 0}, house()),
+            "not decided: calls taken in a fire service");
 }
 
 TEST(LiftText, SaysAllOfASnapshotAsJson) {

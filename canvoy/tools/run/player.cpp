@@ -1,6 +1,7 @@
 #include "canvoy/tools/run/player.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -110,7 +111,7 @@ class Player {
     screen_.reset();
     if (log_) log_->finish();
     fmt::print("{}", options_.json ? summary_json() : terminal_text(summary_text(), STDOUT_FILENO));
-    return network_.all_hold() ? exit_done : exit_failed;
+    return verdict_status(network_.summary_json(), options_.require_decided);
   }
 
  private:
@@ -263,6 +264,22 @@ class Player {
 };
 
 }  // namespace
+
+int verdict_status(const nlohmann::ordered_json& summary, bool require_decided) {
+  if (!summary.at("all_held").get<bool>()) return exit_failed;
+  if (!require_decided || summary.at("all_decided").get<bool>()) return exit_done;
+  std::vector<std::string> names;
+  for (const auto& invariant : summary.at("invariants")) {
+    const auto name = invariant.at("invariant").get<std::string>();
+    const bool is_new = names.empty() || names.back() != name;
+    if (!invariant.at("decided").get<bool>() && is_new) names.push_back(name);
+  }
+  fmt::print(
+      stderr,
+      "canvoy: not decided, as nothing was there to judge: {}; run longer, or with more in it\n",
+      fmt::join(names, ", "));
+  return exit_undecided;
+}
 
 int play(PlayedNetwork& network, const PlayOptions& options) {
   return Player(network, options).run();

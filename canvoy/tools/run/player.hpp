@@ -50,11 +50,16 @@ struct PlayOptions {
   double terminal_speed = 60;
   Duration snapshot_period = 1min;  ///< of JSON
   bool json = false;
+  bool require_decided = false;    ///< see verdict_status()
   std::vector<RealBus> real = {};  ///< with any, the speed is 1
 };
 
+/// exit_failed where an invariant is broken; exit_undecided where all held, some were not judged,
+/// and that is required: behind a line on the standard error output that names them.
+int verdict_status(const nlohmann::ordered_json& summary, bool require_decided);
+
 /// Plays until the end, or SIGINT, SIGTERM or SIGHUP, and prints the summary. The exit status:
-/// whether all invariants held. Throws Failure.
+/// see verdict_status(). Throws Failure.
 int play(PlayedNetwork& network, const PlayOptions& options);
 
 }  // namespace canvoy::tools

@@ -30,9 +30,10 @@ bool is_of_report(const Verb& command) {
 
 /// `canvoy run lift --lifts 4`: what says which run it is, but for the seed.
 std::string command_of(const Verb& command, const RunOptions& options) {
-  constexpr std::array left_out = {"--seed", "--speed",        "--web",  "--allow-write",
-                                   "--out",  "--log",          "--json", "--print",
-                                   "--help", "--allow-record", "--link", "--fault"};
+  constexpr std::array left_out = {
+      "--seed",           "--speed", "--web",  "--allow-write",  "--out",  "--log",
+      "--json",           "--print", "--help", "--allow-record", "--link", "--fault",
+      "--require-decided"};
   std::string text;
   for (const Verb* verb = &command; verb != nullptr; verb = verb->parent()) {
     const std::string name = verb->name();
@@ -114,6 +115,8 @@ void add_show_options(Verb& command, RunOptions& options) {
        between(0.0, 1e6)},
       {"--log", options.log, "write all frames as a candump log"},
       {"--json", options.json, "events and values, one JSON object a line"},
+      {"--require-decided", options.require_decided,
+       "exit status 3 where all held, but something was never there to be judged"},
       {"--print", options.print,
        "print the network as a file that `canvoy run FILE` plays, and end"},
       {"--allow-write", options.allow_write,
@@ -190,6 +193,7 @@ PlayOptions play_options(const RunOptions& options, Duration duration) {
   play.log = options.log;
   play.speed = options.speed;
   play.json = options.json;
+  play.require_decided = options.require_decided;
   return play;
 }
 

@@ -22,6 +22,7 @@ struct RunOptions {
   std::optional<std::uint64_t> seed;
   std::string link;   ///< of a page: its seed and faults, which are taken over
   double speed = -1;  ///< as PlayOptions have it
+  bool require_decided = false;
   bool json = false;
   bool print = false;                 ///< the network as a file, in place of a run
   std::optional<std::string> web;     ///< a page of it: the port, empty: a free one

@@ -58,7 +58,7 @@ class DepotPrinter {
   int finish() {
     clear_progress();
     fmt::print("{}", options_.json ? summary_json().dump() + "\n" : summary_text());
-    return all_hold() ? exit_done : exit_failed;
+    return verdict_status(summary_json(), options_.require_decided);
   }
 
  private:
@@ -105,7 +105,7 @@ class DepotPrinter {
     json["failed"] = totals_.failed;
     add_service(json, totals_.statistics, totals_.riders, totals_.odometer, totals_.bus);
     add_invariants(json, names_, std::span<const bus::Invariant>(totals_.invariants));
-    json["all_held"] = all_hold();
+    json["all_held"] = all_hold();  // also: all were played
     return json;
   }
 

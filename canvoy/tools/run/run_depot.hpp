@@ -14,6 +14,7 @@ struct DepotOptions {
   std::uint32_t vehicles = 1;        ///< to depot_vehicles_max
   unsigned threads = 0;              ///< 0: one for each core
   bool json = false;
+  bool require_decided = false;
 };
 
 /// Plays each vehicle until its end, or all until SIGINT, SIGTERM or SIGHUP, and prints who has

@@ -25,9 +25,9 @@ TEST(RunDepot, AVehicleThatFailsIsNamedWithWhatPlaysItAlone) {
   const std::string text = testing::internal::GetCapturedStdout();
   EXPECT_TRUE(
       text.starts_with("vehicle 1 (--seed 7 --block 1)\n"
-                       "  BROKEN  a display said what is not so for at most "))
+                       "  FAIL  a display said what is not so for at most "))
       << text;
-  EXPECT_NE(text.find("\nvehicle 2 (--seed 8 --block 1)\n  BROKEN"), std::string::npos) << text;
+  EXPECT_NE(text.find("\nvehicle 2 (--seed 8 --block 1)\n  FAIL"), std::string::npos) << text;
   EXPECT_NE(text.find("\n2 vehicles, 30min at most: 4 journeys, "), std::string::npos) << text;
   EXPECT_TRUE(text.ends_with("\n2 of 2 vehicles failed: 1, 2\n")) << text;
 }

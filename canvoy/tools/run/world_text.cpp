@@ -132,7 +132,7 @@ std::string invariant_text(const WorldNames& names, const Judged& invariant) {
   std::string text =
       invariant.part == 0 ? "" : fmt::format("{} {}: ", names.part(), invariant.part);
   if (invariant.fault != no_fault) text += names.fault(invariant.fault) + ": ";
-  if (!invariant.decided) return text + fmt::format("{}: nothing to judge", words.text);
+  if (!invariant.is_decided()) return text + fmt::format("not decided: {}", words.text);
   return text + fmt::format("{} {}, {} allowed", words.text,
                             measure_text(invariant.worst, words.unit),
                             measure_text(invariant.allowed, words.unit));
@@ -145,13 +145,14 @@ Json invariant_json(const WorldNames& names, const Judged& invariant) {
   json["worst"] = invariant.worst;
   json["allowed"] = invariant.allowed;
   if (!invariant.kind->unit.empty()) json["unit"] = invariant.kind->unit;
-  json["decided"] = invariant.decided;
+  json["judged"] = invariant.judged;
+  json["decided"] = invariant.is_decided();
   json["held"] = invariant.held;
   return json;
 }
 
 Told told_broken(const WorldNames& names, const Judged& invariant) {
-  Told told{"BROKEN: " + invariant_text(names, invariant), {{"event", "broken"}}};
+  Told told{"FAIL: " + invariant_text(names, invariant), {{"event", "broken"}}};
   told.json().update(invariant_json(names, invariant));
   told.json()["text"] = told.text;
   return told;
@@ -162,12 +163,14 @@ void add_judged(Json& json, const WorldNames& names, std::span<const Judged> all
   for (const Judged& each : all) invariants.push_back(invariant_json(names, each));
   json["invariants"] = std::move(invariants);
   json["all_held"] = std::ranges::all_of(all, &Judged::held);
+  json["all_decided"] = std::ranges::all_of(all, &Judged::is_decided);
 }
 
 std::string invariant_line(const WorldNames& names, const Judged& invariant) {
-  if (!invariant.decided) return {};
-  return fmt::format("  {}  {}\n", invariant.held ? "held  " : "BROKEN",
-                     invariant_text(names, invariant));
+  const std::string_view verdict = !invariant.is_decided() ? "----"
+                                   : invariant.held        ? "PASS"
+                                                           : "FAIL";
+  return fmt::format("  {}  {}\n", verdict, invariant_text(names, invariant));
 }
 
 Json line_json(Time at, std::string_view event) {

@@ -83,13 +83,13 @@ Told told_fault(const WorldNames& names, bool begins, std::string_view fault,
 using Judged = Invariant<const InvariantRow*>;
 template <class Kind>
 Judged judged(const Invariant<Kind>& it) {
-  return {&invariant_name(it.kind), it.part, it.fault, it.worst, it.allowed, it.held, it.decided};
+  return {&invariant_name(it.kind), it.part, it.fault, it.worst, it.allowed, it.held, it.judged};
 }
 /// `lift 1: longest wait 62 s, 300 s allowed`
 std::string invariant_text(const WorldNames& names, const Judged& invariant);
 Json invariant_json(const WorldNames& names, const Judged& invariant);
 Told told_broken(const WorldNames& names, const Judged& invariant);
-/// `  held    longest wait ...`, a line each.
+/// `  PASS  longest wait ...`, a line each.
 template <class Kind>
 std::string invariants_text(const WorldNames& names, std::span<const Invariant<Kind>> all);
 /// As `invariants`, and `all_held`, at the end of an object.
