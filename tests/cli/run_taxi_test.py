@@ -224,7 +224,7 @@ class RunTaxi(CommandTest):
     def test_bad_input_is_refused_in_one_line(self):
         for arguments, status, part in (
             (["--fault", "lost-node:node=9@1min"], USAGE, "nodes 1 to 8"),
-            (["--fault", "cable-cut:node=2@1min"], USAGE, "not one of a node"),
+            (["--fault", "paper-out:node=2@1min"], USAGE, "not one of a node"),
             (["--fault", "flat-tyre@1min"], USAGE, "flat-tyre"),
             (["--for", "1min", "--fault", "restart@2min"], USAGE, "after the end"),
         ):
