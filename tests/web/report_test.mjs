@@ -40,7 +40,7 @@ test("a run's report has its picture over time, verdicts, statistics and events"
   await shown(["charger", "--for", "10min", "--fault", "pilot-loss@2min+30s"], async (page) => {
     await page.locator("h1", { hasText: "all holds" }).waitFor();
     await page.getByText("canvoy run charger --for 10min --fault pilot-loss@2min+30s --seed 1").waitFor();
-    await page.locator(".verdicts tr", { hasText: "pilot-loss" }).getByText("held", { exact: true }).waitFor();
+    await page.locator(".verdicts tr", { hasText: "pilot-loss" }).getByText("PASS", { exact: true }).waitFor();
     await page.locator(".events li", { hasText: "FAULT begins: pilot-loss" }).waitFor();
     await page.locator("tr", { hasText: /^energy wh/ }).waitFor();
     await page.locator(".curve", { hasText: "battery_voltage" }).locator(".line").first().waitFor();
