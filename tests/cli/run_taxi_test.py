@@ -101,8 +101,7 @@ class RunTaxi(CommandTest):
         self.assert_done(run("run", "taxi", *arguments, "--report", str(path)))
         report = json.loads(path.read_text())
         self.assertEqual(report["interruptions"], [{"begin": 900.0, "end": 910.0}])
-        self.assertEqual(report["trips"][0]["verdict"], "not judged", "the meter had no power in it")
-        for trip in report["trips"][1:]:
+        for trip in report["trips"]:  # the first one has lost what it could have in those ten seconds
             self.assertEqual(trip["verdict"], "within")
             self.assertEqual(trip["distance_limit_m"], max(4, 0.002 * trip["distance_m"]))
         paid = sum(trip["paid"] for trip in report["trips"])
@@ -224,7 +223,7 @@ class RunTaxi(CommandTest):
     def test_bad_input_is_refused_in_one_line(self):
         for arguments, status, part in (
             (["--fault", "lost-node:node=9@1min"], USAGE, "nodes 1 to 8"),
-            (["--fault", "cable-cut:node=2@1min"], USAGE, "not one of a node"),
+            (["--fault", "paper-out:node=2@1min"], USAGE, "not one of a node"),
             (["--fault", "flat-tyre@1min"], USAGE, "flat-tyre"),
             (["--for", "1min", "--fault", "restart@2min"], USAGE, "after the end"),
         ):
