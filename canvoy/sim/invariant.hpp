@@ -21,12 +21,12 @@ inline constexpr std::size_t no_fault = ~std::size_t{0};
 
 template <class Kind>
 struct Invariant {
-  Kind kind{};
+  Kind kind{};                   ///< the row that it is
   std::uint8_t part = 0;         ///< of the world: which lift; 0: all of it
   std::size_t fault = no_fault;  ///< of those about one: its place in the plan
-  double worst = 0;
-  double allowed = 0;
-  bool held = true;  ///< so far, also where nothing was judged
+  double worst = 0;              ///< in the unit of its row
+  double allowed = 0;            ///< the same; beyond it is broken
+  bool held = true;              ///< so far, also where nothing was judged
   /// How often it was: trips, calls, messages; of what must be so at all times, looks at it. What a
   /// fault excuses, and what cannot be seen, is not judged.
   std::uint64_t judged = 0;

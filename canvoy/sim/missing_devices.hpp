@@ -15,6 +15,7 @@ namespace canvoy {
 
 class MissingDevices {
  public:
+  /// Whether the device is there; called in each step.
   void judge(NodeId id, Time now, bool is_there) {
     WrongTime& device = devices_.at(id);
     device.judge(now, is_there);
@@ -23,7 +24,9 @@ class MissingDevices {
   }
   /// It may be missing.
   void pass(NodeId id, Time now) { devices_.at(id).pass(now); }
+  /// The longest time at a stretch, of any of them.
   Duration worst() const { return worst_; }
+  /// How often.
   std::uint64_t judged() const { return judged_; }
 
  private:

@@ -16,6 +16,7 @@ namespace canvoy {
 
 class WrongTime {
  public:
+  /// Called in each step.
   void judge(Time now, bool is_right) {
     if (is_right) right_at_ = now;
     worst_ = std::max(worst_, now - right_at_);
@@ -23,10 +24,12 @@ class WrongTime {
   }
   /// It is not judged, and no wrong time goes on over this.
   void pass(Time now) { right_at_ = now; }
+  /// Judges it, or passes.
   void judge_unless(bool is_excused, Time now, bool is_right) {
     is_excused ? pass(now) : judge(now, is_right);
   }
 
+  /// The longest time at a stretch.
   Duration worst() const { return worst_; }
   /// How often.
   std::uint64_t judged() const { return judged_; }

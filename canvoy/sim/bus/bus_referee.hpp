@@ -53,9 +53,9 @@ class BusReferee {
   struct Kept {
     Time right_at{};
     Duration worst{};
-    unsigned wrong = 0;
-    std::uint64_t judged = 0;
-    unsigned faults = 0;  ///< that are present and excuse it
+    unsigned wrong = 0;        ///< of those that count
+    std::uint64_t judged = 0;  ///< how often
+    unsigned faults = 0;       ///< that are present and excuse it
     Time excused_until{};
   };
   bool is_broken(std::size_t kind) const;

@@ -68,8 +68,8 @@ class ExcavatorReferee {
   struct Kept {
     Time right_at{};
     double worst = 0;
-    std::uint64_t judged = 0;
-    unsigned faults = 0;  ///< that are present and excuse it
+    std::uint64_t judged = 0;  ///< how often
+    unsigned faults = 0;       ///< that are present and excuse it
     Time excused_until{};
   };
   void measure(InvariantKind kind, double value);

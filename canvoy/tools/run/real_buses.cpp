@@ -10,8 +10,12 @@ namespace canvoy::tools {
 
 namespace {
 
-/// Between two looks, where the machine did not get to it for longer.
+/// Between two looks, where the machine did not get to it for longer. While the network is late it
+/// runs twice as fast as the clock.
 constexpr Duration step_max = 5ms;
+constexpr Duration step_min = 2 * RealBuses::period;
+/// By which it may be late.
+constexpr Duration late_max = 200ms;
 
 }  // namespace
 
@@ -27,8 +31,11 @@ RealBuses::RealBuses(World& world, const std::vector<RealBus>& buses, host::Even
 
 Time RealBuses::reach(Time clock) {
   const Duration passed = clock - std::exchange(looked_at_, clock);
-  const Duration step = std::min(passed, step_max);
-  left_out_ += passed - step;
+  late_ += passed;
+  const Duration step = std::min(late_, std::clamp(passed, step_min, step_max));
+  late_ -= step;
+  left_out_ += std::max(late_ - late_max, Duration{});
+  late_ = std::min(late_, late_max);
   return reached_ += step;
 }
 

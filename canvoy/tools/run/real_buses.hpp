@@ -14,8 +14,9 @@
 
 namespace canvoy::tools {
 
-/// The network never runs faster than the clock, also not behind a pause of this process: who is
-/// out there would have no time to answer. What the machine does not get to is left out.
+/// The network runs as fast as the clock. Behind a pause of this process it does not catch up in
+/// one go, since who is out there would have no time to answer, but by small steps, at twice the
+/// speed; of a long pause, the rest is left out.
 class RealBuses {
  public:
   /// From one call of reach() to the next.
@@ -34,6 +35,7 @@ class RealBuses {
   std::deque<BusBridge> bridges_;
   Time looked_at_{};  ///< of the clock
   Time reached_{};    ///< of the network
+  Duration late_{};
   Duration left_out_{};
 };
 

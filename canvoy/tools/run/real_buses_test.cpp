@@ -17,16 +17,33 @@ TEST(RealBuses, ANetworkIsAsFastAsTheClock) {
   EXPECT_EQ(real.reach(begin + 5ms) - first, 4ms);
 }
 
-TEST(RealBuses, WhatTheMachineDidNotGetToIsLeftOut) {
+TEST(RealBuses, AShortPauseIsCaughtUpWithAtTwiceTheSpeed) {
   World world;
   const auto loop = *host::EventLoop::create();
   RealBuses real(world, {}, *loop);
-  const Time begin = loop->now();
-  const Time first = real.reach(begin + 1ms);
-  const Duration before = real.left_out();
-  EXPECT_EQ(real.reach(begin + 2s + 1ms) - first, 5ms);
-  EXPECT_EQ(real.left_out() - before, 1995ms);
-  EXPECT_EQ(real.reach(begin + 2s + 2ms) - first, 6ms);
+  Time clock = loop->now() + 1ms;
+  const Time first = real.reach(clock);
+  clock += 105ms;
+  EXPECT_EQ(real.reach(clock) - first, 5ms);
+  for (int i = 1; i <= 100; ++i) {
+    clock += 1ms;
+    EXPECT_EQ(real.reach(clock) - first, 5ms + i * 2ms);
+  }
+  EXPECT_EQ(real.reach(clock + 1ms) - first, 206ms) << "it is there";
+  EXPECT_EQ(real.left_out(), 0ms);
+}
+
+TEST(RealBuses, OfALongPauseTheRestIsLeftOut) {
+  World world;
+  const auto loop = *host::EventLoop::create();
+  RealBuses real(world, {}, *loop);
+  Time clock = loop->now() + 1ms;
+  const Time first = real.reach(clock);
+  clock += 2s;
+  EXPECT_EQ(real.reach(clock) - first, 5ms);
+  EXPECT_EQ(real.left_out(), 1795ms);
+  for (int i = 0; i < 1000; ++i) real.reach(clock += 1ms);
+  EXPECT_EQ(real.reach(clock) - first, 1205ms);
 }
 
 }  // namespace
