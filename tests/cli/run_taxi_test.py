@@ -101,8 +101,7 @@ class RunTaxi(CommandTest):
         self.assert_done(run("run", "taxi", *arguments, "--report", str(path)))
         report = json.loads(path.read_text())
         self.assertEqual(report["interruptions"], [{"begin": 900.0, "end": 910.0}])
-        self.assertEqual(report["trips"][0]["verdict"], "not judged", "the meter had no power in it")
-        for trip in report["trips"][1:]:
+        for trip in report["trips"]:  # the first one has lost what it could have in those ten seconds
             self.assertEqual(trip["verdict"], "within")
             self.assertEqual(trip["distance_limit_m"], max(4, 0.002 * trip["distance_m"]))
         paid = sum(trip["paid"] for trip in report["trips"])
@@ -244,6 +243,9 @@ class RunTaxi(CommandTest):
             (f'network = "taxi"\n[car_network]\npdo_offsets = {[0] * 30}\n', "each another"),
             ('network = "taxi"\n[[tariff]]\nlevel = "long"\n', "one or two characters"),
             ('network = "taxi"\n[[tariff]]\nlevel = "1"\nper_km = 0.0001\n', "thousandths"),
+            ('network = "taxi"\n[[tariff]]\nlevel = "1"\nstep = 0.001\n', "line 4: step: 0.001 is not from 0.01"),
+            ('network = "taxi"\n[[tariff]]\nlevel = "1"\nstep = 0.015\n', "multiple of 0.01"),
+            ('network = "taxi"\n[[tariff]]\nlevel = "1"\ninitial_fare = 3.905\n', "multiple of 0.01"),
             ('network = "taxi"\n[[tariff]]\nlevel = "1"\n[[tariff]]\nlevel = "1"\n', "already"),
             ('network = "taxi"\n[[tariff_hours]]\nlevel = "1"\n', "no such level"),
             ('network = "taxi"\n[[tariff]]\nlevel = "1"\n[[tariff_hours]]\nlevel = "1"\nto = "24:01"\n', "22:00"),

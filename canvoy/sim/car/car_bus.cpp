@@ -9,9 +9,12 @@ namespace canvoy::car {
 
 namespace {
 
-/// Until a car with real devices is judged, though not all have started yet. By LSS all wait for
-/// all, and a real device answers when its computer lets it.
+/// In which a real device has to come.
 constexpr Duration real_start = 1min;
+/// The same of those that are played beside real ones: by LSS all wait for all, one after the
+/// other, and a real device answers when its computer lets it. What they do for people is judged
+/// from then on as well, or as soon as all have come.
+constexpr Duration start_beside_real = 3min;
 
 }  // namespace
 
@@ -56,7 +59,12 @@ bool CarBus::is_at_work(CarNode& node) const {
 
 bool CarBus::waits_for_real() const {
   const auto does_work = [this](const auto& node) { return is_at_work(*node); };
-  return world_.now() - Time{} < real_start && !std::ranges::all_of(nodes_, does_work);
+  return world_.now() - Time{} < start_beside_real && !std::ranges::all_of(nodes_, does_work);
+}
+
+bool CarBus::may_come_yet(NodeId id) const {
+  const Duration time = is_played(id) ? start_beside_real : real_start;
+  return !settings_.real.empty() && world_.now() - Time{} < time;
 }
 
 bool CarBus::all_sleep() const {

@@ -60,8 +60,10 @@ class CarBus {
   void touched(NodeId id) { world_.touched(node(id).slot()); }
   /// As far as can be known of one that is not played.
   bool is_at_work(CarNode& node) const;
-  /// Not all do their work, and what is real may come yet.
+  /// Not all do their work, and may begin it yet, since somebody is real.
   bool waits_for_real() const;
+  /// Somebody is real, and this one, which is not at work, has had no time to come.
+  bool may_come_yet(NodeId id) const;
   /// Of those that have power.
   bool all_sleep() const;
   /// Also one that is about to.

@@ -91,8 +91,10 @@ void PatrolWatch::step(Time now) {
   judge_wishes(now, is_free);
   judge_waits(now);
   for (const auto& node : bus.nodes()) {
-    referee_.judge_device_unless(sleeps || is_excused, node->place().id, now,
-                                 bus.is_at_work(*node));
+    const NodeId id = node->place().id;
+    const bool may_be_missing =
+        excuse_.has_fault(now) || (excuse_.waits_for_real() && bus.may_come_yet(id));
+    referee_.judge_device_unless(sleeps || may_be_missing, id, now, bus.is_at_work(*node));
   }
   if (crew_.calls().empty() || crew_.calls().back().reported || is_excused) return;
   crew_.calls().back().age += Crew::step_time;

@@ -38,13 +38,18 @@ double Trip::time_limit() const {
   return limit_of_time(seconds) + key_seconds;
 }
 double Trip::distance_excess() const {
-  return std::abs(metered_metres - metres) - distance_limit();
+  return std::max(metered_metres - metres, sure_metres - metered_metres) - distance_limit();
 }
 double Trip::time_excess() const {
-  return std::abs(metered_seconds - seconds) - time_limit();
+  return std::max(metered_seconds - seconds, sure_seconds - metered_seconds) - time_limit();
 }
 double Trip::fare_excess() const {
   return std::max(fare_low - metered_fare, metered_fare - fare_high);
+}
+
+double Trip::total_error() const {
+  const double of_extras = knows_extras ? std::abs(extras - pressed_extras) : 0;
+  return of_extras + std::abs(total - metered_fare - extras);
 }
 
 const cia447::TariffLevel& FareReferee::level_at(Time now) const {
@@ -63,9 +68,10 @@ void FareReferee::hired(Time now, double metres, Duration key_time) {
   first_metres_ = last_metres_ = metres;
   first_speed_.reset();
   last_speed_ = 0;
+  was_excused_ = false;
 }
 
-void FareReferee::step(Time now, double metres) {
+void FareReferee::step(Time now, double metres, const TripExcuse& excuse) {
   if (!has_trip_) return;
   const double time = seconds(now - last_);
   const double by_distance = level_->distance_rate * (metres - last_metres_) / metres_a_unit;
@@ -73,10 +79,12 @@ void FareReferee::step(Time now, double metres) {
   if (time > 0) last_speed_ = (metres - last_metres_) / time;
   if (!first_speed_) first_speed_ = last_speed_;
   at_once_ += std::max(by_distance, by_time);
-  slice_by_distance_ += by_distance;
-  slice_by_time_ += by_time;
+  slice(now, by_distance, by_time, excuse.fare);
   trip_.metres = metres - first_metres_;
   trip_.seconds += time;
+  if (!excuse.distance) trip_.sure_metres += metres - last_metres_;
+  if (!excuse.duration) trip_.sure_seconds += time;
+  trip_.excused |= excuse;
   trip_.end = now;
   last_ = now;
   last_metres_ = metres;
@@ -86,13 +94,25 @@ void FareReferee::step(Time now, double metres) {
   level_ = level;
 }
 
+/// What a fault may have cost is not asked for.
+void FareReferee::slice(Time now, double by_distance, double by_time, bool is_excused) {
+  if (is_excused != was_excused_) close_slice();
+  was_excused_ = is_excused;
+  if (is_excused) {
+    slice_begin_ = now;
+  } else {
+    slice_by_distance_ += by_distance;
+    slice_by_time_ += by_time;
+  }
+}
+
 void FareReferee::close_slice() {
   in_slices_ += std::max(slice_by_distance_, slice_by_time_);
   slice_by_distance_ = slice_by_time_ = 0;
   slice_begin_ = last_;
 }
 
-Trip FareReferee::paid(Time now, const cia447::TripData& shown) {
+Trip FareReferee::paid(Time now, const std::optional<cia447::TripData>& shown) {
   trip_.end = std::min(now, trip_.end);
   close_slice();
   trip_.key_metres = trip_.key_seconds * (first_speed_.value_or(0) + last_speed_);
@@ -105,10 +125,15 @@ Trip FareReferee::paid(Time now, const cia447::TripData& shown) {
   const double high = at_once_ * (1 + fare_share) + cost_of_limits;
   trip_.fare_low = std::max(minimum_, initial_ + std::max(0.0, low));
   trip_.fare_high = std::max(minimum_, initial_ + high);
-  trip_.metered_metres = shown.distance;
-  trip_.metered_seconds = shown.duration;
-  trip_.metered_fare = shown.fare;
-  trip_.paid = shown.total;
+  trip_.is_read = shown.has_value();
+  if (shown) {
+    trip_.metered_metres = shown->distance;
+    trip_.metered_seconds = shown->duration;
+    trip_.metered_fare = shown->fare;
+    trip_.extras = shown->supplements;
+    trip_.total = shown->total;
+    trip_.paid = trip_.metered_fare + trip_.extras;
+  }
   has_trip_ = false;
   return trip_;
 }

@@ -24,23 +24,52 @@ namespace canvoy::taxi {
 /// Money is in 0,001 of the currency unit, as 60D0h has it.
 inline constexpr double money_unit = 1000;
 
-/// A trip, as it was and as the meter had it.
+/// What of a trip a fault may have cost just now, or has.
+struct TripExcuse {
+  bool fare = false;
+  bool distance = false;
+  bool duration = false;
+
+  bool any() const { return fare || distance || duration; }
+  TripExcuse& operator|=(const TripExcuse& other) {
+    fare |= other.fare;
+    distance |= other.distance;
+    duration |= other.duration;
+    return *this;
+  }
+};
+
+/// A trip, as it was and as the meter had it. What a fault may have cost of it may lack, and no
+/// more than that: nothing is metered that was not driven.
 struct Trip {
   Time begin{};
   Time end{};
   double metres = 0;
   double seconds = 0;
-  double fare_low = 0;   ///< what the tariff asks, with all limits in favour of the passenger
-  double fare_high = 0;  ///< and of the driver
+  double sure_metres = 0;   ///< without those that a fault may have cost
+  double sure_seconds = 0;  ///< the same
+  double fare_low = 0;      ///< what the tariff asks, with all limits in favour of the passenger
+  double fare_high = 0;     ///< and of the driver
   double metered_metres = 0;
   double metered_seconds = 0;
   double metered_fare = 0;
-  double paid = 0;            ///< with supplements
-  double key_seconds = 0;     ///< in which the meter works off the driver's key
-  double key_metres = 0;      ///< that the car goes meanwhile, here and when it is stopped
-  bool is_disturbed = false;  ///< a fault has touched it: it is not judged
+  double extras = 0;            ///< as the meter shows them
+  double total = 0;             ///< the same
+  double paid = 0;              ///< fare and extras, with what the driver asks beside them
+  double pocketed = 0;          ///< of it
+  double pressed_extras = 0;    ///< by the driver
+  bool knows_extras = true;     ///< who presses them is seen here
+  double key_seconds = 0;       ///< in which the meter works off the driver's key
+  double key_metres = 0;        ///< that the car goes meanwhile, here and when it is stopped
+  bool is_read = true;          ///< what the meter has: else nothing of it can be judged
+  bool has_clock = true;        ///< that is known here, and says which level of the tariff it is
+  bool has_lost_power = false;  ///< the meter, meanwhile
+  bool may_lack_receipt = false;
+  TripExcuse excused{};
   bool has_tariff_change = false;
 
+  /// A fault may have cost it something.
+  bool is_disturbed() const { return !is_read || excused.any(); }
   /// What may be wrong: of the distance in m, of the time in s.
   double distance_limit() const;
   double time_limit() const;
@@ -48,6 +77,8 @@ struct Trip {
   double distance_excess() const;
   double time_excess() const;  ///< in s
   double fare_excess() const;  ///< in 0,001 of the currency unit
+  /// TOTAL and extras against what they have to be, in 0,001 of the currency unit.
+  double total_error() const;
 };
 
 class FareReferee {
@@ -59,19 +90,20 @@ class FareReferee {
 
   /// The meter works off its keys within `key_time`, here and when it is stopped.
   void hired(Time now, double metres, Duration key_time = 1s);
-  /// Each step while the meter is hired.
-  void step(Time now, double metres);
-  void stopped(Time now, double metres) { step(now, metres); }
-  void disturb() { trip_.is_disturbed = true; }
-  /// What the meter shows when the passenger pays; ends the trip.
-  Trip paid(Time now, const cia447::TripData& shown);
+  /// Each step while passengers are driven. `excuse`: what a fault may have cost since the last
+  /// one.
+  void step(Time now, double metres, const TripExcuse& excuse = {});
+  /// The trip that is under way.
+  Trip& trip() { return trip_; }
+  const Trip& trip() const { return trip_; }
+  /// What the meter shows when the passenger pays; nothing: it cannot be read. Ends the trip.
+  Trip paid(Time now, const std::optional<cia447::TripData>& shown);
   bool has_trip() const { return has_trip_; }
-  /// A fault has touched the trip that is under way.
-  bool is_disturbed() const { return has_trip_ && trip_.is_disturbed; }
 
  private:
   const cia447::TariffLevel& level_at(Time now) const;
   void close_slice();
+  void slice(Time now, double by_distance, double by_time, bool is_excused);
 
   const cia447::Tariff& tariff_;
   std::int64_t local_begin_;
@@ -84,6 +116,7 @@ class FareReferee {
   double in_slices_ = 0;  ///< decided for closed long slices
   double slice_by_distance_ = 0;
   double slice_by_time_ = 0;
+  bool was_excused_ = false;
   Time slice_begin_{};
   Time last_{};
   double last_metres_ = 0;

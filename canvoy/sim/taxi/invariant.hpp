@@ -9,15 +9,18 @@ enum class InvariantKind : std::uint8_t {
   fare,
   distance,
   duration,
+  total,
   totals,
   receipts,
+  receipt_lines,
   roof_sign,
   terminal_fare,
   terminal_place,
   silence,
   no_service,
   carried,
-  device_missing
+  device_missing,
+  power_cut,  ///< only where the meter has lost its power in a trip
 };
 
 /// All kinds, in the order of InvariantKind.
@@ -25,8 +28,10 @@ inline constexpr InvariantRow invariant_rows[] = {
     {"fare", "fares outside of the tariff's by at most", "cents"},
     {"distance", "distances of trips beyond their limit by at most", "m"},
     {"duration", "durations of trips beyond their limit by at most", "s"},
+    {"total", "TOTAL and what fare and extras come to differ by at most", "cents"},
     {"totals", "income of the shift and what was paid differ by", "cents"},
     {"receipts", "receipts and what was paid differ by", "cents"},
+    {"receipt_lines", "lines of receipts that were wrong", ""},
     {"roof_sign", "the roof sign was wrong for at most", "s"},
     {"terminal_fare", "the terminal showed another fare than the meter for at most", "s"},
     {"terminal_place", "the terminal named a place where the car was not for at most", "s"},
@@ -34,9 +39,10 @@ inline constexpr InvariantRow invariant_rows[] = {
     {"no_service", "passengers waited for the meter for at most", "s"},
     {"carried", "shifts in which nobody was carried", ""},
     {"device_missing", "a device was missing without an excuse for at most", "s"},
+    {"power_cut", "trips without a defined end after a loss of power", ""},
 };
 inline constexpr std::size_t invariant_kinds = std::size(invariant_rows);
-static_assert(invariant_kinds == static_cast<std::size_t>(InvariantKind::device_missing) + 1);
+static_assert(invariant_kinds == static_cast<std::size_t>(InvariantKind::power_cut) + 1);
 constexpr std::span<const InvariantRow> rows_of(InvariantKind) {
   return invariant_rows;
 }

@@ -7,8 +7,8 @@
 
 namespace canvoy::taxi {
 
-RealMeter::RealMeter(TaxiCar& car, const TaxiOptions& options, TripBook& trips)
-    : car_(car), options_(options), trips_(trips), is_real_(!car.bus().is_played(taximeter_id)) {
+RealMeter::RealMeter(TaxiCar& car, TripBook& trips)
+    : car_(car), trips_(trips), is_real_(!car.bus().is_played(taximeter_id)) {
   if (!is_real_) return;
   car.attach({.device_is_made =
                   Callback<void(cia447::CarNetwork&, Node&)>::to<&RealMeter::device_is_made>(*this),
@@ -50,27 +50,26 @@ void RealMeter::trip_came(const cia447::TripData* trip) {
 
 void RealMeter::expect_receipt() {
   constexpr Duration in_time = 20s;
-  if (!is_real_ || trips_.trips().empty() || trips_.last_was_disturbed()) return;
+  if (!is_real_ || trips_.trips().empty() || !trips_.trips().back().is_read) return;
   World& world = car_.bus().world();
   world.at(world.now() + in_time,
-           [this, paid = trips_.trips().back().paid, first = lines_before_trip_](Time) {
-             look_for_receipt(paid, first);
+           [this, trip = trips_.trips().size() - 1, first = lines_before_trip_](Time) {
+             look_for_receipt(trip, first);
            });
 }
 
 /// A passenger reads what is on the paper of our printer, whatever else a real meter writes there.
 /// One that never prints has a printer of its own.
-void RealMeter::look_for_receipt(double paid, std::size_t first_line) {
+void RealMeter::look_for_receipt(std::size_t trip, std::size_t first_line) {
   const std::span<const std::string> lines = car_.paper().lines();
   const bool prints = !lines.empty() && car_.bus().is_played(printer_id);
-  if (!prints || !options_.faults.faults.empty()) return;
-  if (!says_amount(lines.subspan(first_line), paid)) trips_.miss_receipt(paid);
+  if (!prints) return;
+  trips_.judge_receipt(trip, says_amount(lines.subspan(first_line), trips_.trips()[trip].paid));
 }
 
 void RealMeter::ask_for_totals() {
   constexpr auto income = cia447::place_of(cia447::taximeter_totalizers_shift_income);
-  const bool is_judged =
-      trip_reader_ && options_.faults.faults.empty() && !trips_.any_was_disturbed();
+  const bool is_judged = trip_reader_ && trips_.all_were_read();
   car::CarNode& reader = car_.bus().node(car_.meter_reader_id());
   if (!is_judged || !reader.is_operational()) return;
   trip_reader_.reset();
@@ -85,7 +84,7 @@ void RealMeter::totals_came(SdoClient::Outcome outcome) {
   constexpr std::uint32_t failure = 0xFFFF'FFFE;
   const auto income = load<std::uint32_t>(shift_income_.data());
   if (!outcome || *outcome != shift_income_.size() || income >= failure) return;
-  trips_.judge_totals(income);
+  trips_.judge_income_by_payment(income);
 }
 
 }  // namespace canvoy::taxi

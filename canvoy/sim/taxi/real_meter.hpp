@@ -1,7 +1,7 @@
 // A taximeter that is real: what it says of its state, what one of our devices asks it of trip and
 // shift, and what it writes on our paper, is what the driver and his passengers know.
 //
-//     RealMeter real(car, options, trips);
+//     RealMeter real(car, trips);
 //     real.says(cia447::Taximeter::hired);
 //     real.read(now);                   // each step: what is shown is what was read last
 //     real.ask_for_totals();            // when the shift is over
@@ -20,7 +20,7 @@ namespace canvoy::taxi {
 class RealMeter {
  public:
   /// All must outlive this. Where the meter is played, it does nothing.
-  RealMeter(TaxiCar& car, const TaxiOptions& options, TripBook& trips);
+  RealMeter(TaxiCar& car, TripBook& trips);
   RealMeter(const RealMeter&) = delete;
   RealMeter& operator=(const RealMeter&) = delete;
 
@@ -40,11 +40,10 @@ class RealMeter {
   void device_is_made(cia447::CarNetwork& network, Node& node);
   void device_ends();
   void trip_came(const cia447::TripData* trip);
-  void look_for_receipt(double paid, std::size_t first_line);
+  void look_for_receipt(std::size_t trip, std::size_t first_line);
   void totals_came(SdoClient::Outcome outcome);
 
   TaxiCar& car_;
-  const TaxiOptions& options_;
   TripBook& trips_;
   bool is_real_;
   std::optional<cia447::TripReader> trip_reader_;

@@ -30,7 +30,7 @@ TaxiOptions short_shift(std::size_t first, std::size_t second) {
 bool is_carried_after(const TaxiNetwork& network, std::size_t trips) {
   const std::span<const Trip> all = network.trips();
   return std::any_of(all.begin() + static_cast<std::ptrdiff_t>(trips), all.end(),
-                     [](const Trip& trip) { return !trip.is_disturbed && trip.paid > 0; });
+                     [](const Trip& trip) { return !trip.is_disturbed() && trip.paid > 0; });
 }
 
 class TaxiFaultPairs : public testing::TestWithParam<std::size_t> {};

@@ -2,11 +2,12 @@
 
 namespace canvoy::taxi {
 
-TaxiFaults::TaxiFaults(TaxiCar& car, const FaultPlan& plan, TripBook& trips, car::Excuse& excuse,
-                       EventLog<TaxiEvent>& events)
+TaxiFaults::TaxiFaults(TaxiCar& car, const FaultPlan& plan, TripBook& trips, MeterWatch& watch,
+                       TaxiExcuses& excuses, EventLog<TaxiEvent>& events)
     : car_(car),
       trips_(trips),
-      excuse_(excuse),
+      watch_(watch),
+      excuses_(excuses),
       events_(events),
       faults_(plan.faults, Engine::of(*this)),
       trouble_(car.bus().bus()),
@@ -20,22 +21,28 @@ void TaxiFaults::plan() {
 void TaxiFaults::began(std::size_t fault) {
   const ScheduledFault& it = faults_[fault];
   events_.note(now(), FaultBegan{fault, it.kind, {.bus = car_.bus().index(), .node = node_of(it)}});
-  if (lasts(it.kind) && !is_harmless(it.kind)) excuse_.fault_begins();
-  excuse(it.kind);
+  excuses_.begins(it, now());
 }
 
 void TaxiFaults::ended(std::size_t fault) {
   const ScheduledFault& it = faults_[fault];
   events_.note(now(), FaultEnded{fault, it.kind, {.bus = car_.bus().index(), .node = node_of(it)}});
-  if (lasts(it.kind) && !is_harmless(it.kind)) excuse_.fault_ends();
-  excuse(it.kind);
+  excuses_.ends(it, now());
 }
 
-/// What has just begun or ended may cost a trip, and others the time to come back.
-void TaxiFaults::excuse(FaultKind kind) {
-  if (is_harmless(kind)) return;
-  trips_.disturb();
-  excuse_.extend(now() + return_bound);
+void TaxiFaults::power(NodeId id, bool is_on) {
+  if (id == taximeter_id) meter_power(is_on);
+  car_.power(car_.bus().node(id), is_on);
+}
+
+void TaxiFaults::meter_power(bool is_on) {
+  watch_.power_changes(now(), is_on);
+  if (is_on) {
+    if (watch_.may_end_trip(now() - meter_lost_at_)) trips_.lose_trip();
+  } else {
+    trips_.lose_power();
+    meter_lost_at_ = now();
+  }
 }
 
 void TaxiFaults::set(std::size_t number, bool is_present) {

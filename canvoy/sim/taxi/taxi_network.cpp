@@ -42,12 +42,12 @@ TaxiNetwork::TaxiNetwork(TaxiOptions options)
       bus_(world_, bus_settings(options_),
            [this](Time now, const BusEvent& heard) { events_.hear(now, heard); }),
       car_(bus_, options_, sabotage_, events_),
-      shift_(shift_options(options_), options_.faults.seed, car_.drive(), car_.meter().keys()),
+      shift_(shift_options(options_), options_.faults.seed, car_.drive(), hands()),
       trips_(options_.tariff_of_town, local_seconds(options_.begin)),
-      real_meter_(car_, options_, trips_),
-      excuse_(!options_.real.empty()),
-      faults_(car_, options_.faults, trips_, excuse_, events_),
-      referee_(car_, options_, shift_, trips_, excuse_) {
+      real_meter_(car_, trips_),
+      watch_(options_.meter.longest_power_cut),
+      faults_(car_, options_.faults, trips_, watch_, excuses_, events_),
+      referee_(car_, options_, shift_, trips_, watch_, excuses_) {
   hear_real_devices();
   bus_.bus().observe({.context = this,
                       .on_frame =
@@ -88,15 +88,67 @@ void TaxiNetwork::hear_real_devices() {
 
 void TaxiNetwork::step(Time now) {
   car_.drive().step(Shift::step_time);
-  const bool is_hired = car_.meter().display().state == cia447::Taximeter::hired;
-  if (is_hired) trips_.step(now, car_.drive().metres());
+  drive(now);
+  watch_meter(now);
   shift_.step(now);
+  watch_meter(now);
   bus_.touched(taximeter_id);
   referee_.step(now);
   real_meter_.read(now);
   if (shift_.is_over() && shift_.activity() == Activity::off_duty && !is_over_) end_shift(now);
   told_.tell_broken(invariants(),
                     [&](const Invariant& broken) { events_.note(now, InvariantBroken{broken}); });
+}
+
+/// Of who is in the car, whatever the meter makes of it.
+void TaxiNetwork::drive(Time now) {
+  const Activity activity = shift_.activity();
+  const bool is_hired = car_.meter().display().state == cia447::Taximeter::hired;
+  const bool is_driven = is_hired || activity == Activity::carrying ||
+                         activity == Activity::at_lights || activity == Activity::stopping;
+  const TripExcuse excused = trips_.excuse(excuse(now));
+  if (is_driven) trips_.step(now, car_.drive().metres(), excused);
+  const bool is_printing = now <= released_ + TaxiExcuses::return_bound;
+  if (is_printing && excuses_.is_excused(InvariantKind::receipts, now)) trips_.excuse_receipt();
+}
+
+TripExcuse TaxiNetwork::excuse(Time now) {
+  return {.fare = excuses_.is_excused(InvariantKind::fare, now),
+          .distance = excuses_.is_excused(InvariantKind::distance, now),
+          .duration = excuses_.is_excused(InvariantKind::duration, now)};
+}
+
+/// The display of a real one is not seen here.
+void TaxiNetwork::watch_meter(Time now) {
+  if (!is_played(taximeter_id)) return;
+  if (const auto total = watch_.look(now, car_.meter().display())) trips_.meter_ended(*total);
+}
+
+/// A driver who finds the meter with the passengers of before, since it had no power when they
+/// left, clears it first.
+bool TaxiNetwork::clear_meter(const MeterKeys& keys) {
+  const cia447::Taximeter state = car_.meter().display().state;
+  if (state == cia447::Taximeter::hired) keys.stop();
+  if (state == cia447::Taximeter::stopped) keys.for_hire();
+  return state == cia447::Taximeter::hired || state == cia447::Taximeter::stopped;
+}
+
+MeterKeys TaxiNetwork::hands() {
+  const MeterKeys keys = car_.meter().keys();
+  if (!is_played(taximeter_id)) return keys;
+  MeterKeys made = keys;
+  made.hire = [this, keys] { return !clear_meter(keys) && keys.hire(); };
+  made.sign_off = [this, keys] { return !clear_meter(keys) && keys.sign_off(); };
+  made.for_hire = [this, keys] {
+    const bool is_hired = car_.meter().display().state == cia447::Taximeter::hired;
+    return is_hired ? keys.stop() && false : keys.for_hire();
+  };
+  made.add_supplement = [this, keys](std::uint32_t amount) {
+    const bool is_added = keys.add_supplement(amount);
+    if (is_added) trips_.press_extra(amount);
+    return is_added;
+  };
+  return made;
 }
 
 void TaxiNetwork::shift_changed(Time now, Activity from, Activity to) {
@@ -110,6 +162,7 @@ void TaxiNetwork::shift_changed(Time now, Activity from, Activity to) {
   if (from == Activity::stopping) trips_.stop(now, car_.drive().metres());
   if (from == Activity::paying) pay(now);
   if (from == Activity::releasing) {
+    released_ = now;
     print_receipt();
     car_.guidance().arrive();
   }
@@ -121,7 +174,8 @@ void TaxiNetwork::begin_trip(Time now) {
   choose_destination();
   real_meter_.trip_begins();
   // What a real clock shows is not on the bus.
-  if (excuse_.has_fault(now) || !is_played(driver_id)) trips_.disturb();
+  if (!is_played(driver_id)) trips_.lack_clock();
+  if (!is_played(taximeter_id)) trips_.knows_no_extras();
 }
 
 /// The driver types it. Where a drive that was recorded ends, nobody has said.
@@ -131,17 +185,17 @@ void TaxiNetwork::choose_destination() {
   car_.guidance().choose(car::Drive::town_position(drive.metres() + shift_.to_go()));
 }
 
-/// The passenger reads the display, and pays.
+/// The passenger reads the display, adds up fare and extras, and pays what they come to.
 void TaxiNetwork::pay(Time now) {
-  cia447::TripData shown = car_.meter().display().trip;
-  const bool is_told = real_meter_.has_told_trip();
-  if (!is_played(taximeter_id) && !is_told) {
-    trips_.disturb();
-    shown.distance = shown.duration = shown.fare = shown.total = 0;
-  }
-  const bool is_read = is_told || bus_.has_power(taximeter_id);
-  events_.note(
-      now, TripPaid{trips_.pay(now, shown, {.is_read = is_read, .pocketed = sabotage_.pocketed})});
+  constexpr std::uint32_t unknown = cia447::TripData::unknown;
+  const bool is_real = !is_played(taximeter_id);
+  const bool is_lit = is_real ? real_meter_.has_told_trip() : bus_.has_power(taximeter_id);
+  const cia447::TripData& display = car_.meter().display().trip;
+  const bool is_read = is_lit && display.fare != unknown && display.total != unknown &&
+                       display.supplements != unknown;
+  std::optional<cia447::TripData> shown;
+  if (is_read) shown = display;
+  events_.note(now, TripPaid{trips_.pay(now, shown, sabotage_.pocketed)});
 }
 
 /// When the trip is over: then it says when that was.
@@ -153,14 +207,11 @@ void TaxiNetwork::print_receipt() {
 /// The totals of the shift, and sleep.
 void TaxiNetwork::end_shift(Time now) {
   is_over_ = true;
-  const std::vector<ScheduledFault>& faults = options_.faults.faults;
-  const auto is_harmless_fault = [](const ScheduledFault& it) { return is_harmless(it.kind); };
-  if (std::ranges::all_of(faults, is_harmless_fault) && bus_.has_power(taximeter_id)) {
-    trips_.judge_totals(car_.meter().unit().record().shift.income);
-    // Of receipts that wait for paper the meter keeps the last one only.
-    const bool some_may_lack = faults_.has_any(FaultKind::paper_out);
-    if (is_played(printer_id)) trips_.judge_receipts(car_.paper().lines(), some_may_lack);
+  if (bus_.has_power(taximeter_id)) {
+    trips_.judge_income(car_.meter().unit().record().shift.income);
   }
+  const bool is_read = is_played(taximeter_id) && is_played(printer_id);
+  if (is_read) trips_.judge_receipts(car_.paper().lines());
   real_meter_.ask_for_totals();
   car::SleepPlan plan{.sleep = now + 1min, .wake = now + 20min};
   if (sabotage_.speaks_asleep) plan.stranger_speaks = now + 10min;

@@ -19,6 +19,7 @@
 
 #include "canvoy/sim/car/car_bus.hpp"
 #include "canvoy/sim/event_log.hpp"
+#include "canvoy/sim/taxi/meter_watch.hpp"
 #include "canvoy/sim/taxi/real_devices.hpp"
 #include "canvoy/sim/taxi/real_meter.hpp"
 #include "canvoy/sim/taxi/shift.hpp"
@@ -71,6 +72,11 @@ class TaxiNetwork {
   void hear_real_devices();
   void step(Time now);
   void shift_changed(Time now, Activity from, Activity to);
+  MeterKeys hands();
+  bool clear_meter(const MeterKeys& keys);
+  TripExcuse excuse(Time now);
+  void watch_meter(Time now);
+  void drive(Time now);
   void begin_trip(Time now);
   void choose_destination();
   void pay(Time now);
@@ -88,10 +94,12 @@ class TaxiNetwork {
   TripBook trips_;
   RealMeter real_meter_;
   std::optional<RealDevices> real_;
-  car::Excuse excuse_;
+  MeterWatch watch_;
+  TaxiExcuses excuses_;
   TaxiFaults faults_;
   TaxiReferee referee_;
   ToldInvariants<invariant_kinds> told_;
+  Time released_{};       ///< when the driver cleared the meter last
   bool is_over_ = false;  ///< the shift, with its totals judged
 };
 

@@ -139,7 +139,7 @@ TEST(TaxiClock, AClockThatIsWrongMakesFaresWrong) {
   options.meter_clock_ahead = {};
   TaxiNetwork network(options);
   network.run_until(Time(shift_over));
-  EXPECT_EQ(broken(network), "fare ");
+  EXPECT_EQ(broken(network), "fare receipt_lines ");
 }
 
 TEST(TaxiShift, TheSameOptionsGiveTheSameShift) {
@@ -403,7 +403,7 @@ TEST(TaxiSabotage, AMeterThatIsCheatedOfItsPulsesChargesTooLittle) {
   options.car.wheel_circumference_m = 2.1;  // the meter's k is of wheels of 2 m
   TaxiNetwork network(options);
   network.run_until(Time(shift_over));
-  EXPECT_EQ(broken(network), "fare distance ");
+  EXPECT_EQ(broken(network), "fare distance receipt_lines ");
 }
 
 TEST(TaxiSabotage, ATariffThatIsNotTheOneThatHolds) {

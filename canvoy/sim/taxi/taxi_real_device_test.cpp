@@ -144,7 +144,7 @@ TEST(RealTaxiDevice, AMeterOfSomebodyElseIsWhatTheDriverFollowsAndItsFareIsReadA
   // Its fare is read and judged.
   double paid = 0;
   for (const Trip& trip : trips) {
-    EXPECT_FALSE(trip.is_disturbed);
+    EXPECT_FALSE(trip.is_disturbed());
     EXPECT_GT(trip.paid, 0);
     paid += trip.paid;
   }
@@ -186,7 +186,9 @@ TEST(RealTaxiDevice, WithoutHandsAtItTheDriverWaits) {
   network.run_until(Time(2h + 2min));
   EXPECT_EQ(network.snapshot().driver, Activity::signing_on);
   EXPECT_EQ(broken_names(network), "");
-  EXPECT_EQ(car::undecided_names(network), "roof_sign terminal_fare no_service carried ")
+  EXPECT_EQ(car::undecided_names(network),
+            "fare distance duration total totals receipts receipt_lines roof_sign terminal_fare "
+            "silence no_service carried ")
       << "nobody here knows whom a real one carries";
   EXPECT_EQ(network.trips().size(), 0u);
 }
@@ -235,6 +237,30 @@ TEST(RealTaxiDevice, OneThatComesBackInTimeIsNot) {
   alarm.stranger.join();
   network.run_until(Time(20min));
   EXPECT_EQ(broken_names(network), "");
+}
+
+/// By LSS one is named after the other, and a real one answers when its computer lets it.
+TEST(RealTaxiDevice, WhoIsPlayedBesideARealOneHasThreeMinutesToBeNamed) {
+  TaxiNetwork network(with_real(alarm_id));
+  Stranger alarm(network, car::units_of<cia447::TaxiAlarmKind>, alarm_id);
+  alarm.join();
+  network.node(printer_id).power(false);
+  network.run_until(Time(91s));
+  network.node(printer_id).power(true);
+  network.run_until(Time(2min));
+  EXPECT_TRUE(network.node(printer_id).is_operational());
+  EXPECT_EQ(broken_names(network), "");
+}
+
+TEST(RealTaxiDevice, AndIsMissedAfterThem) {
+  TaxiNetwork network(with_real(alarm_id));
+  Stranger alarm(network, car::units_of<cia447::TaxiAlarmKind>, alarm_id);
+  alarm.join();
+  network.node(printer_id).power(false);
+  network.run_until(Time(3min + 19s));
+  EXPECT_EQ(broken_names(network), "");
+  network.run_until(Time(3min + 21s));
+  EXPECT_EQ(broken_names(network), "device_missing ");
 }
 
 /// A car that goes at 36 km/h for ever.
@@ -288,7 +314,7 @@ TEST(RealTaxiDevice, WithARealGatewayAnotherDeviceAsksTheMeter) {
   meter.run_until(Time(shift_over));
   ASSERT_GE(network.trips().size(), 2u);
   for (const Trip& trip : network.trips()) {
-    EXPECT_FALSE(trip.is_disturbed);
+    EXPECT_FALSE(trip.is_disturbed());
     EXPECT_GT(trip.metered_fare, 0);
   }
   EXPECT_EQ(broken_names(network), "");
@@ -304,15 +330,21 @@ std::ostream& operator<<(std::ostream& out, const RealTaxiCase& it) {
   return out << "node " << unsigned{it.id};
 }
 const RealTaxiCase real_taxi_cases[] = {
-    {cia447::gateway_node_id, car::units_of<cia447::IvnGatewayKind>, "silence "},
-    {taximeter_id, car::units_of<cia447::TaximeterKind>, "roof_sign terminal_fare no_service "},
-    {printer_id, car::units_of<cia447::PrinterKind>, "receipts "},
+    {cia447::gateway_node_id, car::units_of<cia447::IvnGatewayKind>,
+     "fare distance duration total totals receipts receipt_lines silence "},
+    {taximeter_id, car::units_of<cia447::TaximeterKind>,
+     "fare distance duration total totals receipts receipt_lines roof_sign terminal_fare silence "
+     "no_service "},
+    {printer_id, car::units_of<cia447::PrinterKind>, "receipts receipt_lines silence "},
     {driver_id, car::units_of<cia447::DriverIdentificationKind, cia447::RealTimeClockKind>,
-     "fare distance duration terminal_place "},
-    {sign_id, car::units_of<cia447::TariffDisplayKind>, "roof_sign "},
-    {terminal_id, car::units_of<cia447::TerminalKind>, "terminal_fare terminal_place "},
-    {navigation_id, car::units_of<cia447::GpsKind, cia447::NavigationKind>, "terminal_place "},
-    {alarm_id, car::units_of<cia447::TaxiAlarmKind>, ""},
+     "fare receipts receipt_lines terminal_place silence "},
+    {sign_id, car::units_of<cia447::TariffDisplayKind>,
+     "receipts receipt_lines roof_sign silence "},
+    {terminal_id, car::units_of<cia447::TerminalKind>,
+     "receipts receipt_lines terminal_fare terminal_place silence "},
+    {navigation_id, car::units_of<cia447::GpsKind, cia447::NavigationKind>,
+     "receipts receipt_lines terminal_place silence "},
+    {alarm_id, car::units_of<cia447::TaxiAlarmKind>, "receipts receipt_lines silence "},
 };
 
 class EachRealTaxiDevice : public testing::TestWithParam<RealTaxiCase> {};
@@ -323,7 +355,7 @@ TEST_P(EachRealTaxiDevice, HasItsPlaceAndIsSupervised) {
   device.join();
   car::expect_supervision(network, device, Time(8min), Time(12min));
   EXPECT_EQ(car::undecided_names(network), GetParam().undecided + std::string("carried "))
-      << "and who is carried, before two hours are over";
+      << "who is carried, before two hours are over; and receipts and sleep, before the shift is";
 }
 
 TEST_P(EachRealTaxiDevice, OneThatNeverComesIsMissing) {

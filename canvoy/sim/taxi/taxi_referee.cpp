@@ -4,7 +4,6 @@
 #include <chrono>
 
 #include "canvoy/sim/taxi/read_screens.hpp"
-#include "canvoy/sim/taxi/taxi_faults.hpp"
 
 namespace canvoy::taxi {
 
@@ -18,39 +17,51 @@ constexpr Duration sign_bound = 3s;
 /// What the terminal shows of trip and place.
 constexpr Duration screen_bound = 5s;
 /// All are named and booted by then, also where frames are sent again.
-constexpr Time settled_at{TaxiFaults::return_bound};
+constexpr Time settled_at{TaxiExcuses::return_bound};
 /// In so much time that no fault excuses somebody is carried.
 constexpr Duration long_enough = 2h;
 
-Invariant none(InvariantKind kind, double worst) {
-  return {.kind = kind, .worst = worst, .allowed = 0, .held = worst <= 0, .judged = 1};
+Invariant none(InvariantKind kind, double worst, std::uint64_t judged) {
+  return {.kind = kind, .worst = worst, .allowed = 0, .held = worst <= 0, .judged = judged};
 }
 
-Invariant in_time(InvariantKind kind, Duration worst, Duration allowed) {
+Invariant in_time(InvariantKind kind, Duration worst, Duration allowed, std::uint64_t judged) {
   return {.kind = kind,
           .worst = std::chrono::duration<double>(worst).count(),
           .allowed = std::chrono::duration<double>(allowed).count(),
           .held = worst <= allowed,
-          .judged = 1};
+          .judged = judged};
+}
+Invariant in_time(InvariantKind kind, const WrongTime& wrong, Duration allowed) {
+  return in_time(kind, wrong.worst(), allowed, wrong.judged());
 }
 
 }  // namespace
 
 TaxiReferee::TaxiReferee(TaxiCar& car, const TaxiOptions& options, const Shift& shift,
-                         const TripBook& trips, car::Excuse& excuse)
+                         const TripBook& trips, const MeterWatch& watch, const TaxiExcuses& excuses)
     : car_(car),
       options_(options),
       shift_(shift),
       trips_(trips),
-      excuse_(excuse),
+      watch_(watch),
+      excuses_(excuses),
+      waits_for_real_(!options.real.empty()),
       silence_(car.bus()) {}
 
 void TaxiReferee::step(Time now) {
-  if (!excuse_.is_excused(now)) without_excuse_ += Shift::step_time;
+  if (waits_for_real_ && !car_.bus().waits_for_real()) waits_for_real_ = false;
+  if (!is_excused(InvariantKind::carried, now)) without_excuse_ += Shift::step_time;
+  judge_silence(now);
   judge_service(now);
   judge_devices(now);
   judge_sign(now);
   judge_terminal(now);
+}
+
+void TaxiReferee::judge_silence(Time now) {
+  silence_.look(now);
+  if (silence_.is_asleep() && !is_excused(InvariantKind::silence, now)) ++quiet_;
 }
 
 /// Who wants to ride or to pay, and the meter does not obey.
@@ -59,22 +70,29 @@ void TaxiReferee::judge_service(Time now) {
   const bool waits = activity == Activity::hiring || activity == Activity::stopping ||
                      activity == Activity::releasing || activity == Activity::signing_on;
   // What the meter has lost of a trip, the driver cannot stop; nobody pays for it twice.
-  const bool is_lost =
-      trips_.is_disturbed() || (trips_.last_was_disturbed() && activity == Activity::releasing);
+  const bool is_lost = (activity == Activity::stopping || activity == Activity::releasing) &&
+                       trips_.has_lost_power();
   // The keys of a real meter are out of the driver's reach.
   const bool has_keys = is_played(taximeter_id);
-  wait_.judge(now, !waits || !has_keys || is_lost || excuse_.is_excused(now));
+  if (waits && has_keys && !is_lost && !is_excused(InvariantKind::no_service, now)) {
+    wait_.judge(now, false);
+  } else {
+    wait_.pass(now);
+  }
 }
 
 /// After each kind of return a device is operational again in time.
 void TaxiReferee::judge_devices(Time now) {
   car::CarBus& bus = car_.bus();
-  if (excuse_.waits_for_real() && !bus.waits_for_real()) excuse_.all_have_come();
   const bool sleeps = bus.any_sleeps();
-  silence_.look(now);
   for (const auto& node : bus.nodes()) {
-    const bool is_there = sleeps || excuse_.is_excused(now) || bus.is_at_work(*node);
-    missing_.judge(node->place().id, now, is_there);
+    const NodeId id = node->place().id;
+    const bool may_come_yet = waits_for_real_ && bus.may_come_yet(id);
+    if (sleeps || may_come_yet || excuses_.may_be_missing(id, now)) {
+      missing_.pass(id, now);
+    } else {
+      missing_.judge(id, now, bus.is_at_work(*node));
+    }
   }
 }
 
@@ -88,16 +106,18 @@ void TaxiReferee::judge_sign(Time now) {
   const bool is_vacant = car_.meter().display().state == cia447::Taximeter::for_hire;
   const bool can_be_seen =
       now >= settled_at && is_awake(sign_id) && car_.bus().has_power(taximeter_id);
-  sign_.judge(now, excuse_.is_excused(now) || !can_be_seen || car_.sign().is_vacant() == is_vacant);
+  sign_.judge_unless(!can_be_seen || is_excused(InvariantKind::roof_sign, now), now,
+                     car_.sign().is_vacant() == is_vacant);
 }
 
 void TaxiReferee::judge_terminal(Time now) {
-  const bool can_be_read = now >= settled_at && !excuse_.is_excused(now) && is_awake(terminal_id);
+  const bool can_be_read = now >= settled_at && is_awake(terminal_id);
   const bool has_fare = can_be_read && is_awake(taximeter_id);
-  fare_screen_.judge(now,
-                     !has_fare || fare_is_right(car_.screens().fare(), car_.meter().display()));
+  fare_screen_.judge_unless(!has_fare || is_excused(InvariantKind::terminal_fare, now), now,
+                            fare_is_right(car_.screens().fare(), car_.meter().display()));
   const bool has_place = can_be_read && is_awake(driver_id) && is_awake(navigation_id);
-  place_screen_.judge(now, !has_place || place_is_shown());
+  const bool is_free = !has_place || is_excused(InvariantKind::terminal_place, now);
+  place_screen_.judge_unless(is_free, now, is_free || place_is_shown());
 }
 
 bool TaxiReferee::place_is_shown() const {
@@ -115,11 +135,8 @@ bool TaxiReferee::can_be_judged(InvariantKind kind) const {
     return std::ranges::all_of(nodes, [this](NodeId id) { return is_played(id); });
   };
   switch (kind) {
-    case InvariantKind::fare:
-    case InvariantKind::distance:
-    case InvariantKind::duration:
-      return are_played({driver_id});  // whose clock says which tariff it is
     case InvariantKind::receipts:
+    case InvariantKind::receipt_lines:
       return are_played({printer_id});
     case InvariantKind::roof_sign:
       return are_played({sign_id, taximeter_id});
@@ -146,22 +163,33 @@ Invariant TaxiReferee::judge_carried() const {
           .judged = was_long_enough ? 1U : 0U};
 }
 
+Invariant TaxiReferee::of_trips(InvariantKind kind, double unit) const {
+  return none(kind, trips_.worst(kind) / unit, trips_.judged(kind));
+}
+
 std::vector<Invariant> TaxiReferee::verdicts() const {
   std::vector<Invariant> all = {
-      none(InvariantKind::fare, trips_.fare_excess() / cents),
-      none(InvariantKind::distance, trips_.distance_excess()),
-      none(InvariantKind::duration, trips_.time_excess()),
-      none(InvariantKind::totals, trips_.totals_error() / cents),
-      none(InvariantKind::receipts, trips_.receipts_error() / cents),
-      in_time(InvariantKind::roof_sign, sign_.worst(), sign_bound),
-      in_time(InvariantKind::terminal_fare, fare_screen_.worst(), screen_bound),
-      in_time(InvariantKind::terminal_place, place_screen_.worst(), screen_bound),
-      none(InvariantKind::silence, static_cast<double>(silence_.frames())),
-      in_time(InvariantKind::no_service, wait_.worst(), wait_bound),
+      of_trips(InvariantKind::fare, cents),
+      of_trips(InvariantKind::distance, 1),
+      of_trips(InvariantKind::duration, 1),
+      of_trips(InvariantKind::total, cents),
+      of_trips(InvariantKind::totals, cents),
+      of_trips(InvariantKind::receipts, cents),
+      of_trips(InvariantKind::receipt_lines, 1),
+      in_time(InvariantKind::roof_sign, sign_, sign_bound),
+      in_time(InvariantKind::terminal_fare, fare_screen_, screen_bound),
+      in_time(InvariantKind::terminal_place, place_screen_, screen_bound),
+      none(InvariantKind::silence, static_cast<double>(silence_.frames()), quiet_),
+      in_time(InvariantKind::no_service, wait_, wait_bound),
       judge_carried(),
-      in_time(InvariantKind::device_missing, missing_.worst(), TaxiFaults::return_bound)};
+      in_time(InvariantKind::device_missing, missing_.worst(), TaxiExcuses::return_bound,
+              missing_.judged())};
   for (Invariant& each : all) {
     if (!can_be_judged(each.kind)) each.judged = 0;
+  }
+  if (watch_.cuts() != 0) {
+    all.push_back(
+        none(InvariantKind::power_cut, static_cast<double>(watch_.wrong_ends()), watch_.cuts()));
   }
   return all;
 }

@@ -3,47 +3,146 @@
 #include <algorithm>
 #include <cmath>
 
-#include "canvoy/sim/taxi/read_receipts.hpp"
-
 namespace canvoy::taxi {
 
-const Trip& TripBook::pay(Time now, const cia447::TripData& shown, const Payment& payment) {
+namespace {
+
+bool is_read(const Trip& trip) {
+  return trip.is_read;
+}
+bool has_tariff(const Trip& trip) {
+  return trip.is_read && trip.has_clock;
+}
+
+}  // namespace
+
+void TripBook::begin(Time now, double metres, Duration key_time) {
+  fares_.hired(now, metres, key_time);
+  open_ = {};
+  last_excuse_ = {};
+  has_lost_trip_ = false;
+}
+
+void TripBook::press_extra(double amount) {
+  if (fares_.has_trip()) fares_.trip().pressed_extras += amount;
+}
+
+void TripBook::lose_power() {
+  if (fares_.has_trip()) {
+    fares_.trip().has_lost_power = true;
+  } else if (!trips_.empty() && !open_.ended) {
+    trips_.back().has_lost_power = true;
+  }
+}
+
+TripExcuse TripBook::excuse(TripExcuse by_faults) {
+  if (has_lost_trip_) by_faults = {.fare = true, .distance = true, .duration = true};
+  last_excuse_ = by_faults;
+  return by_faults;
+}
+
+const Trip& TripBook::pay(Time now, const std::optional<cia447::TripData>& shown, double pocketed) {
   Trip trip = fares_.paid(now, shown);
-  if (!payment.is_read) trip.paid = 0;
-  trip.paid += payment.pocketed;
+  trip.pocketed = pocketed;
+  trip.paid += pocketed;
   paid_ += trip.paid;
+  open_.paid = trip.paid;
+  open_.is_known = trip.is_read && !trip.has_lost_power;
+  settle();
   return trips_.emplace_back(trip);
 }
 
-void TripBook::judge_totals(double income) {
-  totals_error_ = std::abs(income - paid_);
+void TripBook::meter_ended(double total) {
+  shown_income_ += total;
+  open_.ended = total;
+  settle();
 }
 
-void TripBook::judge_receipts(std::span<const std::string> paper, bool some_may_lack) {
-  receipts_error_ = difference_of_receipts(paper, trips_, some_may_lack);
+/// What was paid is what the meter has, in each trip.
+void TripBook::settle() {
+  if (!open_.paid || !open_.ended) return;
+  if (open_.is_known) {
+    totals_error_ += std::abs(*open_.paid - *open_.ended);
+    ++totals_judged_;
+  }
+  open_.paid.reset();
 }
 
-bool TripBook::any_was_disturbed() const {
-  return std::ranges::any_of(trips_, &Trip::is_disturbed);
+void TripBook::excuse_receipt() {
+  if (!trips_.empty()) trips_.back().may_lack_receipt = true;
 }
 
-template <class Excess>
-double TripBook::worst(const Excess& excess) const {
+void TripBook::compare_income(double income, double with) {
+  totals_error_ += std::abs(income - with);
+  ++totals_judged_;
+}
+
+void TripBook::judge_receipts(std::span<const std::string> paper) {
+  receipts_ = taxi::judge_receipts(paper, trips_, local_begin_);
+}
+
+void TripBook::judge_receipt(std::size_t trip, bool is_there) {
+  if (trips_.at(trip).may_lack_receipt) return;
+  ++receipts_.receipts;
+  if (!is_there) receipts_.difference += trips_.at(trip).paid;
+}
+
+bool TripBook::has_lost_power() const {
+  if (fares_.has_trip()) return fares_.trip().has_lost_power;
+  return !trips_.empty() && trips_.back().has_lost_power;
+}
+
+bool TripBook::all_were_read() const {
+  return std::ranges::all_of(trips_, is_read);
+}
+
+template <class Excess, class IsJudged>
+double TripBook::worst_of(const Excess& excess, const IsJudged& is_judged) const {
   double most = 0;
   for (const Trip& trip : trips_) {
-    if (!trip.is_disturbed) most = std::max(most, (trip.*excess)());
+    if (is_judged(trip)) most = std::max(most, (trip.*excess)());
   }
   return most;
 }
 
-double TripBook::fare_excess() const {
-  return worst(&Trip::fare_excess);
+double TripBook::worst(InvariantKind kind) const {
+  switch (kind) {
+    case InvariantKind::fare:
+      return worst_of(&Trip::fare_excess, has_tariff);
+    case InvariantKind::distance:
+      return worst_of(&Trip::distance_excess, is_read);
+    case InvariantKind::duration:
+      return worst_of(&Trip::time_excess, is_read);
+    case InvariantKind::total:
+      return worst_of(&Trip::total_error, is_read);
+    case InvariantKind::totals:
+      return totals_error_;
+    case InvariantKind::receipts:
+      return receipts_.difference;
+    case InvariantKind::receipt_lines:
+      return static_cast<double>(receipts_.wrong_lines);
+    default:
+      return 0;
+  }
 }
-double TripBook::distance_excess() const {
-  return worst(&Trip::distance_excess);
-}
-double TripBook::time_excess() const {
-  return worst(&Trip::time_excess);
+
+std::uint64_t TripBook::judged(InvariantKind kind) const {
+  switch (kind) {
+    case InvariantKind::fare:
+      return static_cast<std::uint64_t>(std::ranges::count_if(trips_, has_tariff));
+    case InvariantKind::distance:
+    case InvariantKind::duration:
+    case InvariantKind::total:
+      return static_cast<std::uint64_t>(std::ranges::count_if(trips_, is_read));
+    case InvariantKind::totals:
+      return totals_judged_;
+    case InvariantKind::receipts:
+      return receipts_.receipts;
+    case InvariantKind::receipt_lines:
+      return receipts_.lines;
+    default:
+      return 0;
+  }
 }
 
 }  // namespace canvoy::taxi

@@ -45,7 +45,7 @@ std::size_t tariff_changes(const TaxiNetwork& network) {
 }
 
 std::string verdict(const Trip& trip) {
-  if (trip.is_disturbed) return "not judged";
+  if (!trip.is_read) return "not judged";
   const bool is_good =
       trip.distance_excess() <= 0 && trip.time_excess() <= 0 && trip.fare_excess() <= 0;
   return is_good ? "within" : "BEYOND";

@@ -18,6 +18,7 @@ using taxi::ShiftOptions;
 using taxi::TaxiOptions;
 
 constexpr double thousandths = 1000;  ///< of the currency unit, as a taximeter has amounts
+constexpr std::uint32_t coin = 10;    ///< in thousandths: the smallest one
 constexpr double amount_max = 100'000;
 constexpr std::size_t levels_max = 20;
 constexpr std::size_t hours_max = 50;
@@ -33,23 +34,41 @@ constexpr Days days_names[] = {{"weekdays", cia447::on_mondays_to_fridays},
                                {"sundays", cia447::on_sundays},
                                {"holidays", cia447::on_holidays}};
 
-/// An amount of money: in a file of the currency, here of thousandths of it.
+/// Whole ones of so many thousandths; the words tell what is wrong where it is not.
+std::uint32_t whole_amount(double wanted, std::uint32_t unit, std::string_view otherwise) {
+  const double counted = std::round(wanted * thousandths / unit);
+  if (std::abs(counted - wanted * thousandths / unit) > 1e-6) {
+    throw UsageError(fmt::format("{} {}", wanted, otherwise));
+  }
+  return static_cast<std::uint32_t>(counted) * unit;
+}
+
+/// A price: in a file of the currency, here of thousandths of it. It takes from `least` on.
 template <auto member>
-Setting<TariffLevel> amount(std::string key, std::string help = {}) {
+Setting<TariffLevel> amount(std::string key, double least, std::uint32_t unit,
+                            std::string_view otherwise, std::string help) {
   return mapped<TariffLevel, double>(
       {.key = std::move(key),
-       .takes = fmt::format("a number from 0 to {}", amount_max),
-       .read =
-           [](TariffLevel& level, double wanted) {
-             const double counted = std::round(wanted * thousandths);
-             if (std::abs(counted - wanted * thousandths) > 1e-6) {
-               throw UsageError(fmt::format("{} is no whole number of thousandths", wanted));
-             }
-             level.*member = static_cast<std::uint32_t>(counted);
-           },
+       .takes = fmt::format("a number from {} to {}", least, amount_max),
+       .read = [unit, otherwise](
+                   TariffLevel& level,
+                   double wanted) { level.*member = whole_amount(wanted, unit, otherwise); },
        .write = [](const TariffLevel& level) { return level.*member / thousandths; },
-       .range = {0, amount_max}},
+       .range = {least, amount_max}},
       std::move(help));
+}
+/// Of a distance or a time unit: fares have what whole steps make of it.
+template <auto member>
+Setting<TariffLevel> rate(std::string key) {
+  return amount<member>(std::move(key), 0, 1, "is no whole number of thousandths", {});
+}
+/// What is shown, printed and paid as it is.
+template <auto member>
+Setting<TariffLevel> payable(std::string key, double least = 0, std::string help = {}) {
+  return amount<member>(std::move(key), least, coin,
+                        "is no whole number of cents, of which nobody can pay a part: take a "
+                        "multiple of 0.01",
+                        std::move(help));
 }
 
 std::string level_name(const TariffLevel& level) {
@@ -168,11 +187,10 @@ FilePart<TaxiRun> tariff_levels() {
         return SettingTable<TariffLevel>{
             "tariff",
             "",
-            {name, amount<&TariffLevel::initial_fare>("initial_fare"),
-             amount<&TariffLevel::minimum_fare>("minimum_fare"),
-             amount<&TariffLevel::distance_rate>("per_km"),
-             amount<&TariffLevel::time_rate>("per_hour"),
-             amount<&TariffLevel::increment>("step", "by which the fare grows")}};
+            {name, payable<&TariffLevel::initial_fare>("initial_fare"),
+             payable<&TariffLevel::minimum_fare>("minimum_fare"),
+             rate<&TariffLevel::distance_rate>("per_km"), rate<&TariffLevel::time_rate>("per_hour"),
+             payable<&TariffLevel::increment>("step", 0.01, "by which the fare grows")}};
       },
       [](const TaxiRun& run) {
         const auto& levels = run.network.meter.tariff.levels;
@@ -185,6 +203,7 @@ FilePart<TaxiRun> tariff_levels() {
         }
         if (levels.size() == levels_max)
           table.refuse(fmt::format("there are more than {} levels", levels_max));
+        if (level.increment == 0) level.increment = coin;
         levels.push_back(level);
       });
 }

@@ -64,6 +64,15 @@ std::string level_text(const std::array<std::uint8_t, 2>& level) {
   return text;
 }
 
+/// Of what a fault may have cost something.
+Json excused_json(const taxi::Trip& trip) {
+  Json all = Json::array();
+  if (trip.excused.fare) all.push_back("fare");
+  if (trip.excused.distance) all.push_back("distance");
+  if (trip.excused.duration) all.push_back("duration");
+  return all;
+}
+
 Json trip_json(const taxi::Trip& trip) {
   return {{"begin", in_seconds(trip.begin - Time{})},
           {"end", in_seconds(trip.end - Time{})},
@@ -76,7 +85,10 @@ Json trip_json(const taxi::Trip& trip) {
           {"fare_high", trip.fare_high / money_unit},
           {"paid", trip.paid / money_unit},
           {"tariff_change", trip.has_tariff_change},
-          {"judged", !trip.is_disturbed}};
+          {"total", trip.total / money_unit},
+          {"extras", trip.extras / money_unit},
+          {"judged", trip.is_read},
+          {"excused", excused_json(trip)}};
 }
 
 class TaxiTeller : public WorldTeller<CarNames<TaxiNetwork>> {
