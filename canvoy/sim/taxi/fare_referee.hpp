@@ -26,10 +26,11 @@ inline constexpr double money_unit = 1000;
 
 /// What of a trip a fault may have cost just now, or has.
 struct TripExcuse {
-  bool fare = false;
-  bool distance = false;
-  bool duration = false;
+  bool fare = false;      ///< less than the tariff asks for
+  bool distance = false;  ///< metres that nobody counted
+  bool duration = false;  ///< a time in which the meter was off
 
+  /// Something of it.
   bool any() const { return fare || distance || duration; }
   TripExcuse& operator|=(const TripExcuse& other) {
     fare |= other.fare;
@@ -44,35 +45,35 @@ struct TripExcuse {
 struct Trip {
   Time begin{};
   Time end{};
-  double metres = 0;
-  double seconds = 0;
-  double sure_metres = 0;   ///< without those that a fault may have cost
-  double sure_seconds = 0;  ///< the same
-  double fare_low = 0;      ///< what the tariff asks, with all limits in favour of the passenger
-  double fare_high = 0;     ///< and of the driver
-  double metered_metres = 0;
-  double metered_seconds = 0;
-  double metered_fare = 0;
-  double extras = 0;            ///< as the meter shows them
-  double total = 0;             ///< the same
-  double paid = 0;              ///< fare and extras, with what the driver asks beside them
-  double pocketed = 0;          ///< of it
-  double pressed_extras = 0;    ///< by the driver
-  bool knows_extras = true;     ///< who presses them is seen here
-  double key_seconds = 0;       ///< in which the meter works off the driver's key
-  double key_metres = 0;        ///< that the car goes meanwhile, here and when it is stopped
-  bool is_read = true;          ///< what the meter has: else nothing of it can be judged
-  bool has_clock = true;        ///< that is known here, and says which level of the tariff it is
-  bool has_lost_power = false;  ///< the meter, meanwhile
-  bool may_lack_receipt = false;
-  TripExcuse excused{};
-  bool has_tariff_change = false;
+  double metres = 0;           ///< that were driven
+  double seconds = 0;          ///< from the key to the key
+  double sure_metres = 0;      ///< without those that a fault may have cost
+  double sure_seconds = 0;     ///< the same
+  double fare_low = 0;         ///< what the tariff asks, with all limits in favour of the passenger
+  double fare_high = 0;        ///< and of the driver
+  double metered_metres = 0;   ///< as the meter shows them
+  double metered_seconds = 0;  ///< the same
+  double metered_fare = 0;     ///< in 0,001 of the currency unit
+  double extras = 0;           ///< as the meter shows them
+  double total = 0;            ///< the same
+  double paid = 0;             ///< fare and extras, with what the driver asks beside them
+  double pocketed = 0;         ///< of it
+  double pressed_extras = 0;   ///< by the driver
+  bool knows_extras = true;    ///< who presses them is seen here
+  double key_seconds = 0;      ///< in which the meter works off the driver's key
+  double key_metres = 0;       ///< that the car goes meanwhile, here and when it is stopped
+  bool is_read = true;         ///< what the meter has: else nothing of it can be judged
+  bool has_clock = true;       ///< that is known here, and says which level of the tariff it is
+  bool has_lost_power = false;     ///< the meter, meanwhile
+  bool may_lack_receipt = false;   ///< by a fault when it was over
+  TripExcuse excused{};            ///< of all of it
+  bool has_tariff_change = false;  ///< of the town's, meanwhile
 
   /// A fault may have cost it something.
   bool is_disturbed() const { return !is_read || excused.any(); }
   /// What may be wrong: of the distance in m, of the time in s.
   double distance_limit() const;
-  double time_limit() const;
+  double time_limit() const;  ///< in s
   /// In m beyond the limit; 0 or less: within it.
   double distance_excess() const;
   double time_excess() const;  ///< in s
@@ -95,9 +96,11 @@ class FareReferee {
   void step(Time now, double metres, const TripExcuse& excuse = {});
   /// The trip that is under way.
   Trip& trip() { return trip_; }
+  /// The same.
   const Trip& trip() const { return trip_; }
   /// What the meter shows when the passenger pays; nothing: it cannot be read. Ends the trip.
   Trip paid(Time now, const std::optional<cia447::TripData>& shown);
+  /// From hired() to paid().
   bool has_trip() const { return has_trip_; }
 
  private:

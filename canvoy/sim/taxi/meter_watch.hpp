@@ -17,14 +17,16 @@ namespace canvoy::taxi {
 
 class MeterWatch {
  public:
+  /// A trip goes on after a loss of power that was not longer.
   explicit MeterWatch(Duration longest_power_cut) : longest_cut_(longest_power_cut) {}
 
+  /// It is about to lose its power, or to get it.
   void power_changes(Time now, bool is_on);
   /// What a trip has come to that has ended since the last look, in 0,001 of the currency unit.
   std::optional<double> look(Time now, const cia447::TaximeterDisplay& display);
 
-  std::uint64_t cuts() const { return cuts_; }  ///< in a trip, that were judged
-  std::uint64_t wrong_ends() const { return wrong_ends_; }
+  std::uint64_t cuts() const { return cuts_; }              ///< in a trip, that were judged
+  std::uint64_t wrong_ends() const { return wrong_ends_; }  ///< of these
   /// A loss of power of this length ends a trip, or may: the meter's clock has whole seconds.
   bool may_end_trip(Duration cut) const { return cut > longest_cut_ - clock_step; }
 

@@ -13,6 +13,7 @@
 
 namespace canvoy::taxi {
 
+/// What was wrong, and of how much that was read.
 struct ReceiptVerdict {
   double difference = 0;       ///< of all totals and what was paid, in 0,001 of the currency unit
   std::uint64_t receipts = 0;  ///< that were read, or missed

@@ -25,17 +25,22 @@ bool can_cost(const ScheduledFault& fault, NodeId device);
 /// How long after its end it still can: until all that it has touched is back.
 Duration lasts_after(InvariantKind kind);
 
+/// Those of all faults that are, or just were.
 class TaxiExcuses {
  public:
   /// A device that has lost its power, or its bus, is named, booted and started in this time.
   static constexpr Duration return_bound = 20s;
 
+  /// A fault has just begun.
   void begins(const ScheduledFault& fault, Time now) { change(fault, now, lasts(fault.kind), 1); }
+  /// A fault is just over.
   void ends(const ScheduledFault& fault, Time now) { change(fault, now, lasts(fault.kind), -1); }
 
+  /// What the invariant is about may be wrong now.
   bool is_excused(InvariantKind kind, Time now) const {
     return kinds_[static_cast<std::size_t>(kind)].holds(now);
   }
+  /// The device may be away now.
   bool may_be_missing(NodeId device, Time now) const { return devices_.at(device).holds(now); }
 
  private:

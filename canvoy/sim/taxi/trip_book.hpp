@@ -25,16 +25,21 @@ class TripBook {
   TripBook(const TripBook&) = delete;
   TripBook& operator=(const TripBook&) = delete;
 
+  /// The meter works off its keys within `key_time`.
   void begin(Time now, double metres, Duration key_time);
+  /// Each step while passengers are driven.
   void step(Time now, double metres, const TripExcuse& excuse) { fares_.step(now, metres, excuse); }
+  /// The driver has pressed the key, and the meter has obeyed or never will.
   void stop(Time now, double metres) { fares_.step(now, metres, last_excuse_); }
   /// Nobody here knows what the clock shows that the meter asks.
   void lack_clock() { fares_.trip().has_clock = false; }
   /// The driver has pressed the key for it, and the meter has obeyed.
   void press_extra(double amount);
+  /// Somebody else presses them.
   void knows_no_extras() { fares_.trip().knows_extras = false; }
   /// The meter has lost its power; its trip may end by that.
   void lose_power();
+  /// By that it has lost its trip, or may have.
   void lose_trip() { has_lost_trip_ = true; }
   /// What a fault may cost from now on; and all that comes of a trip that the meter has lost.
   TripExcuse excuse(TripExcuse by_faults);
@@ -56,15 +61,18 @@ class TripBook {
   /// Whether there is a receipt for this trip, of somebody else's words.
   void judge_receipt(std::size_t trip, bool is_there);
 
+  /// Those that were paid.
   const std::vector<Trip>& trips() const { return trips_; }
   double paid() const { return paid_; }  ///< in all, in 0,001 of the currency unit
   /// The meter has lost its power in the trip that is under way, or before the last one was over.
   bool has_lost_power() const;
+  /// What each trip came to is known.
   bool all_were_read() const;
 
   /// The worst of all trips beyond their limits; 0: within them. Of the invariants that are about
   /// trips: in m, s, or 0,001 of the currency unit.
   double worst(InvariantKind kind) const;
+  /// How many trips, receipts, lines or totals could have broken it.
   std::uint64_t judged(InvariantKind kind) const;
 
  private:
