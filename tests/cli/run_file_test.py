@@ -104,7 +104,7 @@ class RunFile(CommandTest):
         gaps = [later - earlier for earlier, later in itertools.pairwise(beats)]
         self.assertGreater(len(gaps), 3)
         self.assertGreater(max(gaps), 2.5, "it was stopped")
-        self.assertGreater(min(gaps), 0.3, "a period is 1 s, and half of it while the run is late")
+        self.assertGreater(min(gaps), 0.3, "a period is 1 s, and half a second is caught up with")
 
 
 if __name__ == "__main__":

@@ -92,7 +92,7 @@ test("a link and a file play the same run", async () => {
     assert.ok(played(join(folder, "run.toml"), ...length) === played(...command.split(" ").slice(2), ...length), "the file and the command play the same frames");
     await shown(charger, async (other, server) => {
       const asked = [];
-      other.on("dialog", (dialog) => { asked.push(dialog.message()); void dialog.accept(); });
+      other.on("dialog", (dialog) => { asked.push(dialog.message()); dialog.accept().catch(() => {}); });
       await other.goto(`${server.url}${new URL(link).hash}`);
       await other.reload();
       await event(other, "FAULT begins: pilot-loss").waitFor();

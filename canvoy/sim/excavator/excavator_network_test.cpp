@@ -30,7 +30,10 @@ TEST(ExcavatorNetwork, SeesAllThatThereIsToJudge) {
   ExcavatorNetwork network({.length = 10min});
   network.run_until(Time(10min));
   for (const Invariant& invariant : network.invariants()) {
-    EXPECT_TRUE(invariant.is_decided());
+    const bool is_of_a_loss = invariant.kind == InvariantKind::lost_seat ||
+                              invariant.kind == InvariantKind::lost_host ||
+                              invariant.kind == InvariantKind::lost_armrest;
+    EXPECT_EQ(invariant.is_decided(), !is_of_a_loss) << invariant_name(invariant.kind).name;
     const bool is_always_seen = invariant.kind == InvariantKind::unwanted_motion ||
                                 invariant.kind == InvariantKind::axis_delta ||
                                 invariant.kind == InvariantKind::display ||

@@ -10,13 +10,13 @@ namespace canvoy::tools {
 
 namespace {
 
-/// Between two looks, where the machine did not get to it for longer. While the network is late it
-/// runs twice as fast as the clock.
-constexpr Duration step_max = 5ms;
-constexpr Duration step_min = 2 * RealBuses::period;
-/// By which it may be late. Until then nothing is left out: the plant behind a real drive counts its
-/// metres by the time.
-constexpr Duration late_max = 10s;
+/// A network that is late runs so far at each look, or a quarter of what it is late by: time-outs
+/// of 5 ms are not over at once, and the plant behind a real drive, which counts metres by the
+/// time, is soon there.
+constexpr Duration step_min = 5ms;
+constexpr int looks = 4;
+/// By which it may be late.
+constexpr Duration late_max = 500ms;
 
 }  // namespace
 
@@ -31,12 +31,12 @@ RealBuses::RealBuses(World& world, const std::vector<RealBus>& buses, host::Even
 }
 
 Time RealBuses::reach(Time clock) {
-  const Duration passed = clock - std::exchange(looked_at_, clock);
-  late_ += passed;
-  const Duration step = std::min(late_, std::clamp(passed, step_min, step_max));
+  late_ += clock - std::exchange(looked_at_, clock);
+  const Duration too_late = std::max(late_ - late_max, Duration{});
+  left_out_ += too_late;
+  late_ -= too_late;
+  const Duration step = std::min(late_, std::max(step_min, late_ / looks));
   late_ -= step;
-  left_out_ += std::max(late_ - late_max, Duration{});
-  late_ = std::min(late_, late_max);
   return reached_ += step;
 }
 

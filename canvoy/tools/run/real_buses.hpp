@@ -15,8 +15,8 @@
 namespace canvoy::tools {
 
 /// The network runs as fast as the clock. Behind a pause of this process it does not catch up in
-/// one go, since who is out there would have no time to answer, but by small steps, at twice the
-/// speed; of a long pause, the rest is left out.
+/// one go, since who is out there would have no time to answer, but by steps; of a long pause, the
+/// rest is left out.
 class RealBuses {
  public:
   /// From one call of reach() to the next.
