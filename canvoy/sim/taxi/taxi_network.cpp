@@ -134,9 +134,9 @@ bool TaxiNetwork::clear_meter(const MeterKeys& keys) {
 }
 
 MeterKeys TaxiNetwork::hands() {
-  const MeterKeys keys = car_.meter().keys();
-  if (!is_played(taximeter_id)) return keys;
-  MeterKeys made = keys;
+  MeterKeys made = car_.meter().keys();
+  if (!is_played(taximeter_id)) return made;
+  const MeterKeys keys = made;
   made.hire = [this, keys] { return !clear_meter(keys) && keys.hire(); };
   made.sign_off = [this, keys] { return !clear_meter(keys) && keys.sign_off(); };
   made.for_hire = [this, keys] {
