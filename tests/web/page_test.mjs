@@ -94,10 +94,12 @@ test("a link and a file play the same run", async () => {
       const asked = [];
       other.on("dialog", (dialog) => { asked.push(dialog.message()); dialog.accept().catch(() => {}); });
       await other.goto(`${server.url}${new URL(link).hash}`);
-      await other.reload();
       await event(other, "FAULT begins: pilot-loss").waitFor();
       assert.equal(await event(other, "FAULT begins: pilot-loss").innerText(), told);
       assert.match(asked[0], /starts anew for everyone/);
+      await other.reload();
+      await event(other, "FAULT begins: pilot-loss").waitFor();
+      assert.equal(asked.length, 1, "a link to the run that plays asks nothing");
     });
   });
 });
