@@ -36,7 +36,7 @@ struct PrintStyle {
 struct PrintedCharacter {
   char32_t character = U' ';
   unsigned left = 0;  ///< dots from the left edge
-  PrintStyle style;
+  PrintStyle style = {};
 };
 
 /// What is empty is not done.

@@ -19,7 +19,7 @@ namespace canvoy::cia447 {
 /// What a passenger reads.
 struct TaximeterDisplay {
   Taximeter state = Taximeter::signed_off;
-  TripData trip;
+  TripData trip = {};
   bool has_error = false;
   bool has_wheel_signal = false;
 
