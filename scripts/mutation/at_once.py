@@ -295,7 +295,8 @@ def build(sources, programs, options):
             return
         output = built.stdout + built.stderr
         if not sources.take_out(output):
-            sys.exit(f"mutate: the tests do not build:\n{output[-2000:]}")
+            errors = [line for line in output.splitlines() if "error:" in line] or output.splitlines()[-20:]
+            sys.exit("mutate: the tests do not build:\n" + "\n".join(errors[:20]))
         print(f"the compiler has refused {sources.refused} so far", flush=True)
     sys.exit(f"mutate: after {ROUNDS_MAX} rounds, the compiler still refuses some; try another --seed")
 
