@@ -5,20 +5,20 @@
 #include <string_view>
 
 #include "canvoy/profiles/cia447/network.hpp"
-#include "canvoy/sim/police/police_faults.hpp"
 
 namespace canvoy::police {
 
 PatrolWatch::PatrolWatch(PoliceCar& car, const PoliceOptions& options, Crew& crew,
-                         car::Excuse& excuse, PoliceReferee& referee)
+                         const PoliceExcuses& excuses, PoliceReferee& referee)
     : car_(car),
       options_(options),
       crew_(crew),
-      excuse_(excuse),
+      excuses_(excuses),
       referee_(referee),
       undecided_(undecided_kinds()),
       silence_(car.bus(), 5ms),
-      settled_at_(PoliceFaults::return_bound) {
+      settled_at_(car::return_bound),
+      waits_for_real_(!options.real.empty()) {
   for (const InvariantKind kind : undecided_) referee_.cannot_judge(kind);
 }
 
@@ -76,33 +76,33 @@ Wish PatrolWatch::look() const {
 }
 
 void PatrolWatch::frame_sent(Time now) {
-  if (silence_.frame_sent(now, excuse_.is_excused(now))) referee_.frame_asleep();
+  if (silence_.frame_sent(now, is_excused(InvariantKind::silence, now))) referee_.frame_asleep();
 }
 
 void PatrolWatch::step(Time now) {
   car::CarBus& bus = car_.bus();
-  if (excuse_.waits_for_real() && !bus.waits_for_real()) excuse_.all_have_come();
+  waits_for_real_ &= bus.waits_for_real();  // once all were there, nobody is waited for again
   const bool sleeps = bus.any_sleeps();
-  const bool is_excused = excuse_.is_excused(now);
   silence_.look(now);
-  if (silence_.is_asleep() && !is_excused) referee_.is_quiet();
-  const bool is_free = sleeps || is_excused || now < settled_at_;
-  if (is_free) free_at_ = now;
+  if (silence_.is_asleep() && !is_excused(InvariantKind::silence, now)) referee_.is_quiet();
+  const bool is_free = sleeps || now < settled_at_;
+  if (is_free || is_excused(InvariantKind::terminal_wait, now)) free_at_ = now;
   judge_wishes(now, is_free);
   judge_waits(now);
   for (const auto& node : bus.nodes()) {
     const NodeId id = node->place().id;
     const bool may_be_missing =
-        excuse_.has_fault(now) || (excuse_.waits_for_real() && bus.may_come_yet(id));
+        excuses_.may_be_missing(id, now) || (waits_for_real_ && bus.may_come_yet(id));
     referee_.judge_device_unless(sleeps || may_be_missing, id, now, bus.is_at_work(*node));
   }
-  if (crew_.calls().empty() || crew_.calls().back().reported || is_excused) return;
+  if (crew_.calls().empty() || crew_.calls().back().reported) return;
+  if (is_excused(InvariantKind::calls, now)) return;
   crew_.calls().back().age += Crew::step_time;
 }
 
 void PatrolWatch::judge_wishes(Time now, bool is_free) {
   const auto judge = [&](InvariantKind kind, bool is_right) {
-    referee_.judge_unless(is_free, kind, now, is_right);
+    referee_.judge_unless(is_free || is_excused(kind, now), kind, now, is_right);
   };
   const Wish is = look();
   const Wish& wish = crew_.wish();

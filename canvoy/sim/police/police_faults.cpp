@@ -6,19 +6,10 @@
 
 namespace canvoy::police {
 
-namespace {
-
-/// Nobody notices that frames are sent again.
-constexpr Duration excuse_of(FaultKind kind) {
-  return kind == FaultKind::corrupted_frames ? Duration{} : PoliceFaults::return_bound;
-}
-
-}  // namespace
-
-PoliceFaults::PoliceFaults(PoliceCar& car, const FaultPlan& plan, car::Excuse& excuse,
+PoliceFaults::PoliceFaults(PoliceCar& car, const FaultPlan& plan, PoliceExcuses& excuses,
                            EventLog<PoliceEvent>& events)
     : car_(car),
-      excuse_(excuse),
+      excuses_(excuses),
       events_(events),
       faults_(plan.faults, Engine::of(*this)),
       trouble_(car.bus().bus()),
@@ -32,15 +23,13 @@ void PoliceFaults::plan() {
 void PoliceFaults::began(std::size_t fault) {
   const ScheduledFault& it = faults_[fault];
   events_.note(now(), FaultBegan{fault, it.kind, {.bus = car_.bus().index(), .node = node_of(it)}});
-  if (lasts(it.kind) && !is_harmless(it.kind)) excuse_.fault_begins();
-  excuse_.extend(now() + excuse_of(it.kind));
+  excuses_.begins(it, now());
 }
 
 void PoliceFaults::ended(std::size_t fault) {
   const ScheduledFault& it = faults_[fault];
   events_.note(now(), FaultEnded{fault, it.kind, {.bus = car_.bus().index(), .node = node_of(it)}});
-  if (lasts(it.kind) && !is_harmless(it.kind)) excuse_.fault_ends();
-  excuse_.extend(now() + excuse_of(it.kind));
+  excuses_.ends(it, now());
 }
 
 void PoliceFaults::set(std::size_t number, bool is_present) {

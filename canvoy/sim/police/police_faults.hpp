@@ -1,25 +1,22 @@
 // Makes the faults of the plan in a police car, and mends them; and says what they excuse.
 //
-//     PoliceFaults faults(car, options.faults, excuse, events);
+//     PoliceFaults faults(car, options.faults, excuses, events);
 //     faults.plan();
 //     faults.step();       // each 100 ms
 #pragma once
 
 #include "canvoy/sim/bus_trouble.hpp"
-#include "canvoy/sim/car/excuse.hpp"
 #include "canvoy/sim/fault_engine.hpp"
 #include "canvoy/sim/police/police_car.hpp"
+#include "canvoy/sim/police/police_excuses.hpp"
 #include "canvoy/sim/power_cuts.hpp"
 
 namespace canvoy::police {
 
 class PoliceFaults {
  public:
-  /// A device that has lost its power, or its bus, is named, booted and started in this time.
-  static constexpr Duration return_bound = 20s;
-
   /// All must outlive this.
-  PoliceFaults(PoliceCar& car, const FaultPlan& plan, car::Excuse& excuse,
+  PoliceFaults(PoliceCar& car, const FaultPlan& plan, PoliceExcuses& excuses,
                EventLog<PoliceEvent>& events);
   PoliceFaults(const PoliceFaults&) = delete;
   PoliceFaults& operator=(const PoliceFaults&) = delete;
@@ -40,7 +37,7 @@ class PoliceFaults {
   void power(NodeId id, bool is_on) { car_.power(car_.bus().node(id), is_on); }
 
   PoliceCar& car_;
-  car::Excuse& excuse_;
+  PoliceExcuses& excuses_;
   EventLog<PoliceEvent>& events_;
   Engine faults_;
   BusTrouble trouble_;

@@ -34,9 +34,8 @@ PoliceNetwork::PoliceNetwork(PoliceOptions options)
       car_(bus_, options_, Acted::to<&PoliceReferee::acted>(referee_), events_),
       crew_(crew_options(options_), options_.faults.seed, car_.drive(), crew_hands(),
             terminal_hands()),
-      excuse_(!options_.real.empty()),
-      faults_(car_, options_.faults, excuse_, events_),
-      watch_(car_, options_, crew_, excuse_, referee_) {
+      faults_(car_, options_.faults, excuses_, events_),
+      watch_(car_, options_, crew_, excuses_, referee_) {
   bus_.bus().observe({.context = this,
                       .on_frame =
                           [](void* self, Time, ControllerId, const Frame&) {
@@ -88,14 +87,14 @@ void PoliceNetwork::open(Client client) {
 void PoliceNetwork::press(Client client, cia447::NumberPadKey key) {
   if (!bus_.has_power(terminal_id)) return;
   referee_.pressed({.client = client, .key = static_cast<std::uint8_t>(key)},
-                   excuse_.is_excused(now()));
+                   watch_.may_come_late(now()));
   car_.terminal().press(key);
 }
 
 void PoliceNetwork::press(cia447::FunctionKey key) {
   if (!bus_.has_power(terminal_id)) return;
   referee_.pressed({Client::signals, true, static_cast<std::uint8_t>(key)},
-                   excuse_.is_excused(now()));
+                   watch_.may_come_late(now()));
   car_.terminal().press(key);
 }
 
@@ -138,7 +137,7 @@ void PoliceNetwork::sleep_and_wake(Time parked) {
 void PoliceNetwork::car_event(const cia447::CarEvent& event) {
   events_.note(now(), car::NetworkChanged{event});
   const bool awakes = event.kind == cia447::CarEvent::Kind::awake;
-  if (awakes) watch_.all_boot(now() + PoliceFaults::return_bound);
+  if (awakes) watch_.all_boot(now() + car::return_bound);
 }
 
 void PoliceNetwork::tell_changes(Time now) {

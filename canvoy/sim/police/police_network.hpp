@@ -19,7 +19,6 @@
 #include <vector>
 
 #include "canvoy/sim/car/car_bus.hpp"
-#include "canvoy/sim/car/excuse.hpp"
 #include "canvoy/sim/event_log.hpp"
 #include "canvoy/sim/police/crew.hpp"
 #include "canvoy/sim/police/patrol_watch.hpp"
@@ -83,7 +82,7 @@ class PoliceNetwork {
   car::CarBus bus_;
   PoliceCar car_;
   Crew crew_;
-  car::Excuse excuse_;
+  PoliceExcuses excuses_;
   PoliceFaults faults_;
   PatrolWatch watch_;
   ToldInvariants<invariant_kinds> told_;

@@ -1,5 +1,4 @@
-// Patrols of a police car: all holds without a fault, and after each; and each referee sees what it
-// is there for.
+// Patrols of a police car: all holds without a fault, and after each.
 #include "canvoy/sim/police/police_network.hpp"
 
 #include <gtest/gtest.h>
@@ -38,14 +37,6 @@ std::vector<What> all_of(const PoliceNetwork& network) {
     if (const auto* what = std::get_if<What>(&event.what)) found.push_back(*what);
   }
   return found;
-}
-
-std::string played(Sabotage sabotage, Duration time) {
-  PoliceOptions options = short_patrol(1, std::max(patrol, time));
-  options.sabotage = sabotage;
-  PoliceNetwork network(options);
-  network.run_until(Time(time));
-  return broken(network);
 }
 
 /// What loses power and when all sleep, in order.
@@ -223,59 +214,6 @@ constexpr FaultCase fault_cases[] = {
     {"overload@11min+3min"},          {"dead-client@10min+5min"}};
 
 INSTANTIATE_TEST_SUITE_P(Each, PoliceFault, testing::ValuesIn(fault_cases));
-
-// Each referee can fail: a sabotage in the whole network breaks it, and no other one.
-
-TEST(PoliceSabotage, ANavigationThatTakesEveryKey) {
-  EXPECT_EQ(played({.greedy_navigation = true}, 30min), "keypad ");
-}
-
-TEST(PoliceSabotage, SignalsThatDoNotGiveTheTerminalBack) {
-  EXPECT_EQ(played({.hogging_signals = true}, long_patrol), "terminal_wait ");
-}
-
-TEST(PoliceSabotage, FlashersThatAreNotWired) {
-  EXPECT_EQ(played({.cuts_flashers = true}, 30min), "blue_light ");
-}
-
-TEST(PoliceSabotage, ASirenThatIsNotWired) {
-  EXPECT_EQ(played({.cuts_siren = true}, 30min), "siren ");
-}
-
-TEST(PoliceSabotage, AHandsetWithASlowContact) {
-  EXPECT_EQ(played({.slow_handset = true}, 30min), "speech ");
-}
-
-TEST(PoliceSabotage, ATransmitterThatDoesNotStop) {
-  EXPECT_EQ(played({.sticking_relay = true}, 8min), "carrier ");
-}
-
-TEST(PoliceSabotage, ADisplayThatShowsNothing) {
-  EXPECT_EQ(played({.cuts_display = true}, 30min), "display ");
-}
-
-TEST(PoliceSabotage, LocksThatDoNotMove) {
-  EXPECT_EQ(played({.cuts_locks = true}, 30min), "locks ");
-}
-
-TEST(PoliceSabotage, ASupplyThatDoesNotOpen) {
-  EXPECT_EQ(played({.welded_supply = true}, patrol), "power ");
-}
-
-TEST(PoliceSabotage, ADeviceThatDoesNotSleep) {
-  EXPECT_EQ(played({.speaks_asleep = true}, patrol), "silence ");
-}
-
-TEST(PoliceSabotage, ACrewThatDoesNotAnswer) {
-  EXPECT_EQ(played({.sleepy_crew = true}, 90min), "calls ");
-}
-
-TEST(PoliceSabotage, ADeviceThatIsNotThere) {
-  PoliceNetwork network(short_patrol(1));
-  network.world().at(Time(20min), [&](Time) { network.node(navigation_id).power(false); });
-  network.run_until(Time(21min));
-  EXPECT_EQ(broken(network), "device_missing ");
-}
 
 }  // namespace
 }  // namespace canvoy::police::police_network_test

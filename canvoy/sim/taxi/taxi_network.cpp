@@ -108,7 +108,7 @@ void TaxiNetwork::drive(Time now) {
                          activity == Activity::at_lights || activity == Activity::stopping;
   const TripExcuse excused = trips_.excuse(excuse(now));
   if (is_driven) trips_.step(now, car_.drive().metres(), excused);
-  const bool is_printing = now <= released_ + TaxiExcuses::return_bound;
+  const bool is_printing = now <= released_ + car::return_bound;
   if (is_printing && excuses_.is_excused(InvariantKind::receipts, now)) trips_.excuse_receipt();
 }
 

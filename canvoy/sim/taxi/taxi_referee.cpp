@@ -17,7 +17,7 @@ constexpr Duration sign_bound = 3s;
 /// What the terminal shows of trip and place.
 constexpr Duration screen_bound = 5s;
 /// All are named and booted by then, also where frames are sent again.
-constexpr Time settled_at{TaxiExcuses::return_bound};
+constexpr Time settled_at{car::return_bound};
 /// In so much time that no fault excuses somebody is carried.
 constexpr Duration long_enough = 2h;
 
@@ -182,7 +182,7 @@ std::vector<Invariant> TaxiReferee::verdicts() const {
       none(InvariantKind::silence, static_cast<double>(silence_.frames()), quiet_),
       in_time(InvariantKind::no_service, wait_, wait_bound),
       judge_carried(),
-      in_time(InvariantKind::device_missing, missing_.worst(), TaxiExcuses::return_bound,
+      in_time(InvariantKind::device_missing, missing_.worst(), car::return_bound,
               missing_.judged())};
   for (Invariant& each : all) {
     if (!can_be_judged(each.kind)) each.judged = 0;
