@@ -20,6 +20,7 @@ class RouteMatch {
   /// Farther from its route it is elsewhere.
   static constexpr double off_route_m = 60;
 
+  /// No position was told yet.
   void forget() { places_.clear(); }
   /// A position, told where the odometer said `odometer`.
   void take(const Path& path, const GeoPoint& fix, double odometer);

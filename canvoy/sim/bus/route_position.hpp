@@ -33,6 +33,7 @@ class RoutePosition {
     Callback<bool()> has_open_door = {};  ///< the contacts of the doors
   };
 
+  /// How often it looks at pulses and doors.
   static constexpr Duration look_period = 50ms;
 
   explicit RoutePosition(const Sensors& sensors) : sensors_(sensors) {}
