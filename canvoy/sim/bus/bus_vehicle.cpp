@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
+
+#include "canvoy/sim/bus/passed_stop.hpp"
 
 namespace canvoy::bus {
 
@@ -21,8 +24,6 @@ constexpr double slowest = 8.3;      ///< m/s: who is early does not dawdle
 constexpr double fastest = 27.8;     ///< m/s: the law's limit for buses out of town
 constexpr double lights_from = 0.3;  ///< shares of the way between two stops
 constexpr double lights_to = 0.7;
-
-constexpr double near_stop_m = 30;  ///< a real vehicle stands so near
 
 double seconds(Duration time) {
   return std::chrono::duration<double>(time).count();
@@ -216,9 +217,10 @@ void BusVehicle::begin_leg(Time now) {
   drive_.go(light_ >= 0 ? light_ : end, leg_speed(now) * traffic);
 }
 
-/// Nobody wants out, nobody stands there, and it is not too early.
+/// Nobody wants out, nobody stands there, it is not too early, and has not braked to stand there.
 bool BusVehicle::may_pass(Time now) const {
   if (is_last_stop() || light_ >= 0 || stop_requested_) return false;
+  if (!has_passed_stop(0, drive_.speed())) return false;
   if (now < leg_began_ + pass_not_before || riders_.waiting_at(place_, now) > 0) return false;
   const double metres = route().stops[place_].metres - drive_.metres();
   return !passing().is_timing_point ||
@@ -266,7 +268,8 @@ void BusVehicle::drive(Time now, Duration step) {
   }
   if (light_ >= 0) return wait_for_green(now);
   if (is_passing_) {
-    if (drive_.metres() >= route().stops[place_].metres) pass(now);
+    const double beyond = drive_.metres() - route().stops[place_].metres;
+    if (has_passed_stop(beyond, drive_.speed()) || drive_.is_standing()) pass(now);
     return;
   }
   if (drive_.is_standing()) return arrive(now);
@@ -300,15 +303,23 @@ void BusVehicle::stand_as_real(Time now) {
   if (wants_to_go_ && are_closed()) is_last_stop() ? end_journey(now) : leave(now);
 }
 
+/// With closed doors a real vehicle may stand at red lights near a stop.
+bool BusVehicle::stands_at_stop(double beyond) const {
+  if (real_->speed > 0 || std::abs(beyond) > near_stop_m) return false;
+  const bool tells_doors = real_->known_doors != 0;
+  return !tells_doors || std::abs(beyond) <= at_stop_m ||
+         (real_->known_doors & real_->open_doors) != 0;
+}
+
 void BusVehicle::drive_as_real(Time now, Duration step) {
   drive_.roll(step, real_->speed);
   if (state_ == BusState::transferring) {
     if (real_->speed > 0 || transfer_.metres() - drive_.metres() > near_stop_m) return;
     return end_transfer(now);
   }
-  const double behind = drive_.metres() - route().stops[place_].metres;
-  if (real_->speed <= 0 && behind >= -near_stop_m) return arrive(now);
-  if (behind > near_stop_m && !is_last_stop()) pass(now);
+  const double beyond = drive_.metres() - route().stops[place_].metres;
+  if (stands_at_stop(beyond)) return arrive(now);
+  if (has_passed_stop(beyond, real_->speed) && !is_last_stop()) pass(now);
 }
 
 void BusVehicle::obstruct_door(Time now, std::size_t door, bool is_obstructed) {

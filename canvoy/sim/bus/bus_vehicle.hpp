@@ -98,7 +98,8 @@ class BusVehicle {
   /// A fault of a door, or its end.
   void break_door(Time now, std::size_t door, bool is_broken);
   /// From now on wheels and doors do as a real vehicle says; nothing: as the driver wants. It goes
-  /// along its route; where it comes to stand at most 30 m from a stop, it is at the stop.
+  /// along its route; where it comes to stand at most 30 m from a stop and a door opens, or says
+  /// nothing of its doors, or at most 3 m from it, it is at the stop.
   void follow(Time now, const std::optional<RealMotion>& real);
   /// Something lies in it.
   void obstruct_door(Time now, std::size_t door, bool is_obstructed);
@@ -145,6 +146,7 @@ class BusVehicle {
   void wait_for_green(Time now);
   void stand_as_real(Time now);
   void drive_as_real(Time now, Duration step);
+  bool stands_at_stop(double beyond) const;
   void move_doors(Time now);
   bool are_closed() const;
   bool wants_doors(Time now) const;

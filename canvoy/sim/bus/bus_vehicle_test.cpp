@@ -152,6 +152,23 @@ TEST(BusVehicle, WithoutPeopleItGoesPastStopsAndLeavesNoTimingPointEarly) {
   EXPECT_EQ(day.count(BusEvent::door_changes), 0U);
 }
 
+/// Who has braked for a timing point stands there: nobody goes by a stop so slowly that he could
+/// still stand near it, 30 m at 0.75 m/s^2.
+TEST(BusVehicle, NobodyCreepsPastAStop) {
+  const BusLine line = built_in_line();
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    Day day(line, {.seed = seed, .riders = {.boarding_mean = 0.5}});
+    std::size_t passed = 0;
+    day.bus.on_event([&](Time, BusEvent event, std::size_t) {
+      if (event != BusEvent::passes) return;
+      ++passed;
+      EXPECT_GT(day.bus.speed() * day.bus.speed(), 2 * 0.75 * 30);
+    });
+    day.run();
+    EXPECT_GT(passed, 0u);
+  }
+}
+
 TEST(BusVehicle, WhereTheStopButtonIsDeadPeopleAreCarriedPast) {
   const BusLine line = short_day(10);
   Day day(line, {}, {.press_stop = [](Time, const Rider&) { return false; }});
@@ -308,12 +325,41 @@ TEST(BusVehicle, ARealVehicleLeadsIt) {
   day.run_until(day.now + 2s);
   day.follow(RealMotion{.known_doors = 3});
   day.run_until(day.now + 1s);
-  EXPECT_EQ(day.count(BusEvent::arrives), 1u) << "20 m before it";
+  EXPECT_EQ(day.count(BusEvent::arrives), 0u) << "20 m before it, at red lights";
+  day.follow(RealMotion{.known_doors = 3, .open_doors = 1});
+  day.run_until(day.now + 1s);
+  EXPECT_EQ(day.count(BusEvent::arrives), 1u) << "who opens a door there is at the stop";
   EXPECT_EQ(day.bus.state(), BusState::at_stop);
 
   day.follow(std::nullopt);
   day.run_until(day.now + 5min);
   EXPECT_GE(day.count(BusEvent::leaves), 2u) << "the driver goes on";
+}
+
+/// 10 m/s cannot stand within 30 m at 0.75 m/s^2, 5 m/s takes 17 m for it.
+TEST(BusVehicle, ARealVehicleHasPassedAStopWhereItCannotStandThereAnyMore) {
+  for (const auto& [speed, beyond] : {std::pair{10.0, 0.0}, std::pair{5.0, 30 - 25 / 1.5}}) {
+    const BusLine line = short_day(1);
+    Day day(line);
+    const double stop = line.routes[0].stops[1].metres;
+    day.follow(RealMotion{.speed = speed});
+    while (day.count(BusEvent::passes) == 0 && day.now < Time(20min)) {
+      day.run_until(day.now + 100ms);
+    }
+    EXPECT_GE(day.bus.metres_on_route(), stop + beyond);
+    EXPECT_LT(day.bus.metres_on_route(), stop + beyond + 2 * speed / 10);
+  }
+}
+
+TEST(BusVehicle, ARealVehicleThatTellsNothingOfItsDoorsIsAtTheStopWhereItStandsNearIt) {
+  const BusLine line = short_day(1);
+  Day day(line);
+  const double stop = line.routes[0].stops[1].metres;
+  day.follow(RealMotion{.speed = 5});
+  while (day.bus.metres_on_route() < stop - 25) day.run_until(day.now + 100ms);
+  day.follow(RealMotion{});
+  day.run_until(day.now + 1s);
+  EXPECT_EQ(day.count(BusEvent::arrives), 1u);
 }
 
 TEST(BusVehicle, ARealVehicleLeadsItToItsNextStart) {

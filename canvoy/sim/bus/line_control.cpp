@@ -10,9 +10,11 @@ namespace canvoy::bus {
 
 namespace {
 
-constexpr Duration look_period = 50ms;
+constexpr Duration look_period = RoutePosition::look_period;
 constexpr Duration start_period = 1s;
 constexpr Duration refresh_after = 200ms;
+/// By then a message of doors that open has come.
+constexpr Duration doors_told_after = 500ms;
 
 }  // namespace
 
@@ -91,6 +93,7 @@ void LineControl::look(Time now) {
   if (now >= next_start_) start_waiting();
   if (now >= refresh_at_) refresh();
   position_.sense(now);
+  watch_doors(now);
   if (clock_.has_come_or_gone(now)) hardware_.computer->clock_changed();
   locate();
   tell();
@@ -147,6 +150,8 @@ void LineControl::refresh() {
   tell_again(node().id());
   // Who drives what tells the identification device.
   tell_again(settings_.identification);
+  // Counters that were away have not heard of a door that has opened.
+  if (std::exchange(has_returned_, false)) tell_again(settings_.doors);
 }
 
 void LineControl::changed(NodeId id, RemoteState state) {
@@ -155,6 +160,8 @@ void LineControl::changed(NodeId id, RemoteState state) {
   // Who left operational, or comes back, has nothing of what it was told.
   const bool begins_anew = state != RemoteState::operational || !is_started_.at(id);
   if (begins_anew) displays_.forget(id);
+  has_returned_ = has_returned_ || (begins_anew && was_operational_.at(id));
+  if (state == RemoteState::operational) was_operational_.at(id) = true;
   if (id == settings_.identification && begins_anew) {
     lose_journey();
     has_journey_told_ = false;
@@ -273,6 +280,17 @@ void LineControl::train_told(const Frame& frame, Time) {
   const bool wants_stop = (frame.data[0] & 1U) != 0;
   const std::optional<bool> before = std::exchange(train_wants_stop_, wants_stop);
   if (before == false && wants_stop) press_stop_button();
+}
+
+/// Doors that open end a request to stop (9.2.8.5): it has their contacts where the message of it
+/// was lost.
+void LineControl::watch_doors(Time now) {
+  const bool is_open = hardware_.has_open_door && hardware_.has_open_door();
+  if (!std::exchange(had_open_door_, is_open) && is_open) opened_at_ = now;
+  if (opened_at_ == never || now < opened_at_ + doors_told_after) return;
+  opened_at_ = never;
+  const bool is_left = device_[cia407::bus_stop_request].is(cia407::BusStop::requested);
+  if (is_left) hardware_.computer->request_stop(false);
 }
 
 bool LineControl::press_stop_button() {

@@ -85,6 +85,7 @@ class LineControl {
   void heard(NodeId id, RemoteState state) { gaps_.heard(id, state); }
   void ask_anew(NodeId id);
   void forget_all();
+  void watch_doors(Time now);
   void train_told(const Frame& frame, Time now);
 
   void take_journey();
@@ -115,6 +116,10 @@ class LineControl {
   const Journey* journey_ = nullptr;  ///< null: none is told
   bool has_journey_told_ = false;     ///< were it that none is driven
   RoutePosition position_;
+  std::array<bool, node_id_max + 1> was_operational_{};  ///< since it began
+  bool has_returned_ = false;  ///< one that was, and left operational since all was told
+  bool had_open_door_ = false;
+  Time opened_at_ = never;  ///< a door, and a request was not ended since
   LineClock clock_;
 
   struct Told {

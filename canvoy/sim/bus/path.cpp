@@ -66,26 +66,55 @@ GeoPoint Path::at(double metres) const {
   return between(points_[piece], points_[piece + 1], share);
 }
 
-double Path::nearest_to(const GeoPoint& point) const {
-  double nearest = 0;
-  double least = std::numeric_limits<double>::infinity();
-  // The earth is flat there.
+/// The earth is flat there.
+Path::Foot Path::foot_on(std::size_t piece, const GeoPoint& point) const {
   const double narrowing = std::cos(radians(point.latitude));
+  const GeoPoint& from = points_[piece];
+  const double east = (points_[piece + 1].longitude - from.longitude) * narrowing;
+  const double north = points_[piece + 1].latitude - from.latitude;
+  const double to_east = (point.longitude - from.longitude) * narrowing;
+  const double to_north = point.latitude - from.latitude;
+  const double square = east * east + north * north;
+  const double share =
+      square > 0 ? std::clamp((to_east * east + to_north * north) / square, 0.0, 1.0) : 0;
+  return {.metres = metres_[piece] + share * (metres_[piece + 1] - metres_[piece]),
+          .away = std::hypot(to_east - share * east, to_north - share * north)};
+}
+
+double Path::nearest_to(const GeoPoint& point) const {
+  Foot nearest{.away = std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
-    const GeoPoint& from = points_[i];
-    const double east = (points_[i + 1].longitude - from.longitude) * narrowing;
-    const double north = points_[i + 1].latitude - from.latitude;
-    const double to_east = (point.longitude - from.longitude) * narrowing;
-    const double to_north = point.latitude - from.latitude;
-    const double square = east * east + north * north;
-    const double share =
-        square > 0 ? std::clamp((to_east * east + to_north * north) / square, 0.0, 1.0) : 0;
-    const double away = std::hypot(to_east - share * east, to_north - share * north);
-    if (away >= least) continue;
-    least = away;
-    nearest = metres_[i] + share * (metres_[i + 1] - metres_[i]);
+    const Foot foot = foot_on(i, point);
+    if (foot.away < nearest.away) nearest = foot;
   }
-  return nearest;
+  return nearest.metres;
+}
+
+/// Two places are one where the path between them does not go away from the point.
+std::vector<double> Path::places_near(const GeoPoint& point, double within) const {
+  constexpr double goes_away_m = 15;
+  const double metres_a_degree = radians(earth_radius_m);
+  std::vector<Foot> feet;
+  double farthest = 0;  // of the corners since the last foot
+  for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
+    farthest = std::max(farthest, metres_between(points_[i], point));
+    Foot foot = foot_on(i, point);
+    foot.away *= metres_a_degree;
+    if (foot.away > within) continue;
+    const bool is_other =
+        feet.empty() || farthest > std::max(foot.away, feet.back().away) + goes_away_m;
+    if (is_other) {
+      feet.push_back(foot);
+    } else if (foot.away < feet.back().away) {
+      feet.back() = foot;
+    } else {
+      continue;
+    }
+    farthest = 0;
+  }
+  std::vector<double> places;
+  for (const Foot& foot : feet) places.push_back(foot.metres);
+  return places;
 }
 
 double Path::heading_at(double metres) const {

@@ -39,10 +39,19 @@ class Path {
   /// How far along it is the place that is nearest to a point; of several the first, 0 where there
   /// are no points. Linear in their number.
   double nearest_to(const GeoPoint& point) const;
+  /// How far along it are the places where it goes by a point at most `within` m away, in their
+  /// order: two of a street that is driven there and back. Linear in the number of points.
+  std::vector<double> places_near(const GeoPoint& point, double within) const;
 
  private:
   /// The piece that it is on, by its first point.
   std::size_t piece_at(double metres) const;
+  /// The place of a piece that is nearest to a point.
+  struct Foot {
+    double metres = 0;  ///< along the path
+    double away = 0;    ///< m from the point
+  };
+  Foot foot_on(std::size_t piece, const GeoPoint& point) const;
 
   std::vector<GeoPoint> points_;
   std::vector<double> metres_;

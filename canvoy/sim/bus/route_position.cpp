@@ -1,6 +1,11 @@
 #include "canvoy/sim/bus/route_position.hpp"
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <utility>
+
+#include "canvoy/sim/bus/passed_stop.hpp"
 
 namespace canvoy::bus {
 
@@ -12,13 +17,22 @@ constexpr Duration settled = 10s;
 constexpr Duration stands_after = 600ms;
 /// So near to the first stop it is there.
 constexpr double near_first_stop_m = 15;
-/// Farther from its route it is on its way to the first stop.
-constexpr double off_route_m = 60;
-constexpr double at_stop_m = 3;
+/// Where a journey ends so near to the start of the next one, nobody drives there.
+constexpr double no_transfer_m = 30;
+/// Who may be elsewhere is on its route where positions have met it for so long.
+constexpr double certain_m = 100;
+/// So many positions are not wrong.
+constexpr unsigned doubts_max = 3;
+/// Positions come each second: who stands has had one.
+constexpr Duration has_stood = 2s;
 /// With open doors nobody doubts that it is at a stop.
 constexpr double doors_open_m = 40;
-/// Beyond a stop it has not stopped there.
+/// What it does not know of the way from the last stop.
 constexpr double past_stop_m = 2;
+/// What its speed by pulses, off by a pulse in ten looks, does to where it has passed a stop, in m
+/// for each m/s: 0.25 / gentle_braking.
+constexpr double past_by_speed = 0.35;
+constexpr std::size_t slow_looks = 4;
 /// Of a stop that it left at once: a pulse from where it stood.
 constexpr double left_stop_m = 0.15;
 constexpr double touched_stop_m = 1;
@@ -29,17 +43,31 @@ constexpr double leaving_m = 0.1;  // the first pulse
 }  // namespace
 
 void RoutePosition::begin(const BusRoute& route, Time now) {
-  has_just_begun_ = route_ != nullptr && is_located_ && is_at_end();
-  has_changed_ = route_ != nullptr && is_standing_ && now - journey_since_ > settled;
+  const bool was_told = route_ != nullptr;
+  if (was_told && is_located_ && is_at_end()) {
+    ended_at_ = base_odometer_ + metres_of(place_) - base_metres_;
+  }
+  has_just_begun_ = was_told && ended_at_.has_value();
+  begun_at_ = std::exchange(ended_at_, std::nullopt).value_or(0);
+  has_changed_ = was_told && is_standing_ && now - journey_since_ > settled;
+  transfer_m_ = was_told ? metres_between(route_->path.at(metres_of(route_->stops.size() - 1)),
+                                          route.path.at(route.stops.front().metres))
+                         : 0;
+  may_be_elsewhere_ = transfer_m_ > no_transfer_m;
   journey_since_ = now;
   route_ = &route;
   is_located_ = false;
   place_ = reached_ = 0;
+  match_.forget();
+  // From an older position it has not driven along this route.
+  const bool is_new = fix_ && odometer_ - fix_->odometer < at_stop_m;
+  if (is_new) match_.take(route.path, fix_->point, fix_->odometer);
 }
 
 void RoutePosition::lose_route() {
   route_ = nullptr;
   is_located_ = false;
+  ended_at_.reset();
 }
 
 void RoutePosition::forget() {
@@ -49,32 +77,74 @@ void RoutePosition::forget() {
 
 void RoutePosition::take_fix(const std::optional<GeoPoint>& point) {
   fix_.reset();
-  if (!point) return;
+  if (!point) return match_.forget();
   fix_ = Fix{*point, sensors_.odometer()};
+  if (route_ == nullptr) return;
+  if (!is_located_) return match_.take(route_->path, *point, fix_->odometer);
+  doubt();
   if (is_located_ && !is_exact_) refine();
+}
+
+/// A position that says another place: several of them are right, and one where a single position,
+/// which may have waited on a disturbed bus, has told where it is.
+void RoutePosition::doubt() {
+  const double known = base_metres_ + fix_->odometer - base_odometer_;
+  const double off = metres_between(route_->path.at(known), fix_->point);
+  if (off <= RouteMatch::off_route_m) {
+    doubts_ = 0;
+    is_confirmed_ = true;
+  } else if (!is_confirmed_) {
+    is_located_ = false;
+    match_.take(route_->path, fix_->point, fix_->odometer);
+  } else if (++doubts_ >= doubts_max) {
+    get_lost();
+  }
+}
+
+/// It drives where it was not told to, or has mistaken its place.
+void RoutePosition::get_lost() {
+  is_located_ = has_just_begun_ = has_changed_ = false;
+  may_be_elsewhere_ = true;
+  match_.forget();
 }
 
 void RoutePosition::sense(Time now) {
   const double odometer = sensors_.odometer();
   if (odometer != odometer_) moved_at_ = now;
   odometer_ = odometer;
-  is_standing_ = now - moved_at_ >= stands_after;
-  double& before = pulses_.at(looks_++ % pulses_.size());
-  is_slow_ = odometer_ - before < slow_m;
-  before = odometer_;
+  stands_for_ = now - moved_at_;
+  is_standing_ = stands_for_ >= stands_after;
+  const std::size_t look = looks_++ % pulses_.size();
+  const std::size_t before = (look + pulses_.size() - slow_looks) % pulses_.size();
+  is_slow_ = odometer_ - pulses_.at(before) < slow_m;
+  const std::chrono::duration<double> looked = look_period * pulses_.size();
+  speed_ = (odometer_ - pulses_.at(look)) / looked.count();
+  pulses_.at(look) = odometer_;
 }
 
 /// What positioning tells when it is started may be a second old: the next positions are better.
 void RoutePosition::refine() {
-  const double along = route_->path.nearest_to(fix_->point);
   const double known = base_metres_ + fix_->odometer - base_odometer_;
-  if (std::abs(along - known) > off_route_m) return;
-  base_metres_ = along;
+  std::optional<double> nearest;
+  for (const double along : route_->path.places_near(fix_->point, RouteMatch::off_route_m)) {
+    if (std::abs(along - known) > RouteMatch::off_route_m) continue;
+    if (!nearest || std::abs(along - known) < std::abs(*nearest - known)) nearest = along;
+  }
+  if (!nearest) return;
+  base_metres_ = *nearest;
   base_odometer_ = fix_->odometer;
 }
 
 bool RoutePosition::is_at_end() const {
   return is_last() && (is_at_stop_ || metres_of(place_) - metres() < near_first_stop_m);
+}
+
+void RoutePosition::set_place(double metres, double odometer) {
+  base_metres_ = metres;
+  base_odometer_ = odometer;
+  is_at_stop_ = was_slow_ = is_exact_ = false;
+  for (place_ = 0; !is_last() && metres_of(place_) < this->metres() - at_stop_m;) ++place_;
+  reached_ = place_ == 0 ? 0 : place_ - 1;
 }
 
 void RoutePosition::stand_at_first_stop(double odometer) {
@@ -87,46 +157,93 @@ void RoutePosition::stand_at_first_stop(double odometer) {
 bool RoutePosition::locate() {
   if (route_ == nullptr || is_located_) return false;
   is_located_ = find();
-  return is_located_;
+  if (!is_located_) return false;
+  is_confirmed_ = !fix_;
+  has_just_begun_ = has_changed_ = may_be_elsewhere_ = false;
+  doubts_ = 0;
+  match_.forget();
+  return true;
 }
 
 bool RoutePosition::find() {
-  if (!fix_) {
-    // The driver logs in where a journey begins.
-    if (has_changed_) stand_at_first_stop(odometer_);
-    return has_changed_;
-  }
-  const Path& path = route_->path;
-  if (metres_between(fix_->point, path.at(metres_of(0))) < near_first_stop_m) {
-    return find_first_stop();
-  }
-  const double along = path.nearest_to(fix_->point);
-  if (metres_between(path.at(along), fix_->point) > off_route_m || has_just_begun_) return false;
-  base_metres_ = along;
-  base_odometer_ = fix_->odometer;
-  is_at_stop_ = was_slow_ = is_exact_ = false;
-  for (place_ = 0; !is_last() && metres_of(place_) < metres() - at_stop_m;) ++place_;
-  reached_ = place_ == 0 ? 0 : place_ - 1;
-  return true;
+  const bool is_near_start =
+      fix_ && odometer_ - fix_->odometer <= near_first_stop_m &&
+      metres_between(fix_->point, route_->path.at(metres_of(0))) < near_first_stop_m;
+  if (is_near_start && find_first_stop()) return true;
+  if (has_just_begun_) return find_start();
+  // Near the first stop, where it may be coming or leaving, it waits for what comes next.
+  return !is_near_start && find_on_the_way();
 }
 
 /// A position from before it stood there is none of this journey.
 bool RoutePosition::find_first_stop() {
-  if (odometer_ - fix_->odometer > near_first_stop_m) return false;
-  const bool is_old = odometer_ != fix_->odometer && has_just_begun_;
-  if (!is_old) stand_at_first_stop(fix_->odometer);
-  return !is_old;
+  const bool is_here = odometer_ == fix_->odometer || (is_standing_ && !has_just_begun_);
+  if (!is_here) return false;
+  stand_at_first_stop(odometer_);
+  is_exact_ = is_standing_ || !(has_just_begun_ && may_be_elsewhere_);
+  return true;
+}
+
+/// From the end of the journey before.
+bool RoutePosition::find_start() {
+  return may_be_elsewhere_ ? find_end_of_transfer() : find_start_at_end();
+}
+
+/// Both are the same place: it stands there, or has left it.
+bool RoutePosition::find_start_at_end() {
+  const double driven = odometer_ - begun_at_;
+  if (driven >= near_first_stop_m) {
+    has_just_begun_ = driven < route_->path.metres();
+    if (has_just_begun_) set_place(metres_of(0) + driven, odometer_);
+    return has_just_begun_;
+  }
+  const bool is_there = is_standing_ && (!fix_ || stands_for_ >= has_stood);
+  if (is_there) stand_at_first_stop(odometer_);
+  return is_there;
+}
+
+/// Without a position at the first stop: it stands where the way there ends, or doors open. With
+/// positions it may have left it as well.
+bool RoutePosition::find_end_of_transfer() {
+  const double driven = odometer_ - begun_at_;
+  const double beyond = driven - transfer_m_;
+  const bool has_door_open = driven > near_first_stop_m && has_open_door();
+  if (!fix_ && is_standing_ && (std::abs(beyond) < near_first_stop_m || has_door_open)) {
+    stand_at_first_stop(odometer_);
+    return true;
+  }
+  if (beyond < near_first_stop_m) return false;
+  has_just_begun_ = fix_.has_value();
+  return find_on_the_way();
+}
+
+bool RoutePosition::find_on_the_way() {
+  if (!fix_ && has_changed_ && !may_be_elsewhere_) {
+    // The driver logs in where a journey begins.
+    stand_at_first_stop(odometer_);
+    return true;
+  }
+  const auto along = match_.metres(odometer_, may_be_elsewhere_ ? certain_m : 0);
+  if (along) set_place(*along, odometer_);
+  return along.has_value();
 }
 
 void RoutePosition::follow() {
+  const double left = odometer_ - base_odometer_;
+  if (is_at_stop_ && !is_exact_) {
+    // On its way to the first stop it still rolls.
+    if (is_standing_) stand_at_first_stop(odometer_);
+    if (is_standing_ || left < 2 * near_first_stop_m) return;
+    is_exact_ = true;
+  }
   if (is_at_stop_) {
-    if (odometer_ - base_odometer_ < leaving_m || is_last()) return;
+    if (is_last() && left > past_stop_m) return leave_end();
+    if (left < leaving_m || is_last()) return;
     is_at_stop_ = false;
     ++place_;
   }
   const double beyond = metres() - metres_of(place_);
-  const bool has_open_door = is_standing_ && sensors_.has_open_door && sensors_.has_open_door();
-  if (is_standing_ && std::abs(beyond) < (has_open_door ? doors_open_m : at_stop_m)) {
+  if (is_standing_ && std::abs(beyond) < (has_open_door() ? doors_open_m : at_stop_m)) {
     is_at_stop_ = is_exact_ = true;
     was_slow_ = false;
     base_metres_ = metres_of(place_);
@@ -135,10 +252,19 @@ void RoutePosition::follow() {
     return;
   }
   was_slow_ = was_slow_ || (is_slow_ && std::abs(beyond) < touched_stop_m);
-  if (is_standing_ || beyond < (was_slow_ ? left_stop_m : past_stop_m) || is_last()) return;
+  const double certain = beyond - std::min(past_stop_m, past_by_speed * speed_);
+  const bool is_past = was_slow_ ? beyond >= left_stop_m : has_passed_stop(certain, speed_);
+  if (is_standing_ || !is_past || is_last()) return;
   reached_ = place_;
   ++place_;
   was_slow_ = false;
+}
+
+/// On a journey that it has not heard of.
+void RoutePosition::leave_end() {
+  const double end = base_odometer_;
+  get_lost();
+  ended_at_ = end;
 }
 
 }  // namespace canvoy::bus

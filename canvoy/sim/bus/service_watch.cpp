@@ -32,7 +32,8 @@ bool ServiceWatch::can_tell_satellites() {
 void ServiceWatch::journey_begins() {
   if (parts_.vehicle.truth().aboard == 0) {
     parts_.sensors.clear_counts();
-    counts_are_lost_ = !parts_.sensors.count_passengers() || !nodes_.is_at_work(computer_id);
+    counts_are_lost_ = !parts_.sensors.count_passengers() || !nodes_.is_at_work(computer_id) ||
+                       parts_.faults.cable_is_broken();
   }
   if (can_log_in()) needs_fix_ = false;
 }

@@ -8,12 +8,14 @@ namespace canvoy::bus {
 namespace {
 
 constexpr Duration press_after = 2s;
-constexpr unsigned presses_max = 3;
+/// Whom three presses did not help.
+constexpr Duration goes_forward_after = 3 * press_after;
 
 }  // namespace
 
 bool StopRequests::press(Time now, unsigned car) {
   Pressed& pressed = pressed_.at(car - 1);
+  if (pressed.times == 0) pressed.since = now;
   pressed.last = now;
   ++pressed.times;
   return car == 2 ? parts_.second_car.press_stop_button() : parts_.computer.press_stop_button();
@@ -24,13 +26,15 @@ bool StopRequests::is_wanted() const {
 }
 
 /// Who has pressed the button, and sees no sign, presses it again; in the second car he goes and
-/// presses one of the first when that does not help.
+/// presses one of the first when that does not help, however often others press there meanwhile.
 void StopRequests::press_again(Time now, unsigned car) {
   const Pressed& pressed = pressed_.at(car - 1);
-  if (pressed.times == 0 || now < pressed.last + press_after) return;
-  const bool goes_forward = car == 2 && pressed.times >= presses_max;
-  if (goes_forward && pressed_.front().times != 0) return;
-  press(now, goes_forward ? 1 : car);
+  if (pressed.times == 0) return;
+  if (car == 2 && now >= pressed.since + goes_forward_after) {
+    if (pressed_.front().times == 0) press(now, 1);
+  } else if (now >= pressed.last + press_after) {
+    press(now, car);
+  }
 }
 
 /// Nobody here sees the sign, or the button's wire ends at a real computer: the driver stops.

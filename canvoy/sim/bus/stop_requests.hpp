@@ -46,6 +46,7 @@ class StopRequests {
  private:
   /// The stop buttons of a car, on the way to the next stop.
   struct Pressed {
+    Time since{};  ///< the first time
     Time last{};
     unsigned times = 0;
   };
