@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "canvoy/can/must_hold.hpp"
+#include "canvoy/sim/lift/norm_bounds.hpp"
 
 namespace canvoy::lift {
 
@@ -169,7 +170,7 @@ void DoorPlant::settle(Time now) {
 }
 
 void DoorPlant::note_impact(double speed_m_s) {
-  const double energy = options_.mass_kg * speed_m_s * speed_m_s / 2;
+  const double energy = door_energy_j(options_.mass_kg, speed_m_s);
   impact_energy_max_j_ = std::max(impact_energy_max_j_, energy);
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "canvoy/sim/lift/norm_bounds.hpp"
+
 namespace canvoy::lift {
 
 namespace {
@@ -185,6 +187,8 @@ std::string check_lifts(const LiftNetworkDescription& description) {
   for (LiftNumber lift = 1; lift <= building.lift_count(); ++lift) {
     std::string error = check_lift(building, lift);
     if (!error.empty()) return error;
+    error = beyond_norm(building.lift(lift));
+    if (!error.empty()) return "lift " + std::to_string(lift) + ": " + error;
     const std::string who = "lift " + std::to_string(lift) + " does not serve the ";
     if (!building.serves(lift, service.fire_floor)) return who + "fire floor";
     const bool parks = service.parking_floor != no_floor;

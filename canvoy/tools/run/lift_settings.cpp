@@ -140,8 +140,10 @@ std::vector<Setting<LiftDesign>> lift_settings() {
       setting<car, &CarDesign::mass_kg>("car_kg", "", {mass_kg}),
       setting<car, &CarDesign::rated_load_kg>("rated_load_kg", "", {mass_kg}),
       setting<car, &CarDesign::rated_persons>("rated_persons", "", {{1, 200}}),
-      setting<car, &CarDesign::overload_share>(
-          "overload_share", "of the rated load; with more it does not leave", {{1, 2}}),
+      setting<car, &CarDesign::overload_share>("overload_share",
+                                               "of the rated load; with more it does not leave; EN "
+                                               "81-20: 10 % or 75 kg too much at most",
+                                               {{1, 2}}),
       setting<car, &CarDesign::rope_stretch_um_per_kg>(
           "rope_stretch_um_per_kg", "what the car sinks by its load", {{0, 100}}),
       setting<&LiftDesign::balance>(
@@ -150,10 +152,11 @@ std::vector<Setting<LiftDesign>> lift_settings() {
       setting<&LiftDesign::acceleration_m_s2>("acceleration_m_s2", "", {{0.05, 5}}),
       setting<&LiftDesign::jerk_m_s3>("jerk_m_s3", "", {{0.05, 10}}),
       setting<&LiftDesign::overtravel_m>("overtravel_m", "", {length_m}),
-      setting<&LiftDesign::door_zone_m>("door_zone_m", "", {length_m}),
+      setting<&LiftDesign::door_zone_m>("door_zone_m", "EN 81-20: 0.35 at most", {length_m}),
       setting<door, &DoorDesign::width_m>("door_width_m", "", {length_m}),
-      setting<door, &DoorDesign::open_time_s>("door_open_s", "", {time_s}),
-      setting<door, &DoorDesign::close_time_s>("door_close_s", "", {time_s}),
+      setting<door, &DoorDesign::open_time_s>("door_open_s",
+                                              "180 kg of doors; EN 81-20: 10 J at most", {time_s}),
+      setting<door, &DoorDesign::close_time_s>("door_close_s", "the same", {time_s}),
       setting<&LiftDesign::zone>("zone"),
       floors<LiftDesign>("floors", [](LiftDesign& lift) -> FloorList& { return lift.floors; })};
   for (std::size_t i = 0; i < lift::doors_max; ++i) {
