@@ -15,6 +15,8 @@ struct InvariantRow {
   std::string_view name;  ///< `no_endless_wait`
   std::string_view text;  ///< in front of a measure: `longest wait`
   std::string_view unit;  ///< of the measure: `s`; empty: a count
+  /// Whose the bound is: a norm with its clause, `file` or `canvoy`; empty: not told.
+  std::string_view bound{};
 };
 
 inline constexpr std::size_t no_fault = ~std::size_t{0};

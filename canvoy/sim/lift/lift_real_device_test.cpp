@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <initializer_list>
@@ -111,6 +112,54 @@ TEST(LiftRealDevice, ALoadUnitThatFallsSilentIsToldAndTheCarStands) {
   load.fall_silent();
   network.run_until(Time(6s));
   EXPECT_TRUE(has_told(network, 0x8130)) << "1016h has its node-ID, and 1.5 s";
+}
+
+/// A position unit of somebody else's: says each 50 ms where the simulated car is, in 0.1 mm.
+class StrangersPosition {
+ public:
+  explicit StrangersPosition(LiftNetwork& network) : network_(network), stranger_(network, 4) {
+    network.world().at(Time(1s), [this](Time now) { tell(now); });
+  }
+  /// From now on 7 m, for ever.
+  void get_stuck() { is_stuck_ = true; }
+
+ private:
+  void tell(Time now) {
+    const double position_m = is_stuck_ ? 7 : network_.snapshot().lifts.at(0).position_m;
+    const auto counts = static_cast<std::uint32_t>(std::lround(position_m * 10'000));
+    const auto byte = [counts](unsigned i) { return static_cast<std::uint8_t>(counts >> (8 * i)); };
+    stranger_.say(0x18C, {byte(0), byte(1), byte(2), byte(3)});
+    network_.world().at(now + 50ms, [this](Time at) { tell(at); });
+  }
+
+  LiftNetwork& network_;
+  Stranger stranger_;
+  bool is_stuck_ = false;
+};
+
+TEST(LiftRealDevice, APositionThatIsSoBreaksNothing) {
+  LiftNetwork network(house_with_a_real(DeviceKind::position));
+  const StrangersPosition position(network);
+  network.run_until(Time(2min));
+  EXPECT_EQ(network.summary().served, 1U);
+  EXPECT_EQ(broken(network), "");
+}
+
+/// The controller stops the car fast, rightly: that is no acceleration or jerk of its own.
+TEST(LiftRealDevice, APositionThatIsNotSoIsToldAsItsDoing) {
+  LiftNetwork network(house_with_a_real(DeviceKind::position));
+  StrangersPosition position(network);
+  network.run_until(Time(5s));
+  while (std::abs(network.snapshot().lifts.at(0).speed_m_s) < 1) {
+    ASSERT_LT(network.now(), Time(1min));
+    network.run_until(network.now() + 100ms);
+  }
+  position.get_stuck();
+  network.run_until(network.now() + 30s);
+  for (const Invariant& invariant : network.invariants()) {
+    EXPECT_EQ(invariant.held, invariant.kind != InvariantKind::real_position)
+        << invariant_name(invariant.kind).name;
+  }
 }
 
 /// A door of somebody else's: opens and closes in two seconds each, and tells it.

@@ -4,6 +4,13 @@
 
 namespace canvoy::lift {
 
+namespace {
+
+/// A controller that hears what is not so may stop its car by whatever means.
+constexpr Duration stops_after_lie_within = 10s;
+
+}  // namespace
+
 LiftReferees::LiftReferees(const LiftNetworkDescription& description, const LiftDevices& devices,
                            std::vector<LiftEvent>& events)
     : description_(&description),
@@ -11,16 +18,25 @@ LiftReferees::LiftReferees(const LiftNetworkDescription& description, const Lift
       events_(&events),
       referee_(description.building),
       cars_(description.building, events),
-      crowd_(description.building, description.people) {}
+      crowd_(description.building, description.people),
+      service_(description.building),
+      misled_until_(description.building.lifts.size()) {}
 
 void LiftReferees::car_changed(Time now, LiftNumber lift, unsigned persons) {
   LiftFacts is = facts(now, lift);
-  is.hindered = fault_referee_.is_faulty(now, lift);
+  is.hindered = fault_referee_.is_faulty(now, lift) || is_misled(now, lift, is);
   is.emergency_stop = is.emergency_stop || is.hindered;
   referee_.observe(now, lift, is);
   const CarWatch::Seen seen = cars_.look(now, lift, is, persons);
   if (seen.starts && !is.drifts) fault_referee_.starts(now, lift);
   if (seen.stands) fault_referee_.stands(now, lift);
+}
+
+bool LiftReferees::is_misled(Time now, LiftNumber lift, const LiftFacts& facts) {
+  Time& until = misled_until_[lift - std::size_t{1}];
+  if (facts.position_lie_m.value_or(0) > RefereeLimits{}.position_lie_m)
+    until = now + stops_after_lie_within;
+  return now < until;
 }
 
 CallLamps::Change LiftReferees::lamp_changed(Time now, LiftNumber lift, const CallKey& call,
@@ -71,8 +87,19 @@ void LiftReferees::look(Time now, const LiftPeople& people, bool is_hindered) {
   referee_.waited(crowd.longest_wait(now, crowd_.hindered_at()), is_hindered);
   referee_.rode(crowd.longest_ride(now, crowd_.hindered_at()), is_hindered);
   referee_.look_at_calls(now, is_hindered);
+  look_at_service(now, crowd);
   for (const Invariant& broken : referee_.take_broken()) {
     events_->push_back({now, InvariantBroken{broken}});
+  }
+}
+
+/// Of each lift by itself: what hinders another one is no excuse.
+void LiftReferees::look_at_service(Time now, const Crowd& crowd) {
+  for (LiftNumber lift = 1; lift <= devices_->count(); ++lift) {
+    const bool is_excused = is_hindered(now, lift) || is_hindered(now, 0);
+    service_.look(now, lift, facts(now, lift), is_excused, crowd);
+    if (service_.was_wanted(lift)) referee_.idled(lift, service_.idle(lift));
+    if (service_.has_riders(lift)) referee_.trapped(lift, service_.trapped(lift));
   }
 }
 

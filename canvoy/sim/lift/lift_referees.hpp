@@ -17,6 +17,7 @@
 #include "canvoy/sim/lift/lift_devices.hpp"
 #include "canvoy/sim/lift/lift_people.hpp"
 #include "canvoy/sim/lift/referee.hpp"
+#include "canvoy/sim/lift/service_watch.hpp"
 
 namespace canvoy::lift {
 
@@ -54,10 +55,14 @@ class LiftReferees {
 
  private:
   LiftFacts facts(Time now, LiftNumber lift) const { return devices_->shaft(lift).facts(now); }
+  /// Its real position unit says that the car is elsewhere, or has done so just now: what its
+  /// controller does about it is that unit's doing.
+  bool is_misled(Time now, LiftNumber lift, const LiftFacts& facts);
   CallEnd end_of(Time now, const CallKey& call) const;
   bool was_opened_for(const CallKey& call) const;
   bool is_at(Time now, LiftNumber lift, FloorNumber floor) const;
   bool is_hindered(Time now, LiftNumber lift) const;
+  void look_at_service(Time now, const Crowd& crowd);
 
   const LiftNetworkDescription* description_;
   const LiftDevices* devices_;
@@ -67,6 +72,8 @@ class LiftReferees {
   CallLamps lamps_;
   CarWatch cars_;
   CrowdWatch crowd_;
+  ServiceWatch service_;
+  std::vector<Time> misled_until_;
 };
 
 }  // namespace canvoy::lift

@@ -23,6 +23,8 @@ constexpr Duration somebody_comes_after = 2min;
 /// People step in as soon as the door is open by so much of its width.
 constexpr double walkable_share = 0.8;
 constexpr double joule_per_wh = 3600;
+/// What a position unit says of a car that moves is so old when all have heard it.
+constexpr double position_age_s = 0.25;
 
 }  // namespace
 
@@ -67,6 +69,7 @@ struct LiftShaft::Parts {
   SafetyChain::Trip trip = SafetyChain::Trip::none;  ///< that was told
   Time tripped_at{};
   unsigned fire_alarms = 0;
+  std::optional<double> said_m{};  ///< where a real position unit says that the car is
   bool is_put_together = false;
 };
 
@@ -122,6 +125,7 @@ RealDevices::Hands LiftShaft::Parts::led_by_real_devices() {
                 load.lead(said);
                 kick();
               },
+          .position = [this](double position_m) { said_m = position_m; },
           .drive =
               [this](const Frame& frame) {
                 if (car.hear(frame)) kick();
@@ -237,6 +241,10 @@ LiftFacts LiftShaft::facts(Time now) const {
                   .is_unheld = parts.car.is_unheld(),
                   .opens_by_hand = parts.is_turned(SpecialFunction::door_open),
                   .fire_floor = parts.plan.service().fire_floor};
+  if (parts.said_m) {
+    const double away_m = std::abs(*parts.said_m - car.position_m);
+    facts.position_lie_m = std::max(0.0, away_m - position_age_s * std::abs(car.velocity_m_s));
+  }
   for (std::size_t i = 0; i < parts.doors.size(); ++i) {
     const ShaftDoor& door = *parts.doors.at(i);
     if (!door.is_there()) continue;

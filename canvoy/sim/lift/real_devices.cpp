@@ -30,6 +30,8 @@ consteval std::uint32_t can_id_of(const ObjectInfo& object, unsigned sub) {
   throw "no PDO begins with it";
 }
 constexpr std::uint32_t load_signals = can_id_of(cia417::load_signaling_object, 1);
+constexpr std::uint32_t car_position = can_id_of(cia417::position_value_object, 1);
+constexpr double metres_of_step = 0.0001;
 constexpr std::uint32_t door_status[doors_max] = {
     can_id_of(cia417::door_statusword_object, 1), can_id_of(cia417::door_statusword_object, 2),
     can_id_of(cia417::door_statusword_object, 3), can_id_of(cia417::door_statusword_object, 4)};
@@ -70,6 +72,9 @@ void RealDevices::receive(const Frame& frame, Time now) {
   if (wanted_.load && frame.id == load_signals && frame.length >= 1) {
     hands_.load({.full = is_set(frame.data[0], cia417::full_load_reached),
                  .overload = is_set(frame.data[0], cia417::overload_reached)});
+  }
+  if (wanted_.position && frame.id == car_position && frame.length >= 4) {
+    hands_.position(load<std::int32_t>(frame.data.data()) * metres_of_step);
   }
   hear_input(frame, now);
 }

@@ -35,10 +35,11 @@ class RealDevices {
     unsigned light_barriers = 0;  ///< bit 0 is that of door 1
     bool drive = false;
     bool load = false;
+    bool position = false;
     std::set<NodeId> panels{};
 
     bool any() const {
-      return doors != 0 || light_barriers != 0 || drive || load || !panels.empty();
+      return doors != 0 || light_barriers != 0 || drive || load || position || !panels.empty();
     }
   };
   /// Who is told. All have to be there.
@@ -47,6 +48,8 @@ class RealDevices {
     std::function<void(DoorNumber, const cia417::DoorReport&, std::optional<std::uint16_t>)> door{};
     std::function<void(DoorNumber, cia417::Detection)> light_barrier{};
     std::function<void(const LoadSaid&)> load{};
+    /// In m, by the default step of 6384h, as the controller takes it.
+    std::function<void(double)> position{};
     /// Each frame: who follows the drive picks his.
     std::function<void(const Frame&)> drive{};
     /// keys() are others.

@@ -44,6 +44,8 @@ Referee::Referee(const Building& building, const RefereeLimits& limits)
     judged[InvariantKind::fire_doors].bound = 0;
     judged[InvariantKind::fire_buttons].bound = 0;
     judged[InvariantKind::fire_calls].bound = 0;
+    judged[InvariantKind::lift_serves].bound = in_seconds(limits.idle_most);
+    judged[InvariantKind::nobody_trapped].bound = in_seconds(limits.trapped_most);
   }
   common_[InvariantKind::call_acknowledged].bound = in_seconds(limits.acknowledge_most);
   common_[InvariantKind::call_served].bound = in_seconds(limits.serve_most);
@@ -64,6 +66,11 @@ void Referee::observe(Time now, LiftNumber number, const LiftFacts& facts) {
   note_open_door(now, number, design, facts);
   judge_departure(lift, design, facts);
   judge_fire(now, lift, facts);
+  if (facts.position_lie_m) {
+    Judged& told = lift.judged[InvariantKind::real_position];
+    told.bound = limits_.position_lie_m * 1000;
+    told.judge(*facts.position_lie_m * 1000);
+  }
   lift.last = facts;
   lift.last_at = now;
 }
@@ -311,6 +318,14 @@ void Referee::waited(Duration longest, bool hindered) {
 
 void Referee::rode(Duration longest, bool hindered) {
   if (!hindered) common_[InvariantKind::no_endless_ride].judge(in_seconds(longest));
+}
+
+void Referee::idled(LiftNumber lift, Duration time) {
+  lifts_.at(lift - std::size_t{1}).judged[InvariantKind::lift_serves].judge(in_seconds(time));
+}
+
+void Referee::trapped(LiftNumber lift, Duration time) {
+  lifts_.at(lift - std::size_t{1}).judged[InvariantKind::nobody_trapped].judge(in_seconds(time));
 }
 
 void Referee::gave_up() {

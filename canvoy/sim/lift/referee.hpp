@@ -50,6 +50,8 @@ struct LiftFacts {
   bool opens_by_hand = false;  ///< the button in the car is held
   FireMode fire = FireMode::none;
   FloorNumber fire_floor = 1;
+  /// A real position unit says that the car is elsewhere by so much; nothing: none has told.
+  std::optional<double> position_lie_m{};
   /// A fault is present, or has just gone: what it may delay is not judged.
   bool hindered = false;
 };
@@ -88,6 +90,12 @@ struct RefereeLimits {
   Duration serve_most = 30min;
   Duration wait_most = 30min;
   Duration ride_most = 15min;
+  /// Of the time in which a lift stands and somebody waits for longer than it takes to come.
+  Duration idle_most = 2min;
+  /// With people behind shut doors. EN 81-28 has somebody come within an hour; where nothing is
+  /// broken, nobody has to call him.
+  Duration trapped_most = 2min;
+  double position_lie_m = 0.2;  ///< of a real position unit; more is not a floor's door zone
   /// From the lamp that goes out to a door that people can walk through.
   Duration opens_within = 20s;
   double walkable_share = 0.8;  ///< of a door's width
@@ -108,6 +116,10 @@ class Referee {
   /// Of everybody who waits now, or rides; nobody who was hindered meanwhile.
   void waited(Duration longest, bool hindered);
   void rode(Duration longest, bool hindered);
+  /// Of one lift, which is not hindered: how long it has stood there while it was wanted.
+  void idled(LiftNumber lift, Duration time);
+  /// The same: how long people in it have not been able to get out.
+  void trapped(LiftNumber lift, Duration time);
   /// Somebody takes the stairs, although nothing is there to blame but the lifts.
   void gave_up();
   /// Calls are looked at for those that nobody answers: from time to time, a second say.

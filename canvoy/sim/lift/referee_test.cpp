@@ -36,6 +36,27 @@ LiftFacts open(LiftFacts facts, double open_m = 0.9, std::size_t door = 0) {
   return facts;
 }
 
+TEST_F(RefereeTest, ALiftServesAndTrapsNobodyEachForItself) {
+  sut.idled(1, 2min);
+  sut.idled(2, 2min + 1s);
+  sut.trapped(1, 2min + 1s);
+  EXPECT_TRUE(get(InvariantKind::lift_serves, 1).held);
+  EXPECT_FALSE(get(InvariantKind::lift_serves, 2).held);
+  EXPECT_FALSE(get(InvariantKind::nobody_trapped, 1).held);
+  EXPECT_FALSE(get(InvariantKind::nobody_trapped, 2).is_decided());
+}
+
+TEST_F(RefereeTest, APositionThatIsNotSoIsItsUnitsDoing) {
+  LiftFacts facts = at_m(3.5);
+  facts.position_lie_m = 0.2;
+  sut.observe(Time(2s), 1, facts);
+  EXPECT_TRUE(get(InvariantKind::real_position).held);
+  facts.position_lie_m = 3.5;
+  sut.observe(Time(3s), 1, facts);
+  EXPECT_FALSE(get(InvariantKind::real_position).held);
+  EXPECT_EQ(get(InvariantKind::real_position).worst, 3500);
+}
+
 TEST_F(RefereeTest, NothingIsBrokenOrDecidedBeforeAnythingHappens) {
   for (const Invariant& one : sut.invariants()) {
     EXPECT_TRUE(one.held);

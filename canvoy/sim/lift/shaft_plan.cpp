@@ -61,6 +61,7 @@ RealDevices::Wanted ShaftPlan::real_devices() const {
     if (node.kind == DeviceKind::door) wanted.doors |= node.doors;
     if (node.kind == DeviceKind::light_barrier) wanted.light_barriers |= node.doors;
     if (node.kind == DeviceKind::load) wanted.load = true;
+    if (node.kind == DeviceKind::position) wanted.position = true;
   }
   return wanted;
 }

@@ -145,6 +145,7 @@ Json invariant_json(const WorldNames& names, const Judged& invariant) {
   json["worst"] = invariant.worst;
   json["allowed"] = invariant.allowed;
   if (!invariant.kind->unit.empty()) json["unit"] = invariant.kind->unit;
+  if (!invariant.kind->bound.empty()) json["bound"] = invariant.kind->bound;
   json["judged"] = invariant.judged;
   json["decided"] = invariant.is_decided();
   json["held"] = invariant.held;

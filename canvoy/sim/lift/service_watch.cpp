@@ -1,0 +1,78 @@
+#include "canvoy/sim/lift/service_watch.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "canvoy/sim/lift/car_watch.hpp"
+#include "canvoy/sim/lift/round_trip_time.hpp"
+
+namespace canvoy::lift {
+
+namespace {
+
+/// A car that is so far away has left where it was: people and levelling move it by less.
+constexpr double left_floor_m = 0.5;
+/// Beside its way and its door: people of the stop before get in and out, and its door closes.
+constexpr Duration comes_after = 60s;
+constexpr double lets_through_share = 0.8;  ///< of a door's width
+
+Duration time_to(const LiftDesign& design, double way_m) {
+  const Flight flight{design.speed_m_s, design.acceleration_m_s2, design.jerk_m_s3};
+  const double seconds = flight_time_s(flight, way_m) + design.door.open_time_s;
+  return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
+}
+
+}  // namespace
+
+ServiceWatch::ServiceWatch(const Building& building)
+    : building_(&building), lifts_(building.lifts.size()) {}
+
+void ServiceWatch::look(Time now, LiftNumber lift, const LiftFacts& facts, bool is_hindered,
+                        const Crowd& crowd) {
+  Watched& it = watched(lift);
+  const Duration passed = now - it.looked_at;
+  it.looked_at = now;
+  it.was_wanted = it.has_riders = false;
+  const bool has_left = std::abs(facts.position_m - it.position_m) > left_floor_m;
+  if (it.is_new || has_left || is_hindered) {
+    it.was_wanted = has_left && !it.is_new && !is_hindered;
+    it.position_m = facts.position_m;
+    it.stands_since = now;
+    it.idle = Duration{0};
+    it.is_new = false;
+  } else if (is_awaited_too_long(now, lift, crowd)) {
+    it.idle += passed;
+    it.was_wanted = true;
+  }
+  it.has_riders = !is_hindered && !crowd.riding(lift).empty();
+  const bool is_shut_in = it.has_riders && stands(facts) && !lets_out(lift, facts);
+  it.trapped = is_shut_in ? it.trapped + passed : Duration{0};
+}
+
+bool ServiceWatch::lets_out(LiftNumber lift, const LiftFacts& facts) const {
+  const double wide_m = lets_through_share * building_->lift(lift).door.width_m;
+  const bool is_open = std::ranges::any_of(
+      facts.doors, [wide_m](const DoorFacts& door) { return door.open_m >= wide_m; });
+  return is_open && floor_at(*building_, facts.position_m) != no_floor;
+}
+
+/// At a floor of its own, for another one of its own.
+bool ServiceWatch::is_awaited_too_long(Time now, LiftNumber lift, const Crowd& crowd) const {
+  const Watched& it = watched(lift);
+  const LiftDesign& design = building_->lift(lift);
+  for (FloorNumber floor = 1; floor <= building_->floor_count(); ++floor) {
+    if (crowd.waiting(floor).empty() || !building_->serves(lift, floor)) continue;
+    const double way_m = std::abs(building_->height_m(floor) - it.position_m);
+    const Duration needed = comes_after + time_to(design, way_m);
+    const bool is_late = std::ranges::any_of(crowd.waiting(floor), [&](PassengerId who) {
+      const Passenger& person = crowd.passengers()[who];
+      const Time since = std::max(person.waiting_since, it.stands_since);
+      return building_->serves(lift, person.wish.to) && now - since > needed;
+    });
+    if (is_late) return true;
+  }
+  return false;
+}
+
+}  // namespace canvoy::lift
