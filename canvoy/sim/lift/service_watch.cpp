@@ -33,6 +33,7 @@ void ServiceWatch::look(Time now, LiftNumber lift, const LiftFacts& facts, bool 
   Watched& it = watched(lift);
   const Duration passed = now - it.looked_at;
   it.looked_at = now;
+  if (is_hindered) it.hindered_at = now;
   it.was_wanted = it.has_riders = false;
   const bool has_left = std::abs(facts.position_m - it.position_m) > left_floor_m;
   if (it.is_new || has_left || is_hindered) {
@@ -67,6 +68,9 @@ bool ServiceWatch::is_awaited_too_long(Time now, LiftNumber lift, const Crowd& c
     const Duration needed = comes_after + time_to(design, way_m);
     const bool is_late = std::ranges::any_of(crowd.waiting(floor), [&](PassengerId who) {
       const Passenger& person = crowd.passengers()[who];
+      // A fault since then may have lost what a terminal told him: he waits on before he asks anew.
+      const bool was_told = person.lift != 0;
+      if (was_told && watched(person.lift).hindered_at >= person.waiting_since) return false;
       const Time since = std::max(person.waiting_since, it.stands_since);
       return building_->serves(lift, person.wish.to) && now - since > needed;
     });

@@ -40,6 +40,7 @@ class ServiceWatch {
   struct Watched {
     double position_m = 0;  ///< where it stands, about
     Time stands_since{};
+    Time hindered_at{-1us};  ///< the last time; before 0: never
     Time looked_at{};
     Duration idle{0};
     Duration trapped{0};
