@@ -175,9 +175,12 @@ bool RoutePosition::find() {
   return !is_near_start && find_on_the_way();
 }
 
-/// A position from before it stood there is none of this journey.
+/// A position from before it stood there is none of this journey. Who rolls is there only where it
+/// comes from another journey's end: else it has left, nobody knows how far.
 bool RoutePosition::find_first_stop() {
-  const bool is_here = odometer_ == fix_->odometer || (is_standing_ && !has_just_begun_);
+  const bool has_rolled = speed_ != 0 && !has_just_begun_;
+  const bool has_position = odometer_ == fix_->odometer && !has_rolled;
+  const bool is_here = has_position || (is_standing_ && !has_just_begun_);
   if (!is_here) return false;
   stand_at_first_stop(odometer_);
   is_exact_ = is_standing_ || !(has_just_begun_ && may_be_elsewhere_);

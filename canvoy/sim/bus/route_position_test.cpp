@@ -107,6 +107,20 @@ TEST(RoutePosition, AtTheFirstStopAJourneyBegins) {
   EXPECT_EQ(vehicle.position().reached(), 0U);
 }
 
+TEST(RoutePosition, WhoRollsNearTheFirstStopIsNotAtIt) {
+  Vehicle vehicle;
+  vehicle.go(8, 3);
+  vehicle.fix(8);
+  vehicle.stand(50ms);  // a look before the next pulse
+  EXPECT_FALSE(vehicle.position().is_located());
+  vehicle.go(22, 5);
+  vehicle.fix(30);
+  vehicle.go(371, 5);
+  EXPECT_EQ(vehicle.position().reached(), 0U) << "a metre beyond the stop it may stand yet";
+  vehicle.go(10, 5);
+  EXPECT_EQ(vehicle.position().reached(), 1U) << "410 m from the start";
+}
+
 TEST(RoutePosition, AStopIsReachedWhereItStands) {
   Vehicle vehicle;
   vehicle.fix(0);
