@@ -117,8 +117,9 @@ TEST(RoutePosition, WhoRollsNearTheFirstStopIsNotAtIt) {
   vehicle.fix(30);
   vehicle.go(371, 5);
   EXPECT_EQ(vehicle.position().reached(), 0U) << "a metre beyond the stop it may stand yet";
-  vehicle.go(10, 5);
-  EXPECT_EQ(vehicle.position().reached(), 1U) << "410 m from the start";
+  vehicle.go(17, 5);
+  // Within 16.7 m it can stand: that is 34.7 m beyond the stop, and 26.7 m had it begun at 8 m.
+  EXPECT_EQ(vehicle.position().reached(), 1U);
 }
 
 TEST(RoutePosition, AStopIsReachedWhereItStands) {
