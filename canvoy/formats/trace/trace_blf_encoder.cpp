@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t container_size_max = 128 * 1024;
 constexpr std::uint32_t nanosecond_stamps = 2;
 /// Nanoseconds have 64 bits.
-constexpr Duration offset_max{std::numeric_limits<std::uint64_t>::max() / 1000};
+constexpr Duration relative_time_max{std::numeric_limits<std::uint64_t>::max() / 1000};
 constexpr std::uint16_t compressed_by_zlib = 2;
 constexpr std::uint32_t application = 5;
 
@@ -53,7 +53,7 @@ class BlfEncoder final : public TraceEncoder {
 
   void append(std::string& bytes, const TraceFrame& frame, std::string_view) override {
     if (!start_.is_known()) start_.set(frame);
-    last_ = time_from(frame, start_.value(), start_.value() + offset_max);
+    last_ = time_from(frame, start_.value(), start_.value() + relative_time_max);
     const auto nanoseconds = static_cast<std::uint64_t>((last_ - start_.value()).count()) * 1000;
     const bool has_register = frame.frame.is_error() && sja1000_register(frame.frame).has_value();
     const BlfKind kind = !frame.frame.is_error() ? BlfKind::message
