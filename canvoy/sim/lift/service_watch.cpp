@@ -15,7 +15,6 @@ namespace {
 constexpr double left_floor_m = 0.5;
 /// Beside its way and its door: people of the stop before get in and out, and its door closes.
 constexpr Duration comes_after = 60s;
-constexpr double lets_through_share = 0.8;  ///< of a door's width
 
 Duration time_to(const LiftDesign& design, double way_m) {
   const Flight flight{design.speed_m_s, design.acceleration_m_s2, design.jerk_m_s3};
@@ -52,7 +51,7 @@ void ServiceWatch::look(Time now, LiftNumber lift, const LiftFacts& facts, bool 
 }
 
 bool ServiceWatch::lets_out(LiftNumber lift, const LiftFacts& facts) const {
-  const double wide_m = lets_through_share * building_->lift(lift).door.width_m;
+  const double wide_m = RefereeLimits{}.walkable_share * building_->lift(lift).door.width_m;
   const bool is_open = std::ranges::any_of(
       facts.doors, [wide_m](const DoorFacts& door) { return door.open_m >= wide_m; });
   return is_open && floor_at(*building_, facts.position_m) != no_floor;

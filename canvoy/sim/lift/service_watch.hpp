@@ -3,9 +3,9 @@
 // where cars, doors and people are, and not by what a controller says.
 //
 //     ServiceWatch watch(building);
-//     watch.look(now, 1, shaft.facts(now), is_hindered, crowd);   // from time to time, a second
-//     say watch.idle(1);      // stood while it was wanted watch.trapped(1);   // and somebody in
-//     it could not get out
+//     watch.look(now, 1, shaft.facts(now), is_hindered, crowd);   // from time to time
+//     watch.idle(1);      // how long it has stood while it was wanted
+//     watch.trapped(1);   // how long somebody in it could not get out
 #pragma once
 
 #include <vector>

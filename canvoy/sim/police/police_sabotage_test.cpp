@@ -6,6 +6,7 @@
 #include <functional>
 #include <ostream>
 
+#include "canvoy/sim/fault_pairs_test.hpp"
 #include "canvoy/sim/police/police_excuses.hpp"
 #include "canvoy/sim/police/police_network.hpp"
 
@@ -141,14 +142,6 @@ const Case cases[] = {
 
 class EachPoliceSabotage : public testing::TestWithParam<Case> {};
 
-std::string broken(const PoliceNetwork& network) {
-  std::string names;
-  for (const Invariant& invariant : network.invariants()) {
-    if (!invariant.held) names += std::string(invariant_name(invariant.kind).name) + " ";
-  }
-  return names;
-}
-
 PoliceOptions options_of(const Case& it, bool has_fault) {
   PoliceOptions options;
   options.faults.seed = 1;
@@ -176,7 +169,7 @@ std::string found(const Case& it, bool has_fault) {
   std::string names;
   while (names.find(name) == std::string::npos && network.now() < Time(it.length)) {
     network.run_until(network.now() + 1s);
-    names = broken(network);
+    names = broken_names(network);
   }
   return names;
 }
@@ -202,7 +195,7 @@ TEST(PoliceSabotages, TheFaultsBesideThemBreakNothing) {
     const Case none{.name = "none", .breaks = InvariantKind::calls, .beside = restart_of(node)};
     PoliceNetwork network(options_of(none, true));
     network.run_until(Time(patrol));
-    EXPECT_EQ(broken(network), "") << "restarts of node " << unsigned{node};
+    EXPECT_EQ(broken_names(network), "") << "restarts of node " << unsigned{node};
   }
 }
 
