@@ -15,6 +15,7 @@ const http = require('http');
 const path = require('path');
 const {DataType, Device, Eds} = require('canopen');
 const {CanBus, SPEAKERS} = require('../charging/can_bus');
+const {assertDecodes} = require('../charging/logs');
 const {Program} = require('../charging/program');
 
 const [command, folder] = process.argv.slice(2);
@@ -156,16 +157,8 @@ async function isViewed() {
   await view.end();
 }
 
-// Nothing of what was said is unknown or out of place but candump's first frame, which says that it listens.
-function decodes(log) {
-  const frames = canvoy('decode', log, '--json', '--profile', '407').trim().split('\n').map((line) => JSON.parse(line))
-    .filter(({frame}) => frame !== '7FF#');
-  // PDOs that are not pre-defined (8.1.5) have the names of the connection set alone.
-  const known = new Set(['NMT', 'PDO', 'TPDO1', 'TPDO2', 'TPDO3', 'SDO request', 'SDO response', 'heartbeat', 'boot-up',
-    'EMCY']);
-  for (const frame of frames) assert.ok(known.has(frame.service) && !frame.marks, JSON.stringify(frame));
-  return frames.length;
-}
+// PDOs that are not pre-defined (8.1.5) have the names of the connection set alone.
+const SERVICES = ['NMT', 'PDO', 'TPDO1', 'TPDO2', 'TPDO3', 'SDO request', 'SDO response', 'heartbeat', 'boot-up', 'EMCY'];
 
 async function main() {
   const bus = await listen();
@@ -181,7 +174,8 @@ async function main() {
   vehicle.child.kill('SIGTERM');
   await vehicle.status;
   bus.close();
-  console.log(`${decodes(path.join(folder, 'candump.log'))} frames of candump have a name`);
+  const frames = assertDecodes(command, path.join(folder, 'candump.log'), '407', SERVICES);
+  console.log(`${frames} frames of candump have a name`);
 }
 
 main().then(() => process.exit(0), (error) => {

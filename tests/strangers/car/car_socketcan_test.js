@@ -10,10 +10,10 @@
 // COMMAND is canvoy; candump.log is left in FOLDER.
 
 const assert = require('assert');
-const {spawnSync} = require('child_process');
 const path = require('path');
 const {DataType, Device, Eds} = require('canopen');
 const {CanBus, SPEAKERS} = require('../charging/can_bus');
+const {assertDecodes} = require('../charging/logs');
 const {Program} = require('../charging/program');
 
 const [command, folder] = process.argv.slice(2);
@@ -93,16 +93,7 @@ async function readsTheTaximeter(device) {
   assert.strictEqual(state, 0xC3);
 }
 
-// Nothing of what was said is unknown or out of place but candump's first frame, which says that it listens.
-function decodes(log) {
-  const {status, stdout, stderr} = spawnSync(command, ['decode', log, '--json', '--profile', '447-3'],
-    {encoding: 'utf8', maxBuffer: 1 << 26});
-  assert.strictEqual(status, 0, stderr);
-  const frames = stdout.trim().split('\n').map((line) => JSON.parse(line)).filter(({frame}) => frame !== '7FF#');
-  const known = new Set(['NMT', 'PDO', 'LSS', 'SDO request', 'SDO response', 'heartbeat', 'boot-up', 'sleep']);
-  for (const frame of frames) assert.ok(known.has(frame.service) && !frame.marks, JSON.stringify(frame));
-  return frames.length;
-}
+const SERVICES = ['NMT', 'PDO', 'LSS', 'SDO request', 'SDO response', 'heartbeat', 'boot-up', 'sleep'];
 
 async function main() {
   const bus = await listen();
@@ -119,7 +110,8 @@ async function main() {
   await taximeter.end();
   await gateway.end();
   bus.close();
-  console.log(`${decodes(path.join(folder, 'candump.log'))} frames of candump have a name`);
+  const frames = assertDecodes(command, path.join(folder, 'candump.log'), '447-3', SERVICES);
+  console.log(`${frames} frames of candump have a name`);
 }
 
 main().then(() => process.exit(0), (error) => {
