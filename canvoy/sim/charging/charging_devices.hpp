@@ -39,6 +39,8 @@ class ChargingDevices {
     is_on ? world_->start(battery_slot_) : world_->stop(battery_slot_);
   }
 
+  bool battery_has_power() const { return world_->is_running(battery_slot_); }
+
   /// What the nodes are configured to, as it stands in their dictionaries.
   HandshakeRules rules() const;
   cia418::BatterySettings battery_settings() const;

@@ -31,6 +31,14 @@ Invariant count_invariant(InvariantKind kind, double counted, double truth, doub
           .judged = truth > 0 || counted > 0 ? 1U : 0U};
 }
 
+/// More than what was asked for by so much is too much.
+constexpr double excess_share = 0.05;
+constexpr double excess_ampere = 1;
+/// What falls more slowly is no power stage to charge with.
+constexpr Duration stage_fall_time_bound = 500ms;
+/// A cell bears so much above what its management system holds it to.
+constexpr double over_voltage_share = 0.02;
+
 Invariant time_invariant(InvariantKind kind, Duration value, Duration bound, std::uint64_t judged) {
   return {.kind = kind,
           .worst = std::chrono::duration<double>(value).count(),
@@ -47,7 +55,9 @@ ChargingReferees::ChargingReferees(const ChargingOptions& options, const Chargin
       devices_(&devices),
       events_(&events),
       handshake_(devices.rules()),
-      faults_(options.faults, promises()) {}
+      faults_(options.faults, promises()),
+      service_(
+          std::min(options.charger.limits.current_max_ampere, options.stage.current_max_ampere)) {}
 
 Promises ChargingReferees::promises() const {
   const HandshakeRules agreed = devices_->rules();
@@ -62,26 +72,52 @@ void ChargingReferees::step(Time now) {
   const ChargingPlant& plant = devices_->plant();
   handshake_.on_step(now, plant.stage.pilot_signal(), plant.ampere());
   faults_.note(now, reason());
-  service_.on_step(now, battery_asks(), plant.ampere());
+  service_.on_step(now, served_ampere(), plant.ampere());
+  judge_care(now);
   tell_broken(now);
 }
 
-/// Where the battery or the charger is a real one, the plant does not know. One that is colder or
-/// hotter than the charger bears asks in vain.
-bool ChargingReferees::battery_asks() const {
+/// What the battery is to get. Where the battery or the charger is a real one, the plant does not
+/// know. One that is colder or hotter than the charger bears asks in vain.
+double ChargingReferees::served_ampere() const {
   const cia418::BatteryReadings& readings = devices_->battery().unit().readings();
   const cia419::ChargeLimits& limits = options_->charger.limits;
   const double celsius = readings.temperature_celsius.value_or(limits.temperature_min_celsius);
   const double margin = limits.temperature_hysteresis_kelvin;
-  return options_->plays_battery && options_->plays_charger &&
-         devices_->plant().stage.pilot_signal() && readings.ready &&
-         readings.requested_current_ampere.value_or(0) > 0 &&
-         celsius > limits.temperature_min_celsius + margin &&
-         celsius < limits.temperature_max_celsius - margin;
+  const bool asks = plays_both() && devices_->plant().stage.pilot_signal() && readings.ready &&
+                    celsius > limits.temperature_min_celsius + margin &&
+                    celsius < limits.temperature_max_celsius - margin;
+  return asks ? readings.requested_current_ampere.value_or(0) : 0;
+}
+
+/// By the truth of the cells, whatever is said of them on the bus. Without power the management
+/// system asks for nothing, but for a second one in its place.
+double ChargingReferees::wanted_ampere() const {
+  const bool can_ask = devices_->battery_has_power() || second_batteries_ != 0;
+  const cia418::BatteryReadings truth = devices_->plant().battery.sense();
+  const bool asks = can_ask && truth.ready && devices_->plant().stage.pilot_signal();
+  return asks ? truth.requested_current_ampere.value_or(0) : 0;
+}
+
+void ChargingReferees::judge_care(Time now) {
+  const ChargingPlant& plant = devices_->plant();
+  if (!plays_both()) return;
+  const bool flows = plant.ampere() > ChargingPlant::no_current_ampere;
+  more_than_asked_.judge(now,
+                         plant.ampere() <= wanted_ampere() * (1 + excess_share) + excess_ampere);
+  const double celsius = plant.battery.celsius();
+  const cia419::ChargeLimits& limits = options_->charger.limits;
+  const bool is_warm_enough = celsius >= limits.temperature_min_celsius;
+  hot_or_cold_.judge(now, !flows || (is_warm_enough && celsius <= limits.temperature_max_celsius));
+  const BatteryDesign& design = plant.battery.design();
+  const double limit_volt = design.chemistry->charge_voltage_volt * design.cells;
+  over_voltage_.judge(
+      now, !flows || plant.battery.terminal_volt() <= limit_volt * (1 + over_voltage_share));
 }
 
 void ChargingReferees::fault_began(Time now, std::size_t fault) {
   service_.fault_began(now, kind_of(fault));
+  if (kind_of(fault) == FaultKind::duplicate_node_id) ++second_batteries_;
   faults_.began(fault, now, reason());
 }
 
@@ -89,6 +125,7 @@ void ChargingReferees::fault_ended(Time now, std::size_t fault) {
   faults_.note(now, reason());
   faults_.ended(fault);
   service_.fault_ended(now, kind_of(fault));
+  if (kind_of(fault) == FaultKind::duplicate_node_id) --second_batteries_;
 }
 
 /// Of each invariant once, when it is broken.
@@ -106,16 +143,35 @@ void ChargingReferees::tell_broken(Time now) {
 
 /// It may take one period until the charger looks, and as long as the stage needs to fall; the
 /// referee sees both in steps of the plant.
+Duration ChargingReferees::stop_time_max() const {
+  return options_->charger.control_period +
+         std::min(devices_->plant().stage.fall_time_max(), stage_fall_time_bound) +
+         2 * ChargingPlant::step_time;
+}
+
+/// What the battery wants is on the bus after a while, or its silence is heard.
+Duration ChargingReferees::unwanted_time_max() const {
+  const Promises promised = promises();
+  return promised.value_time + std::min(promised.data_time, promised.heartbeat_time) +
+         frame_time_max + stop_time_max();
+}
+
 Invariant ChargingReferees::handshake() const {
-  const Duration bound = options_->charger.control_period +
-                         devices_->plant().stage.fall_time_max() + 2 * ChargingPlant::step_time;
-  return time_invariant(InvariantKind::current_outside_handshake, handshake_.outside_max(), bound,
-                        handshake_.steps_with_current());
+  return time_invariant(InvariantKind::current_outside_handshake, handshake_.outside_max(),
+                        stop_time_max(), handshake_.steps_with_current());
 }
 
 Invariant ChargingReferees::service() const {
   return time_invariant(InvariantKind::battery_left_waiting, service_.waiting_max(),
                         ServiceWatch::bound, service_.judged());
+}
+
+Invariant ChargingReferees::missing_charge() const {
+  return {.kind = InvariantKind::less_than_asked,
+          .worst = service_.missing_percent(),
+          .allowed = ServiceWatch::missing_max_percent,
+          .held = service_.missing_percent() <= ServiceWatch::missing_max_percent,
+          .judged = service_.measured()};
 }
 
 std::array<Invariant, ChargingReferees::lasting> ChargingReferees::lasting_invariants() const {
@@ -130,7 +186,14 @@ std::array<Invariant, ChargingReferees::lasting> ChargingReferees::lasting_invar
            .worst = static_cast<double>(handshake_.begun_before_ready()),
            .held = handshake_.begun_before_ready() == 0,
            .judged = handshake_.begun()},
-          service()};
+          service(),
+          missing_charge(),
+          time_invariant(InvariantKind::more_than_asked, more_than_asked_.worst(),
+                         unwanted_time_max(), more_than_asked_.judged()),
+          time_invariant(InvariantKind::charged_hot_or_cold, hot_or_cold_.worst(),
+                         unwanted_time_max(), hot_or_cold_.judged()),
+          time_invariant(InvariantKind::over_voltage, over_voltage_.worst(), unwanted_time_max(),
+                         over_voltage_.judged())};
 }
 
 std::vector<Invariant> ChargingReferees::invariants() const {

@@ -1,5 +1,5 @@
 // All that is judged between a charger and its battery: what was counted, the handshake, service,
-// and faults that have to be seen.
+// what the cells bear, and faults that have to be seen.
 //
 //     ChargingReferees referees(options, devices, events);
 //     referees.hear(now, frame);        // each frame on the bus
@@ -16,6 +16,7 @@
 #include "canvoy/sim/charging/fault_watch.hpp"
 #include "canvoy/sim/charging/handshake_monitor.hpp"
 #include "canvoy/sim/charging/service_watch.hpp"
+#include "canvoy/sim/wrong_time.hpp"
 
 namespace canvoy::charging {
 
@@ -40,16 +41,23 @@ class ChargingReferees {
   std::vector<Invariant> invariants() const;
 
  private:
-  /// Those that need no fault: ampere-hours, energy, current outside of the handshake and before
-  /// it, a battery that is left waiting.
-  static constexpr std::size_t lasting = 5;
+  /// Those that need no fault: all kinds but the last one.
+  static constexpr std::size_t lasting = invariant_kinds - 1;
+  /// Current that comes and goes each second harms as one that stays.
+  static constexpr Duration stretch_ends_after = 10s;
 
   cia419::StopReason reason() const { return devices_->charger().charger().reason(); }
   FaultKind kind_of(std::size_t fault) const { return options_->faults.faults[fault].kind; }
-  bool battery_asks() const;
+  bool plays_both() const { return options_->plays_battery && options_->plays_charger; }
+  double served_ampere() const;
+  double wanted_ampere() const;
+  void judge_care(Time now);
   Promises promises() const;
+  Duration stop_time_max() const;
+  Duration unwanted_time_max() const;
   Invariant handshake() const;
   Invariant service() const;
+  Invariant missing_charge() const;
   std::array<Invariant, lasting> lasting_invariants() const;
   void tell_broken(Time now);
 
@@ -59,6 +67,10 @@ class ChargingReferees {
   HandshakeMonitor handshake_;
   FaultWatch faults_;
   ServiceWatch service_;
+  WrongTime more_than_asked_{stretch_ends_after};
+  WrongTime hot_or_cold_{stretch_ends_after};
+  WrongTime over_voltage_{stretch_ends_after};
+  unsigned second_batteries_ = 0;
   std::array<bool, lasting> told_{};  ///< that they are broken
 };
 

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "canvoy/sim/plants/charging.hpp"
+
 namespace canvoy::charging {
 
 namespace {
-
-/// Below this no charger is said to deliver: what a meter shows at rest.
-constexpr double no_current_ampere = 0.01;
 
 constexpr std::uint8_t ready_bit = 1;
 constexpr std::size_t status_offset = 2;  ///< of 6000h in the battery's TPDOs 1 and 2
@@ -97,7 +96,7 @@ void HandshakeMonitor::on_step(Time now, bool pilot_signal, double ampere) {
   note_validity(now);
   pilot_signal_ = pilot_signal;
   note_validity(now);
-  if (ampere <= no_current_ampere) {
+  if (ampere <= ChargingPlant::no_current_ampere) {
     no_current_until_ = now;
   } else {
     ++steps_with_current_;

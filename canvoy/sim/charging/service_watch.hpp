@@ -1,10 +1,11 @@
-// A referee of service: a battery that asks for current gets it, but for what a fault excuses. It
-// looks at the battery and at the current, not at what the charger says.
+// A referee of service: a battery that asks for current gets it, and as much, but for what a fault
+// excuses. It looks at the battery and at the current, not at what the charger says.
 //
-//     ServiceWatch service;
+//     ServiceWatch service(charger_max_ampere);
 //     service.fault_began(now, FaultKind::too_hot);
-//     service.on_step(now, battery_asks, ampere);   // for each step of the plant
+//     service.on_step(now, asked_ampere, ampere);   // for each step of the plant
 //     if (service.waiting_max() > ServiceWatch::bound) ...
+//     if (service.missing_percent() > ServiceWatch::missing_max_percent) ...
 #pragma once
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 
 #include "canvoy/can/time.hpp"
 #include "canvoy/sim/charging/fault.hpp"
+#include "canvoy/sim/plants/charging.hpp"
 
 namespace canvoy::charging {
 
@@ -21,23 +23,31 @@ class ServiceWatch {
   /// battery and its SDO manager below 2 s, an NMT command 1 s to be given again; and as much again
   /// since a fault may end in the midst of that.
   static constexpr Duration bound = 15s;
+  /// Of the charge: a charger that takes a tenth longer than it must would be complained of.
+  static constexpr double missing_max_percent = 5;
+
+  /// Of the charge that a battery asks for, it gets what its charger can give.
+  explicit ServiceWatch(double charger_max_ampere) : charger_max_ampere_(charger_max_ampere) {}
 
   /// A fault excuses for as long as it lasts, and then once more for `bound`. One that a charge
   /// goes on in spite of excuses from its start for `bound` alone.
   void fault_began(Time now, FaultKind kind) {
-    waiting_since_ = now;
+    excused_at_ = waiting_since_ = now;
     if (!lets_charge_go_on(kind)) ++present_;
   }
   void fault_ended(Time now, FaultKind kind) {
-    waiting_since_ = now;
+    excused_at_ = waiting_since_ = now;
     if (!lets_charge_go_on(kind)) --present_;
   }
-  /// `asks`: the battery is plugged in, ready, and wants current.
-  void on_step(Time now, bool asks, double ampere) {
-    const bool is_judged = asks && present_ == 0;
-    if (!is_judged || ampere > no_current_ampere) waiting_since_ = now;
+  /// `asked_ampere`: what a battery that is plugged in and ready wants.
+  void on_step(Time now, double asked_ampere, double ampere) {
+    const bool is_judged = asked_ampere > 0 && present_ == 0;
+    if (!is_judged || ampere > ChargingPlant::no_current_ampere) waiting_since_ = now;
     if (is_judged) ++judged_;
     waiting_max_ = std::max(waiting_max_, now - waiting_since_);
+    if (!is_judged) excused_at_ = now;
+    if (is_judged && now - excused_at_ > bound)
+      measure(std::min(asked_ampere, charger_max_ampere_), ampere);
   }
 
   /// The longest time at a stretch.
@@ -45,18 +55,33 @@ class ServiceWatch {
   /// Steps in which the battery asked, and no fault was there.
   std::uint64_t judged() const { return judged_; }
 
+  /// Of what was asked for, what did not come; as much as comes above it elsewhere is no balance.
+  double missing_percent() const { return asked_ > 0 ? 100 * missing_ / asked_ : 0; }
+  /// Steps that were measured: those of judged() but for the first `bound` after the start, a
+  /// fault, or a pause.
+  std::uint64_t measured() const { return measured_; }
+
  private:
-  static constexpr double no_current_ampere = 0.01;
+  void measure(double asked_ampere, double ampere) {
+    ++measured_;
+    asked_ += asked_ampere;
+    missing_ += std::max(0.0, asked_ampere - ampere);
+  }
 
   static constexpr bool lets_charge_go_on(FaultKind kind) {
     return kind == FaultKind::battery_restart || kind == FaultKind::clock_drift ||
            kind == FaultKind::corrupted_frames;
   }
 
+  double charger_max_ampere_;
+  Time excused_at_{};  ///< last
   Time waiting_since_{};
   Duration waiting_max_{0};
   unsigned present_ = 0;
   std::uint64_t judged_ = 0;
+  std::uint64_t measured_ = 0;
+  double asked_ = 0;    ///< in amperes, of all measured steps
+  double missing_ = 0;  ///< the same
 };
 
 }  // namespace canvoy::charging

@@ -10,11 +10,11 @@ class ServiceWatchTest : public testing::Test {
   void run_for(Duration duration, bool asks, double ampere) {
     for (const Time end = now + duration; now < end;) {
       now += 100ms;
-      sut.on_step(now, asks, ampere);
+      sut.on_step(now, asks ? 60 : 0, ampere);
     }
   }
 
-  ServiceWatch sut;
+  ServiceWatch sut{60};
   Time now{};
 };
 
@@ -59,6 +59,32 @@ TEST_F(ServiceWatchTest, FramesThatAreSentAgainExcuseFromTheirStartAndNotForEver
   sut.fault_began(now, FaultKind::corrupted_frames);
   run_for(20s, true, 0);
   EXPECT_EQ(sut.waiting_max(), 20s);
+}
+
+TEST_F(ServiceWatchTest, WhatIsGivenLessThanAskedForIsMissing) {
+  run_for(15s, true, 0);  // from the start on it may take so long
+  run_for(30min, true, 60);
+  run_for(10min, true, 45);
+  EXPECT_EQ(sut.waiting_max(), 15s);
+  EXPECT_NEAR(sut.missing_percent(), 100 * 15.0 * 10 / (60 * 40), 0.01);
+}
+
+TEST_F(ServiceWatchTest, WhatTheChargerCannotGiveIsNotMissing) {
+  sut = ServiceWatch(40);
+  run_for(1h, true, 40);
+  EXPECT_EQ(sut.missing_percent(), 0);
+  EXPECT_GT(sut.measured(), 0U);
+}
+
+TEST_F(ServiceWatchTest, NothingIsMeasuredUntilAFaultIsLongOver) {
+  run_for(20s, true, 60);
+  const auto before = sut.measured();
+  sut.fault_began(now, FaultKind::pdo_loss);
+  run_for(1min, true, 0);
+  sut.fault_ended(now, FaultKind::pdo_loss);
+  run_for(15s, true, 0);
+  EXPECT_EQ(sut.measured(), before);
+  EXPECT_EQ(sut.missing_percent(), 0);
 }
 
 }  // namespace

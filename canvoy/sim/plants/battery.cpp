@@ -110,7 +110,7 @@ cia418::BatteryHardware BatteryPlant::hardware() {
   return {.sense = Callback<cia418::BatteryReadings()>::to<&BatteryPlant::sense>(*this)};
 }
 
-cia418::BatteryReadings BatteryPlant::sense() {
+cia418::BatteryReadings BatteryPlant::sense() const {
   must_hold(ampere_hours_since_charge_ >= 0);
   cia418::BatteryReadings readings;
   const double shown_celsius = faults.shown_celsius.value_or(celsius_);

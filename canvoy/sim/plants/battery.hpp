@@ -69,11 +69,12 @@ class BatteryPlant {
   /// What the management system asks for now, in A.
   double requested_ampere() const { return requested_ampere_; }
   bool is_full() const { return is_full_; }
+  /// What its management system would say now.
+  cia418::BatteryReadings sense() const;
   const BatteryTruth& truth() const { return truth_; }
   const BatteryDesign& design() const { return design_; }
 
  private:
-  cia418::BatteryReadings sense();
   void charge_cells(double ampere, double seconds);
   void exchange_heat(double heat_joule, double seconds);
   void manage(double ampere, double seconds);

@@ -17,6 +17,8 @@ class ChargingPlant {
   /// Short against all that a charger reacts to, and long enough for a night in a fraction of a
   /// second.
   static constexpr Duration step_time = 100ms;
+  /// Below this none is said to flow: what a meter shows at rest.
+  static constexpr double no_current_ampere = 0.01;
 
   ChargingPlant(const BatteryDesign& design, double state_of_charge, double ambience_celsius = 20,
                 const PowerStageOptions& stage_options = {})
