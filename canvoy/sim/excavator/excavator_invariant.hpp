@@ -22,16 +22,16 @@ enum class InvariantKind : std::uint8_t {
 
 /// All kinds, in the order of InvariantKind.
 inline constexpr InvariantRow invariant_rows[] = {
-    {"unwanted_motion", "the machine moved as no hand wanted it for at most", "s"},
-    {"lost_seat", "the machine moved without a sign of the seat for at most", "s"},
-    {"lost_host", "the machine moved without a sign of the host for at most", "s"},
-    {"lost_armrest", "the machine moved without a sign of the armrest for at most", "s"},
-    {"presses", "presses without their one effect, or effects without a press", ""},
-    {"axis_delta", "an axis was away from the host's value by at most", "digits"},
-    {"indicators", "a lamp said what is not so for at most", "s"},
-    {"display", "the display said what is not so for at most", "s"},
-    {"service", "no earth came to the heap at work for at most", "s"},
-    {"device_missing", "a device was missing without an excuse for at most", "s"},
+    {"unwanted_motion", "the machine moved as no hand wanted it for at most", "s", "canvoy"},
+    {"lost_seat", "the machine moved without a sign of the seat for at most", "s", "canvoy"},
+    {"lost_host", "the machine moved without a sign of the host for at most", "s", "canvoy"},
+    {"lost_armrest", "the machine moved without a sign of the armrest for at most", "s", "canvoy"},
+    {"presses", "presses without their one effect, or effects without a press", "", "canvoy"},
+    {"axis_delta", "an axis was away from the host's value by at most", "digits", "canvoy"},
+    {"indicators", "a lamp said what is not so for at most", "s", "canvoy"},
+    {"display", "the display said what is not so for at most", "s", "canvoy"},
+    {"service", "no earth came to the heap at work for at most", "s", "canvoy"},
+    {"device_missing", "a device was missing without an excuse for at most", "s", "canvoy"},
 };
 inline constexpr std::size_t invariant_kinds = std::size(invariant_rows);
 static_assert(invariant_kinds == static_cast<std::size_t>(InvariantKind::device_missing) + 1);

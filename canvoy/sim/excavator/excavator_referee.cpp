@@ -23,6 +23,12 @@ double in_seconds(Duration duration) {
   return std::chrono::duration<double>(duration).count();
 }
 
+/// What is right for no longer than this ends nothing: a lamp that is put out five times a second
+/// says nothing.
+Duration lull_of(Kind kind) {
+  return kind == Kind::indicators || kind == Kind::display ? Duration(500ms) : Duration(0);
+}
+
 double allowed_of(Kind kind) {
   switch (kind) {
     case Kind::unwanted_motion:
@@ -136,13 +142,18 @@ void ExcavatorReferee::compare(Time now, double digits_apart) {
 }
 
 void ExcavatorReferee::judge(Kind kind, Time now, bool is_right) {
-  is_excused(kind, now) ? pass(kind, now) : judge_always(kind, now, is_right);
+  Kept& kept = kept_[index(kind)];
+  if (!is_excused(kind, now)) return judge_always(kind, now, is_right);
+  kept.right_at = is_right ? now : kept.right_at + (now - kept.looked_at);
+  kept.looked_at = now;
 }
 
 void ExcavatorReferee::judge_always(Kind kind, Time now, bool is_right) {
   Kept& kept = kept_[index(kind)];
-  if (is_right) kept.right_at = now;
-  measure(kind, in_seconds(now - kept.right_at));
+  kept.looked_at = now;
+  if (!is_right) kept.wrong_at = now;
+  if (is_right && now - kept.wrong_at > lull_of(kind)) kept.right_at = now;
+  measure(kind, is_right ? 0 : in_seconds(now - kept.right_at));
 }
 
 void ExcavatorReferee::judge_device(NodeId id, Time now, bool is_there) {

@@ -50,10 +50,13 @@ class ExcavatorReferee {
   void look_at_presses(Time now);
   /// The host's value of an axis, against where it was one event ago.
   void compare(Time now, double digits_apart);
-  /// Whether it is as it shall be; called in each step.
+  /// Whether it is as it shall be; called in each step. An excuse stops the clock of what is wrong,
+  /// and does not set it back: a fault now and then excuses nothing in between.
   void judge(InvariantKind kind, Time now, bool is_right);
   /// It cannot be wrong now.
-  void pass(InvariantKind kind, Time now) { kept_[index(kind)].right_at = now; }
+  void pass(InvariantKind kind, Time now) {
+    kept_[index(kind)].looked_at = kept_[index(kind)].right_at = now;
+  }
   /// The same as judge(), whatever the faults.
   void judge_always(InvariantKind kind, Time now, bool is_right);
   void judge_device(NodeId id, Time now, bool is_there);
@@ -66,7 +69,9 @@ class ExcavatorReferee {
   static constexpr std::size_t index(InvariantKind kind) { return static_cast<std::size_t>(kind); }
 
   struct Kept {
-    Time right_at{};
+    Time right_at{};  ///< later by the time of excuses since
+    Time wrong_at{};
+    Time looked_at{};
     double worst = 0;
     std::uint64_t judged = 0;  ///< how often
     unsigned faults = 0;       ///< that are present and excuse it
