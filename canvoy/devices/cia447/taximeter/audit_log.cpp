@@ -42,7 +42,7 @@ void count(Number& number) {
 
 }  // namespace
 
-bool AuditLog::note(const AuditEntry& entry) {
+const AuditEntry& AuditLog::note(const AuditEntry& entry) {
   count(events_);
   const auto is_same = [&](const AuditEntry& other) {
     return other.what == entry.what && other.who == entry.who && other.detail == entry.detail;
@@ -53,13 +53,12 @@ bool AuditLog::note(const AuditEntry& entry) {
   if (found != end) {
     count(found->times);
     found->until = entry.at;
-    return false;
+    return *found;
   }
   make_room(entry.what);
   entries_[size_] = entry;
   entries_[size_].until = entry.at;
-  ++size_;
-  return true;
+  return entries_[size_++];
 }
 
 void AuditLog::make_room(AuditEvent what) {

@@ -56,9 +56,9 @@ class AuditLog {
  public:
   static constexpr std::size_t capacity = 32;
 
-  /// True: it is a new entry. Writes that are refused and errors that have an entry of the same
-  /// kind, by the same, are counted there. Linear in the number of entries.
-  bool note(const AuditEntry& entry);
+  /// Answers the entry where it stands: writes that are refused and errors that have one of the
+  /// same kind, by the same, are counted there. Linear in the number of entries.
+  const AuditEntry& note(const AuditEntry& entry);
   std::size_t size() const { return size_; }
   /// 0 is the newest; null: there are not as many. It holds until the next note().
   const AuditEntry* newest(std::size_t number) const {

@@ -85,20 +85,25 @@ bool TaximeterUnit::end_calibration(std::uint32_t distance) {
 
 void TaximeterUnit::set_error(TaximeterError error, bool is_present, std::uint8_t sealed,
                               std::uint8_t found) {
-  const auto number = static_cast<std::uint8_t>(error);
-  const bool was_present = (errors_ >> number & 1) != 0;
+  const bool was_present = (errors_ & bit_of(error)) != 0;
   if (is_present == was_present) return;
-  errors_ = static_cast<std::uint8_t>(errors_ ^ 1U << number);
-  const Error told = {.code = emergency_code::taximeter,
-                      .instance = number,
-                      .register_bits = error_register::profile,
-                      .info = {number, sealed, found, 0, 0}};
-  network_.node().report(told, is_present);
+  errors_ = static_cast<std::uint8_t>(errors_ ^ bit_of(error));
+  report(error, is_present, sealed, found);
   if (!is_present) return;
   const bool is_of_sender = error == TaximeterError::wheel_node;
-  note(AuditEvent::error, number, std::uint32_t{sealed} << 8 | found,
+  note(AuditEvent::error, static_cast<std::uint32_t>(error), std::uint32_t{sealed} << 8 | found,
        is_of_sender ? found : by_meter);
   if (is_of_sender || error == TaximeterError::wheel_source) tamper(tampering::source);
+}
+
+void TaximeterUnit::report(TaximeterError error, bool is_present, std::uint8_t sealed,
+                           std::uint8_t found) {
+  const auto number = static_cast<std::uint8_t>(error);
+  network_.node().report({.code = emergency_code::taximeter,
+                          .instance = number,
+                          .register_bits = error_register::profile,
+                          .info = {number, sealed, found, 0, 0}},
+                         is_present);
 }
 
 // The audit log.
@@ -110,12 +115,9 @@ void TaximeterUnit::note(AuditEvent what, std::uint32_t detail, std::uint32_t va
                             .who = who,
                             .detail = detail,
                             .value = value};
-  if (audit_.note(entry)) {
-    has_new_audit_ = true;
-    hardware_.recorded(entry);
-  } else {
-    has_more_audit_ = true;
-  }
+  const AuditEntry& kept = audit_.note(entry);
+  (kept.times == 1 ? has_new_audit_ : has_more_audit_) = true;
+  hardware_.recorded(kept);
 }
 
 namespace {

@@ -34,7 +34,7 @@ struct TaximeterHardware {
   Callback<bool()> seal_is_open = {};
   /// When something of it has changed.
   Callback<void(const TaximeterDisplay&)> show = {};
-  /// A new entry of the audit log.
+  /// For each event, its entry in the audit log: how often it was by now is in it.
   Callback<void(const AuditEntry&)> recorded = {};
   /// The end of "changing to off mode": power may be cut.
   Callback<void()> turned_off = {};

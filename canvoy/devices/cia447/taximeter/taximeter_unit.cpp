@@ -94,9 +94,7 @@ void TaximeterUnit::reset(ResetScope /*scope*/) {
   if (!has_started_) power_on();
   has_started_ = true;
   for (unsigned error = 1; error <= static_cast<unsigned>(TaximeterError::seal); ++error) {
-    const bool is_present = (errors_ >> error & 1) != 0;
-    errors_ = static_cast<std::uint8_t>(errors_ & ~(1U << error));
-    set_error(static_cast<TaximeterError>(error), is_present);
+    if ((errors_ >> error & 1) != 0) report(static_cast<TaximeterError>(error), true);
   }
   publish(true);
   object_to_sleep();
@@ -122,8 +120,8 @@ void TaximeterUnit::power_on() {
   record_.tariff = tariff_.id;
   set_fastest();
   if (!record_.totals_are_known) set_error(TaximeterError::memory, true);
-  if (is_tampered(tampering::source)) set_error(TaximeterError::wheel_source, true);
-  if (is_tampered(tampering::seal)) set_error(TaximeterError::seal, true);
+  if (is_tampered(tampering::source)) errors_ |= bit_of(TaximeterError::wheel_source);
+  if (is_tampered(tampering::seal)) errors_ |= bit_of(TaximeterError::seal);
   // From here on there is always an older record to fall back on.
   if (!found.record && !found.is_damaged) keep();
   resume();

@@ -135,6 +135,11 @@ class TaximeterUnit {
   void end_trip();
   void set_error(TaximeterError error, bool is_present, std::uint8_t sealed = 0,
                  std::uint8_t found = 0);
+  void report(TaximeterError error, bool is_present, std::uint8_t sealed = 0,
+              std::uint8_t found = 0);
+  static constexpr std::uint8_t bit_of(TaximeterError error) {
+    return static_cast<std::uint8_t>(1U << static_cast<unsigned>(error));
+  }
   void tamper(std::uint8_t how);
   bool is_tampered(std::uint8_t how) const { return (record_.tampering & how) != 0; }
 
