@@ -124,10 +124,12 @@ template <class Kind>
 constexpr bool lasts(Kind kind) {
   return !fault_row(kind).traits.is_over_at_once;
 }
+/// It excuses nothing.
 template <class Kind>
 constexpr bool is_harmless(Kind kind) {
   return fault_row(kind).traits.is_harmless;
 }
+/// Somebody cheats.
 template <class Kind>
 constexpr bool is_tampering(Kind kind) {
   return fault_row(kind).traits.is_tampering;

@@ -20,17 +20,19 @@ namespace canvoy::cia447 {
 
 /// What somebody wanted to write who is not the provider.
 struct RefusedWrite {
-  NodeId client = 0;  ///< 0: by the default channel
-  std::uint16_t index = 0;
-  std::uint8_t sub = 0;
+  NodeId client = 0;        ///< 0: by the default channel
+  std::uint16_t index = 0;  ///< of what he wanted to write
+  std::uint8_t sub = 0;     ///< the same
   std::uint32_t value = 0;  ///< its first four bytes
 };
 
 /// It has to be made before the node starts, and lives as long as the node's dictionary.
 class ProvidedObjects {
  public:
+  /// Room for the objects of one provider.
   static constexpr std::size_t objects_max = 6;
 
+  /// Who provides what.
   struct Settings {
     NodeId provider = 0;  ///< 1 to 16; 0: nobody, all are refused
     /// objects_max at most; those that the node lacks, or provides itself, are left alone.
@@ -41,6 +43,7 @@ class ProvidedObjects {
     Callback<AbortCode(const Entry&, std::span<const std::uint8_t>)> check = {};
   };
 
+  /// Both must outlive this.
   ProvidedObjects(CarNetwork& network, const Settings& settings);
   ProvidedObjects(const ProvidedObjects&) = delete;
   ProvidedObjects& operator=(const ProvidedObjects&) = delete;

@@ -22,22 +22,25 @@ class TamperWatch {
   /// Whoever is not found in this time is not found.
   static constexpr Duration found_within = 1h;
 
+  /// An act begins.
   void begins(FaultKind kind, Time now) { acts_.push_back({.kind = kind, .begin = now}); }
   /// The meter records it: that finds what it can be about.
   void recorded(const cia447::AuditEntry& entry);
   /// Passengers see that something is wrong with what they pay: that finds all that is there.
   void passengers_see();
 
+  /// All that began.
   std::uint64_t acts() const { return acts_.size(); }
   /// That were found, or should have been.
   std::uint64_t judged(Time now) const;
+  /// That should have been, and were not.
   std::uint64_t missed(Time now) const;
 
  private:
   struct Act {
-    FaultKind kind{};
+    FaultKind kind{};  ///< what is done
     Time begin{};
-    bool is_found = false;
+    bool is_found = false;  ///< by the meter or by passengers
   };
   std::vector<Act> acts_;
 };

@@ -141,10 +141,12 @@ class TaxiCar {
 
   /// How long something was there in all.
   struct Presence {
-    std::optional<Time> since = {};
-    Duration before{};
+    std::optional<Time> since = {};  ///< it is there
+    Duration before{};               ///< of earlier times
 
+    /// Up to now.
     Duration total(Time now) const { return before + (since ? now - *since : Duration{}); }
+    /// It comes or goes.
     void set(bool is_there, Time now) {
       before = total(now);
       since.reset();

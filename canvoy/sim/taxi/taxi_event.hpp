@@ -27,7 +27,7 @@ struct TripPaid {
 };
 /// Something was done to the meter.
 struct MeterRecorded {
-  cia447::AuditEntry entry;
+  cia447::AuditEntry entry;  ///< of its audit log
 };
 struct AlarmPressed {};
 struct ShiftChanged {

@@ -16,6 +16,7 @@
 
 namespace canvoy::cia447 {
 
+/// What happened; flash and 5F21h have the numbers and words of these.
 enum class AuditEvent : std::uint8_t {
   none,
   write_refused,     ///< by a client that is not the provider; detail: index and sub-index; value
@@ -38,22 +39,25 @@ enum class AuditEvent : std::uint8_t {
 inline constexpr std::uint8_t by_meter = 0;               ///< by itself, or by hands at it
 inline constexpr std::uint8_t by_default_channel = 0xFF;  ///< by whoever is plugged in
 
+/// What, when, by whom.
 struct AuditEntry {
+  /// No clock was known.
   static constexpr std::uint32_t no_time = 0xFFFF'FFFF;
 
-  std::uint32_t at = no_time;     ///< seconds since 1970-01-01, UTC
-  std::uint32_t until = no_time;  ///< the last time of several
-  AuditEvent what = AuditEvent::none;
-  std::uint8_t who = by_meter;
-  std::uint16_t times = 1;  ///< no more than FFFFh
-  std::uint32_t detail = 0;
-  std::uint32_t value = 0;  ///< of several the first one's
+  std::uint32_t at = no_time;          ///< seconds since 1970-01-01, UTC
+  std::uint32_t until = no_time;       ///< the last time of several
+  AuditEvent what = AuditEvent::none;  ///< that was done
+  std::uint8_t who = by_meter;         ///< a node-ID, or one of the two above
+  std::uint16_t times = 1;             ///< no more than FFFFh
+  std::uint32_t detail = 0;            ///< as AuditEvent says
+  std::uint32_t value = 0;             ///< of several the first one's
 
   friend constexpr bool operator==(const AuditEntry&, const AuditEntry&) = default;
 };
 
 class AuditLog {
  public:
+  /// Entries, of all classes together.
   static constexpr std::size_t capacity = 32;
 
   /// Answers the entry where it stands: writes that are refused and errors that have one of the

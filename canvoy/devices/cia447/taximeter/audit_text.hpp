@@ -11,18 +11,23 @@
 
 namespace canvoy::cia447 {
 
+/// Characters of the longest line.
 inline constexpr std::size_t audit_line_capacity = 112;
+/// A line.
 using AuditText = FixedText<audit_line_capacity>;
 
 /// When, what, by whom, and what belongs to it.
 AuditText audit_text(const AuditEntry& entry);
 
+/// A number of events or entries.
 inline constexpr ValueInfo audit_count = {.limits = at_least(0, 0xFFFF'FFFF)};
+/// An entry of 5F20h.
 constexpr EntryInfo audit_number(unsigned sub, std::string_view name) {
   return at(
       sub, name,
       {.type = DataType::unsigned32, .access = Access::ro, .initial = 0, .value = audit_count});
 }
+/// The entries of 5F21h.
 constexpr EntryInfo audit_line() {
   EntryInfo entry =
       at(1, "Entry #",
@@ -31,9 +36,11 @@ constexpr EntryInfo audit_line() {
   entry.first_number = 1;
   return entry;
 }
+/// Those of 5F20h.
 inline constexpr EntryInfo audit_entries[] = {
     highest_sub_index(3, 3), audit_number(1, "Events recorded"), audit_number(2, "Entries kept"),
     audit_number(3, "Entries lost")};
+/// Those of 5F21h.
 inline constexpr EntryInfo audit_log_entries[] = {
     highest_sub_index(AuditLog::capacity, AuditLog::capacity), audit_line()};
 

@@ -34,6 +34,7 @@ AbortCode check_date(const Entry& entry, std::span<const std::uint8_t> value);
 /// For ProvidedObjects of those who go by a clock.
 inline constexpr const ObjectInfo* bus_clock_objects[] = {&rtc_date_object, &rtc_time_object,
                                                           &rtc_type_and_status_object};
+/// The same for check_date().
 inline constexpr Callback<AbortCode(const Entry&, std::span<const std::uint8_t>)> check_of_date(
     [](void*, const Entry& entry, std::span<const std::uint8_t> value) {
       return check_date(entry, value);

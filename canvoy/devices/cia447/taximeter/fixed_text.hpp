@@ -16,6 +16,7 @@ namespace canvoy::cia447 {
 template <std::size_t capacity>
 class FixedText {
  public:
+  /// What was added; it holds as long as this, and until the next add().
   std::string_view view() const { return {text_.data(), length_}; }
 
   /// What there is no room for is left out.

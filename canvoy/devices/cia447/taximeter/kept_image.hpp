@@ -17,16 +17,17 @@ namespace canvoy::cia447 {
 
 class KeptImage {
  public:
+  /// Where, and what it is.
   struct Place {
-    std::uint32_t address = 0;
+    std::uint32_t address = 0;    ///< of the first slot
     std::uint32_t slot_size = 0;  ///< whole sectors; there are two. 0: nothing is kept
-    std::uint32_t kind = 0;
-    std::uint32_t layout = 0;  ///< a reader of another one reads nothing
+    std::uint32_t kind = 0;       ///< others find nothing of theirs there
+    std::uint32_t layout = 0;     ///< a reader of another one reads nothing
   };
   /// Room for the bytes that are written, and for those that are next: of one size.
   struct Room {
-    std::span<std::uint8_t> writing;
-    std::span<std::uint8_t> waiting;
+    std::span<std::uint8_t> writing;  ///< now
+    std::span<std::uint8_t> waiting;  ///< behind them
   };
 
   /// Without a flash nothing is kept. What it refers to must outlive this.
@@ -41,6 +42,7 @@ class KeptImage {
   void save(std::span<const std::uint8_t> bytes);
   /// Writes them before it returns: power is failing.
   void save_now(std::span<const std::uint8_t> bytes);
+  /// Bytes are being written.
   bool is_busy() const { return pair_.busy(); }
   /// The flash did not take the last ones.
   bool has_failed() const { return is_kept_ && pair_.outcome() != AbortCode::none; }

@@ -144,12 +144,14 @@ struct ReadingArchive {
   }
 };
 
+/// Bytes of a record that tells an archive all of it by visit().
 template <class Record>
 consteval std::size_t size_of() {
   CountingArchive archive;
   Record{}.visit(archive);
   return archive.size;
 }
+/// Such a record as it is kept.
 template <std::size_t size, class Record>
 std::array<std::uint8_t, size> bytes_of(Record record) {
   std::array<std::uint8_t, size> bytes;

@@ -82,6 +82,7 @@ struct TaximeterSettings {
   /// How long it changes to off mode.
   Duration turning_off = 3s;
   TaximeterMemory::Place memory = {};
+  /// Of the audit log, in the same flash.
   AuditMemory::Place audit_memory = {};
   /// Who provides wheels and engine (6050h to 6057h): it is asked, by SDO, for 6054h and 6056h,
   /// which no PDO brings, and it alone may write them. 0: nobody.

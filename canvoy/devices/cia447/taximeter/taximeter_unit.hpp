@@ -230,6 +230,7 @@ struct TaximeterKind : CarKind<TaximeterUnit, TaximeterHardware, TaximeterSettin
                                                    &rtc_date_object,
                                                    &rtc_time_object,
                                                    &rtc_type_and_status_object};
+  /// 5F20h and 5F21h.
   static constexpr const ObjectInfo* own[] = {&audit_object, &audit_log_object};
 };
 
