@@ -35,6 +35,9 @@ struct FaultTraits {
   std::uint8_t spot = 0;    ///< where the plan leaves it open
   bool is_over_at_once = false;
   bool is_harmless = false;  ///< it excuses nothing, but for the moment in which it begins or ends
+  /// Somebody cheats, and it is to be found out: a soak, which looks at what goes wrong by itself,
+  /// does not draw it. Rows of these are the last ones.
+  bool is_tampering = false;
 };
 
 /// A kind of fault; its place in the table of its world is the number of the kind.
@@ -121,9 +124,21 @@ template <class Kind>
 constexpr bool lasts(Kind kind) {
   return !fault_row(kind).traits.is_over_at_once;
 }
+/// It excuses nothing.
 template <class Kind>
 constexpr bool is_harmless(Kind kind) {
   return fault_row(kind).traits.is_harmless;
+}
+/// Somebody cheats.
+template <class Kind>
+constexpr bool is_tampering(Kind kind) {
+  return fault_row(kind).traits.is_tampering;
+}
+/// How many kinds of a world are none of tampering.
+constexpr std::size_t untampered_kinds(std::span<const FaultRow> kinds) {
+  std::size_t count = 0;
+  while (count < kinds.size() && !kinds[count].traits.is_tampering) ++count;
+  return count;
 }
 /// The node at which a fault is; 0: it is at none.
 template <class Kind>

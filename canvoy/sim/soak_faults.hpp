@@ -31,7 +31,7 @@ ScheduledFault<Kind> soak_fault(Random& random, Time start, std::size_t nodes = 
     return random.below(static_cast<std::uint32_t>(count));
   };
   ScheduledFault<Kind> fault{};
-  fault.kind = static_cast<Kind>(any_of(fault_grammar<Kind>().kinds.size()));
+  fault.kind = static_cast<Kind>(any_of(untampered_kinds(fault_grammar<Kind>().kinds)));
   fault.start = start;
   fault.duration = Duration(1ms) + soak_time_up_to(random, longest[random.below(4)]);
   if (has_node(fault.kind)) fault.node = node_at(any_of(nodes));

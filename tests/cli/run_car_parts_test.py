@@ -169,6 +169,36 @@ class RunCarParts(CommandTest):
         last = self.assert_done(run(*arguments, "--press", "sign-on@200ms", "--for", "500ms"))
         self.assertIn("sign-on: not in this state", last, "the shift is under way")
 
+    def test_a_meter_is_sealed_and_says_who_has_touched_it(self):
+        store = str(self.folder / "meter.store")
+        keys = ["begin-calibration@50ms", "enter-service@100ms", "open-seal@200ms", "enter-service@400ms", "begin-calibration@500ms"]
+        keys += ["end-calibration@600ms", "leave-service@700ms", "close-seal@800ms", "leave-service@900ms"]
+        presses = [word for key in keys for word in ("--press", key)]
+        said = self.assert_done(run("device", "taximeter", "sim", "--store", store, *presses, "--for", "1500ms"))
+        for key in ("begin-calibration", "enter-service", "end-calibration", "leave-service"):
+            self.assertEqual(said.count(f"{key}: not in this state"), 1, "without the seal, without pulses, or with it open")
+        told = re.findall(r"taximeter: recorded: [-0-9]+ [:0-9]+ UTC: (.*)", said)
+        self.assertEqual(told, ["seal opened", "service mode entered", "seal closed", "sealed, k 24000"])
+
+        meter = subprocess.Popen([CANVOY, "device", "taximeter", self.bus, "--store", store], stdout=subprocess.PIPE, text=True)
+        try:
+            self.await_node("5")
+            refused = run("write", self.bus, "5", "6056h", "200")
+            self.assertEqual(refused.returncode, 1)
+            self.assertIn("08000021h", refused.stderr)
+            newest = self.assert_done(run("read", self.bus, "5", "5F21h:01h", "--type", "vs"))
+            self.assertIn("write refused, default channel, 6056h:00h = C8h", newest)
+            self.assertIn("sealed, k 24000", self.assert_done(run("read", self.bus, "5", "5F21h:02h", "--type", "vs")), "of the process before")
+        finally:
+            meter.terminate()
+            meter.communicate(timeout=60)
+
+    def await_node(self, node):
+        for _ in range(600):
+            if run("read", self.bus, node, "1000h").returncode == 0:
+                return
+        self.fail(f"node {node} does not answer")
+
     def test_a_gps_says_what_was_recorded(self):
         log = self.folder / "gps.log"
         drive = pathlib.Path(__file__).parents[2] / "examples" / "town.nmea"

@@ -68,6 +68,25 @@ class PartList {
   std::vector<Part> parts_;
 };
 
+/// Of a code that an object of the profile does not have, CiA 447-3 says that it is reserved, be it
+/// too high or too low: it is refused like any other one (4.2).
+AbortCode check_code(const DictionaryTables& tables, const EntryShape& row,
+                     const std::uint8_t* value) {
+  constexpr unsigned first_of_profile = 0x6000;
+  const AbortCode answer = check_number(tables, row, value);
+  if (answer != AbortCode::value_too_low && answer != AbortCode::value_too_high) return answer;
+  const auto object =
+      std::ranges::lower_bound(tables.objects, first_of_profile, {}, &ObjectRow::index);
+  const bool is_of_profile = object != tables.objects.end() &&
+                             &row - tables.entries.data() >= std::ptrdiff_t{object->entry_first};
+  return is_of_profile ? AbortCode::value_range : answer;
+}
+
+DictionaryTables with_codes(DictionaryTables tables) {
+  tables.check_number = &check_code;
+  return tables;
+}
+
 }  // namespace
 
 std::vector<Part> car_parts(std::span<const CarUnit* const> units, Duration heartbeat) {
@@ -83,6 +102,7 @@ std::vector<Part> car_parts(std::span<const CarUnit* const> units, Duration hear
     for (const DeviceObject& object : unit->provides->objects) {
       parts.add(Part(*find_object(profile, object.index)));
     }
+    for (const ObjectInfo* object : unit->own) parts.add(Part(*object));
   }
   for (const CarUnit* unit : units) {
     for (const ObjectInfo* object : unit->consumes) parts.add(Part(*object).consumed());
@@ -97,7 +117,7 @@ CarDevice::CarDevice(std::span<const CarUnit* const> units, const Port& port, No
                      const Site& site)
     : port_(port),
       tables_(car_parts(units, site.find<CarNetworkSettings>().heartbeat)),
-      device_(tables_.tables(), port_.port(), node_id,
+      device_(with_codes(tables_.tables()), port_.port(), node_id,
               CarNetwork::routes + CarSleep::routes + CarMaster::routes + catalogue_routes),
       network_(device_.node(), site.find<CarNetworkSettings>()),
       sleep_(network_, port_, site.find<CarSleepSettings>()) {

@@ -29,7 +29,8 @@ struct CarUnit {
   DeviceInfo info;
   const VirtualDeviceInfo* provides = nullptr;
   std::span<const ObjectInfo* const> consumes = {};
-  std::size_t bytes = 0;  ///< of memory that make() wants
+  std::span<const ObjectInfo* const> own = {};  ///< of the manufacturer's area
+  std::size_t bytes = 0;                        ///< of memory that make() wants
   void (*make)(void* memory, CarNetwork& network, const Site& site) = nullptr;
   void (*end)(void* memory) = nullptr;
 };

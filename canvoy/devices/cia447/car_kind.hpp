@@ -31,6 +31,8 @@ struct CarKind {
   using Settings = SettingsType;
   /// Objects of other devices that it reads: rw, with the RPDOs of which all objects are there.
   static constexpr std::array<const ObjectInfo*, 0> consumes{};
+  /// Objects of the manufacturer's area (2000h to 5FFFh) that it has beside those of the profile.
+  static constexpr std::array<const ObjectInfo*, 0> own{};
 };
 
 template <class Kind>
@@ -51,6 +53,7 @@ inline constexpr CarUnit car_unit = {
     .info = Kind::info,
     .provides = &Kind::provides,
     .consumes = Kind::consumes,
+    .own = Kind::own,
     .bytes = sizeof(typename Kind::Unit),
     .make = make_car_unit<Kind>,
     .end = [](void* memory) { std::destroy_at(static_cast<typename Kind::Unit*>(memory)); }};

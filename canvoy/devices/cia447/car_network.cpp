@@ -71,6 +71,7 @@ void CarNetwork::listen_to_pdos() {
 
 void CarNetwork::pdo_came(const Frame& frame, Time now) {
   if (hands_on_) return;
+  is_request_ = false;
   const NodeId sender = sender_of(frame.id);
   for (std::size_t i = 0; i < predefined.size(); ++i) {
     if (settings_.pdo_offsets[i] == (frame.id & offset_mask)) sources_[i] = sender;
@@ -108,10 +109,12 @@ void CarNetwork::listen_to_requests() {
 }
 
 void CarNetwork::request_came(const Frame& frame, Time) {
-  client_ = gateway_node_id;
+  is_request_ = true;
+  mesh_client_ = 0;
   for (unsigned client = 1; client <= node_id_max; ++client) {
-    if (sdo_request(client, node_.id()) == frame.id) client_ = static_cast<NodeId>(client);
+    if (sdo_request(client, node_.id()) == frame.id) mesh_client_ = static_cast<NodeId>(client);
   }
+  client_ = mesh_client_ == 0 ? NodeId{gateway_node_id} : mesh_client_;
 }
 
 /// PDOs are valid for node-IDs 1 to 16 only: others have no CAN-IDs of their own.

@@ -64,6 +64,11 @@ class CarNetwork {
   /// Whose request is under way: 1 to 16, by the SDO channel that it came on; the default channel
   /// belongs to the gateway. 0: none has come.
   NodeId client() const { return client_; }
+  /// What is under way came as an SDO request, not in a PDO.
+  bool is_request() const { return is_request_; }
+  /// To whom the channel of that request belongs in the mesh; 0: it came on the default channel, on
+  /// which anybody can ask who is plugged in.
+  NodeId mesh_client() const { return mesh_client_; }
   /// Who sent an RPDO last, by the number of the PDO; 0: nobody has.
   NodeId source_of(unsigned pdo_number) const;
 
@@ -113,6 +118,8 @@ class CarNetwork {
   std::bitset<node_id_max + 1> watched_;
   std::optional<std::uint8_t> sleep_objection_;
   NodeId client_ = 0;
+  NodeId mesh_client_ = 0;
+  bool is_request_ = false;
   NodeId listens_as_ = 0;  ///< node-ID of the requests that have routes
   bool listens_to_pdos_ = false;
   bool hands_on_ = false;  ///< an RPDO of another node than the gateway

@@ -85,6 +85,16 @@ std::optional<std::uint32_t> code_meaning(const FieldPlace& place, Meaning meani
   return std::nullopt;
 }
 
+AbortCode check_codes(const Entry& entry, std::span<const std::uint8_t> value) {
+  if (entry.row->is_text()) return AbortCode::none;
+  const std::uint64_t whole = load_unsigned(value);
+  AbortCode answer = AbortCode::none;
+  each_field(entry.index, entry.sub, [&](const FieldPlace& place, const ValueInfo& info) {
+    if (!can_be_written(info, code_in(whole, place))) answer = AbortCode::value_range;
+  });
+  return answer;
+}
+
 std::uint32_t read_field(const Dictionary& dictionary, const FieldPlace& place) {
   return code_in(dictionary.number(place.index, place.sub), place);
 }

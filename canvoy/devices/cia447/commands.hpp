@@ -42,6 +42,10 @@ const ValueInfo* find_value_info(const FieldPlace& place);
 /// The one code that means this: "Failure", "Function not implemented". Nothing: it has none.
 std::optional<std::uint32_t> code_meaning(const FieldPlace& place, Meaning meaning);
 
+/// 0609 0030h where a field of what is to be written has a code that is reserved, or that only who
+/// provides a command says of itself (4.2). Texts have no codes.
+AbortCode check_codes(const Entry& entry, std::span<const std::uint8_t> value);
+
 std::uint32_t read_field(const Dictionary& dictionary, const FieldPlace& place);
 /// Other bits stay as they are. Nothing happens where the device has no such entry.
 void write_field(Dictionary& dictionary, const FieldPlace& place, std::uint32_t code);

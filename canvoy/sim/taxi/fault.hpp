@@ -18,7 +18,12 @@ enum class FaultKind : std::uint8_t {
   corrupted_frames,
   wheel_signal,
   paper_out,
-  no_fix
+  no_fix,
+  stranger_writes,
+  extra_pulses,
+  seal_opened,
+  wrong_k,
+  clock_drift
 };
 
 /// Harmless: one device lacks what it works with, and has to say so, or frames are sent again; all
@@ -40,8 +45,21 @@ inline constexpr FaultRow fault_rows[] = {
     {"wheel-signal", "the wheel pulse counter does not know how far the car has gone"},
     {"paper-out", "the printer has no paper", {.is_harmless = true}},
     {"no-fix", "the GPS receiver sees no satellites", {.is_harmless = true}},
+    {"stranger-writes",
+     "a stranger on the bus writes pulses and time into the taximeter",
+     {.is_tampering = true}},
+    {"extra-pulses",
+     "somebody adds pulses to those of the wheels, of a metre a second",
+     {.is_tampering = true}},
+    {"seal-opened", "somebody opens the seal of the taximeter", {.is_tampering = true}},
+    {"wrong-k",
+     "the car has smaller wheels than those that the taximeter was sealed for",
+     {.is_tampering = true}},
+    {"clock-drift", "the real time clock on the bus gains a minute in ten", {.is_tampering = true}},
 };
-inline constexpr std::size_t fault_kinds = std::size(fault_rows);
+static_assert(std::size(fault_rows) == static_cast<std::size_t>(FaultKind::clock_drift) + 1);
+/// Those in which nobody cheats.
+inline constexpr std::size_t fault_kinds = untampered_kinds(fault_rows);
 static_assert(fault_kinds == static_cast<std::size_t>(FaultKind::no_fix) + 1);
 inline constexpr FaultPlaceName fault_places[] = {{"node", cia447::node_id_max}};
 constexpr FaultGrammar grammar_of(FaultKind) {

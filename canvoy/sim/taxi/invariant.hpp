@@ -21,6 +21,7 @@ enum class InvariantKind : std::uint8_t {
   carried,
   device_missing,
   power_cut,  ///< only where the meter has lost its power in a trip
+  tampering,  ///< only where somebody has tampered with meter or car
 };
 
 /// All kinds, in the order of InvariantKind.
@@ -40,9 +41,10 @@ inline constexpr InvariantRow invariant_rows[] = {
     {"carried", "shifts in which nobody was carried", ""},
     {"device_missing", "a device was missing without an excuse for at most", "s"},
     {"power_cut", "trips without a defined end after a loss of power", ""},
+    {"tampering", "acts of tampering that neither meter nor passengers have found", ""},
 };
 inline constexpr std::size_t invariant_kinds = std::size(invariant_rows);
-static_assert(invariant_kinds == static_cast<std::size_t>(InvariantKind::power_cut) + 1);
+static_assert(invariant_kinds == static_cast<std::size_t>(InvariantKind::tampering) + 1);
 constexpr std::span<const InvariantRow> rows_of(InvariantKind) {
   return invariant_rows;
 }

@@ -128,7 +128,40 @@ cia447::CarHardware TaxiCar::car_hardware() {
 /// What the wheels tell.
 std::optional<double> TaxiCar::distance() {
   if (wheel_is_lost_) return std::nullopt;
-  return drive_.metres();
+  return turned_metres();
+}
+
+std::optional<double> TaxiCar::speed() {
+  return drive_.speed() * wheels_;
+}
+
+/// As whoever counts the turns of the right wheels believes; extra pulses are a metre a second.
+double TaxiCar::turned_metres() const {
+  return turned_before_ + (drive_.metres() - metres_at_change_) * wheels_ +
+         std::chrono::duration<double>(extra_pulses_.total(now())).count();
+}
+
+void TaxiCar::add_pulses(bool are_added) {
+  extra_pulses_.set(are_added, now());
+}
+
+void TaxiCar::change_wheels(bool are_smaller) {
+  constexpr double more_turns = 1.1;
+  turned_before_ += (drive_.metres() - metres_at_change_) * wheels_;
+  metres_at_change_ = drive_.metres();
+  wheels_ = are_smaller ? more_turns : 1;
+}
+
+/// The device and its chip, with which it compares itself now and again.
+void TaxiCar::let_clock_drift(bool drifts) {
+  constexpr std::int32_t drift_ppm = 100'000;
+  bus_.world().set_clock_drift(bus_.node(driver_id).slot(), drifts ? drift_ppm : 0);
+  clock_drift_.set(drifts, now());
+}
+
+Duration TaxiCar::clock_gain() const {
+  constexpr int share = 10;
+  return clock_drift_.total(now()) / share;
 }
 
 void TaxiCar::roll(std::uint32_t pulses) {
@@ -149,7 +182,7 @@ cia447::RealTimeClockHardware TaxiCar::clock_hardware() {
 }
 std::optional<cia447::ChipTime> TaxiCar::chip_time() {
   return cia447::ChipTime{.since_1970 = std::chrono::seconds(local_seconds(options_.begin)) +
-                                        (now() - Time{}) + options_.clock_ahead};
+                                        (now() - Time{}) + options_.clock_ahead + clock_gain()};
 }
 
 cia447::DriverIdentificationHardware TaxiCar::reader_hardware() {

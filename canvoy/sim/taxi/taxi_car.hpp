@@ -72,6 +72,15 @@ class TaxiCar {
   void lose_wheels(bool is_lost) { wheel_is_lost_ = is_lost; }
   void lose_satellites(bool is_lost) { fix_is_lost_ = is_lost; }
   bool has_satellites() const { return !fix_is_lost_; }
+
+  // What somebody does who cheats.
+  /// Pulses of a metre a second beside those of the wheels.
+  void add_pulses(bool are_added);
+  /// To smaller wheels, or back.
+  void change_wheels(bool are_smaller);
+  /// The clock on the bus gains from now on, a minute in ten; what it has gained stays.
+  void let_clock_drift(bool drifts);
+
   /// A line that was begun stays on the old roll.
   void take_paper(bool is_out);
   /// The wheels of a real car have turned.
@@ -92,7 +101,7 @@ class TaxiCar {
   cia447::CarSleepSettings sleep_settings() { return options_.car_network.sleep; }
   cia447::CarSettings car_settings() { return options_.car; }
   cia447::CarHardware car_hardware();
-  std::optional<double> speed() { return drive_.speed(); }
+  std::optional<double> speed();
   std::optional<double> distance();
   void is_gateway(cia447::IvnGatewayUnit& unit, Node& /*node*/) { gateway_ = &unit; }
   cia447::PrinterHardware printer_hardware() { return {.paper = paper_.paper()}; }
@@ -127,6 +136,29 @@ class TaxiCar {
   cia447::PrinterUnit* printer_ = nullptr;
   cia447::DriverIdentificationUnit* driver_reader_ = nullptr;
   cia447::TaxiAlarmUnit* alarm_ = nullptr;
+  double turned_metres() const;
+  Duration clock_gain() const;
+
+  /// How long something was there in all.
+  struct Presence {
+    std::optional<Time> since = {};  ///< it is there
+    Duration before{};               ///< of earlier times
+
+    /// Up to now.
+    Duration total(Time now) const { return before + (since ? now - *since : Duration{}); }
+    /// It comes or goes.
+    void set(bool is_there, Time now) {
+      before = total(now);
+      since.reset();
+      if (is_there) since = now;
+    }
+  };
+
+  Presence extra_pulses_;
+  Presence clock_drift_;
+  double wheels_ = 1;         ///< turns of these wheels for one of the right ones
+  double turned_before_ = 0;  ///< m that the wheels say, up to their change
+  double metres_at_change_ = 0;
   bool wheel_is_lost_ = false;
   bool fix_is_lost_ = false;
   bool paper_is_out_ = false;

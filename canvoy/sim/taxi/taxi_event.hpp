@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "canvoy/can/time.hpp"
+#include "canvoy/devices/cia447/taximeter/audit_log.hpp"
 #include "canvoy/sim/car/network_changed.hpp"
 #include "canvoy/sim/event.hpp"
 #include "canvoy/sim/taxi/fare_referee.hpp"
@@ -24,6 +25,10 @@ struct TariffChanged {
 struct TripPaid {
   Trip trip;
 };
+/// Something was done to the meter.
+struct MeterRecorded {
+  cia447::AuditEntry entry;  ///< of its audit log
+};
 struct AlarmPressed {};
 struct ShiftChanged {
   bool begins = true;
@@ -36,8 +41,8 @@ using InvariantBroken = canvoy::InvariantBroken<InvariantKind>;
 struct TaxiEvent {
   Time at{};
   std::variant<BootedUp, NmtStateSeen, NmtCommandSeen, EmergencySeen, BusStateChanged,
-               car::NetworkChanged, MeterChanged, TariffChanged, TripPaid, AlarmPressed,
-               ShiftChanged, FaultBegan, FaultEnded, InvariantBroken>
+               car::NetworkChanged, MeterChanged, TariffChanged, TripPaid, MeterRecorded,
+               AlarmPressed, ShiftChanged, FaultBegan, FaultEnded, InvariantBroken>
       what;
 };
 

@@ -38,6 +38,7 @@ constexpr Needs needs[] = {
     // Of each device: can_cost().
     {InvariantKind::device_missing, all_nodes, one_look},
     {InvariantKind::power_cut, no_nodes, {}},
+    {InvariantKind::tampering, no_nodes, {}},
 };
 static_assert(std::size(needs) == invariant_kinds);
 static_assert(std::ranges::is_sorted(needs, {}, &Needs::kind));
@@ -50,6 +51,12 @@ bool can_cause(const ScheduledFault& fault, InvariantKind kind) {
       return kind == InvariantKind::fare || kind == InvariantKind::distance;
     case FaultKind::paper_out:
       return kind == InvariantKind::receipts;
+    // Who cheats excuses nothing of what is paid; but a meter of which the seal was opened rightly
+    // takes nobody, and a stranger does not sleep.
+    case FaultKind::stranger_writes:
+      return kind == InvariantKind::silence;
+    case FaultKind::seal_opened:
+      return kind == InvariantKind::no_service || kind == InvariantKind::carried;
     default:
       return car::hinders(fault, needs[static_cast<std::size_t>(kind)].nodes);
   }

@@ -57,6 +57,14 @@ TEST(TaxiExcuses, WhatADeviceLacksExcusesNoMore) {
             "fare distance receipts roof_sign terminal_fare terminal_place silence ");
 }
 
+TEST(TaxiExcuses, WhoCheatsExcusesNothingThatIsPaid) {
+  EXPECT_EQ(caused_by(FaultKind::stranger_writes, 0), "silence ") << "he does not sleep";
+  EXPECT_EQ(caused_by(FaultKind::extra_pulses, 0), "");
+  EXPECT_EQ(caused_by(FaultKind::seal_opened, 0), "no_service carried ");
+  EXPECT_EQ(caused_by(FaultKind::wrong_k, 0), "");
+  EXPECT_EQ(caused_by(FaultKind::clock_drift, 0), "");
+}
+
 TEST(TaxiExcuses, ItHoldsWhileTheFaultLastsAndUntilAllIsBack) {
   const ScheduledFault lost{.kind = FaultKind::lost_node, .node = printer_id};
   TaxiExcuses sut;

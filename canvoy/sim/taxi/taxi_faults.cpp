@@ -3,18 +3,21 @@
 namespace canvoy::taxi {
 
 TaxiFaults::TaxiFaults(TaxiCar& car, const FaultPlan& plan, TripBook& trips, MeterWatch& watch,
-                       TaxiExcuses& excuses, EventLog<TaxiEvent>& events)
+                       TaxiExcuses& excuses, TamperWatch& tampering, EventLog<TaxiEvent>& events)
     : car_(car),
       trips_(trips),
       watch_(watch),
       excuses_(excuses),
+      tamper_watch_(tampering),
       events_(events),
       faults_(plan.faults, Engine::of(*this)),
       trouble_(car.bus().bus()),
-      cuts_(PowerCuts::Switch::to<&TaxiFaults::power>(*this)) {}
+      cuts_(PowerCuts::Switch::to<&TaxiFaults::power>(*this)),
+      tampering_(car) {}
 
 void TaxiFaults::plan() {
   if (faults_.has_any(FaultKind::babbling_node)) trouble_.attach_babbler();
+  if (faults_.has_any(FaultKind::stranger_writes)) tampering_.attach_stranger();
   faults_.plan(car_.bus().world());
 }
 
@@ -22,6 +25,7 @@ void TaxiFaults::began(std::size_t fault) {
   const ScheduledFault& it = faults_[fault];
   events_.note(now(), FaultBegan{fault, it.kind, {.bus = car_.bus().index(), .node = node_of(it)}});
   excuses_.begins(it, now());
+  if (is_tampering(it.kind)) tamper_watch_.begins(it.kind, now());
 }
 
 void TaxiFaults::ended(std::size_t fault) {
@@ -64,6 +68,8 @@ void TaxiFaults::set(std::size_t number, bool is_present) {
       return car_.take_paper(is_present);
     case FaultKind::no_fix:
       return car_.lose_satellites(is_present);
+    default:
+      return tampering_.set(fault.kind, is_present);
   }
 }
 

@@ -1,6 +1,6 @@
 // Makes the faults of the plan in a taxi, and mends them; and says what they excuse.
 //
-//     TaxiFaults faults(car, options.faults, trips, watch, excuses, events);
+//     TaxiFaults faults(car, options.faults, trips, watch, excuses, tampering, events);
 //     faults.plan();
 #pragma once
 
@@ -8,6 +8,7 @@
 #include "canvoy/sim/fault_engine.hpp"
 #include "canvoy/sim/power_cuts.hpp"
 #include "canvoy/sim/taxi/meter_watch.hpp"
+#include "canvoy/sim/taxi/tampering.hpp"
 #include "canvoy/sim/taxi/taxi_car.hpp"
 #include "canvoy/sim/taxi/taxi_excuses.hpp"
 #include "canvoy/sim/taxi/trip_book.hpp"
@@ -18,7 +19,7 @@ class TaxiFaults {
  public:
   /// All must outlive this.
   TaxiFaults(TaxiCar& car, const FaultPlan& plan, TripBook& trips, MeterWatch& watch,
-             TaxiExcuses& excuses, EventLog<TaxiEvent>& events);
+             TaxiExcuses& excuses, TamperWatch& tampering, EventLog<TaxiEvent>& events);
   TaxiFaults(const TaxiFaults&) = delete;
   TaxiFaults& operator=(const TaxiFaults&) = delete;
 
@@ -39,10 +40,12 @@ class TaxiFaults {
   TripBook& trips_;
   MeterWatch& watch_;
   TaxiExcuses& excuses_;
+  TamperWatch& tamper_watch_;
   EventLog<TaxiEvent>& events_;
   Engine faults_;
   BusTrouble trouble_;
   PowerCuts cuts_;
+  Tampering tampering_;
   Time meter_lost_at_{};
 };
 

@@ -1,8 +1,25 @@
 #include "canvoy/sim/taxi/taxi_meter.hpp"
 
+#include <algorithm>
+
 #include "canvoy/devices/cia447/taximeter/receipt.hpp"
 
 namespace canvoy::taxi {
+
+namespace {
+
+/// Of what the meter keeps itself people are told what somebody has done to it.
+bool is_told(const cia447::AuditEntry& entry) {
+  using enum cia447::AuditEvent;
+  constexpr cia447::AuditEvent told[] = {write_refused, settings_refused, clock_step,
+                                         clock_refused, seal_opened,      seal_closed};
+  const bool is_error =
+      entry.what == error &&
+      entry.detail >= static_cast<std::uint32_t>(cia447::TaximeterError::extra_pulses);
+  return is_error || std::ranges::find(told, entry.what) != std::end(told);
+}
+
+}  // namespace
 
 void TaxiMeter::offer(Site& site) {
   site.offer(Callback<cia447::TaximeterHardware()>::to<&TaxiMeter::hardware>(*this));
@@ -28,8 +45,9 @@ void TaxiMeter::power_changes(bool is_on) {
 
 cia447::TaximeterHardware TaxiMeter::hardware() {
   return {.clock = clock_,
-          .seal_is_open = Callback<bool()>([](void*) { return false; }, nullptr),
+          .seal_is_open = Callback<bool()>::to<&TaxiMeter::seal_is_open>(*this),
           .show = Callback<void(const cia447::TaximeterDisplay&)>::to<&TaxiMeter::show>(*this),
+          .recorded = Callback<void(const cia447::AuditEntry&)>::to<&TaxiMeter::note>(*this),
           .turned_off = {},
           .flash = &flash_.flash()};
 }
@@ -37,6 +55,8 @@ cia447::TaximeterHardware TaxiMeter::hardware() {
 cia447::TaximeterSettings TaxiMeter::settings() {
   cia447::TaximeterSettings settings = options_.meter;
   settings.clock_node = driver_id;
+  settings.memory = {.address = 0, .slot_size = sector_size};
+  settings.audit_memory = {.address = 2 * sector_size, .slot_size = sector_size};
   return settings;
 }
 
@@ -46,6 +66,12 @@ FareDisplaySettings TaxiMeter::fare_display_settings() {
 
 void TaxiMeter::is_network(cia447::CarNetwork& network, Node& /*node*/) {
   outputs_.emplace(network, cia447::MeterOutputs::Settings{.printer = printer_id, .sign = sign_id});
+}
+
+/// Of what is repeated the first time.
+void TaxiMeter::note(const cia447::AuditEntry& entry) {
+  recorded_(entry);
+  if (entry.times == 1 && is_told(entry)) events_.note(bus_.world().now(), MeterRecorded{entry});
 }
 
 void TaxiMeter::show(const cia447::TaximeterDisplay& display) {

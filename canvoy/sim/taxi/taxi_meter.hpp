@@ -50,6 +50,10 @@ class TaxiMeter {
   void heard(const cia447::TripData& trip) { display_.trip = trip; }
   /// The receipt with this number, of the trip that it shows.
   void print_receipt(std::uint32_t number);
+  /// Whoever has the right tool.
+  void open_seal(bool is_open) { is_seal_open_ = is_open; }
+  /// Called for all that the meter records.
+  void on_recorded(Callback<void(const cia447::AuditEntry&)> recorded) { recorded_ = recorded; }
   cia447::TaximeterUnit& unit() { return *unit_; }
   const cia447::TaximeterUnit& unit() const { return *unit_; }
 
@@ -61,6 +65,8 @@ class TaxiMeter {
   void is_fare_display(FareDisplay& display, Node& /*node*/) { fare_display_ = &display; }
   void is_network(cia447::CarNetwork& network, Node& node);
   void show(const cia447::TaximeterDisplay& display);
+  bool seal_is_open() { return is_seal_open_; }
+  void note(const cia447::AuditEntry& entry);
   MeterKeys keys_of_others();
 
   car::CarBus& bus_;
@@ -68,7 +74,10 @@ class TaxiMeter {
   const Sabotage& sabotage_;
   Clock clock_;
   EventLog<TaxiEvent>& events_;
-  KeptFlash flash_{4, 1024};
+  static constexpr std::uint32_t sector_size = 1024;
+  KeptFlash flash_{4, sector_size};
+  bool is_seal_open_ = false;
+  Callback<void(const cia447::AuditEntry&)> recorded_;
   cia447::TaximeterUnit* unit_ = nullptr;
   std::optional<cia447::MeterOutputs> outputs_;
   FareDisplay* fare_display_ = nullptr;  ///< null while it has no power

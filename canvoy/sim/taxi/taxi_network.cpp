@@ -46,8 +46,10 @@ TaxiNetwork::TaxiNetwork(TaxiOptions options)
       trips_(options_.tariff_of_town, local_seconds(options_.begin)),
       real_meter_(car_, trips_),
       watch_(options_.meter.longest_power_cut),
-      faults_(car_, options_.faults, trips_, watch_, excuses_, events_),
-      referee_(car_, options_, shift_, trips_, watch_, excuses_) {
+      faults_(car_, options_.faults, trips_, watch_, excuses_, tampering_, events_),
+      referee_(car_, options_, shift_, trips_, watch_, excuses_, tampering_) {
+  car_.meter().on_recorded(
+      Callback<void(const cia447::AuditEntry&)>::to<&TaxiNetwork::meter_recorded>(*this));
   hear_real_devices();
   bus_.bus().observe({.context = this,
                       .on_frame =
@@ -94,6 +96,7 @@ void TaxiNetwork::step(Time now) {
   watch_meter(now);
   bus_.touched(taximeter_id);
   referee_.step(now);
+  if (tampering_.acts() != 0 && referee_.passengers_see()) tampering_.passengers_see();
   real_meter_.read(now);
   if (shift_.is_over() && shift_.activity() == Activity::off_duty && !is_over_) end_shift(now);
   told_.tell_broken(invariants(),

@@ -82,6 +82,7 @@ class TaxiNetwork {
   void pay(Time now);
   void print_receipt();
   void end_shift(Time now);
+  void meter_recorded(const cia447::AuditEntry& entry) { tampering_.recorded(entry); }
   bool is_played(NodeId id) const { return bus_.is_played(id); }
 
   TaxiOptions options_;
@@ -96,6 +97,7 @@ class TaxiNetwork {
   std::optional<RealDevices> real_;
   MeterWatch watch_;
   TaxiExcuses excuses_;
+  TamperWatch tampering_;
   TaxiFaults faults_;
   TaxiReferee referee_;
   ToldInvariants<invariant_kinds> told_;

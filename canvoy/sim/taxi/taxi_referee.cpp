@@ -39,13 +39,15 @@ Invariant in_time(InvariantKind kind, const WrongTime& wrong, Duration allowed) 
 }  // namespace
 
 TaxiReferee::TaxiReferee(TaxiCar& car, const TaxiOptions& options, const Shift& shift,
-                         const TripBook& trips, const MeterWatch& watch, const TaxiExcuses& excuses)
+                         const TripBook& trips, const MeterWatch& watch, const TaxiExcuses& excuses,
+                         const TamperWatch& tampering)
     : car_(car),
       options_(options),
       shift_(shift),
       trips_(trips),
       watch_(watch),
       excuses_(excuses),
+      tampering_(tampering),
       waits_for_real_(!options.real.empty()),
       silence_(car.bus()) {}
 
@@ -167,6 +169,14 @@ Invariant TaxiReferee::of_trips(InvariantKind kind, double unit) const {
   return none(kind, trips_.worst(kind) / unit, trips_.judged(kind));
 }
 
+bool TaxiReferee::passengers_see() const {
+  constexpr InvariantKind of_money[] = {InvariantKind::fare,     InvariantKind::distance,
+                                        InvariantKind::duration, InvariantKind::total,
+                                        InvariantKind::totals,   InvariantKind::receipt_lines};
+  return std::ranges::any_of(of_money,
+                             [this](InvariantKind kind) { return trips_.worst(kind) > 0; });
+}
+
 std::vector<Invariant> TaxiReferee::verdicts() const {
   std::vector<Invariant> all = {
       of_trips(InvariantKind::fare, cents),
@@ -190,6 +200,11 @@ std::vector<Invariant> TaxiReferee::verdicts() const {
   if (watch_.cuts() != 0) {
     all.push_back(
         none(InvariantKind::power_cut, static_cast<double>(watch_.wrong_ends()), watch_.cuts()));
+  }
+  if (tampering_.acts() != 0) {
+    const Time now = car_.bus().world().now();
+    all.push_back(none(InvariantKind::tampering, static_cast<double>(tampering_.missed(now)),
+                       tampering_.judged(now)));
   }
   return all;
 }

@@ -3,7 +3,7 @@
 // itself. What a fault can cause (taxi_excuses.hpp) is not judged for as long as it can, all else
 // is.
 //
-//     TaxiReferee referee(car, options, shift, trips, watch, excuses);
+//     TaxiReferee referee(car, options, shift, trips, watch, excuses, tampering);
 //     referee.step(now);            // each 100 ms
 //     referee.frame_sent(now);
 //     for (const Invariant& verdict : referee.verdicts()) ...
@@ -15,6 +15,7 @@
 #include "canvoy/sim/missing_devices.hpp"
 #include "canvoy/sim/taxi/invariant.hpp"
 #include "canvoy/sim/taxi/meter_watch.hpp"
+#include "canvoy/sim/taxi/tampering.hpp"
 #include "canvoy/sim/taxi/taxi_car.hpp"
 #include "canvoy/sim/taxi/taxi_excuses.hpp"
 #include "canvoy/sim/taxi/trip_book.hpp"
@@ -26,12 +27,14 @@ class TaxiReferee {
  public:
   /// All must outlive this.
   TaxiReferee(TaxiCar& car, const TaxiOptions& options, const Shift& shift, const TripBook& trips,
-              const MeterWatch& watch, const TaxiExcuses& excuses);
+              const MeterWatch& watch, const TaxiExcuses& excuses, const TamperWatch& tampering);
   TaxiReferee(const TaxiReferee&) = delete;
   TaxiReferee& operator=(const TaxiReferee&) = delete;
 
   void step(Time now);
   void frame_sent(Time now) { silence_.frame_sent(now, is_excused(InvariantKind::silence, now)); }
+  /// Something is wrong with what is paid.
+  bool passengers_see() const;
   /// As they stand now.
   std::vector<Invariant> verdicts() const;
 
@@ -57,6 +60,7 @@ class TaxiReferee {
   const TripBook& trips_;
   const MeterWatch& watch_;
   const TaxiExcuses& excuses_;
+  const TamperWatch& tampering_;
   bool waits_for_real_;  ///< once all were there, nobody is waited for again
   car::SilenceReferee silence_;
   WrongTime wait_;  ///< of who wants to ride or to pay

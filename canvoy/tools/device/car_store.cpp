@@ -74,6 +74,10 @@ LssStore::Place CarStore::lss_place() const {
   return {.address = lss_address, .slot_size = sector_size};
 }
 
+cia447::AuditMemory::Place CarStore::audit_place() {
+  return {.address = seats_place.address, .slot_size = seats_place.slot_size};
+}
+
 cia447::CarMemory CarStore::memory() {
   return {.load = Callback<cia447::KnownDevices()>::to<&CarStore::load_known>(*this),
           .store = Callback<void(const cia447::KnownDevices&)>::to<&CarStore::keep_known>(*this)};

@@ -1,6 +1,6 @@
 // The file in which a hosted device of a car keeps what it has to know after it was without power:
-// a taximeter its record, any device the node-ID that LSS gave it, the gateway whom it has named
-// and what is in the memories of the seats.
+// a taximeter its record and its audit log, any device the node-ID that LSS gave it, the gateway
+// whom it has named and what is in the memories of the seats.
 //
 //     CarStore store("gateway.store");
 //     store.join(site);
@@ -16,6 +16,7 @@
 #include "canvoy/canopen/storage/record_pair.hpp"
 #include "canvoy/devices/cia447/car_master.hpp"
 #include "canvoy/devices/cia447/ivn_gateway/ivn_gateway_unit.hpp"
+#include "canvoy/devices/cia447/taximeter/taximeter_memory.hpp"
 #include "canvoy/devices/site.hpp"
 
 namespace canvoy::tools {
@@ -52,6 +53,8 @@ class CarStore {
   /// A taximeter has the first two of its sectors.
   const Flash& flash() const { return file_->flash(); }
   LssStore::Place lss_place() const;
+  /// Of a taximeter that is no gateway: where that one has the memories of its seats.
+  static cia447::AuditMemory::Place audit_place();
   /// Of the gateway. What cannot be read is as if nobody had been named yet.
   cia447::CarMemory memory();
   /// Of its seats. What cannot be read is as if nothing had been stored yet.

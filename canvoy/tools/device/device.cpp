@@ -345,7 +345,8 @@ void add_lift_options(Verb& command, DeviceOptions& options) {
       {"--door", options.door, "of a lift door, and of a light barrier: 1 to 4 (default 1)"},
       {"--press", options.presses,
        "a button of a lift panel and when: up@2s, down@2s; in a car 7@2s, open@2s, "
-       "close@2s; of a taximeter sign-on@2s, hire, stop, for-hire, sign-off; of a taxi "
+       "close@2s; of a taximeter sign-on@2s, hire, stop, for-hire, sign-off, open-seal, "
+       "enter-service, begin-calibration, end-calibration, close-seal, leave-service; of a taxi "
        "alarm alarm@2s, reset; of devices of CiA 407 as docs/devices.md has it",
        one_each},
   });

@@ -7,6 +7,7 @@
 
 #include "canvoy/devices/cia447/taximeter/receipt.hpp"
 #include "canvoy/tools/car_words.hpp"
+#include "canvoy/tools/device/car_store.hpp"
 #include "canvoy/tools/device/device_car.hpp"
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
@@ -21,9 +22,18 @@ struct CarKey {
   std::string_view device;
   std::string_view name;
 };
-constexpr CarKey car_keys[] = {{"taximeter", "sign-on"},  {"taximeter", "hire"},
-                               {"taximeter", "stop"},     {"taximeter", "for-hire"},
-                               {"taximeter", "sign-off"}, {"taxi-alarm", "alarm"},
+constexpr CarKey car_keys[] = {{"taximeter", "sign-on"},
+                               {"taximeter", "hire"},
+                               {"taximeter", "stop"},
+                               {"taximeter", "for-hire"},
+                               {"taximeter", "sign-off"},
+                               {"taximeter", "open-seal"},
+                               {"taximeter", "enter-service"},
+                               {"taximeter", "begin-calibration"},
+                               {"taximeter", "end-calibration"},
+                               {"taximeter", "close-seal"},
+                               {"taximeter", "leave-service"},
+                               {"taxi-alarm", "alarm"},
                                {"taxi-alarm", "reset"}};
 
 bool is_among(std::span<const cia447::CarUnit* const> units, std::string_view name) {
@@ -61,6 +71,9 @@ void add_car_panel_options(Verb& command, CarPanelOptions& options) {
   command.add({
       {"--k", options.k, "of a taximeter: pulses for a kilometre (default 24000)",
        between(1U, 10'000'000U)},
+      {"--calibration", options.calibration,
+       "of a taximeter: how long its calibration drive is, in 0.001 km (default 1000)",
+       between(100U, 100'000U)},
       {"--printer", options.printer, "node-ID of the printer of a taximeter", between(1U, id_max)},
       {"--sign", options.sign, "node-ID of the tariff display of a taximeter", between(1U, id_max)},
       {"--clock", options.clock, "node-ID of the real time clock of a taximeter",
@@ -74,7 +87,8 @@ CarPanel::CarPanel(std::span<const cia447::CarUnit* const> units,
     : options_(options),
       output_(output),
       flash_(flash),
-      is_meter_(is_among(units, cia447::TaximeterKind::info.name)) {
+      is_meter_(is_among(units, cia447::TaximeterKind::info.name)),
+      is_gateway_(is_among(units, cia447::IvnGatewayKind::info.name)) {
   for (const std::string& text : presses) {
     const std::size_t at = text.find('@');
     if (!has_key(units, text.substr(0, at))) continue;
@@ -114,12 +128,32 @@ void CarPanel::press(const std::string& key) {
     return alarm_->press_key(false);
   }
   if (meter_ == nullptr) return;
-  const bool is_obeyed = key == "sign-on"    ? meter_->sign_on()
-                         : key == "hire"     ? meter_->hire()
-                         : key == "stop"     ? meter_->stop()
-                         : key == "for-hire" ? meter_->for_hire()
-                                             : meter_->sign_off();
-  if (!is_obeyed) output_.say("taximeter", fmt::format("{}: not in this state", key));
+  if (key == "open-seal" || key == "close-seal") return open_seal(key == "open-seal");
+  if (!press_at_meter(key)) output_.say("taximeter", fmt::format("{}: not in this state", key));
+}
+
+bool CarPanel::press_at_meter(const std::string& key) {
+  if (key == "end-calibration") return meter_->end_calibration(options_.calibration);
+  struct Press {
+    std::string_view key;
+    bool (cia447::TaximeterUnit::*press)();
+  };
+  using Meter = cia447::TaximeterUnit;
+  constexpr Press keys[] = {{"sign-on", &Meter::sign_on},
+                            {"hire", &Meter::hire},
+                            {"stop", &Meter::stop},
+                            {"for-hire", &Meter::for_hire},
+                            {"sign-off", &Meter::sign_off},
+                            {"enter-service", &Meter::enter_service},
+                            {"begin-calibration", &Meter::begin_calibration},
+                            {"leave-service", &Meter::leave_service}};
+  const auto* const found = std::ranges::find(keys, key, &Press::key);
+  return found != std::end(keys) && (meter_->*found->press)();
+}
+
+void CarPanel::open_seal(bool is_open) {
+  is_seal_open_ = is_open;
+  output_.say("taximeter", is_open ? "the seal is open" : "the seal is closed");
 }
 
 // The taximeter.
@@ -127,8 +161,9 @@ void CarPanel::press(const std::string& key) {
 cia447::TaximeterHardware CarPanel::meter_hardware() {
   return {.clock = {[](void*) -> std::optional<cia447::LocalTime> { return host_local_time(); },
                     nullptr},
-          .seal_is_open = {[](void*) { return false; }, nullptr},
+          .seal_is_open = Callback<bool()>::to<&CarPanel::seal_is_open>(*this),
           .show = Callback<void(const cia447::TaximeterDisplay&)>::to<&CarPanel::show_meter>(*this),
+          .recorded = Callback<void(const cia447::AuditEntry&)>::to<&CarPanel::recorded>(*this),
           .turned_off = {},
           .flash = flash_};
 }
@@ -137,7 +172,14 @@ cia447::TaximeterSettings CarPanel::meter_settings() {
   cia447::TaximeterSettings settings{.k = options_.k};
   settings.clock_node = static_cast<NodeId>(options_.clock);
   if (flash_ != nullptr) settings.memory = {.address = 0, .slot_size = flash_->sector_size};
+  if (flash_ != nullptr && !is_gateway_) settings.audit_memory = CarStore::audit_place();
   return settings;
+}
+
+/// Of what is repeated the first time.
+void CarPanel::recorded(const cia447::AuditEntry& entry) {
+  if (entry.times != 1) return;
+  output_.say("taximeter", fmt::format("recorded: {}", cia447::audit_text(entry).view()));
 }
 
 void CarPanel::has_network(cia447::CarNetwork& network, Node& /*node*/) {

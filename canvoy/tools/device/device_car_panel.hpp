@@ -1,6 +1,6 @@
 // What a person does at a device of CiA 447 that `canvoy device` runs, and sees of it: keys of a
-// taximeter and an alarm are pressed at given times; the meter's display, paper, texts and lamps
-// are told.
+// taximeter and an alarm are pressed at given times, and the seal is opened and closed; the meter's
+// display, what it records, paper, texts and lamps are told.
 //
 //     CarPanel panel(units, {.presses = {"sign-on@2s", "hire@10s"}}, site, output);
 //     panel.step(now);   // often
@@ -31,6 +31,8 @@ struct CarPanelOptions {
   unsigned printer = 0;      ///< node-IDs; 0: there is none
   unsigned sign = 0;
   unsigned clock = 0;
+  /// What the calibration drive of a taximeter is long, in 0,001 of the distance unit.
+  std::uint32_t calibration = 1000;
 };
 
 void add_car_panel_options(Verb& command, CarPanelOptions& options);
@@ -62,11 +64,15 @@ class CarPanel {
     bool is_done = false;
   };
   void press(const std::string& key);
+  bool press_at_meter(const std::string& key);
+  void open_seal(bool is_open);
 
   cia447::TaximeterHardware meter_hardware();
   cia447::TaximeterSettings meter_settings();
   void has_meter(cia447::TaximeterUnit& unit, Node& /*node*/) { meter_ = &unit; }
   void has_network(cia447::CarNetwork& network, Node& node);
+  bool seal_is_open() { return is_seal_open_; }
+  void recorded(const cia447::AuditEntry& entry);
   void show_meter(const cia447::TaximeterDisplay& display);
   void print_receipt(const cia447::TaximeterDisplay& display);
   cia447::PrinterHardware printer();
@@ -86,6 +92,8 @@ class CarPanel {
   const DeviceOutput& output_;
   const Flash* flash_;
   bool is_meter_ = false;
+  bool is_gateway_ = false;
+  bool is_seal_open_ = false;
   std::vector<Press> presses_;
   std::optional<Time> begin_;
   cia447::TaximeterUnit* meter_ = nullptr;

@@ -112,6 +112,10 @@ class TaxiTeller : public WorldTeller<CarNames<TaxiNetwork>> {
                         event.trip.paid / money_unit),
             std::move(json)};
   }
+  Told operator()(const taxi::MeterRecorded& event) const {
+    const std::string text(cia447::audit_text(event.entry).view());
+    return {fmt::format("meter records: {}", text), {{"event", "meter-records"}, {"entry", text}}};
+  }
   Told operator()(const taxi::AlarmPressed&) const {
     return {"the driver presses the alarm key", {{"event", "alarm"}}};
   }

@@ -23,6 +23,9 @@ DriverIdentificationUnit::DriverIdentificationUnit(CarNetwork& network,
     : network_(network),
       hardware_(hardware),
       bus_clock_(network.node()),
+      clock_objects_(
+          network,
+          {.provider = settings.clock_node, .objects = bus_clock_objects, .check = check_of_date}),
       clock_reader_(
           network,
           {.server = settings.clock_node,

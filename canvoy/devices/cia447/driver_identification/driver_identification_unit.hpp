@@ -5,8 +5,8 @@
 //     drivers.log_out();
 //
 // Login and logout time are of the last driver until the next one logs in; ID and name go with him.
-// Times are seconds since 1970-01-01 UTC, by a real time clock on the bus where one writes its
-// objects here, else by the hardware's.
+// Times are seconds since 1970-01-01 UTC, by the real time clock on the bus that the settings
+// name, else by the hardware's.
 #pragma once
 
 #include <array>
@@ -16,6 +16,7 @@
 
 #include "canvoy/devices/cia447/car_kind.hpp"
 #include "canvoy/devices/cia447/object_reader.hpp"
+#include "canvoy/devices/cia447/provided_objects.hpp"
 #include "canvoy/devices/cia447/taximeter/bus_clock.hpp"
 #include "canvoy/profiles/cia447/equipment_handles.hpp"
 
@@ -34,7 +35,8 @@ struct DriverIdentificationHardware {
 };
 
 struct DriverIdentificationSettings {
-  /// Who is asked, by SDO, for date and time (60F0h, 60F2h, 60F4h); 0: who has them writes them.
+  /// Who provides date and time (60F0h, 60F2h, 60F4h): it is asked for them, by SDO, and it alone
+  /// may write them. 0: nobody.
   NodeId clock_node = 0;
   Duration asking_period = 10s;
 };
@@ -73,6 +75,7 @@ class DriverIdentificationUnit {
   CarNetwork& network_;
   DriverIdentificationHardware hardware_;
   BusClock bus_clock_;
+  ProvidedObjects clock_objects_;
   ObjectReader clock_reader_;
   bool is_logged_in_ = false;
   bool has_failed_ = false;

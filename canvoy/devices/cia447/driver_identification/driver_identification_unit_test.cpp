@@ -16,6 +16,8 @@ class Drivers : public testing::Test {
  protected:
   Drivers() {
     bench.emplace(only_unit<DriverIdentificationKind>, [this](Site& site) {
+      site.offer(Callback<DriverIdentificationSettings()>(
+          [](void*) { return DriverIdentificationSettings{.clock_node = 7}; }, nullptr));
       site.offer(Callback<DriverIdentificationHardware()>::to<&Drivers::hardware>(*this));
       site.watch(Callback<void(DriverIdentificationUnit&, Node&)>::to<&Drivers::made>(*this));
     });
@@ -103,10 +105,21 @@ TEST_F(Drivers, WithoutAClockTimesAreNotAvailable) {
 
 TEST_F(Drivers, TheClockOnTheBusGoesBeforeTheirOwn) {
   // 1970-01-02, 0:00:05; nothing is said of zone or status.
-  bench->ask("23 F0 60 00 B2 07 21 F0");
-  bench->ask("23 F2 60 00 00 00 F4 01");
+  bench->ask_as(7, "23 F0 60 00 B2 07 21 F0");
+  bench->ask_as(7, "23 F2 60 00 00 00 F4 01");
   unit->log_in({.id = 1});
   EXPECT_EQ(bench->ask("40 FC 60 01 00 00 00 00"), "43 FC 60 01 85 51 01 00") << "86405";
+}
+
+TEST_F(Drivers, NobodyElseSetsTheirClock) {
+  // Node 6, the gateway, and whoever asks on the default channel: 0800 0021h.
+  EXPECT_EQ(bench->ask_as(6, "23 F0 60 00 B2 07 21 F0"), "80 F0 60 00 21 00 00 08");
+  EXPECT_EQ(bench->ask_as(1, "23 F2 60 00 00 00 F4 01"), "80 F2 60 00 21 00 00 08");
+  EXPECT_EQ(bench->ask("23 F4 60 00 11 01 CE FF"), "80 F4 60 00 21 00 00 08");
+  EXPECT_EQ(bench->ask_as(7, "23 F0 60 00 EA 07 F2 F1"), "80 F0 60 00 30 00 09 06")
+      << "31 February 2026";
+  unit->log_in({.id = 1});
+  EXPECT_EQ(bench->node().dictionary().number(0x60FC, 1), 1'795'435'200u - 3600);
 }
 
 TEST_F(Drivers, ANameThatIsTooLongIsCutBetweenTwoCharacters) {

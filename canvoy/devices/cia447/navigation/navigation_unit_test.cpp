@@ -102,11 +102,11 @@ TEST_F(Navigation, ANamelessPositionHasNoNames) {
 
 TEST_F(Navigation, PositionsThatAreNowhereAreRefused) {
   // Above 90 degrees south (6B49 D200h), above 180 west (D693 A400h), and FFFF FFFEh: too high.
-  EXPECT_EQ(write("C1 60 01", "01 D2 49 6B"), "80 C1 60 01 31 00 09 06");
-  EXPECT_EQ(write("C1 60 02", "01 A4 93 D6"), "80 C1 60 02 31 00 09 06");
-  EXPECT_EQ(write("C1 60 01", "FE FF FF FF"), "80 C1 60 01 31 00 09 06");
-  EXPECT_EQ(write("C3 60 01", "01 D2 49 6B"), "80 C3 60 01 31 00 09 06");
-  EXPECT_EQ(write("C3 60 02", "01 A4 93 D6"), "80 C3 60 02 31 00 09 06");
+  EXPECT_EQ(write("C1 60 01", "01 D2 49 6B"), "80 C1 60 01 30 00 09 06");
+  EXPECT_EQ(write("C1 60 02", "01 A4 93 D6"), "80 C1 60 02 30 00 09 06");
+  EXPECT_EQ(write("C1 60 01", "FE FF FF FF"), "80 C1 60 01 30 00 09 06");
+  EXPECT_EQ(write("C3 60 01", "01 D2 49 6B"), "80 C3 60 01 30 00 09 06");
+  EXPECT_EQ(write("C3 60 02", "01 A4 93 D6"), "80 C3 60 02 30 00 09 06");
   EXPECT_EQ(write("C1 60 01", "00 D2 49 6B"), "60 C1 60 01 00 00 00 00");
 }
 

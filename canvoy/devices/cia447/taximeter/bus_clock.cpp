@@ -1,5 +1,7 @@
 #include "canvoy/devices/cia447/taximeter/bus_clock.hpp"
 
+#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/devices/cia447/commands.hpp"
 #include "canvoy/devices/cia447/real_time_clock/civil_time.hpp"
 #include "canvoy/profiles/reactions.hpp"
 
@@ -12,6 +14,21 @@ constexpr std::int32_t quarter_of_an_hour = 900;
 constexpr std::int32_t offset_of_no_hours = 48;  ///< in quarters
 
 }  // namespace
+
+AbortCode check_date(const Entry& entry, std::span<const std::uint8_t> value) {
+  if (entry.index != rtc_date_object.index) return AbortCode::none;
+  const std::uint64_t date = load_unsigned(value);
+  const auto code = [date](const FieldPlace& place) {
+    return static_cast<std::uint32_t>(date >> place.first_bit & ((1U << place.bits) - 1));
+  };
+  const std::uint32_t year = code(place_of(rtc_date_year));
+  const std::uint32_t month = code(place_of(rtc_date_month));
+  const std::uint32_t day = code(place_of(rtc_date_day));
+  constexpr std::uint32_t year_max = 0xFFFD;
+  constexpr std::uint32_t day_max = 31;
+  const bool is_date = year >= 1 && year <= year_max && month >= 1 && month <= 12 && day <= day_max;
+  return is_date && day > days_of_month(year, month) ? AbortCode::value_range : AbortCode::none;
+}
 
 constexpr HookCalls BusClock::hook_calls[] = {
     after_write<&BusClock::date_came, rtc_date_object>,
@@ -29,6 +46,7 @@ std::optional<std::int64_t> BusClock::told_days() const {
   const auto month = values[rtc_date_month];
   const auto of_month = values[rtc_date_day];
   if (!year.is_valid() || !month.is_valid() || !of_month.is_valid()) return std::nullopt;
+  if (of_month.raw() > days_of_month(year.raw(), month.raw())) return std::nullopt;
   return days_since_1970(year.raw(), month.raw(), of_month.raw());
 }
 

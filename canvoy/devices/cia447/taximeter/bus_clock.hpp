@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/profiles/cia447/equipment_handles.hpp"
@@ -26,6 +27,19 @@ struct LocalTime {
 inline constexpr std::uint16_t clock_objects[] = {rtc_type_and_status_object.index,
                                                   rtc_date_object.index, rtc_time_object.index,
                                                   rtc_date_object.index};
+
+/// 0609 0030h where 60F0h is to be written with a day that there is not, as 31 February.
+AbortCode check_date(const Entry& entry, std::span<const std::uint8_t> value);
+
+/// For ProvidedObjects of those who go by a clock.
+inline constexpr const ObjectInfo* bus_clock_objects[] = {&rtc_date_object, &rtc_time_object,
+                                                          &rtc_type_and_status_object};
+/// The same for check_date().
+inline constexpr Callback<AbortCode(const Entry&, std::span<const std::uint8_t>)> check_of_date(
+    [](void*, const Entry& entry, std::span<const std::uint8_t> value) {
+      return check_date(entry, value);
+    },
+    nullptr);
 
 /// The time of 60F2h is that of the moment at which it is written over the bus; of a clock in the
 /// same device, of the moment at which it is found changed. A clock that says of itself that it is

@@ -36,6 +36,10 @@ class MeterBench {
 
   Cable& cable() { return bench->cable; }
   std::string ask(const std::string& request) { return bench->ask(request); }
+  /// The same of a client on its mesh channel.
+  std::string ask_as(unsigned client, const std::string& request) {
+    return bench->ask_as(client, request);
+  }
   /// The number in an entry, as SDO gives it.
   std::uint64_t get(std::uint16_t index, unsigned sub = 0) {
     char request[32];

@@ -4,10 +4,10 @@
 //     outputs.print(receipt.text());
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string_view>
 
+#include "canvoy/devices/cia447/taximeter/fixed_text.hpp"
 #include "canvoy/devices/cia447/taximeter/trip_data.hpp"
 
 namespace canvoy::cia447 {
@@ -25,17 +25,13 @@ class Receipt {
  public:
   Receipt(const TripData& trip, const ReceiptFacts& facts);
 
-  std::string_view text() const { return {text_.data(), length_}; }
+  std::string_view text() const { return text_.view(); }
 
  private:
-  void add(std::string_view text);
-  /// Right-aligned in `width`, with this character in front.
-  void add(std::uint64_t number, std::size_t width = 1, char filler = ' ');
   void amount(std::string_view name, std::uint32_t amount);
   void time(std::string_view name, std::uint32_t seconds, std::int32_t utc_offset);
 
-  std::array<char, 512> text_{};
-  std::size_t length_ = 0;
+  FixedText<512> text_;
 };
 
 }  // namespace canvoy::cia447

@@ -206,7 +206,7 @@ TEST(TaximeterPower, WhatIsBehindTheSealIsKept) {
   {
     MeterBench car(settings, &memory);
     car.send_count(0);
-    car.ask("2F 54 60 00 02 00 00 00");
+    car.ask_as(1, "2F 54 60 00 02 00 00 00");
     car.seal_is_open = true;
     car.meter->enter_service();
     car.meter->set_k(1234);
@@ -218,7 +218,7 @@ TEST(TaximeterPower, WhatIsBehindTheSealIsKept) {
   MeterBench car(settings, &same);
   EXPECT_EQ(car.get(0x60DA, 1), 1234u);
   EXPECT_EQ(car.get(0x60DA, 6), MeterBench::noon - 3600);
-  car.ask("2F 54 60 00 03 00 00 00");
+  car.ask_as(1, "2F 54 60 00 03 00 00 00");
   EXPECT_EQ(car.cable().last(0x085), "085#00 FF 21 01 02 03 00 00");
   car.cable().run_for(1s);
   SimulatedFlash again(MeterBench::geometry, same.bytes);

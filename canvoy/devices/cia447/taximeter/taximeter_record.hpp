@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <cstring>
 #include <optional>
-#include <span>
 #include <type_traits>
 
 #include "canvoy/devices/cia447/taximeter/fare_calculation.hpp"
@@ -60,6 +59,12 @@ struct TaxiTrip {
   }
 };
 
+/// What was done out of service mode: until the meter is sealed anew no trip begins.
+namespace tampering {
+inline constexpr std::uint8_t source = 0x01;  ///< another source or sender of the wheel pulses
+inline constexpr std::uint8_t seal = 0x02;    ///< the seal was opened
+}  // namespace tampering
+
 struct TaximeterRecord {
   static constexpr std::uint8_t present_version = 1;
   static constexpr std::uint8_t no_level = 0xFF;  ///< the clock chooses it
@@ -83,8 +88,8 @@ struct TaximeterRecord {
   std::uint16_t tariff = 0;  ///< its identification
   std::int64_t date_of_securing = no_time;
   WheelSource wheel_source = WheelSource::not_available;
-  std::uint8_t wheel_node = 0;      ///< that sends the wheel pulses; 0: not known
-  bool source_has_changed = false;  ///< out of service mode
+  std::uint8_t wheel_node = 0;  ///< that sends the wheel pulses; 0: not known
+  std::uint8_t tampering = 0;   ///< bits of namespace tampering
 
   template <class Archive>
   constexpr void visit(Archive& archive) {
@@ -94,10 +99,9 @@ struct TaximeterRecord {
     archive(distance_rest);
     trip.visit(archive);
     archive(chosen_level, saved_at, own_clock_ahead, own_offset_ahead, k, tariff, date_of_securing,
-            wheel_source, wheel_node, source_has_changed);
+            wheel_source, wheel_node, tampering);
   }
 
-  static consteval std::size_t counted_size();
   static const std::size_t size;
 };
 
@@ -140,22 +144,30 @@ struct ReadingArchive {
   }
 };
 
-}  // namespace record_archive
-
-consteval std::size_t TaximeterRecord::counted_size() {
-  record_archive::CountingArchive archive;
-  TaximeterRecord{}.visit(archive);
+/// Bytes of a record that tells an archive all of it by visit().
+template <class Record>
+consteval std::size_t size_of() {
+  CountingArchive archive;
+  Record{}.visit(archive);
   return archive.size;
 }
-inline constexpr std::size_t TaximeterRecord::size = TaximeterRecord::counted_size();
+/// Such a record as it is kept.
+template <std::size_t size, class Record>
+std::array<std::uint8_t, size> bytes_of(Record record) {
+  std::array<std::uint8_t, size> bytes;
+  WritingArchive archive{bytes.data()};
+  record.visit(archive);
+  return bytes;
+}
+
+}  // namespace record_archive
+
+inline constexpr std::size_t TaximeterRecord::size = record_archive::size_of<TaximeterRecord>();
 
 using TaximeterRecordBytes = std::array<std::uint8_t, TaximeterRecord::size>;
 
-inline TaximeterRecordBytes bytes_of(TaximeterRecord record) {
-  TaximeterRecordBytes bytes;
-  record_archive::WritingArchive archive{bytes.data()};
-  record.visit(archive);
-  return bytes;
+inline TaximeterRecordBytes bytes_of(const TaximeterRecord& record) {
+  return record_archive::bytes_of<TaximeterRecord::size>(record);
 }
 /// Nothing where they are of another version.
 inline std::optional<TaximeterRecord> taximeter_record(const TaximeterRecordBytes& bytes) {

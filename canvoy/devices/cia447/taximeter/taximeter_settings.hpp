@@ -34,9 +34,11 @@ struct TaximeterHardware {
   Callback<bool()> seal_is_open = {};
   /// When something of it has changed.
   Callback<void(const TaximeterDisplay&)> show = {};
+  /// For each event, its entry in the audit log: how often it was by now is in it.
+  Callback<void(const AuditEntry&)> recorded = {};
   /// The end of "changing to off mode": power may be cut.
   Callback<void()> turned_off = {};
-  /// Keeps totals and trip; null: they end with power. It must outlive the unit.
+  /// Keeps totals, trip and audit log; null: they end with power. It must outlive the unit.
   const Flash* flash = nullptr;
 };
 
@@ -80,9 +82,12 @@ struct TaximeterSettings {
   /// How long it changes to off mode.
   Duration turning_off = 3s;
   TaximeterMemory::Place memory = {};
-  /// Who is asked, by SDO, for 6054h and 6056h, which no PDO brings; 0: who has them writes them.
+  /// Of the audit log, in the same flash.
+  AuditMemory::Place audit_memory = {};
+  /// Who provides wheels and engine (6050h to 6057h): it is asked, by SDO, for 6054h and 6056h,
+  /// which no PDO brings, and it alone may write them. 0: nobody.
   NodeId wheel_node = gateway_node_id;
-  /// Who is asked for date and time (60F0h, 60F2h, 60F4h); 0: who has them writes them.
+  /// Who provides date and time (60F0h, 60F2h, 60F4h), likewise.
   NodeId clock_node = 0;
   Duration asking_period = 10s;
 };

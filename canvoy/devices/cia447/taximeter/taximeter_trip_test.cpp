@@ -210,12 +210,13 @@ TEST(TripWithoutClock, IsOfTheFirstLevelAndHasNoDate) {
   EXPECT_EQ(car.get(0x60D2, 4), unknown);
 }
 
-TEST_F(Trip, TheClockOnTheBusGoesBeforeItsOwn) {
-  // The gateway writes a real time clock's objects (4.2.14): day above month (errata Z02): 24th of
+TEST(TripByTheClockOnTheBus, GoesBeforeItsOwn) {
+  MeterBench car({.clock_node = 7});
+  // Node 7 writes a real time clock's objects (4.2.14): day above month (errata Z02): 24th of
   // December 2026, 23:30:00, valid, two hours ahead of UTC.
-  EXPECT_EQ(car.ask("23 F0 60 00 EA 07 8C F1"), "60 F0 60 00 00 00 00 00");
-  EXPECT_EQ(car.ask("23 F2 60 00 17 1E 00 00"), "60 F2 60 00 00 00 00 00");
-  EXPECT_EQ(car.ask("23 F4 60 00 11 01 CE FF"), "60 F4 60 00 00 00 00 00")
+  EXPECT_EQ(car.ask_as(7, "23 F0 60 00 EA 07 8C F1"), "60 F0 60 00 00 00 00 00");
+  EXPECT_EQ(car.ask_as(7, "23 F2 60 00 17 1E 00 00"), "60 F2 60 00 00 00 00 00");
+  EXPECT_EQ(car.ask_as(7, "23 F4 60 00 11 01 CE FF"), "60 F4 60 00 00 00 00 00")
       << "GPS, accepted, valid, no summer time, 38h: +2 h";
   car.begin_shift();
   car.meter->hire();
@@ -227,10 +228,11 @@ TEST_F(Trip, TheClockOnTheBusGoesBeforeItsOwn) {
   EXPECT_EQ(car.get(0x60D2, 4), 1'798'147'860u) << "it goes on by itself";
 }
 
-TEST_F(Trip, AClockOnTheBusThatIsNotValidIsNotBelieved) {
-  car.ask("23 F0 60 00 EA 07 8C F1");
-  car.ask("23 F2 60 00 17 1E 00 00");
-  car.ask("23 F4 60 00 11 00 CE FF");
+TEST(TripByTheClockOnTheBus, IsNotBelievedWhereItIsNotValid) {
+  MeterBench car({.clock_node = 7});
+  car.ask_as(7, "23 F0 60 00 EA 07 8C F1");
+  car.ask_as(7, "23 F2 60 00 17 1E 00 00");
+  car.ask_as(7, "23 F4 60 00 11 00 CE FF");
   car.begin_shift();
   car.meter->hire();
   EXPECT_EQ(car.get(0x60D0, 1), 3900u) << "at noon, by its own";
@@ -293,7 +295,7 @@ TEST_F(Trip, ValuesThatAreLostOrSentTwiceChangeNothing) {
 }
 
 TEST_F(Trip, TheCounterOverrunsWhere6056hSays) {
-  EXPECT_EQ(car.ask("27 56 60 00 E7 03 FD 00"), "60 56 60 00 00 00 00 00") << "999, valid";
+  EXPECT_EQ(car.ask_as(1, "27 56 60 00 E7 03 FD 00"), "60 56 60 00 00 00 00 00") << "999, valid";
   car.highest = 999;
   car.begin_shift();
   car.meter->hire();
@@ -303,7 +305,7 @@ TEST_F(Trip, TheCounterOverrunsWhere6056hSays) {
 }
 
 TEST_F(Trip, AnOverrunValueThatIsNotValidIsNone) {
-  car.ask("27 56 60 00 E7 03 FF 00");
+  car.ask_as(1, "27 56 60 00 E7 03 FF 00");
   car.begin_shift();
   car.meter->hire();
   car.drive(100, 80);

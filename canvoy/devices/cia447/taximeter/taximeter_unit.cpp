@@ -1,6 +1,7 @@
 #include "canvoy/devices/cia447/taximeter/taximeter_unit.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "canvoy/profiles/reactions.hpp"
 
@@ -16,23 +17,31 @@ constexpr Duration shortest_slice = 1s;
 constexpr Duration wheel_signal_lasts = 2s;
 /// The PDO with 6050h, 6053h and 6055h.
 constexpr unsigned wheel_pdo = 17;
-/// In 0,5/min: some 3 km/h, from where on 6053h is true to 1 % (4.2.4.4).
-constexpr std::uint16_t turning_rpm = 60;
-constexpr Duration standing_max = 5s;
 constexpr std::uint64_t seconds_per_hour = 3600;
-constexpr Duration save_again = 100ms;
 
 constexpr TariffLevel no_level = {};
 
+/// Parameters of SDO servers and clients, and of RPDOs, are behind the seal.
+constexpr std::uint16_t first_sealed = 0x1200;
+constexpr std::uint16_t last_sealed = 0x17FF;
+
 constexpr std::uint16_t wheel_objects[] = {wheel_signal_source_object.index,
                                            wheel_pulse_counter_overrun_value_object.index};
+constexpr const ObjectInfo* provided_wheels[] = {&actual_engine_revolutions_object,
+                                                 &wheel_rpm_object,
+                                                 &wheel_signal_source_object,
+                                                 &wheel_pulse_counter_object,
+                                                 &wheel_pulse_counter_overrun_value_object,
+                                                 &pulses_per_wheel_rotation_object};
 
 }  // namespace
 
 constexpr HookCalls TaximeterUnit::hook_calls[] = {
     after_write<&TaximeterUnit::source_came, wheel_signal_source_object>,
     after_write<&TaximeterUnit::count_came, wheel_pulse_counter_object>,
-    after_write<&TaximeterUnit::source_came, wheel_pulse_counter_overrun_value_object>};
+    after_write<&TaximeterUnit::source_came, wheel_pulse_counter_overrun_value_object>,
+    before_read<&TaximeterUnit::tell_audit, audit_object>,
+    before_read<&TaximeterUnit::tell_audit_line, audit_log_object>};
 constexpr ServiceCalls TaximeterUnit::service_calls = {.reset = method<&TaximeterUnit::reset>,
                                                        .hooks = hook_calls};
 
@@ -43,7 +52,19 @@ TaximeterUnit::TaximeterUnit(CarNetwork& network, const TaximeterHardware& hardw
       settings_(settings),
       bus_clock_(network.node()),
       memory_(network.node(), hardware.flash, settings.memory),
+      audit_memory_(network.node(), hardware.flash, settings.audit_memory),
       objects_(network.node()),
+      wheels_(network,
+              {.provider = settings.wheel_node,
+               .objects = provided_wheels,
+               .refused =
+                   Callback<void(const RefusedWrite&)>::to<&TaximeterUnit::write_refused>(*this)}),
+      clock_objects_(
+          network,
+          {.provider = settings.clock_node,
+           .objects = bus_clock_objects,
+           .refused = Callback<void(const RefusedWrite&)>::to<&TaximeterUnit::write_refused>(*this),
+           .check = check_of_date}),
       wheel_reader_(
           network,
           {.server = settings.wheel_node,
@@ -60,6 +81,11 @@ TaximeterUnit::TaximeterUnit(CarNetwork& network, const TaximeterHardware& hardw
       tick_(Callback<void(Time)>::to<&TaximeterUnit::tick>(*this)),
       off_(Callback<void(Time)>::to<&TaximeterUnit::off>(*this)) {
   network.node().attach(service_);
+  sealed_parameters_.first = first_sealed;
+  sealed_parameters_.last = last_sealed;
+  sealed_parameters_.before_write = Callback<AbortCode(
+      const Entry&, std::span<const std::uint8_t>)>::to<&TaximeterUnit::check_settings>(*this);
+  network.node().dictionary().attach(sealed_parameters_);
 }
 
 // Power, and resets of the bus: those touch neither a trip nor a total.
@@ -67,10 +93,8 @@ TaximeterUnit::TaximeterUnit(CarNetwork& network, const TaximeterHardware& hardw
 void TaximeterUnit::reset(ResetScope /*scope*/) {
   if (!has_started_) power_on();
   has_started_ = true;
-  for (unsigned error = 1; error <= static_cast<unsigned>(TaximeterError::memory); ++error) {
-    const bool is_present = (errors_ >> error & 1) != 0;
-    errors_ = static_cast<std::uint8_t>(errors_ & ~(1U << error));
-    set_error(static_cast<TaximeterError>(error), is_present);
+  for (unsigned error = 1; error <= static_cast<unsigned>(TaximeterError::seal); ++error) {
+    if ((errors_ >> error & 1) != 0) report(static_cast<TaximeterError>(error), true);
   }
   publish(true);
   object_to_sleep();
@@ -79,6 +103,7 @@ void TaximeterUnit::reset(ResetScope /*scope*/) {
 
 void TaximeterUnit::power_on() {
   const TaximeterMemory::Found found = memory_.load();
+  audit_ = audit_memory_.load().value_or(AuditLog());
   if (found.record) {
     record_ = *found.record;
   } else {
@@ -93,10 +118,10 @@ void TaximeterUnit::power_on() {
       settings_.future_tariff.id != 0 && record_.tariff == settings_.future_tariff.id;
   tariff_ = is_future ? settings_.future_tariff : settings_.tariff;
   record_.tariff = tariff_.id;
-  wheel_.set_fastest(
-      capped(settings_.fastest_speed * std::uint64_t{record_.k} / seconds_per_hour + 1));
+  set_fastest();
   if (!record_.totals_are_known) set_error(TaximeterError::memory, true);
-  if (record_.source_has_changed) set_error(TaximeterError::wheel_source, true);
+  if (is_tampered(tampering::source)) errors_ |= bit_of(TaximeterError::wheel_source);
+  if (is_tampered(tampering::seal)) errors_ |= bit_of(TaximeterError::seal);
   // From here on there is always an older record to fall back on.
   if (!found.record && !found.is_damaged) keep();
   resume();
@@ -113,6 +138,7 @@ void TaximeterUnit::resume() {
   if (goes_on) return;
   if (is_hired()) record_.trip.finish = record_.saved_at;
   end_trip();
+  note(AuditEvent::trip_cut, 0, trip_data(record_.trip, fare_).total);
   record_.state = Taximeter::for_hire;
   keep();
 }
@@ -121,6 +147,7 @@ void TaximeterUnit::power_fails() {
   advance(0, false);
   record_.saved_at = utc_now();
   memory_.save_now(kept());
+  keep_audit(true);
 }
 
 TaximeterRecord TaximeterUnit::kept() const {
@@ -158,11 +185,20 @@ void TaximeterUnit::hardware_changed() {
 
 // Time.
 
-/// The clock on the bus leads; the meter's own one goes on from it, over loss of power too.
+/// The clock on the bus leads; the meter's own one goes on from it, over loss of power too. In a
+/// trip neither moves the time.
 std::optional<LocalTime> TaximeterUnit::clock() {
+  const std::optional<LocalTime> told = told_time();
+  if (!told) return std::nullopt;
+  return clock_bounds_.take(*told, network_.node().now(), has_trip_under_way());
+}
+
+std::optional<LocalTime> TaximeterUnit::told_time() {
   const std::optional<LocalTime> told = bus_clock_.read();
   std::optional<LocalTime> own = hardware_.clock();
-  if (told && own) {
+  const bool is_refused =
+      told && has_trip_under_way() && clock_bounds_.is_beyond(*told, network_.node().now());
+  if (told && own && !is_refused) {
     record_.own_clock_ahead = own->seconds - told->seconds;
     record_.own_offset_ahead = own->utc_offset - told->utc_offset;
   }
@@ -170,6 +206,25 @@ std::optional<LocalTime> TaximeterUnit::clock() {
   own->seconds -= record_.own_clock_ahead;
   own->utc_offset -= record_.own_offset_ahead;
   return own;
+}
+
+/// Each step has its entry, one that is refused once in a trip.
+void TaximeterUnit::watch_clock_step() {
+  const Time now = network_.node().now();
+  const std::optional<LocalTime> told = told_time();
+  if (!told) return;
+  const bool has_trip = has_trip_under_way();
+  if (!has_trip) is_clock_refused_ = false;
+  if (!clock_bounds_.is_beyond(*told, now)) return;
+  const auto step = static_cast<std::uint32_t>(clock_bounds_.step(*told, now));
+  const NodeId who = bus_clock_.read() ? settings_.clock_node : NodeId{by_meter};
+  if (has_trip) {
+    if (!is_clock_refused_) note(AuditEvent::clock_refused, 0, step, who);
+    is_clock_refused_ = true;
+  } else {
+    note(AuditEvent::clock_step, 0, step, who);
+    clock_bounds_.settle(*told, now);
+  }
 }
 
 std::int64_t TaximeterUnit::utc_now() {
@@ -180,12 +235,15 @@ std::int64_t TaximeterUnit::utc_now() {
 void TaximeterUnit::tick(Time now) {
   network_.node().timers().arm(tick_, now + tick_period);
   advance(0, false);
+  watch_clock_step();
   watch_clock();
+  watch_seal();
   if (!memory_.is_busy()) {
     set_error(TaximeterError::memory, memory_.has_failed() || !record_.totals_are_known);
   }
   const bool is_changing = has_trip_under_way() || record_.total.distance != kept_distance_;
   if (is_changing && now - kept_at_ >= settings_.keeping_period) keep();
+  keep_audit(false);
   publish();
 }
 
@@ -208,6 +266,7 @@ void TaximeterUnit::change_tariff() {
                       settings_.future_tariff.id != 0 &&
                       record_.tariff != settings_.future_tariff.id;
   if (!is_due) return;
+  note(AuditEvent::tariff_changed, record_.tariff, settings_.future_tariff.id);
   tariff_ = settings_.future_tariff;
   record_.tariff = tariff_.id;
   record_.chosen_level = TaximeterRecord::no_level;
@@ -237,13 +296,13 @@ void TaximeterUnit::count_came() {
       set_error(TaximeterError::wheel_node, true, record_.wheel_node, sender);
     }
   }
-  if (record_.source_has_changed) return;
+  if (is_tampered(tampering::source)) return;
   const Time now = network_.node().now();
   const auto valid = value(wheel_pulse_counter_valid).value().value_or(Signal::not_available);
   const auto count = value(wheel_pulse_counter).raw();
   const std::uint32_t turned = wheel_.count(count, valid, now);
-  check_wheels(turned, now - counted_at_);
-  advance(turned, valid == Signal::yes);
+  const bool counts = check_wheels(turned, now - counted_at_);
+  advance(counts ? turned : 0, valid == Signal::yes);
 }
 
 /// 6054h or 6056h. A source that fails for a while is none that has changed.
@@ -280,12 +339,26 @@ bool TaximeterUnit::has_wheel_signal() const {
   return network_.node().now() - counted_at_ <= wheel_signal_lasts;
 }
 
-/// Whoever takes the pulses away does not stop the wheels.
-void TaximeterUnit::check_wheels(std::uint32_t turned, Duration since) {
+/// Whoever takes pulses away does not stop the wheels, and whoever adds some does not turn them.
+/// False: these are none of the wheels.
+bool TaximeterUnit::check_wheels(std::uint32_t turned, Duration since) {
   const auto rpm = value(wheel_rpm);
-  const bool turns = rpm.is_valid() && rpm.raw() >= turning_rpm;
-  standing_ = turns && turned == 0 ? standing_ + since : Duration{};
-  set_error(TaximeterError::wheel_stands, standing_ >= standing_max);
+  const auto engine = value(actual_engine_revolutions);
+  WheelSeen seen{.turned = turned, .since = since, .half_rpm = {}, .engine = {}, .k = record_.k};
+  if (rpm.is_valid()) seen.half_rpm = rpm.raw();
+  if (engine.is_valid()) seen.engine = engine.raw();
+  const bool counts = wheel_check_.take(seen);
+  set_error(TaximeterError::wheel_stands, wheel_check_.lacks_pulses());
+  set_error(TaximeterError::extra_pulses, wheel_check_.has_extra_pulses());
+  const bool stood = std::exchange(stands_engine_, wheel_check_.has_standing_engine());
+  if (stands_engine_ && !stood) note(AuditEvent::engine_stands);
+  if (counts && calibration_) *calibration_ += turned;
+  return counts;
+}
+
+void TaximeterUnit::set_fastest() {
+  wheel_.set_fastest(
+      capped(settings_.fastest_speed * std::uint64_t{record_.k} / seconds_per_hour + 1));
 }
 
 /// Up to now. What comes after a time without wheel signal, of which mode S has charged the time
@@ -324,217 +397,6 @@ bool TaximeterUnit::is_signed_on() const {
   const bool is_asleep = record_.state == Taximeter::standby_mode;
   const Taximeter state = is_asleep ? record_.before_standby : record_.state;
   return state == Taximeter::for_hire || has_trip_under_way();
-}
-
-// Keys.
-
-bool TaximeterUnit::enter(Taximeter state) {
-  record_.state = state;
-  is_turning_off_ = false;
-  network_.node().timers().disarm(off_);
-  keep();
-  publish();
-  object_to_sleep();
-  return true;
-}
-
-/// The network stays awake while people are in the car.
-void TaximeterUnit::object_to_sleep() {
-  constexpr std::uint8_t trip_under_way = 1;
-  std::optional<std::uint8_t> reason;
-  if (has_trip_under_way()) reason = trip_under_way;
-  network_.object_to_sleep(reason);
-}
-
-bool TaximeterUnit::sign_on() {
-  if (record_.state != Taximeter::signed_off) return false;
-  advance(0, false);
-  record_.shift = {};
-  return enter(Taximeter::for_hire);
-}
-
-bool TaximeterUnit::sign_off() {
-  return record_.state == Taximeter::for_hire && enter(Taximeter::signed_off);
-}
-
-bool TaximeterUnit::hire() {
-  const bool is_paused = record_.state == Taximeter::stopped;
-  const bool is_free = record_.state == Taximeter::for_hire && !record_.source_has_changed;
-  if (!is_paused && !is_free) return false;
-  advance(0, false);
-  slice_ = {};
-  if (is_paused) {
-    record_.trip.finish = no_time;
-  } else {
-    begin_trip();
-  }
-  return enter(Taximeter::hired);
-}
-
-void TaximeterUnit::begin_trip() {
-  change_tariff();
-  const bool is_odometer = settings_.mode == TaximeterMode::odometer_operation;
-  const bool is_fixed = agreed_price_.has_value() || is_odometer;
-  record_.trip = {};
-  record_.trip.is_there = true;
-  record_.trip.has_fare = agreed_price_.has_value() || !is_odometer;
-  record_.trip.start = utc_now();
-  fare_.begin({.mode = is_fixed ? FareMode::fixed_price : settings_.calculation,
-               .k = record_.k,
-               .fixed_price = agreed_price_.value_or(0)},
-              present_level());
-  agreed_price_.reset();
-  TaxiTotals::add(record_.total.hirings, 1);
-  TaxiTotals::add(record_.shift.hirings, 1);
-}
-
-bool TaximeterUnit::stop() {
-  if (!is_hired()) return false;
-  advance(0, false);
-  fare_.close_slice();
-  record_.trip.finish = utc_now();
-  return enter(Taximeter::stopped);
-}
-
-bool TaximeterUnit::for_hire() {
-  if (record_.state != Taximeter::stopped) return false;
-  end_trip();
-  return enter(Taximeter::for_hire);
-}
-
-/// In one record with the state "for hire": so it is added once.
-void TaximeterUnit::end_trip() {
-  fare_.close_slice();
-  const std::uint32_t fare = record_.trip.has_fare ? fare_.fare() : 0;
-  const std::uint64_t income = std::uint64_t{fare} + record_.trip.supplements;
-  for (TaxiTotals* totals : {&record_.total, &record_.shift}) {
-    TaxiTotals::add(totals->fare, fare);
-    TaxiTotals::add(totals->supplements, record_.trip.supplements);
-    TaxiTotals::add(totals->income, income);
-  }
-  record_.chosen_level = TaximeterRecord::no_level;
-}
-
-bool TaximeterUnit::standby() {
-  const bool is_idle =
-      record_.state == Taximeter::for_hire || record_.state == Taximeter::signed_off;
-  if (!is_idle) return false;
-  record_.before_standby = record_.state;
-  return enter(Taximeter::standby_mode);
-}
-
-bool TaximeterUnit::wake() {
-  if (record_.state == Taximeter::standby_mode) return enter(record_.before_standby);
-  return is_turning_off_ && enter(record_.state);
-}
-
-bool TaximeterUnit::turn_off() {
-  if (has_trip_under_way() || record_.state == Taximeter::service_mode) return false;
-  is_turning_off_ = true;
-  keep();
-  publish();
-  network_.node().timers().arm(off_, network_.node().now() + settings_.turning_off);
-  return true;
-}
-
-void TaximeterUnit::off(Time now) {
-  if (memory_.is_busy()) {
-    network_.node().timers().arm(off_, now + save_again);
-  } else {
-    hardware_.turned_off();
-  }
-}
-
-bool TaximeterUnit::choose_level(unsigned level) {
-  if (level >= tariff_.levels.size() || level >= TaximeterRecord::no_level) return false;
-  if (record_.state != Taximeter::for_hire && !is_hired()) return false;
-  record_.chosen_level = static_cast<std::uint8_t>(level);
-  advance(0, false);
-  watch_clock();
-  publish();
-  return true;
-}
-
-bool TaximeterUnit::add_supplement(std::uint32_t amount) {
-  if (!has_trip_under_way()) return false;
-  record_.trip.supplements = capped(std::uint64_t{record_.trip.supplements} + amount);
-  publish();
-  return true;
-}
-
-bool TaximeterUnit::clear_supplements() {
-  if (!has_trip_under_way()) return false;
-  record_.trip.supplements = 0;
-  publish();
-  return true;
-}
-
-bool TaximeterUnit::agree_price(std::uint32_t price) {
-  if (price > amount_max) return false;
-  if (record_.state == Taximeter::for_hire) {
-    agreed_price_ = price;
-    return true;
-  }
-  if (!is_hired()) return false;
-  advance(0, false);
-  fare_.agree(price);
-  record_.trip.has_fare = true;
-  publish();
-  return true;
-}
-
-// Behind the seal.
-
-bool TaximeterUnit::enter_service() {
-  const bool is_idle = record_.state == Taximeter::for_hire ||
-                       record_.state == Taximeter::signed_off ||
-                       record_.state == Taximeter::standby_mode;
-  if (!is_idle || !hardware_.seal_is_open()) return false;
-  advance(0, false);
-  return enter(Taximeter::service_mode);
-}
-
-bool TaximeterUnit::leave_service() {
-  if (record_.state != Taximeter::service_mode || hardware_.seal_is_open()) return false;
-  adopt_source();
-  record_.source_has_changed = false;
-  record_.totals_are_known = true;
-  record_.date_of_securing = utc_now();
-  wheel_.forget();
-  set_error(TaximeterError::wheel_source, false);
-  set_error(TaximeterError::wheel_node, false);
-  const bool is_done = enter(Taximeter::signed_off);
-  publish_configuration();
-  return is_done;
-}
-
-bool TaximeterUnit::set_k(std::uint32_t k) {
-  if (record_.state != Taximeter::service_mode || k == 0 || k > amount_max) return false;
-  record_.k = k;
-  record_.distance_rest = 0;
-  wheel_.set_fastest(capped(settings_.fastest_speed * std::uint64_t{k} / seconds_per_hour + 1));
-  keep();
-  publish_configuration();
-  return true;
-}
-
-void TaximeterUnit::set_error(TaximeterError error, bool is_present, std::uint8_t sealed,
-                              std::uint8_t found) {
-  const auto number = static_cast<std::uint8_t>(error);
-  const bool was_present = (errors_ >> number & 1) != 0;
-  if (is_present == was_present) return;
-  errors_ = static_cast<std::uint8_t>(errors_ ^ 1U << number);
-  const Error told = {.code = emergency_code::taximeter,
-                      .instance = number,
-                      .register_bits = error_register::profile,
-                      .info = {number, sealed, found, 0, 0}};
-  network_.node().report(told, is_present);
-  const bool is_source =
-      error == TaximeterError::wheel_source || error == TaximeterError::wheel_node;
-  if (is_source && is_present && !record_.source_has_changed) {
-    record_.source_has_changed = true;
-    keep();
-  }
 }
 
 }  // namespace canvoy::cia447

@@ -11,6 +11,10 @@
 // slice of a trip (fare_calculation.hpp); one in which values of 6055h were lost is longer. A trip
 // lasts from hire() to for_hire(): stopped is a pause of it. Its fare is added to the totals when
 // it ends; distance and hirings at once.
+//
+// It is sealed: what it consumes is taken from its providers alone (provided_objects.hpp), its PDO
+// and SDO parameters are written in service mode alone, clocks are bounded (clock_bounds.hpp), and
+// what is refused or done is recorded (audit_log.hpp; 5F20h and 5F21h).
 #pragma once
 
 #include <array>
@@ -19,13 +23,18 @@
 
 #include "canvoy/devices/cia447/car_kind.hpp"
 #include "canvoy/devices/cia447/object_reader.hpp"
+#include "canvoy/devices/cia447/provided_objects.hpp"
+#include "canvoy/devices/cia447/taximeter/audit_log.hpp"
+#include "canvoy/devices/cia447/taximeter/audit_text.hpp"
 #include "canvoy/devices/cia447/taximeter/bus_clock.hpp"
+#include "canvoy/devices/cia447/taximeter/clock_bounds.hpp"
 #include "canvoy/devices/cia447/taximeter/fare_calculation.hpp"
 #include "canvoy/devices/cia447/taximeter/tariff.hpp"
 #include "canvoy/devices/cia447/taximeter/taximeter_memory.hpp"
 #include "canvoy/devices/cia447/taximeter/taximeter_objects.hpp"
 #include "canvoy/devices/cia447/taximeter/taximeter_record.hpp"
 #include "canvoy/devices/cia447/taximeter/taximeter_settings.hpp"
+#include "canvoy/devices/cia447/taximeter/wheel_check.hpp"
 #include "canvoy/devices/cia447/taximeter/wheel_pulses.hpp"
 #include "canvoy/profiles/cia447/car_handles.hpp"
 #include "canvoy/profiles/cia447/taxi_handles.hpp"
@@ -42,7 +51,9 @@ enum class TaximeterError : std::uint8_t {
   wheel_source = 1,  ///< 6054h changed out of service mode; bytes 1, 2: sealed, found
   wheel_node,        ///< another node sends the wheel pulses; bytes 1, 2: sealed, found
   wheel_stands,      ///< the wheels turn by 6053h, and 6055h stands
-  memory             ///< totals were damaged, or cannot be written
+  memory,            ///< totals were damaged, or cannot be written
+  extra_pulses,      ///< 6055h counts more than the wheels turn by 6053h
+  seal               ///< the seal was opened out of service mode
 };
 
 class TaximeterUnit {
@@ -80,6 +91,11 @@ class TaximeterUnit {
   /// With the seal closed: what is sealed now holds, and its date of securing; then signed off.
   bool leave_service();
   bool set_k(std::uint32_t k);  ///< in service mode; from 1 on
+  /// In service mode: from here on the pulses of a drive over a distance that is known are counted.
+  bool begin_calibration();
+  /// Its end: k is what was counted on `distance`, in 0,001 of the local distance unit. False, and
+  /// k stays: no drive has begun, or fewer than 1000 pulses have come, of which one is 0,1 %.
+  bool end_calibration(std::uint32_t distance);
 
   /// Writes what has to be kept before it returns.
   void power_fails();
@@ -89,6 +105,8 @@ class TaximeterUnit {
   Taximeter state() const { return record_.state; }
   const TaximeterRecord& record() const { return record_; }
   const WheelPulses::Counters& wheel_counters() const { return wheel_.counters(); }
+  /// What was done to it, when and by whom.
+  const AuditLog& audit() const { return audit_; }
 
  private:
   void reset(ResetScope scope);
@@ -104,9 +122,11 @@ class TaximeterUnit {
 
   void advance(std::uint32_t turned, bool is_count);
   void add_distance(std::uint32_t turned);
-  void check_wheels(std::uint32_t turned, Duration since);
-  void check_sender();
+  bool check_wheels(std::uint32_t turned, Duration since);
+  void set_fastest();
   void watch_clock();
+  void watch_clock_step();
+  void watch_seal();
   void change_tariff();
 
   bool enter(Taximeter state);
@@ -115,12 +135,29 @@ class TaximeterUnit {
   void end_trip();
   void set_error(TaximeterError error, bool is_present, std::uint8_t sealed = 0,
                  std::uint8_t found = 0);
+  void report(TaximeterError error, bool is_present, std::uint8_t sealed = 0,
+              std::uint8_t found = 0);
+  static constexpr std::uint8_t bit_of(TaximeterError error) {
+    return static_cast<std::uint8_t>(1U << static_cast<unsigned>(error));
+  }
+  void tamper(std::uint8_t how);
+  bool is_tampered(std::uint8_t how) const { return (record_.tampering & how) != 0; }
+
+  // The audit log.
+  void note(AuditEvent what, std::uint32_t detail = 0, std::uint32_t value = 0,
+            std::uint8_t who = by_meter);
+  void write_refused(const RefusedWrite& refused);
+  AbortCode check_settings(const Entry& entry, std::span<const std::uint8_t> value);
+  void tell_audit();
+  void tell_audit_line(const Entry& entry);
+  void keep_audit(bool at_once);
   bool has_wheel_signal() const;
   bool is_signed_on() const;
   bool is_hired() const { return record_.state == Taximeter::hired; }
   bool has_trip_under_way() const { return is_hired() || record_.state == Taximeter::stopped; }
 
   std::optional<LocalTime> clock();
+  std::optional<LocalTime> told_time();
   std::int64_t utc_now();
   const TariffLevel& present_level();
   TaximeterRecord kept() const;
@@ -140,8 +177,15 @@ class TaximeterUnit {
   FareCalculation fare_;
   WheelPulses wheel_;
   BusClock bus_clock_;
+  ClockBounds clock_bounds_;
+  WheelCheck wheel_check_;
   TaximeterMemory memory_;
+  AuditLog audit_;
+  AuditMemory audit_memory_;
   TaximeterObjects objects_;
+  ProvidedObjects wheels_;
+  ProvidedObjects clock_objects_;
+  Hook sealed_parameters_;
   ObjectReader wheel_reader_;
   ObjectReader clock_reader_;
   Tariff tariff_;
@@ -153,8 +197,14 @@ class TaximeterUnit {
   Time kept_at_{};
   std::uint32_t kept_distance_ = 0;
   Duration slice_{};         ///< since the last one was closed
-  Duration standing_{};      ///< wheels turn, and no pulses come
   std::uint8_t errors_ = 0;  ///< a bit for each TaximeterError
+  bool is_seal_open_ = false;
+  bool stands_engine_ = false;                     ///< the wheels give pulses meanwhile
+  bool is_clock_refused_ = false;                  ///< in this trip
+  std::optional<std::uint64_t> calibration_ = {};  ///< pulses of the drive
+  bool has_new_audit_ = false;                     ///< entries, that are not kept yet
+  bool has_more_audit_ = false;                    ///< only their counts
+  Time audit_kept_at_{};
   TaximeterDisplay shown_;
   static const HookCalls hook_calls[];
   static const ServiceCalls service_calls;
@@ -180,6 +230,8 @@ struct TaximeterKind : CarKind<TaximeterUnit, TaximeterHardware, TaximeterSettin
                                                    &rtc_date_object,
                                                    &rtc_time_object,
                                                    &rtc_type_and_status_object};
+  /// 5F20h and 5F21h.
+  static constexpr const ObjectInfo* own[] = {&audit_object, &audit_log_object};
 };
 
 }  // namespace canvoy::cia447

@@ -313,14 +313,14 @@ TEST_F(Meter, WhatTurnsOnTheTestStandIsNoDistance) {
 // profile and of any error: 21h.
 
 TEST_F(Meter, AnotherWheelSignalSourceIsAnErrorUntilItIsSealedAnew) {
-  EXPECT_EQ(car.ask("2F 54 60 00 02 00 00 00"), "60 54 60 00 00 00 00 00") << "rear right";
+  EXPECT_EQ(car.ask_as(1, "2F 54 60 00 02 00 00 00"), "60 54 60 00 00 00 00 00") << "rear right";
   EXPECT_EQ(car.cable().count(emergency), 0u);
   car.begin_shift();
-  car.ask("2F 54 60 00 03 00 00 00");
+  car.ask_as(1, "2F 54 60 00 03 00 00 00");
   EXPECT_EQ(car.cable().last(emergency), "085#00 FF 21 01 02 03 00 00");
   EXPECT_FALSE(car.meter->hire()) << "no trip begins";
   car.cable().clear();
-  car.ask("2F 54 60 00 02 00 00 00");
+  car.ask_as(1, "2F 54 60 00 02 00 00 00");
   EXPECT_EQ(car.cable().count(emergency), 0u) << "it stays, even where it is taken back";
   EXPECT_FALSE(car.meter->hire());
   car.cable().clear();
@@ -331,23 +331,23 @@ TEST_F(Meter, AnotherWheelSignalSourceIsAnErrorUntilItIsSealedAnew) {
 }
 
 TEST_F(Meter, TheSameSourceOrOneThatFailsIsNone) {
-  car.ask("2F 54 60 00 05 00 00 00");
+  car.ask_as(1, "2F 54 60 00 05 00 00 00");
   car.begin_shift();
   for (const char* code : {"05", "FE", "FF", "07", "80", "05"}) {
-    car.ask("2F 54 60 00 " + std::string(code) + " 00 00 00");
+    car.ask_as(1, "2F 54 60 00 " + std::string(code) + " 00 00 00");
     EXPECT_EQ(car.cable().count(emergency), 0u) << code;
   }
 }
 
 TEST_F(Meter, InServiceModeTheSourceMayChange) {
-  car.ask("2F 54 60 00 02 00 00 00");
+  car.ask_as(1, "2F 54 60 00 02 00 00 00");
   car.seal_is_open = true;
   car.meter->enter_service();
-  car.ask("2F 54 60 00 03 00 00 00");
+  car.ask_as(1, "2F 54 60 00 03 00 00 00");
   car.seal_is_open = false;
   car.meter->leave_service();
   EXPECT_EQ(car.cable().count(emergency), 0u);
-  car.ask("2F 54 60 00 02 00 00 00");
+  car.ask_as(1, "2F 54 60 00 02 00 00 00");
   EXPECT_EQ(car.cable().last(emergency), "085#00 FF 21 01 03 02 00 00");
 }
 
@@ -471,8 +471,8 @@ TEST_F(Meter, KeepsTheNetworkAwakeWhileATripIsUnderWay) {
 }
 
 TEST_F(Meter, AnErrorOutlastsAnNmtReset) {
-  car.ask("2F 54 60 00 02 00 00 00");
-  car.ask("2F 54 60 00 03 00 00 00");
+  car.ask_as(1, "2F 54 60 00 02 00 00 00");
+  car.ask_as(1, "2F 54 60 00 03 00 00 00");
   car.cable().clear();
   car.cable().send("000#81 05");
   EXPECT_EQ(car.cable().last(emergency), "085#00 FF 21 01 00 00 00 00");
