@@ -122,7 +122,9 @@ class BusParts {
     const ObjectInfo* object = find_object(profile, as.index);
     if (object == nullptr) return;
     Part part = detail::part_of(*object, as.index, as, size_of(unit, as.index));
-    if (passes_events_on(unit, as.index)) part = part.access(1, Access::rw);
+    if (passes_events_on(unit, as.index)) {
+      part = part.access(1, Access::wo | Access::rpdo | Access::tpdo);
+    }
     Part* known = find(as.index);
     if (known == nullptr) {
       parts_.push_back(part);
@@ -135,7 +137,8 @@ class BusParts {
   static bool has_counts_of_others(std::uint16_t index) {
     return index == passenger_counting_in_and_out_per_door_object.index;
   }
-  /// The third message of a main on-board computer carries what others told it (errata 96).
+  /// The third message of a main on-board computer carries what others told it (errata 96). By SDO
+  /// it is written alone (6.2).
   bool passes_events_on(const BusUnit& unit, std::uint16_t index) const {
     return index == events_from_virtual_devices_object.index &&
            unit.provides->code == code_of(DeviceCode::main_on_board_computer) &&
@@ -188,7 +191,7 @@ class BusParts {
   /// Objects that one virtual device of this device has from another are there already.
   bool has_mapped(const PdoInfo& pdo) const {
     const Access needed =
-        pdo.direction == PdoInfo::Direction::transmit ? Access::sdo_read : Access::sdo_write;
+        pdo.direction == PdoInfo::Direction::transmit ? Access::tpdo : Access::rpdo;
     return std::ranges::all_of(pdo.mapping, [&](std::uint32_t raw) {
       if (is_dummy(raw)) return true;
       const MappingValue mapped(raw);
@@ -273,6 +276,27 @@ BusDevice::BusDevice(std::span<const BusUnit* const> units, const Port& port, No
     Made& made = units_.emplace_back(Made{kind, std::make_unique<std::byte[]>(kind->bytes)});
     kind->make(made.memory.get(), device, site);
   }
+  take_files(bus_parts(units, site.find<BusSegment>()));
+}
+
+/// A file that no unit serves is taken all the same: the device offers it.
+void BusDevice::take_files(std::span<const Part> parts) {
+  const Dictionary& dictionary = node().dictionary();
+  for (const Part& part : parts) {
+    const Result<Entry> entry = dictionary.find(part.index(), 0);
+    const bool is_file = entry && entry->row->type == DataType::domain;
+    if (!is_file || dictionary.domain(*entry) != nullptr) continue;
+    const auto made =
+        taken_files_.try_emplace(part.index(), virtual_devices_.front(), part.index());
+    made.first->second.shelf().on_stored =
+        Callback<void(const Entry&)>::to<&BusDevice::file_taken>(*this);
+  }
+}
+
+std::span<const std::uint8_t> BusDevice::taken_file(std::uint16_t index) const {
+  const auto found = taken_files_.find(index);
+  return found == taken_files_.end() ? std::span<const std::uint8_t>()
+                                     : found->second.shelf().file(0);
 }
 
 BusDevice::~BusDevice() {
