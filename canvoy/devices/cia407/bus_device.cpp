@@ -293,7 +293,7 @@ void BusDevice::take_files(std::span<const Part> parts) {
   }
 }
 
-std::span<const std::uint8_t> BusDevice::taken_file(std::uint16_t index) const {
+std::span<const std::uint8_t> BusDevice::taken_file(std::uint16_t index) {
   const auto found = taken_files_.find(index);
   return found == taken_files_.end() ? std::span<const std::uint8_t>()
                                      : found->second.shelf().file(0);

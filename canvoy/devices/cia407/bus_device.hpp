@@ -97,7 +97,7 @@ class BusDevice : public FoundValues<BusDevice> {
   VirtualDevice& virtual_device(unsigned number) { return virtual_devices_[number - 1]; }
   /// What others wrote last to a file of which the units do nothing (6720h, 6741h): nobody has, and
   /// it is empty. It holds until it is written. Units learn of it as of other objects.
-  std::span<const std::uint8_t> taken_file(std::uint16_t index) const;
+  std::span<const std::uint8_t> taken_file(std::uint16_t index);
 
  private:
   struct Made {

@@ -1,6 +1,7 @@
 // Files that a device stores by SDO (6201h, 6202h; CiA 407, 9.2.8), a sub-index each, or takes from
-// others (6720h, 6741h; 9.2.26, 9.2.27): of any size up to a bound. A file that does not arrive whole changes nothing. Virtual devices of one physical
-// one share the files of an object: those of the shelf that was made first.
+// others (6720h, 6741h; 9.2.26, 9.2.27): of any size up to a bound. A file that does not arrive
+// whole changes nothing. Virtual devices of one physical one share the files of an object: those of
+// the shelf that was made first.
 //
 //     FileShelfOf<8, 8192> pictures{device, 0x6202};
 //     pictures.shelf().file(1);   // the bytes of 6202h:01h
@@ -68,7 +69,6 @@ class FileShelfOf {
       : shelf_(device, index,
                {.bytes = bytes_, .sizes = sizes_, .size_max = size_max, .first_sub = first_sub}) {}
   FileShelf& shelf() { return shelf_; }
-  const FileShelf& shelf() const { return shelf_; }
 
  private:
   std::array<std::uint8_t, (files + 1) * size_max> bytes_{};
