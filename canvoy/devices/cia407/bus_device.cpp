@@ -122,9 +122,7 @@ class BusParts {
     const ObjectInfo* object = find_object(profile, as.index);
     if (object == nullptr) return;
     Part part = detail::part_of(*object, as.index, as, size_of(unit, as.index));
-    if (passes_events_on(unit, as.index)) {
-      part = part.access(1, Access::wo | Access::rpdo | Access::tpdo);
-    }
+    if (passes_events_on(unit, as.index)) part = part.access(1, Access::rw);
     Part* known = find(as.index);
     if (known == nullptr) {
       parts_.push_back(part);
@@ -137,8 +135,7 @@ class BusParts {
   static bool has_counts_of_others(std::uint16_t index) {
     return index == passenger_counting_in_and_out_per_door_object.index;
   }
-  /// The third message of a main on-board computer carries what others told it (errata 96). By SDO
-  /// it is written alone (6.2).
+  /// The third message of a main on-board computer carries what others told it (errata 96).
   bool passes_events_on(const BusUnit& unit, std::uint16_t index) const {
     return index == events_from_virtual_devices_object.index &&
            unit.provides->code == code_of(DeviceCode::main_on_board_computer) &&
@@ -191,7 +188,7 @@ class BusParts {
   /// Objects that one virtual device of this device has from another are there already.
   bool has_mapped(const PdoInfo& pdo) const {
     const Access needed =
-        pdo.direction == PdoInfo::Direction::transmit ? Access::tpdo : Access::rpdo;
+        pdo.direction == PdoInfo::Direction::transmit ? Access::sdo_read : Access::sdo_write;
     return std::ranges::all_of(pdo.mapping, [&](std::uint32_t raw) {
       if (is_dummy(raw)) return true;
       const MappingValue mapped(raw);
