@@ -2,6 +2,7 @@
 """`canvoy device` with devices of CiA 407: what people do with them, what they read, what outlives power."""
 
 import configparser
+import json
 import pathlib
 import subprocess
 import sys
@@ -57,6 +58,13 @@ class OnAWire(CommandTest):
         self.assertRegex(said, r"ticket-canceller: stamps \d\d:\d\d stop 0 zone 2 segment 4 line 0")
         self.assertRegex(said, r"ticket-printer: prints \d\d:\d\d stop 17 zone 2 segment 4 line 0")
         self.assertIn("ticket-printer: no ticket: there is no paper\n", said)
+
+    def test_a_door_that_opens_has_been_released(self):
+        self.start("vehicle-gateway", "--press", "open:2@1s", "--press", "close:2@4s", "--for", "20s")
+        watched = run("read", BUS, "11", "6488:1", "--profile", "407", "--json", "--watch", "100ms", "--for", "6s")
+        states = [json.loads(line)["raw"] for line in self.assert_done(watched).splitlines()]
+        # 9.2.15.7: bit 7 a door is open, bit 5 the doors on the right are released.
+        self.assertEqual([state for state, before in zip(states, [""] + states) if state != before], ["00", "A0", "00"])
 
     def test_a_display_draws_a_text_that_flashes(self):
         picture = self.folder / "stop.png"
@@ -151,6 +159,8 @@ class DeviceBus(CommandTest):
             (["ticket-canceller+taximeter", "sim"], ("'taximeter'", "CiA 407")),
             (["taximeter+ticket-canceller", "sim"], ("'ticket-canceller'", "CiA 447")),
             (["ticket-canceller+ticket-canceller", "sim"], ("twice",)),
+            (["on-board-computer+identification", "sim"], ("different physical devices", "8.1.4.3")),
+            (["identification+ticket-canceller+on-board-computer", "sim"], ("8.1.4.3",)),
             (["ticket-canceller+", "sim"], ("ticket-canceller+",)),
             (["lift-drive+ticket-canceller", "sim"], ("'lift-drive'", "CiA 407 or CiA 447")),
             (["passenger-counter", "sim", "--door", "13"], ("--door", "1 to 12")),

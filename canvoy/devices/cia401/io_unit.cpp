@@ -30,6 +30,7 @@ constexpr bool is_scaling_of_inputs(std::uint16_t index) {
 
 constexpr HookCalls IoUnit::hook_calls[] = {
     before_read<&IoUnit::source_is_read, analogue_input_interrupt_source_object>,
+    before_write<&IoUnit::check_error_mode, analogue_output_error_mode_object>,
     {.first = first_index, .last = last_index, .after_write = method<&IoUnit::written>}};
 constexpr ServiceCalls IoUnit::service_calls = {
     .reset = method<&IoUnit::reset>,
@@ -100,6 +101,12 @@ void IoUnit::warn(bool is_operational) {
 
 void IoUnit::source_is_read(const Entry& entry) {
   analogue_inputs_.source_is_read(entry);
+}
+
+/// Other modes than to keep the value or to take the error value are reserved.
+AbortCode IoUnit::check_error_mode(const Entry& entry, std::span<const std::uint8_t> value) {
+  const bool is_mode = value[0] <= static_cast<std::uint8_t>(ErrorMode::take_error_value);
+  return entry.sub == 0 || is_mode ? AbortCode::none : AbortCode::value_range;
 }
 
 void IoUnit::written(const Entry& entry, Source) {

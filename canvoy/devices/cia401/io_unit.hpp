@@ -64,6 +64,7 @@ class IoUnit {
   void bus_state_changed(BusState state);
   void error_changed(const Error& error, bool present);
   void source_is_read(const Entry& entry);
+  AbortCode check_error_mode(const Entry& entry, std::span<const std::uint8_t> value);
   void analogue_parameter_written(const Entry& entry);
   void written(const Entry& entry, Source source);
   void expired(Time now);

@@ -273,6 +273,27 @@ BusDevice::BusDevice(std::span<const BusUnit* const> units, const Port& port, No
     Made& made = units_.emplace_back(Made{kind, std::make_unique<std::byte[]>(kind->bytes)});
     kind->make(made.memory.get(), device, site);
   }
+  take_files(bus_parts(units, site.find<BusSegment>()));
+}
+
+/// A file that no unit serves is taken all the same: the device offers it.
+void BusDevice::take_files(std::span<const Part> parts) {
+  const Dictionary& dictionary = node().dictionary();
+  for (const Part& part : parts) {
+    const Result<Entry> entry = dictionary.find(part.index(), 0);
+    const bool is_file = entry && entry->row->type == DataType::domain;
+    if (!is_file || dictionary.domain(*entry) != nullptr) continue;
+    const auto made =
+        taken_files_.try_emplace(part.index(), virtual_devices_.front(), part.index());
+    made.first->second.shelf().on_stored =
+        Callback<void(const Entry&)>::to<&BusDevice::file_taken>(*this);
+  }
+}
+
+std::span<const std::uint8_t> BusDevice::taken_file(std::uint16_t index) {
+  const auto found = taken_files_.find(index);
+  return found == taken_files_.end() ? std::span<const std::uint8_t>()
+                                     : found->second.shelf().file(0);
 }
 
 BusDevice::~BusDevice() {

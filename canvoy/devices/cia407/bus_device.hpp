@@ -10,11 +10,13 @@
 
 #include <cstddef>
 #include <deque>
+#include <map>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "canvoy/canopen/heap_node.hpp"
+#include "canvoy/devices/cia407/file_shelf.hpp"
 #include "canvoy/devices/cia407/virtual_devices.hpp"
 #include "canvoy/devices/device.hpp"
 #include "canvoy/devices/part_tables.hpp"
@@ -93,12 +95,20 @@ class BusDevice : public FoundValues<BusDevice> {
   MissingEntry missing() const { return device_.missing(); }
   /// `number` counts from 1 on.
   VirtualDevice& virtual_device(unsigned number) { return virtual_devices_[number - 1]; }
+  /// What others wrote last to a file of which the units do nothing (6720h, 6741h): nobody has, and
+  /// it is empty. It holds until it is written. Units learn of it as of other objects.
+  std::span<const std::uint8_t> taken_file(std::uint16_t index);
 
  private:
   struct Made {
     const BusUnit* kind;
     std::unique_ptr<std::byte[]> memory;
   };
+  /// As much as a diagnostics device has, whose file is the longest.
+  using TakenFile = FileShelfOf<1, 16384, 0>;
+
+  void take_files(std::span<const Part> parts);
+  void file_taken(const Entry& entry) { node().dictionary().announce(entry, Source::sdo); }
 
   /// Their timers may be armed to the end: the memory goes after the node.
   std::vector<Made> units_;
@@ -106,6 +116,7 @@ class BusDevice : public FoundValues<BusDevice> {
   HeapNode device_;
   VirtualDevices all_;
   std::deque<VirtualDevice> virtual_devices_;
+  std::map<std::uint16_t, TakenFile> taken_files_;  ///< by the index of the object
 };
 
 }  // namespace canvoy::cia407

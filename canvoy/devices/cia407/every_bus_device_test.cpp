@@ -51,6 +51,31 @@ TEST_P(EveryBusDevice, HasTheObjectsOfItsClauseWithTheirAccess) {
   }
 }
 
+constexpr std::size_t file_max = 16384;
+
+/// 6.10: wo, as of all that consume 6741h. In segments (CiA 301, 7.2.4.3.3).
+TEST(TakenFile, IsKeptWholeAndNotReadBack) {
+  const BusUnit* unit = nullptr;
+  for (const DeviceKind& kind : kinds()) {
+    if (kind.info.name == "train-bus-gateway") unit = kind.bus_unit;
+  }
+  BusBench bench{std::span(&unit, 1)};
+  EXPECT_TRUE(bench.device().taken_file(0x6741).empty());
+  EXPECT_EQ(bench.ask("21 41 67 00 0A 00 00 00"), "60 41 67 00 00 00 00 00");
+  EXPECT_EQ(bench.ask("00 64 6F 6F 72 20 32 20"), "20 00 00 00 00 00 00 00");
+  EXPECT_TRUE(bench.device().taken_file(0x6741).empty()) << "it is not whole yet";
+  EXPECT_EQ(bench.ask("19 69 73 0A 00 00 00 00"), "30 00 00 00 00 00 00 00");
+  const std::span<const std::uint8_t> file = bench.device().taken_file(0x6741);
+  EXPECT_EQ(std::string(file.begin(), file.end()), "door 2 is\n");
+  EXPECT_EQ(bench.ask("40 41 67 00 00 00 00 00"), "80 41 67 00 01 00 01 06");
+  EXPECT_EQ(bench.ask("21 41 67 00 01 40 00 00"), "80 41 67 00 12 00 07 06") << file_max + 1;
+  EXPECT_TRUE(bench.download(0x6741, 0, std::string(file_max, 'a')));
+  EXPECT_EQ(bench.device().taken_file(0x6741).size(), file_max);
+  EXPECT_TRUE(bench.device().taken_file(0x6720).empty()) << "another one";
+  EXPECT_EQ(bench.ask("2F 20 67 00 2A 00 00 00"), "60 20 67 00 00 00 00 00") << "expedited";
+  EXPECT_EQ(bench.device().taken_file(0x6720).size(), 1u);
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, EveryBusDevice, testing::Range<std::size_t>(0, kind_count));
 
 }  // namespace

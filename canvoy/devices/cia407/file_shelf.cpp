@@ -44,7 +44,7 @@ FileShelf& FileShelf::shared(FileShelf* shelf) {
 std::span<const std::uint8_t> FileShelf::file(unsigned sub) const {
   if (&shared_ != this) return shared_.file(sub);
   if (!has(sub)) return {};
-  return place(sub).first(memory_.sizes[sub - 1]);
+  return bytes_at(place_of(sub)).first(memory_.sizes[place_of(sub) - 1]);
 }
 
 void FileShelf::clear() {
@@ -56,13 +56,13 @@ void FileShelf::clear() {
 
 Result<std::uint32_t> FileShelf::open_read(const Entry& entry) {
   if (!has(entry.sub)) return AbortCode::no_data;
-  read_ = entry.sub;
-  return memory_.sizes[entry.sub - 1U];
+  read_ = place_of(entry.sub);
+  return memory_.sizes[read_ - 1];
 }
 
 Result<std::size_t> FileShelf::read(const Entry& entry, std::uint32_t offset,
                                     std::span<std::uint8_t> bytes) {
-  if (read_ != entry.sub) return AbortCode::device_state;
+  if (read_ != place_of(entry.sub)) return AbortCode::device_state;
   const std::span<const std::uint8_t> all = file(entry.sub);
   const std::span<const std::uint8_t> rest = all.subspan(std::min<std::size_t>(offset, all.size()));
   const std::span<const std::uint8_t> part = rest.first(std::min(rest.size(), bytes.size()));
@@ -72,28 +72,30 @@ Result<std::size_t> FileShelf::read(const Entry& entry, std::uint32_t offset,
 
 AbortCode FileShelf::open_write(const Entry& entry, std::uint32_t size) {
   if (!has(entry.sub) || size > memory_.size_max) return AbortCode::length_too_high;
-  arriving_ = entry.sub;
+  arriving_ = place_of(entry.sub);
   arrived_ = 0;
   return AbortCode::none;
 }
 
 AbortCode FileShelf::write(const Entry& entry, std::span<const std::uint8_t> bytes) {
-  if (arriving_ != entry.sub) return AbortCode::device_state;
+  if (arriving_ != place_of(entry.sub)) return AbortCode::device_state;
   must_hold(arrived_ <= memory_.size_max);
   if (bytes.size() > memory_.size_max - arrived_) return AbortCode::length_too_high;
-  std::ranges::copy(bytes, place(arrival).subspan(arrived_).begin());
+  std::ranges::copy(bytes, bytes_at(arrival).subspan(arrived_).begin());
   arrived_ += static_cast<std::uint32_t>(bytes.size());
   return AbortCode::none;
 }
 
 AbortCode FileShelf::close_write(const Entry& entry, bool complete) {
-  const bool is_here = arriving_ == entry.sub;
+  const unsigned place = place_of(entry.sub);
+  const bool is_here = arriving_ == place;
   arriving_ = 0;
   if (!complete) return AbortCode::none;
   if (!is_here) return AbortCode::device_state;
-  std::ranges::copy(place(arrival).first(arrived_), place(entry.sub).begin());
-  memory_.sizes[entry.sub - 1U] = arrived_;
-  if (read_ == entry.sub) read_ = 0;
+  std::ranges::copy(bytes_at(arrival).first(arrived_), bytes_at(place).begin());
+  memory_.sizes[place - 1] = arrived_;
+  if (read_ == place) read_ = 0;
+  if (on_stored) on_stored(entry);
   return AbortCode::none;
 }
 

@@ -1,6 +1,7 @@
-// Files that a device stores by SDO (6201h, 6202h; CiA 407, 9.2.8): a sub-index each, of any size
-// up to a bound. A file that does not arrive whole changes nothing. Virtual devices of one physical
-// one share the files of an object: those of the shelf that was made first.
+// Files that a device stores by SDO (6201h, 6202h; CiA 407, 9.2.8), a sub-index each, or takes from
+// others (6720h, 6741h; 9.2.26, 9.2.27): of any size up to a bound. A file that does not arrive
+// whole changes nothing. Virtual devices of one physical one share the files of an object: those of
+// the shelf that was made first.
 //
 //     FileShelfOf<8, 8192> pictures{device, 0x6202};
 //     pictures.shelf().file(1);   // the bytes of 6202h:01h
@@ -21,6 +22,7 @@ class FileShelf {
     std::span<std::uint8_t> bytes;   ///< (sizes.size() + 1) x size_max
     std::span<std::uint32_t> sizes;  ///< one for each file
     std::uint32_t size_max = 0;
+    std::uint8_t first_sub = 1;  ///< of the first file: 0, where the object is a variable
   };
 
   FileShelf(VirtualDevice& device, std::uint16_t index, const Memory& memory);
@@ -31,11 +33,18 @@ class FileShelf {
   std::span<const std::uint8_t> file(unsigned sub) const;
   void clear();
 
+  /// A file came whole.
+  Callback<void(const Entry&)> on_stored = {};
+
  private:
   FileShelf& shared(FileShelf* shelf);
-  bool has(unsigned sub) const { return sub >= 1 && sub <= memory_.sizes.size(); }
-  std::span<std::uint8_t> place(unsigned sub) const {
-    return memory_.bytes.subspan(std::size_t{memory_.size_max} * sub, memory_.size_max);
+  /// From 1 on: place 0 is that of a file that arrives.
+  unsigned place_of(unsigned sub) const { return sub - memory_.first_sub + 1; }
+  bool has(unsigned sub) const {
+    return sub >= memory_.first_sub && place_of(sub) <= memory_.sizes.size();
+  }
+  std::span<std::uint8_t> bytes_at(unsigned place) const {
+    return memory_.bytes.subspan(std::size_t{memory_.size_max} * place, memory_.size_max);
   }
   Result<std::uint32_t> open_read(const Entry& entry);
   Result<std::size_t> read(const Entry& entry, std::uint32_t offset, std::span<std::uint8_t> bytes);
@@ -49,15 +58,16 @@ class FileShelf {
   FileShelf* next_;    ///< of another object, or that shares files with another
   FileShelf& shared_;  ///< which has the files: often this one
   std::uint32_t arrived_ = 0;
-  std::uint8_t arriving_ = 0;  ///< sub-index of the file that is being written; 0: none
-  std::uint8_t read_ = 0;      ///< that is being read, and has not been written since; 0: none
+  unsigned arriving_ = 0;  ///< place of the file that is being written; 0: none
+  unsigned read_ = 0;      ///< that is being read, and has not been written since; 0: none
 };
 
-template <std::size_t files, std::size_t size_max>
+template <std::size_t files, std::size_t size_max, std::uint8_t first_sub = 1>
 class FileShelfOf {
  public:
   FileShelfOf(VirtualDevice& device, std::uint16_t index)
-      : shelf_(device, index, {.bytes = bytes_, .sizes = sizes_, .size_max = size_max}) {}
+      : shelf_(device, index,
+               {.bytes = bytes_, .sizes = sizes_, .size_max = size_max, .first_sub = first_sub}) {}
   FileShelf& shelf() { return shelf_; }
 
  private:

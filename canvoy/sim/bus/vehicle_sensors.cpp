@@ -84,6 +84,8 @@ cia407::VehicleReading VehicleSensors::read_vehicle() {
   const std::size_t doors = std::min<std::size_t>(vehicle_.door_count(), reading.doors_max);
   for (std::size_t i = 0; i < doors; ++i) {
     reading.doors[i] = {.is_valid = true, .is_open = !vehicle_.door(i).is_closed()};
+    // All doors are on the right, and a door that opens has been released.
+    reading.right_released = reading.right_released || reading.doors[i].is_open;
   }
   return reading;
 }

@@ -101,6 +101,23 @@ void add_unit(std::vector<const Unit*>& units, const Unit* unit, std::string_vie
   units.push_back(unit);
 }
 
+/// Who drives goes from one physical device to another by messages (8.1.4.3).
+void check_apart(const std::vector<const cia407::BusUnit*>& units, std::string_view names) {
+  const auto has = [&](cia407::DeviceCode code) {
+    return std::ranges::any_of(units, [code](const cia407::BusUnit* unit) {
+      return unit->provides->code == cia407::code_of(code);
+    });
+  };
+  if (!has(cia407::DeviceCode::main_on_board_computer) ||
+      !has(cia407::DeviceCode::identification)) {
+    return;
+  }
+  throw UsageError(
+      fmt::format("'{}': a main on-board computer and an identification are different physical "
+                  "devices (CiA 407, 8.1.4.3): give them with a space between them",
+                  names));
+}
+
 }  // namespace
 
 SharedNode parse_shared_node(std::string_view names) {
@@ -122,6 +139,7 @@ SharedNode parse_shared_node(std::string_view names) {
       add_unit(shared.car, kind.car_unit, is_first ? "CiA 407 or CiA 447" : "CiA 447", names, name);
     }
   }
+  check_apart(shared.bus, names);
   return shared;
 }
 

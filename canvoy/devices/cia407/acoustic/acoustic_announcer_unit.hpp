@@ -3,8 +3,9 @@
 //
 //     AcousticAnnouncerUnit announcer(device, {.announce = ...}, {});
 //
-// Stop point 0 is none. One that is written again says nothing: the message that carries it also
-// leaves for other reasons (8.1.4.3).
+// Stop point 0 is none. The same again is a cue by SDO, which somebody writes for the sake of it
+// (6.9); by PDO it says nothing: the message that carries it also leaves for other reasons
+// (8.1.4.3).
 #pragma once
 
 #include <string_view>
@@ -40,9 +41,10 @@ class AcousticAnnouncerUnit {
   void reset(ResetScope scope) {
     if (scope == ResetScope::node) announced_ = 0;
   }
-  void stop_point_written() {
+  void stop_point_written(Source source) {
     const std::uint32_t stop_point = device_[stop_point_id].raw();
-    if (std::exchange(announced_, stop_point) == stop_point || stop_point == 0) return;
+    const bool is_same = std::exchange(announced_, stop_point) == stop_point;
+    if (stop_point == 0 || (is_same && source != Source::sdo)) return;
     if (!hardware_.announce) return;
     const bool is_known = hardware_.announce(stop_point, device_[stop_point_id_text].value());
     device_.report(bus_error::no_announcements, !is_known);

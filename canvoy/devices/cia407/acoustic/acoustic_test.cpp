@@ -39,6 +39,17 @@ TEST_F(Announcer, AnotherStopIsItsCue) {
   EXPECT_EQ(said.size(), 2u);
 }
 
+/// 6.9: writing the object triggers it.
+TEST_F(Announcer, TheSameStopBySdoIsACueAgain) {
+  bench.ask("23 09 61 00 07 00 00 00");
+  bench.ask("23 09 61 00 07 00 00 00");
+  EXPECT_EQ(said.size(), 2u);
+  bench.cable.send("401#07 00 00 00 02 00 00 00");
+  EXPECT_EQ(said.size(), 2u) << "a message that leaves for an event says it again, and means none";
+  bench.ask("23 09 61 00 00 00 00 00");
+  EXPECT_EQ(said.size(), 2u) << "0 is no stop";
+}
+
 TEST_F(Announcer, WithoutAnAnnouncementItSaysSo) {
   bench.ask("23 09 61 00 0D 00 00 00");
   EXPECT_EQ(bench.cable.last(0x085), "085#05 FF 01 01 00 00 00 00");

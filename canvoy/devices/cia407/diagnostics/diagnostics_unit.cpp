@@ -13,6 +13,8 @@ constexpr std::uint8_t flag_many_shorts = 1;
 constexpr std::uint8_t flag_near_capacity = 2;
 constexpr unsigned first_class_flag = 2;
 constexpr char ascii_max = 0x7F;
+/// As if so many bytes had been written: behind a character nothing more may come.
+constexpr std::size_t character_ends = sizeof(std::uint64_t);
 /// As 9.2.27.2 has it (errata 92).
 constexpr std::string_view line_end = "\n\r";
 
@@ -273,21 +275,24 @@ Result<std::size_t> DiagnosticsUnit::read(const Entry& /*entry*/, std::uint32_t 
   return count;
 }
 
-/// Only a zero may be written, as a number or as a character (errata 91): it erases the file.
+/// Only a zero may be written (errata 91): it erases the file. It is a character, or a number of
+/// any size: a client may write an Unsigned32, or leave the size of an expedited transfer open.
 AbortCode DiagnosticsUnit::open_write(const Entry& /*entry*/, std::uint32_t /*size*/) {
-  is_erase_ = false;
+  written_ = 0;
   return AbortCode::none;
 }
 
 AbortCode DiagnosticsUnit::write(const Entry& /*entry*/, std::span<const std::uint8_t> bytes) {
-  const bool is_first = !is_erase_;
-  is_erase_ = is_first && bytes.size() == 1 && (bytes[0] == 0 || bytes[0] == '0');
-  return is_erase_ ? AbortCode::none : AbortCode::value_range;
+  const bool is_character = written_ == 0 && bytes.size() == 1 && bytes[0] == '0';
+  const bool is_number = written_ + bytes.size() <= sizeof(std::uint64_t) &&
+                         std::ranges::all_of(bytes, [](std::uint8_t byte) { return byte == 0; });
+  written_ += is_character ? character_ends : bytes.size();
+  return is_character || is_number ? AbortCode::none : AbortCode::value_range;
 }
 
 AbortCode DiagnosticsUnit::close_write(const Entry& /*entry*/, bool complete) {
-  if (complete && is_erase_) drop(file_length_);
-  is_erase_ = false;
+  if (complete && written_ != 0) drop(file_length_);
+  written_ = 0;
   return AbortCode::none;
 }
 

@@ -88,7 +88,7 @@ class DiagnosticsUnit {
   std::uint32_t dropped_ = 0;      ///< bytes that have left the file at its beginning, modulo 2^32
   std::uint32_t read_from_ = 0;    ///< dropped_ when somebody began to read it
   std::uint32_t read_length_ = 0;  ///< of the file then
-  bool is_erase_ = false;          ///< one byte came that erases
+  std::size_t written_ = 0;        ///< bytes of a zero, which erases
   Domain domain_;
   Hook hook_;
 };

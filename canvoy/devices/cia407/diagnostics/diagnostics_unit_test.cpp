@@ -233,6 +233,26 @@ TEST_F(Diagnostics, WhoErasesTheFileOnTheChannelThatReadsItEndsTheReading) {
   EXPECT_EQ(bench.upload(0x6741, 0), "");
 }
 
+/// 9.2.27.2: a 0 deletes it, values above 0 are refused. A 0 has as many bytes as its writer likes.
+TEST_F(Diagnostics, AZeroOfAnySizeErasesTheFileAndNothingElse) {
+  for (const char* const zero :
+       {"2F 41 67 00 00 00 00 00", "2B 41 67 00 00 00 00 00", "23 41 67 00 00 00 00 00",
+        "22 41 67 00 00 00 00 00", "2F 41 67 00 30 00 00 00"}) {
+    unit->report(0x12, 0x3120);
+    EXPECT_NE(bench.upload(0x6741, 0), "");
+    EXPECT_EQ(bench.ask(zero), "60 41 67 00 00 00 00 00") << zero;
+    EXPECT_EQ(bench.upload(0x6741, 0), "") << zero;
+  }
+  unit->report(0x12, 0x3120);
+  for (const char* const other :
+       {"2F 41 67 00 01 00 00 00", "2B 41 67 00 00 01 00 00", "2B 41 67 00 30 30 00 00",
+        "2B 41 67 00 00 30 00 00", "2B 41 67 00 30 00 00 00"}) {
+    EXPECT_EQ(bench.ask(other), "80 41 67 00 30 00 09 06") << other;
+  }
+  EXPECT_FALSE(bench.download(0x6741, 0, std::string(9, '\0'))) << "no number has nine bytes";
+  EXPECT_NE(bench.upload(0x6741, 0), "");
+}
+
 TEST_F(Diagnostics, ItsHistoriesOutliveAReset) {
   unit->report(0x12, 0x3120);
   bench.download(0x6742, 1, "door 2 is stiff");

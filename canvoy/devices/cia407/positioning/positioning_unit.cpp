@@ -39,8 +39,8 @@ void PositioningUnit::look(Time now) {
   device_.tell(position_precision,
                hdop ? std::optional(*hdop * settings_.metres_per_hdop) : std::nullopt);
   const std::optional<double> velocity = if_known(reading.velocity);
-  // 6662h has no code for "not known".
-  device_.tell(gps_based_speed, velocity.value_or(0));
+  // 6662h has no code for "not known": 0 would say that the vehicle stands.
+  if (velocity) device_.tell(gps_based_speed, *velocity);
   device_.tell(gps_based_heading, if_known(within_turn(reading.heading)));
   const std::chrono::duration<double> passed = now - looked_.value_or(now);
   looked_ = now;

@@ -1,5 +1,6 @@
 #include "canvoy/tools/device/bus/sensed_vehicle.hpp"
 
+#include <algorithm>
 #include <string_view>
 
 namespace canvoy::tools {
@@ -54,6 +55,8 @@ cia407::VehicleReading SensedVehicle::read() {
       console_.is_reverse() ? cia407::Direction::reverse : cia407::Direction::forward;
   reading.brake = is_braking_ ? cia407::BrakePedal::depressed : cia407::BrakePedal::released;
   reading.doors = doors_;
+  // All doors are on the right, and a door that opens has been released.
+  reading.right_released = std::ranges::any_of(doors_, &cia407::DoorState::is_open);
   reading.local_time = motion_.utc();
   return reading;
 }
