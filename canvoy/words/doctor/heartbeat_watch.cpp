@@ -33,7 +33,8 @@ void RhythmWatch::hear(Time at, std::optional<Duration> expected) {
     expected_pairs_ = may_be && is_sooner ? expected_pairs_ + 1 : 0;
   }
   if (alternating_ >= pairs_least || expected_pairs_ >= pairs_least) {
-    found_ = TwoRhythms{pair, std::min(interval, interval_)};
+    const Time since = found_ ? found_->since : at;
+    found_ = TwoRhythms{pair, std::min(interval, interval_), since};
   }
   interval_ = interval;
   pair_ = pair;

@@ -23,6 +23,7 @@ namespace canvoy::words {
 struct TwoRhythms {
   Duration period{};
   Duration apart{};
+  Time since{};  ///< when it became plain
 };
 
 /// Looks for two rhythms in what should be one.

@@ -69,10 +69,11 @@ void judge_node_id_twice(const Observed& bus, Findings& findings) {
   for_each_node([&](NodeId node) {
     const std::string text = twice_text(bus, node);
     if (text.empty()) return;
+    const auto& rhythms = bus.heartbeats.of(node).two_rhythms();
     findings.push_back({.kind = FindingKind::node_id_twice,
                         .node = node,
                         .count = 1,
-                        .first = bus.begin,
+                        .first = rhythms ? rhythms->since : bus.begin,
                         .last = bus.end,
                         .what = fmt::format("Two devices are {}.{}", node_text(node), text)});
   });
