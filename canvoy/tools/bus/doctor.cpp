@@ -264,10 +264,9 @@ void add_doctor(Verb& app) {
       "with its data sheet, as far as its objects are read. The exit status is 0 where nothing is\n"
       "wrong, 3 where there are warnings, 4 where there are errors.\n"
       "Examples:\n"
-      "  canvoy doctor can0\n"
-      "  canvoy doctor can0 --for 10min --ask\n"
       "  canvoy doctor night.log --bit-rate 125\n"
-      "  canvoy doctor can0 --ask --eds 5=charger.eds --json");
+      "  canvoy doctor can0 --for 5s\n"
+      "  canvoy doctor can0 --for 5s --ask --eds 10=battery.eds --json");
   command.runs([options] {
     return is_log_source(options->source) ? examine_log(*options) : BusDoctor(*options).run();
   });

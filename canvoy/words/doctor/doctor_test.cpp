@@ -77,6 +77,20 @@ TEST(Doctor, TellsABootUpThatNobodyAskedFor) {
   EXPECT_EQ(findings.front().kind, FindingKind::unexpected_boot_up);
 }
 
+TEST(Doctor, NamesTheStatesThatComeInTurns) {
+  Doctor sut;
+  for (unsigned i = 0; i < 10; ++i) {
+    sut.hear(Time(i * 500ms),
+             Frame::data_frame(0x705, {static_cast<std::uint8_t>(i % 2 == 0 ? 5 : 0x7F)}));
+  }
+  beat(sut, Time(5s), Time(10s), 500ms);
+  const Findings findings = sut.findings(Time(10s));
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings.front().kind, FindingKind::node_id_twice);
+  EXPECT_NE(findings.front().what.find("operational"), std::string::npos);
+  EXPECT_NE(findings.front().what.find("pre-operational"), std::string::npos);
+}
+
 TEST(Doctor, TakesAnswersToNodeGuardingForNoHeartbeat) {
   Doctor sut;
   Time at{};

@@ -62,6 +62,7 @@ void NodeHeartbeats::hear(Time at, NmtState state, std::optional<Duration> expec
 void NodeHeartbeats::take_state(NmtState state) {
   if (states_ >= 2 && state == before_ && state != state_) {
     most_turns_ = std::max(most_turns_, ++turns_);
+    if (most_turns_ == turns_) in_turns_ = {state_, state};
   } else if (states_ >= 2) {
     turns_ = 0;
   }

@@ -80,8 +80,8 @@ class NodeHeartbeats {
   const std::optional<TwoRhythms>& two_rhythms() const { return rhythm_.found(); }
   /// How often two states came in turns, with no command between them.
   unsigned state_turns() const { return most_turns_; }
-  NmtState state() const { return state_; }
-  NmtState other_state() const { return before_; }
+  /// Those two.
+  const std::pair<NmtState, NmtState>& states_in_turns() const { return in_turns_; }
   Time latest() const { return latest_; }
 
  private:
@@ -106,6 +106,7 @@ class NodeHeartbeats {
   unsigned states_ = 0;
   unsigned turns_ = 0;
   unsigned most_turns_ = 0;
+  std::pair<NmtState, NmtState> in_turns_{};
 };
 
 class HeartbeatWatch {

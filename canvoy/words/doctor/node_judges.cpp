@@ -50,7 +50,8 @@ std::string twice_text(const Observed& bus, NodeId node) {
   }
   if (beats.state_turns() >= turns_least) {
     text += fmt::format(" It says in turns that it is {} and {}, and nobody commands it.",
-                        nmt_state_text(beats.state()), nmt_state_text(beats.other_state()));
+                        nmt_state_text(beats.states_in_turns().first),
+                        nmt_state_text(beats.states_in_turns().second));
   }
   const Tally& doubles = bus.sdos.of(node).doubles;
   if (doubles.count >= doubles_least) {
