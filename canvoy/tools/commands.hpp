@@ -17,6 +17,7 @@ void add_convert_log(Verb& app);
 void add_record(Verb& app);
 void add_replay(Verb& app);
 void add_stats(Verb& app);
+void add_doctor(Verb& app);
 void add_explain(Verb& app);
 void add_search(Verb& app);
 void add_program(Verb& app);

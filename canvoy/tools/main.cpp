@@ -49,6 +49,7 @@ constexpr auto verb_entries = std::to_array<VerbEntry>({
     {"record", add_record},
     {"replay", add_replay},
     {"stats", add_stats},
+    {"doctor", add_doctor},
     {"explain", add_explain},
     {"search", add_search},
     {"program", add_program},

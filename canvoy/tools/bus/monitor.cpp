@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 
-#include "canvoy/can/host/can_link.hpp"
 #include "canvoy/can/host/candump_log.hpp"
 #include "canvoy/formats/trace/trace.hpp"
 #include "canvoy/tools/bus/log_source.hpp"
@@ -46,17 +45,6 @@ LiveTable::By parse_table_rows(const std::string& by) {
   return by == "node" ? LiveTable::By::node : LiveTable::By::object;
 }
 
-/// In bit/s; 0 where it cannot be known, as of several buses.
-unsigned bit_rate_of(const MonitorOptions& options) {
-  constexpr unsigned kilo = 1000;
-  if (options.bit_rate != 0) return options.bit_rate * kilo;
-  if (options.source.find(',') != std::string::npos) return 0;
-  const host::BusAddress address = real_bus(options.source);
-  if (address.kind != host::BusKind::socketcan) return 0;
-  const auto link = host::read_can_link(address.interface);
-  return link ? link->bit_rate : 0;
-}
-
 class BusMonitor {
  public:
   explicit BusMonitor(const MonitorOptions& options)
@@ -65,7 +53,7 @@ class BusMonitor {
         session_(options.source),
         printer_(options.printer),
         table_(parse_table_rows(options.by)),
-        traffic_(options.table ? bit_rate_of(options) : 0) {
+        traffic_(options.table ? bit_rate_of(options.source, options.bit_rate) : 0) {
     if (!options.log.empty()) {
       log_.emplace(
           value_or_throw(host::CandumpWriter::create(options.log, session_.loop().epoch())));

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "canvoy/can/host/bus_address.hpp"
+#include "canvoy/can/host/can_link.hpp"
 #include "canvoy/tools/bus/log_source.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/value_file.hpp"
@@ -40,6 +41,16 @@ host::BusAddress real_bus(std::string_view text) {
     throw UsageError("sim: a simulated bus lives in one process only; use can0 or udp:");
   }
   return address;
+}
+
+unsigned bit_rate_of(std::string_view bus, unsigned said) {
+  constexpr unsigned kilo = 1000;
+  if (said != 0) return said * kilo;
+  if (bus.find(',') != std::string_view::npos) return 0;
+  const host::BusAddress address = real_bus(bus);
+  if (address.kind != host::BusKind::socketcan) return 0;
+  const auto link = host::read_can_link(address.interface);
+  return link ? link->bit_rate : 0;
 }
 
 Session::Session(std::string_view bus, Duration time_out)

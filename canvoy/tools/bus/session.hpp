@@ -118,5 +118,8 @@ class Session {
 host::BusAddress any_bus(std::string_view text);
 /// One that other processes can be on. Throws UsageError where the address is none, or `sim`.
 host::BusAddress real_bus(std::string_view text);
+/// In bit/s: `said`, in kbit/s, unless that is 0; else that of the interface; 0 where it cannot be
+/// known, as of several buses. Throws UsageError as real_bus() does.
+unsigned bit_rate_of(std::string_view bus, unsigned said);
 
 }  // namespace canvoy::tools

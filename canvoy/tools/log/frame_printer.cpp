@@ -156,7 +156,8 @@ void FramePrinter::add_sheet(const std::string& text) {
   if (!is_for_all) {
     const auto [node, path] = split(text, "--eds 5=FILE, or can1:5=FILE", Behind::file);
     const auto [bus, node_id] = parse_node_of_bus(node);
-    const auto& sheet = sheets_.emplace_back(read_sheet_file(path, findings), &any_bus_);
+    read_.push_back({bus, node_id, read_sheet_file(path, findings)});
+    const auto& sheet = sheets_.emplace_back(read_.back().sheet, &any_bus_);
     return add({.bus = bus, .node = node_id, .sheet = &sheet.sheet()});
   }
   const auto& sheet = sheets_.emplace_back(read_sheet_file(text, findings), &any_bus_);
@@ -254,13 +255,17 @@ FramePrinter::Bus& FramePrinter::bus_of(std::string_view name) {
 
 std::unique_ptr<FramePrinter::Bus> FramePrinter::make_bus(std::string_view name) {
   auto made = std::make_unique<Bus>(name, said_);
-  made->decoder.network() = any_bus_;
-  for (Given& given : given_) {
-    if (given.bus != name) continue;
-    given.is_heard = true;
-    tell(made->decoder.network(), given);
-  }
+  tell_network(name, made->decoder.network());
   return made;
+}
+
+void FramePrinter::tell_network(std::string_view bus, decoder::Network& network) {
+  network = any_bus_;
+  for (Given& given : given_) {
+    if (given.bus != bus) continue;
+    given.is_heard = true;
+    tell(network, given);
+  }
 }
 
 std::vector<std::string_view> FramePrinter::silent_buses() const {

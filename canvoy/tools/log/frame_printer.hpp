@@ -68,6 +68,16 @@ class FramePrinter {
     return decoder_of(bus).network().profile(node);
   }
 
+  /// Tells a decoder of the bus what the options say of it. This has to outlive it.
+  void tell_network(std::string_view bus, decoder::Network& network);
+  /// What `--eds 5=FILE` says.
+  struct SheetOfNode {
+    std::string bus = {};  ///< empty: of each
+    NodeId node = 0;
+    formats::DataSheet sheet;
+  };
+  const std::deque<SheetOfNode>& sheets_of_nodes() const { return read_; }
+
   /// What the frame says, until the next one; null where no filter wants it.
   const words::FrameWords* look(Duration time, std::string_view bus, const Frame& frame);
   /// Adds the line of a frame that look() has just returned.
@@ -122,6 +132,7 @@ class FramePrinter {
 
   std::deque<formats::ChosenProfile> chosen_;
   std::deque<decoder::SheetProfile> sheets_;
+  std::deque<SheetOfNode> read_;
   decoder::Network any_bus_;  ///< what is known of each bus before anything is heard
   std::vector<Given> given_;  ///< of one bus
   decoder::BusTable<Bus> buses_;
