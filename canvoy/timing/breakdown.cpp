@@ -43,10 +43,6 @@ BusModel scaled(const BusModel& model, double scale) {
   return made;
 }
 
-bool meets_all(const BusModel& model) {
-  return std::ranges::all_of(response_times(model), &Response::meets_deadline);
-}
-
 std::optional<Breakdown> breakdown(const BusModel& model) {
   if (model.messages.empty()) return std::nullopt;
   double late = utilisation(model);  // at this scale the bus is full

@@ -19,9 +19,6 @@ struct Breakdown {
 /// rate stay. Not below a microsecond.
 BusModel scaled(const BusModel& model, double scale);
 
-/// Whether all messages have a bound, and none is late.
-bool meets_all(const BusModel& model);
-
 /// To a thousandth of the scale. Nothing where there is no message, or where one is late even with
 /// scale_max. Takes some 15 times as long as response_times().
 std::optional<Breakdown> breakdown(const BusModel& model);

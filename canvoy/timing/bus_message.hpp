@@ -53,6 +53,9 @@ constexpr unsigned longest_frame_bits(unsigned bytes, bool is_extended = false) 
   return stuffed + 13 + (stuffed - 1) / 4;
 }
 
+/// Of two messages, the one with the lower number is sent first.
+std::uint32_t priority(const BusMessage& message);
+
 /// The share of the bus (0 and up) that the messages take in the long run, without errors.
 double utilisation(const BusModel& model);
 

@@ -18,12 +18,6 @@ std::int64_t ns_of(Duration duration) {
   return Nanoseconds(duration).count();
 }
 
-std::uint32_t key_of(const BusMessage& message) {
-  const auto extended = message.is_extended ? FrameFlags::extended : FrameFlags::none;
-  const auto remote = message.is_remote ? FrameFlags::remote : FrameFlags::none;
-  return arbitration_key({.id = message.id, .flags = extended | remote, .data = {}});
-}
-
 /// How often an instance comes in the long run, in the second.
 double rate_of(const BusMessage& message) {
   const Duration apart =
@@ -42,7 +36,8 @@ class Bus {
  public:
   explicit Bus(const BusModel& model) : model_(&model), order_(model.messages.size()) {
     std::iota(order_.begin(), order_.end(), std::size_t{0});
-    std::ranges::stable_sort(order_, {}, [&](std::size_t i) { return key_of(model.messages[i]); });
+    std::ranges::stable_sort(order_, {},
+                             [&](std::size_t i) { return priority(model.messages[i]); });
     bit_ns_ = wire_time(1, model.bit_rate).count();
     for (const std::size_t i : order_) {
       frame_ns_.push_back(wire_time(model.messages[i].bits, model.bit_rate).count());
@@ -124,8 +119,8 @@ class Bus {
 class BusyPeriod {
  public:
   /// `place`: the moment behind SYNC at which it begins; null: all come as they like.
-  BusyPeriod(const Bus& bus, std::size_t own, const Place* place, std::uint64_t& steps)
-      : bus_(&bus), own_(own), steps_(&steps), blocking_ns_(bus.blocking_ns(own)) {
+  BusyPeriod(const Bus& bus, std::size_t own, const Place* place, std::uint64_t& looks)
+      : bus_(&bus), own_(own), looks_(&looks), blocking_ns_(bus.blocking_ns(own)) {
     for (std::size_t k = 0; k <= own; ++k) releases_.push_back(release_of(k, place));
   }
 
@@ -185,8 +180,8 @@ class BusyPeriod {
   template <class Demand>
   std::int64_t fixed_point(std::int64_t from_ns, Demand demand) {
     std::int64_t t_ns = from_ns;
-    while (t_ns <= busy_period_max.count() && *steps_ < steps_max) {
-      ++*steps_;
+    while (t_ns <= busy_period_max.count() && *looks_ < looks_max) {
+      *looks_ += own_ + 1;
       const std::int64_t next_ns = demand(t_ns);
       if (next_ns <= t_ns) return t_ns;
       t_ns = next_ns;
@@ -196,7 +191,7 @@ class BusyPeriod {
 
   const Bus* bus_;
   std::size_t own_;
-  std::uint64_t* steps_;
+  std::uint64_t* looks_;
   std::int64_t blocking_ns_;
   std::vector<Release> releases_;
 };
@@ -204,21 +199,27 @@ class BusyPeriod {
 Response response_of(const Bus& bus, std::size_t own) {
   Response worst{.blocking = Nanoseconds(bus.blocking_ns(own))};
   if (bus.share(own) >= 1.0) return worst;
-  std::uint64_t steps = 0;
+  std::uint64_t looks = 0;
   bool is_bounded = true;
   bool has_place = false;
   for (const Place& place : bus.places()) {
     if (place.message > own) continue;
     has_place = true;
-    is_bounded = is_bounded && BusyPeriod(bus, own, &place, steps).look(worst);
+    is_bounded = is_bounded && BusyPeriod(bus, own, &place, looks).look(worst);
   }
-  if (!has_place) is_bounded = BusyPeriod(bus, own, nullptr, steps).look(worst);
+  if (!has_place) is_bounded = BusyPeriod(bus, own, nullptr, looks).look(worst);
   worst.is_bounded = is_bounded;
   worst.meets_deadline = is_bounded && worst.time <= Nanoseconds(bus.message(own).deadline);
   return worst;
 }
 
 }  // namespace
+
+std::uint32_t priority(const BusMessage& message) {
+  const auto extended = message.is_extended ? FrameFlags::extended : FrameFlags::none;
+  const auto remote = message.is_remote ? FrameFlags::remote : FrameFlags::none;
+  return arbitration_key({.id = message.id, .flags = extended | remote, .data = {}});
+}
 
 Nanoseconds wire_time(std::uint64_t bits, std::uint32_t bit_rate) {
   return Nanoseconds(
@@ -231,6 +232,14 @@ double utilisation(const BusModel& model) {
     taken += rate_of(each) * each.bits / static_cast<double>(model.bit_rate);
   }
   return taken;
+}
+
+bool meets_all(const BusModel& model) {
+  const Bus bus(model);
+  for (std::size_t own = 0; own < bus.size(); ++own) {
+    if (!response_of(bus, own).meets_deadline) return false;
+  }
+  return true;
 }
 
 std::vector<Response> response_times(const BusModel& model) {

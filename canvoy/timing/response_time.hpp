@@ -27,7 +27,7 @@ using Nanoseconds = std::chrono::nanoseconds;
 /// Of one message.
 struct Response {
   /// False: the bus has more to carry than it can, or the busy period has no end within
-  /// busy_period_max, or steps_max steps. Then `time`, `first` and `instances` say nothing.
+  /// busy_period_max, or looks_max looks. Then `time`, `first` and `instances` say nothing.
   bool is_bounded = false;
   bool meets_deadline = false;  ///< there is a bound, and it is not above the deadline
   /// From the event to the end of the frame's intermission, when the bus is free again. Receivers
@@ -40,12 +40,16 @@ struct Response {
 
 /// As far as busy periods are followed.
 inline constexpr Nanoseconds busy_period_max = std::chrono::hours(1);
-inline constexpr std::uint64_t steps_max = 100'000;  ///< of the iteration, for each message
+/// Of the iteration, for each message: how often another one's share is looked at.
+inline constexpr std::uint64_t looks_max = 1'000'000;
 /// Instances behind SYNC until all of its messages begin anew.
 inline constexpr std::size_t places_max = 512;
 
 /// Of each message, in the order of the model. Takes some steps for each pair of messages.
 std::vector<Response> response_times(const BusModel& model);
+
+/// Whether all messages have a bound, and none is late. Ends at the first that does not.
+bool meets_all(const BusModel& model);
 
 /// What bits take, rounded up to a nanosecond.
 Nanoseconds wire_time(std::uint64_t bits, std::uint32_t bit_rate);
