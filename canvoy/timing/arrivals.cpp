@@ -15,9 +15,21 @@ void Arrivals::add(Time when) {
   }
   latest_ = when;
   const Corner next = {static_cast<double>(count_), static_cast<double>((when - first_).count())};
+  for (std::size_t i = 0; i < buckets_max; ++i) {
+    // How far the row has run ahead of what came, and was behind it at least before that.
+    const double level = next.number * bucket_period_us(i) - next.us;
+    buckets_[i].lowest_us = std::min(buckets_[i].lowest_us, level);
+    buckets_[i].ahead_us = std::max(buckets_[i].ahead_us, level - buckets_[i].lowest_us);
+  }
   add_corner(late_, next, 1);
   add_corner(early_, next, -1);
   ++count_;
+}
+
+/// From 128 us, a short frame at 500 kbit/s, each twice as long as the one before.
+double Arrivals::bucket_period_us(std::size_t bucket) {
+  constexpr double first_us = 128;
+  return first_us * static_cast<double>(std::uint64_t{1} << bucket);
 }
 
 /// Corners that the way to the next one passes on the wrong side are none.
@@ -50,6 +62,13 @@ void Arrivals::describe(BusMessage& message, Duration listened) const {
   for (const Corner& each : early_) earliest = std::min(earliest, place(each));
   message.period = Duration(static_cast<std::int64_t>(period_us));
   message.ahead = Duration(static_cast<std::int64_t>(std::ceil(latest - earliest)));
+  message.bursts.clear();
+  for (std::size_t i = 0; i < buckets_max; ++i) {
+    const Duration row(static_cast<std::int64_t>(bucket_period_us(i)));
+    if (row <= shortest_ || row >= message.period) continue;  // another row says it already
+    message.bursts.push_back(
+        {row, Duration(static_cast<std::int64_t>(std::ceil(buckets_[i].ahead_us)))});
+  }
   message.distance = count_ > 1 ? std::clamp(shortest_, Duration{0}, message.period) : Duration{0};
 }
 

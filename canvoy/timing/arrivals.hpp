@@ -9,6 +9,7 @@
 // square root of twice the microseconds that were listened for.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -26,8 +27,8 @@ class Arrivals {
   Duration shortest() const { return shortest_; }  ///< zero before the second
   Duration longest() const { return longest_; }    ///< zero before the second
 
-  /// Sets `period`, `ahead` and `distance` so that all that was heard within `listened` (not
-  /// shorter than it took, and above zero) fits them. The period is the mean one while frames
+  /// Sets `period`, `ahead`, `distance` and `bursts` so that all that was heard within `listened`
+  /// (not shorter than it took, and above zero) fits them. The period is the mean one while frames
   /// came, or `listened` over their number where they came in a part of it only. At least one was
   /// heard.
   void describe(BusMessage& message, Duration listened) const;
@@ -37,10 +38,19 @@ class Arrivals {
     double number;  ///< of frames before it
     double us;      ///< since the first
   };
+  /// Of a row of events a period apart: how far ahead of it some came.
+  struct Bucket {
+    double lowest_us = 0;
+    double ahead_us = 0;
+  };
+  static constexpr std::size_t buckets_max = 24;
+  static double bucket_period_us(std::size_t bucket);
+
   static void add_corner(std::vector<Corner>& hull, Corner next, double side);
 
   std::vector<Corner> late_;   // above all others
   std::vector<Corner> early_;  // below all others
+  std::array<Bucket, buckets_max> buckets_{};
   std::uint64_t count_ = 0;
   Time first_{};
   Time latest_{};

@@ -40,6 +40,19 @@ TEST(Arrivals, InAPartOfTheTimeAreABurst) {
   EXPECT_EQ(message.distance, 1ms);
 }
 
+TEST(Arrivals, InBurstsHaveARowForEachPace) {
+  // Pairs that are 1 ms apart, each 20 ms. At 8.192 ms a frame, the second of a pair is 7.192 ms
+  // ahead, and no more come before the row has caught up.
+  const BusMessage message =
+      heard_at({0ms, 1ms, 20ms, 21ms, 40ms, 41ms, 60ms, 61ms, 80ms, 81ms}, 100ms);
+  EXPECT_EQ(message.distance, 1ms);
+  ASSERT_EQ(message.bursts.size(), 4U);  // 1.024, 2.048, 4.096 and 8.192 ms
+  EXPECT_EQ(message.bursts[0].period, 1024us);
+  EXPECT_EQ(message.bursts[0].ahead, 24us);
+  EXPECT_EQ(message.bursts[3].period, 8192us);
+  EXPECT_EQ(message.bursts[3].ahead, 7192us);
+}
+
 TEST(Arrivals, OfOneFrameAreOneInAllThatTime) {
   const BusMessage message = heard_at({3s}, 10s);
   EXPECT_EQ(message.period, 10s);
@@ -74,6 +87,9 @@ TEST(Arrivals, ByChanceAllFitWhatIsSaidOfThem) {
         const auto between = static_cast<std::int64_t>(b - a);
         ASSERT_GE(times[b] - times[a], between * message.period - message.ahead);
         ASSERT_GE(times[b] - times[a], between * message.distance);
+        for (const Burst& each : message.bursts) {
+          ASSERT_GE(times[b] - times[a], between * each.period - each.ahead);
+        }
       }
     }
   }

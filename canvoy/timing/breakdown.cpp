@@ -38,6 +38,10 @@ BusModel scaled(const BusModel& model, double scale) {
     if (is_due_with_next) each.deadline = each.period;
     each.ahead = times(each.ahead, scale);
     each.distance = std::min(times(each.distance, scale), each.period);
+    for (Burst& burst : each.bursts) {
+      burst.period = std::max(times(burst.period, scale), Duration{1});
+      burst.ahead = times(burst.ahead, scale);
+    }
     if (each.offset) each.offset = std::min(times(*each.offset, scale), each.period - Duration{1});
   }
   return made;

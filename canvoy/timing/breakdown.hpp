@@ -14,9 +14,9 @@ struct Breakdown {
   double utilisation = 0;  ///< of the bus then, 0 to 1
 };
 
-/// All messages come `scale` times as far apart: periods, `ahead`, `distance` and places behind
-/// SYNC grow, and so do deadlines that are the period; jitters, other deadlines, errors and the bit
-/// rate stay. Not below a microsecond.
+/// All messages come `scale` times as far apart: periods, `ahead`, `distance`, bursts and places
+/// behind SYNC grow, and so do deadlines that are the period; jitters, other deadlines, errors and
+/// the bit rate stay. Not below a microsecond.
 BusModel scaled(const BusModel& model, double scale);
 
 /// To a thousandth of the scale. Nothing where there is no message, or where one is late even with

@@ -13,6 +13,12 @@
 
 namespace canvoy::timing {
 
+/// Events that are `period` apart, of which some come up to `ahead` before their place in that row.
+struct Burst {
+  Duration period{};  ///< above zero
+  Duration ahead{};   ///< 0 or more
+};
+
 /// What an event of a message is: a moment at which its sender has something to tell. Events are
 /// `period` apart in the long run. One may be up to `ahead` before its place in that row, but comes
 /// no less than `distance` after the one before. The frame is queued up to `jitter` behind its
@@ -27,8 +33,11 @@ struct BusMessage {
   Duration ahead{};          ///< 0 or more; with the jitter not above 10^9 periods
   Duration distance{};       ///< 0: none is known
   Duration deadline{};       ///< from the event to the end of the frame, above zero
+  /// More such rows, in which the events stand as well: of a burst, a row with a shorter period
+  /// says how quickly it comes.
+  std::vector<Burst> bursts{};
   /// From SYNC, of messages whose events follow it: those keep these places among each other, and
-  /// have neither `ahead` nor `distance`. 0 to below `period`.
+  /// have neither `ahead` nor `distance` nor `bursts`. 0 to below `period`.
   std::optional<Duration> offset{};
 };
 

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
+#include <vector>
 
 #include "canvoy/timing/bus_message.hpp"
 
@@ -23,46 +23,56 @@ class Release {
   /// All come as early as they can: the first at the start of the busy period.
   static Release anywhere(const BusMessage& message) {
     Release made(message);
-    made.lead_ns_ = made.jitter_ns_ + ns(message.ahead);
-    made.distance_ns_ = ns(message.distance);
+    made.add_row(message.period, message.ahead);
+    if (message.distance > Duration{}) made.add_row(message.distance, Duration{});
+    for (const Burst& each : message.bursts) made.add_row(each.period, each.ahead);
     return made;
   }
   /// The first event at or behind the start of the busy period is at `phase_ns`, 0 to below the
   /// period; those before count where their jitter brings them into it.
   static Release at_phase(const BusMessage& message, std::int64_t phase_ns) {
     Release made(message);
-    const std::int64_t delayed = (made.jitter_ns_ + phase_ns) / made.period_ns_;
-    made.lead_ns_ = delayed * made.period_ns_ - phase_ns;
-    made.begin_ns_ = -made.lead_ns_;
+    const std::int64_t period_ns = ns(message.period);
+    const std::int64_t delayed = (made.jitter_ns_ + phase_ns) / period_ns;
+    made.rows_.push_back({period_ns, delayed * period_ns - phase_ns});
+    made.begins_with_row_ = true;
     return made;
   }
 
   /// Queued in [0, t), which `t_ns` ends. Not below 0.
   std::int64_t count(std::int64_t t_ns) const {
-    const std::int64_t by_period = divided_up(t_ns + lead_ns_, period_ns_);
-    if (distance_ns_ == 0) return std::max<std::int64_t>(by_period, 0);
-    return std::min(by_period, divided_up(t_ns + jitter_ns_, distance_ns_));
+    std::int64_t least = divided_up(t_ns + rows_.front().lead_ns, rows_.front().period_ns);
+    for (std::size_t i = 1; i < rows_.size(); ++i) {
+      least = std::min(least, divided_up(t_ns + rows_[i].lead_ns, rows_[i].period_ns));
+    }
+    return std::max<std::int64_t>(least, 0);
   }
   /// The event of an instance, from 0 on.
   std::int64_t event_ns(std::int64_t instance) const {
-    if (begin_ns_ != no_phase) return begin_ns_ + instance * period_ns_;
-    const std::int64_t ahead_ns = lead_ns_ - jitter_ns_;
-    const std::int64_t by_period = instance * period_ns_ - ahead_ns;
-    return std::max<std::int64_t>({by_period, instance * distance_ns_, 0}) - jitter_ns_;
+    const Row& first = rows_.front();
+    if (begins_with_row_) return instance * first.period_ns - first.lead_ns;
+    std::int64_t latest_ns = -jitter_ns_;  // not before the first
+    for (const Row& row : rows_) {
+      latest_ns = std::max(latest_ns, instance * row.period_ns - row.lead_ns);
+    }
+    return latest_ns;
   }
 
  private:
-  static constexpr std::int64_t no_phase = std::numeric_limits<std::int64_t>::max();
+  struct Row {
+    std::int64_t period_ns;
+    std::int64_t lead_ns;  ///< how far before its place an instance may be, with its jitter
+  };
 
   static std::int64_t ns(Duration duration) { return std::chrono::nanoseconds(duration).count(); }
-  explicit Release(const BusMessage& message)
-      : period_ns_(ns(message.period)), jitter_ns_(ns(message.jitter)) {}
+  explicit Release(const BusMessage& message) : jitter_ns_(ns(message.jitter)) {}
+  void add_row(Duration period, Duration ahead) {
+    rows_.push_back({ns(period), jitter_ns_ + ns(ahead)});
+  }
 
-  std::int64_t period_ns_;
+  std::vector<Row> rows_;
   std::int64_t jitter_ns_;
-  std::int64_t lead_ns_ = 0;
-  std::int64_t distance_ns_ = 0;
-  std::int64_t begin_ns_ = no_phase;
+  bool begins_with_row_ = false;
 };
 
 }  // namespace canvoy::timing

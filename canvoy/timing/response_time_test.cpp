@@ -105,6 +105,19 @@ TEST(ResponseTimes, CountABurstByItsDistance) {
   EXPECT_EQ(response_times(model)[0].time, 5ms);
 }
 
+TEST(ResponseTimes, CountABurstByEachOfItsRows) {
+  // Of four that may come at once in the long run, no more than two within 4 ms.
+  BusModel model{.bit_rate = 125'000};
+  model.messages = {message(1, 7, 1s), message(2, 7, 1s)};
+  model.messages[0].ahead = 3s;
+  model.messages[0].bursts = {{.period = 4ms, .ahead = 4ms}};
+  EXPECT_EQ(response_times(model)[1].time, 3ms);  // two, and its own
+  model.messages[0].bursts[0].ahead = 3ms;        // the second comes 1 ms behind the first: as well
+  EXPECT_EQ(response_times(model)[1].time, 3ms);
+  model.messages[0].bursts[0].ahead = 2ms;
+  EXPECT_EQ(response_times(model)[1].time, 2ms);
+}
+
 TEST(ResponseTimes, OfFramesBehindSyncAreShorterWhereTheyKeepTheirDistance) {
   // Two messages of 10 ms, 4 ms apart behind SYNC: the second never meets the first.
   BusModel model{.bit_rate = 125'000};

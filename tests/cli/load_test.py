@@ -136,7 +136,7 @@ class LoadTest(CommandTest):
         log = self.path("a.log", "(1.000000) can0 181#00\n(1.500000) can1 182#00\n(2.000000) can0 181#00\n")
         done = self.assert_done(run("load", log, "--bit-rate", "125"))
         self.assertIn("can0 at 125 kbit/s, 2 frames heard in 1.000 s", done)
-        self.assertIn("can1 at 125 kbit/s", done)
+        self.assertIn("can1 at 125 kbit/s, 1 frame heard in 1.000 s", done)
         messages, _ = self.told(log, "--bit-rate", "125", "--bus", "can1")
         self.assertEqual(list(messages), ["182"])
         self.assert_refused(run("load", log, "--bit-rate", "125", "--bus", "can2"), USAGE, "there is no bus can2; there are can0, can1")
@@ -154,6 +154,18 @@ class LoadTest(CommandTest):
         self.assertEqual((messages["285"]["period_s"], messages["705"]["period_s"]), (0.005, 0.5))
         self.assertEqual(bus["left_out"], ["385h, TPDO3 5, has neither inhibit nor event time"])
         self.assert_refused(run("load", network), USAGE, "--bit-rate 125")
+
+    def test_a_network_that_is_played_is_heard_as_its_log_has_it(self):
+        path = self.path("lift.toml", run("run", "lift", "--print").stdout)
+        run("run", path, "--for", "5s", "--log", str(self.folder / "run.log"))
+        frames = (self.folder / "run.log").read_text().count("\n")
+        done = run("load", path, "--for", "5s", "--json")
+        lines = [json.loads(line) for line in done.stdout.splitlines()]
+        self.assertEqual(sum(line["frames"] for line in lines if "id" in line), frames)
+        self.assertEqual({line["bit_rate"] for line in lines if "bit_rate" in line}, {250_000})
+        later = sum(float(line[1 : line.index(")")]) > 2 for line in (self.folder / "run.log").read_text().splitlines())
+        done = run("load", path, "--after", "2s", "--for", "3s", "--json")
+        self.assertEqual(sum(line.get("frames", 0) for line in map(json.loads, done.stdout.splitlines())), later)
 
     def test_a_picture_has_a_bar_for_each_message(self):
         path = str(self.folder / "a.svg")
@@ -180,8 +192,9 @@ class LoadTest(CommandTest):
         refused(PAPER + 'offset = "4ms"\n', "offset: is not below the period")
         refused(PAPER + "speed = 1\n", "speed: is not known here")
         refused(PAPER.replace("bit_rate = 125000\n", ""), "say it in kbit/s, as --bit-rate 125", status=USAGE)
-        refused(PAPER, "--for is for what is listened to", arguments=("--for", "1s"), status=USAGE)
+        refused(PAPER, "are for what is listened to", arguments=("--for", "1s"), status=USAGE)
         refused(PAPER, "ends like no picture", arguments=("--svg", "a.png"), status=USAGE)
+        refused('network = "house"\n', "'house' is not known")
         refused("", "no node stands in it")
         self.assert_refused(run("load", str(self.folder / "no.toml")), FAILED, "no.toml")
         self.assert_refused(run("load", self.path("a.log", "")), FAILED, "a.log")

@@ -154,6 +154,10 @@ inline MessageSet message_set(Random& random) {
     if (random.below(4) == 0) {
       each.distance = random.below(period + 1) * bit;
       each.ahead = random.below(3 * period + 1) * bit;
+      if (random.below(2) == 0) {
+        const Duration row = (1 + random.below(period)) * bit;
+        each.bursts.push_back({row, random.below(2 * period + 1) * bit});
+      }
     }
   }
   return set;
@@ -168,6 +172,7 @@ inline void put_behind_sync(MessageSet& set, Random& random) {
     if (random.below(2) == 0) continue;
     each.period = each.deadline = (1 + random.below(4)) * sync;
     each.ahead = each.distance = Duration{};
+    each.bursts.clear();
     each.jitter = random.below(2) * random.below(2000) * bit;
     each.offset = random.below(static_cast<std::uint32_t>(each.period / bit)) * bit;
   }
@@ -181,7 +186,8 @@ inline void add_earliest(std::vector<Instance>& to, const MessageSet& set, std::
   const BusMessage& each = set.model.messages[message];
   const Time first = start - each.jitter;
   for (std::int64_t n = 0;; ++n) {
-    const Duration behind = std::max({Duration{}, n * each.period - each.ahead, n * each.distance});
+    Duration behind = std::max({Duration{}, n * each.period - each.ahead, n * each.distance});
+    for (const Burst& row : each.bursts) behind = std::max(behind, n * row.period - row.ahead);
     const Time event = first + behind;
     if (event > start + length) return;
     to.push_back({message, event, std::max(event, start)});
@@ -275,9 +281,16 @@ inline std::vector<Duration> longest_by_chance(const MessageSet& set, Random& ra
     Time place = each.offset ? sync + *each.offset : begin + draw(each.period) + each.ahead;
     Time event_before = begin - each.period;
     Time queued_before = begin;
+    std::vector<Time> row_ends(each.bursts.size(), begin - each.period);
     for (; place < begin + periods * slowest; place += each.period) {
       const Duration early = random.below(3) == 0 ? each.ahead : draw(each.ahead);
-      const Time event = std::max(place - early, event_before + each.distance);
+      Time event = std::max(place - early, event_before + each.distance);
+      for (std::size_t row = 0; row < row_ends.size(); ++row) {
+        event = std::max(event, row_ends[row] - each.bursts[row].ahead);
+      }
+      for (std::size_t row = 0; row < row_ends.size(); ++row) {
+        row_ends[row] = std::max(row_ends[row], event) + each.bursts[row].period;
+      }
       const Duration late = random.below(3) == 0 ? each.jitter : draw(each.jitter);
       const Time queued = std::max(event + late, queued_before);
       instances.push_back({k, event, queued});

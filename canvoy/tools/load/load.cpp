@@ -32,6 +32,7 @@ constexpr Duration usual_playing = 1min;
 
 struct LoadOptions {
   std::string source;
+  std::string after;
   std::string duration;
   std::string bus;
   std::vector<std::string> added;
@@ -53,13 +54,15 @@ std::vector<LoadedBus> load_of_log(const LoadOptions& options) {
   TraceProgress progress(trace);
   HeardLoad load;
   const Duration limit = parse_duration_argument(options.duration, Duration::max());
+  const Duration after = parse_duration_argument(options.after, Duration{});
   std::optional<Time> first;
   formats::TraceFrame heard;
   for (formats::TraceRead read; (read = trace.next(heard)) != formats::TraceRead::end;) {
     if (read == formats::TraceRead::bad) show_bad(options.source, trace);
     progress.show(trace);
     if (read != formats::TraceRead::frame) continue;
-    if (!first) first = heard.time;
+    if (!first) first = heard.time + after;
+    if (heard.time < *first) continue;
     if (heard.time - *first > limit) break;
     load.add(heard.time.time_since_epoch(), heard.channel, heard.frame);
   }
@@ -70,6 +73,7 @@ std::vector<LoadedBus> load_of_log(const LoadOptions& options) {
 std::vector<LoadedBus> load_of_bus(const LoadOptions& options) {
   const Duration length = parse_duration_argument(options.duration, usual_listening);
   Session session(options.source);
+  if (!options.after.empty()) session.run_for(parse_duration_argument(options.after));
   HeardLoad load;
   for (host::HostBus* bus : session.buses()) {
     bus->on_frame([&load, bus](const host::BusFrame& heard) {
@@ -78,10 +82,6 @@ std::vector<LoadedBus> load_of_bus(const LoadOptions& options) {
   }
   session.run_for(length);
   std::vector<LoadedBus> buses = load.buses(length);
-  if (buses.empty()) {
-    throw Failure(
-        fmt::format("{}: nothing was heard for {:g} s", options.source, in_seconds(length)));
-  }
   for (LoadedBus& bus : buses) {
     const auto link = host::read_can_link(bus.name);
     if (link) bus.bit_rate = link->bit_rate;
@@ -108,12 +108,13 @@ std::vector<LoadedBus> load_of_sheets(const LoadOptions& options) {
 std::vector<LoadedBus> load_of_file(const LoadOptions& options) {
   TomlFile file(options.source);
   const auto refuse_duration = [&] {
-    if (!options.duration.empty())
-      throw UsageError(
-          fmt::format("--for is for what is listened to: {} is a plan", options.source));
+    if (!options.duration.empty() || !options.after.empty())
+      throw UsageError(fmt::format("--for and --after are for what is listened to: {} is a plan",
+                                   options.source));
   };
   if (file.table().has("network"))
     return played_load(file.table(), options.source,
+                       parse_duration_argument(options.after, Duration{}),
                        parse_duration_argument(options.duration, usual_playing));
   refuse_duration();
   if (!is_message_list(file.table())) return load_of_sheets(options);
@@ -158,6 +159,7 @@ int show_load(const LoadOptions& options) {
   const Duration each =
       options.error_each.empty() ? Duration{} : parse_duration_argument(options.error_each);
   std::vector<LoadedBus> buses = load_of_source(options);
+  if (buses.empty()) throw Failure(fmt::format("{}: nothing was heard", options.source));
   keep_bus(buses, options);
   for (LoadedBus& bus : buses) {
     if (options.bit_rate != 0) bus.bit_rate = said_bit_rate(options);
@@ -203,6 +205,8 @@ void add_load(Verb& app) {
       {"--for", options->duration,
        "listen for so long: 30s, 10min (default: 10s to a bus, 1min to a network that is played, "
        "all of a log)"},
+      {"--after", options->after,
+       "listen from then on: what networks send while they boot is left out"},
       {"--bus", options->bus, "of several buses, this one alone"},
       {"--bit-rate", options->bit_rate,
        "in kbit/s: what if it were this one (default: that of the bus)", between(1U, 1000U)},

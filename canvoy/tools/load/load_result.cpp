@@ -86,7 +86,8 @@ std::string head_text(const LoadedBus& bus) {
   if (bus.heard != Duration{}) {
     std::uint64_t frames = 0;
     for (const LoadedMessage& each : bus.messages) frames += each.frames;
-    text += fmt::format(", {} frames heard in {:.3f} s", frames, seconds(bus.heard));
+    text += fmt::format(", {} frame{} heard in {:.3f} s", frames, frames == 1 ? "" : "s",
+                        seconds(bus.heard));
   }
   const timing::ErrorModel& errors = bus.errors;
   if (errors.at_once != 0 || errors.each != Duration{})
@@ -158,6 +159,7 @@ void append_message(std::string& text, const LoadedBus& bus, const LoadedMessage
   json.key("id").text(id_text(timing));
   if (!message.name.empty()) json.key("name").text(message.name);
   json.key("service").text(message.service);
+  if (message.timing.is_remote) json.key("remote").truth(true);
   if (message.node != 0) json.key("node").number(std::int64_t{message.node});
   json.key("bytes").number(std::uint64_t{message.bytes});
   json.key("bits_max").number(std::uint64_t{timing.bits});

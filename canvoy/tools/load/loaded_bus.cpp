@@ -17,9 +17,10 @@ std::string id_text(const timing::BusMessage& message) {
 }
 
 std::string title(const LoadedMessage& message) {
-  if (!message.name.empty()) return message.name;
-  if (message.node == 0) return message.service;
-  return fmt::format("{} {}", message.service, message.node);
+  const std::string remote = message.timing.is_remote ? "R " : "";
+  if (!message.name.empty()) return remote + message.name;
+  if (message.node == 0) return remote + message.service;
+  return fmt::format("{}{} {}", remote, message.service, message.node);
 }
 
 void complete(LoadedMessage& message) {
@@ -30,7 +31,10 @@ void complete(LoadedMessage& message) {
   if (message.frames == 0)
     message.bits_per_second = timing.bits * 1e6 / static_cast<double>(timing.period.count());
   if (!message.service.empty()) return;
-  Frame frame{.id = timing.id, .length = static_cast<std::uint8_t>(message.bytes), .data = {}};
+  // Of error control, a heartbeat: boot-up, a byte of 0, is its first alone.
+  constexpr std::uint8_t operational = 5;
+  const auto length = static_cast<std::uint8_t>(message.bytes);
+  Frame frame{.id = timing.id, .length = length, .data = {operational}};
   if (timing.is_extended) frame.flags = frame.flags | FrameFlags::extended;
   if (timing.is_remote) frame.flags = frame.flags | FrameFlags::remote;
   words::FrameDecoder decoder;

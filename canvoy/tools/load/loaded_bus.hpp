@@ -36,7 +36,7 @@ struct LoadedBus {
 
 /// `185`, `18FEF100`
 std::string id_text(const timing::BusMessage& message);
-/// `speed`, or `TPDO1 5`
+/// `speed`, or `TPDO1 5`; of a remote frame with an R in front.
 std::string title(const LoadedMessage& message);
 /// One that is planned, with as many stuff bits as can be, which is due before the next. Its
 /// service and node are those of its identifier, unless they are known.

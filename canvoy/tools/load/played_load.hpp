@@ -1,6 +1,6 @@
-// What the buses of a network of `canvoy run` carry: it is played, and listened to from its start.
+// What the buses of a network of `canvoy run` carry: it is played, and listened to for a time.
 //
-//     const std::vector<LoadedBus> buses = played_load(table, "lift.toml", 1min);
+//     const std::vector<LoadedBus> buses = played_load(table, "lift.toml", 10s, 1min);
 #pragma once
 
 #include <string>
@@ -11,7 +11,8 @@
 
 namespace canvoy::tools {
 
-/// Throws Failure with file and line.
-std::vector<LoadedBus> played_load(TomlTable& table, const std::string& path, Duration length);
+/// `length` is listened to, `after` its start. Throws Failure with file and line.
+std::vector<LoadedBus> played_load(TomlTable& table, const std::string& path, Duration after,
+                                   Duration length);
 
 }  // namespace canvoy::tools
