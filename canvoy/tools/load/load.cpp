@@ -224,10 +224,10 @@ void add_load(Verb& app) {
       "Responses are the longest that can be, by the analysis of Davis, Burns, Bril and Lukkien\n"
       "(2007). The exit status is 1 where a deadline can be missed.\n"
       "Examples:\n"
-      "  canvoy load can0 --for 1min\n"
-      "  canvoy load night.log --bit-rate 125\n"
-      "  canvoy load messages.toml --errors 2 --svg load.svg\n"
-      "  canvoy load lift.toml --bit-rate 125 --json");
+      "  canvoy load can0 --bit-rate 125 --for 3s\n"
+      "  canvoy load night.log --bit-rate 125 --after 10s\n"
+      "  canvoy load charging.toml --after 10s --svg load.svg\n"
+      "  canvoy load charging.toml --bit-rate 250 --errors 2 --json");
   command.runs([options] { return show_load(*options); });
 }
 
