@@ -7,9 +7,10 @@ SEEDS ?= 1000
 FOLDERS ?= canvoy/devices/cia419
 COUNT ?= 20
 CASES ?= 20000
+SETS ?= 1000
 SEED ?= 1
 
-.PHONY: build dist release-check demo docs test check test-all tidy bench bench-page fuzz properties mutate mutate-all format install clean
+.PHONY: build dist release-check demo docs test check test-all tidy bench bench-page fuzz properties response-times mutate mutate-all format install clean
 
 # The command, at build/canvoy.
 build:
@@ -82,6 +83,13 @@ properties:
 	@cmake --build --preset release-tests -j $(JOBS)
 	@for test in $$(find build/folders -name 'canvoy_*_test'); do \
 	  echo "== $$test"; RC_PARAMS=max_success=$(CASES) $$test --gtest_brief=1 --gtest_filter='*RapidCheck*' || exit 1; done
+
+# Response times of SETS random message sets: the analysis against the simulated bus, at critical instants and by chance.
+response-times:
+	@scripts/install-packages test
+	@cmake --preset release-tests --log-level=WARNING
+	@cmake --build --preset release-tests -j $(JOBS) --target canvoy_timing_test
+	@CANVOY_SETS=$(SETS) build/folders/timing/canvoy_timing_test --gtest_brief=1 --gtest_filter='Bounds.*'
 
 # Hours of a world with faults, one for each seed: what must hold is checked at each event. soak-gaps has gaps of 1 ms to
 # 3 s in the communication of each world.

@@ -18,6 +18,7 @@
 #include "canvoy/tools/cli/verb.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/load/load.hpp"
 #include "canvoy/tools/terminal_text.hpp"
 #include "canvoy/version.hpp"
 
@@ -50,6 +51,7 @@ constexpr auto verb_entries = std::to_array<VerbEntry>({
     {"replay", add_replay},
     {"stats", add_stats},
     {"doctor", add_doctor},
+    {"load", add_load},
     {"explain", add_explain},
     {"search", add_search},
     {"program", add_program},

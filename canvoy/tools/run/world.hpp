@@ -40,6 +40,12 @@ struct WorldInfo {
   FramePrinterOptions decoding{};
 };
 
+/// A network of a file, to be played by who asks for it.
+struct HeardWorld {
+  std::unique_ptr<PlayedNetwork> network;
+  std::vector<std::uint32_t> bit_rates;  ///< of its buses, in bit/s
+};
+
 /// A row of the table.
 struct WorldEntry {
   std::string_view name;  ///< `taxi`, in files and on the command line
@@ -47,6 +53,8 @@ struct WorldEntry {
   /// Plays what a file describes, and returns the exit status. Paths in it are relative to
   /// `folder`.
   int (*play)(TomlTable& file, const std::string& folder, const RunOptions& options);
+  /// What a file describes, with its faults.
+  HeardWorld (*make)(TomlTable& file, const std::string& folder);
   /// What a file describes, as a file that reads as the same.
   std::string (*rewrite)(TomlTable& file, const std::string& folder);
   /// Its nodes with their data sheets, where files do not have them; null: they have.
@@ -206,6 +214,18 @@ constexpr auto describer() -> std::vector<DescribedNode> (*)(TomlTable&, const s
 }
 
 template <class World>
+HeardWorld heard_world(TomlTable& file, const std::string& folder) {
+  const typename World::Run run = read_run<World>(file, folder);
+  HeardWorld made{.network = World::make(run, {}).network, .bit_rates = {}};
+  if constexpr (requires { run.network.buses; }) {
+    for (const auto& bus : run.network.buses) made.bit_rates.push_back(bus.bit_rate);
+  } else {
+    made.bit_rates.assign(made.network->bus_names().size(), run.network.bit_rate);
+  }
+  return made;
+}
+
+template <class World>
 constexpr WorldEntry world_entry() {
   return {.name = World::name,
           .add_verb = add_world_verb<World>,
@@ -213,6 +233,7 @@ constexpr WorldEntry world_entry() {
               [](TomlTable& file, const std::string& folder, const RunOptions& options) {
                 return play_run<World>(read_run<World>(file, folder), options);
               },
+          .make = heard_world<World>,
           .rewrite =
               [](TomlTable& file, const std::string& folder) {
                 return run_text<World>(read_run<World>(file, folder));

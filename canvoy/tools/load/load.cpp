@@ -1,0 +1,234 @@
+// canvoy load SOURCE: how busy a bus is, and how late each of its messages can be.
+#include "canvoy/tools/load/load.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "canvoy/can/host/can_link.hpp"
+#include "canvoy/formats/trace/trace.hpp"
+#include "canvoy/tools/bus/log_source.hpp"
+#include "canvoy/tools/bus/session.hpp"
+#include "canvoy/tools/duration_argument.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/load/heard_load.hpp"
+#include "canvoy/tools/load/load_result.hpp"
+#include "canvoy/tools/load/message_list.hpp"
+#include "canvoy/tools/load/played_load.hpp"
+#include "canvoy/tools/load/sheet_messages.hpp"
+#include "canvoy/tools/log/trace_complaints.hpp"
+#include "canvoy/tools/log/trace_progress.hpp"
+#include "canvoy/tools/value_file.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+constexpr Duration usual_listening = 10s;
+constexpr Duration usual_playing = 1min;
+
+struct LoadOptions {
+  std::string source;
+  std::string after;
+  std::string duration;
+  std::string bus;
+  std::vector<std::string> added;
+  std::string deadlines;
+  std::string error_each;
+  std::string svg;
+  unsigned bit_rate = 0;  ///< kbit/s; 0: as the source has it
+  unsigned errors = 0;
+  bool json = false;
+};
+
+std::uint32_t said_bit_rate(const LoadOptions& options) {
+  constexpr std::uint32_t kilo = 1000;
+  return options.bit_rate * kilo;
+}
+
+std::vector<LoadedBus> load_of_log(const LoadOptions& options) {
+  formats::TraceReader trace = value_or_throw(formats::TraceReader::open(options.source));
+  TraceProgress progress(trace);
+  HeardLoad load;
+  const Duration limit = parse_duration_argument(options.duration, Duration::max());
+  const Duration after = parse_duration_argument(options.after, Duration{});
+  std::optional<Time> first;
+  formats::TraceFrame heard;
+  for (formats::TraceRead read; (read = trace.next(heard)) != formats::TraceRead::end;) {
+    if (read == formats::TraceRead::bad) show_bad(options.source, trace);
+    progress.show(trace);
+    if (read != formats::TraceRead::frame) continue;
+    if (!first) first = heard.time + after;
+    if (heard.time < *first) continue;
+    if (heard.time - *first > limit) break;
+    load.add(heard.time.time_since_epoch(), heard.channel, heard.frame);
+  }
+  refuse_log_without_frames(options.source, trace);
+  return load.buses(Duration{});
+}
+
+std::vector<LoadedBus> load_of_bus(const LoadOptions& options) {
+  const Duration length = parse_duration_argument(options.duration, usual_listening);
+  Session session(options.source);
+  if (!options.after.empty()) session.run_for(parse_duration_argument(options.after));
+  HeardLoad load;
+  for (host::HostBus* bus : session.buses()) {
+    bus->on_frame([&load, bus](const host::BusFrame& heard) {
+      load.add(heard.time.time_since_epoch(), bus->name(), heard.frame);
+    });
+  }
+  session.run_for(length);
+  std::vector<LoadedBus> buses = load.buses(length);
+  for (LoadedBus& bus : buses) {
+    const auto link = host::read_can_link(bus.name);
+    if (link) bus.bit_rate = link->bit_rate;
+  }
+  return buses;
+}
+
+std::vector<LoadedBus> load_of_sheets(const LoadOptions& options) {
+  std::map<std::string, std::vector<DescribedNode>> by_bus;
+  for (DescribedNode& node : describe_nodes(options.source)) {
+    const std::string name = node.bus.empty() ? options.source : node.bus;
+    by_bus[name].push_back(std::move(node));
+  }
+  std::vector<LoadedBus> buses;
+  for (const auto& [name, nodes] : by_bus) {
+    LoadedBus& bus = buses.emplace_back();
+    bus.name = name;
+    bus.bit_rate = said_bit_rate(options);
+    add_sheet_messages(bus, nodes);
+  }
+  return buses;
+}
+
+std::vector<LoadedBus> load_of_file(const LoadOptions& options) {
+  TomlFile file(options.source);
+  const auto refuse_duration = [&] {
+    if (!options.duration.empty() || !options.after.empty())
+      throw UsageError(fmt::format("--for and --after are for what is listened to: {} is a plan",
+                                   options.source));
+  };
+  if (file.table().has("network"))
+    return played_load(file.table(), options.source,
+                       parse_duration_argument(options.after, Duration{}),
+                       parse_duration_argument(options.duration, usual_playing));
+  refuse_duration();
+  if (!is_message_list(file.table())) return load_of_sheets(options);
+  return {read_message_list(file.table(), options.source)};
+}
+
+std::vector<LoadedBus> load_of_source(const LoadOptions& options) {
+  if (options.source.ends_with(".toml")) return load_of_file(options);
+  return is_log_source(options.source) ? load_of_log(options) : load_of_bus(options);
+}
+
+void keep_bus(std::vector<LoadedBus>& buses, const LoadOptions& options) {
+  if (options.bus.empty()) return;
+  std::string names;
+  for (const LoadedBus& each : buses) names += (names.empty() ? "" : ", ") + each.name;
+  std::erase_if(buses, [&](const LoadedBus& each) { return each.name != options.bus; });
+  if (!buses.empty()) return;
+  throw UsageError(
+      fmt::format("{}: there is no bus {}; there are {}", options.source, options.bus, names));
+}
+
+/// What if these were there as well?
+void add_more(std::vector<LoadedBus>& buses, const LoadOptions& options) {
+  if (options.added.empty()) return;
+  if (buses.size() != 1) throw UsageError("to which bus is it added? say --bus NAME");
+  for (const std::string& each : options.added) {
+    if (each.ends_with(".toml")) {
+      TomlFile file(each);
+      if (is_message_list(file.table())) {
+        add_messages(buses.front(), read_message_list(file.table(), each).messages);
+        continue;
+      }
+    }
+    static_cast<void>(model_of(buses.front()));  // the bit rate has to be known
+    add_sheet_messages(buses.front(), describe_nodes(each));
+  }
+}
+
+int show_load(const LoadOptions& options) {
+  if (!options.svg.empty() && !options.svg.ends_with(".svg"))
+    throw UsageError(fmt::format("'{}' ends like no picture: .svg", options.svg));
+  const Duration each =
+      options.error_each.empty() ? Duration{} : parse_duration_argument(options.error_each);
+  std::vector<LoadedBus> buses = load_of_source(options);
+  if (buses.empty()) throw Failure(fmt::format("{}: nothing was heard", options.source));
+  keep_bus(buses, options);
+  for (LoadedBus& bus : buses) {
+    if (options.bit_rate != 0) bus.bit_rate = said_bit_rate(options);
+    if (options.errors != 0) bus.errors.at_once = options.errors;
+    if (each != Duration{}) bus.errors.each = each;
+  }
+  add_more(buses, options);
+  if (!options.deadlines.empty()) {
+    TomlFile file(options.deadlines);
+    read_deadlines(file.table(), buses);
+  }
+  std::vector<LoadResult> results;
+  bool is_late = false;
+  for (const LoadedBus& bus : buses) {
+    results.push_back(result_of(bus));
+    is_late = is_late || results.back().late != 0;
+  }
+  for (std::size_t i = 0; i < buses.size(); ++i) {
+    if (i > 0 && !options.json) fmt::print("\n");
+    fmt::print("{}",
+               options.json ? json_text(buses[i], results[i]) : table_text(buses[i], results[i]));
+  }
+  if (!options.svg.empty()) {
+    const std::string text = picture_text(buses, results);
+    write_value_file(options.svg,
+                     {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  }
+  return is_late ? exit_failed : exit_done;
+}
+
+}  // namespace
+
+void add_load(Verb& app) {
+  const auto options = std::make_shared<LoadOptions>();
+  Verb& command = app.add_verb("load", "Show what a bus carries, and how late each message can be");
+  command.add({
+      {"source", options->source,
+       "can0, udp:239.74.163.2:43113, tcp:HOST:PORT/can0; a log of any format that canvoy decode "
+       "reads; a network that canvoy run plays, nodes with their data sheets, or a list of "
+       "messages: "
+       "FILE.toml",
+       required},
+      {"--for", options->duration,
+       "listen for so long: 30s, 10min (default: 10s to a bus, 1min to a network that is played, "
+       "all of a log)"},
+      {"--after", options->after,
+       "listen from then on: what networks send while they boot is left out"},
+      {"--bus", options->bus, "of several buses, this one alone"},
+      {"--bit-rate", options->bit_rate,
+       "in kbit/s: what if it were this one (default: that of the bus)", between(1U, 1000U)},
+      {"--add", options->added,
+       "what if this were there as well: a list of messages, a data sheet, or a device as "
+       "20=charger",
+       one_each},
+      {"--deadlines", options->deadlines, "other deadlines than the periods: FILE.toml"},
+      {"--errors", options->errors, "errors on the bus, as many at once", between(1U, 1000U)},
+      {"--error-each", options->error_each, "one more error in each such time: 100ms"},
+      {"--svg", options->svg, "draw responses and deadlines into this file"},
+      {"--json", options->json, "one JSON object a line"},
+  });
+  command.set_footer(
+      "Responses are the longest that can be, by the analysis of Davis, Burns, Bril and Lukkien\n"
+      "(2007). The exit status is 1 where a deadline can be missed.\n"
+      "Examples:\n"
+      "  canvoy load can0 --bit-rate 125 --for 3s\n"
+      "  canvoy load night.log --bit-rate 125 --after 10s\n"
+      "  canvoy load charging.toml --after 10s --svg load.svg\n"
+      "  canvoy load charging.toml --bit-rate 250 --errors 2 --json");
+  command.runs([options] { return show_load(*options); });
+}
+
+}  // namespace canvoy::tools
