@@ -6,14 +6,14 @@
 
 #include <set>
 
+#include "canvoy/devices/testing/foreign_client.hpp"
 #include "canvoy/devices/testing/object_rulings.hpp"
-#include "canvoy/devices/testing/sdo_desk.hpp"
 #include "canvoy/profiles/layout.hpp"
 
 namespace canvoy::every_object_test {
 namespace {
 
-using Bytes = SdoDesk::Bytes;
+using Bytes = ForeignClient::Bytes;
 
 /// Its values are those of services, which tests of these try: here they are written back.
 constexpr std::uint16_t first_of_application = 0x2000;
@@ -147,7 +147,7 @@ class Walk {
  private:
   void visit(const Part& part, unsigned place) {
     index_ = static_cast<std::uint16_t>(part.index() + place);
-    SdoDesk desk(*kind_);
+    ForeignClient desk(*kind_);
     if (is_operational_) desk.start();
     for (const EntryInfo& entry : part.object().entries()) {
       if (!part.has(entry)) continue;
@@ -159,7 +159,7 @@ class Walk {
     }
   }
 
-  void visit(SdoDesk& desk, const Part& part, const EntryInfo& entry) {
+  void visit(ForeignClient& desk, const Part& part, const EntryInfo& entry) {
     const Access access = detail::access_of(part, entry);
     const Result<Bytes> before = desk.read(index_, sub_);
     if (allows(access, Access::sdo_read)) {

@@ -27,7 +27,7 @@ namespace canvoy::tools {
 
 namespace {
 
-constexpr Duration usual_listening = 10s;
+constexpr Duration listening = 10s;
 constexpr Duration usual_playing = 1min;
 
 struct LoadOptions {
@@ -71,7 +71,7 @@ std::vector<LoadedBus> load_of_log(const LoadOptions& options) {
 }
 
 std::vector<LoadedBus> load_of_bus(const LoadOptions& options) {
-  const Duration length = parse_duration_argument(options.duration, usual_listening);
+  const Duration length = parse_duration_argument(options.duration, listening);
   Session session(options.source);
   if (!options.after.empty()) session.run_for(parse_duration_argument(options.after));
   HeardLoad load;

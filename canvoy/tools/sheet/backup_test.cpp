@@ -2,7 +2,7 @@
 // builds, `canvoy configure` writes into it, and nothing is refused or changed by that.
 #include <gtest/gtest.h>
 
-#include "canvoy/devices/testing/sdo_desk.hpp"
+#include "canvoy/devices/testing/foreign_client.hpp"
 #include "canvoy/formats/eds/eds_reader.hpp"
 #include "canvoy/formats/eds/eds_writer.hpp"
 #include "canvoy/formats/sheet/sheet_configuration.hpp"
@@ -12,12 +12,12 @@
 namespace canvoy::tools::backup_test {
 namespace {
 
-using Bytes = SdoDesk::Bytes;
+using Bytes = ForeignClient::Bytes;
 using formats::Configuration;
 using formats::ConfigurationEntry;
 
 /// As the two commands have it, with the file between them.
-Configuration backup_of(SdoDesk& desk) {
+Configuration backup_of(ForeignClient& desk) {
   formats::SheetScan scan(
       [&](std::uint16_t index, std::uint8_t sub) { return desk.read(index, sub); });
   const Result<Bytes> type = desk.read(0x1000, 0);
@@ -45,7 +45,7 @@ bool is_pdo(std::uint16_t index) {
   return index >= 0x1400 && index <= 0x1BFF;
 }
 
-void write_all(SdoDesk& desk, const Configuration& backup, const char* state) {
+void write_all(ForeignClient& desk, const Configuration& backup, const char* state) {
   for (const ConfigurationEntry& entry : backup.entries) {
     const AbortCode answer = desk.write(entry.index, entry.sub, entry.value);
     EXPECT_EQ(answer, AbortCode::none) << place_of(entry) << " " << std::hex
@@ -57,7 +57,7 @@ class Backup : public testing::TestWithParam<const DeviceKind*> {};
 
 TEST_P(Backup, GoesBackIntoTheDeviceThatItIsOf) {
   for (const bool is_operational : {false, true}) {
-    SdoDesk desk(*GetParam());
+    ForeignClient desk(*GetParam());
     if (is_operational) desk.start();
     const Configuration backup = backup_of(desk);
     EXPECT_TRUE(backup.bad.empty());
@@ -69,7 +69,7 @@ TEST_P(Backup, GoesBackIntoTheDeviceThatItIsOf) {
 
 /// As much of it as it lets be changed, each value by one or to its half.
 TEST_P(Backup, OfAChangedDeviceGoesIntoANewOne) {
-  SdoDesk changed(*GetParam());
+  ForeignClient changed(*GetParam());
   std::size_t changes = 0;
   for (const ConfigurationEntry& entry : backup_of(changed).entries) {
     if (entry.value.empty() || is_pdo(entry.index)) continue;
@@ -83,7 +83,7 @@ TEST_P(Backup, OfAChangedDeviceGoesIntoANewOne) {
   }
   EXPECT_GT(changes, 3U);
   const Configuration backup = backup_of(changed);
-  SdoDesk other(*GetParam());
+  ForeignClient other(*GetParam());
   write_all(other, backup, "pre-operational");
   EXPECT_EQ(backup_of(other).entries, backup.entries);
 }

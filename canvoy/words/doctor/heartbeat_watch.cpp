@@ -34,7 +34,7 @@ void RhythmWatch::hear(Time at, std::optional<Duration> expected) {
   }
   if (alternating_ >= pairs_least || expected_pairs_ >= pairs_least) {
     const Time since = found_ ? found_->since : at;
-    found_ = TwoRhythms{pair, std::min(interval, interval_), since};
+    found_ = TwoRhythms{pair, std::min(interval, interval_), since, at};
   }
   interval_ = interval;
   pair_ = pair;
@@ -53,16 +53,17 @@ void NodeHeartbeats::hear(Time at, NmtState state, std::optional<Duration> expec
     add_gap({at, interval, awake - awake_});
   }
   rhythm_.hear(at, expected);
-  take_state(state);
+  take_state(at, state);
   is_running_ = true;
   latest_ = at;
   awake_ = awake;
 }
 
-void NodeHeartbeats::take_state(NmtState state) {
+void NodeHeartbeats::take_state(Time at, NmtState state) {
   if (states_ >= 2 && state == before_ && state != state_) {
     most_turns_ = std::max(most_turns_, ++turns_);
     if (most_turns_ == turns_) in_turns_ = {state_, state};
+    turned_at_ = at;
   } else if (states_ >= 2) {
     turns_ = 0;
   }

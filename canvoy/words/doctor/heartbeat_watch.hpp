@@ -24,6 +24,7 @@ struct TwoRhythms {
   Duration period{};
   Duration apart{};
   Time since{};  ///< when it became plain
+  Time last{};   ///< when it was so last
 };
 
 /// Looks for two rhythms in what should be one.
@@ -82,12 +83,13 @@ class NodeHeartbeats {
   unsigned state_turns() const { return most_turns_; }
   /// Those two.
   const std::pair<NmtState, NmtState>& states_in_turns() const { return in_turns_; }
+  Time turned_at() const { return turned_at_; }  ///< the last time
   Time latest() const { return latest_; }
 
  private:
   void add_gap(const HeartbeatGap& gap);
   void forget();
-  void take_state(NmtState state);
+  void take_state(Time at, NmtState state);
 
   static constexpr std::size_t intervals_max = 128;
   static constexpr std::size_t gaps_max = 8;
@@ -107,6 +109,7 @@ class NodeHeartbeats {
   unsigned turns_ = 0;
   unsigned most_turns_ = 0;
   std::pair<NmtState, NmtState> in_turns_{};
+  Time turned_at_{};
 };
 
 class HeartbeatWatch {

@@ -70,12 +70,15 @@ void judge_node_id_twice(const Observed& bus, Findings& findings) {
   for_each_node([&](NodeId node) {
     const std::string text = twice_text(bus, node);
     if (text.empty()) return;
-    const auto& rhythms = bus.heartbeats.of(node).two_rhythms();
+    const NodeHeartbeats& beats = bus.heartbeats.of(node);
+    const auto& rhythms = beats.two_rhythms();
+    const Time last = std::max(
+        {rhythms ? rhythms->last : Time{}, beats.turned_at(), bus.sdos.of(node).doubles.last});
     findings.push_back({.kind = FindingKind::node_id_twice,
                         .node = node,
                         .count = 1,
                         .first = rhythms ? rhythms->since : bus.begin,
-                        .last = bus.end,
+                        .last = last == Time{} ? bus.end : last,
                         .what = fmt::format("Two devices are {}.{}", node_text(node), text)});
   });
 }

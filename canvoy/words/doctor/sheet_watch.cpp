@@ -31,7 +31,11 @@ std::optional<std::int64_t> said(const formats::SheetEntry& entry, NodeId node) 
 }  // namespace
 
 void SheetWatch::tell(NodeId node, const formats::DataSheet& sheet, KnownParameters& known) {
+  // How often a heartbeat comes is chosen for each network: a default says nothing of this one.
   const auto learn = [&](std::uint16_t index, std::uint8_t sub, const formats::SheetEntry& entry) {
+    const bool is_heartbeat =
+        index == object_index::heartbeat_producer || index == object_index::heartbeat_consumers;
+    if (is_heartbeat && entry.value.empty()) return;
     if (const auto number = said(entry, node)) {
       known.learn(node, index, sub, static_cast<std::uint32_t>(*number));
     }

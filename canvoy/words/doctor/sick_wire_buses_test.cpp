@@ -31,7 +31,8 @@ std::unique_ptr<Clinic> alone(std::uint32_t bit_rate, unsigned cut_off) {
     clinic->beat(controller, static_cast<NodeId>(node));
   }
   if (cut_off != 0) {
-    clinic->at({}, [at = clinic.get(), cut_off] { at->bus().cut_cable(cut_off - 1); });
+    const auto place = static_cast<ControllerId>(cut_off - 1);
+    clinic->at({}, [at = clinic.get(), place] { at->bus().cut_cable(place); });
   }
   return clinic;
 }
@@ -49,7 +50,7 @@ std::unique_ptr<Clinic> bad_sender(NodeId who, unsigned bit, Duration period) {
   auto clinic = healthy();
   const auto controller = static_cast<ControllerId>(who == 1 ? 0 : who);
   // A frame of each of two CAN-IDs, in turns.
-  for (const std::uint16_t function : {can_id::tpdo1 + 0x100, can_id::tpdo1 + 0x200}) {
+  for (const std::uint32_t function : {can_id::tpdo1 + 0x100U, can_id::tpdo1 + 0x200U}) {
     clinic->every(period, function == 0x280 ? 3ms : 3ms + period / 2,
                   [at = clinic.get(), controller, who, bit, function] {
                     at->bus().disturb(1, bit);

@@ -1,10 +1,10 @@
 // A device of the catalogue and a foreign SDO client at the other end of its cable: for tests of
 // what it answers, by frames.
 //
-//     SdoDesk desk(*find_device_kind("charger"));
+//     ForeignClient desk(*find_device_kind("charger"));
 //     desk.start();                                     // NMT state operational
 //     EXPECT_EQ(desk.write(0x6000, 0, {0x00}), AbortCode::none);
-//     EXPECT_EQ(*desk.read(0x6000, 0), SdoDesk::Bytes{0x00});
+//     EXPECT_EQ(*desk.read(0x6000, 0), ForeignClient::Bytes{0x00});
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,11 +20,11 @@
 namespace canvoy {
 
 /// Expedited where a value has 1 to 4 bytes, else segmented with its size.
-class SdoDesk {
+class ForeignClient {
  public:
   using Bytes = std::vector<std::uint8_t>;
 
-  explicit SdoDesk(const DeviceKind& kind) : device_(cable_.port(0), kind) {
+  explicit ForeignClient(const DeviceKind& kind) : device_(cable_.port(0), kind) {
     cable_.connect(0, device_.node());
     cable_.start_all();
     cable_.run_for(1s);
