@@ -40,8 +40,8 @@ class Arrivals {
   };
   /// Of a row of events a period apart: how far ahead of it some came.
   struct Bucket {
-    double lowest_us = 0;
-    double ahead_us = 0;
+    double lowest_us = 0;  ///< the least lead of a frame over the row from the first; 0 or below
+    double ahead_us = 0;   ///< how far a lead rose above the least before it; 0 or more
   };
   static constexpr std::size_t buckets_max = 24;
   static double bucket_period_us(std::size_t bucket);

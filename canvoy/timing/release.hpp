@@ -60,8 +60,8 @@ class Release {
 
  private:
   struct Row {
-    std::int64_t period_ns;
-    std::int64_t lead_ns;  ///< how far before its place an instance may be, with its jitter
+    std::int64_t period_ns;  ///< above 0
+    std::int64_t lead_ns;    ///< how far before its place an instance may be, with its jitter
   };
 
   static std::int64_t ns(Duration duration) { return std::chrono::nanoseconds(duration).count(); }

@@ -18,12 +18,14 @@
 
 namespace canvoy::words {
 
+/// What a doctor is told of the bus beforehand.
 struct DoctorOptions {
   std::uint32_t bit_rate = 0;  ///< bit/s; 0: not known, and the load of the bus is not judged
 };
 
 class Doctor {
  public:
+  /// Nothing is heard yet, and no sheet is known.
   explicit Doctor(const DoctorOptions& options = {}) : bus_(options.bit_rate) {}
 
   /// What is known of nodes beforehand may be told here.

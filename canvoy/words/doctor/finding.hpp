@@ -44,23 +44,26 @@ enum class FindingKind : std::uint8_t {
   silence,
 };
 
+/// How bad it is, the worst last.
 enum class Severity : std::uint8_t {
   note,     ///< no alarm: worth knowing
   warning,  ///< it works, and something is not as it should be
   error,    ///< something does not work, or will not for long
 };
+/// `note`, `warning` or `error`.
 std::string_view severity_name(Severity severity);
 
 /// One thing that is wrong.
 struct Finding {
-  FindingKind kind = {};
+  FindingKind kind = {};                     ///< what is wrong, as in finding_rows()
   NodeId node = 0;                           ///< 0: of no single node
   std::optional<std::uint16_t> can_id = {};  ///< where it is of one
   std::uint64_t count = 0;                   ///< how often it was seen
   Time first{};                              ///< when it was seen first
-  Time last{};
-  std::string what = {};  ///< what was seen, in sentences
+  Time last{};                               ///< when it was seen last
+  std::string what = {};                     ///< what was seen, in sentences
 };
+/// Of one bus; empty: nothing is wrong.
 using Findings = std::vector<Finding>;
 
 /// All that was heard of a bus: see observed.hpp.
@@ -68,9 +71,9 @@ struct Observed;
 
 /// All that is known of a kind.
 struct FindingRow {
-  FindingKind kind;
-  std::string_view name;  ///< `node-id-twice`
-  Severity severity;
+  FindingKind kind;        ///< the number of the row
+  std::string_view name;   ///< `node-id-twice`
+  Severity severity;       ///< of all findings of this kind
   std::string_view title;  ///< a few words
   std::string_view why;    ///< why it matters
   std::string_view check;  ///< how to make sure
@@ -78,7 +81,9 @@ struct FindingRow {
   /// Adds what there is of this kind.
   void (*judge)(const Observed& bus, Findings& findings);
 };
+/// One for each kind, in the order of FindingKind: errors first, notes last.
 std::span<const FindingRow> finding_rows();
+/// The row of this kind.
 const FindingRow& finding_row(FindingKind kind);
 
 }  // namespace canvoy::words

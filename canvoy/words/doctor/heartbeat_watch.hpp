@@ -21,10 +21,10 @@ namespace canvoy::words {
 
 /// Two senders that take turns: each in a rhythm of its own, and both in the same.
 struct TwoRhythms {
-  Duration period{};
-  Duration apart{};
-  Time since{};  ///< when it became plain
-  Time last{};   ///< when it was so last
+  Duration period{};  ///< of each of the two
+  Duration apart{};   ///< from one sender to the next, the shorter way
+  Time since{};       ///< when it became plain
+  Time last{};        ///< when it was so last
 };
 
 /// Looks for two rhythms in what should be one.
@@ -38,6 +38,7 @@ class RhythmWatch {
     *this = {};
     found_ = found;
   }
+  /// The two rhythms; nothing: there is but one, or too little was heard.
   const std::optional<TwoRhythms>& found() const { return found_; }
 
  private:
@@ -52,23 +53,28 @@ class RhythmWatch {
 
 /// From one heartbeat to the next.
 struct HeartbeatGap {
-  Time end{};
-  Duration length{};
-  Duration awake{};  ///< of it, while somebody else spoke
+  Time end{};         ///< when the next one came, or the listening ended
+  Duration length{};  ///< from the heartbeat before to `end`
+  Duration awake{};   ///< of it, while somebody else spoke
 };
 
+/// The heartbeats of one node.
 class NodeHeartbeats {
  public:
   /// `awake`: as TrafficWatch counts it.
   void hear(Time at, NmtState state, std::optional<Duration> expected, Duration awake);
+  /// The boot-up message of the node. One that is not expected ends a gap.
   void boot_up(Time at, Duration awake, bool is_expected);
   /// An NMT command was sent to it.
   void commanded(bool is_reset);
+  /// The listening ends: the time since the latest heartbeat is a gap as well.
   void end(Time at, Duration awake);
   /// 1017h was written.
   void chosen_anew() { forget(); }
 
+  /// Whether a heartbeat was heard, but for boot-ups.
   bool is_heard() const { return is_heard_; }
+  /// Whether a boot-up was heard.
   bool has_booted() const { return has_booted_; }
   /// The middle one of the latest; zero: there are too few.
   Duration period() const;
@@ -78,12 +84,15 @@ class NodeHeartbeats {
   std::pair<unsigned, unsigned> uneven(Duration period) const;
   /// The standard deviation of the latest.
   Duration jitter() const;
+  /// As of two devices with this node-ID; nothing: it has one rhythm.
   const std::optional<TwoRhythms>& two_rhythms() const { return rhythm_.found(); }
   /// How often two states came in turns, with no command between them.
   unsigned state_turns() const { return most_turns_; }
   /// Those two.
   const std::pair<NmtState, NmtState>& states_in_turns() const { return in_turns_; }
-  Time turned_at() const { return turned_at_; }  ///< the last time
+  /// When two states came in turns last.
+  Time turned_at() const { return turned_at_; }
+  /// When the latest heartbeat came; only where is_heard().
   Time latest() const { return latest_; }
 
  private:
@@ -114,7 +123,9 @@ class NodeHeartbeats {
 
 class HeartbeatWatch {
  public:
+  /// Those of `node`, 0 to 127.
   NodeHeartbeats& of(NodeId node) { return nodes_.at(node); }
+  /// Those of `node`, 0 to 127.
   const NodeHeartbeats& of(NodeId node) const { return nodes_.at(node); }
 
  private:

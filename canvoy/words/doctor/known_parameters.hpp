@@ -19,11 +19,11 @@ namespace canvoy::words {
 
 /// As far as it is known.
 struct KnownTpdo {
-  std::optional<CobId> cob_id = {};
-  std::optional<std::uint8_t> transmission_type = {};
-  std::optional<Duration> inhibit_time = {};
-  std::optional<Duration> event_timer = {};
-  std::optional<std::uint8_t> count = {};              ///< of mapped entries
+  std::optional<CobId> cob_id = {};                    ///< 1800h:01h; nothing: not known
+  std::optional<std::uint8_t> transmission_type = {};  ///< 1800h:02h; nothing: not known
+  std::optional<Duration> inhibit_time = {};  ///< 1800h:03h; zero: none; nothing: not known
+  std::optional<Duration> event_timer = {};   ///< 1800h:05h; zero: none; nothing: not known
+  std::optional<std::uint8_t> count = {};     ///< of mapped entries
   std::map<std::uint8_t, std::uint32_t> mapping = {};  ///< by sub-index
 
   /// It follows SYNC: types 1 to 240.
@@ -43,16 +43,18 @@ class KnownParameters {
   std::optional<Duration> producer_time(NodeId node) const { return producers_.at(node); }
   /// The shortest time after which a consumer (1016h) takes this node for lost.
   struct Consumer {
-    NodeId by = 0;
-    Duration time{};
+    NodeId by = 0;    ///< who watches
+    Duration time{};  ///< as 1016h says; above zero from consumer_of()
   };
+  /// Who takes `node` for lost soonest; nothing: no consumer of it is known.
   std::optional<Consumer> consumer_of(NodeId node) const;
   /// 1007h; nothing: not known, or it has none.
   std::optional<Duration> sync_window(NodeId node) const;
   /// `number` from 1; null: nothing is known of it.
   const KnownTpdo* tpdo(NodeId node, std::uint16_t number) const;
-  /// Who tells that its TPDO has this CAN-ID, and the number of that; null: nobody.
+  /// A node, and the number of a TPDO of it, from 1.
   using Place = std::pair<NodeId, std::uint16_t>;
+  /// Who tells that its TPDO has this CAN-ID, and the number of that; null: nobody.
   const Place* sender_of(std::uint16_t can_id) const;
   /// By node and number.
   const std::map<Place, KnownTpdo>& tpdos() const { return tpdos_; }

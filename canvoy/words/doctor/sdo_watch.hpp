@@ -19,13 +19,13 @@ namespace canvoy::words {
 
 /// What was heard of one server.
 struct HeardServer {
-  Tally time_outs = {};
-  Tally slow = {};
-  Tally doubles = {};  ///< answers behind an answer
-  std::uint64_t answers = 0;
-  Duration slowest{};
-  std::uint16_t index = 0;  ///< that was asked for last where there was no answer, or the slowest
-  std::uint8_t sub = 0;
+  Tally time_outs = {};       ///< requests that got no answer
+  Tally slow = {};            ///< answers that took `slow_from` or longer
+  Tally doubles = {};         ///< answers behind an answer
+  std::uint64_t answers = 0;  ///< all, aborts and segments too
+  Duration slowest{};         ///< of the slow ones; zero: none was slow
+  std::uint16_t index = 0;    ///< that was asked for last where there was no answer, or the slowest
+  std::uint8_t sub = 0;       ///< of the same object
 };
 
 class SdoWatch {
@@ -38,20 +38,22 @@ class SdoWatch {
   /// `is_there`: the server is known to be there. Who is not answers nobody, and masters ask for
   /// those.
   void hear(Time at, const Frame& frame, const decoder::Decoded& decoded, bool is_there);
+  /// The listening ends: what was asked `answer_most` before or earlier got no answer.
   void end(Time at);
   /// Of what it was asked it knows nothing.
   void restarted(NodeId server);
 
+  /// What was heard of `server`, 0 to 127.
   const HeardServer& of(NodeId server) const { return servers_.at(server); }
 
  private:
   struct Channel {
-    NodeId server = 0;
+    NodeId server = 0;         ///< whose answers it waits for
     bool is_waiting = false;   ///< for an answer
     bool is_answered = false;  ///< the latest message was an answer that ends a request
-    Time latest{};
-    std::uint16_t index = 0;
-    std::uint8_t sub = 0;
+    Time latest{};             ///< when the latest message came
+    std::uint16_t index = 0;   ///< of the object that the latest message is about
+    std::uint8_t sub = 0;      ///< of the same object
   };
 
   void take_request(Channel& channel, Time at, const Frame& frame, const decoder::Decoded& decoded);

@@ -25,14 +25,17 @@ class SheetWatch {
   void add(NodeId node, const formats::DataSheet& sheet) { sheets_[node] = &sheet; }
   /// What the sheet says of communication, where nobody has told it otherwise.
   static void tell(NodeId node, const formats::DataSheet& sheet, KnownParameters& known);
+  /// A frame, and what the decoder says of it: SDO answers of nodes that have a sheet are compared.
   void hear(Time at, const Frame& frame, const decoder::Decoded& decoded);
 
+  /// One entry in which a device and its sheet differ.
   struct Difference {
     std::string text;  ///< in what it differs
-    Tally tally;
+    Tally tally;       ///< when it was seen
   };
   /// By node, index and sub-index.
   using Differences = std::map<std::tuple<NodeId, std::uint16_t, std::uint8_t>, Difference>;
+  /// The first 1024 entries; empty: all that was read is as the sheets say.
   const Differences& differences() const { return differences_; }
 
  private:

@@ -30,19 +30,26 @@ class TrafficWatch {
 
   /// A data or remote frame of `node`; 0: not known of whom.
   void hear(Time at, const Frame& frame, NodeId node);
+  /// The listening ends: the silence and the second that are going on are counted.
   void end(Time at);
 
+  /// How many were heard, without error frames.
   std::uint64_t frames() const { return frames_.count; }
+  /// When the first frame came; only where frames() is not 0.
   Time first() const { return frames_.first; }
+  /// When the latest frame came; only where frames() is not 0.
   Time last() const { return frames_.last; }
   /// Without the times of silence.
   Duration awake() const { return awake_; }
   /// When somebody spoke again; count 0: there was no silence.
   const Tally& silences() const { return silences_; }
+  /// `silence_least` or longer; zero: there was no silence.
   Duration longest_silence() const { return longest_silence_; }
   /// When the bus fell silent or awoke last; never: it did not.
   Time awoken() const { return awoken_; }
+  /// Whether a frame of `node`, 0 to 127, was heard.
   bool is_heard(NodeId node) const { return nodes_[node]; }
+  /// How many nodes were heard, 0 to 127.
   std::size_t nodes() const { return nodes_.count(); }
 
   /// Seconds in which the bus was too busy.
@@ -51,16 +58,17 @@ class TrafficWatch {
   double highest_load() const { return highest_; }
   /// Who made it.
   struct Share {
-    std::uint32_t can_id = 0;
-    NodeId node = 0;
-    double of_bus = 0;  ///< 0 to 1
+    std::uint32_t can_id = 0;  ///< of 11 or 29 bits
+    NodeId node = 0;           ///< its sender; 0: not known
+    double of_bus = 0;         ///< 0 to 1
   };
+  /// Up to 3, the greatest first; empty: the bit rate is not known, or there was no frame.
   const std::vector<Share>& peak_shares() const { return peak_shares_; }
 
  private:
   struct Sender {
-    NodeId node = 0;
-    std::uint64_t bits = 0;
+    NodeId node = 0;         ///< of its latest frame; 0: not known
+    std::uint64_t bits = 0;  ///< in this second, with those between frames
   };
   void pass(Time at);
   void count(Time at, const Frame& frame, NodeId node);

@@ -15,19 +15,22 @@
 
 namespace canvoy::words {
 
+/// What was heard of one entry of a node.
 struct HeardValue {
   std::string_view name = {};     ///< of the object
   decoder::Mark mark = {};        ///< of what is wrong
   std::string_view meaning = {};  ///< of a sentinel, its name
-  Tally tally = {};
+  Tally tally = {};               ///< when it was seen
 };
 
 class ValueWatch {
  public:
+  /// What the decoder says of one frame; a PDO of a wrong length is passed over.
   void hear(Time at, const decoder::Decoded& decoded);
 
   /// By node, index and sub-index. Reserved, or out of range.
   using ByEntry = std::map<std::tuple<NodeId, std::uint16_t, std::uint8_t>, HeardValue>;
+  /// Values that are reserved or out of range: of the first 1024 entries.
   const ByEntry& wrong() const { return wrong_; }
   /// They say that a sensor or the like is broken.
   const ByEntry& failed() const { return failed_; }
