@@ -91,6 +91,25 @@ TEST(Doctor, NamesTheStatesThatComeInTurns) {
   EXPECT_NE(findings.front().what.find("pre-operational"), std::string::npos);
 }
 
+TEST(Doctor, TakesAnswersToRequestsThatWereGivenUpForNoSecondDevice) {
+  Doctor sut;
+  beat(sut, Time{}, Time(5s), 500ms);
+  const auto ask = [&](Time at) {
+    sut.hear(at, Frame::data_frame(0x605, {0x40, 0x00, 0x10, 0, 0, 0, 0, 0}));
+  };
+  for (unsigned i = 0; i < 4; ++i) {
+    const Time at(5s + i * 600ms);
+    ask(at);
+    // SDO time-out, 0504 0000h
+    sut.hear(at + 500ms, Frame::data_frame(0x605, {0x80, 0x00, 0x10, 0, 0, 0, 4, 5}));
+  }
+  ask(Time(8s));
+  for (unsigned i = 1; i <= 5; ++i) {
+    sut.hear(Time(8s + i * 1ms), Frame::data_frame(0x585, {0x43, 0x00, 0x10, 0, 0xA2, 1, 0, 0}));
+  }
+  EXPECT_EQ(find(sut.findings(Time(8s + 100ms)), FindingKind::node_id_twice), nullptr);
+}
+
 TEST(Doctor, TakesAnswersToNodeGuardingForNoHeartbeat) {
   Doctor sut;
   Time at{};

@@ -72,12 +72,13 @@ void judge_node_id_twice(const Observed& bus, Findings& findings) {
     if (text.empty()) return;
     const NodeHeartbeats& beats = bus.heartbeats.of(node);
     const auto& rhythms = beats.two_rhythms();
-    const Time last = std::max(
-        {rhythms ? rhythms->last : Time{}, beats.turned_at(), bus.sdos.of(node).doubles.last});
+    const Tally& doubles = bus.sdos.of(node).doubles;
+    const Time answered_first = doubles.count != 0 ? doubles.first : bus.begin;
+    const Time last = std::max({rhythms ? rhythms->last : Time{}, beats.turned_at(), doubles.last});
     findings.push_back({.kind = FindingKind::node_id_twice,
                         .node = node,
                         .count = 1,
-                        .first = rhythms ? rhythms->since : bus.begin,
+                        .first = rhythms ? rhythms->since : answered_first,
                         .last = last == Time{} ? bus.end : last,
                         .what = fmt::format("Two devices are {}.{}", node_text(node), text)});
   });

@@ -48,6 +48,7 @@ void SdoWatch::take_request(Channel& channel, Time at, const Frame& frame,
   const bool is_abort = decoded.message == SdoMessage::abort;
   // Segments of a block are answered together.
   const bool goes_on = decoded.message == SdoMessage::block_segment;
+  if (channel.is_waiting && !goes_on) ++channel.owed;
   if (is_abort) {
     if (channel.is_waiting && is_time_out(frame)) missed(channel, at);
   } else if (channel.is_waiting && !goes_on && at - channel.latest >= SdoWatch::slow_from) {
@@ -76,6 +77,8 @@ void SdoWatch::take_answer(Channel& channel, Time at, const decoder::Decoded& de
       }
     }
     channel.is_answered = !is_block;
+  } else if (channel.owed != 0) {
+    --channel.owed;
   } else if (channel.is_answered && !is_block && at - channel.latest <= twice_within) {
     server.doubles.add(at);
   }
@@ -99,7 +102,9 @@ void SdoWatch::end(Time at) {
 
 void SdoWatch::restarted(NodeId server) {
   for (auto& [id, channel] : channels_) {
-    if (channel.server == server) channel.is_waiting = channel.is_answered = false;
+    if (channel.server != server) continue;
+    channel.is_waiting = channel.is_answered = false;
+    channel.owed = 0;
   }
 }
 

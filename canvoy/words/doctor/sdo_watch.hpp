@@ -21,7 +21,7 @@ namespace canvoy::words {
 struct HeardServer {
   Tally time_outs = {};       ///< requests that got no answer
   Tally slow = {};            ///< answers that took `slow_from` or longer
-  Tally doubles = {};         ///< answers behind an answer
+  Tally doubles = {};         ///< more answers than requests
   std::uint64_t answers = 0;  ///< all, aborts and segments too
   Duration slowest{};         ///< of the slow ones; zero: none was slow
   std::uint16_t index = 0;    ///< that was asked for last where there was no answer, or the slowest
@@ -51,9 +51,11 @@ class SdoWatch {
     NodeId server = 0;         ///< whose answers it waits for
     bool is_waiting = false;   ///< for an answer
     bool is_answered = false;  ///< the latest message was an answer that ends a request
-    Time latest{};             ///< when the latest message came
-    std::uint16_t index = 0;   ///< of the object that the latest message is about
-    std::uint8_t sub = 0;      ///< of the same object
+    /// Requests that were given up: their answers may still come.
+    unsigned owed = 0;
+    Time latest{};            ///< when the latest message came
+    std::uint16_t index = 0;  ///< of the object that the latest message is about
+    std::uint8_t sub = 0;     ///< of the same object
   };
 
   void take_request(Channel& channel, Time at, const Frame& frame, const decoder::Decoded& decoded);
