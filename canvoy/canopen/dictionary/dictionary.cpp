@@ -431,7 +431,8 @@ AbortCode Dictionary::write(const Entry& entry, std::span<const std::uint8_t> va
   if (!allows(entry.row->access, Access::sdo_write)) return AbortCode::read_only;
   const AbortCode answer = check(entry, value);
   if (answer != AbortCode::none) return answer;
-  commit(entry, value, source);
+  set(entry, value);
+  announce(entry, source);
   return answer;
 }
 
@@ -471,10 +472,7 @@ AbortCode Dictionary::check(const Entry& entry, std::span<const std::uint8_t> va
 }
 
 void Dictionary::commit(const Entry& entry, std::span<const std::uint8_t> value, Source source) {
-  // A Boolean has two values: what is true is read as 1.
-  constexpr std::uint8_t is_true = 1;
-  const bool is_other = entry.row->type == DataType::boolean && value[0] > is_true;
-  set(entry, is_other ? std::span(&is_true, 1) : value);
+  set(entry, value);
   announce(entry, source);
 }
 

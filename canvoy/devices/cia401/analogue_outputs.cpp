@@ -92,21 +92,7 @@ void AnalogueOutputs::drive(std::uint16_t index, unsigned channel) {
   const std::int64_t value = integer_scale(dictionary, output_scaling, channel)
                                  .apply(sign_extended(word, width->bytes), width->bytes);
   const auto raw = static_cast<std::uint32_t>(value) << 8 * (4 - width->bytes);
-  put_out(index, channel, static_cast<std::int32_t>(raw));
-}
-
-/// What goes out by one object, the others say, too.
-void AnalogueOutputs::put_out(std::uint16_t by, unsigned channel, std::int32_t raw) {
-  drive_(channel, raw);
-  Dictionary& dictionary = node_.dictionary();
-  for (const Width& width : analogue_output_widths) {
-    const Result<Entry> entry = dictionary.find(width.index, static_cast<std::uint8_t>(channel));
-    if (width.index == by || !entry) continue;
-    const std::int64_t value = integer_scale(dictionary, output_scaling, channel)
-                                   .find(narrowed(raw, width.bytes), width.bytes);
-    put(dictionary, *entry, static_cast<std::uint32_t>(value), true);
-  }
-  if (reals_ != nullptr && by != output_fraction) reals_->follow(*this, channel, raw);
+  drive_(channel, static_cast<std::int32_t>(raw));
 }
 
 }  // namespace canvoy::cia401

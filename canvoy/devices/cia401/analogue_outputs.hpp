@@ -5,9 +5,8 @@
 //                                          &Board::output>(board));
 //
 // The text of CiA 401 is not at hand. Our reading: an output is what was written last, by whichever
-// of its objects, and the others say the same in their units; error values are in the units of that
-// object. Where nothing was written yet it is that of 16 bits, 32, 8, floating-point: the first
-// that is there.
+// of its objects; error values are in the units of that object, and the object says them. Where
+// nothing was written yet it is that of 16 bits, 32, 8, floating-point: the first that is there.
 #pragma once
 
 #include <cstdint>
@@ -46,7 +45,6 @@ class AnalogueOutputs {
   void for_each_channel(Each each);
   void fail(std::uint8_t channel);
   void drive(std::uint16_t index, unsigned channel);
-  void put_out(std::uint16_t by, unsigned channel, std::int32_t raw);
   std::uint16_t index_of(unsigned channel) const;
 
   Node& node_;

@@ -9,8 +9,7 @@
 namespace canvoy::cia401 {
 
 constexpr AnalogueReals AnalogueReals::calls = {.read = &AnalogueReals::read_real,
-                                                .drive = &AnalogueReals::drive_real,
-                                                .follow = &AnalogueReals::follow_output};
+                                                .drive = &AnalogueReals::drive_real};
 
 bool AnalogueReals::read_real(AnalogueInputs& inputs, AnalogueInputState& state, bool may_tell) {
   Dictionary& dictionary = inputs.node_.dictionary();
@@ -35,17 +34,7 @@ void AnalogueReals::drive_real(AnalogueOutputs& outputs, unsigned channel) {
       dictionary.word(write_analogue_output_float_object.index, static_cast<std::uint8_t>(channel));
   const float value =
       real_scale(dictionary, output_scaling, channel).apply(std::bit_cast<float>(word));
-  outputs.put_out(write_analogue_output_float_object.index, channel,
-                  from_fraction(std::isnan(value) ? 0 : value));
-}
-
-void AnalogueReals::follow_output(AnalogueOutputs& outputs, unsigned channel, std::int32_t raw) {
-  Dictionary& dictionary = outputs.node_.dictionary();
-  const Result<Entry> entry =
-      dictionary.find(write_analogue_output_float_object.index, static_cast<std::uint8_t>(channel));
-  if (!entry) return;
-  const float value = real_scale(dictionary, output_scaling, channel).find(fraction(raw));
-  put(dictionary, *entry, std::bit_cast<std::uint32_t>(value), true);
+  outputs.drive_(channel, from_fraction(std::isnan(value) ? 0 : value));
 }
 
 }  // namespace canvoy::cia401

@@ -16,8 +16,6 @@ struct AnalogueReals {
   /// True where it was an event.
   bool (*read)(AnalogueInputs& inputs, AnalogueInputState& state, bool may_tell);
   void (*drive)(AnalogueOutputs& outputs, unsigned channel);
-  /// The number of 6413h is that of an output.
-  void (*follow)(AnalogueOutputs& outputs, unsigned channel, std::int32_t raw);
 
   /// Outputs that were written last by 6413h.
   std::bitset<256> written_last = {};
@@ -27,7 +25,6 @@ struct AnalogueReals {
  private:
   static bool read_real(AnalogueInputs& inputs, AnalogueInputState& state, bool may_tell);
   static void drive_real(AnalogueOutputs& outputs, unsigned channel);
-  static void follow_output(AnalogueOutputs& outputs, unsigned channel, std::int32_t raw);
 };
 
 }  // namespace canvoy::cia401

@@ -56,12 +56,6 @@ struct IntegerScale {
     const std::int64_t high = (std::int64_t{1} << (8 * bytes - 1)) - 1;
     return std::clamp(value * scaling + offset, -high - 1, high);
   }
-  /// What apply() makes `result` of, or comes nearest to it; 0 where it makes one number of all.
-  constexpr std::int64_t find(std::int64_t result, unsigned bytes) const {
-    if (scaling == 0) return 0;
-    const std::int64_t high = (std::int64_t{1} << (8 * bytes - 1)) - 1;
-    return std::clamp((result - offset) / scaling, -high - 1, high);
-  }
 };
 inline IntegerScale integer_scale(const Dictionary& dictionary, const Scaling& of,
                                   unsigned channel) {
@@ -75,10 +69,6 @@ struct RealScale {
   float offset = 0;
 
   constexpr float apply(float value) const { return value * scaling + offset; }
-  /// What apply() makes `result` of; 0 where it makes one number of all.
-  constexpr float find(float result) const {
-    return scaling == 0.0F ? 0 : (result - offset) / scaling;
-  }
 };
 inline RealScale real_scale(const Dictionary& dictionary, const Scaling& of, unsigned channel) {
   constexpr auto one = std::bit_cast<std::uint32_t>(1.0F);

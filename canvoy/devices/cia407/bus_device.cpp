@@ -283,17 +283,15 @@ void BusDevice::take_files(std::span<const Part> parts) {
     const Result<Entry> entry = dictionary.find(part.index(), 0);
     const bool is_file = entry && entry->row->type == DataType::domain;
     if (!is_file || dictionary.domain(*entry) != nullptr) continue;
-    const auto made =
-        taken_files_.try_emplace(part.index(), virtual_devices_.front(), part.index());
-    made.first->second.shelf().on_stored =
-        Callback<void(const Entry&)>::to<&BusDevice::file_taken>(*this);
+    TakenFile& taken = taken_files_.emplace_back(virtual_devices_.front(), part.index());
+    taken.file.shelf().on_stored = Callback<void(const Entry&)>::to<&BusDevice::file_taken>(*this);
   }
 }
 
 std::span<const std::uint8_t> BusDevice::taken_file(std::uint16_t index) {
-  const auto found = taken_files_.find(index);
+  const auto found = std::ranges::find(taken_files_, index, &TakenFile::index);
   return found == taken_files_.end() ? std::span<const std::uint8_t>()
-                                     : found->second.shelf().file(0);
+                                     : found->file.shelf().file(0);
 }
 
 BusDevice::~BusDevice() {

@@ -10,7 +10,6 @@
 
 #include <cstddef>
 #include <deque>
-#include <map>
 #include <memory>
 #include <span>
 #include <vector>
@@ -105,7 +104,11 @@ class BusDevice : public FoundValues<BusDevice> {
     std::unique_ptr<std::byte[]> memory;
   };
   /// As much as a diagnostics device has, whose file is the longest.
-  using TakenFile = FileShelfOf<1, 16384, 0>;
+  struct TakenFile {
+    TakenFile(VirtualDevice& device, std::uint16_t object) : index(object), file(device, object) {}
+    std::uint16_t index;
+    FileShelfOf<1, 16384, 0> file;
+  };
 
   void take_files(std::span<const Part> parts);
   void file_taken(const Entry& entry) { node().dictionary().announce(entry, Source::sdo); }
@@ -116,7 +119,7 @@ class BusDevice : public FoundValues<BusDevice> {
   HeapNode device_;
   VirtualDevices all_;
   std::deque<VirtualDevice> virtual_devices_;
-  std::map<std::uint16_t, TakenFile> taken_files_;  ///< by the index of the object
+  std::deque<TakenFile> taken_files_;
 };
 
 }  // namespace canvoy::cia407

@@ -33,6 +33,9 @@ const NO_SUB_INDEX = 0x06090011;
 const TOO_HIGH = 0x06090031;
 const TOO_LOW = 0x06090032;
 const NO_DATA = 0x08000024;
+const INVALID_VALUE = 0x06090030;
+const LOCAL_CONTROL = 0x08000021;
+const DEVICE_STATE = 0x08000022;
 
 const SIZES = new Map([
   [DataType.BOOLEAN, 1], [DataType.INTEGER8, 1], [DataType.INTEGER16, 2], [DataType.INTEGER24, 3],
@@ -49,6 +52,14 @@ process.on('exit', () => fs.rmSync(folder, {recursive: true}));
 const hex = (number, digits) => number.toString(16).toUpperCase().padStart(digits, '0');
 const oneOf = (...codes) => (code) => codes.includes(code);
 const isMapping = (index) => index >= 0x1600 && index < 0x1800 || index >= 0x1A00 && index < 0x1C00;
+// What a sealed device takes from its provider alone (the stranger is none), and in service mode alone (MID, annex IX).
+const CLOCKS = [0x60F0, 0x60F2, 0x60F4];
+const SEALED = new Map([
+  ['taximeter', [0x6050, 0x6051, 0x6052, 0x6053, 0x6054, 0x6055, 0x6056, 0x6057, ...CLOCKS]],
+  ['driver-identification', CLOCKS],
+]);
+const isSealed = (device, index) => (SEALED.get(device) ?? []).includes(index);
+const isForService = (device, index) => device === 'taximeter' && index >= 0x1200 && index < 0x1800;
 const isWritable = (entry) => [AccessType.READ_WRITE, AccessType.WRITE_ONLY, 'rwr', 'rww'].includes(entry.accessType);
 
 function sheetOf(device) {
@@ -154,9 +165,8 @@ class Examination {
   }
 
   async examineWriting(index, subIndex, entry, value) {
-    // The mapping of a PDO that is valid stays as it is (CiA 301).
     await this.expect(index, subIndex, `write of what was read, ${value.toString('hex')}`,
-      this.write(index, subIndex, value), isMapping(index) ? oneOf(UNSUPPORTED_ACCESS) : oneOf(0));
+      this.write(index, subIndex, value), oneOf(this.codeOfWriting(index)));
     await this.expect(index, subIndex, 'a byte too many',
       this.write(index, subIndex, Buffer.concat([value, Buffer.alloc(1)])), oneOf(TOO_LONG, WRONG_LENGTH));
     if (value.length > 1) {
@@ -169,8 +179,14 @@ class Examination {
       const beyond = Buffer.alloc(value.length);
       beyond.writeUIntLE(limit + step, 0, value.length);
       await this.expect(index, subIndex, `${limit + step} is beyond its limit`, this.write(index, subIndex, beyond),
-        oneOf(wanted));
+        isSealed(this.device, index) ? oneOf(wanted, INVALID_VALUE) : oneOf(wanted));
     }
+  }
+  codeOfWriting(index) {
+    if (isSealed(this.device, index)) return LOCAL_CONTROL;
+    if (isForService(this.device, index)) return DEVICE_STATE;
+    // The mapping of a PDO that is valid stays as it is (CiA 301).
+    return isMapping(index) ? UNSUPPORTED_ACCESS : 0;
   }
 
   async examineWhatIsMissing() {
