@@ -42,6 +42,11 @@ constexpr ObjectRuling takes(const RuledObjects& objects, std::string_view reaso
   return {objects.profile, objects.first, objects.last, ObjectRuling::Case::beyond,
           AbortCode::none, reason};
 }
+/// With a code that does not speak of the range.
+constexpr ObjectRuling refuses_beyond(const RuledObjects& objects, AbortCode answer,
+                                      std::string_view reason) {
+  return {objects.profile, objects.first, objects.last, ObjectRuling::Case::beyond, answer, reason};
+}
 constexpr ObjectRuling does_not_read(const RuledObjects& objects, AbortCode answer,
                                      std::string_view reason) {
   return {objects.profile, objects.first, objects.last, ObjectRuling::Case::read, answer, reason};
@@ -115,6 +120,16 @@ inline constexpr ObjectRuling object_rulings[] = {
     refuses({417, 0x6485, 0x6485}, AbortCode::value_range, "4.12.6: a rope ratio with a 0 in it"),
 
     // CiA 447: cars.
+    refuses({447, 0x1200, 0x17FF}, AbortCode::device_state,
+            "MID, annex IX: a sealed taximeter has its channels changed in service mode"),
+    refuses({447, 0x6050, 0x6057}, AbortCode::local_control,
+            "MID, annex IX: a sealed taximeter counts by its provider alone"),
+    refuses({447, 0x60F0, 0x60F4}, AbortCode::local_control,
+            "MID, annex IX: a sealed clock is set by its provider alone"),
+    refuses_beyond({447, 0x6050, 0x6057}, AbortCode::local_control,
+                   "MID, annex IX: a sealed taximeter counts by its provider alone"),
+    refuses_beyond({447, 0x60F0, 0x60F4}, AbortCode::local_control,
+                   "MID, annex IX: a sealed clock is set by its provider alone"),
     takes({447, 0x6053, 0x6054}, "4.2.4: a reserved code of a status says nothing"),
     refuses({447, 0x6099, 0x609E}, AbortCode::device_state,
             "4.2.9: who writes has not reserved the display"),
@@ -125,7 +140,6 @@ inline constexpr ObjectRuling object_rulings[] = {
     does_not_read({447, 0x60EB, 0x60EB}, AbortCode::no_data, "4.2.13: it has nothing to say"),
     takes({447, 0x6106, 0x6107},
           "4.2: what was read of a lamp that is not there may be written back"),
-    takes({447, 0x60F0, 0x60F4}, "4.2.14: a reserved code of a status says nothing"),
     refuses({447, 0x60F1, 0x60F1}, AbortCode::device_state,
             "4.2.14: a date of which no other part is set"),
 };
