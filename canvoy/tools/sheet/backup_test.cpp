@@ -45,15 +45,22 @@ bool is_pdo(std::uint16_t index) {
   return index >= 0x1400 && index <= 0x1BFF;
 }
 
+class Backup : public testing::TestWithParam<const DeviceKind*> {};
+
+/// A sealed taximeter keeps its channels but for service (MID, annex IX).
+AbortCode wanted(std::uint16_t index) {
+  const bool is_sealed =
+      test_name(*Backup::GetParam()) == "taximeter" && index >= 0x1200 && index < 0x1800;
+  return is_sealed ? AbortCode::device_state : AbortCode::none;
+}
+
 void write_all(ForeignClient& desk, const Configuration& backup, const char* state) {
   for (const ConfigurationEntry& entry : backup.entries) {
     const AbortCode answer = desk.write(entry.index, entry.sub, entry.value);
-    EXPECT_EQ(answer, AbortCode::none) << place_of(entry) << " " << std::hex
-                                       << static_cast<std::uint32_t>(answer) << ", " << state;
+    EXPECT_EQ(answer, wanted(entry.index)) << place_of(entry) << " " << std::hex
+                                           << static_cast<std::uint32_t>(answer) << ", " << state;
   }
 }
-
-class Backup : public testing::TestWithParam<const DeviceKind*> {};
 
 TEST_P(Backup, GoesBackIntoTheDeviceThatItIsOf) {
   for (const bool is_operational : {false, true}) {
