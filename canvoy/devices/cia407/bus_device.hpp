@@ -106,8 +106,8 @@ class BusDevice : public FoundValues<BusDevice> {
   /// As much as a diagnostics device has, whose file is the longest.
   struct TakenFile {
     TakenFile(VirtualDevice& device, std::uint16_t object) : index(object), file(device, object) {}
-    std::uint16_t index;
-    FileShelfOf<1, 16384, 0> file;
+    std::uint16_t index;            ///< of the object
+    FileShelfOf<1, 16384, 0> file;  ///< what was written to it last
   };
 
   void take_files(std::span<const Part> parts);
