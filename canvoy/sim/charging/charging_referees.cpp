@@ -57,7 +57,8 @@ ChargingReferees::ChargingReferees(const ChargingOptions& options, const Chargin
       handshake_(devices.rules()),
       faults_(options.faults, promises()),
       service_(
-          std::min(options.charger.limits.current_max_ampere, options.stage.current_max_ampere)) {}
+          std::min(options.charger.limits.current_max_ampere, options.stage.current_max_ampere)),
+      unwanted_time_max_(find_unwanted_time_max()) {}
 
 Promises ChargingReferees::promises() const {
   const HandshakeRules agreed = devices_->rules();
@@ -150,7 +151,7 @@ Duration ChargingReferees::stop_time_max() const {
 }
 
 /// What the battery wants is on the bus after a while, or its silence is heard.
-Duration ChargingReferees::unwanted_time_max() const {
+Duration ChargingReferees::find_unwanted_time_max() const {
   const Promises promised = promises();
   return promised.value_time + std::min(promised.data_time, promised.heartbeat_time) +
          frame_time_max + stop_time_max();
@@ -189,10 +190,10 @@ std::array<Invariant, ChargingReferees::lasting> ChargingReferees::lasting_invar
           service(),
           missing_charge(),
           time_invariant(InvariantKind::more_than_asked, more_than_asked_.worst(),
-                         unwanted_time_max(), more_than_asked_.judged()),
+                         unwanted_time_max_, more_than_asked_.judged()),
           time_invariant(InvariantKind::charged_hot_or_cold, hot_or_cold_.worst(),
-                         unwanted_time_max(), hot_or_cold_.judged()),
-          time_invariant(InvariantKind::over_voltage, over_voltage_.worst(), unwanted_time_max(),
+                         unwanted_time_max_, hot_or_cold_.judged()),
+          time_invariant(InvariantKind::over_voltage, over_voltage_.worst(), unwanted_time_max_,
                          over_voltage_.judged())};
 }
 

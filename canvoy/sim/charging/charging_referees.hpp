@@ -54,7 +54,7 @@ class ChargingReferees {
   void judge_care(Time now);
   Promises promises() const;
   Duration stop_time_max() const;
-  Duration unwanted_time_max() const;
+  Duration find_unwanted_time_max() const;
   Invariant handshake() const;
   Invariant service() const;
   Invariant missing_charge() const;
@@ -67,6 +67,7 @@ class ChargingReferees {
   HandshakeMonitor handshake_;
   FaultWatch faults_;
   ServiceWatch service_;
+  Duration unwanted_time_max_;  ///< by the configuration at the start
   WrongTime more_than_asked_{stretch_ends_after};
   WrongTime hot_or_cold_{stretch_ends_after};
   WrongTime over_voltage_{stretch_ends_after};
