@@ -78,11 +78,11 @@ class RunCarParts(CommandTest):
         return [json.loads(line) for line in result.stdout.splitlines()], told
 
     def test_a_meter_on_the_bus_is_what_the_driver_follows(self):
-        keys = ["sign-on@22s", "hire@28s", "stop@56s", "for-hire@60s", "sign-off@64s"]
+        keys = ["sign-on@37s", "hire@43s", "stop@71s", "for-hire@77s", "sign-off@83s"]
         presses = [word for key in keys for word in ("--press", key)]
         meter = ["taximeter", "--node-id", "lss", "--serial-number", "1002"]
         others = ["--printer", "3", "--sign", "5", "--clock", "4", *presses]
-        lines, told = self.play(TAXI, ["taximeter"], [[*meter, *others]], "80s")
+        lines, told = self.play(TAXI, ["taximeter"], [[*meter, *others]], "97s")
         states = [line["state"] for line in lines if line.get("event") == "meter"]
         self.assertEqual(states, ["for hire", "hired", "stopped", "for hire", "signed off"])
         for text in ("for hire", "hired, 3.90", "stopped, ", "signed off"):

@@ -13,7 +13,7 @@ run_tests = script.load("run-tests")
 REPORT = xml.fromstring(
     """<testsuite>
     <testcase name="good" status="run"/>
-    <testcase name="bad" status="fail"/>
+    <testcase name="bad" status="fail"><failure message=""/><system-out>1\n2 is not 3</system-out></testcase>
     <testcase name="left out" status="notrun">
       <skipped message="SKIP_RETURN_CODE=77"/><system-out>here it goes\nskipped: node is missing</system-out>
     </testcase>
@@ -38,7 +38,7 @@ class RunTests(unittest.TestCase):
     def test_a_skipped_test_is_told_with_its_reason(self):
         passed, failed, skipped = self.judge(may_skip=True)
         self.assertEqual(passed, 1)
-        self.assertEqual(failed, ["release: bad", "release: absent"])
+        self.assertEqual(failed, ["release: bad\n    1\n    2 is not 3", "release: absent"])
         self.assertEqual(skipped, ["release: left out: skipped: node is missing"])
 
     def test_on_the_machine_that_decides_it_has_failed(self):
@@ -56,7 +56,7 @@ class RunTests(unittest.TestCase):
     def test_a_part_of_a_program_is_counted_by_its_own_tests(self):
         passed, failed, skipped = run_tests.judge("sanitizers", self.cases_of_part("fail", PART), may_skip=True)
         self.assertEqual(passed, 1)
-        self.assertEqual(failed, ["sanitizers: can.A.c"])
+        self.assertEqual(failed, ["sanitizers: can.A.c\n    x"])
         self.assertEqual(skipped, ["sanitizers: can.A.b: no vcan"])
 
     def test_a_part_that_broke_off_has_failed(self):
