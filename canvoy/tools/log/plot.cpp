@@ -16,6 +16,7 @@
 #include "canvoy/profiles/physical.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/log/decode_log.hpp"
 #include "canvoy/tools/log/frame_printer.hpp"
 #include "canvoy/tools/log/plot_series.hpp"
 #include "canvoy/tools/log/trace_complaints.hpp"

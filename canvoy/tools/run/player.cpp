@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "canvoy/can/host/candump_log.hpp"
+#include "canvoy/sim/duration_text.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/interruption.hpp"
 #include "canvoy/tools/run/real_buses.hpp"
