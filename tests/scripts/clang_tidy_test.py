@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
 """Which sources tests/style/clang_tidy looks at again."""
 
+import math
 import pathlib
+import shutil
 import sys
 import tempfile
+import time
 import unittest
 
 import script
@@ -60,6 +63,23 @@ class ClangTidy(unittest.TestCase):
         self.assertEqual(before, mark())
         (self.folder / "low.hpp").write_text("int low();\n")
         self.assertNotEqual(before, mark())
+
+    @unittest.skipUnless(shutil.which("clang-tidy-16"), "clang-tidy-16 is missing")
+    def test_what_another_source_includes_is_missed_by_one_that_is_compiled_by_itself(self):
+        clang_tidy.CACHE = self.folder
+        (self.folder / "named.hpp").write_text("#pragma once\ninline int named() { return 1; }\n")
+        sources = {self.folder / "first.cpp": '#include "named.hpp"\n', self.folder / "second.cpp": ""}
+        for source, include in sources.items():
+            source.write_text(f"{include}int {source.stem}() {{ return named(); }}\n")
+        marks = {source: source.with_suffix(".clean") for source in sources}
+        end_of_a_day = time.monotonic() + 60
+        self.assertEqual(clang_tidy.Look(dict(marks), end_of_a_day)(list(sources), self.arguments), [])
+        for mark in marks.values():
+            mark.unlink()
+        found = clang_tidy.Look(dict(marks), math.inf)(list(sources), self.arguments)
+        self.assertEqual(len(found), 1)
+        self.assertIn("second.cpp:1", found[0])
+        self.assertEqual([mark.stem for mark in marks.values() if mark.exists()], ["first"])
 
 
 if __name__ == "__main__":
