@@ -41,6 +41,7 @@ enum class FindingKind : std::uint8_t {
   reserved_value,
   failed_value,
   against_protocol,
+  reported_error,
   silence,
 };
 

@@ -43,6 +43,9 @@ void judge_heartbeat_jitter(const Observed& bus, Findings& findings);
 void judge_unexpected_boot_up(const Observed& bus, Findings& findings);
 /// A node has sent more than NodeWatch::storm_least emergencies in NodeWatch::storm_time.
 void judge_emergency_storm(const Observed& bus, Findings& findings);
+/// A node has told an error by emergency. Left out where it is a storm, and errors of communication
+/// (8100h to 82FFh) where another finding tells what they come from.
+void judge_reported_error(const Observed& bus, Findings& findings);
 /// A node that is there has left SDO requests without answer.
 void judge_sdo_time_out(const Observed& bus, Findings& findings);
 /// An SDO answer took SdoWatch::slow_from or longer.

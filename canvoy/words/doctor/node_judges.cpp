@@ -195,6 +195,34 @@ void judge_emergency_storm(const Observed& bus, Findings& findings) {
   });
 }
 
+void judge_reported_error(const Observed& bus, Findings& findings) {
+  const bool has_cause = std::ranges::any_of(findings, [](const Finding& each) {
+    return finding_row(each.kind).severity != Severity::note;
+  });
+  for_each_node([&](NodeId node) {
+    const HeardNode& heard = bus.nodes.of(node);
+    if (heard.errors.count == 0 || heard.storm.count != 0) return;
+    const auto of_communication = [](std::uint16_t code) {
+      return code >> 8U == 0x81 || code >> 8U == 0x82;
+    };
+    if (has_cause && std::ranges::all_of(heard.codes, of_communication)) return;
+    std::vector<std::string> codes;
+    for (const std::uint16_t code : heard.codes) {
+      codes.push_back(fmt::format("{:04X}h: {}", code, emergency_text(code)));
+    }
+    findings.push_back(
+        {.kind = FindingKind::reported_error,
+         .node = node,
+         .count = heard.errors.count,
+         .first = heard.errors.first,
+         .last = heard.errors.last,
+         .what = fmt::format("{} has told of an error {}: {}. {}", node_text(node),
+                             times_text(heard.errors.count), fmt::join(codes, "; "),
+                             heard.error_code == 0 ? "The latest emergency says that it is gone."
+                                                   : "Nothing says that it is gone.")});
+  });
+}
+
 void judge_sdo_time_out(const Observed& bus, Findings& findings) {
   for_each_node([&](NodeId node) {
     const HeardServer& server = bus.sdos.of(node);

@@ -1,5 +1,7 @@
 #include "canvoy/words/doctor/node_watch.hpp"
 
+#include <algorithm>
+
 #include "canvoy/canopen/little_endian.hpp"
 
 namespace canvoy::words {
@@ -25,6 +27,11 @@ void NodeWatch::emergency(Time at, NodeId node, const Frame& frame) {
   each.heard.emergencies.add(at);
   each.heard.error_code = load<std::uint16_t>(frame.data.data());
   if (is_storm) each.heard.storm.add(at);
+  if (each.heard.error_code == 0) return;
+  each.heard.errors.add(at);
+  std::vector<std::uint16_t>& codes = each.heard.codes;
+  const bool is_known = std::ranges::find(codes, each.heard.error_code) != codes.end();
+  if (!is_known && codes.size() < codes_most) codes.push_back(each.heard.error_code);
 }
 
 }  // namespace canvoy::words

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "canvoy/can/frame.hpp"
 #include "canvoy/can/time.hpp"
@@ -21,12 +22,17 @@ struct HeardNode {
   Tally emergencies = {};        ///< all of eight bytes, with code 0000h too
   Tally storm = {};              ///< those that came with `storm_least` others in `storm_time`
   std::uint16_t error_code = 0;  ///< of the latest
+  Tally errors = {};             ///< those with another code than 0000h
+  /// The different codes of `errors`, in the order in which they came first; at most `codes_most`.
+  std::vector<std::uint16_t> codes = {};
 };
 
 class NodeWatch {
  public:
   /// More emergencies than this many in `storm_time` are a storm.
   static constexpr std::size_t storm_least = 10;
+  /// So many codes of a node are known; more are counted alone.
+  static constexpr std::size_t codes_most = 4;
   /// In which the emergencies of a storm come.
   static constexpr Duration storm_time = 10s;
   /// How long a node may take to boot.

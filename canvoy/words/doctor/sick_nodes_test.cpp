@@ -168,6 +168,16 @@ std::vector<SickBusRow> node_rows() {
        [] { return storm(3, 40, 100ms, 0x5000); }},
       {"EmergenciesOfOverload", emergency_storm, 1, 0, [] { return storm(1, 15, 600ms, 0x2310); }},
       {"EmergenciesOfTheBus", emergency_storm, 5, 0, [] { return storm(5, 200, 20ms, 0x8110); }},
+      {"AnErrorThatStands", reported_error, 3, 0, [] { return storm(3, 1, 1s, 0x3100); }},
+      {"AnErrorNowAndThen", reported_error, 1, 0, [] { return storm(1, 4, 9s, 0x4210); }},
+      {"AnErrorOfTheBusThatNothingExplains", reported_error, 5, 0,
+       [] { return storm(5, 2, 9s, 0x8130); }},
+      {"AnErrorThatIsGone", reported_error, 2, 0,
+       [] {
+         auto clinic = storm(2, 1, 1s, 0x5010);
+         clinic->send(20s, 2, Frame::data_frame(can_id::emergency + 2, {0, 0, 0, 0, 0, 0, 0, 0}));
+         return clinic;
+       }},
       {"ANodeDoesNotAnswerAndIsAborted", sdo_time_out, 4, 0,
        [] {
          return mute({10s, 20s, 30s}, true);
