@@ -61,6 +61,10 @@ SdoStep SdoFollower::request(const Frame& frame) {
   const bool ends =
       step.message == SdoMessage::abort || step.message == SdoMessage::block_upload_done;
   if (begins(step.message)) behind_ = std::exchange(next_, {});
+  const bool is_repeated = is_answer_due_ && frame.data == asked_ &&
+                           (begins(step.message) || step.message == SdoMessage::indication);
+  repeats_ = is_repeated ? repeats_ + 1 : 0;
+  asked_ = frame.data;
   is_answer_due_ = !ends;
   hears_client_ = true;
   step.marks = marks_;
@@ -71,12 +75,20 @@ SdoStep SdoFollower::request(const Frame& frame) {
 SdoStep SdoFollower::response(const Frame& frame) {
   marks_ = {};
   const auto under_way = transfer_entry();
+  if (!is_answer_due_ && repeats_ > 0 && frame.data == answered_) {
+    --repeats_;
+    return again_;
+  }
   SdoStep step = take_response(sdo::Message(frame));
   step.entry = entry_of(step.message, sdo::Message(frame), under_way);
   is_answer_due_ = false;
   hears_server_ = true;
   step.marks = marks_;
   step.behind = behind(step.message, sdo::Message(frame));
+  answered_ = frame.data;
+  again_ = step;
+  again_.done = nullptr;
+  again_.marks = {};
   return step;
 }
 

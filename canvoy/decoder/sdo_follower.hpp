@@ -154,6 +154,12 @@ class SdoFollower {
   std::uint8_t toggle_ = 0;     ///< of the segment that is to come, or is to be answered
   std::uint8_t sequence_ = 0;   ///< of the last segment of this block that came in order
   std::uint8_t block_size_ = 0;
+  /// A client with a short time-out asks again before the answer comes: each of its requests has
+  /// one.
+  unsigned repeats_ = 0;
+  decltype(Frame::data) asked_{};           ///< in the latest request
+  decltype(Frame::data) answered_{};        ///< in the latest response
+  SdoStep again_;                           ///< what that response was
   std::optional<std::uint32_t> announced_;  ///< how many bytes it is to have
   Marks marks_;                             ///< of this message
 };

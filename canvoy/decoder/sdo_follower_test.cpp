@@ -234,6 +234,29 @@ TEST(SdoFollower, MarksWhatNothingCallsFor) {
   });
 }
 
+TEST(SdoFollower, MarksNoAnswerToARequestThatWasRepeated) {
+  expect_marks({
+      {"60A#4000100000000000"},
+      {"60A#4000100000000000"},
+      {"60A#4000100000000000"},
+      {"58A#4300100000000000"},
+      {"58A#4300100000000000"},
+      {"58A#4300100000000000"},
+      {"58A#4300100000000000", "out of place"},  // the fourth answer
+      {"60A#E002000700000000"},                  // the next transfer is with node 7 of network 2
+      {"60A#E002000700000000"},
+      {"58A#E002000700000000"},
+      {"58A#E002000700000000"},
+      {"58A#E002000700000000", "out of place"},
+      {"60A#4000100000000000"},
+      {"60A#4000100000000000"},
+      {"58A#4300100000000000"},
+      {"60A#4018100000000000"},
+      {"58A#4F18100004000000"},
+      {"58A#4F18100004000000", "out of place"},  // this one was asked once
+  });
+}
+
 TEST(SdoFollower, MarksASegmentThatDoesNotWaitForTheConfirmation) {
   SdoFollower sut;
   expect_marks(sut, {{"60A#4000100000000000"},
