@@ -19,6 +19,11 @@ void DeviceScan::start() {
   node_.timers().arm(timer_, node_.now());
 }
 
+void DeviceScan::go_on() {
+  running_ = true;
+  node_.timers().arm(timer_, node_.now() + options_.interval);
+}
+
 void DeviceScan::stop() {
   running_ = false;
   node_.timers().disarm(timer_);

@@ -39,6 +39,8 @@ class DeviceScan {
   /// Begins with the nodes that are preferred, then goes over all of them, again and again until
   /// one is found.
   void start();
+  /// The one that was found is not the right one: goes on behind it.
+  void go_on();
   void stop();
   bool running() const { return running_; }
   /// This node was heard of: it is asked next. What is no node-ID is ignored.

@@ -69,7 +69,8 @@ Charger::Charger(Node& node, const ChargerServices& services, const ChargerHardw
       scan_(node, {.profile = battery_profile}),
       link_(node),
       timer_(Callback<void(Time)>::to<&Charger::control>(*this)),
-      gaps_(node, Callback<void(NodeId)>::to<&Charger::ask_anew>(*this)) {
+      gaps_(node, Callback<void(NodeId)>::to<&Charger::ask_anew>(*this)),
+      rivals_(node) {
   node.attach(service_);
   scan_.on_found(Callback<void(NodeId)>::to<&Charger::battery_found>(*this));
   link_.on_answered(Callback<void(const BatteryOffer&)>::to<&Charger::battery_answered>(*this));
@@ -97,6 +98,7 @@ void Charger::reset(ResetScope) {
   link_.use(nullptr);
   is_connected_ = false;
   linked_rpdos_.reset();
+  rivals_.forget();
   forget_values();
   counted_at_ = node_.now();
   pilot_signal_ = false;
@@ -125,6 +127,7 @@ void Charger::bus_state_changed(BusState state) {
 void Charger::control(Time now) {
   node_.timers().arm(timer_, now + settings_.control_period);
   watch_pilot_signal();
+  watch_rivals(now);
   tell_time();
   if (settings_.manage_network) manage(now);
   remind_battery(now);
@@ -164,6 +167,17 @@ void Charger::watch_pilot_signal() {
   if (!was_linked) return;
   node_.raise(pilot_lost);
   services_.error_behaviour.device_failure();
+}
+
+/// Two chargers would deliver twice what the battery asks for.
+void Charger::watch_rivals(Time now) {
+  rivals_.advance(now);
+  if (!rivals_.is_to_leave()) return;
+  charging_ = false;
+  unlink();
+  link_.forget();
+  search();
+  act();
 }
 
 /// The service tells it; here is the clock that it tells.
@@ -281,6 +295,7 @@ void Charger::search() {
 }
 
 void Charger::battery_found(NodeId id) {
+  if (rivals_.is_served(id)) return scan_.go_on();
   enter(ChargerPhase::linking);
   found_ = id;
   const bool is_requested =
@@ -336,7 +351,11 @@ void Charger::link() {
   link_rpdo(2, usable(2));
   tells_status_ = false;
   for (std::size_t position = 0; position < BatteryOffer::pdos; ++position) {
-    if (link_tpdo(position)) tells_status_ = true;
+    if (!link_tpdo(position)) continue;
+    if (!tells_status_) {
+      rivals_.watch(offer_.id, static_cast<std::uint16_t>(offer_.rpdo[position].can_id()));
+    }
+    tells_status_ = true;
   }
   supervise_battery();
   if (!charging_) returned_.set_raw(offer_.ampere_hours_returned.value_or(0xFFFF));
@@ -375,6 +394,7 @@ void Charger::supervise_battery() {
 void Charger::unlink() {
   scan_.stop();
   link_.cancel();
+  rivals_.leave();
   found_ = 0;
   if (phase_ == ChargerPhase::linked) tell_misfits(false);
   if (std::exchange(is_connected_, false)) services_.sdo_requester->release(battery_connection);

@@ -20,6 +20,7 @@
 #include "canvoy/devices/cia419/battery_link.hpp"
 #include "canvoy/devices/cia419/charge_control.hpp"
 #include "canvoy/devices/cia419/charger_hardware.hpp"
+#include "canvoy/devices/cia419/rival_watch.hpp"
 #include "canvoy/devices/gap_watch.hpp"
 #include "canvoy/profiles/cia419.hpp"
 
@@ -127,6 +128,7 @@ class Charger {
   void link();
   void tell_misfits(bool present);
   void unlink();
+  void watch_rivals(Time now);
   void forget_values();
   void link_rpdo(std::size_t position, bool use);
   bool link_tpdo(std::size_t position);
@@ -167,6 +169,7 @@ class Charger {
   std::bitset<BatteryOffer::pdos> linked_rpdos_;
   std::bitset<BatteryOffer::pdos> fresh_rpdos_;
   GapWatch gaps_;
+  RivalWatch rivals_;
   NodeId found_ = 0;            ///< the battery that a connection is requested to; 0: none
   bool is_connected_ = false;   ///< by an SDO connection of its own
   bool tells_status_ = false;   ///< a TPDO is linked, and each of them begins with the status

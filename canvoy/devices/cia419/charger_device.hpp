@@ -81,8 +81,9 @@ class ChargerDevice : public DeviceValues<ChargerDevice<layout, further_routes>,
   static constexpr bool has_connections =
       detail::count_objects(layout.tables(), dynamic_sdo::state, dynamic_sdo::state) != 0;
   /// Each SDO client hears one node.
-  static constexpr std::size_t own_routes =
-      NetworkStates::routes + DeviceScan::requests_max + 1 + 2 * has_connections + further_routes;
+  static constexpr std::size_t own_routes = NetworkStates::routes + DeviceScan::requests_max + 1 +
+                                            RivalWatch::routes + 2 * has_connections +
+                                            further_routes;
 
   TimeStamp* time_stamp() {
     if constexpr (DeviceNode<layout, own_routes>::has_time) return &device_.time_stamp();
