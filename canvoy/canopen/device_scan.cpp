@@ -13,10 +13,10 @@ DeviceScan::DeviceScan(Node& node, const Options& options)
       pool_{Request{*this, node}, Request{*this, node}, Request{*this, node}, Request{*this, node}},
       timer_(Callback<void(Time)>::to<&DeviceScan::next>(*this)) {}
 
-void DeviceScan::start() {
+void DeviceScan::start(Duration later) {
   running_ = true;
   position_ = 0;
-  node_.timers().arm(timer_, node_.now());
+  node_.timers().arm(timer_, node_.now() + later);
 }
 
 void DeviceScan::go_on() {

@@ -37,8 +37,8 @@ class DeviceScan {
   void on_found(Callback<void(NodeId)> found) { found_ = found; }
 
   /// Begins with the nodes that are preferred, then goes over all of them, again and again until
-  /// one is found.
-  void start();
+  /// one is found; the first one is asked `later` than now.
+  void start(Duration later = {});
   /// The one that was found is not the right one: goes on behind it.
   void go_on();
   void stop();

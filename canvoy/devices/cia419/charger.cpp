@@ -176,7 +176,7 @@ void Charger::watch_rivals(Time now) {
   charging_ = false;
   unlink();
   link_.forget();
-  search();
+  search(rivals_.turn());
   act();
 }
 
@@ -289,9 +289,9 @@ void Charger::end_charge() {
   event_(Event::charge_ended);
 }
 
-void Charger::search() {
+void Charger::search(Duration later) {
   enter(ChargerPhase::searching);
-  scan_.start();
+  scan_.start(later);
 }
 
 void Charger::battery_found(NodeId id) {

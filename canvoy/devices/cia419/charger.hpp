@@ -124,7 +124,7 @@ class Charger {
   void begin_charge();
   void end_charge();
 
-  void search();
+  void search(Duration later = {});
   void link();
   void tell_misfits(bool present);
   void unlink();

@@ -23,7 +23,7 @@ void RivalWatch::watch(NodeId battery, std::uint16_t can_id) {
   }
   battery_ = battery;
   is_linked_ = true;
-  is_to_leave_ = was_newcomer_ = false;
+  is_to_leave_ = false;
   linked_at_ = node_.now();
 }
 
@@ -32,9 +32,7 @@ void RivalWatch::leave() {
 }
 
 bool RivalWatch::is_served(NodeId battery) const {
-  if (battery != battery_ || heard_last_ == never) return false;
-  const Duration turn = was_newcomer_ ? node_.id() * turn_time : Duration{};
-  return node_.now() < heard_last_ + quiet_time + turn;
+  return battery == battery_ && heard_last_ != never && node_.now() < heard_last_ + quiet_time;
 }
 
 void RivalWatch::advance(Time now) {
@@ -60,8 +58,7 @@ void RivalWatch::heard(const Frame& frame, Time now) {
   heard_last_ = now;
   if (!is_linked_) return;
   if (!std::exchange(is_told_, true)) node_.raise(collision(can_id_));
-  was_newcomer_ = now < linked_at_ + newcomer_time;
-  is_to_leave_ = was_newcomer_ || now >= heard_first_ + patience;
+  is_to_leave_ = now < linked_at_ + newcomer_time || now >= heard_first_ + patience;
 }
 
 }  // namespace canvoy::cia419

@@ -26,7 +26,7 @@ class RivalWatch {
   static constexpr Duration patience = 5s;
   /// One that was not heard for so long is gone.
   static constexpr Duration quiet_time = 3s;
-  /// For each of the node-ID, how much longer a newcomer waits than `quiet_time`.
+  /// By how much later than the one with the node-ID before its own a charger comes back.
   static constexpr Duration turn_time = 500ms;
 
   explicit RivalWatch(Node& node) : node_(node) {}
@@ -41,6 +41,9 @@ class RivalWatch {
   bool is_to_leave() const { return is_to_leave_; }
   /// The battery has another charger, or had one a short while ago.
   bool is_served(NodeId battery) const;
+  /// How long to wait before this node looks for a battery again: then one that has left at the
+  /// same time is linked already, or is not yet back.
+  Duration turn() const { return quiet_time + node_.id() * turn_time; }
   /// To be called each second or more often: ends the error when the other one is gone.
   void advance(Time now);
   /// Nothing is known any more.
@@ -54,7 +57,6 @@ class RivalWatch {
   std::uint16_t can_id_ = 0;  ///< that is listened to; 0: none
   bool is_linked_ = false;
   bool is_to_leave_ = false;
-  bool was_newcomer_ = false;  ///< when it was to leave
   bool is_told_ = false;
   Time linked_at_{};
   Time heard_first_ = never;  ///< since it was quiet; never: it is
