@@ -61,10 +61,8 @@ SdoStep SdoFollower::request(const Frame& frame) {
   const bool ends =
       step.message == SdoMessage::abort || step.message == SdoMessage::block_upload_done;
   if (begins(step.message)) behind_ = std::exchange(next_, {});
-  const bool is_repeated = is_answer_due_ && frame.data == asked_ &&
-                           (begins(step.message) || step.message == SdoMessage::indication);
-  repeats_ = is_repeated ? repeats_ + 1 : 0;
-  asked_ = frame.data;
+  const bool asks = begins(step.message) || step.message == SdoMessage::indication;
+  if (asks && is_answer_due_ && overtaken_ < overtaken_max) ++overtaken_;
   is_answer_due_ = !ends;
   hears_client_ = true;
   step.marks = marks_;
@@ -75,20 +73,16 @@ SdoStep SdoFollower::request(const Frame& frame) {
 SdoStep SdoFollower::response(const Frame& frame) {
   marks_ = {};
   const auto under_way = transfer_entry();
-  if (!is_answer_due_ && repeats_ > 0 && frame.data == answered_) {
-    --repeats_;
-    return again_;
-  }
   SdoStep step = take_response(sdo::Message(frame));
   step.entry = entry_of(step.message, sdo::Message(frame), under_way);
   is_answer_due_ = false;
   hears_server_ = true;
+  if (marks_.has(Mark::out_of_place) && overtaken_ > 0) {
+    --overtaken_;
+    marks_.remove(Mark::out_of_place);
+  }
   step.marks = marks_;
   step.behind = behind(step.message, sdo::Message(frame));
-  answered_ = frame.data;
-  again_ = step;
-  again_.done = nullptr;
-  again_.marks = {};
   return step;
 }
 
@@ -96,6 +90,7 @@ SdoStep SdoFollower::response(const Frame& frame) {
 /// be sent: the answer to it has its place.
 void SdoFollower::server_starts() {
   next_ = {};
+  overtaken_ = 0;
   if (phase_ == Phase::asked) return;
   phase_ = Phase::idle;
   is_known_ = true;

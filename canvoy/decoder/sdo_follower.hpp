@@ -84,6 +84,8 @@ class SdoFollower {
  public:
   /// What is kept of a long domain.
   static constexpr std::size_t bytes_max = 4096;
+  /// Of so many requests that were overtaken by another one, late answers are no surprise.
+  static constexpr unsigned overtaken_max = 8;
 
   /// Takes a message of eight bytes from the client, or from the server.
   SdoStep request(const Frame& frame);
@@ -154,12 +156,9 @@ class SdoFollower {
   std::uint8_t toggle_ = 0;     ///< of the segment that is to come, or is to be answered
   std::uint8_t sequence_ = 0;   ///< of the last segment of this block that came in order
   std::uint8_t block_size_ = 0;
-  /// A client with a short time-out asks again before the answer comes: each of its requests has
-  /// one.
-  unsigned repeats_ = 0;
-  decltype(Frame::data) asked_{};           ///< in the latest request
-  decltype(Frame::data) answered_{};        ///< in the latest response
-  SdoStep again_;                           ///< what that response was
+  /// Requests that came before the one before them was answered, as those of a client with a short
+  /// time-out: each of them may still be.
+  unsigned overtaken_ = 0;
   std::optional<std::uint32_t> announced_;  ///< how many bytes it is to have
   Marks marks_;                             ///< of this message
 };

@@ -234,7 +234,7 @@ TEST(SdoFollower, MarksWhatNothingCallsFor) {
   });
 }
 
-TEST(SdoFollower, MarksNoAnswerToARequestThatWasRepeated) {
+TEST(SdoFollower, MarksNoAnswerToARequestThatWasOvertaken) {
   expect_marks({
       {"60A#4000100000000000"},
       {"60A#4000100000000000"},
@@ -254,6 +254,13 @@ TEST(SdoFollower, MarksNoAnswerToARequestThatWasRepeated) {
       {"60A#4018100000000000"},
       {"58A#4F18100004000000"},
       {"58A#4F18100004000000", "out of place"},  // this one was asked once
+      {"60A#E002000700000000"},
+      {"60A#E002000700000000"},
+      {"60A#2B171000C8000000"},  // of another object, and none is answered yet
+      {"58A#E002000700000000"},
+      {"58A#E002000700000000"},
+      {"58A#6017100000000000"},
+      {"58A#6017100000000000", "out of place"},
   });
 }
 

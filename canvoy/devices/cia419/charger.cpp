@@ -333,6 +333,10 @@ void Charger::tell_misfits(bool present) {
 }
 
 void Charger::battery_answered(const BatteryOffer& offer) {
+  if (rivals_.is_served(offer.id)) {
+    enter(ChargerPhase::searching);
+    return scan_.go_on();
+  }
   offer_ = offer;
   link();
 }

@@ -54,7 +54,7 @@ TEST_F(TwoChargers, OfTwoThatComeAtOnceOneStays) {
 TEST_F(TwoChargers, EachHasABatteryOfTwo) {
   cable.connect(3, second_battery.node());
   cable.start_all();
-  cable.run_for(20s);
+  cable.run_for(30s);
   EXPECT_EQ(first.charger().battery() + second.charger().battery(), 10 + 11);
   EXPECT_EQ(bench.delivered, 40);
   EXPECT_EQ(second_bench.delivered, 40);

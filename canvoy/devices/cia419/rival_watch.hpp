@@ -27,7 +27,7 @@ class RivalWatch {
   /// One that was not heard for so long is gone.
   static constexpr Duration quiet_time = 3s;
   /// By how much later than the one with the node-ID before its own a charger comes back.
-  static constexpr Duration turn_time = 500ms;
+  static constexpr Duration turn_time = 1s;
 
   explicit RivalWatch(Node& node) : node_(node) {}
   RivalWatch(const RivalWatch&) = delete;

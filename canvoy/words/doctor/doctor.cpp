@@ -10,6 +10,8 @@ namespace canvoy::words {
 namespace {
 
 constexpr std::uint32_t function_mask = 0x780;
+/// At 125 kbit/s a frame of eight bytes takes 1.1 ms.
+constexpr Duration sent_again_within = 3ms;
 
 /// Whose frame it is by the pre-defined connection set (CiA 301, 7.3.3); 0: nobody's.
 NodeId predefined_sender(std::uint32_t id) {
@@ -116,7 +118,12 @@ void Doctor::hear_frame(Time at, const Frame& frame) {
   bus_.traffic.hear(at, frame, node);
   bus_.errors.hear(at, frame, node);
   if (frame.is_extended()) return;
-  bus_.values.hear(at, decoded);
+  // A frame that is disturbed in its last bits is sent again, though others have taken it.
+  const bool is_sent_again =
+      frame == last_ && last_at_ != never && at - last_at_ <= sent_again_within;
+  last_ = frame;
+  last_at_ = at;
+  if (!is_sent_again) bus_.values.hear(at, decoded);
   if (decoded.service == decoder::Decoded::Service::sdo_request ||
       decoded.service == decoder::Decoded::Service::sdo_response) {
     bus_.sdos.hear(at, frame, decoded, is_up(decoded.node));

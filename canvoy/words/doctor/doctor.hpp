@@ -56,6 +56,8 @@ class Doctor {
   decoder::Decoder decoder_;
   Observed bus_;
   bool has_begun_ = false;
+  Frame last_;                                   ///< that was heard
+  Time last_at_ = never;                         ///< when; never: none was
   std::array<Time, node_id_max + 1> guarded_{};  ///< when a remote frame asked for its state
 };
 
