@@ -121,6 +121,8 @@ std::string_view stop_reason_text(cia419::StopReason reason) {
       return "the battery is too cold";
     case voltage_too_high:
       return "the battery's voltage is too high";
+    case voltage_too_low:
+      return "the battery's voltage is too low";
     case no_request:
       return "the battery requests no current";
   }

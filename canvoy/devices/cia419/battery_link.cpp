@@ -10,6 +10,12 @@ std::uint16_t low_word(std::uint32_t answer) {
   return static_cast<std::uint16_t>(answer);
 }
 
+/// A word that says something.
+std::optional<std::uint16_t> said(std::uint32_t answer) {
+  const std::uint16_t word = low_word(answer);
+  return word != 0 && word != 0xFFFF ? std::optional(word) : std::nullopt;
+}
+
 /// Who answers, even with a refusal, is there.
 bool is_silent(SdoOutcome outcome) {
   return outcome.is_silence() || outcome.kind() == SdoEnd::Kind::cancelled;
@@ -30,7 +36,7 @@ std::uint16_t mapping_of_charger(std::size_t mapping) {
 }  // namespace
 
 /// Cheap ones first: a battery that does not answer these will not answer the others.
-const std::array<BatteryLink::Question, 13> BatteryLink::questions = {{
+const std::array<BatteryLink::Question, 14> BatteryLink::questions = {{
     {object_index::tpdo_parameter, 1,
      [](BatteryOffer& offer, std::uint32_t answer) { offer.tpdo[0].raw = answer; }},
     {object_index::tpdo_parameter + 1, 1,
@@ -65,10 +71,8 @@ const std::array<BatteryLink::Question, 13> BatteryLink::questions = {{
      [](BatteryOffer& offer,
         std::uint32_t answer) { offer.capacity_ampere_hours = low_word(answer); }},
     {0x6020, 3,
-     [](BatteryOffer& offer, std::uint32_t answer) {
-       const std::uint16_t ampere = low_word(answer);
-       if (ampere != 0 && ampere != 0xFFFF) offer.current_max_ampere = ampere;
-     }},
+     [](BatteryOffer& offer, std::uint32_t answer) { offer.current_max_ampere = said(answer); }},
+    {0x6020, 4, [](BatteryOffer& offer, std::uint32_t answer) { offer.cells = said(answer); }},
 }};
 
 BatteryLink::BatteryLink(Node& node) : node_(node), default_client_(node) {}

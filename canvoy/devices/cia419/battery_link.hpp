@@ -33,6 +33,7 @@ struct BatteryOffer {
   std::optional<std::uint16_t> ampere_hours_returned;  ///< 6052h, 0.125 Ah
   std::optional<std::uint16_t> capacity_ampere_hours;  ///< 6020h, sub-index 2
   std::optional<std::uint16_t> current_max_ampere;     ///< 6020h, sub-index 3; neither 0 nor FFFFh
+  std::optional<std::uint16_t> cells;                  ///< 6020h, sub-index 4; neither 0 nor FFFFh
 };
 
 class BatteryLink {
@@ -74,7 +75,7 @@ class BatteryLink {
   };
   /// The PDOs whose mapping is compared: the battery's TPDOs, then its RPDOs.
   static constexpr std::size_t mappings = 2 * BatteryOffer::pdos;
-  static const std::array<Question, 13> questions;
+  static const std::array<Question, 14> questions;
   static constexpr unsigned tries_max = 3;
 
   void next();

@@ -13,7 +13,18 @@ ChargeDecision ChargeControl::decide(const ChargeInputs& inputs) {
   const double ampere =
       std::min({asked, limits_.current_max_ampere, inputs.battery_max_ampere.value_or(asked)});
   if (ampere <= 0) return {0, StopReason::no_request};
-  return {ampere, StopReason::none};
+  return {ampere * derating(*inputs.temperature_celsius), StopReason::none};
+}
+
+/// 0 to 1, of a temperature that stops nothing.
+double ChargeControl::derating(double celsius) const {
+  const double way = limits_.temperature_derating_kelvin;
+  return way > 0 ? std::clamp((limits_.temperature_max_celsius - celsius) / way, 0.0, 1.0) : 1;
+}
+
+double ChargeControl::voltage_min(const ChargeInputs& inputs) const {
+  return std::max(limits_.voltage_min_volt,
+                  limits_.cell_voltage_min_volt * inputs.battery_cells.value_or(0));
 }
 
 StopReason ChargeControl::communication_reason(const ChargeInputs& inputs) const {
@@ -36,6 +47,9 @@ StopReason ChargeControl::battery_reason(const ChargeInputs& inputs) {
   if (temperature_stop_ != StopReason::none) return temperature_stop_;
   if (inputs.voltage_volt.value_or(0) > limits_.voltage_max_volt)
     return StopReason::voltage_too_high;
+  if (inputs.voltage_volt && *inputs.voltage_volt < voltage_min(inputs)) {
+    return StopReason::voltage_too_low;
+  }
   return StopReason::none;
 }
 

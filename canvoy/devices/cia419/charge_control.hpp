@@ -14,9 +14,17 @@ namespace canvoy::cia419 {
 struct ChargeLimits {
   double current_max_ampere = 60;
   double voltage_max_volt = 65;
+  double voltage_min_volt = 0;  ///< below that no battery of this charger can be
+  /// Times the number of cells that the battery tells (CiA 418, 6020h): below that some of them are
+  /// dead, or it is another battery than it says. Half a volt is less than a cell of any chemistry
+  /// has that may be charged; 0: not looked at.
+  double cell_voltage_min_volt = 0.5;
   double temperature_min_celsius = 0;
   double temperature_max_celsius = 50;
   double temperature_hysteresis_kelvin = 2;  ///< the way back that ends a stop for temperature
+  /// So far below `temperature_max_celsius` the current begins to fall, in a line, to nothing
+  /// there; 0: it does not.
+  double temperature_derating_kelvin = 0;
   /// Delivered where the battery offers no TPDO with a requested current; 0: do not charge such a
   /// battery.
   double current_without_request_ampere = 0;
@@ -38,6 +46,7 @@ enum class StopReason : std::uint8_t {
   too_hot,
   too_cold,
   voltage_too_high,
+  voltage_too_low,
   no_request,  ///< the battery asks for no current, or for an invalid one
 };
 
@@ -56,6 +65,7 @@ struct ChargeInputs {
   std::optional<double> requested_ampere;
   std::optional<double> state_of_charge_percent;
   std::optional<double> battery_max_ampere = {};  ///< that the battery bears (CiA 418, 6020h)
+  std::optional<double> battery_cells = {};       ///< in series (CiA 418, 6020h)
 };
 
 struct ChargeDecision {
@@ -76,6 +86,8 @@ class ChargeControl {
   StopReason communication_reason(const ChargeInputs& inputs) const;
   StopReason battery_reason(const ChargeInputs& inputs);
   StopReason temperature_reason(double celsius);
+  double voltage_min(const ChargeInputs& inputs) const;
+  double derating(double celsius) const;
 
   ChargeLimits limits_;
   StopReason temperature_stop_ = StopReason::none;

@@ -19,7 +19,8 @@ ChargeInputs all_well() {
           .voltage_volt = 50,
           .has_request = true,
           .requested_ampere = 40,
-          .state_of_charge_percent = 30};
+          .state_of_charge_percent = 30,
+          .battery_cells = 24};
 }
 
 class ChargeControlTest : public testing::Test {
@@ -68,6 +69,7 @@ TEST_F(ChargeControlTest, EachMissingConditionAloneStopsTheCharge) {
       {[](ChargeInputs& in) { in.temperature_celsius = 50.125; }, too_hot},
       {[](ChargeInputs& in) { in.temperature_celsius = -0.125; }, too_cold},
       {[](ChargeInputs& in) { in.voltage_volt = 65.1; }, voltage_too_high},
+      {[](ChargeInputs& in) { in.voltage_volt = 10; }, voltage_too_low},  // of 24 cells: 12 V
       {[](ChargeInputs& in) { in.requested_ampere.reset(); }, no_request},
       {[](ChargeInputs& in) { in.requested_ampere = 0; }, no_request},
   };
@@ -135,6 +137,32 @@ TEST_F(ChargeControlTest, WithoutARequestFromTheBatteryTheConfiguredCurrentIsDel
   expect_stop(inputs, StopReason::no_request);
   ChargeControl configured(ChargeLimits{.current_without_request_ampere = 5});
   EXPECT_EQ(configured.decide(inputs).ampere, 5);
+}
+
+TEST_F(ChargeControlTest, CellsThatAreNotToldAreNotLookedAt) {
+  ChargeInputs in = all_well();
+  in.voltage_volt = 10;
+  in.battery_cells.reset();
+  expect_current(in, 40);
+}
+
+TEST(ChargeControl, HasALowerLimitOfItsOwn) {
+  ChargeControl sut({.voltage_min_volt = 20});
+  ChargeInputs in = all_well();
+  in.voltage_volt = 19.9;
+  EXPECT_EQ(sut.decide(in).reason, StopReason::voltage_too_low);
+  in.voltage_volt = 20;
+  EXPECT_EQ(sut.decide(in).ampere, 40);
+}
+
+/// From 40 to 50 °C in a line.
+TEST(ChargeControl, GivesLessCurrentToABatteryThatGetsHot) {
+  ChargeControl sut({.temperature_max_celsius = 50, .temperature_derating_kelvin = 10});
+  ChargeInputs in = all_well();
+  for (const auto& [celsius, ampere] : {std::pair{25, 40}, {40, 40}, {45, 20}, {49, 4}, {50, 0}}) {
+    in.temperature_celsius = celsius;
+    EXPECT_NEAR(sut.decide(in).ampere, ampere, 1e-9) << celsius;
+  }
 }
 
 /// CiA 418, 6020h: the maximum charge current, whatever is asked for.

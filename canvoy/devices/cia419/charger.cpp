@@ -34,6 +34,7 @@ const Error* error_of(StopReason reason) {
     case StopReason::invalid_voltage:
       return &measurement_error;
     case StopReason::voltage_too_high:
+    case StopReason::voltage_too_low:
       return &voltage_error;
     default:
       return nullptr;
@@ -234,7 +235,8 @@ ChargeInputs Charger::inputs() const {
           .has_request = sends_request,
           .requested_ampere = sends_request ? requested_.value() : std::nullopt,
           .state_of_charge_percent = sends_request ? state_of_charge_.value() : std::nullopt,
-          .battery_max_ampere = offer_.current_max_ampere};
+          .battery_max_ampere = offer_.current_max_ampere,
+          .battery_cells = offer_.cells};
 }
 
 /// Decides with what is known now, drives the power stage, and answers the battery by the status.

@@ -296,6 +296,10 @@ INSTANTIATE_TEST_SUITE_P(
         Stop{"VoltageTooHigh", [](Bench& b, Cable&) { b.readings.voltage_volt = 66; },
              [](Bench& b, Cable&) { b.readings.voltage_volt = 50; }, StopReason::voltage_too_high,
              101ms, "085#00 33 05 00 00 00 00 00", NmtState::operational},
+        // Of 24 cells, as the battery tells (CiA 418, 6020h).
+        Stop{"VoltageTooLow", [](Bench& b, Cable&) { b.readings.voltage_volt = 10; },
+             [](Bench& b, Cable&) { b.readings.voltage_volt = 50; }, StopReason::voltage_too_low,
+             101ms, "085#00 33 05 00 00 00 00 00", NmtState::operational},
         Stop{"NoRequest", [](Bench& b, Cable&) { b.readings.requested_current_ampere = 0; },
              [](Bench& b, Cable&) { b.readings.requested_current_ampere = 40; },
              StopReason::no_request, 101ms, nullptr, NmtState::operational},
