@@ -77,7 +77,9 @@ SdoStep SdoFollower::response(const Frame& frame) {
   step.entry = entry_of(step.message, sdo::Message(frame), under_way);
   is_answer_due_ = false;
   hears_server_ = true;
-  if (marks_.has(Mark::out_of_place) && overtaken_ > 0) {
+  const bool answers = step.message == SdoMessage::value || step.message == SdoMessage::written ||
+                       step.message == SdoMessage::indication;
+  if (answers && marks_.has(Mark::out_of_place) && overtaken_ > 0) {
     --overtaken_;
     marks_.remove(Mark::out_of_place);
   }

@@ -248,12 +248,6 @@ TEST(SdoFollower, MarksNoAnswerToARequestThatWasOvertaken) {
       {"58A#E002000700000000"},
       {"58A#E002000700000000"},
       {"58A#E002000700000000", "out of place"},
-      {"60A#4000100000000000"},
-      {"60A#4000100000000000"},
-      {"58A#4300100000000000"},
-      {"60A#4018100000000000"},
-      {"58A#4F18100004000000"},
-      {"58A#4F18100004000000", "out of place"},  // this one was asked once
       {"60A#E002000700000000"},
       {"60A#E002000700000000"},
       {"60A#2B171000C8000000"},  // of another object, and none is answered yet
@@ -261,6 +255,10 @@ TEST(SdoFollower, MarksNoAnswerToARequestThatWasOvertaken) {
       {"58A#E002000700000000"},
       {"58A#6017100000000000"},
       {"58A#6017100000000000", "out of place"},
+      {"60A#4000100000000000"},
+      {"60A#4000100000000000"},
+      {"58A#4300100000000000"},
+      {"58A#0143616E766F7920", "out of place"},  // no answer to a request that begins
   });
 }
 
