@@ -18,6 +18,7 @@ void add_record(Verb& app);
 void add_replay(Verb& app);
 void add_stats(Verb& app);
 void add_doctor(Verb& app);
+void add_check(Verb& app);
 void add_explain(Verb& app);
 void add_search(Verb& app);
 void add_program(Verb& app);

@@ -51,6 +51,7 @@ constexpr auto verb_entries = std::to_array<VerbEntry>({
     {"replay", add_replay},
     {"stats", add_stats},
     {"doctor", add_doctor},
+    {"check", add_check},
     {"load", add_load},
     {"explain", add_explain},
     {"search", add_search},
