@@ -36,7 +36,8 @@ BusNetwork::BusNetwork(BusNetworkOptions options)
            .vehicle_touched = Callback<void()>::to<&BusNetwork::wake_vehicle>(*this)},
           events_),
       display_watch_(nodes_, options_.line, displays_, vehicle_, referee_, events_),
-      service_(nodes_, {faults_, vehicle_, computer_, sensors_, truth_, referee_}, events_) {
+      service_(nodes_, {faults_, vehicle_, computer_, sensors_, truth_, referee_}, events_),
+      heard_(options_.line) {
   vehicle_.on_event(
       [this](Time now, BusEvent event, std::size_t stop) { happened(now, event, stop); });
   add_nodes();
@@ -193,6 +194,7 @@ void BusNetwork::log_in() {
 // Judged.
 
 void BusNetwork::frame_sent(Time now, ControllerId sender, const Frame& frame) {
+  heard_.hear(now, frame);
   const std::optional<bool> is_right = messages_.is_right(now, sender, frame, truth_);
   if (is_right) referee_.judge_one(InvariantKind::pdo_tables, now, *is_right);
   if (frame.id != MessageReferee::time_id || !is_right) return;
