@@ -89,6 +89,7 @@ class BusNetwork {
   void lead_vehicle(Time now);
   void happened(Time now, BusEvent event, std::size_t stop);
   void begin_journey(Time now);
+  void leave_stop(Time now, std::size_t stop);
   void reach_stop(Time now, StopReached::How how, std::size_t stop);
   void learn_truth(Time now);
   void log_in();
