@@ -53,7 +53,7 @@ enum class StopTimeUpdate : protozero::pbf_tag_type {
   stop_id = 4,
   schedule_relationship = 5,
 };
-enum class StopTimeEvent : protozero::pbf_tag_type { delay = 1 };
+enum class StopTimeEvent : protozero::pbf_tag_type { delay = 1, time = 2 };
 
 template <class Field>
 using Builder = protozero::pbf_builder<Field>;
@@ -85,8 +85,8 @@ void write(Builder<Vehicle> out, const VehicleReference& vehicle) {
 }
 
 void write(Builder<Position> out, const VehicleReport& report) {
-  out.add_float(Position::latitude, static_cast<float>(report.latitude));
-  out.add_float(Position::longitude, static_cast<float>(report.longitude));
+  out.add_float(Position::latitude, static_cast<float>(*report.latitude));
+  out.add_float(Position::longitude, static_cast<float>(*report.longitude));
   if (report.bearing) out.add_float(Position::bearing, static_cast<float>(*report.bearing));
   if (report.odometer_m) out.add_double(Position::odometer, *report.odometer_m);
   if (report.speed_m_s) out.add_float(Position::speed, static_cast<float>(*report.speed_m_s));
@@ -95,7 +95,9 @@ void write(Builder<Position> out, const VehicleReport& report) {
 void write(Builder<VehiclePosition> out, const VehicleReport& report) {
   using Field = VehiclePosition;
   if (report.trip) write(Builder<TripDescriptor>(out, Field::trip), *report.trip);
-  write(Builder<Position>(out, Field::position), report);
+  if (report.latitude && report.longitude) {
+    write(Builder<Position>(out, Field::position), report);
+  }
   if (report.stop_sequence) out.add_uint32(Field::stop_sequence, *report.stop_sequence);
   if (report.status) out.add_enum(Field::status, static_cast<std::int32_t>(*report.status));
   if (report.timestamp != 0) out.add_uint64(Field::timestamp, report.timestamp);
@@ -112,14 +114,15 @@ void write(Builder<VehiclePosition> out, const VehicleReport& report) {
 void write(Builder<StopTimeUpdate> out, const StopReport& stop) {
   using Field = StopTimeUpdate;
   out.add_uint32(Field::stop_sequence, stop.sequence);
-  if (stop.arrival_delay_s) {
-    Builder<StopTimeEvent>(out, Field::arrival)
-        .add_int32(StopTimeEvent::delay, *stop.arrival_delay_s);
-  }
-  if (stop.departure_delay_s) {
-    Builder<StopTimeEvent>(out, Field::departure)
-        .add_int32(StopTimeEvent::delay, *stop.departure_delay_s);
-  }
+  const auto write_event = [&out](Field field, std::optional<std::int32_t> delay_s,
+                                  std::optional<std::int64_t> time) {
+    if (!delay_s && !time) return;
+    Builder<StopTimeEvent> event(out, field);
+    if (delay_s) event.add_int32(StopTimeEvent::delay, *delay_s);
+    if (time) event.add_int64(StopTimeEvent::time, *time);
+  };
+  write_event(Field::arrival, stop.arrival_delay_s, stop.arrival_time);
+  write_event(Field::departure, stop.departure_delay_s, stop.departure_time);
   if (!stop.stop.empty()) out.add_string(Field::stop_id, stop.stop);
   if (stop.is_skipped) out.add_enum(Field::schedule_relationship, skipped);
 }

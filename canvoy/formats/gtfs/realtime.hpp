@@ -45,8 +45,8 @@ enum class Occupancy : std::uint8_t {
 struct VehicleReport {
   VehicleReference vehicle{};
   std::optional<TripReference> trip{};  ///< empty: it is on none
-  double latitude = 0;                  ///< WGS 84, degrees
-  double longitude = 0;
+  std::optional<double> latitude{};     ///< WGS 84, degrees; without both it has no position
+  std::optional<double> longitude{};
   std::optional<double> bearing{};     ///< degrees from north, clockwise
   std::optional<double> odometer_m{};  ///< of the vehicle
   std::optional<double> speed_m_s{};
@@ -58,12 +58,14 @@ struct VehicleReport {
   std::uint64_t timestamp = 0;                       ///< POSIX time; 0: unknown
 };
 
-/// Of a stop of a trip: late is positive.
+/// Of a stop of a trip: late is positive; times are POSIX times, those of a forecast as well.
 struct StopReport {
   std::uint32_t sequence = 0;
   std::string stop{};  ///< stop_id
   std::optional<std::int32_t> arrival_delay_s{};
+  std::optional<std::int64_t> arrival_time{};  ///< s since 1970
   std::optional<std::int32_t> departure_delay_s{};
+  std::optional<std::int64_t> departure_time{};  ///< s since 1970
   bool is_skipped = false;
 };
 

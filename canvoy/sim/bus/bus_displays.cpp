@@ -2,8 +2,17 @@
 
 namespace canvoy::bus {
 
+namespace {
+
+/// As they hang in and on buses: 192 by 32 dots; the one with the route is a screen.
+constexpr BusDisplay::Size sign_size = {.columns = 24, .lines = 2};
+constexpr BusDisplay::Size screen_size = {.columns = 40, .lines = 4};
+
+}  // namespace
+
 void BusDisplays::add(NodeId id, const ShownDisplay::Sabotage& sabotage) {
   displays_.at(id) = std::make_unique<ShownDisplay>(
+      id == information_id ? screen_size : sign_size,
       Callback<Time()>::to<&BusDisplays::clock>(*this), changed_, sabotage);
   Site& site = nodes_.add_site();
   site.offer(Callback<cia407::DisplayHardware()>::to<&ShownDisplay::hardware>(*displays_.at(id)));

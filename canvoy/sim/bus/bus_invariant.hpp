@@ -22,6 +22,9 @@ enum class InvariantKind : std::uint8_t {
   second_announcements,
   second_stop_sign,
   false_stop_sign,
+  early_departure,
+  left_behind,
+  overcrowded,
   device_missing
 };
 
@@ -45,6 +48,9 @@ inline constexpr InvariantRow invariant_rows[] = {
     {"second_stop_sign",
      "the stop button was pressed and no sign was lit in or for the second car for at most", "s"},
     {"false_stop_sign", "a stop sign was lit though nobody had pressed for at most", "s"},
+    {"early_departure", "departures from a timing point before its time", ""},
+    {"left_behind", "people who stood at a stop and were left there with room aboard", ""},
+    {"overcrowded", "more people were aboard than there is room for, for at most", "s"},
     {"device_missing", "a device was missing without an excuse for at most", "s"},
 };
 inline constexpr std::size_t invariant_kinds = std::size(invariant_rows);

@@ -36,7 +36,11 @@ BusNetwork::BusNetwork(BusNetworkOptions options)
            .vehicle_touched = Callback<void()>::to<&BusNetwork::wake_vehicle>(*this)},
           events_),
       display_watch_(nodes_, options_.line, displays_, vehicle_, referee_, events_),
-      service_(nodes_, {faults_, vehicle_, computer_, sensors_, truth_, referee_}, events_) {
+      service_(nodes_,
+               {faults_, vehicle_, computer_, sensors_, truth_, referee_,
+                std::max(1U, options_.vehicle.riders.capacity)},
+               events_),
+      heard_(options_.line) {
   vehicle_.on_event(
       [this](Time now, BusEvent event, std::size_t stop) { happened(now, event, stop); });
   add_nodes();
@@ -131,9 +135,11 @@ void BusNetwork::happened(Time now, BusEvent event, std::size_t stop) {
       stop_requests_.has_stopped();
       return reach_stop(now, StopReached::How::arrives, stop);
     case BusEvent::leaves:
+      leave_stop(now, stop);
       return reach_stop(now, StopReached::How::leaves, stop);
     case BusEvent::passes:
       ++counted_.stops;
+      leave_stop(now, stop);
       return reach_stop(now, StopReached::How::passes, stop);
     case BusEvent::door_changes:
       return sensors_.door_changed();
@@ -151,6 +157,11 @@ void BusNetwork::begin_journey(Time now) {
   service_.journey_begins();
   learn_truth(now);
   log_in();
+}
+
+void BusNetwork::leave_stop(Time now, std::size_t stop) {
+  const Passing& passing = vehicle_.truth().journey->passings[stop];
+  service_.stop_left(passing, vehicle_.time_of_day(now) - passing.departure);
 }
 
 void BusNetwork::reach_stop(Time now, StopReached::How how, std::size_t stop) {
@@ -193,6 +204,7 @@ void BusNetwork::log_in() {
 // Judged.
 
 void BusNetwork::frame_sent(Time now, ControllerId sender, const Frame& frame) {
+  heard_.hear(now, frame);
   const std::optional<bool> is_right = messages_.is_right(now, sender, frame, truth_);
   if (is_right) referee_.judge_one(InvariantKind::pdo_tables, now, *is_right);
   if (frame.id != MessageReferee::time_id || !is_right) return;

@@ -27,6 +27,7 @@
 #include "canvoy/sim/bus/bus_referee.hpp"
 #include "canvoy/sim/bus/display_watch.hpp"
 #include "canvoy/sim/bus/excused_kinds.hpp"
+#include "canvoy/sim/bus/heard_bus.hpp"
 #include "canvoy/sim/bus/message_referee.hpp"
 #include "canvoy/sim/bus/on_board_computer.hpp"
 #include "canvoy/sim/bus/second_car.hpp"
@@ -73,6 +74,8 @@ class BusNetwork {
   /// Null: the node is none.
   const ShownDisplay* find_display(NodeId id) const { return displays_.find(id); }
   const BusNetworkOptions& options() const { return options_; }
+  /// What the frames of the first car have told somebody who listens there.
+  const HeardBus& heard() const { return heard_; }
   /// Of the day of service: above 24 h after its midnight.
   Duration time_of_day() const { return vehicle_.time_of_day(now()); }
 
@@ -86,6 +89,7 @@ class BusNetwork {
   void lead_vehicle(Time now);
   void happened(Time now, BusEvent event, std::size_t stop);
   void begin_journey(Time now);
+  void leave_stop(Time now, std::size_t stop);
   void reach_stop(Time now, StopReached::How how, std::size_t stop);
   void learn_truth(Time now);
   void log_in();
@@ -113,6 +117,7 @@ class BusNetwork {
   BusFaults faults_;
   DisplayWatch display_watch_;
   ServiceWatch service_;
+  HeardBus heard_;
   MessageReferee messages_;
   MessageReferee second_messages_;
   ToldInvariants<invariant_kinds> told_;

@@ -1,11 +1,16 @@
 #include "canvoy/sim/bus/bus_network_options.hpp"
 
+#include <limits>
+
 namespace canvoy::bus {
 
 BusOptions vehicle_options(const BusNetworkOptions& options) {
   constexpr unsigned second_car_every = 3;
   BusOptions made = options.vehicle;
   made.seed = options.faults.seed;
+  made.has_hasty_driver = made.has_hasty_driver || options.sabotage.hasty_driver;
+  made.has_unkind_driver = made.has_unkind_driver || options.sabotage.unkind_driver;
+  if (options.sabotage.crowd) made.riders.capacity = std::numeric_limits<unsigned>::max();
   if (made.riders.second_car_every == 0) made.riders.second_car_every = second_car_every;
   return made;
 }

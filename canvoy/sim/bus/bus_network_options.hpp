@@ -37,6 +37,9 @@ struct Sabotage {
   bool no_second_sign_lamp = false;  ///< of the next stop indicator of the second car
   bool dead_second_button = false;   ///< the wire from the buttons of the second car
   bool stuck_sign = false;           ///< of the next stop indicator: it is lit for ever
+  bool hasty_driver = false;         ///< he waits for the first departure alone
+  bool unkind_driver = false;        ///< he opens for those who want out alone
+  bool crowd = false;                ///< people get in beyond the capacity
 };
 
 struct BusNetworkOptions {

@@ -114,7 +114,7 @@ class BusWith {
       : network(options_with(it.id)),
         bus_(car_of(it.id) - 1),
         node(network.world(), bus_, it.units, {.name = "real", .id = it.id}, site_),
-        display_(Callback<Time()>::to<&BusWith::clock>(*this),
+        display_({.columns = 24, .lines = 2}, Callback<Time()>::to<&BusWith::clock>(*this),
                  Callback<void()>::to<&BusWith::changed>(*this), {}) {
     site_.offer(Callback<DisplayHardware()>::to<&ShownDisplay::hardware>(display_));
     site_.offer(Callback<AcousticAnnouncerHardware()>::to<&BusWith::announcer>(*this));

@@ -26,9 +26,25 @@ Duration bound_of(InvariantKind kind) {
     case InvariantKind::pdo_tables:
     case InvariantKind::service:
     case InvariantKind::second_announcements:
+    case InvariantKind::early_departure:
+    case InvariantKind::left_behind:
       return {};
     default:
       return 1s;
+  }
+}
+
+/// What is so before any device has booted.
+bool holds_from_the_beginning(InvariantKind kind) {
+  switch (kind) {
+    case InvariantKind::stop_sign:
+    case InvariantKind::second_stop_sign:
+    case InvariantKind::false_stop_sign:
+    case InvariantKind::passengers:
+    case InvariantKind::overcrowded:
+      return true;
+    default:
+      return false;
   }
 }
 
@@ -64,7 +80,8 @@ void BusReferee::excuse(InvariantKind kind, Time until) {
 
 bool BusReferee::is_excused(InvariantKind kind, Time now) const {
   const Kept& kept = kept_[index(kind)];
-  return kept.faults != 0 || now < kept.excused_until || now < Time(return_bound);
+  const bool boots = now < Time(return_bound) && !holds_from_the_beginning(kind);
+  return kept.faults != 0 || now < kept.excused_until || boots;
 }
 
 void BusReferee::judge(InvariantKind kind, Time now, bool is_right, bool applies) {

@@ -130,6 +130,7 @@ bool BusVehicle::are_closed() const {
 
 bool BusVehicle::wants_doors(Time now) const {
   if (place_ == 0 && now < departure() - opens_before) return riders_.aboard() > 0;
+  if (options_.has_unkind_driver && !is_last_stop()) return riders_.wanting_out_at(place_) > 0;
   return riders_.wanting_out_at(place_) > 0 || riders_.waiting_at(place_, now) > 0 ||
          (is_last_stop() && riders_.aboard() > 0);
 }
@@ -162,7 +163,9 @@ void BusVehicle::stand_open(Time now) {
     return;
   }
   quiet_since_ = std::min(quiet_since_, now);
-  const bool must_wait = !is_last_stop() && passing().is_timing_point && now < departure();
+  const bool waits_here = place_ == 0 || !options_.has_hasty_driver;
+  const bool must_wait =
+      waits_here && !is_last_stop() && passing().is_timing_point && now < departure();
   if (must_wait || (!are_closed() && now < quiet_since_ + quiet_least)) return;
   wants_to_go_ = true;
   for (BusDoor& door : doors_) door.close(now);
@@ -221,9 +224,10 @@ void BusVehicle::begin_leg(Time now) {
 bool BusVehicle::may_pass(Time now) const {
   if (is_last_stop() || light_ >= 0 || stop_requested_) return false;
   if (!has_passed_stop(0, drive_.speed())) return false;
-  if (now < leg_began_ + pass_not_before || riders_.waiting_at(place_, now) > 0) return false;
+  const bool is_awaited = !options_.has_unkind_driver && riders_.waiting_at(place_, now) > 0;
+  if (now < leg_began_ + pass_not_before || is_awaited) return false;
   const double metres = route().stops[place_].metres - drive_.metres();
-  return !passing().is_timing_point ||
+  return options_.has_hasty_driver || !passing().is_timing_point ||
          seconds(departure() - now) * std::max(drive_.speed(), slowest) <= metres;
 }
 

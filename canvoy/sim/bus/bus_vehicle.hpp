@@ -42,6 +42,8 @@ struct BusOptions {
   Duration start = Duration::min();  ///< as it is: five minutes before the first departure
   double speed_max = 13.9;           ///< m/s in town; more where the timetable asks for it
   unsigned red_light_percent = 30;   ///< of ways between stops, with one
+  bool has_hasty_driver = false;     ///< he waits for the first departure alone
+  bool has_unkind_driver = false;    ///< he opens for those who want out alone
 };
 
 enum class BusEvent : std::uint8_t {

@@ -4,15 +4,17 @@
 #include <utility>
 
 #include "canvoy/sim/bus/line_texts.hpp"
+#include "canvoy/sim/bus/name_spelling.hpp"
 
 namespace canvoy::bus {
 
 namespace {
 
-/// As the display has it: without blanks at its end.
-std::string trimmed(std::string text) {
-  text.erase(text.find_last_not_of(' ') + 1);
-  return text;
+/// A text of the way that is shorter has room for another stop.
+constexpr std::size_t way_full_from = 100;
+
+bool is_next_stop(NodeId id) {
+  return id == next_stop_id || id == second_next_stop_id;
 }
 
 }  // namespace
@@ -25,10 +27,10 @@ DisplayWatch::DisplayWatch(BusNodes& nodes, const BusLine& line, const BusDispla
       displays_(displays),
       vehicle_(vehicle),
       referee_(referee),
-      events_(events) {
-  for (const BusRoute& route : line.routes) {
-    whole_texts_.push_back(latin_1_as_utf_8(trimmed(to_latin_1(route_text(line, route)))));
-  }
+      events_(events),
+      line_name_(code_points(line.name)) {
+  for (const BusStop& stop : line.stops) names_.push_back(code_points(stop.name));
+  seen_.fill(Seen::unreadable);
 }
 
 void DisplayWatch::displays_changed() {
@@ -36,32 +38,37 @@ void DisplayWatch::displays_changed() {
   const Time now = nodes_.world().now();
   for (const NodeId id : display_ids) {
     const ShownDisplay* display = displays_.find(id);
-    if (display == nullptr || display->text() == told_texts_.at(id)) continue;
+    if (display == nullptr) continue;
     const std::string& text = display->text();
-    told_texts_.at(id) = text;
-    events_.note(now, DisplayShows{id, text});
-    if (!text.empty()) ++texts_;
-    if (id == information_id) {
-      referee_.judge_one(InvariantKind::texts, now, is_whole_text(text));
+    if (text != told_texts_.at(id)) {
+      told_texts_.at(id) = text;
+      events_.note(now, DisplayShows{id, text});
+      if (!text.empty()) ++texts_;
     }
+    const std::u32string& shown = display->reading();
+    // In the second car line and destination come one after the other.
+    if (std::exchange(readings_.at(id), shown) == shown || car_of(id) != 1) continue;
+    referee_.judge_one(InvariantKind::texts, now, shown.empty() || says_any(id, shown));
   }
 }
 
 void DisplayWatch::judge(Time now) {
   if (std::exchange(has_news_, false)) {
-    has_lie_ = std::ranges::any_of(display_ids, [this](NodeId id) { return lies(id); });
+    for (const NodeId id : display_ids) seen_.at(id) = look(id);
   }
-  referee_.judge(InvariantKind::next_stop, now, is_lit(next_stop_id));
+  const bool has_lie = std::ranges::any_of(
+      display_ids, [this](NodeId id) { return is_led_by_us(id) && seen_.at(id) == Seen::lie; });
+  referee_.judge(InvariantKind::next_stop, now, can_be_read(next_stop_id));
   referee_.judge(InvariantKind::destination, now,
-                 is_lit(front_display_id) && is_lit(side_display_id));
-  referee_.judge(InvariantKind::information, now, is_lit(information_id));
+                 can_be_read(front_display_id) && can_be_read(side_display_id));
+  referee_.judge(InvariantKind::information, now, can_be_read(information_id));
   referee_.judge(InvariantKind::second_car, now,
-                 is_lit(second_destination_id) && is_lit(second_next_stop_id));
-  referee_.judge_honesty(now, !has_lie_);
+                 can_be_read(second_destination_id) && can_be_read(second_next_stop_id));
+  referee_.judge_honesty(now, !has_lie);
 }
 
-bool DisplayWatch::is_lit(NodeId id) const {
-  return !nodes_.is_played(id) || !displays_.at(id).text().empty();
+bool DisplayWatch::can_be_read(NodeId id) const {
+  return !nodes_.is_played(id) || seen_.at(id) != Seen::unreadable;
 }
 
 /// What it shows comes from devices that are played.
@@ -70,25 +77,43 @@ bool DisplayWatch::is_led_by_us(NodeId id) const {
          (nodes_.is_played(second_gateway_id) && nodes_.is_played(train_gateway_id));
 }
 
-bool DisplayWatch::lies(NodeId id) const {
-  const std::string& text = displays_.at(id).text();
-  const bool is_mangled = id == information_id && !is_whole_text(text);
-  return is_led_by_us(id) && !text.empty() && !is_mangled && text != expected_text(id);
-}
-
-std::string DisplayWatch::expected_text(NodeId id) const {
+DisplayWatch::Seen DisplayWatch::look(NodeId id) const {
+  const std::u32string& shown = displays_.at(id).reading();
+  if (shown.empty()) return Seen::unreadable;
   const BusTruth truth = vehicle_.truth();
-  if (id == next_stop_id || id == second_next_stop_id) {
-    return latin_1_as_utf_8(trimmed(to_latin_1(truth.stop->name)));
-  }
-  if (id == information_id) {
-    return whole_texts_[static_cast<std::size_t>(truth.route - line_.routes.data())];
-  }
-  return trimmed(to_ascii(line_.name)) + "\n" + trimmed(to_ascii(truth.route->destination));
+  if (says(id, shown, *truth.route, truth.place)) return Seen::right;
+  return says_any(id, shown) ? Seen::lie : Seen::unreadable;
 }
 
-bool DisplayWatch::is_whole_text(const std::string& text) const {
-  return text.empty() || std::ranges::find(whole_texts_, text) != whole_texts_.end();
+/// What it shall at this stop of this route.
+bool DisplayWatch::says(NodeId id, const std::u32string& shown, const BusRoute& route,
+                        std::size_t place) const {
+  if (is_next_stop(id)) return is_spelled(shown, name(route, place));
+  if (id == information_id) return says_way(shown, route);
+  return is_spelled(shown, line_name_ + U" " + code_points(route.destination));
+}
+
+/// Something that it may show on this line, some time.
+bool DisplayWatch::says_any(NodeId id, const std::u32string& shown) const {
+  if (is_next_stop(id)) {
+    return std::ranges::any_of(names_, [&](const auto& name) { return is_spelled(shown, name); });
+  }
+  return std::ranges::any_of(line_.routes,
+                             [&](const BusRoute& route) { return says(id, shown, route, 0); });
+}
+
+/// The line, where to, and as many of the stops between as there is room for.
+bool DisplayWatch::says_way(const std::u32string& shown, const BusRoute& route) const {
+  std::u32string text = line_name_ + U" to " + code_points(route.destination);
+  std::u32string_view separator = U": ";
+  for (std::size_t i = 1; i + 1 < route.stops.size(); ++i) {
+    const std::u32string longer = text + std::u32string(separator) + std::u32string(name(route, i));
+    const bool is_full = longer.size() > way_full_from;
+    if (is_full && is_spelled(shown, text)) return true;
+    text = longer;
+    separator = U", ";
+  }
+  return is_spelled(shown, text);
 }
 
 }  // namespace canvoy::bus

@@ -1,5 +1,6 @@
-// Reads the displays of a bus: tells what is to be read, and judges whether it is there, whole, and
-// so.
+// Reads the displays of a bus by their dots: tells what comes up, and judges whether it can be
+// read, is whole, and is so. What is no text of the line cannot be read: boxes, question marks, cut
+// words, a test pattern.
 //
 //     DisplayWatch watch(nodes, options.line, displays, vehicle, referee, events);
 //     watch.displays_changed();
@@ -8,7 +9,9 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "canvoy/sim/bus/bus_displays.hpp"
@@ -33,11 +36,17 @@ class DisplayWatch {
   std::size_t texts() const { return texts_; }  ///< that came up
 
  private:
-  bool is_lit(NodeId id) const;
+  enum class Seen : std::uint8_t { right, unreadable, lie };
+
+  bool can_be_read(NodeId id) const;
   bool is_led_by_us(NodeId id) const;
-  bool lies(NodeId id) const;
-  std::string expected_text(NodeId id) const;
-  bool is_whole_text(const std::string& text) const;
+  Seen look(NodeId id) const;
+  bool says(NodeId id, const std::u32string& shown, const BusRoute& route, std::size_t place) const;
+  bool says_any(NodeId id, const std::u32string& shown) const;
+  bool says_way(const std::u32string& shown, const BusRoute& route) const;
+  std::u32string_view name(const BusRoute& route, std::size_t place) const {
+    return names_[route.stops[place].stop];
+  }
 
   BusNodes& nodes_;
   const BusLine& line_;
@@ -45,10 +54,12 @@ class DisplayWatch {
   const BusVehicle& vehicle_;
   BusReferee& referee_;
   EventLog<NetworkEvent>& events_;
-  std::vector<std::string> whole_texts_;  ///< of each route
+  std::u32string line_name_;
+  std::vector<std::u32string> names_;  ///< of each stop of the line
   std::array<std::string, node_id_max + 1> told_texts_;
+  std::array<std::u32string, node_id_max + 1> readings_;
+  std::array<Seen, node_id_max + 1> seen_{};
   bool has_news_ = true;
-  bool has_lie_ = false;
   std::size_t texts_ = 0;
 };
 

@@ -17,11 +17,12 @@ InvariantSet set_of(std::initializer_list<Kind> kinds) {
   return set;
 }
 
-/// All but that displays do not lie, and that texts are whole.
+/// All but that displays do not lie, that texts are whole, and what is up to the driver.
 InvariantSet all_services() {
   InvariantSet set;
   set.set();
-  return set & ~set_of({Kind::lie, Kind::texts});
+  return set & ~set_of({Kind::lie, Kind::texts, Kind::early_departure, Kind::left_behind,
+                        Kind::overcrowded});
 }
 
 /// What the gateways carry from car to car.
@@ -83,6 +84,7 @@ InvariantSet affected_by(FaultKind kind, NodeId node) {
       return all_services();
     case FaultKind::broken_door:
     case FaultKind::blocked_door:
+      return set_of({Kind::service, Kind::left_behind});
     case FaultKind::no_paper:
       return set_of({Kind::service});
     case FaultKind::train_bus_cut:
@@ -118,8 +120,9 @@ InvariantSet unknown_without(std::span<const NodeId> real) {
   without({canceller_id, printer_id}, {Kind::tickets});
   without({announcer_id}, {Kind::announcements});
   // It may lead the vehicle, and stand.
-  without({vehicle_gateway_id}, {Kind::passengers, Kind::stop_sign, Kind::service,
-                                 Kind::second_stop_sign, Kind::false_stop_sign});
+  without({vehicle_gateway_id},
+          {Kind::passengers, Kind::stop_sign, Kind::service, Kind::second_stop_sign,
+           Kind::false_stop_sign, Kind::early_departure, Kind::left_behind});
   for (const NodeId id : {first_counter_id, counting_manager_id, second_counter_id}) {
     without({id}, {Kind::passengers});
   }

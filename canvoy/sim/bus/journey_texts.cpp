@@ -1,5 +1,6 @@
 #include "canvoy/sim/bus/journey_texts.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -14,29 +15,31 @@ constexpr std::size_t texts_ahead = 8;
 constexpr std::uint16_t description_index = cia407::text_line_route_description_object.index;
 constexpr std::uint16_t destination_index = cia407::text_of_destination_object.index;
 constexpr std::uint16_t stop_index = cia407::text_of_stop_point_object.index;
-constexpr std::uint16_t latin_1 = 1;
+/// Of the on-board computer itself, and of the other cars: who reads there has no 6205h.
+constexpr std::uint16_t known_set[] = {latin_1};
 
 }  // namespace
 
 std::vector<DisplayText> JourneyTexts::all() const {
   DisplayView texts;
-  texts.soon = {{description_index, 1, 0, octets_of_text(to_latin_1(route_text(line_, route())))},
-                {destination_index, 1, 0, octets_of_text(to_latin_1(route().destination))}};
-  add_next_stops(texts);
+  texts.soon = {
+      {description_index, 1, 0, octets_of_text(to_latin_1(route_text(line_, route(), known_set)))},
+      {destination_index, 1, 0, octets_of_text(to_latin_1(route().destination))}};
+  add_next_stops(texts, known_set);
   return std::move(texts.soon);
 }
 
-DisplayText JourneyTexts::stop_text(std::size_t place) const {
+DisplayText JourneyTexts::stop_text(std::size_t place, CharacterSets sets) const {
   return {.index = stop_index,
           .sub = stop_text_sub(place),
-          .octets = octets_of_text(to_latin_1(line_.stop(journey_->route, place).name))};
+          .octets = octets_of_text(encode(line_.stop(journey_->route, place).name, sets).octets)};
 }
 
 /// From the one it goes to on.
-void JourneyTexts::add_next_stops(DisplayView& view) const {
+void JourneyTexts::add_next_stops(DisplayView& view, CharacterSets sets) const {
   if (!next_.is_known) return;
   for (std::size_t place = next_.place; place <= next_.place + texts_ahead; ++place) {
-    if (place < route().stops.size()) view.soon.push_back(stop_text(place));
+    if (place < route().stops.size()) view.soon.push_back(stop_text(place, sets));
   }
 }
 
@@ -49,11 +52,17 @@ DisplayView JourneyTexts::view_for_train() const {
   DisplayView view{.has_mapping = false};
   view.soon = {{description_index, 1, 0, octets_of_text(line_name)},
                {destination_index, 1, 0, octets_of_text(destination)}};
-  add_next_stops(view);
+  add_next_stops(view, known_set);
   return view;
 }
 
-DisplayView JourneyTexts::view_of(DisplayUse use) const {
+bool JourneyTexts::need_more_sets(const BusLine& line) {
+  const auto is_beyond = [](const std::string& text) { return !is_latin_1(text); };
+  return is_beyond(line.name) || std::ranges::any_of(line.stops, is_beyond, &BusStop::name) ||
+         std::ranges::any_of(line.routes, is_beyond, &BusRoute::destination);
+}
+
+DisplayView JourneyTexts::view_of(DisplayUse use, CharacterSets sets) const {
   DisplayView view;
   if (use == DisplayUse::train) return view_for_train();
   if (journey_ == nullptr) return view;
@@ -63,16 +72,18 @@ DisplayView JourneyTexts::view_of(DisplayUse use) const {
                     {destination_index, 1, 0, octets_of_text(to_ascii(route().destination))}};
       break;
     case DisplayUse::next_stop:
-      view.character_set = latin_1;
       if (!next_.is_known) break;
-      view.shown = {stop_text(next_.place)};
-      add_next_stops(view);
+      view.character_set =
+          encode(line_.stop(journey_->route, next_.place).name, sets).character_set;
+      view.shown = {stop_text(next_.place, sets)};
+      add_next_stops(view, sets);
       break;
-    case DisplayUse::information:
-      view.character_set = latin_1;
-      view.shown = {
-          {description_index, 1, 0, octets_of_text(to_latin_1(route_text(line_, route())))}};
+    case DisplayUse::information: {
+      const EncodedText text = encode(route_text(line_, route(), sets), sets);
+      view.character_set = text.character_set;
+      view.shown = {{description_index, 1, 0, octets_of_text(text.octets)}};
       break;
+    }
     case DisplayUse::train:
       break;
   }

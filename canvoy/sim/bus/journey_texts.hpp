@@ -2,7 +2,7 @@
 // the route, the stops from the next one on.
 //
 //     const JourneyTexts texts(line, journey, {.place = 3, .is_known = true});
-//     displays.want([&](DisplayUse use) { return texts.view_of(use); });
+//     displays.want([&](DisplayUse use, CharacterSets sets) { return texts.view_of(use, sets); });
 #pragma once
 
 #include <cstddef>
@@ -25,15 +25,18 @@ class JourneyTexts {
   JourneyTexts(const BusLine& line, const Journey* journey, const NextStop& next)
       : line_(line), journey_(journey), next_(next) {}
 
-  DisplayView view_of(DisplayUse use) const;
+  /// Each text in one of the sets that the display offers beside ISO 646-US.
+  DisplayView view_of(DisplayUse use, CharacterSets sets) const;
+  /// Some text of the line has letters that ISO 8859-1 does not have.
+  static bool need_more_sets(const BusLine& line);
   /// All that the on-board computer has in its own dictionary (5.2): the journey is known.
   std::vector<DisplayText> all() const;
 
  private:
   const BusRoute& route() const { return line_.routes[journey_->route]; }
   DisplayView view_for_train() const;
-  DisplayText stop_text(std::size_t place) const;
-  void add_next_stops(DisplayView& view) const;
+  DisplayText stop_text(std::size_t place, CharacterSets sets) const;
+  void add_next_stops(DisplayView& view, CharacterSets sets) const;
 
   const BusLine& line_;
   const Journey* journey_;

@@ -36,6 +36,9 @@ LineControl::LineControl(cia407::VirtualDevice& device, const LineControlHardwar
       position_({.odometer = hardware.odometer, .has_open_door = hardware.has_open_door}),
       clock_(hardware.clock) {
   for (const DisplayServer::Display& display : settings_.displays) displays_.add(display);
+  if (JourneyTexts::need_more_sets(line())) {
+    displays_.ask_for_sets(Callback<void()>::to<&LineControl::sets_learnt>(*this));
+  }
   device.on_reset = Callback<void(ResetScope)>::to<&LineControl::reset>(*this);
   device.react(*this, hook_calls);
   master_.on_message(Callback<void(NodeId, RemoteState)>::to<&LineControl::heard>(*this));
@@ -245,7 +248,8 @@ void LineControl::tell() {
   } else {
     hardware_.computer->set_position({});
   }
-  displays_.want([texts = texts()](DisplayUse use) { return texts.view_of(use); });
+  displays_.want(
+      [texts = texts()](DisplayUse use, CharacterSets sets) { return texts.view_of(use, sets); });
   keep_texts();
 }
 

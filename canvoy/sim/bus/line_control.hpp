@@ -97,6 +97,7 @@ class LineControl {
   JourneyTexts texts() const;
   void tell();
   void tell_position();
+  void sets_learnt() { told_.reset(); }
   void keep_texts();
 
   cia407::VirtualDevice& device_;

@@ -82,7 +82,7 @@ void MirrorControl::look(Time now) {
     has_news_ = true;
   }
   if (std::exchange(has_news_, false)) {
-    displays_.want([this](DisplayUse use) { return view_of(use); });
+    displays_.want([this](DisplayUse use, CharacterSets) { return view_of(use); });
   }
   displays_.serve();
 }

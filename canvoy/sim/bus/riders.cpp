@@ -103,6 +103,8 @@ void Riders::stand_at(Time now, std::size_t stop) {
 
 void Riders::leave(Time now, std::size_t stop) {
   stop_.reset();
+  const bool has_room = aboard() + going_in_ < options_.capacity;
+  if (has_room) statistics_.ignored += waiting_at(stop, now - seen_after);
   statistics_.left_behind +=
       std::erase_if(waiting_, [&](const Rider& rider) { return rider.from == stop; });
   for (Rider& rider : aboard_) {

@@ -67,7 +67,9 @@ struct RiderStatistics {
   std::uint64_t came = 0;
   std::uint64_t in = 0;
   std::uint64_t out = 0;
-  std::uint64_t left_behind = 0;   ///< it was full, gone or did not open
+  std::uint64_t left_behind = 0;  ///< it was full, gone or did not open
+  /// Of these who stood there for 15 s when it went, and for whom there was room.
+  std::uint64_t ignored = 0;
   std::uint64_t carried_past = 0;  ///< wanted out, and could not
   std::uint64_t bought = 0;
   std::uint64_t cancelled = 0;
@@ -79,6 +81,9 @@ class Riders {
  public:
   /// How long after a stop everybody who wants out at the next one has pressed the button.
   static constexpr Duration press_within = 6s;
+  /// Whom the driver must have seen: doors that close, and a bus that brakes for the stop, take
+  /// less.
+  static constexpr Duration seen_after = 15s;
 
   Riders(const RiderOptions& options, std::uint64_t seed, std::vector<DoorUse> doors,
          RiderHands hands = {});

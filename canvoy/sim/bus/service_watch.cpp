@@ -4,6 +4,9 @@ namespace canvoy::bus {
 
 namespace {
 
+/// Who goes past a stop cannot know it to the second.
+constexpr Duration early_from = 10s;
+
 constexpr std::size_t place_of_kind(InvariantKind kind) {
   return static_cast<std::size_t>(kind);
 }
@@ -67,12 +70,26 @@ void ServiceWatch::judge_people(Time now) {
   };
   judge(badly_served_, badly, false);
   judge(well_served_, well, true);
+  for (; boarded_ < riders.in; ++boarded_) {
+    parts_.referee.judge_one(InvariantKind::left_behind, now, true);
+  }
+  for (; ignored_ < riders.ignored; ++ignored_) {
+    parts_.referee.judge_one(InvariantKind::left_behind, now, false);
+  }
+  parts_.referee.judge(InvariantKind::overcrowded, now,
+                       parts_.vehicle.riders().aboard() <= parts_.capacity);
+}
+
+void ServiceWatch::stop_left(const Passing& passing, Duration late) {
+  if (!passing.is_timing_point) return;
+  parts_.referee.judge_one(InvariantKind::early_departure, nodes_.world().now(),
+                           late > -early_from);
 }
 
 void ServiceWatch::judge_counts(Time now) {
   const BusVehicle& vehicle = parts_.vehicle;
   if (counts_are_lost_) parts_.referee.excuse(InvariantKind::passengers, now + 1s);
-  const bool can_tell = vehicle.all_doors_closed() && vehicle.state() == BusState::driving;
+  const bool can_tell = vehicle.all_doors_closed();
   parts_.referee.judge(InvariantKind::passengers, now,
                        parts_.computer.counted() == vehicle.riders().aboard(), can_tell);
 }

@@ -1,5 +1,6 @@
-// Looks on how a bus serves its passengers: tickets, who is carried past his stop, who is counted
-// aboard, which devices are there; and whether its on-board computer can know where it is.
+// Looks on how a bus serves its passengers: tickets, who is carried past his stop or left at one,
+// whether it keeps its timetable and how full it is, who is counted aboard, which devices are
+// there; and whether its on-board computer can know where it is.
 //
 //     ServiceWatch watch(nodes, parts, events);
 //     watch.step(now);                  // each 100 ms
@@ -26,6 +27,7 @@ class ServiceWatch {
     VehicleSensors& sensors;
     const TrueHistory& truth;
     BusReferee& referee;
+    unsigned capacity;  ///< people for whom there is room
   };
 
   /// All must outlive this.
@@ -38,6 +40,8 @@ class ServiceWatch {
   void fault_begins(const InvariantSet& kinds);
   /// At the end of the one before nobody is aboard, and the driver sets the counts to 0.
   void journey_begins();
+  /// It leaves a stop, or goes past it, so long after the time of the timetable.
+  void stop_left(const Passing& passing, Duration late);
   /// A passenger reads it.
   void ticket_issued(const cia407::TicketData& ticket, bool is_printed);
   void step(Time now);
@@ -58,6 +62,8 @@ class ServiceWatch {
   bool needs_fix_ = true;           ///< the on-board computer has begun anew
   std::uint64_t badly_served_ = 0;  ///< that were judged, as the next
   std::uint64_t well_served_ = 0;
+  std::uint64_t ignored_ = 0;
+  std::uint64_t boarded_ = 0;
 };
 
 }  // namespace canvoy::bus

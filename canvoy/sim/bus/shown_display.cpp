@@ -1,6 +1,9 @@
 #include "canvoy/sim/bus/shown_display.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "canvoy/sim/plants/sign_reader.hpp"
 
 namespace canvoy::bus {
 
@@ -10,6 +13,7 @@ cia407::DisplayHardware ShownDisplay::hardware() {
   cia407::DisplayHardware wires = display_.hardware();
   wires.show = Callback<void(std::span<const ShownElement>)>::to<&ShownDisplay::show>(*this);
   wires.show_stop_request = Callback<void(bool)>::to<&ShownDisplay::show_stop_request>(*this);
+  wires.test = Callback<void(bool)>::to<&ShownDisplay::test>(*this);
   return wires;
 }
 
@@ -27,12 +31,27 @@ void ShownDisplay::show(std::span<const ShownElement> elements) {
     element.octets = element.octets.first(std::min(element.octets.size(), sabotage_.octets_max));
   }
   display_.hardware().show(lit);
+  look();
+}
+
+void ShownDisplay::test(bool is_on) {
+  display_.hardware().test(is_on && !sabotage_.is_cut);
+  look();
+}
+
+void ShownDisplay::look() {
   std::string text;
-  for (const std::string& line : display_.text()) {
-    if (!line.empty()) text += (text.empty() ? "" : "\n") + line;
+  for (const std::string& element : display_.texts()) {
+    if (!element.empty()) text += (text.empty() ? "" : "\n") + element;
   }
-  if (text == text_) return;
+  std::u32string reading;
+  for (std::size_t page = 0; page < display_.pages(); ++page) {
+    const std::u32string lines = read_sign(display_.picture_of(page));
+    if (!lines.empty()) reading += (reading.empty() ? U"" : U"\n") + lines;
+  }
+  if (text == text_ && reading == reading_) return;
   text_ = std::move(text);
+  reading_ = std::move(reading);
   changed_();
 }
 

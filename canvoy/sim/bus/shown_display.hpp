@@ -21,35 +21,36 @@ class ShownDisplay {
   };
 
   /// `changed` is called when something else is to be read; what both refer to must outlive this.
-  ShownDisplay(Callback<Time()> clock, Callback<void()> changed, const Sabotage& sabotage)
-      : display_({.columns = columns, .lines = lines}, clock),
-        changed_(changed),
-        sabotage_(sabotage) {}
+  ShownDisplay(const BusDisplay::Size& size, Callback<Time()> clock, Callback<void()> changed,
+               const Sabotage& sabotage)
+      : display_(size, clock), changed_(changed), sabotage_(sabotage) {}
   ShownDisplay(const ShownDisplay&) = delete;
   ShownDisplay& operator=(const ShownDisplay&) = delete;
 
   cia407::DisplayHardware hardware();
   void power_off();
 
-  /// UTF-8, lines after each other; empty: it is dark.
+  /// What it was told to show, where that reaches its lamps: UTF-8, elements after each other, each
+  /// in a line; empty: it is dark.
   const std::string& text() const { return text_; }
+  /// What is read on it by its dots, in all turns, lines after each other.
+  const std::u32string& reading() const { return reading_; }
   bool is_sign_lit() const {
     return sabotage_.has_stuck_sign || (!sabotage_.has_no_sign && display_.is_stop_requested());
   }
   const BusDisplay& display() const { return display_; }
 
  private:
-  /// Room for all of a text of 128 octets.
-  static constexpr std::size_t columns = 128;
-  static constexpr std::size_t lines = 4;
-
   void show(std::span<const cia407::ShownElement> elements);
   void show_stop_request(bool is_on);
+  void test(bool is_on);
+  void look();
 
   BusDisplay display_;
   Callback<void()> changed_;
   Sabotage sabotage_;
   std::string text_;
+  std::u32string reading_;
 };
 
 }  // namespace canvoy::bus

@@ -64,7 +64,7 @@ void StopRequests::look(Time now) {
 /// Who has pressed a button reads in his car that the bus will stop, and so do those of the other
 /// car. In the first one two displays have a sign: that of the next stop has to be lit for its own
 /// people, one of both for those of the second car. Where nobody has pressed, none is lit on the
-/// way.
+/// way, nor before it.
 void StopRequests::judge(Time now) {
   const BusDisplays& displays = parts_.displays;
   BusReferee& referee = parts_.referee;
@@ -73,7 +73,7 @@ void StopRequests::judge(Time now) {
   const bool is_told_forward = pressed_[1].times == 0 || displays.is_sign_lit(1);
   referee.judge(InvariantKind::second_stop_sign, now, displays.is_sign_lit(2) && is_told_forward,
                 is_wanted());
-  const bool is_on_the_way = parts_.vehicle.state() != BusState::at_stop;
+  const bool is_on_the_way = parts_.vehicle.state() != BusState::at_stop || !has_stopped_;
   const bool is_any_lit = displays.is_sign_lit(1) || displays.is_sign_lit(2);
   referee.judge(InvariantKind::false_stop_sign, now, !is_any_lit, is_on_the_way && !is_wanted());
 }

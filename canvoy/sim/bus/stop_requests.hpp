@@ -38,7 +38,10 @@ class StopRequests {
   /// train bus gateway. False: nobody hears of it.
   bool press(Time now, unsigned car);
   /// It stands at a stop: from now on people press for the next one.
-  void has_stopped() { pressed_.fill({}); }
+  void has_stopped() {
+    pressed_.fill({});
+    has_stopped_ = true;
+  }
   /// The driver sees the signs that passengers of the first car see.
   void look(Time now);
   void judge(Time now);
@@ -61,6 +64,7 @@ class StopRequests {
   EventLog<NetworkEvent>& events_;
   std::array<Pressed, 2> pressed_{};  ///< in each car
   std::array<bool, 2> told_signs_{};  ///< in each car
+  bool has_stopped_ = false;          ///< since it left the first stop of the day
 };
 
 }  // namespace canvoy::bus

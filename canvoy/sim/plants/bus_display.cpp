@@ -23,6 +23,7 @@ constexpr char32_t full_block = 0x2588;
 constexpr unsigned cell_width = 8;
 constexpr unsigned cell_height = 16;
 constexpr std::size_t picture_blocks = 3;
+constexpr Duration page_time = 3s;
 constexpr unsigned ascii_end = 0x80;
 
 /// A single-byte character set, a byte at a time: what it does not have is U+FFFD.
@@ -110,6 +111,29 @@ std::string as_utf8(const std::u32string& text) {
   return made;
 }
 
+std::string trimmed_utf8(std::u32string text) {
+  text.erase(text.find_last_not_of(U' ') + 1);
+  return as_utf8(text);
+}
+
+/// Lines of whole words, of which each fills as much of the room as it can.
+std::vector<std::u32string> wrapped(const std::u32string& text, std::size_t room) {
+  std::vector<std::u32string> lines;
+  std::size_t at = 0;
+  while ((at = text.find_first_not_of(U' ', at)) != std::u32string::npos) {
+    const std::size_t end = std::min(text.find(U' ', at), text.size());
+    const std::u32string word = text.substr(at, std::min(end - at, room));
+    const bool fits = !lines.empty() && lines.back().size() + 1 + word.size() <= room;
+    if (fits) {
+      lines.back() += U' ' + word;
+    } else {
+      lines.push_back(word);
+    }
+    at = end;
+  }
+  return lines;
+}
+
 }  // namespace
 
 cia407::DisplayHardware BusDisplay::hardware() {
@@ -132,13 +156,50 @@ void BusDisplay::show(std::span<const ShownElement> elements) {
   }
 }
 
-void BusDisplay::place(const Element& element, std::size_t line, std::size_t first, bool is_large,
+bool BusDisplay::has_side() const {
+  return elements_.size() > 1 && elements_[0].size == FontSize::large && size_.lines > 1;
+}
+
+std::size_t BusDisplay::beside() const {
+  return has_side() ? 2 * elements_[0].text.size() + 1 : 0;
+}
+
+/// Of all elements but a large one at the left.
+std::vector<BusDisplay::Row> BusDisplay::rows() const {
+  const std::size_t room = size_.columns - std::min(beside(), size_.columns);
+  std::vector<Row> all;
+  for (std::size_t i = has_side() ? 1 : 0; i < elements_.size(); ++i) {
+    const Element& element = elements_[i];
+    const bool fits = element.text.size() <= room || element.style == FontStyle::scrolling;
+    if (fits) {
+      all.push_back({&element, element.text});
+      continue;
+    }
+    for (std::u32string& line : wrapped(element.text, room)) {
+      all.push_back({&element, std::move(line)});
+    }
+  }
+  return all;
+}
+
+std::size_t BusDisplay::pages() const {
+  if (is_testing_ || size_.lines == 0) return 1;
+  return std::max<std::size_t>(1, (rows().size() + size_.lines - 1) / size_.lines);
+}
+
+std::size_t BusDisplay::page() const {
+  const Duration passed = clock_() - shown_;
+  return static_cast<std::size_t>(passed / page_time) % pages();
+}
+
+void BusDisplay::place(const Row& row, std::size_t line, std::size_t first, bool is_large,
                        std::vector<Placed>& all) const {
+  const Element& element = *row.element;
   const Duration passed = clock_() - shown_;
   const Duration period = flash_period(element.flash);
   if (period > Duration::zero() && passed / period % 2 == 1) return;
   const auto room = static_cast<std::ptrdiff_t>(size_.columns - std::min(first, size_.columns));
-  const auto length = static_cast<std::ptrdiff_t>(element.text.size());
+  const auto length = static_cast<std::ptrdiff_t>(row.text.size());
   std::ptrdiff_t begin = 0;
   if (element.style == FontStyle::scrolling) {
     begin = passed / scroll_step % (room + length) + 1 - length;
@@ -152,13 +213,12 @@ void BusDisplay::place(const Element& element, std::size_t line, std::size_t fir
   for (std::ptrdiff_t i = 0; i < length; ++i) {
     const std::ptrdiff_t column = begin + (is_large ? 2 * i : i);
     if (column < 0 || column >= room) continue;
-    all.push_back({element.text[static_cast<std::size_t>(i)],
-                   first + static_cast<std::size_t>(column), line, is_large,
-                   element.style == FontStyle::bold});
+    all.push_back({row.text[static_cast<std::size_t>(i)], first + static_cast<std::size_t>(column),
+                   line, is_large, element.style == FontStyle::bold});
   }
 }
 
-std::vector<BusDisplay::Placed> BusDisplay::placed() const {
+std::vector<BusDisplay::Placed> BusDisplay::placed(std::size_t page) const {
   std::vector<Placed> all;
   if (is_testing_) {
     for (std::size_t cell = 0; cell < size_.columns * size_.lines; ++cell) {
@@ -166,32 +226,33 @@ std::vector<BusDisplay::Placed> BusDisplay::placed() const {
     }
     return all;
   }
-  const bool has_side =
-      elements_.size() > 1 && elements_[0].size == FontSize::large && size_.lines > 1;
-  const std::size_t beside = has_side ? 2 * elements_[0].text.size() + 1 : 0;
-  if (has_side) place(elements_[0], 0, 0, true, all);
-  for (std::size_t i = has_side ? 1 : 0; i < elements_.size(); ++i) {
-    const std::size_t line = i - (has_side ? 1 : 0);
-    if (line < size_.lines) place(elements_[i], line, beside, false, all);
+  if (has_side()) place({elements_.data(), elements_[0].text}, 0, 0, true, all);
+  const std::vector<Row> rows = this->rows();
+  for (std::size_t line = 0; line < size_.lines; ++line) {
+    const std::size_t row = page * size_.lines + line;
+    if (row < rows.size()) place(rows[row], line, beside(), false, all);
   }
   return all;
 }
 
 std::vector<std::string> BusDisplay::text() const {
   std::vector<std::u32string> lines(size_.lines, std::u32string(size_.columns, U' '));
-  for (const Placed& each : placed()) lines[each.line][each.column] = each.character;
+  for (const Placed& each : placed(page())) lines[each.line][each.column] = each.character;
   std::vector<std::string> made;
-  for (std::u32string& line : lines) {
-    line.erase(line.find_last_not_of(U' ') + 1);
-    made.push_back(as_utf8(line));
-  }
+  for (std::u32string& line : lines) made.push_back(trimmed_utf8(std::move(line)));
   return made;
 }
 
-Picture BusDisplay::picture() const {
+std::vector<std::string> BusDisplay::texts() const {
+  std::vector<std::string> made;
+  for (const Element& element : elements_) made.push_back(trimmed_utf8(element.text));
+  return made;
+}
+
+Picture BusDisplay::picture_of(std::size_t page) const {
   PaperPicture sheet(size_.columns * cell_width);
   const cia447::PrinterPaper paper = sheet.paper();
-  const std::vector<Placed> all = placed();
+  const std::vector<Placed> all = placed(page);
   const std::vector<cia447::PrintColor> ink(sheet.present().width(), {0, 0, 0});
   for (std::size_t line = 0; line < size_.lines; ++line) {
     for (const Placed& each : all) {

@@ -10,8 +10,9 @@
 // from the top on; where the first one is large and there are others, it stands at the left of
 // them. What scrolls comes in at the left and goes to the right, a column each 250 ms. What flashes
 // slowly is dark each other second, at medium speed each other half, fast each other quarter. A
-// text that is too long is cut. Of an XML file its text is shown, without the tags; of a picture
-// three blocks.
+// text that is too long goes on in the next line, a word that is too long is cut; where there are
+// more lines than the sign has, they are shown in turns of three seconds. Of an XML file its text
+// is shown, without the tags; of a picture three blocks.
 #pragma once
 
 #include <cstddef>
@@ -44,7 +45,12 @@ class BusDisplay {
   /// What is to be read now: UTF-8, as many lines as there are, each without blanks at its end.
   std::vector<std::string> text() const;
   /// The same in black on white.
-  Picture picture() const;
+  Picture picture() const { return picture_of(page()); }
+  /// In how many turns all is to be read, 1 at least, and what is to be seen in one of them.
+  std::size_t pages() const;
+  Picture picture_of(std::size_t page) const;
+  /// What each element says, whole: UTF-8, without blanks at its end.
+  std::vector<std::string> texts() const;
   bool is_stop_requested() const { return is_stop_requested_; }
   bool is_dark() const { return elements_.empty() && !is_testing_; }
 
@@ -68,8 +74,18 @@ class BusDisplay {
   void show(std::span<const cia407::ShownElement> elements);
   void test(bool is_on) { is_testing_ = is_on; }
   void show_stop_request(bool is_on) { is_stop_requested_ = is_on; }
-  std::vector<Placed> placed() const;
-  void place(const Element& element, std::size_t line, std::size_t first, bool is_large,
+  /// A line of an element.
+  struct Row {
+    const Element* element;
+    std::u32string text;
+  };
+  bool has_side() const;
+  /// Columns of the large line and the gap behind it.
+  std::size_t beside() const;
+  std::vector<Row> rows() const;
+  std::size_t page() const;
+  std::vector<Placed> placed(std::size_t page) const;
+  void place(const Row& row, std::size_t line, std::size_t first, bool is_large,
              std::vector<Placed>& all) const;
 
   Size size_;

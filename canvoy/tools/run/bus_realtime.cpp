@@ -6,11 +6,13 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "canvoy/can/host/file_draft.hpp"
 #include "canvoy/gateway/tcp_address.hpp"
+#include "canvoy/sim/bus/journey_forecast.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/run/http_server.hpp"
 
@@ -29,50 +31,138 @@ gtfs::Occupancy occupancy(unsigned share) {
   return share < full_percent ? Occupancy::crushed_standing_room : Occupancy::full;
 }
 
-std::int32_t in_whole_seconds(Duration time) {
-  return static_cast<std::int32_t>(std::chrono::floor<std::chrono::seconds>(time).count());
+std::chrono::seconds in_whole_seconds(Duration time) {
+  return std::chrono::floor<std::chrono::seconds>(time);
 }
+
+/// A stop of the forecast as it is told, with the delays against the timetable.
+gtfs::StopReport report_of(const bus::StopForecast& stop, const bus::Journey& journey,
+                           const std::string& id, std::int64_t service_begin) {
+  const bus::Passing& passing = journey.passings[stop.place];
+  gtfs::StopReport report{.sequence = passing.sequence, .stop = id};
+  const auto late = [](std::chrono::seconds time, Duration planned) {
+    return static_cast<std::int32_t>((time - in_whole_seconds(planned)).count());
+  };
+  if (stop.arrival) {
+    report.arrival_delay_s = late(*stop.arrival, passing.arrival);
+    report.arrival_time = service_begin + stop.arrival->count();
+  }
+  if (stop.departure) {
+    report.departure_delay_s = late(*stop.departure, passing.departure);
+    report.departure_time = service_begin + stop.departure->count();
+  }
+  return report;
+}
+
+/// Makes a feed of what was heard, by a clock of its own.
+class FeedMaker {
+ public:
+  explicit FeedMaker(bus::BusNetwork& network)
+      : network_(network),
+        heard_(network.heard()),
+        now_(network.now()),
+        utc_(std::max<std::int64_t>(network.snapshot().utc, 0)),
+        journey_(heard_.journey(now_)),
+        stop_(heard_.stop(now_)),
+        vehicle_{.id = "407", .label = network.line().name} {}
+
+  gtfs::RealtimeFeed feed() const {
+    gtfs::RealtimeFeed made{.timestamp = posix(now_)};
+    const auto position = heard_.position(now_);
+    if (stop_) made.trips.push_back(trip_report());
+    if (position || stop_) made.vehicles.push_back(vehicle_report(position));
+    return made;
+  }
+
+ private:
+  using Position = std::optional<bus::HeardBus::Aged<bus::GeoPoint>>;
+
+  std::uint64_t posix(Time at) const {
+    const auto age = std::chrono::ceil<std::chrono::seconds>(now_ - at).count();
+    return static_cast<std::uint64_t>(std::max<std::int64_t>(utc_ - age, 0));
+  }
+  std::chrono::seconds of_day(Time at) const {
+    return in_whole_seconds(network_.time_of_day() - (now_ - at));
+  }
+  const std::string& stop_id(std::size_t place) const {
+    return network_.line().stop(journey_->route, place).id;
+  }
+
+  gtfs::TripReference trip() const {
+    gtfs::TripReference made{
+        .trip = journey_->trip,
+        .route = network_.line().id,
+        .direction = network_.line().routes[journey_->route].is_backward ? 1 : 0,
+        .start_date = network_.options().date};
+    if (journey_->is_repeated) {
+      made.start_time = in_whole_seconds(journey_->passings.front().departure);
+    }
+    return made;
+  }
+
+  gtfs::TripReport trip_report() const {
+    const bus::HeardBus::Stop& stop = stop_->value;
+    bus::JourneyProgress progress{.place = stop.place};
+    if (stop.arrived) progress.arrived = of_day(*stop.arrived);
+    if (stop.left_before) progress.left_before = of_day(*stop.left_before);
+    gtfs::TripReport report{.trip = trip(), .vehicle = vehicle_, .timestamp = posix(stop_->heard)};
+    const std::int64_t service_begin = utc_ - of_day(now_).count();
+    for (const bus::StopForecast& each : bus::forecast(*journey_, progress, of_day(now_))) {
+      report.stops.push_back(report_of(each, *journey_, stop_id(each.place), service_begin));
+    }
+    const gtfs::StopReport& next = report.stops.front();
+    report.delay_s = next.arrival_delay_s ? next.arrival_delay_s : next.departure_delay_s;
+    return report;
+  }
+
+  gtfs::VehicleReport vehicle_report(const Position& position) const {
+    gtfs::VehicleReport report{.vehicle = vehicle_, .timestamp = posix(now_)};
+    if (journey_ != nullptr) report.trip = trip();
+    if (position) {
+      report.latitude = position->value.latitude;
+      report.longitude = position->value.longitude;
+      report.odometer_m = heard_.odometer(now_);
+      report.speed_m_s = heard_.speed(now_);
+      report.timestamp = posix(position->heard);
+    }
+    if (stop_) {
+      report.stop_sequence = journey_->passings[stop_->value.place].sequence;
+      report.stop = stop_id(stop_->value.place);
+      report.status =
+          stands_at_stop(position) ? gtfs::StopStatus::stopped_at : gtfs::StopStatus::in_transit_to;
+      if (!position) report.timestamp = posix(stop_->heard);
+    }
+    if (const std::optional<unsigned> aboard = heard_.aboard(now_)) {
+      const unsigned capacity = std::max(1U, network_.options().vehicle.riders.capacity);
+      report.occupancy_percent = *aboard * full_percent / capacity;
+      report.occupancy = occupancy(*report.occupancy_percent);
+    }
+    return report;
+  }
+
+  /// Its doors are open, or it stands where the stop is.
+  bool stands_at_stop(const Position& position) const {
+    constexpr double at_stop_m = 25;
+    if (heard_.has_open_door(now_).value_or(false)) return true;
+    const std::optional<double> speed = heard_.speed(now_);
+    if (!speed || *speed > 0 || !position) return false;
+    const bus::BusStop& stop = network_.line().stop(journey_->route, stop_->value.place);
+    return bus::metres_between(position->value, stop.place) <= at_stop_m;
+  }
+
+  bus::BusNetwork& network_;
+  const bus::HeardBus& heard_;
+  Time now_;
+  std::int64_t utc_;
+  const bus::Journey* journey_;
+  std::optional<bus::HeardBus::Aged<bus::HeardBus::Stop>> stop_;
+  gtfs::VehicleReference vehicle_;
+};
 
 }  // namespace
 
 gtfs::RealtimeFeed realtime_of(bus::BusNetwork& network) {
-  const bus::BusNetworkSnapshot now = network.snapshot();
-  const auto timestamp = static_cast<std::uint64_t>(std::max<bus::EpochSeconds>(now.utc, 0));
-  const bus::Passing& passing = now.truth.journey->passings[now.truth.place];
-  gtfs::TripReference trip{.trip = now.truth.journey->trip,
-                           .route = network.line().id,
-                           .direction = now.truth.route->is_backward ? 1 : 0,
-                           .start_date = network.options().date};
-  if (now.truth.journey->is_repeated) {
-    trip.start_time =
-        std::chrono::floor<std::chrono::seconds>(now.truth.journey->passings.front().departure);
-  }
-  const gtfs::VehicleReference vehicle{.id = "407", .label = network.line().name};
-  const unsigned capacity = std::max(1U, network.options().vehicle.riders.capacity);
-  const unsigned share = now.counted * full_percent / capacity;
-  gtfs::RealtimeFeed feed{.timestamp = timestamp};
-  feed.vehicles.push_back({.vehicle = vehicle,
-                           .trip = trip,
-                           .latitude = now.position.latitude,
-                           .longitude = now.position.longitude,
-                           .bearing = now.heading,
-                           .odometer_m = now.odometer,
-                           .speed_m_s = now.speed,
-                           .stop_sequence = passing.sequence,
-                           .stop = now.truth.stop->id,
-                           .status = now.truth.is_at_stop ? gtfs::StopStatus::stopped_at
-                                                          : gtfs::StopStatus::in_transit_to,
-                           .occupancy = occupancy(share),
-                           .occupancy_percent = share,
-                           .timestamp = timestamp});
-  feed.trips.push_back({.trip = trip,
-                        .vehicle = vehicle,
-                        .stops = {{.sequence = passing.sequence,
-                                   .stop = now.truth.stop->id,
-                                   .arrival_delay_s = in_whole_seconds(now.delay)}},
-                        .delay_s = in_whole_seconds(now.delay),
-                        .timestamp = timestamp});
-  return feed;
+  return FeedMaker(network).feed();
 }
 
 namespace {

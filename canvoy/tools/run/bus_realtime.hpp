@@ -1,5 +1,5 @@
 // Where a simulated bus is, how full and how late, as GTFS-Realtime: an old network feeds today's
-// passenger information, by a file or by HTTP.
+// passenger information, by a file or by HTTP, with what is to be heard on it.
 //
 //     const std::unique_ptr<RealtimeOutlet> outlet = open_realtime(":8080", network);
 //     outlet->tell(network);
@@ -13,7 +13,10 @@
 
 namespace canvoy::tools {
 
-/// Of this moment. How full it is says its counting manager, as far as the on-board computer knows.
+/// Of this moment, as far as the frames of its first car tell it (bus::HeardBus): without who knows
+/// a thing it says nothing of that thing. Where no stop is known there is no trip, where neither
+/// that nor a position is, no vehicle. Delays are those of the stop at which it stands, or the next
+/// one, and of all behind it, as bus::forecast() has them.
 gtfs::RealtimeFeed realtime_of(bus::BusNetwork& network);
 
 /// Where whoever asks finds it.

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "canvoy/canopen/sdo/sdo_queue.hpp"
@@ -30,6 +31,14 @@ class TextSender {
   /// An object of four bytes, such as those of a display mapping.
   bool send(NodeId server, std::uint16_t index, std::uint8_t sub, std::uint32_t number);
 
+  /// Reads a number of at most four bytes; on_read() tells it. False: too many wait, or there is no
+  /// such node-ID.
+  bool read(NodeId server, std::uint16_t index, std::uint8_t sub);
+  /// Told of each; nothing: it was refused, or not answered so many times. It may read again.
+  void on_read(Callback<void(NodeId server, std::optional<std::uint32_t> number)> read) {
+    read_ = read;
+  }
+
   /// Told of each that has arrived, or failed at last; it may send again.
   void on_done(Callback<void(NodeId server, bool has_arrived)> done) { done_ = done; }
 
@@ -42,16 +51,19 @@ class TextSender {
   struct Job {
     SdoRequest request;
     std::array<std::uint8_t, size_max> octets{};
-    unsigned tries = 0;
+    unsigned tries = 0;    ///< until now
+    bool is_read = false;  ///< else it is written
   };
 
   void done(SdoRequest& request);
+  void finish(const Job& job, bool has_arrived);
   Job* free_job();
 
   SdoWorkers<servers_max> workers_;
   SdoQueue queue_;
   std::array<Job, waiting_max> jobs_;
   Callback<void(NodeId, bool)> done_;
+  Callback<void(NodeId, std::optional<std::uint32_t>)> read_;
   std::uint32_t delivered_ = 0;
   std::uint32_t failed_ = 0;
 };
