@@ -21,6 +21,12 @@ inline Duration parse_duration_argument(std::string_view text) {
   return *duration;
 }
 
+/// When something happens, from a start on: the same, or zero.
+inline Duration parse_moment_argument(std::string_view text) {
+  const auto moment = parse_duration(text);
+  return moment == Duration::zero() ? Duration::zero() : parse_duration_argument(text);
+}
+
 /// The same, or what is usual where nothing was said.
 inline Duration parse_duration_argument(std::string_view text, Duration usual) {
   return text.empty() ? usual : parse_duration_argument(text);

@@ -67,7 +67,6 @@ CarStore::CarStore(const std::string& path)
 
 void CarStore::join(Site& site) {
   site.offer(Callback<cia447::CarMemory()>::to<&CarStore::memory>(*this));
-  site.watch(Callback<void(cia447::IvnGatewayUnit&, Node&)>::to<&CarStore::has_gateway>(*this));
 }
 
 LssStore::Place CarStore::lss_place() const {

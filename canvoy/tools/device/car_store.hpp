@@ -65,7 +65,6 @@ class CarStore {
   void keep_known(const cia447::KnownDevices& known);
   cia447::SeatMemories load_seats();
   void keep_seats(const cia447::SeatMemories& memories);
-  void has_gateway(cia447::IvnGatewayUnit& unit, Node& /*node*/) { unit.seats().keep_in(seats()); }
 
   std::unique_ptr<host::FileFlash> file_;
   KeptBytes known_;

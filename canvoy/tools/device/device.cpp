@@ -18,11 +18,13 @@
 #include "canvoy/tools/bus/session.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/device/bit_rate_search.hpp"
+#include "canvoy/tools/device/car/hand_list.hpp"
 #include "canvoy/tools/device/device_catalogue.hpp"
 #include "canvoy/tools/device/device_hardware.hpp"
 #include "canvoy/tools/device/device_lift_panel.hpp"
 #include "canvoy/tools/device/device_options.hpp"
 #include "canvoy/tools/device/device_output.hpp"
+#include "canvoy/tools/device/hand_lines.hpp"
 #include "canvoy/tools/device/hosted_device.hpp"
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
@@ -148,6 +150,39 @@ std::vector<Wanted> wanted_devices(const DeviceOptions& options) {
   return all;
 }
 
+/// A line is of the first of the devices that has such a hand.
+void take_line(std::deque<HostedDevice>& devices, const std::string& order) {
+  std::optional<UsageError> complaint;
+  for (HostedDevice& device : devices) {
+    try {
+      return device.take(order);
+    } catch (const UsageError& error) {
+      if (!complaint) complaint = error;
+    }
+  }
+  if (complaint) throw UsageError(*complaint);
+}
+
+/// Lines of standard input, where they are wanted.
+class LineReader {
+ public:
+  LineReader(const DeviceOptions& options, std::deque<HostedDevice>& devices)
+      : is_wanted_(options.reads_lines), devices_(devices) {}
+
+  void step(Time now) {
+    if (!begin_) begin_ = now;
+    if (!is_wanted_) return;
+    lines_.read([this](const std::string& order) { take_line(devices_, order); }, now - *begin_);
+  }
+  int status() const { return lines_.has_failed() ? exit_failed : exit_done; }
+
+ private:
+  bool is_wanted_;
+  std::deque<HostedDevice>& devices_;
+  HandLines lines_;
+  std::optional<Time> begin_;
+};
+
 Time end_of(const DeviceOptions& options, Time now) {
   return options.duration.empty() ? never : now + parse_duration_argument(options.duration);
 }
@@ -175,7 +210,7 @@ int run_on_host(const DeviceOptions& options, const std::vector<Wanted>& wanted,
   const auto loop = value_or_throw(host::EventLoop::create());
   const auto bus = value_or_throw(host::open_bus(*loop, options.bus));
   auto clock = [&loop] { return loop->now(); };
-  DeviceHardware hardware(options, Callback<Time()>::of(clock));
+  DeviceHardware hardware(options, Callback<Time()>::of(clock), output);
   std::deque<host::Attachment> attachments;
   std::deque<HostedDevice> devices;
   std::optional<EmbeddedNetwork> embedded;
@@ -203,7 +238,9 @@ int run_on_host(const DeviceOptions& options, const std::vector<Wanted>& wanted,
   host::Task plant{
       .deadline = Callback<Time()>([](void* at) { return *static_cast<Time*>(at); }, &next_step),
       .advance = {}};
+  LineReader lines(options, devices);
   auto step = [&](Time now) {
+    lines.step(now);
     hardware.step(now);
     for (HostedDevice& device : devices) device.step(now);
     next_step = now + ChargingPlant::step_time;
@@ -215,7 +252,7 @@ int run_on_host(const DeviceOptions& options, const std::vector<Wanted>& wanted,
   loop->run_until(end_of(options, loop->now()));
   // The attachments go before the nodes that they serve.
   attachments.clear();
-  return exit_done;
+  return lines.status();
 }
 
 /// On a simulated bus of this process, at the pace of the clock.
@@ -223,7 +260,7 @@ int run_simulated(const DeviceOptions& options, const std::vector<Wanted>& wante
                   const DeviceOutput& output) {
   World world;
   const BusIndex bus = world.add_bus({.bit_rate = parse_bit_rate(options.bit_rate)});
-  DeviceHardware hardware(options, Callback<Time()>::to<&World::now>(world));
+  DeviceHardware hardware(options, Callback<Time()>::to<&World::now>(world), output);
   std::deque<HostedDevice> devices;
   std::vector<SlotIndex> slots;
   for (const Wanted& device : wanted) {
@@ -237,6 +274,7 @@ int run_simulated(const DeviceOptions& options, const std::vector<Wanted>& wante
   }
   world.add_plant(hardware.on_step(), ChargingPlant::step_time);
   heed_interruption();
+  LineReader lines(options, devices);
   const Time end = end_of(options, Time{});
   const auto begun = std::chrono::steady_clock::now();
   while (!is_interrupted() && world.now() < end) {
@@ -244,10 +282,11 @@ int run_simulated(const DeviceOptions& options, const std::vector<Wanted>& wante
     const auto passed =
         std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now() - begun);
     world.run_until(std::min(end, Time(passed)));
+    lines.step(world.now());
     for (HostedDevice& device : devices) device.step(world.now());
     for (const SlotIndex slot : slots) world.touched(slot);
   }
-  return exit_done;
+  return lines.status();
 }
 
 /// What has no such button or hand is not put on the bus.
@@ -275,7 +314,11 @@ void check_presses(const std::vector<Wanted>& wanted, const DeviceOptions& optio
     if (!device.name.ends_with("-panel")) continue;
     const LiftPanel panel(device.name, options.presses, site, output);
   }
-  if (!car_units.empty()) check_car_presses(car_units, options.presses);
+  if (!car_units.empty()) {
+    check_car_panel(car_units, options.presses, options.sets, options.car_panel);
+  } else if (!options.sets.empty()) {
+    throw UsageError("--set is of devices of CiA 447: there is none here");
+  }
   if (!bus_units.empty()) check_bus_options(bus_units, options.bus_panel, options.presses);
 }
 
@@ -307,6 +350,10 @@ std::optional<unsigned> heartbeat_of(const std::string& text) {
 int run_devices(DeviceOptions options) {
   if (options.list) {
     print_device_list(options.json);
+    return exit_done;
+  }
+  if (options.lists_hands) {
+    print_hand_list(options.kinds, options.json);
     return exit_done;
   }
   if (options.kinds.empty()) {
@@ -345,9 +392,8 @@ void add_lift_options(Verb& command, DeviceOptions& options) {
       {"--door", options.door, "of a lift door, and of a light barrier: 1 to 4 (default 1)"},
       {"--press", options.presses,
        "a button of a lift panel and when: up@2s, down@2s; in a car 7@2s, open@2s, "
-       "close@2s; of a taximeter sign-on@2s, hire, stop, for-hire, sign-off, open-seal, "
-       "enter-service, begin-calibration, end-calibration, close-seal, leave-service; of a taxi "
-       "alarm alarm@2s, reset; of devices of CiA 407 as docs/devices.md has it",
+       "close@2s; a key of a device of CiA 447: hire@2s, as --hands lists them; of devices of CiA "
+       "407 as docs/devices.md has it",
        one_each},
   });
 }
@@ -386,6 +432,18 @@ void add_device(Verb& app) {
   add_lift_options(command, *options);
   add_lift_unit_options(command, options->unit);
   command.begin_group("Cars (CiA 447)");
+  command.add({
+      {"--set", options->sets,
+       "what a device senses, or what breaks, and when: paper=no@2s, door-driver=open@3s, as "
+       "--hands lists them",
+       one_each},
+      {"--hands", options->lists_hands,
+       "say what can be pressed and set of these devices, or of all: a line for each, with the "
+       "values, the object that it changes and the clause"},
+      {"--stdin", options->reads_lines,
+       "take presses, sets and moves from stdin as well, a line each: hire, paper=no; with a time "
+       "that counts from the start, hire@10s; status 1 if one failed"},
+  });
   add_device_car_options(command, options->car);
   add_car_panel_options(command, options->car_panel);
   command.begin_group("Passenger information (CiA 407)");
@@ -405,6 +463,7 @@ void add_device(Verb& app) {
       "  canvoy device charger battery sim --for 1s --json\n"
       "  canvoy device battery can0 --node-id 0Ah --heartbeat 500ms --state-of-charge 80\n"
       "  canvoy device taximeter+printer can0 --node-id lss\n"
+      "  canvoy device printer can0 --set paper=no@10s --set paper=yes@20s\n"
       "  canvoy device pump.eds can0 --node-id 9\n"
       "  canvoy device --list");
   command.runs([options] { return run_devices(*options); });

@@ -6,9 +6,13 @@
 //     car.step(now);   // often
 #pragma once
 
+#include <array>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "canvoy/devices/cia447/driver_identification/driver_identification_unit.hpp"
@@ -19,6 +23,8 @@
 #include "canvoy/devices/site.hpp"
 #include "canvoy/sim/car/drive.hpp"
 #include "canvoy/tools/cli/verb.hpp"
+#include "canvoy/tools/device/car/car_driver.hpp"
+#include "canvoy/tools/device/device_output.hpp"
 #include "canvoy/tools/place_file.hpp"
 
 namespace canvoy::tools {
@@ -34,11 +40,30 @@ void add_device_car_options(Verb& command, DeviceCarOptions& options);
 /// The clock of this machine, as UTC.
 cia447::LocalTime host_local_time();
 
-/// The devices of one process are in the same car.
+/// What the car senses as numbers.
+enum class CarSense : std::uint8_t {
+  speed,     ///< how fast it drives; it can only fail
+  distance,  ///< likewise
+  engine_revolutions,
+  tank_level,
+  fuel_consumption,
+  steering_wheel_angle,
+  outside_temperature,
+  inside_temperature,
+  light_intensity,
+  mirror_dimming
+};
+inline constexpr std::size_t car_sense_count = 10;
+
+/// The devices of one process are in the same car. Where it has a gateway, somebody sits in it, who
+/// starts the engine when it is to drive.
 class DeviceCar {
  public:
-  /// Throws Failure where a file cannot be used, UsageError for what makes no sense.
-  explicit DeviceCar(const DeviceCarOptions& options);
+  static constexpr double kmh_max = 250;
+
+  /// Throws Failure where a file cannot be used, UsageError for what makes no sense. `output` is
+  /// told why the car does not drive; it must outlive this.
+  DeviceCar(const DeviceCarOptions& options, const DeviceOutput& output);
   DeviceCar(const DeviceCar&) = delete;
   DeviceCar& operator=(const DeviceCar&) = delete;
 
@@ -52,13 +77,46 @@ class DeviceCar {
   /// Where no drive was recorded, that of today.
   cia447::GpsReading receiver() const;
 
+  /// It has this gateway, which must outlive the steps of this.
+  void take(cia447::IvnGatewayUnit& gateway) { driver_.take(gateway); }
+
+  // What hands do.
+
+  /// From now on it drives so fast, in km/h up to kmh_max, as soon as all that it takes is there.
+  void drive(double kmh);
+  /// What a sensor says from now on, in the unit of CarHardware; nothing: it fails. Of speed and
+  /// distance a number says that it works.
+  void sense(CarSense sense, std::optional<double> value);
+  /// Changes what the receiver says from now on, in place of what this one changed before.
+  void sense_gps(const std::string& what, std::function<void(cia447::GpsReading&)> change);
+  void set_vin(const std::string& vin) { vin_ = vin; }
+  /// Since 1970-01-01 UTC, from now on: that of the receiver and of the clock chip.
+  void set_clock(Duration since_1970);
+  cia447::LocalTime local_time() const;
+  /// Somebody has set a state of the gateway by hand: the driver leaves it so.
+  void set_by_hand(const cia447::FieldPlace& status) { driver_.set_by_hand(status); }
+
  private:
   struct SpeedChange {
     Duration at{};
     double speed = 0;  ///< m/s
   };
+  struct Sensed {
+    DeviceCar* car = nullptr;
+    std::optional<double> value{};
+    bool is_by_hand = false;
+  };
   void plan(const std::string& text);
   void change_speed(double speed);
+  void set_off();
+  Duration now_utc() const;
+  std::optional<double> read(const Sensed& sensed, CarSense sense) const;
+  std::string_view vin() { return vin_; }
+  cia447::GpsReading sensed_reading();
+  std::optional<cia447::ChipTime> read_chip();
+  void write_chip(const cia447::ChipTime& time);
+  template <CarSense sense>
+  cia447::Sensor sensor();
   cia447::CarHardware car();
   cia447::GpsHardware gps();
   cia447::NavigationHardware navigation();
@@ -72,6 +130,16 @@ class DeviceCar {
   std::size_t done_ = 0;
   std::optional<Time> begin_;
   Time driven_until_{};
+  CarDriver driver_;
+  const DeviceOutput& output_;
+  double wanted_ = 0;      ///< m/s
+  bool is_going_ = false;  ///< as fast as wanted
+  std::string told_missing_;
+  std::array<Sensed, car_sense_count> senses_;
+  std::map<std::string, std::function<void(cia447::GpsReading&)>> gps_changes_;
+  std::string vin_;
+  Duration clock_offset_{};  ///< to the clock of this machine
+  bool chip_has_date_ = true;
 };
 
 }  // namespace canvoy::tools

@@ -3,13 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <chrono>
 #include <utility>
 
 #include "canvoy/devices/cia447/taximeter/receipt.hpp"
 #include "canvoy/tools/car_words.hpp"
+#include "canvoy/tools/device/car/gps_hands.hpp"
 #include "canvoy/tools/device/car_store.hpp"
 #include "canvoy/tools/device/device_car.hpp"
-#include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
 
 namespace canvoy::tools {
@@ -18,52 +20,59 @@ namespace {
 
 constexpr double money_unit = 1000;  ///< 60D0h counts thousandths
 
-struct CarKey {
-  std::string_view device;
-  std::string_view name;
-};
-constexpr CarKey car_keys[] = {{"taximeter", "sign-on"},
-                               {"taximeter", "hire"},
-                               {"taximeter", "stop"},
-                               {"taximeter", "for-hire"},
-                               {"taximeter", "sign-off"},
-                               {"taximeter", "open-seal"},
-                               {"taximeter", "enter-service"},
-                               {"taximeter", "begin-calibration"},
-                               {"taximeter", "end-calibration"},
-                               {"taximeter", "close-seal"},
-                               {"taximeter", "leave-service"},
-                               {"taxi-alarm", "alarm"},
-                               {"taxi-alarm", "reset"}};
-
 bool is_among(std::span<const cia447::CarUnit* const> units, std::string_view name) {
   return std::ranges::any_of(
       units, [name](const cia447::CarUnit* unit) { return unit->info.name == name; });
 }
 
-bool has_key(std::span<const cia447::CarUnit* const> units, std::string_view name) {
-  return std::ranges::any_of(
-      car_keys, [&](const CarKey& key) { return key.name == name && is_among(units, key.device); });
+std::string check_meter_mode(const std::string& said) {
+  const bool is_one = said == "taximeter" || said == "odometer";
+  return is_one ? "" : fmt::format("'{}' is neither taximeter nor odometer", said);
+}
+std::string check_calculation(const std::string& said) {
+  const bool is_one = said == "single" || said == "double";
+  return is_one ? "" : fmt::format("'{}' is neither single nor double", said);
+}
+
+struct FutureTariff {
+  std::uint16_t id = 0;  ///< 0: there is none
+  std::int64_t from = INT64_MAX;
+};
+
+/// `7@2026-12-01T00:00:00`
+FutureTariff parse_future_tariff(std::string_view text) {
+  if (text.empty()) return {};
+  constexpr std::uint16_t most = 0xFFFE;  // 60DAh:07h
+  FutureTariff tariff;
+  const std::size_t at = text.find('@');
+  const char* const end = text.data() + std::min(at, text.size());
+  const auto [stop, error] = std::from_chars(text.data(), end, tariff.id);
+  const bool is_number = error == std::errc{} && stop == end && tariff.id >= 1 && tariff.id <= most;
+  if (!is_number || at == std::string_view::npos) {
+    throw UsageError(fmt::format(
+        "--future-tariff: '{}' is no tariff with a date: write 7@2026-12-01T00:00:00", text));
+  }
+  tariff.from =
+      std::chrono::floor<std::chrono::seconds>(parse_clock_text(text.substr(at + 1))).count();
+  return tariff;
 }
 
 }  // namespace
 
-void check_car_presses(std::span<const cia447::CarUnit* const> units,
-                       const std::vector<std::string>& presses) {
-  for (const std::string& text : presses) {
-    const std::size_t at = text.find('@');
-    if (at != std::string::npos && has_key(units, text.substr(0, at))) {
-      parse_duration_argument(text.substr(at + 1));
-      continue;
-    }
-    std::string names;
-    for (const CarKey& key : car_keys) {
-      if (!is_among(units, key.device)) continue;
-      names += fmt::format("{}{}@2s", names.empty() ? "" : ", ", key.name);
-    }
-    throw UsageError(fmt::format("--press: '{}' is no key with a time: {}", text,
-                                 names.empty() ? "there is none here" : "write " + names));
-  }
+void check_car_panel(std::span<const cia447::CarUnit* const> units,
+                     std::span<const std::string> presses, std::span<const std::string> sets,
+                     const CarPanelOptions& options) {
+  const auto check = [units](const char* option, const std::string& text, bool is_set) {
+    const HandOrder order = parse_hand_order(units, text);
+    const bool is_action = order.hand->form == HandForm::action;
+    const bool has_value = !is_action && !order.is_press;
+    if (is_set == has_value) return;
+    throw UsageError(fmt::format("{}: '{}': {} it: {} {}", option, text, is_set ? "press" : "set",
+                                 is_set ? "--press" : "--set", text));
+  };
+  for (const std::string& text : presses) check("--press", text, false);
+  for (const std::string& text : sets) check("--set", text, true);
+  parse_future_tariff(options.future_tariff);
 }
 
 void add_car_panel_options(Verb& command, CarPanelOptions& options) {
@@ -74,6 +83,17 @@ void add_car_panel_options(Verb& command, CarPanelOptions& options) {
       {"--calibration", options.calibration,
        "of a taximeter: how long its calibration drive is, in 0.001 km (default 1000)",
        between(100U, 100'000U)},
+      {"--meter-mode",
+       options.mode,
+       "of a taximeter: taximeter (default), or odometer: what is driven costs nothing",
+       {.allowed = Check(check_meter_mode)}},
+      {"--calculation",
+       options.calculation,
+       "of the fare of a taximeter: single (default), time or distance; or double, both",
+       {.allowed = Check(check_calculation)}},
+      {"--future-tariff", options.future_tariff,
+       "of a taximeter: the number of its next tariff, with the rates of the present one, and from "
+       "when on it holds: 7@2026-12-01T00:00:00"},
       {"--printer", options.printer, "node-ID of the printer of a taximeter", between(1U, id_max)},
       {"--sign", options.sign, "node-ID of the tariff display of a taximeter", between(1U, id_max)},
       {"--clock", options.clock, "node-ID of the real time clock of a taximeter",
@@ -81,86 +101,43 @@ void add_car_panel_options(Verb& command, CarPanelOptions& options) {
   });
 }
 
-CarPanel::CarPanel(std::span<const cia447::CarUnit* const> units,
-                   const std::vector<std::string>& presses, const CarPanelOptions& options,
-                   Site& site, const DeviceOutput& output, const Flash* flash)
+CarPanel::CarPanel(std::span<const cia447::CarUnit* const> units, const CarPanelOptions& options,
+                   DeviceCar& car, Site& site, const DeviceOutput& output, const Flash* flash)
     : options_(options),
       output_(output),
       flash_(flash),
       is_meter_(is_among(units, cia447::TaximeterKind::info.name)),
-      is_gateway_(is_among(units, cia447::IvnGatewayKind::info.name)) {
-  for (const std::string& text : presses) {
-    const std::size_t at = text.find('@');
-    if (!has_key(units, text.substr(0, at))) continue;
-    presses_.push_back({text.substr(0, at), parse_duration_argument(text.substr(at + 1))});
-  }
+      is_gateway_(is_among(units, cia447::IvnGatewayKind::info.name)),
+      car_(car),
+      units_(units.begin(), units.end()),
+      hands_(units,
+             {.car = &car, .seal_is_open = &is_seal_open_, .calibration = options.calibration},
+             output) {
   site.offer(Callback<cia447::TaximeterHardware()>::to<&CarPanel::meter_hardware>(*this));
   site.offer(Callback<cia447::TaximeterSettings()>::to<&CarPanel::meter_settings>(*this));
   site.offer(Callback<cia447::PrinterHardware()>::to<&CarPanel::printer>(*this));
   site.offer(Callback<cia447::TerminalHardware()>::to<&CarPanel::terminal>(*this));
   site.offer(Callback<cia447::TariffDisplayHardware()>::to<&CarPanel::sign>(*this));
   site.offer(Callback<cia447::TaxiAlarmHardware()>::to<&CarPanel::alarm>(*this));
-  site.watch(Callback<void(cia447::TaximeterUnit&, Node&)>::to<&CarPanel::has_meter>(*this));
-  site.watch(Callback<void(cia447::TaxiAlarmUnit&, Node&)>::to<&CarPanel::has_alarm>(*this));
   site.watch(Callback<void(cia447::CarNetwork&, Node&)>::to<&CarPanel::has_network>(*this));
   site.watch(Callback<void(cia447::CarMaster&, Node&)>::to<&CarPanel::has_master>(*this));
+  hands_.join(site);
 }
 
-void CarPanel::step(Time now) {
-  const Time begin = begin_.value_or(now);
-  begin_ = begin;
-  for (Press& each : presses_) {
-    if (each.is_done || now - begin < each.at) continue;
-    each.is_done = true;
-    press(each.key);
-  }
+void CarPanel::step(Node& node, Time now) {
+  hands_.step(node, now);
+  if (std::exchange(told_seal_is_open_, is_seal_open_) == is_seal_open_) return;
+  output_.say("taximeter", is_seal_open_ ? "the seal is open" : "the seal is closed");
 }
 
 void CarPanel::end() {
-  if (meter_ != nullptr) meter_->power_fails();
-}
-
-void CarPanel::press(const std::string& key) {
-  if (key == "alarm" || key == "reset") {
-    if (alarm_ == nullptr) return;
-    if (key == "reset") return alarm_->reset_alarm();
-    alarm_->press_key(true);
-    return alarm_->press_key(false);
-  }
-  if (meter_ == nullptr) return;
-  if (key == "open-seal" || key == "close-seal") return open_seal(key == "open-seal");
-  if (!press_at_meter(key)) output_.say("taximeter", fmt::format("{}: not in this state", key));
-}
-
-bool CarPanel::press_at_meter(const std::string& key) {
-  if (key == "end-calibration") return meter_->end_calibration(options_.calibration);
-  struct Press {
-    std::string_view key;
-    bool (cia447::TaximeterUnit::*press)();
-  };
-  using Meter = cia447::TaximeterUnit;
-  constexpr Press keys[] = {{"sign-on", &Meter::sign_on},
-                            {"hire", &Meter::hire},
-                            {"stop", &Meter::stop},
-                            {"for-hire", &Meter::for_hire},
-                            {"sign-off", &Meter::sign_off},
-                            {"enter-service", &Meter::enter_service},
-                            {"begin-calibration", &Meter::begin_calibration},
-                            {"leave-service", &Meter::leave_service}};
-  const auto* const found = std::ranges::find(keys, key, &Press::key);
-  return found != std::end(keys) && (meter_->*found->press)();
-}
-
-void CarPanel::open_seal(bool is_open) {
-  is_seal_open_ = is_open;
-  output_.say("taximeter", is_open ? "the seal is open" : "the seal is closed");
+  if (auto* const meter = hands_.unit<cia447::TaximeterKind>()) meter->power_fails();
 }
 
 // The taximeter.
 
 cia447::TaximeterHardware CarPanel::meter_hardware() {
-  return {.clock = {[](void*) -> std::optional<cia447::LocalTime> { return host_local_time(); },
-                    nullptr},
+  return {.clock = Callback<std::optional<cia447::LocalTime>()>::to<&CarPanel::local_time>(*this),
           .seal_is_open = Callback<bool()>::to<&CarPanel::seal_is_open>(*this),
           .show = Callback<void(const cia447::TaximeterDisplay&)>::to<&CarPanel::show_meter>(*this),
           .recorded = Callback<void(const cia447::AuditEntry&)>::to<&CarPanel::recorded>(*this),
@@ -171,6 +148,13 @@ cia447::TaximeterHardware CarPanel::meter_hardware() {
 cia447::TaximeterSettings CarPanel::meter_settings() {
   cia447::TaximeterSettings settings{.k = options_.k};
   settings.clock_node = static_cast<NodeId>(options_.clock);
+  using cia447::FareMode, cia447::TaximeterMode;
+  if (options_.mode == "odometer") settings.mode = TaximeterMode::odometer_operation;
+  if (options_.calculation == "double") settings.calculation = FareMode::double_calculation;
+  const FutureTariff future = parse_future_tariff(options_.future_tariff);
+  settings.future_from = future.from;
+  settings.future_tariff = settings.tariff;
+  settings.future_tariff.id = future.id;
   if (flash_ != nullptr) settings.memory = {.address = 0, .slot_size = flash_->sector_size};
   if (flash_ != nullptr && !is_gateway_) settings.audit_memory = CarStore::audit_place();
   return settings;

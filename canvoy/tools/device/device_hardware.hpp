@@ -17,12 +17,12 @@ namespace canvoy::tools {
 /// alone, each has a partner that does what was agreed on the bus.
 class DeviceHardware {
  public:
-  DeviceHardware(const DeviceOptions& options, Callback<Time()> clock)
+  DeviceHardware(const DeviceOptions& options, Callback<Time()> clock, const DeviceOutput& output)
       : plant_(BatteryPlant::lead_acid_48v(), options.state_of_charge / 100),
         car_(clock),
         units_(options.unit),
         clock_(clock),
-        road_car_(options.car) {}
+        road_car_(options.car, output) {}
 
   DeviceHardware(const DeviceHardware&) = delete;
   DeviceHardware& operator=(const DeviceHardware&) = delete;
@@ -46,6 +46,7 @@ class DeviceHardware {
   }
   /// The vehicle of a device of CiA 407, which joins nothing of this, and the clock.
   const DeviceCar& road_car() const { return road_car_; }
+  DeviceCar& road_car() { return road_car_; }
   Callback<Time()> clock() const { return clock_; }
   Callback<void(Time)> on_step() { return Callback<void(Time)>::to<&DeviceHardware::step>(*this); }
 

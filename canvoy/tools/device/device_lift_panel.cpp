@@ -50,7 +50,7 @@ PanelPress press_of(std::string_view kind, std::string_view text, const Site& si
         fmt::format("--press: '{}' is no button of a {} with a time: write {}", text, kind,
                     kind == car_kind ? "7@2s, open@2s or close@2s" : "up@2s or down@2s"));
   }
-  press->at = parse_duration_argument(text.substr(at + 1));
+  press->at = parse_moment_argument(text.substr(at + 1));
   return *press;
 }
 
@@ -72,11 +72,19 @@ std::string name_of(cia417::BasicFunction function, std::uint8_t sub_function) {
 
 LiftPanel::LiftPanel(std::string kind, const std::vector<std::string>& presses, Site& site,
                      const DeviceOutput& output)
-    : kind_(std::move(kind)), output_(output) {
+    : kind_(std::move(kind)), site_(site), output_(output) {
   for (const std::string& text : presses) presses_.push_back(press_of(kind_, text, site));
   site.offer(Callback<cia417::OutputHardware()>::to<&LiftPanel::hardware>(*this));
   site.watch(Callback<void(cia417::InputPanelUnit&, Node&)>::to<&LiftPanel::has_inputs>(*this));
   site.watch(Callback<void(cia417::OutputPanelUnit&, Node&)>::to<&LiftPanel::has_outputs>(*this));
+}
+
+void LiftPanel::take(std::string_view press) {
+  if (inputs_ == nullptr) {
+    throw UsageError(fmt::format("'{}': a {} has no buttons", press, kind_));
+  }
+  std::erase_if(presses_, [](const PanelPress& each) { return each.done; });
+  presses_.push_back(press_of(kind_, press, site_));
 }
 
 cia417::OutputHardware LiftPanel::hardware() {

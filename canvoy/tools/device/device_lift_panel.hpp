@@ -35,6 +35,8 @@ class LiftPanel {
   LiftPanel(const LiftPanel&) = delete;
   LiftPanel& operator=(const LiftPanel&) = delete;
 
+  /// A button and a time, as `presses` are. Throws UsageError.
+  void take(std::string_view press);
   /// Presses what is due, and lets it go again. Times count from the first call.
   void step(Time now);
 
@@ -45,6 +47,7 @@ class LiftPanel {
   void has_outputs(cia417::OutputPanelUnit& unit, Node& /*node*/) { outputs_ = &unit; }
 
   std::string kind_;
+  const Site& site_;
   const DeviceOutput& output_;
   std::vector<PanelPress> presses_;
   std::vector<cia417::OutputView> views_;

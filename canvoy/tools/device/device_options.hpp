@@ -39,6 +39,9 @@ struct DeviceOptions {
   unsigned floor = 1;
   unsigned floors = 10;
   std::vector<std::string> presses;  ///< `up@2s`
+  std::vector<std::string> sets;     ///< `paper=no@2s`
+  bool lists_hands = false;
+  bool reads_lines = false;  ///< of standard input: presses and sets
   LiftUnitOptions unit;
   // Of devices of a car.
   DeviceCarOptions car;

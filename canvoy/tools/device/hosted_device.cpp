@@ -89,10 +89,18 @@ HostedDevice::~HostedDevice() {
 
 void HostedDevice::step(Time now) {
   if (panel_) panel_->step(now);
-  if (car_panel_) car_panel_->step(now);
+  if (car_panel_) car_panel_->step(node(), now);
   if (bus_panel_) bus_panel_->step(node(), now);
   if (operator_panel_) operator_panel_->step(now);
   lights_->look();
+}
+
+void HostedDevice::take(const std::string& order) {
+  if (car_panel_) return car_panel_->take(order);
+  if (bus_panel_) return bus_panel_->take(order);
+  if (operator_panel_) return operator_panel_->take(order);
+  if (panel_) return panel_->take(order);
+  throw UsageError(fmt::format("'{}': there are no hands here", order));
 }
 
 OperatorPanel* HostedDevice::panel_with_hands() const {
@@ -115,8 +123,12 @@ void HostedDevice::hold_device(const Wanted& wanted, const Port& port, DeviceHar
   put_in_place(site_, options);
   const std::vector<const cia447::CarUnit*> car_units = wanted.car_units();
   site_.keeps_parameters = !wanted.store.empty() && car_units.empty();
-  hardware.join(site_);
-  site_.watch(Callback<void(cia419::Charger&, Node&)>::to<&HostedDevice::is_charger>(*this));
+  if (car_units.empty()) {
+    hardware.join(site_);
+    site_.watch(Callback<void(cia419::Charger&, Node&)>::to<&HostedDevice::is_charger>(*this));
+  } else {
+    hardware.road_car().join(site_);
+  }
   if (wanted.is_operator()) {
     operator_panel_ = std::make_unique<OperatorPanel>(options.operator_panel, site_, output_);
   } else if (car_units.empty()) {
@@ -126,8 +138,14 @@ void HostedDevice::hold_device(const Wanted& wanted, const Port& port, DeviceHar
       car_store_ = std::make_unique<CarStore>(wanted.store);
       car_store_->join(site_);
     }
-    car_panel_ = std::make_unique<CarPanel>(car_units, options.presses, options.car_panel, site_,
-                                            output_, car_store_ ? &car_store_->flash() : nullptr);
+    car_panel_ =
+        std::make_unique<CarPanel>(car_units, options.car_panel, hardware.road_car(), site_,
+                                   output_, car_store_ ? &car_store_->flash() : nullptr);
+    for (const auto* orders : {&options.presses, &options.sets}) {
+      for (const std::string& order : *orders) {
+        if (has_hand(car_units, order)) car_panel_->take(order);
+      }
+    }
   }
   if (wanted.shared.empty()) {
     hold(std::make_shared<CatalogueDevice>(*wanted.kind, port, wanted.id, site_));
@@ -138,6 +156,8 @@ void HostedDevice::hold_device(const Wanted& wanted, const Port& port, DeviceHar
   } else {
     hold(std::make_shared<cia447::CarDevice>(wanted.shared.car, port, wanted.id, site_));
   }
+  cia447::IvnGatewayUnit* const gateway = car_panel_ ? car_panel_->gateway() : nullptr;
+  if (gateway != nullptr && car_store_) gateway->seats().keep_in(car_store_->seats());
 }
 
 void HostedDevice::hold_bus_device(const Wanted& wanted, const Port& port,

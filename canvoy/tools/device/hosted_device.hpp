@@ -33,6 +33,9 @@ class HostedDevice {
   Node& node() { return *node_; }
   /// To be called often.
   void step(Time now);
+  /// A hand, button or move with its time, as --press, --set and --move say it. Throws UsageError
+  /// for one that this device does not have.
+  void take(const std::string& order);
   /// Real hands on an operator environment: null where it is none, or has none.
   OperatorPanel* panel_with_hands() const;
   void start(Time now);

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "canvoy/tools/device/operator_elements.hpp"
 #include "canvoy/tools/duration_argument.hpp"
@@ -82,8 +84,15 @@ OperatorPanel::Move OperatorPanel::parse_move(const std::string& text) const {
         "--move: '{}' is nothing with a value and a time: write joystick1.x=12000@2s", text));
   }
   move.control = parse_control(text.substr(0, equals), elements_);
-  move.at = parse_duration_argument(text.substr(at + 1));
+  move.at = parse_moment_argument(text.substr(at + 1));
   return move;
+}
+
+void OperatorPanel::take(const std::string& text) {
+  const Move move = parse_move(text);
+  moves_.erase(moves_.begin(),
+               moves_.begin() + static_cast<std::ptrdiff_t>(std::exchange(done_, 0)));
+  moves_.insert(std::ranges::upper_bound(moves_, move.at, {}, &Move::at), move);
 }
 
 void OperatorPanel::step(Time now) {

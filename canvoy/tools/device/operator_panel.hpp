@@ -40,6 +40,8 @@ class OperatorPanel {
   OperatorPanel(const OperatorPanel&) = delete;
   OperatorPanel& operator=(const OperatorPanel&) = delete;
 
+  /// What is moved, to where and when: `joystick1.x=12000@2s`. Throws UsageError.
+  void take(const std::string& move);
   /// Times count from the first call.
   void step(Time now);
   /// Real hands are served by each step too, and are to be when this descriptor is readable; -1:

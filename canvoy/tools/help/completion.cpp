@@ -10,6 +10,7 @@
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/tools/ask/node_argument.hpp"
 #include "canvoy/tools/ask/object_argument.hpp"
+#include "canvoy/tools/device/car/car_hands.hpp"
 #include "canvoy/tools/device/device_catalogue.hpp"
 
 namespace canvoy::tools {
@@ -153,8 +154,21 @@ Words profile_words() {
   return words;
 }
 
+/// What can be pressed or set of the devices that stand there.
+Words hand_words(const Line& line, bool sets) {
+  std::vector<const cia447::CarUnit*> units;
+  for (const std::string& place : line.places) {
+    const DeviceKind* const kind = find_any_device_kind(place);
+    if (kind != nullptr && kind->car_unit != nullptr) units.push_back(kind->car_unit);
+  }
+  return hand_completions(units, sets);
+}
+
 /// Of an option that is one of a few words.
-Words option_values(const OptionInfo& option) {
+Words option_values(const Line& line) {
+  const OptionInfo& option = *line.awaiting;
+  if (is_named(option, "--press")) return hand_words(line, false);
+  if (is_named(option, "--set")) return hand_words(line, true);
   if (is_named(option, "--colour")) return {"auto", "always", "never"};
   if (is_named(option, "--by")) return {"object", "frame", "node"};
   return is_named(option, "--profile") ? profile_words() : Words{};
@@ -214,7 +228,7 @@ Words option_words(const Verb& innermost) {
 }
 
 Words candidates(const Line& line, const std::string& typed) {
-  if (line.awaiting) return option_values(*line.awaiting);
+  if (line.awaiting) return option_values(line);
   if (typed.starts_with('-')) return option_words(*line.verb);
   Words words = verb_words(*line.verb);
   if (!words.empty()) return words;

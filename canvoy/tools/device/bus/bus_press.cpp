@@ -163,7 +163,7 @@ BusPress parse_bus_press(std::span<const cia407::BusUnit* const> units, std::str
   }
   const bool wants_number = !info->numbers.empty() && info->numbers.front().name.empty();
   if (wants_number && !press.number()) refuse_press(units, text);
-  press.at = parse_duration_argument(text.substr(at + 1));
+  press.at = parse_moment_argument(text.substr(at + 1));
   return press;
 }
 

@@ -11,7 +11,8 @@ constexpr Duration kept_each = 1s;
 BusPanel::BusPanel(std::span<const cia407::BusUnit* const> units,
                    const std::vector<std::string>& presses, const BusPanelOptions& options,
                    Site& site, const Place& place)
-    : segment_(parse_bus_segment(options.segment)),
+    : units_(units.begin(), units.end()),
+      segment_(parse_bus_segment(options.segment)),
       store_(place.store),
       kept_(store_ != nullptr ? store_->load() : KeptBusValues{}),
       stored_(kept_),
@@ -46,6 +47,11 @@ void BusPanel::join(Site& site) {
   counting_.join(site);
   train_.join(site);
   wires_.join(site);
+}
+
+void BusPanel::take(std::string_view press) {
+  std::erase_if(plan_, [](const Planned& each) { return each.is_done; });
+  plan_.push_back({parse_bus_press(units_, press)});
 }
 
 void BusPanel::step(Node& node, Time now) {

@@ -44,6 +44,8 @@ class BusPanel {
   BusPanel(const BusPanel&) = delete;
   BusPanel& operator=(const BusPanel&) = delete;
 
+  /// A press with its time. Throws as parse_bus_press() does.
+  void take(std::string_view press);
   /// Does what is due, and tells what is new. Times count from the first call.
   void step(Node& node, Time now);
   /// The device is going to lose its power.
@@ -60,6 +62,7 @@ class BusPanel {
   void act(const BusPress& press, Node& node);
   void keep();
 
+  std::vector<const cia407::BusUnit*> units_;
   cia407::BusSegment segment_;
   std::vector<Planned> plan_;
   std::optional<Time> begin_;

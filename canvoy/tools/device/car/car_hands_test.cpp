@@ -1,0 +1,340 @@
+// Hands of devices of CiA 447-3: what they take, and what is on the wire then.
+#include "canvoy/tools/device/car/car_hands.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <set>
+#include <sstream>
+
+#include "canvoy/devices/catalogue.hpp"
+#include "canvoy/devices/cia447/car_bench_test.hpp"
+#include "canvoy/devices/cia447/ivn_gateway/ivn_gateway_unit.hpp"
+#include "canvoy/devices/cia447/printer/printer_unit.hpp"
+#include "canvoy/devices/cia447/taximeter/taximeter_unit.hpp"
+#include "canvoy/devices/cia447/terminal/terminal_unit.hpp"
+#include "canvoy/profiles/cia447.hpp"
+#include "canvoy/tools/device/car/car_hand_tables.hpp"
+#include "canvoy/tools/device/car/hand_list.hpp"
+#include "canvoy/tools/device/device_car_panel.hpp"
+#include "canvoy/tools/failure.hpp"
+
+namespace canvoy::tools::car_hands_test {
+namespace {
+
+using cia447::CarUnit, cia447::FieldPlace;
+
+std::vector<const CarUnit*> all_units() {
+  std::vector<const CarUnit*> units;
+  for (const DeviceKind* kind : device_catalogue()) {
+    if (kind->car_unit != nullptr) units.push_back(kind->car_unit);
+  }
+  return units;
+}
+
+/// A device on a cable, with node-ID 5, and hands on it.
+class Hosted {
+ public:
+  explicit Hosted(const CarUnit* unit, const CarPanelOptions& options = {})
+      : units_{unit}, car_({}, output_) {
+    bench_ = std::make_unique<cia447::CarBench>(units_, [&](Site& site) {
+      car_.join(site);
+      panel_ = std::make_unique<CarPanel>(units_, options, car_, site, output_);
+    });
+    pass(Duration{});
+  }
+
+  void take(std::string_view order) { panel_->take(order); }
+  /// So much time passes, in steps of 10 ms; what is said is kept.
+  void pass(Duration time) {
+    testing::internal::CaptureStdout();
+    for (const Time end = bench_->cable.now + time;;) {
+      car_.step(bench_->cable.now);
+      panel_->step(bench_->node(), bench_->cable.now);
+      bench_->cable.run_until(std::min(end, bench_->cable.now + 10ms));
+      if (bench_->cable.now >= end) break;
+    }
+    said += testing::internal::GetCapturedStdout();
+  }
+  /// What stands in an entry, by an SDO upload of at most 4 bytes.
+  std::uint32_t read(std::uint16_t index, unsigned sub = 0) {
+    const std::string answer = bench_->ask(
+        fmt::format("40 {:02X} {:02X} {:02X} 00 00 00 00", index & 0xFFU, index >> 8U, sub));
+    unsigned bytes[4] = {};
+    unsigned command = 0;
+    std::sscanf(answer.c_str(), "%2x %*2x %*2x %*2x %2x %2x %2x %2x", &command, &bytes[0],
+                &bytes[1], &bytes[2], &bytes[3]);
+    EXPECT_EQ(command & 0xE2U, 0x42U) << answer << " is no expedited answer";
+    return bytes[0] | bytes[1] << 8U | bytes[2] << 16U | bytes[3] << 24U;
+  }
+  std::uint32_t read(const FieldPlace& place) {
+    return read(place.index, place.sub) >> place.first_bit & ((1ULL << place.bits) - 1);
+  }
+  cia447::CarBench& bench() { return *bench_; }
+
+  std::string said;
+
+ private:
+  std::vector<const CarUnit*> units_;
+  DeviceOutput output_;
+  DeviceCar car_;
+  std::unique_ptr<CarPanel> panel_;
+  std::unique_ptr<cia447::CarBench> bench_;
+};
+
+std::string complaint_about(const CarUnit* unit, std::string_view order) {
+  const std::vector<const CarUnit*> units = {unit};
+  try {
+    parse_hand_order(units, order);
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// -- all of the catalogue
+
+TEST(CarHands, EachStatusOfEachDeviceHasAHandOrAReasonWhyNot) {
+  EXPECT_EQ(all_units().size(), 20u);
+  for (const CarUnit* unit : all_units()) {
+    each_car_status(*unit, [&](const FieldPlace& place) {
+      const auto is_it = [&place](const FieldPlace& other) {
+        return other.index == place.index && other.sub == place.sub &&
+               (other.bits == 0 || other == place);
+      };
+      const bool has_one = std::ranges::any_of(car_hands(*unit), [&](const CarHand& hand) {
+        return std::ranges::any_of(hand.changes, is_it);
+      });
+      const bool has_reason =
+          std::ranges::any_of(without_hands(*unit), [&](const WithoutHand& without) {
+            return without.index == place.index && !without.why.empty() &&
+                   (without.sub == WithoutHand::all || without.sub == place.sub) &&
+                   (without.first_bit == WithoutHand::all || without.first_bit == place.first_bit);
+          });
+      EXPECT_TRUE(has_one || has_reason)
+          << unit->info.name
+          << fmt::format(" {:04X}h:{:02X}h bit {}", place.index, place.sub, place.first_bit);
+    });
+  }
+}
+
+TEST(CarHands, NamesAreTheirOwnAndEachHasAClause) {
+  for (const CarUnit* unit : all_units()) {
+    std::set<std::string> names;
+    EXPECT_FALSE(car_hands(*unit).empty()) << unit->info.name;
+    for (const CarHand& hand : car_hands(*unit)) {
+      EXPECT_TRUE(names.insert(hand.name).second) << unit->info.name << ' ' << hand.name;
+      EXPECT_EQ(hand.name.find_first_of(".=@# "), std::string::npos) << hand.name;
+      EXPECT_TRUE(hand.clause.starts_with("4.2.")) << unit->info.name << ' ' << hand.name;
+      const bool takes_nothing = hand.form == HandForm::action;
+      EXPECT_EQ(hand_values_text(hand).empty(), takes_nothing) << hand.name;
+    }
+  }
+}
+
+/// Whatever is done by hand, each word of a field that is in codes is its code on the bus.
+TEST(CarHands, EachWordOfAStatusIsItsCodeOnTheBus) {
+  unsigned tried = 0;
+  for (const CarUnit* unit : all_units()) {
+    Hosted hosted(unit);
+    hosted.pass(10ms);
+    for (const CarHand& hand : car_hands(*unit)) {
+      const FieldPlace& place = hand.changes.front();
+      const ValueInfo* const value = cia447::find_value_info(place);
+      const bool is_status = hand.form == HandForm::word && place.bits != 0 && value != nullptr &&
+                             hand.words.back().word != "working" &&
+                             hand.words.front().word != "working";
+      // The lamps that a sign does not have stay "not available".
+      const bool is_missing =
+          unit->info.name == "tariff-display" && hand.name.starts_with("lamp-failure-") &&
+          std::stoi(hand.name.substr(std::string_view("lamp-failure-").size())) > 3;
+      if (!is_status || is_missing) continue;
+      for (const HandWord& word : hand.words) {
+        hosted.take(fmt::format("{}={}@0s", hand.name, word.word));
+        hosted.pass(10ms);
+        EXPECT_EQ(hosted.read(place), word.code)
+            << unit->info.name << ' ' << hand.name << '=' << word.word;
+        ++tried;
+      }
+    }
+  }
+  EXPECT_GT(tried, 900u);
+}
+
+TEST(CarHands, StandInTheDocumentation) {
+  constexpr const char* path = "docs/hands.md";
+  if (const char* approve = std::getenv("CANVOY_APPROVE"); approve != nullptr) {
+    std::ofstream(path) << hand_page();
+  }
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  EXPECT_EQ(text.str(), hand_page()) << "CANVOY_APPROVE=1 with this test writes " << path;
+}
+
+// -- some of them, byte by byte
+
+TEST(CarHands, AThingThatADeviceDoesNotHaveIsRefusedWithWhatItHas) {
+  const CarUnit* const printer = &cia447::car_unit<cia447::PrinterKind>;
+  EXPECT_EQ(complaint_about(printer, "paperr=no@1s"),
+            "'paperr=no@1s': nothing here is 'paperr'; did you mean 'paper'?: there is paper=, "
+            "mechanism=");
+  EXPECT_EQ(complaint_about(printer, "paper=torn@1s"), "'paper=torn': paper takes no, yes");
+  EXPECT_EQ(complaint_about(printer, "paper@1s"),
+            "'paper@1s': paper takes no, yes: write paper=no@2s");
+  EXPECT_EQ(complaint_about(printer, "paper=no"), "'paper=no' has no time: write paper=no@2s");
+  EXPECT_EQ(complaint_about(printer, "paper=no@0s"), "");
+  const CarUnit* const meter = &cia447::car_unit<cia447::TaximeterKind>;
+  EXPECT_EQ(complaint_about(meter, "hire=yes@1s"),
+            "'hire=yes@1s': hire takes no value: write "
+            "hire@2s");
+  EXPECT_EQ(complaint_about(meter, "supplement=-1@1s"),
+            "'supplement=-1': supplement takes 0 to 1000000 of the currency");
+  EXPECT_NE(complaint_about(meter, "supplement=nan@1s"), "");
+}
+
+/// 4.2.13.2: bits 0 and 1 of 60E1h, 01b: no paper; the others are reserved, and 1.
+TEST(CarHands, PaperRunsOutAtTheTimeThatWasSaid) {
+  Hosted printer(&cia447::car_unit<cia447::PrinterKind>);
+  printer.take("paper=no@2s");
+  printer.pass(1990ms);
+  EXPECT_EQ(printer.read(0x60E1) & 3U, 0u);
+  printer.pass(20ms);
+  EXPECT_EQ(printer.read(0x60E1) & 3U, 1u);
+}
+
+/// 4.2.9.3: key 1 of the number pad is code 1 of 6082h, and 0 that none is pressed.
+TEST(CarHands, AKeyIsPressedFor300Milliseconds) {
+  Hosted terminal(&cia447::car_unit<cia447::TerminalKind>);
+  terminal.take("1@1s");
+  terminal.pass(1010ms);
+  EXPECT_EQ(terminal.read(0x6082) & 0x1FU, 1u);
+  terminal.pass(280ms);
+  EXPECT_EQ(terminal.read(0x6082) & 0x1FU, 1u);
+  terminal.pass(20ms);
+  EXPECT_EQ(terminal.read(0x6082) & 0x1FU, 0u);
+}
+
+// -- the meter's keys (4.2.12)
+
+TEST(CarHands, AMeterReachesServiceStandbyAndChangingToOffMode) {
+  Hosted meter(&cia447::car_unit<cia447::TaximeterKind>);
+  for (const char* order : {"sign-on@10ms", "standby@100ms", "wake@200ms", "turn-off@300ms"}) {
+    meter.take(order);
+  }
+  meter.pass(150ms);
+  EXPECT_EQ(meter.read(0x60D8) & 0xFU, 5u) << "standby mode";
+  meter.pass(100ms);
+  EXPECT_EQ(meter.read(0x60D8) & 0xFU, 0u) << "for hire";
+  meter.pass(100ms);
+  EXPECT_EQ(meter.read(0x60D8) >> 4U & 3U, 1u) << "ticof";
+  for (const char* order : {"wake@400ms", "open-seal@450ms", "enter-service@500ms"}) {
+    meter.take(order);
+  }
+  meter.pass(200ms);
+  EXPECT_EQ(meter.read(0x60D8) & 0xFU, 4u) << "service mode";
+}
+
+TEST(CarHands, SupplementsAndAnAgreedPriceAreInThePayment) {
+  Hosted meter(&cia447::car_unit<cia447::TaximeterKind>);
+  for (const char* order : {"sign-on@10ms", "agreed-price=25@20ms", "hire@30ms",
+                            "supplement=2.50@40ms", "supplement=1@50ms"}) {
+    meter.take(order);
+  }
+  meter.pass(60ms);
+  EXPECT_EQ(meter.read(0x60D0, 4), 2u) << "fixed price";
+  EXPECT_EQ(meter.read(0x60D0, 2), 3500u) << "thousandths";
+  EXPECT_EQ(meter.read(0x60D0, 3), 25'000u + 3500u);
+  meter.take("clear-supplements@70ms");
+  meter.pass(20ms);
+  EXPECT_EQ(meter.read(0x60D0, 2), 0u);
+}
+
+TEST(CarHands, ADoubleCalculationAnOdometerAndAFutureTariffAreSaid) {
+  CarPanelOptions options;
+  options.calculation = "double";
+  options.mode = "odometer";
+  options.future_tariff = "7@2099-12-01T00:00:00";
+  Hosted odometer(&cia447::car_unit<cia447::TaximeterKind>, options);
+  EXPECT_EQ(odometer.read(0x60DA, 2), 1u) << "odometer operation";
+  EXPECT_EQ(odometer.read(0x60DA, 7) & 0xFFFFFFU, 7u);
+  options.mode = "taximeter";
+  Hosted meter(&cia447::car_unit<cia447::TaximeterKind>, options);
+  meter.take("sign-on@10ms");
+  meter.take("hire@20ms");
+  meter.pass(30ms);
+  EXPECT_EQ(meter.read(0x60D0, 4), 1u) << "double calculation mode";
+  EXPECT_EQ(meter.read(0x60DA, 2), 0u);
+}
+
+TEST(CarHands, AKeyOfAnotherStateSaysSo) {
+  Hosted meter(&cia447::car_unit<cia447::TaximeterKind>);
+  meter.take("stop@10ms");
+  meter.pass(20ms);
+  EXPECT_NE(meter.said.find("taximeter: stop: not in this state\n"), std::string::npos)
+      << meter.said;
+}
+
+// -- a car
+
+/// 4.2.2.3, 4.2.4: before it drives, somebody has turned the key, started the engine and put the
+/// lever to D (code 5); the parking brake is off.
+TEST(CarHands, ACarThatIsToDriveIsReadyForIt) {
+  Hosted car(&cia447::car_unit<cia447::IvnGatewayKind>);
+  EXPECT_EQ(car.read(0x6007), 0x00u) << "parked";
+  EXPECT_EQ(car.read(0x6051), 0u);
+  car.take("speed=50@1s");
+  car.pass(1s);
+  EXPECT_EQ(car.read(0x6007), 0x00u);
+  car.pass(30s);
+  EXPECT_EQ(car.read(0x6007), 0x15u) << "lock, accessory, ignition: 01b each";
+  EXPECT_EQ(car.read(0x6051), 3u) << "the engine runs";
+  EXPECT_EQ(car.read(0x6052) & 0xFU, 5u) << "D";
+  EXPECT_EQ(car.read(0x6052) >> 7U & 3U, 0u) << "the parking brake is disengaged";
+  EXPECT_GT(car.read(0x6052) >> 11U & 0xFU, 0u) << "a gear is in";
+  EXPECT_EQ(car.read(0x6009) & 0xFU, 1u) << "locked from inside";
+  EXPECT_GE(car.read(0x6050) & 0x3FFFU, 800u);
+  EXPECT_EQ(car.read(0x605A), 500u) << "tenths of a km/h";
+  EXPECT_EQ(car.read(0x6040) >> 2U & 3U, 0u) << "the brake light is off";
+  car.take("speed=0@32s");
+  car.pass(2s);
+  EXPECT_EQ(car.read(0x6040) >> 2U & 3U, 1u) << "it brakes";
+}
+
+TEST(CarHands, ACarSaysWhatIsMissingAndDrivesWhenItIsThere) {
+  Hosted car(&cia447::car_unit<cia447::IvnGatewayKind>);
+  for (const char* order : {"parking-brake=engaged@10ms", "ignition-on=off@10ms", "speed=50@20ms",
+                            "ignition-on=on@1s", "parking-brake=disengaged@2s"}) {
+    car.take(order);
+  }
+  car.pass(900ms);
+  EXPECT_NE(car.said.find("ivn-gateway: the car does not drive: the ignition is off, the parking "
+                          "brake is engaged\n"),
+            std::string::npos)
+      << car.said;
+  EXPECT_EQ(car.read(0x605A), 0u);
+  car.pass(1s);
+  EXPECT_NE(car.said.find("does not drive: the parking brake is engaged\n"), std::string::npos);
+  EXPECT_EQ(car.read(0x605A), 0u);
+  car.pass(2s);
+  EXPECT_GT(car.read(0x605A), 0u);
+}
+
+TEST(CarHands, ASensorOfTheCarFailsAndWorksAgain) {
+  Hosted car(&cia447::car_unit<cia447::IvnGatewayKind>);
+  car.take("tank-level=12@10ms");
+  car.pass(200ms);
+  EXPECT_EQ(car.read(0x605C) & 0xFFU, 12u);
+  car.take("tank-level=failure@210ms");
+  car.pass(200ms);
+  EXPECT_EQ(car.read(0x605C) & 0xFFU, 0xFEu);
+  car.take("tank-level=6@500ms");
+  car.pass(300ms);
+  EXPECT_EQ(car.read(0x605C) & 0x3FFU, 0x106u) << "6 l, and the minimum is reached";
+}
+
+}  // namespace
+}  // namespace canvoy::tools::car_hands_test

@@ -1,0 +1,42 @@
+// What a hand does with a status of a unit that is a table of what is switched (switching.hpp).
+//
+//     table.tell = tell_switched<RadioUnit>;
+#pragma once
+
+#include <cmath>
+
+#include "canvoy/devices/cia447/switching.hpp"
+#include "canvoy/tools/device/car/car_hand.hpp"
+
+namespace canvoy::tools {
+
+/// What a status is that was given as a number or as a word.
+inline std::uint32_t code_of(const HandValue& value) {
+  return value.code != 0 ? value.code : static_cast<std::uint32_t>(std::lround(value.number));
+}
+
+/// `reporter` has report() and sense() for any status. A state that is told lets the sensor work
+/// again.
+template <class Reporter>
+void tell_status(Reporter& reporter, const cia447::FieldPlace& status, const HandValue& value) {
+  using cia447::Sensing;
+  switch (value.meaning) {
+    case Meaning::failure:
+      return reporter.sense(status, Sensing::failure);
+    case Meaning::invalid:
+      return reporter.sense(status, Sensing::not_available);
+    case Meaning::padding:
+      return reporter.sense(status, Sensing::working);
+    default:
+      reporter.sense(status, Sensing::working);
+      reporter.report(status, code_of(value));
+  }
+}
+
+template <class Unit>
+void tell_switched(const HandTarget& target, const cia447::FieldPlace& status,
+                   const HandValue& value) {
+  tell_status(target.as<Unit>().switching(), status, value);
+}
+
+}  // namespace canvoy::tools
