@@ -30,11 +30,11 @@ struct ExplainOptions {
 };
 
 /// Something that a number may be, and what it says then.
-struct Meaning {
+struct Explanation {
   std::string kind;
   std::string text;
 };
-using Meanings = std::vector<Meaning>;
+using Explanations = std::vector<Explanation>;
 
 /// `0x06090011`, `0609 0011h`, `8130h`: hexadecimal digits, up to 8.
 struct Code {
@@ -59,19 +59,19 @@ std::vector<const Profile*> searched_profiles() {
   return profiles;
 }
 
-void explain_emergency(std::uint16_t code, Meanings& meanings) {
+void explain_emergency(std::uint16_t code, Explanations& explanations) {
   std::set<std::string_view> told;
   for (const Profile* profile : searched_profiles()) {
     for (const ErrorCodeInfo& error : profile->error_codes) {
       if (error.code != code || !told.insert(error.text).second) continue;
       std::string text(error.text);
       if (!error.description.empty()) text.append("; ").append(error.description);
-      meanings.push_back({fmt::format("emergency code ({})", profile->name), std::move(text)});
+      explanations.push_back({fmt::format("emergency code ({})", profile->name), std::move(text)});
     }
   }
   constexpr std::uint16_t class_first = 0x1000;
   if (told.empty() && (code >= class_first || code == 0)) {
-    meanings.push_back({"emergency code", std::string(words::emergency_text(code))});
+    explanations.push_back({"emergency code", std::string(words::emergency_text(code))});
   }
 }
 
@@ -80,84 +80,87 @@ std::string unit_text(const EntryInfo& entry) {
   return fmt::format(" [{}]", symbol(entry.value.unit));
 }
 
-void explain_object(std::uint16_t index, Meanings& meanings) {
+void explain_object(std::uint16_t index, Explanations& explanations) {
   for (const Profile* profile : searched_profiles()) {
     const ObjectInfo* const object = find_object(*profile, index);
     if (object == nullptr) continue;
     std::string text = words::object_text(index, 0).substr(0, 5) + ' ' + std::string(object->name);
     if (object->subs.empty()) text += unit_text(object->entry);
     text += fmt::format("; canvoy profile {} {:04X} has more", short_name(*profile), index);
-    meanings.push_back({fmt::format("object ({})", profile->name), std::move(text)});
+    explanations.push_back({fmt::format("object ({})", profile->name), std::move(text)});
   }
 }
 
-void explain_can_id(std::uint32_t id, Meanings& meanings) {
+void explain_can_id(std::uint32_t id, Explanations& explanations) {
   words::FrameDecoder decoder;
   const words::FrameWords& words = decoder.decode(Frame::data_frame(id, {}));
   if (words.service.empty()) return;
   std::string text(words.service);
   if (words.node != 0) text += " of " + words::node_text(words.node);
-  meanings.push_back({"CAN-ID, as pre-defined", std::move(text)});
+  explanations.push_back({"CAN-ID, as pre-defined", std::move(text)});
 }
 
 /// Bits of the error register, and the byte of a heartbeat.
-void explain_byte(std::uint8_t byte, Meanings& meanings) {
+void explain_byte(std::uint8_t byte, Explanations& explanations) {
   const std::string_view state = words::nmt_state_text(static_cast<NmtState>(byte));
   const bool is_state = byte == 0 || byte == 4 || byte == 5 || byte == 0x7F;
-  if (is_state) meanings.push_back({"NMT state", std::string(state)});
+  if (is_state) explanations.push_back({"NMT state", std::string(state)});
   const auto address = find_address(base_profile(), "1001");
   if (address && address->entry != nullptr) {
     const std::uint8_t bytes[] = {byte};
-    meanings.push_back({"error register (1001h)", words::value_text(address->entry, bytes)});
+    explanations.push_back({"error register (1001h)", words::value_text(address->entry, bytes)});
   }
   if (byte >= 1 && byte <= node_id_max)
-    meanings.push_back({"node-ID", words::node_text(static_cast<NodeId>(byte))});
+    explanations.push_back({"node-ID", words::node_text(static_cast<NodeId>(byte))});
 }
 
-Meanings explain(const std::string& text) {
-  Meanings meanings;
+Explanations explain(const std::string& text) {
+  Explanations explanations;
   const std::optional<Code> code = parse_code(text);
-  if (!code) return meanings;
+  if (!code) return explanations;
   constexpr std::size_t abort_digits = 8;
   if (code->digits == abort_digits) {
-    meanings.push_back({"SDO abort code", words::abort_text(static_cast<AbortCode>(code->number))});
+    explanations.push_back(
+        {"SDO abort code", words::abort_text(static_cast<AbortCode>(code->number))});
   } else if (code->digits == 4) {
-    explain_emergency(static_cast<std::uint16_t>(code->number), meanings);
-    explain_object(static_cast<std::uint16_t>(code->number), meanings);
+    explain_emergency(static_cast<std::uint16_t>(code->number), explanations);
+    explain_object(static_cast<std::uint16_t>(code->number), explanations);
   } else if (code->digits == 3 && code->number <= Frame::id_max) {
-    explain_can_id(code->number, meanings);
+    explain_can_id(code->number, explanations);
   } else if (code->digits <= 2) {
-    explain_byte(static_cast<std::uint8_t>(code->number), meanings);
+    explain_byte(static_cast<std::uint8_t>(code->number), explanations);
   }
-  return meanings;
+  return explanations;
 }
 
-void print_meaning(const ExplainOptions& options, const std::string& word, const Meaning& meaning) {
+void print_explanation(const ExplainOptions& options, const std::string& word,
+                       const Explanation& explanation) {
   if (!options.json) {
-    fmt::print("{}  {}: {}\n", word, meaning.kind, meaning.text);
+    fmt::print("{}  {}: {}\n", word, explanation.kind, explanation.text);
     return;
   }
   std::string line;
   words::JsonLine json(line);
   json.begin_object();
   json.key("code").text(word);
-  json.key("kind").text(meaning.kind);
-  json.key("text").text(meaning.text);
+  json.key("kind").text(explanation.kind);
+  json.key("text").text(explanation.text);
   json.end_object();
   fmt::print("{}\n", line);
 }
 
 int explain_codes(const ExplainOptions& options) {
   for (const std::string& word : options.words) {
-    const Meanings meanings = explain(word);
-    if (meanings.empty()) {
+    const Explanations explanations = explain(word);
+    if (explanations.empty()) {
       throw UsageError(fmt::format(
           "'{}' is no code: give an SDO abort code (06090011), an emergency code (8130), a CAN-ID "
           "(18A), an object (1017), a state or error register (7F); canvoy search {} looks for "
           "names",
           word, word));
     }
-    for (const Meaning& meaning : meanings) print_meaning(options, word, meaning);
+    for (const Explanation& explanation : explanations)
+      print_explanation(options, word, explanation);
   }
   return exit_done;
 }
@@ -176,7 +179,7 @@ bool has_all(std::string_view name, const std::vector<std::string>& words) {
       words, [&](const std::string& word) { return has_name(plain, plain_name(word)); });
 }
 
-std::vector<FoundObject> find_objects(const std::vector<std::string>& words) {
+std::vector<FoundObject> search_objects(const std::vector<std::string>& words) {
   std::vector<FoundObject> found;
   for (const Profile* profile : searched_profiles()) {
     for (const ObjectInfo* object : profile->objects) {
@@ -213,7 +216,7 @@ void print_found(const ExplainOptions& options, const FoundObject& found) {
 }
 
 int search_objects(const ExplainOptions& options) {
-  const std::vector<FoundObject> found = find_objects(options.words);
+  const std::vector<FoundObject> found = search_objects(options.words);
   for (const FoundObject& each : found) print_found(options, each);
   if (!found.empty()) return exit_done;
   throw Failure("no object of any profile has these words in its name: try a part of one, as temp");
