@@ -32,6 +32,7 @@ class Marks {
  public:
   constexpr void add(Mark mark) { bits_ = static_cast<std::uint8_t>(bits_ | bit(mark)); }
   constexpr void add(Marks others) { bits_ = static_cast<std::uint8_t>(bits_ | others.bits_); }
+  /// A mark that is not there is none to remove.
   constexpr void remove(Mark mark) { bits_ = static_cast<std::uint8_t>(bits_ & ~bit(mark)); }
   constexpr bool has(Mark mark) const { return (bits_ & bit(mark)) != 0; }
   constexpr bool empty() const { return bits_ == 0; }
