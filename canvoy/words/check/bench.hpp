@@ -29,21 +29,27 @@ struct Profile;
 
 namespace canvoy::conformance {
 
+/// As they stand in an SDO transfer.
 using Bytes = std::vector<std::uint8_t>;
 
 /// What a device has answered to a read or a write.
 struct Reply {
+  /// How a request ended.
   enum class Kind : std::uint8_t {
     done,
     aborted,
     silent,     ///< no answer in time, or the bus did not take the request
     malformed,  ///< an answer that is none to this request
   };
+  /// How it ended.
   Kind kind = Kind::done;
+  /// Of `aborted`.
   AbortCode abort = AbortCode::none;
+  /// Of a read that is `done`.
   Bytes value = {};
 
   explicit operator bool() const { return kind == Kind::done; }
+  /// Whether the device has refused with this code.
   bool has_aborted(AbortCode code) const { return kind == Kind::aborted && abort == code; }
   /// There is no such entry.
   bool is_absent() const { return kind == Kind::aborted && canvoy::is_absent(abort); }
@@ -63,18 +69,24 @@ struct BenchOptions {
 
 class Bench {
  public:
+  /// Of the device with this node-ID, 1 to 127.
   Bench(Line line, NodeId node, const BenchOptions& options);
 
   NodeId node() const { return node_; }
+  /// What the test is allowed.
   const BenchOptions& options() const { return options_; }
+  /// The time of the line.
   Time now() const { return line_.now(); }
   /// The bus has not taken a frame, or somebody has interrupted the test.
   bool is_broken() const { return is_broken_; }
+  /// Whether somebody has asked it to end.
   bool is_interrupted() const { return line_.is_interrupted && line_.is_interrupted(); }
 
+  /// Puts a frame on the bus; where that does not go, is_broken().
   void send(const Frame& frame);
   /// A command for this node, or for another.
   void command(NmtCommand command) { command_node(command, node_); }
+  /// Its node-ID.
   void command_node(NmtCommand command, NodeId node);
   /// All that comes from now on.
   std::vector<Heard> listen(Duration duration);
@@ -85,9 +97,11 @@ class Bench {
 
   /// Eight bytes to the default SDO server, those that are not given are 0, and its answer.
   std::optional<Frame> ask(std::span<const std::uint8_t> request);
+  /// The value of an entry, in one frame or in segments.
   Reply read(std::uint16_t index, std::uint8_t sub);
   Reply write(std::uint16_t index, std::uint8_t sub, std::span<const std::uint8_t> value);
   /// `bytes` of a number.
+  /// Expedited where it has 1 to 4 bytes, else in segments with its size.
   Reply write(std::uint16_t index, std::uint8_t sub, std::uint64_t number, std::size_t bytes);
   /// The same, and restore() writes back what was there.
   Reply set(std::uint16_t index, std::uint8_t sub, std::uint64_t number, std::size_t bytes);
@@ -101,6 +115,7 @@ class Bench {
 
   /// Writes back what set() has changed, the last first. What could not be is told by unrestored().
   void restore();
+  /// `1017h:00h` each; empty: all is as it was.
   const std::vector<std::string>& unrestored() const { return unrestored_; }
   /// Asks for the state by node guarding, or listens for a heartbeat.
   std::optional<NmtState> state();
@@ -110,6 +125,7 @@ class Bench {
 
   /// Frames since the last forget(), both ways: the last of them.
   const std::deque<Heard>& frames() const { return frames_; }
+  /// Of a case that begins.
   void forget() {
     frames_.clear();
     is_held_ = false;
@@ -121,8 +137,11 @@ class Bench {
   static constexpr std::size_t frames_max = 48;
   static constexpr std::size_t value_max = 100'000;
   struct Changed {
+    /// Of what was written.
     std::uint16_t index;
+    /// Of the same.
     std::uint8_t sub;
+    /// What was there.
     Bytes before;
   };
 

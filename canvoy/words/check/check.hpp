@@ -19,23 +19,31 @@ class KeptSettings;
 
 /// Who was tried.
 struct Identity {
+  /// 1 to 127.
   NodeId node = 0;
   std::optional<std::uint32_t> device_type = {};  ///< 1000h
   std::optional<std::uint32_t> vendor = {};       ///< 1018h:01h
+  /// 1018h:02h.
   std::optional<std::uint32_t> product = {};
+  /// 1018h:03h.
   std::optional<std::uint32_t> revision = {};
+  /// 1018h:04h.
   std::optional<std::uint32_t> serial = {};
   std::string name = {};  ///< 1008h
 };
 
+/// What came of a test.
 struct Report {
+  /// Who was tried.
   Identity device = {};
   TestCases cases = {};  ///< to which the results point
+  /// In the order of the cases.
   std::vector<TestResult> results = {};
   std::vector<std::string> notes = {};  ///< what could not be put back, and the like
   bool has_answered = false;            ///< false: nothing was tried
   bool is_whole = false;                ///< false: the bus broke, or somebody interrupted it
 
+  /// How many cases ended so.
   std::size_t count(Outcome outcome) const;
 };
 
@@ -46,6 +54,7 @@ class Check {
  public:
   Check(Line line, NodeId node, const BenchOptions& options);
   Check(const Check&) = delete;
+  /// Of the device with this node-ID; what `options` refers to must outlive this.
   Check& operator=(const Check&) = delete;
 
   /// Tries all of them, or those whose id begins with `only`; tells each as it ends. NMT commands

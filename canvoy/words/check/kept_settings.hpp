@@ -18,17 +18,22 @@ namespace canvoy::conformance {
 /// Parameters of SYNC, emergencies and error control, and of the first 32 PDOs of each direction.
 class KeptSettings {
  public:
+  /// Asks the device for all of them.
   void read(Bench& bench);
   /// Writes what is not as it was, and nothing else: a PDO while it is invalid (CiA 301, 7.5.2.36).
   std::vector<std::string> put_back(Bench& bench);
 
  private:
   struct Setting {
+    /// Of an entry.
     std::uint16_t index;
+    /// Of the same.
     std::uint8_t sub;
+    /// Before the test.
     Bytes value;
   };
   struct Pdo {
+    /// Sub-index 01h.
     Setting cob_id;
     std::vector<Setting> parameters;  ///< from sub-index 02h on
     std::vector<Setting> mapping;     ///< from sub-index 00h on

@@ -14,7 +14,9 @@ namespace canvoy::conformance {
 
 /// A frame, and when it was on the bus.
 struct Heard {
+  /// Of the clock of the line.
   Time time{};
+  /// As it was on the bus.
   Frame frame{};
 };
 
@@ -25,6 +27,7 @@ struct Line {
   /// The next frame of somebody else, in their order; nothing where `until` comes first. Then it is
   /// `until`, or somebody has interrupted the test.
   std::function<std::optional<Heard>(Time until)> next;
+  /// The clock that `until` is of.
   std::function<Time()> now;
   /// Whether the test is to end early; may be empty.
   std::function<bool()> is_interrupted = {};

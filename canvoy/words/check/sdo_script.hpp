@@ -17,6 +17,7 @@ Verdict judge_script(Bench& bench, std::string_view script, std::uint16_t value)
 
 /// What a script sends, or expects, for a list of cases.
 std::string sent_of(std::string_view script);
+/// The answers of it.
 std::string expected_of(std::string_view script);
 
 }  // namespace canvoy::conformance

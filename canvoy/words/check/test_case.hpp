@@ -31,26 +31,32 @@ enum class Group : std::uint8_t {
   store,
   profile
 };
+/// How many there are.
 inline constexpr std::size_t group_count = 11;
 /// `SDO`, `heartbeat`
 std::string_view group_name(Group group);
 
 enum class Outcome : std::uint8_t { passed, failed, not_applicable };
 /// `PASS`, `FAIL`, `n/a`
+/// How a case ends.
 std::string_view outcome_name(Outcome outcome);
 
 /// What a case has found.
 struct Verdict {
+  /// How it ended.
   Outcome outcome = Outcome::passed;
   std::string why = {};  ///< what came in place of what was expected, or why it does not apply
 };
+/// As the clause wants it.
 inline Verdict passed() {
   return {};
 }
 inline Verdict failed(std::string why) {
+  /// What came in place of it.
   return {Outcome::failed, std::move(why)};
 }
 inline Verdict not_applicable(std::string why) {
+  /// Why it says nothing of this device.
   return {Outcome::not_applicable, std::move(why)};
 }
 
