@@ -40,21 +40,21 @@ constexpr const char* all_but_presence =
 const RealCase real_cases[] = {
     {computer_id, units<MainOnBoardComputerKind>, all_but_presence},
     {identification_id, units<IdentificationKind>,
-     "next_stop destination information lie announcements tickets pdo_tables service second_car "
-     "second_announcements "},
+     "next_stop destination information lie texts announcements tickets pdo_tables service "
+     "second_car second_announcements "},
     {front_display_id, units<TextDisplay<InformationClass::destination>>, ""},
-    {next_stop_id, units<TextDisplay<InformationClass::next_stop>>, "next_stop stop_sign "},
+    {next_stop_id, units<TextDisplay<InformationClass::next_stop>>, "next_stop texts stop_sign "},
     {canceller_id, units<TicketCancellerKind>, ""},
     {printer_id, units<TicketPrinterKind>, ""},
-    {information_id, units<TextDisplay<InformationClass::information>>, "information texts "},
+    {information_id, units<TextDisplay<InformationClass::information>>, "information "},
     {announcer_id, units<AcousticAnnouncerKind>, "announcements "},
     {side_display_id, units<TextDisplay<InformationClass::destination>>, ""},
     {vehicle_gateway_id, units<VehicleGatewayKind>,
-     "stop_sign passengers service second_stop_sign false_stop_sign "},
+     "stop_sign passengers service second_stop_sign false_stop_sign early_departure left_behind "},
     {tachograph_id, units<TachographKind>, ""},
     {driver_display_id, units<DriverDisplayKind>, ""},
     {positioning_id, units<PositioningKind, TimeFixingKind>,
-     "next_stop lie announcements tickets clock pdo_tables service second_car "
+     "next_stop lie texts announcements tickets clock pdo_tables service second_car "
      "second_announcements "},
     {first_counter_id, units<PassengerCounterKind>, "passengers "},
     {counting_manager_id, units<CountingManagerKind>, "passengers "},

@@ -29,8 +29,8 @@ using CharacterSets = std::span<const std::uint16_t>;
 class DisplayServer {
  public:
   struct Display {
-    NodeId node = 0;
-    DisplayUse use = DisplayUse::destination;
+    NodeId node = 0;                           ///< its node-ID
+    DisplayUse use = DisplayUse::destination;  ///< what it is for
   };
 
   /// Both must outlive this; nobody else uses `texts`.

@@ -104,7 +104,8 @@ InvariantSet unknown_without(std::span<const NodeId> real) {
   };
   if (!is_played(computer_id)) {  // whose line it is, only it knows
     set.set();
-    set.reset(static_cast<std::size_t>(Kind::device_missing));
+    set &= ~set_of(
+        {Kind::device_missing, Kind::early_departure, Kind::left_behind, Kind::overcrowded});
   }
   without({identification_id}, {Kind::next_stop, Kind::destination, Kind::information, Kind::lie,
                                 Kind::announcements, Kind::tickets, Kind::pdo_tables, Kind::service,
@@ -116,7 +117,7 @@ InvariantSet unknown_without(std::span<const NodeId> real) {
   without({front_display_id, side_display_id}, {Kind::destination});
   without({next_stop_id}, {Kind::next_stop, Kind::stop_sign});
   without({next_stop_id, information_id}, {Kind::second_stop_sign});
-  without({information_id}, {Kind::information, Kind::texts});
+  without({information_id}, {Kind::information});
   without({canceller_id, printer_id}, {Kind::tickets});
   without({announcer_id}, {Kind::announcements});
   // It may lead the vehicle, and stand.

@@ -74,7 +74,10 @@ async function byHttp() {
   const bus = spawn(COMMAND, [...LINE, '--speed', '60', '--gtfs-rt', '127.0.0.1:0'], {stdio: ['ignore', 'ignore', 'pipe']});
   const told = await new Promise((resolve) => bus.stderr.once('data', resolve));
   const [url] = String(told).match(/http:\S+/);
-  const first = check(await ask(url));
+  // Before anything was heard of the bus there is no vehicle.
+  let message = await ask(url);
+  for (const end = Date.now() + 60000; message.entity.length < 2 && Date.now() < end;) message = await ask(url);
+  const first = check(message);
   let later = first;
   for (const end = Date.now() + 60000; later < first + 60 && Date.now() < end;) {
     later = check(await ask(`${url}gtfs-realtime/vehicle-positions`));
