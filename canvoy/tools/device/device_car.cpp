@@ -96,9 +96,11 @@ void DeviceCar::step(Time now) {
   driven_until_ = now;
 }
 
-void DeviceCar::drive(double kilometres_per_hour) {
+bool DeviceCar::drive(double kilometres_per_hour) {
+  if (record_) return false;
   wanted_ = kilometres_per_hour * kmh;
   is_going_ = false;
+  return true;
 }
 
 /// Where something is missing, the car stands, or comes to a stand, until it is there.
@@ -193,22 +195,22 @@ void DeviceCar::sense_gps(const std::string& what,
   gps_changes_[what] = std::move(change);
 }
 
-void DeviceCar::set_clock(Duration time) {
-  clock_offset_ = time - since_1970();
+void DeviceCar::set_clock(CarClock clock, Duration time) {
+  clock_offsets_.at(static_cast<std::size_t>(clock)) = time - since_1970();
 }
 
-Duration DeviceCar::now_utc() const {
-  return since_1970() + clock_offset_;
+Duration DeviceCar::now_utc(CarClock clock) const {
+  return since_1970() + clock_offsets_.at(static_cast<std::size_t>(clock));
 }
 
 cia447::LocalTime DeviceCar::local_time() const {
-  return {.seconds = std::chrono::floor<std::chrono::seconds>(now_utc()).count()};
+  return {.seconds = std::chrono::floor<std::chrono::seconds>(now_utc(CarClock::meter)).count()};
 }
 
 cia447::GpsReading DeviceCar::receiver() const {
   cia447::GpsReading reading = drive_.receiver();
   if (record_) return reading;
-  const CivilTime now(std::chrono::floor<std::chrono::milliseconds>(now_utc()));
+  const CivilTime now(std::chrono::floor<std::chrono::milliseconds>(now_utc(CarClock::receiver)));
   const auto day = std::chrono::floor<std::chrono::days>(now);
   const std::chrono::year_month_day date(day);
   const std::chrono::hh_mm_ss time(now - day);
@@ -233,11 +235,11 @@ cia447::RealTimeClockHardware DeviceCar::clock() {
 }
 
 std::optional<cia447::ChipTime> DeviceCar::read_chip() {
-  return cia447::ChipTime{.since_1970 = now_utc(), .has_date = chip_has_date_};
+  return cia447::ChipTime{.since_1970 = now_utc(CarClock::chip), .has_date = chip_has_date_};
 }
 
 void DeviceCar::write_chip(const cia447::ChipTime& time) {
-  set_clock(time.since_1970);
+  set_clock(CarClock::chip, time.since_1970);
   chip_has_date_ = time.has_date;
 }
 

@@ -55,6 +55,10 @@ enum class CarSense : std::uint8_t {
 };
 inline constexpr std::size_t car_sense_count = 10;
 
+/// Each of its clocks shows what it was set to, else the time of this machine.
+enum class CarClock : std::uint8_t { receiver, meter, chip };
+inline constexpr std::size_t car_clock_count = 3;
+
 /// The devices of one process are in the same car. Where it has a gateway, somebody sits in it, who
 /// starts the engine when it is to drive.
 class DeviceCar {
@@ -83,15 +87,17 @@ class DeviceCar {
   // What hands do.
 
   /// From now on it drives so fast, in km/h up to kmh_max, as soon as all that it takes is there.
-  void drive(double kmh);
+  /// False: it drives as was recorded.
+  bool drive(double kilometres_per_hour);
   /// What a sensor says from now on, in the unit of CarHardware; nothing: it fails. Of speed and
   /// distance a number says that it works.
   void sense(CarSense sense, std::optional<double> value);
   /// Changes what the receiver says from now on, in place of what this one changed before.
   void sense_gps(const std::string& what, std::function<void(cia447::GpsReading&)> change);
   void set_vin(const std::string& vin) { vin_ = vin; }
-  /// Since 1970-01-01 UTC, from now on: that of the receiver and of the clock chip.
-  void set_clock(Duration since_1970);
+  /// Since 1970-01-01 UTC, from now on.
+  void set_clock(CarClock clock, Duration since_1970);
+  /// That of the meter.
   cia447::LocalTime local_time() const;
   /// Somebody has set a state of the gateway by hand: the driver leaves it so.
   void set_by_hand(const cia447::FieldPlace& status) { driver_.set_by_hand(status); }
@@ -109,7 +115,7 @@ class DeviceCar {
   void plan(const std::string& text);
   void change_speed(double speed);
   void set_off();
-  Duration now_utc() const;
+  Duration now_utc(CarClock clock) const;
   std::optional<double> read(const Sensed& sensed, CarSense sense) const;
   std::string_view vin() { return vin_; }
   cia447::GpsReading sensed_reading();
@@ -138,7 +144,7 @@ class DeviceCar {
   std::array<Sensed, car_sense_count> senses_;
   std::map<std::string, std::function<void(cia447::GpsReading&)>> gps_changes_;
   std::string vin_;
-  Duration clock_offset_{};  ///< to the clock of this machine
+  std::array<Duration, car_clock_count> clock_offsets_{};  ///< to the clock of this machine
   bool chip_has_date_ = true;
 };
 

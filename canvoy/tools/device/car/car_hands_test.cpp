@@ -12,8 +12,13 @@
 
 #include "canvoy/devices/catalogue.hpp"
 #include "canvoy/devices/cia447/car_bench_test.hpp"
+#include "canvoy/devices/cia447/discrete_inputs/discrete_inputs_unit.hpp"
+#include "canvoy/devices/cia447/driver_identification/driver_identification_unit.hpp"
+#include "canvoy/devices/cia447/fire_extinguishing/fire_extinguishing_unit.hpp"
+#include "canvoy/devices/cia447/gps/gps_unit.hpp"
 #include "canvoy/devices/cia447/ivn_gateway/ivn_gateway_unit.hpp"
 #include "canvoy/devices/cia447/printer/printer_unit.hpp"
+#include "canvoy/devices/cia447/real_time_clock/real_time_clock_unit.hpp"
 #include "canvoy/devices/cia447/taximeter/taximeter_unit.hpp"
 #include "canvoy/devices/cia447/terminal/terminal_unit.hpp"
 #include "canvoy/profiles/cia447.hpp"
@@ -71,7 +76,9 @@ class Hosted {
     return bytes[0] | bytes[1] << 8U | bytes[2] << 16U | bytes[3] << 24U;
   }
   std::uint32_t read(const FieldPlace& place) {
-    return read(place.index, place.sub) >> place.first_bit & ((1ULL << place.bits) - 1);
+    return static_cast<std::uint32_t>(std::uint64_t{read(place.index, place.sub)} >>
+                                          place.first_bit &
+                                      ((std::uint64_t{1} << place.bits) - 1));
   }
   cia447::CarBench& bench() { return *bench_; }
 
@@ -216,6 +223,72 @@ TEST(CarHands, AKeyIsPressedFor300Milliseconds) {
   EXPECT_EQ(terminal.read(0x6082) & 0x1FU, 1u);
   terminal.pass(20ms);
   EXPECT_EQ(terminal.read(0x6082) & 0x1FU, 0u);
+}
+
+/// 4.2.8.1: two bits for each contact; the second is PTT. Bits 10 to 15 are reserved, and 1.
+TEST(CarHands, AContactIsActiveOrItsSensorFails) {
+  Hosted inputs(&cia447::car_unit<cia447::DiscreteInputsKind>);
+  inputs.pass(10ms);
+  EXPECT_EQ(inputs.read(0x6078), 0xFC00u);
+  inputs.take("ptt-di=input-active@20ms");
+  inputs.take("beacon-sdi=failure@20ms");
+  inputs.pass(20ms);
+  EXPECT_EQ(inputs.read(0x6078), 0xFE04u) << "PTT 01b, beacon 10b";
+}
+
+/// 4.2.5.1: what smoke sets off by itself is code 4; bits 4 to 7 are 1.
+TEST(CarHands, TheExtinguishersStart) {
+  Hosted fire(&cia447::car_unit<cia447::FireExtinguishingKind>);
+  fire.take("fire-extinguishing-system=automatic-started@4s");
+  fire.pass(3990ms);
+  EXPECT_EQ(fire.read(0x6069), 0xF1u) << "standby without limitation";
+  fire.pass(20ms);
+  EXPECT_EQ(fire.read(0x6069), 0xF4u);
+}
+
+/// 4.2.15.2: logged in, data valid, no failure: two bits each.
+TEST(CarHands, ADriverComesWithACardAndGoes) {
+  Hosted reader(&cia447::car_unit<cia447::DriverIdentificationKind>);
+  reader.take("card=4711:A. Driver@10ms");
+  reader.take("remove-card@100ms");
+  reader.take("unreadable-card@200ms");
+  reader.pass(20ms);
+  EXPECT_EQ(reader.read(0x60FA) & 0x3FU, 0x05u);
+  reader.pass(100ms);
+  EXPECT_EQ(reader.read(0x60FA) & 0x3FU, 0x00u);
+  reader.pass(100ms);
+  EXPECT_EQ(reader.read(0x60FA) & 0x3FU, 0x10u);
+  EXPECT_NE(complaint_about(&cia447::car_unit<cia447::DriverIdentificationKind>, "card=x@1s"), "");
+}
+
+/// 4.2.14.1: the date of the day that was set, also when the clock has looked at its chip, which it
+/// does each minute.
+TEST(CarHands, AClockThatIsSetStaysSet) {
+  Hosted clock(&cia447::car_unit<cia447::RealTimeClockKind>);
+  clock.take("time=2031-02-28T23:59:00@10ms");
+  clock.pass(20ms);
+  const std::uint32_t date = clock.read(0x60F0);
+  clock.take("time=2031-02-28T23:57:30@30ms");
+  clock.pass(62s);
+  EXPECT_EQ(clock.read(0x60F0), date);
+  EXPECT_EQ(
+      complaint_about(&cia447::car_unit<cia447::RealTimeClockKind>, "time=2031-02-29T00:00:00@1s"),
+      "'2031-02-29T00:00:00' is no time: write it as 2026-10-25T00:59:50");
+}
+
+/// 4.2.10.2: four bits for the visible satellites, four for the tracked ones.
+TEST(CarHands, AReceiverSaysWhatItIsTold) {
+  Hosted gps(&cia447::car_unit<cia447::GpsKind>);
+  gps.take("visible-satellites=9@10ms");
+  gps.take("tracked-satellites=5@10ms");
+  gps.pass(20ms);
+  EXPECT_EQ(gps.read(0x60B1), 0x59u);
+  gps.take("tracked-satellites=not-available@30ms");
+  gps.pass(20ms);
+  EXPECT_EQ(gps.read(0x60B1), 0xF9u);
+  gps.take("receiver=failure@50ms");
+  gps.pass(20ms);
+  EXPECT_EQ(gps.read(0x60B1), 0xEEu);
 }
 
 // -- the meter's keys (4.2.12)

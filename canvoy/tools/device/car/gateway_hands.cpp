@@ -64,8 +64,7 @@ CarHand speed_hand() {
           return true;
         }
         target.car->sense(CarSense::speed, 0);
-        target.car->drive(value.number);
-        return true;
+        return target.car->drive(value.number);
       });
   hand.words = {{"failure", 0, Meaning::failure}};
   hand.changes = {place_of(displayed_vehicle_speed), place_of(wheel_rpm)};

@@ -70,7 +70,7 @@ CarHand clock_hand() {
   return text<GpsUnit>("time", {whole(gps_date_object), whole(gps_utc_time_object)},
                        "2026-10-25T00:59:50", check_clock_text,
                        [](GpsUnit& unit, const HandValue& value, const HandTarget& target) {
-                         target.car->set_clock(parse_clock_text(value.text));
+                         target.car->set_clock(CarClock::receiver, parse_clock_text(value.text));
                          unit.hardware_changed();
                          return true;
                        });
@@ -92,12 +92,12 @@ CarHandTable table_of_rows() {
       reading_number<&Reading::heading>("heading", place_of(gps_heading),
                                         {0, 359.9, "degrees from north"}),
       reading_number<&Reading::visible_satellites>("visible-satellites",
-                                                   place_of(gps_satellites_visible), {0, 99}),
+                                                   place_of(gps_satellites_visible), {0, 13}),
       reading_number<&Reading::tracked_satellites>("tracked-satellites",
-                                                   place_of(gps_satellites_tracked), {0, 99}),
-      reading_number<&Reading::vdop>("vdop", place_of(gps_status_vdop), {0, 25}),
-      reading_number<&Reading::hdop>("hdop", place_of(gps_status_hdop), {0, 25}),
-      reading_number<&Reading::pdop>("pdop", place_of(gps_status_pdop), {0, 25}),
+                                                   place_of(gps_satellites_tracked), {0, 13}),
+      reading_number<&Reading::vdop>("vdop", place_of(gps_status_vdop), {0, 80}),
+      reading_number<&Reading::hdop>("hdop", place_of(gps_status_hdop), {0, 80}),
+      reading_number<&Reading::pdop>("pdop", place_of(gps_status_pdop), {0, 80}),
       clock_hand()};
   return table;
 }

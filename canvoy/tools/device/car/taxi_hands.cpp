@@ -105,7 +105,7 @@ std::vector<CarHand> meter_trip() {
           text<Meter>("clock", {whole(taxi_trip_time_information_object, 3)}, "2026-10-25T00:59:50",
                       check_clock_text,
                       [](Meter& /*meter*/, const HandValue& value, const HandTarget& target) {
-                        target.car->set_clock(parse_clock_text(value.text));
+                        target.car->set_clock(CarClock::meter, parse_clock_text(value.text));
                         return true;
                       })};
 }
