@@ -10,7 +10,7 @@ CASES ?= 20000
 SETS ?= 1000
 SEED ?= 1
 
-.PHONY: build dist release-check demo docs test check test-all tidy bench bench-page fuzz properties response-times mutate mutate-all format install clean
+.PHONY: build dist release-check demo docs test check test-all tidy bench bench-page fuzz api properties response-times mutate mutate-all format install clean
 
 # The command, at build/canvoy.
 build:
@@ -75,6 +75,12 @@ fuzz:
 	@cmake --preset fuzz --log-level=WARNING -DCANVOY_FUZZ_SECONDS=$(FUZZ_SECONDS) -DCANVOY_FUZZ_SEED=0
 	@cmake --build --preset fuzz -j $(JOBS)
 	@ctest --test-dir build/fuzz -j $(JOBS) --verbose
+
+# The page's API against its description, in so many cases of each operation.
+api: CASES = 1000
+api: build
+	@scripts/install-packages test
+	@CANVOY=build/canvoy tests/web/api_test.py $(CASES) $(SEED)
 
 # Properties in CASES cases by chance; the tests have the same hundred of them each time.
 properties:

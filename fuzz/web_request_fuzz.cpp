@@ -7,9 +7,10 @@
 #include <string>
 #include <string_view>
 
-#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/live/api_routes.hpp"
 #include "canvoy/tools/live/live_network.hpp"
 #include "canvoy/tools/live/live_viewer.hpp"
+#include "canvoy/tools/live/refusal.hpp"
 #include "canvoy/tools/live/write_permission.hpp"
 #include "canvoy/web/access.hpp"
 #include "canvoy/web/request_target.hpp"
@@ -44,8 +45,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   if (const auto target = web::parse_target(text)) {
     if (!target->path.starts_with('/')) std::abort();
-    for (const std::string_view segment : target->segments()) {
-      if (segment.empty() || segment == "..") std::abort();
+    if (target->path.find("/../") != std::string::npos) std::abort();
+    const tools::ApiMatch match = tools::find_route("POST", target->path);
+    try {
+      if (match.route != nullptr)
+        static_cast<void>(tools::arguments_of(match, target->query, text));
+    } catch (const tools::NotAsDescribed&) {
     }
   }
   if (web::cookie_of(text, "a").size() > size) std::abort();

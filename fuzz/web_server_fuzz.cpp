@@ -40,12 +40,17 @@ class Application : public web::WebApplication {
 
   static constexpr std::size_t body_max = 1024;
 
+  std::string methods(std::string_view path) const override {
+    return path.starts_with("/api") ? "GET, HEAD, POST" : "";
+  }
   void answer(const web::WebRequest& request, Answer done) override {
     require(request.target.path.starts_with("/api"));
     require(request.body.size() <= body_max);
     done({.body = request.body});
   }
-  std::unique_ptr<web::LiveClient> connect() override { return std::make_unique<Live>(*this); }
+  std::unique_ptr<web::LiveClient> connect(const web::RequestTarget&) override {
+    return std::make_unique<Live>(*this);
+  }
 
   int live = 0;
 };

@@ -21,7 +21,6 @@ CANVOY_PAGE_FILE(canvoy_page_html, "index.html")
 CANVOY_PAGE_FILE(canvoy_page_script, "page.js")
 CANVOY_PAGE_FILE(canvoy_page_style, "page.css")
 CANVOY_PAGE_FILE(canvoy_page_icon, "icon.svg")
-CANVOY_PAGE_FILE(canvoy_page_openapi, "openapi.json")
 CANVOY_PAGE_FILE(canvoy_report_html, "report.html")
 CANVOY_PAGE_FILE(canvoy_report_script, "report.js")
 
@@ -75,8 +74,6 @@ std::span<const PageFile> page_files() {
       page_file("/page.css", "text/css; charset=utf-8",
                 between(canvoy_page_style, canvoy_page_style_end)),
       page_file("/icon.svg", "image/svg+xml", between(canvoy_page_icon, canvoy_page_icon_end)),
-      page_file("/openapi.json", "application/json",
-                between(canvoy_page_openapi, canvoy_page_openapi_end)),
   };
   return files;
 }

@@ -25,6 +25,15 @@ bool is_socket_key(std::string_view text) {
          last_digits.find(text[digits - 1]) != std::string_view::npos;
 }
 
+bool is_json(std::string_view type) {
+  constexpr std::string_view json = "application/json";
+  type = type.substr(0, type.find_first_of("; \t"));
+  const auto lower = [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  };
+  return std::ranges::equal(type, json, {}, lower);
+}
+
 bool accepts_gzip(std::string_view accepted) {
   while (!accepted.empty()) {
     std::string_view each = accepted.substr(0, accepted.find(','));

@@ -25,6 +25,9 @@ std::string_view fault_of(const HeadCounts& counts);
 /// Whether it is 16 bytes in base64, as Sec-WebSocket-Key has to be (RFC 6455, 4.2.1).
 bool is_socket_key(std::string_view text);
 
+/// Whether Content-Type is application/json, with any parameters (RFC 9110, 8.3.1).
+bool is_json(std::string_view type);
+
 /// Whether Accept-Encoding has gzip, with any weight but 0 (RFC 9110, 12.5.3).
 bool accepts_gzip(std::string_view accepted);
 

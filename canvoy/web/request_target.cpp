@@ -50,16 +50,6 @@ std::optional<std::string_view> RequestTarget::value(std::string_view name) cons
   return found->second;
 }
 
-std::vector<std::string_view> RequestTarget::segments() const {
-  std::vector<std::string_view> all;
-  std::string_view rest = path;
-  while (!rest.empty()) {
-    const std::string_view segment = take_until(rest, '/');
-    if (!segment.empty()) all.push_back(segment);
-  }
-  return all;
-}
-
 std::optional<std::string> percent_decoded(std::string_view text, bool is_form) {
   std::string decoded;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -21,8 +21,6 @@ struct RequestTarget {
 
   /// The first of this name.
   std::optional<std::string_view> value(std::string_view name) const;
-  /// The path without its slashes: `api`, `objects`.
-  std::vector<std::string_view> segments() const;
 };
 
 inline constexpr std::size_t target_length_max = 4096;

@@ -22,6 +22,7 @@
 #include "canvoy/can/must_hold.hpp"
 #include "canvoy/gateway/tcp_listener.hpp"
 #include "canvoy/web/access.hpp"
+#include "canvoy/web/http_date.hpp"
 #include "canvoy/web/page_files.hpp"
 #include "canvoy/web/request_head.hpp"
 
@@ -182,6 +183,12 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
     hub_.turn_soon();
   }
   bool is_late() const { return hub_.loop_.now() >= deadline_; }
+  /// Who has asked is told that there is no answer, and is let go then, so that what comes late is
+  /// not taken for the answer to something else; anybody else is let go at once.
+  void time_out() {
+    if (!std::exchange(is_awaited_, false)) return end();
+    respond_last(told(504, "there was no answer in time"));
+  }
   void rewatch() {
     const host::Readiness wanted{.readable = is_reading_, .writable = is_writing_};
     if (is_over_ || wanted == wanted_) return;
@@ -231,7 +238,8 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
                   .authorizations = head.count(http::field::authorization)});
     if (!fault.empty()) return respond_last(told(400, fault));
     const boost::beast::string_view expected = head[http::field::expect];
-    if (expected.empty() || parser_->is_done()) return read_body();
+    // What HTTP/1.0 expects is not heeded (RFC 9110, 10.1.1).
+    if (expected.empty() || head.version() < 11 || parser_->is_done()) return read_body();
     if (!boost::beast::iequals(expected, "100-continue")) {
       return respond_last(told(417, "nothing but 100-continue can be expected"));
     }
@@ -257,11 +265,14 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
     if (failed) return cannot_read(failed);
     request_ = parser_->release();
     is_last_ = !request_.keep_alive();
+    if (request_.target().size() > target_length_max) {
+      return respond(told(414, "the target of the request is too long"));
+    }
     const std::optional<RequestTarget> target = parse_target(view_of(request_.target()));
     if (!target) return respond(told(400, "this target is none"));
     const std::string_view refusal = refusal_of(*target);
     if (!refusal.empty()) return respond(told(403, refusal));
-    if (target->path == live_path) return upgrade();
+    if (target->path == live_path) return upgrade(*target);
     serve(*target);
   }
 
@@ -298,25 +309,38 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
   void serve(const RequestTarget& target) {
     const bool reads =
         request_.method() == http::verb::get || request_.method() == http::verb::head;
-    const bool is_api = target.path == "/api" || target.path.starts_with("/api/");
-    if (!is_api) {
-      if (!reads) return respond(told(405, "the page is only read"));
-      const PageFile* const file = find_page_file(target.path);
-      if (file == nullptr) return respond(told(404, "there is no such page"));
-      return respond(*file);
-    }
+    const PageFile* const file = find_page_file(target.path);
+    const std::string methods =
+        file != nullptr ? "GET, HEAD" : hub_.application_.methods(target.path);
+    if (methods.empty()) return respond(told(404, "there is nothing of this name"));
     const bool writes = request_.method() == http::verb::post;
-    if (!reads && !writes) return respond(told(405, "GET and POST only"));
-    const std::string_view type = view_of(request_[http::field::content_type]);
-    if (writes && !type.starts_with("application/json")) {
+    const bool can_read = methods.starts_with("GET");
+    const bool can_write = methods.ends_with("POST");
+    if (!(reads && can_read) && !(writes && can_write)) return refuse_method(methods);
+    if (file != nullptr) return respond(*file);
+    if (writes && !is_json(view_of(request_[http::field::content_type]))) {
       return respond(told(415, "a POST has to have application/json"));
     }
+    is_awaited_ = true;
     deadline_ = hub_.loop_.now() + hub_.limits_.idle_time_out;
     hub_.application_.answer(
         {.method = writes ? "POST" : "GET", .target = target, .body = request_.body()},
         [weak = weak_from_this()](const WebResponse& response) {
-          if (const auto self = weak.lock()) self->respond(response);
+          if (const auto self = weak.lock()) self->respond_awaited(response);
         });
+  }
+
+  void refuse_method(const std::string& methods) {
+    const WebResponse answer = told(405, "this is not done with this method");
+    begin_response(answer.status, answer.type);
+    response_.set(http::field::allow, methods);
+    response_.body() = answer.body;
+    send_response();
+  }
+
+  /// The answer of the application: nobody waits for a second one.
+  void respond_awaited(const WebResponse& answer) {
+    if (std::exchange(is_awaited_, false)) respond(answer);
   }
 
   /// A file of the page: compressed where the client takes that, and not sent to whom has it.
@@ -348,12 +372,12 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
 
   void begin_response(unsigned status, std::string_view type) {
     response_ = HttpResponse(http::int_to_status(status), 11);
+    response_.set(http::field::date, http_date());
     response_.set(http::field::content_type, std::string(type));
     response_.set(http::field::cache_control, "no-store");
     response_.set("X-Content-Type-Options", "nosniff");
     response_.set("Referrer-Policy", "no-referrer");
     response_.set("Content-Security-Policy", content_policy);
-    if (status == 405) response_.set(http::field::allow, "GET, HEAD, POST");
     if (gives_cookie_ && status < 400) {
       response_.set(http::field::set_cookie, fmt::format("{}={}; HttpOnly; SameSite=Strict; Path=/",
                                                          cookie_name(), hub_.rules_.token));
@@ -362,7 +386,14 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
 
   void send_response() {
     response_.keep_alive(!is_last_);
+    if (response_.result() == http::status::upgrade_required) {
+      response_.set(http::field::connection, is_last_ ? "Upgrade, close" : "Upgrade");
+    }
     response_.prepare_payload();
+    // A length would be that of what is known already (RFC 9110, 8.6).
+    if (response_.result() == http::status::not_modified) {
+      response_.erase(http::field::content_length);
+    }
     if (request_.method() == http::verb::head) response_.body().clear();
     is_writing_ = true;
     deadline_ = hub_.loop_.now() + hub_.limits_.message_time_out;
@@ -399,14 +430,14 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
 
   // WebSocket
 
-  void upgrade() {
-    if (!websocket::is_upgrade(request_)) return respond(told(426, "this is a WebSocket"));
+  void upgrade(const RequestTarget& target) {
+    if (!websocket::is_upgrade(request_)) return refuse_upgrade();
     if (!is_socket_key(view_of(request_[http::field::sec_websocket_key]))) {
       return respond(told(400, "Sec-WebSocket-Key is 16 bytes in base64"));
     }
     hub_.make_live_room();
     heard_at_ = hub_.loop_.now();
-    client_ = hub_.application_.connect();
+    client_ = hub_.application_.connect(target);
     stream_.emplace(std::move(socket_));
     stream_->read_message_max(hub_.limits_.body_max);
     stream_->text(true);
@@ -422,6 +453,15 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
     stream_->async_accept(request_, [self = shared_from_this()](const Failed& failed) {
       self->has_upgraded(failed);
     });
+  }
+
+  /// RFC 9110, 15.5.22: an answer of this status says to what.
+  void refuse_upgrade() {
+    const WebResponse answer = told(426, "this is a WebSocket");
+    begin_response(answer.status, answer.type);
+    response_.set(http::field::upgrade, "websocket");
+    response_.body() = answer.body;
+    send_response();
   }
 
   void has_upgraded(const Failed& failed) {
@@ -501,6 +541,7 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
   bool is_writing_ = false;
   bool is_last_ = false;  ///< this answer
   bool gives_cookie_ = false;
+  bool is_awaited_ = false;  ///< the application has not answered yet
   bool is_over_ = false;
 };
 
@@ -601,7 +642,7 @@ void WebServer::Hub::offer() {
 
 void WebServer::Hub::sweep() {
   for (const auto& connection : connections_) {
-    if (connection->is_late()) connection->end();
+    if (connection->is_late()) connection->time_out();
   }
   turn();
   if (!connections_.empty()) sweep_later();

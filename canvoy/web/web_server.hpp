@@ -24,7 +24,7 @@ namespace canvoy::web {
 
 /// A request for something other than the page.
 struct WebRequest {
-  std::string method;  ///< `GET`, `POST`
+  std::string method;  ///< `GET`, also of HEAD; `POST`
   RequestTarget target;
   std::string body;
 };
@@ -61,10 +61,14 @@ class WebApplication {
   WebApplication(const WebApplication&) = delete;
   WebApplication& operator=(const WebApplication&) = delete;
 
-  /// Of each path below /api. It answers once, at once or later; later than the client waits does
-  /// no harm.
+  /// What can be done with a path that is none of the page's, as Allow has it (RFC 9110, 10.2.1):
+  /// `GET, HEAD`, `POST`, or both; empty: there is nothing there.
+  virtual std::string methods(std::string_view path) const = 0;
+  /// A request that fits methods(). It answers once, at once or later; later than the client waits
+  /// does no harm.
   virtual void answer(const WebRequest& request, Answer done) = 0;
-  virtual std::unique_ptr<LiveClient> connect() = 0;
+  /// `target` is that of the WebSocket: what its query has is the application's.
+  virtual std::unique_ptr<LiveClient> connect(const RequestTarget& target) = 0;
 };
 
 /// What all clients together may take.

@@ -38,6 +38,11 @@ class Application : public WebApplication {
     Application& application_;
   };
 
+  std::string methods(std::string_view path) const override {
+    if (path == "/api/get") return "GET, HEAD";
+    if (path == "/api/post") return "POST";
+    return path.starts_with("/api/") ? "GET, HEAD, POST" : "";
+  }
   void answer(const WebRequest& request, Answer done) override {
     if (on_request) on_request();
     if (request.target.path == "/api/later") {
@@ -47,7 +52,9 @@ class Application : public WebApplication {
                     std::string(answer_size, 'x')});
     }
   }
-  std::unique_ptr<LiveClient> connect() override { return std::make_unique<Live>(*this); }
+  std::unique_ptr<LiveClient> connect(const RequestTarget&) override {
+    return std::make_unique<Live>(*this);
+  }
 
   std::string message = "{}";
   bool is_behind = false;
@@ -188,6 +195,34 @@ TEST_F(WebServerTest, AnAnswerMayComeLaterOrWhenNobodyWaitsAnyMore) {
   play([] {});
   if (application_.later) application_.later({.body = "nobody"});
   play([] {});
+}
+
+TEST_F(WebServerTest, WhoWaitsTooLongIsTold) {
+  serve({.idle_time_out = 200ms});
+  std::string all;
+  play([&] {
+    Client client(*server_);
+    client.say(request("GET /api/later", "\r\n") + request("GET /api/a", "\r\n"));
+    all = client.heard();
+  });
+  EXPECT_TRUE(all.starts_with("HTTP/1.1 504 ")) << all;
+  EXPECT_FALSE(has(all, "GET /api/a ")) << "a late answer would be taken for this one's";
+  ASSERT_TRUE(application_.later);
+  application_.later({.body = "late"});
+}
+
+// RFC 9110, 10.2.1 and 15.5.6
+TEST_F(WebServerTest, MethodsAreThoseOfTheApplication) {
+  serve();
+  const std::string json = "Content-Type: application/json\r\nContent-Length: 2\r\n";
+  const std::string body = json + "Connection: close\r\n\r\n{}";
+  EXPECT_TRUE(has(answer(request("POST /api/post", body)), "HTTP/1.1 200 "));
+  EXPECT_TRUE(has(answer(request("GET /api/post")), "HTTP/1.1 405 "));
+  EXPECT_TRUE(has(answer(request("GET /api/post")), "Allow: POST\r\n"));
+  EXPECT_TRUE(has(answer(request("HEAD /api/get")), "HTTP/1.1 200 "));
+  EXPECT_TRUE(has(answer(request("POST /api/get", body)), "Allow: GET, HEAD\r\n"));
+  EXPECT_TRUE(has(answer(request("PUT /page.js", body)), "Allow: GET, HEAD\r\n"));
+  EXPECT_TRUE(has(answer(request("POST /nothing", body)), "HTTP/1.1 404 "));
 }
 
 // RFC 6455, 1.3: the key of its example, and what is to be answered to it.

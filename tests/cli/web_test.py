@@ -79,14 +79,14 @@ def raw(port, data, seconds=10):
 class WebSocket:
     """RFC 6455, as far as a test takes it."""
 
-    def __init__(self, port, host=None, origin=None, buffer=None):
+    def __init__(self, port, host=None, origin=None, buffer=None, target="/live"):
         self.sock = socket.socket()
         if buffer:
             self.sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, buffer)
         self.sock.settimeout(PATIENCE)
         self.sock.connect(("127.0.0.1", port))
         key = base64.b64encode(os.urandom(16))
-        head = f"GET /live HTTP/1.1\r\nHost: {host or f'127.0.0.1:{port}'}\r\nAuthorization: Bearer {TOKEN}\r\n"
+        head = f"GET {target} HTTP/1.1\r\nHost: {host or f'127.0.0.1:{port}'}\r\nAuthorization: Bearer {TOKEN}\r\n"
         head += f"Origin: {origin}\r\n" if origin else ""
         head += "Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
         self.sock.sendall(head.encode() + b"Sec-WebSocket-Key: " + key + b"\r\n\r\n")
@@ -213,7 +213,12 @@ class WebTest(CommandTest):
             (b"GET /api/events?since=-1 HTTP/1.1\r\n" + host + b"\r\n", b"400"),
             (b"GET /api/networks/lift1/nodes/1.0/objects HTTP/1.1\r\n" + host + b"\r\n", b"400"),
             (b"GET /api/networks/lift1/nodes/128/objects HTTP/1.1\r\n" + host + b"\r\n", b"400"),
+            (b"GET /api/events?until=1 HTTP/1.1\r\n" + host + b"\r\n", b"400"),
+            (b"GET /api/nothing HTTP/1.1\r\n" + host + b"\r\n", b"404"),
+            (b"GET /api/state/ HTTP/1.1\r\n" + host + b"\r\n", b"404"),
+            (b"GET /api/networks/no/nodes/1/objects HTTP/1.1\r\n" + host + b"\r\n", b"404"),
             (b"DELETE /api/state HTTP/1.1\r\n" + host + b"\r\n", b"405"),
+            (b"GET /" + b"a" * 5000 + b" HTTP/1.1\r\n" + host + b"\r\n", b"414"),
             (b"GET / HTTP/1.1\r\n" + b"A: " + b"a" * 20000 + b"\r\n\r\n", b"431"),
             (b"POST /api/run/pause HTTP/1.1\r\n" + host + b"Content-Length: 999999999\r\n\r\n", b"413"),
         ):
@@ -231,6 +236,23 @@ class WebTest(CommandTest):
         second = client.hear()
         self.assertNotIn("state", second)
         self.assertGreater(second["change"]["time"], first["state"]["time"])
+
+    def test_values_come_to_whom_wants_them(self):
+        every = WebSocket(self.port).hear()
+        self.assertTrue(every["values"], "there is something to leave out")
+        client = WebSocket(self.port, target="/live?values=off")
+        self.assertNotIn("values", client.hear())
+        client.say('{"id":1,"do":"values","on":true}')
+        heard = {}
+        while "answers" not in heard:
+            heard = client.hear()
+        told = heard.get("values") or client.hear()["values"]
+        self.assertLessEqual(set(every["values"]), set(told), "also those of before")
+        client.say('{"id":2,"do":"values","on":false}')
+        while not any(each["id"] == 2 for each in client.hear().get("answers", [])):
+            continue
+        for _ in range(10):
+            self.assertNotIn("values", client.hear())
 
     def test_bad_json_is_answered_or_passed_over(self):
         client = WebSocket(self.port)
@@ -318,7 +340,7 @@ class WebTest(CommandTest):
 
     def test_to_record_takes_leave(self):
         status, answer = post(self.port, "/api/run/record", {"on": True})
-        self.assertEqual(status, 400)
+        self.assertEqual(status, 403)
         self.assertIn("--allow-record", answer["error"])
 
     def test_nothing_is_written_without_leave(self):
@@ -350,7 +372,23 @@ class WebTest(CommandTest):
         for what, members in (("speed", {"speed": -1}), ("seek", {"time": -0.5}), ("step", {"step_s": -1})):
             status, answer = post(self.port, f"/api/run/{what}", members)
             self.assertEqual(status, 400, what)
-            self.assertIn("below 0", answer["error"])
+            self.assertIn("a number from 0 to 1000000", answer["error"])
+
+    def test_what_a_path_takes_stands_in_allow(self):
+        for method, path, allowed in (("DELETE", "/api/state", "GET, HEAD"), ("GET", "/api/run/pause", "POST"), ("OPTIONS", "/", "GET, HEAD"),
+                                      ("POST", "/openapi.json", "GET, HEAD"), ("PUT", "/api/networks/lift1/nodes/2/nmt", "POST")):  # fmt: skip
+            status, body, headers = get(self.port, path, method)
+            self.assertEqual((status, headers["Allow"]), (405, allowed), path)
+            self.assertIn("error", json.loads(body))
+
+    def test_what_cannot_be_now_and_what_makes_no_sense_are_told_apart(self):
+        post(self.port, "/api/run/pause", {"paused": True})
+        status, answer = read(self.port, "/api/networks/lift1/nodes/2/objects/1017")
+        self.assertEqual((status, "stands still" in answer["error"]), (409, True))
+        post(self.port, "/api/run/pause", {"paused": False})
+        self.assertEqual(post(self.port, "/api/run/fault", {"fault": "no-such", "duration_s": 1})[0], 422)
+        self.assertEqual(read(self.port, "/api/networks/lift1/nodes/2/objects/no-such")[0], 404)
+        self.assertEqual(read(self.port, "/api/networks/no/nodes/2/objects/1017")[0], 404)
 
     def test_a_token_by_chance_is_in_the_address_and_none_that_is_short(self):
         environment = {**os.environ, "CANVOY_WEB_TOKEN": "short"}
@@ -368,7 +406,7 @@ class RecordTest(CommandTest):
                 out.write("of yesterday")
             with served("run", "charger", "--web", "--speed", "20", "--allow-record", folder) as (_, port, _):
                 self.assertEqual(post(port, "/api/run/record", {"on": True})[0], 200)
-                self.assertEqual(post(port, "/api/run/record", {"on": True})[0], 400)
+                self.assertEqual(post(port, "/api/run/record", {"on": True})[0], 409)
                 end = time.monotonic() + PATIENCE
                 while json.loads(get(port, "/api/state")[1])["record"]["frames"] < 100 and time.monotonic() < end:
                     time.sleep(0.05)
@@ -400,7 +438,7 @@ class WriteTest(CommandTest):
             status, answer = post(port, path + "objects/1000", {"value": "5"})
             self.assertEqual((status, answer["abort"]), (502, "06010002"))
             status, answer = post(port, path + "objects/1017", {"value": "70000"})
-            self.assertEqual(status, 400)
+            self.assertEqual(status, 422)
             self.assertIn("out of range", answer["error"])
             status, _ = post(port, "/api/networks/lift1/nodes/4/objects/1017", {"value": "750"})
             self.assertEqual(status, 403)

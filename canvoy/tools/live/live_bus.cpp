@@ -9,6 +9,7 @@
 #include "canvoy/sim/duration_text.hpp"
 #include "canvoy/tools/bus/session.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/live/refusal.hpp"
 #include "canvoy/words/text.hpp"
 
 namespace canvoy::tools {
@@ -94,8 +95,7 @@ void LiveBus::act(std::string_view what, const Json& arguments, const Done& done
 }
 
 void LiveBus::request(const BusRequest& request, const SdoDesk::Done& done) {
-  if (request.bus != bus_->name())
-    throw UsageError(fmt::format("there is no bus '{}'", request.bus));
+  if (request.bus != bus_->name()) throw NotThere(fmt::format("there is no bus '{}'", request.bus));
   if (request.kind == BusRequest::Kind::nmt) {
     const Port port = attachment_.port();
     if (!port.send(port.context, Frame::data_frame(0x000, {request.bytes[0], request.node}))) {

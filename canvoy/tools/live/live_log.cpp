@@ -11,7 +11,7 @@
 #include "canvoy/formats/trace/trace.hpp"
 #include "canvoy/sim/duration_text.hpp"
 #include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/live/live_network.hpp"
+#include "canvoy/tools/live/refusal.hpp"
 #include "canvoy/tools/log/trace_complaints.hpp"
 
 namespace canvoy::tools {
@@ -171,16 +171,15 @@ void LiveLog::act(std::string_view what, const Json& arguments, const Done& done
   if (what == "pause") {
     playback_->set_paused(arguments.value("paused", true));
   } else if (what == "speed") {
-    playback_->set_speed(not_negative(arguments, "speed"));
+    playback_->set_speed(arguments.at("speed").get<double>());
     playback_->set_paused(false);
   } else if (what == "step" || what == "seek") {
     const bool is_step = what == "step";
-    const double seconds = not_negative(arguments, is_step ? "step_s" : "time");
-    if (!(std::abs(seconds) <= 1e9)) throw UsageError("give a time in seconds");
+    const double seconds = arguments.at(is_step ? "step_s" : "time").get<double>();
     const Time to = (is_step ? playback_->now() : Time{}) + Duration(std::llround(seconds * 1e6));
     if (is_step) playback_->set_paused(true);
     if (to < playback_->now()) {
-      if (stream_) throw UsageError("this log is played once, from its beginning to its end");
+      if (stream_) throw NotNow("this log is played once, from its beginning to its end");
       begin_again();
       playback_->restart(std::max(to, Time{}));
     } else {
@@ -192,7 +191,7 @@ void LiveLog::act(std::string_view what, const Json& arguments, const Done& done
     begin_again();
     playback_->restart(Time{});
   } else {
-    throw UsageError(fmt::format("'{}' cannot be done to a log", what));
+    throw NotNow(fmt::format("'{}' cannot be done to a log", what));
   }
   done({{"done", true}});
 }

@@ -2,13 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "canvoy/can/must_hold.hpp"
 #include "canvoy/canopen/nmt/nmt.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/live/object_list.hpp"
+#include "canvoy/tools/live/refusal.hpp"
 #include "canvoy/tools/place_json.hpp"
 #include "canvoy/tools/value_argument.hpp"
 #include "canvoy/words/json_line.hpp"
@@ -21,13 +23,8 @@ namespace {
 
 using Json = LiveSource::Json;
 
-NodeId node_in(const Json& arguments, bool may_be_all) {
-  const double number = number_argument(arguments, "node");
-  const bool is_all = may_be_all && number == 0;
-  if (number != std::floor(number) || (!is_all && (number < 1 || number > node_id_max))) {
-    throw UsageError("node: give a node-ID, 1 to 127");
-  }
-  return static_cast<NodeId>(number);
+NodeId node_in(const Json& arguments) {
+  return arguments.at("node").get<NodeId>();
 }
 
 NmtCommand nmt_command_of(std::string_view name) {
@@ -40,13 +37,9 @@ NmtCommand nmt_command_of(std::string_view name) {
       Named{"enter pre-operational", NmtCommand::enter_pre_operational},
       Named{"reset node", NmtCommand::reset_node},
       Named{"reset communication", NmtCommand::reset_communication}};
-  for (const Named& each : commands) {
-    if (each.name == name) return each.command;
-  }
-  throw UsageError(
-      fmt::format("'{}' is no NMT command: start, stop, enter pre-operational, reset node, reset "
-                  "communication",
-                  name));
+  const auto found = std::ranges::find(commands, name, &Named::name);
+  must_hold(found != commands.end());  // the table of routes has the same
+  return found->command;
 }
 
 /// The keys of canvoy read --json.
@@ -83,31 +76,16 @@ Json failure_json(NodeId node, const ObjectAddress& object, const SdoEnd& end) {
 
 LiveSource::Json LiveSource::objects(const Json& arguments) {
   const std::string bus = text_of(arguments, "bus");
-  const Profile& profile = feed_.profile(bus, node_in(arguments, true));
+  if (std::ranges::find(feed_.buses(), bus) == feed_.buses().end()) {
+    throw NotThere(fmt::format("there is no bus '{}'", bus));
+  }
+  const Profile& profile = feed_.profile(bus, node_in(arguments));
   return {{"profile", profile.name},
-          {"objects", object_list_json(profile, text_of(arguments, "search"))}};
+          {"objects", object_list_json(profile, arguments.value("search", ""))}};
 }
 
 std::string text_of(const Json& arguments, const char* name) {
-  const auto found = arguments.find(name);
-  if (found == arguments.end() || !found->is_string()) {
-    throw UsageError(fmt::format("{}: give a text", name));
-  }
-  return found->get<std::string>();
-}
-
-double number_argument(const Json& arguments, const char* name) {
-  const auto found = arguments.find(name);
-  if (found == arguments.end() || !found->is_number()) {
-    throw UsageError(fmt::format("{}: give a number", name));
-  }
-  return found->get<double>();
-}
-
-double not_negative(const Json& arguments, const char* name) {
-  const double number = number_argument(arguments, name);
-  if (number < 0) throw UsageError(fmt::format("{}: {} is below 0", name, number));
-  return number;
+  return arguments.at(name).get<std::string>();
 }
 
 void LiveNetwork::act(std::string_view what, const Json& arguments, const Done& done) {
@@ -123,13 +101,13 @@ void LiveNetwork::act(std::string_view what, const Json& arguments, const Done& 
     }
     return done({{"done", true}});
   }
-  throw UsageError(fmt::format("'{}' cannot be done here", what));
+  throw NotNow(fmt::format("'{}' cannot be done here", what));
 }
 
 ObjectAddress LiveNetwork::address_of(std::string_view bus, NodeId node, std::string_view text) {
   const std::optional<ObjectAddress> address = find_address(feed_.profile(bus, node), text);
   if (!address) {
-    throw UsageError(
+    throw NotThere(
         fmt::format("'{}' is no object that is known of node {}: give an index, as "
                     "6010 or 1018:4, or a name",
                     text, node));
@@ -139,7 +117,7 @@ ObjectAddress LiveNetwork::address_of(std::string_view bus, NodeId node, std::st
 
 void LiveNetwork::read(const Json& arguments, const Done& done) {
   const std::string bus = text_of(arguments, "bus");
-  const NodeId node = node_in(arguments, false);
+  const NodeId node = node_in(arguments);
   const ObjectAddress object = address_of(bus, node, text_of(arguments, "object"));
   request({.kind = BusRequest::Kind::read,
            .bus = bus,
@@ -154,7 +132,7 @@ void LiveNetwork::read(const Json& arguments, const Done& done) {
 
 void LiveNetwork::write(const Json& arguments, const Done& done) {
   const std::string bus = text_of(arguments, "bus");
-  const NodeId node = node_in(arguments, false);
+  const NodeId node = node_in(arguments);
   const ObjectAddress object = address_of(bus, node, text_of(arguments, "object"));
   if (!permission_.allows(node, object.index)) {
     throw NotAllowed(
@@ -186,7 +164,7 @@ void LiveNetwork::command(const Json& arguments, const Done& done) {
   const auto command = static_cast<std::uint8_t>(nmt_command_of(text_of(arguments, "command")));
   request({.kind = BusRequest::Kind::nmt,
            .bus = text_of(arguments, "bus"),
-           .node = node_in(arguments, true),
+           .node = node_in(arguments),
            .bytes = {command}},
           {});
   done({{"sent", true}});

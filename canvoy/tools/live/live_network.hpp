@@ -50,10 +50,7 @@ class LiveNetwork : public LiveSource {
   Recorder recorder_;
 };
 
-/// A member of a request. Throws UsageError where it is not there, or of another type.
+/// A text of a request that was checked.
 std::string text_of(const nlohmann::ordered_json& arguments, const char* name);
-double number_argument(const nlohmann::ordered_json& arguments, const char* name);
-/// The same, where it is not below 0.
-double not_negative(const nlohmann::ordered_json& arguments, const char* name);
 
 }  // namespace canvoy::tools

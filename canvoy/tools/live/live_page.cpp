@@ -3,26 +3,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "canvoy/can/frame_text.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/live/api_description.hpp"
 #include "canvoy/tools/live/live_viewer.hpp"
-#include "canvoy/tools/live/write_permission.hpp"
+#include "canvoy/tools/live/refusal.hpp"
 
 namespace canvoy::tools {
 
 namespace {
 
 using Json = LivePage::Json;
-using Segments = std::vector<std::string_view>;
+
+constexpr std::string_view description_path = "/openapi.json";
 
 web::WebResponse json_response(const Json& json, unsigned status = 200) {
   return {.status = status,
@@ -33,71 +31,12 @@ web::WebResponse refused(unsigned status, std::string_view why) {
   return json_response({{"error", why}}, status);
 }
 
-/// What somebody may ask the source for by HTTP.
-struct Asked {
-  std::string what;
-  Json arguments = Json::object();
-};
-
-/// The whole text as a decimal number.
-std::optional<std::uint64_t> whole_number(std::string_view text) {
-  std::uint64_t number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc{} || stop != end) return std::nullopt;
-  return number;
-}
-
-Json body_of(const web::WebRequest& request) {
-  Json body = Json::parse(request.body, nullptr, false);
-  if (!body.is_object()) throw UsageError("the body is no JSON object");
-  return body;
-}
-
-/// /api/networks/BUS/nodes/NODE/... To read an object is to send frames: a POST, as all that has an
-/// effect.
-std::optional<Asked> asked_of_node(const Segments& path, const web::WebRequest& request) {
-  if (path.size() < 6 || path[1] != "networks" || path[3] != "nodes") return std::nullopt;
-  const bool posts = request.method == "POST";
-  Asked asked;
-  if (posts) asked.arguments = body_of(request);
-  const std::optional<std::uint64_t> node = whole_number(path[4]);
-  if (!node || *node > node_id_max) {
-    throw UsageError(fmt::format("'{}' is no node-ID", path[4]));
-  }
-  asked.arguments["bus"] = path[2];
-  asked.arguments["node"] = *node;
-  if (path.size() == 6 && path[5] == "nmt" && posts) {
-    asked.what = "nmt";
-  } else if (path.size() == 6 && path[5] == "objects" && !posts) {
-    asked.what = "objects";
-    asked.arguments["search"] = request.target.value("search").value_or("");
-  } else if (path.size() == 7 && path[5] == "objects" && posts) {
-    asked.what = "write";
-    asked.arguments["object"] = path[6];
-  } else if (path.size() == 8 && path[5] == "objects" && path[7] == "read" && posts) {
-    asked.what = "read";
-    asked.arguments["object"] = path[6];
-  } else {
-    return std::nullopt;
-  }
-  return asked;
-}
-
-/// /api/run/WHAT
-std::optional<Asked> asked_of_run(const Segments& path, const web::WebRequest& request) {
-  if (path.size() != 3 || path[1] != "run" || request.method != "POST") return std::nullopt;
-  constexpr std::array all = {"pause", "speed", "step",    "seek",
-                              "fault", "visit", "restart", "record"};
-  if (std::ranges::find(all, path[2]) == all.end()) return std::nullopt;
-  return Asked{.what = std::string(path[2]), .arguments = body_of(request)};
-}
-
-std::uint64_t since(const web::WebRequest& request) {
-  const std::string_view text = request.target.value("since").value_or("0");
-  const std::optional<std::uint64_t> number = whole_number(text);
-  if (!number) throw UsageError(fmt::format("since: '{}' is no number of an event", text));
-  return *number;
+unsigned status_of(const Failure& failure) {
+  if (dynamic_cast<const NotAsDescribed*>(&failure) != nullptr) return 400;
+  if (dynamic_cast<const NotAllowed*>(&failure) != nullptr) return 403;
+  if (dynamic_cast<const NotThere*>(&failure) != nullptr) return 404;
+  if (dynamic_cast<const NotNow*>(&failure) != nullptr) return 409;
+  return failure.status() == exit_usage ? 422 : 502;
 }
 
 }  // namespace
@@ -109,69 +48,75 @@ void LivePage::look() {
   state_ = std::make_shared<const Json>(source_.state());
 }
 
-std::unique_ptr<web::LiveClient> LivePage::connect() {
+std::unique_ptr<web::LiveClient> LivePage::connect(const web::RequestTarget& target) {
   look();
-  return std::make_unique<LiveViewer>(source_, state_);
+  return std::make_unique<LiveViewer>(source_, state_, target.value("values") != "off");
+}
+
+std::string LivePage::methods(std::string_view path) const {
+  return path == description_path ? "GET, HEAD" : methods_of(path);
 }
 
 void LivePage::answer(const web::WebRequest& request, Answer done) {
+  if (request.target.path == description_path) return done(json_response(api_description()));
   try {
-    const Segments path = request.target.segments();
-    std::optional<Asked> asked = asked_of_node(path, request);
-    if (!asked) asked = asked_of_run(path, request);
-    if (!asked) return get(request, done);
-    source_.act(asked->what, asked->arguments, [done](const Json& answer) {
+    const ApiMatch match = find_route(request.method, request.target.path);
+    if (match.route == nullptr) throw NotThere("there is nothing of this name");
+    const Json arguments = arguments_of(match, request.target.query, request.body);
+    if (match.route->deed != ApiDeed::act) return done(told(*match.route, arguments));
+    source_.act(match.route->name, arguments, [done](const Json& answer) {
       done(json_response(answer, answer.contains("error") ? 502 : 200));
     });
-  } catch (const NotAllowed& failure) {
-    done(refused(403, failure.what()));
   } catch (const Failure& failure) {
-    done(refused(failure.status() == exit_usage ? 400 : 502, failure.what()));
-  } catch (const nlohmann::json::exception&) {
-    done(refused(400, "a member of the request is of the wrong type"));
+    done(refused(status_of(failure), failure.what()));
   }
 }
 
 /// What is only looked at.
-void LivePage::get(const web::WebRequest& request, const Answer& done) {
-  const std::string& path = request.target.path;
-  if (request.method != "GET") return done(refused(404, "nothing of this name can be done"));
-  if (path.find("/objects/") != std::string::npos) {
-    return done(
-        refused(405, "to read an object is to ask the bus: POST {} to .../objects/OBJECT/read"));
-  }
+web::WebResponse LivePage::told(const ApiRoute& route, const Json& arguments) {
   look();
-  if (path == "/api") return done(json_response(source_.description()));
-  if (path == "/api/state") return done(json_response(*state_));
-  if (path == "/api/networks") {
-    Json all = Json::array();
-    for (const std::string& bus : source_.feed().buses()) all.push_back({{"bus", bus}});
-    return done(json_response(all));
-  }
-  if (path == "/api/nodes") {
-    return done(
-        json_response(state_->value("snapshot", Json::object()).value("nodes", Json::array())));
-  }
-  if (path == "/api/values") {
-    std::string members;
-    source_.feed().append_values(members, 0);
-    return done({.body = fmt::format("{{{}}}\n", members)});
-  }
-  if (path == "/api/events") {
-    const EventLines& events = source_.events();
-    std::string list;
-    for (std::uint64_t i = std::max(since(request), events.first()); i < events.end(); ++i) {
-      list.append(list.empty() ? "" : ",").append(events.line(i));
+  switch (route.deed) {
+    case ApiDeed::act:
+      break;
+    case ApiDeed::description:
+      return json_response(source_.description());
+    case ApiDeed::state:
+      return json_response(*state_);
+    case ApiDeed::networks:
+      return json_response(networks());
+    case ApiDeed::nodes:
+      return json_response(state_->value("snapshot", Json::object()).value("nodes", Json::array()));
+    case ApiDeed::values: {
+      std::string members;
+      source_.feed().append_values(members, 0);
+      return {.body = fmt::format("{{{}}}\n", members)};
     }
-    return done({.body = fmt::format(R"({{"next":{},"events":[{}]}})", events.end(), list) + "\n"});
+    case ApiDeed::events:
+      return {.body = events_since(arguments.value("since", std::uint64_t{0}))};
+    case ApiDeed::frames:
+      return {.type = std::string(route.type), .body = log_text()};
+    case ApiDeed::run_file: {
+      std::string file = source_.run_file();
+      if (file.empty()) throw NotThere("this is no run that could be played again");
+      return {.type = std::string(route.type), .body = std::move(file)};
+    }
   }
-  if (path == "/api/run.toml") {
-    std::string file = source_.run_file();
-    if (file.empty()) return done(refused(404, "this is no run that could be played again"));
-    return done({.type = "application/toml", .body = std::move(file)});
+  return refused(404, "there is nothing of this name");
+}
+
+LivePage::Json LivePage::networks() const {
+  Json all = Json::array();
+  for (const std::string& bus : source_.feed().buses()) all.push_back({{"bus", bus}});
+  return all;
+}
+
+std::string LivePage::events_since(std::uint64_t since) const {
+  const EventLines& events = source_.events();
+  std::string list;
+  for (std::uint64_t i = std::max(since, events.first()); i < events.end(); ++i) {
+    list.append(list.empty() ? "" : ",").append(events.line(i));
   }
-  if (path == "/api/frames.log") return done({.type = "text/plain", .body = log_text()});
-  done(refused(404, "there is nothing of this name; /openapi.json says what there is"));
+  return fmt::format(R"({{"next":{},"events":[{}]}})", events.end(), list) + "\n";
 }
 
 /// As candump -l writes them.

@@ -6,9 +6,13 @@
 //     page.look();  // whenever the source has gone on
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
 
+#include "canvoy/tools/live/api_routes.hpp"
 #include "canvoy/tools/live/live_source.hpp"
 #include "canvoy/web/web_server.hpp"
 
@@ -23,11 +27,14 @@ class LivePage : public web::WebApplication {
   /// Takes the state of the source: what clients are told from now on.
   void look();
 
+  std::string methods(std::string_view path) const override;
   void answer(const web::WebRequest& request, Answer done) override;
-  std::unique_ptr<web::LiveClient> connect() override;
+  std::unique_ptr<web::LiveClient> connect(const web::RequestTarget& target) override;
 
  private:
-  void get(const web::WebRequest& request, const Answer& done);
+  web::WebResponse told(const ApiRoute& route, const Json& arguments);
+  Json networks() const;
+  std::string events_since(std::uint64_t since) const;
   std::string log_text() const;
 
   LiveSource& source_;

@@ -56,7 +56,8 @@ class LiveSource {
   virtual Json state() = 0;
   /// A file that `canvoy run FILE` plays as this is played; empty: it is no run.
   virtual std::string run_file() const { return {}; }
-  /// Does what somebody asks for. Throws Failure where it cannot be understood, or must not be.
+  /// Does what somebody asks for: a deed of the table of routes, with arguments that are as it
+  /// says. Throws a refusal (refusal.hpp), UsageError where the words make no sense, else Failure.
   virtual void act(std::string_view what, const Json& arguments, const Done& done) = 0;
   /// What the run comes to, for the terminal; the exit status.
   virtual int finish() = 0;
@@ -76,7 +77,7 @@ class LiveSource {
     ++run_;
   }
   /// What the profile of a node has: `profile`, `objects`; of `bus`, `node`, `search`. Throws
-  /// UsageError.
+  /// NotThere.
   Json objects(const Json& arguments);
   /// Of each bus, what was on it until now.
   Json counts() const;

@@ -4,9 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/live/api_routes.hpp"
 #include "canvoy/tools/live/json_difference.hpp"
 
 namespace canvoy::tools {
@@ -23,8 +25,9 @@ std::string dumped(const nlohmann::ordered_json& json) {
 
 }  // namespace
 
-LiveViewer::LiveViewer(LiveSource& source, const std::shared_ptr<const Json>& state)
-    : source_(source), newest_(state) {}
+LiveViewer::LiveViewer(LiveSource& source, const std::shared_ptr<const Json>& state,
+                       bool wants_values)
+    : source_(source), newest_(state), wants_values_(wants_values) {}
 
 void LiveViewer::add(std::string_view name, std::string_view json) {
   message_ += message_.empty() ? '{' : ',';
@@ -63,6 +66,7 @@ void LiveViewer::add_events() {
 }
 
 void LiveViewer::add_values() {
+  if (!wants_values_) return;
   std::string members;
   source_.feed().append_values(members, change_);
   change_ = source_.feed().changes();
@@ -126,7 +130,17 @@ void LiveViewer::do_request(const Json& request, const LiveSource::Done& done) {
     watch_frames(request);
     return done({{"done", true}});
   }
-  source_.act(what->get<std::string>(), request, done);
+  if (*what == "values") {
+    wants_values_ = request.value("on", true);
+    return done({{"done", true}});
+  }
+  const ApiRoute* const route = find_deed(what->get<std::string_view>());
+  if (route == nullptr) {
+    throw UsageError(fmt::format("do: there is no '{}'", what->get<std::string_view>()));
+  }
+  constexpr std::array<std::string_view, 2> envelope = {"id", "do"};
+  check_arguments(*route, request, envelope);
+  source_.act(route->name, request, done);
 }
 
 /// `on`, and `filter` as of the command line.

@@ -15,8 +15,9 @@ class LiveViewer : public web::LiveClient {
  public:
   using Json = nlohmann::ordered_json;
 
-  /// `state` is where the newest one is found.
-  LiveViewer(LiveSource& source, const std::shared_ptr<const Json>& state);
+  /// `state` is where the newest one is found. `wants_values`: until he says something else.
+  LiveViewer(LiveSource& source, const std::shared_ptr<const Json>& state,
+             bool wants_values = true);
 
   std::string next() override;
   bool is_behind() const override;
@@ -41,6 +42,7 @@ class LiveViewer : public web::LiveClient {
   std::optional<std::uint64_t> run_;
   std::uint64_t event_ = 0;
   std::uint64_t change_ = 0;
+  bool wants_values_;
   std::string filter_;
   std::unique_ptr<FrameReader> frames_;
   std::shared_ptr<Answers> answers_ = std::make_shared<Answers>();

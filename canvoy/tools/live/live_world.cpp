@@ -11,6 +11,7 @@
 #include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/sim/duration_text.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/live/refusal.hpp"
 
 namespace canvoy::tools {
 
@@ -29,10 +30,8 @@ constexpr Duration step_most = 1h;
 constexpr std::size_t deeds_max = 10'000;
 constexpr std::size_t faults_max = 200;
 
-Duration seconds(double value) {
-  constexpr double most = 1e9;
-  if (!(value >= 0 && value <= most)) throw UsageError("give a time in seconds, not below 0");
-  return Duration(static_cast<Duration::rep>(std::llround(value * 1e6)));
+Duration seconds(const nlohmann::ordered_json& value) {
+  return Duration(static_cast<Duration::rep>(std::llround(value.get<double>() * 1e6)));
 }
 
 }  // namespace
@@ -104,7 +103,7 @@ void LiveWorld::begin_log() {
 
 void LiveWorld::check_can_replay() const {
   if (has_real()) {
-    throw UsageError("a run with real buses cannot be played from its start once more");
+    throw NotNow("a run with real buses cannot be played from its start once more");
   }
 }
 
@@ -218,15 +217,14 @@ void LiveWorld::act(std::string_view what, const Json& arguments, const Done& do
     playback_.set_paused(arguments.value("paused", true));
   } else if (what == "speed") {
     check_can_replay();
-    playback_.set_speed(not_negative(arguments, "speed"));
+    playback_.set_speed(arguments.at("speed").get<double>());
     playback_.set_paused(false);
   } else if (what == "step") {
     check_can_replay();
-    check_can_replay();
-    playback_.step(std::min(seconds(not_negative(arguments, "step_s")), step_most));
+    playback_.step(std::min(seconds(arguments.at("step_s")), step_most));
   } else if (what == "seek") {
     check_can_replay();
-    const Time to = Time(seconds(not_negative(arguments, "time")));
+    const Time to = Time(seconds(arguments.at("time")));
     if (to < now()) begin_again(options_.plan, to);
     playback_.seek(to);
   } else if (what == "fault") {
@@ -244,11 +242,11 @@ void LiveWorld::act(std::string_view what, const Json& arguments, const Done& do
 /// `fault`: with its place, without a time: it begins now. `duration_s`: 0 for the rest.
 void LiveWorld::add_fault(const Json& arguments) {
   check_can_replay();
-  if (options_.plan.faults.size() >= faults_max) throw UsageError("there are many faults already");
+  if (options_.plan.faults.size() >= faults_max) throw NotNow("there are many faults already");
   const Time start = now() + fault_after;
-  if (start >= playback_.end()) throw UsageError("the run is over: go back, or start anew");
+  if (start >= playback_.end()) throw NotNow("the run is over: go back, or start anew");
   std::string text = fmt::format("{}@{}", text_of(arguments, "fault"), written(start - Time{}));
-  const Duration duration = seconds(not_negative(arguments, "duration_s"));
+  const Duration duration = seconds(arguments.at("duration_s"));
   if (duration != Duration::zero()) text += "+" + written(duration);
   const FaultParse parsed = parse_fault(options_.grammar, text);
   if (!parsed.fault) throw UsageError(parsed.error);
@@ -258,18 +256,13 @@ void LiveWorld::add_fault(const Json& arguments) {
 }
 
 void LiveWorld::visit(const Json& arguments) {
-  if (!made_.visit) throw UsageError("nobody visits this network");
-  if (playback_.is_seeking()) throw UsageError("the run is on its way to where it was");
-  const double from = number_argument(arguments, "from");
-  const double to = number_argument(arguments, "to");
-  const double most = 254;
-  if (!(from >= 1 && from <= most && to >= 1 && to <= most)) {
-    throw UsageError("from, to: give floors");
-  }
-  if (done_ >= deeds_max) throw UsageError("too much was done already: start anew");
+  if (!made_.visit) throw NotNow("nobody visits this network");
+  if (playback_.is_seeking()) throw NotNow("the run is on its way to where it was");
+  if (done_ >= deeds_max) throw NotNow("too much was done already: start anew");
   deeds_.resize(done_);
-  const Deed deed{
-      .at = now(), .from = static_cast<unsigned>(from), .to = static_cast<unsigned>(to)};
+  const Deed deed{.at = now(),
+                  .from = arguments.at("from").get<unsigned>(),
+                  .to = arguments.at("to").get<unsigned>()};
   if (!made_.visit(deed.from, deed.to)) throw UsageError("there is no way between these floors");
   deeds_.push_back(deed);
   done_ = deeds_.size();
@@ -278,34 +271,19 @@ void LiveWorld::visit(const Json& arguments) {
 /// `seed` and `faults` where they are to be others; `keep`: up to where it is now.
 void LiveWorld::restart(const Json& arguments) {
   WorldPlan plan = options_.plan;
-  if (arguments.contains("seed")) {
-    const double seed = number_argument(arguments, "seed");
-    if (!(seed >= 0 && seed <= 0x1p53 && seed == std::floor(seed))) {
-      throw UsageError("seed: give a whole number");
-    }
-    plan.seed = static_cast<std::uint64_t>(seed);
-  }
-  if (const auto faults = arguments.find("faults"); faults != arguments.end()) {
-    if (!faults->is_array() || faults->size() > faults_max) {
-      throw UsageError("faults: give a list of at most 200 texts");
-    }
-    plan.faults.clear();
-    for (const Json& fault : *faults) {
-      if (!fault.is_string()) throw UsageError("faults: give texts");
-      plan.faults.push_back(fault.get<std::string>());
-    }
-  }
+  plan.seed = arguments.value("seed", plan.seed);
+  plan.faults = arguments.value("faults", plan.faults);
   const bool keeps = arguments.value("keep", false);
   if (!keeps) deeds_.clear();
   begin_again(plan, keeps ? now() : Time{});
 }
 
 void LiveWorld::request(const BusRequest& request, const SdoDesk::Done& done) {
-  if (playback_.is_paused() || playback_.is_over()) {
-    throw UsageError("time stands still, and nobody answers: let the run go on first");
+  if (playback_.is_paused() || playback_.is_over() || playback_.speed() == 0) {
+    throw NotNow("time stands still, and nobody answers: let the run go on first");
   }
-  if (playback_.is_seeking()) throw UsageError("the run is on its way to where it was");
-  if (done_ >= deeds_max) throw UsageError("too much was done already: start anew");
+  if (playback_.is_seeking()) throw NotNow("the run is on its way to where it was");
+  if (done_ >= deeds_max) throw NotNow("too much was done already: start anew");
   static_cast<void>(bus_of(request.bus));
   deeds_.resize(done_);
   deeds_.push_back({.at = now(), .request = request});
@@ -336,7 +314,7 @@ void LiveWorld::do_deed(const Deed& deed, const SdoDesk::Done& done) {
 
 BusIndex LiveWorld::bus_of(const std::string& name) const {
   const auto found = std::ranges::find(buses_, name);
-  if (found == buses_.end()) throw UsageError(fmt::format("there is no bus '{}'", name));
+  if (found == buses_.end()) throw NotThere(fmt::format("there is no bus '{}'", name));
   return static_cast<BusIndex>(found - buses_.begin());
 }
 

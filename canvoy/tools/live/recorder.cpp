@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/live/refusal.hpp"
 
 namespace canvoy::tools {
 
@@ -18,10 +18,10 @@ void Recorder::allow(const std::string& folder) {
 
 void Recorder::begin(Duration epoch) {
   if (!is_allowed()) {
-    throw UsageError("to record is not allowed: start the command with --allow-record FOLDER");
+    throw NotAllowed("to record is not allowed: start the command with --allow-record FOLDER");
   }
-  if (log_) throw UsageError(fmt::format("{} is being recorded already", file_));
-  if (logs_ == logs_max) throw UsageError("too much was recorded already: start the command anew");
+  if (log_) throw NotNow(fmt::format("{} is being recorded already", file_));
+  if (logs_ == logs_max) throw NotNow("too much was recorded already: start the command anew");
   std::string file;
   for (unsigned number = 1; file.empty() || std::filesystem::exists(file); ++number) {
     file = fmt::format("{}/canvoy-{}.log", folder_, number);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "canvoy/tools/failure.hpp"
+
 namespace canvoy::tools {
 
 namespace {

@@ -10,15 +10,8 @@
 #include <vector>
 
 #include "canvoy/canopen/cob_id.hpp"
-#include "canvoy/tools/failure.hpp"
 
 namespace canvoy::tools {
-
-/// What is asked for is understood, and not allowed.
-class NotAllowed : public UsageError {
- public:
-  using UsageError::UsageError;
-};
 
 class WritePermission {
  public:

@@ -1,13 +1,11 @@
 #include "canvoy/tools/run/http_server.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sys/socket.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <mutex>
 #include <utility>
@@ -15,6 +13,7 @@
 
 #include "canvoy/gateway/tcp_listener.hpp"
 #include "canvoy/tools/run/http_request.hpp"
+#include "canvoy/web/http_date.hpp"
 
 namespace canvoy::tools {
 
@@ -22,22 +21,10 @@ namespace {
 
 constexpr std::size_t chunk = 4096;  ///< bytes of one client in one turn
 
-/// In English, whatever the locale (RFC 9110, 5.6.7).
-std::string http_date() {
-  constexpr std::array days = {"Sun", "Mon", "Tue", "Wed", "Thu", "Fri", "Sat"};
-  constexpr std::array months = {"Jan", "Feb", "Mar", "Apr", "May", "Jun",
-                                 "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
-  const std::tm now = fmt::gmtime(std::chrono::system_clock::now());
-  return fmt::format("{}, {:02} {} {} {:02}:{:02}:{:02} GMT",
-                     days.at(static_cast<std::size_t>(now.tm_wday)), now.tm_mday,
-                     months.at(static_cast<std::size_t>(now.tm_mon)), now.tm_year + 1900,
-                     now.tm_hour, now.tm_min, now.tm_sec);
-}
-
 std::string response(HttpStatus status, bool is_head, std::string_view content_type,
                      std::string_view content) {
   std::string text = fmt::format("HTTP/1.1 {} {}\r\nDate: {}\r\nConnection: close\r\n",
-                                 static_cast<int>(status), reason_of(status), http_date());
+                                 static_cast<int>(status), reason_of(status), web::http_date());
   const std::string explained = fmt::format("{}\n", reason_of(status));
   if (status == HttpStatus::ok) {
     text += "Cache-Control: no-cache\r\n";

@@ -20,4 +20,3 @@ await build({
   logLevel: "warning",
 });
 for (const file of ["index.html", "report.html", "icon.svg"]) cpSync(`src/${file}`, `${out}/${file}`);
-cpSync("openapi.json", `${out}/openapi.json`);

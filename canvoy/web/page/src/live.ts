@@ -179,10 +179,12 @@ function take(message: Json) {
 }
 
 export function connect() {
-  const url = `ws://${location.host}/live`;
+  told_values = wants_values();
+  const url = `ws://${location.host}/live${told_values ? "" : "?values=off"}`;
   socket = new WebSocket(url);
   socket.onopen = () => {
     live.is_open = true;
+    tell_values();
     wanted.forEach((say) => say());
     changed();
   };
@@ -226,6 +228,22 @@ export function watch_frames(filter: string, done: (error: string) => void): () 
   };
 }
 
+let view_wants_values = false;
+const wants_values = () => view_wants_values || live.samples.size > 0;
+let told_values = false; // what the server knows of it
+
+function tell_values() {
+  if (!live.is_open || told_values === wants_values()) return;
+  told_values = wants_values();
+  void ask("values", { on: told_values });
+}
+
+/** Whether the view shows values of objects. What is pinned is told in all views. */
+export function want_values(wants: boolean) {
+  view_wants_values = wants;
+  tell_values();
+}
+
 const pin_key = () => `pins of ${live.hello.kind}`;
 export function pins(): string[] {
   return [...live.samples.keys()];
@@ -237,6 +255,7 @@ export function pin(key: string) {
     const known = value && typeof value.value === "number";
     live.samples.set(key, known ? [[value.time, value.value as number]] : []);
   }
+  tell_values();
   try {
     localStorage.setItem(pin_key(), JSON.stringify(pins()));
   } catch {

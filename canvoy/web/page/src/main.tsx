@@ -4,7 +4,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import "./style.css";
 import { EventList, Events, Faults } from "./events";
 import { Frames } from "./frames";
-import { ask, connect, live, useLive } from "./live";
+import { ask, connect, live, useLive, want_values } from "./live";
 import { Load } from "./load";
 import { Nodes } from "./nodes";
 import { Objects } from "./objects";
@@ -118,6 +118,8 @@ const views: Record<string, () => JSX.Element | null> = {
   world: World, nodes: Nodes, objects: Objects, frames: Frames, plots: Plots, load: Load, events: Events,
 };
 
+const views_of_values = ["nodes", "objects", "plots"];
+
 function set_theme(theme: string) {
   document.documentElement.dataset.theme = theme;
   try {
@@ -135,6 +137,7 @@ function Page() {
   const [shares, share] = useState(false);
   const view = picked || (has_world ? "world" : "frames");
   const View = views[view];
+  useEffect(() => want_values(views_of_values.includes(view)), [view]);
   useEffect(() => {
     addEventListener("hashchange", play_link);
     return () => removeEventListener("hashchange", play_link);
