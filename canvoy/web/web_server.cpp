@@ -390,6 +390,10 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
       response_.set(http::field::connection, is_last_ ? "Upgrade, close" : "Upgrade");
     }
     response_.prepare_payload();
+    // A length would be that of what is known already (RFC 9110, 8.6).
+    if (response_.result() == http::status::not_modified) {
+      response_.erase(http::field::content_length);
+    }
     if (request_.method() == http::verb::head) response_.body().clear();
     is_writing_ = true;
     deadline_ = hub_.loop_.now() + hub_.limits_.message_time_out;

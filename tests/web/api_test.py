@@ -61,7 +61,8 @@ def check(name, server, names, never, folder):
     done = subprocess.run(
         [ENVIRONMENT / "bin" / "schemathesis", "--config-file", HERE / "schemathesis.toml", "run", server.address + "/openapi.json",
          "--header", f"Authorization: Bearer {TOKEN}", "--checks", "all", "--phases", "coverage,fuzzing", "--workers", "1",
-         "--max-examples", CASES, "--seed", SEED, "--generation-database", "none", "--output-truncate", "false", "--warnings", "off"],
+         "--max-examples", CASES, "--seed", SEED, "--generation-database", "none",
+         "--generation-with-security-parameters", "false", "--output-truncate", "false", "--warnings", "off"],
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=environment, cwd=folder, check=False)  # fmt: skip
     counts = collections.Counter(tuple(line.split()) for line in answers.read_text().splitlines())
     print(f"{name}: {sum(counts.values())} answers; " + ", ".join(f"{count} of {status}" for status, count in sorted(

@@ -83,17 +83,25 @@ std::string wanted_of(const ApiMember& member) {
                                 : fmt::format("one of {}", fmt::join(member.choices, ", "));
 }
 
+/// As a double, a number above 2^53 may be the next one.
+bool is_in_range(const ApiMember& member, const Json& value) {
+  if (value.is_number_unsigned()) {
+    const auto number = value.get<std::uint64_t>();
+    return number <= static_cast<std::uint64_t>(member.most) &&
+           static_cast<double>(number) >= member.least;
+  }
+  const double number = value.get<double>();
+  return number >= member.least && number <= member.most;
+}
+
 bool is_as_described(const ApiMember& member, const Json& value) {
   const auto is_text = [](const Json& each) { return each.is_string(); };
   switch (member.kind) {
     case ApiKind::number:
-    case ApiKind::integer: {
-      if (!value.is_number()) return false;
-      const double number = value.get<double>();
-      const bool is_whole = number == std::floor(number);
-      return number >= member.least && number <= member.most &&
-             (is_whole || member.kind == ApiKind::number);
-    }
+      return value.is_number() && is_in_range(member, value);
+    case ApiKind::integer:
+      return value.is_number() && is_in_range(member, value) &&
+             value.get<double>() == std::floor(value.get<double>());
     case ApiKind::truth:
       return value.is_boolean();
     case ApiKind::texts:

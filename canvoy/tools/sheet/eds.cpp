@@ -195,7 +195,7 @@ void add_export(Verb& eds) {
   command.runs([=] { return export_to(*options, *out, *json); });
 }
 
-void add_check(Verb& eds) {
+void add_sheet_check(Verb& eds) {
   const auto path = std::make_shared<std::string>();
   const auto profile = std::make_shared<std::string>();
   Verb& command = eds.add_verb("check", "Say what is wrong with a data sheet");
@@ -235,7 +235,7 @@ void add_eds(Verb& app) {
       "  canvoy eds check pump.eds\n"
       "  canvoy eds read can0 10 --out node10.dcf");
   add_export(eds);
-  add_check(eds);
+  add_sheet_check(eds);
   add_eds_read(eds);
   add_pair(eds, "diff", "Say what two data sheets say differently", "first", "second",
            "EDS, DCF, XDD or XDC", "  canvoy eds diff pump.eds battery.dcf", compare);
