@@ -72,6 +72,7 @@ class Bench {
   /// Of the device with this node-ID, 1 to 127.
   Bench(Line line, NodeId node, const BenchOptions& options);
 
+  /// Of the device, 1 to 127.
   NodeId node() const { return node_; }
   /// What the test is allowed.
   const BenchOptions& options() const { return options_; }
@@ -84,9 +85,9 @@ class Bench {
 
   /// Puts a frame on the bus; where that does not go, is_broken().
   void send(const Frame& frame);
-  /// A command for this node, or for another.
+  /// An NMT command for the device.
   void command(NmtCommand command) { command_node(command, node_); }
-  /// Its node-ID.
+  /// One for another node; 0: for all.
   void command_node(NmtCommand command, NodeId node);
   /// All that comes from now on.
   std::vector<Heard> listen(Duration duration);
@@ -99,9 +100,9 @@ class Bench {
   std::optional<Frame> ask(std::span<const std::uint8_t> request);
   /// The value of an entry, in one frame or in segments.
   Reply read(std::uint16_t index, std::uint8_t sub);
-  Reply write(std::uint16_t index, std::uint8_t sub, std::span<const std::uint8_t> value);
-  /// `bytes` of a number.
   /// Expedited where it has 1 to 4 bytes, else in segments with its size.
+  Reply write(std::uint16_t index, std::uint8_t sub, std::span<const std::uint8_t> value);
+  /// The lowest `bytes` of a number, 1 to 8.
   Reply write(std::uint16_t index, std::uint8_t sub, std::uint64_t number, std::size_t bytes);
   /// The same, and restore() writes back what was there.
   Reply set(std::uint16_t index, std::uint8_t sub, std::uint64_t number, std::size_t bytes);

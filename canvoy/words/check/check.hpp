@@ -52,9 +52,9 @@ TestCases all_cases(const Profile* profile);
 
 class Check {
  public:
+  /// Of the device with this node-ID, 1 to 127; what `options` refers to must outlive this.
   Check(Line line, NodeId node, const BenchOptions& options);
   Check(const Check&) = delete;
-  /// Of the device with this node-ID; what `options` refers to must outlive this.
   Check& operator=(const Check&) = delete;
 
   /// Tries all of them, or those whose id begins with `only`; tells each as it ends. NMT commands

@@ -34,6 +34,7 @@ struct OwnPdo {
 /// none.
 std::optional<OwnPdo> find_pdo(Bench& bench, PdoWay way);
 
+/// How a PDO is to be sent or taken.
 struct Sending {
   /// Transmission type, as sub-index 02h has it.
   unsigned type = 255;
@@ -41,7 +42,6 @@ struct Sending {
   std::uint16_t inhibit_100us = 0;  ///< 0: as it is
 };
 /// Makes it valid with the test's CAN-ID. Answers why that cannot be.
-/// How a PDO is to be sent or taken.
 std::optional<Verdict> arrange(Bench& bench, const OwnPdo& pdo, const Sending& sending);
 /// Makes it invalid.
 std::optional<Verdict> disable(Bench& bench, const OwnPdo& pdo);

@@ -36,9 +36,9 @@ inline constexpr std::size_t group_count = 11;
 /// `SDO`, `heartbeat`
 std::string_view group_name(Group group);
 
+/// How a case ends.
 enum class Outcome : std::uint8_t { passed, failed, not_applicable };
 /// `PASS`, `FAIL`, `n/a`
-/// How a case ends.
 std::string_view outcome_name(Outcome outcome);
 
 /// What a case has found.
@@ -51,32 +51,34 @@ struct Verdict {
 inline Verdict passed() {
   return {};
 }
+/// With what came in place of what the clause wants.
 inline Verdict failed(std::string why) {
-  /// What came in place of it.
   return {Outcome::failed, std::move(why)};
 }
+/// With the reason why the clause says nothing of this device.
 inline Verdict not_applicable(std::string why) {
-  /// Why it says nothing of this device.
   return {Outcome::not_applicable, std::move(why)};
 }
 
+/// What is tried, and by which clause.
 struct TestCase {
-  std::string id;  ///< `sdo-04`; of a profile `447-3-6052-type`
-  Group group = Group::sdo;
-  std::string clause;   ///< `CiA 301, 7.2.4.3.6`
-  std::string title;    ///< what is judged
-  std::string sends;    ///< in a few words, or as bytes
-  std::string expects;  ///< the same
-  std::function<Verdict(Bench&)> judge;
+  std::string id;                        ///< `sdo-04`; of a profile `447-3-6052-type`
+  Group group = Group::sdo;              ///< its class
+  std::string clause;                    ///< `CiA 301, 7.2.4.3.6`
+  std::string title;                     ///< what is judged
+  std::string sends;                     ///< in a few words, or as bytes
+  std::string expects;                   ///< the same
+  std::function<Verdict(Bench&)> judge;  ///< tries it
 };
+/// In the order in which they are tried.
 using TestCases = std::vector<TestCase>;
 
 /// A case that was tried.
 struct TestResult {
-  const TestCase* test = nullptr;
-  Verdict verdict = {};
+  const TestCase* test = nullptr;  ///< what was tried; never null
+  Verdict verdict = {};            ///< how it ended
   std::vector<Heard> frames = {};  ///< of a failure, both ways: the last of them
-  Duration took{};
+  Duration took{};                 ///< by the time of the line
 };
 
 }  // namespace canvoy::conformance
