@@ -30,11 +30,17 @@ NodeId sender_of(std::uint32_t can_id) {
 
 }  // namespace
 
+constexpr HookCalls CarNetwork::hook_calls = {.first = object_index::sdo_client,
+                                              .last = object_index::sdo_client_last,
+                                              .before_write = method<&CarNetwork::check_client>};
+constexpr ServiceCalls CarNetwork::service_calls = {.hooks = {&hook_calls, 1}};
+
 CarNetwork::CarNetwork(Node& node, const CarNetworkSettings& settings)
     : node_(node),
       settings_(settings),
       timer_(Callback<void(Time)>::to<&CarNetwork::look>(*this)),
       gaps_(node, Callback<void(NodeId)>::to<&CarNetwork::missed>(*this), rhythms_) {
+  node.attach(service_);
   next_restored_ = node.on_defaults_restored(
       Callback<void(ResetScope)>::to<&CarNetwork::defaults_restored>(*this));
   const auto heard = Callback<void(const Frame&, Time)>::to<&CarNetwork::error_control_came>(*this);

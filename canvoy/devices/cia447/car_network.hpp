@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/sdo/sdo_channel.hpp"
 #include "canvoy/devices/gap_watch.hpp"
 #include "canvoy/profiles/cia447/network.hpp"
 #include "canvoy/profiles/cia447/pdos.hpp"
@@ -94,6 +95,10 @@ class CarNetwork {
   Callback<void(NodeId)> on_gap(Callback<void(NodeId)> gap) { return std::exchange(gap_, gap); }
 
  private:
+  /// Of channels on which this node asks nobody, too.
+  AbortCode check_client(const Entry& entry, std::span<const std::uint8_t> value) {
+    return check_sdo_parameter(entry, value);
+  }
   void defaults_restored(ResetScope scope);
   void listen_to_pdos();
   void listen_to_requests();
@@ -125,6 +130,9 @@ class CarNetwork {
   bool hands_on_ = false;  ///< an RPDO of another node than the gateway
   std::array<GapWatch::Rhythm, node_id_max> rhythms_;
   GapWatch gaps_;
+  static const HookCalls hook_calls;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
 };
 
 }  // namespace canvoy::cia447

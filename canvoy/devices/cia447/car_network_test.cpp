@@ -82,6 +82,14 @@ TEST_F(Watcher, AsksEachOtherNodeOnAChannelOfTheirOwn) {
   EXPECT_EQ(answers, "yy") << "both at once";
 }
 
+/// Restricted CAN-IDs (CiA 301, 7.3.5), whether this node asks on the channel or not.
+TEST_F(Watcher, NoChannelOfAClientTakesARestrictedCanId) {
+  for (const std::string channel : {"80", "86", "8F"}) {
+    EXPECT_EQ(bench.ask("23 " + channel + " 12 01 01 00 00 00"),
+              "585#80 " + channel + " 12 01 30 00 09 06");
+  }
+}
+
 TEST_F(Watcher, AWatchedNodeThatFallsSilentOrBootsAnewIsLost) {
   std::string lost;
   auto told = [&lost](NodeId node) { lost += std::to_string(node) + " "; };

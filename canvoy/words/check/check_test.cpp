@@ -27,7 +27,6 @@ struct KnownFinding {
   std::string_view reason;
 };
 constexpr KnownFinding known_findings[] = {
-    {447, "", "can-id-07", "1280h of a node without a client is plain memory"},
     {417, "lift-group", "417-4-6001-there", "on the bus of a group no object has a lift number"},
     {407, "on-board-computer", "407-6001-access", "6001h can be read where it is consumed"},
 };
