@@ -78,7 +78,7 @@ class BusLine {
     const std::uint64_t sent = bus_->counters().sent;
     if (!bus_->send(frame)) return false;
     const Time until = loop_->now() + sending_max;
-    while (bus_->counters().sent == sent && loop_->now() < until && !is_interrupted()) {
+    while (bus_->counters().sent == sent && loop_->now() < until) {
       loop_->run_until(until);
     }
     return bus_->counters().sent != sent;
@@ -86,7 +86,7 @@ class BusLine {
   std::optional<conformance::Heard> next(Time until) {
     // Each frame has ended one run.
     for (bool is_first = true; waiting_.empty(); is_first = false) {
-      if (is_interrupted() || (!is_first && loop_->now() >= until)) return std::nullopt;
+      if (!is_first && loop_->now() >= until) return std::nullopt;
       loop_->run_until(until);
     }
     if (waiting_.front().time > until && loop_->now() >= until) return std::nullopt;
@@ -169,7 +169,10 @@ int check_device(const CheckVerbOptions& options) {
   const conformance::Report report =
       check.run([&options](const conformance::TestResult& result) { show_result(options, result); },
                 options.only);
-  if (bus.is_interrupted()) throw Failure("interrupted: the device may be left as a case had it");
+  if (bus.is_interrupted()) {
+    for (const std::string& note : report.notes) fmt::print(stderr, "canvoy: {}\n", note);
+    throw Failure("interrupted: the device is as it was, but for what is said above");
+  }
   if (!report.has_answered) {
     throw Failure(
         fmt::format("node {} on {}: no answer to an SDO request; is the node on it, with "

@@ -64,7 +64,7 @@ std::optional<Heard> Bench::take(Time until) {
   if (is_broken_) return std::nullopt;
   std::optional<Heard> heard = line_.next(until);
   if (heard) note(*heard);
-  is_broken_ = is_broken_ || is_interrupted();
+  is_broken_ = is_broken_ || (!goes_on_ && is_interrupted());
   return heard;
 }
 
@@ -77,7 +77,13 @@ void Bench::drain() {
 void Bench::send(const Frame& frame) {
   if (is_broken_) return;
   note({now(), frame});
-  is_broken_ = !line_.send(frame) || is_interrupted();
+  is_refused_ = !line_.send(frame);
+  is_broken_ = is_refused_ || (!goes_on_ && is_interrupted());
+}
+
+void Bench::go_on() {
+  goes_on_ = true;
+  is_broken_ = is_refused_;
 }
 
 void Bench::command_node(NmtCommand command, NodeId node) {

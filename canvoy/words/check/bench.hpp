@@ -82,6 +82,8 @@ class Bench {
   bool is_broken() const { return is_broken_; }
   /// Whether somebody has asked it to end.
   bool is_interrupted() const { return line_.is_interrupted && line_.is_interrupted(); }
+  /// After an interruption: what is still to be put back is, and who asks to end waits for it.
+  void go_on();
 
   /// Puts a frame on the bus; where that does not go, is_broken().
   void send(const Frame& frame);
@@ -159,6 +161,8 @@ class Bench {
   std::vector<std::string> unrestored_;
   std::map<std::uint32_t, bool> known_;
   bool is_broken_ = false;
+  bool is_refused_ = false;  ///< the bus has not taken a frame
+  bool goes_on_ = false;     ///< after an interruption
   bool is_held_ = false;
 };
 

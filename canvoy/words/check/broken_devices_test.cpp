@@ -450,6 +450,38 @@ TEST(BrokenDevices, OnABusThatTakesNoFramesAreLeft) {
   EXPECT_EQ(report.count(Outcome::failed), 0U);
 }
 
+/// At many moments of the test: settings of communication are as they were, and so is the state.
+TEST(BrokenDevices, NoneIsMadeByAnInterruption) {
+  constexpr std::pair<std::uint16_t, std::uint8_t> settings[] = {
+      {0x1014, 0}, {0x1016, 1}, {0x1017, 0}, {0x1400, 1}, {0x1400, 2}, {0x1800, 1},
+      {0x1800, 2}, {0x1800, 3}, {0x1800, 5}, {0x1A00, 0}, {0x1A00, 1}};
+  unsigned interrupted = 0;
+  for (unsigned most = 150; most < 4000; most += 77) {
+    CheckedDevice device(broken_kind());
+    const auto all = [&] {
+      std::vector<std::uint64_t> values;
+      for (const auto& [index, sub] : settings) {
+        const bool is_there = static_cast<bool>(device.device().dictionary().find(index, sub));
+        values.push_back(is_there ? device.device().dictionary().number(index, sub) : 0);
+      }
+      return values;
+    };
+    const std::vector<std::uint64_t> before = all();
+    const NmtState state = device.device().state();
+    unsigned frames = 0;
+    device.to_device = [&](Frame&) { return ++frames != 0; };
+    Line line = device.line();
+    line.is_interrupted = [&] { return frames > most; };
+    Check check(std::move(line), device.node(), {});
+    const Report report = check.run();
+    if (!report.is_whole) ++interrupted;
+    EXPECT_EQ(all(), before) << most;
+    EXPECT_EQ(device.device().state(), state) << most;
+    EXPECT_THAT(report.notes, ::testing::IsEmpty()) << most;
+  }
+  EXPECT_GT(interrupted, 5U);
+}
+
 /// Whatever it answers, the test comes to its end, and the device is not said to conform.
 TEST(BrokenDevices, ThatAnswerNonsenseDoNotPass) {
   for (std::uint32_t seed = 1; seed <= 3; ++seed) {

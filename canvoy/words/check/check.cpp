@@ -136,13 +136,18 @@ Report Check::run(const std::function<void(const TestResult&)>& tell, std::strin
     if (tell) tell(report.results.back());
   }
   report.is_whole = !bench_.is_broken();
+  if (bench_.is_interrupted()) {
+    bench_.go_on();
+    comes_back();
+    bench_.restore();
+  }
   finish(report, kept, state);
   return report;
 }
 
 void Check::finish(Report& report, KeptSettings& kept, std::optional<NmtState> state) {
   std::vector<std::string> lost = bench_.unrestored();
-  if (report.is_whole && lost_since_.empty()) {
+  if (!bench_.is_broken() && lost_since_.empty()) {
     // What a case could not put back may be done now.
     lost = kept.put_back(bench_);
   }

@@ -25,11 +25,11 @@ struct Line {
   /// False where the bus does not take it: bus-off, no interface, a full queue.
   std::function<bool(const Frame&)> send;
   /// The next frame of somebody else, in their order; nothing where `until` comes first. Then it is
-  /// `until`, or somebody has interrupted the test.
+  /// `until`.
   std::function<std::optional<Heard>(Time until)> next;
   /// The clock that `until` is of.
   std::function<Time()> now;
-  /// Whether the test is to end early; may be empty.
+  /// Whether the test is to end early, with all put back; may be empty.
   std::function<bool()> is_interrupted = {};
 };
 
