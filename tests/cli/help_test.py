@@ -30,6 +30,8 @@ FAILING = (
     "lss can0 scan", "lss can0 inquire", "lss can0 set-node-id", "program can0", "--diff", "boot sim", "eds diff", "nmt can0 all", "store can0",
     "script can0,can1",
 )  # fmt: skip
+# Of canvoy check, where a case fails.
+NOT_CONFORMING = 4
 # Those that go on until they are interrupted.
 ENDLESS = re.compile(r"canvoy (device (?!--list)(?!.*--for)|gateway (?!.*--stdin)|monitor can(?!.*--(for|count))|view |run .*--web)")
 ENDLESS_FOR_LONG = re.compile(r"--for 8h|--stay")
@@ -140,7 +142,8 @@ class Help(CommandTest):
         self.assertGreater(len(lines), 60)
         # A node answers one SDO client at a time, and who resets or stops it is in the way of those that ask.
         alone = [line for line in lines if re.search("can0|udp:", line) and not re.match("canvoy (monitor|device)", line)]
-        alone.sort(key=lambda line: "pdo" not in line)
+        # A conformance test comes last: the charger has followed what it has tried.
+        alone.sort(key=lambda line: ("pdo" not in line, line.startswith("canvoy check")))
         beside = [line for line in lines if line not in alone]
         with concurrent.futures.ThreadPoolExecutor(4) as pool:
             done = list(pool.map(self.run_example, beside))
@@ -153,6 +156,8 @@ class Help(CommandTest):
         for line, status, output, errors in done:
             with self.subTest(example=line):
                 allowed = (DONE, FAILED) if any(word in line for word in FAILING) else (DONE,)
+                if line.startswith("canvoy check can0"):
+                    allowed = (DONE, NOT_CONFORMING)  # the charger starts the battery when it likes
                 self.assertIn(status, allowed, f"{output[-500:]}\n{errors}")
 
     # -- completion

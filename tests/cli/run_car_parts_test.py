@@ -212,9 +212,9 @@ class RunCarParts(CommandTest):
 
     def test_says_what_is_wrong(self):
         for arguments, *parts in [
-            (["taximeter", "--press", "fly@2s"], "--press", "'fly@2s'", "hire@2s"),
+            (["taximeter", "--press", "fly@2s"], "--press", "'fly@2s'", "sign-on, hire,"),
             (["taximeter", "--press", "hire"], "--press", "'hire'"),
-            (["printer", "--press", "hire@2s"], "--press", "there is none here"),
+            (["printer", "--press", "hire@2s"], "--press", "'hire@2s'", "there is paper="),
             (["ivn-gateway", "--speed", "fast@2s"], "--speed", "'fast@2s'", "50@10s"),
             (["gps", "--speed", "5@2s", "--nmea", str(self.folder / "drive.nmea")], "--speed"),
         ]:

@@ -57,13 +57,23 @@ FutureTariff parse_future_tariff(std::string_view text) {
   return tariff;
 }
 
+/// An order of an option, which is named where the order is wrong.
+HandOrder order_of(std::span<const cia447::CarUnit* const> units, const char* option,
+                   const std::string& text) {
+  try {
+    return parse_hand_order(units, text);
+  } catch (const UsageError& error) {
+    throw UsageError(fmt::format("{}: {}", option, error.what()));
+  }
+}
+
 }  // namespace
 
 void check_car_panel(std::span<const cia447::CarUnit* const> units,
                      std::span<const std::string> presses, std::span<const std::string> sets,
                      const CarPanelOptions& options) {
   const auto check = [units](const char* option, const std::string& text, bool is_set) {
-    const HandOrder order = parse_hand_order(units, text);
+    const HandOrder order = order_of(units, option, text);
     const bool is_action = order.hand->form == HandForm::action;
     const bool has_value = !is_action && !order.is_press;
     if (is_set == has_value) return;

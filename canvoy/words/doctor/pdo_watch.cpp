@@ -1,6 +1,7 @@
 #include "canvoy/words/doctor/pdo_watch.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace canvoy::words {
 
@@ -52,7 +53,8 @@ void PdoWatch::hear(Time at, const Frame& frame, const decoder::Decoded& decoded
   const KnownTpdo* tpdo = is_of_node ? known.tpdo(pdo.node, pdo.number) : nullptr;
   if (is_wrong_length(frame, tpdo, decoded)) pdo.wrong_length.add(at);
   judge_length(pdo, at, frame.length);
-  if (tpdo != nullptr) judge_times(pdo, at, *tpdo, known.sync_window(pdo.node));
+  if (tpdo != nullptr) judge_times(pdo, at, frame, *tpdo, known.sync_window(pdo.node));
+  pdo.frame_before = std::exchange(pdo.frame, frame);
   pdo.latest = at;
   pdo.is_asked = false;
 }
@@ -69,11 +71,13 @@ void PdoWatch::judge_length(HeardPdo& pdo, Time at, std::uint8_t length) {
   pdo.length = length;
 }
 
-void PdoWatch::judge_times(HeardPdo& pdo, Time at, const KnownTpdo& tpdo,
+void PdoWatch::judge_times(HeardPdo& pdo, Time at, const Frame& frame, const KnownTpdo& tpdo,
                            const std::optional<Duration>& window) {
   if (tpdo.is_synchronous() && cycle_ != 0 && !pdo.is_asked) judge_cycle(pdo, at, window);
   if (pdo.frames < 2 || !tpdo.is_event_driven()) return;
-  pdo.rhythm.hear(at, tpdo.event_timer);
+  // A new value is told at once, between the beats of the event timer.
+  const bool is_told_again = frame == pdo.frame || frame == pdo.frame_before;
+  if (is_told_again) pdo.rhythm.hear(at, tpdo.event_timer);
   const Duration interval = at - pdo.latest;
   const Duration inhibited = tpdo.inhibit_time.value_or(Duration::zero());
   // What waited for the bus comes later, and the next one may then follow sooner.

@@ -39,6 +39,8 @@ struct HeardPdo {
   Tally twice_in_cycle = {};            ///< between two SYNC, where there may be one
   RhythmWatch rhythm = {};              ///< of an event-driven TPDO
   Time latest{};                        ///< when the latest data frame came
+  Frame frame = {};                     ///< the latest data frame
+  Frame frame_before = {};              ///< the one before it
   bool is_asked = false;                ///< by a remote frame, since the latest
   std::uint64_t cycle = 0;  ///< number of the SYNC before the latest, from 1; 0: it follows none
   unsigned in_cycle = 0;    ///< frames since the SYNC with this number
@@ -57,7 +59,7 @@ class PdoWatch {
 
  private:
   static void judge_length(HeardPdo& pdo, Time at, std::uint8_t length);
-  void judge_times(HeardPdo& pdo, Time at, const KnownTpdo& tpdo,
+  void judge_times(HeardPdo& pdo, Time at, const Frame& frame, const KnownTpdo& tpdo,
                    const std::optional<Duration>& window);
   void judge_cycle(HeardPdo& pdo, Time at, const std::optional<Duration>& window);
 

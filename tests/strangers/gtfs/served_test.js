@@ -76,7 +76,7 @@ async function byHttp() {
   const [url] = String(told).match(/http:\S+/);
   // Before anything was heard of the bus there is no vehicle.
   let message = await ask(url);
-  for (const end = Date.now() + 60000; message.entity.length < 2 && Date.now() < end;) message = await ask(url);
+  for (const end = Date.now() + 60000; (message.entity ?? []).length < 2 && Date.now() < end;) message = await ask(url);
   const first = check(message);
   let later = first;
   for (const end = Date.now() + 60000; later < first + 60 && Date.now() < end;) {
