@@ -10,6 +10,7 @@
 
 #include "canvoy/devices/cia407/console/driver_indicator_unit.hpp"
 #include "canvoy/devices/cia407/passenger_information/passenger_information_unit.hpp"
+#include "canvoy/sim/bus/bus_day_test.hpp"
 #include "canvoy/sim/bus/bus_network.hpp"
 
 namespace canvoy::bus::bus_real_device_test {
@@ -68,13 +69,6 @@ const RealCase real_cases[] = {
     {second_announcer_id, units<AcousticAnnouncerKind>, "second_announcements "},
 };
 
-std::string broken(const BusNetwork& network) {
-  std::string names;
-  for (const Invariant& invariant : network.invariants()) {
-    if (!invariant.held) names += std::string(invariant_name(invariant.kind).name) + " ";
-  }
-  return names;
-}
 std::string undecided(const BusNetwork& network) {
   std::string names;
   for (const Invariant& invariant : network.invariants()) {
