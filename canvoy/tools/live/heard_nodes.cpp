@@ -17,6 +17,8 @@ namespace {
 
 constexpr int periods_until_silent = 3;
 constexpr Duration silent_after_min = 1s;
+/// Where one heartbeat was heard alone, and its period is not known.
+constexpr Duration silent_after_one = 10s;
 
 }  // namespace
 
@@ -86,6 +88,7 @@ void HeardNodes::hear_heartbeat(Duration time, BusIndex bus, const Frame& frame)
     said.period = std::max(passed, said.period - said.period / 8);
   }
   said.heard_at = time;
+  said.has_heartbeat = said.has_heartbeat || !is_boot_up;
 }
 
 void HeardNodes::note(Time now, const BusEvent& event) {
@@ -107,8 +110,10 @@ void HeardNodes::note(Time now, const BusEvent& event) {
 
 Json HeardNodes::nodes_json(Duration now) {
   const auto is_silent = [&](const Said& said) {
-    return said.period > Duration{} &&
-           now - said.heard_at > std::max(periods_until_silent * said.period, silent_after_min);
+    const Duration patience = said.period == Duration{}
+                                  ? silent_after_one
+                                  : std::max(periods_until_silent * said.period, silent_after_min);
+    return said.has_heartbeat && now - said.heard_at > patience;
   };
   Json all = Json::array();
   for (const auto& [place, said] : nodes_) {

@@ -40,8 +40,9 @@ class HeardNodes {
   struct Said {
     std::string state;
     std::uint8_t error_register = 0;
-    Duration heard_at{};  ///< its latest heartbeat
-    Duration period{};    ///< the longest of late between two; 0: there was one at most
+    Duration heard_at{};         ///< its latest heartbeat
+    Duration period{};           ///< the longest of late between two; 0: there was one at most
+    bool has_heartbeat = false;  ///< beside its boot-up message
   };
 
   /// Null: there are too many.
