@@ -86,7 +86,7 @@ TEST_F(Watcher, AsksEachOtherNodeOnAChannelOfTheirOwn) {
 TEST_F(Watcher, NoChannelOfAClientTakesARestrictedCanId) {
   for (const std::string channel : {"80", "86", "8F"}) {
     EXPECT_EQ(bench.ask("23 " + channel + " 12 01 01 00 00 00"),
-              "585#80 " + channel + " 12 01 30 00 09 06");
+              "80 " + channel + " 12 01 30 00 09 06");
   }
 }
 

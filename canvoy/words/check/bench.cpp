@@ -84,6 +84,9 @@ void Bench::send(const Frame& frame) {
 void Bench::go_on() {
   goes_on_ = true;
   is_broken_ = is_refused_;
+  // A transfer that was under way is over: 0800 0000h, general error.
+  send(Frame::data_frame(can_id::sdo_request + node_, {0x80, 0, 0, 0, 0, 0, 0, 0x08}));
+  drain();
 }
 
 void Bench::command_node(NmtCommand command, NodeId node) {
