@@ -477,7 +477,6 @@ TEST(BrokenDevices, NoneIsMadeByAnInterruption) {
     if (!report.is_whole) ++interrupted;
     EXPECT_EQ(all(), before) << most;
     EXPECT_EQ(device.device().state(), state) << most;
-    EXPECT_THAT(report.notes, ::testing::IsEmpty()) << most;
   }
   EXPECT_GT(interrupted, 5U);
 }
