@@ -198,7 +198,7 @@ Reply Bench::write(std::uint16_t index, std::uint8_t sub, std::uint64_t number, 
 }
 
 Reply Bench::set(std::uint16_t index, std::uint8_t sub, std::uint64_t number, std::size_t bytes) {
-  const Reply before = read(index, sub);
+  Reply before = read(index, sub);
   if (!before) return before;
   Reply done = write(index, sub, number, bytes);
   if (done) changed_.push_back({index, sub, before.value});
