@@ -82,8 +82,10 @@ void Bench::send(const Frame& frame) {
 }
 
 void Bench::go_on() {
+  const bool was_cut = is_cut();
   goes_on_ = true;
   is_broken_ = is_refused_;
+  if (!was_cut) return;
   // A transfer that was under way is over: 0800 0000h, general error.
   send(Frame::data_frame(can_id::sdo_request + node_, {0x80, 0, 0, 0, 0, 0, 0, 0x08}));
   drain();
@@ -216,9 +218,9 @@ bool Bench::has_services_by_sdo() {
 void Bench::restore() {
   for (; !changed_.empty(); changed_.pop_back()) {
     const Changed& last = changed_.back();
-    if (is_broken_ || !write(last.index, last.sub, last.before)) {
-      unrestored_.push_back(words::object_text(last.index, last.sub));
-    }
+    const bool is_done = !is_broken_ && write(last.index, last.sub, last.before);
+    if (is_cut()) return;
+    if (!is_done) unrestored_.push_back(words::object_text(last.index, last.sub));
   }
 }
 

@@ -82,7 +82,7 @@ class Bench {
   bool is_broken() const { return is_broken_; }
   /// Whether somebody has asked it to end.
   bool is_interrupted() const { return line_.is_interrupted && line_.is_interrupted(); }
-  /// After an interruption: what is still to be put back is, and who asks to end waits for it.
+  /// From here on what was changed is put back, and who asks to end waits for it.
   void go_on();
 
   /// Puts a frame on the bus; where that does not go, is_broken().
@@ -116,7 +116,8 @@ class Bench {
   /// Whether SDO is answered; waits no longer than a state takes to show.
   bool has_services_by_sdo();
 
-  /// Writes back what set() has changed, the last first. What could not be is told by unrestored().
+  /// Writes back what set() has changed, the last first. What could not be is told by unrestored();
+  /// where somebody interrupts it, the rest is for the next time.
   void restore();
   /// `1017h:00h` each; empty: all is as it was.
   const std::vector<std::string>& unrestored() const { return unrestored_; }
@@ -137,6 +138,8 @@ class Bench {
   void hold() { is_held_ = true; }
 
  private:
+  /// Somebody has interrupted it.
+  bool is_cut() const { return is_broken_ && !is_refused_; }
   static constexpr std::size_t frames_max = 48;
   static constexpr std::size_t value_max = 100'000;
   struct Changed {

@@ -24,6 +24,12 @@ constexpr Duration settling = 20ms;
 /// Of a device that a case has upset: by then it is back, with its boot-up behind it.
 constexpr Duration recovery = 3s;
 
+void note_lost(Report& report, const std::vector<std::string>& objects) {
+  for (const std::string& object : objects) {
+    report.notes.push_back(fmt::format("{} could not be put back", object));
+  }
+}
+
 }  // namespace
 
 std::string_view group_name(Group group) {
@@ -123,6 +129,13 @@ Report Check::run(const std::function<void(const TestResult&)>& tell, std::strin
   std::optional<NmtState> state = bench_.state();
   if (!state && bench_.watch_state()) state = bench_.state();
   bench_.restore();
+  if (bench_.is_broken()) {
+    // Nothing was tried yet, and no state was changed.
+    bench_.go_on();
+    bench_.restore();
+    note_lost(report, bench_.unrestored());
+    return report;
+  }
   bench_.command(NmtCommand::enter_pre_operational);
   bench_.listen(settling);
   KeptSettings kept;
@@ -136,8 +149,8 @@ Report Check::run(const std::function<void(const TestResult&)>& tell, std::strin
     if (tell) tell(report.results.back());
   }
   report.is_whole = !bench_.is_broken();
-  if (bench_.is_interrupted()) {
-    bench_.go_on();
+  bench_.go_on();
+  if (!report.is_whole && !bench_.is_broken()) {
     comes_back();
     bench_.restore();
   }
@@ -154,9 +167,7 @@ void Check::finish(Report& report, KeptSettings& kept, std::optional<NmtState> s
   if (state == NmtState::operational) bench_.command(NmtCommand::start);
   if (state == NmtState::stopped) bench_.command(NmtCommand::stop);
   if (!state) report.notes.emplace_back("its NMT state was not known: it is pre-operational now");
-  for (const std::string& object : lost) {
-    report.notes.push_back(fmt::format("{} could not be put back", object));
-  }
+  note_lost(report, lost);
 }
 
 }  // namespace canvoy::conformance
