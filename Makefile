@@ -10,7 +10,7 @@ CASES ?= 20000
 SETS ?= 1000
 SEED ?= 1
 
-.PHONY: build dist release-check demo docs test check test-all tidy bench bench-page fuzz api properties response-times mutate mutate-all format install clean
+.PHONY: build dist release-check demo docs playground test check test-all tidy bench bench-page fuzz api fit properties response-times mutate mutate-all format install clean
 
 # The command, at build/canvoy.
 build:
@@ -33,6 +33,11 @@ build/docs/venv/installed: docs/requirements.txt
 	@python3 -m venv build/docs/venv
 	@build/docs/venv/bin/pip install --quiet --requirement docs/requirements.txt
 	@touch $@
+
+# The simulated networks in a browser, at build/playground/site: `make docs` takes them into the site. Tried in chromium.
+playground: build
+	@scripts/install-packages playground
+	@JOBS=$(JOBS) scripts/playground --test
 
 # Each test once: the command, strangers and embedding by the release, unit tests with sanitizers, fuzzing, style.
 test:
@@ -82,6 +87,16 @@ api: build
 	@scripts/install-packages test
 	@CANVOY=build/canvoy tests/web/api_test.py $(CASES) $(SEED)
 
+# MDF files in both directions against python-can and asammdf, of SEEDS random buses.
+mdf: build
+	@scripts/install-packages mdf
+	@CANVOY=build/canvoy build/mdf/venv/bin/python tests/strangers/traces/mdf/mdf_test.py
+
+# All views of all worlds at all sizes, in light and dark: nothing beyond an edge, nothing too small, and axe finds nothing.
+fit: build
+	@scripts/install-packages test
+	@CANVOY=build/canvoy CANVOY_WHOLE=1 node --test tests/web/fit_test.mjs
+
 # Properties in CASES cases by chance; the tests have the same hundred of them each time.
 properties:
 	@scripts/install-packages test
@@ -111,7 +126,7 @@ mutate:
 	@scripts/mutate $(FOLDERS) --count $(COUNT) --seed $(SEED)
 
 # The same by the hundred, in one build and judged by all unit tests.
-mutate-all: FOLDERS = canvoy/canopen canvoy/devices canvoy/formats canvoy/sim
+mutate-all: FOLDERS = canvoy/canopen canvoy/devices canvoy/formats canvoy/sim canvoy/worlds
 mutate-all: COUNT = 200
 mutate-all:
 	@scripts/install-packages test

@@ -1,10 +1,10 @@
-// How many frames a second of wall time the simulated bus carries, with whole nodes on it: each
-// frame is a TPDO that was packed from a dictionary, won arbitration, was delivered, and was
-// written into the dictionaries of those who map it.
+// Frames per second of wall time on the simulated bus with complete nodes: each frame is a TPDO
+// that is packed from a dictionary, wins arbitration, is delivered, and is written into the
+// dictionaries of the nodes that map it.
 //
-// The nodes pass on what they receive, so that the bus is never idle: a value goes round and is
-// counted up by each node. 64 of them are under way at a time with 127 nodes, so that there is
-// arbitration as on a real bus that is full.
+// The nodes pass on what they receive, so that the bus is never idle: a value circulates and is
+// incremented by each node. With 127 nodes, 64 of them are active at a time, so that there is
+// arbitration as on a real bus at full load.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -15,15 +15,15 @@
 #include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "canvoy/canopen/pdo/rpdo.hpp"
 #include "canvoy/canopen/pdo/tpdo.hpp"
-#include "canvoy/sim/charging/charging_network.hpp"
 #include "canvoy/sim/world.hpp"
+#include "canvoy/worlds/charger/charger_network.hpp"
 
 namespace canvoy {
 namespace {
 
 constexpr std::size_t rpdo_count = 4;
-constexpr std::uint16_t inputs = 0x6000;   // what RPDOs write: sub-indices 2n + 1 and 2n + 2
-constexpr std::uint16_t outputs = 0x6400;  // what the TPDO reads
+constexpr std::uint16_t inputs = 0x6000;   // written by RPDOs: sub-indices 2n + 1 and 2n + 2
+constexpr std::uint16_t outputs = 0x6400;  // read by the TPDO
 
 constexpr auto layout =
     lay_out(std::to_array<ObjectRow>({{.index = 0x1000, .entry_count = 1},
@@ -66,7 +66,7 @@ constexpr std::uint32_t tpdo_can_id(std::size_t node) {
   return 0x180 + static_cast<std::uint32_t>(node) + 1;
 }
 
-/// Receives the TPDOs of four others, and counts up what the first of them says.
+/// Receives the TPDOs of four others, and increments the value of the first of them.
 class RingNode {
  public:
   RingNode(World& world, BusIndex bus, std::size_t number, std::size_t nodes)
@@ -138,7 +138,7 @@ class RingNode {
 
 using Ring = std::vector<std::unique_ptr<RingNode>>;
 
-/// Nodes on a bus of their own, in pre-operational.
+/// Makes nodes on a bus of their own, in pre-operational.
 Ring make_ring(World& world, std::size_t nodes) {
   const BusIndex bus = world.add_bus({.bit_rate = 1'000'000});
   Ring ring;
@@ -168,7 +168,7 @@ std::uint64_t frames_on(const World& world, std::size_t buses) {
   return frames;
 }
 
-/// Frames go round for a second of bus time at 1 Mbit/s in each iteration: some 8000 of them on
+/// Frames circulate for a second of bus time at 1 Mbit/s in each iteration: about 8000 of them on
 /// each bus.
 void carry_frames(benchmark::State& state) {
   const auto buses = static_cast<std::size_t>(state.range(0));
@@ -203,7 +203,7 @@ BENCHMARK(carry_frames)
 void charge_a_night(benchmark::State& state) {
   std::uint64_t frames = 0;
   for (auto _ : state) {
-    charging::ChargingNetwork network;
+    charger::ChargerNetwork network;
     network.run_until(Time(8h));
     frames += network.snapshot().bus.frames;
     if (!network.all_hold()) state.SkipWithError("an invariant did not hold");

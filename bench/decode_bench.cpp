@@ -1,6 +1,5 @@
-// What it costs to say what a frame means: its objects, the words with names and units, and the
-// line that `canvoy decode` prints, where most values are those of the frame before, or where all
-// change.
+// Cost of decoding a frame: its objects, the words with names and units, and the line that `canvoy
+// decode` prints, where most values repeat those of the previous frame, or where all change.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -8,16 +7,16 @@
 #include <string>
 
 #include "canvoy/can/frame_text.hpp"
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 #include "canvoy/decoder/decoder.hpp"
 #include "canvoy/profiles/registry.hpp"
-#include "canvoy/tools/log/frame_printer.hpp"
-#include "canvoy/words/frame_decoder.hpp"
+#include "canvoy/text/frame_decoder.hpp"
+#include "canvoy/tools/watch/frame_printer.hpp"
 
 namespace canvoy {
 namespace {
 
-/// What a charger and its battery send in a cycle.
+/// The frames of a charger and its battery in a cycle.
 std::array<Frame, 6> cycle() {
   const auto frame = [](std::string_view text) { return parse_frame(text).frame; };
   return {frame("20A#01"),     frame("18A#A00001"), frame("28A#A000018FBE0000"),
@@ -49,7 +48,7 @@ void print_cycles(benchmark::State& state, bool changing, bool json) {
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(frames.size()));
 }
-/// What a tool and a device say to each other: reads, a write, a text in segments, an abort.
+/// Dialogue of a tool and a device: reads, a write, a text in segments, an abort.
 constexpr std::array<std::string_view, 12> sdo_dialogue = {
     "60A#4010600000000000", "58A#4B106000A0000000", "60A#2B17100032000000", "58A#6017100000000000",
     "60A#4008100000000000", "58A#410810000A000000", "60A#6000000000000000", "58A#0043616E766F7920",
@@ -76,7 +75,7 @@ BENCHMARK_CAPTURE(print_cycles, changing, true, false)->Name("decode/lines of ch
 BENCHMARK_CAPTURE(print_cycles, same_json, false, true)->Name("decode/JSON");
 BENCHMARK_CAPTURE(print_cycles, changing_json, true, true)->Name("decode/JSON of changing values");
 BENCHMARK(decode_cycles<decoder::Decoder>)->Name("decode/objects");
-BENCHMARK(decode_cycles<words::FrameDecoder>)->Name("decode/words");
+BENCHMARK(decode_cycles<text::FrameDecoder>)->Name("decode/words");
 
 }  // namespace
 }  // namespace canvoy

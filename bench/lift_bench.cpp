@@ -1,14 +1,14 @@
-// Buildings with lifts: how much faster than the clock they run.
+// Buildings with lifts: speed of the simulation relative to the clock.
 #include <benchmark/benchmark.h>
 
 #include <chrono>
 
-#include "canvoy/sim/lift/lift_network.hpp"
+#include "canvoy/worlds/lift/lift_network.hpp"
 
 namespace canvoy::lift {
 namespace {
 
-/// Seconds of virtual time in a second of this machine.
+/// Seconds of virtual time per second of this machine.
 void count_speed(benchmark::State& state, Duration simulated) {
   state.counters["times_real_time"] =
       benchmark::Counter(std::chrono::duration<double>(simulated).count(),
@@ -33,12 +33,12 @@ void run(benchmark::State& state, const LiftNetworkDescription& description, Dur
   state.SetItemsProcessed(static_cast<std::int64_t>(frames));
 }
 
-/// A controller, a drive, an encoder, two doors, and 20 panels: 19 of landings and one of the car;
-/// a light barrier and a load unit as well, without which no car leaves.
+/// A controller, a drive, an encoder, two doors, and 20 panels: 19 at landings and one in the car;
+/// also a light barrier and a load unit, without which no car leaves.
 void one_lift(benchmark::State& state) {
   StandardLifts options{.lifts = 1, .floors = 19};
   options.lift.doors = 0b0011;
-  options.population_per_floor = 20;  // more than one lift can carry would give up
+  options.population_per_floor = 20;  // more people than one lift can carry would give up
   run(state, standard_lift_network(options), 1h);
 }
 BENCHMARK(one_lift)->Unit(benchmark::kMillisecond);

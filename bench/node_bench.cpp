@@ -1,6 +1,6 @@
-// What a whole node costs: four RPDOs and four TPDOs with writable mapping, an SDO server with
-// blocks, SYNC, emergency with history, eight heartbeats that are watched, an LSS slave. And what
-// must not grow with the number of TPDOs, timers and tasks.
+// Cost of a complete node: four RPDOs and four TPDOs with writable mapping, an SDO server with
+// blocks, SYNC, emergency with history, eight monitored heartbeats, an LSS slave. Also what must
+// not grow with the number of TPDOs, timers and tasks.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "canvoy/can/host/event_loop.hpp"
-#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/device/device_node.hpp"
 #include "canvoy/canopen/lss/lss_slave.hpp"
 #include "canvoy/profiles/cia301.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 
 namespace canvoy {
 namespace node_bench {
@@ -37,7 +37,7 @@ constexpr auto description =
              cia301::tpdo({.number = 2}), cia301::tpdo({.number = 3}), cia301::tpdo({.number = 4}));
 constexpr auto layout = lay_out_device<description>();
 
-/// Where frames go: nowhere, but they are counted.
+/// Counts frames and discards them.
 struct Driver {
   static bool send(void* context, const Frame& frame) {
     benchmark::DoNotOptimize(frame.data);
@@ -92,7 +92,7 @@ class BenchNode {
   }
 };
 
-// What is counted is in functions of their own, so that bench/run finds them whole.
+// The measured code is in functions of its own, so that bench/run finds it whole.
 
 [[gnu::noinline]] void change(Node& node, const Entry& entry, std::uint32_t number) {
   node.dictionary().set(entry, {reinterpret_cast<const std::uint8_t*>(&number), sizeof number});
@@ -170,7 +170,7 @@ constexpr auto many_layout =
             }));
 constexpr DictionaryTables many_tables = many_layout.tables();
 
-/// TPDO n carries object 3000h + n - 1. All are sent at events.
+/// TPDO n carries object 3000h + n - 1. All are event-driven.
 class ManyTpdos {
  public:
   explicit ManyTpdos(std::size_t count) : pdos_(count) {
@@ -241,7 +241,7 @@ void timer_beside_others(benchmark::State& state) {
 }
 BENCHMARK(timer_beside_others)->Arg(4)->Arg(100)->Arg(10000);
 
-/// A task that has nothing to do.
+/// A task without work.
 struct Idle {
   Time deadline() const { return at; }
   void advance(Time) {}
@@ -258,6 +258,16 @@ void loop_turn_beside_tasks(benchmark::State& state) {
   for (auto _ : state) loop->run_until(Time{});
 }
 BENCHMARK(loop_turn_beside_tasks)->Arg(1)->Arg(1000);
+
+/// Like timers, without a request for their deadlines.
+void loop_turn_beside_timers(benchmark::State& state) {
+  const std::unique_ptr<host::EventLoop> loop = *host::EventLoop::create();
+  for (std::int64_t i = 0; i < state.range(0); ++i) {
+    loop->at(Time(Duration(24h) + Duration(i)), [](Time) {});
+  }
+  for (auto _ : state) loop->run_until(Time{});
+}
+BENCHMARK(loop_turn_beside_timers)->Arg(1)->Arg(1000);
 
 }  // namespace node_bench
 }  // namespace canvoy

@@ -1,6 +1,6 @@
-// What an operator environment with all elements at their maximum costs: to start, and while
-// everything on it moves. The goals are 10 ms of CPU for the start, and for 10,000 input changes a
-// second 5 % of a core: 5 us each.
+// Cost of an operator environment with all elements at their maximum: of the start, and while
+// everything on it moves. The goals are 10 ms of CPU for the start, and 5 % of a core for 10,000
+// input changes per second: 5 us each.
 #include <benchmark/benchmark.h>
 
 #include "canvoy/devices/testing/operator_cabin.hpp"
@@ -11,7 +11,7 @@ namespace {
 using cia852::OperatorCabin;
 using cia852::OperatorSettings;
 
-/// From nothing to pre-operational.
+/// From construction to pre-operational.
 void operator_start(benchmark::State& state) {
   for (auto _ : state) {
     const OperatorCabin cabin(OperatorSettings{}.sensing_period);
@@ -20,8 +20,8 @@ void operator_start(benchmark::State& state) {
 }
 BENCHMARK(operator_start)->Unit(benchmark::kMillisecond);
 
-/// A second in which 10,000 inputs change. Looked at each `sensing_period`, those in between are
-/// told together; with zero, the hardware says each time that it has changed.
+/// A second with 10,000 input changes. If they are sampled each `sensing_period`, the changes in
+/// between are reported together; with zero, the hardware reports each change.
 void run_changes(benchmark::State& state, Duration sensing_period) {
   OperatorCabin cabin(sensing_period);
   cabin.work();
@@ -37,13 +37,13 @@ void run_changes(benchmark::State& state, Duration sensing_period) {
       benchmark::Counter(static_cast<double>(cabin.sent), benchmark::Counter::kAvgIterations);
 }
 
-/// As usual, each 2 ms: 20 changes are told together.
+/// The usual period of 2 ms: 20 changes are reported together.
 void operator_second_of_changes(benchmark::State& state) {
   run_changes(state, OperatorSettings{}.sensing_period);
 }
 BENCHMARK(operator_second_of_changes)->Unit(benchmark::kMillisecond);
 
-/// Each of them is told for itself.
+/// Each change is reported separately.
 void operator_second_of_told_changes(benchmark::State& state) {
   run_changes(state, Duration::zero());
 }

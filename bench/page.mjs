@@ -29,7 +29,7 @@ async function first_paint(browser) {
   row("  of an empty page", `${median(of_empty).toFixed(0)} ms`);
 }
 
-/** How often the page could be drawn a second, in ten seconds. */
+/** Number of times per second that the page could be drawn, over ten seconds. */
 const rate = (page) => page.evaluate(() => new Promise((resolve) => {
   let first = 0;
   let count = 0;

@@ -1,5 +1,5 @@
-// How long PDOs take: an RPDO from Node::receive to the dictionary, a TPDO from a change of value
-// to the port.
+// Duration of PDO processing: an RPDO from Node::receive to the dictionary, a TPDO from a change of
+// value to the port.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -76,7 +76,7 @@ constexpr auto layout = lay_out(
     }));
 constexpr DictionaryTables tables = layout.tables();
 
-/// What is mapped: every `step`-th sub-index of an array; with 1 they lie side by side.
+/// The mapped entries: every `step`-th sub-index of an array; with 1 they are adjacent.
 struct Mapped {
   std::uint16_t index;
   std::uint8_t bits;
@@ -102,7 +102,7 @@ class BenchNode {
   }
 
   void operate() { node.command(NmtCommand::start); }
-  /// 6200h with this sub-index in TPDO 1, after no_tpdos().
+  /// Maps 6200h with this sub-index to TPDO 1, after no_tpdos().
   void map_tpdo(std::uint64_t sub) {
     write(0x1A00, 0, 0, 1);
     write(0x1A00, 1, std::uint64_t{0x6200} << 16 | sub << 8 | 32, 4);
@@ -188,7 +188,8 @@ BENCHMARK_CAPTURE(receive_rpdo, 2x32_adjacent, longs_adjacent);
 BENCHMARK_CAPTURE(receive_rpdo, 2x32_apart, longs_apart);
 BENCHMARK_CAPTURE(receive_rpdo, 64x1, booleans);
 
-/// The same with something that hangs on the values: `prepare` ties it to the node.
+/// Like receive_rpdo(), but with something attached to the values: `prepare` attaches it to the
+/// node.
 template <class Prepare>
 void receive_rpdo_with(benchmark::State& state, const Mapped& mapped, Prepare prepare) {
   BenchNode bench(mapped);
@@ -205,26 +206,26 @@ void receive_rpdo_with(benchmark::State& state, const Mapped& mapped, Prepare pr
 }
 BENCHMARK_CAPTURE(receive_rpdo_with, 2x32_limits, longs_limited, [](BenchNode&) { return 0; });
 
-/// Told of both values.
+/// Notified of both values.
 struct ToldOf {
   explicit ToldOf(BenchNode& bench) { bench.node.attach(link); }
 
   void told() { benchmark::DoNotOptimize(++count); }
 
   int count = 0;
-  static constexpr HookCalls hooks[] = {
+  static constexpr AccessHandlers hooks[] = {
       {.first = 0x6200, .last = 0x6200, .after_write = [](void* self, const Entry&, Source) {
          static_cast<ToldOf*>(self)->told();
        }}};
-  static constexpr ServiceCalls calls = {.hooks = hooks};
-  ServiceLink link{&calls, this};
+  static constexpr ServiceHandlers calls = {.hooks = hooks};
+  HandlerBinding link{&calls, this};
 };
 BENCHMARK_CAPTURE(receive_rpdo_with, 2x32_hook, longs_adjacent,
                   [](BenchNode& bench) { return std::make_unique<ToldOf>(bench); });
-/// The other one of two neighbours is in a TPDO.
+/// The other of two neighbours is in a TPDO.
 BENCHMARK_CAPTURE(receive_rpdo_with, 2x32_neighbour_in_tpdo, longs_adjacent,
                   [](BenchNode& bench) { return bench.map_tpdo(3), 0; });
-/// One of both is, with an inhibit time that outlasts the run, so that it is not sent.
+/// One of the two is in a TPDO, with an inhibit time longer than the run, so that it is not sent.
 BENCHMARK_CAPTURE(receive_rpdo_with, 2x32_one_in_tpdo, longs_adjacent,
                   [](BenchNode& bench) { return bench.map_tpdo(1), 0; });
 

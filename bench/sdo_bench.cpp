@@ -1,5 +1,4 @@
-// What an SDO transfer costs in processor time: client and server, and a queue of frames in place
-// of a bus.
+// Processor time of an SDO transfer: client and server, and a queue of frames in place of a bus.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -13,7 +12,7 @@
 namespace canvoy {
 namespace {
 
-/// As many objects as a small device has, so that look-ups cost what they cost there.
+/// As many objects as a small device has, so that lookups have a realistic cost.
 constexpr auto layout = lay_out(
     std::to_array<ObjectRow>({{.index = 0x1000, .entry_count = 1},
                               {.index = 0x1001, .entry_count = 1},
@@ -57,7 +56,7 @@ constexpr auto layout = lay_out(
          {.type = DataType::integer16, .access = Access::rw}}));
 constexpr DictionaryTables tables = layout.tables();
 
-/// Frames on their way, as a driver has them: a node that answers is not called by its own answer.
+/// Queue of frames, as in a driver: a node that answers is not called by its own answer.
 class Line {
  public:
   void push(Node& to, const Frame& frame) { waiting_[end_++ % waiting_.size()] = {&to, frame}; }
@@ -78,7 +77,7 @@ class Line {
   std::size_t end_ = 0;
 };
 
-/// A node whose frames go to the other one.
+/// A node with frames that go to the other one.
 struct Peer {
   Peer(Line& to_use, Peer& other, NodeId id)
       : line(to_use), peer(other), node(tables, memory(), {this, &pass_on, nullptr}, id) {}

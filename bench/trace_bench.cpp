@@ -1,5 +1,4 @@
-// How many frames a second are read from a log file and counted, as a tool reads it (the file is in
-// the page cache).
+// Frames per second that are read from a log file and counted (the file is in the page cache).
 #include <benchmark/benchmark.h>
 #include <unistd.h>
 
@@ -14,7 +13,8 @@ namespace {
 
 constexpr std::size_t frame_count = 1'000'000;
 
-// Of a network with PDOs, heartbeats and SYNC: identifiers and lengths change from frame to frame.
+// A log of a network with PDOs, heartbeats and SYNC: identifiers and lengths change from frame to
+// frame.
 std::string write_log(TraceFormat format) {
   const std::string path = "/tmp/canvoy_trace_bench_" + std::to_string(::getpid());
   host::Result<TraceWriter> writer = TraceWriter::create(path, format);
@@ -32,7 +32,7 @@ std::string write_log(TraceFormat format) {
   return path;
 }
 
-// We write none: as PEAK's programs do, in the newest version.
+// Like the programs of PEAK, in the newest version; the library writes no such log.
 std::string write_trc() {
   const std::string path = "/tmp/canvoy_trace_bench_" + std::to_string(::getpid());
   std::FILE* file = std::fopen(path.c_str(), "w");

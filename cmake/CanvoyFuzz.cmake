@@ -1,23 +1,35 @@
 # Each fuzz/<name>_fuzz.cpp is a libFuzzer program. As a test, fuzz.<name>_fuzz, it runs for CANVOY_FUZZ_SECONDS from
 # the seeds in fuzz/corpus/<name>_fuzz. Inputs that break something go to fuzz/found/<name>, which `make clean` leaves
-# alone, and are tried first from then on; so do new ways through the code where a campaign asks for that. Those that
-# feed no node but a reader of text or bytes have soon seen all: half of the time is theirs.
-set(CANVOY_FUZZ_SECONDS 4 CACHE STRING "How long each fuzz target runs as a test")
+# alone, and are tried first from then on; so do new ways through the code where a campaign asks for that.
+set(CANVOY_FUZZ_SECONDS 2 CACHE STRING "How long each fuzz target runs as a test")
 set(CANVOY_FUZZ_SEED 301 CACHE STRING "Of what they try; 0 is another one each time")
 set(CANVOY_FUZZ_FOUND "${PROJECT_SOURCE_DIR}/fuzz/found" CACHE PATH "Where inputs that break something are kept")
 set(CANVOY_FUZZ_CORPUS "${PROJECT_BINARY_DIR}/corpus" CACHE PATH "Where inputs that go new ways are kept")
+
+# The headers of the standard library, compiled once for those that are not built on the tools, which have other definitions.
+if(CANVOY_PRECOMPILED_HEADERS)
+  file(GENERATE OUTPUT fuzz_headers.cpp CONTENT "// Only carries the precompiled headers of the fuzz targets.\n")
+  add_library(canvoy_fuzz_headers OBJECT "${PROJECT_BINARY_DIR}/fuzz_headers.cpp")
+  target_link_libraries(canvoy_fuzz_headers PRIVATE canvoy::gateway canvoy::worlds canvoy::host)
+  canvoy_warnings(canvoy_fuzz_headers)
+  set_target_properties(canvoy_fuzz_headers PROPERTIES CXX_EXTENSIONS OFF)
+  target_precompile_headers(canvoy_fuzz_headers PRIVATE ${canvoy_standard_headers})
+endif()
 
 function(canvoy_fuzz source)
   cmake_path(GET source STEM name)
   add_executable(${name} ${source})
   canvoy_warnings(${name})
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF)
-  target_link_libraries(${name} PRIVATE canvoy::gateway canvoy::sim canvoy::host)
+  target_link_libraries(${name} PRIVATE canvoy::gateway canvoy::worlds canvoy::host)
   if(name MATCHES "^(data_sheet|trace)_fuzz$")
     target_link_libraries(${name} PRIVATE canvoy::formats)
   endif()
   if(name STREQUAL "gtfs_fuzz")
     target_link_libraries(${name} PRIVATE canvoy::gtfs)
+  endif()
+  if(name STREQUAL "doctor_log_fuzz")
+    target_link_libraries(${name} PRIVATE canvoy::text canvoy::formats)
   endif()
   if(name STREQUAL "decoder_fuzz")
     target_link_libraries(${name} PRIVATE canvoy::decoder)
@@ -26,6 +38,10 @@ function(canvoy_fuzz source)
     target_link_libraries(${name} PRIVATE canvoy::tools)
   endif()
   target_link_options(${name} PRIVATE -fsanitize=fuzzer)
+  get_target_property(libraries ${name} LINK_LIBRARIES)
+  if(TARGET canvoy_fuzz_headers AND NOT "canvoy::tools" IN_LIST libraries)
+    target_precompile_headers(${name} REUSE_FROM canvoy_fuzz_headers)
+  endif()
 
   set(found "${CANVOY_FUZZ_FOUND}/${name}")
   set(corpora "${CANVOY_FUZZ_CORPUS}/${name}" "${found}")
@@ -33,13 +49,9 @@ function(canvoy_fuzz source)
   if(IS_DIRECTORY "${PROJECT_SOURCE_DIR}/fuzz/corpus/${name}")
     list(APPEND corpora "${PROJECT_SOURCE_DIR}/fuzz/corpus/${name}")
   endif()
-  set(seconds ${CANVOY_FUZZ_SECONDS})
-  if(NOT name MATCHES "node_fuzz$")
-    math(EXPR seconds "${seconds} / 2")
-  endif()
-  math(EXPR timeout "${seconds} + 120")
+  math(EXPR timeout "${CANVOY_FUZZ_SECONDS} + 120")
   canvoy_add_test(fuzz.${name} fuzz ${timeout}
-    $<TARGET_FILE:${name}> -max_total_time=${seconds} -seed=${CANVOY_FUZZ_SEED} -timeout=10 -rss_limit_mb=2048
+    $<TARGET_FILE:${name}> -max_total_time=${CANVOY_FUZZ_SECONDS} -seed=${CANVOY_FUZZ_SEED} -timeout=10 -rss_limit_mb=2048
     -print_final_stats=1 -artifact_prefix=${found}/ ${corpora})
 endfunction()
 

@@ -58,7 +58,7 @@ foreach(library IN LISTS libraries)
   list(FILTER of_others INCLUDE REGEX "::")
   list(TRANSFORM requires REPLACE "^.*::" "")
   list(TRANSFORM requires REPLACE "^canvoy_" "canvoy-")
-  list(TRANSFORM requires TOLOWER)  # CMake's ZLIB is pkg-config's zlib
+  list(TRANSFORM requires TOLOWER)  # CMake's ZLIB and SQLite3 are pkg-config's zlib and sqlite3
   string(REPLACE "canvoy_" "canvoy-" name ${library})
   set(needs_${library} ${of_others})
   foreach(link IN LISTS links)

@@ -4,7 +4,7 @@ set(CANVOY_SOAK_SEEDS 5 CACHE STRING "How many seeds of each world the tests pla
 add_executable(canvoy_soak "${PROJECT_SOURCE_DIR}/bench/soak/soak.cpp")
 canvoy_warnings(canvoy_soak)
 set_target_properties(canvoy_soak PROPERTIES CXX_EXTENSIONS OFF)
-target_link_libraries(canvoy_soak PRIVATE canvoy::sim)
+target_link_libraries(canvoy_soak PRIVATE canvoy::worlds)
 if(CANVOY_TESTS)
   foreach(world IN ITEMS lift charger taxi police bus excavator gaps)
     canvoy_add_test(soak.${world} soak 3600 canvoy_soak ${world} ${CANVOY_SOAK_SEEDS})

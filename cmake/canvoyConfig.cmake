@@ -1,11 +1,11 @@
 # find_package(canvoy CONFIG REQUIRED [COMPONENTS canopen devices ...]): a target canvoy::<component> for each library.
-# Of them formats, gtfs, decoder and words are built on libraries of others: these have to be there where one of the four is asked
-# for, and are looked for where no component is named, so that canvoy::words can be linked where they are.
+# Of them formats, gtfs, decoder and text are built on libraries of others: these have to be there where one of the four is asked
+# for, and are looked for where no component is named, so that canvoy::text can be linked where they are.
 include(CMakeFindDependencyMacro)
-set(canvoy_formats_needs fmt nlohmann_json pugixml ZLIB)
+set(canvoy_formats_needs fmt nlohmann_json pugixml SQLite3 ZLIB)
 
 foreach(component IN LISTS canvoy_FIND_COMPONENTS)
-  if(component MATCHES "^(formats|gtfs|decoder|words)$")
+  if(component MATCHES "^(formats|gtfs|decoder|text)$")
     foreach(package IN LISTS canvoy_formats_needs)
       find_dependency(${package})
     endforeach()

@@ -1,5 +1,5 @@
-// A seat in an operator cabin (CiA 852) on a CAN interface: a joystick, and a lamp that the network
-// switches. Replace stick and lamp by your own, and it is yours.
+// A seat in an operator cabin on a CAN interface: a joystick, and a lamp that the network switches.
+// Replace stick and lamp to adapt it (CiA 852).
 //
 //     cabin can0 10
 //     canvoy write can0 10 1800:1 0x18A  # the network wants the joystick: TPDO 1 is valid now
@@ -8,10 +8,10 @@
 #include <cstdlib>
 
 #include "canvoy/can/host/attachment.hpp"
-#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/device/device_node.hpp"
 #include "canvoy/profiles/cia852/handles.hpp"
 #include "canvoy/profiles/cia852/operator_environment.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 
 using namespace canvoy;
 
@@ -22,7 +22,7 @@ constexpr auto seat =
              cia301::emergency_consumers(1));
 constexpr auto seat_layout = lay_out_device<seat>();
 
-/// What is behind the node: here a stick that swings by itself, and a lamp of ink.
+/// The hardware behind the node: here a simulated stick, and a lamp that prints its state.
 struct Panel {
   Values values;
   Time next{};
@@ -49,7 +49,7 @@ int main(int count, char** arguments) {
 
   host::Attachment attachment(**loop, **bus);
   DeviceNode<seat_layout> node(attachment.port(), static_cast<NodeId>(std::atoi(arguments[2])));
-  attachment.serve(node.node());
+  attachment.attach(node.node());
   Panel panel{Values(node.node().dictionary())};
   (*loop)->add({.deadline = Callback<Time()>::to<&Panel::deadline>(panel),
                 .advance = Callback<void(Time)>::to<&Panel::advance>(panel)});

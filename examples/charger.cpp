@@ -1,5 +1,4 @@
-// A complete CiA 419 charger on a CAN interface. Replace the power stage by your own, and it is
-// yours.
+// A complete charger on a CAN interface. Replace the power stage to adapt it (CiA 419).
 //
 //     charger can0 5
 #include <cstdio>
@@ -9,7 +8,7 @@
 
 using namespace canvoy;
 
-/// Your power stage: here one that obeys at once.
+/// The power stage: here one that follows its setpoints at once.
 struct PowerStage {
   double ampere = 0;
 

@@ -1,11 +1,11 @@
-// Arbitrary text as a list of people who come: it is refused, or all of them can be carried.
+// Arbitrary text as a list of arriving people: it is refused, or all of them can be carried.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
 #include <vector>
 
-#include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/run/arrival_list.hpp"
+#include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/play/arrival_list.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace canvoy;
@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const bool is_person = each.mass_kg >= 1 && each.mass_kg <= 1000;
     if (!is_here || each.from == each.to || !is_person || each.at < Time{}) std::abort();
   }
-  // As a building takes them.
+  // In the form that a building takes.
   lift::Traffic traffic(people);
   Time last{};
   while (const auto next = traffic.next()) {

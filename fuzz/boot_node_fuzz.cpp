@@ -1,5 +1,5 @@
 // Arbitrary frames and times to an NMT master that boots a network, may be a flying master, and
-// takes requests by SDO. It comes to rest, commands only who may be commanded, and goes on booting.
+// takes requests by SDO. It comes to rest, commands only permitted nodes, and continues to boot.
 #include <array>
 #include <cstdint>
 #include <span>
@@ -8,7 +8,7 @@
 #include "canvoy/canopen/manager/master_node.hpp"
 #include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/cia302/master.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 #include "fuzz/input.hpp"
 #include "fuzz/require.hpp"
 
@@ -87,7 +87,7 @@ class World {
     task.done({error, code % 8 == 0 ? SdoEnd::no_answer() : SdoEnd()});
   }
 
-  /// Told once of each restart, unless its task was abandoned.
+  /// Notified once of each restart, unless its task was abandoned.
   struct Restart {
     void ended(AbortCode answer) {
       require(is_under_way);
@@ -132,7 +132,7 @@ class World {
     return frame;
   }
 
-  /// What a slave says, or another master, or somebody who has a request.
+  /// A message of a slave, of another master, or of a client with a request.
   static Frame likely_frame(Input& input) {
     const std::uint8_t choice = input.byte();
     const std::uint32_t slave = 1 + choice / 8 % slaves_max;
@@ -192,7 +192,7 @@ class World {
       require(i < 1000);
       master_.node().advance(now_);
     }
-    // Whoever has a task is being booted.
+    // A node with a task is being booted.
     for (const BootTask& task : tasks_) {
       if (task.slave == 0) continue;
       require(master_.boot_manager().slave_state(task.slave) == BootManager::SlaveState::booting);

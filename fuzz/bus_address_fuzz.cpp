@@ -1,5 +1,5 @@
-// Arbitrary text as the address of a bus: what is taken is written in full and read back as the
-// same.
+// Arbitrary text as the address of a bus: an accepted address is written in full and read back
+// unchanged.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>

@@ -1,4 +1,4 @@
-// Arbitrary text as a line of a log: a line that is taken is written and read back as the same.
+// Arbitrary text as a line of a log: an accepted line is written and read back unchanged.
 #include <cstdint>
 #include <cstdlib>
 #include <string>

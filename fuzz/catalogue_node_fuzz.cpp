@@ -1,8 +1,8 @@
-// Arbitrary frames, SDO requests, writes and points in time, handed to a device of the catalogue:
-// the first byte says which. A kind that is new in the catalogue is tried with no line more.
+// Arbitrary frames, SDO requests, writes and times, passed to a device of the catalogue: the first
+// byte selects it. A new kind in the catalogue is included without a further line.
 //
-// Beside what the sanitizers see: it comes to rest, is in a state that there is, and is itself
-// still (1000h, 1018h).
+// Beside what the sanitizers detect: it comes to rest, is in a defined state, and keeps its
+// identity (1000h, 1018h).
 #include <cstdint>
 #include <span>
 
@@ -17,7 +17,8 @@ constexpr int steps_max = 1000;
 
 class Bench {
  public:
-  explicit Bench(const DeviceKind& kind) : device_(kind, nowhere(), kind.node_id(site_), site_) {
+  explicit Bench(const DeviceKind& kind)
+      : device_(kind, nowhere(), kind.node_id(environment_), environment_) {
     feeder_.receive(Frame::data_frame(0, {}));
     node().command(NmtCommand::start);
     device_type_ = number(0x1000, 0);
@@ -63,7 +64,7 @@ class Bench {
     input.fill({frame.data.data(), frame.length});
     feeder_.receive(frame);
   }
-  /// Of an object that it has.
+  /// Writes an existing object.
   void write_some(Input& input) {
     const std::span<const ObjectRow> objects = node().dictionary().tables().objects;
     const ObjectRow& object = objects[input.word() % objects.size()];
@@ -72,7 +73,7 @@ class Bench {
     feeder_.write(object.index, sub, low | std::uint64_t{input.word()} << 16);
   }
 
-  Site site_;
+  Environment environment_;
   CatalogueDevice device_;
   NodeFeeder feeder_{device_.node()};
   std::uint64_t device_type_ = 0;

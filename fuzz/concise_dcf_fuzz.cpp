@@ -1,5 +1,5 @@
-// Arbitrary bytes as a concise DCF: nothing beyond their end is read, and what is accepted is read
-// whole, entry after entry, to the last byte.
+// Arbitrary bytes as a concise DCF: nothing beyond their end is read, and an accepted one is read
+// completely, entry by entry, to the last byte.
 #include <algorithm>
 #include <cstdint>
 #include <span>

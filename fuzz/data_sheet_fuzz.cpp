@@ -1,5 +1,5 @@
-// Arbitrary text as a data sheet: whatever is read is written, and what was written is read as the
-// same; a DCF that a tool stores in a configuration manager (1F20h) is a concise DCF, or refused.
+// Arbitrary text as a data sheet: what is read is written, and reads back unchanged; a DCF that a
+// tool stores in a configuration manager (1F20h) is a concise DCF, or refused.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>

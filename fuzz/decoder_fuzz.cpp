@@ -1,6 +1,6 @@
-// Any frames of several buses, of nodes of all profiles, and of one that a data sheet recognizes:
-// nothing crashes, memory stays bounded, and what a frame says is what it says where its bus is
-// the only one.
+// Any frames of several buses, of nodes of all profiles, and of a node recognized by a data sheet:
+// nothing crashes, memory stays bounded, and the meaning of a frame is the same as with its bus
+// alone.
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -17,7 +17,7 @@ using canvoy::decoder::DecodedValue;
 using canvoy::decoder::Decoder;
 
 constexpr std::size_t frame_bytes = 11;
-constexpr std::size_t buses_max = 3;  // of the four that there are: some are forgotten
+constexpr std::size_t buses_max = 3;  // of four buses: some are dropped
 
 const canvoy::decoder::DeviceSheet& sheet() {
   static const auto made = [] {
@@ -30,7 +30,7 @@ const canvoy::decoder::DeviceSheet& sheet() {
   return made;
 }
 
-/// Who knows all that can be known beforehand: it takes long to tell.
+/// Has all knowledge that can be given in advance, which takes long to set up.
 Decoder knowing() {
   Decoder decoder;
   decoder.network().add_sheet(sheet());
@@ -69,7 +69,7 @@ void check_same(const Decoded& decoded, const Decoded& alone) {
   }
 }
 
-/// All buses, and one of them alone, which knows no more than that it was forgotten.
+/// All buses, and one of them alone, which only notes when it was dropped.
 class Buses {
  public:
   void take(const std::string& bus, const canvoy::Frame& frame) {
@@ -96,7 +96,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::uint32_t id = (data[0] | std::uint32_t{data[1]} << 8) & 0x7FF;
     canvoy::Frame frame = canvoy::Frame::data_frame(id, std::span(data + 3, 8));
     frame.length = data[2] % 9;
-    // Most inputs are of one bus, as those are that were found before.
+    // Most inputs have one bus, like those found before.
     const unsigned bus = data[1] >> 3 & 3U;
     buses.take("can" + std::to_string(bus), frame);
   }

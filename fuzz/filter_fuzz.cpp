@@ -1,4 +1,4 @@
-// Arbitrary text as a filter: it is refused with one line, or each frame can be asked by it.
+// Arbitrary text as a filter: it is refused with one line, or can be applied to each frame.
 #include <array>
 #include <cstdint>
 #include <cstdlib>
@@ -6,9 +6,9 @@
 
 #include "canvoy/can/frame_text.hpp"
 #include "canvoy/profiles/registry.hpp"
-#include "canvoy/tools/failure.hpp"
+#include "canvoy/text/frame_decoder.hpp"
+#include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/filter/filter.hpp"
-#include "canvoy/words/frame_decoder.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace canvoy;
@@ -26,7 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const Profile* profile : all_profiles()) made.set_profile(node++, *profile);
     return made;
   }();
-  words::FrameDecoder decoder;
+  text::FrameDecoder decoder;
   decoder.network() = network;
   Duration time{};
   for (const char* text :

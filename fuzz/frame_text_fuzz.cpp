@@ -1,4 +1,4 @@
-// Arbitrary text as a frame: what is taken is written and read back as the same frame.
+// Arbitrary text as a frame: an accepted frame is written and read back unchanged.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>

@@ -1,5 +1,5 @@
 // Arbitrary bytes from a client of the gateway, and arbitrary frames as answers: every line is
-// answered or is none, and a value that is understood is written and read back as the same.
+// answered or is none, and an accepted value is written and read back unchanged.
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
@@ -25,7 +25,7 @@ void check_value(const Request& request) {
   if (!is_nan && again != request.value) std::abort();
 }
 
-/// What it asks for, or none.
+/// The requested command, or none.
 Command check_line(std::string_view line) {
   const Parsed parsed = parse_request(line);
   if (parsed.error != ErrorCode::none) return Command::none;
@@ -33,13 +33,13 @@ Command check_line(std::string_view line) {
   return parsed.request.command;
 }
 
-/// Whether the network is the same after it.
+/// True if the command does not change the network.
 bool leaves_no_trace(Command command) {
   return command == Command::none || command == Command::read || command == Command::write ||
          command == Command::info_version || command >= Command::lss_switch_global;
 }
 
-/// A network that answers to each frame with bytes of the input.
+/// A network that answers each frame with bytes of the input.
 class World {
  public:
   World() : network_(1, {this, &World::take, nullptr}, {.node_id = 9}) {
@@ -98,7 +98,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   while (const auto line = reader.next()) {
     leaves_trace = !leaves_no_trace(check_line(line->text)) || leaves_trace;
   }
-  // One for all inputs, since it is large, and made anew only after one that left a trace.
+  // Shared by all inputs, since it is large, and made again only after a change.
   static const auto world = std::make_unique<World>();
   world->play(input);
   if (leaves_trace) world->play("[0] set id 9\n[0] init 0\n");

@@ -1,5 +1,5 @@
-// Arbitrary bytes as the files of a GTFS feed, one after the other with a line `== name` before
-// each, or as a zip archive: what is read is a feed that is sound, and what is wrong is one line.
+// Arbitrary bytes as the files of a GTFS feed, in sequence with a line `== name` before each, or as
+// a zip archive: a feed that is read is consistent, and an error is one line.
 #include <cstdint>
 #include <map>
 #include <span>

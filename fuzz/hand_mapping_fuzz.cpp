@@ -1,10 +1,10 @@
 // Arbitrary text as the mapping of an input device (canvoy device operator --joystick): it is
-// refused, or whatever its axes report is a position.
+// refused, or any value of its axes gives a position.
 #include <cstdint>
 #include <string_view>
 
-#include "canvoy/tools/device/hand_mapping.hpp"
-#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/device/seat/hand_mapping.hpp"
 #include "fuzz/require.hpp"
 
 namespace {
@@ -18,7 +18,7 @@ constexpr cia852::OperatorEnvironment elements = {.joysticks = 2,
                                                   .push_button_clusters = 1,
                                                   .indicator_clusters = 1};
 
-/// A device whose axes go from 0 to 1023.
+/// A device with axes from 0 to 1023.
 void check_axis(const tools::HandAxis& axis) {
   for (const bool is_pedal : {false, true}) {
     const tools::AxisCalibration whole = axis.calibration.completed(0, 1023, is_pedal);
@@ -28,7 +28,7 @@ void check_axis(const tools::HandAxis& axis) {
     const int end = whole.position(1e9);
     for (int value = -2000; value <= 2000; value += 50) {
       const int position = whole.position(value);
-      // It goes one way.
+      // It is monotonic.
       fuzz::require(first <= end ? position >= last : position <= last);
       last = position;
     }

@@ -1,4 +1,4 @@
-// What a fuzzer feeds, as numbers to decide by.
+// Input of a fuzzer, as numbers for decisions.
 //
 //     Input input(data, size);
 //     while (!input.empty()) step(input.byte());
@@ -10,7 +10,7 @@
 
 namespace canvoy::fuzz {
 
-/// The input, byte by byte; zeros behind its end.
+/// The input, byte by byte; zeros after its end.
 class Input {
  public:
   Input(const std::uint8_t* data, std::size_t size) : rest_(data, size) {}

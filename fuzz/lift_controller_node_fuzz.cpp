@@ -1,14 +1,14 @@
-// Arbitrary records of panels, frames, faults, loads and points in time, handed to a lift
-// controller with a car of plain numbers. Whatever comes: no car moves with a door that is not
-// locked, no door opens where no floor is, no overloaded car leaves a floor (one that stands
-// between two brings its people to the next); and when all is well again, each call is answered.
+// Arbitrary records of panels, frames, faults, loads and times, passed to a lift controller with a
+// car of plain numbers. For any input: no car moves with an unlocked door, no door opens between
+// floors, no overloaded car leaves a floor (one that stands between two brings its people to the
+// next); and without faults, each call is answered.
 #include <array>
 #include <cstdint>
 #include <span>
 
-#include "canvoy/devices/cia417/call/call_controller_device.hpp"
-#include "canvoy/devices/cia417/controller/lift_bench.hpp"
 #include "canvoy/devices/cia417/controller/lift_controller.hpp"
+#include "canvoy/devices/cia417/controller_device/call_controller_device.hpp"
+#include "canvoy/devices/testing/lift_bench.hpp"
 #include "fuzz/input.hpp"
 #include "fuzz/require.hpp"
 
@@ -63,7 +63,7 @@ class World {
         return press(input);
     }
   }
-  /// A record that means something, mostly.
+  /// A record, usually a meaningful one.
   void press(Input& input) {
     const std::uint8_t what = input.byte();
     const std::uint8_t where = input.byte();
@@ -137,7 +137,7 @@ class World {
     return false;
   }
 
-  /// Keys of all floors and doors are forgotten by a reset, faults go: then calls are answered.
+  /// A reset clears keys of all floors and doors, and faults end: calls are then answered.
   void end() {
     node().command(NmtCommand::reset_node);
     node().advance(now_);

@@ -1,8 +1,8 @@
-// Arbitrary frames at arbitrary times, and people and faults as they like, to the door of a car,
-// its controller, its light barrier, a load measuring unit and a sensor unit.
+// Arbitrary frames at arbitrary times, and arbitrary people and faults, for the door of a car, its
+// controller, its light barrier, a load measuring unit and a sensor unit.
 //
-// Beside what the sanitizers see: the nodes come to rest, the statusword holds a state that there
-// is, a locked door is closed, and nothing leaves the way of the panels.
+// Beside what the sanitizers detect: the nodes come to rest, the statusword holds a defined state,
+// a locked door is closed, and nothing leaves the path of the panels.
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -12,8 +12,8 @@
 #include "canvoy/devices/cia417/load/load_measuring_device.hpp"
 #include "canvoy/devices/cia417/sensor/light_barrier_device.hpp"
 #include "canvoy/devices/cia417/sensor/sensor_unit_device.hpp"
-#include "canvoy/sim/lift/door_plant.hpp"
-#include "canvoy/sim/lift/load_cell.hpp"
+#include "canvoy/worlds/lift/door_plant.hpp"
+#include "canvoy/worlds/lift/load_cell.hpp"
 #include "fuzz/input.hpp"
 #include "fuzz/require.hpp"
 
@@ -26,7 +26,7 @@ bool drop(void*, const Frame&) {
 constexpr Port nowhere = {nullptr, &drop, nullptr};
 constexpr cia417::VirtualSensor sensors[] = {{.function = cia417::SensorFunction::smoke},
                                              {.function = cia417::SensorFunction::temperature}};
-/// CAN-IDs that one of the nodes wants.
+/// CAN-IDs that one of the nodes receives.
 constexpr std::uint16_t wanted_ids[] = {0x000, 0x200, 0x201, 0x205, 0x601, 0x606,
                                         0x609, 0x60D, 0x61E, 0x701, 0x706};
 

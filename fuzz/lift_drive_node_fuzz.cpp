@@ -1,15 +1,15 @@
-// Arbitrary controlwords, targets, modes, parameters, factors, emergencies, heartbeats and points
-// in time, handed to a car drive unit of CiA 417-4 with a simulated car that breaks.
+// Arbitrary controlwords, targets, modes, parameters, factors, emergencies, heartbeats and times,
+// passed to a car drive unit of CiA 417-4 with a simulated car that fails.
 //
-// It lives on and comes to rest; without power the brake is closed; the statusword tells the state;
-// what it has the car do are numbers.
+// It continues to run and comes to rest; without power the brake is closed; the statusword gives
+// the state; its commands to the car are finite numbers.
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>
 
 #include "canvoy/devices/cia417/drive/car_drive_device.hpp"
-#include "canvoy/sim/lift/car_plant.hpp"
+#include "canvoy/worlds/lift/car_plant.hpp"
 #include "fuzz/input.hpp"
 #include "fuzz/node_feeder.hpp"
 
@@ -53,7 +53,7 @@ class World {
     }
   }
 
-  /// 180h or 184h: mostly words that mean something.
+  /// 180h or 184h: usually meaningful words.
   void control(Input& input) {
     constexpr std::array<std::uint16_t, 8> words = {0x06, 0x07, 0x0F, 0x1F,
                                                     0x3F, 0x5F, 0x02, 0x10F};
@@ -113,7 +113,7 @@ class World {
     require(std::isfinite(car.position_m) && std::isfinite(car.velocity_m_s));
     require(is_powered(drive.state()) || car.brake_is_closed);
   }
-  /// In the end a car with a good brake stands.
+  /// At the end a car with a working brake stands.
   void stand() {
     plant_.set_faults({});
     feeder_.receive(Frame::data_frame(0x000, std::array<std::uint8_t, 2>{0x81, node_id}));

@@ -1,12 +1,12 @@
-// Arbitrary frames, writes of parameters and PDOs, buttons, defects, object creations and points in
-// time, handed to a landing panel of CiA 417-4. It lives on, what it keeps is bounded, and when the
-// bus is free again, what was told last of each input is its state.
+// Arbitrary frames, writes of parameters and PDOs, buttons, defects, object creations and times,
+// passed to a landing panel of CiA 417-4. It continues to run, its memory is bounded, and when the
+// bus is free again, the last report of each input is its state.
 #include <array>
 #include <cstdint>
 #include <span>
 
-#include "canvoy/devices/cia417/lift_number.hpp"
-#include "canvoy/devices/cia417/object_creation.hpp"
+#include "canvoy/devices/cia417/kit/lift_number.hpp"
+#include "canvoy/devices/cia417/kit/object_creation.hpp"
 #include "canvoy/devices/cia417/panel/panel_device.hpp"
 #include "fuzz/input.hpp"
 #include "fuzz/node_feeder.hpp"
@@ -94,7 +94,7 @@ class World {
     }
   }
 
-  /// Records for the outputs, NMT, SYNC, SDO requests, and our own CAN-ID.
+  /// Records for the outputs, NMT, SYNC, SDO requests, and the own CAN-ID.
   void receive(Input& input) {
     constexpr std::array<std::uint32_t, 6> likely = {0x400, 0x400,           0x000,
                                                      0x080, 0x600 + node_id, input_cob_id};
@@ -130,7 +130,7 @@ class World {
     if (!full_) node().tx_ready(feeder_.now());
   }
 
-  /// As after power-on, with whatever is pressed or broken: then all of it is told.
+  /// As after power-on, with the present presses and defects: all of it is then reported.
   void settle_down() {
     if (full_) change_controller();
     node().advance(feeder_.now());
@@ -177,7 +177,7 @@ class World {
   }
 
   bool full_ = false;
-  std::array<std::uint64_t, std::size(inputs)> last_{};  ///< records that were told
+  std::array<std::uint64_t, std::size(inputs)> last_{};  ///< reported records
   PanelDevice<layout, queue_max> device_{
       {this, &World::take, nullptr}, node_id, {}, {.inputs = inputs}, {.outputs = outputs}};
   std::array<CreatedObject, 3> created_{};

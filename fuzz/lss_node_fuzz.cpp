@@ -1,5 +1,5 @@
 // A node with LSS slave and a node with LSS master, under random frames, answers, stores, resets
-// and times: each lives on, sends LSS on its own CAN-ID only, and comes to rest.
+// and times: each continues to run, sends LSS on its own CAN-ID only, and comes to rest.
 #include <array>
 #include <span>
 
@@ -111,7 +111,7 @@ class World {
     require(scan_.found().size() <= addresses_.size());
   }
 
-  /// All time-outs end some time, and the slave can be configured.
+  /// All time-outs expire, and the slave can be configured.
   void end() {
     slave_.stored({});
     scan_.cancel();

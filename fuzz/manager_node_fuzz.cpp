@@ -1,17 +1,17 @@
-// Arbitrary frames, times and losses of nodes, to a node that is SDO manager, configuration manager
-// and requests SDO connections itself. It comes to rest, its records stay sound, and it goes on
-// answering.
+// Arbitrary frames, times and losses of nodes, for a node that is SDO manager, configuration
+// manager and requests SDO connections itself. It comes to rest, its records stay consistent, and
+// it continues to answer.
 #include <array>
 #include <cstdint>
 #include <vector>
 
+#include "canvoy/canopen/device/verify_configuration.hpp"
 #include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "canvoy/canopen/manager/configuration_manager.hpp"
 #include "canvoy/canopen/manager/fixed_configurations.hpp"
 #include "canvoy/canopen/manager/sdo_manager.hpp"
 #include "canvoy/canopen/manager/sdo_requester.hpp"
 #include "canvoy/canopen/sdo/sdo_server.hpp"
-#include "canvoy/canopen/verify_configuration.hpp"
 #include "fuzz/input.hpp"
 #include "fuzz/node_feeder.hpp"
 #include "fuzz/require.hpp"
@@ -77,7 +77,7 @@ constexpr FixedConfigurations::Item items[] = {{.slave = 5, .concise_dcf = good_
 class Target {
  public:
   Target() {
-    // Five COB-IDs: two connections and one that is left over.
+    // Five COB-IDs: two connections and a spare one.
     for (std::uint8_t sub = 2; sub <= 5; ++sub) {
       node_.dictionary().set_number(0x1F02, sub, 0x67F + std::uint64_t{sub});
     }
@@ -119,7 +119,7 @@ class Target {
     }
     wait(Duration::zero());
   }
-  /// No COB-ID is given twice.
+  /// No COB-ID is assigned twice.
   void check() const {
     std::vector<unsigned> ids;
     for (const SdoConnection& connection : connections_) {
@@ -187,7 +187,7 @@ Frame frame_from(fuzz::Input& input, std::uint32_t id, std::uint8_t length) {
   return Frame::data_frame(id, std::span(data).first(length));
 }
 
-/// What nodes 5, 6 and 10 may answer, and what devices may write.
+/// Possible answers of nodes 5, 6 and 10, and possible writes of devices.
 Frame likely_frame(fuzz::Input& input) {
   constexpr std::array<std::uint16_t, 8> indices = {0x1F00, 0x1F01, 0x1F02, 0x1F10,
                                                     0x1F25, 0x1280, 0x1281, 0x1201};

@@ -1,5 +1,5 @@
 // Arbitrary frames, writes of scanner and dispatching lists and PDO parameters, changes of values
-// and points in time, handed to a node with multiplexed PDOs. It lives on, and what it sends in
+// and times, passed to a node with multiplexed PDOs. It continues to run, and what it sends in
 // source address mode is a listed object with its value of that moment.
 #include <algorithm>
 #include <array>
@@ -103,7 +103,7 @@ class World {
     }
   }
 
-  /// An index, a sub-index and a small block, most often of an object that is there.
+  /// An index, a sub-index and a small block, usually of an existing object.
   static std::uint32_t listed(Input& input) {
     const std::uint32_t choice = input.byte();
     if (choice > 240) return take_long(input);
@@ -131,7 +131,7 @@ class World {
     producer_.send(input.byte() % 4, input.byte(), input.word(), input.byte(),
                    std::span(value).first(input.byte() % 6));
   }
-  /// By the procedure.
+  /// By the procedure of CiA 301.
   void use(std::uint16_t parameters, std::uint32_t cob_id, std::uint8_t mode) {
     feeder_.write(static_cast<std::uint16_t>(parameters + 0x200), 0, mode);
     feeder_.write(parameters, 1, cob_id);
@@ -151,7 +151,7 @@ class World {
     if (frame.id == 0x185) self.check(frame);
     return true;
   }
-  /// What has waited in the backlog may be older than the present parameters.
+  /// A frame that has waited in the backlog may be older than the present parameters.
   void check(const Frame& frame) {
     const Dictionary& dictionary = node_.dictionary();
     if (flushes_ || dictionary.number(0x1A00, 0) != 0xFE) return;
@@ -197,7 +197,7 @@ class World {
   Tpdos tpdos_{node_, tpdo_memory_, tpdo_values_};
   MpdoConsumer consumer_{node_, rpdos_};
   MpdoProducer producer_{node_, tpdos_, scanned_, queue_};
-  fuzz::NodeFeeder feeder_{node_};  // starts it, with all of these
+  fuzz::NodeFeeder feeder_{node_};  // starts it, with all of the above
 };
 
 }  // namespace

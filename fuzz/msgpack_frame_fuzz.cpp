@@ -1,4 +1,4 @@
-// Arbitrary datagrams: what is taken as a frame is encoded and decoded as the same frame.
+// Arbitrary datagrams: an accepted frame is encoded and decoded unchanged.
 #include <cstdint>
 #include <cstdlib>
 

@@ -1,18 +1,18 @@
 // Arbitrary text as a network file: it is read or refused with a line, and what was read is written
-// as a file that reads as the same.
+// as a file with the same meaning.
 #include <cstdint>
 #include <cstdlib>
 #include <string>
 #include <string_view>
 
-#include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/run/world.hpp"
+#include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/play/world.hpp"
 
 namespace {
 
 using namespace canvoy::tools;
 
-/// What a file with this text is written as.
+/// The file that is written for this text.
 std::string written(std::string_view text) {
   TomlFile file("network.toml", text);
   TomlTable& table = file.table();
@@ -38,7 +38,7 @@ void check(std::string_view text) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  // These name other files, which could be any of this machine.
+  // These keys name other files, which could be any of this machine.
   for (const std::string_view key :
        {"list", "configuration", "nmea", "places", "gtfs", "recorded"}) {
     if (text.find(key) != std::string_view::npos) return 0;

@@ -1,11 +1,11 @@
-// Arbitrary text as a drive that a satellite receiver recorded: a car can go by it, and any cut of
-// the stream is the same to the receiver.
+// Arbitrary text as a drive recorded by a satellite receiver: a car can follow it, and splitting
+// the stream differently has no effect on the receiver.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
 
-#include "canvoy/sim/car/drive.hpp"
+#include "canvoy/worlds/car/drive.hpp"
 
 namespace {
 
@@ -36,7 +36,7 @@ void check_drive(const car::DriveRecord& record) {
     constexpr Duration step = 700ms;
     drive.step(step);
     const double driven = drive.metres() - before;
-    // Written so that it refuses what is not a number as well.
+    // Written so that NaN is refused as well.
     if (!(driven >= 0 && driven <= car::DriveRecord::fastest)) std::abort();
     if (!(drive.speed() >= 0 && drive.speed() <= car::DriveRecord::fastest)) std::abort();
   }

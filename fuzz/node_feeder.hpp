@@ -1,4 +1,4 @@
-// Hands frames, writes and points in time to a node, as fuzzers of devices do.
+// Passes frames, writes and time to a node, for fuzzers of devices.
 //
 //     NodeFeeder feeder(device.node());    // starts it
 //     feeder.receive(frame);
@@ -10,12 +10,12 @@
 #include <cstdint>
 #include <span>
 
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 #include "fuzz/require.hpp"
 
 namespace canvoy::fuzz {
 
-/// As an SDO client does; what is not there, or is refused, is not written.
+/// Writes an entry like an SDO client; no effect if it does not exist, or is refused.
 inline void write(Node& node, Time now, std::uint16_t index, std::uint8_t sub,
                   std::uint64_t number) {
   const Result<Entry> entry = node.dictionary().find(index, sub);
@@ -28,8 +28,7 @@ inline void write(Node& node, Time now, std::uint16_t index, std::uint8_t sub,
   node.advance(now);
 }
 
-/// All that is due until then is done at its time, which `now` tells meanwhile, and comes to an
-/// end.
+/// Performs all that is due within the duration at its time, with `now` set accordingly.
 inline void pass(Node& node, Time& now, Duration duration) {
   const Time until = now + duration;
   for (int calls = 0; node.deadline() <= until; ++calls) {

@@ -1,8 +1,8 @@
 // Arbitrary frames at arbitrary times, a controller that is full, passive or bus-off, and an
-// application that does what it may: to a node with all services.
+// application with arbitrary permitted calls, for a node with all services.
 //
-// Beside what the sanitizers see: each frame that the node sends is well formed and allowed in its
-// NMT state, the node comes to rest, and 1001h tells the errors that are present.
+// Beside what the sanitizers detect: each frame that the node sends is well-formed and allowed in
+// its NMT state, the node comes to rest, and 1001h gives the present errors.
 #include <array>
 #include <cstdint>
 #include <span>
@@ -15,7 +15,7 @@
 #include "canvoy/canopen/nmt/nmt_master.hpp"
 #include "canvoy/canopen/nmt/node_guarding_master.hpp"
 #include "canvoy/canopen/nmt/node_guarding_slave.hpp"
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 #include "canvoy/canopen/pdo/rpdo.hpp"
 #include "canvoy/canopen/pdo/tpdo.hpp"
 #include "canvoy/canopen/sdo/sdo_client.hpp"
@@ -153,7 +153,7 @@ class World {
     require(!frame.is_extended() && !frame.is_error());
     const std::size_t used = frame.is_remote() ? 0 : frame.length;
     for (std::size_t i = used; i < Frame::length_max; ++i) require(frame.data.at(i) == 0);
-    if (waited_) return;  // it may be of an earlier state
+    if (waited_) return;  // it may belong to an earlier state
     const bool error_control = frame.id == std::uint32_t{can_id::error_control} + own_id;
     // An answer to node guarding has a toggle bit.
     if (error_control) require(frame.length == 1 && (frame.data[0] & 0x7F) == state_byte());
@@ -186,7 +186,7 @@ class World {
     return frame;
   }
 
-  /// A frame that some service waits for, of 8 bytes or fewer.
+  /// A frame that some service waits for, of at most 8 bytes.
   static Frame likely_frame(Input& input) {
     constexpr std::array<std::uint16_t, 14> ids = {0x000, 0x080, 0x087, 0x185, 0x205, 0x587, 0x605,
                                                    0x607, 0x640, 0x707, 0x708, 0x77F, 0x100, 0x705};
@@ -202,7 +202,7 @@ class World {
     return frame;
   }
 
-  /// Something that may be mapped, dummy entries among them, or just not.
+  /// A mappable entry, including dummies, or nearly one.
   static std::uint32_t likely_mapping(std::uint8_t choice) {
     constexpr std::array<std::uint32_t, 14> values = {
         0x2000'0108, 0x2000'0808, 0x2001'0110, 0x2002'0010, 0x2003'0040, 0x2004'0018, 0x2005'0001,
@@ -248,7 +248,7 @@ class World {
 
   // Time
 
-  /// Some calls at their deadlines, then one that comes late.
+  /// Some calls at their deadlines, then a late one.
   void pass_time(Duration duration) {
     const Time until = now_ + duration;
     for (int i = 0; i < 50 && node_.deadline() <= until; ++i) {
@@ -352,7 +352,7 @@ class World {
     Dictionary& dictionary = node_.dictionary();
     dictionary.set_number(0x2001, 1, dictionary.number(0x2000, 1) + number);
   }
-  /// Opens and closes routes in the middle of a dispatch.
+  /// Opens and closes routes during a dispatch.
   void remote_changed(NodeId node_id, RemoteState state) {
     if (state == RemoteState::lost) return emergency_consumer_.ignore(node_id);
     if (state == RemoteState::stopped) guarding_master_.release(node_id);
@@ -364,7 +364,7 @@ class World {
 
   Time now_{};
   bool full_ = false;
-  bool waited_ = false;  ///< frames waited in the node since the controller was full
+  bool waited_ = false;  ///< frames have waited in the node since the controller was full
   int restarts_ = 3;
   std::array<bool, Frame::id_max + 1> wanted_{};  ///< by the acceptance filter
 

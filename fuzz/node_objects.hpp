@@ -1,5 +1,5 @@
-// The object dictionary of the node that is fuzzed: each service's objects, and application objects
-// of every kind that mappings and transfers treat in their own way.
+// The object dictionary of the fuzzed node: the objects of each service, and application objects of
+// every kind that mappings and transfers treat differently.
 #pragma once
 
 #include "canvoy/canopen/dictionary/dictionary_layout.hpp"

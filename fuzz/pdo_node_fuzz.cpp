@@ -1,7 +1,7 @@
-// Arbitrary frames, writes of PDO parameters and mappings, changes of values and points in time,
-// handed to a node with SYNC and PDOs. What it sends must be what an independent reading of its
-// dictionary allows: in operational only, of a valid PDO, with the mapped values of that moment,
-// not within the inhibit time.
+// Arbitrary frames, writes of PDO parameters and mappings, changes of values and times, passed to a
+// node with SYNC and PDOs. Frames that it sends must be allowed by an independent reading of its
+// dictionary: in operational only, of a valid PDO, with the mapped values of that moment, not
+// within the inhibit time.
 #include <array>
 #include <cstdint>
 #include <span>
@@ -80,15 +80,15 @@ std::uint32_t take_long(Input& input) {
   return input.word() | std::uint32_t{input.word()} << 16;
 }
 
-/// Counts the lives of the TPDOs: one begins, without a transmission yet, with each NMT state and
-/// each parameter. Attached before them, so that it counts first.
+/// Counts the lives of the TPDOs: a life begins, without a transmission yet, with each NMT state
+/// and each parameter. Attached before them, so that it counts first.
 class Lives {
  public:
   explicit Lives(Node& node) {
     service_.state_entered = Callback<void(NmtState)>::to<&Lives::state_entered>(*this);
     node.attach(service_);
   }
-  /// The hook that is attached last is called first.
+  /// The last attached hook is called first.
   void attach_hook(Dictionary& dictionary) {
     hook_.first = 0x1800;
     hook_.last = 0x1801;
@@ -143,7 +143,7 @@ class World {
     }
   }
 
-  /// What a controller that was full takes then may be older than the present parameters.
+  /// A frame that waited for a full controller may be older than the present parameters.
   void change_controller() {
     full_ = !full_;
     if (full_) return;
@@ -175,7 +175,7 @@ class World {
     write(records[input.byte() % records.size()], static_cast<std::uint8_t>(input.byte() % 20),
           take_long(input));
   }
-  /// By the procedure, with what can be mapped.
+  /// By the procedure of CiA 301, with mappable entries.
   void map_quickly(Input& input) {
     const auto pdo = static_cast<std::uint16_t>(input.byte() % pdo_count);
     const bool receives = input.byte() % 2 == 0;

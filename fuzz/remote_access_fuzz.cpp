@@ -1,5 +1,5 @@
-// Arbitrary frames at arbitrary times on both buses of a node with devices behind it. Whatever
-// comes, only frames of SDO to who was indicated leave on the bus behind, and in the end a transfer
+// Arbitrary frames at arbitrary times on both buses of a node with devices behind it. For any
+// input, only SDO frames to the indicated device leave on the bus behind, and at the end a transfer
 // with a device and one with the node itself get the right answers.
 #include <algorithm>
 #include <array>
@@ -41,12 +41,12 @@ class RemoteTarget {
   }
   void take_nothing_behind(bool is_full) { is_full_ = is_full; }
 
-  /// The state that everything must come back to.
+  /// The state to which everything must return.
   void finish() {
     is_full_ = false;
     from_host(Frame::data_frame(0x000, {0x01, module_id}));
     wait(10s);
-    // One indication may still be spent on the next request.
+    // One indication may still be used up by the next request.
     ask_node();
     ask_node();
     require(last_ == Frame::data_frame(0x585, {0x43, 0x00, 0x10, 0, 0xA2, 0x01, 0x02, 0x00}));
@@ -94,7 +94,7 @@ class RemoteTarget {
       node_, {this, &send_behind, nullptr}, channels_, {.network = 2, .emergency_cob_id = 0x6C7}};
 };
 
-/// Mostly frames that mean something here.
+/// A frame, usually a meaningful one.
 Frame any_frame(fuzz::Input& input, std::uint8_t what) {
   constexpr std::uint32_t ids[] = {0x605, 0x615, 0x587, 0x588, 0x087, 0x707, 0x000, 0x583};
   Frame frame;

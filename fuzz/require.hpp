@@ -1,4 +1,4 @@
-// What must hold, whatever a fuzzer feeds.
+// Conditions that must hold for any input of a fuzzer.
 //
 //     require(frame.length <= 8);
 #pragma once

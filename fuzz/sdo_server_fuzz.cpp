@@ -1,6 +1,6 @@
-// Arbitrary frames at arbitrary times to a node with three SDO channels, one of them a client's, in
-// segments and in blocks.
-// Whatever comes, the node goes on: an upload of 1000h after it all gets the right answer.
+// Arbitrary frames at arbitrary times to a node with three SDO channels, one of them of a client,
+// in segments and in blocks. For any input, the node continues: a final upload of 1000h gets the
+// right answer.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace {
 
 using fuzz::require;
 
-/// A node, and a client in it that asks for what the input says.
+/// A node, and a client in it with requests from the input.
 class Target {
  public:
   Target() {
@@ -48,7 +48,7 @@ class Target {
                       : client_.download(7, 0x2021, 0, std::span(destination_).first(size), done);
     if (answer == AbortCode::none) ++started_;
   }
-  /// The state that everything must come back to.
+  /// The state to which everything must return.
   void finish() {
     receive(Frame::data_frame(0x000, {0x01, 0x05}));
     wait(10s);

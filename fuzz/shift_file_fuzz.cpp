@@ -1,10 +1,10 @@
-// Arbitrary text as a recorded shift of an excavator: it is refused, or is written as a file that
-// reads as the same.
+// Arbitrary text as a recorded shift of an excavator: it is refused, or is written as a file with
+// the same meaning.
 #include <cstdint>
 #include <string_view>
 
-#include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/run/shift_file.hpp"
+#include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/play/shift_file.hpp"
 #include "fuzz/require.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,5 +1,5 @@
 // Arbitrary bytes from a socketcand, in pieces of any size: the messages do not depend on the
-// pieces, and each frame is written and read back as the same.
+// pieces, and each frame is written and read back unchanged.
 #include <cstdint>
 #include <cstdlib>
 #include <string>
@@ -22,7 +22,7 @@ std::vector<std::string> messages_of(std::string_view stream, std::size_t piece)
   return found;
 }
 
-/// What our own message says, heard as the server passes it on.
+/// The own message, as the server would pass it on.
 void check_frame(const canvoy::Frame& frame) {
   if (frame.is_error()) return;
   std::string sent = canvoy::host::socketcand_send_message(frame);
@@ -42,7 +42,7 @@ void check_frame(const canvoy::Frame& frame) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view stream(reinterpret_cast<const char*>(data), size);
-  // Which messages are too long depends on when they are looked at.
+  // Which messages are too long depends on the moment of the check.
   if (size > SocketcandMessages::length_max) return 0;
   const std::vector<std::string> messages = messages_of(stream, size == 0 ? 1 : size);
   if (messages_of(stream, 1) != messages || messages_of(stream, 3) != messages) std::abort();

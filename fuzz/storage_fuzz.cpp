@@ -1,8 +1,8 @@
-// A flash with arbitrary contents: what is found there is refused, or it is a set that fits; and in
-// any case the device stores afterwards what it is told to, and finds it again.
+// A flash with arbitrary contents: the content is refused, or is a set that fits; in any case the
+// device afterwards stores what is commanded, and finds it again.
 //
-// The contents are a genuine set with some bytes changed, or nothing but such bytes; and they may
-// lie, with CRCs that fit and the right signature. Then a client writes values, 1010h and 1011h.
+// The contents are a genuine set with some bytes changed, or only such bytes; they may also be
+// forged, with matching CRCs and the right signature. Then a client writes values, 1010h and 1011h.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace canvoy::fuzz {
 namespace {
 
 constexpr std::uint32_t slot_size = 192;
-constexpr std::uint32_t flash_size = 3 * slot_size;  ///< two slots, and one of a program
+constexpr std::uint32_t flash_size = 3 * slot_size;  ///< two slots, and one for a program
 
 constexpr auto layout = lay_out(
     std::to_array<ObjectRow>({{.index = 0x1010, .entry_count = 2},
@@ -138,7 +138,7 @@ class Device {
   ProgramServer programs_;
 };
 
-/// Makes a slot believable: head and content have CRCs that fit, and a genuine head's signature.
+/// Forges a slot: head and content have matching CRCs, and the signature of a genuine head.
 void seal(std::span<std::uint8_t> slot, std::span<const std::uint8_t> genuine) {
   std::copy_n(genuine.begin(), 8, slot.begin());
   std::copy_n(genuine.begin() + 20, 8, slot.begin() + 20);

@@ -1,5 +1,5 @@
-// Arbitrary bytes as the log of a CAN tool: it is read to its end, every frame is one that can be,
-// and what is written of it is read as the same frames.
+// Arbitrary bytes as the log of a CAN tool: it is read to its end, every frame is valid, and what
+// is written of it is read as the same frames.
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -23,7 +23,7 @@ void check_frame(const canvoy::Frame& frame) {
     require(frame.data[at] == 0);
 }
 
-// What is not told of an error frame in ASC is the same for all of them.
+// Details of an error frame that ASC does not keep are equal for all of them.
 void check_same(const canvoy::Frame& frame, const canvoy::Frame& again) {
   require(frame.is_error() ? again.is_error() : frame == again);
 }
@@ -31,6 +31,7 @@ void check_same(const canvoy::Frame& frame, const canvoy::Frame& again) {
 void check_written(std::string_view content, const TraceFormat& format) {
   canvoy::host::Result<TraceReader> reader = TraceReader::of(content);
   const std::unique_ptr<TraceEncoder> encoder = format.encoder(std::nullopt);
+  if (encoder->seeks()) return;  // into a file, by a library of others
   std::string written;
   encoder->begin(written);
   TraceFrame frame;

@@ -1,5 +1,5 @@
-// What strangers may send to the page's server: as the target of a request it is refused or split,
-// as a message of a WebSocket it is answered with one line, or done.
+// Untrusted input of the server of the page: as the target of a request it is refused or split, as
+// a message of a WebSocket it is answered with one line, or performed.
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
@@ -7,11 +7,11 @@
 #include <string>
 #include <string_view>
 
-#include "canvoy/tools/live/api_routes.hpp"
-#include "canvoy/tools/live/live_network.hpp"
-#include "canvoy/tools/live/live_viewer.hpp"
-#include "canvoy/tools/live/refusal.hpp"
-#include "canvoy/tools/live/write_permission.hpp"
+#include "canvoy/tools/page/api_routes.hpp"
+#include "canvoy/tools/page/live_network.hpp"
+#include "canvoy/tools/page/live_viewer.hpp"
+#include "canvoy/tools/page/refusal.hpp"
+#include "canvoy/tools/page/write_permission.hpp"
 #include "canvoy/web/access.hpp"
 #include "canvoy/web/request_target.hpp"
 
@@ -19,7 +19,7 @@ namespace {
 
 using namespace canvoy;
 
-/// Some nodes of all profiles, who answer nothing.
+/// Nodes of all profiles that do not answer.
 class Network : public tools::LiveNetwork {
  public:
   Network()
@@ -33,7 +33,7 @@ class Network : public tools::LiveNetwork {
   int finish() override { return 0; }
 
  protected:
-  void request(const tools::BusRequest& request, const tools::SdoDesk::Done& done) override {
+  void request(const tools::BusRequest& request, const tools::SdoRequests::Done& done) override {
     if (request.node > node_id_max || request.bytes.size() > 64 * 1024) std::abort();
     if (done) done({.end = SdoEnd::no_answer()});
   }

@@ -1,7 +1,7 @@
-// Bytes that a stranger sends to the page's port: requests of HTTP, frames of a WebSocket that was
-// opened, and what is neither. Whatever they are, the server lets the client go when he goes, keeps
-// nothing of him, and answers the next. The first byte says what the client does, `@` in a request
-// is the server's address with the token.
+// Untrusted bytes to the port of the page: HTTP requests, frames of an open WebSocket, and others.
+// For any bytes, the server releases the client when it leaves, keeps nothing of it, and answers
+// the next one. The first byte selects the action of the client; `@` in a request is the address of
+// the server with the token.
 #include <sys/socket.h>
 
 #include <array>
@@ -62,12 +62,12 @@ class Server {
         *loop_, {.limits = {.head_max = 1024, .body_max = Application::body_max}}, application_);
   }
   const std::string& address() const { return server_->address(); }
-  /// What a Host field takes, and behind it the token.
+  /// A value for a Host field, followed by the token.
   std::string host() const {
     return server_->address() + "\r\nAuthorization: Bearer " + server_->token();
   }
 
-  /// `greeting` is sent first, and its answer waited for.
+  /// Sends `greeting` first, and waits for its answer.
   void serve(std::string_view greeting, std::string_view bytes, bool ends_output) {
     const auto address = gateway::parse_tcp_address(server_->address());
     host::Descriptor socket(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
@@ -86,7 +86,7 @@ class Server {
     turn();
     socket = {};
     for (int turns = 0; server_->clients() > 0; ++turns) {
-      require(turns < 1000);  // he is gone, and still there
+      require(turns < 1000);  // the client is gone, but still connected
       turn();
     }
     require(application_.live == 0);

@@ -1,5 +1,5 @@
-# canvoy_board_sources(<variable> <folder>...): the sources of canvoy/<folder> that a board compiles: without what needs Linux, tests
-# and the simulated bus. Which objects of them are linked is the linker's business: -ffunction-sections, --gc-sections.
+# canvoy_board_sources(<variable> <folder>...): the sources of canvoy/<folder> for a board: without those that need Linux,
+# tests and the simulated bus. The linker selects the objects to link: -ffunction-sections, --gc-sections.
 get_filename_component(CANVOY_ROOT "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
 
 function(canvoy_board_sources variable)
@@ -12,7 +12,7 @@ function(canvoy_board_sources variable)
   set(${variable} ${found} PARENT_SCOPE)
 endfunction()
 
-# The version's header, which a build of the whole project writes, into a folder.
+# Writes the header of the version into a folder, as a build of the whole project does.
 function(canvoy_board_version folder)
   file(STRINGS "${CANVOY_ROOT}/CMakeLists.txt" line REGEX "^project\\(canvoy VERSION")
   string(REGEX MATCH "([0-9]+)\\.([0-9]+)\\.([0-9]+)" PROJECT_VERSION "${line}")

@@ -21,6 +21,10 @@ import object_pages
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SOURCES = "https://github.com/canvoy/canvoy/blob/main/"
+NO_PLAYGROUND = """<!doctype html>
+<html lang="en"><meta charset="utf-8"><title>Canvoy: playground</title>
+<p>This site was built without the playground: <code>make playground docs</code> builds both. <a href="../">Canvoy</a></p></html>
+"""
 LINK = re.compile(r"(?<=\]\()(\.\./[^)#\s]+)(?=[)#])")
 
 
@@ -68,7 +72,14 @@ def on_files(files, config):
 
 
 def on_post_build(config):
-    """The C++ API stands beside the pages."""
+    """The C++ API and the playground stand beside the pages."""
+    playground = ROOT / "build" / "playground" / "site"
+    place = pathlib.Path(config["site_dir"]) / "play"
+    if (playground / "canvoy.wasm").exists():
+        shutil.copytree(playground, place, dirs_exist_ok=True)
+    else:
+        place.mkdir(exist_ok=True)
+        (place / "index.html").write_text(NO_PLAYGROUND)
     api = ROOT / "build" / "docs" / "api"
     if not (api / "index.html").exists():
         raise mkdocs.exceptions.PluginError("build/docs/api is not there: scripts/api-docs")

@@ -1,4 +1,4 @@
-// What a board would bring, as nothing: it is not counted.
+// Empty stubs of what a board provides: not counted.
 #include <cstdint>
 
 #include "canvoy/can/frame.hpp"

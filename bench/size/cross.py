@@ -11,8 +11,8 @@ ROOT = HERE.parent.parent
 CROSS = "arm-none-eabi-"
 FLAGS = ["-std=c++20", "-Os", "-mcpu=cortex-m0plus", "-mthumb", "-ffunction-sections", "-fdata-sections",
          "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics", "-Wno-psabi", "-DCANVOY_SMALL_MACHINE", f"-I{ROOT}"]
-SHARED = "canvoy/canopen/node.hpp"
-FEW = 8  # sources for which it takes longer to precompile it
+SHARED = "canvoy/canopen/node/node.hpp"
+FEW = 8  # number of sources below which precompiling takes longer
 LINK = ["--specs=nano.specs", "-nostartfiles", "-Wl,--gc-sections", "-Wl,-e,main"]
 
 
@@ -20,7 +20,7 @@ def is_there():
     return shutil.which(f"{CROSS}g++") is not None
 
 
-# What is linked beside the library and the node: the board is nothing, the memory functions are counted.
+# Linked beside the library and the node: the board is empty, the memory functions are counted.
 BESIDE = [HERE / "board.cpp", HERE / "memory.cpp"]
 
 
@@ -85,5 +85,5 @@ def measure(program, own):
     text, data, bss = read_sizes(program)
     tables, values = (sum(size for size, _, symbol in own if symbol.endswith(names))
                       for names in ((">::folded", ">::tables"), ("node_value_bytes",)))
-    # What is initialised stands in the flash, too.
+    # Initialised data takes flash as well.
     return text + data - tables, tables, data + bss - values, values

@@ -1,5 +1,5 @@
-// memcpy and memset as a maker brings them who counts bytes: those of newlib are unrolled, and take
-// 308. These are counted.
+// Small memcpy and memset, as used where size matters: those of newlib are unrolled, and take 308
+// bytes. These are counted.
 #include <cstddef>
 #include <cstdint>
 

@@ -1,11 +1,11 @@
-// A small node, whole, to tell what the application layer costs: SDO server, four RPDOs and four
-// TPDOs, SYNC, heartbeat, emergency with history, LSS slave.
+// A small complete node, to measure what the application layer costs: SDO server, four RPDOs and
+// four TPDOs, SYNC, heartbeat, emergency with history, LSS slave.
 #pragma once
 
-#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/device/device_node.hpp"
 #include "canvoy/canopen/lss/lss_slave.hpp"
 #include "canvoy/profiles/cia301.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 
 namespace canvoy {
 
@@ -15,7 +15,7 @@ bool board_receive(Frame*);
 std::int64_t board_time();
 }
 
-/// Starts a node and serves it for ever.
+/// Starts a node and serves it forever.
 [[noreturn]] inline void run_on_board(Node& node) {
   node.start(Time(Duration(board_time())));
   Frame frame;
@@ -26,7 +26,8 @@ std::int64_t board_time();
   }
 }
 
-/// All that it does; `sdo_blocks` with block transfers. Constant-initialised, in zeroed memory.
+/// The node with all its services; with block transfers if `sdo_blocks`. Constant-initialised, in
+/// zeroed memory.
 template <const auto& tables, bool sdo_blocks = false>
 struct SmallNode {
   using Device = DeviceServices<tables, LssSlave::routes, sdo_blocks, 4, 4>;

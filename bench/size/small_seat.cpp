@@ -1,5 +1,5 @@
 // An operator seat (CiA 852 on CiA 401) beside the small nodes: two joysticks with eight buttons
-// each, and a cluster of which eight indicators are used; with all that Annex A wants, and LSS.
+// each, and a cluster of which eight indicators are used; with all that Annex A requires, and LSS.
 #include "bench/size/small_node.hpp"
 #include "canvoy/devices/cia852/operator_device.hpp"
 
@@ -8,11 +8,11 @@ namespace canvoy {
 constexpr cia852::OperatorEnvironment seat = {.joysticks = 2, .indicator_clusters = 1};
 using SeatKind = cia852::OperatorKind<seat>;
 inline constexpr auto node_tables = layout_of<SeatKind>;
-/// Not linked: the report looks at its size.
+/// Not linked; the report reads its size.
 extern const std::array<std::uint8_t, node_tables.value_bytes> node_value_bytes;
 const std::array<std::uint8_t, node_tables.value_bytes> node_value_bytes{};
 
-/// Its pins, as nothing.
+/// Empty stubs of its pins.
 struct SeatPins {
   std::int16_t axis(unsigned, unsigned) { return read; }
   std::uint8_t buttons(unsigned) { return static_cast<std::uint8_t>(read); }
@@ -21,7 +21,7 @@ struct SeatPins {
   volatile std::int16_t read = 0;
   volatile std::uint8_t shown = 0;
 };
-/// Node-ID and bit rate come by LSS (6.2, 8.2).
+/// Node-ID and bit rate are set by LSS (CiA 852, 6.2, 8.2).
 struct SeatDevice {
   SeatDevice(const Port& port, const cia852::OperatorHardware& hardware)
       : device(port, node_id_unconfigured, hardware) {}

@@ -1,9 +1,10 @@
-// The dictionary of a small node with static PDO mapping: its maker has laid down what its four
-// RPDOs and four TPDOs carry, and how. Masters read their records, and cannot write them.
+// The dictionary of a small node with static PDO mapping: the content and the transmission of its
+// four RPDOs and four TPDOs are fixed at build time. Masters can read the PDO records, but not
+// write them.
 #pragma once
 
 #include "bench/size/small_node.hpp"
-#include "canvoy/profiles/predefined_pdo.hpp"
+#include "canvoy/profiles/cia301/predefined_pdo.hpp"
 
 namespace canvoy {
 
@@ -35,7 +36,7 @@ constexpr std::array<std::uint32_t, 4> four_of(const ObjectInfo& object, unsigne
 template <const ObjectInfo& object, unsigned first>
 inline constexpr auto mapping = four_of(object, first);
 
-/// Of every kind: at once with a deadline, and at SYNC.
+/// RPDOs of every kind: received at once with a deadline, and at SYNC.
 template <unsigned number>
 inline constexpr PdoInfo rpdo = {.direction = PdoInfo::Direction::receive,
                                  .number = number,
@@ -44,7 +45,7 @@ inline constexpr PdoInfo rpdo = {.direction = PdoInfo::Direction::receive,
                                  .mapping = mapping<outputs, 4 * number - 3>,
                                  .transmission_type = number <= 2 ? 255 : 1,
                                  .event_timer = number == 1 ? 100 : 0};
-/// Of every kind: at events with inhibit time and event timer, cyclic and acyclic at SYNC, on
+/// TPDOs of every kind: at events with inhibit time and event timer, cyclic and acyclic at SYNC, on
 /// request.
 inline constexpr std::uint8_t tpdo_types[] = {255, 1, 0, 253};
 template <unsigned number>
@@ -70,7 +71,7 @@ inline constexpr auto small_node =
              static_pdo<small_io::tpdo<1>>(), static_pdo<small_io::tpdo<2>>(),
              static_pdo<small_io::tpdo<3>>(), static_pdo<small_io::tpdo<4>>());
 inline constexpr auto node_tables = lay_out_device<small_node>();
-/// Not linked: the report looks at its size.
+/// Not linked; the report reads its size.
 extern const std::array<std::uint8_t, node_tables.value_bytes> node_value_bytes;
 const std::array<std::uint8_t, node_tables.value_bytes> node_value_bytes{};
 

@@ -1,6 +1,6 @@
-// The dictionary of the small node of which everything can be configured: masters write the
-// communication and mapping records of four RPDOs and four TPDOs of eight mapped values each, and
-// the parameters of SYNC and emergency.
+// The dictionary of a small node that is completely configurable: masters write the communication
+// and mapping records of four RPDOs and four TPDOs of eight mapped values each, and the parameters
+// of SYNC and emergency.
 #pragma once
 
 #include "bench/size/small_node.hpp"
@@ -15,7 +15,7 @@ inline constexpr auto small_node =
              cia301::rpdo({.number = 3}), cia301::rpdo({.number = 4}), cia301::tpdo({.number = 1}),
              cia301::tpdo({.number = 2}), cia301::tpdo({.number = 3}), cia301::tpdo({.number = 4}));
 inline constexpr auto node_tables = lay_out_device<small_node>();
-/// Not linked: the report looks at its size.
+/// Not linked; the report reads its size.
 extern const std::array<std::uint8_t, node_tables.value_bytes> node_value_bytes;
 const std::array<std::uint8_t, node_tables.value_bytes> node_value_bytes{};
 

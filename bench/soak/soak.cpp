@@ -1,7 +1,7 @@
-// Campaigns in the simulated worlds, a run for each seed: hours with faults, alone and in pairs, in
-// which all has to hold, and the same with a sabotage, which has to be seen; or gaps of 1 ms to 3 s
-// in the communication of each world. A line for each wrong verdict; exit status 0: there was none,
-// 1: there was, 2: wrong usage.
+// Campaigns in the simulated worlds, one run for each seed: hours with faults, alone and in pairs,
+// in which all invariants must hold, and with a sabotage, which must be detected; or gaps of 1 ms
+// to 3 s in the communication of each world. Prints a line for each wrong verdict; exit status 0:
+// none, 1: some, 2: wrong usage.
 //
 //     canvoy_soak taxi 200      # seeds 1 to 200
 //     canvoy_soak gaps 17 17    # seed 17 alone, of each world
@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include "canvoy/sim/gap_runs.hpp"
+#include "canvoy/worlds/gap_runs.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-// Counts what is taken from the heap: nothing, once a bus is constructed.
+// Counts heap allocations: none after the construction of a bus.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// How busy a bus is: the share of the time in which its wire was not idle, lately and since the
+// The load of a bus: the share of time in which its wire was not idle, recently and since the
 // start.
 //
 //     BusLoad load(1'000'000'000);       // of the last second
@@ -13,16 +13,17 @@
 
 namespace canvoy {
 
-/// Times are nanoseconds since the start. The window slides in steps of a 32nd; within the oldest
-/// step the load is taken as even. Adding is constant for spans shorter than a step.
+/// Measures the load. Times are nanoseconds since the start. The window slides in steps of a 32nd;
+/// within the oldest step the load is taken as even. Adding is constant for spans shorter than a
+/// step.
 class BusLoad {
  public:
   constexpr BusLoad() = default;
-  /// `window_ns` at least 32.
+  /// Makes a measurement with a window of `window_ns`, at least 32.
   constexpr explicit BusLoad(std::int64_t window_ns)
       : step_ns_(std::max<std::int64_t>(window_ns / steps, 1)), step_end_ns_(step_ns_) {}
 
-  /// The wire was busy from `from_ns` to `to_ns`. Spans come in order and do not overlap.
+  /// Adds a span in which the wire was busy. Spans come in order and do not overlap.
   constexpr void add(std::int64_t from_ns, std::int64_t to_ns) {
     total_ns_ += to_ns - from_ns;
     while (to_ns > step_end_ns_) {
@@ -35,7 +36,8 @@ class BusLoad {
     busy_ns_[current_] += to_ns - from_ns;
   }
 
-  /// From 0 to 1, for the window up to `now_ns`; before the first window is over, since the start.
+  /// Load from 0 to 1, for the window up to `now_ns`; before the first window is over, since the
+  /// start.
   constexpr double recent(std::int64_t now_ns) const {
     const std::int64_t window_ns = step_ns_ * steps;
     const std::int64_t window_begin_ns = std::max<std::int64_t>(now_ns - window_ns, 0);
@@ -49,7 +51,7 @@ class BusLoad {
     return span_ns <= 0 ? 0.0 : std::min(busy_ns / static_cast<double>(span_ns), 1.0);
   }
 
-  /// From 0 to 1, since the start.
+  /// Load from 0 to 1, since the start.
   constexpr double total(std::int64_t now_ns) const {
     if (now_ns <= 0) return 0.0;
     return std::min(static_cast<double>(total_ns_) / static_cast<double>(now_ns), 1.0);
@@ -58,7 +60,7 @@ class BusLoad {
 
  private:
   static constexpr std::int64_t steps = 32;
-  static constexpr std::size_t slots = steps + 1;  // the window, and the step that is under way
+  static constexpr std::size_t slots = steps + 1;  // the window, and the present step
 
   constexpr void next_step(std::int64_t from_ns) {
     const std::int64_t idle_steps = (from_ns - step_end_ns_) / step_ns_;
@@ -71,7 +73,7 @@ class BusLoad {
     step_end_ns_ += step_ns_;
   }
 
-  /// Of a step that the window covers in part, that part.
+  /// Busy time of a step inside the window; proportional for a step that the window covers partly.
   constexpr double share_inside(std::int64_t busy_ns, std::int64_t end_ns,
                                 std::int64_t window_begin_ns) const {
     const std::int64_t outside_ns = window_begin_ns - (end_ns - step_ns_);

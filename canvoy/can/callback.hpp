@@ -1,5 +1,5 @@
-// A reference to a function and the object that it works on: two words, copied freely, never
-// owning, never allocating.
+// A reference to a function and the object that it works on: two words, copied freely, without
+// ownership and allocation.
 //
 //     Callback<void(const Frame&)> received = Callback<void(const
 //     Frame&)>::to<&Tool::on_frame>(tool);
@@ -12,8 +12,8 @@ namespace canvoy {
 template <class Signature>
 class Callback;
 
-/// Calls nothing, and returns a default value, while it is empty. The object must outlive the
-/// callback.
+/// A callback. While it is empty, a call does nothing and returns a default value. The object must
+/// outlive the callback.
 template <class Return, class... Arguments>
 class Callback<Return(Arguments...)> {
  public:
@@ -22,7 +22,7 @@ class Callback<Return(Arguments...)> {
   constexpr Callback() = default;
   constexpr Callback(Function function, void* context) : function_(function), context_(context) {}
 
-  /// A member function of `object`.
+  /// Callback of a member function of `object`.
   template <auto method, class Object>
   static constexpr Callback to(Object& object) {
     return {
@@ -31,7 +31,7 @@ class Callback<Return(Arguments...)> {
         },
         &object};
   }
-  /// A function object that outlives the callback, as a lambda kept in a variable.
+  /// Callback of a function object that outlives it, such as a lambda kept in a variable.
   template <class Functor>
   static constexpr Callback of(Functor& functor) {
     return {[](void* context, Arguments... arguments) -> Return {
@@ -66,8 +66,8 @@ struct Method<Return (Object::*)(Arguments...)> {
 
 }  // namespace detail
 
-/// A member function as a plain one that takes its object first: for constant tables of functions,
-/// which take no memory in each object.
+/// A member function as a plain function that takes its object first: for constant tables of
+/// functions, which take no memory in each object.
 template <auto member>
 inline constexpr auto method = detail::Method<decltype(member)>::template call<member>;
 

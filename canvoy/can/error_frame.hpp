@@ -1,5 +1,5 @@
-// What an error frame tells, as SocketCAN numbers it: classes in its CAN-ID, details in its bytes.
-// Logs of other makers are put into these numbers, so that all say the same.
+// Contents of an error frame, as SocketCAN numbers them: classes in its CAN-ID, details in its
+// bytes. Logs of other tools are converted to these numbers.
 //
 //     if ((frame.id & error_class::bus_off) != 0) give_up();
 //     if (frame.data[error_byte::location] == 0x19) say("in the ACK slot");
@@ -24,12 +24,12 @@ inline constexpr std::uint32_t restarted = 0x100;
 inline constexpr std::uint32_t counters = 0x200;
 }  // namespace error_class
 
-/// Which byte says more.
+/// Bytes with details.
 namespace error_byte {
-inline constexpr std::size_t lost_in_bit = 0;  ///< 0: not said
+inline constexpr std::size_t lost_in_bit = 0;  ///< 0: not reported
 inline constexpr std::size_t controller = 1;   ///< bits
 inline constexpr std::size_t violation = 2;    ///< bits of error_violation
-inline constexpr std::size_t location = 3;  ///< as the ECC register of an SJA1000 has it; 0: none
+inline constexpr std::size_t location = 3;     ///< like the ECC register of an SJA1000; 0: none
 inline constexpr std::size_t transceiver = 4;  ///< CANH in the low four bits, CANL above them
 inline constexpr std::size_t transmit_counter = 6;
 inline constexpr std::size_t receive_counter = 7;
@@ -42,7 +42,7 @@ inline constexpr std::uint8_t stuff = 0x04;
 inline constexpr std::uint8_t on_transmission = 0x80;
 }  // namespace error_violation
 
-/// In which part of a frame an error came, where a log names only these.
+/// Part of a frame with the error, for logs that name only these.
 namespace error_location {
 inline constexpr std::uint8_t crc_sequence = 0x08;
 inline constexpr std::uint8_t ack_slot = 0x19;

@@ -1,4 +1,4 @@
-// A CAN data, remote or error frame (ISO 11898-1), as nodes, buses and logs pass it around.
+// A CAN data, remote or error frame, as nodes, buses and logs exchange it (ISO 11898-1).
 //
 //     Frame sync = Frame::data_frame(0x080, {});
 //     Frame ask = Frame::remote_frame(0x185, 8);
@@ -12,7 +12,8 @@
 
 namespace canvoy {
 
-/// What a frame is, beside its identifier. The bits left over are kept for CAN FD (FD, BRS, ESI).
+/// Properties of a frame beside its identifier. The remaining bits are reserved for CAN FD (FD,
+/// BRS, ESI).
 enum class FrameFlags : std::uint8_t { none = 0, extended = 1, remote = 2, error = 4 };
 
 constexpr FrameFlags operator|(FrameFlags a, FrameFlags b) {
@@ -29,15 +30,15 @@ struct Frame {
   static constexpr std::uint32_t extended_id_max = 0x1FFF'FFFF;
   static constexpr std::uint8_t length_max = 8;
 
-  std::uint32_t id =
-      0;  ///< 11 or 29 bits; of an error frame, the error class as SocketCAN numbers them
+  /// 11 or 29 bits; in an error frame, the error class as SocketCAN numbers it.
+  std::uint32_t id = 0;
   FrameFlags flags = FrameFlags::none;
-  std::uint8_t length = 0;  ///< 0 to 8 bytes; of a remote frame, the length that is asked for
+  std::uint8_t length = 0;  ///< 0 to 8 bytes; in a remote frame, the requested length
   std::uint16_t reserved = 0;
   std::array<std::uint8_t, length_max> data{};
 
-  /// A data frame; bytes beyond the eighth are dropped, an identifier above 7FFh makes it a 29-bit
-  /// frame.
+  /// Makes a data frame; bytes beyond the eighth are dropped, an identifier above 7FFh makes it a
+  /// 29-bit frame.
   static constexpr Frame data_frame(std::uint32_t id, std::span<const std::uint8_t> bytes) {
     Frame frame = remote_frame(
         id, static_cast<std::uint8_t>(bytes.size() < length_max ? bytes.size() : length_max));
@@ -49,7 +50,7 @@ struct Frame {
     return data_frame(id, std::span<const std::uint8_t>(bytes.begin(), bytes.size()));
   }
 
-  /// A remote frame that asks for `length` bytes.
+  /// Makes a remote frame that requests `length` bytes.
   static constexpr Frame remote_frame(std::uint32_t id, std::uint8_t length) {
     Frame frame;
     frame.id = id & extended_id_max;
@@ -61,11 +62,11 @@ struct Frame {
   constexpr bool is_extended() const { return has(flags, FrameFlags::extended); }
   constexpr bool is_remote() const { return has(flags, FrameFlags::remote); }
   constexpr bool is_error() const { return has(flags, FrameFlags::error); }
-  /// Neither extended nor remote nor error: the only kind that CANopen sends, but for a few remote
-  /// requests.
+  /// True if it is neither extended nor remote nor an error frame: the only kind that CANopen
+  /// sends, except for a few remote requests.
   constexpr bool is_plain() const { return flags == FrameFlags::none; }
 
-  /// The payload: `length` bytes, none in a remote frame.
+  /// Payload: `length` bytes, none in a remote frame.
   constexpr std::span<const std::uint8_t> payload() const {
     return {data.data(), is_remote() ? std::size_t{0} : std::size_t{length}};
   }

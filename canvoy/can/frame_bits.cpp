@@ -9,12 +9,12 @@ namespace canvoy {
 namespace {
 
 constexpr std::size_t byte_values = 256;
-constexpr std::size_t bytes_max = 5 + 8;  // a 29-bit header, filled up to bytes, and the data
+constexpr std::size_t bytes_max = 5 + 8;  // a 29-bit header, padded to bytes, and the data
 constexpr std::uint16_t crc_polynomial = 0x4599;
 constexpr unsigned crc_bits = 15;
 constexpr unsigned trailer_bits = 1 + 1 + bits_after_acknowledgement;  // CRC delimiter, slot, rest
 
-/// The header, from the start of frame to the data length: 19 bits, or 39 of a 29-bit frame. Both
+/// Header, from the start of frame to the data length: 19 bits, or 39 for a 29-bit frame. Both
 /// formats end with RTR, two dominant bits (IDE and r0, or r1 and r0) and the length.
 template <bool is_extended>
 std::uint64_t header_of(const Frame& frame) {
@@ -28,7 +28,7 @@ std::uint64_t header_of(const Frame& frame) {
 template <bool is_extended>
 constexpr unsigned header_bits = is_extended ? 39 : 19;
 
-/// Calls visit(byte, following) for each byte of the header, filled up in front with dominant bits,
+/// Calls visit(byte, following) for each byte of the header, padded in front with dominant bits,
 /// and of the data.
 template <bool is_extended, typename Visit>
 void for_each_byte(const Frame& frame, Visit&& visit) {
@@ -48,8 +48,9 @@ void for_each_byte(const Frame& frame, Visit&& visit) {
   }
 }
 
-// The checksum is linear: that of the frame is the sum (exclusive or) of what each byte adds, which
-// depends on how many bytes follow. So the look-ups wait for nothing but their bytes.
+// The checksum is linear: that of the frame is the sum (exclusive or) of the contribution of each
+// byte, which depends on the number of bytes that follow. The look-ups thus depend on their bytes
+// only.
 
 using CrcTable = std::array<std::uint16_t, byte_values>;
 
@@ -78,13 +79,13 @@ constexpr std::array<CrcTable, bytes_max> make_crc_tables() {
 
 constexpr std::array<CrcTable, bytes_max> crc_tables = make_crc_tables();
 
-/// The last bit on the wire, and how many equal ones there were, 1 to 4: with a fifth, a stuff bit
+/// The last bit on the wire, and the number of equal ones, 1 to 4: with a fifth, a stuff bit
 /// follows at once.
 struct Run {
   bool bit = false;
   unsigned length = 1;
 
-  /// True where a stuff bit follows.
+  /// Adds a bit; true if a stuff bit follows.
   constexpr bool add(bool next) {
     length = next == bit ? length + 1 : 1;
     bit = next;
@@ -95,7 +96,7 @@ struct Run {
   }
 };
 
-/// What a byte does to the run, for each byte and each of the eight runs; the next run is kept as
+/// Effect of a byte on the run, for each byte and each of the eight runs; the next run is stored as
 /// an offset into the table, so that one look-up leads to the next without arithmetic.
 struct StuffingTable {
   static constexpr std::size_t runs = 8;
@@ -122,9 +123,9 @@ constexpr StuffingTable make_stuffing_table() {
 
 constexpr StuffingTable stuffing = make_stuffing_table();
 
-/// The header is filled up in front with dominant bits: five of them, or, of a 29-bit frame, one,
-/// taken to be the fifth. So a recessive stuff bit follows that looks like the idle bus, and is not
-/// counted.
+/// The header is padded in front with dominant bits: five of them, or, for a 29-bit frame, one,
+/// which counts as the fifth. A recessive stuff bit follows that looks like the idle bus, and is
+/// not counted.
 template <bool is_extended>
 constexpr Run run_before = is_extended ? Run{false, 4} : Run{true, 1};
 
@@ -147,15 +148,14 @@ Sums sums_of(const Frame& frame) {
     crc ^= crc_tables[following][byte];
     stuff(byte);
   });
-  // 15 bits, filled up with the complement of the last: no run ends on it.
+  // 15 bits, padded with the complement of the last: no run ends on it.
   const unsigned filled = crc * 2 + (~crc & 1);
   stuff(filled >> 8);
   stuff(filled & 0xFF);
   return {static_cast<std::uint16_t>(crc), stuff_bits - uncounted};
 }
 
-/// The frame without stuff bits up to the last bit of data, as an answer to "which bit comes at
-/// place n?".
+/// The frame without stuff bits up to the last bit of data: value of the bit at `place`.
 bool bit_at(const Frame& frame, std::size_t place) {
   const std::size_t header_size = frame.is_extended() ? header_bits<true> : header_bits<false>;
   if (place < header_size) {

@@ -16,8 +16,8 @@ void append(Bits& bits, std::uint64_t value, int width) {
   for (int i = width - 1; i >= 0; --i) bits.push_back((value >> i & 1) != 0);
 }
 
-/// The frame from the start of frame to the last bit of data, field by field as the standard lists
-/// them.
+/// The frame from the start of frame to the last bit of data, field by field in the order of the
+/// standard.
 Bits fields_of(const Frame& frame) {
   Bits bits;
   append(bits, 0, 1);  // start of frame
@@ -92,7 +92,7 @@ TEST(FrameBits, OfTheFrameOfZerosIsThirtyFourZerosWithAStuffBitAfterEachFiveAndT
 }
 
 TEST(FrameBits, OfFramesThatAreMetDailyAreAsCanUtilsCountsThem) {
-  // What `canbusload -e` reports, less the three bits of intermission that it counts along.
+  // The lengths that `canbusload -e` reports, less the three bits of intermission that it includes.
   EXPECT_EQ(frame_bits(Frame::data_frame(0x080, {})), 51U - 3);
   EXPECT_EQ(frame_bits(Frame::data_frame(0x000, {1, 0})), 68U - 3);
   EXPECT_EQ(frame_bits(Frame::data_frame(0x705, {5})), 59U - 3);

@@ -18,7 +18,7 @@ constexpr ParsedFrame refused(FrameTextError error) {
   return {Frame{}, error};
 }
 
-// `_9` to `_F` behind eight bytes: the DLC as it was on the wire.
+// `_9` to `_F` after eight bytes: the DLC on the wire.
 bool is_raw_dlc(std::string_view text) {
   return text.size() == 2 && text[0] == '_' && digit_of(text[1]) > 8 &&
          digit_of(text[1]) < no_digit;

@@ -1,4 +1,4 @@
-// A frame as text, written and read as can-utils do: 185#1E2F, 00000185#R8,
+// Writes and reads a frame as text in the format of can-utils: 185#1E2F, 00000185#R8,
 // 20000004#0004000000000000 (an error frame).
 //
 //     FrameText text{Frame::data_frame(0x185, {0x1E, 0x2F})};           // text.view() ==
@@ -15,9 +15,9 @@
 
 namespace canvoy {
 
-/// Three hexadecimal digits are an 11-bit identifier, eight a 29-bit one, or an error frame where
-/// bit 29 is set. Data follows in pairs of capital digits; `R` is a remote frame, with the length
-/// behind it unless that is 0.
+/// Text of a frame. Three hexadecimal digits are an 11-bit identifier, eight a 29-bit one, or an
+/// error frame if bit 29 is set. Data follows in pairs of upper-case digits; `R` is a remote frame,
+/// followed by its length unless that is 0.
 class FrameText {
  public:
   static constexpr std::size_t length_max = 8 + 1 + 2 * Frame::length_max;
@@ -33,31 +33,31 @@ class FrameText {
   std::size_t length_ = 0;
 };
 
-/// Why a text is no classic CAN frame.
+/// Why a text is not a classic CAN frame.
 enum class FrameTextError : std::uint8_t {
   none,
-  identifier_length,  ///< not 3 or 8 characters, or no '#' behind them
+  identifier_length,  ///< not 3 or 8 characters, or not followed by '#'
   identifier_digit,   ///< not hexadecimal
   identifier_range,   ///< 11 bits with 3 digits: 7FFh; 29 bits with 8: 1FFFFFFFh
   data_digit,         ///< not hexadecimal, or half a byte
   data_length,        ///< more than 8 bytes
-  remote_length,      ///< behind `R` stands something else than 0 to 8
+  remote_length,      ///< `R` is followed by something other than 0 to 8
   remote_error,       ///< an error frame cannot be remote
-  fd,                 ///< `##`: CAN FD, not known here
+  fd,                 ///< `##`: CAN FD, not supported
 };
 
-/// The error in a few words, as "the identifier needs 3 or 8 hexadecimal digits and a #".
+/// Short description of the error, as "the identifier needs 3 or 8 hexadecimal digits and a #".
 std::string_view describe(FrameTextError error);
 
-/// `frame` is empty where there is an error.
+/// Result of parsing; `frame` is empty if there is an error.
 struct ParsedFrame {
   Frame frame;
   FrameTextError error = FrameTextError::none;
   explicit operator bool() const { return error == FrameTextError::none; }
 };
 
-/// Reads all of `text`. Beside what FrameText writes it takes small letters, dots between bytes,
-/// and the raw DLC of 9 to F that newer can-utils append to 8 bytes as `_F` (it is dropped).
+/// Parses all of `text`. Accepts the format of FrameText, and also lower-case letters, dots between
+/// bytes, and the raw DLC of 9 to F that newer can-utils append to 8 bytes as `_F` (it is dropped).
 ParsedFrame parse_frame(std::string_view text);
 
 }  // namespace canvoy

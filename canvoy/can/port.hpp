@@ -1,4 +1,4 @@
-// The bus as a node sees it: somewhere to put frames, and the state of its CAN controller.
+// The bus for a node: a function to send frames, and the state of its CAN controller.
 #pragma once
 
 #include <cstdint>
@@ -19,16 +19,16 @@ constexpr bool is_error_active(BusState state) {
   return state <= BusState::error_warning;
 }
 
-/// What a node needs of a CAN controller: a table of functions, so that a driver, a socket and a
-/// simulated bus all fit. What comes from the controller (frames, bus states) is handed to the node
-/// by whoever owns both.
+/// A node's requirements on a CAN controller: a table of functions, which a driver, a socket and a
+/// simulated bus can all supply. Frames and bus states of the controller are passed to the node by
+/// the owner of both.
 struct Port {
   void* context = nullptr;
-  /// Queues a frame for transmission; false where the queue is full (the node keeps the frame and
+  /// Queues a frame for transmission; false if the queue is full (the node keeps the frame and
   /// tries again).
   bool (*send)(void* context, const Frame& frame) = nullptr;
-  /// Tells the acceptance filter whether frames with this 11-bit identifier are wanted. Optional:
-  /// without it the node is handed all frames and drops what it does not want.
+  /// Sets the acceptance filter for frames with this 11-bit identifier. Optional: without it the
+  /// node receives all frames and drops those it does not need.
   void (*accept)(void* context, std::uint16_t id, bool wanted) = nullptr;
 };
 

@@ -1,5 +1,5 @@
-// A small random generator that gives the same numbers on every platform and compiler: xoshiro256**
-// by Blackman and Vigna, filled from a 64-bit seed by SplitMix64.
+// A small random generator with the same numbers on every platform and compiler: xoshiro256** by
+// Blackman and Vigna, filled from a 64-bit seed by SplitMix64.
 //
 //     Random random(seed);
 //     if (random.happens(Probability(0.001))) ...
@@ -11,13 +11,13 @@
 namespace canvoy {
 
 /// A probability as a 64-bit threshold, so that a decision is one comparison of integers, the same
-/// everywhere.
+/// on every platform.
 class Probability {
  public:
   constexpr Probability() = default;
-  /// From 0 (or less: never) to 1 (or more: always).
+  /// Makes a probability from 0 (or less: never) to 1 (or more: always).
   constexpr explicit Probability(double value) : threshold_(to_threshold(value)) {}
-  /// Of 2^64 equally likely cases the number in which it happens.
+  /// Number of cases in which it happens, of 2^64 equally likely ones.
   constexpr std::uint64_t threshold() const { return threshold_; }
   constexpr bool is_zero() const { return threshold_ == 0; }
 
@@ -31,14 +31,14 @@ class Probability {
   std::uint64_t threshold_ = 0;
 };
 
-/// Not for secrets. Copied by value: a copy goes on with the same numbers.
+/// The generator. Not for secrets. Copied by value: a copy continues with the same numbers.
 class Random {
  public:
   constexpr explicit Random(std::uint64_t seed) {
     for (std::uint64_t& word : state_) word = split_mix(seed);
   }
 
-  /// The next 64 random bits.
+  /// Next 64 random bits.
   constexpr std::uint64_t next() {
     const std::uint64_t result = std::rotl(state_[1] * 5, 7) * 9;
     const std::uint64_t shifted = state_[1] << 17;
@@ -51,7 +51,7 @@ class Random {
     return result;
   }
 
-  /// One of 0 to `count` - 1; 0 where `count` is 0. The bias is below 2^-32.
+  /// Random number from 0 to `count` - 1; 0 if `count` is 0. The bias is below 2^-32.
   constexpr std::uint32_t below(std::uint32_t count) {
     return static_cast<std::uint32_t>(((next() >> 32) * count) >> 32);
   }

@@ -1,4 +1,4 @@
-// Time as everything below the operating system counts it: 64-bit microseconds since start.
+// Time below the operating system: 64-bit microseconds since start.
 //
 //     Time now{};  Time deadline = now + 200ms;
 #pragma once
@@ -11,7 +11,7 @@
 
 namespace canvoy {
 
-/// The clock of a node, a bus or a simulated world. It has no now(): time is handed in from
+/// The clock of a node, a bus or a simulated world. It has no now(): time is passed in from
 /// outside.
 struct Clock {
   using rep = std::int64_t;
@@ -24,16 +24,16 @@ struct Clock {
 using Duration = Clock::duration;
 using Time = Clock::time_point;
 
-/// The deadline of something that waits for nothing.
+/// Deadline of an object that waits for nothing.
 inline constexpr Time never = Time::max();
 
-/// a < b, in as few instructions as it takes: the operator of <chrono> becomes a call where code
-/// has to be small.
+/// True if a < b, in the fewest instructions: the operator of <chrono> becomes a call where code
+/// must be small.
 constexpr bool is_before(Time a, Time b) {
   return a.time_since_epoch().count() < b.time_since_epoch().count();
 }
 
-/// The low bits of a point in time, in microseconds: enough for what is compared with them.
+/// Lower bits of a point in time, in microseconds: enough for comparison with stored ones.
 constexpr std::uint32_t low_ticks(Time time) {
   return static_cast<std::uint32_t>(time.time_since_epoch().count());
 }
@@ -57,11 +57,12 @@ class HalvedTime {
 
 }  // namespace detail
 
-/// A point in time as objects keep it. On a small machine, where there are many, it asks for no
-/// more than four bytes of alignment.
+/// A point in time as a member of objects. On a small machine, which has many, it needs an
+/// alignment of four bytes only.
 using StoredTime = std::conditional_t<is_small_machine, detail::HalvedTime, Time>;
 
-/// Times as objects hold them. They are computed in 32 bits: 64 take a small processor a call.
+/// Times as members of objects. They are computed in 32 bits: 64 bits cost a small processor a
+/// call.
 constexpr Duration from_milliseconds(std::uint16_t count) {
   return Duration(count * std::uint32_t{1000});
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "canvoy/profiles/physical.hpp"
+#include "canvoy/profiles/model/physical.hpp"
 
 namespace canvoy::decoder {
 

@@ -1,11 +1,11 @@
-// Whatever is known of each bus of a log, by its name: two buses may have one node-ID, one CAN-ID,
-// and different devices behind it.
+// State for each bus of a log, by the name of the bus. Two buses may use the same node-ID or CAN-ID
+// for different devices.
 //
 //     BusTable<Decoder> buses;
 //     Decoder& decoder = buses.at("can1", [] { return std::make_unique<Decoder>(); });
 //
-// Names come from files. Beyond the most buses that are kept, the one that was silent for longest
-// is forgotten, and begins anew should it be heard again.
+// Bus names come from files. When more than the maximum number of buses appear, the bus that was
+// silent for longest is dropped, and starts from the beginning if it is heard again.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 
 namespace canvoy::decoder {
 
@@ -24,11 +24,12 @@ class BusTable {
  public:
   static constexpr std::size_t usual_max = 64;
 
-  /// `max`: how many buses are kept, 1 or more.
+  /// `max`: number of buses that are kept, 1 or more.
   explicit BusTable(std::size_t max = usual_max) : max_(max) {}
 
-  /// Until the next call. `make` returns a std::unique_ptr of one of which nothing was heard; it
-  /// costs a comparison where the bus is that of the last call, else linear in the buses.
+  /// Returns the state of a bus, valid until the next call. `make` returns a std::unique_ptr to the
+  /// state of a bus that has not been heard. Costs one comparison if the bus is that of the last
+  /// call, else linear in the number of buses.
   template <class Make>
   Bus& at(std::string_view name, const Make& make) {
     if (last_ >= rooms_.size() || rooms_[last_].name != name) last_ = find(name, make);
@@ -37,7 +38,7 @@ class BusTable {
     return *room.bus;
   }
   std::size_t max() const { return max_; }
-  /// How often a bus was forgotten for another one.
+  /// Number of times that a bus was dropped to make room for another.
   std::uint64_t forgotten() const { return forgotten_; }
 
  private:
@@ -56,7 +57,7 @@ class BusTable {
         ++forgotten_;
       }
       rooms_.push_back({std::string(name), make()});
-      must_hold(rooms_.size() <= max_);
+      check_invariant(rooms_.size() <= max_);
       room = rooms_.end() - 1;
     }
     return static_cast<std::size_t>(room - rooms_.begin());

@@ -1,5 +1,5 @@
-// Something of each CAN-ID of 11 bits. A bus uses some hundred of 2048, and a log may name many
-// buses: what is of a CAN-ID is made when it is first asked for.
+// A value for each CAN-ID of 11 bits. A bus uses about a hundred of the 2048 CAN-IDs and a log may
+// name many buses, so a value is created when it is first requested.
 //
 //     ByCanId<Image> images;
 //     Image& image = images.at(frame.id);
@@ -18,7 +18,8 @@ class ByCanId {
  public:
   static constexpr std::size_t can_ids = Frame::id_max + 1;
 
-  /// Until at() makes another one. `can_id` has 11 bits.
+  /// Returns the value of `can_id` (11 bits), created if needed. Valid until at() creates another
+  /// one.
   Value& at(std::uint32_t can_id) {
     std::uint16_t& place = places_[can_id];
     if (place == 0) {
@@ -27,14 +28,14 @@ class ByCanId {
     }
     return values_[place - 1U];
   }
-  /// Null: nobody has asked for it with at().
+  /// Returns the value of `can_id`; null if at() has not created it.
   const Value* find(std::uint32_t can_id) const {
     const bool is_there = can_id < can_ids && places_[can_id] != 0;
     return is_there ? &values_[places_[can_id] - 1U] : nullptr;
   }
 
  private:
-  std::array<std::uint16_t, can_ids> places_{};  ///< in `values_`, from 1; 0: nowhere
+  std::array<std::uint16_t, can_ids> places_{};  ///< position in `values_`, from 1; 0: none
   std::vector<Value> values_;
 };
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 #include "canvoy/decoder/active_field.hpp"
 #include "canvoy/profiles/cia301.hpp"
-#include "canvoy/profiles/mapping_value.hpp"
-#include "canvoy/profiles/physical.hpp"
+#include "canvoy/profiles/model/mapping_value.hpp"
+#include "canvoy/profiles/model/physical.hpp"
 #include "canvoy/profiles/registry.hpp"
 
 namespace canvoy::decoder {
@@ -55,12 +55,14 @@ void set_bytes(DecodedValue& value, std::uint64_t raw, unsigned bits) {
   value.size = static_cast<std::uint8_t>((bits + 7) / 8);
 }
 
-/// A PDO writes what it brings, and reads what it fetches; a sheet may allow one of them only.
+/// A received PDO writes its entries, and a sent one reads them; a sheet may allow only one of
+/// these, or what SDO may not do.
 bool may_map(const EntryInfo& entry, PdoInfo::Direction direction) {
   if (entry.mapping == Mapping::no) return false;
   const bool is_tpdo = direction == PdoInfo::Direction::transmit;
-  const bool only_in_others = allows(entry.access, is_tpdo ? Access::rpdo : Access::tpdo);
-  return !only_in_others && (is_tpdo ? may_read(entry) : may_write(entry));
+  if (allows(entry.access, is_tpdo ? Access::tpdo : Access::rpdo)) return true;
+  if (allows(entry.access, is_tpdo ? Access::rpdo : Access::tpdo)) return false;
+  return is_tpdo ? may_read(entry) : may_write(entry);
 }
 
 void set_value(DecodedValue& value, std::uint64_t raw, unsigned bits,
@@ -72,7 +74,7 @@ void set_value(DecodedValue& value, std::uint64_t raw, unsigned bits,
   if (!may_map(*value.entry, direction)) value.marks.add(Mark::wrong_access);
 }
 
-/// Whose boot-up message it is (CiA 301, 7.2.8.3.3); 0: it is none.
+/// Sender of a boot-up message; 0: another message (CiA 301, 7.2.8.3.3).
 NodeId booting_node(const Frame& frame) {
   const std::uint32_t node = frame.id - can_id::error_control;
   const bool boots = frame.id > can_id::error_control && is_node_id(node) && frame.length == 1 &&
@@ -109,7 +111,7 @@ DecodedValue Decoder::described(const Profile& profile, sdo::Multiplexer place) 
           .entry = known.entry};
 }
 
-/// Of an object of `node`; 0: it is not known whose.
+/// Value of an object of `node`; 0: the node is unknown.
 DecodedValue Decoder::value_at(NodeId node, const Profile& profile, sdo::Multiplexer place) {
   DecodedValue value = described(profile, place);
   if (value.object == nullptr) return value;
@@ -137,7 +139,7 @@ void Decoder::decode_lss(const Frame& frame) {
 
 // SDO
 
-/// What a client began goes on when the client starts anew: its server knows nothing of that.
+/// A restarted client does not end its transfers: the server does not notice the restart.
 void Decoder::end_transfers_with(NodeId server) {
   for (auto& [can_id, channel] : channels_) {
     const std::optional<SdoRoute> route = network_.sdo(can_id);
@@ -165,15 +167,15 @@ void Decoder::decode_sdo(const Frame& frame, const SdoRoute& route) {
   }
 }
 
-/// Of a device behind the server nothing is known.
+/// A device behind the server is unknown.
 void Decoder::describe(sdo::Multiplexer entry, const SdoBehind& behind, NodeId server) {
   const Profile& profile = behind.node == 0 ? network_.profile(server) : cia301::profile;
   about_ = described(profile, entry);
   decoded_.about = &about_;
 }
 
-/// What is written is as long as the type says, whether the node takes it or not; a message that
-/// tells no size (CiA 301, 7.2.4.3: s is 0) cannot be judged.
+/// A written value has the length of its type, whether the node accepts it or not; a message
+/// without a size (s is 0) cannot be judged (CiA 301, 7.2.4.3).
 void Decoder::check_length(const sdo::Message& message, NodeId server) {
   if (!message.is_expedited() || !message.has_size()) return;
   const DecodedValue value = value_at(server, network_.profile(server), message.multiplexer());
@@ -210,7 +212,7 @@ void Decoder::make_image(Image& image, const PdoPlan& plan) {
   image.slots.clear();
   image.values.clear();
   image.bits = 0;
-  // Of what a node receives, the one that sends it says the unit.
+  // The sender of a PDO gives the unit for its receivers.
   const NodeId teller = plan.direction == PdoInfo::Direction::transmit ? plan.node : NodeId{0};
   for (const std::uint32_t raw : plan.mapping) {
     const MappingValue mapped(raw);
@@ -253,8 +255,8 @@ void Decoder::decode_mapped(const Frame& frame, const PdoPlan& plan) {
   }
 }
 
-/// A source is the node that sends; a destination names the node that is to take the value, or all
-/// (CiA 301, 7.2.2.5).
+/// In source addressing the node is the sender; in destination addressing it is the node that takes
+/// the value, or all (CiA 301, 7.2.2.5).
 void Decoder::decode_multiplexed(const Frame& frame, const PdoPlan& plan) {
   if (frame.length != Frame::length_max) return decoded_.marks.add(Mark::wrong_length);
   const auto address = static_cast<NodeId>(frame.data[0] & 0x7FU);

@@ -1,13 +1,14 @@
 // A passive listener that turns the CANopen traffic of one bus into objects with their values. It
-// knows the profiles, and learns from the traffic which node has which, and what its PDOs carry.
+// contains the profiles, and learns from the traffic which profile each node has and what its PDOs
+// carry.
 //
 //     Decoder decoder;
 //     const Decoded& decoded = decoder.decode(frame);
 //     for (const DecodedValue& value : decoded.values) show(value.object->name, value.bytes());
 //
-// Memory is bounded whatever comes: a few hundred bytes for each node, PDO and SDO channel, and
-// 4 KiB for the transfer that is under way on a channel. A bus of which nothing was heard takes
-// some 20 KiB, and 8 more for what profiles say of entries from its first object on.
+// Memory is bounded for any input: a few hundred bytes for each node, PDO and SDO channel, and 4
+// KiB for the active transfer of a channel. A silent bus takes about 20 KiB; from its first object
+// on, another 8 KiB for descriptions of entries.
 #pragma once
 
 #include <array>
@@ -19,7 +20,7 @@
 
 #include "canvoy/can/frame.hpp"
 #include "canvoy/decoder/by_can_id.hpp"
-#include "canvoy/decoder/by_entry.hpp"
+#include "canvoy/decoder/entry_cache.hpp"
 #include "canvoy/decoder/lss_follower.hpp"
 #include "canvoy/decoder/mark.hpp"
 #include "canvoy/decoder/network.hpp"
@@ -32,15 +33,15 @@ struct DecodedValue {
   std::uint16_t index = 0;
   std::uint8_t sub = 0;
   const Profile* profile = nullptr;
-  const ObjectInfo* object = nullptr;  ///< null: the profile does not know the index
-  /// With the unit that the node has told; null: the profile does not know the sub-index.
+  const ObjectInfo* object = nullptr;  ///< null: the index is not in the profile
+  /// Includes the unit that the node has reported; null: the sub-index is not in the profile.
   const EntryInfo* entry = nullptr;
-  bool is_told = false;  ///< `entry` is a copy, which lives no longer than the network
+  bool is_told = false;  ///< `entry` is a copy that lives as long as the network
   std::array<std::uint8_t, Frame::length_max> mapped{};  ///< of a PDO
   std::span<const std::uint8_t> transferred = {};        ///< of an SDO transfer
   std::uint8_t size = 0;
   Marks marks = {};
-  /// Of a PDO: another number whenever the bytes are others than in the last one with its CAN-ID.
+  /// For a PDO: changes whenever the bytes differ from the previous ones with this CAN-ID.
   std::uint64_t version = 0;
 
   std::span<const std::uint8_t> bytes() const {
@@ -48,22 +49,22 @@ struct DecodedValue {
   }
 };
 
-/// What one frame says, as far as objects are concerned. Valid until the next frame.
+/// The objects in one frame. Valid until the next frame.
 struct Decoded {
   enum class Service : std::uint8_t { other, pdo, sdo_request, sdo_response };
   Service service = Service::other;
-  NodeId node = 0;                              ///< of SDO the server; 0: none, or not known
-  NodeId client = 0;                            ///< of SDO, where it is known who asks
-  std::uint16_t channel = 0;                    ///< of SDO: the CAN-ID of the requests
-  const PdoPlan* pdo = nullptr;                 ///< null: not known what it carries
-  SdoMessage message = SdoMessage::unknown;     ///< of SDO, where it has eight bytes
-  SdoBehind behind{};                           ///< whom it is with, where not with the server
-  const SdoTransfer* transfer = nullptr;        ///< the one that this frame ends
-  const DecodedValue* about = nullptr;          ///< of SDO: the entry, without a value, if known
-  const LssFollower::Device* device = nullptr;  ///< of which LSS has told something
-  const NodeNews* news = nullptr;               ///< what is known of a node since this frame
+  NodeId node = 0;                           ///< of SDO, the server; 0: none, or unknown
+  NodeId client = 0;                         ///< of SDO, if the client is known
+  std::uint16_t channel = 0;                 ///< of SDO: the CAN-ID of the requests
+  const PdoPlan* pdo = nullptr;              ///< null: the content is unknown
+  SdoMessage message = SdoMessage::unknown;  ///< of SDO messages with eight bytes
+  SdoBehind behind{};                        ///< the peer of the transfer, if other than the server
+  const SdoTransfer* transfer = nullptr;     ///< the transfer that this frame ends
+  const DecodedValue* about = nullptr;       ///< of SDO: the entry, without a value, if known
+  const LssFollower::Device* device = nullptr;  ///< the device that LSS has reported on
+  const NodeNews* news = nullptr;               ///< what this frame reveals about a node
   std::span<const DecodedValue> values = {};
-  Marks marks = {};  ///< of the frame, and of all values
+  Marks marks = {};  ///< of the frame and of all values
 };
 
 class Decoder {
@@ -79,19 +80,19 @@ class Decoder {
     unsigned first = 0;  ///< its first bit
     unsigned end = 0;
     std::uint64_t mask = 0;
-    std::uint64_t raw = 0;  ///< in the last frame
+    std::uint64_t raw = 0;  ///< in the last PDO
     bool is_heard = false;
-    bool is_value = false;  ///< the next one of `values`; else a dummy
+    bool is_value = false;  ///< the next element of `values`; else a dummy
   };
-  /// What the PDO with a CAN-ID carried last: most values of a bus do not change.
+  /// Last content of the PDO with a CAN-ID: most values on a bus do not change.
   struct Image {
-    std::uint32_t generation = 0;  ///< of the network, when it was made; 0: never
+    std::uint32_t generation = 0;  ///< of the network, at creation; 0: never created
     std::vector<Slot> slots;
     std::vector<DecodedValue> values;
     unsigned bits = 0;
   };
 
-  /// What a profile says of an entry; null where it does not know it.
+  /// The description of an entry in a profile; null if it has none.
   struct Described {
     const ObjectInfo* object = nullptr;
     const EntryInfo* entry = nullptr;
@@ -116,7 +117,7 @@ class Decoder {
   std::map<std::uint16_t, SdoFollower> channels_;
   LssFollower lss_;
   ByCanId<Image> images_;
-  ByEntry<Described, entries_max> entries_;
+  EntryCache<Described, entries_max> entries_;
   std::vector<DecodedValue> values_;
   DecodedValue about_;
   std::uint64_t versions_ = 0;

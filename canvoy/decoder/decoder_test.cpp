@@ -52,7 +52,7 @@ TEST(Decoder, TakesWhatAUserSaysForGiven) {
 TEST(Decoder, TakesThePdosOfTheProfileApart) {
   Decoder sut;
   sut.network().set_profile(10, *find_profile("419"));
-  // CiA 419, 6.2.6.3: TPDO2 is the charger's status and the charge returned.
+  // TPDO2 is the charger status and the charge returned (CiA 419, 6.2.6.3).
   const Decoded& decoded = decode(sut, "28A#011002");
   EXPECT_EQ(decoded.service, Decoded::Service::pdo);
   EXPECT_EQ(decoded.node, 10);
@@ -89,7 +89,7 @@ TEST(Decoder, BelievesNoWriteThatIsNotConfirmed) {
 
 TEST(Decoder, SkipsDummiesAndUnpacksBits) {
   Decoder sut;
-  // 0005h UNSIGNED8 for nobody, then 4 and 12 bits.
+  // 0005h as a dummy of type UNSIGNED8, then 4 and 12 bits.
   feed(sut, {"60A#23001601"
              "08000500",
              "58A#6000160100000000",
@@ -116,7 +116,7 @@ TEST(Decoder, MarksAPdoOfAnotherLengthThanItsMapping) {
 TEST(Decoder, MarksReservedValuesAndThoseOutOfRange) {
   Decoder sut;
   sut.network().set_profile(10, *find_profile("419"));
-  // CiA 419, 7.2.2: bits 1 to 7 are reserved; 7.2.7: 0 to 100 %.
+  // Bits 1 to 7 are reserved (CiA 419, 7.2.2); 0 to 100 % (CiA 419, 7.2.7).
   EXPECT_TRUE(decode(sut, "28A#031002").marks.has(Mark::reserved));
   feed(sut, {"60A#4080600000000000"});
   EXPECT_TRUE(decode(sut, "58A#4F806000C8000000").marks.has(Mark::out_of_range));
@@ -134,13 +134,13 @@ TEST(Decoder, MarksAWriteToWhatIsReadOnly) {
 TEST(Decoder, MarksAWriteThatIsNotAsLongAsTheType) {
   Decoder sut;
   sut.network().set_profile(10, *find_profile("419"));
-  // CiA 419, 7.2.3: 6010h is INTEGER16. One byte, two, four, and four of which no size is told.
+  // 6010h is INTEGER16 (CiA 419, 7.2.3). One byte, two, four, and four without an indicated size.
   EXPECT_TRUE(decode(sut, "60A#2F10600001000000").marks.has(Mark::wrong_length));
   EXPECT_TRUE(decode(sut, "58A#8010600010000706").marks.empty()) << "the abort is as it should be";
   EXPECT_FALSE(decode(sut, "60A#2B106000A0000000").marks.has(Mark::wrong_length));
   EXPECT_TRUE(decode(sut, "60A#23106000A0000000").marks.has(Mark::wrong_length));
   EXPECT_FALSE(decode(sut, "60A#22106000A0000000").marks.has(Mark::wrong_length));
-  // What nobody describes, and a text (1008h).
+  // An undescribed object, and a text (1008h).
   EXPECT_FALSE(decode(sut, "60A#2F00200001000000").marks.has(Mark::wrong_length));
   EXPECT_FALSE(decode(sut, "60A#2F08100041000000").marks.has(Mark::wrong_length));
 }
@@ -197,7 +197,7 @@ TEST(Decoder, ABootUpMessageEndsWhatWasTransferredWithTheNode) {
   const Decoded& answer = decode(sut, "58A#4318100101020304");
   EXPECT_THAT(indices(answer), ElementsAre(0x1018));
   EXPECT_TRUE(answer.marks.empty());
-  // What is left of the block has no place any more.
+  // The rest of the block is out of place.
   begin_block(sut);
   feed(sut, {"70A#00"});
   EXPECT_TRUE(decode(sut, "60A#0241414141414141").marks.has(Mark::out_of_place));
@@ -284,7 +284,7 @@ TEST(Decoder, FollowsAChannelThatTheSdoParametersOfAClientSay) {
 TEST(Decoder, KnowsTheMessagesThatAProfileGivesACanId) {
   Decoder sut;
   sut.network().set_profile(1, *find_profile("407"));
-  // CiA 407, 8.1.4.3: driver on 201h.
+  // The driver is on 201h (CiA 407, 8.1.4.3).
   const Decoded& decoded = decode(sut, "201#01000000");
   ASSERT_NE(decoded.pdo, nullptr);
   EXPECT_EQ(decoded.pdo->name, "driver");

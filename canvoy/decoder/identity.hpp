@@ -1,5 +1,5 @@
-// Which device a node is: 1018h, or the LSS address (CiA 301, 7.5.2.19; CiA 305), as far as a
-// listener knows it.
+// Identity of a node, as far as a listener knows it: 1018h, or the LSS address (CiA 301, 7.5.2.19;
+// CiA 305).
 //
 //     Identity identity;
 //     identity.set(LssAddress::vendor, 0x2F0);
@@ -20,7 +20,7 @@ class Identity {
   bool has(std::size_t part) const { return (known_ & 1U << part) != 0; }
   std::uint32_t part(std::size_t part) const { return address_.parts.at(part); }
   bool empty() const { return known_ == 0; }
-  /// Vendor-ID and product code are known.
+  /// True if vendor-ID and product code are known.
   bool is_product() const { return has(LssAddress::vendor) && has(LssAddress::product); }
 
   void set(std::size_t part, std::uint32_t value) {
@@ -31,13 +31,13 @@ class Identity {
     address_.parts.at(part) = 0;
     known_ = static_cast<std::uint8_t>(known_ & ~(1U << part));
   }
-  /// Takes what the other one knows.
+  /// Adds the parts that the other identity has.
   void add(const Identity& other) {
     for (std::size_t i = 0; i < count; ++i) {
       if (other.has(i)) set(i, other.part(i));
     }
   }
-  /// Whether a part that both know differs: they are two devices.
+  /// True if a part that both have differs: they belong to two devices.
   bool contradicts(const Identity& other) const {
     for (std::size_t i = 0; i < count; ++i) {
       if (has(i) && other.has(i) && part(i) != other.part(i)) return true;
@@ -49,7 +49,7 @@ class Identity {
 
  private:
   LssAddress address_;
-  std::uint8_t known_ = 0;  ///< a bit for each part
+  std::uint8_t known_ = 0;  ///< one bit for each part
 };
 
 }  // namespace canvoy::decoder

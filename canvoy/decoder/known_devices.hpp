@@ -1,6 +1,5 @@
-// Which device each node of a bus is: its identity (1018h), and the profile that it has, by whoever
-// knows best: the device type (1000h), a data sheet, another device of the kind, or somebody who
-// says so.
+// Identity (1018h) and profile of each node of a bus. The profile comes from the best source: the
+// device type (1000h), a data sheet, another device of the same kind, or the caller.
 //
 //     KnownDevices devices;
 //     devices.add_sheet(sheet);
@@ -15,13 +14,13 @@
 #include <utility>
 #include <vector>
 
-#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
 #include "canvoy/decoder/identity.hpp"
-#include "canvoy/profiles/description.hpp"
+#include "canvoy/profiles/model/description.hpp"
 
 namespace canvoy::decoder {
 
-/// What is known beforehand of all devices of one kind: from their data sheet.
+/// What the data sheet says about all devices of one kind.
 struct DeviceSheet {
   struct Parameter {
     std::uint16_t index = 0;
@@ -31,49 +30,50 @@ struct DeviceSheet {
   };
   Identity identity = {};
   const Profile* profile = nullptr;
-  std::vector<Parameter> parameters = {};  ///< of PDOs, and what tells units
+  std::vector<Parameter> parameters = {};  ///< of PDOs, and of the entries that give units
 };
 
-/// How it is known which profile a node has; what comes later goes before what comes earlier.
+/// Source of the profile of a node; a later enumerator takes precedence over an earlier one.
 enum class KnownBy : std::uint8_t {
   nothing,
-  assumed,      ///< it is that of the whole network
-  product,      ///< another device of this vendor-ID and product code has it
+  assumed,      ///< the profile of the whole network
+  product,      ///< another device with this vendor-ID and product code has it
   device_type,  ///< 1000h
-  sheet,        ///< there is a data sheet of this vendor-ID and product code
-  given,        ///< somebody who knows says so
+  sheet,        ///< a data sheet exists for this vendor-ID and product code
+  given,        ///< set by the caller
 };
 
-/// Nodes are 0 to 127; what is given by reference has to outlive this.
+/// Node-IDs are 0 to 127. Objects passed by reference must outlive this.
 class KnownDevices {
  public:
-  /// Wherever a device type names that profile, it is to be read so.
+  /// Uses `reading` wherever a device type names `profile`.
   void replace_profile(const Profile& profile, const Profile& reading) {
     readings_[&profile] = &reading;
   }
   const Profile& reading_of(const Profile& profile) const;
   void add_sheet(const DeviceSheet& sheet) { sheets_.push_back(&sheet); }
 
-  /// CiA 301 where nothing else is known.
+  /// The profile of a node; CiA 301 if nothing else is known.
   const Profile& profile(NodeId node) const;
-  /// The same, null where nothing else is known.
+  /// Like profile(), but null if nothing else is known.
   const Profile* known_profile(NodeId node) const { return nodes_.at(node).profile; }
   KnownBy known_by(NodeId node) const { return nodes_.at(node).by; }
   const Identity& identity(NodeId node) const { return nodes_.at(node).identity; }
 
-  /// Where nobody knows better. True where it is another one than before.
+  /// Sets the profile unless a better source has set it. True if the profile has changed.
   bool use_profile(NodeId node, const Profile& profile, KnownBy by);
-  /// True where a part of it was not known before.
+  /// Adds what is known of the identity. True if a part of it is new.
   bool add_identity(NodeId node, const Identity& identity);
-  /// Another device has its node-ID now: what was heard of that one is gone, what was given stays.
-  /// True where the profile was one of what was heard.
+  /// Another device has this node-ID: discards what was heard, keeps what was given. True if the
+  /// profile was among what was heard.
   bool forget(NodeId node);
 
-  /// What another device of this vendor-ID and product code has told; null: none has.
+  /// The profile reported by another device with this vendor-ID and product code; null: none.
   const Profile* product_of(NodeId node) const;
-  /// That of this vendor-ID and product code; null where there is none, or somebody knows better.
+  /// The data sheet for the vendor-ID and product code of the node; null if there is none, or if a
+  /// better source has set the profile.
   const DeviceSheet* sheet_of(NodeId node) const;
-  /// For other devices of the kind.
+  /// Remembers the profile of this node for other devices of the same kind.
   void remember_product(NodeId node);
 
  private:
@@ -87,7 +87,7 @@ class KnownDevices {
   std::array<Node, node_id_max + 1> nodes_{};
   std::map<const Profile*, const Profile*> readings_;
   std::vector<const DeviceSheet*> sheets_;
-  /// By vendor-ID and product code, as far as devices have told both.
+  /// By vendor-ID and product code, of devices that have reported both.
   std::map<std::pair<std::uint32_t, std::uint32_t>, const Profile*> products_;
 };
 

@@ -77,7 +77,7 @@ TEST(KnownDevices, TellOthersOfTheirKindAfterTheyHaveGone) {
   EXPECT_EQ(sut.product_of(7), nullptr) << "another vendor-ID";
 }
 
-/// A product code of 0 is one as any other, and not one that is unknown.
+/// A product code of 0 is a normal one, not an unknown one.
 TEST(KnownDevices, OfWhichTheProductCodeIsNotKnownTellNobody) {
   KnownDevices sut;
   Identity vendor_alone;
@@ -88,7 +88,8 @@ TEST(KnownDevices, OfWhichTheProductCodeIsNotKnownTellNobody) {
   EXPECT_EQ(sut.product_of(5), nullptr);
 }
 
-/// Who says so himself, and not who is only taken for it: one wrong guess would breed others.
+/// Only a node that reports its profile counts, not one with an assumed profile: a wrong guess
+/// would spread.
 TEST(KnownDevices, OfWhichAProfileIsOnlyAssumedTellNobody) {
   KnownDevices sut;
   sut.add_identity(9, product(1, 2));
@@ -97,7 +98,7 @@ TEST(KnownDevices, OfWhichAProfileIsOnlyAssumedTellNobody) {
   EXPECT_EQ(sut.product_of(5), nullptr);
 }
 
-/// Of a bus on which garbage tells ever other products, memory does not grow without end.
+/// On a bus where garbage gives ever new products, memory is bounded.
 TEST(KnownDevices, RememberTheFirst1024Products) {
   KnownDevices sut;
   for (std::uint32_t code = 0; code <= 1024; ++code) {
@@ -115,7 +116,7 @@ TEST(KnownDevices, RememberTheFirst1024Products) {
   EXPECT_EQ(known(1024), nullptr);
 }
 
-/// Given once more, it would undo what was heard of the device since.
+/// Setting it again would discard what was heard of the device since.
 TEST(KnownDevices, GetTheirDataSheetOnce) {
   const DeviceSheet sheet{.identity = product(1, 2), .profile = &battery};
   KnownDevices sut;
@@ -132,7 +133,7 @@ TEST(KnownDevices, GetTheirDataSheetOnce) {
   EXPECT_EQ(sut.sheet_of(5), &sheet) << "the device is back";
 }
 
-/// Another profile of a product that is known needs no place of its own.
+/// Another profile of a known product needs no further slot.
 TEST(KnownDevices, OfAProductThatIsKnownAreToldAnewWhereThereAreNoMorePlaces) {
   KnownDevices sut;
   for (std::uint32_t code = 0; code < 1024; ++code) {

@@ -1,5 +1,5 @@
-// What one count of a value is, where nodes tell it in another entry (told_unit.hpp): what each of
-// them holds there, and the descriptions that follow.
+// Size of one count of a value where nodes give it in another entry (told_unit.hpp): the value that
+// each node holds there, and the resulting descriptions.
 //
 //     KnownUnits units;
 //     units.learn(10, 0x6480, 2, 0xFD02);
@@ -14,23 +14,23 @@
 #include <optional>
 #include <utility>
 
-#include "canvoy/canopen/cob_id.hpp"
-#include "canvoy/decoder/told_unit.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
+#include "canvoy/decoder/unit_source.hpp"
 
 namespace canvoy::decoder {
 
 class KnownUnits {
  public:
-  /// An entry of a node; nothing where it tells nothing of others.
+  /// Takes the value of an entry of a node; ignored if it gives no unit of other entries.
   void learn(NodeId node, std::uint16_t index, std::uint8_t sub, std::uint32_t held);
   void forget(NodeId node);
 
-  /// The description with what was told of it; the same one where nothing was. Node 0: of whichever
-  /// node it is, as far as those that have told agree. What is returned lives as long as this.
+  /// Returns the description with the reported unit, or the same one if none was reported. Node 0:
+  /// of any node, if all nodes that reported agree. The result lives as long as this.
   const EntryInfo* as_told(NodeId node, const Profile& profile, const EntryInfo* entry,
                            unsigned index, unsigned sub);
 
-  /// Another number whenever something was learned or forgotten.
+  /// Changes whenever something is learned or discarded.
   std::uint32_t generation() const { return generation_; }
 
  private:
@@ -40,17 +40,18 @@ class KnownUnits {
     NodeId node;
     friend auto operator<=>(const Key&, const Key&) = default;
   };
-  /// What a told entry is a copy of, and what its teller holds; nothing: what nobody knows.
+  /// The source of a copied entry, and the value of the entry that gives its unit; nothing:
+  /// unknown.
   using ToldKey = std::pair<const EntryInfo*, std::optional<std::uint32_t>>;
 
   static constexpr std::size_t held_max = 4096;
   static constexpr std::size_t told_entries_max = 4096;
 
-  std::optional<std::uint32_t> held_by(NodeId node, const Teller& teller) const;
+  std::optional<std::uint32_t> held_by(NodeId node, const UnitSource& teller) const;
 
-  std::map<Key, std::uint32_t> held_;  ///< what tellers hold
-  /// Those that were asked for; a copy has the same ones.
-  std::map<ToldKey, std::shared_ptr<const ToldEntry>> told_entries_;
+  std::map<Key, std::uint32_t> held_;  ///< values of the entries that give units
+  /// Requested descriptions; shared with copies of this.
+  std::map<ToldKey, std::shared_ptr<const EntryWithUnit>> told_entries_;
   std::uint32_t generation_ = 0;
 };
 

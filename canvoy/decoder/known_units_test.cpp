@@ -6,23 +6,23 @@
 #include "canvoy/can/frame_text.hpp"
 #include "canvoy/decoder/decoder.hpp"
 #include "canvoy/decoder/sheet_profile.hpp"
-#include "canvoy/formats/sheet/data_sheet.hpp"
+#include "canvoy/formats/eds/data_sheet.hpp"
 #include "canvoy/profiles/registry.hpp"
 
 namespace canvoy::decoder::known_units_test {
 namespace {
 
-/// What the only value of the last frame is counted in.
+/// Unit and step of the only value of the last frame.
 struct Told {
   Unit unit = Unit::none;
-  double of_one = 0;  ///< what one count is
+  double of_one = 0;  ///< size of one count
   friend bool operator==(const Told&, const Told&) = default;
 };
 std::ostream& operator<<(std::ostream& out, const Told& told) {
   return out << told.of_one << ' ' << symbol(told.unit);
 }
 
-/// A lift's bus with a load measuring unit at node 10, and a controller at node 11.
+/// The bus of a lift with a load measuring unit at node 10, and a controller at node 11.
 class NodeUnits : public testing::Test {
  public:
   NodeUnits() {
@@ -47,7 +47,8 @@ class NodeUnits : public testing::Test {
   Decoder sut;
 };
 
-// CiA 417-4, 4.12.1: 6480h:02h has 0002h by default, and loads are in kilograms where it is not.
+// 6480h:02h has 0002h by default, and loads are in kilograms if it does not exist (CiA 417-4,
+// 4.12.1).
 TEST_F(NodeUnits, AreKilogramsWhereNothingIsKnown) {
   EXPECT_EQ(told("58A#4B806401C2010000"), (Told{Unit::kilogram, 1}));
 }
@@ -66,7 +67,7 @@ TEST_F(NodeUnits, AreWhatADownloadOfTheUnitTellsOnceItIsConfirmed) {
   EXPECT_EQ(told("58A#4B806401C2010000"), (Told{Unit::newton, 1}));
 }
 
-// 4.12.2 to 4.12.5: limits, signaling limits and rope loads are in the same unit.
+// Limits, signalling limits and rope loads are in the same unit (CiA 417-4, 4.12.2 to 4.12.5).
 TEST_F(NodeUnits, HoldForAllLoads) {
   feed({"60A#4080640200000000", "58A#4B80640221000000"});
   for (const std::string_view frame :
@@ -88,7 +89,7 @@ TEST_F(NodeUnits, AreOfTheNodeThatTellsThem) {
   EXPECT_EQ(told("58A#4B806401C2010000"), (Told{Unit::kilogram, 1}));
 }
 
-// 4.1.1: the objects of lift 2 stand 0800h above those of lift 1.
+// The objects of lift 2 are 0800h above those of lift 1 (CiA 417-4, 4.1.1).
 TEST_F(NodeUnits, AreThoseOfTheirLift) {
   feed({"60A#40806C0200000000", "58A#4B806C0221000000"});
   EXPECT_EQ(told("58A#4B806401C2010000"), (Told{Unit::kilogram, 1}));
@@ -127,7 +128,8 @@ TEST_F(NodeUnits, AreForgottenWithTheDevice) {
   EXPECT_EQ(decoded("58A#4B806401C2010000").values.front().entry->value.unit, Unit::kilogram);
 }
 
-// 4.13.4: parameter 3 of sensor n of group m has the unit in byte 2, the prefix in byte 3.
+// Parameter 3 of sensor n of group m has the unit in byte 2, the prefix in byte 3 (CiA 417-4,
+// 4.13.4).
 TEST_F(NodeUnits, OfASensorAreThoseOfItsParameter) {
   // 6562h:03h, of sensor 3 of group 3: kilopascal.
   feed({"60A#4062650300000000", "58A#43626503FFFF2203"});
@@ -141,8 +143,8 @@ TEST_F(NodeUnits, OfASensorAreThoseOfItsParameter) {
   EXPECT_EQ(read("60A#4001650300000000", "58A#4101650306000000"), (Told{Unit::none, 1}));
 }
 
-// 4.9.5: 6384h:01h to 03h say in multiples of 10 um, 0.1 mm/s and 1 mm/s2 what one count of 6383h,
-// 6390h and 6391h is; 10, 10 and 1 by default.
+// 6384h:01h to 03h give the size of one count of 6383h, 6390h and 6391h in multiples of 10 um, 0.1
+// mm/s and 1 mm/s2; 10, 10 and 1 by default (CiA 417-4, 4.9.5).
 TEST_F(NodeUnits, CountsAreAsManyStepsAsTheNodeTells) {
   EXPECT_EQ(told("58A#4383630110000000"), (Told{Unit::millimetre, 0.1}));
   EXPECT_EQ(told("58A#4B90630110000000"), (Told{Unit::millimetre_per_second, 1}));
@@ -152,7 +154,7 @@ TEST_F(NodeUnits, CountsAreAsManyStepsAsTheNodeTells) {
   EXPECT_EQ(told("58A#4B90630110000000"), (Told{Unit::millimetre_per_second, 0.5}));
   EXPECT_EQ(told("58A#4B91630110000000"), (Told{Unit::millimetre_per_second_squared, 4}));
   EXPECT_EQ(told("58A#4383630210000000"), (Told{Unit::millimetre, 0.1})) << "6385h is of unit 2";
-  // 63B4h: the limits of all work areas of unit 1 are counted in the same way.
+  // 63B4h: the limits of all work areas of unit 1 have the same step.
   EXPECT_EQ(told("58A#43B4630210000000"), (Told{Unit::millimetre, 0.5}));
   EXPECT_EQ(told("58A#43B463FE10000000"), (Told{Unit::millimetre, 0.5}));
 }

@@ -12,7 +12,8 @@ std::uint32_t number_in(const Frame& frame) {
   return load<std::uint32_t>(&frame.data[1]);
 }
 
-/// Which of the four consecutive commands from `first` on it is; `Identity::count` or more: none.
+/// Position of the command in the four consecutive commands from `first` on; `Identity::count` or
+/// more: none.
 std::size_t position_in(Command first, Command command) {
   return static_cast<std::size_t>(command) - static_cast<std::size_t>(first);
 }
@@ -64,8 +65,8 @@ const LssFollower::Device* LssFollower::response(const Frame& frame) {
   return part < Identity::count ? inquired(part, number_in(frame)) : nullptr;
 }
 
-/// The last question of each part shows the whole number, and goes on to the next one; that of the
-/// last part goes back, which selects the device.
+/// The last request of each part contains the whole number, and goes on to the next part; that of
+/// the last part goes back, which selects the device.
 const LssFollower::Device* LssFollower::scanned() {
   const bool is_confirmed = scan_.valid() && scan_.bit_checked == 0 && scan_.next != scan_.sub;
   if (!is_confirmed) return nullptr;
@@ -82,7 +83,7 @@ const LssFollower::Device* LssFollower::configured(const Frame& frame) {
   return &selected_;
 }
 
-/// Where several answer, nobody knows whose number it is.
+/// If several devices answer, the number cannot be attributed.
 const LssFollower::Device* LssFollower::inquired(std::size_t part, std::uint32_t value) {
   if (answers_ > 1) {
     selected_.identity.forget(part);

@@ -1,5 +1,5 @@
-// Listens to LSS (CiA 305): which device is selected, by its identity or by Fastscan, and which
-// node-ID it is given.
+// Follows LSS: which device is selected, by its identity or by Fastscan, and which node-ID it
+// receives (CiA 305).
 //
 //     LssFollower lss;
 //     if (const LssFollower::Device* device = lss.take(frame)) show(device->node,
@@ -7,7 +7,7 @@
 #pragma once
 
 #include "canvoy/can/frame.hpp"
-#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
 #include "canvoy/decoder/identity.hpp"
 
 namespace canvoy::decoder {
@@ -15,12 +15,12 @@ namespace canvoy::decoder {
 class LssFollower {
  public:
   struct Device {
-    NodeId node = 0;    ///< 0: none, or not known
-    Identity identity;  ///< empty: all devices were switched at once, or nobody said
+    NodeId node = 0;    ///< 0: none, or unknown
+    Identity identity;  ///< empty: all devices were switched at once, or none was identified
   };
 
-  /// Takes a message of eight bytes, from 7E5h or 7E4h. Returns the selected device where the
-  /// message has told something of it; until the next message. Null: it has not.
+  /// Takes a message of eight bytes from 7E5h or 7E4h. Returns the selected device if the message
+  /// reveals something about it, valid until the next message; else null.
   const Device* take(const Frame& frame);
 
  private:
@@ -33,11 +33,11 @@ class LssFollower {
 
   Device selected_;
   Identity asked_for_;            ///< by the four messages that select a device
-  Identity found_;                ///< by Fastscan
+  Identity found_;                ///< found by Fastscan
   lss::FastscanRequest scan_;     ///< the latest
-  lss::Command asked_{};          ///< what the master asked last
-  std::uint8_t wanted_node_ = 0;  ///< as it is to be configured
-  std::uint8_t answers_ = 0;      ///< to what the master asked last
+  lss::Command asked_{};          ///< the last request of the master
+  std::uint8_t wanted_node_ = 0;  ///< to be configured
+  std::uint8_t answers_ = 0;      ///< number of answers to the last request of the master
 };
 
 }  // namespace canvoy::decoder

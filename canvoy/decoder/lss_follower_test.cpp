@@ -1,4 +1,5 @@
-// What is expected is typed from CiA 305: which messages select a device, and what they give it.
+// Expected values are typed from CiA 305: which messages select a device, and what they assign to
+// it.
 #include "canvoy/decoder/lss_follower.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,7 @@ Identity whole() {
 
 const Frames selective = {"7E5#40F0020000000000", "7E5#41A3010000000000", "7E5#4200000100000000",
                           "7E5#434D000000000000", "7E4#4400000000000000"};
-/// The last question of each part: bit checked 0, LSSSub and then LSSNext.
+/// The last request of each part: bit checked 0, LSSSub and then LSSNext.
 const Frames fastscan = {"7E5#5100000000800000", "7E4#4F00000000000000", "7E5#51F0020000000001",
                          "7E4#4F00000000000000", "7E5#51A3010000000102", "7E4#4F00000000000000",
                          "7E5#5100000100000203", "7E4#4F00000000000000", "7E5#514D000000000300",
@@ -40,7 +41,7 @@ const Frames set_5 = {"7E5#1105000000000000", "7E4#1100000000000000"};
 
 class LssFollowerTest : public testing::Test {
  protected:
-  /// What the last one tells.
+  /// The result of the last frame.
   const LssFollower::Device* feed(const Frames& frames) {
     const LssFollower::Device* told = nullptr;
     for (const std::string_view text : frames) told = sut_.take(parse_frame(text).frame);
@@ -144,7 +145,7 @@ class DeviceTest : public testing::Test {
     for (const std::string_view text : frames) last = &sut_.decode(parse_frame(text).frame);
     return *last;
   }
-  /// 1000h, then vendor-ID and product code as others read them from node 9.
+  /// 1000h, then vendor-ID and product code as other nodes read them from node 9.
   void tell_product_of_node_9() {
     feed({"589#43001000A3010000", "589#43181001F0020000", "589#43181002A3010000"});
   }
@@ -217,7 +218,7 @@ TEST_F(DeviceTest, HasTheProfileOfTheNetworkUntilItTellsItsOwn) {
   EXPECT_EQ(feed({"285#011002"}).values.size(), 2U);
   feed({"585#43001000A2010000"});
   EXPECT_EQ(sut_.network().profile(5).number, 418);
-  // CiA 418: TPDO1 is temperature and status.
+  // TPDO1 is temperature and status (CiA 418).
   EXPECT_EQ(feed({"185#A00001"}).values.size(), 2U);
   EXPECT_EQ(sut_.network().profile(6).number, 419);
 }

@@ -1,4 +1,4 @@
-// What a frame may have that is against CiA 301, or against the profile.
+// Violations of CiA 301, or of the profile, in a frame.
 //
 //     Marks marks;
 //     marks.add(Mark::out_of_range);
@@ -12,13 +12,13 @@
 namespace canvoy::decoder {
 
 enum class Mark : std::uint8_t {
-  reserved,         ///< a value that nobody may send
-  out_of_range,     ///< beyond limits that are absolute
-  wrong_length,     ///< more or fewer bytes than the mapping, the type, or who sends them says
-  wrong_access,     ///< written, or mapped, though the profile does not allow it
-  wrong_toggle,     ///< the toggle bit of node guarding, or of a segment, has not alternated
-  unknown_command,  ///< of SDO: a command specifier that stands for nothing
-  out_of_place,     ///< of SDO: nothing that was heard calls for this message
+  reserved,         ///< a reserved value
+  out_of_range,     ///< beyond absolute limits
+  wrong_length,     ///< more or fewer bytes than the mapping, the type or the sender gives
+  wrong_access,     ///< written or mapped, though the profile does not allow it
+  wrong_toggle,     ///< the toggle bit of node guarding or of a segment has not alternated
+  unknown_command,  ///< of SDO: an undefined command specifier
+  out_of_place,     ///< of SDO: no message that was heard calls for this one
   wrong_checksum,   ///< of an SDO block transfer
 };
 inline constexpr std::array all_marks = {
@@ -32,7 +32,7 @@ class Marks {
  public:
   constexpr void add(Mark mark) { bits_ = static_cast<std::uint8_t>(bits_ | bit(mark)); }
   constexpr void add(Marks others) { bits_ = static_cast<std::uint8_t>(bits_ | others.bits_); }
-  /// A mark that is not there is none to remove.
+  /// Removes a mark; no effect if it is not set.
   constexpr void remove(Mark mark) { bits_ = static_cast<std::uint8_t>(bits_ & ~bit(mark)); }
   constexpr bool has(Mark mark) const { return (bits_ & bit(mark)) != 0; }
   constexpr bool empty() const { return bits_ == 0; }

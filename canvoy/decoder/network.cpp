@@ -3,13 +3,13 @@
 #include <array>
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 #include "canvoy/profiles/cia447/network.hpp"
 #include "canvoy/profiles/registry.hpp"
 
 namespace canvoy::decoder {
 
-// What is given
+// Settings
 
 void Network::set_profile(NodeId node, const Profile& profile) {
   if (is_node_id(node)) use_profile(node, profile, KnownBy::given);
@@ -32,7 +32,7 @@ void Network::use_profile(NodeId node, const Profile& profile, KnownBy by) {
   pdos_.use_profile(node, profile);
 }
 
-/// In a car all nodes are of its profile: what is not known of them otherwise.
+/// In a car all nodes without a better source have its profile.
 void Network::assume_car(const Profile& profile) {
   has_car_ = true;
   for (NodeId node = cia447::gateway_node_id; node <= cia447::node_id_max; ++node) {
@@ -49,7 +49,7 @@ void Network::use_sheet(NodeId node, const DeviceSheet& sheet, KnownBy by) {
   }
 }
 
-// What is heard
+// Traffic
 
 void Network::learn(NodeId node, std::uint16_t index, std::uint8_t sub,
                     std::span<const std::uint8_t> bytes) {
@@ -87,7 +87,7 @@ void Network::learn_identity(NodeId node, const Identity& identity) {
   recognize(node);
 }
 
-/// By a data sheet, or by what another device of the kind has told.
+/// Finds the profile by a data sheet, or from another device of the same kind.
 void Network::recognize(NodeId node) {
   if (!devices_.identity(node).is_product()) return;
   if (devices_.known_by(node) == KnownBy::device_type) devices_.remember_product(node);
@@ -101,7 +101,7 @@ void Network::recognize(NodeId node) {
   if (devices_.known_profile(node) != before) tell_of(node).profile_by = by;
 }
 
-/// Another device has its node-ID now.
+/// Another device has this node-ID.
 void Network::forget_device(NodeId node) {
   if (!devices_.forget(node)) return;
   pdos_.forget(node, devices_.profile(node));

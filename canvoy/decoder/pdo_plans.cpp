@@ -4,9 +4,9 @@
 #include <functional>
 #include <utility>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 #include "canvoy/profiles/cia447/network.hpp"
-#include "canvoy/profiles/profile_pdo.hpp"
+#include "canvoy/profiles/model/profile_pdo.hpp"
 
 namespace canvoy::decoder {
 
@@ -19,7 +19,8 @@ constexpr std::uint8_t cob_id_sub = 1;
 constexpr std::uint8_t source_mpdo = 254;
 constexpr std::uint8_t destination_mpdo = 255;
 
-/// Where the pre-defined connection set puts the first four PDOs of a node (CiA 301, 7.3.3).
+/// Default COB-ID of one of the first four PDOs of a node in the pre-defined connection set (CiA
+/// 301, 7.3.3).
 CobId predefined_cob_id(NodeId node, Direction direction, unsigned number) {
   if (number < 1 || number > 4) return {};
   const unsigned first = direction == Direction::transmit ? can_id::tpdo1 : can_id::rpdo1;
@@ -65,7 +66,7 @@ void PdoPlans::forget(NodeId node, const Profile& profile) {
   forget_defaults(node, profile);
 }
 
-/// What the profile said that the node had before; what was heard of the node stays.
+/// Discards what the previous profile of the node gave; keeps what was heard.
 void PdoPlans::forget_defaults(NodeId node, const Profile& profile) {
   const Key first{node, {}, 0};
   for (auto each = parameters_.lower_bound(first); each != parameters_.end(); ++each) {
@@ -80,8 +81,8 @@ void PdoPlans::forget_defaults(NodeId node, const Profile& profile) {
   }
 }
 
-/// Those of a table belong to some of the profile's devices, and several may have one number: such
-/// a PDO stands for its CAN-ID, not for a parameter of the node.
+/// PDOs of a table belong to some of the devices of the profile, and several may have the same
+/// number: such a PDO is identified by its CAN-ID, not by a parameter of the node.
 void PdoPlans::add_default(NodeId node, const Profile& profile, const PdoInfo& pdo,
                            bool is_message) {
   if (profile.number == cia447::profile_number) return add_car_pdo(node, profile, pdo);
@@ -97,8 +98,8 @@ void PdoPlans::add_default(NodeId node, const Profile& profile, const PdoInfo& p
   }
 }
 
-/// Of a car each node has a block of CAN-IDs, in which the pre-defined PDOs follow each other as
-/// they are listed (canvoy/devices/cia447/car_network.hpp).
+/// Each node of a car has a block of CAN-IDs, in which the predefined PDOs follow each other in the
+/// order of their list (canvoy/devices/cia447/kit/car_network.hpp).
 void PdoPlans::add_car_pdo(NodeId node, const Profile& profile, const PdoInfo& pdo) {
   if (pdo.direction != Direction::transmit || !cia447::is_node_id(node)) return;
   const auto is_before = [&pdo](const PdoInfo& other) {
@@ -110,10 +111,10 @@ void PdoPlans::add_car_pdo(NodeId node, const Profile& profile, const PdoInfo& p
 
 void PdoPlans::add_message(NodeId node, const Profile& profile, const PdoInfo& pdo, CobId cob_id) {
   const bool carries = !pdo.mapping.empty() || pdo.multiplexed != MpdoKind::no;
-  // One that is invalid at first (CiA 417) becomes valid with this CAN-ID: it is heard then.
+  // An initially invalid PDO (CiA 417) becomes valid with this CAN-ID when it is heard.
   if (!cob_id.is_base_frame() || cob_id.can_id() == 0 || !carries) return;
   std::optional<PdoPlan>& place = plan(cob_id.can_id(), pdo.direction);
-  // The first in the table is the most complete: receivers have dummies for what they do not want.
+  // The first one in the table is the most complete: receivers have dummies for unneeded entries.
   if (place) return;
   place = {.node = node,
            .direction = pdo.direction,
@@ -124,8 +125,8 @@ void PdoPlans::add_message(NodeId node, const Profile& profile, const PdoInfo& p
   ++generation_;
 }
 
-/// Where the profile leaves the CAN-ID open until the device knows its partner (CiA 419), it is
-/// looked for in the pre-defined connection set.
+/// If the profile leaves the CAN-ID open until the device has found its partner (CiA 419), the
+/// pre-defined connection set is used.
 void PdoPlans::add_parameters(const Key& key, const Profile& profile, const PdoInfo& pdo,
                               CobId cob_id) {
   Parameters& own = parameters(key);
@@ -172,7 +173,7 @@ PdoPlans::Parameters& PdoPlans::parameters(const Key& key) {
   return known->second;
 }
 
-/// Null where they are too many.
+/// Null if there are too many.
 PdoPlans::Parameters* PdoPlans::learned_parameters(const Key& key) {
   const bool is_new = !parameters_.contains(key);
   if (is_new && learned_ == learned_max) return nullptr;
@@ -180,7 +181,7 @@ PdoPlans::Parameters* PdoPlans::learned_parameters(const Key& key) {
   return &parameters(key);
 }
 
-/// Puts the plan of a PDO where its CAN-ID is now.
+/// Stores the plan of a PDO under its present CAN-ID.
 void PdoPlans::place(const Key& key, const Profile& profile, Parameters& own) {
   ++generation_;
   own.profile = &profile;
@@ -195,7 +196,7 @@ void PdoPlans::place(const Key& key, const Profile& profile, Parameters& own) {
 PdoPlan PdoPlans::plan_of(const Key& key, const Parameters& own) {
   const MpdoKind kind = mpdo_kind(own.count);
   const std::size_t count = kind == MpdoKind::no ? own.count : 0;
-  must_hold(count <= own.mapping.size());
+  check_invariant(count <= own.mapping.size());
   return {
       .node = key.node,
       .direction = key.direction,
@@ -205,7 +206,7 @@ PdoPlan PdoPlans::plan_of(const Key& key, const Parameters& own) {
       .profile = own.profile};
 }
 
-/// Another node may have a PDO there: several receive what one sends.
+/// Another node may have a PDO there: several nodes receive the same one.
 void PdoPlans::take_away(const Key& key, std::uint16_t can_id) {
   std::optional<PdoPlan>& old = plan(can_id, key.direction);
   if (!old || old->node != key.node || old->number != key.number) return;

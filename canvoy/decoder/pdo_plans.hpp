@@ -1,6 +1,5 @@
-// Which objects the PDOs on a bus carry, by their CAN-ID: what the profiles of the nodes say, and
-// before it what SDO transfers wrote to the PDO parameters (CiA 301, 7.5.2.33 to 7.5.2.38), or read
-// from them.
+// Contents of the PDOs on a bus, by CAN-ID: those of the profiles of the nodes, and with precedence
+// those of PDO parameters that SDO transfers write or read (CiA 301, 7.5.2.33 to 7.5.2.38).
 //
 //     PdoPlans plans;
 //     plans.use_profile(10, cia419::profile);
@@ -16,42 +15,42 @@
 #include <string_view>
 #include <vector>
 
-#include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/canopen/dictionary/object_index.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
 #include "canvoy/decoder/by_can_id.hpp"
-#include "canvoy/profiles/description.hpp"
+#include "canvoy/profiles/model/description.hpp"
 
 namespace canvoy::decoder {
 
-/// What a PDO with some CAN-ID carries.
+/// Content of the PDO with a CAN-ID.
 struct PdoPlan {
-  NodeId node = 0;  ///< 0: the profile gives the CAN-ID to a message, whichever node sends it
+  NodeId node = 0;  ///< 0: the profile assigns the CAN-ID to a message, whichever node sends it
   PdoInfo::Direction direction = PdoInfo::Direction::transmit;
-  std::uint16_t number = 0;  ///< 0: not known
+  std::uint16_t number = 0;  ///< 0: unknown
   MpdoKind multiplexed = MpdoKind::no;
   std::vector<std::uint32_t> mapping;
-  std::string_view name = {};  ///< of the message, where the profile gives it one
+  std::string_view name = {};  ///< of the message, if the profile names it
   const Profile* profile = nullptr;
 };
 
 class PdoPlans {
  public:
-  /// The parameters of PDOs: 1400h to 1BFFh.
+  /// Range of the PDO parameters: 1400h to 1BFFh.
   static constexpr std::uint16_t index_first = object_index::rpdo_parameter;
   static constexpr std::uint16_t index_last = 0x1BFF;
 
-  /// The node has this profile now: what the one before said is gone, what was heard stays.
+  /// Sets the profile of a node: discards what the previous profile gave, keeps what was heard.
   void use_profile(NodeId node, const Profile& profile);
-  /// A PDO parameter of a node that has this profile.
+  /// Takes a PDO parameter of a node with this profile.
   void learn(NodeId node, std::uint16_t index, std::uint8_t sub, std::uint32_t value,
              const Profile& profile);
-  /// Another device, of which nothing is known, has its node-ID now.
+  /// Another, unknown device has this node-ID.
   void forget(NodeId node, const Profile& profile);
 
-  /// Of who sends the PDO with this CAN-ID, or else of a receiver; null where there is none. Until
-  /// something is learned.
+  /// The plan of the sender of the PDO with this CAN-ID, or else of a receiver; null if there is
+  /// none. Valid until something is learned.
   const PdoPlan* find(std::uint32_t can_id) const;
-  /// Another number whenever a plan may be another one.
+  /// Changes whenever a plan may have changed.
   std::uint32_t generation() const { return generation_; }
 
  private:
@@ -61,7 +60,7 @@ class PdoPlans {
     std::uint16_t number;
     friend auto operator<=>(const Key&, const Key&) = default;
   };
-  /// The parameters of a PDO, as far as they are known.
+  /// The known parameters of a PDO.
   struct Parameters {
     void map(std::uint8_t sub, std::uint32_t value);
 
@@ -70,7 +69,7 @@ class PdoPlans {
     bool learned_mapping = false;
     std::uint8_t count = 0;  ///< sub-index 00h of the mapping parameter
     std::vector<std::uint32_t> mapping;
-    std::optional<std::uint16_t> placed;  ///< the CAN-ID under which its plan stands
+    std::optional<std::uint16_t> placed;  ///< the CAN-ID under which the plan is stored
     const Profile* profile = nullptr;     ///< of its node
   };
   struct Plans {
@@ -78,7 +77,7 @@ class PdoPlans {
     std::optional<PdoPlan> receive;
   };
 
-  /// Beside those that profiles tell of. A bus has room for a quarter of them: one of each
+  /// Number of PDOs beside those of profiles. A bus has room for a quarter of them: one for each
   /// direction on each CAN-ID.
   static constexpr std::size_t learned_max = 16384;
 
@@ -95,7 +94,7 @@ class PdoPlans {
   std::optional<PdoPlan>& plan(std::uint32_t can_id, PdoInfo::Direction direction);
 
   std::map<Key, Parameters> parameters_;
-  std::size_t learned_ = 0;  ///< of `parameters_`, those of which no profile had told
+  std::size_t learned_ = 0;  ///< number of `parameters_` that no profile gives
   ByCanId<Plans> plans_;
   std::uint32_t generation_ = 0;
 };

@@ -16,19 +16,19 @@ const Profile& charger = *find_profile("419");
 constexpr std::uint32_t entry = 0x6000'0008;
 constexpr std::uint32_t invalid = 0x8000'0000;
 
-/// The PDO with this mapping parameter carries one entry.
+/// Makes the PDO with this mapping parameter carry one entry.
 void map_entry(PdoPlans& sut, NodeId node, int mapping_index) {
   const auto index = static_cast<std::uint16_t>(mapping_index);
   sut.learn(node, index, 1, entry, base);
   sut.learn(node, index, 0, 1, base);
 }
-/// Where there is none, one of node 0 that carries nothing.
+/// If there is none, an empty plan of node 0.
 const PdoPlan& plan(const PdoPlans& sut, std::uint32_t can_id) {
   static const PdoPlan none;
   return sut.find(can_id) == nullptr ? none : *sut.find(can_id);
 }
 
-// CiA 301, 7.5.2.33 to 7.5.2.38: 1400h and 1600h, 1800h and 1A00h, 512 of each.
+// 1400h and 1600h, 1800h and 1A00h, 512 of each (CiA 301, 7.5.2.33 to 7.5.2.38).
 TEST(PdoPlans, HaveTheNumbersOfTheirIndices) {
   using enum PdoInfo::Direction;
   for (const auto& [parameter, direction, number] :
@@ -42,7 +42,7 @@ TEST(PdoPlans, HaveTheNumbersOfTheirIndices) {
   }
 }
 
-// CiA 301, 7.5.2.36: up to 64 entries; FEh and FFh are the two kinds of MPDO.
+// Up to 64 entries; FEh and FFh are the two kinds of MPDO (CiA 301, 7.5.2.36).
 TEST(PdoPlans, OfAnImpossibleMappingAreNone) {
   PdoPlans sut;
   for (unsigned sub = 1; sub <= 255; ++sub) {
@@ -62,7 +62,7 @@ TEST(PdoPlans, OfAnImpossibleMappingAreNone) {
   }
 }
 
-// CiA 301, 7.5.2.35: bit 31 is "not valid", bit 29 a frame of 29 bits, which nobody follows here.
+// Bit 31 is "not valid", bit 29 a frame of 29 bits, which is not followed here (CiA 301, 7.5.2.35).
 TEST(PdoPlans, AreOfValidCobIdsOf11BitsAndComeBackWithThem) {
   PdoPlans sut;
   map_entry(sut, 10, 0x1A00);
@@ -98,7 +98,7 @@ TEST(PdoPlans, OfWhoSendsGoBeforeThoseOfWhoReceives) {
   EXPECT_EQ(plan(sut, 0x18A).node, 10);
 }
 
-// CiA 419, 6.2.6.3: TPDO2 carries 6001h and 6052h. CiA 418: TPDO1 is valid from the beginning.
+// TPDO2 carries 6001h and 6052h (CiA 419, 6.2.6.3). TPDO1 is valid from the start (CiA 418).
 TEST(PdoPlans, StandWhereTheyWereHeardWhicheverProfileBecomesKnown) {
   PdoPlans sut;
   sut.learn(10, 0x1801, 1, 0x333, base);
@@ -128,7 +128,7 @@ TEST(PdoPlans, OfADeviceThatIsReplacedAreForgottenAndThoseOfItsNeighboursStay) {
   EXPECT_EQ(plan(sut, 0x18A).node, 10) << "where it is after power-on (CiA 301, 7.3.3)";
 }
 
-/// 16 nodes write all PDO parameters that there are: only those are followed from then on.
+/// 16 nodes write all PDO parameters: no others are followed from then on.
 TEST(PdoPlans, AreLearnedOf16384PdosAndNoMore) {
   PdoPlans sut;
   for (int again = 0; again < 9; ++again) map_entry(sut, 1, 0x1A00);
@@ -145,7 +145,7 @@ TEST(PdoPlans, AreLearnedOf16384PdosAndNoMore) {
   EXPECT_EQ(plan(sut, 0x333).node, 16);
 }
 
-/// Two nodes receive one PDO, of which nobody knows who sends it; then one gets another.
+/// Two nodes receive one PDO of an unknown sender; then one receives another.
 TEST(PdoPlans, OfTwoReceiversIsLeftTheOneThatStays) {
   PdoPlans sut;
   for (const NodeId node : {NodeId{11}, NodeId{12}}) {

@@ -7,7 +7,7 @@ namespace canvoy::decoder {
 
 namespace {
 
-/// Of the pre-defined connection set (CiA 301, 7.3.3).
+/// Route of the pre-defined connection set (CiA 301, 7.3.3).
 std::optional<SdoRoute> default_route(std::uint32_t can_id) {
   const auto node = static_cast<NodeId>(can_id & node_id_max);
   const std::uint32_t function = can_id - node;
@@ -16,7 +16,7 @@ std::optional<SdoRoute> default_route(std::uint32_t can_id) {
   return SdoRoute{static_cast<std::uint16_t>(can_id::sdo_request + node), 0, node, is_request};
 }
 
-/// Each node of a car asks each other one on a CAN-ID of their own (CiA 447-4).
+/// Each pair of nodes of a car has its own CAN-IDs (CiA 447-4).
 std::optional<SdoRoute> mesh_route(std::uint32_t can_id) {
   const bool asks = (can_id & 0xC0) == 0x40;
   const std::uint32_t request = asks ? can_id : can_id + 0x80;
@@ -59,7 +59,7 @@ void SdoChannels::forget(NodeId node) {
   }
 }
 
-/// A client that does not say who its server is tells nothing that could be named.
+/// A client without a known server gives no usable route.
 void SdoChannels::place(NodeId node, std::uint16_t index, Parameters& own) {
   routes_.at(own.placed_request) = {};
   routes_.at(own.placed_response) = {};

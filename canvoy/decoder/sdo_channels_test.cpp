@@ -7,7 +7,7 @@
 namespace canvoy::decoder::sdo_channels_test {
 namespace {
 
-/// `channel client>server`, with a `?` behind it where it asks.
+/// `channel client>server`, followed by `?` for a request.
 std::string route(const SdoChannels& channels, std::uint32_t can_id, bool has_car = false) {
   const std::optional<SdoRoute> found = channels.find(can_id, has_car);
   if (!found) return "none";
@@ -15,7 +15,7 @@ std::string route(const SdoChannels& channels, std::uint32_t can_id, bool has_ca
          std::to_string(found->server) + (found->is_request ? "?" : "");
 }
 
-// CiA 301, 7.3.3: 600h and 580h plus node-ID.
+// 600h and 580h plus node-ID (CiA 301, 7.3.3).
 TEST(SdoChannels, AreTheDefaultOneOfEachNode) {
   const SdoChannels sut;
   EXPECT_EQ(route(sut, 0x605), std::to_string(0x605) + " 0>5?");
@@ -24,7 +24,7 @@ TEST(SdoChannels, AreTheDefaultOneOfEachNode) {
   EXPECT_EQ(route(sut, 0x700), "none");
 }
 
-// CiA 301, 7.5.2.33: COB-ID client to server, server to client, node-ID of the client.
+// COB-ID client to server, COB-ID server to client, node-ID of the client (CiA 301, 7.5.2.33).
 TEST(SdoChannels, AreThoseOfServerParametersOnceBothDirectionsAreKnown) {
   SdoChannels sut;
   sut.learn(7, 0x1201, 1, 0x6E1);
@@ -34,11 +34,11 @@ TEST(SdoChannels, AreThoseOfServerParametersOnceBothDirectionsAreKnown) {
   EXPECT_EQ(route(sut, 0x6E2), std::to_string(0x6E1) + " 0>7");
   sut.learn(7, 0x1201, 3, 4);
   EXPECT_EQ(route(sut, 0x6E2), std::to_string(0x6E1) + " 4>7");
-  sut.learn(7, 0x1201, 1, 0x8000'06E1);  // no longer valid
+  sut.learn(7, 0x1201, 1, 0x8000'06E1);  // invalid
   EXPECT_EQ(route(sut, 0x6E1), "none");
 }
 
-// CiA 301, 7.5.2.34: of a client, the node-ID is that of its server.
+// For a client, the node-ID is that of its server (CiA 301, 7.5.2.34).
 TEST(SdoChannels, AreThoseOfClientParametersOnceTheServerIsKnown) {
   SdoChannels sut;
   sut.learn(4, 0x1280, 1, 0x6E1);
@@ -59,7 +59,7 @@ TEST(SdoChannels, AreForgottenWithTheirNode) {
   EXPECT_EQ(route(sut, 0x6E2), "none");
 }
 
-// CiA 447-4 (facts): node 2 asks node 7 on 256h, and is answered on 1D6h.
+// Node 2 sends requests to node 7 on 256h, and gets answers on 1D6h (CiA 447-4, public facts).
 TEST(SdoChannels, AreTheMeshOfACarOnly) {
   const SdoChannels sut;
   EXPECT_EQ(route(sut, 0x256), "none");

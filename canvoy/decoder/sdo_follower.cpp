@@ -3,22 +3,22 @@
 #include <algorithm>
 #include <utility>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 #include "canvoy/canopen/remote/remote_access.hpp"
 
 namespace canvoy::decoder {
 
 namespace {
 
-/// The bits of the first byte that are always 0 (CiA 301, 7.2.4.3): in an initiate message with
-/// data or with their size,
+/// Bits of the first byte that are always 0: in an initiate message with data or with their size
+/// (CiA 301, 7.2.4.3),
 constexpr unsigned reserved_in_initiate = 0x10;
-constexpr unsigned unused_count = 0x0C;  ///< that an expedited message with a size alone has
+constexpr unsigned unused_count = 0x0C;  ///< in an expedited message with a size only
 /// in one without data, and in an abort,
 constexpr unsigned reserved_without_data = 0x1F;
-/// in what asks for a segment, or confirms one,
+/// in a request for a segment, or its confirmation,
 constexpr unsigned reserved_beside_toggle = 0x0F;
-/// and in those of block transfers: initiate, the end of the data, and all others.
+/// and in messages of block transfers: initiate, end of data, and all others.
 constexpr unsigned reserved_in_block_initiate = 0x18;
 constexpr unsigned reserved_in_block_end = 0x02;
 constexpr unsigned reserved_in_block = 0x1C;
@@ -31,7 +31,7 @@ bool begins(SdoMessage message) {
   return message == SdoMessage::read || message == SdoMessage::write ||
          message == SdoMessage::block_upload || message == SdoMessage::block_download;
 }
-/// The others are of the transfer that is under way.
+/// All other messages belong to the transfer in progress.
 bool names_its_entry(SdoMessage message) {
   return begins(message) || message == SdoMessage::abort || message == SdoMessage::value ||
          message == SdoMessage::written || message == SdoMessage::block_upload_ready ||
@@ -88,8 +88,8 @@ SdoStep SdoFollower::response(const Frame& frame) {
   return step;
 }
 
-/// A request alone may have come when the server was up already, with its boot-up message still to
-/// be sent: the answer to it has its place.
+/// A request may have arrived before the boot-up message of the server was sent: its answer is in
+/// place.
 void SdoFollower::server_starts() {
   next_ = {};
   overtaken_ = 0;
@@ -166,7 +166,7 @@ SdoStep SdoFollower::abort(const sdo::Message& message) {
   return {SdoMessage::abort};
 }
 
-/// Nothing where none is under way, or its beginning was not heard.
+/// Nothing if no transfer is in progress, or its start was not heard.
 std::optional<sdo::Multiplexer> SdoFollower::transfer_entry() const {
   if (phase_ == Phase::idle || !is_named_) return std::nullopt;
   return sdo::Multiplexer(transfer_.index, transfer_.sub);
@@ -204,10 +204,10 @@ void SdoFollower::take(std::span<const std::uint8_t> bytes) {
   const auto kept = bytes.first(std::min(room, bytes.size()));
   transfer_.bytes.insert(transfer_.bytes.end(), kept.begin(), kept.end());
   transfer_.size += bytes.size();
-  must_hold(transfer_.bytes.size() <= bytes_max && transfer_.bytes.size() <= transfer_.size);
+  check_invariant(transfer_.bytes.size() <= bytes_max && transfer_.bytes.size() <= transfer_.size);
 }
 
-// What is to be expected
+// Expected messages
 
 void SdoFollower::expect(bool is_in_place) {
   const bool knows = is_known_ && hears_client_ && hears_server_;
@@ -218,7 +218,7 @@ void SdoFollower::expect_zero(const sdo::Message& message, unsigned reserved_bit
   if ((message.first_byte() & reserved_bits) != 0) marks_.add(Mark::reserved);
 }
 
-/// What follows is judged by the bit that came.
+/// The received toggle bit is the reference for the next one.
 void SdoFollower::expect_toggle(const sdo::Message& message) {
   if (message.toggle() != toggle_) marks_.add(Mark::wrong_toggle);
   toggle_ = message.toggle();
@@ -232,7 +232,7 @@ void SdoFollower::expect_size(bool is_all) {
 
 // Expedited and segmented
 
-/// Takes the data of an expedited message, or the size of what comes in segments.
+/// Takes the data of an expedited message, or the size of a segmented one.
 void SdoFollower::initiate(const sdo::Message& message) {
   const bool tells_unused = message.is_expedited() && message.has_size();
   expect_zero(message, reserved_in_initiate | (tells_unused ? 0 : unused_count));
@@ -245,8 +245,8 @@ void SdoFollower::initiate(const sdo::Message& message) {
   if (message.has_size()) announced_ = message.value();
 }
 
-/// Who began to listen after the request knows what it was from the answer. A block upload may be
-/// answered so too, where there are few bytes.
+/// If the request was not heard, the answer gives the entry. A block upload may be answered like
+/// this too, if there are few bytes.
 SdoStep SdoFollower::initiate_upload(const sdo::Message& message) {
   expect(is_in(Phase::asked, false) && is_of(message));
   begin(false, SdoTransfer::Kind::expedited, message.multiplexer());
@@ -274,7 +274,7 @@ void SdoFollower::take_segment(const sdo::Message& message) {
   expect_size(last_);
 }
 
-/// Where the confirmation was not heard, segments are taken all the same.
+/// Segments are taken even if the confirmation was not heard.
 SdoStep SdoFollower::download_segment(const sdo::Message& message) {
   expect(is_in(Phase::segments, true) && !last_);
   if (is_asked(true, SdoTransfer::Kind::segmented)) phase_ = Phase::segments;
@@ -315,7 +315,7 @@ SdoStep SdoFollower::upload_segment_response(const sdo::Message& message) {
 SdoStep SdoFollower::take_block_segment(const sdo::Message& message) {
   const unsigned number = message.sequence_number();
   if (number == 0 || number > block_size_) marks_.add(Mark::out_of_range);
-  // What does not come in order is sent again.
+  // Segments out of order are sent again.
   if (number == sequence_ + 1U) {
     ++sequence_;
     const auto bytes = message.bytes();
@@ -335,12 +335,12 @@ void SdoFollower::acknowledge_block(const sdo::Message& message) {
   if (message.acknowledged() > sequence_) marks_.add(Mark::out_of_range);
   const unsigned got = std::min<unsigned>(message.acknowledged(), sequence_);
   const std::size_t again = (sequence_ - got) * sdo::segment_max;
-  must_hold(again <= transfer_.size);
+  check_invariant(again <= transfer_.size);
   transfer_.size -= again;
   transfer_.bytes.resize(std::min(transfer_.bytes.size(), transfer_.size));
   if (again != 0) last_ = false;
   sequence_ = 0;
-  // Where no block follows, it has no size.
+  // If no block follows, it has no size.
   if (last_) {
     phase_ = Phase::block_end;
   } else {
@@ -385,7 +385,7 @@ SdoStep SdoFollower::block_upload_request(const sdo::Message& message) {
   return {SdoMessage::block_upload_done, is_in(Phase::block_end, false) ? finish() : nullptr};
 }
 
-/// Who began to listen here does not know of what the segments are.
+/// If listening started here, the entry of the segments is unknown.
 void SdoFollower::start_block_upload() {
   const bool was_asked = is_asked(false, SdoTransfer::Kind::block);
   expect(was_asked && !is_answer_due_);
@@ -426,7 +426,7 @@ SdoStep SdoFollower::block_download_request(const sdo::Message& message) {
 SdoStep SdoFollower::block_download_response(const sdo::Message& message) {
   const unsigned command = message.block_command();
   if (command == sdo::block_initiate) {
-    // Who began to listen after the request knows what it was from the answer.
+    // If the request was not heard, the answer gives the entry.
     const bool was_asked = is_asked(true, SdoTransfer::Kind::block) && is_of(message);
     expect(was_asked);
     if (!was_asked) begin(true, SdoTransfer::Kind::block, message.multiplexer());

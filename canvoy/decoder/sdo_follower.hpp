@@ -1,14 +1,14 @@
-// Puts the messages of one SDO channel together into transfers (CiA 301, 7.2.4): expedited,
-// segmented and block, both ways. It only listens, and may begin in the middle. What is against the
-// protocol is marked, and then taken as it came.
+// Assembles the messages of one SDO channel into transfers: expedited, segmented and block, in both
+// directions (CiA 301, 7.2.4). It only listens, and may start in the middle of a transfer.
+// Violations of the protocol are marked, and the message is then taken as it is.
 //
 //     SdoFollower channel;
 //     const SdoStep step = channel.response(frame);
 //     if (step.done != nullptr) show(step.done->index, step.done->bytes);
 //
 // A transfer with a device on a bus behind the server (canopen/remote/remote_access.hpp) is
-// followed as well, where it is indicated by the number that is usual here. It tells nothing of the
-// server.
+// followed as well, if it is indicated by the number that is usual here. Such a transfer is not
+// attributed to the server.
 #pragma once
 
 #include <cstdint>
@@ -16,29 +16,29 @@
 #include <vector>
 
 #include "canvoy/can/frame.hpp"
-#include "canvoy/canopen/cob_id.hpp"
-#include "canvoy/canopen/dictionary/abort_code.hpp"
+#include "canvoy/canopen/protocol/abort_code.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
 #include "canvoy/canopen/sdo/sdo.hpp"
 #include "canvoy/decoder/mark.hpp"
 
 namespace canvoy::decoder {
 
-/// One that has come to its end.
+/// A completed transfer.
 struct SdoTransfer {
   enum class Kind : std::uint8_t { expedited, segmented, block };
   bool is_write = false;
   Kind kind = Kind::expedited;
   std::uint16_t index = 0;
   std::uint8_t sub = 0;
-  std::vector<std::uint8_t> bytes;  ///< the first of them, where there were more
-  std::size_t size = 0;             ///< of all bytes
+  std::vector<std::uint8_t> bytes;  ///< the first bytes, if there are more
+  std::size_t size = 0;             ///< number of all bytes
 };
 
-/// What a message of SDO is, of which the segments of blocks look like others.
+/// Kind of an SDO message; segments of blocks look like other messages.
 enum class SdoMessage : std::uint8_t {
   unknown,
   abort,
-  // Of the client:
+  // From the client:
   read,
   write,
   read_segment,
@@ -49,7 +49,7 @@ enum class SdoMessage : std::uint8_t {
   block_upload_done,
   block_download,
   block_download_end,
-  // Of the server:
+  // From the server:
   value,
   written,
   segment,
@@ -59,7 +59,7 @@ enum class SdoMessage : std::uint8_t {
   block_download_ready,
   block_download_got,
   block_download_done,
-  // Of either:
+  // From either side:
   block_segment,
   indication,  ///< the next transfer is with a device behind the server
 };
@@ -67,30 +67,31 @@ enum class SdoMessage : std::uint8_t {
 /// A device on a bus behind a server.
 struct SdoBehind {
   std::uint16_t network = 0;
-  NodeId node = 0;  ///< 0: it is the server itself
+  NodeId node = 0;  ///< 0: the server itself
 };
 
-/// A message, and the transfer with the server that it ends well, or null; until the next message.
+/// Result of a message: the transfer with the server that it completes, or null. Valid until the
+/// next message.
 struct SdoStep {
   SdoMessage message = SdoMessage::unknown;
   const SdoTransfer* done = nullptr;
   Marks marks = {};
-  SdoBehind behind = {};  ///< whom the transfer is with, or is to be
-  /// What the message names, or the transfer that it belongs to; nothing: that was not heard.
+  SdoBehind behind = {};  ///< peer of the current or the next transfer
+  /// The entry that the message names, or that of its transfer; nothing: its start was not heard.
   std::optional<sdo::Multiplexer> entry = {};
 };
 
 class SdoFollower {
  public:
-  /// What is kept of a long domain.
+  /// Number of bytes kept of a long domain.
   static constexpr std::size_t bytes_max = 4096;
-  /// Of so many requests that were overtaken by another one, late answers are no surprise.
+  /// Number of overtaken requests that may still be answered late.
   static constexpr unsigned overtaken_max = 8;
 
-  /// Takes a message of eight bytes from the client, or from the server.
+  /// Takes a message of eight bytes from the client (request) or the server (response).
   SdoStep request(const Frame& frame);
   SdoStep response(const Frame& frame);
-  /// The server has started anew: of what was transferred it knows nothing any more.
+  /// The server has restarted: its transfers are void.
   void server_starts();
 
  private:
@@ -125,8 +126,8 @@ class SdoFollower {
   SdoStep block_download_request(const sdo::Message& message);
   SdoStep block_download_response(const sdo::Message& message);
 
-  /// Marks a message that nothing calls for. Who began to listen in the middle, or hears one side
-  /// only, does not know.
+  /// Marks a message that no other message calls for. Not marked where listening started in the
+  /// middle, or where only one side is heard.
   void expect(bool is_in_place);
   void expect_zero(const sdo::Message& message, unsigned reserved_bits);
   void expect_toggle(const sdo::Message& message);
@@ -143,23 +144,23 @@ class SdoFollower {
   }
 
   SdoTransfer transfer_;
-  SdoBehind behind_;  ///< of the transfer
-  SdoBehind next_;    ///< of that to come: it was confirmed
+  SdoBehind behind_;  ///< of the current transfer
+  SdoBehind next_;    ///< of the next transfer; it was confirmed
   Phase phase_ = Phase::idle;
-  bool is_known_ = false;  ///< what is under way, or that nothing is
+  bool is_known_ = false;  ///< the state of the channel is known, idle or not
   bool hears_client_ = false;
   bool hears_server_ = false;
-  bool is_answer_due_ = false;  ///< the client has spoken last
-  bool is_named_ = false;       ///< its beginning was heard
-  bool last_ = false;           ///< the segment that ends it was there
-  bool has_crc_ = false;        ///< both sides can do checksums
-  std::uint8_t toggle_ = 0;     ///< of the segment that is to come, or is to be answered
-  std::uint8_t sequence_ = 0;   ///< of the last segment of this block that came in order
+  bool is_answer_due_ = false;  ///< the client has sent the last message
+  bool is_named_ = false;       ///< the start of the transfer was heard
+  bool last_ = false;           ///< the last segment was heard
+  bool has_crc_ = false;        ///< both sides support checksums
+  std::uint8_t toggle_ = 0;     ///< of the segment that is expected or unanswered
+  std::uint8_t sequence_ = 0;   ///< of the last segment of this block that arrived in order
   std::uint8_t block_size_ = 0;
-  /// Requests that came before the one before them was answered, as those of a client with a short
-  /// time-out: each of them may still be.
+  /// Number of requests sent before the previous one was answered, as by a client with a short
+  /// time-out. Each of them may still be answered.
   unsigned overtaken_ = 0;
-  std::optional<std::uint32_t> announced_;  ///< how many bytes it is to have
+  std::optional<std::uint32_t> announced_;  ///< announced number of bytes
   Marks marks_;                             ///< of this message
 };
 

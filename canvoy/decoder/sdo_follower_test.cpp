@@ -1,4 +1,4 @@
-// What is against the protocol of SDO (CiA 301, 7.2.4.3), as the listener marks it.
+// Violations of the SDO protocol, as the listener marks them (CiA 301, 7.2.4.3).
 #include "canvoy/decoder/sdo_follower.hpp"
 
 #include <gtest/gtest.h>
@@ -6,12 +6,12 @@
 #include <string>
 
 #include "canvoy/can/frame_text.hpp"
-#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
 
 namespace canvoy::decoder::sdo_follower_test {
 namespace {
 
-/// A frame as candump writes it, from the client (60Ah) or the server (58Ah), and its marks.
+/// A frame in the format of candump, from the client (60Ah) or the server (58Ah), and its marks.
 struct Example {
   std::string_view frame;
   std::string_view marks = "";
@@ -62,7 +62,7 @@ TEST(SdoFollower, MarksNothingInTransfersAsTheyShouldBe) {
       {"58A#2000000000000000"},
       {"60A#1942434400000000"},
       {"58A#3000000000000000"},
-      // The size need not be told.
+      // The size is optional.
       {"60A#4008100000000000"},
       {"58A#4008100000000000"},
       {"60A#6000000000000000"},
@@ -73,7 +73,7 @@ TEST(SdoFollower, MarksNothingInTransfersAsTheyShouldBe) {
 }
 
 TEST(SdoFollower, MarksNothingInBlockTransfersAsTheyShouldBe) {
-  // The checksum of "123456789" is 31C3h (CiA 301, 7.2.4.3.16: the common check of this CRC).
+  // The checksum of "123456789" is 31C3h, the common check value of this CRC (CiA 301, 7.2.4.3.16).
   expect_marks({
       {"60A#C650200109000000"},
       {"58A#A45020017F000000"},
@@ -90,7 +90,7 @@ TEST(SdoFollower, MarksNothingInBlockTransfersAsTheyShouldBe) {
       {"60A#A2027F0000000000"},
       {"58A#D5C3310000000000"},
       {"60A#A100000000000000"},
-      // Few bytes, and the server goes on in segments (the protocol switch).
+      // With few bytes, the server continues in segments (protocol switch).
       {"60A#A45020017F150000"},
       {"58A#4F50200107000000"},
   });
@@ -100,9 +100,9 @@ TEST(SdoFollower, MarksAToggleBitOfAnUploadThatDoesNotAlternate) {
   expect_marks({
       {"60A#4008100000000000"},
       {"58A#4108100015000000"},
-      {"60A#7000000000000000", "wrong toggle bit"},  // It is 0 in the first.
-      {"58A#0043616E766F7920", "wrong toggle bit"},  // The answer repeats that of the request.
-      {"60A#7000000000000000"},                      // What came last counts.
+      {"60A#7000000000000000", "wrong toggle bit"},  // 0 in the first segment
+      {"58A#0043616E766F7920", "wrong toggle bit"},  // the answer repeats that of the request
+      {"60A#7000000000000000"},                      // the last one is the reference
       {"58A#1043616E766F7920"},
       {"60A#7000000000000000", "wrong toggle bit"},
       {"58A#1143616E766F7920"},
@@ -134,7 +134,7 @@ TEST(SdoFollower, MarksATransferThatEndsWithMoreOrFewerBytesThanItsBeginningTold
       {"58A#1B41420000000000", "wrong length"},  // 9 of 8
       {"60A#2108200006000000"},
       {"58A#6008200000000000"},
-      {"60A#0043616E766F7920", "wrong length"},  // Too many, though it is not the last.
+      {"60A#0043616E766F7920", "wrong length"},  // too many, though it is not the last one
       {"58A#2000000000000000"},
       {"60A#1F00000000000000", "wrong length"},
       {"58A#3000000000000000"},
@@ -150,19 +150,19 @@ TEST(SdoFollower, MarksABlockTransferOfAnotherSizeOrChecksum) {
       {"58A#A2027F0000000000"},
       {"60A#D5C2310000000000", "wrong length, wrong checksum"},
       {"58A#A100000000000000"},
-      // One side cannot do checksums.
+      // One side does not support checksums.
       {"60A#A45020017F000000"},
       {"58A#C250200109000000"},
       {"60A#A300000000000000"},
       {"58A#0131323334353637"},
       {"58A#8238390000000000"},
       {"60A#A2027F0000000000"},
-      {"58A#D900000000000000", "wrong length"},  // Six bytes unused leave 8 of 9.
+      {"58A#D900000000000000", "wrong length"},  // six unused bytes leave 8 of 9
   });
 }
 
 TEST(SdoFollower, MarksBlockSizesAndSequenceNumbersThatThereAreNot) {
-  // CiA 301, 7.2.4.3.9: 1 to 127 segments a block; each has a number from 1 on.
+  // 1 to 127 segments per block, each with a number from 1 on (CiA 301, 7.2.4.3.9).
   expect_marks({
       {"60A#C250200120000000"},
       {"58A#A050200100000000", "out of range"},
@@ -193,7 +193,7 @@ TEST(SdoFollower, MarksBitsOfTheCommandThatAreAlwaysZero) {
   expect_marks({
       {"60A#5017100000000000", "reserved"},
       {"58A#5B17100032000000", "reserved"},
-      {"60A#2E17100032000000", "reserved"},  // Unused bytes without a size.
+      {"60A#2E17100032000000", "reserved"},  // unused bytes without a size
       {"58A#6117100000000000", "reserved"},
       {"60A#4008100000000000"},
       {"58A#4108100007000000"},
@@ -214,7 +214,7 @@ TEST(SdoFollower, MarksWhatNothingCallsFor) {
       {"60A#4000100000000000"},
       {"58A#4300100000000000"},
       {"58A#4300100000000000", "out of place"},  // answered twice
-      {"60A#6000000000000000", "out of place"},  // no segments are to come
+      {"60A#6000000000000000", "out of place"},  // no segments are expected
       {"58A#0043616E766F7920", "out of place"},
       {"60A#0043616E766F7920", "out of place"},
       {"58A#2000000000000000", "out of place"},
@@ -223,7 +223,7 @@ TEST(SdoFollower, MarksWhatNothingCallsFor) {
       {"60A#2B17100032000000"},
       {"58A#6018100000000000", "out of place"},
       {"60A#2B17100032000000"},
-      {"58A#4B17100032000000", "out of place"},  // a value, where something was written
+      {"58A#4B17100032000000", "out of place"},  // a value in answer to a write
       {"60A#A300000000000000", "out of place"},
       {"60A#8000000000000405"},
       {"60A#A27F7F0000000000", "out of place"},
@@ -250,7 +250,7 @@ TEST(SdoFollower, MarksNoAnswerToARequestThatWasOvertaken) {
       {"58A#E002000700000000", "out of place"},
       {"60A#E002000700000000"},
       {"60A#E002000700000000"},
-      {"60A#2B171000C8000000"},  // of another object, and none is answered yet
+      {"60A#2B171000C8000000"},  // of another object; none is answered yet
       {"58A#E002000700000000"},
       {"58A#E002000700000000"},
       {"58A#6017100000000000"},
@@ -258,7 +258,7 @@ TEST(SdoFollower, MarksNoAnswerToARequestThatWasOvertaken) {
       {"60A#4000100000000000"},
       {"60A#4000100000000000"},
       {"58A#4300100000000000"},
-      {"58A#0143616E766F7920", "out of place"},  // no answer to a request that begins
+      {"58A#0143616E766F7920", "out of place"},  // not an answer to an initiate request
   });
 }
 
@@ -287,7 +287,7 @@ TEST(SdoFollower, DoesNotMissWhatALogOfOneSideLeavesOut) {
 }
 
 TEST(SdoFollower, MarksNothingOfANewRequestInTheMiddleOfATransfer) {
-  // CiA 301 lets the client begin anew, as it does after its time-out.
+  // A client may start again, as it does after a time-out (CiA 301).
   expect_marks({
       {"60A#4008100000000000"},
       {"58A#4108100015000000"},

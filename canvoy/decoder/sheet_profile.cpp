@@ -4,14 +4,14 @@
 #include "canvoy/formats/plain_text.hpp"
 #include "canvoy/formats/sheet/sheet_value.hpp"
 #include "canvoy/formats/terms.hpp"
-#include "canvoy/profiles/number_rules.hpp"
+#include "canvoy/profiles/model/number_rules.hpp"
 #include "canvoy/profiles/registry.hpp"
 
 namespace canvoy::decoder {
 
 namespace {
 
-/// What the entry holds in a device of this sheet, where that is a number.
+/// Value of the entry in a device of this sheet, if it is a number.
 std::optional<formats::SheetNumber> said_number(const formats::SheetEntry& entry) {
   return formats::sheet_number(entry.value.empty() ? entry.default_value : entry.value);
 }
@@ -25,7 +25,7 @@ const Profile& base_of(const formats::DataSheet& sheet, const Network* network) 
   return network == nullptr ? *known : network->reading_of(*known);
 }
 
-/// CiA 306: rwr and rww are rw, in PDOs for reading or for writing only.
+/// rwr and rww are rw, in PDOs for reading or for writing only (CiA 306).
 Access access_of(const formats::SheetEntry& entry) {
   const auto said = formats::said_access(entry);
   if (!said) return Access::rw;
@@ -34,7 +34,7 @@ Access access_of(const formats::SheetEntry& entry) {
   return is_one_way ? said->by_sdo | said->in_pdos : said->by_sdo;
 }
 
-/// None where the sheet gives none, or none that can be told of any node.
+/// None if the sheet gives none, or none that is valid for any node.
 Limits limits_of(const formats::SheetEntry& entry, DataType type) {
   const auto low = formats::sheet_number(entry.low_limit);
   const auto high = formats::sheet_number(entry.high_limit);
@@ -49,18 +49,20 @@ Limits limits_of(const formats::SheetEntry& entry, DataType type) {
   return within(low ? number(low->number) : all.low, high ? number(high->number) : all.high);
 }
 
-/// What the device says of the entry goes before what the profile allows it to say.
-void refine(EntryInfo& entry, const formats::SheetEntry& said) {
+/// The sheet of the device takes precedence over the profile.
+void refine(EntryInfo& entry, const formats::SheetEntry& said, bool is_sent) {
   const Limits limits = limits_of(said, entry.type);
   if (limits.kind != Limits::Kind::none) entry.value.limits = limits;
   if (said.access.empty()) return;
   entry.access = access_of(said);
+  // The profile leaves it to the device: 6001h of CiA 407 is sent, and SDO does not read it.
+  if (is_sent && entry.access_by_device) entry.access = entry.access | Access::rpdo | Access::tpdo;
   entry.consumer_access = Access::none;
   entry.access_by_device = false;
   entry.mapping = said.pdo_mapping ? Mapping::optional : Mapping::no;
 }
 
-/// 0 where nothing is said.
+/// 0 if nothing is given.
 std::int64_t or_zero(const std::optional<formats::SheetNumber>& number) {
   return number ? number->number : 0;
 }
@@ -71,7 +73,7 @@ Identity identity_of(const formats::DataSheet& sheet) {
     const formats::SheetEntry* entry =
         sheet.find(object_index::identity, static_cast<unsigned>(part + 1));
     std::int64_t number = entry == nullptr ? 0 : or_zero(said_number(*entry));
-    // Many sheets leave it to the section of the device.
+    // Many sheets give it only in the section of the device.
     if (part == LssAddress::vendor && number == 0) {
       number = or_zero(formats::sheet_number(sheet.text("DeviceInfo", "VendorNumber")));
     }
@@ -86,7 +88,7 @@ Identity identity_of(const formats::DataSheet& sheet) {
 }  // namespace
 
 SheetProfile::SheetProfile(const formats::DataSheet& sheet, const Network* network)
-    : profile_(base_of(sheet, network)) {
+    : source_(&sheet), profile_(base_of(sheet, network)) {
   const Profile& base = base_of(sheet, network);
   profile_.base = &base;
   for (const auto& [index, object] : sheet.objects) {
@@ -115,11 +117,11 @@ void SheetProfile::add_object(std::uint16_t index, const formats::SheetObject& o
                      .name = keep(formats::plain_text(object.own.name)),
                      .first_number = formats::no_number};
   if (object.is_variable()) {
-    add_entry(entries, 0, object.own);
+    add_entry(entries, index, 0, object.own);
     if (!entries.empty()) made.entry = entries.front();
     made.entry.name = {};
   }
-  for (const auto& [sub, entry] : object.subs) add_entry(entries, sub, entry);
+  for (const auto& [sub, entry] : object.subs) add_entry(entries, index, sub, entry);
   if (entries.empty()) return;
   if (!object.is_variable()) {
     made.code = ObjectCode::record;
@@ -128,19 +130,20 @@ void SheetProfile::add_object(std::uint16_t index, const formats::SheetObject& o
   objects_.push_back(made);
 }
 
-void SheetProfile::add_entry(std::vector<EntryInfo>& entries, std::uint8_t sub,
+void SheetProfile::add_entry(std::vector<EntryInfo>& entries, std::uint16_t index, std::uint8_t sub,
                              const formats::SheetEntry& entry) {
-  // Of a type of the maker's own, or that of a record, the bytes are shown as they are.
+  // A type of the manufacturer, or of a record: the bytes are shown as they are.
   const DataType type = formats::sheet_type(entry.data_type).value_or(DataType::octet_string);
   entries.push_back({.sub_first = sub,
                      .sub_last = sub,
                      .name = keep(formats::plain_text(entry.name)),
                      .first_number = formats::no_number,
                      .type = type});
-  refine(entries.back(), entry);
+  refine(entries.back(), entry, source_->sends_unreadable(index, sub));
 }
 
-/// As the profile describes it, and each entry for itself, since the sheet may tell them apart.
+/// The description of the profile, with a separate entry for each sub-index, since the sheet may
+/// distinguish them.
 void SheetProfile::add_described(std::uint16_t index, const formats::SheetObject& object,
                                  const ObjectInfo& described) {
   ObjectInfo made = described;
@@ -149,7 +152,7 @@ void SheetProfile::add_described(std::uint16_t index, const formats::SheetObject
   made.first_number = static_cast<std::uint16_t>((index - described.index) % profile_.block_pitch +
                                                  described.first_number);
   if (described.subs.empty()) {
-    refine(made.entry, object.own);
+    refine(made.entry, object.own, source_->sends_unreadable(index, 0));
     objects_.push_back(made);
     return;
   }
@@ -160,9 +163,9 @@ void SheetProfile::add_described(std::uint16_t index, const formats::SheetObject
     EntryInfo& entry = entries.emplace_back(*known);
     entry.first_number = static_cast<std::uint16_t>(known->first_number + sub - known->sub_first);
     entry.sub_first = entry.sub_last = sub;
-    refine(entry, said);
+    refine(entry, said, source_->sends_unreadable(index, sub));
   }
-  // The first that has the sub-index counts.
+  // The first entry with the sub-index is used.
   entries.insert(entries.end(), described.subs.begin(), described.subs.end());
   made.subs = Items<EntryInfo>(entries.data(), entries.size());
   objects_.push_back(made);
@@ -171,7 +174,7 @@ void SheetProfile::add_described(std::uint16_t index, const formats::SheetObject
 void SheetProfile::add_parameters(std::uint16_t index, const formats::SheetObject& object) {
   const bool is_of_pdo = index <= object_index::tpdo_mapping_last;
   for (const auto& [sub, entry] : object.subs) {
-    if (!is_of_pdo && !is_teller(index, sub)) continue;
+    if (!is_of_pdo && !is_unit_source(index, sub)) continue;
     const auto number = said_number(entry);
     if (!number) continue;
     sheet_.parameters.push_back(

@@ -13,7 +13,7 @@
 namespace canvoy::decoder::sheet_profile_test {
 namespace {
 
-// Typed by CiA 306: a device of CiA 418 with an object of its maker's, and one TPDO of it.
+// Typed from CiA 306: a device of CiA 418 with an object of its manufacturer in one TPDO.
 constexpr std::string_view sheet_text = R"([ManufacturerObjects]
 SupportedObjects=1
 1=0x2000
@@ -172,7 +172,8 @@ TEST_F(SheetProfileTest, SaysWhatMayBeReadWrittenAndMapped) {
   EXPECT_TRUE(is_wrong({"605#2B106000A0000000", "585#6010600000000000"})) << "ro";
   EXPECT_TRUE(is_wrong({"585#4F81600032000000"})) << "wo";
   EXPECT_FALSE(is_wrong({"605#2F81600032000000", "585#6081600000000000"})) << "wo";
-  // RPDO 1 (1400h, 1600h) maps 2000h:01h, which is for TPDOs only, and 6081h, which is for none.
+  // RPDO 1 (1400h, 1600h) maps 2000h:01h, which is for TPDOs only, and 6081h, which is not
+  // mappable.
   for (const char* text : {"605#2300140105020000", "585#6000140100000000", "605#2300160110010020",
                            "585#6000160100000000", "605#2F00160001000000", "585#6000160000000000",
                            "605#2301180185010000", "585#6001180100000000", "605#23001A0108008160",
@@ -238,7 +239,7 @@ TEST(SheetProfile, OfASheetWithoutADeviceTypeIsThatOfAnyNode) {
   EXPECT_EQ(sut.profile().objects.size(), 0U);
 }
 
-// `#` is a placeholder of the profiles of CiA; what a maker writes is what is meant.
+// `#` is a placeholder in the profiles of CiA; in a text of a manufacturer it stands for itself.
 TEST(SheetProfile, ANumberSignInTheNameOfAMakerIsItself) {
   constexpr std::string_view sheet =
       "[2000]\nParameterName=Motor #2\nObjectType=7\nDataType=6\nAccessType=rw\n"

@@ -6,7 +6,7 @@
 
 #include "canvoy/devices/cia401/kinds.hpp"
 #include "canvoy/devices/cia407/kinds.hpp"
-#include "canvoy/devices/cia417/kinds.hpp"
+#include "canvoy/devices/cia417/kit/kinds.hpp"
 #include "canvoy/devices/cia418/kinds.hpp"
 #include "canvoy/devices/cia419/kinds.hpp"
 #include "canvoy/devices/cia447/kinds.hpp"
@@ -66,7 +66,7 @@ Kinds join() {
   return kinds;
 }
 
-/// Those of CiA 407, and the others.
+/// The kinds of CiA 407, and the others.
 const Kinds all_kinds = join();
 
 }  // namespace

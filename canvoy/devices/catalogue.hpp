@@ -1,8 +1,8 @@
-// All kinds of devices that there are, by the names that users type.
+// All kinds of devices, by the names that users type.
 //
 //     const DeviceKind* kind = find_device_kind("lift-load");
-//     Site site;
-//     CatalogueDevice device(*kind, port, kind->node_id(site), site);
+//     Environment environment;
+//     CatalogueDevice device(*kind, port, kind->node_id(environment), environment);
 //     device.node().start(now);
 #pragma once
 
@@ -11,23 +11,24 @@
 #include <span>
 #include <string_view>
 
-#include "canvoy/devices/device_kind.hpp"
+#include "canvoy/devices/kit/device_kind.hpp"
 
 namespace canvoy {
 
-/// As --list shows them.
+/// In the order of --list.
 std::span<const DeviceKind* const> device_catalogue();
-/// Null where there is none of this name.
+/// Null if there is no kind of this name.
 const DeviceKind* find_device_kind(std::string_view name);
 
 /// A device of the catalogue, in memory from the heap.
 class CatalogueDevice {
  public:
-  /// `port`'s context, `site` and what it offers must outlive this.
-  CatalogueDevice(const DeviceKind& kind, const Port& port, NodeId node_id, const Site& site)
-      : form_(kind.form(site)),
+  /// The context of `port`, `environment` and its offers must outlive this.
+  CatalogueDevice(const DeviceKind& kind, const Port& port, NodeId node_id,
+                  const Environment& environment)
+      : form_(kind.form(environment)),
         memory_(std::make_unique<std::byte[]>(form_.bytes)),
-        made_(form_.make(memory_.get(), port, node_id, site)) {}
+        made_(form_.make(memory_.get(), port, node_id, environment)) {}
   ~CatalogueDevice() { form_.end(memory_.get()); }
   CatalogueDevice(const CatalogueDevice&) = delete;
   CatalogueDevice& operator=(const CatalogueDevice&) = delete;

@@ -1,12 +1,12 @@
-// What the catalogue says of its devices is what they are, at the wire.
+// The descriptions of the catalogue agree with the devices, at the wire.
 #include "canvoy/devices/catalogue.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "canvoy/canopen/mandatory_objects.hpp"
-#include "canvoy/devices/cia417/device_on_cable_test.hpp"
+#include "canvoy/canopen/device/mandatory_objects.hpp"
+#include "canvoy/devices/cia417/kit/device_on_cable_test.hpp"
 #include "canvoy/devices/cia417/sensor/light_barrier_unit.hpp"
 #include "canvoy/devices/testing/every_device.hpp"
 
@@ -34,7 +34,7 @@ TEST_P(CatalogueTest, ADeviceRunsAndHasItsProfileAndProductCode) {
   EXPECT_FALSE(ask("40 08 10 00 00 00 00 00").empty());
 }
 
-/// What data sheets are written from is what the device has.
+/// The source of data sheets agrees with the device.
 TEST_P(CatalogueTest, ADeviceHasTheObjectsOfItsDescription) {
   std::size_t objects = 0;
   for (const Part& part : GetParam()->forms.front().parts()) {
@@ -46,7 +46,8 @@ TEST_P(CatalogueTest, ADeviceHasTheObjectsOfItsDescription) {
   EXPECT_EQ(rows, objects);
 }
 
-/// Those that the compiler knows do not compile otherwise; others are put together at run time.
+/// Descriptions that are known at compile time would not compile otherwise; others are composed at
+/// run time.
 TEST_P(CatalogueTest, ADeviceLacksNothingThatCiA301WantsOfIt) {
   const MissingEntry missing = find_missing(device.node().dictionary().tables());
   EXPECT_EQ(missing.rule, "") << missing.object << ' ' << missing.entry;
@@ -67,10 +68,10 @@ TEST(Catalogue, EachNameStandsForOneDevice) {
 TEST(Catalogue, WhoKeepsParametersHasTheObjectsForIt) {
   for (const DeviceKind* kind : device_catalogue()) {
     if (kind->keeping_forms.empty()) continue;
-    Site site;
-    site.keeps_parameters = true;
+    Environment environment;
+    environment.keeps_parameters = true;
     Cable cable;
-    CatalogueDevice device(*kind, cable.port(0), kind->info.node_id, site);
+    CatalogueDevice device(*kind, cable.port(0), kind->info.node_id, environment);
     EXPECT_TRUE(device.node().dictionary().find(0x1010, 3)) << kind->info.name;
     EXPECT_TRUE(device.node().dictionary().find(0x1011, 3)) << kind->info.name;
   }
@@ -91,12 +92,12 @@ struct Beam {
 
 TEST(Catalogue, ADeviceTakesTheHardwareOfItsSiteAndIsTold) {
   Beam beam;
-  Site site;
-  site.door = 2;
-  site.offer(Callback<cia417::LightBarrierHardware()>::to<&Beam::hardware>(beam));
-  site.watch(Callback<void(cia417::LightBarrierUnit&, Node&)>::to<&Beam::made>(beam));
+  Environment environment;
+  environment.door = 2;
+  environment.provide(Callback<cia417::LightBarrierHardware()>::to<&Beam::hardware>(beam));
+  environment.watch(Callback<void(cia417::LightBarrierUnit&, Node&)>::to<&Beam::made>(beam));
   Cable cable;
-  CatalogueDevice device(*find_device_kind("lift-light-barrier"), cable.port(0), 9, site);
+  CatalogueDevice device(*find_device_kind("lift-light-barrier"), cable.port(0), 9, environment);
   EXPECT_EQ(beam.asked, 1);
   EXPECT_EQ(beam.node, &device.node());
   cable.connect(0, device.node());
@@ -112,9 +113,9 @@ TEST(Catalogue, ADeviceTakesTheHardwareOfItsSiteAndIsTold) {
 TEST(Catalogue, TheNodeIdOfADoorGoesByItsNumber) {
   const DeviceKind& door = *find_device_kind("lift-door");
   for (const auto& [number, id] : {std::pair{1U, 6}, {2U, 7}, {3U, 8}, {4U, 12}}) {
-    Site site;
-    site.door = number;
-    EXPECT_EQ(door.node_id(site), id);
+    Environment environment;
+    environment.door = number;
+    EXPECT_EQ(door.node_id(environment), id);
   }
 }
 

@@ -1,14 +1,16 @@
-// Each entry of each device of the catalogue, as a foreign client meets it: what its data sheet
-// offers to write is taken, what is write only is not read, what is read only is not written, and
-// what is beyond the range of its clause is refused. Where a device says otherwise, a ruling says
-// why.
+// Each entry of each device of the catalogue, accessed by a foreign client: writable entries of the
+// data sheet accept values, write-only ones are not read, read-only ones are not written, and
+// values beyond the range of the clause are refused. Where a device differs, a ruling gives the
+// reason.
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <set>
+#include <string_view>
 
 #include "canvoy/devices/testing/foreign_client.hpp"
 #include "canvoy/devices/testing/object_rulings.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 
 namespace canvoy::every_object_test {
 namespace {
@@ -29,8 +31,8 @@ struct Numbers {
   std::set<std::int64_t> beyond;
 };
 
-/// "Function not implemented" is what a command says to who reads it (CiA 447-3, 4.2): nobody may
-/// write it, as what is reserved.
+/// "Function not implemented" is the value of a command for a reader (CiA 447-3, 4.2): like
+/// reserved values, it must not be written.
 bool may_be_written(const NamedValue& named) {
   return named.meaning != Meaning::reserved && named.meaning != Meaning::not_implemented;
 }
@@ -69,7 +71,7 @@ Bytes bytes_of(std::uint64_t number, DataType type) {
   return bytes;
 }
 
-/// Each field by itself; the others say what they say before anybody has set them.
+/// Each field by itself; the others have their values before the first write.
 Values values_of_fields(const Part& part, const EntryInfo& entry) {
   Values values;
   const auto rest = static_cast<std::uint64_t>(detail::initial_of(part, entry).number);
@@ -86,7 +88,7 @@ Values values_of_fields(const Part& part, const EntryInfo& entry) {
   return values;
 }
 
-/// In one segment and in several, and as long as it may be.
+/// In one segment and in several, up to the maximum length.
 Values values_of_bytes(const Part& part, const EntryInfo& entry) {
   constexpr std::size_t sizes[] = {2, 7, 8, 100, 900};
   const std::size_t room = entry.type == DataType::domain ? sizes[4]
@@ -129,7 +131,7 @@ class Walk {
   void visit(const DeviceKind& kind) {
     kind_ = &kind;
     for (const Part& part : kind.forms.front().parts()) {
-      // Of many objects of one shape the first and the last.
+      // The first and the last of many objects of one shape.
       const std::set<unsigned> places = {0U, part.count() - 1U};
       for (const unsigned place : places) visit(part, place);
     }
@@ -225,6 +227,15 @@ void walk_all(bool is_operational) {
   walk.expect_all_rulings_in_use();
   EXPECT_GT(walk.entries, 4000u);
   EXPECT_GT(walk.writes, 10000u);
+}
+
+TEST(EveryObject, EachRulingNamesTheClauseThatItFollows) {
+  for (const ObjectRuling& ruling : object_rulings) {
+    const std::string_view reason = ruling.reason;
+    const bool has_clause = std::isdigit(static_cast<unsigned char>(reason.front())) != 0 ||
+                            reason.starts_with("CiA ") || reason.starts_with("MID, ");
+    EXPECT_TRUE(has_clause && reason.find(": ") != std::string_view::npos) << reason;
+  }
 }
 
 TEST(EveryObject, IsTakenOrRefusedAsItsDataSheetSaysWhenPreOperational) {

@@ -1,6 +1,6 @@
-// Every device of which the transmission types can be changed listens to SYNC (1005h), so that each
-// PDO can be synchronous (CiA 301, 7.5.2.35 and 7.5.2.37), at the wire. Those of a charger are
-// constant (CiA 419, 6.2.3 to 6.2.8).
+// Every device with variable transmission types receives SYNC (1005h), so that each PDO can be
+// synchronous (CiA 301, 7.5.2.35 and 7.5.2.37), at the wire. Those of a charger are constant (CiA
+// 419, 6.2.3 to 6.2.8).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,7 +42,8 @@ class DeviceOnSync : public testing::TestWithParam<const DeviceKind*> {
                 &code[2], &code[3]);
     return command == 0x60 ? 0 : code[0] | code[1] << 8 | code[2] << 16 | code[3] << 24;
   }
-  /// It carries something, and is no multiplexed one. One that is off by default is on afterwards.
+  /// True if it carries an object, and is not multiplexed. A PDO that is off by default is switched
+  /// on afterwards.
   bool is_usable(unsigned parameter) {
     const bool is_constant = write(parameter, 2, 255, 1) == read_only;
     EXPECT_TRUE(!is_constant || write(parameter, 2, 1, 1) == read_only);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "canvoy/formats/plain_text.hpp"
+
 namespace canvoy::formats {
 
 namespace {
@@ -21,7 +23,7 @@ std::uint8_t octet_at(std::string_view bytes, std::size_t at) {
   return static_cast<std::uint8_t>(bytes[at]);
 }
 
-/// Writes 1 to 4 bytes; how many.
+/// Writes 1 to 4 bytes; returns their number.
 std::size_t put_utf8(char32_t character, char* into) {
   const auto put = [into](std::size_t at, char32_t value) { into[at] = static_cast<char>(value); };
   const auto rest = [character](unsigned shift) { return 0x80U | (character >> shift & 0x3FU); };
@@ -47,23 +49,7 @@ std::size_t put_utf8(char32_t character, char* into) {
   return 4;
 }
 
-/// How many bytes the character at the front takes; 0 where it is none.
-std::size_t utf8_length(std::string_view text) {
-  const std::uint8_t first = octet_at(text, 0);
-  if (first < 0x80) return 1;
-  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if (first < 0xC2 || first > 0xF4 || text.size() < length) return 0;
-  char32_t character = first & (0xFFU >> (length + 1));
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((octet_at(text, i) & 0xC0U) != 0x80) return 0;
-    character = character << 6 | (octet_at(text, i) & 0x3FU);
-  }
-  constexpr std::array<char32_t, 5> least = {0, 0, 0x80, 0x800, 0x10000};
-  const bool is_half = character >= 0xD800 && character <= 0xDFFF;
-  return character >= least.at(length) && character <= 0x10FFFF && !is_half ? length : 0;
-}
-
-/// CR LF and CR become LF.
+/// Changes CR LF and CR to LF.
 void end_lines_with_feeds(std::string& text) {
   if (text.find('\r') == std::string::npos) return;
   std::size_t to = 0;

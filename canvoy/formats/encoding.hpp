@@ -1,5 +1,5 @@
-// Text of files as UTF-8: byte order marks of UTF-8 and UTF-16 are honoured, what is no UTF-8 is
-// read as Windows-1252, and a carriage return alone ends a line.
+// Converts text of files to UTF-8: honours byte order marks of UTF-8 and UTF-16, reads text that is
+// not UTF-8 as Windows-1252, and ends a line at a lone carriage return.
 //
 //     DecodedText sheet = decode_text(bytes);
 //     if (!sheet.remark().empty()) say(sheet.remark());     // "it is no UTF-8: read as
@@ -23,31 +23,31 @@ enum class TextEncoding : std::uint8_t {
   windows_1252
 };
 
-/// What a byte order mark at the front says; none where there is none.
+/// The encoding that a byte order mark at the start gives; nothing if there is none.
 std::optional<TextEncoding> marked_encoding(std::string_view bytes);
 
-/// Whether it is well-formed UTF-8 (RFC 3629), control characters included.
+/// True if it is well-formed UTF-8 (RFC 3629), control characters included.
 bool is_utf8(std::string_view bytes);
 
-/// Of Windows-1252; its five empty places become U+FFFD.
+/// Converts from Windows-1252; its five unassigned codes become U+FFFD.
 std::string utf8_of_windows_1252(std::string_view bytes);
 
-/// `bytes` themselves where they are UTF-8, else what they are in Windows-1252.
+/// Returns `bytes` if they are UTF-8, else converts them from Windows-1252.
 std::string as_utf8(std::string_view bytes);
 
 struct DecodedText {
   std::string text;  ///< lines end with a line feed
   TextEncoding encoding = TextEncoding::utf8;
 
-  /// What a reader should know of it, in a line; empty where it is UTF-8.
+  /// A remark for the reader on the encoding, in one line; empty if it is UTF-8.
   std::string_view remark() const;
 };
 
-/// Of a whole file.
+/// Decodes a whole file.
 DecodedText decode_text(std::string_view bytes);
 
-/// A piece of UTF-16 without its mark: as many characters as there is room for, four bytes for
-/// each. A lone half of a pair becomes U+FFFD. `last`: nothing follows.
+/// Converts a piece of UTF-16 without its byte order mark: as many characters as fit, four bytes
+/// for each. A lone surrogate becomes U+FFFD. `last`: nothing follows.
 struct RecodeStep {
   std::size_t taken = 0;
   std::size_t made = 0;

@@ -1,4 +1,4 @@
-// Characters by The Unicode Standard, of Windows-1252 by its table at unicode.org.
+// Characters are from The Unicode Standard, those of Windows-1252 from its table at unicode.org.
 #include "canvoy/formats/encoding.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Control characters by ECMA-48 and Unicode; what is UTF-8 by RFC 3629.
+// Control characters are from ECMA-48 and Unicode; UTF-8 is from RFC 3629.
 #include "canvoy/formats/plain_text.hpp"
 
 #include <gtest/gtest.h>
@@ -47,6 +47,10 @@ TEST(PlainText, IsTrimmedOfBlanks) {
   EXPECT_EQ(trimmed("a"), "a");
   EXPECT_EQ(trimmed(" \v\f "), "");
   EXPECT_EQ(trimmed(""), "");
+}
+
+TEST(PlainText, StandsInMarkup) {
+  EXPECT_EQ(markup_text(R"(<a b="1"> & 'c')"), "&lt;a b=&quot;1&quot;&gt; &amp; 'c'");
 }
 
 }  // namespace

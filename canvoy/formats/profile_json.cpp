@@ -7,15 +7,15 @@
 #include "canvoy/formats/plain_text.hpp"
 #include "canvoy/formats/provisions_json.hpp"
 #include "canvoy/formats/terms.hpp"
-#include "canvoy/profiles/number_rules.hpp"
-#include "canvoy/profiles/profile_pdo.hpp"
+#include "canvoy/profiles/model/number_rules.hpp"
+#include "canvoy/profiles/model/profile_pdo.hpp"
 #include "canvoy/profiles/registry.hpp"
 
 namespace canvoy::formats {
 
 namespace {
 
-// The order of the keys is that in which people read them.
+// The order of the keys is for human readers.
 using Json = nlohmann::ordered_json;
 
 std::string range_text(const NamedValue& named, const BitRange& bits) {
@@ -49,7 +49,7 @@ Json range_json(const ValueInfo& value) {
   return {value.limits.low, value.limits.high};
 }
 
-/// Whether some number within the limits has no name: it counts.
+/// True if some number within the limits has no name, so that the value is a number.
 bool has_unnamed(const ValueInfo& value, const BitRange& bits) {
   std::int64_t unnamed = value.limits.high - value.limits.low + 1;
   for (const NamedValue& named : value.names) {
@@ -66,7 +66,7 @@ bool is_code(const ValueInfo& value) {
          value.notation == Notation::characters || value.notation == Notation::bit_mask;
 }
 
-/// Whether a value counts or measures, and is no code nor a list of states alone.
+/// True if a value is a count or a measurement, not a code nor a list of states alone.
 bool is_quantity(const ValueInfo& value, const BitRange& bits) {
   if (value.unit != Unit::none || value.scale != Scale{} || !value.pieces.empty()) return true;
   if (is_code(value)) return false;
@@ -81,7 +81,7 @@ bool is_quantity(const ValueInfo& value, const BitRange& bits) {
   return has_sentinel && !has_state;
 }
 
-/// A state that a scale gives a number too: it stands for that number.
+/// A state that also has a number by a scale: it stands for that number.
 bool is_in_piece(const NamedValue& named, const ValueInfo& value) {
   return named.meaning == Meaning::state &&
          std::ranges::any_of(value.pieces, [&named](const Piece& piece) {
@@ -93,7 +93,7 @@ std::string entry_place(unsigned index, unsigned sub) {
   return fmt::format("{:04X}:{:02X}", index, sub);
 }
 
-/// What SDO may do with some entry of an object beside the number of its entries.
+/// Widest SDO access of an object, without the number of its entries.
 Access widest_access(const ObjectInfo& object, bool consumed) {
   Access all = Access::none;
   for (const EntryInfo& entry : object.entries()) {
@@ -127,7 +127,7 @@ class Writer {
   }
   void end(const Json& line) const { write_(line.dump()); }
 
-  /// The keys that say where an entry is.
+  /// The keys with the address of an entry.
   static void add_place(Json& line, const ObjectInfo& object, const EntryInfo& entry) {
     line["index"] = hex(object.index, 4);
     line["index_last"] = hex(object.index + object.count - 1U, 4);
@@ -197,7 +197,7 @@ class Writer {
       add_field(line, entry_name(object, entry), bits_of(entry), entry.value);
       end(line);
     }
-    // Where bits have meanings of their own, the whole is no number.
+    // If bits have meanings of their own, the whole is no number.
     const bool is_whole = entry.fields.empty() || entry.value.unit != Unit::none;
     if (is_whole) write_quantities(object, entry, "", entry.value, bits_of(entry));
     for (const FieldInfo& field : entry.fields) {
@@ -223,7 +223,7 @@ class Writer {
     }
   }
 
-  /// A line for each scale that a value has.
+  /// One line for each scale of a value.
   void write_quantities(const ObjectInfo& object, const EntryInfo& entry, std::string_view field,
                         const ValueInfo& value, const BitRange& bits) const {
     if (!is_quantity(value, bits)) return;
@@ -239,7 +239,7 @@ class Writer {
     }
   }
 
-  /// The entry that tells the unit, of the first and of the last place of a line.
+  /// The entry that gives the unit, for the first and the last address of a line.
   static void add_unit_entry(Json& line, const ObjectInfo& object, const EntryInfo& entry,
                              const UnitEntry& teller) {
     if (teller.index == 0) return;
@@ -345,7 +345,7 @@ class Writer {
     end(line);
   }
 
-  /// `$NODEID+0x180` as EDS files have it, or hexadecimal digits.
+  /// `$NODEID+0x180` as in EDS files, or hexadecimal digits.
   static std::string cob_id_text(const PdoInfo& pdo) {
     return pdo.plus_node_id ? fmt::format("$NODEID+0x{:X}", pdo.cob_id) : hex(pdo.cob_id, 3);
   }

@@ -1,5 +1,5 @@
-// A profile as JSON Lines: a line for each thing that it says. docs/profile-json.md describes the
-// lines; their keys are stable.
+// Writes a profile as JSON Lines, one line for each item. docs/profile-json.md describes the lines;
+// their keys are stable.
 //
 //     write_profile_json(cia447::profile, [](const std::string& line) { puts(line.c_str()); });
 #pragma once
@@ -7,11 +7,11 @@
 #include <functional>
 #include <string>
 
-#include "canvoy/profiles/description.hpp"
+#include "canvoy/profiles/model/description.hpp"
 
 namespace canvoy::formats {
 
-/// Hands out the lines one by one, without their ends.
+/// Calls `write` for each line, without its end.
 void write_profile_json(const Profile& profile,
                         const std::function<void(const std::string& line)>& write);
 

@@ -1,5 +1,5 @@
-// What single clauses say, as JSON has it. Expected values are typed from the clauses; places where
-// the errata decide name their numbers.
+// Content of single clauses as JSON. Expected values are typed from the clauses; where errata
+// apply, their numbers are given.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -14,8 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-/// All that is said of a profile: it is written once for all tests, which takes long with
-/// sanitizers.
+/// The lines of a profile, made once for all tests, since it takes long with sanitizers.
 const std::vector<std::string>& text_of(const char* profile) {
   static std::map<std::string, std::vector<std::string>> texts;
   std::vector<std::string>& text = texts[profile];
@@ -28,14 +27,14 @@ const std::vector<std::string>& text_of(const char* profile) {
 
 std::vector<json> lines_of(const char* profile, const std::string& kind) {
   std::vector<json> lines;
-  // To parse all of a profile takes seconds.
+  // Parsing a whole profile takes seconds.
   const std::string start = R"({"kind":")" + kind + "\"";
   for (const std::string& text : text_of(profile)) {
     if (text.starts_with(start)) lines.push_back(json::parse(text));
   }
   return lines;
 }
-/// Those with this index; a device without objects has none.
+/// Lines with this index; a device without objects has none.
 std::vector<json> lines_at(const char* profile, const std::string& kind, const char* index) {
   std::vector<json> lines = lines_of(profile, kind);
   std::erase_if(lines, [&](const json& line) { return line.value("index", "") != index; });
@@ -47,7 +46,8 @@ json object_of(json line) {
   return line;
 }
 
-// CiA 407, 6.4 prints wo for all of 6205h; errata 29: 9.2.8.6 prints what holds, by sub-index.
+// The table prints wo for all of 6205h (CiA 407, 6.4); the access by sub-index applies (CiA 407,
+// 9.2.8.6, errata 29).
 TEST(ProfileJsonClauses, TheCharacterSetIsWoInTheTableOfTheDeviceAndRwAndRoInItsEntries) {
   const std::vector<json> devices = lines_at("407", "device", "6205");
   EXPECT_EQ(devices.size(), 7U) << "classes 2 and 3 but 2.1";
@@ -62,7 +62,7 @@ TEST(ProfileJsonClauses, TheCharacterSetIsWoInTheTableOfTheDeviceAndRwAndRoInIts
   EXPECT_EQ(entries[2].at("access"), "ro");
 }
 
-// CiA 417-4, 4.11.1.8: sub-index 01h rw, 02h ro.
+// Sub-index 01h is rw, 02h is ro (CiA 417-4, 4.11.1.8).
 TEST(ProfileJsonClauses, TheMostVelocityOfACarDriveCanBeWritten) {
   const std::vector<json> devices = lines_at("417-4", "device", "6408");
   ASSERT_EQ(devices.size(), 1U);
@@ -73,7 +73,7 @@ TEST(ProfileJsonClauses, TheMostVelocityOfACarDriveCanBeWritten) {
   EXPECT_EQ(entries[2].at("access"), "ro");
 }
 
-// CiA 407, 9.2.6.7, 9.2.6.8, 9.2.7.6: numbers of which 0 says something.
+// Numbers with a meaning of 0 (CiA 407, 9.2.6.7, 9.2.6.8, 9.2.7.6).
 TEST(ProfileJsonClauses, AZeroThatSaysSomethingHasItsName) {
   struct Zero {
     const char* index;
@@ -91,7 +91,7 @@ TEST(ProfileJsonClauses, AZeroThatSaysSomethingHasItsName) {
   }
 }
 
-// CiA 407, 9.2.6.12 and 9.2.6.25: characters that are not used are 0; there are eight.
+// Unused characters are 0; there are eight (CiA 407, 9.2.6.12 and 9.2.6.25).
 TEST(ProfileJsonClauses, UnusedCharactersAreZero) {
   for (const char* index : {"610B", "6118"}) {
     const std::vector<json> fields = lines_at("407", "field", index);
@@ -115,8 +115,8 @@ TEST(ProfileJsonClauses, PassengersAreCounted) {
   EXPECT_EQ(sum[0].at("max_raw"), 65535);
 }
 
-// CiA 417-4, 4.5.4: the color is to be defined, FFh says that it is not used; the others are in
-// 1/10 Hz and in lines a second.
+// The colour is to be defined, FFh means unused; the others are in 1/10 Hz and in lines per second
+// (CiA 417-4, 4.5.4).
 TEST(ProfileJsonClauses, ColorsOfOutputsAreToBeDefined) {
   const std::vector<json> fields = lines_at("417-4", "field", "6280");
   const auto color = std::ranges::find(
@@ -129,8 +129,8 @@ TEST(ProfileJsonClauses, ColorsOfOutputsAreToBeDefined) {
   }
 }
 
-// CiA 417-4, 4.13.1, errata A21: bits 15 to 2 of the function data, with a sign; 4.2.5, errata A8:
-// 6012h is the same.
+// Bits 15 to 2 of the function data, signed (CiA 417-4, 4.13.1, errata A21); 6012h is the same (CiA
+// 417-4, 4.2.5, errata A8).
 TEST(ProfileJsonClauses, ASensorMeasures) {
   for (const char* index : {"6012", "6500"}) {
     std::vector<json> lines = lines_at("417-4", "quantity", index);
@@ -143,7 +143,7 @@ TEST(ProfileJsonClauses, ASensorMeasures) {
     }
     EXPECT_EQ(lines.back().at("sub_last"), index == std::string_view("6012") ? "00" : "FE");
   }
-  // 4.13.4: SI unit and prefix stand in sensor parameter 3, of the same group and sensor.
+  // SI unit and prefix are in sensor parameter 3, of the same group and sensor (CiA 417-4, 4.13.4).
   std::vector<json> sensors = lines_at("417-4", "quantity", "6500");
   std::erase_if(sensors, [](const json& line) { return line.at("field") != "Sensor value"; });
   EXPECT_EQ(sensors.front().at("unit_entry"), "6560:01");
@@ -151,7 +151,7 @@ TEST(ProfileJsonClauses, ASensorMeasures) {
   EXPECT_EQ(sensors.back().at("unit_entry_last"), "657F:FE");
 }
 
-// CiA 417-4, 4.4.1: times of an impulse and frequencies of flashing, by property parameter.
+// Times of an impulse and frequencies of flashing, by property parameter (CiA 417-4, 4.4.1).
 TEST(ProfileJsonClauses, EachImpulseAndFlashingIsANumberAndNoSentinel) {
   const double impulses[] = {0.5, 1, 1.5, 2, 3, 5, 10, 15};
   const double frequencies[] = {10, 7.5, 5, 2, 1.5, 1, 0.5, 0.25};
@@ -174,7 +174,7 @@ TEST(ProfileJsonClauses, EachImpulseAndFlashingIsANumberAndNoSentinel) {
   }
 }
 
-// CiA 402: amounts in units of its own (no unit here), and those in physical ones.
+// Amounts in units of the drive (no unit here), and in physical ones (CiA 402).
 TEST(ProfileJsonClauses, AmountsOfADriveAreQuantitiesAndItsCodesAreNot) {
   const auto unit_of = [](const char* index) -> std::string {
     const std::vector<json> lines = lines_at("402", "quantity", index);
@@ -201,7 +201,7 @@ TEST(ProfileJsonClauses, AmountsOfADriveAreQuantitiesAndItsCodesAreNot) {
   for (const json& line : lines_at("402", "quantity", "60FE")) EXPECT_EQ(line.at("sub"), "00");
 }
 
-// CiA 417-4, 4.11.1 to 4.11.6: as CiA 402 has them.
+// Like those of CiA 402 (CiA 417-4, 4.11.1 to 4.11.6).
 TEST(ProfileJsonClauses, AmountsOfTheDriveOfACarAreThoseOfCia402) {
   const auto unit_of = [](const char* index, const char* sub) -> std::string {
     for (const json& line : lines_at("417-4", "quantity", index)) {
@@ -227,8 +227,8 @@ TEST(ProfileJsonClauses, AmountsOfTheDriveOfACarAreThoseOfCia402) {
   EXPECT_EQ(unit_of("6410", "02"), "no quantity") << "the code of a unit";
 }
 
-// CiA 852, 9.2 to 9.8: positions and what displays show are analogue values; switches, indicators
-// and memory functions are bits.
+// Positions and values of displays are analogue; switches, indicators and memory functions are bits
+// (CiA 852, 9.2 to 9.8).
 TEST(ProfileJsonClauses, PositionsOfACabinAreQuantitiesAndItsSwitchesAreNot) {
   const auto counts = [](const char* index) {
     std::size_t found = 0;
@@ -247,7 +247,7 @@ TEST(ProfileJsonClauses, PositionsOfACabinAreQuantitiesAndItsSwitchesAreNot) {
   }
 }
 
-// CiA 417-4, 4.12.1 to 4.12.5: all loads are in the unit of 6480h:02h, kg where it is not there.
+// All loads are in the unit of 6480h:02h, kg if it does not exist (CiA 417-4, 4.12.1 to 4.12.5).
 TEST(ProfileJsonClauses, LoadsAreInTheUnitThatTheLoadUnitTells) {
   for (const char* index : {"6480", "6481", "6483", "6484"}) {
     unsigned loads = 0;
@@ -309,7 +309,7 @@ TEST(ProfileJsonClauses, IndexRangesSayWhoseTheyAre) {
   EXPECT_EQ(lines[26].at("index_last"), "9FFF");
 }
 
-// CiA 417-4, 4.2.6: either of two codes for each of two reasons.
+// Two codes for each of two reasons (CiA 417-4, 4.2.6).
 TEST(ProfileJsonClauses, TheCreationOfAnObjectIsAbortedWithTheseCodes) {
   const std::vector<json> lines = lines_at("417-4", "abort", "6020");
   ASSERT_EQ(lines.size(), 4U);
@@ -366,7 +366,7 @@ TEST(ProfileJsonClauses, APrinterTakesWhatItsModeSays) {
                                       "00 0D", "00 1B", "05 04", "05 0A", "05 0D", "05 1B"}));
 }
 
-// CiA 407, 9.2.6.13 and 9.2.27.3 print 128 and 64 octets; 9.2.6.29 prints none.
+// 128 and 64 octets (CiA 407, 9.2.6.13 and 9.2.27.3); no number (CiA 407, 9.2.6.29).
 TEST(ProfileJsonClauses, WhoSaysHowLongAStringMayBe) {
   const auto text = [](const char* profile, const char* index) {
     return lines_at(profile, "entry", index).back();

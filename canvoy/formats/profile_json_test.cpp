@@ -1,4 +1,4 @@
-// The lines are typed from docs/profile-json.md.
+// Expected lines are typed from docs/profile-json.md.
 #include "canvoy/formats/profile_json.hpp"
 
 #include <gtest/gtest.h>

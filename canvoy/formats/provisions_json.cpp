@@ -6,7 +6,7 @@
 
 #include "canvoy/formats/plain_text.hpp"
 #include "canvoy/formats/terms.hpp"
-#include "canvoy/profiles/provisions.hpp"
+#include "canvoy/profiles/model/provisions.hpp"
 #include "canvoy/profiles/registry.hpp"
 
 namespace canvoy::formats {

@@ -1,14 +1,15 @@
-// What a profile says beside its objects, as JSON Lines: a part of what profile_json.hpp writes.
+// Writes the provisions of a profile, which are no objects, as JSON Lines: a part of the output of
+// profile_json.hpp.
 #pragma once
 
 #include <functional>
 #include <string>
 
-#include "canvoy/profiles/description.hpp"
+#include "canvoy/profiles/model/description.hpp"
 
 namespace canvoy::formats {
 
-/// Calls `write` for each line; for none where the profile has no provisions.
+/// Calls `write` for each line; not called if the profile has no provisions.
 void write_provisions_json(const Profile& profile,
                            const std::function<void(const std::string& line)>& write);
 

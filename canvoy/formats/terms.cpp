@@ -54,7 +54,7 @@ constexpr auto odd_type_names = std::to_array<std::string_view>(
      "UNSIGNED29", "UNSIGNED30", "UNSIGNED31"});
 constexpr unsigned first_odd = static_cast<unsigned>(DataType::unsigned2);
 
-/// `a 1 to a 4`, or the name alone where it has no number.
+/// `a 1 to a 4`, or the plain name if it has no number.
 std::string numbered_range(std::string_view name, unsigned first, unsigned last) {
   if (first == last || name.find('#') == std::string_view::npos) return numbered(name, first);
   return fmt::format("{} to {}", numbered(name, first), numbered(name, last));

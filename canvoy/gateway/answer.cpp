@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "canvoy/canopen/dictionary/abort_reason.hpp"
+#include "canvoy/canopen/protocol/abort_reason.hpp"
 
 namespace canvoy::gateway {
 
@@ -17,7 +17,7 @@ std::string print(const char* format, Arguments... arguments) {
   return text;
 }
 
-/// ` #text` or ` (text)`, or nothing.
+/// Explanation as ` #text` or ` (text)`, or nothing.
 std::string explanation(std::string_view text, const Style& style) {
   if (text.empty()) return {};
   if (style.version == Version::v2_1) return " (" + std::string(text) + ")";
@@ -41,7 +41,7 @@ std::string emergency_text(const Emergency& emergency) {
                unsigned{info[2]}, unsigned{info[3]}, unsigned{info[4]});
 }
 
-/// `USER BOOT D`, or the state in which the slave was left.
+/// Text `USER BOOT D`, or the state in which the slave was left.
 std::string booted_text(const Event& event, const Style& style) {
   const std::string begin = "USER BOOT ";
   if (event.boot_error != BootError::none) {

@@ -1,5 +1,4 @@
-// What a gateway says, as lines: answers to commands, and events that nobody asked for
-// (CiA 309-3).
+// The lines that a gateway sends: answers to commands, and events without a command (CiA 309-3).
 //
 //     answer_line(7, Answer::ok(), {});              // [7] OK
 //     event_line(Event::boot_up(1, 5), {});          // 1 5 BOOT_UP
@@ -11,7 +10,7 @@
 
 #include "canvoy/canopen/emergency/emergency.hpp"
 #include "canvoy/canopen/manager/boot_error.hpp"
-#include "canvoy/canopen/nmt/nmt.hpp"
+#include "canvoy/canopen/protocol/nmt.hpp"
 #include "canvoy/gateway/error_code.hpp"
 #include "canvoy/gateway/value.hpp"
 
@@ -20,7 +19,7 @@ namespace canvoy::gateway {
 /// How lines are written.
 struct Style {
   Version version = Version::v3_0;
-  /// Errors carry their meaning in words: as a comment, or (2.1, always) in parentheses.
+  /// Errors carry their meaning in words: as a comment, or in parentheses (always in edition 2.1).
   bool explain = false;
 };
 
@@ -40,7 +39,7 @@ struct Answer {
   friend bool operator==(const Answer&, const Answer&) = default;
 };
 
-/// What happens on a network by itself.
+/// Something that happens on a network without a command.
 struct Event {
   enum class Kind : std::uint8_t { emergency, pdo, boot_up, error, booted };
 
@@ -48,11 +47,11 @@ struct Event {
   std::uint16_t net = 0;
   NodeId node = 0;  ///< 0: the gateway's own connection to the bus
   Emergency emergency = {};
-  std::uint16_t pdo = 0;                   ///< its number
-  std::vector<std::uint64_t> values = {};  ///< of the PDO
+  std::uint16_t pdo = 0;                   ///< number of the PDO
+  std::vector<std::uint64_t> values = {};  ///< values of the PDO
   ErrorCode error = ErrorCode::none;
   BootError boot_error = BootError::none;
-  NmtState state = NmtState::initialisation;  ///< of a slave that was booted
+  NmtState state = NmtState::initialisation;  ///< state of the slave that was booted
 
   static Event of(std::uint16_t net, NodeId node, const Emergency& emergency) {
     return {.kind = Kind::emergency, .net = net, .node = node, .emergency = emergency};
@@ -63,7 +62,7 @@ struct Event {
   static Event of(std::uint16_t net, NodeId node, ErrorCode error) {
     return {.kind = Kind::error, .net = net, .node = node, .error = error};
   }
-  /// 205 by its number, of which the protocol has a word.
+  /// Error 205 (boot_up), which the protocol writes as a word.
   static Event boot_up(std::uint16_t net, NodeId node) {
     return {.kind = Kind::boot_up, .net = net, .node = node};
   }
@@ -73,11 +72,11 @@ struct Event {
   }
 };
 
-// Each with CR and LF at its end.
+// Both lines end with CR and LF.
 std::string answer_line(std::uint32_t sequence, const Answer& answer, const Style& style);
 std::string event_line(const Event& event, const Style& style);
 
-/// `1 pdo 3 2 0x12 0x3456`: network, PDO, number of values, values.
+/// Text of a PDO, as `1 pdo 3 2 0x12 0x3456`: network, PDO, number of values, values.
 std::string pdo_text(std::uint16_t net, std::uint16_t pdo, std::span<const std::uint64_t> values);
 
 }  // namespace canvoy::gateway

@@ -1,5 +1,5 @@
-// What a gateway answers instead of an SDO abort code, and the errors that it reports by itself
-// (CiA 309-3; codes as CANopenNode and Lely have them).
+// Error codes that a gateway answers instead of an SDO abort code, and errors that it reports by
+// itself (CiA 309-3; codes as in CANopenNode and Lely CANopen).
 //
 //     answer_text(7, Answer::of(ErrorCode::syntax), Version::v3_0);  // [7] ERROR:101
 #pragma once
@@ -42,7 +42,7 @@ enum class ErrorCode : std::uint16_t {
   out_of_memory = 600,
 };
 
-/// A few words for people; empty for a code that there is not.
+/// A short description for people; empty for an unknown code.
 std::string_view text_of(ErrorCode code);
 std::string_view text_of(BootError error);
 

@@ -16,8 +16,8 @@ bool is_letter(char c) {
   return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
 }
 
-/// A request line: of a known method, or of any other by its version. A word that does not end is
-/// nothing else either: commands without a sequence are short.
+/// True for a request line: with a known method, or with any other and a version. A first word
+/// without an end also counts: commands without a sequence are short.
 bool is_http(std::string_view line, bool whole) {
   if (line.empty() || !is_letter(line.front())) return false;
   const auto begins = [line](std::string_view method) { return line.starts_with(method); };

@@ -29,12 +29,12 @@ void Gateway::close(Session& session) {
   const auto found =
       std::ranges::find_if(sessions_, [&](const auto& other) { return other.get() == &session; });
   if (found == sessions_.end()) return;
-  // What it cancels lets others go on, who must find all sessions in their places.
+  // The cancellation lets others continue, which need all sessions in their places.
   const std::unique_ptr<Session> closed = std::move(*found);
   sessions_.erase(found);
 }
 
-/// A network whose answers come at once comes back in the middle of a session's work.
+/// A network with immediate answers calls again during a session's work.
 void Gateway::settle(Time now) {
   again_ = true;
   if (std::exchange(settling_, true)) return;
@@ -42,7 +42,7 @@ void Gateway::settle(Time now) {
   while (std::exchange(again_, false)) {
     for (const auto& session : sessions_) session->settle(now);
     if (settled_) settled_();
-    // Where there was no room for more answers, there may be now.
+    // There may be room for answers that had none.
     again_ = again_ || (settled_ && std::ranges::any_of(sessions_, is_ready));
   }
   settling_ = false;

@@ -1,5 +1,5 @@
-// The gateway between any number of clients and CANopen networks (CiA 309-1, 309-3), without
-// sockets and clock.
+// The gateway between any number of clients and CANopen networks, without sockets and clock (CiA
+// 309-1, CiA 309-3).
 //
 //     Gateway gateway;
 //     gateway.add(network);
@@ -22,21 +22,22 @@ class Gateway {
   Gateway(const Gateway&) = delete;
   Gateway& operator=(const Gateway&) = delete;
 
-  /// `network` must outlive the gateway; its number is not that of another.
+  /// Adds a network. `network` must outlive the gateway; its number must differ from all others.
   void add(Network& network);
-  /// Null where there is no such network.
+  /// Network with this number; null if there is none.
   Network* find(std::uint32_t number) const;
-  /// The network that is meant where a client names none and has set none: the only one.
+  /// Default network of a client that names none and has set none: the only network, if there is
+  /// one only.
   std::optional<std::uint32_t> only_network() const;
 
   Session& open();
-  /// Commands of the session that are under way are cancelled. Not from within on_settled().
+  /// Closes a session and cancels its commands. Must not be called from within on_settled().
   void close(Session& session);
 
-  /// Called whenever sessions may have something to say or to read again.
+  /// Sets the handler that is called when sessions may have something to send or can read again.
   void on_settled(std::function<void()> handler) { settled_ = std::move(handler); }
-  /// Lets all sessions go on; call it after a session received something. A call from within
-  /// another one has that go on once more.
+  /// Continues all sessions; call it after a session received something. A call from within another
+  /// call makes that call repeat its work once.
   void settle(Time now);
 
   Time deadline() const;

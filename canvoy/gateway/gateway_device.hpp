@@ -1,17 +1,17 @@
-// The gateway as a CANopen device: its own object dictionary, with room for 512 PDOs of either
-// direction and for what they carry.
+// The gateway as a CANopen device: its object dictionary, with room for 512 PDOs of either
+// direction and for their values.
 //
 //     auto device = std::make_unique<GatewayDevice>(port, node_id, true);
 #pragma once
 
-#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/device/device_node.hpp"
 #include "canvoy/profiles/cia301.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 
 namespace canvoy::gateway {
 
-/// One object for each PDO holds its values. As a PDO can have any sequence of lengths, the object
-/// has as many entries of each length as a PDO has room for.
+/// Where the values of PDOs are kept: one object for each PDO. As a PDO can have any sequence of
+/// lengths, the object has as many entries of each length as fit into a PDO.
 struct PdoStorage {
   static constexpr std::uint16_t rpdo_first = 0x2000;  ///< index of the object of RPDO 1
   static constexpr std::uint16_t tpdo_first = 0x2200;
@@ -80,7 +80,8 @@ inline constexpr auto gateway_description = describe(
     cia301::tpdo_mapping_object, rpdo_values, tpdo_values);
 inline constexpr auto gateway_layout = lay_out_device<gateway_description>();
 
-/// CAN-IDs beside those of the device: answers of 127 SDO servers, of LSS slaves, and to guarding.
+/// Number of CAN-IDs beside those of the device: answers of 127 SDO servers, of LSS slaves, and to
+/// guarding.
 inline constexpr std::size_t gateway_routes = 2 * node_id_max + 2;
 
 }  // namespace detail

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 
 namespace canvoy::gateway {
 
-/// So much of a line that is too long stays: enough for its sequence.
+/// Part of a line that is too long to keep: enough for its sequence.
 constexpr std::size_t kept_of_too_long = 16;
 
 std::optional<Line> LineReader::next() {
-  must_hold(searched_ <= text_.size());
+  check_invariant(searched_ <= text_.size());
   const std::size_t end = text_.find('\n', searched_);
   if (end == std::string::npos) {
     searched_ = text_.size();

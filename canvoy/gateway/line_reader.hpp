@@ -1,4 +1,4 @@
-// Cuts what comes from a client into lines, however it was cut on the way.
+// Cuts the stream from a client into lines, in whatever pieces it arrives.
 //
 //     reader.append(bytes);
 //     while (std::optional<Line> line = reader.next()) handle(*line);
@@ -12,25 +12,25 @@
 namespace canvoy::gateway {
 
 struct Line {
-  std::string text;       ///< without its end; of a line that is too long, its beginning
-  bool too_long = false;  ///< the rest was thrown away
+  std::string text;       ///< without its line end; the beginning of a line that is too long
+  bool too_long = false;  ///< the rest was discarded
 };
 
-/// It holds no more than was appended since next() answered nothing, and the beginning of one line
-/// that is too long.
+/// Reader of lines. Holds no more than what was appended since next() returned nothing, plus the
+/// beginning of one line that is too long.
 class LineReader {
  public:
   explicit LineReader(std::size_t length_max) : length_max_(length_max) {}
 
-  /// Lines end with LF, with or without CR before it.
+  /// Appends bytes. Lines end with LF, with or without CR before it.
   void append(std::string_view bytes) { text_.append(bytes); }
-  /// The next whole line; nothing where its end has not come yet.
+  /// Returns the next whole line; nothing if its end has not arrived yet.
   std::optional<Line> next();
 
-  /// Whether next() has a line.
+  /// True if next() has a line.
   bool has_line() const { return text_.find('\n', searched_) != std::string::npos; }
 
-  /// From the next line on: characters without the end of the line.
+  /// Limits the length of a line, in characters without its end, from the next line on.
   void set_length_max(std::size_t length_max) { length_max_ = length_max; }
   std::size_t length_max() const { return length_max_; }
   std::size_t size() const { return text_.size(); }
@@ -41,8 +41,8 @@ class LineReader {
 
   std::size_t length_max_;
   std::string text_;
-  std::size_t searched_ = 0;  ///< so many characters of text_ are no end of a line
-  bool too_long_ = false;     ///< the rest of the present line is not kept
+  std::size_t searched_ = 0;  ///< number of characters of text_ that contain no line end
+  bool too_long_ = false;     ///< the rest of the current line is discarded
 };
 
 }  // namespace canvoy::gateway

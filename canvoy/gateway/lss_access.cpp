@@ -11,7 +11,7 @@ bool is_lss(Command command) {
   return command >= Command::lss_switch_global && command <= Command::lss_fastscan;
 }
 
-/// What a slave refuses with 1 is what was asked for.
+/// Error for a slave's refusal: code 1 means that the requested value is not supported.
 ErrorCode refusal(Command command, std::uint8_t code) {
   if (command == Command::lss_store && code == LssError::store_failed) return ErrorCode::lss_media;
   if (code != LssError::out_of_range) return ErrorCode::lss;
@@ -54,7 +54,7 @@ LssRange range_of(const std::vector<std::uint64_t>& numbers) {
   return {{{part(0), part(1), part(2), part(4)}}, {{part(0), part(1), part(3), part(5)}}};
 }
 
-/// Four pairs of number and mask, where a mask is all or nothing. Nothing for another mask.
+/// Four pairs of number and mask, with masks of all or no bits. Nothing for another mask.
 std::optional<LssPattern> pattern_of(const std::vector<std::uint64_t>& numbers) {
   LssPattern pattern;
   if (numbers.size() != 2 * pattern.known.size()) return pattern;
@@ -84,7 +84,7 @@ void LssAccess::go_on() {
   }
 }
 
-/// False where the message could not be sent. The operation may be answered at once.
+/// False if the message could not be sent. The operation may be answered at once.
 bool LssAccess::start() {
   const auto& numbers = current_->request.numbers;
   const auto done = LssMaster::Done::to<&LssAccess::replied>(*this);
@@ -135,7 +135,7 @@ bool LssAccess::inquire() {
   return master_.inquire(part_, LssMaster::Done::to<&LssAccess::inquired>(*this));
 }
 
-/// The time-out is the one for the first answer; Fastscan measures the others itself.
+/// The time-out is that of the first answer; Fastscan measures the others itself.
 bool LssAccess::find() {
   const auto& numbers = current_->request.numbers;
   const std::optional<LssPattern> pattern = pattern_of(numbers);

@@ -1,4 +1,4 @@
-// Layer setting services of a client (CiA 309-1; CiA 305): one at a time on a network.
+// Layer setting services of a client, one at a time on a network (CiA 309-1; CiA 305).
 //
 //     LssAccess lss(node);
 //     lss.begin(operation);
@@ -19,14 +19,15 @@ class LssAccess {
   LssAccess(const LssAccess&) = delete;
   LssAccess& operator=(const LssAccess&) = delete;
 
-  /// False where the command is none of LSS. Commands are served in the order in which they begin.
+  /// Begins a command. False if it is not a command of LSS. Commands are served in the order in
+  /// which they begin.
   bool begin(Operation& operation);
-  /// Begins the next command where one has ended; not from a callback of the node, where that one
-  /// may still be at its end.
+  /// Begins the next command if one has ended. Must not be called from a callback of the node,
+  /// where that command may not have ended completely.
   void go_on();
-  /// False where the operation is none of those under way.
+  /// Cancels an operation. False if it is not under way.
   bool cancel(Operation& operation);
-  /// Answers all that are under way.
+  /// Answers all operations that are under way.
   void fail_all(const Answer& answer);
 
  private:
@@ -45,8 +46,8 @@ class LssAccess {
   std::optional<LssFastscan> fastscan_;
   std::deque<Operation*> waiting_;
   Operation* current_ = nullptr;
-  std::size_t part_ = 0;  ///< of an address that is inquired
-  std::string parts_;     ///< that came
+  std::size_t part_ = 0;  ///< part of the address that is being inquired
+  std::string parts_;     ///< parts received so far
 };
 
 }  // namespace canvoy::gateway

@@ -1,4 +1,4 @@
-// Layer setting services (CiA 309-3; frames as CiA 305 has them).
+// Layer setting services (CiA 309-3; frames by CiA 305).
 #include <gtest/gtest.h>
 
 #include "canvoy/gateway/testing/wire_gateway.hpp"

@@ -10,7 +10,7 @@ namespace canvoy::gateway {
 
 namespace {
 
-/// Class 3: NMT master. Then the editions of CiA 309 that are followed, and of this gateway.
+/// Class 3: NMT master. Then the editions of CiA 309, and the version of this gateway.
 constexpr const char* version_3_0 = "3 3.0 0.1";
 constexpr const char* version_2_1 = "3 2.1 0.1";
 
@@ -51,7 +51,7 @@ Answer answer_of(AbortCode outcome) {
   return outcome == AbortCode::none ? Answer::ok() : Answer::failed(outcome);
 }
 
-/// Of the warning limit CiA 309-3 has no code.
+/// CiA 309-3 has no code for the warning limit.
 ErrorCode told_of(BusState state) {
   if (state == BusState::bus_off) return ErrorCode::bus_off;
   return is_error_active(state) ? ErrorCode::can_active : ErrorCode::error_passive;
@@ -72,7 +72,7 @@ Network::Core::Core(Network& network, const Port& port)
 
 Network::Network(std::uint16_t number, const Port& port, NetworkSettings settings)
     : number_(number),
-      // No filter: events are told of nodes that nobody asked for as well.
+      // No filter: events are reported for all nodes.
       port_{port.context, port.send, nullptr},
       settings_(std::move(settings)),
       pending_id_(settings_.node_id),
@@ -94,7 +94,7 @@ void Network::progress(Time now) {
   if (progress_) progress_(now);
 }
 
-/// The life guarding event of the gateway's own node: its master is gone.
+/// Reports the life guarding event of the gateway's own node: its master is lost.
 void Network::watch_connection() {
   const bool lost = core_->device.node_guarding().is_master_lost();
   if (lost && !connection_lost_) report(node().id(), ErrorCode::connection_lost);
@@ -124,7 +124,7 @@ void Network::bus_state(BusState state, Time now) {
   progress(now);
 }
 
-/// Emergency and boot-up messages of all nodes, also while the gateway has no node-ID.
+/// Takes emergency and boot-up messages of all nodes, also while the gateway has no node-ID.
 void Network::observe(const Frame& frame) {
   if (!frame.is_plain()) return;
   const std::uint32_t function = frame.id & ~0x7FU;
@@ -212,7 +212,7 @@ std::optional<Answer> Network::access(Operation& operation) {
   return std::nullopt;
 }
 
-/// Nobody sends requests to oneself.
+/// A node cannot send requests to itself.
 Answer Network::access_own(Operation& operation) {
   const Request& request = operation.request;
   Dictionary& dictionary = node().dictionary();
@@ -227,8 +227,8 @@ Answer Network::access_own(Operation& operation) {
   return sdo_answer(operation, outcome, settings_.version);
 }
 
-/// The gateway obeys where it is addressed itself, but not where all nodes are: it would be deaf
-/// after `stop`, and without its PDOs after a reset.
+/// The gateway obeys a command to itself, but not to all nodes: after `stop` it could not receive,
+/// and after a reset it would have no PDOs.
 Answer Network::command(NmtCommand command, const Request& request) {
   const auto addressed = static_cast<NodeId>(request.node.value_or(0));
   const Frame frame =
@@ -252,7 +252,7 @@ Answer Network::set_id(const Request& request) {
   return Answer::ok();
 }
 
-/// As after power-on, with the node-ID of `set id`.
+/// As at power-on, with the node-ID of `set id`.
 Answer Network::initialise(const Request& request) {
   const auto bit_rate = static_cast<unsigned>(request.numbers.at(0));
   if (bit_rate == reserved_bit_rate) return Answer::failed(ErrorCode::syntax);

@@ -1,5 +1,5 @@
-// One CANopen network behind the gateway: carries commands out, and tells what happens there
-// (CiA 309-1; class 3: the gateway is NMT master).
+// One CANopen network behind the gateway: carries commands out and reports events. The gateway is
+// the NMT master (CiA 309-1, class 3).
 //
 //     Network network(1, attachment.port(), {.node_id = 126});
 //     network.on_event([](const Event& event) { ... });
@@ -21,27 +21,29 @@
 namespace canvoy::gateway {
 
 struct NetworkSettings {
-  /// Of the gateway itself. Without one it reads and writes objects, commands and watches the other
-  /// nodes; PDOs, node guarding and a heartbeat of its own need one.
+  /// Node-ID of the gateway. Without one it reads and writes objects, commands and monitors the
+  /// other nodes; PDOs, node guarding and its own heartbeat need one.
   NodeId node_id = node_id_unconfigured;
   Version version = Version::v3_0;
-  /// Sets the bit rate of the bus, by its index in CiA 305 (0 to 9); false where it cannot. Without
-  /// it, every bit rate counts as set: a bus that has none.
+  /// Sets the bit rate of the bus, by its index in CiA 305 (0 to 9); returns false if it cannot.
+  /// Without this function, every bit rate counts as set: for a bus that has none.
   std::function<bool(unsigned index)> set_bit_rate = {};
 };
 
-/// It owns no socket, thread or clock: whoever owns it hands in frames and time, and calls again at
-/// deadline(). Callbacks are called from within these calls; they must not begin operations.
+/// A network behind the gateway. It owns no socket, thread or clock: its owner hands in frames and
+/// time, and calls again at deadline(). Callbacks are called from within these calls; they must not
+/// begin operations.
 class Network {
  public:
-  /// `number` is 1 to 65535.
+  /// Makes the network with this number, 1 to 65535.
   Network(std::uint16_t number, const Port& port, NetworkSettings settings = {});
   Network(const Network&) = delete;
   Network& operator=(const Network&) = delete;
 
   std::uint16_t number() const { return number_; }
   void on_event(std::function<void(const Event&)> handler) { event_ = std::move(handler); }
-  /// Called after anything came from the bus or a timer expired: operations may be answered now.
+  /// Sets the handler that is called after a frame from the bus or the end of a timer: operations
+  /// may have been answered.
   void on_progress(std::function<void(Time)> handler) { progress_ = std::move(handler); }
 
   void start(Time now);
@@ -49,24 +51,24 @@ class Network {
   void advance(Time now);
   void tx_ready(Time now);
   void bus_state(BusState state, Time now);
-  /// The controller, or the operating system, has lost frames.
+  /// Reports that the controller or the operating system has lost frames.
   void overrun(Time now);
-  /// An NMT master beside the gateway has booted a slave, or failed to: `state` is that in which a
-  /// slave was left that is up.
+  /// Reports that an NMT master beside the gateway has booted a slave, or failed to. `state` is the
+  /// NMT state of a slave that is up.
   void boot_ended(NodeId slave, BootError error, NmtState state) const {
     emit(Event::booted(number_, slave, error, state));
   }
   Time deadline() const { return core_->device.node().deadline(); }
 
-  /// Carries out a command for networks or nodes; the answer may be there at once.
+  /// Carries out a command for networks or nodes; the answer may be ready when it returns.
   void begin(Operation& operation, Time now);
-  /// The operation is not answered any more. No effect on one that is answered.
+  /// Cancels an operation: it gets no answer. No effect on an operation that is answered.
   void cancel(Operation& operation, Time now);
-  /// The same, as of the time of the last call.
+  /// Like cancel(), but at the time of the last call.
   void abandon(Operation& operation);
 
  private:
-  /// What `init` makes anew.
+  /// The part of a network that `init` makes again.
   struct Core {
     Core(Network& network, const Port& port);
     GatewayDevice device;
@@ -102,7 +104,7 @@ class Network {
   std::function<void(const Event&)> event_;
   std::function<void(Time)> progress_;
   std::unique_ptr<Core> core_;
-  bool connection_lost_ = false;  ///< to a master that guards the gateway
+  bool connection_lost_ = false;  ///< connection lost to a master that guards the gateway
 };
 
 }  // namespace canvoy::gateway

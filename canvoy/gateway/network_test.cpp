@@ -74,6 +74,16 @@ TEST(GatewayHeartbeat, CanBeDisabled) {
   gateway.expect_lines({});
 }
 
+TEST(GatewayHeartbeat, EnabledOnceMoreItTellsOnceMoreWhoComes) {
+  WireGateway gateway;
+  EXPECT_EQ(gateway.ask("[1] 5 enable heartbeat 100"), "[1] OK");
+  gateway.receive("705#05");
+  gateway.expect_lines({"1 5 ERROR 202"});
+  EXPECT_EQ(gateway.ask("[2] 5 enable heartbeat 200"), "[2] OK");
+  gateway.receive("705#05");
+  gateway.expect_lines({"1 5 ERROR 202"});
+}
+
 TEST(GatewayHeartbeat, AllNodesAtOnceHaveNone) {
   WireGateway gateway;
   EXPECT_EQ(gateway.ask("[1] 0 enable heartbeat 100"), "[1] ERROR:107");
@@ -181,7 +191,7 @@ TEST(GatewayOwnNode, InitEndsWhatOthersHaveUnderWay) {
   Session& other = gateway.gateway.open();
   gateway.say(other, "[1] 5 r 0x1000 0 u32\r\n[2] 5 r 0x1001 0 u8");
   EXPECT_EQ(gateway.ask("[1] init 0"), "[1] OK");
-  // The second request was held back by the first, and begins now.
+  // The second request was held back by the first, and begins here.
   gateway.expect_lines(other, {"[1] ERROR:102"});
   gateway.receive("585#4F 01 10 00 00 00 00 00");
   gateway.expect_lines(other, {"[2] 0"});
@@ -310,7 +320,7 @@ TEST(GatewayNetwork, LivesThroughEveryIdentifierAndLength) {
   for (std::uint32_t id = 0; id <= 0x7FF; ++id) {
     for (std::uint8_t length = 0; length <= 8; ++length) {
       gateway.wire.network.receive(Frame::remote_frame(id, length), gateway.now);
-      if (id == 0) continue;  // the gateway would be told to stop or reset
+      if (id == 0) continue;  // it would stop or reset the gateway
       for (const std::uint8_t byte : std::to_array<std::uint8_t>({0x00, 0x40, 0x80, 0xFF})) {
         const std::array<std::uint8_t, 8> bytes{byte, byte, byte, byte, byte, byte, byte, byte};
         gateway.wire.network.receive(Frame::data_frame(id, std::span(bytes).first(length)),

@@ -10,8 +10,8 @@
 
 namespace canvoy::gateway {
 
-/// Nothing where it is no number, or above `max`. A decimal number with a zero in front is refused:
-/// other gateways read it as octal, and some people mean it as decimal.
+/// Number in a text. Nothing if the text is not a number, or is above `max`. A decimal number with
+/// a leading zero is refused: other gateways read it as octal, and some people mean it as decimal.
 inline std::optional<std::uint64_t> parse_unsigned(std::string_view text,
                                                    std::uint64_t max = UINT64_MAX) {
   const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");

@@ -1,4 +1,4 @@
-// A command under way: what is asked, what has come until now, and its answer in the end.
+// A command under way: its request, the data received so far, and finally its answer.
 //
 //     Operation operation(request, budget);
 //     network.begin(operation, now);
@@ -12,7 +12,7 @@
 
 namespace canvoy::gateway {
 
-/// How many bytes the commands of one client may hold together.
+/// Limit on the bytes that the commands of one client may hold together.
 class Budget {
  public:
   explicit Budget(std::size_t bytes) : left_(bytes) {}
@@ -28,7 +28,7 @@ class Budget {
   std::size_t left_;
 };
 
-/// It stays where it is until it is answered or cancelled.
+/// A command under way. It must not move until it is answered or cancelled.
 class Operation {
  public:
   Operation(Request asked, Budget& budget) : request(std::move(asked)), budget_(budget) {}
@@ -36,7 +36,7 @@ class Operation {
   Operation& operator=(const Operation&) = delete;
   ~Operation() { budget_.give(received_.size()); }
 
-  /// The next bytes of an upload; out_of_memory where the client holds too much already.
+  /// Appends the next bytes of an upload; out_of_memory if the client holds too much already.
   AbortCode receive(std::span<const std::uint8_t> bytes) {
     is_too_much_ = !budget_.take(bytes.size());
     if (is_too_much_) return AbortCode::out_of_memory;

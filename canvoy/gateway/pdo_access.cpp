@@ -37,7 +37,7 @@ constexpr bool fits(std::uint64_t value, unsigned bits) {
 
 }  // namespace
 
-constexpr ServiceCalls PdoAccess::service_calls = {.reset = method<&PdoAccess::reset>};
+constexpr ServiceHandlers PdoAccess::service_calls = {.reset = method<&PdoAccess::reset>};
 
 PdoAccess::PdoAccess(GatewayDevice& device, std::uint16_t net, Received received)
     : device_(device), net_(net), received_(std::move(received)) {
@@ -55,7 +55,7 @@ void PdoAccess::reset(ResetScope) {
   tpdos_.clear();
 }
 
-/// Each value has the next free place of its length.
+/// Each value gets the next free entry of its length.
 std::vector<PdoAccess::Slot> PdoAccess::slots_for(const std::vector<DataType>& mapped) {
   std::vector<Slot> slots;
   for (const DataType type : mapped) {
@@ -106,14 +106,14 @@ Answer PdoAccess::set(PdoDirection direction, std::uint16_t number, const PdoSet
   return Answer::ok();
 }
 
-/// A PDO that maps nothing yet is not active, and so nothing is sent.
+/// A PDO without a mapping is not active, and so is not sent.
 AbortCode PdoAccess::check_cob_id(std::uint16_t parameter, std::uint32_t cob_id) {
   const AbortCode refused = write_number(parameter, 1, cob_id);
   return refused != AbortCode::none ? refused : write_number(parameter, 1, cob_id | CobId::bit31);
 }
 
-/// In the order that CiA 301 prescribes (7.5.2.36): an RPDO is valid last of all, a TPDO when it is
-/// written.
+/// In the order of CiA 301: an RPDO becomes valid last, a TPDO when it is written (CiA 301,
+/// 7.5.2.36).
 AbortCode PdoAccess::apply(PdoDirection direction, std::uint16_t number, const PdoSetup& setup,
                            std::span<const Slot> slots) {
   const Objects objects = objects_of(direction, number);
@@ -125,7 +125,7 @@ AbortCode PdoAccess::apply(PdoDirection direction, std::uint16_t number, const P
   then_write(objects.parameter, 1, present | CobId::bit31);
   then_write(objects.mapping, 0, 0);
   if (refused == AbortCode::none) refused = check_cob_id(objects.parameter, setup.cob_id);
-  // Whether an RPDO is asked for is the business of who asks: it takes effect when it comes.
+  // The requesting side decides whether an RPDO is requested: it takes effect on reception.
   const bool asked_for =
       direction == PdoDirection::receive && setup.transmission_type == on_request;
   then_write(objects.parameter, 2, asked_for ? event_driven : setup.transmission_type);
@@ -172,7 +172,7 @@ void PdoAccess::begin_read(Operation& operation, Duration time_out) {
   if (found == rpdos_.end()) {
     operation.answer = Answer::failed(ErrorCode::internal_state);
   } else if (found->second.on_request) {
-    // On some buses the values come from within the request.
+    // On some buses the values arrive during the request.
     readings_.push_back({&operation, device_.node().now() + time_out});
     if (device_.rpdos().request(number)) return arm();
     cancel(operation);
@@ -198,11 +198,11 @@ Answer PdoAccess::write(std::uint16_t number, std::span<const std::uint64_t> val
     device_.dictionary().set_number(objects.values, slots[i].sub, values[i]);
   }
   if (!std::exchange(pdo.used, true)) {
-    // It begins to work, and sends its first values by itself.
+    // It becomes active, and sends its first values by itself.
     const AbortCode refused = write_number(objects.parameter, 1, pdo.cob_id);
     return refused == AbortCode::none ? Answer::ok() : Answer::failed(refused);
   }
-  // Of the types that know no events, the next SYNC or request sends the values.
+  // For types without events, the next SYNC or request sends the values.
   device_.tpdos().trigger(number);
   return Answer::ok();
 }

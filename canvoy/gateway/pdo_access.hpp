@@ -1,5 +1,4 @@
-// The PDOs of the gateway itself: set up, read and written by a client (CiA 309-1, PDO access
-// services).
+// The PDOs of the gateway: set up, read and written by a client (CiA 309-1, PDO access services).
 //
 //     PdoAccess pdo(device, 1);
 //     Answer answer = pdo.set_rpdo(3, setup);
@@ -14,8 +13,8 @@
 
 namespace canvoy::gateway {
 
-/// Numbers of PDOs are 1 to 512. All of it works while the gateway has a node-ID, and data flows in
-/// NMT state operational. A reset of the gateway's node forgets all PDOs.
+/// PDOs 1 to 512 of the gateway. Needs a node-ID of the gateway; data flows in NMT state
+/// operational. A reset of the gateway's node deletes all PDOs.
 class PdoAccess {
  public:
   using Received = std::function<void(std::uint16_t pdo, std::vector<std::uint64_t> values)>;
@@ -25,23 +24,23 @@ class PdoAccess {
   PdoAccess& operator=(const PdoAccess&) = delete;
   ~PdoAccess();
 
-  /// Sets a PDO up anew, or (with bit 31 of the COB-ID, or nothing mapped) switches it off.
-  /// Errors: pdo_length above 64 bits, pdo_in_use where another PDO has the COB-ID, and what the
-  /// dictionary answers.
+  /// Sets up a PDO, or switches it off (bit 31 of the COB-ID set, or nothing mapped). Errors:
+  /// pdo_length above 64 bits, pdo_in_use if another PDO has the COB-ID, and errors of the
+  /// dictionary.
   Answer set(PdoDirection direction, std::uint16_t number, const PdoSetup& setup);
 
-  /// Answers with the values that came last, or asks for new ones where the PDO is one that comes
-  /// on request only: then the answer comes later, or is time_out.
+  /// Answers with the last received values. Requests new values if the PDO is transmitted on
+  /// request only: then the answer comes later, or is time_out.
   void begin_read(Operation& operation, Duration time_out);
   bool cancel(Operation& operation);
   void fail_all(const Answer& answer);
 
-  /// Writes all values of a TPDO and sends it, or leaves it to the next SYNC or request. Until it
-  /// is written for the first time, the PDO is silent: nobody asked for zeros.
+  /// Writes all values of a TPDO and sends it, or leaves it to the next SYNC or request. Until the
+  /// first write the PDO is silent, so that it never sends zeros by default.
   Answer write(std::uint16_t number, std::span<const std::uint64_t> values);
 
  private:
-  /// Where a mapped value is kept.
+  /// Location of a mapped value.
   struct Slot {
     std::uint8_t sub = 0;
     std::uint8_t bits = 0;
@@ -50,7 +49,7 @@ class PdoAccess {
     std::uint32_t cob_id = CobId::bit31;
     bool on_request = false;
     std::vector<Slot> slots;
-    bool used = false;  ///< received, or written, since it was set up
+    bool used = false;  ///< received or written since the setup
   };
   using Pdos = std::map<std::uint16_t, Pdo>;
   struct Reading {
@@ -79,8 +78,8 @@ class PdoAccess {
   Pdos tpdos_;
   std::vector<Reading> readings_;
   Timer timer_{Callback<void(Time)>::to<&PdoAccess::expired>(*this)};
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
 };
 
 }  // namespace canvoy::gateway

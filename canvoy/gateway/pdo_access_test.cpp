@@ -1,5 +1,5 @@
-// PDO access services (CiA 309-3): set rpdo, set tpdo, set tpdox, read pdo, write pdo, and the
-// event that a PDO came.
+// PDO access services: set rpdo, set tpdo, set tpdox, read pdo, write pdo, and the event of a
+// received PDO (CiA 309-3).
 #include <gtest/gtest.h>
 
 #include "canvoy/gateway/testing/wire_gateway.hpp"

@@ -13,7 +13,7 @@ namespace {
 
 struct Range {
   std::uint64_t low = 0;
-  std::uint64_t high = 0;  ///< 0: there is no such argument
+  std::uint64_t high = 0;  ///< 0: no such argument
 };
 constexpr Range any_u8{0, UINT8_MAX};
 constexpr Range any_u16{0, UINT16_MAX};
@@ -21,7 +21,7 @@ constexpr Range any_u32{0, UINT32_MAX};
 constexpr Range any_milliseconds{1, UINT32_MAX};
 constexpr Range pdo_number{1, 512};
 
-/// Reads what follows the name of a command; false where it is wrong.
+/// Parses what follows the name of a command; false if it is wrong.
 using Reader = bool (*)(Tokens words, Request& request);
 
 bool read_object(Tokens words, Request& request);
@@ -34,7 +34,7 @@ bool read_switch(Tokens words, Request& request);
 bool read_address_part(Tokens words, Request& request);
 bool read_scan(Tokens words, Request& request);
 
-/// A command: its words, and what follows them, which is either numbers, or what `reader` reads.
+/// A command: its words, and the arguments, which are either numbers or parsed by `reader`.
 struct CommandRow {
   std::string_view first;
   std::string_view second;
@@ -44,7 +44,7 @@ struct CommandRow {
   Reader reader = nullptr;
 };
 
-// A command of two words stands before one that is its first word.
+// A command of two words precedes the one that is its first word.
 constexpr auto commands = std::to_array<CommandRow>({
     {"r[ead]", "p[do]", Command::read_pdo, Scope::network, {pdo_number}},
     {"r[ead]", "", Command::read, Scope::node, {}, read_object},
@@ -140,7 +140,7 @@ bool read_value(Tokens words, Request& request) {
   return true;
 }
 
-/// A number that stands right behind a name, or is the next word: `sync1`, `event 100`.
+/// Takes a number directly after a name, or as the next word: `sync1`, `event 100`.
 std::optional<std::uint64_t> take_number(Token& rest, Tokens& words, const Range& range) {
   if (rest.empty() && !words.empty()) {
     rest = words.front();
@@ -172,7 +172,7 @@ bool take_transmission_type(Tokens& words, bool extended, PdoSetup& pdo) {
   word.remove_prefix(event_length);
   pdo.transmission_type = 255;
   if (!extended) return word.empty();
-  // The object counts the inhibit time in tenths of a millisecond, in 16 bits.
+  // The object has the inhibit time in tenths of a millisecond, in 16 bits.
   const auto inhibit = take_number(word, words, {0, UINT16_MAX / 10});
   const auto event = take_number(word, words, any_u16);
   pdo.inhibit_ms = static_cast<std::uint16_t>(inhibit.value_or(0));
@@ -180,8 +180,8 @@ bool take_transmission_type(Tokens& words, bool extended, PdoSetup& pdo) {
   return inhibit && event;
 }
 
-/// A type, with or without the object that it belongs to: the gateway has no objects of its own,
-/// and keeps the values under the number of the PDO.
+/// Takes a type, with or without its object: the gateway has no objects of its own, and keeps the
+/// values under the number of the PDO.
 bool take_mapped(Tokens& words, PdoSetup& pdo) {
   Request object;
   if (read_multiplexer(words, object)) words = words.subspan(2);
@@ -220,7 +220,7 @@ bool read_extended_tpdo(Tokens words, Request& request) {
   return read_pdo(words, true, request);
 }
 
-/// The number of the PDO, how many values there are, and the values.
+/// Reads the number of the PDO, the number of values, and the values.
 bool read_pdo_values(Tokens words, Request& request) {
   if (words.size() < 2) return false;
   const auto number = parse_in(words[0], pdo_number);
@@ -242,7 +242,7 @@ bool read_switch(Tokens words, Request& request) {
   return enable || matches("disable", words[0]);
 }
 
-/// The command specifier of CiA 305, or 0 to 3 as CANopenNode has it, or nothing: all of them.
+/// Reads the command specifier of CiA 305, or 0 to 3 as in CANopenNode, or nothing: all of them.
 bool read_address_part(Tokens words, Request& request) {
   constexpr std::uint64_t inquire_vendor = 0x5A;
   if (words.empty()) return true;
@@ -254,7 +254,7 @@ bool read_address_part(Tokens words, Request& request) {
   return part.has_value();
 }
 
-/// Nothing, or a time-out in milliseconds, or (as Lely has it) four pairs of number and mask.
+/// Reads nothing, or a time-out in milliseconds, or (as in Lely) four pairs of number and mask.
 bool read_scan(Tokens words, Request& request) {
   if (words.size() > 1 && words.size() != 8) return false;
   for (const Token word : words) {
@@ -265,7 +265,7 @@ bool read_scan(Tokens words, Request& request) {
   return words.size() != 1 || (request.numbers[0] > 0 && request.numbers[0] <= UINT16_MAX);
 }
 
-/// `[7]` at the start of the line is taken from it.
+/// Takes `[7]` from the start of the line.
 std::optional<std::uint32_t> take_sequence(std::string_view& line) {
   const std::size_t end = line.find(']');
   if (!line.starts_with('[') || end == std::string_view::npos) return std::nullopt;
@@ -278,7 +278,7 @@ std::optional<std::uint32_t> take_sequence(std::string_view& line) {
   return static_cast<std::uint32_t>(*number);
 }
 
-/// Up to two numbers in front of the command are taken from `words`.
+/// Takes up to two numbers in front of the command from `words`.
 std::optional<std::vector<std::uint32_t>> take_prefix(Tokens& words) {
   std::vector<std::uint32_t> numbers;
   while (!words.empty() && words.front().front() >= '0' && words.front().front() <= '9') {
@@ -290,7 +290,7 @@ std::optional<std::vector<std::uint32_t>> take_prefix(Tokens& words) {
   return numbers;
 }
 
-/// One number alone is the node of a command for nodes, and the network of one for networks.
+/// One number alone is the node of a command for nodes, and the network of a command for networks.
 ErrorCode address(std::span<const std::uint32_t> numbers, Scope scope, Request& request) {
   const std::size_t most = static_cast<std::size_t>(scope);
   if (numbers.size() > most) return ErrorCode::syntax;

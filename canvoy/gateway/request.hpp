@@ -1,4 +1,4 @@
-// A command of CiA 309-3, read from its line.
+// A command, parsed from its line (CiA 309-3).
 //
 //     Parsed parsed = parse_request("[1] 2 5 r 0x1018 1 u32");
 //     if (parsed.error != ErrorCode::none) answer(parsed.sequence, parsed.error);
@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
 #include "canvoy/gateway/error_code.hpp"
 #include "canvoy/gateway/value.hpp"
 
@@ -56,7 +56,7 @@ enum class Command : std::uint8_t {
   lss_fastscan,
 };
 
-/// What a command is for, and so which numbers may stand in front of it.
+/// Target of a command, which determines the numbers that may precede it.
 enum class Scope : std::uint8_t { gateway, network, node };
 Scope scope_of(Command command);
 
@@ -76,10 +76,10 @@ struct Request {
   Command command = Command::none;
   std::optional<std::uint32_t> net;
   std::optional<std::uint32_t> node;
-  std::uint16_t index = 0;  ///< of an object
+  std::uint16_t index = 0;  ///< index of an object
   std::uint8_t sub = 0;
   ValueType type;
-  Bytes value;                         ///< to write
+  Bytes value;                         ///< value to write
   std::vector<std::uint64_t> numbers;  ///< the arguments of all other commands, in their order
   PdoSetup pdo;
 
@@ -87,13 +87,13 @@ struct Request {
 };
 
 struct Parsed {
-  std::uint32_t sequence = 0;  ///< 0 where the line has none
+  std::uint32_t sequence = 0;  ///< 0 if the line has none
   ErrorCode error = ErrorCode::none;
   Request request;
 };
 
-/// Errors: syntax; not_supported where the command is not known; unknown_net and unknown_node where
-/// a number in front of it cannot be one.
+/// Parses a line. Errors: syntax; not_supported if the command is unknown; unknown_net and
+/// unknown_node if a number in front of it is out of range.
 Parsed parse_request(std::string_view line);
 
 }  // namespace canvoy::gateway

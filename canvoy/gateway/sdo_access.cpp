@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 
 namespace canvoy::gateway {
 
@@ -26,7 +26,7 @@ void SdoAccess::begin(Operation& operation, Duration time_out) {
   request.transfer = transfer_;
   request.time_out = time_out;
   request.done = SdoRequest::Done::to<&Job::done>(job);
-  // The job may be done, and gone, when these return.
+  // The job may be done, and destroyed, when these return.
   if (asked.command == Command::write) {
     request.value = asked.value;
     queue_.download(request);
@@ -50,14 +50,14 @@ void SdoAccess::finished(Job& job) {
                               : sdo_answer(*job.operation, end.abort(), version_);
   const std::size_t gone =
       std::erase_if(jobs_, [&](const auto& other) { return other.get() == &job; });
-  must_hold(gone == 1);
+  check_invariant(gone == 1);
 }
 
 bool SdoAccess::cancel(Operation& operation) {
   const auto found =
       std::ranges::find_if(jobs_, [&](const auto& job) { return job->operation == &operation; });
   if (found == jobs_.end()) return false;
-  // The queue goes on with the next request, and that one may be done, and gone, at once.
+  // The queue continues with the next request, which may be done, and destroyed, at once.
   const std::unique_ptr<Job> job = std::move(*found);
   jobs_.erase(found);
   queue_.cancel(job->request);

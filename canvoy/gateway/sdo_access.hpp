@@ -20,24 +20,24 @@ class SdoAccess {
   SdoAccess(const SdoAccess&) = delete;
   SdoAccess& operator=(const SdoAccess&) = delete;
 
-  /// Long values go in blocks from now on, where the server knows how to; otherwise in segments.
+  /// Uses block transfer for long values if the server supports it; otherwise segmented transfer.
   void use_blocks(bool use) { transfer_ = use ? SdoTransfer::automatic : SdoTransfer::segmented; }
 
-  /// Requests to one node are served in the order in which they begin. `time_out` is for each
-  /// single answer of the server. `operation` must be cancelled before its life ends, unless it is
-  /// answered.
+  /// Begins a request. Requests to one node are served in the order in which they begin. `time_out`
+  /// applies to each single answer of the server. `operation` must be answered or cancelled before
+  /// its life ends.
   void begin(Operation& operation, Duration time_out);
-  /// False where the operation is none of those under way.
+  /// Cancels an operation. False if it is not under way.
   bool cancel(Operation& operation);
-  /// Answers all that are under way.
+  /// Answers all operations that are under way.
   void fail_all(const Answer& answer);
 
  private:
-  /// So many nodes are asked at a time; the backlog of the gateway's node has room for a frame of
-  /// each.
+  /// Number of nodes that are served at a time; the backlog of the gateway's node has room for a
+  /// frame of each.
   static constexpr std::size_t workers_max = 16;
 
-  /// An operation on its way through the queue.
+  /// An operation in the queue.
   struct Job {
     AbortCode receive(std::span<const std::uint8_t> bytes) { return operation->receive(bytes); }
     void done(SdoRequest&) { access->finished(*this); }
@@ -57,7 +57,7 @@ class SdoAccess {
   std::vector<std::unique_ptr<Job>> jobs_;
 };
 
-/// What a client is answered for the outcome of a transfer.
+/// Answer to a client for the outcome of a transfer.
 Answer sdo_answer(const Operation& operation, AbortCode outcome, Version version);
 
 }  // namespace canvoy::gateway

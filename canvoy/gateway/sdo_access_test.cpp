@@ -199,7 +199,7 @@ TEST(GatewaySdo, AClientThatLeavesTakesItsRequestsAlong) {
   gateway.expect_lines({"[1] 129"});
 }
 
-/// A node on a bus that answers from within the sending of a request, where it answers at all.
+/// A node on a bus that answers during the transmission of a request, if it answers at all.
 struct PromptBus {
   static bool take(void* context, const Frame& frame) {
     PromptBus& self = *static_cast<PromptBus*>(context);
@@ -230,8 +230,8 @@ struct PromptBus {
   SdoAccess access{node, Version::v3_0};
 };
 
-// The second request to node 32 is older than the one that is cancelled, but queues up anew behind
-// it when the first is done.
+// The second request to node 32 is older than the cancelled one, but queues again behind it when
+// the first is done.
 TEST(GatewaySdo, ARequestThatIsDoneAtOnceWhenACancelledOneMakesRoomIsAnswered) {
   PromptBus bus;
   Operation& first = bus.begin(32);

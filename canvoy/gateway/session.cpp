@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 #include "canvoy/gateway/gateway.hpp"
 
 namespace canvoy::gateway {
@@ -98,8 +98,8 @@ void Session::take(const Line& line) {
   pending_.push_back(std::move(pending));
 }
 
-/// What concerns the session alone is done and answered at once, so that it holds for the next
-/// line.
+/// A command for the session alone is carried out and answered at once, so that it applies to the
+/// next line.
 std::optional<Answer> Session::prepare(Request& request, Network*& network) {
   const ErrorCode wrong = complete(request, network);
   return wrong == ErrorCode::none ? set_up(request) : Answer::failed(wrong);
@@ -160,7 +160,7 @@ bool Session::begin_ready(Time now) {
   for (std::size_t i = 0; i < pending_.size(); ++i) {
     Pending& pending = *pending_[i];
     if (pending.begun || pending.operation.answer || !may_begin(i)) continue;
-    must_hold(pending.network != nullptr);
+    check_invariant(pending.network != nullptr);
     pending.begun = true;
     if (command_time_out_) pending.until = now + *command_time_out_;
     pending.network->begin(pending.operation, now);
@@ -169,8 +169,8 @@ bool Session::begin_ready(Time now) {
   return any;
 }
 
-/// A command waits for those before it that concern the same node, and one for a whole network
-/// waits for, and holds up, all of that network.
+/// A command waits for earlier ones for the same node; one for a whole network waits for, and holds
+/// up, all of that network.
 bool Session::may_begin(std::size_t position) const {
   const Pending& pending = *pending_[position];
   return std::all_of(pending_.begin(), pending_.begin() + static_cast<std::ptrdiff_t>(position),
@@ -225,7 +225,7 @@ void Session::tell(const Event& event) {
 }
 
 void Session::consume(std::size_t size) {
-  must_hold(size <= output_.size());
+  check_invariant(size <= output_.size());
   output_.erase(0, size);
   if (output_.empty()) event_bytes_ = 0;
 }

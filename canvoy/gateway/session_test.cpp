@@ -1,5 +1,5 @@
-// Clients of the gateway: defaults, order, limits, and what one of them can do to the others
-// (CiA 309-3).
+// Clients of the gateway: defaults, order, limits, and the effects of one on the others (CiA
+// 309-3).
 #include "canvoy/gateway/session.hpp"
 
 #include <gtest/gtest.h>
@@ -202,7 +202,7 @@ TEST(GatewaySession, AClientIsNotIdleWhileThereAreLinesThatItHasNoRoomToAnswer) 
   EXPECT_TRUE(gateway.client.idle());
 }
 
-/// A network whose nodes answer requests for 1000h while these are being sent.
+/// A network with nodes that answer requests for 1000h while these are being sent.
 struct PromptGateway : WireGateway {
   PromptGateway() {
     wire.on_sent = [this](const Frame& frame) {

@@ -8,7 +8,7 @@ namespace canvoy::gateway {
 
 namespace {
 
-/// A node that is reset waits in pre-operational for what comes next.
+/// After a reset a node waits in pre-operational.
 constexpr NmtState state_after(NmtCommand command) {
   switch (command) {
     case NmtCommand::start:
@@ -36,12 +36,17 @@ Supervision::Supervision(GatewayDevice& device, Report report)
 Answer Supervision::watch_heartbeat(std::uint32_t node, Duration time) {
   if (!is_node_id(node)) return Answer::failed(ErrorCode::unknown_node);
   heard_[node] = false;
+  // A node that is already monitored is reported again: its earlier state is discarded first.
+  set_time(node, Duration::zero());
+  const AbortCode refused = set_time(node, time);
+  return refused == AbortCode::none ? Answer::ok() : Answer::failed(refused);
+}
+
+AbortCode Supervision::set_time(std::uint32_t node, Duration time) {
   std::array<std::uint8_t, 4> value{};
   store(value.data(), static_cast<std::uint32_t>(node << 16 | time / 1ms));
-  const AbortCode refused =
-      device_.dictionary().write(object_index::heartbeat_consumers, static_cast<std::uint8_t>(node),
-                                 value, Source::application);
-  return refused == AbortCode::none ? Answer::ok() : Answer::failed(refused);
+  return device_.dictionary().write(object_index::heartbeat_consumers,
+                                    static_cast<std::uint8_t>(node), value, Source::application);
 }
 
 Answer Supervision::guard(std::uint32_t node, Duration guard_time, std::uint8_t life_time_factor) {

@@ -12,7 +12,7 @@ namespace canvoy::gateway {
 
 namespace {
 
-/// The part of the address of which the family says what it is.
+/// Part of the address for its family.
 template <class Family>
 Family part_of(const sockaddr_storage& storage) {
   Family family{};

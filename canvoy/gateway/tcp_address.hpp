@@ -1,4 +1,4 @@
-// Where a TCP server listens: an address of this machine and a port, both as numbers.
+// Address of a TCP server: an address of this machine and a port, both as numbers.
 //
 //     host::Result<TcpAddress> address = parse_tcp_address("127.0.0.1:60000");
 #pragma once
@@ -18,11 +18,11 @@ struct TcpAddress {
 
   const sockaddr* get() const { return reinterpret_cast<const sockaddr*>(&storage); }
   bool is_loopback() const;
-  /// As it is parsed.
+  /// The address in the form that parse_tcp_address() reads.
   std::string text() const;
 };
 
-/// `127.0.0.1:60000` or `[::1]:60000`; names are not looked up.
+/// Parses `127.0.0.1:60000` or `[::1]:60000`; names are not resolved.
 host::Result<TcpAddress> parse_tcp_address(std::string_view text);
 
 }  // namespace canvoy::gateway

@@ -11,7 +11,8 @@ namespace canvoy::gateway {
 
 namespace {
 
-constexpr int backlog = 128;  ///< who comes while another is served, and does not have to try again
+/// Clients that connect while another is served, without a further try.
+constexpr int backlog = 128;
 constexpr Duration accept_retry = 100ms;
 
 }  // namespace
@@ -69,7 +70,7 @@ void TcpListener::accept_ready(host::Readiness) {
   if (on_client_) on_client_(std::move(socket), peer.text());
 }
 
-/// A newcomer that cannot be taken stays, and would wake the loop for ever.
+/// A client that cannot be accepted stays, and would wake the loop forever.
 void TcpListener::accept_failed(int error) {
   if (is_passing(error) || error == ECONNABORTED) return;
   if (std::exchange(trouble_, error) != error && on_trouble_) {

@@ -17,17 +17,18 @@
 
 namespace canvoy::gateway {
 
-/// Of a socket that does not block: the call would have had to wait, or was interrupted.
+/// True for an error of a non-blocking socket that passes: the call would have had to wait, or was
+/// interrupted.
 inline bool is_passing(int error) {
   return error == EAGAIN || error == EWOULDBLOCK || error == EINTR;
 }
 
-/// While there is no file descriptor for a newcomer, it waits.
+/// A listening socket. A new client waits while there is no file descriptor for it.
 class TcpListener {
  public:
   using OnClient = std::function<void(host::Descriptor socket, std::string peer)>;
 
-  /// `address` is `127.0.0.1:60000`, `[::1]:60000`, or with 0 as the port a free one. `loop` must
+  /// Listens on `address`: `127.0.0.1:60000`, `[::1]:60000`, or port 0 for a free port. `loop` must
   /// outlive the listener.
   static host::Result<std::unique_ptr<TcpListener>> create(host::EventLoop& loop,
                                                            std::string_view address);
@@ -35,14 +36,15 @@ class TcpListener {
   TcpListener(const TcpListener&) = delete;
   TcpListener& operator=(const TcpListener&) = delete;
 
-  /// Where it listens, with the port that was free.
+  /// Address that it listens on, with the port that was free.
   const std::string& address() const { return address_; }
-  /// Whether only programs on this machine reach it.
+  /// True if only programs on this machine can reach it.
   bool is_loopback() const { return loopback_; }
-  /// Who comes: a socket that does not block, and its address. Without a handler they are sent
-  /// away.
+  /// Sets the handler of new clients, which takes a non-blocking socket and its address. Without a
+  /// handler new clients are disconnected.
   void on_client(OnClient handler) { on_client_ = std::move(handler); }
-  /// A line when nobody can come, once until somebody can.
+  /// Sets the handler of trouble: one line when new clients cannot be accepted, and no more until
+  /// one is accepted again.
   void on_trouble(std::function<void(std::string_view)> handler) {
     on_trouble_ = std::move(handler);
   }
@@ -57,8 +59,8 @@ class TcpListener {
   host::EventLoop& loop_;
   host::Descriptor socket_;
   host::EventLoop::Id watch_ = 0;
-  host::EventLoop::Id accepting_ = 0;  ///< again, after it failed
-  int trouble_ = 0;                    ///< the error of the last newcomer, until one is taken
+  host::EventLoop::Id accepting_ = 0;  ///< timer of the next try to accept, after a failure
+  int trouble_ = 0;                    ///< error of the last attempt to accept, until one succeeds
   std::string address_;
   bool loopback_ = false;
   OnClient on_client_;

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <utility>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 #include "canvoy/gateway/first_line.hpp"
 
 namespace canvoy::gateway {
@@ -53,7 +53,7 @@ class TcpServer::Connection {
     return {};
   }
 
-  /// Sends what there is to say, and waits for what can be done next.
+  /// Sends waiting output, and waits for the next possible step.
   void serve() {
     if (dead_) return;
     if (session_.is_busy()) busy_at_ = asked_at_ = server_.loop_.now();
@@ -66,9 +66,9 @@ class TcpServer::Connection {
   void drop(const std::string& why) { die("dropped: " + why); }
   bool is_dead() const { return dead_; }
   const std::string& peer() const { return peer_; }
-  /// Since when it is idle; now while it is not.
+  /// Time since it is idle; the present time while it is not.
   Time busy_at() const { return session_.is_busy() ? server_.loop_.now() : busy_at_; }
-  /// Its latest command; now while one is under way.
+  /// Time of its latest command; the present time while one is under way.
   Time asked_at() const { return session_.is_busy() ? server_.loop_.now() : asked_at_; }
   std::size_t held_bytes() const { return dead_ ? 0 : session_.held_bytes(); }
 
@@ -117,7 +117,7 @@ class TcpServer::Connection {
 
   void die(const std::string& reason) {
     if (std::exchange(dead_, true)) return;
-    must_hold(watch_ != 0);
+    check_invariant(watch_ != 0);
     server_.loop_.unwatch(std::exchange(watch_, 0));
     server_.note("client " + peer_ + " " + reason);
     server_.sweep_later();
@@ -128,10 +128,10 @@ class TcpServer::Connection {
   std::string peer_;
   Session& session_;
   FirstLine first_line_;
-  Time busy_at_;   ///< when it last said something or a command was under way
-  Time asked_at_;  ///< when it last said a command, or one was under way
+  Time busy_at_;   ///< time of the last input, or of a command under way
+  Time asked_at_;  ///< time of the last command, or of one under way
   host::EventLoop::Id watch_ = 0;
-  bool ended_ = false;  ///< the client says no more
+  bool ended_ = false;  ///< the client has ended its input
   bool dead_ = false;   ///< until the next turn of the loop
 };
 
@@ -182,7 +182,7 @@ void TcpServer::admit(host::Descriptor socket, std::string peer) {
   if (idling_ == 0) drop_idle();
 }
 
-/// The one whose latest command is longest ago gives its place to a newcomer.
+/// Drops the client with the oldest latest command for a new one.
 bool TcpServer::make_room() {
   sweep();
   if (connections_.size() < limits_.clients_max) return true;
@@ -194,7 +194,7 @@ bool TcpServer::make_room() {
   return true;
 }
 
-/// A stranger that comes and goes without end fills no disk.
+/// Limits the notes, so that a client that connects again and again does not fill the disk.
 void TcpServer::note(const std::string& line) {
   if (!note_) return;
   if (loop_.now() - minute_ >= Duration(1min)) {
@@ -219,13 +219,13 @@ void TcpServer::bound_memory() {
   while (sum > limits_.bytes_max) {
     const auto most = std::ranges::max_element(connections_, {}, held);
     const std::size_t freed = held(*most);
-    must_hold(freed > 0 && freed <= sum);
+    check_invariant(freed > 0 && freed <= sum);
     sum -= freed;
     (*most)->drop("it holds most of the memory of all clients");
   }
 }
 
-/// And looks again when the next one may be.
+/// Drops idle clients, and schedules the next check.
 void TcpServer::drop_idle() {
   Time next = loop_.now() + limits_.idle_max;
   for (const auto& connection : connections_) {
@@ -239,7 +239,7 @@ void TcpServer::drop_idle() {
   idling_ = loop_.at(next, [this](Time) { drop_idle(); });
 }
 
-/// A connection may be at work itself when it dies.
+/// Postponed: a connection may be at work when it ends.
 void TcpServer::sweep_later() {
   if (sweeping_ != 0) return;
   sweeping_ = loop_.at(loop_.now(), [this](Time) { sweep(); });
@@ -247,7 +247,8 @@ void TcpServer::sweep_later() {
 
 void TcpServer::sweep() {
   if (sweeping_ != 0) loop_.cancel(std::exchange(sweeping_, 0));
-  // What one that goes cancels lets others go on, who must find all connections in their places.
+  // The cancellations of a closed connection let others continue, which need all connections in
+  // their places.
   const auto dead = std::ranges::stable_partition(
       connections_, [](const auto& connection) { return !connection->is_dead(); });
   const std::vector<std::unique_ptr<Connection>> gone(std::make_move_iterator(dead.begin()),

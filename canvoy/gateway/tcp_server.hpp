@@ -1,4 +1,4 @@
-// Clients of the gateway over TCP (CiA 309-3), on the event loop of the process.
+// Serves clients of the gateway over TCP, on the event loop of the process (CiA 309-3).
 //
 //     auto server = TcpServer::create(*loop, gateway, "127.0.0.1:60000");
 //     if (!server) return fail(server.error().line());
@@ -20,25 +20,27 @@
 
 namespace canvoy::gateway {
 
-/// What all clients together may take. A client is idle while it says nothing and none of its
-/// commands is under way, whatever it is told.
+/// Limits for all clients together. A client is idle while it sends nothing and none of its
+/// commands is under way, whatever it receives.
 struct TcpLimits {
   std::size_t clients_max = 16;
-  Duration idle_max = 1h;  ///< who is idle for longer is dropped
-  /// So is the one whose latest command is longest ago, and as long as this, where a newcomer has
-  /// no place. Empty lines and comments are no commands.
+  Duration idle_max = 1h;  ///< an idle client is dropped after this time
+  /// Time since the latest command after which a client may be dropped for a new one that has no
+  /// place; the client with the oldest command goes first. Empty lines and comments are not
+  /// commands.
   Duration idle_for_others = 10s;
-  std::size_t bytes_max = 32 * 1024 * 1024;  ///< held for all of them; beyond, who holds most goes
+  /// Bytes held for all clients; beyond, the client that holds most is dropped.
+  std::size_t bytes_max = 32 * 1024 * 1024;
 };
 
-/// A client that sends faster than it is served is left in its socket; one that does not read what
-/// it is told is dropped. Neither holds up the others. One that ends its half of the connection is
-/// served to the end. What stands behind its last end of a line is dropped: half a command is none.
-/// One that speaks HTTP or TLS is dropped before anything of it is carried out. While there is no
-/// file descriptor for a newcomer, it waits.
+/// A server. A client that sends faster than it is served stays in its socket; a client that does
+/// not read its output is dropped. Neither holds up the others. A client that ends its half of the
+/// connection is served to the end. Text behind its last line end is dropped: half a command is not
+/// a command. A client that speaks HTTP or TLS is dropped before any of it is carried out. A new
+/// client waits while there is no file descriptor for it.
 class TcpServer {
  public:
-  /// `address` is `127.0.0.1:60000`, `[::1]:60000`, or with 0 as the port a free one. `loop` and
+  /// Listens on `address`: `127.0.0.1:60000`, `[::1]:60000`, or port 0 for a free port. `loop` and
   /// `gateway` must outlive the server.
   static host::Result<std::unique_ptr<TcpServer>> create(host::EventLoop& loop, Gateway& gateway,
                                                          std::string_view address,
@@ -47,13 +49,13 @@ class TcpServer {
   TcpServer(const TcpServer&) = delete;
   TcpServer& operator=(const TcpServer&) = delete;
 
-  /// Where it listens, with the port that was free.
+  /// Address that it listens on, with the port that was free.
   const std::string& address() const { return listener_->address(); }
-  /// Whether only programs on this machine reach it.
+  /// True if only programs on this machine can reach it.
   bool is_loopback() const { return listener_->is_loopback(); }
   std::size_t clients() const { return connections_.size(); }
-  /// Clients that come, go, and are dropped: a line for each, 30 in a minute; then one that counts
-  /// those that were left out.
+  /// Sets the handler of notes: a line for each client that connects, disconnects or is dropped, 30
+  /// in a minute; then one line with the number of those left out.
   void on_note(std::function<void(std::string_view)> handler) { note_ = std::move(handler); }
 
  private:
@@ -74,11 +76,11 @@ class TcpServer {
   Gateway& gateway_;
   TcpLimits limits_;
   std::unique_ptr<TcpListener> listener_;
-  host::EventLoop::Id idling_ = 0;  ///< until the next client is idle for too long
+  host::EventLoop::Id idling_ = 0;  ///< timer until the next client is idle for too long
   host::EventLoop::Id task_ = 0;
   host::EventLoop::Id sweeping_ = 0;
   std::function<void(std::string_view)> note_;
-  Time minute_{};  ///< when the notes began to be counted
+  Time minute_{};  ///< time at which the count of notes began
   unsigned noted_ = 0;
   std::vector<std::unique_ptr<Connection>> connections_;
 };

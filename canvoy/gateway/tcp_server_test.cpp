@@ -14,7 +14,7 @@
 namespace canvoy::gateway::tcp_server_test {
 namespace {
 
-/// A client program: a socket that does not block.
+/// A client program: a non-blocking socket.
 class Client {
  public:
   explicit Client(const std::string& address) { connect(address); }
@@ -26,12 +26,12 @@ class Client {
     ::fcntl(socket_.get(), F_SETFL, O_NONBLOCK);
   }
 
-  /// How much of it the socket took.
+  /// Number of its bytes that the socket accepted.
   std::size_t say(std::string_view text) {
     const ssize_t size = ::send(socket_.get(), text.data(), text.size(), MSG_NOSIGNAL);
     return size < 0 ? 0 : static_cast<std::size_t>(size);
   }
-  /// All that has come until now.
+  /// All data received so far.
   const std::string& heard() {
     char bytes[4096];
     ssize_t size = 0;
@@ -46,7 +46,8 @@ class Client {
     return closed_;
   }
   void end_output() { ::shutdown(socket_.get(), SHUT_WR); }
-  /// Ends the connection without a farewell, as a machine that is switched off and on again.
+  /// Ends the connection without a closing handshake, like a machine that is switched off and on
+  /// again.
   void reset() {
     const linger at_once{.l_onoff = 1, .l_linger = 0};
     ::setsockopt(socket_.get(), SOL_SOCKET, SO_LINGER, &at_once, sizeof at_once);
@@ -81,7 +82,7 @@ class GatewayTcp : public testing::Test {
     EXPECT_TRUE(until([&] { return server_->clients() > before; }));
     return client;
   }
-  /// Runs the loop until it is so, for ten seconds at most.
+  /// Runs the loop until the condition holds, for ten seconds at most.
   template <class Condition>
   bool until(Condition condition) {
     const Time end = loop_->now() + 10s;
@@ -93,7 +94,7 @@ class GatewayTcp : public testing::Test {
         notes_, [part](const std::string& note) { return note.find(part) != std::string::npos; });
   }
 
-  // What is told and sent until the end.
+  // Output until the end.
   std::vector<std::string> sent_;
   std::vector<std::string> notes_;
   std::unique_ptr<host::EventLoop> loop_;
@@ -240,7 +241,7 @@ TEST_F(GatewayTcpWithFewEvents, AClientThatDoesNotReadIsDroppedAndTheOthersAreSe
   EXPECT_TRUE(until([&] { return server_->clients() == 1; }));
 }
 
-// What a page in a browser can send to a port of its machine: a form of `text/plain`.
+// Data that a page in a browser can send to a port of its machine: a form of `text/plain`.
 TEST_F(GatewayTcp, AWebPageCommandsNothing) {
   const std::string post =
       "POST / HTTP/1.1\r\nHost: 127.0.0.1:60000\r\nContent-Type: text/plain\r\n"

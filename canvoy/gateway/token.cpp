@@ -12,7 +12,7 @@ constexpr char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// The length of the text at the start of `line`, with both quotes; 0 where it has no end.
+/// Length of the text at the start of `line`, with both quotes; 0 if it has no end.
 std::size_t quoted_length(std::string_view line) {
   for (std::size_t i = 1; i < line.size(); ++i) {
     if (line[i] == '\\') {

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cstdio>
 
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 #include "canvoy/gateway/base64.hpp"
 #include "canvoy/gateway/number.hpp"
 #include "canvoy/gateway/visible_string.hpp"
@@ -79,7 +79,8 @@ std::optional<std::uint64_t> parse_number(DataType type, Token word) {
   return parse_integer(type, word);
 }
 
-/// Days, and milliseconds after midnight: 16 bits above 28 and 4 reserved ones (CiA 301, 7.1.6.6).
+/// Parses days, and milliseconds after midnight: 16 bits above 28 and 4 reserved ones (CiA 301,
+/// 7.1.6.6).
 std::optional<Bytes> parse_time(Tokens words) {
   if (words.size() != 2) return std::nullopt;
   const auto days = parse_unsigned(words[0], UINT16_MAX);

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 
 namespace canvoy::gateway::value_test {
 namespace {
@@ -166,7 +166,7 @@ TEST(GatewayValue, UnknownTypesAreRefused) {
   EXPECT_TRUE(parse_type("U16"));
 }
 
-/// NaN has many patterns and one text.
+/// NaN has many bit patterns and one text.
 bool is_nan(const ValueType& type, const Bytes& bytes) {
   if (type.type == DataType::real32) return std::isnan(load<float>(bytes.data()));
   return type.type == DataType::real64 && std::isnan(load<double>(bytes.data()));

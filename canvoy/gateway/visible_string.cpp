@@ -7,10 +7,10 @@ namespace canvoy::gateway {
 
 namespace {
 
-/// What follows the backslash, and the byte that it stands for.
+/// Letter after the backslash, and the byte that it represents.
 constexpr std::string_view escape_letters = "abtnvfr\\\"'?";
 constexpr std::string_view escaped_bytes = "\a\b\t\n\v\f\r\\\"'?";
-/// Of these, the ones that are written so; a quote is doubled instead.
+/// The letters that are written; a quote is doubled instead.
 constexpr std::string_view written_letters = escape_letters.substr(0, 8);
 
 void append_escaped(std::string& text, std::uint8_t byte) {
@@ -26,7 +26,7 @@ void append_escaped(std::string& text, std::uint8_t byte) {
   text += octal;
 }
 
-/// A number of at most `digits_max` digits at the start of `text`, which is taken from it.
+/// Takes a number of at most `digits_max` digits from the start of `text`.
 std::optional<std::uint8_t> take_number(std::string_view& text, std::size_t digits_max, int base) {
   unsigned number = 0;
   const char* last = text.data() + std::min(digits_max, text.size());
@@ -36,7 +36,7 @@ std::optional<std::uint8_t> take_number(std::string_view& text, std::size_t digi
   return static_cast<std::uint8_t>(number);
 }
 
-/// The byte for the escape sequence at the start of `text`, behind its backslash.
+/// Byte of the escape sequence at the start of `text`, after its backslash.
 std::optional<std::uint8_t> take_escape(std::string_view& text) {
   if (text.empty()) return std::nullopt;
   const char letter = text.front();

@@ -1,5 +1,5 @@
-// The communication objects of CiA 301, to pick from: each function makes the part of a device that
-// its name says, each object is that part as it stands.
+// The communication objects of CiA 301. Each function makes the part of a device that its name
+// says; each object is that part as it stands.
 //
 //     constexpr auto my_device = describe(cia301::device_type(0x0000'01A3),
 //                                         cia301::error_register_object,
@@ -11,7 +11,7 @@
 #include "canvoy/canopen/pdo/mpdo.hpp"
 #include "canvoy/profiles/cia301/channels.hpp"
 #include "canvoy/profiles/cia301/objects.hpp"
-#include "canvoy/profiles/device_description.hpp"
+#include "canvoy/profiles/model/device_description.hpp"
 
 namespace canvoy::cia301 {
 
@@ -24,9 +24,9 @@ struct Identity {
   std::uint32_t vendor_id = 0;
   std::uint32_t product_code = 0;
   std::uint32_t revision = 0;
-  std::uint32_t serial_number = 0;  ///< of all devices of the kind; one device sets its own later
+  std::uint32_t serial_number = 0;  ///< of all devices of the kind; each device sets its own later
 };
-/// 1018h, all of it.
+/// All of 1018h.
 constexpr Part identity(const Identity& value) {
   return Part(identity_object)
       .initial(1, value.vendor_id)
@@ -48,16 +48,16 @@ constexpr auto names(const Names& value) {
   return parts;
 }
 
-/// 1017h; 0 ms: no heartbeat until it is configured.
+/// 1017h. With 0 ms, no heartbeat is sent until one is configured.
 constexpr Part heartbeat_producer(std::uint16_t period_ms) {
   return Part(producer_heartbeat_object).initial(period_ms);
 }
-/// 1016h with room for `count` producers, none of which is watched yet.
+/// 1016h with room for `count` producers; none is watched yet.
 constexpr Part heartbeat_consumers(unsigned count) {
   return Part(consumer_heartbeat_object).up_to(count);
 }
 
-/// 100Ch and 100Dh; where both are above 0 the node watches over the master that guards it.
+/// 100Ch and 100Dh. Where both are above 0, the node monitors the master that guards it.
 constexpr auto node_guarding(std::uint16_t guard_time_ms = 0, std::uint8_t life_time_factor = 0) {
   DeviceDescription<2> parts;
   parts.add(Part(guard_time_object).initial(guard_time_ms));
@@ -72,7 +72,7 @@ constexpr auto emergency() {
   parts.add(emergency_inhibit_object);
   return parts;
 }
-/// 1003h, which remembers `count` errors.
+/// 1003h with room for `count` errors.
 constexpr Part error_history(unsigned count) {
   return Part(error_field_object).up_to(count);
 }
@@ -80,12 +80,12 @@ constexpr Part error_history(unsigned count) {
 constexpr Part emergency_consumers(unsigned count) {
   return Part(emergency_consumer_object).up_to(count);
 }
-/// 1029h; `classes` is 1 for communication errors alone.
+/// 1029h with `classes` error classes; 1: communication errors alone.
 constexpr Part error_behavior(unsigned classes = 1) {
   return Part(error_behavior_object).up_to(classes);
 }
 
-/// 1005h of a device that listens to SYNC.
+/// 1005h of a device that receives SYNC.
 constexpr Part sync_consumer() {
   return sync_cob_id_object;
 }
@@ -98,7 +98,7 @@ constexpr auto sync() {
   parts.add(sync_overflow_object);
   return parts;
 }
-/// 1012h of a device that hears, or tells, the time of day from the start on.
+/// 1012h of a device that receives or sends the time of day from the start on.
 constexpr Part time_consumer(std::uint32_t can_id = 0x100) {
   return Part(time_cob_id_object).initial(0x8000'0000 | can_id);
 }
@@ -122,7 +122,7 @@ constexpr Part sdo_clients(unsigned count) {
   return Part(sdo_client_object).only(0, count);
 }
 
-/// A PDO that the device maker defines: `number` counts from 1, `entries` is the room of its
+/// A PDO that the device maker defines. `number` counts from 1; `entries` is the room of its
 /// mapping.
 struct PdoPart {
   unsigned number = 1;
@@ -159,7 +159,7 @@ constexpr auto tpdo(const PdoPart& pdo) {
 constexpr Part scanner_lists(unsigned entries, unsigned lists = 1) {
   return Part(scanner_list_object).only(0, lists).up_to(entries);
 }
-/// 1FD0h and above: the same for RPDOs in source address mode.
+/// 1FD0h and above: `lists` lists with `entries` entries each, for an RPDO in source address mode.
 constexpr Part dispatching_lists(unsigned entries, unsigned lists = 1) {
   return Part(dispatching_list_object).only(0, lists).up_to(entries);
 }

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
 namespace canvoy::cia301_test {

@@ -1,5 +1,5 @@
-// All objects of CiA 302 that are described here, for tools: NMT master and program download (part
-// 2 and 3), configuration manager (part 3), SDO manager (part 5). A device picks what it has from
+// All objects of CiA 302 that are described here, for tools: NMT master and program download (parts
+// 2 and 3), configuration manager (part 3), SDO manager (part 5). A device takes its objects from
 // the headers of these.
 //
 //     find_object(cia302::profile, 0x1F22)->name  // "Concise DCF"

@@ -1,11 +1,11 @@
 // The expectations are those of the profile database of CiA's conformance test.
 #include <gtest/gtest.h>
 
-#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/device/device_node.hpp"
 #include "canvoy/canopen/testing/cable.hpp"
 #include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/cia302.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 

@@ -1,6 +1,6 @@
 #include "canvoy/profiles/cia401.hpp"
 
-#include "canvoy/profiles/consistency.hpp"
+#include "canvoy/profiles/model/consistency.hpp"
 
 namespace canvoy {
 

@@ -1,9 +1,9 @@
-// CiA 401: generic input and output modules, in the parts that other profiles are built on (CiA
+// CiA 401: generic input and output modules, in the parts on which other profiles are built (CiA
 // 852).
 //
 // The text of CiA 401 is not at hand. Indices, types and defaults are those of CiA's conformance
-// test and are certain; what single bits mean, which PDOs are there at start, and the limits of
-// arrays are common practice. A device that knows better changes them (canvoy/profiles/
+// test and are certain. The meanings of single bits, the PDOs that exist at start, and the limits
+// of arrays are common practice. A device with other values changes them (canvoy/profiles/
 // device_description.hpp).
 //
 //     cia401::profile.objects.size()
@@ -12,7 +12,7 @@
 #include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/cia401/analogue.hpp"
 #include "canvoy/profiles/cia401/digital.hpp"
-#include "canvoy/profiles/mapping_value.hpp"
+#include "canvoy/profiles/model/mapping_value.hpp"
 
 namespace canvoy::cia401 {
 
@@ -22,7 +22,7 @@ inline constexpr NamedValue profile_names[] = {{profile_number, "CiA 401"}};
 inline constexpr NamedValue presence_names[] = {{0, "no"}, {1, "yes"}};
 inline constexpr NamedValue pdo_mapping_names[] = {{0, "pre-defined"}, {1, "device-specific"}};
 
-/// Bits of 1000h that profiles built on this one have, too.
+/// Bits of 1000h that are also those of profiles built on this one.
 inline constexpr FieldInfo profile_field = field(0, 16, "Device profile number", profile_names);
 constexpr FieldInfo io_field(std::uint8_t bit, std::string_view name) {
   return field(bit, 1, name, presence_names);
@@ -145,7 +145,8 @@ inline constexpr auto objects = objects_of(
     analogue_output_error_mode_object, analogue_output_error_value_integer_object,
     analogue_output_error_value_float_object, analogue_output_offset_integer_object,
     analogue_output_scaling_integer_object, analogue_output_si_unit_object);
-/// Of several logical devices in a node, each has its objects 800h above those before it (CiA 301).
+/// With several logical devices in a node, the objects of each are 800h above those of the one
+/// before (CiA 301).
 inline constexpr Profile profile = {.number = profile_number,
                                     .name = "CiA 401",
                                     .title = "Device profile for generic I/O modules",

@@ -1,9 +1,9 @@
-// CiA 402: drives and motion control, in the parts that CiA 417 points to.
+// CiA 402: drives and motion control, in the parts to which CiA 417 refers.
 //
 // The text of CiA 402 is not at hand. Indices and types are those of CiA's conformance test, and
-// the patterns of statusword and controlword are certain; names, units, access, mapping, the
-// meanings of option codes and of bits that depend on the mode are common practice. Defaults are
-// those that are widely used; where none is given, the drive has one of its own.
+// the patterns of statusword and controlword are certain. Names, units, access, mapping, the
+// meanings of option codes and of mode-dependent bits are common practice. Defaults are widely used
+// ones; where none is given, the drive has its own.
 //
 //     cia402::profile.objects.size()
 //     cia402::drive_state(drive.number(0x6041, 0))
@@ -52,7 +52,8 @@ inline constexpr auto objects = objects_of(
     target_velocity_object, motor_type_object, motor_catalogue_number_object,
     motor_manufacturer_object, http_motor_catalogue_address_object, motor_calibration_date_object,
     supported_drive_modes_object);
-/// Of several logical devices in a node, each has its objects 800h above those before it (CiA 301).
+/// With several logical devices in a node, the objects of each are 800h above those of the one
+/// before (CiA 301).
 inline constexpr Profile profile = {.number = profile_number,
                                     .name = "CiA 402",
                                     .title = "Device profile for drives and motion control",

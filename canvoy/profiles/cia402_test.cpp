@@ -1,10 +1,10 @@
-// What public sources agree upon; CiA 402 itself is not at hand.
+// Facts upon which public sources agree; CiA 402 itself is not at hand.
 #include "canvoy/profiles/cia402.hpp"
 
 #include <gtest/gtest.h>
 
 #include "canvoy/profiles/cia402/handles.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 #include "canvoy/profiles/testing/described.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 

@@ -1,6 +1,6 @@
-// CiA 406: encoders, in the parts that CiA 417 points to.
+// CiA 406: encoders, in the parts to which CiA 417 refers.
 //
-// The text of CiA 406 is not at hand. Indices and types are those of CiA's conformance test; names,
+// The text of CiA 406 is not at hand. Indices and types are those of CiA's conformance test. Names,
 // access, mapping, the bits of alarms, warnings and operating parameters, and the kinds of encoders
 // in 1000h are common practice.
 //
@@ -32,7 +32,8 @@ inline constexpr auto objects = objects_of(
     warnings_object, supported_warnings_object, profile_and_software_version_object,
     operating_time_object, offset_value_object, module_identification_object, serial_number_object,
     offset_values_for_multi_sensor_devices_object);
-/// Of several logical devices in a node, each has its objects 800h above those before it (CiA 301).
+/// With several logical devices in a node, the objects of each are 800h above those of the one
+/// before (CiA 301).
 inline constexpr Profile profile = {.number = profile_number,
                                     .name = "CiA 406",
                                     .title = "Device profile for encoders",

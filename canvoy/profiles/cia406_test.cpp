@@ -1,11 +1,11 @@
-// What public sources agree upon; CiA 406 itself is not at hand.
+// Facts upon which public sources agree; CiA 406 itself is not at hand.
 #include "canvoy/profiles/cia406.hpp"
 
 #include <gtest/gtest.h>
 
 #include "canvoy/profiles/cia406/handles.hpp"
-#include "canvoy/profiles/layout.hpp"
-#include "canvoy/profiles/number_rules.hpp"
+#include "canvoy/profiles/model/layout.hpp"
+#include "canvoy/profiles/model/number_rules.hpp"
 #include "canvoy/profiles/testing/described.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 

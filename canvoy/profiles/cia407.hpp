@@ -1,9 +1,9 @@
 // CiA 407: passenger information in buses, trams and trains (IBIS on CANopen). Where the text
-// contradicts itself, `errata` is the number of the finding that decided.
+// contradicts itself, `errata` gives the number of the finding that decided.
 //
 //     const ObjectInfo* doors = find_object(cia407::profile, 0x6488);
 //
-// Typed access to the values is in canvoy/profiles/cia407/handles.hpp.
+// canvoy/profiles/cia407/handles.hpp has typed access to the values.
 #pragma once
 
 #include "canvoy/profiles/cia407/counting.hpp"
@@ -77,7 +77,7 @@ inline constexpr ErrorCodeInfo error_codes[] = {
     {0xFF05, "No announcements available", "7.3", "Acoustic announcer."},
 };
 
-// Record types: as the objects that have them, but that nobody provides them.
+// Record types: like the objects that have them, but provided by no device.
 
 inline constexpr EntryInfo number_of_members = {.name = "number_of_entries"};
 inline constexpr auto fuel_consumption_members = fuel_members(number_of_members, {});

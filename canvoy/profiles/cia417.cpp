@@ -1,7 +1,7 @@
-// Nothing but the check: a description that cannot be true does not compile.
+// Only the check: an inconsistent description does not compile.
 #include "canvoy/profiles/cia417.hpp"
 
-#include "canvoy/profiles/consistency.hpp"
+#include "canvoy/profiles/model/consistency.hpp"
 
 namespace canvoy {
 

@@ -1,10 +1,10 @@
 // CiA 417-4 version 1.0.1: lift control, up to 8 lifts of 254 floors. Where the text contradicts
-// itself, `errata` is the number of the finding that decided. What the other parts of CiA 417 say
-// (device codes, PDOs, error codes) is from public sources.
+// itself, `errata` gives the number of the finding that decided. Facts from other parts of CiA 417
+// (device codes, PDOs, error codes) are from public sources.
 //
 //     find_object(cia417::profile, 0x6C82)  // 6482h, Load signaling, of lift 2
 //
-// What application code uses of it is in canvoy/profiles/cia417/handles.hpp.
+// canvoy/profiles/cia417/handles.hpp has the handles for application code.
 #pragma once
 
 #include "canvoy/profiles/cia417/devices.hpp"

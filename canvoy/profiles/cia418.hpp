@@ -1,9 +1,9 @@
 // CiA 418: battery modules, the partners of CiA 419 chargers.
 //
-// The text of CiA 418 is not at hand: this is what public sources agree upon (indices, types,
-// access) and what CiA 419 mirrors (units, sentinels, PDO contents). Uncertain are the default
-// COB-ID of the third RPDO, which PDOs are valid at start, their event timers, and the mapping of
-// the third RPDO: a device that knows better changes them with initial(), for example
+// The text of CiA 418 is not at hand. This description is what public sources agree upon (indices,
+// types, access) and what CiA 419 mirrors (units, sentinels, PDO contents). Uncertain are the
+// default COB-ID of the third RPDO, which PDOs are valid at start, their event timers, and the
+// mapping of the third RPDO. A device with other values changes them with initial(), for example
 //
 //     constexpr auto my_battery = describe(
 //         cia418::battery({.rpdo2 = true, .tpdo2 = true})
@@ -14,11 +14,11 @@
 //     battery[cia418::temperature] = 21.5;  // degrees Celsius
 #pragma once
 
-#include "canvoy/profiles/battery_values.hpp"
 #include "canvoy/profiles/cia301.hpp"
-#include "canvoy/profiles/handle.hpp"
-#include "canvoy/profiles/mapping_value.hpp"
-#include "canvoy/profiles/rows.hpp"
+#include "canvoy/profiles/model/battery_values.hpp"
+#include "canvoy/profiles/model/handle.hpp"
+#include "canvoy/profiles/model/mapping_value.hpp"
+#include "canvoy/profiles/model/rows.hpp"
 
 namespace canvoy::cia418 {
 
@@ -34,7 +34,7 @@ inline constexpr FieldInfo device_type_fields[] = {
     field(16, 16, "Additional information"),
 };
 
-/// Battery modules have a heartbeat (public description of the profile), never guarding alone.
+/// Battery modules have a heartbeat (public description of the profile), never node guarding alone.
 inline constexpr auto producer_heartbeat_object =
     cia301::refined(cia301::producer_heartbeat_object, Category::mandatory, {});
 
@@ -121,9 +121,9 @@ inline constexpr auto water_level_status_object =
     var_object(0x6090, "water_level_status", "", "", entry(unsigned8, ro, no, 0),
                {.category = Category::optional});
 
-// PDOs: what a charger receives, the battery transmits, and the other way round.
+// PDOs: what a charger receives, the battery transmits, and vice versa.
 
-inline constexpr std::uint32_t rpdo1_can_id = 0x200;  ///< plus the node-ID, as all of these
+inline constexpr std::uint32_t rpdo1_can_id = 0x200;  ///< plus the node-ID, like all of these
 inline constexpr std::uint32_t rpdo2_can_id = 0x300;
 inline constexpr std::uint32_t rpdo3_can_id = 0x400;
 inline constexpr std::uint32_t tpdo1_can_id = 0x180;
@@ -135,7 +135,7 @@ constexpr EntryInfo cob_id_entry(std::uint32_t can_id) {
   entry.initial = plus_node_id(can_id);
   return entry;
 }
-/// The period of all TPDOs, as chargers have it (CiA 419, 6.2.4.2).
+/// The period of all TPDOs, as in chargers (CiA 419, 6.2.4.2).
 constexpr EntryInfo tpdo_event_timer_entry() {
   EntryInfo entry = cia301::event_timer_entry;
   entry.category = Category::mandatory;
@@ -228,7 +228,8 @@ inline constexpr auto objects = objects_of(
     ah_since_last_equalization_object, date_of_last_equalization_object, voltage_object,
     charge_current_requested_object, charger_state_of_charge_object, battery_state_of_charge_object,
     water_level_status_object);
-/// Of several batteries behind one node-ID, each has its objects 800h above those of the last.
+/// With several batteries behind one node-ID, the objects of each are 800h above those of the one
+/// before.
 inline constexpr Profile profile = {.number = 418,
                                     .name = "CiA 418",
                                     .title = "Device profile for battery modules",
@@ -236,16 +237,16 @@ inline constexpr Profile profile = {.number = 418,
                                     .block_count = 8,
                                     .device_type = device_type_fields};
 
-/// What a battery module has beyond the mandatory objects.
+/// Optional objects of a battery module.
 struct BatteryOptions {
   bool rpdo2 = false;
   bool rpdo3 = false;
   bool tpdo2 = false;
   bool tpdo3 = false;
 };
-/// The objects of a battery module: device type, error register, PDOs and what they map, and its
-/// parameters. Others of this file are added one by one; its maker adds identity and heartbeat
-/// producer.
+/// The objects of a battery module: device type, error register, PDOs and the objects that they
+/// map, and its parameters. Other objects of this file are added one by one. The maker adds
+/// identity and heartbeat producer.
 constexpr auto battery(const BatteryOptions& options = {}) {
   DeviceDescription<24> parts;
   parts.add(cia301::profile);
@@ -263,7 +264,7 @@ constexpr auto battery(const BatteryOptions& options = {}) {
   return parts;
 }
 
-// What application code uses.
+// For application code.
 
 inline constexpr State<Readiness, battery_status_object, "", "readiness"> status;
 inline constexpr State<Readiness, charger_status_object, "", "readiness"> charger_status;

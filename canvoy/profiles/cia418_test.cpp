@@ -1,4 +1,4 @@
-// What public sources agree upon, and what CiA 419 mirrors; CiA 418 itself is not at hand.
+// Facts upon which public sources agree and that CiA 419 mirrors; CiA 418 itself is not at hand.
 #include "canvoy/profiles/cia418.hpp"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <array>
 
 #include "canvoy/profiles/cia419.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
 namespace canvoy::cia418_test {

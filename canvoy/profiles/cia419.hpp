@@ -1,4 +1,4 @@
-// CiA 419 version 1.0.1: battery chargers. Where the text contradicts itself, `errata` is the
+// CiA 419 version 1.0.1: battery chargers. Where the text contradicts itself, `errata` gives the
 // number of the finding that decided.
 //
 //     constexpr auto my_charger = describe(
@@ -9,12 +9,12 @@
 //     charger[cia419::charger_state_of_charge] = 80;  // percent
 #pragma once
 
-#include "canvoy/profiles/battery_values.hpp"
 #include "canvoy/profiles/cia301.hpp"
-#include "canvoy/profiles/handle.hpp"
-#include "canvoy/profiles/mapping_value.hpp"
-#include "canvoy/profiles/provisions.hpp"
-#include "canvoy/profiles/rows.hpp"
+#include "canvoy/profiles/model/battery_values.hpp"
+#include "canvoy/profiles/model/handle.hpp"
+#include "canvoy/profiles/model/mapping_value.hpp"
+#include "canvoy/profiles/model/provisions.hpp"
+#include "canvoy/profiles/model/rows.hpp"
 
 namespace canvoy::cia419 {
 
@@ -22,7 +22,7 @@ using namespace rows;  // NOLINT(google-build-using-namespace): the columns of i
 
 using canvoy::Readiness;
 
-/// 1000h (6.2.1): the profile's number; the additional information is reserved.
+/// 1000h: the profile's number; the additional information is reserved (6.2.1).
 inline constexpr std::uint32_t device_type = 419;
 inline constexpr NamedValue profile_names[] = {{device_type, "CiA 419"}};
 inline constexpr NamedValue reserved_names[] = {{0, "0", Meaning::padding},
@@ -80,8 +80,8 @@ inline constexpr auto battery_state_of_charge_object =
                entry(unsigned8, rw, by_default, 0xFF, battery_values::state_of_charge),
                {.condition = "if RPDO3 is supported", .errata = "14, 17"});
 
-// PDOs (6.2.3 to 6.2.8). They are all invalid until the charger has found its battery; that the
-// three of a direction have the same parameters is the reading of errata 3 and 6 to 13.
+// PDOs (6.2.3 to 6.2.8). All are invalid until the charger has found its battery. The reading that
+// the three of a direction have the same parameters is that of errata 3 and 6 to 13.
 
 inline constexpr EntryInfo rpdo_parameter_entries[] = {
     sub_index(0, "highest sub-index supported", entry(unsigned8, ro, no, highest_sub()),
@@ -103,7 +103,7 @@ inline constexpr EntryInfo tpdo_parameter_entries[] = {
               {.errata = "9"}),
 };
 
-/// Sub-index 00h of a mapping: rw, as most of them are printed.
+/// Sub-index 00h of a mapping: rw, as printed for most of them.
 constexpr EntryInfo mapped_objects(std::uint8_t count) {
   return sub_index(0, "highest sub-index supported", entry(unsigned8, rw, no, count),
                    {.errata = "6, 11, 21"});
@@ -185,15 +185,15 @@ inline constexpr Profile profile = {.number = 419,
                                     .device_type = device_type_fields,
                                     .provisions = &provisions};
 
-/// What a charger has beyond the mandatory first RPDO and TPDO.
+/// Optional PDOs of a charger, beyond the mandatory first RPDO and TPDO.
 struct ChargerOptions {
   bool rpdo2 = false;
   bool rpdo3 = false;
   bool tpdo2 = false;
   bool tpdo3 = false;
 };
-/// The objects of a charger: device type, error register, PDOs and what they map. Its maker adds
-/// identity and heartbeat producer.
+/// The objects of a charger: device type, error register, PDOs and the objects that they map. The
+/// maker adds identity and heartbeat producer.
 constexpr auto charger(const ChargerOptions& options = {}) {
   DeviceDescription<24> parts;
   parts.add(cia301::profile);
@@ -210,7 +210,7 @@ constexpr auto charger(const ChargerOptions& options = {}) {
   return parts;
 }
 
-// What application code uses.
+// For application code.
 
 inline constexpr State<Readiness, battery_status_object, "", "readiness"> battery_status;
 inline constexpr State<Readiness, charger_status_object, "", "readiness"> charger_status;

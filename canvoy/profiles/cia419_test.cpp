@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
 namespace canvoy::cia419_test {
@@ -86,7 +86,7 @@ constexpr Expected communication_objects[] = {
     {"6.2.8.3", 0x1A02, 3, u32, "ro", 0x60800008},
 };
 
-/// Where clause 7 has no default, the object begins as invalid, or as not ready.
+/// Without a default in clause 7, an object starts as invalid, or as not ready.
 constexpr Expected application_objects[] = {
     {"7.2.1", 0x6000, 0, u8, "rw TR", 0},           {"7.2.2", 0x6001, 0, u8, "ro T", 0},
     {"7.2.3", 0x6010, 0, i16, "rw TR", 0xFFFF},     {"7.2.4", 0x6052, 0, u16, "ro T", 0xFFFF},

@@ -1,14 +1,14 @@
-// CiA 447-3: application objects of special-purpose cars: taxis, police cars, ambulances, and what
-// is added to them: taximeter, roof bar, radio, printer, terminal.
+// CiA 447-3: application objects of special-purpose cars (taxis, police cars, ambulances) and of
+// their add-on devices: taximeter, roof bar, radio, printer, terminal.
 //
-// Where the text contradicts itself, `errata` is the number of the finding that decided: A and B
+// Where the text contradicts itself, `errata` gives the number of the finding that decided: A and B
 // (lost figures), C and D for 6005h to 60A0h, Z for 60A1h to 6151h.
 //
 //     constexpr const ObjectInfo& doors = cia447::door_status_object;     // cia447/car_body.hpp
 //     constexpr std::uint32_t can_id = cia447::sdo_request(2, 7);         // cia447/network.hpp
 //
-// Parts 1, 2 and 4 are not at hand: codes of virtual devices, which objects these have to have, the
-// CAN-IDs of PDOs and the bits of 1000h above the profile's number are not known.
+// Parts 1, 2 and 4 are not at hand. Not known are the codes of virtual devices, their mandatory
+// objects, the CAN-IDs of PDOs, and the bits of 1000h above the profile's number.
 #pragma once
 
 #include "canvoy/profiles/cia447/devices.hpp"
@@ -18,7 +18,7 @@
 
 namespace canvoy::cia447 {
 
-/// 1000h: the profile's number; what CiA 447-1 puts above it is not known.
+/// 1000h: the profile's number. The bits above it are defined in CiA 447-1 and not known.
 inline constexpr std::uint32_t device_type = 447;
 inline constexpr NamedValue profile_numbers[] = {{device_type, "CiA 447"}};
 inline constexpr FieldInfo device_type_fields[] = {
@@ -29,7 +29,7 @@ inline constexpr FieldInfo device_type_fields[] = {
      .value = {.notation = Notation::hexadecimal},
      .description = "as CiA 447-1 says"}};
 
-/// Their indices are in CiA 447-1, and not known.
+/// Record types. Their indices are in CiA 447-1 and not known.
 inline constexpr RecordTypeInfo record_types[] = {{.name = "Start route guidance record",
                                                    .clause = "4.2.11.4",
                                                    .members = start_route_guidance_entries},

@@ -1,6 +1,6 @@
-// CiA 852: operator environments, that is seats, cabins and remote controls with joysticks, foot
-// pedals, encoders, wheels, push-buttons, indicators and displays, on the inputs and outputs of
-// CiA 401. Where the text contradicts itself, `errata` is the number of the finding that decided.
+// CiA 852: operator environments (seats, cabins and remote controls with joysticks, foot pedals,
+// encoders, wheels, push-buttons, indicators and displays), based on the inputs and outputs of CiA
+// 401. Where the text contradicts itself, `errata` gives the number of the finding that decided.
 //
 //     cia852::joystick_axis_sub(2, 1)                  // 04h of 6401h: x of the second joystick
 //     cia852::tpdo_mapping(cia852::joystick_tpdo(2))   // 1A04h
@@ -56,7 +56,7 @@ inline constexpr auto objects = [] {
 // Other readings.
 
 inline constexpr auto printed_tpdo_objects = [] {
-  constexpr std::size_t kept = 16;  // TPDO 1, and 5 to 19: those stand where they do
+  constexpr std::size_t kept = 16;  // TPDO 1, and 5 to 19: these have the same indices
   constexpr std::size_t moved = tpdo_count - kept;
   std::array<const ObjectInfo*, 2 * moved> all{};
   for (std::size_t i = 0; i < moved; ++i) {
@@ -65,12 +65,12 @@ inline constexpr auto printed_tpdo_objects = [] {
   }
   return all;
 }();
-/// Where nothing stands then.
+/// Indices without an object in that reading.
 inline constexpr std::uint16_t without_printed_tpdos[] = {tpdo_parameter(first_shifted_tpdo).index,
                                                           tpdo_mapping(first_shifted_tpdo).index};
 
 inline constexpr auto wide_display_reading_objects = [] {
-  constexpr std::size_t kept = 11;  // RPDO 1 to 12: the first display stands where it does
+  constexpr std::size_t kept = 11;  // RPDO 1 to 12: the first display has the same indices
   std::array<const ObjectInfo*, rpdo_count - kept + std::size(wide_display_objects)> all{};
   std::size_t place = 0;
   for (std::size_t i = kept; i < rpdo_count; ++i) all[place++] = &wide_rpdo_mapping_objects[i];
@@ -91,7 +91,7 @@ inline constexpr ReadingInfo readings[] = {
      .objects = wide_display_reading_objects},
 };
 
-/// 1000h of a device with one functional element, of which the code is its bit there.
+/// 1000h of a device with one functional element: the code of the element is its bit in 1000h.
 constexpr std::uint32_t device_type_of(const VirtualDeviceInfo& element) {
   const auto is = [&element](std::uint8_t bit) { return (element.code >> (bit - 24) & 1) != 0; };
   return device_type({.joystick = is(joystick_bit),
@@ -103,7 +103,7 @@ constexpr std::uint32_t device_type_of(const VirtualDeviceInfo& element) {
                       .display = is(display_bit)});
 }
 
-/// Of several operator seats behind one node-ID, each may be a logical device of its own (5.1): CiA
+/// Of several operator seats behind one node-ID, each may be a separate logical device (5.1). CiA
 /// 301 has room for eight.
 inline constexpr Profile profile = {
     .number = profile_number,

@@ -1,5 +1,5 @@
-// Each profile beside what its clauses print: the tables in canvoy/profiles/clauses, typed from the
-// text (testing/clause_table.hpp says how).
+// Each profile compared with the contents of its clauses: the tables in canvoy/profiles/clauses,
+// typed from the text (see testing/clause_table.hpp).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "canvoy/profiles/number_rules.hpp"
+#include "canvoy/profiles/model/number_rules.hpp"
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/profiles/testing/clause_table.hpp"
 
@@ -26,7 +26,7 @@ Table read_table(std::string_view name) {
 
 namespace {
 
-// What the description says, as a table has it.
+// The description in the form of a table.
 
 std::string numbered(std::string_view name, unsigned number) {
   std::string text(name);
@@ -88,7 +88,7 @@ std::string text_of(Meaning meaning) {
                                    "do_not_care", "manufacturer", "reserved", "padding"};
   return names[static_cast<unsigned>(meaning)];
 }
-/// The default that is printed: where those who consume the object have one, theirs.
+/// The printed default: that of the consumers of the object, if they have one.
 std::optional<std::int64_t> initial_of(const EntryInfo& entry) {
   if (entry.consumer_initial) {
     EXPECT_FALSE(entry.initial) << "two defaults";
@@ -100,7 +100,7 @@ std::optional<std::int64_t> initial_of(const EntryInfo& entry) {
   return is_printed ? std::optional(initial.number) : std::nullopt;
 }
 
-/// Compares one word of a line with the object; false: it is not about that.
+/// Compares one word of a line with the object. False: the word has another subject.
 bool is_of_object(const std::string& word, const ObjectInfo& object) {
   if (word == "VAR" || word == "ARRAY" || word == "RECORD") {
     EXPECT_EQ(text_of(object.code), word);
@@ -245,7 +245,8 @@ void compare_object(const Table& table, const ObjectRow& row, const Profile& pro
   }
 }
 
-/// Whether the entries of an object are those up to the highest of the table, without a gap.
+/// Checks that an object has no entries but those up to the highest one of the table, without a
+/// gap.
 void expect_no_other_entries(const ObjectRow& row, const ObjectInfo& object) {
   unsigned last = 0;
   for (const EntryRow& entry : row.entries) last = std::max(last, entry.last);

@@ -39,7 +39,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// The decimal number at the start of a text, which is taken from it; 0 where there is none.
+/// Removes the decimal number at the start of a text and returns it; 0 if there is none.
 unsigned take_number(std::string_view& text) {
   constexpr unsigned number_max = 0xFFFF;
   unsigned number = 0;
@@ -49,7 +49,7 @@ unsigned take_number(std::string_view& text) {
   return number;
 }
 
-/// `6010`, `6010h`, `0x6010`: all of the text is digits, and as many of them.
+/// `6010`, `6010h`, `0x6010`: all of the text is digits, of the allowed number.
 std::optional<unsigned> parse_hex(std::string_view text, std::size_t digits_min,
                                   std::size_t digits_max) {
   if (text.starts_with("0x") || text.starts_with("0X")) {
@@ -91,7 +91,7 @@ struct Parts {
 Parts split(std::string_view text, std::string_view separators) {
   const std::size_t at = text.find_first_of(separators);
   if (at == std::string_view::npos) return {trimmed(text), {}, false};
-  // Not substr(): its error for a position beyond the end is not for a board.
+  // Not substr(): boards cannot use its error for a position beyond the end.
   return {trimmed({text.begin(), text.begin() + at}), trimmed({text.begin() + at + 1, text.end()}),
           true};
 }
@@ -104,8 +104,8 @@ std::optional<ObjectAddress> parse_numbers(const Profile& profile, std::string_v
   return address_of(profile, *index, *sub);
 }
 
-/// The index of the object of this name, with a number where it is one of several: `input group 3`;
-/// 0 where there is none.
+/// Index of the object of this name, with a number if it is one of several: `input group 3`; 0 if
+/// there is none.
 unsigned find_named(const Profile& profile, std::string_view name) {
   for (const ObjectInfo* object : profile.objects) {
     const std::optional<unsigned> number = match_name(object->name, name);
@@ -162,7 +162,7 @@ std::optional<ObjectAddress> find_only_entry(const Profile& profile, std::string
   return found;
 }
 
-/// The names of objects come before those of entries.
+/// Names of objects have priority over those of entries.
 std::optional<ObjectAddress> find_by_name(std::span<const Profile* const> candidates,
                                           const Parts& parts) {
   for (const Profile* candidate : candidates) {
@@ -256,7 +256,7 @@ std::optional<unsigned> match_name(std::string_view pattern, std::string_view te
     pattern = without_fillers(pattern);
     text = without_fillers(text);
     if (pattern.empty()) return text.empty() ? std::optional(number) : std::nullopt;
-    // A maker's "Motor #2" is found by what it is called.
+    // A maker's "Motor #2" is also found by its own name.
     const bool is_itself = pattern.front() == '#' && !text.empty() && text.front() == '#';
     if (pattern.front() == '#' && !is_itself) {
       pattern.remove_prefix(1);

@@ -10,7 +10,7 @@
 #include "canvoy/profiles/cia401.hpp"
 #include "canvoy/profiles/cia418.hpp"
 #include "canvoy/profiles/cia419.hpp"
-#include "canvoy/profiles/number_rules.hpp"
+#include "canvoy/profiles/model/number_rules.hpp"
 
 namespace canvoy::registry_test {
 namespace {
@@ -131,7 +131,7 @@ TEST(Registry, NamesAreTheSameButForCaseAndFillers) {
   EXPECT_FALSE(same_name("", "a"));
 }
 
-// What every description holds, whoever wrote it.
+// Rules for every description.
 
 template <class Check>
 void for_each_object(Check check) {
@@ -178,7 +178,7 @@ TEST(Descriptions, EntriesOfArraysAndRecordsHaveNamesAndFieldsFitIn) {
   for_each_object([](const Profile&, const ObjectInfo& object) {
     for (const EntryInfo& entry : object.entries()) {
       EXPECT_EQ(object.subs.empty(), entry.name.empty());
-      // That fields overlap only where they are variants, consistency.hpp makes sure.
+      // consistency.hpp checks that fields overlap only where they are variants.
       for (const FieldInfo& field : entry.fields) {
         EXPECT_LE(unsigned{field.first_bit} + field.bits, bit_length(entry.type));
         EXPECT_FALSE(field.name.empty());

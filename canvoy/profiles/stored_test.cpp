@@ -5,7 +5,7 @@
 #include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/cia418.hpp"
 #include "canvoy/profiles/cia419.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
 namespace canvoy::stored_test {

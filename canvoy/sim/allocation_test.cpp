@@ -1,5 +1,5 @@
-// Below `sim` nothing is allocated after construction: every allocation of this program is counted
-// while a charger and a battery live through a charge, errors on the bus, resets and garbage.
+// Nothing in `sim` allocates after construction: the test counts every allocation of this program
+// while a charger and a battery run through a charge, errors on the bus, resets and garbage.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -32,7 +32,7 @@ void* operator new(std::size_t size) {
 void* operator new[](std::size_t size) {
   return allocate(size);
 }
-/// Of who does without, as std::stable_sort.
+/// Used by callers that can go on without the memory, such as std::stable_sort.
 void* operator new(std::size_t size, const std::nothrow_t& /*tag*/) noexcept {
   if (counting) ++allocations;
   return std::malloc(size == 0 ? 1 : size);
@@ -53,7 +53,7 @@ void operator delete[](void* memory, std::size_t) noexcept {
 namespace canvoy::allocation_test {
 namespace {
 
-/// A tester on the same bus: reads a string by SDO, and sends what nobody asked for.
+/// A tester on the same bus: reads a string by SDO, and sends unexpected frames.
 class Tester {
  public:
   explicit Tester(const Port& port)
@@ -95,7 +95,7 @@ class CountAllocations {
 
 TEST(Allocation, TheCounterCounts) {
   const CountAllocations count;
-  // An expression with new and delete may be left out by the compiler, a call may not.
+  // The compiler may omit an expression with new and delete, but not a call.
   ::operator delete(::operator new(1));
   EXPECT_EQ(allocations, 1u);
 }

@@ -1,5 +1,4 @@
-// What goes wrong with a cable and by strangers on it: it is cut, somebody babbles, frames are
-// disturbed.
+// Makes trouble on a cable: cuts it, attaches a device that babbles, disturbs frames.
 //
 //     BusTrouble trouble(world.bus());
 //     trouble.attach_babbler();       // before the world runs
@@ -8,34 +7,35 @@
 
 #include "canvoy/can/frame.hpp"
 #include "canvoy/can/simulated/simulated_bus.hpp"
-#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
 
 namespace canvoy {
 
 class BusTrouble {
  public:
-  /// The bus must outlive this.
+  /// The bus must outlive this object.
   explicit BusTrouble(SimulatedBus& bus) : bus_(bus) {}
   BusTrouble(const BusTrouble&) = delete;
   BusTrouble& operator=(const BusTrouble&) = delete;
 
-  /// Behind the controller.
+  /// Cuts the cable behind the controller, or mends it.
   void cut_cable(ControllerId controller, bool is_cut) {
     is_cut ? bus_.cut_cable(controller) : bus_.mend_cable();
   }
-  /// Without power until it babbles. Once, however often it is asked for.
+  /// Attaches a device without power, which babble() switches on. Further calls do nothing.
   void attach_babbler() {
     if (babbler_ != no_controller) return;
     babbler_ = bus_.attach({});
     bus_.power(babbler_, false);
   }
-  /// An NMT command of the wrong length: nobody obeys it, and nothing has a higher priority.
+  /// Sends an NMT command of the wrong length again and again: no node obeys it, and no frame has a
+  /// higher priority.
   void babble(bool does_babble) {
     constexpr Frame babble{.id = can_id::nmt, .length = Frame::length_max};
     bus_.power(babbler_, does_babble);
     does_babble ? bus_.babble(babbler_, babble) : bus_.stop_babbling(babbler_);
   }
-  /// `share` of all frames, 0 to 1.
+  /// Disturbs `share` of all frames, 0 to 1.
   void disturb(double share) { bus_.set_frame_error_probability(share); }
 
  private:

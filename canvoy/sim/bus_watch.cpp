@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 
 namespace canvoy {
 

@@ -1,5 +1,5 @@
-// Hears a bus, and notes what its nodes say of themselves: boot-up, NMT states, emergencies, states
-// of their controllers; and what their master commands.
+// Listens to a bus and notes what its nodes report: boot-up, NMT states, emergencies, states of
+// their controllers; and the commands of their master.
 //
 //     BusWatch watch(bus_number, [&](Time now, const BusEvent& what) { note(now, what); });
 //     world.bus(bus).observe(watch.tap());
@@ -20,16 +20,16 @@ class BusWatch {
  public:
   using Note = std::function<void(Time, const BusEvent&)>;
 
-  /// `bus` is its place in the world.
+  /// `bus` is the index of the bus in the world.
   BusWatch(std::size_t bus, Note note) : bus_(bus), note_(std::move(note)) {}
   BusWatch(const BusWatch&) = delete;
   BusWatch& operator=(const BusWatch&) = delete;
 
-  /// Whose controller it is, so that its states can be told.
+  /// Says which node the controller belongs to, so that its states can be reported.
   void name(ControllerId controller, NodeId node) { nodes_[controller] = node; }
-  /// Valid as long as this.
+  /// Valid as long as this object.
   BusTap tap();
-  /// By its last boot-up or heartbeat; `lost` where it is older than `time_out`.
+  /// State by the last boot-up or heartbeat; `lost` where it is older than `time_out`.
   RemoteState heard_of(NodeId node, Time now, Duration time_out) const;
 
  private:

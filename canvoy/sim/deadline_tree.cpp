@@ -1,16 +1,16 @@
 #include "canvoy/sim/deadline_tree.hpp"
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 
 namespace canvoy {
 
 std::size_t DeadlineTree::add(Time deadline) {
   if (size_ == leaf_first_) grow();
-  must_hold(size_ < leaf_first_);
+  check_invariant(size_ < leaf_first_);
   const std::size_t actor = size_++;
   matches_[leaf_first_ + actor].actor = actor;
   set(actor, deadline);
-  must_hold(earliest() <= deadline);
+  check_invariant(earliest() <= deadline);
   return actor;
 }
 

@@ -1,4 +1,4 @@
-// Who is to be called next: the deadlines of a fixed set of actors as a winner tree.
+// Finds the actor to be called next: the deadlines of a fixed set of actors as a winner tree.
 //
 //     DeadlineTree deadlines;
 //     const std::size_t pump = deadlines.add(Time(5s));
@@ -12,12 +12,12 @@
 
 namespace canvoy {
 
-/// The earliest deadline is known at any time; a change costs one comparison for each doubling of
-/// the number of actors, and less where it does not reach the top. Of equal deadlines the actor
-/// that was added first wins, so that the order of a simulation does not depend on chance.
+/// Keeps the earliest deadline at hand. A change costs one comparison for each doubling of the
+/// number of actors, and less where it does not reach the top. Of equal deadlines, the actor that
+/// was added first wins, so that the order of a simulation does not depend on chance.
 class DeadlineTree {
  public:
-  /// The new actor's number: 0, 1, 2 ... Linear; it allocates.
+  /// Adds an actor and returns its number: 0, 1, 2 ... Linear in the number of actors; allocates.
   std::size_t add(Time deadline = never);
   /// `actor` must have been added.
   void set(std::size_t actor, Time deadline) {
@@ -34,9 +34,9 @@ class DeadlineTree {
   }
 
   Time deadline(std::size_t actor) const { return matches_[leaf_first_ + actor].deadline; }
-  /// never, where nobody waits for anything.
+  /// The earliest deadline; `never` where no actor waits.
   Time earliest() const { return matches_[1].deadline; }
-  /// Whose deadline that is; meaningless where it is never.
+  /// The actor with the earliest deadline; meaningless where that is `never`.
   std::size_t winner() const { return matches_[1].actor; }
   std::size_t size() const { return size_; }
 
@@ -54,7 +54,7 @@ class DeadlineTree {
 
   std::size_t size_ = 0;
   std::size_t leaf_first_ = 1;
-  std::vector<Match> matches_{2};  // [1] is the top, the sons of [n] are [2n] and [2n + 1]
+  std::vector<Match> matches_{2};  // [1] is the top, the children of [n] are [2n] and [2n + 1]
 };
 
 }  // namespace canvoy

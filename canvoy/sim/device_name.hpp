@@ -1,4 +1,4 @@
-// What a simulated device is called: its virtual devices, as the catalogue names them.
+// Name of a simulated device: its virtual devices, as the catalogue names them.
 //
 //     device_name<cia447::CarUnit>(units, no_virtual_device);  // `gps+navigation`
 #pragma once
@@ -6,11 +6,12 @@
 #include <span>
 #include <string>
 
-#include "canvoy/profiles/virtual_device.hpp"
+#include "canvoy/profiles/model/virtual_device.hpp"
 
 namespace canvoy {
 
-/// `application` is what a unit beside them provides, which has no name for others.
+/// Joins the names of the units with `+`. Units that provide `application` have no name for others,
+/// and are left out.
 template <class Unit>
 std::string device_name(std::span<const Unit* const> units, const VirtualDeviceInfo& application) {
   std::string name;

@@ -27,7 +27,7 @@ std::int64_t unit_of(std::string_view name) {
   return 0;
 }
 
-/// A number and its unit, which are taken from the text.
+/// A number and its unit, removed from the text.
 struct DurationPart {
   Duration duration{};
   std::int64_t unit = 0;
@@ -61,7 +61,7 @@ std::optional<DurationPart> take_part(std::string_view& text) {
     count = count * 10 + (c - '0');
     if (count > duration_max / unit) return std::nullopt;
   }
-  // Digits beyond the ninth are less than a microsecond of any unit.
+  // Digits beyond the ninth are less than a microsecond in any unit.
   std::int64_t numerator = 0;
   std::int64_t denominator = 1;
   for (const char c : fraction.substr(0, 9)) {

@@ -1,5 +1,4 @@
-// Spans of time as people write them, `250us`, `100ms`, `30s`, `1.5min`, `1h30min`, and as
-// formulas take them.
+// Durations as text, `250us`, `100ms`, `30s`, `1.5min`, `1h30min`, and as numbers for formulas.
 //
 //     std::optional<Duration> length = parse_duration("8h");
 #pragma once
@@ -13,16 +12,17 @@
 
 namespace canvoy {
 
-/// What a command line calls the units.
+/// Names of the units on a command line.
 inline constexpr std::string_view duration_units = "us, ms, s, min or h";
 
-/// A decimal number, a dot and further digits where wanted, and one of the units; several of them
-/// where each unit is smaller than the one before, with a blank between them, or in front of a
-/// unit, or none: `1h30min`, `1min 30s`, `500 ms`. Each is rounded down to a microsecond. Empty for
-/// anything else, and for more than a hundred years.
+/// Parses a decimal number, with a decimal point where needed, and one of the units; or several of
+/// them, each in a smaller unit than the one before, with or without a blank between them or before
+/// a unit: `1h30min`, `1min 30s`, `500 ms`. Each is rounded down to a microsecond. Empty for any
+/// other text, and for more than a hundred years.
 std::optional<Duration> parse_duration(std::string_view text);
 
-/// What parse_duration() reads as the same, in the largest unit that says it exactly: `90s`, `8h`.
+/// Text that parse_duration() reads as this duration, in the largest unit that expresses it
+/// exactly: `90s`, `8h`.
 std::string written(Duration duration);
 
 inline double in_seconds(Duration duration) {

@@ -1,5 +1,5 @@
-// What happens in every simulated network, as typed events; words are made of them in the tools.
-// Each world adds its own.
+// Events of every simulated network, as types; the tools turn them into words. Each world adds its
+// own events.
 //
 //     using Event = std::variant<BootedUp, EmergencySeen, FaultBegan<Kind>, ..., DoorsOpened>;
 #pragma once
@@ -10,8 +10,8 @@
 #include <variant>
 
 #include "canvoy/can/port.hpp"
-#include "canvoy/canopen/cob_id.hpp"
-#include "canvoy/canopen/nmt/nmt.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
+#include "canvoy/canopen/protocol/nmt.hpp"
 #include "canvoy/sim/invariant.hpp"
 #include "canvoy/sim/world.hpp"
 
@@ -23,7 +23,7 @@ struct BootedUp {
   BusIndex bus = 0;
   NodeId node = 0;
 };
-/// A heartbeat tells another state than the one before.
+/// A heartbeat carries another state than the one before.
 struct NmtStateSeen {
   BusIndex bus = 0;
   NodeId node = 0;
@@ -47,20 +47,20 @@ struct BusStateChanged {
   BusState state = BusState::error_active;
 };
 
-/// All of those.
+/// All events that are seen on a bus.
 using BusEvent =
     std::variant<BootedUp, NmtStateSeen, NmtCommandSeen, EmergencySeen, BusStateChanged>;
 
 // Done by the simulation.
 
 struct FaultPlace {
-  std::uint8_t part = 0;  ///< of the world: which lift; 0: all of it
+  std::uint8_t part = 0;  ///< part of the world: which lift; 0: all of it
   BusIndex bus = 0;
-  NodeId node = 0;  ///< also where the plan left it open; 0: at no node
+  NodeId node = 0;  ///< the node of the fault, also where the plan leaves it open; 0: at no node
 };
 template <class Kind>
 struct FaultBegan {
-  std::size_t fault = 0;  ///< its place in the plan
+  std::size_t fault = 0;  ///< index in the plan
   Kind kind{};
   FaultPlace place{};
 };

@@ -1,5 +1,5 @@
-// What has happened in a world so far, oldest first: its own events, and what is heard on its
-// buses. Whoever notes something holds a reference to it.
+// Keeps what has happened in a world, oldest first: its own events, and those heard on its buses.
+// Each object that notes events holds a reference to the log.
 //
 //     EventLog<TaxiEvent> events;
 //     events.note(now, AlarmPressed{});

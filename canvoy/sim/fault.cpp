@@ -21,7 +21,7 @@ std::string sign_of(const FaultPlaceName& place) {
   return std::string(place.name) + (place.most == 0 ? "" : "=");
 }
 
-/// Empty, or what is wrong.
+/// Returns what is wrong; empty: nothing.
 std::string take_place(const FaultGrammar& grammar, std::string_view word, AnyFault& fault) {
   const std::size_t sign = std::min(word.find('='), word.size());
   const std::string_view digits = word.substr(std::min(sign + 1, word.size()));
@@ -46,7 +46,7 @@ std::string take_place(const FaultGrammar& grammar, std::string_view word, AnyFa
   return {};
 }
 
-/// `20min` or `20min+30s`. Empty, or what is wrong.
+/// Takes `20min` or `20min+30s`. Returns what is wrong; empty: nothing.
 std::string take_times(std::string_view text, AnyFault& fault) {
   const std::size_t plus = text.find('+');
   const std::string units(duration_units);
@@ -62,7 +62,7 @@ std::string take_times(std::string_view text, AnyFault& fault) {
   return {};
 }
 
-/// Empty, or what is wrong.
+/// Returns what is wrong; empty: nothing.
 std::string take(const FaultGrammar& grammar, std::string_view text, AnyFault& fault) {
   const std::size_t at = text.find('@');
   std::string_view places = text.substr(0, at);

@@ -1,6 +1,5 @@
-// The faults of a plan as they come and go in a world: each is told when it begins and ends, and is
-// made and mended. Several of one kind at one place may overlap: what they are about is mended when
-// the last one is over.
+// Makes and mends the faults of a plan while a world runs, and reports when each begins and ends.
+// Several of one kind may overlap at one place: the last one that ends mends it.
 //
 //     FaultEngine<FaultKind> faults(plan.faults, FaultEngine<FaultKind>::of(maker));
 //     faults.plan(world);
@@ -18,23 +17,24 @@
 
 namespace canvoy {
 
-/// Of several faults like each other, which are made: the first one alone, each of them anew, or
-/// each, and each is mended for itself, since the world knows better what is alike.
+/// How several faults of the same kind at the same place are made: the first one alone; each of
+/// them, with one mending at the end; or each, made and mended separately, since the world decides
+/// which faults are alike.
 enum class FaultMaking : std::uint8_t { first, each, by_world };
 
 template <class Kind>
 class FaultEngine {
  public:
   using Fault = ScheduledFault<Kind>;
-  /// What is called, by the place of the fault in the plan: who is told, and who makes and mends
-  /// it, in this order.
+  /// Functions that are called with the index of the fault in the plan: the one that notes it, and
+  /// the one that makes and mends it, in this order.
   struct Hooks {
     Callback<void(std::size_t fault)> began;
     Callback<void(std::size_t fault)> ended;
     Callback<void(std::size_t fault, bool is_present)> set;
   };
 
-  /// The members of these names of who makes the faults.
+  /// Binds the members of `Maker` of these names.
   template <class Maker>
   static Hooks of(Maker& maker) {
     return {.began = Callback<void(std::size_t)>::template to<&Maker::began>(maker),
@@ -42,16 +42,16 @@ class FaultEngine {
             .set = Callback<void(std::size_t, bool)>::template to<&Maker::set>(maker)};
   }
 
-  /// The faults must outlive this.
+  /// The faults must outlive this object.
   FaultEngine(std::span<const Fault> faults, const Hooks& hooks,
               FaultMaking making = FaultMaking::first)
       : faults_(faults), hooks_(hooks), making_(making) {}
   FaultEngine(const FaultEngine&) = delete;
   FaultEngine& operator=(const FaultEngine&) = delete;
 
-  /// This must outlive the world's last run. Of one instant, what comes first in the plan comes
-  /// first; where the world knows what is alike, all that begins, so that a fault that takes over
-  /// from another leaves no pause.
+  /// Plans the faults in the world; this object must outlive the world's last run. At one instant,
+  /// the order is that of the plan; where the world decides what is alike, all that begins comes
+  /// first, so that a fault that takes over from another leaves no pause.
   void plan(World& world) {
     const auto plan_end = [&](std::size_t i) {
       if (faults_[i].end() != never) world.at(faults_[i].end(), [this, i](Time) { end(i); });
@@ -65,7 +65,7 @@ class FaultEngine {
   }
 
   const Fault& operator[](std::size_t fault) const { return faults_[fault]; }
-  /// Places in the plan.
+  /// Indices in the plan.
   std::span<const std::size_t> present() const { return present_; }
   bool is_present(Kind kind) const {
     return std::ranges::any_of(present_, [&](std::size_t i) { return faults_[i].kind == kind; });

@@ -23,7 +23,7 @@ using Fault = ScheduledFault<Kind>;
 
 namespace {
 
-/// Writes down what it is told.
+/// Records what it receives.
 class Diary {
  public:
   explicit Diary(std::vector<Fault> plan, FaultMaking making = FaultMaking::first)
@@ -102,7 +102,7 @@ TEST(FaultEngine, EachIsMadeAnewWhereTheWorldWantsIt) {
             "begins 0; paper lost; begins 1; paper lost; ends 0; paper back; ends 1; paper back; ");
 }
 
-/// Of one instant.
+/// At one instant.
 TEST(FaultEngine, WhatTakesOverLeavesNoPauseWhereTheWorldKnowsWhatIsAlike) {
   const std::vector<Fault> plan = {{.kind = Kind::no_paper, .start = Time(1s), .duration = 1s},
                                    {.kind = Kind::no_paper, .start = Time(2s), .duration = 1s}};

@@ -1,5 +1,5 @@
-// Two faults of a world at once, as tests try them with each kind beside each other: the second
-// begins with the first, while it lasts, or as it ends.
+// Pairs of faults in a world, with which tests try each kind beside each other: the second begins
+// with the first, while it lasts, or as it ends.
 //
 //     for (const std::size_t second : kinds_beside(first, fault_kinds)) {
 //       options.faults.faults = pair_of_faults<ScheduledFault>(first, second, start, lasts);
@@ -20,7 +20,7 @@
 
 namespace canvoy {
 
-/// Which kinds are tried beside this one: each fourth, others for each; or all.
+/// Kinds that are tried beside this one: every fourth, different ones for each kind; or all.
 inline std::vector<std::size_t> kinds_beside(std::size_t first, std::size_t kinds) {
   const std::size_t step = tries_all() ? 1 : 4;
   std::vector<std::size_t> all;
@@ -28,7 +28,7 @@ inline std::vector<std::size_t> kinds_beside(std::size_t first, std::size_t kind
   return all;
 }
 
-/// Both last as long, and which way they meet follows from their kinds.
+/// A pair of faults of the same duration. Their kinds determine how they overlap.
 template <class Fault>
 std::vector<Fault> pair_of_faults(std::size_t first, std::size_t second, Time start,
                                   Duration lasts) {
@@ -43,14 +43,14 @@ std::vector<Fault> pair_of_faults(std::size_t first, std::size_t second, Time st
   return {one, other};
 }
 
-/// `lost-node and restart`
+/// Text of a pair: `lost-node and restart`
 template <class Fault>
 std::string pair_name(const std::vector<Fault>& pair) {
   return std::string(fault_name(pair.front().kind)) + " and " +
          std::string(fault_name(pair.back().kind));
 }
 
-/// The names of a world's invariants that are broken, each with a space behind it.
+/// Names of the broken invariants of a world, each followed by a space.
 template <class Network>
 std::string broken_names(const Network& network) {
   std::string names;

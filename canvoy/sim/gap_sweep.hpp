@@ -1,5 +1,5 @@
-// Gaps in the communication of a simulated world, at moments that matter in it: the same run
-// without a fault says what happens when, and the gap begins around one of these events.
+// Draws gaps in the communication of a simulated world, at moments that matter in it: a run without
+// a fault shows what happens when, and the gap begins around one of these events.
 //
 //     const auto moments = moments_of(network.events(), Time(10s), Time(15min));
 //     Random random(seed);
@@ -17,8 +17,8 @@
 
 namespace canvoy {
 
-/// Loss of communication that nobody need notice: some are shorter than each time after which a
-/// partner counts as lost.
+/// A loss of communication. It may be too short to be detected: some gaps are shorter than each
+/// time after which a partner counts as lost.
 struct Gap {
   Time start{};
   Duration duration{};
@@ -27,7 +27,7 @@ struct Gap {
 inline constexpr Duration shortest_gap = 1ms;
 inline constexpr Duration longest_gap = 3s;
 
-/// When something happens, and nobody has begun or ended a fault.
+/// Times of the events, except the beginnings and ends of faults.
 template <class Events>
 std::vector<Time> moments_of(const Events& events, Time from, Time until) {
   std::vector<Time> moments;
@@ -44,7 +44,8 @@ inline Duration up_to(Random& random, Duration most) {
   return Duration(random.below(count));
 }
 
-/// Around a time after which somebody is lost; else each order of magnitude is as likely.
+/// Draws a length around a time after which a partner counts as lost, or else of any order of
+/// magnitude, each as likely.
 inline Duration draw_length(Random& random, std::span<const Duration> consumer_times) {
   constexpr Duration around = 100ms;
   if (!consumer_times.empty() && random.below(2) == 0) {
@@ -58,13 +59,13 @@ inline Duration draw_length(Random& random, std::span<const Duration> consumer_t
 
 }  // namespace detail
 
-/// It begins before, at or behind one of the moments, and lasts 1 ms to 3 s. `moments` has one at
-/// least.
+/// Draws a gap that begins before, at or after one of the moments, and lasts 1 ms to 3 s. `moments`
+/// must not be empty.
 inline Gap draw_gap(Random& random, std::span<const Time> moments,
                     std::span<const Duration> consumer_times) {
   const Time moment = moments[random.below(static_cast<std::uint32_t>(moments.size()))];
   const Duration length = detail::draw_length(random, consumer_times);
-  // So that the event is in the gap, at one of its ends, or near it.
+  // The event is in the gap, at one of its ends, or near it.
   const Duration earlier = detail::up_to(random, length + 20ms);
   return {std::max(Time(1ms), moment + 10ms - earlier), length};
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr Duration guard_time = 200ms;
 constexpr std::uint8_t life_time_factor = 3;
 
-// Guard time and life time factor of each slave: it watches over the master as well.
+// Guard time and life time factor of each slave: the slave watches the master as well.
 constexpr auto layout = lay_out(
     std::to_array<ObjectRow>(
         {{.index = 0x100C, .entry_count = 1}, {.index = 0x100D, .entry_count = 1}}),
@@ -41,7 +41,7 @@ class GuardedNetwork : public testing::Test {
       const SlotIndex slot = world_.add_slot(bus_);
       slaves_.emplace_back(world_.port(slot), static_cast<NodeId>(id));
       world_.occupy(slot, slaves_.back().node);
-      // Clocks of up to 0.1 % too slow or too fast.
+      // Clocks that are up to 0.1 % too slow or too fast.
       world_.set_clock_drift(slot, static_cast<std::int32_t>(id * 16) - 1000);
       world_.start(slot);
     }

@@ -1,5 +1,5 @@
-// As many nodes as CANopen has on one bus: a master boots, configures and starts 126 slaves, and no
-// service is lost or done twice.
+// The largest CANopen network on one bus: a master boots, configures and starts 126 slaves, and no
+// service is lost or repeated.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -16,7 +16,7 @@
 #include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/cia302/configuration.hpp"
 #include "canvoy/profiles/cia302/master.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 #include "canvoy/sim/world.hpp"
 
 namespace canvoy::large_network_test {
@@ -45,7 +45,7 @@ constexpr std::uint8_t concise_dcf[] = {0x02, 0x00, 0x00, 0x00,                 
                                         0x15, 0x10, 0x00, 0x02, 0x00, 0x00, 0x00,  //
                                         0x64, 0x00};
 
-/// A slave; some of what it sends may be lost on the way.
+/// A slave; a part of its frames may be lost.
 struct Slave {
   Slave(const Port& port, NodeId id, unsigned lost_of_hundred)
       : bus(port),
@@ -95,7 +95,7 @@ struct LargeNetwork {
     world.start(master_slot);
   }
 
-  /// The configuration manager needs the node of the master, which is given its hooks before.
+  /// The configuration manager needs the node of the master, which receives its hooks earlier.
   struct Hooks {
     BootHooks real;
     BootHooks forward() {
@@ -131,7 +131,7 @@ struct LargeNetwork {
     auto& self = *static_cast<LargeNetwork*>(context);
     if (!self.counted) return;
     if (frame.id == 0 && frame.data[0] == 0x01) self.started = now;
-    if (frame.id > 0x700) return;  // heartbeats come and go
+    if (frame.id > 0x700) return;  // heartbeats are not counted
     Frame counted_frame = frame;
     // What a server answers depends on its values.
     if ((frame.id & 0x780U) == 0x580U)
@@ -139,7 +139,7 @@ struct LargeNetwork {
     ++self.frames[wire_text(counted_frame)];
   }
 
-  /// Runs until all are operational; never later than `limit`.
+  /// Runs until all are operational, at most until `limit`.
   bool run_until_operational(Time limit) {
     while (world.now() < limit && !all_operational()) world.run_for(1ms);
     return all_operational();
@@ -167,7 +167,7 @@ struct LargeNetwork {
   bool counted = false;
 };
 
-/// Each frame that the boot-up of 126 slaves takes, and no other.
+/// Counts each frame that the boot-up of 126 slaves needs.
 std::map<std::string, unsigned> frames_of_boot_up(bool all_at_once) {
   std::map<std::string, unsigned> expected{{"000#82 00", 1}};
   if (all_at_once) expected["000#01 00"] = 1;
@@ -230,7 +230,7 @@ TEST(LargeNetwork, Of127NodesBootsWithEachServiceDoneOnce) {
   expect_each_service_once(*network, true);
   expect_parameters(network->slaves);
   RecordProperty("operational_ms", static_cast<int>(network->started.time_since_epoch() / 1ms));
-  // It stays up: each slave sends its heartbeat, and nothing else happens.
+  // The network stays up: each slave sends its heartbeat, and nothing else happens.
   const auto frames = network->frames;
   network->world.run_for(10s);
   EXPECT_EQ(network->frames, frames);
@@ -257,8 +257,8 @@ TEST(LargeNetwork, BootsOnABusThatDestroysOneFrameInFifty) {
   auto network = std::make_unique<LargeNetwork<126>>(options, all_at_once);
   ASSERT_TRUE(network->run_until_operational(Time(10s)));
   expect_parameters(network->slaves);
-  // The controllers repeat what was destroyed. A frame that is disturbed in its very last bit comes
-  // twice, as on every CAN bus; nobody minds.
+  // The controllers repeat destroyed frames. A frame that is disturbed in its very last bit comes
+  // twice, as on every CAN bus, without effect.
   const auto expected = frames_of_boot_up(true);
   EXPECT_EQ(network->frames.size(), expected.size());
   for (const auto& [frame, count] : expected) EXPECT_GE(network->frames[frame], count) << frame;

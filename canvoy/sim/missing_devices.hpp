@@ -1,4 +1,4 @@
-// For how long a device was missing at the worst, of all devices of a world.
+// Measures for how long a device was missing at the worst, over all devices of a world.
 //
 //     MissingDevices missing;
 //     missing.judge(5, now, is_at_work || is_excused);    // each step, each device
@@ -8,25 +8,25 @@
 #include <algorithm>
 #include <array>
 
-#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
 #include "canvoy/sim/wrong_time.hpp"
 
 namespace canvoy {
 
 class MissingDevices {
  public:
-  /// Whether the device is there; called in each step.
+  /// Call it in each step, with whether the device is present.
   void judge(NodeId id, Time now, bool is_there) {
     WrongTime& device = devices_.at(id);
     device.judge(now, is_there);
     worst_ = std::max(worst_, device.worst());
     ++judged_;
   }
-  /// It may be missing.
+  /// Excuses the device: it may be missing.
   void pass(NodeId id, Time now) { devices_.at(id).pass(now); }
-  /// The longest time at a stretch, of any of them.
+  /// The longest absence of any device without interruption.
   Duration worst() const { return worst_; }
-  /// How often.
+  /// Number of judgements.
   std::uint64_t judged() const { return judged_; }
 
  private:

@@ -1,5 +1,5 @@
-// Values that a simulated node is given at each boot-up, one after the other, as a configuration
-// tool would write them by SDO in pre-operational.
+// Writes values to a simulated node at each boot-up, one after the other, as a configuration tool
+// would write them by SDO in pre-operational.
 //
 //     NodeConfiguration configuration(node, description.values);
 //     node.start(now);
@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 
 namespace canvoy {
 
@@ -30,12 +30,12 @@ class NodeConfiguration {
     AbortCode reason{};
   };
 
-  /// Both must outlive this. A node that runs already is configured at its next boot-up.
+  /// Both must outlive this object. A node that already runs is configured at its next boot-up.
   NodeConfiguration(Node& node, std::span<const NodeValue> values);
   NodeConfiguration(const NodeConfiguration&) = delete;
   NodeConfiguration& operator=(const NodeConfiguration&) = delete;
 
-  /// The first value that the node did not take at its last boot-up; those behind it were written.
+  /// The first value that the node refused at its last boot-up. Later values were still written.
   const std::optional<Refusal>& refusal() const { return refusal_; }
 
  private:

@@ -1,4 +1,4 @@
-// A simulated node takes what a configuration tool would write after its boot-up.
+// A simulated node takes the values that a configuration tool would write after its boot-up.
 #include "canvoy/sim/node_configuration.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ struct ConfiguredNode : WireNode {
   NodeConfiguration configuration;
 };
 
-// A heartbeat time that is written starts a new period at once.
+// A written heartbeat time starts a new period at once.
 TEST(NodeConfiguration, AValueHoldsFromTheBootUpOn) {
   ConfiguredNode sut(std::vector{heartbeat_200_ms});
   sut.start();

@@ -1,5 +1,5 @@
-// Who has no power by a fault: several may keep a node from it, and it has it again when the last
-// one is over.
+// Counts the faults that keep nodes without power: several may affect one node, which has power
+// again when the last one is over.
 //
 //     PowerCuts cuts(Callback<void(NodeId, bool)>::to<&Faults::power>(faults));
 //     cuts.set_power(5, false);    // power(5, false), if it had power
@@ -9,7 +9,7 @@
 #include <array>
 
 #include "canvoy/can/callback.hpp"
-#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
 
 namespace canvoy {
 
@@ -24,7 +24,7 @@ class PowerCuts {
     const bool changes = is_on ? --cuts_.at(id) == 0 : ++cuts_.at(id) == 1;
     if (changes) power_(id, is_on);
   }
-  /// Off and on again at once; nothing for a node that has no power.
+  /// Switches power off and on again at once; does nothing to a node without power.
   void restart(NodeId id) {
     if (is_cut(id)) return;
     power_(id, false);

@@ -1,5 +1,5 @@
-// What can be seen of every simulated network at one instant: its buses and its nodes. Each world
-// adds its own.
+// State of every simulated network at one instant: its buses and its nodes. Each world adds its
+// own.
 //
 //     look.nodes.push_back(snapshot_of(world, *node, bus_watch, time_out));
 #pragma once
@@ -8,18 +8,18 @@
 #include <string>
 
 #include "canvoy/can/port.hpp"
-#include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/canopen/dictionary/object_index.hpp"
-#include "canvoy/canopen/nmt/nmt.hpp"
 #include "canvoy/canopen/nmt/remote_state.hpp"
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
+#include "canvoy/canopen/protocol/nmt.hpp"
 #include "canvoy/sim/bus_watch.hpp"
 #include "canvoy/sim/world.hpp"
 
 namespace canvoy {
 
 struct BusSnapshot {
-  double load = 0;  ///< of the last second, 0 to 1
+  double load = 0;  ///< bus load of the last second, 0 to 1
   std::uint64_t frames = 0;
   std::uint64_t error_frames = 0;
 };
@@ -33,7 +33,7 @@ struct NodeSnapshot {
   std::uint8_t error_register = 0;
 };
 
-/// Of a node that is played here, in this slot of this bus of the world.
+/// Snapshot of a node that is simulated here, in this slot of this bus of the world.
 inline NodeSnapshot played_snapshot(World& world, BusIndex bus, SlotIndex slot, const Node& node) {
   return {.bus = bus,
           .id = node.id(),
@@ -44,7 +44,7 @@ inline NodeSnapshot played_snapshot(World& world, BusIndex bus, SlotIndex slot, 
               static_cast<std::uint8_t>(node.dictionary().number(object_index::error_register, 0))};
 }
 
-/// Of a node that is played elsewhere: as far as it is heard.
+/// Snapshot of a node that runs elsewhere: only what is heard of it.
 inline NodeSnapshot heard_snapshot(BusIndex bus, NodeId id, RemoteState heard) {
   const bool is_there = heard != RemoteState::unknown && heard != RemoteState::lost;
   return {.bus = bus,
@@ -53,8 +53,8 @@ inline NodeSnapshot heard_snapshot(BusIndex bus, NodeId id, RemoteState heard) {
           .state = is_there ? static_cast<NmtState>(heard) : NmtState::initialisation};
 }
 
-// Of a node of a world, which says by its place whether it is played here. What is known of one
-// that is not is what the watch of its bus has heard of it in the last `time_out`.
+// Snapshot of a node of a world; its slot says whether it is simulated here. Otherwise, its state
+// is the one that the watch of its bus has heard in the last `time_out`.
 
 template <class SimulatedNode>
 NodeSnapshot snapshot_of(World& world, SimulatedNode& node, const BusWatch& watch,
@@ -64,11 +64,11 @@ NodeSnapshot snapshot_of(World& world, SimulatedNode& node, const BusWatch& watc
     return heard_snapshot(node.bus(), id, watch.heard_of(id, world.now(), time_out));
   }
   NodeSnapshot look = played_snapshot(world, node.bus(), node.slot(), node.node());
-  look.id = id;  // also while it has none yet
+  look.id = id;  // set even while the node has none
   return look;
 }
 
-/// It does its work.
+/// True if the node does its work.
 template <class SimulatedNode>
 bool is_at_work(const World& world, SimulatedNode& node, const BusWatch& watch, Duration time_out) {
   if (node.place().is_played) return node.is_operational();

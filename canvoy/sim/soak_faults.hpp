@@ -1,4 +1,5 @@
-// The faults of a soak: a seed decides which come, when and for how long, alone and in pairs.
+// Draws the faults of a soak: a seed decides which occur, when and for how long, alone and in
+// pairs.
 //
 //     Random random(seed);
 //     faults = soak_faults(random, 6, time - quiet, [](Random& random, Time start) {
@@ -21,8 +22,8 @@ inline Duration soak_time_up_to(Random& random, Duration max) {
   return Duration(1ms) * random.below(static_cast<std::uint32_t>(max / Duration(1ms)));
 }
 
-/// Any kind of a world, from an instant to minutes. One of a node is at any of `nodes`, which
-/// `node_at` numbers from 0 on.
+/// Draws a fault of any kind of a world that lasts from an instant to minutes. A fault of a node is
+/// at any of `nodes` nodes; `node_at` returns them by their numbers from 0 on.
 template <class Kind>
 ScheduledFault<Kind> soak_fault(Random& random, Time start, std::size_t nodes = 0,
                                 NodeId (*node_at)(std::size_t) = nullptr) {
@@ -40,9 +41,9 @@ ScheduledFault<Kind> soak_fault(Random& random, Time start, std::size_t nodes = 
   return fault;
 }
 
-/// One to `most` faults, or one more, that begin within `time`, some at its start. Half of them
-/// meet another one: at the same time, while it lasts, or as it ends. `any_fault` makes one that
-/// begins at an instant.
+/// Draws one to `most` faults, or one more, that begin within `time`, some of them at its start.
+/// Half of them meet another one: at the same time, while it lasts, or as it ends. `any_fault`
+/// makes one that begins at an instant.
 template <class AnyFault>
 auto soak_faults(Random& random, std::uint32_t most, Duration time, const AnyFault& any_fault) {
   std::vector<std::invoke_result_t<const AnyFault&, Random&, Time>> faults;

@@ -1,4 +1,4 @@
-// Tells of each invariant of a world once that it is broken, when it is.
+// Reports each broken invariant of a world once, at the time when it breaks.
 //
 //     ToldInvariants<invariant_kinds> told;
 //     told.tell_broken(referee.verdicts(), [&](const Invariant& it) { note(InvariantBroken{it});

@@ -1,5 +1,5 @@
-// The time of day in a simulated world: what the clock on the wall showed when the world began, and
-// what has passed since.
+// Time of day in a simulated world: the time on the wall clock when the world began, plus the time
+// that has passed.
 //
 //     WallClock clock(world, sys_days{2026y / 11 / 21} + 18h);
 //     hardware.time_of_day = Callback<std::optional<TimeOfDay>()>::to<&WallClock::now>(clock);
@@ -14,10 +14,10 @@ namespace canvoy {
 
 class WallClock {
  public:
-  /// `world` must outlive this.
+  /// `world` must outlive this object.
   WallClock(const World& world, CivilTime at_begin) : world_(world), at_begin_(at_begin) {}
 
-  /// Nothing beyond what a TIME message can hold.
+  /// Empty beyond the range of a TIME message.
   std::optional<TimeOfDay> now() const {
     return to_time_of_day(
         at_begin_ + std::chrono::floor<std::chrono::milliseconds>(world_.now().time_since_epoch()));

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 
 namespace canvoy {
 
@@ -37,7 +37,7 @@ SlotIndex World::add_slot(BusIndex bus, const SlotOptions& options) {
                                          .clock_drift_ppm = options.clock_drift_ppm});
   buses_[bus]->power(slot.controller, false);
   slot.actor = deadlines_.add();
-  must_hold(slot.actor == actors_.size());
+  check_invariant(slot.actor == actors_.size());
   actors_.push_back({Actor::Kind::node, slots_.size() - 1});
   return slots_.size() - 1;
 }
@@ -46,7 +46,7 @@ Port World::port(SlotIndex slot) {
   return buses_[slots_[slot].bus]->port(slots_[slot].controller);
 }
 
-/// Hands something to the node of a slot, if it has power, and looks at its deadline again.
+/// Passes something to the node of a slot, if it has power, and reads its deadline again.
 template <class Call>
 void World::tell(void* context, Time now, const Call& call) {
   Slot& slot = *static_cast<Slot*>(context);
@@ -90,7 +90,7 @@ void World::start(SlotIndex index) {
   buses_[slot.bus]->power(slot.controller, true);
   slot.runs = true;
   slot.calls->start(slot.node, slot.node_time(now_));
-  // A controller without power has lost its errors; the node is told what it has to begin with.
+  // A controller without power has lost its errors; the node receives its initial state.
   slot.calls->bus_state(slot.node, buses_[slot.bus]->state(slot.controller), slot.node_time(now_));
   update_deadline(slot);
 }
@@ -123,7 +123,7 @@ PlantIndex World::add(const Plant& plant) {
   plants_.back().actor = actors_.size();
   actors_.push_back({Actor::Kind::plant, plants_.size() - 1});
   const std::size_t actor = deadlines_.add(plant.next);
-  must_hold(actor == plants_.back().actor);
+  check_invariant(actor == plants_.back().actor);
   return plants_.size() - 1;
 }
 
@@ -150,17 +150,17 @@ void World::run_until(Time until) {
   }
 }
 
-/// To `limit`, or to the first time before it at which somebody has to be called.
+/// Runs to `limit`, or to the first time before it at which an actor is due.
 void World::advance_buses(Time limit) {
   limit_ = limit;
   if (buses_.size() == 1) {
     buses_.front()->advance(limit);
-    must_hold(buses_.front()->now() >= now_ && buses_.front()->now() <= limit);
+    check_invariant(buses_.front()->now() >= now_ && buses_.front()->now() <= limit);
     now_ = buses_.front()->now();
     return;
   }
   for (const auto& bus : buses_) limit = std::min(limit, bus->next_event());
-  must_hold(limit >= now_);
+  check_invariant(limit >= now_);
   for (const auto& bus : buses_) bus->advance(limit);
   now_ = limit;
 }
@@ -180,17 +180,17 @@ void World::call(const Actor& actor) {
   }
 }
 
-/// The next step is set before this one is made: it may wish for another time.
+/// The next step is set before this one is made, since the plant may choose another time.
 void World::call_plant(Plant& plant) {
-  must_hold(plant.next <= now_);
+  check_invariant(plant.next <= now_);
   plant.next = plant.period == Duration{0} ? never : plant.next + plant.period;
   deadlines_.set(plant.actor, plant.next);
   plant.step(now_);
 }
 
 void World::do_planned() {
-  // Taken out before it is done: it may plan further actions.
-  must_hold(!plan_.empty() && plan_.top().when <= now_);
+  // Removed before it is done, since it may plan further actions.
+  check_invariant(!plan_.empty() && plan_.top().when <= now_);
   const Planned planned = plan_.top();
   plan_.pop();
   deadlines_.set(plan_actor, plan_.empty() ? never : plan_.top().when);
@@ -214,13 +214,13 @@ void World::update_deadline(const Slot& slot) {
   if (!slot.runs) return set_deadline(slot.actor, never);
   const Time deadline = slot.calls->deadline(slot.node);
   if (deadline == never) return set_deadline(slot.actor, never);
-  // What has passed is due now; a node says so by the lowest time there is, which has no other
-  // meaning on a clock that drifts.
+  // A deadline in the past is due at once; a node expresses that by the lowest time, which has no
+  // other meaning on a clock that drifts.
   if (deadline <= slot.node_time(now_)) return set_deadline(slot.actor, now_);
   set_deadline(slot.actor, slot.world_time(deadline));
 }
 
-/// A frame may bring a deadline that lies before the one that the buses were told.
+/// A frame may bring a deadline before the limit of the buses.
 void World::set_deadline(std::size_t actor, Time deadline) {
   deadlines_.set(actor, deadline);
   if (deadline < limit_ && buses_.size() == 1) buses_.front()->interrupt();

@@ -1,4 +1,4 @@
-// A simulated world: buses, the nodes on them, plants, and what happens by plan, all in one virtual
+// A simulated world: buses, the nodes on them, plants, and planned actions, all in one virtual
 // time.
 //
 //     World world;
@@ -10,9 +10,9 @@
 //     world.at(Time(20min), [&](Time) { world.stop(slot); });
 //     world.run_until(Time(8h));
 //
-// It is deterministic. What is due at one time happens in this order: the buses, actions in the
-// order in which they were given, then plants and nodes in the order in which they were added.
-// Memory is taken while the world is put together and by at(), not while it runs.
+// The world is deterministic. What is due at one time happens in this order: the buses, actions in
+// the order in which they were given, then plants and nodes in the order in which they were added.
+// Memory is allocated while the world is put together and by at(), not while it runs.
 #pragma once
 
 #include <concepts>
@@ -32,8 +32,8 @@
 
 namespace canvoy {
 
-/// What lives on a bus: a Node, or a tool or a tester with the same six functions. Times are those
-/// of its own clock.
+/// Participant of a bus: a Node, or a tool or tester with the same six functions. Its times are
+/// those of its own clock.
 template <class T>
 concept WorldNode = requires(T node, const T& idle, const Frame& frame, Time now, BusState state) {
   node.start(now);
@@ -49,13 +49,13 @@ using BusIndex = std::size_t;
 using SlotIndex = std::size_t;
 using PlantIndex = std::size_t;
 
-/// How a node is connected.
+/// Connection of a node.
 struct SlotOptions {
-  std::int32_t clock_drift_ppm = 0;  ///< of the node's clock against the world's
-  std::uint32_t bit_rate = 0;        ///< bit/s, as ControllerOptions has it; 0: that of the bus
+  std::int32_t clock_drift_ppm = 0;  ///< drift of the node's clock against the world's
+  std::uint32_t bit_rate = 0;        ///< bit/s, like ControllerOptions; 0: that of the bus
   TransmitOrder transmit_order = TransmitOrder::as_queued;
   bool listen_only = false;
-  bool accept_all = false;  ///< false: only what the node asks for by Port::accept
+  bool accept_all = false;  ///< false: only the identifiers that the node requests by Port::accept
 };
 
 class World {
@@ -70,9 +70,10 @@ class World {
   SimulatedBus& bus(BusIndex index = 0) { return *buses_[index]; }
   const SimulatedBus& bus(BusIndex index = 0) const { return *buses_[index]; }
 
-  /// A place for a node on a bus, at the end of its cable. The bus must have a controller left.
+  /// Adds a connection for a node at the end of a cable of a bus. The bus must have a controller
+  /// left.
   SlotIndex add_slot(BusIndex bus, const SlotOptions& options = {});
-  /// What the node of this slot sends through; valid as long as the world.
+  /// Port through which the node of this slot sends; valid as long as the world.
   Port port(SlotIndex slot);
   /// The node must outlive the world's last run. It is silent until start().
   template <WorldNode T>
@@ -82,29 +83,27 @@ class World {
   }
   ControllerId controller(SlotIndex slot) const { return slots_[slot].controller; }
 
-  /// Gives a node power, or takes it and gives it again: it boots.
+  /// Switches power on, or off and on again: the node boots.
   void start(SlotIndex slot);
-  /// Takes a node's power: from now on it hears, acknowledges and sends nothing.
+  /// Switches power off: the node hears, acknowledges and sends nothing.
   void stop(SlotIndex slot);
   bool is_running(SlotIndex slot) const { return slots_[slot].runs; }
-  /// To be called when something outside of the world has touched the node (a tool that writes a
-  /// value between two runs): its deadline is looked at again.
+  /// Call it after a node was changed from outside of the world (a tool that writes a value between
+  /// two runs): its deadline is read again.
   void touched(SlotIndex slot) { update_deadline(slots_[slot]); }
-  /// The clock of a node gains or loses from now on; it does not jump.
+  /// Makes the clock of a node gain or lose from this time on; the clock does not jump.
   void set_clock_drift(SlotIndex slot, std::int32_t drift_ppm);
 
-  /// `step` is called each `period` from now + period on. `period` is above zero.
+  /// Calls `step` each `period` from now + period on. `period` is above zero.
   PlantIndex add_plant(Callback<void(Time)> step, Duration period);
-  /// `step` is called when wake() has asked for it, once for each time: for a plant that often has
-  /// nothing to do.
+  /// Calls `step` once for each wake(): for a plant that often has nothing to do.
   PlantIndex add_sleeping_plant(Callback<void(Time)> step);
-  /// From now on the next step of the plant is at `when`, or at once where that has passed; never:
-  /// it sleeps.
+  /// Sets the next step of the plant to `when`, or at once where that has passed; never: it sleeps.
   void wake(PlantIndex plant, Time when);
-  /// As wake(), but a step that is due before stays where it is.
+  /// Like wake(), but a step that is due before stays at its time.
   void wake_before(PlantIndex plant, Time when);
 
-  /// Does `action` at `when`, or at once in the next run where that has passed.
+  /// Calls `action` at `when`, or at once in the next run where that has passed.
   void at(Time when, Action action);
 
   Time now() const { return now_; }
@@ -112,8 +111,8 @@ class World {
   void run_until(Time until);
   void run_for(Duration duration) { run_until(now_ + duration); }
 
-  /// Times that a node still wanted to be called after calls_max calls at one instant. It was
-  /// called again a microsecond later: such a node has a fault, and the world goes on.
+  /// Number of times that a node was due again after calls_max calls at one instant. Such a node
+  /// has a fault; it is called again a microsecond later, and the world goes on.
   std::uint64_t livelocks() const { return livelocks_; }
   static constexpr int calls_max = 1000;
 
@@ -148,8 +147,8 @@ class World {
     ControllerId controller = no_controller;
     bool runs = false;
     DriftingClock clock{};
-    Time clock_zero_world{};  ///< since when `clock` counts, by the world's clock
-    Time clock_zero_node{};   ///< and by the node's
+    Time clock_zero_world{};  ///< time at which `clock` starts, by the world's clock
+    Time clock_zero_node{};   ///< by the node's clock
 
     Time node_time(Time at) const {
       return clock_zero_node + (clock.node_time(Time(at - clock_zero_world)) - Time{});
@@ -160,7 +159,7 @@ class World {
   };
   struct Plant {
     Callback<void(Time)> step;
-    Duration period{};  ///< 0: it is woken
+    Duration period{};  ///< 0: a plant that is woken
     Time next{};
     std::size_t actor = 0;
   };
@@ -168,12 +167,12 @@ class World {
     Time when{};
     std::uint64_t order = 0;
     Action action;
-    /// std::priority_queue puts the greatest on top.
+    /// std::priority_queue has the greatest on top.
     bool operator<(const Planned& other) const {
       return when != other.when ? when > other.when : order > other.order;
     }
   };
-  /// What an actor of the tree is.
+  /// Kind of an actor in the tree.
   struct Actor {
     enum class Kind : std::uint8_t { plan, plant, node } kind = Kind::plan;
     std::size_t index = 0;
@@ -193,7 +192,7 @@ class World {
   void set_deadline(std::size_t actor, Time deadline);
 
   std::vector<std::unique_ptr<SimulatedBus>> buses_;
-  std::deque<Slot> slots_;  // addresses are kept by the buses
+  std::deque<Slot> slots_;  // the buses keep addresses of slots
   std::vector<Plant> plants_;
   std::vector<Actor> actors_;
   DeadlineTree deadlines_;
@@ -201,7 +200,7 @@ class World {
   std::uint64_t plan_order_ = 0;
   std::uint64_t livelocks_ = 0;
   Time now_{};
-  Time limit_{};  ///< up to which the buses run without a look at the deadlines
+  Time limit_{};  ///< time up to which the buses run without a look at the deadlines
 };
 
 }  // namespace canvoy

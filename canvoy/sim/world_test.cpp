@@ -8,7 +8,7 @@
 namespace canvoy::world_test {
 namespace {
 
-/// Notes what it is told and when, and sends a frame of its own each `period`.
+/// Notes what it receives and when, and sends a frame of its own each `period`.
 struct Probe {
   Port port{};
   std::uint32_t id = 0x700;
@@ -194,7 +194,7 @@ TEST_F(WorldTest, ASleepingPlantIsSteppedWhenItIsWokenAndOnlyThen) {
   sut.run_until(Time(6s));
   EXPECT_EQ(plant.steps.back(), Time(5s));
   EXPECT_EQ(plant.steps.size(), 4U);
-  sut.wake(plant.index, Time(1s));  // has passed
+  sut.wake(plant.index, Time(1s));  // time in the past
   sut.run_until(Time(6s));
   EXPECT_EQ(plant.steps.back(), Time(6s));
 }
@@ -259,7 +259,7 @@ TEST_F(WorldTest, WhatANodeWantsAfterItWasTouchedFromOutsideIsSeen) {
 }
 
 TEST_F(WorldTest, ADeadlineThatAFrameBringsIsKept) {
-  /// Wants to be called a millisecond after each frame.
+  /// Is due a millisecond after each frame.
   struct Echo : Probe {
     void receive(const Frame& frame, Time now) {
       Probe::receive(frame, now);

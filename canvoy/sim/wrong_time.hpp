@@ -1,6 +1,6 @@
-// For how long something was wrong at a stretch, at the worst: it is looked at in each step, and
-// what is right, or not to be judged, ends the stretch. Where a `lull` is given, only what is right
-// for longer ends it: what goes wrong ten times a second is not right in between.
+// Measures for how long something was wrong without interruption, at the worst. It is judged in
+// each step; what is right, or not judged, ends the interval. Where a `lull` is given, only what is
+// right for longer ends it: what fails ten times a second is not right in between.
 //
 //     WrongTime sign;
 //     sign.judge(now, sign_is_right);    // each step
@@ -20,7 +20,7 @@ class WrongTime {
   WrongTime() = default;
   explicit WrongTime(Duration lull) : lull_(lull) {}
 
-  /// Called in each step.
+  /// Call it in each step.
   void judge(Time now, bool is_right) {
     if (!is_right) {
       wrong_ += now - looked_at_;
@@ -32,26 +32,26 @@ class WrongTime {
     worst_ = std::max(worst_, wrong_);
     ++judged_;
   }
-  /// It is not judged, and no wrong time goes on over this.
+  /// Does not judge; no interval extends across this time.
   void pass(Time now) {
     looked_at_ = now;
     wrong_ = {};
   }
-  /// Judges it, or passes.
+  /// Judges, or passes where excused.
   void judge_unless(bool is_excused, Time now, bool is_right) {
     is_excused ? pass(now) : judge(now, is_right);
   }
 
-  /// The longest time at a stretch, of which lulls are no part.
+  /// The longest interval, of which lulls are no part.
   Duration worst() const { return worst_; }
-  /// How often.
+  /// Number of judgements.
   std::uint64_t judged() const { return judged_; }
 
  private:
   Duration lull_{};
   Time looked_at_{};
   Time wrong_at_{};
-  Duration wrong_{};  ///< at this stretch
+  Duration wrong_{};  ///< of this interval
   Duration worst_{};
   std::uint64_t judged_ = 0;
 };

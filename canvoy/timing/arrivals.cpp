@@ -16,7 +16,7 @@ void Arrivals::add(Time when) {
   latest_ = when;
   const Corner next = {static_cast<double>(count_), static_cast<double>((when - first_).count())};
   for (std::size_t i = 0; i < buckets_max; ++i) {
-    // How far the row has run ahead of what came, and was behind it at least before that.
+    // Lead of this frame over the row.
     const double level = next.number * bucket_period_us(i) - next.us;
     buckets_[i].lowest_us = std::min(buckets_[i].lowest_us, level);
     buckets_[i].ahead_us = std::max(buckets_[i].ahead_us, level - buckets_[i].lowest_us);
@@ -32,7 +32,7 @@ double Arrivals::bucket_period_us(std::size_t bucket) {
   return first_us * static_cast<double>(std::uint64_t{1} << bucket);
 }
 
-/// Corners that the way to the next one passes on the wrong side are none.
+/// Removes corners that the line to the next one passes on the wrong side.
 void Arrivals::add_corner(std::vector<Corner>& hull, Corner next, double side) {
   while (hull.size() > 1) {
     const Corner& last = hull.back();
@@ -65,7 +65,7 @@ void Arrivals::describe(BusMessage& message, Duration listened) const {
   message.bursts.clear();
   for (std::size_t i = 0; i < buckets_max; ++i) {
     const Duration row(static_cast<std::int64_t>(bucket_period_us(i)));
-    if (row <= shortest_ || row >= message.period) continue;  // another row says it already
+    if (row <= shortest_ || row >= message.period) continue;  // another row contains it already
     message.bursts.push_back(
         {row, Duration(static_cast<std::int64_t>(std::ceil(buckets_[i].ahead_us)))});
   }

@@ -25,7 +25,7 @@ TEST(Arrivals, OfAFrameEachTenMillisecondsAreThatPeriod) {
 }
 
 TEST(Arrivals, ThatAreLateOnceRunAheadByTheLateness) {
-  // 2 ms behind its place in the row, the next is 8 ms behind it.
+  // 2 ms behind its position in the row, the next is 8 ms behind it.
   const BusMessage message = heard_at({0ms, 10ms, 22ms, 30ms, 40ms}, 40ms);
   EXPECT_EQ(message.period, 10ms);
   EXPECT_EQ(message.ahead, 2ms);
@@ -81,7 +81,7 @@ TEST(Arrivals, ByChanceAllFitWhatIsSaidOfThem) {
     }
     BusMessage message;
     arrivals.describe(message, now + Duration(1 + random.below(100'000)));
-    // Of any two, so many periods apart but for `ahead`, and the distance for each between.
+    // For any two: their distance in periods less `ahead`, and the distance for each between.
     for (std::size_t a = 0; a < times.size(); ++a) {
       for (std::size_t b = a + 1; b < times.size(); ++b) {
         const auto between = static_cast<std::int64_t>(b - a);

@@ -1,5 +1,5 @@
-// The analysis against the simulated bus, on sets of messages by chance: CANVOY_SETS=1000 has as
-// many of them (`make response-times`).
+// The analysis against the simulated bus, on random sets of messages: CANVOY_SETS=1000 sets their
+// number (`make response-times`).
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -18,14 +18,14 @@ std::uint64_t set_count() {
   return said_sets() == nullptr ? 20 : std::strtoull(said_sets(), nullptr, 10);
 }
 
-/// What all sets had together.
+/// Totals over all sets.
 struct Tally {
   std::size_t messages = 0;
   std::size_t unbounded = 0;
-  std::size_t with_several = 0;  ///< of which more than one instance counts
-  double least = 1;              ///< of the bound, that was reached
+  std::size_t with_several = 0;  ///< sets with more than one relevant instance
+  double least = 1;              ///< part of the bound that was reached
 
-  /// Of a campaign.
+  /// Prints the totals of a campaign.
   void print(const char* what) const {
     if (said_sets() == nullptr) return;
     std::printf(

@@ -16,7 +16,7 @@ Duration times(Duration duration, double scale) {
   return Duration(static_cast<std::int64_t>(std::llround(us)));
 }
 
-/// What all periods behind SYNC are multiples of, and stay.
+/// Common divisor of all periods behind SYNC, which stay multiples of it.
 Duration sync_period(const BusModel& model) {
   std::int64_t shared_us = 0;
   for (const BusMessage& each : model.messages) {

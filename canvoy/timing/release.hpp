@@ -1,5 +1,5 @@
-// How many instances of a message are queued in the first t of a busy period, and when their
-// events were: what response_time.cpp asks. Times are nanoseconds.
+// Counts the instances of a message that are queued in the first t of a busy period, and finds the
+// times of their events, for response_time.cpp. Times are nanoseconds.
 //
 //     Release release = Release::anywhere(message);
 //     release.count(t) * frame_ns
@@ -13,14 +13,14 @@
 
 namespace canvoy::timing {
 
-/// At or above the quotient. `divisor` is above zero.
+/// Quotient, rounded up. `divisor` is above zero.
 constexpr std::int64_t divided_up(std::int64_t number, std::int64_t divisor) {
   return number > 0 ? (number - 1) / divisor + 1 : number / divisor;
 }
 
 class Release {
  public:
-  /// All come as early as they can: the first at the start of the busy period.
+  /// Makes all instances come as early as possible: the first at the start of the busy period.
   static Release anywhere(const BusMessage& message) {
     Release made(message);
     made.add_row(message.period, message.ahead);
@@ -28,8 +28,8 @@ class Release {
     for (const Burst& each : message.bursts) made.add_row(each.period, each.ahead);
     return made;
   }
-  /// The first event at or behind the start of the busy period is at `phase_ns`, 0 to below the
-  /// period; those before count where their jitter brings them into it.
+  /// Places the first event at or after the start of the busy period at `phase_ns`, 0 to below the
+  /// period. Events before it count if their jitter brings them into the busy period.
   static Release at_phase(const BusMessage& message, std::int64_t phase_ns) {
     Release made(message);
     const std::int64_t period_ns = ns(message.period);
@@ -39,7 +39,7 @@ class Release {
     return made;
   }
 
-  /// Queued in [0, t), which `t_ns` ends. Not below 0.
+  /// Number of instances queued in [0, t), with t = `t_ns`. Not below 0.
   std::int64_t count(std::int64_t t_ns) const {
     std::int64_t least = divided_up(t_ns + rows_.front().lead_ns, rows_.front().period_ns);
     for (std::size_t i = 1; i < rows_.size(); ++i) {
@@ -47,7 +47,7 @@ class Release {
     }
     return std::max<std::int64_t>(least, 0);
   }
-  /// The event of an instance, from 0 on.
+  /// Event of an instance, counted from 0.
   std::int64_t event_ns(std::int64_t instance) const {
     const Row& first = rows_.front();
     if (begins_with_row_) return instance * first.period_ns - first.lead_ns;
@@ -61,7 +61,7 @@ class Release {
  private:
   struct Row {
     std::int64_t period_ns;  ///< above 0
-    std::int64_t lead_ns;    ///< how far before its place an instance may be, with its jitter
+    std::int64_t lead_ns;    ///< greatest lead of an instance over its place, with its jitter
   };
 
   static std::int64_t ns(Duration duration) { return std::chrono::nanoseconds(duration).count(); }

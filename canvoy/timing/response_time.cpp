@@ -18,7 +18,7 @@ std::int64_t ns_of(Duration duration) {
   return Nanoseconds(duration).count();
 }
 
-/// How often an instance comes in the long run, in the second.
+/// Frequency of an instance in the long run, per second.
 double rate_of(const BusMessage& message) {
   const Duration apart =
       message.offset ? message.period : std::max(message.period, message.distance);
@@ -50,14 +50,14 @@ class Bus {
   const BusMessage& message(std::size_t own) const { return model_->messages[order_[own]]; }
   std::int64_t frame_ns(std::size_t own) const { return frame_ns_[own]; }
   std::int64_t bit_ns() const { return bit_ns_; }
-  /// Those behind SYNC at which a busy period of this priority may begin.
+  /// Places behind SYNC at which a busy period of this priority may begin.
   std::span<const Place> places() const { return places_; }
 
   std::int64_t blocking_ns(std::size_t own) const {
     const auto lower = frame_ns_.begin() + static_cast<std::ptrdiff_t>(own) + 1;
     return lower == frame_ns_.end() ? 0 : *std::max_element(lower, frame_ns_.end());
   }
-  /// What an error costs while this message waits.
+  /// Cost of an error while this message waits.
   std::int64_t error_ns(std::size_t own) const {
     const auto end = frame_ns_.begin() + static_cast<std::ptrdiff_t>(own) + 1;
     return wire_time(error_bits, model_->bit_rate).count() +
@@ -70,7 +70,7 @@ class Bus {
     const std::int64_t first = std::max<std::int64_t>(errors.at_once, 1);
     return first + divided_up(t_ns, ns_of(errors.each)) - 1;
   }
-  /// The share of the bus that errors and all down to this priority take.
+  /// Share of the bus for errors and all messages down to this priority.
   double share(std::size_t own) const {
     double taken = 0;
     for (std::size_t k = 0; k <= own; ++k) {
@@ -115,16 +115,17 @@ class Bus {
   std::int64_t bit_ns_ = 0;
 };
 
-/// The busy period of one priority, that begins in one way.
+/// The busy period of one priority, with one way to begin.
 class BusyPeriod {
  public:
-  /// `place`: the moment behind SYNC at which it begins; null: all come as they like.
+  /// `place`: the moment behind SYNC at which it begins; null: messages without places.
   BusyPeriod(const Bus& bus, std::size_t own, const Place* place, std::uint64_t& looks)
       : bus_(&bus), own_(own), looks_(&looks), blocking_ns_(bus.blocking_ns(own)) {
     for (std::size_t k = 0; k <= own; ++k) releases_.push_back(release_of(k, place));
   }
 
-  /// The longest response of all instances in it goes into `worst`; false where it has no end.
+  /// Enters the longest response of all instances into `worst`; false if the busy period has no
+  /// end.
   bool look(Response& worst) {
     const std::int64_t end_ns = fixed_point(bus_->frame_ns(own_), [&](std::int64_t t_ns) {
       return blocking_ns_ + errors_ns(t_ns) + demand_ns(own_ + 1, t_ns);
@@ -152,7 +153,7 @@ class BusyPeriod {
     return Release::at_phase(message, phase_ns < 0 ? phase_ns + period_ns : phase_ns);
   }
 
-  /// From the start of the busy period until the frame of this instance begins.
+  /// Time from the start of the busy period until the frame of this instance begins.
   std::int64_t waiting_ns(std::int64_t instance, std::int64_t before_ns) {
     const std::int64_t own_ns = instance * bus_->frame_ns(own_);
     const std::int64_t from_ns = std::max(before_ns, blocking_ns_ + own_ns);
@@ -165,18 +166,17 @@ class BusyPeriod {
   std::int64_t errors_ns(std::int64_t t_ns) const {
     return bus_->errors_within(t_ns) * bus_->error_ns(own_);
   }
-  /// What the first `priorities` want of the bus in the first t.
+  /// Demand of the first `priorities` in the first t.
   std::int64_t demand_ns(std::size_t priorities, std::int64_t t_ns) const {
     std::int64_t sum_ns = 0;
     for (std::size_t k = 0; k < priorities; ++k) {
       sum_ns += releases_[k].count(t_ns) * bus_->frame_ns(k);
-      if (sum_ns > busy_period_max.count()) break;  // however many it is, it has no end
+      if (sum_ns > busy_period_max.count()) break;  // it has no end, whatever the exact value
     }
     return sum_ns;
   }
 
-  /// The first t, from `from_ns` on, that is its own demand; -1 where there is none within the
-  /// limits.
+  /// First t, from `from_ns` on, that equals its own demand; -1 if there is none within the limits.
   template <class Demand>
   std::int64_t fixed_point(std::int64_t from_ns, Demand demand) {
     std::int64_t t_ns = from_ns;

@@ -5,12 +5,12 @@
 namespace canvoy::timing::response_time_test {
 namespace {
 
-/// 11-bit messages with as many stuff bits as can be, whose deadline is the period.
+/// 11-bit messages with the greatest number of stuff bits, and the period as deadline.
 BusMessage message(std::uint32_t id, unsigned bytes, Duration period) {
   return {.id = id, .bits = longest_frame_bits(bytes), .period = period, .deadline = period};
 }
 
-/// The example of the paper's chapter 3: three messages of seven bytes at 125 kbit/s, which take a
+/// The example in chapter 3 of the paper: three messages of seven bytes at 125 kbit/s, which take a
 /// millisecond each.
 BusModel example() {
   BusModel model{.bit_rate = 125'000};
@@ -34,8 +34,8 @@ TEST(WireTime, IsRoundedUp) {
 
 TEST(ResponseTimes, OfThePapersExampleSeeTheSecondInstanceOfTheLowest) {
   // The third message waits for one frame of each other: 3 ms for its first instance. At 3.5 ms its
-  // second comes, which lets go the third of the first (at 5 ms) and the second of the second (at
-  // 3.5 ms): it begins at 6 ms, ends at 7 and took 3.5. The analysis of 1994 has 3 ms, and no
+  // second comes, which lets the third of the first (at 5 ms) and the second of the second (at 3.5
+  // ms) go first: it begins at 6 ms, ends at 7 and took 3.5. The analysis of 1994 has 3 ms, and no
   // deadline missed.
   const std::vector<Response> responses = response_times(example());
   EXPECT_EQ(responses[0].time, 2ms);
@@ -62,14 +62,14 @@ TEST(ResponseTimes, PutAnElevenBitFrameBeforeTheOneOfTwentyNineBitsWithTheSameBi
   model.messages[1].is_extended = true;
   model.messages[1].bits = longest_frame_bits(0, true);
   const std::vector<Response> responses = response_times(model);
-  EXPECT_EQ(responses[0].time, responses[1].time);  // one waits for the other, whichever is first
+  EXPECT_EQ(responses[0].time, responses[1].time);  // one waits for the other, in either order
   EXPECT_EQ(responses[0].blocking, 80us);           // 54 + 13 + 13 bits
   EXPECT_EQ(responses[1].blocking, 0us);
 }
 
 TEST(ResponseTimes, CountAFrameThatComesWithinABitOfTheStart) {
-  // 55 bits of a microsecond each. The second frame may begin at 55 us; the first one's next comes
-  // then as well, and wins.
+  // 55 bits of a microsecond each. The second frame may begin at 55 us; the next one of the first
+  // comes then as well, and wins.
   BusModel model{.bit_rate = 1'000'000};
   model.messages = {message(1, 0, 55us), message(2, 0, 1s)};
   EXPECT_FALSE(response_times(model)[1].is_bounded);  // the bus is full
@@ -86,33 +86,33 @@ TEST(ResponseTimes, GrowByTheJitterOfOthersAndByTheOwn) {
   EXPECT_EQ(response_times(model)[2].time, 3ms);
   model.messages[2].jitter = 700us;
   EXPECT_EQ(response_times(model)[2].time, 3700us);
-  model.messages[0].jitter = 600us;  // its next is there after 1.9 ms, before the 2 ms are over
+  model.messages[0].jitter = 600us;  // its next comes after 1.9 ms, before the 2 ms are over
   EXPECT_EQ(response_times(model)[2].time, 4700us);
 }
 
 TEST(ResponseTimes, CountABurstByItsDistance) {
-  // A message of a frame in a second, of which four may come at once: they are 2 ms apart. Another
-  // one waits for the first, begins at 1 ms, and is at its end when the second comes.
+  // One message with a frame each second, of which four may come at once: they are 2 ms apart.
+  // Another one waits for the first, begins at 1 ms, and ends when the second comes.
   BusModel model{.bit_rate = 125'000};
   model.messages = {message(1, 7, 1s), message(2, 7, 1s)};
   model.messages[0].ahead = 3s;
   EXPECT_EQ(response_times(model)[1].time, 5ms);  // all four, and its own
   model.messages[0].distance = 2ms;
   EXPECT_EQ(response_times(model)[1].time, 2ms);
-  // Of the burst itself the last waits for those before, and for a frame of the other.
+  // The last of the burst waits for those before, and for a frame of the other message.
   EXPECT_EQ(response_times(model)[0].time, 2ms);
   model.messages[0].distance = 0us;
   EXPECT_EQ(response_times(model)[0].time, 5ms);
 }
 
 TEST(ResponseTimes, CountABurstByEachOfItsRows) {
-  // Of four that may come at once in the long run, no more than two within 4 ms.
+  // Of four that may come at once in the long run, at most two come within 4 ms.
   BusModel model{.bit_rate = 125'000};
   model.messages = {message(1, 7, 1s), message(2, 7, 1s)};
   model.messages[0].ahead = 3s;
   model.messages[0].bursts = {{.period = 4ms, .ahead = 4ms}};
   EXPECT_EQ(response_times(model)[1].time, 3ms);  // two, and its own
-  model.messages[0].bursts[0].ahead = 3ms;        // the second comes 1 ms behind the first: as well
+  model.messages[0].bursts[0].ahead = 3ms;  // the second comes 1 ms after the first: it counts too
   EXPECT_EQ(response_times(model)[1].time, 3ms);
   model.messages[0].bursts[0].ahead = 2ms;
   EXPECT_EQ(response_times(model)[1].time, 2ms);
@@ -132,8 +132,8 @@ TEST(ResponseTimes, OfFramesBehindSyncAreShorterWhereTheyKeepTheirDistance) {
 }
 
 TEST(ResponseTimes, OfDifferentPeriodsBehindSyncTryAllPlaces) {
-  // The first comes with each SYNC of 10 ms, the second with each third, 20 ms behind it: so they
-  // meet. 5 ms behind it they do not.
+  // The first comes with each SYNC of 10 ms, the second with each third, 20 ms after it: they meet.
+  // 5 ms after it they do not.
   BusModel model{.bit_rate = 125'000};
   model.messages = {message(1, 7, 10ms), message(2, 7, 30ms)};
   model.messages[0].offset = 0us;

@@ -11,15 +11,15 @@
 #include <vector>
 
 #include "canvoy/formats/plain_text.hpp"
-#include "canvoy/tools/ask/ask_verbs.hpp"
-#include "canvoy/tools/ask/node_argument.hpp"
-#include "canvoy/tools/ask/remote_argument.hpp"
-#include "canvoy/tools/ask/typed_words.hpp"
+#include "canvoy/tools/argument/node_argument.hpp"
+#include "canvoy/tools/argument/remote_argument.hpp"
+#include "canvoy/tools/cli/commands.hpp"
+#include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/cli/verb.hpp"
-#include "canvoy/tools/commands.hpp"
-#include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/load/load.hpp"
-#include "canvoy/tools/terminal_text.hpp"
+#include "canvoy/tools/node/ask_verbs.hpp"
+#include "canvoy/tools/node/typed_words.hpp"
+#include "canvoy/tools/terminal/terminal_text.hpp"
 #include "canvoy/version.hpp"
 
 namespace canvoy::tools {
@@ -28,7 +28,7 @@ namespace {
 constexpr const char* version_option = "--version";
 constexpr const char* output_lost = "the output could not be written: is there room on the disk?";
 
-/// What was printed may still be on its way, to a disk that is full.
+/// Printed output may still be in a buffer, for a disk that is full.
 int finish_output(int status) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
   throw Failure(output_lost);
@@ -68,8 +68,8 @@ constexpr auto verb_entries = std::to_array<VerbEntry>({
     {"browse", add_browse},
 });
 
-/// The verb that is called alone, where it is plain which that is: to describe all of them takes
-/// longer than most of them take.
+/// Adds only the called verb if it is unambiguous: describing all of them takes longer than most of
+/// them run.
 void add_verbs(Verb& app, Sessions& sessions, std::string_view first_word) {
   if (first_word == version_option) return;
   const auto* called = std::ranges::find(verb_entries, first_word, &VerbEntry::name);
@@ -81,7 +81,7 @@ void add_verbs(Verb& app, Sessions& sessions, std::string_view first_word) {
   add_help_verbs(app);
 }
 
-/// Of verbs that ask nodes, `can0/2:7` is the bus and the node.
+/// For verbs that send requests to nodes, `can0/2:7` is the bus and the node.
 std::vector<std::string> words_of(int count, char** arguments) {
   std::vector<std::string> words = typed_words({arguments + 1, arguments + count});
   if (words.empty() || !is_ask_verb(words.front())) return words;
@@ -115,11 +115,11 @@ int run(int count, char** arguments) {
     fmt::print(stderr, "canvoy: {}\n", outcome.text);
     return exit_usage;
   } catch (const Failure& failure) {
-    // It may quote what stands in a file.
+    // The message may quote the content of a file.
     fmt::print(stderr, "canvoy: {}\n", formats::plain_text(failure.what()));
     return failure.status();
   } catch (const std::system_error&) {
-    // What {fmt} throws where it cannot print.
+    // Thrown by {fmt} if it cannot print.
     fmt::print(stderr, "canvoy: {}\n", output_lost);
     return exit_failed;
   }

@@ -14,7 +14,7 @@ char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// Hosts and origins are the same in capital letters (RFC 3986, 3.2.2).
+/// Compares hosts and origins without case (RFC 3986, 3.2.2).
 bool is_same_name(std::string_view one, std::string_view other) {
   return std::ranges::equal(one, other, {}, lower, lower);
 }
@@ -28,7 +28,7 @@ bool is_own_host(const AccessRules& rules, std::string_view host) {
   });
 }
 
-/// Takes as long for each token of this length.
+/// Takes the same time for each token of this length.
 bool is_same_secret(std::string_view given, std::string_view secret) {
   if (given.size() != secret.size()) return false;
   unsigned difference = 0;

@@ -11,7 +11,7 @@ bool passes(const AccessRules& rules, const AccessClaims& claims) {
   return refusal_of(rules, claims).empty();
 }
 
-/// The same with the token, which no page of others knows; so it is the rest that is judged.
+/// Like passes(), but with the token, which no foreign page knows, so that the rest is tested.
 bool passes_with_token(AccessRules rules, AccessClaims claims) {
   rules.token = "secret";
   claims.token = "secret";
@@ -22,7 +22,7 @@ TEST(Access, OnLoopbackTheHostIsANameOfThisMachineWithThePort) {
   for (const char* host : {"127.0.0.1:8080", "localhost:8080", "[::1]:8080"}) {
     EXPECT_TRUE(passes_with_token(loopback, {.host = host})) << host;
   }
-  // A foreign name may lead to 127.0.0.1: DNS rebinding.
+  // A foreign name may resolve to 127.0.0.1: DNS rebinding.
   for (const char* host : {"evil.example:8080", "127.0.0.1", "127.0.0.1:8081", "",
                            "localhost:8080.evil.example", "evil.localhost:8080"}) {
     EXPECT_FALSE(passes_with_token(loopback, {.host = host})) << host;
@@ -79,15 +79,15 @@ TEST(Access, WhereOthersReachItATokenIsTold) {
   EXPECT_FALSE(passes(open, {.host = "a:1", .origin = "http://b:1", .token = "secret"}));
 }
 
-// Other users of this machine reach its ports.
+// Other users of this machine can reach its ports.
 TEST(Access, OnLoopbackATokenIsTold) {
   EXPECT_TRUE(passes(loopback, {.host = "localhost:8080", .token = "secret"}));
   EXPECT_FALSE(passes(loopback, {.host = "localhost:8080"}));
   EXPECT_FALSE(passes(loopback, {.host = "localhost:8080", .token = "public"}));
 }
 
-// Fetch Metadata Request Headers, 2.3: the values of Sec-Fetch-Site. An image of a foreign page has
-// no origin.
+// Values of Sec-Fetch-Site (Fetch Metadata Request Headers, 2.3). An image of a foreign page
+// has no origin.
 TEST(Access, APageOfAnotherSiteIsRefused) {
   for (const char* site : {"", "none", "same-origin"}) {
     EXPECT_TRUE(passes_with_token(loopback, {.host = "localhost:8080", .site = site})) << site;

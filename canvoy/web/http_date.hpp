@@ -1,4 +1,4 @@
-// The time of day as HTTP has it: with it, who keeps an answer knows how old it is.
+// The date header of HTTP, which gives caches the age of an answer.
 //
 //     response.set(http::field::date, http_date());  // Sun, 06 Nov 1994 08:49:37 GMT
 #pragma once
@@ -8,7 +8,7 @@
 
 namespace canvoy::web {
 
-/// In English, whatever the locale (RFC 9110, 5.6.7).
+/// In English, for any locale (RFC 9110, 5.6.7).
 std::string http_date(
     std::chrono::system_clock::time_point when = std::chrono::system_clock::now());
 

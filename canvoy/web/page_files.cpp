@@ -8,9 +8,9 @@
 #include <deque>
 #include <string>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 
-// As they are: a generator of sources for them would be one more program that a build has to have.
+// Included as they are: a generator of sources would be one more program in a build.
 #define CANVOY_PAGE_FILE(name, file)                                                         \
   asm(".pushsection .rodata\n" #name ": .incbin \"" CANVOY_PAGE_FOLDER "/" file "\"\n" #name \
       "_end:\n.popsection\n");                                                               \
@@ -19,6 +19,7 @@
 
 CANVOY_PAGE_FILE(canvoy_page_html, "index.html")
 CANVOY_PAGE_FILE(canvoy_page_script, "page.js")
+CANVOY_PAGE_FILE(canvoy_page_plots, "uplot.js")
 CANVOY_PAGE_FILE(canvoy_page_style, "page.css")
 CANVOY_PAGE_FILE(canvoy_page_icon, "icon.svg")
 CANVOY_PAGE_FILE(canvoy_report_html, "report.html")
@@ -34,26 +35,10 @@ std::string_view between(const char* begin, const char* end) {
   return {begin, static_cast<std::size_t>(end - begin)};
 }
 
-constexpr int gzip_window = 15 + 16;  ///< zlib: the largest window, and a head as gzip has it
+constexpr int gzip_window = 15 + 16;  ///< zlib: the largest window, and a gzip header
 constexpr int gzip_memory = 9;
 
-std::string compressed(std::string_view text) {
-  z_stream stream{};
-  must_hold(deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, gzip_window, gzip_memory,
-                         Z_DEFAULT_STRATEGY) == Z_OK);
-  std::string made(deflateBound(&stream, text.size()), '\0');
-  // zlib does not write to it.
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
-  stream.avail_in = static_cast<uInt>(text.size());
-  stream.next_out = reinterpret_cast<Bytef*>(made.data());
-  stream.avail_out = static_cast<uInt>(made.size());
-  must_hold(deflate(&stream, Z_FINISH) == Z_STREAM_END);
-  made.resize(stream.total_out);
-  deflateEnd(&stream);
-  return made;
-}
-
-/// With what is kept for it.
+/// With its prepared forms.
 PageFile page_file(std::string_view path, std::string_view type, std::string_view content) {
   static std::deque<std::string> kept;
   PageFile file{.path = path, .type = type, .content = content};
@@ -71,6 +56,8 @@ std::span<const PageFile> page_files() {
       page_file("/", "text/html; charset=utf-8", between(canvoy_page_html, canvoy_page_html_end)),
       page_file("/page.js", "text/javascript; charset=utf-8",
                 between(canvoy_page_script, canvoy_page_script_end)),
+      page_file("/uplot.js", "text/javascript; charset=utf-8",
+                between(canvoy_page_plots, canvoy_page_plots_end)),
       page_file("/page.css", "text/css; charset=utf-8",
                 between(canvoy_page_style, canvoy_page_style_end)),
       page_file("/icon.svg", "image/svg+xml", between(canvoy_page_icon, canvoy_page_icon_end)),
@@ -82,6 +69,22 @@ const PageFile* find_page_file(std::string_view path) {
   const auto files = page_files();
   const auto found = std::ranges::find(files, path, &PageFile::path);
   return found == files.end() ? nullptr : &*found;
+}
+
+std::string compressed(std::string_view text) {
+  z_stream stream{};
+  check_invariant(deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, gzip_window, gzip_memory,
+                               Z_DEFAULT_STRATEGY) == Z_OK);
+  std::string made(deflateBound(&stream, text.size()), '\0');
+  // zlib does not write to this memory.
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
+  stream.avail_in = static_cast<uInt>(text.size());
+  stream.next_out = reinterpret_cast<Bytef*>(made.data());
+  stream.avail_out = static_cast<uInt>(made.size());
+  check_invariant(deflate(&stream, Z_FINISH) == Z_STREAM_END);
+  made.resize(stream.total_out);
+  deflateEnd(&stream);
+  return made;
 }
 
 ReportFiles report_files() {

@@ -1,9 +1,10 @@
-// The files of the page, as they were built from canvoy/web/page; they are a part of the program.
+// The files of the page, built from canvoy/web/page and part of the program.
 //
 //     const PageFile* file = find_page_file("/");
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace canvoy::web {
@@ -12,21 +13,24 @@ struct PageFile {
   std::string_view path;  ///< `/page.js`
   std::string_view type;
   std::string_view content;
-  std::string_view gzip{};  ///< the same, compressed
-  std::string_view tag{};   ///< another one for each content, as ETag has it
+  std::string_view gzip{};  ///< the file, compressed
+  std::string_view tag{};   ///< different for each content, for ETag
 };
 
-/// Compressed at the first call.
+/// The files; compressed at the first call.
 std::span<const PageFile> page_files();
-/// `/` is the page itself; null where there is no such file.
+/// The file at a path; `/` is the page itself; null if there is none.
 const PageFile* find_page_file(std::string_view path);
 
-/// What a report is made of: `page` has marks where the others, and what is reported, belong.
+/// The files of a report: `page` has marks for the others, and for the content.
 struct ReportFiles {
-  std::string_view page;    ///< with /*style*/, /*report*/ and /*script*/
-  std::string_view style;   ///< that of the live page
-  std::string_view script;  ///< draws what stands at /*report*/
+  std::string_view page;    ///< with /*style*/, <!--report--> and <!--pictures-->
+  std::string_view style;   ///< style of the live page
+  std::string_view script;  ///< draws images from the element `data` in the element `picture`
 };
 ReportFiles report_files();
+
+/// Compresses with gzip (RFC 1952); the result is reproducible.
+std::string compressed(std::string_view text);
 
 }  // namespace canvoy::web

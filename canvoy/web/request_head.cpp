@@ -14,7 +14,7 @@ std::string_view fault_of(const HeadCounts& counts) {
 }
 
 bool is_socket_key(std::string_view text) {
-  constexpr std::size_t digits = 22;  // 16 bytes, and four bits that are zero
+  constexpr std::size_t digits = 22;  // 16 bytes, and four zero bits
   constexpr std::string_view last_digits = "AQgw";
   const auto is_digit = [](char c) {
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '+' ||

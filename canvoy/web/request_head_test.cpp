@@ -5,7 +5,7 @@
 namespace canvoy::web::request_head_test {
 namespace {
 
-// RFC 9112, 3.2: 400 where HTTP/1.1 has no Host, or any request more than one.
+// 400 if HTTP/1.1 has no Host, or any request more than one (RFC 9112, 3.2).
 TEST(RequestHead, HasOneHost) {
   EXPECT_EQ(fault_of({.hosts = 1}), "");
   EXPECT_NE(fault_of({.hosts = 0}), "");
@@ -21,7 +21,7 @@ TEST(RequestHead, HasAtMostOneOfEachFieldThatDecides) {
   EXPECT_NE(fault_of({.hosts = 1, .authorizations = 2}), "");
 }
 
-// RFC 6455, 4.2.1; the first key is that of its example in 1.3.
+// RFC 6455, 4.2.1; the first key is the example of RFC 6455, 1.3.
 TEST(RequestHead, AKeyOfAWebSocketIsOfSixteenBytes) {
   EXPECT_TRUE(is_socket_key("dGhlIHNhbXBsZSBub25jZQ=="));
   EXPECT_TRUE(is_socket_key("AAAAAAAAAAAAAAAAAAAAAA=="));
@@ -31,7 +31,7 @@ TEST(RequestHead, AKeyOfAWebSocketIsOfSixteenBytes) {
   }
 }
 
-// RFC 9110, 12.5.3: a weight of 0 is "not acceptable".
+// A weight of 0 is "not acceptable" (RFC 9110, 12.5.3).
 TEST(RequestHead, TakesGzipWhereItSaysSo) {
   for (const char* text :
        {"gzip", "gzip, deflate, br", "br, gzip;q=0.5", "deflate,\tgzip ; q=1.0"}) {

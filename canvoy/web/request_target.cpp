@@ -21,7 +21,7 @@ bool goes_up(std::string_view path) {
   return path == "/.." || path.find("/../") != std::string_view::npos || path.ends_with("/..");
 }
 
-/// The text up to the sign, which is taken away with it.
+/// Takes the text up to the sign, and the sign.
 std::string_view take_until(std::string_view& text, char sign) {
   const std::size_t end = std::min(text.find(sign), text.size());
   const std::string_view taken = text.substr(0, end);

@@ -1,5 +1,4 @@
-// What a request asks for: the target of its first line (RFC 9112, 3.2), as a path and what follows
-// the question mark.
+// The target in the first line of a request, as a path and a query (RFC 9112, 3.2).
 //
 //     std::optional<RequestTarget> target = parse_target("/api/objects?bus=sim0&search=speed");
 //     target->path;            // "/api/objects"
@@ -17,20 +16,20 @@ namespace canvoy::web {
 struct RequestTarget {
   std::string path;  ///< begins with a slash
   std::vector<std::pair<std::string, std::string>> query{};
-  std::string host{};  ///< of the absolute form, instead of the field Host; empty: another form
+  std::string host{};  ///< from the absolute form, in place of the field Host; empty: another form
 
-  /// The first of this name.
+  /// The first value with this name.
   std::optional<std::string_view> value(std::string_view name) const;
 };
 
 inline constexpr std::size_t target_length_max = 4096;
 
-/// In origin form or in absolute form (3.2.1, 3.2.2). Nothing where it is none: no slash in front,
-/// a percent sign without two digits behind it, a character that must not be there, too long, or a
-/// path that goes up.
+/// Parses origin form or absolute form (RFC 9112, 3.2.1, 3.2.2). Nothing if it is invalid: no
+/// leading slash, a percent sign without two digits, a forbidden character, too long, or a path
+/// that goes up.
 std::optional<RequestTarget> parse_target(std::string_view text);
 
-/// `%20` and, where it is a form, `+` as they are meant; nothing where that is wrong.
+/// Decodes `%20` and, for a form, `+`; nothing if invalid.
 std::optional<std::string> percent_decoded(std::string_view text, bool is_form);
 
 }  // namespace canvoy::web

@@ -16,7 +16,7 @@ TEST(RequestTarget, IsAPathAndItsQuery) {
   EXPECT_FALSE(target->value("z"));
 }
 
-// RFC 3986, 2.1: two hexadecimal digits behind each percent sign; + is a plus in a path.
+// Two hexadecimal digits after each percent sign; + is a plus in a path (RFC 3986, 2.1).
 TEST(RequestTarget, PercentSignsAreOfBytes) {
   EXPECT_EQ(parse_target("/a%2Fb+%e2%82%ac")->path, "/a/b+\xE2\x82\xAC");
   for (const char* text : {"/%", "/%4", "/%G1", "/?a=%", "/?%zz=1"}) {
@@ -33,7 +33,7 @@ TEST(RequestTarget, NothingGoesUpOrIsHidden) {
   EXPECT_TRUE(parse_target("/..a/b..c"));
 }
 
-// RFC 9112, 3.2.2: a server accepts it, and the host in it counts.
+// A server accepts it, and its host takes precedence (RFC 9112, 3.2.2).
 TEST(RequestTarget, MayBeInAbsoluteForm) {
   const auto target = parse_target("http://127.0.0.1:8080/api/nodes?x=1");
   ASSERT_TRUE(target);

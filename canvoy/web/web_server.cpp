@@ -1,4 +1,4 @@
-// The only source that includes Boost.Beast: it takes as long to be compiled as twenty others.
+// The only source that includes Boost.Beast, which takes as long to compile as twenty others.
 #include "canvoy/web/web_server.hpp"
 
 #include <fcntl.h>
@@ -19,7 +19,8 @@
 #include <utility>
 #include <vector>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
+#include "canvoy/can/host/local_addresses.hpp"
 #include "canvoy/gateway/tcp_listener.hpp"
 #include "canvoy/web/access.hpp"
 #include "canvoy/web/http_date.hpp"
@@ -39,14 +40,13 @@ using HttpResponse = http::response<http::string_body>;
 
 constexpr Duration sweep_period = 1s;
 constexpr int keep_alive_seconds = 30;
-/// What is done for clients before the loop serves others: a client that always has the next
-/// request there would keep it for ever. Some handlers take microseconds, some have a megabyte to
-/// write.
+/// Number of handlers for clients before the loop serves others: a client that always has a next
+/// request would block it forever. Some handlers take microseconds, some write a megabyte.
 constexpr int handlers_per_turn = 32;
 constexpr Duration turn_time = 5ms;
 constexpr std::string_view live_path = "/live";
 constexpr std::string_view go_on = "HTTP/1.1 100 Continue\r\n\r\n";
-/// The page loads nothing from elsewhere, and stands in no frame of another page.
+/// The page loads nothing from elsewhere, and cannot be framed by another page.
 constexpr const char* content_policy =
     "default-src 'self'; img-src 'self' data:; frame-ancestors 'none'; base-uri 'none'; "
     "form-action "
@@ -67,12 +67,12 @@ std::string host_of(std::string_view address) {
   return std::string(address.substr(0, address.rfind(':')));
 }
 
-/// `text` has neither a quotation mark nor a backslash.
+/// `text` must not contain a quotation mark or a backslash.
 WebResponse told(unsigned status, std::string_view text) {
   return {.status = status, .body = fmt::format("{{\"error\":\"{}\"}}\n", text)};
 }
 
-/// What cannot be read is answered as it deserves, where there is anybody to answer to.
+/// The answer to an unreadable request, if the client is still present.
 std::optional<WebResponse> answer_to(const Failed& failed) {
   if (failed == http::error::header_limit) return told(431, "the head of the request is too long");
   if (failed == http::error::body_limit) return told(413, "the body of the request is too long");
@@ -93,6 +93,7 @@ class WebServer::Hub {
       : loop_(loop),
         limits_(options.limits),
         application_(application),
+        is_public_(options.is_public),
         listener_(std::move(listener)),
         rules_{.port = port_of(listener_->address()),
                .is_loopback = listener_->is_loopback(),
@@ -106,7 +107,18 @@ class WebServer::Hub {
   Hub& operator=(const Hub&) = delete;
 
   const std::string& address() const { return listener_->address(); }
-  std::string url() const { return fmt::format("http://{}/?token={}", address(), token()); }
+  std::string url() const { return url_at(address()); }
+  std::vector<std::string> urls() const {
+    std::vector<std::string> all;
+    if (rules_.host == "0.0.0.0") {
+      for (const std::string& each : host::outside_addresses()) {
+        all.push_back(url_at(fmt::format("{}:{}", each, rules_.port)));
+      }
+    }
+    if (all.empty()) all.push_back(url());
+    return all;
+  }
+  bool is_loopback() const { return rules_.is_loopback; }
   const std::string& token() const { return rules_.token; }
   void offer();
   std::size_t clients() const { return connections_.size(); }
@@ -115,17 +127,20 @@ class WebServer::Hub {
  private:
   class Connection;
 
+  std::string url_at(std::string_view where) const {
+    return fmt::format("http://{}/{}{}", where,
+                       is_public_ ? "" : "?token=", is_public_ ? "" : token());
+  }
   void admit(host::Descriptor client);
   void make_room();
   void make_live_room();
-  /// Bytes of answers and messages that clients have not taken yet.
+  /// Bytes of answers and messages that clients have not received yet.
   std::size_t unread() const;
-  /// Does what can be done at once, or the beginning of it, and says what is waited for from now
-  /// on.
+  /// Performs what is possible at once, or a part of it, and sets what is waited for.
   void turn();
-  /// The same, in this turn of the loop or in its next one.
+  /// Calls turn() in this turn of the loop or in the next one.
   void turn_soon();
-  /// As much as a turn takes; whether nothing is left that could be done at once.
+  /// Performs the work of one turn; true if nothing is left that is possible at once.
   bool work();
   void sweep();
   void sweep_later();
@@ -133,15 +148,16 @@ class WebServer::Hub {
   host::EventLoop& loop_;
   WebLimits limits_;
   WebApplication& application_;
+  bool is_public_;  ///< for any client, without the page
   std::unique_ptr<gateway::TcpListener> listener_;
   AccessRules rules_;
   boost::asio::io_context io_{1};
-  std::vector<std::shared_ptr<Connection>> connections_;  ///< the oldest first
+  std::vector<std::shared_ptr<Connection>> connections_;  ///< oldest first
   host::EventLoop::Id turning_ = 0;
   host::EventLoop::Id sweeping_ = 0;
 };
 
-/// A client: its requests one after the other, or its WebSocket.
+/// A client: its requests in sequence, or its WebSocket.
 class WebServer::Hub::Connection : public std::enable_shared_from_this<Connection> {
  public:
   Connection(Hub& hub, tcp::socket socket) : hub_(hub), socket_(std::move(socket)) {}
@@ -170,12 +186,11 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
     return is_writing_ ? response_.body().size() + message_.size() : std::size_t{0};
   }
   Time heard_at() const { return heard_at_; }
-  /// Ends the WebSocket with a status by which the page knows that it is not to come back by
-  /// itself.
+  /// Ends the WebSocket with a status that tells the page not to reconnect by itself.
   void give_way() {
     client_.reset();
     if (!stream_) return end();
-    if (is_writing_) return;  // then once that has gone
+    if (is_writing_) return;  // once that is sent
     is_writing_ = true;
     deadline_ = hub_.loop_.now() + sweep_period;
     stream_->async_close({websocket::close_code::try_again_later, "a newer viewer has this place"},
@@ -183,8 +198,8 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
     hub_.turn_soon();
   }
   bool is_late() const { return hub_.loop_.now() >= deadline_; }
-  /// Who has asked is told that there is no answer, and is let go then, so that what comes late is
-  /// not taken for the answer to something else; anybody else is let go at once.
+  /// A client that waits for an answer gets a refusal and is disconnected, so that a late answer is
+  /// not taken for that of another request; other clients are disconnected at once.
   void time_out() {
     if (!std::exchange(is_awaited_, false)) return end();
     respond_last(told(504, "there was no answer in time"));
@@ -199,6 +214,7 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
     if (client_ == nullptr || is_writing_ || is_over_) return;
     if (hub_.unread() >= hub_.limits_.unread_max) return;
     message_ = client_->next();
+    if (message_.size() > hub_.limits_.answer_max) return end();
     if (!message_.empty()) send_message();
   }
 
@@ -207,7 +223,7 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
 
   void ready(host::Readiness readiness) {
     if (readiness.failed && !is_reading_ && !is_writing_) end();
-    hub_.turn_soon();  // one for all who are ready
+    hub_.turn_soon();  // one for all ready connections
   }
 
   // HTTP
@@ -238,7 +254,7 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
                   .authorizations = head.count(http::field::authorization)});
     if (!fault.empty()) return respond_last(told(400, fault));
     const boost::beast::string_view expected = head[http::field::expect];
-    // What HTTP/1.0 expects is not heeded (RFC 9110, 10.1.1).
+    // Expect is ignored for HTTP/1.0 (RFC 9110, 10.1.1).
     if (expected.empty() || head.version() < 11 || parser_->is_done()) return read_body();
     if (!boost::beast::iequals(expected, "100-continue")) {
       return respond_last(told(417, "nothing but 100-continue can be expected"));
@@ -270,10 +286,11 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
     }
     const std::optional<RequestTarget> target = parse_target(view_of(request_.target()));
     if (!target) return respond(told(400, "this target is none"));
+    if (hub_.is_public_) return serve(*target, nullptr);
     const std::string_view refusal = refusal_of(*target);
     if (!refusal.empty()) return respond(told(403, refusal));
     if (target->path == live_path) return upgrade(*target);
-    serve(*target);
+    serve(*target, find_page_file(target->path));
   }
 
   void cannot_read(const Failed& failed) {
@@ -296,7 +313,7 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
     if (authorization.starts_with(bearer)) token = authorization.substr(bearer.size());
     if (const auto given = target.value("token")) token = *given;
     gives_cookie_ = target.value("token").has_value();
-    // A link from elsewhere may lead to the page, which asks for nothing else by itself.
+    // A link from elsewhere may lead to the page, which has no effect by itself.
     const bool is_page = find_page_file(target.path) != nullptr;
     return web::refusal_of(
         hub_.rules_,
@@ -306,17 +323,19 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
          .token = token});
   }
 
-  void serve(const RequestTarget& target) {
+  void serve(const RequestTarget& target, const PageFile* file) {
     const bool reads =
         request_.method() == http::verb::get || request_.method() == http::verb::head;
-    const PageFile* const file = find_page_file(target.path);
     const std::string methods =
         file != nullptr ? "GET, HEAD" : hub_.application_.methods(target.path);
     if (methods.empty()) return respond(told(404, "there is nothing of this name"));
     const bool writes = request_.method() == http::verb::post;
     const bool can_read = methods.starts_with("GET");
     const bool can_write = methods.ends_with("POST");
-    if (!(reads && can_read) && !(writes && can_write)) return refuse_method(methods);
+    if (!(reads && can_read) && !(writes && can_write)) {
+      const WebResponse answer = told(405, "this is not done with this method");
+      return respond_with(answer, http::field::allow, methods);
+    }
     if (file != nullptr) return respond(*file);
     if (writes && !is_json(view_of(request_[http::field::content_type]))) {
       return respond(told(415, "a POST has to have application/json"));
@@ -330,20 +349,12 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
         });
   }
 
-  void refuse_method(const std::string& methods) {
-    const WebResponse answer = told(405, "this is not done with this method");
-    begin_response(answer.status, answer.type);
-    response_.set(http::field::allow, methods);
-    response_.body() = answer.body;
-    send_response();
-  }
-
-  /// The answer of the application: nobody waits for a second one.
+  /// The answer of the application; a second one is ignored.
   void respond_awaited(const WebResponse& answer) {
     if (std::exchange(is_awaited_, false)) respond(answer);
   }
 
-  /// A file of the page: compressed where the client takes that, and not sent to whom has it.
+  /// A file of the page: compressed if the client accepts it, and not sent to a client that has it.
   void respond(const PageFile& file) {
     const bool is_known = view_of(request_[http::field::if_none_match]) == file.tag;
     const bool is_small = accepts_gzip(view_of(request_[http::field::accept_encoding]));
@@ -358,14 +369,22 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
 
   void respond(const WebResponse& answer) {
     if (is_over_ || is_writing_) return;
+    if (answer.body.size() > hub_.limits_.answer_max) {
+      return respond(told(500, "the answer is too long: ask for less"));
+    }
     const std::size_t unread = hub_.unread();
     if (unread != 0 && unread + answer.body.size() > hub_.limits_.unread_max) {
-      begin_response(503, "application/json");
-      response_.set(http::field::retry_after, "1");
-      response_.body() = told(503, "others have not taken their answers yet").body;
-      return send_response();
+      const WebResponse busy = told(503, "others have not taken their answers yet");
+      return respond_with(busy, http::field::retry_after, "1");
     }
     begin_response(answer.status, answer.type);
+    response_.body() = answer.body;
+    send_response();
+  }
+
+  void respond_with(const WebResponse& answer, http::field field, std::string_view value) {
+    begin_response(answer.status, answer.type);
+    response_.set(field, std::string(value));
     response_.body() = answer.body;
     send_response();
   }
@@ -390,7 +409,7 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
       response_.set(http::field::connection, is_last_ ? "Upgrade, close" : "Upgrade");
     }
     response_.prepare_payload();
-    // A length would be that of what is known already (RFC 9110, 8.6).
+    // A length would be that of the cached content (RFC 9110, 8.6).
     if (response_.result() == http::status::not_modified) {
       response_.erase(http::field::content_length);
     }
@@ -408,7 +427,7 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
     is_writing_ = false;
     if (is_over_) return;
     if (failed) return end();
-    response_ = {};  // the memory of what has gone
+    response_ = {};  // frees the memory of what was sent
     if (!is_last_) return read(hub_.limits_.idle_time_out);
     Failed ignored;
     socket_.shutdown(tcp::socket::shutdown_send, ignored);
@@ -417,7 +436,7 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
     drain();
   }
 
-  /// A socket that is closed while something of the client is unread would take the answer along.
+  /// Closing a socket with unread data would discard the answer.
   void drain() {
     if (is_late()) return end();
     buffer_.clear();
@@ -431,7 +450,10 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
   // WebSocket
 
   void upgrade(const RequestTarget& target) {
-    if (!websocket::is_upgrade(request_)) return refuse_upgrade();
+    if (!websocket::is_upgrade(request_)) {
+      // The answer with this status names the protocol (RFC 9110, 15.5.22).
+      return respond_with(told(426, "this is a WebSocket"), http::field::upgrade, "websocket");
+    }
     if (!is_socket_key(view_of(request_[http::field::sec_websocket_key]))) {
       return respond(told(400, "Sec-WebSocket-Key is 16 bytes in base64"));
     }
@@ -444,7 +466,7 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
     websocket::permessage_deflate small;
     small.server_enable = true;
     stream_->set_option(small);
-    // Each ping is answered, so it counts as a message does.
+    // Each ping is answered, so it counts like a message.
     stream_->control_callback([this](websocket::frame_type, boost::beast::string_view) {
       if (says_too_much()) end();
     });
@@ -453,15 +475,6 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
     stream_->async_accept(request_, [self = shared_from_this()](const Failed& failed) {
       self->has_upgraded(failed);
     });
-  }
-
-  /// RFC 9110, 15.5.22: an answer of this status says to what.
-  void refuse_upgrade() {
-    const WebResponse answer = told(426, "this is a WebSocket");
-    begin_response(answer.status, answer.type);
-    response_.set(http::field::upgrade, "websocket");
-    response_.body() = answer.body;
-    send_response();
   }
 
   void has_upgraded(const Failed& failed) {
@@ -503,7 +516,7 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
   }
 
   void send_message() {
-    must_hold(stream_.has_value());
+    check_invariant(stream_.has_value());
     is_writing_ = true;
     deadline_ = hub_.loop_.now() + hub_.limits_.message_time_out;
     stream_->async_write(
@@ -517,7 +530,7 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
     if (is_over_) return;
     if (failed) return end();
     deadline_ = never;
-    message_ = {};  // the memory of what has gone
+    message_ = {};  // frees the memory of what was sent
     if (client_ == nullptr) return give_way();
     if (client_->is_behind()) offer();
   }
@@ -534,8 +547,8 @@ class WebServer::Hub::Connection : public std::enable_shared_from_this<Connectio
   host::EventLoop::Id watch_ = 0;
   host::Readiness wanted_{.readable = true};
   Time deadline_ = never;
-  Time second_{};    ///< when the messages began to be counted
-  Time heard_at_{};  ///< when the client last said something
+  Time second_{};    ///< start of the count of messages
+  Time heard_at_{};  ///< time of the last message of the client
   unsigned said_ = 0;
   bool is_reading_ = false;
   bool is_writing_ = false;
@@ -564,7 +577,7 @@ void WebServer::Hub::admit(host::Descriptor client) {
   sockaddr_storage peer{};
   socklen_t length = sizeof peer;
   if (::getsockname(client.get(), reinterpret_cast<sockaddr*>(&peer), &length) != 0) return;
-  // Asio closes what it has, and so does the descriptor.
+  // Asio closes its descriptor, and so does the owner.
   const int own = ::fcntl(client.get(), F_DUPFD_CLOEXEC, 0);
   if (own < 0) return;
   tcp::socket socket(io_);
@@ -576,7 +589,7 @@ void WebServer::Hub::admit(host::Descriptor client) {
   }
   socket.set_option(tcp::no_delay(true), failed);
   socket.non_blocking(true, failed);
-  // Who is gone without a word, while nothing is told him, is found by this.
+  // Detects a client that is gone without notice while nothing is sent to it.
   socket.set_option(boost::asio::socket_base::keep_alive(true), failed);
   ::setsockopt(own, IPPROTO_TCP, TCP_KEEPIDLE, &keep_alive_seconds, sizeof keep_alive_seconds);
   const auto connection = std::make_shared<Connection>(*this, std::move(socket));
@@ -592,7 +605,7 @@ std::size_t WebServer::Hub::unread() const {
   return bytes;
 }
 
-/// The viewer that has said nothing for longest goes before a newcomer is sent away.
+/// The viewer that was silent for longest is removed before a new one is refused.
 void WebServer::Hub::make_live_room() {
   if (live_clients() < limits_.live_clients_max) return;
   std::shared_ptr<Connection> longest;
@@ -602,7 +615,7 @@ void WebServer::Hub::make_live_room() {
   longest->give_way();
 }
 
-/// Who is there longest without a WebSocket goes before a newcomer is sent away.
+/// The oldest connection without a WebSocket is removed before a new one is refused.
 void WebServer::Hub::make_room() {
   std::erase_if(connections_, [](const auto& each) { return each->is_over(); });
   if (connections_.size() < limits_.clients_max) return;
@@ -675,6 +688,14 @@ const std::string& WebServer::address() const {
 
 std::string WebServer::url() const {
   return hub_->url();
+}
+
+std::vector<std::string> WebServer::urls() const {
+  return hub_->urls();
+}
+
+bool WebServer::is_loopback() const {
+  return hub_->is_loopback();
 }
 
 const std::string& WebServer::token() const {

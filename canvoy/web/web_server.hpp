@@ -1,13 +1,13 @@
 // Serves a page, an API and live clients by HTTP and WebSocket, on the event loop of the process:
-// nothing of it blocks, and no client slows what else the loop does.
+// no operation blocks, and no client delays the rest of the loop.
 //
 //     auto server = WebServer::create(*loop, {.address = "127.0.0.1:8080"}, application);
 //     if (!server) return fail(server.error().line());
 //     fmt::print("{}\n", (*server)->url());
 //     (*server)->offer();  // whenever something may be new
 //
-// Sockets are watched by the project's own loop; what is to be done when one is ready is
-// Boost.Asio's and Beast's, who are asked to do what can be done at once, and never to wait.
+// The event loop of the project watches the sockets; Boost.Asio and Beast read and write ready
+// sockets without waiting.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +15,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "canvoy/can/host/event_loop.hpp"
 #include "canvoy/can/host/result.hpp"
@@ -22,9 +23,9 @@
 
 namespace canvoy::web {
 
-/// A request for something other than the page.
+/// A request that is not for a file of the page.
 struct WebRequest {
-  std::string method;  ///< `GET`, also of HEAD; `POST`
+  std::string method;  ///< `GET`, also for HEAD; `POST`
   RequestTarget target;
   std::string body;
 };
@@ -35,7 +36,7 @@ struct WebResponse {
   std::string body{};
 };
 
-/// What one client with a WebSocket sees and says. Messages are JSON.
+/// Server side of one client with a WebSocket. Messages are JSON.
 class LiveClient {
  public:
   LiveClient() = default;
@@ -43,15 +44,15 @@ class LiveClient {
   LiveClient(const LiveClient&) = delete;
   LiveClient& operator=(const LiveClient&) = delete;
 
-  /// What is new since the last call, as one message; empty: nothing. It is asked for only when the
-  /// last one has gone: for who is slow, what has changed twice is told once.
+  /// Changes since the last call, as one message; empty: none. Called only when the last message
+  /// was sent: for a slow client, two changes are combined.
   virtual std::string next() = 0;
-  /// There is more than the last message took: it is asked for at once.
+  /// True if there is more than the last message took: next() is called again at once.
   virtual bool is_behind() const = 0;
   virtual void said(std::string_view message) = 0;
 };
 
-/// What is served.
+/// The application that is served.
 class WebApplication {
  public:
   using Answer = std::function<void(WebResponse)>;
@@ -61,43 +62,47 @@ class WebApplication {
   WebApplication(const WebApplication&) = delete;
   WebApplication& operator=(const WebApplication&) = delete;
 
-  /// What can be done with a path that is none of the page's, as Allow has it (RFC 9110, 10.2.1):
-  /// `GET, HEAD`, `POST`, or both; empty: there is nothing there.
+  /// Methods for a path outside the page, in the form of Allow: `GET, HEAD`, `POST`, or both;
+  /// empty: no such path (RFC 9110, 10.2.1).
   virtual std::string methods(std::string_view path) const = 0;
-  /// A request that fits methods(). It answers once, at once or later; later than the client waits
-  /// does no harm.
+  /// Takes a request that matches methods(). Calls `done` once, at once or later, even after the
+  /// client has gone.
   virtual void answer(const WebRequest& request, Answer done) = 0;
-  /// `target` is that of the WebSocket: what its query has is the application's.
+  /// `target` is that of the WebSocket; its query is for the application.
   virtual std::unique_ptr<LiveClient> connect(const RequestTarget& target) = 0;
 };
 
-/// What all clients together may take.
+/// Limits for all clients together.
 struct WebLimits {
-  std::size_t clients_max = 64;  ///< connections; a newcomer beyond is sent away
-  /// Of them, those with a WebSocket: a newcomer takes the place of the one that has said nothing
-  /// for longest.
+  std::size_t clients_max = 64;  ///< connections; further ones are refused
+  /// Number of them with a WebSocket: a new one replaces the one that was silent for longest.
   std::size_t live_clients_max = 16;
-  std::uint32_t head_max = 8 * 1024;   ///< bytes of a request's first line and headers
-  std::uint64_t body_max = 64 * 1024;  ///< bytes of a request's body, and of a client's message
-  int send_buffer = 128 * 1024;        ///< bytes that the system keeps for a client
+  std::uint32_t head_max = 8 * 1024;   ///< bytes of the first line and the headers of a request
+  std::uint64_t body_max = 64 * 1024;  ///< bytes of a request body, and of a client message
+  int send_buffer = 128 * 1024;        ///< bytes in the buffer of the system for a client
   Duration request_time_out = 10s;     ///< from its first byte to its answer
   Duration idle_time_out = 30s;        ///< between two requests
-  Duration message_time_out = 20s;     ///< until a client has taken a message; else it is let go
-  /// Bytes of answers and messages that clients have not taken yet, of all together. Beyond, a
-  /// request is answered with 503, and what a WebSocket would be told waits.
+  Duration message_time_out = 20s;     ///< to receive a message; else the client is disconnected
+  /// Bytes of answers and messages that were not yet received, for all clients together. Beyond, a
+  /// request gets 503, and messages of WebSockets wait.
   std::size_t unread_max = std::size_t{64} << 20;
-  unsigned said_max_per_second = 100;  ///< messages and pings of a client; beyond, it is let go
+  /// Bytes of one answer or message: a longer answer becomes a 500, a longer message ends its
+  /// WebSocket. A client has one of them at a time, so this limits the memory for one client.
+  std::size_t answer_max = std::size_t{32} << 20;
+  unsigned said_max_per_second = 100;  ///< messages and pings; beyond, the client is closed
 };
 
 struct WebOptions {
-  std::string address = "127.0.0.1:0";  ///< with 0 as the port, a free one
+  std::string address = "127.0.0.1:0";  ///< port 0: a free one
   WebLimits limits{};
-  std::string token{};  ///< what requests have to know; empty: one by chance
+  std::string token{};  ///< required in requests; empty: a random one
+  /// Public answers: no token, no page and no WebSocket, and any host name is accepted.
+  bool is_public = false;
 };
 
 class WebServer {
  public:
-  /// `application` has to outlive it.
+  /// `application` must outlive the server.
   static host::Result<std::unique_ptr<WebServer>> create(host::EventLoop& loop,
                                                          const WebOptions& options,
                                                          WebApplication& application);
@@ -105,14 +110,18 @@ class WebServer {
   WebServer(const WebServer&) = delete;
   WebServer& operator=(const WebServer&) = delete;
 
-  /// `127.0.0.1:8080`, with the port that was free.
+  /// `127.0.0.1:8080`, with the actual port.
   const std::string& address() const;
-  /// What a browser opens, with the token.
+  /// URL for a browser, with the token if required.
   std::string url() const;
   const std::string& token() const;
-  /// Asks all clients that can take a message for their next one.
+  /// URLs for other machines: one for each address of the server, if it listens at all of them;
+  /// else url().
+  std::vector<std::string> urls() const;
+  bool is_loopback() const;  ///< reachable from this machine only
+  /// Calls next() of all clients that can take a message.
   void offer();
-  /// Connections, and those of them with a WebSocket.
+  /// Number of connections, and of those with a WebSocket.
   std::size_t clients() const;
   std::size_t live_clients() const;
 

@@ -1,26 +1,23 @@
-// Over real sockets on the loopback interface.
+// Uses real sockets on the loopback interface.
 #include "canvoy/web/web_server.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <sys/socket.h>
-#include <sys/time.h>
 
-#include <array>
-#include <cerrno>
 #include <functional>
 #include <optional>
 #include <string>
 #include <thread>
 #include <utility>
 
-#include "canvoy/can/host/descriptor.hpp"
-#include "canvoy/gateway/tcp_address.hpp"
+#include "canvoy/web/http_client_test.hpp"
 
 namespace canvoy::web::web_server_test {
 namespace {
 
-/// What is served: a client's WebSocket tells him so many bytes each time that he is asked.
+using testing::Client;
+
+/// The application: the WebSocket of a client gets this number of bytes at each call.
 class Application : public WebApplication {
  public:
   class Live : public LiveClient {
@@ -58,52 +55,11 @@ class Application : public WebApplication {
 
   std::string message = "{}";
   bool is_behind = false;
-  std::size_t answer_size = 0;  ///< bytes beside the echo
+  std::size_t answer_size = 0;  ///< bytes in addition to the echo
   std::string heard;
   int live = 0;
   Answer later;
   std::function<void()> on_request;
-};
-
-/// A client program that waits for ten seconds at most.
-class Client {
- public:
-  explicit Client(const WebServer& server) {
-    const timeval patience{.tv_sec = 10, .tv_usec = 0};
-    ::setsockopt(socket_.get(), SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
-    const auto address = gateway::parse_tcp_address(server.address());
-    EXPECT_EQ(::connect(socket_.get(), address->get(), address->length), 0);
-  }
-
-  void say(std::string_view text) {
-    EXPECT_EQ(::send(socket_.get(), text.data(), text.size(), MSG_NOSIGNAL),
-              static_cast<ssize_t>(text.size()));
-  }
-  /// Whether it could be sent.
-  bool try_say(std::string_view text) {
-    return ::send(socket_.get(), text.data(), text.size(), MSG_NOSIGNAL) ==
-           static_cast<ssize_t>(text.size());
-  }
-  /// Takes what has come until now.
-  void forget_heard() {
-    std::array<char, 4096> bytes;
-    while (::recv(socket_.get(), bytes.data(), bytes.size(), MSG_DONTWAIT) > 0) continue;
-  }
-  void end_output() { ::shutdown(socket_.get(), SHUT_WR); }
-  /// What has come when `end` has; all until the connection ends where that is empty.
-  std::string heard(std::string_view end = {}) {
-    std::string text;
-    std::array<char, 4096> bytes;
-    while (end.empty() || text.find(end) == std::string::npos) {
-      const ssize_t size = ::recv(socket_.get(), bytes.data(), bytes.size(), 0);
-      if (size <= 0) return size == 0 || errno == ECONNRESET ? text : "timed out";
-      text.append(bytes.data(), static_cast<std::size_t>(size));
-    }
-    return text;
-  }
-
- private:
-  host::Descriptor socket_{::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)};
 };
 
 class WebServerTest : public ::testing::Test {
@@ -113,7 +69,7 @@ class WebServerTest : public ::testing::Test {
     server_ = *WebServer::create(*loop_, {.address = at, .limits = limits, .token = token_},
                                  application_);
   }
-  /// Plays the client while the loop serves him.
+  /// Runs the client while the loop serves it.
   void play(const std::function<void()>& client) {
     std::thread thread([&] {
       client();
@@ -135,7 +91,7 @@ class WebServerTest : public ::testing::Test {
   std::string answer(const std::string& text) {
     std::string all;
     play([&] {
-      Client client(*server_);
+      Client client(server_->address());
       client.say(text);
       all = client.heard();
     });
@@ -156,7 +112,7 @@ TEST_F(WebServerTest, AnswersRequestsOneAfterTheOther) {
   serve();
   std::string all;
   play([&] {
-    Client client(*server_);
+    Client client(server_->address());
     client.say(request("GET /api/a", "\r\n"));
     all = client.heard("GET /api/a ");
     client.say(request("POST /api/b",
@@ -182,16 +138,16 @@ TEST_F(WebServerTest, AnAnswerMayComeLaterOrWhenNobodyWaitsAnyMore) {
   std::string all;
   const std::function<void(Time)> tell = [&](Time now) {
     if (application_.later) return application_.later({.body = "late"});
-    loop_->at(now + Duration(10ms), tell);  // it has not been asked yet
+    loop_->at(now + Duration(10ms), tell);  // it was not called yet
   };
   loop_->at(loop_->now() + Duration(30ms), tell);
   play([&] {
-    Client client(*server_);
+    Client client(server_->address());
     client.say(request("GET /api/later"));
     all = client.heard();
   });
   EXPECT_TRUE(has(all, "late"));
-  play([&] { Client(*server_).say(request("GET /api/later")); });
+  play([&] { Client(server_->address()).say(request("GET /api/later")); });
   play([] {});
   if (application_.later) application_.later({.body = "nobody"});
   play([] {});
@@ -201,7 +157,7 @@ TEST_F(WebServerTest, WhoWaitsTooLongIsTold) {
   serve({.idle_time_out = 200ms});
   std::string all;
   play([&] {
-    Client client(*server_);
+    Client client(server_->address());
     client.say(request("GET /api/later", "\r\n") + request("GET /api/a", "\r\n"));
     all = client.heard();
   });
@@ -225,15 +181,15 @@ TEST_F(WebServerTest, MethodsAreThoseOfTheApplication) {
   EXPECT_TRUE(has(answer(request("POST /nothing", body)), "HTTP/1.1 404 "));
 }
 
-// RFC 6455, 1.3: the key of its example, and what is to be answered to it.
+// The key of the example, and its answer (RFC 6455, 1.3).
 TEST_F(WebServerTest, OpensAWebSocketAndTellsTheFirstMessageAtOnce) {
   serve();
   std::string all;
   play([&] {
-    Client client(*server_);
+    Client client(server_->address());
     client.say(upgrade());
     all = client.heard("{}");
-    // 5.7: "Hello", masked.
+    // "Hello", masked (RFC 6455, 5.7).
     client.say("\x81\x85\x37\xfa\x21\x3d\x7f\x9f\x4d\x51\x58");
     all += client.heard("{}");
   });
@@ -247,7 +203,7 @@ TEST_F(WebServerTest, WhoReadsNothingIsLetGo) {
   application_.message = std::string(8 << 20, 'x');
   std::string all;
   play([&] {
-    Client client(*server_);
+    Client client(server_->address());
     client.say(upgrade());
     std::this_thread::sleep_for(std::chrono::milliseconds(2500));
     all = client.heard();
@@ -267,9 +223,9 @@ TEST_F(WebServerTest, WhoTricklesHisRequestIsLetGo) {
   std::string all;
   int said = 0;
   play([&] {
-    Client client(*server_);
+    Client client(server_->address());
     client.say("GET /api/a HTTP/1.1\r\nX: ");
-    // Each byte comes soon after the one before, for ten times as long as there is time.
+    // Each byte comes soon after the previous one, for ten times the permitted time.
     for (; said < 60 && client.try_say("x"); ++said) {
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
@@ -279,12 +235,12 @@ TEST_F(WebServerTest, WhoTricklesHisRequestIsLetGo) {
   EXPECT_FALSE(has(all, "200 OK"));
 }
 
-// RFC 6455, 5.4: a message may come in any number of frames.
+// A message may come in any number of frames (RFC 6455, 5.4).
 TEST_F(WebServerTest, AMessageThatNeverEndsHasAnEnd) {
   serve({.body_max = 1000});
   std::string all;
   play([&] {
-    Client client(*server_);
+    Client client(server_->address());
     client.say(upgrade());
     client.heard("{}");
     const std::string first = "\x01\xfd" + std::string(4, '\0') + std::string(125, 'x');
@@ -304,11 +260,11 @@ TEST_F(WebServerTest, AFrameThatNeverEndsKeepsNobodyWaiting) {
   serve();
   std::string all;
   play([&] {
-    Client half(*server_);
+    Client half(server_->address());
     half.say(upgrade());
     half.heard("{}");
     half.say(std::string("\x81\xfe\xff\xff", 4) + std::string(4, '\0') + "x");
-    Client other(*server_);
+    Client other(server_->address());
     other.say(request("GET /api/a"));
     all = other.heard();
   });
@@ -318,10 +274,10 @@ TEST_F(WebServerTest, AFrameThatNeverEndsKeepsNobodyWaiting) {
 TEST_F(WebServerTest, WhoAsksWithoutEndLeavesTheLoopToOthers) {
   serve();
   constexpr int many = 5000;
-  Client client(*server_);
+  Client client(server_->address());
   const std::string next = request("GET /api/a", "\r\n");
   int asked = 0;
-  // Each request is there before the one ahead of it is answered: the server is never idle.
+  // Each request arrives before the previous one is answered: the server is never idle.
   application_.on_request = [&] {
     client.forget_heard();
     if (++asked == many) return loop_->stop();
@@ -339,12 +295,12 @@ TEST_F(WebServerTest, WhoAsksWithoutEndLeavesTheLoopToOthers) {
   EXPECT_GT(turns, many / 100);
 }
 
-// RFC 6455, 5.5.2: each is answered with a pong.
+// Each is answered with a pong (RFC 6455, 5.5.2).
 TEST_F(WebServerTest, WhoPingsTooMuchIsLetGo) {
   serve({.said_max_per_second = 10});
   std::string all;
   play([&] {
-    Client client(*server_);
+    Client client(server_->address());
     client.say(upgrade());
     client.heard("{}");
     const std::string ping = "\x89\x80" + std::string(4, '\0');
@@ -359,7 +315,7 @@ TEST_F(WebServerTest, APingIsAnswered) {
   serve();
   std::string all;
   play([&] {
-    Client client(*server_);
+    Client client(server_->address());
     client.say(upgrade());
     client.heard("{}");
     client.say("\x89\x81" + std::string(4, '\0') + "a");
@@ -373,12 +329,12 @@ TEST_F(WebServerTest, ANewcomerTakesThePlaceOfWhoIsThereLongestWithoutAWebSocket
   std::string first;
   std::string third;
   play([&] {
-    Client live(*server_);
+    Client live(server_->address());
     live.say(upgrade());
     live.heard("{}");
-    Client idle(*server_);
+    Client idle(server_->address());
     idle.say("GET");
-    Client newcomer(*server_);
+    Client newcomer(server_->address());
     newcomer.say(request("GET /api/c"));
     third = newcomer.heard();
     first = idle.heard();
@@ -400,7 +356,8 @@ TEST_F(WebServerTest, WithoutTheTokenNothingIsAnswered) {
   EXPECT_TRUE(has(page, fmt::format("={}; HttpOnly; SameSite=Strict; Path=/", token_))) << page;
 }
 
-// An image of a foreign page has no Origin; all browsers of today say whose page asks.
+// An image of a foreign page has no Origin; present browsers send the relation of the requesting
+// page.
 TEST_F(WebServerTest, WhatAForeignPageLoadsIsRefused) {
   serve();
   const std::string foreign = "Sec-Fetch-Site: cross-site\r\nConnection: close\r\n\r\n";
@@ -430,7 +387,7 @@ TEST_F(WebServerTest, WhoExpectsToBeToldToGoOnIsTold) {
   serve();
   std::string all;
   play([&] {
-    Client client(*server_);
+    Client client(server_->address());
     client.say(request("POST /api/b",
                        "Content-Type: application/json\r\nContent-Length: 2\r\n"
                        "Expect: 100-continue\r\nConnection: close\r\n\r\n"));
@@ -454,18 +411,18 @@ TEST_F(WebServerTest, AViewerTakesThePlaceOfTheOneThatHasSaidNothingForLongest) 
   std::string silent_heard;
   std::string newcomer_heard;
   play([&] {
-    Client silent(*server_);
+    Client silent(server_->address());
     silent.say(upgrade());
     silent.heard("{}");
-    Client other(*server_);
+    Client other(server_->address());
     other.say(upgrade());
     other.heard("{}");
     other.say("\x81\x85\x37\xfa\x21\x3d\x7f\x9f\x4d\x51\x58");
     other.heard("{}");
-    Client newcomer(*server_);
+    Client newcomer(server_->address());
     newcomer.say(upgrade());
     newcomer_heard = newcomer.heard("{}");
-    silent_heard = silent.heard("\x03\xf5");  // RFC 6455, 7.4: 1013, try again later
+    silent_heard = silent.heard("\x03\xf5");  // 1013, try again later (RFC 6455, 7.4)
   });
   EXPECT_TRUE(has(newcomer_heard, "HTTP/1.1 101 ")) << newcomer_heard;
   EXPECT_TRUE(has(silent_heard, "\x88")) << silent_heard;
@@ -476,10 +433,10 @@ TEST_F(WebServerTest, AnswersThatNobodyTakesHaveABudget) {
   application_.answer_size = 800 << 10;
   std::string second;
   play([&] {
-    Client first(*server_);
+    Client first(server_->address());
     first.say(request("GET /api/a"));
     first.heard("HTTP/1.1 200 ");  // and no more
-    Client other(*server_);
+    Client other(server_->address());
     other.say(request("GET /api/a"));
     second = other.heard();
   });
@@ -487,6 +444,24 @@ TEST_F(WebServerTest, AnswersThatNobodyTakesHaveABudget) {
   EXPECT_TRUE(has(second, "Retry-After: 1"));
   application_.answer_size = 0;
   EXPECT_TRUE(has(answer(request("GET /api/a")), "GET /api/a "));
+}
+
+TEST_F(WebServerTest, OneClientHasABudgetToo) {
+  serve({.answer_max = 1000});
+  application_.answer_size = 1000;
+  EXPECT_TRUE(has(answer(request("GET /api/a")), "HTTP/1.1 500 "));
+  application_.answer_size = 900;
+  EXPECT_TRUE(has(answer(request("GET /api/a")), "HTTP/1.1 200 "));
+  application_.message = std::string(1001, 'x');
+  EXPECT_FALSE(has(answer(upgrade()), "xxx"));
+  application_.message = std::string(1000, 'x');
+  std::string heard;
+  play([&] {
+    Client client(server_->address());
+    client.say(upgrade());
+    heard = client.heard("xxx");
+  });
+  EXPECT_TRUE(has(heard, "xxx")) << heard;
 }
 
 TEST_F(WebServerTest, ThePageIsCompressedAndNotSentTwice) {
@@ -508,8 +483,8 @@ TEST_F(WebServerTest, ThePageIsCompressedAndNotSentTwice) {
 TEST_F(WebServerTest, EndsWhileClientsAreThere) {
   serve();
   application_.message = std::string(8 << 20, 'x');
-  Client client(*server_);
-  Client idle(*server_);
+  Client client(server_->address());
+  Client idle(server_->address());
   client.say(upgrade());
   loop_->run_until(loop_->now() + Duration(50ms));
   EXPECT_EQ(application_.live, 1);

@@ -35,7 +35,8 @@ class Canvoy(ConanFile):
 
     def requirements(self):
         if self.options.formats:
-            for each in ("fmt/[>=9 <12]", "libzip/[>=1.7 <2]", "nlohmann_json/[>=3.11 <4]", "pugixml/[>=1.13 <2]", "zlib/[>=1.2.11 <2]"):
+            for each in ("fmt/[>=9 <12]", "libzip/[>=1.7 <2]", "nlohmann_json/[>=3.11 <4]", "pugixml/[>=1.13 <2]", "sqlite3/[>=3.36 <4]",
+                         "zlib/[>=1.2.11 <2]"):
                 self.requires(each, transitive_headers=True)
 
     def validate(self):

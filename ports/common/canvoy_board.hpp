@@ -12,7 +12,7 @@
 //     device.node().start(board.now());
 //     for (;;) wait_for_frame(port.turn(device.node()));
 //
-// A fourth one, `canvoy::BusState bus_state()`, tells the node when the controller is bus-off.
+// A fourth one, `canvoy::BusState bus_state()`, reports when the controller is bus-off.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@
 
 namespace canvoy::board {
 
-/// What a board brings. All is called in one thread, that of turn().
+/// Requirements on a board. All functions are called in one thread, that of turn().
 template <class T>
 concept Board = requires(T& board, const Frame& sent, Frame& received) {
   { board.send(sent) } -> std::same_as<bool>;
@@ -32,7 +32,7 @@ concept Board = requires(T& board, const Frame& sent, Frame& received) {
   { board.now() } -> std::same_as<Time>;
 };
 
-/// Between a node and its board, both of which must outlive it.
+/// Connects a node and its board, both of which must outlive it.
 template <Board B>
 class BoardPort {
  public:
@@ -42,8 +42,8 @@ class BoardPort {
 
   Port port() { return {this, send, nullptr}; }
 
-  /// Hands the node what has come, and does what is due. Answers for how long the board may wait
-  /// for a frame, `wait_max` at most; zero where there is more to do at once.
+  /// Hands received frames to the node, and does what is due. Returns how long the board may wait
+  /// for a frame, `wait_max` at most; zero if there is more to do at once.
   template <class Node>
   Duration turn(Node& node, Duration wait_max = std::chrono::seconds(1)) {
     tell_bus_state(node);
@@ -54,7 +54,7 @@ class BoardPort {
       node.tx_ready(now);
     }
     node.advance(now);
-    // The controller tells nobody when it has room again.
+    // The controller does not report when it has room again.
     const Duration longest = is_full_ ? std::min(wait_max, Duration(1000)) : wait_max;
     const Time deadline = node.deadline();
     if (deadline <= now) return Duration(0);

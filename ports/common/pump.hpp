@@ -1,9 +1,9 @@
-// The device of all samples: a node with an object of its own, 2000h.
+// The device of all samples: a node with one application object, 2000h.
 #pragma once
 
-#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/device/device_node.hpp"
 #include "canvoy/profiles/cia301.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 
 namespace pump {
 

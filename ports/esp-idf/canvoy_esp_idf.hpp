@@ -16,11 +16,11 @@
 
 namespace canvoy::board {
 
-/// The one TWAI controller of the chip. After bus-off it starts the recovery of the controller by
+/// The only TWAI controller of the chip. After bus-off it starts the recovery of the controller by
 /// itself.
 class EspCan {
  public:
-  /// False where the driver refuses something.
+  /// Starts the controller. False if the driver refuses a setting.
   bool start(gpio_num_t tx, gpio_num_t rx, const twai_timing_config_t& timing) {
     const twai_general_config_t general = TWAI_GENERAL_CONFIG_DEFAULT(tx, rx, TWAI_MODE_NORMAL);
     const twai_filter_config_t all = TWAI_FILTER_CONFIG_ACCEPT_ALL();
@@ -65,7 +65,7 @@ class EspCan {
     return errors >= 96 ? BusState::error_warning : BusState::error_active;
   }
 
-  /// Until a frame has come, for this long at most. A tick at least: others want to run, too.
+  /// Waits for a frame, at most `longest`, but at least a tick, so that other tasks run.
   void wait(Duration longest) {
     if (has_next_) return;
     const auto ticks = static_cast<TickType_t>(longest.count() / 1000 / portTICK_PERIOD_MS);

@@ -1,5 +1,5 @@
-// A board with FreeRTOS. FreeRTOS knows no CAN: what sends a frame is the driver's, and what the
-// driver receives it puts into a queue, from its interrupt.
+// A board with FreeRTOS. FreeRTOS has no CAN: the driver sends frames, and puts received frames
+// into a queue from its interrupt.
 //
 //     bool can_transmit(const canvoy::Frame& frame);           // yours; false where there is no
 //     room FreeRtosCan can(can_transmit); can.received_from_isr(frame); // from the interrupt of
@@ -17,8 +17,8 @@
 
 namespace canvoy::board {
 
-/// `frames_max` received frames wait for the node. Its time has the resolution of a tick: give it
-/// configTICK_RATE_HZ of 1000.
+/// A board. `frames_max` received frames wait for the node. Time has the resolution of a tick: set
+/// configTICK_RATE_HZ to 1000.
 template <unsigned frames_max = 16>
 class FreeRtosCan {
  public:
@@ -28,7 +28,8 @@ class FreeRtosCan {
   FreeRtosCan(const FreeRtosCan&) = delete;
   FreeRtosCan& operator=(const FreeRtosCan&) = delete;
 
-  /// Called by the driver's interrupt. False where the queue is full: tell Node::overrun().
+  /// Queues a received frame; called by the driver's interrupt. False if the queue is full: call
+  /// Node::overrun().
   bool received_from_isr(const Frame& frame) {
     BaseType_t has_woken = pdFALSE;
     const bool has_room = xQueueSendFromISR(queue_, &frame, &has_woken) == pdTRUE;
@@ -39,8 +40,8 @@ class FreeRtosCan {
   bool send(const Frame& frame) { return transmit_(frame); }
   bool receive(Frame& frame) { return xQueueReceive(queue_, &frame, 0) == pdTRUE; }
 
-  /// Ticks have 32 bits in most ports, and overflow after 49 days: this counts on, if it is called
-  /// at least once in that time, as turn() does.
+  /// Time since the start. Ticks have 32 bits in most ports and overflow after 49 days: this
+  /// extends them if it is called at least once in that time, as turn() does.
   Time now() {
     const TickType_t ticks = xTaskGetTickCount();
     ticks_ += static_cast<TickType_t>(ticks - last_);
@@ -48,7 +49,7 @@ class FreeRtosCan {
     return Time(Duration(static_cast<std::int64_t>(ticks_) * (1'000'000 / configTICK_RATE_HZ)));
   }
 
-  /// Until a frame has come, for this long at most.
+  /// Waits for a frame, at most `longest`.
   void wait(Duration longest) {
     Frame next;
     const auto ticks = static_cast<TickType_t>(longest.count() * configTICK_RATE_HZ / 1'000'000);

@@ -1,9 +1,9 @@
-// A pump with an object of its own, in a task of FreeRTOS. Bring can_transmit() and have the driver
-// call can_received().
+// A pump with one application object, in a task of FreeRTOS. Supply can_transmit() and have the
+// driver call can_received().
 #include "canvoy_freertos.hpp"
 #include "pump.hpp"
 
-/// The driver's: puts a frame into the controller; false where it has no room.
+/// Function of the driver: puts a frame into the controller; false if there is no room.
 bool can_transmit(const canvoy::Frame& frame);
 
 static canvoy::board::FreeRtosCan<> can(can_transmit);

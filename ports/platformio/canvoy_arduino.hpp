@@ -1,4 +1,4 @@
-// A board with the Arduino framework. The CAN library is yours: two functions of it are wanted.
+// A board with the Arduino framework. The application supplies the CAN library, as two functions.
 //
 //     ArduinoCan can(send, receive);     // bool send(const Frame&), bool receive(Frame&)
 //     BoardPort port(can);
@@ -19,8 +19,8 @@ class ArduinoCan {
   bool send(const Frame& frame) { return send_(frame); }
   bool receive(Frame& frame) { return receive_(frame); }
 
-  /// micros() has 32 bits and overflows after 71 minutes: this counts on, if it is called at least
-  /// once in that time, as turn() does.
+  /// Time since the start. micros() has 32 bits and overflows after 71 minutes: this extends it if
+  /// it is called at least once in that time, as turn() does.
   Time now() {
     const auto micros_now = static_cast<std::uint32_t>(micros());
     micros_ += static_cast<std::uint32_t>(micros_now - last_);

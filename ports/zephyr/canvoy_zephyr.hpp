@@ -15,7 +15,7 @@
 
 namespace canvoy::board {
 
-/// One for each controller. Frames come by a message queue, which an interrupt fills.
+/// One board for each controller. Frames arrive through a message queue, which an interrupt fills.
 class ZephyrCan {
  public:
   explicit ZephyrCan(const device* can) : can_(can) {
@@ -24,7 +24,8 @@ class ZephyrCan {
   ZephyrCan(const ZephyrCan&) = delete;
   ZephyrCan& operator=(const ZephyrCan&) = delete;
 
-  /// Takes all frames with 11-bit identifiers. False where the driver refuses something.
+  /// Starts the controller, which receives all frames with 11-bit identifiers. False if the driver
+  /// refuses a setting.
   bool start(std::uint32_t bit_rate) {
     const can_filter all{.id = 0, .mask = 0, .flags = 0};
     return device_is_ready(can_) && can_set_bitrate(can_, bit_rate) == 0 &&
@@ -76,7 +77,7 @@ class ZephyrCan {
     }
   }
 
-  /// Until a frame has come, for this long at most.
+  /// Waits for a frame, at most `longest`.
   void wait(Duration longest) {
     k_poll_event event;
     k_poll_event_init(&event, K_POLL_TYPE_MSGQ_DATA_AVAILABLE, K_POLL_MODE_NOTIFY_ONLY, &queue_);

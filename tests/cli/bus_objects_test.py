@@ -73,7 +73,7 @@ class BusObjects(CommandTest):
             self.assertTrue(row[12] or not any(cell.endswith("d") for cell in row[:12]), f"no reason: {index}")
 
     def test_each_row_names_a_test_that_there_is(self):
-        folders = [ROOT / "canvoy" / "devices" / "cia407", ROOT / "canvoy" / "sim" / "bus"]
+        folders = [ROOT / "canvoy" / "devices" / "cia407", ROOT / "canvoy" / "worlds" / "bus_line"]
         sources = "".join(path.read_text() for folder in folders for path in folder.rglob("*_test.cpp"))
         there_are = {f"{suite}.{name}" for suite, name in re.findall(r"(?m)^(?:TYPED_)?TEST(?:_F|_P)?\((\w+),\s*(\w+)\)", sources)}
         for rows in self.rows.values():

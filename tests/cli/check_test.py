@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """canvoy check: a device of ours on a bus, its reports, and how it ends. Which case finds what is tried at exact times by the unit
-tests of canvoy/words/check."""
+tests of canvoy/text/check."""
 
 import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -86,8 +87,77 @@ class Check(CommandTest):
         self.assert_refused(run("check", "sim", "10"), USAGE, "sim")
         self.assert_refused(run("check", BUS, "10", "--eds", "none.eds"), FAILED, "none.eds")
         self.assert_refused(run("check", BUS, "10", "--profile", "999"), USAGE, "999")
-        self.assert_refused(run("check", BUS, "10", "--only", "lss"), USAGE, "lss")
+        self.assert_refused(run("check", BUS, "10", "--only", "none"), USAGE, "none")
+        self.assert_refused(run("check", BUS, "10", "--hands", "/no/such/file"), FAILED, "/no/such/file", "check the path")
+        hands = pathlib.Path(self.path("bad.txt"))
+        for line, words in (("press it", "request = command"), ("= true", "request = command"), ("a = 1\na = 2", "already")):
+            hands.write_text(line + "\n")
+            self.assert_refused(run("check", BUS, "10", "--hands", str(hands)), FAILED, "bad.txt", words)
         self.assert_refused(run("check", BUS, "99", "--timeout", "200ms"), FAILED, "node 99", "no answer")
+
+
+HANDS_BUS = "udp:239.74.163.2:43115"
+
+
+class CheckHands(CommandTest):
+    """A taxi alarm whose key is pressed by a command, and by a person: both write to the standard input of `canvoy device`."""
+
+    @classmethod
+    def setUpClass(cls):
+        own_network.enter_or_skip()
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        cls.keys = cls.folder / "keys"
+        os.mkfifo(cls.keys)
+        # Both ends, so that it never is at its end.
+        cls.input = os.open(cls.keys, os.O_RDWR)
+        cls.addClassCleanup(os.close, cls.input)
+        device = subprocess.Popen([CANVOY, "device", "taxi-alarm", HANDS_BUS, "--node-id", "9", "--stdin"], stdin=cls.input,
+                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        cls.addClassCleanup(device.wait)
+        cls.addClassCleanup(device.terminate)
+        for _ in range(200):
+            if run("read", HANDS_BUS, "9", "1000").returncode == DONE:
+                return
+            time.sleep(0.1)
+        raise AssertionError("the alarm does not come up")
+
+    def verdict(self, *arguments, **options):
+        report = self.folder / "report.json"
+        done = run("check", HANDS_BUS, "9", "--only", "447-3-taxi-alarm-01", "--json", str(report), *arguments, **options)
+        lines = [json.loads(line) for line in report.read_text().splitlines()]
+        return done, lines[0]
+
+    def hands(self, pressed):
+        file = self.folder / "hands.txt"
+        file.write_text(f"# who presses\npress the alarm key = echo {pressed} > {self.keys}\n"
+                        f"let the alarm key go = echo alarm=released > {self.keys}\n")
+        return str(file)
+
+    def test_a_script_presses(self):
+        done, case = self.verdict("--hands", self.hands("alarm=pressed"))
+        self.assertEqual((done.returncode, case["verdict"]), (DONE, "PASS"), done.stdout)
+
+    def test_a_key_that_is_pressed_and_not_told_fails(self):
+        done, case = self.verdict("--hands", self.hands("alarm=released"))
+        self.assertEqual((done.returncode, case["verdict"]), (NOT_CONFORMING, "FAIL"), done.stdout)
+
+    def test_a_command_that_fails_says_nothing_of_the_device(self):
+        file = self.folder / "broken.txt"
+        file.write_text("press the alarm key = false\nlet the alarm key go = true\n")
+        done, case = self.verdict("--hands", str(file))
+        self.assertEqual((done.returncode, case["verdict"]), (DONE, "n/a"), done.stdout)
+
+    def test_without_hands_it_does_not_apply(self):
+        done, case = self.verdict()
+        self.assertEqual((done.returncode, case["verdict"]), (DONE, "n/a"), done.stdout)
+        self.assertIn("--hands", case["why"])
+
+    def test_a_person_is_asked_at_the_terminal(self):
+        done, case = self.verdict("--hands", "-", input="?\n")
+        self.assertEqual((done.returncode, case["verdict"]), (DONE, "n/a"), done.stdout)
+        self.assertIn("Please let the alarm key go, then Enter", done.stdout)
 
 
 if __name__ == "__main__":

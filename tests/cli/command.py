@@ -15,9 +15,9 @@ DONE, FAILED, USAGE = 0, 1, 2
 def run(*arguments, **options):
     """Runs the command to its end; its output as text."""
     options.setdefault("stdout", subprocess.PIPE)
-    return subprocess.run(
-        [CANVOY, *arguments], stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, text=True, timeout=120, **options
-    )
+    if "input" not in options:
+        options.setdefault("stdin", subprocess.DEVNULL)
+    return subprocess.run([CANVOY, *arguments], stderr=subprocess.PIPE, text=True, timeout=120, **options)
 
 
 class CommandTest(unittest.TestCase):

@@ -102,7 +102,7 @@ class ConvertLogTest(CommandTest):
         log = self.path("bus.log", LOG)
         letter = self.path("letter.txt", "Dear reader,\n")
         kept = self.path("kept.asc", "kept")
-        self.assert_refused(run("convert-log", log, self.path("bus.mf4")), USAGE, "bus.mf4", "these are written: candump log (.log), Vector ASC (.asc)")
+        self.assert_refused(run("convert-log", log, self.path("bus.xls")), USAGE, "bus.xls", "these are written: candump log (.log), Vector ASC (.asc)")
         self.assert_refused(run("convert-log", log, self.path("bus")), USAGE, "its end says no format")
         self.assert_refused(run("convert-log", log, log), USAGE, "bus.log", "name another")
         self.assert_refused(run("convert-log", letter, kept), FAILED, "letter.txt", "looks like text without frames")

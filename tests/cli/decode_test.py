@@ -228,7 +228,7 @@ class DecodeTest(CommandTest):
             (["--eds", nameless], ["vendor-ID", "5="]),
             (["--eds", "5="], ["'5='", "5=FILE"]),
             (["--eds", "0=x.eds"], ["'0'", "1 to 127"]),
-            (["--out", "bus.xml"], ["'bus.xml'", ".pcapng"]),
+            (["--out", "bus.xml"], ["bus.xml: its end says no format", ".pcapng"]),
             (["--out", "bus.pcapng", "--json"], ["--json", "--out"]),
             (["--count", "0"], ["--count"]),
         ]:

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """canvoy doctor: what it says of logs with one thing wrong, in which words, and how it ends. Which sickness shows how is tried on
-simulated buses by the unit tests of canvoy/words/doctor."""
+simulated buses by the unit tests of canvoy/text/doctor."""
 
 import json
 import pathlib
@@ -89,7 +89,7 @@ class Doctor(CommandTest):
         self.assertIn("1000h:00h is 000001A3h, and by the sheet 000001A2h", lines[0]["what"])
 
     def test_bad_input_is_refused_in_a_line(self):
-        self.assert_refused(run("doctor"), USAGE, "source")
+        self.assert_refused(run("doctor"), USAGE, "which bus?")
         self.assert_refused(run("doctor", str(self.folder / "none.log")), FAILED, "none.log")
         self.assert_refused(run("doctor", self.path("", "empty.log")), FAILED, "empty.log")
         self.assert_refused(run("doctor", self.path("no log\n", "text.log")), FAILED, "text.log")

@@ -7,6 +7,7 @@ import json
 import os
 import pathlib
 import pty
+import sqlite3
 import subprocess
 import sys
 import tempfile
@@ -120,13 +121,41 @@ class FirstLines(CommandTest):
     def test_without_a_bus_the_line_to_type_is_told(self):
         self.assert_refused(run("read", "10", "1018"), USAGE, "which bus? canvoy read can0 10 1018; or export CANVOY_BUS=can0")
         self.assert_refused(run("script", "a.canvoy"), USAGE, "which bus? canvoy script can0 a.canvoy")
+        self.assert_refused(run("nmt", "start", "10"), USAGE, "which bus? canvoy nmt can0 10 start")
+        self.assert_refused(run("lss", "scan"), USAGE, "which bus? canvoy lss can0 scan")
+        self.assert_refused(run("monitor"), USAGE, "which bus? canvoy monitor can0")
         self.assert_refused(run("device", "battery"), USAGE, "the bus is missing: canvoy device battery can0")
 
     def test_a_log_is_one_by_any_of_its_names(self):
-        for name in ("b.csv", "b.log.gz", "b.blf", "b.trc", "b.pcap"):
+        for name in ("b.csv", "b.log.gz", "b.blf", "b.trc", "b.pcap", "b.mf4", "b.db", "b.db.gz"):
             self.assert_done(run("convert-log", self.path("a.log"), str(self.folder / name)))
             shown = subprocess.run([pathlib.Path(CANVOY).resolve(), "monitor", name], cwd=self.folder, capture_output=True, text=True, timeout=60, check=False)
             self.assertEqual((shown.returncode, len(shown.stdout.splitlines())), (DONE, 3), (name, shown.stderr))
+
+    def test_logs_beside_go_by_the_end_of_the_name(self):
+        logs = [str(self.folder / name) for name in ("a.log", "a.mf4", "a.db")]
+        for log in logs:
+            self.assert_done(run("run", "charger", "--for", "20s", "--log", log))
+        lines = [self.assert_done(run("decode", log)).replace(" sim ", " can0 ").splitlines() for log in logs]
+        self.assertEqual([len(each) for each in lines], [len(lines[0])] * 3)
+        self.assertEqual([each.split()[0] for each in lines[0]], [each.split()[0] for each in lines[1]])
+        self.assertEqual([each.split()[2] for each in lines[0]], [each.split()[2] for each in lines[2]])
+        odd = self.path("a.txt")
+        self.assert_done(run("run", "charger", "--for", "1s", "--log", odd))
+        self.assertTrue(pathlib.Path(odd).read_text().startswith("("), "any other name is a log of candump")
+
+    def test_a_database_of_others_gets_one_line(self):
+        path = str(self.folder / "people.db")
+        with sqlite3.connect(path) as database:
+            database.execute("CREATE TABLE people(name)")
+        self.assert_refused(run("decode", path), FAILED, "it has no table 'messages', only people")
+
+    def test_values_are_a_parquet_file(self):
+        table = self.folder / "a.parquet"
+        self.assertEqual(self.assert_done(run("decode", self.path("a.log"), "--parquet", str(table), "--node", "10=418")), "")
+        self.assertEqual((table.read_bytes()[:4], table.read_bytes()[-4:]), (b"PAR1", b"PAR1"))
+        self.assert_refused(run("decode", self.path("a.log"), "--parquet", self.path("a.log")), USAGE, "is the log itself")
+        self.assert_refused(run("decode", self.path("a.log"), "--parquet", "a", "--csv"), USAGE, "--csv")
 
     def test_what_a_format_does_not_keep_is_told(self):
         two = LOG.replace("can0 70A", "can1 70A")

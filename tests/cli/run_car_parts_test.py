@@ -92,7 +92,7 @@ class RunCarParts(CommandTest):
         self.assertIs(trip["judged"], True, "its fare is read over the mesh")
         shown = re.findall(r"taximeter: stopped, (\d+\.\d\d)", told[0])[-1]
         self.assertEqual(f"{trip['paid']:.2f}", shown, "the passenger pays what the meter shows")
-        self.assertTrue(any(line.startswith("TOTAL") for line in lines[-1]["paper"]), "it has our printer print")
+        self.assertTrue(any(line.startswith("INCOME") for line in lines[-1]["paper"]), "it has our printer print")
         self.assertIs(lines[-1]["all_held"], True)
 
     def test_a_printer_on_the_bus_prints_the_receipt(self):
@@ -158,6 +158,13 @@ class RunCarParts(CommandTest):
         self.assertIn("sm: Memory 1 stored", ask_gateway("0xFCFFFF"))
         self.assertIn("rm: Memory 1 recalled", ask_gateway("0xFF9FFF"))
 
+    def test_several_orders_are_said_in_one(self):
+        said = self.assert_done(run("device", "taximeter", "--press", "hire@0s,sign-on@50ms", "sim", "--set", "supplement=1@100ms,level=2@150ms", "--for", "300ms"))
+        self.assertIn("hire: not in this state", said)
+        self.assertIn("taximeter: for hire", said)
+        self.assertIn("supplement: not in this state", said)
+        self.assertNotIn("level: not in this state", said)
+
     def test_what_a_meter_has_counted_outlives_its_process(self):
         store = str(self.folder / "meter.store")
         arguments = ["device", "taximeter", "sim", "--store", store]
@@ -214,6 +221,8 @@ class RunCarParts(CommandTest):
         for arguments, *parts in [
             (["taximeter", "--press", "fly@2s"], "--press", "'fly@2s'", "sign-on, hire,"),
             (["taximeter", "--press", "hire"], "--press", "'hire'"),
+            (["taximeter", "--press", "hire@1s", "stop@2s"], "'stop@2s'", "hire@2s,stop@9s in one"),
+            (["taximeter", "--press", "hire@1s,fly@2s"], "--press", "'fly@2s'"),
             (["printer", "--press", "hire@2s"], "--press", "'hire@2s'", "there is paper="),
             (["ivn-gateway", "--speed", "fast@2s"], "--speed", "'fast@2s'", "50@10s"),
             (["gps", "--speed", "5@2s", "--nmea", str(self.folder / "drive.nmea")], "--speed"),

@@ -92,7 +92,8 @@ class RunExcavator(CommandTest):
         self.assert_done(run("run", "excavator", "--for", "12min", "--log", str(path)))
         output = self.assert_done(run("decode", str(path), "--json", "--node", "10=852", "--node", "33=401", "--node", "7=401"))
         self.assertIn("node 7 (07h) of network 2: read 6000h:01h", output)
-        self.assertIn("node 7 (07h) of network 2: 6000h:01h = 01", output)
+        # Lever down, somebody in the seat, emergency stop not pressed.
+        self.assertIn("node 7 (07h) of network 2: 6000h:01h = 07", output)
         services = {json.loads(line)["service"] for line in output.splitlines()}
         known = re.compile(r"NMT|[RT]?PDO ?\d*|SDO request|SDO response|heartbeat|boot-up|emergency")
         self.assertEqual([service for service in services if not known.fullmatch(service)], [])

@@ -51,8 +51,10 @@ class RunPolice(CommandTest):
         self.assertTrue(shown)
         for snapshot in shown:
             self.assertIs(snapshot["plant"]["blue_light"], True)
-            self.assertNotEqual(snapshot["plant"]["siren"], "none")
-            self.assertEqual(snapshot["terminal"]["display_2"], "BLUE SIREN")
+            sounds = snapshot["plant"]["siren"] != "none"
+            self.assertEqual(snapshot["terminal"]["display_2"], "BLUE SIREN" if sounds else "BLUE")
+        # Some calls are driven to without the siren, most with it.
+        self.assertIn("BLUE SIREN", [snapshot["terminal"]["display_2"] for snapshot in shown])
 
     def test_a_holder_that_dies_does_not_stop_the_others(self):
         output = self.assert_done(run("run", "police", "--for", "25min", "--fault", "dead-client@10min+5min"))

@@ -111,6 +111,21 @@ class RunTaxi(CommandTest):
         self.assertIn("at 15min for 10.000s", text.read_text())
         self.assert_refused(run("run", "taxi", "--for", "1s", "--report", "/nowhere/report"), USAGE, "/nowhere")
 
+    def test_a_file_of_a_taxi_has_a_report_and_receipts_as_well(self):
+        path = self.folder / "taxi.toml"
+        path.write_text('network = "taxi"\nfor = "2h"\nseed = 7\n')
+        report, receipts = self.folder / "report.json", self.folder / "receipts"
+        output = self.assert_done(run("run", str(path), "--json", "--report", str(report)))
+        trips = json.loads(output.splitlines()[-1])["trips"]
+        self.assertEqual([trip["paid"] for trip in json.loads(report.read_text())["trips"]], [trip["paid"] for trip in trips])
+        self.assert_done(run("run", str(path), "--receipts", str(receipts)))
+        self.assertEqual(len(list(receipts.iterdir())), len(trips) + 1, "and the slip of the shift")
+        self.assert_refused(run("run", str(path), "--for", "1s", "--report", "/nowhere/report"), USAGE, "/nowhere")
+        other = self.folder / "police.toml"
+        other.write_text('network = "police"\nfor = "1min"\n')
+        self.assert_refused(run("run", str(other), "--report", str(report)), USAGE, "of a taxi")
+        self.assert_refused(run("run", "police", "--for", "1s", "--report", str(report)), USAGE, "of a file of a taxi")
+
     def test_a_drive_that_was_recorded_is_what_the_meter_charges_for(self):
         output = self.assert_done(run("run", "taxi", "--nmea", str(DRIVE), "--for", "3h", "--json"))
         lines = [json.loads(line) for line in output.splitlines()]
@@ -162,16 +177,16 @@ class RunTaxi(CommandTest):
         output = self.assert_done(run("run", "taxi", *arguments, "--json"))
         trips = json.loads(output.splitlines()[-1])["trips"]
         names = sorted(path.name for path in folder.iterdir())
-        self.assertEqual(names, [f"receipt-{i + 1:04}.png" for i in range(len(trips))])
+        self.assertEqual(names, [f"receipt-{i + 1:04}.png" for i in range(len(trips) + 1)], "and the slip")
         self.assertGreater(len(names), 2)
         pictures = [(folder / name).read_bytes() for name in names]
         for picture in pictures:
             self.assertEqual(picture[:8], b"\x89PNG\r\n\x1a\n")
             width, height = struct.unpack(">II", picture[16:24])
             self.assertEqual(width, 384)
-            # Seven lines of 16 dots at least, and three that are empty.
-            self.assertGreater(height, 9 * 16)
-            self.assertLess(height, 14 * 16)
+            # Fourteen lines of 16 dots at least; the slip has nineteen.
+            self.assertGreater(height, 14 * 16)
+            self.assertLess(height, 28 * 16)
         self.assertEqual(len(set(pictures)), len(pictures), "each is another one")
         self.assert_refused(run("run", "taxi", *arguments), USAGE, "there are receipts", str(folder))
         path = self.folder / "file"

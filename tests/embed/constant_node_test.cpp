@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/device/device_node.hpp"
 #include "canvoy/canopen/lss/lss_slave.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 

@@ -34,7 +34,7 @@ class Program {
 
 struct Node {
   Node(EventLoop& loop, HostBus& bus) : attachment(loop, bus), port(attachment.port()) {
-    attachment.serve(*this);
+    attachment.attach(*this);
   }
   void receive(const Frame& frame, Time) { heard.emplace_back(FrameText(frame).view()); }
 

@@ -68,7 +68,7 @@ class Beside {
 
 struct Node {
   Node(EventLoop& loop, HostBus& bus) : attachment(loop, bus), port(attachment.port()) {
-    attachment.serve(*this);
+    attachment.attach(*this);
   }
 
   void receive(const Frame& frame, Time) { heard.emplace_back(FrameText(frame).view()); }
@@ -158,8 +158,8 @@ TEST_F(SocketCanTest, NodeGuardingIsAnsweredToRemoteFramesOfCansendAndOfOurMaste
   NodeGuardingSlave slave(slave_node);
   NodeGuardingMaster::Slot slots[1];
   NodeGuardingMaster master(master_node, slots);
-  slave_attachment.serve(slave_node);
-  master_attachment.serve(master_node);
+  slave_attachment.attach(slave_node);
+  master_attachment.attach(master_node);
   slave_node.start(loop_->now());
   master_node.start(loop_->now());
   shell("cansend vtest '705#R' && cansend vtest '705#R1' && cansend vtest '705#R8'");

@@ -1,12 +1,11 @@
 #!/usr/bin/python3
-"""A bus behind a socketcand: the protocol's server stands in for it as doc/protocol.md and state_raw.c of socketcand have it,
+"""A bus behind a socketcand: the protocol's server stands in for it (socketcand_server.py),
 python-can's client and the command are two of its clients, and hear each other.
 
     CANVOY=build/canvoy /usr/bin/python3 tests/strangers/socketcand_test.py
 """
 
 import pathlib
-import re
 import select
 import socket
 import subprocess
@@ -19,6 +18,7 @@ TESTS = pathlib.Path(__file__).resolve().parent.parent
 sys.path += [str(TESTS), str(TESTS / "cli")]
 import own_network
 from command import CANVOY, DONE, FAILED, CommandTest, run
+from socketcand_server import Server
 
 try:
     import can
@@ -27,103 +27,6 @@ except ImportError as error:
     own_network.skip(f"{error}; scripts/install-packages test installs python3-can")
 
 PATIENCE = 120  # seconds; a lost server is found again within ten
-# As socketcand's sscanf reads it: a number in hexadecimal, a length, as many bytes.
-SEND = re.compile(r"< send ([0-9a-fA-F]+) (\d)((?: [0-9a-fA-F]{1,2})*) >")
-REMOTE = re.compile(r"< sendrtr ([0-9a-fA-F]+) (\d) >")
-
-
-class Server:
-    """One bus, can0. What a client sends, the others hear; it does not come back, as a raw socket's own frames do not."""
-
-    def __init__(self, port=0):
-        self.listener = socket.create_server(("127.0.0.1", port))
-        self.port = self.listener.getsockname()[1]
-        self.clients = []
-        self.is_silent = False
-        self.unanswered = []  # clients who came while it was silent
-        self.said = []  # by all clients in raw mode
-        self.wrong = []
-        threading.Thread(target=self.accept, daemon=True).start()
-
-    def accept(self):
-        while True:
-            try:
-                client, _ = self.listener.accept()
-            except OSError:
-                return
-            threading.Thread(target=self.serve, args=(client,), daemon=True).start()
-
-    @staticmethod
-    def messages(client):
-        rest = ""
-        while True:
-            try:
-                data = client.recv(1024)
-            except OSError:
-                return
-            if not data:
-                return
-            rest += data.decode("ascii")
-            while ">" in rest:
-                message, rest = rest.split(">", 1)
-                yield message + ">"
-
-    def serve(self, client):
-        if self.is_silent:
-            self.unanswered.append(client)
-            return
-        client.sendall(b"< hi >")
-        for message in self.messages(client):
-            if message == "< open can0 >" or message == "< rawmode >":
-                client.sendall(b"< ok >")
-                if message == "< rawmode >":
-                    self.clients.append(client)
-            elif message.startswith("< open "):
-                client.sendall(b"< error could not open bus >")
-                client.close()
-                return
-            else:
-                self.said.append(message)
-                self.pass_on(client, message)
-
-    def pass_on(self, sender, message):
-        now = f"{time.time():.6f}"
-        sent, remote = SEND.fullmatch(message), REMOTE.fullmatch(message)
-        if sent and len(sent[3].split()) == int(sent[2]):
-            data = "".join(f"{int(byte, 16):02X}" for byte in sent[3].split())
-            answer = f"< frame {self.identifier(sent[1])} {now} {data} >"
-        elif remote:
-            answer = f"< rtr {self.identifier(remote[1])} {now} {remote[2]} >"
-        else:
-            self.wrong.append(message)
-            return
-        for client in self.clients:
-            if client is not sender:
-                try:
-                    client.sendall(answer.encode("ascii"))
-                except OSError:
-                    pass
-
-    @staticmethod
-    def identifier(digits):
-        """Eight digits are a 29-bit identifier."""
-        return f"{int(digits, 16):0{8 if len(digits) == 8 else 3}X}"
-
-    def stop(self):
-        if self.listener.fileno() < 0:
-            return
-        # To wake who waits in accept().
-        self.listener.shutdown(socket.SHUT_RDWR)
-        self.listener.close()
-        self.drop_clients()
-
-    def drop_clients(self):
-        for client in self.clients + self.unanswered:
-            try:
-                client.shutdown(socket.SHUT_RDWR)
-            except OSError:
-                pass
-            client.close()
 
 
 class Socketcand(CommandTest):

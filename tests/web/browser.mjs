@@ -64,12 +64,14 @@ export function run(...command) {
   if (status !== 0) throw new Error(`canvoy ${command.join(" ")} ended with ${status}: ${stderr}`);
 }
 
-export async function open_browser() {
+/** `options`: as playwright takes them, beside those that all tests have. */
+export async function open_browser(options = {}) {
   const folder = mkdtempSync(join(tmpdir(), "canvoy-page-"));
   const context = await chromium.launchPersistentContext(folder, {
     executablePath: chromium_path,
     headless: true,
     viewport: { width: 1280, height: 720 },
+    ...options,
     args: [
       "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
       "--disable-background-networking", "--disable-component-update", "--disable-sync",

@@ -6,6 +6,7 @@ import assert from "node:assert/strict";
 import { existsSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { load, PATIENCE_MS, serve, skip } from "./browser.mjs";
+import { misfits, sizes, views, worlds } from "./fit.mjs";
 
 const puppeteer = load("puppeteer-core");
 const firefox_path = ["/usr/bin/firefox-esr", "/usr/bin/firefox"].find(existsSync);
@@ -89,6 +90,20 @@ test("each view of a charger shows what there is", async () => {
     await says(page, ".events li", /FAULT begins: pilot-loss/);
     await view(page, "Events");
     await says(page, ".verdicts tr", /^PASS\s+pilot-loss/);
+  });
+});
+
+test("a building of 30 floors fits at all sizes, in all views", async () => {
+  await shown(worlds.lift, async (page) => {
+    const told = [];
+    for (const each of views) {
+      await view(page, each);
+      for (const [width, height] of sizes) {
+        await page.setViewport({ width, height });
+        told.push(...(await page.evaluate(misfits)).map((it) => `${each}, ${width} x ${height}: ${it}`));
+      }
+    }
+    assert.deepEqual(told, []);
   });
 });
 

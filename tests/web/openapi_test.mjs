@@ -26,11 +26,12 @@ test("what is answered is as the description says", async () => {
   const Ajv = ajv_of("ajv/dist/2020.js").default;
   const ajv = new Ajv({ strict: false });
   ajv.addSchema({ $id: "api", components: description.components });
-  const values = { bus: "sim0", node: "10", object: "1018:1" };
+  const values = { bus: "sim0", node: "10", object: "1018:1", names: "plant.current_a,event" };
   for (const [path, methods] of Object.entries(description.paths)) {
     const content = methods.get?.responses["200"].content["application/json"];
     if (!content) continue;
-    const asked = path.replace(/\{(\w+)\}/g, (_, name) => values[name]);
+    const query = (methods.get.parameters ?? []).filter((each) => each.in === "query" && each.required).map((each) => `${each.name}=${values[each.name]}`);
+    const asked = path.replace(/\{(\w+)\}/g, (_, name) => values[name]) + (query.length > 0 ? `?${query.join("&")}` : "");
     const response = await ask(server, asked);
     assert.equal(response.status, 200, asked);
     const schema = JSON.parse(JSON.stringify(content.schema).replaceAll("#/components", "api#/components"));

@@ -72,12 +72,13 @@ test("a fault by a click is told with its code, and with its verdict", async () 
 test("a link and a file play the same run", async () => {
   await shown(charger, async (page) => {
     await page.waitForFunction(() => /^[1-9]:/.test(document.querySelector(".clock").innerText));
+    await page.getByRole("button", { name: "Pause" }).click(); // the link's time is the fault's, to the microsecond
     await page.getByLabel("What should go wrong?").selectOption("pilot-loss");
     await page.getByRole("button", { name: "Let it happen" }).click();
     const begins = event(page, "FAULT begins: pilot-loss");
     await begins.waitFor();
     const told = await begins.innerText();
-    await page.getByRole("button", { name: "Share this run" }).click();
+    await page.getByRole("button", { name: "Share" }).click();
     const link = await page.locator("#share-link").inputValue();
     const command = await page.locator("#share-command").inputValue();
     assert.match(command, /^canvoy run charger --seed 1 --fault pilot-loss@[0-9.]+[mu]?s\+30s$/);
@@ -297,7 +298,7 @@ test("a log's time line is dragged, and all is as it was then", async () => {
   await shown(["view", log, "--node", "10=418"], async (page) => {
     await view(page, "Objects");
     await page.getByLabel("Search").fill("6060");
-    const value = page.locator("td.strong").first();
+    const value = page.locator(".value-row .strong").first();
     const at_end = parseFloat(await value.innerText());
     const line = page.locator("header input[type=range]");
     const box = await line.boundingBox();
@@ -306,9 +307,9 @@ test("a log's time line is dragged, and all is as it was then", async () => {
     await page.mouse.move(box.x + box.width * 0.1, box.y + box.height / 2, { steps: 8 });
     await page.mouse.up();
     await page.waitForFunction(() => /^[01]:/.test(document.querySelector(".clock").innerText));
-    await page.waitForFunction((end) => parseFloat(document.querySelector("td.strong").innerText) < end, at_end);
+    await page.waitForFunction((end) => parseFloat(document.querySelector(".value-row .strong").innerText) < end, at_end);
     await line.press("End");
-    await page.waitForFunction((end) => parseFloat(document.querySelector("td.strong").innerText) === end, at_end);
+    await page.waitForFunction((end) => parseFloat(document.querySelector(".value-row .strong").innerText) === end, at_end);
   });
 });
 

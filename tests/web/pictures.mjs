@@ -30,10 +30,7 @@ await at("lift", 300, lifts, "5:00.0");
 await at("nodes", 300, lifts, "5:00.0", (page) => view(page, "Nodes"));
 await at("load", 300, lifts, "5:00.0", (page) => view(page, "Load"));
 await at("charger", 600, charger, "10:00.0");
-await at("objects", 600, charger, "10:00.0", async (page) => {
-  await view(page, "Objects");
-  await page.getByLabel("Search").fill("charge");
-});
+await at("objects", 600, charger, "10:00.0", (page) => view(page, "Objects"));
 await at("events", 600, charger, "10:00.0", (page) => view(page, "Events"));
 await at("plots", 600, charger, "10:00.0", async (page) => {
   await view(page, "Objects");

@@ -42,13 +42,13 @@ test("a run's report has its picture over time, verdicts, statistics and events"
     await page.getByText("canvoy run charger --for 10min --fault pilot-loss@2min+30s --seed 1").waitFor();
     await page.locator(".verdicts tr", { hasText: "pilot-loss" }).getByText("PASS", { exact: true }).waitFor();
     await page.locator(".events li", { hasText: "FAULT begins: pilot-loss" }).waitFor();
-    await page.locator("tr", { hasText: /^energy wh/ }).waitFor();
+    await page.locator("tr", { hasText: /^Energy\s*[0-9.]+ Wh$/ }).waitFor();
     await page.locator(".curve", { hasText: "battery_voltage" }).locator(".line").first().waitFor();
     const charge = page.locator(".charger .charge");
     const last = Number(await charge.getAttribute("width"));
     await page.getByRole("slider").focus();
     await page.keyboard.press("Home");
-    await page.getByText("as it was at").getByText("0:00", { exact: true }).waitFor();
+    await page.getByText("As it was at").getByText("0:00", { exact: true }).waitFor();
     assert.ok(Number(await charge.getAttribute("width")) < last, "there was less in the battery at the start");
   });
 });
@@ -63,13 +63,34 @@ for (const kind of ["lift", "taxi", "police", "bus", "excavator"]) {
   });
 }
 
+test("a report is read without a script, on a phone and on paper", async () => {
+  const file = join(folder, "plain.html");
+  run("report", "charger", "--for", "10min", "--fault", "pilot-loss@2min+30s", "--out", file);
+  const reader = await open_browser({ javaScriptEnabled: false, viewport: { width: 390, height: 844 } });
+  const page = await reader.context.newPage();
+  try {
+    await page.goto(pathToFileURL(file).href);
+    await page.locator(".verdicts tr", { hasText: /pilot-loss: .* allowed\./ }).first().waitFor();
+    await page.locator(".curve .line").first().waitFor();
+    await page.locator(".fault-band").first().waitFor();
+    await page.locator(".events li", { hasText: "FAULT begins: pilot-loss" }).waitFor();
+    assert.ok((await page.locator("main").boundingBox()).width <= 390);
+    await page.emulateMedia({ media: "print" });
+    const events = await page.locator(".events").boundingBox();
+    const last = await page.locator(".events li").last().boundingBox();
+    assert.ok(last.y + last.height <= events.y + events.height + 1, "all events are printed");
+  } finally {
+    await reader.close();
+  }
+});
+
 test("a log's report has its nodes, load and values, and axe finds nothing serious", async () => {
   const log = join(folder, "night.log");
   run("run", "charger", "--for", "2min", "--log", log);
   await shown([log, "--node", "10=418"], async (page) => {
     await page.locator("td", { hasText: "CiA 418 (10)" }).first().waitFor();
     await page.locator(".curve .line").first().waitFor();
-    await page.getByText(/^Last values/).click();
+    await page.getByText(/^Last values/).first().click();
     await page.locator("td", { hasText: /^battery_voltage$/ }).first().waitFor();
     await page.evaluate(readFileSync(path_of("axe-core"), "utf8"));
     for (const colorScheme of ["light", "dark"]) {

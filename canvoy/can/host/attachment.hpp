@@ -1,9 +1,9 @@
-// Ties a node to a bus and to the loop: frames, bus states and time reach it, and what it sends
-// goes out.
+// Connects a node to a bus and to the loop: passes frames, bus states and time to it, and its
+// frames to the bus.
 //
 //     Attachment attachment(loop, bus);
 //     Node node(attachment.port(), ...);
-//     attachment.serve(node);
+//     attachment.attach(node);
 #pragma once
 
 #include "canvoy/can/host/event_loop.hpp"
@@ -11,25 +11,26 @@
 
 namespace canvoy::host {
 
-/// Loop and bus must outlive it. The node is made after it, since it needs the port, and so is gone
-/// before it; the loop must not run in between.
+/// The connection. Loop and bus must outlive it. The node must be constructed after it, since it
+/// needs the port, and destroyed before it; the loop must not run in between.
 class Attachment {
  public:
-  Attachment(EventLoop& loop, HostBus& bus) : loop_(&loop), bus_(&bus), seat_(&bus.join()) {}
+  Attachment(EventLoop& loop, HostBus& bus) : loop_(&loop), bus_(&bus), endpoint_(&bus.join()) {}
   ~Attachment() {
-    bus_->leave(*seat_);
+    bus_->leave(*endpoint_);
     if (task_ != 0) loop_->remove(task_);
   }
   Attachment(const Attachment&) = delete;
   Attachment& operator=(const Attachment&) = delete;
 
-  Port port() { return seat_->port(); }
+  Port port() { return endpoint_->port(); }
 
-  /// Hands the node all that it has a member function for: receive(const Frame&, Time),
-  /// bus_state(BusState, Time), tx_ready(Time), and deadline() with advance(Time). Once.
+  /// Passes to the node everything that it has a member function for: receive(const Frame&, Time),
+  /// bus_state(BusState, Time), tx_ready(Time), and deadline() with advance(Time). To be called
+  /// once.
   template <class Node>
-  void serve(Node& node) {
-    seat_->serve(member_of(node));
+  void attach(Node& node) {
+    endpoint_->attach(member_of(node));
     if constexpr (requires(Node& n, Time t) { n.advance(t), Time(n.deadline()); }) {
       Task task;
       task.deadline = {
@@ -65,7 +66,7 @@ class Attachment {
 
   EventLoop* loop_;
   HostBus* bus_;
-  HostBus::Seat* seat_;
+  HostBus::Endpoint* endpoint_;
   EventLoop::Id task_ = 0;
 };
 

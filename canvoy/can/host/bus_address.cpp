@@ -16,7 +16,7 @@ Error refuse(std::string_view text, std::string_view what) {
   return {"bus \"" + std::string(text) + "\"", std::string(what), std::string(forms)};
 }
 
-// All of `text` as a decimal number up to `max`.
+// Parses all of `text` as a decimal number up to `max`.
 std::optional<unsigned> number(std::string_view text, unsigned max) {
   unsigned value = 0;
   const char* end = text.data() + text.size();
@@ -25,7 +25,7 @@ std::optional<unsigned> number(std::string_view text, unsigned max) {
   return value;
 }
 
-// The part before `separator`; `text` keeps what is behind it, or nothing.
+// Returns the part before `separator`; `text` keeps the part after it, or nothing.
 std::string_view cut(std::string_view& text, char separator) {
   const std::size_t position = std::min(text.find(separator), text.size());
   const std::string_view part = text.substr(0, position);
@@ -44,7 +44,7 @@ bool parse_group(std::string_view text, std::array<std::uint8_t, 4>& group) {
 }
 
 Result<BusAddress> parse_udp(std::string_view text, std::string_view rest) {
-  BusAddress address{.kind = BusKind::udp_multicast};
+  BusAddress address{.kind = BusType::udp_multicast};
   const bool has_option = rest.find('?') != std::string_view::npos;
   std::string_view endpoint = cut(rest, '?');
   if (has_option) {
@@ -67,14 +67,14 @@ Result<BusAddress> parse_udp(std::string_view text, std::string_view rest) {
   return address;
 }
 
-// What the kernel takes for an interface's name, and no more than what can be printed in a log.
+// True for a valid interface name of the kernel that can be printed in a log.
 bool is_interface_name(std::string_view text) {
   return text != "." && text != ".." && std::ranges::all_of(text, [](char character) {
            return character > ' ' && character < 0x7F && character != '/' && character != ':';
          });
 }
 
-// What stands for a machine: letters, digits and dots; of IPv6 in brackets.
+// True for a valid host: letters, digits and dots; IPv6 in brackets.
 bool is_host(std::string_view text) {
   constexpr std::size_t length_max = 253;
   return !text.empty() && text.size() <= length_max && std::ranges::all_of(text, [](char c) {
@@ -83,7 +83,7 @@ bool is_host(std::string_view text) {
   });
 }
 
-// `bench.local`, `10.0.0.7` or `[fe80::1]`, taken from the front of `rest`.
+// Takes `bench.local`, `10.0.0.7` or `[fe80::1]` from the front of `rest`.
 std::string_view take_host(std::string_view& rest) {
   if (!rest.starts_with('[')) return cut(rest, ':');
   rest.remove_prefix(1);
@@ -103,7 +103,7 @@ Result<BusAddress> check_interface(std::string_view text, std::string_view name,
 }
 
 Result<BusAddress> parse_tcp(std::string_view text, std::string_view rest) {
-  BusAddress address{.kind = BusKind::socketcand};
+  BusAddress address{.kind = BusType::socketcand};
   const std::size_t slash = rest.find('/');
   if (slash == std::string_view::npos || slash + 1 == rest.size())
     return refuse(text, "the server's bus is missing behind a /");
@@ -122,9 +122,9 @@ Result<BusAddress> parse_tcp(std::string_view text, std::string_view rest) {
 }  // namespace
 
 std::string to_string(const BusAddress& address) {
-  if (address.kind == BusKind::simulated) return "sim";
-  if (address.kind == BusKind::socketcan) return address.interface;
-  if (address.kind == BusKind::socketcand) {
+  if (address.kind == BusType::simulated) return "sim";
+  if (address.kind == BusType::socketcan) return address.interface;
+  if (address.kind == BusType::socketcand) {
     const bool is_ip6 = address.tcp.host.find(':') != std::string::npos;
     const std::string host = is_ip6 ? '[' + address.tcp.host + ']' : address.tcp.host;
     return "tcp:" + host + ':' + std::to_string(address.tcp.port) + '/' + address.interface;
@@ -138,14 +138,14 @@ std::string to_string(const BusAddress& address) {
 }
 
 Result<BusAddress> parse_bus_address(std::string_view text) {
-  if (text == "sim") return BusAddress{.kind = BusKind::simulated};
+  if (text == "sim") return BusAddress{.kind = BusType::simulated};
   if (text.starts_with("udp:")) return parse_udp(text, text.substr(4));
   if (text.starts_with("tcp:")) return parse_tcp(text, text.substr(4));
   if (text.empty()) return refuse(text, "the name is empty");
   if (text == "any") return refuse(text, "one bus has to be named");
   if (text.find(':') != std::string_view::npos)
     return refuse(text, "this kind of bus is not known");
-  return check_interface(text, text, BusAddress{.kind = BusKind::socketcan});
+  return check_interface(text, text, BusAddress{.kind = BusType::socketcan});
 }
 
 }  // namespace canvoy::host

@@ -1,4 +1,4 @@
-// How a user names a bus: can0, vcan0, udp:239.74.163.2:43113, tcp:bench.local/can0, sim.
+// The notation of a bus for users: can0, vcan0, udp:239.74.163.2:43113, tcp:bench.local/can0, sim.
 //
 //     Result<BusAddress> address = parse_bus_address("udp:239.74.163.2:43113");
 #pragma once
@@ -12,11 +12,11 @@
 
 namespace canvoy::host {
 
-enum class BusKind : std::uint8_t { socketcan, udp_multicast, socketcand, simulated };
+enum class BusType : std::uint8_t { socketcan, udp_multicast, socketcand, simulated };
 
-/// A multicast group and what reaches it. The defaults are those of python-can, but for the time to
-/// live: 0 keeps frames on this machine and takes none of others, 1 lets them into and from the
-/// local network.
+/// A multicast group and its range. The defaults are those of python-can, except the time to live:
+/// 0 keeps frames on this machine and accepts none of others, 1 lets them into and from the local
+/// network.
 struct UdpGroup {
   std::array<std::uint8_t, 4> group{239, 74, 163, 2};
   std::uint16_t port = 43113;
@@ -25,26 +25,26 @@ struct UdpGroup {
   friend bool operator==(const UdpGroup&, const UdpGroup&) = default;
 };
 
-/// Where a socketcand listens: its usual port is 29536.
+/// Address of a socketcand; its usual port is 29536.
 struct TcpServer {
-  std::string host;  ///< a name or an address; that of IPv6 without its brackets
+  std::string host;  ///< a name or an address, IPv6 without brackets
   std::uint16_t port = 29536;
 
   friend bool operator==(const TcpServer&, const TcpServer&) = default;
 };
 
 struct BusAddress {
-  BusKind kind = BusKind::socketcan;
-  std::string interface = {};  ///< of SocketCAN, here or at the server: 1 to 15 characters
-  UdpGroup udp = {};           ///< of UDP multicast
-  TcpServer tcp = {};          ///< of socketcand
+  BusType kind = BusType::socketcan;
+  std::string interface = {};  ///< of SocketCAN, local or at the server: 1 to 15 characters
+  UdpGroup udp = {};           ///< for UDP multicast
+  TcpServer tcp = {};          ///< for socketcand
 };
 
-/// The address in full: can0, udp:239.74.163.2:43113, udp:239.74.163.2:43113?ttl=1,
+/// Complete text of an address: can0, udp:239.74.163.2:43113, udp:239.74.163.2:43113?ttl=1,
 /// tcp:bench.local:29536/can0, sim.
 std::string to_string(const BusAddress& address);
 
-/// Reads `<interface>`, `sim`, `udp:[<group>[:<port>]][?ttl=<0 to 255>]`, or
+/// Parses `<interface>`, `sim`, `udp:[<group>[:<port>]][?ttl=<0 to 255>]`, or
 /// `tcp:<host>[:<port>]/<interface>`.
 Result<BusAddress> parse_bus_address(std::string_view text);
 

@@ -8,7 +8,7 @@ namespace {
 TEST(BusAddress, ABareNameIsAnInterfaceOfSocketCan) {
   const Result<BusAddress> address = parse_bus_address("vcan0");
   ASSERT_TRUE(address);
-  EXPECT_EQ(address->kind, BusKind::socketcan);
+  EXPECT_EQ(address->kind, BusType::socketcan);
   EXPECT_EQ(address->interface, "vcan0");
   EXPECT_TRUE(parse_bus_address("slcan-left_12.3"));
 }
@@ -16,13 +16,13 @@ TEST(BusAddress, ABareNameIsAnInterfaceOfSocketCan) {
 TEST(BusAddress, SimIsTheSimulatedBus) {
   const Result<BusAddress> address = parse_bus_address("sim");
   ASSERT_TRUE(address);
-  EXPECT_EQ(address->kind, BusKind::simulated);
+  EXPECT_EQ(address->kind, BusType::simulated);
 }
 
 TEST(BusAddress, UdpNamesGroupAndPort) {
   const Result<BusAddress> address = parse_bus_address("udp:224.1.2.255:5000");
   ASSERT_TRUE(address);
-  EXPECT_EQ(address->kind, BusKind::udp_multicast);
+  EXPECT_EQ(address->kind, BusType::udp_multicast);
   EXPECT_EQ(address->udp, (UdpGroup{{224, 1, 2, 255}, 5000, 0}));
 }
 
@@ -35,7 +35,7 @@ TEST(BusAddress, WhatUdpLeavesOutIsAsInPythonCanButStaysOnThisMachine) {
 TEST(BusAddress, TcpNamesASocketcandAndItsBus) {
   const Result<BusAddress> address = parse_bus_address("tcp:bench-2.local:28600/can1");
   ASSERT_TRUE(address);
-  EXPECT_EQ(address->kind, BusKind::socketcand);
+  EXPECT_EQ(address->kind, BusType::socketcand);
   EXPECT_EQ(address->tcp, (TcpServer{"bench-2.local", 28600}));
   EXPECT_EQ(address->interface, "can1");
   EXPECT_EQ(parse_bus_address("tcp:10.0.0.7/can0")->tcp, (TcpServer{"10.0.0.7", 29536}));

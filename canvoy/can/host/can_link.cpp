@@ -13,7 +13,7 @@
 
 #include "canvoy/can/host/descriptor.hpp"
 
-// From net/if.h, which does not get on with linux/if.h.
+// From net/if.h, which conflicts with linux/if.h.
 extern "C" unsigned int if_nametoindex(const char* name) noexcept;
 
 namespace canvoy::host {
@@ -32,7 +32,7 @@ void append(LinkMessage& message, const Value& value) {
   std::memcpy(&message[at], &value, sizeof value);
 }
 
-/// The value at the start of `bytes`; zeros where they are too short.
+/// Value at the start of `bytes`; zeros if they are too short.
 template <class Value>
 Value value_of(Bytes bytes) {
   Value value{};
@@ -40,7 +40,7 @@ Value value_of(Bytes bytes) {
   return value;
 }
 
-/// An attribute that ends where the message ends at the time: it may hold others.
+/// An attribute that ends at the present end of the message: it may contain others.
 class Attribute {
  public:
   Attribute(LinkMessage& message, unsigned short type) : message_(message), at_(message.size()) {
@@ -82,7 +82,7 @@ LinkMessage finished(LinkMessage message) {
   return message;
 }
 
-/// The payload of the first attribute of this type; empty where there is none.
+/// Payload of the first attribute of this type; empty if there is none.
 Bytes attribute(Bytes attributes, unsigned type) {
   while (attributes.size() >= sizeof(rtattr)) {
     const auto head = value_of<rtattr>(attributes);
@@ -117,7 +117,7 @@ class LinkSocket {
  public:
   LinkSocket() : socket_(::socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC, NETLINK_ROUTE)) {}
 
-  /// 0, or an errno; `answer` is what came instead of an acknowledgement.
+  /// Returns 0 or an errno; `answer` is the message in place of an acknowledgement.
   int ask(const LinkMessage& request, LinkMessage* answer = nullptr) const {
     std::array<std::uint8_t, 32 * 1024> buffer;
     if (!socket_ || ::send(socket_.get(), request.data(), request.size(), 0) < 0) return errno;
@@ -190,7 +190,7 @@ std::optional<CanLink> parse_link_message(std::span<const std::uint8_t> message)
   const Bytes kind = attribute(info, IFLA_INFO_KIND);
   const Bytes data = attribute(info, IFLA_INFO_DATA);
   const auto mode = value_of<can_ctrlmode>(attribute(data, IFLA_CAN_CTRLMODE));
-  // The kernel ends the name with a zero.
+  // The kernel terminates the name with a zero.
   const std::string_view name(reinterpret_cast<const char*>(kind.data()), kind.size());
   CanLink link;
   link.has_controller = name.substr(0, name.find('\0')) == kind_of_controllers;
@@ -215,7 +215,7 @@ Result<CanLink> read_can_link(std::string_view interface) {
 
 namespace {
 
-/// 0, or an errno.
+/// Returns 0 or an errno.
 int restart(const LinkSocket& socket, int index, std::uint32_t bit_rate, bool listen_only,
             bool comes_up) {
   int error = socket.ask(up_message(index, false, 1));
@@ -228,7 +228,7 @@ int restart(const LinkSocket& socket, int index, std::uint32_t bit_rate, bool li
   return error != 0 || !comes_up ? error : socket.ask(up_message(index, true, 4));
 }
 
-/// One that had no bit rate could not be up.
+/// Restores an interface. One without a bit rate could not be up.
 int put_back(const LinkSocket& socket, int index, const CanLink& before) {
   if (before.bit_rate == 0) return socket.ask(up_message(index, false, 1));
   return restart(socket, index, before.bit_rate, before.listens_only, before.is_up);

@@ -1,5 +1,5 @@
-// The settings of a CAN interface of the Linux kernel: its state, its bit rate, listen-only mode
-// (rtnetlink, linux/can/netlink.h), as `ip link set can0 type can bitrate 125000 listen-only on`.
+// The settings of a CAN interface of the Linux kernel: state, bit rate, listen-only mode
+// (rtnetlink, linux/can/netlink.h), like `ip link set can0 type can bitrate 125000 listen-only on`.
 //
 //     Result<CanLink> link = read_can_link("can0");
 //     Result<void> done = restart_can_link("can0", 125'000, true);
@@ -17,31 +17,31 @@
 namespace canvoy::host {
 
 struct CanLink {
-  bool has_controller = false;  ///< false of virtual CAN interfaces, and of all that are no CAN
+  bool has_controller = false;  ///< false for virtual CAN interfaces, and for others than CAN
   bool is_up = false;
   bool listens_only = false;
-  std::uint32_t bit_rate = 0;     ///< bit/s; 0: none was set, or the interface has none, as vcan0
-  std::optional<BusState> state;  ///< of the controller, where it tells
+  std::uint32_t bit_rate = 0;     ///< bit/s; 0: not set, or the interface has none, like vcan0
+  std::optional<BusState> state;  ///< of the controller, if it reports one
 };
 
 Result<CanLink> read_can_link(std::string_view interface);
 
-/// Takes the interface down, sets it and brings it up again; one without a CAN controller is not
-/// touched, and one that cannot be set so gets back what it had. It needs CAP_NET_ADMIN. While it
-/// only listens, a controller that can do so reports errors of the bus as error frames, which is
-/// how a wrong bit rate shows.
+/// Takes the interface down, sets it and brings it up again. An interface without a CAN controller
+/// is not changed; if the settings fail, the previous ones are restored. Needs CAP_NET_ADMIN. In
+/// listen-only mode, a controller that supports it reports errors of the bus as error frames, which
+/// reveals a wrong bit rate.
 Result<void> restart_can_link(std::string_view interface, std::uint32_t bit_rate, bool listen_only);
-/// Gives it back the bit rate and the mode that were read from it, and takes it up or down as it
-/// was.
+/// Restores the bit rate and the mode that were read from the interface, and takes it up or down as
+/// before.
 Result<void> restore_can_link(std::string_view interface, const CanLink& before);
 
-// The messages, apart from their socket.
+// The messages, without their socket.
 
 using LinkMessage = std::vector<std::uint8_t>;
 LinkMessage up_message(int interface_index, bool up, std::uint32_t sequence);
 LinkMessage bit_rate_message(int interface_index, std::uint32_t bit_rate, bool listen_only,
                              std::uint32_t sequence, bool reports_errors = true);
-/// What a kernel's answer to RTM_GETLINK says; nothing where it is none, or is cut off.
+/// Contents of a kernel's answer to RTM_GETLINK; nothing if it is another message, or is cut off.
 std::optional<CanLink> parse_link_message(std::span<const std::uint8_t> message);
 
 }  // namespace canvoy::host

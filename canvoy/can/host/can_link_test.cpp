@@ -1,5 +1,5 @@
-// Messages to and from rtnetlink. Those that set something are what `ip` of iproute2 6.1 sends, as
-// caught on their way to the kernel for an interface with the index 1.
+// Messages to and from rtnetlink. Those that set something are the messages of `ip` of iproute2
+// 6.1, as recorded on their way to the kernel for an interface with the index 1.
 #include "canvoy/can/host/can_link.hpp"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ TEST(CanLinkMessage, leavesTheReportingOfErrorsAloneForAControllerThatHasNone) {
   EXPECT_EQ(bit_rate_message(1, 125'000, false, ip_sequence, false), ip_silent);
 }
 
-/// What the kernel answers for a controller in this state, by linux/can/netlink.h.
+/// Answer of the kernel for a controller in this state, by linux/can/netlink.h.
 LinkMessage kernel_answer(std::uint8_t state) {
   LinkMessage answer = ip_listen;
   answer[24] = 0x01;  // IFF_UP
@@ -96,7 +96,7 @@ TEST(CanLinkMessage, isReadWholeOrNotAtAllHoweverItIsCutOffOrChanged) {
   for (std::size_t bit = 0; bit < good.size() * 8; ++bit) {
     LinkMessage changed = good;
     changed[bit / 8] = static_cast<std::uint8_t>(changed[bit / 8] ^ 1U << bit % 8);
-    parse_link_message(changed);  // the sanitizers look on
+    parse_link_message(changed);  // checked by the sanitizers
   }
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t buffer_size = 64 * 1024;
 constexpr std::size_t line_length_max = 512;
-constexpr std::size_t second_digits_max = 12;  // so that microseconds fit in 63 bits
+constexpr std::size_t second_digits_max = 12;  // limit for microseconds in 63 bits
 constexpr std::size_t fraction_digits_max = 9;
 constexpr int microsecond_digits = 6;
 
@@ -45,7 +45,7 @@ std::string_view take_word(std::string_view& text) {
   return word;
 }
 
-// All of `text`, which are 1 to `digits_max` decimal digits.
+// Parses all of `text`: 1 to `digits_max` decimal digits.
 bool parse_digits(std::string_view text, std::size_t digits_max, std::int64_t& value) {
   if (text.empty() || text.size() > digits_max) return false;
   if (!std::ranges::all_of(text, [](char digit) { return digit >= '0' && digit <= '9'; }))
@@ -54,7 +54,7 @@ bool parse_digits(std::string_view text, std::size_t digits_max, std::int64_t& v
   return true;
 }
 
-// `seconds.fraction`; what is finer than a microsecond is cut off.
+// Parses `seconds.fraction`; digits below a microsecond are dropped.
 bool parse_time(std::string_view text, Time& time) {
   const std::size_t point = text.find('.');
   if (point == std::string_view::npos) return false;
@@ -145,8 +145,7 @@ Result<void> CandumpWriter::flush_each_second(Time clock) {
   return flush();
 }
 
-// A part of the buffer may have been written: the last line that is whole is looked for in what
-// was.
+// Part of the buffer may have been written: finds the last complete line in it.
 Result<void> CandumpWriter::fail(int error) {
   failed_ = true;
   const off_t written = ::lseek(file_.get(), 0, SEEK_CUR);
@@ -188,8 +187,7 @@ Result<CandumpReader> CandumpReader::open(const std::string& path) {
   return CandumpReader(path, std::move(file));
 }
 
-// Lines longer than any of a log are cut off, so that a file without line feeds does not fill the
-// memory.
+// Cuts lines longer than any of a log, so that a file without line feeds does not fill the memory.
 bool CandumpReader::read_line() {
   line_.clear();
   too_long_ = false;

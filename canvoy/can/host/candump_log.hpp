@@ -1,4 +1,5 @@
-// The log of `candump -l`: a line a frame, `(1700000000.000125) can0 185#1E2F`, written and read.
+// Writes and reads the log of `candump -l`: one line for each frame, `(1700000000.000125) can0
+// 185#1E2F`.
 //
 //     Result<CandumpWriter> log = CandumpWriter::create("bus.log", loop.epoch());
 //     bus.on_frame([&](const BusFrame& heard) { log->write(heard.time, bus.name(), heard.frame);
@@ -21,22 +22,24 @@
 
 namespace canvoy::host {
 
-/// Writes through a buffer of 64 KiB. The first failure is returned once; after it everything is
-/// ignored, and the file ends with its last whole line.
+/// Writes through a buffer of 64 KiB. The first failure is returned once; afterwards all calls are
+/// ignored, and the file ends with its last complete line.
 class CandumpWriter {
  public:
-  /// Replaces the file. `epoch` is added to all times: the wall clock at Time{}, since 1970.
+  /// Makes the file, replacing an existing one. `epoch` is added to all times: the wall clock at
+  /// Time{}, since 1970.
   static Result<CandumpWriter> create(const std::string& path, Duration epoch = {});
   CandumpWriter(CandumpWriter&&) noexcept = default;
   CandumpWriter& operator=(CandumpWriter&&) = delete;
   ~CandumpWriter();
 
-  /// `interface` without blanks. Times are expected in order, but written as they come.
+  /// Writes a frame. `interface` must not contain blanks. Times are expected in order, but written
+  /// as passed.
   Result<void> write(Time time, std::string_view interface, const Frame& frame);
-  /// To the operating system, for those who read along.
+  /// Passes the buffer to the operating system, for programs that read the file meanwhile.
   Result<void> flush();
-  /// The same where a second has passed since the last time, by any steady clock: to be called now
-  /// and then, so that who follows the file sees it grow.
+  /// Like flush(), but only after a second since the last time, by any steady clock: call it
+  /// regularly, so that the file grows for programs that follow it.
   Result<void> flush_each_second(Time clock);
   std::uint64_t lines() const { return lines_; }
 
@@ -48,13 +51,13 @@ class CandumpWriter {
   Duration epoch_;
   Descriptor file_;
   std::string buffer_;
-  std::int64_t whole_ = 0;  // bytes in the file, all of whole lines
+  std::int64_t whole_ = 0;  // bytes of complete lines in the file
   std::uint64_t lines_ = 0;
   bool failed_ = false;
   Time next_flush_{};
 };
 
-/// A frame of a log; its time counts from 1970, or from whatever the log counts from.
+/// A frame of a log; its time counts from 1970, or from the origin of the log.
 struct LogEntry {
   Time time;
   std::string interface;
@@ -63,24 +66,25 @@ struct LogEntry {
 
 enum class LogLineKind : std::uint8_t {
   frame,
-  note,  ///< blank, a comment (#), or candump's DROPCOUNT
+  note,  ///< blank, a comment (#), or DROPCOUNT of candump
   fd,    ///< a CAN FD frame
   malformed,
 };
 
-/// A line of a log, pointing into its text.
+/// A line of a log, referring to its text.
 struct LogLine {
   LogLineKind kind = LogLineKind::malformed;
   Time time{};
   std::string_view interface;
   Frame frame;
-  std::string_view problem;  ///< why it is malformed
+  std::string_view problem;  ///< reason if it is malformed
 };
 
-/// Reads one line without its end. What newer tools append (a direction R or T, flags) is ignored.
+/// Parses one line without its end. Additions of newer tools (a direction R or T, flags) are
+/// ignored.
 LogLine parse_log_line(std::string_view line);
 
-/// The text of a line with its line feed, as candump writes it: at most 2 + 20 + 7 characters and
+/// Appends a line with its line feed in the format of candump: at most 2 + 20 + 7 characters and
 /// interface and frame.
 void append_log_line(std::string& text, Duration since_1970, std::string_view interface,
                      const Frame& frame);
@@ -90,8 +94,8 @@ class CandumpReader {
  public:
   static Result<CandumpReader> open(const std::string& path);
 
-  /// The next frame, or nothing at the end. A malformed line is an error with its number; the call
-  /// after it goes on behind that line.
+  /// Next frame, or nothing at the end. A malformed line is an error with its number; the next call
+  /// continues after that line.
   Result<std::optional<LogEntry>> next();
   std::uint64_t line_number() const { return line_number_; }
   std::uint64_t fd_skipped() const { return fd_skipped_; }

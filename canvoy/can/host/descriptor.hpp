@@ -13,7 +13,7 @@ namespace canvoy::host {
 class Descriptor {
  public:
   Descriptor() = default;
-  /// Takes what a system call returned; a negative value is no descriptor.
+  /// Takes the result of a system call; a negative value is no descriptor.
   explicit Descriptor(int number) : number_(number) {}
   Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
   Descriptor& operator=(Descriptor&& other) noexcept {

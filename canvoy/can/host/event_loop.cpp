@@ -15,15 +15,15 @@ namespace canvoy::host {
 
 namespace {
 
-// The ids of the loop's own descriptors; those that are handed out begin behind them.
+// The ids of the loop's own descriptors; ids for callers begin behind them.
 constexpr EventLoop::Id timer_id = 1;
 constexpr EventLoop::Id wakeup_id = 2;
 
 constexpr Duration stuck_delay = 1ms;
-// Stamps outside of these are of a wall clock that was set since the loop began.
+// Stamps outside of this range are from a wall clock that was set since the loop began.
 constexpr Duration stamp_age_max = 60s;
 constexpr Duration stamp_lead_max = 1s;
-// Beyond it a deadline is as good as none, and would overflow in nanoseconds.
+// Beyond it a deadline has no effect, and would overflow in nanoseconds.
 constexpr Time deadline_max{Duration{1h} * 24 * 365 * 50};
 
 constexpr std::int64_t nanoseconds(const timespec& time) {
@@ -56,14 +56,13 @@ bool control(int poll, int operation, int descriptor, Readiness wanted, EventLoo
   return epoll_ctl(poll, operation, descriptor, &event) == 0;
 }
 
-// Both an eventfd and a timerfd hold a count that a read takes away.
+// Both an eventfd and a timerfd hold a count that a read resets.
 void drain(const Descriptor& counter) {
   std::uint64_t count = 0;
   [[maybe_unused]] const ssize_t size = ::read(counter.get(), &count, sizeof count);
 }
 
-// SIGHUP only where nobody has given it another effect: who starts a program by nohup wants it to
-// outlive the terminal.
+// SIGHUP only if it has its default effect: a program started by nohup must survive the terminal.
 sigset_t ending_signals() {
   sigset_t signals;
   sigemptyset(&signals);
@@ -151,7 +150,7 @@ EventLoop::Id EventLoop::add(const Task& task) {
   return last_id_;
 }
 
-// The entry stays until advance_tasks() begins anew, since that may be at work on the list.
+// The entry stays until advance_tasks() begins again, which may be iterating over the list.
 void EventLoop::remove(Id id) {
   const auto found = std::ranges::find(tasks_, id, &TaskEntry::id);
   if (found == tasks_.end()) return;
@@ -192,7 +191,7 @@ void EventLoop::on_signal(Readiness) {
   signalfd_siginfo info{};
   if (::read(signals_.get(), &info, sizeof info) != sizeof info) return;
   signal_ = static_cast<int>(info.ssi_signo);
-  // Both the terminal and the shell tell of it, and the second one is no wish to end at once.
+  // Both the terminal and the shell send it, and the second one is not a request to end at once.
   if (signal_ == SIGHUP) std::signal(SIGHUP, SIG_IGN);
   forget_signals();
   stop();
@@ -206,10 +205,10 @@ void EventLoop::forget_signals() {
 }
 
 EventLoop::End EventLoop::run_until(Time time) {
-  // The next deadline, as long as nobody was called who could change it.
+  // Next deadline, until a callback that could change it is called.
   std::optional<Time> known;
   while (!stop_requested_.exchange(false)) {
-    // When the time is over nothing is waited for.
+    // After the end of the time the loop does not wait.
     const bool is_over = time <= now();
     wait(is_over ? time : std::min(time, known ? *known : next_deadline()));
     known = advance_tasks();
@@ -229,8 +228,8 @@ void EventLoop::wake() {
   [[maybe_unused]] const ssize_t size = ::write(wakeup_.get(), &one, sizeof one);
 }
 
-// By position, not by iterator: a task may add others, or remove itself. What comes next is known
-// where none was advanced.
+// By position, not by iterator: a task may add others, or remove itself. The next deadline is known
+// if no task was advanced.
 std::optional<Time> EventLoop::advance_tasks() {
   if (std::exchange(has_removed_, false)) {
     std::erase_if(tasks_, [](const TaskEntry& entry) { return entry.id == 0; });
@@ -258,8 +257,8 @@ Time EventLoop::first_timer() const {
   return timers_.empty() ? never : timers_.begin()->first.first;
 }
 
-// Timers that are set by the actions have to wait for the next turn, so that descriptors get
-// theirs. Whether there was one.
+// Timers that actions set wait for the next turn, so that descriptors are served. Returns whether a
+// timer ran.
 bool EventLoop::run_timers() {
   const Time current = now();
   const Id last_to_run = last_id_;

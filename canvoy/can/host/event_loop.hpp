@@ -1,8 +1,8 @@
-// One epoll loop for a process: it serves any number of nodes, buses and files, and calls each when
-// it is due.
+// One epoll loop for a process: serves any number of nodes, buses and files, and calls each when it
+// is due.
 //
 //     std::unique_ptr<EventLoop> loop = *EventLoop::create();
-//     Attachment charger(*loop, *bus);  ...  charger.serve(node);
+//     Attachment charger(*loop, *bus);  ...  charger.attach(node);
 //     loop->stop_on_signals();
 //     loop->run();
 #pragma once
@@ -29,62 +29,61 @@ struct epoll_event;
 
 namespace canvoy::host {
 
-/// Which readiness of a file descriptor is waited for, or has come.
+/// Readiness of a file descriptor, to wait for or reported.
 struct Readiness {
   bool readable = false;
   bool writable = false;
-  bool failed = false;  ///< an error or the other end gone; always waited for
+  bool failed = false;  ///< an error, or the other end closed; always waited for
 
   friend bool operator==(const Readiness&, const Readiness&) = default;
 };
 
-/// Something that is driven by time: a node, the replay of a log. Both callbacks are called by the
-/// loop only.
+/// Something driven by time: a node, the replay of a log. Only the loop calls both callbacks.
 struct Task {
-  Callback<Time()> deadline;  ///< when it next wants to be advanced; asked anew before every wait
-  Callback<void(Time)> advance;  ///< does all that is due at the time given
+  Callback<Time()> deadline;     ///< time of the next call of advance; read again before every wait
+  Callback<void(Time)> advance;  ///< does everything that is due at the time passed
 };
 
-/// What the loop has seen of itself.
+/// Counters of the loop.
 struct LoopCounters {
   std::uint64_t wakeups = 0;  ///< returns from the wait
-  std::uint64_t stuck =
-      0;  ///< a task still due right after it was advanced: it is called again 1 ms later
+  /// Tasks still due right after they were advanced: called again 1 ms later.
+  std::uint64_t stuck = 0;
 };
 
-/// Everything but stop() and wake() belongs to the thread that runs the loop, and may be called
-/// from its callbacks; what is removed is not called any more, also in the same turn. A turn waits
-/// for a descriptor, a deadline or wake(), serves the descriptors, advances the tasks that are due
-/// and runs the timers. Deadlines are asked for when all who could change them were called, so that
-/// none is missed whoever changed it, at the cost of a call or two a task and turn; a task that
-/// stays due, however wrong it is, does not make the loop spin.
+/// The loop. Everything except stop() and wake() belongs to the thread that runs the loop, and may
+/// be called from its callbacks; a removed object is not called any more, also in the same turn. A
+/// turn waits for a descriptor, a deadline or wake(), serves the descriptors, advances the tasks
+/// that are due and runs the timers. Deadlines are read after all callbacks that could change them,
+/// so that none is missed, at the cost of a call or two for each task and turn; a task that stays
+/// due by mistake does not make the loop spin.
 class EventLoop {
  public:
-  using Id = std::uint64_t;  ///< of a watch, a task or a timer; never used twice
+  using Id = std::uint64_t;  ///< of a watch, a task or a timer; never reused
   using Ready = Callback<void(Readiness)>;
   using TimerAction = std::function<void(Time now)>;
   enum class End { stopped, reached };
 
-  /// Fails only where the process is out of file descriptors or memory.
+  /// Makes a loop. Fails only if the process is out of file descriptors or memory.
   static Result<std::unique_ptr<EventLoop>> create();
   ~EventLoop();
   EventLoop(const EventLoop&) = delete;
   EventLoop& operator=(const EventLoop&) = delete;
 
-  /// Microseconds of CLOCK_MONOTONIC since create().
+  /// Time since create(), in microseconds of CLOCK_MONOTONIC.
   Time now() const;
-  /// The latest time that any task was advanced to: a frame stamped earlier is to be taken as of
+  /// Latest time that any task was advanced to: a frame with an earlier stamp must be taken as of
   /// this time.
   Time advanced_to() const { return advanced_to_; }
-  /// The wall clock at Time{}, as microseconds since 1970. It is read once, so that epoch() + time
-  /// is steady.
+  /// Wall clock at Time{}, in microseconds since 1970. It is read once, so that epoch() + time is
+  /// steady.
   Duration epoch() const { return epoch_; }
-  /// A kernel time stamp of CLOCK_REALTIME as loop time; now() where the wall clock was set in the
-  /// meantime.
+  /// Converts a kernel time stamp of CLOCK_REALTIME to loop time; now() if the wall clock was set
+  /// in the meantime.
   Time time_of(const timespec& wall_clock) const;
 
-  /// Calls `ready` while the descriptor is ready for what is waited for (level-triggered). It stays
-  /// the caller's.
+  /// Calls `ready` while the descriptor is ready as requested (level-triggered). The caller keeps
+  /// the descriptor.
   Result<Id> watch(int descriptor, Readiness wanted, Ready ready);
   void rewatch(Id id, Readiness wanted);
   void unwatch(Id id);
@@ -96,20 +95,21 @@ class EventLoop {
   Id at(Time time, TimerAction action);
   void cancel(Id id);
 
-  /// From now on SIGINT, SIGTERM, and SIGHUP unless it is ignored or handled (nohup), stop the
-  /// loop. After the first of them they have their old effect again, so that a second one ends a
-  /// process that hangs; only a SIGHUP that follows another is ignored.
+  /// Stops the loop on SIGINT, SIGTERM, and SIGHUP unless it is ignored or handled (nohup). After
+  /// the first of them they have their previous effect again, so that a second one ends a process
+  /// that hangs; only a SIGHUP that follows another is ignored.
   Result<void> stop_on_signals();
-  /// The signal that stopped the loop, or 0.
+  /// Signal that stopped the loop, or 0.
   int signal() const { return signal_; }
 
-  /// Runs until stop(): one that came before is taken as well, and each ends one run. Not from a
-  /// callback.
+  /// Runs until stop(): an earlier call counts as well, and each ends one run. Must not be called
+  /// from a callback.
   void run() { run_until(never); }
   End run_until(Time time);
-  /// Ends the run after the current turn. From any thread, also from a signal handler.
+  /// Ends the run after the current turn. May be called from any thread, also from a signal
+  /// handler.
   void stop();
-  /// Makes the loop ask for all deadlines again. From any thread.
+  /// Makes the loop read all deadlines again. May be called from any thread.
   void wake();
 
   const LoopCounters& counters() const { return counters_; }

@@ -31,7 +31,7 @@ struct SocketPair {
   Descriptor far;
 };
 
-// A node of which only the calendar is of interest.
+// A node of which only the deadlines matter.
 struct Worker {
   Time due = never;
   Duration period{};  // 0: once
@@ -340,14 +340,14 @@ TEST_F(EventLoopTest, ASignalStopsTheLoopAndIsKnownAfterwards) {
   EXPECT_EQ(loop_->signal(), SIGTERM);
 }
 
-// What a signal does is of the process: each of these is one of its own.
+// The effect of a signal belongs to the process: each of these tests has a separate one.
 TEST_F(EventLoopTest, AHangUpStopsTheLoopAndThoseThatFollowDoNothing) {
   const auto hang_up = [this] {
-    std::signal(SIGHUP, SIG_DFL);  // whoever runs the tests by nohup
+    std::signal(SIGHUP, SIG_DFL);  // the tests may run under nohup
     if (!loop_->stop_on_signals()) std::exit(2);
     loop_->at(loop_->now(), [](Time) { ::kill(::getpid(), SIGHUP); });
     loop_->run_until(loop_->now() + 5s);
-    // The terminal tells it, and then the shell.
+    // The terminal sends it, and then the shell.
     ::kill(::getpid(), SIGHUP);
     std::exit(loop_->signal() == SIGHUP ? 0 : 1);
   };
@@ -356,7 +356,7 @@ TEST_F(EventLoopTest, AHangUpStopsTheLoopAndThoseThatFollowDoNothing) {
 
 TEST_F(EventLoopTest, AHangUpThatIsIgnoredStaysSo) {
   const auto hang_up = [this] {
-    std::signal(SIGHUP, SIG_IGN);  // as nohup does
+    std::signal(SIGHUP, SIG_IGN);  // like nohup
     if (!loop_->stop_on_signals()) std::exit(2);
     loop_->at(loop_->now(), [](Time) { ::kill(::getpid(), SIGHUP); });
     loop_->run_until(loop_->now() + soon);

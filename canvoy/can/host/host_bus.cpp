@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "canvoy/can/check_invariant.hpp"
 #include "canvoy/can/host/socketcan.hpp"
 #include "canvoy/can/host/socketcand.hpp"
 #include "canvoy/can/host/udp_multicast.hpp"
-#include "canvoy/can/must_hold.hpp"
 
 namespace canvoy::host {
 
@@ -30,26 +30,27 @@ BusCounters HostBus::counters() const {
   return counters;
 }
 
-HostBus::Seat& HostBus::join() {
-  Seat& seat = *seats_.emplace_back(std::make_unique<Seat>(*this));
+HostBus::Endpoint& HostBus::join() {
+  Endpoint& endpoint = *endpoints_.emplace_back(std::make_unique<Endpoint>(*this));
   filter();
-  return seat;
+  return endpoint;
 }
 
-void HostBus::leave(Seat& seat) {
-  seat.left_ = true;
-  seat.member_ = {};
+void HostBus::leave(Endpoint& endpoint) {
+  endpoint.left_ = true;
+  endpoint.member_ = {};
   seats_left_ = true;
-  echoes_.forget_sender(&seat);
-  queue_.forget_sender(&seat);
+  echoes_.forget_sender(&endpoint);
+  queue_.forget_sender(&endpoint);
   filter_later();
   sweep();
 }
 
-// A seat that is left stays as long as a round of the seats may stand on it.
+// An endpoint that left is kept while a round over the endpoints may refer to it.
 void HostBus::sweep() {
   if (rounds_ > 0 || !seats_left_) return;
-  std::erase_if(seats_, [](const std::unique_ptr<Seat>& seat) { return seat->left_; });
+  std::erase_if(endpoints_,
+                [](const std::unique_ptr<Endpoint>& endpoint) { return endpoint->left_; });
   seats_left_ = false;
 }
 
@@ -59,27 +60,30 @@ void HostBus::on_frame(std::function<void(const BusFrame&)> observer) {
 }
 
 bool HostBus::wants_all() const {
-  const auto is_open = [](const auto& seat) { return !seat->left_ && !seat->filtering_; };
-  return !frame_observers_.empty() || seats_.empty() || std::ranges::any_of(seats_, is_open);
+  const auto is_open = [](const auto& endpoint) {
+    return !endpoint->left_ && !endpoint->filtering_;
+  };
+  return !frame_observers_.empty() || endpoints_.empty() ||
+         std::ranges::any_of(endpoints_, is_open);
 }
 
-/// The carrier lets pass what the members want.
+/// Sets the filter of the carrier to the identifiers that the members need.
 void HostBus::filter() {
   if (wants_all()) {
     if (std::exchange(filters_, false)) carrier_->accept(nullptr);
     return;
   }
   AcceptedIds wanted = sent_;
-  for (const std::unique_ptr<Seat>& seat : seats_) {
-    if (!seat->left_) wanted |= seat->wanted_;
+  for (const std::unique_ptr<Endpoint>& endpoint : endpoints_) {
+    if (!endpoint->left_) wanted |= endpoint->wanted_;
   }
   if (std::exchange(filters_, true) && wanted == accepted_) return;
   accepted_ = wanted;
   carrier_->accept(&accepted_);
 }
 
-/// What is no longer wanted may still come for a while, and a node says one identifier after the
-/// other when it begins.
+/// Postponed: unneeded frames may still come for a while, and a node sets one identifier after the
+/// other at its start.
 void HostBus::filter_later() {
   if (filter_due_ != 0) return;
   filter_due_ = loop_.at(loop_.now(), [this](Time) {
@@ -101,7 +105,7 @@ void HostBus::on_trouble(std::function<void(const Error&)> observer) {
   trouble_observers_.push_back(std::move(observer));
 }
 
-bool HostBus::send_for(Seat* sender, const Frame& frame) {
+bool HostBus::send_for(Endpoint* sender, const Frame& frame) {
   const bool waits = !queue_.empty();
   const bool taken =
       state_ != BusState::bus_off && (waits ? !queue_.full() : transmit({frame, sender}));
@@ -113,7 +117,7 @@ bool HostBus::send_for(Seat* sender, const Frame& frame) {
   return taken;
 }
 
-// Called with an empty queue only. True where the frame is on its way, or waits.
+// Called with an empty queue only. True if the frame is sent, or waits.
 bool HostBus::transmit(const SentFrame& sent) {
   switch (give(sent.frame)) {
     case SendResult::sent:
@@ -148,9 +152,9 @@ void HostBus::flush() {
 }
 
 void HostBus::offer_room() {
-  each_seat([this](Seat& seat) {
-    if (!std::exchange(seat.refused_, false)) return;
-    seat.member_.tx_ready(member_time(loop_.now()));
+  each_endpoint([this](Endpoint& endpoint) {
+    if (!std::exchange(endpoint.refused_, false)) return;
+    endpoint.member_.tx_ready(member_time(loop_.now()));
   });
 }
 
@@ -170,13 +174,13 @@ void HostBus::frame_arrived(const Frame& frame, Time time, Origin origin) {
 
 void HostBus::deliver(const Frame& frame, Time time, const void* sender) {
   const Time heard_at = member_time(time);
-  each_seat([&](Seat& seat) {
-    if (&seat != sender && seat.wants(frame)) seat.member_.receive(frame, heard_at);
+  each_endpoint([&](Endpoint& endpoint) {
+    if (&endpoint != sender && endpoint.wants(frame)) endpoint.member_.receive(frame, heard_at);
   });
 }
 
-// What was under way is lost with the bus, as in a controller that goes bus-off; the nodes are told
-// by their state.
+// Frames in transit are lost with the bus, as in a controller that goes bus-off; the nodes are
+// notified by their state.
 void HostBus::state_changed(BusState state, Time time) {
   if (state == state_) return;
   const bool back = state_ == BusState::bus_off;
@@ -188,7 +192,7 @@ void HostBus::state_changed(BusState state, Time time) {
   }
   for (std::size_t i = 0; i < state_observers_.size(); ++i) state_observers_[i](state, time);
   const Time told_at = member_time(time);
-  each_seat([&](Seat& seat) { seat.member_.bus_state(state, told_at); });
+  each_endpoint([&](Endpoint& endpoint) { endpoint.member_.bus_state(state, told_at); });
   if (back) flush();
 }
 
@@ -196,53 +200,53 @@ void HostBus::trouble(const Error& error) {
   for (std::size_t i = 0; i < trouble_observers_.size(); ++i) trouble_observers_[i](error);
 }
 
-// Members may join and leave meanwhile: those that join now are not served in this round.
+// Members may join and leave meanwhile: new members are not served in this round.
 template <class Action>
-void HostBus::each_seat(Action action) {
-  const std::size_t count = seats_.size();
+void HostBus::each_endpoint(Action action) {
+  const std::size_t count = endpoints_.size();
   ++rounds_;
   for (std::size_t i = 0; i < count; ++i) {
-    must_hold(i < seats_.size());
-    Seat& seat = *seats_[i];
-    if (!seat.left_) action(seat);
+    check_invariant(i < endpoints_.size());
+    Endpoint& endpoint = *endpoints_[i];
+    if (!endpoint.left_) action(endpoint);
   }
   --rounds_;
   sweep();
 }
 
-// A stamp may be older than what a node was advanced to, and after a step of the wall clock also in
-// the future.
+// A stamp may be earlier than the time a node was advanced to, and after a step of the wall clock
+// also in the future.
 Time HostBus::member_time(Time stamp) {
   const Time earliest = std::max(member_time_, loop_.advanced_to());
   member_time_ = std::max(earliest, std::min(stamp, loop_.now()));
   return member_time_;
 }
 
-Port HostBus::Seat::port() {
+Port HostBus::Endpoint::port() {
   Port port;
   port.context = this;
   port.send = [](void* context, const Frame& frame) {
-    Seat& seat = *static_cast<Seat*>(context);
-    return seat.bus_->send_for(&seat, frame);
+    Endpoint& endpoint = *static_cast<Endpoint*>(context);
+    return endpoint.bus_->send_for(&endpoint, frame);
   };
   port.accept = [](void* context, std::uint16_t id, bool wanted) {
-    Seat& seat = *static_cast<Seat*>(context);
-    seat.filtering_ = true;
+    Endpoint& endpoint = *static_cast<Endpoint*>(context);
+    endpoint.filtering_ = true;
     if (id > Frame::id_max) return;
-    seat.wanted_[id] = wanted;
-    wanted ? seat.bus_->wants(id) : seat.bus_->filter_later();
+    endpoint.wanted_[id] = wanted;
+    wanted ? endpoint.bus_->wants(id) : endpoint.bus_->filter_later();
   };
   return port;
 }
 
 Result<std::unique_ptr<HostBus>> open_bus(EventLoop& loop, const BusAddress& address) {
-  if (address.kind == BusKind::simulated) {
+  if (address.kind == BusType::simulated) {
     return Error{"sim", "the simulated bus lives in one process only",
                  "give a bus that programs share: can0, vcan0, udp: or tcp:"};
   }
   Result<std::unique_ptr<Carrier>> carrier =
-      address.kind == BusKind::socketcan    ? SocketCan::open(loop, address.interface)
-      : address.kind == BusKind::socketcand ? Socketcand::open(loop, address)
+      address.kind == BusType::socketcan    ? SocketCan::open(loop, address.interface)
+      : address.kind == BusType::socketcand ? Socketcand::open(loop, address)
                                             : UdpMulticast::open(loop, address.udp);
   if (!carrier) return carrier.error();
   return std::make_unique<HostBus>(loop, std::move(*carrier));

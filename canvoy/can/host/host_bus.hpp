@@ -1,5 +1,5 @@
-// A real bus, shared by any number of nodes of this process: each hears the others and the world,
-// never itself.
+// A real bus, shared by any number of nodes of this process: each receives the frames of the others
+// and of the outside, never its own.
 //
 //     Result<std::unique_ptr<HostBus>> bus = open_bus(*loop, "can0");
 //     if (!bus) return fail(bus.error().line());
@@ -28,38 +28,44 @@ namespace canvoy::host {
 /// A frame that was on the bus.
 struct BusFrame {
   Frame frame;
-  Time time;  ///< as the kernel stamped it; EventLoop::epoch() + time is the wall clock
+  /// Time stamp of the kernel; EventLoop::epoch() + time is the wall clock.
+  Time time;
   Origin origin = Origin::elsewhere;
 };
 
-/// Counted from the opening of the bus.
+/// Counters since the bus was opened.
 struct BusCounters {
-  std::uint64_t received = 0;  ///< from elsewhere, and let through by the filter
-  std::uint64_t sent = 0;      ///< of this process, and seen on the bus
+  std::uint64_t received = 0;  ///< from outside, after the filter
+  std::uint64_t sent = 0;      ///< by this process, and seen on the bus
   std::uint64_t refused =
-      0;  ///< sends answered by `false`: queue full or bus down. The node keeps the frame.
-  std::uint64_t dropped = 0;  ///< waiting or under way when the bus went down, or without a route
+      /// Sends with the result `false`: queue full or bus down. The node keeps the frame.
+      0;
+  /// Waiting or in transit when the bus went down, or without a route.
+  std::uint64_t dropped = 0;
   std::uint64_t unknown_echo =
-      0;  ///< own frames of which the sender was no longer known; no member got them
+      /// Own frames without a known sender; no member received them.
+      0;
   CarrierCounters carrier;
 };
 
-/// What a node wants to hear. Empty callbacks are allowed.
+/// Callbacks of a node. Empty ones are allowed.
 struct BusMember {
-  Callback<void(const Frame&, Time)> receive;  ///< data and remote frames of others
+  /// Data and remote frames of other members and nodes.
+  Callback<void(const Frame&, Time)> receive;
   Callback<void(BusState, Time)> bus_state;
-  Callback<void(Time)> tx_ready;  ///< after a refused send: there is room again
+  /// After a refused send: there is room again.
+  Callback<void(Time)> tx_ready;
 };
 
-/// Owns the carrier. A frame goes out in the order of send(), and reaches the other members and
-/// on_frame() when it comes back from the bus, so that all of them, and candump, see one order.
-/// Times that members get never go back and are never before what they were advanced to; on_frame()
-/// gets the kernel's own time stamp. Frames that no member wants stay in the kernel where it can
-/// filter, unless there is an on_frame(). Cost: linear in the members for each frame. Not movable:
-/// ports point to it. Loop thread only.
+/// The bus. It owns the carrier. Frames go out in the order of send(), and reach the other members
+/// and on_frame() when they come back from the bus, so that all of them, and candump, see one
+/// order. Times passed to a member never go back and are never before the time that it was advanced
+/// to; on_frame() gets the time stamp of the kernel. Frames that no member needs stay in the kernel
+/// if it can filter, unless there is an on_frame(). Cost: linear in the members for each frame. Not
+/// movable, since ports refer to it. Only for the thread of the loop.
 class HostBus {
  public:
-  class Seat;
+  class Endpoint;
 
   HostBus(EventLoop& loop, std::unique_ptr<Carrier> carrier);
   ~HostBus();
@@ -70,23 +76,24 @@ class HostBus {
   BusState state() const { return state_; }
   BusCounters counters() const;
 
-  /// A place on the bus; it gets nothing until serve(). Leaving is allowed at any time, also from a
+  /// Adds a member; it receives nothing until attach(). Leaving is allowed at any time, also from a
   /// callback.
-  Seat& join();
-  void leave(Seat& seat);
+  Endpoint& join();
+  void leave(Endpoint& endpoint);
 
-  /// Sends for nobody in particular: all members hear it. False where it was refused.
+  /// Sends a frame without a sender: all members receive it. False if it was refused.
   bool send(const Frame& frame) { return send_for(nullptr, frame); }
 
-  /// Called for every frame on the bus, own and foreign, also error frames, in their order; as long
-  /// as the bus lives.
+  /// Sets an observer for every frame on the bus, own and foreign, also error frames, in their
+  /// order; it lives as long as the bus.
   void on_frame(std::function<void(const BusFrame&)> observer);
   void on_state(std::function<void(BusState, Time)> observer);
-  /// The interface went down, there is no route ...: one line when it begins.
+  /// Sets an observer for trouble (the interface is down, there is no route): called once at its
+  /// beginning.
   void on_trouble(std::function<void(const Error&)> observer);
 
  private:
-  bool send_for(Seat* sender, const Frame& frame);
+  bool send_for(Endpoint* sender, const Frame& frame);
   bool transmit(const SentFrame& sent);
   SendResult give(const Frame& frame);
   bool wants_all() const;
@@ -100,13 +107,13 @@ class HostBus {
   void trouble(const Error& error);
   void deliver(const Frame& frame, Time time, const void* sender);
   template <class Action>
-  void each_seat(Action action);
+  void each_endpoint(Action action);
   Time member_time(Time stamp);
   void sweep();
 
   EventLoop& loop_;
   std::unique_ptr<Carrier> carrier_;
-  std::vector<std::unique_ptr<Seat>> seats_;
+  std::vector<std::unique_ptr<Endpoint>> endpoints_;
   std::vector<std::function<void(const BusFrame&)>> frame_observers_;
   std::vector<std::function<void(BusState, Time)>> state_observers_;
   std::vector<std::function<void(const Error&)>> trouble_observers_;
@@ -116,24 +123,24 @@ class HostBus {
   Time member_time_{};
   int rounds_ = 0;
   bool seats_left_ = false;
-  bool filters_ = false;  ///< the carrier hands on accepted_ only
+  bool filters_ = false;  ///< the carrier passes accepted_ only
   AcceptedIds accepted_;
-  AcceptedIds sent_;  ///< own frames come back through the filter
+  AcceptedIds sent_;  ///< own frames pass the filter too
   EventLoop::Id filter_due_ = 0;
   BusCounters counters_;
 };
 
-/// A member's place on a HostBus.
-class HostBus::Seat {
+/// Connection of a member to a HostBus.
+class HostBus::Endpoint {
  public:
-  explicit Seat(HostBus& bus) : bus_(&bus) {}
-  Seat(const Seat&) = delete;
-  Seat& operator=(const Seat&) = delete;
+  explicit Endpoint(HostBus& bus) : bus_(&bus) {}
+  Endpoint(const Endpoint&) = delete;
+  Endpoint& operator=(const Endpoint&) = delete;
 
-  /// The node's way to the bus. Without a call of `accept` it hears all 11-bit identifiers; after
-  /// the first, those that it wants. 29-bit frames it hears always.
+  /// Port of the node. Without a call of `accept` it receives all 11-bit identifiers; after the
+  /// first call, only those accepted. It always receives 29-bit frames.
   Port port();
-  void serve(const BusMember& member) { member_ = member; }
+  void attach(const BusMember& member) { member_ = member; }
 
  private:
   friend class HostBus;
@@ -150,8 +157,8 @@ class HostBus::Seat {
   bool left_ = false;
 };
 
-/// Opens what parse_bus_address() understands. `sim` is no bus of the host: it is refused with a
-/// line that says so.
+/// Opens the bus of an address from parse_bus_address(). `sim` is not a bus of the host: it is
+/// refused with an explanation.
 Result<std::unique_ptr<HostBus>> open_bus(EventLoop& loop, const BusAddress& address);
 Result<std::unique_ptr<HostBus>> open_bus(EventLoop& loop, std::string_view address);
 

@@ -12,7 +12,7 @@
 namespace canvoy::host::host_bus_test {
 namespace {
 
-// A bus of which the test is the other end.
+// A bus with the test at its other end.
 class TestCarrier final : public Carrier {
  public:
   std::string_view name() const override { return "test0"; }
@@ -30,7 +30,7 @@ class TestCarrier final : public Carrier {
     ++filterings;
   }
 
-  // The oldest frame on the wire comes back.
+  // Returns the oldest frame on the wire.
   void echo(Time time = {}) {
     ASSERT_FALSE(wire.empty());
     const Frame frame = wire.front();
@@ -53,7 +53,7 @@ class TestCarrier final : public Carrier {
 
 struct Node {
   explicit Node(EventLoop& loop, HostBus& bus) : attachment(loop, bus), port(attachment.port()) {
-    attachment.serve(*this);
+    attachment.attach(*this);
   }
 
   void receive(const Frame& frame, Time time) {
@@ -330,7 +330,7 @@ TEST_F(HostBusTest, SomethingThatOnlyListensCanBeAttachedToo) {
     Frame heard;
   } listener;
   Attachment attachment(*loop_, bus_);
-  attachment.serve(listener);
+  attachment.attach(listener);
   carrier_->hear(frame_);
   EXPECT_EQ(listener.heard, frame_);
 }
@@ -344,7 +344,7 @@ TEST_F(HostBusTest, ThreeHundredNodesShareTheBus) {
   for (std::size_t i = 1; i < nodes.size(); ++i) ASSERT_EQ(nodes[i].heard.size(), 1U);
 }
 
-/// As a node does that says what it wants.
+/// Sets the filter like a node.
 void accept(const Node& node, std::uint16_t id, bool wanted = true) {
   node.port.accept(node.port.context, id, wanted);
 }

@@ -8,7 +8,7 @@ namespace canvoy::host {
 
 namespace {
 
-// The first bytes of msgpack's types, as far as they are met here.
+// First bytes of the types of msgpack, as far as used here.
 constexpr std::uint8_t fixmap = 0x80;
 constexpr std::uint8_t fixmap_mask = 0xF0;
 constexpr std::uint8_t fixstr = 0xA0;
@@ -58,7 +58,7 @@ constexpr std::uint32_t bit_of(Key key) {
   return 1U << static_cast<unsigned>(key);
 }
 
-// Reads msgpack values off the front. After a failure it has nothing more to give.
+// Reads msgpack values from the front. After a failure it returns nothing more.
 class Reader {
  public:
   explicit Reader(std::span<const std::uint8_t> bytes) : rest_(bytes) {}
@@ -121,9 +121,9 @@ class Reader {
   std::span<const std::uint8_t> rest_;
 };
 
-// The map's values, before it is known whether they make a frame.
+// Values of the map, before their check as a frame.
 struct Message {
-  std::uint32_t seen = 0;   // bit_of() the keys that were there
+  std::uint32_t seen = 0;   // bit_of() the keys that were present
   std::uint32_t flags = 0;  // bit_of() the keys that were true
   std::uint64_t id = 0;
   std::uint64_t dlc = 0;

@@ -1,4 +1,4 @@
-// A frame as one msgpack map, as python-can 4.1 sends it by UDP multicast.
+// A frame as one msgpack map, as python-can 4.1 sends it over UDP multicast.
 //
 //     MsgpackFrame datagram(frame, seconds_since_1970);  send(datagram.bytes());
 //     DecodedFrame decoded = decode_msgpack_frame(bytes);  if (decoded.kind == FrameKind::classic)
@@ -15,13 +15,13 @@
 
 namespace canvoy::host {
 
-/// The datagram, byte for byte what python-can makes of the same frame: the keys in its order, the
-/// shortest form of each number, the time stamp as a 64-bit float.
+/// Encodes the datagram, byte for byte like python-can: its order of keys, the shortest form of
+/// each number, the time stamp as a 64-bit float.
 class MsgpackFrame {
  public:
   static constexpr std::size_t size_max = 192;
 
-  /// `timestamp` in seconds since 1970.
+  /// Encodes a frame; `timestamp` in seconds since 1970.
   MsgpackFrame(const Frame& frame, double timestamp);
   std::span<const std::uint8_t> bytes() const { return {bytes_.data(), size_}; }
 
@@ -40,16 +40,16 @@ class MsgpackFrame {
 
 enum class FrameKind : std::uint8_t { malformed, classic, fd };
 
-/// `frame` is empty unless it is a classic one.
+/// Result of decoding; `frame` is empty unless it is a classic one.
 struct DecodedFrame {
   FrameKind kind = FrameKind::malformed;
   Frame frame;
 };
 
-/// Strict: one map of known keys with values of their types, each once, in any order, nothing
-/// behind it; arbitration_id and is_extended_id must be there, identifier and length in range and
-/// in agreement with the data (a remote frame has none). The time stamp and the channel are checked
-/// and dropped. Cost: linear, no heap.
+/// Decodes strictly: one map of known keys with values of their types, each once, in any order,
+/// nothing behind it; arbitration_id and is_extended_id are mandatory, identifier and length must
+/// be in range and agree with the data (a remote frame has none). The time stamp and the channel
+/// are checked and dropped. Cost: linear, no heap.
 DecodedFrame decode_msgpack_frame(std::span<const std::uint8_t> bytes);
 
 }  // namespace canvoy::host

@@ -54,7 +54,7 @@ FrameKind kind_of(const Bytes& bytes) {
   return decode_msgpack_frame(bytes).kind;
 }
 
-// What pack_message() of python3-can 4.1.0 with python3-msgpack 1.0.3 makes of the frames in the
+// Results of pack_message() of python3-can 4.1.0 with python3-msgpack 1.0.3 for the frames in the
 // names.
 constexpr std::string_view peer_185_1e2f =
     "8ba974696d657374616d70cb41d954fc4000020cae6172626974726174696f6e5f6964cd0185ae69735f657874656e"

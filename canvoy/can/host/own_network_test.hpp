@@ -1,4 +1,4 @@
-// A network for one test: nothing but a loopback interface, which may carry multicast. Needs root.
+// A network for one test: a loopback interface only, which may carry multicast. Needs root.
 #pragma once
 
 #include <arpa/inet.h>
@@ -17,8 +17,7 @@
 
 namespace canvoy::host {
 
-/// Moves the whole process, and the programs that it starts from then on, into a network of their
-/// own.
+/// Moves the whole process, and programs that it starts afterwards, into a separate network.
 class OwnNetwork {
  public:
   OwnNetwork() {
@@ -46,7 +45,7 @@ class OwnNetwork {
   }
 
  private:
-  // 224.0.0.0/4 by the loopback interface.
+  // Routes 224.0.0.0/4 to the loopback interface.
   int change_route(unsigned long operation) const {
     rtentry route{};
     std::string device = "lo";

@@ -1,5 +1,5 @@
-// Takes what waits in a socket, many packets a system call, with the kernel's time stamps and its
-// count of drops.
+// Takes waiting packets from a socket, many in a system call, with time stamps and the drop count
+// of the kernel.
 #pragma once
 
 #include <netinet/in.h>
@@ -13,36 +13,35 @@
 
 namespace canvoy::host {
 
-/// Valid until the next call of ReceiveBatch::receive().
+/// A packet, valid until the next call of ReceiveBatch::receive().
 struct ReceivedPacket {
   std::span<const std::uint8_t> bytes;
-  const sockaddr_in* sender = nullptr;  ///< of an IPv4 socket
-  timespec stamp{};                     ///< CLOCK_REALTIME; zero where the kernel gave none
-  bool confirms = false;                ///< MSG_CONFIRM: sent by this very socket
-  bool cut_off = false;                 ///< it was longer than ReceiveBatch::packet_max
+  const sockaddr_in* sender = nullptr;  ///< for an IPv4 socket
+  timespec stamp{};                     ///< CLOCK_REALTIME; zero if the kernel gave none
+  bool confirms = false;                ///< MSG_CONFIRM: sent by this socket
+  bool cut_off = false;                 ///< longer than ReceiveBatch::packet_max
 };
 
-/// Buffers for one socket, which must be non-blocking. For stamps and drops it needs
+/// Buffers for one socket, which must be non-blocking. Stamps and drop counts need
 /// request_details().
 class ReceiveBatch {
  public:
   static constexpr std::size_t packets_max = 32;
   static constexpr std::size_t packet_max = 512;
-  /// So many calls of receive() a turn of the event loop, so that a flood does not keep all else
-  /// waiting.
+  /// Limit of calls of receive() in a turn of the event loop, so that a flood does not block
+  /// everything else.
   static constexpr int batches_max = 32;
 
-  /// Switches time stamps and the count of drops on, and asks for a receive buffer of 1 MB: a burst
-  /// waits in the kernel while the program does something else. What the kernel does not have is
-  /// gone without.
+  /// Enables time stamps and the drop count, and requests a receive buffer of 1 MB: a burst waits
+  /// in the kernel while the program is busy. Features that the kernel lacks are omitted.
   static void request_details(int socket);
 
-  /// The packets that wait, at most packets_max: 0 where there are none, or a negative errno.
+  /// Receives waiting packets, at most packets_max: 0 if there are none, or a negative errno.
   int receive(int socket);
-  /// From now on it is another socket, which counts its drops from 0.
+  /// Prepares for another socket, which counts its drops from 0.
   void begin_anew() { dropped_ = 0; }
   ReceivedPacket packet(std::size_t position) const;
-  /// Packets that the kernel had to drop, as the last receive() learnt.
+  /// Number of packets that the kernel dropped, by the last receive().
   std::uint32_t newly_dropped() const { return newly_dropped_; }
 
  private:

@@ -1,5 +1,5 @@
-// What can fail at the edge of the program (a file, an argument, a socket) returns a Result: the
-// value, or the one line that the user needs: where, what, and what to do.
+// Result of operations that can fail at the edge of the program (a file, an argument, a socket):
+// the value, or the one line that the user needs: where, what, and what to do.
 //
 //     Result<CandumpWriter> log = CandumpWriter::create("bus.log");
 //     if (!log) return fail(log.error().line());     // bus.log: permission denied; choose another
@@ -12,16 +12,16 @@
 
 namespace canvoy::host {
 
-/// One line for the user.
+/// An error for the user, in one line.
 struct Error {
-  std::string where;   ///< the file, address or interface, as the user wrote it
-  std::string what;    ///< what is wrong with it
+  std::string where;   ///< the file, address or interface, in the user's notation
+  std::string what;    ///< the problem
   std::string remedy;  ///< what to do; may be empty
 
   std::string line() const { return where + ": " + what + (remedy.empty() ? "" : "; " + remedy); }
 };
 
-/// A value or an Error. Asking for the one that is not there is a defect of the caller.
+/// A value or an Error. Access to the one that is absent is a defect of the caller.
 template <class Value>
 class [[nodiscard]] Result {
  public:

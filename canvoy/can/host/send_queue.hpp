@@ -1,4 +1,4 @@
-// The two queues of a HostBus: frames that wait for the carrier, and frames that are under way and
+// The two queues of a HostBus: frames that wait for the carrier, and frames in transit until they
 // come back.
 #pragma once
 
@@ -11,11 +11,11 @@
 
 namespace canvoy::host {
 
-/// A frame and the member that sent it; the sender is compared only, and may be gone.
+/// A frame and the member that sent it; the sender is only compared, and may be gone.
 struct SentFrame {
   Frame frame;
   const void* sender = nullptr;
-  std::uint32_t overtakings = 0;  ///< later frames that came back before it
+  std::uint32_t overtakings = 0;  ///< number of later frames that came back before it
 };
 
 /// A first-in-first-out queue of fixed size.
@@ -29,16 +29,16 @@ class FrameQueue {
   bool full() const { return size_ == capacity; }
   void clear() { size_ = 0; }
 
-  /// The frame at `position`, counted from the oldest.
+  /// Frame at `position`, counted from the oldest.
   SentFrame& operator[](std::size_t position) { return frames_[(first_ + position) % capacity]; }
-  /// Not for a full queue.
+  /// Appends a frame; the queue must not be full.
   void push(const SentFrame& frame) { (*this)[size_++] = frame; }
-  /// Not for an empty queue.
+  /// Removes the oldest frame; the queue must not be empty.
   void pop() {
     first_ = (first_ + 1) % capacity;
     --size_;
   }
-  /// The sender is gone: its frames become nobody's.
+  /// Removes the sender from its frames, since it is gone.
   void forget_sender(const void* sender) {
     for (std::size_t position = 0; position < size_; ++position) {
       SentFrame& sent = (*this)[position];
@@ -55,16 +55,16 @@ class FrameQueue {
 /// Frames that wait until the carrier takes them.
 using SendQueue = FrameQueue<256>;
 
-/// Frames that the carrier took and that have not yet come back. The echo says what was sent, not
-/// by whom: of equal frames the oldest is meant. A controller with several mailboxes sends out of
-/// turn; a frame that `overtakings_max` others have overtaken was lost, and is forgotten, as is the
-/// oldest of too many.
+/// Frames that the carrier took and that have not yet come back. An echo contains the frame without
+/// its sender: among equal frames it belongs to the oldest. A controller with several mailboxes
+/// sends out of order; a frame that `overtakings_max` others have overtaken was lost, and is
+/// removed, as is the oldest if there are too many.
 class EchoQueue {
  public:
   static constexpr std::size_t overtakings_max = 64;
 
   void push(const SentFrame& sent);
-  /// The sender of a frame that came back: empty where it is not known.
+  /// Sender of a frame that came back; empty if unknown.
   std::optional<const void*> take(const Frame& frame);
   void forget_sender(const void* sender) { queue_.forget_sender(sender); }
   std::size_t size() const { return queue_.size(); }

@@ -20,10 +20,10 @@ namespace canvoy::host {
 
 namespace {
 
-// The transmit queue of the interface gives no sign when it has room again.
+// The transmit queue of the interface does not signal that it has room again.
 constexpr Duration full_queue_retry = 1ms;
 constexpr Duration search_interval = 100ms;
-// A socket is read at one go up to this many times 32 frames: time must not overtake the frames
+// One round reads up to this many times 32 frames from a socket: time must not overtake the frames
 // that wait in it.
 
 Descriptor open_socket() {
@@ -89,7 +89,7 @@ SocketCan::~SocketCan() {
   loop_.cancel(report_);
 }
 
-// The options come before the address: no frame is heard without its time, and no error frame is
+// The options are set before the address: no frame arrives without its time, and no error frame is
 // missed.
 Result<void> SocketCan::configure() {
   const int on = 1;
@@ -110,7 +110,7 @@ Result<void> SocketCan::configure() {
   return watch();
 }
 
-/// Error frames tell of changes only.
+/// Reports the present state, since error frames report changes only.
 void SocketCan::report_present_state() {
   const Result<CanLink> link = read_can_link(interface_);
   const BusState present =
@@ -128,7 +128,7 @@ Result<void> SocketCan::watch() {
   return {};
 }
 
-// Remote frames pass as data frames do. With more identifiers than the kernel takes, all pass.
+// Remote frames pass like data frames. With more identifiers than the kernel supports, all pass.
 void SocketCan::accept(const AcceptedIds* ids) {
   filters_.clear();
   if (ids != nullptr && ids->count() < CAN_RAW_FILTER_MAX) {
@@ -175,7 +175,7 @@ void SocketCan::on_ready(Readiness ready) {
   events_.writable();
 }
 
-// The kernel tells once that the interface is gone, before the frames that are still there.
+// The kernel reports once that the interface is gone, before the remaining frames.
 void SocketCan::receive() {
   int error = 0;
   for (int batch = 0; batch < ReceiveBatch::batches_max; ++batch) {
@@ -204,7 +204,7 @@ void SocketCan::packet_arrived(const ReceivedPacket& packet) {
   if (const std::optional<BusState> state = reported_state(frame)) events_.state(*state, time);
 }
 
-// From send(): its caller is not ready for events.
+// Called from send(): its caller does not expect events.
 void SocketCan::search_soon(int error) {
   if (down_) return;
   loop_.cancel(search_);
@@ -226,7 +226,7 @@ void SocketCan::went_down(int error) {
   search_ = loop_.at(loop_.now() + search_interval, [this](Time) { look_for_interface(); });
 }
 
-// With a new socket, since the kernel takes the filters off one of which the interface vanished.
+// Uses a new socket, since the kernel removes the filters of a socket when its interface vanishes.
 void SocketCan::look_for_interface() {
   socket_ = open_socket();
   if (!socket_ || !configure()) {

@@ -17,14 +17,14 @@
 
 namespace canvoy::host {
 
-/// One CAN_RAW socket. Error frames of the controller become bus states, and are handed on for
-/// logs. Own frames come back when they have been on the bus. An interface that is down, bus-off or
-/// unplugged is bus-off for the nodes; a down or unplugged one is looked for every 100 ms, and
-/// served again when it is back, under the same name.
+/// One CAN_RAW socket. Error frames of the controller become bus states, and are passed on for
+/// logs. Own frames come back after they have been on the bus. An interface that is down, bus-off
+/// or unplugged is bus-off for the nodes; a down or unplugged one is checked every 100 ms, and
+/// served again when it returns under the same name.
 class SocketCan final : public Carrier {
  public:
-  /// Fails with what to do where the kernel has no CAN, or the interface is not there, is no CAN,
-  /// or is down.
+  /// Opens the interface. Fails with advice if the kernel has no CAN, or the interface does not
+  /// exist, is not CAN, or is down.
   static Result<std::unique_ptr<Carrier>> open(EventLoop& loop, std::string_view interface);
   ~SocketCan() override;
 
@@ -53,7 +53,7 @@ class SocketCan final : public Carrier {
   EventLoop::Id retry_ = 0;
   EventLoop::Id search_ = 0;
   EventLoop::Id report_ = 0;
-  std::vector<can_filter> filters_;  ///< of the kernel; none: all frames pass
+  std::vector<can_filter> filters_;  ///< in the kernel; none: all frames pass
   bool down_ = false;
   ReceiveBatch batch_;
 };

@@ -1,4 +1,4 @@
-// A frame as the Linux kernel has it, and what its error frames say about the controller.
+// A frame of the Linux kernel, and the state of the controller in its error frames.
 //
 //     can_frame raw = to_kernel(frame);  Frame frame = from_kernel(raw);
 //     if (std::optional<BusState> state = reported_state(frame)) ...
@@ -14,14 +14,15 @@
 namespace canvoy::host {
 
 can_frame to_kernel(const Frame& frame);
-/// Lengths above 8 are taken as 8, as a classic controller does.
+/// Converts a frame of the kernel. Lengths above 8 are taken as 8, as a classic controller does.
 Frame from_kernel(const can_frame& raw);
 
-/// The state of the controller, where the error frame tells of one (linux/can/error.h): bus-off,
-/// restarted, passive or active again. A warning limit is still error-active. Nothing for all else.
+/// State of the controller in an error frame, if it has one (linux/can/error.h): bus-off,
+/// restarted, passive or active again. A warning limit is still error-active. Nothing for all other
+/// error frames.
 std::optional<BusState> reported_state(const Frame& error);
 
-/// Whether the error frame says that the controller had to drop a received frame.
+/// True if the error frame reports that the controller dropped a received frame.
 bool reports_overrun(const Frame& error);
 
 }  // namespace canvoy::host

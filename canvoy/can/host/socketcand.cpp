@@ -17,18 +17,19 @@ namespace {
 constexpr Duration open_time_out = 3s;
 constexpr std::string_view no_answer = "no answer within 3 s";
 constexpr Duration reconnect_interval = 1s;
-/// A server that takes nothing any more holds up whoever sends, not the memory.
+/// Limit of unsent data: a server that takes no data blocks the sender, but does not fill the
+/// memory.
 constexpr std::size_t unsent_max = 64UL * 1024;
 
-// A server without power, or behind a cut cable, says no goodbye. TCP by itself would wait two
-// hours before it asked one that is silent, and repeat what was sent for a quarter of an hour. In
-// less than ten seconds a network that is only busy, or a radio link, may be back.
-constexpr int seconds_until_probe = 5;  ///< in which nothing came
+// A server without power, or behind a cut cable, does not close the connection. TCP by itself would
+// wait two hours before it probes a silent one, and repeat sent data for a quarter of an hour. In
+// less than ten seconds a busy network, or a radio link, may recover.
+constexpr int seconds_until_probe = 5;  ///< without received data
 constexpr int seconds_between_probes = 1;
 constexpr int probes_max = 5;
 constexpr int milliseconds_unanswered_max = 10'000;
 
-/// As far as the system has it: without it the loss is noticed later.
+/// As far as the system supports it; otherwise the loss is noticed later.
 void notice_loss(const Descriptor& socket) {
   const auto set = [&](int level, int option, int value) {
     setsockopt(socket.get(), level, option, &value, sizeof value);
@@ -82,7 +83,7 @@ Result<void> Socketcand::resolve() {
   return {};
 }
 
-/// Begins to.
+/// Begins to connect.
 Result<void> Socketcand::connect() {
   stage_ = Stage::connecting;
   messages_.clear();
@@ -97,7 +98,7 @@ Result<void> Socketcand::connect() {
   return failure(std::strerror(errno));
 }
 
-/// The loop does not run yet.
+/// Waits, since the loop does not run yet.
 Result<void> Socketcand::wait_until_up() {
   const Time end = loop_.now() + open_time_out;
   while (stage_ != Stage::up) {
@@ -168,7 +169,7 @@ void Socketcand::message_arrived(std::string_view message) {
   ++counters_.malformed;
 }
 
-/// Of the server, before the bus is there.
+/// Handles an answer of the server, before the bus is open.
 void Socketcand::answer(std::string_view message) {
   const std::string_view wanted = stage_ == Stage::greeting ? "hi" : "ok";
   if (message != wanted) {
@@ -197,7 +198,7 @@ void Socketcand::flush() {
   while (!unsent_.empty()) {
     const ssize_t sent = ::send(socket_.get(), unsent_.data(), unsent_.size(), MSG_NOSIGNAL);
     if (sent < 0 && errno == EINTR) continue;
-    if (sent < 0) break;  // what is wrong with it, receive() learns
+    if (sent < 0) break;  // receive() detects the error
     unsent_.erase(0, static_cast<std::size_t>(sent));
   }
   if (watch_ != 0) loop_.rewatch(watch_, {.readable = true, .writable = !unsent_.empty()});
@@ -210,7 +211,7 @@ void Socketcand::flush() {
   }
 }
 
-/// What was given to the connection was on the bus, as far as can be known.
+/// Data passed to the connection counts as having been on the bus.
 void Socketcand::confirm() {
   while (!unconfirmed_.empty()) {
     const Frame frame = unconfirmed_.front();

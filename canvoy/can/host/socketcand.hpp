@@ -1,4 +1,5 @@
-// A CAN bus of another machine, which a socketcand serves there by TCP: as its client, in raw mode.
+// A CAN bus of another machine, served there by a socketcand over TCP; this is its client, in raw
+// mode.
 //
 //     Result<std::unique_ptr<Carrier>> carrier =
 //         Socketcand::open(loop, *parse_bus_address("tcp:bench.local/can0"));
@@ -19,15 +20,15 @@
 
 namespace canvoy::host {
 
-/// A server does not hand back what its own client sends: a frame counts as having been on the bus
-/// when it was given to the connection. No bus state is told but that the connection is lost,
-/// also where the server is gone without a word: then after 10 s. It is made anew every second, or
-/// 4 s after a server took it and did not give the bus. Frames are stamped as they arrive here,
-/// since the server's clock is another one.
+/// The client. A server does not return the frames of its own client: a frame counts as having been
+/// on the bus when it was passed to the connection. The only bus state is the loss of the
+/// connection, also if the server disappears silently: then after 10 s. The connection is tried
+/// again every second, or 4 s after a server accepted it and refused the bus. Frames are stamped at
+/// arrival here, since the server has a different clock.
 class Socketcand final : public Carrier {
  public:
-  /// Connects, and waits up to three seconds for the server to give the bus. Fails with what to do
-  /// where there is no such server, or it does not give the bus.
+  /// Connects, and waits up to three seconds for the server to open the bus. Fails with advice if
+  /// there is no such server, or it refuses the bus.
   static Result<std::unique_ptr<Carrier>> open(EventLoop& loop, const BusAddress& address);
   ~Socketcand() override;
 
@@ -65,11 +66,11 @@ class Socketcand final : public Carrier {
   SocketcandMessages messages_;
   std::string unsent_;
   std::deque<Frame> unconfirmed_;
-  std::string refusal_;   ///< what the server said in place of `ok`
-  bool is_open_ = false;  ///< it has been up once: from then on it comes back by itself
+  std::string refusal_;   ///< answer of the server in place of `ok`
+  bool is_open_ = false;  ///< it has been connected once: from then on it reconnects by itself
   bool is_down_ = false;
   EventLoop::Id watch_ = 0;
-  EventLoop::Id retry_ = 0;  ///< when the connection is tried, or the try that runs is given up
+  EventLoop::Id retry_ = 0;  ///< time of the next try, or limit of the present one
   EventLoop::Id confirmation_ = 0;
 };
 

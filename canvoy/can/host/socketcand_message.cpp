@@ -37,7 +37,7 @@ bool is_timestamp(std::string_view text) {
          std::ranges::all_of(text, [](char c) { return (c >= '0' && c <= '9') || c == '.'; });
 }
 
-/// Pairs of digits; one alone is a byte where it is a word.
+/// Appends pairs of digits; a single digit is a byte if it is a separate word.
 bool append_bytes(Frame& frame, std::string_view word) {
   const bool is_single = word.size() == 1;
   if (!is_single && word.size() % 2 != 0) return false;

@@ -6,7 +6,7 @@
 
 #include "canvoy/can/frame_text.hpp"
 
-// The messages are those of doc/protocol.md of socketcand, and what its state_raw.c prints.
+// The messages follow doc/protocol.md of socketcand, and the output of its state_raw.c.
 namespace canvoy::host::socketcand_message_test {
 namespace {
 

@@ -1,4 +1,4 @@
-// A file for one test, gone after it.
+// A file for one test, deleted after it.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -57,7 +57,7 @@ Result<std::unique_ptr<Carrier>> UdpMulticast::open(EventLoop& loop, const UdpGr
 UdpMulticast::UdpMulticast(EventLoop& loop, const UdpGroup& group)
     : loop_(loop),
       group_(group),
-      name_(to_string({.kind = BusKind::udp_multicast, .udp = group})) {}
+      name_(to_string({.kind = BusType::udp_multicast, .udp = group})) {}
 
 UdpMulticast::~UdpMulticast() {
   loop_.unwatch(receive_watch_);
@@ -80,15 +80,25 @@ bool UdpMulticast::open_receiver() {
          set_ip_option(receiver_, IP_ADD_MEMBERSHIP, membership);
 }
 
-// Connected, so that its own address is settled, and own datagrams are known by it.
+// Own datagrams are recognised by their address, that of a socket which is connected to the group,
+// and by their port. A connected socket would send on the interface that has the address, and not
+// on the one that has the route.
 bool UdpMulticast::open_sender() {
   sender_ = datagram_socket();
-  const sockaddr_in address = socket_address(group_);
+  const Descriptor probe = datagram_socket();
+  const sockaddr_in group = socket_address(group_);
+  const sockaddr_in any{.sin_family = AF_INET, .sin_port = 0, .sin_addr = {}, .sin_zero = {}};
+  sockaddr_in source{};
   socklen_t size = sizeof own_;
-  return sender_ && set_ip_option(sender_, IP_MULTICAST_TTL, int{group_.ttl}) &&
-         set_ip_option(sender_, IP_MULTICAST_LOOP, 1) &&
-         ::connect(sender_.get(), generic(address), sizeof address) == 0 &&
-         ::getsockname(sender_.get(), reinterpret_cast<sockaddr*>(&own_), &size) == 0;
+  const bool is_open =
+      sender_ && probe && set_ip_option(sender_, IP_MULTICAST_TTL, int{group_.ttl}) &&
+      set_ip_option(sender_, IP_MULTICAST_LOOP, 1) &&
+      ::bind(sender_.get(), generic(any), sizeof any) == 0 &&
+      ::getsockname(sender_.get(), reinterpret_cast<sockaddr*>(&own_), &size) == 0 &&
+      ::connect(probe.get(), generic(group), sizeof group) == 0 &&
+      ::getsockname(probe.get(), reinterpret_cast<sockaddr*>(&source), &size) == 0;
+  own_.sin_addr = source.sin_addr;
+  return is_open;
 }
 
 Result<void> UdpMulticast::watch() {
@@ -119,9 +129,10 @@ SendResult UdpMulticast::send(const Frame& frame) {
   const std::chrono::duration<double> since_1970 = loop_.epoch() + loop_.now().time_since_epoch();
   const MsgpackFrame datagram(frame, since_1970.count());
   const std::span<const std::uint8_t> bytes = datagram.bytes();
+  const sockaddr_in group = socket_address(group_);
   ssize_t sent = 0;
   do {
-    sent = ::send(sender_.get(), bytes.data(), bytes.size(), 0);
+    sent = ::sendto(sender_.get(), bytes.data(), bytes.size(), 0, generic(group), sizeof group);
   } while (sent < 0 && errno == EINTR);
   if (sent >= 0) {
     in_trouble_ = false;
@@ -139,14 +150,13 @@ SendResult UdpMulticast::send(const Frame& frame) {
   return SendResult::refused;
 }
 
-// The caller of send() is not ready for events.
+// The caller of send() does not expect events.
 void UdpMulticast::tell_soon(int error) {
   loop_.cancel(telling_);
   telling_ = loop_.at(loop_.now(), [this, error](Time) { events_.trouble(failure(error)); });
 }
 
-// An error that came back for an earlier datagram stays at the socket, and would wake the loop for
-// ever.
+// An error for an earlier datagram stays at the socket, and would wake the loop forever.
 void UdpMulticast::on_sendable(Readiness ready) {
   if (ready.failed) {
     int error = 0;
@@ -190,8 +200,11 @@ void UdpMulticast::datagram_arrived(const ReceivedPacket& packet) {
   } else if (decoded.kind == FrameKind::fd) {
     ++counters_.fd;
   } else {
-    const bool own = packet.sender->sin_port == own_.sin_port &&
-                     packet.sender->sin_addr.s_addr == own_.sin_addr.s_addr;
+    // The address of this machine may change.
+    const sockaddr_in& sender = *packet.sender;
+    const bool own =
+        sender.sin_port == own_.sin_port && (sender.sin_addr.s_addr == own_.sin_addr.s_addr ||
+                                             local_.contains(sender.sin_addr, loop_.now()));
     if (decoded.frame.is_error()) ++counters_.error_frames;
     events_.frame(decoded.frame, loop_.time_of(packet.stamp),
                   own ? Origin::own : Origin::elsewhere);

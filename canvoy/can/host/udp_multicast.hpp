@@ -1,5 +1,5 @@
-// A CAN bus between programs and machines without any CAN hardware: frames as datagrams to a
-// multicast group, as python-can's interface `udp_multicast` has them.
+// A CAN bus between programs and machines without CAN hardware: frames as datagrams to a multicast
+// group, like the interface `udp_multicast` of python-can.
 //
 //     Result<std::unique_ptr<Carrier>> carrier = UdpMulticast::open(loop, UdpGroup{});
 #pragma once
@@ -19,14 +19,14 @@
 
 namespace canvoy::host {
 
-/// Two sockets: one listens on the group, which other programs of the machine do as well; the other
-/// sends, and by its port own datagrams are known when they come back. Without a time to live in
-/// its address the bus is of this machine in both directions: what others send is counted, and told
-/// of once. No arbitration, no bit rate, no acknowledgement, no bus state.
+/// The bus. It has two sockets: one listens on the group, as other programs of the machine do; the
+/// other sends, and its port identifies own datagrams when they come back. With a time to live of 0
+/// in its address, the bus is limited to this machine in both directions: frames of others are
+/// counted, and reported once. No arbitration, no bit rate, no acknowledgement, no bus state.
 class UdpMulticast final : public Carrier {
  public:
-  /// Fails with what to do where there is no route for multicast, or the port belongs to something
-  /// else.
+  /// Opens the bus. Fails with advice if there is no route for multicast, or another program has
+  /// the port.
   static Result<std::unique_ptr<Carrier>> open(EventLoop& loop, const UdpGroup& group);
   ~UdpMulticast() override;
 

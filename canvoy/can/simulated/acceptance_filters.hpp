@@ -1,5 +1,5 @@
-// Which frames the controllers of a bus let pass to their nodes: the acceptance filters of all of
-// them, by identifier, so that the bus asks once a frame who wants it.
+// The acceptance filters of all controllers of a bus, by identifier, so that the bus finds the
+// receivers of a frame in one step.
 //
 //     AcceptanceFilters filters;
 //     filters.accept(node, 0x181, true);
@@ -15,23 +15,24 @@
 
 namespace canvoy {
 
-/// All begin closed. It allocates in the constructor only.
+/// The filters, all closed at first. Allocates in the constructor only.
 class AcceptanceFilters {
  public:
   AcceptanceFilters() : by_identifier_(Frame::id_max + std::size_t{1}) {}
 
-  /// For frames with this 11-bit identifier, remote ones too; what is above that is ignored.
+  /// Sets the filter for frames with this 11-bit identifier, also remote ones; greater identifiers
+  /// are ignored.
   void accept(ControllerId id, std::uint16_t can_id, bool wanted) {
     if (can_id < by_identifier_.size()) by_identifier_[can_id].assign(id, wanted);
   }
-  /// For all frames with 29-bit identifiers.
+  /// Sets the filter for all frames with 29-bit identifiers.
   void accept_extended(ControllerId id, bool wanted) { extended_.assign(id, wanted); }
   void accept_all(ControllerId id) {
     for (ControllerSet& accepting : by_identifier_) accepting.insert(id);
     extended_.insert(id);
   }
 
-  /// The controllers that let it pass. The identifier must be within its 11 or 29 bits.
+  /// Controllers that let the frame pass. The identifier must be within its 11 or 29 bits.
   const ControllerSet& accepting(const Frame& frame) const {
     return frame.is_extended() ? extended_ : by_identifier_[frame.id];
   }

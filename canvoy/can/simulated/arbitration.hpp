@@ -1,5 +1,5 @@
-// Who wins the bus: the bits of the arbitration field in the order in which they are sent (ISO
-// 11898-1, bus access).
+// Arbitration: the bits of the arbitration field in the order in which they are sent (ISO 11898-1,
+// bus access).
 //
 //     bool first_wins = arbitration_key(first) < arbitration_key(second);
 #pragma once
@@ -11,10 +11,10 @@
 namespace canvoy {
 
 /// The arbitration field as a number: a dominant bit is a zero, so the lower number wins. Frames
-/// with the same key do not arbitrate: they go on side by side until a bit of theirs differs.
+/// with the same key do not arbitrate: they continue together until a bit differs.
 ///
 /// From the top: 11 bits of identifier; RTR (11-bit frame) or SRR (29-bit frame, recessive); IDE;
-/// then, of a 29-bit frame, 18 bits of identifier and RTR. So a data frame wins over the remote
+/// then, in a 29-bit frame, 18 bits of identifier and RTR. A data frame thus wins over the remote
 /// frame with its identifier, and an 11-bit frame over a 29-bit frame that begins with the same 11
 /// bits.
 constexpr std::uint32_t arbitration_key(const Frame& frame) {

@@ -1,5 +1,5 @@
-// Who wants the bus, and who wins it: the controllers that have a frame to send, with their
-// arbitration keys.
+// Finds the winner of the bus among the controllers that have a frame to send, by their arbitration
+// keys.
 //
 //     ArbitrationContest contest(127);
 //     contest.enter(node, arbitration_key(frame));
@@ -17,23 +17,24 @@
 
 namespace canvoy {
 
-/// A knock-out tournament, kept as a binary tree, so that the winner is known at once however many
-/// want the bus; entering and leaving take a step for each doubling of the number of controllers.
-/// It allocates in the constructor only.
+/// A knock-out tournament, kept as a binary tree, so that the winner is available at once for any
+/// number of contenders; entering and leaving take a step for each doubling of the number of
+/// controllers. Allocates in the constructor only.
 class ArbitrationContest {
  public:
-  /// For `controllers_max` controllers at most, of which none is there yet.
+  /// Makes a contest for `controllers_max` controllers at most, without any yet.
   explicit ArbitrationContest(std::size_t controllers_max)
       : matches_(2 * std::bit_ceil(std::max<std::size_t>(controllers_max, 1)), nobody) {}
 
-  /// From now on for controllers 0 to `controllers` - 1. None of them is a contender then.
+  /// Sets the number of controllers: 0 to `controllers` - 1. None of them is a contender
+  /// afterwards.
   void resize(std::size_t controllers) {
     leaves_ = std::bit_ceil(std::max<std::size_t>(controllers, 1));
     std::fill(matches_.begin(), matches_.end(), nobody);
     contenders_.clear();
   }
 
-  /// A controller has something to send, or something else than before.
+  /// Enters a controller with a frame to send, or with a different one.
   void enter(ControllerId id, std::uint32_t key) {
     contenders_.insert(id);
     play(id, std::uint64_t{key} << key_shift | id);
@@ -45,17 +46,17 @@ class ArbitrationContest {
 
   const ControllerSet& contenders() const { return contenders_; }
 
-  /// Those with the lowest key: one, unless several send the same identifier; none where nobody
-  /// wants the bus.
+  /// Controllers with the lowest key: one, unless several send the same identifier; none if there
+  /// is no contender.
   ControllerSet winners() const {
     const std::uint64_t winner = matches_[1];
-    if ((winner & tied) != 0) return winners_among(contenders_);  // of nobody too
+    if ((winner & tied) != 0) return winners_among(contenders_);  // also without contenders
     ControllerSet winners;
     winners.insert(static_cast<ControllerId>(winner & 0xFF));
     return winners;
   }
 
-  /// The same among some of the contenders; linear in their number.
+  /// Like winners(), but among some of the contenders; linear in their number.
   ControllerSet winners_among(const ControllerSet& some) const {
     ControllerSet winners;
     std::uint64_t lowest = nobody >> key_shift;

@@ -1,5 +1,5 @@
-// The bit rates to which the controllers of a bus are set, as bit times. On a healthy bus they are
-// all the same; one that is on another rate reads no frame and destroys those of the others.
+// The bit rates of the controllers of a bus, as bit times. On a healthy bus they are all equal; a
+// controller with another rate receives no frame and destroys those of the others.
 //
 //     BitTimes bit_times(bit_time_ns(125'000));
 //     bit_times.set(node, 250'000);
@@ -19,10 +19,12 @@ namespace canvoy {
 
 class BitTimes {
  public:
-  /// Of a bus whose controllers have bits of `usual_ns`, unless they are set to another rate.
+  /// Makes the table for a bus with bits of `usual_ns`, except for controllers with a different
+  /// rate.
   constexpr explicit BitTimes(std::int64_t usual_ns) : usual_ns_(usual_ns) {}
 
-  /// In bit/s, 1000 to 1'000'000; 0: that of the bus. Who has not been set counts for nothing.
+  /// Sets the bit rate of a controller in bit/s, 1000 to 1'000'000; 0: that of the bus. Controllers
+  /// without a setting are ignored.
   constexpr void set(ControllerId id, std::uint32_t bit_rate) {
     bit_ns_[id] = bit_rate == 0 ? usual_ns_ : bit_time_ns(bit_rate);
     count_ = std::max(count_, id + std::size_t{1});
@@ -34,13 +36,13 @@ class BitTimes {
   constexpr std::int64_t of(ControllerId id) const { return bit_ns_[id]; }
   constexpr bool are_mixed() const { return are_mixed_; }
 
-  /// Those of `some` on another rate than that of bits of `bit_ns`.
+  /// Members of `some` with a rate other than that of bits of `bit_ns`.
   constexpr ControllerSet other_than(std::int64_t bit_ns, const ControllerSet& some) const {
     ControllerSet others;
     some.for_each([&](ControllerId id) { others.assign(id, bit_ns_[id] != bit_ns); });
     return others;
   }
-  /// Of the slowest of `some`; at least `least_ns`.
+  /// Bit time of the slowest of `some`; at least `least_ns`.
   constexpr std::int64_t longest(const ControllerSet& some, std::int64_t least_ns) const {
     std::int64_t longest_ns = least_ns;
     some.for_each([&](ControllerId id) { longest_ns = std::max(longest_ns, bit_ns_[id]); });

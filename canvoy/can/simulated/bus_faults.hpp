@@ -1,11 +1,11 @@
-// What may go wrong on a simulated bus: a plain struct of options. With the seed of the bus it
-// decides every failure.
+// Faults of a simulated bus: a plain struct of options. Together with the seed of the bus it
+// determines every failure.
 //
 //     BusFaults faults{.frame_error_probability = 0.001,
 //                      .cable_cut = {.after = 3, .from = Time(20min), .until = Time(21min)}};
 //
-// Faults of one controller (a foreign bit rate, a drifting clock, an input that reads bits wrongly)
-// are options of the controller. Two nodes with one node-ID are simply two controllers whose nodes
+// Faults of one controller (a different bit rate, a drifting clock, an input that misreads bits)
+// are options of the controller. Two nodes with one node-ID are two controllers with nodes that
 // send the same identifiers.
 #pragma once
 
@@ -15,14 +15,14 @@
 
 namespace canvoy {
 
-/// The cable is cut between controller `after` and the next one, and mended at `until`.
+/// A cut of the cable between controller `after` and the next one, mended at `until`.
 struct CableCut {
   ControllerId after = no_controller;
   Time from = never;
   Time until = never;
 };
 
-/// A node that sends `frame` again and again, as fast as the bus lets it.
+/// A node that sends `frame` again and again, as fast as the bus allows.
 struct Babbling {
   ControllerId controller = no_controller;
   Frame frame{};
@@ -30,9 +30,9 @@ struct Babbling {
   Time until = never;
 };
 
-/// All are absent by default.
+/// Faults, all absent by default.
 struct BusFaults {
-  /// Share of the frames (0 to 1) that a disturbance destroys for all, in a bit chosen at random.
+  /// Share of the frames (0 to 1) that a disturbance destroys for all, in a random bit.
   double frame_error_probability = 0.0;
   /// Probability (0 to 1) that a bit of a frame is disturbed for all.
   double bit_error_rate = 0.0;

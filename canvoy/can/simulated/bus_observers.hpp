@@ -1,5 +1,4 @@
-// Who looks at the whole simulated bus rather than takes part in it: loggers, referees, and the
-// count of all frames.
+// Observers of the whole simulated bus: loggers, referees, and the count of all frames.
 //
 //     BusObservers observers;
 //     observers.add({.context = &log, .on_frame = write_line});
@@ -19,11 +18,11 @@
 
 namespace canvoy {
 
-/// What an observer of the whole bus is told, at the moment it happens and before the nodes are.
-/// Null: not told.
+/// Callbacks of an observer of the whole bus, called at the moment of an event and before the
+/// nodes. Null: not called.
 struct BusTap {
   void* context = nullptr;
-  /// A frame went over the bus whole; `now` is when receivers have it.
+  /// A frame was sent completely; `now` is the time at which receivers have it.
   void (*on_frame)(void* context, Time now, ControllerId sender, const Frame& frame) = nullptr;
   /// A frame was destroyed; an error frame follows on the wire.
   void (*on_error)(void* context, Time now, const BusError& error) = nullptr;
@@ -31,19 +30,19 @@ struct BusTap {
   void (*on_overrun)(void* context, Time now, ControllerId controller) = nullptr;
 };
 
-/// Counted since the construction of the bus.
+/// Counters since the construction of the bus.
 struct BusStatistics {
   std::uint64_t frames = 0;
-  std::uint64_t frame_bits = 0;  ///< of these frames, with stuff bits, without intermissions
+  std::uint64_t frame_bits = 0;  ///< length of these frames, with stuff bits, without intermissions
   std::uint64_t error_frames = 0;
 };
 
-/// Tells all taps, in the order in which they came, and counts.
+/// Notifies all taps, in the order in which they were added, and counts.
 class BusObservers {
  public:
   static constexpr std::size_t taps_max = 4;
 
-  /// False where there are taps_max already.
+  /// Adds a tap. False if there are taps_max already.
   constexpr bool add(const BusTap& tap) {
     if (count_ == taps_max) return false;
     taps_[count_++] = tap;

@@ -1,5 +1,5 @@
-// The way back from bus-off (ISO 11898-1, fault confinement): a controller has to see 128 sequences
-// of 11 recessive bits before it takes part again.
+// The recovery from bus-off: a controller must see 128 sequences of 11 recessive bits before it
+// takes part again (ISO 11898-1, fault confinement).
 //
 //     BusOffRecovery recovery;
 //     recovery.begin(node, now_ns);
@@ -15,27 +15,27 @@
 
 namespace canvoy {
 
-/// For all controllers of a bus. `members` are those on one wire, which has been recessive since
-/// `recessive_since_ns`, or will be from then on.
+/// Recovery of all controllers of a bus. `members` are those on one wire, which has been recessive
+/// since `recessive_since_ns`, or will be from then on.
 class BusOffRecovery {
  public:
   void begin(ControllerId id, std::int64_t now_ns) {
     recovering_.insert(id);
     progress_[id] = {.sequences_left = sequences, .counted_to_ns = now_ns};
   }
-  /// Of a controller without power: it begins as new.
+  /// Cancels the recovery of a controller without power, which starts from reset later.
   void cancel(ControllerId id) { recovering_.erase(id); }
 
   bool is_under_way(ControllerId id) const { return recovering_.contains(id); }
   bool is_empty() const { return recovering_.empty(); }
 
-  /// When the first of the members is back if no frame comes between; never_ns for none.
+  /// Time at which the first of the members is back if no frame comes between; never_ns for none.
   std::int64_t next_ns(const ControllerSet& members, std::int64_t recessive_since_ns,
                        const BitTimes& bit_times) const;
-  /// A frame begins: what is left of eleven recessive bits does not count.
+  /// Notes the begin of a frame: an incomplete sequence of eleven recessive bits does not count.
   void interrupt(const ControllerSet& members, std::int64_t recessive_since_ns, std::int64_t now_ns,
                  const BitTimes& bit_times);
-  /// Those that are back: they are no longer under way.
+  /// Removes and returns the controllers that have recovered.
   ControllerSet take_completed(const ControllerSet& members, std::int64_t recessive_since_ns,
                                std::int64_t now_ns, const BitTimes& bit_times);
 

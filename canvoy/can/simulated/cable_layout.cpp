@@ -1,6 +1,6 @@
 #include "canvoy/can/simulated/cable_layout.hpp"
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 
 namespace canvoy {
 
@@ -20,7 +20,7 @@ std::span<const ControllerSet> CableLayout::pieces(Pieces& storage) const {
     storage[found++] = piece;
     piece.clear();
   }
-  must_hold(found <= count_);
+  check_invariant(found <= count_);
   return std::span(storage).first(found);
 }
 

@@ -1,5 +1,5 @@
-// The cable of a simulated bus as it lies: controllers along it in the order of their numbers,
-// where it is cut, and who is unplugged. It falls into pieces, each a bus of its own.
+// The layout of the cable of a simulated bus: controllers along it in the order of their numbers,
+// its cuts, and the unplugged controllers. It consists of pieces, each a separate bus.
 //
 //     CableLayout layout;
 //     layout.append(0);  layout.append(1);  layout.append(2);
@@ -19,17 +19,17 @@ class CableLayout {
  public:
   using Pieces = std::array<ControllerSet, ControllerSet::capacity>;
 
-  /// A further controller at the end; the next number.
+  /// Adds a controller at the end, with the next number.
   void append(ControllerId id) { count_ = id + std::size_t{1}; }
 
   void cut(ControllerId after) { cut_after_.insert(after); }
-  /// All cuts; who is unplugged stays so.
+  /// Mends all cuts; unplugged controllers stay unplugged.
   void mend() { cut_after_.clear(); }
   void unplug(ControllerId id) { unplugged_.insert(id); }
   void plug(ControllerId id) { unplugged_.erase(id); }
 
-  /// From the beginning to the end, in `storage`; each controller that is unplugged is a piece of
-  /// its own.
+  /// Pieces from the beginning to the end, in `storage`; each unplugged controller is a separate
+  /// piece.
   std::span<const ControllerSet> pieces(Pieces& storage) const;
 
  private:

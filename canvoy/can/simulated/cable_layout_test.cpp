@@ -35,7 +35,7 @@ TEST(CableLayout, FallsApartBehindTheControllersWhereItIsCut) {
   sut.cut(0);
   sut.cut(3);
   EXPECT_EQ(pieces_of(sut), (Numbers{{0}, {1, 2, 3}, {4}}));
-  sut.cut(4);  // behind the last one there is nothing
+  sut.cut(4);  // there is no controller after the last one
   EXPECT_EQ(pieces_of(sut), (Numbers{{0}, {1, 2, 3}, {4}}));
 }
 

@@ -11,14 +11,14 @@
 
 namespace canvoy {
 
-/// A controller on a bus, numbered from 0 in the order of attachment, which is also its place along
-/// the cable.
+/// A controller on a bus, numbered from 0 in the order of attachment, which is also its position
+/// along the cable.
 using ControllerId = std::uint8_t;
 
-/// What attach() answers when the bus is full.
+/// Result of attach() if the bus is full.
 inline constexpr ControllerId no_controller = 0xFF;
 
-/// Value type; the order of for_each() is the order of the numbers.
+/// A set, as a value type; the order of for_each() is the order of the numbers.
 class ControllerSet {
  public:
   static constexpr std::size_t capacity = 128;  ///< 127 nodes and a tool
@@ -35,7 +35,7 @@ class ControllerSet {
         words_[0] != 0 ? (words_[0] & (words_[0] - 1)) | words_[1] : words_[1] & (words_[1] - 1);
     return without_first != 0;
   }
-  /// The lowest member, no_controller of an empty set.
+  /// Lowest member; no_controller if the set is empty.
   constexpr ControllerId first() const {
     if (words_[0] != 0) return static_cast<ControllerId>(std::countr_zero(words_[0]));
     if (words_[1] != 0) return static_cast<ControllerId>(64 + std::countr_zero(words_[1]));
@@ -60,7 +60,7 @@ class ControllerSet {
     a.words_[1] |= b.words_[1];
     return a;
   }
-  /// The members of `a` that are not in `b`.
+  /// Members of `a` that are not in `b`.
   friend constexpr ControllerSet operator-(ControllerSet a, const ControllerSet& b) {
     a.words_[0] &= ~b.words_[0];
     a.words_[1] &= ~b.words_[1];

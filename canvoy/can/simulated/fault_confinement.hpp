@@ -12,13 +12,13 @@
 
 namespace canvoy {
 
-/// The counters of one controller. Nothing changes them in bus-off but restart().
+/// The counters of one controller. In bus-off, only restart() changes them.
 class ErrorCounters {
  public:
-  static constexpr std::uint16_t warning_limit =
-      96;  ///< from here on a bus counts as heavily disturbed
+  /// From here on the bus counts as heavily disturbed.
+  static constexpr std::uint16_t warning_limit = 96;
   static constexpr std::uint16_t passive_limit = 128;  ///< from here on error-passive
-  static constexpr std::uint16_t bus_off_limit = 256;  ///< transmit errors only
+  static constexpr std::uint16_t bus_off_limit = 256;  ///< for transmit errors only
 
   constexpr std::uint16_t transmit() const { return transmit_; }
   constexpr std::uint16_t receive() const { return receive_; }
@@ -31,15 +31,15 @@ class ErrorCounters {
 
   /// Rule a: a receiver has detected an error.
   constexpr void receive_error() { raise_receive(1); }
-  /// Rule b: after its error flag a receiver still sees a dominant bit, so it was the first to see
-  /// the error.
+  /// Rule b: after its error flag a receiver still sees a dominant bit, so it was the first to
+  /// detect the error.
   constexpr void receive_error_alone() { raise_receive(8); }
   /// Rule c: a transmitter has sent an error flag.
   constexpr void transmit_error() {
     if (state() != BusState::bus_off) transmit_ = static_cast<std::uint16_t>(transmit_ + 8);
   }
-  /// Rule c, exception 1: where nobody acknowledges, an error-passive transmitter does not count,
-  /// so that a node alone on the bus never goes bus-off.
+  /// Rule c, exception 1: without acknowledgement, an error-passive transmitter does not count, so
+  /// that a node alone on the bus never goes bus-off.
   constexpr void acknowledgement_missing() {
     if (is_error_active(state())) transmit_error();
   }
@@ -56,12 +56,12 @@ class ErrorCounters {
       --receive_;
     }
   }
-  /// Back from bus-off, or switched on.
+  /// Resets the counters: recovered from bus-off, or switched on.
   constexpr void restart() { transmit_ = receive_ = 0; }
 
  private:
   constexpr bool reaches(unsigned limit) const { return transmit_ >= limit || receive_ >= limit; }
-  /// A receive counter of 8 bits stays at its end, as those of real controllers do.
+  /// A receive counter of 8 bits stays at its limit, like those of real controllers.
   constexpr void raise_receive(unsigned step) {
     if (state() == BusState::bus_off) return;
     receive_ = static_cast<std::uint16_t>(receive_ + step < 255 ? receive_ + step : 255);

@@ -1,4 +1,5 @@
-// The faults of a simulated bus that begin and end at a time: what is due, and when the next is.
+// The faults of a simulated bus that begin and end at a time: those that are due, and the time of
+// the next ones.
 //
 //     FaultTimeline timeline(options.faults);
 //     if (timeline.next_ns() <= now_ns) apply(timeline.take_next());
@@ -14,8 +15,7 @@
 
 namespace canvoy {
 
-/// What begins and ends at one time, each by the controller that it is about; no_controller:
-/// nothing.
+/// Faults that begin and end at one time, each by its controller; no_controller: none.
 struct FaultsDue {
   ControllerId cut_after = no_controller;
   ControllerId mend_after = no_controller;
@@ -27,14 +27,14 @@ struct FaultsDue {
 
 class FaultTimeline {
  public:
-  /// From the start of time, which belongs to it.
+  /// Begins at the start of time, inclusive.
   explicit FaultTimeline(const BusFaults& faults);
 
-  /// never_ns where nothing comes any more.
+  /// Time of the next faults; never_ns if there are no more.
   std::int64_t next_ns() const { return next_ns_; }
-  /// What is due at next_ns(), and on to what comes behind it.
+  /// Faults at next_ns(); continues with the next ones.
   FaultsDue take_next();
-  /// What a babbling node sends.
+  /// Frame of a babbling node.
   const Frame& babble() const { return babbling_.frame; }
 
  private:

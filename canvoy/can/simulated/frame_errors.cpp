@@ -7,10 +7,10 @@
 namespace canvoy {
 namespace {
 
-constexpr unsigned stuff_error_bits = 6;  // so many equal bits are an error
+constexpr unsigned stuff_error_bits = 6;  // this number of equal bits is an error
 
-/// For each n the threshold of an error in one of the first n bits. In integers, so that it is the
-/// same everywhere.
+/// For each n, the threshold of an error in one of the first n bits. In integers, so that it is the
+/// same on every platform.
 void fill_bit_errors(std::vector<std::uint64_t>& by_bit, Probability rate) {
   std::uint64_t unharmed = ~std::uint64_t{0};
   for (std::uint64_t& threshold : by_bit) {
@@ -44,9 +44,9 @@ void FrameErrors::set_frame_error_probability(Probability probability) {
   has_disturbances_ = true;
 }
 
-/// A controller on another bit rate cannot read the frame. It is taken to see six equal bits in the
-/// first six bit times, its own or those of the sender, whichever are longer; at the latest it
-/// destroys the acknowledgement.
+/// A controller with another bit rate cannot receive the frame. It is modelled to see six equal
+/// bits in the first six bit times, its own or those of the sender, whichever are longer; at the
+/// latest it destroys the acknowledgement.
 ControllerSet FrameErrors::plan_foreign_rates(SimulatedWire& wire, const Participants& who,
                                               const BitTimes& bit_times) {
   ControllerSet deaf;
@@ -68,7 +68,7 @@ ControllerSet FrameErrors::plan_foreign_rates(SimulatedWire& wire, const Partici
 }
 
 /// A controller that misreads a frame destroys it for all, unless it is error-passive or only
-/// listens: then it alone does not have it.
+/// listens: then the frame is missing there only.
 ControllerSet FrameErrors::plan_misreading(SimulatedWire& wire, const Participants& who) {
   ControllerSet deaf;
   (wire.receivers() & misreading_).for_each([&](ControllerId id) {
@@ -84,8 +84,8 @@ ControllerSet FrameErrors::plan_misreading(SimulatedWire& wire, const Participan
   return deaf;
 }
 
-/// The error flag of an error-passive transmitter is recessive, as the end of a frame is: who only
-/// listens has the frame, before the failure is over.
+/// The error flag of an error-passive transmitter is recessive, as the end of a frame is: a
+/// controller that only listens has the frame before the failure is over.
 void FrameErrors::plan_missing_acknowledgement(SimulatedWire& wire, const Participants& who) {
   const bool is_unseen =
       !wire.receivers().empty() && (wire.transmitters() & who.flagging()).empty();

@@ -1,12 +1,12 @@
-// What goes wrong with a frame on the simulated bus: disturbances of the cable, controllers that
-// misread or are on another bit rate, nobody that acknowledges.
+// The errors of a frame on the simulated bus: disturbances of the cable, controllers that misread
+// or have another bit rate, missing acknowledgement.
 //
 //     FrameErrors errors(options.seed, options.faults);
 //     errors.disturb(1, 17);                                  // the next frame, in its 17th bit
 //     deaf = errors.plan(wire, participants, bit_times);      // at each start of frame
 //
-// An error is decided at the start of a frame, as the bit at the end of which somebody detects it.
-// All chance comes from the seed: the same calls in the same order give the same errors.
+// An error is decided at the start of a frame, as the bit at the end of which a controller detects
+// it. All randomness comes from the seed: the same calls in the same order give the same errors.
 #pragma once
 
 #include <array>
@@ -22,22 +22,22 @@
 
 namespace canvoy {
 
-/// It allocates in the constructor only.
+/// The errors. Allocates in the constructor only.
 class FrameErrors {
  public:
   FrameErrors(std::uint64_t seed, const BusFaults& faults);
 
-  /// Share of the others' frames that this controller alone sees disturbed.
+  /// Sets the share of the others' frames that this controller alone sees disturbed.
   void set_misreading(ControllerId id, Probability probability) {
     misreading_.assign(id, !probability.is_zero());
     misread_[id] = probability;
   }
-  /// The next `frames` frames, in this bit, counted from 1.
+  /// Destroys the next `frames` frames, in this bit, counted from 1.
   void disturb(std::uint32_t frames, unsigned bit);
   void set_frame_error_probability(Probability probability);
 
-  /// The frame that has begun on the wire fails when the first error is seen. The answer is those
-  /// that have no part in it and cannot destroy it for the others: each counts a receive error.
+  /// Plans the first error of the frame that has begun on the wire. Returns the controllers that
+  /// have no part in it and cannot destroy it for the others: each counts a receive error.
   ControllerSet plan(SimulatedWire& wire, const Participants& who, const BitTimes& bit_times) {
     ControllerSet deaf;
     if (bit_times.are_mixed()) deaf = plan_foreign_rates(wire, who, bit_times);

@@ -19,7 +19,7 @@ ControllerSet set_of(const std::vector<ControllerId>& ids) {
   return set;
 }
 
-/// Of two or more controllers number 0 sends 080#.
+/// Two or more controllers, of which number 0 sends 080#.
 struct FrameErrorsTest : testing::Test {
   FrameErrorsTest() {
     add(0);
@@ -32,7 +32,7 @@ struct FrameErrorsTest : testing::Test {
     bit_times.set(id, bit_rate);
     members.insert(id);
   }
-  /// It takes 16 receive errors of 8 and 1 to be error-passive (ISO 11898-1).
+  /// 16 receive errors of 8 and 1 make it error-passive (ISO 11898-1).
   void make_passive(ControllerId id) {
     for (SimulatedController& each : controllers) {
       for (int i = 0; each.id() == id && i < 16; ++i) each.count_receive_error(true);
@@ -44,12 +44,12 @@ struct FrameErrorsTest : testing::Test {
     on.begin({.frame = Frame::data_frame(0x080, {}), .bits = bits}, bit_ns, 0, set_of({0}),
              who.hearing());
   }
-  /// A frame from its start on; the answer is who is deaf to it.
+  /// Plans a frame from its start on; returns the controllers without a part in it.
   ControllerSet plan(FrameErrors& errors) {
     begin(wire);
     return errors.plan(wire, who, bit_times);
   }
-  /// At the end of which bit, counted from 1, it fails.
+  /// Number of the bit, counted from 1, at the end of which it fails.
   static unsigned failed_bit(const SimulatedWire& on) {
     unsigned bit = 0;
     while (bit <= bits && !on.has_failed(on.bit_end_ns(bit))) ++bit;
@@ -103,7 +103,8 @@ TEST_F(FrameErrorsTest, OfTwoForeignBitRatesAreTheEarlierAndADisturbanceBeforeIt
   EXPECT_TRUE(wire.detectors().empty()) << "all see it";
 }
 
-// Who is error-passive or only listens cannot destroy a frame (ISO 11898-1, error flags).
+// A controller that is error-passive or only listens cannot destroy a frame (ISO 11898-1, error
+// flags).
 TEST_F(FrameErrorsTest, OfWhoMisreadsAreThoseOfAllWhereItsFlagIsSeenAndElseItsOwn) {
   add(70);
   add(80);

@@ -1,5 +1,5 @@
-// What each controller of a bus takes part in, as the bus asks for it at each frame: who hears it,
-// who acknowledges it, who can destroy it, and for whom a good one is good for the error counter.
+// Roles of each controller of a bus at a frame: receives it, acknowledges it, can destroy it, and
+// reduces its error counter after a good one.
 //
 //     participants.update(controller);
 //     if ((receivers & participants.acknowledging()).empty()) ...  // nobody acknowledges
@@ -13,7 +13,8 @@ namespace canvoy {
 
 class Participants {
  public:
-  /// The power, state, mode or receive error counter of a controller is another than before.
+  /// Updates the roles after a change of a controller's power, state, mode or receive error
+  /// counter.
   void update(const SimulatedController& controller) {
     const ControllerId id = controller.id();
     const bool hears = controller.is_powered() && controller.state() != BusState::bus_off;
@@ -24,13 +25,14 @@ class Participants {
     with_receive_errors_.assign(id, acknowledges && controller.counters().receive() > 0);
   }
 
-  /// With power, not in bus-off.
+  /// Controllers with power, not in bus-off.
   const ControllerSet& hearing() const { return hearing_; }
-  /// Of these, all that do not only listen.
+  /// Hearing controllers that do not only listen.
   const ControllerSet& acknowledging() const { return acknowledging_; }
-  /// Of these, the error-active: their error flags are dominant, and seen by all.
+  /// Acknowledging controllers that are error-active: their error flags are dominant, and visible
+  /// to all.
   const ControllerSet& flagging() const { return flagging_; }
-  /// Of those that acknowledge, whose receive error counter is not zero: it counts down.
+  /// Acknowledging controllers with a receive error counter above zero: it counts down.
   const ControllerSet& with_receive_errors() const { return with_receive_errors_; }
 
  private:

@@ -10,7 +10,8 @@
 
 namespace canvoy {
 
-/// A ring in storage of the owner. What comes while it is full is lost; what is in it stays.
+/// A ring in storage of the owner. A frame that arrives while it is full is lost; its contents
+/// stay.
 class ReceiveQueue {
  public:
   constexpr ReceiveQueue() = default;
@@ -18,14 +19,14 @@ class ReceiveQueue {
 
   constexpr std::size_t size() const { return size_; }
 
-  /// False where the queue is full.
+  /// Appends a frame; false if the queue is full.
   constexpr bool push(const Frame& frame) {
     if (size_ == storage_.size()) return false;
     const std::size_t index = head_ + size_++;
     storage_[index < storage_.size() ? index : index - storage_.size()] = frame;
     return true;
   }
-  /// False where the queue is empty.
+  /// Removes the oldest frame; false if the queue is empty.
   constexpr bool pop(Frame& frame) {
     if (size_ == 0) return false;
     frame = storage_[head_];

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <span>
 
+#include "canvoy/can/check_invariant.hpp"
 #include "canvoy/can/frame_bits.hpp"
-#include "canvoy/can/must_hold.hpp"
 #include "canvoy/can/simulated/arbitration.hpp"
 
 namespace canvoy {
@@ -22,8 +22,8 @@ PendingFrame pending(const Frame& frame) {
   return {frame, arbitration_key(frame), frame_bits(frame)};
 }
 
-/// Of two frames with the same arbitration field: whether the first is dominant in the bit in which
-/// they differ. All that follows is sent with the most significant bit first, so that is the order
+/// For two frames with the same arbitration field: true if the first is dominant in the first
+/// different bit. All that follows is sent with the most significant bit first, which is the order
 /// of numbers.
 bool is_dominant(const Frame& a, const Frame& b) {
   return a.length != b.length ? a.length < b.length : a.data < b.data;
@@ -98,7 +98,7 @@ Time SimulatedBus::step(Time until) {
   return now();
 }
 
-// All that is asked of the hot path: of the earliest event, whether it is due.
+// The hot path checks only whether the earliest event is due.
 void SimulatedBus::run(std::int64_t limit_ns, bool stop_when_told) {
   has_told_ = is_interrupted_ = false;
   while (!is_interrupted_ && !(stop_when_told && has_told_)) {
@@ -146,12 +146,12 @@ void SimulatedBus::schedule(Wire& wire) {
   if (wire.phase() != Wire::Phase::idle) return;
   wire.await_start(contest_.contenders() & wire.members(), now_ns_);
   if (recovery_.is_empty()) return;
-  // A bit rate that became higher may have put the end of a recovery into the past.
+  // A higher bit rate may have moved the end of a recovery into the past.
   wire.wake_at(
       std::max(recovery_.next_ns(wire.members(), wire.recessive_since_ns(), bit_times_), now_ns_));
 }
 
-/// What the controller has to send, if anything, takes part in the next arbitration.
+/// Enters the controller's next frame, if any, in the next arbitration.
 void SimulatedBus::offer(const Controller& controller) {
   if (controller.wants_bus()) {
     contest_.enter(controller.id(), controller.head().key);
@@ -160,7 +160,7 @@ void SimulatedBus::offer(const Controller& controller) {
   }
 }
 
-/// A controller may send or hear what it could not before, or no longer.
+/// Updates a controller that may have gained or lost the ability to send or to receive.
 void SimulatedBus::refresh(const Controller& controller) {
   participants_.update(controller);
   offer(controller);
@@ -173,7 +173,7 @@ void SimulatedBus::start_frame(Wire& wire) {
   }
   const ControllerSet transmitters = elect(wire);
   const ControllerId leader = transmitters.first();
-  must_hold(leader != no_controller);
+  check_invariant(leader != no_controller);
   wire.begin(controllers_[leader].head(), bit_times_.of(leader), now_ns_, transmitters,
              participants_.hearing());
   transmitters.for_each([this](ControllerId id) { controllers_[id].begin_sending(); });
@@ -183,18 +183,18 @@ void SimulatedBus::start_frame(Wire& wire) {
   wire.await_delivery();
 }
 
-/// All that are ready begin at once; who sends a recessive bit and reads a dominant one withdraws.
-/// Left are those with the lowest key: one, unless identifiers are used twice.
+/// All ready controllers begin at once; one that sends a recessive bit and reads a dominant one
+/// withdraws. Those with the lowest key remain: one, unless identifiers are used twice.
 ControllerSet SimulatedBus::elect(Wire& wire) {
   const bool anybody_may = cable_.is_one_wire() && wire.suspended().empty();
   if (anybody_may) return contest_.winners();
   return contest_.winners_among(wire.admit(contest_.contenders(), now_ns_));
 }
 
-/// Several controllers send the same identifier. Equal frames go on as one. Where they differ, the
-/// one that sends a recessive bit sees a bit error: its error flag destroys the frame, or, if it is
-/// error-passive, is not seen by anyone and it drops out. (It counts that at the start of frame,
-/// not at the bit.)
+/// Several controllers send the same identifier. Equal frames continue as one. If they differ, the
+/// one that sends a recessive bit detects a bit error: its error flag destroys the frame, or, if it
+/// is error-passive, is invisible to the others and the controller withdraws. (It counts that at
+/// the start of frame, not at the bit.)
 void SimulatedBus::collide(Wire& wire) {
   const ControllerSet together = wire.transmitters();
   together.for_each([&](ControllerId id) {
@@ -244,12 +244,12 @@ inline void SimulatedBus::hand_over(Controller& controller, Time now, const Fram
   tell(listener.on_overrun, listener.context, now);
 }
 
-/// For the transmitter the frame is good when the end of frame is over.
+/// For the transmitter the frame is good at the end of the end of frame.
 void SimulatedBus::finish(Wire& wire) {
   wire.end();
   const Frame frame = wire.current().frame;
   const ControllerSet transmitters = wire.transmitters();
-  // What one node does when it is told may be about another one that sent the same frame.
+  // A callback of one node may affect another one that sent the same frame.
   to_tell_ = transmitters;
   transmitters.for_each([this](ControllerId id) {
     controllers_[id].end_sending();
@@ -269,11 +269,12 @@ void SimulatedBus::complete_transmission(Controller& controller, const Frame& fr
   tell(controller.listener().on_sent, controller.listener().context, to_time(now_ns_), frame);
 }
 
-/// An error flag of those that have detected the error, and of those that see it only in that flag.
+/// Error flags of the controllers that detected the error, and of those that see it only in these
+/// flags.
 void SimulatedBus::fail(Wire& wire) {
   const bool receivers_have_it = wire.phase() == Wire::Phase::last_bit;
   const ControllerSet transmitters = wire.transmitters();
-  // Those that have dropped out of the frame are no receivers of it.
+  // Controllers that withdrew from the frame are not receivers of it.
   const ControllerSet others =
       (participants_.acknowledging() & wire.members()) - transmitters - wire.suspended();
   const ControllerSet first = wire.detectors().empty() ? transmitters : wire.detectors();
@@ -294,7 +295,7 @@ void SimulatedBus::fail(Wire& wire) {
   schedule(wire);
 }
 
-/// A node loses its part in the frame that is on the wire.
+/// Ends the part of a node in the frame on the wire.
 void SimulatedBus::leave_frame(Controller& controller) {
   const ControllerId id = controller.id();
   Wire& wire = cable_.wire_of(id);
@@ -405,7 +406,7 @@ void SimulatedBus::plug(ControllerId id) {
   rewire();
 }
 
-/// The cable lies otherwise than before.
+/// Handles a change of the cable's layout.
 void SimulatedBus::rewire() {
   cable_.frames_that_meet().for_each([this](ControllerId number) {
     Wire& wire = cable_.wires()[number];

@@ -1,5 +1,5 @@
-// A CAN bus in virtual time (ISO 11898-1): arbitration, acknowledgement, errors, fault confinement
-// and load of a real one, without a clock, a thread or an operating system.
+// A CAN bus in virtual time: arbitration, acknowledgement, errors, fault confinement and load of a
+// real one, without a clock, a thread or an operating system (ISO 11898-1).
 //
 //     SimulatedBus bus({.bit_rate = 125'000, .seed = 1});
 //     ControllerId node = bus.attach({.listener = {.context = &state, .on_frame = handle}});
@@ -7,8 +7,8 @@
 //     while (bus.next_event() <= end) bus.advance(bus.next_event());
 //
 // It is deterministic: the same options and the same calls give the same frames at the same times.
-// All memory is taken by the constructor. Before nodes act at a time, advance() the bus to that
-// time. Calls may be made from within listeners, except attach(), advance(), step() and those that
+// All memory is allocated by the constructor. Before nodes act at a time, advance() the bus to that
+// time. Calls are allowed within listeners, except attach(), advance(), step() and those that
 // change the cable.
 #pragma once
 
@@ -40,17 +40,18 @@
 namespace canvoy {
 
 struct SimulatedBusOptions {
-  std::uint32_t bit_rate = 125'000;   ///< bit/s, 1000 to 1'000'000, unless a controller has its own
-  std::size_t controllers_max = 127;  ///< 1 to ControllerSet::capacity
+  /// Bit/s, 1000 to 1'000'000, for controllers without their own.
+  std::uint32_t bit_rate = 125'000;
+  std::size_t controllers_max = 127;    ///< 1 to ControllerSet::capacity
   std::size_t transmit_queue_max = 32;  ///< frames, for each controller
   std::size_t receive_queue_max = 32;   ///< frames, for each controller with `queue_received`
-  Duration load_window = 1s;            ///< how far back load() looks
+  Duration load_window = 1s;            ///< time span of load()
   BusFaults faults{};
-  std::uint64_t seed = 1;  ///< of everything that the faults leave to chance
+  std::uint64_t seed = 1;  ///< of all random effects of the faults
 };
 
-/// Who sends when, who is told what, and what each of its parts is to do at an event: the cable
-/// with its wires, the controllers on it, what goes wrong, and who looks on.
+/// The bus: controls transmissions and notifications, and the parts at each event: the cable with
+/// its wires, the controllers on it, faults, and observers.
 class SimulatedBus {
  public:
   static constexpr std::size_t taps_max = BusObservers::taps_max;
@@ -59,71 +60,71 @@ class SimulatedBus {
   SimulatedBus(const SimulatedBus&) = delete;
   SimulatedBus& operator=(const SimulatedBus&) = delete;
 
-  /// A further controller at the end of the cable; no_controller where there are controllers_max
-  /// already.
+  /// Adds a controller at the end of the cable; no_controller if there are controllers_max already.
   ControllerId attach(const ControllerOptions& options);
-  /// A further observer; false where there are taps_max already.
+  /// Adds an observer; false if there are taps_max already.
   bool observe(const BusTap& tap) { return observers_.add(tap); }
 
-  /// Queues a frame. False: the queue is full, or the controller only listens or has no power, or
-  /// it is no frame that can be sent (an error frame, a length above 8). In bus-off frames are
-  /// queued until the controller is back.
+  /// Queues a frame. False: the queue is full, the controller only listens or has no power, or the
+  /// frame cannot be sent (an error frame, a length above 8). In bus-off, frames are queued until
+  /// the controller is back.
   bool send(ControllerId id, const Frame& frame);
-  /// The oldest frame of a controller with `queue_received`; false where there is none.
+  /// Takes the oldest frame of a controller with `queue_received`; false if there is none.
   bool receive(ControllerId id, Frame& frame) { return at(id).fetch(frame); }
-  /// Drops what waits for transmission, except a frame that is on the wire.
+  /// Drops frames that wait for transmission, except a frame that is on the wire.
   void discard_pending(ControllerId id);
 
-  /// The acceptance filter, for frames with this 11-bit identifier (remote ones too), and for all
-  /// 29-bit frames.
+  /// Sets the acceptance filter for frames with this 11-bit identifier (also remote ones), and for
+  /// all 29-bit frames.
   void accept(ControllerId id, std::uint16_t can_id, bool wanted) {
     filters_.accept(id, can_id, wanted);
   }
   void accept_extended(ControllerId id, bool wanted) { filters_.accept_extended(id, wanted); }
-  /// What a node is given. Valid as long as the bus.
+  /// Port for a node. Valid as long as the bus.
   Port port(ControllerId id);
 
-  /// The time up to which the bus has been advanced.
+  /// Time up to which the bus has been advanced.
   Time now() const { return to_time(now_ns_); }
-  /// When something happens next, rounded up to a microsecond; never, where nothing is under way.
+  /// Time of the next event, rounded up to a microsecond; never if nothing is in progress.
   Time next_event() const { return to_time(next_event_ns()); }
-  /// Lets everything happen that is due up to and including `until`. Where nothing is, it costs a
-  /// comparison: worlds with many buses advance all of them at each event of one.
+  /// Carries out all events up to and including `until`. Without events, it costs a comparison:
+  /// worlds with many buses advance all of them at each event of one.
   void advance(Time until) {
     const std::int64_t until_ns = to_ns(until);
     if (next_event_ns() <= until_ns) return run(until_ns, false);
     now_ns_ = std::max(now_ns_, until_ns);
   }
-  /// As advance(), but returns as soon as a listener has been told something; the answer is the
-  /// time that is reached.
+  /// Like advance(), but returns as soon as a listener was called; returns the time that is
+  /// reached.
   Time step(Time until);
-  /// For listeners and taps: the advance() that is under way returns when this event is done.
+  /// For listeners and taps: makes the current advance() return after this event.
   void interrupt() { is_interrupted_ = true; }
 
-  /// Switches the power of a node: without, it hears, acknowledges and sends nothing, and what it
-  /// had queued is lost.
+  /// Switches the power of a node: without power it receives, acknowledges and sends nothing, and
+  /// its queued frames are lost.
   void power(ControllerId id, bool on);
-  /// From now on; a frame that the controller is sending is destroyed.
+  /// Changes the bit rate of a controller; a frame that it is sending is destroyed.
   void set_bit_rate(ControllerId id, std::uint32_t bit_rate);
   void set_listen_only(ControllerId id, bool on);
-  /// Asks a controller in bus-off to come back, which takes 128 times 11 recessive bits.
+  /// Starts the recovery of a controller in bus-off, which takes 128 times 11 recessive bits.
   void recover(ControllerId id);
 
-  /// Cuts the cable between a controller and the next one. Each piece goes on as a bus of its own.
+  /// Cuts the cable between a controller and the next one. Each piece continues as a separate bus.
   void cut_cable(ControllerId after);
-  /// Takes one controller off the cable: it is powered, and alone.
+  /// Takes one controller off the cable: it has power, and is alone.
   void unplug(ControllerId id);
   void plug(ControllerId id);
   /// Mends all cuts. Frames that meet are destroyed.
   void mend_cable();
-  /// Makes a controller send `frame` again and again, beside what is queued, until stop_babbling().
+  /// Makes a controller send `frame` again and again, beside its queued frames, until
+  /// stop_babbling().
   void babble(ControllerId id, const Frame& frame);
   void stop_babbling(ControllerId id);
 
   /// Destroys the next `frames` frames for all, in this bit, counted from 1 at the start of frame
   /// with stuff bits; in the last bit of a frame receivers have it already, and get it twice.
   void disturb(std::uint32_t frames, unsigned bit) { errors_.disturb(frames, bit); }
-  /// From now on, in place of what the options say.
+  /// Replaces the probability in the options.
   void set_frame_error_probability(double probability) {
     errors_.set_frame_error_probability(Probability(probability));
   }
@@ -131,16 +132,16 @@ class SimulatedBus {
   BusState state(ControllerId id) const { return at(id).state(); }
   const ErrorCounters& error_counters(ControllerId id) const { return at(id).counters(); }
   const ControllerStatistics& statistics(ControllerId id) const { return at(id).statistics(); }
-  /// Whether frames were lost for a full receive queue since it was asked last.
+  /// True if frames were lost for a full receive queue since the last call.
   bool take_overrun(ControllerId id) { return at(id).take_overrun(); }
-  /// The node's own clock.
+  /// Clock of the node.
   const DriftingClock& clock(ControllerId id) const { return at(id).clock(); }
 
-  /// Of the whole bus.
+  /// Counters of the whole bus.
   const BusStatistics& statistics() const { return observers_.statistics(); }
   /// Share of the time (0 to 1) in which the wire was not idle, within the last load_window, and
   /// since the start: frames with their stuff bits, intermissions and error frames, as `id` (or the
-  /// first controller) sees them; 0 where there is none.
+  /// first controller) sees them; 0 if there is none.
   double load(ControllerId id = 0) const;
   double load_total(ControllerId id = 0) const;
 
@@ -148,7 +149,7 @@ class SimulatedBus {
   using Wire = SimulatedWire;
   using Controller = SimulatedController;
 
-  /// What a port points at.
+  /// Target of a port.
   struct Plug {
     SimulatedBus* bus = nullptr;
     ControllerId id = no_controller;
@@ -164,7 +165,7 @@ class SimulatedBus {
   }
   bool is_attached(ControllerId id) const { return id < controller_count_; }
 
-  // Time: what is due, and who takes part in what comes next.
+  // Time: what is due, and the participants of the next event.
   std::int64_t next_event_ns() const {
     return std::min(cable_.next_event_ns(), timeline_.next_ns());
   }
@@ -192,7 +193,7 @@ class SimulatedBus {
   void complete_recoveries(const Wire& wire);
   void tell_state(Controller& controller);
   void tell_error(const ControllerSet& who);
-  /// What a node asked to be told, if it did.
+  /// Calls a callback of a node, if it is set.
   template <typename... Told, typename... What>
   void tell(void (*told)(void* context, Time now, Told...), void* context, Time now,
             const What&... what) {
@@ -212,7 +213,7 @@ class SimulatedBus {
 
   SimulatedCable cable_;
   AcceptanceFilters filters_{};
-  ArbitrationContest contest_;  // of those that have something to send, and may
+  ArbitrationContest contest_;  // of controllers that have a frame to send, and may
   Participants participants_{};
   BitTimes bit_times_;
   BusOffRecovery recovery_{};
@@ -221,7 +222,7 @@ class SimulatedBus {
   BusObservers observers_{};
 
   std::int64_t now_ns_ = 0;
-  ControllerSet to_tell_{};  // that they have sent the frame that ends
+  ControllerSet to_tell_{};  // of the end of their frame
   bool has_told_ = false;    // a listener was called since step() began
   bool is_interrupted_ = false;
 };

@@ -1,9 +1,9 @@
-// Errors on the bus, with times and counters counted by hand.
+// Errors on the bus, with times and counters calculated by hand.
 //
 // 080# has 48 bits, 705#05 56, 705#04 55; at 125 kbit/s a bit takes 8 us. A destroyed frame ends
-// with an error flag of 6 bits, 6 more of those who saw the error only in the flag, and 8 of
+// with an error flag of 6 bits, 6 more of controllers that saw the error only in the flag, and 8 of
 // delimiter; 3 of intermission follow. An error-passive transmitter waits 8 more. An error that all
-// see in bit 20 so takes 20 + 6 + 6 + 8 + 3 = 43 bits.
+// see in bit 20 thus takes 20 + 6 + 6 + 8 + 3 = 43 bits.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -25,7 +25,7 @@ constexpr Duration bits(std::int64_t count) {
   return Duration(count * 8);
 }
 
-/// What a tap is told of errors.
+/// Errors that a tap received.
 struct ErrorLog {
   explicit ErrorLog(SimulatedBus& bus) {
     bus.observe({.context = this, .on_error = [](void* context, Time now, const BusError& error) {
@@ -42,7 +42,7 @@ TEST(Acknowledgement, IsMissingForANodeAloneWhichRepeatsAndGoesErrorPassiveButNe
   BusTestNode alone(bus);
   ErrorLog log(bus);
   alone.send(sync);
-  // The slot is bit 40 of 48. Nobody echoes the flag: 40 + 6 + 8 + 3 = 57 bits for each attempt, 8
+  // The slot is bit 40 of 48. The flag has no echo: 40 + 6 + 8 + 3 = 57 bits for each attempt, 8
   // counts each.
   bus.advance(Time(bits(40)));
   EXPECT_EQ(alone.tec(), 8);
@@ -310,8 +310,8 @@ TEST(SameIdentifier, WithOtherDataTakesBothToErrorPassiveBeforeEachGetsThrough) 
   first.send(heartbeat);
   second.send(stopped);
   bus.advance(Time(10s));
-  // Each attempt 30 + 6 + 6 + 8 + 3 = 53 bits, until both are error-passive after the 16th; then
-  // the flag of the one that sends the recessive bit is not seen, and the other goes on.
+  // Each attempt takes 30 + 6 + 6 + 8 + 3 = 53 bits, until both are error-passive after the 16th;
+  // then the flag of the one that sends the recessive bit is not seen, and the other continues.
   const States both{{bits(11 * 53 + 30), BusState::error_warning},
                     {bits(15 * 53 + 30), BusState::error_passive}};
   EXPECT_EQ(States(first.states.begin(), first.states.begin() + 2), both);
@@ -361,7 +361,7 @@ TEST(Misreading, MakesAReceiverDestroyFramesUntilItIsErrorPassive) {
   ErrorLog log(bus);
   sender.send(sync);
   bus.advance(Time(1s));
-  // One for the error, eight for being the first to see it: 9 * 15 = 135.
+  // One for the error, eight for being the first to detect it: 9 * 15 = 135.
   EXPECT_EQ(log.errors.size(), 15U);
   EXPECT_EQ(log.errors[0].detector, faulty.id);
   EXPECT_EQ(log.errors[0].kind, BusErrorKind::stuff);
@@ -466,7 +466,7 @@ TEST(FrameErrorProbability, DestroysItsShareOfTheFramesInAnyBitAndLosesNone) {
   for (const BusError& error : log.errors) ++hits.at(error.bit);
   EXPECT_EQ(hits[0], 0);
   for (std::size_t bit = 1; bit <= 48; ++bit) EXPECT_GT(hits[bit], 0) << bit;
-  // What is hit in its last bit is received twice.
+  // A frame disturbed in its last bit is received twice.
   EXPECT_EQ(receiver.received.size(), count + static_cast<std::size_t>(hits[48]));
 }
 

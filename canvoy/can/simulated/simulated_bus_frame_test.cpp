@@ -1,4 +1,4 @@
-// Frames on an undisturbed bus, with times counted by hand.
+// Frames on an undisturbed bus, with times calculated by hand.
 //
 // Lengths from start to end of frame (frame_bits_test.cpp): 080# 48 bits, 705#05 56, 705#04 55,
 // 000#01.00 65, 181#01.02.03.04.05.06.07.08 117, 555# 45. A receiver has a frame one bit before its
@@ -92,8 +92,8 @@ TEST(SimulatedBusFrame, DoesNotDriftAtARateWhoseBitsAreNoWholeMicroseconds) {
   }
   bus.advance(Time(1s));
   ASSERT_EQ(receiver.received.size(), 10'000U);
-  // 1.25 us a bit: 9999 frames with intermission, and the last but one bit of the last: 589'996
-  // bits, 737'495 us.
+  // 1.25 us a bit: 9999 frames with intermission, and the last one up to its last bit but one:
+  // 589'996 bits, 737'495 us.
   EXPECT_EQ(receiver.received.back().at, 737'495us);
 }
 
@@ -176,8 +176,8 @@ TEST(SimulatedBusFrame, ThatIsUrgentOvertakesInAQueueByIdentifier) {
                                        {bits(65 + 3 + 117 + 3 + 55), heartbeat}}));
 }
 
-/// What waits behind a frame that breaks off is first in a queue by identifier, and takes part as
-/// what it is.
+/// A frame that waits behind one that breaks off is first in a queue by identifier, and takes part
+/// with its own identifier.
 TEST(SimulatedBusFrame, ThatIsUrgentIsNextWhereTheOneOnTheWireBreaksOff) {
   SimulatedBus bus;
   BusTestNode by_identifier(bus, {.transmit_order = TransmitOrder::by_identifier});
@@ -443,8 +443,8 @@ TEST(SimulatedBusTap, IsToldOfStatesAndOverrunsAsTheNodesAre) {
   EXPECT_EQ(told.passive, std::vector<ControllerId>{sender.id});
 }
 
-/// Two nodes that send the same frame; when the first is told so, the second loses its power and,
-/// where it is to, comes back and has something else to say.
+/// Two nodes that send the same frame; when the first is notified, the second loses its power and
+/// optionally returns with another frame.
 class SimulatedBusSameFrame : public testing::Test {
  protected:
   struct First {

@@ -1,6 +1,5 @@
-// What holds on the bus whatever happens: properties over random histories. Single sentences of the
-// standard are in simulated_bus_frame_test.cpp, simulated_bus_errors_test.cpp and
-// simulated_cable_test.cpp.
+// Invariants of the bus: properties over random histories. Single sentences of the standard are in
+// simulated_bus_frame_test.cpp, simulated_bus_errors_test.cpp and simulated_cable_test.cpp.
 #include "canvoy/can/simulated/simulated_bus.hpp"
 
 #include <gtest/gtest.h>
@@ -23,8 +22,8 @@ Nodes make_nodes(SimulatedBus& bus, std::size_t count, const ControllerOptions& 
   return nodes;
 }
 
-/// The frames with one identifier, a repetition left out: that of a frame that was disturbed in its
-/// last bit.
+/// The frames with one identifier, without the repetition of a frame that was disturbed in its last
+/// bit.
 std::vector<Frame> frames_with(std::uint32_t id, const std::vector<TimedFrame>& log) {
   std::vector<Frame> frames;
   for (const TimedFrame& timed : log) {
@@ -67,7 +66,7 @@ TEST(SimulatedBus, BringsEveryFrameToEveryNodeInOrderHoweverDisturbed) {
   }
 }
 
-/// Anything that can be done to a bus, at random.
+/// Any operation on a bus, at random.
 class Chaos {
  public:
   Chaos(SimulatedBus& bus, std::uint32_t nodes, std::uint64_t seed)

@@ -1,4 +1,4 @@
-// For tests: a node that keeps what its controller tells it.
+// For tests: a node that records the events of its controller.
 //
 //     BusTestNode node(bus);
 //     node.send(Frame::data_frame(0x080, {}));
@@ -13,7 +13,7 @@
 
 namespace canvoy {
 
-/// A frame and when it came, as tests compare and print it.
+/// A frame and its time, for comparison and printing in tests.
 struct TimedFrame {
   Duration at{};
   Frame frame{};

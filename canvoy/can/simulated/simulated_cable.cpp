@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 
 namespace canvoy {
 namespace {
@@ -55,7 +55,7 @@ Rewired SimulatedCable::rewire(std::int64_t now_ns) {
   used_ = 1;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const WireNumber number = wire_of[i];
-    must_hold(number < wires_.size());
+    check_invariant(number < wires_.size());
     SimulatedWire& wire = wires_[number];
     used_ = std::max(used_, number + std::size_t{1});
     if (wire.is_busy()) rewired.cut_off = rewired.cut_off | (wire.transmitters() - pieces[i]);
@@ -68,8 +68,8 @@ Rewired SimulatedCable::rewire(std::int64_t now_ns) {
   return rewired;
 }
 
-/// A frame under way stays with its transmitter; the wire without a frame goes on with the first of
-/// its controllers. What is left starts afresh on a wire that nobody uses.
+/// A frame in progress stays with its transmitter; the wire without a frame continues with the
+/// first of its controllers. The others start again on an unused wire.
 void SimulatedCable::assign_wires(std::span<const ControllerSet> pieces, WireOfPiece& wire_of,
                                   std::int64_t now_ns) {
   wire_of.fill(no_wire);

@@ -1,12 +1,12 @@
-// The cable of the simulated bus: one wire for each piece that it has fallen into, and who is on
-// which.
+// The cable of the simulated bus: one wire for each of its pieces, and the controllers on each
+// wire.
 //
 //     SimulatedCable cable(127, bit_time_ns(125'000), to_ns(Time(1s)));
 //     cable.layout().cut(3);
 //     cable.frames_that_meet().for_each([&](ControllerId number) { fail(cable.wires()[number]); });
 //     Rewired rewired = cable.rewire(now_ns);
 //
-// After a change of its layout: frames_that_meet(), which end in an error each, then rewire().
+// After a change of its layout: frames_that_meet(), each of which ends in an error, then rewire().
 #pragma once
 
 #include <array>
@@ -21,13 +21,13 @@
 
 namespace canvoy {
 
-/// Who has noticed that the cable lies otherwise.
+/// Controllers affected by a change of the layout.
 struct Rewired {
-  ControllerSet interrupted{};  ///< were receiving a frame, and have gone from its wire
-  ControllerSet cut_off{};      ///< sent a frame that goes on without them
+  ControllerSet interrupted{};  ///< were receiving a frame, and have left its wire
+  ControllerSet cut_off{};      ///< sent a frame that continues without them
 };
 
-/// It allocates in the constructor only.
+/// The cable. Allocates in the constructor only.
 class SimulatedCable {
  public:
   SimulatedCable(std::size_t controllers_max, std::int64_t bit_ns, std::int64_t load_window_ns)
@@ -38,22 +38,22 @@ class SimulatedCable {
 
   SimulatedWire& wire_of(ControllerId id) { return wires_[wire_of_[id]]; }
   const SimulatedWire& wire_of(ControllerId id) const { return wires_[wire_of_[id]]; }
-  /// Those in use; there may be one among them with nobody on it.
+  /// Wires in use; one of them may have no controller.
   std::span<SimulatedWire> wires() { return std::span(wires_).first(used_); }
-  /// Whether it was never cut, or is mended on its first wire.
+  /// True if it was never cut, or is mended on its first wire.
   bool is_one_wire() const { return used_ == 1; }
 
-  /// The wire on which something happens next.
+  /// Wire with the next event.
   SimulatedWire& earliest() { return is_one_wire() ? wires_.front() : earliest_of_pieces(); }
-  /// When that is.
+  /// Time of that event.
   std::int64_t next_event_ns() const {
     return is_one_wire() ? wires_.front().event_ns() : next_event_of_pieces_ns();
   }
 
-  /// Where pieces come together on which frames are under way, none of these is whole: their wires,
-  /// by number in wires().
+  /// Wires, by number in wires(), with frames in progress on pieces that come together: none of
+  /// these frames is complete.
   ControllerSet frames_that_meet() const;
-  /// Gives each piece of the layout a wire.
+  /// Assigns a wire to each piece of the layout.
   Rewired rewire(std::int64_t now_ns);
 
  private:
@@ -67,7 +67,7 @@ class SimulatedCable {
                     std::int64_t now_ns);
   void clear(SimulatedWire& wire, std::int64_t now_ns);
 
-  std::vector<SimulatedWire> wires_;  // one for each piece that the cable can fall into
+  std::vector<SimulatedWire> wires_;  // one for each possible piece of the cable
   std::size_t used_ = 1;
   std::array<WireNumber, ControllerSet::capacity> wire_of_{};
   CableLayout layout_{};

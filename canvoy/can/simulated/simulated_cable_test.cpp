@@ -1,4 +1,4 @@
-// What happens to the cable and to single nodes, with times counted by hand.
+// Changes of the cable and of single nodes, with times counted by hand.
 //
 // 080# has 48 bits, 705#05 56, 000#01.00 65; at 125 kbit/s a bit takes 8 us.
 #include <gtest/gtest.h>
@@ -163,7 +163,7 @@ TEST_F(CableTest, IsCutAndMendedAtTheTimesOfTheFaults) {
   bus.advance(Time(1s));
   ASSERT_EQ(near.received.size(), 3U);
   EXPECT_EQ(near.received[0].at, 5ms + bits(47));
-  // The one of the time between is repeated until the cable is whole.
+  // The frame sent in between is repeated until the cable is whole.
   EXPECT_GT(near.received[1].at, 20ms);
   EXPECT_LT(near.received[1].at, 21ms);
 }

@@ -1,5 +1,5 @@
-// A CAN controller on the simulated bus: what its node chooses, is told and may read, and what it
-// does: queues, fault confinement, and the node that listens.
+// A CAN controller on the simulated bus: options, callbacks and counters for its node, and its
+// operation: queues, fault confinement, and the listening node.
 //
 //     ControllerOptions options{.listener = {.context = &node, .on_frame = handle}, .listen_only =
 //     true};
@@ -20,13 +20,12 @@
 
 namespace canvoy {
 
-/// What a node is told by its controller, at the moment it happens. Null: not told.
+/// Callbacks of a node, called at the moment of an event. Null: not called.
 struct BusListener {
   void* context = nullptr;
-  /// A frame of another controller that the acceptance filter lets pass.
+  /// Receives a frame of another controller that passes the acceptance filter.
   void (*on_frame)(void* context, Time now, const Frame& frame) = nullptr;
-  /// A frame of its own went over the bus and was acknowledged: there is room in the transmit
-  /// queue.
+  /// A frame of this controller was sent and acknowledged: there is room in the transmit queue.
   void (*on_sent)(void* context, Time now, const Frame& frame) = nullptr;
   void (*on_state)(void* context, Time now, BusState state) = nullptr;
   /// A frame was lost because the receive queue was full (only with `queue_received`).
@@ -36,31 +35,31 @@ struct BusListener {
 struct ControllerOptions {
   BusListener listener{};
   TransmitOrder transmit_order = TransmitOrder::as_queued;
-  std::uint32_t bit_rate = 0;         ///< bit/s, 1000 to 1'000'000; 0: that of the bus
-  bool listen_only = false;           ///< neither sends nor acknowledges nor destroys anything;
-                                      ///< its error counters stand still
+  std::uint32_t bit_rate = 0;  ///< bit/s, 1000 to 1'000'000; 0: that of the bus
+  /// Neither sends nor acknowledges nor destroys anything; its error counters do not change.
+  bool listen_only = false;
   bool accept_all = true;             ///< false: the acceptance filter begins closed
-  bool queue_received = false;        ///< frames wait for receive(), on_frame is not called
-  bool recover_automatically = true;  ///< from bus-off; false: on recover()
+  bool queue_received = false;        ///< frames wait for receive(), without a call of on_frame
+  bool recover_automatically = true;  ///< from bus-off; false: by recover()
   std::int32_t clock_drift_ppm = 0;   ///< of the node's clock, see SimulatedBus::clock()
-  double misread_probability =
-      0.0;  ///< 0 to 1: share of the others' frames that it alone sees disturbed
-  /// With the listener's context: what another controller sends is no frame here, for an error flag
-  /// or a foreign bit rate. Told when it ends.
+  /// 0 to 1: share of the others' frames that it alone sees disturbed.
+  double misread_probability = 0.0;
+  /// With the listener's context: called at the end of a transmission that is not a frame for this
+  /// controller, for an error flag or a different bit rate.
   void (*on_error)(void* context, Time now) = nullptr;
 };
 
-/// Counted since attach().
+/// Counters since attach().
 struct ControllerStatistics {
-  std::uint64_t received = 0;  ///< frames handed to the node or put into its receive queue
+  std::uint64_t received = 0;  ///< frames passed to the node or put into its receive queue
   std::uint64_t sent = 0;
   std::uint64_t overruns = 0;         ///< frames lost because the receive queue was full
-  std::uint64_t transmit_errors = 0;  ///< attempts to send that failed, each is repeated
+  std::uint64_t transmit_errors = 0;  ///< failed attempts to send; each is repeated
   std::uint64_t receive_errors = 0;
 };
 
-/// What it has to send and has received, its mode, and its fault confinement. What it needs to hand
-/// over a frame shares a cache line.
+/// Frames to send and received, mode, and fault confinement. The data needed to pass on a frame
+/// shares a cache line.
 class alignas(64) SimulatedController {
  public:
   SimulatedController() = default;
@@ -79,9 +78,9 @@ class alignas(64) SimulatedController {
   }
 
   ControllerId id() const { return id_; }
-  /// Without on_frame, where its node fetches them.
+  /// Listener; without on_frame if the node fetches frames.
   const BusListener& listener() const { return listener_; }
-  /// With the listener's context.
+  /// Callback with the listener's context.
   auto on_error() const { return on_error_; }
   BusState state() const { return state_; }
   bool is_powered() const { return is_powered_; }
@@ -92,7 +91,7 @@ class alignas(64) SimulatedController {
   const DriftingClock& clock() const { return clock_; }
 
   void set_listen_only(bool on) { is_listen_only_ = on; }
-  /// As it comes from a reset: queues empty, counters at zero.
+  /// Switches power, with the state after a reset: queues empty, counters at zero.
   void switch_power(bool on) {
     is_powered_ = on;
     to_send_.unlock();
@@ -103,30 +102,30 @@ class alignas(64) SimulatedController {
     has_overrun_ = false;
   }
 
-  /// False: the queue is full, or it cannot send.
+  /// Queues a frame. False: the queue is full, or the controller cannot send.
   bool queue(const PendingFrame& frame) {
     return is_powered_ && !is_listen_only_ && to_send_.push(frame);
   }
-  /// Drops what waits, except a frame that is on the wire.
+  /// Drops waiting frames, except a frame that is on the wire.
   void discard_pending() { to_send_.clear(); }
-  /// Puts this frame on the wire again and again, in place of what is queued.
+  /// Sends this frame again and again, in place of queued ones.
   void babble(const PendingFrame& frame) {
     babble_ = frame;
     is_babbling_ = true;
   }
   void stop_babbling() { is_babbling_ = false; }
 
-  /// Whether it has something to send, and may.
+  /// True if it has a frame to send, and may.
   bool wants_bus() const {
     const bool may_send = is_powered_ && !is_listen_only_ && state_ != BusState::bus_off;
     return may_send && (is_babbling_ || !to_send_.empty());
   }
-  /// What it puts on the wire next; only where wants_bus().
+  /// Next frame on the wire; only if wants_bus().
   const PendingFrame& head() const { return is_babbling_ ? babble_ : to_send_.front(); }
-  /// Of what is on the wire, or was: it did not come from the queue, and its node knows nothing of
-  /// it.
+  /// True if the present or last frame on the wire did not come from the queue, so that the node
+  /// must not be notified.
   bool is_sending_babble() const { return is_sending_babble_; }
-  /// Its frame is on the wire, until end_sending() or break_off().
+  /// Begins a frame on the wire, until end_sending() or break_off().
   void begin_sending() {
     is_sending_babble_ = is_babbling_;
     if (!is_babbling_) to_send_.lock();
@@ -135,12 +134,12 @@ class alignas(64) SimulatedController {
     if (!is_sending_babble_) to_send_.pop();
     ++statistics_.sent;
   }
-  /// It has to be sent again.
+  /// Ends a frame that must be sent again.
   void break_off() {
     if (!is_sending_babble_) to_send_.unlock();
   }
 
-  /// A frame that its filter lets pass; false where it is lost for a full queue.
+  /// Takes a frame that passes its filter; false if it is lost for a full queue.
   bool take(const Frame& frame) {
     if (queues_received_ && !received_.push(frame)) [[unlikely]] {
       ++statistics_.overruns;
@@ -150,12 +149,12 @@ class alignas(64) SimulatedController {
     ++statistics_.received;
     return true;
   }
-  /// The oldest one that its node has not fetched; false where there is none.
+  /// Takes the oldest frame that the node has not fetched; false if there is none.
   bool fetch(Frame& frame) { return received_.pop(frame); }
-  /// Whether frames were lost since it was asked last.
+  /// True if frames were lost since the last call.
   bool take_overrun() { return std::exchange(has_overrun_, false); }
 
-  // Fault confinement. Each answers whether the state is another then.
+  // Fault confinement. Each function returns whether the state has changed.
   bool count_receive_error(bool alone) {
     ++statistics_.receive_errors;
     counters_.receive_error();
@@ -176,7 +175,7 @@ class alignas(64) SimulatedController {
     counters_.transmitted();
     return follow_counters();
   }
-  /// Back from bus-off.
+  /// Resets the counters after bus-off.
   bool restart_counters() {
     counters_.restart();
     return follow_counters();
@@ -195,7 +194,7 @@ class alignas(64) SimulatedController {
   bool is_powered_ = true;
   bool is_listen_only_ = false;
   bool is_babbling_ = false;
-  bool is_sending_babble_ = false;  // what is on the wire did not come from the queue
+  bool is_sending_babble_ = false;  // the frame on the wire did not come from the queue
   ErrorCounters counters_{};
   ControllerStatistics statistics_{};
 

@@ -1,4 +1,4 @@
-// Controllers that only listen: what they hear of others, and that these hear nothing of them.
+// Controllers that only listen: they receive the frames of others, which are not affected by them.
 #include <gtest/gtest.h>
 
 #include "canvoy/can/simulated/simulated_bus_test.hpp"
@@ -9,12 +9,12 @@ namespace {
 constexpr Frame sync = Frame::data_frame(0x080, {});
 constexpr unsigned sync_bits = 47;
 
-/// Of 125 kbit/s.
+/// Duration of bits at 125 kbit/s.
 constexpr Duration bits(unsigned count) {
   return Duration(8 * count);
 }
 
-/// Listens only, and notes errors too.
+/// Listens only, and records errors too.
 struct Listener {
   explicit Listener(SimulatedBus& bus, std::uint32_t bit_rate = 125'000)
       : id(bus.attach({.listener = {.context = this,

@@ -1,5 +1,5 @@
-// One piece of cable of the simulated bus and the frame that is on it. A bus has one, until its
-// cable is cut.
+// One piece of cable of the simulated bus and the frame on it. A bus has one, until its cable is
+// cut.
 //
 //     wire.begin(frame, bit_ns, now_ns, transmitters, hearing);
 //     wire.plan_failure(wire.bit_end_ns(17), BusErrorKind::bit, detector);
@@ -19,48 +19,49 @@
 
 namespace canvoy {
 
-/// Who is on it, what it carries, what is due next, and how busy it was. It decides nothing: who
-/// sends, and what goes wrong, it is told.
+/// Members, frame, next event, and load of the wire. It makes no decisions: transmitters and faults
+/// are set from outside.
 class SimulatedWire {
  public:
-  /// What the next event is: a start of frame, receivers having the frame, the end of it. While a
-  /// transmitter is told that it has ended, the next is not yet known.
+  /// The next event: a start of frame, reception of the frame, its end. During the notification of
+  /// a transmitter about the end, the next event is not yet determined.
   enum class Phase : std::uint8_t { idle, frame, last_bit, ended };
 
-  /// Idle, with nobody on it.
+  /// Makes an idle wire without members.
   SimulatedWire(std::int64_t bit_ns, std::int64_t load_window_ns, std::int64_t now_ns)
       : bit_ns_(bit_ns), free_ns_(now_ns), recessive_since_ns_(now_ns), load_(load_window_ns) {}
 
   Phase phase() const { return phase_; }
   bool is_busy() const { return phase_ == Phase::frame || phase_ == Phase::last_bit; }
-  /// When something is due.
+  /// Time of the next event.
   std::int64_t event_ns() const { return event_ns_; }
-  /// Whether it is a frame that is due to begin, or an error that is due to be detected.
+  /// True if a frame is due to begin, or an error to be detected.
   bool may_start(std::int64_t now_ns) const { return start_ns_ <= now_ns; }
   bool has_failed(std::int64_t now_ns) const { return failure_ns_ <= now_ns; }
 
   const ControllerSet& members() const { return members_; }  ///< with power or without
   const ControllerSet& transmitters() const { return transmitters_; }
   const ControllerSet& receivers() const { return receivers_; }
-  /// Error-passive, and the last to send: they let others go first.
+  /// Controllers that are error-passive and sent last: they let others go first.
   const ControllerSet& suspended() const { return suspended_; }
-  /// Of the error that is going to be detected; none: the transmitters.
+  /// Detectors of the coming error; none: the transmitters.
   const ControllerSet& detectors() const { return detectors_; }
 
-  /// The frame that it carries.
+  /// Frame on the wire.
   const PendingFrame& current() const { return current_; }
   std::int64_t bit_ns() const { return bit_ns_; }  ///< of this frame, or the last one
   std::int64_t bit_end_ns(unsigned bit) const { return begin_ns_ + bit * bit_ns_; }
   std::int64_t frame_end_ns() const { return bit_end_ns(current_.bits); }
-  /// The acknowledgement slot, in which the transmitter learns whether anybody has the frame.
+  /// Acknowledgement slot, in which the transmitter detects whether a controller has received the
+  /// frame.
   std::int64_t acknowledgement_ns() const {
     return bit_end_ns(current_.bits - bits_after_acknowledgement);
   }
-  /// Since when there has been no dominant bit, or from when on there will be none.
+  /// Time since which the wire is recessive, or from which it will be.
   std::int64_t recessive_since_ns() const { return recessive_since_ns_; }
   const BusLoad& load() const { return load_; }
 
-  /// While it is idle: the first of `ready` begins as soon as it may.
+  /// While idle: makes the first of `ready` begin as soon as allowed.
   void await_start(const ControllerSet& ready, std::int64_t now_ns) {
     start_ns_ = never_ns;
     if (!ready.empty()) {
@@ -69,14 +70,15 @@ class SimulatedWire {
     }
     event_ns_ = start_ns_;
   }
-  /// Something else is due at that time at the latest.
+  /// Sets the next event to that time at the latest.
   void wake_at(std::int64_t at_ns) { event_ns_ = std::min(event_ns_, at_ns); }
-  /// Nothing begins before that time.
+  /// Delays the next frame to that time or later.
   void hold_until(std::int64_t at_ns) { free_ns_ = std::max(free_ns_, at_ns); }
 
-  /// An error-passive transmitter has sent: it waits for longer than the others.
+  /// Makes an error-passive transmitter wait for longer than the others after its frame.
   void suspend(ControllerId id) { suspended_.insert(id); }
-  /// Those of `contenders` that may begin a frame now. After it nobody is suspended any more.
+  /// Members of `contenders` that may begin a frame at `now_ns`. Afterwards no controller is
+  /// suspended.
   ControllerSet admit(const ControllerSet& contenders, std::int64_t now_ns) {
     ControllerSet admitted = contenders & members_;
     if (now_ns < suspended_until_ns()) admitted = admitted - suspended_;
@@ -84,7 +86,7 @@ class SimulatedWire {
     return admitted;
   }
 
-  /// A start of frame, for those of `hearing` that are on this wire.
+  /// Begins a frame, for the members of `hearing` on this wire.
   void begin(const PendingFrame& frame, std::int64_t bit_ns, std::int64_t now_ns,
              const ControllerSet& transmitters, const ControllerSet& hearing) {
     phase_ = Phase::frame;
@@ -96,23 +98,24 @@ class SimulatedWire {
     transmitters_ = transmitters;
     receivers_ = (hearing & members_) - transmitters;
   }
-  /// Of several transmitters the one that goes on sends `frame`.
+  /// Sets the frame of the transmitter that continues, of several.
   void carry(const PendingFrame& frame) { current_ = frame; }
-  /// A transmitter sees another bit than it sends, and no one sees its error flag.
+  /// Removes a transmitter that reads another bit than it sends, with an error flag that no other
+  /// controller sees.
   void drop_out(ControllerId id) {
     transmitters_.erase(id);
     suspended_.insert(id);
   }
-  /// A receiver that has no part in the frame any more.
+  /// Removes a receiver from the frame.
   void leave(ControllerId id) { receivers_.erase(id); }
-  /// A transmitter that has gone. A frame without one ends in a stuff error.
+  /// Removes a transmitter that is gone. A frame without one ends in a stuff error.
   void abandon(ControllerId id, std::int64_t now_ns) {
     transmitters_.erase(id);
     if (!transmitters_.empty()) return;
     plan_failure(now_ns, BusErrorKind::stuff, no_controller);
     event_ns_ = failure_ns_;
   }
-  /// Receivers have gone in the middle of a frame: perhaps nobody of `acknowledging` is left.
+  /// Handles receivers that left during a frame: there may be none of `acknowledging` left.
   void expect_acknowledgement(const ControllerSet& acknowledging, std::int64_t now_ns) {
     if (phase_ != Phase::frame || now_ns >= acknowledgement_ns()) return;
     if (!(receivers_ & acknowledging).empty()) return;
@@ -120,8 +123,8 @@ class SimulatedWire {
     wake_at(failure_ns_);
   }
 
-  /// An error that `detector` is going to see, or, where that is no_controller, the transmitters.
-  /// The earliest counts; several may see one at the same time.
+  /// Plans an error that `detector` will detect, or, if that is no_controller, the transmitters.
+  /// The earliest counts; several may detect one at the same time.
   void plan_failure(std::int64_t at_ns, BusErrorKind kind, ControllerId detector) {
     if (at_ns > failure_ns_) return;
     if (at_ns < failure_ns_) detectors_.clear();
@@ -129,7 +132,7 @@ class SimulatedWire {
     failure_kind_ = kind;
     if (detector != no_controller) detectors_.insert(detector);
   }
-  /// Another frame has come into this one: a bit error, now.
+  /// Makes the frame fail at once with a bit error, since another frame has met it.
   void spoil() {
     failure_kind_ = BusErrorKind::bit;
     detectors_.clear();
@@ -138,7 +141,7 @@ class SimulatedWire {
     return failure_ns_ == never_ns || failure_kind_ != BusErrorKind::acknowledgement;
   }
   BusErrorKind failure_kind() const { return failure_kind_; }
-  /// The error that is detected now.
+  /// Error that is detected at `now_ns`.
   BusError error(std::int64_t now_ns) const {
     return {.kind = failure_kind_,
             .sender = transmitters_.first(),
@@ -147,35 +150,36 @@ class SimulatedWire {
             .frame = current_.frame};
   }
 
-  /// Receivers have the frame when all but the last bit of the end of frame are seen.
+  /// Waits for delivery: receivers have the frame when all but the last bit of the end of frame are
+  /// seen.
   void await_delivery() { event_ns_ = std::min(failure_ns_, bit_end_ns(current_.bits - 1)); }
   void await_end() {
     phase_ = Phase::last_bit;
     event_ns_ = frame_end_ns();
   }
-  /// The end of a frame that was good; then turn_idle().
+  /// Ends a good frame; turn_idle() follows.
   void end() {
     phase_ = Phase::ended;
     recessive_since_ns_ = acknowledgement_ns();
     occupy_until(bit_end_ns(current_.bits + intermission_bits));
   }
   void turn_idle() { phase_ = Phase::idle; }
-  /// The end of a frame that was destroyed: an error flag from `detected_ns` on, in bits of
-  /// `flag_bit_ns`, six more of those that see an error only in that flag, the error delimiter.
+  /// Ends a destroyed frame: an error flag from `detected_ns` on, in bits of `flag_bit_ns`, six
+  /// more of controllers that see an error only in that flag, the error delimiter.
   void end_in_error(std::int64_t detected_ns, std::int64_t flag_bit_ns, bool is_echoed) {
     phase_ = Phase::idle;
     recessive_since_ns_ = detected_ns + error_flag_bits * flag_bit_ns;
     if (is_echoed) recessive_since_ns_ += error_flag_bits * bit_ns_;
     occupy_until(recessive_since_ns_ + (error_delimiter_bits + intermission_bits) * bit_ns_);
   }
-  /// Who is cut off in the middle of a frame sees six recessive bits, sends an error flag, and
-  /// waits for the delimiter.
+  /// Delays a piece that was cut off during a frame: its controllers see six recessive bits, send
+  /// an error flag, and wait for the delimiter.
   void hold_after_cut(std::int64_t now_ns) {
     constexpr unsigned bits = 6 + error_flag_bits + error_delimiter_bits + intermission_bits;
     hold_until(now_ns + bits * bit_ns_);
   }
 
-  /// From now on these are on the wire. Others have no part in its frame any more.
+  /// Sets the members. Others have no further part in the frame.
   void connect(const ControllerSet& members) {
     members_ = members;
     transmitters_ = transmitters_ & members;
@@ -185,8 +189,8 @@ class SimulatedWire {
  private:
   static constexpr unsigned error_flag_bits = 6;
   static constexpr unsigned error_delimiter_bits = 8;
-  /// Recessive bits that an error-passive transmitter waits, beyond the intermission, before it
-  /// sends again.
+  /// Number of recessive bits that an error-passive transmitter waits, beyond the intermission,
+  /// before it sends again.
   static constexpr unsigned suspend_bits = 8;
 
   std::int64_t suspended_until_ns() const { return free_ns_ + suspend_bits * bit_ns_; }
@@ -198,7 +202,7 @@ class SimulatedWire {
   Phase phase_ = Phase::idle;
   BusErrorKind failure_kind_ = BusErrorKind::bit;
   ControllerSet members_{};
-  ControllerSet transmitters_{};  // of the frame on the wire: one, or more that send the same
+  ControllerSet transmitters_{};  // of the frame on the wire: one, or several that send the same
   ControllerSet receivers_{};     // of the frame on the wire
   ControllerSet suspended_{};
   ControllerSet detectors_{};
@@ -206,9 +210,9 @@ class SimulatedWire {
   PendingFrame current_{};
   std::int64_t bit_ns_ = 0;
   std::int64_t begin_ns_ = 0;           // of the start of frame
-  std::int64_t event_ns_ = never_ns;    // what is due next
+  std::int64_t event_ns_ = never_ns;    // time of the next event
   std::int64_t start_ns_ = never_ns;    // while idle: of the next start of frame
-  std::int64_t failure_ns_ = never_ns;  // when an error is going to be detected
+  std::int64_t failure_ns_ = never_ns;  // time at which an error will be detected
   std::int64_t free_ns_ = 0;            // end of the intermission
   std::int64_t recessive_since_ns_ = 0;
   BusLoad load_;

@@ -1,5 +1,5 @@
-// What a CAN controller has to send: a queue of fixed size in one of the two orders that real
-// controllers offer.
+// The transmit queue of a CAN controller: of fixed size, in one of the two orders of real
+// controllers.
 //
 //     TransmitQueue queue(storage, TransmitOrder::by_identifier);
 //     queue.push(frame);  send(queue.front().frame);  queue.pop();
@@ -15,12 +15,13 @@
 namespace canvoy {
 
 enum class TransmitOrder : std::uint8_t {
-  as_queued,      ///< first in, first out
-  by_identifier,  ///< the frame that would win arbitration goes first; equal ones in the order in
-                  ///< which they were queued
+  as_queued,  ///< first in, first out
+  /// The frame that would win arbitration goes first; equal ones in the order in which they were
+  /// queued.
+  by_identifier,
 };
 
-/// A frame that waits, with what the bus asks of it again and again.
+/// A waiting frame, with properties that the bus needs repeatedly.
 struct PendingFrame {
   Frame frame{};
   std::uint32_t key = 0;   ///< arbitration_key()
@@ -39,8 +40,8 @@ class TransmitQueue {
   constexpr bool full() const { return size_ == storage_.size(); }
   constexpr std::size_t size() const { return size_; }
 
-  /// False where the queue is full. Constant, or by_identifier linear in the frames that it
-  /// overtakes.
+  /// Appends a frame; false if the queue is full. Constant, or for by_identifier linear in the
+  /// frames that it overtakes.
   constexpr bool push(const PendingFrame& pending) {
     if (full()) return false;
     std::size_t place = size_++;
@@ -54,7 +55,7 @@ class TransmitQueue {
     return true;
   }
 
-  /// The next to be sent; the queue must not be empty.
+  /// Next frame to send; the queue must not be empty.
   constexpr const PendingFrame& front() const { return storage_[head_]; }
   constexpr void pop() {
     head_ = head_ + 1 == storage_.size() ? 0 : head_ + 1;
@@ -62,9 +63,9 @@ class TransmitQueue {
     locked_ = false;
   }
 
-  /// The front is on the wire: nothing overtakes it.
+  /// Locks the front, which is on the wire: no frame overtakes it.
   constexpr void lock() { locked_ = true; }
-  /// It has to be sent again: what came meanwhile and is more urgent goes first.
+  /// Unlocks the front, which must be sent again: more urgent frames that came meanwhile go first.
   constexpr void unlock() {
     locked_ = false;
     if (order_ != TransmitOrder::by_identifier) return;
@@ -75,7 +76,7 @@ class TransmitQueue {
     }
   }
 
-  /// Drops all frames but one that is on the wire.
+  /// Drops all frames except one that is on the wire.
   constexpr void clear() { size_ = locked_ ? 1 : 0; }
 
  private:

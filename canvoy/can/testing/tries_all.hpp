@@ -1,5 +1,5 @@
-// How much a test tries. What takes long has two sizes: one that finds nearly all, each time, and
-// all of it where the environment has CANVOY_TESTS=all, before a release.
+// The extent of a test. Slow tests have two sizes: one that finds nearly all errors, each time, and
+// the complete one if the environment has CANVOY_TESTS=all, before a release.
 //
 //     const std::uint64_t seeds = tries_all() ? 10 : 2;
 #pragma once

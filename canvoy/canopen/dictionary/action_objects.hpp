@@ -1,5 +1,5 @@
-// Objects of CiA 301 and 302 that are no parameters: writing to them does something, or they tell
-// what is now. So they are not stored, and a write to them changes no configuration.
+// Objects of CiA 301 and 302 that are not parameters: writing to them triggers an action, or they
+// report a state. They are not stored, and a write to them does not change the configuration.
 //
 //     if (is_action_or_state(entry.index)) return;
 #pragma once
@@ -23,7 +23,7 @@ inline constexpr IndexRange actions_and_states[] = {
     {0x1013, 0x1013},  // high resolution time stamp
     {0x1023, 0x1026},  // OS command and debugger
     {0x1F00, 0x1F01},  // request and release SDO
-    {0x1F03, 0x1F06},  // SDO connections that were given
+    {0x1F03, 0x1F06},  // SDO connections that were assigned
     {0x1F10, 0x1F11},  // dynamic SDO connection state, failed slaves
     {0x1F25, 0x1F25},  // configure slaves
     {0x1F50, 0x1F52},  // program data, control, verification

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "canvoy/canopen/device/verify_configuration.hpp"
 #include "canvoy/canopen/storage/parameter.hpp"
-#include "canvoy/canopen/verify_configuration.hpp"
 
 namespace canvoy::action_objects_test {
 namespace {

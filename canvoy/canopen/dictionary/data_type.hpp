@@ -1,4 +1,5 @@
-// The data types of CiA 301, 7.4.7, and the odd-sized integers that CiA 447 adds at 60h to 7Ah.
+// The data types of CiA 301, and the odd-sized integers that CiA 447 adds at 60h to 7Ah (CiA 301,
+// 7.4.7).
 #pragma once
 
 #include <cstdint>
@@ -48,7 +49,7 @@ inline constexpr std::uint8_t odd_bit_lengths[] = {2,  3,  4,  5,  6,  7,  9,  1
 
 }  // namespace detail
 
-/// Of a type whose values all have one length: that length in bits. 0 for strings and domains.
+/// Length in bits of a type with values of one length; 0 for strings and domains.
 constexpr unsigned bit_length(DataType type) {
   const auto code = static_cast<unsigned>(type);
   constexpr auto first_odd = static_cast<unsigned>(DataType::unsigned2);
@@ -58,12 +59,12 @@ constexpr unsigned bit_length(DataType type) {
              : 0;
 }
 
-/// The same in whole bytes, as SDO transfers it.
+/// Like bit_length(), but in whole bytes, as SDO transfers the value.
 constexpr unsigned byte_length(DataType type) {
   return (bit_length(type) + 7) / 8;
 }
 
-/// Strings: values of any length up to the capacity of the entry.
+/// True for strings: values of any length up to the capacity of the entry.
 constexpr bool is_string(DataType type) {
   return type == DataType::visible_string || type == DataType::octet_string ||
          type == DataType::unicode_string || type == DataType::utf8_string;
@@ -77,7 +78,7 @@ constexpr bool is_signed(DataType type) {
          type == DataType::integer24 ||
          (type >= DataType::integer40 && type <= DataType::integer64);
 }
-/// Boolean and all integers: types whose values have an order, and so may have limits.
+/// True for Boolean and all integers: types with ordered values, which may have limits.
 constexpr bool is_integer(DataType type) {
   return bit_length(type) != 0 && !is_real(type) && type != DataType::time_of_day &&
          type != DataType::time_difference;

@@ -9,8 +9,8 @@ namespace canvoy {
 
 namespace {
 
-/// The last row with first(row) <= key, or null. Branch-free in the loop: the walk takes the same
-/// steps for every key.
+/// Last row with first(row) <= key, or null. Branch-free in the loop: the search takes the same
+/// number of steps for every key.
 template <class Row, class Key, class First>
 const Row* last_not_above(std::span<const Row> rows, Key key, First first) {
   if (rows.empty()) return nullptr;
@@ -24,8 +24,8 @@ const Row* last_not_above(std::span<const Row> rows, Key key, First first) {
   return first(*base) <= key ? base : nullptr;
 }
 
-/// Compares a number with a bound of its type, byte by byte from the top: where it has a sign, that
-/// is the first bit. Small and slow.
+/// Compares a number with a bound of its type, byte by byte from the top, beginning with the sign,
+/// if it has one. Small and slow.
 [[maybe_unused]] int compare(const EntryShape& row, const std::uint8_t* value,
                              const std::int64_t& bound) {
   const auto* with = reinterpret_cast<const std::uint8_t*>(&bound);
@@ -37,7 +37,7 @@ const Row* last_not_above(std::span<const Row> rows, Key key, First first) {
   return 0;
 }
 
-/// Of 1 to 8 bytes.
+/// Loads a number of 1 to 8 bytes.
 [[maybe_unused]] inline std::uint64_t load_number(const std::uint8_t* value, unsigned size) {
   switch (size) {
     case 1:
@@ -53,7 +53,8 @@ const Row* last_not_above(std::span<const Row> rows, Key key, First first) {
   }
 }
 
-/// The same for hosts: numbers with a sign are compared as those without, with that bit turned.
+/// Like check_limits(), but for hosts: signed numbers are compared as unsigned ones, with the sign
+/// bit inverted.
 [[maybe_unused]] inline AbortCode check_limits_at_once(const EntryShape& row,
                                                        const std::int64_t* limits,
                                                        const std::uint8_t* value) {
@@ -67,7 +68,7 @@ const Row* last_not_above(std::span<const Row> rows, Key key, First first) {
   return number > limit(1) ? AbortCode::value_too_high : AbortCode::none;
 }
 
-/// Of a value that has the length of its type.
+/// Checks a value that has the length of its type.
 AbortCode check_limits(const EntryShape& row, const std::int64_t* limits,
                        const std::uint8_t* value) {
   if constexpr (!is_small_machine) return check_limits_at_once(row, limits, value);
@@ -86,7 +87,7 @@ AbortCode check_length(const EntryShape& row, std::size_t size) {
   return size < row.capacity && !row.is_text() ? AbortCode::length_too_low : AbortCode::none;
 }
 
-/// Most values have one of these sizes, for which it is a few instructions.
+/// Copies bytes. Most values have one of these sizes, for which it takes a few instructions.
 [[maybe_unused]] inline void copy(std::uint8_t* to, const std::uint8_t* from, std::size_t size) {
   switch (size) {
     case 0:
@@ -109,13 +110,13 @@ bool contains(const ObjectRow& row, std::uint16_t index) {
   return static_cast<std::uint16_t>(index - row.index) < row.count;
 }
 
-/// Where the row of an object is remembered: spreads indices that differ in any digit (Fibonacci
+/// Position of the remembered row of an object: spreads indices that differ in any digit (Fibonacci
 /// hashing). A small machine remembers none.
 [[maybe_unused]] std::size_t slot_of(std::uint16_t index) {
   return (index * 0x9E37'79B9U) >> 28;
 }
 
-AbortCode put_to(const HookCalls& calls, void* service, const ServiceEvent& access) {
+AbortCode put_to(const AccessHandlers& calls, void* service, const ServiceEvent& access) {
   const Entry& entry = access.entry();
   switch (access.kind) {
     case ServiceEvent::before_read:
@@ -131,7 +132,7 @@ AbortCode put_to(const HookCalls& calls, void* service, const ServiceEvent& acce
   }
 }
 
-/// Writes `count` numbers, and says what comes behind them. Most often it is one.
+/// Writes `count` numbers, and returns the end. Most often it is one.
 template <class Number>
 std::uint8_t* fill(std::uint8_t* values, Number number, unsigned count) {
   store(values, number);
@@ -148,12 +149,71 @@ std::uint8_t* fill(std::uint8_t* values, Number number, unsigned count) {
 
 }  // namespace
 
-/// For who remembers what it found, and so seldom comes here.
-const ObjectRow* Dictionary::search_object(std::uint16_t index) const {
-  return search(tables_.objects, index);
+/// The part of the index in which an index stands: `away` from the lowest one.
+[[maybe_unused]] constexpr std::size_t part_of(std::uint32_t away, std::uint64_t scale) {
+  return static_cast<std::size_t>(away * scale >> 32);
 }
 
-/// The row that has the object, or null.
+void Dictionary::make_index() {
+  const std::span<const ObjectRow> objects = tables_.objects;
+  if (objects.empty()) return;
+  Index& index = index_.value;
+  index.first = objects.front().index;
+  index.last = objects.back().index + objects.back().count - 1U;
+  index.scale = (std::uint64_t{objects.size()} << 32) / (index.last - index.first + 1);
+  // A part begins at the last row that begins before it.
+  std::size_t part = 0;
+  for (std::size_t row = 1; row < objects.size(); ++row) {
+    const std::size_t own = part_of(objects[row].index - index.first, index.scale);
+    for (; part <= own; ++part) states_.value[part].place = static_cast<std::uint16_t>(row - 1);
+  }
+  for (; part < objects.size(); ++part) {
+    states_.value[part].place = static_cast<std::uint16_t>(objects.size() - 1);
+  }
+}
+
+/// For who remembers what it found, and so seldom comes here.
+[[gnu::noinline]] const ObjectRow* Dictionary::search_object(std::uint16_t index) const {
+  if constexpr (is_small_machine) return search(tables_.objects, index);
+  const Index& all = index_.value;
+  const std::uint32_t away = index - all.first;
+  if (index > all.last || away > all.last) return nullptr;
+  const std::size_t part = part_of(away, all.scale);
+  const std::size_t first = states_.value[part].place;
+  const std::size_t last = part + 1 < tables_.objects.size() ? states_.value[part + 1].place
+                                                             : tables_.objects.size() - 1;
+  // Most parts have one row or two.
+  const ObjectRow* row = tables_.objects.data() + first;
+  for (std::size_t length = last - first + 1; length > 1;) {
+    const std::size_t half = length / 2;
+    row = row[half].index <= index ? row + half : row;
+    length -= half;
+  }
+  return contains(*row, index) ? row : nullptr;
+}
+
+void ObjectState::add(NodeService& service, bool in_front) {
+  const auto end = services.begin() + std::min<std::size_t>(service_count, services_max);
+  if (!has_all() || std::find(services.begin(), end, &service) != end) return;
+  if (++service_count > services_max) return;
+  if (in_front) {
+    std::copy_backward(services.begin(), end, end + 1);
+    services.front() = &service;
+  } else {
+    *end = &service;
+  }
+}
+
+void ObjectState::remove(const NodeService& service) {
+  if (!has_all()) return;
+  const auto end = services.begin() + service_count;
+  const auto found = std::find(services.begin(), end, &service);
+  if (found == end) return;
+  std::copy(found + 1, end, found);
+  --service_count;
+}
+
+/// Row of the object, or null.
 inline const ObjectRow* Dictionary::find_object(std::uint16_t index) const {
   if constexpr (is_small_machine) {
     return search(tables_.objects, index);
@@ -166,7 +226,7 @@ inline const ObjectRow* Dictionary::find_object(std::uint16_t index) const {
   }
 }
 
-/// An object has few rows, so that a small machine goes from one to the next.
+/// An object has few rows, so a small machine searches them in sequence.
 inline const EntryShape* Dictionary::find_row(const ObjectRow& object, std::uint8_t sub) const {
   const EntryShape* row = tables_.entries.data() + object.entry_first;
   if constexpr (is_small_machine) {
@@ -174,8 +234,12 @@ inline const EntryShape* Dictionary::find_row(const ObjectRow& object, std::uint
     while (row != end && sub > row->sub_last) ++row;
     return row != end && sub >= row->sub_first ? row : nullptr;
   }
-  // In most objects each sub-index has a row, or all from 1 on have one.
+  // In most objects each sub-index has a row, or all from 1 on share one.
   if (sub < object.entry_count && row[sub].sub_first == sub) return row + sub;
+  if (object.entry_count == 2) {
+    row += sub >= row[1].sub_first ? 1 : 0;
+    return sub >= row->sub_first && sub <= row->sub_last ? row : nullptr;
+  }
   row = last_not_above(std::span(row, object.entry_count), sub,
                        [](const EntryShape& candidate) { return candidate.sub_first; });
   return row != nullptr && sub <= row->sub_last ? row : nullptr;
@@ -186,7 +250,7 @@ inline const EntryShape* Dictionary::find_row(const ObjectRow& object, std::uint
   if (object == nullptr) return AbortCode::no_object;
   const EntryShape* row = find_row(*object, entry.sub);
   if (row == nullptr) return AbortCode::no_sub_index;
-  // Most rows have one sub-index, and their pitch need not be found out.
+  // Most rows have one sub-index, and their pitch is not needed.
   const auto place = static_cast<std::uint32_t>(entry.sub - row->sub_first);
   std::uint8_t* value = values_ + object->offset + row->offset +
                         static_cast<std::uint32_t>(entry.index - object->index) * object->pitch;
@@ -202,14 +266,14 @@ AbortCode Dictionary::locate(Entry& entry) const {
   return look_up(entry);
 }
 
-/// For who takes a number alone: a host then finds out nothing else.
+/// For callers that need a number only: a host then determines nothing else.
 [[gnu::always_inline]] inline bool Dictionary::has_value(Entry& entry) const {
   return (is_small_machine ? locate(entry) : look_up(entry)) == AbortCode::none;
 }
 
 Result<Entry> Dictionary::find(std::uint16_t index, std::uint8_t sub) const {
   Entry entry{.index = index, .sub = sub};
-  const AbortCode answer = locate(entry);
+  const AbortCode answer = is_small_machine ? locate(entry) : look_up(entry);
   return {entry, answer};
 }
 
@@ -221,21 +285,55 @@ Result<Entry> Dictionary::find_for_bus(std::uint16_t index, std::uint8_t sub) co
 
 [[gnu::always_inline]] inline bool NodeService::hears(ServiceEvent& event) const {
   if (can_id_ == every_id) return true;
-  // 0 is for NMT, of which nobody is told.
+  // 0 is for NMT, which is not passed to services.
   const bool is_mine = event.frame().id == can_id_ && !event.frame().is_remote();
   if (is_mine) event.want();
   return is_mine;
 }
 
-std::uint32_t Dictionary::tell(ServiceEvent::Kind kind, std::uint32_t number,
-                               const void* subject) const {
-  ServiceEvent event{.kind = kind, .number = number, .subject = subject};
-  return tell(event);
+/// On a host: the row of the object knows who they are, as long as they are few. Mostly it is one.
+inline void Dictionary::notify_access(ServiceEvent& event) const {
+  if constexpr (is_small_machine) return;
+  const ObjectState& state = *event.entry().state.value;
+  if (state.service_count != 1) return tell_several_of_access(event);
+  NodeService& service = *state.services[0];
+  if (service.covers(event.entry().index)) service.notify(event);
 }
 
-std::uint32_t Dictionary::tell(ServiceEvent& event) const {
+void Dictionary::tell_several_of_access(ServiceEvent& event) const {
+  const std::uint16_t index = event.entry().index;
+  const ObjectState& state = *event.entry().state.value;
+  if (!state.has_all()) return tell_of_access_by_list(event);
+  for (std::size_t i = 0; i < state.service_count && event.answer == 0; ++i) {
+    NodeService* const service = state.services[i];
+    if (service->covers(index)) service->notify(event);
+    // What was called may have attached a hook before it.
+    while (i < state.service_count && state.has_all() && state.services[i] != service) ++i;
+  }
+}
+
+/// A link could be told of any object, and has hooks for a few: that is seen here, for a node has
+/// many links.
+void Dictionary::tell_of_access_by_list(ServiceEvent& event) const {
+  const std::uint16_t index = event.entry().index;
+  for (NodeService* service = services_; service != nullptr; service = service->next_) {
+    if (event.answer != 0) return;
+    if (!service->covers(index)) continue;
+    const bool is_link = service->listener_.on_event == &HandlerBinding::on_event;
+    if (is_link && !static_cast<const HandlerBinding*>(service)->covers_object(index)) continue;
+    service->notify(event);
+  }
+}
+
+std::uint32_t Dictionary::notify(ServiceEvent::Kind kind, std::uint32_t number,
+                                 const void* subject) const {
+  ServiceEvent event{.kind = kind, .number = number, .subject = subject};
+  return notify(event);
+}
+
+std::uint32_t Dictionary::notify(ServiceEvent& event) const {
   if (!is_small_machine && event.is_access()) {
-    tell_of_access(event);
+    notify_access(event);
     return event.answer;
   }
   for (NodeService* service = services_; service != nullptr; service = service->next_) {
@@ -245,39 +343,20 @@ std::uint32_t Dictionary::tell(ServiceEvent& event) const {
     }
     const bool is_frame = is_small_machine && event.kind == ServiceEvent::frame_came;
     if (is_frame && !service->hears(event)) continue;
-    service->tell(event);
+    service->notify(event);
   }
   return event.answer;
 }
 
-/// On a host: the row of the object knows who it is, or that there are several. A link could be
-/// told of any object, and has hooks for a few: that is seen here, for a node has many links.
-void Dictionary::tell_of_access(ServiceEvent& event) const {
-  if constexpr (is_small_machine) return;
-  const Entry& entry = event.entry();
-  const ObjectState& state = *entry.state.value;
-  if (!state.several) {
-    if (state.hooked != nullptr && state.hooked->covers(entry.index)) state.hooked->tell(event);
-    return;
-  }
-  for (NodeService* service = services_; service != nullptr; service = service->next_) {
-    if (event.answer != 0) return;
-    if (!service->covers(entry.index)) continue;
-    const bool is_link = service->listener_.told == &ServiceLink::told;
-    if (is_link && !static_cast<const ServiceLink*>(service)->covers_object(entry.index)) continue;
-    service->tell(event);
-  }
-}
-
-/// What a link may do is in its table; whoever has none may do anything.
+/// The accesses of a binding are in its table; a service without a table may use all.
 EntryHooks Dictionary::find_hooks(const Entry& entry) const {
   EntryHooks found;
   if (is_small_machine || entry.state.value->hooks == 0) return found;
   for (NodeService* service = services_; service != nullptr; service = service->next_) {
     if (!service->covers(entry.index)) continue;
-    EntryHooks hooks{.service = service, .reads = true, .asks = true, .tells = true};
-    if (service->listener_.told == &ServiceLink::told &&
-        !static_cast<const ServiceLink*>(service)->find_hooks(entry, hooks)) {
+    EntryHooks hooks{.service = service, .reads = true, .asks = true, .notifies = true};
+    if (service->listener_.on_event == &HandlerBinding::on_event &&
+        !static_cast<const HandlerBinding*>(service)->find_hooks(entry, hooks)) {
       continue;
     }
     if (found.service == nullptr && !found.several) {
@@ -287,18 +366,18 @@ EntryHooks Dictionary::find_hooks(const Entry& entry) const {
     found.several = true;
     found.reads |= hooks.reads;
     found.asks |= hooks.asks;
-    found.tells |= hooks.tells;
+    found.notifies |= hooks.notifies;
   }
   if (found.several) found.service = nullptr;
   return found;
 }
 
-/// False where none of its rows is for the entry.
-bool ServiceLink::find_hooks(const Entry& entry, EntryHooks& hooks) const {
+/// False if none of its rows is for the entry.
+bool HandlerBinding::find_hooks(const Entry& entry, EntryHooks& hooks) const {
   const auto in_table = static_cast<std::uint16_t>(entry.index - shift_);
-  hooks.reads = hooks.asks = hooks.tells = false;
+  hooks.reads = hooks.asks = hooks.notifies = false;
   for (std::size_t row = 0; row < calls_->hooks.size(); ++row) {
-    const HookCalls& calls = calls_->hooks[row];
+    const AccessHandlers& calls = calls_->hooks[row];
     if (!calls.covers(in_table, entry.sub)) continue;
     hooks.reads |= calls.before_read != nullptr;
     if (calls.before_write != nullptr) {
@@ -307,37 +386,38 @@ bool ServiceLink::find_hooks(const Entry& entry, EntryHooks& hooks) const {
       hooks.before_row = static_cast<std::uint16_t>(row);
     }
     if (calls.after_write != nullptr) {
-      hooks.several |= hooks.tells;
-      hooks.tells = true;
+      hooks.several |= hooks.notifies;
+      hooks.notifies = true;
       hooks.after_row = static_cast<std::uint16_t>(row);
     }
   }
-  return hooks.reads || hooks.asks || hooks.tells;
+  return hooks.reads || hooks.asks || hooks.notifies;
 }
 
 AbortCode Dictionary::ask(const Entry& entry, std::span<const std::uint8_t> value,
                           const EntryHooks& hooks) const {
   if (hooks.service != nullptr && hooks.before_row != EntryHooks::any_row) {
-    return static_cast<const ServiceLink&>(*hooks.service).ask_row(hooks.before_row, entry, value);
+    return static_cast<const HandlerBinding&>(*hooks.service)
+        .ask_row(hooks.before_row, entry, value);
   }
   ServiceEvent event{.kind = ServiceEvent::before_write,
                      .number = static_cast<std::uint32_t>(value.size()),
                      .subject = &entry,
                      .data = value.data()};
-  if (hooks.service == nullptr) return static_cast<AbortCode>(tell(event));
-  hooks.service->tell(event);
+  if (hooks.service == nullptr) return static_cast<AbortCode>(notify(event));
+  hooks.service->notify(event);
   return static_cast<AbortCode>(event.answer);
 }
 
-/// Of several, or of one that has no table.
-void Dictionary::tell_any(const Entry& entry, Source source, const EntryHooks& hooks) const {
+/// Notifies several services, or one without a table.
+void Dictionary::notify_any(const Entry& entry, Source source, const EntryHooks& hooks) const {
   ServiceEvent event{.kind = ServiceEvent::after_write,
                      .number = static_cast<std::uint32_t>(source),
                      .subject = &entry};
   if (hooks.service == nullptr) {
-    tell(event);
+    notify(event);
   } else {
-    hooks.service->tell(event);
+    hooks.service->notify(event);
   }
 }
 
@@ -345,21 +425,21 @@ bool Dictionary::is_watched(const Entry& entry) const {
   if (is_small_machine || entry.watchers() == 0) return false;
   ServiceEvent event{.kind = ServiceEvent::watch_asked,
                      .number = static_cast<std::uint32_t>(entry.value - values_)};
-  tell_frequent(event);
+  notify_frequent(event);
   return event.answer != 0;
 }
 
-bool ServiceLink::covers_object(std::uint16_t index) const {
+bool HandlerBinding::covers_object(std::uint16_t index) const {
   const auto in_table = static_cast<std::uint16_t>(index - shift_);
   return std::ranges::any_of(calls_->hooks,
-                             [&](const HookCalls& calls) { return calls.covers(in_table); });
+                             [&](const AccessHandlers& calls) { return calls.covers(in_table); });
 }
 
-/// The first refusal among its hooks.
-AbortCode ServiceLink::answer(const ServiceEvent& access) const {
+/// First refusal among its hooks.
+AbortCode HandlerBinding::answer(const ServiceEvent& access) const {
   const Entry& entry = access.entry();
   const auto in_table = static_cast<std::uint16_t>(entry.index - shift_);
-  for (const HookCalls& calls : calls_->hooks) {
+  for (const AccessHandlers& calls : calls_->hooks) {
     if (!calls.covers(in_table, entry.sub)) continue;
     const AbortCode answer = put_to(calls, service_, access);
     if (answer != AbortCode::none) return answer;
@@ -367,10 +447,10 @@ AbortCode ServiceLink::answer(const ServiceEvent& access) const {
   return AbortCode::none;
 }
 
-/// What its table says of the event.
-void ServiceLink::told(NodeService& link, ServiceEvent& event) {
-  const ServiceLink& self = static_cast<ServiceLink&>(link);
-  const ServiceCalls& calls = *self.calls_;
+/// Calls the handler of its table for the event.
+void HandlerBinding::on_event(NodeService& link, ServiceEvent& event) {
+  const HandlerBinding& self = static_cast<HandlerBinding&>(link);
+  const ServiceHandlers& calls = *self.calls_;
   void* const service = self.service_;
   const auto call = [service](auto function, auto... arguments) {
     if (function != nullptr) function(service, arguments...);
@@ -400,7 +480,7 @@ void ServiceLink::told(NodeService& link, ServiceEvent& event) {
   }
 }
 
-void Hook::Link::told(NodeService& link, ServiceEvent& event) {
+void Hook::Link::on_event(NodeService& link, ServiceEvent& event) {
   const Hook& hook = *static_cast<Link&>(link).hook_;
   switch (event.kind) {
     case ServiceEvent::before_read:
@@ -417,13 +497,13 @@ void Hook::Link::told(NodeService& link, ServiceEvent& event) {
   }
 }
 
-/// On a small machine with the checks before it, so that they are in one place.
+/// Refreshes an entry; on a small machine with the checks before it, so that they exist once.
 AbortCode Dictionary::refresh(const Entry& entry) {
   if constexpr (is_small_machine) {
     const AbortCode answer = check_read(entry);
     if (answer != AbortCode::none) return answer;
   }
-  return static_cast<AbortCode>(tell(ServiceEvent::before_read, 0, &entry));
+  return static_cast<AbortCode>(notify(ServiceEvent::before_read, 0, &entry));
 }
 
 AbortCode Dictionary::write(const Entry& entry, std::span<const std::uint8_t> value,
@@ -445,8 +525,8 @@ AbortCode Dictionary::write(std::uint16_t index, std::uint8_t sub,
 
 AbortCode check_number(const DictionaryTables& tables, const EntryShape& row,
                        const std::uint8_t* value) {
-  // Odd sizes leave bits of their last byte unused. A Boolean is true whatever its byte is but 0.
-  const bool is_odd = row.bits % 8 != 0 && row.type != DataType::boolean;
+  // Odd sizes leave bits of their last byte unused; a Boolean uses one bit of its byte.
+  const bool is_odd = row.bits % 8 != 0;
   if (is_odd && value[row.capacity - 1] >> (row.bits % 8) != 0) return AbortCode::value_too_high;
   if (!has(row.traits, EntryTraits::limited)) return AbortCode::none;
   return check_limits(row, tables.numbers.data() + row.limits, value);
@@ -468,7 +548,9 @@ AbortCode Dictionary::check(const Entry& entry, std::span<const std::uint8_t> va
                      .number = static_cast<std::uint32_t>(value.size()),
                      .subject = &entry,
                      .data = value.data()};
-  return static_cast<AbortCode>(tell(event));
+  if constexpr (is_small_machine) return static_cast<AbortCode>(notify(event));
+  notify_access(event);
+  return static_cast<AbortCode>(event.answer);
 }
 
 void Dictionary::commit(const Entry& entry, std::span<const std::uint8_t> value, Source source) {
@@ -478,7 +560,14 @@ void Dictionary::commit(const Entry& entry, std::span<const std::uint8_t> value,
 
 void Dictionary::announce(const Entry& entry, Source source) {
   if (!entry.is_hooked(ServiceEvent::after_write)) return;
-  tell(ServiceEvent::after_write, static_cast<std::uint32_t>(source), &entry);
+  if constexpr (is_small_machine) {
+    notify(ServiceEvent::after_write, static_cast<std::uint32_t>(source), &entry);
+  } else {
+    ServiceEvent event{.kind = ServiceEvent::after_write,
+                       .number = static_cast<std::uint32_t>(source),
+                       .subject = &entry};
+    notify_access(event);
+  }
 }
 
 void Dictionary::set(const Entry& entry, std::span<const std::uint8_t> value) {
@@ -504,6 +593,35 @@ void Dictionary::set(const Entry& entry, std::span<const std::uint8_t> value) {
     changed_places_.value.add(static_cast<std::uint32_t>(entry.value - values_));
   }
   copy(place, value.data(), size);
+}
+
+namespace {
+
+void copy_number(const Entry& entry, std::span<const std::uint8_t> value) {
+  std::copy_n(value.begin(), std::min<std::size_t>(value.size(), entry.row->capacity), entry.value);
+}
+
+}  // namespace
+
+void Dictionary::set_with_event(const Entry& entry, std::span<const std::uint8_t> value) {
+  if constexpr (is_small_machine) {
+    set(entry, value.first(std::min<std::size_t>(value.size(), entry.row->capacity)));
+  } else {
+    copy_number(entry, value);
+    changes_ |= entry.watchers();
+    if (entry.watchers() != 0) {
+      changed_places_.value.add(static_cast<std::uint32_t>(entry.value - values_));
+    }
+    ServiceEvent event{.kind = ServiceEvent::value_set, .number = 1, .subject = &entry};
+    notify_frequent(event);
+  }
+}
+
+void Dictionary::set_without_event(const Entry& entry, std::span<const std::uint8_t> value) {
+  copy_number(entry, value);
+  if constexpr (is_small_machine) return;
+  ServiceEvent event{.kind = ServiceEvent::value_set, .subject = &entry};
+  notify_frequent(event);
 }
 
 bool Dictionary::set_number(std::uint16_t index, std::uint8_t sub, std::uint64_t number) {
@@ -540,7 +658,7 @@ std::uint32_t Dictionary::word(std::uint16_t index) const {
 const Domain* Dictionary::domain(const Entry& entry) const {
   if (!entry.is_hooked(ServiceEvent::domain_wanted)) return nullptr;
   ServiceEvent event{.kind = ServiceEvent::domain_wanted, .subject = &entry};
-  return tell(event) == 0 ? nullptr : static_cast<const Domain*>(event.subject);
+  return notify(event) == 0 ? nullptr : static_cast<const Domain*>(event.subject);
 }
 
 void Dictionary::watch(const Entry& entry, std::uint32_t watchers) {
@@ -564,11 +682,11 @@ void Dictionary::attach(Hook& hook) {
   link.next_ = services_;
   if (services_ == nullptr) last_ = &link.next_;
   services_ = &link;
-  mark_hooked(link, hook.first, hook.last, ServiceEvent::all_accesses);
+  mark_hooked(link, hook.first, hook.last, ServiceEvent::all_accesses, true);
 }
 
-/// Its rows keep their marks: that something may be hooked there is a hint; but nobody is told of
-/// them any more by its address.
+/// The rows keep their marks, which are only a hint that a hook may exist; the hook itself is no
+/// longer called.
 void Dictionary::detach(Hook& hook) {
   NodeService** link = &services_;
   while (*link != nullptr && *link != &hook.link) link = &(*link)->next_;
@@ -578,20 +696,20 @@ void Dictionary::detach(Hook& hook) {
   if constexpr (!is_small_machine) {
     ++revision_.value;
     for (std::size_t row = 0; row < tables_.objects.size(); ++row) {
-      if (states_.value[row].hooked == &hook.link) states_.value[row].hooked = nullptr;
+      states_.value[row].remove(hook.link);
     }
   }
 }
 
-void Dictionary::mark_hooked(ServiceLink& service) {
-  for (const HookCalls& calls : service.calls_->hooks) {
+void Dictionary::mark_hooked(HandlerBinding& service) {
+  for (const AccessHandlers& calls : service.calls_->hooks) {
     mark_hooked(service, static_cast<std::uint16_t>(calls.first + service.shift_),
                 static_cast<std::uint16_t>(calls.last + service.shift_), calls.accesses());
   }
 }
 
 void Dictionary::mark_hooked(NodeService& service, std::uint16_t first, std::uint16_t last,
-                             std::uint8_t accesses) {
+                             std::uint8_t accesses, bool in_front) {
   if constexpr (is_small_machine) return;
   ++revision_.value;
   for (std::size_t row = 0; row < tables_.objects.size(); ++row) {
@@ -599,8 +717,7 @@ void Dictionary::mark_hooked(NodeService& service, std::uint16_t first, std::uin
     if (object.index > last || object.index + object.count - 1 < first) continue;
     ObjectState& state = states_.value[row];
     state.hooks |= accesses;
-    state.several |= state.hooked != nullptr && state.hooked != &service;
-    state.hooked = &service;
+    state.add(service, in_front);
   }
 }
 
@@ -616,7 +733,7 @@ std::uint64_t Dictionary::default_number(const Entry& entry) const {
   return tables_.number_at(*entry.row, tables_.defaults_of(object, entry.index)[row]);
 }
 
-/// Values stand in the block in the order of the rows, without a gap.
+/// Values are in the block in the order of the rows, without a gap.
 void Dictionary::restore_defaults(std::uint16_t first, std::uint16_t last, std::uint8_t node_id) {
   Entry entry;
   entry.value = values_;
@@ -650,7 +767,7 @@ void Dictionary::restore_defaults(std::uint16_t first, std::uint16_t last, std::
   }
 }
 
-/// All entries of an object of which nobody is to be told.
+/// Restores all entries of an object without a notification.
 [[gnu::always_inline]] inline void Dictionary::restore_unwatched(std::span<const EntryShape> rows,
                                                                  Entry& entry,
                                                                  const std::uint32_t* place,

@@ -1,9 +1,9 @@
-// The object dictionary (CiA 301, 7.4): constant tables that say what there is, and a block of
-// bytes with the values.
+// The object dictionary: constant tables that describe the entries, and a block of bytes with the
+// values (CiA 301, 7.4).
 //
 // The tables are made at compile time from a profile's description (canvoy/profiles); the block
-// belongs to the owner. Values are kept packed, as they travel. What has meaning beyond a value
-// hangs on as a Hook.
+// belongs to the owner. Values are packed, as on the wire. A meaning beyond the value is attached
+// as a Hook.
 //
 //     Result<Entry> entry = dictionary.find(0x6010, 0);
 //     AbortCode answer = dictionary.write(0x1017, 0, bytes, Source::sdo);
@@ -18,14 +18,14 @@
 
 #include "canvoy/can/callback.hpp"
 #include "canvoy/can/machine.hpp"
-#include "canvoy/canopen/dictionary/abort_code.hpp"
 #include "canvoy/canopen/dictionary/data_type.hpp"
-#include "canvoy/canopen/little_endian.hpp"
-#include "canvoy/canopen/service.hpp"
+#include "canvoy/canopen/protocol/abort_code.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
+#include "canvoy/canopen/service/service.hpp"
 
 namespace canvoy {
 
-/// What may be done with an entry: bits, of which the usual sums have names.
+/// Access rights of an entry: bits, with names for the usual sums.
 enum class Access : std::uint8_t {
   none = 0,
   sdo_read = 1,
@@ -46,13 +46,13 @@ constexpr bool allows(Access access, Access what) {
          static_cast<unsigned>(what);
 }
 
-/// How limits and default of an entry are to be read: bits.
+/// Meaning of the limits and the default of an entry: bits.
 enum class EntryTraits : std::uint8_t {
   none = 0,
-  limited = 1,       ///< `low` and `high` hold
-  has_sentinel = 2,  ///< `sentinel` is allowed although it lies outside of the limits
+  limited = 1,       ///< `low` and `high` apply
+  has_sentinel = 2,  ///< `sentinel` is allowed although it lies outside the limits
   plus_node_id = 4,  ///< the default is `initial` plus the node-ID
-  not_stored = 8,    ///< a value of the process, no parameter: it is not kept without power
+  not_stored = 8,    ///< a process value, not a parameter: it is not kept without power
   text = 16,         ///< a string: filled in by the layout
   has_sign = 32,     ///< a signed integer: filled in by the layout
 };
@@ -63,40 +63,41 @@ constexpr bool has(EntryTraits traits, EntryTraits trait) {
   return (static_cast<unsigned>(traits) & static_cast<unsigned>(trait)) != 0;
 }
 
-/// Bytes from the start of a block of values: a small machine's whole memory is below 64 KiB.
+/// Byte offset in a block of values: the whole memory of a small machine is below 64 KiB.
 using BlockOffset = std::conditional_t<is_small_machine, std::uint16_t, std::uint32_t>;
 
-/// What the tables say of entries of one shape: sub-indices first to last of an object, all of one
-/// type, access and range. Objects of one shape may share them, so that defaults stand apart.
+/// Description of entries of one shape: sub-indices first to last of an object, all of one type,
+/// access and range. Objects of one shape may share them, so defaults are separate.
 struct EntryShape {
   std::uint8_t sub_first = 0;
   std::uint8_t sub_last = 0;
   DataType type = DataType::unsigned8;
   Access access = Access::ro;
   EntryTraits traits = EntryTraits::none;
-  std::uint8_t bits = 0;       ///< of a number
-  std::uint16_t capacity = 0;  ///< bytes that one value takes at most; a domain takes none
-  /// Where it is limited: of low, high and sentinel in DictionaryTables::numbers.
+  std::uint8_t bits = 0;       ///< length of a number in bits
+  std::uint16_t capacity = 0;  ///< bytes that one value takes at most; 0 for a domain
+  /// Position of low, high and sentinel in DictionaryTables::numbers, if the entry is limited.
   std::uint16_t limits = 0;
   BlockOffset offset = 0;  ///< of the first value, from the start of the object's values
 
   constexpr bool is_text() const { return has(traits, EntryTraits::text); }
-  /// Bytes from one value to the next: a string keeps its present length in two bytes before it.
+  /// Distance in bytes from one value to the next: a string has its present length in two bytes
+  /// before it.
   constexpr std::uint16_t pitch() const {
     return static_cast<std::uint16_t>(capacity + (is_text() ? 2 : 0));
   }
   friend bool operator==(const EntryShape&, const EntryShape&) = default;
 };
 
-/// Objects of one shape: `count` objects with consecutive indices. Who writes one says how many
-/// entries it has; what comes after that is filled in by the layout.
+/// Objects of one shape: `count` objects with consecutive indices. A description gives the number
+/// of entries; the layout fills in the members after it.
 struct ObjectRow {
-  std::uint16_t index = 0;  ///< of the first
+  std::uint16_t index = 0;  ///< index of the first object
   std::uint16_t count = 1;
   std::uint16_t entry_count = 0;
   std::uint16_t entry_first = 0;  ///< position in the table of entries
-  /// Position of the first entry's default, and how many further that of the next object is: 0
-  /// where all have the same ones.
+  /// Position of the first entry's default, and the distance to that of the next object: 0 if all
+  /// objects share the same defaults.
   std::uint16_t default_first = 0;
   std::uint16_t default_pitch = 0;
   BlockOffset offset = 0;  ///< of the first object's values, from the start of the block
@@ -106,77 +107,94 @@ struct ObjectRow {
 class Dictionary;
 struct DictionaryTables;
 
-/// Limits, and the bits of odd sizes that stay unused: of a value that has the length of its type.
+/// Checks limits, and unused bits of odd-sized types, for a value that has the length of its type.
 AbortCode check_number(const DictionaryTables& tables, const EntryShape& row,
                        const std::uint8_t* value);
 
-/// The run-time half of a description: constant, and shared by all nodes of a kind.
+/// The run-time part of a description: constant, and shared by all nodes of a kind.
 struct DictionaryTables {
   std::span<const ObjectRow> objects;   ///< sorted by index, without overlap
   std::span<const EntryShape> entries;  ///< of each object sorted by sub-index, without overlap
-  /// One for each entry of an object: a number, or the bits of a real; of more than four bytes its
-  /// place in `numbers`, of a string its place in `texts`.
+  /// Default of each entry of an object: a number, or the bits of a real; for more than four bytes
+  /// its position in `numbers`, for a string its position in `texts`.
   std::span<const std::uint32_t> defaults;
   std::span<const std::int64_t> numbers;
   std::span<const std::string_view> texts;
-  std::uint32_t value_bytes = 0;  ///< size of the block
-  /// For devices of which objects change their place: the index by which the tables have what the
-  /// bus knows by `index`, 0 where the bus finds nothing there. Null: every object stays.
+  std::uint32_t value_bytes = 0;  ///< size of the block of values
+  /// For devices with objects that move: index in the tables of the object that the bus addresses
+  /// by `index`, 0 if there is none. Null: no object moves.
   std::uint16_t (*index_in_tables)(const Dictionary&, std::uint16_t index) = nullptr;
-  /// Null where no entry has anything for it to check, so that a small machine does not link it.
+  /// Null if no entry has anything to check, so that a small machine does not link it.
   AbortCode (*check_number)(const DictionaryTables& tables, const EntryShape& row,
                             const std::uint8_t* value) = &canvoy::check_number;
 
   constexpr std::span<const EntryShape> entries_of(const ObjectRow& object) const {
     return entries.subspan(object.entry_first, object.entry_count);
   }
-  /// Of the object `index` of such a row.
+  /// Defaults of the object with index `index` in such a row.
   constexpr const std::uint32_t* defaults_of(const ObjectRow& object, unsigned index) const {
     return defaults.data() + object.default_first + (index - object.index) * object.default_pitch;
   }
-  /// A default of `defaults` as what it is: a number or the bits of a real, without the node-ID
-  /// that may be added.
+  /// A default from `defaults` in its full form: a number or the bits of a real, without the
+  /// node-ID that may be added.
   constexpr std::uint64_t number_at(const EntryShape& row, std::uint32_t place) const {
     return row.capacity > sizeof place ? static_cast<std::uint64_t>(numbers[place]) : place;
   }
 };
 
-/// What changes at run time for an ObjectRow, beside the values. A small machine has none: each
-/// change has all TPDOs look whether it concerns them, and each access asks all hooks.
+/// Run-time state of an ObjectRow, beside the values. A small machine has none: on each change all
+/// TPDOs check whether it concerns them, and each access asks all hooks.
 struct ObjectState {
+  static constexpr std::size_t services_max = 3;  ///< kept by their addresses
+
   /// Bit n: a TPDO of which the number modulo 32 is n maps an entry of this row.
   std::uint32_t watchers = 0;
-  std::uint8_t hooks = 0;  ///< accesses of which somebody is asked or told: ServiceEvent::bit_of()
-  bool several = false;    ///< services are, of which each covers an object of this row
-  NodeService* hooked = nullptr;  ///< the one that is, where there are not several
+  /// Of the index, not of this row: see Dictionary::search_object().
+  std::uint16_t place = 0;
+  std::uint8_t hooks = 0;  ///< accesses with a hook: ServiceEvent::bit_of()
+  /// Services that are, of which each covers an object of this row: more than services_max where
+  /// not all of them stand here.
+  std::uint8_t service_count = 0;
+  std::array<NodeService*, services_max> services{};  ///< in the order in which they are told
+
+  /// True if all services of this row stand in `services`.
+  bool has_all() const { return service_count <= services_max; }
+  /// Counts a service, and keeps it while there is room.
+  void add(NodeService& service, bool in_front);
+  /// Forgets a service; if not all are kept, the count stays.
+  void remove(const NodeService& service);
 };
 
-/// One entry, found: lives as long as the dictionary.
+/// One entry, found in the dictionary; valid as long as the dictionary.
 struct Entry {
   const EntryShape* row = nullptr;
   [[no_unique_address]] HostOnly<ObjectState*> state = {};
-  std::uint8_t* value = nullptr;  ///< of a string, its length; of a domain, meaningless
+  std::uint8_t* value = nullptr;  ///< for a string, its length; for a domain, meaningless
   std::uint16_t index = 0;
   std::uint8_t sub = 0;
 
-  /// The first four bytes of a number.
+  /// First four bytes of a number.
   std::uint32_t word() const { return load_word(value, row->capacity); }
-  /// There may be a hook of one of these accesses: ServiceEvent::bit_of().
+  /// True if there may be a hook for one of these accesses: ServiceEvent::bit_of().
   bool is_hooked(unsigned accesses) const {
     return is_small_machine || (state.value->hooks & accesses) != 0;
   }
+  /// True if there may be a hook for this access.
   bool is_hooked(ServiceEvent::Kind access) const {
     return is_hooked(unsigned{ServiceEvent::bit_of(access)});
   }
+  /// No more than one service has a hook there. On a small machine it is not known.
+  bool is_hooked_by_one() const { return !is_small_machine && state.value->service_count <= 1; }
+  /// Numbers of TPDOs, modulo 32, that map it: ObjectState::watchers. All on a small machine.
   std::uint32_t watchers() const { return is_small_machine ? ~0U : state.value->watchers; }
-  /// The bytes of the present value.
+  /// Bytes of the present value.
   std::span<std::uint8_t> bytes() const {
     if (!row->is_text()) return {value, row->capacity};
     return {value + 2, load<std::uint16_t>(value)};
   }
 };
 
-/// Where an entry stands, in few bytes: for hosts, who keep thousands of them.
+/// Position of an entry, in few bytes: for hosts, which keep thousands of them.
 struct EntryPlace {
   std::uint32_t offset = 0;  ///< of its value, in bytes from the start of the block
   std::uint16_t object = 0;  ///< position of its ObjectRow
@@ -185,20 +203,20 @@ struct EntryPlace {
   std::uint8_t sub = 0;
 };
 
-/// The first few watched values that were changed, so that who maps them is found without a look at
-/// all who might.
+/// The first few watched values that were changed, so that the TPDOs that map them are found
+/// without a search through all.
 struct ChangedPlaces {
   static constexpr std::size_t places_max = 8;
 
   constexpr ChangedPlaces() = default;
-  /// Copies no more than there are.
+  /// Copies only the places in use.
   ChangedPlaces(const ChangedPlaces& other) : count(other.count) {  // NOLINT: the rest says nothing
     places[0] = other.places[0];
     for (std::size_t i = 1; i < count && i < places_max; ++i) places[i] = other.places[i];
   }
   ChangedPlaces& operator=(const ChangedPlaces&) = delete;
 
-  /// There were more, or it is not known where.
+  /// True if there were more changes, or a position is unknown.
   bool are_too_many() const { return count > places_max; }
   void add(std::uint32_t place) {
     if (count < places_max) places[count] = place;
@@ -207,14 +225,15 @@ struct ChangedPlaces {
   void forget() { count = places_max + 1; }
 
   std::size_t count = 0;
-  std::array<std::uint32_t, places_max> places{};  ///< of values, from the start of the block
+  /// Offsets of values from the start of the block.
+  std::array<std::uint32_t, places_max> places{};
 };
 
 class SdoEntry;
 struct Domain;
 
-/// How SDO servers stream domains: a table, so that nothing of it is linked where there is no
-/// Domain.
+/// Streaming of domains by SDO servers: a table of functions, so that a program without a Domain
+/// links none of it.
 struct DomainTransfer {
   AbortCode (*open_read)(SdoEntry&, const Domain&);
   Result<std::span<const std::uint8_t>> (*read)(SdoEntry&, std::span<std::uint8_t> memory);
@@ -225,49 +244,57 @@ struct DomainTransfer {
   static const DomainTransfer calls;
 };
 
-/// The content of a domain, streamed (never whole in memory).
+/// Content of a domain, streamed (never whole in memory).
 struct Domain {
-  /// An answer of open_read: the end shows when it is reached.
+  /// Result of open_read for an unknown size: the end shows when it is reached.
   static constexpr std::uint32_t size_unknown = 0xFFFF'FFFF;
 
-  /// Begins an upload, and says how many bytes there are, or size_unknown.
+  /// Begins an upload, and returns the number of bytes, or size_unknown.
   Callback<Result<std::uint32_t>(const Entry&)> open_read;
-  /// Fills `bytes` from `offset` on, and says how many there were: fewer than asked for, and they
-  /// are the last. More than open_read told are not asked for. Offsets ascend; but where segments
-  /// of a block upload were lost, it comes back by up to 889 bytes.
+  /// Fills `bytes` from `offset` on, and returns the number filled: fewer than requested mark the
+  /// end. No more than the size from open_read are requested. Offsets ascend, except after lost
+  /// segments of a block upload, which go back by up to 889 bytes.
   Callback<Result<std::size_t>(const Entry&, std::uint32_t offset, std::span<std::uint8_t> bytes)>
       read;
-  /// Begins a download; `size` is what the client announced, 0 where it did not.
+  /// Begins a download; `size` is the size that the client announced, 0 if none.
   Callback<AbortCode(const Entry&, std::uint32_t size)> open_write;
   Callback<AbortCode(const Entry&, std::span<const std::uint8_t> bytes)> write;
-  /// Ends a download: with `complete` false all that was written is to be forgotten.
+  /// Ends a download; with `complete` false, all data written must be discarded.
   Callback<AbortCode(const Entry&, bool complete)> close_write;
+
+  /// For hosts, in place of open_read and read: the content, which stands in memory whole, and is
+  /// sent from there without a copy until the upload ends.
+  Callback<Result<std::span<const std::uint8_t>>(const Entry&)> view = {};
+  /// For hosts, in place of open_write: where the bytes of a download are put as they come, without
+  /// a copy; `size` as open_write has it. No more come than there is room (0504 0005h, 0607 0012h).
+  /// When the last of them has come, `write` is called once, with all of them.
+  Callback<Result<std::span<std::uint8_t>>(const Entry&, std::uint32_t size)> room = {};
   const DomainTransfer* transfer = &DomainTransfer::calls;
 };
 
-/// What HookCalls says of a class, of one object and at run time: for applications. It is called
-/// for all objects of a range that are in the dictionary, for accesses from the bus (SDO, PDO)
-/// only. The owner keeps it alive as long as the dictionary.
+/// Like AccessHandlers, but set at run time for one instance, for applications. It is called for
+/// all objects of a range that are in the dictionary, and only for accesses from the bus (SDO,
+/// PDO). It must outlive the dictionary.
 struct Hook {
   std::uint16_t first = 0;
   std::uint16_t last = 0;
-  /// May refresh the value (through Dictionary::set) before it is read, or refuse.
+  /// May refresh the value (with Dictionary::set) before it is read, or refuse.
   Callback<AbortCode(const Entry&)> before_read = {};
-  /// May refuse the new value. All entries of a PDO are asked before one is written. It may answer
-  /// `deferred` where it does itself what the write is for, and that takes time: then nothing is
-  /// written here, and whoever waits is told by Node::finish_deferred().
+  /// May refuse the new value. For a PDO it is called for all entries before one is written. It may
+  /// answer `deferred` if it carries out the purpose of the write itself, and needs time for it:
+  /// then nothing is written here, and the waiting service gets the answer from
+  /// Node::finish_deferred().
   Callback<AbortCode(const Entry&, std::span<const std::uint8_t> value)> before_write = {};
   Callback<void(const Entry&, Source)> after_write = {};
   const Domain* domain = nullptr;
 
-  /// Its place among the services of the node.
+  /// Link in the list of the node's services.
   class Link : public NodeService {
    public:
-    explicit Link(const Hook* hook)
-        : NodeService({told}, Cares::for_nothing_frequent), hook_(hook) {}
+    explicit Link(const Hook* hook) : NodeService({on_event}, EventMask::none), hook_(hook) {}
 
    private:
-    static void told(NodeService& link, ServiceEvent& event);
+    static void on_event(NodeService& link, ServiceEvent& event);
 
     const Hook* hook_;
   };
@@ -276,8 +303,9 @@ struct Hook {
 
 class Dictionary {
  public:
-  /// `values` has tables.value_bytes bytes. `states` has one for each ObjectRow, or none on a small
-  /// machine. Both must outlive the dictionary, and so must `tables` on a small machine.
+  /// Makes a dictionary. `values` has tables.value_bytes bytes. `states` has one item for each
+  /// ObjectRow, or none on a small machine. Both must outlive the dictionary, and so must `tables`
+  /// on a small machine.
   constexpr Dictionary(const DictionaryTables& tables, std::span<std::uint8_t> values,
                        std::span<ObjectState> states)
       : tables_(tables), values_(values.data()) {
@@ -285,19 +313,21 @@ class Dictionary {
       states_.value = states.data();
       remembered_.value.fill(&no_row);
     }
-    // What is constant-initialised is zero.
+    // Constant-initialised memory is zero.
     if (std::is_constant_evaluated()) return;
     for (std::uint8_t& byte : values) byte = 0;
+    if constexpr (!is_small_machine) make_index();
   }
   Dictionary(const Dictionary&) = delete;
   Dictionary& operator=(const Dictionary&) = delete;
 
   /// Looks an entry up: in constant time where the object was found before and no other took its
-  /// place, else logarithmic in the number of rows. Aborts: no_object, no_sub_index.
+  /// place, or where its index is not in a crowd of others; else logarithmic in the number of rows.
+  /// Aborts: no_object, no_sub_index.
   Result<Entry> find(std::uint16_t index, std::uint8_t sub) const;
-  /// The same for the index and sub-index that stand in `entry`, of which the rest is filled in.
+  /// Like find(), but for the index and sub-index in `entry`; fills in the rest of it.
   AbortCode locate(Entry& entry) const;
-  /// The same for who names objects as the bus knows them: SDO, PDO mapping, MPDO. See
+  /// Like locate(), but for an index as the bus uses it: SDO, PDO mapping, MPDO. See
   /// DictionaryTables::index_in_tables; `entry` gets the index of the tables.
   AbortCode locate_for_bus(Entry& entry) const {
     if (tables_.index_in_tables != nullptr) {
@@ -307,15 +337,15 @@ class Dictionary {
   }
   Result<Entry> find_for_bus(std::uint16_t index, std::uint8_t sub) const;
 
-  /// The value as a client may read it, hooks included. It is valid until the entry is written.
-  /// Aborts: those of find, write_only, and the hooks'. A domain has no value here
+  /// Value as a client may read it, hooks included. It is valid until the entry is written. Aborts:
+  /// those of find(), write_only, and those of hooks. A domain has no value here
   /// (unsupported_access): see domain().
   Result<std::span<const std::uint8_t>> read(const Entry& entry) {
     const AbortCode answer = open_read(entry);
     if (answer != AbortCode::none) return answer;
     return std::span<const std::uint8_t>(entry.bytes());
   }
-  /// The same for who takes the value from the entry.
+  /// Like read(), but without the value, which the caller takes from the entry.
   AbortCode open_read(const Entry& entry) {
     if constexpr (is_small_machine) return refresh(entry);
     const AbortCode answer = check_read(entry);
@@ -323,35 +353,36 @@ class Dictionary {
                                                                                    : answer;
   }
 
-  /// Checks what CiA 301 asks for (access, length, range, hooks) and writes, or answers why not and
-  /// changes nothing.
+  /// Checks access, length, range and hooks as CiA 301 requires, and writes; on an abort changes
+  /// nothing.
   AbortCode write(const Entry& entry, std::span<const std::uint8_t> value, Source source);
   AbortCode write(std::uint16_t index, std::uint8_t sub, std::span<const std::uint8_t> value,
                   Source source);
 
-  /// The checks of write() without access rights: length, range, hooks.
+  /// Checks like write(), but without access rights: length, range, hooks.
   AbortCode check(const Entry& entry, std::span<const std::uint8_t> value) const;
-  /// Length and range alone.
+  /// Checks length and range only.
   AbortCode check_value(const EntryShape& row, std::span<const std::uint8_t> value) const;
-  /// Writes what was checked before, and calls after_write.
+  /// Writes a value that was checked before, and calls after_write.
   void commit(const Entry& entry, std::span<const std::uint8_t> value, Source source);
-  /// Calls after_write alone: for a PDO, of which all values are written before one is told of.
+  /// Calls after_write only: for a PDO, which writes all values before the first notification.
   void announce(const Entry& entry, Source source);
 
-  /// For hosts: who is asked and told of accesses to an entry, for ask() and tell_of(), which then
-  /// search for nobody. It holds until revision() changes. Linear in the number of services.
+  /// For hosts: the services to ask and to notify of accesses to an entry, so that ask() and
+  /// notify_written() need no search. Valid until revision() changes. Linear in the number of
+  /// services.
   EntryHooks find_hooks(const Entry& entry) const;
   AbortCode ask(const Entry& entry, std::span<const std::uint8_t> value,
                 const EntryHooks& hooks) const;
-  void tell_of(const Entry& entry, Source source, const EntryHooks& hooks) const {
+  void notify_written(const Entry& entry, Source source, const EntryHooks& hooks) const {
     if (hooks.service == nullptr || hooks.after_row == EntryHooks::any_row) {
-      return tell_any(entry, source, hooks);
+      return notify_any(entry, source, hooks);
     }
-    static_cast<const ServiceLink&>(*hooks.service).tell_row(hooks.after_row, entry, source);
+    static_cast<const HandlerBinding&>(*hooks.service).notify_row(hooks.after_row, entry, source);
   }
-  /// For hosts: a TPDO maps this very entry. It holds until revision() changes.
+  /// For hosts: true if a TPDO maps this entry. Valid until revision() changes.
   bool is_watched(const Entry& entry) const;
-  /// For hosts: where a located entry stands, and the entry there.
+  /// For hosts: the place of a located entry, and the entry at a place.
   EntryPlace place_of(const Entry& entry) const {
     return {.offset = static_cast<std::uint32_t>(entry.value - values_),
             .object = static_cast<std::uint16_t>(entry.state.value - states_.value),
@@ -367,107 +398,127 @@ class Dictionary {
     entry.state.value = states_.value + place.object;
     return entry;
   }
-  /// For hosts: a watched value that stands there was changed past set().
+  /// For hosts: notes that the watched value at a place was changed without set().
   void note_change(const EntryPlace& place) {
     changes_ |= states_.value[place.object].watchers;
     changed_places_.value.add(place.offset);
   }
 
-  /// Writes from inside the device: no access rights, ranges or hooks; TPDOs that map the entry
-  /// learn of a change. Bytes beyond the capacity are dropped.
+  /// Writes from inside the device: no access rights, ranges or hooks; TPDOs that map the entry are
+  /// notified of a change. Bytes beyond the capacity are dropped.
   void set(const Entry& entry, std::span<const std::uint8_t> value);
-  /// The same for a number of any type; it is cut to the length of the entry. False where there is
-  /// no such entry.
+  /// Like set(), but for a number with a change that is an event by rules of the application, such
+  /// as interrupt masks: TPDOs that map it are sent even if they carried the same bytes last. On a
+  /// small machine it equals set(): a TPDO that carried the same bytes last is not sent.
+  void set_with_event(const Entry& entry, std::span<const std::uint8_t> value);
+  /// Like set(), but the change is no event: no TPDO is sent for it, and the next one includes it.
+  void set_without_event(const Entry& entry, std::span<const std::uint8_t> value);
+  /// Like set(), but for a number of any type, cut to the length of the entry. False if there is no
+  /// such entry.
   bool set_number(std::uint16_t index, std::uint8_t sub, std::uint64_t number);
-  /// The same at sub-index 0, of four bytes at most.
+  /// Like set_number(), but at sub-index 0, and for four bytes at most.
   void set_word(std::uint16_t index, std::uint32_t number);
-  /// The number in an entry, not sign-extended; 0 where there is none.
+  /// Number in an entry, not sign-extended; 0 if there is no such entry.
   std::uint64_t number(std::uint16_t index, std::uint8_t sub) const;
-  /// The same of up to four bytes (of a longer one the lower four), or `absent`.
+  /// Like number(), but for up to four bytes (the lower four of a longer number); `absent` if there
+  /// is no such entry.
   std::uint32_t word(std::uint16_t index, std::uint8_t sub, std::uint32_t absent = 0) const;
-  /// The same at sub-index 0.
+  /// Like word(), but at sub-index 0.
   std::uint32_t word(std::uint16_t index) const;
 
-  /// The default of a number, without the node-ID that may be added.
+  /// Default of a number, without the node-ID that may be added.
   std::uint64_t default_number(const Entry& entry) const;
 
-  /// The callbacks of a domain entry; null where nobody serves it.
+  /// Callbacks of a domain entry; null if no service provides them.
   const Domain* domain(const Entry& entry) const;
 
-  /// It is asked and told before all that are attached already. Linear in the number of rows.
+  /// Attaches a hook before all attached ones, which it then precedes. Linear in the number of
+  /// rows.
   void attach(Hook& hook);
-  /// It is asked and told no more. Not from within a callback of a hook. Linear in the number of
+  /// Detaches a hook. Must not be called from a callback of a hook. Linear in the number of
   /// services.
   void detach(Hook& hook);
-  /// Services are asked and told in the order in which they were attached. See Node::attach().
+  /// Attaches a service. Services are asked and notified in the order of attachment. See
+  /// Node::attach().
   constexpr void attach(NodeService& service) {
     append(service);
     if constexpr (!is_small_machine) {
-      if (service.frequent_.value.cares != 0) append_frequent(service);
+      if (service.frequent_.value.events != 0) append_frequent(service);
     }
     if (!is_small_machine && service.covers(service.listener_.first)) {
       mark_hooked(service, service.listener_.first, service.listener_.last,
                   ServiceEvent::all_accesses);
     }
   }
-  constexpr void attach(ServiceLink& service) {
+  constexpr void attach(HandlerBinding& service) {
     append(service);
     if (!is_small_machine && service.calls_->values_changed != nullptr) append_frequent(service);
     if (!is_small_machine && !service.calls_->hooks.empty()) mark_hooked(service);
   }
   NodeService* services() const { return services_; }
-  /// All services, until one refuses: of an access those that cover the object. See ServiceEvent.
-  std::uint32_t tell(ServiceEvent::Kind kind, std::uint32_t number,
-                     const void* subject = nullptr) const;
-  std::uint32_t tell(ServiceEvent& event) const;
-  /// The same of what is frequent: on a host, those that care for it.
-  void tell_frequent(ServiceEvent& event) const {
+  /// Notifies all services until one refuses; of an access, those that cover the object. See
+  /// ServiceEvent.
+  std::uint32_t notify(ServiceEvent::Kind kind, std::uint32_t number,
+                       const void* subject = nullptr) const;
+  std::uint32_t notify(ServiceEvent& event) const;
+  /// Like notify(), but for frequent events: on a host, only the services with the event in their
+  /// mask.
+  void notify_frequent(ServiceEvent& event) const {
     if constexpr (is_small_machine) {
-      tell(event);
+      notify(event);
     } else {
       NodeService* service = frequent_.value.first;
       for (; service != nullptr; service = service->frequent_.value.next) {
-        if ((service->frequent_.value.cares >> event.kind & 1) != 0) service->tell(event);
+        if ((service->frequent_.value.events >> event.kind & 1) != 0) service->notify(event);
       }
     }
   }
 
-  /// Gives all entries of the objects from `first` to `last` their default values.
+  /// Resets all entries of the objects from `first` to `last` to their default values.
   void restore_defaults(std::uint16_t first, std::uint16_t last, std::uint8_t node_id);
 
-  /// TPDOs (numbers modulo 32) that map something that was changed since clear_changes().
+  /// TPDOs (numbers modulo 32) that map a value changed since clear_changes().
   std::uint32_t changes() const { return changes_; }
   void clear_changes() {
     changes_ = 0;
     if constexpr (!is_small_machine) changed_places_.value.count = 0;
   }
-  /// For who writes past set(): what these watchers watch was changed.
+  /// Notes a change of values that these watchers map, made without set().
   void mark_changed(std::uint32_t watchers) {
     changes_ |= watchers;
     if constexpr (!is_small_machine) changed_places_.value.forget();
   }
-  /// For hosts: where those changes were.
+  /// For hosts: places of those changes.
   const ChangedPlaces& changed_places() const { return changed_places_.value; }
 
-  /// Adds to the watchers of an entry's row: bits of TPDO numbers modulo 32. For TPDOs, which know
-  /// which entries of the row are meant (ServiceEvent::watch_asked).
+  /// Adds watchers to the row of an entry: bits of TPDO numbers modulo 32. Called by TPDOs, which
+  /// identify the entries of the row (ServiceEvent::watch_asked).
   void watch(const Entry& entry, std::uint32_t watchers);
-  /// Takes these bits from all rows. Linear in the number of rows.
+  /// Removes these watchers from all rows. Linear in the number of rows.
   void unwatch(std::uint32_t watchers);
-  /// For hosts: counts attached hooks and changes of watchers: who keeps what hangs on a value
-  /// compares this number, and looks again where it differs.
+  /// For hosts: counts attached hooks and changes of watchers. Data that depends on them is valid
+  /// while the number is the same.
   std::uint32_t revision() const { return revision_.value; }
 
   const DictionaryTables& tables() const { return tables_; }
-  /// The block of values, for who keeps places in it.
+  /// Block of values, for code that keeps places in it.
   std::uint8_t* values() const { return values_; }
 
  private:
-  /// Rows that were found last, each in a place that its index gives: a client reads entry after
-  /// entry of an object, and a master the same few objects again and again. A 32-bit processor
-  /// searches its few rows, and spares the memory.
+  /// Rows that were found last, each at a position derived from its index: a client reads entry
+  /// after entry of an object, and a master the same few objects again and again. A 32-bit
+  /// processor searches its few rows, and saves the memory.
   static constexpr std::size_t remembered_max = 16;
 
+  /// For hosts: the range of indices in as many equal parts as there are rows, of which each knows
+  /// in ObjectState::place where its rows begin.
+  struct Index {
+    std::uint32_t first = 0x1'0000;  ///< the lowest index; here above all of them
+    std::uint32_t last = 0;          ///< the highest one, from there on
+    std::uint64_t scale = 0;         ///< parts for each index, times 2^32
+  };
+
+  void make_index();
   const ObjectRow* find_object(std::uint16_t index) const;
   const ObjectRow* search_object(std::uint16_t index) const;
   const EntryShape* find_row(const ObjectRow& object, std::uint8_t sub) const;
@@ -483,10 +534,12 @@ class Dictionary {
   void restore_unwatched(std::span<const EntryShape> rows, Entry& entry, const std::uint32_t* place,
                          std::uint8_t node_id);
   void mark_hooked(NodeService& service, std::uint16_t first, std::uint16_t last,
-                   std::uint8_t accesses);
-  void mark_hooked(ServiceLink& service);
-  void tell_of_access(ServiceEvent& event) const;
-  void tell_any(const Entry& entry, Source source, const EntryHooks& hooks) const;
+                   std::uint8_t accesses, bool in_front = false);
+  void mark_hooked(HandlerBinding& service);
+  void notify_access(ServiceEvent& event) const;
+  [[gnu::noinline]] void tell_several_of_access(ServiceEvent& event) const;
+  void tell_of_access_by_list(ServiceEvent& event) const;
+  void notify_any(const Entry& entry, Source source, const EntryHooks& hooks) const;
   constexpr void append(NodeService& service) {
     *last_ = &service;
     last_ = &service.next_;
@@ -496,7 +549,7 @@ class Dictionary {
     (last == nullptr ? frequent_.value.first : last->frequent_.value.next) = &service;
     last = &service;
   }
-  /// The services that are told what is frequent.
+  /// Services that are notified of frequent events.
   struct Frequent {
     NodeService* first = nullptr;
     NodeService* last = nullptr;
@@ -507,10 +560,11 @@ class Dictionary {
   std::uint8_t* values_;
   [[no_unique_address]] HostOnly<ObjectState*> states_;
   NodeService* services_ = nullptr;
-  NodeService** last_ = &services_;  ///< where the next service is tied
+  NodeService** last_ = &services_;  ///< where the next service is linked
   std::uint32_t changes_ = 0;
   [[no_unique_address]] HostOnly<std::uint32_t> revision_;
   [[no_unique_address]] HostOnly<Frequent> frequent_;
+  [[no_unique_address]] HostOnly<Index> index_;
   [[no_unique_address]] HostOnly<ChangedPlaces> changed_places_;
   [[no_unique_address]] mutable HostOnly<std::array<const ObjectRow*, remembered_max>> remembered_;
 };

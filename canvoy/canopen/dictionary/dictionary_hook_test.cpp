@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace {
 
 // Hooks
 
-/// A hook that writes down its calls, and refuses by will.
+/// A hook that records its calls, and refuses on request.
 struct Recorder {
   Recorder(Dictionary& dictionary, std::uint16_t first, std::uint16_t last,
            std::vector<std::string>& calls, std::string by)
@@ -74,6 +75,46 @@ TEST(DictionaryHook, IsCalledForItsRangeWithinARowOfObjectsOnly) {
   sut.write(0x6000, 1, {1, 2});
   sut.write(0xFFFF, 0, {1});
   EXPECT_EQ(log, (Log{"a checks 6105:9", "a wrote 6105:9", "a checks 6106:9", "a wrote 6106:9"}));
+}
+
+/// More than a row keeps by itself, and fewer again.
+TEST(DictionaryHook, TheLastOneComesFirstHoweverManyThereAre) {
+  Held sut(shapes.tables());
+  Log log, expected;
+  std::vector<std::unique_ptr<Recorder>> hooks;
+  for (char name = 'a'; name <= 'f'; ++name) {
+    hooks.push_back(
+        std::make_unique<Recorder>(sut.dictionary, 0x1018, 0x1018, log, std::string(1, name)));
+    expected.insert(expected.begin(), std::string(1, name) + " reads 1018:1");
+    log.clear();
+    sut.read(0x1018, 1);
+    EXPECT_EQ(log, expected);
+  }
+  for (const std::size_t gone : {3U, 0U, 4U, 1U}) {
+    sut.dictionary.detach(hooks[gone]->hook);
+    std::erase(expected, hooks[gone]->name + " reads 1018:1");
+    log.clear();
+    sut.read(0x1018, 1);
+    EXPECT_EQ(log, expected);
+  }
+}
+
+TEST(DictionaryHook, OneThatIsAttachedByAnotherHasNoPartInTheAccessUnderWay) {
+  Held sut(shapes.tables());
+  Log log;
+  Recorder first(sut.dictionary, 0x1018, 0x1018, log, "a");
+  Recorder second(sut.dictionary, 0x1018, 0x1018, log, "b");
+  std::unique_ptr<Recorder> third;
+  auto attach = [&](const Entry&) {
+    log.emplace_back("attaches");
+    if (third == nullptr) {
+      third = std::make_unique<Recorder>(sut.dictionary, 0x1018, 0x1018, log, "c");
+    }
+    return AbortCode::none;
+  };
+  second.hook.before_read = Callback<AbortCode(const Entry&)>::of(attach);
+  sut.read(0x1018, 1);
+  EXPECT_EQ(log, (Log{"attaches", "a reads 1018:1"}));
 }
 
 TEST(DictionaryHook, IsCalledForItsRangeOnly) {
@@ -165,7 +206,7 @@ TEST(DictionaryHook, IsAskedNoMoreOnceItIsDetached) {
   log.clear();
   sut.dictionary.detach(c.hook);
   sut.dictionary.detach(a.hook);
-  sut.dictionary.detach(a.hook);  // that is not there
+  sut.dictionary.detach(a.hook);  // not attached
   EXPECT_EQ(sut.write(0x1018, 1, {1, 2, 3, 4}), AbortCode::none);
   EXPECT_EQ(log, Log{});
   sut.dictionary.attach(b.hook);

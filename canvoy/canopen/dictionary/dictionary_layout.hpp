@@ -1,4 +1,4 @@
-// Turns rows that say what there is into tables that say where it stands, at compile time.
+// Turns rows that describe entries into tables with their positions, at compile time.
 //
 //     constexpr auto layout = lay_out(std::to_array<ObjectRow>({{.index = 0x1000, .entry_count =
 //     1}}),
@@ -15,15 +15,15 @@
 
 namespace canvoy {
 
-/// Entries of one shape, as a description says what there is: sub-indices first to last of an
-/// object, all of one type, access, range and default.
+/// Description of entries of one shape: sub-indices first to last of an object, all of one type,
+/// access, range and default.
 struct EntryRow {
   std::uint8_t sub_first = 0;
   std::uint8_t sub_last = 0;
   DataType type = DataType::unsigned8;
   Access access = Access::ro;
   EntryTraits traits = EntryTraits::none;
-  std::uint16_t capacity = 0;  ///< of a string, in bytes
+  std::uint16_t capacity = 0;  ///< length limit of a string, in bytes
   std::int64_t low = 0;
   std::int64_t high = 0;
   std::int64_t sentinel = 0;
@@ -33,7 +33,7 @@ struct EntryRow {
 
 namespace detail {
 
-/// So many items at most, for what the compiler fills: it knows how many there are when it is done.
+/// Up to `most` items, filled by the compiler, which determines their number at the end only.
 template <class Item, std::size_t most>
 struct Counted {
   std::array<Item, most> items{};
@@ -69,11 +69,10 @@ struct DictionaryLayout {
   }
 
  private:
-  /// An entry has limits, or bits of its last byte that are not used.
+  /// True if an entry has limits, or unused bits in its last byte.
   constexpr bool needs_check() const {
     for (const EntryShape& entry : entries) {
-      const bool is_odd = entry.bits % 8 != 0 && entry.type != DataType::boolean;
-      if (is_odd || has(entry.traits, EntryTraits::limited)) return true;
+      if (entry.bits % 8 != 0 || has(entry.traits, EntryTraits::limited)) return true;
     }
     return false;
   }
@@ -81,11 +80,11 @@ struct DictionaryLayout {
 
 namespace detail {
 
-/// Not constexpr: to reach it in a constant expression is a compile error that names the reason.
+/// Not constexpr: a call in a constant expression is a compile error that names the reason.
 inline void description_is_wrong(const char* /*reason*/) {}
 
-/// What follows from the type of an entry, so that nobody has to ask for it at run time: bits,
-/// traits, and the capacity of all but strings.
+/// Shape that follows from the type of an entry, so that run time needs no test of the type: bits,
+/// traits, and the capacity of all types but strings.
 constexpr EntryShape shape_of(const EntryRow& entry) {
   unsigned traits = static_cast<unsigned>(entry.traits);
   if (is_string(entry.type)) traits |= static_cast<unsigned>(EntryTraits::text);
@@ -108,7 +107,7 @@ constexpr BlockOffset block_offset(std::uint32_t bytes) {
   return static_cast<BlockOffset>(bytes);
 }
 
-/// Puts limits where the tables keep them, and says where that is.
+/// Adds limits to the tables, and returns their position.
 template <class Tables>
 constexpr std::uint16_t add_limits(Tables& tables, const EntryRow& entry) {
   const std::size_t place = tables.numbers.size();
@@ -118,7 +117,7 @@ constexpr std::uint16_t add_limits(Tables& tables, const EntryRow& entry) {
   return static_cast<std::uint16_t>(place);
 }
 
-/// What stands for a default in DictionaryTables::defaults.
+/// Number that represents a default in DictionaryTables::defaults.
 template <class Tables>
 constexpr std::uint32_t add_default(Tables& tables, const EntryRow& entry,
                                     const EntryShape& shape) {
@@ -133,8 +132,8 @@ constexpr std::uint32_t add_default(Tables& tables, const EntryRow& entry,
 
 }  // namespace detail
 
-/// Adds an object and its entries, in the order of their sub-indices, behind what is there.
-/// `tables` are a DictionaryLayout or HeapTables.
+/// Appends an object and its entries, in the order of their sub-indices. `tables` are a
+/// DictionaryLayout or HeapTables.
 template <class Tables>
 constexpr void add_object(Tables& tables, ObjectRow object, std::span<const EntryRow> entries) {
   object.entry_count = static_cast<std::uint16_t>(entries.size());
@@ -160,9 +159,9 @@ constexpr void add_object(Tables& tables, ObjectRow object, std::span<const Entr
   tables.objects.push_back(object);
 }
 
-/// Fills in where entries and values stand, and the lengths of all types that have one length. The
+/// Fills in the positions of entries and values, and the lengths of all types of fixed length. The
 /// entries of the first object come first, in the order of their sub-indices, then those of the
-/// second. Of a string the capacity is kept.
+/// second. The capacity of a string is kept.
 template <std::size_t object_rows, std::size_t entry_rows>
 constexpr DictionaryLayout<object_rows, entry_rows> lay_out(
     const std::array<ObjectRow, object_rows>& objects,
@@ -182,8 +181,8 @@ constexpr DictionaryLayout<object_rows, entry_rows> lay_out(
   return layout;
 }
 
-/// Tables of a part of a device, as those have them who try one service by itself: a DeviceNode
-/// does not ask whether it is a whole one (mandatory_objects.hpp).
+/// Tables of a part of a device, for a test of a single service: a DeviceNode does not check
+/// whether it is a whole device (mandatory_objects.hpp).
 template <class Layout>
 struct PartialLayout : Layout {
   static constexpr bool is_partial = true;

@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "canvoy/canopen/heap_tables.hpp"
+#include "canvoy/canopen/device/heap_tables.hpp"
 #include "canvoy/canopen/testing/held_dictionary.hpp"
 
 namespace canvoy::dictionary_test {
@@ -45,6 +45,40 @@ TEST(DictionarySearch, FindsNothingInAnEmptyDictionary) {
   EXPECT_EQ(sut.write(0x1000, 0, {0}), AbortCode::no_object);
   EXPECT_FALSE(sut.dictionary.set_number(0x1000, 0, 1));
   EXPECT_EQ(sut.dictionary.number(0x1000, 0), 0U);
+}
+
+/// Objects with these indices, of so many in a row.
+HeapTables tables_of(const std::map<unsigned, unsigned>& counts) {
+  HeapTables tables;
+  for (const auto& [index, count] : counts) {
+    add_object(
+        tables,
+        {.index = static_cast<std::uint16_t>(index), .count = static_cast<std::uint16_t>(count)},
+        std::to_array<EntryRow>({{.type = DataType::unsigned8}}));
+  }
+  return tables;
+}
+
+/// How they lie has no part in what is found: evenly, in one crowd, in two, alone, from end to end.
+TEST(DictionarySearch, FindsObjectsHoweverTheirIndicesLie) {
+  std::map<unsigned, unsigned> even, crowd, two, whole = {{0, 0x8000}, {0x8000, 0x8000}};
+  for (unsigned i = 0; i < 300; ++i) {
+    even[0x100 + 200 * i] = i % 3 == 0 ? 150 : 1;
+    crowd[0x2000 + i] = 1;
+    two[i < 290 ? 0x2000 + i : 0xFF00 + 10 * i - 2900] = 1;
+  }
+  for (const auto& counts : {even, crowd, two, whole, {{0x1000, 1}}, {{0x1000, 7}, {0xFFFF, 1}}}) {
+    const HeapTables tables = tables_of(counts);
+    Held sut(tables.tables());
+    for (unsigned index = 0; index <= 0xFFFF; ++index) {
+      const auto after = counts.upper_bound(index);
+      const bool is_there =
+          after != counts.begin() && index - std::prev(after)->first < std::prev(after)->second;
+      const auto found = sut.dictionary.find(static_cast<std::uint16_t>(index), 0);
+      ASSERT_EQ(static_cast<bool>(found), is_there) << std::hex << index;
+      ASSERT_EQ(found->index, index);
+    }
+  }
 }
 
 TEST(DictionarySearch, GivesEachEntryItsOwnMemoryWithinTheBlock) {

@@ -31,7 +31,7 @@ constexpr auto types = [] {
   return lay_out(objects, entries);
 }();
 
-// CiA 301, 7.1.4: bytes that a value of the type takes.
+// CiA 301, 7.1.4: length of a value of the type in bytes.
 constexpr std::size_t type_bytes[type_count] = {1, 1, 2, 4, 1, 2, 4, 4, 6, 6, 3,
                                                 8, 5, 6, 7, 8, 3, 5, 6, 7, 8};
 
@@ -52,7 +52,8 @@ TEST(DictionaryLength, IsThatOfTheTypeAndNoOther) {
 
 TEST(DictionaryLength, KeepsEveryBitOfEveryType) {
   Held sut(types.tables());
-  for (std::size_t i = 0; i < type_count; ++i) {
+  // Except a Boolean, which has one: see OfABooleanIsZeroAndOne.
+  for (std::size_t i = 1; i < type_count; ++i) {
     const auto index = static_cast<std::uint16_t>(0x2000 + i);
     for (const Bytes& pattern : {bytes_of(0xFEDC'BA98'7654'3210, type_bytes[i]),
                                  Bytes(type_bytes[i], 0xFF), Bytes(type_bytes[i], 0x00)}) {
@@ -187,9 +188,12 @@ TEST(DictionaryRange, DoesNotHoldWhereTheEntryHasNone) {
   }
 }
 
-TEST(DictionaryRange, TakesAnyByteForABoolean) {
+TEST(DictionaryRange, OfABooleanIsZeroAndOne) {
   Limited sut(DataType::boolean, 0, 1, EntryTraits::none);
-  for (unsigned byte = 0; byte < 256; ++byte) EXPECT_EQ(sut.write(byte), AbortCode::none);
+  for (unsigned byte = 0; byte < 2; ++byte) EXPECT_EQ(sut.write(byte), AbortCode::none);
+  for (unsigned byte = 2; byte < 256; ++byte) {
+    EXPECT_EQ(sut.write(byte), AbortCode::value_too_high);
+  }
 }
 
 TEST(DictionaryRange, DoesNotHoldForRealsAndTimes) {

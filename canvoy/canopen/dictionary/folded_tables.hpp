@@ -1,8 +1,8 @@
-// The tables of a node in the fewest bytes, for microcontrollers: they say the same as the layout
-// that they are made of, each thing once.
+// The tables of a node in the fewest bytes, for microcontrollers: they have the contents of the
+// layout that they are made from, each thing once.
 //
-// Four PDOs have four communication records that differ in their defaults alone: one shape of an
-// object stands for all of them, and a row says that there are four.
+// Four PDOs have four communication records that differ in their defaults only: one shape of an
+// object represents all of them, with a count of four in its row.
 //
 //     static constexpr auto folded = fold_tables<layout>();
 //     constexpr DictionaryTables tables = folded.tables();
@@ -17,7 +17,7 @@ namespace canvoy {
 
 namespace detail {
 
-/// Where `sequence` stands in `pool`, to the end of which it is added where it does not yet.
+/// Position of `sequence` in `pool`; appends it if it is absent.
 template <class Pool, class Item>
 constexpr std::uint16_t place_in(Pool& pool, std::span<const Item> sequence) {
   const Item* found = std::search(pool.begin(), pool.end(), sequence.begin(), sequence.end());
@@ -28,7 +28,7 @@ constexpr std::uint16_t place_in(Pool& pool, std::span<const Item> sequence) {
   return place;
 }
 
-/// Both are PDO records of one kind, and of one shape.
+/// True if both are PDO records of one kind, and of one shape.
 constexpr bool are_like_records(const ObjectRow& row, const ObjectRow& next) {
   constexpr unsigned of_a_kind = object_index::rpdo_mapping - object_index::rpdo_parameter;
   return row.index >= object_index::rpdo_parameter &&
@@ -37,8 +37,8 @@ constexpr bool are_like_records(const ObjectRow& row, const ObjectRow& next) {
          row.entry_first == next.entry_first && row.entry_count == next.entry_count;
 }
 
-/// Makes `next`, a PDO record as those of `row` are, one more of them, and says whether it could:
-/// its defaults follow theirs, or all have the same ones.
+/// Extends `row` by `next`, if that is a similar PDO record with defaults that follow those of
+/// the row or equal them. False if it cannot.
 constexpr bool join(ObjectRow& row, const ObjectRow& next) {
   if (!are_like_records(row, next) || next.count != 1) return false;
   const bool has_same = row.default_pitch == 0 && next.default_first == row.default_first;
@@ -50,7 +50,7 @@ constexpr bool join(ObjectRow& row, const ObjectRow& next) {
   return true;
 }
 
-/// The same in arrays that have room for as much as `layout`.
+/// Folded tables, in arrays with the capacity of `layout`.
 template <class Layout>
 constexpr Layout fold(const Layout& layout) {
   const DictionaryTables tables = layout.tables();
@@ -87,8 +87,9 @@ constexpr Layout fold(const Layout& layout) {
 
 }  // namespace detail
 
-/// `layout` is a DictionaryLayout of static storage. Consecutive objects of one shape become one
-/// row: a host, which keeps an ObjectState for each row, would tell them less well apart.
+/// Folds `layout`, a DictionaryLayout of static storage. Consecutive objects of one shape become
+/// one row; on a host, which keeps an ObjectState for each row, this would distinguish objects less
+/// well.
 template <const auto& layout>
 constexpr auto fold_tables() {
   constexpr auto folded = detail::fold(layout);

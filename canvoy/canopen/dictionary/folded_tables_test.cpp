@@ -1,4 +1,4 @@
-// Folded tables say the same as the layout that they are made of.
+// Folded tables have the contents of the layout that they are made of.
 #include "canvoy/canopen/dictionary/folded_tables.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace canvoy::folded_tables_test {
 namespace {
 
-/// All that tables say of one entry.
+/// Contents of tables for one entry.
 struct Said {
   EntryShape shape;
   std::ptrdiff_t place = 0;  ///< of the value in the block
@@ -32,7 +32,7 @@ Said said_of(Held& held, const Entry& entry) {
   return said;
 }
 
-/// Each index and sub-index is found in both or in neither, and both have the same of it.
+/// Checks that each index and sub-index is found in both or in neither, with equal contents.
 void expect_alike(const DictionaryTables& layout, const DictionaryTables& folded) {
   Held one(layout);
   Held other(folded);

@@ -1,5 +1,5 @@
-// Objects that the bus knows by other indices than the tables have: every service that takes an
-// index from the bus finds them there, and nothing where they were (DictionaryTables).
+// Objects with other indices on the bus than in the tables: every service with an index from the
+// bus finds them there, and nothing at the index of the tables (DictionaryTables).
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/testing/mpdo_node.hpp"
@@ -10,7 +10,7 @@ namespace {
 using enum AbortCode;
 using Texts = std::vector<std::string>;
 
-/// Objects 2000h to 20FFh of the tables stand at 3000h to 30FFh.
+/// Objects 2000h to 20FFh of the tables are at 3000h to 30FFh.
 std::uint16_t in_tables(const Dictionary&, std::uint16_t index) {
   if (index >= 0x2000 && index <= 0x20FF) return 0;
   const bool is_moved = index >= 0x3000 && index <= 0x30FF;

@@ -1,5 +1,5 @@
-// Where the objects of the communication profile stand (CiA 301, 7.5.2; CiA 302 from 1F00h on).
-// Each number is written here alone.
+// Indices of the objects of the communication profile; each number is written only here (CiA 301,
+// 7.5.2; CiA 302 from 1F00h on).
 //
 //     dictionary.word(object_index::cob_id_sync, 0);
 #pragma once
@@ -39,7 +39,7 @@ inline constexpr std::uint16_t emergency_consumers = 0x1028;
 inline constexpr std::uint16_t error_behaviour = 0x1029;
 inline constexpr std::uint16_t nmt_inhibit_time = 0x102A;
 
-// Those of SDO channels and of PDOs are the first of many.
+// For SDO channels and PDOs, the first index of many.
 inline constexpr std::uint16_t sdo_server = 0x1200;
 inline constexpr std::uint16_t sdo_server_last = 0x127F;
 inline constexpr std::uint16_t sdo_client = 0x1280;
@@ -57,7 +57,7 @@ inline constexpr std::uint16_t scanner_list_last = 0x1FCF;
 inline constexpr std::uint16_t dispatching_list = 0x1FD0;
 inline constexpr std::uint16_t dispatching_list_last = 0x1FFF;
 
-inline constexpr std::uint16_t sdo_cob_ids = 0x1F02;  ///< of dynamic SDO connections
+inline constexpr std::uint16_t sdo_cob_ids = 0x1F02;  ///< COB-IDs of dynamic SDO connections
 inline constexpr std::uint16_t dcf = 0x1F20;
 inline constexpr std::uint16_t concise_dcf = 0x1F22;
 inline constexpr std::uint16_t slave_eds = 0x1F23;

@@ -1,13 +1,13 @@
-// Names in the first line of a compiler's error. In C++20 the text of a static_assert is a literal,
-// and what a constant expression trips over is told behind many lines; but compilers print the name
-// of a type that is not there, with its arguments, at once:
+// Names that appear in the first line of a compiler's error message. In C++20 the text of a
+// static_assert is a literal, and the cause of a failed constant expression is reported many lines
+// below; but compilers print the name of an undefined type, with its arguments, at once:
 //
 //     error: ... incomplete type 'canvoy::wrong::Device<canvoy::Words<22>{"1018h Identity object"},
 //     canvoy::Words<14>{"01h Vendor-ID"}, canvoy::Words<31>{"CiA 301: every device has it"}>'
 //
 //     static_assert(Must<is_there, wrong::Device<object_words, entry_words, rule>>::hold);
 //
-// clang prints texts of more than 36 characters cut short: rules are no longer than that.
+// clang truncates texts of more than 36 characters: rules are no longer than that.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace canvoy {
 
-/// A text as a template argument, which compilers print as it is.
+/// A text as a template argument, which compilers print in full.
 template <std::size_t size>
 struct Words {
   char text[size]{};
@@ -26,7 +26,7 @@ struct Words {
   }
 };
 
-/// Where the condition is false, a compiler looks for what is `Wrong`, and names it.
+/// If the condition is false, a compiler needs the size of `Wrong`, and names that type.
 template <bool condition, class Wrong>
 struct Must {
   static constexpr bool hold = true;
@@ -41,7 +41,7 @@ namespace detail {
 constexpr char hexadecimal_digit(unsigned number) {
   return "0123456789ABCDEF"[number % 16];
 }
-/// A number of so many hexadecimal digits, and `h`.
+/// Writes a number with `digits` hexadecimal digits and an `h`.
 constexpr char* write_hexadecimal(char* text, unsigned number, unsigned digits) {
   while (digits-- > 0) *text++ = hexadecimal_digit(number >> (4 * digits));
   *text++ = 'h';
@@ -51,10 +51,10 @@ template <std::size_t length>
 consteval auto words(std::string_view text) {
   Words<length + 1> words;
   for (std::size_t i = 0; i < length; ++i) words.text[i] = text[i];
-  words.text[length] = '\0';  // else clang may print numbers
+  words.text[length] = '\0';  // otherwise clang may print numbers
   return words;
 }
-/// `1018h Identity object`, `01h Vendor-ID`; of an empty name the number alone.
+/// Texts like `1018h Identity object` or `01h Vendor-ID`; the number alone if the name is empty.
 template <unsigned digits, std::size_t length>
 consteval auto numbered_words(unsigned number, std::string_view name) {
   Words<digits + 1 + (length == 0 ? 0 : 1 + length) + 1> words;
@@ -67,10 +67,10 @@ consteval auto numbered_words(unsigned number, std::string_view name) {
 
 }  // namespace detail
 
-/// Types that are nowhere: their names are what compilers say.
+/// Undefined types: their names are the error message of the compiler.
 namespace wrong {
 
-/// What a device lacks, or has and must not have so.
+/// An entry that a device lacks, or has in a form that is not allowed.
 template <Words object, Words entry, Words rule>
 struct Device;
 

@@ -1,4 +1,4 @@
-// The emergency object as it stands on the wire, and its COB-ID (CiA 301, 7.2.7).
+// The emergency object in the form of the wire, and its COB-ID (CiA 301, 7.2.7).
 //
 //     Frame frame = encode(Emergency{.code = 0x8130, .register_bits = 0x11}, 0x085);
 #pragma once
@@ -7,17 +7,17 @@
 #include <cstdint>
 
 #include "canvoy/can/frame.hpp"
-#include "canvoy/canopen/cob_id.hpp"
-#include "canvoy/canopen/dictionary/abort_code.hpp"
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/protocol/abort_code.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 
 namespace canvoy {
 
 struct Emergency {
   static constexpr std::uint8_t length = 8;
 
-  std::uint16_t code = 0;          ///< 0000h: an error is gone
-  std::uint8_t register_bits = 0;  ///< 1001h at that moment
+  std::uint16_t code = 0;          ///< 0000h: an error has disappeared
+  std::uint8_t register_bits = 0;  ///< error register 1001h at that moment
   std::array<std::uint8_t, 5> info = {};
 
   friend constexpr bool operator==(const Emergency&, const Emergency&) = default;
@@ -33,7 +33,7 @@ inline Frame encode(const Emergency& emergency, std::uint32_t can_id) {
   return frame;
 }
 
-/// Of a frame of Emergency::length bytes.
+/// Decodes a frame of Emergency::length bytes.
 inline Emergency decode_emergency(const Frame& frame) {
   Emergency emergency;
   emergency.code = load<std::uint16_t>(frame.data.data());
@@ -42,9 +42,9 @@ inline Emergency decode_emergency(const Frame& frame) {
   return emergency;
 }
 
-/// Whether 1014h or a sub-index of 1028h may change from `present` to `wanted`: bits 30 to 11 are
-/// zero, a valid COB-ID is none of the restricted ones, and another CAN-ID is taken while the
-/// object is invalid only. Abort: value_range.
+/// Checks whether 1014h or a sub-index of 1028h may change from `present` to `wanted`: bits 30 to
+/// 11 must be zero, a valid COB-ID must not be restricted, and the CAN-ID may change only while the
+/// object is invalid. Abort: value_range.
 constexpr AbortCode check_emergency_cob_id(CobId present, CobId wanted) {
   constexpr std::uint32_t allowed = CobId::bit31 | Frame::id_max;
   const bool stays = !present.valid() || present.can_id() == wanted.can_id();

@@ -6,12 +6,12 @@
 
 namespace canvoy {
 
-constexpr HookCalls EmergencyConsumer::hook_calls = {
+constexpr AccessHandlers EmergencyConsumer::hook_calls = {
     .first = object_index::emergency_consumers,
     .last = object_index::emergency_consumers,
     .before_write = method<&EmergencyConsumer::check>,
     .after_write = method<&EmergencyConsumer::written>};
-constexpr ServiceCalls EmergencyConsumer::service_calls = {
+constexpr ServiceHandlers EmergencyConsumer::service_calls = {
     .reset = method<&EmergencyConsumer::reset>, .hooks = {&hook_calls, 1}};
 
 EmergencyConsumer::EmergencyConsumer(Node& node, std::span<Slot> slots)

@@ -1,4 +1,4 @@
-// Emergency consumer: hears the emergency messages of other nodes (CiA 301, 7.2.7 and 1028h).
+// Emergency consumer: receives the emergency messages of other nodes (CiA 301, 7.2.7 and 1028h).
 //
 //     EmergencyConsumer::Slot slots[2];
 //     EmergencyConsumer consumer(node, slots);
@@ -9,30 +9,47 @@
 #include <span>
 
 #include "canvoy/canopen/emergency/emergency.hpp"
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 
 namespace canvoy {
 
-/// It hears the nodes that 1028h names, where the sub-index is the node-ID, and those that the
-/// application asked for by listen(); in NMT states pre-operational and operational.
+/// Receives the messages of the nodes in 1028h, where the sub-index is the node-ID, and of those
+/// added by listen(); in NMT states pre-operational and operational.
 class EmergencyConsumer {
  public:
-  class Slot;
+  /// The memory for one node that is heard.
+  class Slot {
+   public:
+    Slot() = default;
+    Slot(const Slot&) = delete;
+    Slot& operator=(const Slot&) = delete;
 
-  /// `slots` bounds the nodes that are heard, each needs a route. They must outlive the consumer.
+   private:
+    friend class EmergencyConsumer;
+    void received(const Frame& frame, Time) { consumer_->received(*this, frame); }
+    Router::Receiver receiver() { return Router::Receiver::to<&Slot::received>(*this); }
+
+    EmergencyConsumer* consumer_ = nullptr;
+    std::uint16_t can_id_ = 0;
+    NodeId node_id_ = 0;  ///< 0: free
+    bool by_application_ = false;
+  };
+
+  /// Makes the consumer. The number of `slots` limits the nodes that are received; each needs a
+  /// route. They must outlive the consumer.
   EmergencyConsumer(Node& node, std::span<Slot> slots);
   EmergencyConsumer(const EmergencyConsumer&) = delete;
   EmergencyConsumer& operator=(const EmergencyConsumer&) = delete;
 
   void on_emergency(Callback<void(NodeId, const Emergency&)> heard) { heard_ = heard; }
 
-  /// Hears node `node_id` by its pre-defined CAN-ID, 080h + node-ID, or by another one, from now on
-  /// and after every reset. False where the node-ID is none, or no slot is free.
+  /// Receives messages of node `node_id` on its pre-defined CAN-ID, 080h + node-ID, or on another
+  /// one, until ignore(), also after resets. False if the node-ID is invalid, or no slot is free.
   bool listen(NodeId node_id) {
     return listen(node_id, static_cast<std::uint16_t>(can_id::emergency + node_id));
   }
   bool listen(NodeId node_id, std::uint16_t can_id);
-  /// Ends what listen() began.
+  /// Ends the reception that listen() began.
   void ignore(NodeId node_id);
 
  private:
@@ -47,27 +64,9 @@ class EmergencyConsumer {
   Node& node_;
   std::span<Slot> slots_;
   Callback<void(NodeId, const Emergency&)> heard_;
-  static const ServiceCalls service_calls;
-  static const HookCalls hook_calls;
-  ServiceLink service_{&service_calls, this};
-};
-
-/// The memory for one node that is heard.
-class EmergencyConsumer::Slot {
- public:
-  Slot() = default;
-  Slot(const Slot&) = delete;
-  Slot& operator=(const Slot&) = delete;
-
- private:
-  friend class EmergencyConsumer;
-  void received(const Frame& frame, Time) { consumer_->received(*this, frame); }
-  Router::Receiver receiver() { return Router::Receiver::to<&Slot::received>(*this); }
-
-  EmergencyConsumer* consumer_ = nullptr;
-  std::uint16_t can_id_ = 0;
-  NodeId node_id_ = 0;  ///< 0: free
-  bool by_application_ = false;
+  static const ServiceHandlers service_calls;
+  static const AccessHandlers hook_calls;
+  HandlerBinding service_{&service_calls, this};
 };
 
 }  // namespace canvoy

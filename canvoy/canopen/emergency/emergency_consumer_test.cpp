@@ -8,7 +8,7 @@
 namespace canvoy::emergency_consumer_test {
 namespace {
 
-// 1028h for the nodes 1 to 12: node 10 by its pre-defined CAN-ID, the others not heard.
+// 1028h for the nodes 1 to 12: node 10 by its pre-defined CAN-ID, the others not received.
 constexpr auto layout = lay_out(std::to_array<ObjectRow>({{.index = 0x1028, .entry_count = 4}}),
                                 std::to_array<EntryRow>({{.access = Access::const_, .initial = 12},
                                                          {.sub_first = 1,

@@ -4,8 +4,8 @@
 #include <cstring>
 #include <utility>
 
-#include "canvoy/can/gap.hpp"
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/array_insert.hpp"
+#include "canvoy/can/check_invariant.hpp"
 #include "canvoy/canopen/dictionary/object_index.hpp"
 
 namespace canvoy {
@@ -19,7 +19,7 @@ constexpr Error recovery{.code = emergency_code::bus_off_recovered,
 constexpr Error overrun_error{.code = emergency_code::can_overrun,
                               .register_bits = error_register::communication};
 
-/// What is told of an error: where the device adds nothing, which one of its kind it is.
+/// Emergency for an error: if the device adds nothing, it has the instance.
 Emergency emergency_of(const Error& error, unsigned register_bits) {
   Emergency emergency{error.code, static_cast<std::uint8_t>(register_bits), error.info};
   unsigned given = 0;
@@ -30,11 +30,11 @@ Emergency emergency_of(const Error& error, unsigned register_bits) {
 
 }  // namespace
 
-/// What masters write to 1014h and 1015h.
-void EmergencyProducer::told(NodeService& service, ServiceEvent& event) {
+/// Handles writes of masters to 1014h and 1015h.
+void EmergencyProducer::on_event(NodeService& service, ServiceEvent& event) {
   EmergencyProducer& self = static_cast<EmergencyProducer&>(service);
   if (!event.is_access() || event.entry().index == object_index::error_history) {
-    return told_of_constant(service, event);
+    return on_constant_event(service, event);
   }
   if (event.kind == ServiceEvent::before_write &&
       event.entry().index == object_index::cob_id_emergency) {
@@ -45,7 +45,7 @@ void EmergencyProducer::told(NodeService& service, ServiceEvent& event) {
   }
 }
 
-void EmergencyProducer::told_of_constant(NodeService& service, ServiceEvent& event) {
+void EmergencyProducer::on_constant_event(NodeService& service, ServiceEvent& event) {
   EmergencyProducer& self = static_cast<EmergencyProducer&>(service);
   switch (event.kind) {
     case ServiceEvent::reset:
@@ -64,7 +64,7 @@ void EmergencyProducer::told_of_constant(NodeService& service, ServiceEvent& eve
       if (self.is_empty(event.entry())) event.refuse(AbortCode::no_data);
       return;
     case ServiceEvent::before_write:
-      // It can be cleared.
+      // The history can be cleared.
       if (event.entry().sub != 0 || load_word(event.value()) != 0) {
         event.refuse(AbortCode::value_range);
       }
@@ -85,7 +85,7 @@ inline void EmergencyProducer::reset(ResetScope scope) {
   node_.timers().disarm(overrun_timer_);
   waiting_count_ = 0;
   sent_at_ = Time::min();
-  // What is wrong with the device itself outlives a reset of its communication, and is told anew.
+  // An error of the device itself survives a reset of its communication, and is sent again.
   const std::size_t before = scope == ResetScope::node ? 0 : present_count_;
   present_count_ = 0;
   for (std::size_t i = 0; i < before; ++i) {
@@ -122,7 +122,7 @@ void EmergencyProducer::come(const Error& error) {
   const unsigned bits = register_ | error.register_bits | error_register::generic;
   const Emergency emergency = emergency_of(error, bits);
   keep_in_history(emergency);
-  tell(emergency);
+  notify(emergency);
 }
 
 inline void EmergencyProducer::go(const Error& error) {
@@ -130,7 +130,7 @@ inline void EmergencyProducer::go(const Error& error) {
   if (gone == nullptr) return;
   take_out(present_, present_count_--, static_cast<std::size_t>(gone - present_));
   update_register();
-  tell({emergency_code::no_error, register_, {}});
+  notify({emergency_code::no_error, register_, {}});
 }
 
 Error* EmergencyProducer::find(const Error& error) const {
@@ -147,8 +147,8 @@ void EmergencyProducer::update_register() {
   node_.dictionary().set_word(object_index::error_register, register_);
 }
 
-/// The newest stands at sub-index 1, and pushes the others on: numbers side by side. Each has the
-/// code and the first two bytes of what the device adds.
+/// The newest is at sub-index 1, and moves the others: consecutive numbers. Each has the code and
+/// the first two bytes of the manufacturer-specific field.
 inline void EmergencyProducer::keep_in_history(const Emergency& emergency) {
   Dictionary& dictionary = node_.dictionary();
   Entry newest{.index = object_index::error_history, .sub = 1};
@@ -178,15 +178,15 @@ inline void EmergencyProducer::clear_history() {
   std::memset(newest.value, 0, std::size_t{4} * newest.row->sub_last);
 }
 
-void EmergencyProducer::tell(const Emergency& emergency) {
+void EmergencyProducer::notify(const Emergency& emergency) {
   if (waiting_max_ == 0 || !cob_id().valid()) return;
   if (waiting_count_ == waiting_max_) make_room();
   waiting_[waiting_count_++] = emergency;
   flush();
 }
 
-/// Forgets the oldest message that says no more than that an error is gone, since a later one tells
-/// a later register; where there is none the newest, of which the error stands in the history.
+/// Drops the oldest message that only reports the end of an error, since a later one has a later
+/// register; if there is none, the newest, since its error is in the history.
 inline void EmergencyProducer::make_room() {
   ++coalesced_;
   std::size_t position = 0;
@@ -197,7 +197,7 @@ inline void EmergencyProducer::make_room() {
 }
 
 void EmergencyProducer::drop_waiting(std::size_t position) {
-  must_hold(position < waiting_count_ && waiting_count_ <= waiting_max_);
+  check_invariant(position < waiting_count_ && waiting_count_ <= waiting_max_);
   take_out(waiting_, waiting_count_--, position);
 }
 
@@ -207,7 +207,7 @@ void EmergencyProducer::flush() {
   }
 }
 
-/// False where it has to wait, for the inhibit time or for room in the controller.
+/// False if it must wait, for the inhibit time or for room in the controller.
 [[gnu::always_inline]] inline bool EmergencyProducer::send_next() {
   const auto units =
       static_cast<std::uint16_t>(node_.dictionary().word(object_index::emergency_inhibit_time));
@@ -218,7 +218,7 @@ void EmergencyProducer::flush() {
     return false;
   }
   if (node_.transmitter().full()) return false;
-  // It is taken out before it leaves: what answers it may raise another error at once.
+  // Removed before it leaves: an answer to it may raise another error at once.
   const Emergency next = waiting_[0];
   drop_waiting(0);
   sent_at_ = node_.now();

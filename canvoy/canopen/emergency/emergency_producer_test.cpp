@@ -50,7 +50,7 @@ struct EmergencyNode : WireNode {
     return answer;
   }
   AbortCode write_cob_id(std::uint32_t value) { return write(0x1014, 0, value, 4); }
-  /// In multiples of 100 us.
+  /// Writes the inhibit time in multiples of 100 us.
   void write_inhibit(std::uint16_t value) {
     EXPECT_EQ(write(0x1015, 0, value, 2), AbortCode::none);
   }
@@ -372,7 +372,8 @@ TEST(EmergencyInhibitTime, ForgetsFirstThatAnErrorWentWhenTooManyMessagesWait) {
   sut.write_inhibit(10);
   sut.node.raise(detailed);  // at once
   sut.node.raise(hot);
-  sut.node.clear(hot);  // forgotten
+  // Removed.
+  sut.node.clear(hot);
   sut.node.raise(high);
   sut.node.raise(lost);
   sut.node.clear(high);

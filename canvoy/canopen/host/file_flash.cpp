@@ -18,7 +18,7 @@ namespace {
 
 using Head = std::array<char, FileFlash::head_size>;
 
-/// A line of text, so that whoever looks into the file knows what it is.
+/// A line of text, so that the file explains itself.
 Head head_of(const FileFlash::Geometry& geometry) {
   Head head{};
   head.fill(' ');
@@ -52,7 +52,7 @@ std::string folder_of(const std::string& path) {
   return slash == 0 ? "/" : path.substr(0, slash);
 }
 
-/// The new name in the folder outlives a loss of power, too.
+/// Makes the new name in the folder survive a loss of power, too.
 void sync_folder(const std::string& path) {
   const Descriptor folder(::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (folder) ::fsync(folder.get());
@@ -66,7 +66,7 @@ bool fill(int file, const FileFlash::Geometry& geometry) {
          write_all(file, erased.data(), erased.size(), head.size()) && ::fsync(file) == 0;
 }
 
-/// Under another name first: the file is there whole, or it is not there.
+/// Writes to another name first: the file is complete or absent.
 Result<void> create(const std::string& path, const FileFlash::Geometry& geometry) {
   std::string draft = path + ".XXXXXX";
   const Descriptor file(::mkostemp(draft.data(), O_CLOEXEC));
@@ -75,7 +75,7 @@ Result<void> create(const std::string& path, const FileFlash::Geometry& geometry
                     ::link(draft.c_str(), path.c_str()) == 0;
   const int error = errno;
   ::unlink(draft.c_str());
-  // Somebody else may have made it at the same time.
+  // Another process may have made it at the same time.
   if (!done && error != EEXIST) return failed(path, error, "is there room on the disk?");
   sync_folder(path);
   return {};
@@ -139,7 +139,7 @@ FlashState FileFlash::program(std::uint32_t address, std::span<const std::uint8_
   return done ? FlashState::done : FlashState::failed;
 }
 
-/// What a shortened file has lost reads as zeros, which no checksum takes for good.
+/// The missing part of a shortened file reads as zeros, which no checksum accepts.
 bool FileFlash::read(std::uint32_t address, std::span<std::uint8_t> bytes) {
   if (!is_inside(address, bytes.size())) return false;
   std::ranges::fill(bytes, std::uint8_t{0});

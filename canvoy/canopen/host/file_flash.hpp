@@ -1,11 +1,11 @@
-// A file that stands in for a flash memory, so that a device on Linux keeps its parameters as one
-// on a microcontroller does.
+// A file in place of a flash memory, so that a device on Linux keeps its parameters like one on a
+// microcontroller.
 //
 //     Result<std::unique_ptr<FileFlash>> file = FileFlash::open("charger.store", {});
 //     Storage storage(node, (*file)->flash(), {.slot_size = 8192});
 //
-// The record of what is stored is safe against a loss of power as in a real flash: each sync waits
-// until the disk has it. A file that somebody else made is never changed.
+// The stored record survives a loss of power as in a real flash: each sync waits until the disk has
+// it. A file of another program is never changed.
 #pragma once
 
 #include <cstdint>
@@ -26,11 +26,12 @@ class FileFlash {
     std::uint32_t sectors = 4;
     friend bool operator==(const Geometry&, const Geometry&) = default;
   };
-  /// What comes first in the file: who made it, and of which geometry it is.
+  /// Size of the head of the file: its maker and its geometry.
   static constexpr std::uint32_t head_size = 64;
 
-  /// Makes the file, erased, where there is none: whole, or not at all. Error: it cannot be opened
-  /// or made, another program has it open for the same purpose, or it is something else.
+  /// Opens the file, or makes it, erased, if there is none: completely or not at all. Error: it
+  /// cannot be opened or made, another program has it open for the same purpose, or it is another
+  /// kind of file.
   static Result<std::unique_ptr<FileFlash>> open(const std::string& path, const Geometry& geometry);
   FileFlash(const FileFlash&) = delete;
   FileFlash& operator=(const FileFlash&) = delete;

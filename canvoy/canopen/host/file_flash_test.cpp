@@ -41,7 +41,7 @@ class FileFlashTest : public testing::Test {
   }
   void write(const std::string& text) const { std::ofstream(path, std::ios::binary) << text; }
 
-  /// A node as WireNode has it, on the file.
+  /// A node like WireNode, on the file.
   struct Device {
     explicit Device(const Flash& flash)
         : wire(stored_layout.tables(), 5), storage(wire.node, flash, settings) {
@@ -158,7 +158,7 @@ TEST_F(FileFlashTest, AccessesBeyondTheEndFail) {
   EXPECT_EQ(content().size(), 64U + 1024);
 }
 
-// A process that may not write beyond some byte of the file: so is a disk that is full.
+// A process that may not write beyond some byte of the file, like on a full disk.
 TEST_F(FileFlashTest, AWriteThatFailsIsAHardwareErrorAndTheOldSetStays) {
   {
     const auto file = open();

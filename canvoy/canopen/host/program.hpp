@@ -1,5 +1,5 @@
-// A program that is one device on one bus: the bus and the node-ID as its user names them, and a
-// loop until a signal ends it.
+// A program that is one device on one bus: bus and node-ID in the notation of the user, and a loop
+// until a signal ends it.
 //
 //     auto bus = canvoy::open(arguments[1]);
 //     if (!bus) return canvoy::fail(bus.error());
@@ -14,11 +14,11 @@
 
 #include "canvoy/can/host/attachment.hpp"
 #include "canvoy/can/host/result.hpp"
-#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
 
 namespace canvoy {
 
-/// A bus with a loop, and a place for one node on it.
+/// A bus with a loop, and a connection for one node.
 class OpenBus {
  public:
   OpenBus(std::unique_ptr<host::EventLoop> loop, std::unique_ptr<host::HostBus> bus)
@@ -26,19 +26,20 @@ class OpenBus {
         bus_(std::move(bus)),
         attachment_(std::make_unique<host::Attachment>(*loop_, *bus_)) {}
 
-  /// The device is made with it, after this, and so is gone before it.
+  /// Port for the device, which must be constructed after this object and destroyed before it.
   Port port() { return attachment_->port(); }
   host::EventLoop& loop() { return *loop_; }
   host::HostBus& bus() { return *bus_; }
 
   /// Starts a device (which has node()) or a node, and serves it until SIGINT, SIGTERM or SIGHUP.
-  /// Once. The exit status of the program: 0, or 1 behind a line on the standard error output.
+  /// To be called once. Returns the exit status of the program: 0, or 1 after a line on the
+  /// standard error output.
   template <class Device>
   int run(Device& device) {
     if constexpr (requires { device.node(); }) {
       return run(device.node());
     } else {
-      attachment_->serve(device);
+      attachment_->attach(device);
       device.start(loop_->now());
       return wait();
     }
@@ -52,14 +53,16 @@ class OpenBus {
   std::unique_ptr<host::Attachment> attachment_;
 };
 
-/// `name` as `canvoy` has it: can0, udp:239.74.163.2:43113, tcp:HOST:PORT/can0. Null, which a
-/// missing argument of a program is, is an error as well.
+/// Opens a bus. `name` is as for `canvoy`: can0, udp:239.74.163.2:43113, tcp:HOST:PORT/can0. Null,
+/// the value of a missing argument of a program, is an error as well.
 host::Result<OpenBus> open(const char* name);
 
-/// 1 to 127, in decimal or, with 0x, in hexadecimal digits; anything else is an error.
+/// Reads a node-ID, 1 to 127, in decimal or, with 0x, in hexadecimal digits; anything else is an
+/// error.
 host::Result<NodeId> read_node_id(const char* text);
 
-/// Writes the one line to the standard error output; the exit status of a program that failed.
+/// Writes the error as one line to the standard error output; returns the exit status of a program
+/// that failed.
 int fail(const host::Error& error);
 
 }  // namespace canvoy

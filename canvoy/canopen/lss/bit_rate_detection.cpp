@@ -4,7 +4,7 @@ namespace canvoy {
 
 namespace {
 
-/// At a bit rate that the controller cannot have: it may have none of them.
+/// Pause after a bit rate that the controller does not support: it may support none of them.
 constexpr Duration refusal_pause = 10ms;
 
 }  // namespace
@@ -47,7 +47,7 @@ void BitRateDetection::next(Time now) {
 void BitRateDetection::receive(const Frame& frame, Time now) {
   if (state_ != State::listening) return;
   if (frame.is_error()) return bus_error(now);
-  // Not before it takes part: what it still hears meanwhile is no news.
+  // Before it takes part, further frames are ignored.
   state_ = State::found;
   const bool takes_part = restart_(bit_rate(), false);
   state_ = State::listening;

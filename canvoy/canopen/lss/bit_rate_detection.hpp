@@ -1,7 +1,7 @@
-// Automatic bit-rate detection: listens at each bit rate in turn until a frame is heard (CiA 801).
+// Automatic bit-rate detection: listens at each bit rate in turn until a frame arrives (CiA 801).
 //
-// Like a node, it owns no clock: it is handed what the controller hears, and time. Start the node
-// when it is done.
+// Like a node, it owns no clock: its owner passes what the controller receives, and time. Start the
+// node after its end.
 //
 //     BitRateDetection detection({.restart = ...});
 //     detection.on_found(Callback<void(std::uint32_t)>::to<&Board::bit_rate_found>(board));
@@ -18,25 +18,25 @@
 
 namespace canvoy {
 
-/// The controller listens only: it acknowledges nothing and destroys nothing, so others must talk
-/// to each other, or one sends until it is error-passive, which is when a listener has its frames.
-/// What CiA 801 itself says of order and times is not known here: they are options.
+/// The controller only listens: it acknowledges nothing and destroys nothing. Other nodes must
+/// therefore communicate, or one sends until it is error-passive, after which a listener receives
+/// its frames. The order and times of CiA 801 itself are unknown: they are options.
 class BitRateDetection {
  public:
-  /// What most networks use comes first.
+  /// The most common bit rates come first.
   static constexpr std::array<std::uint32_t, 8> usual_bit_rates = {
       125'000, 250'000, 500'000, 1'000'000, 50'000, 20'000, 800'000, 10'000};
 
-  /// Restarts the CAN controller with this bit rate in bit/s; false where it cannot have it: then
-  /// it is the next one's turn, also where a frame was heard.
+  /// Restarts the CAN controller with this bit rate in bit/s; false if it cannot: then the next bit
+  /// rate follows, also after a frame was received.
   using Restart = Callback<bool(std::uint32_t bit_rate, bool listen_only)>;
 
   struct Options {
     std::span<const std::uint32_t> bit_rates = usual_bit_rates;  ///< must outlive the detection
-    /// Of silence, until the next bit rate: longer than the longest silence between two frames.
+    /// Time of silence until the next bit rate: longer than the longest silence between two frames.
     Duration dwell = 1500ms;
-    std::uint8_t errors_max = 1;   ///< of one visit; with the last of them it is another bit rate
-    std::uint16_t rounds_max = 0;  ///< over all bit rates, until it gives up; 0: never
+    std::uint8_t errors_max = 1;   ///< limit of one visit; the last one leads to the next bit rate
+    std::uint16_t rounds_max = 0;  ///< limit over all bit rates; 0: none
   };
 
   enum class State : std::uint8_t { idle, listening, found, failed };
@@ -44,24 +44,24 @@ class BitRateDetection {
   explicit BitRateDetection(Restart restart);
   BitRateDetection(Restart restart, const Options& options);
 
-  /// The controller runs with this bit rate, and takes part; a call with 0 says that it was not
-  /// found in rounds_max rounds.
+  /// Sets the callback for the result: the controller runs with this bit rate, and takes part; 0:
+  /// not found in rounds_max rounds.
   void on_found(Callback<void(std::uint32_t bit_rate)> found) { found_ = found; }
-  /// For indicators: it begins, or has ended in whatever way.
+  /// Sets the callback for indicators: the detection begins, or has ended in any way.
   void on_under_way(Callback<void(bool under_way)> told) { under_way_ = told; }
 
   void start(Time now);
   void stop() { enter(State::idle); }
 
-  /// The controller received a frame, or an error frame as SocketCAN has them.
+  /// Takes a frame of the controller, or an error frame in the format of SocketCAN.
   void receive(const Frame& frame, Time now);
-  /// The controller saw something that is no frame.
+  /// Notes that the controller saw an error instead of a frame.
   void bus_error(Time now);
   void advance(Time now);
   Time deadline() const { return state_ == State::listening ? until_ : never; }
 
   State state() const { return state_; }
-  /// That is listened at, or was found, in bit/s.
+  /// Bit rate in use, or found, in bit/s.
   std::uint32_t bit_rate() const { return options_.bit_rates[position_]; }
 
  private:

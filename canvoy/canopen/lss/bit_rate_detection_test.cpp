@@ -1,4 +1,4 @@
-// Automatic bit-rate detection, by itself and on the simulated bus.
+// Automatic bit-rate detection, alone and on the simulated bus.
 #include "canvoy/canopen/lss/bit_rate_detection.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using Texts = std::vector<std::string>;
 constexpr Frame heartbeat = Frame::data_frame(0x705, {0x05});
 constexpr std::uint32_t three_rates[] = {500'000, 250'000, 125'000};
 
-/// A controller that notes what it is told.
+/// A controller that records its calls.
 struct Controller {
   explicit Controller(const BitRateDetection::Options& options)
       : detection(BitRateDetection::Restart::to<&Controller::restart>(*this), options) {
@@ -168,7 +168,7 @@ TEST(BitRateDetection, IsStoppedAndHasNothingToDoWithoutBitRates) {
 
 // On the simulated bus
 
-/// A device that detects, at the end of a bus.
+/// A device that detects the bit rate, at the end of a bus.
 struct Device {
   Device(SimulatedBus& owner, const BitRateDetection::Options& options)
       : bus(owner),
@@ -188,8 +188,8 @@ struct Device {
     ++visits;
     return true;
   }
-  /// Lets all happen until the bit rate is found, while `sender` sends each period; false where it
-  /// is not found before `until`.
+  /// Advances until the bit rate is found, while `sender` sends each period; false if it is not
+  /// found before `until`.
   bool run_until(Time until, ControllerId sender, Duration period) {
     detection.start(bus.now());
     Time heartbeat_at = bus.now() + period;

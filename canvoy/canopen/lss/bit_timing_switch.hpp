@@ -1,5 +1,5 @@
-// The steps of LSS "activate bit timing": silence, the new bit rate, silence, as long as the
-// network was told (CiA 305). For slaves and for the master alike.
+// The steps of LSS "activate bit timing": silence, the new bit rate, silence, for the time that the
+// network received. For slaves and for the master (CiA 305).
 //
 //     BitTimingSwitch bit_timing(node,
 //     Callback<void(std::uint8_t)>::to<&Can::set_bit_timing>(can)); LssSlaveHooks hooks;
@@ -8,16 +8,17 @@
 
 #include <cstdint>
 
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 
 namespace canvoy {
 
-/// In the first delay all nodes come to rest, in the second all have the new bit rate before the
-/// first frame. Frames that services of the node send in either are dropped; those that waited for
-/// the controller already may still go out in the first.
+/// Switches the bit timing. In the first delay all nodes come to rest, in the second all have the
+/// new bit rate before the first frame. Frames that services of the node send in either are
+/// dropped; those that waited for the controller before may still leave in the first.
 class BitTimingSwitch {
  public:
-  /// `switch_to` restarts the CAN controller with a bit timing of table selector 0.
+  /// Makes the switch. `switch_to` restarts the CAN controller with a bit timing of table selector
+  /// 0.
   BitTimingSwitch(Node& node, Callback<void(std::uint8_t bit_timing)> switch_to)
       : node_(node),
         switch_to_(switch_to),
@@ -25,8 +26,8 @@ class BitTimingSwitch {
   BitTimingSwitch(const BitTimingSwitch&) = delete;
   BitTimingSwitch& operator=(const BitTimingSwitch&) = delete;
 
-  /// `delay` from now to the switch, and from there to the first frame. One that is under way is
-  /// replaced.
+  /// Begins the switch: `delay` until the new bit timing, and again until the first frame. Replaces
+  /// one that is under way.
   void activate(std::uint8_t bit_timing, Duration delay);
   Callback<void(std::uint8_t, Duration)> hook() {
     return Callback<void(std::uint8_t, Duration)>::to<&BitTimingSwitch::activate>(*this);

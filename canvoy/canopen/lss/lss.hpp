@@ -1,5 +1,5 @@
-// What LSS slave and master share: addresses, command specifiers, error codes, and the table of bit
-// rates (CiA 305).
+// The common part of LSS slave and master: addresses, command specifiers, error codes, and the
+// table of bit rates (CiA 305).
 //
 //     const LssAddress address{.parts = {0x2F0, 419, 0x10000, 77}};
 //     const Frame request = lss::frame(can_id::lss_request, lss::Command::inquire_vendor);
@@ -10,13 +10,13 @@
 #include <cstdint>
 
 #include "canvoy/can/frame.hpp"
-#include "canvoy/canopen/cob_id.hpp"
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 
 namespace canvoy {
 
-/// The identity of a node as 1018h has it: vendor-ID, product code, revision number, serial number.
-/// No two nodes may have the same.
+/// The identity of a node as in 1018h: vendor-ID, product code, revision number, serial number. It
+/// must be unique in a network.
 struct LssAddress {
   static constexpr std::size_t vendor = 0;
   static constexpr std::size_t product = 1;
@@ -30,14 +30,14 @@ struct LssAddress {
 
 enum class LssState : std::uint8_t { waiting = 0, configuration = 1 };
 
-/// What a slave answers to a configuration or to storing.
+/// Answer of a slave to a configuration or to storing.
 struct LssError {
-  /// What the codes mean depends on the service, but for 0 and FFh.
+  /// The meaning of a code depends on the service, except 0 and FFh.
   static constexpr std::uint8_t none = 0;
-  static constexpr std::uint8_t out_of_range = 1;       ///< of a node-ID or a bit timing
-  static constexpr std::uint8_t store_unsupported = 1;  ///< of storing
+  static constexpr std::uint8_t out_of_range = 1;       ///< for a node-ID or a bit timing
+  static constexpr std::uint8_t store_unsupported = 1;  ///< for storing
   static constexpr std::uint8_t store_failed = 2;       ///< the storage medium does not work
-  static constexpr std::uint8_t manufacturer = 0xFF;    ///< `specific` tells more
+  static constexpr std::uint8_t manufacturer = 0xFF;    ///< `specific` has details
 
   std::uint8_t code = none;
   std::uint8_t specific = 0;
@@ -46,7 +46,7 @@ struct LssError {
   friend bool operator==(const LssError&, const LssError&) = default;
 };
 
-/// Bit timings of table selector 0, by their index.
+/// Bit timings of table selector 0, by index.
 namespace lss_bit_timing {
 
 inline constexpr std::uint8_t automatic = 9;  ///< the node detects the bit rate (CiA 801)
@@ -55,15 +55,15 @@ inline constexpr std::uint8_t reserved = 5;
 inline constexpr std::array<std::uint32_t, 9> bit_rates = {
     1'000'000, 800'000, 500'000, 250'000, 125'000, 0, 50'000, 20'000, 10'000};
 
-/// The index of a bit rate, or of its detection.
+/// True for the index of a bit rate, or of its detection.
 constexpr bool is_index(std::uint8_t index) {
   return index <= automatic && index != reserved;
 }
-/// In bit/s; 0 where the index has none of its own.
+/// Bit rate in bit/s; 0 for an index without one.
 constexpr std::uint32_t bit_rate(std::uint8_t index) {
   return index < bit_rates.size() ? bit_rates[index] : 0;
 }
-/// The other way round; `unknown` where the table has no such bit rate.
+/// Index of a bit rate; `unknown` if the table does not have it.
 constexpr std::uint8_t index(std::uint32_t bit_rate) {
   const auto* found = std::find(bit_rates.begin(), bit_rates.end(), bit_rate);
   return bit_rate == 0 || found == bit_rates.end()
@@ -75,7 +75,7 @@ constexpr std::uint8_t index(std::uint32_t bit_rate) {
 
 namespace lss {
 
-/// The first byte of each message.
+/// Command: the first byte of each message.
 enum class Command : std::uint8_t {
   switch_global = 0x04,
   configure_node_id = 0x11,
@@ -86,7 +86,7 @@ enum class Command : std::uint8_t {
   select_product = 0x41,
   select_revision = 0x42,
   select_serial = 0x43,
-  selected = 0x44,  ///< the slave's answer
+  selected = 0x44,  ///< answer of the slave
   identify_vendor = 0x46,
   identify_product = 0x47,
   identify_revision_low = 0x48,
@@ -94,8 +94,8 @@ enum class Command : std::uint8_t {
   identify_serial_low = 0x4A,
   identify_serial_high = 0x4B,
   identify_unconfigured = 0x4C,
-  identified = 0x4F,    ///< the slave's answer
-  unconfigured = 0x50,  ///< the slave's answer
+  identified = 0x4F,    ///< answer of the slave
+  unconfigured = 0x50,  ///< answer of the slave
   fastscan = 0x51,
   inquire_vendor = 0x5A,
   inquire_product = 0x5B,
@@ -109,7 +109,7 @@ constexpr Command operator+(Command command, std::size_t n) {
   return static_cast<Command>(static_cast<std::size_t>(command) + n);
 }
 
-/// All messages have eight bytes, of which those that are not used are zero.
+/// All messages have eight bytes; unused ones are zero.
 inline constexpr std::uint8_t length = 8;
 
 inline Frame frame(std::uint16_t can_id, Command command, std::uint32_t value = 0) {
@@ -121,15 +121,16 @@ inline Frame frame(std::uint16_t can_id, Command command, std::uint32_t value = 
   return frame;
 }
 
-/// What Fastscan asks: whether there is a node that has the bits of `id_number` from 31 down to
-/// `bit_checked` in part `sub` of its address.
+/// Question of Fastscan: is there a node with the bits of `id_number` from 31 down to `bit_checked`
+/// in part `sub` of its address?
 struct FastscanRequest {
-  static constexpr std::uint8_t anybody = 0x80;  ///< as bit_checked: whoever takes part, answer
+  /// As bit_checked: all participating slaves answer.
+  static constexpr std::uint8_t anybody = 0x80;
 
   std::uint32_t id_number = 0;
   std::uint8_t bit_checked = anybody;
   std::uint8_t sub = 0;   ///< LSSSub: the part of the address, 0 to 3
-  std::uint8_t next = 0;  ///< LSSNext: the part that comes after this message
+  std::uint8_t next = 0;  ///< LSSNext: the part that follows this message
 
   constexpr bool valid() const { return sub <= 3 && next <= 3 && bit_checked <= 31; }
 };

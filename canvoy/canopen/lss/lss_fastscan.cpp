@@ -2,18 +2,19 @@
 
 #include <algorithm>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 
 namespace canvoy {
 
 namespace {
 
 constexpr std::uint8_t top_bit = 31;
-/// Times that everybody is asked, each with twice the time-out, until nobody is taken to be there.
+/// Number of requests to all slaves, each with twice the time-out, until none is assumed to be
+/// present.
 constexpr std::uint8_t silences_max = 3;
-/// Times that one address is checked, since its node may have left Fastscan already.
+/// Number of checks of one address, since its node may have left Fastscan already.
 constexpr std::uint8_t checks_max = 2;
-/// Times are taken to be so many times as long as they were measured.
+/// Factor from a measured time to the time used.
 constexpr int margin = 2;
 constexpr Duration settle_min = 1ms;
 
@@ -72,7 +73,7 @@ void LssFastscan::cancel() {
   node_.timers().disarm(retry_);
 }
 
-// Anybody
+// All slaves
 
 void LssFastscan::begin_anew() {
   silences_ = 0;
@@ -80,7 +81,7 @@ void LssFastscan::begin_anew() {
   ask_anybody();
 }
 
-/// The first time of all, every answer is waited for, so that the slowest is known.
+/// The first time of all, every answer is waited for, to measure the slowest.
 void LssFastscan::ask_anybody() {
   step_ = &LssFastscan::anybody_answered;
   const Duration time_out = options_.first_time_out * (1 << silences_);
@@ -99,8 +100,8 @@ void LssFastscan::anybody_answered(const LssMaster::Reply& reply) {
 
 // Bit by bit
 
-/// Who answers alone has all bits so far alone: from there on its own time counts. Not where that
-/// went wrong once: the answers of two nodes may have been one frame.
+/// A node that answers alone is the only one with all bits so far: from there on its own time
+/// counts. Not after an earlier failure: the answers of two nodes may have been one frame.
 void LssFastscan::note_company(const LssMaster::Reply& reply) {
   if (reply.answers != 1 || attempts_ > 0) return;
   alone_latency_ = alone_ ? std::max(alone_latency_, reply.last_answer) : reply.last_answer;
@@ -117,7 +118,7 @@ Duration LssFastscan::next_settle() const {
 }
 
 void LssFastscan::begin_part() {
-  must_hold(part_ <= LssAddress::serial);
+  check_invariant(part_ <= LssAddress::serial);
   trying_guess_ = guessed_[part_];
   number_ = trying_guess_ ? guess_.parts[part_] : 0;
   bit_ = trying_guess_ ? 0 : top_bit;
@@ -131,7 +132,7 @@ void LssFastscan::ask_bit() {
 }
 
 void LssFastscan::bit_answered(const LssMaster::Reply& reply) {
-  must_hold((number_ >> bit_ & 1) == 0);
+  check_invariant((number_ >> bit_ & 1) == 0);
   if (!reply.ok()) number_ |= 1U << bit_;
   note_company(reply);
   if (bit_ == 0) return confirm();
@@ -139,7 +140,8 @@ void LssFastscan::bit_answered(const LssMaster::Reply& reply) {
   ask_bit();
 }
 
-/// The last confirmation waits for all answers: more than one, and several nodes have the address.
+/// The last confirmation waits for all answers: more than one means that several nodes have the
+/// address.
 void LssFastscan::confirm() {
   const bool last = part_ == LssAddress::serial;
   step_ = &LssFastscan::part_confirmed;
@@ -166,9 +168,9 @@ void LssFastscan::part_confirmed(const LssMaster::Reply& reply) {
   begin_part();
 }
 
-/// A guess was wrong, as it may be; or what was found is not there: then a message was lost, or an
-/// answer came too late and counted for the next bit. The node may have got to state configuration
-/// all the same, where Fastscan does not find it: back with it.
+/// Either a guess was wrong, or the address found does not exist: then a message was lost, or an
+/// answer was late and counted for the next bit. The node may have reached state configuration
+/// nevertheless, where Fastscan does not find it: it is sent back.
 void LssFastscan::not_confirmed() {
   if (trying_guess_ && !pattern_.known[part_]) {
     for (std::size_t part = part_; part < guessed_.size(); ++part) {
@@ -185,9 +187,9 @@ void LssFastscan::not_confirmed() {
   begin_anew();
 }
 
-// Whether the whole address is that of a node: also where its last answer was lost, or was one to
-// an earlier message. The node is in state configuration: where it is there alone it tells its
-// serial number. Else it can only be identified, which not all slaves support.
+// Checks that the whole address is that of a node: also if its last answer was lost, or belonged to
+// an earlier message. The node is in state configuration: if it is alone there it reports its
+// serial number. Otherwise it can only be identified, which not all slaves support.
 
 void LssFastscan::check_address() {
   step_ = &LssFastscan::address_checked;
@@ -209,7 +211,7 @@ void LssFastscan::address_checked(const LssMaster::Reply& reply) {
   if (!master_.select(result_.address, answered())) give_up_request();
 }
 
-/// No answer comes from one that is in state configuration already.
+/// A node that is in state configuration already does not answer.
 void LssFastscan::selected(const LssMaster::Reply&) {
   finish(Outcome::found);
 }
@@ -221,7 +223,7 @@ void LssFastscan::ask(const lss::FastscanRequest& request, Duration time_out, Du
   if (!master_.fastscan(request, time_out, settle, answered())) give_up_request();
 }
 
-/// The controller takes no more: as if nobody had answered.
+/// Treats a full controller as if no slave had answered.
 void LssFastscan::give_up_request() {
   node_.timers().arm(retry_, node_.now() + options_.first_time_out);
 }

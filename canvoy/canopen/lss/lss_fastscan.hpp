@@ -1,10 +1,11 @@
-// LSS Fastscan: finds one of many nodes without node-ID that nobody knows (CiA 305).
+// LSS Fastscan: finds one of many unknown nodes without node-ID (CiA 305).
 //
-// The address is found bit by bit: whoever has the bits so far and a zero next answers; silence
-// until the time-out means a one. So the time-out decides on speed. It is measured at the first
-// answers, as is the time from the fastest of them to the slowest, for which the next request has
-// to wait; both grow where they were too short, and when one node is left, its own time counts.
-// What was found before is tried first, since nodes of one kind differ in their last part only.
+// The address is found bit by bit: each node with the bits so far and a zero next answers; silence
+// until the time-out means a one. The time-out thus determines the speed. It is measured at the
+// first answers, like the time from the fastest to the slowest of them, for which the next request
+// must wait; both grow if they were too short, and for the last remaining node, its own time
+// counts. The previous address is tried first, since nodes of one kind differ in their last part
+// only.
 //
 //     LssFastscan fastscan(node, master);
 //     fastscan.find({}, LssFastscan::Done::to<&Tool::found>(tool));
@@ -14,48 +15,48 @@
 
 namespace canvoy {
 
-/// What is known of the address that is looked for.
+/// Known parts of the address to find.
 struct LssPattern {
   LssAddress address;
-  std::array<bool, 4> known{};  ///< parts of it that count
+  std::array<bool, 4> known{};  ///< parts that count
 };
 
-/// How long answers are waited for: as long as they were measured to take, with a margin.
+/// Time to wait for answers: the measured time, with a margin.
 struct LssPace {
   Duration time_out{};         ///< for one answer
   Duration settle{};           ///< from one answer to the next request
-  Duration recent_time_out{};  ///< what would have done since the last relax()
+  Duration recent_time_out{};  ///< time that would have sufficed since the last relax()
   Duration recent_settle{};
 
   void measure(const LssMaster::Reply& reply, Duration max);
-  /// What was measured was too short.
+  /// Notes that the measured time was too short.
   void lengthen(Duration max);
-  /// Goes back to what would have done lately, by half of the way at most: what took long may be
-  /// over, as on a bus on which all had much to say at once.
+  /// Goes back towards the time that would have sufficed lately, by half of the difference at most:
+  /// a delay may be over, for example on a bus with much traffic for a while.
   void relax(Duration time_out_min);
 };
 
-/// One run finds one node at most, and leaves it in state configuration. A bit that went wrong, for
-/// a lost frame or a late answer, is noticed since nobody confirms the address, and is looked for
-/// again with a longer time-out.
+/// Finds one node at most in each run, and leaves it in state configuration. A wrong bit, after a
+/// lost frame or a late answer, shows in an unconfirmed address, and is searched again with a
+/// longer time-out.
 class LssFastscan {
  public:
   struct Options {
-    Duration first_time_out = 100ms;  ///< for the first answer of all, before anything is measured
+    Duration first_time_out = 100ms;  ///< for the very first answer, before any measurement
     Duration time_out_min = 5ms;      ///< for each bit
     Duration time_out_max = 1s;
-    std::uint8_t attempts_max = 6;  ///< of one run, until the address is confirmed
+    std::uint8_t attempts_max = 6;  ///< for one run, until the address is confirmed
   };
   enum class Outcome : std::uint8_t {
     found,
-    nobody,  ///< no node takes part, or none of this pattern
-    lost,    ///< there was one, but its address was not confirmed, or it fell silent
+    nobody,  ///< no node takes part, or none with this pattern
+    lost,    ///< a node answered, but its address was not confirmed, or it fell silent
   };
   struct Result {
     Outcome outcome = Outcome::nobody;
     LssAddress address;
-    bool duplicate = false;  ///< several nodes answered that they have this address
-    bool checked = false;    ///< a node answered to its address otherwise than by Fastscan, too
+    bool duplicate = false;  ///< several nodes answered to this address
+    bool checked = false;    ///< a node also answered to its address in another service
   };
   using Done = Callback<void(const Result&)>;
 
@@ -64,18 +65,18 @@ class LssFastscan {
   LssFastscan(const LssFastscan&) = delete;
   LssFastscan& operator=(const LssFastscan&) = delete;
 
-  /// False where a run or a service of the master is under way. No other service may begin until
-  /// `done` was called. With others in state configuration the address cannot be inquired of the
-  /// node that was found: "identify remote slave" checks it, where the node supports that.
+  /// Starts a run. False if a run or a service of the master is under way. No other service may
+  /// begin until `done` was called. With other slaves in state configuration the address of the
+  /// node cannot be inquired: "identify remote slave" checks it, if the node supports that.
   bool find(const LssPattern& pattern, Done done, bool others_in_configuration = false);
   bool running() const { return running_; }
-  /// Gives up, without a call of `done`.
+  /// Stops the run, without a call of `done`.
   void cancel();
 
-  /// For one bit, as it was measured.
+  /// Measured time-out of one bit.
   Duration time_out() const { return pace_.time_out; }
   const LssPace& pace() const { return pace_; }
-  /// Messages that were sent since construction, those of the last check left out.
+  /// Number of messages sent since construction, without those of the last check.
   std::uint32_t requests() const { return requests_; }
 
  private:
@@ -111,11 +112,11 @@ class LssFastscan {
   Timer retry_;
   LssPattern pattern_;
   Result result_;
-  LssAddress guess_;               ///< what was found before
+  LssAddress guess_;               ///< the address found before
   std::array<bool, 4> guessed_{};  ///< parts of it to try first
-  Step step_ = nullptr;            ///< what is done with the next reply
+  Step step_ = nullptr;            ///< handles the next reply
   LssPace pace_;
-  Duration alone_latency_{};  ///< of the one node that is left
+  Duration alone_latency_{};  ///< of the last remaining node
   std::uint32_t requests_ = 0;
   std::uint32_t number_ = 0;  ///< bits of this part so far
   std::uint8_t part_ = 0;
@@ -124,9 +125,9 @@ class LssFastscan {
   std::uint8_t attempts_ = 0;
   std::uint8_t checks_ = 0;
   bool measured_ = false;
-  bool alone_ = false;  ///< one node is left that has all bits so far
+  bool alone_ = false;  ///< only one node has all bits so far
   bool trying_guess_ = false;
-  bool confirmed_ = false;  ///< the part that was found last
+  bool confirmed_ = false;  ///< of the part that was found last
   bool running_ = false;
   bool others_in_configuration_ = false;
 };

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 
 namespace canvoy {
 
@@ -105,7 +105,7 @@ bool LssMaster::ask(Command command, std::uint32_t value, Command answer, Done d
   return ask(lss::frame(can_id::lss_request, command, value), answer, time_out_, {}, done);
 }
 
-/// The answer is waited for before the frame leaves: it may come from within send().
+/// The answer is expected before the frame leaves: it may arrive during send().
 bool LssMaster::ask(const Frame& frame, Command answer, Duration time_out, Duration settle,
                     Done done) {
   wait(answer, time_out, settle, done);
@@ -126,7 +126,7 @@ void LssMaster::wait(Command answer, Duration time_out, Duration settle, Done do
 
 void LssMaster::receive(const Frame& frame, Time now) {
   if (frame.length != lss::length) return node_.count_malformed();
-  // An answer that nobody waits for came too late.
+  // An unexpected answer was late.
   if (!busy_ || frame.data[0] != static_cast<std::uint8_t>(expected_)) return;
   if (reply_.answers < 0xFF) ++reply_.answers;
   reply_.last_answer = now - sent_at_;
@@ -148,7 +148,7 @@ void LssMaster::expired(Time) {
 }
 
 void LssMaster::finish(Outcome outcome) {
-  must_hold(busy_);
+  check_invariant(busy_);
   cancel();
   reply_.outcome = outcome;
   const Reply reply = reply_;

@@ -23,7 +23,7 @@ class MasterNode : public WireNode {
     expect(filled);
   }
   std::vector<LssMaster::Reply> take() { return std::exchange(replies_, {}); }
-  /// The one reply that came.
+  /// The only reply.
   LssMaster::Reply reply() {
     EXPECT_EQ(replies_.size(), 1U);
     return replies_.empty() ? LssMaster::Reply{} : take().front();
@@ -251,7 +251,7 @@ TEST(LssMaster, MayGoOnFromItsCallback) {
   EXPECT_TRUE(chain.sut.master.idle());
 }
 
-/// Behind a controller whose send() brings the answer, as that of a loopback or of a gateway does.
+/// A node with a controller that delivers the answer in send(), like a loopback or a gateway.
 struct PromptNode : private WireMemory {
   PromptNode()
       : WireMemory(lss_layout.tables()),
@@ -268,7 +268,7 @@ struct PromptNode : private WireMemory {
   }
   void note(const LssMaster::Reply& reply) { replies.push_back(reply); }
   LssMaster::Done done() { return LssMaster::Done::to<&PromptNode::note>(*this); }
-  /// `request` is the command specifier that is answered.
+  /// `request` is the command specifier of the answered message.
   void answers(std::uint8_t request, std::string frame) {
     answered = request;
     answer = std::move(frame);

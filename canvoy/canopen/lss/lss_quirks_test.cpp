@@ -1,5 +1,5 @@
-// Scans of networks with the slaves of other stacks, where these do not do as CiA 305 says: the
-// fault is theirs, the users are ours.
+// Scans of networks with slaves of other stacks that deviate from CiA 305: the scan must handle
+// them.
 #include <gtest/gtest.h>
 
 #include <deque>
@@ -22,7 +22,7 @@ enum class Quirk : std::uint8_t {
   has_no_place,        ///< answers for every part at any time, and everything in configuration
 };
 
-/// An LSS slave of somebody else, message by message.
+/// An LSS slave of another stack, message by message.
 class OtherSlave {
  public:
   OtherSlave(SimulatedBus& bus, const LssAddress& address, Quirk quirk)
@@ -158,7 +158,7 @@ struct Mixed {
   std::vector<std::uint32_t> serials;
   std::vector<LssScan::Found> nodes;
   std::vector<Message> requests;
-  std::function<void(std::size_t)> at_request;  ///< with how many there were
+  std::function<void(std::size_t)> at_request;  ///< called with their number so far
   std::optional<Outcome> result;
 };
 
@@ -212,7 +212,7 @@ TEST(LssQuirks, SlavesThatAnswerEverythingAlsoWithANodeIdAreNamedOnceEach) {
   EXPECT_EQ(sut.serials, (std::vector<std::uint32_t>{1, 2, 3, 4}));
 }
 
-// Without node-IDs for them: Mixed(0), they are identified only.
+// Without node-IDs to assign, as in Mixed(0), they are identified only.
 
 TEST(LssQuirks, SlavesThatAnswerEverythingAreAllIdentifiedOnceEach) {
   Mixed sut(0);
@@ -233,7 +233,7 @@ std::vector<Message> upper_bits() {
   return all;
 }
 
-/// All waiting, everybody, and the three parts that are known.
+/// All waiting, all slaves, and the three known parts.
 std::vector<Message> beginning() {
   return {message(0x04, 0), fastscan(0, 0x80, 0, 0), fastscan(0x360, 0, 0, 1), fastscan(5, 0, 1, 2),
           fastscan(1, 0, 2, 3)};
@@ -262,7 +262,7 @@ TEST(LssQuirks, BothValuesOfEachBitAreAskedForAndNobodyEntersConfigurationByFast
         message(0x43, 7)});
   walk({});
   add({message(0x04, 0)});
-  // From the second time on that all are sent to waiting.
+  // From the second command on that sends all to waiting.
   auto from = std::find(sut.requests.begin() + 1, sut.requests.end(), message(0x04, 0));
   EXPECT_EQ(std::vector<Message>(from, sut.requests.end()), wanted);
 }
@@ -416,7 +416,7 @@ TEST(LssQuirks, WhereTheOnlyOneLikeThePatternVanishesTheScanIsComplete) {
     sut.add({{0x360, 5, 1, 9}}, Quirk::answers_everything);
     sut.add({{0x360, 5, 1, 8}}, Quirk::answers_everything);
     sut.add({{0x360, 6, 1, 9}}, Quirk::answers_everything);
-    // When it was identified; in the other case with who has its product code.
+    // At its identification; in the other case together with slaves that have its product code.
     const std::size_t end = is_known_whole ? 25 : 150;
     sut.at_request = [&](std::size_t count) {
       sut.others[0].is_there = count < end;

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <utility>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 
 namespace canvoy {
 
 namespace {
 
-/// For a message that gets lost.
+/// Number of attempts if a message is lost.
 constexpr std::uint8_t attempts_max = 3;
-/// From a message that the controller had no room for to the next attempt.
+/// Time from a message that the controller had no room for to the next attempt.
 constexpr Duration retry_interval = 100ms;
 
 }  // namespace
@@ -71,7 +71,7 @@ void LssScan::node_found(const LssFastscan::Result& result) {
     came_again_ = true;
     return ++parked_ > count_ ? finish(Outcome::duplicate) : next();
   }
-  // Who answers everything has zeros in all that was not known.
+  // A slave that answers everything has zeros in all unknown bits.
   is_doubtful_ = others_in_configuration() && result.address.parts[LssAddress::serial] == 0;
   if (is_doubtful_ && !select()) return finish(Outcome::lost);
   if (!is_doubtful_) take();
@@ -85,17 +85,17 @@ bool LssScan::came_before(const LssFastscan::Result& result) {
   return std::ranges::find(known, result.address) != known.end();
 }
 
-/// Among waiting slaves nobody answers for others. Until one is in state configuration, addresses
-/// are checked by their own serial number: so one that is not is made up by a slave that answers
-/// everything there, or of one that knows Fastscan alone.
+/// Among waiting slaves no slave answers for others. Until one is in state configuration, addresses
+/// are checked by their own serial number: an address that fails belongs to a slave that answers
+/// everything there, or that supports Fastscan only.
 void LssScan::walk() {
   tree_.begin(options_.pattern, fastscan_.pace(), LssTree::Done::to<&LssScan::walked>(*this));
 }
 
-/// A lost message hides a branch: it is over when one walk finds nothing more than another.
+/// A lost message hides a branch: the search ends when a walk finds nothing new.
 void LssScan::walked(const LssTree::Result& result) {
   if (result.outcome == LssTree::Outcome::nobody) {
-    must_hold(count_before_ <= count_);
+    check_invariant(count_before_ <= count_);
     return std::exchange(count_before_, count_) == count_ ? finish(Outcome::complete) : walk();
   }
   if (result.outcome == LssTree::Outcome::lost) return finish(Outcome::hidden);
@@ -104,7 +104,7 @@ void LssScan::walked(const LssTree::Result& result) {
   if (!select()) finish(Outcome::lost);
 }
 
-/// Alone: all others go back to waiting.
+/// Selects one slave alone: all others return to waiting.
 bool LssScan::select() {
   parked_ = 0;
   return master_.switch_global(LssState::waiting) &&
@@ -130,7 +130,7 @@ void LssScan::take() {
   name();
 }
 
-/// In state configuration there is to be no other, or both would have the node-ID.
+/// No other slave may be in state configuration, since both would get the node-ID.
 void LssScan::name() {
   if (parked_ == 0) return configure();
   is_doubtful_ = false;
@@ -147,7 +147,7 @@ void LssScan::configured(const LssMaster::Reply& reply) {
   if (reply.outcome == LssMaster::Outcome::time_out && ++attempts_ < attempts_max) {
     return configure();
   }
-  // Where it takes no node-ID, it stays in state configuration, and so must all that follow.
+  // Without a node-ID it stays in state configuration, and so must all that follow.
   identifying_only_ = !reply.ok();
   if (reply.ok()) found_.id = chosen_;
   attempts_ = 0;
@@ -166,8 +166,7 @@ void LssScan::stored(const LssMaster::Reply& reply) {
   report();
 }
 
-/// While a node is in state configuration, no other can be named: the same node-ID would go to
-/// both.
+/// While a node is in state configuration, no other can get a node-ID, which would go to both.
 void LssScan::report() {
   if (!identifying_only_ && !master_.switch_global(LssState::waiting)) {
     if (++attempts_ < attempts_max) return later(&LssScan::report);

@@ -23,14 +23,14 @@ std::vector<LssAddress> random_addresses(std::size_t count, std::uint64_t seed) 
   return addresses;
 }
 
-/// Devices of one kind: they differ in one bit of the serial number, or few.
+/// Devices of one kind: they differ in one bit of the serial number, or a few.
 std::vector<LssAddress> similar_addresses(std::size_t count) {
   std::vector<LssAddress> addresses(count, LssAddress{{0x2F0, 419, 0x0001'0002, 0x1000}});
   for (std::size_t i = 0; i < count; ++i) addresses[i].parts[3] += static_cast<std::uint32_t>(i);
   return addresses;
 }
 
-/// Every node has a node-ID of its own, and has booted with it.
+/// Checks that every node has its own node-ID, and has booted with it.
 void expect_all_named(LssNetwork& network, const Scanner& scanner,
                       const std::vector<LssAddress>& addresses) {
   EXPECT_EQ(scanner.nodes.size(), addresses.size());
@@ -46,7 +46,7 @@ void expect_all_named(LssNetwork& network, const Scanner& scanner,
   for (const LssScan::Found& found : scanner.nodes) EXPECT_FALSE(found.duplicate);
 }
 
-/// Into the report of the tests: how long it took in virtual time.
+/// Records the virtual time taken in the report of the tests.
 void note_time(const Scanner& scanner) {
   testing::Test::RecordProperty("milliseconds", static_cast<int>(scanner.took().count()));
   testing::Test::RecordProperty("frames", static_cast<int>(scanner.network.frames()));
@@ -152,10 +152,10 @@ TEST(LssScan, LearnsOfANodeThatBecameSlowLater) {
   EXPECT_GE(scanner.scan.fastscan().time_out(), Duration(11ms));
 }
 
-// As when a cable is mended, and all have much to say before their answer: 70 ms, and twice that is
-// waited for after each bit of the first, some 120 of them: 17 s. The other seven have 35 messages
-// each: 34 s where the pace stays, and 5 s, 2.5 s and so on, less than 10 s in all, where it
-// halves.
+// As when a cable is mended, and all nodes have much to send before their answer: the scan waits 70
+// ms, and twice that after each bit of the first, some 120 of them: 17 s. The other seven have 35
+// messages each: 34 s with an unchanged pace, and 5 s, 2.5 s and so on, less than 10 s in all, if
+// it halves.
 TEST(LssScan, WaitsNoLongerThanItTakesOnceThoseWhoWereSlowAreFast) {
   LssNetwork network;
   const auto addresses = similar_addresses(8);
@@ -243,7 +243,7 @@ TEST(LssScan, GivesUpOnAnAddressThatNobodyConfirms) {
   LssNetwork::Member& member = network.add(lss_address);
   network.start();
   Scanner scanner(network);
-  // It hears the first message of a run and no other: like a node that cannot do Fastscan.
+  // It receives the first message of a run and no other: like a node without Fastscan.
   member.deaf = [](const Frame& frame) {
     return frame.id == 0x7E5 && !(frame.data[0] == 0x51 && frame.data[5] == 0x80);
   };
@@ -431,7 +431,7 @@ TEST(LssScan, EndsWhenItsMemoryIsFull) {
   EXPECT_EQ(scan.found().size(), 2U);
 }
 
-/// A scan of three nodes that does `act` when it asks for a node-ID, or tells of the first node.
+/// A scan of three nodes that calls `act` when it needs a node-ID, or reports the first node.
 struct Interrupted {
   explicit Interrupted(bool when_choosing) : at_choice(when_choosing) {
     for (const LssAddress& address : similar_addresses(3)) network.add(address);
@@ -526,7 +526,7 @@ TEST(LssScan, WorksAtEveryBitRateOfTheTable) {
   }
 }
 
-/// Nothing more goes out for a while: 2 ms for each frame that waits.
+/// Blocks transmission for a while: 2 ms for each frame that waits.
 void fill_controller(LssNetwork& network) {
   while (!network.node().transmitter().full()) {
     network.node().transmitter().send(wire_frame("7FE#00 00 00 00 00 00 00 00"));

@@ -11,17 +11,17 @@ namespace {
 
 using lss::Command;
 
-/// One of several messages in a row, each of which holds a number that has to fit.
+/// One of several successive messages, each with a number that must match.
 struct Step {
   enum Fit : std::uint8_t { never, equal, at_least, at_most };
 
-  Fit fit : 2 = never;  ///< of the number here, to the one in the message
+  Fit fit : 2 = never;  ///< relation of the number here to that in the message
   std::uint8_t part : 2 = 0;
   bool first : 1 = false;
   bool last : 1 = false;
 };
 
-/// By command, from select_vendor on: four messages that select a slave, six that ask for those
+/// By command, from select_vendor on: four messages that select a slave, six that identify those
 /// with revision and serial number in a range.
 constexpr Step steps[] = {{Step::equal, LssAddress::vendor, true, false},
                           {Step::equal, LssAddress::product, false, false},
@@ -36,7 +36,7 @@ constexpr Step steps[] = {{Step::equal, LssAddress::vendor, true, false},
                           {Step::at_least, LssAddress::serial, false, false},
                           {Step::at_most, LssAddress::serial, false, true}};
 
-/// The position of a command behind `first`.
+/// Distance of a command from `first`.
 constexpr std::size_t distance(Command command, Command first) {
   return static_cast<std::size_t>(command) - static_cast<std::size_t>(first);
 }
@@ -48,7 +48,7 @@ bool fits(const Step& step, std::uint32_t mine, std::uint32_t asked) {
 
 }  // namespace
 
-void LssSlave::told(NodeService& service, ServiceEvent& event) {
+void LssSlave::on_event(NodeService& service, ServiceEvent& event) {
   LssSlave& self = static_cast<LssSlave&>(service);
   if (event.kind == ServiceEvent::reset) self.reset();
   if (event.kind == ServiceEvent::frame_came) self.receive(event.frame(), self.node_.now());
@@ -59,7 +59,7 @@ void LssSlave::listen() {
 }
 
 inline void LssSlave::reset() {
-  // Who is constant-initialised could not tell the acceptance filter before.
+  // A constant-initialised slave could not set the acceptance filter before.
   if constexpr (is_small_machine) listen();
   started_ = true;
   storing_ = false;
@@ -134,7 +134,7 @@ inline void LssSlave::switch_global(std::uint8_t wanted) {
   enter(LssState::configuration);
 }
 
-/// Another message in between, or a number that does not fit, ends a row of messages.
+/// Another message in between, or a number that does not match, ends a sequence of messages.
 [[gnu::always_inline]] inline void LssSlave::match(Command command, std::uint32_t asked) {
   const Step step = steps[distance(command, Command::select_vendor)];
   const bool selects = command <= Command::select_serial;
@@ -181,7 +181,7 @@ void LssSlave::configure_bit_timing(std::uint8_t table, std::uint8_t index) {
   answer(Command::configure_bit_timing, error);
 }
 
-/// Where none was configured and the present one is not known, there is none to switch to.
+/// If none was configured and the present one is unknown, there is no bit timing to switch to.
 void LssSlave::activate_bit_timing(std::uint16_t milliseconds) {
   if (bit_timing_ == lss_bit_timing::unknown) return;
   hooks_.activate_bit_timing(bit_timing_, from_milliseconds(milliseconds));
@@ -206,7 +206,7 @@ void LssSlave::stored(LssError error) {
   answer(Command::store, error);
 }
 
-/// Without node-ID, and without one to come.
+/// True without node-ID, and without a pending one.
 bool LssSlave::is_unconfigured() const {
   return !is_node_id(node_.id()) && !is_node_id(node_.pending_id());
 }

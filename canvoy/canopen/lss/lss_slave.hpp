@@ -1,9 +1,8 @@
 // LSS slave: gets its node-ID and bit rate over the bus (CiA 305).
 //
 // A node without node-ID (node_id_unconfigured) stays in NMT initialisation and sends no boot-up
-// message; when LSS has given it one and ends its configuration, it boots. The node-ID of a node
-// that has one changes at the next NMT reset communication. What is to survive the power is up to
-// LssSlaveHooks::store.
+// message; when LSS has given it one and its configuration ends, it boots. A node that has a
+// node-ID changes it at the next NMT reset communication. LssSlaveHooks::store stores the settings.
 //
 //     DeviceNode<layout, LssSlave::routes> device(port, node_id_unconfigured);
 //     LssSlave lss(device.node(), {.store = ...});
@@ -12,43 +11,44 @@
 #include <type_traits>
 
 #include "canvoy/canopen/lss/lss.hpp"
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 
 namespace canvoy {
 
-/// What of LSS is the application's work. All are optional: what is not there is not supported.
+/// The application's part of LSS. All functions are optional: without one, its service is not
+/// supported.
 struct LssSlaveHooks {
-  /// Whether the hardware can run at this bit timing of table selector 0 (0 to 4, 6 to 9): it is
-  /// the pending one from here on. Nothing changes yet.
+  /// Checks whether the hardware supports this bit timing of table selector 0 (0 to 4, 6 to 9),
+  /// which then is the pending one. Nothing changes yet.
   Callback<LssError(std::uint8_t bit_timing)> configure_bit_timing;
-  /// Switch to the pending bit timing, in the steps that BitTimingSwitch makes; not called while
-  /// that is unknown.
+  /// Switches to the pending bit timing, in the steps of BitTimingSwitch; not called while that is
+  /// unknown.
   Callback<void(std::uint8_t bit_timing, Duration delay)> activate_bit_timing;
-  /// Keep these over the power: begin, and tell the end by LssSlave::stored(), at once or later.
+  /// Begins to store both values; LssSlave::stored() reports the end, at once or later.
   Callback<void(NodeId, std::uint8_t bit_timing)> store;
-  /// For indicators: the state changed.
+  /// For indicators: called when the state changed.
   Callback<void(LssState)> state_entered;
 };
 
-/// It works in every NMT state, from the start of the node on, and takes its address from 1018h. A
-/// message of another length than 8, or with an unknown command specifier, is ignored and counted
-/// as malformed. An NMT reset leads back to state waiting.
+/// A slave. It works in every NMT state, from the start of the node on, and takes its address from
+/// 1018h. A message with a length other than 8, or with an unknown command specifier, is ignored
+/// and counted as malformed. An NMT reset leads back to state waiting.
 ///
-/// Constant time and no timer: one message at most is sent for each that is received.
+/// Constant time and no timer: at most one message is sent for each that is received.
 class LssSlave : private NodeService {
  public:
-  /// Routes that it needs of the node.
+  /// Number of routes of the node that it needs.
   static constexpr std::size_t routes = is_small_machine ? 0 : 1;
 
-  /// Without bit timings, and without a memory: what would serve them is not linked.
-  constexpr explicit LssSlave(Node& node)
-      : NodeService({told}, Cares::for_nothing_frequent), node_(node) {
+  /// Makes a slave without bit timings and without storage: their code is not linked.
+  constexpr explicit LssSlave(Node& node) : NodeService({on_event}, EventMask::none), node_(node) {
     begin();
   }
-  /// `bit_timing` is the present one as index of table selector 0, or lss_bit_timing::unknown.
+  /// Makes a slave. `bit_timing` is the present one as index of table selector 0, or
+  /// lss_bit_timing::unknown.
   constexpr LssSlave(Node& node, const LssSlaveHooks& hooks,
                      std::uint8_t bit_timing = lss_bit_timing::unknown)
-      : NodeService({told}, Cares::for_nothing_frequent),
+      : NodeService({on_event}, EventMask::none),
         bit_timing_(bit_timing),
         node_(node),
         configure_with_hooks_(configure_with_hooks),
@@ -59,11 +59,11 @@ class LssSlave : private NodeService {
   LssSlave& operator=(const LssSlave&) = delete;
 
   LssState state() const { return state_; }
-  /// What activation would switch to.
+  /// Bit timing that activation would switch to.
   std::uint8_t pending_bit_timing() const { return bit_timing_; }
 
-  /// The end of LssSlaveHooks::store: the master gets its answer. What was stored well is the
-  /// node-ID after NMT reset node, too.
+  /// Ends LssSlaveHooks::store: the master gets its answer. A node-ID that was stored without error
+  /// also applies after NMT reset node.
   void stored(LssError error);
 
  private:
@@ -73,7 +73,7 @@ class LssSlave : private NodeService {
     if (!std::is_constant_evaluated()) listen();
   }
   void listen();
-  static void told(NodeService& service, ServiceEvent& event);
+  static void on_event(NodeService& service, ServiceEvent& event);
   void reset();
   void receive(const Frame& frame, Time now);
   void configure(lss::Command command, const Frame& frame);
@@ -94,10 +94,10 @@ class LssSlave : private NodeService {
   void answer(lss::Command command, std::uint32_t value = 0);
   void answer(lss::Command command, LssError error);
 
-  // What is small comes first: a Cortex-M0+ reaches it with shorter instructions.
+  // Small members come first: a Cortex-M0+ reaches them with shorter instructions.
   LssState state_ = LssState::waiting;
-  std::uint8_t expected_ = 0;  ///< command of the message that goes on with what matched so far
-  std::uint8_t scan_position_ = 0;  ///< part of the address that Fastscan looks for next
+  std::uint8_t expected_ = 0;  ///< command of the next message of a sequence that matched so far
+  std::uint8_t scan_position_ = 0;  ///< part of the address that Fastscan requests next
   std::uint8_t bit_timing_ = lss_bit_timing::unknown;
   NodeId stored_id_ = 0;  ///< while it is being stored
   bool started_ = false;

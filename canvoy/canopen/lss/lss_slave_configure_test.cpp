@@ -307,7 +307,7 @@ TEST(LssStore, IsNotSupportedWithoutAnApplicationThatDoesIt) {
   node.answers({"7E4#17 01 00"});
 }
 
-// What would serve them is not even linked then.
+// Their code is not even linked then.
 TEST(LssWithoutAnApplication, RefusesBitTimingsAndStoringAndIgnoresActivation) {
   WireNode node(lss_layout.tables(), 5);
   const LssSlave lss(node.node);

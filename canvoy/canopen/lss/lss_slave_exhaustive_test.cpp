@@ -8,8 +8,8 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-/// What the first bytes of an answer have to be, or nothing where the slave is silent. For a
-/// request of zeros behind the command specifier.
+/// Expected first bytes of an answer, or nothing if the slave is silent, for a request of zeros
+/// after the command specifier.
 std::string expected_answer(unsigned command, LssState state, bool unconfigured) {
   const bool here = state == LssState::configuration;
   switch (command) {
@@ -29,7 +29,7 @@ std::string expected_answer(unsigned command, LssState state, bool unconfigured)
       return here ? (unconfigured ? "7E4#5E FF" : "7E4#5E 05") : "";
     case 0x4C:
       return unconfigured ? "7E4#50" : "";
-    default:  // also those of several messages, of which this is but one, and store, which waits
+    default:  // also parts of a sequence of messages, and store, which waits
       return "";
   }
 }
@@ -149,7 +149,7 @@ TEST(LssSlaveExhaustive, LivesOnAfterEachFlippedBitOfEachGoldenFrame) {
           for (const auto& sent : node.sent) ASSERT_EQ(sent.frame.id, 0x7E4U);
           node.run_for(3min);
           node.lss.stored({});
-          // From whatever state: it can be led back, and configured.
+          // From any state it returns to waiting, and can be configured.
           node.sent.clear();
           node.receive_all({"7E5#04 01", "7E5#11 21", "7E5#5A"});
           node.answers({"7E4#11 00", "7E4#5A 04 03 02 01"});

@@ -1,4 +1,4 @@
-// LSS slave, Fastscan: a binary search for a node that nobody knows.
+// LSS slave, Fastscan: a binary search for an unknown node.
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/testing/lss_node.hpp"
@@ -17,7 +17,7 @@ Frame scan(std::uint32_t id, unsigned bit_checked, unsigned sub, unsigned next) 
   return frame;
 }
 
-/// Whether the slave answers.
+/// True if the slave answers.
 bool ask(LssNode& node, std::uint32_t id, unsigned bit_checked, unsigned sub, unsigned next) {
   node.sent.clear();
   node.node.receive(scan(id, bit_checked, sub, next), node.now);
@@ -59,7 +59,7 @@ TEST(LssFastscanSlave, FindsEachBitOfEachPartByItsAnswers) {
 
 TEST(LssFastscanSlave, AnswersTheGoldenFrames) {
   LssNode node(node_id_unconfigured);
-  node.up().receive_all({"7E5#51 00 00 00 00 80 00 00",    // anybody
+  node.up().receive_all({"7E5#51 00 00 00 00 80 00 00",    // all slaves
                          "7E5#51 00 00 00 00 1F 00 00",    // vendor 0.......
                          "7E5#51 00 00 00 00 18 00 00",    // bit 24 is set: silence
                          "7E5#51 00 00 00 01 18 00 00",    // vendor 01......
@@ -91,7 +91,7 @@ TEST(LssFastscanSlave, HasAnAnswerForEveryEdge) {
               << position << sub << next << ' ' << bit;
           EXPECT_EQ(node.node.counters().malformed, valid || bit == 0x80 ? 0U : 1U);
           if (selected) continue;
-          // Where it stands afterwards.
+          // Position afterwards.
           const unsigned after = bit == 0x80                            ? 0
                                  : valid && sub == position && bit == 0 ? next
                                                                         : position;

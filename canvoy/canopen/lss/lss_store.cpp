@@ -37,7 +37,7 @@ void LssStore::store(NodeId id, std::uint8_t bit_timing) {
   node_.timers().arm(timer_, node_.now());
 }
 
-/// All of it fits into the first piece, which is the last one then.
+/// All content fits into the first piece, which is then the last one.
 Result<std::size_t> LssStore::next(std::span<std::uint8_t> bytes) {
   static_assert(std::tuple_size_v<decltype(content_)> < RecordHead::size);
   std::ranges::copy(content_, bytes.begin());

@@ -1,5 +1,5 @@
-// Keeps what LSS "store" asks for without power: node-ID and bit timing (CiA 305). Either the old
-// ones or the new ones are there, whenever power fails.
+// Stores node-ID and bit timing for LSS "store". Whenever power fails, either the old or the new
+// values are present (CiA 305).
 //
 //     LssStore store(node, flash, {.address = 0x8000, .slot_size = 2048});
 //     LssSlave lss(node, {.store = store.hook()}, store.bit_timing());
@@ -8,31 +8,31 @@
 #pragma once
 
 #include "canvoy/canopen/lss/lss.hpp"
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 #include "canvoy/canopen/storage/record_pair.hpp"
 
 namespace canvoy {
 
-/// Nothing blocks: each advance() of the node takes one step of the flash.
+/// Stores without blocking: each advance() of the node takes one step of the flash.
 class LssStore {
  public:
   using Stored = Callback<void(LssError)>;
-  /// Of two slots in the flash.
+  /// Location of two slots in the flash.
   struct Place {
     std::uint32_t address = 0;
-    std::uint32_t slot_size = 0;  ///< of each: whole sectors
+    std::uint32_t slot_size = 0;  ///< size of each slot: whole sectors
   };
 
-  /// Before Node::start(): a stored node-ID becomes the node's. What is damaged counts as nothing.
-  /// `flash` must outlive this.
+  /// Makes the store, before Node::start(): a stored node-ID becomes that of the node. Damaged
+  /// contents are ignored. `flash` must outlive this object.
   LssStore(Node& node, const Flash& flash, const Place& place);
   ~LssStore() { node_.timers().disarm(timer_); }
   LssStore(const LssStore&) = delete;
   LssStore& operator=(const LssStore&) = delete;
 
-  /// That is stored, as index of table selector 0; lss_bit_timing::unknown where there is none.
+  /// Stored bit timing, as index of table selector 0; lss_bit_timing::unknown if there is none.
   std::uint8_t bit_timing() const { return content_[1]; }
-  /// What the flash held at construction.
+  /// State of the record in the flash at construction.
   RecordState state() const { return state_; }
 
   Callback<void(NodeId, std::uint8_t)> hook() {

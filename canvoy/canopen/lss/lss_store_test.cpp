@@ -1,10 +1,10 @@
-// LSS store service with a flash: what is kept, and what power failures leave.
+// LSS store service with a flash: the stored contents, and the state after power failures.
 #include "canvoy/canopen/lss/lss_store.hpp"
 
 #include <gtest/gtest.h>
 
-#include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/canopen/lss/lss_slave.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 #include "canvoy/canopen/storage/crc32.hpp"
 #include "canvoy/canopen/storage/testing/simulated_flash.hpp"
 #include "canvoy/canopen/testing/lss_node.hpp"
@@ -29,7 +29,7 @@ struct StoringNode : WireNode {
     start();
   }
   void receive(std::string_view frame) { WireNode::receive(lss_frame(frame)); }
-  /// Gives it a node-ID and lets it store that.
+  /// Gives it a node-ID to store.
   void name(const char* configure) {
     receive("7E5#04 01");
     receive(configure);
@@ -144,7 +144,7 @@ TEST(LssStoreInFlash, TellsThatTheFlashIsBusyForEverAfterTenSeconds) {
   EXPECT_EQ(node.answer_to_store(), lss_frame("7E4#17 02"));
 }
 
-/// The record in the first slot, changed by somebody who knows the CRCs.
+/// Changes the record in the first slot, with correct CRCs.
 void seal(SimulatedFlash& memory, std::uint32_t length) {
   const auto bytes = std::span(memory.bytes);
   store(bytes.data() + 12, length);

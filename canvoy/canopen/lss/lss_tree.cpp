@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <bit>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 
 namespace canvoy {
 
 namespace {
 
-/// As the lowest bit that is known: none.
+/// As the lowest known bit: none.
 constexpr std::uint8_t no_bit = 32;
 constexpr std::uint8_t walks_max = 5;
-/// In all walks: who answers everything at all times makes up addresses without end.
+/// Limit over all walks: a slave that always answers everything produces addresses without end.
 constexpr std::uint8_t passed_over_max = 16;
 
 }  // namespace
@@ -48,7 +48,7 @@ void LssTree::walk() {
   seek();
 }
 
-/// Back to the last place where ones answered as well as zeros.
+/// Goes back to the last position where ones were answered as well as zeros.
 void LssTree::next() {
   const auto place =
       std::find_if(ones_.rbegin(), ones_.rend(), [](auto bits) { return bits != 0; });
@@ -68,8 +68,8 @@ void LssTree::pass_over() {
   ++passed_over_ < passed_over_max ? next() : finish(Outcome::lost);
 }
 
-/// A branch ended before its last bit: a slave has gone, or an answer came too late, and those to
-/// the questions behind it as well.
+/// Called after a branch that ended before its last bit: a slave has left, or an answer was late,
+/// and so were those after it.
 void LssTree::walk_again() {
   pace_.lengthen(options_.time_out_max);
   ++walks_ < walks_max ? walk() : finish(Outcome::lost);
@@ -79,8 +79,8 @@ bool LssTree::is_at_root() const {
   return part_ == 0 && bit_ == no_bit;
 }
 
-/// Everybody back to the first part; who was selected meanwhile, back to waiting. At the root all
-/// answers are waited for, so that the slowest is known.
+/// Sends all slaves back to the first part, and those selected meanwhile back to waiting. At the
+/// root all answers are waited for, to measure the slowest.
 void LssTree::seek() {
   master_.switch_global(LssState::waiting);
   place_ = 0;
@@ -93,9 +93,9 @@ void LssTree::anybody_answered(const LssMaster::Reply& reply) {
   is_at_root() ? finish(Outcome::nobody) : walk_again();
 }
 
-/// Who has all parts so far gets to the one that is looked for.
+/// Slaves that match all parts so far go to the requested part.
 void LssTree::go_down() {
-  must_hold(place_ <= part_ && part_ <= LssAddress::serial);
+  check_invariant(place_ <= part_ && part_ <= LssAddress::serial);
   if (place_ == part_) return descend();
   ask(&LssTree::part_answered, {.id_number = address_.parts[place_],
                                 .bit_checked = 0,
@@ -142,12 +142,12 @@ void LssTree::zero_answered(const LssMaster::Reply& reply) {
 
 void LssTree::one_answered(const LssMaster::Reply& reply) {
   if (!reply.ok() && !zero_answered_) return walk_again();
-  must_hold(((address_.parts[part_] | ones_[part_]) >> bit_ & 1) == 0);
+  check_invariant(((address_.parts[part_] | ones_[part_]) >> bit_ & 1) == 0);
   if (reply.ok()) (zero_answered_ ? ones_ : address_.parts)[part_] |= 1U << bit_;
   descend();
 }
 
-/// All answers were waited for: more than one, and several slaves have the address.
+/// All answers were waited for: more than one means that several slaves have the address.
 void LssTree::address_answered(const LssMaster::Reply& reply) {
   if (!reply.ok()) return pattern_.known[part_] ? next() : walk_again();
   const Result result{
@@ -161,7 +161,7 @@ void LssTree::ask(Step step, const lss::FastscanRequest& request) {
   ask(step, request, pace_.time_out, pace_.settle);
 }
 
-/// What the controller does not take is as if nobody had answered.
+/// Treats a full controller as if no slave had answered.
 void LssTree::ask(Step step, const lss::FastscanRequest& request, Duration time_out,
                   Duration settle) {
   step_ = step;

@@ -1,11 +1,11 @@
 // Finds the addresses of all slaves that take part in Fastscan, and leaves them in state waiting
 // (CiA 305).
 //
-// A waiting slave judges each message by itself: it answers where its upper bits are those that are
-// asked for, in the part that it has got to. So both values of a bit can be asked for, one after
-// the other, and the addresses are a tree of which each branch that answers is walked: zeros first,
-// and back to the last place where both had answered. Nobody enters state configuration, which
-// takes a message for the last part that goes back to an earlier one.
+// A waiting slave evaluates each message alone: it answers if its upper bits, in the part that it
+// has reached, equal those of the request. Both values of a bit can thus be requested, one after
+// the other, and the addresses form a tree of which each branch with an answer is walked: zeros
+// first, and back to the last position where both were answered. No slave enters state
+// configuration, which takes a message for the last part that returns to an earlier one.
 //
 //     LssTree tree(node, master, options);
 //     tree.begin(pattern, fastscan.pace(), LssTree::Done::to<&Tool::found>(tool));
@@ -15,10 +15,10 @@
 
 namespace canvoy {
 
-/// It takes two messages a bit, one of which nobody answers: LssFastscan is faster, and is for
-/// slaves that do as CiA 305 says. Where a branch ends before its last bit, or an address is
-/// nobody's, all is walked again with longer time-outs. How often is bounded, and so is the number
-/// of messages.
+/// A walk takes two messages a bit, one of them without an answer: LssFastscan is faster, and is
+/// for slaves that follow CiA 305. If a branch ends before its last bit, or an address has no
+/// slave, all is walked again with longer time-outs. The number of walks is limited, and so is the
+/// number of messages.
 class LssTree {
  public:
   using Result = LssFastscan::Result;
@@ -29,15 +29,15 @@ class LssTree {
   LssTree(const LssTree&) = delete;
   LssTree& operator=(const LssTree&) = delete;
 
-  /// `done` is called with each address that is found, which goes on with next() or pass_over(), in
-  /// it or later, and at last with `nobody`, or with `lost` where the tree contradicts itself
-  /// still. An address may come again in a later walk.
+  /// Begins a walk. `done` is called with each address found, and next() or pass_over() continues
+  /// from it, at once or later; at the end it is called with `nobody`, or with `lost` if the tree
+  /// still contradicts itself. An address may be found again in a later walk.
   void begin(const LssPattern& pattern, const LssPace& pace, Done done);
   bool walking() const { return walking_; }
   void next();
-  /// The same, where the address that was found last is nobody's.
+  /// Like next(), but for an address found that no slave has.
   void pass_over();
-  /// Gives up, without a call of `done`. A service of the master is left to its owner.
+  /// Stops the walk, without a call of `done`. A service of the master is left to its owner.
   void cancel();
 
  private:
@@ -68,12 +68,13 @@ class LssTree {
   LssPattern pattern_;
   LssPace pace_;
   Done done_;
-  Step step_ = nullptr;                  ///< what is done with the next reply
-  LssAddress address_;                   ///< as far as it is known; all other bits are zero
-  std::array<std::uint32_t, 4> ones_{};  ///< bits where ones answered, too, and wait for their walk
+  Step step_ = nullptr;  ///< handles the next reply
+  LssAddress address_;   ///< known part; all other bits are zero
+  /// Bits where ones were answered too, and wait for their walk.
+  std::array<std::uint32_t, 4> ones_{};
   std::uint8_t part_ = 0;
-  std::uint8_t bit_ = 0;    ///< the lowest one that is known of this part
-  std::uint8_t place_ = 0;  ///< the part that those who have all parts before it are asked for
+  std::uint8_t bit_ = 0;    ///< lowest known bit of this part
+  std::uint8_t place_ = 0;  ///< part requested from slaves that match all parts before it
   std::uint8_t walks_ = 0;
   std::uint8_t passed_over_ = 0;
   bool zero_answered_ = false;

@@ -1,5 +1,5 @@
-// Why a slave did not come up: the letters A to O of the boot-up procedure (CiA 302-2, error status
-// of "boot NMT slave"), with what goes along with them.
+// Why a slave did not boot: the letters A to O of the boot-up procedure, with the cause (CiA 302-2,
+// error status of "boot NMT slave").
 //
 //     report.error == BootError::vendor_id   // D
 //     letter(report.error)                   // 'D'
@@ -11,15 +11,15 @@
 
 namespace canvoy {
 
-/// The number is the letter's; CiA 309-3 reports it as such.
+/// Result of the boot-up. The number is that of the letter; CiA 309-3 reports it in this form.
 enum class BootError : std::uint8_t {
   none = 0,
-  not_in_list = 'A',          ///< no slave by 1F81h
+  not_in_list = 'A',          ///< not a slave by 1F81h
   no_answer = 'B',            ///< to the request for 1000h
   device_type = 'C',          ///< 1000h differs from 1F84h, or is refused
   vendor_id = 'D',            ///< 1018h:01h differs from 1F85h
-  no_heartbeat = 'E',         ///< when the state of a slave to be kept alive was asked
-  no_guarding_answer = 'F',   ///< the same, by node guarding
+  no_heartbeat = 'E',         ///< to the request for the state of a slave to be kept alive
+  no_guarding_answer = 'F',   ///< like no_heartbeat, but for node guarding
   no_program_data = 'G',      ///< what the software check needs is missing or inconsistent
   program_not_allowed = 'H',  ///< an update is needed, but 1F81h does not allow it
   program_download = 'I',     ///< the update failed
@@ -31,12 +31,12 @@ enum class BootError : std::uint8_t {
   serial_number = 'O',        ///< 1018h:04h differs from 1F88h
 };
 
-/// `-` for none.
+/// Letter of an error; `-` for none.
 constexpr char letter(BootError error) {
   return error == BootError::none ? '-' : static_cast<char>(error);
 }
 
-/// How a step of the procedure ended: a letter, and how a request ended that is its cause.
+/// End of a step of the procedure: a letter, and the end of the request that caused it.
 struct BootOutcome {
   BootError error = BootError::none;
   SdoEnd end = {};

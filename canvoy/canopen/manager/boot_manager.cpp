@@ -4,11 +4,12 @@
 
 namespace canvoy {
 
-constexpr HookCalls BootManager::hook_calls[] = {{.first = master_object::nmt_startup,
-                                                  .last = master_object::slave_assignment,
-                                                  .before_write = method<&BootManager::check>,
-                                                  .after_write = method<&BootManager::written>}};
-constexpr ServiceCalls BootManager::service_calls = {
+constexpr AccessHandlers BootManager::hook_calls[] = {
+    {.first = master_object::nmt_startup,
+     .last = master_object::slave_assignment,
+     .before_write = method<&BootManager::check>,
+     .after_write = method<&BootManager::written>}};
+constexpr ServiceHandlers BootManager::service_calls = {
     .reset = method<&BootManager::reset>,
     .state_entered = method<&BootManager::state_entered>,
     .hooks = hook_calls};
@@ -49,15 +50,14 @@ void BootManager::state_entered(NmtState state) {
   if (is_active()) slaves_.wake();
 }
 
-/// 1F80h: what is not known here cannot be switched on.
+/// 1F80h: bits that are not supported cannot be set.
 AbortCode BootManager::check(const Entry& entry, std::span<const std::uint8_t> value) {
   if (entry.index != master_object::nmt_startup) return AbortCode::none;
   const bool known = (load_unsigned(value) & ~std::uint64_t{NmtStartup::known_bits}) == 0;
   return known ? AbortCode::none : AbortCode::value_range;
 }
 
-/// A slave that is named while the network runs is booted, one that is no longer named is left
-/// alone.
+/// A slave that is added while the network runs is booted; one that is removed is left alone.
 void BootManager::written(const Entry& entry, Source) {
   if (entry.index != master_object::slave_assignment || !is_active()) return;
   if (!is_node_id(entry.sub) || entry.sub == node_.id()) return;
@@ -69,7 +69,7 @@ void BootManager::become_master() {
   if (is_active()) return;
   slaves_.begin();
   set_network(NetworkBoot::booting);
-  if (!is_active()) return;  // whoever was told had it retire
+  if (!is_active()) return;  // a callback may have retired it
   if (context_.options.resets_slaves) slaves_.reset_all();
   slaves_.wake();
   check_network();
@@ -86,8 +86,8 @@ void BootManager::retire() {
   network_ = NetworkBoot::idle;
 }
 
-/// By one command for all, all have had their chance before it is given: it must not hit a slave in
-/// the middle of its configuration.
+/// If one command starts all, it waits until all have had their attempt: it must not reach a slave
+/// during its configuration.
 bool BootManager::is_waited_for(const Record& record, SlaveAssignment slave) const {
   if (record.state == SlaveState::none || record.state == SlaveState::booted) return false;
   return slave.is_mandatory() || (startup().starts_all_at_once() && !record.was_tried);
@@ -110,14 +110,14 @@ void BootManager::check_network() {
 
 void BootManager::complete() {
   set_network(NetworkBoot::complete);
-  if (!is_active()) return;  // whoever was told had it retire
+  if (!is_active()) return;  // a callback may have retired it
   const NmtStartup wanted = startup();
   if (wanted.enters_operational()) context_.commands.add({node_.id(), NmtCommand::start});
   if (!wanted.starts_slaves() || !wanted.starts_all_at_once()) return;
   slaves_.start_all();
 }
 
-/// Where all are started at once, those that come later are started one by one.
+/// If all are started at once, later ones are started one by one.
 void BootManager::booted(NodeId slave) {
   const NmtStartup wanted = startup();
   const bool waits = wanted.starts_all_at_once() && network_ != NetworkBoot::complete;

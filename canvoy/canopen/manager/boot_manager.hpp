@@ -1,8 +1,8 @@
-// The NMT master of CiA 302-2: boots a network by 1F80h to 1F89h, watches over it, and boots again
-// what was lost or restarted.
+// The NMT master: boots a network by 1F80h to 1F89h, monitors it, and boots lost or restarted nodes
+// again (CiA 302-2).
 //
-// All slaves come up at once, as far as there are slots; the others wait for their turn. Each step
-// of each slave is reported. Memory belongs to the owner: MasterNode lays all of it out.
+// All slaves are booted at once, as far as there are slots; the others wait for their turn. Each
+// step of each slave is reported. Memory belongs to the owner: MasterNode contains all of it.
 //
 //     BootManager manager(node, master, commands, {records, slots}, {.hooks = hooks});
 //     manager.on_report(Callback<void(const BootReport&)>::to<&App::slave_is_booted>(app));
@@ -16,20 +16,21 @@
 
 namespace canvoy {
 
-/// It takes on_message() and on_change() of the NmtMaster and on_sent() of the NmtQueue for itself.
+/// The manager uses on_message() and on_change() of the NmtMaster and on_sent() of the NmtQueue
+/// itself.
 ///
-/// It begins when the node enters pre-operational after each reset, where 1F80h says that it is the
-/// NMT master; a flying master (1F80h bit 5) begins when it is told that it won. While the node is
-/// stopped, boots rest.
+/// It begins when the node enters pre-operational after each reset, if 1F80h makes it the NMT
+/// master; a flying master (1F80h bit 5) begins with become_master(). While the node is stopped,
+/// boots pause.
 ///
 /// A slave that does not answer (B, or a time-out in a later step) is booted again a second later:
-/// an optional one for ever, a mandatory one until its boot time (1F89h) is over. All other errors
-/// are final. Whatever failed is booted anew when it sends a boot-up message, or is heard again
-/// after it did not answer.
+/// an optional one without limit, a mandatory one until its boot time (1F89h) is over. All other
+/// errors are final. Any slave that failed is booted again when it sends a boot-up message, or when
+/// a slave that did not answer is heard again.
 ///
-/// A slave that restarts without being told is booted anew at once three times; where it does not
-/// leave off for half a minute, after 1, 2, 4 and 8 s, and then it is given up (J, where it was
-/// being configured, or else B). Each further boot-up message is worth one attempt, 8 s later.
+/// A slave that restarts without a command is booted again at once three times; unless it runs for
+/// half a minute, after 1, 2, 4 and 8 s, and then no more (J if it was being configured, otherwise
+/// B). Each further boot-up message leads to one attempt, 8 s later.
 class BootManager {
  public:
   using SlaveState = SlaveBoots::State;
@@ -41,32 +42,34 @@ class BootManager {
     BootOptions options = {};
   };
 
-  /// All of it must outlive the manager. With room for fewer frames in the backlog of the node and
-  /// its controller than there are slots, requests may be lost, and are repeated later.
+  /// Makes the manager. All arguments must outlive it. If the backlog of the node and its
+  /// controller have room for fewer frames than there are slots, requests may be lost, and are
+  /// repeated later.
   BootManager(Node& node, NmtMaster& master, NmtQueue& commands, const Memory& memory,
               const Settings& settings);
   BootManager(const BootManager&) = delete;
   BootManager& operator=(const BootManager&) = delete;
 
-  /// In place of those of the settings; before the node is started.
+  /// Replaces the hooks of the settings; to be called before the node is started.
   void use(const BootHooks& hooks) { context_.hooks = hooks; }
 
-  /// Each step of each slave, and what happens to it afterwards.
+  /// Sets the callback for each step of each slave, and for later events.
   void on_report(Callback<void(const BootReport&)> report) { told_ = report; }
   void on_network(Callback<void(NetworkBoot)> changed) { network_changed_ = changed; }
 
-  /// A flying master has won: begins as the only one does by itself.
+  /// Begins as NMT master; called for a flying master that has won.
   void become_master();
-  /// It has lost: leaves everything as it is.
+  /// Ends the work as NMT master without changing any node; called for a flying master that has
+  /// lost.
   void retire();
   bool is_active() const { return network_ != NetworkBoot::idle; }
 
-  /// Node guarding found a slave silent.
+  /// Notes that a slave is silent by node guarding.
   void guarding_lost(NodeId slave) { slaves_.lost(slave); }
 
   NetworkBoot network() const { return network_; }
   SlaveState slave_state(NodeId slave) const { return slaves_.record(slave).state; }
-  /// Why it is not up, or the last error that it met; L where it was not touched.
+  /// Reason why a slave did not boot, or its last error; L if it was left as it was.
   BootError slave_error(NodeId slave) const { return slaves_.record(slave).error; }
 
  private:
@@ -93,11 +96,11 @@ class BootManager {
   SlaveBoots slaves_;
   Callback<void(const BootReport&)> told_;
   Callback<void(NetworkBoot)> network_changed_;
-  static const ServiceCalls service_calls;
-  static const HookCalls hook_calls[1];
-  ServiceLink service_{&service_calls, this};
+  static const ServiceHandlers service_calls;
+  static const AccessHandlers hook_calls[1];
+  HandlerBinding service_{&service_calls, this};
   NetworkBoot network_ = NetworkBoot::idle;
-  bool was_reset_ = false;  ///< and has not begun yet
+  bool was_reset_ = false;  ///< has not begun since a reset
 };
 
 }  // namespace canvoy

@@ -1,5 +1,5 @@
-// What an NMT master does when a slave is lost or restarts: alone, or with all, by 1F80h bits 4 and
-// 6 (CiA 302-2, error control event).
+// Reaction of an NMT master to a slave that is lost or restarts: alone, or with all, by 1F80h bits
+// 4 and 6 (CiA 302-2, error control event).
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/testing/boot_network.hpp"
@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint32_t optional_slave = 0x05;
 constexpr std::uint32_t mandatory_slave = 0x0D;
 
-/// Slave 5 sends a heartbeat each 300 ms, slave 6 none; both are operational.
+/// Slave 5 sends a heartbeat every 300 ms, slave 6 none; both are operational.
 struct RunningNetwork : BootNetwork {
   explicit RunningNetwork(std::uint32_t bits, std::uint32_t assignment = mandatory_slave) {
     startup(bits);
@@ -102,7 +102,7 @@ TEST(BootNetworkLoss, OfASlaveThatIsKeptAliveResetsNobody) {
   sut.run_until(Time(300ms));
   sut.expect({"@300000 605#40 00 10 00 00 00 00 00"});
   sut.expect_log({"5 lost", "5 device_type"});
-  // The cable is mended: it was operational all the time.
+  // The cable is mended: the slave was operational all the time.
   sut.answer(5, 0x1000, 0, 0);
   sut.heartbeat(5, 0x05);
   sut.expect({});

@@ -1,4 +1,4 @@
-// When a network is complete, and who starts it then: each bit of 1F80h (CiA 302-2).
+// When a network is complete, and which node starts it then: each bit of 1F80h (CiA 302-2).
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/testing/boot_network.hpp"
@@ -19,7 +19,7 @@ TEST(BootNetworkStart, IsNothingOfANodeThatIsNoMaster) {
     sut.run_until(Time(10s));
     sut.expect({"77F#00"});
     sut.expect_log({});
-    // 08h without 04h: a device that starts itself.
+    // 08h without 04h: a device that enters operational by itself.
     const bool starts_itself = (startup & 0x0C) == 0x08;
     EXPECT_EQ(sut.node.state(), starts_itself ? NmtState::operational : NmtState::pre_operational)
         << startup;
@@ -34,7 +34,7 @@ TEST(BootNetworkStart, ComesAtOnceWhereThereIsNoSlave) {
   EXPECT_EQ(sut.node.state(), NmtState::operational);
 }
 
-/// One mandatory slave (5) and one optional (6); 6 is up before 5.
+/// One mandatory slave (5) and one optional (6); 6 is booted before 5.
 struct Started : BootNetwork {
   explicit Started(std::uint32_t bits) {
     startup(bits);
@@ -122,7 +122,7 @@ TEST(BootNetworkStart, FailsWithAMandatorySlaveAndGoesOnWhenItComesAfterAll) {
   sut.expect_log(
       {"5 device_type", "5 vendor_id", "5 failed D 00000124 not 00000123", "network failed"});
   EXPECT_EQ(sut.node.state(), NmtState::pre_operational);
-  // Somebody exchanges the device.
+  // The device is exchanged.
   sut.run_until(Time(1h));
   sut.bring_up(5);
   sut.answer(5, 0x1018, 1, 0x123);

@@ -1,4 +1,4 @@
-// What the boot-up procedure tells while it goes on, so that no slave is waited for without a word
+// Reports of the boot-up procedure while it runs, so that no slave is waited for without a report
 // (CiA 302-2).
 //
 //     manager.on_report(Callback<void(const BootReport&)>::to<&App::slave_is_booted>(app));
@@ -7,56 +7,56 @@
 #include <cstdint>
 
 #include "canvoy/can/time.hpp"
-#include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/canopen/manager/boot_error.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
 
 namespace canvoy {
 
-/// The steps that a slave goes through, in their order.
+/// The steps for a slave, in their order.
 enum class BootStep : std::uint8_t {
-  waiting,      ///< for its boot-up message, for its turn, or for the next attempt
+  waiting,      ///< for the boot-up message, for a slot, or for the next attempt
   device_type,  ///< reads 1000h
-  vendor_id,    ///< reads 1018h:01h, where one is expected; and so on
+  vendor_id,    ///< reads 1018h:01h, if one is expected; likewise for the steps that follow
   product_code,
   revision_number,
   serial_number,
-  node_state,     ///< of a slave to be kept alive: waits for a heartbeat or guarding answer
-  reset,          ///< commanded, and waits for the boot-up message
-  program,        ///< checks its software version, and updates it
-  configuration,  ///< checks its configuration, and downloads it
+  node_state,     ///< for a slave to be kept alive: waits for a heartbeat or guarding answer
+  reset,          ///< command sent; waits for the boot-up message
+  program,        ///< checks the software version, and updates it
+  configuration,  ///< checks the configuration, and downloads it
   error_control,  ///< waits for the first heartbeat
   done,
 };
 
 enum class BootEvent : std::uint8_t {
   step,        ///< a step begins
-  no_boot_up,  ///< it was reset, and sent no boot-up message: it is asked for 1000h again
-  restarted,   ///< it sent a boot-up message when none was expected: it begins anew
-  retried,     ///< the attempt failed, and the next one will come
-  failed,      ///< for good, unless it sends a boot-up message
-  booted,      ///< error L: it was operational, and left so
-  started,     ///< commanded into operational, by itself or with all
-  lost,        ///< its heartbeat or guarding answer did not come in time
-  slowed,      ///< it restarts again and again: the next attempt comes after `delay`
-  given_up,    ///< it does so still: for good, unless it sends another boot-up message
-  unknown,     ///< a boot-up message of a node that is no slave (A)
+  no_boot_up,  ///< no boot-up message after a reset: 1000h is requested again
+  restarted,   ///< an unexpected boot-up message: it begins again
+  retried,     ///< the attempt failed, and another one follows
+  failed,      ///< final, unless it sends a boot-up message
+  booted,      ///< error L: it was operational, and was left in that state
+  started,     ///< commanded into operational, alone or with all
+  lost,        ///< no heartbeat or guarding answer in time
+  slowed,      ///< repeated restarts: the next attempt comes after `delay`
+  given_up,    ///< further restarts: final, unless it sends another boot-up message
+  unknown,     ///< a boot-up message of a node that is not a slave (A)
 };
 
 struct BootReport {
   NodeId slave = 0;
   BootEvent event = BootEvent::step;
-  BootStep step = BootStep::waiting;  ///< that begins, or in which it happened
+  BootStep step = BootStep::waiting;  ///< step that begins, or in which the event occurred
   BootOutcome outcome = {};
-  std::uint32_t expected = 0;  ///< of a step that compares
+  std::uint32_t expected = 0;  ///< of a step with a comparison
   std::uint32_t found = 0;
   Duration delay{};  ///< of `slowed`
 };
 
-/// The network as a whole.
+/// State of the network as a whole.
 enum class NetworkBoot : std::uint8_t {
   idle,  ///< this device is not the NMT master, or not yet
   booting,
-  failed,    ///< a mandatory slave did not come up; it is still waited for
+  failed,    ///< a mandatory slave did not boot; the manager still waits for it
   complete,  ///< all mandatory slaves are up
 };
 

@@ -1,5 +1,5 @@
-// A boot-up that ends from within: whoever is told of a step has the manager retire, or the node
-// reset (CiA 302-2).
+// A boot-up that ends during a report: the callback has the manager retire, or the node reset (CiA
+// 302-2).
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/testing/boot_network.hpp"
@@ -7,7 +7,7 @@
 namespace canvoy::boot_retire_test {
 namespace {
 
-/// Booted by the master, of which a verified program (bit 5) and a configuration are expected.
+/// A slave booted by the master, with an expected verified program (bit 5) and configuration.
 constexpr std::uint32_t optional_slave = 0x25;
 constexpr std::uint32_t kept_alive = 0x35;
 constexpr unsigned nobody = 1000;
@@ -40,7 +40,7 @@ struct EndingMaster : BootNetwork {
     sent.clear();
   }
   bool ended_by_retirement() const { return by_ == By::retirement && reports_ > number_; }
-  /// All that a slave says. `boots`: also a boot-up message after its reset.
+  /// All messages of a slave. `boots`: also a boot-up message after its reset.
   void play(bool boots) {
     answer_all();
     heartbeat(5, 0x7F);
@@ -91,7 +91,7 @@ void end_in_each_report(EndingMaster::By by, Check check) {
 }
 
 struct RetiringMaster : BootNetwork {
-  /// Retires when the network becomes this.
+  /// Retires when the network enters this state.
   RetiringMaster(NetworkBoot when, std::uint32_t startup_value) : when_(when) {
     manager.on_network(Callback<void(NetworkBoot)>::to<&RetiringMaster::network_is>(*this));
     startup(startup_value);

@@ -2,14 +2,14 @@
 
 #include <utility>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 #include "canvoy/canopen/dictionary/object_index.hpp"
 
 namespace canvoy {
 
 namespace {
 
-/// What a slave is asked for, and with what its answer is compared. An expected value of 0 fits
+/// A read request to a slave, and the expected value of its answer. An expected value of 0 matches
 /// all.
 struct Question {
   std::uint16_t index;
@@ -53,7 +53,7 @@ SlaveAssignment BootSlave::assignment() const {
 }
 
 void BootSlave::begin(NodeId slave, bool is_fresh) {
-  must_hold(!busy());
+  check_invariant(!busy());
   slave_ = slave;
   is_fresh_ = is_fresh;
   was_reset_ = false;
@@ -96,7 +96,7 @@ BootReport BootSlave::report_of(BootEvent event) const {
           .found = found_};
 }
 
-/// False where whoever is told of the step had the work abandoned.
+/// False if the report of the step had the work abandoned.
 bool BootSlave::enter(BootStep step) {
   step_ = step;
   expected_ = found_ = 0;
@@ -114,7 +114,7 @@ bool BootSlave::is_asked_for(BootStep step) const {
          context_->node.dictionary().number(expected_index, slave_) != 0;
 }
 
-/// Asks for this, or for what comes next and is known.
+/// Reads this value, or the next one that is expected.
 void BootSlave::ask(BootStep step) {
   while (step < BootStep::node_state && !is_asked_for(step)) step = next(step);
   if (step == BootStep::node_state) return ask_for_state();
@@ -129,14 +129,14 @@ void BootSlave::ask(BootStep step) {
   if (refused != AbortCode::none) finish({BootError::no_answer, refused});
 }
 
-/// A lost frame is no proof of a wrong device: whoever does not answer is asked again later.
-/// Who refuses has answered, with whatever abort code.
+/// A lost frame does not prove a wrong device: a slave without an answer is asked again later. A
+/// refusal is an answer, with any abort code.
 void BootSlave::answered(SdoClient::Outcome outcome) {
   const BootError error = question_of(step_).error;
   if (!outcome) return finish({outcome.is_silence() ? BootError::no_answer : error, outcome});
   found_ = load<std::uint32_t>(value_.data());
   if (expected_ != 0 && found_ != expected_) return finish({error, AbortCode::none});
-  // Without a boot-up message after its reset, the answer says that it is there.
+  // Without a boot-up message after its reset, the answer proves its presence.
   if (was_reset_) return update_program();
   ask(next(step_));
 }
@@ -176,7 +176,7 @@ void BootSlave::reset_sent() {
   if (step_ == BootStep::reset || is_restarting_) wait(context_->options.boot_up_time_out);
 }
 
-/// Empty hooks leave at once.
+/// Empty hooks end at once.
 void BootSlave::update_program() {
   const auto& hook = context_->hooks.update_program;
   if (!hook || !assignment().has_verified_program()) return update_configuration();
@@ -220,7 +220,7 @@ void BootSlave::configuration_updated(BootOutcome outcome) {
   start_error_control();
 }
 
-/// False where a first sign of life is to be waited for.
+/// False if a first heartbeat must be waited for.
 bool BootSlave::watch() {
   const Duration heartbeat = heartbeat_time(context_->node.dictionary(), slave_);
   if (heartbeat != Duration::zero()) {
@@ -259,8 +259,8 @@ void BootSlave::expired(Time) {
   }
 }
 
-/// Where NMT took the word from this node, nobody else is to blame: the manager ends what is under
-/// way. Nothing is touched after the callback: it may have begun with the next slave.
+/// If NMT stopped this node, no slave is at fault: the manager ends the work in progress. Nothing
+/// is used after the callback, which may have begun with the next slave.
 void BootSlave::finish(BootOutcome outcome) {
   if (!busy()) return;
   const NmtState state = context_->node.state();

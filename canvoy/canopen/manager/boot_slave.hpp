@@ -1,9 +1,9 @@
-// The boot-up of one slave, step by step (CiA 302-2, "boot NMT slave"): is it there, is it the
-// right one, may it be reset, has it the right software and configuration, does its error control
-// work?
+// The boot-up of one slave, step by step: is it present, is it the right one, may it be reset, has
+// it the right software and configuration, does its error control work? (CiA 302-2, "boot NMT
+// slave")
 //
-// SlaveBoots owns the order in which slaves come up, and hands each to one of these. As many as
-// there are work at once.
+// SlaveBoots determines the order of slaves, and assigns each to one of these. All of them work at
+// once.
 //
 //     BootSlave slots[4] = {BootSlave(node), BootSlave(node), BootSlave(node), BootSlave(node)};
 #pragma once
@@ -22,17 +22,17 @@
 namespace canvoy {
 
 struct BootOptions {
-  /// How long after its reset a slave is given for its boot-up message.
+  /// Time for the boot-up message of a slave after its reset.
   Duration boot_up_time_out = 1s;
-  /// For each answer of a slave.
+  /// Limit for each answer of a slave.
   Duration sdo_time_out = SdoClient::default_time_out;
-  /// From an attempt that no slave answered to the next one.
+  /// Time from an attempt without an answer to the next one.
   Duration retry_interval = 1s;
-  /// The communication of all slaves is reset when the boot-up of the network begins.
+  /// Whether the communication of all slaves is reset when the boot-up of the network begins.
   bool resets_slaves = true;
 };
 
-/// What all slots of a master work with.
+/// Common data of all slots of a master.
 struct BootContext {
   Node& node;
   NmtMaster& master;
@@ -50,7 +50,7 @@ class BootSlave {
   BootSlave& operator=(const BootSlave&) = delete;
 
   bool busy() const { return slave_ != 0; }
-  /// 0 while it is idle.
+  /// Slave in this slot; 0 while it is idle.
   NodeId slave() const { return slave_; }
 
  private:
@@ -58,22 +58,22 @@ class BootSlave {
 
   using Finished = Callback<void(BootSlave&, BootOutcome)>;
 
-  // What SlaveBoots asks for
+  // Interface for SlaveBoots
   void prepare(BootContext& context, Finished finished);
-  /// `is_fresh`: it has just booted, and need not be reset.
+  /// Begins the boot-up of a slave; `is_fresh`: it has just booted, and need not be reset.
   void begin(NodeId slave, bool is_fresh);
   /// Ends the work without an outcome.
   void abandon();
-  /// True where a boot-up message is no surprise.
+  /// True if a boot-up message is expected.
   bool expects_boot_up() const;
   void booted_up();
   void heard(RemoteState state);
   void reset_sent();
   BootReport report_of(BootEvent event) const;
-  /// Of its slave there is nothing more to do.
+  /// Frees the slot, since its slave needs no further work.
   void release() { slave_ = 0; }
 
-  // Is it there, and the right one?
+  // Is it present, and the right one?
   void ask(BootStep step);
   bool is_asked_for(BootStep step) const;
   void answered(SdoClient::Outcome outcome);
@@ -102,7 +102,7 @@ class BootSlave {
   SdoClient client_;
   BootContext* context_ = nullptr;
   Finished finished_;
-  Callback<void(AbortCode)> restarted_;  ///< of a hook
+  Callback<void(AbortCode)> restarted_;  ///< callback of a hook
   Timer timer_;
   std::uint32_t expected_ = 0;
   std::uint32_t found_ = 0;
@@ -110,9 +110,9 @@ class BootSlave {
   NodeId slave_ = 0;
   BootStep step_ = BootStep::waiting;
   bool is_fresh_ = false;
-  bool was_reset_ = false;      ///< in this attempt, and was given its time
-  bool has_task_ = false;       ///< a hook is at work
-  bool is_restarting_ = false;  ///< for that hook
+  bool was_reset_ = false;      ///< in this attempt, and the time for it is over
+  bool has_task_ = false;       ///< a hook is working
+  bool is_restarting_ = false;  ///< for a hook
 };
 
 }  // namespace canvoy

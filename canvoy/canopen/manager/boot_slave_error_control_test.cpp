@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint32_t optional_slave = 0x05;
 
-/// Slave 5 is to send a heartbeat each 300 ms.
+/// Slave 5 must send a heartbeat every 300 ms.
 struct WatchingMaster : BootNetwork {
   explicit WatchingMaster(std::uint32_t assignment = optional_slave) {
     assign(5, assignment);
@@ -20,7 +20,7 @@ struct WatchingMaster : BootNetwork {
   }
 };
 
-/// What the master asks of node guarding.
+/// Requests of the master for node guarding.
 struct Guard {
   GuardingHooks hooks() {
     return {Callback<bool(NodeId, Duration, std::uint8_t)>::to<&Guard::start>(*this),

@@ -1,5 +1,5 @@
-// The steps of the boot-up of a slave that others do: the check of its software (CiA 302-2; letters
-// G, H and I) and of its configuration (letter J).
+// The steps of the boot-up of a slave that hooks carry out: the check of its software (CiA 302-2;
+// letters G, H and I) and of its configuration (letter J).
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/testing/boot_network.hpp"
@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint32_t optional_slave = 0x05;
 constexpr std::uint32_t verified = 0x25;
 
-/// Keeps the tasks that it is given until the test ends them.
+/// Keeps the tasks that it receives until the test ends them.
 struct Worker {
   BootHooks hooks() {
     return {
@@ -87,7 +87,7 @@ TEST(BootSlaveHooks, MayUseTheClientOfTheSlot) {
   sut.expect({"000#01 05"});
 }
 
-/// What a hook hears of the restart that it asked for.
+/// Result of the restart that a hook requested.
 struct Restart {
   void ended(AbortCode how) { answers.push_back(how); }
   Callback<void(AbortCode)> callback() {

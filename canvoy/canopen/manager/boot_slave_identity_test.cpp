@@ -1,5 +1,5 @@
-// The first steps of the boot-up of a slave: is it there, and is it the one that is expected (CiA
-// 302-2; letters A to D and M to O).
+// The first steps of the boot-up of a slave: is it present, and is it the expected one (CiA 302-2;
+// letters A to D and M to O).
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/testing/boot_network.hpp"
@@ -110,7 +110,7 @@ TEST_P(BootSlaveDifference, EndsTheBootUpForGood) {
 TEST_P(BootSlaveDifference, IsAssumedWhereTheSlaveRefusesToAnswer) {
   IdentifyingMaster sut;
   const std::uint32_t good[] = {0x000F'0191, 0x123, 7, 0x0001'0002, 0xDEAD'BEEF};
-  if (GetParam().sub == 0) return;  // that may change: see below
+  if (GetParam().sub == 0) return;  // it may change: see below
   for (std::uint8_t sub = 0; sub < GetParam().sub; ++sub) {
     sut.answer(5, sub == 0 ? 0x1000 : 0x1018, sub, good[sub]);
   }
@@ -164,7 +164,7 @@ TEST(BootSlaveIdentity, IsWaitedForWithoutEndWhereTheBootTimeIs0) {
   EXPECT_EQ(sut.manager.network(), NetworkBoot::booting);
 }
 
-/// It has answered: that is not B. Each device has 1000h, so that it is not ready yet.
+/// It has answered, so the error is not B. Each device has 1000h: it is not ready yet.
 TEST(BootSlaveIdentity, IsAskedForAgainWhereTheDeviceTypeIsRefused) {
   IdentifyingMaster sut;
   sut.forget();

@@ -1,5 +1,5 @@
-// The step of the boot-up of a slave that decides whether it is reset (CiA 302-2; letters E, F and
-// L): it is, unless it has just booted, or is to be kept alive and is operational.
+// The step of the boot-up of a slave that determines whether it is reset: it is, unless it has just
+// booted, or must be kept alive and is operational (CiA 302-2; letters E, F and L).
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/testing/boot_network.hpp"
@@ -20,7 +20,7 @@ struct ResettingMaster : BootNetwork {
   }
 };
 
-/// The same for a slave that is kept alive: it is asked at once.
+/// Like DisturbedMaster, but for a slave that is kept alive: it is asked at once.
 struct KeepingMaster : BootNetwork {
   explicit KeepingMaster(std::uint32_t assignment = kept_alive) { assign(5, assignment); }
   void identify() {

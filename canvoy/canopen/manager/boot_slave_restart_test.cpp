@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t optional_slave = 0x05;
 
-/// Slave 5 with all expectations, which are all 77h, and a heartbeat within 300 ms.
+/// Slave 5 with all expectations, each 77h, and a heartbeat within 300 ms.
 struct DisturbedMaster : BootNetwork {
   explicit DisturbedMaster(std::uint32_t assignment = optional_slave) {
     assign(5, assignment);
@@ -47,7 +47,7 @@ TEST(BootSlaveRestart, InTheMiddleOfAnyQuestionBeginsTheBootUpAnew) {
   }
 }
 
-/// 1F82h, or whoever has its master reset it: no fault of the slave, however often.
+/// 1F82h, or a node that has its master reset it: no fault of the slave, however often.
 TEST(BootSlaveRestart, ThatItIsToldOfIsNone) {
   DisturbedMaster sut;
   sut.boot_up(5);
@@ -70,7 +70,8 @@ TEST(BootSlaveRestart, ThatItIsToldOfIsNone) {
   EXPECT_EQ(sut.log.rbegin()[1].text, "5 restarted in done") << "by itself";
 }
 
-/// Slave 5 boots in place of each answer, 3 ms later; what its boot-up was asked, with times.
+/// Slave 5 boots in place of each answer, 3 ms later; records the requests of its boot-up, with
+/// times.
 struct RestartingSlave : DisturbedMaster {
   void answer_by_boot_ups(Duration time) {
     const Time end = now + time;
@@ -150,7 +151,7 @@ TEST(BootSlaveRestart, NowAndThenIsNeverSlowedDown) {
   EXPECT_EQ(sut.count("5 restarted in done"), 99U);
 }
 
-/// The slot of who is given up is free for others.
+/// The slot of a slave that was given up is free for others.
 TEST(BootSlaveRestart, WithoutEndKeepsNoOtherSlaveWaiting) {
   BootNetwork sut(1);
   sut.assign(4, optional_slave);
@@ -204,7 +205,7 @@ TEST(BootSlaveRestart, OfTwoNodesWithOneNodeIdIsTold) {
   sut.boot_up(5);
   sut.boot_up(5);
   sut.expect_log({"5 device_type", "5 restarted in device_type", "5 device_type"});
-  // Both answer each question: the second answer is nobody's.
+  // Both answer each request: the second answer belongs to no request.
   sut.forget();
   for (unsigned question = 0; question < 5; ++question) {
     sut.answer_next(question);
@@ -272,7 +273,7 @@ TEST(BootSlaveRestart, InAnyNmtStateOfTheMasterHarmsNobody) {
   }
 }
 
-/// Each bit of 1F81h in each combination: a slave that does as it is told comes up, or is left.
+/// Each bit of 1F81h in each combination: a slave that obeys boots, or is left.
 TEST(BootSlaveRestart, DoesNotHappenToASlaveThatDoesAsItIsTold) {
   for (std::uint32_t assignment = 0; assignment < 0x100; ++assignment) {
     BootNetwork sut;
@@ -299,7 +300,7 @@ TEST(BootSlaveRestart, DoesNotHappenToASlaveThatDoesAsItIsTold) {
   }
 }
 
-/// What slave 5 says in a boot-up.
+/// Messages of slave 5 in a boot-up.
 constexpr const char* dialogue[] = {"705#00",
                                     "585#43 00 10 00 77 00 00 00",
                                     "585#43 18 10 01 77 00 00 00",
@@ -322,7 +323,7 @@ TEST(BootSlaveBitFlip, InAnyFrameOfTheSlaveStartsNobodyAndHarmsNoLaterBootUp) {
       for (std::size_t before = 0; before < place; ++before) sut.receive(dialogue[before]);
       sut.node.receive(flip, sut.now);
       sut.settle();
-      // In the heartbeat there are bits that do not matter.
+      // Some bits of the heartbeat have no effect.
       const bool is_heartbeat = flip.id == 0x705 && flip.length == 1 && !flip.is_remote();
       EXPECT_FALSE(starts_a_slave(sut) && !(place == 6 && is_heartbeat));
       sut.run_for(10s);

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 
 namespace canvoy {
 

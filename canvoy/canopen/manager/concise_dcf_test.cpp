@@ -17,7 +17,7 @@ const Bytes two_entries = {0x02, 0x00, 0x00, 0x00,                    // two ent
                            0x01, 0x20, 0x02, 0x06, 0x00, 0x00, 0x00,  // 2001h:02h, 6 bytes
                            0x43, 0x61, 0x6E, 0x76, 0x6F, 0x79};       // "Canvoy"
 
-/// Bytes in memory that must not be left.
+/// Bytes in memory that the reader must not leave.
 struct Memory {
   explicit Memory(Bytes content) : bytes(std::move(content)) {}
   AbortCode read(std::uint32_t offset, std::span<std::uint8_t> to) {
@@ -132,7 +132,7 @@ TEST(ConciseDcf, ASizeBeyondTheEndIsRefused) {
   }
 }
 
-/// Each bit of the count and the headers, and each byte with each value: never beyond the end.
+/// Each bit of the count and the headers, and each byte with each value: no read beyond the end.
 TEST(ConciseDcf, NoChangeOfAnyByteMakesItReadBeyondItsEnd) {
   for (std::size_t at = 0; at < two_entries.size(); ++at) {
     for (unsigned value = 0; value < 256; ++value) {

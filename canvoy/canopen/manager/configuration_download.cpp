@@ -29,7 +29,7 @@ void ConfigurationDownload::cancel() {
   client_->cancel();
 }
 
-/// The entry is read again although it was checked: whoever owns the source may have changed it.
+/// The entry is read again after the check: the owner of the source may have changed it.
 AbortCode ConfigurationDownload::write_next() {
   const Result<ConciseDcf::Item> item = dcf_.next();
   item_ = *item;
@@ -69,7 +69,7 @@ void ConfigurationDownload::written(SdoClient::Outcome outcome) {
   if (refused != AbortCode::none) finish(refused);
 }
 
-/// Nothing is touched after the callback: it may have started the next download.
+/// Nothing is used after the callback, which may have started the next download.
 void ConfigurationDownload::finish(SdoEnd end) {
   busy_ = false;
   Outcome outcome{.end = end, .written = written_};

@@ -14,18 +14,18 @@
 
 namespace canvoy {
 
-/// All of the concise DCF is checked before the first entry is written, so that a malformed one
-/// changes nothing. It stops at the first entry that the slave refuses: what was written before
-/// stays.
+/// A download. All of the concise DCF is checked before the first entry is written, so that a
+/// malformed one changes nothing. It stops at the first entry that the slave refuses; entries
+/// written before stay.
 class ConfigurationDownload {
  public:
-  /// Done, or why it ended early, with the entry that was refused. Where the concise DCF itself is
-  /// to blame, the index is 0.
+  /// End of a download: done, or the reason, with the entry that was refused. If the concise DCF
+  /// itself is wrong, the index is 0.
   struct Outcome {
     SdoEnd end = {};
     std::uint16_t index = 0;
     std::uint8_t sub = 0;
-    std::uint32_t written = 0;  ///< entries
+    std::uint32_t written = 0;  ///< number of entries
   };
   using Done = Callback<void(const Outcome&)>;
 
@@ -33,14 +33,14 @@ class ConfigurationDownload {
   ConfigurationDownload(const ConfigurationDownload&) = delete;
   ConfigurationDownload& operator=(const ConfigurationDownload&) = delete;
 
-  /// `client` belongs to the download, and `source` is read, until `done` was called, which happens
-  /// once. It is not called for what is refused at once: device_state (a download is under way),
-  /// no_data (an empty concise DCF), the aborts of ConciseDcf, those of SdoClient::download().
+  /// Starts a download. It uses `client` and `source` until `done` is called, once. `done` is not
+  /// called for an immediate refusal: device_state (a download is under way), no_data (an empty
+  /// concise DCF), the aborts of ConciseDcf, those of SdoClient::download().
   AbortCode start(SdoClient& client, NodeId slave, const ByteSource& source, Done done,
                   Duration time_out = SdoClient::default_time_out);
-  /// Ends it without a call of `done`, and tells the slave.
+  /// Ends it without a call of `done`, and notifies the slave.
   void cancel();
-  /// Ends it without touching the client, which belongs to somebody else already.
+  /// Ends it without using the client, which belongs to another service already.
   void forget() { busy_ = false; }
 
   bool busy() const { return busy_; }

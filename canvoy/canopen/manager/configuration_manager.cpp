@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
-#include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/canopen/manager/nmt_startup.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 
 namespace canvoy {
 
@@ -23,12 +23,12 @@ std::uint32_t expected(const Node& node, std::uint16_t index, NodeId slave) {
 
 }  // namespace
 
-constexpr HookCalls ConfigurationManager::hook_calls = {
+constexpr AccessHandlers ConfigurationManager::hook_calls = {
     .first = object_index::configure_slave,
     .last = object_index::configure_slave,
     .before_write = method<&ConfigurationManager::before_write>,
     .after_write = method<&ConfigurationManager::after_write>};
-constexpr ServiceCalls ConfigurationManager::service_calls = {
+constexpr ServiceHandlers ConfigurationManager::service_calls = {
     .reset = method<&ConfigurationManager::reset>, .hooks = {&hook_calls, 1}};
 
 ConfigurationManager::ConfigurationManager(Node& node, std::span<Worker> workers, Duration time_out)
@@ -151,9 +151,9 @@ void ConfigurationManager::finished(Worker& worker, const ConfigurationOutcome& 
   }
   if (!is_told) return;
   node_.timers().arm(timer_, node_.now());
-  // Told before the boot-up goes on, which may start the slave at once.
+  // Called before the boot-up continues, which may start the slave at once.
   done_(slave, outcome);
-  // Whoever is told may abandon the slave, or have the node reset: then it is not booted on.
+  // The callback may abandon the slave, or have the node reset: then its boot ends.
   if (!is_of_boot || worker.slave_ != slave) return;
   worker.slave_ = 0;
   const BootTask task = std::exchange(worker.task_, {});
@@ -227,7 +227,7 @@ void ConfigurationManager::Worker::time_read(SdoClient::Outcome outcome) {
   finish({.kind = ConfigurationOutcome::Kind::up_to_date});
 }
 
-/// Restores the defaults first, where that is asked for and the slave can be reset.
+/// Restores the defaults first, if required and if the slave can be reset.
 void ConfigurationManager::Worker::configure() {
   restore_sub_ = 0;
   if (task_.restart && slave_assignment(node_.dictionary(), slave_).is_restored()) {
@@ -270,7 +270,7 @@ void ConfigurationManager::Worker::download() {
   if (answer != AbortCode::none) fail(answer, 0, 0);
 }
 
-/// Twice, as a domain is read in ascending order only: the first time to check it.
+/// Opened twice, as a domain is read in ascending order only: the first time to check it.
 AbortCode ConfigurationManager::Worker::open_source(ByteSource& source) {
   const Result<Entry> entry = node_.dictionary().find(object_index::concise_dcf, slave_);
   domain_ = entry ? node_.dictionary().domain(*entry) : nullptr;
@@ -286,7 +286,7 @@ AbortCode ConfigurationManager::Worker::open_source(ByteSource& source) {
   return AbortCode::none;
 }
 
-/// From the beginning again: it was checked, and now it is downloaded.
+/// Starts again from the beginning: after the check comes the download.
 AbortCode ConfigurationManager::Worker::read_source(std::uint32_t offset,
                                                     std::span<std::uint8_t> bytes) {
   if (offset == 0) {
@@ -308,7 +308,7 @@ void ConfigurationManager::Worker::downloaded(const ConfigurationDownload::Outco
 }
 
 void ConfigurationManager::Worker::date_written(SdoClient::Outcome outcome) {
-  // Where it was not read before, now is the time to learn that the slave has none.
+  // If 1020h was not read before, its absence shows here.
   if (is_absent(outcome)) return finish({.kind = ConfigurationOutcome::Kind::downloaded});
   if (!outcome) return fail(outcome, object_index::verify_configuration, date_sub);
   write_verification<&Worker::time_written>(time_sub, expected_time_);

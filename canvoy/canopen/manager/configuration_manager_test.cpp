@@ -339,7 +339,7 @@ TEST(ConfigurationRequest, CannotBeRead) {
   manager.expect({"581#80 25 1F 05 01 00 01 06"});
 }
 
-// In the boot-up procedure of an NMT master (302-2)
+// In the boot-up procedure of an NMT master (CiA 302-2)
 
 struct BootingManager : Manager {
   BootingManager() { sut.serve(hooks); }

@@ -1,5 +1,5 @@
-// SDO manager, requesting device and server on one cable: a connection comes about and works, also
-// with lost frames and lost nodes.
+// SDO manager, requesting device and server on one cable: a connection is established and works,
+// also with lost frames and lost nodes.
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/testing/cable.hpp"
@@ -118,7 +118,8 @@ TEST_F(DynamicSdo, NoSingleLostFrameKeepsTheConnectionAwayForEver) {
   ASSERT_EQ(device.connect(10, 1), AbortCode::none);
   cable.run_for(100ms);
   const std::size_t frames = cable.heard.size();
-  // The call; who was it (5, and 10 has no 1F10h); registration; request; free channel; connection.
+  // The call; search for the caller (5, and 10 has no 1F10h); registration; request; free channel;
+  // connection.
   ASSERT_EQ(frames, 1 + 2 * 2 + 4 * 2 + 2 + 2 + 7 * 2u);
   for (std::size_t lost = 0; lost < frames; ++lost) {
     SCOPED_TRACE(lost);

@@ -1,5 +1,5 @@
-// Concise DCFs that are constants in flash, as the content of 1F22h (CiA 302-3): clients may read
-// them, and nobody writes them.
+// Concise DCFs as constants in flash, for the content of 1F22h: clients may read them, but not
+// write them (CiA 302-3).
 //
 //     constexpr FixedConfigurations::Item items[] = {{.slave = 5, .concise_dcf = charger_dcf}};
 //     FixedConfigurations configurations(node, items);
@@ -10,7 +10,7 @@
 #include <span>
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 
 namespace canvoy {
 
@@ -21,7 +21,7 @@ class FixedConfigurations {
     std::span<const std::uint8_t> concise_dcf;
   };
 
-  /// `items` and what they refer to must outlive this.
+  /// Makes the object; `items` and their data must outlive it.
   FixedConfigurations(Node& node, std::span<const Item> items) : items_(items) {
     domain_.open_read = decltype(Domain::open_read)::to<&FixedConfigurations::open>(*this);
     domain_.read = decltype(Domain::read)::to<&FixedConfigurations::read>(*this);

@@ -1,6 +1,6 @@
-// Three real flying masters on a bus with the timing of a real one: what they do at the same moment
-// they do in lockstep, and yet one of them becomes the NMT master, and the others know it (CiA
-// 302-2).
+// Three real flying masters on a bus with the timing of a real one: nodes that act at the same
+// moment do so in lockstep, and yet one of them becomes the NMT master, and the others detect it
+// (CiA 302-2).
 #include <gtest/gtest.h>
 
 #include "canvoy/can/simulated/simulated_bus.hpp"
@@ -32,7 +32,7 @@ inline constexpr auto flying_layout =
                         detail::boot_entries(1, 6, DataType::unsigned16),
                     })));
 
-/// Sends a heartbeat each 100 ms, and watches the two others.
+/// Sends a heartbeat every 100 ms, and monitors the two others.
 class Candidate {
  public:
   Candidate(SimulatedBus& bus, NodeId id, std::uint32_t priority)
@@ -119,13 +119,13 @@ class Trio {
   }
   void run_for(Duration duration) { run_until(bus.now() + duration); }
 
-  /// The first that says that it does.
+  /// The first device that claims to be master.
   std::size_t leader() const {
     std::size_t found = 0;
     while (found < 2 && all[found]->flying.state() != State::master) ++found;
     return found;
   }
-  /// One leads, and all who are there know whom.
+  /// Checks that one is master, and that all present devices have its node-ID.
   void expect_master(std::size_t leader, std::vector<std::size_t> there = {0, 1, 2}) {
     for (const std::size_t i : there) {
       EXPECT_EQ(all[i]->flying.state(), i == leader ? State::master : State::slave)
@@ -135,7 +135,7 @@ class Trio {
           << "node " << unsigned{ids[i]};
     }
   }
-  /// And it stays so: nobody negotiates, and nobody is reset.
+  /// Checks that it stays so: no device negotiates, and none is reset.
   void expect_quiet() {
     negotiations = resets = 0;
     run_for(30s);

@@ -9,7 +9,7 @@ namespace canvoy {
 
 namespace {
 
-// Sub-indices of 1F90h, and what they are where the object is not there.
+// Sub-indices of 1F90h, and their values if the object is absent.
 constexpr std::uint8_t detection_sub = 1;
 constexpr std::uint8_t waiting_sub = 2;
 constexpr std::uint8_t priority_sub = 3;
@@ -26,7 +26,7 @@ constexpr std::uint16_t capable_ms = 100;
 
 }  // namespace
 
-constexpr ServiceCalls FlyingMaster::service_calls = {
+constexpr ServiceHandlers FlyingMaster::service_calls = {
     .reset = method<&FlyingMaster::reset>,
     .state_entered = method<&FlyingMaster::state_entered>,
     .error_changed = method<&FlyingMaster::error_changed>};
@@ -66,8 +66,8 @@ void FlyingMaster::state_entered(NmtState state) {
   wait(time(waiting_sub, waiting_ms) + node_slot());
 }
 
-/// The loss of the active master, by its heartbeat, or by life guarding, which does not name it.
-/// One that is heard again before this node's slot is not lost.
+/// The loss of the active master, by its heartbeat, or by life guarding, which has no node-ID. A
+/// master that is heard again before this node's slot is not lost.
 void FlyingMaster::error_changed(const Error& error, bool present) {
   if (state_ != State::slave || error.code != emergency_code::heartbeat) return;
   if (error.instance != active_ && error.instance != 0) return;
@@ -97,7 +97,7 @@ void FlyingMaster::active_master_told(const Frame& frame) {
   negotiate(false);
 }
 
-/// Of two active masters of one priority, the lower node-ID stays.
+/// Of two active masters with one priority, the lower node-ID stays.
 bool FlyingMaster::gives_way_to(std::uint8_t other_priority, NodeId other) const {
   if (other_priority != priority()) return other_priority < priority();
   const bool compares = options_.node_id_forces || state_ == State::master;

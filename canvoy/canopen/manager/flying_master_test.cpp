@@ -323,8 +323,8 @@ TEST(FlyingMaster, IgnoresAndCountsWhatHasAnotherLength) {
   }
 }
 
-/// Whatever it took the frame for: it is master or slave soon, and master when nobody else
-/// competes.
+/// Whatever the frame was taken for, it soon is master or slave, and master without other
+/// competitors.
 void expect_to_live_on(FlyingNode& sut) {
   sut.run_for(1min);
   const bool is_master = sut.flying.state() == FlyingMaster::State::master;

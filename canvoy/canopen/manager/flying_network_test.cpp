@@ -1,4 +1,4 @@
-// Several flying masters on one cable: one becomes the NMT master, and when it is gone another one
+// Several flying masters on one cable: one becomes the NMT master, and after its loss another one
 // does (CiA 302-2).
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace canvoy::flying_network_test {
 namespace {
 
-/// A device that may be NMT master; it watches the node of which the heartbeat is named.
+/// A device that may be NMT master; it monitors the node with the heartbeat given.
 struct Candidate {
   Candidate(Cable& cable, std::size_t place, NodeId id, std::uint32_t priority, NodeId watched = 0)
       : master(cable.port(place), id),
@@ -47,7 +47,8 @@ TEST(FlyingNetwork, IsLedByTheHighestPriorityWhoeverWasFirst) {
   EXPECT_EQ(sut.states(), (std::vector{State::slave, State::master, State::slave}));
   EXPECT_EQ(sut.low.flying.active_master(), 9);
   EXPECT_EQ(sut.middle.flying.active_master(), 9);
-  // Once when it has won, and to the first of those whom it reset then: the other one hears it too.
+  // Once after its victory, and to the first of the nodes that it reset then: the other one
+  // receives it too.
   EXPECT_EQ(sut.cable.count(0x071), 2U);
   EXPECT_EQ(sut.cable.last(0x071), "071#00 09");
 }

@@ -1,5 +1,5 @@
-// An NMT master that boots its network, in memory that is laid out at compile time: a DeviceNode
-// with all that CiA 302-2 adds to it.
+// An NMT master that boots its network, in memory laid out at compile time: a DeviceNode with the
+// additions of CiA 302-2.
 //
 //     constexpr auto layout = lay_out_device<my_master>();  // with cia302::nmt_master()
 //     MasterNode<layout, {.slots = 8}> master(port, 127);
@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/device/device_node.hpp"
 #include "canvoy/canopen/manager/boot_manager.hpp"
 #include "canvoy/canopen/manager/nmt_requests.hpp"
 #include "canvoy/canopen/nmt/node_guarding_master.hpp"
@@ -20,18 +20,18 @@ namespace canvoy {
 
 struct MasterSize {
   std::size_t slots = 4;       ///< slaves that are booted at once
-  std::size_t guarded = 0;     ///< slaves that are watched by node guarding
-  std::size_t commands = 128;  ///< NMT commands that wait
-  std::size_t own_routes = 0;  ///< CAN-IDs that other services of the application want
+  std::size_t guarded = 0;     ///< slaves monitored by node guarding
+  std::size_t commands = 128;  ///< waiting NMT commands
+  std::size_t own_routes = 0;  ///< CAN-IDs for other services of the application
 };
 
-/// A lost heartbeat (1016h) is an error of the master's own node as well, and takes it out of
-/// operational unless 1029h says otherwise.
+/// The node of an NMT master. A lost heartbeat (1016h) is an error of the master's own node as
+/// well, and takes it out of operational unless 1029h forbids that.
 template <const auto& layout, MasterSize size = MasterSize{}>
 class MasterNode {
  public:
-  /// Hooks and guarding of `settings` may be left empty; guarding is done here where there is room
-  /// for it.
+  /// Makes the master. Hooks and guarding of `settings` may be empty; guarding is done here if
+  /// there is room for it.
   MasterNode(const Port& port, NodeId node_id, const BootManager::Settings& settings = {})
       : device_(port, node_id),
         nmt_master_(device_.node(), remote_nodes_),
@@ -58,7 +58,7 @@ class MasterNode {
 
  private:
   static constexpr std::size_t routes = node_id_max + size.slots + size.guarded + size.own_routes;
-  /// All slots may send at once, and NMT commands and the services of the device beside them.
+  /// All slots may send at once, and also NMT commands and the services of the device.
   static constexpr std::size_t backlog = size.slots + 16;
 
   template <std::size_t... numbers>

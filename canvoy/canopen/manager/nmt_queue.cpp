@@ -6,8 +6,8 @@
 
 namespace canvoy {
 
-constexpr ServiceCalls NmtQueue::service_calls = {.reset = method<&NmtQueue::reset>,
-                                                  .tx_ready = method<&NmtQueue::tx_ready>};
+constexpr ServiceHandlers NmtQueue::service_calls = {.reset = method<&NmtQueue::reset>,
+                                                     .tx_ready = method<&NmtQueue::tx_ready>};
 
 NmtQueue::NmtQueue(Node& node, std::span<Request> memory)
     : node_(node), memory_(memory), timer_(Callback<void(Time)>::to<&NmtQueue::send_due>(*this)) {
@@ -31,14 +31,14 @@ void NmtQueue::tx_ready() {
   if (size_ != 0) node_.timers().arm(timer_, std::max(inhibited_until_, node_.now()));
 }
 
-/// While the backlog is full, tx_ready() goes on. An NMT reset of this node ends it all.
+/// While the backlog is full, tx_ready() continues. An NMT reset of this node clears the queue.
 void NmtQueue::send_due(Time now) {
   while (size_ != 0) {
     if (now < inhibited_until_) return node_.timers().arm(timer_, inhibited_until_);
     const Request request = memory_[first_];
     const bool has_frame = request.node != node_.id();
     if (has_frame && node_.transmitter().full()) return;
-    // Taken out first: what answers the frame may come at once, and reset this node.
+    // Removed first: an answer to the frame may come at once, and reset this node.
     first_ = (first_ + 1) % memory_.size();
     --size_;
     if (has_frame) send(request);

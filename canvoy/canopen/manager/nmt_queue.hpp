@@ -1,5 +1,5 @@
-// The NMT commands of a master on their way: they leave in their order, with at least the NMT
-// inhibit time between two (CiA 301, 102Ah), and only when the controller has room.
+// The NMT commands of a master: they leave in order, with at least the NMT inhibit time between
+// two, and only when the controller has room (CiA 301, 102Ah).
 //
 //     NmtQueue::Request memory[128];
 //     NmtQueue commands(node, memory);
@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <span>
 
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 
 namespace canvoy {
 
@@ -20,19 +20,19 @@ class NmtQueue {
   struct Request {
     NodeId node = all_nodes;
     NmtCommand command = NmtCommand::start;
-    bool spares_master = false;  ///< a command to all does not mean this node
+    bool spares_master = false;  ///< a command to all excludes this node
   };
 
-  /// `memory` is for requests that wait; it must outlive the queue.
+  /// Makes the queue. `memory` is for waiting requests; it must outlive the queue.
   NmtQueue(Node& node, std::span<Request> memory);
   NmtQueue(const NmtQueue&) = delete;
   NmtQueue& operator=(const NmtQueue&) = delete;
 
-  /// The command is sent from a later call of the node, at once where nothing hinders it. What is
-  /// meant for this node alone sends no frame. False where there is no room.
+  /// Adds a command, which is sent in a later call of the node, as soon as possible. A command for
+  /// this node alone sends no frame. False if there is no room.
   bool add(Request request);
 
-  /// Called when a command is on its way, before this node obeys it.
+  /// Sets the callback for a command that is sent, called before this node obeys it.
   void on_sent(Callback<void(const Request&)> sent) { sent_ = sent; }
 
   bool empty() const { return size_ == 0; }
@@ -50,8 +50,8 @@ class NmtQueue {
   Time inhibited_until_{};
   Callback<void(const Request&)> sent_;
   Timer timer_;
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
 };
 
 }  // namespace canvoy

@@ -1,5 +1,4 @@
-// NMT commands of a master on their way: order, NMT inhibit time (CiA 301, 102Ah), full
-// controllers.
+// NMT commands of a master: order, NMT inhibit time (CiA 301, 102Ah), full controllers.
 #include "canvoy/canopen/manager/nmt_queue.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +10,7 @@
 namespace canvoy::nmt_queue_test {
 namespace {
 
-/// Node 127, of which 1F80h makes no master.
+/// Node 127, which is no master by 1F80h.
 struct QueueingNode : BootNetwork {
   explicit QueueingNode(std::uint32_t inhibit = 0) {
     startup(0);
@@ -117,7 +116,7 @@ TEST(NmtQueue, RefusesWhatIsNoNode) {
   sut.expect({});
 }
 
-/// Another master answers the first command at once: what still waited is forgotten.
+/// Another master answers the first command at once: waiting commands are discarded.
 TEST(NmtQueue, IsEmptyWhereItsNodeIsResetWhileACommandLeaves) {
   PromptBus bus(dynamic_sdo_manager(), 1);
   std::array<NmtQueue::Request, 4> memory;

@@ -25,11 +25,12 @@ std::optional<NmtCommand> command_of(std::uint8_t value) {
 
 }  // namespace
 
-constexpr HookCalls NmtRequests::hook_calls[] = {{.first = master_object::request_nmt,
-                                                  .last = master_object::request_guarding,
-                                                  .before_read = method<&NmtRequests::refresh>,
-                                                  .before_write = method<&NmtRequests::request>}};
-constexpr ServiceCalls NmtRequests::service_calls = {.hooks = hook_calls};
+constexpr AccessHandlers NmtRequests::hook_calls[] = {
+    {.first = master_object::request_nmt,
+     .last = master_object::request_guarding,
+     .before_read = method<&NmtRequests::refresh>,
+     .before_write = method<&NmtRequests::request>}};
+constexpr ServiceHandlers NmtRequests::service_calls = {.hooks = hook_calls};
 
 NmtRequests::NmtRequests(Node& node, const NmtMaster& master, NmtQueue& commands,
                          const BootManager& manager, const GuardingHooks& guarding)
@@ -88,7 +89,7 @@ AbortCode NmtRequests::request_guarding(std::uint8_t sub, std::uint8_t value) {
   return AbortCode::none;
 }
 
-/// Without a guard time in 1F81h, there is nothing to begin with.
+/// Without a guard time in 1F81h, guarding cannot begin.
 AbortCode NmtRequests::guard(NodeId slave, bool begins) {
   if (!begins) {
     guarding_.stop(slave);

@@ -1,4 +1,4 @@
-// How other devices ask the NMT master for its services by SDO: request NMT (1F82h) and request
+// How other devices request services of the NMT master by SDO: request NMT (1F82h) and request
 // guarding (1F83h) (CiA 302-2).
 //
 //     NmtRequests requests(node, master, commands, manager, guarding_hooks);
@@ -8,15 +8,15 @@
 
 namespace canvoy {
 
-/// 1F82h, sub-index = node-ID: written, 04h stops, 05h starts, 06h resets the node, 07h its
-/// communication, 7Fh makes it pre-operational; read, it is the NMT state that was heard last, 00h
-/// where none was, 01h where the node is lost. 1F83h: 01h begins node guarding with the times of
-/// 1F81h, 00h ends it; read, it is 01h for a guarded node. Sub-index 80h means all nodes: of 1F83h
-/// all slaves.
+/// Serves 1F82h and 1F83h. 1F82h, sub-index = node-ID: a write of 04h stops, 05h starts, 06h resets
+/// the node, 07h its communication, 7Fh makes it pre-operational; a read returns the last known NMT
+/// state, 00h if there is none, 01h if the node is lost. 1F83h: 01h begins node guarding with the
+/// times of 1F81h, 00h ends it; a read returns 01h for a guarded node. Sub-index 80h means all
+/// nodes, in 1F83h all slaves.
 ///
-/// Other values are refused with 0609 0030h, all requests with 0800 0022h where this device is not
-/// the active NMT master, with 0504 0005h where too many commands wait. A command goes out after
-/// the answer to the request, as it may be for the master itself.
+/// Other values are refused with 0609 0030h, all requests with 0800 0022h if this device is not the
+/// active NMT master, with 0504 0005h if too many commands wait. A command is sent after the answer
+/// to the request, as it may address the master itself.
 class NmtRequests {
  public:
   /// Values of 1F82h.
@@ -49,9 +49,9 @@ class NmtRequests {
   NmtQueue& commands_;
   const BootManager& manager_;
   GuardingHooks guarding_;
-  static const HookCalls hook_calls[1];
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const AccessHandlers hook_calls[1];
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
 };
 
 }  // namespace canvoy

@@ -10,7 +10,7 @@
 namespace canvoy::nmt_requests_test {
 namespace {
 
-/// Node 127 is a running NMT master without slaves, and answers by SDO.
+/// Node 127 is a running NMT master without slaves, and answers SDO requests.
 struct RequestedMaster : BootNetwork {
   explicit RequestedMaster(std::uint32_t startup_bits = 0x01)
       : requests(

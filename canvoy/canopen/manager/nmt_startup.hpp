@@ -1,5 +1,5 @@
-// What 1F80h says of a master and 1F81h of each of its slaves, bit by bit (CiA 302-2, NMT start-up
-// and slave assignment).
+// The bits of 1F80h for a master and of 1F81h for each of its slaves (CiA 302-2, NMT start-up and
+// slave assignment).
 //
 //     const SlaveAssignment slave = slave_assignment(node.dictionary(), 5);
 //     if (slave.is_slave() && slave.is_mandatory()) ...
@@ -8,13 +8,13 @@
 #include <cstdint>
 
 #include "canvoy/can/time.hpp"
-#include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/canopen/dictionary/dictionary.hpp"
 #include "canvoy/canopen/dictionary/object_index.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
 
 namespace canvoy {
 
-/// Objects of an NMT master; of the arrays, the sub-index is the node-ID of a slave.
+/// Objects of an NMT master; in arrays, the sub-index is the node-ID of a slave.
 namespace master_object {
 inline constexpr std::uint16_t nmt_inhibit_time = 0x102A;  ///< in 100 us
 inline constexpr std::uint16_t nmt_startup = 0x1F80;
@@ -27,45 +27,45 @@ inline constexpr std::uint16_t product_code = 0x1F86;
 inline constexpr std::uint16_t revision_number = 0x1F87;
 inline constexpr std::uint16_t serial_number = 0x1F88;
 inline constexpr std::uint16_t boot_time = 0x1F89;  ///< in ms; 0: no limit
-/// Sub-index of the slave's 1011h by which its configuration is restored; 0: it is not.
+/// Sub-index of the slave's 1011h that restores its configuration; 0: none.
 inline constexpr std::uint16_t restore_configuration = 0x1F8A;
 }  // namespace master_object
 
-/// 1F80h.
+/// Value of 1F80h.
 struct NmtStartup {
   std::uint32_t raw = 0;
 
   static constexpr std::uint32_t known_bits = 0x7F;
 
   constexpr bool is_master() const { return bit(0); }
-  /// All slaves are started by one command; otherwise each by its own.
+  /// True if all slaves are started by one command; otherwise each by its own.
   constexpr bool starts_all_at_once() const { return bit(1); }
   constexpr bool enters_operational() const { return !bit(2); }
   constexpr bool starts_slaves() const { return !bit(3); }
   constexpr bool resets_all_on_error() const { return bit(4); }
   constexpr bool is_flying_master() const { return bit(5); }
-  /// Comes before resets_all_on_error().
+  /// True if an error stops all nodes; takes precedence over resets_all_on_error().
   constexpr bool stops_all_on_error() const { return bit(6); }
-  /// A device without an NMT master enters operational by itself: 08h.
+  /// True if a device without an NMT master enters operational by itself: 08h.
   constexpr bool is_self_starting() const { return !is_master() && bit(3) && !bit(2); }
 
  private:
   constexpr bool bit(unsigned number) const { return (raw >> number & 1U) != 0; }
 };
 
-/// An entry of 1F81h.
+/// Value of an entry of 1F81h.
 struct SlaveAssignment {
   std::uint32_t raw = 0;
 
   constexpr bool is_slave() const { return bit(0); }
-  /// The master boots and starts it; otherwise it only watches over it.
+  /// True if the master boots and starts the slave; otherwise it only monitors it.
   constexpr bool is_booted() const { return bit(2); }
   constexpr bool is_mandatory() const { return bit(3); }
-  /// It is not reset where it is operational already.
+  /// True if the slave is not reset while it is operational.
   constexpr bool is_kept_alive() const { return bit(4); }
   constexpr bool has_verified_program() const { return bit(5); }
   constexpr bool has_updated_program() const { return bit(6); }
-  /// Its defaults are restored (1F8Ah) before it is configured.
+  /// True if its defaults are restored (1F8Ah) before it is configured.
   constexpr bool is_restored() const { return bit(7); }
   constexpr std::uint8_t retry_factor() const { return static_cast<std::uint8_t>(raw >> 8); }
   constexpr Duration guard_time() const { return std::chrono::milliseconds(raw >> 16); }
@@ -81,8 +81,8 @@ inline SlaveAssignment slave_assignment(const Dictionary& dictionary, NodeId sla
   return {static_cast<std::uint32_t>(dictionary.number(master_object::slave_assignment, slave))};
 }
 
-/// How long a node may be silent by the consumer heartbeat times (1016h) of this dictionary; zero
-/// where it is not named there. Linear in the number of entries.
+/// Limit of a node's silence by the consumer heartbeat times (1016h) of this dictionary; zero if
+/// the node is absent there. Linear in the number of entries.
 inline Duration heartbeat_time(const Dictionary& dictionary, NodeId slave) {
   constexpr std::uint16_t consumer_heartbeat = object_index::heartbeat_consumers;
   const auto count = static_cast<unsigned>(dictionary.number(consumer_heartbeat, 0));

@@ -1,7 +1,7 @@
-// Program download (CiA 302-3): the words that both ends have in common.
+// Program download: the common definitions of both ends (CiA 302-3).
 //
-// A client stops the program (1F51h), clears its place, downloads the new one (1F50h), looks for
-// what became of it (1F57h), and starts it. The sub-index is the number of the program.
+// A client stops the program (1F51h), clears its memory, downloads the new one (1F50h), checks the
+// result (1F57h), and starts it. The sub-index is the number of the program.
 #pragma once
 
 #include <cstdint>
@@ -19,15 +19,15 @@ inline constexpr std::uint16_t identification = 0x1F56;
 inline constexpr std::uint16_t status = 0x1F57;
 }  // namespace program
 
-/// What is written to 1F51h. Read, it tells whether the program is stopped (0) or runs (1).
+/// Command written to 1F51h. A read returns whether the program is stopped (0) or runs (1).
 enum class ProgramCommand : std::uint8_t { stop = 0, start = 1, reset = 2, clear = 3 };
 
-/// How the last step ended: bits 1 to 7 of 1F57h.
+/// Result of the last step: bits 1 to 7 of 1F57h.
 enum class FlashError : std::uint8_t {
   none = 0,
   no_valid_program = 1,
   unknown_format = 2,
-  checksum = 3,  ///< or an error of the format
+  checksum = 3,  ///< or a format error
   not_cleared = 4,
   write_error = 5,
   address_error = 6,
@@ -35,7 +35,7 @@ enum class FlashError : std::uint8_t {
   unspecified = 63,
 };
 
-/// 1F57h: bit 0 while the flash is busy, the error, and 16 bits of the manufacturer.
+/// Value of 1F57h: bit 0 while the flash is busy, the error, and 16 bits of the manufacturer.
 class FlashStatus {
  public:
   constexpr FlashStatus() = default;

@@ -8,7 +8,7 @@ ProgramStep after(ProgramStep step) {
   return static_cast<ProgramStep>(static_cast<unsigned>(step) + 1);
 }
 
-/// The object is an optional one, and the node does without.
+/// An absent object is optional.
 }  // namespace
 
 AbortCode ProgramDownload::begin(const ProgramPlan& plan, Done done) {
@@ -142,7 +142,7 @@ void ProgramDownload::status_came(SdoEnd answer) {
     if (node_.now() >= step_ends_) return finish(SdoEnd::no_answer(), status);
     return node_.timers().arm(timer_, node_.now() + settings_.poll_interval);
   }
-  // There is no program after clearing, and some nodes call that an error.
+  // There is no program after clearing, and some nodes report that as an error.
   const bool is_expected =
       step_ == ProgramStep::wait_cleared && status.error() == FlashError::no_valid_program;
   if (status.error() == FlashError::none || is_expected) return go_on();

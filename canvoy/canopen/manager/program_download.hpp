@@ -1,5 +1,5 @@
-// Program download, the end that programs another node (CiA 302-3): stops what runs there, clears
-// its place, sends the new program, looks what became of it, and starts it.
+// Program download, the end that programs another node: stops its program, clears the memory, sends
+// the new program, checks the result, and starts it (CiA 302-3).
 //
 //     SdoClient client(node);
 //     SdoBlockClient blocks(client, buffer);
@@ -17,7 +17,7 @@
 
 namespace canvoy {
 
-/// In their order.
+/// Steps in their order.
 enum class ProgramStep : std::uint8_t {
   stop,
   clear,
@@ -35,36 +35,36 @@ struct ProgramPlan {
   std::uint8_t number = 1;        ///< of the program: the sub-index
   SdoClient::Supply supply = {};  ///< gives the program, in order
   std::uint32_t size = 0;         ///< of the program, in bytes
-  /// What 1F56h must say afterwards, where the node has it.
+  /// Expected value of 1F56h afterwards, if the node has it.
   std::optional<std::uint32_t> identification = {};
-  /// For 1F52h: days since 1984, and ms since midnight. A node that does not take them is fine.
+  /// For 1F52h: days since 1984, and ms since midnight. A node that refuses them is accepted.
   std::optional<std::array<std::uint32_t, 2>> date = {};
   bool start = true;
 };
 
-/// How it ended: where, and why.
+/// End of a download: step and reason.
 struct ProgramOutcome {
-  ProgramStep step = ProgramStep::done;  ///< done: all is well
+  ProgramStep step = ProgramStep::done;  ///< done: success
   SdoEnd end = {};                       ///< how the last request ended
-  FlashStatus status = {};               ///< 1F57h where that says what is wrong
+  FlashStatus status = {};               ///< 1F57h if it has the reason
   explicit operator bool() const { return step == ProgramStep::done; }
 };
 
-/// Where 1F57h or 1F56h are not there they are not asked. A node that does not answer to "stop" may
-/// be restarting with its bootloader: then clearing is tried until it answers. One that does not
-/// answer to "start" is gone with its new program: that is done.
+/// A download. 1F57h and 1F56h are optional in the node. A node that does not answer to "stop" may
+/// be restarting with its bootloader: then clearing is tried until it answers. A node that does not
+/// answer to "start" has left with its new program: that is success.
 class ProgramDownload {
  public:
   struct Settings {
     Duration answer_time_out = 1s;    ///< of SDO
-    Duration clear_time_out = 30s;    ///< of the answer to "clear": some nodes clear before it
+    Duration clear_time_out = 30s;    ///< for the answer to "clear": some nodes clear before it
     Duration poll_interval = 100ms;   ///< of 1F57h
-    Duration flash_time_out = 60s;    ///< for 1F57h to be no more busy
-    Duration restart_time_out = 10s;  ///< of a node that was stopped
+    Duration flash_time_out = 60s;    ///< until 1F57h is not busy
+    Duration restart_time_out = 10s;  ///< for a node that was stopped
   };
   using Done = Callback<void(const ProgramOutcome&)>;
 
-  /// `client` must be idle while this is busy. Both must outlive this.
+  /// Makes the object. `client` must be idle while this object is busy. Both must outlive it.
   ProgramDownload(Node& node, SdoClient& client) : ProgramDownload(node, client, Settings{}) {}
   ProgramDownload(Node& node, SdoClient& client, const Settings& settings)
       : node_(node), client_(client), settings_(settings) {}
@@ -72,17 +72,17 @@ class ProgramDownload {
   ProgramDownload(const ProgramDownload&) = delete;
   ProgramDownload& operator=(const ProgramDownload&) = delete;
 
-  /// `done` is called once where this answers none. Abort: device_state while busy(), or what
-  /// SdoClient answers.
+  /// Begins a download; if the result is none, `done` is called once. Aborts: device_state while
+  /// busy(), those of SdoClient.
   AbortCode begin(const ProgramPlan& plan, Done done);
-  /// Ends it without calling `done`. The node keeps no valid program where a download was begun.
+  /// Ends it without calling `done`. If a download was begun, the node keeps no valid program.
   void cancel();
-  /// The same where the client is no longer ours.
+  /// Like cancel(), but for a client that belongs to another service already.
   void forget();
 
   bool busy() const { return step_ != ProgramStep::done; }
   ProgramStep step() const { return step_; }
-  /// Bytes of the program that have gone.
+  /// Number of program bytes sent.
   std::size_t transferred() const;
 
  private:

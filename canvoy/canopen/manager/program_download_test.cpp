@@ -31,7 +31,7 @@ struct Image {
   std::size_t at = 0;
 };
 
-/// Keeps the outcome.
+/// Records the outcome.
 struct Outcome {
   ProgramDownload::Done done() { return ProgramDownload::Done::to<&Outcome::take>(*this); }
   void take(const ProgramOutcome& outcome) {
@@ -42,7 +42,7 @@ struct Outcome {
   ProgramOutcome last{.step = ProgramStep::stop};
 };
 
-/// The client alone: the test is the node that is programmed.
+/// The client alone: the test is the node being programmed.
 class ProgramDownloadTest : public testing::Test {
  protected:
   ProgramDownloadTest() { wire.boot(); }
@@ -51,7 +51,7 @@ class ProgramDownloadTest : public testing::Test {
     wire.node.advance(wire.now);
     ASSERT_EQ(sut.begin(plan, outcome.done()), AbortCode::none);
   }
-  /// What is asked next, and the answer to it.
+  /// Checks the next request, and sends the answer to it.
   void answer(const std::string& request, const std::string& response) {
     wire.expect({"605#" + request});
     wire.receive("585#" + response);
@@ -187,7 +187,7 @@ TEST_F(ProgramDownloadTest, AnAbortEndsItWhereItComes) {
   expect_end(ProgramStep::download, SdoEnd::by_server(AbortCode::length_too_high));
 }
 
-/// It is there, and does not restart with its bootloader.
+/// It is present, and does not restart with its bootloader.
 TEST_F(ProgramDownloadTest, ATimeOutThatTheNodeTellsEndsItAsOtherAbortsDo) {
   begin(image.plan(5));
   answer("2F 51 1F 01 00 00 00 00", "80 51 1F 01 00 00 04 05");

@@ -44,7 +44,7 @@ void ProgramManager::Worker::begin(ProgramManager& manager, const BootTask& task
   check();
 }
 
-/// The client belongs to somebody else by now.
+/// The client belongs to another service already.
 void ProgramManager::Worker::drop() {
   if (download_) download_->forget();
   download_.reset();
@@ -99,7 +99,7 @@ Result<std::size_t> ProgramManager::Worker::supply(std::span<std::uint8_t> bytes
   return size;
 }
 
-/// Told before the boot-up goes on; whoever is told may abandon the slave.
+/// Called before the boot-up continues; the callback may abandon the slave.
 void ProgramManager::Worker::downloaded(const ProgramOutcome& outcome) {
   const NodeId slave = task_.slave;
   const ProgramOutcome ended = outcome;

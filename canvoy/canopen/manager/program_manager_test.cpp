@@ -97,7 +97,7 @@ class ProgramManagerTest : public testing::Test {
   std::vector<ProgramOutcome> updates;
   BootOutcome last{BootError::no_answer, AbortCode::general};
   NodeId abandoned = 0;
-  bool abandons = false;  ///< a slave of which the update is told
+  bool abandons = false;  ///< in the report of an update
 };
 
 TEST_F(ProgramManagerTest, ASlaveWithTheExpectedIdentificationIsFine) {

@@ -18,13 +18,13 @@ std::uint32_t content(const ProgramSlot& slot) {
 
 }  // namespace
 
-constexpr HookCalls ProgramServer::hook_calls = {
+constexpr AccessHandlers ProgramServer::hook_calls = {
     .first = program::control,
     .last = program::control,
     .before_write = method<&ProgramServer::before_control>,
     .after_write = method<&ProgramServer::control_written>};
-constexpr ServiceCalls ProgramServer::service_calls = {.reset = method<&ProgramServer::reset>,
-                                                       .hooks = {&hook_calls, 1}};
+constexpr ServiceHandlers ProgramServer::service_calls = {.reset = method<&ProgramServer::reset>,
+                                                          .hooks = {&hook_calls, 1}};
 
 ProgramServer::ProgramServer(Node& node, const Flash& flash, std::span<ProgramSlot> slots,
                              const ProgramHooks& hooks)
@@ -48,7 +48,7 @@ ProgramServer::ProgramServer(Node& node, const Flash& flash, std::span<ProgramSl
   node_.attach(service_);
 }
 
-/// What is in a slot after power-on.
+/// Determines the contents of a slot after power-on.
 void ProgramServer::find(ProgramSlot& slot) const {
   RecordHead head;
   const HeadState state = read_head(flash_, slot.address, head);
@@ -72,7 +72,7 @@ bool ProgramServer::is_blank(const ProgramSlot& slot) const {
   return true;
 }
 
-/// The dictionary has its defaults again.
+/// Sets values again after the dictionary got its defaults.
 void ProgramServer::reset(ResetScope) {
   for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
     publish(static_cast<std::uint8_t>(slot + 1));
@@ -101,7 +101,7 @@ AbortCode ProgramServer::before_control(const Entry& entry, std::span<const std:
   return command(*slot, entry.sub, static_cast<ProgramCommand>(value[0]));
 }
 
-/// The entry tells whether the program runs, not what was written last.
+/// The entry reads as the state of the program, not as the last command.
 void ProgramServer::control_written(const Entry& entry, Source) {
   publish(entry.sub);
 }
@@ -138,7 +138,7 @@ AbortCode ProgramServer::clear(ProgramSlot& slot, std::uint8_t number) {
   return AbortCode::none;
 }
 
-/// The sector with the head is the first to go: there is no valid program from there on.
+/// The sector with the head is erased first: from then on there is no valid program.
 void ProgramServer::clear_on(Time now) {
   FlashState state = waiting_ ? flash_.poll() : FlashState::done;
   if (state == FlashState::done && offset_ == present().size) {
@@ -216,7 +216,7 @@ bool ProgramServer::program_piece() {
   return size == 0 || waited(flash_.program(address, std::span(piece_).first(size)));
 }
 
-/// What programs 32 bytes is over in microseconds on most chips, and the client waits anyway.
+/// Programming 32 bytes takes microseconds on most chips, and the client waits anyway.
 bool ProgramServer::waited(FlashState state) const {
   for (std::uint32_t polls = 0; state == FlashState::busy && polls < settings_.polls_max; ++polls) {
     state = flash_.poll();
@@ -237,7 +237,8 @@ AbortCode ProgramServer::close_write(const Entry&, bool complete) {
   return error == FlashError::write_error ? AbortCode::hardware : AbortCode::cannot_store;
 }
 
-/// The flash is read once more, so that only what it holds is valid; and the head comes last.
+/// The flash is read once more, so that only its actual contents are valid; the head is written
+/// last.
 FlashError ProgramServer::make_valid(ProgramSlot& slot) {
   slot.length = offset_;
   slot.identification = crc_.value();
@@ -253,7 +254,7 @@ FlashError ProgramServer::make_valid(ProgramSlot& slot) {
                         .length = slot.length,
                         .crc = slot.identification,
                         .signature = slot.date};
-  // Whatever the flash answers, what can be read is what holds after power-on.
+  // Whatever the flash answers, what can be read applies after power-on.
   waited(flash_.program(slot.address, head.bytes()));
   waited(flash_.sync());
   RecordHead found;

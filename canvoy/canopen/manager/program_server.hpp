@@ -1,5 +1,5 @@
-// Program download, the end that is programmed (CiA 302-3, objects 1F50h to 1F52h, 1F56h, 1F57h):
-// usually that of a bootloader.
+// Program download, the end that is programmed, usually a bootloader (CiA 302-3, objects 1F50h to
+// 1F52h, 1F56h, 1F57h).
 //
 //     ProgramSlot slots[] = {{.address = 0x8000, .size = 0x18000}};
 //     ProgramServer programs(node, flash, slots, {.control = ...});
@@ -11,21 +11,21 @@
 #include <span>
 
 #include "canvoy/canopen/manager/program.hpp"
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 #include "canvoy/canopen/storage/crc32.hpp"
 #include "canvoy/canopen/storage/record.hpp"
 
 namespace canvoy {
 
-/// The place of one program, owned by the device. The first 32 bytes of its flash say that the
-/// program behind them is whole; they are written last.
+/// The memory of one program, owned by the device. The first 32 bytes of its flash mark the program
+/// behind them as complete; they are written last.
 struct ProgramSlot {
   static constexpr std::uint32_t head_size = RecordHead::size;
 
   std::uint32_t address = 0;
   std::uint32_t size = 0;  ///< whole sectors
 
-  // What there is; the server keeps it.
+  // Present contents, maintained by the server.
   std::uint32_t length = 0;                ///< of the program
   std::uint32_t identification = 0;        ///< its CRC-32
   std::array<std::uint32_t, 2> date = {};  ///< days since 1984, ms since midnight
@@ -35,35 +35,36 @@ struct ProgramSlot {
   bool running = false;
 };
 
-/// What of it is the device's work. All are optional.
+/// The device's part of the download. All functions are optional.
 struct ProgramHooks {
-  /// Stop, start or reset the program `number` (from 1); an abort code refuses.
+  /// Stops, starts or resets program `number` (from 1); an abort code refuses.
   Callback<AbortCode(std::uint8_t number, ProgramCommand)> control;
-  /// Whether what was downloaded is a program for this device: called before it becomes valid.
+  /// Checks whether a downloaded program is for this device: called before it becomes valid.
   Callback<FlashError(std::uint8_t number, const ProgramSlot&)> check;
-  /// A download or a clearing began or ended: for indicators.
+  /// For indicators: a download or a clearing began or ended.
   Callback<void(bool under_way)> under_way;
 };
 
-/// Sub-index n of the objects is slot n - 1. Programs are streamed into the flash, 32 bytes at a
-/// time, and never held in memory. A program is valid when all of it has come and the flash holds
-/// what came; whenever power fails before that, there is no valid program.
+/// A server. Sub-index n of the objects is slot n - 1. Programs are streamed into the flash, 32
+/// bytes at a time, and never held in memory. A program is valid when all of it has arrived and the
+/// flash holds it; if power fails before that, there is no valid program.
 ///
-/// A download is refused with 0800 0022h while the program runs, while the flash is busy, and where
-/// the slot was not cleared (1F57h says so then); one that is too long with 0607 0012h. Clearing
-/// goes on after its answer, a sector at a time, while 1F57h is busy. 1F51h refuses another command
-/// with 0609 0030h, to start what is not valid and to clear what runs with 0800 0022h.
+/// A download is refused with 0800 0022h while the program runs, while the flash is busy, and if
+/// the slot was not cleared (then 1F57h reports it); one that is too long with 0607 0012h. Clearing
+/// continues after its answer, a sector at a time, while 1F57h is busy. 1F51h refuses an unknown
+/// command with 0609 0030h; starting an invalid program and clearing a running one with 0800 0022h.
 ///
-/// The date and time that a client writes to 1F52h before a download ends are kept with program 1.
+/// Date and time that a client writes to 1F52h before a download ends are kept with program 1.
 class ProgramServer {
  public:
   struct Settings {
     Duration poll_interval = 1ms;
-    /// A download does not go on before its bytes are programmed: the flash is asked so many times.
+    /// Limit of polls of the flash until the bytes of a download are programmed; the download waits
+    /// meanwhile.
     std::uint32_t polls_max = 100'000;
   };
 
-  /// All must outlive this. All programs are read once.
+  /// Makes the server, and reads all programs once. All arguments must outlive it.
   ProgramServer(Node& node, const Flash& flash, std::span<ProgramSlot> slots,
                 const ProgramHooks& hooks = {});
   ProgramServer(Node& node, const Flash& flash, std::span<ProgramSlot> slots,
@@ -107,9 +108,9 @@ class ProgramServer {
   ProgramHooks hooks_;
   Settings settings_;
 
-  std::uint8_t number_ = nobody;  ///< of the program that is cleared or downloaded
-  bool waiting_ = false;          ///< for a sector that is erased
-  std::uint32_t offset_ = 0;  ///< in the slot that is cleared, in the program that is downloaded
+  std::uint8_t number_ = nobody;  ///< of the program being cleared or downloaded
+  bool waiting_ = false;          ///< for the erasure of a sector
+  std::uint32_t offset_ = 0;      ///< in the slot being cleared, in the program being downloaded
   std::uint8_t gathered_ = 0;
   std::array<std::uint8_t, piece_size> piece_{};
   Crc32 crc_;
@@ -117,9 +118,9 @@ class ProgramServer {
   Timer timer_;
   Domain domain_;
   Hook data_hook_;
-  static const ServiceCalls service_calls;
-  static const HookCalls hook_calls;
-  ServiceLink service_{&service_calls, this};
+  static const ServiceHandlers service_calls;
+  static const AccessHandlers hook_calls;
+  HandlerBinding service_{&service_calls, this};
 };
 
 }  // namespace canvoy

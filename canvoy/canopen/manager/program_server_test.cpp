@@ -28,9 +28,9 @@ constexpr std::uint64_t write_error = 10;
 class ProgramServerTest : public testing::Test {
  protected:
   ProgramServerTest() {
-    for (std::uint8_t& byte : memory.bytes) byte = 0x5A;  // of some earlier life
+    for (std::uint8_t& byte : memory.bytes) byte = 0x5A;  // leftovers
   }
-  /// Slot 1 as it is after power-on with what the flash holds.
+  /// Slot 1 after a power-on with the present contents of the flash.
   bool is_valid_after_power_on(std::uint8_t number = 1) {
     SimulatedFlash copy(program_geometry, memory.bytes);
     return ProgramNode(copy).programs.is_valid(number);
@@ -303,8 +303,8 @@ TEST_F(ProgramServerTest, EachBitOfAProgramCounts) {
   EXPECT_TRUE(is_valid_after_power_on());
 }
 
-// Power fails at each byte of clearing and downloading: there is the old program, the new one, or
-// none; never half of one.
+// Power fails at each byte of clearing and downloading: the old program, the new one, or none is
+// present; never a part of one.
 TEST_F(ProgramServerTest, ALossOfPowerNeverLeavesHalfAProgram) {
   const Bytes old = a_program(100, 1);
   const Bytes wanted = a_program(120, 2);

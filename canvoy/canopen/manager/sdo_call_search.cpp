@@ -23,7 +23,7 @@ NodeId SdoCallSearch::next(NodeId manager) {
   return 0;
 }
 
-/// Those that were not heard cost time.
+/// Nodes that were not heard take time.
 NodeId SdoCallSearch::choose(NodeId manager) const {
   for (const bool heard : {true, false}) {
     for (NodeId id = node_id_min; id <= node_id_max; ++id) {

@@ -1,6 +1,6 @@
-// Who called the SDO manager? The call on 6E0h names nobody (CiA 302-5), so that 1F10h of all nodes
-// is read until requests are found: of those that were heard first, then of the others, which may
-// be silent, or absent.
+// Search for the caller of the SDO manager. The call on 6E0h has no node-ID, so 1F10h of all nodes
+// is read until requests are found: first of the nodes heard before, then of the others, which may
+// be silent or absent (CiA 302-5).
 //
 //     SdoCallSearch search;
 //     search.call();
@@ -10,29 +10,29 @@
 
 #include <bitset>
 
-#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
 
 namespace canvoy {
 
 class SdoCallSearch {
  public:
-  /// All is forgotten.
+  /// Resets everything.
   void reset() { *this = {}; }
 
-  /// A node is there, or was lost.
+  /// Notes that a node is present, or was lost.
   void hear(NodeId node, bool is_there) { heard_[node] = is_there; }
   bool was_heard(NodeId node) const { return heard_[node]; }
 
-  /// Somebody called.
+  /// Notes a call.
   void call() { is_called_ = true; }
-  /// And no search for it has begun.
+  /// True if a call has not led to a search yet.
   bool is_called() const { return is_called_; }
-  /// A call in the middle of a search has those that were heard asked once more: an answer may have
-  /// been lost. The search among the others goes on where it is.
+  /// Begins a search. After a call during a search, nodes heard before are read once more: an
+  /// answer may have been lost. The search among the others continues at its position.
   void begin();
-  /// Whom to ask next, but the manager itself; 0: the search is over.
+  /// Next node to read, except the manager itself; 0: the search is over.
   NodeId next(NodeId manager);
-  /// The node had called. Those that were not heard are left out then.
+  /// Notes that the node had called. Nodes not heard before are then skipped.
   void find(NodeId node) { has_found_ = heard_[node] = true; }
 
  private:
@@ -44,7 +44,7 @@ class SdoCallSearch {
   Nodes to_ask_;  ///< of the present search
   bool is_called_ = false;
   bool is_under_way_ = false;
-  bool asks_all_ = false;  ///< the search has come to nodes that were not heard
+  bool asks_all_ = false;  ///< the search has reached nodes not heard before
   bool has_found_ = false;
 };
 

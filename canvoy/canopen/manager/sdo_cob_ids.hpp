@@ -1,4 +1,4 @@
-// The COB-IDs that an SDO manager has to give to SDO connections (1F02h of CiA 302-5).
+// The COB-IDs that an SDO manager can assign to SDO connections (CiA 302-5, 1F02h).
 //
 //     SdoCobIds cob_ids(dictionary, connections);
 //     std::uint16_t request = cob_ids.free_can_id();
@@ -14,15 +14,15 @@ namespace canvoy {
 
 class SdoCobIds {
  public:
-  /// Both must outlive this.
+  /// Makes the object; both arguments must outlive it.
   SdoCobIds(const Dictionary& dictionary, const SdoConnections& connections)
       : dictionary_(dictionary), connections_(connections) {}
 
-  /// A new value of one of its entries. Aborts: device_state (it is given: it stays as it is until
-  /// it comes back), value_range (restricted, or of 29 bits), parameter_incompatible (it is there
-  /// already).
+  /// Checks a new value of an entry. Aborts: device_state (the old one is assigned: it stays until
+  /// it is returned), value_range (restricted, or of 29 bits), parameter_incompatible (another
+  /// entry has it).
   AbortCode check(const Entry& entry, std::uint32_t value) const;
-  /// One that no connection has, other than `taken`; 0 where there is none.
+  /// A CAN-ID that no connection has, other than `taken`; 0 if there is none.
   std::uint16_t free_can_id(std::uint16_t taken = 0) const;
 
  private:

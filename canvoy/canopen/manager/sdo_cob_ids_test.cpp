@@ -29,7 +29,7 @@ struct SdoCobIdsTest : testing::Test {
   SdoCobIds sut{manager.node.dictionary(), connections};
 };
 
-/// What a configuration tool or a damaged memory may have left there.
+/// Values that a configuration tool or a damaged memory may have left there.
 TEST_F(SdoCobIdsTest, GiveNothingThatIsNotValidOf29BitsOrRestricted) {
   set(1, invalid | 0x690);
   set(2, 0x2000'0691);
@@ -46,7 +46,7 @@ TEST_F(SdoCobIdsTest, GiveTheLastEntryToo) {
   EXPECT_EQ(check(1, 0x685), AbortCode::parameter_incompatible);
 }
 
-/// One CAN-ID for both directions would be no channel.
+/// One CAN-ID for both directions is not a channel.
 TEST_F(SdoCobIdsTest, GiveNoCanIdForBothDirectionsThoughItStandsThereTwice) {
   set(2, 0x4000'0680);
   EXPECT_EQ(sut.free_can_id(), 0x680);

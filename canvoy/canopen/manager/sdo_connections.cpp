@@ -10,7 +10,7 @@ bool belongs_to(const DynamicSdoRequest& request, const SdoConnection& connectio
     return request.client_parameter == sdo_client_parameter + connection.client_channel;
   }
   if (request.server != 0) return connection.server == request.server;
-  return true;  // the registration, and all with it
+  return true;  // the registration, and all connections
 }
 
 }  // namespace

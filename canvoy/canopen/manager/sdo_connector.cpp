@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 
 namespace canvoy {
 
@@ -59,7 +59,7 @@ bool SdoConnector::allocate(SdoConnection& connection) const {
   return true;
 }
 
-/// 0 where there is none.
+/// Free channel; 0 if there is none.
 std::uint8_t SdoConnector::free_channel_here() const {
   for (unsigned channel = 1; channel < sdo_channels_max; ++channel) {
     const Result<Entry> entry = node_.dictionary().find(server_parameter(channel), sdo_sub_request);
@@ -70,7 +70,7 @@ std::uint8_t SdoConnector::free_channel_here() const {
   return 0;
 }
 
-/// The server knows best which of its channels is free.
+/// Reads a COB-ID of the next channel from the server, which determines its free channels.
 void SdoConnector::try_server_channel() {
   --tries_left_;
   buffer_ = {};
@@ -117,13 +117,13 @@ void SdoConnector::write_ends() {
   writes_.add({c.client, client, sdo_sub_response, c.response | CobId::bit30});
   using Status = DynamicSdoState::Status;
   const bool is_registration = c.server == node_.id();
-  tell(c, !is_registration ? Status::connected
-          : c.wants_all    ? Status::all_given
-                           : Status::registered);
+  notify(c, !is_registration ? Status::connected
+            : c.wants_all    ? Status::all_given
+                             : Status::registered);
   writes_.run();
 }
 
-void SdoConnector::tell(const SdoConnection& connection, DynamicSdoState::Status status) {
+void SdoConnector::notify(const SdoConnection& connection, DynamicSdoState::Status status) {
   DynamicSdoState state;
   state.client_parameter =
       static_cast<std::uint16_t>(sdo_client_parameter + connection.client_channel);
@@ -153,7 +153,7 @@ void SdoConnector::opened(const SdoWriteList::Outcome& outcome) {
   ended_(&connection);
 }
 
-/// Nothing was written yet: the device is told, and that is all.
+/// Nothing was written yet: only the device is notified.
 void SdoConnector::give_up(DynamicSdoError error) {
   SdoConnection& connection = *std::exchange(current_, nullptr);
   busy_ = false;
@@ -169,7 +169,7 @@ void SdoConnector::refuse(const SdoConnection& wanted) {
   busy_ = true;
   current_ = nullptr;
   writes_.begin(SdoWriteList::Done::to<&SdoConnector::closed>(*this));
-  tell(wanted, DynamicSdoState::Status::failed);
+  notify(wanted, DynamicSdoState::Status::failed);
   writes_.run();
 }
 
@@ -189,14 +189,14 @@ void SdoConnector::close(SdoConnection& connection) {
   };
   if (was_written && !c.server_is_gone) invalidate(c.server, server);
   if (was_written && !c.client_is_gone) invalidate(c.client, client);
-  if (c.tell_client && !c.client_is_gone) tell(c, DynamicSdoState::Status::failed);
+  if (c.tell_client && !c.client_is_gone) notify(c, DynamicSdoState::Status::failed);
   writes_.run();
 }
 
 void SdoConnector::closed(const SdoWriteList::Outcome&) {
   busy_ = false;
   SdoConnection* const connection = std::exchange(current_, nullptr);
-  // Where nobody was told, it is closed when this node may speak again.
+  // If no device was notified, it is closed when this node may send again.
   if (connection != nullptr && may_speak()) *connection = {};
   ended_(connection);
 }

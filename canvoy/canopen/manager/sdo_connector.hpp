@@ -1,6 +1,6 @@
-// Opens and closes an SDO connection for the SDO manager (CiA 302-5): looks for a free channel of
-// the server, writes the SDO parameters of both ends, the server's first, and tells the client by
-// its 1F10h.
+// Opens and closes an SDO connection for the SDO manager: finds a free channel of the server,
+// writes the SDO parameters of both ends, the server's first, and notifies the client by its 1F10h
+// (CiA 302-5).
 //
 //     SdoConnector connector(node, client, cob_ids, {.time_out = 250ms, .tries = 3}, ended);
 //     connector.open(connection);   // then connection.state is given, or ending with an error
@@ -13,38 +13,38 @@
 #include "canvoy/canopen/manager/sdo_cob_ids.hpp"
 #include "canvoy/canopen/manager/sdo_connections.hpp"
 #include "canvoy/canopen/manager/sdo_write_list.hpp"
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 #include "canvoy/canopen/sdo/sdo_client.hpp"
 
 namespace canvoy {
 
-/// One at a time.
+/// Handles one connection at a time.
 class SdoConnector {
  public:
   struct Settings {
     Duration time_out = 250ms;  ///< for one answer
-    unsigned tries = 3;         ///< of each request
+    unsigned tries = 3;         ///< for each request
   };
-  /// It is done with one. Null: with a device that has none.
+  /// Called when a connection is finished. Null: for a device that has none.
   using Ended = Callback<void(const SdoConnection*)>;
 
-  /// All must outlive this. The client is used by nobody else while this is busy.
+  /// Makes the connector. All arguments must outlive it. The client must not be used otherwise
+  /// while the connector is busy.
   SdoConnector(Node& node, SdoClient& client, const SdoCobIds& cob_ids, const Settings& settings,
                Ended ended);
   SdoConnector(const SdoConnector&) = delete;
   SdoConnector& operator=(const SdoConnector&) = delete;
 
-  /// A connection is open, or about to be closed, for as long as this is busy, even if it is said
-  /// to end meanwhile.
+  /// Opens a connection. It remains valid while this object is busy, even if it must end meanwhile.
   void open(SdoConnection& connection);
   void close(SdoConnection& connection);
-  /// Tells a device that it is given none, with the error of `wanted`.
+  /// Notifies a device that it gets no connection, with the error of `wanted`.
   void refuse(const SdoConnection& wanted);
   bool busy() const { return busy_; }
-  /// Leaves everything as it is. The owner cancels the client.
+  /// Stops without changing anything. The owner cancels the client.
   void reset();
 
-  /// SDO is spoken in NMT states pre-operational and operational.
+  /// True in NMT states pre-operational and operational, which allow SDO.
   bool may_speak() const;
 
  private:
@@ -56,7 +56,7 @@ class SdoConnector {
   void opened(const SdoWriteList::Outcome& outcome);
   void give_up(DynamicSdoError error);
   void closed(const SdoWriteList::Outcome& outcome);
-  void tell(const SdoConnection& connection, DynamicSdoState::Status status);
+  void notify(const SdoConnection& connection, DynamicSdoState::Status status);
 
   Node& node_;
   SdoClient& client_;
@@ -67,7 +67,7 @@ class SdoConnector {
   SdoConnection* current_ = nullptr;
   std::array<std::uint8_t, 4> buffer_{};
   unsigned tries_left_ = 0;
-  std::uint8_t channel_ = 0;  ///< of the server, that is looked at
+  std::uint8_t channel_ = 0;  ///< channel of the server being examined
   bool busy_ = false;
 };
 

@@ -1,5 +1,5 @@
-// The SDO manager's hand in node 1 (CiA 302-5, as devices in the field have it): device 5 is to get
-// a channel of server 10.
+// The connector of an SDO manager in node 1: device 5 gets a channel of server 10 (CiA 302-5, as in
+// devices in the field).
 #include "canvoy/canopen/manager/sdo_connector.hpp"
 
 #include <gtest/gtest.h>
@@ -21,8 +21,8 @@ struct Hand : WireNode {
   Hand() : WireNode(dynamic_sdo_manager(), 1) { boot(); }
 
   void note(const SdoConnection* connection) { ended.push_back(connection); }
-  /// The server says what 1200h + `channel`, sub-index 01h, is.
-  void tell(unsigned channel, std::uint32_t value) {
+  /// Reports sub-index 01h of 1200h + `channel`, as the server.
+  void notify(unsigned channel, std::uint32_t value) {
     char frame[40];
     std::snprintf(frame, sizeof frame, "58A#43 %02X 12 01 %02X %02X %02X %02X", channel,
                   value & 0xFFU, value >> 8U & 0xFFU, value >> 16U & 0xFFU, value >> 24U);
@@ -56,7 +56,7 @@ TEST(SdoConnector, LooksAtAllChannelsOfTheServerUpTo127Fh) {
   OpeningHand hand;
   for (unsigned channel = 1; channel <= 0x7F; ++channel) {
     hand.expect_to_ask(channel);
-    hand.tell(channel, in_use);
+    hand.notify(channel, in_use);
   }
   hand.expect({});
   EXPECT_EQ(hand.wanted.error, DynamicSdoError::no_server_channel);
@@ -66,24 +66,24 @@ TEST(SdoConnector, LooksAtAllChannelsOfTheServerUpTo127Fh) {
 TEST(SdoConnector, TriesEachChannelAsOftenAsTheFirst) {
   OpeningHand hand;
   hand.run_until(Time(500ms));
-  hand.tell(1, in_use);
+  hand.notify(1, in_use);
   hand.run_until(Time(1249ms));
   EXPECT_TRUE(hand.ended.empty()) << "three times 250 ms are not over";
   hand.run_until(Time(1250ms));
   EXPECT_EQ(hand.wanted.error, DynamicSdoError::server_silent);
 }
 
-/// 0800 0022h says nothing of how many channels there are.
+/// 0800 0022h does not determine the number of channels.
 TEST(SdoConnector, TakesAnyOtherAbortThanThatOfAnAbsentChannelForARefusal) {
   OpeningHand hand;
   hand.receive("58A#80 01 12 01 22 00 00 08");
   EXPECT_EQ(hand.wanted.error, DynamicSdoError::server_refused);
 }
 
-/// What an earlier answer left behind its one byte is none of it.
+/// Bytes of an earlier answer after its one byte do not belong to it.
 TEST(SdoConnector, TakesNoChannelForFreeWhoseCobIdIsCutShort) {
   OpeningHand hand;
-  hand.tell(1, is_free);
+  hand.notify(1, is_free);
   hand.receive("58A#60 01 12 03 00 00 00 00");
   hand.receive("58A#80 01 12 02 22 00 00 08");  // it has ended
   hand.wanted = Hand::of_5_to_10();
@@ -101,10 +101,10 @@ TEST(SdoConnector, KeepsTheReasonOfAConnectionThatIsLostWhileItsServerIsAsked) {
   EXPECT_EQ(hand.wanted.error, DynamicSdoError::connection_lost);
 }
 
-/// It was written to the end: both ends are to be closed again.
+/// It was written completely: both ends must be closed again.
 TEST(SdoConnector, DoesNotGiveAConnectionThatIsReleasedWhileItIsWritten) {
   OpeningHand hand;
-  hand.tell(1, is_free);
+  hand.notify(1, is_free);
   hand.connections.release({.device = 5, .server = 10});
   for (const char* written : {"58A#60 01 12 03", "58A#60 01 12 02", "58A#60 01 12 01",
                               "585#60 81 12 03", "585#60 81 12 01", "585#60 81 12 02"}) {

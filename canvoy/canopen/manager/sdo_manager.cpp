@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 
 namespace canvoy {
 
@@ -17,11 +17,12 @@ constexpr std::uint8_t client_channel(std::uint16_t client_parameter) {
 
 }  // namespace
 
-constexpr HookCalls SdoManager::hook_calls = {.first = dynamic_sdo::request,
-                                              .last = dynamic_sdo::cob_ids,
-                                              .before_write = method<&SdoManager::before_write>,
-                                              .after_write = method<&SdoManager::after_write>};
-constexpr ServiceCalls SdoManager::service_calls = {
+constexpr AccessHandlers SdoManager::hook_calls = {
+    .first = dynamic_sdo::request,
+    .last = dynamic_sdo::cob_ids,
+    .before_write = method<&SdoManager::before_write>,
+    .after_write = method<&SdoManager::after_write>};
+constexpr ServiceHandlers SdoManager::service_calls = {
     .reset = method<&SdoManager::reset>,
     .state_entered = method<&SdoManager::state_entered>,
     .hooks = {&hook_calls, 1}};
@@ -103,7 +104,7 @@ AbortCode SdoManager::check_release(const DynamicSdoRequest& request) const {
   return is_registered(request.device) ? AbortCode::none : AbortCode::device_state;
 }
 
-/// Asked for again, a connection is written again: its answer may have been lost.
+/// A connection that is requested again is written again: its answer may have been lost.
 void SdoManager::request(const DynamicSdoRequest& request) {
   const std::uint8_t channel = client_channel(request.client_parameter);
   if (!connections_.request_again(request.device, channel)) {
@@ -128,7 +129,7 @@ void SdoManager::remote_changed(NodeId node, RemoteState state) {
   wake();
 }
 
-/// What is to be closed comes first, since it brings COB-IDs and channels back.
+/// Connections to close come first, since that frees COB-IDs and channels.
 void SdoManager::work(Time now) {
   using State = SdoConnection::State;
   changed_(now);
@@ -169,7 +170,7 @@ void SdoManager::answered(SdoClient::Outcome outcome) {
   if (state.is_request()) found(node, state);
 }
 
-/// A device that registers anew has forgotten what it had, or wants to.
+/// A device that registers again has lost its connections, or ends them.
 void SdoManager::found(NodeId node, const DynamicSdoState& state) {
   search_.find(node);
   connections_.end_all(node);
@@ -179,13 +180,13 @@ void SdoManager::found(NodeId node, const DynamicSdoState& state) {
                        .server = node_.id(),
                        .wants_all = state.wants_all};
   if (connections_.add(wanted) != nullptr) return;
-  // A place is about to come free, perhaps one of its own: it is asked again then.
+  // A place will become free, perhaps one of its own: it is asked again then.
   if (connections_.has(SdoConnection::State::ending)) return search_.call();
   wanted.error = DynamicSdoError::no_manager_channel;
   connector_.refuse(wanted);
 }
 
-/// In 1F03h to 1F06h, where the dictionary has them.
+/// Lists a connection in 1F03h to 1F06h, if the dictionary has them.
 void SdoManager::list(const SdoConnection& connection) {
   if (connection.state == SdoConnection::State::ending) return;
   const auto position = static_cast<unsigned>(&connection - connections_.all().data());

@@ -1,8 +1,8 @@
-// SDO manager: gives SDO connections to devices that ask for them, and takes them back (CiA 302-5).
+// SDO manager: gives SDO connections to requesting devices, and takes them back (CiA 302-5).
 //
-// Objects 1F00h (request), 1F01h (release), 1F02h (the COB-IDs that it has to give), 1F03h to 1F06h
-// (what it gave, where the dictionary has them), and one SDO server (1201h and above) for each
-// device that it is to serve.
+// Objects 1F00h (request), 1F01h (release), 1F02h (the COB-IDs that it can assign), 1F03h to 1F06h
+// (assigned connections, if the dictionary has them), and one SDO server (1201h and above) for each
+// device that it serves.
 //
 //     std::array<SdoConnection, 16> connections;
 //     SdoManager manager(node, connections, {});
@@ -20,44 +20,45 @@
 #include "canvoy/canopen/manager/sdo_connections.hpp"
 #include "canvoy/canopen/manager/sdo_connector.hpp"
 #include "canvoy/canopen/nmt/remote_state.hpp"
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 #include "canvoy/canopen/sdo/sdo_client.hpp"
 
 namespace canvoy {
 
-/// It does one thing at a time, on the default SDO channels of the nodes, of which it must be the
-/// only user, as CiA 302-5 has it: look for the device that called on 6E0h, which says no more than
-/// that (nodes that were heard first, then all the others), open a connection, close one. All is
-/// done in NMT states pre-operational and operational.
+/// Performs one task at a time, on the default SDO channels of the nodes, of which it must be the
+/// only user (CiA 302-5): finds the device that called on 6E0h, a call without further data (nodes
+/// heard before first, then all others), opens a connection, closes one. It works in NMT states
+/// pre-operational and operational.
 ///
-/// A device that is lost or starts anew loses its registration and its connections; where a server
-/// is lost, its clients are told by 1F10h. While a device has all default SDO channels, all else
+/// A device that is lost or restarts loses its registration and its connections; if a server is
+/// lost, its clients are notified by 1F10h. While a device has all default SDO channels, all else
 /// waits.
 ///
-/// A manager that is reset alone forgets which COB-IDs it gave, while the servers still listen to
-/// them: reset all nodes with it.
+/// A manager that is reset alone loses its record of assigned COB-IDs, while the servers still
+/// listen to them: reset all nodes with it.
 ///
-/// What is not known of CiA 302-5, and is as this manager has it: the error codes; the content of
-/// 1F03h to 1F06h; that requests of devices that are not registered are refused (0800 0022h), as is
-/// a client channel that is connected to another server; that channels are closed with bits 31 and
-/// 30 set.
+/// Details of CiA 302-5 that are unknown, and specific to this manager: the error codes; the
+/// content of 1F03h to 1F06h; refusal of requests from devices that are not registered (0800
+/// 0022h), and for a client channel that is connected to another server; channels are closed with
+/// bits 31 and 30 set.
 class SdoManager {
  public:
   struct Settings {
     Duration time_out = 250ms;      ///< for one answer when a connection is opened or closed
-    unsigned tries = 3;             ///< of each such request
+    unsigned tries = 3;             ///< for each such request
     Duration scan_time_out = 50ms;  ///< for one answer of a node that may be absent
   };
 
-  /// `connections` bounds registrations and connections together; it must outlive the manager. The
-  /// node needs one route for it, and one for its SDO client.
+  /// Makes the manager. `connections` limits the number of registrations and connections together;
+  /// it must outlive the manager. The node needs one route for it, and one for its SDO client.
   SdoManager(Node& node, std::span<SdoConnection> connections, const Settings& settings);
   SdoManager(const SdoManager&) = delete;
   SdoManager& operator=(const SdoManager&) = delete;
 
-  /// A node was heard, lost, or started: to be called for all that may have connections.
+  /// Notes that a node was heard, lost, or started: to be called for all nodes that may have
+  /// connections.
   void remote_changed(NodeId node, RemoteState state);
-  /// Whenever a connection may have been given, or have begun to end.
+  /// Sets the callback for any change of connections: assigned, or beginning to end.
   void on_change(Callback<void(Time)> changed) { changed_ = changed; }
 
   std::span<const SdoConnection> connections() const { return connections_.all(); }
@@ -85,8 +86,8 @@ class SdoManager {
   void ended(const SdoConnection* connection);
   void list(const SdoConnection& connection);
 
-  static const ServiceCalls service_calls;
-  static const HookCalls hook_calls;
+  static const ServiceHandlers service_calls;
+  static const AccessHandlers hook_calls;
 
   Node& node_;
   Settings settings_;
@@ -95,11 +96,11 @@ class SdoManager {
   SdoCobIds cob_ids_;
   SdoConnector connector_;
   SdoCallSearch search_;
-  ServiceLink service_{&service_calls, this};
+  HandlerBinding service_{&service_calls, this};
   Timer timer_;
   Callback<void(Time)> changed_;
   std::array<std::uint8_t, 4> buffer_{};
-  NodeId asked_ = 0;  ///< whether it called; 0: nobody is
+  NodeId asked_ = 0;  ///< node being read; 0: none
 };
 
 }  // namespace canvoy

@@ -1,4 +1,4 @@
-// The SDO manager on a bus where answers come at once, from within the request (CiA 302-5).
+// The SDO manager on a bus with immediate answers, during the request (CiA 302-5).
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/testing/dynamic_sdo_nodes.hpp"
@@ -16,8 +16,7 @@ struct PromptManager : PromptBus {
     run_for(Duration::zero());
     sent.clear();
   }
-  /// Nodes 4 and 5 confirm all that is written; 5 asks for its client 1280h by 1F10h until it is
-  /// written.
+  /// Nodes 4 and 5 confirm all writes; 5 requests its client 1280h by 1F10h until it is written.
   std::optional<Frame> answer(const Frame& frame) {
     if (frame.id != 0x604 && frame.id != 0x605) return std::nullopt;
     const std::uint8_t* b = frame.data.data();

@@ -1,5 +1,5 @@
-// The SDO manager in node 1, frame by frame (CiA 302-5, as devices in the field have it). Device 5
-// asks, node 10 serves.
+// The SDO manager in node 1, frame by frame (CiA 302-5, as in devices in the field). Device 5 sends
+// requests, node 10 is the server.
 #include "canvoy/canopen/manager/sdo_manager.hpp"
 
 #include <gtest/gtest.h>
@@ -18,19 +18,19 @@ struct Manager : WireNode {
     sut.remote_changed(id, state);
     settle();
   }
-  /// A frame with numbers in it, as printf has them.
+  /// A frame with numbers in it, formatted like printf.
   template <class... Numbers>
   void receive_made(const char* frame, Numbers... numbers) {
     char text[40];
     std::snprintf(text, sizeof text, frame, static_cast<unsigned>(numbers)...);
     receive(text);
   }
-  /// Node `id` confirms that object index:sub was written.
+  /// Confirms, as node `id`, a write to object index:sub.
   void confirm(NodeId id, std::uint16_t index, unsigned sub) {
     receive_made("%03X#60 %02X %02X %02X 00 00 00 00", 0x580U + id, index & 0xFFU, index >> 8U,
                  sub);
   }
-  /// Device 5 registers with its client 1280h.
+  /// Registers device 5 with its client 1280h.
   void register_5() {
     heard(5);
     receive("6E0#");
@@ -39,7 +39,8 @@ struct Manager : WireNode {
     confirm(5, 0x1F10, 0);
     sent.clear();
   }
-  /// Device 5 gets a connection of one of its client channels to node `server`, which gives 1201h.
+  /// Gives device 5 a connection of one of its client channels to node `server`, which has 1201h
+  /// free.
   void connect_5_to(NodeId server, std::uint16_t client) {
     receive_made("680#23 00 1F 00 %02X 05 %02X %02X", server, client & 0xFFU, client >> 8U);
     receive_made("%03X#43 01 12 01 00 00 00 80", 0x580U + server);
@@ -211,7 +212,7 @@ TEST(SdoManagerRegistration, ADeviceThatCallsAnewLosesWhatItHad) {
   manager.connect_5_to_10();
   manager.receive("6E0#");
   manager.receive("585#43 10 1F 00 00 00 80 12");
-  // The registration: its own end here; the connection: both ends.
+  // The registration: only its own end here; the connection: both ends.
   for (const unsigned sub : {1U, 2U}) manager.confirm(5, 0x1280, sub);
   for (const unsigned sub : {1U, 2U}) manager.confirm(10, 0x1201, sub);
   for (const unsigned sub : {1U, 2U}) manager.confirm(5, 0x1281, sub);
@@ -482,7 +483,7 @@ TEST(SdoManagerRelease, WhatMakesNoSenseIsRefused) {
   manager.expect({"581#80 01 1F 00 22 00 00 08"});
 }
 
-// Nodes that are lost, or start anew
+// Nodes that are lost, or restart
 
 TEST(SdoManagerLoss, OfTheDeviceClosesTheServersEnd) {
   for (const RemoteState state : {RemoteState::lost, RemoteState::boot_up}) {

@@ -2,16 +2,16 @@
 
 #include <utility>
 
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 
 namespace canvoy {
 
 namespace {
 
-// Of 1280h and above:
+// Sub-indices of 1280h and above:
 constexpr std::uint8_t cob_id_request_sub = 1;
 constexpr std::uint8_t cob_id_response_sub = 2;
-constexpr std::uint8_t server_sub = 3;  // the node-ID of the SDO server
+constexpr std::uint8_t server_sub = 3;  // node-ID of the SDO server
 
 constexpr std::uint16_t parameter_of(std::uint8_t client) {
   return static_cast<std::uint16_t>(sdo_client_parameter + client);
@@ -19,10 +19,11 @@ constexpr std::uint16_t parameter_of(std::uint8_t client) {
 
 }  // namespace
 
-constexpr HookCalls SdoRequester::hook_calls = {.first = dynamic_sdo::state,
-                                                .last = dynamic_sdo::state,
-                                                .after_write = method<&SdoRequester::after_write>};
-constexpr ServiceCalls SdoRequester::service_calls = {
+constexpr AccessHandlers SdoRequester::hook_calls = {
+    .first = dynamic_sdo::state,
+    .last = dynamic_sdo::state,
+    .after_write = method<&SdoRequester::after_write>};
+constexpr ServiceHandlers SdoRequester::service_calls = {
     .state_entered = method<&SdoRequester::state_entered>, .hooks = {&hook_calls, 1}};
 
 SdoRequester::SdoRequester(Node& node, const Settings& settings)
@@ -85,7 +86,7 @@ void SdoRequester::register_anew() {
   call();
 }
 
-/// A channel that is valid would refuse other COB-IDs.
+/// A valid channel would refuse other COB-IDs.
 void SdoRequester::close_manager_channel() {
   if (!registered()) return;
   std::array<std::uint8_t, 4> closed{};
@@ -103,7 +104,7 @@ void SdoRequester::ask_to_register() {
   node_.dictionary().set_number(dynamic_sdo::state, 0, state.value());
 }
 
-/// Nobody is named: the SDO manager looks for a 1F10h with a request in it.
+/// The call has no node-ID: the SDO manager looks for a 1F10h with a request.
 void SdoRequester::call() {
   --calls_left_;
   node_.timers().arm(timer_, node_.now() + settings_.time_out);
@@ -146,7 +147,7 @@ void SdoRequester::answered_by_manager(const DynamicSdoState& answer) {
   const std::uint16_t expected =
       state_ == State::calling ? manager_parameter() : wanted_.client_parameter;
   if (answer.client_parameter != expected) {
-    // What else the manager had to say lies over the request that it is to find.
+    // Another message of the manager has replaced the request that it must find.
     if (state_ == State::calling) ask_to_register();
     return;
   }
@@ -184,7 +185,7 @@ bool SdoRequester::leave() {
   return false;
 }
 
-/// A connection that comes after all is given back: nobody waits for it any more.
+/// A connection that comes too late is returned, since it is not needed.
 void SdoRequester::expired(Time) {
   if (state_ == State::calling && calls_left_ != 0) return call();
   if (state_ == State::requesting && is_kept_) return register_anew();
@@ -201,7 +202,7 @@ void SdoRequester::state_entered(NmtState state) {
   finish(SdoEnd::cancelled(AbortCode::device_state));
 }
 
-/// Nothing is touched after the callback: it may have started the next request.
+/// Nothing is used after the callback, which may have started the next request.
 void SdoRequester::finish(SdoEnd end) {
   const State was = std::exchange(state_, State::idle);
   node_.timers().disarm(timer_);

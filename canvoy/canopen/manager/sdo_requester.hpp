@@ -1,5 +1,4 @@
-// Requests SDO connections from the SDO manager of the network (CiA 302-5: the SDO requesting
-// device).
+// Requests SDO connections from the SDO manager of the network (CiA 302-5, SDO requesting device).
 //
 // Needs 1F10h, the object of an SDO client for the channel to the SDO manager, and one for each
 // connection (1280h and above).
@@ -14,52 +13,52 @@
 #include <cstdint>
 
 #include "canvoy/canopen/manager/dynamic_sdo.hpp"
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 #include "canvoy/canopen/sdo/sdo_client.hpp"
 
 namespace canvoy {
 
 /// The first connect() registers the device with the SDO manager: it calls on 6E0h, is found by its
-/// 1F10h, and gets a channel to the manager, on which all requests go from then on. Where no
-/// manager answers, connect() ends without an answer, and the device may use the default channels.
+/// 1F10h, and gets a channel to the manager, on which all requests go from then on. If no manager
+/// answers, connect() ends without an answer, and the device may use the default channels.
 ///
-/// A manager that started anew knows nothing of a registration, and one that still closes what was
-/// lost refuses: where a registration from before leads to silence or to 0800 0022h, the device
-/// registers anew, once, before it gives up.
+/// A restarted manager has no record of a registration, and one that still closes lost connections
+/// refuses requests: if an earlier registration leads to silence or to 0800 0022h, the device
+/// registers again, once, before it gives up.
 class SdoRequester {
  public:
   struct Settings {
     std::uint8_t manager_client = 0;  ///< 1280h + this is the channel to the SDO manager
     Duration time_out = 500ms;        ///< for the registration, and for each request
-    unsigned calls_max = 2;           ///< of 6E0h, each with its own time-out
+    unsigned calls_max = 2;           ///< calls on 6E0h, each with its own time-out
   };
-  /// done, or why there is no connection: no answer (no SDO manager, or it was too slow), aborted
-  /// by the manager (by SDO; or no_sdo_connection for a refusal in 1F10h, see error()), or
-  /// cancelled by NMT.
+  /// Called at the end: done, or the reason: no answer (no SDO manager, or too slow), aborted by
+  /// the manager (by SDO; or no_sdo_connection for a refusal in 1F10h, see error()), or cancelled
+  /// by NMT.
   using Done = Callback<void(SdoEnd)>;
 
   SdoRequester(Node& node, const Settings& settings);
   SdoRequester(const SdoRequester&) = delete;
   SdoRequester& operator=(const SdoRequester&) = delete;
 
-  /// Whether the dictionary has what is needed: without 1F10h there is nothing to request with.
+  /// True if the dictionary has the objects it needs; requests are not possible without 1F10h.
   bool available() const;
 
-  /// Asks for a connection of SDO client `client` (1280h + client) to the default server of
-  /// `server`. `done` is called once. Refused at once: no_sdo_connection (no such objects, no
+  /// Requests a connection of SDO client `client` (1280h + client) to the default server of
+  /// `server`. `done` is called once. Immediate refusals: no_sdo_connection (no such objects, not a
   /// node-ID), device_state (a request is under way, or the NMT state forbids it).
   AbortCode connect(NodeId server, std::uint8_t client, Done done);
-  /// Asks for the sole use of all default SDO channels, as a configuration tool does.
+  /// Requests the sole use of all default SDO channels, for example for a configuration tool.
   AbortCode connect_all(Done done);
-  /// Gives the connection of this client back; false where that cannot be asked for now.
+  /// Returns the connection of this client; false if that cannot be requested at present.
   bool release(std::uint8_t client);
-  /// Gives everything back, the registration included.
+  /// Returns everything, including the registration.
   bool leave();
 
   bool busy() const { return state_ != State::idle; }
-  /// The channel to the SDO manager is valid.
+  /// True if the channel to the SDO manager is valid.
   bool registered() const;
-  /// Of the last refusal.
+  /// Error of the last refusal.
   DynamicSdoError error() const { return error_; }
 
  private:
@@ -84,13 +83,13 @@ class SdoRequester {
     return static_cast<std::uint16_t>(sdo_client_parameter + settings_.manager_client);
   }
 
-  static const ServiceCalls service_calls;
-  static const HookCalls hook_calls;
+  static const ServiceHandlers service_calls;
+  static const AccessHandlers hook_calls;
 
   Node& node_;
   Settings settings_;
   SdoClient client_;
-  ServiceLink service_{&service_calls, this};
+  HandlerBinding service_{&service_calls, this};
   Timer timer_;
   Done done_;
   DynamicSdoRequest wanted_;
@@ -98,7 +97,7 @@ class SdoRequester {
   unsigned calls_left_ = 0;
   State state_ = State::idle;
   bool wants_all_ = false;
-  bool is_kept_ = false;  ///< the registration that the request relies on is from before
+  bool is_kept_ = false;  ///< the request uses an earlier registration
   DynamicSdoError error_ = DynamicSdoError::none;
 };
 

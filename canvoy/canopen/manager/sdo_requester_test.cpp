@@ -1,5 +1,5 @@
-// The device that requests SDO connections, node 5, frame by frame (CiA 302-5, as devices in the
-// field have it). The SDO manager is node 1, the server node 10.
+// The device that requests SDO connections, node 5, frame by frame (CiA 302-5, as in devices in the
+// field). The SDO manager is node 1, the server node 10.
 #include "canvoy/canopen/manager/sdo_requester.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ struct Device : WireNode {
   }
   AbortCode connect_all() { return sut.connect_all(SdoRequester::Done::to<&Device::done>(*this)); }
   void done(SdoEnd end) { answers.push_back(end); }
-  /// As the SDO manager writes it.
+  /// Writes the channel like the SDO manager.
   void give_manager_channel() {
     receive("605#2F 80 12 03 01 00 00 00");
     receive("605#23 80 12 01 80 06 00 40");
@@ -141,7 +141,7 @@ TEST(SdoRequester, AnAbortOfTheManagerRefusesTheConnection) {
   EXPECT_FALSE(device.sut.busy());
 }
 
-/// A manager that answers 0504 0000h is there: nobody needs to register anew.
+/// A manager that answers 0504 0000h is present: no new registration is needed.
 TEST(SdoRequester, ATimeOutThatTheManagerTellsIsNoSilenceOfTheManager) {
   Device device;
   device.register_it();
@@ -165,14 +165,14 @@ TEST(SdoRequester, AConnectionThatDoesNotComeTimesOut) {
   device.register_it();
   device.run_for(500ms);
   EXPECT_EQ(device.answers, std::vector<SdoEnd>{SdoEnd::no_answer()});
-  device.expect({"@500000 680#23 01 1F 00 0A 05 81 12"});  // what still comes is given back
+  device.expect({"@500000 680#23 01 1F 00 0A 05 81 12"});  // a later connection is returned
   device.receive("681#60 01 1F 00 00 00 00 00");
   EXPECT_FALSE(device.sut.busy());
   device.run_for(1min);
   EXPECT_EQ(device.answers.size(), 1u);
 }
 
-// A manager that has forgotten the registration
+// A manager that has lost the registration
 
 TEST(SdoRequester, RegistersAnewWhenTheManagerOfBeforeIsSilent) {
   Device device;

@@ -1,6 +1,6 @@
 #include "canvoy/canopen/manager/sdo_write_list.hpp"
 
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 
 namespace canvoy {
 
@@ -10,7 +10,7 @@ void SdoWriteList::run() {
   }
 }
 
-/// False where an answer is waited for, or all is over.
+/// False if an answer is waited for, or all is done.
 bool SdoWriteList::write_next() {
   if (position_ == size_) {
     done_({});
@@ -31,7 +31,7 @@ AbortCode SdoWriteList::write_here(const Write& write, std::span<const std::uint
   return node_.dictionary().write(write.index, write.sub, value, Source::application);
 }
 
-/// Whether there is a next one to write.
+/// True if there is a next one to write.
 bool SdoWriteList::step(SdoEnd answer) {
   const Write& write = writes_[position_];
   if (answer || write.may_fail) {

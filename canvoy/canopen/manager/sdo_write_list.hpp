@@ -1,5 +1,5 @@
-// A few short values that are written one after the other into the dictionaries of other nodes, and
-// into one's own: what an SDO manager does to open and close a connection (CiA 302-5).
+// A list of short values that are written one after the other into the dictionaries of other nodes,
+// and of the own node: for opening and closing connections by an SDO manager (CiA 302-5).
 //
 //     writes.begin(SdoWriteList::Done::to<&SdoManager::written>(*this));
 //     writes.add({.node = 10, .index = 0x1201, .sub = 1, .value = 0x640});
@@ -10,12 +10,12 @@
 #include <cstdint>
 #include <span>
 
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 #include "canvoy/canopen/sdo/sdo_client.hpp"
 
 namespace canvoy {
 
-/// It stops at the first write that fails. A request without an answer is repeated.
+/// The list stops at the first write that fails. A request without an answer is repeated.
 class SdoWriteList {
  public:
   static constexpr std::size_t writes_max = 8;
@@ -26,21 +26,22 @@ class SdoWriteList {
     std::uint8_t sub = 0;
     std::uint32_t value = 0;
     std::uint8_t size = 4;  ///< bytes of the value, 1 to 4
-    bool may_fail = false;  ///< then the list goes on
+    bool may_fail = false;  ///< the list continues after a failure
   };
   struct Outcome {
     SdoEnd end = {};
-    NodeId node = 0;  ///< where it failed
+    NodeId node = 0;  ///< node of the failed write
   };
   using Done = Callback<void(const Outcome&)>;
 
-  /// `tries` of each request, each of which may take `time_out`. `client` must outlive the list.
+  /// Makes a list. Each request is tried up to `tries` times, each with `time_out`. `client` must
+  /// outlive the list.
   SdoWriteList(Node& node, SdoClient& client, Duration time_out, unsigned tries)
       : node_(node), client_(client), time_out_(time_out), tries_max_(tries) {}
   SdoWriteList(const SdoWriteList&) = delete;
   SdoWriteList& operator=(const SdoWriteList&) = delete;
 
-  /// Forgets what is in it.
+  /// Empties the list.
   void begin(Done done) {
     done_ = done;
     size_ = position_ = 0;
@@ -48,7 +49,7 @@ class SdoWriteList {
   void add(const Write& write) {
     if (size_ < writes_max) writes_[size_++] = write;
   }
-  /// Calls `done` once, perhaps before it returns.
+  /// Carries out the list. Calls `done` once, possibly before it returns.
   void run();
 
  private:

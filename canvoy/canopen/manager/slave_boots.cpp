@@ -25,7 +25,7 @@ void SlaveBoots::begin() {
   }
 }
 
-/// By one command, unless one of them is to be kept alive.
+/// Resets all by one command, unless one of them must be kept alive.
 void SlaveBoots::reset_all() {
   bool keeps_some = false;
   for (NodeId slave = node_id_min; slave <= node_id_max; ++slave) {
@@ -70,7 +70,7 @@ void SlaveBoots::rest() {
   }
 }
 
-/// By one command, or where there is no room for it one by one.
+/// Starts all by one command, or one by one if there is no room for it.
 void SlaveBoots::start_all() {
   const bool is_sent = context_.commands.add({NmtQueue::all_nodes, NmtCommand::start, true});
   for (NodeId slave = node_id_min; slave <= node_id_max; ++slave) {
@@ -103,7 +103,7 @@ void SlaveBoots::heard(NodeId slave, RemoteState state) {
 
 void SlaveBoots::changed(NodeId slave, RemoteState state) {
   if (state == RemoteState::lost) return lost(slave);
-  // Who did not answer until it was given up is there after all.
+  // A slave that was given up without an answer is present after all.
   const Record& silent = record(slave);
   const bool is_given_up = silent.state == State::failed && silent.error == BootError::no_answer &&
                            !silent.restarts.is_exhausted();
@@ -171,8 +171,8 @@ void SlaveBoots::give_up(NodeId slave, BootReport restart) {
   owner_.changed();
 }
 
-/// The reaction of 1F80h bits 4 and 6, or the slave alone. A slave that the master does not boot is
-/// told of only.
+/// Reacts as 1F80h bits 4 and 6 require, or for the slave alone. A slave that the master does not
+/// boot is only reported.
 void SlaveBoots::lost(NodeId slave) {
   if (!is_active_ || record(slave).state != State::booted) return;
   const SlaveAssignment assigned = assignment(slave);
@@ -218,7 +218,7 @@ BootSlave* SlaveBoots::find_slot(NodeId slave) {
   return nullptr;
 }
 
-/// The slave that has waited longest; 0 where none is due.
+/// Slave that has waited longest; 0 if none is due.
 NodeId SlaveBoots::find_due(Time now) const {
   NodeId found = 0;
   Time earliest = never;
@@ -231,7 +231,7 @@ NodeId SlaveBoots::find_due(Time now) const {
   return found;
 }
 
-/// Those for whose command there was no room.
+/// Starts slaves that had no room for their command.
 void SlaveBoots::start_late(Time now) {
   for (NodeId slave = node_id_min; slave <= node_id_max; ++slave) {
     Record& booted = at(slave);
@@ -241,7 +241,7 @@ void SlaveBoots::start_late(Time now) {
   }
 }
 
-/// One slave a call, as it may come back at once; the timer goes on with the next.
+/// Boots one slave a call, since it may call back at once; the timer continues with the next.
 void SlaveBoots::boot_next(Time now) {
   BootSlave* slot = find_slot(nobody);
   const NodeId slave = find_due(now);
@@ -251,7 +251,7 @@ void SlaveBoots::boot_next(Time now) {
   slot->begin(slave, std::exchange(booting.is_fresh, false));
 }
 
-/// Who waits for a turn is looked at again when a slot is free.
+/// A slave that waits for a turn is checked again when a slot is free.
 void SlaveBoots::run_due(Time now) {
   context_.node.timers().disarm(timer_);
   if (context_.node.state() == NmtState::stopped) return;
@@ -274,7 +274,7 @@ void SlaveBoots::finished(BootSlave& slot, BootOutcome outcome) {
   ended.due = never;
   const bool is_up =
       outcome.error == BootError::none || outcome.error == BootError::already_operational;
-  // Each device has 1000h: one that refuses it is not ready.
+  // Every device has 1000h: one that refuses it is not ready.
   const bool is_refused = outcome.error == BootError::device_type && !outcome.end;
   if (outcome.error == BootError::no_answer || outcome.end.is_silence() || is_refused) {
     try_again(slave, end);
@@ -285,14 +285,14 @@ void SlaveBoots::finished(BootSlave& slot, BootOutcome outcome) {
       end.step = BootStep::done;
     }
     report(end);
-    // Whoever is told may have it retire.
+    // The callback may have retired it.
     if (is_up && is_active_) owner_.booted(slave);
   }
   owner_.changed();
   if (is_active_ && timer_.at() > now()) wake();
 }
 
-/// The next attempt follows, unless the boot time of a mandatory slave is over by then.
+/// The next attempt follows, unless the boot time of a mandatory slave ends before.
 void SlaveBoots::try_again(NodeId slave, BootReport end) {
   const auto limit =
       std::chrono::milliseconds(context_.node.dictionary().number(master_object::boot_time, 0));

@@ -1,8 +1,8 @@
-// The slaves of an NMT master (CiA 302-2): how far each has come, whose turn it is, and what is
-// done where one restarts, falls silent or does not answer.
+// The slaves of an NMT master: progress of each, their order, and the reaction to restart, silence
+// and missing answers (CiA 302-2).
 //
-// As many are booted at once as there are slots; the others wait for their turn. Memory belongs to
-// the owner.
+// As many slaves are booted at once as there are slots; the others wait for their turn. Memory
+// belongs to the owner.
 //
 //     SlaveBoots slaves(context, {records, slots}, {.booted = booted, .changed = changed});
 //     slaves.begin();
@@ -17,64 +17,65 @@
 
 namespace canvoy {
 
-/// It does nothing between retire() and begin(). Each step of each slave goes to the report of the
-/// context; whoever is told may retire it.
+/// Works between begin() and retire() only. Each step of each slave goes to the report of the
+/// context; the report may call retire().
 class SlaveBoots {
  public:
   enum class State : std::uint8_t { none, waiting, booting, booted, failed };
-  /// What is known of one slave.
+  /// State of one slave.
   struct Record {
-    Time due = never;  ///< of its next attempt, while it is waiting; of a start that found no room
+    Time due = never;  ///< of the next attempt, while it is waiting; of a start that found no room
     Time since{};      ///< begin of the boot time (1F89h)
     State state = State::none;
     BootError error = BootError::none;
     SlaveRestarts restarts{};
-    bool is_fresh = false;       ///< has sent a boot-up message, and nothing was changed since
-    bool was_tried = false;      ///< an attempt has ended
-    bool is_started = false;     ///< commanded into operational, or about to be
-    bool is_told_reset = false;  ///< while it was booted: its next boot-up message is no fault
+    bool is_fresh = false;    ///< has sent a boot-up message, and nothing was changed since
+    bool was_tried = false;   ///< an attempt has ended
+    bool is_started = false;  ///< commanded into operational, or about to be
+    /// A reset was commanded during its boot-up: the next boot-up message is no fault.
+    bool is_told_reset = false;
   };
   struct Memory {
     std::span<Record, node_id_max> records;
-    std::span<BootSlave> slots;  ///< as many slaves are booted at once; each needs a route
+    std::span<BootSlave> slots;  ///< number of slaves booted at once; each needs a route
   };
   struct Owner {
-    Callback<void(NodeId)> booted;  ///< a slave is up: it may be started
-    Callback<void()> changed;       ///< the state of a slave may be another one
+    Callback<void(NodeId)> booted;  ///< a slave is booted: it may be started
+    Callback<void()> changed;       ///< the state of a slave may have changed
   };
 
-  /// All of it must outlive this.
+  /// Makes the object. All arguments must outlive it.
   SlaveBoots(BootContext& context, const Memory& memory, const Owner& owner);
   SlaveBoots(const SlaveBoots&) = delete;
   SlaveBoots& operator=(const SlaveBoots&) = delete;
 
   const Record& record(NodeId slave) const { return memory_.records[slave - std::size_t{1}]; }
 
-  /// All that are assigned (1F81h) are due at once.
+  /// Makes all assigned slaves (1F81h) due at once.
   void begin();
-  /// Resets the communication of all, but of those that are to be kept alive: these wait for their
-  /// boot-up message from when the command is sent.
+  /// Resets the communication of all slaves, except those to be kept alive: the others wait for
+  /// their boot-up message from the command on.
   void reset_all();
-  /// Looks who is due.
+  /// Checks which slaves are due.
   void wake() { context_.node.timers().arm(timer_, context_.node.now()); }
-  /// What is under way begins anew at the next wake().
+  /// Makes work in progress begin again at the next wake().
   void rest();
-  /// Leaves everything as it is, and forgets it.
+  /// Stops the work without changing any node, and discards it.
   void retire();
 
-  /// Assigned, or no longer so, while the others are under way.
+  /// Assigns a slave, or ends its assignment, while the others are under way.
   void assign(NodeId slave, bool is_slave);
-  /// A command to reset it is on the bus, or all are reset.
+  /// Notes that a command to reset a slave, or all, is on the bus.
   void reset_sent(std::uint8_t slave_or_all);
-  /// Later where there is no room for its command.
+  /// Starts a slave; later if there is no room for its command.
   void start(NodeId slave);
-  /// Those that are up.
+  /// Starts all that are booted.
   void start_all();
 
-  /// Each error control message of each node.
+  /// Takes each error control message of each node.
   void heard(NodeId slave, RemoteState state);
   void changed(NodeId slave, RemoteState state);
-  /// Of a slave that is up nothing is heard any more.
+  /// Notes that a booted slave is silent.
   void lost(NodeId slave);
 
  private:
@@ -87,7 +88,7 @@ class SlaveBoots {
   void forget(NodeId slave);
   void run_due(Time now);
   void boot_next(Time now);
-  /// Not later than that.
+  /// Wakes at `due`, or earlier.
   void wake_at(Time due) {
     if (due < timer_.at()) context_.node.timers().arm(timer_, due);
   }

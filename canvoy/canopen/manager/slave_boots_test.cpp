@@ -1,5 +1,5 @@
-// The slaves of a master in node 127 (CiA 302-2), without the network around them: whose turn it
-// is, and what is left of them when there is no room.
+// The slaves of a master in node 127, without the network around them: their order, and their state
+// if there is no room (CiA 302-2).
 #include "canvoy/canopen/manager/slave_boots.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ struct Slaves : WireNode {
   void name(NodeId slave, std::uint32_t assignment = booted_slave) {
     node.dictionary().set_number(master_object::slave_assignment, slave, assignment);
   }
-  /// It answers the only question: what is it?
+  /// It answers the only request, for its device type.
   void answer(NodeId slave) {
     node.receive(Frame::data_frame(0x580U + slave, {0x43, 0x00, 0x10, 0x00, 0, 0, 0, 0}), now);
     settle();
@@ -79,7 +79,7 @@ TEST(SlaveBoots, WhoHasWaitedLongestIsNextWhicheverItsNodeId) {
   slaves.expect({"606#40 00 10 00 00 00 00 00"});
 }
 
-/// Waiting for the boot-up message of a slave that nobody has reset would last for ever.
+/// Waiting for the boot-up message of a slave that was not reset would last forever.
 TEST(SlaveBoots, OfWhichTheResetFindsNoRoomAreAskedWithoutIt) {
   Slaves slaves;
   slaves.name(4, kept_alive);
@@ -138,7 +138,7 @@ TEST(SlaveBoots, WhoseTurnItIsGivesItToTheNextWhenItIsNoLongerNamed) {
   slaves.expect({"605#80 00 10 00 00 00 00 08", "606#40 00 10 00 00 00 00 00"});
 }
 
-/// Two commands wait, and the bus takes nothing; then it does.
+/// Two commands wait, and the bus accepts nothing; then it does.
 TEST(SlaveBoots, WhoseStartFindsNoRoomAreStartedWhenThereIsSome) {
   for (const bool all : {false, true}) {
     Slaves slaves;
@@ -162,7 +162,7 @@ TEST(SlaveBoots, WhoseStartFindsNoRoomAreStartedWhenThereIsSome) {
   }
 }
 
-/// The one turn that there is is taken by a slave that answers late, and another waits for it.
+/// The only slot is taken by a slave that answers late, and another waits for it.
 TEST(SlaveBoots, WhoseStartFindsNoRoomAreStartedWhileOthersAreBooted) {
   Slaves slaves;
   slaves.sut.begin();
@@ -185,7 +185,7 @@ TEST(SlaveBoots, WhoseStartFindsNoRoomAreStartedWhileOthersAreBooted) {
   EXPECT_EQ(slaves.sut.record(6).state, State::booting);
 }
 
-/// One that restarts again and again is made to wait, and those that wait beside it are not.
+/// One that restarts again and again is delayed, and those that wait beside it are not.
 TEST(SlaveBoots, WhoRestartsTooOftenGivesItsTurnToTheNext) {
   Slaves slaves;
   slaves.sut.begin();

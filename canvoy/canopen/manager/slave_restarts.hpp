@@ -1,5 +1,5 @@
-// How often a slave has restarted without being told, and how long its master waits before it boots
-// it again. What the boot-up itself brings about would go on for ever, as fast as the bus is.
+// Counts the restarts of a slave without a command, and limits new attempts of its master: if the
+// boot-up itself causes them, they would continue forever, at the speed of the bus.
 //
 //     SlaveRestarts restarts;
 //     if (const auto delay = restarts.count(now)) boot_at(now + *delay); else give_up();
@@ -12,13 +12,14 @@
 
 namespace canvoy {
 
-/// Three times at once, then after 1, 2, 4 and 8 s, then no more; without a restart for half a
-/// minute it begins to count anew.
+/// Three times at once, then after 1, 2, 4 and 8 s, then no more; after half a minute without a
+/// restart the count starts again.
 class SlaveRestarts {
  public:
   static constexpr Duration slowest = 8s;
 
-  /// One more: how long to wait, from zero to `slowest`; nothing where it is to be given up.
+  /// Counts a restart. Returns the time to wait, from zero to `slowest`; nothing if no attempt is
+  /// left.
   constexpr std::optional<Duration> count(Time now) {
     if (now - last_ > calm) count_ = 0;
     last_ = now;
@@ -27,9 +28,9 @@ class SlaveRestarts {
     if (count_ <= prompt_max) return Duration::zero();
     return slowest / (1U << (all_max - count_));
   }
-  /// The next one is too many, unless it comes late.
+  /// True if the next restart exceeds the limit, unless it comes late.
   constexpr bool is_exhausted() const { return count_ == all_max; }
-  /// It has been waited for, and the slave has not been calm since.
+  /// True if an attempt was delayed, and the slave has not run for long enough since.
   constexpr bool is_slow(Time now) const { return count_ > prompt_max && now - last_ <= calm; }
 
  private:

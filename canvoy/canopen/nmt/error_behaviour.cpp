@@ -17,11 +17,11 @@ enum class Reaction : std::uint8_t { leave_operational = 0, none = 1, stop = 2 }
   return event.kind == ServiceEvent::bus_state_changed && event.bus_state() == BusState::bus_off;
 }
 
-void ErrorBehaviour::told(NodeService& service, ServiceEvent& event) {
+void ErrorBehaviour::on_event(NodeService& service, ServiceEvent& event) {
   if (is_communication_error(event)) static_cast<ErrorBehaviour&>(service).leave_operational();
 }
 
-void ErrorBehaviour::told_of_object(NodeService& service, ServiceEvent& event) {
+void ErrorBehaviour::on_object_event(NodeService& service, ServiceEvent& event) {
   constexpr auto last = static_cast<std::uint32_t>(Reaction::stop);
   if (event.kind == ServiceEvent::before_write) {
     const bool known = event.entry().sub == 0 || load_word(event.value()) <= last;

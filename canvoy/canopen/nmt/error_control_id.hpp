@@ -1,7 +1,7 @@
 // The CAN-ID of boot-up, heartbeat and node guarding of a node (CiA 301, 7.3.3).
 #pragma once
 
-#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
 
 namespace canvoy {
 

@@ -26,12 +26,12 @@ Error loss_of(NodeId node_id) {
 
 }  // namespace
 
-constexpr HookCalls HeartbeatConsumer::hook_calls = {
+constexpr AccessHandlers HeartbeatConsumer::hook_calls = {
     .first = object_index::heartbeat_consumers,
     .last = object_index::heartbeat_consumers,
     .before_write = method<&HeartbeatConsumer::check>,
     .after_write = method<&HeartbeatConsumer::written>};
-constexpr ServiceCalls HeartbeatConsumer::service_calls = {
+constexpr ServiceHandlers HeartbeatConsumer::service_calls = {
     .reset = method<&HeartbeatConsumer::reset>, .hooks = {&hook_calls, 1}};
 
 HeartbeatConsumer::HeartbeatConsumer(Node& node, std::span<Slot> slots, Start start)
@@ -48,7 +48,10 @@ RemoteState HeartbeatConsumer::state(NodeId node_id) const {
 }
 
 void HeartbeatConsumer::reset(ResetScope) {
-  for (std::size_t position = 0; position < slots_.size(); ++position) configure(position);
+  for (std::size_t position = 0; position < slots_.size(); ++position) {
+    release(slots_[position]);
+    configure(position);
+  }
 }
 
 AbortCode HeartbeatConsumer::check(const Entry& entry, std::span<const std::uint8_t> value) {
@@ -73,9 +76,16 @@ void HeartbeatConsumer::written(const Entry& entry, Source) {
 
 void HeartbeatConsumer::configure(std::size_t position) {
   Slot& slot = slots_[position];
-  if (slot.node_id_ != 0) release(slot);
   const ConsumerTime wanted(node_.dictionary().number(object_index::heartbeat_consumers,
                                                       static_cast<std::uint8_t>(position + 1)));
+  // A new time does not change the node's state.
+  const bool goes_on = wanted.used() && wanted.node_id == slot.node_id_;
+  if (goes_on) {
+    slot.time_ = wanted.time;
+    if (slot.timer_.armed()) node_.timers().arm(slot.timer_, node_.now() + slot.time_);
+    return;
+  }
+  release(slot);
   if (!wanted.used()) return;
   slot.node_id_ = wanted.node_id;
   slot.time_ = wanted.time;
@@ -84,6 +94,7 @@ void HeartbeatConsumer::configure(std::size_t position) {
 }
 
 void HeartbeatConsumer::release(Slot& slot) {
+  if (slot.node_id_ == 0) return;
   node_.router().remove(error_control_id(slot.node_id_), slot.receiver());
   node_.timers().disarm(slot.timer_);
   const bool was_lost = slot.state_ == RemoteState::lost;

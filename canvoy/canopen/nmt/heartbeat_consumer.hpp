@@ -1,5 +1,5 @@
-// Heartbeat consumer: watches over the nodes that 1016h names, and reports the loss of one (CiA
-// 301, 7.2.8.3.2.2 and 7.5.2.19).
+// Heartbeat consumer: monitors the nodes in 1016h, and reports the loss of one (CiA 301,
+// 7.2.8.3.2.2 and 7.5.2.19).
 //
 //     HeartbeatConsumer::Slot slots[4];
 //     HeartbeatConsumer consumer(node, slots);
@@ -9,23 +9,45 @@
 #include <span>
 
 #include "canvoy/canopen/nmt/remote_state.hpp"
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 
 namespace canvoy {
 
-/// A node that stays silent for longer than its time in 1016h raises error 8130h with the node-ID
-/// as instance; when it is heard again the error is cleared.
+/// Monitors nodes. A node that stays silent for longer than its time in 1016h raises error 8130h
+/// with the node-ID as instance; its next heartbeat clears the error.
 ///
-/// Supervision of a node starts with its first heartbeat. Its boot-up message alone does not start
-/// it, since a node may boot long before it is told to send heartbeats; a node that is under
-/// supervision already stays so when it boots again. Supervision goes on in NMT state stopped,
-/// where error control is active as in the others.
+/// Monitoring of a node starts with its first heartbeat. Its boot-up message alone does not start
+/// it, since a node may boot long before its heartbeat is enabled; a node that is monitored already
+/// stays so when it boots again. Monitoring continues in NMT state stopped, where error control is
+/// active too.
+///
+/// A new time for the same node applies from the write on; the node's state stays as it was until
+/// the next heartbeat, and a lost node stays lost.
 class HeartbeatConsumer {
  public:
-  class Slot;
   enum class Start : std::uint8_t {
-    first_heartbeat,  ///< as CiA 301 has it
-    configuration,    ///< when 1016h is set, so that a node that never comes is lost as well
+    first_heartbeat,  ///< as CiA 301 requires
+    configuration,    ///< when 1016h is set, so that a node that never appears is lost as well
+  };
+
+  /// The memory for the supervision of one node.
+  class Slot {
+   public:
+    Slot() = default;
+    Slot(const Slot&) = delete;
+    Slot& operator=(const Slot&) = delete;
+
+   private:
+    friend class HeartbeatConsumer;
+    void received(const Frame& frame, Time now) { consumer_->received(*this, frame, now); }
+    void expired(Time) { consumer_->enter(*this, RemoteState::lost); }
+    Router::Receiver receiver() { return Router::Receiver::to<&Slot::received>(*this); }
+
+    HeartbeatConsumer* consumer_ = nullptr;
+    Timer timer_{Callback<void(Time)>::to<&Slot::expired>(*this)};
+    Duration time_{};
+    NodeId node_id_ = 0;  ///< 0: not in use
+    RemoteState state_ = RemoteState::unknown;
   };
 
   /// `slots` serve sub-indices 1 and up of 1016h, each needs a route. They must outlive the
@@ -34,11 +56,11 @@ class HeartbeatConsumer {
   HeartbeatConsumer(const HeartbeatConsumer&) = delete;
   HeartbeatConsumer& operator=(const HeartbeatConsumer&) = delete;
 
-  /// Called for each change of a watched node's state, its boot-up messages and its loss; after the
-  /// error was raised or cleared.
+  /// Sets the callback for each change of a monitored node's state, its boot-up messages and its
+  /// loss; it is called after the error was raised or cleared.
   void on_change(Callback<void(NodeId, RemoteState)> changed) { changed_ = changed; }
 
-  /// Of a node that 1016h does not name: unknown.
+  /// State of a node; unknown for a node that is not in 1016h.
   RemoteState state(NodeId node_id) const;
 
  private:
@@ -54,29 +76,9 @@ class HeartbeatConsumer {
   std::span<Slot> slots_;
   Start start_;
   Callback<void(NodeId, RemoteState)> changed_;
-  static const ServiceCalls service_calls;
-  static const HookCalls hook_calls;
-  ServiceLink service_{&service_calls, this};
-};
-
-/// The memory for the supervision of one node.
-class HeartbeatConsumer::Slot {
- public:
-  Slot() = default;
-  Slot(const Slot&) = delete;
-  Slot& operator=(const Slot&) = delete;
-
- private:
-  friend class HeartbeatConsumer;
-  void received(const Frame& frame, Time now) { consumer_->received(*this, frame, now); }
-  void expired(Time) { consumer_->enter(*this, RemoteState::lost); }
-  Router::Receiver receiver() { return Router::Receiver::to<&Slot::received>(*this); }
-
-  HeartbeatConsumer* consumer_ = nullptr;
-  Timer timer_{Callback<void(Time)>::to<&Slot::expired>(*this)};
-  Duration time_{};
-  NodeId node_id_ = 0;  ///< 0: not in use
-  RemoteState state_ = RemoteState::unknown;
+  static const ServiceHandlers service_calls;
+  static const AccessHandlers hook_calls;
+  HandlerBinding service_{&service_calls, this};
 };
 
 }  // namespace canvoy

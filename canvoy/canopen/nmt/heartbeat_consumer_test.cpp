@@ -52,7 +52,7 @@ struct ConsumingNode : WireNode {
   void note(const std::string& text) {
     log.push_back("@" + std::to_string(now.time_since_epoch() / 1ms) + " " + text);
   }
-  /// What was reported since the last call.
+  /// Compares the reports since the last call.
   void expect_log(const std::vector<std::string>& expected) {
     EXPECT_EQ(log, expected);
     log.clear();
@@ -263,6 +263,45 @@ TEST(HeartbeatConsumer, ForgetsANodeWhenItsEntryIsRewritten) {
   EXPECT_EQ(sut.consumer.state(10), RemoteState::unknown);
   sut.receive("70B#04");
   sut.expect_log({"@1000 node 11 state 4"});
+}
+
+TEST(HeartbeatConsumer, KnowsANodeStillWhoseTimeIsWrittenAnew) {
+  for (const std::uint32_t entry : {0x000A'012CU, 0x000A'01F4U, 0x000A'0064U}) {
+    ConsumingNode sut;
+    sut.receive("70A#04");
+    sut.run_until(Time(200ms));
+    sut.log.clear();
+    EXPECT_EQ(sut.write(1, entry), AbortCode::none);
+    EXPECT_EQ(sut.consumer.state(10), RemoteState::stopped);
+    const unsigned lost_at = 200 + (entry & 0xFFFF);
+    sut.run_until(Time(std::chrono::milliseconds(lost_at)) - 1us);
+    sut.expect_log({});
+    sut.run_for(1us);
+    const std::string at = "@" + std::to_string(lost_at);
+    sut.expect_log({at + " raise 8130/10 bits 10", at + " node 10 state 255"});
+  }
+}
+
+TEST(HeartbeatConsumer, ALostNodeStaysLostUntilItIsHeardWhateverItsTimeIs) {
+  ConsumingNode sut;
+  sut.receive("70A#05");
+  sut.run_until(Time(300ms));
+  sut.log.clear();
+  EXPECT_EQ(sut.write(1, 0x000A'03E8), AbortCode::none);
+  EXPECT_EQ(sut.consumer.state(10), RemoteState::lost);
+  sut.run_until(Time(10s));
+  sut.expect_log({});
+  sut.receive("70A#05");
+  sut.run_until(Time(11s));
+  sut.expect_log({"@10000 clear 8130/10 bits 10", "@10000 node 10 state 5",
+                  "@11000 raise 8130/10 bits 10", "@11000 node 10 state 255"});
+}
+
+TEST(HeartbeatConsumer, DoesNotBeginToWatchBecauseTheTimeIsWrittenAnew) {
+  ConsumingNode sut;
+  EXPECT_EQ(sut.write(1, 0x000A'0064), AbortCode::none);
+  sut.run_until(Time(1h));
+  sut.expect_log({});
 }
 
 TEST(HeartbeatConsumer, ClearsTheErrorOfALostNodeThatIsNoLongerToBeWatched) {

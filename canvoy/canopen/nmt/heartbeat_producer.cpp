@@ -2,7 +2,7 @@
 
 namespace canvoy {
 
-void HeartbeatProducer::told(NodeService& service, ServiceEvent& event) {
+void HeartbeatProducer::on_event(NodeService& service, ServiceEvent& event) {
   HeartbeatProducer& self = static_cast<HeartbeatProducer&>(service);
   if (event.kind == ServiceEvent::reset) self.schedule(0);
   if (event.kind == ServiceEvent::after_write) self.period_written();
@@ -20,13 +20,13 @@ void HeartbeatProducer::expire(void* producer, Time now) {
 
 [[gnu::always_inline]] inline void HeartbeatProducer::send(Time now) {
   if (node_.state() == NmtState::initialisation) return;
-  // Those of a bus-off would leave all at once after it.
+  // Heartbeats of a bus-off period would all leave at once after it.
   if (node_.bus_state() != BusState::bus_off) node_.send_state();
   schedule(low_ticks(now) - due_);
 }
 
-/// The next heartbeat, after one that comes `late` by so many microseconds: that does not shift
-/// those that follow, unless it is late by a whole period.
+/// Schedules the next heartbeat after one that is `late` by so many microseconds: that does not
+/// shift later ones, unless it is late by a whole period.
 void HeartbeatProducer::schedule(std::uint32_t late) {
   const auto milliseconds = static_cast<std::uint16_t>(node_.dictionary().word(object));
   const std::uint32_t period = milliseconds * std::uint32_t{1000};

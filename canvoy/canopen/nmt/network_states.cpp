@@ -12,8 +12,7 @@ bool command_node(Node& node, NodeId node_id, NmtCommand command) {
   return true;
 }
 
-NetworkStates::NetworkStates(Node& node)
-    : NodeService({told}, Cares::for_nothing_frequent), node_(node) {
+NetworkStates::NetworkStates(Node& node) : NodeService({on_event}, EventMask::none), node_(node) {
   states_.fill(RemoteState::unknown);
   can_id_ = every_id;
   for (NodeId id = node_id_min; id <= node_id_max; ++id) {
@@ -27,7 +26,7 @@ NetworkStates::NetworkStates(Node& node)
   node_.attach(*this);
 }
 
-void NetworkStates::told(NodeService& service, ServiceEvent& event) {
+void NetworkStates::on_event(NodeService& service, ServiceEvent& event) {
   NetworkStates& self = static_cast<NetworkStates&>(service);
   if (event.kind == ServiceEvent::reset) return self.states_.fill(RemoteState::unknown);
   if (!is_small_machine || event.kind != ServiceEvent::frame_came) return;

@@ -1,6 +1,6 @@
-// The NMT states of all other nodes by their boot-up messages and heartbeats, in a byte each: for
-// who wants to know that somebody has come. Who supervises them needs a HeartbeatConsumer, who
-// boots them an NmtMaster.
+// The NMT states of all other nodes by their boot-up messages and heartbeats, in one byte each: for
+// applications that watch for new nodes. Monitoring needs a HeartbeatConsumer, booting an
+// NmtMaster.
 //
 //     NetworkStates network(node);
 //     network.on_change(Callback<void(NodeId,
@@ -11,30 +11,31 @@
 #include <array>
 
 #include "canvoy/canopen/nmt/remote_state.hpp"
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 
 namespace canvoy {
 
-/// As an NMT master does: node `node_id`, or all (0). The sender obeys as well where it is meant,
-/// as nobody hears oneself. False where the node-ID is above 127, the sender is in initialisation,
-/// or the command could not be sent.
+/// Sends an NMT command as a master does, to node `node_id` or to all (0). The sender obeys as well
+/// if it is addressed, as a node does not receive its own frames. False if the node-ID is above
+/// 127, the sender is in initialisation, or the command could not be sent.
 bool command_node(Node& node, NodeId node_id, NmtCommand command);
 
 class NetworkStates : private NodeService {
  public:
-  /// Each of 127 node-IDs needs a route, but on a small machine.
+  /// Number of routes: one for each of 127 node-IDs, none on a small machine.
   static constexpr std::size_t routes = is_small_machine ? 0 : node_id_max;
 
   explicit NetworkStates(Node& node);
 
-  /// Called for each change of a node's state, and its boot-up messages.
+  /// Sets the callback for each change of a node's state, and its boot-up messages.
   void on_change(Callback<void(NodeId, RemoteState)> changed) { changed_ = changed; }
 
-  /// `node_id` is 1 to 127. All are unknown after a reset of this node; none is ever lost.
+  /// State of a node; `node_id` is 1 to 127. All are unknown after a reset of this node; none is
+  /// ever lost.
   RemoteState state(NodeId node_id) const { return states_[node_id - std::size_t{1}]; }
 
  private:
-  static void told(NodeService& service, ServiceEvent& event);
+  static void on_event(NodeService& service, ServiceEvent& event);
   void received(const Frame& frame, Time now);
 
   Node& node_;

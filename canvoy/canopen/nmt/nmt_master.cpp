@@ -5,7 +5,7 @@
 
 namespace canvoy {
 
-constexpr ServiceCalls NmtMaster::service_calls = {.reset = method<&NmtMaster::reset>};
+constexpr ServiceHandlers NmtMaster::service_calls = {.reset = method<&NmtMaster::reset>};
 
 NmtMaster::NmtMaster(Node& node, std::span<RemoteNode, node_id_max> nodes)
     : node_(node), nodes_(nodes) {

@@ -1,5 +1,5 @@
-// A simple NMT master: commands the other nodes, and knows their states (CiA 301, 7.2.8). It starts
-// nothing by itself: boot-up by 1F80h and 1F81h (CiA 302-2) is not its work.
+// A simple NMT master: commands the other nodes, and tracks their states (CiA 301, 7.2.8). It
+// starts no node by itself, and does not implement boot-up by 1F80h and 1F81h (CiA 302-2).
 //
 //     NmtMaster::RemoteNode nodes[127];
 //     NmtMaster master(node, nodes);
@@ -9,35 +9,60 @@
 #include <span>
 
 #include "canvoy/canopen/nmt/remote_state.hpp"
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 
 namespace canvoy {
 
 class NmtMaster {
  public:
-  class RemoteNode;
   static constexpr NodeId all_nodes = 0;
+
+  /// What the master knows of one node.
+  class RemoteNode {
+   public:
+    RemoteNode() = default;
+    RemoteNode(const RemoteNode&) = delete;
+    RemoteNode& operator=(const RemoteNode&) = delete;
+
+    NodeId id() const { return id_; }
+    RemoteState state() const { return state_; }
+    /// When its last boot-up message or heartbeat came; meaningless while it is unknown.
+    Time seen() const { return seen_; }
+
+   private:
+    friend class NmtMaster;
+    void received(const Frame& frame, Time now) { master_->received(*this, frame, now); }
+    void expired(Time) { master_->enter(*this, RemoteState::lost); }
+
+    NmtMaster* master_ = nullptr;
+    Timer timer_{Callback<void(Time)>::to<&RemoteNode::expired>(*this)};
+    Time seen_{};
+    Duration time_out_{};
+    RemoteState state_ = RemoteState::unknown;
+    NodeId id_ = 0;
+  };
 
   /// `nodes` are node-IDs 1 to 127, each needs a route. They must outlive the master.
   NmtMaster(Node& node, std::span<RemoteNode, node_id_max> nodes);
   NmtMaster(const NmtMaster&) = delete;
   NmtMaster& operator=(const NmtMaster&) = delete;
 
-  /// Called for each change of a node's state, its boot-up messages and its loss.
+  /// Sets the callback for each change of a node's state, its boot-up messages and its loss.
   void on_change(Callback<void(NodeId, RemoteState)> changed) { changed_ = changed; }
-  /// Called for each boot-up message, heartbeat and answer to node guarding, before on_change;
-  /// a time-out that is set from there holds from this message on.
+  /// Sets the callback for each boot-up message, heartbeat and answer to node guarding. It is
+  /// called before on_change; a time-out that it sets applies from this message on.
   void on_message(Callback<void(NodeId, RemoteState)> heard) { heard_ = heard; }
 
-  /// Commands node `node_id`, or all. The master obeys as well where it is meant, as nobody hears
-  /// oneself. False where the node-ID is above 127, or the command could not be sent.
+  /// Commands node `node_id`, or all. The master obeys as well if it is addressed, as a node does
+  /// not receive its own frames. False if the node-ID is above 127, or the command could not be
+  /// sent.
   bool command(NodeId node_id, NmtCommand command);
 
-  /// A node that was heard, and then is not for longer than `time_out`, is lost; 0 (the default):
-  /// never. It holds from the node's next message on.
+  /// Sets the time after which a node that was heard before is lost if it stays silent; 0 (the
+  /// default): never. Applies from the node's next message on.
   void set_time_out(NodeId node_id, Duration time_out);
 
-  /// `node_id` is 1 to 127. All are unknown after a reset of the master.
+  /// State of a node; `node_id` is 1 to 127. All are unknown after a reset of the master.
   const RemoteNode& remote(NodeId node_id) const;
 
  private:
@@ -49,33 +74,8 @@ class NmtMaster {
   std::span<RemoteNode, node_id_max> nodes_;
   Callback<void(NodeId, RemoteState)> changed_;
   Callback<void(NodeId, RemoteState)> heard_;
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
-};
-
-/// What the master knows of one node.
-class NmtMaster::RemoteNode {
- public:
-  RemoteNode() = default;
-  RemoteNode(const RemoteNode&) = delete;
-  RemoteNode& operator=(const RemoteNode&) = delete;
-
-  NodeId id() const { return id_; }
-  RemoteState state() const { return state_; }
-  /// When its last boot-up message or heartbeat came; meaningless while it is unknown.
-  Time seen() const { return seen_; }
-
- private:
-  friend class NmtMaster;
-  void received(const Frame& frame, Time now) { master_->received(*this, frame, now); }
-  void expired(Time) { master_->enter(*this, RemoteState::lost); }
-
-  NmtMaster* master_ = nullptr;
-  Timer timer_{Callback<void(Time)>::to<&RemoteNode::expired>(*this)};
-  Time seen_{};
-  Duration time_out_{};
-  RemoteState state_ = RemoteState::unknown;
-  NodeId id_ = 0;
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
 };
 
 inline const NmtMaster::RemoteNode& NmtMaster::remote(NodeId node_id) const {

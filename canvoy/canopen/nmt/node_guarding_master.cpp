@@ -8,11 +8,11 @@ namespace canvoy {
 
 namespace {
 
-constexpr Duration guard_time_max = 65'535ms;  // as 100Ch can say it
+constexpr Duration guard_time_max = 65'535ms;  // limit of 100Ch
 
 }  // namespace
 
-constexpr ServiceCalls NodeGuardingMaster::service_calls = {
+constexpr ServiceHandlers NodeGuardingMaster::service_calls = {
     .reset = method<&NodeGuardingMaster::reset>, .tx_ready = method<&NodeGuardingMaster::tx_ready>};
 
 NodeGuardingMaster::NodeGuardingMaster(Node& node, std::span<Slot> slots)
@@ -81,7 +81,7 @@ void NodeGuardingMaster::poll(Slot& slot) {
   ask(slot);
 }
 
-/// Where many nodes are asked at one time, those for which there is no room wait for it.
+/// If many nodes are asked at one time, requests without room wait for it.
 void NodeGuardingMaster::ask(Slot& slot) {
   slot.waits_ = node_.transmitter().full();
   if (slot.waits_) return;
@@ -95,7 +95,7 @@ void NodeGuardingMaster::tx_ready() {
   }
 }
 
-/// For the next request, or for the end of the life time, whichever comes first.
+/// Arms the timer for the next request, or for the end of the life time, whichever is earlier.
 void NodeGuardingMaster::arm(Slot& slot) {
   const bool may_be_lost = slot.life_time_ != Duration::zero() && !slot.timed_out_;
   const Time end = may_be_lost ? slot.heard_ + slot.life_time_ : never;
@@ -111,7 +111,7 @@ void NodeGuardingMaster::expired(Slot& slot, Time now) {
   }
   const bool over = slot.life_time_ != Duration::zero() && now >= slot.heard_ + slot.life_time_;
   if (!over || slot.timed_out_ || slot.node_id_ != node_id) return;
-  tell(slot, NodeGuardingEvent::time_out, slot.timed_out_, true);
+  notify(slot, NodeGuardingEvent::time_out, slot.timed_out_, true);
   if (slot.node_id_ == node_id) enter(slot, RemoteState::lost);
   if (slot.node_id_ == node_id) arm(slot);
 }
@@ -127,7 +127,7 @@ void NodeGuardingMaster::received(Slot& slot, const Frame& frame, Time now) {
   slot.toggle_ = !boots && !toggle;
   const NodeId node_id = slot.node_id_;
   slot.heard_ = now;
-  tell(slot, NodeGuardingEvent::time_out, slot.timed_out_, false);
+  notify(slot, NodeGuardingEvent::time_out, slot.timed_out_, false);
   if (slot.node_id_ == node_id) enter(slot, state);
   if (slot.node_id_ == node_id) compare(slot);
   if (slot.node_id_ == node_id) arm(slot);
@@ -143,10 +143,10 @@ void NodeGuardingMaster::compare(Slot& slot) {
   if (slot.expected_ == RemoteState::unknown || slot.stale_) return;
   const bool boots = slot.state_ == RemoteState::boot_up;
   const RemoteState entered = boots ? RemoteState::pre_operational : slot.state_;
-  tell(slot, NodeGuardingEvent::state, slot.mismatched_, entered != slot.expected_);
+  notify(slot, NodeGuardingEvent::state, slot.mismatched_, entered != slot.expected_);
 }
 
-void NodeGuardingMaster::tell(Slot& slot, NodeGuardingEvent event, bool& occurred, bool occurs) {
+void NodeGuardingMaster::notify(Slot& slot, NodeGuardingEvent event, bool& occurred, bool occurs) {
   if (occurred == occurs) return;
   occurred = occurs;
   event_(slot.node_id_, event, occurs);

@@ -14,7 +14,7 @@ using Texts = std::vector<std::string>;
 constexpr auto layout = lay_out(std::to_array<ObjectRow>({{.index = 0x1000, .entry_count = 1}}),
                                 std::to_array<EntryRow>({{.type = DataType::unsigned32}}));
 
-/// Notes what the guarding master reports.
+/// Records the reports of the guarding master.
 struct Report {
   void changed(NodeId node_id, RemoteState state) {
     note("node " + std::to_string(node_id) + " state " +
@@ -315,7 +315,7 @@ TEST(NodeGuardingMaster, HearsAnAnswerThatComesAtOnceBeforeTheLifeTimeIsOver) {
 
 // Both ends
 
-/// A master at place 0 of a cable, and two slaves.
+/// A master at position 0 of a cable, and two slaves.
 struct GuardedCable {
   GuardedCable() {
     for (std::size_t i = 0; i < 3; ++i) cable.connect(i, nodes[i]);

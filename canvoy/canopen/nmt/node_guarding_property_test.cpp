@@ -1,5 +1,5 @@
-// Node guarding over a cable that loses any requests and answers: both ends notice exactly what a
-// reading of CiA 301, 7.2.8.3.2.1, on paper says, and nothing else.
+// Node guarding over a cable that loses any requests and answers: both ends detect exactly what a
+// separate model of CiA 301, 7.2.8.3.2.1, detects, and nothing else.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -26,21 +26,21 @@ constexpr auto layout = lay_out(
          {.access = Access::rw, .initial = 1}}));
 constexpr DictionaryTables tables = layout.tables();
 
-/// What is lost in the n-th guard time.
+/// Message lost in the n-th guard time.
 enum class Loss { nothing, request, answer };
 
 std::string note(const char* who, int at_ms, bool occurs) {
   return who + std::string(occurs ? " occurred @" : " resolved @") + std::to_string(at_ms);
 }
 
-/// What both ends notice, on paper.
+/// Events of both ends, by the model.
 Texts expected(const std::vector<Loss>& losses) {
   Texts log;
   bool toggle = false;           // of the slave's next answer
   bool expected_toggle = false;  // by the master
   int heard = 0;                 // by the master
   bool master_lost = false;
-  int asked = -1;  // when the slave was; negative: never
+  int asked = -1;  // time of the last request to the slave; negative: never
   bool slave_lost = false;
   for (int now = 0; const Loss loss : losses) {
     const int over = asked + slave_life_time_ms;
@@ -69,7 +69,7 @@ Texts expected(const std::vector<Loss>& losses) {
   return log;
 }
 
-/// A master and a slave, and what they notice.
+/// A master and a slave, and the events that they detect.
 struct LossyGuarding {
   explicit LossyGuarding(const std::vector<Loss>& losses) : losses_(losses) {
     guarding.on_event(

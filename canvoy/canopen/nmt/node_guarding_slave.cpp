@@ -12,14 +12,14 @@ constexpr Error life_guarding_error{.code = emergency_code::heartbeat,
 
 }  // namespace
 
-constexpr HookCalls NodeGuardingSlave::hook_calls[] = {
+constexpr AccessHandlers NodeGuardingSlave::hook_calls[] = {
     {.first = object_index::guard_time,
      .last = object_index::life_time_factor,
      .after_write = method<&NodeGuardingSlave::parameter_written>},
     {.first = object_index::heartbeat_producer,
      .last = object_index::heartbeat_producer,
      .after_write = method<&NodeGuardingSlave::parameter_written>}};
-constexpr ServiceCalls NodeGuardingSlave::service_calls = {
+constexpr ServiceHandlers NodeGuardingSlave::service_calls = {
     .reset = method<&NodeGuardingSlave::reset>, .hooks = hook_calls};
 
 NodeGuardingSlave::NodeGuardingSlave(Node& node)
@@ -55,7 +55,7 @@ void NodeGuardingSlave::requested(const Frame&, Time) {
   resolve();
 }
 
-/// The life time begins anew, where there is one.
+/// Restarts the life time, if there is one.
 void NodeGuardingSlave::watch() {
   const Duration time = life_time();
   const bool watched = watching_ && time != Duration::zero();

@@ -1,28 +1,29 @@
-// Node guarding as the guarded node sees it: answers the master's remote frames, and watches over
-// the master by them, which is life guarding (CiA 301, 7.2.8.3.2.1 and objects 100Ch, 100Dh).
+// Node guarding by the guarded node: answers the master's remote frames, and monitors the master by
+// them, which is life guarding (CiA 301, 7.2.8.3.2.1 and objects 100Ch, 100Dh).
 //
 //     NodeGuardingSlave guarding(node);
 #pragma once
 
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 
 namespace canvoy {
 
-/// Each answer is the NMT state and a toggle bit, which is 0 in the first after an NMT reset. A
-/// remote frame of any length is answered.
+/// Answers remote frames of any length with the NMT state and a toggle bit, which is 0 in the first
+/// answer after an NMT reset.
 ///
-/// Where guard time (100Ch) and life time factor (100Dh) are both set, silence of the master for
+/// If guard time (100Ch) and life time factor (100Dh) are both set, silence of the master for
 /// longer than their product, from its first remote frame on, is the life guarding event: it raises
-/// 8130h (instance 0, as the master's node-ID is not known) until the next remote frame comes.
+/// 8130h (instance 0, as the master's node-ID is unknown) until the next remote frame.
 ///
-/// Heartbeat goes first: while 1017h is not zero, nothing is answered and nobody watched.
+/// Heartbeat takes precedence: while 1017h is not zero, remote frames are not answered and the
+/// master is not monitored.
 class NodeGuardingSlave {
  public:
   explicit NodeGuardingSlave(Node& node);
   NodeGuardingSlave(const NodeGuardingSlave&) = delete;
   NodeGuardingSlave& operator=(const NodeGuardingSlave&) = delete;
 
-  /// The life guarding event has occurred, and is not resolved yet.
+  /// True if the life guarding event has occurred and is not resolved yet.
   bool is_master_lost() const { return lost_; }
 
  private:
@@ -36,9 +37,9 @@ class NodeGuardingSlave {
   Duration life_time() const;
 
   Node& node_;
-  static const ServiceCalls service_calls;
-  static const HookCalls hook_calls[2];
-  ServiceLink service_{&service_calls, this};
+  static const ServiceHandlers service_calls;
+  static const AccessHandlers hook_calls[2];
+  HandlerBinding service_{&service_calls, this};
   Timer timer_;
   std::uint16_t can_id_ = 0;  ///< of the remote frames; 0: none
   bool toggle_ = false;       ///< of the next answer

@@ -13,7 +13,7 @@ namespace {
 using enum AbortCode;
 using Texts = std::vector<std::string>;
 
-// 100Ch, 100Dh, 1017h; 1029h says that nothing changes by a communication error.
+// 100Ch, 100Dh, 1017h; 1029h: a communication error changes nothing.
 constexpr auto layout = lay_out(
     std::to_array<ObjectRow>({{.index = 0x100C, .entry_count = 1},
                               {.index = 0x100D, .entry_count = 1},

@@ -1,4 +1,4 @@
-// What a node knows of another one by its error control messages (CiA 301, 7.2.8.3).
+// State of another node, as its error control messages report it (CiA 301, 7.2.8.3).
 //
 //     consumer.on_change(Callback<void(NodeId, RemoteState)>::to<&Charger::battery_is>(charger));
 #pragma once
@@ -7,18 +7,18 @@
 
 namespace canvoy {
 
-/// The NMT states with their numbers on the wire, and what stands for the lack of one.
+/// The NMT states with their numbers on the wire, and values for a missing state.
 enum class RemoteState : std::uint8_t {
-  boot_up = 0x00,  ///< it has just started, or started again
+  boot_up = 0x00,  ///< it has just started or restarted
   stopped = 0x04,
   operational = 0x05,
   pre_operational = 0x7F,
-  unknown = 0xFE,  ///< not heard of yet
-  lost = 0xFF,     ///< was heard of, but not within the time that was set
+  unknown = 0xFE,  ///< no message yet
+  lost = 0xFF,     ///< silent for longer than the time set, after earlier messages
 };
 
-/// Of the byte of an error control message: the state, or `unknown` where the byte stands for none.
-/// Bit 7 is left out: it is reserved in a heartbeat, and toggles in an answer to node guarding.
+/// State in the byte of an error control message; `unknown` for an invalid byte. Bit 7 is ignored:
+/// it is reserved in a heartbeat, and toggles in an answer to node guarding.
 constexpr RemoteState remote_state(std::uint8_t byte) {
   const auto state = static_cast<RemoteState>(byte & 0x7F);
   const bool exists = state == RemoteState::boot_up || state == RemoteState::stopped ||

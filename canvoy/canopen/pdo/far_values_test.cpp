@@ -1,4 +1,4 @@
-// PDOs of values beyond 64 KiB of the dictionary, which a small machine cannot have.
+// PDOs with values beyond 64 KiB of the dictionary, which a small machine cannot have.
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/testing/pdo_node.hpp"
@@ -7,7 +7,7 @@
 namespace canvoy::far_values_test {
 namespace {
 
-/// An object whose values lie beyond what three bytes of a mapped value can tell.
+/// An object with values beyond the reach of three bytes of a mapped value.
 TEST(FarValues, AreMappedBehindTheFirst64KiBOfTheDictionary) {
   constexpr static auto layout =
       lay_out(std::to_array<ObjectRow>({{.index = 0x1400, .entry_count = 1},

@@ -1,12 +1,12 @@
-// Multiplexed PDOs: PDOs of which each frame carries one value and says which one it is (CiA 301,
-// 7.2.3, objects 1FA0h to 1FCFh and 1FD0h to 1FFFh).
+// Multiplexed PDOs: each frame carries one value and the object that it belongs to (CiA 301, 7.2.3,
+// objects 1FA0h to 1FCFh and 1FD0h to 1FFFh).
 //
-// In destination address mode (DAM) a frame names the object of the consumer that is to get the
-// value, in source address mode (SAM) the object of the producer from which it comes. A PDO is
-// multiplexed where sub-index 00h of its mapping record is FFh (DAM) or FEh (SAM); its transmission
-// type is 254 or 255.
+// In destination address mode (DAM) a frame names the object of the consumer that gets the value,
+// in source address mode (SAM) the object of the producer that it comes from. A PDO is multiplexed
+// if sub-index 00h of its mapping record is FFh (DAM) or FEh (SAM); its transmission type is 254 or
+// 255.
 //
-// The layouts here are known from what other stacks send and read, not from the text of CiA 301.
+// The layouts are derived from what other stacks send and receive, not from the text of CiA 301.
 //
 //     PdoImage image = encode(Mpdo{.mode = MpdoMode::destination, .node = 10, .index = 0x6000});
 #pragma once
@@ -14,24 +14,24 @@
 #include <array>
 #include <cstdint>
 
-#include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/canopen/dictionary/object_index.hpp"
-#include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/canopen/pdo/pdo_mapping.hpp"
 #include "canvoy/canopen/pdo/pdo_parameter.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 
 namespace canvoy {
 
 inline constexpr unsigned sub_index_max = 0xFF;
 inline constexpr std::uint8_t mpdo_data_max = 4;  ///< bytes of one value
 
-/// One frame.
+/// Contents of one frame.
 struct Mpdo {
   MpdoMode mode = MpdoMode::destination;
-  NodeId node = 0;  ///< of the consumer, 0 for all (DAM); of the producer (SAM)
+  NodeId node = 0;  ///< DAM: the consumer, 0 for all; SAM: the producer
   std::uint16_t index = 0;
   std::uint8_t sub = 0;
-  std::array<std::uint8_t, mpdo_data_max> data = {};  ///< a shorter value stands first
+  std::array<std::uint8_t, mpdo_data_max> data = {};  ///< a shorter value comes first
 
   friend constexpr bool operator==(const Mpdo&, const Mpdo&) = default;
 };
@@ -60,14 +60,15 @@ inline Mpdo decode_mpdo(const std::uint8_t* data) {
 
 namespace detail {
 
-/// Sub-indices of a list entry: a block of size 0 is one of a single object.
+/// Number of sub-indices of a list entry: a block of size 0 is a single object.
 constexpr unsigned block_size(unsigned written) {
   return written == 0 ? 1 : written;
 }
 
 }  // namespace detail
 
-/// An entry of an object scanner list (1FA0h to 1FCFh): what a SAM producer sends. Zero: unused.
+/// An entry of an object scanner list (1FA0h to 1FCFh): an object that a SAM producer sends. Zero:
+/// unused.
 struct ScannerEntry {
   std::uint16_t index = 0;
   std::uint8_t sub = 0;     ///< the first
@@ -78,15 +79,15 @@ constexpr ScannerEntry decode_scanner_entry(std::uint32_t value) {
           detail::block_size(value >> 24)};
 }
 
-/// An entry of an object dispatching list (1FD0h to 1FFFh): where a SAM consumer puts what a
-/// producer sends. Zero: unused.
+/// An entry of an object dispatching list (1FD0h to 1FFFh): the object in which a SAM consumer
+/// stores what a producer sends. Zero: unused.
 struct DispatcherEntry {
   NodeId producer = 0;
   std::uint16_t producer_index = 0;
   std::uint8_t producer_sub = 0;  ///< the first
-  std::uint16_t index = 0;        ///< of the own object
+  std::uint16_t index = 0;        ///< of the consumer's object
   std::uint8_t sub = 0;           ///< the first
-  unsigned block_size = 1;        ///< consecutive sub-indices of both
+  unsigned block_size = 1;        ///< consecutive sub-indices of both objects
 
   constexpr bool covers(const Mpdo& mpdo) const {
     return producer == mpdo.node && producer_index == mpdo.index && mpdo.sub >= producer_sub &&
@@ -102,7 +103,7 @@ constexpr DispatcherEntry decode_dispatcher_entry(std::uint64_t value) {
           .block_size = detail::block_size(static_cast<unsigned>(value >> 56))};
 }
 
-/// Objects of the two kinds of lists, and those with parameters of PDOs.
+/// Indices of the objects of both kinds of lists, and of PDO parameters.
 namespace mpdo_list {
 inline constexpr std::uint16_t rpdo_first = object_index::rpdo_parameter;
 inline constexpr std::uint16_t rpdo_last = object_index::rpdo_parameter_last;
@@ -114,8 +115,8 @@ inline constexpr std::uint16_t dispatcher_first = object_index::dispatching_list
 inline constexpr std::uint16_t dispatcher_last = object_index::dispatching_list_last;
 }  // namespace mpdo_list
 
-/// Whether a communication parameter of a PDO may be written: a multiplexed PDO that is valid is
-/// event-driven, whatever comes first. Abort: parameter_incompatible.
+/// Checks a write to a communication parameter of a PDO: a valid multiplexed PDO must be
+/// event-driven, in whatever order the parameters are written. Abort: parameter_incompatible.
 inline AbortCode check_mpdo_parameter(const Dictionary& dictionary, const Entry& entry,
                                       std::span<const std::uint8_t> value) {
   const auto wanted = static_cast<std::uint32_t>(load_unsigned(value));

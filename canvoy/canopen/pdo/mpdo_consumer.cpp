@@ -4,7 +4,7 @@ namespace canvoy {
 
 namespace {
 
-/// An entry to which an MPDO can write, or why there is none.
+/// Entry that an MPDO can write, or the reason against it.
 Result<Entry> find_writable(const Dictionary& dictionary, std::uint16_t index, unsigned sub) {
   if (sub > sub_index_max) return AbortCode::no_sub_index;
   const Result<Entry> entry = dictionary.find_for_bus(index, static_cast<std::uint8_t>(sub));
@@ -16,14 +16,14 @@ Result<Entry> find_writable(const Dictionary& dictionary, std::uint16_t index, u
 
 }  // namespace
 
-constexpr HookCalls MpdoConsumer::hook_calls[] = {
+constexpr AccessHandlers MpdoConsumer::hook_calls[] = {
     {.first = mpdo_list::dispatcher_first,
      .last = mpdo_list::dispatcher_last,
      .before_write = method<&MpdoConsumer::before_list_write>},
     {.first = mpdo_list::rpdo_first,
      .last = mpdo_list::rpdo_last,
      .before_write = method<&MpdoConsumer::before_parameter_write>}};
-constexpr ServiceCalls MpdoConsumer::service_calls = {.hooks = hook_calls};
+constexpr ServiceHandlers MpdoConsumer::service_calls = {.hooks = hook_calls};
 
 MpdoConsumer::MpdoConsumer(Node& node, Rpdos& rpdos) : node_(node), rpdos_(rpdos) {
   node_.attach(service_);

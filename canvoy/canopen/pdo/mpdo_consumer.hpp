@@ -10,21 +10,20 @@
 
 namespace canvoy {
 
-/// Gives RPDOs the two modes of multiplexed PDOs. A value goes to an object that an RPDO may map
-/// and that has at most four bytes, by the same checks as an RPDO's: ranges and hooks.
+/// Adds the two modes of multiplexed PDOs to RPDOs. A value goes to an object that an RPDO may map
+/// and that has at most four bytes, with the checks of an RPDO: ranges and hooks.
 ///
-/// DAM: taken if it is for this node or for all (node 0). An object that is not there, that no RPDO
-/// may write, or that is longer is told with 8230h, until a good one comes.
-/// SAM: the first entry of the dispatching lists that names the producer's object says which object
-/// gets the value; what no entry names is ignored. The lists follow one another without a gap from
-/// 1FD0h. An entry is refused while its first own object cannot take a value. Linear in the number
-/// of entries.
+/// DAM: a frame for this node or for all (node 0) is accepted. An object that is missing, that no
+/// RPDO may write, or that is longer raises 8230h, until a valid frame arrives. SAM: the first
+/// entry of the dispatching lists with the producer's object selects the object for the value; a
+/// frame without an entry is ignored. The lists start at 1FD0h and have no gaps. An entry is
+/// refused if its first destination cannot take a value. Linear in the number of entries.
 ///
-/// Frames of the other mode, SAM frames of node 0, and those for which a block reaches beyond the
-/// own object are ignored and counted as malformed.
+/// Frames of the other mode, SAM frames of node 0, and frames with a block that reaches beyond the
+/// destination object are ignored and counted as malformed.
 class MpdoConsumer {
  public:
-  /// All must outlive this.
+  /// Makes the consumer. Both arguments must outlive it.
   MpdoConsumer(Node& node, Rpdos& rpdos);
   MpdoConsumer(const MpdoConsumer&) = delete;
   MpdoConsumer& operator=(const MpdoConsumer&) = delete;
@@ -41,9 +40,9 @@ class MpdoConsumer {
   Node& node_;
   Rpdos& rpdos_;
   MpdoReceiver receiver_ = MpdoReceiver::to<&MpdoConsumer::receive>(*this);
-  static const HookCalls hook_calls[2];
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const AccessHandlers hook_calls[2];
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
 };
 
 }  // namespace canvoy

@@ -11,7 +11,7 @@ constexpr unsigned destination = 0xFF;
 constexpr auto send_at_start = Tpdos::AtStart::send;
 constexpr std::array<std::uint8_t, 5> value = {0x11, 0x22, 0x33, 0x44, 0x55};
 
-/// As MpdoProducer::send, with `size` bytes of `value`.
+/// Like MpdoProducer::send, but with `size` bytes of `value`.
 bool send(MpdoNode& node, std::uint16_t number, NodeId consumer, std::size_t size = 1) {
   node.node.advance(node.now);
   return node.mpdo_producer.send(number, consumer, 0x6401, 2, std::span(value).first(size));

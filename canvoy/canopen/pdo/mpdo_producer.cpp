@@ -7,7 +7,7 @@ namespace canvoy {
 
 namespace {
 
-/// An entry that an MPDO can carry, or why there is none.
+/// Entry that an MPDO can carry, or the reason against it.
 Result<Entry> find_readable(const Dictionary& dictionary, std::uint16_t index, unsigned sub) {
   if (sub > sub_index_max) return AbortCode::no_sub_index;
   const Result<Entry> entry = dictionary.find_for_bus(index, static_cast<std::uint8_t>(sub));
@@ -19,7 +19,7 @@ Result<Entry> find_readable(const Dictionary& dictionary, std::uint16_t index, u
 
 }  // namespace
 
-constexpr HookCalls MpdoProducer::hook_calls[] = {
+constexpr AccessHandlers MpdoProducer::hook_calls[] = {
     {.first = mpdo_list::scanner_first,
      .last = mpdo_list::scanner_last,
      .before_write = method<&MpdoProducer::before_list_write>,
@@ -27,7 +27,7 @@ constexpr HookCalls MpdoProducer::hook_calls[] = {
     {.first = mpdo_list::tpdo_first,
      .last = mpdo_list::tpdo_last,
      .before_write = method<&MpdoProducer::before_parameter_write>}};
-constexpr ServiceCalls MpdoProducer::service_calls = {.hooks = hook_calls};
+constexpr ServiceHandlers MpdoProducer::service_calls = {.hooks = hook_calls};
 constexpr MpdoCalls MpdoProducer::mpdo_calls = {.event = method<&MpdoProducer::event>,
                                                 .transmit = method<&MpdoProducer::transmit>,
                                                 .watch = method<&MpdoProducer::watch>};
@@ -88,7 +88,7 @@ void MpdoProducer::load() {
 }
 
 /// Writes the objects of the scanner lists, with one entry changed, to `objects`, as far as there
-/// is room. Answers how many there are.
+/// is room. Returns their number.
 std::size_t MpdoProducer::scan(std::span<ScannedObject> objects, const Change& change) const {
   const Dictionary& dictionary = node_.dictionary();
   const auto read = [&](std::uint16_t index, std::uint8_t sub) {
@@ -138,12 +138,12 @@ void MpdoProducer::event(std::uint16_t number, MpdoMode mode, MpdoEvent event) {
   }
 }
 
-/// One frame after the other, until none is left, or the TPDO may not send the next one yet.
+/// Sends one frame after the other, until none is left, or the TPDO may not send the next one yet.
 void MpdoProducer::transmit(std::uint16_t number, MpdoMode mode) {
   tpdos_.before_transmit(number);
   PdoImage image;
   while (next(number, mode, image) && tpdos_.may_send_mpdo(number)) {
-    // It is taken out before it leaves: what answers it may come at once, and end all of this.
+    // Removed before it leaves: an answer may come at once, and end the transmission.
     sent(number, mode);
     if (!tpdos_.send_mpdo(number, image)) return;
   }
@@ -157,13 +157,13 @@ bool MpdoProducer::next(std::uint16_t number, MpdoMode mode, PdoImage& image) {
   return true;
 }
 
-/// Looks on behind the one that was sent last.
+/// Searches from the object that was sent last.
 bool MpdoProducer::next_scanned(PdoImage& image) {
   for (std::size_t i = 0; i < count_; ++i, next_ = (next_ + 1) % count_) {
     ScannedObject& object = scanned_[next_];
     if (!object.waits) continue;
     const Result<Entry> entry = node_.dictionary().find_for_bus(object.index, object.sub);
-    // A hook may refresh the value; one that refuses leaves it as it is.
+    // A hook may refresh the value; if it refuses, the value stays.
     if (entry) static_cast<void>(node_.dictionary().read(*entry));
     object.sent = value_of(object);
     image = encode({MpdoMode::source, node_.id(), object.index, object.sub, object.sent});
@@ -183,7 +183,7 @@ void MpdoProducer::sent(std::uint16_t number, MpdoMode mode) {
   --queued_;
 }
 
-/// The message that waits longest for this TPDO, or the end of the queue.
+/// Oldest message for this TPDO, or the end of the queue.
 std::span<MpdoProducer::Message>::iterator MpdoProducer::first_of(std::uint16_t number) {
   return std::ranges::find(queue_.first(queued_), number, &Message::number);
 }

@@ -17,47 +17,48 @@ namespace canvoy {
 struct ScannedObject {
   std::uint16_t index = 0;
   std::uint8_t sub = 0;
-  bool waits = false;                                 ///< to be sent
-  std::array<std::uint8_t, mpdo_data_max> sent = {};  ///< the value that was sent last
+  bool waits = false;                                 ///< must be sent
+  std::array<std::uint8_t, mpdo_data_max> sent = {};  ///< the last value sent
 };
 
-/// Gives TPDOs the two modes of multiplexed PDOs. Inhibit time, event timer and the start in NMT
-/// state operational are those of the TPDO; its remote frames are not answered. A frame that has to
-/// wait is sent later, and none is left out.
+/// Adds the two modes of multiplexed PDOs to TPDOs. Inhibit time, event timer and the start in NMT
+/// state operational are those of the TPDO; its remote frames are not answered. A frame that must
+/// wait is sent later, and none is skipped.
 ///
-/// SAM: one TPDO of a node can have it. Objects of the scanner lists are sent when they have
-/// changed, all of them for Tpdos::trigger() and the event timer, one frame after the other in the
-/// order of the lists, so that none can starve another. The lists follow one another without a gap
-/// from 1FA0h. An entry is refused while its first object cannot be mapped into a TPDO or has more
-/// than four bytes; further ones of its block that cannot are left out. A list may change at any
-/// time; what waited then is forgotten. Linear in the number of objects for each change of one.
+/// SAM: one TPDO of a node can have this mode. Objects of the scanner lists are sent when they have
+/// changed; Tpdos::trigger() and the event timer send all of them, one frame after the other in the
+/// order of the lists, so that no object delays another forever. The lists start at 1FA0h and have
+/// no gaps. An entry is refused if its first object cannot be mapped into a TPDO or has more than
+/// four bytes; further objects of its block that cannot are skipped. A list may change at any time;
+/// frames that wait are then discarded. Linear in the number of objects for each change of one.
 ///
-/// DAM: what the application hands to send().
+/// DAM: sends the values that the application passes to send().
 class MpdoProducer {
  public:
-  /// A DAM frame that waits.
+  /// A waiting DAM frame.
   struct Message {
     std::uint16_t number = 0;  ///< of the TPDO
     Mpdo mpdo;
   };
 
-  /// `scanned` has room for the objects of all scanner lists: entries that want more of it are
-  /// refused with out_of_memory. `queue` has room for DAM frames that wait. All must outlive this.
+  /// Makes the producer. `scanned` has room for the objects of all scanner lists: entries that need
+  /// more are refused with out_of_memory. `queue` has room for waiting DAM frames. All arguments
+  /// must outlive it.
   MpdoProducer(Node& node, Tpdos& tpdos, std::span<ScannedObject> scanned,
                std::span<Message> queue);
   MpdoProducer(const MpdoProducer&) = delete;
   MpdoProducer& operator=(const MpdoProducer&) = delete;
 
   /// Sends a value of at most four bytes to an object of node `consumer`, or of all nodes (0), by
-  /// TPDO `number`: at once, or when its inhibit time is over or the controller has room. False
-  /// where this is no working DAM TPDO, the value is too long, or the queue is full. From outside
-  /// of a callback, call Node::advance(now) before.
+  /// TPDO `number`: at once, or when its inhibit time is over or the controller has room. False if
+  /// this is not an active DAM TPDO, the value is too long, or the queue is full. Outside of a
+  /// callback, call Node::advance(now) before.
   bool send(std::uint16_t number, NodeId consumer, std::uint16_t index, std::uint8_t sub,
             std::span<const std::uint8_t> value);
 
  private:
   using Value = std::array<std::uint8_t, mpdo_data_max>;
-  /// An entry of a scanner list that is about to be written; of none by default.
+  /// A pending change of an entry in a scanner list; by default of none.
   struct Change {
     std::uint16_t index = 0;
     std::uint8_t sub = 0;
@@ -87,13 +88,13 @@ class MpdoProducer {
   std::span<ScannedObject> scanned_;
   std::span<Message> queue_;
   std::size_t count_ = 0;   ///< of scanned objects
-  std::size_t next_ = 0;    ///< the scanned object whose turn it is
-  std::size_t queued_ = 0;  ///< messages that wait
-  static const HookCalls hook_calls[2];
-  static const ServiceCalls service_calls;
+  std::size_t next_ = 0;    ///< next scanned object in turn
+  std::size_t queued_ = 0;  ///< waiting messages
+  static const AccessHandlers hook_calls[2];
+  static const ServiceHandlers service_calls;
   static const MpdoCalls mpdo_calls;
   MpdoSource source_{&mpdo_calls, this};
-  ServiceLink service_{&service_calls, this};
+  HandlerBinding service_{&service_calls, this};
 };
 
 }  // namespace canvoy

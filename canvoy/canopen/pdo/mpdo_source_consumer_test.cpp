@@ -35,7 +35,7 @@ TEST(SamConsumer, IgnoresWhatNoEntryNames) {
   EXPECT_EQ(node.node.counters().malformed, 0U);
 }
 
-/// The block size stands in the uppermost byte; a known stack took it from another.
+/// The block size is in the uppermost byte; a known stack took it from another.
 TEST(SamConsumer, MovesTheSubIndicesOfABlock) {
   MpdoNode node;
   node.fill_list(0x1FD0, {0x04'2000'05'6401'02'0A});
@@ -71,7 +71,7 @@ TEST(SamConsumer, ReachesSubIndex255ButNotBeyond) {
   node.fill_list(0x1FD0, {0xFF'2000'10'6401'01'0A});
   node.use_rpdo(1, 0x18A, source);
   node.operate();
-  // FFh - 01h behind 10h is 10Eh, which is no sub-index, least of all 0Eh.
+  // FFh - 01h after 10h is 10Eh, which is no sub-index, least of all 0Eh.
   node.receive("18A#0A 01 64 FF 07 00 00 00");
   EXPECT_EQ(node.number(0x2000, 0x0E), 0U);
   EXPECT_EQ(node.node.counters().malformed, 1U);

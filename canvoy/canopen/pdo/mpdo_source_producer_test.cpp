@@ -41,7 +41,7 @@ TEST(SamProducer, SendsEverySizeUpToFourBytesWithZerosBehind) {
                "185#05 50 20 00 01 00 00 00", "185#05 81 20 00 11 82 00 00"});
 }
 
-/// The block size stands in the uppermost byte; a known stack took it from another.
+/// The block size is in the uppermost byte; a known stack took it from another.
 TEST(SamProducer, SendsTheSubIndicesOfABlock) {
   MpdoNode node;
   node.fill_list(0x1FA0, {0x03'2000'05});
@@ -128,7 +128,7 @@ TEST(SamProducer, LetsNoObjectStarveAnother) {
     node.run_until(Time(std::chrono::milliseconds(ms)));
   }
   for (const auto& sent : node.sent) ++count.at(sent.frame.data[3]);
-  // From 0 to 300 ms; the sixth change of the third object has to wait.
+  // From 0 to 300 ms; the sixth change of the third object must wait.
   EXPECT_EQ(count[2], 6U);
   EXPECT_EQ(count[3], 5U);
   EXPECT_EQ(node.sent.size(), 31U);
@@ -331,7 +331,7 @@ TEST(ScannerList, HasItsDefaultsAgainAfterAReset) {
   node.expect({});
 }
 
-/// A SAM consumer gets what a SAM producer lists.
+/// A SAM consumer gets the objects in the lists of a SAM producer.
 TEST(SamProducer, IsHeardByAConsumerThatDispatchesIt) {
   MpdoNode producer;
   MpdoNode consumer(Tpdos::AtStart::wait_for_event, 10);

@@ -5,8 +5,8 @@
 namespace canvoy::mpdo_test {
 namespace {
 
-// Bytes and bits are typed from the layout of CiA 301, 7.2.3 and 7.5.2.39 to 7.5.2.40, as other
-// stacks read them.
+// Bytes and bits are derived from the layout of CiA 301, 7.2.3 and 7.5.2.39 to 7.5.2.40, as other
+// stacks implement it.
 
 TEST(Mpdo, HasNodeIdThenIndexThenSubIndexThenFourBytesOfData) {
   const Mpdo mpdo{MpdoMode::source, 0x05, 0x6001, 0x02, {0x11, 0x22, 0x33, 0x44}};

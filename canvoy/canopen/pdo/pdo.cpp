@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 
 namespace canvoy {
 
-/// What only hosts keep: places of mapped values, and whose each PDO is.
+/// Assigns the data of hosts: places of mapped values, and the owner of each PDO.
 void PdoService::share(std::span<MappedValue> values) {
   places_.value.values = values.data();
   places_.value.share =
@@ -24,7 +24,7 @@ Pdo* PdoService::find(const Entry& entry) const {
   return position < count_ ? &pdos_[position] : nullptr;
 }
 
-/// A small machine divides by the size of a PDO in one place.
+/// A small machine divides by the size of a PDO in one place only.
 std::uint16_t PdoService::find_number(const Pdo& pdo) const {
   return static_cast<std::uint16_t>(&pdo - pdos_ + first_);
 }
@@ -51,7 +51,7 @@ AbortCode PdoService::check_write(const Entry& entry, std::uint32_t wanted) {
   if (entry.sub == pdo_sub::cob_id) return check_cob_id(*pdo, cob_id, CobId{wanted});
   bool fits = true;
   if (entry.sub == pdo_sub::transmission_type) {
-    // Without SYNC a PDO that waits for it would be dead.
+    // Without SYNC, a PDO that waits for it would never work.
     fits = !is_reserved_type(wanted) &&
            (sync_ != nullptr || wanted > transmission_type::remote_synchronous);
   } else if (!is_receive() &&
@@ -71,8 +71,8 @@ inline AbortCode PdoService::check_cob_id(const Pdo& pdo, CobId present, CobId w
   return needs_route && node_.router().full() ? AbortCode::out_of_memory : AbortCode::none;
 }
 
-/// Of a PDO that is not valid, in the order that CiA 301 prescribes: sub-index 0 is zero while
-/// entries are written.
+/// Checks a PDO that is not valid, in the order of CiA 301: sub-index 0 is zero while entries are
+/// written.
 inline AbortCode PdoService::check_mapping(Pdo& pdo, const Entry& entry, std::uint32_t wanted) {
   if (entry.sub == 0) {
     const bool is_mpdo =
@@ -80,7 +80,7 @@ inline AbortCode PdoService::check_mapping(Pdo& pdo, const Entry& entry, std::ui
     return is_mpdo ? AbortCode::none : map(pdo, wanted);
   }
   if (mapped(pdo, 0) != 0) return AbortCode::unsupported_access;
-  // Zero empties an entry, as masters do with those that they do not use.
+  // Zero clears an entry, as masters do with unused ones.
   Entry object;
   return wanted == 0 ? AbortCode::none : find_mapped(wanted, object);
 }
@@ -101,10 +101,10 @@ bool PdoService::reload(Pdo& pdo) {
   }
   const bool is_other = type != pdo.type_ || can_id != pdo.can_id_;
   pdo.type_ = type;
-  // Where the record cannot be mapped nothing is: a master may yet write a better one.
+  // If the record cannot be mapped nothing is mapped: a master may write a better one later.
   static_cast<void>(map(pdo, count));
   pdo.length_ = static_cast<std::uint8_t>((pdo.bits_ + 7U) / 8);
-  must_hold(pdo.length_ <= pdo_bytes_max && (pdo.length_ == 0 || can_id != 0));
+  check_invariant(pdo.length_ <= pdo_bytes_max && (pdo.length_ == 0 || can_id != 0));
   bool is_routed = is_receive() || (cob_id.raw & CobId::bit30) == 0;
   pdo.mode_ = (multiplexed_ == nullptr ? 0 : multiplexed_(type, count)) & Pdo::mode_mask;
   if (pdo.mode_ != 0) {
@@ -124,7 +124,7 @@ void PdoService::load(Pdo& pdo) {
       parameter(pdo, pdo_sub::transmission_type, transmission_type::event_profile));
   unsigned bits = 0;
   for (unsigned i = cob_id.valid() ? mapped(pdo, 0) : 0; i != 0; --i) bits += mapped(pdo, i) % 256;
-  // Right by default; the device may have written others.
+  // Valid by default; the device may have written another value.
   if (bits > pdo_bytes_max * 8) bits = 0;
   pdo.bits_ = static_cast<std::uint8_t>(bits);
   pdo.length_ = static_cast<std::uint8_t>((bits + 7) / 8);
@@ -142,7 +142,7 @@ unsigned PdoService::mode_bits(std::uint8_t type, unsigned count) {
   return is_mpdo ? count & Pdo::mode_mask : 0;
 }
 
-/// RPDOs get their frames, TPDOs the remote frames that ask for them.
+/// RPDOs receive their frames, TPDOs remote frames that request them.
 inline void PdoService::route(Pdo& pdo, std::uint16_t can_id, bool wanted) {
   Router& router = node_.router();
   const bool stays = wanted && can_id == pdo.can_id_;
@@ -177,26 +177,26 @@ bool PdoService::takes(const Pdo& pdo, ServiceEvent& event) const {
   return true;
 }
 
-void PdoService::tell_each(ServiceEvent& event) {
-  // The scope of a reset is no such state.
+void PdoService::notify_each(ServiceEvent& event) {
+  // The scope of a reset is not such a state.
   if (event.kind <= ServiceEvent::state_entered) {
     operational_ = event.state() == NmtState::operational;
   }
-  for (Pdo& pdo : all()) kind_.told(*this, pdo, event);
+  for (Pdo& pdo : all()) kind_.on_event(*this, pdo, event);
 }
 
-void PdoService::told_of_constant(NodeService& service, ServiceEvent& event) {
+void PdoService::on_constant_event(NodeService& service, ServiceEvent& event) {
   PdoService& self = static_cast<PdoService&>(service);
   if (event.kind == ServiceEvent::reset) {
     for (Pdo& pdo : self.all()) self.listen(pdo, false);
     for (Pdo& pdo : self.all()) self.load(pdo);
   }
-  self.tell_each(event);
+  self.notify_each(event);
 }
 
 void PdoService::expire(void* service, Time) {
   ServiceEvent event{.kind = ServiceEvent::timer_expired};
-  static_cast<PdoService*>(service)->tell_each(event);
+  static_cast<PdoService*>(service)->notify_each(event);
 }
 
 std::uint32_t PdoService::period_of(const Pdo& pdo) const {

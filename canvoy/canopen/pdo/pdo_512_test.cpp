@@ -30,8 +30,8 @@ constexpr auto full_layout =
             }));
 constexpr DictionaryTables full_tables = full_layout.tables();
 
-/// RPDO n to object 2000h + n, object 3000h + n to TPDO n; both on CAN-ID 180h + n, since nobody
-/// else is on this bus.
+/// RPDO n to object 2000h + n, object 3000h + n to TPDO n; both on CAN-ID 180h + n, since no other
+/// node is on this bus.
 struct FullNode : WireNode {
   FullNode() : WireNode(full_tables, 5) {
     boot();
@@ -87,7 +87,7 @@ TEST(Pdos, Of512InEachDirectionEachOneWorks) {
 
 TEST(Pdos, ThatShareABitOfTheWatchersWorkOnWhereOneIsMadeInvalid) {
   FullNode node;
-  // TPDOs 1 and 33 share a bit. The first gets an object that nobody else watches.
+  // TPDOs 1 and 33 share a bit. The first gets an object that no other one watches.
   node.write(0x1800, 1, 0xC000'0181, 4);
   node.write(0x1A00, 0, 0, 1);
   node.write(0x1A00, 1, 0x2000'00'10, 4);
@@ -136,7 +136,7 @@ TEST(Pdos, ThatMapOneValueAreAllSentHoweverManyTheyAre) {
     node.sent.clear();
     node.node.dictionary().set_number(0x3005, 0, count);
     node.settle();
-    // And the sixth, of which it is the own.
+    // And the sixth, which has its own.
     EXPECT_EQ(node.sent.size(), count + 1);
   }
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 #include "canvoy/canopen/pdo/pdo.hpp"
 
 namespace canvoy {
@@ -11,7 +11,7 @@ namespace {
 
 constexpr unsigned pdo_bits_max = pdo_bytes_max * 8;
 
-/// Of one, two, four or eight bytes it is one load and one store.
+/// Copies bytes; one, two, four or eight take one load and one store.
 void copy_bytes(std::uint8_t* to, const std::uint8_t* from, unsigned size) {
   switch (size) {
     case 1:
@@ -31,7 +31,7 @@ void copy_bytes(std::uint8_t* to, const std::uint8_t* from, unsigned size) {
   }
 }
 
-/// Values of one size, which fill the PDO.
+/// Gathers values of one size, which fill the PDO.
 template <class Unit>
 void gather(std::uint8_t* image, const MappedValue* values, const std::uint8_t* block) {
   for (unsigned i = 0; i < pdo_bytes_max / sizeof(Unit); ++i) {
@@ -39,7 +39,8 @@ void gather(std::uint8_t* image, const MappedValue* values, const std::uint8_t* 
   }
 }
 
-/// Bit after bit, to where all is zero: what a small machine has not in speed, it has in memory.
+/// Copies bit by bit to a place that is zero, for a small machine, which saves memory at the cost
+/// of speed.
 [[maybe_unused]] void copy_bits(std::uint8_t* to, unsigned to_bit, const std::uint8_t* from,
                                 unsigned from_bit, unsigned count) {
   for (; count != 0; --count, ++to_bit, ++from_bit) {
@@ -48,27 +49,27 @@ void gather(std::uint8_t* image, const MappedValue* values, const std::uint8_t* 
   }
 }
 
-/// Takes 1 to 64 bits out of the eight bytes of a PDO, into as many whole bytes as they need, which
-/// are zero: for small machines.
+/// Extracts 1 to 64 bits from the eight bytes of a PDO into the least number of bytes, which are
+/// zero: for small machines.
 [[maybe_unused]] void extract(const std::uint8_t* data, unsigned position, unsigned bits,
                               std::uint8_t* value) {
-  must_hold(bits != 0 && position + bits <= pdo_bits_max);
+  check_invariant(bits != 0 && position + bits <= pdo_bits_max);
   copy_bits(value, 0, data, position, bits);
 }
 
 // Hosts work with numbers.
 
-/// Of 1 to 64 bits.
+/// Mask of 1 to 64 bits.
 constexpr std::uint64_t mask_of(unsigned bits) {
   return ~std::uint64_t{0} >> (64 - bits);
 }
 [[maybe_unused]] inline std::uint64_t number_in(const PdoImage& image, unsigned position,
                                                 unsigned bits) {
-  must_hold(bits != 0 && position + bits <= pdo_bits_max);
+  check_invariant(bits != 0 && position + bits <= pdo_bits_max);
   return load<std::uint64_t>(image.data()) >> position & mask_of(bits);
 }
 
-/// A value as it stands in the dictionary.
+/// A value in the form of the dictionary.
 struct ValueBytes {
   explicit ValueBytes(std::uint64_t number, unsigned bits) : size((bits + 7) / 8) {
     store(bytes.data(), number);
@@ -80,9 +81,9 @@ struct ValueBytes {
   unsigned size;
 };
 
-/// Puts 0 to 64 bits of a value where a PDO is zero. A Boolean is true whatever its byte is but 0.
+/// Inserts 0 to 64 bits of a value where a PDO is zero. A Boolean is true unless its byte is 0.
 void insert(std::uint8_t* data, unsigned position, unsigned bits, const std::uint8_t* value) {
-  must_hold(position + bits <= pdo_bits_max);
+  check_invariant(position + bits <= pdo_bits_max);
   if constexpr (!Pdo::has_plans) {
     const std::uint8_t is_true = *value != 0 ? 1 : 0;
     return copy_bits(data, position, bits == 1 ? &is_true : value, 0, bits);
@@ -104,8 +105,8 @@ void insert(std::uint8_t* data, unsigned position, unsigned bits, const std::uin
 
 }  // namespace
 
-/// The object that a mapping entry names (index, sub-index, bits), or why a PDO of this direction
-/// cannot carry it; none for dummy entries (0001h to 0007h), which are for RPDOs only.
+/// Finds the object in a mapping entry (index, sub-index, bits), or the reason why a PDO of this
+/// direction cannot carry it; none for dummy entries (0001h to 0007h), which are for RPDOs only.
 AbortCode PdoService::find_mapped(std::uint32_t mapped, Entry& entry) const {
   constexpr unsigned dummy_first = 0x0001;
   constexpr unsigned dummy_last = 0x0007;
@@ -131,9 +132,9 @@ AbortCode PdoService::find_mapped(std::uint32_t mapped, Entry& entry) const {
   return bits != 0 && bits == length ? AbortCode::none : AbortCode::not_mappable;
 }
 
-/// Maps what the first `count` entries of the record say, or nothing. Logarithmic for each entry.
-/// Aborts: value_range where `count` is too large, pdo_length where there are more than 64 bits,
-/// and those of find_mapped().
+/// Maps the first `count` entries of the record, or nothing. Logarithmic for each entry. Aborts:
+/// value_range if `count` is too large, pdo_length for more than 64 bits, and those of
+/// find_mapped().
 AbortCode PdoService::map(Pdo& pdo, unsigned count) {
   pdo.bits_ = 0;
   if constexpr (Pdo::has_plans) forget_plan(pdo);
@@ -155,7 +156,7 @@ AbortCode PdoService::map(Pdo& pdo, unsigned count) {
   return AbortCode::none;
 }
 
-/// What hangs on the values is found out when the first frame comes or is sent.
+/// Discards properties that depend on the values; they are determined with the next frame.
 inline void PdoService::forget_plan(Pdo& pdo) {
   pdo.plan_ = Pdo::mixed;
   pdo.special_ = pdo.simple_ = false;
@@ -175,20 +176,20 @@ inline void PdoService::keep_place(Pdo& pdo, unsigned position, const Entry& ent
   value.resolve(deeds);
 }
 
-/// What is to be done with each of its values, and so with all of them.
+/// Determines the operations on each of its values, and on all of them.
 void PdoService::resolve(Pdo& pdo) {
   pdo.stale_ = false;
   unsigned deeds = 0;
   MappedValue* value = values_of(pdo);
   for (unsigned bits = 0; bits < pdo.bits_; bits += value++->bits()) {
-    must_hold(value->bits() != 0);
+    check_invariant(value->bits() != 0);
     deeds |= resolve(*value);
   }
   pdo.special_ = deeds != 0;
   pdo.plan_ = (pdo.special_ && is_receive() ? deeds : plan_copies(pdo)) & Pdo::plan_mask;
 }
 
-/// Of a value that has its place.
+/// Determines the operations on a value with a place.
 inline unsigned PdoService::resolve(MappedValue& value) const {
   constexpr unsigned accesses = ServiceEvent::all_accesses;
   unsigned deeds = value.deeds() & (MappedValue::skip | MappedValue::set_text);
@@ -202,7 +203,7 @@ inline unsigned PdoService::resolve(MappedValue& value) const {
     return deeds;
   }
   const EntryShape& row = *entry.row;
-  // What comes in as many bits as the type has leaves none of them over to be checked.
+  // A value with as many bits as its type has no unused bits to check.
   const std::int64_t* limits = nullptr;
   if (canvoy::has(row.traits, EntryTraits::limited)) {
     deeds |= MappedValue::limit;
@@ -211,11 +212,11 @@ inline unsigned PdoService::resolve(MappedValue& value) const {
         canvoy::has(row.traits, EntryTraits::has_sign)
             ? limits[0] <= limits[1]
             : static_cast<std::uint64_t>(limits[0]) <= static_cast<std::uint64_t>(limits[1]);
-    // Where every number is refused, or nearly, it is asked for one by one.
+    // If nearly every number is refused, each one is checked separately.
     if (!is_range) deeds |= MappedValue::ask;
   }
   if (hooks.asks) deeds |= MappedValue::ask;
-  if (hooks.tells) deeds |= MappedValue::tell;
+  if (hooks.notifies) deeds |= MappedValue::notify;
   if (dictionary.is_watched(entry)) deeds |= MappedValue::watch;
   value.resolve(deeds, limits, hooks);
   return deeds;
@@ -231,7 +232,7 @@ std::uint8_t PdoService::plan_copies(const Pdo& pdo) const {
   bool is_uniform = pdo.bits_ == pdo_bits_max;
   for (unsigned i = 0, position = 0; position < pdo.bits_; ++i) {
     const unsigned bits = values[i].bits();
-    must_hold(bits != 0 && position + bits <= pdo.bits_);
+    check_invariant(bits != 0 && position + bits <= pdo.bits_);
     is_adjacent = is_adjacent && values[i].offset() == end && bits % 8 == 0;
     is_uniform = is_uniform && bits == size;
     end += bits / 8;
@@ -264,8 +265,8 @@ void PdoService::look_again(Pdo& pdo) {
   if (pdo.stale_) resolve(pdo);
 }
 
-/// What is mapped was checked when it was written, or by the compiler. Nothing stands where the
-/// data types do, which dummy entries name.
+/// The mapping was checked when it was written, or by the compiler. The indices of data types,
+/// which dummy entries name, have no object.
 [[gnu::always_inline]] inline bool PdoService::is_there(std::uint32_t mapped, Entry& entry) const {
   entry.index = static_cast<std::uint16_t>(mapped >> 16);
   entry.sub = static_cast<std::uint8_t>(mapped >> 8);
@@ -297,9 +298,9 @@ void PdoService::pack_any(const Pdo& pdo, PdoImage& image, bool asks) {
   }
 }
 
-// Hosts go by what was resolved.
+// Hosts use the resolved mapping.
 
-/// A hook that refuses leaves the value as it is.
+/// A hook that refuses leaves the value unchanged.
 void PdoService::pack_values(const Pdo& pdo, PdoImage& image, bool asks) {
   Dictionary& dictionary = node_.dictionary();
   for_values(pdo, [&](const MappedValue& value, unsigned start) {
@@ -319,8 +320,8 @@ void PdoService::pack_values(const Pdo& pdo, PdoImage& image, bool asks) {
 
 namespace {
 
-/// Not within its limits: in the arithmetic of its bits, so that it need not be known whether it
-/// has a sign. Of `number` the lower bits count.
+/// True outside of its limits: in the arithmetic of its bits, which is independent of the sign. The
+/// lower bits of `number` count.
 [[gnu::always_inline]] inline bool is_outside(const MappedValue& value, std::uint64_t number) {
   const std::int64_t* const limits = value.limits();
   const auto low = static_cast<std::uint64_t>(limits[0]);
@@ -329,7 +330,7 @@ namespace {
   return (number - low) << unused > range << unused;
 }
 
-/// Why it is refused: it may be the sentinel beside its limits.
+/// Reason of a refusal; the sentinel is allowed beside the limits.
 AbortCode check_number_of(const Dictionary& dictionary, const MappedValue& value,
                           std::uint64_t number) {
   if (!value.is(MappedValue::limit)) return AbortCode::none;
@@ -345,7 +346,7 @@ std::uint32_t refused_at(const MappedValue& value) {
 
 }  // namespace
 
-/// Where nobody else is asked. Zeros come after the last bit of 64.
+/// For PDOs without other checks. Zeros follow the last bit of 64.
 [[gnu::always_inline]] inline std::uint32_t PdoService::check_limits(const Pdo& pdo,
                                                                      const PdoImage& image) const {
   const MappedValue* value = values_of(pdo);
@@ -389,6 +390,8 @@ std::uint32_t PdoService::ask_for_values(const Pdo& pdo, const PdoImage& image) 
   auto rest = canvoy::load<std::uint64_t>(image.data());
   for (unsigned left = pdo.bits_; left != 0; ++value) {
     const unsigned bits = value->bits();
+    // Special values first: they have 8, 16 and 32 bits as well.
+    // NOLINTNEXTLINE(bugprone-branch-clone)
     if (value->is(MappedValue::watch | MappedValue::set_text | MappedValue::skip)) [[unlikely]] {
       write_special(*value, rest);
     } else if (bits == 32) {
@@ -411,7 +414,7 @@ std::uint32_t PdoService::check_values(const Pdo& pdo, const PdoImage& image) co
   return (deeds & MappedValue::limit) != 0 ? check_limits(pdo, image) : 0;
 }
 
-/// Nobody is called within.
+/// Writes values without any callback.
 void PdoService::write_values(const Pdo& pdo, const PdoImage& image) {
   write_numbers(pdo, image);
 }
@@ -425,11 +428,11 @@ std::uint32_t PdoService::take_values(const Pdo& pdo, const PdoImage& image) {
       return refused;
   }
   write_numbers(pdo, image);
-  if ((deeds & MappedValue::tell) != 0) tell_of_values(pdo);
+  if ((deeds & MappedValue::notify) != 0) notify_values(pdo);
   return 0;
 }
 
-/// Of `number` the lower bits count.
+/// The lower bits of `number` count.
 void PdoService::write_special(const MappedValue& value, std::uint64_t number) {
   if (value.is(MappedValue::skip)) return;
   Dictionary& dictionary = node_.dictionary();
@@ -446,15 +449,15 @@ void PdoService::write_special(const MappedValue& value, std::uint64_t number) {
   copy_bytes(place, bytes.bytes.data(), bytes.size);
 }
 
-void PdoService::tell_of_values(const Pdo& pdo) const {
+void PdoService::notify_values(const Pdo& pdo) const {
   const Dictionary& dictionary = node_.dictionary();
   for_values(pdo, [&](const MappedValue& value, unsigned) {
-    if (!value.is(MappedValue::tell)) return true;
+    if (!value.is(MappedValue::notify)) return true;
     const Entry entry = dictionary.entry_at(value.place());
-    if (const ServiceLink* link = value.told(); link != nullptr) [[likely]] {
-      link->tell_row(value.after_row(), entry, Source::pdo);
+    if (const HandlerBinding* link = value.notified(); link != nullptr) [[likely]] {
+      link->notify_row(value.after_row(), entry, Source::pdo);
     } else {
-      dictionary.tell_of(entry, Source::pdo, value.hooks());
+      dictionary.notify_written(entry, Source::pdo, value.hooks());
     }
     return true;
   });
@@ -466,11 +469,11 @@ std::uint32_t PdoService::go_through(const Pdo& pdo, std::uint8_t* image, Step s
   if constexpr (Pdo::has_plans) return 0;
   Entry entry;
   unsigned bits = 0;
-  // A hook may change the mapping under our feet: bits_ is looked at anew.
+  // A hook may change the mapping meanwhile: bits_ is read again.
   for (unsigned i = 0, start = 0; start < pdo.bits_; ++i, start += bits) {
     const std::uint32_t written = mapped(pdo, i + 1);
     bits = written % 256;
-    // The application may have written another record, past all hooks.
+    // The application may have written another record, without any hook.
     if (bits == 0 || start + bits > pdo.bits_) break;
     if (!is_there(written, entry)) continue;
     if (!access(image, {start, bits}, step, entry)) {
@@ -480,11 +483,11 @@ std::uint32_t PdoService::go_through(const Pdo& pdo, std::uint8_t* image, Step s
   return 0;
 }
 
-/// One step with one value.
+/// Carries out one step for one value.
 inline bool PdoService::access(std::uint8_t* image, BitField field, Step step, Entry& entry) {
   Dictionary& dictionary = node_.dictionary();
   if (step <= Step::refresh) {
-    // A hook that refuses leaves the value as it is.
+    // A hook that refuses leaves the value unchanged.
     if (step == Step::refresh) static_cast<void>(dictionary.open_read(entry));
     const std::span<const std::uint8_t> present = entry.bytes();
     const auto bits = std::min(field.bits, static_cast<unsigned>(present.size() * 8));

@@ -1,11 +1,10 @@
 // What a PDO carries: a mapping record (1600h to 17FFh, 1A00h to 1BFFh), resolved when it is set
-// into places in the dictionary's values, and into what is to be done with each: limits, hooks,
-// watchers (CiA 301, 7.5.2.36 and 7.5.2.38).
+// into positions in the dictionary's values and the operations on each: limits, hooks, watchers
+// (CiA 301, 7.5.2.36 and 7.5.2.38).
 //
 // Bits and odd sizes are shifted in and out. All values of an RPDO are checked before one is
-// written. Where a hook or a watcher comes later, what is to be done is found out anew; the record
-// is read when it is set, and never again. A small machine keeps no plans, and reads it for each
-// frame.
+// written. If a hook or a watcher is added later, the operations are determined again; the record
+// is read only when it is set. A small machine keeps no plans, and reads the record for each frame.
 //
 //     MappedValue values[4 * 8];   // for four PDOs of up to eight values
 #pragma once
@@ -19,13 +18,13 @@
 
 namespace canvoy {
 
-inline constexpr unsigned pdo_count_max = 512;  ///< of one direction
+inline constexpr unsigned pdo_count_max = 512;  ///< for one direction
 inline constexpr unsigned pdo_values_max = 64;  ///< mapped into one PDO
 inline constexpr unsigned pdo_bytes_max = 8;
 
 enum class PdoDirection : std::uint8_t { receive, transmit };
 
-/// Sub-index 00h of the mapping record of a multiplexed PDO.
+/// Value of sub-index 00h of the mapping record of a multiplexed PDO.
 enum class MpdoMode : std::uint8_t { none = 0, source = 0xFE, destination = 0xFF };
 
 constexpr MpdoMode mpdo_mode(unsigned mapped_entries) {
@@ -33,10 +32,10 @@ constexpr MpdoMode mpdo_mode(unsigned mapped_entries) {
   return mapped_entries - first <= 1 ? static_cast<MpdoMode>(mapped_entries) : MpdoMode::none;
 }
 
-/// The data of a PDO, as in a frame; bytes behind the last one are zero.
+/// Data of a PDO, as in a frame; bytes behind the last one are zero.
 using PdoImage = std::array<std::uint8_t, pdo_bytes_max>;
 
-/// PDOs of one direction by their positions, a bit for each.
+/// Set of PDOs of one direction by position, one bit for each.
 class PdoSet {
  public:
   void set(unsigned position, bool is_in) {
@@ -44,7 +43,7 @@ class PdoSet {
     std::uint64_t& word = words_[position / 64];
     word = is_in ? word | bit : word & ~bit;
   }
-  /// The first one from `position` on; not below `count` where there is none below it.
+  /// First member from `position` on; `count` or above if there is none below `count`.
   unsigned next(unsigned position, unsigned count) const {
     while (position < count) {
       const std::uint64_t left = words_[position / 64] >> position % 64;
@@ -58,27 +57,27 @@ class PdoSet {
   std::array<std::uint64_t, pdo_count_max / 64> words_{};
 };
 
-/// One value of a PDO: what is to be done with it, resolved when the mapping is set, and its part
-/// in a table that finds it by its place (see Tpdos). The owner of PDOs provides the memory; a
-/// small machine needs none.
+/// One value of a PDO: the operations on it, resolved when the mapping is set, and its link in a
+/// table that finds it by its place (see Tpdos). The owner of PDOs provides the memory; a small
+/// machine needs none.
 class MappedValue {
  public:
   static constexpr std::uint32_t offset_max = 0x1FF'FFFF;
-  static constexpr unsigned bytes_max = 16;  ///< for as many bits as can be told
+  static constexpr unsigned bytes_max = 16;  ///< for the greatest number of bits that fits
 
-  /// What is to be done beside copying it: bits.
+  /// Operations beside copying: bits.
   enum Deed : std::uint8_t {
     nothing_more = 0,
-    limit = 1,      ///< it has a range
-    ask = 2,        ///< somebody may refuse it
-    tell = 4,       ///< somebody is told that it was written
-    watch = 8,      ///< a TPDO maps it
-    set_text = 16,  ///< a string, with its length
-    skip = 32,      ///< a dummy entry
-    refresh = 64,   ///< somebody may refresh it before it is sent
+    limit = 1,      ///< check of a range
+    ask = 2,        ///< a service may refuse the value
+    notify = 4,     ///< a service is notified of the write
+    watch = 8,      ///< a TPDO maps the value
+    set_text = 16,  ///< set a string, with its length
+    skip = 32,      ///< skip a dummy entry
+    refresh = 64,   ///< a service may refresh the value before it is sent
   };
 
-  /// False where it stood there before, with as many bits.
+  /// Sets place and length. False if both were the same before.
   bool set(const EntryPlace& place, unsigned bits) {
     const std::uint32_t wanted = place.offset | bits << bits_shift;
     const bool is_same = std::exchange(offset_and_bits_, wanted) == wanted;
@@ -93,10 +92,10 @@ class MappedValue {
   unsigned bits() const { return offset_and_bits_ >> bits_shift; }
   unsigned deeds() const { return deeds_; }
   bool is(unsigned deeds) const { return (deeds_ & deeds) != 0; }
-  /// Where it has a range: its lowest and highest value.
+  /// Lowest and highest value, if it has a range.
   const std::int64_t* limits() const { return limits_; }
 
-  /// Of an RPDO: its range, and who is asked and told.
+  /// For an RPDO: sets range, and services to ask and to notify.
   void resolve(unsigned deeds, const std::int64_t* limits, const EntryHooks& hooks) {
     deeds_ = static_cast<std::uint8_t>(deeds);
     limits_ = limits;
@@ -107,12 +106,12 @@ class MappedValue {
   EntryHooks hooks() const {
     return {.service = asked_, .before_row = next_, .after_row = bucket_};
   }
-  /// A link to a service, of which one row tells; null where it is more than that.
-  const ServiceLink* told() const {
-    return bucket_ == EntryHooks::any_row ? nullptr : static_cast<const ServiceLink*>(asked_);
+  /// Link to the only service with the only row to notify; null if there are more.
+  const HandlerBinding* notified() const {
+    return bucket_ == EntryHooks::any_row ? nullptr : static_cast<const HandlerBinding*>(asked_);
   }
   unsigned after_row() const { return bucket_; }
-  /// Of a TPDO, which stands in PlacesOfValues.
+  /// For a TPDO, which is in PlacesOfValues.
   void resolve(unsigned deeds) { deeds_ = static_cast<std::uint8_t>(deeds); }
 
  private:
@@ -127,10 +126,10 @@ class MappedValue {
   std::uint16_t index_ = 0;
   std::uint8_t sub_ = 0;
   std::uint8_t deeds_ = 0;
-  /// Of a TPDO the value of which the place has the same hash: its position, from 1. Of an RPDO
+  /// For a TPDO, position from 1 of the next value with the same hash. For an RPDO,
   /// EntryHooks::before_row.
   std::uint16_t next_ = 0;
-  /// Of a TPDO the first value of the hash that is this one's position; or 0. Of an RPDO
+  /// For a TPDO, first value with the hash equal to this position; or 0. For an RPDO,
   /// EntryHooks::after_row.
   std::uint16_t bucket_ = 0;
 };
@@ -147,13 +146,13 @@ class PlacesOfValues {
   void clear() {
     for (unsigned i = 0; i < count_; ++i) values_[i].bucket_ = 0;
   }
-  /// One that is in it at most once.
+  /// Adds a value that is not in the table.
   void add(unsigned position) {
     std::uint16_t& bucket = values_[hash(values_[position].offset())].bucket_;
     values_[position].next_ = bucket;
     bucket = static_cast<std::uint16_t>(position + 1);
   }
-  /// The positions of those at `place`, one after the other; nothing behind the last one.
+  /// Positions of the values at `place`, one after the other; nothing after the last one.
   unsigned first(std::uint32_t place) const { return seek(values_[hash(place)].bucket_, place); }
   unsigned next(unsigned position) const {
     return seek(values_[position].next_, values_[position].offset());

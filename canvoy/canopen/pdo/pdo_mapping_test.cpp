@@ -177,14 +177,14 @@ TEST(PdoMapping, WithoutEntriesIsNoPdo) {
   EXPECT_TRUE(node.errors().empty());
 }
 
-/// The first PDO prepares the short way that the next ones may take.
+/// The first PDO prepares the fast path of the next ones.
 std::string zeros(std::size_t length) {
   std::string text;
   for (std::size_t i = 0; i < length; ++i) text += "00";
   return text;
 }
 
-/// Every type that has one length travels both ways as its bytes, least significant first.
+/// Every type of one length is transferred both ways as its bytes, least significant first.
 TEST(PdoMapping, CarriesEveryDataType) {
   struct Case {
     std::uint32_t mapped;
@@ -308,7 +308,7 @@ TEST(PdoMapping, OfFewerValuesThanBeforeLeavesTheOthersAlone) {
   node.operate();
   node.receive("205#01 00 02 00 03 00 04 00");
   node.map_rpdo(1, 0x205, 255, {four[0], four[1]});
-  // The second one may go a shorter way than the first.
+  // The second one may take a faster path than the first.
   for (int i = 0; i < 2; ++i) node.receive("205#0A 00 0B 00");
   EXPECT_EQ(node.number(0x2010, 4), 0x0AU);
   EXPECT_EQ(node.number(0x2010, 1), 0x0BU);
@@ -335,7 +335,7 @@ TEST(PdoMapping, OfWholeBytesInAnyOrderAndOfAnySizesLeavesAndArrivesAsItStands) 
     unsigned bytes = 0;
     for (const std::uint32_t entry : mapped) bytes += (entry & 0xFF) / 8;
     std::array<std::uint8_t, 8> image = {0x11, 0x22, 0x33, 0x44, 0x55, 0x66, 0x77, 0x88};
-    // The second one may go a shorter way than the first.
+    // The second one may take a faster path than the first.
     for (int i = 0; i < 2; ++i) {
       image[0] = static_cast<std::uint8_t>(image[0] + 0x80);
       node.node.receive(Frame::data_frame(0x205, std::span(image).first(bytes)), node.now);
@@ -414,7 +414,7 @@ TEST(PdoMapping, WhichTheApplicationOverwritesPastAllHooksHoldsWhenThePdoIsSetAn
 }
 
 /// Limits, hooks, watchers, strings, dummies, odd sizes: the record is read while a PDO is set, and
-/// for none of its frames, whatever comes to hang on its values.
+/// for none of its frames, whatever is attached to its values later.
 TEST(PdoMapping, IsReadWhenItIsSetAndForNoFrame) {
   PdoNode node;
   Hook hook{.first = 0x2062, .last = 0x2062};
@@ -463,7 +463,7 @@ TEST(PdoMapping, OfANeighbourOfAWatchedValueTellsNobody) {
   node.expect({"185#09 00"});
 }
 
-/// A hook of each kind, of which some come and go while the PDO works.
+/// A hook of each kind, some of them attached and detached while the PDO works.
 TEST(PdoMapping, AsksAndTellsAllWhoAreAtTheTimeOfTheFrame) {
   struct Asked {
     explicit Asked(std::uint16_t first, std::uint16_t last) : hook{.first = first, .last = last} {

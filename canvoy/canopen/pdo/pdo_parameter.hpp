@@ -1,13 +1,12 @@
-// What RPDOs and TPDOs have in common in their communication records (CiA 301, 7.5.2.35 and
-// 7.5.2.37).
+// The common part of the communication records of RPDOs and TPDOs (CiA 301, 7.5.2.35 and 7.5.2.37).
 #pragma once
 
 #include <cstdint>
 
 #include "canvoy/can/time.hpp"
-#include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/canopen/dictionary/dictionary.hpp"
 #include "canvoy/canopen/pdo/pdo_mapping.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
 
 namespace canvoy {
 
@@ -42,14 +41,14 @@ constexpr bool is_reserved_type(std::uint32_t type, PdoDirection direction) {
   return type > transmission_type::cyclic_max && type < next;
 }
 
-/// A PDO that works: what the dictionary holds at reset may never have been checked.
+/// True if a PDO can work with this COB-ID: the value in the dictionary at reset may be unchecked.
 constexpr bool is_usable(CobId cob_id) {
   return cob_id.valid() && has_free_id(cob_id);
 }
 
-/// Whether a PDO with COB-ID `present` may get `wanted`. A valid PDO can only be made invalid, and
-/// its bit 30 be changed: bits 0 to 29 are those that stay (CiA 301, 7.5.2.35 and 7.5.2.37).
-/// value_range for all else, for 29-bit and for restricted CAN-IDs.
+/// Checks whether a PDO with COB-ID `present` may get `wanted`. A valid PDO can only be made
+/// invalid, and its bit 30 can change: bits 0 to 29 stay. Abort value_range for other changes, for
+/// 29-bit and for restricted CAN-IDs (CiA 301, 7.5.2.35 and 7.5.2.37).
 constexpr AbortCode check_pdo_cob_id(CobId present, CobId wanted) {
   const bool stays = ((present.raw ^ wanted.raw) & ~CobId::bit30) == 0 || !present.valid();
   const bool fits = wanted.valid() ? stays && is_usable(wanted) : wanted.is_base_frame();

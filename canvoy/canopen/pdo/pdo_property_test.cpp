@@ -1,4 +1,4 @@
-// Properties of PDOs, from any choice of mappings, values and times.
+// Properties of PDOs, for any choice of mappings, values and times.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 
 using enum AbortCode;
 
-/// The first PDO prepares the short way that the next ones may take.
+/// The first PDO prepares the fast path of the next ones.
 std::string zeros(std::size_t length) {
   std::string text;
   for (std::size_t i = 0; i < length; ++i) text += "00";
@@ -24,7 +24,7 @@ struct Mappable {
   unsigned bits;
 };
 
-/// What can be mapped, with the lengths that CiA 301 and CiA 447 give the types.
+/// All mappable types, with their lengths in CiA 301 and CiA 447.
 std::vector<Mappable> all_mappable() {
   std::vector<Mappable> all;
   const auto add = [&](std::uint16_t index, unsigned sub, unsigned bits) {
@@ -43,7 +43,7 @@ std::vector<Mappable> all_mappable() {
   return all;
 }
 
-/// Any choice of them that fits into 64 bits; small ones are preferred, so that many do.
+/// Draws any set of them that fits into 64 bits; small ones are preferred, so that many fit.
 std::vector<Mappable> any_mapping() {
   const std::vector<Mappable> all = all_mappable();
   std::vector<Mappable> chosen;
@@ -145,7 +145,7 @@ RC_GTEST_PROP(PdoProperty, ATpdoIsPutTogetherBitByBit, ()) {
   RC_ASSERT(wire_text(node.sent[0].frame) == "185#" + hex(expected));
 }
 
-/// What the consumer has at last is what the producer had, whatever lies between them.
+/// The consumer's final values are those of the producer, whatever the mapping.
 RC_GTEST_PROP(PdoProperty, ValuesTravelFromATpdoToAnRpdoOfAnotherNode, ()) {
   const std::vector<Mappable> mapping = any_mapping();
   RC_PRE(!mapping.empty());

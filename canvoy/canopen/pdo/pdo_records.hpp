@@ -1,6 +1,6 @@
-// PDOs that stay as they are: CiA 301 leaves it to the device whether the communication and mapping
-// records of its PDOs can be written (7.5.2.35 to 7.5.2.38). Where all of a direction are constant,
-// the compiler checks them, and nothing that would check or follow a write is linked.
+// PDOs with constant records: a device decides whether the communication and mapping records of its
+// PDOs can be written (CiA 301, 7.5.2.35 to 7.5.2.38). If all of a direction are constant, the
+// compiler checks them, and the code that checks or handles a write is not linked.
 //
 //     constexpr PdoRecords records = pdo_records(tables, PdoDirection::receive);
 #pragma once
@@ -12,15 +12,15 @@
 
 namespace canvoy {
 
-/// Constant ones are read at reset, and never looked at again. A device that gives them other
-/// values itself (Node::on_defaults_restored) gives right ones: a small machine looks at the bits
-/// of the mapping only.
+/// Constant records are read at reset only. A device that sets other values itself
+/// (Node::on_defaults_restored) must set valid ones: a small machine checks the bits of the mapping
+/// only.
 enum class PdoRecords : std::uint8_t { writable, constant };
 
 namespace detail {
 
-/// What tables say of an entry: null where there is none. `initial` is its default, of a number of
-/// up to four bytes.
+/// Description of an entry in tables: null if there is none. `initial` is the default of a number
+/// of up to four bytes.
 struct DescribedEntry {
   const EntryShape* row = nullptr;
   std::uint32_t initial = 0;
@@ -38,7 +38,7 @@ constexpr DescribedEntry find_described(const DictionaryTables& tables, unsigned
   return {};
 }
 
-/// No client can write an object from index `first` to `last`.
+/// True if no client can write an object from index `first` to `last`.
 constexpr bool are_constant(const DictionaryTables& tables, unsigned first, unsigned last) {
   for (const ObjectRow& object : tables.objects) {
     if (object.index + object.count <= first || object.index > last) continue;
@@ -49,7 +49,7 @@ constexpr bool are_constant(const DictionaryTables& tables, unsigned first, unsi
   return true;
 }
 
-/// A COB-ID that a PDO can have with every node-ID, or one that is not valid.
+/// True for a COB-ID that a PDO can have with every node-ID, or one that is not valid.
 constexpr bool is_right_cob_id(const DescribedEntry& entry) {
   const std::uint32_t initial = entry.initial;
   if (!has(entry.row->traits, EntryTraits::plus_node_id)) {
@@ -61,7 +61,7 @@ constexpr bool is_right_cob_id(const DescribedEntry& entry) {
   return true;
 }
 
-/// Bits of the value that a mapping entry names; 0 where a PDO cannot carry it.
+/// Number of bits of the value in a mapping entry; 0 if a PDO cannot carry it.
 constexpr unsigned mapped_bits(const DictionaryTables& tables, std::uint32_t mapped,
                                PdoDirection direction) {
   const unsigned index = mapped >> 16;
@@ -77,7 +77,8 @@ constexpr unsigned mapped_bits(const DictionaryTables& tables, std::uint32_t map
   return bits == (row->is_text() ? row->capacity * 8U : row->bits) ? bits : 0;
 }
 
-/// The PDO with the communication record `index` works, or is off. Multiplexed ones do not count.
+/// True if the PDO with the communication record `index` works, or is disabled. Multiplexed PDOs do
+/// not count.
 constexpr bool is_right_pdo(const DictionaryTables& tables, unsigned index,
                             PdoDirection direction) {
   constexpr unsigned to_mapping = 0x200;
@@ -100,8 +101,8 @@ constexpr bool is_right_pdo(const DictionaryTables& tables, unsigned index,
 
 }  // namespace detail
 
-/// How all PDOs of a direction are. Records that are constant and wrong, or name objects that
-/// change their place, are left to the checks at run time.
+/// Kind of all PDO records of a direction. Constant records that are invalid, or name objects that
+/// move, are left to the checks at run time.
 constexpr PdoRecords pdo_records(const DictionaryTables& tables, PdoDirection direction) {
   const unsigned first = direction == PdoDirection::receive ? object_index::rpdo_parameter
                                                             : object_index::tpdo_parameter;

@@ -1,5 +1,5 @@
-// Which constant records of PDOs the compiler takes for right, so that nothing checks them at run
-// time (CiA 301, 7.3.5, 7.5.2.35 to 7.5.2.38).
+// The constant records of PDOs that the compiler accepts, so that nothing checks them at run time
+// (CiA 301, 7.3.5, 7.5.2.35 to 7.5.2.38).
 #include "canvoy/canopen/pdo/pdo_records.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ constexpr EntryRow plus_node_id(EntryRow row) {
   return row;
 }
 
-/// One PDO of each direction, both of four values; a fifth is not counted.
+/// One PDO of each direction, both with four values; a fifth is not counted.
 constexpr auto objects = std::to_array<ObjectRow>({{.index = 0x1400, .entry_count = 2},
                                                    {.index = 0x1600, .entry_count = 6},
                                                    {.index = 0x1800, .entry_count = 2},
@@ -56,7 +56,7 @@ constexpr auto described_rows = std::to_array<EntryRow>({
 constexpr auto layout = lay_out(objects, described_rows);
 using Rows = std::remove_const_t<decltype(described_rows)>;
 
-/// A change of one entry, and whether its PDO is right with it.
+/// A change of one entry, and whether its PDO is valid with it.
 struct Change {
   unsigned index = 0;
   unsigned sub = 0;
@@ -102,7 +102,7 @@ TEST_P(ChangedPdoRecord, SaysNothingOfTheOtherDirection) {
   EXPECT_EQ(records_of(rows_with(GetParam()), other), PdoRecords::constant);
 }
 
-// To each of these the node-ID is added, from 1 to 127.
+// The node-ID, 1 to 127, is added to each of these.
 INSTANTIATE_TEST_SUITE_P(CobIds, ChangedPdoRecord,
                          testing::Values(Change{0x1400, 1, 0x180, true},
                                          Change{0x1400, 1, 0x500, true},

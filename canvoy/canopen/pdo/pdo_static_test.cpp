@@ -1,5 +1,5 @@
-// Static PDOs: a device of which no master can write the records of its PDOs (CiA 301, 7.5.2.35 to
-// 7.5.2.38), nor the parameters of SYNC and emergency.
+// Static PDOs: a device on which no master can write the records of PDOs, nor the parameters of
+// SYNC and emergency (CiA 301, 7.5.2.35 to 7.5.2.38).
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -16,7 +16,7 @@ static_assert(decltype(Static::device)::tpdo_records == PdoRecords::constant);
 static_assert(decltype(Writable::device)::rpdo_records == PdoRecords::writable);
 static_assert(decltype(Writable::device)::tpdo_records == PdoRecords::writable);
 
-/// 40h, and the multiplexer as it travels.
+/// 40h, and the multiplexer in the form of the wire.
 std::string sdo_frame(unsigned command, unsigned index, unsigned sub, unsigned value = 0) {
   Frame frame;
   frame.id = 0x605;
@@ -27,7 +27,7 @@ std::string sdo_frame(unsigned command, unsigned index, unsigned sub, unsigned v
   return wire_text(frame);
 }
 
-/// Those among all that was sent.
+/// Selects those among all frames sent.
 std::vector<std::string> take_emergencies(Static& node) {
   std::vector<std::string> frames = node.take_sent();
   std::erase_if(frames,
@@ -48,7 +48,7 @@ TEST(StaticPdo, IsReadByMastersWithTheNodeIdInItsCobId) {
                "585#43 05 10 00 80 00 00 00", "585#43 14 10 00 85 00 00 00"});
 }
 
-// 0601 0002h for each entry that is there, in every state that has SDO, and nothing changes.
+// 0601 0002h for each existing entry, in every state that has SDO, without a change.
 TEST(StaticPdo, RefusesEveryWriteToItsRecords) {
   const DictionaryTables tables = static_pdo_layout.tables();
   for (const char* state : {"000#80 00", "000#01 00"}) {
@@ -229,7 +229,7 @@ TEST(StaticPdo, WaitsForRoomInTheController) {
             "185#AA 55");
 }
 
-/// One step of a life on the bus, the same for both.
+/// One step on the bus, the same for both.
 template <class Node>
 void live(Node& node, unsigned what, unsigned with) {
   static constexpr const char* ids[] = {"205", "305", "405", "185", "285",

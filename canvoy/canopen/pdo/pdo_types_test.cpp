@@ -1,5 +1,5 @@
-// Every transmission type with and without its timers, in one small world each (CiA 301, 7.5.2.35
-// and 7.5.2.37): what is sent when is typed from the meaning of the types.
+// Every transmission type with and without its timers, in one scenario each: the expected frames
+// follow from the meaning of the types (CiA 301, 7.5.2.35 and 7.5.2.37).
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/testing/pdo_node.hpp"
@@ -14,11 +14,11 @@ struct Settings {
   unsigned type;
   bool inhibit_time;  ///< of 10 ms
   bool event_timer;   ///< of 20 ms
-  bool remote;        ///< may be asked for
+  bool remote;        ///< may be requested
 };
 
-/// Times in ms, and what is sent then. The world: values at 5 and 8 ms, SYNC at 10, 20 and 30 ms, a
-/// remote frame at 33 ms, the end at 60 ms.
+/// Times in ms, and the frames sent then. The scenario: values at 5 and 8 ms, SYNC at 10, 20 and 30
+/// ms, a remote frame at 33 ms, the end at 60 ms.
 Texts expected(const Settings& s) {
   Texts sent;
   const auto add = [&](unsigned ms, unsigned value) {

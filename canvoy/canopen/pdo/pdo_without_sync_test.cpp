@@ -1,8 +1,8 @@
-// A device that does not know SYNC: a PDO that waits for it would never come, and is refused (CiA
-// 301, 7.5.2.35 and 7.5.2.37: 0609 0030h for a transmission type that is not supported).
+// A device without SYNC: a PDO that waits for it would never come, and is refused (CiA 301,
+// 7.5.2.35 and 7.5.2.37: 0609 0030h for a transmission type that is not supported).
 #include <gtest/gtest.h>
 
-#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/device/device_node.hpp"
 #include "canvoy/canopen/testing/cable.hpp"
 #include "canvoy/canopen/testing/pdo_node.hpp"
 

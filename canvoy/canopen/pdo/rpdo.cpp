@@ -14,13 +14,13 @@ constexpr std::uint8_t low_byte(std::uint16_t code) {
   return static_cast<std::uint8_t>(code);
 }
 
-/// There may be hundreds of them, and most of what happens is nothing to any.
+/// There may be hundreds of RPDOs, and most events concern none of them.
 [[maybe_unused]] constexpr bool concerns_rpdos(ServiceEvent::Kind kind) {
   return kind == ServiceEvent::reset || kind == ServiceEvent::state_entered;
 }
 
-/// Values of one size that fill the PDO. Its bytes are loaded once: loads of single ones, each
-/// after a store, take twice the time.
+/// Copies values of one size that fill the PDO. Its bytes are loaded once: single loads, each after
+/// a store, take twice the time.
 template <class Unit, std::size_t... i>
 void copy_units(std::uint8_t* block, const MappedValue* values, const std::uint8_t* data,
                 std::index_sequence<i...>) {
@@ -39,10 +39,10 @@ constexpr PdoKind Rpdos::kind = {
     .mappable = Access::rpdo,
     .parameter_first = object_index::rpdo_parameter,
     .route = Pdo::has_routes ? &Rpdos::receive_routed : nullptr,
-    .told = &Rpdos::told,
+    .on_event = &Rpdos::on_event,
 };
 
-void Rpdos::told(NodeService& service, ServiceEvent& event) {
+void Rpdos::on_event(NodeService& service, ServiceEvent& event) {
   Rpdos& self = static_cast<Rpdos&>(service);
   if (event.kind == ServiceEvent::before_write) {
     return event.refuse(self.check_write(event.entry(), load_word(event.value())));
@@ -52,20 +52,20 @@ void Rpdos::told(NodeService& service, ServiceEvent& event) {
     if (event.kind == ServiceEvent::actuate) {
       return self.for_chosen([&](Rpdo& pdo) {
         self.choose(pdo, false);
-        told(self, pdo, event);
+        on_event(self, pdo, event);
       });
     }
     if (!concerns_rpdos(event.kind)) return;
   }
-  self.tell_each(event);
+  self.notify_each(event);
   if (event.kind == ServiceEvent::reset) self.reload_all();
 }
 
-void Rpdos::told(PdoService& service, Rpdo& pdo, ServiceEvent& event) {
+void Rpdos::on_event(PdoService& service, Rpdo& pdo, ServiceEvent& event) {
   Rpdos& self = static_cast<Rpdos&>(service);
   switch (event.kind) {
     case ServiceEvent::reset:
-      // The emergency producer forgets errors of communication by itself.
+      // The emergency producer ends communication errors by itself.
       pdo.syncs_or_faults_ = 0;
       [[fallthrough]];
     case ServiceEvent::state_entered:
@@ -86,7 +86,7 @@ void Rpdos::told(PdoService& service, Rpdo& pdo, ServiceEvent& event) {
   }
 }
 
-// The short way of PDOs of which the values are nothing but bytes: a frame costs a copy.
+// Fast path for PDOs with plain bytes as values: a frame costs one copy.
 
 inline void Rpdos::copy(const Rpdo& pdo, const std::uint8_t* data) const {
   const MappedValue* values = values_of(pdo);
@@ -120,9 +120,9 @@ void Rpdos::receive_routed(void* context, const Frame& frame, Time now) {
   self.take_any(pdo, frame);
 }
 
-/// The way of those PDOs that need more than a copy. It leaves a note where the next one may take
-/// the short way: operational, taken at once, of the right length and without a fault, supervised
-/// already, and simply mapped; or else all but the last.
+/// Path for PDOs that need more than a copy. Records whether the next one may take the fast path:
+/// operational, taken at once, of the right length and without a fault, supervised already, and
+/// simply mapped; or all but the last.
 void Rpdos::take_any(Rpdo& pdo, const Frame& frame) {
   if (Pdo::has_plans && pdo.counts_or_goes_ && frame.length == pdo.length_ &&
       places_.value.revision == node_.dictionary().revision()) {
@@ -159,7 +159,7 @@ void Rpdos::take_any(Rpdo& pdo, const Frame& frame) {
   take(pdo, frame.data);
 }
 
-/// Raises and clears what the length of a received PDO and its coming at all mean. An error may end
+/// Raises and clears the faults of a received PDO for its length and its arrival. An error may end
 /// NMT state operational (1029h), and with it the reception.
 inline bool Rpdos::is_long_enough(Rpdo& pdo, std::uint8_t length) {
   if (length < pdo.length_) {
@@ -180,7 +180,7 @@ bool Rpdos::request(std::uint16_t number) {
   return node_.transmitter().send(Frame::remote_frame(pdo.can_id_, pdo.length_));
 }
 
-/// Deadlines are not moved at each reception, but looked at when the first was to be reached.
+/// Deadlines are not moved at each reception, but checked when the first one would be reached.
 inline void Rpdos::look_at_deadline(Rpdo& pdo) {
   if (!pdo.supervised_) return;
   const std::uint32_t left = time_left(pdo, period_of(pdo));
@@ -193,7 +193,7 @@ inline void Rpdos::look_at_deadline(Rpdo& pdo) {
 inline void Rpdos::parameter_written(const Entry& entry) {
   Rpdo* pdo = find(entry);
   if (pdo == nullptr || is_mapping(entry)) return;
-  // A PDO whose type by default is a reserved one begins to work with a better type.
+  // A PDO with a reserved type by default starts to work with a valid type.
   if (reload(*pdo)) pdo->holds_ = false;
   if (entry.sub == pdo_sub::event_timer) change_deadline(*pdo);
   if (pdo->is_active()) return;
@@ -249,8 +249,8 @@ void Rpdos::finish(std::uint16_t number, const MpdoAnswer& answer) {
   }
 }
 
-/// Tells of those that come or go. What was refused or is missing is named in the
-/// manufacturer-specific field of the emergency: PDO and object.
+/// Reports faults that appear or disappear. The manufacturer-specific field of the emergency
+/// contains the PDO and the object that was refused or is missing.
 inline void Rpdos::report(Rpdo& pdo, unsigned faults, std::uint32_t object) {
   const bool come = object != 0;
   const unsigned changed = faults & (come ? ~pdo.syncs_or_faults_ : pdo.syncs_or_faults_);
@@ -258,7 +258,7 @@ inline void Rpdos::report(Rpdo& pdo, unsigned faults, std::uint32_t object) {
   pdo.syncs_or_faults_ = static_cast<std::uint8_t>(pdo.syncs_or_faults_ ^ changed);
   pdo.simple_ = false;
   if constexpr (Pdo::has_plans) pdo.counts_or_goes_ = false;
-  // Their bits are in the order of these codes, of which the upper byte is the same.
+  // Their bits are in the order of these codes, which have the same upper byte.
   static constexpr std::uint8_t codes[] = {
       low_byte(emergency_code::pdo_too_short), low_byte(emergency_code::pdo_too_long),
       low_byte(emergency_code::protocol), low_byte(emergency_code::mpdo_destination),

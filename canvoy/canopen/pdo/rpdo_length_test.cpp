@@ -69,7 +69,7 @@ TEST(Rpdo, RaisesItsErrorAgainAfterAReset) {
   }
 }
 
-/// The error behaviour 1029h may end operational because of the very frame that is under way.
+/// The error behaviour 1029h may end operational because of the present frame.
 TEST(Rpdo, IsNotTakenWhereItsLengthErrorEndedOperational) {
   PdoNode node;
   Service service;

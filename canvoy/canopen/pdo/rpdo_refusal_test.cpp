@@ -8,7 +8,7 @@ namespace {
 using enum AbortCode;
 using Texts = std::vector<std::string>;
 
-/// A hook on 2062h that takes even numbers only, and notes what it sees.
+/// A hook on 2062h that accepts even numbers only, and records its calls.
 struct EvenOnly {
   explicit EvenOnly(PdoNode& node) : node_(node) {
     hook_.first = hook_.last = 0x2062;

@@ -97,7 +97,7 @@ TEST(Rpdo, SynchronousComesInTimeWhereNoSyncHasOpenedAWindowYet) {
   EXPECT_EQ(node.number(0x2010, 1), 1U);
 }
 
-/// Those that came in NMT state stopped were not heard.
+/// PDOs that came in NMT state stopped were not received.
 TEST(Rpdo, SynchronousComesInTimeBeforeTheFirstSyncAfterAReset) {
   for (const char* until : {"000#82 00", "000#02 00"}) {
     PdoNode node;

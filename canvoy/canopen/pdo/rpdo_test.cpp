@@ -212,7 +212,7 @@ TEST(Rpdo, WithoutMemoryForItsValuesRefusesTheirNumber) {
 TEST(Rpdo, IsRefusedWhereNoRouteIsLeft) {
   std::vector<std::uint8_t> bytes(pdo_tables.value_bytes);
   std::vector<ObjectState> states(pdo_tables.objects.size());
-  std::array<Router::Route, 1> routes;  // NMT has it
+  std::array<Router::Route, 1> routes;  // taken by NMT
   std::array<Frame, 4> backlog;
   const auto send = [](void*, const Frame&) { return true; };
   Node node(pdo_tables, {bytes, states, routes, backlog}, {nullptr, send, nullptr}, 5);
@@ -252,7 +252,7 @@ TEST(Rpdo, WorksFromItsDefaultsWhereTheyAreGood) {
   EXPECT_EQ(wire.node.dictionary().number(0x2000, 0), 0x2AU);
 }
 
-/// What a dictionary with a reserved transmission type has by default, or from a memory.
+/// Reserved transmission type of a dictionary, by default or from a memory.
 struct ReservedType {
   void restore(ResetScope) { dictionary.set_number(0x1400, 2, 250); }
   Dictionary& dictionary;

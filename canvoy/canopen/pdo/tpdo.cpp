@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 #include "canvoy/canopen/dictionary/object_index.hpp"
 
 namespace canvoy {
@@ -12,16 +12,16 @@ namespace {
 
 constexpr unsigned watchers_max = 32;  ///< bits of ObjectState::watchers
 
-/// Types that are sent because of an event, at once or at the next SYNC.
+/// True for types that are sent because of an event, at once or at the next SYNC.
 constexpr bool knows_events(std::uint8_t type) {
   return is_event_driven(type) || type == transmission_type::acyclic;
 }
 
-/// There may be hundreds of them, and much of what happens is nothing to any.
+/// There may be hundreds of TPDOs, and many events concern none of them.
 [[maybe_unused]] constexpr bool concerns_tpdos(ServiceEvent::Kind kind) {
   return kind == ServiceEvent::reset || kind == ServiceEvent::state_entered ||
          kind == ServiceEvent::values_changed || kind == ServiceEvent::tx_ready ||
-         kind == ServiceEvent::bus_recovered;
+         kind == ServiceEvent::bus_recovered || kind == ServiceEvent::value_set;
 }
 
 }  // namespace
@@ -31,15 +31,16 @@ constexpr PdoKind Tpdos::kind = {
     .mappable = Access::tpdo,
     .parameter_first = object_index::tpdo_parameter,
     .route = Pdo::has_routes ? &Tpdos::answer_routed : nullptr,
-    .told = &Tpdos::told,
+    .on_event = &Tpdos::on_event,
 };
 
-void Tpdos::told(NodeService& service, ServiceEvent& event) {
+void Tpdos::on_event(NodeService& service, ServiceEvent& event) {
   Tpdos& self = static_cast<Tpdos&>(service);
   if constexpr (!is_small_machine) {
     if (event.kind == ServiceEvent::sample) return self.sync(event.counter());
     if (event.kind == ServiceEvent::values_changed && self.values_changed(event)) return;
     if (event.kind == ServiceEvent::watch_asked) return self.find_watcher(event);
+    if (event.kind == ServiceEvent::value_set && self.value_set(event)) return;
   }
   if (event.kind == ServiceEvent::before_write) {
     return event.refuse(self.check_write(event.entry(), load_word(event.value())));
@@ -50,29 +51,32 @@ void Tpdos::told(NodeService& service, ServiceEvent& event) {
   }
   if constexpr (!is_small_machine) {
     if (!concerns_tpdos(event.kind)) return;
-    // The controller is ready again and again.
+    // The controller becomes ready again and again.
     if (event.kind == ServiceEvent::tx_ready && !std::exchange(self.any_waits_, false)) return;
   }
-  self.tell_each(event);
+  self.notify_each(event);
   if (event.kind != ServiceEvent::reset) return;
   self.reload_all();
   self.watch(~0U);
 }
 
-void Tpdos::told(PdoService& service, Tpdo& pdo, ServiceEvent& event) {
+void Tpdos::on_event(PdoService& service, Tpdo& pdo, ServiceEvent& event) {
   Tpdos& self = static_cast<Tpdos&>(service);
   if (!self.is_at_work(pdo) && event.kind > ServiceEvent::state_entered) return;
   switch (event.kind) {
     case ServiceEvent::reset:
     case ServiceEvent::state_entered:
       self.end(pdo);
-      // What is sent at the beginning may end it: an answer of the application, a full bus.
+      // A transmission at the beginning may end it: an answer of the application, a full bus.
       return self.begin(pdo);
     case ServiceEvent::bus_recovered:
     case ServiceEvent::values_changed:
       if (!knows_events(pdo.type_)) return;
       if (event.kind == ServiceEvent::bus_recovered) return self.bus_recovered(pdo);
       return self.values_changed(pdo, event.watchers());
+    case ServiceEvent::value_set:
+      if constexpr (!is_small_machine) self.value_set(pdo, event.entry(), event.number != 0);
+      return;
     case ServiceEvent::tx_ready:
       return self.tx_ready(pdo);
     case ServiceEvent::sample:
@@ -113,8 +117,8 @@ void Tpdos::restart_mpdos(MpdoMode mode) {
   }
 }
 
-/// Those that map one of the changed values, in the order of their numbers. False where it is not
-/// known which they are, or they are too many: then each one that could be is looked at.
+/// Handles TPDOs that map one of the changed values, in the order of their numbers. False if they
+/// are unknown, or too many: then each possible one is checked.
 [[gnu::flatten]] bool Tpdos::values_changed(const ServiceEvent& event) {
   if constexpr (is_small_machine) return false;
   if (!operational_) return true;
@@ -127,7 +131,7 @@ void Tpdos::restart_mpdos(MpdoMode mode) {
   for (std::size_t i = 0; i < changed.count; ++i) {
     unsigned value = values.first(changed.places[i]);
     for (; value != PlacesOfValues::nothing; value = values.next(value)) {
-      must_hold(value < unsigned{places_.value.share} * count_);
+      check_invariant(value < unsigned{places_.value.share} * count_);
       if (count == positions.size()) return false;
       positions[count++] = static_cast<std::uint16_t>(value / places_.value.share);
     }
@@ -141,7 +145,7 @@ void Tpdos::restart_mpdos(MpdoMode mode) {
   return true;
 }
 
-/// Of a value in a row that is watched. What multiplexed TPDOs send may be any of them.
+/// Finds the TPDOs for a value in a watched row. Multiplexed TPDOs may send any of them.
 void Tpdos::find_watcher(ServiceEvent& event) {
   if constexpr (is_small_machine) return;
   if (mpdos_ != nullptr) return event.want();
@@ -170,33 +174,68 @@ void Tpdos::find_values(PlacesOfValues values) {
   if (has_changed(pdo)) event(pdo);
 }
 
-/// Nothing is to be done with its values but to copy them.
+/// True if its values need copying only.
 inline bool Tpdos::is_plain(const Tpdo& pdo) const {
   return pdo.plan_ != Pdo::mixed && pdo.mode_ == 0 && is_event_driven(pdo.type_) &&
          !is_stale(pdo) && !before_transmit;
 }
 
-/// The short way of those: what is compared is what is sent.
+/// Fast path for such PDOs: the compared image is the one sent.
 inline void Tpdos::send_changed(Tpdo& pdo) {
   if (pdo.event_) return;
   PdoImage present{};
   pack(pdo, present, false);
-  if (present == pdo.image_ || keep_inhibited(pdo)) return;
+  if ((present == pdo.image_ && !has_event(pdo)) || keep_inhibited(pdo)) return;
   if (node_.transmitter().crowded()) return wait(pdo);
   pdo.image_ = present;
   pdo.sampled_ = true;
   transmit_sample(pdo);
 }
 
-/// The source of a multiplexed PDO finds out by itself what has changed.
+/// The source of a multiplexed PDO detects changes by itself.
 inline bool Tpdos::has_changed(const Tpdo& pdo) {
   if (pdo.mode_ == 0) return !pdo.event_ && differs(pdo);
-  tell_source(pdo, MpdoEvent::change);
+  notify_source(pdo, MpdoEvent::change);
   return true;
 }
 
-/// The values are no longer those that were sent or sampled.
+/// With an event it is sent at the next notification of changes, even if it carried the same last.
+/// Without one the value counts as sent: a later check of the PDO, for another value, finds no
+/// difference. The sample of a synchronous PDO stays unchanged, for remote frames.
+inline void Tpdos::value_set(Tpdo& pdo, const Entry& entry, bool is_event) {
+  if (!knows_events(pdo.type_) || pdo.mode_ != 0) return;
+  PdoImage present;
+  pack(pdo, present, false);
+  for_places(pdo, entry, [&](unsigned start, unsigned bits) {
+    if (is_event) pdo.holds_ = true;
+    if (is_event || !is_event_driven(pdo.type_)) return;
+    for (unsigned i = start; i < start + bits; ++i) {
+      const unsigned bit = 1U << i % 8;
+      std::uint8_t& byte = pdo.image_[i / 8];
+      byte = static_cast<std::uint8_t>((byte & ~bit) | (present[i / 8] & bit));
+    }
+  });
+}
+
+/// Those that map it. False where it is not known which they are.
+bool Tpdos::value_set(const ServiceEvent& event) {
+  if (is_small_machine || places_.value.share == 0) return false;
+  if (!operational_) return true;
+  const PlacesOfValues values(places_.value.values, unsigned{places_.value.share} * count_);
+  if (!places_.value.are_found) find_values(values);
+  const Entry& entry = event.entry();
+  unsigned value = values.first(node_.dictionary().place_of(entry).offset);
+  for (; value != PlacesOfValues::nothing; value = values.next(value)) {
+    Tpdo& pdo = pdos_[value / places_.value.share];
+    // One that maps it twice is told twice, and then nothing is left to be done.
+    if (is_at_work(pdo)) value_set(pdo, entry, event.number != 0);
+  }
+  return true;
+}
+
+/// The values are no longer those that were sent or sampled, or one has an event.
 bool Tpdos::differs(const Tpdo& pdo) {
+  if (has_event(pdo)) return true;
   PdoImage present;
   pack(pdo, present, false);
   if constexpr (!is_small_machine) return present != pdo.image_;
@@ -214,24 +253,24 @@ inline void Tpdos::tx_ready(Tpdo& pdo) {
   } else if (pdo.type_ == transmission_type::remote_synchronous || is_in_time()) {
     transmit_sample(pdo);
   } else {
-    // Too late for this SYNC. What an acyclic one has to tell it tells at the next.
+    // Too late for this SYNC. The event of an acyclic PDO is sent at the next.
     pdo.event_ = true;
   }
 }
 
-/// What waited for the controller when bus-off came was lost, and had been taken for sent; what has
-/// waited since then is no longer true.
+/// Frames that waited for the controller at bus-off were lost, although they counted as sent; later
+/// ones are outdated.
 inline void Tpdos::bus_recovered(Tpdo& pdo) {
   end(pdo);
   occur(pdo);
 }
 
-/// The synchronous window is open.
+/// True while the synchronous window is open.
 inline bool Tpdos::is_in_time() const {
   return sync_ == nullptr || sync_->is_window_open();
 }
 
-/// Those that wait for it; a host knows them.
+/// Handles the PDOs that wait for SYNC; a host has a set of them.
 [[gnu::flatten]] void Tpdos::sync(std::uint8_t counter) {
   if constexpr (is_small_machine) return;
   for_chosen([&](Tpdo& pdo) {
@@ -248,18 +287,20 @@ inline bool Tpdos::is_in_time() const {
   transmit_sample(pdo);
 }
 
-/// Counts the SYNC. The one that carries the SYNC start value is the first. An acyclic PDO needs an
-/// event; what this SYNC brought to RPDOs is one that nobody has announced yet.
+/// Counts the SYNC. The one with the SYNC start value is the first. An acyclic PDO needs an event;
+/// a change by this SYNC through RPDOs is one that is not yet reported.
 [[gnu::always_inline]] inline bool Tpdos::is_turn(Tpdo& pdo, std::uint8_t counter) {
   if (pdo.type_ == transmission_type::acyclic) {
-    return pdo.event_ || differs(pdo);
+    if constexpr (is_small_machine) return pdo.event_ || differs(pdo);
+    const bool is_told = (node_.dictionary().changes() & watcher_of(number_of(pdo))) == 0;
+    return pdo.event_ || (!is_told && differs(pdo));
   }
   if (!pdo.counts_or_goes_) {
     const std::uint32_t start = parameter(pdo, pdo_sub::sync_start, 0);
     if (start != 0 && counter != 0 && counter != start) return false;
     pdo.counts_or_goes_ = true;
   }
-  must_hold(pdo.syncs_or_faults_ < pdo.type_);
+  check_invariant(pdo.syncs_or_faults_ < pdo.type_);
   ++pdo.syncs_or_faults_;
   if (pdo.syncs_or_faults_ < pdo.type_) return false;
   pdo.syncs_or_faults_ = 0;
@@ -279,12 +320,12 @@ inline void Tpdos::parameter_written(const Entry& entry) {
   wake(*pdo);
 }
 
-/// Numbers are told apart modulo 32.
+/// Numbers are distinguished modulo 32.
 std::uint32_t Tpdos::watcher_of(std::uint16_t number) {
   return 1U << (number % watchers_max);
 }
 
-/// Has the objects of these PDOs watched, and no others for them.
+/// Sets the watchers of the objects of these PDOs, and of no others.
 void Tpdos::watch(std::uint32_t watchers) {
   if constexpr (is_small_machine) return;
   places_.value.are_found = false;
@@ -312,23 +353,24 @@ void Tpdos::begin(Tpdo& pdo) {
   const bool is_sent = may_begin_ == nullptr || may_begin_(node_.dictionary(), number_of(pdo));
   if (is_sent) return occur(pdo);
   pack(pdo, pdo.image_, false);
-  tell_source(pdo, MpdoEvent::begin);
+  notify_source(pdo, MpdoEvent::begin);
 }
 
-/// Nor does it leave later what found no room in the controller.
+/// Also cancels a transmission that found no room in the controller.
 void Tpdos::end(Tpdo& pdo) {
   node_.transmitter().drop(pdo.can_id_);
-  tell_source(pdo, MpdoEvent::end);
+  notify_source(pdo, MpdoEvent::end);
   pdo.syncs_or_faults_ = 0;
   pdo.sampled_ = pdo.sent_ = pdo.event_ = pdo.waiting_ = pdo.counts_or_goes_ = false;
+  if constexpr (!is_small_machine) pdo.holds_ = false;
 }
 
 bool Tpdos::is_inhibited(const Tpdo& pdo) const {
   return pdo.sent_ && PdoService::time_left(pdo, inhibit_time_of(pdo)) != 0;
 }
 
-/// Until the inhibit time is over for an event that waits, or the event timer expires; or until the
-/// time of the last transmission is to be forgotten, before it would seem to be near again.
+/// Time until the inhibit time is over for a waiting event, or the event timer expires; or until
+/// the time of the last transmission must be discarded, before its counter wraps around.
 std::uint32_t Tpdos::time_left(const Tpdo& pdo) const {
   constexpr std::uint32_t long_time = UINT32_MAX / 2;
   if (!is_event_driven(pdo.type_) || pdo.waiting_) return no_limit;
@@ -347,7 +389,7 @@ void Tpdos::wake(const Tpdo& pdo) {
   if (left != no_limit) wake_in(left);
 }
 
-/// Times are not moved at each transmission, but looked at when the first was to be over.
+/// Times are not moved at each transmission, but checked when the first one would be over.
 inline void Tpdos::look_at_time(Tpdo& pdo) {
   if (time_left(pdo) == 0) be_due(pdo);
   wake(pdo);
@@ -362,14 +404,14 @@ inline void Tpdos::be_due(Tpdo& pdo) {
   }
 }
 
-/// From here on times are counted, where no inhibit time forbids it.
+/// Restarts the times, unless an inhibit time forbids it.
 void Tpdos::begin_anew(Tpdo& pdo) {
   if (is_inhibited(pdo)) return;
   pdo.since_ = ticks();
   pdo.sent_ = false;
 }
 
-void Tpdos::tell_mpdos(const Tpdos& self, const Tpdo& pdo, MpdoEvent event) {
+void Tpdos::notify_mpdos(const Tpdos& self, const Tpdo& pdo, MpdoEvent event) {
   if (pdo.mode_ == 0) return;
   const MpdoSource& mpdos = *self.mpdos_;
   const std::uint16_t number = self.number_of(pdo);
@@ -377,9 +419,9 @@ void Tpdos::tell_mpdos(const Tpdos& self, const Tpdo& pdo, MpdoEvent event) {
   mpdos.calls->event(mpdos.source, number, pdo.mode(), event);
 }
 
-/// An event that is none of a value.
+/// Handles an event that does not come from a value.
 void Tpdos::occur(Tpdo& pdo) {
-  tell_source(pdo, MpdoEvent::all);
+  notify_source(pdo, MpdoEvent::all);
   event(pdo);
 }
 
@@ -391,7 +433,7 @@ void Tpdos::event(Tpdo& pdo) {
   }
 }
 
-/// An event is kept until the inhibit time is over.
+/// Keeps an event until the inhibit time is over.
 [[gnu::always_inline]] inline bool Tpdos::keep_inhibited(Tpdo& pdo) {
   if (!is_inhibited(pdo)) return false;
   pdo.event_ = true;
@@ -413,7 +455,7 @@ void Tpdos::answer_routed(void* context, const Frame&, Time) {
   transmit_sample(pdo);
 }
 
-/// Who is asked for values may end the PDO, by an invalid COB-ID or another NMT state: there is no
+/// A callback for values may end the PDO, by an invalid COB-ID or another NMT state: there is no
 /// sample then.
 void Tpdos::sample(Tpdo& pdo) {
   pdo.sampled_ = true;
@@ -422,11 +464,11 @@ void Tpdos::sample(Tpdo& pdo) {
   pack(pdo, pdo.image_, true);
 }
 
-/// Samples as late as can be: not before there is room for the frame.
+/// Samples as late as possible: not before there is room for the frame.
 void Tpdos::transmit(Tpdo& pdo) {
   pdo.event_ = false;
   if (node_.transmitter().crowded()) return wait(pdo);
-  if (pdo.mode_ != 0) return tell_source(pdo, MpdoEvent::transmit);
+  if (pdo.mode_ != 0) return notify_source(pdo, MpdoEvent::transmit);
   sample(pdo);
   transmit_sample(pdo);
 }
@@ -460,9 +502,10 @@ void Tpdos::transmit_sample(Tpdo& pdo) {
   frame.id = pdo.can_id_;
   frame.length = pdo.length_;
   frame.data = pdo.image_;
-  // Noted before it leaves: what answers it may come at once, and is inhibited by it or ends it.
+  // Recorded before it leaves: an answer may come at once, and is inhibited by it or ends it.
   pdo.since_ = ticks();
   pdo.sent_ = true;
+  if constexpr (!is_small_machine) pdo.holds_ = false;
   if (is_small_machine || pdo.has_times()) wake(pdo);
   if (node_.transmitter().send(frame)) return;
   pdo.sent_ = false;

@@ -113,12 +113,12 @@ TEST(Tpdo, ThatBecomesInvalidIsForgottenWithWhatWaitsForRoom) {
   node.expect({});
 }
 
-/// Fills controller and half of the backlog by TPDO 2: there is no room for process data.
+/// Fills the controller and half of the backlog by TPDO 2: there is no room for process data.
 void fill_controller(PdoNode& node) {
   node.full = true;
   for (unsigned i = 1; i <= 8; ++i) node.set(0x2000, 2, i);
 }
-/// The frames behind the 8 of fill_controller().
+/// The frames after the 8 of fill_controller().
 std::vector<std::string> empty_controller(PdoNode& node) {
   node.full = false;
   node.node.tx_ready(node.now);

@@ -141,7 +141,7 @@ TEST(Tpdo, SynchronousKnowsNoInhibitTime) {
   node.expect({"@0 185#00 00", "@0 185#00 00"});
 }
 
-/// CiA 301 does not say what a counter means that jumps, stands still or is out of its range.
+/// CiA 301 does not define the meaning of a counter that jumps, stands still or is out of range.
 TEST(Tpdo, TakesEverySyncForOneWhateverItsCounterIs) {
   PdoNode node;
   ASSERT_EQ(node.write(0x1019, 0, 10), none);

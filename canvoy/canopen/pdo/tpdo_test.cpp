@@ -200,7 +200,7 @@ TEST(Tpdo, HasItsDefaultsAgainAfterAReset) {
 TEST(Tpdo, IsRefusedWhereNoRouteForItsRemoteFramesIsLeft) {
   std::vector<std::uint8_t> bytes(pdo_tables.value_bytes);
   std::vector<ObjectState> states(pdo_tables.objects.size());
-  std::array<Router::Route, 1> routes;  // NMT has it
+  std::array<Router::Route, 1> routes;  // taken by NMT
   std::array<Frame, 4> backlog;
   const auto send = [](void*, const Frame&) { return true; };
   Node node(pdo_tables, {bytes, states, routes, backlog}, {nullptr, send, nullptr}, 5);

@@ -1,6 +1,6 @@
 #include "canvoy/canopen/remote/remote_access.hpp"
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 
 namespace canvoy {
 
@@ -36,13 +36,13 @@ void RemoteChannel::expired(Time /*now*/) {
   access_->expired(*this);
 }
 
-constexpr ServiceCalls RemoteAccess::service_calls = {
+constexpr ServiceHandlers RemoteAccess::service_calls = {
     .reset = method<&RemoteAccess::reset>, .state_entered = method<&RemoteAccess::state_entered>};
 
 RemoteAccess::RemoteAccess(Node& node, const Port& embedded, std::span<RemoteChannel> channels,
                            const RemoteSettings& settings)
     : node_(node), embedded_(embedded), channels_(channels), settings_(settings) {
-  must_hold(settings.indication >= least_free_command);
+  check_invariant(settings.indication >= least_free_command);
   for (RemoteChannel& channel : channels) channel.access_ = this;
   node.attach(service_);
 }
@@ -70,7 +70,7 @@ void RemoteAccess::receive(const Frame& frame, Time now) {
   node_.receive(frame, now);
 }
 
-/// False where it is for the node itself.
+/// False if it is for the node itself.
 bool RemoteAccess::take(RemoteChannel& channel, sdo::Message request) {
   const bool is_segment = channel.phase_ == Phase::block_download_data;
   if (!is_segment && request.first_byte() == settings_.indication) {
@@ -92,7 +92,7 @@ bool RemoteAccess::take(RemoteChannel& channel, sdo::Message request) {
       break;
     default:
       if (is_segment || !is_initiate(request)) break;
-      // Another transfer, of which nobody has said that it is with the device.
+      // Another transfer, without a selection of the device.
       give_up(channel);
       return false;
   }
@@ -117,7 +117,7 @@ void RemoteAccess::indicate(RemoteChannel& channel, sdo::Message request) {
     // Its default server has one client at a time.
     if (other.target_ == device) return refuse(channel, AbortCode::device_state);
   }
-  // What the client has left unfinished with the node itself would be told in between.
+  // An unfinished transfer of the client with the node itself would interfere.
   const sdo::Message left_off = {sdo::Multiplexer(), AbortCode::general};
   node_.receive(left_off.frame(ids_of(channel).request), node_.now());
   channel.target_ = device;
@@ -126,7 +126,7 @@ void RemoteAccess::indicate(RemoteChannel& channel, sdo::Message request) {
   answer(channel, request);
 }
 
-/// Whoever asks anew has given up what was under way.
+/// A new request of the client ends the transfer in progress.
 void RemoteAccess::give_up(RemoteChannel& channel) {
   if (channel.is_busy()) {
     send_behind(channel.target_, {channel.multiplexer_, AbortCode::general});
@@ -134,7 +134,7 @@ void RemoteAccess::give_up(RemoteChannel& channel) {
   end(channel);
 }
 
-/// False where the request begins nothing: the indication is spent all the same.
+/// False if the request begins nothing: the selection is used up nevertheless.
 bool RemoteAccess::begin(RemoteChannel& channel, sdo::Message request) {
   if (!is_initiate(request)) {
     end(channel);
@@ -217,7 +217,7 @@ bool RemoteAccess::is_end(RemoteChannel& channel, sdo::Message answer) {
   }
 }
 
-// What goes wrong.
+// Failures
 
 void RemoteAccess::expired(RemoteChannel& channel) {
   if (channel.phase_ == Phase::indicated) {
@@ -227,7 +227,7 @@ void RemoteAccess::expired(RemoteChannel& channel) {
   }
 }
 
-/// A device that boots knows nothing of a transfer.
+/// A device that boots has no record of a transfer.
 void RemoteAccess::lost(NodeId device) {
   for (RemoteChannel& channel : channels_) {
     if (!channel.is_busy() || channel.target_ != device) continue;
@@ -242,7 +242,7 @@ void RemoteAccess::reset(ResetScope /*scope*/) {
 void RemoteAccess::state_entered(NmtState state) {
   if (state == NmtState::stopped) drop_all();
 }
-/// The node may not say anything to its clients any more.
+/// The node may not send to its clients.
 void RemoteAccess::drop_all() {
   for (RemoteChannel& channel : channels_) {
     if (channel.is_busy()) {
@@ -276,7 +276,7 @@ void RemoteAccess::end(RemoteChannel& channel) {
   node_.timers().disarm(channel.timer_);
 }
 
-// Emergencies.
+// Emergencies
 
 void RemoteAccess::emergency(NodeId device, const Frame& frame) {
   if ((settings_.emergency_cob_id & RemoteSettings::invalid_cob_id) != 0) return;
@@ -291,12 +291,12 @@ void RemoteAccess::emergency(NodeId device, const Frame& frame) {
   told.data[3] = static_cast<std::uint8_t>(settings_.network);
   told.data[4] = device;
   for (std::size_t i = 5; i < Frame::length_max; ++i) told.data[i] = frame.data[i - 2];
-  if (!inhibit_.armed()) return tell(told);
+  if (!inhibit_.armed()) return notify(told);
   waiting_[(first_ + count_) % waiting_max] = told;
   ++count_;
 }
 
-void RemoteAccess::tell(const Frame& frame) {
+void RemoteAccess::notify(const Frame& frame) {
   ++counters_.emergencies;
   node_.transmitter().send(frame);
   node_.timers().arm(inhibit_, node_.now() + settings_.emergency_inhibit);
@@ -307,7 +307,7 @@ void RemoteAccess::may_tell(Time /*now*/) {
   const Frame& next = waiting_[first_];
   first_ = (first_ + 1) % waiting_max;
   --count_;
-  tell(next);
+  notify(next);
 }
 
 sdo::Message remote_indication(const RemoteSettings& settings, std::uint16_t network,

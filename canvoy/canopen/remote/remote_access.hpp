@@ -1,22 +1,22 @@
-// Devices on a second bus behind a node: a host reaches their dictionaries by SDO through the node,
-// and hears their emergencies (multi-level networking, CiA 302-7; CiA 852, 5.2).
+// Devices on a second bus behind a node: a host accesses their dictionaries by SDO through the
+// node, and receives their emergencies (multi-level networking, CiA 302-7; CiA 852, 5.2).
 //
 //     std::array<RemoteChannel, 1> channels;
 //     RemoteAccess access(node, embedded_port, channels, {.network = 2});
 //     access.receive(frame, now);            // of the host's bus, in place of node.receive()
 //     access.receive_embedded(frame, now);   // of the bus behind it
 //
-// The text of CiA 302-7 is not at hand. What is done is what it is known to do, and the numbers by
-// which it is done are settings. Our reading of the services:
+// The text of CiA 302-7 is not available. The implementation follows its known behaviour; the
+// numbers are settings. Interpretation of the services:
 //
-// A client says on its channel to the node with which device it wants to speak: a frame of eight
+// A client selects, on its channel to the node, the device of its next transfer: a frame of eight
 // bytes with the command `indication`, the number of the network (two bytes), the node-ID, and
-// zeros. The node says the same, or aborts. The next transfer on this channel, and only that, is
+// zeros. The node answers with the same frame, or aborts. Only the next transfer on this channel is
 // with this device: each of its frames is passed on to the device's default SDO server and back, so
-// that segments and blocks work without memory here. If nothing comes within the time-out, the next
-// request is refused (time_out) rather than given to the node itself.
+// that segments and blocks work without memory here. If no transfer begins within the time-out, the
+// next request is refused (time_out) instead of being served by the node itself.
 //
-// An emergency of a device is told with the COB-ID `emergency_cob_id`: error code, error register,
+// An emergency of a device is sent with the COB-ID `emergency_cob_id`: error code, error register,
 // network (its low byte), node-ID, and the first three manufacturer-specific bytes.
 #pragma once
 
@@ -24,7 +24,7 @@
 #include <cstdint>
 #include <span>
 
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 #include "canvoy/canopen/sdo/sdo.hpp"
 #include "canvoy/canopen/sdo/sdo_channel.hpp"
 
@@ -34,9 +34,9 @@ struct RemoteSettings {
   std::uint16_t network = 2;       ///< of the bus behind the node
   std::uint8_t indication = 0xE0;  ///< a command that SDO does not use: E0h to FFh
   std::uint32_t emergency_cob_id = invalid_cob_id;
-  /// How long the device or the client may be silent in a transfer: shorter than clients wait.
+  /// Limit of the silence of device or client in a transfer: shorter than the time-out of clients.
   Duration time_out = std::chrono::milliseconds(800);
-  /// Emergencies are told no faster than this.
+  /// Least time between two emergencies.
   Duration emergency_inhibit = std::chrono::milliseconds(10);
 
   static constexpr std::uint32_t invalid_cob_id = 0x8000'0000;
@@ -44,11 +44,11 @@ struct RemoteSettings {
 
 class RemoteAccess;
 
-/// A channel of the node that clients use, and what is under way on it.
+/// A channel of the node for clients, and its present transfer.
 class RemoteChannel {
  public:
   RemoteChannel() = default;
-  /// Of one beside the default channel.
+  /// Makes a channel other than the default one.
   explicit RemoteChannel(SdoChannel ids) : ids_(ids) {}
   RemoteChannel(const RemoteChannel&) = delete;
   RemoteChannel& operator=(const RemoteChannel&) = delete;
@@ -59,13 +59,13 @@ class RemoteChannel {
   enum class Phase : std::uint8_t {
     idle,
     indicated,  ///< the next transfer is with `target_`
-    expired,    ///< it was, and did not come
+    expired,    ///< the selection has expired without a transfer
     download,
     upload,
     block_upload,
-    block_upload_data,  ///< what the device sends are segments without a command
+    block_upload_data,  ///< the device sends segments without a command
     block_download,
-    block_download_data,  ///< what the client sends are
+    block_download_data,  ///< the client sends segments without a command
   };
 
   bool is_busy() const { return phase_ >= Phase::download; }
@@ -83,24 +83,24 @@ class RemoteChannel {
 class RemoteAccess {
  public:
   struct Counters {
-    std::uint32_t transfers = 0;         ///< begun with devices behind
-    std::uint32_t emergencies = 0;       ///< told
-    std::uint32_t emergencies_lost = 0;  ///< came faster than they may be told, or in NMT stopped
+    std::uint32_t transfers = 0;         ///< begun with devices behind the node
+    std::uint32_t emergencies = 0;       ///< sent
+    std::uint32_t emergencies_lost = 0;  ///< faster than they may be sent, or in NMT stopped
   };
 
-  /// What it refers to must outlive it; it is made before the node starts. The first channel is the
-  /// default one where it has no COB-IDs.
+  /// Makes the service, before the node starts. Its arguments must outlive it. The first channel is
+  /// the default one if it has no COB-IDs.
   RemoteAccess(Node& node, const Port& embedded, std::span<RemoteChannel> channels,
                const RemoteSettings& settings);
   RemoteAccess(const RemoteAccess&) = delete;
   RemoteAccess& operator=(const RemoteAccess&) = delete;
 
-  /// A frame of the host's bus: what is not for a device behind, the node gets.
+  /// Takes a frame of the host's bus: the node gets it unless it is for a device behind.
   void receive(const Frame& frame, Time now);
-  /// A frame of the bus behind.
+  /// Takes a frame of the bus behind.
   void receive_embedded(const Frame& frame, Time now);
 
-  // As those of the node.
+  // Like those of the node.
   void start(Time now) { node_.start(now); }
   void overrun(Time now) { node_.overrun(now); }
   void advance(Time now) { node_.advance(now); }
@@ -138,7 +138,7 @@ class RemoteAccess {
   void end(RemoteChannel& channel);
 
   void emergency(NodeId device, const Frame& frame);
-  void tell(const Frame& frame);
+  void notify(const Frame& frame);
   void may_tell(Time now);
 
   Node& node_;
@@ -150,12 +150,12 @@ class RemoteAccess {
   std::size_t first_ = 0;
   std::size_t count_ = 0;
   Timer inhibit_{Callback<void(Time)>::to<&RemoteAccess::may_tell>(*this)};
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
 };
 
-/// The frame by which a client says, on its channel to a node, with whom its next transfer is; the
-/// node confirms by the same bytes.
+/// The frame by which a client selects, on its channel to a node, the device of its next transfer;
+/// the node confirms it with the same bytes.
 sdo::Message remote_indication(const RemoteSettings& settings, std::uint16_t network,
                                NodeId device);
 

@@ -1,5 +1,5 @@
-// Both buses of a node with devices behind it, byte for byte. Frames of SDO are those of CiA 301,
-// 7.2.4.3; the indication and the emergency are those of remote_access.hpp.
+// Both buses of a node with devices behind it, byte for byte. SDO frames follow CiA 301, 7.2.4.3;
+// the selection of a device and the emergency follow remote_access.hpp.
 #include "canvoy/canopen/remote/remote_access.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ struct Module : testing::Test {
     EXPECT_EQ(behind, frames);
     behind.clear();
   }
-  /// Node 7 of network 2 is wanted next, which is confirmed.
+  /// Selects node 7 of network 2 for the next transfer, and checks the confirmation.
   void indicate() {
     from_host("605#E0 02 00 07 00 00 00 00");
     host.expect({"585#E0 02 00 07 00 00 00 00"});
@@ -119,8 +119,8 @@ TEST_F(RemoteSdo, SegmentsArePassedOnUntilTheLast) {
   expect_works();
 }
 
-/// E0h is the last segment of a block, number 96, and no indication there; C1h is number 65, and no
-/// end.
+/// E0h is the last segment of a block, number 96, and not a selection there; C1h is number 65, and
+/// not an end.
 TEST_F(RemoteSdo, SegmentsOfABlockDownloadMayLookLikeAnything) {
   indicate();
   from_host("605#C2 08 10 00 0E 00 00 00");
@@ -139,7 +139,7 @@ TEST_F(RemoteSdo, SegmentsOfABlockDownloadMayLookLikeAnything) {
   expect_works();
 }
 
-/// 43h to 5Fh are segments 67 to 95, and no expedited answers; 01h is the first, and not the last.
+/// 43h to 5Fh are segments 67 to 95, and not expedited answers; 01h is the first, and not the last.
 TEST_F(RemoteSdo, SegmentsOfABlockUploadMayLookLikeAnything) {
   indicate();
   from_host("605#A0 08 10 00 7F 00 00 00");
@@ -257,7 +257,7 @@ TEST_F(RemoteSdo, ADeviceThatBootsHasForgottenTheTransfer) {
   expect_works();
 }
 
-/// What was meant for a device must not reach the node itself.
+/// A request for a device must not reach the node itself.
 TEST_F(RemoteSdo, ARequestThatComesTooLateIsForNobody) {
   indicate();
   host.run_until(Time(800ms));
@@ -266,7 +266,7 @@ TEST_F(RemoteSdo, ARequestThatComesTooLateIsForNobody) {
   host.expect({"585#80 01 20 00 00 00 04 05"});
   EXPECT_EQ(value_of(host.node, 0x2001), std::vector<std::uint8_t>{0});
   from_host("605#2F 01 20 00 05 00 00 00");
-  host.expect({"585#60 01 20 00 00 00 00 00"}) /* the next one is meant for it */;
+  host.expect({"585#60 01 20 00 00 00 00 00"}) /* the next request is for it */;
 }
 
 TEST_F(RemoteSdo, AnIndicationIsForTheNextRequestOnly) {
@@ -286,7 +286,7 @@ TEST_F(RemoteSdo, WhoBeginsAnewHasGivenUpTheOldTransfer) {
   behind.clear();
   from_host("605#40 00 10 00 00 00 00 00");
   expect_behind({"607#80 08 10 00 00 00 00 08"});
-  host.expect({"585#43 00 10 00 A2 01 02 00"}) /* of the node: nobody said otherwise */;
+  host.expect({"585#43 00 10 00 A2 01 02 00"}) /* of the node: no device was selected */;
   indicate();
   from_host("605#40 08 10 00 00 00 00 00");
   behind.clear();
@@ -296,7 +296,7 @@ TEST_F(RemoteSdo, WhoBeginsAnewHasGivenUpTheOldTransfer) {
   expect_behind({"607#40 01 64 01 00 00 00 00"});
 }
 
-/// The node's server would tell of its own time-out in the midst of the device's answers.
+/// The node's server would report its own time-out among the device's answers.
 TEST_F(RemoteSdo, WhatTheClientHasLeftUnfinishedWithTheNodeItselfIsOver) {
   from_host("605#40 08 20 00 00 00 00 00");
   host.expect({"585#41 08 20 00 08 00 00 00"});
@@ -356,7 +356,7 @@ TEST_F(RemoteSdo, ADeviceHasOneClientAtATime) {
   from_host("615#E0 02 00 07 00 00 00 00");
   host.expect({"595#E0 02 00 07 00 00 00 00"});
   from_host("605#40 00 10 00 00 00 00 00");
-  host.expect({"585#43 00 10 00 A2 01 02 00"}) /* the other client goes on with the node */;
+  host.expect({"585#43 00 10 00 A2 01 02 00"}) /* the other client continues with the node */;
 }
 
 // Emergencies.
@@ -396,7 +396,7 @@ TEST_F(RemoteEmergency, IsNotToldByANodeThatIsStopped) {
 
 // With whole clients and servers.
 
-/// A client on the host's bus, the node, and a device behind it: what is sent arrives at once.
+/// A client on the host's bus, the node, and a device behind it: frames arrive at once.
 class RemotePath {
  public:
   RemotePath() {
@@ -404,7 +404,7 @@ class RemotePath {
     client.receive("000#01 00");
   }
 
-  /// The outcome of a transfer of node 7 behind node 5.
+  /// Runs a transfer with node 7 behind node 5; returns its outcome.
   void run() {
     for (int i = 0; i < 100'000 && sdo.busy(); ++i) {
       if (!deliver()) {
@@ -487,7 +487,7 @@ TEST(RemotePath, LongValuesComeWholeInSegmentsAndInBlocks) {
   }
 }
 
-/// Whatever both sides send, in any order and at any time: no crash, and after it all it works.
+/// Both sides send any frames, in any order and at any time: no crash, and afterwards all works.
 TEST_F(RemoteSdo, BearsWhateverBothSidesSend) {
   Random random(1);
   constexpr std::uint32_t ids[] = {0x605, 0x615, 0x587, 0x588, 0x087, 0x707, 0x000, 0x080};
@@ -519,7 +519,7 @@ TEST_F(RemoteSdo, BearsWhateverBothSidesSend) {
   is_full = false;
   host.receive("000#80 05");
   host.run_for(10s);
-  from_host("605#40 00 10 00 00 00 00 00");  // takes the refusal of an indication that was late
+  from_host("605#40 00 10 00 00 00 00 00");  // receives the refusal of a late selection
   host.sent.clear();
   expect_works();
 }

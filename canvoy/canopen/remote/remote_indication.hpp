@@ -1,6 +1,6 @@
-// The client's half of remote_access.hpp: says to a node with which of the devices behind it the
-// next transfer is. When that is confirmed, an SdoClient of the same node makes the transfer as if
-// it were with the node itself.
+// The client's part of remote_access.hpp: selects the device behind a node for the next transfer.
+// After the confirmation, an SdoClient of the same node makes the transfer as if it were with the
+// node itself.
 //
 //     RemoteIndication indication(host, {.network = 2});
 //     indication.begin(10, 7, Callback<void(SdoEnd)>::to<&Host::may_ask>(*this), 100ms);
@@ -14,19 +14,20 @@ namespace canvoy {
 
 class RemoteIndication {
  public:
-  /// Done, or why it is not confirmed: aborted by the node, or no answer.
+  /// Called at the end: done, or the reason: aborted by the node, or no answer.
   using Done = Callback<void(SdoEnd)>;
 
-  /// `node` must outlive this.
+  /// Makes the object; `node` must outlive it.
   RemoteIndication(Node& node, const RemoteSettings& settings) : node_(node), settings_(settings) {}
   RemoteIndication(const RemoteIndication&) = delete;
   RemoteIndication& operator=(const RemoteIndication&) = delete;
 
-  /// To `module`, on its default channel, of `device` behind it. Otherwise than none it was not
-  /// begun, and `done` is not called: device_state (another one is under way, or the frame was
-  /// refused), no_sdo_connection (no such node-IDs), out_of_memory (the node has no route left).
+  /// Selects `device` behind `module`, on the default channel of `module`. With a result other than
+  /// none it was not begun, and `done` is not called: device_state (another one is under way, or
+  /// the frame was refused), no_sdo_connection (no such node-IDs), out_of_memory (the node has no
+  /// free route).
   AbortCode begin(NodeId module, NodeId device, Done done, Duration time_out);
-  /// `done` is not called.
+  /// Ends it without a call of `done`.
   void cancel();
   bool busy() const { return timer_.armed(); }
 

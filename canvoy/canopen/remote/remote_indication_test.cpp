@@ -1,4 +1,5 @@
-// What a client says before it asks a device behind a node, byte for byte (remote_access.hpp).
+// The message of a client before a transfer with a device behind a node, byte for byte
+// (remote_access.hpp).
 #include "canvoy/canopen/remote/remote_indication.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +10,7 @@
 namespace canvoy::remote_indication_test {
 namespace {
 
-/// Node 5 asks node 10 for node 7 of network 2.
+/// Node 5 selects node 7 of network 2 at node 10.
 struct RemoteIndications : testing::Test {
   RemoteIndications() { client.boot(); }
 

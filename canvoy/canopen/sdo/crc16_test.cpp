@@ -6,12 +6,12 @@
 #include <string_view>
 #include <vector>
 
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 
 namespace canvoy::crc16_test {
 namespace {
 
-/// Bit by bit, as the definition says it.
+/// Bit by bit, as defined.
 std::uint16_t crc16_by_definition(std::span<const std::uint8_t> bytes) {
   std::uint16_t crc = 0;
   for (const std::uint8_t byte : bytes) {

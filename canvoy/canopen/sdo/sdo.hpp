@@ -1,4 +1,4 @@
-// The messages of SDO: eight bytes, taken apart and put together in a register (CiA 301, 7.2.4.3).
+// The messages of SDO: eight bytes, taken apart and assembled in a register (CiA 301, 7.2.4.3).
 //
 //     sdo::Message request(frame);
 //     if (request.request() == sdo::Request::initiate_upload) look_up(request.multiplexer());
@@ -14,13 +14,13 @@
 
 #include "canvoy/can/frame.hpp"
 #include "canvoy/can/machine.hpp"
-#include "canvoy/canopen/dictionary/abort_code.hpp"
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/protocol/abort_code.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 #include "canvoy/canopen/sdo/crc16.hpp"
 
 namespace canvoy::sdo {
 
-/// What a client wants: the upper three bits of its first byte.
+/// Command of a client: the upper three bits of its first byte.
 enum class Request : std::uint8_t {
   download_segment = 0,
   initiate_download = 1,
@@ -31,7 +31,7 @@ enum class Request : std::uint8_t {
   block_download = 6,
 };
 
-/// What a server answers: the upper three bits of its first byte.
+/// Command of a server: the upper three bits of its first byte.
 enum class Response : std::uint8_t {
   upload_segment = 0,
   download_segment = 1,
@@ -42,12 +42,13 @@ enum class Response : std::uint8_t {
   block_upload = 6,
 };
 
-inline constexpr std::size_t expedited_max = 4;  ///< bytes of a value that need no segments
+inline constexpr std::size_t expedited_max = 4;  ///< bytes of a value that needs no segments
 inline constexpr std::size_t segment_max = 7;    ///< bytes in one segment
 inline constexpr std::uint8_t toggle_bit = 0x10;
-/// Where a register holds a whole segment, nearly all segments take a short way of their own: those
-/// of values in memory that are full and not the last one. What the others need is kept out of
-/// line, or the short way would have to save registers for it. On small machines code is dearer.
+/// If a register holds a whole segment, nearly all segments take a fast path: those of values in
+/// memory that are full and not the last one. The code for the others is kept out of line, since
+/// the fast path would otherwise have to save registers for it. On small machines code size matters
+/// more.
 inline constexpr bool has_short_way = !is_small_machine;
 
 /// The first byte of a message.
@@ -62,7 +63,7 @@ constexpr std::uint8_t command(Response response, unsigned flags = 0) {
 constexpr unsigned expedited(std::size_t size) {
   return static_cast<unsigned>((expedited_max - size) << 2) | 0x03U;
 }
-/// Flag of an initiate message that tells how many bytes follow in segments: e = 0, s = 1.
+/// Flag of an initiate message with the number of bytes that follow in segments: e = 0, s = 1.
 inline constexpr unsigned size_indicated = 0x01;
 /// Flags of a segment of `size` bytes: toggle bit, n unused bytes, c = no more follow.
 constexpr unsigned segment(std::uint8_t toggle, std::size_t size, bool last) {
@@ -71,22 +72,22 @@ constexpr unsigned segment(std::uint8_t toggle, std::size_t size, bool last) {
 
 inline constexpr std::uint8_t block_size_max = 127;  ///< segments in one block
 
-/// Messages of a block transfer: in the lower two bits of the first byte. Where a block is
-/// announced (initiate) or its end is told by the side that sends the data, the second bit means
-/// something else.
+/// Messages of a block transfer: in the lower two bits of the first byte. In a message that
+/// announces a block (initiate), or its end by the sender of the data, the second bit has another
+/// meaning.
 inline constexpr unsigned block_initiate = 0;
 inline constexpr unsigned block_end = 1;
 inline constexpr unsigned block_acknowledge = 2;
 inline constexpr unsigned block_start = 3;  ///< of an upload
 
-/// Flags of an initiate message of a block transfer: who sends it can do checksums; the size is
-/// told.
+/// Flags of an initiate message of a block transfer: the sender supports checksums; the size is
+/// indicated.
 inline constexpr unsigned block_crc = 0x04;
 inline constexpr unsigned block_size_indicated = 0x02;
-/// In the first byte of a block's segment, beside its number: no more follow.
+/// Flag in the first byte of a block's segment, beside its number: no more follow.
 inline constexpr std::uint8_t block_last = 0x80;
 
-/// What a transfer is about: bytes 1 to 3 of initiate and abort messages.
+/// Object of a transfer: bytes 1 to 3 of initiate and abort messages.
 class Multiplexer {
  public:
   constexpr Multiplexer() = default;
@@ -102,24 +103,25 @@ class Multiplexer {
   constexpr explicit Multiplexer(std::uint64_t message)
       : bits_(static_cast<std::uint32_t>(message) & 0xFFFF'FF00) {}
 
-  std::uint32_t bits_ = 0;  ///< where they stand in a message
+  std::uint32_t bits_ = 0;  ///< in their position in a message
 };
 
 class Message {
  public:
-  /// Of a frame with eight bytes.
+  /// Takes a frame with eight bytes.
   explicit Message(const Frame& frame) : Message(frame.data) {}
   explicit Message(const std::array<std::uint8_t, Frame::length_max>& bytes)
       : bits_(std::bit_cast<std::uint64_t>(bytes)) {}
 
-  /// `data` are bytes 4 to 7: data, a size, or an abort code.
+  /// Makes an initiate or abort message. `data` are bytes 4 to 7: data, a size, or an abort code.
   constexpr Message(std::uint8_t byte, Multiplexer mux, std::uint32_t data = 0)
       : bits_(byte | mux.bits_ | std::uint64_t{data} << 32) {}
   constexpr Message(Multiplexer mux, AbortCode code)
       : Message(command(Request::abort), mux, static_cast<std::uint32_t>(code)) {}
-  /// A confirmation of, or the request for a segment.
+  /// Makes a confirmation of a segment, or a request for one.
   constexpr explicit Message(std::uint8_t byte) : bits_(byte) {}
-  /// An acknowledgement of a block, or its end with a checksum: `low` is byte 1, `high` byte 2.
+  /// Makes an acknowledgement of a block, or its end with a checksum: `low` is byte 1, `high` byte
+  /// 2.
   constexpr Message(std::uint8_t byte, std::uint8_t low, std::uint8_t high)
       : bits_(byte | static_cast<unsigned>(low) << 8 | static_cast<unsigned>(high) << 16) {}
 
@@ -130,39 +132,42 @@ class Message {
   constexpr std::uint32_t value() const { return static_cast<std::uint32_t>(bits_ >> 32); }
   constexpr AbortCode abort_code() const { return static_cast<AbortCode>(value()); }
 
-  // Of an initiate message:
+  // For an initiate message:
   constexpr bool is_expedited() const { return (bits_ & 0x02) != 0; }
   constexpr bool has_size() const { return (bits_ & size_indicated) != 0; }
-  /// 1 to 4; only of an expedited message that has_size().
+  /// Size 1 to 4; only for an expedited message that has_size().
   constexpr std::size_t expedited_size() const { return expedited_max - (bits_ >> 2 & 0x03); }
 
-  // Of a segment:
+  // For a segment:
   constexpr std::uint8_t toggle() const {
     return static_cast<std::uint8_t>(first_byte() & toggle_bit);
   }
   constexpr bool is_last() const { return (bits_ & 0x01) != 0; }
-  /// 0 to 7.
+  /// Size 0 to 7.
   constexpr std::size_t segment_size() const { return segment_max - (bits_ >> 1 & 0x07); }
 
-  // Of block transfers:
+  // For block transfers:
   constexpr unsigned block_command() const { return first_byte() & 0x03U; }
   constexpr bool is_block_end() const { return (bits_ & block_end) != 0; }
   constexpr bool has_block_crc() const { return (bits_ & block_crc) != 0; }
   constexpr bool has_block_size() const { return (bits_ & block_size_indicated) != 0; }
-  /// Segments in the next block, as an initiate message tells it.
+  /// Number of segments in the next block, in an initiate message.
   constexpr std::uint8_t block_size() const { return static_cast<std::uint8_t>(bits_ >> 32); }
-  /// The protocol switch threshold: up to so many bytes, an upload may go on without blocks.
+  /// The protocol switch threshold: number of bytes up to which an upload may continue without
+  /// blocks.
   constexpr std::uint8_t switch_threshold() const { return static_cast<std::uint8_t>(bits_ >> 40); }
-  /// Of a segment: 1 to 127 where it is one.
+  /// Number of a segment: 1 to 127 if it is one.
   constexpr std::uint8_t sequence_number() const { return first_byte() & 0x7FU; }
   constexpr bool is_block_last() const { return (bits_ & block_last) != 0; }
-  /// Of an acknowledgement: the last segment that came in sequence, and the next block's segments.
+  /// In an acknowledgement: the last segment received in sequence, and the segments of the next
+  /// block.
   constexpr std::uint8_t acknowledged() const { return static_cast<std::uint8_t>(bits_ >> 8); }
   constexpr std::uint8_t next_block_size() const { return static_cast<std::uint8_t>(bits_ >> 16); }
-  /// Of the end: bytes of the last segment that are not data, and the checksum.
+  /// In the end message: bytes of the last segment that are not data, and the checksum.
   constexpr std::size_t block_unused() const { return bits_ >> 2 & 0x07; }
   constexpr std::uint16_t crc() const { return static_cast<std::uint16_t>(bits_ >> 8); }
-  /// Whether a segment could be the end that follows it: that has zeros behind its checksum.
+  /// True if a segment could be the end message that follows it, which has zeros after its
+  /// checksum.
   constexpr bool looks_like_block_end() const {
     return (first_byte() & 0xE3U) == command(Request::block_download, block_end) &&
            bits_ >> 24 == 0;
@@ -170,9 +175,9 @@ class Message {
 
   friend constexpr bool operator==(Message, Message) = default;
 
-  /// Of a segment with seven bytes of data: puts them there, and a zero behind them.
+  /// Stores the data of a segment with seven bytes, followed by a zero.
   void store_full_segment(std::uint8_t* to) const { store(to, bits_ >> 8); }
-  /// Of a segment: its checksum, behind that of the others.
+  /// Checksum of a segment, after that of the preceding ones.
   std::uint16_t segment_crc(std::size_t size, std::uint16_t crc) const {
     return crc16_of_segment(bits_, size, crc);
   }
@@ -181,8 +186,8 @@ class Message {
     return std::bit_cast<std::array<std::uint8_t, Frame::length_max>>(bits_);
   }
 
-  /// Written at once, as one vector where there are such: who copies it while its parts are still
-  /// on their way to memory would have to wait for them.
+  /// Frame with the message, written at once, as one vector if available: a reader that copies it
+  /// while its parts are still on their way to memory would have to wait for them.
   constexpr Frame frame(std::uint16_t can_id) const {
     if constexpr (is_small_machine) {
       return {.id = can_id, .length = Frame::length_max, .data = bytes()};
@@ -198,7 +203,7 @@ class Message {
   std::uint64_t bits_;
 };
 
-/// Copies what a segment carries. Nearly all of them are full: those need no call.
+/// Copies the data of a segment. Nearly all segments are full, and need no call.
 inline void copy_segment(std::span<const std::uint8_t> from, std::uint8_t* to) {
   if (has_short_way && from.size() == segment_max) {
     std::memcpy(to, from.data(), segment_max);
@@ -207,7 +212,7 @@ inline void copy_segment(std::span<const std::uint8_t> from, std::uint8_t* to) {
   }
 }
 
-/// The up to seven bytes that a segment carries, behind its first byte.
+/// Message with up to seven bytes of a segment, after its first byte.
 inline Message segment_message(std::uint8_t first_byte, std::span<const std::uint8_t> bytes) {
   if constexpr (is_small_machine) {
     std::array<std::uint8_t, Frame::length_max> message{first_byte};
@@ -226,15 +231,15 @@ inline Message segment_message(std::uint8_t first_byte, std::span<const std::uin
   return segment;
 }
 
-/// A full segment, of seven bytes that at least one more follows in memory.
+/// Message with a full segment; at least one more byte follows its seven in memory.
 inline Message full_segment_message(std::uint8_t first_byte, const std::uint8_t* bytes) {
   Message segment(first_byte);
   segment.bits_ |= load<std::uint64_t>(bytes) << 8;
   return segment;
 }
 
-/// The data of an expedited message, 1 to 4 bytes, as the register holds it; and back. No loop and
-/// no call: most of what SDO carries comes through here.
+/// Converts the data of an expedited message, 1 to 4 bytes, to the form of the register, and back.
+/// No loop and no call: most SDO data passes here.
 inline std::uint32_t pack(std::span<const std::uint8_t> bytes) {
   if constexpr (is_small_machine) return load_word(bytes);
   const std::uint8_t* from = bytes.data();

@@ -1,11 +1,11 @@
 #include "canvoy/canopen/sdo/sdo_block.hpp"
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 
 namespace canvoy {
 
 void SdoBlockSender::begin(std::uint8_t block_size, bool with_crc, const std::uint8_t* memory) {
-  must_hold(is_block_size(block_size));
+  check_invariant(is_block_size(block_size));
   *this = {};
   memory_ = memory;
   block_size_ = block_size;
@@ -17,7 +17,7 @@ AbortCode SdoBlockSender::acknowledge(sdo::Message acknowledgement) {
   if (arrived > sent_) return AbortCode::sequence_number;
   const bool all = arrived == sent_;
   const std::uint32_t end = all ? position_ : begin_ + arrived * std::uint32_t{sdo::segment_max};
-  must_hold(begin_ <= end && end <= position_);
+  check_invariant(begin_ <= end && end <= position_);
   if (with_crc_ && memory_ != nullptr) crc_ = crc16({memory_ + begin_, end - begin_}, crc_);
   done_ = ended_ && all;
   if (done_) return AbortCode::none;
@@ -39,9 +39,9 @@ void SdoBlockReceiver::begin(std::uint8_t block_size, bool with_crc, const std::
 }
 
 void SdoBlockReceiver::sum() {
-  must_hold(taken_ <= block_size_);
+  check_invariant(taken_ <= block_size_);
   if (!with_crc_ || memory_ == nullptr) return;
-  must_hold(summed_ <= written_);
+  check_invariant(summed_ <= written_);
   crc_ = crc16({memory_ + summed_, written_ - summed_}, crc_);
   summed_ = written_;
 }

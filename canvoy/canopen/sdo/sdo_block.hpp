@@ -1,4 +1,4 @@
-// The two ends of an SDO block transfer: who sends segments in blocks, and who takes and
+// The two ends of an SDO block transfer: one sends segments in blocks, the other takes and
 // acknowledges them. A server is one or the other, and so is a client (CiA 301, 7.2.4.3.9 to
 // 7.2.4.3.15).
 //
@@ -22,26 +22,26 @@ constexpr bool is_block_size(unsigned segments) {
   return segments >= 1 && segments <= sdo::block_size_max;
 }
 
-/// Numbers the segments of one block after the other, and says from where to go on when some of
-/// them were lost.
+/// Numbers the segments of one block after the other, and determines where to continue after lost
+/// segments.
 class SdoBlockSender {
  public:
-  /// Blocks in a row of which not one segment arrived; then it is in vain.
+  /// Number of successive blocks without one segment that arrived, after which the transfer fails.
   static constexpr std::uint8_t futile_max = 10;
 
-  /// A transfer begins, with a first block of `block_size` segments (1 to 127). `memory` has what
-  /// is sent, if anything has it whole until the end: then the checksum is made of it a block at a
+  /// Begins a transfer, with a first block of `block_size` segments (1 to 127). `memory` has the
+  /// data, if it stays complete there until the end: then the checksum is computed a block at a
   /// time.
   void begin(std::uint8_t block_size, bool with_crc, const std::uint8_t* memory);
 
-  /// The block is not yet sent whole.
+  /// True if the block is not yet sent completely.
   bool has_segments() const { return sent_ < block_size_ && !ended_; }
   /// Offset of the next segment's data.
   std::uint32_t position() const { return position_; }
-  /// All segments have arrived.
+  /// True if all segments have arrived.
   bool done() const { return done_; }
 
-  /// The next segment, with these bytes: fewer than 7 in the last one only.
+  /// Next segment, with these bytes: fewer than 7 in the last one only.
   sdo::Message segment(std::span<const std::uint8_t> bytes, bool last) {
     const auto number = static_cast<std::uint8_t>(++sent_ | (last ? sdo::block_last : 0U));
     const sdo::Message segment = sdo::segment_message(number, bytes);
@@ -55,71 +55,73 @@ class SdoBlockSender {
     return segment;
   }
 
-  /// The next segment, full, not the last one, and of what is in memory.
+  /// Next segment, full, not the last one, with data in memory.
   sdo::Message full_segment(const std::uint8_t* bytes) {
     position_ += static_cast<std::uint32_t>(sdo::segment_max);
     return sdo::full_segment_message(++sent_, bytes);
   }
 
-  /// Says nothing of this block, but is a copy of the acknowledgement before: more is acknowledged
-  /// than was sent, or it looks like that one (`looks_like_last`) before the block is sent whole.
+  /// True if an acknowledgement does not belong to this block, but is a copy of the one before: it
+  /// acknowledges more than was sent, or equals that one (`looks_like_last`) before the block is
+  /// sent completely.
   bool is_stale(sdo::Message acknowledgement, bool looks_like_last) const {
     const bool too_many = acknowledgement.acknowledged() > sent_;
     return has_segments() ? too_many || looks_like_last : too_many && looks_like_last;
   }
-  /// Begins the next block where this one was acknowledged. Aborts: sequence_number, block_size.
+  /// Handles the acknowledgement of this block, and begins the next. Aborts: sequence_number,
+  /// block_size.
   AbortCode acknowledge(sdo::Message acknowledgement);
 
-  /// What is told at the end, beside the command; the checksum is zero without.
+  /// Contents of the end message, beside the command; the checksum is zero if unused.
   unsigned end_flags() const { return sdo::block_end | static_cast<unsigned>(unused_) << 2; }
   std::uint16_t crc() const { return crc_; }
 
  private:
-  const std::uint8_t* memory_ = nullptr;  ///< what is sent, where it is whole in memory
+  const std::uint8_t* memory_ = nullptr;  ///< the data, if it is complete in memory
   std::uint32_t position_ = 0;
   std::uint32_t begin_ = 0;   ///< offset of the block
-  std::uint32_t summed_ = 0;  ///< the checksum goes to here: what is sent again counts once
+  std::uint32_t summed_ = 0;  ///< end of the checksum: data that is sent again counts once
   std::uint16_t crc_ = 0;
   std::uint8_t block_size_ = 0;
   std::uint8_t sent_ = 0;    ///< segments of this block
-  std::uint8_t unused_ = 0;  ///< bytes of the last segment
+  std::uint8_t unused_ = 0;  ///< unused bytes of the last segment
   std::uint8_t futile_ = 0;
   bool with_crc_ = false;
   bool ended_ = false;  ///< the last segment has been sent
   bool done_ = false;
 };
 
-/// Takes the segments that come in sequence. Only the end of the transfer tells how many bytes of
-/// the last one are data: it is kept until then. What does not go to memory, or finds no room
-/// there, is handed on when its successor has come.
+/// Takes the segments that arrive in sequence. Only the end of the transfer gives the number of
+/// data bytes in the last segment, which is kept until then. Data that does not go to memory, or
+/// finds no room there, is passed on when the next segment has arrived.
 class SdoBlockReceiver {
  public:
-  /// `memory` is where all that is taken is put, one after the other, if it stays there until the
-  /// end: then the checksum is made of it a block at a time.
+  /// Begins a transfer. `memory` is where all data is stored in sequence, if it stays there until
+  /// the end: then the checksum is computed a block at a time.
   void begin(std::uint8_t block_size, bool with_crc, const std::uint8_t* memory);
 
-  /// Whether nothing comes of a segment but that its seven bytes are taken: it is the next one, and
+  /// True if a segment requires only that its seven bytes are taken: it is the next one, and
   /// neither the last one nor the end of its block.
   bool is_plain(sdo::Message segment) const {
     return segment.first_byte() == taken_ + 1 && segment.first_byte() < block_size_;
   }
-  /// Whether a segment is the one that is waited for.
+  /// True if a segment is the expected one.
   bool is_next(sdo::Message segment) const {
     return segment.sequence_number() == taken_ + 1 && !ended_;
   }
-  /// Its bytes are in memory.
+  /// Counts a plain segment with its bytes in memory.
   void count_plain() {
     ++taken_;
     written_ += static_cast<std::uint32_t>(sdo::segment_max);
   }
 
-  /// What a segment brings about, in this order.
+  /// Effect of a segment, in this order.
   struct Step {
     AbortCode abort = AbortCode::none;
-    bool acknowledge = false;  ///< the block has come to its end
+    bool acknowledge = false;  ///< the block is complete
   };
-  /// `write` takes seven bytes and answers an abort code. Aborts: sequence_number (no number of
-  /// this block), those of `write`.
+  /// Takes a segment. `write` takes seven bytes and returns an abort code. Aborts: sequence_number
+  /// (not a number of this block), those of `write`.
   template <class Write>
   Step take(sdo::Message segment, Write write) {
     const std::uint8_t number = segment.sequence_number();
@@ -132,8 +134,8 @@ class SdoBlockReceiver {
     }
     return {AbortCode::none, number == block_size_ || segment.is_block_last()};
   }
-  /// The transfer ends, and of the last segment so many bytes are not data. Aborts: crc, those of
-  /// `write`.
+  /// Ends the transfer; `end` has the number of unused bytes in the last segment. Aborts: crc,
+  /// those of `write`.
   template <class Write>
   AbortCode finish(sdo::Message end, Write write) {
     const AbortCode answer = put(held_, sdo::segment_max - end.block_unused(), write);
@@ -142,26 +144,26 @@ class SdoBlockReceiver {
     return with_crc_ && end.crc() != crc_ ? AbortCode::crc : AbortCode::none;
   }
 
-  /// Whether the checksum of a message that looks like the end is that of all segments: of a copy
-  /// of the last segment it is that by chance alone. Without checksums the end has 0 there.
+  /// True if the checksum of a message that looks like the end is that of all segments: a copy of
+  /// the last segment has it by chance only. Without checksums the end has 0 there.
   bool is_right(sdo::Message end) const {
     const std::size_t size = sdo::segment_max - end.block_unused();
     return end.crc() == (with_crc_ ? held_.segment_crc(size, crc_) : 0);
   }
 
-  /// The acknowledgement of this block; what follows is the next.
+  /// Acknowledgement of this block; the next block follows.
   sdo::Message acknowledge(std::uint8_t command) {
     sum();
     return {command, std::exchange(taken_, std::uint8_t{0}), block_size_};
   }
-  /// The last segment has come.
+  /// True if the last segment has arrived.
   bool ended() const { return ended_; }
-  /// Something of this block has come.
+  /// True if a part of this block has arrived.
   bool has_some() const { return taken_ != 0; }
 
  private:
   bool is_in_memory() const { return memory_ != nullptr; }
-  /// What memory has room for is put there at once.
+  /// Stores at once what memory has room for.
   template <class Write>
   AbortCode keep(sdo::Message segment, Write write) {
     const bool at_once = is_in_memory() && !holds_ && !ended_;
@@ -189,7 +191,7 @@ class SdoBlockReceiver {
   std::uint32_t summed_ = 0;   ///< bytes in memory that the checksum covers
   std::uint16_t crc_ = 0;
   std::uint8_t block_size_ = 0;
-  std::uint8_t taken_ = 0;  ///< the last segment of this block that came in sequence
+  std::uint8_t taken_ = 0;  ///< last segment of this block that arrived in sequence
   bool with_crc_ = false;
   bool holds_ = false;
   bool ended_ = false;

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 
 namespace canvoy {
 
-constexpr ServiceCalls SdoBlockClient::service_calls = {.tx_ready =
-                                                            method<&SdoBlockClient::send_segments>};
+constexpr ServiceHandlers SdoBlockClient::service_calls = {
+    .tx_ready = method<&SdoBlockClient::send_segments>};
 
 SdoBlockClient::SdoBlockClient(SdoClient& client, std::span<std::uint8_t> buffer,
                                std::uint8_t block_size)
@@ -45,9 +45,9 @@ inline void SdoBlockClient::ask(Phase phase, sdo::Message message) {
   client_.send(message);
 }
 
-/// The server may wait as we do, where the end of a block was lost. Of a block of which nothing has
-/// come we cannot tell whether it is the acknowledgement before that was lost: to ask for it again
-/// may bring the block before for the second time, which only a size that was told is sure to tell.
+/// The server may be waiting as well, if the end of a block was lost. If nothing of a block has
+/// arrived, the acknowledgement before may have been lost: a repeated one may bring the block
+/// before for the second time, which only an announced size is sure to reveal.
 bool SdoBlockClient::expired() {
   if (may_be_over_) {
     end_upload(last_);
@@ -89,7 +89,7 @@ void SdoBlockClient::receive_message(sdo::Message answer) {
   if (answer != last_) client_.fail(AbortCode::command_specifier);
 }
 
-/// A server that knows no blocks says so by the code for commands that it does not know.
+/// A server without block transfers answers with the abort code for unknown commands.
 void SdoBlockClient::aborted_by_server(sdo::Message answer) {
   const bool initiated = phase_ == Phase::upload_initiated || phase_ == Phase::download_initiated;
   if (!initiated) return client_.aborted_by_server(answer);
@@ -102,8 +102,7 @@ void SdoBlockClient::aborted_by_server(sdo::Message answer) {
   phase_ == Phase::upload_initiated ? client_.begin_upload() : client_.begin_download();
 }
 
-/// No protocol switch threshold is told: there are servers that take it for a part of the block
-/// size.
+/// No protocol switch threshold is sent: some servers take it for a part of the block size.
 bool SdoBlockClient::initiate_upload() {
   const bool is_long = client_.sink_ || client_.destination_.size() > segmented_max;
   if (!wanted(is_long)) return false;
@@ -113,7 +112,7 @@ bool SdoBlockClient::initiate_upload() {
   return true;
 }
 
-/// A server that goes on without blocks finds the value short enough for that.
+/// A server that continues without blocks considers the value short enough for that.
 void SdoBlockClient::upload_initiated(sdo::Message answer) {
   if (answer.multiplexer() != client_.multiplexer_) return;
   if (answer.response() == sdo::Response::initiate_upload) {
@@ -157,7 +156,7 @@ void SdoBlockClient::acknowledge() {
       receiver_.acknowledge(sdo::command(sdo::Request::block_upload, sdo::block_acknowledge)));
 }
 
-/// Which may look like the end: then checksum and size tell, or whether another end follows.
+/// It may look like the end: then checksum and size decide, or whether another end follows.
 void SdoBlockClient::take_copy_of_last_segment() {
   if (!last_.looks_like_block_end() || !receiver_.is_right(last_)) return;
   if (client_.announced_) {
@@ -236,9 +235,9 @@ inline void SdoBlockClient::send_segment() {
   client_.send(sender_.segment(*bytes, reached && client_.nothing_follows_));
 }
 
-/// What a supply gave comes from the buffer again where it was lost.
+/// Lost data of a supply comes from the buffer again.
 Result<std::span<const std::uint8_t>> SdoBlockClient::fetch(std::span<std::uint8_t> memory) {
-  must_hold(sender_.position() - block_begin_ <= buffer_.size());
+  check_invariant(sender_.position() - block_begin_ <= buffer_.size());
   const auto place = buffer_.subspan(sender_.position() - block_begin_);
   const std::size_t kept = client_.transferred_ - sender_.position();
   if (kept != 0 || client_.nothing_follows_) {
@@ -265,7 +264,7 @@ void SdoBlockClient::download_acknowledged(sdo::Message answer) {
                    static_cast<std::uint8_t>(crc), static_cast<std::uint8_t>(crc >> 8)));
 }
 
-/// To the beginning of a block: what was given before that is not needed any more.
+/// Goes to the beginning of a block: earlier data is not needed any more.
 void SdoBlockClient::go_back(std::uint32_t block) {
   if (client_.supply_) {
     const auto kept = buffer_.first(client_.transferred_ - block_begin_);

@@ -1,5 +1,5 @@
-// SDO block transfers for a client: up to 127 segments are acknowledged at once, and a checksum
-// tells whether all is well (CiA 301, 7.2.4.3.9 to 7.2.4.3.15).
+// SDO block transfers of a client: one acknowledgement for up to 127 segments, and a checksum over
+// all data (CiA 301, 7.2.4.3.9 to 7.2.4.3.15).
 //
 //     SdoClient client(node);
 //     std::array<std::uint8_t, SdoBlockClient::buffer_size> buffer;
@@ -16,37 +16,37 @@
 
 namespace canvoy {
 
-/// Which transfers go in blocks is the client's choice (SdoClient::choose). Where it chooses
-/// itself, those do that are longer than a few segments, or of unknown length; and a server that
-/// refuses is asked again without blocks, and in segments from then on.
+/// Adds block transfers to a client, which selects them by SdoClient::choose. With automatic,
+/// transfers longer than a few segments, or of unknown length, use blocks; if a server refuses, the
+/// request is repeated in segments, which that server gets from then on.
 ///
-/// A copy of the answer that was taken last is no answer, whatever it looks like.
+/// A copy of the last answer is not an answer, whatever it looks like.
 ///
-/// Data goes out as fast as the controller takes frames, and not more than one waits in the node.
+/// Data is sent as fast as the controller takes frames, and no more than one waits in the node.
 class SdoBlockClient {
  public:
-  /// The data of one block of 127 segments.
+  /// Size of one block of 127 segments.
   static constexpr std::size_t buffer_size = sdo::block_size_max * sdo::segment_max;
-  /// Values of up to so many bytes go in segments, unless blocks are asked for.
+  /// Values of up to so many bytes use segments, unless blocks are requested.
   static constexpr std::size_t segmented_max = 63;
 
-  /// What a Supply gave is kept in `buffer` until the server has it. With less than buffer_size
-  /// bytes there, only downloads from memory go in blocks. Uploads are asked for in blocks of
-  /// `block_size` segments, 1 to 127. `client` and `buffer` must outlive this,
-  /// and `client` is not used without it any more.
+  /// Makes the extension. Data of a Supply is kept in `buffer` until the server has it. With less
+  /// than buffer_size bytes there, only downloads from memory use blocks. Uploads are requested in
+  /// blocks of `block_size` segments, 1 to 127. `client` and `buffer` must outlive this object, and
+  /// `client` must not be used after its end.
   explicit SdoBlockClient(SdoClient& client, std::span<std::uint8_t> buffer = {},
                           std::uint8_t block_size = sdo::block_size_max);
   SdoBlockClient(const SdoBlockClient&) = delete;
   SdoBlockClient& operator=(const SdoBlockClient&) = delete;
 
  private:
-  /// What is waited for.
+  /// The expected message.
   enum class Phase : std::uint8_t {
     upload_initiated,
     upload_segments,
     upload_end,
     download_initiated,
-    download_acknowledgement,  ///< and segments are sent until then
+    download_acknowledgement,  ///< segments are sent meanwhile
     download_end,
   };
 
@@ -78,18 +78,18 @@ class SdoBlockClient {
 
   SdoClient& client_;
   SdoClient::Extension extension_;
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
   std::span<std::uint8_t> buffer_;
   std::uint8_t block_size_;
   Phase phase_ = Phase::upload_initiated;
-  bool prodded_ = false;           ///< half of the time-out has gone by
+  bool prodded_ = false;           ///< half of the time-out is over
   bool may_be_over_ = false;       ///< the last answer is the end, or a copy of the last segment
-  sdo::Message last_{0};           ///< that was taken, but for plain segments
-  std::uint32_t block_begin_ = 0;  ///< offset of what is at the beginning of the buffer
+  sdo::Message last_{0};           ///< last message taken, except plain segments
+  std::uint32_t block_begin_ = 0;  ///< offset of the data at the beginning of the buffer
   SdoBlockReceiver receiver_;
   SdoBlockSender sender_;
-  std::bitset<node_id_max + 1> refused_;  ///< servers that know no block transfers
+  std::bitset<node_id_max + 1> refused_;  ///< servers without block transfers
 };
 
 }  // namespace canvoy

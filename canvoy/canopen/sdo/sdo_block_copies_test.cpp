@@ -1,6 +1,6 @@
-// What comes twice in a block transfer: a controller repeats a frame that others have taken already
-// where it misses the very end of it (CiA 301, 7.2.4.3.9 to 7.2.4.3.15; ISO 11898-1). Such a copy
-// follows at once, and says nothing new.
+// Frames that come twice in a block transfer: a controller repeats a frame that others have
+// received already if it misses its very end. Such a copy follows at once, and has no new content
+// (CiA 301, 7.2.4.3.9 to 7.2.4.3.15; ISO 11898-1).
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -23,7 +23,7 @@ std::string hex(const std::vector<unsigned>& bytes) {
   return text;
 }
 
-/// The segments of one block, as eight bytes each.
+/// Segments of one block, as eight bytes each.
 std::vector<std::string> block_of(const Bytes& bytes) {
   std::vector<std::string> segments;
   for (std::size_t at = 0; at < bytes.size(); at += 7) {
@@ -36,13 +36,13 @@ std::vector<std::string> block_of(const Bytes& bytes) {
   return segments;
 }
 
-/// Four bytes in the last of `segments`, so that three of it are no data.
+/// Four bytes in the last of `segments`, so that three of it are not data.
 Bytes with_four_in_the_last(std::size_t segments, bool zeros) {
   return zeros ? Bytes(segments * 7 - 3) : pattern(segments * 7 - 3);
 }
 constexpr const char* end_without_three = "CD 00 00 00 00 00 00 00";
 
-/// The end that follows `bytes`, with their checksum (7.2.4.3.16).
+/// The end message after `bytes`, with their checksum (CiA 301, 7.2.4.3.16).
 std::string end_of(const Bytes& bytes) {
   const unsigned unused = static_cast<unsigned>((7 - bytes.size() % 7) % 7);
   const unsigned crc = crc16(bytes);
@@ -83,8 +83,8 @@ TEST_F(SdoServerBlockCopies, OfTheLastSegmentWhateverItsNumberLeavesTheEndToBeWa
   }
 }
 
-/// Of zeros the 65th segment is C1 00 00 ...: the end of 455 bytes, by all its bits. With the 77th
-/// it is that of those bytes that came, and so the end or its copy: both mean the same.
+/// With zeros the 65th segment is C1 00 00 ...: the end of 455 bytes, by all its bits. With the
+/// 77th it is that of the bytes received, and so the end or its copy: both mean the same.
 TEST_F(SdoServerBlockCopies, OfALastSegmentThatLooksLikeAnEndIsNoneWhereAnEndFollows) {
   for (std::size_t segments = 1; segments <= 127; ++segments) {
     if (segments == 77) continue;
@@ -162,7 +162,7 @@ TEST_F(SdoServerBlockCopies, OfTheEndOfABlockAcknowledgeNothing) {
   EXPECT_EQ(value(0x2021), bytes);
 }
 
-/// 142 was lost, so that the block ends with a segment that is not taken.
+/// 142 was lost, so that the block ends with a segment that is not accepted.
 TEST_F(SdoServerBlockCopies, OfAnEndOfABlockThatWasNotTakenAcknowledgeNothing) {
   ask("C2 21 20 00 0E 00 00 00", "A4 21 20 00 7F 00 00 00");
   ask("82 02 02 02 02 02 02 02", "A2 00 7F 00 00 00 00 00");
@@ -240,7 +240,7 @@ class SdoClientBlockCopies : public SdoClientNode {
  protected:
   SdoClientBlockCopies() { sut.choose(SdoTransfer::block); }
 
-  /// Begins an upload of what the server announces with `initiated`, and takes one block of it.
+  /// Begins an upload that the server announces with `initiated`, and takes one block of it.
   void take(const Bytes& data, const std::string& initiated) {
     EXPECT_EQ(upload(destination, 0x2021), AbortCode::none);
     expect_request("A4 21 20 00 7F 00 00 00");
@@ -364,8 +364,8 @@ TEST_F(SdoClientBlockCopies, OfAnAcknowledgementOfMoreThanIsInTheLastBlockAreIgn
 
 // Both
 
-/// An acknowledgement has no number: of a block that has left whole, a copy of the one before may
-/// as well be its own. Of every other frame a copy is known.
+/// An acknowledgement has no number: for a block that is sent completely, a copy of the one before
+/// may as well be its own. A copy of every other frame is recognised.
 class SdoBlockCopies : public testing::Test {
  protected:
   struct Trial {
@@ -373,7 +373,7 @@ class SdoBlockCopies : public testing::Test {
     unsigned block_size;
     std::size_t size;
   };
-  /// Frames of a transfer that brings all data, with copies as told.
+  /// Number of frames of a transfer that delivers all data, with the copies in `fates`.
   static std::size_t frames(const Trial& trial, const std::vector<Fate>& fates) {
     Line line(static_cast<std::uint8_t>(trial.block_size));
     line.client.choose(SdoTransfer::block);
@@ -403,7 +403,7 @@ TEST_F(SdoBlockCopies, OfAnyFrameButAnAcknowledgementBringNoFurtherFrame) {
                        std::to_string(size) + " bytes, frame " + std::to_string(place));
           std::vector<Fate> fates(place, Fate::arrives);
           fates.push_back(Fate::comes_twice);
-          // The answer to a first request is given again.
+          // The answer to a first request is sent again.
           const std::size_t again = is_upload && place == 0 ? 1 : 0;
           EXPECT_EQ(frames(trial, fates), undisturbed + again);
         }
@@ -412,7 +412,7 @@ TEST_F(SdoBlockCopies, OfAnyFrameButAnAcknowledgementBringNoFurtherFrame) {
   }
 }
 
-/// Where the last segment has one byte or two, and a number that says so as the end does.
+/// If the last segment has one byte or two, and a number that matches that of an end.
 TEST_F(SdoBlockCopies, OfALastSegmentThatLooksLikeAnEndCostNoTransfer) {
   for (const bool is_upload : {true, false}) {
     for (const std::size_t size : {std::size_t{88 * 7 + 1}, std::size_t{84 * 7 + 2}}) {

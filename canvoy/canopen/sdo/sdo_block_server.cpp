@@ -2,15 +2,15 @@
 
 namespace canvoy {
 
-constexpr ServiceCalls SdoBlockServer::service_calls = {.tx_ready =
-                                                            method<&SdoBlockServer::send_segments>};
+constexpr ServiceHandlers SdoBlockServer::service_calls = {
+    .tx_ready = method<&SdoBlockServer::send_segments>};
 
 inline bool SdoBlockServer::in(Phase phase) const {
   return server_.state_ == SdoServer::State::block && phase_ == phase;
 }
 
-/// While segments are waited for, nearly every first byte is one: a new request cannot be told from
-/// them, but an abort can.
+/// While segments are expected, nearly every first byte is one: a new request cannot be
+/// distinguished from them, but an abort can.
 void SdoBlockServer::receive(const Frame& frame) {
   const sdo::Message request(frame);
   if (in(Phase::download_segments) && request.first_byte() != sdo::command(sdo::Request::abort)) {
@@ -31,7 +31,7 @@ void SdoBlockServer::receive(const Frame& frame) {
   }
 }
 
-/// Nor is a copy of the last request, which may come when its transfer is over.
+/// A copy of the last request is not refused either; it may come when its transfer is over.
 void SdoBlockServer::refuse(sdo::Message request) {
   if (request != last_) server_.refuse_service(request);
 }
@@ -44,9 +44,9 @@ inline void SdoBlockServer::go_on(Phase phase) {
   server_.await_client(phase == Phase::download_segments ? whole / 2 : whole);
 }
 
-/// The client may wait as we do, where the end of a block was lost. Of a block of which nothing has
-/// come we cannot tell whether it is the acknowledgement before that was lost: to ask for it again
-/// may bring the block before for the second time, which only a size that was told is sure to tell.
+/// The client may be waiting as well, if the end of a block was lost. If nothing of a block has
+/// arrived, the acknowledgement before may have been lost: a repeated one may bring the block
+/// before for the second time, which only an announced size is sure to reveal.
 bool SdoBlockServer::expired() {
   if (may_be_over_) {
     end_download(last_);
@@ -107,7 +107,7 @@ void SdoBlockServer::acknowledge() {
       receiver_.acknowledge(sdo::command(sdo::Response::block_download, sdo::block_acknowledge)));
 }
 
-/// Which may look like the end: then checksum and size tell, or whether another end follows.
+/// It may look like the end: then checksum and size decide, or whether another end follows.
 void SdoBlockServer::take_copy_of_last_segment() {
   if (!last_.looks_like_block_end() || !receiver_.is_right(last_)) return;
   const SdoEntry& entry = server_.entry_;
@@ -151,7 +151,7 @@ void SdoBlockServer::receive_upload(sdo::Message request) {
   refuse(request);
 }
 
-/// What is short enough for the client goes without blocks.
+/// A value that is short enough for the client goes without blocks.
 void SdoBlockServer::initiate_upload(sdo::Message request) {
   if (!server_.find(request)) return;
   if (!is_block_size(request.block_size())) return server_.abort(AbortCode::block_size);
@@ -169,7 +169,7 @@ void SdoBlockServer::initiate_upload(sdo::Message request) {
                              size.value_or(0)));
 }
 
-/// Also where the command for it was lost, and the client asks again for what it has nothing of.
+/// Also if its command was lost, and the client asks again without having received anything.
 void SdoBlockServer::start_upload(sdo::Message request) {
   last_ = request;
   go_on(Phase::upload_acknowledgement);

@@ -1,7 +1,7 @@
-// SDO block transfers for a server: up to 127 segments are acknowledged at once, and a checksum
-// tells whether all is well (CiA 301, 7.2.4.3.9 to 7.2.4.3.15).
+// SDO block transfers of a server: one acknowledgement for up to 127 segments, and a checksum over
+// all data (CiA 301, 7.2.4.3.9 to 7.2.4.3.15).
 //
-// A server without it refuses such transfers with 0504 0001h, and clients take segments.
+// A server without it refuses such transfers with 0504 0001h, and clients then use segments.
 //
 //     SdoServer server(node, 0, buffer);
 //     SdoBlockServer blocks(server);
@@ -14,18 +14,18 @@
 
 namespace canvoy {
 
-/// Downloads are taken with a checksum if the client has one. Where segments were lost, the block
-/// is acknowledged up to the first of them: at its end, or where the client is silent for half of
-/// the time-out, since its last segments may be those that were lost.
+/// Adds block transfers to a server. Downloads use a checksum if the client supports one. After
+/// lost segments, the block is acknowledged up to the first of them: at its end, or when the client
+/// is silent for half of the time-out, since its last segments may be lost.
 ///
-/// A copy of the request that was taken last is no request, whatever it looks like.
+/// A copy of the last request is not a request, whatever it looks like.
 ///
-/// Uploads go out as fast as the controller takes frames, and not more than one waits in the node.
+/// Uploads are sent as fast as the controller takes frames, and no more than one waits in the node.
 class SdoBlockServer {
  public:
-  /// Downloads are asked for in blocks of `block_size` segments, 1 to 127: no more than the CAN
-  /// controller can receive before the node is called. `server` must outlive this,
-  /// and is not used without it any more.
+  /// Makes the extension. Downloads are requested in blocks of `block_size` segments, 1 to 127: no
+  /// more than the CAN controller can receive before the node is called. `server` must outlive this
+  /// object, and must not be used after its end.
   constexpr SdoBlockServer(SdoServer& server, std::uint8_t block_size)
       : server_(server),
         extension_{Callback<void(const Frame&)>::to<&SdoBlockServer::receive>(*this),
@@ -40,12 +40,12 @@ class SdoBlockServer {
   SdoBlockServer& operator=(const SdoBlockServer&) = delete;
 
  private:
-  /// What is waited for.
+  /// The expected message.
   enum class Phase : std::uint8_t {
     download_segments,
     download_end,
     upload_start,
-    upload_acknowledgement,  ///< and segments are sent until then
+    upload_acknowledgement,  ///< segments are sent meanwhile
     upload_end,
   };
 
@@ -73,13 +73,13 @@ class SdoBlockServer {
 
   SdoServer& server_;
   SdoServer::Extension extension_;
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
   std::uint8_t block_size_;
   Phase phase_ = Phase::download_segments;
-  bool prodded_ = false;      ///< half of the time-out has gone by
+  bool prodded_ = false;      ///< half of the time-out is over
   bool may_be_over_ = false;  ///< the last request is the end, or a copy of the last segment
-  sdo::Message last_{0};      ///< that was taken, but for plain segments
+  sdo::Message last_{0};      ///< last message taken, except plain segments
   SdoBlockReceiver receiver_;
   SdoBlockSender sender_;
 };

@@ -1,5 +1,5 @@
 // Every command byte in every state of a block transfer, at server and client, and golden dialogues
-// with each of their bits flipped: the answer is right, an abort, or nothing, and the node works
+// with each of their bits flipped: the answer is right, an abort, or absent, and the node works
 // afterwards.
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ std::string flipped(const std::string& message, unsigned bit) {
 
 // The server
 
-/// Node 5, which asks for blocks of 4 segments.
+/// Node 5, which requests blocks of 4 segments.
 struct Server {
   Server() {
     wire.boot();
@@ -66,7 +66,7 @@ enum class Waits : std::uint8_t { nothing, segment, end, start, acknowledgement,
 struct ServerState {
   const char* name;
   Waits waits_for;
-  Frames requests;  ///< that lead there
+  Frames requests;  ///< requests that lead to this state
   unsigned taken;   ///< segments of this block
   const char* multiplexer;
 };
@@ -97,7 +97,7 @@ const std::vector<ServerState> server_states = {
      "21 20 00"},
 };
 
-/// Of a segment with the first byte `command`.
+/// Answer to a segment with the first byte `command`.
 Frames expected_of_block(const ServerState& state, unsigned command) {
   const unsigned number = command & 0x7FU;
   if (command == 0x80) return {};
@@ -107,7 +107,7 @@ Frames expected_of_block(const ServerState& state, unsigned command) {
   return {"A2 " + hex(taken) + " 04 00 00 00 00 00"};
 }
 
-/// What CiA 301 asks of the server for `command` 02 20 00 34 12 00 00.
+/// Answer of the server by CiA 301 to `command` 02 20 00 34 12 00 00.
 Frames expected_of_server(const ServerState& state, unsigned command) {
   if (state.waits_for == Waits::segment) return expected_of_block(state, command);
   const Frames refused = {"80 " + std::string(state.multiplexer) + " 01 00 04 05"};
@@ -184,7 +184,7 @@ TEST(SdoBlockServerStates, AFlippedBitInAnyRequestLeavesAServerThatWorks) {
         sut.receive(requests);
         EXPECT_LE(sut.wire.sent.size(), 20U);
         sut.expect_alive();
-        // What was written is what was sent, or nothing.
+        // The written value is the one sent, or none.
         const auto value = value_of(sut.wire.node, 0x2021);
         EXPECT_EQ(value, pattern(30));
       }
@@ -269,7 +269,7 @@ const std::vector<ClientState> client_states = {
 };
 
 struct Reaction {
-  std::optional<AbortCode> outcome;  ///< none while it goes on waiting
+  std::optional<AbortCode> outcome;  ///< none while it waits
   Frames frames;
 };
 
@@ -279,7 +279,7 @@ Reaction failed(AbortCode code) {
   return {code, {wire_text(frame).substr(4)}};
 }
 
-/// What CiA 301 asks of a client for the answer `command` 02 20 00 12 00 00 00.
+/// Reaction of a client by CiA 301 to the answer `command` 02 20 00 12 00 00 00.
 Reaction expected_of_client(const ClientState& state, unsigned command) {
   const unsigned specifier = command >> 5;
   if (state.waits_for == Waits::segment) {

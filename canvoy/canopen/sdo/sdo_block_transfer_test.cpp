@@ -1,5 +1,4 @@
-// Client and server together, in blocks: over a line that keeps every frame, and over one that does
-// not.
+// Client and server together, in blocks: over a line that keeps every frame, and over a lossy one.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -17,7 +16,7 @@ std::vector<std::size_t> all_sizes() {
   return sizes;
 }
 
-/// Gives and takes bytes as an application does that has not all of them at a time.
+/// Supplies and takes bytes like an application that does not have all of them at a time.
 struct Stream {
   Bytes bytes;
   std::size_t at = 0;
@@ -117,7 +116,7 @@ TEST(SdoBlockTransfer, ALostFrameAtAnyPlaceIsMendedOrEndsBothSides) {
         if (outcome) {
           EXPECT_EQ(is_upload ? received : value, sent);
         } else {
-          // A lost acknowledgement brings a block twice, and so too many bytes.
+          // A lost acknowledgement brings a block twice, and thus too many bytes.
           EXPECT_TRUE(outcome.is_silence() || outcome.abort() == AbortCode::time_out ||
                       outcome.abort() == AbortCode::length_too_high);
           EXPECT_TRUE(is_upload || value == old || value == sent);
@@ -127,8 +126,8 @@ TEST(SdoBlockTransfer, ALostFrameAtAnyPlaceIsMendedOrEndsBothSides) {
   }
 }
 
-/// Of 22 segments in blocks of 7 the last is alone in its block: where it is lost, nothing tells
-/// the receiver that there was one, but the size.
+/// Of 22 segments in blocks of 7 the last is alone in its block: if it is lost, only the size shows
+/// the receiver that there was one.
 TEST(SdoBlockTransfer, ALostSegmentCostsNoTransferWhoseSizeWasTold) {
   for (const bool is_upload : {true, false}) {
     for (std::size_t segment = 0; segment < 22; ++segment) {
@@ -219,7 +218,7 @@ RC_GTEST_PROP(SdoBlockTransfer, LossDuplicationAndReorderingEndWithDataWholeOrAn
   expect_data_whole_or_abort({Fate::is_lost, Fate::comes_twice, Fate::is_overtaken}, {});
 }
 
-/// Room for no frame up to three, step by step: a block of more is held up in its middle, where a
+/// Room for zero to three frames, step by step: a larger block is held up in its middle, where a
 /// copy of the acknowledgement before may come.
 std::deque<std::uint8_t> often_full() {
   return *rc::gen::container<std::deque<std::uint8_t>>(200, rc::gen::inRange<std::uint8_t>(0, 4));
@@ -230,8 +229,8 @@ RC_GTEST_PROP(SdoBlockTransfer, SoDoesAllThatWhereControllersAreFullAtTimes, ())
                              {.room = often_full()});
 }
 
-/// A copy that comes while a block is still waiting for the controller says nothing of that block,
-/// and what was given for it may be needed again. Many blocks and trials, so that it happens: where
+/// A copy that comes while a block is still waiting for the controller has no information on that
+/// block, and data given for it may be needed again. Many blocks and trials, so that it happens: if
 /// the client goes back at a copy, seven of eight runs of a third of this find it.
 RC_GTEST_PROP(SdoBlockTransfer, CopiesOfAcknowledgementsWhileControllersAreFullForgetNothing, ()) {
   for (int trial = 0; trial < 3; ++trial) {

@@ -1,5 +1,5 @@
-// What a transfer makes of the time on a simulated bus of 1 Mbit/s, whose frames have their exact
-// lengths: between one frame and the next there is no gap on our side.
+// Bus time of a transfer on a simulated bus of 1 Mbit/s with frames of exact lengths: between two
+// frames there is no gap on the side of this library.
 #include <gtest/gtest.h>
 
 #include "canvoy/can/frame_bits.hpp"
@@ -24,7 +24,7 @@ struct Pair {
   }
   void done(SdoClient::Outcome result) { outcome = result; }
   SdoClient::Done on_done() { return SdoClient::Done::to<&Pair::done>(*this); }
-  /// Lets the transfer end; the time of its frames as a share of the time that it took.
+  /// Completes the transfer; returns the time of its frames as a share of its duration.
   double share(AbortCode started) {
     EXPECT_EQ(started, AbortCode::none);
     EXPECT_TRUE(run(bus, nodes, [&] { return outcome.has_value(); }));
@@ -77,8 +77,7 @@ TEST(SdoBusLoad, UploadsUseTheWireFully) {
 }
 
 /// One segment after the other, each with its command and its data alone, would take 111 bits and
-/// the stuffed ones for 7 bytes: what a block adds to that is its acknowledgements, and little
-/// else.
+/// the stuffed ones for 7 bytes: a block adds its acknowledgements, and little else.
 TEST(SdoBusLoad, ABlockTransferReachesNinetyFivePerCentOfBareSegments) {
   Pair pair;
   pair.client.choose(SdoTransfer::block);
@@ -113,7 +112,7 @@ TEST(SdoBusLoad, OtherFramesOfTheNodeAreNotKeptWaitingByABlock) {
   } heard;
   pair.bus.observe({.context = &heard, .on_frame = &Heard::on_frame});
   run(pair.bus, pair.nodes, [&] { return heard.at != never; });
-  // Behind the frames that the controller has taken, and the one that waits for it.
+  // After the frames that the controller has accepted, and the one that waits for it.
   EXPECT_LE(heard.at - before, 6 * 135us);
   run(pair.bus, pair.nodes, [&] { return pair.outcome.has_value(); });
   EXPECT_EQ(pair.domain.content, bytes);

@@ -1,6 +1,6 @@
 #include "canvoy/canopen/sdo/sdo_channel.hpp"
 
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 
 namespace canvoy {
 

@@ -8,10 +8,10 @@
 #include <cstdint>
 #include <span>
 
-#include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/canopen/dictionary/dictionary.hpp"
 #include "canvoy/canopen/dictionary/object_index.hpp"
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 
 namespace canvoy {
 
@@ -19,13 +19,14 @@ inline constexpr std::uint16_t sdo_server_parameter =
     object_index::sdo_server;  ///< of SDO server 0
 inline constexpr std::uint16_t sdo_client_parameter =
     object_index::sdo_client;  ///< of SDO client 0
-/// Their sub-indices: COB-IDs client to server and back, and the node-ID of the other side.
+/// Sub-indices: COB-IDs client to server and back, and the node-ID of the other side.
 inline constexpr std::uint8_t sdo_sub_request = 1;
 inline constexpr std::uint8_t sdo_sub_response = 2;
 inline constexpr std::uint8_t sdo_sub_peer = 3;
-inline constexpr std::uint8_t sdo_channels_max = 128;  ///< servers, and clients, in a node
+/// Limit of servers, and of clients, in a node.
+inline constexpr std::uint8_t sdo_channels_max = 128;
 
-/// The CAN-IDs on which a client and a server talk.
+/// The CAN-IDs between a client and a server.
 struct SdoChannel {
   std::uint16_t request = 0;   ///< client to server
   std::uint16_t response = 0;  ///< server to client
@@ -34,29 +35,29 @@ struct SdoChannel {
   friend constexpr bool operator==(const SdoChannel&, const SdoChannel&) = default;
 };
 
-/// The channel that each node serves without having been told.
+/// Channel that each node serves by default.
 constexpr SdoChannel default_sdo_channel(NodeId server) {
   return {static_cast<std::uint16_t>(can_id::sdo_request + server),
           static_cast<std::uint16_t>(can_id::sdo_response + server)};
 }
 
-/// What the object says: not valid where it is absent, or one of its COB-IDs is not valid.
+/// Channel in an object: not valid if the object is absent, or one of its COB-IDs is not valid.
 SdoChannel sdo_channel(const Dictionary& dictionary, std::uint16_t index);
 
 constexpr bool is_sdo_parameter(std::uint16_t index) {
   return index >= object_index::sdo_server && index <= object_index::sdo_client_last;
 }
 
-/// Whether `value` of this object is the COB-ID of an SDO channel that comes and goes with a
-/// connection: bit 30 says so.
+/// True if `value` of this object is the COB-ID of an SDO channel that comes and goes with a
+/// connection (bit 30).
 inline bool is_dynamic_channel(std::uint16_t index, std::span<const std::uint8_t> value) {
   return is_sdo_parameter(index) && value.size() == sizeof(std::uint32_t) &&
          (load<std::uint32_t>(value.data()) & CobId::bit30) != 0;
 }
 
-/// Whether a COB-ID of an SDO channel may become `value`. Its CAN-ID changes only on the way from
-/// or to invalid, has 11 bits, and is none of the restricted ones; clients may use those of default
-/// channels, which are made for them. Abort: value_range.
+/// Checks whether a COB-ID of an SDO channel may become `value`. Its CAN-ID changes only from or to
+/// an invalid COB-ID, has 11 bits, and is not restricted; clients may use those of default
+/// channels. Abort: value_range.
 AbortCode check_sdo_parameter(const Entry& entry, std::span<const std::uint8_t> value);
 
 }  // namespace canvoy

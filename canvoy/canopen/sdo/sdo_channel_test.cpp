@@ -239,7 +239,7 @@ TEST(SdoChannel, IsValidWhereBothCobIdsAre) {
   EXPECT_FALSE(sdo_channel(dictionary, 0x1201).valid());
   EXPECT_EQ(write(wire, 0x1201, 2, 0x540), AbortCode::none);
   EXPECT_EQ(sdo_channel(dictionary, 0x1201), (SdoChannel{0x6C0, 0x540}));
-  wire.node.dictionary().set_number(0x1201, 1, 0x2000'06C0);  // a description that is wrong
+  wire.node.dictionary().set_number(0x1201, 1, 0x2000'06C0);  // an invalid description
   EXPECT_FALSE(sdo_channel(dictionary, 0x1201).valid());
   EXPECT_EQ(default_sdo_channel(127), (SdoChannel{0x67F, 0x5FF}));
 }

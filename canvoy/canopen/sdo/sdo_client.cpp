@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <utility>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 
 namespace canvoy {
 
-constexpr HookCalls SdoClient::hook_calls = {.first = sdo_client_parameter,
-                                             .last = sdo_client_parameter + sdo_channels_max - 1,
-                                             .before_write = method<&SdoClient::before_write>,
-                                             .after_write = method<&SdoClient::after_write>};
-constexpr ServiceCalls SdoClient::service_calls = {
+constexpr AccessHandlers SdoClient::hook_calls = {
+    .first = sdo_client_parameter,
+    .last = sdo_client_parameter + sdo_channels_max - 1,
+    .before_write = method<&SdoClient::before_write>,
+    .after_write = method<&SdoClient::after_write>};
+constexpr ServiceHandlers SdoClient::service_calls = {
     .state_entered = method<&SdoClient::state_entered>, .hooks = {&hook_calls, 1}};
 
 SdoClient::SdoClient(Node& node, std::optional<std::uint8_t> number)
@@ -31,7 +32,7 @@ bool SdoClient::may_speak() const {
          !is_node_id(node_.id());
 }
 
-/// Nothing is touched after the callback: it may have started the next request.
+/// Nothing is used after the callback, which may have started the next request.
 void SdoClient::finish(Outcome outcome) {
   state_ = State::idle;
   ++ended_;
@@ -55,7 +56,7 @@ void SdoClient::after_write(const Entry& entry, Source) {
   if (busy()) end_with(SdoEnd::cancelled(AbortCode::no_sdo_connection));
 }
 
-/// None but the node's own object says who is at the other end.
+/// Only the node's own object names the node at the other end.
 SdoChannel SdoClient::channel_to(NodeId server) const {
   if (!is_node_id(server)) return {};
   if (parameter_ == 0) return default_sdo_channel(server);
@@ -83,7 +84,7 @@ inline AbortCode SdoClient::connect(NodeId server) {
   return server == connected_to_ ? AbortCode::none : find_connection(server);
 }
 
-/// Everything is as it is to be while the answer is waited for: on some buses it comes at once.
+/// All state is set before the message is sent: on some buses the answer comes at once.
 inline void SdoClient::ask(sdo::Message message) {
   watchdog_.restart(node_.now() + time_out_);
   send(message);
@@ -161,7 +162,7 @@ AbortCode SdoClient::initiate_download(NodeId server) {
   return AbortCode::none;
 }
 
-/// A short value goes with the request itself, and then nothing follows.
+/// A short value goes with the request itself, and nothing follows.
 void SdoClient::begin_download() {
   state_ = State::download_initiated;
   nothing_follows_ = !value_.empty() && value_.size() <= sdo::expedited_max;
@@ -199,7 +200,7 @@ inline void SdoClient::take_answer(const Frame& frame) {
   }
 }
 
-/// A server that does not tell the size leaves it to us.
+/// A server that does not report the size leaves it to the client.
 inline SdoClient::Outcome SdoClient::take_expedited(sdo::Message answer) {
   std::size_t size = answer.has_size() ? answer.expedited_size() : sdo::expedited_max;
   if (sink_) {
@@ -219,7 +220,7 @@ inline SdoClient::Outcome SdoClient::take_expedited(sdo::Message answer) {
   return size;
 }
 
-/// Another multiplexer, or another service: a late answer to an earlier request.
+/// Another multiplexer, or another service, means a late answer to an earlier request.
 void SdoClient::upload_initiated(sdo::Message answer) {
   if (state_ != State::upload_initiated || answer.multiplexer() != multiplexer_) return;
   if (answer.is_expedited()) {
@@ -235,7 +236,7 @@ void SdoClient::upload_initiated(sdo::Message answer) {
   ask_for_segment();
 }
 
-/// As many as the server has announced, if they go to memory at all.
+/// Expects as many bytes as the server has announced, if they go to memory at all.
 void SdoClient::expect_bytes() {
   in_memory_ = std::min<std::size_t>(destination_.size(), announced_.value_or(UINT32_MAX));
 }
@@ -310,10 +311,10 @@ void SdoClient::give_segment() {
   ask(sdo::segment_message(sdo::command(sdo::Request::download_segment, flags), *bytes));
 }
 
-/// The next bytes of a download, no more than `memory` has room for, and whether they are the last.
-/// Where the supply has ended the transfer, nothing is touched: it may be the next one's.
+/// Next bytes of a download, no more than `memory` has room for, and whether they are the last. If
+/// the supply has ended the transfer, nothing is used: it may belong to the next one.
 Result<std::span<const std::uint8_t>> SdoClient::give(std::span<std::uint8_t> memory) {
-  must_hold(!announced_ || transferred_ <= *announced_);
+  check_invariant(!announced_ || transferred_ <= *announced_);
   std::size_t wanted = memory.size();
   if (announced_) wanted = std::min<std::size_t>(wanted, *announced_ - transferred_);
   auto bytes = std::span<const std::uint8_t>(memory.first(wanted));
@@ -340,7 +341,7 @@ inline void SdoClient::download_segment(sdo::Message answer) {
   send_segment();
 }
 
-/// A server that has forgotten a transfer cannot name it.
+/// A server that has lost a transfer cannot name it.
 void SdoClient::aborted_by_server(sdo::Message answer) {
   const bool between_segments = state_ == State::upload_segment ||
                                 state_ == State::download_segment || state_ == State::block;
@@ -349,8 +350,8 @@ void SdoClient::aborted_by_server(sdo::Message answer) {
   finish(SdoEnd::by_server(answer.abort_code()));
 }
 
-/// A segment cannot be the answer to the beginning of a transfer: it is late. In the middle of one
-/// it is an error.
+/// A segment cannot be the answer to the beginning of a transfer: it is late. During a transfer it
+/// is an error.
 void SdoClient::unexpected() {
   if (state_ == State::upload_segment || state_ == State::download_segment) {
     fail(AbortCode::command_specifier);
@@ -373,7 +374,8 @@ void SdoClient::end_with(SdoEnd end) {
   finish_with(sdo::Message(multiplexer_, end.abort()), end);
 }
 
-/// Who is called from within, as on some buses the server is, finds it busy; he may end it.
+/// Code called during the transmission, such as the server on some buses, finds the client busy,
+/// and may end the transfer.
 void SdoClient::finish_with(sdo::Message last, Outcome outcome) {
   if (state_ == State::ending) return;
   state_ = State::ending;

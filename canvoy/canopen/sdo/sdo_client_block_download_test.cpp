@@ -11,14 +11,14 @@ class SdoClientBlockDownload : public SdoClientNode {
  protected:
   SdoClientBlockDownload() { sut.choose(SdoTransfer::block); }
 
-  /// The server says one thing, and the client several.
+  /// Sends a message of the server, and checks several of the client.
   void answer_all(const std::string& response, std::vector<std::string> requests) {
     SCOPED_TRACE(response);
     for (std::string& request : requests) request = "605#" + request;
     wire.receive("585#" + response);
     wire.expect(requests);
   }
-  /// Gives 1, 2 ... and then says that this was all.
+  /// Supplies 1, 2 ... and then reports the end.
   Result<std::size_t> give(std::span<std::uint8_t> piece) {
     const std::size_t size = std::min(piece.size(), left);
     for (std::size_t i = 0; i < size; ++i) piece[i] = ++last_given;
@@ -101,7 +101,7 @@ TEST_F(SdoClientBlockDownload, ASupplyThatEndsWithAFullSegmentIsFollowedByAnEmpt
   expect_done(7);
 }
 
-// What is lost, repeated and late
+// Lost, repeated and late frames
 
 TEST_F(SdoClientBlockDownload, WhatWasLostIsSentAgainInTheNextBlock) {
   EXPECT_EQ(download(thirty), AbortCode::none);
@@ -210,7 +210,7 @@ TEST_F(SdoClientBlockDownload, ACopyOfAnAcknowledgementInMidBlockTakesNothingFro
                "605#02 08 09 0A 0B 0C 0D 0E"});
 }
 
-// What is wrong
+// Errors
 
 TEST_F(SdoClientBlockDownload, ABlockHas1To127Segments) {
   for (const char* size : {"00", "80", "FF"}) {
@@ -287,7 +287,7 @@ TEST_F(SdoClientBlockDownload, ACancelledOneSendsNothingMore) {
   EXPECT_EQ(calls, 0);
 }
 
-// Which kind of transfer
+// Kind of transfer
 
 TEST_F(SdoClientBlockDownload, WhatIsLongGoesInBlocksAndWhatIsShortDoesNot) {
   sut.choose(SdoTransfer::automatic);

@@ -11,7 +11,7 @@ class SdoClientBlockUpload : public SdoClientNode {
  protected:
   SdoClientBlockUpload() { sut.choose(SdoTransfer::block); }
 
-  /// Segments that are answered together.
+  /// Segments with one common answer.
   void answer_with(const std::vector<std::string>& segments, const std::string& request) {
     for (const std::string& segment : segments) wire.receive("585#" + segment);
     wire.expect({"605#" + request});
@@ -105,7 +105,7 @@ TEST_F(SdoClientBlockUpload, ASinkTakesSegments) {
   EXPECT_EQ(all, (Bytes{1, 2, 3, 4, 5, 6, 7, 8}));
 }
 
-// What is lost, repeated and late
+// Lost, repeated and late frames
 
 TEST_F(SdoClientBlockUpload, AfterALostSegmentTheRestOfTheBlockIsAskedForAgain) {
   begin("C6 08 20 00 08 00 00 00");
@@ -168,7 +168,7 @@ TEST_F(SdoClientBlockUpload, LateAnswersToOtherRequestsAreNotTakenForThePresentO
   answer("C6 08 20 00 08 00 00 00", "A3 00 00 00 00 00 00 00");
 }
 
-// What is wrong
+// Errors
 
 TEST_F(SdoClientBlockUpload, NumbersThatNoSegmentOfTheBlockHasEndTheTransfer) {
   for (const char* segment : {"00 01 02 03 04 05 06 07", "05 01 02 03 04 05 06 07",
@@ -261,7 +261,7 @@ TEST_F(SdoClientBlockUpload, StoppedEndsItWithoutAWord) {
   expect_failed(SdoEnd::cancelled(AbortCode::device_state));
 }
 
-// Which kind of transfer
+// Kind of transfer
 
 TEST_F(SdoClientBlockUpload, AServerMaySwitchToSegmentsForWhatIsShort) {
   sut.choose(SdoTransfer::automatic);

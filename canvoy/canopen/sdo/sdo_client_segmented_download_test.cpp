@@ -8,7 +8,7 @@ namespace {
 
 class SdoClientSegmentedDownload : public SdoClientNode {};
 
-/// Gives `left` bytes, all 55h.
+/// Supplies `left` bytes, all 55h.
 struct Stock {
   std::size_t left;
   Result<std::size_t> operator()(std::span<std::uint8_t> piece) {

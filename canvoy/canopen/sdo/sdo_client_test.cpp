@@ -1,4 +1,4 @@
-// SDO client: what all kinds of transfer have in common (CiA 301, 7.2.4).
+// SDO client: common behaviour of all kinds of transfer (CiA 301, 7.2.4).
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/testing/sdo_client_node.hpp"
@@ -8,7 +8,7 @@ namespace {
 
 class SdoClientTest : public SdoClientNode {};
 
-// What servers say against it
+// Refusals of servers
 
 TEST_F(SdoClientTest, AnAbortFromTheServerEndsTheRequest) {
   EXPECT_EQ(upload(bytes), AbortCode::none);
@@ -28,7 +28,8 @@ TEST_F(SdoClientTest, AnAbortWithoutAReasonIsNoSuccess) {
   expect_failed(SdoEnd::by_server(AbortCode::general));
 }
 
-/// 0504 0000h is also what a server says that has waited for a segment, or for a bus behind it.
+/// 0504 0000h is also the abort code of a server that has waited for a segment, or for a bus behind
+/// it.
 TEST_F(SdoClientTest, AServerThatAbortsWithATimeOutHasAnswered) {
   EXPECT_EQ(upload(bytes), AbortCode::none);
   wire.sent.clear();
@@ -193,7 +194,7 @@ TEST_F(SdoClientTest, ADoneRequestHasNoTimeOut) {
   EXPECT_EQ(wire.node.deadline(), never);
 }
 
-// The owner's side
+// The side of the owner
 
 TEST_F(SdoClientTest, OneRequestAtATime) {
   EXPECT_EQ(upload(bytes), AbortCode::none);

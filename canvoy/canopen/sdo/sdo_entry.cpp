@@ -2,11 +2,11 @@
 
 #include <utility>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 
 namespace canvoy {
 
-/// What is found is filled in in its place: a copy would have to wait for its parts to get there.
+/// The result is filled in in place: a copy would have to wait for its parts.
 AbortCode SdoEntry::find(sdo::Multiplexer multiplexer) {
   domain_ = nullptr;
   seek(0);
@@ -28,7 +28,8 @@ AbortCode SdoEntry::open_read() {
 }
 
 AbortCode SdoEntry::keep() {
-  if (is_domain() || allows(row().access, Access::constant)) return AbortCode::none;
+  if (is_streamed() || allows(row().access, Access::constant)) return AbortCode::none;
+  if (!is_small_machine && row().type == DataType::domain) return AbortCode::none;  // a view
   if (size_ > buffer_.size()) return AbortCode::out_of_memory;
   std::memcpy(buffer_.data(), value_, size_);
   value_ = buffer_.data();
@@ -36,7 +37,7 @@ AbortCode SdoEntry::keep() {
 }
 
 Result<std::span<const std::uint8_t>> SdoEntry::next(std::span<std::uint8_t> memory) {
-  if (is_domain()) return domain_->transfer->read(*this, memory);
+  if (is_streamed()) return domain_->transfer->read(*this, memory);
   const std::uint32_t offset = offset_;
   const auto wanted = std::min(static_cast<std::uint32_t>(memory.size()), size_ - offset);
   offset_ = offset + wanted;
@@ -70,19 +71,21 @@ AbortCode SdoEntry::write(std::span<const std::uint8_t> bytes) {
   }
   std::uint8_t* place = buffer_.data() + offset_;
   offset_ += static_cast<std::uint32_t>(bytes.size());
-  if (is_domain()) return domain_->transfer->write(*this, bytes);
+  if (is_streamed()) return domain_->transfer->write(*this, bytes);
   sdo::copy_segment(bytes, place);
   return AbortCode::none;
 }
 
 AbortCode SdoEntry::finish() {
   if (announced_ && offset_ < size_) return AbortCode::length_too_low;
-  if (is_domain()) return domain_->transfer->close(*this, true);
-  must_hold(offset_ <= buffer_.size());
+  if (is_streamed()) return domain_->transfer->close(*this, true);
+  if (!is_small_machine && placed_.value.domain != nullptr) return close_placed(true);
+  check_invariant(offset_ <= buffer_.size());
   return write_whole(buffer_.first(offset_));
 }
 
-// A domain: nothing of it is linked where no Domain is, which alone names DomainTransfer::calls.
+// A domain: nothing of it is linked in a program without a Domain, which alone refers to
+// DomainTransfer::calls.
 
 constexpr DomainTransfer DomainTransfer::calls = {.open_read = SdoEntry::open_domain_to_read,
                                                   .read = SdoEntry::read_domain,
@@ -90,7 +93,37 @@ constexpr DomainTransfer DomainTransfer::calls = {.open_read = SdoEntry::open_do
                                                   .write = SdoEntry::write_domain,
                                                   .close = SdoEntry::close_domain};
 
+/// From here on it is as a value of any length.
+AbortCode SdoEntry::open_view(const Domain& domain) {
+  const Result<std::span<const std::uint8_t>> content = domain.view(found_);
+  if (!content) return content.abort();
+  value_ = content->data();
+  size_ = static_cast<std::uint32_t>(content->size());
+  return AbortCode::none;
+}
+
+AbortCode SdoEntry::open_room(const Domain& domain) {
+  const Result<std::span<std::uint8_t>> room = domain.room(found_, announced_ ? size_ : 0);
+  if (!room) return room.abort();
+  if (announced_ && size_ > room->size()) return AbortCode::out_of_memory;
+  if (!announced_) size_ = static_cast<std::uint32_t>(room->size());
+  placed_.value = {&domain, buffer_};
+  buffer_ = *room;
+  return AbortCode::none;
+}
+
+AbortCode SdoEntry::close_placed(bool complete) {
+  const Domain& domain = *std::exchange(placed_.value.domain, nullptr);
+  const std::span<std::uint8_t> bytes = buffer_.first(offset_);
+  buffer_ = placed_.value.buffer;
+  const AbortCode answer = complete ? domain.write(found_, bytes) : AbortCode::none;
+  if (answer == AbortCode::none) return domain.close_write(found_, complete);
+  domain.close_write(found_, false);
+  return answer;
+}
+
 AbortCode SdoEntry::open_domain_to_read(SdoEntry& self, const Domain& domain) {
+  if (!is_small_machine && domain.view) return self.open_view(domain);
   if (!domain.open_read) return AbortCode::unsupported_access;
   const Result<std::uint32_t> size = domain.open_read(self.found_);
   self.size_ = *size;
@@ -98,23 +131,34 @@ AbortCode SdoEntry::open_domain_to_read(SdoEntry& self, const Domain& domain) {
   return size.abort();
 }
 
-Result<std::span<const std::uint8_t>> SdoEntry::read_domain(SdoEntry& self,
-                                                            std::span<std::uint8_t> memory) {
-  const std::uint32_t offset = self.offset_;
-  const std::size_t wanted = std::min<std::size_t>(memory.size(), self.size_ - offset);
-  if (wanted == 0) return std::span<const std::uint8_t>();
-  const Result<std::size_t> size = self.domain_->read(self.found_, offset, memory.first(wanted));
-  if (!size) return size.abort();
-  self.ended_ = *size < wanted;
-  if (*size > wanted || (self.ended_ && self.size_ != Domain::size_unknown)) {
+[[gnu::always_inline]] inline Result<std::size_t> SdoEntry::stream(std::span<std::uint8_t> memory) {
+  const std::uint32_t offset = offset_;
+  const std::size_t wanted = std::min<std::size_t>(memory.size(), size_ - offset);
+  if (wanted == 0) return std::size_t{0};
+  const Result<std::size_t> size = domain_->read(found_, offset, memory.first(wanted));
+  if (!size) return size;
+  ended_ = *size < wanted;
+  if (*size > wanted || (ended_ && size_ != Domain::size_unknown)) {
     return AbortCode::internal_incompatible;
   }
-  self.offset_ += static_cast<std::uint32_t>(*size);
+  offset_ = offset + static_cast<std::uint32_t>(*size);
+  return size;
+}
+
+Result<std::size_t> SdoEntry::next_streamed(std::span<std::uint8_t> memory) {
+  return stream(memory);
+}
+
+Result<std::span<const std::uint8_t>> SdoEntry::read_domain(SdoEntry& self,
+                                                            std::span<std::uint8_t> memory) {
+  const Result<std::size_t> size = self.stream(memory);
+  if (!size) return size.abort();
   return std::span<const std::uint8_t>(memory.first(*size));
 }
 
 AbortCode SdoEntry::open_domain_to_write(SdoEntry& self, const Domain& domain) {
   if (!domain.write) return AbortCode::unsupported_access;
+  if (!is_small_machine && domain.room) return self.open_room(domain);
   const AbortCode answer = domain.open_write(self.found_, self.announced_ ? self.size_ : 0);
   if (answer == AbortCode::none) self.domain_ = &domain;
   return answer;

@@ -1,5 +1,5 @@
-// All SDO channels that there are, 1200h to 127Fh and 1280h to 12FFh (CiA 301, 7.5.2.32 and
-// 7.5.2.33), of two nodes on a bus, with a transfer on each of them at a time.
+// All possible SDO channels, 1200h to 127Fh and 1280h to 12FFh, of two nodes on a bus, with a
+// transfer on each of them at a time (CiA 301, 7.5.2.32 and 7.5.2.33).
 #include <gtest/gtest.h>
 
 #include <array>
@@ -25,7 +25,7 @@ constexpr EntryRow number(std::uint8_t sub, DataType type, std::int64_t initial)
       .sub_first = sub, .sub_last = sub, .type = type, .access = Access::rw, .initial = initial};
 }
 
-/// Server 0 has its default channel; server and client n have a string of their own at 3000h + n.
+/// Server 0 has its default channel; server and client n have a separate string at 3000h + n.
 constexpr auto layout =
     lay_out(std::to_array<ObjectRow>({{.index = 0x1000, .entry_count = 1},
                                       {.index = 0x1201, .count = 127, .entry_count = 3},
@@ -59,7 +59,7 @@ class End {
     const auto written = std::span(bytes).first(sub == 3 ? 1 : 4);
     EXPECT_EQ(bus_node.node.dictionary().write(index, sub, written, Source::sdo), AbortCode::none);
   }
-  /// Both COB-IDs of a channel; invalid between two that are valid.
+  /// Sets both COB-IDs of a channel; invalid between two valid ones.
   void open(unsigned index, unsigned request, unsigned response) {
     for (const std::uint8_t sub : {std::uint8_t{1}, std::uint8_t{2}}) {
       set(static_cast<std::uint16_t>(index), sub, CobId::bit31);
@@ -85,7 +85,7 @@ class AllSdoChannels : public testing::Test {
     connect(right, left, 0x300);
   }
 
-  /// Client n of one node to server n of the other, on CAN-IDs from `base` on.
+  /// Connects client n of one node to server n of the other, on CAN-IDs from `base` on.
   static void connect(End& client, End& server, unsigned base) {
     client.open(0x1280, 0x600U + server.id(), 0x580U + server.id());
     for (unsigned i = 1; i < channel_count; ++i) {
@@ -100,7 +100,7 @@ class AllSdoChannels : public testing::Test {
   static Bytes value_of(const End& client, unsigned channel) {
     return pattern(value_size, static_cast<std::uint8_t>(client.id() * 128 + channel));
   }
-  /// Begins a transfer on each channel; a second one to follow by the same function.
+  /// Begins a transfer on each channel; a second one follows by the same function.
   template <class Begin>
   void transfer_all(Begin begin) {
     finished = 0;

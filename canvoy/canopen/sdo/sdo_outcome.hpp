@@ -1,6 +1,6 @@
-// How a request by SDO ended: done, aborted by one side or the other, without an answer, or
-// cancelled (CiA 301, 7.2.4.3.17). The abort code alone does not tell: 0504 0000h is what a client
-// says that waited in vain, and what a server may say 76 ms after the request.
+// The end of an SDO request: done, aborted by one side, without an answer, or cancelled. The abort
+// code alone is ambiguous: 0504 0000h is the code of a client without an answer, and a server may
+// send it 76 ms after the request (CiA 301, 7.2.4.3.17).
 //
 //     void answered(SdoOutcome outcome) {
 //       if (outcome) return take(*outcome);                    // bytes
@@ -12,27 +12,27 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "canvoy/canopen/dictionary/abort_code.hpp"
+#include "canvoy/canopen/protocol/abort_code.hpp"
 
 namespace canvoy {
 
-/// How it ended, and the abort code that goes with that.
+/// Kind of end, and the abort code that belongs to it.
 class SdoEnd {
  public:
   enum class Kind : std::uint8_t {
     done,
-    aborted_by_server,  ///< its answer, whatever the code
-    aborted_by_client,  ///< this side found a fault in an answer, has no room, or did not begin
-    no_answer,          ///< within the time-out; the server is told 0504 0000h
-    cancelled,          ///< this node may not go on: its NMT state or its channel changed
+    aborted_by_server,  ///< by an answer of the server, with any code
+    aborted_by_client,  ///< a wrong answer, no room, or not started
+    no_answer,          ///< within the time-out; 0504 0000h is sent to the server
+    cancelled,          ///< the NMT state or the channel of this node changed
   };
 
   constexpr SdoEnd() = default;
-  /// What this side decided; none: done.
+  /// Result of this side; none: done.
   constexpr SdoEnd(AbortCode own)  // NOLINT(google-explicit-constructor): as return value
       : kind_(own == AbortCode::none ? Kind::done : Kind::aborted_by_client), abort_(own) {}
 
-  /// A server that aborts with the code 0 means something else.
+  /// An abort of the server with code 0 becomes another code.
   static constexpr SdoEnd by_server(AbortCode code) {
     return {Kind::aborted_by_server, code == AbortCode::none ? AbortCode::general : code};
   }
@@ -41,11 +41,11 @@ class SdoEnd {
 
   constexpr explicit operator bool() const { return kind_ == Kind::done; }
   constexpr Kind kind() const { return kind_; }
-  /// none where it is done; else the code that went over the bus, or would have.
+  /// none if it is done; otherwise the code that was sent, or would have been.
   constexpr AbortCode abort() const { return abort_; }
-  /// Nobody answered in time.
+  /// True if no answer came in time.
   constexpr bool is_silence() const { return kind_ == Kind::no_answer; }
-  /// The server says no, with whatever code: it is there.
+  /// True if the server refused, with any code: it is present.
   constexpr bool is_refusal() const { return kind_ == Kind::aborted_by_server; }
 
   friend constexpr bool operator==(const SdoEnd&, const SdoEnd&) = default;
@@ -57,12 +57,12 @@ class SdoEnd {
   AbortCode abort_ = AbortCode::none;
 };
 
-/// The server has no such entry.
+/// True if the server has no such entry.
 constexpr bool is_absent(const SdoEnd& end) {
   return end.is_refusal() && is_absent(end.abort());
 }
 
-/// The same, and of a request that is done the number of bytes that were transferred.
+/// Like SdoEnd, but for a finished request also with the number of bytes that were transferred.
 class SdoOutcome : public SdoEnd {
  public:
   constexpr SdoOutcome(std::size_t bytes)  // NOLINT(google-explicit-constructor): as return value
@@ -72,7 +72,7 @@ class SdoOutcome : public SdoEnd {
   constexpr SdoOutcome(AbortCode own)  // NOLINT(google-explicit-constructor): as return value
       : SdoEnd(own) {}
 
-  /// 0 where it is not done.
+  /// Number of bytes; 0 if it is not done.
   constexpr std::size_t operator*() const { return bytes_; }
 
  private:

@@ -1,5 +1,5 @@
-// Who takes or gives the data of a transfer may end that very transfer: by taking it back, or
-// because it stops its node (CiA 301, 7.2.4). Then it has ended, once, and stays so.
+// Code that takes or supplies the data of a transfer may end that transfer: by cancelling it, or by
+// stopping its node. Then it has ended, once, and stays so (CiA 301, 7.2.4).
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/sdo/sdo_block_client.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 enum class End { cancelled, stopped };
 
-/// A client whose sink and supply end the transfer, and then say that all is well, or not.
+/// A client with a sink and a supply that end the transfer, and then report success, or failure.
 class SdoClientOwnEnd : public SdoClientNode {
  protected:
   AbortCode take(std::span<const std::uint8_t>) {
@@ -111,7 +111,7 @@ TEST_F(SdoClientOwnEnd, OfABlockDownload) {
   download_until(SdoTransfer::block, {"A0 08 20 00 01 00 00 00"});
 }
 
-/// One worker, so that the next request begins while the sink or supply of the first is called.
+/// One worker, so that the next request begins during the call of the sink or supply of the first.
 class SdoQueueOwnEnd : public testing::Test {
  protected:
   SdoQueueOwnEnd() {
@@ -165,7 +165,7 @@ TEST_F(SdoQueueOwnEnd, ASupplyThatTakesItsRequestBackDoesNotDisturbTheNext) {
   EXPECT_TRUE(sut.idle());
 }
 
-/// A server with a domain that stops or resets its node where it is read or written.
+/// A server with a domain that stops or resets its node when it is read or written.
 class SdoServerOwnEnd : public SdoServerNode {
  protected:
   SdoServerOwnEnd() {
@@ -211,7 +211,7 @@ class SdoServerOwnEnd : public SdoServerNode {
     return AbortCode::none;
   }
   void bring_about() { wire.node.receive(wire_frame(command), wire.now); }
-  /// Of the last request nothing comes but what the node says when it boots.
+  /// The last request has no effect except the messages of the node when it boots.
   void expect_end_after(const std::vector<std::string>& requests) {
     for (const bool is_reset : {false, true}) {
       command = is_reset ? "000#82 05" : "000#02 05";
@@ -238,7 +238,7 @@ class SdoServerOwnEnd : public SdoServerNode {
 
  protected:
   bool ends_when_opened = false;
-  int open_writes = 0;  ///< that were not closed again
+  int open_writes = 0;  ///< not closed yet
 };
 
 TEST_F(SdoServerOwnEnd, OfAnUploadAndADownloadThatAreOnlyBeingOpened) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 
 namespace canvoy {
 
@@ -16,14 +16,14 @@ std::optional<std::uint32_t> SdoRequest::announced() const {
   return place.client == nullptr ? std::nullopt : place.client->announced();
 }
 
-constexpr ServiceCalls SdoQueue::service_calls = {.tx_ready = method<&SdoQueue::start_waiting>};
+constexpr ServiceHandlers SdoQueue::service_calls = {.tx_ready = method<&SdoQueue::start_waiting>};
 
 SdoQueue::SdoQueue(Node& node, std::span<Worker> workers) : node_(node), workers_(workers) {
   node_.attach(service_);
   for (Worker& worker : workers_) worker.queue_ = this;
 }
 
-/// The link to the first request to a server, or the one at the end.
+/// Link to the first request to a server, or the one at the end.
 SdoRequest** SdoQueue::first_of(NodeId server) {
   SdoRequest** link = &first_;
   while (*link != nullptr && (*link)->server != server) link = &(*link)->place.next;
@@ -42,13 +42,13 @@ bool SdoQueue::add(SdoRequest& request, bool is_download) {
 }
 
 void SdoQueue::append(SdoRequest& request) {
-  must_hold(request.place.next == nullptr);
+  check_invariant(request.place.next == nullptr);
   SdoRequest** link = first_of(request.server);
   while (*link != nullptr) link = &(*link)->place.behind;
   *link = &request;
 }
 
-/// The next request to the same server waits for its turn behind those to others.
+/// The next request to the same server waits for its turn after those to others.
 void SdoQueue::remove(SdoRequest& request) {
   SdoRequest** link = first_of(request.server);
   if (*link == &request) {
@@ -63,8 +63,8 @@ void SdoQueue::remove(SdoRequest& request) {
   request.place.client = nullptr;
 }
 
-/// On some buses an answer comes at once, and `done` may queue: what is called from within leaves
-/// the work to the loop outside.
+/// On some buses an answer comes at once, and `done` may queue: nested calls leave the work to the
+/// outer loop.
 void SdoQueue::start_waiting() {
   if (std::exchange(is_starting_, true)) return;
   while (start_one()) {
@@ -72,7 +72,7 @@ void SdoQueue::start_waiting() {
   is_starting_ = false;
 }
 
-/// Whether there was a request that could be started, with success or without.
+/// True if there was a request to start, with success or without.
 bool SdoQueue::start_one() {
   if (!node_.transmitter().idle()) return false;
   const auto worker =
@@ -118,9 +118,9 @@ void SdoQueue::finished(Worker& worker, SdoClient::Outcome outcome) {
   start_waiting();
 }
 
-/// Nothing of the request is touched after the callback: its memory may be gone.
+/// Nothing of the request is used after the callback: its memory may be gone.
 void SdoQueue::finish(SdoRequest& request, SdoClient::Outcome outcome) {
-  must_hold(request.place.state == SdoRequest::State::active);
+  check_invariant(request.place.state == SdoRequest::State::active);
   remove(request);
   request.place.outcome = outcome;
   const SdoRequest::Done done = request.done;
@@ -132,7 +132,7 @@ void SdoQueue::cancel(SdoRequest& request) {
   for (Worker& worker : workers_) {
     if (worker.request_ != &request) continue;
     worker.request_ = nullptr;
-    // Where its last message is just being handed over, the worker is free after that.
+    // If its last message is being handed over, the worker is free after that.
     if (worker.client_.state_ != SdoClient::State::ending) worker.client_.cancel();
   }
   remove(request);

@@ -1,4 +1,4 @@
-// Requests that queue: in order for each server, at a time for many.
+// Queued requests: in order for each server, at a time for many.
 #include "canvoy/canopen/sdo/sdo_queue.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Node 1 asks; the test is all the others.
+/// Node 1 is the client; the test is all other nodes.
 class SdoQueueTest : public testing::Test {
  protected:
   SdoQueueTest() { wire.boot(); }
@@ -204,7 +204,7 @@ TEST_F(SdoQueueTest, WhatCannotEvenBeginIsNotTakenAgainFromItsEnd) {
   request.done = SdoRequest::Done::of(poll);
   EXPECT_TRUE(sut.upload(request));
   wire.receive("000#02 01");
-  EXPECT_EQ(calls, 2);  // the one that was under way, and the next, which could not begin
+  EXPECT_EQ(calls, 2);  // the one under way, and the next, which could not begin
   EXPECT_EQ(request.outcome().abort(), AbortCode::device_state);
   EXPECT_TRUE(sut.idle());
   wire.receive("000#80 01");
@@ -263,8 +263,8 @@ TEST(SdoQueueTransfers, LongValuesGoInBlocksAndShortOnesDoNot) {
   wire.expect({"605#80 21 20 00 00 00 00 08", "605#21 21 20 00 40 00 00 00"});
 }
 
-/// The answers come at once, and so does what is done about the abort of a request: it is taken
-/// back while that leaves. The next one neither begins before that, nor is ended by it.
+/// The answers come at once, and so does the reaction to the abort of a request: it is cancelled
+/// while that leaves. The next one neither begins before that, nor is ended by it.
 TEST(SdoQueueOnAPromptBus, ARequestThatIsTakenBackWhileItsAbortLeavesEndsNoOther) {
   PromptBus bus(sdo_objects(), 1);
   bus.run_for(Duration::zero());
@@ -297,7 +297,7 @@ TEST(SdoQueueOnAPromptBus, ARequestThatIsTakenBackWhileItsAbortLeavesEndsNoOther
   EXPECT_TRUE(sut.idle());
 }
 
-/// Node 127 reads and writes all others, each of which has a server.
+/// Node 127 reads and writes all others, each with a server.
 TEST(SdoQueueOnABus, OneHundredAndTwentySixServersAreReadAndWrittenAtATimeAndNothingIsMixedUp) {
   SimulatedBus bus({.bit_rate = 1'000'000});
   std::vector<std::shared_ptr<BusNode>> nodes;
@@ -315,7 +315,7 @@ TEST(SdoQueueOnABus, OneHundredAndTwentySixServersAreReadAndWrittenAtATimeAndNot
   for (const auto& node : nodes) node->node.start(bus.now());
   run(bus, nodes, [&] { return bus.next_event() == never; });
 
-  // Three requests to each: write in some kind of transfer, read back, read what is not there.
+  // Three requests to each: write with some kind of transfer, read back, read a missing entry.
   std::deque<SdoRequest> requests;
   std::deque<Bytes> written;
   std::deque<Bytes> read;

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "canvoy/can/must_hold.hpp"
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/can/check_invariant.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 
 namespace canvoy {
 
 namespace {
 
-/// The first message of a block transfer, which tells what the transfer is to be about.
+/// True for the first message of a block transfer, which contains its multiplexer.
 bool initiates_block(sdo::Message request) {
   if (request.request() == sdo::Request::block_upload) return (request.first_byte() & 0x03) == 0;
   return request.request() == sdo::Request::block_download && (request.first_byte() & 0x01) == 0;
@@ -17,13 +17,13 @@ bool initiates_block(sdo::Message request) {
 
 }  // namespace
 
-void SdoServer::told(NodeService& service, ServiceEvent& event) {
+void SdoServer::on_event(NodeService& service, ServiceEvent& event) {
   SdoServer& self = static_cast<SdoServer&>(service);
   if (event.kind == ServiceEvent::state_entered) self.follow_default_channel(event.state());
   if (event.kind == ServiceEvent::frame_came) self.receive(event.frame(), self.node_.now());
 }
 
-void SdoServer::told_of_object(NodeService& service, ServiceEvent& event) {
+void SdoServer::on_object_event(NodeService& service, ServiceEvent& event) {
   SdoServer& self = static_cast<SdoServer&>(service);
   switch (event.kind) {
     case ServiceEvent::state_entered:
@@ -48,7 +48,7 @@ void SdoServer::follow_object_in(NmtState state) {
   listen(has_services(state) ? sdo_channel(node_.dictionary(), index) : SdoChannel{});
 }
 
-/// Who is told that a channel is valid may rely on being heard there.
+/// A channel that is confirmed as valid must receive.
 inline AbortCode SdoServer::check(const Entry& entry, std::span<const std::uint8_t> value) const {
   if (entry.index != sdo_server_parameter + number_) return AbortCode::none;
   const AbortCode answer = check_sdo_parameter(entry, value);
@@ -90,15 +90,23 @@ void SdoServer::serve(const Frame& frame) {
   }
 }
 
+/// For hosts what nearly always is the case is in its place.
+inline bool SdoServer::goes_on(AbortCode answer) {
+  if (!is_small_machine && state_ == State::opening && answer == AbortCode::none) [[likely]] {
+    return true;
+  }
+  return opened(answer);
+}
+
 /// A request that begins a transfer, and ends another one.
 bool SdoServer::find(sdo::Message request) {
   drop();
   multiplexer_ = request.multiplexer();
   state_ = State::opening;
-  return opened(entry_.find(multiplexer_));
+  return goes_on(entry_.find(multiplexer_));
 }
 
-/// Whether the transfer goes on. What the application did when it was asked may have ended it.
+/// True if the transfer continues. The application may have ended it during its callback.
 bool SdoServer::opened(AbortCode answer) {
   if (state_ == State::opening && answer == AbortCode::none) return true;
   state_ == State::opening ? abort(answer) : entry_.drop();
@@ -106,7 +114,7 @@ bool SdoServer::opened(AbortCode answer) {
 }
 
 inline void SdoServer::initiate_upload(sdo::Message request) {
-  if (find(request) && opened(entry_.open_read())) begin_upload();
+  if (find(request) && goes_on(entry_.open_read())) begin_upload();
 }
 
 void SdoServer::begin_upload() {
@@ -138,12 +146,26 @@ inline void SdoServer::upload_segment(sdo::Message request) {
   send_segment();
 }
 
+/// The same of a domain that is streamed, straight into the message.
+void SdoServer::send_streamed_segment() {
+  std::array<std::uint8_t, Frame::length_max> message{};
+  const Result<std::size_t> size = entry_.next_streamed(std::span(message).subspan(1));
+  if (state_ != State::upload) return;  // the domain has stopped the node
+  if (!size) return abort(size.abort());
+  check_invariant(*size <= sdo::segment_max);
+  const bool last = entry_.ended();
+  message[0] = sdo::command(sdo::Response::upload_segment, sdo::segment(toggle_, *size, last));
+  last ? drop() : expect_next_segment();
+  reply(sdo::Message(message));
+}
+
 void SdoServer::send_segment() {
+  if (!is_small_machine && entry_.is_streamed()) return send_streamed_segment();
   std::array<std::uint8_t, sdo::segment_max> memory;
   const auto bytes = entry_.next(memory);
   if (state_ != State::upload) return;  // the domain has stopped the node
   if (!bytes) return abort(bytes.abort());
-  must_hold(bytes->size() <= sdo::segment_max);
+  check_invariant(bytes->size() <= sdo::segment_max);
   const bool last = entry_.ended();
   const unsigned flags = sdo::segment(toggle_, bytes->size(), last);
   last ? drop() : expect_next_segment();
@@ -172,8 +194,8 @@ inline void SdoServer::initiate_download(sdo::Message request) {
   reply(sdo::Message(confirmation, multiplexer_));
 }
 
-/// How many bytes the client writes. One that does not tell it leaves it to the entry, and sends
-/// four where they come with the request.
+/// Number of bytes that the client writes. Without a size it is determined by the entry, and is
+/// four for an expedited request.
 inline std::optional<std::uint32_t> SdoServer::size_to_come(sdo::Message request) const {
   if (request.is_expedited()) {
     if (request.has_size()) return static_cast<std::uint32_t>(request.expedited_size());
@@ -231,14 +253,14 @@ void SdoServer::confirm(AbortCode answer, std::uint8_t confirmation) {
   }
 }
 
-/// The client may have asked for something else meanwhile, and then it waits no more.
+/// The client may have sent another request meanwhile, and is then not waiting.
 inline void SdoServer::finish_deferred(AbortCode answer) {
   if (state_ != State::deferred) return;
   state_ = State::idle;
   confirm(answer, confirmation_);
 }
 
-/// The transfer that is under way ends; a message that begins one is refused by its own name.
+/// Ends the transfer in progress; a message that begins one is refused with its own multiplexer.
 void SdoServer::refuse_service(sdo::Message request) {
   if (initiates_block(request)) {
     multiplexer_ = request.multiplexer();
@@ -279,7 +301,7 @@ void SdoServer::abort(AbortCode code) {
   send(sdo::Message(multiplexer_, code));
 }
 
-/// What was written may have stopped this node.
+/// The written value may have stopped this node.
 void SdoServer::send(sdo::Message message) {
   if (has_services(node_.state())) reply(message);
 }

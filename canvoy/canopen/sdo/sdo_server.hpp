@@ -1,5 +1,5 @@
-// SDO server: lets clients read and write the object dictionary, expedited and in segments (CiA
-// 301, 7.2.4). For block transfers see SdoBlockServer.
+// SDO server: lets clients read and write the object dictionary, with expedited and segmented
+// transfers (CiA 301, 7.2.4). For block transfers see SdoBlockServer.
 //
 //     std::array<std::uint8_t, 64> buffer;
 //     SdoServer sdo_server(node, 0, buffer);
@@ -10,7 +10,7 @@
 #include <optional>
 #include <span>
 
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 #include "canvoy/canopen/sdo/sdo.hpp"
 #include "canvoy/canopen/sdo/sdo_channel.hpp"
 #include "canvoy/canopen/sdo/sdo_entry.hpp"
@@ -18,28 +18,29 @@
 
 namespace canvoy {
 
-/// It serves one channel, in NMT states pre-operational and operational. Values of up to 4 bytes
-/// take one frame each way. Longer ones are gathered in the buffer and written whole; a read gives
-/// the value as it was at its beginning. Domains are streamed, and never in memory whole.
+/// Serves one channel, in NMT states pre-operational and operational. Values of up to 4 bytes take
+/// one frame each way. Longer ones are collected in the buffer and written completely; a read
+/// returns the value as it was at its beginning. Domains are streamed, and never complete in
+/// memory.
 ///
 /// A request for a new transfer ends one that is under way, without an answer to the old one.
 class SdoServer : private NodeService {
  public:
   static constexpr Duration default_time_out = 1s;
 
-  /// Channel `number`, 0 to 127, is described by object 1200h + number. Number 0 is the default
-  /// channel, on 600h and 580h + node-ID, with or without the object; others are off without it,
-  /// and follow it at run time: a COB-ID is refused there (out_of_memory) where the node has no
-  /// route left for it. `buffer` must outlive the server, and bounds the length of values
-  /// (see sdo_buffer_size); 8 bytes there always are, but on a small machine. A client that is
-  /// silent for `time_out` in the middle of a transfer has lost it (an hour at most).
+  /// Makes a server. Channel `number`, 0 to 127, is described by object 1200h + number. Number 0 is
+  /// the default channel, on 600h and 580h + node-ID, with or without the object; others are
+  /// disabled without it, and follow it at run time: a COB-ID is refused there (out_of_memory) if
+  /// the node has no free route for it. `buffer` must outlive the server, and limits the length of
+  /// values (see sdo_buffer_size); except on a small machine, 8 bytes are always available. A
+  /// client that is silent for `time_out` during a transfer loses it (an hour at most).
   ///
-  /// Where there is no other than number 0, what follows an object is not linked.
+  /// Makes a server for channel 0 only: code that follows an object is not linked.
   constexpr SdoServer(Node& node, std::uint8_t number, std::span<std::uint8_t> buffer,
                       Duration time_out = default_time_out)
       : NodeService(
-            number == 0 ? Listener{told} : Listener{told_of_object, first_object, last_object},
-            Cares::for_nothing_frequent),
+            number == 0 ? Listener{on_event} : Listener{on_object_event, first_object, last_object},
+            EventMask::none),
         number_(number),
         node_(node),
         time_out_(static_cast<std::uint32_t>(time_out.count())),
@@ -52,7 +53,7 @@ class SdoServer : private NodeService {
   SdoServer(const SdoServer&) = delete;
   SdoServer& operator=(const SdoServer&) = delete;
 
-  /// A transfer is under way, in segments or in blocks, or an answer that takes time.
+  /// True if a transfer is under way, in segments or in blocks, or an answer that takes time.
   bool busy() const { return state_ != State::idle; }
 
  private:
@@ -60,40 +61,42 @@ class SdoServer : private NodeService {
 
   enum class State : std::uint8_t {
     idle,
-    opening,  ///< the application is asked; where it stops the node, nothing comes of it
+    opening,  ///< the application is asked; if it stops the node, the request has no effect
     download,
     upload,
     deferred,
     block,
   };
 
-  /// Who serves block transfers: a table, so that nothing of it is linked where there is none.
+  /// The extension for block transfers: a table, so that a program without one links none of it.
   struct Extension {
-    /// Each request while a block transfer is under way, and each that may begin one.
+    /// Takes each request during a block transfer, and each that may begin one.
     Callback<void(const Frame&)> receive;
-    /// Half of the time-out has gone by: whether that is not the end.
+    /// Handles half of the time-out; false if the transfer ends.
     Callback<bool()> expired;
   };
 
   static constexpr std::uint16_t first_object = sdo_server_parameter + 1;
   static constexpr std::uint16_t last_object = sdo_server_parameter + sdo_channels_max - 1;
 
-  static void told(NodeService& service, ServiceEvent& event);
-  static void told_of_object(NodeService& service, ServiceEvent& event);
+  static void on_event(NodeService& service, ServiceEvent& event);
+  static void on_object_event(NodeService& service, ServiceEvent& event);
   void follow_default_channel(NmtState state);
   void follow_object_in(NmtState state);
   AbortCode check(const Entry& entry, std::span<const std::uint8_t> value) const;
-  /// NodeService::can_id_ is the other half of the channel.
+  /// Listens on a channel. NodeService::can_id_ is its other half.
   void listen(SdoChannel wanted);
 
   void receive(const Frame& frame, Time now);
   void serve(const Frame& frame);
   bool find(sdo::Message request);
   bool opened(AbortCode answer);
+  bool goes_on(AbortCode answer);
   void initiate_upload(sdo::Message request);
   void begin_upload();
   void upload_segment(sdo::Message request);
   [[gnu::noinline]] void send_segment();
+  void send_streamed_segment();
   void initiate_download(sdo::Message request);
   std::optional<std::uint32_t> size_to_come(sdo::Message request) const;
   void download_segment(sdo::Message request);
@@ -112,15 +115,15 @@ class SdoServer : private NodeService {
   void give_up(Time now);
   void abort(AbortCode code);
   void send(sdo::Message message);
-  /// Where nobody else was called since the request.
+  /// Answers if no other code was called since the request.
   void reply(sdo::Message message) { node_.transmitter().send(message.frame(answering_on_)); }
 
-  // What is small comes first: a Cortex-M0+ reaches it with shorter instructions.
+  // Small members come first: a Cortex-M0+ reaches them with shorter instructions.
   std::uint8_t number_ = 0;  ///< of the channel
   State state_ = State::idle;
   std::uint8_t toggle_ = 0;         ///< of the next segment
-  std::uint8_t confirmation_ = 0;   ///< that a deferred write waits for: its first byte
-  std::uint16_t answering_on_ = 0;  ///< outlives a channel that is closed by the present request
+  std::uint8_t confirmation_ = 0;   ///< first byte of the confirmation of a deferred write
+  std::uint16_t answering_on_ = 0;  ///< outlives a channel that the present request closes
   sdo::Multiplexer multiplexer_;    ///< of the present transfer
   Node& node_;
   std::uint32_t time_out_;  ///< in microseconds

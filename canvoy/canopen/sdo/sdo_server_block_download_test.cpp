@@ -9,7 +9,7 @@ namespace {
 
 class SdoServerBlockDownload : public SdoServerNode {
  protected:
-  /// Segments of which only the last is answered.
+  /// Sends segments of which only the last is answered.
   void send(const std::vector<std::string>& segments, const std::string& answer) {
     for (const std::string& segment : segments) wire.receive("605#" + segment);
     wire.expect({"585#" + answer});
@@ -101,7 +101,7 @@ TEST_F(SdoServerBlockDownload, AClientWithoutChecksumsSendsNone) {
   EXPECT_EQ(value(0x2008), (Bytes{1, 2, 3, 4, 5, 6, 7, 8}));
 }
 
-// What is lost, repeated and late
+// Lost, repeated and late frames
 
 TEST_F(SdoServerBlockDownload, AfterALostSegmentTheRestOfTheBlockIsAskedForAgain) {
   ask("C6 21 20 00 1C 00 00 00", "A4 21 20 00 04 00 00 00");
@@ -160,7 +160,7 @@ TEST_F(SdoServerBlockDownload, ABlockOfWhichNothingComesIsAskedForAgainWhereTheS
   EXPECT_EQ(value(0x2008), (Bytes{1, 2, 3, 4, 5, 6, 7, 8}));
 }
 
-/// The client has not heard the acknowledgement of the block, and sends it again.
+/// The client has not received the acknowledgement of the block, and sends the block again.
 TEST_F(SdoServerBlockDownload, ABlockThatComesTwiceMakesTooManyBytesAndEndsTheTransfer) {
   ask("C2 21 20 00 1D 00 00 00", "A4 21 20 00 04 00 00 00");  // 29 bytes
   const std::vector<std::string> block = {"01 01 02 03 04 05 06 07", "02 01 02 03 04 05 06 07",
@@ -187,7 +187,7 @@ TEST_F(SdoServerBlockDownload, AnEndThatDoesNotComeIsWaitedForUntilTheTimeOut) {
   EXPECT_EQ(value(0x2008), Bytes(8));
 }
 
-// What is wrong
+// Errors
 
 TEST_F(SdoServerBlockDownload, NumbersThatNoSegmentOfTheBlockHasEndTheTransfer) {
   for (const char* segment : {"00 01 02 03 04 05 06 07", "05 01 02 03 04 05 06 07",

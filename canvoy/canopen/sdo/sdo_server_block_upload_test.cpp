@@ -9,7 +9,7 @@ namespace {
 
 class SdoServerBlockUpload : public SdoServerNode {
  protected:
-  /// What the server sends for one message.
+  /// Sends one message, and checks those of the server.
   void ask_for(const std::string& request, std::vector<std::string> answers) {
     SCOPED_TRACE(request);
     for (std::string& answer : answers) answer = "585#" + answer;
@@ -20,7 +20,7 @@ class SdoServerBlockUpload : public SdoServerNode {
   SdoBlockServer blocks{sut};
 };
 
-// 2013h is "Canvoy node", of which the checksum is 28EEh.
+// 2013h is "Canvoy node", with the checksum 28EEh.
 
 TEST_F(SdoServerBlockUpload, SegmentsFollowTheStartAndTheEndTheirAcknowledgement) {
   ask("A4 13 20 00 7F 00 00 00", "C6 13 20 00 0B 00 00 00");
@@ -41,7 +41,7 @@ TEST_F(SdoServerBlockUpload, AClientWithoutChecksumsGetsNone) {
 }
 
 TEST_F(SdoServerBlockUpload, TheClientChoosesTheSizeOfEachBlock) {
-  // 01 20 3F ... of which the checksum is 30B4h.
+  // 01 20 3F ... with the checksum 30B4h.
   set_value(wire.node, 0x2021, pattern(30));
   ask("A4 21 20 00 01 00 00 00", "C6 21 20 00 1E 00 00 00");
   ask_for("A3 00 00 00 00 00 00 00", {"01 01 20 3F 5E 7D 9C BB"});
@@ -120,7 +120,7 @@ TEST_F(SdoServerBlockUpload, ADomainOfUnknownSizeThatEndsWithAFullSegmentIsFollo
   ask("A2 01 01 00 00 00 00 00", "DD 00 00 00 00 00 00 00");
 }
 
-// What is lost, repeated and late
+// Lost, repeated and late frames
 
 TEST_F(SdoServerBlockUpload, WhatWasLostIsSentAgainInTheNextBlock) {
   set_value(wire.node, 0x2021, pattern(30));
@@ -232,7 +232,7 @@ TEST_F(SdoServerBlockUpload, AControllerThatTakesNothingEndsItAfterTheTimeOut) {
   wire.expect({"585#01 43 61 6E 76 6F 79 20", "585#80 13 20 00 00 00 04 05"});
 }
 
-// What is wrong
+// Errors
 
 TEST_F(SdoServerBlockUpload, ABlockHas1To127Segments) {
   ask("A4 13 20 00 00 00 00 00", "80 13 20 00 02 00 04 05");

@@ -1,5 +1,5 @@
-// SDO server, downloads that a device answers only when what they ask for is done (CiA 301,
-// 7.5.2.13: the confirmation follows the storing).
+// SDO server, downloads that a device confirms only when their action is done (CiA 301, 7.5.2.13:
+// the confirmation follows the storing).
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/sdo/sdo_server.hpp"
@@ -9,7 +9,7 @@
 namespace canvoy::sdo_server_deferred_test {
 namespace {
 
-/// Writes to 2004h take time; the test says when they are done.
+/// Writes to 2004h take time; the test determines when they are done.
 class SdoServerDeferred : public testing::Test {
  protected:
   SdoServerDeferred() {
@@ -103,7 +103,7 @@ TEST_F(SdoServerDeferred, TheWatchdogOfAnEarlierTransferDoesNotEndTheWaiting) {
   wire.expect({"585#20 00 00 00 00 00 00 00"});
 }
 
-// Each command byte, and each other length, while the answer is waited for: it is answered as ever,
+// Each command byte, and each other length, while the answer is pending: it is answered as usual,
 // or not at all, and the late answer comes once at most.
 TEST_F(SdoServerDeferred, WhateverComesMeanwhileTheNodeLivesOn) {
   for (unsigned command = 0; command < 256; ++command) {

@@ -22,7 +22,7 @@ TEST_F(SdoServerExpeditedDownload, ADownloadOfOneToFourBytesIsConfirmedInOneFram
 TEST_F(SdoServerExpeditedDownload, AnExpeditedDownloadWithoutSizeHasTheLengthOfTheEntry) {
   ask("22 01 20 00 11 AA AA AA", "60 01 20 00 00 00 00 00");
   ask("22 02 20 00 11 22 AA AA", "60 02 20 00 00 00 00 00");
-  ask("2E 03 20 00 11 22 33 AA", "60 03 20 00 00 00 00 00");  // n does not count without s
+  ask("2E 03 20 00 11 22 33 AA", "60 03 20 00 00 00 00 00");  // n is ignored without s
   ask("22 04 20 00 11 22 33 44", "60 04 20 00 00 00 00 00");
   ask("22 20 20 00 61 62 63 00", "60 20 20 00 00 00 00 00");
   EXPECT_EQ(value(0x2001), (Bytes{0x11}));

@@ -1,4 +1,4 @@
-// SDO server: what all kinds of transfer have in common (CiA 301, 7.2.4).
+// SDO server: common behaviour of all kinds of transfer (CiA 301, 7.2.4).
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/testing/sdo_server_node.hpp"

@@ -1,5 +1,5 @@
 // Every command byte in every state of server and client, and golden dialogues with each of their
-// bits flipped: the answer is right, an abort, or nothing, and the node works afterwards.
+// bits flipped: the answer is right, an abort, or absent, and the node works afterwards.
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/sdo/sdo_client.hpp"
@@ -19,7 +19,7 @@ std::string hex(unsigned byte) {
   return text;
 }
 
-/// Node 5 with a server, and no more than a test of one request needs.
+/// Node 5 with a server, with the minimum for a test of one request.
 struct Server {
   Server() {
     wire.boot();
@@ -46,10 +46,11 @@ struct Server {
 
 struct ServerState {
   const char* name;
-  Frames requests;          ///< that lead there
-  int download_toggle;      ///< that the next segment of a download must have; -1: none is expected
-  int upload_toggle;        ///< the same for an upload
-  const char* multiplexer;  ///< of an abort
+  Frames requests;  ///< requests that lead to this state
+  /// Required toggle bit of the next segment of a download; -1: none is expected.
+  int download_toggle;
+  int upload_toggle;        ///< like download_toggle, but for an upload
+  const char* multiplexer;  ///< in an abort
 };
 
 const std::vector<ServerState> server_states = {
@@ -68,7 +69,7 @@ const std::vector<ServerState> server_states = {
      "21 20 00"},
 };
 
-/// What CiA 301 asks of the server for a request with `command` and the multiplexer 2002h:00h; a
+/// Answer of the server by CiA 301 to a request with `command` and the multiplexer 2002h:00h; a
 /// segment's data is then 02 20 00 34 12 00 00.
 Frames expected_of_server(const ServerState& state, unsigned command) {
   const std::string aborted = "585#80 " + std::string(state.multiplexer);
@@ -132,7 +133,7 @@ TEST(SdoServerStates, EveryPairOfCommandBytesLeavesAServerThatWorks) {
   sut.expect_alive();
 }
 
-/// Requests and answers, typed from CiA 301, 7.2.4.3.
+/// Requests and answers, written from CiA 301, 7.2.4.3.
 struct Dialogue {
   const char* name;
   Frames requests;
@@ -194,7 +195,7 @@ TEST(SdoServerStates, AFlippedBitInAnyRequestLeavesAServerThatWorks) {
   }
 }
 
-/// Bits that CiA 301 reserves: a request means the same with any of them set.
+/// Bits that CiA 301 reserves: a request has the same meaning with any of them set.
 TEST(SdoServerStates, AFlippedReservedBitChangesNothing) {
   const std::vector<std::pair<std::size_t, std::vector<unsigned>>> reserved = {
       {0, {0, 1, 2, 3, 4, 32, 63}},  // upload: bits 4 to 0, data
@@ -210,7 +211,7 @@ TEST(SdoServerStates, AFlippedReservedBitChangesNothing) {
   }
 }
 
-/// Node 1 asks node 5, which is the test.
+/// Node 1 is the client of node 5, which is the test.
 struct Client {
   Client() { wire.boot(); }
 
@@ -249,8 +250,8 @@ struct ClientState {
   const char* name;
   bool is_upload;
   std::size_t size;  ///< of a download
-  Frames answers;    ///< that lead there
-  int toggle;        ///< of the segment that is waited for; -1: the answer to the initiate is
+  Frames answers;    ///< answers that lead to this state
+  int toggle;        ///< of the expected segment; -1: the answer to the initiate is expected
 };
 
 const std::vector<ClientState> client_states = {
@@ -277,7 +278,7 @@ const std::vector<ClientState> client_states = {
 };
 
 struct Reaction {
-  std::optional<AbortCode> outcome;  ///< none while it goes on waiting
+  std::optional<AbortCode> outcome;  ///< none while it waits
   Frames frames;
 };
 
@@ -287,7 +288,7 @@ Reaction failed(AbortCode code) {
   return {code, {wire_text(frame)}};
 }
 
-/// What CiA 301 asks of a client for an answer with `command`, the multiplexer 2002h:00h and the
+/// Reaction of a client by CiA 301 to an answer with `command`, the multiplexer 2002h:00h and the
 /// value 12h; a segment's data is then 02 20 00 12 00 00 00.
 Reaction expected_of_client(const ClientState& state, unsigned command) {
   const unsigned specifier = command >> 5;

@@ -1,4 +1,4 @@
-// Client and server together, over a line that keeps every frame, and over one that does not.
+// Client and server together, over a line that keeps every frame, and over a lossy one.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -107,7 +107,7 @@ TEST(SdoTransfer, ATransferOf889BytesTakes128FramesEachWay) {
   EXPECT_EQ(line.frames, 2U * 128U);
 }
 
-/// One transfer over a line with these fates; what must hold whatever they are.
+/// One transfer over a line with these fates; checks the properties that hold for any of them.
 struct Attempt {
   Attempt(bool is_upload, std::size_t size, const std::vector<Fate>& fates,
           std::deque<std::uint8_t> room = {})
@@ -119,7 +119,7 @@ struct Attempt {
                                         : line.client.download(5, 0x2021, 0, sent, line.on_done());
     RC_ASSERT(started == AbortCode::none);
     line.run(fates);
-    // Both sides have come to an end within the time-out.
+    // Both sides have ended within the time-out.
     RC_ASSERT(line.outcome.has_value());
     RC_ASSERT(!line.client.busy());
     RC_ASSERT(!line.server.busy());
@@ -127,7 +127,7 @@ struct Attempt {
     is_whole = is_upload ? received == sent : value == sent;
     is_untouched = is_upload || value == old;
   }
-  /// The next transfer is not disturbed by what went before.
+  /// Earlier frames do not disturb the next transfer.
   void expect_alive() {
     line.outcome.reset();
     Bytes device_type(4);
@@ -171,8 +171,8 @@ RC_GTEST_PROP(SdoTransfer, LossAndReorderingEndWithDataWholeOrAnAbort, ()) {
   expect_data_whole_or_abort({Fate::is_lost, Fate::is_overtaken});
 }
 
-/// With both, a copy may take the place of the segment after the next: one toggle bit cannot tell
-/// them apart, and no CAN bus does that. It still comes to an end.
+/// With both, a copy may replace the segment after the next: one toggle bit cannot distinguish
+/// them, and no CAN bus does that. It still ends.
 RC_GTEST_PROP(SdoTransfer, AnythingAtAllComesToAnEnd, ()) {
   const bool is_upload = *rc::gen::arbitrary<bool>();
   const auto size = *rc::gen::inRange<std::size_t>(0, 60);

@@ -1,22 +1,22 @@
-// A deadline that is put off with each frame and hardly ever reached: on a host, to put it off
-// costs a comparison, not a change in the timer queue.
+// A deadline that is postponed with each frame and rarely reached: on a host, postponing costs a
+// comparison, not a change in the timer queue.
 //
 //     SdoWatchdog watchdog{node.timers(), Callback<void(Time)>::to<&SdoServer::give_up>(server)};
 //     watchdog.restart(now + 1s);
 //     if (watchdog.put_off(now)) return;  // in give_up()
 #pragma once
 
-#include "canvoy/canopen/timer_queue.hpp"
+#include "canvoy/canopen/service/timer_queue.hpp"
 
 namespace canvoy {
 
-/// It cannot be stopped: who has nothing to wait for any more lets it expire. On a small machine,
-/// where servers and clients live as long as their node, its end takes no code.
+/// A watchdog. It cannot be stopped: it expires without effect. On a small machine, where servers
+/// and clients live as long as their node, its end takes no code.
 template <bool is_small>
 class BasicSdoWatchdog {
  public:
-  /// `timers` must outlive the watchdog. `expired` is called at the deadline, or at one that was
-  /// put off since: it asks put_off() first.
+  /// Makes a watchdog. `timers` must outlive it. `expired` is called at the deadline, or at one
+  /// that was postponed since: it must call put_off() first.
   constexpr BasicSdoWatchdog(TimerQueue& timers, Callback<void(Time)> expired)
       : timers_(timers), timer_(expired) {}
   ~BasicSdoWatchdog()
@@ -26,7 +26,7 @@ class BasicSdoWatchdog {
   BasicSdoWatchdog(const BasicSdoWatchdog&) = delete;
   BasicSdoWatchdog& operator=(const BasicSdoWatchdog&) = delete;
 
-  /// From now on it expires at `at`, and not before.
+  /// Sets the deadline to `at`.
   void restart(Time at) {
     // A small machine arms the timer each time.
     if constexpr (!is_small) {
@@ -36,13 +36,13 @@ class BasicSdoWatchdog {
     timers_.arm(timer_, at);
   }
 
-  /// The same in so many microseconds.
+  /// Like restart(), but `delay` microseconds from the present time.
   void restart_in(std::uint32_t delay) {
     if constexpr (is_small) return timers_.arm_in(timer_, delay);
     restart(timers_.now() + Duration(delay));
   }
 
-  /// Whether the deadline has been put off to a time that is still to come.
+  /// True if the deadline was postponed to a time still to come.
   bool put_off(Time now) {
     if (is_small || deadline_.value <= now) return false;
     timers_.arm(timer_, deadline_.value);

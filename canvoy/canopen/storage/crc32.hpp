@@ -1,4 +1,4 @@
-// CRC-32 as Ethernet, zip and the software identification 1F56h have it: polynomial 04C11DB7h,
+// CRC-32 as in Ethernet, zip and the software identification 1F56h: polynomial 04C11DB7h,
 // reflected, FFFFFFFFh at the start and inverted at the end.
 //
 //     Crc32 crc;
@@ -12,7 +12,8 @@
 
 namespace canvoy {
 
-/// Four bits at a time: 64 bytes of table instead of a kilobyte, since flash is slower anyway.
+/// Computes four bits at a time: 64 bytes of table instead of a kilobyte, since flash is slower
+/// anyway.
 class Crc32 {
  public:
   constexpr void add(std::span<const std::uint8_t> bytes) {

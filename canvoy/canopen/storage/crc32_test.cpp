@@ -12,7 +12,7 @@ std::vector<std::uint8_t> bytes_of(std::string_view text) {
   return {text.begin(), text.end()};
 }
 
-// The check values that everybody has for CRC-32/ISO-HDLC.
+// The common check values of CRC-32/ISO-HDLC.
 TEST(Crc32, HasTheCheckValuesOfIsoHdlc) {
   EXPECT_EQ(crc32(bytes_of("123456789")), 0xCBF4'3926);
   EXPECT_EQ(crc32({}), 0x0000'0000);

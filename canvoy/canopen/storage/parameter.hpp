@@ -1,5 +1,5 @@
-// Which entries of a dictionary are parameters, and so worth to be kept without power, and to which
-// group of parameters they belong (CiA 301, 7.5.2.13).
+// Which entries of a dictionary are parameters, which are stored, and the group of parameters that
+// each belongs to (CiA 301, 7.5.2.13).
 //
 //     ParameterWalk walk(dictionary);
 //     for (Entry entry; walk.next(entry);) ...
@@ -13,41 +13,42 @@
 namespace canvoy {
 
 /// A manufacturer-specific group: sub-index 4 to 127 of 1010h and 1011h. A group may have several
-/// ranges, and they need not be in 2000h to 5FFFh.
+/// ranges, inside or outside 2000h to 5FFFh.
 struct ParameterGroup {
   std::uint8_t sub = 4;
   std::uint16_t first = 0x2000;  ///< index
   std::uint16_t last = 0x5FFF;   ///< index
 };
 
-/// Of a device that divides its own objects no further.
+/// Group of a device that does not divide its own objects further.
 inline constexpr ParameterGroup manufacturer_group[] = {{}};
 
-/// Whether sub-index `sub` of 1010h and 1011h is about the object: 1 about all, 2 about 1000h to
-/// 1FFFh, 3 about 6000h to 9FFFh, the others about what `groups` says.
+/// True if sub-index `sub` of 1010h and 1011h covers the object: 1 covers all, 2 covers 1000h to
+/// 1FFFh, 3 covers 6000h to 9FFFh, the others the ranges in `groups`.
 bool is_in_group(std::uint16_t index, std::uint8_t sub, std::span<const ParameterGroup> groups);
 
-/// What SDO may read and write, and is neither a value of the process (EntryTraits::not_stored) nor
-/// one of those communication objects that stand for an action or a state.
+/// True for an entry that SDO may read and write, and that is neither a process value
+/// (EntryTraits::not_stored) nor a communication object for an action or a state.
 bool is_parameter(std::uint16_t index, const EntryShape& row);
 
-/// All parameters of a dictionary, in the order of their indices and sub-indices.
+/// Iterates over all parameters of a dictionary, in the order of their indices and sub-indices.
 class ParameterWalk {
  public:
   explicit ParameterWalk(const Dictionary& dictionary) : dictionary_(&dictionary) {}
 
-  /// False at the end.
+  /// Goes to the next parameter; false at the end.
   bool next(Entry& entry);
 
  private:
   const Dictionary* dictionary_;
-  std::uint16_t object_ = 0;  ///< its place in the table
-  std::uint16_t number_ = 0;  ///< which of the objects of that shape
-  std::uint16_t row_ = 0;     ///< which of the entry rows of the object
-  std::uint16_t place_ = 0;   ///< which of the entries of that row
+  std::uint16_t object_ = 0;  ///< index in the table
+  std::uint16_t number_ = 0;  ///< number among the objects of that shape
+  std::uint16_t row_ = 0;     ///< number among the entry rows of the object
+  std::uint16_t place_ = 0;   ///< number among the entries of that row
 };
 
-/// Tells dictionaries with other parameters apart: indices, sub-indices, types and lengths.
+/// Checksum that distinguishes dictionaries with different parameters: indices, sub-indices, types
+/// and lengths.
 std::uint32_t parameter_signature(const Dictionary& dictionary);
 
 }  // namespace canvoy

@@ -8,7 +8,7 @@ namespace canvoy {
 
 namespace {
 
-/// A default that follows the node-ID goes on following it: it is not stored as a number, which
+/// A default that follows the node-ID continues to follow it: it is not stored as a number, which
 /// would be wrong when the node-ID changes.
 bool follows_node_id(const Dictionary& dictionary, const Entry& entry, std::uint8_t node_id) {
   const EntryShape& row = *entry.row;
@@ -18,7 +18,7 @@ bool follows_node_id(const Dictionary& dictionary, const Entry& entry, std::uint
   return std::ranges::equal(entry.bytes(), std::span(bytes).first(row.capacity));
 }
 
-/// What is stored of an SDO channel that ends with its connection: it is not there (bit 31).
+/// Stored value of an SDO channel that ends with its connection: not valid (bit 31).
 constexpr std::uint8_t no_channel[] = {0, 0, 0, 0x80};
 
 }  // namespace
@@ -84,7 +84,7 @@ void ParameterSet::begin() {
   torn_ = false;
 }
 
-/// The number of entries comes first: they are counted before they are given.
+/// The number of entries comes first, so they are counted before they are written.
 void ParameterSet::rewind() {
   begin();
   std::uint32_t count = 0;
@@ -107,7 +107,7 @@ Result<std::size_t> ParameterSet::next(std::span<std::uint8_t> bytes) {
   return size;
 }
 
-/// What is left of the present entry, as far as there is room.
+/// Writes the rest of the present entry, as far as there is room.
 std::size_t ParameterSet::give(std::span<std::uint8_t> bytes) {
   std::size_t size = 0;
   for (; size < bytes.size() && given_ < head_size_; ++size) bytes[size] = head_[given_++];

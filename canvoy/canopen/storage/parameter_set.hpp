@@ -1,5 +1,5 @@
-// A set of parameters as it is stored: a concise DCF (CiA 302-3, object 1F22h), so that what a
-// device keeps and what a configuration manager sends to it are one format.
+// A stored set of parameters: a concise DCF, so that a device stores the format that a
+// configuration manager sends to it (CiA 302-3, object 1F22h).
 //
 //     number of entries   Unsigned32
 //     then for each       index Unsigned16, sub-index Unsigned8, length Unsigned32, value
@@ -15,7 +15,7 @@
 
 namespace canvoy {
 
-/// What stands before each value.
+/// Head of each value.
 struct StoredHead {
   static constexpr std::uint32_t size = 7;
   using Bytes = std::array<std::uint8_t, size>;
@@ -28,24 +28,24 @@ struct StoredHead {
   static StoredHead from(const Bytes& bytes);
 };
 
-/// Whether the dictionary has such a parameter.
+/// True if the dictionary has such a parameter.
 bool fits(const StoredHead& head, const Dictionary& dictionary);
 
-/// The bytes that a set of all parameters takes at most, with its strings full.
+/// Greatest size in bytes of a set of all parameters, with full strings.
 std::uint32_t stored_size_max(const Dictionary& dictionary);
 
-/// Goes through the entries of a record.
+/// Iterates over the entries of a record.
 class StoredWalk {
  public:
-  static constexpr std::uint32_t first_entry = 4;  ///< behind the number of entries
+  static constexpr std::uint32_t first_entry = 4;  ///< after the number of entries
 
   explicit StoredWalk(const RecordPair& record) : record_(&record) {}
 
-  /// False at the end, and where what follows is no entry: see is_whole().
+  /// Goes to the next entry; false at the end, and before invalid data: see is_whole().
   bool next(StoredHead& head);
-  /// Where the value of the last entry stands in the record.
+  /// Position of the last entry's value in the record.
   std::uint32_t value() const { return offset_ - length_; }
-  /// After the end: the record has as many entries as it says, and nothing behind.
+  /// After the end: true if the record has as many entries as it states, and nothing behind.
   bool is_whole() const;
 
  private:
@@ -55,23 +55,23 @@ class StoredWalk {
   std::uint32_t count_ = 0;
 };
 
-/// Makes the content of a new record, piece by piece: the present values of one group, and all
-/// others as the old record has them and the dictionary knows them.
+/// Makes the content of a new record, in pieces: the present values of one group, and all others
+/// from the old record if the dictionary has them.
 class ParameterSet {
  public:
   struct Recipe {
     std::uint8_t group = 1;  ///< sub-index of 1010h or 1011h
-    bool store = true;       ///< false: the group is left out, so that its defaults hold again
-    bool keep = true;        ///< false: the old record is of no use
+    bool store = true;       ///< false: the group is omitted, so that its defaults apply again
+    bool keep = true;        ///< false: the old record is not used
     std::uint8_t node_id = 0;
   };
 
-  /// All must outlive the set.
+  /// Makes the set. All arguments must outlive it.
   ParameterSet(const Dictionary& dictionary, const RecordPair& record,
                std::span<const ParameterGroup> groups)
       : groups_(groups), dictionary_(dictionary), record_(record), own_(dictionary), old_(record) {}
 
-  /// The source for the record's writer; it refers to this.
+  /// Prepares the source for the record's writer; it refers to this object.
   RecordSource cook(const Recipe& recipe);
 
  private:
@@ -94,9 +94,9 @@ class ParameterSet {
   StoredHead::Bytes head_{};  ///< of the present entry
   std::uint32_t head_size_ = 0;
   std::uint32_t length_ = 0;             ///< of its value
-  const std::uint8_t* value_ = nullptr;  ///< where it is in memory; null: in the old record
-  std::uint32_t at_ = 0;                 ///< where it is in the old record
-  std::uint32_t given_ = 0;              ///< bytes of it, with its head
+  const std::uint8_t* value_ = nullptr;  ///< its position in memory; null: in the old record
+  std::uint32_t at_ = 0;                 ///< its position in the old record
+  std::uint32_t given_ = 0;              ///< number of bytes of it, with its head
   bool torn_ = false;                    ///< the old record could not be read to its end
 };
 

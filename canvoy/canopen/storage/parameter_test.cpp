@@ -28,7 +28,7 @@ TEST(Parameter, IsNoDomainAndNoValueOfTheProcess) {
   EXPECT_FALSE(is_parameter(0x2000, {.access = Access::rw, .traits = EntryTraits::not_stored}));
 }
 
-// CiA 301 and 302: objects of which a write does something, or which tell what is now.
+// CiA 301 and 302: objects that trigger an action when written, or that report a state.
 TEST(Parameter, IsNoObjectThatStandsForAnActionOrAState) {
   for (const std::uint16_t index : std::to_array<std::uint16_t>(
            {0x1001, 0x1003, 0x1010, 0x1011, 0x1013, 0x1023, 0x1024, 0x1F00, 0x1F01, 0x1F10, 0x1F25,
@@ -93,7 +93,7 @@ TEST(Parameter, AWalkEndsInADictionaryOf254EntriesAndOfNone) {
   EXPECT_FALSE(ParameterWalk(empty.dictionary).next(entry));
 }
 
-/// The signature of the dictionary that differs from stored_layout in one place.
+/// Signature of the dictionary that differs from stored_layout in one place.
 template <class Change>
 std::uint32_t signature_with(Change change) {
   auto objects = stored_objects;

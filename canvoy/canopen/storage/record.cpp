@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 #include "canvoy/canopen/storage/crc32.hpp"
 
 namespace canvoy {

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 
 namespace canvoy {
 
 namespace {
 
-/// Content goes to the flash in pieces of this size: a multiple of every unit.
+/// Size of the pieces that go to the flash: a multiple of every unit.
 constexpr std::size_t piece_size = RecordHead::size;
 using Piece = std::array<std::uint8_t, piece_size>;
 
@@ -31,12 +31,11 @@ RecordState RecordPair::find() {
   }
   head_ = newest_ == nowhere ? RecordHead{} : heads[newest_];
   state_ = judge(first, second);
-  must_hold(state_ != RecordState::valid || newest_ != nowhere);
+  check_invariant(state_ != RecordState::valid || newest_ != nowhere);
   return state_;
 }
 
-/// An attempt that was cancelled may still be going on in the flash, which cannot be read
-/// meanwhile.
+/// A cancelled attempt may still be in progress in the flash, which cannot be read meanwhile.
 bool RecordPair::await_flash() {
   for (unsigned polls = 0; waiting_ && polls < polls_max; ++polls) {
     waiting_ = flash_.poll() == FlashState::busy;
@@ -83,7 +82,7 @@ RecordStep RecordPair::step() {
     const FlashState state = flash_.poll();
     if (state == FlashState::busy) return RecordStep::wait;
     waiting_ = false;
-    // In `resume` it is an attempt before this one that has ended.
+    // In `resume` it is an earlier attempt that has ended.
     if (state == FlashState::failed && phase_ > Phase::resume) {
       if (phase_ < Phase::secure) return finish(AbortCode::hardware);
       outcome_ = AbortCode::hardware;
@@ -116,7 +115,8 @@ RecordStep RecordPair::proceed() {
   return RecordStep::done;
 }
 
-/// With what the flash holds now: an attempt before this one may have left its record there.
+/// Compares with the present contents of the flash: an earlier attempt may have left its record
+/// there.
 RecordStep RecordPair::compare() {
   in_doubt_ = false;
   if (find() == RecordState::unreadable) return finish(AbortCode::hardware);
@@ -127,7 +127,7 @@ RecordStep RecordPair::compare() {
   return go_on(FlashState::done, Phase::erase);
 }
 
-/// The sector with the head is the first to go, so that no head is ever left before a torn content.
+/// The sector with the head is erased first, so that no head precedes incomplete content.
 RecordStep RecordPair::erase() {
   const FlashState state = flash_.erase(slot(free_slot()) + offset_);
   offset_ += flash_.sector_size;
@@ -142,7 +142,7 @@ RecordStep RecordPair::write() {
     programmed_ = {};
     source_.rewind();
   }
-  must_hold(offset_ <= capacity());
+  check_invariant(offset_ <= capacity());
   Piece piece;
   piece.fill(0xFF);
   const Result<std::size_t> filled = source_.next(piece);
@@ -165,8 +165,8 @@ RecordStep RecordPair::commit() {
   return go_on(flash_.program(slot(free_slot()), successor().bytes()), Phase::secure);
 }
 
-/// Whatever the flash answered, what can be read is what holds from now on; but it is no success
-/// where the flash does not say that it lasts.
+/// Whatever the flash answered, the readable record applies; but the attempt fails if the flash
+/// does not confirm that it lasts.
 RecordStep RecordPair::check() {
   const RecordHead wanted = successor();
   RecordHead head;
@@ -179,7 +179,7 @@ RecordStep RecordPair::check() {
   return finish(outcome_);
 }
 
-/// Either the flash keeps something else than it was given, or the content has changed since.
+/// Either the flash has other contents than programmed, or the values have changed since.
 RecordStep RecordPair::try_again() {
   if (++attempts_ < attempts_max) {
     offset_ = 0;
@@ -195,7 +195,7 @@ bool RecordPair::holds(std::size_t slot_number, std::uint32_t length) const {
   std::size_t size = piece_size;
   source_.rewind();
   for (std::uint32_t offset = 0; size == piece_size; offset += piece_size) {
-    must_hold(offset <= length);
+    check_invariant(offset <= length);
     const Result<std::size_t> filled = source_.next(wanted);
     if (!filled) return false;
     size = *filled;
@@ -209,7 +209,7 @@ bool RecordPair::holds(std::size_t slot_number, std::uint32_t length) const {
   return true;
 }
 
-/// The head of the record that is being written.
+/// Head of the record that is being written.
 RecordHead RecordPair::successor() const {
   return {.kind = place_.kind,
           .sequence = head_.sequence + 1,
@@ -218,7 +218,8 @@ RecordHead RecordPair::successor() const {
           .signature = signature_};
 }
 
-/// From `secure` on a failure ends nothing: what can be read is what holds. But it is told.
+/// From `secure` on a failure ends nothing: the readable record applies. But the failure is
+/// reported.
 RecordStep RecordPair::go_on(FlashState state, Phase next) {
   if (state == FlashState::failed) {
     if (next < Phase::secure) return finish(AbortCode::hardware);

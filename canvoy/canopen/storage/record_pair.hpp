@@ -1,10 +1,10 @@
-// The newest of two records, and the other one's place for its successor: what is stored is the old
-// record or the new one at any moment, whenever power fails.
+// The newer of two records, with the other slot for its successor: at any moment, the stored record
+// is the old or the new one, whenever power fails.
 //
-// The writer goes step by step, so that nobody waits for the flash. When all is written it goes
-// through the content once more at one point in time, compares it with what the flash holds, and
-// only then makes it valid; so the record is a moment's whole truth, even where values changed
-// while they were written.
+// The writer works in steps, so that no caller waits for the flash. When all is written it checks
+// the content once more at one point in time, compares it with the flash, and only then makes it
+// valid; so the record is consistent at that moment, even if values changed while they were
+// written.
 //
 //     RecordPair pair(flash, {.address = 0, .slot_size = 2048, .kind = kind});
 //     if (pair.find() == RecordState::valid) pair.read(0, bytes);
@@ -16,79 +16,79 @@
 #include <span>
 
 #include "canvoy/can/callback.hpp"
-#include "canvoy/canopen/dictionary/abort_code.hpp"
+#include "canvoy/canopen/protocol/abort_code.hpp"
 #include "canvoy/canopen/storage/crc32.hpp"
 #include "canvoy/canopen/storage/record.hpp"
 
 namespace canvoy {
 
-/// What the newest record is worth.
+/// State of the newest record.
 enum class RecordState : std::uint8_t {
   valid,
-  empty,    ///< there never was one
-  damaged,  ///< it was changed since it was written
+  empty,    ///< there never was a record
+  damaged,  ///< changed since it was written
   other_format,
   foreign,     ///< of another kind of device
-  outdated,    ///< of a device of this kind with another dictionary
-  too_long,    ///< it says that it is longer than its place
+  outdated,    ///< of this kind of device with another dictionary
+  too_long,    ///< its stated length exceeds its slot
   unreadable,  ///< the flash does not answer
 };
 
 enum class RecordStep : std::uint8_t {
   again,  ///< step() may be called at once
-  wait,   ///< the flash is busy: step() again after a while
+  wait,   ///< the flash is busy: call step() again later
   done,   ///< see outcome()
 };
 
-/// The content of a record, piece by piece and as often as is wanted.
+/// The content of a record, in pieces and as often as required.
 struct RecordSource {
   Callback<void()> rewind;
-  /// Fills `bytes`, which are RecordHead::size, and says how many there were: fewer than asked for,
-  /// and they were the last. An abort code ends the attempt.
+  /// Fills `bytes`, which are RecordHead::size long, and returns their number: fewer mark the end.
+  /// An abort code ends the attempt.
   Callback<Result<std::size_t>(std::span<std::uint8_t> bytes)> next;
 };
 
 class RecordPair {
  public:
   struct Place {
-    std::uint32_t address = 0;    ///< of the first slot; the other one follows it
+    std::uint32_t address = 0;    ///< of the first slot; the other follows it
     std::uint32_t slot_size = 0;  ///< whole sectors
     std::uint32_t kind = 0;
   };
 
-  /// `flash` must outlive this.
+  /// Makes the pair; `flash` must outlive it.
   RecordPair(const Flash& flash, const Place& place) : flash_(flash), place_(place) {}
 
-  /// Finds the newest record, and reads all of it once. Where its place was begun to be overwritten
-  /// by a successor that never came to its end, it is the older one: as long as there is one, an
-  /// interrupted step is no damage. It waits for a flash that is still busy with a cancelled
-  /// attempt, but not for ever: then it is unreadable.
+  /// Finds the newest record, and reads all of it once. If its slot was partly overwritten by an
+  /// incomplete successor, the older record is the newest: as long as there is one, an interrupted
+  /// step is no damage. It waits for a flash that is still busy with a cancelled attempt, for a
+  /// limited time: then the record is unreadable.
   RecordState find();
-  /// Who may read the records, and who writes them: its device and its dictionary.
+  /// Sets the signature of readers and writer: device and dictionary.
   void sign(std::uint32_t device, std::uint32_t dictionary) { signature_ = {device, dictionary}; }
 
-  /// Of the newest record, as find() or a finished step() left it: valid or outdated.
+  /// Length of the newest record after find() or a finished step(): valid or outdated.
   std::uint32_t length() const { return head_.length; }
   bool read(std::uint32_t offset, std::span<std::uint8_t> bytes) const;
 
-  /// Begins to write; it forgets an attempt before it. `source` must live until the end, and may
-  /// read from the newest record. A content that is stored already is not written again.
+  /// Begins to write; discards an earlier attempt. `source` must live until the end, and may read
+  /// from the newest record. Content that is stored already is not written again.
   void begin(const RecordSource& source);
-  /// `find` was called before. It answers `done` again where nothing was begun.
+  /// Carries out a step; find() must be called before. Returns `done` again if nothing was begun.
   RecordStep step();
   /// Stops writing; the old record stays, unless the head of the new one was already being
-  /// programmed: then it is the one or the other. Whatever comes next looks which.
+  /// programmed: then it is either of them, and the next call determines which.
   void cancel() { phase_ = Phase::idle; }
   bool busy() const { return phase_ != Phase::idle; }
-  /// Of the last attempt: none; out_of_memory (the slot is too small); hardware (the flash failed,
-  /// or holds something else than was programmed, or does not say that it lasts); device_state (the
-  /// content does not hold still).
+  /// Result of the last attempt: none; out_of_memory (the slot is too small); hardware (the flash
+  /// failed, holds other data than programmed, or does not confirm that it lasts); device_state
+  /// (the content keeps changing).
   AbortCode outcome() const { return outcome_; }
 
  private:
   enum class Phase : std::uint8_t {
     idle,
-    resume,  ///< after an attempt that may have left a head behind
+    resume,  ///< after an attempt that may have left a head
     compare,
     erase,
     write,
@@ -99,7 +99,7 @@ class RecordPair {
   };
   static constexpr unsigned attempts_max = 3;
   static constexpr std::size_t nowhere = 2;
-  /// How often find() asks a flash that is busy: some seconds.
+  /// Limit of polls of a busy flash in find(): some seconds.
   static constexpr unsigned polls_max = 1'000'000;
 
   std::uint32_t slot(std::size_t number) const {
@@ -133,11 +133,11 @@ class RecordPair {
   RecordSource source_;
   Phase phase_ = Phase::idle;
   bool waiting_ = false;       ///< for the flash
-  bool in_doubt_ = false;      ///< whether the head that was programmed last is a lasting one
-  std::uint8_t attempts_ = 0;  ///< that have failed
+  bool in_doubt_ = false;      ///< unclear whether the head that was programmed last is permanent
+  std::uint8_t attempts_ = 0;  ///< number of failed attempts
   AbortCode outcome_ = AbortCode::none;
-  std::uint32_t offset_ = 0;  ///< in the slot that is erased, in the content that is written
-  Crc32 programmed_;          ///< of the content, as it was handed to the flash
+  std::uint32_t offset_ = 0;  ///< in the slot being erased, in the content being written
+  Crc32 programmed_;          ///< of the content as passed to the flash
 };
 
 }  // namespace canvoy

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 #include "canvoy/canopen/storage/testing/simulated_flash.hpp"
 
 namespace canvoy::record_pair_test {
@@ -12,7 +12,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// A content that is a vector.
+/// Content in a vector.
 struct Content {
   explicit Content(Bytes content) : bytes(std::move(content)) {}
   RecordSource source() {
@@ -78,8 +78,8 @@ TEST_F(RecordPairTest, AContentThatIsTooLongIsRefusedAndTheOldOneStays) {
   }
 }
 
-// The head, as it stands: kind 7, format 1, sequence 1, length 9, CRC-32 of "123456789", signature,
-// and the CRC-32 of these 28 bytes.
+// The head as stored: kind 7, format 1, sequence 1, length 9, CRC-32 of "123456789", signature, and
+// the CRC-32 of these 28 bytes.
 TEST_F(RecordPairTest, TheHeadStandsInFrontOfTheContent) {
   RecordPair sut(memory.flash, place);
   sut.sign(0x1122'3344, 0x5566'7788);
@@ -104,7 +104,7 @@ TEST_F(RecordPairTest, SequenceNumbersGoRound) {
     EXPECT_FALSE(head.newer_than(RecordHead{.sequence = sequence + 1}));
     EXPECT_FALSE(head.newer_than(head));
   }
-  // A device that has stored four thousand million sets.
+  // A device after four thousand million stores.
   head = {.kind = 7, .sequence = 0xFFFF'FFFF, .length = 0, .crc = 0};
   std::ranges::copy(head.bytes(), memory.bytes.begin());
   EXPECT_EQ(found(), Bytes{});

@@ -11,7 +11,7 @@ namespace {
 /// "save" and "load", the first character in the lowest byte.
 constexpr std::uint32_t save_signature = 0x6576'6173;
 constexpr std::uint32_t load_signature = 0x6461'6F6C;
-/// Of 1010h and 1011h, when they are read: the device does it when it is told to.
+/// Value of 1010h and 1011h when read: the device stores and restores on command.
 constexpr std::uint32_t on_command = 1;
 
 constexpr std::uint32_t parameter_record = 0x5043'4F43;  ///< "COCP"
@@ -29,11 +29,11 @@ bool is_reached(std::uint16_t index, ResetScope scope) {
 
 }  // namespace
 
-constexpr HookCalls Storage::hook_calls = {.first = object_index::store_parameters,
-                                           .last = object_index::restore_parameters,
-                                           .before_write = method<&Storage::before_write>};
-constexpr ServiceCalls Storage::service_calls = {.state_entered = method<&Storage::state_entered>,
-                                                 .hooks = {&hook_calls, 1}};
+constexpr AccessHandlers Storage::hook_calls = {.first = object_index::store_parameters,
+                                                .last = object_index::restore_parameters,
+                                                .before_write = method<&Storage::before_write>};
+constexpr ServiceHandlers Storage::service_calls = {
+    .state_entered = method<&Storage::state_entered>, .hooks = {&hook_calls, 1}};
 
 Storage::Storage(Node& node, const Flash& flash, const Settings& settings)
     : node_(node),
@@ -54,7 +54,7 @@ void Storage::defaults_restored(ResetScope scope) {
   if (usable()) state_ = load(scope);
 }
 
-/// A kind of device: what it is, whose it is, and which of his products.
+/// Identifies a kind of device: its type, vendor and product.
 void Storage::sign() {
   const Dictionary& dictionary = node_.dictionary();
   std::uint8_t kind[12];
@@ -69,7 +69,7 @@ bool Storage::usable() const {
          (state_ == RecordState::outdated && settings_.keep_what_fits);
 }
 
-/// All of the set is looked at before the first value is taken from it.
+/// All of the set is checked before its first value is used.
 RecordState Storage::load(ResetScope scope) {
   StoredHead head;
   StoredWalk check(record_);
@@ -84,7 +84,7 @@ RecordState Storage::load(ResetScope scope) {
   return RecordState::valid;
 }
 
-/// Numbers pass the checks of their range; strings are read to where they belong.
+/// Numbers pass the checks of their range; strings are read into their entry.
 bool Storage::take(const StoredHead& head, std::uint32_t at) {
   const Entry entry = *node_.dictionary().find(head.index, head.sub);
   if (is_string(entry.row->type)) {
@@ -94,7 +94,7 @@ bool Storage::take(const StoredHead& head, std::uint32_t at) {
   std::uint8_t bytes[8];
   const auto value = std::span(bytes).first(head.length);
   if (!record_.read(at, value)) return false;
-  // A set of before may hold one.
+  // A set of an earlier version may contain one.
   if (is_dynamic_channel(head.index, value)) return true;
   if (node_.dictionary().check_value(*entry.row, value) == AbortCode::none) {
     node_.dictionary().set(entry, value);
@@ -102,7 +102,7 @@ bool Storage::take(const StoredHead& head, std::uint32_t at) {
   return true;
 }
 
-/// Not earlier: the emergency producer forgets what was before a reset.
+/// Not earlier: the emergency producer discards errors from before a reset.
 void Storage::state_entered(NmtState state) {
   if (state != NmtState::pre_operational) return;
   const bool good = state_ == RecordState::valid || state_ == RecordState::empty;
@@ -130,7 +130,7 @@ AbortCode Storage::restore(std::uint8_t group, Done done) {
 
 AbortCode Storage::begin(const ParameterSet::Recipe& recipe, Done done) {
   if (busy()) return AbortCode::device_state;
-  // What other groups hold would be lost.
+  // The values of other groups would be lost.
   if (state_ == RecordState::unreadable) return AbortCode::hardware;
   done_ = done;
   end_ = node_.now() + settings_.time_out;

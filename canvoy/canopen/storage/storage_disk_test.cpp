@@ -1,5 +1,5 @@
-// A disk that keeps writes in a cache until it is told to sync, and loses or keeps any of them when
-// power fails: what is stored is the old set or the new one there, too.
+// A disk that caches writes until a sync, and loses or keeps any of them when power fails: the
+// stored set is the old or the new one there, too.
 #include <gtest/gtest.h>
 
 #include <rapidcheck/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t disk_size = 512;
 constexpr Storage::Settings settings{.slot_size = 256, .groups = stored_groups};
 
-/// Writes since the last sync are kept apart, byte by byte.
+/// Writes since the last sync are kept separately, byte by byte.
 class CachedDisk {
  public:
   explicit CachedDisk(SimulatedFlash::Bytes content) : lasting(std::move(content)) {
@@ -25,7 +25,7 @@ class CachedDisk {
     flash.sync = decltype(Flash::sync)::to<&CachedDisk::sync>(*this);
   }
 
-  /// As after power-on: each byte that was not synced is old or new, as `decide` says.
+  /// Contents after power-on: each byte that was not synced is old or new, as `decide` returns.
   template <class Decide>
   SimulatedFlash::Bytes crash(Decide decide) const {
     SimulatedFlash::Bytes kept = lasting;
@@ -38,7 +38,7 @@ class CachedDisk {
   Flash flash;
   SimulatedFlash::Bytes lasting;
   SimulatedFlash::Bytes seen;
-  unsigned writes_left = 1000;  ///< then power has failed
+  unsigned writes_left = 1000;  ///< then power fails
 
  private:
   FlashState write(std::uint32_t address, std::span<const std::uint8_t> bytes) {
@@ -75,7 +75,7 @@ struct Device {
     wire.node.dictionary().set_number(0x6020, 2, number);
     wire.node.dictionary().set_number(0xA000, 0, number);
   }
-  /// The number that was set, or 1000 where the values are of different sets.
+  /// The number set, or 1000 if the values are from different sets.
   std::uint64_t get() {
     const Dictionary& dictionary = wire.node.dictionary();
     const std::uint64_t number = dictionary.number(0x1017, 0);

@@ -1,5 +1,4 @@
-// A flash that takes its time or fails: storing blocks nothing, ends in time, and never costs the
-// old set.
+// A slow or failing flash: storing blocks nothing, ends in time, and never destroys the old set.
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/storage/testing/storage_node.hpp"
@@ -22,7 +21,7 @@ class StorageFlash : public testing::Test {
     return StoringNode(other).parameters();
   }
   void ask_to_save() { sut.receive("605#23 10 10 01 73 61 76 65"); }
-  /// A store that is given up while its head is being programmed, which never seems to end.
+  /// A store that is stopped while its head is being programmed, without an end of that operation.
   void time_out_at_the_head() {
     memory.busy_polls = 3;
     const unsigned syncs = memory.syncs;

@@ -1,7 +1,7 @@
-// What is stored survives a loss of power at any moment: it is the old set or the new one.
+// The stored set survives a loss of power at any moment: it is the old or the new one.
 //
-// Exhaustively: power fails at each byte that is erased or programmed, and leaves the byte as it
-// was, half changed or changed; then the device starts again, and stores again.
+// Exhaustively: power fails at each byte that is erased or programmed, and leaves the byte
+// unchanged, half changed or changed; then the device starts again, and stores again.
 #include <gtest/gtest.h>
 
 #include <rapidcheck/gtest.h>
@@ -11,18 +11,18 @@
 namespace canvoy::storage_power_cut_test {
 namespace {
 
-// Small sectors, since each of their bytes is tried.
+// Small sectors, since each of their bytes is tested.
 constexpr SimulatedFlash::Geometry geometry{.sector_size = 160, .sectors = 2, .unit = 8};
 constexpr Storage::Settings settings{.slot_size = 160, .groups = stored_groups};
 constexpr Tear tears[] = {Tear::nothing, Tear::some_bits};
 
 using Parameters = StoringNode::Parameters;
 
-/// What is asked of a node before the power fails.
+/// Requests to a node before the power fails.
 struct Step {
   const char* name;
   void (*prepare)(StoringNode&);  ///< with power
-  void (*run)(StoringNode&);      ///< power fails in the midst of it
+  void (*run)(StoringNode&);      ///< power fails during it
 };
 
 void write_signature(StoringNode& node, const std::string& object, const std::string& signature) {
@@ -75,7 +75,7 @@ constexpr Step steps[] = {
      load_all},
 };
 
-/// What the flash holds, and what a device makes of it.
+/// Contents of the flash, and the resulting state of a device.
 struct Kept {
   SimulatedFlash::Bytes bytes;
   std::uint64_t steps = 0;
@@ -170,8 +170,7 @@ TEST(StoragePowerCut, ASecondCutWhileTheDeviceStoresAgainIsSurvivedToo) {
   }
 }
 
-// Any life of a device: sets, stores, restores, resets and cuts, and a model that knows what must
-// be kept.
+// Any life of a device: sets, stores, restores, resets and cuts, and a model of what must be kept.
 RC_GTEST_PROP(StoragePowerCut, AnyLifeOfADeviceKeepsWhatWasConfirmed, ()) {
   SimulatedFlash::Bytes bytes;
   Parameters kept = after_power_on(bytes);

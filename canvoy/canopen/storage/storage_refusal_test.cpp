@@ -1,4 +1,4 @@
-// Stored contents that are damaged, or of something else, are refused as a whole: defaults, and
+// Stored contents that are damaged, or of another kind, are refused as a whole: defaults, and
 // emergency 6300h with the reason in byte 3.
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t head_size = 32;
 
-/// The tables of a device that differs from stored_layout in one place.
+/// Tables of a device that differs from stored_layout in one place.
 template <class Change>
 auto tables_with(Change change) {
   auto entries = stored_entries;
@@ -37,7 +37,7 @@ class StorageRefusal : public testing::Test {
     EXPECT_EQ(sut.storage.state(), reason);
     EXPECT_EQ(sut.parameters(), defaults);
   }
-  /// A head of another content than its writer gave it, with a CRC that fits.
+  /// A head with changed contents, and a matching CRC.
   void change_head(std::size_t word, std::uint32_t value) {
     store(memory.bytes.data() + 4 * word, value);
     store(memory.bytes.data() + 28, crc32(std::span(memory.bytes).first(28)));
@@ -45,7 +45,7 @@ class StorageRefusal : public testing::Test {
   std::uint32_t head_word(std::size_t word) {
     return load<std::uint32_t>(memory.bytes.data() + 4 * word);
   }
-  /// The content was changed by somebody who knows the CRCs.
+  /// Changes the content, with correct CRCs.
   void seal() {
     const std::uint32_t length = head_word(3);
     change_head(4, crc32(std::span(memory.bytes).subspan(head_size, length)));
@@ -84,7 +84,7 @@ TEST_F(StorageRefusal, ADamagedSetIsToldOnceByAnEmergency) {
   expect_refused(RecordState::damaged);
 }
 
-// The older set was replaced on purpose: to fall back to it would be a mixture in time.
+// The older set was replaced on purpose: a return to it would mix values of different times.
 TEST_F(StorageRefusal, TheOlderSetDoesNotStandInForADamagedOne) {
   StoringNode node(memory);
   node.sent.clear();
@@ -135,7 +135,7 @@ TEST_F(StorageRefusal, ASetOfAnotherVendorOrProductIsForeign) {
   EXPECT_EQ(sut.parameters(), defaults);
 }
 
-/// The same device after an update: 2100h has grown to 32 bits, and 6000h goes up to 600 only.
+/// The device after an update: 2100h has grown to 32 bits, and 6000h goes up to 600 only.
 const DictionaryTables& updated_tables() {
   static const auto layout = tables_with([](auto& entries) {
     entries[11].type = DataType::unsigned32;
@@ -228,7 +228,7 @@ TEST_F(StorageRefusal, AFlashThatDoesNotAnswerIsTold) {
   expect_refused(RecordState::unreadable);
 }
 
-// Contents that only their CRC makes believable.
+// Invalid contents with a matching CRC.
 
 TEST_F(StorageRefusal, ACountThatIsNotThatOfTheEntriesIsRefused) {
   memory.bytes[head_size] ^= 1;

@@ -1,4 +1,4 @@
-// Restoring default parameters (CiA 301, 7.5.2.14: object 1011h).
+// Restoring default parameters (CiA 301, 7.5.2.14, object 1011h).
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/storage/testing/storage_node.hpp"

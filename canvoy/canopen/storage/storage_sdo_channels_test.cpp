@@ -1,5 +1,5 @@
-// SDO channels that an SDO manager gave for a while (bit 30 of their COB-IDs: dynamic) are no
-// parameters: after power-on the manager gives the CAN-IDs to others.
+// SDO channels that an SDO manager assigned temporarily (bit 30 of their COB-IDs: dynamic) are not
+// parameters: after power-on the manager assigns the CAN-IDs to others.
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/storage/testing/storage_node.hpp"
@@ -34,7 +34,7 @@ struct TwoServers : StoringNode {
   explicit TwoServers(SimulatedFlash& memory)
       : StoringNode(memory, stored_settings, layout.tables()), second(node, 1, {}) {
     booted();
-    receive("000#81 05");  // with the second one
+    receive("000#81 05");  // with the second node-ID
     booted();
   }
   SdoServer second;

@@ -1,4 +1,4 @@
-// Storing parameters (CiA 301, 7.5.2.13: object 1010h).
+// Storing parameters (CiA 301, 7.5.2.13, object 1010h).
 #include "canvoy/canopen/storage/storage.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 class StorageStore : public testing::Test {
  protected:
-  /// The values that a device has after power-on with what is in the flash.
+  /// Values of a device after power-on with the present contents of the flash.
   StoringNode::Parameters after_power_on() {
     StoringNode node(memory);
     node.booted();
@@ -143,7 +143,7 @@ TEST_F(StorageStore, StringsOfAnyLengthAreStored) {
   }
 }
 
-// "evas", "SAVE", "load", 0, and what a client writes that knows no signatures.
+// "evas", "SAVE", "load", 0, and values of a client without signatures.
 TEST_F(StorageStore, AnotherSignatureIsRefusedAndNothingIsStored) {
   sut.set_all(1);
   for (const char* signature :

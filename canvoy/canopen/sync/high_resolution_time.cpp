@@ -4,12 +4,12 @@
 
 namespace canvoy {
 
-constexpr HookCalls HighResolutionTime::hook_calls = {
+constexpr AccessHandlers HighResolutionTime::hook_calls = {
     .first = object_index::high_resolution_time,
     .last = object_index::high_resolution_time,
     .before_read = method<&HighResolutionTime::before_read>,
     .after_write = method<&HighResolutionTime::after_write>};
-constexpr ServiceCalls HighResolutionTime::service_calls = {.hooks = {&hook_calls, 1}};
+constexpr ServiceHandlers HighResolutionTime::service_calls = {.hooks = {&hook_calls, 1}};
 
 HighResolutionTime::HighResolutionTime(Node& node, Sync* sync) : node_(node) {
   node_.attach(service_);
@@ -24,7 +24,7 @@ void HighResolutionTime::received(std::uint8_t) {
   node_.dictionary().set_number(object_index::high_resolution_time, 0, clock(stamped_at_));
 }
 
-/// Past Dictionary::set(): to be read is no reason to send a PDO.
+/// Without Dictionary::set(): a read is no reason to send a PDO.
 AbortCode HighResolutionTime::before_read(const Entry& entry) {
   store(entry.value, clock(node_.now()));
   return AbortCode::none;

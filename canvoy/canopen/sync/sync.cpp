@@ -1,8 +1,7 @@
 #include "canvoy/canopen/sync/sync.hpp"
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 #include "canvoy/canopen/dictionary/object_index.hpp"
-#include "canvoy/canopen/pdo/pdo_parameter.hpp"
 
 namespace canvoy {
 
@@ -10,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t overflow_max = 240;
 
-/// A small processor has no instruction to divide, and no need for one but here.
+/// A small processor has no instruction to divide, and needs one only here.
 std::uint32_t remainder(std::uint32_t dividend, std::uint32_t divisor) {
   if constexpr (!is_small_machine) return dividend % divisor;
   std::uint32_t part = divisor;
@@ -26,7 +25,7 @@ constexpr Error length_error{.code = emergency_code::sync_length,
 
 }  // namespace
 
-void Sync::told(NodeService& service, ServiceEvent& event) {
+void Sync::on_event(NodeService& service, ServiceEvent& event) {
   Sync& self = static_cast<Sync&>(service);
   switch (event.kind) {
     case ServiceEvent::reset:
@@ -37,11 +36,11 @@ void Sync::told(NodeService& service, ServiceEvent& event) {
     case ServiceEvent::after_write:
       return self.parameter_written();
     default:
-      return told_of_constant(service, event);
+      return on_constant_event(service, event);
   }
 }
 
-void Sync::told_of_constant(NodeService& service, ServiceEvent& event) {
+void Sync::on_constant_event(NodeService& service, ServiceEvent& event) {
   Sync& self = static_cast<Sync&>(service);
   switch (event.kind) {
     case ServiceEvent::reset:
@@ -87,7 +86,7 @@ inline AbortCode Sync::check(const Entry& entry, std::uint32_t wanted) const {
   return AbortCode::none;
 }
 
-/// Bit 31 means nothing here. A producer keeps its CAN-ID.
+/// Bit 31 has no meaning here. A producer keeps its CAN-ID.
 inline bool Sync::fits(CobId present, CobId wanted) const {
   const bool stays_producer = (present.raw & wanted.raw & CobId::bit30) != 0;
   return has_free_id(wanted) && (!stays_producer || wanted.can_id() == present.can_id());
@@ -121,7 +120,7 @@ void Sync::use(CobId cob_id) {
   beat(Beat::configured);
 }
 
-/// Nothing is lost before the first SYNC, or when one was received.
+/// SYNC is not lost before the first one, or after one was received.
 void Sync::keep_period(Sync& self, Beat beat) {
   if (beat == Beat::configured) {
     self.period_ = self.node_.dictionary().word(object_index::sync_period);
@@ -139,10 +138,10 @@ void Sync::keep_period(Sync& self, Beat beat) {
   }
 }
 
-/// The next SYNC, after one that comes `late` by that many microseconds. Those that nobody had time
-/// for are left out.
+/// Schedules the next SYNC after one that is `late` by that many microseconds. Missed ones are
+/// skipped.
 void Sync::schedule(std::uint32_t late) {
-  must_hold(period_ != 0);
+  check_invariant(period_ != 0);
   const std::uint32_t left = period_ - remainder(late, period_);
   due_ = low_ticks(node_.now()) + left;
   node_.timers().arm_in(timer_, left);
@@ -162,7 +161,7 @@ void Sync::set_lost(bool lost) {
 
 inline void Sync::produce() {
   schedule(low_ticks(node_.now()) - due_);
-  must_hold(can_id_ != 0);  // or it would be a command of NMT
+  check_invariant(can_id_ != 0);  // otherwise it would be a command of NMT
   Frame frame;
   frame.id = can_id_;
   if (overflow_ != 0) {
@@ -170,7 +169,8 @@ inline void Sync::produce() {
     frame.length = 1;
     frame.data[0] = counter_;
   }
-  // Those of a bus-off would leave all at once after it, and each of them is an order to all.
+  // SYNCs of a bus-off period would all leave at once after it, and each of them is a command to
+  // all.
   if (node_.bus_state() != BusState::bus_off) node_.transmitter().send(frame);
   announce(counter_);
 }
@@ -190,11 +190,11 @@ inline void Sync::receive(const Frame& frame, Time) {
 void Sync::announce(std::uint8_t counter) {
   received_at_ = node_.now();
   life_ = Life::beats;
-  node_.tell_sync(ServiceEvent::actuate, counter);
+  node_.notify_sync(ServiceEvent::actuate, counter);
   for (SyncListener* listener = listeners_; listener != nullptr; listener = listener->next) {
     listener->received(counter);
   }
-  node_.tell_sync(ServiceEvent::sample, counter);
+  node_.notify_sync(ServiceEvent::sample, counter);
 }
 
 }  // namespace canvoy

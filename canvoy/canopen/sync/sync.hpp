@@ -1,5 +1,5 @@
-// SYNC: the beat to which synchronous PDOs are taken over and sent; consumer and producer (CiA 301,
-// 7.2.5 and objects 1005h, 1006h, 1007h, 1019h).
+// SYNC: the signal at which synchronous PDOs are taken over and sent; consumer and producer (CiA
+// 301, 7.2.5 and objects 1005h, 1006h, 1007h, 1019h).
 //
 //     Sync sync(node);
 //     Rpdos rpdos(node, rpdo_memory, rpdo_values, &sync);
@@ -9,41 +9,40 @@
 #include <cstdint>
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 
 namespace canvoy {
 
-/// An application that waits for SYNC (between ServiceEvent::actuate and sample). Owned by the
-/// waiting one, for as long as the Sync lives.
+/// An application that is notified of SYNC (between ServiceEvent::actuate and sample). It must
+/// outlive the Sync.
 struct SyncListener {
-  /// The counter is 0 where SYNC carries none.
+  /// Called for each SYNC; the counter is 0 if SYNC carries none.
   Callback<void(std::uint8_t counter)> received;
   SyncListener* next = nullptr;
 };
 
-/// Without 1005h it listens to CAN-ID 080h; without 1006h it produces nothing. It works in NMT
-/// states pre-operational and operational. A SYNC with another length than 1019h asks for is
-/// ignored, and raises 8240h until a good one comes. As a producer it is a consumer of its own
-/// SYNC.
+/// Consumes and produces SYNC. Without 1005h it listens to CAN-ID 080h; without 1006h it produces
+/// nothing. It works in NMT states pre-operational and operational. A SYNC with a length other than
+/// 1019h requires is ignored, and raises 8240h until a valid one arrives. A producer also consumes
+/// its own SYNC.
 ///
-/// Where 1006h is not zero a consumer supervises SYNC from the first one on: it is lost while none
-/// came for one and a half periods. CiA 301 has no such supervision and no error code for it; the
-/// indicators of CiA 303-3 show it.
+/// If 1006h is not zero, a consumer monitors SYNC from the first one on: it is lost if none came
+/// for one and a half periods. CiA 301 has no such monitoring and no error code for it; the
+/// indicators show it (CiA 303-3).
 ///
-/// The counter of a received SYNC is told to the listeners as it is. One that is missing or out of
-/// turn changes nothing: the message is the beat, and the counter only says where TPDOs with a SYNC
-/// start value begin.
+/// The counter of a received SYNC is passed to the listeners unchanged. A missing or unexpected
+/// counter has no effect: it only determines where TPDOs with a SYNC start value begin.
 ///
-/// The counter that is produced starts with 1 when production begins, and when the node leaves NMT
-/// state stopped. The first SYNC follows one period after production begins; periods are kept
-/// without drift.
+/// The produced counter starts with 1 when production begins, and when the node leaves NMT state
+/// stopped. The first SYNC follows one period after production begins; periods are kept without
+/// drift.
 ///
-/// Where masters can write none of the four objects nothing that follows a write is linked, and
-/// without 1006h neither producer nor supervision.
+/// If masters can write none of the four objects, the code that handles a write is not linked, and
+/// without 1006h neither producer nor monitoring.
 class Sync : private NodeService {
-  // What is small comes first: a Cortex-M0+ reaches it with shorter instructions.
+  // Small members come first: a Cortex-M0+ reaches them with shorter instructions.
   std::uint8_t overflow_ = 0;
-  std::uint8_t counter_ = 0;  ///< of the last SYNC that was produced
+  std::uint8_t counter_ = 0;  ///< of the last SYNC produced
   bool is_producer_ = false;
   enum class Life : std::uint8_t {
     rests,
@@ -55,16 +54,16 @@ class Sync : private NodeService {
   bool lost_ = false;
 
  public:
-  /// What the dictionary has.
+  /// Objects in the dictionary.
   struct Objects {
     bool writable = true;
     bool period = true;  ///< 1006h
   };
 
   constexpr explicit Sync(Node& node, const Objects& objects = {true, true})
-      : NodeService(objects.writable ? Listener{told, first_object, last_object}
-                                     : Listener{told_of_constant},
-                    Cares::for_nothing_frequent),
+      : NodeService(objects.writable ? Listener{on_event, first_object, last_object}
+                                     : Listener{on_constant_event},
+                    EventMask::none),
         node_(node),
         timer_(objects.period ? Callback<void(Time)>(expire, this) : Callback<void(Time)>()),
         keep_period_(objects.period ? keep_period : nullptr) {
@@ -73,29 +72,29 @@ class Sync : private NodeService {
   Sync(const Sync&) = delete;
   Sync& operator=(const Sync&) = delete;
 
-  /// is_lost() has changed: the application may raise an error of its own choice.
+  /// Called when is_lost() has changed: the application may raise an error of its own choice.
   Callback<void(bool is_lost)> lost_changed;
 
-  /// No SYNC came for too long.
+  /// True if no SYNC came for too long.
   bool is_lost() const { return lost_; }
 
-  /// Listeners are called in the order in which they were attached.
+  /// Attaches a listener. Listeners are called in the order of attachment.
   void attach(SyncListener& listener);
 
-  /// False where the synchronous window (1007h) of the last SYNC is over: synchronous RPDOs that
-  /// come now are too late for the next one. Before the first one there is none that could be over.
+  /// False if the synchronous window (1007h) of the last SYNC is over: synchronous RPDOs that
+  /// arrive then are too late for the next one. True before the first SYNC.
   bool is_window_open() const;
 
  private:
-  /// What lies between is nothing to it: a write there has it read the same parameters again.
+  /// Objects in between do not belong to it: a write to them only reads the same parameters again.
   static constexpr std::uint16_t first_object = object_index::cob_id_sync;
   static constexpr std::uint16_t last_object = object_index::sync_counter_overflow;
 
-  /// What becomes of producer and supervision.
+  /// Cause of a change in production and monitoring.
   enum class Beat : std::uint8_t { configured, restart, received };
 
-  static void told(NodeService& service, ServiceEvent& event);
-  static void told_of_constant(NodeService& service, ServiceEvent& event);
+  static void on_event(NodeService& service, ServiceEvent& event);
+  static void on_constant_event(NodeService& service, ServiceEvent& event);
   void state_entered(NmtState state);
   AbortCode check(const Entry& entry, std::uint32_t wanted) const;
   void parameter_written();
@@ -120,7 +119,7 @@ class Sync : private NodeService {
   void (*keep_period_)(Sync&, Beat);
   SyncListener* listeners_ = nullptr;
   StoredTime received_at_{Time{}};
-  std::uint32_t due_ = 0;  ///< the next SYNC that is produced: see low_ticks()
+  std::uint32_t due_ = 0;  ///< time of the next SYNC produced: see low_ticks()
   std::uint32_t period_ = 0;
   std::uint32_t window_ = 0;
 };

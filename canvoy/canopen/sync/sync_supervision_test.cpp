@@ -1,4 +1,4 @@
-// A consumer that misses SYNC. CiA 301 is silent on it: see docs/decisions.md.
+// A consumer that misses SYNC. CiA 301 does not cover it: see docs/decisions.md.
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/testing/pdo_node.hpp"
@@ -128,7 +128,7 @@ TEST(SyncSupervision, TellsTheApplicationWhichMayRaiseAnError) {
   node.run_until(Time(15ms));
   node.receive("080#");
   EXPECT_EQ(told, Texts({"lost", "back"}));
-  EXPECT_EQ(node.errors(), Texts()) << "by itself it tells nobody else";
+  EXPECT_EQ(node.errors(), Texts()) << "by itself it notifies nobody else";
   auto raise = [&](bool is_lost) {
     constexpr Error error{.code = 0x8100, .register_bits = error_register::communication};
     is_lost ? node.node.raise(error) : node.node.clear(error);

@@ -10,7 +10,7 @@ namespace {
 using enum AbortCode;
 using Texts = std::vector<std::string>;
 
-/// Notes each SYNC with its time and counter.
+/// Records each SYNC with its time and counter.
 struct Listener : SyncListener {
   explicit Listener(PdoNode& owner) : node(owner) {
     received = Callback<void(std::uint8_t)>::to<&Listener::note>(*this);

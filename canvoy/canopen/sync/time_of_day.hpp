@@ -1,5 +1,5 @@
-// TIME_OF_DAY and TIME_DIFFERENCE as they stand on the wire and in the dictionary, and what date
-// they mean (CiA 301, 7.1.6.5, 7.1.6.6 and 7.2.6).
+// TIME_OF_DAY and TIME_DIFFERENCE in the form of the wire and of the dictionary, and conversion to
+// dates (CiA 301, 7.1.6.5, 7.1.6.6 and 7.2.6).
 //
 //     constexpr TimeOfDay leap_day = *to_time_of_day(sys_days{2024y / 2 / 29} + 12h);
 //     static_assert(leap_day == TimeOfDay{.milliseconds = 43'200'000, .days = 14'669});
@@ -17,18 +17,18 @@ namespace canvoy {
 
 inline constexpr std::uint32_t milliseconds_per_day = 86'400'000;
 
-/// A point in time: to the millisecond, from 1984 to 2163. CiA 301 names no time zone; what a
-/// network means is its own agreement.
+/// A point in time: to the millisecond, from 1984 to 2163. CiA 301 defines no time zone; each
+/// network agrees on its own.
 struct TimeOfDay {
   std::uint32_t milliseconds = 0;  ///< since midnight
   std::uint16_t days = 0;          ///< since 1 January 1984
 
-  /// The field on the wire has room for three days.
+  /// True if the time is within a day: the field on the wire has room for three days.
   constexpr bool valid() const { return milliseconds < milliseconds_per_day; }
   friend constexpr bool operator==(const TimeOfDay&, const TimeOfDay&) = default;
 };
 
-/// A span of time, of the same form.
+/// A span of time, in the same form as TimeOfDay.
 struct TimeDifference {
   std::uint32_t milliseconds = 0;
   std::uint16_t days = 0;
@@ -36,11 +36,11 @@ struct TimeDifference {
   friend constexpr bool operator==(const TimeDifference&, const TimeDifference&) = default;
 };
 
-/// 28 bits of milliseconds, 4 bits that are reserved, 16 bits of days.
+/// Size on the wire: 28 bits of milliseconds, 4 reserved bits, 16 bits of days.
 inline constexpr std::size_t time_of_day_bytes = 6;
 using TimeOfDayBytes = std::array<std::uint8_t, time_of_day_bytes>;
 
-/// The reserved bits become zero. `Type` is TimeOfDay or TimeDifference.
+/// Encodes a time with the reserved bits zero. `Type` is TimeOfDay or TimeDifference.
 template <class Type>
 constexpr TimeOfDayBytes encode_time(const Type& time) {
   const std::uint32_t milliseconds = time.milliseconds & 0x0FFF'FFFF;
@@ -50,7 +50,7 @@ constexpr TimeOfDayBytes encode_time(const Type& time) {
       static_cast<std::uint8_t>(time.days),          static_cast<std::uint8_t>(time.days >> 8)};
 }
 
-/// The reserved bits are left out.
+/// Decodes a time; ignores the reserved bits.
 template <class Type>
 constexpr Type decode_time(std::span<const std::uint8_t, time_of_day_bytes> bytes) {
   const std::uint32_t low = bytes[0] | std::uint32_t{bytes[1]} << 8;
@@ -70,7 +70,7 @@ constexpr CivilTime to_civil_time(const TimeOfDay& time) {
          std::chrono::milliseconds(time.milliseconds);
 }
 
-/// Nothing where the time is before 1984 or after 6 June 2163.
+/// Converts a time; nothing if it is before 1984 or after 6 June 2163.
 constexpr std::optional<TimeOfDay> to_time_of_day(CivilTime time) {
   const auto day = std::chrono::floor<std::chrono::days>(time);
   const auto days = (day - time_of_day_epoch).count();

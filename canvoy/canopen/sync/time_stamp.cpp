@@ -12,11 +12,11 @@ constexpr Duration since_day_0(const TimeOfDay& time) {
 
 }  // namespace
 
-constexpr HookCalls TimeStamp::hook_calls = {.first = object_index::cob_id_time,
-                                             .last = object_index::cob_id_time,
-                                             .before_write = method<&TimeStamp::before_write>,
-                                             .after_write = method<&TimeStamp::after_write>};
-constexpr ServiceCalls TimeStamp::service_calls = {
+constexpr AccessHandlers TimeStamp::hook_calls = {.first = object_index::cob_id_time,
+                                                  .last = object_index::cob_id_time,
+                                                  .before_write = method<&TimeStamp::before_write>,
+                                                  .after_write = method<&TimeStamp::after_write>};
+constexpr ServiceHandlers TimeStamp::service_calls = {
     .reset = method<&TimeStamp::reset>,
     .state_entered = method<&TimeStamp::state_entered>,
     .tx_ready = method<&TimeStamp::tx_ready>,
@@ -113,7 +113,7 @@ void TimeStamp::restart() {
   if (running_ && is_producer() && period_ != Duration::zero()) schedule(node_.now());
 }
 
-/// The TIME after one that was due at `previous`. Those that nobody had time for are left out.
+/// Schedules the TIME after one that was due at `previous`. Missed ones are skipped.
 void TimeStamp::schedule(Time previous) {
   due_ = previous + period_;
   if (due_ <= node_.now()) due_ += ((node_.now() - due_) / period_ + 1) * period_;
@@ -129,7 +129,7 @@ bool TimeStamp::send() {
   if (!running_ || !is_producer()) return false;
   const std::optional<TimeOfDay> time = clock(node_.now());
   if (!time) return false;
-  // In a backlog the time would grow stale: it is read anew when there is room.
+  // In a backlog the time would become outdated: it is read again when there is room.
   waits_ = !node_.transmitter().idle();
   if (!waits_) {
     node_.transmitter().send(Frame::data_frame(cob_id_.can_id(), encode_time(*time)));

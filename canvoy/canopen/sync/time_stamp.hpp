@@ -1,5 +1,5 @@
-// TIME: the time of day that one node tells the others; consumer and producer (CiA 301, 7.2.6 and
-// object 1012h).
+// TIME: the time of day that one node sends to the others; consumer and producer (CiA 301, 7.2.6
+// and object 1012h).
 //
 //     TimeStamp time_stamp(node);
 //     time_stamp.on_time(Callback<void(const TimeOfDay&, Duration)>::to<&App::corrected>(app));
@@ -10,38 +10,38 @@
 #include <cstdint>
 #include <optional>
 
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 #include "canvoy/canopen/sync/time_of_day.hpp"
 
 namespace canvoy {
 
-/// It keeps a clock: set by the application, and by each TIME where 1012h makes the node a
-/// consumer (bit 31). Where 1012h makes it a producer (bit 30) it tells that clock, in the rhythm
-/// that the application wants and whenever the application says so; CiA 301 has no object for it.
+/// Keeps a clock, which is set by the application, and by each TIME if 1012h makes the node a
+/// consumer (bit 31). If 1012h makes it a producer (bit 30), it sends that clock periodically and
+/// when the application requests it; CiA 301 has no object for the period.
 ///
-/// It works in NMT states pre-operational and operational. A TIME of another length than 6 bytes or
-/// beyond midnight is ignored and counted. The clock goes on through NMT resets.
+/// It works in NMT states pre-operational and operational. A TIME with a length other than 6 bytes
+/// or beyond midnight is ignored and counted. The clock continues through NMT resets.
 class TimeStamp {
  public:
   explicit TimeStamp(Node& node);
   TimeStamp(const TimeStamp&) = delete;
   TimeStamp& operator=(const TimeStamp&) = delete;
 
-  /// Called for each TIME that was consumed, with how far it moved the clock ahead (back where
-  /// negative): zero at the first.
+  /// Sets the callback for each TIME that was consumed, with the distance by which it moved the
+  /// clock ahead (back if negative): zero at the first.
   void on_time(Callback<void(const TimeOfDay&, Duration)> heard) { heard_ = heard; }
 
-  /// It is `time` now, at Node::now(). False where that is no time of day.
+  /// Sets the clock to `time` at Node::now(). False if that is not a time of day.
   bool set_clock(const TimeOfDay& time);
-  /// What the clock shows at `at`; nothing while nobody has set it, and after the last day that 16
+  /// Time of the clock at `at`; nothing before the clock is set, and after the last day that 16
   /// bits can count.
   std::optional<TimeOfDay> clock(Time at) const;
 
-  /// Tells the time now, or as soon as the controller takes it. False where the node is no
-  /// producer, may not send in its NMT state, or has no clock.
+  /// Sends the present time at once, or as soon as the controller takes it. False if the node is
+  /// not a producer, may not send in its NMT state, or has no clock.
   bool send();
-  /// Tells it each `period`, the first time after one, without drift; zero ends it. It holds
-  /// through NMT resets.
+  /// Sends the time every `period`, the first time after one period, without drift; zero ends it.
+  /// The setting survives NMT resets.
   void produce_each(Duration period);
 
  private:
@@ -60,19 +60,19 @@ class TimeStamp {
   bool is_producer() const { return (cob_id_.raw & CobId::bit30) != 0 && usable(); }
 
   Node& node_;
-  static const ServiceCalls service_calls;
-  static const HookCalls hook_calls;
-  ServiceLink service_{&service_calls, this};
+  static const ServiceHandlers service_calls;
+  static const AccessHandlers hook_calls;
+  HandlerBinding service_{&service_calls, this};
   Timer timer_;
   Callback<void(const TimeOfDay&, Duration)> heard_;
-  Time due_{};           ///< of the next TIME that is produced
+  Time due_{};           ///< time of the next TIME produced
   Duration period_{};    ///< zero: on demand only
-  Duration midnight_{};  ///< of day 0, in the time of the node; holds where has_clock_
+  Duration midnight_{};  ///< midnight of day 0, in the time of the node; valid if has_clock_
   CobId cob_id_{can_id::time};
-  std::uint16_t can_id_ = 0;  ///< that is listened to; 0: none
+  std::uint16_t can_id_ = 0;  ///< that the node listens to; 0: none
   bool running_ = false;      ///< in NMT state pre-operational or operational
   bool has_clock_ = false;
-  bool waits_ = false;  ///< to be sent when the controller has room
+  bool waits_ = false;  ///< for room in the controller
 };
 
 }  // namespace canvoy

@@ -11,7 +11,7 @@ namespace {
 using enum AbortCode;
 using Texts = std::vector<std::string>;
 
-// 1012h as CiA 301 has it by default: neither consumer nor producer.
+// 1012h with the default of CiA 301: neither consumer nor producer.
 constexpr auto layout =
     lay_out(std::to_array<ObjectRow>({{.index = 0x1012, .entry_count = 1}}),
             std::to_array<EntryRow>(
@@ -44,12 +44,12 @@ struct TimeNode : WireNode {
     settle();
     return answer;
   }
-  /// The clock is noon now.
+  /// Sets the clock to noon.
   void set_noon() {
     node.advance(now);
     EXPECT_TRUE(sut.set_clock(noon));
   }
-  /// A producer with a clock that is noon now.
+  /// A producer with a clock set to noon.
   void make_producer() {
     EXPECT_EQ(write(produce | 0x100), none);
     set_noon();

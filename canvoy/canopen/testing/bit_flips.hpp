@@ -1,4 +1,4 @@
-// What becomes of a frame when one bit of it flips, for tests.
+// All frames that result from a flip of one bit, for tests.
 //
 //     for (const Frame& flip : bit_flips(wire_frame("071#00 0A"))) node.receive(flip, now);
 #pragma once

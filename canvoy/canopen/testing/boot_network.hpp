@@ -1,5 +1,5 @@
-// An NMT master for tests at the wire: what 1F80h to 1F89h hold is said before it starts, the test
-// plays the slaves, and each step is noted.
+// An NMT master for tests at the wire: the contents of 1F80h to 1F89h are set before it starts, the
+// test acts as the slaves, and each step is recorded.
 //
 //     BootNetwork sut;
 //     sut.assign(5, 0x0D);
@@ -64,7 +64,7 @@ inline constexpr auto boot_layout =
 
 }  // namespace detail
 
-/// Values that an object has after each reset, as if they were stored.
+/// Values that objects have after each reset, as if they were stored.
 class StoredValues {
  public:
   explicit StoredValues(Node& node) : node_(node) {
@@ -81,7 +81,7 @@ class StoredValues {
     std::uint8_t sub;
     std::uint32_t value;
   };
-  /// Written, so that services that were reset before learn of it.
+  /// Writes the values, so that services that were reset before are notified.
   void reset(ResetScope) {
     for (const Value& value : values_) {
       const Result<Entry> entry = node_.dictionary().find(value.index, value.sub);
@@ -99,7 +99,7 @@ class StoredValues {
   std::vector<Value> values_;
 };
 
-/// The steps and events of slaves in words: `@1000 5 vendor_id`, `@1000 5 failed D found 00000002`.
+/// Text of the steps and events of slaves: `@1000 5 vendor_id`, `@1000 5 failed D found 00000002`.
 inline std::string boot_text(const BootReport& report) {
   static constexpr const char* steps[] = {
       "waiting",    "device_type", "vendor_id", "product_code",  "revision_number", "serial_number",
@@ -131,7 +131,7 @@ inline std::string boot_text(const BootReport& report) {
   return text;
 }
 
-/// Node 127, with two slots unless the test wants others.
+/// Node 127, with two slots unless the test sets others.
 class BootNetwork : public WireNode {
  public:
   explicit BootNetwork(std::size_t slot_count = 2, const BootManager::Settings& settings = {},
@@ -150,7 +150,7 @@ class BootNetwork : public WireNode {
 
   void startup(std::uint32_t value) { stored.store(0x1F80, 0, value); }
   void assign(NodeId slave, std::uint32_t value) { stored.store(0x1F81, slave, value); }
-  /// 1016h: this slave is to send a heartbeat within so many milliseconds.
+  /// Sets 1016h: the longest time between heartbeats of this slave in milliseconds.
   void watch(NodeId slave, std::uint32_t ms) {
     stored.store(0x1016, ++watched_, static_cast<std::uint32_t>(slave) << 16 | ms);
   }
@@ -166,12 +166,12 @@ class BootNetwork : public WireNode {
     return answer;
   }
 
-  /// Power-on, up to the reset of all slaves.
+  /// Starts the node, up to the reset of all slaves.
   void start() {
     WireNode::start();
     settle();
   }
-  /// The slave answers an upload that is under way with a 32-bit number.
+  /// Answers an upload that is under way, as the slave, with a 32-bit number.
   void answer(NodeId slave, std::uint16_t index, std::uint8_t sub, std::uint32_t value) {
     Frame frame = Frame::data_frame(0x580U + slave, {0x43, 0, 0, 0, 0, 0, 0, 0});
     canvoy::store(&frame.data[1], index);
@@ -180,7 +180,7 @@ class BootNetwork : public WireNode {
     node.receive(frame, now);
     settle();
   }
-  /// It boots and says that it is there.
+  /// Sends the boot-up message of a slave.
   void boot_up(NodeId slave) {
     node.receive(Frame::data_frame(0x700U + slave, {0}), now);
     settle();
@@ -189,13 +189,13 @@ class BootNetwork : public WireNode {
     node.receive(Frame::data_frame(0x700U + slave, {state}), now);
     settle();
   }
-  /// A slave of which nothing is expected comes up without error control.
+  /// Boots a slave without expected values and without error control.
   void bring_up(NodeId slave) {
     boot_up(slave);
     answer(slave, 0x1000, 0, 0);
   }
 
-  /// Reports since the last call, with times in ms where the test writes them.
+  /// Compares the reports since the last call, with times in ms if the test gives them.
   void expect_log(const std::vector<std::string>& expected) {
     std::vector<std::string> actual;
     for (std::size_t i = 0; i < log.size(); ++i) {

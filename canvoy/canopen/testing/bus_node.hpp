@@ -16,7 +16,7 @@
 
 namespace canvoy {
 
-/// Its controller hears and sends on `bus`. Services are constructed on `node` by the test.
+/// A node with a controller on `bus`. The test constructs services on `node`.
 class BusNode : private WireMemory {
  public:
   BusNode(SimulatedBus& bus, const DictionaryTables& tables, NodeId id,
@@ -46,8 +46,8 @@ class BusNode : private WireMemory {
   Node node;
 };
 
-/// Lets time pass until `done`, or nothing is left to happen, or 10 minutes are over; whether it is
-/// done.
+/// Advances time until `done`, nothing is left to happen, or 10 minutes are over; returns whether
+/// it is done.
 template <class Nodes, class Done>
 bool run(SimulatedBus& bus, const Nodes& nodes, Done done) {
   while (!done()) {

@@ -1,6 +1,5 @@
 // A cable between nodes for tests: frames arrive at once, in the order in which they were sent, and
-// the test hears and talks too. No arbitration, no errors, no load: for those there is
-// SimulatedBus.
+// the test receives and sends too. No arbitration, no errors, no load: SimulatedBus has them.
 //
 //     Cable cable;
 //     BatteryDevice battery(cable.port(0), 10, hardware);
@@ -29,9 +28,9 @@ class Cable {
     return {&places_[place], &Cable::take, nullptr};
   }
   void connect(std::size_t place, Node& node) { places_[place].node = &node; }
-  /// From here on frames of this place are lost, and none reach it.
+  /// Disconnects a node: its frames are lost, and none reach it.
   void cut(std::size_t place, bool is_cut = true) { places_[place].is_cut = is_cut; }
-  /// The controller of this place has no room: what it is to send waits in its node.
+  /// Makes a controller full: frames to send wait in its node.
   void refuse(std::size_t place, bool is_full = true) { places_[place].is_full = is_full; }
 
   void start_all() {
@@ -40,9 +39,10 @@ class Cable {
     }
     deliver();
   }
-  /// The test sends a frame to all.
-  void send(std::string_view frame) {
-    queue_.push_back({nodes_max, wire_frame(frame)});
+  /// Sends a frame of the test to all.
+  void send(std::string_view frame) { send(wire_frame(frame)); }
+  void send(const Frame& frame) {
+    queue_.push_back({nodes_max, frame});
     settle();
   }
 
@@ -60,9 +60,9 @@ class Cable {
     Time at;
     Frame frame;
   };
-  /// All that was on the cable since the last clear().
+  /// All frames on the cable since the last clear().
   std::vector<Heard> heard;
-  /// Frames for which this answers false are lost on the way.
+  /// Frames for which this returns false are lost.
   std::function<bool(const Frame&)> filter = [](const Frame&) { return true; };
   Time now{};
 
@@ -70,12 +70,17 @@ class Cable {
     return static_cast<std::size_t>(
         std::ranges::count_if(heard, [id](const Heard& h) { return h.frame.id == id; }));
   }
-  /// The last frame with this CAN-ID as wire_text(), or nothing.
+  /// Last frame with this CAN-ID as wire_text(), or nothing.
   std::string last(std::uint32_t id) const {
+    const Frame* const frame = last_frame(id);
+    return frame == nullptr ? "" : wire_text(*frame);
+  }
+  /// Like last(), but the frame itself, or null; valid until the next frame.
+  const Frame* last_frame(std::uint32_t id) const {
     for (auto h = heard.rbegin(); h != heard.rend(); ++h) {
-      if (h->frame.id == id) return wire_text(h->frame);
+      if (h->frame.id == id) return &h->frame;
     }
-    return "";
+    return nullptr;
   }
   void clear() { heard.clear(); }
 

@@ -1,4 +1,4 @@
-// Concise DCFs for tests, typed as entries.
+// Concise DCFs for tests, written as entries.
 //
 //     Bytes dcf = concise_dcf({{0x1017, 0, {0xF4, 0x01}}});
 #pragma once
@@ -33,7 +33,7 @@ inline std::vector<std::uint8_t> concise_dcf(const std::vector<DcfEntry>& entrie
   return bytes;
 }
 
-/// Bytes in memory as a source; they must outlive it.
+/// A source of bytes in memory, which must outlive it.
 class BytesSource {
  public:
   explicit BytesSource(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}

@@ -56,7 +56,8 @@ inline constexpr auto serving_layout =
 
 }  // namespace detail
 
-/// COB-IDs 680h to 684h: enough for two connections, with one left over; two servers for devices.
+/// Has COB-IDs 680h to 684h: enough for two connections, and one left over; two servers for
+/// devices.
 inline DictionaryTables dynamic_sdo_manager() {
   return detail::dynamic_sdo_manager_layout.tables();
 }

@@ -29,7 +29,7 @@ struct Held {
                   Source source = Source::sdo) {
     return dictionary.write(index, sub, bytes, source);
   }
-  /// What a client reads, or nothing and the reason in `abort`.
+  /// Value as a client reads it, or nothing and the reason in `abort`.
   Bytes read(std::uint16_t index, std::uint8_t sub) {
     const Result<Entry> entry = dictionary.find(index, sub);
     abort = entry.abort();

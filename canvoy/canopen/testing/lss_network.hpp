@@ -21,10 +21,10 @@ class LssNetwork {
  public:
   struct MemberOptions {
     NodeId id = node_id_unconfigured;
-    Duration latency{};  ///< from a frame on the bus to the node that works on it
+    Duration latency{};  ///< from a frame on the bus to its processing by the node
   };
 
-  /// A node on the bus: one with an LSS slave, or the master's.
+  /// A node on the bus: with an LSS slave, or that of the master.
   class Member : private WireMemory {
    public:
     Member(SimulatedBus& owner, const LssAddress& address, const MemberOptions& options)
@@ -51,7 +51,7 @@ class LssNetwork {
       while (node.deadline() <= until) node.advance(until);
     }
 
-    std::function<bool(const Frame&)> deaf;  ///< frames that it does not get
+    std::function<bool(const Frame&)> deaf;  ///< frames that it does not receive
     Duration latency;
     ControllerId controller;
     Node node;
@@ -103,7 +103,7 @@ class LssNetwork {
       if (member.slave) member.node.start(now);
     }
   }
-  /// False where `done` does not come true before `until`.
+  /// Advances time. False if `done` is not true before `until`.
   bool run_until(Time until, const std::function<bool()>& done) {
     while (!done()) {
       Time next = bus.next_event();
@@ -118,7 +118,7 @@ class LssNetwork {
     return true;
   }
 
-  /// The master's node: what its controller does, its services.
+  /// The master's node: its controller and its services.
   Member& master_member() { return master_; }
   Node& node() { return master_.node; }
   std::size_t boot_ups() const {
@@ -127,7 +127,7 @@ class LssNetwork {
     }));
   }
   std::size_t frames() const { return heard_.size(); }
-  /// Of the master's requests: those with this command.
+  /// Number of the master's requests with this command.
   std::size_t requests(std::uint8_t command) const {
     return static_cast<std::size_t>(std::ranges::count_if(
         heard_, [=](const Frame& frame) { return frame.id == 0x7E5 && frame.data[0] == command; }));

@@ -31,7 +31,7 @@ inline constexpr auto lss_layout = lay_out(
 /// Vendor-ID 01020304h, product code 11121314h, revision 21222324h, serial number 31323334h.
 inline constexpr LssAddress lss_address{{0x0102'0304, 0x1112'1314, 0x2122'2324, 0x3132'3334}};
 
-/// A frame of LSS in the wire language, perhaps with a time, filled up to eight bytes with zeros.
+/// A frame of LSS in the wire language, optionally with a time, padded to eight bytes with zeros.
 inline std::string lss_frame(std::string_view text) {
   if (text.starts_with('@')) {
     const auto blank = text.find(' ') + 1;
@@ -42,7 +42,7 @@ inline std::string lss_frame(std::string_view text) {
   return wire_text(frame);
 }
 
-/// Notes what the slave asks of the application.
+/// Records the calls of the slave to the application.
 struct LssApplication {
   LssSlaveHooks hooks() {
     return {
@@ -92,18 +92,18 @@ class LssNode : public WireNode {
   void receive_all(const std::vector<std::string>& frames) {
     for (const std::string& frame : frames) receive(frame);
   }
-  /// As expect(), with frames of LSS filled up.
+  /// Like expect(), but with frames of LSS padded.
   void answers(const std::vector<std::string>& frames) {
     std::vector<std::string> filled;
     for (const std::string& frame : frames) filled.push_back(lss_frame(frame));
     expect(filled);
   }
-  /// Starts it and forgets its boot-up message.
+  /// Starts the node and discards its boot-up message.
   LssNode& up() {
     boot();
     return *this;
   }
-  /// In state configuration, without a word left to expect.
+  /// Puts the node into state configuration, with all frames discarded.
   LssNode& in_configuration() {
     boot();
     receive("7E5#04 01");

@@ -1,4 +1,4 @@
-// An LSS scan of an LssNetwork that names what it finds, and what came of it, for tests.
+// An LSS scan of an LssNetwork that assigns node-IDs, and its results, for tests.
 //
 //     LssScanner scanner(network);
 //     EXPECT_EQ(scanner.run(), LssScan::Outcome::complete);
@@ -15,7 +15,7 @@
 
 namespace canvoy {
 
-/// Scans a network, and names what it finds from 10 on.
+/// Scans a network, and assigns node-IDs from 10 on.
 struct LssScanner {
   explicit LssScanner(LssNetwork& owner, NodeId last_id = 127)
       : network(owner), scan(owner.node(), owner.master, memory), last(last_id) {
@@ -46,7 +46,7 @@ struct LssScanner {
   NodeId last;
   Time begun{};
   std::vector<LssScan::Found> nodes;
-  std::vector<Duration> time_outs;  ///< for one bit, of each of `nodes`
+  std::vector<Duration> time_outs;  ///< time-out of one bit, for each of `nodes`
   std::optional<LssScan::Outcome> result;
 };
 

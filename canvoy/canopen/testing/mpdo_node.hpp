@@ -1,5 +1,5 @@
 // A node with two RPDOs and three TPDOs that can be multiplexed, two scanner and two dispatching
-// lists, and objects of all kinds to reach, for tests at the wire.
+// lists, and objects of all kinds, for tests at the wire.
 //
 //     MpdoNode node;
 //     node.use_tpdo(1, 0x185, 0xFE);            // source address mode
@@ -74,7 +74,7 @@ inline constexpr auto mpdo_layout = lay_out(
     }));
 inline constexpr DictionaryTables mpdo_tables = mpdo_layout.tables();
 
-/// Node 5, or another. It has room for 24 scanned objects and a queue of 4 frames.
+/// Node 5, or another, with room for 24 scanned objects and a queue of 4 frames.
 class MpdoNode : public WireNode {
  public:
   explicit MpdoNode(Tpdos::AtStart at_start = Tpdos::AtStart::wait_for_event, NodeId id = 5,
@@ -101,7 +101,7 @@ class MpdoNode : public WireNode {
     settle();
     return answer;
   }
-  /// As the application does.
+  /// Sets a value like the application.
   void set(std::uint16_t index, std::uint8_t sub, std::uint64_t number) {
     node.advance(now);
     ASSERT_TRUE(node.dictionary().set_number(index, sub, number));
@@ -111,7 +111,7 @@ class MpdoNode : public WireNode {
     return node.dictionary().number(index, sub);
   }
 
-  /// By the procedure; `mode` is FEh or FFh.
+  /// Sets up a multiplexed RPDO; `mode` is FEh or FFh.
   void use_rpdo(unsigned pdo, std::uint32_t cob_id, unsigned mode) {
     use(static_cast<std::uint16_t>(0x1400 + pdo - 1), cob_id, mode);
   }
@@ -128,7 +128,7 @@ class MpdoNode : public WireNode {
   }
   void operate() { receive("000#01 00"); }
 
-  /// As PdoNode::errors().
+  /// Like PdoNode::errors().
   std::vector<std::string> errors() { return std::exchange(errors_, {}); }
   const Error& last_error() const { return last_error_; }
 

@@ -21,8 +21,8 @@
 
 namespace canvoy {
 
-/// Whether a configurable communication object may use the CAN-ID (CiA 301, 7.3.5), with 180h free
-/// for CiA 417.
+/// True if a configurable communication object may use the CAN-ID, with 180h free for CiA 417 (CiA
+/// 301, 7.3.5).
 inline bool is_free(unsigned can_id) {
   return (can_id >= 0x080 && can_id <= 0x100) || (can_id >= 0x180 && can_id <= 0x580) ||
          can_id == 0x600 || (can_id >= 0x680 && can_id <= 0x6DF) || can_id == 0x700;
@@ -30,7 +30,7 @@ inline bool is_free(unsigned can_id) {
 
 inline constexpr Access pdo_access = Access::rw | Access::rpdo | Access::tpdo;
 
-/// Sub-indices `first` to `last` of one type, mappable in both directions.
+/// Entry of sub-indices `first` to `last` of one type, mappable in both directions.
 constexpr EntryRow mappable(std::uint8_t first, std::uint8_t last, DataType type) {
   return {.sub_first = first, .sub_last = last, .type = type, .access = pdo_access};
 }
@@ -39,7 +39,7 @@ constexpr EntryRow parameter(std::uint8_t sub, DataType type, std::int64_t initi
       .sub_first = sub, .sub_last = sub, .type = type, .access = Access::rw, .initial = initial};
 }
 
-/// PDOs are invalid at first, as those of CiA 419 are.
+/// PDOs are invalid at first, like those of CiA 419.
 constexpr EntryRow invalid_cob_id = parameter(1, DataType::unsigned32, CobId::bit31);
 
 inline constexpr auto pdo_layout = lay_out(
@@ -60,7 +60,7 @@ inline constexpr auto pdo_layout = lay_out(
         {.index = 0x2050, .entry_count = 12},  // other sizes
         {.index = 0x2060, .entry_count = 1},   // U8 10..20, and 255
         {.index = 0x2061, .entry_count = 1},   // I16 -100..100
-        {.index = 0x2062, .entry_count = 1},   // U16 with a hook, where the test wants one
+        {.index = 0x2062, .entry_count = 1},   // U16 with a hook, if the test sets one
         {.index = 0x2070, .entry_count = 1},   // VISIBLE_STRING of 4
         {.index = 0x2071, .entry_count = 1},   // VISIBLE_STRING of 9
         {.index = 0x2080, .entry_count = 1},   // U16, not mappable
@@ -152,7 +152,7 @@ inline constexpr auto pdo_layout = lay_out(
     }));
 inline constexpr DictionaryTables pdo_tables = pdo_layout.tables();
 
-/// Node 5. Values are written as an SDO server does, and mapping follows the procedure of CiA 301.
+/// Node 5. Values are written like by an SDO server, and mapping follows the procedure of CiA 301.
 class PdoNode : public WireNode {
  public:
   static constexpr std::size_t pdo_count = 4;
@@ -178,7 +178,7 @@ class PdoNode : public WireNode {
     settle();
     return answer;
   }
-  /// As the application does.
+  /// Sets a value like the application.
   void set(std::uint16_t index, std::uint8_t sub, std::uint64_t number) {
     node.advance(now);
     ASSERT_TRUE(node.dictionary().set_number(index, sub, number));
@@ -188,7 +188,7 @@ class PdoNode : public WireNode {
     return node.dictionary().number(index, sub);
   }
 
-  /// `mapped`: index, sub-index and bits, as in the mapping record.
+  /// Sets up an RPDO; `mapped`: index, sub-index and bits, as in the mapping record.
   void map_rpdo(unsigned pdo, std::uint32_t cob_id, unsigned type,
                 const std::vector<std::uint32_t>& mapped) {
     map(0x1400, 0x1600, pdo, cob_id, type, mapped);
@@ -197,10 +197,11 @@ class PdoNode : public WireNode {
                 const std::vector<std::uint32_t>& mapped) {
     map(0x1800, 0x1A00, pdo, cob_id, type, mapped);
   }
-  /// To NMT state operational; what is sent then is kept.
+  /// Puts the node into NMT state operational; frames sent then are kept.
   void operate() { receive("000#01 00"); }
 
-  /// Errors that came (+) and went (-) since the last call: "+8210/1" with code and instance.
+  /// Errors that appeared (+) and disappeared (-) since the last call: "+8210/1" with code and
+  /// instance.
   std::vector<std::string> errors() { return std::exchange(errors_, {}); }
   const Error& last_error() const { return last_error_; }
 

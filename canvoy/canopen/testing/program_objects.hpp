@@ -1,4 +1,4 @@
-// A node with two program slots in a simulated flash, and what a client asks of it.
+// A node with two program slots in a simulated flash, and requests of a client.
 //
 //     ProgramNode sut(memory);
 //     sut.ask("2F 51 1F 01 03 00 00 00", "60 51 1F 01 00 00 00 00");
@@ -79,7 +79,7 @@ class ProgramNode : public WireNode {
     ask("2F " + object + " 0" + std::to_string(command) + " 00 00 00",
         expected ? "60 " + object + " 00 00 00 00" : "80 " + object + " 22 00 00 08");
   }
-  /// The end of a transfer in segments: the command byte of the last answer, or 80h.
+  /// Downloads a program in segments; returns the command byte of the last answer, or 80h.
   unsigned download(const std::vector<std::uint8_t>& program, unsigned number = 1) {
     Frame request = wire_frame("605#21 50 1F 00 00 00 00 00");
     request.data[3] = static_cast<std::uint8_t>(number);
@@ -106,7 +106,7 @@ class ProgramNode : public WireNode {
 
   std::array<ProgramSlot, 2> slots;
   ProgramServer programs;
-  std::vector<std::string> log;  ///< what the device was told to do
+  std::vector<std::string> log;  ///< commands to the device
   AbortCode control_answer = AbortCode::none;
   FlashError check_answer = FlashError::none;
 

@@ -1,4 +1,4 @@
-// A bus on which answers come from within the call that sends the question, as on a controller that
+// A bus on which answers arrive during the call that sends the request, as on a controller that
 // loops frames back, or in a simulation without time.
 //
 //     PromptBus bus(dynamic_sdo_manager(), 1);
@@ -38,7 +38,7 @@ class PromptBus : private WireMemory {
     now = until;
   }
 
-  /// What the others say to a frame, if anything.
+  /// Answer of the other nodes to a frame, if any.
   std::function<std::optional<Frame>(const Frame&)> answers;
   std::vector<std::string> sent;
   Time now{};

@@ -21,7 +21,7 @@
 
 namespace canvoy {
 
-/// Node 1 asks node 5; the test is node 5.
+/// Node 1 with a client; the test is the server, node 5.
 class SdoClientNode : public testing::Test {
  protected:
   using Bytes = std::vector<std::uint8_t>;
@@ -40,7 +40,7 @@ class SdoClientNode : public testing::Test {
                      std::uint8_t sub = 0) {
     return sut.download(5, index, sub, value, on_done);
   }
-  /// The server says one thing, and the client another, both as eight bytes.
+  /// Sends a response of the server and checks the next request, both as eight bytes.
   void answer(const std::string& response, const std::string& next_request) {
     SCOPED_TRACE(response);
     wire.receive("585#" + response);
@@ -58,7 +58,7 @@ class SdoClientNode : public testing::Test {
     EXPECT_EQ(*last, size);
     EXPECT_FALSE(sut.busy());
   }
-  /// An abort code alone: aborted by the client.
+  /// Checks the end. An abort code alone: aborted by the client.
   void expect_failed(SdoEnd end) {
     EXPECT_EQ(std::exchange(calls, 0), 1);
     EXPECT_EQ(last, end) << std::hex << static_cast<unsigned>(last.abort());

@@ -1,5 +1,5 @@
 // An SDO client, an SDO server, and a line between them that loses, repeats and swaps frames as the
-// test says.
+// test requires.
 //
 // For tests only.
 #pragma once
@@ -16,14 +16,15 @@
 
 namespace canvoy {
 
-/// What happens to one frame on the line.
+/// Fate of one frame on the line.
 enum class Fate : std::uint8_t { arrives, is_lost, comes_twice, is_overtaken };
 
 /// Node 1 with a client, node 5 with a server, and a line between them. Frames arrive in the order
-/// in which they were sent, but for those that fate overtakes: they wait for the next one.
+/// in which they were sent, except overtaken ones, which wait for the next frame.
 class Line {
  public:
-  /// What does not fit into one frame goes in segments, unless the test chooses otherwise.
+  /// Makes a line. Values that do not fit into one frame use segments, unless the test chooses
+  /// otherwise.
   explicit Line(std::uint8_t block_size = sdo::block_size_max)
       : client_blocks(client, supplied, block_size), server_blocks(server, block_size) {
     client.choose(SdoTransfer::segmented);
@@ -33,8 +34,8 @@ class Line {
     server_node.boot();
   }
 
-  /// Carries frames and goes on in time until the client has its outcome, and then until nothing
-  /// is left to happen.
+  /// Transfers frames and advances time until the client has its outcome, and then until nothing is
+  /// left to happen.
   void run(const std::vector<Fate>& fates = {}) {
     next_fate_ = 0;
     next_step_ = 0;
@@ -49,7 +50,7 @@ class Line {
   WireNode client_node{sdo_objects(), 1};
   WireNode server_node{sdo_objects(), 5};
   SdoClient client{client_node.node};
-  /// On the heap, where the sanitizers see who reads beside it.
+  /// On the heap, where the sanitizers detect a read outside of it.
   std::vector<std::uint8_t> supplied = std::vector<std::uint8_t>(SdoBlockClient::buffer_size);
   SdoBlockClient client_blocks;
   std::array<std::uint8_t, 5000> buffer{};
@@ -58,15 +59,15 @@ class Line {
   MemoryDomain domain{server_node.node, 0x2030};
   std::optional<SdoClient::Outcome> outcome;
   std::size_t frames = 0;
-  bool repeats_acknowledgements = false;  ///< of blocks, whatever their fates are
-  bool copies_acknowledgements = true;    ///< of blocks, where it is their fate to come twice
-  /// How many frames each controller takes, step by step; at last it takes all.
+  bool repeats_acknowledgements = false;  ///< of blocks, for every frame
+  bool copies_acknowledgements = true;    ///< of blocks, for frames that come twice
+  /// Number of frames that each controller takes, step by step; at last it takes all.
   std::deque<std::uint8_t> room;
 
  private:
   static constexpr unsigned much_room = 0xFFFF;
 
-  /// Whether the controllers may be full in this step. No time goes by then: they are not full for
+  /// True if the controllers may be full in this step. No time passes then: they are not full for
   /// long.
   bool make_room() {
     const bool is_limited = next_step_ < room.size();

@@ -1,5 +1,4 @@
-// A dictionary with one object of each kind that SDO treats in its own way, and a domain in memory
-// behind it.
+// A dictionary with one object of each kind that SDO treats differently, and a domain in memory.
 //
 //     WireNode wire(sdo_objects(), 5);
 //     MemoryDomain domain(wire.node, 0x2030);
@@ -14,7 +13,7 @@
 #include <vector>
 
 #include "canvoy/canopen/dictionary/dictionary_layout.hpp"
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 
 namespace canvoy {
 
@@ -60,7 +59,7 @@ inline constexpr auto sdo_objects_layout =
                  .access = Access::rw,
                  .initial = 0x8000'0000},
                 {.sub_first = 3, .sub_last = 3, .type = DataType::unsigned8, .access = Access::rw},
-                // 2001h to 2008h: as many bytes as the last digit says
+                // 2001h to 2008h: number of bytes as in the last digit
                 {.type = DataType::unsigned8, .access = Access::rw},
                 {.type = DataType::unsigned16, .access = Access::rw},
                 {.type = DataType::unsigned24, .access = Access::rw},
@@ -88,7 +87,7 @@ inline constexpr auto sdo_objects_layout =
                 // 2020h and 2021h: strings
                 {.type = DataType::visible_string, .access = Access::rw, .capacity = 3},
                 {.type = DataType::octet_string, .access = Access::rw, .capacity = 5000},
-                // 2030h to 2033h: domains: rw, ro, wo, and one that nobody serves
+                // 2030h to 2033h: domains: rw, ro, wo, and one without callbacks
                 {.type = DataType::domain, .access = Access::rw},
                 {.type = DataType::domain, .access = Access::ro},
                 {.type = DataType::domain, .access = Access::wo},
@@ -101,7 +100,7 @@ inline DictionaryTables sdo_objects() {
   return detail::sdo_objects_layout.tables();
 }
 
-/// A domain object that is a vector, and notes what was asked of it.
+/// A domain object that is a vector, and records its calls.
 class MemoryDomain {
  public:
   MemoryDomain(Node& node, std::uint16_t index) {
@@ -119,15 +118,15 @@ class MemoryDomain {
 
   std::vector<std::uint8_t> content;
   std::vector<std::uint8_t> arriving;
-  std::uint32_t announced = 0xFFFF'FFFF;  ///< as the last open_write told
+  std::uint32_t announced = 0xFFFF'FFFF;  ///< by the last open_write
   bool open = false;                      ///< a download is under way
-  int opened = 0;                         ///< uploads that were begun
-  int dropped = 0;                        ///< downloads that came to nothing
+  int opened = 0;                         ///< number of uploads begun
+  int dropped = 0;                        ///< number of downloads without success
   AbortCode open_answer = AbortCode::none;
   AbortCode close_answer = AbortCode::none;
-  std::size_t refused_from = SIZE_MAX;  ///< at this offset, reading and writing fail
+  std::size_t refused_from = SIZE_MAX;  ///< offset from which reading and writing fail
   std::size_t longest_piece = 0;
-  bool tells_size = true;  ///< of an upload, at its beginning
+  bool tells_size = true;  ///< at the beginning of an upload
 
  private:
   Result<std::uint32_t> open_read(const Entry&) {
@@ -168,7 +167,7 @@ class MemoryDomain {
   Hook hook_;
 };
 
-/// The value of an entry, as the device itself sees it.
+/// Value of an entry inside the device.
 inline std::vector<std::uint8_t> value_of(Node& node, std::uint16_t index, std::uint8_t sub = 0) {
   const auto bytes = node.dictionary().find(index, sub)->bytes();
   return {bytes.begin(), bytes.end()};
@@ -178,7 +177,7 @@ inline void set_value(Node& node, std::uint16_t index, std::span<const std::uint
   node.dictionary().set(*node.dictionary().find(index, 0), bytes);
 }
 
-/// Bytes of which no two neighbouring segments are alike.
+/// Bytes in which no two neighbouring segments are equal.
 inline std::vector<std::uint8_t> pattern(std::size_t size, std::uint8_t seed = 1) {
   std::vector<std::uint8_t> bytes(size);
   for (std::size_t i = 0; i < size; ++i) {

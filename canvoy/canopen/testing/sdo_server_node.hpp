@@ -23,7 +23,7 @@ class SdoServerNode : public testing::Test {
 
   SdoServerNode() { wire.boot(); }
 
-  /// Request and answer are the eight bytes.
+  /// Sends a request and checks the answer; both are eight bytes.
   void ask(const std::string& request, const std::string& answer) {
     SCOPED_TRACE(request);
     wire.receive("605#" + request);

@@ -1,5 +1,5 @@
-// A device of which the PDOs, SYNC and emergency are laid down by its maker, and its twin of which
-// masters can write all of that: for tests that both do the same on the bus.
+// A device with PDOs, SYNC and emergency fixed by its maker, and a variant in which masters can
+// write all of that, for tests that both behave alike on the bus.
 //
 //     StaticPdoNode<static_pdo_layout> node;
 //     node.operate();
@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/device/device_node.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
 namespace canvoy {
@@ -132,7 +132,7 @@ constexpr auto lay_out_pdos() {
 inline constexpr auto static_pdo_layout = lay_out_pdos<Access::const_>();
 inline constexpr auto writable_pdo_layout = lay_out_pdos<Access::rw>();
 
-/// Node 5, on a bus that is the test.
+/// Node 5; the test is its bus.
 template <const auto& layout>
 class StaticPdoNode {
  public:
@@ -147,7 +147,7 @@ class StaticPdoNode {
     device.node().receive(frame, now);
     settle();
   }
-  /// As the application does.
+  /// Sets a value like the application.
   void set(std::uint16_t index, std::uint8_t sub, std::uint64_t number) {
     device.node().advance(now);
     ASSERT_TRUE(device.dictionary().set_number(index, sub, number));
@@ -169,9 +169,9 @@ class StaticPdoNode {
     device.node().tx_ready(now);
     settle();
   }
-  /// "@time frame" of all that was sent since the last call.
+  /// "@time frame" of all frames sent since the last call.
   std::vector<std::string> take_sent() { return std::exchange(sent, {}); }
-  /// The same without times.
+  /// Compares the frames sent since the last call, without times.
   void expect(std::vector<std::string> frames) {
     for (std::string& frame : sent) frame.erase(0, frame.find(' ') + 1);
     EXPECT_EQ(take_sent(), frames);

@@ -18,11 +18,11 @@
 #include <string_view>
 #include <vector>
 
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 
 namespace canvoy {
 
-/// Reads `123#11 22`, `123#R`, `123#R8`, `00000123#` (29 bits); blanks are ignored.
+/// Reads `123#11 22`, `123#R`, `123#R8`, `00000123#` (29 bits); ignores blanks.
 inline Frame wire_frame(std::string_view text) {
   const auto separator = text.find('#');
   const std::string id(text.substr(0, separator));
@@ -45,7 +45,7 @@ inline Frame wire_frame(std::string_view text) {
   return frame;
 }
 
-/// The other way round, in the one spelling that comparisons use: `705#00`, `581#43 00 10 00`.
+/// Text of a frame, in the one form that comparisons use: `705#00`, `581#43 00 10 00`.
 inline std::string wire_text(const Frame& frame) {
   char buffer[64];
   std::snprintf(buffer, sizeof buffer, frame.is_extended() ? "%08X#" : "%03X#", frame.id);
@@ -59,7 +59,7 @@ inline std::string wire_text(const Frame& frame) {
   return text;
 }
 
-/// The memory of a node, from the heap, with more than enough of everything.
+/// Memory of a node, from the heap, with ample room for everything.
 struct WireMemory {
   explicit WireMemory(const DictionaryTables& tables, std::size_t backlog_size = 16)
       : values(tables.value_bytes),
@@ -74,7 +74,7 @@ struct WireMemory {
   std::vector<Frame> backlog;
 };
 
-/// A node whose bus is the test. Services are constructed on `node` by the test.
+/// A node of which the test is the bus. The test constructs services on `node`.
 class WireNode : private WireMemory {
  public:
   WireNode(const DictionaryTables& tables, NodeId id, bool autostart = false)
@@ -83,12 +83,12 @@ class WireNode : private WireMemory {
         node(tables_, spans(), {this, &WireNode::take, nullptr}, id, autostart) {}
 
   void start() { node.start(now); }
-  /// Starts the node and forgets its boot-up message.
+  /// Starts the node and discards its boot-up message.
   void boot() {
     node.start(now);
     sent.clear();
   }
-  /// The same, up to NMT state operational; what is sent then is kept.
+  /// Like boot(), but up to NMT state operational; frames sent then are kept.
   void boot_operational() {
     boot();
     receive("000#01 00");
@@ -98,15 +98,15 @@ class WireNode : private WireMemory {
     node.receive(wire_frame(frame), now);
     settle();
   }
-  /// Lets the node do what it wants at `now`.
+  /// Lets the node do what is due at `now`.
   void settle() {
     for (int i = 0; node.deadline() <= now; ++i) {
       ASSERT_LT(i, 10'000) << "the node wants to be called again and again";
       node.advance(now);
     }
   }
-  /// Virtual time goes on; the node is called at its deadlines, and each frame is noted with its
-  /// time.
+  /// Advances virtual time to `until`; the node is called at its deadlines, and each frame is
+  /// recorded with its time.
   void run_until(Time until) {
     while (node.deadline() <= until) {
       now = node.deadline() > now ? node.deadline() : now;
@@ -116,8 +116,8 @@ class WireNode : private WireMemory {
   }
   void run_for(Duration duration) { run_until(now + duration); }
 
-  /// Frames sent since the last expect(), in their order, and none beside. As in wire_frame();
-  /// times where the test cares: "@200000 705#05".
+  /// Compares the frames sent since the last expect(), in their order and without any other.
+  /// Notation of wire_frame(); times where the test needs them: "@200000 705#05".
   void expect(std::vector<std::string> frames) {
     std::vector<std::string> actual;
     for (std::size_t i = 0; i < sent.size(); ++i) {
@@ -137,7 +137,7 @@ class WireNode : private WireMemory {
   std::vector<Sent> sent;
   Time now{};
   bool full = false;  ///< the controller takes no frames
-  /// Called while a frame is sent, as ports do that bring the answer at once.
+  /// Called while a frame is sent, like a port that delivers the answer at once.
   std::function<void(const Frame&)> on_sent = [](const Frame&) {};
 
  private:

@@ -1,4 +1,4 @@
-// Whether a change of an analogue input of CiA 401 is an event (6421h, 6424h to 642Dh).
+// Decides whether a change of an analogue input of CiA 401 is an event (6421h, 6424h to 642Dh).
 #pragma once
 
 #include <bit>
@@ -21,7 +21,7 @@ inline constexpr std::uint32_t limits = upper_limit | lower_limit;
 inline constexpr std::uint32_t deltas = any_delta | negative_delta | positive_delta;
 }  // namespace trigger
 
-/// A value, and what decides whether its change is an event.
+/// A value, and the values with which its change is compared.
 template <class Number>
 struct AnalogueChange {
   Number before = 0;  ///< in the object
@@ -29,12 +29,12 @@ struct AnalogueChange {
   Number told = 0;  ///< at the last event
 };
 
-/// Where limits and deltas are: the upper limit, and in the objects behind it the lower one, delta,
-/// negative and positive delta.
+/// Location of limits and deltas: the upper limit, and in the objects behind it the lower limit,
+/// delta, negative and positive delta.
 struct AnalogueLimits {
   std::uint16_t upper = 0;
   std::uint8_t channel = 0;
-  std::uint8_t shift = 0;  ///< of a whole number, to what they count in
+  std::uint8_t shift = 0;  ///< from a whole number to the unit of its limits
 };
 
 namespace detail {
@@ -62,7 +62,7 @@ Number in_units_of(const AnalogueLimits& limits, Number value) {
 
 }  // namespace detail
 
-/// Devices without 6421h have no limits either: each change is an event.
+/// Devices without 6421h have no limits, so that each change is an event.
 template <class Number>
 bool is_event(const Dictionary& dictionary, const AnalogueChange<Number>& change,
               const AnalogueLimits& limits) {

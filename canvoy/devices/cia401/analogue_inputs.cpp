@@ -59,7 +59,7 @@ void AnalogueInputs::rescale(unsigned channel) {
   }
 }
 
-/// Where nothing moves, no object is looked up.
+/// Without a change, no object is looked up.
 void AnalogueInputs::look() {
   for (AnalogueInputState& state : states_) {
     const std::int32_t raw = sense_(state.channel);
@@ -79,7 +79,7 @@ void AnalogueInputs::read(AnalogueInputState& state, bool may_tell) {
   if (is_event_of_integer || is_event_of_real) add_source(state.channel);
 }
 
-/// The widest but one decides: 16 bits are what most devices have.
+/// The widest but one decides: most devices have 16 bits.
 bool AnalogueInputs::read_integers(AnalogueInputState& state, bool may_tell) {
   constexpr std::size_t order[] = {1, 2, 0};  // of analogue_input_widths
   const Dictionary& dictionary = node_.dictionary();

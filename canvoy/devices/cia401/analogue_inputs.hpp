@@ -7,65 +7,64 @@
 //
 // The text of CiA 401 is not at hand. Our reading: an input causes an event when it changes, and is
 // at or above its upper limit or below its lower one (where one of these triggers is selected), and
-// differs from the value at its last event by more than one of its deltas (where one of those is).
-// A change that is no event is stored without a PDO; the next event takes it along.
+// differs from the value at its last event by more than one of its deltas (where one of those is
+// selected). A change that is no event is stored without a PDO; the next event sends it, too.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <span>
 
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 #include "canvoy/devices/cia401/widths.hpp"
 #include "canvoy/profiles/cia401/handles.hpp"
 
 namespace canvoy::cia401 {
 
-/// What is known of an input beside the dictionary.
+/// State of an input beside the dictionary.
 struct AnalogueInputState {
   std::uint8_t channel = 0;  ///< its sub-index
-  std::int32_t raw = 0;      ///< at the last look
+  std::int32_t raw = 0;      ///< at the last check
   // At the last event:
-  std::int32_t integer = 0;  ///< that it is read by
+  std::int32_t integer = 0;  ///< from which it is read
   float real = 0;            ///< 6403h
 };
 
 struct AnalogueInputSettings {
-  /// What 6424h to 6428h count in: the object that the device has of 6401h, 6402h, 6400h, in this
+  /// Unit of 6424h to 6428h: that of the first existing object of 6401h, 6402h, 6400h, in this
   /// order; or all 32 bits of the converter, left-adjusted. It is not known which one the
   /// specification means.
   bool limits_are_left_adjusted = false;
 };
 
-/// Whether a TPDO may be sent since it begins to work (Tpdos::ask_at_start): not, while it carries
-/// analogue inputs alone and these cause no events (6423h).
+/// True if a TPDO may be sent when it starts to work (Tpdos::ask_at_start): not if it carries only
+/// analogue inputs and these cause no events (6423h).
 bool tpdo_may_begin(const Dictionary& dictionary, std::uint16_t number);
 
 struct AnalogueReals;
 
 class AnalogueInputs {
  public:
-  /// An input, by its sub-index, as its converter has it: full scale is that of 32 bits, a narrower
-  /// value is adjusted to the left.
+  /// Returns an input, by its sub-index, in the scale of its converter: full scale is that of 32
+  /// bits, a narrower value is left-adjusted.
   using Sense = Callback<std::int32_t(unsigned channel)>;
 
-  /// All must outlive this. `states`: one for each element of 6401h, which may have gaps. `reals`:
-  /// null where there is no 6403h.
+  /// All arguments must outlive this. `states`: one for each element of 6401h, which may have gaps.
+  /// `reals`: null without 6403h.
   AnalogueInputs(Node& node, std::span<AnalogueInputState> states, Sense sense,
                  const AnalogueInputSettings& settings, const AnalogueReals* reals = nullptr);
   AnalogueInputs(const AnalogueInputs&) = delete;
   AnalogueInputs& operator=(const AnalogueInputs&) = delete;
 
-  /// Takes the inputs as they are, without an event: after a reset.
+  /// Reads the inputs without an event: after a reset.
   void begin();
-  /// Offset or scaling of an input was written: what it was at the last look is read by them,
-  /// without an event.
+  /// Applies a written offset or scaling to the last value of an input, without an event.
   void rescale(unsigned channel);
-  /// An input that has not moved costs no more than to be sensed.
+  /// Checks the inputs. An input that has not changed costs only its sensing.
   void look();
   bool are_enabled() const;
-  /// An element of 6422h is about to be read from the bus: it says what has come since it was read
-  /// last.
+  /// Updates an element of 6422h before it is read from the bus: it shows the events since it was
+  /// last read.
   void source_is_read(const Entry& entry);
 
  private:
@@ -82,7 +81,7 @@ class AnalogueInputs {
   Sense sense_;
   AnalogueInputSettings settings_;
   const AnalogueReals* reals_;
-  std::array<std::uint32_t, 8> sources_{};  ///< since they were read, 32 inputs each
+  std::array<std::uint32_t, 8> sources_{};  ///< since the last read, 32 inputs each
 };
 
 }  // namespace canvoy::cia401

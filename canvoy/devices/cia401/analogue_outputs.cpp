@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint16_t output_fraction = write_analogue_output_float_object.index;
 
-/// Null: it is no object of integers.
+/// Null if it is no object of integers.
 const Width* width_of(std::uint16_t index) {
   for (const Width& width : analogue_output_widths) {
     if (width.index == index) return &width;
@@ -57,7 +57,7 @@ void AnalogueOutputs::fail(std::uint8_t channel) {
         IntegerScale{}.apply(static_cast<std::int32_t>(value), width->bytes));
   }
   const Result<Entry> entry = dictionary.find(index, channel);
-  if (entry) put(dictionary, *entry, value, true);
+  if (entry) put(dictionary, *entry, value);
   drive(index, channel);
 }
 
@@ -68,8 +68,8 @@ void AnalogueOutputs::for_each_channel(Each each) {
   }
 }
 
-/// The object of floating-point numbers where that was written last; else what the device has of 16
-/// bits, 32, 8, floating-point, in this order.
+/// The object of floating-point numbers if that was written last; otherwise the first existing one
+/// of 16 bits, 32, 8, floating-point.
 std::uint16_t AnalogueOutputs::index_of(unsigned channel) const {
   if (reals_ != nullptr && reals_->written_last[channel]) return output_fraction;
   constexpr std::uint16_t order[] = {analogue_output_widths[1].index,
@@ -91,8 +91,22 @@ void AnalogueOutputs::drive(std::uint16_t index, unsigned channel) {
   const std::uint32_t word = dictionary.word(index, static_cast<std::uint8_t>(channel));
   const std::int64_t value = integer_scale(dictionary, output_scaling, channel)
                                  .apply(sign_extended(word, width->bytes), width->bytes);
-  const auto raw = static_cast<std::uint32_t>(value) << 8 * (4 - width->bytes);
-  drive_(channel, static_cast<std::int32_t>(raw));
+  const unsigned shift = 8U * (4U - width->bytes);
+  const auto raw = static_cast<std::int32_t>(static_cast<std::uint32_t>(value) << shift);
+  show(index, channel, static_cast<std::int32_t>(word << shift));
+  if (reals_ != nullptr) reals_->show(*this, channel, raw);
+  drive_(channel, raw);
+}
+
+/// Shows the value of the full width in all objects of integers except the written one.
+void AnalogueOutputs::show(std::uint16_t but, unsigned channel, std::int32_t value) {
+  Dictionary& dictionary = node_.dictionary();
+  for (const Width& width : analogue_output_widths) {
+    if (width.index == but) continue;
+    const Result<Entry> entry = dictionary.find(width.index, static_cast<std::uint8_t>(channel));
+    const auto shown = static_cast<std::uint32_t>(value) >> 8 * (4 - width.bytes);
+    if (entry) put(dictionary, *entry, shown, true);
+  }
 }
 
 }  // namespace canvoy::cia401

@@ -1,5 +1,5 @@
-// Parameters of analogue inputs of CiA 401 that are written while these move: what a host has not
-// been told yet is told all the same. Objects are those of public sources (facts 6.1).
+// Writes of parameters of analogue inputs of CiA 401 while the inputs move: changes that the host
+// has not yet received are still sent. Objects are those of public sources (facts 6.1).
 #include <gtest/gtest.h>
 
 #include <array>
@@ -63,7 +63,7 @@ constexpr const char* writes_beside[] = {
     "23 31 64 02 0A 00 00 00", "23 32 64 02 02 00 00 00", "2F 23 64 00 01 00 00 00",
 };
 
-/// It snaps back to its centre in the moment in which the host writes.
+/// It snaps back to its centre at the moment when the host writes.
 TEST_F(AnalogueParameters, AWriteSwallowsNoChange) {
   for (const char* request : writes_beside) {
     move(1, 1000);
@@ -76,7 +76,7 @@ TEST_F(AnalogueParameters, AWriteSwallowsNoChange) {
   }
 }
 
-/// Deltas count from what the host was told.
+/// Deltas count from the last value that the host has received.
 TEST_F(AnalogueParameters, AWriteLeavesWhatWasToldLast) {
   write("2F 21 64 01 04 00 00 00");
   write("23 26 64 01 64 00 00 00");  // 100
@@ -106,8 +106,8 @@ TEST_F(AnalogueParameters, AWriteLeavesTheSources) {
   }
 }
 
-/// What is read follows offset and scaling at once, without an event; where it stood at the last
-/// look.
+/// The value read follows offset and scaling at once, without an event; it is that of the last
+/// check.
 TEST_F(AnalogueParameters, ScalingIsThatOfOneInput) {
   move(1, 1000);
   move(2, 500);
@@ -123,7 +123,7 @@ TEST_F(AnalogueParameters, ScalingIsThatOfOneInput) {
   EXPECT_EQ(cable.last(analogue_pdo), "2A1#00 00 00 00");
 }
 
-/// Events are off for a moment: a host that configures anew.
+/// Events are off for a moment: a host that configures again.
 TEST_F(AnalogueParameters, WhatMovedWhileEventsWereOffIsReadNotTold) {
   move(1, 1000);
   look();

@@ -9,7 +9,8 @@
 namespace canvoy::cia401 {
 
 constexpr AnalogueReals AnalogueReals::calls = {.read = &AnalogueReals::read_real,
-                                                .drive = &AnalogueReals::drive_real};
+                                                .drive = &AnalogueReals::drive_real,
+                                                .show = &AnalogueReals::show_real};
 
 bool AnalogueReals::read_real(AnalogueInputs& inputs, AnalogueInputState& state, bool may_tell) {
   Dictionary& dictionary = inputs.node_.dictionary();
@@ -34,7 +35,16 @@ void AnalogueReals::drive_real(AnalogueOutputs& outputs, unsigned channel) {
       dictionary.word(write_analogue_output_float_object.index, static_cast<std::uint8_t>(channel));
   const float value =
       real_scale(dictionary, output_scaling, channel).apply(std::bit_cast<float>(word));
-  outputs.drive_(channel, from_fraction(std::isnan(value) ? 0 : value));
+  const std::int32_t raw = from_fraction(std::isnan(value) ? 0 : value);
+  outputs.show(write_analogue_output_float_object.index, channel, raw);
+  outputs.drive_(channel, raw);
+}
+
+void AnalogueReals::show_real(AnalogueOutputs& outputs, unsigned channel, std::int32_t value) {
+  Dictionary& dictionary = outputs.node_.dictionary();
+  const Result<Entry> entry =
+      dictionary.find(write_analogue_output_float_object.index, static_cast<std::uint8_t>(channel));
+  if (entry) put(dictionary, *entry, std::bit_cast<std::uint32_t>(fraction(value)), true);
 }
 
 }  // namespace canvoy::cia401

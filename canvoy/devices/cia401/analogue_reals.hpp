@@ -1,5 +1,5 @@
-// The floating-point half of analogue inputs and outputs of CiA 401 (6403h, 6413h and what belongs
-// to them): a table, so that nothing of it is linked where a device has none of these objects.
+// The floating-point half of analogue inputs and outputs of CiA 401 (6403h, 6413h and related
+// objects): a table, so that a device without these objects does not link it.
 //
 //     AnalogueReals reals = AnalogueReals::calls;
 //     AnalogueOutputs outputs(node, true, drive, &reals);
@@ -13,11 +13,13 @@
 namespace canvoy::cia401 {
 
 struct AnalogueReals {
-  /// True where it was an event.
+  /// Returns true for an event.
   bool (*read)(AnalogueInputs& inputs, AnalogueInputState& state, bool may_tell);
   void (*drive)(AnalogueOutputs& outputs, unsigned channel);
+  /// Shows the value of an output that was written as an integer.
+  void (*show)(AnalogueOutputs& outputs, unsigned channel, std::int32_t value);
 
-  /// Outputs that were written last by 6413h.
+  /// Outputs that were last written by 6413h.
   std::bitset<256> written_last = {};
 
   static const AnalogueReals calls;
@@ -25,6 +27,7 @@ struct AnalogueReals {
  private:
   static bool read_real(AnalogueInputs& inputs, AnalogueInputState& state, bool may_tell);
   static void drive_real(AnalogueOutputs& outputs, unsigned channel);
+  static void show_real(AnalogueOutputs& outputs, unsigned channel, std::int32_t value);
 };
 
 }  // namespace canvoy::cia401

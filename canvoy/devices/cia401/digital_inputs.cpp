@@ -13,7 +13,7 @@ constexpr std::uint16_t to_filter = 3;  ///< from the object with the values
 constexpr unsigned inputs_of_group = 8;
 constexpr unsigned inputs_of_bit_object = 128;
 
-/// Where this group is, counted from 0, among the groups of an element of so many bytes.
+/// Position of this group, counted from 0, among the groups of an element of this number of bytes.
 constexpr unsigned element_of(unsigned group, const Width& width) {
   return (group - 1) / width.bytes + 1;
 }
@@ -40,7 +40,7 @@ void DigitalInputs::begin() {
   tell_all(Telling::nothing);
 }
 
-/// Where nothing moves, which is nearly always, no object is looked up.
+/// Without a change, which is nearly always the case, no object is looked up.
 void DigitalInputs::look(Time now) {
   node_.timers().disarm(timer_);
   bool has_changed = false;
@@ -55,8 +55,8 @@ void DigitalInputs::show() {
   tell_all(Telling::nothing);
 }
 
-/// What has changed is accepted at once, or when it has stayed for the filter time: true, where
-/// anything was accepted.
+/// Accepts a change at once, or after it has been stable for the filter time. True if any was
+/// accepted.
 bool DigitalInputs::filter(DigitalInputGroup& inputs, Time now) {
   const std::uint8_t sensed = sense_(inputs.number);
   const std::uint8_t before = inputs.accepted;
@@ -92,7 +92,7 @@ std::uint8_t DigitalInputs::filtered(unsigned group) const {
 }
 
 const DigitalInputGroup* DigitalInputs::find_group(unsigned number) const {
-  // Without gaps it stands in its place.
+  // Without gaps, it is at its own index.
   if (number <= groups_.size() && groups_[number - 1].number == number) return &groups_[number - 1];
   const auto found = std::ranges::find(groups_, number, &DigitalInputGroup::number);
   return found == groups_.end() ? nullptr : &*found;
@@ -135,7 +135,7 @@ void DigitalInputs::tell_element(const Width& width, unsigned sub, bool may_tell
   if (width.bytes == 1) tell_bits(sub, value, may_tell ? events : 0);
 }
 
-/// The same inputs one by one, where the device has objects for that: events are those of the 8-bit
+/// Shows the inputs one by one, if the device has objects for that: events are those of the 8-bit
 /// object.
 void DigitalInputs::tell_bits(unsigned group, std::uint32_t value, std::uint32_t events) {
   Dictionary& dictionary = node_.dictionary();

@@ -6,50 +6,51 @@
 //     inputs.look(now);    // when an input may have changed; filtered ones wake up by themselves
 //
 // The text of CiA 401 is not at hand. Our reading: the objects of each width have their own
-// polarity and masks, and an input is filtered where one of them says so. A change that is no event
-// is stored without a PDO; the next event takes it along. The state at a reset is no event.
+// polarity and masks, and an input is filtered if one of them says so. A change that is no event is
+// stored without a PDO. The next event is always sent, and the change with it, whatever the PDO
+// carried last. The state at a reset is no event.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <span>
 
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 #include "canvoy/devices/cia401/widths.hpp"
 #include "canvoy/profiles/cia401/handles.hpp"
 
 namespace canvoy::cia401 {
 
-/// What is known of 8 inputs beside the dictionary.
+/// State of 8 inputs beside the dictionary.
 struct DigitalInputGroup {
   std::uint8_t number = 0;    ///< its sub-index in 6000h
-  bool has_changed = false;   ///< at this look
-  std::uint8_t sensed = 0;    ///< at the last look
+  bool has_changed = false;   ///< in this check
+  std::uint8_t sensed = 0;    ///< at the last check
   std::uint8_t accepted = 0;  ///< behind the filter
-  /// Since when an input is other than what was accepted, in microseconds modulo 2^32.
+  /// Time from which an input differs from its accepted state, in microseconds modulo 2^32.
   std::array<std::uint32_t, 8> since{};
 };
 
 struct DigitalInputSettings {
-  /// How long an input with a filter has to stay before it counts.
+  /// Time for which a filtered input has to be stable before it counts.
   Duration filter_time = std::chrono::milliseconds(5);
 };
 
 class DigitalInputs {
  public:
-  /// 8 inputs as they are wired: the group is its sub-index in 6000h, the first input is bit 0.
+  /// Returns 8 inputs as wired: the group is the sub-index in 6000h, the first input is bit 0.
   using Sense = Callback<std::uint8_t(unsigned group)>;
 
-  /// All must outlive this. `groups`: one for each element of 6000h, which may have gaps.
+  /// All arguments must outlive this. `groups`: one for each element of 6000h, which may have gaps.
   DigitalInputs(Node& node, std::span<DigitalInputGroup> groups, Sense sense,
                 const DigitalInputSettings& settings);
   DigitalInputs(const DigitalInputs&) = delete;
   DigitalInputs& operator=(const DigitalInputs&) = delete;
 
-  /// Takes the inputs as they are, without an event: after a reset.
+  /// Reads the inputs without an event: after a reset.
   void begin();
   void look(Time now);
-  /// Parameters were written: what is read follows at once, and is no event.
+  /// Applies written parameters at once, without an event.
   void show();
 
  private:

@@ -8,19 +8,19 @@ namespace canvoy::cia401 {
 
 namespace {
 
-// From the object with the values.
+// Distance from the object with the values.
 constexpr std::uint16_t to_output_polarity = 2;
 constexpr std::uint16_t to_error_mode = 6;
 constexpr std::uint16_t to_error_value = 7;
 constexpr std::uint16_t to_filter_mask = 8;
 
-/// The 8 bits of a group of what an object beside the values says; wider ones say the same.
+/// The 8 bits of a group in an object beside the values; wider objects have the same bits.
 std::uint8_t of_group(const Dictionary& dictionary, std::uint16_t offset, std::size_t group) {
   const auto index = static_cast<std::uint16_t>(output_widths[0].index + offset);
   return static_cast<std::uint8_t>(dictionary.word(index, static_cast<std::uint8_t>(group + 1)));
 }
 
-/// A parameter of one width that was written is that of the others as well.
+/// Copies a written parameter of one width to the others.
 void share(Dictionary& dictionary, const Width& written, std::uint16_t offset, std::size_t group,
            std::uint8_t value) {
   for (const Width& width : output_widths) {
@@ -82,7 +82,8 @@ void DigitalOutputs::drive(std::size_t group) {
   drive_(static_cast<unsigned>(group + 1), groups_[group] ^ polarity);
 }
 
-/// By all objects that have them; others, which the same PDO may have written, are not touched.
+/// In all objects that have them; other elements, which the same PDO may have written, are not
+/// changed.
 void DigitalOutputs::show(std::size_t first, std::size_t end) {
   Dictionary& dictionary = node_.dictionary();
   for (const Width& width : output_widths) {
@@ -95,7 +96,7 @@ void DigitalOutputs::show(std::size_t first, std::size_t end) {
         const std::size_t group = element * width.bytes + i;
         if (group < groups_.size()) value |= std::uint32_t{groups_[group]} << 8 * i;
       }
-      if (entry->word() != value) put(dictionary, *entry, value, true);
+      if (entry->word() != value) put(dictionary, *entry, value);
     }
   }
 }

@@ -7,6 +7,6 @@ namespace canvoy::cia401 {
 const DeviceKind io_kind = {.info = IoKind<>::info,
                             .profile = &profile,
                             .forms = only_form<IoKind<>>,
-                            .keeping_forms = keeping_form<IoKind<>>};
+                            .keeping_forms = form_with_storage<IoKind<>>};
 
 }  // namespace canvoy::cia401

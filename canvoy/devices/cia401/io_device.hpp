@@ -3,7 +3,7 @@
 //     IoDevice<> io(port, 33, {.digital_inputs = ..., .drive_digital = ...});
 //     io.node().start(now);
 //
-// A maker has a kind of his own, with his identity and his number of inputs and outputs:
+// A maker has a separate kind, with its own identity and number of inputs and outputs:
 //
 //     struct Valves : IoKind<IoOptions{.digital_outputs = 16}> {
 //       static constexpr auto description = describe(io_module<...>(), cia301::identity({...}));
@@ -13,13 +13,13 @@
 #include "canvoy/devices/cia401/analogue_reals.hpp"
 #include "canvoy/devices/cia401/io_module.hpp"
 #include "canvoy/devices/cia401/io_unit.hpp"
-#include "canvoy/devices/device.hpp"
+#include "canvoy/devices/kit/device.hpp"
 
 namespace canvoy::cia401 {
 
 namespace detail {
 
-/// Elements of an array, without sub-index 00h.
+/// Number of elements of an array, without sub-index 00h.
 constexpr std::size_t count_elements(const DictionaryTables& tables, const ObjectInfo& object) {
   std::size_t count = 0;
   for (const ObjectRow& row : tables.objects) {
@@ -33,7 +33,7 @@ constexpr std::size_t count_elements(const DictionaryTables& tables, const Objec
 
 }  // namespace detail
 
-/// Nothing of it is linked where a device has none.
+/// Without such objects, a device links nothing of it.
 template <bool has_reals>
 struct OwnReals {
   AnalogueReals* get() { return nullptr; }
@@ -45,7 +45,7 @@ struct OwnReals<true> {
   AnalogueReals reals = AnalogueReals::calls;
 };
 
-/// The memory that an IoUnit wants for a dictionary.
+/// The memory that an IoUnit needs for a dictionary.
 template <const auto& layout>
 class OwnIoMemory {
  public:
@@ -75,7 +75,7 @@ class OwnIoUnit : private OwnIoMemory<layout>, public IoUnit {
       : IoUnit(node, static_cast<OwnIoMemory<layout>&>(*this), hardware, settings) {}
 };
 
-/// The default: as many as the default PDOs carry.
+/// The default: as many inputs and outputs as the default PDOs carry.
 inline constexpr IoOptions default_io = {
     .digital_inputs = 64, .digital_outputs = 64, .analogue_inputs = 12, .analogue_outputs = 12};
 
@@ -101,7 +101,7 @@ struct IoKind : KindOf<IoUnit, IoHardware, IoSettings> {
   static void connect(Services& services, IoUnit& /*unit*/) {
     if constexpr (requires { services.tpdos(); }) services.tpdos().ask_at_start(tpdo_may_begin);
   }
-  /// Nothing is wired.
+  /// Hardware without any wiring.
   static constexpr IoHardware simulated() {
     return {.digital_inputs = {[](void*, unsigned) -> std::uint8_t { return 0; }, nullptr},
             .drive_digital = {[](void*, unsigned, std::uint8_t) {}, nullptr},
@@ -110,7 +110,7 @@ struct IoKind : KindOf<IoUnit, IoHardware, IoSettings> {
   }
 };
 
-/// `layout` is that of a description with the objects of a module.
+/// `layout` has a description with the objects of a module.
 template <IoOptions options = default_io, const auto& layout = layout_of<IoKind<options>>,
           std::size_t own_routes = 0>
 using IoDevice = Device<IoKind<options>, layout, own_routes>;

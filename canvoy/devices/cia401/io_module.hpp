@@ -1,16 +1,16 @@
-// The objects of an input and output module of CiA 401, by how many inputs and outputs it has.
+// The objects of an input and output module of CiA 401, by its number of inputs and outputs.
 //
 //     constexpr auto module = describe(io_module<IoOptions{.digital_inputs = 16}>(),
 //                                      cia301::identity({.vendor_id = 0x123}));
 //
-// The text of CiA 401 is not at hand: which PDOs there are at the start is common practice.
+// The text of CiA 401 is not at hand. The PDOs that exist at the start are common practice.
 #pragma once
 
 #include <algorithm>
 
 #include "canvoy/profiles/cia301.hpp"
+#include "canvoy/profiles/cia301/predefined_pdo.hpp"
 #include "canvoy/profiles/cia401.hpp"
-#include "canvoy/profiles/predefined_pdo.hpp"
 
 namespace canvoy::cia401 {
 
@@ -20,10 +20,10 @@ struct IoOptions {
   unsigned digital_outputs = 0;   ///< 0 to 2032
   unsigned analogue_inputs = 0;   ///< 0 to 254
   unsigned analogue_outputs = 0;  ///< 0 to 254
-  /// The same inputs and outputs by 16 bits and by 32, analogue ones by 8 and 32 bits and as
-  /// floating-point numbers, too.
+  /// Adds the objects of 16 and 32 bits for the same digital inputs and outputs, and those of 8 and
+  /// 32 bits and floating-point numbers for analogue ones.
   bool all_widths = false;
-  /// The first 1,024 digital inputs one by one, too.
+  /// Adds the objects of single bits for the first 1,024 digital inputs.
   bool single_bits = false;
 };
 
@@ -47,7 +47,7 @@ constexpr void add_arrays(DeviceDescription<capacity>& parts, unsigned channels,
   for (const ObjectInfo* object : objects) parts.add(Part(*object).up_to(channels));
 }
 
-/// 128 inputs in each object; the last has as many as are left.
+/// 128 inputs in each object; the last has the remaining ones.
 template <std::size_t capacity>
 constexpr void add_bits(DeviceDescription<capacity>& parts, unsigned inputs) {
   constexpr unsigned of_object = 128;
@@ -57,7 +57,7 @@ constexpr void add_bits(DeviceDescription<capacity>& parts, unsigned inputs) {
   }
 }
 
-/// The PDO in this place of the profile's list, with those of its objects that the device has.
+/// The PDO at this position of the profile's list, with those of its objects that the device has.
 template <std::size_t position, std::size_t capacity>
 constexpr void add_pdo(DeviceDescription<capacity>& parts, unsigned channels, unsigned before) {
   if (channels <= before) return;
@@ -69,7 +69,7 @@ constexpr void add_pdo(DeviceDescription<capacity>& parts, unsigned channels, un
 
 }  // namespace detail
 
-/// All objects of the profile that such a module has, and its default PDOs.
+/// All objects of the profile in such a module, and its default PDOs.
 template <IoOptions options>
 constexpr auto io_module() {
   using namespace detail;  // NOLINT(google-build-using-namespace)

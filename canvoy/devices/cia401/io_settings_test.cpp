@@ -1,4 +1,4 @@
-// What a maker chooses of an input and output module (IoSettings), at its wire.
+// Settings of a maker for an input and output module (IoSettings), at its wire.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -112,6 +112,37 @@ TEST_F(AnalogueOutput, AnErrorModeThatIsNoneIsRefused) {
   EXPECT_EQ(ask("2F 43 64 01 FF 00 00 00"), "80 43 64 01 30 00 09 06");
   EXPECT_EQ(ask("40 43 64 01 00 00 00 00"), "4F 43 64 01 01 00 00 00");
   EXPECT_EQ(ask("2F 43 64 01 00 00 00 00"), "60 43 64 01 00 00 00 00");
+}
+
+/// 6410h, 6411h, 6412h and 6413h are one output: each of them shows its value, whichever was
+/// written.
+TEST_F(AnalogueOutput, IsReadInEachWidthWhateverItWasWrittenBy) {
+  const auto write = [this](const std::string& request) {
+    EXPECT_EQ(ask(request).substr(0, 2), "60") << request;
+  };
+  const auto expect_all = [this](const char* of_8, const char* of_16, const char* of_32,
+                                 const char* real) {
+    EXPECT_EQ(ask("40 10 64 01 00 00 00 00"), of_8);
+    EXPECT_EQ(ask("40 11 64 01 00 00 00 00"), of_16);
+    EXPECT_EQ(ask("40 12 64 01 00 00 00 00"), of_32);
+    EXPECT_EQ(ask("40 13 64 01 00 00 00 00"), real);
+  };
+  write("23 13 64 01 00 00 00 3F");  // 0.5
+  expect_all("4F 10 64 01 40 00 00 00", "4B 11 64 01 00 40 00 00", "43 12 64 01 00 00 00 40",
+             "43 13 64 01 00 00 00 3F");
+  write("2B 11 64 01 00 C0 00 00");  // -16384
+  expect_all("4F 10 64 01 C0 00 00 00", "4B 11 64 01 00 C0 00 00", "43 12 64 01 00 00 00 C0",
+             "43 13 64 01 00 00 00 BF");
+  write("2F 10 64 01 20 00 00 00");
+  expect_all("4F 10 64 01 20 00 00 00", "4B 11 64 01 00 20 00 00", "43 12 64 01 00 00 00 20",
+             "43 13 64 01 00 00 80 3E");
+  write("23 12 64 01 00 00 00 60");
+  expect_all("4F 10 64 01 60 00 00 00", "4B 11 64 01 00 60 00 00", "43 12 64 01 00 00 00 60",
+             "43 13 64 01 00 00 40 3F");
+  cable.send("000#02 21");  // 6444h, which is 0
+  cable.send("000#80 21");
+  expect_all("4F 10 64 01 00 00 00 00", "4B 11 64 01 00 00 00 00", "43 12 64 01 00 00 00 00",
+             "43 13 64 01 00 00 00 00");
 }
 
 }  // namespace

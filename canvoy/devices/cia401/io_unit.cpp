@@ -1,8 +1,8 @@
 #include "canvoy/devices/cia401/io_unit.hpp"
 
-#include "canvoy/canopen/emergency/error.hpp"
+#include "canvoy/canopen/protocol/error.hpp"
 #include "canvoy/devices/cia401/scaling.hpp"
-#include "canvoy/profiles/reactions.hpp"
+#include "canvoy/profiles/model/reactions.hpp"
 
 namespace canvoy::cia401 {
 
@@ -28,11 +28,11 @@ constexpr bool is_scaling_of_inputs(std::uint16_t index) {
 
 }  // namespace
 
-constexpr HookCalls IoUnit::hook_calls[] = {
+constexpr AccessHandlers IoUnit::hook_calls[] = {
     before_read<&IoUnit::source_is_read, analogue_input_interrupt_source_object>,
     before_write<&IoUnit::check_error_mode, analogue_output_error_mode_object>,
     {.first = first_index, .last = last_index, .after_write = method<&IoUnit::written>}};
-constexpr ServiceCalls IoUnit::service_calls = {
+constexpr ServiceHandlers IoUnit::service_calls = {
     .reset = method<&IoUnit::reset>,
     .state_entered = method<&IoUnit::state_entered>,
     .bus_state_changed = method<&IoUnit::bus_state_changed>,
@@ -91,7 +91,7 @@ void IoUnit::error_changed(const Error& error, bool present) {
   if (present && error.code == emergency_code::heartbeat) fail();
 }
 
-/// Each time that the node becomes operational.
+/// Called each time that the node becomes operational.
 void IoUnit::warn(bool is_operational) {
   if (!has_analogue_inputs_ || !settings_.warns_of_disabled_inputs) return;
   node_.report(inputs_disabled, is_operational && !analogue_inputs_.are_enabled());
@@ -103,7 +103,7 @@ void IoUnit::source_is_read(const Entry& entry) {
   analogue_inputs_.source_is_read(entry);
 }
 
-/// Other modes than to keep the value or to take the error value are reserved.
+/// Modes other than keeping the value and taking the error value are reserved.
 AbortCode IoUnit::check_error_mode(const Entry& entry, std::span<const std::uint8_t> value) {
   const bool is_mode = value[0] <= static_cast<std::uint8_t>(ErrorMode::take_error_value);
   return entry.sub == 0 || is_mode ? AbortCode::none : AbortCode::value_range;
@@ -116,7 +116,7 @@ void IoUnit::written(const Entry& entry, Source) {
   analogue_outputs_.written(entry.index, entry.sub);
 }
 
-/// Limits and deltas count from the next look on; what is still to be told is told.
+/// Limits and deltas count from the next check on; changes that are still to be sent are sent.
 void IoUnit::analogue_parameter_written(const Entry& entry) {
   if (entry.index == analogue_input_global_interrupt_enable_object.index) {
     if (analogue_inputs_.are_enabled()) node_.clear(inputs_disabled);

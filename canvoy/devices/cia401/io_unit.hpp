@@ -1,12 +1,12 @@
-// An input and output module of CiA 401: digital and analogue inputs and outputs, as far as the
-// dictionary has their objects.
+// An input and output module of CiA 401: digital and analogue inputs and outputs, for the objects
+// in the dictionary.
 //
 //     IoUnit io(node, memory, {.digital_inputs = ..., .drive_digital = ...}, {});
 //     io.hardware_changed();    // an input has changed, which is then told at once
 //
-// In NMT state stopped, at bus-off and when a watched heartbeat is lost (the communication errors
-// of 1029h), and when the device itself fails, outputs take their error values. While analogue
-// inputs cause no events (6423h), emergency 0080h says so from operational on.
+// In NMT state stopped, at bus-off, on the loss of a monitored heartbeat (the communication errors
+// of 1029h), and on a failure of the device itself, outputs take their error values. While analogue
+// inputs cause no events (6423h), emergency 0080h reports this, from NMT state operational on.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@
 
 namespace canvoy::cia401 {
 
-/// Of what the dictionary has no objects for, the callback may be left out.
+/// A callback may be omitted if the dictionary has no objects for it.
 struct IoHardware {
   DigitalInputs::Sense digital_inputs = {};
   DigitalOutputs::Drive drive_digital = {};
@@ -28,11 +28,11 @@ struct IoHardware {
 };
 
 struct IoSettings {
-  /// How often inputs are looked at; zero: when the hardware says that they have changed.
+  /// Period of checks of the inputs; zero: checked when the hardware reports a change.
   Duration sensing_period = std::chrono::milliseconds(10);
   DigitalInputSettings digital = {};
   AnalogueInputSettings analogue = {};
-  /// Emergency 0080h; uncertain for modules that follow CiA 401 alone.
+  /// Sends emergency 0080h. It is uncertain for modules that follow CiA 401 alone.
   bool warns_of_disabled_inputs = true;
 };
 
@@ -41,21 +41,20 @@ struct IoMemory {
   std::span<std::uint8_t> digital_outputs;        ///< of 6200h
   std::span<AnalogueInputState> analogue_inputs;  ///< of 6401h
   bool has_analogue_outputs = false;              ///< 6411h
-  AnalogueReals* reals =
-      nullptr;  ///< where there is 6403h or 6413h: a copy of AnalogueReals::calls
+  AnalogueReals* reals = nullptr;  ///< with 6403h or 6413h: a copy of AnalogueReals::calls
 };
 
 class IoUnit {
  public:
-  /// What `hardware` and `memory` refer to must outlive this.
+  /// Everything to which `hardware` and `memory` refer must outlive this.
   IoUnit(Node& node, const IoMemory& memory, const IoHardware& hardware,
          const IoSettings& settings);
   IoUnit(const IoUnit&) = delete;
   IoUnit& operator=(const IoUnit&) = delete;
 
-  /// Has the inputs looked at when the node is called next.
+  /// Checks the inputs at the next call of the node.
   void hardware_changed() { node_.timers().arm(timer_, node_.now()); }
-  /// Outputs take their error values: the device has failed.
+  /// Sets outputs to their error values: the device has failed.
   void fail();
 
  private:
@@ -77,9 +76,9 @@ class IoUnit {
   DigitalOutputs digital_outputs_;
   AnalogueInputs analogue_inputs_;
   AnalogueOutputs analogue_outputs_;
-  static const HookCalls hook_calls[];
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const AccessHandlers hook_calls[];
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
   Timer timer_;
 };
 

@@ -7,83 +7,25 @@
 #include <array>
 #include <map>
 
-#include "canvoy/canopen/testing/cable.hpp"
-#include "canvoy/devices/cia401/io_device.hpp"
+#include "canvoy/devices/cia401/io_bench_test.hpp"
 #include "canvoy/profiles/cia852/inputs.hpp"
 
 namespace canvoy::cia401::io_unit_test {
 namespace {
 
-struct Board {
-  std::array<std::uint8_t, 18> contacts{};
-  std::array<std::uint8_t, 8> valves{};
-  std::array<std::int32_t, 12> volts{};
-  std::array<std::int32_t, 12> driven{};
-
-  std::uint8_t contact(unsigned group) { return contacts.at(group - 1); }
-  void valve(unsigned group, std::uint8_t outputs) { valves.at(group - 1) = outputs; }
-  std::int32_t volt(unsigned channel) { return volts.at(channel - 1); }
-  void drive(unsigned channel, std::int32_t value) { driven.at(channel - 1) = value; }
-  IoHardware hardware() {
-    return {.digital_inputs = Callback<std::uint8_t(unsigned)>::to<&Board::contact>(*this),
-            .drive_digital = Callback<void(unsigned, std::uint8_t)>::to<&Board::valve>(*this),
-            .analogue_input = Callback<std::int32_t(unsigned)>::to<&Board::volt>(*this),
-            .drive_analogue = Callback<void(unsigned, std::int32_t)>::to<&Board::drive>(*this)};
-  }
-  void set_volts(unsigned channel, std::int16_t value) {
-    volts.at(channel - 1) = static_cast<std::int32_t>(static_cast<std::uint32_t>(value) << 16);
-  }
-};
-
 constexpr std::uint32_t digital_pdo = 0x1A1;
 constexpr std::uint32_t analogue_pdo = 0x2A1;
 constexpr std::uint32_t emergency = 0x0A1;
 
-template <IoOptions options>
-class Bench : public testing::Test {
- protected:
-  Bench() {
-    cable.connect(0, device.node());
-    cable.start_all();
-    cable.send("000#01 21");
-    cable.run_for(10ms);
-    cable.clear();
-  }
-  void change() {
-    device.unit().hardware_changed();
-    cable.run_for(0s);
-  }
-  /// 8 contacts from the first on.
-  void switch_contacts(std::uint8_t states) {
-    board.contacts[0] = states;
-    change();
-  }
-  void turn(std::int16_t value) {
-    board.set_volts(1, value);
-    change();
-  }
-  /// The answer of the SDO server, from the command on.
-  std::string ask(std::string_view request) {
-    cable.send("621#" + std::string(request));
-    return cable.last(0x5A1).substr(4);
-  }
-  void write(std::string_view request) { ASSERT_EQ(ask(request).substr(0, 2), "60") << request; }
-
-  Board board;
-  Cable cable;
-  IoDevice<options> device{
-      cable.port(0), 33, board.hardware(), {.sensing_period = Duration::zero()}};
-};
-
-struct Module : Bench<default_io> {};
-struct WideModule : Bench<IoOptions{.digital_inputs = 40,
-                                    .digital_outputs = 40,
-                                    .analogue_inputs = 2,
-                                    .analogue_outputs = 2,
-                                    .all_widths = true}> {};
+struct Module : IoBench<default_io> {};
+struct WideModule : IoBench<IoOptions{.digital_inputs = 40,
+                                      .digital_outputs = 40,
+                                      .analogue_inputs = 2,
+                                      .analogue_outputs = 2,
+                                      .all_widths = true}> {};
 
 /// 6020h has the first 128, 6021h the others.
-struct ModuleOfBits : Bench<IoOptions{.digital_inputs = 144, .single_bits = true}> {};
+struct ModuleOfBits : IoBench<IoOptions{.digital_inputs = 144, .single_bits = true}> {};
 
 TEST_F(Module, SaysWhatItHas) {
   // 401 = 0191h, and bits 16 to 19: all four.
@@ -110,23 +52,6 @@ TEST_F(Module, PolarityInvertsWithoutAnEvent) {
   EXPECT_EQ(cable.last(digital_pdo), "1A1#80 00 00 00 00 00 00 00");
 }
 
-TEST_F(Module, MasksSayWhichChangesAreEvents) {
-  write("2F 06 60 01 00 00 00 00");  // no change
-  write("2F 07 60 01 01 00 00 00");  // but input 1 switched on
-  write("2F 08 60 01 02 00 00 00");  // and input 2 switched off
-  switch_contacts(0x02);
-  EXPECT_EQ(cable.count(digital_pdo), 0u);
-  EXPECT_EQ(ask("40 00 60 01 00 00 00 00"), "4F 00 60 01 02 00 00 00") << "it is read";
-  switch_contacts(0x03);
-  EXPECT_EQ(cable.last(digital_pdo), "1A1#03 00 00 00 00 00 00 00");
-  switch_contacts(0x02);
-  EXPECT_EQ(cable.count(digital_pdo), 1u);
-  switch_contacts(0x00);
-  EXPECT_EQ(cable.count(digital_pdo), 2u);
-  switch_contacts(0x04);
-  EXPECT_EQ(cable.count(digital_pdo), 2u);
-}
-
 TEST_F(Module, EventsOfAllDigitalInputsAreSwitchedOff) {
   EXPECT_EQ(ask("40 05 60 00 00 00 00 00"), "4F 05 60 00 01 00 00 00") << "on by default";
   write("2F 05 60 00 00 00 00 00");
@@ -151,7 +76,7 @@ TEST_F(Module, AFilteredInputHasToStay) {
   EXPECT_EQ(cable.last(digital_pdo), "1A1#03 00 00 00 00 00 00 00");
 }
 
-/// The first of them changes later: each counts for itself.
+/// The first of them changes later: each is counted separately.
 TEST_F(Module, FilteredInputsHaveToStayEachForItsOwnTime) {
   write("2F 03 60 01 03 00 00 00");
   switch_contacts(0x02);
@@ -224,7 +149,7 @@ struct GapKind : IoKind<IoOptions{}> {
                Part(read_input_16_bit_object).up_to(2));
 };
 TEST(IoUnitWithGaps, EachElementHasItsOwnInputs) {
-  Board board;
+  IoBoard board;
   Cable cable;
   Device<GapKind> device(cable.port(0), 33, board.hardware(),
                          IoSettings{.sensing_period = Duration(1ms)});
@@ -360,7 +285,7 @@ TEST_F(ModuleOfBits, WithoutAnalogueInputsNoEmergencySaysThatTheyAreDisabled) {
 }
 
 TEST(IoUnit, AMakerMayDoWithoutTheEmergency) {
-  Board board;
+  IoBoard board;
   Cable cable;
   IoDevice<> quiet(cable.port(0), 33, board.hardware(), {.warns_of_disabled_inputs = false});
   cable.connect(0, quiet.node());
@@ -393,7 +318,7 @@ TEST_F(Module, AnInputIsToldWhenItHasChangedByMoreThanItsDelta) {
   EXPECT_EQ(cable.count(analogue_pdo), 2u);
 }
 
-/// It creeps: each step is small, their sum is not.
+/// It drifts: each step is small, their sum is not.
 TEST_F(Module, DeltasCountFromTheLastEvent) {
   write("2F 23 64 00 01 00 00 00");
   write("2F 21 64 01 04 00 00 00");
@@ -528,7 +453,7 @@ TEST_F(WideModule, ErrorValuesOfWideOutputsAreTaken) {
             (std::array<std::uint8_t, 4>{0x55, 0x22, 0x55, 0x44}));
 }
 
-/// A TPDO learns of an output that was written in another width.
+/// A TPDO is notified of an output that was written in another width.
 TEST_F(WideModule, AnOutputThatIsWrittenInOneWidthIsToldInAnother) {
   write("23 00 18 01 A1 01 00 80");
   write("2F 00 1A 00 00 00 00 00");

@@ -1,7 +1,7 @@
 // The kind of an input and output module, for the catalogue.
 #pragma once
 
-#include "canvoy/devices/device_kind.hpp"
+#include "canvoy/devices/kit/device_kind.hpp"
 
 namespace canvoy::cia401 {
 

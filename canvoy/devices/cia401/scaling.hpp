@@ -1,5 +1,5 @@
-// Offset and scaling of analogue inputs and outputs (642Eh to 6432h, 6441h to 6447h): the value of
-// the process is that of the converter times the scaling, plus the offset, within its type.
+// Offset and scaling of analogue inputs and outputs (642Eh to 6432h, 6441h to 6447h). The process
+// value is that of the converter times the scaling, plus the offset, within its type.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace canvoy::cia401 {
 
-/// The objects of inputs or outputs.
+/// The scaling objects of inputs or outputs.
 struct Scaling {
   std::uint16_t offset_integer = 0;
   std::uint16_t scaling_integer = 0;
@@ -30,7 +30,7 @@ inline constexpr Scaling output_scaling = {
     .offset_real = analogue_output_offset_float_object.index,
     .scaling_real = analogue_output_scaling_float_object.index};
 
-/// Of 32 bits, adjusted to the left, the upper ones.
+/// The upper bits of a left-adjusted value of 32 bits.
 constexpr std::int64_t narrowed(std::int32_t raw, unsigned bytes) {
   return raw >> 8 * (4 - bytes);
 }
@@ -51,7 +51,7 @@ struct IntegerScale {
   std::int64_t scaling = 1;
   std::int64_t offset = 0;
 
-  /// Within a type of so many bytes.
+  /// Applies it within a type of so many bytes.
   constexpr std::int64_t apply(std::int64_t value, unsigned bytes) const {
     const std::int64_t high = (std::int64_t{1} << (8 * bytes - 1)) - 1;
     return std::clamp(value * scaling + offset, -high - 1, high);

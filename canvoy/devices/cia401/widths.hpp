@@ -1,4 +1,4 @@
-// The same inputs or outputs are in objects of several widths: which ones, and how their values are
+// The objects of several widths that hold the same inputs or outputs, and how their values are
 // stored.
 #pragma once
 
@@ -7,7 +7,7 @@
 #include <span>
 
 #include "canvoy/canopen/dictionary/dictionary.hpp"
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 
 namespace canvoy::cia401 {
 
@@ -17,7 +17,7 @@ struct Width {
 };
 inline constexpr Width input_widths[] = {{0x6000, 1}, {0x6100, 2}, {0x6120, 4}};
 inline constexpr Width output_widths[] = {{0x6200, 1}, {0x6300, 2}, {0x6320, 4}};
-/// Of integers.
+/// Objects of integers.
 inline constexpr Width analogue_input_widths[] = {{0x6400, 1}, {0x6401, 2}, {0x6402, 4}};
 inline constexpr Width analogue_output_widths[] = {{0x6410, 1}, {0x6411, 2}, {0x6412, 4}};
 
@@ -25,7 +25,7 @@ constexpr std::uint32_t in_bytes(std::uint32_t value, unsigned bytes) {
   return bytes >= 4 ? value : value & ((1U << 8 * bytes) - 1);
 }
 
-/// Calls `each` with the sub-indices of an array that are there.
+/// Calls `each` with the existing sub-indices of an array.
 template <class Each>
 void for_each_element(const Dictionary& dictionary, std::uint16_t index, Each each) {
   constexpr unsigned last = 254;
@@ -35,13 +35,19 @@ void for_each_element(const Dictionary& dictionary, std::uint16_t index, Each ea
   }
 }
 
-/// Stores a number; TPDOs learn of it where it `is_told`.
-inline void put(Dictionary& dictionary, const Entry& entry, std::uint32_t value, bool is_told) {
+/// Stores the value of an output; TPDOs are notified of a change.
+inline void put(Dictionary& dictionary, const Entry& entry, std::uint32_t value) {
   std::array<std::uint8_t, 4> bytes{};
   store(bytes.data(), value);
-  const auto used = std::span(bytes).first(entry.row->capacity);
-  if (is_told) return dictionary.set(entry, used);
-  for (std::size_t i = 0; i < used.size(); ++i) entry.value[i] = used[i];
+  dictionary.set(entry, bytes);
+}
+
+/// Stores the value of an input; masks and limits decide whether it is an event.
+inline void put(Dictionary& dictionary, const Entry& entry, std::uint32_t value, bool is_event) {
+  std::array<std::uint8_t, 4> bytes{};
+  store(bytes.data(), value);
+  if (is_event) return dictionary.set_with_event(entry, bytes);
+  dictionary.set_without_event(entry, bytes);
 }
 
 }  // namespace canvoy::cia401

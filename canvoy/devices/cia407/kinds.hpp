@@ -1,11 +1,11 @@
-// The kinds of devices of CiA 407, for the catalogue. They are made in one source, which takes
-// memory from the heap: boards link units, and none of these.
+// The kinds of devices of CiA 407, for the catalogue. One source makes them, with memory from the
+// heap: boards link units, and none of these.
 #pragma once
 
 #include <cstddef>
 #include <span>
 
-#include "canvoy/devices/device_kind.hpp"
+#include "canvoy/devices/kit/device_kind.hpp"
 
 namespace canvoy::cia407 {
 

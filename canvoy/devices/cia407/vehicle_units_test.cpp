@@ -1,13 +1,13 @@
 // Tachograph, positioning, time fixing, gateways, driver's devices and generic I/O at their wire.
 #include <gtest/gtest.h>
 
-#include "canvoy/devices/cia407/bus_bench_test.hpp"
 #include "canvoy/devices/cia407/by_code/code_only_unit.hpp"
 #include "canvoy/devices/cia407/console/driver_indicator_unit.hpp"
 #include "canvoy/devices/cia407/console/keyboard_unit.hpp"
 #include "canvoy/devices/cia407/gateway/train_bus_gateway_unit.hpp"
 #include "canvoy/devices/cia407/gateway/vehicle_gateway_unit.hpp"
 #include "canvoy/devices/cia407/generic_io/generic_io_unit.hpp"
+#include "canvoy/devices/cia407/kit/bus_bench_test.hpp"
 #include "canvoy/devices/cia407/main_on_board_computer/main_on_board_computer_unit.hpp"
 #include "canvoy/devices/cia407/positioning/positioning_unit.hpp"
 #include "canvoy/devices/cia407/positioning/time_fixing_unit.hpp"
@@ -32,10 +32,11 @@ struct Bench {
   BusBench bench;
 
   explicit Bench(const typename Kind::Hardware& with, const BusSegment& in = {})
-      : hardware(with), segment(in), bench(units, [this](Site& site) {
-          site.offer(Callback<typename Kind::Hardware()>::template to<&Bench::get>(*this));
-          site.offer(Callback<BusSegment()>::template to<&Bench::get_segment>(*this));
-          site.watch(Callback<void(typename Kind::Unit&, Node&)>::template to<&Bench::made>(*this));
+      : hardware(with), segment(in), bench(units, [this](Environment& environment) {
+          environment.provide(Callback<typename Kind::Hardware()>::template to<&Bench::get>(*this));
+          environment.provide(Callback<BusSegment()>::template to<&Bench::get_segment>(*this));
+          environment.watch(
+              Callback<void(typename Kind::Unit&, Node&)>::template to<&Bench::made>(*this));
         }) {}
   std::string ask(const std::string& place) {
     return bench.ask("40 " + place + " 00 00 00 00").substr(12);
@@ -65,6 +66,17 @@ TEST(Tachograph, TellsSpeedDistanceAndDrivers) {
   bench.bench.cable.run_for(100ms);
   EXPECT_EQ(bench.ask("20 65 00"), "FF FF 00 00");
   EXPECT_EQ(bench.ask("21 65 00"), "70 00 00 00");
+}
+
+TEST(Tachograph, AnApplicationHearsWhatIsToldThoughNoVirtualDeviceDoes) {
+  TachographReading reading = {.speed_kmh = 50};
+  Bench<TachographKind> bench(
+      {.read = {[](void* of) { return *static_cast<TachographReading*>(of); }, &reading}});
+  unsigned told = 0;
+  const auto watch =
+      bench.bench.device().virtual_device(1).on(tachograph_speed, [&](auto) { ++told; });
+  bench.bench.cable.run_for(100ms);
+  EXPECT_GE(told, 1U);
 }
 
 TEST(Tachograph, AnEventBeginsATripAnewAndMovesTheLocalTime) {
@@ -110,7 +122,7 @@ TEST(Tachograph, CountsDrivingUntilABreak) {
   EXPECT_EQ(bench.ask("25 65 01"), "00 00 00 00");
 }
 
-/// 9.2.17.6: the time is that of a driver, who is known by his card (9.2.17.5).
+/// The time is that of a driver, identified by the card (9.2.17.5, 9.2.17.6).
 TEST(Tachograph, AnotherDriverBeginsAnew) {
   TachographReading reading = {.speed_kmh = 30, .cards = {"D  1234567890123456", ""}};
   Bench<TachographKind> bench(
@@ -166,11 +178,11 @@ TEST(Positioning, CountsMileageFromItsFirstLookOn) {
   const auto read = Callback<cia447::GpsReading()>::to<&cia447::NmeaReceiver::reading>(nmea);
   auto hardware = [&read] { return PositioningHardware{.read = read}; };
   static constexpr const BusUnit* units[] = {&bus_unit<PositioningKind>};
-  Site site;
-  site.offer(Callback<PositioningHardware()>::of(hardware));
+  Environment environment;
+  environment.provide(Callback<PositioningHardware()>::of(hardware));
   Cable cable;
   cable.now = Time(10h);
-  BusDevice device(units, cable.port(0), 5, site);
+  BusDevice device(units, cable.port(0), 5, environment);
   cable.connect(0, device.node());
   cable.start_all();
   cable.send("605#40 64 66 00 00 00 00 00");
@@ -183,9 +195,9 @@ TEST(Positioning, CountsMileageFromItsFirstLookOn) {
 /// Values of a device that is put together when the program runs, by handle.
 TEST(BusDevice, GivesItsValuesByHandleAndSaysWhichItHasNot) {
   static constexpr const BusUnit* units[] = {&bus_unit<PositioningKind>};
-  Site site;
+  Environment environment;
   Cable cable;
-  BusDevice device(units, cable.port(0), 5, site);
+  BusDevice device(units, cable.port(0), 5, environment);
   EXPECT_EQ(device.missing().rule, "");
   EXPECT_EQ(device.find(gps_mileage), AbortCode::none);
   EXPECT_EQ(device.find(incoming_passengers_of_door), AbortCode::no_object);
@@ -203,7 +215,7 @@ TEST(TimeFixing, TellsUtcAndSaysWhenItHasNone) {
   EXPECT_EQ(bench.bench.cable.last(0x085), "085#00 00 00 00 00 00 00 00");
 }
 
-/// 9.2.22.1: seconds are 0 to 59.75. The signal is there in a leap second, too.
+/// Seconds are 0 to 59.75, and the signal also exists in a leap second (9.2.22.1).
 TEST(TimeFixing, ALeapSecondIsTheSecondBeforeIt) {
   std::optional<CivilTime> utc =
       CivilTime{.year = 2026, .month = 12, .day = 31, .hour = 23, .minute = 59, .second = 58};
@@ -291,8 +303,9 @@ TEST(VehicleGateway, TellsTheFailureOfASensorToOthersOfItsNode) {
   auto gateway = [&hardware] { return hardware; };
   static constexpr const BusUnit* units[] = {&bus_unit<VehicleGatewayKind>,
                                              &bus_unit<MainOnBoardComputerKind>};
-  BusBench bench(units,
-                 [&](Site& site) { site.offer(Callback<VehicleGatewayHardware()>::of(gateway)); });
+  BusBench bench(units, [&](Environment& environment) {
+    environment.provide(Callback<VehicleGatewayHardware()>::of(gateway));
+  });
   bench.ask("2B 62 66 00 32 00 00 00");  // 5 m/s
   bench.cable.run_for(100ms);
   ASSERT_EQ(bench.ask("40 23 61 00 00 00 00 00").substr(12), "00 32 00 00") << "50 km/h";
@@ -410,7 +423,7 @@ TEST(TrainBusGateway, ARequestToStopGoesBothWays) {
   EXPECT_EQ(train.told, (std::vector<std::string>{"6204:00 1"}));
 }
 
-/// How many TPDOs carry 6204h, BOOLEAN (9.2.8.5), alone.
+/// Number of TPDOs that carry only 6204h, BOOLEAN (9.2.8.5).
 unsigned tpdos_of_stop_request(BusBench& bench) {
   unsigned count = 0;
   for (unsigned number = 0; number < 16; ++number) {

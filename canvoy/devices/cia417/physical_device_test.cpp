@@ -1,19 +1,19 @@
-// Physical devices as an SDO client sees them: which virtual devices they are, and of which lifts
-// (CiA 417-4, 4.1.1, 4.2.1 and 4.2.2).
+// Physical devices for an SDO client: their virtual devices and lifts (CiA 417-4, 4.1.1, 4.2.1 and
+// 4.2.2).
 #include <gtest/gtest.h>
 
 #include <bit>
 
-#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/device/device_node.hpp"
 #include "canvoy/canopen/testing/cable.hpp"
-#include "canvoy/devices/cia417/lift_number.hpp"
+#include "canvoy/devices/cia417/kit/lift_number.hpp"
 #include "canvoy/devices/cia417/panel/panel_description.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 
 namespace canvoy::cia417::physical_device_test {
 namespace {
 
-/// One node on a cable, asked by SDO.
+/// One node on a cable, accessed by SDO.
 template <const auto& layout>
 class SdoBench {
  public:

@@ -2,7 +2,7 @@
 
 namespace canvoy::cia418 {
 
-constexpr ServiceCalls Battery::service_calls = {.reset = method<&Battery::reset>};
+constexpr ServiceHandlers Battery::service_calls = {.reset = method<&Battery::reset>};
 
 Battery::Battery(Node& node, const BatteryHardware& hardware, const BatterySettings& settings)
     : node_(node),

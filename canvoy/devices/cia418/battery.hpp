@@ -1,4 +1,4 @@
-// A CiA 418 battery module: tells a charger what it senses, and whether it may be charged.
+// A CiA 418 battery module: reports its measurements to a charger, and whether it may be charged.
 //
 //     Battery battery(node, tpdos, hardware, {.capacity_ampere_hours = 400});
 //     node.start(now);
@@ -6,16 +6,16 @@
 
 #include <cstdint>
 
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 #include "canvoy/canopen/pdo/tpdo.hpp"
 #include "canvoy/devices/cia418/battery_hardware.hpp"
 #include "canvoy/profiles/cia418.hpp"
-#include "canvoy/profiles/handle.hpp"
+#include "canvoy/profiles/model/handle.hpp"
 
 namespace canvoy::cia418 {
 
 struct BatterySettings {
-  std::uint8_t type = 0;  ///< a code of CiA 418, of which the list is not public
+  std::uint8_t type = 0;  ///< a code of CiA 418; the list is not public
   double capacity_ampere_hours = 400;
   double current_max_ampere = 60;
   std::uint16_t cells = 24;
@@ -24,12 +24,12 @@ struct BatterySettings {
 
 class Battery {
  public:
-  /// All must outlive the battery. `hardware` is asked each sensing_period.
+  /// All arguments must outlive the battery. `hardware` is read every sensing_period.
   Battery(Node& node, const BatteryHardware& hardware, const BatterySettings& settings);
   Battery(const Battery&) = delete;
   Battery& operator=(const Battery&) = delete;
 
-  /// The charger said that it is ready to deliver.
+  /// True if the charger has reported that it is ready to deliver.
   bool charger_ready() const { return charger_status_.is(Readiness::ready); }
   const BatteryReadings& readings() const { return readings_; }
 
@@ -49,8 +49,8 @@ class Battery {
   Bound<battery_state_of_charge> state_of_charge_;
   Bound<ah_expended_since_last_charge> expended_;
   Bound<cumulative_total_ah_charge> total_;
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
   Timer timer_;
 };
 

@@ -7,6 +7,6 @@ namespace canvoy::cia418 {
 const DeviceKind battery_kind = {.info = BatteryKind::info,
                                  .profile = &profile,
                                  .forms = only_form<BatteryKind>,
-                                 .keeping_forms = keeping_form<BatteryKind>};
+                                 .keeping_forms = form_with_storage<BatteryKind>};
 
 }  // namespace canvoy::cia418

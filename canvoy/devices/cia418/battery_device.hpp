@@ -5,13 +5,13 @@
 #pragma once
 
 #include "canvoy/devices/cia418/battery.hpp"
-#include "canvoy/devices/device.hpp"
+#include "canvoy/devices/kit/device.hpp"
 #include "canvoy/profiles/cia301.hpp"
 
 namespace canvoy::cia418 {
 
-/// Every PDO that a charger can use, a heartbeat each second, and an SDO channel that an SDO
-/// manager may give to a charger.
+/// Every PDO that a charger can use, a heartbeat every second, and an SDO channel that an SDO
+/// manager may assign to a charger.
 struct BatteryKind : KindOf<Battery, BatteryHardware, BatterySettings> {
   static constexpr DeviceInfo info = {
       .name = "battery",
@@ -31,8 +31,7 @@ struct BatteryKind : KindOf<Battery, BatteryHardware, BatterySettings> {
       cia301::sdo_servers(1));
 };
 
-/// `layout` is that of a description with cia418::battery() in it; `own_routes` as DeviceNode has
-/// them.
+/// `layout` has a description with cia418::battery(); `own_routes` are as in DeviceNode.
 template <const auto& layout = layout_of<BatteryKind>, std::size_t own_routes = 0>
 using BatteryDevice = Device<BatteryKind, layout, own_routes>;
 

@@ -1,4 +1,4 @@
-// What a CiA 418 battery module senses: the maker of a battery implements it, or a plant in a
+// The sensors of a CiA 418 battery module. The maker of a battery implements it, or a plant in a
 // simulation.
 #pragma once
 
@@ -8,13 +8,13 @@
 
 namespace canvoy::cia418 {
 
-/// One look at the battery. What cannot be measured is absent, and sent as the profile's invalid
-/// value.
+/// The readings of a battery. Values that cannot be measured are absent, and sent as the profile's
+/// invalid value.
 struct BatteryReadings {
   std::optional<double> temperature_celsius;
   std::optional<double> voltage_volt;
   std::optional<double>
-      requested_current_ampere;  ///< what the battery management asks for; 0 when full
+      requested_current_ampere;  ///< request of the battery management; 0 when full
   std::optional<double> state_of_charge_percent;
   double ampere_hours_since_charge = 0;  ///< taken out since the last charge
   double ampere_hours_total = 0;

@@ -1,7 +1,7 @@
 // The kind of a battery, for the catalogue.
 #pragma once
 
-#include "canvoy/devices/device_kind.hpp"
+#include "canvoy/devices/kit/device_kind.hpp"
 
 namespace canvoy::cia418 {
 

@@ -10,13 +10,13 @@ std::uint16_t low_word(std::uint32_t answer) {
   return static_cast<std::uint16_t>(answer);
 }
 
-/// A word that says something.
+/// A word with a valid value.
 std::optional<std::uint16_t> said(std::uint32_t answer) {
   const std::uint16_t word = low_word(answer);
   return word != 0 && word != 0xFFFF ? std::optional(word) : std::nullopt;
 }
 
-/// Who answers, even with a refusal, is there.
+/// A battery that answers, even with a refusal, is present.
 bool is_silent(SdoOutcome outcome) {
   return outcome.is_silence() || outcome.kind() == SdoEnd::Kind::cancelled;
 }
@@ -35,7 +35,7 @@ std::uint16_t mapping_of_charger(std::size_t mapping) {
 
 }  // namespace
 
-/// Cheap ones first: a battery that does not answer these will not answer the others.
+/// Cheap ones first: a battery that does not answer these does not answer the others.
 const std::array<BatteryLink::Question, 14> BatteryLink::questions = {{
     {object_index::tpdo_parameter, 1,
      [](BatteryOffer& offer, std::uint32_t answer) { offer.tpdo[0].raw = answer; }},
@@ -116,7 +116,7 @@ void BatteryLink::answered(SdoClient::Outcome outcome) {
   next();
 }
 
-/// Entry by entry, as long as they are alike. A battery that does not show its mapping is believed.
+/// Entry by entry, while they are equal. A battery that does not show its mapping is trusted.
 void BatteryLink::compare_mappings() {
   while (mapping_ < mappings && !is_linkable(mapping_)) ++mapping_;
   if (mapping_ == mappings) {
@@ -185,7 +185,7 @@ void BatteryLink::send_next_message() {
   }
 }
 
-/// Where the connection was taken away, the default channel is left.
+/// If the connection was removed, the default channel remains.
 AbortCode BatteryLink::send(const Message& message) {
   const auto value = std::span<const std::uint8_t>(buffer_).first(2);
   const auto done = SdoClient::Done::to<&BatteryLink::told>(*this);
@@ -196,8 +196,8 @@ AbortCode BatteryLink::send(const Message& message) {
 }
 
 void BatteryLink::told(SdoClient::Outcome outcome) {
-  // A battery that answered, even with a refusal, needs not be told again; nor one that was told a
-  // newer value since.
+  // A value is not written again to a battery that has answered, even with a refusal, or that has
+  // received a newer value.
   if (under_way_ != nullptr && !is_silent(outcome) &&
       load<std::uint16_t>(buffer_.data()) == under_way_->value) {
     under_way_->tries_left = 0;

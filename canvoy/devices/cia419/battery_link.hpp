@@ -1,5 +1,5 @@
-// What a charger asks a battery module before it links its PDOs to the battery's (CiA 419, 6.1
-// and 7.2.4).
+// The requests of a charger to a battery module before it links its PDOs to those of the battery
+// (CiA 419, 6.1 and 7.2.4).
 //
 //     BatteryLink link(node);
 //     link.on_answered(Callback<void(const BatteryOffer&)>::to<&Charger::link_up>(*this));
@@ -12,12 +12,12 @@
 #include <optional>
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 #include "canvoy/canopen/sdo/sdo_client.hpp"
 
 namespace canvoy::cia419 {
 
-/// A battery's answers. What it does not have is invalid or absent.
+/// A battery's answers. Values that it does not have are invalid or absent.
 struct BatteryOffer {
   static constexpr std::size_t pdos = 3;
 
@@ -25,8 +25,8 @@ struct BatteryOffer {
   std::array<CobId, pdos> tpdo;                           ///< 1800h to 1802h, sub-index 1
   std::array<CobId, pdos> rpdo;                           ///< 1400h to 1402h, sub-index 1
   std::array<std::uint16_t, pdos> tpdo_event_timer_ms{};  ///< 1800h to 1802h, sub-index 5
-  /// Their mapping (1A00h to 1A02h, 1600h to 1602h) is not that of the charger's PDO at the other
-  /// end: it would be misread.
+  /// PDOs with a mapping (1A00h to 1A02h, 1600h to 1602h) that differs from that of the charger's
+  /// PDO at the other end: they would be misread.
   std::bitset<pdos> misfit_tpdos;
   std::bitset<pdos> misfit_rpdos;
   std::uint16_t heartbeat_ms = 0;                      ///< 1017h
@@ -40,23 +40,23 @@ class BatteryLink {
  public:
   explicit BatteryLink(Node& node);
 
-  /// All questions were answered, or refused by a battery that does not have the object.
+  /// Called when all requests were answered, or refused by a battery that does not have the object.
   void on_answered(Callback<void(const BatteryOffer&)> answered) { answered_ = answered; }
-  /// The battery does not answer any more.
+  /// Called when the battery does not answer any more.
   void on_failed(Callback<void()> failed) { failed_ = failed; }
 
-  /// On which channel to talk to the battery from now on: a connection that the SDO manager gave,
-  /// or (null) the battery's default channel. Nothing may be under way.
+  /// Sets the channel to the battery: a connection that the SDO manager assigned, or (null) the
+  /// battery's default channel. No request may be under way.
   void use(SdoClient* client) { client_ = client != nullptr ? client : &default_client_; }
   void ask(NodeId battery);
   void cancel();
-  /// The battery is gone: what it was still to be told is not for the next one.
+  /// Discards waiting messages: the battery is gone, and they do not apply to the next one.
   void forget();
 
-  /// Tells the battery what was returned to it (6052h, 7.2.4), and tries again until it knows. What
-  /// it knows already is not told again.
+  /// Writes the returned ampere-hours to the battery (6052h, 7.2.4), and retries until it has them.
+  /// A value that it already has is not written again.
   void write_back(NodeId battery, std::uint16_t ampere_hours_returned);
-  /// Has a battery without a heartbeat send one (1017h).
+  /// Makes a battery without a heartbeat send one (1017h).
   void write_heartbeat(NodeId battery, std::uint16_t milliseconds);
 
  private:
@@ -65,15 +65,15 @@ class BatteryLink {
     std::uint8_t sub;
     void (*take)(BatteryOffer& offer, std::uint32_t answer);
   };
-  /// A value that the battery is to know.
+  /// A value that the battery has to receive.
   struct Message {
     std::uint16_t index = 0;
     std::uint16_t value = 0;
     NodeId battery = 0;
     unsigned tries_left = 0;
-    bool is_known = false;  ///< the battery answered to it
+    bool is_known = false;  ///< the battery has answered
   };
-  /// The PDOs whose mapping is compared: the battery's TPDOs, then its RPDOs.
+  /// The PDOs with compared mappings: the battery's TPDOs, then its RPDOs.
   static constexpr std::size_t mappings = 2 * BatteryOffer::pdos;
   static const std::array<Question, 14> questions;
   static constexpr unsigned tries_max = 3;
@@ -97,12 +97,12 @@ class BatteryLink {
   Callback<void()> failed_;
   BatteryOffer offer_;
   std::size_t question_ = 0;
-  std::size_t mapping_ = 0;       ///< that is compared just now
+  std::size_t mapping_ = 0;       ///< the mapping that is being compared
   std::uint8_t mapping_sub_ = 0;  ///< its entry
   std::array<std::uint8_t, 4> buffer_{};
   std::array<Message, 2> messages_{Message{.index = 0x6052},
                                    Message{.index = object_index::heartbeat_producer}};
-  Message* under_way_ = nullptr;  ///< that the client tells, or told last
+  Message* under_way_ = nullptr;  ///< that the client is sending, or sent last
 };
 
 }  // namespace canvoy::cia419

@@ -38,7 +38,7 @@ StopReason ChargeControl::communication_reason(const ChargeInputs& inputs) const
 }
 
 StopReason ChargeControl::battery_reason(const ChargeInputs& inputs) {
-  // A battery that is full says so by its state of charge, and is not ready from then on.
+  // A full battery reports that by its state of charge, and is not ready from then on.
   if (inputs.state_of_charge_percent.value_or(0) >= 100) return StopReason::battery_full;
   if (!inputs.battery_ready) return StopReason::battery_not_ready;
   if (!inputs.temperature_celsius) return StopReason::invalid_temperature;

@@ -1,5 +1,5 @@
-// Whether a charger may deliver current, how much, and if not, why: a pure function of what the
-// charger knows.
+// Decides whether a charger may deliver current, how much, and if not, why: a pure function of the
+// charger's inputs.
 //
 //     ChargeDecision decision = ChargeControl(limits).decide(inputs);
 //     hardware.deliver(decision.ampere);
@@ -10,32 +10,32 @@
 
 namespace canvoy::cia419 {
 
-/// What the charger itself bears; what the battery asks for comes with the inputs.
+/// Limits of the charger itself; the requests of the battery are in the inputs.
 struct ChargeLimits {
   double current_max_ampere = 60;
   double voltage_max_volt = 65;
-  double voltage_min_volt = 0;  ///< below that no battery of this charger can be
-  /// Times the number of cells that the battery tells (CiA 418, 6020h): below that some of them are
-  /// dead, or it is another battery than it says. Half a volt is less than a cell of any chemistry
-  /// has that may be charged; 0: not looked at.
+  double voltage_min_volt = 0;  ///< no battery of this charger has less
+  /// Multiplied by the number of cells that the battery reports (CiA 418, 6020h): below that
+  /// voltage, some of them are dead, or it is another battery than reported. Half a volt is less
+  /// than a chargeable cell of any chemistry has; 0: not checked.
   double cell_voltage_min_volt = 0.5;
   double temperature_min_celsius = 0;
   double temperature_max_celsius = 50;
-  double temperature_hysteresis_kelvin = 2;  ///< the way back that ends a stop for temperature
-  /// So far below `temperature_max_celsius` the current begins to fall, in a line, to nothing
-  /// there; 0: it does not.
+  double temperature_hysteresis_kelvin = 2;  ///< decrease that ends a stop for temperature
+  /// From this distance below `temperature_max_celsius`, the current decreases linearly to 0 at
+  /// that temperature; 0: it does not.
   double temperature_derating_kelvin = 0;
-  /// Delivered where the battery offers no TPDO with a requested current; 0: do not charge such a
-  /// battery.
+  /// Current if the battery offers no TPDO with a requested current; 0: such a battery is not
+  /// charged.
   double current_without_request_ampere = 0;
 };
 
-/// Why no current flows, the most serious reason first.
+/// Reasons for no current, the most serious first.
 enum class StopReason : std::uint8_t {
   none,
   no_pilot_signal,
   bus_off,
-  no_battery,  ///< not found, or not linked yet
+  no_battery,  ///< not found, or not yet linked
   heartbeat_lost,
   not_operational,      ///< this node is not in NMT state operational
   battery_data_missed,  ///< the deadline of a linked RPDO passed, or none came yet
@@ -47,7 +47,7 @@ enum class StopReason : std::uint8_t {
   too_cold,
   voltage_too_high,
   voltage_too_low,
-  no_request,  ///< the battery asks for no current, or for an invalid one
+  no_request,  ///< the battery requests no current, or an invalid one
 };
 
 struct ChargeInputs {
@@ -64,7 +64,7 @@ struct ChargeInputs {
   bool has_request = false;  ///< the battery sends its requested current (RPDO 3 is linked)
   std::optional<double> requested_ampere;
   std::optional<double> state_of_charge_percent;
-  std::optional<double> battery_max_ampere = {};  ///< that the battery bears (CiA 418, 6020h)
+  std::optional<double> battery_max_ampere = {};  ///< limit of the battery (CiA 418, 6020h)
   std::optional<double> battery_cells = {};       ///< in series (CiA 418, 6020h)
 };
 
@@ -77,7 +77,7 @@ class ChargeControl {
  public:
   explicit ChargeControl(const ChargeLimits& limits) : limits_(limits) {}
 
-  /// Remembers only which stop for temperature holds, for the hysteresis.
+  /// Keeps only which stop for temperature holds, for the hysteresis.
   ChargeDecision decide(const ChargeInputs& inputs);
 
   const ChargeLimits& limits() const { return limits_; }

@@ -5,7 +5,7 @@
 namespace canvoy::cia419::charge_control_test {
 namespace {
 
-/// All is well: a battery at 25 degrees asks for 40 A.
+/// No fault: a battery at 25 degrees requests 40 A.
 ChargeInputs all_well() {
   return {.pilot_signal = true,
           .bus_off = false,
@@ -165,7 +165,7 @@ TEST(ChargeControl, GivesLessCurrentToABatteryThatGetsHot) {
   }
 }
 
-/// CiA 418, 6020h: the maximum charge current, whatever is asked for.
+/// The maximum charge current, whatever the request (CiA 418, 6020h).
 TEST_F(ChargeControlTest, DeliversNoMoreThanTheBatteryBears) {
   inputs.battery_max_ampere = 20;
   expect_current(inputs, 20);

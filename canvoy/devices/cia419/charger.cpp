@@ -21,10 +21,11 @@ constexpr Error pilot_lost{.code = 0x5000};
 constexpr Error temperature_error{.code = 0x4000, .register_bits = error_register::temperature};
 constexpr Error measurement_error{.code = 0x9000};
 constexpr Error voltage_error{.code = 0x3300, .register_bits = error_register::voltage};
-/// A PDO of the battery that the charger would misread, or the battery the charger's.
+/// A PDO of the battery that the charger would misread, or vice versa.
 constexpr Error misfit_error{.code = 0x6300, .register_bits = error_register::communication};
 
-/// The error that a stop is told with; none for those that are no error, or that a service tells.
+/// The error with which a stop is reported; none for stops that are no error, or that a service
+/// reports.
 const Error* error_of(StopReason reason) {
   switch (reason) {
     case StopReason::too_hot:
@@ -41,13 +42,25 @@ const Error* error_of(StopReason reason) {
   }
 }
 
+/// Compares all but the heartbeat and the values written to the battery.
+bool is_linked_alike(const BatteryOffer& one, const BatteryOffer& other) {
+  const auto has_same_ids = [](const auto& ids, const auto& others) {
+    return std::ranges::equal(ids, others, {}, &CobId::raw, &CobId::raw);
+  };
+  return has_same_ids(one.tpdo, other.tpdo) && has_same_ids(one.rpdo, other.rpdo) &&
+         one.tpdo_event_timer_ms == other.tpdo_event_timer_ms &&
+         one.misfit_tpdos == other.misfit_tpdos && one.misfit_rpdos == other.misfit_rpdos &&
+         one.capacity_ampere_hours == other.capacity_ampere_hours &&
+         one.current_max_ampere == other.current_max_ampere && one.cells == other.cells;
+}
+
 constexpr double hours(Duration duration) {
   return std::chrono::duration<double, std::ratio<3600>>(duration).count();
 }
 
 }  // namespace
 
-constexpr ServiceCalls Charger::service_calls = {
+constexpr ServiceHandlers Charger::service_calls = {
     .reset = method<&Charger::reset>,
     .state_entered = method<&Charger::state_entered>,
     .bus_state_changed = method<&Charger::bus_state_changed>};
@@ -91,7 +104,7 @@ Charger::Charger(Node& node, const ChargerServices& services, const ChargerHardw
 }
 
 void Charger::reset(ResetScope) {
-  // The PDOs are invalid again (6.1), and nothing is known of a battery.
+  // The PDOs are invalid again (6.1), and no battery is known.
   hardware_.deliver(0);
   set_point_ = 0;
   scan_.stop();
@@ -103,7 +116,7 @@ void Charger::reset(ResetScope) {
   forget_values();
   counted_at_ = node_.now();
   pilot_signal_ = false;
-  // What was counted of a battery that has gone is not for the next one.
+  // The counts of a battery that has gone do not apply to the next one.
   if (!hardware_.pilot_signal()) {
     charging_ = false;
     link_.forget();
@@ -112,8 +125,7 @@ void Charger::reset(ResetScope) {
   node_.timers().arm(timer_, node_.now());
 }
 
-// What came before a state in which none can come is of the past: current flows on new values
-// alone.
+// Values from before a state without PDOs are out of date: current flows only on new values.
 void Charger::state_entered(NmtState state) {
   fresh_rpdos_.reset();
   if (state == NmtState::operational) request_first_values();
@@ -124,7 +136,7 @@ void Charger::bus_state_changed(BusState state) {
   if (state == BusState::bus_off) fresh_rpdos_.reset();
 }
 
-/// Measures, decides and drives; each settings_.control_period.
+/// Measures, decides and drives; called every settings_.control_period.
 void Charger::control(Time now) {
   node_.timers().arm(timer_, now + settings_.control_period);
   watch_pilot_signal();
@@ -135,11 +147,15 @@ void Charger::control(Time now) {
   act();
 }
 
-/// A battery that sends no heartbeat by itself may not have heard that it is to, or have forgotten.
+/// A battery that sends no heartbeat by itself may not have received the request, or have lost it;
+/// a lost one may have been configured to send none.
 void Charger::remind_battery(Time now) {
-  const bool is_asked = phase_ == ChargerPhase::linked && offer_.heartbeat_ms == 0;
-  if (!is_asked || now < asked_at_ + reminder_interval || is_battery_heard()) return;
-  ask_for_heartbeat();
+  if (phase_ != ChargerPhase::linked || is_battery_heard()) return;
+  if (now < asked_at_ + reminder_interval) return;
+  if (offer_.heartbeat_ms == 0) return ask_for_heartbeat();
+  if (!is_lost_) return;
+  asked_at_ = now;
+  link_.ask(offer_.id);
 }
 
 void Charger::ask_for_heartbeat() {
@@ -170,7 +186,7 @@ void Charger::watch_pilot_signal() {
   services_.error_behaviour.device_failure();
 }
 
-/// Two chargers would deliver twice what the battery asks for.
+/// Two chargers would deliver twice the current that the battery requests.
 void Charger::watch_rivals(Time now) {
   rivals_.advance(now);
   if (!rivals_.is_to_leave()) return;
@@ -181,14 +197,14 @@ void Charger::watch_rivals(Time now) {
   act();
 }
 
-/// The service tells it; here is the clock that it tells.
+/// The service sends the time; this is its clock.
 void Charger::tell_time() {
   if (services_.time_stamp == nullptr) return;
   const std::optional<TimeOfDay> time = hardware_.time_of_day();
   if (time) services_.time_stamp->set_clock(*time);
 }
 
-/// As the NMT master of two nodes: both are to be operational, unless something is wrong here.
+/// As the NMT master of two nodes: both have to be operational, unless there is an error here.
 void Charger::manage(Time now) {
   if (phase_ != ChargerPhase::linked || services_.network == nullptr) return;
   if (node_.bus_state() == BusState::bus_off || battery_state() == RemoteState::lost) return;
@@ -239,13 +255,14 @@ ChargeInputs Charger::inputs() const {
           .battery_cells = offer_.cells};
 }
 
-/// Decides with what is known now, drives the power stage, and answers the battery by the status.
+/// Decides with the present values, drives the power stage, and answers the battery by the status.
 void Charger::act() {
   count(node_.now());
   const ChargeDecision decision = charge_control_.decide(inputs());
   const bool ready =
       decision.reason == StopReason::none || decision.reason == StopReason::no_request;
-  // The battery learns that the charger is ready before current flows, and that it is not after.
+  // The battery is notified that the charger is ready before current flows, and that it is not
+  // after.
   if (!ready) ready_told_at_ = never;
   set_point_ = ready && has_told_ready() ? decision.ampere : 0;
   hardware_.deliver(set_point_);
@@ -254,7 +271,7 @@ void Charger::act() {
   if (decision.reason != reason_) report(decision.reason);
 }
 
-/// A frame that was given to the controller waits there for its turn on the bus.
+/// A frame that was passed to the controller waits there for the bus.
 bool Charger::has_told_ready() const {
   if (!tells_status_) return charger_status_.is(Readiness::ready);
   return ready_told_at_ <= node_.now() - settings_.control_period;
@@ -270,7 +287,7 @@ void Charger::report(StopReason reason) {
   }
   event_(Event::reason_changed);
   if (!charging_) return;
-  // A battery that is not ready for a while may go on with the same charge; a full one begins
+  // A battery that is not ready for a while may continue the same charge; a full one starts
   // another.
   if (reason == StopReason::battery_not_ready) link_.write_back(offer_.id, returned_.raw());
   if (reason == StopReason::battery_full) end_charge();
@@ -308,7 +325,7 @@ void Charger::battery_found(NodeId id) {
   if (!is_requested) connection_answered(AbortCode::no_sdo_connection);
 }
 
-/// Without an SDO manager, or with one that has nothing to give, the default channel is left (6.1).
+/// Without an SDO manager, or with one that has no connection, the default channel remains (6.1).
 void Charger::connection_answered(SdoEnd end) {
   const NodeId battery = std::exchange(found_, NodeId{0});
   if (battery == 0) {
@@ -324,7 +341,7 @@ void Charger::battery_silent() {
   if (phase_ == ChargerPhase::linking) search();
 }
 
-/// An error for each of the two ends that sends what the other would misread.
+/// An error for each of the two ends that sends PDOs which the other would misread.
 void Charger::tell_misfits(bool present) {
   if (offer_.misfit_tpdos.none() && offer_.misfit_rpdos.none()) return;
   if (present) {
@@ -335,6 +352,7 @@ void Charger::tell_misfits(bool present) {
 }
 
 void Charger::battery_answered(const BatteryOffer& offer) {
+  if (phase_ == ChargerPhase::linked) return check_link(offer);
   if (rivals_.is_served(offer.id)) {
     enter(ChargerPhase::searching);
     return scan_.go_on();
@@ -343,8 +361,22 @@ void Charger::battery_answered(const BatteryOffer& offer) {
   link();
 }
 
-/// Links our PDOs to the battery's (6.1): RPDO 2 in the place of RPDO 1 where the battery sends its
-/// voltage as well (6.2.5), and the optional ones where both have them.
+/// A battery that was not received for a while may have restarted meanwhile, or have other
+/// parameters: changes are linked again. Its NMT state stays known.
+void Charger::check_link(const BatteryOffer& offer) {
+  if (is_linked_alike(offer, offer_)) {
+    if (offer.heartbeat_ms == battery_period()) return;
+    offer_.heartbeat_ms = offer.heartbeat_ms;
+    return supervise_battery();
+  }
+  tell_misfits(false);
+  rivals_.leave();
+  offer_ = offer;
+  link();
+}
+
+/// Links our PDOs to the battery's (6.1): RPDO 2 in place of RPDO 1 if the battery also sends its
+/// voltage (6.2.5), and the optional ones if both have them.
 void Charger::link() {
   const auto usable = [this](std::size_t position) {
     return offer_.tpdo[position].valid() && !offer_.misfit_tpdos[position];
@@ -357,11 +389,8 @@ void Charger::link() {
   link_rpdo(2, usable(2));
   tells_status_ = false;
   for (std::size_t position = 0; position < BatteryOffer::pdos; ++position) {
-    if (!link_tpdo(position)) continue;
-    if (!tells_status_) {
-      rivals_.watch(offer_.id, static_cast<std::uint16_t>(offer_.rpdo[position].can_id()));
-    }
-    tells_status_ = true;
+    if (!link_tpdo(position) || std::exchange(tells_status_, true)) continue;
+    rivals_.watch(offer_.id, static_cast<std::uint16_t>(offer_.rpdo[position].can_id()));
   }
   supervise_battery();
   if (!charging_) returned_.set_raw(offer_.ampere_hours_returned.value_or(0xFFFF));
@@ -389,10 +418,14 @@ bool Charger::link_tpdo(std::size_t position) {
   return usable && configure(index, cob_id_sub, offered.can_id());
 }
 
+/// Period of its heartbeat, in ms.
+unsigned Charger::battery_period() const {
+  return offer_.heartbeat_ms == 0 ? asked_heartbeat_ms() : offer_.heartbeat_ms;
+}
+
 void Charger::supervise_battery() {
   if (offer_.heartbeat_ms == 0) ask_for_heartbeat();
-  const unsigned period = offer_.heartbeat_ms == 0 ? asked_heartbeat_ms() : offer_.heartbeat_ms;
-  const unsigned time = std::min(period * settings_.heartbeat_periods_max, 0xFFFFU);
+  const unsigned time = std::min(battery_period() * settings_.heartbeat_periods_max, 0xFFFFU);
   configure(object_index::heartbeat_consumers, 1,
             static_cast<std::uint32_t>(offer_.id) << 16 | time);
 }
@@ -412,10 +445,11 @@ void Charger::unlink() {
   }
   configure(object_index::heartbeat_consumers, 1, 0);
   linked_rpdos_.reset();
+  is_lost_ = false;
   forget_values();
 }
 
-/// What one battery said is not of the next one.
+/// Values of one battery do not apply to the next one.
 void Charger::forget_values() {
   battery_status_ = Readiness::not_ready;
   temperature_ = std::nullopt;
@@ -425,8 +459,8 @@ void Charger::forget_values() {
   estimate_ = std::nullopt;
 }
 
-/// A first value by remote frame, where the battery allows it; others come with its event timer
-/// (6.2.3.1).
+/// Requests a first value by remote frame, if the battery allows it; others come with its event
+/// timer (6.2.3.1).
 void Charger::request_values(const std::bitset<BatteryOffer::pdos>& wanted) {
   for (std::size_t position = 0; position < BatteryOffer::pdos; ++position) {
     const bool allows_remote = (offer_.tpdo[position].raw & CobId::bit30) == 0;
@@ -436,31 +470,35 @@ void Charger::request_values(const std::bitset<BatteryOffer::pdos>& wanted) {
   }
 }
 
-/// Its values may have changed unheard: without event timers they would be old for ever.
+/// Its values may have changed meanwhile: without event timers they would stay out of date.
 void Charger::ask_anew(NodeId) {
   if (phase_ == ChargerPhase::linked) request_values(linked_rpdos_);
 }
 
 void Charger::battery_changed(NodeId id, RemoteState state) {
   if (phase_ != ChargerPhase::linked || id != offer_.id) return;
+  const bool was_lost = std::exchange(is_lost_, state == RemoteState::lost);
   if (state == RemoteState::boot_up) {
-    // It has started again, perhaps with other COB-IDs.
+    // It has restarted, possibly with other COB-IDs.
     unlink();
     scan_.prefer(id);
     search();
+  } else if (was_lost && !is_lost_) {
+    link_.ask(id);
   }
+  if (is_lost_) asked_at_ = node_.now();
   if (state != RemoteState::operational) fresh_rpdos_.reset();
   if (state == RemoteState::operational) request_first_values();
   act();
 }
 
-/// Whoever is heard may be the battery that is looked for.
+/// Any node that is received may be the battery that is searched for.
 void Charger::network_changed(NodeId id, RemoteState state) {
   if (phase_ == ChargerPhase::searching && state != RemoteState::lost) scan_.prefer(id);
 }
 
 void Charger::pdo_received(std::uint16_t number) {
-  // When a battery that was lost is heard again, this is of before.
+  // When a lost battery is received again, this is an old value.
   note_pdo(number, battery_state() != RemoteState::lost);
 }
 
@@ -489,7 +527,7 @@ void Charger::enter(ChargerPhase phase) {
   event_(Event::phase_changed);
 }
 
-/// Writes one of our own communication parameters, as a configuration tool would.
+/// Writes one of our own communication parameters, like a configuration tool.
 bool Charger::configure(std::uint16_t index, std::uint8_t sub, std::uint32_t value) {
   const Result<Entry> entry = node_.dictionary().find(index, sub);
   if (!entry) return false;

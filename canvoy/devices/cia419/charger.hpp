@@ -8,20 +8,20 @@
 #include <bitset>
 #include <cstdint>
 
-#include "canvoy/canopen/device_scan.hpp"
 #include "canvoy/canopen/manager/sdo_requester.hpp"
 #include "canvoy/canopen/nmt/error_behaviour.hpp"
 #include "canvoy/canopen/nmt/heartbeat_consumer.hpp"
 #include "canvoy/canopen/nmt/network_states.hpp"
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 #include "canvoy/canopen/pdo/rpdo.hpp"
 #include "canvoy/canopen/pdo/tpdo.hpp"
+#include "canvoy/canopen/remote/device_scan.hpp"
 #include "canvoy/canopen/sync/time_stamp.hpp"
 #include "canvoy/devices/cia419/battery_link.hpp"
 #include "canvoy/devices/cia419/charge_control.hpp"
 #include "canvoy/devices/cia419/charger_hardware.hpp"
 #include "canvoy/devices/cia419/rival_watch.hpp"
-#include "canvoy/devices/gap_watch.hpp"
+#include "canvoy/devices/kit/gap_watch.hpp"
 #include "canvoy/profiles/cia419.hpp"
 
 namespace canvoy::cia419 {
@@ -29,18 +29,18 @@ namespace canvoy::cia419 {
 struct ChargerSettings {
   ChargeLimits limits;
   Duration control_period = 100ms;  ///< of measuring, deciding and counting
-  /// Starts the battery and itself: alone with a battery there is no other NMT master.
+  /// Starts the battery and its own node: alone with a battery, there is no other NMT master.
   bool manage_network = true;
-  Duration battery_heartbeat = 1s;     ///< asked of a battery that sends none
-  unsigned heartbeat_periods_max = 2;  ///< a heartbeat is lost after as many periods without one
-  unsigned pdo_periods_max = 3;        ///< so is an RPDO, in event times of the battery's TPDO
-  /// How long an SDO manager may take to answer, twice, before the battery is asked on its default
-  /// SDO channel (6.1).
+  Duration battery_heartbeat = 1s;     ///< written to a battery that sends none
+  unsigned heartbeat_periods_max = 2;  ///< periods without a heartbeat after which it is lost
+  unsigned pdo_periods_max = 3;        ///< for an RPDO: event times of the battery's TPDO
+  /// Time for an SDO manager to answer, twice, before the battery is accessed on its default SDO
+  /// channel (6.1).
   Duration sdo_manager_time_out = 250ms;
-  Duration time_period = 1min;  ///< of TIME (4.1), where the hardware knows the time of day
+  Duration time_period = 1min;  ///< of TIME (4.1), if the hardware has the time of day
 };
 
-/// What of a node a charger works with.
+/// Services of a node that a charger uses.
 struct ChargerServices {
   Rpdos& rpdos;
   Tpdos& tpdos;
@@ -59,13 +59,13 @@ inline constexpr std::uint8_t battery_connection = 1;
 enum class ChargerPhase : std::uint8_t {
   unplugged,  ///< no pilot signal
   searching,  ///< scans for a battery
-  linking,    ///< asks the battery for its PDOs
+  linking,    ///< reads the battery's PDOs
   linked,
 };
 
 class Charger {
  public:
-  /// What just changed; the charger tells the rest.
+  /// The last change; the charger has the details.
   enum class Event : std::uint8_t {
     phase_changed,
     reason_changed,  ///< why no current flows, or that it flows again
@@ -73,7 +73,7 @@ class Charger {
     charge_ended,  ///< and the ampere-hours were written back to the battery
   };
 
-  /// All must outlive the charger. `hardware` is read and driven each control_period.
+  /// All arguments must outlive the charger. `hardware` is read and driven every control_period.
   Charger(Node& node, const ChargerServices& services, const ChargerHardware& hardware,
           const ChargerSettings& settings);
   Charger(const Charger&) = delete;
@@ -84,12 +84,12 @@ class Charger {
   ChargerPhase phase() const { return phase_; }
   /// none while current flows
   StopReason reason() const { return reason_; }
-  /// The linked battery; 0 while there is none.
+  /// The linked battery; 0 if there is none.
   NodeId battery() const { return phase_ == ChargerPhase::linked ? offer_.id : NodeId{0}; }
-  const BatteryOffer& offer() const { return offer_; }
-  /// What the power stage was told to deliver.
+  const BatteryOffer& provide() const { return offer_; }
+  /// The current set at the power stage.
   double set_point_ampere() const { return set_point_; }
-  /// Counted since construction from the current that the hardware measured, and the battery's
+  /// Counted since construction from the current measured by the hardware, and the battery's
   /// voltage.
   double ampere_hours_total() const { return ampere_hours_total_; }
   double energy_total_watt_hours() const { return energy_total_; }
@@ -132,7 +132,9 @@ class Charger {
   void forget_values();
   void link_rpdo(std::size_t position, bool use);
   bool link_tpdo(std::size_t position);
+  unsigned battery_period() const;
   void supervise_battery();
+  void check_link(const BatteryOffer& offer);
   void remind_battery(Time now);
   void ask_for_heartbeat();
   std::uint16_t asked_heartbeat_ms() const;
@@ -157,8 +159,8 @@ class Charger {
   ChargeControl charge_control_;
   DeviceScan scan_;
   BatteryLink link_;
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
   Timer timer_;
   Callback<void(Event)> event_;
 
@@ -170,14 +172,15 @@ class Charger {
   std::bitset<BatteryOffer::pdos> fresh_rpdos_;
   GapWatch gaps_;
   RivalWatch rivals_;
-  NodeId found_ = 0;            ///< the battery that a connection is requested to; 0: none
-  bool is_connected_ = false;   ///< by an SDO connection of its own
-  bool tells_status_ = false;   ///< a TPDO is linked, and each of them begins with the status
-  Time ready_told_at_ = never;  ///< when a TPDO with "ready" was given to the controller first
+  NodeId found_ = 0;            ///< the battery to which a connection is requested; 0: none
+  bool is_connected_ = false;   ///< by a separate SDO connection
+  bool is_lost_ = false;        ///< the battery, by its heartbeat
+  bool tells_status_ = false;   ///< a TPDO is linked, and each of them starts with the status
+  Time ready_told_at_ = never;  ///< when a TPDO with "ready" was first passed to the controller
   bool pilot_signal_ = false;
-  bool charging_ = false;  ///< a charge has begun and has not come to its end
+  bool charging_ = false;  ///< a charge has started and not ended
   Time commanded_at_{};
-  Time asked_at_{};  ///< for a heartbeat
+  Time asked_at_{};  ///< for a heartbeat, or for the changes of a lost battery
   Time counted_at_{};
   double set_point_ = 0;
   double ampere_hours_ = 0;  ///< of this charge

@@ -1,4 +1,4 @@
-// A charger that is hooked up to a vehicle finds the bit rate before it says a word (CiA 419,
+// A charger that is connected to a vehicle detects the bit rate before it sends a frame (CiA 419,
 // 4.2.2).
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace canvoy::cia419::charger_bit_rate_test {
 namespace {
 
-/// A controller on a vehicle's bus of 250 kbit/s: what it hears at another bit rate is no frame.
+/// A controller on a vehicle's bus of 250 kbit/s: traffic at another bit rate is no frame.
 class Vehicle {
  public:
   Vehicle() {
@@ -20,7 +20,7 @@ class Vehicle {
     battery.node().start(cable.now);
     detection.start(cable.now);
   }
-  /// The charger's controller listens to what goes on between the others.
+  /// The charger's controller receives the traffic of the other nodes.
   void run_for(Duration duration) {
     for (const Time until = cable.now + duration; cable.now < until;) {
       const std::size_t heard = cable.heard.size();

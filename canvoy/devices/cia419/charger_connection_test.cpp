@@ -1,5 +1,5 @@
-// How a charger comes to talk to its battery (CiA 419, 6.1): on an SDO connection that the SDO
-// manager of the vehicle gives, or on the default channel; what it tells it there; and the time of
+// Access of a charger to its battery (CiA 419, 6.1): on an SDO connection that the SDO manager of
+// the vehicle assigns, or on the default channel; the values that it writes there; and the time of
 // day (4.1).
 #include <gtest/gtest.h>
 
@@ -259,7 +259,7 @@ TEST_F(ChargerConnection, TheAmpereHoursOfABatteryAreNotForTheNextOne) {
 TEST_F(ChargerConnection, TheAmpereHoursAreWrittenBackOnce) {
   cable.start_all();
   cable.run_for(5s);
-  // TPDO 2 tells that it is not ready before TPDO 3 tells that it is full.
+  // TPDO 2 reports that it is not ready before TPDO 3 reports that it is full.
   cable.clear();
   become_full();
   cable.run_for(1s);
@@ -319,7 +319,7 @@ TEST_F(ChargerConnection, ATpdoWithAnotherMappingIsNotLinkedAndTold) {
   EXPECT_EQ(charger.node().dictionary().number(0x1401, 1), 0x8000'0000u);
   EXPECT_EQ(charger.node().dictionary().number(0x1400, 1), 0x18Au) << "TPDO 1 in its place";
   EXPECT_EQ(cable.last(0x085), "085#00 63 11 00 00 00 00 00");
-  EXPECT_TRUE(charger.charger().offer().misfit_tpdos[1]);
+  EXPECT_TRUE(charger.charger().provide().misfit_tpdos[1]);
   EXPECT_EQ(bench.delivered, 40);
   bench.plugged = false;
   cable.run_for(1s);
@@ -328,7 +328,7 @@ TEST_F(ChargerConnection, ATpdoWithAnotherMappingIsNotLinkedAndTold) {
   bench.plugged = true;
   cable.run_for(5s);
   EXPECT_EQ(charger.node().dictionary().number(0x1401, 1), 0x28Au) << "what was is forgotten";
-  EXPECT_TRUE(charger.charger().offer().misfit_tpdos.none());
+  EXPECT_TRUE(charger.charger().provide().misfit_tpdos.none());
 }
 
 TEST_F(ChargerConnection, EachEntryOfAMappingIsAskedForOnce) {
@@ -344,9 +344,9 @@ TEST_F(ChargerConnection, AMisfitDoesNotHideThatOfTheNextPdo) {
   ASSERT_TRUE(battery.node().dictionary().set_number(0x1A02, 0, 1));  // 6070h alone
   charger.node().start(cable.now);
   cable.run_for(5s);
-  EXPECT_TRUE(charger.charger().offer().misfit_tpdos[1]);
-  EXPECT_TRUE(charger.charger().offer().misfit_tpdos[2]);
-  EXPECT_TRUE(charger.charger().offer().misfit_rpdos.none());
+  EXPECT_TRUE(charger.charger().provide().misfit_tpdos[1]);
+  EXPECT_TRUE(charger.charger().provide().misfit_tpdos[2]);
+  EXPECT_TRUE(charger.charger().provide().misfit_rpdos.none());
 }
 
 class ChargerSilence : public ChargerConnection, public testing::WithParamInterface<unsigned> {};
@@ -375,7 +375,7 @@ TEST_F(ChargerConnection, AnRpdoWithAnotherMappingGetsNothing) {
   cable.run_for(5s);
   EXPECT_EQ(charger.node().dictionary().number(0x1802, 1), 0x8000'0000u);
   EXPECT_EQ(charger.node().dictionary().number(0x1800, 1), 0x20Au);
-  EXPECT_TRUE(charger.charger().offer().misfit_rpdos[2]);
+  EXPECT_TRUE(charger.charger().provide().misfit_rpdos[2]);
   EXPECT_EQ(cable.count(0x085), 1u);
 }
 
@@ -404,7 +404,7 @@ TEST(ChargerTime, IsToldEachMinuteWhereTheChargerHasAClock) {
   clock.now = TimeOfDay{.milliseconds = 43'200'000, .days = 15'665};
   cable.run_for(3min);
   EXPECT_EQ(cable.count(0x100), 3u);
-  // The clock on the bench stands still at noon; the charger looks at it each 100 ms.
+  // The clock of the bench stands at noon; the charger reads it every 100 ms.
   const Frame told = wire_frame(cable.last(0x100));
   EXPECT_GE(load<std::uint32_t>(told.data.data()), 43'200'000u);
   EXPECT_LE(load<std::uint32_t>(told.data.data()), 43'200'100u);
@@ -423,7 +423,7 @@ TEST(ChargerTime, IsNotToldBy1012hWithoutBit30) {
   EXPECT_EQ(cable.count(0x100), 0u);
 }
 
-/// 6020h, sub-index 3, is asked for at the link; 0 and FFFFh say nothing.
+/// 6020h, sub-index 3, is read during linking; 0 and FFFFh mean no value.
 TEST(ChargerLimit, WhatTheBatteryBearsBoundsTheCurrentWithoutARequest) {
   struct Case {
     std::uint16_t told;

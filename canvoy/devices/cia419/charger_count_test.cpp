@@ -1,4 +1,4 @@
-// What a charger counts and estimates: ampere-hours (7.2.4) and the state of charge (7.2.7).
+// Counts and estimates of a charger: ampere-hours (7.2.4) and the state of charge (7.2.7).
 #include "canvoy/devices/cia419/charger_test.hpp"
 
 namespace canvoy::cia419::charger_count_test {
@@ -70,7 +70,7 @@ TEST_F(ChargerCount, CountsAmpereHoursAndWritesThemBackAtTheEnd) {
   EXPECT_EQ(cable.last(0x60A), "60A#2B 52 60 00 A0 00 00 00") << "160 x 0.125 Ah";
   EXPECT_EQ(asked(), "58A#60 52 60 00 00 00 00 00");
   EXPECT_EQ(battery.node().dictionary().number(0x6052, 0), 160u);
-  // What comes after the end is another charge, and counts from 0.
+  // A charge after the end is another one, and counts from 0.
   bench.readings.state_of_charge_percent = 80;
   cable.run_for(1s);
   ASSERT_EQ(bench.delivered, 40);
@@ -145,7 +145,7 @@ class ChargerNextBattery : public ChargerTest {
     EXPECT_EQ(ask("40 80 60 00 00 00 00 00"), "4F 80 60 00 FF 00 00 00") << "7.2.7: invalid";
     EXPECT_EQ(ask("40 81 60 00 00 00 00 00"), "4F 81 60 00 FF 00 00 00");
   }
-  /// Its TPDO 3 is not valid: it tells neither a request nor a state of charge.
+  /// Its TPDO 3 is not valid: it sends neither a request nor a state of charge.
   void plug_next_without_request() {
     bench.plugged = false;
     cable.run_for(2s);

@@ -45,7 +45,7 @@ struct Pair {
   cia418::BatteryDevice<> battery{cable.port(1), 10, bench.battery_hardware(), {}};
 };
 
-/// It learns of no requested current.
+/// It receives no requested current.
 struct PairWithTwoRpdos : Pair<layout_with_two_rpdos> {
   PairWithTwoRpdos() : Pair({.limits = {.current_without_request_ampere = 20}}) {}
 };

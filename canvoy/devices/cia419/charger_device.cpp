@@ -9,10 +9,10 @@ namespace {
 template <const auto& layout>
 class SitedCharger {
  public:
-  SitedCharger(const Port& port, NodeId node_id, const Site& site)
-      : device_(port, node_id, site.find<ChargerHardware>(),
-                {.limits = {}, .manage_network = site.manages_network}) {
-    site.made(device_.charger(), device_.node());
+  SitedCharger(const Port& port, NodeId node_id, const Environment& environment)
+      : device_(port, node_id, environment.get<ChargerHardware>(),
+                {.limits = {}, .manage_network = environment.manages_network}) {
+    environment.made(device_.charger(), device_.node());
   }
   Node& node() { return device_.node(); }
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }

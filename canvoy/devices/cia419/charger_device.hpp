@@ -3,16 +3,16 @@
 //     cia419::ChargerDevice charger(port, 5, hardware, {.limits = {.current_max_ampere = 40}});
 //     charger.node().start(now);
 //
-// In a vehicle the board finds the bit rate first (4.2.2;
-// canvoy/canopen/lss/bit_rate_detection.hpp), and starts the node then.
+// In a vehicle, the board first detects the bit rate (4.2.2;
+// canvoy/canopen/lss/bit_rate_detection.hpp), and then starts the node.
 #pragma once
 
-#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/device/device_node.hpp"
 #include "canvoy/devices/cia419/charger.hpp"
-#include "canvoy/devices/device.hpp"
+#include "canvoy/devices/kit/device.hpp"
 #include "canvoy/profiles/cia302/sdo_manager.hpp"
-#include "canvoy/profiles/device_values.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/device_values.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 
 namespace canvoy::cia419 {
 
@@ -24,8 +24,8 @@ inline constexpr DeviceInfo charger_info = {
     .node_id = 5,
     .hardware = "a power stage with its meters, a pilot contact, a clock"};
 
-/// Every object of the profile, and a heartbeat each second. A maker has a description of his own
-/// with his identity.
+/// Every object of the profile, and a heartbeat every second. A maker has a separate description
+/// with its own identity.
 inline constexpr auto full_charger =
     describe(charger({.rpdo2 = true, .rpdo3 = true, .tpdo2 = true, .tpdo3 = true}),
              cia301::identity({.product_code = charger_info.product_code}),
@@ -37,14 +37,15 @@ inline constexpr auto full_charger =
              cia302::sdo_requester());
 inline constexpr auto full_charger_layout = lay_out_device<full_charger>();
 
-/// `layout` is that of a description with cia419::charger() in it, one heartbeat consumer at least,
-/// and error behaviour. With cia302::sdo_requester() it requests an SDO connection to the battery,
-/// with cia301::time_producer() it tells the time of day. `further_routes` are those of the
+/// `layout` has a description with cia419::charger(), at least one heartbeat consumer, and error
+/// behaviour. With cia302::sdo_requester(), the charger requests an SDO connection to the battery;
+/// with cia301::time_producer(), it sends the time of day. `further_routes` are those of the
 /// application's own services.
 template <const auto& layout = full_charger_layout, std::size_t further_routes = 0>
 class ChargerDevice : public DeviceValues<ChargerDevice<layout, further_routes>, layout> {
  public:
-  /// See Charger; `port`'s context, and what `hardware` refers to, must outlive the device.
+  /// See Charger. The context of `port`, and everything to which `hardware` refers, must outlive
+  /// the device.
   ChargerDevice(const Port& port, NodeId node_id, const ChargerHardware& hardware,
                 const ChargerSettings& settings = {})
       : device_(port, node_id),
@@ -64,7 +65,7 @@ class ChargerDevice : public DeviceValues<ChargerDevice<layout, further_routes>,
                   .time_stamp = time_stamp()},
                  hardware, settings) {}
 
-  /// The same with a class of which the members are found by their names: see ChargerStage.
+  /// Takes a class with members that are found by their names: see ChargerStage.
   template <ChargerStage Stage>
   ChargerDevice(const Port& port, NodeId node_id, Stage& stage,
                 const ChargerSettings& settings = {})
@@ -80,7 +81,7 @@ class ChargerDevice : public DeviceValues<ChargerDevice<layout, further_routes>,
  private:
   static constexpr bool has_connections =
       detail::count_objects(layout.tables(), dynamic_sdo::state, dynamic_sdo::state) != 0;
-  /// Each SDO client hears one node.
+  /// Each SDO client receives one node.
   static constexpr std::size_t own_routes = NetworkStates::routes + DeviceScan::requests_max + 1 +
                                             RivalWatch::routes + 2 * has_connections +
                                             further_routes;

@@ -1,5 +1,5 @@
-// What a charger does where PDOs of its battery were lost: it asks for their values by remote
-// frame, and decides by the answers (CiA 419, 6.2.3.1).
+// Reactions of a charger to lost PDOs of its battery: it requests their values by remote frame, and
+// decides by the answers (CiA 419, 6.2.3.1).
 #include "canvoy/devices/cia419/charger_test.hpp"
 
 namespace canvoy::cia419::charger_gap_test {

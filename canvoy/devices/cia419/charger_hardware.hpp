@@ -1,5 +1,5 @@
-// What a CiA 419 charger senses and drives: the maker of a charger implements it, or a plant in a
-// simulation.
+// The sensors and the power stage of a CiA 419 charger. The maker of a charger implements it, or a
+// plant in a simulation.
 //
 //     struct PowerStage {
 //       void deliver(double ampere);
@@ -18,19 +18,19 @@
 namespace canvoy::cia419 {
 
 struct ChargerHardware {
-  /// Sets the current that the power stage is to deliver, in A; 0 switches it off. Called on each
-  /// change, and often.
+  /// Sets the current of the power stage, in A; 0 switches it off. Called on each change, and
+  /// often.
   Callback<void(double ampere)> deliver;
-  /// The current that flows into the battery now, in A.
+  /// The present current into the battery, in A.
   Callback<double()> current;
-  /// The pilot signal (CiA 419, annex B): a battery is plugged in.
+  /// The pilot signal (CiA 419, annex B): true if a battery is plugged in.
   Callback<bool()> pilot_signal;
-  /// The time of day, where the charger has a clock and is to tell it (4.1); may be left empty.
+  /// The time of day, if the charger has a clock and sends it (4.1); may be empty.
   Callback<std::optional<TimeOfDay>()> time_of_day = {};
 };
 
-/// A class of which the member functions have the names of ChargerHardware; the one without a clock
-/// has no time_of_day.
+/// A class with member functions that have the names of ChargerHardware; without a clock, it has no
+/// time_of_day.
 template <class Stage>
 concept ChargerStage = requires(Stage& stage, double ampere) {
   stage.deliver(ampere);
@@ -38,7 +38,7 @@ concept ChargerStage = requires(Stage& stage, double ampere) {
   { stage.pilot_signal() } -> std::convertible_to<bool>;
 };
 
-/// Such a class as hardware: it must outlive who works with it.
+/// Makes hardware of such a class, which must outlive its users.
 template <ChargerStage Stage>
 constexpr ChargerHardware hardware_of(Stage& stage) {
   ChargerHardware hardware{

@@ -12,7 +12,7 @@ class TwoChargers : public testing::Test {
     cable.connect(1, second.node());
     cable.connect(2, battery.node());
   }
-  /// What both of them deliver to battery 10 at most from now on, for so long.
+  /// The maximum current of both to battery 10 during this time.
   double most_within(Duration time) {
     double most = 0;
     for (const Time end = cable.now + time; cable.now < end; cable.run_for(100ms)) {
@@ -76,7 +76,7 @@ TEST_F(TwoChargers, ABatteryThatHasLostItsChargerIsChargedByTheOther) {
 
 class ARival : public ChargerTest {};
 
-/// The collision is told with the CAN-ID: 8150h, error register 11h, 020Ah (CiA 301, 7.2.7).
+/// The collision is reported with the CAN-ID: 8150h, error register 11h, 020Ah (CiA 301, 7.2.7).
 TEST_F(ARival, ThatIsHeardOnceByWhoWasFirstIsToldOf) {
   run_until_charging();
   cable.send("20A#01");

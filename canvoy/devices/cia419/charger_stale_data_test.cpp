@@ -1,5 +1,5 @@
-// What the charger knew of the battery before one of them was lost is of the past: when it is back,
-// current flows on new values alone (CiA 419, 5.2 and 6.2).
+// Values of the battery from before a loss of either are out of date: after the return, current
+// flows only on new values (CiA 419, 5.2 and 6.2).
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/testing/cable.hpp"
@@ -26,7 +26,7 @@ class ChargerStaleData : public testing::Test {
       write(battery.node(), index, 1, 0x4000'0000U | cob_id, 4);
     }
     charger.node().start(cable.now);
-    // It stays operational whatever happens, where nothing else is said.
+    // It stays operational in all cases, unless stated otherwise.
     write(charger.node(), 0x1029, 1, 1, 1);
     cable.run_for(5s);
     cable.send("000#01 00");
@@ -57,7 +57,7 @@ class ChargerStaleData : public testing::Test {
     cable.send(pdos[position]);
     lose_pdos();
   }
-  /// The battery has been heard again, and none of its values has come.
+  /// The battery has been received again, and none of its values has come.
   void expect_rest_until_all_is_new() {
     cable.run_for(3s);
     EXPECT_EQ(bench.delivered, 0);

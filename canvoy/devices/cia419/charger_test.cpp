@@ -44,7 +44,7 @@ TEST_F(ChargerTest, AsksForFirstValuesByRemoteFrameWhereTheBatteryAllowsIt) {
 TEST_F(ChargerTest, DoesNotAskByRemoteFrameWhereTheBatteryForbidsIt) {
   battery.node().start(cable.now);
   for (const std::uint16_t index : std::to_array<std::uint16_t>({0x1800, 0x1801, 0x1802})) {
-    // What a configuration tool would have stored: bit 30, no RTR.
+    // A value stored by a configuration tool: bit 30, no RTR.
     const std::uint32_t cob_id = 0xC000'0000U | (0x180U + 0x100U * (index & 0xFU) + 10U);
     std::uint8_t bytes[4];
     store(bytes, 0x8000'0000U);
@@ -205,9 +205,9 @@ TEST_F(ChargerTest, TheConsumerHeartbeatTimeIsTwoPeriodsOfTheBatterys) {
 TEST_F(ChargerTest, LearnsWhatTheBatteryBears) {
   cable.start_all();
   cable.run_for(5s);
-  EXPECT_EQ(charger.charger().offer().capacity_ampere_hours, 400);
-  EXPECT_EQ(charger.charger().offer().current_max_ampere, 60);
-  EXPECT_EQ(charger.charger().offer().heartbeat_ms, 1000);
+  EXPECT_EQ(charger.charger().provide().capacity_ampere_hours, 400);
+  EXPECT_EQ(charger.charger().provide().current_max_ampere, 60);
+  EXPECT_EQ(charger.charger().provide().heartbeat_ms, 1000);
 }
 
 TEST_F(ChargerTest, SendsItsStatusEach200Milliseconds) {
@@ -223,7 +223,7 @@ TEST_F(ChargerTest, DeliversNoMoreThanItsOwnLimit) {
   EXPECT_EQ(bench.delivered, 60);
 }
 
-/// What each cause does to the charge, and that it goes on when the cause is gone.
+/// The effect of each cause on the charge, which continues when the cause is gone.
 struct Stop {
   const char* name;
   void (*begin)(Bench&, Cable&);
@@ -296,7 +296,7 @@ INSTANTIATE_TEST_SUITE_P(
         Stop{"VoltageTooHigh", [](Bench& b, Cable&) { b.readings.voltage_volt = 66; },
              [](Bench& b, Cable&) { b.readings.voltage_volt = 50; }, StopReason::voltage_too_high,
              101ms, "085#00 33 05 00 00 00 00 00", NmtState::operational},
-        // Of 24 cells, as the battery tells (CiA 418, 6020h).
+        // With 24 cells, as the battery reports (CiA 418, 6020h).
         Stop{"VoltageTooLow", [](Bench& b, Cable&) { b.readings.voltage_volt = 10; },
              [](Bench& b, Cable&) { b.readings.voltage_volt = 50; }, StopReason::voltage_too_low,
              101ms, "085#00 33 05 00 00 00 00 00", NmtState::operational},
@@ -412,6 +412,66 @@ TEST_F(ChargerTest, AsksForFirstValuesWhenALostBatteryIsHeardAgain) {
   EXPECT_TRUE(asked(0x38A));
 }
 
+/// 1017h of the battery becomes 5 s: 1016h of the charger was 2 s, two of its periods of 1 s.
+TEST_F(ChargerTest, FollowsABatteryWhoseHeartbeatWasMadeSlower) {
+  run_until_charging();
+  ASSERT_EQ(charger.node().dictionary().number(0x1016, 1), 0x000A'07D0u);
+  cable.send("60A#2B 17 10 00 88 13 00 00");
+  cable.run_for(6s);
+  EXPECT_EQ(charger.node().dictionary().number(0x1016, 1), 0x000A'2710u);
+  cable.run_for(1s);
+  EXPECT_EQ(cable.count(0x000), 0u) << "it is known to be operational";
+  cable.clear();
+  cable.run_for(60s);
+  EXPECT_EQ(cable.count(0x085), 0u) << "no heartbeat error any more";
+  EXPECT_EQ(bench.delivered, 40);
+}
+
+/// 1017h of the battery becomes 0: it is silent, though it answers.
+TEST_F(ChargerTest, HasALostBatteryThatSendsNoHeartbeatAnyMoreSendOne) {
+  run_until_charging();
+  cable.send("60A#2B 17 10 00 00 00 00 00");
+  cable.run_for(3s);
+  ASSERT_EQ(charger.charger().reason(), StopReason::heartbeat_lost);
+  cable.clear();
+  cable.run_for(12s);
+  EXPECT_EQ(cable.count(0x60A), 0u);
+  cable.run_for(4s);
+  EXPECT_EQ(battery.node().dictionary().number(0x1017, 0), 1000u);
+  EXPECT_EQ(bench.delivered, 40);
+  cable.clear();
+  cable.run_for(60s);
+  EXPECT_EQ(cable.count(0x085), 0u);
+  EXPECT_EQ(cable.count(0x60A), 0u);
+}
+
+/// Read every 15 s, and nothing else: the first request of those made during linking.
+TEST_F(ChargerTest, AsksALostBatteryRarely) {
+  run_until_charging();
+  cable.cut(1);
+  cable.run_for(60s);
+  const auto questions = std::ranges::count_if(cable.heard, [](const Cable::Heard& heard) {
+    return heard.frame.id == 0x60A && heard.frame.data[0] == 0x40;
+  });
+  EXPECT_EQ(questions, 3);
+  EXPECT_EQ(cable.count(0x000), 0u) << "nobody is started that is lost";
+  EXPECT_EQ(bench.delivered, 0);
+}
+
+/// Its boot-up message was lost, and TPDO 2 has another CAN-ID since.
+TEST_F(ChargerTest, LinksABatteryAnewThatHasStartedAgainUnheard) {
+  run_until_charging();
+  cable.filter = [](const Frame& frame) { return frame.id != 0x70A; };
+  cable.send("60A#23 01 18 01 8A 02 00 80");
+  cable.send("60A#23 01 18 01 8B 02 00 40");
+  cable.run_for(3s);
+  ASSERT_EQ(charger.charger().reason(), StopReason::heartbeat_lost);
+  cable.filter = [](const Frame&) { return true; };
+  cable.run_for(5s);
+  EXPECT_EQ(charger.node().dictionary().number(0x1401, 1) & 0x7FFu, 0x28Bu);
+  EXPECT_EQ(bench.delivered, 40);
+}
+
 TEST_F(ChargerTest, StartsABatteryThatDoesNotFollowAgainEachSecond) {
   cable.filter = [](const Frame& frame) { return frame.id != 0x000; };
   cable.start_all();
@@ -441,8 +501,8 @@ TEST_F(ChargerTest, WithoutManagingTheNetworkItWaitsForAnNmtMaster) {
   EXPECT_EQ(managed.count(0x000), 0u);
   EXPECT_EQ(bench.delivered, 0);
   managed.send("000#01 00");
-  managed.run_for(1s);     // until the battery's heartbeat says that it is operational
-  managed.run_for(200ms);  // and the charger has told that it is ready
+  managed.run_for(1s);     // until the battery's heartbeat shows that it is operational
+  managed.run_for(200ms);  // and the charger has reported that it is ready
   EXPECT_EQ(bench.delivered, 40);
   managed.send("000#80 05");
   EXPECT_EQ(bench.delivered, 0);

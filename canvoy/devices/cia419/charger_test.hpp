@@ -1,4 +1,4 @@
-// The hardware of a charger and a battery as plain numbers, and both on one cable, for tests.
+// Simple simulated hardware of a charger and a battery, and both on one cable, for tests.
 //
 //     Bench bench;
 //     ChargerDevice<> charger(cable.port(0), 5, bench.charger_hardware());
@@ -17,7 +17,7 @@
 
 namespace canvoy::cia419 {
 
-/// The hardware of both, as plain numbers.
+/// The simulated hardware of both.
 struct Bench {
   double delivered = 0;
   bool plugged = true;

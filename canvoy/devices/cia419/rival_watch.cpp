@@ -4,16 +4,6 @@
 
 namespace canvoy::cia419 {
 
-namespace {
-
-Error collision(std::uint16_t can_id) {
-  return {.code = 0x8150,
-          .register_bits = error_register::communication,
-          .info = {static_cast<std::uint8_t>(can_id), static_cast<std::uint8_t>(can_id >> 8)}};
-}
-
-}  // namespace
-
 void RivalWatch::watch(NodeId battery, std::uint16_t can_id) {
   if (can_id != can_id_) {
     forget();
@@ -38,14 +28,14 @@ bool RivalWatch::is_served(NodeId battery) const {
 void RivalWatch::advance(Time now) {
   if (heard_first_ == never || now < heard_last_ + quiet_time) return;
   heard_first_ = never;
-  if (std::exchange(is_told_, false)) node_.clear(collision(can_id_));
+  if (std::exchange(is_told_, false)) node_.clear(cob_id_collision(can_id_));
 }
 
 void RivalWatch::forget() {
   if (can_id_ != 0) {
     node_.router().remove(can_id_, Router::Receiver::to<&RivalWatch::heard>(*this));
   }
-  if (std::exchange(is_told_, false)) node_.clear(collision(can_id_));
+  if (std::exchange(is_told_, false)) node_.clear(cob_id_collision(can_id_));
   battery_ = 0;
   can_id_ = 0;
   is_linked_ = is_to_leave_ = false;
@@ -57,7 +47,7 @@ void RivalWatch::heard(const Frame& frame, Time now) {
   if (heard_first_ == never) heard_first_ = now;
   heard_last_ = now;
   if (!is_linked_) return;
-  if (!std::exchange(is_told_, true)) node_.raise(collision(can_id_));
+  if (!std::exchange(is_told_, true)) node_.raise(cob_id_collision(can_id_));
   is_to_leave_ = now < linked_at_ + newcomer_time || now >= heard_first_ + patience;
 }
 

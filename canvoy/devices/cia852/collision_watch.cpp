@@ -6,25 +6,18 @@ namespace canvoy::cia852 {
 
 namespace {
 
-constexpr std::uint16_t collision_code = 0x8150;
 constexpr std::uint8_t cob_id_sub = 1;
-
-Error collision(std::uint16_t can_id) {
-  return {.code = collision_code,
-          .register_bits = error_register::communication,
-          .info = {static_cast<std::uint8_t>(can_id), static_cast<std::uint8_t>(can_id >> 8)}};
-}
 
 }  // namespace
 
-constexpr HookCalls CollisionWatch::hook_calls[] = {
+constexpr AccessHandlers CollisionWatch::hook_calls[] = {
     {.first = object_index::tpdo_parameter,
      .last = object_index::tpdo_parameter_last,
      .sub_first = cob_id_sub,
      .sub_last = cob_id_sub,
      .after_write = method<&CollisionWatch::written>}};
-constexpr ServiceCalls CollisionWatch::service_calls = {.reset = method<&CollisionWatch::reset>,
-                                                        .hooks = hook_calls};
+constexpr ServiceHandlers CollisionWatch::service_calls = {.reset = method<&CollisionWatch::reset>,
+                                                           .hooks = hook_calls};
 
 CollisionWatch::CollisionWatch(Node& node, std::span<std::uint16_t> ids) : node_(node), ids_(ids) {
   node.attach(service_);
@@ -70,11 +63,11 @@ void CollisionWatch::heard(const Frame& frame, Time now) {
   node_.timers().arm(timer_, now + quiet_time);
   if (collided_ != 0) return;
   collided_ = static_cast<std::uint16_t>(frame.id);
-  node_.raise(collision(collided_));
+  node_.raise(cob_id_collision(collided_));
 }
 
 void CollisionWatch::is_quiet(Time /*now*/) {
-  node_.clear(collision(collided_));
+  node_.clear(cob_id_collision(collided_));
   collided_ = 0;
 }
 

@@ -1,17 +1,17 @@
-// Tells that somebody else sends with a COB-ID that is this node's own (CiA 852, Table 37: 8150h,
-// CAN-ID collision): of its TPDOs, emergencies, SDO answers and heartbeats.
+// Reports that another node sends with a COB-ID of this node (CiA 852, Table 37: 8150h, CAN-ID
+// collision): of its TPDOs, emergencies, SDO answers and heartbeats.
 //
 //     std::array<std::uint16_t, CollisionWatch::ids_beside_tpdos + 3> ids;
 //     CollisionWatch watch(node, ids);   // a route for each of them
 //
-// The emergency says the CAN-ID in its first two manufacturer-specific bytes. It is over when none
-// was heard for a second.
+// The emergency has the CAN-ID in its first two manufacturer-specific bytes. It ends when no such
+// frame was received for a second.
 #pragma once
 
 #include <cstdint>
 #include <span>
 
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 
 namespace canvoy::cia852 {
 
@@ -20,7 +20,7 @@ class CollisionWatch {
   static constexpr std::size_t ids_beside_tpdos = 3;
   static constexpr Duration quiet_time = std::chrono::seconds(1);
 
-  /// What has no room in `ids`, which must outlive this, is not watched.
+  /// COB-IDs without room in `ids`, which must outlive this, are not monitored.
   CollisionWatch(Node& node, std::span<std::uint16_t> ids);
   CollisionWatch(const CollisionWatch&) = delete;
   CollisionWatch& operator=(const CollisionWatch&) = delete;
@@ -36,10 +36,10 @@ class CollisionWatch {
   Node& node_;
   std::span<std::uint16_t> ids_;
   std::size_t used_ = 0;
-  std::uint16_t collided_ = 0;  ///< as it was told; 0: nothing was
-  static const HookCalls hook_calls[];
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  std::uint16_t collided_ = 0;  ///< as reported; 0: none
+  static const AccessHandlers hook_calls[];
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
   Timer timer_{Callback<void(Time)>::to<&CollisionWatch::is_quiet>(*this)};
 };
 

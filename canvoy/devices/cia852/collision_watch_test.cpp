@@ -24,8 +24,8 @@ struct Collision : testing::Test {
   }
 
   Cable cable;
-  Site site;
-  CatalogueDevice device{operator_kind, cable.port(0), NodeId{5}, site};
+  Environment environment;
+  CatalogueDevice device{operator_kind, cable.port(0), NodeId{5}, environment};
 };
 
 /// Table 37 and CiA 301: 8150h; 11h in 1001h are generic and communication.
@@ -54,7 +54,7 @@ TEST_F(Collision, ATpdoIsWatchedWhileItIsValid) {
   cable.send("605#23 00 18 01 A7 01 00 80");
   EXPECT_EQ(told_of("1A7#00"), "");
   cable.send("605#23 00 18 01 A7 01 00 00");
-  cable.send("000#82 05");  // what it was told is forgotten
+  cable.send("000#82 05");  // its configured COB-IDs are discarded
   EXPECT_EQ(told_of("1A7#00"), "");
 }
 
@@ -81,7 +81,7 @@ TEST_F(Collision, ASecondCobIdIsNotToldWhileTheFirstIs) {
   EXPECT_EQ(cable.count(0x085), 1u);
 }
 
-/// With the node-ID the COB-IDs change: of node 5 nothing is its own any more.
+/// With the node-ID, the COB-IDs change: none of node 5 belongs to it any more.
 TEST_F(Collision, OfTheNodeIdThatItHadNothingIsTold) {
   device.node().set_pending_id(6);
   cable.send("000#82 05");

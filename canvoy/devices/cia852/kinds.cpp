@@ -5,11 +5,11 @@
 #include <memory>
 #include <optional>
 
-#include "canvoy/canopen/heap_node.hpp"
+#include "canvoy/canopen/device/heap_node.hpp"
 #include "canvoy/devices/cia852/collision_watch.hpp"
 #include "canvoy/devices/cia852/operator_device.hpp"
-#include "canvoy/devices/part_tables.hpp"
-#include "canvoy/devices/program_place.hpp"
+#include "canvoy/devices/kit/part_tables.hpp"
+#include "canvoy/devices/kit/program_place.hpp"
 #include "canvoy/profiles/cia302/program.hpp"
 
 namespace canvoy::cia852 {
@@ -18,7 +18,7 @@ namespace {
 
 constexpr unsigned every_node = 127;
 
-/// Parts in the order in which they come.
+/// Parts in the order of their arrival.
 struct PartList {
   std::vector<Part> parts;
 
@@ -36,9 +36,9 @@ struct PartList {
 /// A device in memory from the heap.
 class OperatorOnHeap {
  public:
-  OperatorOnHeap(const Port& port, NodeId node_id, const Site& site)
-      : elements_(site.find<OperatorEnvironment>(usual_elements)),
-        tables_(operator_parts(elements_, site.keeps_parameters)),
+  OperatorOnHeap(const Port& port, NodeId node_id, const Environment& environment)
+      : elements_(environment.get<OperatorEnvironment>(usual_elements)),
+        tables_(operator_parts(elements_, environment.keeps_parameters)),
         device_(tables_.tables(), port, node_id, catalogue_routes + own_ids),
         inputs_(count(read_input_8_bit_object)),
         indicators_(count(write_output_8_bit_object)),
@@ -48,10 +48,10 @@ class OperatorOnHeap {
               {{inputs_, indicators_, analogue_inputs_, elements_.displays > 0,
                 elements_.display_floats ? &reals_ : nullptr},
                encoders_},
-              site.find<OperatorHardware>(), site.find<OperatorSettings>()),
+              environment.get<OperatorHardware>(), environment.get<OperatorSettings>()),
         collisions_(device_.node(), ids_) {
-    take_programs(site.find<ProgramPlace>());
-    site.made<OperatorUnit>(unit_, device_.node());
+    take_programs(environment.get<ProgramPlace>());
+    environment.made<OperatorUnit>(unit_, device_.node());
   }
 
   Node& node() { return device_.node(); }
@@ -89,14 +89,15 @@ template <bool keeps>
 inline constexpr DeviceForm operator_form[1] = {
     {.parts =
          [] {
-           // For as long as the program lives.
+           // They live as long as the program.
            static const auto& parts = *new std::vector<Part>(operator_parts(usual_elements, keeps));
            return std::span<const Part>(parts);
          },
      .bytes = sizeof(OperatorOnHeap),
-     .make = [](void* memory, const Port& port, NodeId node_id, const Site& site) -> MadeDevice {
+     .make = [](void* memory, const Port& port, NodeId node_id,
+                const Environment& environment) -> MadeDevice {
        auto* const made =
-           std::construct_at(static_cast<OperatorOnHeap*>(memory), port, node_id, site);
+           std::construct_at(static_cast<OperatorOnHeap*>(memory), port, node_id, environment);
        return {&made->node(), &made->emergency_producer()};
      },
      .end = [](void* memory) { std::destroy_at(static_cast<OperatorOnHeap*>(memory)); }}};

@@ -1,19 +1,19 @@
-// The kind of an operator environment, for the catalogue, and its objects with elements that are
-// known when the program runs. They are made in one source, which takes memory from the heap:
-// boards link OperatorDevice, and none of this.
+// The kind of an operator environment, for the catalogue, and its objects for elements that are
+// known at run time. One source makes them, with memory from the heap: boards link OperatorDevice,
+// and none of this.
 //
-//     site.offer(Callback<OperatorEnvironment()>::to<&Options::elements>(options));
-//     CatalogueDevice seat(operator_kind, port, 10, site);
+//     environment.provide(Callback<OperatorEnvironment()>::to<&Options::elements>(options));
+//     CatalogueDevice seat(operator_kind, port, 10, environment);
 #pragma once
 
 #include <vector>
 
-#include "canvoy/devices/device_kind.hpp"
+#include "canvoy/devices/kit/device_kind.hpp"
 #include "canvoy/profiles/cia852/operator_environment.hpp"
 
 namespace canvoy::cia852 {
 
-/// Where the site offers no others: a seat.
+/// The default, if the environment offers no others: a seat.
 inline constexpr OperatorEnvironment usual_elements = {.joysticks = 2,
                                                        .foot_pedals = 2,
                                                        .encoders = 1,
@@ -23,7 +23,7 @@ inline constexpr OperatorEnvironment usual_elements = {.joysticks = 2,
                                                        .displays = 1,
                                                        .configuration = true};
 
-/// The objects of such a device, sorted. Elements are as check_elements() wants them.
+/// The objects of such a device, sorted. The elements fulfil check_elements().
 std::vector<Part> operator_parts(const OperatorEnvironment& elements, bool keeps_parameters);
 
 extern const DeviceKind operator_kind;

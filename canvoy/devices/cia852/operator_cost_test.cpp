@@ -1,7 +1,7 @@
-// What an operator environment with everything may cost: 10 ms of the processor to start, and for
-// 10,000 input changes a second 5 % of a core. Measured in time of the processor, the best of a
-// few, so that what else the machine does is not counted. With sanitizers it is allowed four times
-// as much.
+// Maximum cost of an operator environment with all elements: 10 ms of processor time to start, and
+// 5 % of a core for 10,000 input changes a second. Measured in processor time, the best of a few
+// runs, so that other work of the machine is not counted. With sanitizers, four times as much is
+// allowed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -59,7 +59,7 @@ TEST(OperatorCost, TenThousandChangesASecondTakeLessThanATwentiethOfACore) {
     OperatorCabin cabin(is_told ? Duration::zero() : OperatorSettings{}.sensing_period);
     cabin.work();
     expect_at_most(least_ms([&] { run_a_second(cabin, is_told); }), 50);
-    // Each is told: for itself, or with the others of 2 ms in one PDO for each element.
+    // Each is sent: alone, or with the others of 2 ms in one PDO for each element.
     EXPECT_GT(cabin.sent, is_told ? 50'000u : 20'000u);
   }
 }

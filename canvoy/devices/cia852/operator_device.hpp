@@ -1,10 +1,11 @@
-// A whole operator environment interface module of CiA 852, with the elements that its maker says.
+// A whole operator environment interface module of CiA 852, with the elements that its maker
+// selects.
 //
 //     constexpr cia852::OperatorEnvironment elements = {.joysticks = 2, .indicator_clusters = 1};
 //     cia852::OperatorDevice<elements> seat(port, 10, hardware);
 //     seat.node().start(now);
 //
-// A maker has a kind of his own, with his identity:
+// A maker has a separate kind, with its own identity:
 //
 //     struct Seat : cia852::OperatorKind<elements> {
 //       static constexpr auto description =
@@ -22,7 +23,7 @@ inline constexpr std::uint16_t usual_heartbeat_ms = 1000;
 inline constexpr unsigned usual_errors_kept = 8;
 inline constexpr unsigned usual_nodes_watched = 2;
 
-/// What Annex A wants beside the objects of the elements, and names; all but the identity. 1028h of
+/// Objects of Annex A beside those of the elements, and names; all except the identity. 1028h of
 /// those with outputs has room for the node-IDs up to `emergency_nodes`.
 template <class Parts>
 constexpr void add_operator_module(Parts& parts, const OperatorEnvironment& has,
@@ -34,7 +35,7 @@ constexpr void add_operator_module(Parts& parts, const OperatorEnvironment& has,
   parts.add(cia301::heartbeat_consumers(usual_nodes_watched));
   parts.add(cia301::emergency_consumers(emergency_nodes));
 }
-/// The same for a device that is known when the program is compiled.
+/// For a device that is known at compile time.
 template <OperatorEnvironment has, unsigned emergency_nodes = 1>
 constexpr auto operator_module() {
   check_elements(has);
@@ -46,7 +47,7 @@ constexpr auto operator_module() {
   return parts;
 }
 
-/// An OperatorUnit with memory for what its dictionary has.
+/// An OperatorUnit with memory for its dictionary.
 template <const auto& layout>
 class OwnOperatorMemory {
  public:
@@ -84,7 +85,7 @@ struct OperatorKind : KindOf<OperatorUnit, OperatorHardware, OperatorSettings> {
       describe(operator_module<has>(), cia301::identity({.product_code = info.product_code}));
 };
 
-/// `layout` is that of a description with the objects of such a module.
+/// `layout` has a description with the objects of such a module.
 template <OperatorEnvironment has, const auto& layout = layout_of<OperatorKind<has>>,
           std::size_t own_routes = 0>
 using OperatorDevice = Device<OperatorKind<has>, layout, own_routes>;

@@ -1,5 +1,5 @@
-// What an operator environment (CiA 852) senses and drives, in the words of its elements. A plant,
-// a Linux input device or a board implements it; elements are numbered from 1 on (5.3).
+// The hardware of an operator environment (CiA 852), by its elements. A plant, a Linux input device
+// or a board implements it; elements are numbered from 1 (5.3).
 //
 //     OperatorHardware seat = {.joystick_axis = Callback<std::int16_t(unsigned, unsigned)>::to<
 //                                  &Seat::axis>(seat_board)};
@@ -11,8 +11,8 @@
 
 namespace canvoy::cia852 {
 
-/// Positions have the full scale of 16 bits. What a device does not have may be left out: it reads
-/// as 0, and is shown nowhere.
+/// Positions have the full scale of 16 bits. Callbacks of missing elements may be omitted: they
+/// read as 0, and show nothing.
 struct OperatorHardware {
   /// `axis`: 1 is x, 2 is y, 3 is z.
   Callback<std::int16_t(unsigned joystick, unsigned axis)> joystick_axis = {};
@@ -24,7 +24,7 @@ struct OperatorHardware {
   Callback<bool(unsigned pedal)> foot_pedal_memory = {};
   Callback<std::uint32_t(unsigned encoder)> encoder = {};
   Callback<std::int16_t(unsigned wheel)> wheel = {};
-  /// Eight push-buttons of a cluster: groups count from 1 on, bit 0 is the first of them.
+  /// Eight push-buttons of a cluster: groups count from 1, bit 0 is the first of them.
   Callback<std::uint8_t(unsigned cluster, unsigned group)> push_buttons = {};
 
   /// Eight indicators of a cluster.

@@ -71,7 +71,7 @@ class LssBoard {
   struct Life {
     explicit Life(LssBoard& board)
         : device(board.kind_, board.bus_.port(board.controller), board.kind_.info.node_id,
-                 board.site_),
+                 board.environment_),
           store(device.node(), board.flash_.flash, {.address = 0, .slot_size = 128}),
           bit_timing(device.node(), Callback<void(std::uint8_t)>::to<&LssBoard::switch_to>(board)),
           lss(device.node(),
@@ -103,7 +103,7 @@ class LssBoard {
     static_cast<LssBoard*>(self)->detection.bus_error(now);
   }
 
-  /// The four that 6.2 wants, and detection: no other one.
+  /// The four bit rates that 6.2 requires, and detection: no other one.
   LssError is_known(std::uint8_t index) {
     const bool is_one =
         std::ranges::find(shall_indices, index) != std::end(shall_indices) || index == 9;
@@ -130,16 +130,16 @@ class LssBoard {
   const DeviceKind& kind_;
   std::uint32_t delivered_;
   SimulatedBus& bus_;
-  Site site_;
+  Environment environment_;
   SimulatedFlash flash_{{.sector_size = 128, .sectors = 2, .unit = 8}};
   std::unique_ptr<Life> life_;
 };
 
-/// A board, and two testers: one speaks, both acknowledge. They have another bit rate when the test
-/// says so.
+/// A board, and two testers: one sends, both acknowledge. They change their bit rate on the test's
+/// command.
 class LssBitRate : public testing::TestWithParam<std::tuple<const char*, TableRate>> {
  protected:
-  /// Not the one that is asked for, so that there is something to change.
+  /// Not the requested one, so that there is a change to make.
   static constexpr std::uint32_t before() { return 125'000; }
   std::uint32_t wanted() const { return std::get<1>(GetParam()).bit_rate; }
   std::uint32_t delivered() const { return wanted() == before() ? 250'000 : before(); }
@@ -171,7 +171,7 @@ class LssBitRate : public testing::TestWithParam<std::tuple<const char*, TableRa
   }
   Time due() const { return std::min(bus.next_event(), board.deadline()); }
   void run_for(Duration duration) { run_until(bus.now() + duration); }
-  /// Sends a frame, and gives a node and a store time to answer; those of LSS have eight bytes.
+  /// Sends a frame, and allows a node and a store time to answer; frames of LSS have eight bytes.
   void send(std::string_view text) {
     Frame frame = wire_frame(text);
     if (frame.id == 0x7E5) frame.length = 8;
@@ -228,7 +228,7 @@ TEST_P(LssBitRate, IsConfiguredActivatedStoredAndUsedAfterARestart) {
   EXPECT_EQ(answer(), "7E4#17 00 00 00 00 00 00 00");
   expect_talk(id());
 
-  // A heartbeat each 10 ms shows when it is silent.
+  // A heartbeat every 10 ms shows when it is silent.
   board.node().dictionary().write(0x1017, 0, std::array<std::uint8_t, 2>{10, 0}, Source::sdo);
   run_for(30ms);
   EXPECT_EQ(answer(), heartbeat_id(id()) + "7F");
@@ -262,7 +262,7 @@ TEST_P(LssBitRate, IsConfiguredActivatedStoredAndUsedAfterARestart) {
   EXPECT_EQ(bus.statistics().error_frames, 0u);
 }
 
-/// What is activated and not stored is gone with the power.
+/// A setting that is activated and not stored is lost with the power.
 TEST_P(LssBitRate, IsGoneAfterARestartWhereItWasNotStored) {
   board.power_on();
   run_for(100ms);
@@ -293,8 +293,8 @@ TEST_P(LssBitRate, ThatIsNotAllowedIsRefusedAndChangesNothing) {
   EXPECT_EQ(board.bit_rate, wanted()) << "the one that was allowed";
 }
 
-/// Index 9 of CiA 305: the device listens at each bit rate until it hears a frame (CiA 801), and
-/// boots then. Nothing that it does before destroys a frame of the others.
+/// Index 9 of CiA 305: the device listens at each bit rate until it receives a frame (CiA 801), and
+/// then boots. Before that, it never destroys a frame of other nodes.
 TEST_P(LssBitRate, OfTheNetworkIsDetected) {
   board.power_on();
   run_for(100ms);
@@ -309,7 +309,7 @@ TEST_P(LssBitRate, OfTheNetworkIsDetected) {
   said.clear();
   board.power_on();
   const Time begun = bus.now();
-  // Somebody talks each 100 ms.
+  // Another node sends every 100 ms.
   while (said.empty() && bus.now() < begun + 20s) {
     ASSERT_TRUE(bus.send(speaker, wire_frame("701#05")));
     run_for(100ms);

@@ -1,5 +1,5 @@
-// What an operator environment shows, and what it tells of itself, at its wire: indicators and
-// displays (9.7, 9.8), their error values, and the emergencies of 8.6 and Table 37.
+// Indications and reports of an operator environment at its wire: indicators and displays (9.7,
+// 9.8), their error values, and the emergencies of 8.6 and Table 37.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -98,11 +98,12 @@ TEST(OperatorUnit, DisplaysTakeFloatingPointNumbersWhereTheyHaveThem) {
   EXPECT_EQ(bench.ask("40 13 64 00 00 00 00 00"), "4F 13 64 00 02 00 00 00");
   bench.write("23 13 64 02 00 00 00 3F");  // 0.5
   EXPECT_EQ((bench.seat.shown[{1, 2}]), 0x4000);
+  EXPECT_EQ(bench.ask("40 11 64 02 00 00 00 00"), "4B 11 64 02 00 40 00 00") << "what it shows";
   bench.write("23 13 64 02 00 00 80 BF");  // -1.0
   EXPECT_EQ((bench.seat.shown[{1, 2}]), -32768);
   bench.write("2B 11 64 02 05 00 00 00");
   EXPECT_EQ((bench.seat.shown[{1, 2}]), 5) << "what was written last";
-  // By RPDO 2, mapped anew.
+  // By RPDO 2, mapped again.
   bench.write("2F 01 16 00 00 00 00 00");
   bench.write("23 01 16 01 20 01 13 64");
   bench.write("2F 01 16 00 01 00 00 00");
@@ -186,7 +187,7 @@ TEST_F(OperatorSeat, TroubleOfTheControllerIsTold) {
   EXPECT_TRUE(is_told) << "8140h";
 }
 
-// What belongs to the device, and not to its elements.
+// Objects of the device, not of its elements.
 
 /// 1028h has room for each node-ID.
 TEST_F(OperatorSeat, EmergenciesOfEachNodeMayBeConsumed) {
@@ -198,17 +199,18 @@ TEST(OperatorUnit, IsTheSameAtEachDoorAndStoresWhereItHasAMemory) {
   for (const unsigned door : {1U, 2U}) {
     for (const bool keeps : {false, true}) {
       Cable cable;
-      Site site;
-      site.door = door;
-      site.keeps_parameters = keeps;
-      CatalogueDevice device(operator_kind, cable.port(0), NodeId{5}, site);
+      Environment environment;
+      environment.door = door;
+      environment.keeps_parameters = keeps;
+      CatalogueDevice device(operator_kind, cable.port(0), NodeId{5}, environment);
       const Dictionary& dictionary = device.node().dictionary();
       EXPECT_TRUE(dictionary.find(0x6401, 1)) << door;
       EXPECT_EQ(bool(dictionary.find(0x1010, 1)), keeps) << door;
       EXPECT_EQ(bool(dictionary.find(0x1011, 1)), keeps) << door;
       // So do its data sheets.
       const auto has_storage = [](const Part& part) { return part.index() == 0x1010; };
-      EXPECT_EQ(std::ranges::any_of(operator_kind.form(site).parts(), has_storage), keeps) << door;
+      EXPECT_EQ(std::ranges::any_of(operator_kind.form(environment).parts(), has_storage), keeps)
+          << door;
     }
   }
 }

@@ -10,7 +10,7 @@
 #include "canvoy/canopen/testing/cable.hpp"
 #include "canvoy/devices/catalogue.hpp"
 #include "canvoy/devices/cia852/kinds.hpp"
-#include "canvoy/devices/program_place.hpp"
+#include "canvoy/devices/kit/program_place.hpp"
 
 namespace canvoy::cia852::operator_program_test {
 namespace {
@@ -21,12 +21,13 @@ constexpr SimulatedFlash::Geometry program_memory{.sector_size = 128, .sectors =
 class OperatorProgram : public testing::Test {
  protected:
   OperatorProgram() {
-    site.offer(Callback<OperatorEnvironment()>::to<&OperatorProgram::elements>(*this));
-    site.offer(Callback<ProgramPlace()>::to<&OperatorProgram::place>(*this));
+    environment.provide(Callback<OperatorEnvironment()>::to<&OperatorProgram::elements>(*this));
+    environment.provide(Callback<ProgramPlace()>::to<&OperatorProgram::place>(*this));
     begin();
   }
   void begin() {
-    device = std::make_unique<CatalogueDevice>(operator_kind, cable.port(0), NodeId{5}, site);
+    device =
+        std::make_unique<CatalogueDevice>(operator_kind, cable.port(0), NodeId{5}, environment);
     cable.connect(0, device->node());
     cable.start_all();
   }
@@ -44,7 +45,7 @@ class OperatorProgram : public testing::Test {
   SimulatedFlash memory{program_memory};
   std::vector<std::string> told;
   Cable cable;
-  Site site;
+  Environment environment;
   std::unique_ptr<CatalogueDevice> device;
 
  private:
@@ -66,7 +67,7 @@ class OperatorProgram : public testing::Test {
   }
 };
 
-/// Of "123456789" the CRC-32 is CBF43926h (1F56h).
+/// The CRC-32 of "123456789" is CBF43926h (1F56h).
 TEST_F(OperatorProgram, IsDownloadedInSegmentsAndStarted) {
   EXPECT_EQ(ask("40 50 1F 00 00 00 00 00"), "4F 50 1F 00 01 00 00 00") << "one program";
   EXPECT_EQ(ask("40 57 1F 01 00 00 00 00"), "43 57 1F 01 02 00 00 00") << "no valid program";
@@ -89,7 +90,7 @@ TEST_F(OperatorProgram, IsDownloadedInSegmentsAndStarted) {
   EXPECT_EQ(ask("40 56 1F 01 00 00 00 00"), "43 56 1F 01 26 39 F4 CB");
 }
 
-/// The same nine bytes in a block: their CRC is 31C3h.
+/// Nine bytes in a block: their CRC is 31C3h.
 TEST_F(OperatorProgram, IsDownloadedInABlock) {
   EXPECT_EQ(ask("2F 51 1F 01 03 00 00 00"), "60 51 1F 01 00 00 00 00");
   cable.run_for(1s);
@@ -116,11 +117,11 @@ TEST_F(OperatorProgram, IsRefusedWhereItDoesNotFitOrTheFlashWasNotCleared) {
   EXPECT_EQ(ask("40 01 64 01 00 00 00 00"), "4B 01 64 01 00 00 00 00");
 }
 
-/// Not asked for: not there.
+/// Not selected, so it does not exist.
 TEST(OperatorUnitWithoutProgram, HasNoObjectsOfIt) {
   Cable cable;
-  const Site site;
-  CatalogueDevice device(operator_kind, cable.port(0), NodeId{5}, site);
+  const Environment environment;
+  CatalogueDevice device(operator_kind, cable.port(0), NodeId{5}, environment);
   for (const std::uint16_t index :
        std::to_array<std::uint16_t>({0x1F50, 0x1F51, 0x1F52, 0x1F56, 0x1F57})) {
     EXPECT_FALSE(device.node().dictionary().find(index, 0)) << index;

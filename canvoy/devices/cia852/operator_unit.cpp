@@ -1,13 +1,13 @@
 #include "canvoy/devices/cia852/operator_unit.hpp"
 
 #include "canvoy/profiles/cia852/values.hpp"
-#include "canvoy/profiles/reactions.hpp"
+#include "canvoy/profiles/model/reactions.hpp"
 
 namespace canvoy::cia852 {
 
 namespace {
 
-/// The converters of CiA 401 have 32 bits, adjusted to the left.
+/// The converters of CiA 401 have 32 bits, left-adjusted.
 constexpr unsigned unused_bits = 16;
 constexpr std::int32_t to_left(std::int16_t value) {
   return std::int32_t{value} * (1 << unused_bits);
@@ -17,10 +17,10 @@ constexpr std::uint8_t directions_of_joystick = 0x07;  ///< Figure 5; the others
 
 }  // namespace
 
-constexpr HookCalls OperatorUnit::hook_calls[] = {
+constexpr AccessHandlers OperatorUnit::hook_calls[] = {
     after_write<&OperatorUnit::polarity_written, cia401::polarity_input_32_bit_object>};
-constexpr ServiceCalls OperatorUnit::service_calls = {.reset = method<&OperatorUnit::reset>,
-                                                      .hooks = hook_calls};
+constexpr ServiceHandlers OperatorUnit::service_calls = {.reset = method<&OperatorUnit::reset>,
+                                                         .hooks = hook_calls};
 
 OperatorUnit::OperatorUnit(Node& node, const OperatorMemory& memory,
                            const OperatorHardware& hardware, const OperatorSettings& settings)

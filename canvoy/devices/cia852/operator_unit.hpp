@@ -1,13 +1,13 @@
 // An operator environment interface module (CiA 852): joysticks, foot pedals, encoders, wheels,
-// push-buttons, indicators and displays as inputs and outputs of CiA 401, as far as the dictionary
-// has their objects.
+// push-buttons, indicators and displays as inputs and outputs of CiA 401, for the objects in the
+// dictionary.
 //
 //     OperatorUnit seat(node, memory, {.joystick_axis = ..., .show_indicators = ...}, {});
 //     seat.hardware_changed();    // something was moved or pressed, which is then told at once
 //
-// All PDOs are sent when the node becomes operational (12.1), and emergency 0080h says then that
+// All PDOs are sent when the node becomes operational (12.1), and emergency 0080h then reports that
 // analogue inputs cause no events, until 6423h allows it (8.6). Indicators and displays take their
-// error values as outputs of CiA 401 do (cia401/io_unit.hpp).
+// error values like outputs of CiA 401 (cia401/io_unit.hpp).
 #pragma once
 
 #include "canvoy/devices/cia401/io_unit.hpp"
@@ -17,8 +17,8 @@
 namespace canvoy::cia852 {
 
 struct OperatorSettings {
-  /// How often everything is looked at; zero: when the hardware says that it has changed. A press
-  /// that is shorter than this may be missed.
+  /// Period of readings; zero: read when the hardware reports a change. A shorter press may be
+  /// missed.
   Duration sensing_period = std::chrono::milliseconds(2);
   cia401::DigitalInputSettings digital = {};
   cia401::AnalogueInputSettings analogue = {};
@@ -31,15 +31,15 @@ struct OperatorMemory {
 
 class OperatorUnit {
  public:
-  /// What `hardware` and `memory` refer to must outlive this.
+  /// Everything to which `hardware` and `memory` refer must outlive this.
   OperatorUnit(Node& node, const OperatorMemory& memory, const OperatorHardware& hardware,
                const OperatorSettings& settings);
   OperatorUnit(const OperatorUnit&) = delete;
   OperatorUnit& operator=(const OperatorUnit&) = delete;
 
-  /// Has everything looked at when the node is called next.
+  /// Reads all inputs at the next call of the node.
   void hardware_changed();
-  /// Indicators and displays take their error values: the module has failed.
+  /// Sets indicators and displays to their error values: the module has failed.
   void fail() { io_.fail(); }
 
  private:
@@ -59,9 +59,9 @@ class OperatorUnit {
   cia401::IoUnit io_;
   EncoderInputs encoders_;
   bool has_encoders_;
-  static const HookCalls hook_calls[];
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};  ///< of encoders
+  static const AccessHandlers hook_calls[];
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};  ///< of encoders
   Timer timer_;
 };
 

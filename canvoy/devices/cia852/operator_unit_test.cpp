@@ -25,7 +25,7 @@ TEST_F(OperatorEverything, SaysWhatItHas) {
   EXPECT_EQ(ask("40 11 64 00 00 00 00 00"), "4F 11 64 00 60 00 00 00");
 }
 
-/// 11.2: X1X0b with joysticks that only move is not reachable here, since 6000h is there.
+/// X1X0b with joysticks that only move is not reachable here, since 6000h exists (11.2).
 TEST_F(OperatorRemote, SaysWhatItHas) {
   EXPECT_EQ(ask("40 00 10 00 00 00 00 00"), "43 00 10 00 91 01 81 90");
   EXPECT_EQ(ask("40 01 64 00 00 00 00 00"), "80 01 64 00 00 00 02 06");
@@ -49,7 +49,7 @@ TEST_F(OperatorSeat, ElementsThatAreNotThereHaveNoEntries) {
   EXPECT_EQ(ask("40 06 60 22 00 00 00 00"), "80 06 60 22 11 00 09 06");
 }
 
-// PDOs are off, and what they carry is there (clause 12).
+// PDOs are off, and their mapped objects exist (clause 12).
 
 TEST_F(OperatorEverything, AllPdosAreOffAtTheStart) {
   seat.axes[{1, 1}] = 100;
@@ -193,7 +193,7 @@ TEST(OperatorUnit, WithoutConfigurationIndicatorsAreWritten) {
   EXPECT_EQ(bench.ask("40 00 62 01 00 00 00 00"), "4F 00 62 01 05 00 00 00");
 }
 
-/// 12.1: all that are valid are sent once, whatever 6423h says.
+/// All valid ones are sent once, whatever 6423h says (12.1).
 TEST_F(OperatorSeat, PdosAreSentWhenItBecomesOperational) {
   enable_tpdo_1();
   cable.send("000#80 05");
@@ -214,7 +214,7 @@ TEST_F(OperatorEverything, EncodersCauseNoEventsWhereDigitalInputsDoNot) {
   EXPECT_EQ(ask("40 20 61 81 00 00 00 00"), "43 20 61 81 09 00 00 00");
 }
 
-/// What stands at the start is no event, also of the first.
+/// The state at the start is no event, also for the first.
 TEST_F(OperatorEverything, EncodersAreReadAtAReset) {
   seat.encoders[1] = 5;
   seat.encoders[8] = 7;
@@ -271,9 +271,26 @@ TEST_F(OperatorEverything, MasksOfAnEncoderSayWhichBitsAreEvents) {
   EXPECT_EQ(cable.count(0x1C6), 2u);
 }
 
+/// 6127h: bit 0 is sent each time that it is switched on, even if the TPDO last carried the same
+/// value.
+TEST_F(OperatorEverything, EachEventOfAnEncoderIsTold) {
+  write("23 1B 18 01 C6 01 00 00");
+  write("23 26 61 81 00 00 00 00");
+  write("23 27 61 81 01 00 00 00");
+  cable.clear();
+  for (unsigned i = 1; i <= 3; ++i) {
+    seat.encoders[1] = 1;
+    change();
+    EXPECT_EQ(cable.count(0x1C6), i);
+    seat.encoders[1] = 0;
+    change();
+    EXPECT_EQ(cable.count(0x1C6), i);
+  }
+}
+
 // By the period of sensing alone.
 
-/// A push-button of a device that looks at it each 2 ms.
+/// A push-button of a device that reads it every 2 ms.
 struct PolledButton : testing::Test {
   PolledButton() {
     cable.connect(0, device.node());
@@ -284,7 +301,7 @@ struct PolledButton : testing::Test {
     cable.clear();
   }
   std::uint8_t read(unsigned, unsigned group) { return group == 1 ? state : 0; }
-  /// All that is told of a press.
+  /// All messages of a press.
   std::vector<std::string> press(Duration down) {
     cable.clear();
     state = 0x04;
@@ -312,7 +329,7 @@ TEST_F(PolledButton, APressOfFiveMillisecondsIsToldByTheDefaultPeriod) {
   EXPECT_EQ(press(5ms), down_and_up);
 }
 
-/// At whichever moment between two looks it comes, and however long it lasts.
+/// At any moment between two readings, and with any duration.
 TEST_F(PolledButton, EachPressFromFiveMillisecondsOnIsToldExactlyOnce) {
   for (const Duration down : {Duration(5ms), Duration(5900us), Duration(6ms), Duration(50ms)}) {
     for (Duration phase{}; phase < Duration(2ms); phase += Duration(100us)) {
@@ -336,8 +353,8 @@ TEST(OperatorUnit, ADeviceThatIsCompiledHasTheEntriesOfTheCatalogue) {
   static_assert(all_of_seat == usual_elements);
   Cable cable;
   OperatorDevice<all_of_seat> compiled(cable.port(0), 5, {});
-  const Site site;
-  CatalogueDevice listed(operator_kind, cable.port(1), 5, site);
+  const Environment environment;
+  CatalogueDevice listed(operator_kind, cable.port(1), 5, environment);
   const Dictionary& dictionary = compiled.node().dictionary();
   unsigned found = 0;
   for (unsigned index = 0x1400; index <= 0x6FFF; ++index) {

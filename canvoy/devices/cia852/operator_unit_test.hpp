@@ -1,5 +1,5 @@
-// What tests of operator environments share: a seat as a test moves and sees it, and node 5 with
-// elements that are chosen when the test runs, at its wire.
+// Common parts of tests of operator environments: a seat that the test operates and observes, and
+// node 5 with elements selected at run time, on its wire.
 //
 //     OperatorBench bench({.joysticks = 1});
 //     bench.seat.axes[{1, 1}] = 100;
@@ -20,7 +20,7 @@
 
 namespace canvoy::cia852 {
 
-/// What an operator moves and sees.
+/// The operator's side: inputs and indications.
 struct OperatorSeatHands {
   std::map<std::pair<unsigned, unsigned>, std::int16_t> axes;
   std::map<unsigned, std::uint8_t> buttons;
@@ -68,7 +68,7 @@ struct OperatorSeatHands {
 
 inline constexpr std::uint32_t emergency = 0x085;
 
-/// Node 5, operational, with elements that are chosen when the test runs.
+/// Node 5, operational, with elements selected at run time.
 class OperatorBench {
  public:
   explicit OperatorBench(const OperatorEnvironment& has) : elements_(has), device(made()) {
@@ -92,7 +92,7 @@ class OperatorBench {
     return cable.last(0x585).substr(4);
   }
   void write(std::string_view request) { ASSERT_EQ(ask(request).substr(0, 2), "60") << request; }
-  /// Gives a PDO, by its COB-ID object, a CAN-ID.
+  /// Sets the CAN-ID of a PDO, by its COB-ID object.
   void enable_tpdo_1() { write("23 00 18 01 85 01 00 00"); }
   void enable_analogue() { write("2F 23 64 00 01 00 00 00"); }
 
@@ -106,15 +106,15 @@ class OperatorBench {
   OperatorSettings settings() { return {.sensing_period = Duration::zero()}; }
   void is_made(OperatorUnit& of, Node&) { unit = &of; }
   std::unique_ptr<CatalogueDevice> made() {
-    site_.offer(Callback<OperatorEnvironment()>::to<&OperatorBench::elements>(*this));
-    site_.offer(Callback<OperatorHardware()>::to<&OperatorBench::hardware>(*this));
-    site_.offer(Callback<OperatorSettings()>::to<&OperatorBench::settings>(*this));
-    site_.watch(Callback<void(OperatorUnit&, Node&)>::to<&OperatorBench::is_made>(*this));
-    return std::make_unique<CatalogueDevice>(operator_kind, cable.port(0), NodeId{5}, site_);
+    environment_.provide(Callback<OperatorEnvironment()>::to<&OperatorBench::elements>(*this));
+    environment_.provide(Callback<OperatorHardware()>::to<&OperatorBench::hardware>(*this));
+    environment_.provide(Callback<OperatorSettings()>::to<&OperatorBench::settings>(*this));
+    environment_.watch(Callback<void(OperatorUnit&, Node&)>::to<&OperatorBench::is_made>(*this));
+    return std::make_unique<CatalogueDevice>(operator_kind, cable.port(0), NodeId{5}, environment_);
   }
 
   OperatorEnvironment elements_;
-  Site site_;
+  Environment environment_;
 
  public:
   std::unique_ptr<CatalogueDevice> device;

@@ -1,5 +1,5 @@
-// All devices that the project builds, each with the hardware that its kind simulates: for tests of
-// what must hold of every one.
+// All devices of the project, each with the simulated hardware of its kind, for tests of rules that
+// apply to every device.
 //
 //     for (const DeviceKind* kind : every_device_kind()) {
 //       Cable cable;
@@ -13,37 +13,37 @@
 #include <vector>
 
 #include "canvoy/devices/catalogue.hpp"
-#include "canvoy/devices/cia417/kinds.hpp"
+#include "canvoy/devices/cia417/kit/kinds.hpp"
 
 namespace canvoy {
 
-/// Those of the catalogue, and the half of a lift controller that is on the bus of its group.
+/// The devices of the catalogue, and the half of a lift controller on the bus of its group.
 inline std::vector<const DeviceKind*> every_device_kind() {
   std::vector<const DeviceKind*> all(device_catalogue().begin(), device_catalogue().end());
   all.push_back(&cia417::group_member_kind);
   return all;
 }
 
-/// Its name, as GoogleTest wants it of a parameter.
+/// Its name, in the form that GoogleTest requires of a parameter.
 inline std::string test_name(const DeviceKind& kind) {
   std::string name(kind.info.name);
   std::ranges::replace(name, '-', '_');
   return name;
 }
 
-/// A device with its usual node-ID, in a lift of four floors.
+/// A device with its default node-ID, in a lift of four floors.
 class DeviceOfKind {
  public:
   DeviceOfKind(const Port& port, const DeviceKind& kind)
-      : device_(kind, port, kind.node_id(site_), site_) {}
+      : device_(kind, port, kind.node_id(environment_), environment_) {}
   Node& node() { return device_.node(); }
 
  private:
-  struct FourFloors : Site {
+  struct FourFloors : Environment {
     FourFloors() { floors = 4; }
   };
 
-  FourFloors site_;
+  FourFloors environment_;
   CatalogueDevice device_;
 };
 

@@ -1,5 +1,5 @@
-// A device of the catalogue and a foreign SDO client at the other end of its cable: for tests of
-// what it answers, by frames.
+// A device of the catalogue and a foreign SDO client at the other end of its cable, for tests of
+// its answers, by frames.
 //
 //     ForeignClient desk(*find_device_kind("charger"));
 //     desk.start();                                     // NMT state operational
@@ -19,7 +19,7 @@
 
 namespace canvoy {
 
-/// Expedited where a value has 1 to 4 bytes, else segmented with its size.
+/// Expedited for values of 1 to 4 bytes, otherwise segmented with their size.
 class ForeignClient {
  public:
   using Bytes = std::vector<std::uint8_t>;
@@ -88,20 +88,17 @@ class ForeignClient {
     return AbortCode{load<std::uint32_t>(answer.data.data() + 4)};
   }
 
-  Frame ask(std::array<std::uint8_t, 8> request) {
-    char text[48];
-    int length = std::snprintf(text, sizeof text, "%03X#", 0x600U + id());
-    for (const std::uint8_t byte : request) {
-      length += std::snprintf(text + length, sizeof text - static_cast<std::size_t>(length),
-                              "%02X ", byte);
-    }
-    text[length - 1] = '\0';
+  Frame ask(const std::array<std::uint8_t, 8>& request) {
+    Frame frame = Frame::data_frame(0x600U + id(), {});
+    frame.length = 8;
+    frame.data = request;
     cable_.clear();
-    cable_.send(text);
-    for (int i = 0; i < 100 && cable_.count(0x580U + id()) == 0; ++i) cable_.run_for(1ms);
-    const std::string answer = cable_.last(0x580U + id());
-    EXPECT_NE(answer, "") << text;
-    return answer.empty() ? wire_frame("580#80 00 00 00 00 00 00 00") : wire_frame(answer);
+    cable_.send(frame);
+    const std::uint32_t from_server = 0x580U + id();
+    for (int i = 0; i < 100 && cable_.count(from_server) == 0; ++i) cable_.run_for(1ms);
+    const Frame* const answer = cable_.last_frame(from_server);
+    EXPECT_NE(answer, nullptr) << wire_text(frame);
+    return answer == nullptr ? wire_frame("580#80 00 00 00 00 00 00 00") : *answer;
   }
 
   Cable cable_;

@@ -1,21 +1,21 @@
-// Where a device answers a foreign client otherwise than its data sheet alone would have it, and
-// why: each with the abort code that the clause, or our reading of it, demands.
+// Cases in which a device answers a foreign client differently from its data sheet, and the
+// reasons: each with the abort code that the clause, or our reading of it, requires.
 #pragma once
 
 #include <cstdint>
 #include <string_view>
 
-#include "canvoy/canopen/dictionary/abort_code.hpp"
+#include "canvoy/canopen/protocol/abort_code.hpp"
 
 namespace canvoy {
 
 struct ObjectRuling {
   enum class Case : std::uint8_t {
-    read,    ///< what may be read answers so
-    within,  ///< a value that the clause allows is answered so
-    beyond,  ///< a value beyond the range is answered so
+    read,    ///< answer to reading a readable object
+    within,  ///< answer to a value that the clause allows
+    beyond,  ///< answer to a value beyond the range
   };
-  unsigned profile = 0;  ///< of the device; 0: of any
+  unsigned profile = 0;  ///< of the device; 0: any
   std::uint16_t first = 0;
   std::uint16_t last = 0;
   Case what = Case::within;
@@ -42,7 +42,7 @@ constexpr ObjectRuling takes(const RuledObjects& objects, std::string_view reaso
   return {objects.profile, objects.first, objects.last, ObjectRuling::Case::beyond,
           AbortCode::none, reason};
 }
-/// With a code that does not speak of the range.
+/// With a code other than those for ranges.
 constexpr ObjectRuling refuses_beyond(const RuledObjects& objects, AbortCode answer,
                                       std::string_view reason) {
   return {objects.profile, objects.first, objects.last, ObjectRuling::Case::beyond, answer, reason};
@@ -65,8 +65,8 @@ inline constexpr ObjectRuling object_rulings[] = {
     takes({407, 0x6001, 0x6001}, "9.2.4: an event of a device that is none is told to nobody"),
     refuses({407, 0x6002, 0x6002}, AbortCode::value_range,
             "9.2.5: an event for another virtual device than is at this place"),
-    takes({407, 0x6108, 0x6108}, "a reserved direction says nothing"),
-    takes({407, 0x6104, 0x6104}, "a reserved class says nothing (errata 70)"),
+    takes({407, 0x6108, 0x6108}, "9.2.6.9: a reserved direction says nothing"),
+    takes({407, 0x6104, 0x6104}, "9.2.6.5: a reserved class says nothing (errata 70)"),
     refuses({407, 0x6201, 0x6201}, AbortCode::length_too_high,
             "9.2.8.2: a character has 256 bytes here"),
     refuses({407, 0x6205, 0x6205}, AbortCode::value_range,

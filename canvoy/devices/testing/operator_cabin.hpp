@@ -1,5 +1,5 @@
-// An operator environment with all elements at their maximum (CiA 852, 9.1), of which one input
-// after the other moves: for benchmarks, and for a test of what it may cost.
+// An operator environment with the maximum number of all elements (CiA 852, 9.1), of which one
+// input after the other moves: for benchmarks, and for a test of its cost.
 //
 //     OperatorCabin cabin(std::chrono::milliseconds(2));
 //     cabin.work();
@@ -14,7 +14,7 @@
 #include "canvoy/devices/catalogue.hpp"
 #include "canvoy/devices/cia852/kinds.hpp"
 #include "canvoy/devices/cia852/operator_unit.hpp"
-#include "canvoy/devices/site.hpp"
+#include "canvoy/devices/kit/environment.hpp"
 
 namespace canvoy::cia852 {
 
@@ -30,17 +30,17 @@ class OperatorCabin {
                                                      .configuration = true};
 
   explicit OperatorCabin(Duration sensing_period) : sensing_period_(sensing_period) {
-    site_.offer(Callback<OperatorEnvironment()>::to<&OperatorCabin::elements>(*this));
-    site_.offer(Callback<OperatorHardware()>::to<&OperatorCabin::hardware>(*this));
-    site_.offer(Callback<OperatorSettings()>::to<&OperatorCabin::settings>(*this));
-    site_.watch(Callback<void(OperatorUnit&, Node&)>::to<&OperatorCabin::is_made>(*this));
+    environment_.provide(Callback<OperatorEnvironment()>::to<&OperatorCabin::elements>(*this));
+    environment_.provide(Callback<OperatorHardware()>::to<&OperatorCabin::hardware>(*this));
+    environment_.provide(Callback<OperatorSettings()>::to<&OperatorCabin::settings>(*this));
+    environment_.watch(Callback<void(OperatorUnit&, Node&)>::to<&OperatorCabin::is_made>(*this));
     device_ = std::make_unique<CatalogueDevice>(operator_kind, Port{this, send, nullptr},
-                                                NodeId{10}, site_);
+                                                NodeId{10}, environment_);
     device_->node().start(now);
   }
 
   Node& node() { return device_->node(); }
-  /// All TPDOs are on, and analogue inputs cause events.
+  /// Enables all TPDOs and events of analogue inputs.
   void work() {
     write(0x6423, 0, 1, 1);
     std::uint32_t can_id = 0x181;
@@ -51,7 +51,7 @@ class OperatorCabin {
     run_to(now + std::chrono::milliseconds(10));
     sent = 0;
   }
-  /// One input moves: joysticks, pedals and wheels, and a push-button after each eighth of them.
+  /// Moves one input: joysticks, pedals and wheels, and a push-button after each eighth of them.
   void change() {
     ++moved_;
     if (moved_ % 8 == 0) {
@@ -104,7 +104,7 @@ class OperatorCabin {
   }
 
   Duration sensing_period_;
-  Site site_;
+  Environment environment_;
   std::unique_ptr<CatalogueDevice> device_;
   OperatorUnit* unit_ = nullptr;
   std::array<std::int16_t, 72> axes_{};

@@ -12,7 +12,7 @@ namespace {
 
 constexpr unsigned compact_pdos_max = 512;
 constexpr unsigned mapped_objects_max = 64;
-constexpr unsigned predefined_max = 4;  ///< that have a CAN-ID by the node-ID (CiA 301, 7.3.3)
+constexpr unsigned predefined_max = 4;  ///< PDOs with a CAN-ID from the node-ID (CiA 301, 7.3.3)
 constexpr auto record = static_cast<unsigned>(ObjectCode::record);
 
 /// A sub-index of a communication parameter (CiA 301, 7.5.2.35 and 7.5.2.37).

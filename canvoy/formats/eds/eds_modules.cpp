@@ -15,7 +15,7 @@ constexpr unsigned module_sub_last = 254;
 constexpr unsigned modules_max = 1024;
 constexpr std::size_t digits_of_index = 4;
 
-/// What a section of a module is called behind its number: `M12SubExt6000` is 12 and `SubExt6000`.
+/// Name of a section of a module after its number: `M12SubExt6000` is 12 and `SubExt6000`.
 struct ModulePart {
   unsigned module = 0;
   std::string_view name;
@@ -31,7 +31,7 @@ std::optional<ModulePart> module_part(std::string_view section) {
   return ModulePart{number, section.substr(end)};
 }
 
-/// The index, and the sub-index where there is one, behind a word: `Fixed2000sub1`.
+/// Index and optional sub-index after a word: `Fixed2000sub1`.
 struct Place {
   std::uint16_t index = 0;
   std::optional<std::uint8_t> sub;
@@ -94,7 +94,7 @@ class Modules {
     findings_.push_back({line, section, std::move(text), std::move(expected), weight});
   }
 
-  /// Nobody knows which of them a device has.
+  /// The modules of a device are unknown.
   void tell_offered() {
     const IniSection* offered = sheet_.section("SupportedModules");
     if (offered == nullptr) return;
@@ -118,7 +118,7 @@ class Modules {
     }
   }
 
-  /// `Input 4` of sub-index 04h is `Input`; nothing where the number does not stand there.
+  /// `Input 4` of sub-index 04h is `Input`; nothing if the number is not there.
   static std::optional<std::string> name_without(unsigned sub, std::string_view name) {
     const std::string number = std::to_string(sub);
     if (sub == 0 || !name.ends_with(number)) return std::nullopt;
@@ -172,7 +172,7 @@ class Modules {
     return found->second;
   }
 
-  /// `Count` entries more, behind those that are there.
+  /// Adds `Count` entries after the existing ones.
   void extend(const IniSection& section, std::uint16_t index) {
     const std::string_view text = section.value("Count").value_or("1");
     const auto count = sheet_number(text);
@@ -225,7 +225,7 @@ class Modules {
   Findings& findings_;
   std::map<unsigned, std::vector<const IniSection*>> parts_;  ///< of each module
   std::size_t told_ = 0;
-  std::size_t bytes_ = 0;  ///< that entries of modules take
+  std::size_t bytes_ = 0;  ///< size of the entries of modules
   std::set<std::uint16_t> extended_;
   std::set<std::uint16_t> described_;                     ///< in the file
   std::set<std::pair<std::uint16_t, std::string>> made_;  ///< entries of the file, without numbers

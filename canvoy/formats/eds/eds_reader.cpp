@@ -24,10 +24,10 @@ std::optional<unsigned> parse_unsigned(std::string_view text) {
   return fits ? std::optional(static_cast<unsigned>(number.number)) : std::nullopt;
 }
 
-/// What the name of a section says: `1018`, `1018sub1`, `1018Value`.
+/// Meaning of the name of a section: `1018`, `1018sub1`, `1018Value`.
 struct SectionPlace {
   unsigned index = 0;
-  std::string_view suffix;  ///< behind the index
+  std::string_view suffix;  ///< after the index
 };
 std::optional<SectionPlace> place_of(std::string_view name) {
   if (name.size() < index_digits) return std::nullopt;
@@ -36,14 +36,14 @@ std::optional<SectionPlace> place_of(std::string_view name) {
   return SectionPlace{*index, name.substr(index_digits)};
 }
 
-/// The sub-index that a suffix names, `sub1F`.
+/// The sub-index in a suffix: `sub1F`.
 std::optional<unsigned> sub_of(std::string_view suffix) {
   constexpr std::string_view word = "sub";
   if (!same_letters(suffix.substr(0, word.size()), word)) return std::nullopt;
   return parse_hex(suffix.substr(word.size()), 2);
 }
 
-/// The texts of an entry, by their keys.
+/// Texts of an entry by key.
 struct TextKey {
   std::string_view key;
   std::string SheetEntry::*member;
@@ -81,7 +81,7 @@ class Reader {
   }
 
  private:
-  /// An object of which the entries are not written out.
+  /// An object with entries that are not written out.
   struct Compact {
     std::uint16_t index = 0;
     unsigned count = 0;
@@ -97,7 +97,7 @@ class Reader {
 
   void complain(std::size_t line, std::string_view section, std::string text,
                 std::string expected = "", Finding::Weight weight = Finding::Weight::error) {
-    // Many warnings do not hide an error.
+    // Many warnings must not hide an error.
     std::size_t& told = weight == Finding::Weight::error ? errors_ : warnings_;
     if (told > findings_max) return;
     if (told++ == findings_max) {
@@ -211,7 +211,7 @@ class Reader {
     }
   }
 
-  /// An empty value is read as `otherwise`, as most tools do.
+  /// An empty value is read as `otherwise`, like most tools do.
   unsigned read_number(const IniSection& section, const IniLine& line, unsigned otherwise) {
     if (line.value.empty()) {
       warn(line.number, section.name,
@@ -307,7 +307,7 @@ class Reader {
     }
   }
 
-  /// What one entry takes that has all texts of its object.
+  /// Size of one entry with all texts of its object.
   static std::size_t bytes_of(const SheetEntry& entry) {
     std::size_t bytes = sizeof entry;
     for (const TextKey& text : text_keys) bytes += (entry.*text.member).size();
@@ -344,8 +344,7 @@ class Reader {
     own.pdo_mapping = false;
   }
 
-  /// `1003Value`: values, names or denotations of single entries of an object that is not written
-  /// out.
+  /// `1003Value`: values, names or denotations of single entries of a compact object.
   void read_compact_detail(const IniSection& section) {
     const SectionPlace place = *place_of(section.name);
     std::string SheetEntry::*member = same_letters(place.suffix, "Value") ? &SheetEntry::value
@@ -366,7 +365,7 @@ class Reader {
     }
   }
 
-  /// The entry of which the sub-index is this text, or null.
+  /// The entry with this text as sub-index, or null.
   static SheetEntry* find_sub(SheetObject& object, std::string_view text) {
     const auto sub = parse_unsigned(text);
     if (!sub || *sub > 0xFF) return nullptr;
@@ -393,7 +392,7 @@ class Reader {
   Findings& findings_;
   std::size_t errors_ = 0;
   std::size_t warnings_ = 0;
-  std::size_t compact_bytes_ = 0;  ///< that expanded objects take
+  std::size_t compact_bytes_ = 0;  ///< size of expanded objects
   DataSheet sheet_;
   std::set<std::string> seen_;
   std::vector<Compact> compacts_;

@@ -1,5 +1,5 @@
-// Reads EDS and DCF files (CiA 306), as forgiving as real ones need it: what can be understood is
-// taken, and each deviation becomes a finding.
+// Reads EDS and DCF files (CiA 306), tolerant of the deviations of real files: takes what can be
+// understood, and reports each deviation as a finding.
 //
 //     Findings findings;
 //     const DataSheet sheet = read_eds(text, findings);
@@ -8,15 +8,15 @@
 #include <string_view>
 #include <vector>
 
-#include "canvoy/formats/sheet/data_sheet.hpp"
+#include "canvoy/formats/eds/data_sheet.hpp"
 
 namespace canvoy::formats {
 
 using Findings = std::vector<Finding>;
 
-/// Any text is read, in the encodings of encoding.hpp; what is no EDS at all has no objects. At
-/// most `findings_max` errors and as many warnings are told, and one more of each that there are
-/// others. Objects whose entries are not written out (CompactSubObj) are expanded up to
+/// Reads any text, in the encodings of encoding.hpp; a text that is no EDS gives no objects.
+/// Reports at most `findings_max` errors and as many warnings, and one more of each if there are
+/// others. Expands objects with entries that are not written out (CompactSubObj), up to
 /// `compact_bytes_max` together.
 inline constexpr std::size_t findings_max = 10'000;
 inline constexpr std::size_t compact_bytes_max = 64 * 1024 * 1024;

@@ -1,5 +1,5 @@
-// What CiA 306 asks for, and how real files deviate from it: each deviation is read as its author
-// meant it, and told.
+// Requirements of CiA 306, and deviations of real files: each deviation is read as intended, and
+// reported.
 #include "canvoy/formats/eds/eds_reader.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ namespace {
 class EdsReader : public testing::Test {
  protected:
   DataSheet read(std::string_view text) { return read_eds(text, findings_); }
-  /// Whether there is a finding of this line and section with these words in it.
+  /// True if there is a finding for this line and section with these words in it.
   testing::AssertionResult found(std::size_t line, std::string_view section,
                                  std::string_view words) {
     std::string all;
@@ -189,7 +189,7 @@ TEST_F(EdsReader, AListNamesIndicesOf16Bits) {
   EXPECT_EQ(sheet.objects.at(0x1001).group, SheetObject::Group::not_listed);
 }
 
-/// Each of 1,000 objects asks for 254 entries with a name of 10,000 letters: 2.5 GB of 10 MB.
+/// Each of 1,000 objects needs 254 entries with a name of 10,000 letters: 2.5 GB from 10 MB.
 TEST_F(EdsReader, DoesNotExpandWhatNoMemoryHolds) {
   const std::string name(10'000, 'n');
   std::string text;
@@ -263,7 +263,7 @@ TEST_F(EdsReader, ReadsAnything) {
   }
 }
 
-// What was made of modules and of CompactPDO is written out, and not made again.
+// What was made from modules and CompactPDO is written out, and not made again.
 TEST(EdsModules, AreMadeOnce) {
   constexpr std::string_view text =
       "[DeviceInfo]\nCompactPDO=3\nNrOfRXPDO=1\nNrOfTXPDO=1\n[1000]\nParameterName=Type\n"

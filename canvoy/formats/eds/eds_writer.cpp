@@ -14,14 +14,14 @@ void add_text(IniSection& section, const char* key, const std::string& text) {
   if (!text.empty()) section.add(key, text);
 }
 
-/// What an entry says, but for the kind of its object.
+/// All texts of an entry except the kind of its object.
 void add_entry(IniSection& section, const SheetEntry& entry, bool configured) {
   if (entry.data_type != 0) section.add("DataType", fmt::format("0x{:04X}", entry.data_type));
   add_text(section, "AccessType", entry.access);
   add_text(section, "DefaultValue", entry.default_value);
   add_text(section, "LowLimit", entry.low_limit);
   add_text(section, "HighLimit", entry.high_limit);
-  // node-canopen refuses a domain with this key, whatever it says.
+  // node-canopen refuses a domain with this key, with any value.
   if (entry.data_type != 0 && entry.object_type != domain) {
     section.add("PDOMapping", entry.pdo_mapping ? "1" : "0");
   }
@@ -65,7 +65,7 @@ void add_group(Ini& file, const DataSheet& sheet, const char* name, SheetObject:
   }
 }
 
-/// Sections that stand before the objects in the files of others.
+/// Sections that precede the objects in files of other tools.
 bool stands_first(const IniSection& section) {
   return same_letters(section.name, "FileInfo") || same_letters(section.name, "DeviceInfo") ||
          section.name.empty();

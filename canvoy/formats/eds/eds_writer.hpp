@@ -1,14 +1,14 @@
-// Writes EDS and DCF files (CiA 306): all that a data sheet says, in the order in which others
-// expect it.
+// Writes EDS and DCF files (CiA 306): the whole content of a data sheet, in the order that other
+// tools expect.
 #pragma once
 
 #include <string>
 
-#include "canvoy/formats/sheet/data_sheet.hpp"
+#include "canvoy/formats/eds/data_sheet.hpp"
 
 namespace canvoy::formats {
 
-/// A DCF where the sheet has values, else an EDS.
+/// Writes a DCF if the sheet has values, else an EDS.
 std::string write_eds(const DataSheet& sheet);
 
 }  // namespace canvoy::formats

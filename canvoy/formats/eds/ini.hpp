@@ -1,5 +1,5 @@
-// INI files as EDS and DCF are (CiA 306): sections of keys and values, read so that all of it can
-// be written again: order, comments and what nobody knows included.
+// INI files in the form of EDS and DCF: sections of keys and values (CiA 306). Everything read can
+// be written again, including order, comments and unknown keys.
 //
 //     const Ini file = parse_ini(text);
 //     file.find("DeviceInfo")->value("vendornumber");  // case does not count
@@ -13,16 +13,16 @@
 
 namespace canvoy::formats {
 
-/// A line that sets a key. Of a comment or of a line that is neither, the key is empty, and the
-/// value is the whole line.
+/// A line that sets a key. Comments and other lines have an empty key; their value is the whole
+/// line.
 struct IniLine {
   std::string key = {};
   std::string value = {};
-  std::size_t number = 0;  ///< in the file, from 1 on; 0: it is not from a file
+  std::size_t number = 0;  ///< line in the file, from 1; 0: not from a file
 };
 
 struct IniSection {
-  std::string name;  ///< empty: what stands before the first section
+  std::string name;  ///< empty: the lines before the first section
   std::size_t number = 0;
   std::vector<IniLine> lines;
 
@@ -38,16 +38,16 @@ struct IniSection {
 struct Ini {
   std::vector<IniSection> sections;
 
-  /// The first section of this name, or null.
+  /// The first section with this name, or null.
   const IniSection* find(std::string_view name) const;
 };
 
-/// Whether two names are the same but for the case of their letters.
+/// True if two names are equal, ignoring case.
 bool same_letters(std::string_view a, std::string_view b);
 bool is_comment(const IniLine& line);
 
-/// Reads any text: a byte order mark, either kind of line ends, blanks around names, keys and
-/// values do not matter.
+/// Reads any text. Ignores a byte order mark and blanks around names, keys and values; accepts
+/// either kind of line ends.
 Ini parse_ini(std::string_view text);
 std::string write_ini(const Ini& file);
 

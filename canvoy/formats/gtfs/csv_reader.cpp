@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 
 namespace canvoy::gtfs {
 
@@ -29,7 +29,7 @@ CsvRead CsvReader::bad(std::string what) {
   return CsvRead::bad;
 }
 
-/// Reads a piece behind what is there. False: an error, which is told.
+/// Reads a piece after the buffered data. False: an error, which is reported.
 bool CsvReader::refill() {
   buffer_.erase(0, begin_);
   begin_ = 0;
@@ -48,7 +48,7 @@ bool CsvReader::refill() {
 bool CsvReader::begin_file() {
   is_begun_ = true;
   line_ = 1;
-  // More than one piece only where the first ones are very short.
+  // More than one piece is needed only if the first ones are very short.
   while (buffer_.size() < 3 && !is_all_here_) {
     if (!refill()) return false;
   }
@@ -61,15 +61,15 @@ bool CsvReader::begin_file() {
   return true;
 }
 
-/// The position of the line end that ends the row, quotation marks regarded; npos where it is not
-/// here yet.
+/// Position of the line end that ends the row, with regard to quotation marks; npos if it is not
+/// buffered yet.
 std::size_t CsvReader::quoted_row_end(std::size_t from) {
   bool is_quoted = false;
   bool is_field_start = true;
   for (std::size_t i = from; i < buffer_.size(); ++i) {
     const char c = buffer_[i];
     if (is_quoted) {
-      // The second one of two opens again what the first has closed.
+      // A second quotation mark reopens what the first has closed.
       if (c == '"') is_quoted = false;
       continue;
     }
@@ -88,7 +88,7 @@ std::size_t CsvReader::quoted_row_end(std::size_t from) {
   return is_all_here_ && !is_quoted ? buffer_.size() : std::string::npos;
 }
 
-/// Puts the next row into row_, without its line end. False: an error, which is told.
+/// Puts the next row into row_, without its line end. False: an error, which is reported.
 bool CsvReader::find_row() {
   while (true) {
     std::size_t end = buffer_.find('\n', begin_);
@@ -129,7 +129,7 @@ bool CsvReader::split_plain(std::string_view row) {
   }
 }
 
-/// Takes a field that begins with a quotation mark, and the comma behind it, off `rest`.
+/// Takes a quoted field, and the comma after it, off `rest`.
 bool CsvReader::take_quoted(std::string_view& rest) {
   const std::size_t start = unquoted_.size();
   rest.remove_prefix(1);
@@ -149,7 +149,7 @@ bool CsvReader::take_quoted(std::string_view& rest) {
 
 bool CsvReader::split_quoted(std::string_view row) {
   unquoted_.clear();
-  // What it gets is never longer than the row: its views stay valid.
+  // Its content is never longer than the row, so views stay valid.
   unquoted_.reserve(row.size());
   const char* const unquoted = unquoted_.data();
   while (true) {
@@ -159,7 +159,7 @@ bool CsvReader::split_quoted(std::string_view row) {
         bad("text behind a closing quotation mark");
         return false;
       }
-      must_hold(unquoted_.data() == unquoted);
+      check_invariant(unquoted_.data() == unquoted);
     } else {
       const std::size_t comma = std::min(row.find(','), row.size());
       fields_.push_back(trimmed(row.substr(0, comma)));

@@ -20,7 +20,7 @@ struct Row {
   friend bool operator==(const Row&, const Row&) = default;
 };
 
-/// Rows as they were read, and what was wrong at the end.
+/// Rows, and the error at the end.
 struct Outcome {
   std::vector<Row> rows;
   std::string problem;
@@ -109,7 +109,7 @@ TEST(CsvReader, ARowMayHave65536BytesAndNoMore) {
             "more than 65536 bytes in one row; is a quotation mark missing?");
 }
 
-/// Of 256 KiB, in which the file is read: a row that lies across their border.
+/// A row across the border of two pieces of 256 KiB.
 TEST(CsvReader, ARowMayLieAcrossTheBorderOfTwoPieces) {
   std::string text;
   while (text.size() < 262'100) text += "12345678,abcdefgh\n";

@@ -1,5 +1,5 @@
-// What a GTFS feed (gtfs.org, Schedule reference) says of one route: plain data, without a way to
-// read it (feed_reader.hpp), so that who simulates it needs no file.
+// Content of a GTFS feed (gtfs.org, Schedule reference) for one route. Plain data; feed_reader.hpp
+// reads it, so a simulation needs no file.
 //
 //     const Trip& trip = feed.trips.front();
 //     feed.stops[trip.calls.front().stop].name;
@@ -18,16 +18,16 @@ namespace canvoy::gtfs {
 
 /// A day of service.
 using Date = std::chrono::year_month_day;
-/// Since noon minus twelve hours of the day of service; above 24 h after its midnight.
+/// Time since noon minus twelve hours of the day of service; above 24 h after its midnight.
 using TimeOfDay = std::chrono::seconds;
 
-/// Where something is that is not there.
+/// Index of a missing element.
 inline constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 struct Agency {
   std::string id{};
   std::string name{};
-  std::string timezone{};  ///< as the TZ database has it
+  std::string timezone{};  ///< from the TZ database
   std::string language{};
 };
 
@@ -41,7 +41,7 @@ struct FeedInfo {
 
 struct Stop {
   std::string id{};
-  std::string code{};  ///< short, as passengers know it
+  std::string code{};  ///< short, for passengers
   std::string name{};
   std::string zone{};    ///< of fares
   double latitude = 0;   ///< WGS 84, degrees
@@ -64,18 +64,18 @@ enum class Exchange : std::uint8_t { regular = 0, not_offered = 1, by_phone = 2,
 /// A stop time: a trip calls at a stop.
 struct Call {
   std::size_t stop = none;             ///< of Feed::stops
-  std::optional<TimeOfDay> arrival{};  ///< empty: between those that have one
+  std::optional<TimeOfDay> arrival{};  ///< empty: between the calls with a time
   std::optional<TimeOfDay> departure{};
   std::optional<double> shape_distance{};  ///< in the unit of the shape
-  std::uint32_t sequence = 0;              ///< rising along the trip, with gaps
+  std::uint32_t sequence = 0;              ///< increasing along the trip, with gaps
   std::uint32_t line = 0;                  ///< of stop_times.txt
   Exchange boarding = Exchange::regular;
   Exchange alighting = Exchange::regular;
-  bool is_timing_point = true;  ///< its times are kept
-  std::string headsign{};       ///< from here on; empty: that of the trip
+  bool is_timing_point = true;  ///< departure times are kept
+  std::string headsign{};       ///< shown from this stop on; empty: that of the trip
 };
 
-/// A trip that runs again and again instead of at the times of its calls.
+/// A trip that repeats at intervals instead of at the times of its calls.
 struct Frequency {
   TimeOfDay start{};
   TimeOfDay end{};
@@ -84,10 +84,11 @@ struct Frequency {
 
 struct Trip {
   std::string id{};
+  std::size_t other_route = none;  ///< index in Feed::other_routes; none: the route itself
   std::string service{};
   std::string headsign{};
   std::string short_name{};
-  std::string block{};  ///< trips of a block are driven by one vehicle
+  std::string block{};  ///< one vehicle drives all trips of a block
   std::optional<std::uint8_t> direction{};
   std::size_t shape = none;   ///< of Feed::shapes
   std::vector<Call> calls{};  ///< in the order of their sequence
@@ -97,7 +98,7 @@ struct Trip {
 struct ShapePoint {
   double latitude = 0;
   double longitude = 0;
-  std::optional<double> distance;  ///< in a unit of the feed's choice
+  std::optional<double> distance;  ///< in a unit that the feed chooses
   std::uint32_t sequence = 0;
 };
 
@@ -106,7 +107,7 @@ struct Shape {
   std::vector<ShapePoint> points{};
 };
 
-/// On which days trips run.
+/// Days on which trips run.
 struct Service {
   std::string id{};
   std::uint8_t weekdays = 0;  ///< bit 0 is Monday
@@ -126,16 +127,23 @@ struct Service {
   }
 };
 
-/// All that belongs to one route.
+/// Content for one route, with the trips of other routes that its vehicles drive in the same
+/// blocks.
 struct Feed {
   Agency agency{};
   FeedInfo info{};
   Route route{};
+  std::vector<Route> other_routes{};  ///< of trips in the same blocks
   std::vector<Stop> stops{};
   std::vector<Trip> trips{};
   std::vector<Shape> shapes{};
   std::vector<Service> services{};
+  std::vector<std::string> notes{};  ///< what was omitted and why, one line each
 
+  /// The route of a trip of this feed.
+  const Route& route_of(const Trip& trip) const {
+    return trip.other_route == none ? route : other_routes[trip.other_route];
+  }
   const Service* service(const std::string& id) const {
     const auto found = std::find_if(services.begin(), services.end(),
                                     [&](const Service& each) { return each.id == id; });

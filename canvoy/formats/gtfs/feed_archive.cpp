@@ -30,7 +30,7 @@ Error no_zip(const std::string& name, zip_error_t& error) {
 }  // namespace
 
 void CloseFile::operator()(std::FILE* file) const {
-  // What was only read has nothing to lose.
+  // A file that was only read has nothing to lose.
   static_cast<void>(std::fclose(file));
 }
 void CloseZipFile::operator()(::zip_file* file) const {
@@ -119,7 +119,7 @@ Result<FeedFile> FeedArchive::file_of_folder(const std::string& path) const {
   std::error_code problem;
   const auto status = std::filesystem::status(path, problem);
   if (!std::filesystem::exists(status)) return FeedFile(path, std::monostate{});
-  // A pipe would be waited for.
+  // Reading a pipe would block.
   if (!std::filesystem::is_regular_file(status)) return Error{path, "no plain file", {}};
   std::FILE* const file = std::fopen(path.c_str(), "rb");
   if (file == nullptr) return Error{path, system_text(errno), {}};
@@ -129,7 +129,7 @@ Result<FeedFile> FeedArchive::file_of_folder(const std::string& path) const {
 Result<FeedFile> FeedArchive::file_of_zip(::zip* archive, const std::string& file,
                                           std::string shown) const {
   zip_int64_t index = zip_name_locate(archive, file.c_str(), 0);
-  // Some makers pack the folder with its files.
+  // Some archives contain the folder with its files.
   if (index < 0) index = zip_name_locate(archive, file.c_str(), ZIP_FL_NODIR);
   if (index < 0) return FeedFile(std::move(shown), std::monostate{});
   zip_file_t* const opened = zip_fopen_index(archive, static_cast<zip_uint64_t>(index), 0);

@@ -1,5 +1,4 @@
-// A GTFS feed as its files: a folder, a zip archive, or texts in memory; each file is read in
-// pieces.
+// A GTFS feed as files: a folder, a zip archive, or texts in memory. Each file is read in pieces.
 //
 //     Result<FeedArchive> archive = FeedArchive::open("feed.zip");
 //     Result<FeedFile> stops = archive->file("stops.txt");
@@ -25,7 +24,7 @@ struct zip_file;
 
 namespace canvoy::gtfs {
 
-/// How much of a file is read at most, in bytes: what is longer unpacked is no timetable.
+/// Maximum number of bytes read from a file; a longer unpacked file is not a timetable.
 inline constexpr std::uint64_t file_bytes_max = 16ULL << 30;
 
 struct CloseFile {
@@ -38,13 +37,14 @@ struct CloseZip {
   void operator()(::zip* archive) const;
 };
 
-/// One file of a feed; it must not outlive its archive.
+/// One file of a feed. The archive must outlive it.
 class FeedFile {
  public:
-  /// How many bytes have been read; 0 at the end. Errors: what the system or the archive says.
+  /// Reads the next bytes; returns their number, 0 at the end. Errors: those of the system or the
+  /// archive.
   host::Result<std::size_t> read(std::span<char> room);
   bool is_there() const { return !std::holds_alternative<std::monostate>(source_); }
-  /// For people: `feed.zip/stops.txt`.
+  /// Name for messages: `feed.zip/stops.txt`.
   const std::string& name() const { return name_; }
 
  private:
@@ -62,16 +62,16 @@ class FeedFile {
 
 class FeedArchive {
  public:
-  /// A folder, or a file that is a zip archive. Errors: it is neither, or cannot be read.
+  /// Opens a folder or a zip archive. Errors: it is neither, or cannot be read.
   static host::Result<FeedArchive> open(const std::string& path);
-  /// The bytes of a zip archive; they must outlive this. `name` stands for it in errors.
+  /// Opens the bytes of a zip archive, which must outlive this. `name` stands for it in errors.
   static host::Result<FeedArchive> of_zip(std::span<const std::uint8_t> bytes, std::string name);
-  /// Files by their names.
+  /// Makes an archive of texts by file name.
   static FeedArchive of_texts(std::map<std::string, std::string, std::less<>> texts,
                               std::string name = "feed");
 
-  /// A file that is not there is no error: is_there() tells. In a zip archive it may stand in a
-  /// folder.
+  /// Opens a file. A missing file is not an error: is_there() is false. In a zip archive the file
+  /// may be in a folder.
   host::Result<FeedFile> file(std::string_view name) const;
   const std::string& name() const { return name_; }
 

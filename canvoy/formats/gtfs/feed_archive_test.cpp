@@ -40,7 +40,7 @@ std::vector<std::uint8_t> zip_of(const std::vector<Entry>& entries) {
   return bytes;
 }
 
-/// All of a file, in pieces of 7 bytes; or the error.
+/// The content of a file, read in pieces of 7 bytes; or the error.
 std::string content(const FeedArchive& archive, std::string_view name) {
   host::Result<FeedFile> file = archive.file(name);
   if (!file) return "error: " + file.error().line();

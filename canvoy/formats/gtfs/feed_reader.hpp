@@ -1,5 +1,5 @@
-// Reads a GTFS feed, from a folder or a zip archive. Of a city's feed with all its trips, the one
-// route is kept that is wanted.
+// Reads a GTFS feed from a folder or a zip archive. Keeps the requested route of a feed with all
+// trips of a city.
 //
 //     Result<Feed> feed = read_feed("feed.zip", "42");
 //     if (!feed) return fail(feed.error().line());   // feed.zip/stops.txt line 7: stop_lat: ...
@@ -16,20 +16,20 @@
 
 namespace canvoy::gtfs {
 
-/// What is kept at most; a feed with more for one route is refused.
+/// Maximum number of trips kept; a feed with more for one route is refused.
 inline constexpr std::size_t trips_max = 200'000;
 inline constexpr std::size_t calls_max = 4'000'000;
 inline constexpr std::size_t shape_points_max = 4'000'000;
 inline constexpr std::size_t routes_max = 1'000'000;
 inline constexpr std::size_t exceptions_max = 4'000'000;
 
-/// The routes in the order of the file.
+/// Reads the routes in the order of the file.
 host::Result<std::vector<Route>> read_routes(const FeedArchive& archive);
 
-/// The route of this id, or else the only one of this short name; where it is empty, the only
-/// route there is. agency.txt, stops.txt, routes.txt, trips.txt, stop_times.txt and one of
-/// calendar.txt and calendar_dates.txt must be there; shapes.txt, frequencies.txt and feed_info.txt
-/// may be. Errors: file and line of the first thing that is wrong.
+/// Reads the route with this id, or else the only route with this short name; if `route` is empty,
+/// the only route. Required: agency.txt, stops.txt, routes.txt, trips.txt, stop_times.txt and one
+/// of calendar.txt and calendar_dates.txt. Optional: shapes.txt, frequencies.txt and feed_info.txt.
+/// Errors: file and line of the first error.
 host::Result<Feed> read_feed(const FeedArchive& archive, std::string_view route);
 host::Result<Feed> read_feed(const std::string& path, std::string_view route);
 

@@ -140,12 +140,12 @@ TEST(FeedReader, ServicesRunOnTheirWeekdaysAndOnNoOthers) {
   const auto runs = [&](unsigned d) {
     return feed->runs_on(feed->trips[0], year(2026) / November / day(d));
   };
-  EXPECT_FALSE(runs(23));  // a Monday that is taken away
+  EXPECT_FALSE(runs(23));  // a Monday that is removed
   EXPECT_TRUE(runs(24));
   EXPECT_TRUE(runs(27));
   EXPECT_TRUE(runs(28));  // a Saturday that is added
   EXPECT_FALSE(runs(29));
-  EXPECT_FALSE(feed->runs_on(feed->trips[0], year(2026) / 10 / 30));  // before its time
+  EXPECT_FALSE(feed->runs_on(feed->trips[0], year(2026) / 10 / 30));  // before its start
   EXPECT_FALSE(feed->runs_on(feed->trips[0], year(2027) / 1 / 1));
 }
 
@@ -228,15 +228,15 @@ TEST(FeedReader, WhatIsWrongIsToldWithFileLineAndColumn) {
 TEST(FeedReader, ATextThatIsShownCommandsNoTerminal) {
   const host::Result<Feed> feed = read(with("stops.txt",
                                             "stop_id,stop_name,stop_lat,stop_lon\na,\x1B[2J,1,1\n"
-                                            "b,Caf\xE9,1,1\nc,Z\xC3\xBC"
+                                            "b,\xE2\x80\xAE,1,1\nc,Z\xC3\xBC"
                                             "rich,1,1\n"));
-  ASSERT_TRUE(feed);
-  // In the order in which stop_times.txt has them first: a, c, b.
+  ASSERT_TRUE(feed) << feed.error().line();
+  // In the order of their first occurrence in stop_times.txt: a, c, b.
   EXPECT_EQ(feed->stops[0].name, "\\x1B[2J");
   EXPECT_EQ(feed->stops[1].name,
             "Z\xC3\xBC"
             "rich");
-  EXPECT_EQ(feed->stops[2].name, "Caf\\xE9");
+  EXPECT_EQ(feed->stops[2].name, "\\xE2\\x80\\xAE") << "from right to left";
 }
 
 TEST(FeedReader, OfManyTripsOnlyThoseOfTheRouteAreKept) {

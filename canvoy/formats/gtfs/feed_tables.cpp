@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <unordered_set>
 #include <utility>
 
 #include "canvoy/formats/gtfs/feed_reader.hpp"
@@ -23,14 +24,22 @@ using std::string_view;
 constexpr std::uint32_t number_max = 0xFFFF'FFFF;
 constexpr double distance_max = 1e9;
 constexpr std::uint32_t day_s = 24 * 3600;
-/// No id is longer in life, and each is kept.
+/// Longer than any real id; each id is kept.
 constexpr std::size_t id_bytes_max = 1024;
 
-/// An id that must be there.
+/// An id, which is required.
 std::string id_of(Table& table, std::size_t column) {
   const string_view id = table.needed(column);
+  table.check_utf8(column);
   if (id.size() > id_bytes_max) table.fail(column, "longer than 1024 bytes");
   return std::string(id.substr(0, id_bytes_max));
+}
+
+/// 0, 0 is in the Gulf of Guinea, without buses: feeds write it for a missing position.
+void check_place(Table& table, std::size_t latitude, std::size_t longitude) {
+  const bool is_nowhere =
+      parse_number(table.text(latitude)) == 0.0 && parse_number(table.text(longitude)) == 0.0;
+  if (is_nowhere) table.fail(latitude, "0, and stop_lon 0 too: the place of the stop is missing");
 }
 
 Exchange exchange_of(Table& table, std::size_t column) {
@@ -122,10 +131,11 @@ constexpr std::array<string_view, 8> names = {"route_id",      "service_id",    
                                               "block_id",      "shape_id"};
 }  // namespace trip_column
 
-void FeedTables::read_trip(Table& table) {
+void FeedTables::read_trip(Table& table, std::size_t other_route) {
   namespace column = trip_column;
   if (feed.trips.size() == trips_max) return table.fail_file("too many trips of one route");
   Trip trip{.id = id_of(table, column::id),
+            .other_route = other_route,
             .service = id_of(table, column::service),
             .headsign = table.shown(column::headsign),
             .short_name = table.shown(column::short_name),
@@ -150,7 +160,30 @@ Result<void> FeedTables::read_trips() {
   Result<Table> table = open_needed("trips.txt", trip_column::names);
   if (!table) return table.error();
   while (table->next()) {
-    if (table->needed(trip_column::route) == feed.route.id) read_trip(*table);
+    if (table->needed(trip_column::route) == feed.route.id) read_trip(*table, none);
+  }
+  return done(*table);
+}
+
+Result<void> FeedTables::read_trips_of_blocks(const std::vector<Route>& routes) {
+  std::unordered_set<std::string> blocks;
+  for (const Trip& trip : feed.trips) {
+    if (!trip.block.empty()) blocks.insert(trip.block);
+  }
+  if (blocks.empty()) return {};
+  Result<Table> table = open_needed("trips.txt", trip_column::names);
+  if (!table) return table.error();
+  std::unordered_map<std::string, std::size_t> used;
+  while (table->next()) {
+    const std::string id(table->text(trip_column::route));
+    if (id == feed.route.id || !blocks.contains(std::string(table->text(trip_column::block)))) {
+      continue;
+    }
+    const auto route = std::ranges::find(routes, id, &Route::id);
+    if (route == routes.end()) continue;
+    const auto [place, is_new] = used.try_emplace(id, feed.other_routes.size());
+    if (is_new) feed.other_routes.push_back(*route);
+    read_trip(*table, place->second);
   }
   return done(*table);
 }
@@ -166,14 +199,32 @@ enum : std::size_t {
   boarding,
   alighting,
   distance,
-  timing_point
+  timing_point,
+  group,
+  area,
+  window
 };
-constexpr std::array<string_view, 10> names = {
-    "trip_id",     "arrival_time",  "departure_time",
-    "stop_id",     "stop_sequence", "stop_headsign",
-    "pickup_type", "drop_off_type", "shape_dist_traveled",
-    "timepoint"};
+constexpr std::array<string_view, 13> names = {"trip_id",
+                                               "arrival_time",
+                                               "departure_time",
+                                               "stop_id",
+                                               "stop_sequence",
+                                               "stop_headsign",
+                                               "pickup_type",
+                                               "drop_off_type",
+                                               "shape_dist_traveled",
+                                               "timepoint",
+                                               "location_group_id",
+                                               "location_id",
+                                               "start_pickup_drop_off_window"};
 }  // namespace call_column
+
+/// GTFS-Flex: an area or a group of stops, which a vehicle visits on demand within a time window.
+bool is_area(const Table& table) {
+  namespace column = call_column;
+  const bool has_area = !table.text(column::group).empty() || !table.text(column::area).empty();
+  return !table.text(column::window).empty() || (has_area && table.text(column::stop).empty());
+}
 
 Call FeedTables::read_call(Table& table) {
   namespace column = call_column;
@@ -203,7 +254,7 @@ Result<void> FeedTables::read_calls() {
   Result<Table> table = open_needed("stop_times.txt", call_column::names);
   if (!table) return table.error();
   std::size_t count = 0;
-  // The calls of a trip mostly stand together.
+  // The calls of a trip are usually adjacent.
   std::string last_id;
   std::size_t last = none;
   while (table->next()) {
@@ -213,11 +264,29 @@ Result<void> FeedTables::read_calls() {
       last = find(trips_, id);
     }
     if (last == none) continue;
+    if (is_area(*table)) {
+      skip_area(*table);
+      continue;
+    }
     if (++count > calls_max) table->fail_file("too many stop times of one route");
     feed.trips[last].calls.push_back(read_call(*table));
   }
   if (const auto& error = table->error(); error) return *error;
+  note_areas();
   return check_calls();
+}
+
+void FeedTables::skip_area(const Table& table) {
+  if (areas_++ == 0) first_area_line_ = table.line();
+}
+
+void FeedTables::note_areas() {
+  if (areas_ == 0) return;
+  feed.notes.push_back(fmt::format(
+      "{}/stop_times.txt line {}: {} of the route on demand, without a stop and its "
+      "times (GTFS-Flex): left out",
+      archive_->name(), first_area_line_,
+      areas_ == 1 ? std::string("a row") : fmt::format("the first of {} rows", areas_)));
 }
 
 Result<void> FeedTables::check_calls() {
@@ -229,7 +298,7 @@ Result<void> FeedTables::check_calls() {
   return {};
 }
 
-/// Sequences rise, times do not fall, and both ends have some.
+/// Checks that sequences increase, times do not decrease, and both ends have times.
 Result<void> FeedTables::check_trip(Trip& trip) const {
   const auto wrong = [&](const Call& call, string_view what) {
     return Error{fmt::format("{}/stop_times.txt line {}", archive_->name(), call.line),
@@ -268,6 +337,7 @@ Result<void> FeedTables::read_stops() {
     is_known[place] = true;
     table->needed(latitude);
     table->needed(longitude);
+    check_place(*table, latitude, longitude);
     Stop& stop = feed.stops[place];
     stop.code = table->shown(code);
     stop.name = table->shown(name);
@@ -289,7 +359,7 @@ Result<void> FeedTables::check_stops(const std::vector<bool>& is_known) const {
       {}};
 }
 
-// The optional files: on which days trips run, how often, and along which way.
+// The optional files: days of operation, frequencies, and shapes.
 
 Result<void> FeedTables::read_services() {
   bool has_calendar = false;

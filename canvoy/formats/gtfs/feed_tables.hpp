@@ -1,5 +1,5 @@
-// The files of a GTFS feed one after the other, into the Feed of one route: each takes of its file
-// what those before it have asked for.
+// Reads the files of a GTFS feed in sequence into the Feed of one route. Each function takes the
+// rows that the previous ones need.
 //
 //     FeedTables tables(archive);
 //     tables.feed.route = route;
@@ -24,10 +24,12 @@ class FeedTables {
  public:
   explicit FeedTables(const FeedArchive& archive) : archive_(&archive) {}
 
-  /// The one of the route, or the first one.
+  /// Reads the agency of the route, or the first one.
   host::Result<void> read_agency();
   host::Result<void> read_info();
   host::Result<void> read_trips();
+  /// Reads the trips of `routes` that are in a block with a trip of the route.
+  host::Result<void> read_trips_of_blocks(const std::vector<Route>& routes);
   host::Result<void> read_calls();
   host::Result<void> read_stops();
   host::Result<void> read_services();
@@ -48,10 +50,12 @@ class FeedTables {
   host::Result<Table> open_needed(std::string_view name,
                                   std::span<const std::string_view> columns) const;
   host::Result<void> done(const Table& table) const;
-  /// Where `id` stands, or `none`.
+  /// Position of `id`, or `none`.
   static std::size_t find(const Places& places, std::string_view id);
-  void read_trip(Table& table);
+  void read_trip(Table& table, std::size_t other_route);
   Call read_call(Table& table);
+  void skip_area(const Table& table);
+  void note_areas();
   host::Result<void> check_calls();
   host::Result<void> check_trip(Trip& trip) const;
   host::Result<void> check_stops(const std::vector<bool>& is_known) const;
@@ -61,7 +65,9 @@ class FeedTables {
   const FeedArchive* archive_;
   Places trips_;
   Places stops_;
-  std::vector<std::size_t> stop_lines_;  ///< of stop_times.txt, where each was asked for first
+  std::vector<std::size_t> stop_lines_;  ///< of stop_times.txt, of the first reference to each stop
+  std::size_t areas_ = 0;                ///< rows of stop_times.txt without a stop
+  std::size_t first_area_line_ = 0;
   Places services_;
   Places shapes_;
 };

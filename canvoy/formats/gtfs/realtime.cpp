@@ -9,7 +9,7 @@ namespace canvoy::gtfs {
 
 namespace {
 
-// The numbers of the fields, as gtfs-realtime.proto has them.
+// Field numbers of gtfs-realtime.proto.
 enum class Message : protozero::pbf_tag_type { header = 1, entity = 2 };
 enum class Header : protozero::pbf_tag_type { version = 1, incrementality = 2, timestamp = 3 };
 enum class Entity : protozero::pbf_tag_type { id = 1, trip_update = 3, vehicle = 4 };
@@ -138,7 +138,7 @@ void write(Builder<TripUpdate> out, const TripReport& report) {
   if (report.delay_s) out.add_int32(Field::delay, *report.delay_s);
 }
 
-/// The same trip runs again on another day, and within a day where frequencies.txt has it.
+/// A trip runs again on another day, and within a day if frequencies.txt has it.
 std::string entity_id(const TripReference& trip) {
   std::string id = "trip-" + trip.trip;
   if (trip.start_date) id += "-" + date_text(*trip.start_date);

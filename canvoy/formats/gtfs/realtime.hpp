@@ -1,5 +1,5 @@
-// A GTFS-Realtime feed message (gtfs.org, Realtime reference, version 2.0): where vehicles are and
-// how full, and how late their trips. Written as protobuf, for a file or whoever asks.
+// Writes a GTFS-Realtime feed message as protobuf (gtfs.org, Realtime reference, version 2.0):
+// positions and occupancy of vehicles, and delays of trips.
 //
 //     RealtimeFeed feed{.timestamp = 1'795'449'600, .vehicles = {...}, .trips = {...}};
 //     const std::string bytes = realtime_bytes(feed);
@@ -14,18 +14,18 @@
 
 namespace canvoy::gtfs {
 
-/// The trip of a schedule that is meant.
+/// The trip of a schedule.
 struct TripReference {
   std::string trip{};   ///< trip_id
   std::string route{};  ///< route_id
   std::optional<std::uint8_t> direction{};
   std::optional<Date> start_date{};       ///< the day of service
-  std::optional<TimeOfDay> start_time{};  ///< needed where frequencies.txt has the trip
+  std::optional<TimeOfDay> start_time{};  ///< required if frequencies.txt has the trip
 };
 
 struct VehicleReference {
   std::string id{};
-  std::string label{};  ///< what passengers read on it
+  std::string label{};  ///< shown to passengers
 };
 
 enum class StopStatus : std::uint8_t { incoming_at = 0, stopped_at = 1, in_transit_to = 2 };
@@ -44,21 +44,21 @@ enum class Occupancy : std::uint8_t {
 
 struct VehicleReport {
   VehicleReference vehicle{};
-  std::optional<TripReference> trip{};  ///< empty: it is on none
-  std::optional<double> latitude{};     ///< WGS 84, degrees; without both it has no position
+  std::optional<TripReference> trip{};  ///< empty: not on a trip
+  std::optional<double> latitude{};     ///< WGS 84, degrees; both are needed for a position
   std::optional<double> longitude{};
-  std::optional<double> bearing{};     ///< degrees from north, clockwise
+  std::optional<double> bearing{};     ///< degrees clockwise from north
   std::optional<double> odometer_m{};  ///< of the vehicle
   std::optional<double> speed_m_s{};
-  std::optional<std::uint32_t> stop_sequence{};  ///< of the stop that `status` means
+  std::optional<std::uint32_t> stop_sequence{};  ///< of the stop that `status` refers to
   std::string stop{};                            ///< stop_id
   std::optional<StopStatus> status{};
   std::optional<Occupancy> occupancy{};
-  std::optional<std::uint32_t> occupancy_percent{};  ///< above 100 where it is overcrowded
+  std::optional<std::uint32_t> occupancy_percent{};  ///< above 100 if overcrowded
   std::uint64_t timestamp = 0;                       ///< POSIX time; 0: unknown
 };
 
-/// Of a stop of a trip: late is positive; times are POSIX times, those of a forecast as well.
+/// Times at a stop of a trip: a positive delay is late; times are POSIX times, also of forecasts.
 struct StopReport {
   std::uint32_t sequence = 0;
   std::string stop{};  ///< stop_id
@@ -72,19 +72,19 @@ struct StopReport {
 struct TripReport {
   TripReference trip{};
   VehicleReference vehicle{};
-  std::vector<StopReport> stops{};        ///< with rising sequences
+  std::vector<StopReport> stops{};        ///< in increasing sequence
   std::optional<std::int32_t> delay_s{};  ///< of the trip as a whole
   std::uint64_t timestamp = 0;
 };
 
 struct RealtimeFeed {
-  std::uint64_t timestamp = 0;  ///< POSIX time at which it was made
+  std::uint64_t timestamp = 0;  ///< POSIX time of creation
   std::vector<VehicleReport> vehicles{};
   std::vector<TripReport> trips{};
 };
 
-/// A FeedMessage with the whole data set. Entities are called `vehicle-` and the vehicle's id,
-/// `trip-` and the trip's with its date and time.
+/// A FeedMessage with the full data set. Names of entities are `vehicle-` with the id of the
+/// vehicle, and `trip-` with the id, date and time of the trip.
 std::string realtime_bytes(const RealtimeFeed& feed);
 
 }  // namespace canvoy::gtfs

@@ -5,8 +5,8 @@
 #include <chrono>
 #include <string>
 
-// The whole message is read by another program in tests/strangers/gtfs. Here are bytes, put
-// together by hand from the numbers of gtfs-realtime.proto and the encoding of Protocol Buffers.
+// Another program reads the whole message in tests/strangers/gtfs. This test has bytes, assembled
+// by hand from the numbers of gtfs-realtime.proto and the encoding of Protocol Buffers.
 namespace canvoy::gtfs::realtime_test {
 namespace {
 

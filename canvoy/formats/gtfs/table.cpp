@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "canvoy/can/real_text.hpp"
 #include "canvoy/formats/plain_text.hpp"
 
 namespace canvoy::gtfs {
@@ -19,7 +20,7 @@ using host::Result;
 constexpr unsigned hours_max = 239;
 constexpr std::size_t quoted_max = 40;
 
-/// Digits alone, all of the text.
+/// The whole text as digits.
 std::optional<unsigned> whole(std::string_view digits) {
   unsigned value = 0;
   const char* const end = digits.data() + digits.size();
@@ -28,10 +29,44 @@ std::optional<unsigned> whole(std::string_view digits) {
   return value;
 }
 
-/// A field as a message shows it.
+/// A field in the form of a message.
 std::string quoted(std::string_view text) {
   const bool is_long = text.size() > quoted_max;
   return "'" + formats::plain_text(text.substr(0, quoted_max)) + (is_long ? "...'" : "'");
+}
+
+std::optional<std::uint8_t> first_not_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = formats::utf8_length(text);
+    if (length == 0) return static_cast<std::uint8_t>(text.front());
+    text.remove_prefix(length);
+  }
+  return std::nullopt;
+}
+
+/// Number of bytes of a leading blank, tab or line end, including those of Unicode; 0: none.
+std::size_t blank_length(std::string_view text) {
+  constexpr std::string_view blanks[] = {" ",  "\t",       "\r",           "\n",          "\v",
+                                         "\f", "\xC2\x85", "\xE2\x80\xA8", "\xE2\x80\xA9"};
+  const auto* const found = std::ranges::find_if(
+      blanks, [text](std::string_view blank) { return text.starts_with(blank); });
+  return found == std::end(blanks) ? 0 : found->size();
+}
+
+std::string in_one_line(std::string_view text) {
+  std::string line;
+  bool has_blank = false;
+  while (!text.empty()) {
+    const std::size_t blank = blank_length(text);
+    has_blank = has_blank || blank != 0;
+    if (blank == 0) {
+      if (has_blank && !line.empty()) line += ' ';
+      has_blank = false;
+      line += text.front();
+    }
+    text.remove_prefix(std::max<std::size_t>(blank, 1));
+  }
+  return line;
 }
 
 }  // namespace
@@ -64,7 +99,7 @@ std::optional<double> parse_number(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0;
   const char* const end = text.data() + text.size();
-  const auto [rest, problem] = std::from_chars(text.data(), end, value);
+  const auto [rest, problem] = real_from_chars(text.data(), end, value);
   if (problem != std::errc{} || rest != end || !std::isfinite(value)) return std::nullopt;
   return value;
 }
@@ -119,7 +154,7 @@ bool Table::next() {
   if (read == CsvRead::bad) fail_file(reader_->problem());
   if (read != CsvRead::row) return false;
   const auto fields = reader_->fields();
-  // Some makers end each line with a comma.
+  // Some tools end each line with a comma.
   for (std::size_t i = width_; i < fields.size(); ++i) {
     if (fields[i].empty()) continue;
     fail_file(
@@ -137,8 +172,17 @@ std::string_view Table::text(std::size_t column) const {
   return place < fields.size() ? fields[place] : std::string_view{};
 }
 
-std::string Table::shown(std::size_t column) const {
-  return formats::plain_text(text(column));
+bool Table::check_utf8(std::size_t column) {
+  const std::optional<std::uint8_t> wrong = first_not_utf8(text(column));
+  if (!wrong) return true;
+  fail(column,
+       fmt::format("{} has the byte {:02X}h, which is no UTF-8 there; save the file as UTF-8",
+                   quoted(text(column)), *wrong));
+  return false;
+}
+
+std::string Table::shown(std::size_t column) {
+  return check_utf8(column) ? formats::plain_text(in_one_line(text(column))) : std::string();
 }
 
 std::string_view Table::needed(std::size_t column) {

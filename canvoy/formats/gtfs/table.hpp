@@ -1,5 +1,5 @@
-// A file of a GTFS feed as a table: its columns by their names in any order, its fields as what
-// they mean. The first thing that is wrong ends it, and is told with file, line and column.
+// A file of a GTFS feed as a table: columns by name in any order, fields by meaning. The first
+// error ends reading, and is reported with file, line and column.
 //
 //     constexpr std::string_view columns[] = {"stop_id", "stop_lat"};
 //     Result<Table> table = Table::open(archive, "stops.txt", columns);
@@ -23,38 +23,42 @@
 
 namespace canvoy::gtfs {
 
-/// `20261123`.
+/// Reads a date, such as `20261123`.
 std::optional<Date> parse_date(std::string_view text);
-/// `8:05:00`, `25:35:00`, up to 239:59:59.
+/// Reads a time, such as `8:05:00` or `25:35:00`, up to 239:59:59.
 std::optional<TimeOfDay> parse_time(std::string_view text);
 std::optional<double> parse_number(std::string_view text);
 
 class Table {
  public:
-  /// `columns` outlives this; a column is known by its position in it from now on. Those that the
-  /// file does not have are empty. Errors: the file cannot be read, or has no header.
+  /// Opens a file. `columns` must outlive this; a column is identified by its position in it.
+  /// Columns that the file does not have are empty. Errors: the file cannot be read, or has no
+  /// header.
   static host::Result<Table> open(const FeedArchive& archive, std::string_view name,
                                   std::span<const std::string_view> columns);
 
   bool is_there() const { return file_->is_there(); }
   bool has(std::size_t column) const { return places_[column] != nowhere; }
-  /// The next row; false at the end and where something is wrong.
+  /// Reads the next row. False at the end, and after an error.
   bool next();
-  /// Of the row; from 1 on.
+  /// Line of the row, from 1.
   std::size_t line() const { return reader_->line(); }
-  /// Nothing is wrong while this is empty.
+  /// The first error, if any.
   const std::optional<host::Error>& error() const { return error_; }
-  /// The row is wrong; the first one that is told counts.
+  /// Reports an error in the row; the first one is kept.
   void fail(std::size_t column, const std::string& what);
   void fail_file(const std::string& what);
 
-  /// Empty where the row or the file does not have it.
+  /// Text of a field; empty if the row or the file does not have it.
   std::string_view text(std::size_t column) const;
-  /// As it can be shown: UTF-8 without control characters.
-  std::string shown(std::size_t column) const;
-  /// Must not be empty.
+  /// Text of a field for display: UTF-8 without control characters, in one line, with runs of
+  /// blanks and line ends as one blank. Text that is not UTF-8 is an error.
+  std::string shown(std::size_t column);
+  /// True if the field is UTF-8; else reports an error.
+  bool check_utf8(std::size_t column);
+  /// Text of a field that must not be empty.
   std::string_view needed(std::size_t column);
-  /// Nothing where it is empty, or wrong, which is told.
+  /// The number in a field; nothing if it is empty, or wrong, which is reported.
   std::optional<double> number(std::size_t column, double least, double most);
   std::optional<std::uint32_t> count(std::size_t column, std::uint32_t most);
   std::optional<Date> date(std::size_t column);
@@ -70,8 +74,8 @@ class Table {
   std::unique_ptr<FeedFile> file_;
   std::unique_ptr<CsvReader> reader_;
   std::span<const std::string_view> columns_;
-  std::vector<std::size_t> places_;  ///< of each column in a row
-  std::size_t width_ = 0;            ///< of the header
+  std::vector<std::size_t> places_;  ///< position of each column in a row
+  std::size_t width_ = 0;            ///< number of columns of the header
   std::optional<host::Error> error_;
 };
 

@@ -1,4 +1,4 @@
-// A profile as it is with another reading of its text (Profile::readings).
+// A profile with another reading of its text (Profile::readings).
 //
 //     const ChosenProfile chosen(cia852::profile, *find_reading(cia852::profile, "wide-displays"));
 //     find_object(chosen.profile(), 0x6411);
@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
-#include "canvoy/profiles/description.hpp"
+#include "canvoy/profiles/model/description.hpp"
 
 namespace canvoy::formats {
 
-/// The reading of this name, or null.
+/// The reading with this name, or null.
 const ReadingInfo* find_reading(const Profile& profile, std::string_view name);
 
 class ChosenProfile {
@@ -20,7 +20,7 @@ class ChosenProfile {
   ChosenProfile(const ChosenProfile&) = delete;
   ChosenProfile& operator=(const ChosenProfile&) = delete;
 
-  /// As long as this lives.
+  /// The profile; valid as long as this.
   const Profile& profile() const { return profile_; }
 
  private:

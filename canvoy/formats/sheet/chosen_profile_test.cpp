@@ -1,5 +1,5 @@
-// The two readings of errata 5 of CiA 852: twelve parameters a display without gaps, or blocks
-// of 24.
+// The two readings of errata 5 of CiA 852: twelve parameters for each display without gaps, or
+// blocks of 24.
 #include "canvoy/formats/sheet/chosen_profile.hpp"
 
 #include <gtest/gtest.h>

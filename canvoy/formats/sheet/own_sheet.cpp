@@ -9,14 +9,14 @@
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/formats/eds/eds_writer.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 #include "canvoy/profiles/registry.hpp"
 
 namespace canvoy::formats::detail {
 
 namespace {
 
-/// 1000h, as the device has it by default; 0 where nobody says.
+/// Default of 1000h in the device; 0 if none is given.
 std::uint32_t device_type_of(std::span<const Part> parts) {
   const auto type = std::ranges::find(parts, object_index::device_type, &Part::index);
   if (type == parts.end()) return 0;

@@ -16,7 +16,7 @@ constexpr auto pump = describe(cia301::device_type(0), cia301::error_register_ob
                                cia301::identity({.vendor_id = 0x123, .product_code = 7}),
                                cia301::heartbeat_producer(1000), speed);
 
-/// What stands in a section, a line for each key.
+/// Content of a section, one line for each key.
 std::string section(std::string text, const std::string& name) {
   std::erase(text, '\r');
   text += '\n';

@@ -6,13 +6,13 @@
 #include <array>
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
-#include "canvoy/profiles/mapping_value.hpp"
+#include "canvoy/profiles/model/mapping_value.hpp"
 
 namespace canvoy::formats {
 
 namespace {
 
-/// A key of DeviceInfo that says again what an entry of 1018h has.
+/// A key of DeviceInfo that repeats an entry of 1018h.
 struct IdentityKey {
   std::string_view key;
   unsigned sub;
@@ -24,7 +24,7 @@ bool is_ascii(std::string_view text) {
   return std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
 }
 
-/// Whether an entry of a PDO's mapping can be written by SDO.
+/// True if SDO can write an entry of the mapping of a PDO.
 bool can_change_mapping(const DataSheet& sheet) {
   return std::ranges::any_of(sheet.objects, [](const auto& each) {
     if (!is_pdo_mapping(each.first)) return false;
@@ -46,7 +46,7 @@ class AgreementChecker {
       check_granularity();
       check_bit_rate();
     }
-    // XML says itself how its characters are encoded.
+    // XML declares its own encoding.
     if (sheet_.xml.empty()) check_characters();
   }
 
@@ -57,13 +57,13 @@ class AgreementChecker {
                          Finding::Weight::warning});
   }
 
-  /// A number of DeviceInfo; nothing where there is none.
+  /// A number of DeviceInfo; nothing if there is none.
   std::optional<std::int64_t> number(const IniLine* line) const {
     const auto found = line == nullptr ? std::nullopt : sheet_number(line->value);
     return found ? std::optional(found->number) : std::nullopt;
   }
 
-  /// A device may leave what it is to its memory: 0 says nothing.
+  /// A device may have its identity in memory only: 0 means no statement.
   void check_identity(const IdentityKey& each) {
     const IniLine* line = device_->find(each.key);
     const SheetEntry* entry = sheet_.find(object_index::identity, each.sub);
@@ -108,7 +108,7 @@ class AgreementChecker {
     }
   }
 
-  /// One warning for all: who writes umlauts writes many.
+  /// One warning for all: a text with one such character usually has many.
   void check_characters() {
     for (const IniSection& section : sheet_.sections) {
       for (const IniLine& line : section.lines) look_at(line.number, section.name, line.value);
@@ -140,7 +140,7 @@ class AgreementChecker {
   Findings& findings_;
   const IniSection* device_;
   std::size_t strange_ = 0;  ///< texts that are not ASCII
-  Finding first_;            ///< of them
+  Finding first_;            ///< the first of them
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Sheets of which the sections and the objects say different things.
+// Sheets with sections and objects that contradict each other.
 #include "canvoy/formats/sheet/sheet_agreement.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ constexpr std::string_view mapping =
     "[1A00]\nObjectType=9\nSubNumber=2\n[1A00sub0]\nDataType=5\nAccessType=rw\nDefaultValue=1\n"
     "[1A00sub1]\nDataType=7\nDefaultValue=0x60000108\nAccessType=";
 
-/// What is told, as `[section] text; expected`.
+/// The findings, as `[section] text; expected`.
 std::vector<std::string> told(const std::string& text) {
   Findings reading;
   Findings findings;

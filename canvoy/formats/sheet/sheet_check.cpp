@@ -10,7 +10,7 @@
 #include "canvoy/formats/sheet/sheet_agreement.hpp"
 #include "canvoy/formats/sheet/sheet_value.hpp"
 #include "canvoy/formats/terms.hpp"
-#include "canvoy/profiles/mapping_value.hpp"
+#include "canvoy/profiles/model/mapping_value.hpp"
 #include "canvoy/profiles/registry.hpp"
 
 namespace canvoy::formats {
@@ -34,17 +34,17 @@ constexpr std::string_view device_keys[] = {
     "NrOfRXPDO",      "NrOfTXPDO",          "LSS_Supported"};
 constexpr Keys required_keys[] = {{"FileInfo", file_keys}, {"DeviceInfo", device_keys}};
 
-/// Those that XDD and XDC (CiA 311) have no place for.
+/// Keys without a counterpart in XDD and XDC (CiA 311).
 constexpr std::string_view keys_of_eds_alone[] = {"FileRevision", "EDSVersion",   "Description",
                                                   "CreationTime", "CreationDate", "RevisionNumber"};
 
-/// Keys of which the value is a number.
+/// Keys with a number as value.
 constexpr std::string_view file_numbers[] = {"FileVersion", "FileRevision"};
 constexpr std::string_view device_numbers[] = {"VendorNumber", "ProductNumber", "RevisionNumber",
                                                "Granularity",  "NrOfRXPDO",     "NrOfTXPDO"};
 constexpr Keys number_keys[] = {{"FileInfo", file_numbers}, {"DeviceInfo", device_numbers}};
 
-/// `1600sub0` and its like.
+/// True for `1600sub0` and similar entries.
 bool is_number_of_mapped(std::string_view place) {
   const auto index = parse_hex(place.substr(0, 4), 4);
   return index && place.substr(4) == "sub0" && is_pdo_mapping(*index);
@@ -123,7 +123,7 @@ class Checker {
     check("NrOfTXPDO", object_index::tpdo_parameter, object_index::tpdo_parameter_last);
   }
 
-  /// Each PDO has both of its parameters (CiA 301, 7.5.2.35 to 7.5.2.38).
+  /// Each PDO needs both of its parameters (CiA 301, 7.5.2.35 to 7.5.2.38).
   void check_pdo_pairs() {
     const auto check = [&](unsigned first, unsigned last, unsigned other, const char* what) {
       for (unsigned index = first; index <= last; ++index) {
@@ -146,7 +146,7 @@ class Checker {
     check(tpdo_mapping, tpdo_mapping_last, tpdo_parameter, "communication");
   }
 
-  /// Of entries that PDOs map: `Granularity` says in which steps of bits (CiA 306).
+  /// Step of the size of mapped entries, in bits: `Granularity` (CiA 306).
   unsigned granularity() const {
     const auto number = sheet_number(sheet_.text("DeviceInfo", "Granularity"));
     constexpr std::int64_t bits_max = 64;
@@ -307,7 +307,7 @@ class Checker {
     check("ParameterValue", entry.value);
   }
 
-  /// What a PDO maps by default has to be there.
+  /// Entries that a PDO maps by default must exist.
   void check_mapping(std::uint16_t index, const SheetObject& object) {
     if (!is_pdo_mapping(index)) return;
     const SheetEntry* count = sheet_.find(index, 0);
@@ -355,7 +355,7 @@ class Checker {
     return mapped.bits;
   }
 
-  /// Against the profile, or CiA 301.
+  /// Compares with the profile, or with CiA 301.
   void check_description(std::uint16_t index, const SheetObject& object) {
     const Profile& known = profile_ == nullptr ? base_profile() : *profile_;
     const ObjectInfo* described = find_description(known, index);
@@ -384,8 +384,8 @@ class Checker {
     }
   }
 
-  /// Before its version 4.2, CiA 301 gave the parameters of all PDOs sub-indices up to 05h, of
-  /// which some had no meaning: 1800h:04h was there to keep the place.
+  /// Before version 4.2, CiA 301 gave the parameters of all PDOs sub-indices up to 05h, some
+  /// without meaning: 1800h:04h was a placeholder.
   static bool is_of_old(std::uint16_t index, unsigned sub) {
     const bool is_parameter =
         (index >= object_index::rpdo_parameter && index <= object_index::rpdo_parameter_last) ||
@@ -397,7 +397,7 @@ class Checker {
   void check_code(std::uint16_t index, const SheetObject& object, const ObjectInfo& described) {
     const auto code = static_cast<unsigned>(described.code);
     const bool compound = !described.subs.empty();
-    // Some specifications call a variable what is a domain by its type.
+    // Some specifications call a domain by type a variable.
     const bool is_domain = !compound && described.entry.type == DataType::domain;
     if (object.own.object_type == code || (is_domain && object.own.object_type == domain_code))
       return;
@@ -428,7 +428,7 @@ class Checker {
     }
   }
 
-  /// What the profile reserves, and what is outside of its range and has no meaning of its own.
+  /// Reports reserved values, and values outside the range without a meaning of their own.
   void check_described_value(const std::string& place, const char* key, const std::string& text,
                              const SheetEntry& entry, const EntryInfo& info) {
     const auto parsed = sheet_number(text);
@@ -459,7 +459,7 @@ class Checker {
     };
     if (agrees(info.access) || agrees(info.consumer_access)) return;
     if (info.or_const && agrees(Access::const_)) return;
-    // A device whose mapping cannot be changed has a number that cannot be (CiA 301, 7.5.2.36).
+    // A device with a fixed mapping has a fixed number of entries (CiA 301, 7.5.2.36).
     if (is_number_of_mapped(place) && agrees(Access::ro)) return;
     const std::string_view consumer = access_name(info.consumer_access);
     warn(entry.line, place, fmt::format("AccessType is {}", entry.access),
@@ -469,7 +469,7 @@ class Checker {
   }
 
   void check_mandatory() {
-    // Where there are virtual devices, they say which application objects are mandatory.
+    // If there are virtual devices, they determine the mandatory application objects.
     constexpr unsigned application_first = 0x6000;
     for (const ObjectInfo* object : profile_->objects) {
       if (!profile_->virtual_devices.empty() && object->index >= application_first) return;

@@ -19,7 +19,7 @@ constexpr auto charger =
              cia301::identity({.product_code = 419}), cia301::heartbeat_producer(1000),
              cia301::error_behavior());
 
-/// The charger's sheet, with one line in place of another.
+/// The sheet of the charger, with one line replaced.
 Findings check_charger(std::string_view line = "", std::string_view with = "",
                        const Profile* profile = &cia419::profile) {
   SheetMaker maker(cia419::profile, {});

@@ -8,11 +8,11 @@
 
 #include "canvoy/canopen/dictionary/action_objects.hpp"
 #include "canvoy/canopen/dictionary/object_index.hpp"
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 #include "canvoy/formats/sheet/sheet_value.hpp"
 #include "canvoy/formats/terms.hpp"
 #include "canvoy/profiles/cia417/physical.hpp"
-#include "canvoy/profiles/mapping_value.hpp"
+#include "canvoy/profiles/model/mapping_value.hpp"
 
 namespace canvoy::formats {
 
@@ -32,7 +32,7 @@ bool is_sdo_channel(std::uint16_t index) {
   return is_between(index, object_index::sdo_server + 1, object_index::sdo_client_last);
 }
 
-/// What an RPDO may carry: a TPDO's entry that SDO may write is `rwr`.
+/// True for what an RPDO may carry; an entry for TPDOs that SDO may write is `rwr`.
 bool is_process_data(const SheetEntry& entry) {
   return entry.pdo_mapping && !same_letters(entry.access, "rwr");
 }
@@ -63,8 +63,8 @@ class Maker {
   }
 
  private:
-  /// Devices of CiA 417 have their objects and PDOs where their lift has them: what is of lift 3 is
-  /// not there before 6001h says so.
+  /// Objects and PDOs of devices of CiA 417 depend on their lift: those of lift 3 do not exist
+  /// before 6001h selects it.
   bool is_of_lift() const {
     const SheetEntry* type = sheet_.find(object_index::device_type, 0);
     if (type == nullptr) return false;
@@ -118,7 +118,7 @@ class Maker {
       if (is_wanted(sub)) write(index, sub, value);
     }
   }
-  /// A COB-ID, with other bits set or not.
+  /// Writes a COB-ID, with or without other bits.
   void write_cob_id(std::uint16_t index, std::uint8_t sub, const Bytes& value, std::uint32_t set,
                     std::uint32_t clear = 0) {
     const auto id = static_cast<std::uint32_t>(number_in(value));
@@ -130,7 +130,7 @@ class Maker {
   void write_object(std::uint16_t index, const Values& values) {
     if (is_pdo_parameter(index)) return write_pdo(index, values);
     if (is_pdo_mapping(index)) {
-      // With its communication parameters, which stand before it.
+      // Together with its communication parameters, which precede it.
       const bool is_alone = !values_.contains(static_cast<std::uint16_t>(index - mapping_distance));
       return is_alone ? write_mapping(index, values) : void();
     }
@@ -152,8 +152,8 @@ class Maker {
     write_all(index, values, [](std::uint8_t) { return true; });
   }
 
-  /// The COB-ID of sub-index `sub` is invalid while it gets its value; a value that is invalid
-  /// itself needs one write.
+  /// Makes the COB-ID at `sub` invalid while it gets its value; a value that is itself invalid
+  /// needs one write.
   void write_while_invalid(std::uint16_t index, const Values& values, std::uint8_t sub) {
     const auto found = values.find(sub);
     if (found == values.end()) return;
@@ -162,7 +162,7 @@ class Maker {
     if ((id & CobId::bit31) == 0) write(index, sub, found->second);
   }
 
-  /// Invalid, mapping, the other parameters, valid.
+  /// Order: invalid, mapping, the other parameters, valid.
   void write_pdo(std::uint16_t index, const Values& values) {
     constexpr std::uint8_t cob_id_sub = 1;
     const auto cob_id = values.find(cob_id_sub);
@@ -176,16 +176,16 @@ class Maker {
     if (is_valid) write(index, cob_id_sub, cob_id->second);
   }
 
-  /// Nothing mapped, the entries that count, their number.
+  /// Order: no mapping, the mapped entries, their number.
   void write_mapping(std::uint16_t index, const Values& values) {
     const auto number = values.find(0);
     if (number == values.end()) return write_all(index, values, [](std::uint8_t) { return true; });
     const auto count = static_cast<unsigned>(number_in(number->second));
-    // Where no entry can be written, neither can their number, whatever the sheet says of it.
+    // If no entry is writable, neither is their number, whatever the sheet says.
     if (count != 0 && values.size() == 1) return;
     write(index, 0, Bytes(number->second.size()));
     for (const auto& [sub, value] : values) {
-      // A multiplexed PDO says its kind in place of a number.
+      // A multiplexed PDO has its kind in place of a number.
       const bool counts = count > mapped_max ? number_in(value) != 0 : sub <= count;
       if (sub != 0 && counts) write(index, sub, value);
     }
@@ -205,7 +205,7 @@ class Maker {
     write_cob_ids(0);
   }
 
-  /// SYNC is produced when all of it is set: 1019h changes while 1006h is zero.
+  /// SYNC is produced after all of it is set: 1019h changes while 1006h is zero.
   void write_sync(const Values& values) {
     const Bytes& cob_id = values.begin()->second;
     write_cob_id(object_index::cob_id_sync, 0, cob_id, 0, CobId::bit30);
@@ -221,7 +221,7 @@ class Maker {
       write(object_index::cob_id_sync, 0, cob_id);
   }
 
-  /// All off first: no node may stand there twice, not even for a moment.
+  /// Switches all off first: a node must not appear twice, not even temporarily.
   void write_heartbeat_consumers(const Values& values) {
     for (const auto& [sub, value] : values) {
       if (sub != 0) write(object_index::heartbeat_consumers, sub, Bytes(value.size()));

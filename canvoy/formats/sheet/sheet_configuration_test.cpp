@@ -1,4 +1,4 @@
-// What a DCF becomes for a node: values typed from CiA 301, and its order of writes to a PDO
+// Writes of a DCF to a node: values typed from CiA 301, with its order of writes to a PDO
 // (7.5.2.36), SDO channels (7.5.2.33), SYNC (7.5.2.19).
 #include "canvoy/formats/sheet/sheet_configuration.hpp"
 

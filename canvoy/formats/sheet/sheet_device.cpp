@@ -13,12 +13,12 @@ namespace canvoy::formats {
 
 namespace {
 
-constexpr std::size_t text_bytes_min = 64;  ///< a data sheet does not say how long a string may get
+constexpr std::size_t text_bytes_min = 64;  ///< data sheets give no maximum length of a string
 constexpr std::size_t text_bytes_max = 4096;
 constexpr std::size_t domain_bytes_max = 65536;
 
-/// What these objects do is nothing that a dictionary and the services on it could do: they are for
-/// SDO clients, NMT masters, managers, loaders of programs and debuggers.
+/// The functions of these objects are beyond a dictionary and its services: they belong to SDO
+/// clients, NMT masters, managers, program loaders and debuggers.
 constexpr canvoy::detail::IndexRange of_an_application[] = {
     {0x1023, 0x1026}, {0x102A, 0x102A}, {0x1280, 0x12FF}, {0x1F00, 0x1F9F}};
 
@@ -26,15 +26,17 @@ bool is_storage(std::uint16_t index) {
   return index == object_index::store_parameters || index == object_index::restore_parameters;
 }
 
-Access access_of(const SheetEntry& entry) {
+Access access_of(const SheetEntry& entry, bool is_sent) {
   const auto said = said_access(entry);
   if (!said) return Access::rw;
-  return entry.pdo_mapping ? said->by_sdo | said->in_pdos : said->by_sdo;
+  if (!entry.pdo_mapping) return said->by_sdo;
+  return said->by_sdo | said->in_pdos | (is_sent ? Access::tpdo : Access::none);
 }
 
 }  // namespace
 
-SheetTables::SheetTables(const DataSheet& sheet, Findings& left_out) : left_out_(left_out) {
+SheetTables::SheetTables(const DataSheet& sheet, Findings& left_out)
+    : sheet_(sheet), left_out_(left_out) {
   for (const auto& [index, object] : sheet.objects) add_object(index, object);
 }
 
@@ -55,25 +57,28 @@ void SheetTables::add_entry(std::vector<EntryRow>& rows, std::uint16_t index, st
     left_out_.push_back(
         {entry.line, place_text(index, sub), std::move(what), "", Finding::Weight::warning});
   };
-  // Each has up to three limits, or a wide default, of which the tables tell the place in 16 bits.
+  // Each entry has up to three limits, or a wide default, and the tables store positions in 16
+  // bits.
   constexpr std::size_t entries_max = 0xFFFF / 4;
   if (tables_.entries.size() + rows.size() == entries_max) {
     return leave_out("there are too many entries");
   }
   const auto type = sheet_type(entry.data_type);
   if (!type) return leave_out(fmt::format("DataType is 0x{:04X}", entry.data_type));
-  EntryRow row = {.sub_first = sub, .sub_last = sub, .type = *type, .access = access_of(entry)};
+  const bool is_sent = sheet_.sends_unreadable(index, sub);
+  EntryRow row = {
+      .sub_first = sub, .sub_last = sub, .type = *type, .access = access_of(entry, is_sent)};
   if (!set_default(row, entry)) return leave_out("the default is no value of the type");
-  // A sheet does not tell process data from parameters that a PDO may carry as well.
+  // A sheet does not distinguish process data from parameters that a PDO may carry.
   if (entry.pdo_mapping) row.traits = row.traits | EntryTraits::not_stored;
-  // Who has a sub-index for a group stores it on command, where the sheet does not say otherwise.
+  // A device with a sub-index for a group stores it on command, unless the sheet says otherwise.
   const bool is_said = !entry.default_value.empty() || !entry.value.empty();
   if (is_storage(index) && sub != 0 && !is_said) row.initial = 1;
   if (is_integer(*type)) set_limits(row, entry);
   rows.push_back(row);
 }
 
-/// The value of a configured device goes before the default.
+/// The value of a configured device takes precedence over the default.
 bool SheetTables::set_default(EntryRow& row, const SheetEntry& entry) {
   const std::string& text = entry.value.empty() ? entry.default_value : entry.value;
   if (is_string(row.type)) {
@@ -103,7 +108,7 @@ bool SheetTables::set_default(EntryRow& row, const SheetEntry& entry) {
 void SheetTables::set_limits(EntryRow& row, const SheetEntry& entry) {
   const auto low = sheet_number(entry.low_limit);
   const auto high = sheet_number(entry.high_limit);
-  // Limits that move with the node-ID, of one side, or beyond the type, are not checked.
+  // Limits that depend on the node-ID, of one side, or beyond the type, are not checked.
   if (!low || !high || low->plus_node_id || high->plus_node_id) return;
   if (!sheet_bytes(row.type, entry.low_limit, 0) || !sheet_bytes(row.type, entry.high_limit, 0)) {
     return;
@@ -192,7 +197,7 @@ void SheetDevice::add_storage(const Options& options) {
   if (is_wanted && options.stores_in_memory) storage_.emplace(node());
 }
 
-/// 1021h holds the data sheet of the device, as text where 1022h is 0.
+/// 1021h holds the data sheet of the device, as text if 1022h is 0.
 void SheetDevice::add_own_sheet(const DataSheet& sheet) {
   const auto found = node().dictionary().find(object_index::store_eds, 0);
   if (!found || found->row->type != DataType::domain) return;

@@ -1,6 +1,6 @@
-// A device that a data sheet describes, built while the program runs: its dictionary, with the
-// services of CiA 301 that it asks for, as a compiled device (DeviceNode) has them. It has no
-// behaviour of its own; any CANopen device can be stood in for.
+// A device built from a data sheet at run time: its dictionary, with the services of CiA 301 that
+// it requires, as those of a compiled device (DeviceNode). It has no behaviour of its own, and can
+// stand in for any CANopen device.
 //
 //     SheetDevice device(sheet, port, 5);
 //     device.node().start(now);
@@ -13,38 +13,40 @@
 #include <string>
 #include <vector>
 
+#include "canvoy/canopen/device/heap_node.hpp"
+#include "canvoy/canopen/device/heap_tables.hpp"
 #include "canvoy/canopen/dictionary/action_objects.hpp"
-#include "canvoy/canopen/heap_node.hpp"
-#include "canvoy/canopen/heap_tables.hpp"
+#include "canvoy/formats/eds/data_sheet.hpp"
 #include "canvoy/formats/eds/eds_reader.hpp"
-#include "canvoy/formats/sheet/data_sheet.hpp"
 #include "canvoy/formats/sheet/sheet_storage.hpp"
 
 namespace canvoy::formats {
 
-/// The tables of a dictionary, and what they refer to.
+/// The tables of a dictionary, and the data that they refer to.
 class SheetTables {
  public:
-  /// Entries that no dictionary can have (no known type, a default that is none) are left out.
+  /// Omits entries that a dictionary cannot have: of unknown type, or with an invalid default.
   SheetTables(const DataSheet& sheet, Findings& left_out);
 
   DictionaryTables tables() const { return tables_.tables(); }
 
  private:
   void add_object(std::uint16_t index, const SheetObject& object);
-  /// To `rows`, unless no dictionary can have it.
+  /// Adds an entry to `rows`, unless a dictionary cannot have it.
   void add_entry(std::vector<EntryRow>& rows, std::uint16_t index, std::uint8_t sub,
                  const SheetEntry& entry);
   bool set_default(EntryRow& row, const SheetEntry& entry);
   static void set_limits(EntryRow& row, const SheetEntry& entry);
 
+  const DataSheet& sheet_;
   Findings& left_out_;
   HeapTables tables_;
   std::deque<std::string> texts_;
 };
 
-/// The content of the domains of a dictionary: 64 KiB each at most. One client at a time writes a
-/// domain, others are told device_state meanwhile; so is who reads on after it has been written.
+/// Contents of the domains of a dictionary, at most 64 KiB each. One client at a time writes a
+/// domain; meanwhile, others get device_state. A client that continues to read after the domain was
+/// written also gets device_state.
 class DomainContents {
  public:
   explicit DomainContents(Dictionary& dictionary);
@@ -52,7 +54,7 @@ class DomainContents {
   DomainContents& operator=(const DomainContents&) = delete;
 
   using Bytes = std::vector<std::uint8_t>;
-  /// What the first upload of a domain gives.
+  /// Sets the content of a domain for its first upload.
   void fill(std::uint16_t index, std::uint8_t sub, Bytes bytes) {
     contents_[place(index, sub)].bytes = std::move(bytes);
   }
@@ -60,7 +62,7 @@ class DomainContents {
  private:
   struct Content {
     Bytes bytes;
-    std::optional<Bytes> arriving = {};  ///< by a download that has not ended
+    std::optional<Bytes> arriving = {};  ///< by a download in progress
     bool is_new = false;                 ///< written since an upload began
   };
 
@@ -82,13 +84,13 @@ class DomainContents {
 class SheetDevice {
  public:
   struct Options {
-    std::size_t further_routes = 0;  ///< CAN-IDs that services of the application want
-    /// Where the sheet has 1010h or 1011h: what is stored outlives NMT resets. False: the owner has
-    /// a Storage of his own.
+    std::size_t further_routes = 0;  ///< number of CAN-IDs for services of the application
+    /// If the sheet has 1010h or 1011h, stored values outlive NMT resets. False: the owner has a
+    /// Storage of its own.
     bool stores_in_memory = true;
   };
 
-  /// `port` is copied, what it refers to must outlive this.
+  /// Copies `port`; what it refers to must outlive this.
   SheetDevice(const DataSheet& sheet, const Port& port, NodeId node_id, const Options& options);
   SheetDevice(const DataSheet& sheet, const Port& port, NodeId node_id)
       : SheetDevice(sheet, port, node_id, Options()) {}
@@ -97,10 +99,10 @@ class SheetDevice {
 
   Node& node() { return device_.node(); }
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
-  /// What of the sheet is not in the device.
+  /// Parts of the sheet that the device does not have.
   const Findings& left_out() const { return left_out_; }
-  /// Communication objects (1000h to 1FFFh) that are here values only, since what CiA 301 and 302
-  /// say that they do is the work of an application: from a first to a last index.
+  /// Communication objects (1000h to 1FFFh) that are plain values here, since their function is the
+  /// work of an application (CiA 301, CiA 302): ranges of indices.
   using IndexRange = canvoy::detail::IndexRange;
   std::vector<IndexRange> without_behaviour() const;
 

@@ -1,5 +1,5 @@
-// Services of CiA 301 in a device from a sheet, at the wire: each is there because the sheet lists
-// its objects. Frames typed from CiA 301.
+// Services of CiA 301 in a device from a sheet, at the wire: each exists since the sheet lists its
+// objects. Frames are typed from CiA 301.
 #include <gtest/gtest.h>
 
 #include "canvoy/can/frame_text.hpp"
@@ -156,7 +156,7 @@ TEST(SheetDeviceMpdo, AnRpdoInDestinationModeWritesWhatIsAddressedToTheNode) {
 }
 
 TEST(SheetDeviceMpdo, AnRpdoInSourceModeWritesWhatTheDispatchingListNames) {
-  // From 6000h:01h of node 10 to 6200h:00h, one entry: block size 1 in the uppermost byte.
+  // From 6000h:01h of node 10 to 6200h:00h, one entry: block size 1 in the most significant byte.
   Wire wire(pdo("1400", "1600", "0x305", "0xFE") + record("1FD0") + entry("1FD0sub0", 5, "1") +
             entry("1FD0sub1", 0x1B, "0x016200006000010A") +
             entry("6200", 5, "0", "rww", "PDOMapping=1\n"));

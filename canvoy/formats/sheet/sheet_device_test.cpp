@@ -1,4 +1,4 @@
-// A device from a sheet, at the wire: frames typed from CiA 301.
+// A device from a sheet, at the wire. Frames are typed from CiA 301.
 #include "canvoy/formats/sheet/sheet_device.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ class SheetDeviceTest : public testing::Test {
     static_cast<SheetDeviceTest*>(test)->sent_.emplace_back(FrameText(frame).view());
     return true;
   }
-  /// What the device sends when it hears this.
+  /// The answers of the device to this frame.
   std::vector<std::string> hears(std::string_view text) {
     sent_.clear();
     device_.node().receive(parse_frame(text).frame, now_);
@@ -109,6 +109,24 @@ TEST(SheetDevice, AValueOfADcfGoesBeforeTheDefault) {
   SheetDevice device(sheet, {nullptr, [](void*, const Frame&) { return true; }, nullptr}, 5);
   device.node().start(Time{});
   EXPECT_EQ(device.node().dictionary().number(0x1000, 0), 0x191U);
+}
+
+/// Like 6001h:01h of an on-board computer: SDO writes it, a TPDO sends it (CiA 407, 6.2 and
+/// 8.1.4.3).
+TEST_F(SheetDeviceTest, AValueThatIsWriteOnlyIsSentWhereATpdoOfTheSheetCarriesIt) {
+  std::string text(sheet_text);
+  text.replace(text.find("AccessType=rwr"), std::string_view("AccessType=rwr").size(),
+               "AccessType=wo");
+  SheetDevice device(read_eds(text, findings_), {this, send, nullptr}, 5);
+  device.node().start(now_);
+  const auto hears = [&](std::string_view frame) {
+    sent_.clear();
+    device.node().receive(parse_frame(frame).frame, now_);
+    return sent_;
+  };
+  EXPECT_EQ(hears("000#0105"), (Frames{"185#FEFF"}));
+  EXPECT_EQ(hears("605#2B00600007000000"), (Frames{"585#6000600000000000", "185#0700"}));
+  EXPECT_EQ(hears("605#4000600000000000"), (Frames{"585#8000600001000106"}));
 }
 
 }  // namespace

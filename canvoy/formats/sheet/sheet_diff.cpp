@@ -31,7 +31,7 @@ class Comparer {
 
   void compare_sections() {
     for (const IniSection& one : first_.sections) {
-      // What stands before the first section is comments.
+      // The lines before the first section are comments.
       if (one.name.empty() || same_letters(one.name, "FileInfo")) continue;
       const IniSection* other = second_.section(one.name);
       if (other == nullptr) {
@@ -90,7 +90,7 @@ class Comparer {
     }
   }
 
-  /// The value of a key that CiA 306 does not define; comments do not count.
+  /// The value of a key that CiA 306 does not define; comments are ignored.
   static std::string other_key(const SheetEntry& entry, const std::string& key) {
     const auto found = std::ranges::find_if(
         entry.others, [&key](const KeyValue& each) { return same_letters(each.key, key); });

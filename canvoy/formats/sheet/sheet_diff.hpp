@@ -1,22 +1,22 @@
-// What two data sheets say differently: values are compared, not the way in which they are written.
+// Compares two data sheets: values, not their notation.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "canvoy/formats/sheet/data_sheet.hpp"
+#include "canvoy/formats/eds/data_sheet.hpp"
 
 namespace canvoy::formats {
 
-/// An empty side does not have it.
+/// A difference; an empty side does not have the value.
 struct Difference {
   std::string place;  ///< `6000sub1`, `DeviceInfo`
-  std::string key;    ///< `DefaultValue`; empty: all of the place
+  std::string key;    ///< `DefaultValue`; empty: the whole section
   std::string first;
   std::string second;
 };
 
-/// In the order of the objects. Dates, times and names of the files do not count.
+/// Lists the differences in the order of the objects. Ignores dates, times and file names.
 std::vector<Difference> compare_sheets(const DataSheet& first, const DataSheet& second);
 
 }  // namespace canvoy::formats

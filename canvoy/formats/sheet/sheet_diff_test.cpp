@@ -1,4 +1,4 @@
-// What two data sheets say differently: meanings, not spellings.
+// Differences of two data sheets: of meaning, not of notation.
 #include "canvoy/formats/sheet/sheet_diff.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ constexpr std::string_view speed =
     "[2000]\nParameterName=Speed\nObjectType=7\nDataType=3\nAccessType=rw\nDefaultValue=-1\n"
     "MyKey=mine\n; a comment\n";
 
-/// `[2000] AccessType: rw | ro`, for the sheet with one text in place of another.
+/// `[2000] AccessType: rw | ro`, for the sheet with one text replaced.
 std::string differences(std::string_view text, std::string_view with) {
   Findings findings;
   std::string changed(speed);

@@ -9,8 +9,8 @@
 #include "canvoy/formats/sheet/sheet_agreement.hpp"
 #include "canvoy/formats/sheet/sheet_value.hpp"
 #include "canvoy/formats/terms.hpp"
-#include "canvoy/profiles/layout.hpp"
-#include "canvoy/profiles/number_rules.hpp"
+#include "canvoy/profiles/model/layout.hpp"
+#include "canvoy/profiles/model/number_rules.hpp"
 
 namespace canvoy::formats {
 
@@ -32,7 +32,7 @@ std::string default_text(const Default& initial, DataType type, std::uint8_t hig
   return sheet_number_text(initial.number, type);
 }
 
-/// The limits, and the values beside them that have a meaning: a data sheet has one range only.
+/// The limits, extended by values with a meaning of their own: a data sheet has only one range.
 NumberRange allowed_range(const EntryInfo& entry) {
   NumberRange allowed = {entry.value.limits.low, entry.value.limits.high};
   for (const NamedValue& named : entry.value.names) {
@@ -44,7 +44,7 @@ NumberRange allowed_range(const EntryInfo& entry) {
   return allowed;
 }
 
-/// What an entry holds in a node with this node-ID.
+/// Value of an entry in a node with this node-ID.
 std::string value_at(const SheetEntry& entry, std::uint8_t node_id) {
   const auto number = sheet_number(entry.default_value);
   if (!number || !number->plus_node_id) return entry.default_value;
@@ -68,7 +68,7 @@ void set(IniSection& section, std::string_view key, std::string value) {
   }
 }
 
-/// EDS are ASCII (CiA 306), profiles have dashes.
+/// EDS files are ASCII (CiA 306), but profiles have dashes.
 std::string ascii_text(std::string text) {
   constexpr std::string_view dash = "\u2013";
   for (std::size_t at = 0; (at = text.find(dash, at)) != std::string::npos; ++at) {

@@ -1,5 +1,5 @@
-// Data sheets of devices that descriptions make: those that the project builds, and any choice of a
-// profile's objects or virtual devices.
+// Makes data sheets from descriptions: of the devices of this project, and of any selection of
+// objects or virtual devices of a profile.
 //
 //     SheetMaker maker(cia419::profile, {.product_name = "Charger"});
 //     maker.add(cia419::full_charger);
@@ -10,12 +10,12 @@
 #include <span>
 #include <string>
 
-#include "canvoy/formats/sheet/data_sheet.hpp"
-#include "canvoy/profiles/device_description.hpp"
+#include "canvoy/formats/eds/data_sheet.hpp"
+#include "canvoy/profiles/model/device_description.hpp"
 
 namespace canvoy::formats {
 
-/// What descriptions of objects do not say. Numbers that 1018h has by default go before those here.
+/// Identification that descriptions of objects do not contain. Defaults of 1018h take precedence.
 struct SheetIdentity {
   std::string vendor_name = "not set";
   std::uint32_t vendor_id = 0;
@@ -24,24 +24,24 @@ struct SheetIdentity {
   std::uint32_t revision = 0;
   bool answers_lss = false;
   std::string file_name = "device.eds";
-  /// When the sheet was made, as CIA 306 writes it: hh:mmAM and mm-dd-yyyy.
+  /// Time of creation as CiA 306 writes it: hh:mmAM and mm-dd-yyyy.
   std::string time = "12:00AM";
   std::string date = "01-01-2026";
-  std::uint8_t node_id = 0;  ///< 0: an EDS; else a DCF of the node with this node-ID
+  std::uint8_t node_id = 0;  ///< 0: an EDS; else a DCF for this node-ID
   unsigned kilobits_per_second = 125;
-  // Of a DCF.
+  // For a DCF.
   std::string node_name = {};  ///< empty: the product's
-  std::string last_eds = {};   ///< that it was made from; empty: from none
+  std::string last_eds = {};   ///< source of the DCF; empty: none
   std::uint32_t serial_number = 0;
 };
 
-/// Makes a DCF of a sheet: DeviceComissioning names the node, FileInfo says what was changed and
-/// when.
+/// Turns a sheet into a DCF: DeviceComissioning names the node, FileInfo gives the change and its
+/// time.
 void commission(DataSheet& sheet, const SheetIdentity& identity);
 
 class SheetMaker {
  public:
-  /// Names are taken from `profile`, what it is built on, and CiA 301.
+  /// Takes names from `profile`, its bases, and CiA 301.
   SheetMaker(const Profile& profile, SheetIdentity identity);
 
   void add(const Part& part);
@@ -49,17 +49,16 @@ class SheetMaker {
   void add(const DeviceDescription<capacity>& device) {
     for (const Part& part : device) add(part);
   }
-  /// Whether a dummy entry can stand for what an RPDO maps.
+  /// True if a dummy entry can replace what an RPDO maps.
   static bool has_dummy(std::uint32_t mapped);
-  /// The parameters of a PDO that the profile defines in a table. What an RPDO carries and the
-  /// device does not have becomes a dummy entry.
+  /// Adds the parameters of a PDO that the profile defines in a table. Mapped entries of an RPDO
+  /// that the device does not have become dummy entries.
   void add(const PdoInfo& pdo);
-  /// 1000h, 1001h, 1017h and 1018h, where nothing has brought them along; 1000h has this value
-  /// where it has none.
+  /// Adds 1000h, 1001h, 1017h and 1018h if they are missing; 1000h gets this value if it has none.
   void add_basics(std::uint32_t device_type);
   bool has(std::uint16_t index) const { return sheet_.objects.contains(index); }
 
-  /// The sheet, with what its parts say together (numbers of PDOs).
+  /// Returns the sheet, with what its parts determine together (numbers of PDOs).
   DataSheet take();
 
  private:

@@ -1,7 +1,7 @@
-// Oddities of real data sheets, by the tables in tests/sheets: each a few lines, and the value that
-// is right by CiA 306. A row of entries.txt is `title | KEY=VALUE; -KEY | check; check`, and stands
+// Oddities of real data sheets, from the tables in tests/sheets: a few lines each, and the correct
+// value by CiA 306. A row of entries.txt is `title | KEY=VALUE; -KEY | check; check`, and stands
 // for the section [2000]; `\;` is a semicolon. A block of sheets.txt is `## title`, the lines of a
-// sheet, and `? ` in front of each check.
+// sheet, and `? ` before each check.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ std::vector<std::string> lines_of(const char* path) {
   return lines;
 }
 
-/// Between separators; `\;` is none.
+/// Splits at separators, but not at `\;`.
 std::vector<std::string> parts_of(std::string_view text, char separator) {
   std::vector<std::string> parts(1);
   for (std::size_t at = 0; at < text.size(); ++at) {
@@ -58,7 +58,7 @@ std::string number_text(const SheetEntry& entry, const std::string& text) {
                                      bit_length(*type), is_signed(*type)));
 }
 
-/// What a check of an entry names, as the sheet has it.
+/// The item of an entry that a check names, as in the sheet.
 std::string said(const SheetEntry& entry, std::string_view what) {
   if (what == "bytes") return bytes_text(entry);
   if (what == "type") return fmt::format("{:04X}", entry.data_type);
@@ -111,7 +111,7 @@ std::string section_of(const std::string& keys) {
     const bool is_without = line.starts_with('-') && line.find('=') == std::string::npos;
     const std::string key(key_of(is_without ? line.substr(1) : line));
     std::erase_if(lines, [&](const std::string& each) { return same_letters(key_of(each), key); });
-    // Blanks around the value are of the case.
+    // Blanks around the value are part of the case.
     if (!is_without) given.push_back(part.substr(part.find_first_not_of(' ')));
   }
   std::string text = "[2000]\n";
@@ -151,7 +151,7 @@ TEST(SheetOddities, EntriesHaveTheValueThatIsRightByCia306) {
   EXPECT_GE(cases, 90U);
 }
 
-/// `\xHH` is a byte; a backslash at the end of a line takes its end away.
+/// `\xHH` is a byte; a backslash at the end of a line joins it with the next one.
 std::string unescaped(std::string_view text) {
   std::string made;
   while (!text.empty()) {

@@ -8,7 +8,7 @@
 #include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/formats/sheet/sheet_agreement.hpp"
 #include "canvoy/formats/sheet/sheet_value.hpp"
-#include "canvoy/profiles/mapping_value.hpp"
+#include "canvoy/profiles/model/mapping_value.hpp"
 #include "canvoy/profiles/registry.hpp"
 
 namespace canvoy::formats {
@@ -25,7 +25,7 @@ bool is_readable(const SheetEntry& entry) {
   return !same_letters(entry.access, "wo") && !is_domain(entry) && entry.data_type != 0;
 }
 
-/// What tells a device from others does not change: its value is its default.
+/// The identity of a device is constant: its value is its default.
 bool is_fixed(std::uint16_t index) {
   constexpr std::uint16_t fixed[] = {object_index::device_type, object_index::device_name,
                                      object_index::hardware_version, object_index::software_version,
@@ -33,7 +33,7 @@ bool is_fixed(std::uint16_t index) {
   return std::ranges::find(fixed, index) != std::end(fixed);
 }
 
-/// The object as described, at an index that may be in any block of the profile.
+/// The description of the object, at an index in any block of the profile.
 Part part_at(const Profile& profile, const ObjectInfo& object, unsigned index) {
   const unsigned offset = index - object.index;
   const unsigned number = offset < object.count ? offset : offset % profile.block_pitch;
@@ -60,7 +60,7 @@ bool is_printable(std::span<const std::uint8_t> bytes) {
   return std::ranges::all_of(bytes, [](std::uint8_t each) { return each >= ' ' && each < 0x7F; });
 }
 
-/// Of numbers the unsigned one of this length; of all else a text, or octets.
+/// The unsigned type of this length for a number; else a text, or octets.
 DataType least_type(std::span<const std::uint8_t> bytes) {
   switch (bytes.size()) {
     case 1:
@@ -78,13 +78,13 @@ DataType least_type(std::span<const std::uint8_t> bytes) {
   }
 }
 
-/// 0 where it is none.
+/// 0 if there is none.
 std::uint32_t number_in_text(const std::string& text) {
   const auto number = sheet_number(text);
   return number ? static_cast<std::uint32_t>(number->number) : 0;
 }
 
-/// Index and sub-index of what its PDOs carry.
+/// Index and sub-index of the entries in its PDOs.
 std::set<std::uint32_t> mapped_entries(const DataSheet& sheet) {
   std::set<std::uint32_t> mapped;
   for (const auto& [index, object] : sheet.objects) {
@@ -143,11 +143,11 @@ void SheetScan::read_domain(std::uint16_t index, std::uint8_t sub, SheetEntry& e
   ++count_;
 }
 
-/// Counts what was read, and keeps what was not.
+/// Counts a read value, and keeps an unread entry.
 void SheetScan::note(std::uint16_t index, std::uint8_t sub, const SheetEntry& entry,
                      const Result<Bytes>& answer) {
   if (!answer) {
-    // An error that has not happened yet has no place in the history.
+    // Entries of the history without an error do not exist yet.
     const bool is_empty = index == object_index::error_history && sub != 0;
     if (!is_empty) unread_.push_back({index, sub, entry.name, answer.abort(), ""});
     return;
@@ -190,13 +190,13 @@ DataSheet SheetScan::read_profile(const Profile& profile, SheetIdentity identity
   return sheet;
 }
 
-/// What the node answers for each entry that is there; nothing where the object is not.
+/// The answers of the node for each existing entry; empty if the object does not exist.
 SheetScan::Answers SheetScan::ask_object(std::uint16_t index, const ObjectInfo& object) {
   Answers answers;
   for (const EntryInfo& entry : object.entries()) {
     if (entry.type == DataType::domain) continue;
     ask_entries(index, entry, answers);
-    if (answers.empty()) return answers;  // not even its first entry
+    if (answers.empty()) return answers;  // the first entry does not exist
   }
   return answers;
 }
@@ -214,7 +214,7 @@ void SheetScan::ask_entries(std::uint16_t index, const EntryInfo& entry, Answers
   }
 }
 
-/// Puts answers into the object of a sheet, which has all that is described.
+/// Puts answers into the fully described object of a sheet.
 void SheetScan::fill(std::uint16_t index, SheetObject& object, const Answers& answers) {
   const auto put = [&](std::uint8_t sub, SheetEntry& entry) {
     const Result<Bytes>& answer = answers.at(sub);
@@ -228,7 +228,7 @@ void SheetScan::fill(std::uint16_t index, SheetObject& object, const Answers& an
   }
   const Result<Bytes>& count = answers.begin()->second;
   const unsigned highest = count && count->size() == 1 ? count->front() : 0U;
-  // Domains are not asked for: those are there that sub-index 00h counts.
+  // Domains are not read: they exist if sub-index 00h counts them.
   const auto is_there = [&](std::uint8_t sub, const SheetEntry& entry) {
     return answers.contains(sub) || (is_domain(entry) && sub <= highest);
   };
@@ -243,7 +243,7 @@ void SheetScan::fill(std::uint16_t index, SheetObject& object, const Answers& an
   first->second.default_value = sheet_number_text(object.subs.rbegin()->first, DataType::unsigned8);
 }
 
-// Objects that nobody describes.
+// Undescribed objects
 
 void SheetScan::read_undescribed(DataSheet& sheet, std::uint16_t first, std::uint16_t last) {
   for (unsigned index = first; index <= last; ++index) {
@@ -271,7 +271,7 @@ SheetEntry SheetScan::undescribed_entry(std::uint16_t index, std::uint8_t sub, c
   return entry;
 }
 
-/// One byte in sub-index 00h may be a value, or how many there are: sub-index 01h tells.
+/// One byte in sub-index 00h may be a value, or the number of entries: sub-index 01h decides.
 void SheetScan::read_undescribed_object(DataSheet& sheet, std::uint16_t index) {
   const Result<Bytes> own = read_(index, 0);
   if (!own && is_absent(own.abort())) return;

@@ -1,5 +1,5 @@
-// A DCF (CiA 306) of a node as it is now: its entries, read one by one, by a data sheet of its
-// kind or by the profile that it says to have.
+// Makes a DCF (CiA 306) of a running node: reads its entries one by one, from a data sheet of its
+// kind or from the profile that it reports.
 //
 //     SheetScan scan(read);              // how an entry of the node is read
 //     scan.read_values(sheet);           // the values of all entries of an EDS
@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "canvoy/canopen/dictionary/abort_code.hpp"
-#include "canvoy/formats/sheet/data_sheet.hpp"
+#include "canvoy/canopen/protocol/abort_code.hpp"
+#include "canvoy/formats/eds/data_sheet.hpp"
 #include "canvoy/formats/sheet/sheet_export.hpp"
 
 namespace canvoy::formats {
@@ -22,10 +22,10 @@ namespace canvoy::formats {
 class SheetScan {
  public:
   using Bytes = std::vector<std::uint8_t>;
-  /// The value of an entry, or why there is none. May throw, which ends the scan.
+  /// Reads an entry: its value, or the reason for none. May throw, which ends the scan.
   using Read = std::function<Result<Bytes>(std::uint16_t index, std::uint8_t sub)>;
   struct Progress {
-    std::size_t done = 0;  ///< objects
+    std::size_t done = 0;  ///< number of objects
     std::size_t all = 0;
     std::uint16_t index = 0;
   };
@@ -35,31 +35,31 @@ class SheetScan {
     std::uint16_t index = 0;
     std::uint8_t sub = 0;
     std::string name = {};
-    AbortCode abort = AbortCode::none;  ///< what the node answered; none: see `reason`
+    AbortCode abort = AbortCode::none;  ///< answer of the node; none: see `reason`
     std::string reason = {};
   };
 
   explicit SheetScan(Read read) : read_(std::move(read)) {}
   void on_progress(std::function<void(const Progress&)> tell) { tell_ = std::move(tell); }
 
-  /// Gives all entries of a sheet that may be read their values, but domains: see read_domains().
+  /// Reads the values of all readable entries of a sheet except domains; see read_domains().
   void read_values(DataSheet& sheet);
-  /// The objects that a profile and CiA 301 and 302 describe and the node has, with their values.
-  /// Domains, of which nobody knows the size, are left out.
+  /// Reads the objects that a profile, CiA 301 and CiA 302 describe and that the node has. Omits
+  /// domains, which have an unknown size.
   DataSheet read_profile(const Profile& profile, SheetIdentity identity);
 
-  /// Adds the objects from `first` to `last` that the node has and the sheet does not: nobody
-  /// describes them, and so their names are their indices, their types are the least that hold what
-  /// was read, and all may be written. Asks for each index once, and never writes.
+  /// Adds the objects from `first` to `last` that the node has and the sheet does not. They are
+  /// undescribed, so that their names are their indices, their types are the smallest for the
+  /// value, and all are writable. Requests each index once; never writes.
   void read_undescribed(DataSheet& sheet, std::uint16_t first, std::uint16_t last);
 
   using Keep =
       std::function<std::string(std::uint16_t index, std::uint8_t sub, const Bytes& bytes)>;
-  /// Reads the domains of a sheet that may be read. `keep` puts the bytes of one into a file and
+  /// Reads the readable domains of a sheet. `keep` writes the bytes of a domain into a file and
   /// returns its name, which becomes UploadFile.
   void read_domains(DataSheet& sheet, const Keep& keep);
 
-  /// Entries that were read.
+  /// Number of entries that were read.
   std::size_t count() const { return count_; }
   const std::vector<Unread>& unread() const { return unread_; }
 

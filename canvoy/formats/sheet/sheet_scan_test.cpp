@@ -1,4 +1,4 @@
-// A node is asked entry by entry; what it answers becomes a DCF (CiA 306, 5).
+// A node is read entry by entry; its answers become a DCF (CiA 306, 5).
 #include "canvoy/formats/sheet/sheet_scan.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 using Bytes = SheetScan::Bytes;
 
-/// Answers as the SDO server of a node does.
+/// Answers like the SDO server of a node.
 struct FakeNode {
   std::map<std::pair<unsigned, unsigned>, Result<Bytes>> entries;
   std::vector<std::pair<unsigned, unsigned>> asked;
@@ -121,7 +121,7 @@ TEST_F(ScanByEds, CommissioningNamesTheNodeAndKeepsOtherKeys) {
   EXPECT_NE(write_eds(sheet).find("ParameterValue=0x00000191"), std::string::npos);
 }
 
-/// Objects of CiA 301 and 419, as a small charger answers.
+/// Objects of CiA 301 and 419, as in a small charger.
 FakeNode small_charger() {
   FakeNode node;
   node.entries = {

@@ -1,5 +1,5 @@
-// Storage for a device that keeps its parameters as long as the program runs: what 1010h stored
-// outlives every NMT reset (CiA 301, 7.5.2.13 and 7.5.2.14).
+// Storage that keeps the parameters of a device while the program runs: values stored with 1010h
+// outlive every NMT reset (CiA 301, 7.5.2.13 and 7.5.2.14).
 //
 //     MemoryStorage storage(node);
 #pragma once
@@ -11,7 +11,7 @@
 
 namespace canvoy::formats {
 
-/// Sectors of this size, and so many of them that all parameters fit into a slot.
+/// Size of a sector; their number is such that all parameters fit into a slot.
 inline constexpr std::uint32_t storage_sector_size = 4096;
 std::uint32_t storage_slot_size(const Dictionary& dictionary);
 

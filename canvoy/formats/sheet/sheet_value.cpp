@@ -9,7 +9,8 @@
 #include <cmath>
 #include <limits>
 
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/can/real_text.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 #include "canvoy/formats/terms.hpp"
 
 namespace canvoy::formats {
@@ -25,8 +26,7 @@ Bytes number_bytes(std::uint64_t number, unsigned length) {
   return bytes;
 }
 
-/// Whether a number, or the pattern of one, fits into the type. Tools write -1 for FFh and FFh for
-/// -1.
+/// True if a number, or the pattern of one, fits the type. Tools write -1 for FFh and FFh for -1.
 bool fits(const SheetNumber& sheet_number, std::uint8_t node_id, unsigned bits) {
   if (bits >= 64) return true;
   if (sheet_number.is_pattern) return false;
@@ -42,7 +42,7 @@ std::optional<Bytes> integer_bytes(DataType type, std::string_view text, std::ui
   return number_bytes(static_cast<std::uint64_t>(number->at(node_id)), byte_length(type));
 }
 
-/// Some tools write the bits of a real.
+/// Some tools write a real as its bits.
 std::optional<Bytes> pattern_bytes(DataType type, std::string_view text) {
   const auto pattern = sheet_number(text);
   if (!pattern || pattern->plus_node_id) return std::nullopt;
@@ -55,16 +55,16 @@ std::optional<Bytes> pattern_bytes(DataType type, std::string_view text) {
 std::optional<Bytes> real_bytes(DataType type, std::string_view text) {
   double number = 0;
   const char* last = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data(), last, number);
+  const auto [end, error] = real_from_chars(text.data(), last, number);
   if (!text.empty() && (error != std::errc{} || end != last)) return pattern_bytes(type, text);
   if (type == DataType::real64) return number_bytes(std::bit_cast<std::uint64_t>(number), 8);
-  // What is beyond would become infinite, unseen.
+  // Greater values would become infinite without notice.
   constexpr double greatest = std::numeric_limits<float>::max();
   if (std::isfinite(number) && std::abs(number) > greatest) return std::nullopt;
   return number_bytes(std::bit_cast<std::uint32_t>(static_cast<float>(number)), 4);
 }
 
-/// Pairs of hexadecimal digits, with blanks between them or without.
+/// Reads pairs of hexadecimal digits, with or without blanks between them.
 std::optional<Bytes> octets(std::string_view text) {
   Bytes bytes;
   while (true) {
@@ -79,7 +79,7 @@ std::optional<Bytes> octets(std::string_view text) {
   }
 }
 
-/// The text without the zeros that pad it, where a line of a file can hold it.
+/// The text without padding zeros, if a line of a file can hold it.
 std::optional<std::string> line_text(std::span<const std::uint8_t> bytes) {
   std::string text(bytes.begin(), bytes.end());
   text.resize(text.find_last_not_of('\0') + 1);

@@ -1,4 +1,4 @@
-// Values of data sheets as bytes, as they stand in a dictionary.
+// Converts values of data sheets to bytes, as in a dictionary, and back.
 //
 //     sheet_bytes(DataType::unsigned32, "$NODEID+0x180", 5)  // 85 01 00 00
 #pragma once
@@ -10,23 +10,23 @@
 #include <string_view>
 #include <vector>
 
-#include "canvoy/formats/sheet/data_sheet.hpp"
+#include "canvoy/formats/eds/data_sheet.hpp"
 
 namespace canvoy::formats {
 
-/// Nothing where the text is no value of the type, or beyond what the type holds. Strings are taken
-/// as they are; of an octet string, pairs of hexadecimal digits. An empty text is 0, or an empty
-/// string.
+/// Converts a text to bytes. Nothing if it is not a value of the type, or out of its range. Strings
+/// are taken as they are, octet strings as pairs of hexadecimal digits. An empty text is 0, or an
+/// empty string.
 std::optional<std::vector<std::uint8_t>> sheet_bytes(DataType type, std::string_view text,
                                                      std::uint8_t node_id);
-/// The other way round; nothing where the bytes are no value of the type, or a text that no line of
-/// a file can hold. Zeros behind a text are padding.
+/// Converts bytes to a text. Nothing if they are not a value of the type, or a text that a line of
+/// a file cannot hold. Zeros after a text are padding.
 std::optional<std::string> sheet_value_text(DataType type, std::span<const std::uint8_t> bytes);
-/// A raw number in the notation that its type asks for: `0x1A`, `-5`, `1.5`.
+/// A raw number in the notation of its type: `0x1A`, `-5`, `1.5`.
 std::string sheet_number_text(std::int64_t number, DataType type);
-/// The type of this index, where values of it can be told.
+/// The type with this index, if its values have a notation.
 std::optional<DataType> sheet_type(unsigned data_type);
-/// Whether two texts are the same value, however they are written.
+/// True if two texts have the same value in any notation.
 bool same_value(unsigned data_type, std::string_view a, std::string_view b);
 
 }  // namespace canvoy::formats

@@ -1,4 +1,4 @@
-// Values typed from CiA 301, 7.1.4: little-endian numbers, two's complement, IEEE 754.
+// Values are typed from CiA 301, 7.1.4: little-endian numbers, two's complement, IEEE 754.
 #include "canvoy/formats/sheet/sheet_value.hpp"
 
 #include <gtest/gtest.h>

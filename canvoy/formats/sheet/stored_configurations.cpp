@@ -72,7 +72,7 @@ Result<std::uint32_t> StoredConfigurations::open_read(const Entry& entry) {
   return static_cast<std::uint32_t>(bytes.size());
 }
 
-/// What is stored anew under way is not mixed with what it was.
+/// A content that is replaced during an upload is not mixed with the previous one.
 Result<std::size_t> StoredConfigurations::read(const Entry& entry, std::uint32_t offset,
                                                std::span<std::uint8_t> bytes) {
   if (new_.contains(place_of(entry))) return AbortCode::device_state;

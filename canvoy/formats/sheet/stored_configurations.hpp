@@ -1,14 +1,14 @@
-// What a tool stores in a configuration manager over the bus (CiA 302-3): DCFs of slaves (1F20h,
-// 1F21h), of which it makes the concise DCFs (1F22h) that slaves are configured by, concise DCFs
-// themselves, and EDS of slaves (1F23h, 1F24h).
+// Serves what a tool stores in a configuration manager over the bus (CiA 302-3): DCFs of slaves
+// (1F20h, 1F21h), from which it makes their concise DCFs (1F22h), concise DCFs themselves, and EDS
+// of slaves (1F23h, 1F24h).
 //
 //     ConfigurationManager manager(node, workers);
 //     StoredConfigurations stored(node, manager);
 //     stored.store(0x1F20, 5, dcf_of_node_5);    // as a tool does it, by SDO
 //     stored.content(0x1F22, 5);                 // by which node 5 is configured
 //
-// Public facts say what these objects hold, not what a manager answers: what it refuses, and when,
-// is our choice (docs/decisions.md).
+// Public sources define what these objects hold, not how a manager answers. What it refuses, and
+// when, is a choice of this project (docs/decisions.md).
 #pragma once
 
 #include <cstddef>
@@ -25,32 +25,32 @@
 namespace canvoy::formats {
 
 /// For a host: contents are in memory, and DCFs are read whole. A slave has at most one concise
-/// DCF: that of its DCF, or one that was stored instead of it, which ends the DCF. What has no
-/// bytes ends what was stored before.
+/// DCF: that of its DCF, or one that was stored instead and replaces the DCF. An empty content
+/// deletes the stored one.
 ///
-/// Aborts of a store: value_range (no DCF, or with a value that is none of its type; in 1F21h and
-/// 1F24h another format than ASCII), those of ConciseDcf, device_state (this slave is configured
-/// just now, or somebody else stores here), out_of_memory (beyond `bytes_max`). Then all is as
-/// before.
+/// Aborts of a store: value_range (not a DCF, or one with a value that does not fit its type; in
+/// 1F21h and 1F24h a format other than ASCII), those of ConciseDcf, device_state (this slave is
+/// being configured, or another client stores here), out_of_memory (beyond `bytes_max`). All
+/// contents are then unchanged.
 class StoredConfigurations {
  public:
   static constexpr std::size_t default_bytes_max = 16 * 1024 * 1024;
 
-  /// Of the dictionary it serves what is there. `bytes_max` bounds all contents together,
-  /// with those that arrive.
+  /// Serves the entries that the dictionary has. `bytes_max` limits the size of all contents
+  /// together, including those in transfer.
   explicit StoredConfigurations(Node& node, const ConfigurationManager& manager,
                                 std::size_t bytes_max = default_bytes_max);
   StoredConfigurations(const StoredConfigurations&) = delete;
   StoredConfigurations& operator=(const StoredConfigurations&) = delete;
 
-  /// Called when a tool has stored something, for who keeps it over the power.
+  /// Sets the function called after a tool has stored a content, for example to save it.
   void on_stored(std::function<void(std::uint16_t index, NodeId slave)> stored) {
     stored_ = std::move(stored);
   }
 
-  /// `index` is 1F20h, 1F22h or 1F23h. Without a call of on_stored.
+  /// Stores a content; `index` is 1F20h, 1F22h or 1F23h. Does not call the function of on_stored().
   AbortCode store(std::uint16_t index, NodeId slave, std::span<const std::uint8_t> bytes);
-  /// Nothing where there is none; valid until the next store.
+  /// The stored content; empty if there is none. Valid until the next store.
   std::span<const std::uint8_t> content(std::uint16_t index, NodeId slave) const;
 
  private:
@@ -76,7 +76,7 @@ class StoredConfigurations {
   std::size_t bytes_max_;
   std::function<void(std::uint16_t, NodeId)> stored_;
   Contents contents_;
-  Contents arriving_;    ///< downloads that are under way
+  Contents arriving_;    ///< downloads in progress
   std::set<Place> new_;  ///< stored since an upload began
   Domain domain_;
   Hook texts_;          ///< 1F20h

@@ -1,5 +1,5 @@
 // Tools store DCFs, concise DCFs and EDS of slaves in the manager, node 1, by SDO, and slaves are
-// configured by them (CiA 302-3: 1F20h to 1F24h).
+// configured from them (CiA 302-3: 1F20h to 1F24h).
 #include "canvoy/formats/sheet/stored_configurations.hpp"
 
 #include <gtest/gtest.h>
@@ -64,7 +64,7 @@ class StoredConfigurationsTest : public testing::Test {
     wire.boot();
   }
 
-  /// What an SDO client does to write these bytes in segments; the abort code that ends it.
+  /// Downloads these bytes in segments like an SDO client; returns the abort code.
   AbortCode download(std::uint16_t index, std::uint8_t sub, const Bytes& bytes,
                      bool tells_size = true) {
     const std::uint8_t initiate = tells_size ? 0x21 : 0x20;
@@ -146,7 +146,7 @@ TEST_F(StoredConfigurationsTest, ValuesGoWithTheNodeIdOfTheSlave) {
       "[1014]\nDataType=7\nAccessType=rw\nDefaultValue=$NODEID+0x80\n"
       "ParameterValue=$NODEID+0x80\n";
   EXPECT_EQ(download(0x1F20, 6, text), AbortCode::none);
-  // Invalid first, since a CAN-ID changes in between only (CiA 301, 7.5.2.17).
+  // Invalid first, since a CAN-ID changes only in that state (CiA 301, 7.5.2.17).
   EXPECT_EQ(content(0x1F22, 6), (Bytes{2,    0,    0, 0,                             //
                                        0x14, 0x10, 0, 4, 0, 0, 0, 0x86, 0, 0, 0x80,  //
                                        0x14, 0x10, 0, 4, 0, 0, 0, 0x86, 0, 0, 0}));

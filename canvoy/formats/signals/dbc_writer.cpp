@@ -10,12 +10,12 @@ namespace canvoy::formats {
 
 namespace {
 
-/// The most that tools of this format take.
+/// Limit of the tools for this format.
 constexpr std::size_t dbc_name_max = 32;
-/// Who is not known.
+/// Stands for an unknown node.
 constexpr const char* nobody = "Vector__XXX";
 
-/// UTF-8 as ISO 8859-1; what that has not is written out.
+/// Converts UTF-8 to ISO 8859-1; other characters are spelled out.
 std::string latin1(std::string_view text) {
   static const std::map<std::string_view, std::string_view> written_out = {
       {"\xCE\xA9", "Ohm"}, {"\xE2\x80\xB0", "1/1000"}};
@@ -40,7 +40,7 @@ std::string latin1(std::string_view text) {
   return made;
 }
 
-/// There is no way to write a quotation mark in a text of a DBC.
+/// A text of a DBC cannot contain a quotation mark.
 std::string dbc_text(std::string_view text) {
   std::string made = latin1(text);
   std::ranges::replace(made, '"', '\'');
@@ -48,10 +48,10 @@ std::string dbc_text(std::string_view text) {
   return '"' + made + '"';
 }
 
-/// Names of one kind, each of which stands there once.
+/// Names of one kind, made unique.
 class DbcNames {
  public:
-  /// The same in 32 characters at most; `full` if it has more.
+  /// The name in at most 32 characters, unique; `full` if it is longer.
   std::string take(std::string_view name, std::string_view distinction = {}) {
     std::string full = identifier_of(name);
     if (full_.contains(full) && !distinction.empty()) {
@@ -178,7 +178,7 @@ class DbcWriter {
   DbcNames node_names_;
   DbcNames message_names_;
   std::map<std::string, std::string> nodes_;
-  // The parts of the file, in its order.
+  // Parts of the file, in order.
   std::string text_;
   std::string senders_;
   std::string comments_;

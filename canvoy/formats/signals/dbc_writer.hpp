@@ -1,4 +1,4 @@
-// Messages and signals as DBC, in ISO 8859-1 as its readers expect it.
+// Writes messages and signals as DBC, in ISO 8859-1 as its readers expect.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace canvoy::formats {
 
-/// Names that are longer than 32 characters are also there in full, as SystemSignalLongSymbol and
-/// its like.
+/// Writes a DBC. Names longer than 32 characters are also written in full, as
+/// SystemSignalLongSymbol and similar attributes.
 std::string write_dbc(const SignalTable& table);
 
-/// A name as C and DBC allow it: `Input group 1, Virtual input 3` is
+/// Makes a name valid in C and DBC: `Input group 1, Virtual input 3` becomes
 /// `Input_group_1_Virtual_input_3`.
 std::string identifier_of(std::string_view name);
 

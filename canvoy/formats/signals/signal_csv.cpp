@@ -9,7 +9,7 @@ namespace canvoy::formats {
 
 namespace {
 
-/// As RFC 4180 has it.
+/// In the form of RFC 4180.
 std::string csv_text(std::string_view text) {
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
   std::string made = "\"";
@@ -35,7 +35,7 @@ struct SignalPlace {
   unsigned first_bit = 0;
 };
 
-/// Where a node's values are in messages that it sends or receives.
+/// Positions of the values of a node in the messages that it sends or receives.
 class SignalPlaces {
  public:
   SignalPlaces(const SignalTable& table, const SignalNode& node) {

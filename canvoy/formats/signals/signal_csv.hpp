@@ -1,5 +1,5 @@
-// Dictionaries and messages as CSV: a line for each number of each entry, and where in a message it
-// is.
+// Writes dictionaries and messages as CSV: a line for each number of each entry, with its position
+// in a message.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace canvoy::formats {
 
-/// UTF-8.
+/// Returns the CSV in UTF-8.
 std::string write_signal_csv(const SignalTable& table);
 
 }  // namespace canvoy::formats

@@ -1,4 +1,4 @@
-// Dictionaries and messages as a page of its own, to read and to print.
+// Writes dictionaries and messages as a self-contained HTML page, to read and to print.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace canvoy::formats {
 
-/// UTF-8.
+/// Returns the page in UTF-8.
 std::string write_signal_html(const SignalTable& table, const std::string& title);
 
 }  // namespace canvoy::formats

@@ -1,6 +1,6 @@
-// What the nodes of a bus have and say, as tables: their dictionaries, and which bits of which
-// message carry what. Made of data sheets and profiles (canvoy/words/signal_table_maker.hpp),
-// written as DBC, CSV and HTML (dbc_writer.hpp, signal_csv.hpp, signal_html.hpp).
+// Tables of the nodes of a bus: their dictionaries, and the bits of each message. Made from data
+// sheets and profiles (canvoy/text/signal_table_maker.hpp), written as DBC, CSV and HTML
+// (dbc_writer.hpp, signal_csv.hpp, signal_html.hpp).
 //
 //     write_text("charger.dbc", write_dbc(table));
 #pragma once
@@ -23,35 +23,35 @@ struct SignalState {
 /// A number in some bits, the least significant one first.
 struct Signal {
   enum class Type : std::uint8_t { unsigned_number, signed_number, real32, real64 };
-  std::uint16_t index = 0;  ///< 0: it is in no dictionary
+  std::uint16_t index = 0;  ///< 0: not in a dictionary
   std::uint8_t sub = 0;
-  std::string name = {};  ///< as people read it; it may have blanks in it
+  std::string name = {};  ///< for display; may contain blanks
   unsigned first_bit = 0;
   unsigned bits = 1;
   Type type = Type::unsigned_number;
-  double factor = 1;  ///< the amount is the number times this, and `offset`
+  double factor = 1;  ///< amount = number * `factor` + `offset`
   double offset = 0;
   std::string unit = {};                                 ///< UTF-8
   std::optional<std::pair<double, double>> limits = {};  ///< of the amount
   std::vector<SignalState> states = {};
-  bool is_selector = false;  ///< its number says which of the others the message has
-  /// The number of the selector with which the message has this signal; nothing: always.
+  bool is_selector = false;  ///< selects which of the other signals the message has
+  /// Number of the selector with which the message has this signal; nothing: always.
   std::optional<std::uint32_t> selected_by = {};
   std::string comment = {};
 };
 
-/// What is sent with one CAN-ID.
+/// The content of a message with one CAN-ID.
 struct SignalMessage {
   std::uint32_t can_id = 0;
   unsigned length = 8;
   std::string name = {};
-  std::vector<std::string> senders = {};  ///< names of nodes; empty: not known
+  std::vector<std::string> senders = {};  ///< names of nodes; empty: unknown
   std::vector<std::string> receivers = {};
   std::vector<Signal> signals = {};
   std::string comment = {};
 };
 
-/// An entry of a dictionary. Texts as a data sheet writes them.
+/// An entry of a dictionary. Texts in the notation of a data sheet.
 struct DictionaryLine {
   std::uint16_t index = 0;
   std::uint8_t sub = 0;
@@ -62,7 +62,7 @@ struct DictionaryLine {
   std::string initial = {};
   std::string value = {};           ///< of a configured device
   std::string clause = {};          ///< `CiA 419, 7.2.3`
-  std::vector<Signal> fields = {};  ///< the number in it, or several; none of a text
+  std::vector<Signal> fields = {};  ///< the numbers in it; none for a text
 };
 
 struct SignalNode {
@@ -75,7 +75,7 @@ struct SignalNode {
 
 struct SignalTable {
   std::vector<SignalNode> nodes;
-  std::vector<SignalMessage> messages;  ///< in the order of their CAN-IDs
+  std::vector<SignalMessage> messages;  ///< in order of CAN-ID
 };
 
 }  // namespace canvoy::formats

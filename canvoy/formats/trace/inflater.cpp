@@ -29,7 +29,7 @@ Inflater::~Inflater() {
 
 Inflater::Step Inflater::run(std::string_view bytes, std::span<char> into) {
   z_stream& state = stream_->state;
-  // zlib does not write to it.
+  // zlib does not write to this memory.
   state.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
   state.avail_in = static_cast<uInt>(bytes.size());
   state.next_out = reinterpret_cast<Bytef*>(into.data());

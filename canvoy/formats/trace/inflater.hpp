@@ -1,4 +1,4 @@
-// zlib in pieces, of logs that are compressed, or have compressed parts.
+// zlib in pieces, for logs that are compressed or have compressed parts.
 //
 //     Inflater inflater(Inflater::Of::gzip);
 //     const Inflater::Step step = inflater.run(compressed, into);
@@ -18,7 +18,7 @@ class Inflater {
   enum class Of : std::uint8_t { gzip, zlib };
   enum class State : std::uint8_t { goes_on, ended, damaged };
   struct Step {
-    std::size_t taken = 0;  ///< of the compressed bytes
+    std::size_t taken = 0;  ///< number of compressed bytes used
     std::size_t made = 0;
     State state = State::goes_on;
   };
@@ -28,9 +28,9 @@ class Inflater {
   Inflater& operator=(Inflater&&) noexcept;
   ~Inflater();
 
-  /// As far as the bytes, or the room in `into`, reach.
+  /// Decompresses as far as `bytes`, or the room in `into`, allows.
   Step run(std::string_view bytes, std::span<char> into);
-  /// For another piece of compressed data.
+  /// Starts another stream of compressed data.
   void begin_again();
 
  private:
@@ -38,7 +38,7 @@ class Inflater {
   std::unique_ptr<Stream> stream_;
 };
 
-/// Compresses by gzip, with its fastest level: logs are many bytes that are much alike.
+/// Compresses with gzip at its fastest level: logs are large and repetitive.
 class Deflater {
  public:
   Deflater();
@@ -46,8 +46,8 @@ class Deflater {
   Deflater& operator=(const Deflater&) = delete;
   ~Deflater();
 
-  /// What becomes of `bytes`, until the next call; all that was given so far can be read of it.
-  /// `last`: nothing follows.
+  /// Compressed form of `bytes`, valid until the next call; a reader can decompress all bytes given
+  /// so far. `last`: nothing follows.
   std::string_view run(std::string_view bytes, bool last);
 
  private:

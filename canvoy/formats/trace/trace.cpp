@@ -23,7 +23,7 @@ bool is_gzip(std::string_view head) {
   return head.starts_with("\x1F\x8B\x08");
 }
 
-/// Text whose lines end with a carriage return alone, as of old Macs.
+/// Text with lone carriage returns as line ends, as on old Macs.
 bool ends_lines_with_returns(std::string_view head) {
   const auto is_text = [](char c) { return c >= ' ' || c < 0 || c == '\r' || c == '\t'; };
   return head.find('\r') != std::string_view::npos && std::ranges::all_of(head, is_text);
@@ -31,15 +31,15 @@ bool ends_lines_with_returns(std::string_view head) {
 
 }  // namespace
 
-/// A log that gzip has compressed: what was read of the file, and was not yet inflated.
+/// A gzip log: data read from the file and not yet inflated.
 struct TraceReader::Gzip {
   Inflater inflater{Inflater::Of::gzip};
-  std::unique_ptr<char[]> buffer;  ///< none where all is in memory
+  std::unique_ptr<char[]> buffer;  ///< null if all is in memory
   std::string_view rest;
-  bool is_between = false;  ///< one piece has ended: another may follow
+  bool is_between = false;  ///< one piece has ended; another may follow
 };
 
-/// Text that is not read as it stands: what was read of it, and is not yet UTF-8 in lines.
+/// Text to be converted: data read and not yet UTF-8 in lines.
 struct TraceReader::Recoding {
   enum class Of : std::uint8_t { utf16_little, utf16_big, returns };
 
@@ -51,7 +51,7 @@ struct TraceReader::Recoding {
   }
 
   Of of = Of::returns;
-  std::unique_ptr<char[]> buffer;  ///< none where all is in memory
+  std::unique_ptr<char[]> buffer;  ///< null if all is in memory
   std::string_view rest;
   bool is_ended = false;
 };
@@ -97,11 +97,38 @@ host::Result<TraceReader> TraceReader::of(std::string_view content) {
 
 host::Result<void> TraceReader::recognize(const std::string& name) {
   parser_ = recognize_trace(rest_.substr(0, trace_record_max));
+  seeks_ = parser_ != nullptr && parser_->seeks();
+  if (seeks_) return open_anywhere(name);
   if (parser_ != nullptr) return {};
   return host::Error{name,
                      "it looks like " + std::string(looks_like(rest_.substr(0, trace_record_max))) +
                          ", not like a log",
                      "these are read: " + trace_format_list() + ", each also by gzip (.gz)"};
+}
+
+host::Result<void> TraceReader::open_anywhere(const std::string& name) {
+  host::Result<TraceFile> file = whole_file();
+  if (!file) return file.error();
+  return file_parser().open(*std::move(file), name);
+}
+
+// What is no plain file, or compressed, is copied into one.
+host::Result<TraceFile> TraceReader::whole_file() {
+  const bool is_as_it_stands = !gzip_ && !recoding_;
+  if (is_as_it_stands && !file_) return TraceFile(rest_);
+  if (is_as_it_stands && size_ != 0) return TraceFile::open(file_.get());
+  host::Result<TemporaryTrace> copy = TemporaryTrace::create();
+  if (!copy) return copy.error();
+  do {
+    const host::Result<void> appended = copy->append(rest_);
+    if (!appended) return appended.error();
+    rest_ = {};
+  } while (fill());
+  return TraceFile::of(*std::move(copy));
+}
+
+TraceFileParser& TraceReader::file_parser() const {
+  return static_cast<TraceFileParser&>(*parser_);
 }
 
 // What was read so far is the beginning of the compressed data.
@@ -116,7 +143,7 @@ void TraceReader::begin_gzip() {
   while (rest_.size() < trace_record_max && fill()) continue;
 }
 
-// As begin_gzip(), of whatever comes out of that.
+// Like begin_gzip(), but for the decompressed data.
 void TraceReader::begin_recoding() {
   const std::optional<TextEncoding> marked = marked_encoding(rest_);
   if (marked == TextEncoding::utf8_with_mark) return pass(3);
@@ -136,7 +163,7 @@ void TraceReader::begin_recoding() {
   while (rest_.size() < trace_record_max && fill()) continue;
 }
 
-// Where less than a character is left, what follows comes behind it.
+// If less than a character is left, the next data is appended to it.
 std::size_t TraceReader::recode(char* into, std::size_t room) {
   Recoding& text = *recoding_;
   while (true) {
@@ -161,7 +188,7 @@ std::size_t TraceReader::read_file(char* into, std::size_t room) {
   return count > 0 ? static_cast<std::size_t>(count) : 0;
 }
 
-// What is not yet parsed moves to the front of the buffer, and what the file has comes behind it.
+// Moves unparsed data to the front of the buffer, and reads more from the file after it.
 bool TraceReader::fill() {
   if (file_ended_) return false;
   if (!rest_.empty()) std::memmove(buffer_.get(), rest_.data(), rest_.size());
@@ -185,7 +212,7 @@ std::size_t TraceReader::inflate(char* into, std::size_t room) {
       source_ended_ = got == 0;
       gzip.rest = {gzip.buffer.get(), got};
     }
-    // Zeros fill up the last block of a tape.
+    // Zeros pad the last block of a tape.
     const bool goes_on = !gzip.rest.empty() && gzip.rest.front() != 0;
     if (gzip.is_between && !goes_on) return 0;
     if (gzip.is_between) gzip.inflater.begin_again();
@@ -211,7 +238,38 @@ void TraceReader::pass(std::uint64_t bytes) {
   passing_ = bytes - here;
 }
 
+TraceRead TraceReader::next_anywhere(TraceFrame& frame) {
+  while (true) {
+    const TraceStep step = parser_->step({}, true, frame);
+    const bool is_copy = gzip_ || recoding_;
+    if (!is_copy) position_ = file_parser().position();
+    switch (step.item) {
+      case TraceItem::frame:
+        if (frame.time > trace_time_max) return found_bad("its time is behind the year 3999");
+        ++frames_;
+        return TraceRead::frame;
+      case TraceItem::bad:
+        return found_bad(step.problem);
+      case TraceItem::fd:
+        ++fd_frames_;
+        return TraceRead::fd;
+      case TraceItem::note:
+        ++notes_skipped_;
+        break;
+      case TraceItem::end:
+        if (!is_copy) position_ = std::max(position_, size_);
+        // What was compressed and is cut.
+        if (!std::exchange(read_failed_, false)) return TraceRead::end;
+        return found_bad("the file cannot be read any further");
+      case TraceItem::remainder:
+      case TraceItem::more:
+        break;
+    }
+  }
+}
+
 TraceRead TraceReader::next(TraceFrame& frame) {
+  if (seeks_) return next_anywhere(frame);
   while (true) {
     if (passing_ > 0) pass(passing_);
     if (rest_.empty()) {
@@ -242,6 +300,7 @@ TraceRead TraceReader::next(TraceFrame& frame) {
         break;
       case TraceItem::remainder:
       case TraceItem::more:
+      case TraceItem::end:
         break;
     }
   }
@@ -258,6 +317,7 @@ const TraceFormat& TraceReader::format() const {
 }
 
 std::string TraceReader::where() const {
+  if (seeks_) return file_parser().where();
   return parser_->has_lines() ? "line " + std::to_string(line_) : "byte " + std::to_string(record_);
 }
 

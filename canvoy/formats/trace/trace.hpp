@@ -1,6 +1,6 @@
-// The logs of CAN tools (candump, Vector ASC and BLF, PEAK TRC, pcapng, pcap, CSV), read as one
-// sequence of frames: in one pass, in flat memory, whatever the size of the file; what it is shows
-// its content.
+// The logs of CAN tools (candump, Vector ASC and BLF, PEAK TRC, pcapng, pcap, CSV, ASAM MDF,
+// SQLite), read as one sequence of frames: in one pass, in flat memory, whatever the size of the
+// file; what it is shows its content.
 //
 //     Result<TraceReader> trace = TraceReader::open("bus.asc");
 //     TraceFrame heard;
@@ -26,23 +26,23 @@
 
 namespace canvoy::formats {
 
-/// From the view of the program that wrote the log; many do not say.
+/// Seen from the program that wrote the log; many logs do not give it.
 enum class TraceDirection : std::uint8_t { unknown, received, sent };
 
-/// What a CAN FD frame has beside its identifier (ISO 11898-1): up to 64 bytes.
+/// Content of a CAN FD frame beside its identifier: up to 64 bytes (ISO 11898-1).
 struct TraceFdContent {
   static constexpr std::uint8_t bit_rate_switch = 1;
   static constexpr std::uint8_t error_state = 2;
 
-  std::uint8_t flags = 0;   ///< as candump writes them behind `##`
-  std::uint8_t length = 0;  ///< bytes of `data`; 0 as well where the log tells none
+  std::uint8_t flags = 0;   ///< as candump writes them after `##`
+  std::uint8_t length = 0;  ///< number of bytes in `data`; also 0 if the log gives none
   std::array<std::uint8_t, 64> data{};
 };
 
-/// A frame of a trace. `time` counts from 1970 where the trace says when it began (a date without
-/// a time zone is taken as UTC), else from its beginning. `channel` lives until the next one is
-/// read; where a format numbers its channels, the first is can0. Of a CAN FD frame, `frame` is
-/// empty but for its identifier, and `fd` has the rest.
+/// A frame of a trace. `time` counts from 1970 if the trace has a start date (without a time zone:
+/// UTC), else from the start of the trace. `channel` is valid until the next frame is read; in a
+/// format with numbered channels, the first is can0. Of a CAN FD frame, `frame` has only the
+/// identifier, and `fd` the rest.
 struct TraceFrame {
   Time time{};
   Frame frame;
@@ -53,26 +53,28 @@ struct TraceFrame {
 
 enum class TraceRead : std::uint8_t {
   frame,  ///< a frame was read
-  fd,     ///< a frame of CAN FD, which CANopen does not use: told with its bytes
-  bad,    ///< a line or block that cannot be read was passed over: where() and problem() say more
-  end,    ///< nothing follows
+  fd,     ///< a CAN FD frame, which CANopen does not use; reported with its bytes
+  bad,    ///< an unreadable line or block was skipped: where() and problem() give details
+  end,    ///< end of the trace
 };
 
+class TraceFile;
+class TraceFileParser;
 class TraceParser;
 
-/// The end of the year 3999. A frame with a later time is none that can be read: no format but text
-/// would hold it.
+/// The end of the year 3999. A frame with a later time is unreadable: only text formats could hold
+/// it.
 inline constexpr Time trace_time_max =
     Time{std::chrono::sys_days{std::chrono::year{4000} / 1 / 1}.time_since_epoch()} - Duration{1};
 
-/// Reads a trace from a file, a pipe or memory. Nothing that stands in it is fatal. Text may be
-/// UTF-16 with a byte order mark, and its lines may end with a carriage return alone.
+/// Reads a trace from a file, a pipe or memory. No content is a fatal error. Text may be UTF-16
+/// with a byte order mark, and its lines may end with a lone carriage return.
 class TraceReader {
  public:
-  /// The format is recognized by the first 64 KiB; `-` is the standard input. What gzip has
-  /// compressed is read as it was before. Text in UTF-16 or with a byte order mark is read too.
+  /// Opens a trace; `-` is the standard input. The first 64 KiB determine the format. Decompresses
+  /// gzip. Also reads text in UTF-16 or with a byte order mark.
   static host::Result<TraceReader> open(const std::string& path);
-  /// Reads `content`, which has to outlive the reader.
+  /// Reads `content`, which must outlive the reader.
   static host::Result<TraceReader> of(std::string_view content);
   TraceReader(TraceReader&&) noexcept;
   TraceReader& operator=(TraceReader&&) = delete;
@@ -81,18 +83,18 @@ class TraceReader {
   TraceRead next(TraceFrame& frame);
 
   const TraceFormat& format() const;
-  /// Where the latest was read: "line 12", or "byte 4096" in a file of blocks.
+  /// Where the latest was read: "line 12", "byte 4096" in a file of blocks, "row 7" of a table.
   std::string where() const;
-  /// Why the latest is bad; lives as long as the program.
+  /// Reason why the last item is bad; static text.
   std::string_view problem() const { return problem_; }
 
   std::uint64_t frames() const { return frames_; }
   std::uint64_t bad() const { return bad_; }
   std::uint64_t fd_frames() const { return fd_frames_; }
-  /// Comments, headers and events that are no frames.
+  /// Number of comments, headers and events that are not frames.
   std::uint64_t notes_skipped() const { return notes_skipped_; }
 
-  /// For a progress bar: bytes read so far, and of the whole file (0 of a pipe).
+  /// For a progress bar: number of bytes read, and of the whole file (0 for a pipe).
   std::uint64_t position() const { return position_; }
   std::uint64_t size() const { return size_; }
 
@@ -110,6 +112,10 @@ class TraceReader {
   void pass(std::uint64_t bytes);
   TraceRead found_bad(std::string_view problem);
   host::Result<void> recognize(const std::string& name);
+  host::Result<void> open_anywhere(const std::string& name);
+  host::Result<TraceFile> whole_file();
+  TraceFileParser& file_parser() const;
+  TraceRead next_anywhere(TraceFrame& frame);
 
   host::Descriptor file_;
   std::string name_;
@@ -117,10 +123,11 @@ class TraceReader {
   std::string_view rest_;  // read from the file, not yet parsed
   bool file_ended_ = false;
   bool read_failed_ = false;
-  std::unique_ptr<Gzip> gzip_;          // null where the file is not compressed
+  std::unique_ptr<Gzip> gzip_;          // null if the file is not compressed
   bool source_ended_ = false;           // of the compressed data
-  std::unique_ptr<Recoding> recoding_;  // null where the text is read as it stands
+  std::unique_ptr<Recoding> recoding_;  // null if the text needs no conversion
   std::unique_ptr<TraceParser> parser_;
+  bool seeks_ = false;         // the parser is a TraceFileParser
   std::uint64_t passing_ = 0;  // bytes to be passed over that were not yet read from the file
   std::string_view problem_;
   std::uint64_t line_ = 0;

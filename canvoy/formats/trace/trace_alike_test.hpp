@@ -1,5 +1,5 @@
-// Two logs of one frame that have to be read alike: the one as tools write it, which the quick way
-// reads, the other with a tab in it, which is left to the careful one.
+// Two logs of one frame that must give the same result: one as tools write it, for the fast path,
+// and one with a tab, for the tolerant path.
 #pragma once
 
 #include <gtest/gtest.h>

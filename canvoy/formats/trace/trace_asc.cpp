@@ -1,4 +1,4 @@
-// Vector ASC: `   0.000125 1  185             Rx   d 2 1E 2F`, below a head or without one.
+// Vector ASC: `   0.000125 1  185             Rx   d 2 1E 2F`, with or without a header.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -20,7 +20,7 @@ namespace canvoy::formats {
 
 namespace {
 
-constexpr std::int64_t second_max = 1'000'000'000'000;  // times 10^6, it fits in 63 bits
+constexpr std::int64_t second_max = 1'000'000'000'000;  // times 10^6 fits in 63 bits
 
 class AscParser final : public TraceLineParser {
  public:
@@ -58,8 +58,7 @@ TraceStep AscParser::read_line(std::string_view line, TraceFrame& frame) {
   return read_event(channel, line, frame);
 }
 
-// What nearly all lines look like, in a fraction of the time of the careful way; whatever is
-// written otherwise is left to that.
+// Fast path for the common form of a line; other forms are left to the tolerant path.
 bool AscParser::read_usual_line(std::string_view line, TraceFrame& frame) {
   if (!hexadecimal_ || relative_) return false;
   TraceScanner scanner(line);
@@ -115,7 +114,7 @@ bool AscParser::read_time(std::string_view word, Time& time) {
   return true;
 }
 
-// `ECC: 10100010`: the register of an SJA1000, in bits.
+// `ECC: 10100010`: the register of an SJA1000, as bits.
 bool read_bits(std::string_view word, unsigned& value) {
   constexpr std::size_t bits = 8;
   value = 0;
@@ -126,8 +125,8 @@ bool read_bits(std::string_view word, unsigned& value) {
   return word.size() == bits;
 }
 
-// `Flags = 0xe CodeExt = 0x20a2 Code = 0x82 ID = 0 DLC = 0`: the flags say whose register the code
-// is.
+// `Flags = 0xe CodeExt = 0x20a2 Code = 0x82 ID = 0 DLC = 0`: the flags give the register of the
+// code.
 TraceError read_asc_error(std::string_view rest) {
   std::uint32_t flags = 0;
   std::uint32_t code = 0;
@@ -144,7 +143,7 @@ TraceError read_asc_error(std::string_view rest) {
   return vector_error(flags, code);
 }
 
-// An event that is no frame has a word instead of the channel, or behind it.
+// An event that is no frame has a word instead of the channel, or after it.
 TraceStep AscParser::read_event(std::string_view channel, std::string_view rest,
                                 TraceFrame& frame) {
   if (channel == "CANFD") return read_fd_event(rest, frame);
@@ -167,8 +166,7 @@ TraceStep AscParser::read_event(std::string_view channel, std::string_view rest,
 }
 
 // `CANFD 1 Rx 185 name 0 0 2 2 1E 2F 130000 130 1000 ...`: BRS, ESI, data length code, length,
-// bytes, duration, bits, flags. The name may be missing. A CAN FD channel carries classic frames
-// too.
+// bytes, duration, bits, flags. The name is optional. A CAN FD channel carries classic frames too.
 TraceStep AscParser::read_fd_event(std::string_view rest, TraceFrame& frame) {
   constexpr TraceStep fd{TraceItem::fd, 0, {}};
   frame.frame = {};
@@ -190,7 +188,7 @@ TraceStep AscParser::read_fd_event(std::string_view rest, TraceFrame& frame) {
   return read_fd_content(rest, code, length, frame);
 }
 
-// Some programs write the length in hexadecimal digits: the code says it as well.
+// Some programs write the length in hexadecimal; the code gives it as well.
 TraceStep AscParser::read_fd_content(std::string_view rest, std::uint32_t code, std::int64_t length,
                                      TraceFrame& frame) const {
   constexpr std::uint32_t remote_bit = 0x10;
@@ -233,7 +231,7 @@ TraceStep AscParser::read_content(std::string_view rest, Frame& frame) const {
   if (kind != "d") return bad_record("behind the direction is neither d nor r");
   std::uint32_t code = 0;
   const std::string_view code_word = take_word(rest);
-  // `d 40` is how some programs say 8: the length in bits.
+  // Some programs write `d 40` for 8: the length in bits.
   if (code_word == "40") code = Frame::length_max;
   if (code_word != "40" && (code_word.size() != 1 || !read_hex(code_word, code)))
     return bad_record("the data length code is not 0 to F");
@@ -243,7 +241,7 @@ TraceStep AscParser::read_content(std::string_view rest, Frame& frame) const {
   return {TraceItem::frame, 0, {}};
 }
 
-// Older programs write no length; newer ones go on with `Length = 1704000`.
+// Older programs write no length; newer ones append `Length = 1704000`.
 TraceStep AscParser::read_remote(std::string_view rest, Frame& frame) const {
   std::uint32_t code = 0;
   const std::string_view word = take_word(rest);
@@ -253,7 +251,7 @@ TraceStep AscParser::read_remote(std::string_view rest, Frame& frame) const {
   return {TraceItem::frame, 0, {}};
 }
 
-// As log2asc of can-utils writes it, and the register of error frames behind them.
+// Writes like log2asc of can-utils, with the register of error frames at the end.
 class AscEncoder final : public TraceEncoder {
  public:
   explicit AscEncoder(std::optional<Time> begin) : start_(begin) {}
@@ -333,7 +331,7 @@ void AscEncoder::put_content(TraceLine& line, const TraceFrame& frame) {
   line.put_bytes(content);
 }
 
-/// Whether a line is that of a frame: some programs write no head.
+/// True for a line with a frame: some programs write no header.
 bool is_asc_frame(std::string_view line) {
   std::string_view rest = line;
   std::int64_t number = 0;

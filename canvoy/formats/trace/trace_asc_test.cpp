@@ -1,4 +1,4 @@
-// Vector ASC, as Vector's description of the format and can-utils' log2asc have it.
+// Vector ASC, from Vector's description of the format and log2asc of can-utils.
 #include <gtest/gtest.h>
 
 #include "canvoy/can/frame_text.hpp"
@@ -56,8 +56,8 @@ TEST(AscTrace, MarksA29BitIdentifierByAnX) {
   EXPECT_EQ(read.direction, TraceDirection::sent);
 }
 
-// A tab in front of a line is left to the careful reader: what it reads is what the quick way has
-// to read, on every character that a line may have at any place.
+// A line with a leading tab is left to the tolerant path: the fast path must give the same result,
+// for every character at every position of a line.
 TEST(AscTrace, IsReadAlikeByTheQuickAndTheCarefulWay) {
   for (const std::string usual :
        {"   1.500000 2  185             Rx   d 2 1E 2F",
@@ -81,7 +81,7 @@ TEST(AscTrace, IsReadAlikeByTheQuickAndTheCarefulWay) {
 }
 
 TEST(AscTrace, HasClassicFramesOnAChannelOfCanFd) {
-  // As log2asc -f writes them: BRS, ESI, code, length, bytes, duration, bits, flags (1000h: FD).
+  // As written by log2asc -f: BRS, ESI, code, length, bytes, duration, bits, flags (1000h: FD).
   const TraceFrame classic = the_frame(
       "   1.500000 CANFD   2 Rx        185                                   0 0 2  2 1E 2F   "
       "130000 "
@@ -186,7 +186,7 @@ TEST(AscTrace, HasErrorFrames) {
 }
 
 // 10100010: a stuff error, on reception, in ID bits 28 to 21 (SJA1000, register ECC). 82h: the same
-// kind and direction, by the controller of Vector.
+// kind and direction, by Vector's controller.
 TEST(AscTrace, TellsWhichErrorItIs) {
   const auto error = [](std::string_view details) {
     const TraceFrame read = the_frame("2.501 1 ErrorFrame" + std::string(details));

@@ -1,4 +1,4 @@
-// Vector BLF: objects in a file, most of them in containers that zlib has compressed.
+// Vector BLF: objects in a file, most of them in containers compressed by zlib.
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -39,7 +39,8 @@ BlfKind kind_of(std::string_view object) {
   return BlfKind{numbers.u32(object, 12)};
 }
 
-/// Year, month, day of the week, day, hour, minute, second, millisecond; none where it is no date.
+/// Reads year, month, day of the week, day, hour, minute, second, millisecond; nothing if it is no
+/// date.
 Duration date_of(std::string_view header) {
   const auto number = [&](std::size_t place) { return numbers.u16(header, start_at + 2 * place); };
   const std::chrono::year_month_day date{
@@ -80,12 +81,12 @@ class BlfParser final : public TraceParser {
   TraceChannel channel_;
   Inflater inflater_{Inflater::Of::zlib};
   bool is_compressed_ = false;
-  bool is_damaged_ = false;       ///< what is left of the container is passed over
-  bool has_more_ = false;         ///< the inflater, of what it was given
-  std::size_t owed_ = 0;          ///< bytes that were looked at, and are to be taken
+  bool is_damaged_ = false;       ///< the rest of the container is skipped
+  bool has_more_ = false;         ///< of the inflater, for the data given
+  std::size_t owed_ = 0;          ///< number of bytes used but not yet taken
   std::uint64_t left_ = 0;        ///< of the container
-  std::uint64_t inner_pass_ = 0;  ///< of a long object that is of no interest
-  std::string inner_;             ///< what the containers held, from done_ on not yet read
+  std::uint64_t inner_pass_ = 0;  ///< of a long object that is ignored
+  std::string inner_;             ///< content of the containers; from done_ on not yet read
   std::size_t done_ = 0;
 };
 
@@ -136,8 +137,8 @@ TraceStep BlfParser::read_outer(std::string_view bytes, bool last, TraceFrame& f
   return step;
 }
 
-// A piece of the container, as much as there is room for. Its bytes are taken from the file when
-// what they hold was read: behind the last byte of a file nothing is asked for any more.
+// Reads a piece of the container, as much as fits. Its bytes are taken from the file after their
+// content was read, since nothing is requested after the last byte of a file.
 TraceStep BlfParser::read_container(std::string_view bytes) {
   bytes = bytes.substr(0, static_cast<std::size_t>(std::min<std::uint64_t>(left_, bytes.size())));
   if (owed_ > 0 && !has_more_) {
@@ -171,7 +172,7 @@ void BlfParser::drop(std::size_t count) {
   done_ = 0;
 }
 
-/// False where nothing whole is left of what the containers held so far.
+/// False if no complete object is left in the containers read so far.
 bool BlfParser::read_inner(TraceFrame& frame, TraceStep& step) {
   while (true) {
     std::string_view rest = std::string_view(inner_).substr(done_);
@@ -265,7 +266,7 @@ TraceStep BlfParser::set_data(unsigned code, std::string_view data, Frame& frame
   return {TraceItem::frame, 0, {}};
 }
 
-/// As many bytes as there are, up to the length.
+/// Takes the existing bytes, up to the length.
 TraceStep BlfParser::set_fd_data(TraceFdContent fd, std::string_view data, TraceFrame& frame) {
   fd.length =
       static_cast<std::uint8_t>(std::min<std::size_t>({fd.length, fd.data.size(), data.size()}));
@@ -277,7 +278,7 @@ TraceStep BlfParser::set_fd_data(TraceFdContent fd, std::string_view data, Trace
 constexpr TraceStep bad_channel = bad_record("the channel is not 1 to 255");
 constexpr TraceStep bad_identifier = bad_record("the identifier has more bits than there are");
 
-// Channel, flags, data length code, identifier, data.
+// Reads channel, flags, data length code, identifier, data.
 TraceStep BlfParser::read_message(std::string_view content, TraceFrame& frame) {
   if (content.size() < 16) return short_object;
   const std::uint8_t flags = byte_at(content, 2);
@@ -288,7 +289,7 @@ TraceStep BlfParser::read_message(std::string_view content, TraceFrame& frame) {
   return set_data(byte_at(content, 3), content.substr(8, Frame::length_max), frame.frame);
 }
 
-// Only the extended object has the register of the controller, behind the flags that say which.
+// Only the extended object has the register of the controller, after the flags that identify it.
 TraceStep BlfParser::read_error(BlfKind kind, std::string_view content, TraceFrame& frame) {
   if (content.size() < (kind == BlfKind::error ? 4U : 32U)) return short_object;
   if (!set_channel(numbers.u16(content, 0), false, frame)) return bad_channel;

@@ -48,7 +48,7 @@ class BlfEncoder final : public TraceEncoder {
  public:
   explicit BlfEncoder(std::optional<Time> begin) : start_(begin) {}
 
-  // What is not known yet comes by final_header().
+  // final_header() supplies what is not known yet.
   void begin(std::string& bytes) override { bytes += header(); }
 
   void append(std::string& bytes, const TraceFrame& frame, std::string_view) override {
@@ -111,7 +111,7 @@ class BlfEncoder final : public TraceEncoder {
     append_little(objects_in_, nanoseconds, 8);
   }
 
-  // Channel, flags, data length code, identifier, data.
+  // Appends channel, flags, data length code, identifier, data.
   void append_message(const TraceFrame& heard) {
     const Frame& frame = heard.frame;
     append_little(objects_in_, channels_[heard.channel], 2);
@@ -123,7 +123,7 @@ class BlfEncoder final : public TraceEncoder {
     objects_in_.append(reinterpret_cast<const char*>(frame.data.data()), frame.data.size());
   }
 
-  // Only the extended object has the register, behind the flag that says that it is an SJA1000's.
+  // Only the extended object has the register, after the flag for an SJA1000.
   void append_error(const TraceFrame& heard, bool has_register) {
     constexpr std::uint64_t is_sja1000 = 1;
     append_little(objects_in_, channels_[heard.channel], 2);
@@ -160,7 +160,7 @@ class BlfEncoder final : public TraceEncoder {
   TraceStart start_;
   TraceChannelNumbers channels_;
   Duration last_{};
-  std::string objects_in_;  ///< of the container that is filled
+  std::string objects_in_;  ///< of the current container
   std::string packed_room_;
   std::uint64_t packed_ = 0;
   std::uint64_t unpacked_ = 0;

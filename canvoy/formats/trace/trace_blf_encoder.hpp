@@ -1,4 +1,4 @@
-// Frames as objects of Vector's BLF, in containers that zlib compresses.
+// Writes frames as objects of Vector BLF, in containers compressed by zlib.
 #pragma once
 
 #include <memory>

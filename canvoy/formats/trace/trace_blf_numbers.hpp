@@ -1,4 +1,4 @@
-// Numbers of Vector's BLF, for its reader and its writer.
+// Numbers of Vector BLF, for its reader and its writer.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ enum class BlfKind : std::uint32_t {
   fd_message_64 = 101,
 };
 
-/// Of the flags of a message.
+/// Bit in the flags of a message.
 inline constexpr std::uint8_t blf_sent_bit = 0x01;
 inline constexpr std::uint8_t blf_remote_bit = 0x80;
 

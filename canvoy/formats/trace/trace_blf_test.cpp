@@ -1,5 +1,5 @@
-// Vector BLF. `written` is what can.BLFWriter of python-can 4.1.0 wrote of the messages that are
-// expected here; damaged files are made of it.
+// Vector BLF. `written` is the output of can.BLFWriter of python-can 4.1.0 for the messages that
+// are expected here; damaged files are made from it.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -56,7 +56,8 @@ TEST(BlfTrace, IsReadAsItWasWritten) {
     EXPECT_EQ(frame.channel, channel);
     EXPECT_EQ(frame.direction, direction);
   };
-  // The file's date has milliseconds only, to which python-can cuts its start: 125 us are lost.
+  // The date of the file has milliseconds only, to which python-can truncates its start: 125 us are
+  // lost.
   using enum TraceDirection;
   expect_next(start, Frame::data_frame(0x185, {0x1E, 0x2F}), "can0", received);
   expect_next(start + 1499875us, Frame::data_frame(0x18DAF110, {1, 2, 3, 4, 5, 6, 7, 8}), "can1",
@@ -94,14 +95,14 @@ TEST(BlfTrace, TellsWhichErrorItIs) {
   EXPECT_EQ(error(2, 0x82), "20000088#0000040000000000") << "Vector: stuff, on reception";
 }
 
-// Some programs count from 1970, or from year 1, in place of the beginning of the file.
+// Some programs count from 1970, or from year 1, instead of the start of the file.
 TEST(BlfTrace, WithTimesBeyondThirtyOneYearsIsRead) {
-  const auto time_of = [](std::uint32_t unit, std::uint64_t count) {
+  const auto time_of = [](std::uint64_t unit, std::uint64_t count) {
     std::string content(file().substr(0, 40));
     content.append(0x90 - 40, '\0');
     content.append("LOBJ\x20\0\1\0\x30\0\0\0\1\0\0\0", 16);
     for (int byte = 0; byte < 8; ++byte)
-      content += static_cast<char>(unit >> 8 * byte & 0xFF * (byte < 4));
+      content += byte < 4 ? static_cast<char>(unit >> 8 * byte & 0xFF) : '\0';
     for (int byte = 0; byte < 8; ++byte) content += static_cast<char>(count >> 8 * byte & 0xFF);
     content.append("\1\0\0\0\x85\1\0\0\0\0\0\0\0\0\0\0", 16);
     auto trace = TraceReader::of(content);
@@ -114,7 +115,7 @@ TEST(BlfTrace, WithTimesBeyondThirtyOneYearsIsRead) {
   EXPECT_EQ(time_of(2, 0xFFFF'FFFF'FFFF'FFFF), Duration{18'446'744'073'709'552}) << "584 years";
 }
 
-// However much is missing, or whatever a byte is replaced by, it is read to its end.
+// With any number of missing bytes, or any replaced byte, it is read to its end.
 TEST(BlfTrace, ThatIsDamagedIsReadToItsEnd) {
   TraceFrame frame;
   for (std::size_t size = 4; size < written.size(); ++size) {

@@ -1,5 +1,5 @@
-// candump -l: `(1700000000.000125) can0 185#1E2F`, newer ones with ` R` or ` T` behind it; and what
-// candump shows on the screen.
+// candump -l: `(1700000000.000125) can0 185#1E2F`, newer ones followed by ` R` or ` T`; and the
+// screen output of candump.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -73,14 +73,17 @@ bool read_usual_frame(std::string_view text, Frame& frame) {
   return read_usual_data(text.substr(hash + 1), frame);
 }
 
-// What nearly all lines of a log look like, in a fraction of the time that parse_log_line takes;
-// whatever is written otherwise is left to that.
+// Fast path for the common form of a line; other forms are left to parse_log_line.
 bool read_usual_line(std::string_view line, TraceFrame& frame) {
   if (!read_usual_time(line, frame.time)) return false;
-  line.remove_prefix(time_length);
-  frame.channel = take_word(line);
-  if (!read_usual_frame(take_word(line), frame.frame)) return false;
-  return true;
+  if (line.size() == time_length || line[time_length] != ' ') return false;
+  line.remove_prefix(time_length + 1);
+  const std::size_t channel = line.find(' ');
+  if (channel == std::string_view::npos || channel == 0) return false;
+  frame.channel = line.substr(0, channel);
+  if (frame.channel.find('\t') != std::string_view::npos) return false;
+  line.remove_prefix(channel + 1);
+  return read_usual_frame(line.substr(0, line.find(' ')), frame.frame);
 }
 
 TraceDirection direction_of(std::string_view line) {
@@ -177,7 +180,7 @@ class CandumpEncoder final : public TraceEncoder {
     line.put('\n');
   }
 
-  // An interface's name ends at a blank; those of other systems have blanks in them.
+  // The name of an interface ends at a blank; names of other systems contain blanks.
   std::string_view name_of(std::string_view channel) {
     if (channel == latest_ && !name_.empty()) return name_;
     latest_ = channel;
@@ -194,7 +197,7 @@ class CandumpEncoder final : public TraceEncoder {
 std::unique_ptr<TraceParser> recognize_candump(const TraceHead& head) {
   std::string_view line = head.line;
   skip_blanks(line);
-  // An empty file is a log in which nothing happened.
+  // An empty file is a log without frames.
   const bool is_empty =
       head.is_first && head.rest.find_first_not_of(" \t\r\n") == std::string_view::npos;
   ScreenLine screen;

@@ -1,6 +1,6 @@
-// What candump shows on the screen: `  can0  185   [2]  1E 2F`, behind a time or none (-t a, d, z,
-// A), with `RX - -` (-x), with `{9}` for the raw data length code (-8) and with the bytes as
-// characters (-a); an error frame is told of in the lines below it (-e), which begin with a tab.
+// Screen output of candump: `  can0  185   [2]  1E 2F`, after a time or none (-t a, d, z, A), with
+// `RX - -` (-x), with `{9}` for the raw data length code (-8) and with the bytes as characters
+// (-a); the lines after an error frame give its details (-e), and begin with a tab.
 #include "canvoy/formats/trace/trace_candump_screen.hpp"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ bool read_date(std::string_view text, Duration& time) {
   return true;
 }
 
-/// Takes what stands in parentheses at the front; false where they are not closed.
+/// Takes the text in parentheses at the front; false if they are not closed.
 bool take_time(std::string_view& line, std::string_view& time) {
   skip_blanks(line);
   if (!line.starts_with('(')) return true;
@@ -116,7 +116,7 @@ bool ScreenTimes::read(std::string_view text, Time& time) {
   return true;
 }
 
-// A time that is less than that before it counts from it: candump -t d and -t z look alike.
+// A time less than the previous one counts from it: candump -t d and -t z look alike.
 bool ScreenTimes::look_like_deltas(std::string_view head) {
   std::int64_t latest = 0;
   ScreenLine screen;

@@ -1,5 +1,5 @@
-// A line that candump shows on the screen, taken apart; trace_candump.cpp reads it where a line is
-// none of candump -l.
+// Splits a line of the screen output of candump. trace_candump.cpp uses it for lines that are not
+// of `candump -l`.
 #pragma once
 
 #include <string_view>
@@ -9,26 +9,26 @@
 
 namespace canvoy::formats {
 
-/// Its words, not yet read. They live as long as the line.
+/// The words of the line, not converted. Valid as long as the line.
 struct ScreenLine {
-  std::string_view time = {};  ///< without its parentheses; empty where there is none
+  std::string_view time = {};  ///< without parentheses; empty if there is none
   std::string_view channel = {};
   std::string_view identifier = {};
   std::string_view length = {};  ///< `[8]`, `{9}`; of CAN FD `[08]`
   std::string_view bytes = {};
   TraceDirection direction = TraceDirection::unknown;
 
-  /// Whether `line` is one, from its front to its length.
+  /// Splits `line` from its start to its length. True if it is a screen line.
   bool parse(std::string_view line);
 };
 
-/// The times of the lines: from 1970 on, from the first frame on, or from the frame before.
+/// Times of the lines: since 1970, since the first frame, or since the previous frame.
 class ScreenTimes {
  public:
   explicit ScreenTimes(bool are_deltas) : are_deltas_(are_deltas) {}
-  /// Whether some time of the lines of `head` is less than that before it.
+  /// True if some time in the lines of `head` is less than the previous one.
   static bool look_like_deltas(std::string_view head);
-  /// That of the line before where there is none; false where it cannot be read.
+  /// Reads a time; without one, takes that of the previous line. False if it cannot be read.
   bool read(std::string_view text, Time& time);
 
  private:

@@ -1,4 +1,4 @@
-// What candump shows on the screen, as lib.c and candump.c of can-utils print it.
+// Screen output of candump, as printed by lib.c and candump.c of can-utils.
 #include <gtest/gtest.h>
 
 #include <string>

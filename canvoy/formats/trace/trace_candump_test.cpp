@@ -1,4 +1,4 @@
-// The log of candump -l, as can-utils write it (lib.h of can-utils).
+// Logs of candump -l, as written by can-utils (lib.h of can-utils).
 #include <gtest/gtest.h>
 
 #include <string>
@@ -61,8 +61,7 @@ TEST(CandumpTrace, TellsFdFrames) {
   EXPECT_EQ(trace->fd_frames(), 1U);
 }
 
-// The quick way of usual lines and the careful reader of one line agree on every character that a
-// line can have at any place.
+// The fast path and the tolerant path agree on every character at every position of a line.
 TEST(CandumpTrace, IsReadAsTheLineReaderReadsIt) {
   for (const std::string usual :
        {"(1700000000.000125) can0 185#1E2F", "(1700000000.000125) can0 1ABCDE85#0102030405060708",

@@ -1,4 +1,4 @@
-// pcapng and pcap with CAN frames (link type 227), typed from the formats' descriptions.
+// pcapng and pcap with CAN frames (link type 227), typed from the descriptions of the formats.
 #include <gtest/gtest.h>
 
 #include <initializer_list>

@@ -2,7 +2,6 @@
 // of SavvyCAN: `Time Stamp,ID,Extended,Dir,Bus,LEN,D1,...`, times in microseconds.
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -10,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "canvoy/can/real_text.hpp"
 #include "canvoy/formats/trace/trace_encoder.hpp"
 #include "canvoy/formats/trace/trace_error.hpp"
 #include "canvoy/formats/trace/trace_fields.hpp"
@@ -49,7 +49,7 @@ bool read_seconds(std::string_view cell, Time& time) {
   if (!read_fixed(cell, microsecond_digits, microseconds)) {
     double seconds = 0;
     const char* const end = cell.data() + cell.size();
-    const auto [last, error] = std::from_chars(cell.data(), end, seconds);
+    const auto [last, error] = real_from_chars(cell.data(), end, seconds);
     if (error != std::errc{} || last != end || !(seconds >= 0 && seconds < 1e12)) return false;
     microseconds = static_cast<std::int64_t>(seconds * 1e6 + 0.5);
   }
@@ -65,7 +65,7 @@ unsigned base64_digit(char c) {
   return c == '/' ? 63 : 64;
 }
 
-/// Into `data` and `length`; false where it is no base64 of as many bytes as there is room for.
+/// Reads into `data` and `length`; false if it is no base64, or does not fit.
 bool read_base64(std::string_view text, std::span<std::uint8_t> data, std::uint8_t& length) {
   while (text.ends_with('=')) text.remove_suffix(1);
   unsigned bits = 0;
@@ -125,7 +125,7 @@ class PythonCanParser final : public TraceLineParser {
   static TraceStep read_content(std::string_view data, bool extended, bool remote, bool error,
                                 std::int64_t length, Frame& frame) {
     if (error) {
-      // Some interfaces leave out what kind it is.
+      // Some interfaces do not give the kind.
       frame.flags = FrameFlags::error;
       frame.id &= ~error_flag;
       if (frame.id == 0) {
@@ -215,7 +215,7 @@ class SavvyCanParser final : public TraceLineParser {
   bool has_direction_ = true;
 };
 
-/// As python-can's CSVWriter writes it.
+/// Writes like CSVWriter of python-can.
 class PythonCanEncoder final : public TraceEncoder {
  public:
   void begin(std::string& bytes) override {

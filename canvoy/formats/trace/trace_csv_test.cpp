@@ -1,5 +1,5 @@
-// CSV of python-can and SavvyCAN. The lines of python-can are what can.CSVWriter of its version
-// 4.1.0 wrote of the messages that are expected here; those of SavvyCAN are as its own log has them
+// CSV of python-can and SavvyCAN. The lines of python-can are the output of can.CSVWriter of
+// version 4.1.0 for the messages that are expected here; those of SavvyCAN follow its own log
 // (framefileio.cpp of SavvyCAN, saveNativeCSVFile).
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ std::vector<TraceFrame> all_of(std::string_view content, std::uint64_t bad = 0) 
   std::vector<TraceFrame> frames;
   TraceFrame frame;
   for (TraceRead read; (read = trace->next(frame)) != TraceRead::end;) {
-    // The name of the channel does not live as long.
+    // The channel name has a shorter lifetime.
     frame.channel = frame.channel == "can1" ? "can1" : "can0";
     if (read == TraceRead::frame) frames.push_back(frame);
   }

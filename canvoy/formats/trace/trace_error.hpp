@@ -1,4 +1,4 @@
-// Error frames of logs that tell of them in their own way, as SocketCAN would have told.
+// Converts error frames of logs with an encoding of their own to those of SocketCAN.
 //
 //     frame.frame = trace_error_frame(sja1000_error(0xA2));  // a stuff error in ID bits 28 to 21
 #pragma once
@@ -10,7 +10,7 @@
 
 namespace canvoy::formats {
 
-/// What a log tells of an error on the bus. Numbers are those of canvoy/can/error_frame.hpp.
+/// Details of a bus error in a log. Numbers are those of canvoy/can/error_frame.hpp.
 struct TraceError {
   std::uint8_t violation = 0;
   std::uint8_t location = 0;
@@ -19,19 +19,19 @@ struct TraceError {
   std::optional<std::uint8_t> receive_counter = {};
 };
 
-/// A bus error; with nothing told, no more than that.
+/// The error frame; without details, a plain bus error.
 Frame trace_error_frame(const TraceError& error = {});
 
-/// Of the ECC register of an SJA1000: two bits of what it is, one of the direction, five of the
-/// place.
+/// Decodes the ECC register of an SJA1000: two bits for the kind, one for the direction, five for
+/// the position.
 TraceError sja1000_error(unsigned register_value);
-/// The register that says the same; none where the error frame names neither kind nor place.
+/// The ECC register for an error frame; nothing if the error frame has neither kind nor position.
 std::optional<std::uint8_t> sja1000_register(const Frame& error);
-/// Of the error register of Vector's own controller: six bits of what it is, two of the direction,
-/// and whether nobody has acknowledged.
+/// Decodes the error register of Vector's controller: six bits for the kind, two for the direction,
+/// and whether the frame was not acknowledged.
 TraceError vector_core_error(unsigned register_value);
-/// Of the registers in logs of Vector, by the flags that say which one it is; a log without either
-/// tells nothing.
+/// Decodes the registers in Vector logs; `flags` gives which register it is. Without one, the
+/// result has no details.
 TraceError vector_error(std::uint32_t flags, unsigned register_value);
 
 }  // namespace canvoy::formats

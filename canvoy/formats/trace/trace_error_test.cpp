@@ -1,5 +1,5 @@
-// Expected bytes are typed from linux/can/error.h, as the SJA1000 driver of Linux sets them, and
-// from what the headers of BLF say of Vector's register.
+// Expected bytes are typed from linux/can/error.h, as set by the SJA1000 driver of Linux, and from
+// the description of Vector's register in the headers of BLF.
 #include "canvoy/formats/trace/trace_error.hpp"
 
 #include <gtest/gtest.h>

@@ -11,7 +11,7 @@ namespace canvoy::formats {
 
 namespace {
 
-// In English, then what is different in German.
+// In English, followed by the different German ones.
 constexpr std::array<std::pair<std::string_view, unsigned>, 18> months = {{
     {"jan", 1},
     {"feb", 2},
@@ -68,7 +68,7 @@ bool read_clock(std::string_view text, std::string_view half, Duration& of_day) 
   return true;
 }
 
-// ` 1E`, as nearly all bytes are written.
+// ` 1E`, the form of nearly all bytes.
 bool take_usual_byte(std::string_view& text, std::uint8_t& byte) {
   if (text.size() < 3 || text[0] != ' ' || (text.size() > 3 && !is_blank(text[3]))) return false;
   const unsigned high = hex_digit(text[1]);
@@ -109,7 +109,7 @@ std::size_t TraceChannelNumbers::find(std::string_view channel) {
     name = channel;
     return (wanted + i) % names_.size() + 1;
   }
-  return wanted + 1;  // more than there are numbers: they share
+  return wanted + 1;  // more names than numbers: they share one
 }
 
 void take_fd_bytes(std::string_view& text, std::size_t count, bool hexadecimal,

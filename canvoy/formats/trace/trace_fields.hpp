@@ -1,4 +1,4 @@
-// Fields that several formats of traces share: channels by number, bytes in words, dates.
+// Fields that several trace formats share: numbered channels, bytes in words, dates.
 #pragma once
 
 #include <array>
@@ -13,15 +13,15 @@
 
 namespace canvoy::formats {
 
-/// Of a time in seconds, behind the point.
+/// Number of digits of a time in seconds, after the decimal point.
 inline constexpr unsigned microsecond_digits = 6;
 
-/// The name of the channels that a format counts from 1: channel 1 is can0, as for asc2log.
+/// Names of channels that a format counts from 1: channel 1 is can0, as in asc2log.
 class TraceChannel {
  public:
   static constexpr std::int64_t number_max = 255;
 
-  /// Lives until another number is asked for; empty where it is none.
+  /// Name of a channel, valid until another number is requested; empty if the number is invalid.
   std::string_view name(std::int64_t number) {
     return number == number_ ? std::string_view(name_) : change(number);
   }
@@ -33,8 +33,8 @@ class TraceChannel {
   std::string name_;
 };
 
-/// The number of each name: can0 is channel 1, a name without a number as well; where a number is
-/// taken by another name, the next free one is taken: two buses do not become one.
+/// Number of each channel name: can0 and a name without a number are channel 1. If a number is
+/// taken by another name, the next free one is used, so that two buses stay separate.
 class TraceChannelNumbers {
  public:
   std::size_t operator[](std::string_view channel) {
@@ -50,26 +50,26 @@ class TraceChannelNumbers {
   std::size_t number_ = 0;
 };
 
-/// How many bytes a CAN FD frame has by its data length code, 0 to 15.
+/// Number of bytes of a CAN FD frame for a data length code, 0 to 15.
 constexpr std::uint8_t fd_length(std::uint32_t code) {
   constexpr std::array<std::uint8_t, 16> lengths = {0, 1,  2,  3,  4,  5,  6,  7,
                                                     8, 12, 16, 20, 24, 32, 48, 64};
   return lengths[code & 0xF];
 }
 
-/// Takes up to `count` bytes, a word each, from the front of `text`; as many as there are.
+/// Takes up to `count` bytes, one word each, from the front of `text`.
 void take_fd_bytes(std::string_view& text, std::size_t count, bool hexadecimal,
                    TraceFdContent& content);
 
-/// Takes `count` bytes, a word each, from the front of `text` into the frame, in hexadecimal or
-/// decimal digits; bytes beyond the eighth are not there to be taken.
+/// Takes `count` bytes, one word each, from the front of `text` into the frame, in hexadecimal or
+/// decimal digits. Bytes beyond the eighth are not taken.
 bool take_bytes(std::string_view& text, unsigned count, bool hexadecimal, Frame& frame);
 
-/// `Wed Apr 16 09:21:13.159 am 2014`, where weekday, fraction and am or pm may be missing, and
-/// German months are known too: microseconds since 1970, or false.
+/// Reads `Wed Apr 16 09:21:13.159 am 2014` to microseconds since 1970; false on error. Weekday,
+/// fraction and am or pm are optional; German months are accepted.
 bool read_asc_date(std::string_view text, Duration& since_1970);
 
-/// `22:13:20.000125`: since midnight, or false.
+/// Reads `22:13:20.000125` to the time since midnight; false on error.
 bool read_clock_time(std::string_view text, Duration& of_day);
 
 }  // namespace canvoy::formats

@@ -22,9 +22,11 @@ constexpr auto table = std::to_array<const TraceFormat*>({
     &TraceFormat::pcap,
     &TraceFormat::python_can_csv,
     &TraceFormat::savvycan_csv,
+    &TraceFormat::mf4,
+    &TraceFormat::sqlite,
 });
 
-/// The next of words with blanks between them; empty behind the last.
+/// The next of words separated by blanks; empty after the last one.
 std::string_view take_ending(std::string_view& endings) {
   const std::size_t length = std::min(endings.find(' '), endings.size());
   const std::string_view ending = endings.substr(0, length);
@@ -36,7 +38,7 @@ char small(char letter) {
   return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
 }
 
-/// `NIGHT.ASC` as well: other systems write so.
+/// Also matches `NIGHT.ASC`, as written by other systems.
 bool ends_with(std::string_view path, std::string_view ending) {
   return path.size() > ending.size() &&
          std::ranges::equal(path.substr(path.size() - ending.size()), ending, {}, small);
@@ -96,6 +98,17 @@ std::string trace_format_list(bool written_only) {
   return text;
 }
 
+std::string trace_ending_list(bool written_only) {
+  std::string text;
+  for (const TraceFormat* format : table) {
+    if (written_only && !format->is_written()) continue;
+    std::string_view endings = format->endings;
+    const std::string_view first = take_ending(endings);
+    if (!first.empty()) append_listed(text, first);
+  }
+  return text;
+}
+
 std::unique_ptr<TraceParser> recognize_trace(std::string_view head) {
   bool is_first = true;
   do {
@@ -127,9 +140,7 @@ std::string_view looks_like(std::string_view head) {
                                 Known{"\xFD"
                                       "7zXZ",
                                       "a file that xz has compressed"},
-                                Known{"\x28\xB5\x2F\xFD", "a file that zstd has compressed"},
-                                Known{"SQLite format 3", "an SQLite database"},
-                                Known{"MDF ", "an ASAM MDF file"}};
+                                Known{"\x28\xB5\x2F\xFD", "a file that zstd has compressed"}};
   for (const auto& [magic, name] : known) {
     if (head.starts_with(magic)) return name;
   }

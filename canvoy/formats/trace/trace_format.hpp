@@ -1,6 +1,6 @@
-// The formats of logs: one table, which everything that reads, writes or names a log asks. A format
-// is a file of its own (trace_asc.cpp), which defines its row, and two lines: the row's name in
-// TraceFormat, and its place in the table (trace_format.cpp).
+// The trace formats, in one table that all code that reads, writes or names a log uses. A format is
+// a source file (trace_asc.cpp), which defines its row, and two lines: the name of the row in
+// TraceFormat, and its position in the table (trace_format.cpp).
 //
 //     const std::optional<TraceFormat> format = trace_format_of("night.asc.gz");
 #pragma once
@@ -19,33 +19,34 @@ namespace canvoy::formats {
 class TraceEncoder;
 class TraceParser;
 
-/// How a file begins, at one of its first lines.
+/// The start of a file, at one of its first lines.
 struct TraceHead {
   std::string_view line = {};  ///< without its end
-  std::string_view rest = {};  ///< from the line on, up to 64 KiB
-  bool is_first = false;       ///< the file begins with it
+  std::string_view rest = {};  ///< from this line on, up to 64 KiB
+  bool is_first = false;       ///< this is the first line of the file
 };
 
-/// What a log of some format does not keep, as bits.
+/// Bits for what a format does not keep.
 namespace trace_lack {
 inline constexpr std::uint8_t direction = 0x01;
 inline constexpr std::uint8_t bus_names = 0x02;  ///< buses are numbered
 inline constexpr std::uint8_t buses = 0x04;      ///< all frames are of one bus
 inline constexpr std::uint8_t comments = 0x08;
-inline constexpr std::uint8_t errors = 0x10;  ///< of error frames, more than that they are one
+inline constexpr std::uint8_t errors = 0x10;  ///< error frames have no details
 }  // namespace trace_lack
 
-/// "the direction of frames, comments"; empty for 0.
+/// Text for these bits: "the direction of frames, comments"; empty for 0.
 std::string trace_lack_text(std::uint8_t lacks);
 
-/// A row of the table. Rows are equal where their names are.
+/// A row of the table. Rows with the same name are equal.
 struct TraceFormat {
-  std::string_view name;     ///< as its users call it: "Vector ASC"
-  std::string_view endings;  ///< of file names, with blanks between them: ".pcapng .ntar"
-  std::uint8_t lacks = 0;    ///< what is written does not keep it
-  /// A parser where a file that begins so is of this format, else null.
+  std::string_view name;     ///< for users: "Vector ASC"
+  std::string_view endings;  ///< of file names, separated by blanks: ".pcapng .ntar"
+  std::uint8_t lacks = 0;    ///< what the format does not keep when written
+  /// Returns a parser if the file is of this format, else null.
   std::unique_ptr<TraceParser> (*recognize)(const TraceHead& head) = nullptr;
-  /// `begin`: the time of the earliest frame, where it is not the first. Null: it is only read.
+  /// Makes an encoder. `begin`: time of the earliest frame, if it is not the first. Null: the
+  /// format is read-only.
   std::unique_ptr<TraceEncoder> (*encoder)(std::optional<Time> begin) = nullptr;
 
   bool is_written() const { return encoder != nullptr; }
@@ -59,23 +60,28 @@ struct TraceFormat {
   static const TraceFormat pcap;
   static const TraceFormat python_can_csv;
   static const TraceFormat savvycan_csv;
+  static const TraceFormat mf4;
+  static const TraceFormat sqlite;
 };
 
-/// All of them. Where several know a file, the first is taken.
+/// All formats. If several match a file, the first is used.
 std::span<const TraceFormat* const> trace_formats();
 
-/// The format that the end of a name says, with or without `.gz` behind it; of CSV, python-can's.
+/// The format for the ending of a file name, with or without `.gz`; for CSV that of python-can.
 std::optional<TraceFormat> trace_format_of(std::string_view path);
-/// Whether what is written to a file of that name is to be compressed by gzip.
+/// True if a file of that name is to be compressed with gzip.
 bool names_gzip(std::string_view path);
 
-/// "candump log (.log), Vector ASC (.asc), ...": of all formats, or of those that are written.
+/// "candump log (.log), Vector ASC (.asc), ...": all formats, or those that can be written.
 std::string trace_format_list(bool written_only = false);
+
+/// ".log, .asc, ...": the first of each, once.
+std::string trace_ending_list(bool written_only = false);
 
 /// A parser for a file that begins with `head`; null where no format is known.
 std::unique_ptr<TraceParser> recognize_trace(std::string_view head);
 
-/// What a file of no known format that begins with `head` may be: "a JPEG picture".
+/// Probable content of a file of unknown format that begins with `head`: "a JPEG picture".
 std::string_view looks_like(std::string_view head);
 
 }  // namespace canvoy::formats

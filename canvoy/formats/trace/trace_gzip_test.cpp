@@ -1,4 +1,4 @@
-// Logs that gzip has compressed. `compressed` is what Python's gzip.compress(..., mtime=0) made of
+// Logs compressed by gzip. `compressed` is the output of Python's gzip.compress(..., mtime=0) for
 // the line beside it.
 #include <gtest/gtest.h>
 
@@ -46,7 +46,7 @@ TEST(GzipTrace, IsReadFromMemoryAndFromAFile) {
   EXPECT_EQ(from_file->position(), content.size());
 }
 
-// As `cat a.gz b.gz` makes them, with zeros behind the last.
+// As made by `cat a.gz b.gz`, followed by zeros.
 TEST(GzipTrace, OfSeveralPiecesIsReadToItsEnd) {
   const std::string content = file() + file() + file() + std::string(512, '\0');
   auto trace = TraceReader::of(content);

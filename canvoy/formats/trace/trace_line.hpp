@@ -1,5 +1,5 @@
-// The text of a frame in a log, written from left to right into room for the longest line: it runs
-// for every frame of files of gigabytes, so that nothing is formatted by a format string.
+// The text of a frame in a log, written from left to right into a buffer for the longest line. It
+// runs for every frame of files of gigabytes, so that no format strings are used.
 //
 //     TraceLine line;
 //     line.put_fixed<6>(microseconds);      // 12.000125
@@ -20,46 +20,52 @@ namespace canvoy::formats {
 
 class TraceLine {
  public:
-  /// Of all that is put into one line.
+  /// Limit for all that is put into one line; not checked.
   static constexpr std::size_t length_max = 192;
 
   std::string_view view() const { return {room_.data(), length()}; }
   std::size_t length() const { return static_cast<std::size_t>(at_ - room_.data()); }
 
+  /// Starts an empty line.
+  void clear() { at_ = room_.data(); }
   void put(char character) { *at_++ = character; }
   void put(std::string_view text) {
     std::memcpy(at_, text.data(), text.size());
     at_ += text.size();
   }
-  /// Blanks up to a column, counted from 0; none where that is reached.
+  /// Adds blanks up to a column, counted from 0; none if the line is that long.
   void pad_to(std::size_t column) {
-    while (length() < column) put(' ');
+    if (length() >= column) return;
+    const std::size_t count = column - length();
+    std::memset(at_, ' ', count);
+    at_ += count;
   }
 
-  /// Capital digits, at least `digits` of them.
+  /// Adds upper-case hexadecimal digits, at least `digits`.
   void put_hex(std::uint32_t value, unsigned digits) {
     while (digits < 8 && value >> 4 * digits != 0) ++digits;
-    for (unsigned digit = digits; digit > 0;) put(hex_characters[value >> 4 * --digit & 0xF]);
+    char* at = at_;
+    for (unsigned digit = digits; digit > 0;) *at++ = hex_characters[value >> 4 * --digit & 0xF];
+    at_ = at;
   }
-  void put_hex_byte(std::uint8_t byte) {
-    put(hex_characters[byte >> 4]);
-    put(hex_characters[byte & 0xF]);
-  }
+  void put_hex_byte(std::uint8_t byte) { at_ = put_byte(at_, byte); }
   /// Digits from a column on become small letters.
   void lower_from(std::size_t column) {
     for (char* at = room_.data() + column; at != at_; ++at) {
       if (*at >= 'A' && *at <= 'F') *at = static_cast<char>(*at - 'A' + 'a');
     }
   }
-  /// ` 1E 2F`
+  /// Adds the bytes: ` 1E 2F`.
   void put_bytes(const Frame& frame) {
+    char* at = at_;  // a member would be stored behind each character
     for (const std::uint8_t byte : frame.payload()) {
-      put(' ');
-      put_hex_byte(byte);
+      *at = ' ';
+      at = put_byte(at + 1, byte);
     }
+    at_ = at;
   }
 
-  /// At least `width` characters, filled up with `fill` from the left.
+  /// Adds at least `width` characters, padded on the left with `fill`.
   void put_decimal(std::uint64_t value, std::size_t width = 1, char fill = ' ') {
     std::array<char, 20> digits{};
     char* const end = digits.data() + digits.size();
@@ -71,10 +77,13 @@ class TraceLine {
       *--first = static_cast<char>('0' + value);
     }
     const auto count = static_cast<std::size_t>(end - first);
-    for (std::size_t at = count; at < width; ++at) put(fill);
-    put(std::string_view(first, count));
+    char* at = at_;
+    for (std::size_t place = count; place < width; ++place) *at++ = fill;
+    std::memcpy(at, first, count);
+    at_ = at + count;
   }
-  /// `value` in units of 10^-places: at least `width` characters before the point.
+  /// Adds `value` in units of 10^-places, with at least `width` characters before the decimal
+  /// point.
   template <unsigned places>
   void put_fixed(std::uint64_t value, std::size_t width = 1, char fill = ' ') {
     constexpr std::uint64_t one = [] {
@@ -83,8 +92,14 @@ class TraceLine {
       return power;
     }();
     put_decimal(value / one, width, fill);
-    put('.');
-    put_decimal(value % one, places, '0');
+    std::uint64_t fraction = value % one;
+    char* at = at_ + 1 + places;
+    for (unsigned place = places; place > 1; place -= 2, fraction /= 100) {
+      at = put_pair(at, static_cast<unsigned>(fraction % 100));
+    }
+    if (places % 2 != 0) *--at = static_cast<char>('0' + fraction);
+    *at_ = '.';
+    at_ += 1 + places;
   }
 
  private:
@@ -98,6 +113,11 @@ class TraceLine {
     return made;
   }();
 
+  static char* put_byte(char* at, std::uint8_t byte) {
+    at[0] = hex_characters[byte >> 4];
+    at[1] = hex_characters[byte & 0xF];
+    return at + 2;
+  }
   static char* put_pair(char* before, unsigned number) {
     before -= 2;
     std::memcpy(before, &pairs[std::size_t{2} * number], 2);

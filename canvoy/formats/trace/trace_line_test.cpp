@@ -1,4 +1,4 @@
-// Numbers as printf writes them.
+// Numbers in the form of printf.
 #include "canvoy/formats/trace/trace_line.hpp"
 
 #include <gtest/gtest.h>

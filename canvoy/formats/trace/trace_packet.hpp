@@ -1,5 +1,5 @@
-// CAN frames in captures: the packet of link type 227 (LINKTYPE_CAN_SOCKETCAN), and the numbers of
-// files that have the byte order of the machine that wrote them.
+// CAN frames in captures: packets of link type 227 (LINKTYPE_CAN_SOCKETCAN), and numbers of files
+// in the byte order of the machine that wrote them.
 #pragma once
 
 #include <bit>
@@ -16,12 +16,12 @@ namespace canvoy::formats {
 
 inline constexpr std::uint32_t link_type_can = 227;
 
-// Beside the identifier in its word, as SocketCAN has them.
+// Flags beside the identifier in its word, as in SocketCAN.
 inline constexpr std::uint32_t extended_flag = 0x8000'0000;
 inline constexpr std::uint32_t remote_flag = 0x4000'0000;
 inline constexpr std::uint32_t error_flag = 0x2000'0000;
 
-/// Numbers of a file in its byte order. The bytes have to be there.
+/// Reads numbers of a file in its byte order. The bytes must exist.
 struct FileNumbers {
   bool big_endian = false;
 
@@ -48,16 +48,16 @@ struct FileNumbers {
   }
 };
 
-/// `size` bytes, the lowest first.
+/// Appends `size` bytes, lowest first.
 inline void append_little(std::string& bytes, std::uint64_t value, unsigned size) {
   for (unsigned byte = 0; byte < size; ++byte) bytes += static_cast<char>(value >> 8 * byte & 0xFF);
 }
 
-/// The frame of a packet: an identifier of 4 bytes, big-endian, with flags; the length, the flags
-/// of CAN FD, 2 reserved bytes, the data.
+/// Reads the frame of a packet: an identifier of 4 bytes, big-endian, with flags; the length, the
+/// flags of CAN FD, 2 reserved bytes, the data.
 TraceStep read_can_packet(std::string_view packet, TraceFrame& frame);
 
-/// The same, written.
+/// Appends the packet of a frame, as read_can_packet() reads it.
 void append_can_packet(std::string& bytes, const Frame& frame);
 
 }  // namespace canvoy::formats

@@ -27,7 +27,8 @@ TraceStep TraceLineParser::step(std::string_view bytes, bool last, TraceFrame& f
   return read_whole_line(line, taken, frame);
 }
 
-// Apart, so that what read_line() returns is made where it is wanted: a copy would wait for it.
+// A separate function, so that the result of read_line() is constructed in place: a copy would wait
+// for it.
 TraceStep TraceLineParser::read_whole_line(std::string_view line, std::uint64_t taken,
                                            TraceFrame& frame) {
   TraceStep step = read_line(line, frame);

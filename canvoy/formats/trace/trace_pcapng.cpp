@@ -1,4 +1,4 @@
-// pcapng (draft-ietf-opsawg-pcapng) of CAN interfaces, as tshark and Wireshark have it.
+// pcapng (draft-ietf-opsawg-pcapng) of CAN interfaces, as written by tshark and Wireshark.
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -30,11 +30,12 @@ constexpr std::int64_t seconds_max = 1'000'000'000'000;
 struct Interface {
   bool is_can = false;
   std::string name;
-  std::uint8_t resolution = 6;  // digits behind the point; with bit 7, binary ones
+  std::uint8_t resolution = 6;  // number of decimal digits; with bit 7, of binary ones
   std::int64_t offset_seconds = 0;
 };
 
-// The ticks of a time stamp as whole seconds and microseconds, without a number above 64 bits.
+// Converts the ticks of a time stamp to whole seconds and microseconds, without a number above 64
+// bits.
 bool read_ticks(std::uint64_t ticks, std::uint8_t resolution, Duration& time) {
   std::uint64_t seconds = 0;
   std::uint64_t fraction = 0;
@@ -77,7 +78,7 @@ class PcapngParser final : public TraceParser {
   std::vector<Interface> interfaces_;
 };
 
-// A length that cannot be leaves nothing by which the next block could be found.
+// After an impossible length, the next block cannot be found.
 TraceStep PcapngParser::step(std::string_view bytes, bool last, TraceFrame& frame) {
   if (bytes.size() < block_size_min) {
     if (!last) return {};
@@ -150,7 +151,7 @@ TraceStep PcapngParser::read_interface(std::string_view block) {
   return trace_note;
 }
 
-// Of captures of several machines that were merged, two buses may have one name: they stay two.
+// In merged captures of several machines, two buses may have the same name: they stay separate.
 void PcapngParser::make_name_unique(std::string& name) const {
   const auto is_taken = [this](const std::string& wanted) {
     return std::ranges::find(interfaces_, wanted, &Interface::name) != interfaces_.end();

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint16_t option_comment = 1;
 constexpr std::uint16_t option_application = 4;
-constexpr std::size_t channels_max = 255;  // what are more share one interface
+constexpr std::size_t channels_max = 255;  // further ones share one interface
 
 void pad(std::string& bytes) {
   bytes.append((4 - bytes.size() % 4) % 4, '\0');
@@ -37,7 +37,7 @@ void append_block(std::string& bytes, std::uint32_t type, std::string_view body)
   append_little(bytes, size, 4);
 }
 
-// Cut off where no character of UTF-8 goes on.
+// Cut at the boundary of a UTF-8 character.
 std::string_view cut(std::string_view comment) {
   if (comment.size() <= TraceWriter::comment_length_max) return comment;
   std::size_t length = TraceWriter::comment_length_max;
@@ -52,7 +52,7 @@ class PcapngEncoder final : public TraceEncoder {
     append_little(body_, 0x1A2B3C4D, 4);
     append_little(body_, 1, 2);
     append_little(body_, 0, 2);
-    append_little(body_, ~std::uint64_t{0}, 8);  // the length of the section is not known
+    append_little(body_, ~std::uint64_t{0}, 8);  // the length of the section is unknown
     append_option(body_, option_application, "canvoy");
     append_little(body_, 0, 4);
     append_block(bytes, section_block, body_);

@@ -1,5 +1,5 @@
-// Frames as packets of pcapng, little-endian, in microseconds; a channel is an interface, described
-// before its first frame.
+// Writes frames as packets of pcapng, little-endian, in microseconds; a channel is an interface,
+// described before its first frame.
 #pragma once
 
 #include <memory>

@@ -1,6 +1,6 @@
-// Takes the fields of the usual lines of text logs from their front: numbers, hexadecimal digits
-// and bytes with blanks between them, no tabs. It runs for every frame of files of gigabytes; each
-// format has a careful way for the lines that are written otherwise.
+// Takes the fields of common lines of text logs from their front: numbers, hexadecimal digits and
+// bytes, separated by blanks, not tabs. It runs for every frame of files of gigabytes; each format
+// has a slower, tolerant path for other lines.
 //
 //     TraceScanner line("  12.000125 1  185  Rx  d 2 1E 2F");
 //     if (!line.take_fixed(6, time) || !line.take_blanks()) return carefully();
@@ -18,26 +18,26 @@ namespace canvoy::formats {
 
 class TraceScanner {
  public:
-  /// Behind the line stands a character that ends it (TraceLineParser::Behind).
+  /// A character that ends the line must follow it (TraceLineParser::Behind).
   explicit TraceScanner(std::string_view line) : at_(line.data()), end_(at_ + line.size()) {}
 
-  /// None, or many: columns are filled up with them.
+  /// Skips any number of blanks: columns are padded with them.
   [[gnu::always_inline]] void skip_blanks() {
     while (end_ - at_ >= 4 && load_four(at_) == four_blanks) at_ += 4;
     while (*at_ == ' ') ++at_;
   }
-  /// At least one.
+  /// Takes at least one blank.
   [[gnu::always_inline]] bool take_blanks() {
     if (*at_ != ' ') return false;
     ++at_;
     if (*at_ == ' ') skip_blanks();
     return true;
   }
-  /// Whatever stands before the next blank.
+  /// Skips all up to the next blank.
   [[gnu::always_inline]] void skip_word() {
     while (static_cast<unsigned char>(*at_) > ' ') ++at_;
   }
-  /// Whether nothing follows but blanks.
+  /// True if only blanks follow.
   bool is_at_end() {
     skip_blanks();
     return at_ == end_;
@@ -48,14 +48,15 @@ class TraceScanner {
     return true;
   }
 
-  /// `12.000125`: 1 to 12 digits, and 1 to `places` of a fraction; in units of 10^-places.
+  /// Takes `12.000125`: 1 to 12 digits, and 1 to `places` digits of a fraction, in units of
+  /// 10^-places.
   template <unsigned places>
   [[gnu::always_inline]] bool take_fixed(std::int64_t& number) {
     constexpr std::ptrdiff_t digits_max = 12;
     const char* const first = at_;
     std::uint64_t sum = 0;
     for (unsigned digit = 0; (digit = digit_at(at_)) < 10; ++at_) sum = sum * 10 + digit;
-    // What overflows is not used.
+    // An overflowed value is not used.
     if (at_ == first || at_ - first > digits_max || *at_ != '.') return false;
     ++at_;
     if (digit_at(at_) > 9) return false;
@@ -73,7 +74,7 @@ class TraceScanner {
     ++at_;
     return true;
   }
-  /// 1 to 3 digits.
+  /// Takes 1 to 3 digits.
   [[gnu::always_inline]] bool take_number(unsigned& number) {
     constexpr std::ptrdiff_t digits_max = 3;
     const char* const first = at_;
@@ -82,7 +83,7 @@ class TraceScanner {
     number = sum;
     return at_ != first && at_ - first <= digits_max;
   }
-  /// Up to 8 hexadecimal digits; how many there are, 0 where there are more.
+  /// Takes up to 8 hexadecimal digits; returns their number, 0 if there are more.
   [[gnu::always_inline]] unsigned take_hex(std::uint32_t& number) {
     constexpr std::ptrdiff_t digits_max = 8;
     const char* const first = at_;
@@ -93,13 +94,13 @@ class TraceScanner {
     number = sum;
     return at_ - first > digits_max ? 0 : static_cast<unsigned>(at_ - first);
   }
-  /// `Rx` or `Tx`: its first letter; else 0.
+  /// Takes `Rx` or `Tx`; returns its first letter, else 0.
   [[gnu::always_inline]] char take_direction() {
     if ((*at_ != 'R' && *at_ != 'T') || at_[1] != 'x') return 0;
     at_ += 2;
     return at_[-2];
   }
-  /// ` 1E 2F`, and the end of the line or a blank; many blanks may stand before the first.
+  /// Takes ` 1E 2F` up to the end of the line or a blank; more blanks may precede the first byte.
   [[gnu::always_inline]] bool take_bytes(unsigned length, Frame& frame) {
     if (length > Frame::length_max) return false;
     if (length > 0) {
@@ -117,11 +118,11 @@ class TraceScanner {
   static constexpr std::ptrdiff_t byte_width = 3;
   static constexpr std::uint32_t four_blanks = 0x2020'2020;
 
-  /// Above 9 where it is none.
+  /// The digit; above 9 if it is none.
   static unsigned digit_at(const char* at) {
     return static_cast<unsigned char>(*at) - unsigned{'0'};
   }
-  /// Apart, since a scanner and its caller leave this loop too few registers.
+  /// Not inlined, since a scanner and its caller leave too few registers for this loop.
   [[gnu::noinline]] static bool read_bytes(const char* at, unsigned length, std::uint8_t* bytes) {
     unsigned digits = 0;
     unsigned blanks = 0;

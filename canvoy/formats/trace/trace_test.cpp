@@ -1,5 +1,5 @@
-// A trace of any format: what stands in it is never fatal, and counted (the format here is
-// candump's; each format has a test of its own).
+// Traces of any format: no content is a fatal error, and frames are counted (the format here is
+// that of candump; each format has a test of its own).
 #include "canvoy/formats/trace/trace.hpp"
 
 #include <gmock/gmock.h>
@@ -39,7 +39,7 @@ TEST(Trace, OfAnotherKindOfFileNamesTheKindsThatAreRead) {
                 "log (.log), Vector ASC (.asc), Vector BLF (.blf)"));
 }
 
-// A log as another system writes it: in UTF-16, behind a mark, with returns alone.
+// A log from another system: in UTF-16, after a byte order mark, with carriage returns alone.
 TEST(Trace, InOtherEncodingsIsReadAlike) {
   std::string text;
   for (int number = 0; number < 5000; ++number) {
@@ -114,7 +114,7 @@ TEST(Trace, ReadsALastLineWithoutALineFeed) {
   EXPECT_EQ(trace->next(frame), TraceRead::end);
 }
 
-// A file larger than the buffer: lines stand across its ends.
+// A file larger than the buffer: lines cross its ends.
 TEST(Trace, OfAnyLengthIsReadLineByLine) {
   std::string content;
   constexpr std::uint64_t count = 30'000;
@@ -137,7 +137,7 @@ TEST(Trace, OfAnyLengthIsReadLineByLine) {
   EXPECT_EQ(trace->position(), content.size());
 }
 
-// However long a line is, it is one bad line, and the next has its number.
+// A line of any length is one bad line, and the next one has its number.
 TEST(Trace, WithAnEndlessLineIsReadOnBehindIt) {
   for (const std::size_t length : {4097U, 65'535U, 65'536U, 65'537U, 300'000U, 1'000'000U}) {
     const TemporaryFile file("(1700000000.000125) can0 185#1E2F\n" + std::string(length, 'x') +

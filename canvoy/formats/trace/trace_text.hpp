@@ -1,5 +1,5 @@
-// Words and numbers of a line of a trace, read from its front. These run for every frame of files
-// of gigabytes: they are inline, and look at each character once.
+// Words and numbers at the front of a line of a trace. The functions run for every frame of files
+// of gigabytes: they are inline and read each character once.
 #pragma once
 
 #include <array>
@@ -35,7 +35,7 @@ inline void skip_blanks(std::string_view& text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
 }
 
-/// Blanks and the word behind them; empty at the end of the line.
+/// Takes leading blanks and the word after them; empty at the end of the line.
 inline std::string_view take_word(std::string_view& text) {
   skip_blanks(text);
   std::size_t length = 0;
@@ -45,7 +45,7 @@ inline std::string_view take_word(std::string_view& text) {
   return word;
 }
 
-/// All of `word`: 1 to 18 decimal digits.
+/// Reads all of `word`: 1 to 18 decimal digits.
 inline bool read_decimal(std::string_view word, std::int64_t& value) {
   if (word.empty() || word.size() > 18) return false;
   std::int64_t sum = 0;
@@ -57,7 +57,7 @@ inline bool read_decimal(std::string_view word, std::int64_t& value) {
   return true;
 }
 
-/// All of `word`: 1 to 8 hexadecimal digits.
+/// Reads all of `word`: 1 to 8 hexadecimal digits.
 inline bool read_hex(std::string_view word, std::uint32_t& value) {
   if (word.empty() || word.size() > 8) return false;
   std::uint32_t sum = 0;
@@ -70,8 +70,8 @@ inline bool read_hex(std::string_view word, std::uint32_t& value) {
   return true;
 }
 
-/// All of `word`: `1700000000.000125`, or without a fraction, in units of `10^-digits`. Digits of
-/// the fraction beyond are cut off; of the whole there are at most 18 - digits.
+/// Reads all of `word`: `1700000000.000125`, or without a fraction, in units of `10^-digits`. Cuts
+/// off further digits of the fraction; the integer part has at most 18 - digits.
 inline bool read_fixed(std::string_view word, std::size_t digits, std::int64_t& value) {
   const auto is_digit = [&](std::size_t at) {
     return at < word.size() && word[at] >= '0' && word[at] <= '9';

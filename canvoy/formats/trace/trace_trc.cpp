@@ -25,7 +25,7 @@ constexpr unsigned millisecond_fraction_digits = 3;
 constexpr unsigned days_before_1970 = 25'569;                 // since 30 December 1899
 constexpr std::int64_t offset_max = 100'000'000'000'000'000;  // microseconds
 
-// The words of a line, by their columns; `rest` begins with the data.
+// The words of a line, by column; `rest` begins with the data.
 struct Words {
   std::string_view offset;
   std::string_view type;
@@ -62,17 +62,17 @@ void put_word(Words& words, char column, std::string_view word) {
   }
 }
 
-// The fields of a usual line: a data frame.
+// The fields of a common line: a data frame.
 struct UsualLine {
   std::int64_t offset = 0;
   unsigned bus = 1;
   char direction = 0;
-  char type_direction = 0;  // in old versions, the type says it
+  char type_direction = 0;  // in old versions, the type gives it
   std::uint32_t identifier = 0;
-  unsigned digits = 0;  // of the identifier
+  unsigned digits = 0;  // number of digits of the identifier
   unsigned length = Frame::length_max + 1;
 
-  // False: it is not as usual.
+  // False: not the common form.
   template <char column>
   [[gnu::always_inline]] bool take(TraceScanner& scanner) {
     if constexpr (column == 'O') return scanner.take_fixed<millisecond_fraction_digits>(offset);
@@ -89,14 +89,14 @@ struct UsualLine {
   }
 };
 
-// All columns but the last, which is the data.
+// All columns except the last one, which is the data.
 template <char first, char... others>
 bool take_columns(UsualLine& read, TraceScanner& scanner) {
   return read.take<first>(scanner) &&
          ((scanner.take_blanks() && read.take<others>(scanner)) && ...);
 }
 
-// The columns of a version, and how the usual lines of a file that has them are read.
+// The columns of a version, and the function that reads its common lines.
 struct Version {
   std::string_view name;
   std::string_view columns;
@@ -168,7 +168,7 @@ TraceStep TrcParser::choose_version(std::string_view version) {
   return bad_record("the file has another version than 1.0 to 2.1");
 }
 
-// `N,O,T,B,I,d,R,L,D`: the data, of which the number of words varies, stand last.
+// `N,O,T,B,I,d,R,L,D`: the data, with a varying number of words, are last.
 TraceStep TrcParser::choose_columns(std::string_view list) {
   std::string columns;
   for (std::size_t at = 0; at < list.size(); ++at) {
@@ -197,8 +197,7 @@ TraceStep TrcParser::read_start(std::string_view days) {
   return trace_note;
 }
 
-// What nearly all lines look like, in a fraction of the time of the careful way; whatever is
-// written otherwise is left to that.
+// Fast path for the common form of a line; other forms are left to the tolerant path.
 bool TrcParser::read_usual_line(std::string_view line, TraceFrame& frame) {
   constexpr unsigned base_digits = 4;
   TraceScanner scanner(line);
@@ -209,7 +208,7 @@ bool TrcParser::read_usual_line(std::string_view line, TraceFrame& frame) {
   frame.channel = channel_.name(read.bus);
   frame.frame = {};
   if (frame.channel.empty() || !scanner.take_bytes(read.length, frame.frame)) return false;
-  // RTR may stand where there is no data.
+  // RTR may take the place of the data.
   if (read.length == 0 && !scanner.is_at_end()) return false;
   frame.frame.id = read.identifier;
   frame.frame.flags = extended ? FrameFlags::extended : FrameFlags::none;
@@ -248,8 +247,8 @@ TraceStep TrcParser::read_words(const Words& words, TraceFrame& frame) {
   return read_frame(words, frame);
 }
 
-// The type stands in place of the CAN-ID, or, where that has none, in front of the other bytes:
-// direction, place, counters of reception and of transmission.
+// The type is in place of the CAN-ID or, if that is missing, before the other bytes: direction,
+// position, counters of reception and of transmission.
 TraceError read_trc_error(const Words& words, std::string_view rest) {
   constexpr unsigned bytes_max = 5;
   if (rest.starts_with("ERROR")) take_word(rest);
@@ -270,7 +269,7 @@ TraceError read_trc_error(const Words& words, std::string_view rest) {
   return error;
 }
 
-// `L` is the data length code, `l` the length; FB and BI switch the bit rate, FE and BI tell an
+// `L` is the data length code, `l` the length; FB and BI have the bit rate switch, FE and BI an
 // error state.
 TraceStep TrcParser::read_fd_frame(const Words& words, TraceFrame& frame) const {
   frame.frame = {};
@@ -290,7 +289,7 @@ TraceStep TrcParser::read_fd_frame(const Words& words, TraceFrame& frame) const 
   return {TraceItem::fd, 0, {}};
 }
 
-// FD, FB, FE and BI are frames of CAN FD; ST, EC, EV and Warng tell of something else.
+// FD, FB, FE and BI are frames of CAN FD; ST, EC, EV and Warng are no frames.
 TraceStep TrcParser::read_frame(const Words& words, TraceFrame& frame) {
   const std::string_view type = words.type;
   std::string_view rest = words.rest;
@@ -338,7 +337,7 @@ class TrcEncoder final : public TraceEncoder {
     line.put('\n');
     bytes += line.view();
   }
-  /// Of a log without frames.
+  /// For a log without frames.
   void end(std::string& bytes) override {
     if (start_.is_known()) return;
     start_.set({});
@@ -346,7 +345,7 @@ class TrcEncoder final : public TraceEncoder {
   }
 
  private:
-  // Rounded up, the days are read as the same microsecond.
+  // Rounded up, so that the days are read as the same microsecond.
   void append_header(std::string& bytes) const {
     constexpr std::uint64_t seconds_per_day = 86'400;
     constexpr std::uint64_t parts = 1'000'000'000'000;
@@ -386,7 +385,7 @@ class TrcEncoder final : public TraceEncoder {
     line.put_bytes(content);
   }
 
-  // Kind, direction, place, counters of reception and of transmission.
+  // Writes kind, direction, position, counters of reception and of transmission.
   static void put_error(TraceLine& line, const Frame& error) {
     constexpr std::uint8_t kinds =
         error_violation::bit | error_violation::form | error_violation::stuff;

@@ -1,4 +1,4 @@
-// PEAK TRC in its six versions, as PEAK's description of the format has them.
+// PEAK TRC in its six versions, from PEAK's description of the format.
 #include <gtest/gtest.h>
 
 #include "canvoy/can/frame_text.hpp"
@@ -98,8 +98,8 @@ TEST(TrcTrace, OfVersion21HasBusAndDataLengthCode) {
   EXPECT_TRUE(the_frame(header_2_1, "2 1.5 ER 1 - Rx - 5 04 00 02 00 00").frame.is_error());
 }
 
-// PEAK's documentation of error frames: 1 bit, 2 form, 4 stuff, 8 other; then direction (0: while
-// sending), place, and the counters of reception and transmission.
+// Error frames in PEAK's documentation: 1 bit, 2 form, 4 stuff, 8 other; then direction (0: while
+// sending), position, and the counters of reception and transmission.
 TEST(TrcTrace, TellsWhichErrorItIs) {
   const auto error = [](const auto& header, std::string_view line) {
     return std::string(FrameText(the_frame(header, std::string(line)).frame).view());
@@ -128,8 +128,8 @@ TEST(TrcTrace, PassesOverStatusAndCountersAndCountsFdFrames) {
   }
 }
 
-// A tab between the first two columns is left to the careful reader: what it reads is what the
-// quick way has to read.
+// A tab between the first two columns is left to the tolerant path: the fast path must give the
+// same result.
 void expect_line_read_alike(std::string_view header, const std::string& line) {
   const std::size_t blank = line.find(' ', line.find_first_not_of(' '));
   if (blank == std::string::npos) return;

@@ -10,6 +10,7 @@
 
 #include "canvoy/formats/trace/inflater.hpp"
 #include "canvoy/formats/trace/trace_encoder.hpp"
+#include "canvoy/formats/trace/trace_file.hpp"
 
 namespace canvoy::formats {
 
@@ -17,7 +18,7 @@ namespace {
 
 constexpr std::size_t buffer_size = 64 * 1024;
 
-/// `can0`, as all that number their buses call the first.
+/// `can0`, the first name in all formats that number their buses.
 bool is_numbered_name(std::string_view name) {
   if (name.empty()) return true;
   if (!name.starts_with("can")) return false;
@@ -42,7 +43,29 @@ host::Result<TraceWriter> TraceWriter::onto(int descriptor, const std::string& p
   }
   host::Descriptor file{::fcntl(descriptor, F_DUPFD_CLOEXEC, 0)};
   if (!file) return host::Error{path, std::strerror(errno), "close other files"};
-  return TraceWriter(path, std::move(file), format, format.encoder(begin));
+  TraceWriter writer(path, std::move(file), format, format.encoder(begin));
+  const host::Result<void> opened = writer.open_file();
+  if (!opened) {
+    writer.failed_ = true;
+    return opened.error();
+  }
+  return writer;
+}
+
+TraceFileEncoder* TraceWriter::file_encoder() const {
+  return encoder_->seeks() ? static_cast<TraceFileEncoder*>(encoder_.get()) : nullptr;
+}
+
+host::Result<void> TraceWriter::open_file() {
+  if (file_encoder() == nullptr) return {};
+  std::optional<std::string> place = path_of(file_.get());
+  if (!place || deflater_) {
+    host::Result<TemporaryTrace> copy = TemporaryTrace::create();
+    if (!copy) return copy.error();
+    copy_ = std::make_unique<TemporaryTrace>(*std::move(copy));
+    place = copy_->path();
+  }
+  return file_encoder()->open(*place, path_);
 }
 
 TraceWriter::TraceWriter(std::string path, host::Descriptor file, const TraceFormat& format,
@@ -66,6 +89,7 @@ host::Result<void> TraceWriter::write(const TraceFrame& frame, std::string_view 
   if (failed_) return {};
   if ((lacks_ & ~lost_) != 0) note_lost(frame, comment);
   encoder_->append(buffer_, frame, comment);
+  if (file_encoder() != nullptr) return check_file();
   return buffer_.size() >= buffer_size ? flush() : host::Result<void>{};
 }
 
@@ -97,7 +121,11 @@ std::string TraceWriter::lost() const {
 
 host::Result<void> TraceWriter::flush() {
   if (failed_) return {};
-  const host::Result<void> written =
+  if (file_encoder() != nullptr) {
+    file_encoder()->flush();
+    return check_file();
+  }
+  host::Result<void> written =
       deflater_ ? write_out(deflater_->run(buffer_, is_finished_)) : write_out(buffer_);
   buffer_.clear();
   return written;
@@ -107,13 +135,45 @@ host::Result<void> TraceWriter::finish() {
   if (is_finished_ || failed_) return {};
   is_finished_ = true;
   encoder_->end(buffer_);
+  if (file_encoder() != nullptr) return finish_file();
   host::Result<void> written = flush();
   const std::string header = encoder_->final_header();
   if (!written || failed_ || header.empty() || deflater_) return written;
-  // Of a pipe the header stays as it was.
+  // The header in a pipe cannot be replaced.
   const ssize_t done = ::pwrite(file_.get(), header.data(), header.size(), 0);
   if (done < 0 && errno != ESPIPE) return fail();
   return {};
+}
+
+/// What the encoder could not write.
+host::Result<void> TraceWriter::check_file() {
+  const std::string_view problem = file_encoder()->problem();
+  if (problem.empty()) return {};
+  failed_ = true;
+  return host::Error{path_, std::string(problem), "is there room on the disk?"};
+}
+
+// What was written beside goes where it belongs.
+host::Result<void> TraceWriter::finish_file() {
+  host::Result<void> checked = check_file();
+  if (!checked || !copy_) return checked;
+  const host::Result<TraceFile> file = TraceFile::open(copy_->descriptor());
+  if (!file) return file.error();
+  buffer_.resize(buffer_size);
+  for (std::uint64_t at = 0; at < file->size();) {
+    const std::size_t got = file->read(at, buffer_);
+    if (got == 0) return fail();
+    at += got;
+    const std::string_view bytes = std::string_view(buffer_).substr(0, got);
+    host::Result<void> written =
+        write_out(deflater_ ? deflater_->run(bytes, at == file->size()) : bytes);
+    if (!written) return written;
+  }
+  return {};
+}
+
+std::uint64_t TraceWriter::size() const {
+  return file_encoder() != nullptr ? file_encoder()->size() : size_;
 }
 
 host::Result<void> TraceWriter::write_out(std::string_view bytes) {

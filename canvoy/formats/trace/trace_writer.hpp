@@ -1,4 +1,4 @@
-// Writes frames to the log of a CAN tool, in any format that trace_format.hpp says is written.
+// Writes frames to the log of a CAN tool, in any writable format of trace_format.hpp.
 //
 //     Result<TraceWriter> out = TraceWriter::create("bus.pcapng", TraceFormat::pcapng);
 //     out->write(frame, "node 5 battery voltage 48.5 V");     // tshark shows the comment
@@ -19,46 +19,53 @@
 namespace canvoy::formats {
 
 class TraceEncoder;
+class TraceFileEncoder;
+class TemporaryTrace;
 class Deflater;
 
-/// Writes through a buffer of 64 KiB. The first failure is returned once; after it everything is
-/// ignored.
+/// Writes through a buffer of 64 KiB. The first failure is returned once; all later calls have no
+/// effect.
 class TraceWriter {
  public:
   static constexpr std::size_t comment_length_max = 32 * 1024;
 
-  /// Replaces the file; `-` is the standard output. What ends in `.gz` is compressed by gzip.
+  /// Replaces the file; `-` is the standard output. If the name ends in `.gz`, compresses with
+  /// gzip.
   static host::Result<TraceWriter> create(const std::string& path, const TraceFormat& format);
-  /// Writes to a copy of an open descriptor; `path` is how errors call it, and says whether it is
-  /// compressed. `begin`: the time of the earliest frame, where it is not the first.
+  /// Writes to a copy of an open descriptor; `path` is its name in errors, and its ending
+  /// determines the compression. `begin`: time of the earliest frame, if it is not the first.
   static host::Result<TraceWriter> onto(int descriptor, const std::string& path,
                                         const TraceFormat& format, std::optional<Time> begin = {});
   TraceWriter(TraceWriter&&) noexcept;
   TraceWriter& operator=(TraceWriter&&) = delete;
-  /// As finish(), without an answer.
+  /// Like finish(), but ignores errors.
   ~TraceWriter();
 
-  /// Of a comment, comment_length_max bytes are kept. ASC, TRC and BLF count from the second in
-  /// which the first frame was heard, or from `begin`, and number their buses: canN is N + 1, as
-  /// for log2asc. What the format does not keep of the frame, lost() says.
+  /// Writes a frame. At most comment_length_max bytes of the comment are kept. ASC, TRC and BLF
+  /// count from the second of the first frame, or from `begin`, and number their buses: canN is N +
+  /// 1, as in log2asc. lost() gives what the format does not keep.
   host::Result<void> write(const TraceFrame& frame, std::string_view comment = {});
-  /// What was written so far reaches the file; a container of BLF only when it is full.
+  /// Writes buffered data to the file; a container of BLF only if it is full.
   host::Result<void> flush();
-  /// The end of the log; nothing is written behind it.
+  /// Ends the log; nothing can be written after it.
   host::Result<void> finish();
-  /// Frames that are earlier than the beginning of the file, or than 1970: they have its time.
+  /// Number of frames earlier than the start of the file or than 1970; written with that time.
   std::uint64_t early() const;
-  /// Frames that are later than what the format can say (pcap: 2106; BLF: 584 years behind its
-  /// beginning; all but candump's: trace_time_max): they have the latest time that it can.
+  /// Number of frames later than the format can represent (pcap: 2106; BLF: 584 years after its
+  /// start; all but candump: trace_time_max); written with the latest time.
   std::uint64_t late() const;
-  /// What was said of the frames so far and is not in the log: "comments, names of buses".
+  /// Properties of the frames so far that the log does not keep: "comments, names of buses".
   std::string lost() const;
   /// Bytes in the file.
-  std::uint64_t size() const { return size_; }
+  std::uint64_t size() const;
 
  private:
   TraceWriter(std::string path, host::Descriptor file, const TraceFormat& format,
               std::unique_ptr<TraceEncoder> encoder);
+  host::Result<void> open_file();
+  TraceFileEncoder* file_encoder() const;
+  host::Result<void> check_file();
+  host::Result<void> finish_file();
   void note_lost(const TraceFrame& frame, std::string_view comment);
   host::Result<void> write_out(std::string_view bytes);
   host::Result<void> fail();
@@ -70,7 +77,8 @@ class TraceWriter {
   std::string latest_bus_;
   bool has_bus_ = false;
   std::unique_ptr<TraceEncoder> encoder_;
-  std::unique_ptr<Deflater> deflater_;  ///< null where it is not compressed
+  std::unique_ptr<Deflater> deflater_;    ///< null where it is not compressed
+  std::unique_ptr<TemporaryTrace> copy_;  ///< of a format that seeks, where the file cannot
   std::string buffer_;
   std::uint64_t size_ = 0;
   bool failed_ = false;

@@ -1,4 +1,5 @@
-// Logs as other programs expect them: the text of an ASC file is what log2asc of can-utils writes.
+// Logs in the form that other programs expect: the text of an ASC file is that of log2asc of
+// can-utils.
 #include "canvoy/formats/trace/trace_writer.hpp"
 
 #include <fcntl.h>
@@ -57,7 +58,7 @@ TEST(TraceWriter, WritesWhatLog2ascWrites) {
             "   4.500001 2  0               Rx   d 0\n");
 }
 
-/// The ASC file of two frames, the second 10 s before the first, and how many are counted as early.
+/// The ASC file of two frames, the second 10 s before the first, and the number counted as early.
 std::pair<std::string, std::uint64_t> written_backwards(std::optional<Time> begin) {
   const TemporaryFile file;
   std::uint64_t early = 0;
@@ -170,7 +171,7 @@ TEST(TraceWriter, CutsALongCommentBetweenCharacters) {
 }
 
 Frame protocol_error() {
-  // Stuff error in transmission, at place 2 (SocketCAN: violation 84h, location 2).
+  // A stuff error in transmission, at position 2 (SocketCAN: violation 84h, location 2).
   Frame frame = Frame::data_frame(0x88, {0, 0, 0x84, 2, 0, 0, 0, 0});
   frame.flags = FrameFlags::error;
   return frame;
@@ -181,7 +182,7 @@ bool is_kept_error(const TraceFormat& format, const Frame& error, const Frame& r
   return read.is_error() && read.data[2] == error.data[2] && read.data[3] == error.data[3];
 }
 
-// What a format keeps, by its row, is read as it was written.
+// What a format keeps according to its row is read as it was written.
 TEST(TraceWriter, WritesWhatTheReaderReads) {
   std::vector<TraceFrame> frames = some_frames();
   frames.push_back({start + 5s, protocol_error(), "can1", TraceDirection::unknown});
@@ -293,8 +294,8 @@ TEST(TraceWriter, GivesEachBusAChannelOfItsOwn) {
   }
   const std::string content = written(TraceFormat::asc, frames);
   auto trace = TraceReader::of(content);
-  // group takes 1, where can0 would be; vcan0 comes behind it, lift1 and can1 behind that; a bus
-  // without a name is can0.
+  // group takes 1, the number of can0; vcan0 follows it, then lift1 and can1; a bus without a name
+  // is can0.
   for (const char* name : {"can0", "can1", "can2", "can3", "can1", "can0", "can4"}) {
     TraceFrame frame;
     ASSERT_EQ(trace->next(frame), TraceRead::frame) << trace->problem();
@@ -320,7 +321,7 @@ TEST(TraceWriter, RefusesWhatItCannotWriteInOneLine) {
   EXPECT_EQ(csv.error().line(),
             "bus.csv: SavvyCAN CSV is only read, not written; these are written: candump log "
             "(.log), Vector ASC (.asc), Vector BLF (.blf), PEAK TRC (.trc), pcapng (.pcapng), "
-            "pcap (.pcap), python-can CSV (.csv)");
+            "pcap (.pcap), python-can CSV (.csv), ASAM MDF 4 (.mf4), python-can SQLite (.db)");
   EXPECT_FALSE(TraceWriter::create("/nowhere/bus.log", TraceFormat::candump));
 }
 

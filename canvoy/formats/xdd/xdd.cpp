@@ -45,7 +45,7 @@ class XddReader {
                          Finding::Weight::error});
   }
 
-  /// Elements come in their order, so that each line is counted once.
+  /// Elements come in order, so that each line is counted once.
   std::size_t line_at(std::ptrdiff_t offset) {
     const std::ptrdiff_t place = std::clamp<std::ptrdiff_t>(offset, 0, std::ssize(text_));
     if (place < counted_) counted_ = lines_ = 0;
@@ -70,7 +70,7 @@ class XddReader {
       if (!is_text && !element.attribute(shared.attribute)) continue;
       const std::string_view value =
           is_text ? element.text().get() : element.attribute(shared.attribute).value();
-      // The versions of others are texts of their makers.
+      // Versions in other places are texts of their manufacturers.
       const bool is_revision = std::string_view(shared.key) == "RevisionNumber";
       if (is_revision && !sheet_number(value)) continue;
       section(shared.section).add(shared.key, key_text(shared, value));
@@ -81,7 +81,7 @@ class XddReader {
       const std::string_view text = rate.attribute("value").value();
       section("DeviceInfo").add(fmt::format("BaudRate_{}", text.substr(0, text.find(' '))), "1");
     }
-    // An EDS says of each of them whether it is supported.
+    // An EDS states for each of them whether it is supported.
     for (const unsigned rate : {10U, 20U, 50U, 125U, 250U, 500U, 800U, 1000U}) {
       const std::string key = fmt::format("BaudRate_{}", rate);
       if (rates && section("DeviceInfo").find(key) == nullptr) section("DeviceInfo").add(key, "0");
@@ -142,7 +142,7 @@ class XddReader {
   pugi::xml_document document_;
   std::optional<XddParameters> parameters_;
   DataSheet sheet_;
-  std::ptrdiff_t counted_ = 0;  ///< bytes in which the lines were counted
+  std::ptrdiff_t counted_ = 0;  ///< number of bytes with counted lines
   std::ptrdiff_t lines_ = 0;
 };
 
@@ -161,7 +161,7 @@ std::string in_utf8(std::string text) {
 }  // namespace
 
 bool is_xml(std::string_view text) {
-  // Of UTF-16, the zeros between the characters.
+  // Zeros between the characters of UTF-16.
   if (marked_encoding(text)) text.remove_prefix(text.starts_with("\xEF") ? 3 : 2);
   const std::size_t first = text.find_first_not_of(std::string_view(" \t\r\n\0", 5));
   return first != std::string_view::npos && text[first] == '<';

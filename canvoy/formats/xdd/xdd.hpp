@@ -1,6 +1,6 @@
-// XDD and XDC files (CiA 311): data sheets in XML. Where an object leaves its type, access, default
-// or limits to a parameter of the application process (uniqueIDRef, as in CANopenNode's files),
-// they are read there.
+// Reads XDD and XDC files: data sheets in XML (CiA 311). If an object refers to a parameter of the
+// application process (uniqueIDRef, as in files of CANopenNode), takes type, access, default or
+// limits from it.
 //
 //     Findings findings;
 //     DataSheet sheet = read_xdd(text, findings);
@@ -10,15 +10,15 @@
 #include <string>
 #include <string_view>
 
+#include "canvoy/formats/eds/data_sheet.hpp"
 #include "canvoy/formats/eds/eds_reader.hpp"
-#include "canvoy/formats/sheet/data_sheet.hpp"
 
 namespace canvoy::formats {
 
-/// Any text is read; what is no XDD at all has no objects.
+/// Reads any text; a text that is no XDD gives no objects.
 DataSheet read_xdd(std::string_view text, Findings& findings);
 
-/// Whether a text is XML.
+/// True if a text is XML.
 bool is_xml(std::string_view text);
 
 }  // namespace canvoy::formats

@@ -48,7 +48,7 @@ constexpr auto accesses = std::to_array<NamedAccess>({
     {"readWriteOutput", "rww"},
 });
 
-/// Access and mapping of an EDS are in two attributes: what a TPDO alone may carry is `rwr`.
+/// Access and mapping of an EDS are in two attributes: an entry for TPDOs only is `rwr`.
 std::string access_with(std::string access, std::string_view mapping) {
   if (access != "rw") return access;
   if (mapping == "TPDO") return "rwr";
@@ -142,7 +142,7 @@ SheetEntry XddParameters::entry_of(const pugi::xml_node& element) const {
   if (parameter) {
     fill(parameter, entry, is_compound);
     fill(find(parameter.attribute("templateIDRef").value()), entry, is_compound);
-    // What nobody says may be read (CiA 311).
+    // The default access is read (CiA 311).
     if (!is_compound) fill_text(entry.access, "ro");
   }
   entry.access = access_with(entry.access, mapping);
@@ -171,7 +171,7 @@ void XddParameters::fill(const pugi::xml_node& parameter, SheetEntry& entry,
   }
 }
 
-/// 0 where none is said.
+/// 0 if none is given.
 unsigned XddParameters::type_of(const pugi::xml_node& element) const {
   constexpr unsigned steps_max = 8;  // a type may refer to itself
   pugi::xml_node place = element;

@@ -1,5 +1,5 @@
-// What reading and writing of XDD files share: the keys of an EDS that have a place in XML, and how
-// an object is read from its element, or from the parameter that it refers to.
+// Common parts of reading and writing XDD files: the keys of an EDS that exist in XML, and an
+// object from its element or from the parameter that it refers to.
 #pragma once
 
 #include <array>
@@ -9,24 +9,24 @@
 #include <string>
 #include <string_view>
 
-#include "canvoy/formats/sheet/data_sheet.hpp"
+#include "canvoy/formats/eds/data_sheet.hpp"
 
 namespace canvoy::formats::detail {
 
-/// The name of an element without the prefix of its namespace.
+/// Name of an element without the prefix of its namespace.
 std::string_view local_name(const pugi::xml_node& node);
-/// The first element of this name below `node`, at any depth.
+/// The first element with this name below `node`, at any depth.
 pugi::xml_node find_below(const pugi::xml_node& node, std::string_view name);
-/// The first child of this name, whatever its prefix.
+/// The first child with this name, with any prefix.
 pugi::xml_node child_of(const pugi::xml_node& node, std::string_view name);
-/// Hexadecimal digits, with a prefix or without.
+/// Reads hexadecimal digits, with or without a prefix.
 std::optional<unsigned> parse_xml_number(std::string_view text);
 
 /// A value that an element or attribute and a key of a section share.
 struct SharedKey {
   enum class Kind : std::uint8_t { text, number, flag, rate };
   const char* element;
-  const char* attribute;  ///< null: the text of the element
+  const char* attribute;  ///< null: the text of the element itself
   const char* section;
   const char* key;
   Kind kind = Kind::text;
@@ -65,12 +65,12 @@ constexpr auto shared_keys = std::to_array<SharedKey>({
      SharedKey::Kind::flag},
 });
 
-/// As the key of an EDS has it: `true` is 1, `125 Kbps` is 125.
+/// The value in the form of an EDS: `true` is 1, `125 Kbps` is 125.
 std::string key_text(const SharedKey& shared, std::string_view xml);
-/// As XML has it: a number is decimal, 1 is `true`.
+/// The value in the form of XML: numbers are decimal, 1 is `true`.
 std::string xml_text(const SharedKey& shared, std::string_view key);
 
-/// An attribute of an object, and the text of a SheetEntry.
+/// An attribute of an object, and the matching text of a SheetEntry.
 struct SharedText {
   const char* attribute;
   std::string SheetEntry::*member;
@@ -84,14 +84,14 @@ constexpr auto shared_texts = std::to_array<SharedText>({
     {"denotation", &SheetEntry::denotation},
 });
 
-/// The parameters of an application process (CiA 311), which objects refer to by `uniqueIDRef`:
-/// there stand type, access, default and limits where the objects themselves do not say them.
+/// The parameters of an application process, which objects refer to by `uniqueIDRef`. They give
+/// type, access, default and limits where the objects do not (CiA 311).
 class XddParameters {
  public:
   /// The document must outlive this.
   explicit XddParameters(const pugi::xml_document& document);
 
-  /// What the element of an object says, and behind it its parameter.
+  /// The entry of an object, from its element or else from its parameter.
   SheetEntry entry_of(const pugi::xml_node& element) const;
 
  private:
@@ -99,7 +99,7 @@ class XddParameters {
   void fill(const pugi::xml_node& parameter, SheetEntry& entry, bool is_compound) const;
   unsigned type_of(const pugi::xml_node& element) const;
 
-  std::map<std::string_view, pugi::xml_node> elements_;  ///< by their uniqueID
+  std::map<std::string_view, pugi::xml_node> elements_;  ///< by uniqueID
 };
 
 }  // namespace canvoy::formats::detail

@@ -1,4 +1,4 @@
-// A file as CiA 311 has it, with what nobody here knows: it stays.
+// A file of CiA 311 with unknown parts, which are kept.
 #include "canvoy/formats/xdd/xdd.hpp"
 #include "canvoy/formats/xdd/xdd_writer.hpp"
 
@@ -103,8 +103,8 @@ TEST(Xdd, AnEdsBecomesAnXddAndTheOtherWayRound) {
   EXPECT_TRUE(compare_sheets(eds, read(write_xdd(eds))).empty());
 }
 
-/// As CANopenEditor writes XDD, and CANopenNode its .xpd: what is said of an object stands in the
-/// parameter that it refers to.
+/// As written by CANopenEditor for XDD, and by CANopenNode for its .xpd: the description of an
+/// object is in the parameter that it refers to.
 constexpr std::string_view with_parameters = R"(<?xml version="1.0" encoding="utf-8"?>
 <ISO15745ProfileContainer xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.canopen.org/xml/1.1">
   <ISO15745Profile>
@@ -153,7 +153,7 @@ constexpr std::string_view with_parameters = R"(<?xml version="1.0" encoding="ut
 </ISO15745ProfileContainer>
 )";
 
-// The keys of DeviceInfo (CiA 306) that have no place of their own in CiA 311.
+// Keys of DeviceInfo (CiA 306) without a counterpart in CiA 311.
 TEST(Xdd, KeepsRevisionAndBitRatesThatAreNotSupported) {
   Findings findings;
   const DataSheet eds = read_eds(

@@ -15,7 +15,7 @@ namespace {
 
 using namespace detail;
 
-/// `06-30-2026` in an EDS is `2026-06-30` in XML; the schema wants a date.
+/// `06-30-2026` in an EDS is `2026-06-30` in XML; the schema requires a date.
 std::string xml_date(std::string_view date) {
   constexpr std::string_view unknown = "1970-01-01";
   constexpr std::string_view form = "dd-dd-dddd";
@@ -26,14 +26,14 @@ std::string xml_date(std::string_view date) {
   return fmt::format("{}-{}-{}", date.substr(6), date.substr(0, 2), date.substr(3, 2));
 }
 
-/// The value of PDOmapping. What is of one direction only has no access of its own here.
+/// The value of PDOmapping. Entries for one direction only have no access of their own here.
 const char* mapping_text(const SheetEntry& entry) {
   if (!entry.pdo_mapping) return "no";
   if (same_letters(entry.access, "rwr")) return "TPDO";
   return same_letters(entry.access, "rww") ? "RPDO" : "optional";
 }
 
-/// Texts of EDS are ASCII, or of a code page that nobody names: XML wants UTF-8.
+/// Texts of an EDS are ASCII, or of an undeclared code page; XML needs UTF-8.
 std::string utf8(std::string_view text) {
   return plain_text(text);
 }
@@ -96,7 +96,7 @@ class XddWriter {
     return body;
   }
 
-  /// All that there has to be around the objects.
+  /// Makes the elements around the objects.
   void make_frame() {
     document_.reset();
     pugi::xml_node declaration = document_.append_child(pugi::node_declaration);
@@ -118,7 +118,7 @@ class XddWriter {
       identity.append_child(name);
     }
     if (!sheet_.text("DeviceInfo", "OrderCode").empty()) identity.append_child("co:orderNumber");
-    // CiA 311 has no place of its own for the revision number of 1018h:03h.
+    // CiA 311 has no counterpart for the revision number of 1018h:03h.
     if (!sheet_.text("DeviceInfo", "RevisionNumber").empty()) {
       identity.append_child("co:version").append_attribute("versionType") = "FW";
     }
@@ -145,7 +145,7 @@ class XddWriter {
     if (!sheet_.dummies.empty()) {
       pugi::xml_node dummies = layers.append_child("dummyUsage");
       for (const auto& [index, used] : sheet_.dummies) {
-        constexpr std::uint16_t last = 7;  // that the schema knows
+        constexpr std::uint16_t last = 7;  // the last one in the schema
         if (index == 0 || index > last) continue;
         dummies.append_child("dummy").append_attribute("entry") =
             fmt::format("Dummy{:04X}={}", index, used ? 1 : 0).c_str();
@@ -163,7 +163,7 @@ class XddWriter {
     management.append_child("CANopenMasterFeatures");
   }
 
-  /// An XDC says which node it is of, an XDD does not.
+  /// An XDC names its node, an XDD does not.
   void write_commissioning() {
     const pugi::xml_node found = find_below(document_, "deviceCommissioning");
     const pugi::xml_node management = find_below(document_, "NetworkManagement");
@@ -172,7 +172,7 @@ class XddWriter {
       remove_actual_values();
     } else if (!found && management && sheet_.section("DeviceComissioning") != nullptr) {
       pugi::xml_node made = pugi::xml_node(management).append_child("deviceCommissioning");
-      // The schema wants all of them.
+      // The schema requires all of them.
       for (const SharedKey& shared : shared_keys) {
         if (std::string_view(shared.element) != "deviceCommissioning") continue;
         made.append_attribute(shared.attribute) = xml_text(shared, "").c_str();
@@ -180,7 +180,7 @@ class XddWriter {
     }
   }
 
-  /// Those of parameters that objects refer to.
+  /// Removes those of parameters that objects refer to.
   void remove_actual_values() {
     const pugi::xml_node process = find_below(document_, "ApplicationProcess");
     while (const pugi::xml_node value = find_below(process, "actualValue")) {
@@ -220,7 +220,7 @@ class XddWriter {
 
   using Elements = std::map<unsigned, pugi::xml_node>;
 
-  /// The elements of this name, by their number; those that are not kept are removed.
+  /// Elements with this name, by number; removes those that are not kept.
   template <class Keep>
   static Elements elements_of(pugi::xml_node parent, std::string_view name, const char* attribute,
                               const Keep& is_kept) {
@@ -240,12 +240,12 @@ class XddWriter {
     return elements;
   }
 
-  /// The element of this number, made where there is none.
+  /// The element with this number, made if there is none.
   static pugi::xml_node place_for(pugi::xml_node parent, Elements& elements, unsigned number,
                                   const char* name, const char* attribute, unsigned digits) {
     const auto found = elements.find(number);
     if (found != elements.end()) return found->second;
-    // With the prefix that the others have.
+    // With the same prefix as the others.
     const std::string made_name = elements.empty() ? name : elements.begin()->second.name();
     pugi::xml_node made = parent.append_child(made_name.c_str());
     made.append_attribute(attribute) = fmt::format("{:0{}X}", number, digits).c_str();
@@ -265,7 +265,7 @@ class XddWriter {
     }
   }
 
-  /// What the file says already, itself or by a parameter, stays as it is.
+  /// What the file states already, in the element or in a parameter, is kept.
   void write_entry(pugi::xml_node element, const SheetEntry& entry) const {
     const SheetEntry present = parameters_->entry_of(element);
     if (!element.attribute("objectType") || present.object_type != entry.object_type) {
@@ -279,7 +279,7 @@ class XddWriter {
       const std::string text = is_left_out ? std::string() : entry.*shared.member;
       if (present.*shared.member != text) set(element, shared.attribute, utf8(text));
     }
-    // The schema wants a name of each.
+    // The schema requires a name.
     if (!element.attribute("name")) element.append_attribute("name") = utf8(entry.name).c_str();
     write_access(element, entry, present);
     const auto flags = sheet_number(entry.obj_flags);

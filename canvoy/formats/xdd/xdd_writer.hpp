@@ -4,13 +4,13 @@
 
 #include <string>
 
-#include "canvoy/formats/sheet/data_sheet.hpp"
+#include "canvoy/formats/eds/data_sheet.hpp"
 
 namespace canvoy::formats {
 
-/// An XDC where the sheet is configured, else an XDD without values, by the schema of CiA 311 1.1.
-/// Elements and attributes of the file that the sheet was read from stay, whether they are known or
-/// not. Characters that XML cannot have are written as plain_text() does.
+/// Writes an XDC if the sheet is configured, else an XDD without values. Keeps elements and
+/// attributes of the file that the sheet was read from, known or not. Writes characters that XML
+/// cannot have as plain_text() does (CiA 311 1.1).
 std::string write_xdd(const DataSheet& sheet);
 
 }  // namespace canvoy::formats

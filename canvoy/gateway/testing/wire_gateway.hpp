@@ -19,7 +19,7 @@
 
 namespace canvoy::gateway {
 
-/// Lines that a session has for its client, without their ends; each has to have one.
+/// Takes the lines that a session has for its client, without their ends; checks that each has one.
 inline std::vector<std::string> take_lines(Session& session) {
   std::vector<std::string> lines;
   std::string_view output = session.output();
@@ -36,7 +36,7 @@ inline std::vector<std::string> take_lines(Session& session) {
   return lines;
 }
 
-/// A network of which the bus is the test.
+/// A network of which the test is the bus.
 class WireNetwork {
  public:
   explicit WireNetwork(Time& clock, std::uint16_t number = 1, NetworkSettings settings = {})
@@ -57,8 +57,8 @@ class WireNetwork {
       network.advance(now_);
     }
   }
-  /// Frames sent since the last call, in the form of the wire language; with times where the test
-  /// gives them.
+  /// Compares the frames sent since the last call, in the form of the wire language; with times if
+  /// the test gives them.
   void expect_frames(const std::vector<std::string>& frames) {
     std::vector<std::string> actual;
     for (std::size_t i = 0; i < sent_.size(); ++i) {
@@ -79,7 +79,8 @@ class WireNetwork {
     if (self.on_sent) self.on_sent(frame);
     return true;
   }
-  /// From the first call on, nothing else comes, as with an acceptance filter.
+  /// Opens the acceptance filter for an identifier. From the first call on, the filter is closed
+  /// for all others.
   static void accept(void* context, std::uint16_t id, bool wanted) {
     auto& self = *static_cast<WireNetwork*>(context);
     self.filtering_ = true;
@@ -91,7 +92,7 @@ class WireNetwork {
 
  public:
   bool full = false;  ///< the controller takes no frames
-  /// Called while a frame is sent, as buses do that bring the answer at once.
+  /// Called while a frame is sent, like a bus that delivers the answer at once.
   std::function<void(const Frame&)> on_sent;
   Network network;
 
@@ -100,7 +101,7 @@ class WireNetwork {
   std::vector<std::pair<std::string, std::string>> sent_;
 };
 
-/// One client and one network, number 1, unless the test adds others.
+/// A gateway with one client and one network, number 1, unless the test adds others.
 class WireGateway {
  public:
   explicit WireGateway(NetworkSettings network_settings = {}, const SessionSettings& settings = {})
@@ -121,7 +122,7 @@ class WireGateway {
     EXPECT_EQ(take_lines(session), lines);
     settle();
   }
-  /// Says one line that is answered at once.
+  /// Sends one line and returns its answer, which must come at once.
   std::string ask(std::string_view line) {
     say(line);
     const std::vector<std::string> lines = take_lines(client);

@@ -54,8 +54,7 @@ inline constexpr NamedValue transmission_types[] = {
     {255, "event-driven, profile"},
 };
 
-/// The entries of PDO parameters, for profiles to choose from. Profiles may give them other access
-/// and defaults.
+/// Entries of PDO parameters. Profiles may give them other access and defaults.
 inline constexpr EntryInfo pdo_cob_id_entry =
     sub_index(1, "COB-ID used by PDO", entry(unsigned32, rw, no, invalid_cob_id, code),
               {.description = "Bit 31: the PDO does not exist; bit 30 of a TPDO: not on request."});

@@ -5,13 +5,13 @@
 //     cia301::producer_heartbeat_object.entry.value.unit  // Unit::millisecond
 #pragma once
 
-#include "canvoy/profiles/rows.hpp"
+#include "canvoy/profiles/model/rows.hpp"
 
 namespace canvoy::cia301 {
 
 using namespace rows;  // NOLINT(google-build-using-namespace): the columns of its tables
 
-/// Of arrays and records that have no sub-index 00h of their own kind.
+/// Sub-index 00h of arrays and records that have no such entry of their own.
 inline constexpr EntryInfo highest_sub_index =
     sub_index(0, "Highest sub-index supported", entry(unsigned8, const_, no, highest_sub()));
 
@@ -41,7 +41,7 @@ inline constexpr auto error_register_object = var_object(
     0x1001, "Error register", "7.5.2.2", "One bit for each kind of error that is present.",
     entry(unsigned8, ro, optional, 0, {.notation = Notation::bit_mask}, error_register_bits));
 
-/// Of profiles that keep bit 5 for later (CiA 419, 6.2.2; CiA 852, 11.3).
+/// Names of values of bit 5 in profiles that reserve it (CiA 419, 6.2.2; CiA 852, 11.3).
 inline constexpr NamedValue reserved_bit_names[] = {{0, "0", Meaning::padding},
                                                     {1, "reserved", Meaning::reserved}};
 inline constexpr auto error_register_bits_with_reserve = [] {
@@ -55,7 +55,7 @@ inline constexpr auto error_register_bits_with_reserve = [] {
   return bits;
 }();
 
-/// An object of this standard as a profile has it, which gives it another category.
+/// Makes the form that a profile gives an object of this standard: with another category.
 constexpr ObjectInfo refined(ObjectInfo object, Category category, std::string_view clause,
                              std::string_view errata = {}, std::string_view condition = {}) {
   object.category = category;
@@ -113,7 +113,7 @@ inline constexpr auto life_time_factor_object =
     var_object(0x100D, "Life time factor", "7.5.2.12", "", entry(unsigned8, rw, no, 0),
                {.category = Category::optional});
 
-/// What is written to have something done.
+/// Signatures that are written to start an action.
 inline constexpr NamedValue save_signature[] = {{0x6576'6173, "save"}};
 inline constexpr NamedValue load_signature[] = {{0x6461'6F6C, "load"}};
 
@@ -188,7 +188,7 @@ inline constexpr auto sync_overflow_object =
                "0: SYNC without a counter; 2 to 240: the last number that it counts to.",
                entry(unsigned8, rw, no, 0), {.category = Category::optional});
 
-/// A date and a time as 1020h and 1F52h have them, in sub-indices 1 and 2.
+/// A date and a time, as in sub-indices 1 and 2 of 1020h and 1F52h.
 constexpr EntryInfo date_entry(std::string_view name) {
   return sub_index(1, name, entry(unsigned32, rw, no, 0, {.unit = Unit::day}),
                    {.description = "Days since 1 January 1984."});
@@ -229,7 +229,7 @@ inline constexpr auto emergency_consumer_object =
     array_object(0x1028, "Emergency consumer object", "7.5.2.31", "", emergency_consumer_entries,
                  {.category = Category::optional});
 
-/// What a device does when it is in state operational and an error comes (1029h).
+/// State change of a device on an error in NMT state operational (1029h).
 enum class ErrorBehavior : std::uint8_t { pre_operational = 0, no_change = 1, stopped = 2 };
 inline constexpr NamedValue error_behaviors[] = {
     {ErrorBehavior::pre_operational, "enter pre-operational"},

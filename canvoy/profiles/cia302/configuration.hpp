@@ -4,14 +4,14 @@
 #pragma once
 
 #include "canvoy/profiles/cia301/objects.hpp"
-#include "canvoy/profiles/device_description.hpp"
-#include "canvoy/profiles/rows.hpp"
+#include "canvoy/profiles/model/device_description.hpp"
+#include "canvoy/profiles/model/rows.hpp"
 
 namespace canvoy::cia302 {
 
 using namespace rows;  // NOLINT(google-build-using-namespace): the columns of its tables
 
-/// Of arrays with one entry for each slave.
+/// Highest sub-index of arrays with one entry for each slave.
 inline constexpr EntryInfo last_slave =
     sub_index(0, "Highest sub-index supported", entry(unsigned8, const_, no, highest_sub()));
 
@@ -98,7 +98,8 @@ constexpr auto configuration() {
   return parts;
 }
 
-/// What it needs beside, where tools store DCFs and EDS in it: 1F20h, 1F21h, 1F23h and 1F24h.
+/// Further objects for a configuration manager in which tools store DCFs and EDS: 1F20h, 1F21h,
+/// 1F23h and 1F24h.
 constexpr auto stored_configuration() {
   DeviceDescription<4> parts;
   parts.add(store_dcf_object);

@@ -1,13 +1,13 @@
-// Descriptions of the objects of an NMT master, 1F80h to 1F91h, and of the NMT inhibit time (CiA
-// 302-2; CiA 301 for 102Ah). Of the arrays, the sub-index is a slave's node-ID.
+// Descriptions of the objects of an NMT master, 1F80h to 1F91h, and of the NMT inhibit time, 102Ah
+// (CiA 302-2; CiA 301). In arrays, the sub-index is a slave's node-ID.
 //
 //     constexpr auto my_master = describe(cia301::device_type(0), cia301::error_register_object,
 //                                         cia302::nmt_master({.startup = 0x01}));
 #pragma once
 
 #include "canvoy/profiles/cia301/objects.hpp"
-#include "canvoy/profiles/device_description.hpp"
-#include "canvoy/profiles/rows.hpp"
+#include "canvoy/profiles/model/device_description.hpp"
+#include "canvoy/profiles/model/rows.hpp"
 
 namespace canvoy::cia302 {
 
@@ -78,7 +78,7 @@ inline constexpr auto request_guarding_object =
     array_object(0x1F83, "Request node guarding", "302-2", "", request_guarding_entries,
                  {.category = Category::optional});
 
-/// What a slave is expected to answer; 0: anything.
+/// Expected answers of a slave; 0: any.
 inline constexpr EntryInfo expected_entries[] = {
     cia301::highest_sub_index,
     sub_index(1, 127, "Expected of slave", entry(unsigned32, rw, no, 0, cia301::code)),
@@ -97,7 +97,8 @@ inline constexpr auto boot_time_object = var_object(
     0x1F89, "Boot time", "302-2", "How long mandatory slaves are waited for; 0: without end.",
     entry(unsigned32, rw, no, 0, cia301::milliseconds), {.category = Category::optional});
 
-/// Beside nmt_master() and configuration(), for a master that has slaves restored.
+/// Further objects, beside nmt_master() and configuration(), for a master that restores its slaves'
+/// configuration.
 inline constexpr EntryInfo restore_configuration_entries[] = {
     cia301::highest_sub_index,
     sub_index(1, 127, "Sub-index of 1011h of slave", entry(unsigned8, rw, no, 0),
@@ -137,7 +138,7 @@ inline constexpr auto startup_capable_object =
 
 struct NmtMasterOptions {
   std::uint32_t startup = 0x01;    ///< 1F80h
-  std::uint32_t boot_time_ms = 0;  ///< 1F89h; 0: mandatory slaves are waited for without end
+  std::uint32_t boot_time_ms = 0;  ///< 1F89h; 0: waits for mandatory slaves without limit
 };
 /// 102Ah and 1F80h to 1F89h.
 constexpr auto nmt_master(const NmtMasterOptions& options = {}) {
@@ -155,7 +156,7 @@ constexpr auto nmt_master(const NmtMasterOptions& options = {}) {
   parts.add(Part(boot_time_object).initial(options.boot_time_ms));
   return parts;
 }
-/// 1F90h and 1F91h of a device that competes for being the NMT master.
+/// 1F90h and 1F91h of a device that takes part in the flying master process.
 constexpr auto flying_master(std::uint16_t priority) {
   DeviceDescription<2> parts;
   parts.add(Part(flying_master_object).initial(3, priority));

@@ -5,7 +5,7 @@
 #include "canvoy/canopen/testing/cable.hpp"
 #include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/cia302/master.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
 namespace canvoy::cia302_master_test {
@@ -59,7 +59,7 @@ constexpr auto slave = describe(cia301::device_type(0x191), cia301::error_regist
                                 cia301::guard_time_object, cia301::life_time_factor_object);
 constexpr auto slave_layout = lay_out_device<slave>();
 
-/// Writes into the master as a configuration tool does, and resets it.
+/// Writes into the master like a configuration tool, and resets it.
 void assign(Cable& cable, const char* request) {
   cable.send(request);
 }

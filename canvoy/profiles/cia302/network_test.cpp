@@ -1,5 +1,5 @@
-// A whole network in its boot-up procedure (CiA 302-2), with all that part 3 adds to it: of three
-// equal devices one needs a configuration, one a program, and one both.
+// A whole network in its boot-up procedure (CiA 302-2) with the additions of part 3: of three equal
+// devices, one needs a configuration, one a program, and one both.
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/manager/configuration_manager.hpp"
@@ -12,7 +12,7 @@
 #include "canvoy/canopen/testing/concise_dcf_bytes.hpp"
 #include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/cia302.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 
 namespace canvoy::cia302_network_test {
 namespace {
@@ -60,7 +60,7 @@ class NetworkOfPart3 : public testing::Test {
     cable.connect(place, sut.node());
     for (Slave* slave : all) cable.connect(++place, slave->device.node());
   }
-  /// The master is told what to do, and does it.
+  /// The master is configured, and boots.
   void boot() {
     for (const std::uint8_t id : std::to_array<std::uint8_t>({5, 7})) {
       set(0x1F26, id, date);
@@ -83,7 +83,7 @@ class NetworkOfPart3 : public testing::Test {
     expect_configured(seven, true);
     expect_configured(eight, false);
   }
-  /// Downloads of programs that begin.
+  /// Downloads of programs that start.
   auto downloads() {
     return std::ranges::count_if(cable.heard, [](const Cable::Heard& heard) {
       return wire_text(heard.frame).find("#21 50 1F 01") != std::string::npos;
@@ -146,7 +146,7 @@ TEST_F(NetworkOfPart3, IsUpWhenEachSlaveHasWhatItNeeds) {
   }
 }
 
-/// The configuration is not stored in these devices, a program is.
+/// These devices do not store the configuration; they store a program.
 TEST_F(NetworkOfPart3, ThatBootsAgainIsConfiguredAgainAndHasItsProgramsAlready) {
   cable.start_all();
   boot();

@@ -5,14 +5,14 @@
 #pragma once
 
 #include "canvoy/profiles/cia301/objects.hpp"
-#include "canvoy/profiles/device_description.hpp"
-#include "canvoy/profiles/rows.hpp"
+#include "canvoy/profiles/model/device_description.hpp"
+#include "canvoy/profiles/model/rows.hpp"
 
 namespace canvoy::cia302 {
 
 using namespace rows;  // NOLINT(google-build-using-namespace): the columns of its tables
 
-/// Of arrays with one entry for each program, or for each slave.
+/// Highest sub-index of arrays with one entry for each program, or for each slave.
 inline constexpr EntryInfo last_program =
     sub_index(0, "Highest sub-index supported", entry(unsigned8, const_, no, highest_sub()));
 

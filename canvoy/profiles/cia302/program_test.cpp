@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "canvoy/profiles/cia301.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
 namespace canvoy::cia302_program_test {

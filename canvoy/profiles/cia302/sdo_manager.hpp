@@ -1,7 +1,7 @@
 // Descriptions of the objects of dynamic SDO connections, 1F00h to 1F06h and 1F10h (CiA 302-5).
 //
-// Names and types are public; what the bits of 1F00h, 1F01h and 1F10h say is known from devices in
-// the field, and what stands in 1F03h to 1F06h is our own reading.
+// Names and types are public. The bits of 1F00h, 1F01h and 1F10h are known from devices in the
+// field; the contents of 1F03h to 1F06h are our own reading.
 //
 //     constexpr auto my_manager = describe(cia301::device_type(0), cia302::sdo_manager(32, 16));
 //     constexpr auto my_device = describe(cia301::device_type(0), cia302::sdo_requester());
@@ -9,8 +9,8 @@
 
 #include "canvoy/profiles/cia301/channels.hpp"
 #include "canvoy/profiles/cia301/objects.hpp"
-#include "canvoy/profiles/device_description.hpp"
-#include "canvoy/profiles/rows.hpp"
+#include "canvoy/profiles/model/device_description.hpp"
+#include "canvoy/profiles/model/rows.hpp"
 
 namespace canvoy::cia302 {
 
@@ -75,7 +75,8 @@ inline constexpr auto dynamic_sdo_state_object =
                entry(unsigned32, rw, no, 0, cia301::code, dynamic_sdo_fields),
                {.category = Category::optional});
 
-/// 1F00h to 1F03h of an SDO manager that has `cob_ids` to give, and lists `connections`.
+/// 1F00h to 1F03h of an SDO manager that has `cob_ids` COB-IDs to assign, and room for
+/// `connections` connections.
 constexpr auto sdo_manager(unsigned cob_ids, unsigned connections) {
   DeviceDescription<4> parts;
   parts.add(request_sdo_object);
@@ -84,8 +85,8 @@ constexpr auto sdo_manager(unsigned cob_ids, unsigned connections) {
   parts.add(Part(sdo_connections_object).only(0).up_to(connections));
   return parts;
 }
-/// 1F10h, and the SDO clients (1280h and above) of a device that requests SDO connections: one
-/// to the SDO manager, and `connections` to servers.
+/// 1F10h and the SDO clients (1280h and above) of a device that requests SDO connections: one
+/// client for the SDO manager, and `connections` for servers.
 constexpr auto sdo_requester(unsigned connections = 1) {
   DeviceDescription<2> parts;
   parts.add(Part(cia301::sdo_client_object).only(0, 1 + connections));

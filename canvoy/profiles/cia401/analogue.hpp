@@ -1,6 +1,5 @@
-// Analogue inputs and outputs of CiA 401, as public sources agree upon them (indices, types,
-// defaults); the text of CiA 401 is not at hand, so that there are no clauses, and no ranges but
-// those of the types.
+// Analogue inputs and outputs of CiA 401, as public sources agree (indices, types, defaults). The
+// text of CiA 401 is not at hand: there are no clauses, and no ranges but those of the types.
 //
 //     cia401::read_analogue_input_16_bit_object.index  // 6401h
 #pragma once
@@ -48,7 +47,7 @@ inline constexpr auto write_analogue_output_float_object =
 
 // Configuration of inputs.
 
-/// What causes an event: one bit for each condition (6421h).
+/// Conditions that cause an event, one bit each (6421h).
 inline constexpr FieldInfo trigger_fields[] = {
     field(0, 1, "upper limit exceeded", enabled_names),
     field(1, 1, "input below lower limit", enabled_names),

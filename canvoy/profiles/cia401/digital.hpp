@@ -1,6 +1,5 @@
-// Digital inputs and outputs of CiA 401, as public sources agree upon them (indices, types,
-// defaults); the text of CiA 401 is not at hand, so that there are no clauses, and no ranges but
-// those of the types.
+// Digital inputs and outputs of CiA 401, as public sources agree (indices, types, defaults). The
+// text of CiA 401 is not at hand: there are no clauses, and no ranges but those of the types.
 //
 //     cia401::read_input_8_bit_object.index  // 6000h
 #pragma once

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "canvoy/profiles/cia401.hpp"
-#include "canvoy/profiles/handle.hpp"
+#include "canvoy/profiles/model/handle.hpp"
 
 namespace canvoy::cia401 {
 

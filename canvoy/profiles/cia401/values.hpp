@@ -1,20 +1,20 @@
-// What the values of CiA 401 inputs and outputs mean, and the shapes of its arrays: shared with
-// profiles that are built on it (CiA 852).
+// Meanings of the values of CiA 401 inputs and outputs, and the shapes of its arrays. Profiles that
+// are built on CiA 401 share them (CiA 852).
 //
 //     .entry = {.type = DataType::unsigned8, .value = {.names = cia401::error_mode_names}}
 #pragma once
 
-#include "canvoy/profiles/rows.hpp"
+#include "canvoy/profiles/model/rows.hpp"
 
 namespace canvoy::cia401 {
 
 using namespace rows;  // NOLINT(google-build-using-namespace): the columns of its tables
 
-/// What an output does when the device fails or is stopped (6206h, 6443h and their like).
+/// Reaction of an output when the device fails or is stopped (6206h, 6443h and similar objects).
 enum class ErrorMode : std::uint8_t { keep = 0, take_error_value = 1 };
 inline constexpr NamedValue error_mode_names[] = {{ErrorMode::keep, "value is kept"},
                                                   {ErrorMode::take_error_value, "error value"}};
-/// Of analogue outputs, which have a byte each.
+/// Error modes of analogue outputs, which have a byte each.
 inline constexpr NamedValue error_mode_byte_names[] = {{ErrorMode::keep, "value is kept"},
                                                        {ErrorMode::take_error_value, "error value"},
                                                        {2, 0xFF, "reserved", Meaning::reserved}};
@@ -25,7 +25,7 @@ inline constexpr NamedValue enabled_names[] = {{0, "disabled"}, {1, "enabled"}};
 /// One bit for each input or output.
 inline constexpr ValueInfo mask = {.notation = Notation::bit_mask};
 
-/// The most channels of one array.
+/// Maximum number of channels in an array.
 inline constexpr std::uint8_t channels_max = 254;
 
 /// Sub-index 00h of all arrays.
@@ -38,14 +38,14 @@ constexpr std::array<EntryInfo, 2> channels(EntryInfo each, std::uint8_t last = 
   each.sub_last = last;
   return {{number_of_channels("Highest sub-index supported"), each}};
 }
-/// Values from the process: those of inputs to be read, those of outputs to be written.
+/// Process values: inputs are read, outputs are written.
 constexpr EntryInfo input(DataType type, std::string_view name) {
   return sub_index(0, name, entry(type, ro, optional));
 }
 constexpr EntryInfo output(DataType type, std::string_view name) {
   return sub_index(0, name, entry(type, rw, optional, 0));
 }
-/// What configures an input or output.
+/// A parameter of an input or output.
 constexpr EntryInfo parameter(DataType type, std::string_view name, Default initial,
                               const ValueInfo& value = {}) {
   return sub_index(0, name, entry(type, rw, no, initial, value));
@@ -54,7 +54,7 @@ constexpr EntryInfo by_default(EntryInfo entry) {
   entry.mapping = Mapping::by_default;
   return entry;
 }
-/// An array that nobody has to have.
+/// An optional array.
 constexpr ObjectInfo array(std::uint16_t index, std::string_view name,
                            const std::array<EntryInfo, 2>& entries,
                            std::string_view description = {}) {

@@ -1,4 +1,4 @@
-// State machine, modes and motor of CiA 402: see cia402.hpp for how certain they are.
+// State machine, modes and motor of CiA 402. For how certain they are, see cia402.hpp.
 //
 //     cia402::controlword_object.index  // 6040h
 #pragma once
@@ -46,7 +46,7 @@ inline constexpr auto modes_of_operation_display_object =
     variable(0x6061, "Modes of operation display",
              entry(integer8, ro, optional, {}, drive_mode_names), "The mode that the drive is in.");
 
-// The motor, and what the drive can do.
+// The motor and the capabilities of the drive.
 
 inline constexpr auto motor_type_object = variable(0x6402, "Motor type", entry(unsigned16, rw));
 inline constexpr auto motor_catalogue_number_object =

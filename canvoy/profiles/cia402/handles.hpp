@@ -5,7 +5,7 @@
 #pragma once
 
 #include "canvoy/profiles/cia402.hpp"
-#include "canvoy/profiles/handle.hpp"
+#include "canvoy/profiles/model/handle.hpp"
 
 namespace canvoy::cia402 {
 
@@ -128,7 +128,7 @@ inline constexpr Flag<controlword_object, "", "Relative"> relative;
 inline constexpr Flag<controlword_object, "", "Fault reset"> fault_reset;
 inline constexpr Flag<controlword_object, "", "Halt"> halt;
 
-// Bits of 6041h; drive_state() tells the state from those that belong together.
+// Bits of 6041h. drive_state() returns the state that several of them make up.
 inline constexpr Flag<statusword_object, "", "Ready to switch on"> ready_to_switch_on;
 inline constexpr Flag<statusword_object, "", "Switched on"> switched_on;
 inline constexpr Flag<statusword_object, "", "Operation enabled"> operation_enabled;
@@ -140,7 +140,7 @@ inline constexpr Flag<statusword_object, "", "Remote"> remote;
 inline constexpr Flag<statusword_object, "", "Target reached"> target_reached;
 inline constexpr Flag<statusword_object, "", "Internal limit active"> internal_limit_active;
 
-// Bits of 607Eh: true is reversed.
+// Bits of 607Eh. True: reversed.
 inline constexpr Flag<polarity_object, "", "Velocity polarity"> velocity_reversed;
 inline constexpr Flag<polarity_object, "", "Position polarity"> position_reversed;
 

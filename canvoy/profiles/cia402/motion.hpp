@@ -1,4 +1,5 @@
-// Position, velocity, torque, homing and units of CiA 402: see cia402.hpp for how certain they are.
+// Position, velocity, torque, homing and units of CiA 402. For how certain they are, see
+// cia402.hpp.
 //
 //     cia402::target_position_object.index  // 607Ah
 #pragma once

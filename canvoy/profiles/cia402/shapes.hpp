@@ -1,4 +1,4 @@
-// How the objects of CiA 402 are shaped. The text of CiA 402 is not at hand: see cia402.hpp.
+// Shapes of the objects of CiA 402. The text of CiA 402 is not at hand: see cia402.hpp.
 //
 //     inline constexpr auto polarity_object =
 //         variable(0x607E, "Polarity", entry(unsigned8, rw));
@@ -29,10 +29,10 @@ constexpr std::array<EntryInfo, 3> pair(EntryInfo each, std::string_view first,
   entries[2].name = second;
   return entries;
 }
-/// Of the rated torque or current.
+/// A share of the rated torque or current.
 inline constexpr ValueInfo per_mille_of_rated = {.unit = Unit::per_mille};
-/// A number of steps, of revolutions, or of what the notation and dimension indices (6089h to
-/// 608Eh) and factors of the drive make a unit.
+/// A number of steps, of revolutions, or of units that the notation and dimension indices (6089h to
+/// 608Eh) and factors of the drive define.
 inline constexpr ValueInfo drive_amount = {.counting = Counting::counts};
 inline constexpr std::uint16_t text_capacity = 64;
 

@@ -1,18 +1,18 @@
-// What the values of CiA 402 drives mean: control word and status word, modes, option codes; shared
-// with profiles that have them at other indices.
+// Meanings of the values of CiA 402 drives: control word and status word, modes, option codes.
+// Profiles that have them at other indices share them.
 //
 //     cia402::drive_state(0x0637)  // DriveState::operation_enabled
 #pragma once
 
 #include <cstdint>
 
-#include "canvoy/profiles/rows.hpp"
+#include "canvoy/profiles/model/rows.hpp"
 
 namespace canvoy::cia402 {
 
 using namespace rows;  // NOLINT(google-build-using-namespace): the columns of its tables
 
-/// Quick stop is requested, or active, while the bit is 0.
+/// Quick stop is requested or active while the bit is 0.
 inline constexpr NamedValue quick_stop_names[] = {{0, "quick stop"}, {1, "no quick stop"}};
 inline constexpr NamedValue manufacturer_1[] = {
     {0, 1, "manufacturer-specific", Meaning::manufacturer}};
@@ -60,7 +60,7 @@ inline constexpr FieldInfo statusword_fields[] = {
     field(14, 2, "Manufacturer-specific bits", manufacturer_2),
 };
 
-/// What the controlword asks for: bits 0 to 3 and 7.
+/// Commands of the controlword: bits 0 to 3 and 7.
 enum class DriveCommand : std::uint8_t {
   disable_voltage = 0x00,
   quick_stop = 0x02,
@@ -70,7 +70,7 @@ enum class DriveCommand : std::uint8_t {
   fault_reset = 0x80,  ///< by the edge of bit 7
 };
 
-/// The states of the drive, as bits 0 to 3, 5 and 6 of the statusword tell them.
+/// States of the drive, as bits 0 to 3, 5 and 6 of the statusword report them.
 enum class DriveState : std::uint8_t {
   not_ready_to_switch_on,
   switch_on_disabled,
@@ -82,7 +82,7 @@ enum class DriveState : std::uint8_t {
   fault,
 };
 constexpr DriveState drive_state(std::uint16_t statusword) {
-  // While the switch-on is disabled or the drive is in fault, bit 5 does not matter.
+  // With switch-on disabled or the drive in fault, bit 5 does not matter.
   switch (statusword & 0x4F) {
     case 0x40:
       return DriveState::switch_on_disabled;
@@ -133,7 +133,7 @@ inline constexpr NamedValue drive_mode_names[] = {
     {DriveMode::cyclic_synchronous_torque, "cyclic synchronous torque mode"},
     {11, 127, "reserved", Meaning::reserved}};
 
-/// 6502h: the bit of a mode is one below its number.
+/// 6502h. The bit of a mode is its number minus 1.
 inline constexpr FieldInfo supported_mode_fields[] = {
     field(0, 1, "profile position mode"),
     field(1, 1, "velocity mode"),
@@ -146,7 +146,7 @@ inline constexpr FieldInfo supported_mode_fields[] = {
     field(9, 1, "cyclic synchronous torque mode"),
 };
 
-// Option codes: what the drive does when it leaves a state.
+// Option codes: reactions of the drive when it leaves a state.
 
 enum class StopReaction : std::int16_t {
   disable = 0,
@@ -176,13 +176,13 @@ inline constexpr NamedValue quick_stop_option_names[] = {
     {StopReaction::current_limit_and_stay, "current limit, then stay in quick stop"},
     {StopReaction::voltage_limit_and_stay, "voltage limit, then stay in quick stop"},
     {9, 32767, "reserved", Meaning::reserved}};
-/// Of 605Bh and 605Ch.
+/// 605Bh and 605Ch.
 inline constexpr NamedValue shutdown_option_names[] = {
     manufacturer_option,
     {StopReaction::disable, "disable the drive function"},
     {StopReaction::slow_down_ramp, "slow down on the slow-down ramp"},
     {2, 32767, "reserved", Meaning::reserved}};
-/// Of 605Dh and 605Eh; later versions reserve 0 of 605Dh.
+/// 605Dh and 605Eh; later versions reserve 0 of 605Dh.
 inline constexpr NamedValue halt_option_names[] = {
     manufacturer_option,
     {StopReaction::disable, "disable the drive function"},

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "canvoy/profiles/cia406.hpp"
-#include "canvoy/profiles/handle.hpp"
+#include "canvoy/profiles/model/handle.hpp"
 
 namespace canvoy::cia406 {
 
@@ -54,7 +54,7 @@ inline constexpr Number<serial_number_object> serial_number;
 inline constexpr Number<offset_values_for_multi_sensor_devices_object>
     offset_values_for_multi_sensor_devices;
 
-// Bits of 6000h (what is wanted), 6503h and 6505h (what is wrong).
+// Bits of 6000h (settings), 6503h (alarms) and 6505h (warnings).
 inline constexpr Flag<operating_parameters_object, "", "Code sequence"> counter_clockwise;
 inline constexpr Flag<operating_parameters_object, "", "Scaling function control"> scaling_enabled;
 inline constexpr Flag<operating_parameters_object, "", "Measuring direction"> direction_reversed;

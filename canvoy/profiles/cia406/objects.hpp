@@ -1,4 +1,4 @@
-// The objects of CiA 406: see cia406.hpp for how certain they are.
+// The objects of CiA 406. For how certain they are, see cia406.hpp.
 //
 //     cia406::position_value_object.index  // 6004h
 #pragma once
@@ -116,7 +116,7 @@ inline constexpr auto work_area_high_limit_object =
     array_object(0x6402, "Work area high limit", "", "", work_area_high_limit_entries,
                  {.category = Category::optional});
 
-// What the encoder says of itself.
+// Diagnostics and identification of the encoder.
 
 inline constexpr auto operating_status_object =
     var_object(0x6500, "Operating status", "", "What of 6000h holds.",

@@ -1,9 +1,9 @@
-// What the values of CiA 406 encoders mean; shared with profiles that have them at other indices.
+// Meanings of the values of CiA 406 encoders. Profiles that have them at other indices share them.
 //
 //     .fields = cia406::alarm_fields
 #pragma once
 
-#include "canvoy/profiles/rows.hpp"
+#include "canvoy/profiles/model/rows.hpp"
 
 namespace canvoy::cia406 {
 
@@ -36,14 +36,14 @@ inline constexpr FieldInfo area_state_fields[] = {
     field(3, 5, "reserved", reserved<5>),
 };
 
-/// 6503h and 6504h: the position may be wrong.
+/// 6503h and 6504h. The position may be wrong.
 inline constexpr FieldInfo alarm_fields[] = {
     field(0, 1, "Position error"),
     field(1, 1, "Commissioning diagnostics"),
     field(2, 10, "reserved", reserved<10>),
     field(12, 4, "Manufacturer-specific", manufacturer_4),
 };
-/// 6505h and 6506h: the position is good, but something is near its limit.
+/// 6505h and 6506h. The position is valid, but a value is near its limit.
 inline constexpr FieldInfo warning_fields[] = {
     field(0, 1, "Frequency exceeded"),    field(1, 1, "Light control reserve"),
     field(2, 1, "CPU watchdog status"),   field(3, 1, "Operating time limit"),
@@ -51,7 +51,7 @@ inline constexpr FieldInfo warning_fields[] = {
     field(6, 6, "reserved", reserved<6>), field(12, 4, "Manufacturer-specific", manufacturer_4),
 };
 
-/// 6300h to 6302h: a bit for each cam of a channel.
+/// 6300h to 6302h, a bit for each cam of a channel.
 inline constexpr NamedValue cam_state_names[] = {{0, "inactive"}, {1, "active"}};
 inline constexpr NamedValue cam_polarity_names[] = {{0, "not inverted"}, {1, "inverted"}};
 inline constexpr auto cam_state_fields = repeat_field<8>(field(0, 1, "Cam #", cam_state_names));

@@ -8,19 +8,19 @@
 #pragma once
 
 #include "canvoy/profiles/cia301.hpp"
+#include "canvoy/profiles/cia301/predefined_pdo.hpp"
 #include "canvoy/profiles/cia407.hpp"
-#include "canvoy/profiles/predefined_pdo.hpp"
-#include "canvoy/profiles/virtual_device.hpp"
+#include "canvoy/profiles/model/virtual_device.hpp"
 
 namespace canvoy::cia407 {
 
 enum class Configuration : std::uint8_t {
-  none,     ///< no PDOs but those that the maker adds
+  none,     ///< only PDOs that the maker adds
   minimum,  ///< 8.1.4.1
   typical,  ///< 8.1.4.2
 };
 
-/// Whether a virtual device has one of the profile's PDOs in a configuration.
+/// True if a virtual device has this PDO of the profile in a configuration.
 constexpr bool has_pdo(const VirtualDeviceInfo& device, Configuration configuration,
                        const PdoInfo& pdo) {
   const bool has_device = std::ranges::find(pdo.devices, device.code) != pdo.devices.end();
@@ -36,8 +36,8 @@ constexpr bool has_pdo(const VirtualDeviceInfo& device, Configuration configurat
                                             : of_class(InformationClass::destination);
 }
 
-/// The precision of a measured value has to be there where the value is (errata 104): it stands at
-/// the next index.
+/// Adds the precision of a measured value, which is mandatory where the value exists (errata 104).
+/// It is at the next index.
 template <std::size_t capacity>
 constexpr void add_precisions(DeviceDescription<capacity>& parts, const VirtualDeviceInfo& device) {
   for (const DeviceObject& object : device.objects) {
@@ -48,8 +48,8 @@ constexpr void add_precisions(DeviceDescription<capacity>& parts, const VirtualD
   }
 }
 
-/// Device type, error register, PDOs, what they map, the mandatory objects of the virtual device,
-/// and the wanted ones.
+/// Device type, error register, PDOs and the objects that they map, the mandatory objects of the
+/// virtual device, and the wanted ones.
 template <const VirtualDeviceInfo& virtual_device,
           Configuration configuration = Configuration::none>
 constexpr auto device(const WantedObjects& wanted = {}) {
@@ -63,7 +63,7 @@ constexpr auto device(const WantedObjects& wanted = {}) {
   parts.add(predefined_pdos<profile, has>());
   add_virtual_device(parts, profile, virtual_device, wanted);
   add_precisions(parts, virtual_device);
-  // What it is told it passes on: the third message has to map it (errata 96).
+  // The device passes on what it receives: the third message has to map it (errata 96).
   if (virtual_device.code == code_of(DeviceCode::main_on_board_computer)) {
     parts = parts.with(parts.find(events_from_virtual_devices_object.index)->access(1, Access::rw));
   }

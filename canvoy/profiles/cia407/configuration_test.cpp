@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/device/device_node.hpp"
 #include "canvoy/canopen/testing/cable.hpp"
 #include "canvoy/profiles/cia407/handles.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 
 namespace canvoy::configuration_test {
 namespace {

@@ -1,5 +1,5 @@
-// Objects of CiA 407 that are provided by the passenger counter, 6700h (9.2.25), and the passenger
-// counting manager, 6720h to 6723h (9.2.26).
+// Objects of CiA 407 that the passenger counter provides, 6700h (9.2.25), and those that the
+// passenger counting manager provides, 6720h to 6723h (9.2.26).
 //
 //     cia407::counter_passenger_sum_object.index  // 6722h
 #pragma once

@@ -1,5 +1,5 @@
-// The 24 virtual devices of CiA 407 and the objects that each has (clause 6). A combination of
-// class and subclass is one of its own.
+// The 24 virtual devices of CiA 407 and the objects of each (clause 6). Each combination of class
+// and subclass is a separate device.
 //
 //     cia407::virtual_devices[0].objects  // those of the main on-board computer
 #pragma once
@@ -12,10 +12,10 @@
 
 namespace canvoy::cia407 {
 
-// How a virtual device has an object: it provides it (ro), takes it from another one (wo), or it is
-// read and written (rw).
+// Access of a virtual device to an object: it provides the object (ro), consumes it from another
+// device (wo), or the object is read and written (rw).
 
-// As the tables of clause 6 print them. NOLINTBEGIN(readability-identifier-naming)
+// Names as in the tables of clause 6. NOLINTBEGIN(readability-identifier-naming)
 inline constexpr Category M = Category::mandatory;
 inline constexpr Category O = Category::optional;
 // NOLINTEND(readability-identifier-naming)
@@ -29,7 +29,7 @@ constexpr DeviceObject takes(std::uint16_t index, Category category) {
 constexpr DeviceObject provides_rw(std::uint16_t index, Category category) {
   return {.index = index, .category = category, .access = Access::rw};
 }
-/// The precision of a value that is measured (errata 104).
+/// The precision of a measured value (errata 104).
 constexpr DeviceObject precision(DeviceObject object, std::string_view condition) {
   object.category = Category::conditional;
   object.condition = condition;
@@ -45,7 +45,7 @@ inline constexpr std::string_view if_6486 = "if object 6486h is implemented";
 inline constexpr std::string_view if_6660 = "if object 6660h is implemented";
 inline constexpr std::string_view if_6664 = "if object 6664h is implemented";
 
-// Where a segment of the bus is such, another access holds (footnotes of 6.2, 6.3 and 6.10).
+// Where the bus has segments, another access holds (footnotes of 6.2, 6.3 and 6.10).
 inline constexpr std::string_view identification_provides_texts =
     "wo or rw, where the identification device provides it";
 inline constexpr std::string_view main_computer_takes_texts =
@@ -60,7 +60,7 @@ constexpr std::array<DeviceObject, sizeof...(Object)> device_objects(const Objec
   return {objects...};
 }
 
-/// 6196h to 6198h: who provides them is open (errata 26).
+/// 6196h to 6198h: it is open which device provides them (errata 26).
 constexpr DeviceObject provides_text(std::uint16_t index) {
   return with_note(provides(index, O), identification_provides_texts);
 }
@@ -93,12 +93,12 @@ inline constexpr auto identification_objects =
                    provides(0x6193, O), provides(0x6194, M), provides(0x6195, M),
                    takes_text(0x6196), takes_text(0x6197), takes_text(0x6198));
 
-/// A row of the matrix in 6.4: categories of the classes 1, 2 and 3, of each the subclasses 1 to 4.
+/// A row of the matrix in 6.4: categories of classes 1, 2 and 3, with subclasses 1 to 4 of each.
 struct MatrixRow {
   std::uint16_t index;
   std::string_view categories;
   Access access;                 ///< as it is printed
-  std::string_view errata = {};  ///< by which it does not hold: that of the entries does
+  std::string_view errata = {};  ///< finding by which that of the entries holds instead
 };
 inline constexpr MatrixRow passenger_information_matrix[] = {
     {0x6001, "OOOO OOOO OOOO", Access::ro},       {0x6002, "OOOO OOOO OOOO", Access::wo},
@@ -120,7 +120,7 @@ inline constexpr MatrixRow passenger_information_matrix[] = {
     {0x6741, "---- ---- OOOO", Access::wo},       {0x6742, "---- ---- OOOO", Access::wo},
     {0x6743, "---- ---- OOOO", Access::wo},       {0x6744, "---- ---- OOOO", Access::wo},
 };
-/// Where a class and a subclass stand in a row.
+/// Column of a class and a subclass in a row.
 constexpr std::size_t matrix_column(unsigned device_class, unsigned subclass) {
   return (device_class - 1) * 5 + subclass - 1;
 }
@@ -163,15 +163,14 @@ inline constexpr auto acoustic_announcer_objects =
 inline constexpr auto acoustic_control_manager_objects =
     device_objects(provides(0x6001, O), takes(0x6002, O));
 
-/// The gateway stands in for those who provide the object where they are missing (footnotes of
-/// 6.10).
+/// The gateway relays the object in place of missing providers (footnotes of 6.10).
 constexpr DeviceObject relays(std::uint16_t index, Category category) {
   return with_note(takes(index, category), no_main_computer);
 }
 constexpr DeviceObject relays_diagnostics(std::uint16_t index) {
   return with_note(takes(index, O), no_diagnostics);
 }
-/// A request to stop goes both ways.
+/// Requests to stop are relayed in both directions.
 constexpr DeviceObject relays_both_ways(std::uint16_t index, Category category) {
   DeviceObject object = relays(index, category);
   object.access = Access::rw;
@@ -205,7 +204,8 @@ inline constexpr auto driver_display_with_keyboard_objects =
 inline constexpr auto tachograph_objects = device_objects(
     takes(0x6002, O), takes(0x6190, M), provides(0x6520, M), provides(0x6521, M),
     provides(0x6522, M), provides(0x6523, O), provides(0x6524, M), provides(0x6525, M));
-/// 6661h and 6665h are listed as optional, but what they qualify is mandatory (errata 104).
+/// 6661h and 6665h are listed as optional, but the values that they qualify are mandatory (errata
+/// 104).
 inline constexpr auto geographical_positioning_objects =
     device_objects(provides(0x6660, M), provides(0x6661, M), provides(0x6662, O),
                    provides(0x6663, O), provides(0x6664, M), provides(0x6665, M));
@@ -218,8 +218,8 @@ inline constexpr auto passenger_counting_manager_objects =
                    takes(0x6109, M), takes(0x610E, M), takes(0x6191, M), takes(0x6192, M),
                    takes(0x6193, M), takes(0x6488, O), takes(0x6700, M), provides(0x6720, O),
                    provides(0x6721, M), provides(0x6722, M), provides(0x6723, O));
-/// 6001h is not listed in 6.23, but 9.2.4 has events from it (errata 23). 6741h is listed as ro,
-/// but 9.2.27.2 has it written to (errata 91).
+/// 6001h is not listed in 6.23, but 9.2.4 has events from the device (errata 23). 6741h is listed
+/// as ro, but 9.2.27.2 describes writing to it (errata 91).
 inline constexpr auto diagnostics_objects = device_objects(
     provides(0x6001, O), takes(0x610E, M), takes(0x6660, O), provides(0x6740, M),
     provides_rw(0x6741, O), provides(0x6742, O), provides(0x6743, O), provides(0x6744, O));

@@ -1,4 +1,4 @@
-// The virtual devices of clause 6, and what clauses 7 and 8 say of them.
+// The virtual devices of clause 6, and their provisions in clauses 7 and 8.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "canvoy/profiles/cia407.hpp"
-#include "canvoy/profiles/number_rules.hpp"
+#include "canvoy/profiles/model/number_rules.hpp"
 
 namespace canvoy::cia407_devices_test {
 namespace {
@@ -17,7 +17,7 @@ struct ExpectedDevice {
   const char* name;
   const char* objects;  ///< index, M, O or C, and access; * where the device only consumes it
 };
-/// In the order of 8.1.1, but for those with classes.
+/// In the order of 8.1.1, without those that have classes.
 constexpr ExpectedDevice expected_devices[] = {
     {"6.2", 0x01, "Main on-board computer",
      "6001Mwo 6002Mro 6100Oro 6101Oro 6102Oro 6103Oro 6104Oro 6105Oro 6106Oro 6107Oro 6108Mro "
@@ -175,7 +175,7 @@ TEST(Cia407Devices, TheDeviceTypeHasCodeClassAndSubclassAboveTheProfilesNumber) 
   EXPECT_EQ(cia407::multiple_device_type, 0x0000'0197U);
 }
 
-/// The name of the value of a field in 1000h that holds where the code is what it is.
+/// Name of the value of a field in 1000h that holds for the code.
 std::string_view device_type_text(std::uint32_t device_type, std::string_view field_name) {
   for (const FieldInfo& field : cia407::profile.device_type) {
     if (field.name != field_name) continue;
@@ -239,7 +239,7 @@ const std::vector<std::uint32_t> stop_point = {0x61180108, 0x61180208, 0x6118030
                                                0x61180508, 0x61180608, 0x61180708, 0x61180808};
 const std::vector<std::uint32_t> destination = {0x61910020, 0x61930010};
 const std::vector<std::uint32_t> block = {0x61940020, 0x61920010, 0x61950010};
-/// What a receiver lacks is a dummy: 0005h, 0006h, 0007h (errata 97, 98).
+/// Where a receiver lacks an object, a dummy is mapped: 0005h, 0006h, 0007h (errata 97, 98).
 const ExpectedPdo expected_pdos[] = {
     {computer, 'T', 1, 0x181, time_of_day},
     {computer, 'T', 2, 0x381, route},

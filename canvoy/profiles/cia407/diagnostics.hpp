@@ -1,5 +1,5 @@
-// Objects of CiA 407 that the diagnostics device provides: 6740h to 6744h (9.2.27). Devices report
-// errors to it by writing them to sub-index 01h.
+// Objects of CiA 407 that the diagnostics device provides: 6740h to 6744h (9.2.27). Other devices
+// report errors by writing to sub-index 01h.
 //
 //     cia407::error_class_1_messages_object.index  // 6742h
 #pragma once
@@ -8,13 +8,13 @@
 
 namespace canvoy::cia407 {
 
-/// Sub-index 00h of a history: how many errors are in it. Writing deletes some (errata 86, 89).
+/// Sub-index 00h of a history: the number of errors in it. Writing deletes errors (errata 86, 89).
 constexpr EntryInfo number_of_reports(std::string_view name, Mapping mapping,
                                       std::string_view errata, std::string_view description) {
   return sub_index(0, name, entry(unsigned8, rw, mapping, {}, {.limits = within(0, 254)}),
                    {.errata = errata, .description = description});
 }
-/// Sub-index 01h, which reporting devices write to, and the others, which they do not.
+/// Sub-index 01h, which reporting devices write, and the others, which they do not write.
 constexpr std::array<EntryInfo, 3> reports(const EntryInfo& number, EntryInfo shape) {
   shape.consumer_access = Access::wo;
   std::array<EntryInfo, 3> entries = one_or_more(number, shape, 254);

@@ -1,4 +1,4 @@
-// Entries of CiA 407 beside what canvoy/profiles/clauses/407.txt holds.
+// Entries of CiA 407 that canvoy/profiles/clauses/407.txt does not hold.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -18,7 +18,7 @@ TEST(Cia407, ObjectsHaveADescriptionEach) {
 
 TEST(Cia407, WhoConsumesAnObjectIsWrittenTo) {  // 9.2.1, clause 6
   for (const ObjectInfo* object : cia407::profile.objects) {
-    // What stands in the display itself, and outputs, are consumed by nobody else.
+    // Objects of the display itself, and outputs, are consumed by no other device.
     const bool is_own =
         (object->index >= 0x6200 && object->index <= 0x6203) || object->index == 0x6763;
     for (const EntryInfo& entry : object->entries()) {

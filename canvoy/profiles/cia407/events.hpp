@@ -1,5 +1,5 @@
-// Events of CiA 407 from and for virtual devices: 6001h and 6002h (9.2.4, 9.2.5). What the event
-// flags mean depends on the virtual device that the entry names.
+// Events of CiA 407 from and for virtual devices: 6001h and 6002h (9.2.4, 9.2.5). The meaning of
+// the event flags depends on the virtual device that the entry names.
 //
 //     cia407::events_for_virtual_devices_object.subs[1].fields
 #pragma once
@@ -15,7 +15,7 @@ inline constexpr NamedValue event_states[] = {{Event::not_present, "event not pr
 
 inline constexpr std::string_view event_code_field = "code of virtual device";
 
-/// The codes of 1000h, but that 00h is no code: an entry without an event is zero.
+/// Codes of 1000h, except that 00h is no code: an entry without an event is zero.
 constexpr std::array<NamedValue, std::size(device_codes)> make_event_codes() {
   std::array<NamedValue, std::size(device_codes)> codes{};
   for (std::size_t i = 0; i < codes.size(); ++i) codes[i] = device_codes[i];
@@ -34,7 +34,7 @@ constexpr FieldInfo event(std::uint8_t bit, std::string_view name,
 template <unsigned bits>
 inline constexpr NamedValue reserved_events[] = {
     {0, "event not present"}, {1, (1 << bits) - 1, "reserved", Meaning::reserved}};
-/// Flags without an event; `number` tells several of one virtual device apart.
+/// Flags without an event. `number` distinguishes several of one virtual device.
 template <unsigned bits>
 constexpr FieldInfo no_events(std::uint8_t first_bit, const Items<FieldCondition>& when,
                               std::uint16_t number = 0) {
@@ -45,7 +45,7 @@ constexpr FieldInfo no_events(std::uint8_t first_bit, const Items<FieldCondition
           .when = when,
           .number = number};
 }
-/// Of virtual devices for which no table says what the flags mean.
+/// Events of virtual devices for which no table defines the flags.
 constexpr FieldInfo undefined_events(const Items<FieldCondition>& when) {
   return {.bits = 8,
           .name = "event flags",
@@ -129,7 +129,7 @@ inline constexpr FieldInfo events_for_fields[] = {
     event(0, "send state information", of_ticket_canceller),
     no_events<7>(1, of_ticket_canceller),
 
-    // Printed among the states of 6001h only; clause 6.9 calls them commands (errata 19, 20).
+    // Printed among the states of 6001h only, while 6.9 calls them commands (errata 19, 20).
     no_events<1>(0, of_acoustic_manager, 1),
     event(1, "driver microphone to indoor loudspeakers", of_acoustic_manager),
     event(2, "driver microphone to outdoor loudspeakers", of_acoustic_manager),
@@ -144,8 +144,8 @@ inline constexpr FieldInfo events_for_fields[] = {
     event_code,
 };
 
-/// One entry for each of the 32 virtual devices that may be in a physical one, the first at
-/// sub-index `first`, with these names.
+/// Names of the entries of one object: one entry for each of the 32 virtual devices that a physical
+/// device may have, the first at sub-index `first`.
 struct OrdinalNames {
   std::string_view first;
   std::string_view second;

@@ -1,14 +1,14 @@
-// The events of 6001h and 6002h, by the tables of 9.2.4 and 9.2.5: what a flag means depends on the
-// virtual device.
+// The events of 6001h and 6002h, by the tables of 9.2.4 and 9.2.5. The meaning of a flag depends on
+// the virtual device.
 #include <gtest/gtest.h>
 
 #include "canvoy/profiles/cia407.hpp"
-#include "canvoy/profiles/number_rules.hpp"
+#include "canvoy/profiles/model/number_rules.hpp"
 
 namespace canvoy::events_test {
 namespace {
 
-/// Whether a field holds in an entry of this virtual device.
+/// True if a field holds in an entry of this virtual device.
 bool holds(const FieldInfo& field, unsigned code) {
   bool fits = field.when.empty();
   for (const FieldCondition& condition : field.when) {

@@ -7,7 +7,7 @@
 
 namespace canvoy::cia407 {
 
-/// An input or output, with the access that the object description prints.
+/// An input or output with the access printed in the object description.
 constexpr ObjectInfo io(std::uint16_t index, std::string_view name, std::string_view clause,
                         std::string_view description) {
   return var_object(index, name, clause, description, {}, of_device({}));

@@ -1,5 +1,5 @@
-// CiA 407: what application code uses. Entries of arrays are numbered from 1 on; which door is
-// meant, the compiler has to know. Files (domains) are no values and have no handles.
+// CiA 407: handles for application code. Entries of arrays are numbered from 1. The door number has
+// to be known at compile time. Files (domains) are no values and have no handles.
 //
 //     Values bus(node.dictionary());
 //     if (bus[cia407::bus_stop_request].is(cia407::BusStop::requested)) ...
@@ -16,7 +16,7 @@
 #include "canvoy/profiles/cia407/passenger_information.hpp"
 #include "canvoy/profiles/cia407/position.hpp"
 #include "canvoy/profiles/cia407/vehicle.hpp"
-#include "canvoy/profiles/handle.hpp"
+#include "canvoy/profiles/model/handle.hpp"
 
 namespace canvoy::cia407 {
 
@@ -30,11 +30,11 @@ inline constexpr Number<supported_virtual_device_types_object, "virtual_device_t
 inline constexpr Number<supported_virtual_device_types_object, "virtual_device_type_#", "sub-class">
     supported_virtual_device_subclass;
 
-/// Bit b: the entry of the (b + 1)-th virtual device is not zero.
+/// Bit b: the entry of virtual device b + 1 is not zero.
 inline constexpr Number<events_from_virtual_devices_object, "event_at_sub"> event_at_sub;
 
-/// An event, or the whole entry, of the n-th virtual device. A flag means what its name says where
-/// `event_from_code` is the code of the virtual device whose table has it.
+/// An event, or the whole entry, of the n-th virtual device. The name of a flag holds where
+/// `event_from_code` is the code of the virtual device that has this flag in its table.
 template <Name flag>
 inline constexpr State<Event, events_from_virtual_devices_object, "events_from_1st_virtual_device",
                        flag>
@@ -63,7 +63,8 @@ inline constexpr Number<events_for_virtual_devices_object, "events_for_1st_virtu
                         "event flags">
     event_flags_for;
 
-// Passenger information, and acoustic announcer and ticket canceller where they have the same.
+// Passenger information; also acoustic announcer and ticket canceller where they have the same
+// events.
 inline constexpr auto state_information = event_from<"state information">;
 inline constexpr auto display_in_test_mode = event_from<"display in test mode">;
 inline constexpr auto information_cannot_be_displayed =
@@ -180,12 +181,12 @@ inline constexpr Text<driver_id_text_object> driver_id_text;
 // Passenger information (9.2.8).
 
 inline constexpr Text<xml_text_object, "XML_file_#"> xml_file;
-/// How many objects are shown; writing it shows them.
+/// Number of objects shown. Writing it shows them.
 inline constexpr Number<display_mapping_object, "display_update", "number of mapped objects">
     display_update;
 inline constexpr Number<display_mapping_object, "display_update", "manufacturer-specific">
     display_update_manufacturer;
-/// What is shown, and how, as one number; then its parts.
+/// The object shown and its format, as one number, then its parts.
 inline constexpr Number<display_mapping_object, "mapped_object_#"> mapped_object;
 inline constexpr Number<display_mapping_object, "mapped_object_#", "Index-MSB"> mapped_index_msb;
 inline constexpr Number<display_mapping_object, "mapped_object_#", "Index-LSB"> mapped_index_lsb;

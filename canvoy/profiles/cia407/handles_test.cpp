@@ -1,12 +1,11 @@
-// Typed access to all that CiA 407 describes, in one device that has everything: bytes by the
-// clauses.
+// Typed access to all objects of CiA 407, in one device that has all of them: bytes by the clauses.
 #include "canvoy/profiles/cia407/handles.hpp"
 
 #include <gtest/gtest.h>
 
 #include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/cia407.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
 namespace canvoy::cia407_handles_test {

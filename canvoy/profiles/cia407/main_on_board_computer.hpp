@@ -7,7 +7,7 @@
 
 namespace canvoy::cia407 {
 
-// Who the vehicle is.
+// Identity of the vehicle.
 
 inline constexpr auto vehicle_id_object =
     variable(0x6100, "vehicle_ID", "9.2.6.1", "Identifies the vehicle; 611Ch is its text.",
@@ -48,7 +48,7 @@ inline constexpr auto number_of_vehicle_units_object =
              "How many coaches the train has, the engine included.",
              entry(unsigned8, ro, no, 1, {.counting = Counting::counts}));
 
-// What it does today.
+// Present operation.
 
 inline constexpr NamedValue driver_schedule_numbers[] = {{0, "no driver schedule assigned"}};
 inline constexpr NamedValue route_destination_ids[] = {{0, "no route destination assigned"}};
@@ -91,7 +91,7 @@ inline constexpr auto line_short_representation_object =
           "A short name of the line, as the driver chooses it and passengers read it.",
           short_representation_entries);
 
-/// Sub-index 00h of the plain texts, with the access that the virtual device has to them.
+/// Sub-index 00h of the plain texts, with the access of the virtual device.
 inline constexpr EntryInfo number_of_texts = by_device(entries_within(1, 254));
 constexpr std::array<EntryInfo, 3> plain_texts(std::string_view name) {
   EntryInfo text = by_device(plain_text);
@@ -177,7 +177,7 @@ inline constexpr auto stop_point_short_representation_object =
     array(0x6118, "stop_point_short_representation", "9.2.6.25", "A short name of the stop point.",
           short_representation_entries, "103");
 
-// What is measured.
+// Measured values.
 
 inline constexpr auto inside_temperature_object =
     variable(0x6119, "inside_temperature", "9.2.6.26", "The temperature in the cabin.",
@@ -193,7 +193,7 @@ inline constexpr auto car_mileage_calibration_information_object =
              entry(unsigned16, ro, no, 0xFFFF, distance_precision),
              {.condition = "if object 611Ah is implemented", .errata = "104"});
 
-// Texts to the numbers above.
+// Texts for the numbers above.
 
 inline constexpr auto vehicle_id_text_object =
     variable(0x611C, "vehicle_ID_text", "9.2.6.29", "The text to 6100h.", visible_text);

@@ -44,7 +44,7 @@ inline constexpr auto driver_id_text_object = variable(
 
 // Passenger information: files.
 
-/// An entry of an object that stands in the display itself, and is not consumed by another device.
+/// An entry of an object of the display itself, which no other device consumes.
 constexpr EntryInfo of_display(EntryInfo entry) {
   entry.access = Access::rw;
   entry.access_by_device = true;
@@ -69,7 +69,7 @@ inline constexpr auto referenced_files_for_xml_files_object =
     array(0x6202, "referenced_files_for_XML_files", "9.2.8.3",
           "Pictures that the XML files name; shown when 6203h says so.", referenced_files_entries);
 
-// What is shown.
+// Display contents.
 
 enum class FlashSpeed : std::uint8_t { no_flash = 0, slow = 1, medium = 2, fast = 3 };
 enum class FontStyle : std::uint8_t { no_mode = 0, regular = 1, bold = 2, scrolling = 3 };
@@ -92,19 +92,19 @@ inline constexpr NamedValue font_sizes[] = {{FontSize::no_mode, "no mode"},
                                             {FontSize::regular, "regular"},
                                             {FontSize::large, "large"}};
 
-/// The bytes of an entry of 6203h, by the number of their first bit.
+/// Bytes of an entry of 6203h, by the number of their first bit.
 struct DisplayLayout {
   std::uint8_t sub_index;
   std::uint8_t index_msb;
   std::uint8_t index_lsb;
   std::uint8_t format;
 
-  /// An entry that shows this object without a format.
+  /// Makes an entry that shows this object without a format.
   constexpr std::uint32_t show(unsigned index, unsigned sub) const {
     return sub << sub_index | (index >> 8) << index_msb | (index & 0xFF) << index_lsb;
   }
 };
-/// The figure read by its bit numbers, and read as the order on the wire (errata 74).
+/// The figure read by its bit numbers, or read as the order on the wire (errata 74).
 inline constexpr DisplayLayout display_by_bit_number = {0, 8, 16, 24};
 inline constexpr DisplayLayout display_by_byte_order = {24, 16, 8, 0};
 
@@ -127,8 +127,8 @@ inline constexpr FieldInfo display_update_fields[] = {
     field(0, 8, "number of mapped objects"),
     field(8, 24, "manufacturer-specific", {.notation = Notation::hexadecimal}),
 };
-/// Two texts are shown from the start (errata 75, 76): 610Ch and 6112h, of each the first, since
-/// the specification gives neither sub-index nor format.
+/// Two texts are shown from the start (errata 75, 76): the first of 610Ch and the first of 6112h,
+/// since the specification gives neither sub-index nor format.
 constexpr std::array<EntryInfo, 5> display_entries(const DisplayLayout& layout,
                                                    const Items<FieldInfo>& fields) {
   const EntryInfo shown = of_display(
@@ -159,7 +159,7 @@ constexpr ObjectInfo display_mapping(const Items<EntryInfo>& entries) {
                "74, 75, 76, 79");
 }
 inline constexpr ObjectInfo display_mapping_object = display_mapping(display_mapping_entries);
-/// Of devices whose makers took the figure as the order of the bytes on the wire.
+/// For devices of makers that took the figure as the order of the bytes on the wire.
 inline constexpr ObjectInfo display_mapping_object_reversed =
     display_mapping(display_mapping_entries_reversed);
 

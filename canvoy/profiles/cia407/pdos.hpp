@@ -1,8 +1,8 @@
-// The PDOs that CiA 407 defines beforehand for its minimum and its typical configuration (8.1.4.3):
-// eight messages. Their table has lost its header; the columns are those of 8.1.4.2, and the
-// mappings belong to the messages by their order (errata 93, 94, 102).
+// The eight pre-defined messages of CiA 407 for its minimum and its typical configuration
+// (8.1.4.3). Their table has lost its header: the columns are those of 8.1.4.2, and the mappings
+// belong to the messages by their order (errata 93, 94, 102).
 //
-// What a receiver does not have is mapped to a dummy there (errata 97, 98).
+// In a receiver that does not have the object, a dummy entry is mapped (errata 97, 98).
 //
 //     cia407::pdos[0].cob_id  // 181h: local time and date
 #pragma once
@@ -10,7 +10,7 @@
 #include "canvoy/profiles/cia407/events.hpp"
 #include "canvoy/profiles/cia407/main_on_board_computer.hpp"
 #include "canvoy/profiles/cia407/passenger_information.hpp"
-#include "canvoy/profiles/mapping_value.hpp"
+#include "canvoy/profiles/model/mapping_value.hpp"
 
 namespace canvoy::cia407 {
 
@@ -38,10 +38,10 @@ inline constexpr std::uint32_t route_mapping[] = {
     mapped(route_segment_number_object), mapped(fare_zone_object),
     mapped(blocking_of_ticket_canceller_object), mapped(journey_direction_object),
     mapped(number_of_running_in_route_representation_object)};
-/// A destination indicator has the route segment only.
+/// A destination indicator has the route segment alone.
 inline constexpr std::uint32_t route_segment_mapping[] = {mapped(route_segment_number_object),
                                                           dummy_8, dummy_8, dummy_8, dummy_8};
-/// 6001h is what the main on-board computer is told, not what it tells: open (errata 96).
+/// 6001h is what the main on-board computer receives, not what it sends: open (errata 96).
 inline constexpr std::uint32_t stop_point_mapping[] = {
     mapped(stop_point_id_object), mapped(events_from_virtual_devices_object, 1)};
 inline constexpr std::uint32_t stop_point_only_mapping[] = {mapped(stop_point_id_object), dummy_32};
@@ -86,7 +86,7 @@ inline constexpr std::uint8_t printer_code[] = {code_of(DeviceCode::ticket_print
 inline constexpr std::uint8_t canceller_and_printer_codes[] = {
     code_of(DeviceCode::ticket_canceller), code_of(DeviceCode::ticket_printer)};
 
-/// All have the transmission type 255, and no timers but that of the time.
+/// All PDOs have transmission type 255, and no timer except for the time.
 constexpr PdoInfo pdo(PdoInfo::Direction direction, std::uint16_t number, const PdoMessage& message,
                       const Items<std::uint32_t>& mapping, const Items<std::uint8_t>& devices) {
   return {.direction = direction,

@@ -1,5 +1,5 @@
-// Objects of CiA 407 that are provided by geographical positioning, 6660h to 6665h (9.2.21), time
-// fixing, 6680h (9.2.22), and the driver's console keyboard, 66C0h (9.2.24).
+// Objects of CiA 407 that geographical positioning provides, 6660h to 6665h (9.2.21), time fixing,
+// 6680h (9.2.22), and the driver's console keyboard, 66C0h (9.2.24).
 //
 //     cia407::position_object.index  // 6660h
 #pragma once
@@ -8,7 +8,7 @@
 
 namespace canvoy::cia407 {
 
-/// A ten-millionth of a degree, from -210 degrees on (errata 57, 59).
+/// Ten-millionths of a degree, from -210 degrees on (errata 57, 59).
 inline constexpr ValueInfo coordinate =
     coded_32(Unit::degree, {.denominator = 10'000'000, .offset = -2'100'000'000});
 constexpr EntryInfo coordinate_at(std::uint8_t sub, std::string_view name,
@@ -41,7 +41,7 @@ inline constexpr auto gps_mileage_precision_object = variable(
     entry(unsigned16, ro, no, 0xFFFF, {.unit = Unit::metre, .names = precision_unknown_16}),
     {.condition = "if object 6664h is implemented", .errata = "2, 68, 104"});
 
-/// Unlike 6523h: its clause points to no standard that has codes for what is not available.
+/// Unlike for 6523h, the clause refers to no standard with codes for unavailable values.
 inline constexpr auto time_universal_reference_entries =
     time_members(entries_always(8), by_device(entry(unsigned8, ro, optional)));
 inline constexpr auto time_universal_reference_object =

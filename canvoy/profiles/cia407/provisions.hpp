@@ -1,9 +1,9 @@
-// What CiA 407 says beside its objects: index ranges (9.1), configurations (8.1.4), failures (7.2),
-// and what is refused (9.2.27).
+// Provisions of CiA 407 beside its objects: index ranges (9.1), configurations (8.1.4), failures
+// (7.2), and refused accesses (9.2.27).
 #pragma once
 
 #include "canvoy/profiles/cia407/values.hpp"
-#include "canvoy/profiles/provisions.hpp"
+#include "canvoy/profiles/model/provisions.hpp"
 
 namespace canvoy::cia407 {
 

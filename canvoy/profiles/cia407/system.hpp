@@ -11,10 +11,10 @@ namespace canvoy::cia407 {
 
 inline constexpr std::uint16_t profile_number = 407;
 
-/// What a passenger information device informs of, and a driver indicator has (6.4, 6.12).
+/// Information class of a passenger information device or a driver indicator (6.4, 6.12).
 enum class InformationClass : std::uint8_t { destination = 1, next_stop = 2, information = 3 };
 enum class IndicatorClass : std::uint8_t { display = 1, display_with_keyboard = 2 };
-/// What a passenger information device can show (6.4).
+/// Kind of display of a passenger information device (6.4).
 enum class InformationSubclass : std::uint8_t { simple = 1, text = 2, graphics = 3, extended = 4 };
 
 // Names as in clause 6 (errata 49).
@@ -109,15 +109,15 @@ constexpr std::array<FieldInfo, 7> make_device_type_fields() {
   for (std::size_t i = 0; i < additional.size(); ++i) fields[i + 1] = additional[i];
   return fields;
 }
-/// Of 1000h: code 00h says that there are several virtual devices, which 6000h lists.
+/// Fields of 1000h. Code 00h says that there are several virtual devices, which 6000h lists.
 inline constexpr auto device_type_fields = make_device_type_fields();
 
-/// 1000h of a device that is one virtual device.
+/// 1000h of a device that consists of one virtual device.
 constexpr std::uint32_t device_type(const VirtualDeviceInfo& device) {
   return std::uint32_t{device.code} << 24 | std::uint32_t{device.device_class} << 20 |
          std::uint32_t{device.subclass} << 16 | profile_number;
 }
-/// 1000h of a device that is several.
+/// 1000h of a device that consists of several virtual devices.
 inline constexpr std::uint32_t multiple_device_type = profile_number;
 
 inline constexpr FieldInfo error_register_bits[] = {

@@ -1,4 +1,4 @@
-// What the objects of CiA 407 have in common: codes of virtual devices, shapes of objects, and
+// Common elements of the objects of CiA 407: codes of virtual devices, shapes of objects, and
 // codings of quantities.
 //
 //     inline constexpr auto fare_zone_object =
@@ -8,13 +8,13 @@
 
 #include <array>
 
-#include "canvoy/profiles/rows.hpp"
+#include "canvoy/profiles/model/rows.hpp"
 
 namespace canvoy::cia407 {
 
 using namespace rows;  // NOLINT(google-build-using-namespace): the columns of its tables
 
-/// Virtual devices, as 1000h, 6000h, 6001h and 6002h name them (8.1.1).
+/// Codes of virtual devices in 1000h, 6000h, 6001h and 6002h (8.1.1).
 enum class DeviceCode : std::uint8_t {
   multiple = 0x00,
   main_on_board_computer = 0x01,
@@ -48,17 +48,17 @@ constexpr std::uint8_t code_of(DeviceCode code) {
 
 // Entries and objects.
 
-/// Clause 6 says of each virtual device whether it has the object.
+/// Clause 6 defines for each virtual device whether it has the object.
 inline constexpr std::string_view by_virtual_device = "as the virtual device says (clause 6)";
 
-/// An entry with the access that clause 6 gives the virtual device: as a rule, who provides the
-/// object may be read, and those who consume it are written to.
+/// An entry with the access that clause 6 gives the virtual device. As a rule, an object can be
+/// read in its provider and written in its consumers.
 constexpr EntryInfo by_device(EntryInfo entry) {
   entry.access_by_device = true;
   if (entry.consumer_access == Access::none) entry.consumer_access = Access::wo;
   return entry;
 }
-/// An object that is there as clause 6 says, where `remarks` give no other condition.
+/// Remarks of an object that exists according to clause 6, where `remarks` give no other condition.
 constexpr ObjectRemarks of_device(ObjectRemarks remarks) {
   if (remarks.condition.empty()) remarks.condition = by_virtual_device;
   return remarks;
@@ -79,12 +79,12 @@ constexpr ObjectInfo record(std::uint16_t index, std::string_view name, std::str
   return record_object(index, name, clause, description, subs, of_device({.errata = errata}));
 }
 
-/// Sub-index 00h where the specification leaves the number of entries to the device.
+/// Sub-index 00h where the device defines the number of entries.
 constexpr EntryInfo entries_within(std::uint8_t low, std::uint8_t high,
                                    std::string_view name = "number_of_entries") {
   return sub_index(0, name, entry(unsigned8, ro, no, highest_sub(), {.limits = within(low, high)}));
 }
-/// Sub-index 00h where there are as many entries in each device.
+/// Sub-index 00h where each device has the same number of entries.
 constexpr EntryInfo entries_always(std::uint8_t count) {
   return sub_index(0, "number_of_entries",
                    entry(unsigned8, ro, no, highest_sub(count), {.limits = within(count, count)}));
@@ -98,13 +98,12 @@ constexpr EntryInfo at(std::uint8_t first, std::uint8_t last, EntryInfo shape) {
 constexpr EntryInfo at(std::uint8_t sub, const EntryInfo& shape) {
   return at(sub, sub, shape);
 }
-/// The same where a device need not have them.
+/// Entries of one shape at the sub-indices from `first` to `last` that are optional.
 constexpr EntryInfo optional_at(std::uint8_t first, std::uint8_t last, EntryInfo shape) {
   shape.category = Category::optional;
   return at(first, last, shape);
 }
-/// Sub-index 00h, a mandatory one, and others up to `last` that a device need not have: numbered
-/// from 1 on.
+/// Sub-index 00h, a mandatory entry, and optional ones up to `last`, numbered from 1.
 constexpr std::array<EntryInfo, 3> one_or_more(const EntryInfo& number, const EntryInfo& shape,
                                                std::uint8_t last) {
   EntryInfo more = optional_at(2, last, shape);
@@ -121,7 +120,8 @@ constexpr FieldInfo reserved(std::uint8_t first_bit) {
   return field(first_bit, bits, "reserved", {.names = padding<bits>});
 }
 
-// Texts. The profile gives no length for them: these are ours, and a device may have less or more.
+// Texts. The profile gives no length for them: these are our choice, and a device may have less or
+// more.
 
 inline constexpr std::uint16_t text_capacity = 64;
 inline constexpr std::uint16_t xml_capacity = 1024;
@@ -130,12 +130,12 @@ inline constexpr EntryInfo visible_text = string_entry(visible_string, ro, text_
 inline constexpr EntryInfo plain_text = {
     .type = DataType::octet_string, .capacity = 128, .capacity_is_printed = true};
 
-/// A character, in arrays that hold a short text; 0 where there is none.
+/// Names for a character in arrays that hold a short text; 0: no character.
 inline constexpr NamedValue characters[] = {{0, "unused"}};
 inline constexpr ValueInfo character = {.names = characters, .notation = Notation::characters};
 
-// Quantities that are coded as in SAE J1939/71 and ISO 16844-7, to which the profile points: the
-// values above the valid ones stand for errors and missing values there.
+// Quantities coded as in SAE J1939/71 and ISO 16844-7, to which the profile refers. Values above
+// the valid ones stand for errors and missing values.
 
 inline constexpr NamedValue not_values_8[] = {{0xFF, "not available", Meaning::invalid},
                                               {0xFE, "error", Meaning::failure},
@@ -169,7 +169,7 @@ inline constexpr ValueInfo heading = coded_16(Unit::degree, {.denominator = 128}
 
 inline constexpr NamedValue precision_unknown_8[] = {{0xFF, "unknown", Meaning::invalid}};
 inline constexpr NamedValue precision_unknown_16[] = {{0xFFFF, "unknown", Meaning::invalid}};
-/// How exact a distance is, in the steps of the distance.
+/// Precision of a distance, in the steps of the distance.
 inline constexpr ValueInfo distance_precision = {
     .unit = Unit::metre, .scale = {.numerator = 5}, .names = precision_unknown_16};
 
@@ -187,7 +187,7 @@ inline constexpr ValueInfo minute_of_hour = {.unit = Unit::minute, .limits = wit
 inline constexpr ValueInfo second_of_minute = {
     .unit = Unit::second, .scale = {.denominator = 4}, .limits = within(0, 239)};
 
-/// Year to second at the sub-indices from `first` on, in the shape of `entry`.
+/// Year to second at the sub-indices from `first` on, each in the shape of `entry`.
 constexpr std::array<EntryInfo, 6> date_and_time(std::uint8_t first, const EntryInfo& entry) {
   constexpr struct {
     std::string_view name;

@@ -1,8 +1,8 @@
-// Values of CiA 407 beside what canvoy/profiles/clauses/407.txt holds.
+// Values of CiA 407 that canvoy/profiles/clauses/407.txt does not hold.
 #include <gtest/gtest.h>
 
 #include "canvoy/profiles/cia407.hpp"
-#include "canvoy/profiles/number_rules.hpp"
+#include "canvoy/profiles/model/number_rules.hpp"
 
 namespace canvoy::cia407_values_test {
 namespace {

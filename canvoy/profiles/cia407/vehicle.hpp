@@ -33,7 +33,7 @@ inline constexpr NamedValue motions[] = {
     {Motion::detected, "motion detected"},
     {Motion::error, "error", Meaning::failure},
     {Motion::not_available, "not available", Meaning::invalid}};
-/// Of 6484h and 6521h (errata 73).
+/// Fields of 6484h and 6521h (errata 73).
 inline constexpr FieldInfo drive_fields[] = {
     reserved<4>(0),
     field(4, 2, "drive recognition", motions),
@@ -109,7 +109,7 @@ inline constexpr auto ambient_air_temperature_object = variable(
           coded_16(Unit::degree_celsius, {.denominator = 32, .offset = -273 * 32})),
     {.errata = "60"});
 
-/// The members of 0080h, in the shape of 648Ah (errata 66).
+/// Members of 0080h, in the shape of 648Ah (errata 66).
 constexpr std::array<EntryInfo, 7> fuel_members(const EntryInfo& number, const EntryInfo& shape) {
   const auto member = [&](std::uint8_t sub, std::string_view name, DataType type,
                           const ValueInfo& value, std::string_view description) {
@@ -199,7 +199,7 @@ inline constexpr auto high_resolution_vehicle_distance_object =
           "The distance gone in all, and in a journey or part of one; exact to 10 m.",
           high_resolution_vehicle_distance_entries, "4");
 
-/// The members of 0081h, in the shape of 6523h and 6680h (errata 48, 53).
+/// Members of 0081h, in the shape of 6523h and 6680h (errata 48, 53).
 constexpr std::array<EntryInfo, 9> time_members(const EntryInfo& number, const EntryInfo& shape) {
   std::array<EntryInfo, 9> entries{};
   entries[0] = number;
@@ -218,7 +218,7 @@ constexpr std::array<EntryInfo, 9> time_members(const EntryInfo& number, const E
   for (std::size_t i = 0; i < parts.size(); ++i) entries[i + 3] = parts[i];
   return entries;
 }
-/// The clause points to ISO 16844-7, and so has its codes for what is not available.
+/// The clause refers to ISO 16844-7, and so has its codes for unavailable values.
 inline constexpr auto tachograph_time_and_date_entries =
     time_members(entries_always(8), by_device(entry(unsigned8, ro, optional, {}, not_values_8)));
 inline constexpr auto tachograph_time_and_date_object = record(

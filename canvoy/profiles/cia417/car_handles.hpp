@@ -1,11 +1,11 @@
-// Doors, load and position of the car of CiA 417-4, as application code uses them. Doors, position
-// units and ropes are numbered from 1 on.
+// Handles of CiA 417-4 for doors, load and position of the car. Doors, position units and ropes are
+// numbered from 1.
 //
 //     door[cia417::door_command(2)] = DoorCommand::open_with_limit_force;
 //     if (door[cia417::door_state(2)].is(DoorState::closing)) ...
 //     load[cia417::absolute_load_value] = 450;  // kilograms
 //
-// A position is a count of measuring steps, which the device may be told another one of; in
+// A position is a count of measuring steps, the size of which can be configured in the device. In
 // micrometres it is
 //
 //     car[cia417::position_value(1)].raw() * car[cia417::measuring_step(1)].value().value_or(0)
@@ -15,7 +15,7 @@
 #include "canvoy/profiles/cia417/encoder.hpp"
 #include "canvoy/profiles/cia417/load.hpp"
 #include "canvoy/profiles/cia417/physical.hpp"
-#include "canvoy/profiles/handle.hpp"
+#include "canvoy/profiles/model/handle.hpp"
 
 namespace canvoy::cia417 {
 
@@ -110,7 +110,7 @@ inline constexpr Number<load_system_configuration_object, "Rope ratio", "Ratio n
 inline constexpr Number<load_system_configuration_object, "Rope ratio", "Ratio denominator">
     rope_ratio_denominator;
 
-// Position: of unit 1 to 4. Positions, speeds and accelerations are counts of their steps.
+// Position of units 1 to 4. Positions, speeds and accelerations are counts of their steps.
 
 inline constexpr Quantity<measuring_step_settings_object, "Measuring step"> measuring_step;
 inline constexpr Quantity<measuring_step_settings_object, "Speed measuring step">
@@ -132,7 +132,7 @@ inline constexpr Flag<operating_parameter_object, "Position unit #", "Scaling fu
 inline constexpr Flag<operating_parameter_object, "Position unit #", "Measuring direction">
     measuring_direction;
 
-/// Eight cams of a channel, a bit for each, and cam 1 to 8 of them.
+/// Eight cams of a channel as a bit mask, and cams 1 to 8 of them.
 inline constexpr Number<cam_state_object, "CAM state channel #"> cam_state;
 inline constexpr Number<cam_enable_object, "CAM enable channel #"> cam_enable;
 inline constexpr Number<cam_polarity_object, "CAM polarity channel #"> cam_polarity;
@@ -145,7 +145,7 @@ template <unsigned cam>
 inline constexpr Flag<cam_polarity_object, "CAM polarity channel #", numbered("Cam ", cam)>
     is_cam_inverted;
 
-/// Of a position unit and a channel.
+/// States of a position unit and a channel.
 inline constexpr Flag<area_state_object, "Work area state channel #", "Out of range"> out_of_range;
 inline constexpr Flag<area_state_object, "Work area state channel #", "Range overflow">
     range_overflow;

@@ -1,6 +1,6 @@
-// The virtual devices of a lift and the objects that each has. Which section of CiA 417-4 an object
-// stands in says who provides it; who consumes it follows from the PDOs. Which of them a device has
-// to have is in CiA 417-2; here that is known of 6000h and 6001h only.
+// The virtual devices of a lift and the objects of each. The section of CiA 417-4 that contains an
+// object names its provider; the consumers follow from the PDOs. CiA 417-2 defines which objects
+// are mandatory; here that is known of 6000h and 6001h only.
 //
 //     cia417::virtual_devices[6].name  // "car position unit"
 #pragma once
@@ -12,7 +12,7 @@ namespace canvoy::cia417 {
 constexpr DeviceObject must_have(const ObjectInfo& object) {
   return {.index = object.index};
 }
-/// All of objects of one shape.
+/// All objects of one shape.
 constexpr DeviceObject may_have(const ObjectInfo& object, std::string_view condition = see_part_2) {
   DeviceObject made{
       .index = object.index, .category = Category::conditional, .condition = condition};
@@ -62,8 +62,8 @@ inline constexpr DeviceObject objects_of_car_door_controller[] = {
     may_have(door_controlword_object), consumes(door_statusword_object),
     consumes(door_position_object),    consumes(light_barrier_status_object)};
 
-/// Light barriers tell the controller; a door that re-opens by itself (6304h:04h) has to know them,
-/// too, where they are not wired to it.
+/// Light barriers report to the controller. A door that re-opens by itself (6304h:04h) needs their
+/// state, too, where they are not wired to it.
 inline constexpr DeviceObject objects_of_car_door_unit[] = {
     must_have(lift_number_object),        may_have(object_creation_object),
     consumes(door_controlword_object),    may_have(door_statusword_object),

@@ -1,14 +1,14 @@
 // Devices, PDOs and error codes of CiA 417: expectations from the public sources of its parts 1 to
-// 3 (device type, pre-defined PDOs, error handling), typed anew.
+// 3 (device type, pre-defined PDOs, error handling), typed again.
 #include <gtest/gtest.h>
 
 #include <vector>
 
 #include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/cia417.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
+#include "canvoy/profiles/model/virtual_device.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
-#include "canvoy/profiles/virtual_device.hpp"
 
 namespace canvoy::cia417_devices_test {
 namespace {
@@ -77,7 +77,7 @@ TEST(Cia417, EachObjectIsProvidedBySomeDevice) {
 // PDOs.
 
 struct ExpectedPdo {
-  unsigned receiver;  ///< the communication parameter of who receives it; that of who sends is 400h
+  unsigned receiver;  ///< the communication parameter of the receiver; that of the sender is 400h
                       ///< above
   std::uint32_t can_id;
   std::vector<std::uint32_t> mapping;
@@ -125,7 +125,7 @@ TEST(Cia417, ThePdosOfTheFirstLiftCarryWhatTheirTableSays) {
 }
 
 /// Lift 2 has its load signaling in 1512h, with 6C82h:01h mapped; the step of the CAN-IDs is
-/// inferred, and says so.
+/// inferred, and `condition` says so.
 TEST(Cia417, ThePdosOfTheOtherLiftsAreNumbered10hAbove) {
   for (const ExpectedPdo& expected : pdos_of_lift_1()) {
     if (expected.receiver == 0x1500) continue;  // virtual outputs are of all lifts

@@ -41,7 +41,7 @@ inline constexpr NamedValue door_velocity_names[] = {
     {DoorVelocity::reduced, "Move door with reduced speed"},
     {2, "reserved", Meaning::reserved},
     {DoorVelocity::no_action, "do not care / take no action", Meaning::do_not_care}};
-/// Of motion detector, finger protector and lock.
+/// Setting of motion detector, finger protector and lock.
 enum class Disabling : std::uint8_t { enable = 0, disable = 1, no_action = 3 };
 inline constexpr NamedValue motion_detector_command_names[] = {
     {Disabling::enable, "Enable motion detector"},
@@ -58,7 +58,7 @@ inline constexpr NamedValue door_lock_command_names[] = {
     {Disabling::disable, "Disable door lock"},
     {2, "reserved", Meaning::reserved},
     {Disabling::no_action, "do not care / take no action", Meaning::do_not_care}};
-/// Of the battery, where 0 is the other way round.
+/// Setting of the battery, where 0 is the other way round.
 enum class Enabling : std::uint8_t { disable = 0, enable = 1, no_action = 3 };
 inline constexpr NamedValue battery_power_command_names[] = {
     {Enabling::disable, "Battery power supply disabled"},
@@ -74,8 +74,8 @@ inline constexpr FieldInfo door_controlword_fields[] = {
     field(8, 2, "Motion detector", motion_detector_command_names),
     field(10, 2, "Door velocity", door_velocity_names),
     field(12, 4, "Command", door_command_names)};
-/// The default is printed for those who consume it; those who provide it begin with it, too: it
-/// takes no action (errata B27).
+/// The default is printed for the consumer; the provider begins with it, too, as it takes no action
+/// (errata B27).
 inline constexpr EntryInfo door_controlword_entry = provided(sub_index(
     0, door_name, entry(unsigned16, ro, by_default, 0xFFFF, hexadecimal, door_controlword_fields)));
 inline constexpr EntryInfo door_controlword_entries[] = {
@@ -113,7 +113,7 @@ inline constexpr NamedValue door_state_names[] = {
     {DoorState::not_available, "not available / not installed", Meaning::invalid},
 };
 
-/// What a contact or detector at a door says.
+/// State of a contact or detector at a door.
 enum class Detection : std::uint8_t { no = 0, yes = 1, error = 2, not_available = 3 };
 inline constexpr NamedValue force_limit_names[] = {
     {Detection::no, "Force limit not reached"},
@@ -199,7 +199,7 @@ inline constexpr NamedValue door_type_names[] = {
     {DoorType::left_side_opening, "left side opening"},
     {DoorType::right_side_opening, "right side opening"},
     {0x04, 0xFF, "reserved", Meaning::reserved}};
-/// What a door does of its own accord; of the finger protector it is closing that `turn` says.
+/// Automatic reaction of a door. For the finger protector, `turn` means to re-close.
 enum class DoorReaction : std::uint8_t { status_only = 0x00, turn = 0x01, stop = 0x02 };
 inline constexpr NamedValue light_barrier_modus_names[] = {
     {DoorReaction::status_only, "sends only its status by PDO"},
@@ -231,7 +231,7 @@ inline constexpr NamedValue heartbeat_loss_names[] = {
     {HeartbeatLoss::close_with_reduced_speed, "door closes with reduced speed"},
     {0x03, 0xFF, "reserved", Meaning::reserved}};
 
-/// Errata B15: two of them cannot be mapped.
+/// Errata B15: two of the settings cannot be mapped.
 constexpr EntryInfo door_setting(std::uint8_t sub, std::string_view name, Mapping mapping,
                                  const ValueInfo& value, std::string_view errata = {}) {
   return sub_index(sub, name, entry(unsigned8, rw, mapping, 0x00, value),

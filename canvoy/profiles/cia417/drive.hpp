@@ -27,7 +27,7 @@ constexpr EntryInfo drive_setting(DataType type, const ValueInfo& value = {}) {
   return entry(type, rw, no, {}, value);
 }
 /// A position, velocity, acceleration or jerk in the units of 6410h to 6413h, or another number
-/// that no unit is given for.
+/// without a defined unit.
 inline constexpr ValueInfo drive_amount = {.counting = Counting::counts};
 constexpr EntryInfo named(std::string_view name, EntryInfo entry) {
   entry.name = name;
@@ -45,7 +45,7 @@ inline constexpr auto controlword_object = var_object(
     drive_entry(DataType::unsigned16, hexadecimal, cia402::controlword_fields),
     {.condition = see_part_2, .errata = "C14"});
 
-/// Bits 12 and 13 as lifts have them (4.11).
+/// Bits 12 and 13 as defined for lifts (4.11).
 inline constexpr auto statusword_fields = [] {
   auto fields = std::to_array(cia402::statusword_fields);
   for (FieldInfo& bit : fields) {
@@ -69,7 +69,7 @@ inline constexpr auto statusword_object =
                drive_entry(DataType::unsigned16, hexadecimal, statusword_fields),
                {.condition = see_part_2, .errata = "B20, C14"});
 
-// 6402h: what the drive does when it leaves a state.
+// 6402h: reactions of the drive when it leaves a state.
 
 constexpr EntryInfo option_code(std::uint8_t sub, std::string_view name, Default initial,
                                 Items<NamedValue> names) {
@@ -151,7 +151,8 @@ inline constexpr auto profile_acceleration_object =
                  "As 6083h and 6084h of CiA 402; without sub-index 02h, 01h is for both.",
                  profile_acceleration_entries, {.category = Category::optional});
 
-// How many of the jerks of 640Dh are used, and for which bends of the velocity, A to F of figure 1.
+// Number of jerks of 640Dh in use, and the bends of the velocity to which they apply, A to F of
+// figure 1.
 inline constexpr NamedValue jerk_use_names[] = {
     {0x00, "no jerk"},
     {0x01, "jerk 1 for A to D"},
@@ -179,7 +180,7 @@ inline constexpr auto profile_jerk_object =
                  "Jerks of the bends of the velocity: 1, 2, 4 or 6 of them.", profile_jerk_entries,
                  {.category = Category::optional, .errata = "A16, B8"});
 
-// 640Fh: what it is, the maker of the drive says; so nothing is laid out for it.
+// 640Fh: the maker of the drive defines the contents; no layout is given here.
 inline constexpr EntryInfo motor_datum =
     sub_index(0, "manufacturer-specific", entry(domain, rw),
               {.description = "The type is the maker's, too."});

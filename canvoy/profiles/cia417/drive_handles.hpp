@@ -1,5 +1,5 @@
-// The drive of the car of CiA 417-4, as application code uses it. Positions, velocities,
-// accelerations and jerks are in the units that 6410h to 641Dh give the drive.
+// Handles of CiA 417-4 for the drive of the car. Positions, velocities, accelerations and jerks are
+// in the units that 6410h to 641Dh define.
 //
 //     drive[cia417::modes_of_operation] = DriveMode::profile_velocity;
 //     drive[cia417::target_velocity] = 1500;  // upward
@@ -8,7 +8,7 @@
 
 #include "canvoy/profiles/cia417/factors.hpp"
 #include "canvoy/profiles/cia417/motion.hpp"
-#include "canvoy/profiles/handle.hpp"
+#include "canvoy/profiles/model/handle.hpp"
 
 namespace canvoy::cia417 {
 

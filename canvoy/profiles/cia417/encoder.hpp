@@ -1,5 +1,5 @@
-// What the encoders of the position units watch and say of themselves: work areas, warnings,
-// alarms, properties (CiA 417-4, 4.9.11 to 4.9.35).
+// Monitoring and properties of the encoders of the position units: work areas, warnings, alarms,
+// identification (CiA 417-4, 4.9.11 to 4.9.35).
 //
 //     cia417::alarms_object.index  // 63C7h
 #pragma once

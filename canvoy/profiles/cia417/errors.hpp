@@ -1,4 +1,4 @@
-// The emergency error codes that CiA 417-1, 8.4, adds to those of CiA 301.
+// Emergency error codes that CiA 417 adds to those of CiA 301 (CiA 417-1, 8.4).
 //
 //     node.raise({.code = cia417::emergency_code::light_barrier_defect, .instance = door});
 #pragma once

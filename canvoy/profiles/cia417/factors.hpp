@@ -1,5 +1,5 @@
-// The units of the drive of the car, and how it counts them (CiA 417-4, 4.11.3). Values are those
-// of CiA 402, at other indices.
+// Units and scale factors of the drive of the car (CiA 417-4, 4.11.3). Values are those of CiA 402,
+// at other indices.
 //
 //     cia417::gear_ratio_object.index  // 6416h
 #pragma once

@@ -1,5 +1,5 @@
-// What the bits of the objects of CiA 417-4 say together, typed from the text; where they stand is
-// in canvoy/profiles/clauses/417-4.txt.
+// Meaning of the bits of CiA 417-4 objects in combination, typed from the text.
+// canvoy/profiles/clauses/417-4.txt has their positions.
 #include <gtest/gtest.h>
 
 #include "canvoy/profiles/cia417.hpp"

@@ -1,4 +1,4 @@
-// What virtual inputs and outputs are for: the codes of CiA 417-4, 4.3.1 and 4.4.1.
+// Functions of virtual inputs and outputs: the codes of CiA 417-4 (4.3.1 and 4.4.1).
 //
 //     call.function = BasicFunction::standard_hall_call;
 #pragma once
@@ -7,8 +7,8 @@
 
 namespace canvoy::cia417 {
 
-/// The first byte of virtual inputs and outputs. Inputs have those up to 11h: requests. Outputs
-/// acknowledge them, and have those from 40h on beside.
+/// The first byte of virtual inputs and outputs. Inputs use the codes up to 11h: requests. Outputs
+/// acknowledge them, and also use the codes from 40h on.
 enum class BasicFunction : std::uint8_t {
   none = 0x00,  ///< reserved
   generic = 0x01,
@@ -180,10 +180,10 @@ inline constexpr NamedValue special_acknowledgement_names[] = {
     {0x17, 0xFF, "reserved", Meaning::reserved},
 };
 
-/// The field that decides what the other ones are.
+/// The field that decides the meaning of the others.
 inline constexpr std::string_view basic_function_name = "Basic function";
 
-/// While the basic function is one of these.
+/// Condition that the basic function is one of these.
 constexpr FieldCondition function_is(BasicFunction first, BasicFunction last) {
   return {basic_function_name, static_cast<std::int64_t>(first), static_cast<std::int64_t>(last)};
 }
@@ -202,10 +202,10 @@ inline constexpr FieldCondition on_manufacturer_function[] = {
 inline constexpr NamedValue manufacturer_8[] = {
     {0x00, 0xFF, "manufacturer-specific", Meaning::manufacturer}};
 
-/// Where inputs and outputs have their sub-function.
+/// First bit of the sub-function in inputs and outputs.
 inline constexpr unsigned sub_function_bit = 8;
 
-/// What they have in common: two buttons or lamps of a landing.
+/// Fields common to inputs and outputs: two buttons or lamps of a landing.
 inline constexpr std::array hall_call_fields = {
     field_when(on_hall_call, sub_function_bit, 1, "Hall call up"),
     field_when(on_hall_call, sub_function_bit + 1, 1, "Hall call down"),

@@ -1,5 +1,5 @@
-// All that application code of a lift uses of CiA 417-4. A device that is one virtual device
-// includes what it needs: panel_handles.hpp, car_handles.hpp or drive_handles.hpp.
+// All handles of CiA 417-4 for the application code of a lift. A device that is one virtual device
+// includes only what it needs: panel_handles.hpp, car_handles.hpp or drive_handles.hpp.
 //
 //     gateway[cia417::in_lift(3, cia417::absolute_load_value)].value()  // kilograms
 #pragma once

@@ -1,13 +1,13 @@
-// Values of a lift by name: each handle reads and writes the bits that its clause says, typed from
-// the text.
+// Values of a lift by name: each handle reads and writes the bits of its clause, typed from the
+// text.
 #include "canvoy/profiles/cia417/handles.hpp"
 
 #include <gtest/gtest.h>
 
-#include "canvoy/profiles/assembled.hpp"
 #include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/cia417.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/assembled.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
 namespace canvoy::cia417_handles_test {

@@ -1,5 +1,5 @@
-// Buttons, keys and contacts of a lift: virtual inputs, and how each of them behaves (CiA 417-4,
-// 4.2.3 and 4.3).
+// Buttons, keys and contacts of a lift: virtual inputs and the parameters of each (CiA 417-4, 4.2.3
+// and 4.3).
 //
 //     cia417::input_group_object.count  // 32 groups of 254 inputs
 #pragma once
@@ -23,12 +23,12 @@ inline constexpr NamedValue target_stop_names[] = {{0x00, "reserved", Meaning::r
 inline constexpr NamedValue lock_names[] = {{0, "without locking function"},
                                             {1, "with locking function"}};
 
-/// The sub-functions that are still to be defined, or reserved with their basic function.
+/// Sub-functions that are not yet defined, or reserved with their basic function.
 inline constexpr FieldCondition on_open_input_function[] = {
     function_is(BasicFunction::none, BasicFunction::generic),
     {basic_function_name, static_cast<std::int64_t>(BasicFunction::access_code_upload), 0x7F}};
 
-/// A virtual input: 6 bytes, of 6010h as of 6100h to 611Fh.
+/// A virtual input of 6 bytes, in 6010h and in 6100h to 611Fh.
 inline constexpr auto virtual_input_fields = join_fields(
     field(0, 8, basic_function_name, input_function_names), hall_call_fields,
     field_when(on_target_stop, sub_function_bit, 8, "Target stop", {.names = target_stop_names},
@@ -66,9 +66,9 @@ inline constexpr auto input_group_object = array_object(
     0x6100, "Input group #", "4.3.1", "State, function and place of up to 254 digital inputs.",
     input_group_entries, {.count = group_count, .condition = see_part_2, .errata = "B31"});
 
-// Their parameters.
+// Parameters of inputs.
 
-/// One of the parameters of all inputs of a group.
+/// One parameter of all inputs of a group.
 constexpr EntryInfo input_parameter(std::string_view name, Items<FieldInfo> fields) {
   return sub_index(0, name,
                    entry(unsigned32, rw, no, {},

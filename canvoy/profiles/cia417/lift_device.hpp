@@ -1,27 +1,27 @@
-// The parts of a device that is one virtual device of a lift: its objects, where that lift has
-// them, and the pre-defined PDOs for them.
+// The parts of a device that is one virtual device of a lift: its objects in that lift, and the
+// pre-defined PDOs for them.
 //
 //     constexpr auto my_door = describe(
 //         lift_device<VirtualDevice::car_door_unit, LiftDeviceOptions{.lift = 2, .doors = 1}>(
 //             {0x6300, 0x6301, 0x6302, 0x6304}),
 //         cia301::identity({.vendor_id = 0x123}), cia301::heartbeat_producer(500));
 //
-// PDOs that carry what node-IDs tell apart (virtual inputs and sensors) are there at who sends
-// them, invalid until they are given a COB-ID, as part 3 has them. Those that receive them, and
-// multiplexed PDOs, the maker adds for the nodes that he knows.
+// PDOs with COB-IDs that depend on node-IDs (virtual inputs and sensors) exist in the sender and
+// are invalid until they get a COB-ID (CiA 417-3). The maker adds their RPDOs, and multiplexed
+// PDOs, for the nodes in the system.
 #pragma once
 
 #include "canvoy/profiles/cia301.hpp"
+#include "canvoy/profiles/cia301/predefined_pdo.hpp"
 #include "canvoy/profiles/cia417.hpp"
-#include "canvoy/profiles/predefined_pdo.hpp"
-#include "canvoy/profiles/virtual_device.hpp"
+#include "canvoy/profiles/model/virtual_device.hpp"
 
 namespace canvoy::cia417 {
 
 struct LiftDeviceOptions {
   unsigned lift = 1;        ///< 1 to 8
-  unsigned doors = 0b1111;  ///< which doors it moves or watches: bit 0 is door 1
-  std::size_t parts = 96;   ///< room for as many objects
+  unsigned doors = 0b1111;  ///< doors that it moves or watches: bit 0 is door 1
+  std::size_t parts = 96;   ///< maximum number of objects
 };
 
 constexpr const VirtualDeviceInfo& info_of(VirtualDevice device) {
@@ -32,12 +32,12 @@ constexpr const VirtualDeviceInfo& info_of(VirtualDevice device) {
   return virtual_devices[0];
 }
 
-/// Whether the object belongs to one lift, and not to the device (4.2; errata B32).
+/// True if the object belongs to one lift, not to the device (4.2; errata B32).
 constexpr bool is_of_lift(unsigned index) {
   return index >= input_group_object.index;
 }
 
-/// The door that a PDO tells the state of; 0: of none.
+/// The door that a PDO gives the state of; 0: none.
 constexpr unsigned door_of(const PdoInfo& pdo) {
   const MappingValue mapped(pdo.mapping[0]);
   const unsigned index = mapped.index - (mapped.index - 0x6000U) / block_pitch * block_pitch;
@@ -46,7 +46,7 @@ constexpr unsigned door_of(const PdoInfo& pdo) {
   return is_state ? mapped.sub : 0;
 }
 
-/// Whether a device has a PDO by itself: where it is of its lift, and of its doors.
+/// True if a device has a PDO by default: where the PDO belongs to its lift and its doors.
 template <VirtualDevice device, LiftDeviceOptions options>
 constexpr bool is_pdo_of(const PdoInfo& pdo) {
   if (pdo.number == 0 || pdo.last_number != 0 || pdo.multiplexed != MpdoKind::no) return false;
@@ -61,7 +61,7 @@ constexpr bool is_pdo_of(const PdoInfo& pdo) {
   return false;
 }
 
-/// Whether `parts` has all that a PDO maps.
+/// True if `parts` has all objects that a PDO maps.
 template <std::size_t capacity>
 constexpr bool has_mapped(const DeviceDescription<capacity>& parts, const PdoInfo& pdo) {
   for (const std::uint32_t raw : pdo.mapping) {
@@ -84,8 +84,7 @@ constexpr void add_pdos(DeviceDescription<capacity>& parts) {
   }
 }
 
-/// With those of the objects that part 4 does not demand which are `wanted`, by their indices in
-/// lift 1.
+/// Adds those optional objects of part 4 that are `wanted`, by their indices in lift 1.
 template <VirtualDevice device, LiftDeviceOptions options = LiftDeviceOptions{}>
 constexpr auto lift_device(const WantedObjects& wanted) {
   static_assert(options.lift >= 1 && options.lift <= lift_count, "there are 8 lifts");

@@ -1,5 +1,5 @@
-// Devices of a lift as a maker builds them: expectations typed from the table of pre-defined PDOs
-// of CiA 417-3 and from CiA 417-4.
+// Devices of a lift as built by a maker: expectations typed from the table of pre-defined PDOs of
+// CiA 417-3 and from CiA 417-4.
 #include "canvoy/profiles/cia417/lift_device.hpp"
 
 #include <gtest/gtest.h>
@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/device/device_node.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 #include "canvoy/profiles/cia417/handles.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
 namespace canvoy::lift_device_test {
@@ -21,7 +21,7 @@ using cia417::lift_device;
 using cia417::LiftDeviceOptions;
 using cia417::VirtualDevice;
 
-/// COB-ID and mapping of the PDO whose parameter is at `index`.
+/// COB-ID and mapping of the PDO with its parameter at `index`.
 std::vector<std::uint32_t> pdo_at(const Dictionary& dictionary, unsigned index) {
   const auto number = [&](unsigned at, unsigned sub) {
     return static_cast<std::uint32_t>(
@@ -119,14 +119,14 @@ TEST(Cia417LiftDevice, AnOutputPanelHearsTheOutputsOfTheCallController) {
   EXPECT_EQ(access_text(memory.dictionary.find(0x6220, 4)->row->access), "rw");
 }
 
-/// A device whose bus is the test.
+/// A device with the test as its bus.
 template <const auto& layout>
 struct Bench {
   static bool take(void* context, const Frame& frame) {
     static_cast<Bench*>(context)->sent.push_back(wire_text(frame));
     return true;
   }
-  /// In NMT state operational; what is sent up to then is forgotten.
+  /// Enters NMT state operational, and discards the frames sent up to then.
   Bench() {
     device.node().start(Time{});
     receive("000#01 00");

@@ -1,4 +1,4 @@
-// The load in the car, and the signals that it gives (CiA 417-4, 4.12).
+// The load in the car and the load signals (CiA 417-4, 4.12).
 //
 //     load[cia417::absolute_load_value] = 450;  // kilograms
 #pragma once
@@ -7,7 +7,8 @@
 
 namespace canvoy::cia417 {
 
-// Loads are in the unit that 6480h:02h says: kilograms by default, and where that is not there.
+// Loads are in the unit that 6480h:02h defines: kilograms by default, and where that entry does not
+// exist.
 
 inline constexpr NamedValue load_names[] = {
     {0xFFFF, "sensor error, or no actual value", Meaning::invalid}};

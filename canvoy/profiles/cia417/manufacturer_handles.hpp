@@ -1,5 +1,5 @@
-// The bits of CiA 417-4 objects that belong to the maker of the device, or to the mode of a drive.
-// Position units are numbered from 1 on.
+// Handles for bits of CiA 417-4 objects that the maker of the device defines, or that depend on the
+// mode of a drive. Position units are numbered from 1.
 //
 //     drive[cia417::manufacturer_control] = 0x1F;  // bits 11 to 15 of 6400h
 #pragma once
@@ -7,7 +7,7 @@
 #include "canvoy/profiles/cia417/drive.hpp"
 #include "canvoy/profiles/cia417/encoder.hpp"
 #include "canvoy/profiles/cia417/position.hpp"
-#include "canvoy/profiles/handle.hpp"
+#include "canvoy/profiles/model/handle.hpp"
 
 namespace canvoy::cia417 {
 

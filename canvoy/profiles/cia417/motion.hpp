@@ -79,7 +79,7 @@ inline constexpr auto sensor_selection_code_object = var_object(
     drive_setting(DataType::integer16, {.names = cia402::sensor_selection_names}),
     {.category = Category::optional});
 
-/// Errata B22: Integer32 as printed, also of the time.
+/// Errata B22: Integer32 as printed, also for the time.
 constexpr std::array<EntryInfo, 3> window(std::string_view width, std::string_view time) {
   std::array<EntryInfo, 3> entries{
       number_of_entries(0x02),
@@ -105,7 +105,7 @@ inline constexpr auto max_slippage_object =
                "As 60F8h of CiA 402: beyond it, bit 13 of the statusword is set.",
                drive_setting(DataType::integer32, drive_amount), {.category = Category::optional});
 
-/// Errata B5: what is behind the first two, the maker says.
+/// Errata B5: the maker defines the entries behind the first two.
 inline constexpr EntryInfo further_control_parameter =
     sub_index(0, "Velocity demand value", entry(unsigned16, rw), {.errata = "B5"});
 inline constexpr EntryInfo velocity_control_parameter_entries[] = {

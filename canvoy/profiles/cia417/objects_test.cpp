@@ -1,5 +1,5 @@
-// CiA 417-4: each lift of eight has the objects of the first one. What they are stands in
-// canvoy/profiles/clauses/417-4.txt.
+// CiA 417-4: each of eight lifts has the objects of the first one.
+// canvoy/profiles/clauses/417-4.txt describes them.
 #include <gtest/gtest.h>
 
 #include "canvoy/profiles/cia417.hpp"

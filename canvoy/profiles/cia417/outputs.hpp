@@ -1,4 +1,4 @@
-// Lamps, displays and loudspeakers of a lift: virtual outputs, and how each of them behaves (CiA
+// Lamps, displays and loudspeakers of a lift: virtual outputs and the parameters of each (CiA
 // 417-4, 4.2.4, 4.4 and 4.5).
 //
 //     cia417::output_group_object.count  // 32 groups of 254 outputs
@@ -43,7 +43,7 @@ inline constexpr NamedValue target_acknowledgement_names[] = {{0x00, "reserved",
 inline constexpr NamedValue floor_data_names[] = {{0x00, "clear the display"},
                                                   {0xFF, "reserved", Meaning::reserved}};
 
-// The last byte: what is to be shown, and how.
+// The last byte: the property and its parameter.
 
 enum class Property : std::uint8_t {
   standard = 0,
@@ -69,7 +69,7 @@ inline constexpr NamedValue impulse_names[] = {{0, "0.5 s"}, {1, "1 s"}, {2, "1.
 inline constexpr NamedValue flashing_names[] = {{0, "10 Hz"},  {1, "7.5 Hz"}, {2, "5 Hz"},
                                                 {3, "2 Hz"},   {4, "1.5 Hz"}, {5, "1 Hz"},
                                                 {6, "0.5 Hz"}, {7, "0.25 Hz"}};
-// The same as times and frequencies.
+// Codes of impulse_names and flashing_names as times and frequencies.
 inline constexpr Piece impulse_times[] = {{0, 3, {.denominator = 2, .offset = 1}},
                                           {4, 4, {.offset = -1}},
                                           {5, 5},
@@ -125,7 +125,7 @@ constexpr std::array<FieldInfo, 9> output_data_fields(unsigned first) {
 
 // The second byte, by basic function.
 
-/// The sub-functions that are reserved, some with their basic function.
+/// Reserved sub-functions, some of them with their basic function.
 inline constexpr FieldCondition on_reserved_output_function[] = {
     function_is(BasicFunction::none, BasicFunction::generic),
     {basic_function_name, static_cast<std::int64_t>(BasicFunction::access_code_upload), 0x3F},
@@ -156,7 +156,7 @@ inline constexpr std::array indication_fields = {
     reserved_zeros<6>(sub_function_bit + 2, 3, on_arrival),
 };
 
-/// A virtual output: 6 bytes, of 6011h as of 6200h to 621Fh.
+/// A virtual output of 6 bytes, in 6011h and in 6200h to 621Fh.
 inline constexpr auto virtual_output_fields = join_fields(
     field(0, 8, basic_function_name, output_function_names), hall_call_fields,
     field_when(on_target_stop, sub_function_bit, 8, "Target stop acknowledgement",
@@ -194,7 +194,7 @@ inline constexpr auto output_group_object = array_object(
     output_group_entries,
     {.count = group_count, .condition = see_part_2, .errata = "A4, A5, A6, A22, B9, B31, C4"});
 
-// Their parameters: of the output panel unit.
+// Parameters of the output panel unit.
 
 constexpr EntryInfo output_parameter(std::string_view name, Items<FieldInfo> fields) {
   return input_parameter(name, fields);

@@ -1,19 +1,19 @@
-// Inputs, outputs and sensors of CiA 417-4, as application code uses them. `next_input` is what is
-// sent, or has come, in a PDO; `input` are those of the groups.
+// Handles of CiA 417-4 for inputs, outputs and sensors. `next_input` is the value that a PDO sends
+// or receives; `input` are the inputs of the groups.
 //
 //     controller[cia417::next_input.function].is(BasicFunction::standard_hall_call)
 //     controller[cia417::next_input.source_panel].value()          // the floor
 //     panel[cia417::output.property(3, 17)] = Property::flashing;  // output 17 of group 3
 //     panel[cia417::output.flash_frequency(3, 17)] = 1.5;          // Hz
 //
-// A value that is put together from fields is best written as a whole (`whole`), since each write
-// of a mapped object may send a PDO.
+// Write a value that consists of fields as a whole (`whole`): each write of a mapped object may
+// send a PDO.
 #pragma once
 
 #include "canvoy/profiles/cia417/inputs.hpp"
 #include "canvoy/profiles/cia417/outputs.hpp"
 #include "canvoy/profiles/cia417/sensors.hpp"
-#include "canvoy/profiles/handle.hpp"
+#include "canvoy/profiles/model/handle.hpp"
 
 namespace canvoy::cia417 {
 
@@ -22,7 +22,7 @@ template <const ObjectInfo& object, Name entry = "">
 struct InputHandles {
   static constexpr Number<object, entry> whole{};
   static constexpr State<BasicFunction, object, entry, "Basic function"> function{};
-  // Which of these the sub-function is, the basic function says.
+  // The basic function decides which of these the sub-function is.
   static constexpr Flag<object, entry, "Hall call up"> hall_call_up{};
   static constexpr Flag<object, entry, "Hall call down"> hall_call_down{};
   static constexpr Number<object, entry, "Target stop"> target_stop{};
@@ -46,7 +46,7 @@ template <const ObjectInfo& object, Name entry = "">
 struct OutputHandles {
   static constexpr Number<object, entry> whole{};
   static constexpr State<BasicFunction, object, entry, "Basic function"> function{};
-  // Which of these the sub-function is, the basic function says.
+  // The basic function decides which of these the sub-function is.
   static constexpr Flag<object, entry, "Hall call up"> hall_call_up{};
   static constexpr Flag<object, entry, "Hall call down"> hall_call_down{};
   static constexpr Number<object, entry, "Target stop acknowledgement"> target_stop{};
@@ -70,7 +70,7 @@ struct OutputHandles {
   static constexpr Flag<object, entry, numbered("Dest. door ", door)> destination_door{};
   static constexpr Flag<object, entry, "Status"> status{};
   static constexpr State<Property, object, entry, "Property"> property{};
-  // Which of these the parameter of the property is, the property says.
+  // The property decides which of these its parameter is.
   static constexpr Quantity<object, entry, "Impulse"> impulse_time{};
   static constexpr Quantity<object, entry, "Flashing"> flash_frequency{};
   static constexpr State<Color, object, entry, "Color"> color{};
@@ -96,7 +96,7 @@ struct SensorHandles {
 inline constexpr SensorHandles<virtual_sensor_mapping_object> next_sensor;
 inline constexpr SensorHandles<sensor_group_object, "Virtual sensor #"> sensor;
 
-// Parameters: of group 3 the input 17 is `input_enabled(3, 17)`.
+// Parameters. Input 17 of group 3 is `input_enabled(3, 17)`.
 
 inline constexpr Flag<input_parameter_1_object, "Parameter 1 input #", "Enable"> input_enabled;
 inline constexpr Number<input_parameter_1_object, "Parameter 1 input #", "Error code">

@@ -1,11 +1,11 @@
-// The pre-defined PDOs of CiA 417-3, from public sources: we do not have its text. `condition` says
-// what is not certain. A PDO has the same number on both sides.
+// The pre-defined PDOs of CiA 417-3, from public sources: its text is not at hand. `condition`
+// states what is not certain. A PDO has the same number in sender and receiver.
 //
 //     cia417::lift_pdos<1>[0].cob_id  // 188h
 #pragma once
 
 #include "canvoy/profiles/cia417/devices.hpp"
-#include "canvoy/profiles/mapping_value.hpp"
+#include "canvoy/profiles/model/mapping_value.hpp"
 
 namespace canvoy::cia417 {
 
@@ -44,7 +44,7 @@ inline constexpr std::uint32_t virtual_input_pdo[] = {mapped_value(virtual_input
 inline constexpr std::uint32_t virtual_output_pdo[] = {mapped_value(virtual_output_mapping_object)};
 inline constexpr std::uint32_t virtual_sensor_pdo[] = {mapped_value(virtual_sensor_mapping_object)};
 
-/// What a device with any node-ID sends, from the one with node-ID 1 on.
+/// PDOs that a device with any node-ID sends, from node-ID 1 on.
 constexpr PdoInfo sent_by_node(std::uint16_t first_rpdo, std::uint32_t cob_id) {
   return {.direction = PdoInfo::Direction::transmit,
           .number = number_of_rpdo(first_rpdo),
@@ -96,13 +96,13 @@ inline constexpr std::array node_pdos = {
               .clause = pdo_clause},
              "Virtual output", virtual_output_pdo, output_panels)};
 
-// PDOs of one lift. Those of the next one have numbers and CAN-IDs 10h above; 1510h and 1511h,
-// which door 4 has here, are free between lifts 1 and 2 (1502h to 150Fh, 1512h to 151Fh); light
-// barrier 4 of lift 8 finds 1581h taken, and has no number.
+// PDOs of one lift. Numbers and CAN-IDs of the next lift are 10h above. 1510h and 1511h, which door
+// 4 uses here, are free between lifts 1 and 2 (1502h to 150Fh, 1512h to 151Fh). For light barrier 4
+// of lift 8, 1581h is already used: it has no number.
 
 inline constexpr unsigned lift_pdo_pitch = 0x10;
 
-/// Mapping values of objects of lift `lift`, from 1 on.
+/// Mapping values of objects of lift `lift`, counted from 1.
 constexpr std::uint32_t mapped_in(unsigned lift, const ObjectInfo& object, unsigned sub = 0) {
   return mapped_value(object, sub) + ((lift - 1U) * block_pitch << 16);
 }
@@ -133,7 +133,7 @@ template <unsigned lift, unsigned door>
 inline constexpr std::uint32_t light_barrier_pdo[] = {
     mapped_in(lift, light_barrier_status_object, door)};
 
-/// One PDO of lift 1: who sends it, and who receives it.
+/// One PDO of lift 1, with its sender and receivers.
 struct LiftPdo {
   std::uint16_t rpdo = 0;  ///< the parameter object of the receivers; 0: not known
   std::uint32_t cob_id = 0;
@@ -183,8 +183,8 @@ inline constexpr std::array<LiftPdo, lift_pdo_count> lift_pdo_table = {{
      light_barrier_consumers, "CAN-ID and number are inferred from doors 1 to 3"},
 }};
 
-/// The number of a PDO in lift `lift`; 0: not known. Where the numbers of virtual sensors begin,
-/// those that are inferred end.
+/// Number of a PDO in lift `lift`; 0: not known. Inferred numbers end where the numbers of virtual
+/// sensors begin.
 constexpr std::uint16_t number_in_lift(const LiftPdo& row, unsigned lift) {
   const unsigned rpdo = row.rpdo + (lift - 1) * lift_pdo_pitch;
   return row.rpdo == 0 || rpdo >= 0x1581 ? std::uint16_t{0} : number_of_rpdo(rpdo);
@@ -210,7 +210,7 @@ constexpr std::array<PdoInfo, 2 * lift_pdo_count> pdos_of_lift() {
   }
   return pdos;
 }
-/// Those that lift `lift` has for itself.
+/// PDOs that belong to lift `lift` alone.
 template <unsigned lift>
 inline constexpr auto lift_pdos = pdos_of_lift<lift>();
 

@@ -1,5 +1,5 @@
-// What a physical device says of itself: which virtual devices it is, and for which lifts (CiA
-// 417-4, 4.2.1, 4.2.2 and 4.2.6; codes of the virtual devices from CiA 417-2).
+// Identification of a physical device: its virtual devices and lifts (CiA 417-4, 4.2.1, 4.2.2 and
+// 4.2.6; codes of the virtual devices from CiA 417-2).
 //
 //     cia417::device_type(cia417::VirtualDevice::car_position_unit)  // 060001A1h
 #pragma once
@@ -8,8 +8,8 @@
 
 namespace canvoy::cia417 {
 
-/// The high byte of 1000h, and of the words in 6000h. Version 1 of the profile has them up to 0Bh,
-/// which it calls the sensor unit; version 2 has the others, and gives 0Bh to another device.
+/// The high byte of 1000h and of the words in 6000h. Version 1 of the profile has codes up to 0Bh,
+/// the sensor unit; version 2 has the others, and gives 0Bh to another device.
 enum class VirtualDevice : std::uint8_t {
   several = 0x00,  ///< those that 6000h lists
   call_controller = 0x01,

@@ -1,5 +1,5 @@
-// Where the car is, how fast it moves, and what the encoder says of itself: up to four position
-// units (CiA 417-4, 4.9), and the cams of the position CAM unit (4.10). Values are as CiA 406 says.
+// Position and speed of the car, and settings of the encoder: up to four position units (CiA 417-4,
+// 4.9), and the cams of the position CAM unit (4.10). Values are those of CiA 406.
 //
 //     cia417::position_value_object.subs[1].value.step.index  // 6384h
 #pragma once
@@ -12,7 +12,7 @@ namespace canvoy::cia417 {
 inline constexpr unsigned position_unit_count = 4;
 inline constexpr std::string_view position_unit_name = "Position unit #";
 
-// 6384h to 6387h Measuring steps: what one count of position, speed and acceleration is.
+// 6384h to 6387h Measuring steps: the size of one count of position, speed and acceleration.
 
 inline constexpr std::uint16_t measuring_step_index = 0x6384;
 inline constexpr std::int64_t position_step_default = 10;
@@ -23,7 +23,7 @@ inline constexpr Scale position_step = {.numerator = 10};
 inline constexpr Scale speed_step = {.denominator = 10};
 inline constexpr Scale acceleration_step = {};
 
-/// Errata A13: transferred as Unsigned32, with the values of an Unsigned16.
+/// Errata A13: transferred as Unsigned32, with the range of an Unsigned16.
 constexpr EntryInfo step_entry(std::string_view name, Unit unit, const Scale& scale,
                                std::int64_t initial) {
   return sub_index(0, name,
@@ -43,7 +43,7 @@ inline constexpr auto measuring_step_settings_object = array_object(
     "What one count of position, speed and acceleration is.", measuring_step_entries,
     {.count = position_unit_count, .condition = see_part_2, .errata = "A3, A13, A19"});
 
-/// Counts of position unit `unit`, from 1 on.
+/// Counts of position unit `unit`, counted from 1.
 constexpr ValueInfo steps(Unit of, Scale step, std::int64_t count, unsigned unit, unsigned sub) {
   step.numerator *= count;
   return {.unit = of,
@@ -68,7 +68,7 @@ constexpr ValueInfo acceleration_counts(unsigned unit) {
 
 using PositionUnitEntries = std::array<EntryInfo, position_unit_count + 1>;
 
-/// `of_unit` gives the value of position unit 1 to 4; `mapping` is that of the first.
+/// `of_unit` returns the value of position unit 1 to 4; `mapping` applies to the first.
 template <class ValueOfUnit>
 constexpr PositionUnitEntries for_each_unit(const EntryInfo& shape, ValueOfUnit of_unit,
                                             Mapping mapping = Mapping::no) {
@@ -88,7 +88,7 @@ constexpr std::array<EntryInfo, 3> for_units_alike(EntryInfo shape) {
   return {number_of_entries(1, position_unit_count), at(1, shape),
           optional_at(2, position_unit_count, shape)};
 }
-/// Values that the encoder gives, and settings of it.
+/// Values from the encoder and its settings.
 constexpr EntryInfo measured(DataType type) {
   return provided(entry(type, ro));
 }

@@ -1,9 +1,9 @@
-// What CiA 417-4 says beside its objects: which indices are whose (4.1.1), and with which abort
-// codes the creation of objects is refused (4.2.6).
+// Provisions of CiA 417-4 beside its objects: index ranges (4.1.1), and the abort codes that refuse
+// the creation of objects (4.2.6).
 #pragma once
 
 #include "canvoy/profiles/cia417/values.hpp"
-#include "canvoy/profiles/provisions.hpp"
+#include "canvoy/profiles/model/provisions.hpp"
 
 namespace canvoy::cia417 {
 

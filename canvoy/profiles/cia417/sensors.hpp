@@ -1,4 +1,4 @@
-// Sensors of a lift beside load and position: virtual sensors, and how each of them behaves (CiA
+// Sensors of a lift beside load and position: virtual sensors and the parameters of each (CiA
 // 417-4, 4.2.5 and 4.13).
 //
 //     cia417::sensor_group_object.count  // 32 groups of 254 sensors
@@ -61,10 +61,10 @@ inline constexpr FieldCondition on_reserved_sensor[] = {
 inline constexpr FieldCondition on_manufacturer_sensor[] = {
     sensor_is(SensorFunction::manufacturer_first, SensorFunction::manufacturer_last)};
 
-/// Where the code of the unit stands in sensor parameter 3.
+/// First bit of the unit code in sensor parameter 3.
 inline constexpr std::uint8_t sensor_unit_first_bit = 16;
 
-/// Bits 15 to 2 of the function data: a number with a sign (errata A21).
+/// Bits 15 to 2 of the function data: a signed number (errata A21).
 constexpr FieldInfo sensor_value(UnitEntry unit) {
   return {.first_bit = 34,
           .bits = 14,
@@ -75,8 +75,8 @@ constexpr FieldInfo sensor_value(UnitEntry unit) {
           .when = on_measurement};
 }
 
-/// A virtual sensor: 6 bytes, of 6012h as of 6500h to 651Fh. Of those the unit stands in sensor
-/// parameter 3; 6012h does not say which sensor it is of.
+/// A virtual sensor of 6 bytes, in 6012h and in 6500h to 651Fh. For the latter, sensor parameter 3
+/// has the unit; 6012h does not identify its sensor.
 constexpr auto sensor_fields(UnitEntry unit) {
   return join_fields(
       field(0, 8, basic_function_name, sensor_function_names),
@@ -117,7 +117,7 @@ inline constexpr auto sensor_group_object = array_object(
     sensor_group_entries,
     {.count = group_count, .condition = see_part_2, .errata = "A9, A11, A21, B31, C7, C8"});
 
-// Their parameters.
+// Parameters of sensors.
 
 constexpr EntryInfo sensor_parameter(std::string_view name, Items<FieldInfo> fields) {
   return input_parameter(name, fields);

@@ -1,21 +1,21 @@
-// What the objects of CiA 417-4 have in common: shapes of entries and fields.
+// Common elements of the objects of CiA 417-4: shapes of entries and fields.
 //
 //     inline constexpr EntryInfo door_entries[] = {number_of_entries(1, 4), at(1, door),
 //                                                  optional_at(2, 4, door)};
 #pragma once
 
-#include "canvoy/profiles/rows.hpp"
+#include "canvoy/profiles/model/rows.hpp"
 
 namespace canvoy::cia417 {
 
 using namespace rows;  // NOLINT(google-build-using-namespace): the columns of its tables
 
-/// Of the objects whose category this part leaves to another one.
+/// Condition of objects that have their category in another part.
 inline constexpr std::string_view see_part_2 = "as CiA 417-2 says for the virtual device";
 
 // Entries.
 
-/// Sub-index 00h; `printed` is the default, 0 where the device says how many there are.
+/// Sub-index 00h; `printed` is the default, 0 where the device defines the number.
 constexpr EntryInfo count_entry(std::string_view name, std::uint8_t low, std::uint8_t high,
                                 std::uint8_t printed = 0) {
   return sub_index(0, name,
@@ -24,14 +24,14 @@ constexpr EntryInfo count_entry(std::string_view name, std::uint8_t low, std::ui
 constexpr EntryInfo number_of_entries(std::uint8_t low, std::uint8_t high) {
   return count_entry("Number of entries", low, high);
 }
-/// Where neither the device nor its maker has a choice.
+/// Sub-index 00h where the number is fixed.
 constexpr EntryInfo number_of_entries(std::uint8_t all) {
   return count_entry("Number of entries", all, all, all);
 }
-/// The arrays with one entry for each input, output, sensor or rope.
+/// Last sub-index of arrays with one entry for each input, output, sensor or rope.
 inline constexpr std::uint8_t last_of_many = 0xFE;
 
-/// `entry` at a sub-index; a `#` in its name is that number.
+/// `entry` at a sub-index; a `#` in its name stands for the number.
 constexpr EntryInfo at(std::uint8_t sub, EntryInfo entry) {
   entry.sub_first = sub;
   entry.first_number = sub;
@@ -51,7 +51,7 @@ constexpr EntryInfo conditional_at(std::uint8_t first, std::uint8_t last, EntryI
   return entry;
 }
 
-/// 4.1.2: who provides a value has it ro; who consumes it from a PDO or by SDO has it rw.
+/// The provider of a value has it as ro; consumers of a PDO, or of SDO, have it as rw (4.1.2).
 constexpr EntryInfo provided(EntryInfo entry) {
   entry.access = Access::ro;
   entry.consumer_access = Access::rw;
@@ -62,17 +62,17 @@ constexpr EntryInfo provided(EntryInfo entry) {
 
 inline constexpr ValueInfo hexadecimal = {.notation = Notation::hexadecimal};
 
-/// Parameters of inputs, outputs and sensors: bytes that are not used are FFh (4.3.2 and others),
-/// and no sentence gives another default.
+/// Parameters of inputs, outputs and sensors. Unused bytes are FFh (4.3.2 and others), and no
+/// sentence gives another default.
 inline constexpr NamedValue not_used_32[] = {{0xFFFF'FFFF, "nothing used", Meaning::invalid}};
 inline constexpr NamedValue not_used_8[] = {{0xFF, "not used", Meaning::invalid}};
-/// Of those that count something: 0 of it makes no sense.
+/// Parameters that count: 0 has no meaning.
 inline constexpr NamedValue count_names[] = {{0x00, "reserved", Meaning::reserved},
                                              {0xFF, "not used", Meaning::invalid}};
 
 // Fields.
 
-/// A field that is there while another one has certain values.
+/// A field that exists while another one has certain values.
 constexpr FieldInfo field_when(Items<FieldCondition> when, unsigned first_bit, unsigned bits,
                                std::string_view name, const ValueInfo& value = {},
                                std::string_view description = {}) {
@@ -81,10 +81,10 @@ constexpr FieldInfo field_when(Items<FieldCondition> when, unsigned first_bit, u
   return made;
 }
 
-/// Reserved bits that may hold anything, and those that have to be 0 or 1.
+/// Reserved bits that may hold any value, and those that must be 0 or 1.
 template <unsigned bits>
 inline constexpr NamedValue any_bits[] = {{0ULL, (1ULL << bits) - 1, "reserved", Meaning::padding}};
-/// Those of messages: who sends them leaves them 0.
+/// Reserved bits of messages: the sender leaves them 0.
 template <unsigned bits>
 inline constexpr NamedValue all_zeros[] = {
     {0, 0, "all bits 0", Meaning::padding},
@@ -94,7 +94,7 @@ inline constexpr NamedValue all_ones[] = {
     {0ULL, (1ULL << bits) - 2, "reserved", Meaning::reserved},
     {(1ULL << bits) - 1, (1ULL << bits) - 1, "all bits 1", Meaning::padding}};
 
-/// `number` tells the reserved bits of one entry from each other.
+/// `number` distinguishes the reserved bits of one entry.
 template <unsigned bits>
 constexpr FieldInfo reserved_bits(unsigned first_bit, unsigned number = 1,
                                   Items<FieldCondition> when = {}) {
@@ -118,16 +118,16 @@ constexpr FieldInfo reserved_ones(unsigned first_bit, unsigned number = 1,
   return made;
 }
 
-// Where inputs, outputs and sensors are: a bit for each lift, the floor, a bit for each door.
+// Locations of inputs, outputs and sensors: a bit for each lift, the floor, a bit for each door.
 
 inline constexpr unsigned lift_count = 8;
-/// How far the objects of the lifts are apart (4.1.1).
+/// Distance between the objects of two lifts (4.1.1).
 inline constexpr std::uint16_t block_pitch = 0x800;
-/// From the objects of lift 1 to those of lift `lift`.
+/// Distance from the objects of lift 1 to those of lift `lift`.
 constexpr std::uint16_t block_shift(unsigned lift) {
   return static_cast<std::uint16_t>((lift - 1) * block_pitch);
 }
-/// The handle of the same value of lift `lift`, from 1 on.
+/// The handle of the same value in lift `lift`, counted from 1.
 template <class Handle>
 constexpr Handle in_lift(unsigned lift, const Handle& handle) {
   return handle.shifted(block_shift(lift));
@@ -148,11 +148,11 @@ inline constexpr ValueInfo request_bit = {.names = request_names};
 /// Floors 1 to 254.
 enum class Floor : std::uint8_t { car = 0x00, first = 0x01, last = 0xFE, all = 0xFF };
 
-/// 4.3.1 and 4.13.1: of who sends.
+/// Of the sender (4.3.1 and 4.13.1).
 inline constexpr NamedValue source_floor_names[] = {{Floor::car, "car"},
                                                     {Floor::all, "reserved", Meaning::reserved}};
 inline constexpr ValueInfo source_floor = {.names = source_floor_names};
-/// 4.4.1: of those who are to look (errata A22).
+/// Of the receivers (4.4.1; errata A22).
 inline constexpr NamedValue destination_floor_names[] = {{Floor::car, "car"},
                                                          {Floor::all, "all floors"}};
 inline constexpr ValueInfo destination_floor = {.names = destination_floor_names};

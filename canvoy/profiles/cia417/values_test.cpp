@@ -1,5 +1,5 @@
-// Values of CiA 417-4 that depend on others; what each one means is in
-// canvoy/profiles/clauses/417-4.txt.
+// Values of CiA 417-4 that depend on others. canvoy/profiles/clauses/417-4.txt has the meaning of
+// each.
 #include <gtest/gtest.h>
 
 #include "canvoy/profiles/cia417.hpp"

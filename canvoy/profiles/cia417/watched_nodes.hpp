@@ -1,4 +1,5 @@
-// 1016h of a device that watches certain nodes from the start: those with the recommended node-IDs.
+// 1016h of a device that monitors certain nodes from the start: those with the recommended
+// node-IDs.
 //
 //     describe(..., watched_nodes<1000, 6, 7, 8, 0>)  // three within a second each, and a free
 //     place
@@ -8,8 +9,9 @@
 
 namespace canvoy::cia417 {
 
-/// 1029h:01h of devices that go on when they lose a node that they watch: a car with a dead door
-/// still has to tell where it is. By default CiA 301 takes them out of NMT state operational.
+/// 1029h:01h of devices that stay operational when they lose a node that they monitor: a car with a
+/// dead door still has to report its position. By default, CiA 301 takes such devices out of NMT
+/// state operational.
 inline constexpr std::uint8_t keeps_state = 1;
 
 namespace detail {
@@ -37,7 +39,7 @@ constexpr ObjectInfo with_subs(ObjectInfo object, Items<EntryInfo> subs) {
 
 }  // namespace detail
 
-/// A node-ID of 0 is a place that is free.
+/// A node-ID of 0 marks a free entry.
 template <std::uint16_t time_ms, std::uint8_t... nodes>
 inline constexpr ObjectInfo watched_nodes = detail::with_subs(
     cia301::consumer_heartbeat_object, detail::watched_node_entries<time_ms, nodes...>);

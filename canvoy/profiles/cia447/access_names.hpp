@@ -1,5 +1,5 @@
-// Who has a part of the terminal: eighteen names for each part, made of the part's name and what
-// they have in common.
+// Names for the access to a part of the terminal: eighteen for each part, made of the part's name
+// and common words.
 //
 //     inline constexpr AccessTexts texts = access_texts("Off", "On and access");
 //     inline constexpr auto values = access_values(texts);  // "On and access by ... device 16"
@@ -36,7 +36,7 @@ class JoinedText {
 inline constexpr unsigned add_on_device_max = 16;
 using AccessTexts = std::array<JoinedText, add_on_device_max + 2>;
 
-/// The names of a part that is not in use (`idle`), or that somebody has (`access`).
+/// Names for a part that is not in use (`idle`), or to which a device has access (`access`).
 constexpr AccessTexts access_texts(std::string_view idle, std::string_view access) {
   AccessTexts texts{};
   texts[0] = JoinedText(idle, "");
@@ -46,7 +46,7 @@ constexpr AccessTexts access_texts(std::string_view idle, std::string_view acces
   }
   return texts;
 }
-/// The codes of a status of 5 bits with these names, which have to live as long.
+/// Codes of a status of 5 bits with these names. The names have to live as long.
 constexpr auto access_values(const AccessTexts& texts) {
   std::string_view states[std::tuple_size_v<AccessTexts>];
   for (std::size_t i = 0; i < texts.size(); ++i) states[i] = texts[i].text();

@@ -1,23 +1,23 @@
-// The states of CiA 447-3 as application code writes them (states.hpp): those of add-on devices:
-// terminal, GPS, taximeter, printer, clock, tariff display, roof bar.
+// States of CiA 447-3 for application code (states.hpp), of add-on devices: terminal, GPS,
+// taximeter, printer, clock, tariff display, roof bar.
 #pragma once
 
 #include "canvoy/profiles/cia447/states.hpp"
 
 namespace canvoy::cia447 {
 
-// An enumeration reads as a row, its sentinels behind its states.
+// Each enumeration is a row, with its sentinels behind its states.
 // clang-format off
 
 // Terminal (4.2.9).
 
-/// Who has a part of the terminal.
+/// Holder of a part of the terminal.
 enum class TerminalAccess : std::uint8_t {
   none, off = none, vehicle, device_1, device_2, device_3, device_4, device_5, device_6, device_7,
   device_8, device_9, device_10, device_11, device_12, device_13, device_14, device_15, device_16,
   failure = 0x1E, not_available = 0x1F
 };
-/// Code 2 locks display 1 for ISO-TP; of others it is `not_implemented`.
+/// Code 2 locks display 1 for ISO-TP. In the other commands it is `not_implemented`.
 enum class AccessCommand : std::uint8_t {
   release, lock, lock_for_iso_tp, not_implemented = lock_for_iso_tp, do_not_care
 };
@@ -111,7 +111,7 @@ enum class TaximeterMode : std::uint8_t {
 };
 enum class PrinterState : std::uint8_t { ready, busy, standby, failure = 0xE, not_available = 0xF };
 enum class FontCommand : std::uint8_t { no_command, execute, not_implemented, do_not_care };
-/// The command and the status count in different ways (errata Z16).
+/// Command and status have different codes (errata Z16).
 enum class ColorSpaceCommand : std::uint8_t { no_command, rgb, cmyk, do_not_care };
 enum class ColorSpace : std::uint8_t { rgb, cmyk, failure, not_available };
 enum class PrinterMode : std::uint8_t {

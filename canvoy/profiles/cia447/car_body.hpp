@@ -1,6 +1,6 @@
-// CiA 447-3, clause 4.2.2: what the IVN gateway, which stands between the CANopen network and the
-// car's own networks, tells of the car's body and takes for it: locks, windows, doors, seats,
-// wipers, climate, occupants.
+// CiA 447-3, clause 4.2.2: what the IVN gateway, between the CANopen network and the car's own
+// networks, reports and accepts for the car's body: locks, windows, doors, seats, wipers, climate,
+// occupants.
 #pragma once
 
 #include "canvoy/profiles/cia447/values.hpp"
@@ -93,7 +93,7 @@ inline constexpr auto door_command_object =
     variable_object(0x600E, "Door command", "4.2.2.9", "Opens and closes doors.",
                     command(DataType::unsigned8, door_command_fields), {.errata = "C2"});
 
-// 4.2.2.10 and 4.2.2.11: flaps and roofs: 0 is closed (errata C2). The fields stand in the order of
+// 4.2.2.10 and 4.2.2.11: flaps and roofs: 0 is closed (errata C2). The fields are in the order of
 // the figures (errata C8).
 
 inline constexpr auto flap_states =
@@ -174,7 +174,7 @@ inline constexpr auto seat_back_states =
     status_values<2>("Seat back is moving forward", "Seat back is moving backward");
 inline constexpr auto headrest_states =
     status_values<2>("Headrest is moving up", "Headrest is moving down");
-/// Of five states, and two codes for "Failure": who sends it sends 06h (errata A9).
+/// States of five values, with two codes for "Failure": a sender uses 06h (errata A9).
 constexpr std::array<NamedValue, 8> memory_states(const std::string_view (&states)[5]) {
   return {NamedValue{0, states[0]},
           NamedValue{1, states[1]},
@@ -280,7 +280,7 @@ inline constexpr auto turn_indicator_reset_status_object = variable_object(
     "Whether the steering wheel has put a turn indicator back.",
     status(DataType::unsigned8, Mapping::by_default, turn_indicator_reset_status_fields));
 
-/// Raw values begin at -50 degrees.
+/// Raw values start at -50 degrees.
 inline constexpr Scale half_degrees = {.denominator = 2, .offset = -100};
 inline constexpr auto displayed_outside_air_temperature_object = variable_object(
     0x6020, "Displayed outside air temperature", "4.2.2.18",
@@ -368,7 +368,7 @@ inline constexpr auto vin_data_object =
                     "Vehicle identification number; 17 bytes of 00h where it is not known.",
                     status_text(17, true), {.errata = "A14"});
 
-// Code 6 is reserved between others (errata C13).
+// Code 6 is reserved, between others (errata C13).
 inline constexpr auto language_commands =
     command_values<5>("German", "English", "French", "Italian", "Spanish", "Japanese", "Reserved",
                       "Dutch", "Danish", "Swedish", "Turkish", "Portuguese", "Russian");

@@ -1,4 +1,4 @@
-// CiA 447-3: what application code uses of the IVN gateway: the car itself (4.2.2 to 4.2.4).
+// CiA 447-3: handles for application code, of the IVN gateway: the car itself (4.2.2 to 4.2.4).
 //
 //     Values car(node.dictionary());
 //     if (car[cia447::door_status_driver].is(cia447::Opening::open)) ...
@@ -12,7 +12,7 @@
 #include "canvoy/profiles/cia447/light.hpp"
 #include "canvoy/profiles/cia447/power_train.hpp"
 #include "canvoy/profiles/cia447/states.hpp"
-#include "canvoy/profiles/handle.hpp"
+#include "canvoy/profiles/model/handle.hpp"
 
 namespace canvoy::cia447 {
 

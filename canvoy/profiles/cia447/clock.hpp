@@ -5,11 +5,11 @@
 
 namespace canvoy::cia447 {
 
-// 4.2.14.1 and 4.2.14.2. The figure gives the day 4 bits and the month 8; taken is the day in bits
-// 27 to 20 and the month in bits 19 to 16, as the order of names and tables has it. The other
+// 4.2.14.1 and 4.2.14.2. The figure gives the day 4 bits and the month 8. This description has the
+// day in bits 27 to 20 and the month in bits 19 to 16, in the order of names and tables. The other
 // reading, month in bits 27 to 24 and day in bits 23 to 16, is selectable (Profile::readings).
 
-/// Numbers from 1 to `high` in a status; 0 has a meaning of its own.
+/// Numbers from 1 to `high` in a status; 0 has a separate meaning.
 template <unsigned bits, std::int64_t high>
 constexpr auto date_names() {
   constexpr bool has_gap = high < all_ones(bits) - 2;
@@ -20,7 +20,7 @@ constexpr auto date_names() {
   if constexpr (has_gap) names[3] = reserved_codes(high + 1, all_ones(bits) - 2);
   return names;
 }
-/// The same in a command; its second highest code is reserved (errata Z35).
+/// Numbers from 1 to `high` in a command. Its second highest code is reserved (errata Z35).
 template <unsigned bits, std::int64_t high>
 inline constexpr NamedValue set_date_names[] = {command_sentinels<bits>.highest,
                                                 {0, "Reset the date"},
@@ -68,7 +68,8 @@ inline constexpr auto set_rtc_date_object = set_rtc_date_with(set_rtc_date_field
 inline constexpr auto set_rtc_date_month_above_object =
     set_rtc_date_with(set_rtc_date_month_above_fields);
 
-// 4.2.14.3 and 4.2.14.4. Seconds begin with 0, else no full minute could be told (errata Z07).
+// 4.2.14.3 and 4.2.14.4. Seconds start at 0: otherwise, a full minute could not be expressed
+// (errata Z07).
 
 inline constexpr Scale hundredths = {.denominator = 100};
 inline constexpr auto rtc_time_fields =
@@ -79,7 +80,7 @@ inline constexpr auto rtc_time_object =
     variable_object(0x60F2, "RTC time", "4.2.14.3", "The time of the clock.",
                     status(DataType::unsigned32, Mapping::no, rtc_time_fields), {.errata = "Z07"});
 
-/// Of a command that has one sentinel only (errata Z35).
+/// Numbers in a command that has only one sentinel (errata Z35).
 template <unsigned bits, std::int64_t high>
 inline constexpr NamedValue set_time_names[] = {command_sentinels<bits>.highest,
                                                 reserved_codes(high + 1, all_ones(bits) - 1)};
@@ -96,7 +97,7 @@ inline constexpr auto set_rtc_time_object =
     variable_object(0x60F3, "Set RTC time", "4.2.14.4", "Sets the time of the clock.",
                     command(DataType::unsigned32, set_rtc_time_fields), {.errata = "Z07, Z35"});
 
-// 4.2.14.5 and 4.2.14.6: where the time comes from.
+// 4.2.14.5 and 4.2.14.6: source of the time.
 
 inline constexpr auto rtc_sources =
     status_values<4>("Unknown", "GPS", "Time normal", "Battery buffered RTC (taximeter intern)");
@@ -119,7 +120,7 @@ inline constexpr auto rtc_type_and_status_object = variable_object(
     0x60F4, "RTC type and status", "4.2.14.5", "How far the clock can be trusted.",
     status(DataType::unsigned32, Mapping::no, rtc_type_and_status_fields), {.errata = "Z14"});
 
-/// Six characters; in UTF-8, one takes up to four bytes.
+/// Six characters. In UTF-8, a character has up to four bytes.
 inline constexpr std::uint16_t time_zone_capacity = 24;
 inline constexpr auto rtc_time_zone_object =
     variable_object(0x60F5, "RTC time zone", "4.2.14.6", "Time zone, in six characters.",
@@ -143,13 +144,13 @@ inline constexpr auto driver_id_status_fields = side_by_side(
 inline constexpr auto driver_id_status_object =
     variable_object(0x60FA, "Driver ID status", "4.2.15.2", "Whether a driver is logged in.",
                     status(DataType::unsigned8, Mapping::by_default, driver_id_status_fields));
-/// Six characters are printed, copied from 60F5h: names are longer (errata Z17). The capacity is
+/// Six characters are printed, copied from 60F5h; names are longer (errata Z17). The capacity is
 /// our choice.
 inline constexpr std::uint16_t driver_name_capacity = 64;
 inline constexpr auto drivers_name_object =
     variable_object(0x60FB, "Drivers name", "4.2.15.3", "Who the driver is.",
                     status_text(driver_name_capacity), {.errata = "Z17"});
-/// Since 1970-01-01; of which time zone is not said (errata Z42).
+/// Seconds since 1970-01-01; the time zone is not specified (errata Z42).
 constexpr EntryInfo login_time(unsigned sub, std::string_view name) {
   return at(sub, name, status(DataType::unsigned32, Mapping::no, measured<32>(Unit::second)));
 }

@@ -1,6 +1,6 @@
-// Devices of CiA 447-3, put together from virtual devices: all objects of those, and what they
-// consume of others. Part 2, which says what may be left out, is not at hand: who wants less names
-// the objects (canvoy/profiles/virtual_device.hpp).
+// Devices of CiA 447-3, composed of virtual devices: all objects that these provide, and those that
+// they consume. Part 2, which defines the optional objects, is not at hand. For a device with fewer
+// objects, name the objects (canvoy/profiles/model/virtual_device.hpp).
 //
 //     constexpr auto my_taximeter = describe(
 //         cia447::device_with(cia447::taximeter_device, cia447::printer_device),
@@ -8,19 +8,20 @@
 //                          cia447::wheel_pulse_counter_object),
 //         cia301::identity({.vendor_id = 0x123}), cia301::heartbeat_producer(1000));
 //
-// They have the pre-defined PDOs of their objects. The CAN-IDs of these are not known: the PDOs are
-// not valid before somebody sets them.
+// The devices have the pre-defined PDOs of their objects. The CAN-IDs of these are not known: a PDO
+// is invalid until its COB-ID is set.
 #pragma once
 
 #include <algorithm>
 
 #include "canvoy/profiles/cia301.hpp"
+#include "canvoy/profiles/cia301/predefined_pdo.hpp"
 #include "canvoy/profiles/cia447.hpp"
-#include "canvoy/profiles/predefined_pdo.hpp"
 
 namespace canvoy::cia447 {
 
-/// Whether part 3 lets PDOs have all that this one maps: not so with lamps 9 to 16 (errata Z40).
+/// True if part 3 lets PDOs carry all entries that this one maps: not with lamps 9 to 16 (errata
+/// Z40).
 constexpr bool can_be_mapped(const PdoInfo& pdo) {
   for (const std::uint32_t raw : pdo.mapping) {
     const MappingValue mapped(raw);
@@ -29,7 +30,7 @@ constexpr bool can_be_mapped(const PdoInfo& pdo) {
   }
   return true;
 }
-/// Adds the PDOs of which all objects are there.
+/// Adds the PDOs of which all objects exist.
 template <PdoInfo::Direction direction, std::size_t capacity>
 constexpr void add_pdos(DeviceDescription<capacity>& parts) {
   constexpr auto is_possible = [](const PdoInfo& pdo) {
@@ -66,8 +67,8 @@ constexpr auto device_with(const Device&... devices) {
   return parts;
 }
 
-/// Objects of other devices, as those have them who consume them: rw; with the RPDOs of which all
-/// objects are among them.
+/// Objects of other devices, as their consumers have them: rw; with the RPDOs of which all objects
+/// are among them.
 template <class... Object>
 constexpr auto consumed(const Object&... of_others) {
   DeviceDescription<sizeof...(Object) + pdos.size()> parts;

@@ -1,4 +1,4 @@
-// CiA 447-3: devices put together from virtual devices, and what application code does with them.
+// CiA 447-3: devices composed of virtual devices, and their use by application code.
 #include "canvoy/profiles/cia447/device.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include "canvoy/profiles/cia447/roof_bar_handles.hpp"
 #include "canvoy/profiles/cia447/taxi_handles.hpp"
 #include "canvoy/profiles/cia447/terminal_handles.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
 namespace canvoy::device_test {

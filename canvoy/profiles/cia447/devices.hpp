@@ -1,7 +1,8 @@
-// The virtual devices of CiA 447-3, each with the objects that it provides: those of its clause.
+// The virtual devices of CiA 447-3, each with the objects that it provides, namely those of its
+// clause.
 //
-// Their codes are in CiA 447-2, which is not at hand: they are 0 here. Part 2 says too which
-// objects a virtual device has to have, and which ones of others it consumes.
+// Their codes are in CiA 447-2, which is not at hand: here they are 0. Part 2 also defines which
+// objects a virtual device must have, and which it consumes.
 #pragma once
 
 #include "canvoy/profiles/cia447/car_body.hpp"
@@ -16,7 +17,7 @@
 #include "canvoy/profiles/cia447/taximeter.hpp"
 #include "canvoy/profiles/cia447/terminal.hpp"
 #include "canvoy/profiles/cia447/vehicle_systems.hpp"
-#include "canvoy/profiles/rows.hpp"
+#include "canvoy/profiles/model/rows.hpp"
 
 namespace canvoy::cia447 {
 
@@ -144,7 +145,7 @@ inline constexpr auto objects = joined(
     tariff_display_list, taxi_alarm_system_list, radio_list, audio_switch_list, roof_bar_light_list,
     roof_bar_sound_list, blue_light_flasher_module_list, radio_hand_free_conversation_list);
 
-/// What the device with these objects provides, for as long as the program lives.
+/// Objects that the device provides; they live as long as the program.
 template <const auto& objects_of_it>
 inline constexpr auto provided_objects = provided(objects_of_it);
 template <const auto& objects_of_it>

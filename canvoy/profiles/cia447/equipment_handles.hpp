@@ -1,5 +1,5 @@
-// CiA 447-3: what application code uses of printer, clock and driver identification (4.2.13
-// to 4.2.15).
+// CiA 447-3: handles for application code, of printer, clock and driver identification (4.2.13 to
+// 4.2.15).
 //
 //     Values printer(node.dictionary());
 //     printer[cia447::printer_mode_command] = cia447::PrinterMode::text;
@@ -8,7 +8,7 @@
 #include "canvoy/profiles/cia447/add_on_states.hpp"
 #include "canvoy/profiles/cia447/clock.hpp"
 #include "canvoy/profiles/cia447/printer.hpp"
-#include "canvoy/profiles/handle.hpp"
+#include "canvoy/profiles/model/handle.hpp"
 
 namespace canvoy::cia447 {
 

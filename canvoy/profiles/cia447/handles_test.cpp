@@ -20,7 +20,7 @@
 namespace canvoy::cia447_handles_test {
 namespace {
 
-/// Index, sub-index, lowest bit: how many handles point there.
+/// Index, sub-index, lowest bit: number of handles that refer to them.
 using Places = std::map<std::tuple<unsigned, unsigned, unsigned>, unsigned>;
 
 /// The two highest codes of an enumeration, where it has them, are those of its field.
@@ -49,14 +49,14 @@ struct States {
   std::string enumeration;
   std::map<std::int64_t, std::string> enumerators;
 };
-/// `canvoy::cia447::Opening::closed`; of a code without an enumerator it is a cast.
+/// `canvoy::cia447::Opening::closed`; a cast for a code without an enumerator.
 template <auto state>
 std::string_view spelling() {
   std::string_view text = __PRETTY_FUNCTION__;
   text.remove_prefix(text.find("state = ") + 8);
   return text.substr(0, text.find_first_of(";]"));
 }
-/// Those of the codes from `first` on.
+/// Names of the codes from `first` on.
 template <class Enumeration, int first, int... code>
 void add_states(States& states, std::integer_sequence<int, code...> /*codes*/) {
   const auto add = [&states](int number, std::string_view text) {
@@ -414,7 +414,7 @@ Places all_places() {
   return places;
 }
 
-/// Entries of one shape, of which handles point to the first.
+/// Entries of one shape, where handles refer to the first.
 bool is_like_the_one_before(const ObjectInfo& object, const EntryInfo& entry) {
   if (entry.fields.empty() || entry.sub_first < 2) return false;
   return object.subs[entry.sub_first - 1U].fields.begin() == entry.fields.begin();

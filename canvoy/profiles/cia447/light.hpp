@@ -1,12 +1,12 @@
-// CiA 447-3, clause 4.2.3: what the IVN gateway tells of the car's lights and signals and takes for
-// them.
+// CiA 447-3, clause 4.2.3: what the IVN gateway reports and accepts for the car's lights and
+// signals.
 #pragma once
 
 #include "canvoy/profiles/cia447/values.hpp"
 
 namespace canvoy::cia447 {
 
-// 4.2.3.1 and 4.2.3.2. The figure of the fields is lost; they stand in the order of the table, from
+// 4.2.3.1 and 4.2.3.2. The figure of the fields is lost. They are in the order of the table, from
 // bit 0 upward, as nearly everywhere (errata B1).
 
 constexpr auto car_lights(Items<NamedValue> values) {
@@ -35,7 +35,7 @@ inline constexpr auto car_light_command_object =
     variable_object(0x6044, "Car light command", "4.2.3.2", "Switches lights outside.",
                     command(DataType::unsigned32, car_light_command_fields), {.errata = "B1, C12"});
 
-// 4.2.3.3 and 4.2.3.4: light inside.
+// 4.2.3.3 and 4.2.3.4: interior light.
 
 constexpr auto interior_lights(Items<NamedValue> interior, Items<NamedValue> others) {
   return side_by_side(field(3, "ii", "interior illumination", interior),
@@ -61,7 +61,7 @@ inline constexpr auto car_interior_light_command_object =
     variable_object(0x6046, "Car interior light command", "4.2.3.4", "Switches lights inside.",
                     command(DataType::unsigned16, car_interior_light_command_fields));
 
-// 4.2.3.5 and 4.2.3.6. Code 1 says another thing as status and as command (errata C4).
+// 4.2.3.5 and 4.2.3.6. Code 1 has different meanings in status and command (errata C4).
 
 inline constexpr auto anti_theft_states =
     status_values<3>("Disabled", "Pre-active", "Active", "Triggered");

@@ -1,5 +1,5 @@
 // CiA 447: virtual devices, pre-defined PDOs and CAN-IDs, typed from the clauses of part 3 and from
-// what public implementations agree upon.
+// facts upon which public implementations agree.
 #include "canvoy/profiles/cia447/network.hpp"
 
 #include <gtest/gtest.h>
@@ -160,7 +160,7 @@ TEST(Cia447Pdos, AreTheSameInBothDirections) {
   }
 }
 
-/// Entries that part 3 maps by default, and that no pre-defined PDO has; and the other way round.
+/// Entries that part 3 maps by default and no pre-defined PDO has, and vice versa.
 TEST(Cia447Pdos, CarryWhatPart3MapsByDefault) {
   std::set<std::uint32_t> mapped;
   for (const Pdo& pdo : pdos) {

@@ -4,11 +4,11 @@
 //     State<Order, lights_object, entry_with<lights_object, "alb5">, "alb5"> beacon_5;
 #pragma once
 
-#include "canvoy/profiles/handle.hpp"
+#include "canvoy/profiles/model/handle.hpp"
 
 namespace canvoy::cia447 {
 
-/// A printed name with its number, of one digit or two.
+/// A printed name with its number of one or two digits.
 template <Name prefix, unsigned number>
   requires(number < 100)
 inline constexpr auto numbered_name = [] {
@@ -21,7 +21,7 @@ inline constexpr auto numbered_name = [] {
   return Name(text);
 }();
 
-/// Which of the entries of an object has a field of this name.
+/// Index of the entry of an object that has a field of this name.
 template <const ObjectInfo& object, Name field>
 consteval std::size_t position_with() {
   for (std::size_t i = 0; i < object.subs.size(); ++i) {
@@ -32,7 +32,7 @@ consteval std::size_t position_with() {
   canvoy::detail::description_is_wrong("the object has no field of this name");
   return 0;
 }
-/// The name of the entry that has it.
+/// Name of the entry that has the field.
 template <const ObjectInfo& object, Name field>
 inline constexpr auto entry_with = [] {
   constexpr std::string_view name = object.subs[position_with<object, field>()].name;

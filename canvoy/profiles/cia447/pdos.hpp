@@ -1,17 +1,16 @@
-// The pre-defined PDOs of CiA 447-4: the same mapping as TPDO of the virtual device that provides
-// the objects and as RPDO of those that consume them.
+// The pre-defined PDOs of CiA 447-4: the same mapping is the TPDO of the virtual device that
+// provides the objects and the RPDO of the devices that consume them.
 //
-// Part 4 is not at hand: numbers and mappings are from a public data base; CAN-IDs within the
-// node's range (pdo_base in network.hpp) are not known, so the PDOs are not valid before they are
-// set.
+// Part 4 is not at hand: numbers and mappings are from a public database. CAN-IDs within the node's
+// range (pdo_base in network.hpp) are not known: the PDOs are invalid until they are set.
 #pragma once
 
 #include "canvoy/profiles/cia447/devices.hpp"
-#include "canvoy/profiles/mapping_value.hpp"
+#include "canvoy/profiles/model/mapping_value.hpp"
 
 namespace canvoy::cia447 {
 
-/// An entry as a mapping parameter has it.
+/// An entry as a mapping parameter holds it.
 constexpr std::uint32_t mapped(const ObjectInfo& object, unsigned sub = 0) {
   return static_cast<std::uint32_t>(mapping_entry(1, object, sub).initial.number);
 }
@@ -58,14 +57,14 @@ inline constexpr auto pdo_74_mapping =
 inline constexpr auto pdo_75_mapping = mapping_of(mapped(light_status_roof_bar_object, 5));
 inline constexpr auto pdo_76_mapping =
     mapping_of(mapped(sound_status_roof_bar_object, 1), mapped(sound_status_roof_bar_object, 2));
-// Part 3 does not let a PDO map 6102h (errata Z40); the data base has it here.
+// Part 3 does not let a PDO map 6102h (errata Z40); the database has it here.
 inline constexpr auto pdo_77_mapping = mapping_of(mapped(tariff_display_lamp_failures_1_object),
                                                   mapped(tariff_display_lamp_failures_2_object));
 inline constexpr auto pdo_78_mapping = mapping_of(mapped(tariff_display_inputs_status_object));
 inline constexpr auto pdo_79_mapping = mapping_of(mapped(discrete_inputs_status_object));
 inline constexpr auto pdo_80_mapping = mapping_of(mapped(taximeter_status_object));
-// The data base has 609Bh sub-index 00h in the last place, a constant that no PDO may map; meant is
-// the status beside it, which part 3 maps by default.
+// The database has 609Bh sub-index 00h in the last place, a constant that no PDO may map. This
+// description has the status beside it, which part 3 maps by default.
 inline constexpr auto pdo_81_mapping =
     mapping_of(mapped(number_pad_status_object), mapped(number_pad_user_interaction_object),
                mapped(function_keys_status_object), mapped(function_keys_user_interaction_object),
@@ -80,7 +79,7 @@ inline constexpr auto pdo_83_mapping =
 inline constexpr auto pdo_84_mapping = mapping_of(mapped(radio_power_supply_status_object),
                                                   mapped(periphery_power_supply_status_object));
 
-/// Engine, wheel speed and wheel pulses are told each 100 ms (4.2.4.1, 4.2.4.4, 4.2.4.6).
+/// Engine, wheel speed and wheel pulses are sent every 100 ms (4.2.4.1, 4.2.4.4, 4.2.4.6).
 inline constexpr unsigned wheel_pdo_number = 17;
 inline constexpr std::uint16_t wheel_pdo_period = 100;
 

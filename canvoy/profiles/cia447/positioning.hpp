@@ -5,8 +5,8 @@
 
 namespace canvoy::cia447 {
 
-// Latitude and longitude: degrees north and east from 0 upward, then those south and west, which
-// begin again at 0 where the others end. It is neither a two's complement nor a modulo of the
+// Latitude and longitude: degrees north and east from 0 upward, then degrees south and west, which
+// start again at 0 where the former end. This is neither a two's complement nor a modulo of the
 // circle (errata Z36).
 
 inline constexpr std::int64_t steps_per_degree = 10'000'000;
@@ -26,7 +26,7 @@ inline constexpr Piece longitude_pieces[] = {
     {.first = 0, .last = half, .scale = upward(), .name = "east"},
     {.first = half + 1, .last = full_circle, .scale = downward_from(half), .name = "west"}};
 
-// Only the highest code of a wanted coordinate is a sentinel (errata Z35).
+// Only the highest code of a requested coordinate is a sentinel (errata Z35).
 inline constexpr NamedValue wanted_latitude_names[] = {command_sentinels<32>.highest,
                                                        reserved_codes(half + 1, 0xFFFF'FFFE)};
 inline constexpr NamedValue wanted_longitude_names[] = {
@@ -67,7 +67,7 @@ inline constexpr auto gps_satellites_object =
     variable_object(0x60B1, "GPS satellites", "4.2.10.2", "How many satellites there are.",
                     status(DataType::unsigned8, Mapping::no, gps_satellites_fields));
 
-// Neither unit nor resolution of the dilutions is printed: whole steps (errata Z27).
+// Neither unit nor resolution of the dilutions is printed: they are whole steps (errata Z27).
 inline constexpr auto gps_fixes = status_values<4>("No fix", "2D fix", "3D fix");
 inline constexpr auto gps_status_fields =
     side_by_side(field(8, "GPS vdop", "vertical dilution of precision", measured<8, 0x50>()),
@@ -119,7 +119,7 @@ inline constexpr auto gps_velocity_and_heading_object =
     array_object(0x60B5, "GPS velocity and heading", "4.2.10.6", "How fast, and where to.",
                  gps_velocity_and_heading_entries, {.errata = "Z20"});
 
-/// From -1000 m. Printed is an end at 2599 m, probably a slip (errata Z26): higher codes are not
+/// From -1000 m. The printed end of 2599 m is probably a slip (errata Z26): higher codes are not
 /// refused, and are read in the same way.
 inline constexpr ValueInfo altitude = {.unit = Unit::metre,
                                        .scale = {.offset = -1000},
@@ -152,7 +152,7 @@ inline constexpr auto position_description_request_object = array_object(
     0x60C1, "Position description request", "4.2.11.2", "The position that 60C2h is to describe.",
     position_description_request_entries, {.errata = "Z35, Z36"});
 
-/// Names of cities, streets and countries: part 1 may limit them, this one is our choice.
+/// Names of cities, streets and countries. Part 1 may limit them; this capacity is our choice.
 inline constexpr std::uint16_t place_name_capacity = 64;
 inline constexpr EntryInfo place_entries[] = {
     highest_sub_index(2, 3), at(1, "City", status_text(place_name_capacity)),
@@ -178,7 +178,7 @@ inline constexpr auto start_route_guidance_object = structured_object(
     "Leads from here to a position: 00h or 01h written to sub-index 03h starts it.",
     start_route_guidance_entries, {.errata = "Z31, Z34, Z35, Z36"});
 
-// 0 asks, 1 does not care (errata Z38).
+// 0 requests, 1 has no preference (errata Z38).
 inline constexpr NamedValue position_requests[] = {
     {0, "Read current position country, city and street"},
     {1, "Don't care, take no action", Meaning::do_not_care}};

@@ -1,12 +1,12 @@
-// CiA 447-3, clause 4.2.4: what the IVN gateway tells of engine, gear, wheels and fuel, and takes
-// for cruise control and four-wheel drive.
+// CiA 447-3, clause 4.2.4: what the IVN gateway reports of engine, gear, wheels and fuel, and
+// accepts for cruise control and four-wheel drive.
 #pragma once
 
 #include "canvoy/profiles/cia447/values.hpp"
 
 namespace canvoy::cia447 {
 
-// 4.2.4.1 to 4.2.4.3: engine and gear. Revolutions, wheel rpm and wheel pulses are sent each 100
+// 4.2.4.1 to 4.2.4.3: engine and gear. Revolutions, wheel rpm and wheel pulses are sent every 100
 // ms.
 
 inline constexpr auto terminal_states =
@@ -64,7 +64,7 @@ inline constexpr auto wheel_signal_source_object = variable_object(
     status(DataType::unsigned8, Mapping::no, ValueInfo{.names = wheel_signal_sources}),
     {.errata = "D8"});
 
-/// All of 16 bits are legal counts (errata C5): whether they are true is said beside them.
+/// All values of 16 bits are legal counts (errata C5). Another entry says whether they are valid.
 inline constexpr ValueInfo pulses = {.limits = within(0, 0xFFFF)};
 inline constexpr auto wheel_pulse_counter_fields =
     side_by_side(field(16, "wheel pulse counter", "pulses; where it overruns is in 6056h", pulses),

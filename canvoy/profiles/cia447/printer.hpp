@@ -5,7 +5,7 @@
 
 namespace canvoy::cia447 {
 
-// 4.2.13.1 to 4.2.13.3: what it does, and what it can do.
+// 4.2.13.1 to 4.2.13.3: state and capabilities.
 
 inline constexpr auto printer_states = status_values<4>("Ready", "Busy", "Standby mode");
 inline constexpr auto buffer_states = status_values<2>("Buffer is not empty", "Buffer is empty");
@@ -52,8 +52,8 @@ inline constexpr auto printer_features_object = variable_object(
     0x60E2, "Printer features", "4.2.13.3", "What the printer can do.",
     status(DataType::unsigned32, Mapping::no, printer_features_fields), {.errata = "Z44"});
 
-// 4.2.13.4 and 4.2.13.5. "Unsigned8" and "Unsigned16" are printed as the ranges, but the two
-// highest codes are sentinels (errata Z29).
+// 4.2.13.4 and 4.2.13.5. The printed ranges are "Unsigned8" and "Unsigned16", but the two highest
+// codes are sentinels (errata Z29).
 
 constexpr EntryInfo text_measure(unsigned sub, std::string_view name, Unit unit = Unit::none,
                                  Category category = Category::optional) {
@@ -135,7 +135,7 @@ inline constexpr auto printer_configuration_status_object = variable_object(
     status(DataType::unsigned32, Mapping::no, printer_configuration_status_fields),
     {.errata = "Z15, Z16, Z44"});
 
-// 4.2.13.8 to 4.2.13.10: what is sent to be printed.
+// 4.2.13.8 to 4.2.13.10: contents to print.
 
 inline constexpr auto printer_mode_commands =
     command_values<8>("Print Text", "Print graphics black with ESC", "Print graphics gray with ESC",
@@ -156,15 +156,15 @@ inline constexpr auto printer_transport_object = variable_object(
     "What to print, as 60EAh says: UTF-8 text, dots (1 bit, 1, 3 or 4 bytes each), or logos.",
     {.type = DataType::domain, .access = Access::rw}, {.errata = "Z23, Z44"});
 
-/// Bytes in the transport that do something: as they are in text and logo mode, after `escape` in
-/// the graphics modes, where the escape itself is sent twice (errata Z23).
+/// Control bytes in the transport. In text and logo mode they are sent as they are; in the graphics
+/// modes they follow `escape`, and the escape itself is sent twice (errata Z23).
 enum class PrinterControl : std::uint8_t {
   cut_paper = 0x04,
   new_line = 0x0A,
   carriage_return = 0x0D,
   escape = 0x1B,
 };
-/// The byte that prints logo 1 in logo mode; the next ones print logos 2 to 20.
+/// The byte that prints logo 1 in logo mode. The next bytes print logos 2 to 20.
 inline constexpr std::uint8_t first_logo = 0x20;
 inline constexpr unsigned logo_count = 20;
 

@@ -1,7 +1,7 @@
-// What CiA 447-3 says of the bytes that a printer is given (Table 381).
+// Provisions of CiA 447-3 for the bytes sent to a printer (Table 381).
 #pragma once
 
-#include "canvoy/profiles/provisions.hpp"
+#include "canvoy/profiles/model/provisions.hpp"
 
 namespace canvoy::cia447 {
 
@@ -22,7 +22,7 @@ inline constexpr CodingProvision printer_codings[] = {
     printed(5, "Logo mode", "1 byte a logo: 20h is logo 1, 33h logo 20"),
 };
 
-/// Of modes with ESC a command is two bytes, the first 1Bh; of text and logos one.
+/// In modes with ESC, a command has two bytes, the first 1Bh; in text and logo modes it has one.
 constexpr CommandProvision escaped(std::uint8_t byte, std::string_view command) {
   constexpr std::uint16_t escape = 0x1B00;
   return {printer_transport_index,

@@ -44,7 +44,8 @@ inline constexpr auto radio_device_status_object = variable_object(
     0x6117, "Radio device status", "4.2.18.3", "Whether the radio is on and transmits.",
     status(DataType::unsigned8, Mapping::by_default, radio_device_status_fields));
 
-// 4.2.19: audio switch. A channel is the physical device with its number as the node-ID.
+// 4.2.19: audio switch. A channel is the physical device that has the channel's number as its
+// node-ID.
 
 inline constexpr NamedValue input_channel_names[] = {command_sentinels<8>.second_highest,
                                                      command_sentinels<8>.highest,
@@ -70,7 +71,7 @@ inline constexpr auto audio_switch_command_object = variable_object(
     0x6120, "Audio switch command", "4.2.19.1", "Connects an audio input with an audio output.",
     command(DataType::unsigned24, audio_switch_command_fields), {.errata = "Z04"});
 
-// The second highest code of a request is reserved as those below it (errata Z35).
+// The second highest code of a request is reserved, like those below it (errata Z35).
 inline constexpr NamedValue requested_input_names[] = {
     command_sentinels<8>.highest, {0x00, "All input channels"}, reserved_codes(0x11, 0xFE)};
 inline constexpr NamedValue requested_output_names[] = {

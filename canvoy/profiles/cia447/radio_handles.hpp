@@ -1,5 +1,5 @@
-// CiA 447-3: what application code uses of tariff display, taxi alarm, radio and audio switch, and
-// of the hand-free conversation (4.2.16 to 4.2.19, 4.2.23).
+// CiA 447-3: handles for application code, of tariff display, taxi alarm, radio, audio switch and
+// hand-free conversation (4.2.16 to 4.2.19, 4.2.23).
 //
 //     Values display(node.dictionary());
 //     display[cia447::tariff_display_lamp_command<9>] = cia447::Lamp::blinking;
@@ -9,7 +9,7 @@
 #include "canvoy/profiles/cia447/numbered_handles.hpp"
 #include "canvoy/profiles/cia447/radio.hpp"
 #include "canvoy/profiles/cia447/tariff_display.hpp"
-#include "canvoy/profiles/handle.hpp"
+#include "canvoy/profiles/model/handle.hpp"
 
 namespace canvoy::cia447 {
 
@@ -107,7 +107,7 @@ inline constexpr State<Order, radio_hand_free_command_object, "", "indication LE
 inline constexpr State<Order, radio_hand_free_command_object, "", "audio mute">
     radio_hand_free_command_audio_mute;
 
-// Lamps 4 to 16 and the inputs have numbers.
+// Lamps 4 to 16 and the inputs are numbered.
 
 template <unsigned lamp>
   requires(lamp >= 4 && lamp <= 16)

@@ -8,7 +8,7 @@ namespace canvoy::cia447 {
 
 // 4.2.20: light. Five entries of sixteen lights; command and status have the same lights.
 
-/// How the lights of a kind are numbered: sub-index 02h goes on where sub-index 01h ends.
+/// How the lights of a kind are numbered: sub-index 02h continues where sub-index 01h ends.
 constexpr auto beacons_and_flashers(Items<NamedValue> values, unsigned group) {
   return side_by_side(numbered<2>(2, "mlb#", "main light beacon", values, 2 * group + 1),
                       numbered<4>(2, "alb#", "additional light beacon", values, 4 * group + 1),
@@ -114,14 +114,14 @@ inline constexpr auto light_status_roof_bar_object = array_object(
     0x6131, "Light status roof bar", "4.2.20.2", "Which lights of the roof bar are on.",
     light_status_roof_bar_entries, {.errata = "Z19, Z35, Z45"});
 
-// 4.2.21: sound. Printed as manufacturer-specific from 4Fh; 40h to 4Eh would belong to nobody, and
-// are read as part of them (errata Z08).
+// 4.2.21: sound. Codes from 4Fh are printed as manufacturer-specific. 40h to 4Eh would be
+// undefined, and are read as part of them (errata Z08).
 
 inline constexpr std::int64_t first_manufacturer_sound = 0x40;
 constexpr NamedValue manufacturer_sounds(std::int64_t last, std::string_view name) {
   return {first_manufacturer_sound, last, name, Meaning::manufacturer};
 }
-/// Sounds from 0 upward, reserved ones, those of the manufacturer, and what is above.
+/// Sounds from 0 upward, reserved codes, those of the manufacturer, and the codes above.
 template <std::size_t count, std::size_t above>
 constexpr auto sounds(const std::string_view (&names)[count], const NamedValue (&rest)[above]) {
   std::array<NamedValue, count + 1 + above> values{};
@@ -130,7 +130,7 @@ constexpr auto sounds(const std::string_view (&names)[count], const NamedValue (
   for (std::size_t i = 0; i < above; ++i) values[count + 1 + i] = rest[i];
   return values;
 }
-/// Country-specific sounds, of which the first one, silence, is told in two ways.
+/// Country-specific sounds. The first one, silence, has two codes.
 template <std::size_t above>
 constexpr auto country_sounds(std::string_view silence, const NamedValue (&rest)[above]) {
   return sounds({silence,
@@ -191,7 +191,7 @@ inline constexpr auto additional_sound_states = additional_sounds(
     "No sound", {manufacturer_sounds(0xFD, additional_sounds_name),
                  status_sentinels<8>.second_highest, status_sentinels<8>.highest});
 
-/// Steps 1 to 62 from raw 0 upward; the command reserves the last one (errata Z09).
+/// Steps 1 to 62 from raw 0 upward. The command reserves the last one (errata Z09).
 inline constexpr ValueInfo volume_command = wanted<6, 0x3C>(Unit::none, {.offset = 1});
 inline constexpr ValueInfo volume_status = measured<6, 0x3D>(Unit::none, {.offset = 1});
 
@@ -235,7 +235,7 @@ inline constexpr auto sound_command_roof_bar_object =
     array_object(0x613A, "Sound command roof bar", "4.2.21.3", "Sounds the roof bar.",
                  sound_command_roof_bar_entries, {.errata = "Z08, Z09, Z28"});
 
-// 02h and 03h of swds are printed as those of a command (errata Z10).
+// 02h and 03h of swds are printed like those of a command (errata Z10).
 inline constexpr auto speed_states = status_values<2>("The sound is playing with normal speed",
                                                       "The sound is playing with double speed");
 inline constexpr auto city_states =

@@ -1,5 +1,5 @@
-// CiA 447-3: what application code uses of roof bar and "blue" light flashers (4.2.20 to 4.2.22).
-// The lights of the roof bar have their printed names.
+// CiA 447-3: handles for application code, of roof bar and "blue" light flashers (4.2.20 to
+// 4.2.22). The lights of the roof bar have their printed names.
 //
 //     Values roof_bar(node.dictionary());
 //     roof_bar[cia447::roof_bar_light_command<"mlb1">] = cia447::Order::on;
@@ -9,7 +9,7 @@
 #include "canvoy/profiles/cia447/add_on_states.hpp"
 #include "canvoy/profiles/cia447/numbered_handles.hpp"
 #include "canvoy/profiles/cia447/roof_bar.hpp"
-#include "canvoy/profiles/handle.hpp"
+#include "canvoy/profiles/model/handle.hpp"
 
 namespace canvoy::cia447 {
 

@@ -1,5 +1,5 @@
-// CiA 447-3: what holds of all of its objects, codes and fields, and its other readings. What each
-// of them is stands in canvoy/profiles/clauses/447-3.txt.
+// CiA 447-3: rules for all of its objects, codes and fields, and its other readings.
+// canvoy/profiles/clauses/447-3.txt describes each of them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "canvoy/profiles/cia447.hpp"
-#include "canvoy/profiles/number_rules.hpp"
+#include "canvoy/profiles/model/number_rules.hpp"
 #include "canvoy/profiles/registry.hpp"
 
 namespace canvoy::cia447_rules_test {
@@ -49,7 +49,7 @@ TEST(Cia447Numbers, DatesBeginWithTheFirst) {
   }
 }
 
-/// Each value of the profile that is coded in bits: a whole entry, or a field but reserved bits.
+/// Each value of the profile that is coded in bits: a whole entry, or a field that is not reserved.
 template <class Visit>
 void for_each_value(Visit visit) {
   for (const ObjectInfo* object : cia447::profile.objects) {
@@ -79,7 +79,7 @@ TEST(Cia447Codes, EveryCodeIsANumberOrHasAName) {
       if (named != nullptr) {
         code = named->last + 1;
       } else if (is_number && code <= value.limits.high) {
-        // Names may stand within a range, but at its beginning only.
+        // Names may be within a range, but only at its beginning.
         code = value.limits.high + 1;
       } else if (value.limits.kind == Limits::Kind::minimum && code < last - 1) {
         code = last - 1;

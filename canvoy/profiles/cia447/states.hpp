@@ -1,25 +1,25 @@
-// The states of CiA 447-3 as application code writes them. Where a status and a command count in
-// the same way, they share an enumeration: the second highest code is `failure` of a status and
-// `not_implemented` of a command, the highest one `not_available` and `do_not_care`.
+// States of CiA 447-3 for application code. A status and a command with the same codes share an
+// enumeration: the second highest code is `failure` of a status and `not_implemented` of a command,
+// the highest one `not_available` and `do_not_care`.
 //
 //     if (car[cia447::door_status_driver].is(cia447::Opening::closed)) ...
 //     roof_bar[cia447::roof_bar_light<"mlb1">] = cia447::Order::on;
 //
-// That they count as the tables do is checked by the compiler, in states_test.cpp.
+// The compiler checks in states_test.cpp that they have the codes of the tables.
 #pragma once
 
 #include <cstdint>
 
 namespace canvoy::cia447 {
 
-// An enumeration reads as a row, its sentinels behind its states.
+// Each enumeration is a row, with its sentinels behind its states.
 // clang-format off
 
-/// What is so, or not: most statuses of two bits.
+/// Most statuses of two bits.
 enum class Signal : std::uint8_t {
   no = 0, off = no, yes = 1, on = yes, failure = 2, not_available = 3
 };
-/// What is to be on, or off: most commands of two bits.
+/// Most commands of two bits.
 enum class Order : std::uint8_t { off, on, not_implemented, do_not_care };
 
 // Car body (4.2.2).
@@ -28,7 +28,7 @@ enum class Locking : std::uint8_t {
   unlocked, internal, external, selective_unlocked,
   failure = 0xE, not_implemented = failure, not_available = 0xF, do_not_care = not_available
 };
-/// Of windows and doors; flaps count the other way round.
+/// State of a window or door. The codes of flaps are the other way round.
 enum class Opening : std::uint8_t {
   open, closed, is_getting_open, is_getting_closed, failure = 6, not_available = 7
 };
@@ -37,7 +37,7 @@ enum class OpeningCommand : std::uint8_t { open, close, not_implemented, do_not_
 enum class Flap : std::uint8_t {
   closed, open, is_getting_closed, is_getting_open, stopped, failure = 6, not_available = 7
 };
-/// Code 2 stops tops and back doors; of others it is `not_implemented`.
+/// Code 2 stops tops and back doors. For the others it is `not_implemented`.
 enum class FlapCommand : std::uint8_t { close, open, stop, not_implemented = stop, do_not_care };
 enum class SlidingRoof : std::uint8_t {
   closed, open_tilt, open_slide, is_getting_closed_tilt, is_getting_closed_slide,

@@ -1,4 +1,5 @@
-// CiA 447-3: what application code uses of GPS, navigation system and taximeter (4.2.10 to 4.2.12).
+// CiA 447-3: handles for application code, of GPS, navigation system and taximeter (4.2.10 to
+// 4.2.12).
 //
 //     Values taxi(node.dictionary());
 //     taxi[cia447::gps_current_position_latitude] = 48.1234567;  // degrees, south below 0
@@ -8,7 +9,7 @@
 #include "canvoy/profiles/cia447/add_on_states.hpp"
 #include "canvoy/profiles/cia447/positioning.hpp"
 #include "canvoy/profiles/cia447/taximeter.hpp"
-#include "canvoy/profiles/handle.hpp"
+#include "canvoy/profiles/model/handle.hpp"
 
 namespace canvoy::cia447 {
 

@@ -9,7 +9,7 @@ namespace canvoy::cia447 {
 inline constexpr ValueInfo money = measured<32>(Unit::local_currency, {.denominator = 1000});
 inline constexpr ValueInfo distance = measured<32>(Unit::local_distance, {.denominator = 1000});
 inline constexpr ValueInfo seconds = measured<32>(Unit::second);
-/// Since 1970-01-01; of which time zone is not said (errata Z42).
+/// Seconds since 1970-01-01; the time zone is not specified (errata Z42).
 inline constexpr ValueInfo date_in_seconds = measured<32>(Unit::second);
 inline constexpr ValueInfo plain_count = measured<32>();
 
@@ -19,7 +19,7 @@ constexpr EntryInfo status_32(unsigned sub, std::string_view name, const ValueIn
   return at(sub, name, status(DataType::unsigned32, Mapping::no, value), category);
 }
 
-// 4.2.12.1 to 4.2.12.5: the trip. 60DBh tells whether it changed while it was read.
+// 4.2.12.1 to 4.2.12.5: the trip. 60DBh reports a change of the trip during reading.
 
 inline constexpr auto fare_calculation_modes =
     status_values<32>("Single calculation mode S", "Double calculation mode D", "Fixed price");

@@ -7,7 +7,7 @@
 
 namespace canvoy::cia447 {
 
-// Keys: who has them, who wants them, and which one is pressed.
+// Keys: holder, requests, and the pressed key.
 
 inline constexpr auto access_commands =
     command_values<2>("Release (control device by vehicle standard application)",
@@ -156,7 +156,7 @@ inline constexpr EntryInfo display_parameter_entries[] = {
     at(1, "Line number", status(DataType::unsigned8, Mapping::no, one_based)),
     at(2, "Column number", status(DataType::unsigned8, Mapping::no, one_based)),
     at(3, "Maximal character number", status(DataType::unsigned8, Mapping::no, one_based))};
-/// As many characters as the parameters of a display can tell of, of 8 bits each.
+/// As many characters of 8 bits as the parameters of a display can express.
 inline constexpr std::uint16_t display_text_capacity = 254;
 
 inline constexpr auto display_access_texts = access_texts("Off", "On and access");
@@ -218,8 +218,8 @@ inline constexpr auto buzzer_command_object =
     variable_object(0x60A0, "Buzzer command", "4.2.9.26", "Sounds the buzzer.",
                     command(DataType::unsigned8, buzzer_command_fields), {.errata = "D2"});
 
-// The figure puts the fields one bit higher, and leaves bit 0 unused; taken is that they begin at
-// bit 0, as everywhere. The other reading is selectable (Profile::readings).
+// The figure has the fields one bit higher and leaves bit 0 unused. Here they start at bit 0, as
+// everywhere. The other reading is selectable (Profile::readings).
 inline constexpr auto warning_states = status_values<2>("Warning not active", "Warning is active");
 inline constexpr auto functional_warnings =
     side_by_side(field(2, "fesce", "fire extinguishing system cartridge empty", warning_states),
@@ -287,8 +287,8 @@ inline constexpr std::string_view icons[] = {
     "Display icon number 13: DIN_PicSkipToEnd (search run)",
     "Display icon number 14: DIN_PicTaxameter",
 };
-/// What is reserved in a command is "Failure" in a status; who sends a status sends the second
-/// highest code (errata Z11).
+/// A code that is reserved in a command is "Failure" in a status. A sender of a status uses the
+/// second highest code (errata Z11).
 template <std::size_t count>
 constexpr std::array<NamedValue, count> reserved_is_failure(std::array<NamedValue, count> values) {
   for (NamedValue& value : values) {

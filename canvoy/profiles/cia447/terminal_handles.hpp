@@ -1,4 +1,4 @@
-// CiA 447-3: what application code uses of fire extinguishing, fresh air, power supply, discrete
+// CiA 447-3: handles for application code, of fire extinguishing, fresh air, power supply, discrete
 // inputs and the terminal (4.2.5 to 4.2.9).
 //
 //     Values terminal(node.dictionary());
@@ -9,7 +9,7 @@
 #include "canvoy/profiles/cia447/add_on_states.hpp"
 #include "canvoy/profiles/cia447/terminal.hpp"
 #include "canvoy/profiles/cia447/vehicle_systems.hpp"
-#include "canvoy/profiles/handle.hpp"
+#include "canvoy/profiles/model/handle.hpp"
 
 namespace canvoy::cia447 {
 

@@ -1,11 +1,11 @@
-// The words in which CiA 447-3 is written down: what a status and a command are, how their codes
-// are built, and fields side by side.
+// Building blocks of the description of CiA 447-3: statuses and commands, their codes, and adjacent
+// fields.
 //
-// All objects of CiA 447-3 are of two kinds. A status is given by the virtual device that has the
-// function and is read by the others, who have it too, as rw; its two highest codes are "Failure"
-// and "Signal not available". A command is written to the virtual device that has the function; its
-// two highest codes are "Function not implemented" (who reads it learns that) and "Don't care".
-// What is left below them is reserved.
+// All objects of CiA 447-3 are of two kinds. A status is provided by the virtual device that has
+// the function, and read by the others, which have it as rw. Its two highest codes are "Failure"
+// and "Signal not available". A command is written to the virtual device that has the function. Its
+// two highest codes are "Function not implemented" (for a reader) and "Don't care". The remaining
+// codes below are reserved.
 //
 //     inline constexpr auto opening = status_values<3>("Open", "Closed");  // 2 to 5: reserved
 //     inline constexpr auto window_fields = side_by_side(field(3, "wd", "window driver", opening),
@@ -22,7 +22,7 @@
 #include <string_view>
 
 #include "canvoy/canopen/dictionary/dictionary_layout.hpp"
-#include "canvoy/profiles/description.hpp"
+#include "canvoy/profiles/model/description.hpp"
 
 namespace canvoy::cia447 {
 
@@ -50,12 +50,13 @@ constexpr NamedValue reserved_codes(std::int64_t first, std::int64_t last) {
   return {first, last, "Reserved", Meaning::reserved};
 }
 
-/// How many named values `states` states of `bits` bits need.
+/// Number of named values that `states` states of `bits` bits need.
 constexpr std::size_t value_count(unsigned bits, std::size_t states) {
   const auto codes = static_cast<std::size_t>(all_ones(bits)) + 1;
   return states + (states + 2 < codes ? 3U : 2U);
 }
-/// States from 0 upward, what is left, and the sentinels. The name "Reserved" says what it is.
+/// States from 0 upward, the remaining codes, and the sentinels. The name "Reserved" marks a code
+/// as reserved.
 template <unsigned bits, std::size_t count>
 constexpr auto coded(const std::string_view (&states)[count], const Sentinels& sentinels) {
   std::array<NamedValue, value_count(bits, count)> values{};
@@ -80,14 +81,14 @@ template <unsigned bits, std::convertible_to<std::string_view>... Text>
 constexpr auto command_values(const Text&... states) {
   return coded<bits, sizeof...(states)>({std::string_view(states)...}, command_sentinels<bits>);
 }
-/// The codes of a two-bit command that has a use for its second highest code.
+/// Codes of a two-bit command that uses its second highest code.
 constexpr std::array<NamedValue, 4> three_commands(std::string_view first, std::string_view second,
                                                    std::string_view third) {
   return {NamedValue{0, first}, NamedValue{1, second}, NamedValue{2, third},
           command_sentinels<2>.highest};
 }
 
-/// The codes of a number from 0 to `high` that are no number.
+/// Codes, of a number from 0 to `high`, that are no number.
 template <unsigned bits, std::int64_t high>
 constexpr auto number_names(const Sentinels& sentinels) {
   constexpr bool has_gap = high < all_ones(bits) - 2;
@@ -102,7 +103,7 @@ inline constexpr auto measured_names = number_names<bits, high>(status_sentinels
 template <unsigned bits, std::int64_t high>
 inline constexpr auto wanted_names = number_names<bits, high>(command_sentinels<bits>);
 
-/// The number in a status, from 0 to `high`: by default all but the sentinels.
+/// The number in a status, from 0 to `high`: by default all codes but the sentinels.
 template <unsigned bits, std::int64_t high = all_ones(bits) - 2>
 constexpr ValueInfo measured(Unit unit = Unit::none, const Scale& scale = {}) {
   return {
@@ -176,7 +177,7 @@ constexpr void check_filled(DataType type, const Items<FieldInfo>& fields) {
   if (bits != bit_length(type)) detail::description_is_wrong("the fields do not fill their entry");
 }
 
-/// An entry of those who provide a status (ro, no default) and those who consume it (rw).
+/// An entry of a status: ro without a default in its provider, rw in its consumers.
 constexpr EntryInfo status(DataType type, Mapping mapping, const ValueInfo& value) {
   return {.type = type,
           .access = Access::ro,
@@ -191,7 +192,7 @@ constexpr EntryInfo status(DataType type, Mapping mapping, Items<FieldInfo> fiel
   entry.fields = fields;
   return entry;
 }
-/// A text that is not known at first: its default is the manufacturer's.
+/// A text that is not known at first. Its default is the manufacturer's.
 constexpr EntryInfo status_text(std::uint16_t capacity, bool is_printed = false) {
   return {.type = DataType::utf8_string,
           .access = Access::ro,
@@ -218,8 +219,8 @@ constexpr EntryInfo at(unsigned sub, std::string_view name, EntryInfo entry,
   entry.category = category;
   return entry;
 }
-/// Sub-index 00h, where it may be from `low` to `high`. Where that is one value, it is the default;
-/// else the device says it (errata Z19, Z20).
+/// Sub-index 00h, from `low` to `high`. A single value is the default; otherwise the device defines
+/// it (errata Z19, Z20).
 constexpr EntryInfo highest_sub_index(unsigned low, unsigned high, Access access = Access::ro) {
   return {.name = "Highest sub-index supported",
           .access = access,
@@ -227,12 +228,12 @@ constexpr EntryInfo highest_sub_index(unsigned low, unsigned high, Access access
           .value = {.limits = within(low, high)}};
 }
 
-/// Where part 3 does not say whether an object has to be there.
+/// Condition of objects for which part 3 defines no category.
 inline constexpr std::string_view as_part_2_says = "as CiA 447-2 says for the virtual device";
 
-/// What is said of some objects only.
+/// Remarks that apply to some objects only.
 struct Remarks {
-  Category category = Category::conditional;  ///< conditional: as part 2 says
+  Category category = Category::conditional;  ///< conditional: as defined in part 2
   std::string_view errata = {};
 };
 inline constexpr Remarks optional_object = {.category = Category::optional, .errata = "A16"};

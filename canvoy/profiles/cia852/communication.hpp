@@ -1,4 +1,4 @@
-// CiA 852: what it says of communication objects beyond CiA 301 (clause 11 and Annex A).
+// CiA 852: provisions for communication objects beyond CiA 301 (clause 11 and Annex A).
 //
 //     cia852::device_type({.joystick = true, .joystick_with_inputs = true})  // 8185'0191h
 #pragma once
@@ -6,13 +6,13 @@
 #include "canvoy/profiles/cia302/program.hpp"
 #include "canvoy/profiles/cia401.hpp"
 #include "canvoy/profiles/cia852/values.hpp"
-#include "canvoy/profiles/rows.hpp"
+#include "canvoy/profiles/model/rows.hpp"
 
 namespace canvoy::cia852 {
 
 using namespace rows;  // NOLINT(google-build-using-namespace): the columns of its tables
 
-/// Which functional elements a device has.
+/// Functional elements of a device.
 struct Functions {
   bool joystick = false;
   bool joystick_with_inputs = false;  ///< with buttons, or a memory function
@@ -34,7 +34,7 @@ inline constexpr std::uint8_t indicator_cluster_bit = 29;
 inline constexpr std::uint8_t display_bit = 30;
 inline constexpr std::uint8_t always_bit = 31;  ///< 1 in all rows of the table (errata 41)
 
-/// 1000h (11.2). The I/O bits are as CiA 401 has them: an encoder is a digital input, a display an
+/// 1000h (11.2). The I/O bits are those of CiA 401: an encoder is a digital input, a display an
 /// analogue output, and any digital input sets its bit (errata 38 to 40).
 constexpr std::uint32_t device_type(const Functions& functions) {
   const auto bit = [](bool set, const FieldInfo& field) {
@@ -57,9 +57,9 @@ constexpr std::uint32_t device_type(const Functions& functions) {
          function(functions.indicator_cluster, indicator_cluster_bit) |
          function(functions.display, display_bit) | function(true, always_bit);
 }
-/// What tells these devices from others of CiA 401. The bits of CiA 401 that Table 8 leaves out (20
-/// to 22) are 0: modules with several logical devices have FFFFh above the number (CiA 301,
-/// 7.5.2.1), of whatever kind they are.
+/// Bits that distinguish these devices from others of CiA 401. The bits of CiA 401 that Table 8
+/// leaves out (20 to 22) are 0. Modules with several logical devices have FFFFh above the number,
+/// whatever their kind (CiA 301, 7.5.2.1).
 inline constexpr std::uint32_t device_type_mask = 0x80F0'FFFF;
 
 inline constexpr NamedValue one_names[] = {{0, "reserved", Meaning::reserved}, {1, "1"}};
@@ -88,7 +88,7 @@ constexpr ObjectInfo named(std::string_view name, ObjectInfo object) {
   object.name = name;
   return object;
 }
-/// Names and categories are those of Table A 1.
+/// Names and categories from Table A 1.
 inline constexpr std::string_view annex = "Annex A, Table A 1";
 constexpr ObjectInfo for_outputs(const ObjectInfo& object) {
   return cia301::refined(object, Category::conditional, annex, {},
@@ -105,7 +105,7 @@ inline constexpr ObjectInfo device_type_object = [] {
 
 inline constexpr ObjectInfo error_register_object = cia301::error_register_with_reserve("11.3");
 
-/// All four numbers have to be there (11.4).
+/// All four numbers are mandatory (11.4).
 inline constexpr auto identity_entries = [] {
   std::array<EntryInfo, std::size(cia301::identity_entries)> entries{};
   for (std::size_t i = 0; i < entries.size(); ++i) {

@@ -1,5 +1,5 @@
-// What CiA 401 lets a network configure of inputs and outputs, for the elements of an operator
-// environment (clause 15: a maker may implement it). The sub-index is that of the input or output.
+// Parameters of inputs and outputs that a network can configure as in CiA 401, for the elements of
+// an operator environment (clause 15: optional). The sub-index is that of the input or output.
 //
 //     find_entry(cia852::configuration::delta_object, 0x41)->sub_last  // 48h: the wheels
 #pragma once
@@ -82,7 +82,7 @@ inline constexpr const ObjectInfo* of_digital_inputs[] = {
     &digital_input<cia401::interrupt_mask_low_to_high_8_bit_object>,
     &digital_input<cia401::interrupt_mask_high_to_low_8_bit_object>,
 };
-/// Not their filter: what turns does not stay.
+/// Encoders have no filter: their inputs change all the time.
 inline constexpr const ObjectInfo* of_encoders[] = {
     &encoder<cia401::polarity_input_32_bit_object>,
     &encoder<cia401::interrupt_mask_any_change_32_bit_object>,

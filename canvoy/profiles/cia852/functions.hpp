@@ -1,5 +1,5 @@
-// CiA 852: the functional elements with the objects that each of them needs (clause 12, Annex A). A
-// code is the bit that says in 1000h that the device has the element (Table 8).
+// CiA 852: the functional elements and the objects that each of them needs (clause 12, Annex A).
+// The code of an element is its bit in 1000h (Table 8).
 //
 //     cia852::functional_elements[0].name  // "Joystick"
 #pragma once
@@ -9,7 +9,7 @@
 
 namespace canvoy::cia852 {
 
-/// The parameter and mapping objects of PDOs that stand side by side.
+/// Parameter and mapping objects of consecutive PDOs.
 constexpr DeviceObject first_pdo(const ObjectInfo& object) {
   return {.index = object.index};
 }

@@ -1,5 +1,5 @@
-// CiA 852: what application code uses. Elements, push-buttons and indicators are numbered from 1 on
-// (5.3); which button or indicator is meant, the compiler has to know.
+// CiA 852: handles for application code. Elements, push-buttons and indicators are numbered from 1
+// (5.3). The number of a button or indicator has to be known at compile time.
 //
 //     Values seat(node.dictionary());
 //     seat[cia852::joystick_x(1)] = -12000;
@@ -9,11 +9,11 @@
 
 #include "canvoy/profiles/cia852/inputs.hpp"
 #include "canvoy/profiles/cia852/outputs.hpp"
-#include "canvoy/profiles/handle.hpp"
+#include "canvoy/profiles/model/handle.hpp"
 
 namespace canvoy::cia852 {
 
-/// Of 64 in a cluster: the group of eight, and the number in it.
+/// Location among the 64 of a cluster: the group of eight, and the number in it.
 inline constexpr unsigned bits_of_group = 8;
 constexpr unsigned group_of(unsigned number) {
   return (number - 1) / bits_of_group + 1;
@@ -50,7 +50,7 @@ constexpr auto joystick_memory_z(unsigned joystick) {
   return State<Switch, read_input_8_bit_object, "Joystick #: Memory function",
                "m-z">{}[joystick_memory_sub(joystick)];
 }
-/// All of them, a bit for each.
+/// All buttons of a joystick, one bit each.
 constexpr auto joystick_buttons(unsigned joystick) {
   return Number<read_input_8_bit_object,
                 "Joystick #: Up to 8 additional buttons">{}[joystick_buttons_sub(joystick)];
@@ -79,7 +79,7 @@ constexpr auto wheel_position(unsigned wheel) {
   return Number<read_analogue_input_16_bit_object, "Wheel #: Position">{}[wheel_position_sub(
       wheel)];
 }
-/// Whether TPDOs are sent when an analogue input changes.
+/// True if TPDOs are sent when an analogue input changes.
 inline constexpr Flag<analogue_input_global_interrupt_enable_object> analogue_events_enabled;
 
 // Push-buttons (9.6). All groups of a cluster have the shape of the first.

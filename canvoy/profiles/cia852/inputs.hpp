@@ -1,8 +1,8 @@
 // CiA 852: joysticks, foot pedals, encoders, wheels and push-button clusters (9.2 to 9.6), as
 // entries of the CiA 401 inputs.
 //
-//     find_entry(cia852::read_input_8_bit_object, 0x31)->name  // "Push-button cluster #: Switch
-//     ..."
+//     // "Push-button cluster #: Switch 1-to-8"
+//     find_entry(cia852::read_input_8_bit_object, 0x31)->name;
 #pragma once
 
 #include "canvoy/profiles/cia401/analogue.hpp"
@@ -41,13 +41,13 @@ inline constexpr EntryInfo foot_pedal_memory_input =
     input_8_bit_with(foot_pedal_memory_fields, "Whether the position is held.");
 inline constexpr EntryInfo push_buttons_input =
     input_8_bit_with(push_button_fields, "Eight push-buttons of a cluster.");
-/// A position: no clause says in which unit.
+/// A position; no clause gives its unit.
 inline constexpr EntryInfo input_16_bit =
     entry(integer16, ro, by_default, {}, {.counting = Counting::counts});
 inline constexpr EntryInfo input_32_bit =
     entry(unsigned32, ro, by_default, {}, {.counting = Counting::counts});
 
-/// Tables 1, 2 and 5: an entry's place is its sub-index.
+/// The number of an entry is its sub-index (Tables 1, 2 and 5).
 inline constexpr auto read_input_8_bit_entries = [] {
   constexpr unsigned last = push_buttons_sub(push_button_clusters_max, groups_of_cluster);
   std::array<EntryInfo, last + 1> entries{highest_sub_index};
@@ -93,7 +93,7 @@ inline constexpr auto read_input_32_bit_object =
                  "9.4", "Positions of encoders with one turn or many.", read_input_32_bit_entries,
                  {.category = Category::optional, .errata = "15, 49"});
 
-/// Tables 1, 2 and 4: an entry's place is its sub-index.
+/// The number of an entry is its sub-index (Tables 1, 2 and 4).
 inline constexpr auto read_analogue_input_16_bit_entries = [] {
   std::array<EntryInfo, wheel_position_sub(wheels_max) + 1> entries{highest_sub_index};
   for (unsigned n = 1; n <= joysticks_max; ++n) {

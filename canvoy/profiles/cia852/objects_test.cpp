@@ -5,7 +5,7 @@
 #include <string>
 
 #include "canvoy/profiles/cia852.hpp"
-#include "canvoy/profiles/number_rules.hpp"
+#include "canvoy/profiles/model/number_rules.hpp"
 #include "canvoy/profiles/registry.hpp"
 
 namespace canvoy::cia852_objects_test {
@@ -40,8 +40,8 @@ struct Row {
   int initial = -1;  ///< -1: the text says "No"
 };
 
-/// Each table of clause 9 prints the first and the last of its entries; those of both ends of each
-/// group, and one from the middle, are typed here.
+/// Each table of clause 9 prints the first and the last of its entries. Typed here are those of
+/// both ends of each group, and one from the middle.
 constexpr Row rows[] = {
     {"Table 1", 0x6000, 0x01, "Joystick 1: Memory function", u8, Access::ro, by_default},
     {"Table 1", 0x6000, 0x02, "Joystick 1: Up to 8 additional buttons", u8, Access::ro, by_default},

@@ -1,4 +1,4 @@
-// CiA 852: the objects of an operator environment with as many elements as its maker says.
+// CiA 852: the objects of an operator environment with the elements that its maker selects.
 //
 //     constexpr cia852::OperatorEnvironment elements = {.joysticks = 2, .indicator_clusters = 1};
 //     constexpr auto seat = describe(
@@ -9,15 +9,15 @@
 
 #include "canvoy/profiles/cia852.hpp"
 #include "canvoy/profiles/cia852/configuration.hpp"
-#include "canvoy/profiles/device_description.hpp"
+#include "canvoy/profiles/model/device_description.hpp"
 
 namespace canvoy::cia852 {
 
-/// Elements are numbered from 1 on without gaps.
+/// Elements are numbered from 1 without gaps.
 struct OperatorEnvironment {
   unsigned joysticks = 0;
-  /// Joysticks have a button or hold their position. Their entries are there anyway, since TPDOs
-  /// map them (errata 24): without such they stay 0, as those of a missing axis do.
+  /// Joysticks have a button or hold their position. Their entries exist in any case, since TPDOs
+  /// map them (errata 24): without these inputs they stay 0, like those of a missing axis.
   bool joystick_inputs = true;
   unsigned foot_pedals = 0;
   unsigned encoders = 0;
@@ -26,11 +26,11 @@ struct OperatorEnvironment {
   unsigned indicator_clusters = 0;
   unsigned displays = 0;
   unsigned display_parameters = parameters_of_display;  ///< of each display
-  /// Displays take floating-point numbers, too (Table A 8).
+  /// Displays also accept floating-point numbers (Table A 8).
   bool display_floats = false;
-  /// The network may download a program (11.7).
+  /// A program can be downloaded over the network (11.7).
   bool program_download = false;
-  /// The network may configure inputs and indicators, as CiA 401 has it (clause 15): polarity,
+  /// Inputs and indicators can be configured over the network, as in CiA 401 (clause 15): polarity,
   /// filter, which changes are events, offset and scaling.
   bool configuration = false;
 
@@ -87,7 +87,7 @@ constexpr bool has_display(const OperatorEnvironment& has, unsigned sub) {
   return (sub - 1) / display_pitch < has.displays &&
          (sub - 1) % display_pitch < has.display_parameters;
 }
-/// Sub-index 00h is always there.
+/// Sub-index 00h always exists.
 constexpr bool has_entry(const OperatorEnvironment& has, unsigned index, unsigned sub) {
   if (sub == 0) return true;
   switch (index) {
@@ -109,7 +109,7 @@ constexpr Part part_of(const OperatorEnvironment& has, const ObjectInfo& object)
   return Part(object).keeping([&](unsigned sub) { return has_entry(has, object.index, sub); });
 }
 
-/// A mapping without the elements that are not there.
+/// A mapping without the missing elements.
 constexpr Part fitted(const OperatorEnvironment& has, const ObjectInfo& mapping) {
   unsigned count = 0;
   const auto is_there = [&](unsigned sub) {
@@ -169,7 +169,7 @@ constexpr void add_outputs(Parts& parts, const OperatorEnvironment& has) {
   parts.add(part_of(has, analogue_output_error_value_float_object));
 }
 
-/// Those parameters of the elements that are there.
+/// Parameters of the existing elements.
 template <class Parts>
 constexpr void add_configuration(Parts& parts, const OperatorEnvironment& has) {
   const auto add = [&](Items<const ObjectInfo*> all, std::uint16_t index) {
@@ -205,7 +205,7 @@ constexpr std::size_t capacity_for(const OperatorEnvironment& has) {
   return others + 2 * (tpdos + rpdos);
 }
 
-/// Adds them to a DeviceDescription, or to what is like it.
+/// Adds them to a DeviceDescription, or to a type like it.
 template <class Parts>
 constexpr void add_operator_environment(Parts& parts, const OperatorEnvironment& has) {
   parts.add(Part(device_type_object).initial(device_type(functions_of(has))));
@@ -221,9 +221,9 @@ constexpr void add_operator_environment(Parts& parts, const OperatorEnvironment&
   if (has.configuration) add_configuration(parts, has);
 }
 
-/// The objects that clause 12 and Annex A want of such a device, displays with integer values. Its
-/// maker adds identity and heartbeat producer; with outputs, consumers of heartbeats and
-/// emergencies as well.
+/// The objects that clause 12 and Annex A require of such a device, displays with integer values.
+/// The maker adds identity and heartbeat producer, and for a device with outputs also consumers of
+/// heartbeats and emergencies.
 template <OperatorEnvironment has>
 constexpr auto operator_environment() {
   check_elements(has);

@@ -1,12 +1,12 @@
-// Devices by clauses 9, 11 and 12 of CiA 852, and what applications see of them.
+// Devices by clauses 9, 11 and 12 of CiA 852, and their use by applications.
 #include "canvoy/profiles/cia852/operator_environment.hpp"
 
 #include <gtest/gtest.h>
 
 #include "canvoy/profiles/cia852/handles.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
+#include "canvoy/profiles/model/virtual_device.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
-#include "canvoy/profiles/virtual_device.hpp"
 
 namespace canvoy::operator_environment_test {
 namespace {

@@ -1,7 +1,7 @@
 // CiA 852: indicator clusters and displays (9.7, 9.8), as entries of the CiA 401 outputs.
 //
-//     find_entry(cia852::write_output_8_bit_object, 1)->name  // "Indicator cluster #: Indicator
-//     ..."
+//     // "Indicator cluster #: Indicator 1-to-8"
+//     find_entry(cia852::write_output_8_bit_object, 1)->name;
 #pragma once
 
 #include "canvoy/profiles/cia401/analogue.hpp"
@@ -16,7 +16,7 @@ inline constexpr std::string_view if_display = "if the parameter of the display 
 // Indicators.
 
 using ClusterNames = std::array<std::string_view, groups_of_cluster>;
-/// The word as Figure 8 has it (errata 10).
+/// The word as in Figure 8 (errata 10).
 inline constexpr ClusterNames indicator_names = {
     "Indicator cluster #: Indicator 1-to-8",   "Indicator cluster #: Indicator 9-to-16",
     "Indicator cluster #: Indicator 17-to-24", "Indicator cluster #: Indicator 25-to-32",
@@ -35,7 +35,7 @@ inline constexpr ClusterNames indicator_error_value_names = {
 
 inline constexpr unsigned indicator_entry_count = indicator_clusters_max * groups_of_cluster + 1;
 
-/// Table 6: an entry's place is its sub-index.
+/// The number of an entry is its sub-index (Table 6).
 constexpr std::array<EntryInfo, indicator_entry_count> indicator_entries(
     const EntryInfo& each, const ClusterNames& names) {
   std::array<EntryInfo, indicator_entry_count> entries{highest_sub_index};
@@ -138,7 +138,7 @@ struct DisplayTable {
   DisplayEntries error_floats{};
 };
 constexpr DisplayTable display_table(unsigned pitch) {
-  // An analogue value: no clause says in which unit.
+  // An analogue value; no clause gives its unit.
   const ValueInfo shown = {.counting = Counting::counts};
   const EntryInfo integer = {.type = DataType::integer16,
                              .access = Access::rw,
@@ -217,7 +217,7 @@ inline constexpr ObjectInfo analogue_output_error_value_integer_object =
 inline constexpr ObjectInfo analogue_output_error_value_float_object =
     display_error_float_object(displays);
 
-/// The same with 24 sub-indices for a display.
+/// Display objects with 24 sub-indices for each display.
 inline constexpr ObjectInfo wide_display_objects[] = {
     display_integer_object(wide_displays), display_float_object(wide_displays),
     display_error_mode_object(wide_displays), display_error_integer_object(wide_displays),

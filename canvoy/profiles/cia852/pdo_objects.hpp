@@ -7,7 +7,7 @@
 
 namespace canvoy::cia852 {
 
-/// One PDO: its number, its mapping, and when it has to be there.
+/// One PDO: its number, its mapping, and when it is mandatory.
 struct PdoSet {
   unsigned number = 0;
   Items<EntryInfo> mapping = {};
@@ -83,7 +83,7 @@ constexpr std::array<PdoSet, rpdo_count> rpdo_sets_with(
 inline constexpr auto rpdo_sets = rpdo_sets_with(display_mappings);
 inline constexpr auto wide_rpdo_sets = rpdo_sets_with(wide_display_mappings);
 
-/// How far the n-th PDO stands above the first: n - 1, or as clause 12 prints it.
+/// Distance of the n-th PDO from the first: n - 1, or as printed in clause 12.
 constexpr unsigned offset_of(unsigned number) {
   return number - 1;
 }
@@ -144,7 +144,7 @@ inline constexpr auto rpdo_parameter_objects = objects_of(rpdo_sets, [](const Pd
 });
 inline constexpr auto rpdo_mapping_objects = rpdo_mappings_of(rpdo_sets);
 
-// Of the other readings.
+// Objects of the other readings.
 inline constexpr auto printed_tpdo_parameter_objects = tpdo_parameters_at(printed_offset_of);
 inline constexpr auto printed_tpdo_mapping_objects = tpdo_mappings_at(printed_offset_of);
 inline constexpr auto wide_rpdo_mapping_objects = rpdo_mappings_of(wide_rpdo_sets);

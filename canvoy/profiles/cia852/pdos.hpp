@@ -1,9 +1,9 @@
 // CiA 852: the PDO parameter sets of clause 12. All are invalid by default, and have transmission
 // type FFh.
 //
-// TPDO n stands at 1800h + n - 1 and 1A00h + n - 1, as CiA 301 has it; clause 12 prints the indices
-// of TPDO 20 and above one higher (errata 16 to 19), and devices that follow it will be met: that
-// is the reading `printed-tpdos`.
+// TPDO n is at 1800h + n - 1 and 1A00h + n - 1, as in CiA 301. Clause 12 prints the indices of TPDO
+// 20 and above one higher (errata 16 to 19), and some devices may follow it: that is the reading
+// `printed-tpdos`.
 //
 //     cia852::tpdo_mapping(cia852::joystick_tpdo(2)).index  // 1A04h
 #pragma once
@@ -11,11 +11,11 @@
 #include "canvoy/profiles/cia301/channels.hpp"
 #include "canvoy/profiles/cia852/inputs.hpp"
 #include "canvoy/profiles/cia852/outputs.hpp"
-#include "canvoy/profiles/mapping_value.hpp"
+#include "canvoy/profiles/model/mapping_value.hpp"
 
 namespace canvoy::cia852 {
 
-// Which PDO carries what (12.2.1 to 12.2.14; errata 21, 25, 36).
+// Contents of the PDOs (12.2.1 to 12.2.14; errata 21, 25, 36).
 
 inline constexpr unsigned foot_pedals_of_tpdo = 2;
 inline constexpr unsigned encoders_of_tpdo = 2;
@@ -48,7 +48,7 @@ constexpr unsigned display_rpdo(unsigned display, unsigned part) {
   return 13 + rpdos_of_display * (display - 2) + part - 1;
 }
 
-// Communication parameters. "rw or const" is for the device to choose.
+// Communication parameters. The device chooses between "rw or const".
 
 constexpr EntryInfo rw_or_const(EntryInfo entry) {
   entry.access = Access::rw;
@@ -77,7 +77,7 @@ inline constexpr EntryInfo event_timer_entry =
 inline constexpr EntryInfo sync_start_entry = rw_or_const(sub_index(
     6, "SYNC start value", entry(unsigned8, ro, no, 0), {.category = Category::optional}));
 
-/// Tables 10 and, of the other TPDOs, 14, 18, 22 and 26.
+/// Table 10 and, for the other TPDOs, Tables 14, 18, 22 and 26.
 inline constexpr EntryInfo tpdo1_parameter_entries[] = {
     tpdo_highest_sub_index,  cob_id_entry(plus_node_id(cia301::invalid_cob_id | 0x180)),
     transmission_type_entry, inhibit_time_entry,
@@ -106,7 +106,7 @@ constexpr EntryInfo mapped(unsigned position, const ObjectInfo& object, unsigned
   return rw_or_const(sub_index(static_cast<std::uint8_t>(position), ordinals[position - 1],
                                entry(unsigned32, ro, no, mapped_value(object, sub), cia301::code)));
 }
-/// An entry that is there if something beyond the first element is.
+/// An entry that exists if an element beyond the first exists.
 constexpr EntryInfo optionally(EntryInfo entry) {
   entry.category = Category::optional;
   return entry;
@@ -119,7 +119,7 @@ constexpr EntryInfo on_condition(EntryInfo entry, std::string_view condition,
   return entry;
 }
 
-/// `count` entries with consecutive sub-indices, of which the first has to be there.
+/// `count` entries with consecutive sub-indices, of which the first is mandatory.
 template <std::size_t count>
 constexpr std::array<EntryInfo, count + 1> mapping_of(const ObjectInfo& object,
                                                       unsigned sub_first) {
@@ -131,7 +131,8 @@ constexpr std::array<EntryInfo, count + 1> mapping_of(const ObjectInfo& object,
   return entries;
 }
 
-/// 16 bits that mean nothing keep the places of what follows; printed is FFFFh, which maps nothing.
+/// 16 bits without meaning keep the positions of the entries behind them. Printed is FFFFh, which
+/// maps nothing.
 inline constexpr NamedValue third_axis_names[] = {{0x0003'0010, "no third axis"},
                                                   {0xFFFF, "no third axis, as printed"}};
 /// Table 12 (errata 23, 24).
@@ -150,7 +151,7 @@ constexpr std::array<EntryInfo, 6> joystick_mapping(unsigned n) {
   return {{number_of_mapped(5), mapped(1, axes, joystick_axis_sub(n, 1)), second, third, memory,
            buttons}};
 }
-/// Table 16, of the first of two foot pedals.
+/// Table 16, for the first of two foot pedals.
 constexpr std::array<EntryInfo, 5> foot_pedal_mapping(unsigned n) {
   constexpr std::string_view if_second = "if the second of the two foot pedals is supported";
   const ObjectInfo& position = read_analogue_input_16_bit_object;
@@ -180,7 +181,7 @@ constexpr auto push_button_mapping(unsigned n) {
 constexpr auto indicator_mapping(unsigned n) {
   return mapping_of<groups_of_cluster>(write_output_8_bit_object, indicators_sub(n, 1));
 }
-/// Table 36; the third of a display begins with its parameter 9.
+/// Table 36. The third of a display starts with its parameter 9.
 constexpr auto display_mapping(unsigned n, unsigned part, unsigned pitch) {
   const ObjectInfo& object =
       pitch == display_pitch ? write_analogue_output_16_bit_object : wide_display_objects[0];
@@ -188,7 +189,7 @@ constexpr auto display_mapping(unsigned n, unsigned part, unsigned pitch) {
                                         display_sub(n, parameters_of_rpdo * (part - 1) + 1, pitch));
 }
 
-/// What `make` gives for the first `count` elements, or for each `step`-th of them.
+/// Results of `make` for the first `count` elements, or for each `step`-th of them.
 template <std::size_t count, class Make>
 constexpr auto each_of(Make make, unsigned step = 1) {
   std::array<decltype(make(1U)), count> made{};

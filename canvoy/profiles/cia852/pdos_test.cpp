@@ -23,7 +23,7 @@ struct Mapping852 {
   std::vector<std::uint32_t> mapped;
 };
 
-/// Of each kind the first set, which is printed, the second and the last.
+/// For each kind: the first set, which is printed, the second and the last.
 const Mapping852 tpdos[] = {
     {"Table 12", 1, 0x1A00, {0x64010110, 0x64010210, 0x64010310, 0x60000108, 0x60000208}},
     {"12.2.2", 5, 0x1A04, {0x64010410, 0x64010510, 0x64010610, 0x60000308, 0x60000408}},
@@ -101,7 +101,7 @@ TEST(Cia852Pdos, RpdosMapWhatClause12Says) {
   for (const Mapping852& rpdo : rpdos) expect_mapping(rpdo, "RPDO # mapping parameter");
 }
 
-/// How often each entry is mapped by the objects from `first` to `last`.
+/// Number of times that the objects from `first` to `last` map each entry.
 std::map<std::int64_t, unsigned> mapped_by(unsigned first, unsigned last) {
   std::map<std::int64_t, unsigned> count;
   for (const ObjectInfo* object : cia852::profile.objects) {

@@ -1,7 +1,7 @@
-// What CiA 852 says beside its objects: numbering (5.3) and bit rates (6.2).
+// Provisions of CiA 852 beside its objects: numbering (5.3) and bit rates (6.2).
 #pragma once
 
-#include "canvoy/profiles/provisions.hpp"
+#include "canvoy/profiles/model/provisions.hpp"
 
 namespace canvoy::cia852 {
 

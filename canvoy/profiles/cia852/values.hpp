@@ -1,17 +1,17 @@
-// CiA 852: what the values of functional elements mean, and at which sub-index each element stands
-// (clause 9). Elements are numbered from 1 on.
+// CiA 852: meanings of the values of functional elements, and the sub-index of each element (clause
+// 9). Elements are numbered from 1.
 //
 //     cia852::joystick_axis_sub(2, 1)  // 04h: x-dimension of the second joystick in 6401h
 #pragma once
 
 #include "canvoy/profiles/cia401/values.hpp"
-#include "canvoy/profiles/rows.hpp"
+#include "canvoy/profiles/model/rows.hpp"
 
 namespace canvoy::cia852 {
 
 using namespace rows;  // NOLINT(google-build-using-namespace): the columns of its tables
 
-// How many of each an operator environment may have (9.1).
+// Maximum number of each element in an operator environment (9.1).
 inline constexpr unsigned joysticks_max = 16;
 inline constexpr unsigned foot_pedals_max = 16;
 inline constexpr unsigned encoders_max = 8;
@@ -35,7 +35,7 @@ constexpr unsigned joystick_buttons_sub(unsigned joystick) {
 constexpr unsigned foot_pedal_memory_sub(unsigned pedal) {
   return 2 * joysticks_max + pedal;
 }
-/// Of the n-th 8 push-buttons of a cluster (errata 1).
+/// Sub-index of the n-th 8 push-buttons of a cluster (errata 1).
 constexpr unsigned push_buttons_sub(unsigned cluster, unsigned group) {
   return foot_pedal_memory_sub(foot_pedals_max) + groups_of_cluster * (cluster - 1) + group;
 }
@@ -53,7 +53,7 @@ constexpr unsigned wheel_position_sub(unsigned wheel) {
   return foot_pedal_position_sub(foot_pedals_max) + wheel;
 }
 
-/// Whose input a sub-index of 6000h is: the inverse of the functions above.
+/// The element to which a sub-index of 6000h belongs: the inverse of the functions above.
 struct DigitalInputPlace {
   enum class Kind : std::uint8_t {
     joystick_memory,
@@ -76,7 +76,7 @@ constexpr DigitalInputPlace digital_input_place(unsigned sub) {
   const unsigned place = sub - push_buttons_sub(1, 1);
   return {Kind::push_buttons, place / groups_of_cluster + 1, place % groups_of_cluster + 1};
 }
-/// The same of 6401h.
+/// The element to which a sub-index of 6401h belongs.
 struct AnalogueInputPlace {
   enum class Kind : std::uint8_t { joystick, foot_pedal, wheel };
   Kind kind = Kind::joystick;
@@ -94,18 +94,18 @@ constexpr AnalogueInputPlace analogue_input_place(unsigned sub) {
   return {Kind::wheel, sub - wheel_position_sub(0), 0};
 }
 
-/// In 6120h, where those below stay empty (errata 15).
+/// Sub-index in 6120h, where the lower ones stay empty (errata 15).
 constexpr unsigned encoder_position_sub(unsigned encoder) {
   return 0x80 + encoder;
 }
 
-/// Of the n-th 8 indicators of a cluster in 6200h, 6206h and 6207h (errata 2, 3).
+/// Sub-index of the n-th 8 indicators of a cluster in 6200h, 6206h and 6207h (errata 2, 3).
 constexpr unsigned indicators_sub(unsigned cluster, unsigned group) {
   return groups_of_cluster * (cluster - 1) + group;
 }
 
-/// From one display to the next in 6411h and the objects that belong to it: Table 7 can be read in
-/// two ways (errata 4, 5).
+/// Distance from one display to the next in 6411h and the objects that belong to it: Table 7 can be
+/// read in two ways (errata 4, 5).
 inline constexpr unsigned display_pitch = parameters_of_display;
 inline constexpr unsigned wide_display_pitch = 24;
 constexpr unsigned display_sub(unsigned display, unsigned parameter,
@@ -115,7 +115,7 @@ constexpr unsigned display_sub(unsigned display, unsigned parameter,
 
 // Values.
 
-/// Of a button, push-button, indicator or memory function.
+/// State of a button, push-button, indicator or memory function.
 enum class Switch : std::uint8_t { off = 0, on = 1 };
 inline constexpr NamedValue switch_names[] = {{Switch::off, "switched-off"},
                                               {Switch::on, "switched-on"}};
@@ -128,7 +128,7 @@ inline constexpr auto push_button_fields =
     repeat_field<8>({.name = "pb#", .value = {.names = switch_names}});
 inline constexpr auto indicator_fields =
     repeat_field<8>({.name = "i#", .value = {.names = switch_names}});
-/// Of the error mode and the error value of indicators.
+/// Fields of the error mode and the error value of indicators.
 inline constexpr auto indicator_error_mode_fields =
     repeat_field<8>({.name = "i#", .value = {.names = cia401::error_mode_names}});
 
@@ -136,8 +136,8 @@ inline constexpr NamedValue reserved_5_names[] = {{0, "0", Meaning::padding},
                                                   {1, 0x1F, "reserved", Meaning::reserved}};
 inline constexpr NamedValue reserved_7_names[] = {{0, "0", Meaning::padding},
                                                   {1, 0x7F, "reserved", Meaning::reserved}};
-/// Figure 5: whether the joystick holds its position in a direction. A joystick with two axes has
-/// no m-z: 0b.
+/// True if the joystick holds its position in a direction. A joystick with two axes has no m-z: 0b
+/// (Figure 5).
 inline constexpr FieldInfo joystick_memory_fields[] = {
     field(0, 1, "m-x", memory_names),
     field(1, 1, "m-y", memory_names),
@@ -150,7 +150,7 @@ inline constexpr FieldInfo foot_pedal_memory_fields[] = {
     field(1, 7, "reserved", reserved_7_names),
 };
 
-/// An entry that is there where its functional element is.
+/// An entry that exists where its functional element exists.
 constexpr EntryInfo element(unsigned sub, unsigned number, std::string_view name,
                             const EntryInfo& like, std::string_view condition,
                             std::string_view clause) {

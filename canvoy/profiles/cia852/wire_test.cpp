@@ -2,11 +2,11 @@
 // with errata 16 to 31, and from CiA 301.
 #include <gtest/gtest.h>
 
-#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/device/device_node.hpp"
 #include "canvoy/canopen/testing/cable.hpp"
 #include "canvoy/profiles/cia852/handles.hpp"
 #include "canvoy/profiles/cia852/operator_environment.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 
 namespace canvoy::wire_test {
 namespace {
@@ -24,7 +24,7 @@ constexpr auto seat = describe(cia852::operator_environment<elements>(),
                                cia301::identity({.vendor_id = 1}), cia301::heartbeat_producer(0));
 constexpr auto seat_layout = lay_out_device<seat>();
 
-/// A seat, node 10, of which the master has made a PDO valid.
+/// A seat, node 10; the master has made one of its PDOs valid.
 class OperatorEnvironmentWire : public testing::Test {
  protected:
   OperatorEnvironmentWire() {
@@ -38,7 +38,7 @@ class OperatorEnvironmentWire : public testing::Test {
   }
   void start() { cable_.send("000#01 0A"); }
   Values values() { return Values(device_.node().dictionary()); }
-  /// What the node does now.
+  /// Runs until the node has done its work.
   void settle() { cable_.run_for(1ms); }
 
   Cable cable_;

@@ -1,6 +1,6 @@
-// What the clauses of a profile print, typed by hand into a table of text beside this folder
-// (canvoy/profiles/clauses), as a test compares it with the description. Nothing in these tables
-// comes from the description: what one of both has wrong, the other one shows.
+// Contents of the clauses of a profile, typed by hand into a text table beside this folder
+// (canvoy/profiles/clauses), for a test that compares them with the description. Nothing in these
+// tables is derived from the description, so that an error in one of them shows up in the other.
 //
 //     complete objects entries figures
 //     6007 VAR C (4.2.2.3) u8 ro/rw default =FFh : Ignition switch status
@@ -13,17 +13,17 @@
 //     .02-04 O u16 rw no =FFFFh 1..9 : Icon # command
 //     enum Signal = 0 no | 1 yes
 //
-// A line is of an object (its index, or those from one to another), of an entry (its sub-index),
-// of fields (bits and names), or of values: of a field, or, without a name, of the whole entry.
-// Facts stand in any order; what a line does not say is not asked. Behind ` : ` stands a name, `#`
-// in it being the sub-index. VAR, ARRAY and RECORD are object codes; M, O and C categories; (4.2)
-// the clause; vd an access that the virtual device decides; ro/rw those of who provides the object
-// and who consumes it; =FFh the default, =- that there is none; 1..9 the range that is allowed.
-// A value is a code, or several, and its name, with its meaning before it where that is not a
-// state; `->` a number with its unit, both ways; `last` the highest code that is a number, `valid`
-// all codes that are numbers. Behind two blanks, `#` and another blank begins a comment.
-// A type before the values is the enumeration that their handle has, an `enum` which of its
-// enumerators has which code. `complete` says of which there are no others than those of the table.
+// A line describes an object (its index, or those from one to another), an entry (its sub-index),
+// fields (bits and names), or values: of a field, or, without a name, of the whole entry. Facts are
+// in any order; omitted facts are not checked. Behind ` : ` is a name, in which `#` is the
+// sub-index. VAR, ARRAY and RECORD are object codes; M, O and C categories; (4.2) the clause; vd an
+// access that the virtual device decides; ro/rw the accesses of provider and consumer; =FFh the
+// default, =- no default; 1..9 the allowed range. A value is a code, or several, and its name,
+// preceded by its meaning where that is not a state; `->` a number with its unit, both ways; `last`
+// the highest code that is a number, `valid` all codes that are numbers. Two blanks, `#` and
+// another blank start a comment.
+// A type before the values is the enumeration of their handle, and an `enum` gives the codes of its
+// enumerators. `complete` names the kinds of which the table has all.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -48,10 +48,10 @@ struct Value {
   std::int64_t first = 0;
   std::int64_t last = 0;
   std::string meaning = "state";
-  std::string text;   ///< a name, or the symbol of a unit
+  std::string text;   ///< a name or the symbol of a unit
   double number = 0;  ///< in that unit
 };
-/// Values of a field, or, where that is empty, of the whole entry.
+/// Values of a field, or, if that is empty, of the whole entry.
 struct Values {
   std::string field;
   std::string enumeration;  ///< its name in C++
@@ -66,7 +66,7 @@ struct EntryRow {
   unsigned line = 0;
   unsigned first = 0;
   unsigned last = 0;
-  bool is_variable = false;  ///< it stands on the line of its object
+  bool is_variable = false;  ///< it is on the line of its object
   std::string text;          ///< the facts, without the name
   std::string name;
   std::vector<Field> fields;
@@ -78,7 +78,7 @@ struct ObjectRow {
   unsigned last = 0;
   std::string text;
   std::string name;
-  std::vector<EntryRow> entries;  ///< of a variable one, which says what the object's line says
+  std::vector<EntryRow> entries;  ///< of a variable one, with the facts on the object's line
 };
 struct Enumeration {
   std::string name;
@@ -107,7 +107,7 @@ inline std::vector<std::string> split(std::string_view text, std::string_view se
     text.remove_prefix(end + separator.size());
   }
 }
-/// `12`, `-5`, `FFh`; with `base` 16 without the letter. Nothing: no number.
+/// `12`, `-5`, `FFh`; with `base` 16 without the letter. Nothing if it is no number.
 inline std::optional<std::int64_t> number_in(std::string_view text, int base = 10) {
   if (text.ends_with('h')) {
     text.remove_suffix(1);
@@ -132,7 +132,7 @@ inline std::optional<std::pair<std::int64_t, std::int64_t>> range_in(std::string
   return std::pair(*first, *last);
 }
 
-/// Reads a table line by line; a line that it does not know is a failure of the test.
+/// Reads a table line by line. An unknown line is a failure of the test.
 class Reader {
  public:
   Table read(std::istream& file) {

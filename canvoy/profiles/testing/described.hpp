@@ -1,5 +1,5 @@
-// Expectations of described objects that are typed as "index, type, default": for profiles of which
-// the text is not at hand.
+// Expectations of described objects, typed as "index, type, default", for profiles of which the
+// text is not at hand.
 //
 //     expect_described(cia402::profile, {{0x6040, u16}, {0x605A, i16, 2}});
 //
@@ -10,17 +10,17 @@
 
 #include <initializer_list>
 
-#include "canvoy/profiles/description.hpp"
+#include "canvoy/profiles/model/description.hpp"
 
 namespace canvoy {
 
 struct Described {
   unsigned index = 0;
   DataType type = DataType::unsigned8;
-  std::int64_t initial = -1;  ///< -1: not said
+  std::int64_t initial = -1;  ///< -1: not specified
 };
 
-/// Of arrays and records the type and default of sub-index 01h.
+/// For arrays and records, the type and default of sub-index 01h.
 inline void expect_described(const Profile& profile, std::initializer_list<Described> expected) {
   for (const auto& [index, type, initial] : expected) {
     SCOPED_TRACE(testing::Message() << std::hex << index << "h");

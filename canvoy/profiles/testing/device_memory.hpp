@@ -1,4 +1,4 @@
-// A dictionary made from a description, with memory from the heap, after power-on.
+// A dictionary made from a description, with memory from the heap, in its state after power-on.
 //
 //     DeviceMemory device(layout.tables(), 5);
 //     device.dictionary.number(0x1000, 0);
@@ -33,7 +33,7 @@ class DeviceMemory {
   Dictionary dictionary;
 };
 
-/// "rw TR": what SDO may do, and into which PDOs an entry may be mapped.
+/// "rw TR": the access of SDO, and the PDOs into which an entry may be mapped.
 inline std::string access_text(Access access) {
   std::string text = allows(access, Access::const_) ? "const"
                      : allows(access, Access::rw)   ? "rw"

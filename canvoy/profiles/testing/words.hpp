@@ -1,4 +1,4 @@
-// What a raw value of a profile's object says, in words.
+// Meaning of a raw value of a profile's object, in words.
 //
 //     words(cia417::profile, 0x6300, 1, 0xFFFF)
 //
@@ -9,8 +9,8 @@
 
 #include <string>
 
-#include "canvoy/profiles/description.hpp"
-#include "canvoy/profiles/number_rules.hpp"
+#include "canvoy/profiles/model/description.hpp"
+#include "canvoy/profiles/model/number_rules.hpp"
 
 namespace canvoy {
 
@@ -22,7 +22,7 @@ inline const EntryInfo& entry_at(const Profile& profile, unsigned index, unsigne
   return entry != nullptr ? *entry : missing;
 }
 
-/// By its name, and its number where there are several; null where there is none.
+/// Finds a field by its name, and its number if there are several; null if there is none.
 inline const FieldInfo* field_at(const EntryInfo& entry, std::string_view name,
                                  unsigned number = 0) {
   for (const FieldInfo& field : entry.fields) {
@@ -31,7 +31,7 @@ inline const FieldInfo* field_at(const EntryInfo& entry, std::string_view name,
   return nullptr;
 }
 
-/// Whether a field is there while the entry has this value.
+/// True if a field exists while the entry has this value.
 inline bool holds(const EntryInfo& entry, const FieldInfo& field, std::uint64_t raw) {
   for (const FieldCondition& condition : field.when) {
     bool met = false;
@@ -52,7 +52,7 @@ inline std::string value_text(const FieldInfo& field, std::uint64_t raw) {
   return named != nullptr ? std::string(named->name) : std::to_string(number);
 }
 
-/// The fields that hold, the reserved ones and zeros of a single bit left out.
+/// The fields that hold, without the reserved ones and zeros of a single bit.
 inline std::string words(const Profile& profile, unsigned index, unsigned sub, std::uint64_t raw) {
   const EntryInfo& entry = entry_at(profile, index, sub);
   std::string text;

@@ -2,18 +2,18 @@
 
 #include <algorithm>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 
 namespace canvoy {
 
 namespace {
 
 constexpr double seconds_per_hour = 3600;
-/// As long as that a battery must want no more than its tail current before it counts as full.
+/// A battery counts as full when it requests no more than its tail current for this time.
 constexpr double full_after_seconds = 60;
-/// A full battery is ready again when so much of its charge was taken out.
+/// A full battery is ready again when it has less than this share of its charge.
 constexpr double recharge_below_state_of_charge = 0.95;
-/// In its life before the start, taken out for each ampere-hour of capacity.
+/// Ampere-hours taken out before the start, for each ampere-hour of capacity.
 constexpr double earlier_cycles = 150;
 
 double seconds_of(Duration time) {
@@ -86,7 +86,8 @@ void BatteryPlant::exchange_heat(double heat_joule, double seconds) {
   truth_.celsius_max = std::max(truth_.celsius_max, celsius_);
 }
 
-/// Constant current, until that would lift the voltage above its limit; then what keeps it there.
+/// Requests constant current until that would raise the voltage above its limit; then the current
+/// that keeps it there.
 void BatteryPlant::manage(double ampere, double seconds) {
   if (is_full_) {
     if (state_of_charge_ >= recharge_below_state_of_charge) return;
@@ -96,7 +97,7 @@ void BatteryPlant::manage(double ampere, double seconds) {
   const double limit_volt = design_.chemistry->charge_voltage_volt * design_.cells;
   const double bearable_ampere = (limit_volt - open_circuit_volt()) / resistance_ohm();
   requested_ampere_ = std::clamp(bearable_ampere, 0.0, design_.charge_current_ampere);
-  if (ampere <= 0) return;  // full is a battery that was charged
+  if (ampere <= 0) return;  // only a battery that is being charged becomes full
 
   const bool wants_little = requested_ampere_ <= design_.tail_current_ampere;
   wants_little_seconds_ = wants_little ? wants_little_seconds_ + seconds : 0;
@@ -111,13 +112,13 @@ cia418::BatteryHardware BatteryPlant::hardware() {
 }
 
 cia418::BatteryReadings BatteryPlant::sense() const {
-  must_hold(ampere_hours_since_charge_ >= 0);
+  check_invariant(ampere_hours_since_charge_ >= 0);
   cia418::BatteryReadings readings;
   const double shown_celsius = faults.shown_celsius.value_or(celsius_);
   if (!faults.temperature_is_invalid) readings.temperature_celsius = shown_celsius;
   if (!faults.voltage_is_invalid) readings.voltage_volt = terminal_volt_;
   readings.requested_current_ampere = requested_ampere_;
-  // It says 100 % when it is full, and not by counting alone.
+  // Reports 100 % when it is full, and not by counting alone.
   readings.state_of_charge_percent = is_full_ ? 100.0 : std::min(state_of_charge_ * 100, 99.0);
   readings.ampere_hours_since_charge = ampere_hours_since_charge_;
   readings.ampere_hours_total =

@@ -1,5 +1,5 @@
-// A traction battery with its management system, as a plant: cells that are charged and grow warm,
-// and electronics that measure them and ask for current (what a CiA 418 battery module senses).
+// A traction battery with its management system, as a plant: cells that take charge and grow warm,
+// and electronics that measure them and request current (the readings of a CiA 418 battery module).
 //
 //     BatteryPlant battery(BatteryPlant::lead_acid_48v(), 0.2);
 //     battery.step(60.0, 100ms);
@@ -14,28 +14,28 @@
 
 namespace canvoy {
 
-/// What a battery is built like.
+/// Design of a battery.
 struct BatteryDesign {
   const CellChemistry* chemistry = nullptr;
   unsigned cells = 0;  ///< in series
   double capacity_ampere_hour = 0;
-  double charge_current_ampere = 0;  ///< asked for while the voltage is below its limit
-  double tail_current_ampere = 0;    ///< full when no more than this is wanted
+  double charge_current_ampere = 0;  ///< requested while the voltage is below its limit
+  double tail_current_ampere = 0;    ///< the battery is full when it requests no more than this
   double heat_capacity_joule_per_kelvin = 0;
-  double heat_loss_watt_per_kelvin = 0;  ///< to the ambience
-  double celsius_min = -20;              ///< outside of these it is not ready
+  double heat_loss_watt_per_kelvin = 0;  ///< to the surroundings
+  double celsius_min = -20;              ///< outside of these limits it is not ready
   double celsius_max = 60;
 };
 
-/// What is wrong with the sensors and the management system; nothing by default.
+/// Faults of the sensors and of the management system; none by default.
 struct BatteryFaults {
   bool temperature_is_invalid = false;
   bool voltage_is_invalid = false;
   bool is_not_ready = false;
-  std::optional<double> shown_celsius{};  ///< what the sensor shows, whatever the cells have
+  std::optional<double> shown_celsius{};  ///< reading of the sensor, whatever the cells have
 };
 
-/// What really went in and out, unlike what anybody measured. All since the start.
+/// Real quantities, unlike the measured ones. All are totals since the start.
 struct BatteryTruth {
   double ampere_hours_in = 0;
   double ampere_hours_out = 0;
@@ -47,18 +47,18 @@ struct BatteryTruth {
 
 class BatteryPlant {
  public:
-  /// 24 cells, 48 V, 400 Ah, of lead and acid, or 16 of lithium iron phosphate.
+  /// 24 cells of lead and acid, or 16 of lithium iron phosphate: 48 V, 400 Ah.
   static BatteryDesign lead_acid_48v();
   static BatteryDesign lithium_48v();
 
-  /// `state_of_charge` from 0 to 1. The battery is as warm as the ambience.
+  /// `state_of_charge` is 0 to 1. The battery starts at the temperature of its surroundings.
   explicit BatteryPlant(const BatteryDesign& design, double state_of_charge,
                         double ambience_celsius = 20);
 
-  /// `ampere` flow in, or with a minus out, for `time`.
+  /// Lets `ampere` flow in, or out where negative, for `time`.
   void step(double ampere, Duration time);
 
-  /// For the device; valid as long as the plant.
+  /// Hardware for the device; valid as long as the plant.
   cia418::BatteryHardware hardware();
   BatteryFaults faults{};
   double ambience_celsius = 20;
@@ -66,10 +66,10 @@ class BatteryPlant {
   double state_of_charge() const { return state_of_charge_; }
   double celsius() const { return celsius_; }
   double terminal_volt() const { return terminal_volt_; }
-  /// What the management system asks for now, in A.
+  /// Current that the management system requests, in A.
   double requested_ampere() const { return requested_ampere_; }
   bool is_full() const { return is_full_; }
-  /// What its management system would say now.
+  /// Readings that the management system would report.
   cia418::BatteryReadings sense() const;
   const BatteryTruth& truth() const { return truth_; }
   const BatteryDesign& design() const { return design_; }

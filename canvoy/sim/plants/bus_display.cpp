@@ -26,7 +26,8 @@ constexpr std::size_t picture_blocks = 3;
 constexpr Duration page_time = 3s;
 constexpr unsigned ascii_end = 0x80;
 
-/// A single-byte character set, a byte at a time: what it does not have is U+FFFD.
+/// Decodes a single-byte character set, byte by byte; an octet that the set does not have becomes
+/// U+FFFD.
 std::u32string decoded(std::span<const std::uint8_t> octets, unsigned character_set) {
   const std::string name =
       character_set == 0 ? "US-ASCII" : "ISO-8859-" + std::to_string(character_set);
@@ -50,7 +51,7 @@ std::u32string decoded(std::span<const std::uint8_t> octets, unsigned character_
   return text;
 }
 
-/// What is between the tags, with the five entities that every file may have.
+/// Text between the tags, with the five entities of every XML file.
 std::u32string without_tags(const std::u32string& file) {
   struct Entity {
     std::u32string_view name;
@@ -116,7 +117,7 @@ std::string trimmed_utf8(std::u32string text) {
   return as_utf8(text);
 }
 
-/// Lines of whole words, of which each fills as much of the room as it can.
+/// Lines of whole words, each filled as far as possible.
 std::vector<std::u32string> wrapped(const std::u32string& text, std::size_t room) {
   std::vector<std::u32string> lines;
   std::size_t at = 0;
@@ -164,7 +165,7 @@ std::size_t BusDisplay::beside() const {
   return has_side() ? 2 * elements_[0].text.size() + 1 : 0;
 }
 
-/// Of all elements but a large one at the left.
+/// Rows of all elements except a large one at the left.
 std::vector<BusDisplay::Row> BusDisplay::rows() const {
   const std::size_t room = size_.columns - std::min(beside(), size_.columns);
   std::vector<Row> all;
@@ -204,7 +205,7 @@ void BusDisplay::place(const Row& row, std::size_t line, std::size_t first, bool
   if (element.style == FontStyle::scrolling) {
     begin = passed / scroll_step % (room + length) + 1 - length;
   } else if (is_large) {
-    begin = 0;  // at the left of the others, however it is aligned
+    begin = 0;  // at the left of the others, whatever its alignment
   } else if (element.alignment == Alignment::center) {
     begin = std::max<std::ptrdiff_t>(0, (room - length) / 2);
   } else if (element.alignment == Alignment::right) {
@@ -239,12 +240,14 @@ std::vector<std::string> BusDisplay::text() const {
   std::vector<std::u32string> lines(size_.lines, std::u32string(size_.columns, U' '));
   for (const Placed& each : placed(page())) lines[each.line][each.column] = each.character;
   std::vector<std::string> made;
+  made.reserve(lines.size());
   for (std::u32string& line : lines) made.push_back(trimmed_utf8(std::move(line)));
   return made;
 }
 
 std::vector<std::string> BusDisplay::texts() const {
   std::vector<std::string> made;
+  made.reserve(elements_.size());
   for (const Element& element : elements_) made.push_back(trimmed_utf8(element.text));
   return made;
 }

@@ -1,18 +1,18 @@
-// The display of a bus as a passenger sees it at a point in time: texts in their place, aligned,
-// flashing, scrolling; as lines of text and as a picture (CiA 407, 9.2.8.4).
+// The display of a bus as a passenger sees it at a point in time: texts at their positions,
+// aligned, flashing, scrolling; as lines of text and as a picture (CiA 407, 9.2.8.4).
 //
 //     BusDisplay display({.columns = 32, .lines = 3}, clock);
-//     site.offer(Callback<cia407::DisplayHardware()>::to<&BusDisplay::hardware>(display));
+//     environment.provide(Callback<cia407::DisplayHardware()>::to<&BusDisplay::hardware>(display));
 //     display.text();      // "23a Airport" ...
 //     display.picture();
 //
-// Our reading of "the display device is responsible for a correct layout": an element is a line,
-// from the top on; where the first one is large and there are others, it stands at the left of
-// them. What scrolls comes in at the left and goes to the right, a column each 250 ms. What flashes
-// slowly is dark each other second, at medium speed each other half, fast each other quarter. A
-// text that is too long goes on in the next line, a word that is too long is cut; where there are
-// more lines than the sign has, they are shown in turns of three seconds. Of an XML file its text
-// is shown, without the tags; of a picture three blocks.
+// Interpretation of "the display device is responsible for a correct layout": an element is a line,
+// from the top down. Where the first element is large and there are others, it stands to their
+// left. Scrolling text enters at the left and moves to the right, one column each 250 ms. Slow
+// flashing is dark in every other second, medium in every other half second, fast in every other
+// quarter second. A text that is too long continues in the next line; a word that is too long is
+// cut. Where there are more lines than the sign has, they are shown in turns of three seconds. Of
+// an XML file, the text is shown without the tags; of a picture, three blocks.
 #pragma once
 
 #include <cstddef>
@@ -34,22 +34,23 @@ class BusDisplay {
     std::size_t lines = 4;     ///< of 16 dots
   };
 
-  /// What `clock` refers to must outlive this.
+  /// The object to which `clock` refers must outlive this one.
   BusDisplay(const Size& size, Callback<Time()> clock) : size_(size), clock_(clock) {}
   BusDisplay(const BusDisplay&) = delete;
   BusDisplay& operator=(const BusDisplay&) = delete;
 
-  /// It must not outlive this.
+  /// The hardware must not outlive this object.
   cia407::DisplayHardware hardware();
 
-  /// What is to be read now: UTF-8, as many lines as there are, each without blanks at its end.
+  /// The text that can be read at present: UTF-8, all lines of the sign, each without blanks at its
+  /// end.
   std::vector<std::string> text() const;
-  /// The same in black on white.
+  /// The display at present, in black on white.
   Picture picture() const { return picture_of(page()); }
-  /// In how many turns all is to be read, 1 at least, and what is to be seen in one of them.
+  /// Number of turns in which all is shown, at least 1, and what one of them shows.
   std::size_t pages() const;
   Picture picture_of(std::size_t page) const;
-  /// What each element says, whole: UTF-8, without blanks at its end.
+  /// The whole text of each element: UTF-8, without blanks at its end.
   std::vector<std::string> texts() const;
   bool is_stop_requested() const { return is_stop_requested_; }
   bool is_dark() const { return elements_.empty() && !is_testing_; }
@@ -62,7 +63,7 @@ class BusDisplay {
     cia407::FontStyle style;
     cia407::FlashSpeed flash;
   };
-  /// A character at its place.
+  /// A character and its position.
   struct Placed {
     char32_t character;
     std::size_t column;
@@ -80,7 +81,7 @@ class BusDisplay {
     std::u32string text;
   };
   bool has_side() const;
-  /// Columns of the large line and the gap behind it.
+  /// Number of columns of the large line and the gap behind it.
   std::size_t beside() const;
   std::vector<Row> rows() const;
   std::size_t page() const;

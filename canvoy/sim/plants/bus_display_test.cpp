@@ -1,10 +1,10 @@
-// What a passenger sees: a real device on a cable, with texts and mappings by SDO; what is to be
-// read is typed here from what was sent.
+// What a passenger sees: a real device on a cable, with texts and mappings by SDO; the expected
+// text is typed from what was sent.
 #include "canvoy/sim/plants/bus_display.hpp"
 
 #include <gtest/gtest.h>
 
-#include "canvoy/devices/cia407/bus_bench_test.hpp"
+#include "canvoy/devices/cia407/kit/bus_bench_test.hpp"
 
 namespace canvoy::bus_display_test {
 namespace {
@@ -18,7 +18,7 @@ class Passenger : public testing::Test {
   static constexpr const cia407::BusUnit* units[] = {&cia407::bus_unit<InformationText>};
 
   Time now() { return bench == nullptr ? Time{} : bench->cable.now; }
-  /// 6203h, from the first element on, and the update.
+  /// Writes 6203h, from the first element on, and the update command.
   void show(const std::vector<std::string>& mapped) {
     char number[] = "02";
     for (const std::string& each : mapped) {
@@ -31,8 +31,9 @@ class Passenger : public testing::Test {
   cia407::BusBench* bench = nullptr;
   BusDisplay display{{.columns = 12, .lines = 2}, Callback<Time()>::to<&Passenger::now>(*this)};
   cia407::BusBench own{
-      units, [this](Site& site) {
-        site.offer(Callback<cia407::DisplayHardware()>::to<&BusDisplay::hardware>(display));
+      units, [this](Environment& environment) {
+        environment.provide(
+            Callback<cia407::DisplayHardware()>::to<&BusDisplay::hardware>(display));
       }};
   Passenger() { bench = &own; }
 };
@@ -118,7 +119,7 @@ TEST_F(Passenger, SeesAPictureOfTheText) {
   const Picture picture = display.picture();
   EXPECT_EQ(picture.width(), 96u);
   EXPECT_EQ(picture.height(), 32u);
-  // The foot of an L: dots 1 to 6 of its cell, which is the second.
+  // The foot of an L: dots 1 to 6 of its cell, the second one.
   for (std::size_t x = 0; x < 24; ++x) {
     const bool is_foot = x >= 9 && x <= 14;
     EXPECT_EQ(picture.at(x, 13) == (Picture::Color{0, 0, 0}), is_foot) << x;

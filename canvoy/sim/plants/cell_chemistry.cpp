@@ -10,8 +10,8 @@ namespace {
 constexpr double reference_celsius = 25;
 constexpr double resistance_factor_min = 0.5;
 
-// Rest voltages of 1.28 kg/l acid. The resistance is such that a cell that is charged with a sixth
-// of its capacity in an hour comes to 2.4 V when it is four fifths full.
+// Rest voltages of 1.28 kg/l acid. With this resistance, a cell that takes a sixth of its capacity
+// in an hour reaches 2.4 V when it is four fifths full.
 constexpr std::array lead_acid_points{
     CellPoint{0.00, 1.930, 0.40}, CellPoint{0.20, 1.985, 0.45}, CellPoint{0.40, 2.030, 0.60},
     CellPoint{0.60, 2.070, 0.90}, CellPoint{0.70, 2.085, 1.30}, CellPoint{0.80, 2.100, 2.00},

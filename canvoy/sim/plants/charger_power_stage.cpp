@@ -16,7 +16,7 @@ double PowerStagePlant::step(Duration time, double battery_volt, bool is_plugged
   const double charge =
       (ampere_ + end) / 2 * ramp_seconds + end * (seconds - ramp_seconds);  // ampere-seconds
   ampere_ = end;
-  // What was asked for during this step cannot have had an effect on its beginning.
+  // A set-point of this step cannot affect its beginning.
   const double wanted = faults.stuck_ampere.value_or(set_point_ampere_);
   target_ampere_ = is_plugged ? std::clamp(wanted, 0.0, options_.current_max_ampere) : 0;
   mains_energy_joule_ += charge * battery_volt / options_.efficiency;
@@ -24,7 +24,7 @@ double PowerStagePlant::step(Duration time, double battery_volt, bool is_plugged
 }
 
 double PowerStagePlant::measured_ampere() const {
-  // The meter is set to zero while the stage is off.
+  // The reading of the meter is zero while the stage is off.
   return ampere_ > 0 ? ampere_ * options_.meter_gain + options_.meter_offset_ampere : 0.0;
 }
 

@@ -1,5 +1,5 @@
 // The power stage of a battery charger, as a plant: a current source with a limit, a slope and a
-// meter (what a CiA 419 charger drives and senses).
+// meter (the hardware of a CiA 419 charger).
 //
 //     PowerStagePlant stage({.current_max_ampere = 80});
 //     stage.hardware().deliver(60.0);
@@ -17,15 +17,15 @@ struct PowerStageOptions {
   double current_max_ampere = 80;
   double rise_ampere_per_second = 20;
   double fall_ampere_per_second = 400;
-  double efficiency = 0.93;  ///< of what it takes from the mains, what the battery gets
-  double meter_gain = 1.0;   ///< what it measures, for each ampere that flows
+  double efficiency = 0.93;  ///< share of the energy from the mains that the battery gets
+  double meter_gain = 1.0;   ///< reading of the meter for each ampere that flows
   double meter_offset_ampere = 0.02;
 };
 
-/// What is wrong with it; nothing by default.
+/// Faults of the power stage; none by default.
 struct PowerStageFaults {
   bool pilot_signal_is_lost = false;
-  /// It delivers this, whatever it is told: a contactor that is welded.
+  /// Current that flows whatever the set-point is: a welded contactor.
   std::optional<double> stuck_ampere{};
 };
 
@@ -33,20 +33,20 @@ class PowerStagePlant {
  public:
   explicit PowerStagePlant(const PowerStageOptions& options = {}) : options_(options) {}
 
-  /// What flows on average during the next `time`, in A. Without a battery (`is_plugged` false)
-  /// nothing does. Call it with even steps: a new set-point counts from the next step on.
+  /// Average current during the next `time`, in A; none without a battery (`is_plugged` false).
+  /// Call it with even steps: a new set-point takes effect with the next step.
   double step(Duration time, double battery_volt, bool is_plugged = true);
 
-  /// For the device; valid as long as the plant.
+  /// Hardware for the device; valid as long as the plant.
   cia419::ChargerHardware hardware();
   PowerStageFaults faults{};
 
   double set_point_ampere() const { return set_point_ampere_; }
-  /// At the end of the last step.
+  /// Current at the end of the last step, in A.
   double ampere() const { return ampere_; }
   double measured_ampere() const;
   bool pilot_signal() const { return is_plugged_ && !faults.pilot_signal_is_lost; }
-  /// Taken from the mains since the start.
+  /// Energy taken from the mains since the start.
   double mains_energy_joule() const { return mains_energy_joule_; }
   /// The longest time from a set-point of zero to no current.
   Duration fall_time_max() const;

@@ -1,4 +1,4 @@
-// A battery at a charger, as a plant: what the power stage delivers flows into the battery while
+// A battery at a charger, as a plant: the current of the power stage flows into the battery while
 // the plug is in.
 //
 //     ChargingPlant plant(BatteryPlant::lead_acid_48v(), 0.2);
@@ -14,19 +14,19 @@ namespace canvoy {
 
 class ChargingPlant {
  public:
-  /// Short against all that a charger reacts to, and long enough for a night in a fraction of a
-  /// second.
+  /// Shorter than all reaction times of a charger, and long enough to simulate a night in a
+  /// fraction of a second.
   static constexpr Duration step_time = 100ms;
-  /// Below this none is said to flow: what a meter shows at rest.
+  /// A smaller current counts as none: the reading of a meter at rest.
   static constexpr double no_current_ampere = 0.01;
 
   ChargingPlant(const BatteryDesign& design, double state_of_charge, double ambience_celsius = 20,
                 const PowerStageOptions& stage_options = {})
       : battery(design, state_of_charge, ambience_celsius), stage(stage_options) {}
 
-  /// Goes on by one step_time.
+  /// Advances by one step_time.
   void step();
-  /// For World::add_plant.
+  /// Callback for World::add_plant.
   Callback<void(Time)> on_step() {
     return {[](void* plant, Time) { static_cast<ChargingPlant*>(plant)->step(); }, this};
   }
@@ -35,9 +35,9 @@ class ChargingPlant {
   PowerStagePlant stage;
   bool is_plugged = true;
 
-  /// The average of the last step, in A: the truth.
+  /// True average current of the last step, in A.
   double ampere() const { return ampere_; }
-  /// Delivered into the battery since the start: the truth.
+  /// True charge delivered into the battery since the start.
   double ampere_hours() const { return battery.truth().ampere_hours_in; }
   double energy_watt_hour() const { return battery.truth().energy_in_joule / 3600; }
 

@@ -5,7 +5,7 @@
 namespace canvoy::charging_test {
 namespace {
 
-/// Charges as a perfect charger does: what is asked for, while the battery is ready.
+/// Charges like a perfect charger: with the requested current, while the battery is ready.
 void charge_for(ChargingPlant& plant, Duration time) {
   const auto battery = plant.battery.hardware();
   const auto stage = plant.stage.hardware();

@@ -13,12 +13,12 @@ constexpr double boom_metres = 5.7;
 constexpr double stick_metres = 2.9;
 constexpr double bucket_metres = 1.4;
 constexpr double bucket_width = 1.2;
-constexpr double cut_max = 0.4;         ///< m that the bucket bites into the ground
+constexpr double cut_max = 0.4;         ///< m of depth that the bucket cuts into the ground
 constexpr double pours_above = -30;     ///< degrees of the bucket to its stick
 constexpr double pours_a_second = 1.5;  ///< m3
 
-constexpr double slew_max = 36;            ///< degrees a second
-constexpr double slew_acceleration = 240;  ///< degrees a second, each second
+constexpr double slew_max = 36;            ///< degrees per second
+constexpr double slew_acceleration = 240;  ///< degrees per second squared
 constexpr double rotator_max = 45;
 constexpr double track_max = 1.0;  ///< m/s
 constexpr double fast_track_max = 1.6;
@@ -106,7 +106,7 @@ void Excavator::step_engine(double seconds) {
 }
 
 void Excavator::step_cylinder(HydraulicCylinder& cylinder, Movement movement, double seconds) {
-  constexpr double speed_max = 40;  // degrees a second, in the middle of a stroke
+  constexpr double speed_max = 40;  // degrees per second, in the middle of a stroke
   cylinder.step(wanted(movement), rpm_ / full_rpm, seconds);
   speeds_[index(movement)] = std::clamp(cylinder.speed() / speed_max, -1.0, 1.0);
 }
@@ -148,7 +148,7 @@ void Excavator::step_earth(const Point& before, double seconds) {
   const double drawn = before.x - now.x;
   if (now.z < 0 && drawn > 0) {
     const double cut = std::min(-now.z, cut_max) * bucket_width * drawn;
-    const double taken = std::min({cut, bucket_capacity - earth_.in_bucket, left_here_});
+    const double taken = std::min({cut, room_ - earth_.in_bucket, left_here_});
     earth_.dug += taken;
     earth_.in_bucket += taken;
     left_here_ -= taken;
@@ -158,6 +158,14 @@ void Excavator::step_earth(const Point& before, double seconds) {
   const double poured = std::min(earth_.in_bucket, pours_a_second * seconds);
   earth_.in_bucket -= poured;
   (is_over_heap() && !has_hole_ ? earth_.heaped : earth_.spilled) += poured;
+  if (earth_.in_bucket <= 0) draw_fill();
+}
+
+/// Draws the fill of the next bucket.
+void Excavator::draw_fill() {
+  constexpr std::uint32_t steps = 1000;
+  const double share = static_cast<double>(soil_.below(steps + 1)) / steps;
+  room_ = bucket_capacity * (fill_least + share * (fill_most - fill_least));
 }
 
 }  // namespace canvoy

@@ -12,11 +12,12 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "canvoy/can/random.hpp"
 #include "canvoy/sim/plants/hydraulic_cylinder.hpp"
 
 namespace canvoy {
 
-/// What a valve moves.
+/// A movement that a valve drives.
 enum class Movement : std::uint8_t { slew, stick, boom, bucket, left_track, right_track, rotator };
 inline constexpr std::size_t movements = static_cast<std::size_t>(Movement::rotator) + 1;
 
@@ -26,7 +27,7 @@ class Excavator {
     double x = 0;  ///< m in front of the axis of the slew
     double z = 0;  ///< m above the ground
   };
-  /// Earth, in m3: what was dug is in the bucket, on the heap, or was spilled elsewhere.
+  /// Earth, in m3: in the bucket, on the heap, or spilled elsewhere.
   struct Earth {
     double dug = 0;
     double in_bucket = 0;
@@ -34,23 +35,29 @@ class Excavator {
     double spilled = 0;
   };
 
-  static constexpr double bucket_capacity = 1.2;  ///< m3
-  static constexpr double earth_of_place = 40;    ///< m3, before it has to drive on
-  static constexpr double heap_at = 80;           ///< degrees of the slew
-  static constexpr double heap_width = 20;        ///< degrees to each side
+  static constexpr double bucket_capacity = 1.2;  ///< m3, heaped
+  /// Share of its capacity that a bucket takes of stony earth at least, and of loose earth at most.
+  static constexpr double fill_least = 0.7;
+  static constexpr double fill_most = 1;        ///< all of it
+  static constexpr double earth_of_place = 40;  ///< m3 to dig before it has to drive on
+  static constexpr double heap_at = 80;         ///< degrees of the slew
+  static constexpr double heap_width = 20;      ///< degrees to either side
   static constexpr double tank_litres = 400;
   static constexpr double hot = 80;  ///< degC of the oil
 
-  // What is wired to it.
+  /// The seed of the soil determines how full each bucket gets.
+  explicit Excavator(std::uint64_t soil = 1) : soil_(soil) { draw_fill(); }
+
+  // Inputs from its wiring.
 
   /// -1 to 1.
   void command(Movement movement, double value) { commands_[index(movement)] = value; }
-  /// 0 to 1: from idle to full speed.
+  /// Engine speed, 0 to 1: from idle to full speed.
   void set_throttle(double share) { throttle_ = share; }
   void set_pilot_pressure(bool is_on) { has_pilot_pressure_ = is_on; }
   void set_fast_travel(bool is_fast) { is_fast_ = is_fast; }
   void refuel() { litres_ = tank_litres; }
-  /// The bucket has a hole: nothing stays in it.
+  /// Makes a hole in the bucket: nothing stays in it.
   void pierce_bucket() { has_hole_ = true; }
 
   void step(double seconds);
@@ -58,12 +65,12 @@ class Excavator {
   // What can be seen of it.
 
   double angle(Movement movement) const;  ///< degrees; of a track, m
-  /// Share of its greatest speed, -1 to 1, in the last step.
+  /// Share of the greatest speed of the movement, -1 to 1, in the last step.
   double speed(Movement movement) const { return speeds_[index(movement)]; }
   Point tip() const;
-  /// Where it is with these angles.
+  /// Position of the tip at these angles.
   static Point tip_at(double boom, double stick, double bucket);
-  Point joint(Movement movement) const;  ///< where boom, stick or bucket is hinged
+  Point joint(Movement movement) const;  ///< position of the hinge of boom, stick or bucket
   const Earth& earth() const { return earth_; }
   double earth_left() const { return left_here_; }  ///< m3 within reach
   bool has_pilot_pressure() const { return has_pilot_pressure_; }
@@ -85,6 +92,7 @@ class Excavator {
   void step_turns(double seconds);
   void step_earth(const Point& before, double seconds);
   bool is_over_heap() const;
+  void draw_fill();
 
   std::array<double, movements> commands_{};
   std::array<double, movements> speeds_{};
@@ -113,9 +121,11 @@ class Excavator {
   double slew_ = 0;
   double rotator_ = 0;
   std::array<double, 2> tracks_{};
-  double driven_ = 0;  ///< m since the bucket had earth of another place
+  double driven_ = 0;  ///< m driven since the bucket had earth of another place
   double left_here_ = earth_of_place;
   Earth earth_;
+  Random soil_;
+  double room_ = 0;  ///< m3 that the bucket takes this time
   bool has_pilot_pressure_ = false;
   bool is_fast_ = false;
   bool has_hole_ = false;

@@ -1,9 +1,13 @@
-// The plant of an excavator by itself: geometry, valves, earth.
+// The plant of an excavator alone: geometry, valves, earth.
 #include "canvoy/sim/plants/excavator.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
+#include <vector>
 
 namespace canvoy::excavator_plant_test {
 namespace {
@@ -14,15 +18,15 @@ void run(Excavator& machine, double seconds) {
   for (double at = 0; at < seconds; at += step_seconds) machine.step(step_seconds);
 }
 
-Excavator running() {
-  Excavator machine;
+Excavator running(std::uint64_t soil = 1) {
+  Excavator machine(soil);
   machine.set_pilot_pressure(true);
   machine.set_throttle(1);
   run(machine, 5);
   return machine;
 }
 
-/// By hand: boom 5.7 m, stick 2.9 m, bucket 1.4 m, hinged 0.2 m in front and 1.8 m high.
+/// Calculated by hand: boom 5.7 m, stick 2.9 m, bucket 1.4 m, hinged 0.2 m in front and 1.8 m high.
 TEST(ExcavatorPlant, TheTipIsWhereTheAnglesSay) {
   const Excavator::Point stretched = Excavator::tip_at(0, 0, 0);
   EXPECT_DOUBLE_EQ(stretched.x, 0.2 + 5.7 + 2.9 + 1.4);
@@ -71,7 +75,7 @@ TEST(ExcavatorPlant, NothingMovesWithoutPilotPressure) {
   EXPECT_EQ(machine.angle(Movement::left_track), 0);
 }
 
-/// 36 degrees a second at full speed; it comes to rest within 0.4 s when the valve closes.
+/// 36 degrees per second at full speed; it comes to rest within 0.4 s when the valve closes.
 TEST(ExcavatorPlant, SlewsAndComesToRest) {
   Excavator machine = running();
   machine.command(Movement::slew, 1);
@@ -99,6 +103,44 @@ TEST(ExcavatorPlant, NoEarthIsLost) {
     ASSERT_LE(earth.in_bucket, Excavator::bucket_capacity + 1e-9);
   }
   EXPECT_GT(machine.earth().dug, 1);
+}
+
+/// Contents of each of the first `count` buckets of a soil, in m3: dug by the stick, and dumped
+/// beside.
+std::vector<double> buckets_of(std::uint64_t soil, std::size_t count) {
+  Excavator machine = running(soil);
+  std::vector<double> buckets;
+  double most = 0;
+  for (double seconds = 0; buckets.size() < count && seconds < 10'000; seconds += step_seconds) {
+    machine.command(Movement::boom, std::sin(seconds / 3));
+    machine.command(Movement::stick, std::sin(seconds / 2));
+    machine.command(Movement::bucket, std::sin(seconds));
+    machine.command(Movement::left_track, 1);
+    machine.command(Movement::right_track, 1);
+    machine.step(step_seconds);
+    const double now = machine.earth().in_bucket;
+    if (now == 0 && most > 0) buckets.push_back(most);
+    most = now == 0 ? 0 : std::max(most, now);
+  }
+  return buckets;
+}
+
+TEST(ExcavatorPlant, BucketsAreNotAlwaysFull) {
+  const std::vector<double> buckets = buckets_of(7, 60);
+  ASSERT_EQ(buckets.size(), 60U);
+  EXPECT_LE(std::ranges::max(buckets), Excavator::bucket_capacity);
+  EXPECT_GT(std::ranges::max(buckets), 0.95 * Excavator::bucket_capacity);
+  const auto is_filled = [](double earth) {
+    return earth >= Excavator::fill_least * Excavator::bucket_capacity;
+  };
+  const std::set<double> filled = [&] {
+    std::set<double> all;
+    std::ranges::copy_if(buckets, std::inserter(all, all.end()), is_filled);
+    return all;
+  }();
+  EXPECT_GT(filled.size(), 20U) << "no two are alike";
+  EXPECT_EQ(buckets_of(7, 60), buckets) << "the same soil, the same buckets";
+  EXPECT_NE(buckets_of(8, 60), buckets);
 }
 
 TEST(ExcavatorPlant, AnEngineWithoutFuelMovesNothing) {

@@ -1,4 +1,4 @@
-// A character as dots: those of glyph_table.hpp, and a box for one that is not there.
+// Characters as dots: those of glyph_table.hpp, and a box for any other character.
 //
 //     if (glyph_of(U'A').has_dot(3, 5)) ...
 #pragma once
@@ -10,13 +10,13 @@ namespace canvoy {
 
 inline constexpr unsigned glyph_width = 8;
 inline constexpr unsigned glyph_height = 16;
-/// The row behind the last one of letters that do not go below the line.
+/// Number of the row below the last one of letters without a descender.
 inline constexpr unsigned glyph_baseline = 14;
 
 struct Glyph {
   std::array<std::uint8_t, glyph_height> rows;
 
-  /// None beyond the edges.
+  /// False beyond the edges.
   constexpr bool has_dot(unsigned column, unsigned row) const {
     return column < glyph_width && row < glyph_height && (rows[row] << column & 0x80) != 0;
   }

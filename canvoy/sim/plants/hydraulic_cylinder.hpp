@@ -8,8 +8,8 @@
 
 namespace canvoy {
 
-/// The spool of a proportional valve: it follows its command with a lag, and lets nothing through
-/// in its dead band.
+/// The spool of a proportional valve: it follows its command with a lag and passes no flow in its
+/// dead band.
 class ValveSpool {
  public:
   static constexpr double lag_seconds = 0.04;
@@ -36,15 +36,14 @@ struct CylinderShape {
 
 class HydraulicCylinder {
  public:
-  /// In the middle of its stroke.
+  /// Starts in the middle of the stroke.
   explicit HydraulicCylinder(const CylinderShape& shape);
 
-  /// `command` opens the joint where it is above 0; `flow` is the share of what the pump gives at
-  /// most.
+  /// A `command` above 0 opens the joint; `flow` is the share of the greatest flow of the pump.
   void step(double command, double flow, double seconds);
   double angle() const { return angle_; }  ///< degrees
   double length() const { return length_; }
-  /// Degrees a second in the last step.
+  /// Degrees per second in the last step.
   double speed() const { return speed_; }
 
  private:

@@ -46,7 +46,7 @@ void PaperPicture::put(const cia447::PrintedCharacter& character) {
   const cia447::PrintStyle& style = character.style;
   const Glyph glyph = glyph_of(character.character);
   const unsigned first = style.has_variable_width ? inked(glyph).first : 0;
-  // A stroke of bold letters is one dot of the glyph wider.
+  // A stroke of bold letters is wider by one dot of the glyph.
   const unsigned stroke = std::max(1U, style.width / glyph_width);
   present_.grow(row_ + style.height);
   for (unsigned y = 0; y < style.height; ++y) {

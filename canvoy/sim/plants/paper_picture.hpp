@@ -1,4 +1,4 @@
-// The paper of a printer as a picture: what somebody would read who tears it off.
+// The paper of a printer as a picture: what a person reads who tears it off.
 //
 //     PaperPicture paper(384);
 //     PrinterUnit printer(network, {.paper = paper.paper()}, {.font = {.dots_per_line = 384}});
@@ -6,8 +6,8 @@
 //     paper.receipts().back()   // the last one that was cut
 //     paper.present()           // what hangs out of the printer
 //
-// Characters are drawn with the glyphs of glyph_table.hpp, stretched to the size that the style
-// wants; one that has none is a box.
+// Characters are drawn with the glyphs of glyph_table.hpp, stretched to the size of the style. A
+// character without a glyph is a box.
 #pragma once
 
 #include <deque>
@@ -18,22 +18,23 @@ namespace canvoy {
 
 class PaperPicture {
  public:
-  /// A receipt that grows longer tears by itself, and of more receipts the oldest are thrown away.
+  /// Longest receipt in rows of dots: a longer one tears off by itself. When there are too many
+  /// receipts, the oldest are discarded.
   static constexpr std::size_t rows_max = 20'000;
   static constexpr std::size_t receipts_max = 64;
 
-  /// `width` in dots.
+  /// `width` is in dots.
   explicit PaperPicture(std::size_t width = 384) : present_(width) {}
   PaperPicture(const PaperPicture&) = delete;
   PaperPicture& operator=(const PaperPicture&) = delete;
 
-  /// It must not outlive this.
+  /// The result must not outlive this object.
   cia447::PrinterPaper paper();
 
-  /// What was cut off, the oldest first.
+  /// Receipts that were cut off, the oldest first.
   const std::deque<Picture>& receipts() const { return receipts_; }
   const Picture& present() const { return present_; }
-  /// How many there were, with those that were thrown away.
+  /// Number of receipts cut off, including those discarded.
   std::size_t cuts() const { return cuts_; }
 
  private:
@@ -45,7 +46,7 @@ class PaperPicture {
 
   Picture present_;
   std::deque<Picture> receipts_;
-  std::size_t row_ = 0;  ///< where the paper stands
+  std::size_t row_ = 0;  ///< present row of the paper
   std::size_t cuts_ = 0;
 };
 

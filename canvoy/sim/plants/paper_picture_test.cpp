@@ -1,5 +1,5 @@
-// What a printer prints, as somebody sees it: dots of glyphs that are typed here from how the
-// letters look.
+// Prints of a printer as a person sees them: the expected dots are typed from the shape of the
+// letters.
 #include "canvoy/sim/plants/paper_picture.hpp"
 
 #include <gtest/gtest.h>

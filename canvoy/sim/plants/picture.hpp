@@ -23,21 +23,21 @@ class Picture {
 
   std::size_t width() const { return width_; }
   std::size_t height() const { return width_ == 0 ? 0 : bytes_.size() / (width_ * bytes_of_dot); }
-  /// Red, green, blue of each dot, without gaps.
+  /// Red, green and blue of each dot, without gaps.
   const std::vector<std::uint8_t>& bytes() const { return bytes_; }
 
-  /// Of so many rows at least; new ones are white.
+  /// Extends the picture to at least this many rows; new ones are white.
   void grow(std::size_t height) {
     const std::size_t size = height * width_ * bytes_of_dot;
     if (bytes_.size() < size) bytes_.resize(size, 0xFF);
   }
-  /// White beyond the edges.
+  /// Color of a dot; white beyond the edges.
   Color at(std::size_t x, std::size_t y) const {
     if (x >= width_ || y >= height()) return {};
     const std::uint8_t* dot = &bytes_[(y * width_ + x) * bytes_of_dot];
     return {.red = dot[0], .green = dot[1], .blue = dot[2]};
   }
-  /// Ink on what is there. Beyond the edges nothing happens.
+  /// Adds ink to the dot. Does nothing beyond the edges.
   void darken(std::size_t x, std::size_t y, const Color& color) {
     if (x >= width_ || y >= height()) return;
     std::uint8_t* dot = &bytes_[(y * width_ + x) * bytes_of_dot];

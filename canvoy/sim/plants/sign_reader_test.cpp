@@ -8,7 +8,7 @@
 namespace canvoy::sign_reader_test {
 namespace {
 
-/// What is read on a sign of 12 columns and 2 lines, to which these octets are sent.
+/// Reads a sign of 12 columns and 2 lines that receives these octets.
 class Sign : public testing::Test {
  protected:
   void show(const std::string& octets, std::uint16_t set) {
@@ -32,7 +32,8 @@ TEST_F(Sign, IsReadByItsDots) {
 }
 
 TEST_F(Sign, HasTheLettersOfItsCharacterSet) {
-  // ISO 8859-2: A3h is L with a stroke, BCh z with an acute; 8859-7: D0h is capital pi, E1h alpha.
+  // In ISO 8859-2, A3h is L with a stroke, BCh z with an acute; in 8859-7, D0h is capital pi, E1h
+  // alpha.
   show(
       "\xA3\xF3"
       "d\xBC",
@@ -40,14 +41,14 @@ TEST_F(Sign, HasTheLettersOfItsCharacterSet) {
   EXPECT_EQ(read(), U"\u0141\u00F3d\u017A");
   show("\xD0\xE1", 7);
   EXPECT_EQ(read(), U"\u03A0\u03B1");
-  // 8859-5: BCh to BFh are capital em to pe, of which the first looks like M.
+  // In 8859-5, BCh to BFh are capital em to pe; the first looks like M.
   show("\xBF\xD8", 5);
   EXPECT_EQ(read(), (std::u32string{look_of(U'\u041F'), U'\u0438'}));
   EXPECT_EQ(look_of(U'\u041C'), U'M');
 }
 
 TEST_F(Sign, ABoxCannotBeRead) {
-  // 8859-6: C7h is an alef, of which the sign has no picture.
+  // In 8859-6, C7h is an alef, of which the sign has no picture.
   show("A\xC7", 6);
   EXPECT_EQ(read(), (std::u32string{U'A', unreadable}));
   EXPECT_EQ(look_of(U'\u0627'), unreadable);

@@ -1,7 +1,7 @@
-// Sets of messages by chance, and what the simulated bus makes of them: at the critical instant of
-// each message, and as they come. Frames have the length of what they carry, in the analysis as on
-// the bus: no bytes make each identifier's frame as long as the analysis would have to take it, so
-// that a bound could be reached. All times are whole bits.
+// Random sets of messages, and their response times on the simulated bus: at the critical instant
+// of each message, and at random. Frames have the length of their contents, in the analysis as on
+// the bus: no data makes every frame as long as the analysis would have to assume, so that a bound
+// could be reached. All times are whole bits.
 //
 //     Random random(seed);
 //     const MessageSet set = message_set(random);
@@ -16,8 +16,8 @@
 #include <set>
 #include <vector>
 
+#include "canvoy/can/check_invariant.hpp"
 #include "canvoy/can/frame_bits.hpp"
-#include "canvoy/can/must_hold.hpp"
 #include "canvoy/can/random.hpp"
 #include "canvoy/can/simulated/arbitration.hpp"
 #include "canvoy/can/simulated/simulated_bus.hpp"
@@ -33,7 +33,7 @@ struct MessageSet {
   Duration bits(std::int64_t count) const { return Duration(count * 1'000'000 / model.bit_rate); }
 };
 
-/// An instance of a message: when its sender has it, and when it queues it.
+/// An instance of a message: the time of its event, and the time at which it is queued.
 struct Instance {
   std::size_t message = 0;
   Time event{};
@@ -53,36 +53,36 @@ class Playing {
       sender.playing = this;
       sender.id = bus_.attach({.listener = {.context = &sender, .on_sent = sent}});
     }
-    bus_.attach({});  // who acknowledges
+    bus_.attach({});  // acknowledges all frames
   }
   Playing(const Playing&) = delete;
   Playing& operator=(const Playing&) = delete;
 
-  /// The first of them are alone on the bus before the others come: one blocks.
+  /// Puts one instance alone on the bus before the others come, so that it blocks them.
   void block(std::size_t message, Time when) {
     bus_.advance(when);
     queue({.message = message, .event = when, .queued = when});
     bus_.advance(when);
   }
-  /// Destroys the next frames, in the checksum of the shortest.
+  /// Destroys the next frames, within the checksum of the shortest frame.
   void disturb(std::uint32_t frames) {
     if (frames > 0) bus_.disturb(frames, 33);
   }
 
-  /// In the order of their queueing; then until all is sent.
+  /// Plays the instances in the order of their queueing; then advances until all is sent.
   void play(std::vector<Instance> instances) {
     std::ranges::stable_sort(instances, {}, &Instance::queued);
     for (const Instance& each : instances) {
-      // A frame that is there when the bus becomes free takes part. On an idle bus it begins.
+      // A frame that is queued when the bus becomes free takes part. On an idle bus it begins.
       bus_.advance(waiting_ > 0 ? each.queued - Duration{1} : each.queued);
       queue(each);
     }
     while (waiting_ > 0 && bus_.next_event() != never) bus_.advance(bus_.next_event());
   }
 
-  /// Instances for which a sender had no room.
+  /// Number of instances for which a sender had no room.
   std::size_t lost() const { return lost_; }
-  /// From an event to the end of the intermission, of the instances that were played.
+  /// Longest time from an event to the end of the intermission, among the instances played.
   Duration longest(std::size_t message) const { return senders_[message].longest; }
 
  private:
@@ -117,7 +117,7 @@ class Playing {
   std::size_t lost_ = 0;
 };
 
-/// 3 to 16 messages that take 30 to 95 % of the bus, half of them with jitters.
+/// Draws 3 to 16 messages that take 30 to 95 % of the bus, half of them with jitters.
 inline MessageSet message_set(Random& random) {
   constexpr std::array<std::uint32_t, 4> rates = {125'000, 250'000, 500'000, 1'000'000};
   MessageSet set;
@@ -142,7 +142,7 @@ inline MessageSet message_set(Random& random) {
     message.bits = frame_bits(frame) + intermission_bits;
     message.period = set.bits(300 + random.below(1U << (7 + random.below(9))));
   }
-  // The periods, so that the load is what was drawn.
+  // Scales the periods to the load that was drawn.
   const double load = 0.3 + 0.65 * random.below(1000) / 1000.0;
   const double scale = utilisation(set.model) / load;
   for (BusMessage& each : set.model.messages) {
@@ -180,7 +180,8 @@ inline void put_behind_sync(MessageSet& set, Random& random) {
 
 namespace detail {
 
-/// Of a message without a place, from the start of a busy period on: as early as can be.
+/// Adds the instances of a message without a place, from the start of a busy period on, as early as
+/// possible.
 inline void add_earliest(std::vector<Instance>& to, const MessageSet& set, std::size_t message,
                          Time start, Duration length) {
   const BusMessage& each = set.model.messages[message];
@@ -194,8 +195,8 @@ inline void add_earliest(std::vector<Instance>& to, const MessageSet& set, std::
   }
 }
 
-/// Of one with a place, where SYNC's row has its beginning at `sync`: all that can be queued from
-/// the start on, as early as that.
+/// Adds the instances of a message with a place, for a row of SYNC that begins at `sync`: all that
+/// can be queued from the start on, as early as possible.
 inline void add_in_row(std::vector<Instance>& to, const MessageSet& set, std::size_t message,
                        Time sync, Time start, Duration length) {
   const BusMessage& each = set.model.messages[message];
@@ -207,7 +208,7 @@ inline void add_in_row(std::vector<Instance>& to, const MessageSet& set, std::si
   }
 }
 
-/// What begins the busy period of a message, and where SYNC's row is then.
+/// Beginnings of SYNC's row for each message that can begin the busy period.
 inline std::vector<Time> sync_rows(const MessageSet& set, std::size_t own, Time start) {
   const std::uint32_t key = arbitration_key(set.frames[own]);
   Duration all{};
@@ -230,9 +231,9 @@ inline std::vector<Time> sync_rows(const MessageSet& set, std::size_t own, Time 
 
 }  // namespace detail
 
-/// The longest response of a message at its critical instants: when the longest frame of lower
-/// priority has just begun, and all of higher priority come at once with it, with their jitters.
-/// `errors` frames are destroyed. `bound` says how long that can last.
+/// Longest response of a message at its critical instants: the longest frame of lower priority has
+/// just begun, and all of higher priority come at once, with their jitters. `errors` frames are
+/// destroyed. `bound` limits the duration.
 inline Duration longest_at_critical_instants(const MessageSet& set, std::size_t own,
                                              const Response& bound, std::uint32_t errors = 0) {
   const Time start = Time(10s) + set.bits(1);
@@ -258,14 +259,14 @@ inline Duration longest_at_critical_instants(const MessageSet& set, std::size_t 
     if (blocker != own) playing.block(blocker, start);
     playing.disturb(errors);
     playing.play(std::move(instances));
-    must_hold(playing.lost() == 0);
+    check_invariant(playing.lost() == 0);
     longest = std::max(longest, playing.longest(own));
   }
   return longest;
 }
 
-/// All messages as they come by chance, within what the model says of them, for so many periods of
-/// the slowest. The longest response of each.
+/// Longest response of each message at random times within the limits of the model, for `periods`
+/// periods of the slowest.
 inline std::vector<Duration> longest_by_chance(const MessageSet& set, Random& random,
                                                std::int64_t periods) {
   const Duration bit = set.bits(1);
@@ -300,7 +301,7 @@ inline std::vector<Duration> longest_by_chance(const MessageSet& set, Random& ra
   }
   Playing playing(set);
   playing.play(std::move(instances));
-  must_hold(playing.lost() == 0);
+  check_invariant(playing.lost() == 0);
   std::vector<Duration> longest;
   for (std::size_t k = 0; k < set.frames.size(); ++k) longest.push_back(playing.longest(k));
   return longest;

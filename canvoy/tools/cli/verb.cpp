@@ -7,20 +7,20 @@
 #include <sstream>
 #include <type_traits>
 
-#include "canvoy/tools/spelling.hpp"
+#include "canvoy/tools/cli/spelling.hpp"
 
 namespace canvoy::tools {
 
 namespace {
 
-/// Of the help: how far its right column is from the left.
+/// Column of the descriptions in the help.
 constexpr std::size_t column_width = 34;
 
 CLI::Option* add_row(CLI::App& app, const OptionRow& row) {
   return std::visit(
       [&](auto* place) {
         const std::string about(row.about);
-        // As everywhere, -o is the file that is written.
+        // As everywhere, -o is the output file.
         const std::string name = std::string_view(row.name) == "--out" ? "-o,--out" : row.name;
         if constexpr (std::is_same_v<decltype(place), bool*>) {
           return app.add_flag(name, *place, about);
@@ -48,7 +48,7 @@ struct AddCheck {
 
 void add_rules(CLI::App& app, CLI::Option& option, const Rules& rules) {
   if (rules.is_required) option.required();
-  if (rules.takes_one_each) option.allow_extra_args(false);
+  if (rules.takes_one_each) option.expected(1)->take_all()->allow_extra_args(false);
   if (rules.may_be_bare) option.expected(0, 1);
   if (rules.separator != '\0') option.delimiter(rules.separator);
   std::visit(AddCheck{option}, rules.allowed);
@@ -73,14 +73,14 @@ OptionInfo info_of(const CLI::Option& option) {
   return info;
 }
 
-// -- what is wrong with a command line
+// -- errors of a command line
 
-/// CLI11 explains some errors over several lines; the first says what is wrong.
+/// CLI11 explains some errors in several lines; the first one states the error.
 std::string first_line(const std::string& text) {
   return text.substr(0, text.find('\n'));
 }
 
-/// The innermost verb that was understood, and how it is called: `canvoy run charger`.
+/// The innermost verb that was parsed, and its full name: `canvoy run charger`.
 struct Understood {
   const CLI::App* app;
   std::string text;
@@ -94,7 +94,7 @@ Understood understood(const CLI::App& app) {
   return made;
 }
 
-/// What could stand there in place of an unknown word: options, or verbs.
+/// Words that could replace an unknown word: options, or verbs.
 std::vector<std::string> words_known_to(const CLI::App& app, bool is_option) {
   std::vector<std::string> words;
   if (is_option) {
@@ -109,8 +109,7 @@ std::vector<std::string> words_known_to(const CLI::App& app, bool is_option) {
   return words;
 }
 
-/// CLI11 asks for what is missing before it looks at what is too much, which is mostly the same
-/// thing misspelt.
+/// CLI11 reports missing words before superfluous ones, which are usually the same word misspelled.
 std::string refusal(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<std::string> unknown = app.remaining(true);
   const int code = error.get_exit_code();
@@ -126,8 +125,8 @@ std::string refusal(const CLI::App& app, const CLI::ParseError& error) {
                      meant.empty() ? "; see" : " See", verb.text);
 }
 
-/// Where a line of at most `room` characters ends: behind its last blank, or within a long word
-/// behind its last comma; else behind the word.
+/// End of a line of at most `room` characters: after its last blank, or within a long word after
+/// its last comma; else after the word.
 std::size_t end_of_line(std::string_view text, std::size_t room) {
   if (text.size() <= room) return text.size();
   const std::size_t blank = text.rfind(' ', room);
@@ -137,8 +136,8 @@ std::size_t end_of_line(std::string_view text, std::size_t room) {
   return std::min(text.find(' '), text.size());
 }
 
-/// A line of help in as many as its words need; those behind the first begin where its right column
-/// does. What is no table stays as it is.
+/// Wraps a line of help; continuation lines begin at its right column. Lines outside of tables are
+/// unchanged.
 void append_wrapped(std::string& text, std::string_view line) {
   constexpr std::size_t width = 100;
   const bool is_row = line.starts_with("  ") && line.size() > column_width;
@@ -280,7 +279,7 @@ void CommandLine::take_options_anywhere() {
 
 CommandLine::Outcome CommandLine::parse(std::vector<std::string> words) {
   try {
-    std::ranges::reverse(words);  // as CLI11 wants them
+    std::ranges::reverse(words);  // in the order that CLI11 expects
     app_->parse(std::move(words));
     return {Outcome::Kind::understood};
   } catch (const CLI::ParseError& error) {

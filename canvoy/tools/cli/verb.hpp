@@ -1,5 +1,5 @@
-// The command line: verbs, and what may stand behind each. Help, man page and completion follow
-// from the rows that describe an option.
+// The command line: verbs and their arguments. Help, man page and completion are made from the rows
+// that describe options.
 //
 //     CommandLine line("Canvoy: see, simulate, test and drive CANopen networks", "canvoy");
 //     Verb& command = line.add_verb("decode", "Show what the frames of a log mean");
@@ -12,7 +12,7 @@
 //     command.runs([options] { return decode(*options); });
 //     if (line.parse(words).kind == CommandLine::Outcome::Kind::understood) return line.run();
 //
-// It is CLI11 behind one source: who includes this waits for none of it.
+// CLI11 is used in one source file only, so that including this header is cheap to compile.
 #pragma once
 
 #include <array>
@@ -34,17 +34,17 @@ class App;
 
 namespace canvoy::tools {
 
-/// What a verb does when it was chosen; it returns the exit status.
+/// Action of the chosen verb; returns the exit status.
 using Action = std::function<int()>;
 
-/// Where an option writes what was said. By its type: a bool is a flag, and of a vector the option
-/// takes several words.
+/// Target of the value of an option. Its type defines the option: a bool is a flag, a vector takes
+/// several words.
 using Place =
     std::variant<bool*, std::string*, std::optional<std::string>*, std::vector<std::string>*,
                  std::uint16_t*, unsigned*, std::uint64_t*, std::optional<unsigned>*,
                  std::optional<std::uint64_t>*, double*, std::optional<double>*>;
 
-/// Both ends are allowed.
+/// A range, inclusive.
 template <class Number>
 struct Within {
   Number least;
@@ -52,23 +52,22 @@ struct Within {
 };
 struct AboveZero {};
 using OneOf = std::array<const char*, 3>;
-/// What is wrong with what was said, or nothing.
+/// Checks a value: returns the error, or an empty text.
 using Check = std::string (*)(const std::string& said);
 
-/// What holds for an option beyond its type. Other options are those that the verb has by then, by
-/// name.
+/// Rules for an option beyond its type. Other options are named, and must already exist.
 struct Rules {
   bool is_required = false;
   bool takes_one_each = false;  ///< of several words: `--node 5 --node 7`, not `--node 5 7`
   bool may_be_bare = false;     ///< `--web` alone
-  char separator = '\0';        ///< of several words in one
+  char separator = '\0';        ///< of several values in one word
   std::variant<std::monostate, Within<unsigned>, Within<double>, AboveZero, OneOf, Check> allowed =
       {};
   std::array<const char*, 3> excludes = {};
   const char* needs = nullptr;
 };
 
-// Most options have but one of them.
+// The only rule of most options.
 inline constexpr Rules required{.is_required = true};
 inline constexpr Rules one_each{.takes_one_each = true};
 inline constexpr Rules may_be_bare{.may_be_bare = true};
@@ -90,7 +89,7 @@ constexpr Rules excludes(const Names*... names) {
   return {.excludes = {names...}};
 }
 
-/// One option, or, where its name has no dashes, what stands at a place behind the verb.
+/// An option, or an argument by position if its name has no dashes.
 struct OptionRow {
   const char* name;  ///< `--json`; `--colour,--color`; `bus`
   Place place;       ///< must outlive the parsing
@@ -102,14 +101,14 @@ struct OptionRow {
       : name(named), place(&value), about(text), rules(ruled) {}
 };
 
-/// An option as help, man page and completion see it, and what was said.
+/// An option as seen by help, man page and completion, with its value.
 struct OptionInfo {
   std::string name = {};                ///< `--json`; `bus`
-  std::vector<std::string> names = {};  ///< all of those with two dashes
+  std::vector<std::string> names = {};  ///< all names with two dashes
   std::string about = {};
   bool is_place = false;
   bool is_required = false;
-  bool takes_value = false;  ///< it needs one
+  bool takes_value = false;  ///< a value is required
   bool takes_several = false;
   bool is_flag = false;
   std::vector<std::string> said = {};
@@ -121,33 +120,33 @@ class Verb {
   Verb& operator=(const Verb&) = delete;
   ~Verb();
 
-  // -- describing it
+  // -- description
 
-  /// A verb behind this one. It lives as long as this.
+  /// Adds a verb below this one. It lives as long as this.
   Verb& add_verb(const std::string& name, const std::string& about);
   void add(std::initializer_list<OptionRow> rows);
-  /// Options that are added from then on stand below this line of the help.
+  /// Starts a group of options with this title in the help.
   void begin_group(const std::string& title);
-  /// An option with a value that `take` is called with. It may throw Failure.
+  /// Adds an option with a value that is passed to `take`, which may throw Failure.
   void add_taken(const char* name, std::function<void(const std::string&)> take,
                  std::string_view about);
-  /// Of each example a line, below the options. tests/cli/help_test.py runs them all.
+  /// Adds examples below the options, one per line. tests/cli/help_test.py runs them all.
   void add_examples(std::string_view examples);
-  /// What stands below the options; examples are its end, behind a line `Examples:`.
+  /// Sets the text below the options; examples are at its end, after a line `Examples:`.
   void set_footer(const std::string& text);
-  /// Not in the help of the verb above.
+  /// Hides the verb from the help of the verb above.
   void hide();
-  /// One of the verbs behind it has to follow, or may.
+  /// Requires or allows one of the verbs below.
   void require_verb();
   void allow_verb();
-  /// Options of the verbs above are not taken behind it.
+  /// Does not accept options of the verbs above after this verb.
   void keep_options_apart();
-  /// Called when all behind the verb was understood.
+  /// Sets the function called when all words of the verb were parsed.
   void when_parsed(std::function<void()> then);
-  /// What it does where no verb behind it was chosen.
+  /// Sets the action if no verb below was chosen.
   void runs(Action action);
 
-  // -- what was described
+  // -- properties
 
   std::string name() const;
   std::string about() const;
@@ -157,15 +156,15 @@ class Verb {
   std::span<const std::unique_ptr<Verb>> verbs() const { return verbs_; }
   std::vector<OptionInfo> options() const;
 
-  // -- what was said
+  // -- parsed values
 
-  /// How often; 0 as well where there is no such option.
+  /// Number of occurrences of an option; 0 if the option does not exist.
   std::size_t count(const char* option) const;
 
  private:
   friend class CommandLine;
 
-  /// `chosen` is what the command line does, and shared by all of its verbs.
+  /// `chosen` is the action of the command line, shared by all of its verbs.
   Verb(std::shared_ptr<CLI::App> app, const Verb* parent, std::shared_ptr<Action> chosen);
 
   std::shared_ptr<CLI::App> app_;
@@ -175,29 +174,30 @@ class Verb {
   std::string group_ = {};
 };
 
-/// The first word, and all behind it.
+/// The first word, and all words after it.
 class CommandLine : public Verb {
  public:
   CommandLine(const std::string& about, const std::string& name);
 
-  /// What `name` prints.
+  /// Sets the output of the option `name`.
   void set_version(const char* name, const std::string& version);
-  /// Options of its own are taken behind verbs as well; of those that are added from then on.
+  /// Accepts options of the command line after verbs as well; applies to options added afterwards.
   void take_options_anywhere();
 
   struct Outcome {
     enum class Kind : std::uint8_t {
       understood,
-      answered,  ///< help or version were asked for
+      answered,  ///< help or version was printed
       refused,
     };
     Kind kind;
-    std::string text = {};  ///< the help; or in one line what is wrong, meant, and where help is
+    std::string text = {};  ///< the help; or in one line the error, a suggestion, and where help is
   };
-  /// Of the words behind the name. Throws what add_taken()'s and when_parsed()'s functions do.
+  /// Parses the words after the program name. Throws what the functions of add_taken() and
+  /// when_parsed() throw.
   Outcome parse(std::vector<std::string> words);
 
-  /// What the chosen verb does. There has to be one.
+  /// Runs the action of the chosen verb, which must exist.
   int run() const { return (*chosen_)(); }
 };
 

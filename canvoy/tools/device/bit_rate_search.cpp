@@ -6,18 +6,18 @@
 #include "canvoy/can/host/event_loop.hpp"
 #include "canvoy/can/host/host_bus.hpp"
 #include "canvoy/canopen/lss/bit_rate_detection.hpp"
-#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/cli/failure.hpp"
 
 namespace canvoy::tools {
 
 namespace {
 
-/// Error frames also tell of other things than of what is on the wire.
+/// Error frames report more than the traffic on the wire.
 bool is_of_interest(const Frame& frame) {
   return !frame.is_error() || (frame.id & (CAN_ERR_PROT | CAN_ERR_BUSERROR)) != 0;
 }
 
-/// What an interface had before, unless the search ends with a bit rate.
+/// Restores the previous settings of an interface, unless the search ends with a bit rate.
 class Restoration {
  public:
   explicit Restoration(const std::string& interface)
@@ -42,7 +42,7 @@ std::uint32_t search_bit_rate(const std::string& interface,
                               const std::function<void(bool)>& under_way) {
   const auto loop = value_or_throw(host::EventLoop::create());
   Restoration restoration(interface);
-  // It has to be up, or the bus would not open; and what cannot be set is told at once.
+  // The interface must be up to be opened, and invalid settings are reported at once.
   ok_or_throw(host::restart_can_link(interface, BitRateDetection::usual_bit_rates.front(), true));
   const auto bus = value_or_throw(host::open_bus(*loop, interface));
   Time restarted{};
@@ -59,7 +59,7 @@ std::uint32_t search_bit_rate(const std::string& interface,
   };
   detection.on_under_way(Callback<void(bool)>::of(tell));
   bus->on_frame([&](const host::BusFrame& heard) {
-    // What was heard at the bit rate before may still come.
+    // Frames at the previous bit rate may still arrive.
     if (heard.time >= restarted && is_of_interest(heard.frame))
       detection.receive(heard.frame, loop->now());
   });

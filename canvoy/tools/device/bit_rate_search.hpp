@@ -1,5 +1,5 @@
-// Automatic bit-rate detection on a CAN interface of this machine (CiA 801): it is restarted in
-// listen-only mode at one bit rate after the other.
+// Automatic bit-rate detection on a CAN interface of this machine: restarts it in listen-only mode
+// at one bit rate after the other (CiA 801).
 //
 //     const std::uint32_t bit_rate = search_bit_rate("can0");
 #pragma once
@@ -12,9 +12,9 @@
 
 namespace canvoy::tools {
 
-/// The interface is left up and taking part at the bit rate that is returned. It listens as long as
-/// nobody talks. Throws Failure where the interface cannot be set, or on a signal.
-/// `under_way` is told when it begins to listen, and when it has ended.
+/// Leaves the interface up and active at the returned bit rate. Listens until a node sends. Throws
+/// Failure if the interface cannot be set, or on a signal. `under_way` is called when listening
+/// begins and when it ends.
 std::uint32_t search_bit_rate(const std::string& interface,
                               const std::function<void(bool)>& under_way = {});
 

@@ -4,35 +4,38 @@
 #include <charconv>
 #include <chrono>
 #include <deque>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <thread>
 
 #include "canvoy/can/host/attachment.hpp"
 #include "canvoy/can/host/bus_address.hpp"
-#include "canvoy/devices/cia407/bus_device.hpp"
-#include "canvoy/devices/cia447/car_device.hpp"
+#include "canvoy/devices/cia407/kit/bus_device.hpp"
+#include "canvoy/devices/cia447/kit/car_device.hpp"
 #include "canvoy/profiles/cia417.hpp"
 #include "canvoy/sim/plants/charging.hpp"
 #include "canvoy/sim/world.hpp"
-#include "canvoy/tools/bus/session.hpp"
-#include "canvoy/tools/commands.hpp"
+#include "canvoy/text/text.hpp"
+#include "canvoy/tools/argument/duration_argument.hpp"
+#include "canvoy/tools/cli/commands.hpp"
+#include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/cli/interruption.hpp"
+#include "canvoy/tools/cli/spelling.hpp"
+#include "canvoy/tools/cli/verb_help.hpp"
 #include "canvoy/tools/device/bit_rate_search.hpp"
-#include "canvoy/tools/device/car/hand_list.hpp"
-#include "canvoy/tools/device/device_catalogue.hpp"
+#include "canvoy/tools/device/catalogue/device_catalogue.hpp"
+#include "canvoy/tools/device/catalogue/operator_elements.hpp"
 #include "canvoy/tools/device/device_hardware.hpp"
-#include "canvoy/tools/device/device_lift_panel.hpp"
 #include "canvoy/tools/device/device_options.hpp"
-#include "canvoy/tools/device/device_output.hpp"
-#include "canvoy/tools/device/hand_lines.hpp"
+#include "canvoy/tools/device/hand/device_output.hpp"
+#include "canvoy/tools/device/hand/hand_lines.hpp"
+#include "canvoy/tools/device/hand_list.hpp"
 #include "canvoy/tools/device/hosted_device.hpp"
-#include "canvoy/tools/duration_argument.hpp"
-#include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/help/verb_help.hpp"
-#include "canvoy/tools/interruption.hpp"
+#include "canvoy/tools/device/seat/seat_hands.hpp"
+#include "canvoy/tools/device/wired_hands.hpp"
+#include "canvoy/tools/session/session.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
-#include "canvoy/tools/spelling.hpp"
-#include "canvoy/words/text.hpp"
 
 namespace canvoy::tools {
 
@@ -42,9 +45,9 @@ constexpr unsigned bit_rate_default = 125'000;
 constexpr std::string_view car_panel_name = "lift-car-panel";
 constexpr unsigned car_panel_floors_max = 64;
 constexpr unsigned floors_max = 254;
-constexpr unsigned bus_doors_max = 12;  ///< of CiA 407
+constexpr unsigned bus_doors_max = 12;  ///< for CiA 407
 
-/// Of a simulated bus.
+/// Bit rate of a simulated bus.
 unsigned parse_bit_rate(const std::string& text) {
   if (text.empty()) return bit_rate_default;
   constexpr unsigned least = 10'000;
@@ -57,7 +60,7 @@ unsigned parse_bit_rate(const std::string& text) {
                                text, least, most));
 }
 
-/// The sheet of a device that is named by a file; null where the name is of another kind.
+/// The sheet of a device that is given as a file; null for a name of another kind.
 std::shared_ptr<const formats::DataSheet> sheet_of(const std::string& kind) {
   constexpr std::string_view endings[] = {".eds", ".dcf", ".xdd", ".xdc", ".xpd"};
   const bool is_file = std::ranges::any_of(endings, [&kind](std::string_view ending) {
@@ -86,7 +89,7 @@ void check_place(const DeviceOptions& options) {
   check("--floor", options.floor, 1, options.floors);
 }
 
-/// What is wanted by a name, without a node-ID.
+/// The device with this name, without a node-ID.
 Wanted find_wanted(const std::string& name, bool stores) {
   Wanted wanted{.name = name, .kind = find_any_device_kind(name), .sheet = sheet_of(name)};
   if (wanted.sheet) return wanted;
@@ -115,12 +118,12 @@ NodeId wanted_node_id(const Wanted& wanted, const DeviceOptions& options, std::s
     if (wanted.answers_lss()) return node_id_unconfigured;
     throw UsageError(fmt::format("a {} gets no node-ID by LSS", wanted.name));
   }
-  Site site;
-  put_in_place(site, options);
+  Environment environment;
+  put_in_place(environment, options);
   const NodeId id = wanted.sheet                 ? wanted.sheet->node_id()
                     : !wanted.shared.car.empty() ? wanted.shared.car.front()->info.node_id
                     : !wanted.shared.bus.empty() ? wanted.shared.bus.front()->info.node_id
-                                                 : wanted.kind->node_id(site);
+                                                 : wanted.kind->node_id(environment);
   if (id == 0) throw UsageError(fmt::format("{} gives no node-ID: say --node-id", wanted.name));
   return id;
 }
@@ -142,7 +145,7 @@ std::vector<Wanted> wanted_devices(const DeviceOptions& options) {
         throw UsageError(fmt::format("one {} at a time", wanted.name));
       }
       if (is_node_id(wanted.id) && other.id == wanted.id) {
-        throw UsageError(fmt::format("{} is given twice", words::node_text(wanted.id)));
+        throw UsageError(fmt::format("{} is given twice", text::node_text(wanted.id)));
       }
     }
     all.push_back(std::move(wanted));
@@ -150,7 +153,7 @@ std::vector<Wanted> wanted_devices(const DeviceOptions& options) {
   return all;
 }
 
-/// A line is of the first of the devices that has such a hand.
+/// A line applies to the first device that has the hand.
 void take_line(std::deque<HostedDevice>& devices, const std::string& order) {
   std::optional<UsageError> complaint;
   for (HostedDevice& device : devices) {
@@ -163,10 +166,10 @@ void take_line(std::deque<HostedDevice>& devices, const std::string& order) {
   if (complaint) throw UsageError(*complaint);
 }
 
-/// Lines of standard input, where they are wanted.
-class LineReader {
+/// Lines of standard input, if requested.
+class HandInput {
  public:
-  LineReader(const DeviceOptions& options, std::deque<HostedDevice>& devices)
+  HandInput(const DeviceOptions& options, std::deque<HostedDevice>& devices)
       : is_wanted_(options.reads_lines), devices_(devices) {}
 
   void step(Time now) {
@@ -187,7 +190,7 @@ Time end_of(const DeviceOptions& options, Time now) {
   return options.duration.empty() ? never : now + parse_duration_argument(options.duration);
 }
 
-/// Hands are served as soon as they move.
+/// Serves hands as soon as they move.
 class HandsWatch {
  public:
   HandsWatch(host::EventLoop& loop, OperatorPanel& panel) : loop_(loop), panel_(panel) {
@@ -204,7 +207,7 @@ class HandsWatch {
   OperatorPanel& panel_;
 };
 
-/// On a real bus, driven by the event loop.
+/// Runs on a real bus, driven by the event loop.
 int run_on_host(const DeviceOptions& options, const std::vector<Wanted>& wanted,
                 const DeviceOutput& output) {
   const auto loop = value_or_throw(host::EventLoop::create());
@@ -225,9 +228,9 @@ int run_on_host(const DeviceOptions& options, const std::vector<Wanted>& wanted,
         devices.emplace_back(device, attachment.port(), hardware, options, output);
     if (device.is_operator() && !options.embedded.bus.empty()) {
       embedded.emplace(*loop, hosted.node(), options.embedded);
-      attachment.serve(embedded->access());
+      attachment.attach(embedded->access());
     } else {
-      attachment.serve(hosted.node());
+      attachment.attach(hosted.node());
     }
   }
   std::optional<HandsWatch> hands;
@@ -238,7 +241,7 @@ int run_on_host(const DeviceOptions& options, const std::vector<Wanted>& wanted,
   host::Task plant{
       .deadline = Callback<Time()>([](void* at) { return *static_cast<Time*>(at); }, &next_step),
       .advance = {}};
-  LineReader lines(options, devices);
+  HandInput lines(options, devices);
   auto step = [&](Time now) {
     lines.step(now);
     hardware.step(now);
@@ -250,12 +253,12 @@ int run_on_host(const DeviceOptions& options, const std::vector<Wanted>& wanted,
   ok_or_throw(loop->stop_on_signals());
   for (HostedDevice& device : devices) device.start(loop->now());
   loop->run_until(end_of(options, loop->now()));
-  // The attachments go before the nodes that they serve.
+  // The attachments are destroyed before the nodes that they serve.
   attachments.clear();
   return lines.status();
 }
 
-/// On a simulated bus of this process, at the pace of the clock.
+/// Runs on a simulated bus of this process, at the speed of the clock.
 int run_simulated(const DeviceOptions& options, const std::vector<Wanted>& wanted,
                   const DeviceOutput& output) {
   World world;
@@ -274,7 +277,7 @@ int run_simulated(const DeviceOptions& options, const std::vector<Wanted>& wante
   }
   world.add_plant(hardware.on_step(), ChargingPlant::step_time);
   heed_interruption();
-  LineReader lines(options, devices);
+  HandInput lines(options, devices);
   const Time end = end_of(options, Time{});
   const auto begun = std::chrono::steady_clock::now();
   while (!is_interrupted() && world.now() < end) {
@@ -289,41 +292,80 @@ int run_simulated(const DeviceOptions& options, const std::vector<Wanted>& wante
   return lines.status();
 }
 
-/// What has no such button or hand is not put on the bus.
-void check_presses(const std::vector<Wanted>& wanted, const DeviceOptions& options,
-                   const DeviceOutput& output) {
-  std::vector<const cia447::CarUnit*> car_units;
-  std::vector<const cia407::BusUnit*> bus_units;
-  const bool has_operator = std::ranges::any_of(wanted, &Wanted::is_operator);
-  const auto check_owner = [has_operator](const char* option, bool is_given) {
-    if (!is_given || has_operator) return;
+/// The hands of all devices with tables of hands; for those of a bus, see BusPress.
+class WantedHands {
+ public:
+  WantedHands(const std::vector<Wanted>& wanted, const DeviceOptions& options) {
+    Environment environment;
+    put_in_place(environment, options);
+    for (const Wanted& device : wanted) {
+      const std::vector<const cia447::CarUnit*> units = device.car_units();
+      for (const HandTable& table : hand_tables(units)) tables_.push_back(table);
+      if (!units.empty()) continue;
+      hands_.push_back(device.is_operator()
+                           ? seat_hands(parse_operator_elements(options.operator_panel.elements))
+                           : wired_hands(device.name, environment));
+      tables_.push_back({device.name, hands_.back()});
+    }
+  }
+  std::span<const HandTable> tables() const { return tables_; }
+
+ private:
+  std::deque<std::vector<DeviceHand>> hands_;
+  std::vector<HandTable> tables_;
+};
+
+void check_operator(const DeviceOptions& options, bool is_there, const DeviceOutput& output) {
+  const auto check_owner = [is_there](const char* option, bool is_given) {
+    if (!is_given || is_there) return;
     throw UsageError(fmt::format("{} is of an operator: there is none here", option));
   };
+  check_owner("--move", !options.operator_panel.moves.empty());
+  check_owner("--elements", !options.operator_panel.elements.empty());
   check_owner("--joystick", !options.operator_panel.hands.empty());
   check_owner("--program-store", !options.operator_panel.program_store.empty());
   check_owner("--embedded", !options.embedded.bus.empty());
   check_embedded(options.embedded, options.bus);
-  for (const Wanted& device : wanted) {
-    for (const cia407::BusUnit* unit : device.bus_units()) bus_units.push_back(unit);
-    for (const cia447::CarUnit* unit : device.car_units()) car_units.push_back(unit);
-    Site site;
-    put_in_place(site, options);
-    if (device.is_operator()) {
-      const OperatorPanel panel(options.operator_panel, site, output);
-    }
-    if (!device.name.ends_with("-panel")) continue;
-    const LiftPanel panel(device.name, options.presses, site, output);
-  }
-  if (!car_units.empty()) {
-    check_car_panel(car_units, options.presses, options.sets, options.car_panel);
-  } else if (!options.sets.empty()) {
-    throw UsageError("--set is of devices of CiA 447: there is none here");
-  }
-  if (!bus_units.empty()) check_bus_options(bus_units, options.bus_panel, options.presses);
+  if (!is_there) return;
+  Environment environment;
+  put_in_place(environment, options);
+  const OperatorPanel panel(options.operator_panel, environment, output);
 }
 
-/// It stands behind the devices.
+/// A device without the button or hand is not put on the bus.
+void check_presses(const std::vector<Wanted>& wanted, const DeviceOptions& options,
+                   const DeviceOutput& output) {
+  std::vector<const cia407::BusUnit*> bus_units;
+  bool has_car = false;
+  for (const Wanted& device : wanted) {
+    for (const cia407::BusUnit* unit : device.bus_units()) bus_units.push_back(unit);
+    has_car |= !device.car_units().empty();
+  }
+  check_operator(options, std::ranges::any_of(wanted, &Wanted::is_operator), output);
+  if (has_car) check_car_panel(options.car_panel);
+  const WantedHands hands(wanted, options);
+  if (bus_units.empty()) {
+    return check_hand_options(hands.tables(), options.presses, options.sets);
+  }
+  std::vector<std::string> of_bus;
+  for (const std::string& order : orders_of(options)) {
+    if (has_hand(hands.tables(), order)) {
+      parse_hand_order(hands.tables(), order);
+    } else {
+      of_bus.push_back(order);
+    }
+  }
+  check_bus_options(bus_units, options.bus_panel, of_bus);
+}
+
+/// The bus follows the devices.
 void take_bus(DeviceOptions& options) {
+  for (const std::string& word : options.kinds) {
+    if (word.find('@') == std::string::npos || std::filesystem::exists(word)) continue;
+    throw UsageError(fmt::format(
+        "'{}' is no device: write --press or --set for each order, or hire@2s,stop@9s in one",
+        word));
+  }
   const std::string& last = options.kinds.back();
   const bool is_device = find_any_device_kind(last) != nullptr ||
                          !parse_shared_node(last).empty() || sheet_of(last) != nullptr;
@@ -335,7 +377,7 @@ void take_bus(DeviceOptions& options) {
   options.kinds.pop_back();
 }
 
-/// In the ms of 1017h; 0 switches it off.
+/// In ms, as in 1017h; 0 switches it off.
 std::optional<unsigned> heartbeat_of(const std::string& text) {
   if (text.empty()) return std::nullopt;
   if (text == "0") return 0;
@@ -360,6 +402,8 @@ int run_devices(DeviceOptions options) {
     throw UsageError("device is required: one of `canvoy device --list`, or a data sheet");
   }
   take_bus(options);
+  options.presses = separate_orders(options.presses);
+  options.sets = separate_orders(options.sets);
   options.heartbeat_ms = heartbeat_of(options.heartbeat);
   check_place(options);
   const DeviceOutput output(options.json);
@@ -367,8 +411,8 @@ int run_devices(DeviceOptions options) {
   const host::BusAddress address = any_bus(options.bus);
   end_of(options, Time{});
   check_presses(wanted, options, output);
-  if (address.kind == host::BusKind::simulated) return run_simulated(options, wanted, output);
-  if (options.bit_rate == "auto" && address.kind == host::BusKind::socketcan) {
+  if (address.kind == host::BusType::simulated) return run_simulated(options, wanted, output);
+  if (options.bit_rate == "auto" && address.kind == host::BusType::socketcan) {
     const auto flicker = [&](bool under_way) {
       const Indication light = under_way ? Indication::flickering : Indication::off;
       for (const Wanted& device : wanted) output.lights(device.name, light, light);
@@ -380,7 +424,7 @@ int run_devices(DeviceOptions options) {
         "--bit-rate is for the bus sim; that of a CAN interface is set with ip link, or is auto");
   }
   DeviceOptions on_host = options;
-  if (address.kind == host::BusKind::socketcan) on_host.interface = address.interface;
+  if (address.kind == host::BusType::socketcan) on_host.interface = address.interface;
   return run_on_host(on_host, wanted, output);
 }
 
@@ -390,11 +434,25 @@ void add_lift_options(Verb& command, DeviceOptions& options) {
       {"--floor", options.floor, "where a landing panel hangs (default 1)"},
       {"--floors", options.floors, "of the building of a lift panel or controller (default 10)"},
       {"--door", options.door, "of a lift door, and of a light barrier: 1 to 4 (default 1)"},
+  });
+}
+
+void add_hand_options(Verb& command, DeviceOptions& options) {
+  command.add({
+      {"--hands", options.lists_hands,
+       "say what can be pressed and set of these devices, or of all: a line for each, with the "
+       "values, the object that it changes and the clause"},
       {"--press", options.presses,
-       "a button of a lift panel and when: up@2s, down@2s; in a car 7@2s, open@2s, "
-       "close@2s; a key of a device of CiA 447: hire@2s, as --hands lists them; of devices of CiA "
-       "407 as docs/devices.md has it",
+       "a button or key, and when: up@2s, 7@2s, hire@2s, input5@2s; it is released after 300 ms; "
+       "several in one: hire@2s,stop@9s",
        one_each},
+      {"--set", options.sets,
+       "what a device senses, or what breaks, and when: paper=no@2s, input5=on@3s, load=300@10s; "
+       "several in one: paper=no@2s,paper=yes@5s",
+       one_each},
+      {"--stdin", options.reads_lines,
+       "take presses and sets from stdin as well, a line each: hire, paper=no; with a time "
+       "that counts from the start, hire@10s; status 1 if one failed"},
   });
 }
 
@@ -428,22 +486,12 @@ void add_device(Verb& app) {
       {"--state-of-charge", options->state_of_charge,
        "of the battery at the start, in % (default 20)", between(0.0, 100.0)},
   });
+  command.begin_group("Hands");
+  add_hand_options(command, *options);
   command.begin_group("Lifts (CiA 417)");
   add_lift_options(command, *options);
   add_lift_unit_options(command, options->unit);
   command.begin_group("Cars (CiA 447)");
-  command.add({
-      {"--set", options->sets,
-       "what a device senses, or what breaks, and when: paper=no@2s, door-driver=open@3s, as "
-       "--hands lists them",
-       one_each},
-      {"--hands", options->lists_hands,
-       "say what can be pressed and set of these devices, or of all: a line for each, with the "
-       "values, the object that it changes and the clause"},
-      {"--stdin", options->reads_lines,
-       "take presses, sets and moves from stdin as well, a line each: hire, paper=no; with a time "
-       "that counts from the start, hire@10s; status 1 if one failed"},
-  });
   add_device_car_options(command, options->car);
   add_car_panel_options(command, options->car_panel);
   command.begin_group("Passenger information (CiA 407)");
@@ -456,7 +504,8 @@ void add_device(Verb& app) {
       {"--for", options->duration, "end after this time: 30s, 10min, 8h"},
       {"--json", options->json, "one JSON object a line"},
       {"--no-manage", options->no_manage,
-       "the charger leaves it to another NMT master to start the network"},
+       "a charger, lift controller, IVN gateway or on-board computer leaves it to another NMT "
+       "master to start the network"},
   });
   command.add_examples(
       "  canvoy device battery can0\n"

@@ -1,7 +1,7 @@
-// What the devices of one process sense and drive: plants that they have in common.
+// Simulated plants that the devices of one process share as sensors and actuators.
 //
 //     DeviceHardware hardware(options, clock);
-//     hardware.join(site);
+//     hardware.join(environment);
 //     hardware.step(now);   // each ChargingPlant::step_time
 #pragma once
 
@@ -13,8 +13,8 @@
 
 namespace canvoy::tools {
 
-/// The hardware of the devices of this process. A charger and a battery are plugged together;
-/// alone, each has a partner that does what was agreed on the bus.
+/// The hardware of the devices of this process. A charger and a battery are connected to each
+/// other; alone, each has a partner that follows what is agreed on the bus.
 class DeviceHardware {
  public:
   DeviceHardware(const DeviceOptions& options, Callback<Time()> clock, const DeviceOutput& output)
@@ -27,14 +27,16 @@ class DeviceHardware {
   DeviceHardware(const DeviceHardware&) = delete;
   DeviceHardware& operator=(const DeviceHardware&) = delete;
 
-  /// This must outlive the devices that are made there.
-  void join(Site& site) {
-    site.offer(Callback<cia419::ChargerHardware()>::to<&DeviceHardware::charger>(*this));
-    site.offer(Callback<cia418::BatteryHardware()>::to<&BatteryPlant::hardware>(plant_.battery));
-    site.watch(Callback<void(cia418::Battery&, Node&)>::to<&DeviceHardware::is_charged>(*this));
-    car_.join(site);
-    units_.join(site);
-    road_car_.join(site);
+  /// This must outlive the devices that are made in the environment.
+  void join(Environment& environment) {
+    environment.provide(Callback<cia419::ChargerHardware()>::to<&DeviceHardware::charger>(*this));
+    environment.provide(
+        Callback<cia418::BatteryHardware()>::to<&BatteryPlant::hardware>(plant_.battery));
+    environment.watch(
+        Callback<void(cia418::Battery&, Node&)>::to<&DeviceHardware::is_charged>(*this));
+    car_.join(environment);
+    units_.join(environment);
+    road_car_.join(environment);
   }
 
   void step(Time now) {
@@ -44,9 +46,13 @@ class DeviceHardware {
     const bool flows = battery_ != nullptr && battery_->charger_ready();
     plant_.battery.step(flows ? plant_.battery.requested_ampere() : 0, ChargingPlant::step_time);
   }
-  /// The vehicle of a device of CiA 407, which joins nothing of this, and the clock.
+  /// The vehicle and clock of a device of CiA 407, which joins nothing else.
   const DeviceCar& road_car() const { return road_car_; }
   DeviceCar& road_car() { return road_car_; }
+  // The charging plant that hands of other devices act on.
+  ChargingPlant& charging() { return plant_; }
+  LiftCar& lift_car() { return car_; }
+  LiftUnits& lift_units() { return units_; }
   Callback<Time()> clock() const { return clock_; }
   Callback<void(Time)> on_step() { return Callback<void(Time)>::to<&DeviceHardware::step>(*this); }
 

@@ -1,21 +1,21 @@
 // The car of a lift that `canvoy device lift-drive` moves and `lift-position` measures.
 //
 //     LiftCar car(clock);
-//     car.join(site);
+//     car.join(environment);
 #pragma once
 
 #include <vector>
 
 #include "canvoy/devices/cia417/position/car_position_unit.hpp"
-#include "canvoy/devices/site.hpp"
-#include "canvoy/sim/lift/car_follower.hpp"
-#include "canvoy/sim/lift/car_plant.hpp"
-#include "canvoy/sim/lift/shaft_cams.hpp"
+#include "canvoy/devices/kit/environment.hpp"
+#include "canvoy/worlds/lift/car_follower.hpp"
+#include "canvoy/worlds/lift/car_plant.hpp"
+#include "canvoy/worlds/lift/shaft_cams.hpp"
 
 namespace canvoy::tools {
 
-/// The car that the devices of one process have in common. Where its drive is elsewhere, it follows
-/// that by what it says on the bus.
+/// The car that the devices of one process share. If its drive is elsewhere, the car follows the
+/// messages of the drive on the bus.
 class LiftCar {
  public:
   explicit LiftCar(Callback<Time()> clock) : plant_({}, clock), follower_(1, clock) {
@@ -29,17 +29,22 @@ class LiftCar {
   LiftCar(const LiftCar&) = delete;
   LiftCar& operator=(const LiftCar&) = delete;
 
-  /// This must outlive the devices that are made there.
-  void join(Site& site) {
-    site.offer(Callback<cia417::CarDriveHardware()>::to<&LiftCar::drive_hardware>(*this));
-    site.offer(Callback<cia417::CarPositionHardware()>::to<&LiftCar::position_hardware>(*this));
-    site.offer(Callback<cia417::CarPositionSettings()>::to<&LiftCar::position_settings>(*this));
-    site.watch(Callback<void(cia417::CarPositionUnit&, Node&)>::to<&LiftCar::is_measured>(*this));
+  lift::CarPlant& plant() { return plant_; }
+
+  /// This must outlive the devices that are made in the environment.
+  void join(Environment& environment) {
+    environment.provide(Callback<cia417::CarDriveHardware()>::to<&LiftCar::drive_hardware>(*this));
+    environment.provide(
+        Callback<cia417::CarPositionHardware()>::to<&LiftCar::position_hardware>(*this));
+    environment.provide(
+        Callback<cia417::CarPositionSettings()>::to<&LiftCar::position_settings>(*this));
+    environment.watch(
+        Callback<void(cia417::CarPositionUnit&, Node&)>::to<&LiftCar::is_measured>(*this));
   }
 
  private:
   static constexpr double floor_height_m = 3;
-  /// What a car that follows its drive has to hear: control, status, heartbeat.
+  /// CAN-IDs that a car without its drive must receive: control, status, heartbeat.
   static constexpr std::uint16_t of_drive[] = {0x180, 0x181, 0x185, 0x702};
 
   cia417::CarDriveHardware drive_hardware() {
@@ -49,7 +54,7 @@ class LiftCar {
   cia417::CarPositionHardware position_hardware() {
     return {.sense = Callback<cia417::PositionReadings(unsigned)>::to<&LiftCar::sense>(*this)};
   }
-  /// Of a shaft with a floor each three metres.
+  /// Settings of a shaft with one floor every three metres.
   cia417::CarPositionSettings position_settings() { return {.cams = cams_}; }
   void is_measured(cia417::CarPositionUnit& /*unit*/, Node& node) {
     for (const std::uint16_t can_id : of_drive) {

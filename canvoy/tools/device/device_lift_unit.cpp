@@ -3,22 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
+#include "canvoy/can/real_text.hpp"
 #include "canvoy/devices/cia417/door/car_door_unit.hpp"
 #include "canvoy/devices/cia417/load/load_measuring_unit.hpp"
 #include "canvoy/devices/cia417/sensor/light_barrier_unit.hpp"
-#include "canvoy/sim/lift/building.hpp"
-#include "canvoy/tools/duration_argument.hpp"
-#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/argument/duration_argument.hpp"
+#include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/worlds/lift/building.hpp"
 
 namespace canvoy::tools {
-
-namespace {
-
-constexpr double load_kg_max = 50'000;
-
-}  // namespace
 
 void add_lift_unit_options(Verb& command, LiftUnitOptions& options) {
   command.add({
@@ -50,9 +44,9 @@ void LiftUnits::plan_load(const std::string& text) {
   const std::size_t at = text.find('@');
   double kilograms = 0;
   const char* const end = text.data() + std::min(at, text.size());
-  const auto [stop, error] = std::from_chars(text.data(), end, kilograms);
+  const auto [stop, error] = real_from_chars(text.data(), end, kilograms);
   const bool is_load =
-      error == std::errc{} && stop == end && kilograms >= 0 && kilograms <= load_kg_max;
+      error == std::errc{} && stop == end && kilograms >= 0 && kilograms <= lift_load_kg_max;
   if (at == std::string::npos || !is_load) {
     throw UsageError(
         fmt::format("--load: '{}' is no load with a time: write 300@10s, in kg up to "
@@ -63,18 +57,21 @@ void LiftUnits::plan_load(const std::string& text) {
   plan_.push_back({begin, [this, kilograms](Time) { cell_.set_load(kilograms); }});
 }
 
-void LiftUnits::join(Site& site) {
+void LiftUnits::join(Environment& environment) {
   using cia417::CarDoorUnit, cia417::LightBarrierUnit, cia417::LoadMeasuringUnit;
-  site.offer(Callback<cia417::DoorHardware()>::to<&lift::DoorPlant::hardware>(door_));
-  site.offer(Callback<cia417::LightBarrierHardware()>::to<&lift::DoorPlant::light_barrier_hardware>(
-      door_));
-  site.offer(Callback<cia417::LoadHardware()>::to<&lift::LoadCell::hardware>(cell_));
-  site.offer(Callback<cia417::LoadSettings()>::to<&LiftUnits::load_settings>(*this));
-  site.watch(Callback<void(CarDoorUnit&, Node&)>::to<&LiftUnits::is_there<CarDoorUnit>>(*this));
-  site.watch(
+  environment.provide(Callback<cia417::DoorHardware()>::to<&lift::DoorPlant::hardware>(door_));
+  environment.provide(
+      Callback<cia417::LightBarrierHardware()>::to<&lift::DoorPlant::light_barrier_hardware>(
+          door_));
+  environment.provide(Callback<cia417::LoadHardware()>::to<&lift::LoadCell::hardware>(cell_));
+  environment.provide(Callback<cia417::LoadSettings()>::to<&LiftUnits::load_settings>(*this));
+  environment.watch(
+      Callback<void(CarDoorUnit&, Node&)>::to<&LiftUnits::is_there<CarDoorUnit>>(*this));
+  environment.watch(
       Callback<void(LightBarrierUnit&, Node&)>::to<&LiftUnits::is_there<LightBarrierUnit>>(*this));
-  site.watch(Callback<void(LoadMeasuringUnit&, Node&)>::to<&LiftUnits::is_there<LoadMeasuringUnit>>(
-      *this));
+  environment.watch(
+      Callback<void(LoadMeasuringUnit&, Node&)>::to<&LiftUnits::is_there<LoadMeasuringUnit>>(
+          *this));
 }
 
 cia417::LoadSettings LiftUnits::load_settings() {
@@ -100,8 +97,11 @@ void LiftUnits::step(Time now) {
   for (; done_ < plan_.size() && now - *begin_ >= plan_[done_].at; ++done_) {
     plan_[done_].happen(now);
   }
-  if (done_ == before) return;
-  for (const auto& look : look_again_) look();
+  if (done_ != before) look();
+}
+
+void LiftUnits::look() {
+  for (const auto& unit : look_again_) unit();
 }
 
 }  // namespace canvoy::tools

@@ -1,8 +1,8 @@
-// What the door, the light barrier and the load cell of a lift car sense that `canvoy device` runs,
-// as the command line says: who stands in the door, and what the people in the car weigh.
+// Sensor values of the door, the light barrier and the load cell of a lift car that `canvoy device`
+// runs, from the command line: people in the door, and the load of the car.
 //
 //     LiftUnits units({.in_door = {"20s+5s"}, .loads = {"300@10s"}});
-//     units.join(site);
+//     units.join(environment);
 //     units.step(now);   // often
 #pragma once
 
@@ -11,21 +11,23 @@
 #include <string>
 #include <vector>
 
-#include "canvoy/devices/site.hpp"
-#include "canvoy/sim/lift/door_plant.hpp"
-#include "canvoy/sim/lift/load_cell.hpp"
+#include "canvoy/devices/kit/environment.hpp"
 #include "canvoy/tools/cli/verb.hpp"
+#include "canvoy/worlds/lift/door_plant.hpp"
+#include "canvoy/worlds/lift/load_cell.hpp"
 
 namespace canvoy::tools {
 
 struct LiftUnitOptions {
-  std::vector<std::string> in_door{};  ///< `20s+5s`: somebody stands in it, and for how long
-  std::vector<std::string> loads{};    ///< `300@10s`: kg, and from when on
+  std::vector<std::string> in_door{};  ///< `20s+5s`: start and duration of a person in the door
+  std::vector<std::string> loads{};    ///< `300@10s`: kg and start time
 };
+
+inline constexpr double lift_load_kg_max = 50'000;
 
 void add_lift_unit_options(Verb& command, LiftUnitOptions& options);
 
-/// The units of one process are at the same car.
+/// The units of one process belong to the same car.
 class LiftUnits {
  public:
   /// Throws UsageError.
@@ -33,10 +35,14 @@ class LiftUnits {
   LiftUnits(const LiftUnits&) = delete;
   LiftUnits& operator=(const LiftUnits&) = delete;
 
-  /// This must outlive the devices that are made there.
-  void join(Site& site);
-  /// Does what is due. Times count from the first call.
+  /// This must outlive the devices that are made in the environment.
+  void join(Environment& environment);
+  /// Performs what is due. Times count from the first call.
   void step(Time now);
+  lift::DoorPlant& door() { return door_; }
+  lift::LoadCell& cell() { return cell_; }
+  /// Makes all units read their changed sensors.
+  void look();
 
  private:
   struct Happening {
@@ -54,7 +60,7 @@ class LiftUnits {
   std::vector<Happening> plan_;
   std::size_t done_ = 0;
   std::optional<Time> begin_{};
-  std::vector<std::function<void()>> look_again_;  ///< of each device that senses
+  std::vector<std::function<void()>> look_again_;  ///< one function for each device with sensors
 };
 
 }  // namespace canvoy::tools

@@ -1,4 +1,4 @@
-// What the command line of `canvoy device` says.
+// Options of the command line of `canvoy device`.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "canvoy/devices/cia852/kinds.hpp"
-#include "canvoy/formats/sheet/data_sheet.hpp"
+#include "canvoy/formats/eds/data_sheet.hpp"
 #include "canvoy/tools/device/bus/device_bus_panel.hpp"
-#include "canvoy/tools/device/device_car.hpp"
-#include "canvoy/tools/device/device_car_panel.hpp"
-#include "canvoy/tools/device/device_catalogue.hpp"
+#include "canvoy/tools/device/car/device_car.hpp"
+#include "canvoy/tools/device/car/device_car_panel.hpp"
+#include "canvoy/tools/device/catalogue/device_catalogue.hpp"
 #include "canvoy/tools/device/device_lift_unit.hpp"
 #include "canvoy/tools/device/embedded_network.hpp"
-#include "canvoy/tools/device/operator_panel.hpp"
+#include "canvoy/tools/device/seat/operator_panel.hpp"
 
 namespace canvoy::tools {
 
@@ -25,15 +25,15 @@ struct DeviceOptions {
   std::vector<std::string> stores;
   std::string bus;
   std::string duration;
-  std::string heartbeat;                 ///< `500ms`; empty: as it is
-  std::optional<unsigned> heartbeat_ms;  ///< the same in ms
+  std::string heartbeat;                 ///< `500ms`; empty: the default
+  std::optional<unsigned> heartbeat_ms;  ///< `heartbeat` in ms
   std::string bit_rate;
   double state_of_charge = 20;
   bool no_manage = false;
   bool json = false;
   bool list = false;
   std::optional<std::uint32_t> serial_number;
-  // Of devices of a lift.
+  // For devices of a lift.
   unsigned lift = 1;
   unsigned door = 1;
   unsigned floor = 1;
@@ -41,32 +41,39 @@ struct DeviceOptions {
   std::vector<std::string> presses;  ///< `up@2s`
   std::vector<std::string> sets;     ///< `paper=no@2s`
   bool lists_hands = false;
-  bool reads_lines = false;  ///< of standard input: presses and sets
+  bool reads_lines = false;  ///< presses and sets, from standard input
   LiftUnitOptions unit;
-  // Of devices of a car.
+  // For devices of a car.
   DeviceCarOptions car;
   CarPanelOptions car_panel;
-  BusPanelOptions bus_panel;  ///< of devices of a bus
+  BusPanelOptions bus_panel;  ///< for devices of a bus
   OperatorPanelOptions operator_panel;
   EmbeddedOptions embedded;
-  std::string interface = {};  ///< of SocketCAN, of which LSS may set the bit rate
+  std::string interface = {};  ///< SocketCAN interface with a bit rate that LSS may set
 };
 
-/// One of the devices.
+/// All presses and sets.
+inline std::vector<std::string> orders_of(const DeviceOptions& options) {
+  std::vector<std::string> orders = options.presses;
+  orders.insert(orders.end(), options.sets.begin(), options.sets.end());
+  return orders;
+}
+
+/// A requested device.
 struct Wanted {
   std::string name;
-  const DeviceKind* kind = nullptr;  ///< null: a file describes it, or it is several
+  const DeviceKind* kind = nullptr;  ///< null: described by a file, or several virtual devices
   std::shared_ptr<const formats::DataSheet> sheet = {};
-  SharedNode shared = {};  ///< of a node that is several virtual devices
+  SharedNode shared = {};  ///< for a node of several virtual devices
   NodeId id = 0;
-  std::string store = {};  ///< file; empty: nothing is kept
+  std::string store = {};  ///< file name; empty: nothing is stored
 
-  /// The virtual devices of a device of CiA 447; empty: it is none.
+  /// The virtual devices of a device of CiA 447; empty: another device.
   std::vector<const cia447::CarUnit*> car_units() const {
     if (kind != nullptr && kind->car_unit != nullptr) return {kind->car_unit};
     return shared.car;
   }
-  /// Those of a device of CiA 407; empty: it is none.
+  /// The virtual devices of a device of CiA 407; empty: another device.
   std::vector<const cia407::BusUnit*> bus_units() const {
     if (kind != nullptr && kind->bus_unit != nullptr) return {kind->bus_unit};
     return shared.bus;
@@ -76,13 +83,13 @@ struct Wanted {
   bool answers_lss() const { return kind == nullptr || kind->answers_lss; }
 };
 
-/// Where a device of this kind is put.
-inline void put_in_place(Site& site, const DeviceOptions& options) {
-  site.lift = options.lift;
-  site.door = options.door;
-  site.floor = options.floor;
-  site.floors = options.floors;
-  site.manages_network = !options.no_manage;
+/// Sets the place of a device of this kind.
+inline void put_in_place(Environment& environment, const DeviceOptions& options) {
+  environment.lift = options.lift;
+  environment.door = options.door;
+  environment.floor = options.floor;
+  environment.floors = options.floors;
+  environment.manages_network = !options.no_manage;
 }
 
 }  // namespace canvoy::tools

@@ -5,14 +5,14 @@
 #include <charconv>
 
 #include "canvoy/can/host/host_bus.hpp"
-#include "canvoy/tools/bus/session.hpp"
-#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/session/session.hpp"
 
 namespace canvoy::tools {
 
 namespace {
 
-/// Of what is told on the host's bus: a CAN-ID that a communication object may have.
+/// For reports on the bus of the host: a CAN-ID allowed for a communication object.
 std::uint32_t emergency_can_id(const std::string& text) {
   if (text.empty()) return RemoteSettings::invalid_cob_id;
   const bool is_hexadecimal = text.starts_with("0x") || text.starts_with("0X");
@@ -63,7 +63,7 @@ EmbeddedNetwork::EmbeddedNetwork(host::EventLoop& loop, Node& module,
     : bus_(value_or_throw(host::open_bus(loop, real_bus(options.bus)))),
       attachment_(loop, *bus_),
       access_(module, attachment_.port(), channels_, settings_of(options)) {
-  attachment_.serve(ear_);
+  attachment_.attach(ear_);
 }
 
 }  // namespace canvoy::tools

@@ -1,8 +1,8 @@
-// A bus behind an operator environment that `canvoy device` runs: hosts reach the devices there
-// through it (CiA 852, 5.2).
+// A bus behind an operator environment that `canvoy device` runs, through which hosts reach its
+// devices (CiA 852, 5.2).
 //
 //     EmbeddedNetwork network(loop, module.node(), {.bus = "can1", .network = 2});
-//     attachment.serve(network.access());    // in place of the node
+//     attachment.attach(network.access());    // in place of the node
 #pragma once
 
 #include <array>
@@ -16,18 +16,18 @@
 namespace canvoy::tools {
 
 struct EmbeddedOptions {
-  std::string bus{};  ///< empty: there is none
+  std::string bus{};  ///< empty: none
   std::uint16_t network = RemoteSettings{}.network;
   unsigned indication = RemoteSettings{}.indication;
-  std::string emergency{};  ///< CAN-ID; empty: they are not told
+  std::string emergency{};  ///< CAN-ID; empty: not reported
 };
 void add_embedded_options(Verb& command, EmbeddedOptions& options);
-/// Throws UsageError for what makes no sense on a device that is on `host_bus`.
+/// Throws UsageError for options that are not valid for a device on `host_bus`.
 void check_embedded(const EmbeddedOptions& options, const std::string& host_bus);
 
 class EmbeddedNetwork {
  public:
-  /// All must outlive this. Throws Failure where the bus cannot be opened.
+  /// All arguments must outlive this. Throws Failure if the bus cannot be opened.
   EmbeddedNetwork(host::EventLoop& loop, Node& module, const EmbeddedOptions& options);
   EmbeddedNetwork(const EmbeddedNetwork&) = delete;
   EmbeddedNetwork& operator=(const EmbeddedNetwork&) = delete;
@@ -35,7 +35,7 @@ class EmbeddedNetwork {
   RemoteAccess& access() { return access_; }
 
  private:
-  /// What is heard on that bus.
+  /// Listener on that bus.
   struct Ear {
     RemoteAccess& access;
     void receive(const Frame& frame, Time now) { access.receive_embedded(frame, now); }

@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
-#include "canvoy/devices/cia447/car_device.hpp"
-#include "canvoy/tools/device/bootloader.hpp"
-#include "canvoy/tools/failure.hpp"
+#include "canvoy/devices/cia447/kit/car_device.hpp"
+#include "canvoy/text/text.hpp"
+#include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/device/catalogue/bootloader.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
-#include "canvoy/words/text.hpp"
 
 namespace canvoy::tools {
 
-/// The heartbeat period from the command line becomes the power-on value of 1017h.
+/// Sets the heartbeat period of the command line as power-on value of 1017h.
 class HostedDevice::HeartbeatOption {
  public:
   HeartbeatOption(Node& node, unsigned period_ms) : node_(node), period_ms_(period_ms) {
@@ -35,7 +35,7 @@ class HostedDevice::HeartbeatOption {
   Service service_;
 };
 
-/// Says what its node does.
+/// Reports the state of its node.
 class HostedDevice::StateTeller {
  public:
   StateTeller(const DeviceOutput& output, std::string who, Node& node)
@@ -46,9 +46,9 @@ class HostedDevice::StateTeller {
   }
 
  private:
-  void entered(NmtState state) { output_.say(who_, words::nmt_state_text(state)); }
+  void entered(NmtState state) { output_.say(who_, text::nmt_state_text(state)); }
   void bus_changed(BusState state) {
-    output_.say(who_, fmt::format("CAN controller {}", words::bus_state_text(state)));
+    output_.say(who_, fmt::format("CAN controller {}", text::bus_state_text(state)));
   }
 
   const DeviceOutput& output_;
@@ -59,7 +59,7 @@ class HostedDevice::StateTeller {
 HostedDevice::HostedDevice(const Wanted& wanted, const Port& port, DeviceHardware& hardware,
                            const DeviceOptions& options, const DeviceOutput& output)
     : output_(output),
-      who_(is_node_id(wanted.id) ? fmt::format("{} {}", wanted.name, words::node_text(wanted.id))
+      who_(is_node_id(wanted.id) ? fmt::format("{} {}", wanted.name, text::node_text(wanted.id))
                                  : wanted.name) {
   const bool is_bus = !wanted.bus_units().empty();
   const bool has_own_store = wanted.is_bootloader() || is_bus || !wanted.car_units().empty();
@@ -88,10 +88,10 @@ HostedDevice::~HostedDevice() {
 }
 
 void HostedDevice::step(Time now) {
-  if (panel_) panel_->step(now);
+  if (wires_) wires_->step(node(), now);
   if (car_panel_) car_panel_->step(node(), now);
   if (bus_panel_) bus_panel_->step(node(), now);
-  if (operator_panel_) operator_panel_->step(now);
+  if (operator_panel_) operator_panel_->step(node(), now);
   lights_->look();
 }
 
@@ -99,7 +99,7 @@ void HostedDevice::take(const std::string& order) {
   if (car_panel_) return car_panel_->take(order);
   if (bus_panel_) return bus_panel_->take(order);
   if (operator_panel_) return operator_panel_->take(order);
-  if (panel_) return panel_->take(order);
+  if (wires_) return wires_->take(order);
   throw UsageError(fmt::format("'{}': there are no hands here", order));
 }
 
@@ -118,43 +118,51 @@ void HostedDevice::say_what_was_kept() const {
   if (!complaint.empty()) fmt::print(stderr, "canvoy: {}\n", complaint);
 }
 
+/// The part of the command line that concerns this device, not others beside it.
+template <class Panel>
+void HostedDevice::take_options(const DeviceOptions& options, Panel& panel) {
+  for (const std::string& order : orders_of(options)) {
+    if (panel.has(order)) panel.take(order);
+  }
+}
+
 void HostedDevice::hold_device(const Wanted& wanted, const Port& port, DeviceHardware& hardware,
                                const DeviceOptions& options) {
-  put_in_place(site_, options);
+  put_in_place(environment_, options);
   const std::vector<const cia447::CarUnit*> car_units = wanted.car_units();
-  site_.keeps_parameters = !wanted.store.empty() && car_units.empty();
+  environment_.keeps_parameters = !wanted.store.empty() && car_units.empty();
   if (car_units.empty()) {
-    hardware.join(site_);
-    site_.watch(Callback<void(cia419::Charger&, Node&)>::to<&HostedDevice::is_charger>(*this));
+    hardware.join(environment_);
+    environment_.watch(
+        Callback<void(cia419::Charger&, Node&)>::to<&HostedDevice::is_charger>(*this));
   } else {
-    hardware.road_car().join(site_);
+    hardware.road_car().join(environment_);
   }
   if (wanted.is_operator()) {
-    operator_panel_ = std::make_unique<OperatorPanel>(options.operator_panel, site_, output_);
+    operator_panel_ =
+        std::make_unique<OperatorPanel>(options.operator_panel, environment_, output_);
+    take_options(options, *operator_panel_);
   } else if (car_units.empty()) {
-    panel_ = std::make_unique<LiftPanel>(wanted.name, options.presses, site_, output_);
+    wires_ = std::make_unique<DeviceWires>(wanted.name, hardware, environment_, output_);
+    take_options(options, *wires_);
   } else {
     if (!wanted.store.empty()) {
       car_store_ = std::make_unique<CarStore>(wanted.store);
-      car_store_->join(site_);
+      car_store_->join(environment_);
     }
     car_panel_ =
-        std::make_unique<CarPanel>(car_units, options.car_panel, hardware.road_car(), site_,
+        std::make_unique<CarPanel>(car_units, options.car_panel, hardware.road_car(), environment_,
                                    output_, car_store_ ? &car_store_->flash() : nullptr);
-    for (const auto* orders : {&options.presses, &options.sets}) {
-      for (const std::string& order : *orders) {
-        if (has_hand(car_units, order)) car_panel_->take(order);
-      }
-    }
+    take_options(options, *car_panel_);
   }
   if (wanted.shared.empty()) {
-    hold(std::make_shared<CatalogueDevice>(*wanted.kind, port, wanted.id, site_));
+    hold(std::make_shared<CatalogueDevice>(*wanted.kind, port, wanted.id, environment_));
     if (operator_panel_ && operator_panel_->program_store() != nullptr) {
       operator_panel_->program_store()->on_under_way(
           [this](bool is) { indicators_->program_under_way(is); });
     }
   } else {
-    hold(std::make_shared<cia447::CarDevice>(wanted.shared.car, port, wanted.id, site_));
+    hold(std::make_shared<cia447::CarDevice>(wanted.shared.car, port, wanted.id, environment_));
   }
   cia447::IvnGatewayUnit* const gateway = car_panel_ ? car_panel_->gateway() : nullptr;
   if (gateway != nullptr && car_store_) gateway->seats().keep_in(car_store_->seats());
@@ -162,12 +170,13 @@ void HostedDevice::hold_device(const Wanted& wanted, const Port& port, DeviceHar
 
 void HostedDevice::hold_bus_device(const Wanted& wanted, const Port& port,
                                    const DeviceHardware& hardware, const DeviceOptions& options) {
-  put_in_place(site_, options);
+  put_in_place(environment_, options);
   if (!wanted.store.empty()) bus_store_ = std::make_unique<BusStore>(wanted.store);
   const std::vector<const cia407::BusUnit*> units = wanted.bus_units();
   const BusPanel::Place place = {hardware.road_car(), hardware.clock(), output_, bus_store_.get()};
-  bus_panel_ = std::make_unique<BusPanel>(units, options.presses, options.bus_panel, site_, place);
-  hold(std::make_shared<cia407::BusDevice>(units, port, wanted.id, site_));
+  bus_panel_ =
+      std::make_unique<BusPanel>(units, orders_of(options), options.bus_panel, environment_, place);
+  hold(std::make_shared<cia407::BusDevice>(units, port, wanted.id, environment_));
 }
 
 template <class Device>
@@ -240,9 +249,9 @@ void HostedDevice::charger_said(cia419::Charger::Event event) {
     case cia419::Charger::Event::phase_changed:
       if (charger.battery() == 0) return;
       return output_.say("charger",
-                         fmt::format("linked to {}", words::node_text(charger.battery())));
+                         fmt::format("linked to {}", text::node_text(charger.battery())));
     case cia419::Charger::Event::reason_changed:
-      return output_.say("charger", words::stop_reason_text(charger.reason()));
+      return output_.say("charger", text::stop_reason_text(charger.reason()));
     case cia419::Charger::Event::charge_began:
       return output_.say("charger", "the charge begins");
     case cia419::Charger::Event::charge_ended:

@@ -1,4 +1,4 @@
-// A device of `canvoy device`, of the catalogue or of a data sheet, with what watches it.
+// A device of `canvoy device`, from the catalogue or a data sheet, with its surroundings.
 //
 //     HostedDevice device(wanted, port, hardware, options, output);
 //     device.start(now);
@@ -10,20 +10,20 @@
 
 #include "canvoy/devices/cia419/charger.hpp"
 #include "canvoy/formats/sheet/sheet_device.hpp"
-#include "canvoy/tools/device/car_store.hpp"
-#include "canvoy/tools/device/device_car_panel.hpp"
+#include "canvoy/tools/device/car/device_car_panel.hpp"
 #include "canvoy/tools/device/device_hardware.hpp"
-#include "canvoy/tools/device/device_lift_panel.hpp"
 #include "canvoy/tools/device/device_options.hpp"
-#include "canvoy/tools/device/device_output.hpp"
-#include "canvoy/tools/device/device_store.hpp"
+#include "canvoy/tools/device/device_wires.hpp"
+#include "canvoy/tools/device/hand/device_output.hpp"
 #include "canvoy/tools/device/lss_option.hpp"
+#include "canvoy/tools/device/store/car_store.hpp"
+#include "canvoy/tools/device/store/device_store.hpp"
 
 namespace canvoy::tools {
 
 class HostedDevice {
  public:
-  /// All must outlive this. Throws Failure where a file cannot be used.
+  /// All arguments must outlive this. Throws Failure if a file cannot be used.
   HostedDevice(const Wanted& wanted, const Port& port, DeviceHardware& hardware,
                const DeviceOptions& options, const DeviceOutput& output);
   ~HostedDevice();
@@ -33,10 +33,10 @@ class HostedDevice {
   Node& node() { return *node_; }
   /// To be called often.
   void step(Time now);
-  /// A hand, button or move with its time, as --press, --set and --move say it. Throws UsageError
-  /// for one that this device does not have.
+  /// Adds a hand, button or move with its time, as in --press, --set and --move. Throws UsageError
+  /// if this device does not have it.
   void take(const std::string& order);
-  /// Real hands on an operator environment: null where it is none, or has none.
+  /// The panel of an operator environment with real hands; null: none.
   OperatorPanel* panel_with_hands() const;
   void start(Time now);
   void say_what_was_kept() const;
@@ -49,6 +49,8 @@ class HostedDevice {
                    const DeviceOptions& options);
   void hold_bus_device(const Wanted& wanted, const Port& port, const DeviceHardware& hardware,
                        const DeviceOptions& options);
+  template <class Panel>
+  void take_options(const DeviceOptions& options, Panel& panel);
   template <class Device>
   void hold(const std::shared_ptr<Device>& device);
   void is_charger(cia419::Charger& charger, Node& node);
@@ -60,11 +62,11 @@ class HostedDevice {
 
   const DeviceOutput& output_;
   std::string who_;
-  Site site_;
-  std::unique_ptr<LiftPanel> panel_;
-  std::unique_ptr<CarStore> car_store_;  ///< of a device of a car
+  Environment environment_;
+  std::unique_ptr<DeviceWires> wires_;
+  std::unique_ptr<CarStore> car_store_;  ///< for a device of a car
   std::unique_ptr<CarPanel> car_panel_;
-  std::unique_ptr<BusStore> bus_store_;  ///< of a device of a bus
+  std::unique_ptr<BusStore> bus_store_;  ///< for a device of a bus
   std::unique_ptr<BusPanel> bus_panel_;
   std::unique_ptr<OperatorPanel> operator_panel_;
   std::shared_ptr<void> device_;

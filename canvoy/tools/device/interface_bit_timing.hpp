@@ -1,4 +1,4 @@
-// The bit rate of a CAN interface of this machine, as LSS asks for it (CiA 305).
+// The bit rate of a CAN interface of this machine, set by LSS (CiA 305).
 //
 //     InterfaceBitTiming timing("can0", [](const std::string& line) { ... });
 //     LssSlaveHooks hooks;
@@ -14,7 +14,7 @@
 
 namespace canvoy::tools {
 
-/// The interface is taken from all who use it while it is restarted.
+/// All users lose the interface while it is restarted.
 class InterfaceBitTiming {
  public:
   using Say = std::function<void(const std::string& line)>;
@@ -22,12 +22,12 @@ class InterfaceBitTiming {
   InterfaceBitTiming(std::string interface, Say say)
       : interface_(std::move(interface)), say_(std::move(say)) {}
 
-  /// Its bit rate by its index in the table of CiA 305; unknown where it has none.
+  /// Index of the bit rate in the table of CiA 305; unknown if it has none.
   std::uint8_t present() const;
-  /// Whether it can have another one: out_of_range, and a line, for interfaces without a bit rate
-  /// and for what is none.
+  /// Checks whether the interface can have this bit rate: out_of_range, and a line, for interfaces
+  /// without a bit rate and for invalid indices.
   LssError configure(std::uint8_t index) const;
-  /// Restarts it; one that has the bit rate already is left alone.
+  /// Restarts the interface, unless it has the bit rate already.
   void switch_to(std::uint8_t index) const;
 
  private:

@@ -1,4 +1,4 @@
-// What LSS is answered for an interface of this machine that has no bit rate; one that has is tried
+// Answers of LSS for an interface of this machine without a bit rate; one with a bit rate is tested
 // in the emulated machine (tests/strangers).
 #include "canvoy/tools/device/interface_bit_timing.hpp"
 

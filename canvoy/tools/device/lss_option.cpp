@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "canvoy/words/text.hpp"
+#include "canvoy/text/text.hpp"
 
 namespace canvoy::tools {
 
@@ -15,7 +15,7 @@ LssOption::LssOption(const DeviceOutput& output, std::string who, Node& node,
       node_(node),
       identity_(node, {.serial_number = settings.serial_number}),
       indicators_(settings.indicators),
-      // In braces, since these are made in their order.
+      // In braces, since these are evaluated in order.
       slave_{node, hooks(settings),
              bit_timing_ ? bit_timing_->present() : std::uint8_t{lss_bit_timing::unknown}} {
   if (store_) store_->on_stored(LssStore::Stored::to<&LssSlave::stored>(slave_));
@@ -23,7 +23,7 @@ LssOption::LssOption(const DeviceOutput& output, std::string who, Node& node,
   node.attach(service_);
 }
 
-/// Makes what the slave is to call, as far as it is asked for.
+/// Makes the requested functions for the slave.
 LssSlaveHooks LssOption::hooks(const Settings& settings) {
   LssSlaveHooks hooks;
   hooks.state_entered = Callback<void(LssState)>::to<&LssOption::entered>(*this);
@@ -57,7 +57,7 @@ void LssOption::entered(LssState state) {
     return output_.say(who_, "has no node-ID from the next reset on");
   }
   output_.say(who_, fmt::format("{} {}", is_node_id(node_.id()) ? "at the next reset it is" : "is",
-                                words::node_text(node_.pending_id())));
+                                text::node_text(node_.pending_id())));
 }
 
 }  // namespace canvoy::tools

@@ -1,5 +1,4 @@
-// LSS for a device of the command: its serial number, where its node-ID is kept, and words for what
-// happens.
+// LSS for a device of the command: its serial number, storage of its node-ID, and text of events.
 //
 //     LssOption lss(output, "battery", device.node(), {.serial_number = 7});
 #pragma once
@@ -8,11 +7,11 @@
 #include <optional>
 #include <string>
 
-#include "canvoy/canopen/identity.hpp"
 #include "canvoy/canopen/lss/bit_timing_switch.hpp"
 #include "canvoy/canopen/lss/lss_slave.hpp"
 #include "canvoy/canopen/lss/lss_store.hpp"
-#include "canvoy/tools/device/device_output.hpp"
+#include "canvoy/canopen/remote/identity.hpp"
+#include "canvoy/tools/device/hand/device_output.hpp"
 #include "canvoy/tools/device/interface_bit_timing.hpp"
 
 namespace canvoy::tools {
@@ -21,15 +20,16 @@ class LssOption {
  public:
   struct Settings {
     std::optional<std::uint32_t> serial_number;
-    const Flash* flash = nullptr;  ///< that keeps the node-ID; null: it is not kept
+    const Flash* flash = nullptr;  ///< storage of the node-ID; null: not stored
     LssStore::Place place = {};
-    std::string interface = {};        ///< of which LSS may set the bit rate; empty: of none
-    Indicators* indicators = nullptr;  ///< that show its state
-    /// The interface gets the bit rate that is kept: not, where it was just found by listening.
+    std::string interface = {};        ///< interface with a bit rate that LSS may set; empty: none
+    Indicators* indicators = nullptr;  ///< indicators of its state
+    /// Uses the stored bit rate for the interface; false if the bit rate was just found by
+    /// listening.
     bool takes_stored_bit_rate = true;
   };
 
-  /// Before Node::start(). The node has a route left for it.
+  /// To be called before Node::start(). The node must have a free route.
   LssOption(const DeviceOutput& output, std::string who, Node& node, const Settings& settings);
   LssOption(const LssOption&) = delete;
   LssOption& operator=(const LssOption&) = delete;
@@ -45,7 +45,7 @@ class LssOption {
   const DeviceOutput& output_;
   std::string who_;
   Node& node_;
-  NodeId told_ = 0;  ///< the pending node-ID that was spoken of
+  NodeId told_ = 0;  ///< the pending node-ID that was last reported
   Identity identity_;
   Indicators* indicators_;
   std::optional<LssStore> store_;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/filter/filter_parser.hpp"
 #include "canvoy/tools/filter/filter_space.hpp"
 

@@ -1,4 +1,5 @@
-// Which frames are shown: `--filter` of canvoy decode and monitor. docs/decode.md has the grammar.
+// Selects the frames to show: `--filter` of `canvoy decode` and `canvoy monitor`. docs/decode.md
+// has the grammar.
 //
 //     Filter filter;
 //     filter.add("node=10 and temperature>40degC", names);
@@ -10,25 +11,25 @@
 #include <string_view>
 #include <vector>
 
-#include "canvoy/tools/filter/filter_names.hpp"
+#include "canvoy/tools/argument/filter_names.hpp"
 #include "canvoy/tools/filter/filter_tree.hpp"
 
 namespace canvoy::tools {
 
 class Filter {
  public:
-  /// Another expression that has to hold, too. Throws UsageError with one line: where it cannot be
-  /// understood, names what nothing is called, or can hold for no frame.
+  /// Adds an expression that must be true as well. Throws UsageError with one line if it cannot be
+  /// parsed, uses an unknown name, or can be true for no frame.
   void add(std::string_view text, const FilterNames& names);
   bool empty() const { return all_.parts.empty(); }
 
-  /// An empty filter lets all pass.
+  /// True if the frame passes; an empty filter passes all.
   bool passes(const FilterFrame& frame);
 
-  /// How many frames were looked at, and how many have passed.
+  /// Numbers of frames tested and passed.
   std::uint64_t seen() const { return seen_; }
   std::uint64_t passed() const { return passed_; }
-  /// The conditions that held for no frame, as they were written; only where none has passed.
+  /// The conditions that were true for no frame, as written; only if no frame has passed.
   std::vector<std::string_view> never_true() const;
 
  private:

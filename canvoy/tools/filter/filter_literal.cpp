@@ -8,14 +8,15 @@
 #include <cmath>
 #include <set>
 
+#include "canvoy/can/real_text.hpp"
 #include "canvoy/profiles/registry.hpp"
-#include "canvoy/tools/spelling.hpp"
+#include "canvoy/tools/cli/spelling.hpp"
 
 namespace canvoy::tools {
 
 namespace {
 
-/// A number in front, and what stands behind it.
+/// A leading number, and the text after it.
 struct FilterNumber {
   double number = 0;
   std::string_view rest = {};
@@ -30,7 +31,7 @@ std::optional<FilterNumber> number_in_front(std::string_view text) {
   FilterNumber made;
   const char* const end = text.data() + text.size();
   if (text.starts_with('+')) text.remove_prefix(1);
-  const auto [last, error] = std::from_chars(text.data(), end, made.number);
+  const auto [last, error] = real_from_chars(text.data(), end, made.number);
   if (error != std::errc{} || !std::isfinite(made.number)) return std::nullopt;
   made.rest = without_blanks(text.substr(static_cast<std::size_t>(last - text.data())));
   return made;
@@ -52,7 +53,7 @@ std::optional<std::int64_t> raw_number(std::string_view text) {
   return is_number ? std::optional(number) : std::nullopt;
 }
 
-/// `6010`, `6010h`, `0x6010`; a word of four letters that could be digits is a name.
+/// `6010`, `6010h`, `0x6010`; a word of four letters that are also digits is a name.
 std::optional<std::int64_t> index_number(std::string_view text) {
   constexpr std::size_t digits = 4;
   const bool is_plain = text.size() == digits;
@@ -69,7 +70,7 @@ bool is_numeric(const FilterCandidate& candidate) {
   return is_integer(candidate.entry->type) || is_real(candidate.entry->type);
 }
 
-/// Where the node says the unit itself, only it knows.
+/// If the node gives the unit itself, any unit is possible.
 bool may_be_in(const FilterCandidate& candidate, Unit unit) {
   if (!is_numeric(candidate)) return false;
   const ValueInfo& value = candidate.value();
@@ -81,8 +82,8 @@ BitRange bits_of(const FilterCandidate& candidate) {
                                     : canvoy::bits_of(*candidate.entry);
 }
 
-/// The least and the greatest number that the bits can hold, in the unit of the value; nothing
-/// where other entries decide, or it is no whole number.
+/// The least and the greatest number in the bits, in the unit of the value; nothing if other
+/// entries decide, or it is no integer.
 std::optional<std::pair<double, double>> numbers_of(const FilterCandidate& candidate) {
   const ValueInfo& value = candidate.value();
   const bool is_told = value.unit_entry.index != 0 || value.step.index != 0;
@@ -104,7 +105,7 @@ bool may_be(const FilterCandidate& candidate, const FilterLiteral& literal) {
     if (factor == 0) return false;
     factor *= literal.unit->count;
   }
-  // What is printed is rounded, by less than this.
+  // Printed values are rounded by less than this.
   const double margin = std::max(1.0, std::abs(numbers->second)) * 1e-3;
   return literal.low.number * factor <= numbers->second + margin &&
          literal.high.number * factor >= numbers->first - margin;
@@ -122,7 +123,7 @@ class FilterComparison {
     });
   }
 
-  /// Of what has a name: amounts are meant, if there are any.
+  /// For a name: amounts are preferred, if there are any.
   bool leaves_out_codes() const { return leaves_out_codes_; }
 
   std::vector<FilterLiteral> literals() const {
@@ -155,7 +156,7 @@ class FilterComparison {
     return made;
   }
 
-  /// From one to the other; the unit may stand at the end alone: `20..40degC`.
+  /// A range; the unit may be given at the end only: `20..40degC`.
   void extend(FilterLiteral& made, const FilterPhrase& begin, const FilterPhrase& end) const {
     const FilterLiteral last = point(end);
     if (made.kind != last.kind || made.kind == FilterLiteral::Kind::word) {
@@ -194,7 +195,7 @@ class FilterComparison {
     }
   }
 
-  /// A single value. What it is depends on who may be meant: `10Ah` is a charge, or hexadecimal.
+  /// A single value. Its meaning depends on the candidates: `10Ah` is a charge, or hexadecimal.
   FilterLiteral point(const FilterPhrase& phrase) const {
     if (has_state(phrase.text)) return word(phrase);
     const auto number = number_in_front(phrase.text);
@@ -239,7 +240,7 @@ class FilterComparison {
       return may_be_in(candidate, unit);
     });
   }
-  /// Strings, points in time and bytes are compared as they are printed.
+  /// Strings, times and bytes are compared in their printed form.
   bool may_be_text() const {
     return std::ranges::any_of(
         candidates_, [](const FilterCandidate& candidate) { return !is_numeric(candidate); });
@@ -265,7 +266,7 @@ class FilterComparison {
   }
 
   void check(const FilterLiteral& literal, const FilterPhrase& phrase) const {
-    // An index may be that of an object which no profile knows.
+    // An index may be that of an undescribed object.
     const bool may_hold = clause_.comparison == FilterTokenKind::unequal || !has_name_ ||
                           std::ranges::any_of(candidates_, [&](const FilterCandidate& candidate) {
                             return may_be(candidate, literal);

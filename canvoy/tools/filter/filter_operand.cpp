@@ -6,12 +6,12 @@
 #include <array>
 #include <charconv>
 
-#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
 #include "canvoy/profiles/registry.hpp"
-#include "canvoy/tools/ask/node_argument.hpp"
+#include "canvoy/tools/argument/node_argument.hpp"
+#include "canvoy/tools/cli/spelling.hpp"
 #include "canvoy/tools/filter/filter_literal.hpp"
 #include "canvoy/tools/filter/filter_time.hpp"
-#include "canvoy/tools/spelling.hpp"
 
 namespace canvoy::tools {
 
@@ -32,7 +32,7 @@ void want_equation(const FilterClause& clause, std::string_view example) {
   refuse(clause, clause.subject, fmt::format("write {}", example));
 }
 
-/// Numbers that are in order, as `parse` reads them.
+/// Numbers in order, read by `parse`.
 template <class Parse>
 FilterRanges ranges_of(const FilterClause& clause, FilterRange all, const Parse& parse) {
   FilterRanges made;
@@ -63,7 +63,7 @@ std::optional<std::uint32_t> hexadecimal(std::string_view digits) {
   return number;
 }
 
-/// `0x1F`, `1Fh`: the digits; nothing: it is not marked as hexadecimal.
+/// `0x1F`, `1Fh`: the digits; nothing: not marked as hexadecimal.
 std::optional<std::string_view> hexadecimal_digits(std::string_view text) {
   if (text.starts_with("0x") || text.starts_with("0X")) return text.substr(2);
   if (text.ends_with('h') || text.ends_with('H')) return text.substr(0, text.size() - 1);
@@ -129,7 +129,7 @@ FilterCondition of_can_ids(const FilterClause& clause) {
                                   })};
 }
 
-/// Whether some service is called so, its number aside.
+/// True if it is the name of a service, without its number.
 bool is_of_service(const std::string& plain) {
   return std::ranges::any_of(filter_services(), [&](const std::string& service) {
     return has_name_but_for_numbers(plain_name(service), plain);
@@ -209,7 +209,7 @@ FilterCondition of_times(const FilterClause& clause) {
           .ranges = ranges_of(clause, FilterRange{}, parse)};
 }
 
-/// Of objects: in place of a name there may be several.
+/// For objects: a name may be followed by several alternatives.
 FilterCondition of_object(const FilterClause& clause, const FilterPhrase& phrase,
                           const FilterNames& names) {
   FilterCondition made{.by = FilterBy::value};
@@ -217,7 +217,7 @@ FilterCondition of_object(const FilterClause& clause, const FilterPhrase& phrase
   return made;
 }
 
-/// The services that a bare word names: `SDO` is both of its services.
+/// True for the services that a bare word names: `SDO` is both of its services.
 bool is_bare_service(const std::string& plain) {
   constexpr std::array<std::string_view, 5> kinds = {"sdo", "tpdo", "rpdo", "guarding", "pdo"};
   if (std::ranges::find(kinds, plain) != kinds.end()) return true;
@@ -235,7 +235,7 @@ FilterCondition of_bare_word(const FilterClause& clause, const FilterNames& name
   return made;
 }
 
-/// Values of an object are compared, or looked for where the filter only names it.
+/// Compares values of an object, or only finds them if the filter has just its name.
 FilterCondition of_values(const FilterClause& clause, const FilterNames& names) {
   if (clause.comparison == FilterTokenKind::end) return of_bare_word(clause, names);
   FilterCondition made = of_object(clause, clause.subject, names);

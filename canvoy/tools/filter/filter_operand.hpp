@@ -1,4 +1,4 @@
-// One condition of a filter: what its words stand for.
+// The meaning of one condition of a filter.
 #pragma once
 
 #include <optional>
@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "canvoy/tools/filter/filter_names.hpp"
+#include "canvoy/tools/argument/filter_names.hpp"
 #include "canvoy/tools/filter/filter_token.hpp"
 #include "canvoy/tools/filter/filter_tree.hpp"
 
@@ -15,28 +15,28 @@ namespace canvoy::tools {
 struct FilterPhrase {
   std::size_t position = 0;  ///< of its first byte in the filter
   std::string text = {};
-  bool is_quoted = false;  ///< its first word: then it is none of the filter's own words
+  bool is_quoted = false;  ///< the first word is quoted: it is no word of the filter grammar
 };
 
-/// One of what stands behind a comparison: a value, or a range.
+/// An operand of a comparison: a value, or a range.
 struct FilterOperand {
   FilterPhrase first;
   std::optional<FilterPhrase> last = {};
 };
 
-/// A condition as it is written.
+/// A condition as written.
 struct FilterClause {
   std::string_view filter = {};
-  std::string_view text = {};  ///< of the condition
+  std::string_view text = {};  ///< text of the condition
   FilterPhrase subject = {};
-  FilterToken::Kind comparison = FilterToken::Kind::end;  ///< `end`: there is none
+  FilterToken::Kind comparison = FilterToken::Kind::end;  ///< `end`: none
   std::vector<FilterOperand> operands = {};
 };
 
-/// The condition, of `!=` that of `=` unless it is about values. Throws FilterError.
+/// The condition; for `!=` that of `=`, unless it is on values. Throws FilterError.
 FilterCondition understand(const FilterClause& clause, const FilterNames& names);
 
-/// The names of all services, with `#` for a number, as they are printed.
+/// Names of all services as printed, with `#` for a number.
 std::vector<std::string> filter_services();
 
 }  // namespace canvoy::tools

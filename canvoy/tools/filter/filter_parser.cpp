@@ -120,7 +120,7 @@ class FilterParser {
     return operand;
   }
 
-  /// Words that follow each other are one, with blanks.
+  /// Consecutive words are one, with blanks.
   FilterPhrase take_words(bool with_commas, std::string_view expected) {
     FilterPhrase phrase{.position = token().position};
     phrase.is_quoted = token().kind == FilterTokenKind::quoted;

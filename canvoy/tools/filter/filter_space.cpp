@@ -14,14 +14,14 @@ namespace canvoy::tools {
 
 namespace {
 
-/// Beyond so many alternatives nobody looks any more.
+/// With more alternatives, the search ends.
 constexpr std::size_t spaces_max = 64;
 constexpr unsigned services_max = 1200;
 constexpr unsigned numbers_of_pdo = 512;
 
 using FilterServices = std::bitset<services_max>;
 
-/// The names that frames may have as their service, plain.
+/// The service names of frames, in plain form.
 const std::vector<std::string>& all_services() {
   static const auto made = [] {
     std::vector<std::string> services;
@@ -74,10 +74,10 @@ struct FilterInterval {
   std::optional<Unit> unit = {};
 };
 
-/// What frames have that pass one of the alternatives of a filter.
+/// Properties of the frames that pass one alternative of a filter.
 struct FilterSpace {
   std::optional<std::vector<std::string>> buses = {};  ///< nothing: all
-  std::vector<std::string> other_buses = {};           ///< those that it is not
+  std::vector<std::string> other_buses = {};           ///< excluded ones
   FilterRanges ids = FilterRanges::all();
   FilterRanges times = FilterRanges::all();
   FilterRanges spans = FilterRanges::all();
@@ -86,7 +86,7 @@ struct FilterSpace {
   bool is_narrowed = false;
 };
 
-/// The range of numbers that a value is to be in; nothing where it is not one range.
+/// The range of numbers for a value; nothing if it is not a single range.
 std::optional<FilterInterval> interval_of(const FilterValue& value) {
   if (!value.compares() || value.is_negated() || value.literals().size() != 1) return std::nullopt;
   const FilterLiteral& literal = value.literals().front();
@@ -97,15 +97,15 @@ std::optional<FilterInterval> interval_of(const FilterValue& value) {
     made.low *= literal.unit->count;
     made.high *= literal.unit->count;
   }
-  // As much as may be rounded when it is printed.
+  // Maximum rounding of a printed value.
   constexpr double margin = 0.5;
   if (!literal.low.is_open) made.low -= margin;
   if (!literal.high.is_open) made.high += margin;
   return made;
 }
 
-/// Whether a frame has one such value at most: each profile has but one, and a frame is of one
-/// profile.
+/// True if a frame has at most one such value: each profile has only one, and a frame belongs to
+/// one profile.
 bool is_one(const FilterObject& object, const FilterNames& names) {
   if (object.indices && object.indices->low == object.indices->high && object.sub) return true;
   const std::vector<FilterCandidate> candidates = names.find(object);
@@ -129,9 +129,9 @@ bool narrow_amount(FilterSpace& space, const FilterObject& object, const FilterI
   return true;
 }
 
-/// What a condition asks for, found out once.
+/// Requirements of a condition, determined once.
 struct FilterDemand {
-  FilterServices services;                    ///< of frames for which it may hold
+  FilterServices services;                    ///< of frames for which it may be true
   std::optional<FilterInterval> amount = {};  ///< of the only value of its object
 };
 
@@ -162,7 +162,7 @@ class FilterSearch {
     }
   }
 
-  /// The reason why there is no frame that passes, or an empty text.
+  /// Reason why no frame passes, or an empty text.
   std::string search(const FilterExpression& expression) {
     const std::vector<FilterSpace> spaces = narrow({FilterSpace{}}, expression, true);
     return spaces.empty() && !gave_up_ ? reason_ : "";
@@ -181,7 +181,7 @@ class FilterSearch {
       });
       return spaces;
     }
-    // All of what is denied is: one of them is denied.
+    // A negated conjunction: one of its parts is negated.
     if ((expression.kind == all) == is_true) {
       for (const FilterExpression& part : expression.parts) {
         spaces = narrow(std::move(spaces), part, is_true);
@@ -222,7 +222,7 @@ class FilterSearch {
       case FilterBy::bus:
         return narrow_buses(space, condition.names, is_true);
       case FilterBy::can_id:
-        // An error frame has no CAN-ID: that it has not this one is true.
+        // An error frame has no CAN-ID, so a negated CAN-ID condition is true for it.
         return !is_true || narrow_ranges(space.ids, condition.ranges, true);
       case FilterBy::value:
         return !is_true || !demand.amount ||

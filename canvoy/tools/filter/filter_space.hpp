@@ -1,20 +1,20 @@
-// Whether a filter can hold for any frame: what contradicts itself is better said at once than
-// after a log of hours.
+// Finds filters that no frame can pass: a contradiction is reported at once, not after hours of a
+// log.
 //
-//     find_contradiction(expression, conditions);  // "'bus=can0' and 'bus=can1' exclude each
-//     other"
+//     // "'bus=can0' and 'bus=can1' exclude each other"
+//     find_contradiction(expression, conditions, names);
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "canvoy/tools/filter/filter_names.hpp"
+#include "canvoy/tools/argument/filter_names.hpp"
 #include "canvoy/tools/filter/filter_tree.hpp"
 
 namespace canvoy::tools {
 
-/// Why none of the conditions' combinations can be, or an empty text: that is so, too, where it is
-/// not known, or would take long to find out.
+/// Reason why no combination of the conditions is possible; empty if one is, or if it is unknown or
+/// too expensive to decide.
 std::string find_contradiction(const FilterExpression& expression,
                                const std::vector<FilterCondition>& conditions,
                                const FilterNames& names);

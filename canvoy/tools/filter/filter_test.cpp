@@ -1,5 +1,5 @@
 // Filters on frames of a bus: node 10 is a battery (CiA 418), node 5 a charger (CiA 419). Bytes and
-// what they say are typed from CiA 301, 418 and 419.
+// their meaning are typed from CiA 301, 418 and 419.
 #include "canvoy/tools/filter/filter.hpp"
 
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include "canvoy/can/frame_text.hpp"
 #include "canvoy/profiles/cia418.hpp"
 #include "canvoy/profiles/cia419.hpp"
-#include "canvoy/tools/failure.hpp"
-#include "canvoy/words/frame_decoder.hpp"
+#include "canvoy/text/frame_decoder.hpp"
+#include "canvoy/tools/cli/failure.hpp"
 
 namespace canvoy::tools::filter_test {
 namespace {
@@ -25,17 +25,17 @@ class FilterTest : public testing::Test {
     decoder_.network().set_profile(5, cia419::profile);
   }
 
-  /// Whether a frame passes, as candump writes it.
+  /// True if a frame in the format of candump passes.
   bool passes(std::string_view filter, std::string_view frame, Duration time = {},
               std::string_view bus = "can0") {
     Filter sut;
     sut.add(filter, names());
     const Frame parsed = parse_frame(frame).frame;
-    const words::FrameWords& words = decoder_.decode(parsed);
+    const text::FrameWords& words = decoder_.decode(parsed);
     const Duration since_first = time - first_;
     return sut.passes({time, since_first, bus, parsed, words});
   }
-  /// What is said of a filter that is refused.
+  /// The error of a refused filter.
   static std::string refusal(std::string_view filter) {
     Filter sut;
     try {
@@ -50,7 +50,7 @@ class FilterTest : public testing::Test {
   static constexpr std::string_view hot = "18A#480100";   // 41 °C, not ready
   static constexpr std::string_view charger = "185#01";   // ready
   static constexpr std::string_view heartbeat = "70A#05";
-  words::FrameDecoder decoder_;
+  text::FrameDecoder decoder_;
   Duration first_{};
 };
 
@@ -127,7 +127,7 @@ TEST_F(FilterTest, ObjectsAreFoundByNumberNameAndPartOfAName) {
   EXPECT_TRUE(passes("object=6999", "58A#4B99690005000000")) << "no profile knows it";
 }
 
-/// CiA 301, 7.2.4.3: requests, confirmations and aborts have the entry in bytes 1 to 3.
+/// Requests, confirmations and aborts have the entry in bytes 1 to 3 (CiA 301, 7.2.4.3).
 TEST_F(FilterTest, ObjectsAreNamedByMessagesOfSdoWithoutAValue) {
   for (const char* frame : {"60A#4010600000000000", "58A#8010600002000106", "60A#8010600000000405",
                             "60A#2F10600001000000", "58A#6010600000000000"}) {
@@ -143,7 +143,7 @@ TEST_F(FilterTest, ObjectsAreNamedByMessagesOfSdoWithoutAValue) {
   EXPECT_TRUE(passes("6999h", "60A#4099690000000000")) << "no profile knows it";
 }
 
-/// CiA 301, 7.2.4.3.5 to 7.2.4.3.15: segments and blocks do not say of what they are.
+/// Segments and blocks do not contain the entry (CiA 301, 7.2.4.3.5 to 7.2.4.3.15).
 TEST_F(FilterTest, SegmentsAndBlocksAreOfTheObjectOfTheirTransfer) {
   const auto all_pass = [&](std::initializer_list<const char*> frames) {
     for (const char* frame : frames) EXPECT_TRUE(passes("1008h", frame)) << frame;
@@ -198,7 +198,7 @@ TEST_F(FilterTest, ANumberThatSaysThatThereIsNoneIsNone) {
 }
 
 TEST_F(FilterTest, UnitsAreConverted) {
-  constexpr std::string_view voltage = "28A#A000018FBE0000";  // 47.6396 V by 1/1024 V
+  constexpr std::string_view voltage = "28A#A000018FBE0000";  // 47.6396 V in steps of 1/1024 V
   EXPECT_TRUE(passes("battery_voltage>47600mV", voltage));
   EXPECT_FALSE(passes("battery_voltage>47700mV", voltage));
   EXPECT_TRUE(passes("battery_voltage=0.0476..0.0477kV", voltage));
@@ -232,7 +232,7 @@ TEST_F(FilterTest, TextsAreComparedWhole) {
 }
 
 TEST_F(FilterTest, CodesAreNoAmounts) {
-  // 1A00h:01h maps 6010h: the entry is called "temperature" by CiA 418.
+  // 1A00h:01h maps 6010h: the entry is "temperature" (CiA 418).
   constexpr std::string_view mapping = "58A#43001A0110001060";
   EXPECT_TRUE(passes("object=temperature", mapping));
   EXPECT_FALSE(passes("temperature>40", mapping));
@@ -250,7 +250,7 @@ TEST_F(FilterTest, TimeIsSinceTheFirstFrameOrAsLinesHaveIt) {
   EXPECT_TRUE(passes("time=1700005400", warm, later));
   EXPECT_TRUE(passes("time>1700005399.999999", warm, later));
   EXPECT_FALSE(passes("time>1700005400.000000", warm, later));
-  // 1700000000 is the 14th of November 2023, 22:13:20 UTC.
+  // 1700000000 is 14 November 2023, 22:13:20 UTC.
   EXPECT_TRUE(passes("time=2023-11-14 22:13:20..2023-11-14 22:13:21", warm, first_));
   EXPECT_FALSE(passes("time>2023-11-14 22:13:20", warm, first_));
 }

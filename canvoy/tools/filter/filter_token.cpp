@@ -26,7 +26,7 @@ struct FilterSign {
   FilterTokenKind kind;
 };
 
-/// Of two that begin alike the longer one first.
+/// If two begin alike, the longer one is first.
 constexpr auto signs = std::to_array<FilterSign>({
     {"..", FilterTokenKind::to},
     {"==", FilterTokenKind::equal},
@@ -98,7 +98,7 @@ class FilterScanner {
   std::size_t at_ = 0;
 };
 
-/// The characters of UTF-8 that begin in front of the byte, and one.
+/// Number of UTF-8 characters that begin before the byte, plus one.
 std::size_t character_at(std::string_view text, std::size_t position) {
   return 1 + static_cast<std::size_t>(std::ranges::count_if(
                  text.substr(0, position), [](char c) { return (c & 0xC0) != 0x80; }));

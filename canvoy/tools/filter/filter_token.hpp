@@ -1,4 +1,4 @@
-// The words and signs of a filter.
+// Splits a filter into words and signs.
 //
 //     for (const FilterToken& token : filter_tokens("temperature > 40")) ...
 #pragma once
@@ -8,14 +8,14 @@
 #include <string_view>
 #include <vector>
 
-#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/cli/failure.hpp"
 
 namespace canvoy::tools {
 
-/// What is wrong with a filter, and where: the message has `filter '...', character 3: ...`.
+/// An error in a filter, with its position: `filter '...', character 3: ...`.
 class FilterError : public UsageError {
  public:
-  /// `position` is that of a byte of `filter`, which is told as the number of its character.
+  /// `position` is a byte index into `filter`; the message gives it as a character number.
   FilterError(std::string_view filter, std::size_t position, std::string_view problem);
 };
 
@@ -39,14 +39,14 @@ struct FilterToken {
     not_,
   };
   Kind kind = Kind::end;
-  std::size_t position = 0;    ///< of its first byte
-  std::size_t behind = 0;      ///< of the first byte behind it
+  std::size_t position = 0;    ///< index of the first byte
+  std::size_t behind = 0;      ///< index after the last byte
   std::string_view text = {};  ///< without quotes; part of the filter
 };
 
 using FilterTokenKind = FilterToken::Kind;
 
-/// The last one is `end`. Throws FilterError: a quote without an end, more than 4096 bytes.
+/// The last token is `end`. Throws FilterError: a missing closing quote, more than 4096 bytes.
 std::vector<FilterToken> filter_tokens(std::string_view filter);
 
 }  // namespace canvoy::tools

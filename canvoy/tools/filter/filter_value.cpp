@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 #include "canvoy/decoder/active_field.hpp"
 #include "canvoy/formats/terms.hpp"
 #include "canvoy/profiles/registry.hpp"
-#include "canvoy/words/object_words.hpp"
-#include "canvoy/words/value_text.hpp"
+#include "canvoy/text/object_words.hpp"
+#include "canvoy/text/value_text.hpp"
 
 namespace canvoy::tools {
 
@@ -16,7 +16,7 @@ namespace {
 
 using decoder::DecodedValue;
 
-/// How far a number may be from what its digits say: they are as many as are printed of it.
+/// Tolerance of a number for its digits: as many as are printed.
 double tolerance_of(const Reading& reading, DataType type) {
   constexpr double digits_of_float = 1e-6;
   constexpr double digits_of_double = 1e-9;
@@ -80,7 +80,7 @@ bool FilterValue::has_number(const DecodedValue& value) const {
 }
 
 const FilterValue::Known& FilterValue::known(const DecodedValue& value) {
-  constexpr unsigned subs = 8;  // Neighbours get places of their own.
+  constexpr unsigned subs = 8;  // neighbours get slots of their own
   const auto place = reinterpret_cast<std::uintptr_t>(value.profile) / alignof(Profile);
   Known& known = known_[(value.index * subs + value.sub + place) % known_max];
   const bool has_entry = value.entry != nullptr;
@@ -94,7 +94,7 @@ const FilterValue::Known& FilterValue::known(const DecodedValue& value) {
 }
 
 void FilterValue::look(Known& known, const DecodedValue& value) const {
-  const std::string name = plain_name(words::object_name_text(value));
+  const std::string name = plain_name(text::object_name_text(value));
   known.has_whole = has_name(name, object_.name);
   if (value.entry == nullptr) return;
   for (const FieldInfo& field : value.entry->fields) {
@@ -140,7 +140,7 @@ bool FilterValue::holds(const DecodedValue& value, const Reading& reading) const
   return is_one != negated_;
 }
 
-/// Of a value that no profile describes: bytes, or the number that they are, little-endian.
+/// An undescribed value: bytes, or the little-endian number in them.
 bool FilterValue::holds_unknown(const DecodedValue& value) const {
   const bool is_short = value.bytes().size() <= sizeof(std::uint64_t);
   const std::uint64_t raw = is_short ? load_unsigned(value.bytes()) : 0;
@@ -162,7 +162,7 @@ bool FilterValue::is_word(const DecodedValue& value, const Reading* reading,
     return reading->text == literal.word;
   }
   if (reading != nullptr && reading->kind == Reading::Kind::number) return false;
-  return plain_name(words::value_text(value.entry, value.bytes())) == plain_name(literal.word);
+  return plain_name(text::value_text(value.entry, value.bytes())) == plain_name(literal.word);
 }
 
 }  // namespace canvoy::tools

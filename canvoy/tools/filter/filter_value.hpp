@@ -1,4 +1,4 @@
-// What a filter asks of the values in a frame: which object, and how much.
+// Conditions on the values in a frame: object and amount.
 //
 //     FilterValue value({.name = "temperature"});
 //     value.compare(false, {FilterLiteral::above(40, {Unit::degree_celsius})});
@@ -14,46 +14,46 @@
 #include <vector>
 
 #include "canvoy/decoder/decoder.hpp"
-#include "canvoy/profiles/physical.hpp"
-#include "canvoy/tools/filter/filter_names.hpp"
-#include "canvoy/tools/filter/filter_unit.hpp"
+#include "canvoy/profiles/model/physical.hpp"
+#include "canvoy/tools/argument/filter_names.hpp"
+#include "canvoy/tools/argument/unit_argument.hpp"
 
 namespace canvoy::tools {
 
-/// What a value is to be: a number between two, a raw one (`0x1F4`), or a word.
+/// A value to compare with: a number between two bounds, a raw number (`0x1F4`), or a word.
 struct FilterLiteral {
   enum class Kind : std::uint8_t { number, raw, word };
   struct Bound {
     double number = 0;
-    bool is_open = false;  ///< the bound itself is not in it
+    bool is_open = false;  ///< the bound is excluded
   };
   Kind kind = Kind::number;
   Bound low = {-std::numeric_limits<double>::infinity()};
   Bound high = {std::numeric_limits<double>::infinity()};
-  std::optional<FilterUnit> unit = {};  ///< nothing: that of the value
+  std::optional<FilterUnit> unit = {};  ///< nothing: the unit of the value
   FilterRange raw = {};
   std::string word = {};
 };
 
 class FilterValue {
  public:
-  /// All values of these objects.
+  /// Matches all values of these objects.
   explicit FilterValue(FilterObject object) : object_(std::move(object)) {}
-  /// Those that are one of the literals, or, `negated`, none of them.
+  /// Restricts to values that equal one of the literals or, if `negated`, none of them.
   void compare(bool negated, std::vector<FilterLiteral> literals) {
     compares_ = true;
     negated_ = negated;
     literals_ = std::move(literals);
   }
-  /// Codes (a mapping, a COB-ID) are called as the objects that they are about, and are no amounts:
-  /// they are not looked at.
+  /// Ignores codes (a mapping, a COB-ID): they have the name of the object that they refer to, and
+  /// are no amounts.
   void leave_out_codes() { leaves_out_codes_ = true; }
 
-  /// Whether one of the values is as asked for. What is known of a description is kept: it must
-  /// live as long as the filter.
+  /// True if one of the values matches. Caches results by description, which must live as long as
+  /// the filter.
   bool holds(std::span<const decoder::DecodedValue> values);
 
-  /// Whether the objects are only named, and this entry is of them, whatever its value is.
+  /// True if the condition only names objects, and this entry is one of them, with any value.
   bool names(const decoder::DecodedValue& entry);
 
   const FilterObject& object() const { return object_; }
@@ -62,7 +62,7 @@ class FilterValue {
   const std::vector<FilterLiteral>& literals() const { return literals_; }
 
  private:
-  /// The latest of each hash: which parts of an entry the object names.
+  /// Size of the cache by hash: the parts of an entry that the object names.
   static constexpr std::size_t known_max = 256;
   struct Known {
     const Profile* profile = nullptr;

@@ -8,10 +8,11 @@
 #include <set>
 
 #include "canvoy/profiles/registry.hpp"
-#include "canvoy/tools/ask/node_argument.hpp"
-#include "canvoy/tools/ask/object_argument.hpp"
-#include "canvoy/tools/device/car/car_hands.hpp"
-#include "canvoy/tools/device/device_catalogue.hpp"
+#include "canvoy/tools/argument/node_argument.hpp"
+#include "canvoy/tools/argument/object_argument.hpp"
+#include "canvoy/tools/device/catalogue/device_catalogue.hpp"
+#include "canvoy/tools/device/hand/hand_order.hpp"
+#include "canvoy/tools/device/hand_list.hpp"
 
 namespace canvoy::tools {
 
@@ -19,11 +20,11 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// What the words before the last one mean.
+/// Meaning of the words before the last one.
 struct Line {
   const Verb* verb;
-  std::vector<std::string> places = {};     ///< what stands at the positions so far
-  std::optional<OptionInfo> awaiting = {};  ///< an option whose value comes next
+  std::vector<std::string> places = {};     ///< words at the positions so far
+  std::optional<OptionInfo> awaiting = {};  ///< an option with a value that comes next
 };
 
 bool is_named(const OptionInfo& option, std::string_view name) {
@@ -92,7 +93,7 @@ Words node_words() {
   return words;
 }
 
-/// `battery_parameters:ah_capacity`: without blanks, which a shell would have to quote.
+/// `battery_parameters:ah_capacity`: without blanks, which would need quotes in a shell.
 std::string typed_name(std::string name) {
   const std::size_t comma = name.find(", ");
   if (comma != std::string::npos) name.replace(comma, 2, ":");
@@ -115,7 +116,7 @@ Words object_words() {
   return {names.begin(), names.end()};
 }
 
-/// The names that a value of the object can have.
+/// The names of values of the object.
 Words value_words(const Line& line) {
   constexpr std::size_t object_place = 2;
   if (line.places.size() <= object_place) return {};
@@ -142,7 +143,7 @@ Words device_words(const Line& line) {
   return words;
 }
 
-/// As `--profile` takes them: 419, 447-3.
+/// As accepted by `--profile`: 419, 447-3.
 Words profile_words() {
   constexpr std::string_view organisation = "CiA ";
   Words words;
@@ -154,17 +155,19 @@ Words profile_words() {
   return words;
 }
 
-/// What can be pressed or set of the devices that stand there.
+/// Hands of the devices in the line.
 Words hand_words(const Line& line, bool sets) {
-  std::vector<const cia447::CarUnit*> units;
+  Words words;
   for (const std::string& place : line.places) {
-    const DeviceKind* const kind = find_any_device_kind(place);
-    if (kind != nullptr && kind->car_unit != nullptr) units.push_back(kind->car_unit);
+    if (find_any_device_kind(place) == nullptr) continue;
+    const std::vector<DeviceHand> hands = device_hands(place);
+    const HandTable table = {place, hands};
+    for (std::string& word : hand_completions({&table, 1}, sets)) words.push_back(std::move(word));
   }
-  return hand_completions(units, sets);
+  return words;
 }
 
-/// Of an option that is one of a few words.
+/// Values of an option with a few words.
 Words option_values(const Line& line) {
   const OptionInfo& option = *line.awaiting;
   if (is_named(option, "--press")) return hand_words(line, false);
@@ -174,7 +177,7 @@ Words option_values(const Line& line) {
   return is_named(option, "--profile") ? profile_words() : Words{};
 }
 
-/// By the name that the help gives a place.
+/// By the name of the argument in the help.
 Words place_words(const Line& line, const std::string& place) {
   const auto fixed = [](Words words) {
     return [words = std::move(words)](const Line&) { return words; };
@@ -204,7 +207,7 @@ std::optional<OptionInfo> next_place(const Line& line) {
   std::vector<OptionInfo> places = line.verb->options();
   std::erase_if(places, [](const OptionInfo& option) { return !option.is_place; });
   if (line.places.size() < places.size()) return places[line.places.size()];
-  // Only the last one may stand for several.
+  // Only the last argument may take several words.
   if (places.empty() || !places.back().takes_several) return std::nullopt;
   return places.back();
 }

@@ -1,4 +1,4 @@
-// What may stand next on a command line: verbs, options, buses, nodes, objects, states.
+// Completions of a command line: verbs, options, buses, nodes, objects, states.
 //
 //     completions(app, {"read", "can0", "10", "temp"});  // temperature
 #pragma once
@@ -10,8 +10,8 @@
 
 namespace canvoy::tools {
 
-/// `words` are those behind `canvoy`; the last is the one that is being typed, and may be empty.
-/// None where the shell knows better: names of files.
+/// `words` are those after `canvoy`; the last one is being typed, and may be empty. Returns none
+/// where the shell completes better: file names.
 std::vector<std::string> completions(const Verb& app, const std::vector<std::string>& words);
 
 }  // namespace canvoy::tools

@@ -1,4 +1,4 @@
-// What bash and zsh read to complete canvoy; scripts/completion has the same as files, for packages
+// Scripts for bash and zsh to complete canvoy. scripts/completion has them as files for packages
 // (tests/cli/help_test.py compares them).
 #pragma once
 

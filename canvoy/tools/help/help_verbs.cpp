@@ -1,17 +1,17 @@
-// canvoy complete WORD..., canvoy man [VERB...]: what shells and man ask for; people see neither.
+// canvoy complete WORD..., canvoy man [VERB...]: used by shells and man, and hidden in the help.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <memory>
 
-#include "canvoy/tools/commands.hpp"
-#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/cli/commands.hpp"
+#include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/cli/spelling.hpp"
+#include "canvoy/tools/cli/value_file.hpp"
 #include "canvoy/tools/help/completion.hpp"
 #include "canvoy/tools/help/completion_scripts.hpp"
 #include "canvoy/tools/help/man_page.hpp"
-#include "canvoy/tools/spelling.hpp"
-#include "canvoy/tools/value_file.hpp"
 
 namespace canvoy::tools {
 
@@ -23,7 +23,7 @@ struct HelpOptions {
 };
 
 int print_completions(const Verb& app, const HelpOptions& options) {
-  // Nobody wants to read in the middle of a line what is wrong with a file.
+  // Errors of a file must not appear in the middle of a command line.
   try {
     for (const std::string& word : completions(app, options.words)) fmt::print("{}\n", word);
   } catch (const Failure&) {
@@ -32,7 +32,7 @@ int print_completions(const Verb& app, const HelpOptions& options) {
   return exit_done;
 }
 
-/// A page, and those of the verbs below.
+/// Writes a page, and those of the verbs below.
 void write_pages(const Verb& verb, const std::string& name, const std::string& folder) {
   std::string file = name;
   std::ranges::replace(file, ' ', '-');

@@ -8,7 +8,7 @@ namespace canvoy::tools {
 
 namespace {
 
-/// For roff a backslash begins a command, as do a dot and a quote at the beginning of a line.
+/// In roff, a backslash begins a command, as do a dot and a quote at the start of a line.
 std::string roff(std::string_view text) {
   std::string made;
   for (const char c : text) {
@@ -65,7 +65,7 @@ std::string verbs_text(const Verb& verb, const std::string& name) {
   return text;
 }
 
-/// The footer, whose first line says that they are examples.
+/// The footer, if its first line marks examples.
 std::string examples_text(const Verb& verb) {
   const std::string footer = verb.footer();
   const std::size_t begin = footer.find('\n');

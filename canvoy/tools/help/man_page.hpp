@@ -1,4 +1,4 @@
-// The help of a verb as a page for man, made from the same options.
+// Makes a man page from the help of a verb, with the same options.
 //
 //     man_page(app, read);  // canvoy-read(1)
 #pragma once
@@ -9,7 +9,7 @@
 
 namespace canvoy::tools {
 
-/// In the language of man(7). `name` is how the verb is called: `canvoy run charger`.
+/// Returns man(7) source. `name` is the full name of the verb: `canvoy run charger`.
 std::string man_page(const Verb& verb, const std::string& name);
 
 }  // namespace canvoy::tools

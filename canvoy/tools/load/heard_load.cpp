@@ -7,7 +7,7 @@
 #include "canvoy/can/frame_bits.hpp"
 #include "canvoy/can/simulated/arbitration.hpp"
 #include "canvoy/formats/plain_text.hpp"
-#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/cli/failure.hpp"
 
 namespace canvoy::tools {
 

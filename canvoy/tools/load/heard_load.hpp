@@ -1,4 +1,4 @@
-// What buses carry while they are listened to, identifier by identifier.
+// Traffic of the buses during listening, by identifier.
 //
 //     HeardLoad load;
 //     load.add(time, "can0", frame);
@@ -21,10 +21,11 @@ class HeardLoad {
  public:
   static constexpr std::size_t buses_max = 64;
 
-  /// Times of one bus come in order. Throws Failure where there are more than buses_max buses, or
-  /// more than messages_max identifiers on one.
+  /// Adds a frame. Times of one bus must not decrease. Throws Failure if there are more than
+  /// buses_max buses, or more than messages_max identifiers on one.
   void add(Duration time, std::string_view bus, const Frame& frame);
-  /// In the order of their names. `listened`: zero where that was from the first frame to the last.
+  /// The buses in order of their names. `listened`: zero means the time from the first frame to the
+  /// last.
   std::vector<LoadedBus> buses(Duration listened) const;
 
  private:
@@ -34,7 +35,7 @@ class HeardLoad {
     std::uint64_t bits = 0;
   };
   struct Bus {
-    std::map<std::uint32_t, Heard> by_key{};  // in the order of priorities
+    std::map<std::uint32_t, Heard> by_key{};  // in order of priority
     std::uint64_t error_frames = 0;
   };
   static LoadedMessage described(const Heard& heard, Duration listened);

@@ -1,4 +1,4 @@
-// canvoy load SOURCE: how busy a bus is, and how late each of its messages can be.
+// canvoy load SOURCE: load of a bus, and the worst-case delay of each of its messages.
 #include "canvoy/tools/load/load.hpp"
 
 #include <fmt/format.h>
@@ -10,18 +10,19 @@
 
 #include "canvoy/can/host/can_link.hpp"
 #include "canvoy/formats/trace/trace.hpp"
-#include "canvoy/tools/bus/log_source.hpp"
-#include "canvoy/tools/bus/session.hpp"
-#include "canvoy/tools/duration_argument.hpp"
-#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/argument/duration_argument.hpp"
+#include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/cli/value_file.hpp"
 #include "canvoy/tools/load/heard_load.hpp"
 #include "canvoy/tools/load/load_result.hpp"
 #include "canvoy/tools/load/message_list.hpp"
 #include "canvoy/tools/load/played_load.hpp"
 #include "canvoy/tools/load/sheet_messages.hpp"
-#include "canvoy/tools/log/trace_complaints.hpp"
-#include "canvoy/tools/log/trace_progress.hpp"
-#include "canvoy/tools/value_file.hpp"
+#include "canvoy/tools/session/log_source.hpp"
+#include "canvoy/tools/session/session.hpp"
+#include "canvoy/tools/watch/log_reader.hpp"
+#include "canvoy/tools/watch/trace_complaints.hpp"
+#include "canvoy/tools/watch/trace_progress.hpp"
 
 namespace canvoy::tools {
 
@@ -39,7 +40,7 @@ struct LoadOptions {
   std::string deadlines;
   std::string error_each;
   std::string svg;
-  unsigned bit_rate = 0;  ///< kbit/s; 0: as the source has it
+  unsigned bit_rate = 0;  ///< kbit/s; 0: from the source
   unsigned errors = 0;
   bool json = false;
 };
@@ -50,7 +51,7 @@ std::uint32_t said_bit_rate(const LoadOptions& options) {
 }
 
 std::vector<LoadedBus> load_of_log(const LoadOptions& options) {
-  formats::TraceReader trace = value_or_throw(formats::TraceReader::open(options.source));
+  LogReader trace(value_or_throw(formats::TraceReader::open(options.source)));
   TraceProgress progress(trace);
   HeardLoad load;
   const Duration limit = parse_duration_argument(options.duration, Duration::max());
@@ -136,7 +137,7 @@ void keep_bus(std::vector<LoadedBus>& buses, const LoadOptions& options) {
       fmt::format("{}: there is no bus {}; there are {}", options.source, options.bus, names));
 }
 
-/// What if these were there as well?
+/// Adds planned messages.
 void add_more(std::vector<LoadedBus>& buses, const LoadOptions& options) {
   if (options.added.empty()) return;
   if (buses.size() != 1) throw UsageError("to which bus is it added? say --bus NAME");
@@ -148,7 +149,7 @@ void add_more(std::vector<LoadedBus>& buses, const LoadOptions& options) {
         continue;
       }
     }
-    static_cast<void>(model_of(buses.front()));  // the bit rate has to be known
+    static_cast<void>(model_of(buses.front()));  // the bit rate must be known
     add_sheet_messages(buses.front(), describe_nodes(each));
   }
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "canvoy/tools/load/load_result.hpp"
-#include "canvoy/tools/log/svg_canvas.hpp"
+#include "canvoy/tools/watch/svg_canvas.hpp"
 
 namespace canvoy::tools {
 
@@ -18,7 +18,7 @@ constexpr double names_width = 210;
 constexpr double row = 18;
 constexpr double margin = 24;
 
-/// Times from left to right, each decade as wide as the others.
+/// Times from left to right, with equal widths for all decades.
 class TimeScale {
  public:
   void take(double seconds) {
@@ -31,7 +31,7 @@ class TimeScale {
     const double share = (decade - least_) / (most_ - least_);
     return names_width + share * (page_width - names_width - 3 * margin);
   }
-  /// From the first decade on; all there are.
+  /// The first decade; all decades.
   int first() const { return static_cast<int>(least_); }
   int last() const { return static_cast<int>(most_); }
 

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "canvoy/words/json_line.hpp"
+#include "canvoy/text/json_line.hpp"
 
 namespace canvoy::tools {
 
@@ -24,7 +24,7 @@ double percent_of(const LoadedBus& bus, const LoadedMessage& message) {
   return message.bits_per_second / bus.bit_rate * 100;
 }
 
-/// Of characters, which are not bytes.
+/// Counts characters, not bytes.
 std::string clipped_to(const std::string& text, std::size_t most) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -34,7 +34,7 @@ std::string clipped_to(const std::string& text, std::size_t most) {
   return text;
 }
 
-/// What messages have in common, the heaviest first.
+/// A property that messages share, the heaviest first.
 struct Part {
   std::string name;
   double percent = 0;
@@ -139,7 +139,7 @@ std::string verdict_text(const LoadedBus& bus, const LoadResult& result) {
 void append_parts(std::string& text, const LoadedBus& bus, std::string_view key,
                   const std::vector<Part>& parts) {
   for (const Part& part : parts) {
-    words::JsonLine json(text);
+    text::JsonLine json(text);
     json.begin_object();
     json.key("bus").text(bus.name);
     json.key(key).text(part.name);
@@ -153,7 +153,7 @@ void append_parts(std::string& text, const LoadedBus& bus, std::string_view key,
 void append_message(std::string& text, const LoadedBus& bus, const LoadedMessage& message,
                     const timing::Response& response) {
   const timing::BusMessage& timing = message.timing;
-  words::JsonLine json(text);
+  text::JsonLine json(text);
   json.begin_object();
   json.key("bus").text(bus.name);
   json.key("id").text(id_text(timing));
@@ -217,7 +217,7 @@ std::string json_text(const LoadedBus& bus, const LoadResult& result) {
     append_message(text, bus, bus.messages[i], result.responses[i]);
   append_parts(text, bus, "of_node", nodes_of(bus));
   append_parts(text, bus, "of_service", services_of(bus));
-  words::JsonLine json(text);
+  text::JsonLine json(text);
   json.begin_object();
   json.key("bus").text(bus.name);
   json.key("bit_rate").number(bus.bit_rate);

@@ -1,5 +1,5 @@
-// What `canvoy load` says of a bus: the response of each message, and how far the bus is from its
-// first message that is late.
+// Result of `canvoy load` for a bus: the response time of each message, and the margin to the first
+// late message.
 //
 //     const LoadResult result = result_of(bus);
 //     fmt::print("{}", table_text(bus, result));
@@ -16,24 +16,24 @@
 namespace canvoy::tools {
 
 struct LoadResult {
-  std::vector<timing::Response> responses{};  ///< of the bus's messages, in their order
-  double load = 0;                            ///< share of the bus, as heard or planned
-  double worst = 0;                           ///< with as many stuff bits as can be
+  std::vector<timing::Response> responses{};  ///< in the order of the messages of the bus
+  double load = 0;                            ///< bus load, as heard or planned
+  double worst = 0;                           ///< with the maximum number of stuff bits
   std::optional<timing::Breakdown> breakdown{};
-  std::size_t late = 0;  ///< messages that miss their deadline, or have no bound
+  std::size_t late = 0;  ///< number of messages that miss their deadline, or have no bound
 };
 
-/// The places of a bus's messages, the highest priority first.
+/// Indices of the messages of a bus, highest priority first.
 std::vector<std::size_t> by_priority(const LoadedBus& bus);
 
-/// Throws UsageError where the bit rate is not known.
+/// Throws UsageError if the bit rate is unknown.
 LoadResult result_of(const LoadedBus& bus);
 
-/// Tables for people, of 80 columns: messages by their priority, nodes and services by their load.
+/// Tables of 80 columns: messages by priority, nodes and services by load.
 std::string table_text(const LoadedBus& bus, const LoadResult& result);
-/// An object for each message, node and service, and one for the bus; a line each.
+/// JSON Lines: an object for each message, node and service, and one for the bus.
 std::string json_text(const LoadedBus& bus, const LoadResult& result);
-/// A picture as SVG: of each message its longest response beside its deadline.
+/// An SVG image: the longest response of each message beside its deadline.
 std::string picture_text(const std::vector<LoadedBus>& buses,
                          const std::vector<LoadResult>& results);
 

@@ -7,8 +7,8 @@
 #include <tuple>
 
 #include "canvoy/can/frame.hpp"
-#include "canvoy/tools/failure.hpp"
-#include "canvoy/words/frame_decoder.hpp"
+#include "canvoy/text/frame_decoder.hpp"
+#include "canvoy/tools/cli/failure.hpp"
 
 namespace canvoy::tools {
 
@@ -31,14 +31,14 @@ void complete(LoadedMessage& message) {
   if (message.frames == 0)
     message.bits_per_second = timing.bits * 1e6 / static_cast<double>(timing.period.count());
   if (!message.service.empty()) return;
-  // Of error control, a heartbeat: boot-up, a byte of 0, is its first alone.
+  // A heartbeat of error control: only the first message, the boot-up, is a byte of 0.
   constexpr std::uint8_t operational = 5;
   const auto length = static_cast<std::uint8_t>(message.bytes);
   Frame frame{.id = timing.id, .length = length, .data = {operational}};
   if (timing.is_extended) frame.flags = frame.flags | FrameFlags::extended;
   if (timing.is_remote) frame.flags = frame.flags | FrameFlags::remote;
-  words::FrameDecoder decoder;
-  const words::FrameWords& words = decoder.decode(frame);
+  text::FrameDecoder decoder;
+  const text::FrameWords& words = decoder.decode(frame);
   message.service = words.service;
   if (message.node == 0) message.node = words.node;
 }

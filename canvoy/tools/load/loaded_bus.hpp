@@ -1,5 +1,5 @@
-// A bus as `canvoy load` sees it, wherever it is from: what is sent on it, by whom, and how much of
-// it was heard.
+// A bus as input of `canvoy load`, from any source: its messages, their senders, and how much was
+// heard.
 //
 //     LoadedBus bus = ...;
 //     const std::vector<timing::Response> responses = timing::response_times(model_of(bus));
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
 #include "canvoy/timing/bus_message.hpp"
 
 namespace canvoy::tools {
@@ -17,35 +17,35 @@ namespace canvoy::tools {
 struct LoadedMessage {
   timing::BusMessage timing{};
   unsigned bytes = 0;          ///< of the longest frame
-  std::string name{};          ///< empty: it has none
+  std::string name{};          ///< empty: none
   std::string service{};       ///< `TPDO1`
-  NodeId node = 0;             ///< 0: none, or not known
-  std::uint64_t frames = 0;    ///< that were heard; 0: it is planned
-  double bits_per_second = 0;  ///< as heard; as planned, with as many stuff bits as can be
+  NodeId node = 0;             ///< 0: none, or unknown
+  std::uint64_t frames = 0;    ///< number of frames heard; 0: planned
+  double bits_per_second = 0;  ///< as heard; if planned, with the maximum number of stuff bits
 };
 
 struct LoadedBus {
   std::string name{};
-  std::uint32_t bit_rate = 0;  ///< bit/s; 0: not known
+  std::uint32_t bit_rate = 0;  ///< bit/s; 0: unknown
   timing::ErrorModel errors{};
   std::vector<LoadedMessage> messages{};
-  Duration heard{};                     ///< zero: it is planned
-  std::uint64_t error_frames = 0;       ///< that were heard
-  std::vector<std::string> left_out{};  ///< what is sent and cannot be counted, and why
+  Duration heard{};                     ///< zero: planned
+  std::uint64_t error_frames = 0;       ///< number of error frames heard
+  std::vector<std::string> left_out{};  ///< messages that cannot be counted, with the reason
 };
 
-/// `185`, `18FEF100`
+/// Text of an identifier: `185`, `18FEF100`.
 std::string id_text(const timing::BusMessage& message);
-/// `speed`, or `TPDO1 5`; of a remote frame with an R in front.
+/// Title of a message: `speed`, or `TPDO1 5`; with an R in front for a remote frame.
 std::string title(const LoadedMessage& message);
-/// One that is planned, with as many stuff bits as can be, which is due before the next. Its
-/// service and node are those of its identifier, unless they are known.
+/// Completes a planned message: the maximum number of stuff bits, due before the next one, and
+/// unless known, service and node from its identifier.
 void complete(LoadedMessage& message);
 
-/// Throws UsageError where the bit rate is not known.
+/// Throws UsageError if the bit rate is unknown.
 timing::BusModel model_of(const LoadedBus& bus);
-/// Puts them on the bus. Throws Failure where one has the identifier of another, or there are more
-/// than messages_max.
+/// Adds messages to the bus. Throws Failure if two have the same identifier, or there are more than
+/// messages_max.
 void add_messages(LoadedBus& bus, std::vector<LoadedMessage> more);
 
 inline constexpr std::size_t messages_max = 1024;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr Duration time_max = 24h;
 
-/// 0 or more, which a text says as other times.
+/// 0 or more, in the notation of other times.
 void take_from_zero(TomlTable& table, std::string_view key, Duration& to) {
   std::string text;
   table.take(key, text);
@@ -33,7 +33,7 @@ void take_id(TomlTable& table, timing::BusMessage& message) {
     table.refuse("extended", "the identifier has more than 11 bits");
 }
 
-/// How often it comes: with each period, event time, or as soon as its inhibit time is over.
+/// Its interval: the period, the event time, or the inhibit time.
 void take_period(TomlTable& table, timing::BusMessage& message) {
   Duration event{};
   Duration inhibit{};

@@ -1,4 +1,4 @@
-// A plain list of what is sent on a bus, in TOML:
+// A plain list of the messages on a bus, in TOML:
 //
 //     bit_rate = 125000
 //     [errors]
@@ -12,20 +12,20 @@
 
 #include <string>
 
+#include "canvoy/tools/cli/toml_file.hpp"
 #include "canvoy/tools/load/loaded_bus.hpp"
-#include "canvoy/tools/toml_file.hpp"
 
 namespace canvoy::tools {
 
-/// Whether a file is such a list, and no network of nodes.
+/// True if a file is such a list, not a network of nodes.
 bool is_message_list(const TomlTable& file);
 
 /// Throws Failure with file and line.
 LoadedBus read_message_list(TomlTable& file, const std::string& name);
 
-/// Takes other deadlines, of a file with `[[deadline]]`, each with `id`, `extended` and `deadline`,
-/// and `bus` where it holds on one alone. Throws Failure with file and line, also for an identifier
-/// that nobody sends.
+/// Reads deadlines from a file with `[[deadline]]`, each with `id`, `extended` and `deadline`, and
+/// `bus` if it applies to one bus only. Throws Failure with file and line, also for an identifier
+/// without a message.
 void read_deadlines(TomlTable& file, std::vector<LoadedBus>& buses);
 
 }  // namespace canvoy::tools

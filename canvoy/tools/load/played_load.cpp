@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "canvoy/tools/load/heard_load.hpp"
-#include "canvoy/tools/run/world.hpp"
+#include "canvoy/tools/play/world.hpp"
 
 namespace canvoy::tools {
 
@@ -30,6 +30,7 @@ std::vector<LoadedBus> played_load(TomlTable& table, const std::string& path, Du
   };
   HeardLoad load;
   std::vector<Ear> ears;
+  ears.reserve(names.size());
   for (const std::string& name : names) ears.push_back({&load, name});
   for (BusIndex bus = 0; bus < names.size(); ++bus) {
     network.world().bus(bus).observe(

@@ -9,7 +9,7 @@
 #include "canvoy/can/frame.hpp"
 #include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/timing/response_time.hpp"
-#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/cli/failure.hpp"
 
 namespace canvoy::tools {
 
@@ -22,10 +22,10 @@ constexpr std::uint8_t synchronous_last = 240;
 constexpr std::uint8_t event_first = 254;
 constexpr Duration inhibit_step = 100us;
 
-/// A TPDO that waits for SYNC, or SYNC.
+/// A TPDO that waits for SYNC, or SYNC itself.
 struct BehindSync {
   LoadedMessage message;
-  unsigned of_syncs = 0;  ///< each so many
+  unsigned of_syncs = 0;  ///< every this number of SYNCs
 };
 
 std::optional<std::uint32_t> number_at(const DescribedNode& node, unsigned index, unsigned sub) {
@@ -50,7 +50,7 @@ LoadedMessage made(const DescribedNode& node, std::uint32_t cob_id, unsigned byt
   return message;
 }
 
-/// What the nodes of one bus send.
+/// The messages of the nodes of one bus.
 class Gathering {
  public:
   explicit Gathering(LoadedBus& bus) : bus_(&bus) {}
@@ -101,7 +101,7 @@ class Gathering {
     const unsigned mapping = object_index::tpdo_mapping + number;
     const std::uint32_t mapped = std::min(number_or_zero(node, mapping, 0), 64U);
     for (unsigned sub = 1; sub <= mapped; ++sub) bits += number_or_zero(node, mapping, sub) & 0xFF;
-    if (bits == 0) return;  // it carries nothing, and is not sent
+    if (bits == 0) return;  // empty, and not sent
     LoadedMessage message =
         made(node, *cob_id, std::min((bits + 7) / 8, 8U), fmt::format("TPDO{}", number + 1));
     const std::uint32_t type = number_at(node, index, 2).value_or(0xFF);
@@ -140,7 +140,7 @@ class Gathering {
         leave_out(each.message, "waits for a SYNC that nobody sends");
       return;
     }
-    // Those of higher priority than SYNC delay it.
+    // TPDOs with a higher priority than SYNC delay it.
     std::ranges::stable_partition(behind_sync_,
                                   [&](const BehindSync& each) { return is_before_sync(each); });
     for (BehindSync& each : behind_sync_) {
@@ -152,7 +152,7 @@ class Gathering {
       add(std::move(each.message), each.of_syncs * sync_->timing.period);
     }
   }
-  /// That of somebody who was there before.
+  /// SYNC of a message that is already on the bus.
   std::optional<LoadedMessage> sync_of_bus() const {
     const auto found = std::ranges::find(bus_->messages, "SYNC", &LoadedMessage::service);
     return found == bus_->messages.end() ? std::nullopt : std::optional(*found);
@@ -161,7 +161,7 @@ class Gathering {
     return each.message.timing.id < sync_->timing.id;
   }
 
-  /// From its event until all have it, whatever is sent beside.
+  /// Time from its event to its reception by all, with all other messages.
   Duration sync_delay() {
     if (sync_delay_) return *sync_delay_;
     LoadedBus all = *bus_;
@@ -179,7 +179,7 @@ class Gathering {
                                         [](const LoadedMessage& each) { return each.timing.id; });
     const auto& response =
         responses[static_cast<std::size_t>(std::distance(all.messages.begin(), sync))];
-    // Without a bound, the bus is full, and nothing behind SYNC has a bound either.
+    // Without a bound, the bus is full, and messages after SYNC have no bound either.
     sync_delay_ =
         response.is_bounded ? std::chrono::ceil<Duration>(response.time) : sync_->timing.period;
     return *sync_delay_;

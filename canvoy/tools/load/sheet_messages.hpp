@@ -1,5 +1,5 @@
-// What nodes send by their data sheets: SYNC (1005h, 1006h), TPDOs (1800h and 1A00h on), heartbeats
-// (1017h) and emergencies (1014h, 1015h); CiA 301, 7.5.2.
+// Messages that nodes send according to their data sheets: SYNC (1005h, 1006h), TPDOs (from 1800h
+// and 1A00h), heartbeats (1017h) and emergencies (1014h, 1015h) (CiA 301, 7.5.2).
 //
 //     add_sheet_messages(bus, describe_nodes("network.toml"));
 #pragma once
@@ -11,12 +11,12 @@
 
 namespace canvoy::tools {
 
-/// A TPDO behind SYNC has its period times its transmission type, and its place: it may be queued
-/// as late as SYNC itself can be; but for those of higher priority than SYNC, which come as they
-/// like. A TPDO by events comes each inhibit time, or else each event time. What has no period is
-/// `left_out`, as are requests: SDO, NMT, LSS. The bit rate of the bus has to be known where
-/// anything is behind SYNC. Throws Failure where two send the same identifier, UsageError without
-/// that bit rate.
+/// The period of a synchronous TPDO is that of SYNC times its transmission type, its offset is that
+/// of SYNC, and its jitter the worst-case delay of SYNC. A synchronous TPDO with a higher priority
+/// than SYNC may come at any time. The period of an event-driven TPDO is its inhibit time, or else
+/// its event time. Messages without a period become `left_out`, as do requests: SDO, NMT, LSS. The
+/// bit rate of the bus must be known if a message is synchronous. Throws Failure if two messages
+/// have the same identifier, UsageError without that bit rate.
 void add_sheet_messages(LoadedBus& bus, const std::vector<DescribedNode>& nodes);
 
 }  // namespace canvoy::tools

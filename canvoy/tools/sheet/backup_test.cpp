@@ -1,5 +1,5 @@
-// A device's backup goes back into it: what `canvoy eds read` reads of each device that the project
-// builds, `canvoy configure` writes into it, and nothing is refused or changed by that.
+// Backups of devices are restored: `canvoy eds read` reads each device that the project builds,
+// `canvoy configure` writes the result into it, and nothing is refused or changed.
 #include <gtest/gtest.h>
 
 #include "canvoy/devices/testing/foreign_client.hpp"
@@ -16,8 +16,7 @@ using Bytes = ForeignClient::Bytes;
 using formats::Configuration;
 using formats::ConfigurationEntry;
 
-/// As the two commands have it, with the file between them.
-Configuration backup_of(ForeignClient& desk) {
+formats::DataSheet read_of(ForeignClient& desk) {
   formats::SheetScan scan(
       [&](std::uint16_t index, std::uint8_t sub) { return desk.read(index, sub); });
   const Result<Bytes> type = desk.read(0x1000, 0);
@@ -25,11 +24,20 @@ Configuration backup_of(ForeignClient& desk) {
   const Profile* profile =
       find_profile(type ? static_cast<std::uint32_t>(load_unsigned(*type)) : 0);
   EXPECT_NE(profile, nullptr);
-  const formats::DataSheet sheet = scan.read_profile(profile == nullptr ? base_profile() : *profile,
-                                                     {.node_id = desk.id(), .node_name = "any"});
+  formats::DataSheet sheet = scan.read_profile(profile == nullptr ? base_profile() : *profile,
+                                               {.node_id = desk.id(), .node_name = "any"});
   EXPECT_GT(scan.count(), 20U);
+  return sheet;
+}
+
+Configuration configuration_of(ForeignClient& desk) {
+  return formats::configuration_of(read_of(desk), desk.id());
+}
+
+/// Reads a backup like the two commands, with the file between them.
+Configuration backup_of(ForeignClient& desk) {
   formats::Findings findings;
-  const formats::DataSheet stored = formats::read_eds(formats::write_eds(sheet), findings);
+  const formats::DataSheet stored = formats::read_eds(formats::write_eds(read_of(desk)), findings);
   return formats::configuration_of(stored, desk.id());
 }
 
@@ -40,14 +48,14 @@ std::string place_of(const ConfigurationEntry& entry) {
   return text;
 }
 
-/// What of PDOs depends on each other, tests of PDOs try.
+/// Dependencies within PDOs are covered by tests of PDOs.
 bool is_pdo(std::uint16_t index) {
   return index >= 0x1400 && index <= 0x1BFF;
 }
 
 class Backup : public testing::TestWithParam<const DeviceKind*> {};
 
-/// A sealed taximeter keeps its channels but for service (MID, annex IX).
+/// A sealed taximeter keeps its channels except for service (MID, annex IX).
 AbortCode wanted(std::uint16_t index) {
   const bool is_sealed =
       test_name(*Backup::GetParam()) == "taximeter" && index >= 0x1200 && index < 0x1800;
@@ -63,22 +71,22 @@ void write_all(ForeignClient& desk, const Configuration& backup, const char* sta
 }
 
 TEST_P(Backup, GoesBackIntoTheDeviceThatItIsOf) {
-  for (const bool is_operational : {false, true}) {
-    ForeignClient desk(*GetParam());
-    if (is_operational) desk.start();
-    const Configuration backup = backup_of(desk);
-    EXPECT_TRUE(backup.bad.empty());
-    EXPECT_GT(backup.entries.size(), 5U);
-    write_all(desk, backup, is_operational ? "operational" : "pre-operational");
-    EXPECT_EQ(backup_of(desk).entries, backup.entries) << "nothing has changed";
+  ForeignClient desk(*GetParam());
+  const Configuration backup = backup_of(desk);
+  EXPECT_TRUE(backup.bad.empty());
+  EXPECT_GT(backup.entries.size(), 5U);
+  for (const char* const state : {"pre-operational", "operational"}) {
+    write_all(desk, backup, state);
+    EXPECT_EQ(configuration_of(desk).entries, backup.entries) << "nothing has changed, " << state;
+    desk.start();
   }
 }
 
-/// As much of it as it lets be changed, each value by one or to its half.
+/// Changes all values that can be changed, each by one or to its half.
 TEST_P(Backup, OfAChangedDeviceGoesIntoANewOne) {
   ForeignClient changed(*GetParam());
   std::size_t changes = 0;
-  for (const ConfigurationEntry& entry : backup_of(changed).entries) {
+  for (const ConfigurationEntry& entry : configuration_of(changed).entries) {
     if (entry.value.empty() || is_pdo(entry.index)) continue;
     Bytes more = entry.value;
     ++more[0];
@@ -92,7 +100,7 @@ TEST_P(Backup, OfAChangedDeviceGoesIntoANewOne) {
   const Configuration backup = backup_of(changed);
   ForeignClient other(*GetParam());
   write_all(other, backup, "pre-operational");
-  EXPECT_EQ(backup_of(other).entries, backup.entries);
+  EXPECT_EQ(configuration_of(other).entries, backup.entries);
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEvery, Backup, testing::ValuesIn(every_device_kind()),

@@ -3,18 +3,18 @@
 
 #include <memory>
 
-#include "canvoy/tools/commands.hpp"
-#include "canvoy/tools/duration_argument.hpp"
-#include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/help/verb_help.hpp"
+#include "canvoy/text/text.hpp"
+#include "canvoy/tools/argument/duration_argument.hpp"
+#include "canvoy/tools/cli/commands.hpp"
+#include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/cli/value_file.hpp"
+#include "canvoy/tools/cli/verb_help.hpp"
 #include "canvoy/tools/sheet/node_reader.hpp"
 #include "canvoy/tools/sheet/node_tree.hpp"
 #include "canvoy/tools/sheet/scan_line.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
 #include "canvoy/tools/terminal/screen.hpp"
 #include "canvoy/tools/terminal/typing.hpp"
-#include "canvoy/tools/value_file.hpp"
-#include "canvoy/words/text.hpp"
 
 namespace canvoy::tools {
 
@@ -59,10 +59,10 @@ class Browser {
     }
   }
 
-  /// What is asked of the user in the last row.
+  /// Question to the user in the last row.
   enum class Question : std::uint8_t { none, value, search, save, load, confirm };
 
-  /// One of those that are shown, one after the other.
+  /// Reads the shown rows in sequence.
   void refresh() {
     if (rows_.empty() || question_ == Question::confirm) return;
     const std::size_t shown = std::min(rows_.size() - first_, room_);
@@ -76,7 +76,7 @@ class Browser {
     });
   }
 
-  /// That the node does not answer is told until it does.
+  /// A missing answer is shown until the node answers.
   template <class Step>
   void attempt(const Step& step) {
     try {
@@ -153,7 +153,7 @@ class Browser {
       type_key(typed_, key);
     }
     if (question_ == Question::search) search_ = typed_;
-    // What is pressed next may be about a row that is found only now.
+    // The next key may concern a row that is only found now.
     rows_ = tree_.rows(search_);
     place_ = std::min(place_, rows_.empty() ? 0 : rows_.size() - 1);
   }
@@ -228,7 +228,7 @@ class Browser {
         columns > place_columns + access_columns ? columns - place_columns - access_columns : 0;
     const std::string sign = row.is_folder ? (row.is_open ? "- " : "+ ") : "  ";
     std::string line = in_columns(fmt::format("{}{}", std::string(row.depth, ' '),
-                                              words::object_text(row.place.index, row.place.sub)),
+                                              text::object_text(row.place.index, row.place.sub)),
                                   place_columns);
     line += in_columns(sign + row.name, rest * 2 / 5);
     line += ' ';
@@ -272,7 +272,7 @@ class Browser {
            i < change_.differences.size() && lines.size() <= room_; ++i) {
         const NodeTree::Difference& each = change_.differences[i];
         lines.push_back(fmt::format("{} {}: {} -> {}",
-                                    words::object_text(each.place.index, each.place.sub), each.name,
+                                    text::object_text(each.place.index, each.place.sub), each.name,
                                     each.here, each.there));
       }
     } else {
@@ -290,7 +290,7 @@ class Browser {
   std::string title_;
   Screen screen_;
   std::vector<NodeTree::Row> rows_;
-  NodeTree::Comparison change_;  ///< that is asked about
+  NodeTree::Comparison change_;  ///< of the open question
   std::size_t first_difference_ = 0;
   NodeTree::Row edited_;
   Question question_ = Question::none;
@@ -305,7 +305,7 @@ class Browser {
   bool is_over_ = false;
 };
 
-/// All of it once, where nobody looks on.
+/// Prints all once, without a terminal.
 int print_tree(NodeTree& tree, bool json) {
   for (const NodeTree::Row& folder : tree.rows({})) {
     if (folder.is_folder) tree.toggle(folder);
@@ -317,7 +317,7 @@ int print_tree(NodeTree& tree, bool json) {
     }
     const std::string value = tree.value(row);
     fmt::print("{}{} {}{}{}\n", std::string(2 * std::size_t{row.depth}, ' '),
-               words::object_text(row.place.index, row.place.sub), row.name,
+               text::object_text(row.place.index, row.place.sub), row.name,
                value.empty() ? "" : " = ", value);
   }
   return exit_done;
@@ -338,8 +338,8 @@ int browse(const BrowseOptions& options) {
   const std::string product(sheet.text("DeviceInfo", "ProductName"));
   NodeTree tree(session, node, std::move(sheet));
   if (options.json || !Screen::is_there()) return print_tree(tree, options.json);
-  const std::string title = fmt::format("{}  {}, {} by {}", options.bus, words::node_text(node),
-                                        product, reader.source());
+  const std::string title =
+      fmt::format("{}  {}, {} by {}", options.bus, text::node_text(node), product, reader.source());
   return Browser(session, tree, title).run();
 }
 

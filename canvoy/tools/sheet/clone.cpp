@@ -1,4 +1,4 @@
-// canvoy clone BUS NODE: a device that is there becomes a data sheet, of which `canvoy device`
+// canvoy clone BUS NODE: reads an existing device into a data sheet, from which `canvoy device`
 // makes a stand-in.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,16 +7,16 @@
 #include <memory>
 
 #include "canvoy/formats/plain_text.hpp"
-#include "canvoy/tools/commands.hpp"
-#include "canvoy/tools/duration_argument.hpp"
-#include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/help/verb_help.hpp"
+#include "canvoy/text/json_line.hpp"
+#include "canvoy/text/text.hpp"
+#include "canvoy/tools/argument/duration_argument.hpp"
+#include "canvoy/tools/cli/commands.hpp"
+#include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/cli/value_file.hpp"
+#include "canvoy/tools/cli/verb_help.hpp"
 #include "canvoy/tools/sheet/node_reader.hpp"
 #include "canvoy/tools/sheet/scan_line.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
-#include "canvoy/tools/value_file.hpp"
-#include "canvoy/words/json_line.hpp"
-#include "canvoy/words/text.hpp"
 
 namespace canvoy::tools {
 
@@ -78,7 +78,7 @@ int clone_node(const CloneOptions& options) {
   const std::size_t unknown = sheet.objects.size() - described;
   if (options.json) {
     std::string json_text;
-    words::JsonLine json(json_text);
+    text::JsonLine json(json_text);
     json.begin_object();
     json.key("node").number(std::int64_t{node});
     json.key("objects").number(static_cast<std::uint64_t>(sheet.objects.size()));
@@ -90,7 +90,7 @@ int clone_node(const CloneOptions& options) {
     return exit_done;
   }
   fmt::print("{}: {} objects that {} describes, {} that nobody does, {} entries read\n",
-             words::node_text(node), described, reader.source(), unknown, reader.scan().count());
+             text::node_text(node), described, reader.source(), unknown, reader.scan().count());
   fmt::print("written to {}; a stand-in for it: canvoy device {} {} --node-id {}\n", out, out,
              options.bus, node);
   return exit_done;

@@ -10,9 +10,9 @@
 #include <optional>
 
 #include "canvoy/canopen/manager/concise_dcf.hpp"
-#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/argument/value_argument.hpp"
+#include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
-#include "canvoy/tools/value_argument.hpp"
 
 namespace canvoy::tools {
 
@@ -65,7 +65,7 @@ std::vector<ConfigurationEntry> parse_concise(std::string_view name,
 
 constexpr std::string_view blanks = " \t\r";
 
-/// Takes the next word from the front of a line, with what ends it.
+/// Takes the next word from the front of a line, with its separator.
 std::string_view next_word(std::string_view& line, std::string_view ends = blanks) {
   line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
   const std::string_view word = line.substr(0, line.find_first_of(ends));
@@ -84,7 +84,7 @@ std::optional<unsigned> parse_hex(std::string_view text, unsigned highest) {
   return number;
 }
 
-/// The rest of a line is the value; a text may stand in quotation marks.
+/// The rest of a line is the value; a text may be quoted.
 std::string_view value_of(std::string_view rest) {
   rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
   rest = rest.substr(0, rest.find_last_not_of(blanks) + 1);

@@ -1,5 +1,5 @@
-// The configuration of a node in a file: a DCF or XDC, a concise DCF as CiA 302-3 has it, or text
-// with one entry a line.
+// The configuration of a node in a file: a DCF or XDC, a concise DCF (CiA 302-3), or text with one
+// entry per line.
 //
 //     # index sub type value
 //     1017 0 u16 500
@@ -23,18 +23,18 @@ namespace canvoy::tools {
 using formats::Configuration;
 using formats::ConfigurationEntry;
 
-/// For the node `node_id`: values of a DCF of another node that go with its node-ID are moved.
-/// Throws Failure with file and reason, and of a text with the line: it cannot be read, it is
-/// longer than 16 MiB, it is malformed, it has no entry.
+/// Reads it for the node `node_id`: node-ID-dependent values of a DCF of another node are
+/// converted. Throws Failure with file and reason, for text with the line: the file cannot be read,
+/// is longer than 16 MiB, is malformed, or has no entry.
 Configuration read_configuration(const std::string& path, NodeId node_id);
 
-/// The contents of a file; `name` is how errors call it. A file that begins with `[`, `;` or `<` is
-/// a data sheet, one with a zero byte in it a concise DCF, all others are text.
+/// Parses the content of a file; `name` is used in errors. A file that begins with `[`, `;` or `<`
+/// is a data sheet, one with a zero byte a concise DCF, all others are text.
 Configuration parse_configuration(std::string_view name, std::span<const std::uint8_t> content,
                                   NodeId node_id);
 
-/// What is there in the end: a PDO is made invalid, mapped anew and made valid again, and its
-/// COB-ID is written twice (CiA 301, 7.5.2.36).
+/// The final values: a PDO is made invalid, mapped and made valid, so that its COB-ID is written
+/// twice (CiA 301, 7.5.2.36).
 std::vector<ConfigurationEntry> final_entries(const std::vector<ConfigurationEntry>& entries);
 
 }  // namespace canvoy::tools

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/cli/failure.hpp"
 
 namespace canvoy::tools::configuration_file_test {
 namespace {

@@ -8,17 +8,17 @@
 #include <optional>
 #include <set>
 
-#include "canvoy/devices/cia407/bus_device.hpp"
-#include "canvoy/devices/cia447/car_device.hpp"
+#include "canvoy/devices/cia407/kit/bus_device.hpp"
+#include "canvoy/devices/cia447/kit/car_device.hpp"
 #include "canvoy/formats/plain_text.hpp"
-#include "canvoy/tools/bus/session.hpp"
-#include "canvoy/tools/device/device_catalogue.hpp"
-#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/cli/spelling.hpp"
+#include "canvoy/tools/cli/toml_file.hpp"
+#include "canvoy/tools/device/catalogue/device_catalogue.hpp"
+#include "canvoy/tools/session/session.hpp"
 #include "canvoy/tools/sheet/eds_export.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
 #include "canvoy/tools/sheet/world_nodes.hpp"
-#include "canvoy/tools/spelling.hpp"
-#include "canvoy/tools/toml_file.hpp"
 
 namespace canvoy::tools {
 
@@ -40,7 +40,7 @@ DescribedNode of_file(const std::string& path, NodeId id) {
   return node;
 }
 
-/// That of its first virtual device; 1 where it has none.
+/// Node-ID of its first virtual device; 1 if it has none.
 NodeId usual_node_id(const std::string& name) {
   if (const DeviceKind* kind = find_any_device_kind(name)) return kind->info.node_id;
   const SharedNode shared = parse_shared_node(name);

@@ -8,17 +8,17 @@
 #include "canvoy/formats/plain_text.hpp"
 #include "canvoy/formats/sheet/sheet_check.hpp"
 #include "canvoy/formats/sheet/sheet_diff.hpp"
-#include "canvoy/tools/commands.hpp"
-#include "canvoy/tools/device/operator_elements.hpp"
-#include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/help/verb_help.hpp"
-#include "canvoy/tools/json_event.hpp"
+#include "canvoy/tools/argument/profile_argument.hpp"
+#include "canvoy/tools/cli/commands.hpp"
+#include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/cli/json_event.hpp"
+#include "canvoy/tools/cli/value_file.hpp"
+#include "canvoy/tools/cli/verb_help.hpp"
+#include "canvoy/tools/device/catalogue/operator_elements.hpp"
 #include "canvoy/tools/sheet/configuration_file.hpp"
 #include "canvoy/tools/sheet/eds_export.hpp"
 #include "canvoy/tools/sheet/eds_read.hpp"
-#include "canvoy/tools/sheet/profile_argument.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
-#include "canvoy/tools/value_file.hpp"
 
 namespace canvoy::tools {
 
@@ -119,7 +119,7 @@ int compare(const std::string& first, const std::string& second, bool json) {
   return differences.empty() ? exit_done : exit_failed;
 }
 
-/// What a configuration manager keeps in 1F22h (CiA 302-3).
+/// Content of 1F22h in a configuration manager (CiA 302-3).
 int write_concise(const std::string& from, const std::string& to, bool json) {
   const Configuration configuration = read_configuration(from, 0);
   const std::vector<std::uint8_t> bytes = formats::concise_dcf_of(configuration.entries);
@@ -149,6 +149,7 @@ int convert(const std::string& from, const std::string& to, bool json) {
   const std::string text = sheet_text(sheet, to);
   write_text(to, text);
   for (const formats::Difference& lost : compare_sheets(sheet, read_sheet_file(to, findings))) {
+    if (lost.first.empty()) continue;  // nothing was said
     if (json) {
       tell_lost(to, lost);
       continue;

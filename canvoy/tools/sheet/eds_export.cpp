@@ -10,18 +10,18 @@
 #include <memory>
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
-#include "canvoy/devices/cia407/bus_device.hpp"
-#include "canvoy/devices/cia447/car_device.hpp"
+#include "canvoy/devices/cia407/kit/bus_device.hpp"
+#include "canvoy/devices/cia447/kit/car_device.hpp"
 #include "canvoy/devices/cia852/kinds.hpp"
 #include "canvoy/formats/sheet/sheet_export.hpp"
 #include "canvoy/profiles/cia407.hpp"
 #include "canvoy/profiles/cia447.hpp"
-#include "canvoy/profiles/virtual_device.hpp"
-#include "canvoy/tools/device/device_catalogue.hpp"
-#include "canvoy/tools/device/operator_elements.hpp"
-#include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/sheet/profile_argument.hpp"
-#include "canvoy/tools/spelling.hpp"
+#include "canvoy/profiles/model/virtual_device.hpp"
+#include "canvoy/tools/argument/profile_argument.hpp"
+#include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/cli/spelling.hpp"
+#include "canvoy/tools/device/catalogue/device_catalogue.hpp"
+#include "canvoy/tools/device/catalogue/operator_elements.hpp"
 
 namespace canvoy::tools {
 
@@ -41,7 +41,7 @@ SheetIdentity identity_of(const ExportOptions& options, std::string product) {
   return identity;
 }
 
-/// Of several virtual devices on one node.
+/// For several virtual devices on one node.
 formats::DataSheet sheet_of_shared(const ExportOptions& options, const SharedNode& shared) {
   const bool is_bus = !shared.bus.empty();
   SheetIdentity identity = identity_of(
@@ -52,7 +52,7 @@ formats::DataSheet sheet_of_shared(const ExportOptions& options, const SharedNod
       is_bus ? cia407::bus_parts(shared.bus) : cia447::car_parts(shared.car);
   for (const Part& part : parts) maker.add(part);
   formats::DataSheet sheet = maker.take();
-  // 6000h, which a device fills when it starts (9.2.3.1 of CiA 407).
+  // 6000h, which a device sets at its start (CiA 407, 9.2.3.1).
   constexpr std::uint16_t types_of_devices = 0x6000;
   for (std::size_t i = 0; i < shared.bus.size(); ++i) {
     const std::uint32_t type = cia407::device_type(*shared.bus[i]->provides) >> 16;
@@ -109,7 +109,7 @@ const VirtualDeviceInfo& find_device(const Profile& profile, const ExportOptions
 
 using Parts = DeviceDescription<512>;
 
-/// Adds an object, or all of one shape from a first to a last index: `6100-611F`.
+/// Adds an object, or all objects of a range of one shape: `6100-611F`.
 void add_objects(Parts& parts, const Profile& profile, const std::string& text) {
   const std::size_t dash = text.find('-');
   const auto first = parse_code(text.substr(0, dash));
@@ -140,7 +140,7 @@ bool has_pdo(const VirtualDeviceInfo& device, const PdoInfo& pdo) {
   return pdo.number != 0 && std::ranges::find(pdo.devices, device.code) != pdo.devices.end();
 }
 
-/// Adds the objects that the device may have and its PDOs carry.
+/// Adds the optional objects that its PDOs carry.
 void add_mapped(Parts& parts, const Profile& profile, const VirtualDeviceInfo& device) {
   for (const PdoInfo& pdo : profile.pdos) {
     if (!has_pdo(device, pdo)) continue;
@@ -152,7 +152,7 @@ void add_mapped(Parts& parts, const Profile& profile, const VirtualDeviceInfo& d
   }
 }
 
-/// Adds the PDOs, but those that carry what the device does not have, and has no dummy entry for.
+/// Adds the PDOs, except those with entries that the device does not have and that have no dummy.
 void add_pdos(SheetMaker& maker, const Profile& profile, const VirtualDeviceInfo& device) {
   for (const PdoInfo& pdo : profile.pdos) {
     const bool is_sent = pdo.direction == PdoInfo::Direction::transmit;
@@ -163,7 +163,7 @@ void add_pdos(SheetMaker& maker, const Profile& profile, const VirtualDeviceInfo
   }
 }
 
-/// Adds the objects of CiA 301 that the profile wants in all devices.
+/// Adds the objects of CiA 301 that the profile requires in all devices.
 void add_communication(Parts& parts, const Profile& profile) {
   for (const ObjectInfo* object : profile.objects) {
     const bool is_wanted = object->index <= object_index::communication_last &&

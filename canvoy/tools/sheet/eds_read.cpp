@@ -8,17 +8,17 @@
 #include <optional>
 
 #include "canvoy/formats/plain_text.hpp"
-#include "canvoy/tools/duration_argument.hpp"
-#include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/help/verb_help.hpp"
-#include "canvoy/tools/json_event.hpp"
-#include "canvoy/tools/place_json.hpp"
+#include "canvoy/text/text.hpp"
+#include "canvoy/tools/argument/duration_argument.hpp"
+#include "canvoy/tools/argument/profile_argument.hpp"
+#include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/cli/json_event.hpp"
+#include "canvoy/tools/cli/place_json.hpp"
+#include "canvoy/tools/cli/value_file.hpp"
+#include "canvoy/tools/cli/verb_help.hpp"
 #include "canvoy/tools/sheet/node_reader.hpp"
-#include "canvoy/tools/sheet/profile_argument.hpp"
 #include "canvoy/tools/sheet/scan_line.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
-#include "canvoy/tools/value_file.hpp"
-#include "canvoy/words/text.hpp"
 
 namespace canvoy::tools {
 
@@ -40,15 +40,15 @@ struct ReadOptions {
   bool json = false;
 };
 
-/// Says what was read, and what was not.
+/// Reports what was read, and what was not.
 void report_scan(const NodeReader& reader, NodeId node, const std::string& out) {
   const std::vector<SheetScan::Unread>& left = reader.scan().unread();
   for (const SheetScan::Unread& unread : left) {
-    fmt::print(stderr, "{} {}: {}\n", words::object_text(unread.index, unread.sub),
+    fmt::print(stderr, "{} {}: {}\n", text::object_text(unread.index, unread.sub),
                formats::plain_text(unread.name),
-               unread.abort == AbortCode::none ? unread.reason : words::abort_text(unread.abort));
+               unread.abort == AbortCode::none ? unread.reason : text::abort_text(unread.abort));
   }
-  fmt::print("{}, by {}: {} entries read{}, written to {}\n", words::node_text(node),
+  fmt::print("{}, by {}: {} entries read{}, written to {}\n", text::node_text(node),
              reader.source(), reader.scan().count(),
              left.empty() ? "" : fmt::format(", {} not", left.size()), out);
 }
@@ -60,7 +60,7 @@ void tell_scan(const NodeReader& reader, NodeId node, const std::string& out) {
     append_index(*event, unread.index, unread.sub);
     event->key("name").text(unread.name);
     event->key("text").text(unread.abort == AbortCode::none ? unread.reason
-                                                            : words::abort_text(unread.abort));
+                                                            : text::abort_text(unread.abort));
     event.print();
   }
   JsonEvent event("written");

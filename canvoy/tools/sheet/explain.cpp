@@ -1,4 +1,4 @@
-// canvoy explain CODE...: what a number of CANopen says; canvoy search WORD...: objects of all
+// canvoy explain CODE...: meanings of a number of CANopen; canvoy search WORD...: objects of all
 // profiles by parts of their names.
 #include <fmt/format.h>
 
@@ -9,16 +9,16 @@
 #include <set>
 
 #include "canvoy/profiles/cia302.hpp"
+#include "canvoy/profiles/model/unit.hpp"
 #include "canvoy/profiles/registry.hpp"
-#include "canvoy/profiles/unit.hpp"
-#include "canvoy/tools/ask/object_argument.hpp"
-#include "canvoy/tools/commands.hpp"
-#include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/filter/filter_names.hpp"
-#include "canvoy/words/frame_decoder.hpp"
-#include "canvoy/words/json_line.hpp"
-#include "canvoy/words/text.hpp"
-#include "canvoy/words/value_text.hpp"
+#include "canvoy/text/frame_decoder.hpp"
+#include "canvoy/text/json_line.hpp"
+#include "canvoy/text/text.hpp"
+#include "canvoy/text/value_text.hpp"
+#include "canvoy/tools/argument/filter_names.hpp"
+#include "canvoy/tools/argument/object_argument.hpp"
+#include "canvoy/tools/cli/commands.hpp"
+#include "canvoy/tools/cli/failure.hpp"
 
 namespace canvoy::tools {
 
@@ -29,7 +29,7 @@ struct ExplainOptions {
   bool json = false;
 };
 
-/// Something that a number may be, and what it says then.
+/// A possible kind of a number, and its meaning.
 struct Explanation {
   std::string kind;
   std::string text;
@@ -71,7 +71,7 @@ void explain_emergency(std::uint16_t code, Explanations& explanations) {
   }
   constexpr std::uint16_t class_first = 0x1000;
   if (told.empty() && (code >= class_first || code == 0)) {
-    explanations.push_back({"emergency code", std::string(words::emergency_text(code))});
+    explanations.push_back({"emergency code", std::string(text::emergency_text(code))});
   }
 }
 
@@ -84,7 +84,7 @@ void explain_object(std::uint16_t index, Explanations& explanations) {
   for (const Profile* profile : searched_profiles()) {
     const ObjectInfo* const object = find_object(*profile, index);
     if (object == nullptr) continue;
-    std::string text = words::object_text(index, 0).substr(0, 5) + ' ' + std::string(object->name);
+    std::string text = text::object_text(index, 0).substr(0, 5) + ' ' + std::string(object->name);
     if (object->subs.empty()) text += unit_text(object->entry);
     text += fmt::format("; canvoy profile {} {:04X} has more", short_name(*profile), index);
     explanations.push_back({fmt::format("object ({})", profile->name), std::move(text)});
@@ -92,26 +92,26 @@ void explain_object(std::uint16_t index, Explanations& explanations) {
 }
 
 void explain_can_id(std::uint32_t id, Explanations& explanations) {
-  words::FrameDecoder decoder;
-  const words::FrameWords& words = decoder.decode(Frame::data_frame(id, {}));
+  text::FrameDecoder decoder;
+  const text::FrameWords& words = decoder.decode(Frame::data_frame(id, {}));
   if (words.service.empty()) return;
   std::string text(words.service);
-  if (words.node != 0) text += " of " + words::node_text(words.node);
+  if (words.node != 0) text += " of " + text::node_text(words.node);
   explanations.push_back({"CAN-ID, as pre-defined", std::move(text)});
 }
 
-/// Bits of the error register, and the byte of a heartbeat.
+/// Bits of the error register, and states of a heartbeat.
 void explain_byte(std::uint8_t byte, Explanations& explanations) {
-  const std::string_view state = words::nmt_state_text(static_cast<NmtState>(byte));
+  const std::string_view state = text::nmt_state_text(static_cast<NmtState>(byte));
   const bool is_state = byte == 0 || byte == 4 || byte == 5 || byte == 0x7F;
   if (is_state) explanations.push_back({"NMT state", std::string(state)});
   const auto address = find_address(base_profile(), "1001");
   if (address && address->entry != nullptr) {
     const std::uint8_t bytes[] = {byte};
-    explanations.push_back({"error register (1001h)", words::value_text(address->entry, bytes)});
+    explanations.push_back({"error register (1001h)", text::value_text(address->entry, bytes)});
   }
   if (byte >= 1 && byte <= node_id_max)
-    explanations.push_back({"node-ID", words::node_text(static_cast<NodeId>(byte))});
+    explanations.push_back({"node-ID", text::node_text(static_cast<NodeId>(byte))});
 }
 
 Explanations explain(const std::string& text) {
@@ -121,7 +121,7 @@ Explanations explain(const std::string& text) {
   constexpr std::size_t abort_digits = 8;
   if (code->digits == abort_digits) {
     explanations.push_back(
-        {"SDO abort code", words::abort_text(static_cast<AbortCode>(code->number))});
+        {"SDO abort code", text::abort_text(static_cast<AbortCode>(code->number))});
   } else if (code->digits == 4) {
     explain_emergency(static_cast<std::uint16_t>(code->number), explanations);
     explain_object(static_cast<std::uint16_t>(code->number), explanations);
@@ -140,7 +140,7 @@ void print_explanation(const ExplainOptions& options, const std::string& word,
     return;
   }
   std::string line;
-  words::JsonLine json(line);
+  text::JsonLine json(line);
   json.begin_object();
   json.key("code").text(word);
   json.key("kind").text(explanation.kind);
@@ -196,13 +196,13 @@ std::vector<FoundObject> search_objects(const std::vector<std::string>& words) {
 
 void print_found(const ExplainOptions& options, const FoundObject& found) {
   const std::string name = described_name(*found.object, *found.entry);
-  const std::string place = words::object_text(found.object->index, found.entry->sub_first);
+  const std::string place = text::object_text(found.object->index, found.entry->sub_first);
   if (!options.json) {
     fmt::print("{:<11} {}  {}{}\n", found.profile->name, place, name, unit_text(*found.entry));
     return;
   }
   std::string line;
-  words::JsonLine json(line);
+  text::JsonLine json(line);
   json.begin_object();
   json.key("profile").text(found.profile->name);
   json.key("index").text(fmt::format("{:04X}", found.object->index));

@@ -9,9 +9,9 @@
 #include "canvoy/can/host/can_link.hpp"
 #include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/formats/sheet/sheet_value.hpp"
-#include "canvoy/tools/sheet/profile_argument.hpp"
+#include "canvoy/tools/argument/profile_argument.hpp"
+#include "canvoy/tools/cli/value_file.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
-#include "canvoy/tools/value_file.hpp"
 
 namespace canvoy::tools {
 
@@ -22,10 +22,10 @@ using formats::SheetIdentity;
 
 constexpr unsigned dcf_bit_rate_default = 125;
 
-/// Of the interface, in kbit/s, where it can be known.
+/// Bit rate of the interface in kbit/s, if known.
 unsigned present_bit_rate(const std::string& bus) {
   const host::BusAddress address = real_bus(bus);
-  if (address.kind != host::BusKind::socketcan) return dcf_bit_rate_default;
+  if (address.kind != host::BusType::socketcan) return dcf_bit_rate_default;
   const auto link = host::read_can_link(address.interface);
   return link && link->bit_rate != 0 ? link->bit_rate / 1000 : dcf_bit_rate_default;
 }
@@ -64,7 +64,7 @@ DataSheet NodeReader::read_by(const DataSheet& given, const std::string& path) {
   return sheet;
 }
 
-/// In blocks where the node knows them: domains are long.
+/// In blocks if the node supports them: domains are long.
 void NodeReader::read_domains(DataSheet& sheet, const std::string& folder) {
   const std::filesystem::path path(folder);
   session_.choose(SdoTransfer::automatic);
@@ -77,7 +77,7 @@ void NodeReader::read_domains(DataSheet& sheet, const std::string& folder) {
   session_.choose(SdoTransfer::segmented);
 }
 
-/// 0 where the node does not have it.
+/// 0 if the node does not have it.
 std::uint32_t NodeReader::number(std::uint16_t index, std::uint8_t sub) {
   const Result<Bytes> answer = session_.try_read(node_, index, sub);
   return answer ? static_cast<std::uint32_t>(load_unsigned(*answer)) : 0;
@@ -105,7 +105,7 @@ SheetIdentity NodeReader::identity_of() {
   return identity;
 }
 
-/// The EDS that the node has in 1021h, in the one format that is readable (1022h: 0).
+/// The EDS in 1021h of the node, in the only readable format (1022h: 0).
 std::optional<DataSheet> NodeReader::stored_sheet() {
   session_.choose(SdoTransfer::automatic);
   session_.show_progress();

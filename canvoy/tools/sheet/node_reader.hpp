@@ -1,5 +1,5 @@
-// A running node as a data sheet: by an EDS of its kind, by the one that it stores, or by what its
-// profile describes.
+// Reads a running node as a data sheet: by an EDS of its kind, by the EDS that it stores, or by its
+// profile.
 //
 //     NodeReader reader(session, 10, {.bus = "can0"});
 //     formats::DataSheet sheet = reader.read();
@@ -11,15 +11,15 @@
 #include <string>
 
 #include "canvoy/formats/sheet/sheet_scan.hpp"
-#include "canvoy/tools/bus/session.hpp"
+#include "canvoy/tools/session/session.hpp"
 
 namespace canvoy::tools {
 
 struct NodeReaderOptions {
   std::string bus;
-  std::string profile = {};  ///< empty: what the node's 1000h says
+  std::string profile = {};  ///< empty: that of 1000h of the node
   std::string name = {};     ///< of the node; empty: its 1008h
-  std::string out = {};      ///< the file that the sheet is for; it may have none
+  std::string out = {};      ///< output file of the sheet; may be empty
   unsigned bit_rate = 0;     ///< in kbit/s; 0: that of the interface
 };
 
@@ -32,9 +32,9 @@ class NodeReader {
     scan_.on_progress(std::move(tell));
   }
 
-  /// The sheet of the node with its values. Throws Failure where the node does not answer at all.
+  /// The sheet of the node with its values. Throws Failure if the node does not answer.
   formats::DataSheet read();
-  /// The same by an EDS; `path`: of it.
+  /// Like read(), but by an EDS with this `path`.
   formats::DataSheet read_by(const formats::DataSheet& given, const std::string& path);
   void read_undescribed(formats::DataSheet& sheet, std::uint16_t first, std::uint16_t last) {
     scan_.read_undescribed(sheet, first, last);
@@ -43,7 +43,7 @@ class NodeReader {
   void read_domains(formats::DataSheet& sheet, const std::string& folder);
 
   const formats::SheetScan& scan() const { return scan_; }
-  /// What it was read by: `CiA 419`.
+  /// The source of the descriptions: `CiA 419`.
   const std::string& source() const { return source_; }
 
  private:

@@ -6,13 +6,13 @@
 #include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/formats/sheet/sheet_value.hpp"
 #include "canvoy/profiles/registry.hpp"
-#include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/place_json.hpp"
-#include "canvoy/tools/value_argument.hpp"
-#include "canvoy/words/json_line.hpp"
-#include "canvoy/words/object_words.hpp"
-#include "canvoy/words/text.hpp"
-#include "canvoy/words/value_text.hpp"
+#include "canvoy/text/json_line.hpp"
+#include "canvoy/text/object_words.hpp"
+#include "canvoy/text/text.hpp"
+#include "canvoy/text/value_text.hpp"
+#include "canvoy/tools/argument/value_argument.hpp"
+#include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/cli/place_json.hpp"
 
 namespace canvoy::tools {
 
@@ -24,7 +24,7 @@ std::string small(std::string_view text) {
   return made;
 }
 
-/// Parameter and mapping of a PDO are written together; any other object by itself.
+/// Parameter and mapping of a PDO are written together; other objects separately.
 std::uint16_t written_with(std::uint16_t index) {
   constexpr unsigned mapping_bit = 0x0200;  // 1600h beside 1400h, 1A00h beside 1800h
   const bool is_of_pdo =
@@ -40,7 +40,7 @@ NodeTree::NodeTree(Session& session, NodeId node, formats::DataSheet sheet)
       sheet_(std::move(sheet)),
       profile_(std::make_unique<decoder::SheetProfile>(sheet_)) {
   network_.set_sheet(node_, profile_->sheet());
-  // What the sheet was made of was read just now.
+  // The sheet was just made from these values.
   const auto put = [this](std::uint16_t index, std::uint8_t sub, const formats::SheetEntry& entry) {
     const auto type = formats::sheet_type(entry.data_type);
     if (entry.value.empty() || !type) return;
@@ -56,11 +56,11 @@ NodeTree::NodeTree(Session& session, NodeId node, formats::DataSheet sheet)
 std::string NodeTree::name_of(const Place& place) const {
   const ObjectInfo* object = find_description(profile_->profile(), place.index);
   const EntryInfo* info = object == nullptr ? nullptr : find_entry(*object, place.sub);
-  return words::object_name_text({.index = place.index,
-                                  .sub = place.sub,
-                                  .profile = &profile_->profile(),
-                                  .object = object,
-                                  .entry = info});
+  return text::object_name_text({.index = place.index,
+                                 .sub = place.sub,
+                                 .profile = &profile_->profile(),
+                                 .object = object,
+                                 .entry = info});
 }
 
 std::vector<NodeTree::Row> NodeTree::rows(const std::string& search) const {
@@ -68,7 +68,7 @@ std::vector<NodeTree::Row> NodeTree::rows(const std::string& search) const {
   const std::string wanted = small(search);
   const auto is_found = [&](const Row& row) {
     return wanted.empty() || small(row.name).find(wanted) != std::string::npos ||
-           small(words::object_text(row.place.index, row.place.sub)).find(wanted) !=
+           small(text::object_text(row.place.index, row.place.sub)).find(wanted) !=
                std::string::npos ||
            small(value(row)).find(wanted) != std::string::npos;
   };
@@ -78,16 +78,16 @@ std::vector<NodeTree::Row> NodeTree::rows(const std::string& search) const {
       if (is_found(row)) rows.push_back(std::move(row));
       continue;
     }
-    // Who looks for something looks into all of them.
+    // A search covers all of them.
     const bool is_open = open_.contains(index) || !wanted.empty();
     const ObjectInfo* described = find_description(profile_->profile(), index);
     const std::string name =
-        described == nullptr ? words::object_text(index, 0) : name_of({index, 0});
+        described == nullptr ? text::object_text(index, 0) : name_of({index, 0});
     Row folder{.place = {index, 0},
                .is_folder = true,
                .is_open = is_open,
                .name = name.substr(0, name.find(", "))};
-    // An object that is found is there with all of its entries, and an entry below its object.
+    // A found object is shown with all of its entries, and an entry with its object.
     const bool is_whole = is_found(folder);
     const std::size_t place = rows.size();
     rows.push_back(std::move(folder));
@@ -122,7 +122,7 @@ std::string NodeTree::text_of(const Place& place, std::span<const std::uint8_t> 
   const EntryInfo* told = plain == nullptr ? nullptr
                                            : network_.as_told(node_, profile_->profile(), plain,
                                                               place.index, place.sub);
-  return words::value_text(told, bytes);
+  return text::value_text(told, bytes);
 }
 
 std::string NodeTree::value(const Row& row) const {
@@ -135,7 +135,7 @@ std::string NodeTree::value(const Row& row) const {
 
 std::string NodeTree::json(const Row& row) const {
   std::string line;
-  words::JsonLine json(line);
+  text::JsonLine json(line);
   json.begin_object();
   json.key("node").number(std::int64_t{node_});
   append_index(json, row.place.index, row.place.sub);
@@ -149,7 +149,7 @@ std::string NodeTree::json(const Row& row) const {
                                                                 row.place.index, row.place.sub);
     json.key("raw").hex(found->second.bytes);
     json.key("value");
-    words::append_value_json(line, told, found->second.bytes);
+    text::append_value_json(line, told, found->second.bytes);
     if (told != nullptr && told->value.unit != Unit::none)
       json.key("unit").text(symbol(told->value.unit));
   }
@@ -190,7 +190,7 @@ bool NodeTree::refresh(const Row& row) {
   if (answer) {
     learn(row.place, {*answer, {}, {}, true});
   } else {
-    learn(row.place, {{}, words::abort_text(answer.abort()), {}, true});
+    learn(row.place, {{}, text::abort_text(answer.abort()), {}, true});
   }
   return true;
 }
@@ -226,10 +226,9 @@ NodeTree::Comparison NodeTree::compare(const std::string& path) {
     const auto answer = session_.try_read(node_, wanted.index, wanted.sub);
     if (answer && std::ranges::equal(*answer, wanted.value)) continue;
     changed.insert(written_with(wanted.index));
-    made.differences.push_back(
-        {place, name_of(place),
-         answer ? text_of(place, *answer) : words::abort_text(answer.abort()),
-         text_of(place, wanted.value)});
+    made.differences.push_back({place, name_of(place),
+                                answer ? text_of(place, *answer) : text::abort_text(answer.abort()),
+                                text_of(place, wanted.value)});
   }
   std::ranges::copy_if(written, std::back_inserter(made.steps), [&](const auto& entry) {
     return changed.contains(written_with(entry.index));

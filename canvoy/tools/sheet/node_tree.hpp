@@ -1,4 +1,4 @@
-// The dictionary of a running node as a tree of rows, with the values that were read last.
+// The dictionary of a running node as a tree of rows, with the values that were last read.
 //
 //     NodeTree tree(session, 10, sheet);
 //     tree.refresh(row);                    // asks the node
@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "canvoy/decoder/sheet_profile.hpp"
-#include "canvoy/tools/bus/session.hpp"
+#include "canvoy/tools/session/session.hpp"
 #include "canvoy/tools/sheet/configuration_file.hpp"
 
 namespace canvoy::tools {
@@ -34,55 +34,55 @@ class NodeTree {
     unsigned depth = 0;
     std::string name;
   };
-  /// An entry of a file that is not as the node has it.
+  /// An entry of a file that differs from the node.
   struct Difference {
     Place place;
     std::string name;
     std::string here;  ///< in the node
     std::string there;
   };
-  /// What a configuration file would change.
+  /// The changes that a configuration file would make.
   struct Comparison {
     std::vector<Difference> differences;
-    /// What has to be written for them, in this order: of a PDO all that the file says of it, since
-    /// it is mapped only while it is not valid (CiA 301, 7.5.2.36).
+    /// The writes for the differences, in order: all entries of a PDO, since it is mapped only
+    /// while it is invalid (CiA 301, 7.5.2.36).
     std::vector<ConfigurationEntry> steps;
   };
 
   NodeTree(Session& session, NodeId node, formats::DataSheet sheet);
 
-  /// Those that are open; of a search, those that have it in their name, index or value: objects
-  /// with all of their entries, entries with their object.
+  /// The open rows; for a search, those with the text in name, index or value: objects with all of
+  /// their entries, entries with their object.
   std::vector<Row> rows(const std::string& search) const;
   void toggle(const Row& row);
 
-  /// What was read last; empty: nothing yet.
+  /// The value that was last read; empty: none.
   std::string value(const Row& row) const;
   std::string json(const Row& row) const;
-  /// Whether the value is another one than at the last but one reading, lately.
+  /// True if the value has recently changed between two readings.
   bool has_changed(const Row& row) const;
   bool is_writable(const Row& row) const;
   const formats::SheetEntry* entry(const Row& row) const {
     return sheet_.find(row.place.index, row.place.sub);
   }
 
-  /// Whether the node was asked. Throws Failure where it does not answer.
+  /// Reads a row; true if the node was requested. Throws Failure if it does not answer.
   bool refresh(const Row& row);
-  /// Throws UsageError for a text that is no value of the entry, Failure with what the node
-  /// answered.
+  /// Throws UsageError for a text that is no value of the entry, Failure with the answer of the
+  /// node.
   void write(const Row& row, const std::string& text);
 
-  /// The sheet with the values as they were read last.
+  /// The sheet with the values that were last read.
   formats::DataSheet sheet() const;
-  /// Asks the node.
+  /// Compares a file with the node, which is read.
   Comparison compare(const std::string& path);
-  /// One of the steps.
+  /// Performs one of the steps.
   void write(const ConfigurationEntry& step);
 
  private:
   struct Known {
     Bytes bytes;
-    std::string fault;  ///< why there is none
+    std::string fault;  ///< reason for a missing value
     Time changed{};
     bool is_read = false;
   };

@@ -1,4 +1,4 @@
-// canvoy profile [PROFILE [OBJECT]]: what the profiles say.
+// canvoy profile [PROFILE [OBJECT]]: content of the profiles.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,12 +8,12 @@
 
 #include "canvoy/formats/profile_json.hpp"
 #include "canvoy/formats/sheet/chosen_profile.hpp"
-#include "canvoy/tools/commands.hpp"
-#include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/help/verb_help.hpp"
-#include "canvoy/tools/sheet/profile_argument.hpp"
+#include "canvoy/tools/argument/profile_argument.hpp"
+#include "canvoy/tools/cli/commands.hpp"
+#include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/cli/spelling.hpp"
+#include "canvoy/tools/cli/verb_help.hpp"
 #include "canvoy/tools/sheet/profile_text.hpp"
-#include "canvoy/tools/spelling.hpp"
 
 namespace canvoy::tools {
 
@@ -26,7 +26,7 @@ struct ProfileOptions {
   bool json = false;
 };
 
-/// The objects that a word of a name means.
+/// The objects that match a part of a name.
 std::vector<const ObjectInfo*> objects_for(const Profile& profile, const std::string& text) {
   std::vector<const ObjectInfo*> found = find_objects(profile, text);
   if (found.empty()) {
@@ -38,7 +38,7 @@ std::vector<const ObjectInfo*> objects_for(const Profile& profile, const std::st
   return found;
 }
 
-/// `6401:2`, or the name of an entry: that one, without the others of its object.
+/// `6401:2`, or the name of an entry: only that entry of its object.
 void print_objects(const Profile& profile, const std::string& text) {
   if (const auto address = find_address(profile, text); address && address->object != nullptr) {
     const EntryInfo* only = address->sub != 0 ? address->entry : nullptr;

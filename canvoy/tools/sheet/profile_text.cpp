@@ -12,10 +12,10 @@
 
 #include "canvoy/formats/terms.hpp"
 #include "canvoy/profiles/cia302.hpp"
-#include "canvoy/profiles/number_rules.hpp"
-#include "canvoy/profiles/profile_pdo.hpp"
+#include "canvoy/profiles/model/number_rules.hpp"
+#include "canvoy/profiles/model/profile_pdo.hpp"
+#include "canvoy/text/text.hpp"
 #include "canvoy/tools/sheet/provisions_text.hpp"
-#include "canvoy/words/text.hpp"
 
 namespace canvoy::tools {
 
@@ -31,7 +31,7 @@ using formats::mapping_name;
 using formats::object_code_name;
 using formats::object_name;
 
-/// Lines that grow.
+/// Collects lines.
 class Lines {
  public:
   template <class... Values>
@@ -52,7 +52,7 @@ std::string index_text(const ObjectInfo& object) {
   return fmt::format("{:04X}h to {:04X}h", object.index, object.index + object.count - 1);
 }
 
-/// What stands in most entries of an object.
+/// The most common description of the entries of an object.
 const EntryInfo& typical_entry(const ObjectInfo& object) {
   return object.entries().back();
 }
@@ -115,7 +115,7 @@ std::string scale_text(const Scale& scale, Unit unit) {
   return unit == Unit::none ? text : fmt::format("{} {}", text, symbol(unit));
 }
 
-/// `raw 0 to 3599, that is 0 to 359.9 °`; where both are the same, `raw 0 to 253 px`.
+/// `raw 0 to 3599, that is 0 to 359.9 °`; if both are equal, `raw 0 to 253 px`.
 std::string limits_text(const ValueInfo& value, const BitRange& bits) {
   const bool is_minimum = value.limits.kind == Limits::Kind::minimum;
   std::string text = fmt::format("raw {}", value.limits.low);
@@ -136,7 +136,7 @@ std::string unit_entry_text(const ValueInfo& value) {
   std::string text =
       place.sub == 0
           ? fmt::format("in the unit that the same sub-index of {:04X}h says", place.index)
-          : fmt::format("in the unit that {} says", words::object_text(place.index, place.sub));
+          : fmt::format("in the unit that {} says", text::object_text(place.index, place.sub));
   if (value.unit == Unit::none) return text;
   return fmt::format("{}, {} by default", text, symbol(value.unit));
 }
@@ -158,7 +158,7 @@ void add_scale(Lines& lines, const std::string& margin, const ValueInfo& value,
   if (has_limits) lines.add("{}{}", margin, limits_text(value, bits));
 }
 
-/// Codes upward, whatever the order in which they are described.
+/// In order of code, whatever the order of the descriptions.
 std::vector<NamedValue> in_order(const Items<NamedValue>& names) {
   std::vector<NamedValue> sorted(names.begin(), names.end());
   std::ranges::sort(sorted, {}, &NamedValue::first);
@@ -246,8 +246,8 @@ void add_devices(Lines& lines, const Profile& profile, const ObjectInfo& object)
   }
 }
 
-/// Of what a mapping entry maps: `battery_status`, or `6001h:02h` where the profile has no name.
-/// `before`: the object that is named before it, which need not be named again; becomes this one.
+/// The entry in a mapping: `battery_status`, or `6001h:02h` without a name. `before`: the object
+/// named before it, which is not repeated; set to this one.
 std::string mapped_text(const Profile& profile, std::uint32_t mapped, const ObjectInfo*& before) {
   const MappingValue value(mapped);
   const ObjectInfo* object = find_description(profile, value.index);
@@ -306,7 +306,7 @@ bool names_word(const ValueInfo& value, const std::string& word) {
                              [&](const NamedValue& named) { return is_in(word, named.name); });
 }
 
-/// Whether an entry, a field or a value in it is named so.
+/// True if an entry, a field or a value in it has such a name.
 bool names_word(const EntryInfo& entry, const std::string& word) {
   if (is_in(word, entry.name) || names_word(entry.value, word)) return true;
   return std::ranges::any_of(entry.fields, [&](const FieldInfo& field) {
@@ -365,7 +365,7 @@ std::string profile_text(const Profile& profile) {
 
 namespace {
 
-/// The profile that describes an object of another one: itself, its base, CiA 301 or 302.
+/// The profile that describes an object: the profile itself, its base, CiA 301 or 302.
 const Profile& describer_of(const Profile& profile, const ObjectInfo& object) {
   for (const Profile* candidate : {&profile, profile.base, &base_profile(), &cia302::profile}) {
     if (candidate != nullptr && find_object(*candidate, object.index) == &object) return *candidate;

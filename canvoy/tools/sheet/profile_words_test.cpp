@@ -1,5 +1,4 @@
-// Frames of each profile, typed from the clauses that are named, and the words that the clauses
-// have for them.
+// Frames of each profile, typed from the named clauses, and their words in the clauses.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -8,13 +7,13 @@
 #include "canvoy/can/frame_text.hpp"
 #include "canvoy/formats/sheet/chosen_profile.hpp"
 #include "canvoy/profiles/registry.hpp"
-#include "canvoy/words/frame_decoder.hpp"
-#include "canvoy/words/object_words.hpp"
+#include "canvoy/text/frame_decoder.hpp"
+#include "canvoy/text/object_words.hpp"
 
 namespace canvoy::tools::profile_words_test {
 namespace {
 
-/// A frame, all that it says of its values, and what is against the profile.
+/// A frame, the text of all its values, and violations of the profile.
 struct Example {
   std::string_view clause;
   std::string_view frame;
@@ -24,20 +23,20 @@ struct Example {
 
 /// In a network in which all nodes have the profile.
 void expect_words(std::string_view profile, std::initializer_list<Example> examples) {
-  words::FrameDecoder decoder;
+  text::FrameDecoder decoder;
   decoder.network().assume_profile(*find_profile(profile));
   for (const Example& example : examples) {
     SCOPED_TRACE(example.clause);
-    const words::FrameWords& words = decoder.decode(parse_frame(example.frame).frame);
+    const text::FrameWords& words = decoder.decode(parse_frame(example.frame).frame);
     EXPECT_EQ(words.text, example.text) << example.frame;
-    EXPECT_EQ(words::marks_text(words.marks), example.marks) << example.frame;
+    EXPECT_EQ(text::marks_text(words.marks), example.marks) << example.frame;
   }
 }
 
-/// The same of parts of what it says.
+/// Like expect_words(), but for parts of the text.
 void expect_parts(std::string_view profile, std::string_view frame,
                   std::initializer_list<std::string_view> parts) {
-  words::FrameDecoder decoder;
+  text::FrameDecoder decoder;
   decoder.network().assume_profile(*find_profile(profile));
   const std::string text(decoder.decode(parse_frame(frame).frame).text);
   for (const std::string_view part : parts) {
@@ -46,8 +45,8 @@ void expect_parts(std::string_view profile, std::string_view frame,
 }
 
 TEST(ProfileWords, SayWhereAJoystickOfCia852Is) {
-  // Table 12: x, y and z of joystick 1, its memory function, its buttons. Figure 6: bits 0 to 2 of
-  // the memory function are x, y and z, the others are reserved.
+  // x, y and z of joystick 1, its memory function, its buttons (CiA 852, Table 12). Bits 0 to 2 of
+  // the memory function are x, y and z, the others are reserved (CiA 852, Figure 6).
   expect_words(
       "852",
       {{"Table 12, Figure 6", "181#64009CFF00000100",
@@ -59,22 +58,22 @@ TEST(ProfileWords, SayWhereAJoystickOfCia852Is) {
         "Read analogue input 16-bit, Joystick 1: x-dimension = 100", "wrong length"}});
   expect_parts("852", "181#0000000000000880",
                {"m-x: off", "reserved: reserved", "b8: switched-on"});
-  words::FrameDecoder decoder;
+  text::FrameDecoder decoder;
   decoder.network().assume_profile(*find_profile("852"));
-  EXPECT_EQ(words::marks_text(decoder.decode(parse_frame("181#0000000000000880").frame).marks),
+  EXPECT_EQ(text::marks_text(decoder.decode(parse_frame("181#0000000000000880").frame).marks),
             "reserved");
 }
 
 TEST(ProfileWords, SayWhatCia852WritesToAnOutput) {
-  // Table 32: RPDO 1 is eight entries of 6200h; Table 36: RPDO 2 is four of 6411h.
+  // RPDO 1 is eight entries of 6200h (Table 32); RPDO 2 is four of 6411h (Table 36).
   expect_parts("852", "201#0100000000000080", {"Write output 8-bit", ": switched-on"});
   expect_parts("852", "301#640000000000FFFF", {" = 100;", " = -1"});
 }
 
 TEST(ProfileWords, SayWhereACarOfCia447Is) {
-  // 4.2.10.1: 10^-7 degrees; north from 0 to 35A4 E900h, south from 35A4 E901h to 6B49 D200h; east
-  // from 0 to 6B49 D200h, west from 6B49 D201h to D693 A400h; beyond is reserved, but FFFF FFFEh
-  // (failure) and FFFF FFFFh (not available).
+  // 10^-7 degrees; north from 0 to 35A4 E900h, south from 35A4 E901h to 6B49 D200h; east from 0 to
+  // 6B49 D200h, west from 6B49 D201h to D693 A400h; above is reserved, except FFFF FFFEh (failure)
+  // and FFFF FFFFh (not available) (CiA 447-3, 4.2.10.1).
   constexpr std::string_view latitude = "60B0h:01h GPS current position, Position latitude = ";
   constexpr std::string_view longitude = "60B0h:02h GPS current position, Position longitude = ";
   const auto north = [&](std::string_view value) { return std::string(latitude) + value.data(); };
@@ -94,7 +93,7 @@ TEST(ProfileWords, SayWhereACarOfCia447Is) {
 }
 
 TEST(ProfileWords, SayTheEventsOfTheVirtualDeviceOfCia407ThatIsNamed) {
-  // 9.2.4: flags in bits 0 to 7, what they mean by the code in bits 24 to 31.
+  // Flags in bits 0 to 7, with a meaning by the code in bits 24 to 31 (CiA 407, 9.2.4).
   constexpr std::string_view object = "6001h:02h events_from_virtual_devices, ";
   expect_parts(
       "407", "582#4301600205000003",
@@ -111,7 +110,7 @@ TEST(ProfileWords, SayTheEventsOfTheVirtualDeviceOfCia407ThatIsNamed) {
 }
 
 TEST(ProfileWords, SayTheMessagesOfCia407) {
-  // 8.1.4.3: 201h driver, 281h block, line and journey, 381h route.
+  // 201h driver, 281h block, line and journey, 381h route (CiA 407, 8.1.4.3).
   expect_words("407", {{"driver", "201#2A000000", "driver: driver_ID = 42"},
                        {"block, line and journey", "281#0100000002000300",
                         "block, line and journey: block_ID = 1; line_ID = 2; journey_number = 3"},
@@ -119,7 +118,7 @@ TEST(ProfileWords, SayTheMessagesOfCia407) {
 }
 
 TEST(ProfileWords, SayWhatAVirtualInputOfCia417Is) {
-  // 4.2.3: basic function, sub-function by it, lift, panel, doors, function data.
+  // Basic function, sub-function by it, lift, panel, doors, function data (CiA 417-4, 4.2.3).
   expect_parts(
       "417-4", "481#020104050101",
       {"Virtual input: Virtual input mapping = Basic function: Standard hall call request, "
@@ -139,8 +138,8 @@ TEST(ProfileWords, SayWhatAVirtualInputOfCia417Is) {
 }
 
 TEST(ProfileWords, SayALoadOfCia417InTheUnitThatTheNodeTells) {
-  // 4.12.1: kilograms by default; the prefix is in bits 15 to 8, here milli. 4.12.4: FFFFh is an
-  // unused limit in any unit.
+  // Kilograms by default; the prefix is in bits 15 to 8, here milli (CiA 417-4, 4.12.1). FFFFh is
+  // an unused limit in any unit (CiA 417-4, 4.12.4).
   constexpr std::string_view load = "6480h:01h Load value, Absolute load value = ";
   const auto loaded = [&](std::string_view value) { return std::string(load) + value.data(); };
   expect_words(
@@ -157,10 +156,10 @@ TEST(ProfileWords, SayALoadOfCia417InTheUnitThatTheNodeTells) {
 }
 
 TEST(ProfileWords, MarkReservedCodesOfAVirtualInputOfCia417) {
-  words::FrameDecoder decoder;
+  text::FrameDecoder decoder;
   decoder.network().assume_profile(*find_profile("417-4"));
   const auto marks = [&decoder](std::string_view frame) {
-    return words::marks_text(decoder.decode(parse_frame(frame).frame).marks);
+    return text::marks_text(decoder.decode(parse_frame(frame).frame).marks);
   };
   EXPECT_EQ(marks("481#020104050101"), "");
   EXPECT_EQ(marks("481#000104050101"), "reserved") << "basic function 00h";
@@ -175,14 +174,14 @@ TEST(ProfileWords, MarkReservedCodesOfAVirtualInputOfCia417) {
 }
 
 TEST(ProfileWords, MarkEachKindOfWhatIsAgainstCia419) {
-  words::FrameDecoder decoder;
+  text::FrameDecoder decoder;
   decoder.network().assume_profile(*find_profile("419"));
   const auto marks = [&decoder](std::string_view first, std::string_view second = "") {
-    const std::string said(words::marks_text(decoder.decode(parse_frame(first).frame).marks));
+    const std::string said(text::marks_text(decoder.decode(parse_frame(first).frame).marks));
     if (second.empty()) return said;
-    return words::marks_text(decoder.decode(parse_frame(second).frame).marks);
+    return text::marks_text(decoder.decode(parse_frame(second).frame).marks);
   };
-  // 7.2.2: bits 1 to 7 of 6001h; 7.2.7: 6080h up to 100 %; 6001h is read only; 8 bits.
+  // Bits 1 to 7 of 6001h (7.2.2); 6080h up to 100 % (7.2.7); 6001h is read only; 8 bits.
   EXPECT_EQ(marks("582#4F01600002000000"), "reserved");
   EXPECT_EQ(marks("582#4F80600064000000"), "");
   EXPECT_EQ(marks("582#4F80600065000000"), "out of range");
@@ -192,14 +191,14 @@ TEST(ProfileWords, MarkEachKindOfWhatIsAgainstCia419) {
 }
 
 TEST(ProfileWords, AreThoseOfTheReadingThatIsChosen) {
-  // Errata Z02 of CiA 447-3: 60F0h has the day in bits 27 to 20 and the month in 19 to 16, or else
-  // the month in 27 to 24 and the day in 23 to 16. The 14th of August:
+  // 60F0h has the day in bits 27 to 20 and the month in 19 to 16, or else the month in 27 to 24 and
+  // the day in 23 to 16 (errata Z02 of CiA 447-3). 14 August:
   constexpr std::string_view usual_date = "582#43F060000000E800";
   constexpr std::string_view other_date = "582#43F0600000000E08";
   const Profile& usual = *find_profile("447-3");
   const formats::ChosenProfile chosen(usual, *formats::find_reading(usual, "month-above-day"));
   const auto is_august_14 = [](const Profile& profile, std::string_view frame) {
-    words::FrameDecoder decoder;
+    text::FrameDecoder decoder;
     decoder.network().assume_profile(profile);
     const std::string text(decoder.decode(parse_frame(frame).frame).text);
     return text.find("RTC date month: 8 month") != std::string::npos &&

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "canvoy/formats/terms.hpp"
-#include "canvoy/profiles/provisions.hpp"
-#include "canvoy/words/text.hpp"
+#include "canvoy/profiles/model/provisions.hpp"
+#include "canvoy/text/text.hpp"
 
 namespace canvoy::tools {
 
@@ -25,7 +25,7 @@ std::string configured_text(const Profile& profile, const ConfiguredDevice& devi
       {.code = device.code, .device_class = device.device_class, .subclass = device.subclass});
 }
 
-/// Where the coding or the command holds: ` where 60EAh is 01h to 04h`.
+/// Condition of a coding or a command: ` where 60EAh is 01h to 04h`.
 std::string selected_text(std::uint16_t selector, std::int64_t first, std::int64_t last) {
   if (selector == 0) return "";
   std::string text = fmt::format(" where {:04X}h is {:02X}h", selector, first);
@@ -50,8 +50,8 @@ std::string words(const Profile& profile, const ConfigurationProvision& configur
   return text;
 }
 std::string words(const Profile& /*profile*/, const AbortProvision& abort) {
-  return fmt::format("{}: {}, where {}", words::object_text(abort.index, abort.sub),
-                     words::abort_text(abort.code), abort.when);
+  return fmt::format("{}: {}, where {}", text::object_text(abort.index, abort.sub),
+                     text::abort_text(abort.code), abort.when);
 }
 std::string words(const Profile& /*profile*/, const FailureProvision& failure) {
   return std::string(failure.failure);
@@ -60,18 +60,18 @@ std::string words(const Profile& /*profile*/, const RuleProvision& rule) {
   return fmt::format("{}: {}", rule.subject, rule.rule);
 }
 std::string words(const Profile& /*profile*/, const CodingProvision& coding) {
-  return fmt::format("{}{}: {}, {}", words::object_text(coding.index, coding.sub),
+  return fmt::format("{}{}: {}, {}", text::object_text(coding.index, coding.sub),
                      selected_text(coding.selector, coding.selected, coding.selected),
                      coding.content, coding.coding);
 }
 std::string words(const Profile& /*profile*/, const CommandProvision& command) {
   constexpr std::uint16_t one_byte_max = 0xFF;
-  return fmt::format("{}{}: {:0{}X}h {}", words::object_text(command.index, command.sub),
+  return fmt::format("{}{}: {:0{}X}h {}", text::object_text(command.index, command.sub),
                      selected_text(command.selector, command.first, command.last), command.bytes,
                      command.bytes > one_byte_max ? 4 : 2, command.command);
 }
 
-/// The clause stands in the heading where all are of one.
+/// The clause is in the heading if all have the same one.
 template <class Provision>
 void append_kind(std::string& text, std::string_view heading, const Profile& profile,
                  const Items<Provision>& provisions) {
@@ -90,7 +90,7 @@ void append_kind(std::string& text, std::string_view heading, const Profile& pro
   }
 }
 
-/// Of those that are about one object.
+/// The provisions about one object.
 template <class Provision>
 void append_of(std::string& text, const Profile& profile, const ObjectInfo& object,
                std::string_view about, const Items<Provision>& provisions) {

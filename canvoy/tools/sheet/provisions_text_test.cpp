@@ -33,7 +33,7 @@ TEST(ProvisionsText, TellsWhatCia407SaysBesideItsObjects) {
   EXPECT_THAT(text, HasSubstr("  6741h:00h: 06090030h"));
 }
 
-// CiA 417-4, 4.1.1: eight applications, 0800h indices each; 4.2.6: 6020h.
+// Eight applications, 0800h indices each (CiA 417-4, 4.1.1); 6020h (CiA 417-4, 4.2.6).
 TEST(ProvisionsText, TellsWhoseIndicesAreOfCia417AndWhatIsRefused) {
   const std::string text = said_of("417-4");
   EXPECT_THAT(text, HasSubstr("\nindex ranges (4.1.1)\n"
@@ -62,7 +62,7 @@ TEST(ProvisionsText, TellsBitRatesAndNumberingOfCabins) {
   EXPECT_THAT(text, HasSubstr("  numbering of sub-devices: odd numbers"));
 }
 
-// CiA 447-3, Table 381: 60EAh selects how the bytes of 60EBh are read.
+// 60EAh selects how the bytes of 60EBh are read (CiA 447-3, Table 381).
 TEST(ProvisionsText, TellsTheCodesOfThePrinter) {
   const std::string text = said_of("447-3");
   EXPECT_THAT(text, HasSubstr("\n  60EBh:00h where 60EAh is 00h: Text, UTF-8\n"));
@@ -84,8 +84,8 @@ TEST(ProvisionsText, IsEmptyWhereAProfileSaysNothingElse) {
   EXPECT_EQ(provisions_text(*find_profile("418")), "");
 }
 
-// CiA 417-4, 4.12.2: limits are in the unit of the load; 4.13.1: a sensor's unit stands in its
-// parameter 3.
+// Limits are in the unit of the load (CiA 417-4, 4.12.2); the unit of a sensor is in its parameter
+// 3 (CiA 417-4, 4.13.1).
 TEST(ProfileText, SaysWhereTheUnitOfAValueIsTold) {
   const Profile& lift = *find_profile("417-4");
   EXPECT_THAT(object_details_text(lift, *find_object(lift, 0x6481)),

@@ -1,4 +1,4 @@
-// How far a scan of a dictionary is, on a terminal: a line that is written anew.
+// Progress of a scan of a dictionary on a terminal: a line that is overwritten.
 #pragma once
 
 #include <fmt/format.h>

@@ -8,14 +8,14 @@
 #include "canvoy/formats/plain_text.hpp"
 #include "canvoy/formats/xdd/xdd.hpp"
 #include "canvoy/formats/xdd/xdd_writer.hpp"
-#include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/value_file.hpp"
+#include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/cli/value_file.hpp"
 
 namespace canvoy::tools {
 
 namespace {
 
-/// Why a file is no data sheet of a device: where, and what to do.
+/// Reason why a file is no data sheet of a device: where, and what to do.
 std::string without_objects(const std::string& path, const formats::DataSheet& sheet,
                             const formats::Findings& findings) {
   const bool is_sheet =
@@ -65,7 +65,7 @@ std::string sheet_text(const formats::DataSheet& sheet, const std::string& path)
 std::string finding_text(const std::string& path, const formats::Finding& finding) {
   std::string text = path + ':';
   if (finding.line != 0) text += fmt::format("{}:", finding.line);
-  // What follows has words of the file in it.
+  // The following text contains words of the file.
   const std::size_t own = text.size();
   if (!finding.section.empty()) text += fmt::format(" [{}]", finding.section);
   if (finding.weight == formats::Finding::Weight::warning) text += " warning:";

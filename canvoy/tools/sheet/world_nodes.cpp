@@ -1,11 +1,8 @@
 #include "canvoy/tools/sheet/world_nodes.hpp"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
-#include "canvoy/tools/run/world.hpp"
-#include "canvoy/tools/toml_file.hpp"
 
 namespace canvoy::tools {
 
@@ -26,14 +23,14 @@ constexpr std::uint8_t cob_id_sub = 1;
 
 // Cars: CiA 447
 
-/// Where the pre-defined PDO of this number is among the CAN-IDs of the node that sends it.
+/// Position of the predefined PDO with this number in the CAN-IDs of its sender.
 std::uint32_t car_can_id(const cia447::PdoOffsets& offsets, NodeId sender, unsigned number) {
   const auto* found = std::ranges::find(cia447::predefined, number, &PdoInfo::number);
   const auto place = static_cast<std::size_t>(found - cia447::predefined.begin());
   return found == cia447::predefined.end() ? 0 : cia447::pdo_base(sender) + offsets.at(place);
 }
 
-/// The first node that sends the PDO of this number; null: there is none.
+/// The first node that sends the PDO with this number; null: none.
 const DescribedNode* sender_of(const std::vector<DescribedNode>& nodes, unsigned number) {
   const auto parameter = static_cast<std::uint16_t>(object_index::tpdo_parameter + number - 1);
   const auto found = std::ranges::find_if(
@@ -43,7 +40,7 @@ const DescribedNode* sender_of(const std::vector<DescribedNode>& nodes, unsigned
 
 }  // namespace
 
-/// As each node has them when the gateway has found it (canvoy/devices/cia447/car_network.hpp).
+/// Sets the PDOs for each node found by the gateway (canvoy/devices/cia447/kit/car_network.hpp).
 void place_car_pdos(std::vector<DescribedNode>& nodes, const cia447::PdoOffsets& offsets) {
   for (const PdoInfo& pdo : cia447::predefined) {
     const auto rpdo = static_cast<std::uint16_t>(object_index::rpdo_parameter + pdo.number - 1);
@@ -55,16 +52,6 @@ void place_car_pdos(std::vector<DescribedNode>& nodes, const cia447::PdoOffsets&
       set_entry(node.sheet, rpdo, cob_id_sub, car_can_id(offsets, sender->id, pdo.number));
     }
   }
-}
-
-std::vector<DescribedNode> describe_world(const std::string& path) {
-  TomlFile file(path);
-  TomlTable& table = file.table();
-  std::string network;
-  table.take("network", network);
-  const auto world = std::ranges::find(worlds(), network, &WorldEntry::name);
-  if (world == worlds().end() || world->describe == nullptr) return {};
-  return world->describe(table, std::filesystem::path(path).parent_path().string());
 }
 
 }  // namespace canvoy::tools

@@ -1,5 +1,5 @@
-// The nodes of the built-in networks that stand in their files by their names alone: those of cars,
-// buses and excavators, with the CAN-IDs of PDOs that a network gives them when it boots.
+// The nodes of built-in networks with files that give only names of nodes: those of cars, buses and
+// excavators, with the CAN-IDs of PDOs that a network assigns at boot.
 //
 //     describe_world("taxi.toml");  // 8 of them; none: it is another network
 #pragma once
@@ -10,23 +10,24 @@
 #include <string>
 #include <vector>
 
-#include "canvoy/devices/cia447/car_network.hpp"
+#include "canvoy/devices/cia447/kit/car_network.hpp"
 #include "canvoy/tools/sheet/described_nodes.hpp"
 
 namespace canvoy::tools {
 
-/// Throws Failure with file and line for what `canvoy run FILE` refuses as well.
+/// Throws Failure with file and line for what `canvoy run FILE` refuses. Defined in
+/// canvoy/tools/play/worlds.cpp, since worlds depend on sheets.
 std::vector<DescribedNode> describe_world(const std::string& path);
 
-/// What a network writes there. A mapping that has become longer has entries as its first.
+/// Sets an entry as a network writes it. A lengthened mapping has entries like its first.
 void set_entry(formats::DataSheet& sheet, std::uint16_t index, std::uint8_t sub,
                std::uint32_t value);
 
-/// The PDOs of a car as each node has them when the gateway has found it
-/// (canvoy/devices/cia447/car_network.hpp).
+/// Sets the PDOs of a car for each node found by the gateway
+/// (canvoy/devices/cia447/kit/car_network.hpp).
 void place_car_pdos(std::vector<DescribedNode>& nodes, const cia447::PdoOffsets& offsets);
 
-/// Of a network of `canvoy/sim` whose nodes have a device_name().
+/// For a network of `canvoy/sim` with nodes that have a device_name().
 template <class Network>
 std::vector<DescribedNode> describe_network(const Network& network) {
   std::vector<DescribedNode> nodes;
@@ -34,7 +35,7 @@ std::vector<DescribedNode> describe_network(const Network& network) {
     DescribedNode& made =
         nodes.emplace_back(describe_device(node->device_name(), node->place().id));
     made.name = node->place().name;
-    // Of two cars each has a bus, as in the log of a run.
+    // With two cars, each has its own bus, as in the log of a run.
     if constexpr (requires { node->bus(); }) made.bus = fmt::format("sim{}", node->bus());
     if constexpr (requires { node->presets(); }) {
       for (const auto& preset : node->presets()) {

@@ -21,7 +21,7 @@ void write_to_terminal(std::string_view text) {
   std::fflush(stdout);
 }
 
-/// The length of the escape sequence that a text begins with: `\x1b[1;7m`.
+/// Length of the escape sequence at the start of a text: `\x1b[1;7m`.
 std::size_t sequence_length(std::string_view text) {
   if (text.size() < 2 || text[0] != escape_sign || text[1] != '[') return 0;
   std::size_t length = 2;
@@ -29,7 +29,7 @@ std::size_t sequence_length(std::string_view text) {
   return length < text.size() ? length + 1 : text.size();
 }
 
-/// The bytes of the character that a text begins with.
+/// Number of bytes of the first character of a text.
 std::size_t character_length(std::string_view text) {
   std::size_t length = 1;
   while (length < text.size() && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80)
@@ -87,7 +87,7 @@ void Screen::draw(const std::vector<std::string>& lines) {
   std::string text = "\x1b[H";
   for (std::size_t i = 0; i < lines.size() && i < room.rows; ++i) {
     if (i != 0) text += "\r\n";
-    // A line that fills the last column has nothing behind it to be cleared.
+    // After a line that fills the last column there is nothing to clear.
     text += columns_of(lines[i]) < room.columns ? lines[i] + "\x1b[K"
                                                 : in_columns(lines[i], room.columns);
     text += "\x1b[0m";

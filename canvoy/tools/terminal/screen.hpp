@@ -1,4 +1,5 @@
-// A whole terminal for one picture that is drawn anew: the alternate screen, keys without Enter.
+// A whole terminal for one picture that is drawn repeatedly: the alternate screen, keys without
+// Enter.
 //
 //     Screen screen;                 // the terminal is given back when it ends
 //     screen.draw(lines);            // those that fit
@@ -36,9 +37,9 @@ class Screen {
     friend bool operator==(const Size&, const Size&) = default;
   };
 
-  /// Whether both ends are terminals.
+  /// True if both input and output are terminals.
   static bool is_there();
-  /// Of the standard output as it is now; 80 x 24 where nobody knows.
+  /// Present size of the standard output; 80 x 24 if unknown.
   static Size size();
 
   Screen();
@@ -46,9 +47,9 @@ class Screen {
   Screen(const Screen&) = delete;
   Screen& operator=(const Screen&) = delete;
 
-  /// One line each, clipped to the screen.
+  /// Draws the lines, clipped to the screen.
   void draw(const std::vector<std::string>& lines);
-  /// The next key that was pressed, without waiting.
+  /// The next pressed key, without waiting.
   std::optional<Key> key();
 
  private:
@@ -59,10 +60,10 @@ class Screen {
   std::string typed_;
 };
 
-/// The text in just so many columns: filled with blanks, or clipped. It is UTF-8; escape sequences
-/// for the look of characters take no column.
+/// The text in exactly this many columns: padded with blanks, or clipped. UTF-8; escape sequences
+/// for the style of characters take no column.
 std::string in_columns(std::string_view text, std::size_t columns);
-/// How many columns a text takes.
+/// Number of columns of a text.
 std::size_t columns_of(std::string_view text);
 
 }  // namespace canvoy::tools

@@ -15,7 +15,7 @@ void take_back(std::string& text) {
 }  // namespace
 
 std::optional<long> rows_moved(Key key, std::size_t shown, std::size_t count) {
-  // One row of a page stays to be seen.
+  // One row of the page stays visible.
   const auto page = static_cast<long>(std::max<std::size_t>(shown, 2)) - 1;
   switch (key) {
     case Key::up:

@@ -1,4 +1,4 @@
-// What keys do in all pictures with rows: they scroll, and type a line of text.
+// Keys in all pictures with rows: scrolling, and typing a line of text.
 //
 //     if (const auto rows = rows_moved(key, shown, count)) move(*rows);
 //     type_key(typed, key);
@@ -12,15 +12,15 @@
 
 namespace canvoy::tools {
 
-/// By how many of `count` rows a key moves, of which `shown` fit the screen: to the top or the end
-/// by all of them. Nothing: it does not move.
+/// Number of rows by which a key moves, with `count` rows of which `shown` fit the screen: to the
+/// top or the end by all of them. Nothing: the key does not move.
 std::optional<long> rows_moved(Key key, std::size_t shown, std::size_t count);
 
-/// A row from 0 to `count` - 1, or 0 where there is none.
+/// A row from 0 to `count` - 1; 0 if there are no rows.
 std::size_t moved_row(std::size_t row, long rows, std::size_t count);
 
-/// Puts a character behind the text, or takes the last one back; of UTF-8, with all of its bytes.
-/// Other keys do nothing.
+/// Appends a character to the text, or removes the last one with all of its UTF-8 bytes. Ignores
+/// other keys.
 void type_key(std::string& text, Key key);
 
 }  // namespace canvoy::tools

@@ -14,9 +14,11 @@ await build({
   jsx: "automatic",
   jsxImportSource: "preact",
   banner: {
-    js: "/* Canvoy's page and reports, built from canvoy/web/page; with Preact (MIT) and uPlot (MIT) */",
+    js: "/* Canvoy's page and reports, built from canvoy/web/page; with Preact (MIT) */",
   },
   outdir: out,
   logLevel: "warning",
 });
+// Of the view of plots alone, which loads it when it is opened.
+cpSync("node_modules/uplot/dist/uPlot.iife.min.js", `${out}/uplot.js`);
 for (const file of ["index.html", "report.html", "icon.svg"]) cpSync(`src/${file}`, `${out}/${file}`);

@@ -3,8 +3,8 @@
 #include <iostream>
 
 #include "board.hpp"
-#include "canvoy/sim/charging/charging_network.hpp"
 #include "canvoy/version.hpp"
+#include "canvoy/worlds/charger/charger_network.hpp"
 
 int main() {
   // CiA 301, 7.2.8.3.3: the boot-up message is a byte 0 under 700h and the node-ID.
@@ -12,10 +12,10 @@ int main() {
     std::cout << "the charger did not boot\n";
     return 1;
   }
-  canvoy::charging::ChargingNetwork network;
+  canvoy::charger::ChargerNetwork network;
   network.run_until(canvoy::Time(std::chrono::minutes(1)));
   std::cout << "canvoy " << canvoy::version << ": a minute of charging\n";
-  for (const canvoy::charging::Invariant& invariant : network.invariants()) {
+  for (const canvoy::charger::Invariant& invariant : network.invariants()) {
     if (!invariant.held) return 1;
   }
 }

@@ -1,9 +1,9 @@
 // A node of one's own: a charger of CiA 419 with an object of its maker.
 #pragma once
 
-#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/device/device_node.hpp"
 #include "canvoy/profiles/cia419.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 
 namespace my_charger {
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "canvoy/devices/catalogue.hpp"
-#include "canvoy/devices/cia447/car_device.hpp"
+#include "canvoy/devices/cia447/kit/car_device.hpp"
 #include "tests/strangers/pipe_node.hpp"
 
 namespace canvoy {
@@ -57,7 +57,7 @@ class Car {
   struct Place {
     Car* car = nullptr;
     std::vector<const cia447::CarUnit*> units;
-    Site site;
+    Environment environment;
     std::unique_ptr<cia447::CarDevice> device;
   };
   struct Sent {
@@ -87,7 +87,7 @@ class Car {
     const auto id = static_cast<NodeId>(places_.size());
     print_line("device " + std::to_string(id) + " " + names);
     place.device = std::make_unique<cia447::CarDevice>(place.units, Port{&place, &take, nullptr},
-                                                       id, place.site);
+                                                       id, place.environment);
   }
   static bool take(void* place, const Frame& frame) {
     auto* const by = static_cast<Place*>(place);

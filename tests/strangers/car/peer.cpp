@@ -5,8 +5,8 @@
 //     echo "until 1000" | canvoy_car_peer    # 701#00, 7E5#04 ..., now 1000
 #include <string_view>
 
-#include "canvoy/devices/cia447/car_kind.hpp"
 #include "canvoy/devices/cia447/ivn_gateway/ivn_gateway_unit.hpp"
+#include "canvoy/devices/cia447/kit/car_kind.hpp"
 #include "canvoy/devices/cia447/taximeter/taximeter_unit.hpp"
 #include "tests/strangers/pipe_node.hpp"
 
@@ -16,8 +16,8 @@ namespace {
 class Car {
  public:
   Car() {
-    site_.watch(Callback<void(cia447::TaximeterUnit&, Node&)>::to<&Car::is_meter>(*this));
-    device_.emplace(units, pipe_port, NodeId{cia447::gateway_node_id}, site_);
+    environment_.watch(Callback<void(cia447::TaximeterUnit&, Node&)>::to<&Car::is_meter>(*this));
+    device_.emplace(units, pipe_port, NodeId{cia447::gateway_node_id}, environment_);
   }
 
   Node& node() { return device_->node(); }
@@ -31,7 +31,7 @@ class Car {
 
   void is_meter(cia447::TaximeterUnit& unit, Node& /*node*/) { meter_ = &unit; }
 
-  Site site_;
+  Environment environment_;
   cia447::TaximeterUnit* meter_ = nullptr;
   std::optional<cia447::CarDevice> device_;
 };

@@ -1,11 +1,11 @@
 // A car door unit of ours with a simulated door, on a bus that is a pair of pipes (pipe_node.hpp).
-// A line "+" puts somebody into the way of the door, "-" takes him out again.
+// A line "+" puts a technician into the way of the door, "-" takes them out again.
 //
 //     echo 000#0106 | canvoy_doors_peer    # 706#00, 201#11100000
 #include <string_view>
 
 #include "canvoy/devices/cia417/door/car_door_device.hpp"
-#include "canvoy/sim/lift/door_plant.hpp"
+#include "canvoy/worlds/lift/door_plant.hpp"
 #include "tests/strangers/pipe_node.hpp"
 
 namespace canvoy {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "canvoy/devices/cia417/drive/car_drive_device.hpp"
-#include "canvoy/sim/lift/car_plant.hpp"
+#include "canvoy/worlds/lift/car_plant.hpp"
 #include "tests/strangers/pipe_node.hpp"
 
 namespace canvoy::cia417 {

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "canvoy/devices/cia417/call/call_controller_device.hpp"
+#include "canvoy/devices/cia417/controller_device/call_controller_device.hpp"
 #include "canvoy/devices/cia417/panel/lift_panel_device.hpp"
 #include "tests/strangers/pipe_node.hpp"
 

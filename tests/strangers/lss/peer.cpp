@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "canvoy/canopen/device_node.hpp"
-#include "canvoy/canopen/identity.hpp"
+#include "canvoy/canopen/device/device_node.hpp"
 #include "canvoy/canopen/lss/lss_slave.hpp"
+#include "canvoy/canopen/remote/identity.hpp"
 #include "tests/strangers/pipe_node.hpp"
 
 namespace {

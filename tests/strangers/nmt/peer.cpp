@@ -2,7 +2,7 @@
 // It watches node 1 for 2 s.
 //
 //     echo 000#8105 | canvoy_nmt_peer    # 705#00 twice
-#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/device/device_node.hpp"
 #include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "tests/strangers/pipe_node.hpp"
 

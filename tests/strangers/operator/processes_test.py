@@ -116,7 +116,7 @@ class Processes(CommandTest):
     def test_what_is_behind_the_seat_of_a_world_is_read_from_outside(self):
         world = self.world(["host"])
         self.until(world, lambda line: line["event"] == "operator")
-        self.until_reads(BUS + "/2:7", "6000:1", is_wanted=lambda said: said.strip() == "1")
+        self.until_reads(BUS + "/2:7", "6000:1", is_wanted=lambda said: said.strip() == "7")
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 // A node of ours with PDOs and SYNC, on a bus that is a pair of pipes (pipe_node.hpp).
 //
 //     echo 000#0105 | canvoy_pdo_peer    # 705#00
-#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/device/device_node.hpp"
 #include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "tests/strangers/pipe_node.hpp"
 

@@ -11,7 +11,7 @@
 #include <sstream>
 #include <string>
 
-#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/device/device_node.hpp"
 #include "tests/strangers/pipe_node.hpp"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/device/device_node.hpp"
 #include "canvoy/canopen/host/file_flash.hpp"
 #include "canvoy/canopen/manager/program_server.hpp"
 #include "canvoy/canopen/storage/storage.hpp"

@@ -4,8 +4,8 @@ one.
 
     CANVOY=build/canvoy /usr/bin/python3 tests/strangers/traces/python_can_test.py
 
-It has readers of candump logs, ASC, TRC, BLF and CSV, none of pcapng; and writers of all of them, of which TRC, BLF and
-CSV are ours to read only.
+It has readers of candump logs, ASC, TRC, BLF, CSV and SQLite, none of pcapng; and writers of all of them, of which TRC, BLF and
+CSV are ours to read only. MDF has a test of its own (mdf/mdf_test.py): it needs asammdf.
 Without python-can, the test is skipped (77).
 """
 
@@ -118,6 +118,23 @@ class PythonCanTest(unittest.TestCase):
     def test_we_read_its_csv(self):
         written = self.write(can.CSVWriter(self.path("theirs.csv")))
         self.assertEqual(self.ours("theirs.csv"), written)
+
+    def test_we_read_its_sqlite(self):
+        writer = can.SqliteWriter(self.path("theirs.db"))
+        messages = list(random_frames(0.1, 8))
+        for message in messages:
+            writer.on_message_received(message)
+        # Its thread is told to end whatever still waits.
+        end = time.monotonic() + 30
+        while writer.num_frames < COUNT and time.monotonic() < end:
+            time.sleep(0.01)
+        writer.stop()
+        self.assertEqual(self.ours("theirs.db"), all_seen(messages))
+
+    def test_it_reads_our_sqlite(self):
+        written = self.write(can.ASCWriter(self.path("theirs.asc")))
+        convert(self.path("theirs.asc"), self.path("ours.db"))
+        self.assertEqual(all_seen(can.SqliteReader(self.path("ours.db"))), written)
 
     def test_we_read_what_gzip_made_of_its_logs(self):
         for kind, ending in ((can.BLFWriter, "blf"), (can.ASCWriter, "asc"), (can.CSVWriter, "csv")):

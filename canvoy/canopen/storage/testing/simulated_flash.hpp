@@ -1,5 +1,4 @@
-// A flash memory for tests: it loses power at any byte, tears words, wears, fails, and takes its
-// time.
+// A flash memory for tests: it loses power at any byte, tears words, wears, fails, and takes time.
 //
 //     SimulatedFlash memory({.sector_size = 128, .sectors = 2, .unit = 8});
 //     Storage storage(node, memory.flash, {.slot_size = 128});
@@ -16,7 +15,7 @@
 
 namespace canvoy {
 
-/// What power that fails leaves behind in the byte that is being programmed or erased.
+/// State of the byte being programmed or erased after a power failure.
 enum class Tear : std::uint8_t { nothing, some_bits };
 
 class SimulatedFlash {
@@ -30,7 +29,7 @@ class SimulatedFlash {
   static constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
 
   explicit SimulatedFlash(const Geometry& geometry) : SimulatedFlash(geometry, {}) {}
-  /// With what another one held when it lost power.
+  /// Makes a flash with the content of another one after a power failure.
   SimulatedFlash(const Geometry& geometry, Bytes content)
       : bytes(std::move(content)), geometry_(geometry) {
     bytes.resize(std::size_t{geometry.sector_size} * geometry.sectors, 0xFF);
@@ -50,26 +49,26 @@ class SimulatedFlash {
     tear_ = tear;
   }
   bool is_dead() const { return steps_ >= cut_at_; }
-  /// The operation that goes on is over at the next poll.
+  /// Makes the current operation end at the next poll.
   void end_operation() { polls_ = polls_ == 0 ? 0 : 1; }
-  /// Bytes that were erased or programmed until now.
+  /// Number of bytes erased or programmed so far.
   std::uint64_t steps() const { return steps_; }
 
   Flash flash;
   Bytes bytes;
-  unsigned busy_polls = 0;    ///< each operation is busy for so many polls
-  unsigned erasures = 0;      ///< that were begun
-  unsigned programmings = 0;  ///< that were begun
+  unsigned busy_polls = 0;    ///< number of polls that each operation is busy
+  unsigned erasures = 0;      ///< number begun
+  unsigned programmings = 0;  ///< number begun
   unsigned syncs = 0;
-  unsigned violations = 0;  ///< of what flash.hpp says that a user does
+  unsigned violations = 0;  ///< of the rules for users in flash.hpp
   bool fail_erase = false;
-  unsigned fail_program = 0;  ///< the n-th programming from now on fails; 0: none
-  unsigned fail_sync = 0;     ///< the n-th sync from now on fails; 0: none
+  unsigned fail_program = 0;  ///< the n-th programming from here on fails; 0: none
+  unsigned fail_sync = 0;     ///< the n-th sync from here on fails; 0: none
   bool fail_read = false;
-  bool stuck_bit = false;  ///< bit 0 of each byte stays set when it is programmed
+  bool stuck_bit = false;  ///< bit 0 of each byte stays set when programmed
 
  private:
-  /// Counts a step; false where power has failed.
+  /// Counts a step; false if power has failed.
   bool has_power(std::uint8_t& place, std::uint8_t wanted) {
     if (steps_ == cut_at_) return false;
     if (++steps_ < cut_at_) {

@@ -1,5 +1,5 @@
-// A node with storage on a simulated flash, and a dictionary with an object of each kind that
-// storage treats in its own way.
+// A node with storage on a simulated flash, and a dictionary with one object of each kind that
+// storage treats differently.
 //
 //     StoringNode sut(memory);
 //     sut.ask("23 10 10 01 73 61 76 65", "60 10 10 01 00 00 00 00");
@@ -75,8 +75,8 @@ inline constexpr auto stored_entries = std::to_array<EntryRow>({
      .capacity = 10,
      .initial_text = "charger"},
     {.type = DataType::unsigned16, .access = Access::rw, .initial = 0x2100},
-    // 6000h: 0 to 1000; 6010h: a value of the process; 6020h and 6021h: arrays; 6030h: read only;
-    // 6040h: a domain
+    // 6000h: 0 to 1000; 6010h: a process value; 6020h and 6021h: arrays; 6030h: read only; 6040h: a
+    // domain
     {.type = DataType::unsigned16,
      .access = Access::rw,
      .traits = EntryTraits::limited,
@@ -95,14 +95,14 @@ inline constexpr auto stored_entries = std::to_array<EntryRow>({
 });
 inline constexpr auto stored_layout = lay_out(stored_objects, stored_entries);
 
-/// The maker's objects are two groups.
+/// Two groups of manufacturer-specific objects.
 inline constexpr ParameterGroup stored_groups[] = {{4, 0x2000, 0x20FF}, {5, 0x2100, 0x21FF}};
 
 inline constexpr SimulatedFlash::Geometry stored_geometry{
     .sector_size = 256, .sectors = 2, .unit = 8};
 inline constexpr Storage::Settings stored_settings{.slot_size = 256, .groups = stored_groups};
 
-/// A node of which the power-on has just ended.
+/// A node after its power-on.
 class StoringNode : public WireNode {
  public:
   explicit StoringNode(SimulatedFlash& memory, const Storage::Settings& settings = stored_settings,
@@ -114,12 +114,12 @@ class StoringNode : public WireNode {
     start();
   }
 
-  /// After a boot without trouble.
+  /// Boots the node; checks that there is no error.
   StoringNode& booted() {
     expect({"705#00"});
     return *this;
   }
-  /// A request and its answer: eight bytes each. With an empty answer there is none.
+  /// Sends a request and checks its answer: eight bytes each. An empty answer means none.
   void ask(const std::string& request, const std::string& answer) {
     SCOPED_TRACE(request);
     receive("605#" + request);
@@ -148,7 +148,7 @@ class StoringNode : public WireNode {
     return {bytes.begin(), bytes.end()};
   }
 
-  /// One of a family of sets that differ in every parameter.
+  /// Sets one of a family of sets that differ in every parameter.
   void set_all(unsigned number) {
     set(0x1014, 0x4000'0000U + number);
     set(0x1017, 1000 + number);

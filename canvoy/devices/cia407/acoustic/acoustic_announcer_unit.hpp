@@ -1,30 +1,30 @@
-// The acoustic announcer: another stop point (6109h) is its cue (CiA 407, 6.8). Where it has
-// nothing to say to it, that is an error (FF05h) until it has.
+// The acoustic announcer: a new stop point (6109h) is its cue (CiA 407, 6.8). A stop point without
+// an announcement is an error (FF05h) until one with an announcement comes.
 //
 //     AcousticAnnouncerUnit announcer(device, {.announce = ...}, {});
 //
-// Stop point 0 is none. The same again is a cue by SDO, which somebody writes for the sake of it
-// (6.9); by PDO it says nothing: the message that carries it also leaves for other reasons
-// (8.1.4.3).
+// Stop point 0 means none. An unchanged stop point is a cue if it is written by SDO, on purpose
+// (6.9). By PDO it is not: its message is also sent for other reasons (8.1.4.3).
 #pragma once
 
 #include <string_view>
 
-#include "canvoy/devices/cia407/bus_kind.hpp"
-#include "canvoy/devices/cia407/errors.hpp"
-#include "canvoy/devices/cia407/state_answer.hpp"
+#include "canvoy/devices/cia407/kit/bus_kind.hpp"
+#include "canvoy/devices/cia407/kit/errors.hpp"
+#include "canvoy/devices/cia407/kit/state_answer.hpp"
 #include "canvoy/profiles/cia407/devices.hpp"
 
 namespace canvoy::cia407 {
 
 struct AcousticAnnouncerHardware {
-  /// Whether it has an announcement, which it begins then. Its text is empty where nobody told one.
+  /// Starts the announcement and returns true if there is one. The text is empty if none was
+  /// received.
   Callback<bool(std::uint32_t stop_point, std::string_view text)> announce = {};
 };
 
 class AcousticAnnouncerUnit {
  public:
-  /// What `hardware` refers to must outlive this.
+  /// Everything to which `hardware` refers must outlive this.
   AcousticAnnouncerUnit(VirtualDevice& device, const AcousticAnnouncerHardware& hardware,
                         const NoSettings& /*settings*/)
       : device_(device), hardware_(hardware), state_(device) {
@@ -37,7 +37,7 @@ class AcousticAnnouncerUnit {
   AcousticAnnouncerUnit& operator=(const AcousticAnnouncerUnit&) = delete;
 
  private:
-  static std::span<const HookCalls> reactions();
+  static std::span<const AccessHandlers> reactions();
   void reset(ResetScope scope) {
     if (scope == ResetScope::node) announced_ = 0;
   }
@@ -57,8 +57,8 @@ class AcousticAnnouncerUnit {
   std::uint32_t announced_ = 0;
 };
 
-inline std::span<const HookCalls> AcousticAnnouncerUnit::reactions() {
-  static constexpr HookCalls rows[] = {
+inline std::span<const AccessHandlers> AcousticAnnouncerUnit::reactions() {
+  static constexpr AccessHandlers rows[] = {
       after_write<&AcousticAnnouncerUnit::stop_point_written, stop_point_id_object>};
   return rows;
 }
@@ -71,7 +71,7 @@ struct AcousticAnnouncerKind : BusKind<AcousticAnnouncerUnit, AcousticAnnouncerH
                                       .node_id = 9,
                                       .hardware = "loudspeakers, and what they may say"};
   static constexpr const VirtualDeviceInfo& provides = acoustic_announcer;
-  /// The message with the stop point, which no announcer of the typical configuration has.
+  /// The message with the stop point. No announcer of the typical configuration has it.
   static constexpr PdoInfo stop_point_rpdo = [] {
     PdoInfo made = receives(stop_point_only_mapping, "stop point");
     made.cob_id = stop_point_message.cob_id;

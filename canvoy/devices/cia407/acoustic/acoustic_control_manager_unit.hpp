@@ -1,10 +1,10 @@
-// The acoustic control manager: switches microphones and radio to loudspeakers as the events for it
-// say (6002h), and tells what is switched (6001h; CiA 407, 6.9, 9.2.4; errata 19, 20).
+// The acoustic control manager: switches microphones and radio to loudspeakers on the events for it
+// (6002h), and reports the switched paths (6001h; CiA 407, 6.9, 9.2.4; errata 19, 20).
 //
 //     AcousticControlManagerUnit manager(device, {.switch_paths = ...}, {});
 #pragma once
 
-#include "canvoy/devices/cia407/bus_kind.hpp"
+#include "canvoy/devices/cia407/kit/bus_kind.hpp"
 #include "canvoy/profiles/cia407/devices.hpp"
 
 namespace canvoy::cia407 {
@@ -30,15 +30,15 @@ struct AudioPaths {
 };
 
 struct AcousticControlManagerHardware {
-  /// Switches, and says what is switched then: one that cannot be switched stays as it was.
+  /// Switches, and returns the resulting paths: a path that cannot be switched stays as it was.
   Callback<AudioPaths(const AudioPaths&)> switch_paths = {};
-  /// What it has to say of itself when it is asked.
+  /// Returns the device's own state information on request.
   Callback<std::uint16_t()> state = {};
 };
 
 class AcousticControlManagerUnit {
  public:
-  /// What `hardware` refers to must outlive this.
+  /// Everything to which `hardware` refers must outlive this.
   AcousticControlManagerUnit(VirtualDevice& device, const AcousticControlManagerHardware& hardware,
                              const NoSettings& /*settings*/)
       : device_(device), hardware_(hardware) {
@@ -54,7 +54,7 @@ class AcousticControlManagerUnit {
   static constexpr std::uint8_t paths = 0b0011'1110;
   static constexpr std::uint8_t flag_state = 0b0100'0000;
 
-  /// After a reset nobody speaks.
+  /// Disconnects all paths after a reset.
   void reset(ResetScope scope) {
     if (scope == ResetScope::node) take_event(0, 0);
   }

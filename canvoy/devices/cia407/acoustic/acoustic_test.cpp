@@ -3,7 +3,7 @@
 
 #include "canvoy/devices/cia407/acoustic/acoustic_announcer_unit.hpp"
 #include "canvoy/devices/cia407/acoustic/acoustic_control_manager_unit.hpp"
-#include "canvoy/devices/cia407/bus_bench_test.hpp"
+#include "canvoy/devices/cia407/kit/bus_bench_test.hpp"
 
 namespace canvoy::cia407::acoustic_test {
 namespace {
@@ -21,8 +21,8 @@ class Announcer : public testing::Test {
   }
   std::vector<std::pair<std::uint32_t, std::string>> said;
   BusBench bench{
-      units, [this](Site& site) {
-        site.offer(Callback<AcousticAnnouncerHardware()>::to<&Announcer::hardware>(*this));
+      units, [this](Environment& environment) {
+        environment.provide(Callback<AcousticAnnouncerHardware()>::to<&Announcer::hardware>(*this));
       }};
 };
 
@@ -78,10 +78,10 @@ class Acoustic : public testing::Test {
   }
   AudioPaths paths;
   bool radio_is_broken = false;
-  BusBench bench{
-      units, [this](Site& site) {
-        site.offer(Callback<AcousticControlManagerHardware()>::to<&Acoustic::hardware>(*this));
-      }};
+  BusBench bench{units, [this](Environment& environment) {
+                   environment.provide(
+                       Callback<AcousticControlManagerHardware()>::to<&Acoustic::hardware>(*this));
+                 }};
 };
 
 TEST_F(Acoustic, SwitchesAsItIsToldAndTellsWhatIsSwitched) {

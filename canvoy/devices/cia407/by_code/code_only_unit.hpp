@@ -1,25 +1,25 @@
-// Virtual devices of CiA 407 that have no objects (6.7, 6.14 to 6.16, 6.19, 6.25): what there is of
-// them is their code in 1000h or 6000h, and the errors of clause 7.3 that they may have.
+// Virtual devices of CiA 407 without objects (6.7, 6.14 to 6.16, 6.19, 6.25): they have a code in
+// 1000h or 6000h, and the errors of clause 7.3 that apply to them.
 //
 //     const DeviceKind kind = bus_device_kind<VoiceRadioKind>();
 #pragma once
 
-#include "canvoy/devices/cia407/bus_kind.hpp"
-#include "canvoy/devices/cia407/error_watch.hpp"
-#include "canvoy/devices/cia407/errors.hpp"
+#include "canvoy/devices/cia407/kit/bus_kind.hpp"
+#include "canvoy/devices/cia407/kit/error_watch.hpp"
+#include "canvoy/devices/cia407/kit/errors.hpp"
 #include "canvoy/profiles/cia407/devices.hpp"
 
 namespace canvoy::cia407 {
 
-/// One type for each kind, so that a site can offer each its own.
+/// One type for each kind, so that an environment can offer hardware for each.
 template <DeviceCode code>
 struct CodeOnlyHardware {
-  /// Of those that the kind may have.
+  /// True if the error exists, of those that the kind may have.
   Callback<bool(std::uint16_t error_code)> has_error = {};
 };
 
 inline constexpr std::uint16_t radio_errors[] = {bus_error::no_radio_connection};
-/// Of the supply and of its outputs.
+/// Errors of the supply and of its outputs.
 inline constexpr std::uint16_t power_errors[] = {0x2110, 0x2310, 0x2320, 0x2330, 0x3110, 0x3120,
                                                  0x3210, 0x3220, 0x3310, 0x3320, 0x3330};
 
@@ -33,7 +33,7 @@ class CodeOnlyUnit {
     return is_radio ? std::span<const std::uint16_t>(radio_errors)
                     : std::span<const std::uint16_t>();
   }
-  /// What `hardware` refers to must outlive this.
+  /// Everything to which `hardware` refers must outlive this.
   CodeOnlyUnit(VirtualDevice& device, const CodeOnlyHardware<code>& hardware,
                const NoSettings& /*settings*/)
       : device_(device), errors_(device, errors(), hardware.has_error) {

@@ -1,16 +1,16 @@
 // The vehicle driver indicator, display only or with a keyboard: shows the driver time, doors,
-// temperatures, fuel, brake and errors as they are told (CiA 407, 6.12).
+// temperatures, fuel, brake and errors that it receives (CiA 407, 6.12).
 //
 //     DriverIndicatorUnit indicator(device, {.show = ...}, {});
 #pragma once
 
-#include "canvoy/devices/cia407/bus_kind.hpp"
-#include "canvoy/devices/cia407/bus_time.hpp"
+#include "canvoy/devices/cia407/kit/bus_kind.hpp"
+#include "canvoy/devices/cia407/kit/bus_time.hpp"
 #include "canvoy/profiles/cia407/devices.hpp"
 
 namespace canvoy::cia407 {
 
-/// What is empty is not known.
+/// Empty values are not known.
 struct DriverView {
   std::optional<CivilTime> time = {};
   bool has_open_door = false;
@@ -22,18 +22,18 @@ struct DriverView {
   std::optional<double> average_economy_km_per_l = {};
   std::optional<double> engine_hours = {};
   bool is_braking = false;
-  std::uint32_t last_error = 0;  ///< as 6740h has it; 0: none
+  std::uint32_t last_error = 0;  ///< as in 6740h; 0: none
 
   friend constexpr bool operator==(const DriverView&, const DriverView&) = default;
 };
 struct DriverIndicatorHardware {
-  /// Called where something else is to be seen.
+  /// Called when the view changes.
   Callback<void(const DriverView&)> show = {};
 };
 
 class DriverIndicatorUnit {
  public:
-  /// What `hardware` refers to must outlive this.
+  /// Everything to which `hardware` refers must outlive this.
   DriverIndicatorUnit(VirtualDevice& device, const DriverIndicatorHardware& hardware,
                       const NoSettings& /*settings*/)
       : device_(device), hardware_(hardware) {
@@ -44,7 +44,7 @@ class DriverIndicatorUnit {
   DriverIndicatorUnit& operator=(const DriverIndicatorUnit&) = delete;
 
  private:
-  static std::span<const HookCalls> reactions();
+  static std::span<const AccessHandlers> reactions();
   void reset(ResetScope /*scope*/) {
     shown_ = std::nullopt;
     show();
@@ -72,8 +72,8 @@ class DriverIndicatorUnit {
   std::optional<DriverView> shown_;
 };
 
-inline std::span<const HookCalls> DriverIndicatorUnit::reactions() {
-  static constexpr HookCalls rows[] = {after_any_write<&DriverIndicatorUnit::show>};
+inline std::span<const AccessHandlers> DriverIndicatorUnit::reactions() {
+  static constexpr AccessHandlers rows[] = {after_any_write<&DriverIndicatorUnit::show>};
   return rows;
 }
 

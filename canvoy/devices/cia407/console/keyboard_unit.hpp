@@ -4,13 +4,13 @@
 //     KeyboardUnit keyboard(device, {.keys = ...}, {});
 #pragma once
 
-#include "canvoy/devices/cia407/bus_kind.hpp"
+#include "canvoy/devices/cia407/kit/bus_kind.hpp"
 #include "canvoy/profiles/cia407/devices.hpp"
 
 namespace canvoy::cia407 {
 
 struct KeyboardHardware {
-  /// A bit for each key that is pressed.
+  /// A bit for each pressed key.
   Callback<std::uint32_t()> keys = {};
   Callback<bool()> is_reverse_engaged = {};
 };
@@ -19,7 +19,7 @@ class KeyboardUnit {
  public:
   static constexpr Duration period = 20ms;
 
-  /// What `hardware` refers to must outlive this.
+  /// Everything to which `hardware` refers must outlive this.
   KeyboardUnit(VirtualDevice& device, const KeyboardHardware& hardware,
                const NoSettings& /*settings*/)
       : device_(device),

@@ -14,14 +14,14 @@ constexpr std::size_t stop_point_at = 14;
 constexpr std::size_t in_at = 20;
 constexpr std::size_t out_at = 22;
 
-/// Adds to a number that stands in two bytes.
+/// Adds to a number of two bytes.
 void add(std::span<std::uint8_t> bytes, std::uint8_t count) {
   store(bytes.data(), static_cast<std::uint16_t>(load<std::uint16_t>(bytes.data()) + count));
 }
 
 }  // namespace
 
-constexpr HookCalls CountingManagerUnit::hook_calls[] = {
+constexpr AccessHandlers CountingManagerUnit::hook_calls[] = {
     after_write<&CountingManagerUnit::counts_written,
                 passenger_counting_in_and_out_per_door_object>,
     after_write<&CountingManagerUnit::stop_point_written, stop_point_id_object>};
@@ -50,7 +50,7 @@ void CountingManagerUnit::counts_written() {
   take(device_[incoming_passengers_of_door].raw(), device_[outgoing_passengers_of_door].raw());
 }
 
-/// The same stop is told again, as with each event of another device (8.1.4.3).
+/// The same stop is sent again with each event of another device (8.1.4.3).
 void CountingManagerUnit::stop_point_written() {
   if (!is_stop_open_) return;
   const auto open_stop = load<std::uint32_t>(&last_record()[stop_point_at]);
@@ -61,7 +61,7 @@ void CountingManagerUnit::take(std::uint8_t in, std::uint8_t out) {
   if (in == 0 && out == 0) return;
   counts_.in = static_cast<std::uint16_t>(counts_.in + in);
   counts_.out = static_cast<std::uint16_t>(counts_.out + out);
-  // More get off than were counted in: the counters have missed some.
+  // More passengers get off than were counted in: the counters have missed some.
   counts_.aboard = counts_.aboard + in < out ? 0 : counts_.aboard + in - out;
   note(in, out);
   tell();

@@ -1,25 +1,25 @@
-// The passenger counting manager: adds up what the counters of all doors tell it (6700h), says how
-// many are in the car and how full it is, and keeps the counts of each stop with the line (6720h to
-// 6723h; CiA 407, 6.22, 9.2.26).
+// The passenger counting manager: adds up the results of the counters at all doors (6700h), reports
+// the number of passengers and the occupancy of the vehicle, and keeps the counts of each stop with
+// the line (6720h to 6723h; CiA 407, 6.22, 9.2.26).
 //
 //     CountingManagerUnit manager(device, {}, {.capacity = 80});
 //
-// Each write of 6700h is the result of one door. What is counted outlives NMT resets: nobody gets
-// off because of one. 6720h is a record of 24 bytes for each stop, the oldest first, with the last
-// 128 of them: the six bytes of 610Eh; 6192h, 6193h, 6191h, 6109h; 6108h and a zero; in, out.
+// Each write of 6700h is the result of one door. Counts outlive NMT resets, as passengers stay on
+// board. 6720h is a record of 24 bytes for each of the last 128 stops, the oldest first: the six
+// bytes of 610Eh; 6192h, 6193h, 6191h, 6109h; 6108h and a zero; in, out.
 #pragma once
 
 #include <array>
 
-#include "canvoy/devices/cia407/bus_kind.hpp"
-#include "canvoy/devices/cia407/file_shelf.hpp"
+#include "canvoy/devices/cia407/kit/bus_kind.hpp"
+#include "canvoy/devices/cia407/kit/file_shelf.hpp"
 #include "canvoy/profiles/cia407/devices.hpp"
 
 namespace canvoy::cia407 {
 
 struct CountingManagerSettings {
-  unsigned capacity = 80;       ///< passengers that the car may have, 1 at least
-  unsigned close_percent = 90;  ///< from here on it is close to its limit
+  unsigned capacity = 80;       ///< maximum number of passengers, at least 1
+  unsigned close_percent = 90;  ///< from this share on, the car is nearly full
   unsigned limit_percent = 100;
 };
 
@@ -33,7 +33,7 @@ class CountingManagerUnit {
   CountingManagerUnit(const CountingManagerUnit&) = delete;
   CountingManagerUnit& operator=(const CountingManagerUnit&) = delete;
 
-  /// Of the day.
+  /// Counts of the day.
   struct Counts {
     std::uint16_t in = 0;
     std::uint16_t out = 0;
@@ -44,16 +44,16 @@ class CountingManagerUnit {
 
   unsigned aboard() const { return counts_.aboard; }
   Counts counts() const { return counts_; }
-  /// As a memory has kept them over a loss of power.
+  /// Restores the counts that a memory has kept over a loss of power.
   void restore(const Counts& counts) {
     counts_ = counts;
     tell();
   }
-  /// The car is empty, and a day begins: all counts are 0. The records stay.
+  /// Sets all counts to 0 at the beginning of a day with an empty car. The records stay.
   void clear();
 
  private:
-  static const HookCalls hook_calls[];
+  static const AccessHandlers hook_calls[];
 
   using Record = std::array<std::uint8_t, record_size>;
 

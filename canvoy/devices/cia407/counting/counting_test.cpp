@@ -1,9 +1,9 @@
 // Passenger counter and counting manager at their wire.
 #include <gtest/gtest.h>
 
-#include "canvoy/devices/cia407/bus_bench_test.hpp"
 #include "canvoy/devices/cia407/counting/counting_manager_unit.hpp"
 #include "canvoy/devices/cia407/counting/passenger_counter_unit.hpp"
+#include "canvoy/devices/cia407/kit/bus_bench_test.hpp"
 
 namespace canvoy::cia407::counting_test {
 namespace {
@@ -18,10 +18,10 @@ class Counter : public testing::Test {
 
   PassengerCounterUnit* counter = nullptr;
   BusBench bench{
-      units, [this](Site& site) {
-        site.offer(Callback<PassengerCounterSettings()>(
+      units, [this](Environment& environment) {
+        environment.provide(Callback<PassengerCounterSettings()>(
             [](void*) { return PassengerCounterSettings{.door = 2}; }, nullptr));
-        site.watch(Callback<void(PassengerCounterUnit&, Node&)>::to<&Counter::made>(*this));
+        environment.watch(Callback<void(PassengerCounterUnit&, Node&)>::to<&Counter::made>(*this));
       }};
 };
 
@@ -107,10 +107,10 @@ class Manager : public testing::Test {
 
   CountingManagerUnit* manager = nullptr;
   BusBench bench{
-      units, [this](Site& site) {
-        site.offer(Callback<CountingManagerSettings()>(
+      units, [this](Environment& environment) {
+        environment.provide(Callback<CountingManagerSettings()>(
             [](void*) { return CountingManagerSettings{.capacity = 50}; }, nullptr));
-        site.watch(Callback<void(CountingManagerUnit&, Node&)>::to<&Manager::made>(*this));
+        environment.watch(Callback<void(CountingManagerUnit&, Node&)>::to<&Manager::made>(*this));
       }};
 };
 
@@ -220,11 +220,11 @@ class CounterAndManager : public testing::Test {
   PassengerCounterUnit* counter = nullptr;
   CountingManagerUnit* manager = nullptr;
   BusBench bench{
-      units, [this](Site& site) {
-        site.watch(
+      units, [this](Environment& environment) {
+        environment.watch(
             Callback<void(PassengerCounterUnit&, Node&)>::to<&CounterAndManager::counter_made>(
                 *this));
-        site.watch(
+        environment.watch(
             Callback<void(CountingManagerUnit&, Node&)>::to<&CounterAndManager::manager_made>(
                 *this));
       }};

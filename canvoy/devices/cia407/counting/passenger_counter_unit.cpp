@@ -11,9 +11,9 @@ constexpr std::uint8_t flag_many = 1;
 
 }  // namespace
 
-constexpr ServiceCalls PassengerCounterUnit::service_calls = {
+constexpr ServiceHandlers PassengerCounterUnit::service_calls = {
     .state_entered = method<&PassengerCounterUnit::state_entered>};
-constexpr HookCalls PassengerCounterUnit::hook_calls[] = {
+constexpr AccessHandlers PassengerCounterUnit::hook_calls[] = {
     after_write<&PassengerCounterUnit::doors_written, state_of_doors_object>};
 
 PassengerCounterUnit::PassengerCounterUnit(VirtualDevice& device, const NoHardware& /*hardware*/,
@@ -24,7 +24,7 @@ PassengerCounterUnit::PassengerCounterUnit(VirtualDevice& device, const NoHardwa
   device.node().attach(service_);
 }
 
-/// What was told of a closed door would be told again at the next start, as a result of its own.
+/// The result of a closed door would otherwise be sent again at the next start, as a new result.
 void PassengerCounterUnit::state_entered(NmtState state) {
   const bool is_operational = state == NmtState::operational;
   const bool has_left = std::exchange(was_operational_, is_operational) && !is_operational;
@@ -34,7 +34,7 @@ void PassengerCounterUnit::state_entered(NmtState state) {
   tell();
 }
 
-/// A count that was under way is told again: the passengers have passed.
+/// A count that was under way is sent: the passengers have passed.
 void PassengerCounterUnit::reset(ResetScope scope) {
   if (scope != ResetScope::node) return;
   if (!is_counting_) tell();
@@ -63,7 +63,7 @@ void PassengerCounterUnit::count(unsigned& counter, unsigned people) {
   if (counter > many) device_.signal(flag_many, true);
 }
 
-/// Both at once: a PDO is not to carry half of it.
+/// Both at once: a PDO must not carry half of it.
 void PassengerCounterUnit::tell() {
   device_.node().dictionary().set_number(passenger_counting_in_and_out_per_door_object.index, 0,
                                          in_ << 8 | out_);

@@ -1,21 +1,22 @@
-// The passenger counter of one door: counts from its opening to its closing, and then tells how
-// many came in and went out (6700h; CiA 407, 6.21, 9.2.25). More than 200 are an event as they
-// arise.
+// The passenger counter of one door: counts from the opening to the closing of the door, and then
+// reports how many passengers came in and went out (6700h; CiA 407, 6.21, 9.2.25). More than 200
+// cause an event at once.
 //
 //     PassengerCounterUnit counter(device, {}, {.door = 2});
 //     counter.count_in();
 //
-// 6700h is 0 while the door is open, so that a change of the value tells each result that is not 0.
+// 6700h is 0 while the door is open, so that each result other than 0 is reported as a change of
+// the value.
 #pragma once
 
-#include "canvoy/devices/cia407/bus_kind.hpp"
-#include "canvoy/devices/cia407/door_state.hpp"
+#include "canvoy/devices/cia407/kit/bus_kind.hpp"
+#include "canvoy/devices/cia407/kit/door_state.hpp"
 #include "canvoy/profiles/cia407/devices.hpp"
 
 namespace canvoy::cia407 {
 
 struct PassengerCounterSettings {
-  unsigned door = 1;  ///< 1 to 12, of 6488h
+  unsigned door = 1;  ///< 1 to 12, as in 6488h
 };
 
 class PassengerCounterUnit {
@@ -28,18 +29,18 @@ class PassengerCounterUnit {
   PassengerCounterUnit(const PassengerCounterUnit&) = delete;
   PassengerCounterUnit& operator=(const PassengerCounterUnit&) = delete;
 
-  // Somebody passes the sensors; at a closed door that is nobody. They have to be called from the
-  // node's callbacks, or with node.advance() before.
+  // Counts people who pass the sensors; at a closed door they are ignored. Call it from the node's
+  // callbacks, or after node.advance().
   void count_in(unsigned people = 1) { count(in_, people); }
   void count_out(unsigned people = 1) { count(out_, people); }
-  /// For a counter that senses its door itself, where nobody provides 6488h.
+  /// For a counter that senses its door itself, where no device provides 6488h.
   void set_door(bool is_open);
 
   bool is_counting() const { return is_counting_; }
 
  private:
-  static const HookCalls hook_calls[];
-  static const ServiceCalls service_calls;
+  static const AccessHandlers hook_calls[];
+  static const ServiceHandlers service_calls;
 
   void state_entered(NmtState state);
   void reset(ResetScope scope);
@@ -53,7 +54,7 @@ class PassengerCounterUnit {
   unsigned in_ = 0;
   unsigned out_ = 0;
   bool was_operational_ = false;
-  ServiceLink service_{&service_calls, this};
+  HandlerBinding service_{&service_calls, this};
 };
 
 struct PassengerCounterKind : BusKind<PassengerCounterUnit, NoHardware, PassengerCounterSettings> {

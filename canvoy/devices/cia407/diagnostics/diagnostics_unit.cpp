@@ -13,9 +13,9 @@ constexpr std::uint8_t flag_many_shorts = 1;
 constexpr std::uint8_t flag_near_capacity = 2;
 constexpr unsigned first_class_flag = 2;
 constexpr char ascii_max = 0x7F;
-/// As if so many bytes had been written: behind a character nothing more may come.
+/// As if this number of bytes had been written: nothing may follow a character.
 constexpr std::size_t character_ends = sizeof(std::uint64_t);
-/// As 9.2.27.2 has it (errata 92).
+/// As in 9.2.27.2 (errata 92).
 constexpr std::string_view line_end = "\n\r";
 
 template <std::size_t size>
@@ -59,7 +59,7 @@ bool is_ascii(std::span<const std::uint8_t> text) {
 
 }  // namespace
 
-constexpr HookCalls DiagnosticsUnit::hook_calls[] = {
+constexpr AccessHandlers DiagnosticsUnit::hook_calls[] = {
     before_write<&DiagnosticsUnit::check_shorts, short_diagnostic_error_field_object>,
     before_write<&DiagnosticsUnit::check_messages, error_class_1_messages_object,
                  error_class_3_messages_object>,
@@ -110,7 +110,7 @@ AbortCode DiagnosticsUnit::check_shorts(const Entry& entry, std::span<const std:
   return entry.sub == 0 && value[0] > 0 ? AbortCode::value_range : AbortCode::none;
 }
 
-/// Of a device that tells error code 0000h there is none: there are 65,535 (9.2.27.1).
+/// Error code 0000h means no error of the device: there are 65,535 codes (9.2.27.1).
 void DiagnosticsUnit::shorts_written(const Entry& entry) {
   constexpr std::uint32_t error_code = 0xFFFF;
   if (entry.sub == 1) {
@@ -180,7 +180,7 @@ void DiagnosticsUnit::add_message(std::uint16_t index, std::span<const std::uint
   add_line(whole.substr(0, whole.find('\0')));
 }
 
-/// All of them, or those that were read.
+/// All messages, or those that were read.
 void DiagnosticsUnit::remove_messages(std::uint16_t index, bool all) {
   Messages& messages = *messages_of(index);
   std::size_t kept = 0;
@@ -247,7 +247,7 @@ void DiagnosticsUnit::drop_lines(std::size_t needed) {
   drop(dropped);
 }
 
-/// So many bytes of the beginning.
+/// Drops this number of bytes at the beginning.
 void DiagnosticsUnit::drop(std::size_t length) {
   std::shift_left(file_.begin(), file_.begin() + static_cast<std::ptrdiff_t>(file_length_),
                   static_cast<std::ptrdiff_t>(length));
@@ -261,8 +261,8 @@ Result<std::uint32_t> DiagnosticsUnit::open_read(const Entry& /*entry*/) {
   return read_length_;
 }
 
-/// The file as it was when it was opened. What went meanwhile has been read, or there is no whole
-/// file any more.
+/// Reads the file as it was when it was opened. Lines dropped since then have been read, or the
+/// whole file does not exist any more.
 Result<std::size_t> DiagnosticsUnit::read(const Entry& /*entry*/, std::uint32_t offset,
                                           std::span<std::uint8_t> bytes) {
   const std::uint32_t gone = dropped_ - read_from_;
@@ -276,7 +276,8 @@ Result<std::size_t> DiagnosticsUnit::read(const Entry& /*entry*/, std::uint32_t 
 }
 
 /// Only a zero may be written (errata 91): it erases the file. It is a character, or a number of
-/// any size: a client may write an Unsigned32, or leave the size of an expedited transfer open.
+/// any size: a client may write an Unsigned32, or leave the size of an expedited transfer
+/// undefined.
 AbortCode DiagnosticsUnit::open_write(const Entry& /*entry*/, std::uint32_t /*size*/) {
   written_ = 0;
   return AbortCode::none;

@@ -1,22 +1,22 @@
-// The diagnostics device: collects what others report (CiA 407, 6.23, 9.2.27). Short errors
-// (6740h), the newest first; messages of three classes (6742h to 6744h), in the order in which they
-// came; and a file with a line for each of them (6741h). They outlive NMT resets.
+// The diagnostics device: collects reports of other devices (CiA 407, 6.23, 9.2.27): short errors
+// (6740h), the newest first; messages of three classes (6742h to 6744h), in the order of arrival;
+// and a file with a line for each of them (6741h). They outlive NMT resets.
 //
 //     DiagnosticsUnit diagnostics(device, {}, {});
 //     diagnostics.report(0x0012, 0x3120);                   // from an error input
 //     diagnostics.report(ErrorClass::second, "door 2 is stiff");
 //
-// Others write to sub-index 01h. Of a full history of short errors the oldest goes; a class that is
-// full takes no more. Of a full file the oldest lines go. Who reads the file gets it as it was when
-// he began, whole: lines that come meanwhile are not in it, and where lines go that he has not read
-// yet, or it is erased, he gets 0800 0022h, and may begin again.
+// Other devices write to sub-index 01h. A full history of short errors drops the oldest; a full
+// class accepts no more; a full file drops its oldest lines. A reader gets the file as it was at
+// the start of reading, whole, without lines that are added meanwhile. If lines that are not yet
+// read are dropped, or the file is erased, the reader gets 0800 0022h, and may start again.
 #pragma once
 
 #include <array>
 #include <string_view>
 
-#include "canvoy/devices/cia407/bus_kind.hpp"
-#include "canvoy/devices/cia407/bus_time.hpp"
+#include "canvoy/devices/cia407/kit/bus_kind.hpp"
+#include "canvoy/devices/cia407/kit/bus_time.hpp"
 #include "canvoy/profiles/cia407/devices.hpp"
 
 namespace canvoy::cia407 {
@@ -39,15 +39,15 @@ class DiagnosticsUnit {
   DiagnosticsUnit(const DiagnosticsUnit&) = delete;
   DiagnosticsUnit& operator=(const DiagnosticsUnit&) = delete;
 
-  /// As if it had been written to 6740h:01h.
+  /// Reports an error like a write to 6740h:01h.
   void report(std::uint16_t device_code, std::uint16_t error_code);
-  /// As if it had been written to sub-index 01h; false where there is no room, or it is longer than
-  /// 64 characters of 7-bit ASCII.
+  /// Reports a message like a write to sub-index 01h. False if there is no room, or if it is longer
+  /// than 64 characters of 7-bit ASCII.
   bool report(ErrorClass error_class, std::string_view message);
   std::string_view file() const { return {file_.data(), file_length_}; }
 
  private:
-  static const HookCalls hook_calls[];
+  static const AccessHandlers hook_calls[];
 
   using Message = std::array<std::uint8_t, message_size>;
   struct Messages {
@@ -85,10 +85,10 @@ class DiagnosticsUnit {
   std::array<Messages, 3> classes_;
   std::array<char, file_size> file_{};
   std::size_t file_length_ = 0;
-  std::uint32_t dropped_ = 0;      ///< bytes that have left the file at its beginning, modulo 2^32
-  std::uint32_t read_from_ = 0;    ///< dropped_ when somebody began to read it
-  std::uint32_t read_length_ = 0;  ///< of the file then
-  std::size_t written_ = 0;        ///< bytes of a zero, which erases
+  std::uint32_t dropped_ = 0;      ///< bytes dropped at the beginning of the file, modulo 2^32
+  std::uint32_t read_from_ = 0;    ///< dropped_ at the start of reading
+  std::uint32_t read_length_ = 0;  ///< of the file at that time
+  std::size_t written_ = 0;        ///< bytes of a written zero, which erases
   Domain domain_;
   Hook hook_;
 };

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/sdo/sdo_entry.hpp"
-#include "canvoy/devices/cia407/bus_bench_test.hpp"
+#include "canvoy/devices/cia407/kit/bus_bench_test.hpp"
 
 namespace canvoy::cia407::diagnostics_unit_test {
 namespace {
@@ -22,8 +22,8 @@ class Diagnostics : public testing::Test {
 
   DiagnosticsUnit* unit = nullptr;
   BusBench bench{
-      units, [this](Site& site) {
-        site.watch(Callback<void(DiagnosticsUnit&, Node&)>::to<&Diagnostics::made>(*this));
+      units, [this](Environment& environment) {
+        environment.watch(Callback<void(DiagnosticsUnit&, Node&)>::to<&Diagnostics::made>(*this));
       }};
 };
 
@@ -37,7 +37,7 @@ TEST_F(Diagnostics, ShortErrorsMoveDownTheList) {
   EXPECT_EQ(bench.ask("23 40 67 02 00 00 00 00"), "80 40 67 02 02 00 01 06") << "read only";
 }
 
-/// 65,535 errors (9.2.27.1) are 1 to FFFFh: a device that tells 0 has none.
+/// The 65,535 errors (9.2.27.1) are 1 to FFFFh: 0 means no error.
 TEST_F(Diagnostics, NoErrorIsNone) {
   EXPECT_EQ(bench.ask("23 40 67 01 00 00 00 00"), "60 40 67 01 00 00 00 00");
   EXPECT_EQ(count("40 67"), "00");
@@ -166,7 +166,7 @@ class FileReader {
   bool toggle_ = false;
 };
 
-/// A line of 11 bytes for each; 1489 of them fill the file, and the next one has the oldest go.
+/// A line of 11 bytes for each; 1489 of them fill the file, and the next one drops the oldest.
 std::string lines_of(unsigned first, unsigned end) {
   std::string lines;
   for (unsigned i = first; i < end; ++i) {
@@ -184,7 +184,7 @@ TEST_F(Diagnostics, WhoReadsTheFileGetsItAsItWasWhenHeBegan) {
   EXPECT_EQ(reader.begin(), "41 41 67 00 FB 3F 00 00") << "16,379 bytes";
   for (unsigned i = 0; !reader.is_over && i < 3000; ++i) {
     ASSERT_EQ(reader.next(), "") << "segment " << i;
-    // Lines that he has read go.
+    // Lines that the reader already has are dropped.
     if (i % 100 == 50) unit->report(0, 0xFFFF);
   }
   EXPECT_EQ(reader.text, lines_of(0, full));
@@ -195,12 +195,12 @@ TEST_F(Diagnostics, WhereLinesGoThatAreNotReadYetThereIsNoFile) {
   FileReader reader(bench);
   reader.begin();
   EXPECT_EQ(reader.next(), "");
-  unit->report(0, full);  // the first line goes, of which he has 7 bytes of 11
+  unit->report(0, full);  // the first line is dropped, of which the reader has 7 bytes of 11
   EXPECT_EQ(reader.next(), "80 41 67 00 22 00 00 08") << "the state of the device";
   EXPECT_EQ(bench.upload(0x6741, 0), lines_of(1, full + 1)) << "again, and whole";
 }
 
-/// As another SDO channel does it: a 0 is written to 6741h.
+/// Like another SDO channel: writes a 0 to 6741h.
 AbortCode erase(Dictionary& dictionary) {
   std::array<std::uint8_t, 8> buffer{};
   SdoEntry entry(dictionary, buffer);
@@ -217,7 +217,7 @@ TEST_F(Diagnostics, WhoIsNotAtItsEndWhenTheFileIsErasedGetsNone) {
   EXPECT_EQ(reader.begin(), "41 41 67 00 21 00 00 00") << "33 bytes";
   EXPECT_EQ(reader.next(), "");
   EXPECT_EQ(erase(bench.node().dictionary()), AbortCode::none);
-  // Lines of the new file stand where those of the old one did.
+  // Lines of the new file are at the positions of the old ones.
   for (unsigned i = 7; i < 10; ++i) unit->report(0, static_cast<std::uint16_t>(i));
   EXPECT_EQ(reader.next(), "80 41 67 00 22 00 00 08") << "the state of the device";
   EXPECT_EQ(bench.upload(0x6741, 0), lines_of(7, 10)) << "the new one, and whole";

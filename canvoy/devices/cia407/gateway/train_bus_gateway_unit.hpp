@@ -1,30 +1,31 @@
-// The train bus gateway: hands on to the other vehicles of the train what is told in this one, and
-// tells what comes from there (CiA 407, 6.10). In a segment without a main on-board computer it
-// provides what that one would, with its pre-defined messages (footnote 1; BusSegment).
+// The train bus gateway: forwards the values of this vehicle to the other vehicles of the train,
+// and reports the values received from them (CiA 407, 6.10). In a segment without a main on-board
+// computer, it provides the objects of that computer, with its pre-defined messages (footnote 1;
+// BusSegment).
 //
 //     TrainBusGatewayUnit gateway(device, {.send = ...}, {});
 //     gateway.receive(0x6109, 0, bytes);   // from the train
 //     gateway.press_stop_button();         // of this vehicle
 //
 // A request to stop (6204h) goes both ways. Buttons of a vehicle without a main on-board computer
-// are wired to its gateway: what they ask for goes to the train, and is shown here when the
-// computer says so.
+// are wired to its gateway: it forwards their request to the train, and shows it here when the
+// computer confirms it.
 #pragma once
 
-#include "canvoy/devices/cia407/bus_kind.hpp"
+#include "canvoy/devices/cia407/kit/bus_kind.hpp"
 #include "canvoy/profiles/cia407/devices.hpp"
 
 namespace canvoy::cia407 {
 
 struct TrainBusGatewayHardware {
-  /// To the other vehicles: a value as it stands in the dictionary.
+  /// Sends a value, as stored in the dictionary, to the other vehicles.
   Callback<void(std::uint16_t index, std::uint8_t sub, std::span<const std::uint8_t> value)> send =
       {};
 };
 
 class TrainBusGatewayUnit {
  public:
-  /// What `hardware` refers to must outlive this.
+  /// Everything to which `hardware` refers must outlive this.
   TrainBusGatewayUnit(VirtualDevice& device, const TrainBusGatewayHardware& hardware,
                       const NoSettings& /*settings*/)
       : device_(device), hardware_(hardware) {
@@ -33,7 +34,7 @@ class TrainBusGatewayUnit {
   TrainBusGatewayUnit(const TrainBusGatewayUnit&) = delete;
   TrainBusGatewayUnit& operator=(const TrainBusGatewayUnit&) = delete;
 
-  /// False: it is not in service.
+  /// False if the gateway is not in service.
   bool press_stop_button() {
     if (!hardware_.send || device_.node().state() != NmtState::operational) return false;
     const auto requested = static_cast<std::uint8_t>(BusStop::requested);
@@ -41,7 +42,8 @@ class TrainBusGatewayUnit {
     return true;
   }
 
-  /// From another vehicle. False: it is none of what the gateway provides here, or no value of it.
+  /// Takes a value from another vehicle. False if the gateway does not provide the object here, or
+  /// the value is not valid for it.
   bool receive(std::uint16_t index, std::uint8_t sub, std::span<const std::uint8_t> value) {
     Dictionary& dictionary = device_.node().dictionary();
     const Result<Entry> entry = dictionary.find(index, sub);
@@ -54,7 +56,7 @@ class TrainBusGatewayUnit {
   }
 
  private:
-  static std::span<const HookCalls> reactions();
+  static std::span<const AccessHandlers> reactions();
   static bool sub_is_value(const Entry& entry) { return entry.row->access != Access::const_; }
   static bool is_object(std::uint16_t index) {
     for (const DeviceObject& object : train_bus_gateway.objects) {
@@ -73,19 +75,19 @@ class TrainBusGatewayUnit {
   TrainBusGatewayHardware hardware_;
 };
 
-inline std::span<const HookCalls> TrainBusGatewayUnit::reactions() {
-  static constexpr HookCalls rows[] = {after_any_write<&TrainBusGatewayUnit::relay>};
+inline std::span<const AccessHandlers> TrainBusGatewayUnit::reactions() {
+  static constexpr AccessHandlers rows[] = {after_any_write<&TrainBusGatewayUnit::relay>};
   return rows;
 }
 
-/// A pre-defined message (8.1.4.3), as the gateway takes it, or sends it where it stands in for who
-/// would.
+/// A pre-defined message (8.1.4.3) that the gateway receives, or sends in place of a missing
+/// device.
 template <const PdoMessage& message, const auto& mapping>
 inline constexpr PdoInfo relayed_rpdo = on(message.cob_id, receives(mapping, message.name));
 template <const PdoMessage& message, const auto& mapping>
 inline constexpr PdoInfo relayed_tpdo = on(message.cob_id, sends(mapping, message.name));
 
-/// 6204h of another vehicle, for the main on-board computer, which provides that of this one.
+/// 6204h of another vehicle, for the main on-board computer, which provides 6204h of this one.
 inline constexpr PdoInfo train_stop_request_tpdo =
     sends(stop_request_mapping, "bus stop request of the train");
 

@@ -1,6 +1,6 @@
 #include "canvoy/devices/cia407/gateway/vehicle_gateway_unit.hpp"
 
-#include "canvoy/devices/cia407/turn.hpp"
+#include "canvoy/devices/cia407/kit/turn.hpp"
 
 namespace canvoy::cia407 {
 
@@ -76,7 +76,7 @@ void VehicleGatewayUnit::tell_doors(const VehicleReading& reading) {
     is_open = is_open || (state.is_valid && state.is_open);
     bytes[(door - 1) / doors_of_byte] |= door_bits(door, state);
   }
-  // Single doors first: who hears of the general state may ask which one it is.
+  // Single doors first: a receiver of the general state may then read which one it is.
   for (unsigned i = 0; i < bytes.size(); ++i) {
     dictionary.set_number(doors_index, static_cast<std::uint8_t>(i + 2), bytes[i]);
   }
@@ -84,7 +84,7 @@ void VehicleGatewayUnit::tell_doors(const VehicleReading& reading) {
                            (reading.left_released ? 1U << left_bit : 0U) |
                            (reading.right_released ? 1U << right_bit : 0U);
   dictionary.set_number(doors_index, 1, general);
-  // Those of this physical device that have doors at heart hear of each of them.
+  // Consumers of single doors in this physical device are notified of each door.
   device_.tell(all_doors, is_open ? Doors::open : Doors::all_closed);
   for (unsigned i = 0; i < bytes.size(); ++i) {
     device_.announce_at(doors_index, static_cast<std::uint8_t>(i + 2));

@@ -1,6 +1,6 @@
-// The vehicle gateway: what the other networks of the vehicle say of drive, doors and engine, in
-// the ranges of SAE J1939 (CiA 407, 6.11, 9.2.15): a value beyond its range is the end of it, one
-// that is missing "not available", one of which the sensor has failed "error".
+// The vehicle gateway: values of drive, doors and engine from the other networks of the vehicle, in
+// the ranges of SAE J1939 (CiA 407, 6.11, 9.2.15). A value beyond its range becomes the end of the
+// range, a missing one "not available", and one with a failed sensor "error".
 //
 //     VehicleGatewayUnit gateway(device, {.read = ...}, {});
 #pragma once
@@ -8,22 +8,22 @@
 #include <array>
 #include <cmath>
 
-#include "canvoy/devices/cia407/bus_kind.hpp"
-#include "canvoy/devices/cia407/bus_time.hpp"
-#include "canvoy/devices/cia407/door_state.hpp"
-#include "canvoy/devices/cia407/motion_recognition.hpp"
+#include "canvoy/devices/cia407/kit/bus_kind.hpp"
+#include "canvoy/devices/cia407/kit/bus_time.hpp"
+#include "canvoy/devices/cia407/kit/door_state.hpp"
+#include "canvoy/devices/cia407/kit/motion_recognition.hpp"
 #include "canvoy/profiles/cia407/devices.hpp"
 
 namespace canvoy::cia407 {
 
-/// A measured value: nothing where it is missing.
+/// A measured value; nothing if it is missing.
 struct Measured {
   std::optional<double> value = {};
   bool has_failed = false;
 
   constexpr Measured() = default;
   constexpr Measured(double number) : value(number) {}  // NOLINT(google-explicit-constructor)
-  /// What `convert` makes of the value; a failure stays one.
+  /// The value as converted by `convert`; a failure stays a failure.
   Measured changed(std::optional<double> (*convert)(std::optional<double>)) const {
     Measured made = *this;
     made.value = convert(value);
@@ -71,13 +71,13 @@ struct VehicleGatewaySettings {
 
 class VehicleGatewayUnit {
  public:
-  /// What `hardware` refers to must outlive this.
+  /// Everything to which `hardware` refers must outlive this.
   VehicleGatewayUnit(VirtualDevice& device, const VehicleGatewayHardware& hardware,
                      const VehicleGatewaySettings& settings);
   VehicleGatewayUnit(const VehicleGatewayUnit&) = delete;
   VehicleGatewayUnit& operator=(const VehicleGatewayUnit&) = delete;
 
-  /// Has the vehicle looked at when the node is called next.
+  /// Checks the vehicle at the next call of the node.
   void hardware_changed() { device_.node().timers().arm(timer_, device_.node().now()); }
 
  private:

@@ -1,13 +1,13 @@
-// Generic I/O: 32 digital and 8 analogue inputs and outputs, and what can be wrong with outputs
-// (CiA 407, 6.24, 7.3, 9.2.28).
+// Generic I/O: 32 digital and 8 analogue inputs and outputs, and errors of outputs (CiA 407, 6.24,
+// 7.3, 9.2.28).
 //
 //     GenericIoUnit io(device, {.digital_inputs = ..., .set_digital_outputs = ...}, {});
 //
 // Outputs are off after an NMT reset, and stay as they are when the node leaves operational.
 #pragma once
 
-#include "canvoy/devices/cia407/bus_kind.hpp"
-#include "canvoy/devices/cia407/error_watch.hpp"
+#include "canvoy/devices/cia407/kit/bus_kind.hpp"
+#include "canvoy/devices/cia407/kit/error_watch.hpp"
 #include "canvoy/profiles/cia407/devices.hpp"
 
 namespace canvoy::cia407 {
@@ -18,7 +18,7 @@ struct GenericIoHardware {
   Callback<std::int16_t(unsigned channel)> analogue_input = {};
   Callback<void(std::uint32_t)> set_digital_outputs = {};
   Callback<void(unsigned channel, std::int16_t value)> set_analogue_output = {};
-  /// Of the errors of outputs: 2310h, 2320h, 2330h.
+  /// True if an error of outputs exists: 2310h, 2320h, 2330h.
   Callback<bool(std::uint16_t code)> has_error = {};
 };
 
@@ -28,7 +28,7 @@ class GenericIoUnit {
   static constexpr unsigned groups = 4;
   static constexpr std::uint16_t errors[] = {0x2310, 0x2320, 0x2330};
 
-  /// What `hardware` refers to must outlive this.
+  /// Everything to which `hardware` refers must outlive this.
   GenericIoUnit(VirtualDevice& device, const GenericIoHardware& hardware,
                 const NoSettings& /*settings*/)
       : device_(device),
@@ -42,7 +42,7 @@ class GenericIoUnit {
   GenericIoUnit& operator=(const GenericIoUnit&) = delete;
 
  private:
-  static std::span<const HookCalls> reactions();
+  static std::span<const AccessHandlers> reactions();
   void reset(ResetScope scope) {
     if (scope == ResetScope::node) {
       drive_digital();
@@ -78,8 +78,8 @@ class GenericIoUnit {
   Timer timer_;
 };
 
-inline std::span<const HookCalls> GenericIoUnit::reactions() {
-  static constexpr HookCalls rows[] = {
+inline std::span<const AccessHandlers> GenericIoUnit::reactions() {
+  static constexpr AccessHandlers rows[] = {
       after_write<&GenericIoUnit::drive_digital, digital_output_object>,
       after_write<&GenericIoUnit::analogue_written, analogue_output_object>};
   return rows;

@@ -1,4 +1,4 @@
-// Identification: who drives which line, block and journey today (CiA 407, 6.3, 9.2.7).
+// Identification: driver, line, block and journey of the day (CiA 407, 6.3, 9.2.7).
 //
 //     IdentificationUnit identification(device, {}, {});
 //     identification.log_in({.driver_id = 1234, .line_id = 23});
@@ -6,7 +6,7 @@
 
 #include <string_view>
 
-#include "canvoy/devices/cia407/bus_kind.hpp"
+#include "canvoy/devices/cia407/kit/bus_kind.hpp"
 #include "canvoy/profiles/cia407/devices.hpp"
 
 namespace canvoy::cia407 {
@@ -18,7 +18,7 @@ struct Assignment {
   std::uint16_t route_number = 0;
   std::uint32_t block_id = 0;
   std::uint16_t journey_number = 0;  ///< 0: not in service
-  // Where this device provides them (BusSegment::identification_provides_texts).
+  // If this device provides them (BusSegment::identification_provides_texts).
   std::string_view line_text = {};
   std::string_view block_text = {};
   std::string_view driver_text = {};
@@ -27,13 +27,13 @@ struct Assignment {
 };
 
 struct IdentificationHardware {
-  /// What holds after power-on: a memory. Empty: nobody has logged in.
+  /// The values after power-on, from a memory. Empty: no driver has logged in.
   Callback<Assignment()> remembered = {};
 };
 
 class IdentificationUnit {
  public:
-  /// What `hardware` refers to must outlive this.
+  /// Everything to which `hardware` refers must outlive this.
   IdentificationUnit(VirtualDevice& device, const IdentificationHardware& hardware,
                      const NoSettings& /*settings*/)
       : device_(device), hardware_(hardware) {
@@ -59,7 +59,7 @@ class IdentificationUnit {
   void reset(ResetScope scope) {
     if (scope == ResetScope::node && hardware_.remembered) log_in(hardware_.remembered());
   }
-  /// Not over what another device has told.
+  /// Does not replace a value that another device has sent.
   template <class Handle>
   void tell_text(const Handle& handle, std::string_view text) {
     const auto reference = device_[handle];

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "canvoy/devices/cia407/motion_recognition.hpp"
+#include "canvoy/devices/cia407/kit/motion_recognition.hpp"
 
 namespace canvoy::cia407 {
 
@@ -13,7 +13,7 @@ constexpr std::uint16_t events_index = events_from_virtual_devices_object.index;
 
 }  // namespace
 
-constexpr HookCalls MainOnBoardComputerUnit::hook_calls[] = {
+constexpr AccessHandlers MainOnBoardComputerUnit::hook_calls[] = {
     after_write<&MainOnBoardComputerUnit::event_written, events_from_virtual_devices_object>,
     after_write<&MainOnBoardComputerUnit::doors_written, state_of_doors_object>,
     after_write<&MainOnBoardComputerUnit::mileage_written, vehicle_mileage_object>,
@@ -117,7 +117,7 @@ void MainOnBoardComputerUnit::event_written(const Entry& entry) {
   if (entry.sub >= 2) take_event(entry.sub);
 }
 
-/// A request is for the next station (9.2.8.5): doors that open end it, not those that are open.
+/// A request is for the next station (9.2.8.5): opening doors end it, open doors do not.
 void MainOnBoardComputerUnit::doors_written() {
   const bool are_open = device_[all_doors].is(Doors::open);
   const bool were_open = std::exchange(are_doors_open_, are_open);
@@ -136,7 +136,7 @@ void MainOnBoardComputerUnit::told(const Entry& entry) {
   if (hardware_.on_told) hardware_.on_told(entry);
 }
 
-/// The summary is of its own entries: each device that tells events has one of its own.
+/// The summary covers its own entries: each device that sends events has a separate one.
 void MainOnBoardComputerUnit::take_event(std::uint8_t sub) {
   Dictionary& dictionary = node().dictionary();
   const std::uint32_t event = dictionary.word(events_index, sub);
@@ -151,8 +151,8 @@ void MainOnBoardComputerUnit::satellite_speed_written() {
   follow_speed();
 }
 
-/// 6123h is from one or several of these: of the tachograph, the wheels, GPS, the first that is
-/// valid and was ever told. It has no code for "not known" (9.2.6.36): where none is, it stays.
+/// 6123h follows the tachograph, the wheels, or GPS: the first that is valid and was ever received.
+/// It has no code for "not known" (9.2.6.36): without a source, it keeps its value.
 void MainOnBoardComputerUnit::follow_speed() {
   const auto by_tachograph = device_[tachograph_speed].value();
   const auto by_wheels = device_[wheel_based_vehicle_speed].value();

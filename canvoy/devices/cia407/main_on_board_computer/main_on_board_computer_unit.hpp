@@ -1,37 +1,37 @@
-// The main on-board computer: says who the vehicle is, where it is on its route, and what time it
-// is; sends texts; passes events on (CiA 407, 6.2, 9.2.6). What it does with the journey is the
-// application's: who drives.
+// The main on-board computer: reports the identity of the vehicle, its position on the route, and
+// the time; sends texts; forwards events (CiA 407, 6.2, 9.2.6). The course of the journey is up to
+// the application.
 //
 //     MainOnBoardComputerUnit computer(device, {.clock = ...}, {.vehicle_id = 4711});
 //     computer.set_position({.stop_point_id = 17, .fare_zone = 2, .route_segment = 1});
 //     computer.texts().send(5, 0x6112, 1, octets);
 //
-// The time is told at each full minute and when it becomes known: with each second that changes its
-// message would leave (8.1.4.3: on each change of value).
+// The time is sent at each full minute and when it becomes known. Otherwise its message would be
+// sent every second (8.1.4.3: on each change of value).
 #pragma once
 
 #include <optional>
 #include <string_view>
 
-#include "canvoy/devices/cia407/bus_kind.hpp"
-#include "canvoy/devices/cia407/bus_time.hpp"
+#include "canvoy/devices/cia407/kit/bus_kind.hpp"
+#include "canvoy/devices/cia407/kit/bus_time.hpp"
 #include "canvoy/devices/cia407/main_on_board_computer/text_sender.hpp"
 #include "canvoy/profiles/cia407/devices.hpp"
 
 namespace canvoy::cia407 {
 
 struct MainOnBoardComputerHardware {
-  /// Local time; nothing: it is not known.
+  /// Local time; nothing if it is not known.
   Callback<std::optional<CivilTime>()> clock = {};
-  /// Degrees Celsius in the cabin; nothing: it stays what it was.
+  /// Degrees Celsius in the cabin; nothing: no change.
   Callback<std::optional<double>()> inside_temperature = {};
-  /// The n-th entry of 6001h was written: an event came from another device.
+  /// Called when another device has written an event to the n-th entry of 6001h.
   Callback<void(unsigned number, std::uint32_t event)> on_event = {};
-  /// One of the objects that it takes from others was written.
+  /// Called when an object that it consumes has been written.
   Callback<void(const Entry&)> on_told = {};
 };
 
-/// Who the vehicle is.
+/// Identity of the vehicle.
 struct MainOnBoardComputerSettings {
   std::uint32_t vehicle_id = 0;
   std::uint16_t body_id = 0;
@@ -45,7 +45,7 @@ struct MainOnBoardComputerSettings {
   std::string_view radio_id_text = {};
 };
 
-/// Where the vehicle is on its route.
+/// Position of the vehicle on its route.
 struct RoutePosition {
   std::uint32_t stop_point_id = 0;
   std::uint8_t number_of_running = 1;  ///< of the stop point in the route, from 1 on
@@ -56,32 +56,34 @@ struct RoutePosition {
 
 class MainOnBoardComputerUnit {
  public:
-  /// What `hardware` and `settings` refer to must outlive this.
+  /// Everything to which `hardware` and `settings` refer must outlive this.
   MainOnBoardComputerUnit(VirtualDevice& device, const MainOnBoardComputerHardware& hardware,
                           const MainOnBoardComputerSettings& settings);
   MainOnBoardComputerUnit(const MainOnBoardComputerUnit&) = delete;
   MainOnBoardComputerUnit& operator=(const MainOnBoardComputerUnit&) = delete;
 
-  /// Zone and segment become the previous ones when another is entered (table 1).
+  /// Sets the position. The old zone and segment become the previous ones when others are entered
+  /// (table 1).
   void set_position(const RoutePosition& position);
-  /// A journey begins: nothing is previous.
+  /// Starts a journey, without previous zone and segment.
   void begin_route(const RoutePosition& position);
   void block_tickets(bool is_blocked);
-  /// Somebody wants to get off. Doors that open end it.
+  /// Sets or clears the request of a passenger to get off. Opening doors end it.
   void request_stop(bool is_requested = true);
   void set_line_name(std::string_view name) { device_.tell(line_short_representation, name); }
   void set_stop_name(std::string_view name) { device_.tell(stop_point_short_representation, name); }
   void set_scheduled(const CivilTime& time) { tell_clock(device_, scheduled_clock, time); }
-  /// Event flags for the n-th virtual device of 6002h, 1 to 32; no flags and no information: none.
+  /// Sets event flags for the n-th virtual device of 6002h, 1 to 32. Without flags and information,
+  /// the entry is cleared.
   void command(unsigned number, DeviceCode code, std::uint8_t flags, std::uint16_t information = 0);
-  /// Has the clock looked at when the node is called next: it was set.
+  /// Reads the clock at the next call of the node, after it was set.
   void clock_changed() { node().timers().arm(timer_, node().now()); }
 
   VirtualDevice& device() { return device_; }
   TextSender& texts() { return texts_; }
 
  private:
-  static const HookCalls hook_calls[];
+  static const AccessHandlers hook_calls[];
 
   Node& node() { return device_.node(); }
   void reset(ResetScope scope);
@@ -101,7 +103,7 @@ class MainOnBoardComputerUnit {
   MainOnBoardComputerHardware hardware_;
   MainOnBoardComputerSettings settings_;
   TextSender texts_;
-  bool has_satellite_speed_ = false;  ///< 6662h was told: 0 is a speed there
+  bool has_satellite_speed_ = false;  ///< 6662h was received: its 0 is a valid speed
   Timer timer_;
   bool are_doors_open_ = false;
 };

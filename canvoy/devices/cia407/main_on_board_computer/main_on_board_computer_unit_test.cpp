@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/devices/cia407/bus_bench_test.hpp"
+#include "canvoy/devices/cia407/kit/bus_bench_test.hpp"
 #include "canvoy/devices/cia407/main_on_board_computer/identification_unit.hpp"
 #include "canvoy/devices/cia407/passenger_information/passenger_information_unit.hpp"
 #include "canvoy/devices/cia407/passenger_information/shown_texts_test.hpp"
@@ -52,14 +52,16 @@ class Computer : public testing::Test {
       {.year = 2026, .month = 11, .day = 23, .hour = 8, .minute = 5, .second = 37});
   std::vector<std::pair<unsigned, std::uint32_t>> events;
   MainOnBoardComputerUnit* computer = nullptr;
-  BusBench bench{
-      units,
-      [this](Site& site) {
-        site.offer(Callback<MainOnBoardComputerHardware()>::to<&Computer::hardware>(*this));
-        site.offer(Callback<MainOnBoardComputerSettings()>::to<&Computer::settings>(*this));
-        site.watch(Callback<void(MainOnBoardComputerUnit&, Node&)>::to<&Computer::made>(*this));
-      },
-      1};
+  BusBench bench{units,
+                 [this](Environment& environment) {
+                   environment.provide(
+                       Callback<MainOnBoardComputerHardware()>::to<&Computer::hardware>(*this));
+                   environment.provide(
+                       Callback<MainOnBoardComputerSettings()>::to<&Computer::settings>(*this));
+                   environment.watch(
+                       Callback<void(MainOnBoardComputerUnit&, Node&)>::to<&Computer::made>(*this));
+                 },
+                 1};
 };
 
 TEST_F(Computer, SendsEachMessageOnceWhenItIsOperational) {
@@ -93,7 +95,7 @@ TEST_F(Computer, AClockThatIsNotSetSaysSo) {
   EXPECT_EQ(bench.cable.last(0x181), "181#29 5C 0B 08 05 98") << "as soon as it is";
 }
 
-/// Seconds are 0 to 59.75 (9.2.6.15): 23:59:60 is told as 23:59:59, and the new year in time.
+/// Seconds are 0 to 59.75 (9.2.6.15): 23:59:60 is sent as 23:59:59, and the new year in time.
 TEST(ComputerClock, ALeapSecondIsTheSecondBeforeIt) {
   static constexpr const BusUnit* units[] = {&bus_unit<MainOnBoardComputerKind>};
   CivilTime time = {.year = 2026, .month = 12, .day = 31, .hour = 23, .minute = 59};
@@ -101,8 +103,8 @@ TEST(ComputerClock, ALeapSecondIsTheSecondBeforeIt) {
   auto hardware = [&clock] {
     return MainOnBoardComputerHardware{.clock = Callback<std::optional<CivilTime>()>::of(clock)};
   };
-  const auto prepare = [&](Site& site) {
-    site.offer(Callback<MainOnBoardComputerHardware()>::of(hardware));
+  const auto prepare = [&](Environment& environment) {
+    environment.provide(Callback<MainOnBoardComputerHardware()>::of(hardware));
   };
   BusBench bench(units, prepare, 1);
   EXPECT_EQ(bench.cable.last(0x181), "181#29 7C 0C 17 3B 00");
@@ -176,8 +178,8 @@ TEST_F(Computer, SaysWhoTheVehicleIsAfterEachReset) {
   EXPECT_EQ(bench.upload(0x611F, 0), "Radio");
 }
 
-/// 611Ah and 611Bh are what the vehicle gateway says; 6115h and 6119h what the device is told by
-/// its own: 23 days are 5Ch quarters, 30 s 78h, 21.5 degrees D7h tenths.
+/// 611Ah and 611Bh are the values of the vehicle gateway; 6115h and 6119h those of the device's own
+/// hardware: 23 days are 5Ch quarters, 30 s 78h, 21.5 degrees D7h tenths.
 TEST_F(Computer, TellsMileageTemperatureAndTheScheduledTime) {
   bench.ask("23 82 64 00 E8 03 00 00");
   EXPECT_EQ(bench.ask("40 1A 61 00 00 00 00 00"), "43 1A 61 00 E8 03 00 00");
@@ -230,7 +232,7 @@ TEST_F(Computer, OpenDoorsEndARequestToStop) {
   EXPECT_EQ(bench.ask("40 04 62 00 00 00 00 00"), "4F 04 62 00 00 00 00 00");
 }
 
-// It is for the next station (9.2.8.5): that of the doors that are open already is not meant.
+// The request is for the next station (9.2.8.5), not for that of doors which are already open.
 TEST_F(Computer, ARequestWhileDoorsAreOpenIsForTheNextStop) {
   const auto is_requested = [this] { return bench.ask("40 04 62 00 00 00 00 00").substr(12, 2); };
   bench.ask("2F 88 64 01 80 00 00 00");
@@ -268,7 +270,7 @@ TEST_F(Computer, ItsSpeedIsTheFirstThatIsKnown) {
   EXPECT_EQ(bench.ask("40 23 61 00 00 00 00 00"), "4B 23 61 00 00 1E 00 00");
 }
 
-/// 9.2.6.36: 6123h has no code for "not known"; nobody has told a speed by satellites.
+/// 6123h has no code for "not known"; no speed by satellites has been received (9.2.6.36).
 TEST_F(Computer, ItsSpeedStaysWhereNoneIsKnownAnyMore) {
   bench.ask("2B 81 64 00 00 32 00 00");
   for (const char* lost : {"2B 81 64 00 FF FF 00 00", "2B 81 64 00 00 FE 00 00"}) {
@@ -296,9 +298,9 @@ TEST_F(Computer, ATextOf128OctetsArrivesWholeBeforeItIsShown) {
   using NextStop = PassengerInformationKind<InformationClass::next_stop, InformationSubclass::text>;
   static constexpr const BusUnit* display_units[] = {&bus_unit<NextStop>};
   ShownTexts shown;
-  Site site;
-  site.offer(Callback<DisplayHardware()>::to<&ShownTexts::hardware>(shown));
-  BusDevice display(display_units, bench.cable.port(1), 5, site);
+  Environment environment;
+  environment.provide(Callback<DisplayHardware()>::to<&ShownTexts::hardware>(shown));
+  BusDevice display(display_units, bench.cable.port(1), 5, environment);
   bench.cable.connect(1, display.node());
   display.node().start(bench.cable.now);
   const std::string longest(128, 'M');
@@ -330,7 +332,10 @@ TEST(Identification, TellsWhoLogsIn) {
   IdentificationUnit* unit = nullptr;
   auto made = [&](IdentificationUnit& of, Node&) { unit = &of; };
   BusBench bench(
-      units, [&](Site& site) { site.watch(Callback<void(IdentificationUnit&, Node&)>::of(made)); },
+      units,
+      [&](Environment& environment) {
+        environment.watch(Callback<void(IdentificationUnit&, Node&)>::of(made));
+      },
       2);
   EXPECT_EQ(bench.cable.last(0x201), "201#00 00 00 00");
   bench.cable.clear();

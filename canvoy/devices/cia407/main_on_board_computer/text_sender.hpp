@@ -1,5 +1,5 @@
-// Texts and display mappings on their way from the main on-board computer to other devices, by SDO
-// (CiA 407, 5.2): in their order to each device, to several at a time, again where one does not
+// Sends texts and display mappings from the main on-board computer to other devices by SDO (CiA
+// 407, 5.2): in order for each device, to several devices at a time, and again if a device does not
 // answer.
 //
 //     sender.send(5, 0x6112, 1, octets);   // 6112h:01h of node 5
@@ -18,41 +18,43 @@ class TextSender {
  public:
   static constexpr std::size_t size_max = 128;  ///< of a plain text (errata 106)
   static constexpr std::size_t waiting_max = 64;
-  static constexpr std::size_t servers_max = 4;  ///< that are written to at a time
+  static constexpr std::size_t servers_max = 4;  ///< written at a time
   static constexpr unsigned tries_max = 3;
 
   explicit TextSender(Node& node);
   TextSender(const TextSender&) = delete;
   TextSender& operator=(const TextSender&) = delete;
 
-  /// False: it is too long, too many wait, or there is no such node-ID. Time is that of the node.
+  /// False if the text is too long, too many are waiting, or there is no such node-ID. Time is that
+  /// of the node.
   bool send(NodeId server, std::uint16_t index, std::uint8_t sub,
             std::span<const std::uint8_t> octets);
-  /// An object of four bytes, such as those of a display mapping.
+  /// Sends an object of four bytes, for example of a display mapping.
   bool send(NodeId server, std::uint16_t index, std::uint8_t sub, std::uint32_t number);
 
-  /// Reads a number of at most four bytes; on_read() tells it. False: too many wait, or there is no
-  /// such node-ID.
+  /// Reads a number of at most four bytes; on_read() gets it. False if too many are waiting, or
+  /// there is no such node-ID.
   bool read(NodeId server, std::uint16_t index, std::uint8_t sub);
-  /// Told of each; nothing: it was refused, or not answered so many times. It may read again.
+  /// Called for each read value; nothing if it was refused, or not answered after all tries. The
+  /// callback may read again.
   void on_read(Callback<void(NodeId server, std::optional<std::uint32_t> number)> read) {
     read_ = read;
   }
 
-  /// Told of each that has arrived, or failed at last; it may send again.
+  /// Called for each text that has arrived or finally failed. The callback may send again.
   void on_done(Callback<void(NodeId server, bool has_arrived)> done) { done_ = done; }
 
   bool is_idle() const { return queue_.idle(); }
   std::uint32_t delivered() const { return delivered_; }
-  /// Refused, or not answered so many times.
+  /// Number of texts that were refused, or not answered after all tries.
   std::uint32_t failed() const { return failed_; }
 
  private:
   struct Job {
     SdoRequest request;
     std::array<std::uint8_t, size_max> octets{};
-    unsigned tries = 0;    ///< until now
-    bool is_read = false;  ///< else it is written
+    unsigned tries = 0;    ///< so far
+    bool is_read = false;  ///< otherwise it is written
   };
 
   void done(SdoRequest& request);

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "canvoy/devices/cia407/bus_bench_test.hpp"
+#include "canvoy/devices/cia407/kit/bus_bench_test.hpp"
 #include "canvoy/devices/cia407/passenger_information/passenger_information_unit.hpp"
 #include "canvoy/devices/cia407/passenger_information/shown_texts_test.hpp"
 
@@ -83,7 +83,7 @@ const Row rows[] = {
     {0x6744, 1, "--------OOOO", Show::as_text, {"Zoo"}, "Zoo"},
 };
 
-/// 6205h is printed as wo, but its list of character sets is there to be read (errata 29).
+/// 6205h is printed as wo, but its list of character sets can be read (errata 29).
 bool is_read_write(std::uint16_t index) {
   return (index >= 0x6200 && index <= 0x6203) || index == 0x6205;
 }
@@ -120,14 +120,15 @@ class InformationMatrix : public testing::TestWithParam<std::size_t> {
   bool is_refused() { return bench.cable.last(0x085) == "085#04 FF 01 01 00 00 00 00"; }
 
   ShownTexts shown;
-  BusBench bench{units_of(GetParam()), [this](Site& site) {
-                   site.offer(Callback<DisplayHardware()>::to<&ShownTexts::hardware>(shown));
-                 }};
+  BusBench bench{
+      units_of(GetParam()), [this](Environment& environment) {
+        environment.provide(Callback<DisplayHardware()>::to<&ShownTexts::hardware>(shown));
+      }};
 };
 
 TEST_P(InformationMatrix, HasTheObjectsOfItsColumnAndNoOthers) {
   for (const Row& row : rows) {
-    // Of a record the number of its entries may be read by all.
+    // All devices may read the number of entries of a record.
     const bool is_record = !row.values.empty() && std::string_view(row.values.front()).empty();
     char request[48];
     std::snprintf(request, sizeof request, "40 %02X %02X %02X 00 00 00 00", row.index & 0xFFU,
@@ -140,7 +141,7 @@ TEST_P(InformationMatrix, HasTheObjectsOfItsColumnAndNoOthers) {
     } else if (is_read_write(row.index)) {
       EXPECT_NE(answer.substr(0, 2), "80") << place_of(row, GetParam()) << ": rw";
     } else {
-      // To passenger information all else is wo: who writes it does not read it back.
+      // All other objects of passenger information are wo: they can be written, but not read back.
       EXPECT_EQ(answer.substr(0, 2) + answer.substr(11), "80 01 00 01 06")
           << place_of(row, GetParam());
     }

@@ -3,9 +3,9 @@
 #include <charconv>
 #include <utility>
 
-#include "canvoy/devices/cia407/bus_time.hpp"
-#include "canvoy/devices/cia407/errors.hpp"
-#include "canvoy/devices/cia407/motion_recognition.hpp"
+#include "canvoy/devices/cia407/kit/bus_time.hpp"
+#include "canvoy/devices/cia407/kit/errors.hpp"
+#include "canvoy/devices/cia407/kit/motion_recognition.hpp"
 
 namespace canvoy::cia407 {
 
@@ -37,7 +37,7 @@ std::span<const std::uint8_t> write_number(std::array<char, size>& text, std::in
   const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
   return octets_of({text.data(), static_cast<std::size_t>(end - text.data())});
 }
-/// Hours and minutes, as clocks show them.
+/// Hours and minutes of a clock.
 template <std::size_t size>
 std::span<const std::uint8_t> write_clock(std::array<char, size>& text, const CivilTime& time) {
   const char digits[] = {
@@ -46,7 +46,7 @@ std::span<const std::uint8_t> write_clock(std::array<char, size>& text, const Ci
   std::ranges::copy(digits, text.begin());
   return octets_of({text.data(), std::size(digits)});
 }
-/// Whole degrees or km/h, where the value is one of those; nothing: it is not there, or invalid.
+/// Whole degrees or km/h, for such values; nothing if it does not exist or is invalid.
 std::optional<double> measured(Values values, std::uint16_t index) {
   switch (index) {
     case inside_temperature_object.index:
@@ -73,7 +73,7 @@ constexpr bool is_measured(std::uint16_t index) {
          index == wheel_based_vehicle_speed_object.index ||
          index == tachograph_speed_object.index || index == gps_based_speed_object.index;
 }
-/// Numbers that people know: of vehicles, lines, stops, zones.
+/// Numbers for passengers: of vehicles, lines, stops, zones.
 constexpr bool is_shown_number(std::uint16_t index) {
   return index == body_id_object.index || index == stop_point_id_object.index ||
          index == route_segment_number_object.index || index == destination_number_object.index ||
@@ -82,10 +82,10 @@ constexpr bool is_shown_number(std::uint16_t index) {
 
 }  // namespace
 
-constexpr ServiceCalls PassengerInformationUnit::service_calls = {
+constexpr ServiceHandlers PassengerInformationUnit::service_calls = {
     .state_entered = method<&PassengerInformationUnit::state_entered>};
 
-constexpr HookCalls PassengerInformationUnit::hook_calls[] = {
+constexpr AccessHandlers PassengerInformationUnit::hook_calls[] = {
     before_write<&PassengerInformationUnit::check_character_set, selected_character_set>,
     after_write<&PassengerInformationUnit::update, display_update>,
     after_write<&PassengerInformationUnit::stop_request_written, bus_stop_request_object>};
@@ -107,7 +107,7 @@ PassengerInformationUnit::PassengerInformationUnit(VirtualDevice& device,
 
 void PassengerInformationUnit::reset(ResetScope scope) {
   if (scope != ResetScope::node) return;
-  // ISO 8859-n, all that there are.
+  // All existing ISO 8859-n.
   constexpr std::uint16_t sets[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 13, 14, 15};
   unsigned number = 0;
   for (const std::uint16_t set : sets) {
@@ -186,14 +186,14 @@ bool PassengerInformationUnit::fill(ShownElement& element, NumberText& number,
   element.style = mode_at<FontStyle>(format, 4);
   element.flash = mode_at<FlashSpeed>(format, 6);
   if (!fill_content(element, number, index, byte_at(mapping, layout.sub_index))) return false;
-  // What includes its own format has none here.
+  // Contents that include their own format have none here.
   return element.content == ShownElement::Content::text || format == 0;
 }
 
 bool PassengerInformationUnit::fill_content(ShownElement& element, NumberText& number,
                                             std::uint16_t index, std::uint8_t sub) {
   const Result<Entry> entry = device_.node().dictionary().find(index, sub);
-  // Objects of communication are none of a passenger's business.
+  // Communication objects are not for passengers.
   if (!entry || index < vehicle_id_object.index) return false;
   if (entry->row->type == DataType::domain) return fill_file(element, index, sub);
   if (entry->row->is_text()) {
@@ -224,7 +224,7 @@ bool PassengerInformationUnit::fill_content(ShownElement& element, NumberText& n
   return true;
 }
 
-/// Pictures, where the display can show them: it is of subclass "graphics" or "extended".
+/// Pictures, if the display can show them: subclass "graphics" or "extended".
 bool PassengerInformationUnit::fill_file(ShownElement& element, std::uint16_t index,
                                          std::uint8_t sub) {
   const bool can_show =

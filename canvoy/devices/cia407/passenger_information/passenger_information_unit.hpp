@@ -1,43 +1,43 @@
-// Passenger information: shows what its display mapping (6203h) refers to, when somebody writes
-// sub-index 01h of it (CiA 407, 6.4, 9.2.8). What cannot be shown is left out, and is an error
+// Passenger information: shows the objects of its display mapping (6203h) when sub-index 01h of it
+// is written (CiA 407, 6.4, 9.2.8). An object that cannot be shown is left out, and causes an error
 // (FF04h) and an event until the next update.
 //
 //     PassengerInformationUnit display(device, {.show = ...}, {});
 //
-// Writing a text shows nothing, and neither does a value that is shown and changes: the next update
-// does. Nothing is shown after a reset, and when the node leaves operational: who does not hear the
-// on-board computer any more (1016h, 1029h) cannot know whether it is still so.
+// Writing a text shows nothing, and neither does a change of a shown value; only the next update
+// does. Nothing is shown after a reset, and when the node leaves operational: a device that does
+// not receive the on-board computer (1016h, 1029h) cannot know whether the contents still hold.
 #pragma once
 
 #include <array>
 
-#include "canvoy/devices/cia407/bus_kind.hpp"
-#include "canvoy/devices/cia407/file_shelf.hpp"
+#include "canvoy/devices/cia407/kit/bus_kind.hpp"
+#include "canvoy/devices/cia407/kit/file_shelf.hpp"
+#include "canvoy/devices/cia407/kit/state_answer.hpp"
 #include "canvoy/devices/cia407/passenger_information/shown_element.hpp"
-#include "canvoy/devices/cia407/state_answer.hpp"
 #include "canvoy/profiles/cia407/devices.hpp"
 
 namespace canvoy::cia407 {
 
 struct DisplayHardware {
-  /// All that is shown from now on; what is not among it goes.
+  /// Shows exactly these elements, and removes all others.
   Callback<void(std::span<const ShownElement>)> show = {};
-  /// Test mode: every dot is lit, or again what was shown.
+  /// Switches test mode on (every dot is lit) or off (the former contents).
   Callback<void(bool)> test = {};
-  /// The sign that says that the vehicle will stop (6204h).
+  /// Switches the sign that the vehicle will stop (6204h).
   Callback<void(bool)> show_stop_request = {};
 };
 
 class PassengerInformationUnit {
  public:
   static constexpr std::size_t elements_max = 32;
-  // Bytes of a file at most, and how many there are.
+  // Maximum bytes of a file, and number of files.
   static constexpr std::size_t special_characters = 16;
   static constexpr std::size_t special_character_size = 256;
   static constexpr std::size_t pictures = 8;
   static constexpr std::size_t picture_size = 8192;
 
-  /// What `hardware` refers to must outlive this.
+  /// Everything to which `hardware` refers must outlive this.
   PassengerInformationUnit(VirtualDevice& device, const DisplayHardware& hardware,
                            const NoSettings& settings);
   PassengerInformationUnit(const PassengerInformationUnit&) = delete;
@@ -46,7 +46,7 @@ class PassengerInformationUnit {
   FileShelf& special_character_files() { return special_characters_.shelf(); }
 
  private:
-  static const HookCalls hook_calls[];
+  static const AccessHandlers hook_calls[];
 
   static constexpr std::size_t number_size = 16;
   using NumberText = std::array<char, number_size>;
@@ -69,8 +69,8 @@ class PassengerInformationUnit {
   StateAnswer state_;
   FileShelfOf<special_characters, special_character_size> special_characters_;
   FileShelfOf<pictures, picture_size> pictures_;
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
   bool was_operational_ = false;
   bool is_testing_ = false;
 };
@@ -94,7 +94,7 @@ inline constexpr const char* display_products[] = {
     "Canvoy CiA 407 destination", "Canvoy CiA 407 next stop", "Canvoy CiA 407 information"};
 inline constexpr NodeId display_node_ids[] = {4, 5, 8};
 
-/// Of a class and a subclass.
+/// For a class and a subclass.
 template <InformationClass device_class, InformationSubclass subclass>
 struct PassengerInformationKind : BusKind<PassengerInformationUnit, DisplayHardware> {
   static constexpr const VirtualDeviceInfo& provides =

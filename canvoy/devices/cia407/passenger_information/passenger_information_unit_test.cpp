@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/devices/cia407/bus_bench_test.hpp"
+#include "canvoy/devices/cia407/kit/bus_bench_test.hpp"
 
 namespace canvoy::cia407::passenger_information_unit_test {
 namespace {
@@ -50,8 +50,8 @@ class Display : public testing::Test {
   void update(const std::string& count) { map("01", count + " 00 00 00"); }
 
   Panel panel;
-  BusBench bench{units, [this](Site& site) {
-                   site.offer(Callback<DisplayHardware()>::to<&Panel::hardware>(panel));
+  BusBench bench{units, [this](Environment& environment) {
+                   environment.provide(Callback<DisplayHardware()>::to<&Panel::hardware>(panel));
                  }};
 };
 using TextDisplay = Display<InformationClass::next_stop, InformationSubclass::text>;
@@ -275,7 +275,9 @@ TEST(TwoDisplays, OfOneNodeHaveTheSameFiles) {
   std::array<Panel, 2> panels;
   std::size_t made = 0;
   auto hardware = [&] { return panels.at(made++).hardware(); };
-  BusBench bench(units, [&](Site& site) { site.offer(Callback<DisplayHardware()>::of(hardware)); });
+  BusBench bench(units, [&](Environment& environment) {
+    environment.provide(Callback<DisplayHardware()>::of(hardware));
+  });
   const std::string picture = "GIF89a, and what follows";
   EXPECT_TRUE(bench.download(0x6202, 1, picture));
   EXPECT_EQ(bench.upload(0x6202, 1), picture);

@@ -1,5 +1,5 @@
-// What a passenger information device of CiA 407 shows, element by element, as 6203h says
-// (9.2.8.4): the hardware lays it out.
+// Contents of a passenger information device of CiA 407, element by element, as in 6203h (9.2.8.4).
+// The hardware arranges them.
 //
 //     void show(std::span<const ShownElement> elements);   // from the upper left on
 #pragma once
@@ -14,13 +14,13 @@ namespace canvoy::cia407 {
 struct ShownElement {
   enum class Content : std::uint8_t {
     text,     ///< plain
-    xml,      ///< of 6200h: how it is formatted stands in it
+    xml,      ///< of 6200h, with its format in the text
     picture,  ///< of 6202h: a file
   };
   Content content = Content::text;
-  /// Valid for as long as it is shown to the hardware.
+  /// Valid while the hardware's callback runs.
   std::span<const std::uint8_t> octets;
-  /// Of plain texts, as 6205h has it: 0 ISO 646-US, n ISO 8859-n.
+  /// For plain texts, as in 6205h: 0 ISO 646-US, n ISO 8859-n.
   std::uint16_t character_set = 0;
   FontSize size = FontSize::no_mode;
   Alignment alignment = Alignment::no_mode;

@@ -1,7 +1,7 @@
-// What a display shows, as its texts, for wire tests.
+// The texts that a display shows, for wire tests.
 //
 //     ShownTexts shown;
-//     site.offer(Callback<DisplayHardware()>::to<&ShownTexts::hardware>(shown));
+//     environment.provide(Callback<DisplayHardware()>::to<&ShownTexts::hardware>(shown));
 #pragma once
 
 #include <span>

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "canvoy/devices/cia407/errors.hpp"
-#include "canvoy/devices/cia407/turn.hpp"
+#include "canvoy/devices/cia407/kit/errors.hpp"
+#include "canvoy/devices/cia407/kit/turn.hpp"
 
 namespace canvoy::cia407 {
 

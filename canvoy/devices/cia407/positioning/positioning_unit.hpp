@@ -1,16 +1,17 @@
-// Geographical positioning: where the vehicle is, how fast it goes where, and how far it has gone,
-// by satellites (CiA 407, 6.17, 9.2.21). While there is no position, all says so, and "no signal"
-// is an error (FF02h).
+// Geographical positioning by satellites: position, speed and direction of the vehicle, and its
+// mileage (CiA 407, 6.17, 9.2.21). Without a position, all values are invalid, and "no signal" is
+// an error (FF02h).
 //
 //     PositioningUnit position(device, {.read = Callback<cia447::GpsReading()>::to<
 //                                           &cia447::NmeaReceiver::reading>(nmea)}, {});
 //
-// The mileage is the speed over the time, while there is a position; how exact it is nobody knows.
+// The mileage is the speed integrated over time while there is a position. Its precision is not
+// known.
 #pragma once
 
 #include <optional>
 
-#include "canvoy/devices/cia407/bus_kind.hpp"
+#include "canvoy/devices/cia407/kit/bus_kind.hpp"
 #include "canvoy/devices/cia447/gps/gps_reading.hpp"
 #include "canvoy/profiles/cia407/devices.hpp"
 
@@ -21,12 +22,12 @@ struct PositioningHardware {
 };
 struct PositioningSettings {
   Duration period = 1s;
-  double metres_per_hdop = 5;  ///< how exact a position is where the dilution of precision is 1
+  double metres_per_hdop = 5;  ///< precision of a position with a dilution of precision of 1
 };
 
 class PositioningUnit {
  public:
-  /// What `hardware` refers to must outlive this.
+  /// Everything to which `hardware` refers must outlive this.
   PositioningUnit(VirtualDevice& device, const PositioningHardware& hardware,
                   const PositioningSettings& settings);
   PositioningUnit(const PositioningUnit&) = delete;

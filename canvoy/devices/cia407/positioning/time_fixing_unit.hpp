@@ -1,12 +1,12 @@
-// Time fixing: UTC, and how far the local time is from it (CiA 407, 6.18, 9.2.22). Without a signal
-// the time stays what it was, since 6680h has no code for that, and is an error (FF02h).
+// Time fixing: UTC, and the offset of the local time (CiA 407, 6.18, 9.2.22). Without a signal, the
+// time keeps its value, since 6680h has no code for that, and there is an error (FF02h).
 //
 //     TimeFixingUnit clock(device, {.utc = ...}, {.offset_hours = 1});
 #pragma once
 
-#include "canvoy/devices/cia407/bus_kind.hpp"
-#include "canvoy/devices/cia407/bus_time.hpp"
-#include "canvoy/devices/cia407/errors.hpp"
+#include "canvoy/devices/cia407/kit/bus_kind.hpp"
+#include "canvoy/devices/cia407/kit/bus_time.hpp"
+#include "canvoy/devices/cia407/kit/errors.hpp"
 #include "canvoy/profiles/cia407/devices.hpp"
 
 namespace canvoy::cia407 {
@@ -14,8 +14,8 @@ namespace canvoy::cia407 {
 struct TimeFixingHardware {
   /// Nothing: no signal.
   Callback<std::optional<CivilTime>()> utc = {};
-  /// How far the local time is from UTC now: -23 h 59 min to 23 h 59 min. Empty: as the settings
-  /// have it, summer and winter.
+  /// Present offset of the local time from UTC: -23 h 59 min to 23 h 59 min. Empty: that of the
+  /// settings, in summer and winter.
   Callback<std::chrono::minutes()> local_offset = {};
 };
 struct TimeFixingSettings {
@@ -26,7 +26,7 @@ struct TimeFixingSettings {
 
 class TimeFixingUnit {
  public:
-  /// What `hardware` refers to must outlive this.
+  /// Everything to which `hardware` refers must outlive this.
   TimeFixingUnit(VirtualDevice& device, const TimeFixingHardware& hardware,
                  const TimeFixingSettings& settings)
       : device_(device),

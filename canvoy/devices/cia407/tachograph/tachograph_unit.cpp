@@ -30,7 +30,7 @@ Card card_of(std::string_view text) {
 
 }  // namespace
 
-constexpr HookCalls TachographUnit::hook_calls[] = {
+constexpr AccessHandlers TachographUnit::hook_calls[] = {
     before_write<&TachographUnit::check_event, events_for_virtual_devices_object>};
 
 TachographUnit::TachographUnit(VirtualDevice& device, const TachographHardware& hardware,
@@ -46,7 +46,7 @@ TachographUnit::TachographUnit(VirtualDevice& device, const TachographHardware& 
       Callback<void(std::uint8_t, std::uint16_t)>::to<&TachographUnit::take_event>(*this);
 }
 
-/// What a tachograph has recorded outlives an NMT reset.
+/// Data that a tachograph has recorded outlive an NMT reset.
 void TachographUnit::reset(ResetScope scope) {
   if (scope == ResetScope::node) flags_ = 0;
   look(device_.node().now());
@@ -64,8 +64,8 @@ AbortCode TachographUnit::check_event(const Entry& entry, std::span<const std::u
   return is_hour_wrong || is_minute_wrong ? AbortCode::value_range : AbortCode::none;
 }
 
-/// A flag stands as long as its event is pending (9.2.5): the same one may be told again, as at a
-/// start of the node that has it, and is no other event.
+/// A flag is set as long as its event is pending (9.2.5): the same one may be received again, for
+/// example at a start of its sender, and is no new event.
 void TachographUnit::take_event(std::uint8_t flags, std::uint16_t information) {
   const unsigned arisen = flags & ~std::exchange(flags_, flags);
   if ((arisen & flag_reset_trip) != 0) trip_begin_ = reading_.distance_metres;
@@ -106,7 +106,8 @@ void TachographUnit::tell() {
   device_.tell(driver_2_driving_time, 0.0);
 }
 
-/// Who sits in the first slot drives. Another card, none, and a break begin anew.
+/// The driver in the first slot drives. Another card, no card, or a break restarts the driving
+/// time.
 void TachographUnit::count_driving(const TachographReading& reading, Time now) {
   const Duration passed = now - looked_;
   looked_ = now;

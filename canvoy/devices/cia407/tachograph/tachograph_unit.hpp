@@ -1,18 +1,18 @@
-// The tachograph: speed, distance, time, drivers and how long they have driven (CiA 407, 6.13,
-// 9.2.17). Events for it (6002h) begin a trip anew and move the local time.
+// The tachograph: speed, distance, time, drivers and their driving times (CiA 407, 6.13, 9.2.17).
+// Events for it (6002h) restart a trip and adjust the local time.
 //
 //     TachographUnit tachograph(device, {.read = ...}, {});
 //
-// An event that adjusts an offset carries it in the manufacturer-specific information, since
-// nothing else is there: hours in the low byte, minutes in the high byte, each with its sign.
+// An event that adjusts an offset has it in the manufacturer-specific information, the only place
+// for it: signed hours in the low byte, signed minutes in the high byte.
 #pragma once
 
 #include <array>
 #include <string_view>
 
-#include "canvoy/devices/cia407/bus_kind.hpp"
-#include "canvoy/devices/cia407/bus_time.hpp"
-#include "canvoy/devices/cia407/motion_recognition.hpp"
+#include "canvoy/devices/cia407/kit/bus_kind.hpp"
+#include "canvoy/devices/cia407/kit/bus_time.hpp"
+#include "canvoy/devices/cia407/kit/motion_recognition.hpp"
 #include "canvoy/profiles/cia407/devices.hpp"
 
 namespace canvoy::cia407 {
@@ -20,7 +20,7 @@ namespace canvoy::cia407 {
 struct TachographReading {
   std::optional<double> speed_kmh = {};  ///< forward or backward
   Direction direction = Direction::not_available;
-  double distance_metres = 0;  ///< in all of its life
+  double distance_metres = 0;  ///< total
   std::optional<CivilTime> utc = {};
   /// Three characters of the member state and 16 of the card (9.2.17.5).
   using Card = std::array<char, 19>;
@@ -33,13 +33,13 @@ struct TachographHardware {
 struct TachographSettings {
   double pulses_per_metre = 8;
   Duration break_time = std::chrono::minutes(45);  ///< a rest that ends a driving time
-  double trip_begin_metres = 0;  ///< of the distance, when the trip began that goes on
+  double trip_begin_metres = 0;  ///< total distance at the start of the present trip
   Duration period = 100ms;
 };
 
 class TachographUnit {
  public:
-  /// What `hardware` refers to must outlive this.
+  /// Everything to which `hardware` refers must outlive this.
   TachographUnit(VirtualDevice& device, const TachographHardware& hardware,
                  const TachographSettings& settings);
   TachographUnit(const TachographUnit&) = delete;
@@ -48,7 +48,7 @@ class TachographUnit {
   double trip_begin_metres() const { return trip_begin_; }
 
  private:
-  static const HookCalls hook_calls[];
+  static const AccessHandlers hook_calls[];
 
   void reset(ResetScope scope);
   AbortCode check_event(const Entry& entry, std::span<const std::uint8_t> value);
@@ -63,7 +63,7 @@ class TachographUnit {
   TachographReading reading_;
   MotionRecognition recognition_;
   double trip_begin_ = 0;
-  std::uint8_t flags_ = 0;  ///< events that are pending
+  std::uint8_t flags_ = 0;  ///< pending events
   std::int8_t offset_hours_ = 0;
   std::int8_t offset_minutes_ = 0;
   Duration driven_{};

@@ -2,11 +2,11 @@
 
 namespace canvoy::cia407 {
 
-constexpr ServiceCalls TicketCancellerUnit::service_calls = {
+constexpr ServiceHandlers TicketCancellerUnit::service_calls = {
     .state_entered = method<&TicketCancellerUnit::state_entered>};
 
-constexpr HookCalls TicketCancellerUnit::hook_calls[] = {
-    after_any_write<&TicketCancellerUnit::look>};
+constexpr AccessHandlers TicketCancellerUnit::hook_calls[] = {
+    after_any_write<&TicketCancellerUnit::told>};
 
 TicketCancellerUnit::TicketCancellerUnit(VirtualDevice& device,
                                          const TicketCancellerHardware& hardware,
@@ -29,20 +29,28 @@ TicketCancellerUnit::TicketCancellerUnit(VirtualDevice& device,
 }
 
 void TicketCancellerUnit::reset(ResetScope scope) {
-  if (scope == ResetScope::node) cancelled_ = 0;
+  if (scope == ResetScope::node) {
+    cancelled_ = 0;
+    place_.forget();
+  }
+  look();
+}
+
+void TicketCancellerUnit::told(const Entry& entry) {
+  place_.hear(entry);
   look();
 }
 
 TicketAnswer TicketCancellerUnit::insert_ticket() {
-  const TicketAnswer answer = can_have_tickets(device_);
+  const TicketAnswer answer = can_have_tickets(device_, place_);
   if (answer != TicketAnswer::done) return answer;
   ++cancelled_;
-  if (hardware_.stamp) hardware_.stamp(read_ticket_data(device_.values()));
+  if (hardware_.stamp) hardware_.stamp(read_ticket_data(device_.values(), place_));
   return answer;
 }
 
 void TicketCancellerUnit::look() {
-  const bool is_ready = can_have_tickets(device_) == TicketAnswer::done;
+  const bool is_ready = can_have_tickets(device_, place_) == TicketAnswer::done;
   if (is_ready == is_ready_) return;
   is_ready_ = is_ready;
   if (hardware_.show_ready) hardware_.show_ready(is_ready);

@@ -1,11 +1,11 @@
-// The ticket canceller: stamps a ticket with where and when, unless it is blocked (CiA 407, 6.5).
+// The ticket canceller: stamps a ticket with place and time, unless it is blocked (CiA 407, 6.5).
 //
 //     TicketCancellerUnit canceller(device, {.stamp = ...}, {});
 //     canceller.insert_ticket();   // a passenger did
 #pragma once
 
-#include "canvoy/devices/cia407/bus_kind.hpp"
-#include "canvoy/devices/cia407/state_answer.hpp"
+#include "canvoy/devices/cia407/kit/bus_kind.hpp"
+#include "canvoy/devices/cia407/kit/state_answer.hpp"
 #include "canvoy/devices/cia407/ticket/ticket_data.hpp"
 #include "canvoy/profiles/cia407/devices.hpp"
 
@@ -13,34 +13,36 @@ namespace canvoy::cia407 {
 
 struct TicketCancellerHardware {
   Callback<void(const TicketData&)> stamp = {};
-  /// The lamp that says whether tickets are taken.
+  /// Switches the lamp that shows whether tickets are accepted.
   Callback<void(bool)> show_ready = {};
 };
 
 class TicketCancellerUnit {
  public:
-  /// What `hardware` refers to must outlive this.
+  /// Everything to which `hardware` refers must outlive this.
   TicketCancellerUnit(VirtualDevice& device, const TicketCancellerHardware& hardware,
                       const NoSettings& settings);
   TicketCancellerUnit(const TicketCancellerUnit&) = delete;
   TicketCancellerUnit& operator=(const TicketCancellerUnit&) = delete;
 
   TicketAnswer insert_ticket();
-  /// Tickets since the last NMT reset; it is the state information of its events.
+  /// Number of tickets since the last NMT reset; it is the state information of its events.
   std::uint16_t cancelled() const { return cancelled_; }
 
  private:
-  static const HookCalls hook_calls[];
+  static const AccessHandlers hook_calls[];
 
   void reset(ResetScope scope);
+  void told(const Entry& entry);
   void look();
   void state_entered(NmtState /*state*/) { look(); }
 
   VirtualDevice& device_;
   TicketCancellerHardware hardware_;
   StateAnswer state_;
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  ToldPlace place_;
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
   std::uint16_t cancelled_ = 0;
   std::optional<bool> is_ready_;
 };

@@ -1,8 +1,11 @@
 #include "canvoy/devices/cia407/ticket/ticket_printer_unit.hpp"
 
-#include "canvoy/devices/cia407/errors.hpp"
+#include "canvoy/devices/cia407/kit/errors.hpp"
 
 namespace canvoy::cia407 {
+
+constexpr AccessHandlers TicketPrinterUnit::hook_calls[] = {
+    after_any_write<&TicketPrinterUnit::told>};
 
 TicketPrinterUnit::TicketPrinterUnit(VirtualDevice& device, const TicketPrinterHardware& hardware,
                                      const NoSettings& /*settings*/)
@@ -10,9 +13,11 @@ TicketPrinterUnit::TicketPrinterUnit(VirtualDevice& device, const TicketPrinterH
       hardware_(hardware),
       timer_(Callback<void(Time)>::to<&TicketPrinterUnit::look>(*this)) {
   device.on_reset = Callback<void(ResetScope)>::to<&TicketPrinterUnit::reset>(*this);
+  device.react(*this, hook_calls);
 }
 
-void TicketPrinterUnit::reset(ResetScope /*scope*/) {
+void TicketPrinterUnit::reset(ResetScope scope) {
+  if (scope == ResetScope::node) place_.forget();
   look(device_.node().now());
 }
 
@@ -27,9 +32,9 @@ void TicketPrinterUnit::tell_paper(bool has_paper) {
 }
 
 TicketAnswer TicketPrinterUnit::sell_ticket() {
-  const TicketAnswer answer = can_have_tickets(device_);
+  const TicketAnswer answer = can_have_tickets(device_, place_);
   if (answer != TicketAnswer::done || !hardware_.print) return answer;
-  const bool is_printed = hardware_.print(read_ticket_data(device_.values()));
+  const bool is_printed = hardware_.print(read_ticket_data(device_.values(), place_));
   tell_paper(is_printed);
   return is_printed ? answer : TicketAnswer::out_of_paper;
 }

@@ -1,26 +1,26 @@
-// The ticket printer: prints tickets with where and when, unless it is blocked; without paper it
-// says so (FF01h; CiA 407, 6.6, 7.3).
+// The ticket printer: prints tickets with place and time, unless it is blocked; reports missing
+// paper (FF01h; CiA 407, 6.6, 7.3).
 //
 //     TicketPrinterUnit printer(device, {.print = ...}, {});
 //     printer.sell_ticket();
 #pragma once
 
-#include "canvoy/devices/cia407/bus_kind.hpp"
+#include "canvoy/devices/cia407/kit/bus_kind.hpp"
 #include "canvoy/devices/cia407/ticket/ticket_data.hpp"
 #include "canvoy/profiles/cia407/devices.hpp"
 
 namespace canvoy::cia407 {
 
 struct TicketPrinterHardware {
-  /// Whether it came out: false where there is no paper. Empty: there is always paper.
+  /// Returns true if the ticket was printed, false without paper. Empty: there is always paper.
   Callback<bool(const TicketData&)> print = {};
-  /// Whether there is paper; looked at each second. Empty: there always is.
+  /// Returns true if there is paper; checked every second. Empty: there is always paper.
   Callback<bool()> has_paper = {};
 };
 
 class TicketPrinterUnit {
  public:
-  /// What `hardware` refers to must outlive this.
+  /// Everything to which `hardware` refers must outlive this.
   TicketPrinterUnit(VirtualDevice& device, const TicketPrinterHardware& hardware,
                     const NoSettings& settings);
   TicketPrinterUnit(const TicketPrinterUnit&) = delete;
@@ -29,12 +29,16 @@ class TicketPrinterUnit {
   TicketAnswer sell_ticket();
 
  private:
+  static const AccessHandlers hook_calls[];
+
   void reset(ResetScope scope);
+  void told(const Entry& entry) { place_.hear(entry); }
   void look(Time now);
   void tell_paper(bool has_paper);
 
   VirtualDevice& device_;
   TicketPrinterHardware hardware_;
+  ToldPlace place_;
   Timer timer_;
 };
 

@@ -2,7 +2,7 @@
 // tickets out. The bytes are those of 8.1.4.3.
 #include <gtest/gtest.h>
 
-#include "canvoy/devices/cia407/bus_bench_test.hpp"
+#include "canvoy/devices/cia407/kit/bus_bench_test.hpp"
 #include "canvoy/devices/cia407/ticket/ticket_canceller_unit.hpp"
 #include "canvoy/devices/cia407/ticket/ticket_printer_unit.hpp"
 
@@ -33,6 +33,8 @@ struct Machine {
 
 // 2026-11-23 08:05:30: 2026 - 1985 = 41 = 29h, 23 days = 92 quarters = 5Ch, 11, 8, 5, 120 quarters.
 constexpr const char* time = "181#29 5C 0B 08 05 78";
+// Segment 0 of zone 0, not blocked, forward, the first stop.
+constexpr const char* place = "381#00 00 00 00 01 01";
 
 class Canceller : public testing::Test {
  protected:
@@ -41,9 +43,9 @@ class Canceller : public testing::Test {
   TicketCancellerUnit* unit = nullptr;
   void made(TicketCancellerUnit& of, Node& /*node*/) { unit = &of; }
   BusBench bench{
-      units, [this](Site& site) {
-        site.offer(Callback<TicketCancellerHardware()>::to<&Machine::canceller>(machine));
-        site.watch(Callback<void(TicketCancellerUnit&, Node&)>::to<&Canceller::made>(*this));
+      units, [this](Environment& environment) {
+        environment.provide(Callback<TicketCancellerHardware()>::to<&Machine::canceller>(machine));
+        environment.watch(Callback<void(TicketCancellerUnit&, Node&)>::to<&Canceller::made>(*this));
       }};
 };
 
@@ -70,6 +72,7 @@ TEST_F(Canceller, StampsWhereAndWhen) {
 
 TEST_F(Canceller, StampsWhoseVehicleAndRoute) {
   bench.cable.send(time);
+  bench.cable.send(place);
   bench.ask("23 00 61 00 67 12 00 00");
   bench.ask("23 91 61 00 09 00 00 00");
   bench.ask("2B 93 61 00 03 00 00 00");
@@ -85,6 +88,7 @@ TEST_F(Canceller, StampsWhoseVehicleAndRoute) {
 
 TEST_F(Canceller, IsBlockedAndSaysSo) {
   bench.cable.send(time);
+  bench.cable.send(place);
   EXPECT_TRUE(machine.is_ready);
   bench.cable.send("381#00 00 00 80 01 01");
   EXPECT_FALSE(machine.is_ready);
@@ -95,6 +99,7 @@ TEST_F(Canceller, IsBlockedAndSaysSo) {
 }
 
 TEST_F(Canceller, TakesNoTicketsWithoutATimeOrOutOfOperational) {
+  bench.cable.send(place);
   EXPECT_EQ(unit->insert_ticket(), TicketAnswer::not_in_service);
   bench.cable.send(time);
   bench.cable.send("000#80 05");
@@ -107,8 +112,35 @@ TEST_F(Canceller, TakesNoTicketsWithoutATimeOrOutOfOperational) {
   EXPECT_TRUE(machine.tickets.size() == 1);
 }
 
+/// Of the messages in 8.1.4.3, a canceller has that of zone and segment, but not that of the stop
+/// point (errata 99). Either is a location, and 0 is a valid number in it.
+TEST_F(Canceller, TakesNoTicketsWhereItWasNotToldWhereItIs) {
+  bench.cable.send(time);
+  EXPECT_EQ(unit->insert_ticket(), TicketAnswer::not_in_service);
+  EXPECT_FALSE(machine.is_ready);
+  bench.ask("23 09 61 00 00 00 00 00");
+  bench.ask("2F 11 61 00 02 00 00 00");
+  EXPECT_EQ(unit->insert_ticket(), TicketAnswer::not_in_service) << "stop 0, a zone alone";
+  bench.cable.send("000#81 05");
+  bench.cable.send("000#01 05");
+  bench.cable.send(time);
+  bench.cable.send(place);
+  EXPECT_TRUE(machine.is_ready);
+  EXPECT_EQ(unit->insert_ticket(), TicketAnswer::done) << "segment 0 of zone 0";
+  EXPECT_TRUE(machine.tickets.back().has_fare_place);
+  bench.cable.send("000#81 05");
+  bench.cable.send("000#01 05");
+  bench.cable.send(time);
+  EXPECT_EQ(unit->insert_ticket(), TicketAnswer::not_in_service) << "forgotten with a reset";
+  bench.ask("23 09 61 00 4D 01 00 00");
+  EXPECT_EQ(unit->insert_ticket(), TicketAnswer::done) << "stop 333";
+  EXPECT_EQ(machine.tickets.back().stop_point_id, 333u);
+  EXPECT_FALSE(machine.tickets.back().has_fare_place);
+}
+
 TEST_F(Canceller, ItsStateIsHowManyItHasCancelled) {
   bench.cable.send(time);
+  bench.cable.send(place);
   unit->insert_ticket();
   unit->insert_ticket();
   bench.ask("23 02 60 01 01 00 00 04");
@@ -124,9 +156,10 @@ class TicketPrinter : public testing::Test {
   TicketPrinterUnit* unit = nullptr;
   void made(TicketPrinterUnit& of, Node& /*node*/) { unit = &of; }
   BusBench bench{
-      units, [this](Site& site) {
-        site.offer(Callback<TicketPrinterHardware()>::to<&Machine::printer>(machine));
-        site.watch(Callback<void(TicketPrinterUnit&, Node&)>::to<&TicketPrinter::made>(*this));
+      units, [this](Environment& environment) {
+        environment.provide(Callback<TicketPrinterHardware()>::to<&Machine::printer>(machine));
+        environment.watch(
+            Callback<void(TicketPrinterUnit&, Node&)>::to<&TicketPrinter::made>(*this));
       }};
 };
 

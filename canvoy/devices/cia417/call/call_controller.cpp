@@ -2,13 +2,13 @@
 
 #include <bit>
 
-#include "canvoy/profiles/reactions.hpp"
+#include "canvoy/profiles/model/reactions.hpp"
 
 namespace canvoy::cia417 {
 
-constexpr HookCalls CallController::hook_calls[] = {
+constexpr AccessHandlers CallController::hook_calls[] = {
     after_write<&CallController::received, virtual_input_mapping_object>};
-constexpr ServiceCalls CallController::service_calls = {
+constexpr ServiceHandlers CallController::service_calls = {
     .reset = method<&CallController::reset>,
     .state_entered = method<&CallController::state_entered>,
     .hooks = hook_calls};
@@ -40,7 +40,7 @@ void CallController::reset(ResetScope) {
   node_.timers().disarm(low_timer_);
 }
 
-/// Panels may have been there before: they are told what is shown.
+/// Panels may have been on the bus before: they receive all that is shown.
 void CallController::state_entered(NmtState state) {
   if (state == NmtState::operational) show();
 }
@@ -113,7 +113,7 @@ void CallController::take_hall_call(const VirtualInput& input) {
   const DoorMask there = doors_at(input.floor);
   const DoorMask at_panel = source_doors(input.doors);
   const Call call = hall_call_of(input, at_panel == 0 ? there : at_panel);
-  // One of the two bits "shall be set": 00h is reserved, as of the other functions.
+  // One of the two bits "shall be set": 00h is reserved, as for the other functions.
   if ((input.sub_function & hall_undirected) == 0) return;
   if (call.doors == 0 || (call.doors & ~there) != 0 || (accepted_ & kinds_of(call.kind)) == 0 ||
       is_on(SpecialFunction::hall_call_disable)) {
@@ -140,13 +140,13 @@ bool CallController::takes_car_call(const Call& call) const {
   return (accepted_ & car_calls) != 0 && served_.takes_car_call(call, specials_);
 }
 
-/// A panel whose button is pressed again may have lost the answer: it gets another one.
+/// A panel that sends a button again may have lost the answer: it gets another one.
 void CallController::register_call(const Call& call) {
   add(call);
   acknowledge(call, true);
 }
 
-/// Door by door: the lamp of one that stands goes on to be lit. Where the lift has no door, and the
+/// Door by door: the lamp of an existing call stays lit. If the lift has no door there, and the
 /// panel names none, the answer is that of door 1.
 void CallController::refuse(const Call& call) {
   if (!FloorSet::is_floor(call.floor)) return;
@@ -164,7 +164,7 @@ void CallController::add(const Call& call) {
   watch_low();
 }
 
-/// Where destination calls wait for the same car, it has to stop for them all the same.
+/// The car still has to stop for destination calls that wait for it.
 void CallController::withdraw(const Call& call) {
   calls_.remove(call);
   for (const Destination& destination : destinations_.used()) {
@@ -223,8 +223,8 @@ void CallController::take_destination(const VirtualInput& input) {
   acknowledge_destination(input, add_destination(input), lift_mask());
 }
 
-/// Who names his destination in the car has no source floor to wait at: it is a car call, which his
-/// panel is told of by the function that he asked with, too.
+/// A passenger who names a destination in the car does not wait at a source floor: it is a car
+/// call, which the panel also receives by the requested function.
 void CallController::take_destination_in_car(const VirtualInput& input) {
   const Call call = target_call_of(input);
   if (!takes_car_call(call)) return refuse_destination(input);
@@ -233,7 +233,7 @@ void CallController::take_destination_in_car(const VirtualInput& input) {
   acknowledge_destination(input, is_kept, lift_mask());
 }
 
-/// One that came before, and was affirmed, is still to be answered.
+/// An earlier, affirmed call still has to be answered.
 void CallController::refuse_destination(const VirtualInput& input) {
   if (!destinations_.tell_again(input)) answer(input, false, lift_mask());
   show();
@@ -245,8 +245,8 @@ bool CallController::add_destination(const VirtualInput& input) {
   return true;
 }
 
-/// Somebody else may wait there: another destination call, or a hall call that panels show, which
-/// may be that of this lift.
+/// Another call may wait there: a destination call, or a hall call that panels show, which may
+/// belong to this lift.
 void CallController::withdraw_destination(const VirtualInput& input) {
   if (!destinations_.withdraw(input)) return;
   const Call source = source_call_of(input, 0x0F);
@@ -264,7 +264,7 @@ void CallController::acknowledge_destination(const VirtualInput& input, bool on,
   show();
 }
 
-/// Of a call that is not kept.
+/// For a call that is not kept.
 void CallController::answer(const VirtualInput& input, bool on, std::uint8_t lifts) {
   if (!answers_.push(encode(answer_to(input, on, lifts)))) ++answers_lost_;
 }
@@ -300,7 +300,7 @@ void CallController::watch_low() {
   }
 }
 
-/// The panels go on to show them as they were made.
+/// The panels still show them as they were made.
 void CallController::promote(Time) {
   calls_.promote_low();
   changed_();

@@ -1,5 +1,5 @@
-// A call controller on a cable, with a test in place of the panels: records of 6010h in, records of
-// 6011h out, without the frames around them.
+// A call controller on a cable, with the test in place of the panels: records of 6010h in, records
+// of 6011h out, without frames around them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "canvoy/canopen/testing/cable.hpp"
-#include "canvoy/devices/cia417/call/call_controller_device.hpp"
+#include "canvoy/devices/cia417/controller_device/call_controller_device.hpp"
 
 namespace canvoy::cia417 {
 
 using Texts = std::vector<std::string>;
 
-/// Who derives from it connects a device.
+/// A derived class connects a device.
 class CallControllerCable : public testing::Test {
  protected:
   void start(Duration begins) {
@@ -23,7 +23,7 @@ class CallControllerCable : public testing::Test {
     cable.run_for(begins);
     cable.clear();
   }
-  /// What panels are told.
+  /// Records sent to panels.
   Texts told() {
     cable.run_for(10ms);
     Texts records;

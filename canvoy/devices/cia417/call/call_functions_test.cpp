@@ -20,7 +20,7 @@ class CallFunctionsTest : public CallControllerCable {
   CallController& calls = device.calls();
 };
 
-/// What a press is answered by; empty: the function has no answer.
+/// Answer to a press; empty: the function has no answer.
 struct Row {
   const char* name;
   const char* press;

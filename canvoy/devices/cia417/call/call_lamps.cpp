@@ -29,7 +29,7 @@ void CallLamps::tell_again() {
   tells_again_ = !told_again_.empty();
 }
 
-/// What has changed comes first; of floor 0: nothing waits.
+/// Changes come first; floor 0: nothing is waiting.
 Call CallLamps::next_untold() const {
   const Call changed = shown_.first_difference(told_);
   constexpr LiftCalls none{};
@@ -52,8 +52,9 @@ VirtualOutput CallLamps::next(std::uint8_t lifts) {
   return acknowledgement_of(call, lifts, on);
 }
 
-/// The sub-function addresses the lamps of each direction (4.4.1): where a call without a direction
-/// goes out, so do those of both, and the other way round. Those of calls that stand are lit again.
+/// The sub-function addresses the lamps of each direction (4.4.1): when a call without a direction
+/// goes out, those of both directions do as well, and vice versa. The lamps of existing calls are
+/// lit again.
 void CallLamps::tell_overlapping(const Call& gone) {
   for (const CallKind kind : {CallKind::up, CallKind::down, CallKind::any}) {
     const Call standing{kind, gone.priority, gone.floor, gone.doors};

@@ -1,5 +1,6 @@
-// The lamps of calls: which ones panels are to show, and what they have been told of it (CiA 417-4,
-// 4.4.1: basic functions 02h to 07h). A state, not a queue: what has changed twice is told once.
+// The lamps of calls: which ones panels have to show, and which acknowledgements they have received
+// (CiA 417-4, 4.4.1: basic functions 02h to 07h). This is a state, not a queue: a lamp that changes
+// twice is sent once.
 //
 //     CallLamps lamps;
 //     lamps.set({.kind = CallKind::up, .floor = 3}, true);
@@ -9,42 +10,43 @@
 #include <cstdint>
 
 #include "canvoy/devices/cia417/call/call_records.hpp"
-#include "canvoy/devices/cia417/controller/lift_calls.hpp"
+#include "canvoy/devices/cia417/lift/lift_calls.hpp"
 
 namespace canvoy::cia417 {
 
 class CallLamps {
  public:
-  /// None is lit, as the panels know.
+  /// Starts with all lamps off, as in the panels.
   void begin_anew();
 
-  /// What panels are to show.
+  /// The lamps that panels have to show.
   const LiftCalls& shown() const { return shown_; }
-  /// A call is shown from here on, or no more: that is told in any case.
+  /// Sets the lamps of a call. They are sent in any case.
   void set(const Call& call, bool on);
-  /// It is shown no more: told where it was.
+  /// Ends the lamps of a call. They are sent where they were on.
   void end(const Call& call) { shown_.remove(call); }
   void end_at(std::uint8_t floor, CallKinds kinds) { shown_.remove_at(floor, kinds); }
   void end_all(CallKinds kinds) { shown_.remove_all(kinds); }
 
-  /// Other panels listen, which know nothing.
+  /// Starts with other panels, which have received nothing.
   void forget();
-  /// Panels have come that may not have heard what is shown, and what was once and is not any more.
+  /// Sends all that is shown, and all that was shown before and has ended, since panels have come
+  /// that may not have received it.
   void tell_again();
 
   bool waits() const { return next_untold().floor != 0; }
-  /// The next acknowledgement of lift `lifts`, which is told with that; asked only while something
-  /// waits.
+  /// Returns the next acknowledgement of lift `lifts`, and marks it as sent. Call it only while one
+  /// is waiting.
   VirtualOutput next(std::uint8_t lifts);
 
  private:
   Call next_untold() const;
   void tell_overlapping(const Call& gone);
 
-  LiftCalls shown_;       ///< what panels are to show
-  LiftCalls told_;        ///< what they were told
-  LiftCalls were_on_;     ///< what they have shown since the controller began
-  LiftCalls told_again_;  ///< what they are told whether it has changed or not
+  LiftCalls shown_;       ///< lamps that panels have to show
+  LiftCalls told_;        ///< lamps that they have received
+  LiftCalls were_on_;     ///< lamps that they have shown since the controller started
+  LiftCalls told_again_;  ///< lamps to send even if unchanged
   bool tells_again_ = false;
 };
 

@@ -1,13 +1,13 @@
-// Which lamps the answers of a call controller light and put out (CiA 417-4, 4.4.1): the record of
-// one call must not darken the lamp of another one. Bytes: basic function, sub-function, lift,
+// Lamps that the answers of a call controller switch on and off (CiA 417-4, 4.4.1): the record of
+// one call must not switch off the lamp of another one. Bytes: basic function, sub-function, lift,
 // floor, doors, data.
 #include "canvoy/devices/cia417/call/call_controller_test.hpp"
-#include "canvoy/devices/cia417/panel/output_address.hpp"
+#include "canvoy/devices/cia417/virtual_io/output_address.hpp"
 
 namespace canvoy::cia417::call_lamps_test {
 namespace {
 
-/// A lamp as a panel has it: lit and put out by each record that addresses it.
+/// A lamp in a panel: each record that addresses it switches it on or off.
 struct Lamp {
   VirtualOutput assigned;
   bool is_lit = false;
@@ -25,7 +25,7 @@ class CallLampsTest : public CallControllerCable {
     cable.connect(0, device.node());
     start(1s);
   }
-  /// What leaves until now, as the lamp's panel sees it.
+  /// Records sent up to this point, as the panel of the lamp receives them.
   void follow(Lamp& lamp) {
     for (const std::string& text : told()) {
       std::array<unsigned, 6> bytes{};

@@ -1,5 +1,5 @@
-// Which acknowledgements panels are told. Records: basic function, sub-function, lifts, floor,
-// doors, data (CiA 417-4, 4.4.1).
+// Acknowledgements that panels receive. Records: basic function, sub-function, lifts, floor, doors,
+// data (CiA 417-4, 4.4.1).
 #include "canvoy/devices/cia417/call/call_lamps.hpp"
 
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 
 namespace canvoy::cia417 {
 
-constexpr ServiceCalls CallOutputs::service_calls = {.reset = method<&CallOutputs::reset>};
+constexpr ServiceHandlers CallOutputs::service_calls = {.reset = method<&CallOutputs::reset>};
 
 CallOutputs::CallOutputs(Node& node, std::span<const VirtualOutput> outputs)
     : node_(node),
@@ -15,7 +15,7 @@ CallOutputs::CallOutputs(Node& node, std::span<const VirtualOutput> outputs)
   node.attach(service_);
 }
 
-/// Panels know as little.
+/// Panels have lost their state as well.
 void CallOutputs::reset(ResetScope) {
   groups_.for_each([this](std::uint32_t number, IoPlace place) {
     if (number >= outputs_.size()) return;
@@ -34,7 +34,7 @@ VirtualOutput CallOutputs::assigned(std::uint32_t number) const {
 void CallOutputs::store(const VirtualOutput& record) {
   const std::size_t count = std::min<std::size_t>(outputs_.size(), groups_.size());
   for (std::uint32_t number = 0; number < count; ++number) {
-    // Of the hundreds that a tall building has, most are for something else.
+    // Most of the hundreds of outputs of a tall building have another function.
     if (outputs_[number].function != record.function) continue;
     VirtualOutput shown = assigned(number);
     if (!is_addressed(record, shown)) continue;

@@ -1,26 +1,26 @@
-// The output groups of a call controller (6200h to 621Fh; CiA 417-4, 4.4.1): what it last told each
-// output of its panels, so that whoever comes later can read the state of a lift by SDO.
+// The output groups of a call controller (6200h to 621Fh; CiA 417-4, 4.4.1): the last record for
+// each output of its panels, so that a device that comes later can read the state of a lift by SDO.
 //
 //     constexpr VirtualOutput lamps[] = {{.function = BasicFunction::standard_hall_call, ...}};
 //     CallOutputs outputs(node, lamps);        // 6200h:01h is the first lamp
 //     calls.on_record(outputs.told());
 //
-// An output is what a panel is assigned; a record is stored in all outputs that it addresses, as
-// the panels take it. One of no lift is that of the lift that the controller belongs to (6001h).
+// An output is an assignment of a panel. A record is stored in all outputs that it addresses, as in
+// the panels. An output without a lift belongs to the lift of the controller (6001h).
 #pragma once
 
 #include <span>
 
-#include "canvoy/canopen/node.hpp"
-#include "canvoy/devices/cia417/panel/io_groups.hpp"
-#include "canvoy/devices/cia417/panel/output_address.hpp"
+#include "canvoy/canopen/node/node.hpp"
+#include "canvoy/devices/cia417/virtual_io/io_groups.hpp"
+#include "canvoy/devices/cia417/virtual_io/output_address.hpp"
 
 namespace canvoy::cia417 {
 
 class CallOutputs {
  public:
-  /// `outputs` are those of the groups that `node` has, in their order: others are left out. All
-  /// must outlive this.
+  /// `outputs` are those of the groups that `node` has, in their order; others are left out. All
+  /// arguments must outlive this.
   CallOutputs(Node& node, std::span<const VirtualOutput> outputs);
   CallOutputs(const CallOutputs&) = delete;
   CallOutputs& operator=(const CallOutputs&) = delete;
@@ -35,12 +35,12 @@ class CallOutputs {
   void store(const VirtualOutput& record);
   VirtualOutput assigned(std::uint32_t number) const;
 
-  static const ServiceCalls service_calls;
+  static const ServiceHandlers service_calls;
 
   Node& node_;
   IoGroups groups_;
   std::span<const VirtualOutput> outputs_;
-  ServiceLink service_{&service_calls, this};
+  HandlerBinding service_{&service_calls, this};
 };
 
 }  // namespace canvoy::cia417

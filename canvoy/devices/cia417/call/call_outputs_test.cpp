@@ -1,12 +1,12 @@
-// The output groups of a call controller: what panels were told last, as SDO reads it. Records:
-// basic function, sub-function, lifts, floor, doors, data.
+// The output groups of a call controller: the last records for panels, read by SDO. Records: basic
+// function, sub-function, lifts, floor, doors, data.
 #include "canvoy/devices/cia417/call/call_outputs.hpp"
 
 #include <gtest/gtest.h>
 
-#include "canvoy/devices/cia417/call/call_controller_device.hpp"
 #include "canvoy/devices/cia417/controller/lift_of_four_floors_test.hpp"
-#include "canvoy/devices/cia417/device_on_cable_test.hpp"
+#include "canvoy/devices/cia417/controller_device/call_controller_device.hpp"
+#include "canvoy/devices/cia417/kit/device_on_cable_test.hpp"
 
 namespace canvoy::cia417::call_outputs_test {
 namespace {
@@ -74,7 +74,8 @@ TEST_F(CallOutputsTest, AResetOfTheNodeForgetsThem) {
   EXPECT_EQ(at(1), 0x0010'0301'0102u);
 }
 
-// The same of a whole lift controller, here of lift 2. An output of no lift is that of its lift.
+// The output groups of a whole lift controller, here of lift 2. An output without a lift belongs to
+// its lift.
 constexpr VirtualOutput lamps[] = {{BasicFunction::standard_hall_call, hall_up, 0, 3, 0x10},
                                    {BasicFunction::standard_hall_call, hall_up, 2, 4, 0x10}};
 using LiftOfOutputs = LiftControllerDevice<LiftControllerOptions{.lift = 2, .outputs = 300}>;

@@ -1,7 +1,6 @@
-// How a controller with a call controller in it knows its panels: by the RPDOs of those that have
-// one for 6010h (virtual_input_rpdos), by multiplexed PDOs (multiplexed_panels), and by the list of
-// what their outputs were told (6200h; CiA 417-4, 4.2.3 and 4.4.1). What its layout does not have
-// takes nothing.
+// The panels of a controller with a call controller: by the RPDOs for 6010h (virtual_input_rpdos),
+// by multiplexed PDOs (multiplexed_panels), and by the list of the records sent to their outputs
+// (6200h; CiA 417-4, 4.2.3 and 4.4.1). Features that the layout does not have take no memory.
 //
 //     CallPanels<layout> panels(node, calls, outputs);
 //     panels.use(127);   // when power-on defaults have been restored
@@ -9,24 +8,24 @@
 
 #include <span>
 
-#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/device/device_node.hpp"
 #include "canvoy/devices/cia417/call/call_controller.hpp"
 #include "canvoy/devices/cia417/call/call_outputs.hpp"
-#include "canvoy/devices/cia417/panel/multiplexed_panels.hpp"
-#include "canvoy/devices/cia417/panel/virtual_input_rpdos.hpp"
+#include "canvoy/devices/cia417/virtual_io/multiplexed_panels.hpp"
+#include "canvoy/devices/cia417/virtual_io/virtual_input_rpdos.hpp"
 
 namespace canvoy::cia417 {
 
 template <const auto& layout>
 class CallPanels {
  public:
-  /// `outputs` are those of the panels that 6200h is to list. All must outlive this.
+  /// `outputs` are those of the panels that 6200h lists. All arguments must outlive this.
   CallPanels(Node& node, CallController& calls, std::span<const VirtualOutput> outputs)
       : node_(node), outputs_(node, outputs), mpdos_(node) {
     if constexpr (lists_outputs) calls.on_record(outputs_.service.told());
   }
 
-  /// Those with node-IDs 1 to `count` are heard from here on.
+  /// Receives panels with node-IDs 1 to `count`.
   void use(unsigned count) {
     use_panels(node_.dictionary(), count, node_.id());
     if constexpr (hears_mpdos) use_multiplexed_panels(node_.dictionary(), count, node_.id());

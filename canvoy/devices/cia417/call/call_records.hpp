@@ -1,26 +1,26 @@
-// Calls of a lift as the records of its panels have them: what an input asks for (6010h), and how
-// panels are told of it (6011h; CiA 417-4, 4.3.1 and 4.4.1: basic functions 02h to 11h).
+// Calls of a lift in the records of its panels: requests of an input (6010h), and the
+// acknowledgements (6011h; CiA 417-4, 4.3.1 and 4.4.1: basic functions 02h to 11h).
 //
 //     hall_call_of(input, 0b01)                        // {up, standard, floor 3, door 1}
 //     encode(acknowledgement_of(call, lift_bit(1), true))
 #pragma once
 
-#include "canvoy/devices/cia417/controller/lift_calls.hpp"
-#include "canvoy/devices/cia417/panel/virtual_io.hpp"
+#include "canvoy/devices/cia417/lift/lift_calls.hpp"
+#include "canvoy/devices/cia417/virtual_io/virtual_io.hpp"
 
 namespace canvoy::cia417 {
 
-/// How panels are told of a call. Car panels at all doors show it, in the column of the door that
+/// The acknowledgement of a call. Car panels at all doors show it, in the column of the door that
 /// opens.
 VirtualOutput acknowledgement_of(const Call& call, std::uint8_t lifts, bool on);
-/// How the panel of an input is told what became of that: a destination call, or a connection.
+/// The answer to the panel of an input: for a destination call or a connection.
 VirtualOutput answer_to(const VirtualInput& input, bool on, std::uint8_t lifts);
 /// The sub-function of a hall call: it addresses the lamps of each direction.
 std::uint8_t hall_sub_function(CallKind kind);
 
 /// The call of a hall call input at these doors.
 Call hall_call_of(const VirtualInput& input, DoorMask doors);
-/// The way that a destination call waits for the car at its source floor.
+/// How a destination call waits for the car at its source floor.
 Call source_call_of(const VirtualInput& input, DoorMask doors);
 CallPriority priority_of(BasicFunction function);
 constexpr bool is_connection_request(BasicFunction function) {

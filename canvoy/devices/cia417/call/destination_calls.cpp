@@ -31,7 +31,7 @@ DestinationCalls::Answer DestinationCalls::tell(const VirtualInput& input, bool 
                                                 std::uint8_t lifts) {
   Slot* const slot = find_or_make(input);
   if (slot == nullptr) return Answer::no_room;
-  // The passengers of one lift are gone, and another one is shown to those who came later.
+  // The passengers of one lift are gone, and later ones are shown another lift.
   if (!on && slot->told && slot->lifts != lifts) return Answer::others;
   slot->told = on;
   slot->lifts = lifts;

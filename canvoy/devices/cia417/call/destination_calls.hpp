@@ -1,5 +1,6 @@
-// The destination calls of a lift: who names his destination before he gets in, or in the car, what
-// became of him, and what his panel was told of it (CiA 417-4, 4.3.1: basic functions 08h to 0Dh).
+// The destination calls of a lift: passengers who name a destination before they get in, or in the
+// car, the state of each, and the answers to their panels (CiA 417-4, 4.3.1: basic functions 08h to
+// 0Dh).
 //
 //     std::array<DestinationCalls::Slot, 20> slots;
 //     DestinationCalls destinations(slots);
@@ -15,30 +16,30 @@
 
 namespace canvoy::cia417 {
 
-/// Each question looks at each slot that was used since the reset once: at none, where nobody says
-/// where he wants to go.
+/// Each look-up visits each slot that was used since the reset: none in a lift without destination
+/// calls.
 class DestinationCalls {
  public:
-  /// A passenger who said where he wants to go, or a car that is sent somewhere. The owner provides
-  /// the memory.
+  /// A passenger with a destination, or a car that is sent to a floor. The owner provides the
+  /// memory.
   struct Slot {
     VirtualInput input{};
-    std::uint8_t lifts = 0;  ///< that the panel shows
-    bool active = false;     ///< the car has not been at its source floor yet
+    std::uint8_t lifts = 0;  ///< shown by the panel
+    bool active = false;     ///< the car has not yet been at its source floor
     bool told = false;       ///< the panel shows it
     bool wants_answer = false;
     bool was_told = false;  ///< a panel may still show it
 
     bool is_used() const { return active || told || wants_answer; }
     bool is_in_car() const { return input.floor == floor_of_car; }
-    /// It waits no longer, which the panel is told where it shows it.
+    /// Ends the call. The panel is notified if it shows the call.
     void end() {
       wants_answer = wants_answer || told;
       active = told = false;
     }
   };
-  /// What became of an answer: `kept` is told by next(), `others` is what the passengers of another
-  /// lift are shown, which stays.
+  /// Result of tell(): with `kept`, next() sends the answer; `others` is the lift shown to the
+  /// passengers of another lift, which stays.
   enum class Answer : std::uint8_t { kept, others, no_room };
 
   explicit DestinationCalls(std::span<Slot> slots) : slots_(slots) {}
@@ -46,27 +47,28 @@ class DestinationCalls {
   void begin_anew();
   std::span<const Slot> used() const { return slots_.first(used_); }
 
-  /// Waits at its source floor. False: there is no room.
+  /// Adds a call that waits at its source floor. False if there is no room.
   bool add(const VirtualInput& input);
-  /// Knows it, without waiting: a car call. False: there is no room.
+  /// Adds a call that does not wait: a car call. False if there is no room.
   bool keep(const VirtualInput& input) { return find_or_make(input) != nullptr; }
-  /// It waits for another lift. False: it is not known.
+  /// Removes a call that another lift takes over. False if it is not known.
   bool withdraw(const VirtualInput& input);
-  /// One of them waits that way at its source floor; of `source` all doors.
+  /// True if a call waits like this at its source floor; all doors of `source` count.
   bool has_source(const Call& source) const;
 
-  /// `on`: the panel of the input is to show `lifts`.
+  /// `on`: the panel of the input has to show `lifts`.
   Answer tell(const VirtualInput& input, bool on, std::uint8_t lifts);
-  /// What the panel shows is to be told again. False: it shows nothing of it.
+  /// Repeats the answer to the panel. False if the panel shows nothing of the call.
   bool tell_again(const VirtualInput& input);
-  /// Panels have come that may not have heard it: all that is shown, and what has ended and whose
-  /// memory is not in use again. One that was asked for again since is shown as that.
+  /// Repeats all answers, for panels that may not have received them: all that is shown, and ended
+  /// calls with memory that has not been reused. A call that was requested again is sent as
+  /// requested.
   void tell_all_again();
 
-  /// Calls of these kinds are taken back.
+  /// Cancels calls of these kinds.
   void cancel(CallKinds kinds);
-  /// The car stands at `floor`, and `done` are the kinds of calls that it answers there: who is in
-  /// the car has arrived; who waited there has boarded, and `board` is called with his input.
+  /// Ends the calls of kinds `done` that the car answers at `floor`: passengers in the car have
+  /// arrived; those who waited there have boarded, and `board` is called with the input of each.
   template <class Board>
   void answered(std::uint8_t floor, CallKinds done, Board board) {
     for (Slot& slot : slots_.first(used_)) {
@@ -80,7 +82,7 @@ class DestinationCalls {
   }
 
   bool waits() const;
-  /// The next answer, which is told with that; asked only while one waits.
+  /// Returns the next answer, and marks it as sent. Call it only while one is waiting.
   VirtualOutput next();
 
  private:

@@ -18,7 +18,7 @@ constexpr VirtualInput from_to(std::uint8_t source, std::uint8_t target) {
 
 class DestinationCallsTest : public testing::Test {
  protected:
-  /// Who boards there, in a car that goes on in this direction.
+  /// Passengers who board there, in a car that continues in this direction.
   std::vector<VirtualInput> boards(std::uint8_t floor, CallKinds done) {
     std::vector<VirtualInput> boarded;
     calls.answered(floor, done, [&](const VirtualInput& input) { boarded.push_back(input); });

@@ -2,7 +2,7 @@
 
 #include <bit>
 
-#include "canvoy/devices/cia417/panel/virtual_io.hpp"
+#include "canvoy/devices/cia417/virtual_io/virtual_io.hpp"
 #include "canvoy/profiles/cia417/inputs.hpp"
 
 namespace canvoy::cia417 {
@@ -10,12 +10,12 @@ namespace canvoy::cia417 {
 namespace {
 
 constexpr std::size_t record_bytes = 6;
-/// A number of inputs is one byte; a server need not say so of an expedited answer.
+/// A number of inputs is one byte; a server need not give the size of an expedited answer.
 constexpr std::size_t expedited_bytes = 4;
 
 }  // namespace
 
-constexpr ServiceCalls PanelKeys::service_calls = {
+constexpr ServiceHandlers PanelKeys::service_calls = {
     .reset = method<&PanelKeys::reset>, .state_entered = method<&PanelKeys::state_entered>};
 
 PanelKeys::PanelKeys(Node& node, SdoClient& client, CallController& calls)
@@ -32,8 +32,8 @@ void PanelKeys::reset(ResetScope) {
   node_.timers().disarm(timer_);
 }
 
-/// A question that was under way has ended, the client tells so; the one behind an answer may have
-/// found the node in another state.
+/// The client reports the end of a request that was under way; the next request may have found the
+/// node in another state.
 void PanelKeys::state_entered(NmtState state) {
   if (state != NmtState::operational) return;
   if (is_reading() || waiting_.any()) node_.timers().arm(timer_, node_.now());
@@ -45,7 +45,7 @@ void PanelKeys::read(NodeId panel) {
   if (!is_reading()) node_.timers().arm(timer_, node_.now());
 }
 
-/// The next question, or the next panel.
+/// The next request, or the next panel.
 void PanelKeys::go_on(Time) {
   if (node_.state() != NmtState::operational || client_.busy()) return;
   while (is_reading() || find_next()) {
@@ -94,7 +94,7 @@ void PanelKeys::answered(SdoClient::Outcome outcome) {
   }
 }
 
-/// Behind the last group of one lift.
+/// Continues after the last group of one lift.
 void PanelKeys::next_block() {
   group_ = input_ = 0;
   if (block_ == 1) {

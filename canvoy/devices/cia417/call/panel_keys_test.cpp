@@ -1,12 +1,12 @@
 // Keys that stay turned while their controller starts: it reads the inputs of its panels by SDO
-// (CiA 417-4, 4.3.1: 6100h to 611Fh). First the test is a panel of somebody else, node 22 (16h),
-// then there is one of ours.
+// (CiA 417-4, 4.3.1: 6100h to 611Fh). At first the test plays a foreign panel, node 22 (16h), then
+// there is one of ours.
 #include "canvoy/devices/cia417/call/panel_keys.hpp"
 
 #include <gtest/gtest.h>
 
 #include "canvoy/devices/cia417/controller/lift_of_four_floors_test.hpp"
-#include "canvoy/devices/cia417/device_on_cable_test.hpp"
+#include "canvoy/devices/cia417/kit/device_on_cable_test.hpp"
 #include "canvoy/devices/cia417/panel/lift_panel_device.hpp"
 
 namespace canvoy::cia417::panel_keys_test {
@@ -20,19 +20,19 @@ struct Bench : DeviceOnCable<LiftControllerDevice<options>> {
 
   Bench() : Base(NodeId{1}, lift_of_four_floors()) { this->start(); }
   bool is_on(SpecialFunction function) { return device.calls().is_on(function); }
-  /// What the controller asks the panel last, behind its pause.
+  /// The last request of the controller to the panel, after its pause.
   std::string asked() {
     cable.run_for(5ms);
     const std::string request = cable.last(0x616);
     cable.clear();
     return request;
   }
-  /// The panel answers, and is asked this.
+  /// The panel answers, and gets this request.
   std::string answer(const std::string& bytes) {
     cable.send("596#" + bytes);
     return asked();
   }
-  /// A record of six bytes, in two frames; answers what is asked behind it.
+  /// A record of six bytes, in two frames; returns the request after it.
   std::string answer_record(const std::string& place, const std::string& record) {
     EXPECT_EQ(answer("41 " + place + " 06 00 00 00"), "616#60 00 00 00 00 00 00 00");
     return answer("03 " + record + " 00");

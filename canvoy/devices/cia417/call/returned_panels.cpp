@@ -1,10 +1,10 @@
 #include "canvoy/devices/cia417/call/returned_panels.hpp"
 
-#include "canvoy/devices/gap_watch.hpp"
+#include "canvoy/devices/kit/gap_watch.hpp"
 
 namespace canvoy::cia417 {
 
-constexpr ServiceCalls ReturnedPanels::service_calls = {
+constexpr ServiceHandlers ReturnedPanels::service_calls = {
     .reset = method<&ReturnedPanels::reset>,
     .state_entered = method<&ReturnedPanels::state_entered>,
     .error_changed = method<&ReturnedPanels::error_changed>};
@@ -22,7 +22,7 @@ void ReturnedPanels::reset(ResetScope) {
   node_.timers().disarm(timer_);
 }
 
-/// What panels told while this node could hear no PDOs they do not tell again.
+/// Panels do not repeat the records that they sent while this node received no PDOs.
 void ReturnedPanels::state_entered(NmtState state) {
   if (state == NmtState::operational) ask_anew(GapWatch::everyone);
 }
@@ -34,7 +34,7 @@ void ReturnedPanels::ask_anew(NodeId panel) {
   }
 }
 
-/// Who boots hears PDOs soon, and answers questions when it has been started.
+/// A node that boots receives PDOs soon, and answers requests after it has been started.
 void ReturnedPanels::heard(NodeId panel, RemoteState state) {
   if (state == RemoteState::boot_up) tell();
   if (state == RemoteState::operational) returned(panel);

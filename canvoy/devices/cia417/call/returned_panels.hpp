@@ -1,16 +1,16 @@
-// What a call controller does for a panel that it can hear again, or for the first time: after its
-// boot-up, when it becomes operational, and when its heartbeat or its answers to node guarding come
-// again (CiA 301, 7.2.8; error 8130h is gone). Its inputs are read, and all outputs told: what is
-// off now as well, since a panel behind a cut cable goes on showing what it was told before. Where
-// this node itself was guarded, and is again, all that it ever heard may have changed.
+// Updates a panel that the call controller receives again, or for the first time: after its
+// boot-up, when it becomes operational, and when its heartbeat or its answers to node guarding
+// return (CiA 301, 7.2.8; error 8130h ends). The inputs of the panel are read, and all outputs are
+// sent, including those that are off, since a panel behind a cut cable still shows the last state.
+// If this node itself is guarded again, all panels that it has received are updated.
 //
 //     ReturnedPanels returned(node, client, calls);
 //     nmt_master.on_change(Callback<void(NodeId,
 //     RemoteState)>::to<&ReturnedPanels::heard>(returned));
 //
-// After a sign of lost frames (GapWatch) the same is done by ask_anew().
+// After a sign of lost frames (GapWatch), ask_anew() does the same.
 //
-// Losses and returns that the node's own heartbeat consumer sees come here by themselves.
+// Losses and returns that the node's own heartbeat consumer detects are taken automatically.
 #pragma once
 
 #include <bitset>
@@ -23,19 +23,19 @@ namespace canvoy::cia417 {
 
 class ReturnedPanels {
  public:
-  /// `client` is used by nobody else. All must outlive this.
+  /// `client` has no other user. All arguments must outlive this.
   ReturnedPanels(Node& node, SdoClient& client, CallController& calls);
   ReturnedPanels(const ReturnedPanels&) = delete;
   ReturnedPanels& operator=(const ReturnedPanels&) = delete;
 
-  /// Nodes for which it answers false have no inputs to be read.
+  /// Nodes for which the callback returns false have no inputs to read.
   void on_question(Callback<bool(NodeId)> has_inputs) { has_inputs_ = has_inputs; }
   void heard(NodeId panel, RemoteState state);
-  /// PDOs of this panel, or of all that were heard (GapWatch::everyone), may have been lost, and
-  /// some to it.
+  /// Updates this panel, or all that were received (GapWatch::everyone): PDOs from and to them may
+  /// have been lost.
   void ask_anew(NodeId panel);
 
-  /// Where many come at one time, they are told together.
+  /// If several return at about the same time, their outputs are sent together.
   static constexpr Duration tells_after = 200ms;
 
  private:
@@ -51,8 +51,8 @@ class ReturnedPanels {
   PanelKeys keys_;
   Callback<bool(NodeId)> has_inputs_;
   std::bitset<node_id_max + 1> heard_;
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
   Timer timer_;
 };
 

@@ -1,19 +1,19 @@
-// What a call controller does when a panel is heard again: the test is panel 22 (16h) of a lift,
-// and its other units. A heartbeat that is missed for 3 s (1016h) is lost, for a unit 1.5 s.
+// Reactions of a call controller to a panel that it receives again: the test is panel 22 (16h) of a
+// lift, and its other units. A heartbeat is lost after 3 s (1016h), that of a unit after 1.5 s.
 #include "canvoy/devices/cia417/call/returned_panels.hpp"
 
 #include <gtest/gtest.h>
 
-#include "canvoy/devices/cia417/call/call_controller_device.hpp"
 #include "canvoy/devices/cia417/controller/lift_of_four_floors_test.hpp"
-#include "canvoy/devices/cia417/device_on_cable_test.hpp"
+#include "canvoy/devices/cia417/controller_device/call_controller_device.hpp"
+#include "canvoy/devices/cia417/kit/device_on_cable_test.hpp"
 
 namespace canvoy::cia417::returned_panels_test {
 namespace {
 
 constexpr const char* first_question = "616#40 00 61 00 00 00 00 00";
 
-/// Of a controller with calls() that hears a panel with one input.
+/// For a controller with calls() that receives a panel with one input.
 template <class Device, class... Settings>
 struct Bench : DeviceOnCable<Device> {
   using DeviceOnCable<Device>::cable;
@@ -44,7 +44,7 @@ struct Bench : DeviceOnCable<Device> {
       }
     }
   }
-  /// Its cable is cut for so long that it is lost, and mended: the same heartbeat as before.
+  /// Its cable is cut for long enough to lose it, and repaired: the same heartbeat as before.
   void cut_for(Duration time, const std::string& heartbeat = "716#05") {
     cable.run_for(time);
     cable.clear();
@@ -255,7 +255,7 @@ TEST(SpecialFunctions, MoreInputsThanAreRememberedEndAFunctionWithTheNextEnd) {
   EXPECT_FALSE(sut.is_on(SpecialFunction::vip_service));
 }
 
-// Units of the lift: what they said before counts no longer.
+// Units of the lift: their former state is discarded.
 
 TEST(ReturnedUnits, ALoadUnitIsAskedAndWhatItSaidBeforeCountsNoLonger) {
   OfALift bench;

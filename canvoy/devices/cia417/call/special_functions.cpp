@@ -46,7 +46,7 @@ bool SpecialFunctions::take_reading(const VirtualInput& input) {
   return requested != is_known && take(input);
 }
 
-/// An end by whom nobody remembers ends what nobody else asks for.
+/// An end by an input that is not remembered ends the function if no other input requests it.
 void SpecialFunctions::request(const Input& input, bool on) {
   Function& function = functions_[input.function];
   const auto known = std::ranges::find(inputs_, input);

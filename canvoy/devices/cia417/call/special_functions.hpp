@@ -1,5 +1,5 @@
-// The special functions of a lift: which keys are turned and which buttons are held, and what the
-// panels have been told of it (CiA 417-4, 4.3.1 and 4.4.1: basic function 0Eh).
+// The special functions of a lift: turned keys and held buttons, and the acknowledgements that the
+// panels have received (CiA 417-4, 4.3.1 and 4.4.1: basic function 0Eh).
 //
 //     SpecialFunctions specials;
 //     specials.take(input);
@@ -9,41 +9,42 @@
 #include <array>
 #include <cstdint>
 
-#include "canvoy/devices/cia417/controller/lift_interfaces.hpp"
-#include "canvoy/devices/cia417/panel/virtual_io.hpp"
+#include "canvoy/devices/cia417/lift/lift_interfaces.hpp"
+#include "canvoy/devices/cia417/virtual_io/virtual_io.hpp"
 
 namespace canvoy::cia417 {
 
-/// Fans and load times that come from a button without a locking function go on with one press and
-/// off with the next; all others are on while one of their inputs requests them: who turns his key
-/// back ends nothing that another key asks for. A function that becomes defective or is not
-/// installed is off, but for out of order and fire service, which stay as they are: a broken wire
-/// must neither end them nor begin them.
+/// Fans and load times from a button without a locking function go on with one press and off with
+/// the next. All others are on while at least one of their inputs requests them: turning one key
+/// back does not end a function that another key requests. A function that becomes defective or is
+/// not installed is off, except for out of order and fire service, which stay as they are: a broken
+/// wire must neither end nor start them.
 class SpecialFunctions {
  public:
   static constexpr unsigned count = 0x17;
-  /// Keys and buttons that are remembered while they are on. Without room, the next end of the
-  /// function by an input that is not among them ends it.
+  /// Maximum number of keys and buttons that are remembered while they are on. Beyond it, the next
+  /// end of the function by another input ends it.
   static constexpr unsigned inputs_max = 32;
 
-  /// As a panel tells it. False where the sub-function is reserved, or nothing is to be done.
+  /// Takes an input as a panel sends it. False if the sub-function is reserved, or nothing changes.
   bool take(const VirtualInput& input);
-  /// As it was read from a panel, which may not have changed for long: a button whose presses count
-  /// says nothing by that. False where nothing has changed.
+  /// Takes an input as read from a panel, which may be unchanged for a long time: it says nothing
+  /// for a button with counted presses. False if nothing has changed.
   bool take_reading(const VirtualInput& input);
   void set(SpecialFunction function, bool on);
   void clear();
-  /// Panels have come that may not have heard what is on, and what is not any more.
+  /// Sends all that is on, and all that was on before and has ended, since panels have come that
+  /// may not have received it.
   void tell_again();
 
   bool is_on(SpecialFunction function) const { return at(function).on; }
-  /// Where it is held: of door open and door close.
+  /// Doors at which it is held, for door open and door close.
   DoorMask doors(SpecialFunction function) const {
     return is_on(function) ? source_doors(at(function).doors) : DoorMask{0};
   }
 
   bool waits() const;
-  /// The next acknowledgement of lift `lifts`, which is told with that.
+  /// Returns the next acknowledgement of lift `lifts`, and marks it as sent.
   VirtualOutput next(std::uint8_t lifts);
 
  private:
@@ -51,12 +52,12 @@ class SpecialFunctions {
     bool on = false;
     bool told = false;
     bool wants_answer = false;
-    bool was_on = false;  ///< once: a panel may still show it
-    bool is_set = false;  ///< from inside, by presses that count, or by an input without room
+    bool was_on = false;  ///< at some time: a panel may still show it
+    bool is_set = false;  ///< from inside, by counted presses, or by an input without room
     std::uint8_t floor = floor_of_car;
     std::uint8_t doors = 0;
   };
-  /// An input that requests its function; of function 0: none.
+  /// An input that requests its function; function 0: none.
   struct Input {
     std::uint8_t function = 0;
     std::uint8_t floor = 0;

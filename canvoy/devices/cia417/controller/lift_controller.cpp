@@ -5,7 +5,7 @@
 
 namespace canvoy::cia417 {
 
-constexpr ServiceCalls LiftController::service_calls = {
+constexpr ServiceHandlers LiftController::service_calls = {
     .reset = method<&LiftController::reset>,
     .state_entered = method<&LiftController::state_entered>};
 
@@ -39,17 +39,17 @@ void LiftController::reset(ResetScope) {
   phase_ = LiftPhase::idle;
   direction_ = Direction::none;
   target_ = 0;
-  open_doors_ = settings_.doors;  // what they were told before is not known
+  open_doors_ = settings_.doors;  // their last command is not known
   promised_ = {};
   is_errand_ = false;
   idle_since_ = resume_at_ = node_.now();
 }
 
-/// In NMT state operational it drives; when it leaves that, it stands.
+/// It drives in NMT state operational; when it leaves that state, it stops.
 void LiftController::state_entered(NmtState state) {
   if (state == NmtState::operational) {
     started_at_ = node_.now();
-    // What was under way has been stopped.
+    // The present movement has been stopped.
     if (phase_ == LiftPhase::driving || phase_ == LiftPhase::manual) phase_ = LiftPhase::idle;
     target_ = 0;
     hand_.begin_anew();
@@ -65,7 +65,7 @@ void LiftController::state_entered(NmtState state) {
 
 void LiftController::update() {
   if (node_.state() != NmtState::operational || settings_.floors.empty()) return;
-  // Doors and drive may tell of a change while they are commanded: that is looked at afterwards.
+  // Doors and drive may report a change during a command: it is evaluated afterwards.
   again_ = true;
   if (is_updating_) return;
   is_updating_ = true;
@@ -90,7 +90,7 @@ AbortCode LiftController::refuses_lift_number() {
   return moves || serves ? AbortCode::device_state : AbortCode::none;
 }
 
-// What is the case.
+// Inputs.
 
 void LiftController::look() {
   motion_ = parts_.motion.status();
@@ -107,8 +107,8 @@ void LiftController::look() {
   if (drives && floor_ != before) deadline_ = node_.now() + settings_.times.travel_max;
 }
 
-/// A position unit that could not send for a while tells where the car was on its way, at last
-/// where it is.
+/// A position unit that could not send for a while first sends positions on the way, and finally
+/// the present one.
 void LiftController::watch_position() {
   constexpr std::int32_t noise_micrometre = 1'000;
   const std::int32_t way = motion_.position_micrometre - steady_micrometre_;
@@ -123,7 +123,7 @@ LiftFault LiftController::find_fault() const {
   const DoorMask unlocked = settings_.doors & ~doors_.locked;
   const bool is_free = (unlocked & ~doors_.faulty) != 0;
   if (moves && is_free && !is_levelling_in_zone()) return LiftFault::unlocked;
-  // A moving car with a door that is not heard ends at the next floor: see drive().
+  // A moving car with a door that is not received ends at the next floor: see drive().
   if ((doors_.faulty & settings_.doors) != 0 && !moves) return LiftFault::door;
   if (!load_.known && !moves) return LiftFault::load;
   return faults_.latched();
@@ -155,7 +155,7 @@ void LiftController::change_fault(LiftFault fault) {
 }
 
 bool LiftController::takes_hall_calls() const {
-  // With doors that do not lock it goes nowhere: between floors at once, elsewhere after some
+  // With doors that do not lock it does not move: between floors at once, elsewhere after some
   // tries.
   const bool is_between = motion_.standing && floor_here() == 0 && !levelling_.is_under_way();
   const bool is_stranded = faults_.is_closing_late() || (is_between && !is_locked());
@@ -164,33 +164,33 @@ bool LiftController::takes_hall_calls() const {
          !calls_.is_on(SpecialFunction::hall_call_disable);
 }
 
-/// Calls that the new service does not answer are taken back.
+/// Calls that the new service does not answer are cancelled.
 void LiftController::change_service(LiftService service) {
   if (calls_.is_on(SpecialFunction::hall_call_disable)) calls_.cancel(hall_calls);
   if (!service_.change(service)) return;
   const CallKinds accepted = service_.accepted();
   calls_.accept(accepted);
   calls_.cancel(static_cast<CallKinds>(all_calls & ~accepted));
-  // The fire brigade begins without the calls of those who were there before.
+  // Fire brigade service starts without the calls of earlier passengers.
   if (service == LiftService::fire_brigade) calls_.cancel(all_calls);
-  // Nobody gets in any more.
+  // No further passengers get in.
   if (accepted == 0) dwell_.end(node_.now());
   idle_since_ = node_.now();
 }
 
-/// The floor with a door that is next to this one, which is asked first; itself where none has one.
+/// The nearest floor with a door, starting with this one; this one also if there is none.
 std::uint8_t LiftController::nearest_served_floor(std::uint8_t floor) const {
   return floors().nearest_where(floor, [this](std::uint8_t near) { return doors_at(near) != 0; });
 }
 
-/// On its way, from a floor on at which it can stop: the first one with a door, where people can
-/// get out; behind it, where the rest of the way has none.
+/// The first floor with a door on its way at which it can stop, where passengers can get out; a
+/// floor behind it if the rest of the way has none.
 std::uint8_t LiftController::next_served_floor(std::uint8_t floor) const {
   return floors().next_where(floor, direction_,
                              [this](std::uint8_t next) { return doors_at(next) != 0; });
 }
 
-// What is done about it, by phase.
+// Actions, by phase.
 
 void LiftController::step() {
   look();
@@ -232,12 +232,12 @@ void LiftController::enter(LiftPhase phase) {
 void LiftController::idle() {
   if (!motion_.standing) return;
   if (node_.now() < resume_at_) return wake_at(resume_at_);
-  // Doors that were told to open, and did not, may still do so.
+  // Doors that did not open on command may still do so.
   if (!is_locked() || open_doors_ != 0) return close_doors();
   if (service_.is_manual()) return enter(LiftPhase::manual);
   const std::uint8_t floor = floor_here();
   if (floor != 0) return begin_trip(floor);
-  // Between floors, after a fault: to the next one, and on from there.
+  // Between floors, after a fault: moves to the next one, and continues from there.
   is_errand_ = true;
   go_to(nearest_served_floor(floors().nearest(motion_.position_micrometre)));
 }
@@ -293,20 +293,20 @@ void LiftController::await_closed() {
   }
   const bool is_late = node_.now() >= deadline_;
   if (!is_late && !should_open()) {
-    // A light barrier that breaks on the way slows them down.
+    // A light barrier that fails on the way slows the doors down.
     if (closing_ == DoorClosing::normal && wanted_closing() != closing_) return close_doors();
     return wake_at(deadline_);
   }
   if (is_late) parts_.ask_anew();
   if (is_late && dwell_.was_late()) faults_.doors_closed(false);
   const std::uint8_t floor = floor_here();
-  // Nobody gets out between floors: it only tries again.
+  // Between floors no passenger gets out: it only tries again.
   if (floor == 0) return is_late ? close_doors() : wake_at(deadline_);
   dwell_.open_again(settings_.times.dwell_again);
   open_doors(open_doors_ != 0 ? open_doors_ : doors_at(floor));
 }
 
-/// By two buttons: see HandDrive.
+/// Driven by two buttons: see HandDrive.
 void LiftController::drive_by_hand() {
   departed_ = 0;
   const bool up = calls_.is_on(SpecialFunction::dogging_service_up);
@@ -327,7 +327,7 @@ void LiftController::drive_by_hand() {
   if (!service_.is_manual() && motion_.standing) enter(LiftPhase::idle);
 }
 
-/// By a fault. When it has gone, the lift goes on after a while.
+/// Stops on a fault. After its end, the lift continues after a while.
 void LiftController::stand() {
   if (!faults_.is_there()) {
     if (node_.now() < resume_at_) return wake_at(resume_at_);
@@ -343,7 +343,7 @@ void LiftController::stand() {
   again_ = true;
 }
 
-// Where the car goes.
+// Movement of the car.
 
 void LiftController::begin_trip(std::uint8_t floor) {
   const DoorMask here = doors_at(floor);
@@ -356,7 +356,7 @@ void LiftController::begin_trip(std::uint8_t floor) {
     const DoorMask held = calls_.held_doors(SpecialFunction::door_open) & here;
     return stop_at(floor, held != 0 ? held : here);
   }
-  // The fire brigade opens with the button for it, also where it is already.
+  // The fire brigade opens with the button, also at the present floor.
   if (service_.is(LiftService::fire_brigade)) calls_.answered(floor, Direction::none);
   const NextStop stop = wanted_stop(floor, false);
   if (stop.floor == 0) return park(floor);
@@ -365,7 +365,7 @@ void LiftController::begin_trip(std::uint8_t floor) {
   go_to(stop.floor);
 }
 
-/// Stands where it has no door: people get out at the nearest floor that has one.
+/// The car stands where it has no door: passengers get out at the nearest floor that has one.
 void LiftController::leave_for_a_door(std::uint8_t floor) {
   const std::uint8_t nearest = nearest_served_floor(floor);
   if (nearest == floor) return;
@@ -385,7 +385,7 @@ void LiftController::park(std::uint8_t floor) {
 
 void LiftController::go_to(std::uint8_t floor) {
   target_ = floor;
-  // It does not go back to where it has just left, as a call that comes late would have it.
+  // It does not return to the floor that it has just left, even for a late call there.
   departed_ = floor_here();
   const std::int32_t position = floors().position_of(floor);
   const std::int32_t here = motion_.position_micrometre;
@@ -395,7 +395,7 @@ void LiftController::go_to(std::uint8_t floor) {
   parts_.motion.travel_to(position);
 }
 
-/// What comes while the car moves: calls on its way, or none any more.
+/// Handles changes while the car moves: calls on its way, or none left.
 void LiftController::follow_calls() {
   const std::int32_t left = motion_.stopping_position_micrometre - floors().position_of(target_);
   const bool ends = (doors_.faulty & settings_.doors) != 0 || !load_.known;
@@ -414,7 +414,8 @@ void LiftController::follow_calls() {
   parts_.motion.travel_to(floors().position_of(target_));
 }
 
-/// Where the drive says so, or where it has given up: at its target it has arrived all the same.
+/// When the drive reports its arrival, or has given up: at its target, the car has arrived in both
+/// cases.
 void LiftController::arrive() {
   const std::uint8_t floor = floor_here();
   if (floor == 0 || (!motion_.arrived && floor != target_)) {
@@ -425,18 +426,18 @@ void LiftController::arrive() {
   target_ = 0;
   is_errand_ = false;
   idle_since_ = node_.now();
-  // What the lantern promised holds while somebody wants it.
+  // The direction shown by the lantern holds while there are calls for it.
   if (promised_.departure != Direction::none) direction_ = promised_.departure;
-  // The fire brigade opens by itself, where it has seen what is behind the door.
+  // The fire brigade opens the door itself, after a check of the area behind it.
   if (service_.is(LiftService::fire_brigade)) calls_.answered(floor, Direction::none);
   const NextStop stop = wanted_stop(floor, false);
-  // It stands, also where the doors that are called for are none of the car's.
+  // It stands, even if the requested doors do not belong to the car.
   enter(LiftPhase::idle);
   if (stop.floor == floor && stop.doors != 0) stop_at(floor, stop.doors);
 }
 
-/// The stop to which the car slows down, for those who see its lantern there: where it goes on to
-/// does not change any more while somebody wants that. None where no door will open.
+/// The stop to which the car slows down, for passengers who see its lantern there: its further
+/// direction stays the same while there are calls for it. None if no door will open.
 NextStop LiftController::promised_stop() const {
   CollectiveCar car = car_at(target_, true);
   if (promised_.departure != Direction::none) car.direction = promised_.departure;
@@ -444,7 +445,8 @@ NextStop LiftController::promised_stop() const {
   return stop.floor == target_ && stop.doors != 0 ? stop : NextStop{};
 }
 
-/// The next stop by the service that is on: for the fire recall one floor, out of order the first.
+/// The next stop in the present service: one floor for the fire recall, the first one when out of
+/// order.
 NextStop LiftController::wanted_stop(std::uint8_t floor, bool moving) const {
   if (service_.is(LiftService::out_of_order)) {
     return {.floor = moving ? next_served_floor(floor) : std::uint8_t{0}};
@@ -463,7 +465,7 @@ CollectiveCar LiftController::car_at(std::uint8_t floor, bool moving) const {
   return {.floor = floor, .direction = direction_, .moving = moving, .takes_hall_calls = takes};
 }
 
-// What its doors do.
+// Movement of its doors.
 
 /// Answers the calls of this stop, and opens.
 void LiftController::stop_at(std::uint8_t floor, DoorMask doors) {
@@ -498,7 +500,7 @@ void LiftController::close_doors() {
   parts_.doors.close(settings_.doors, closing_);
 }
 
-/// The end of what is wrong may not have been heard.
+/// The message of the end of a fault may have been lost.
 void LiftController::ask_while_it_waits() {
   if (node_.now() >= ask_at_) {
     parts_.ask_anew();
@@ -507,7 +509,7 @@ void LiftController::ask_while_it_waits() {
   wake_at(ask_at_);
 }
 
-/// Who is in the car of a lift that has a fault gets out where there is a floor.
+/// Lets passengers out of the car of a lift with a fault, if it is at a floor.
 void LiftController::let_out() {
   const std::uint8_t floor = floor_here();
   if (floor == 0) return;
@@ -520,7 +522,7 @@ void LiftController::let_out() {
   parts_.doors.open(doors);
 }
 
-/// Whether it is on its way back to its floor.
+/// True if it is on its way back to its floor.
 bool LiftController::relevel() {
   if (levelling_.is_under_way()) return true;
   const std::int32_t here = motion_.position_micrometre;
@@ -553,7 +555,7 @@ bool LiftController::answer_here() {
   return true;
 }
 
-/// While it closes.
+/// During closing.
 bool LiftController::should_open() {
   const bool is_released =
       service_.is(LiftService::fire_brigade) && !calls_.is_on(SpecialFunction::door_close);

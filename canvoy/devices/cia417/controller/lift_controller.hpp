@@ -1,60 +1,60 @@
 // The controller of a lift: answers the calls of its CallController with the doors and the drive of
-// its car, one trip after the other, in every service that keys can ask for, and stands safely when
-// something is wrong.
+// its car, one trip after the other, in every service that keys can request, and stops safely on
+// faults.
 //
 //     LiftController lift(node, calls, {.motion = drive.interface(), .doors = doors.interface()},
 //                         {.floors = positions, .doors = 0b01});
 //     // each of calls, drive and doors tells lift.update() of its changes
 //
-// A trip: doors close and lock; the car drives, stops for what its collective control collects,
-// stands within 10 mm of the floor; doors open, wait, and close again. A car that sinks by those
-// who get in is brought back to its floor with open doors.
+// A trip: doors close and lock; the car drives, stops for the calls of its collective control, and
+// halts within 10 mm of the floor; doors open, wait, and close again. A car that sinks under its
+// load is levelled at its floor with open doors.
 //
-// It goes from phase to phase. What it knows meanwhile is kept by those who know it: which service
-// is on (LiftServiceState), how long doors stay open (DoorDwell), where its floors are
-// (LiftFloors), what is wrong (LiftFaults).
+// This class goes from phase to phase. The state is in other classes: the service
+// (LiftServiceState), the dwell time of doors (DoorDwell), the floors (LiftFloors), the faults
+// (LiftFaults).
 #pragma once
 
 #include <cstdint>
 #include <span>
 
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 #include "canvoy/devices/cia417/call/call_controller.hpp"
-#include "canvoy/devices/cia417/controller/collective_control.hpp"
-#include "canvoy/devices/cia417/controller/door_dwell.hpp"
-#include "canvoy/devices/cia417/controller/hand_drive.hpp"
-#include "canvoy/devices/cia417/controller/levelling.hpp"
 #include "canvoy/devices/cia417/controller/lift_faults.hpp"
-#include "canvoy/devices/cia417/controller/lift_floors.hpp"
-#include "canvoy/devices/cia417/controller/lift_interfaces.hpp"
 #include "canvoy/devices/cia417/controller/lift_service.hpp"
+#include "canvoy/devices/cia417/lift/collective_control.hpp"
+#include "canvoy/devices/cia417/lift/door_dwell.hpp"
+#include "canvoy/devices/cia417/lift/hand_drive.hpp"
+#include "canvoy/devices/cia417/lift/levelling.hpp"
+#include "canvoy/devices/cia417/lift/lift_floors.hpp"
+#include "canvoy/devices/cia417/lift/lift_interfaces.hpp"
 
 namespace canvoy::cia417 {
 
 struct LiftTimes {
-  Duration dwell_car = 3s;    ///< doors stay open for who gets out
-  Duration dwell_hall = 4s;   ///< and for who gets in
+  Duration dwell_car = 3s;    ///< doors stay open for passengers who get out
+  Duration dwell_hall = 4s;   ///< doors stay open for passengers who get in
   Duration dwell_again = 2s;  ///< after a button or something in the door
   Duration dwell_long = 15s;  ///< load time, bed passenger service
-  Duration nudging = 20s;     ///< then doors close whatever stands in them, gently
+  Duration nudging = 20s;     ///< then doors close gently, even if obstructed
   Duration door_opens_max = 10s;
-  Duration door_closes_max = 10s;  ///< then they open again, for another try
+  Duration door_closes_max = 10s;  ///< then they open again, and retry
   Duration travel_max = 45s;       ///< without a floor on the way (EN 81-20, 5.9.2.7)
-  Duration parking = 60s;          ///< without a call, until it goes to the parking floor
-  Duration start = 3s;             ///< for drive and doors to be heard after power-on
-  Duration retry = 5s;             ///< after a fault has gone, and of what did not work
-  Duration steady = 500ms;         ///< of a car's position, before people are let out in a fault
+  Duration parking = 60s;          ///< without a call, before it goes to the parking floor
+  Duration start = 3s;             ///< for drive and doors to be received after power-on
+  Duration retry = 5s;             ///< after the end of a fault, and for an action that failed
+  Duration steady = 500ms;         ///< of a car's position, before doors open in a fault
 };
 
 struct LiftControllerSettings {
-  /// Of floor 1 and up, rising, at most 254: micrometres as LiftMotion counts them. Must outlive
-  /// the controller.
+  /// Of floor 1 and up, rising, at most 254: in micrometres, as in LiftMotion. Must outlive the
+  /// controller.
   std::span<const std::int32_t> floors{};
   DoorMask doors = 0b0001;  ///< of the car
   std::int32_t floor_tolerance_micrometre = 10'000;
-  /// To both sides of a floor, where the car may move with open doors.
+  /// On both sides of a floor, where the car may move with open doors.
   std::int32_t door_zone_micrometre = 200'000;
-  std::uint8_t fire_floor = 1;                                 ///< where everybody gets out
+  std::uint8_t fire_floor = 1;                                 ///< where all passengers get out
   std::uint8_t parking_floor = 0;                              ///< 0: it stays where it is
   std::int32_t service_speed_micrometre_per_second = 630'000;  ///< EN 81-20: inspection
   std::int32_t dogging_speed_micrometre_per_second = 300'000;
@@ -70,18 +70,18 @@ struct LiftLoad {
   friend constexpr bool operator==(const LiftLoad&, const LiftLoad&) = default;
 };
 
-/// What a lift controller works with; each calls update() when it has changed.
+/// The parts that a lift controller uses; each calls update() when it has changed.
 struct LiftParts {
   LiftMotion motion;
   LiftDoors doors;
   Callback<LiftLoad()> load;  ///< without one the car is neither empty nor full
-  /// What is known of them may be old: they are to be asked. Called when a trip or a door does not
-  /// come to its end in time, and again and again while there is a fault.
+  /// Requests the state of the parts again, as the known one may be out of date. Called when a trip
+  /// or a door movement does not end in time, and repeatedly during a fault.
   Callback<void()> ask_anew = {};
 };
 
 enum class LiftPhase : std::uint8_t {
-  idle,     ///< stands with closed doors
+  idle,     ///< at rest with closed doors
   driving,  ///< to target()
   opening,
   open,
@@ -92,37 +92,38 @@ enum class LiftPhase : std::uint8_t {
 
 class LiftController {
  public:
-  /// All must outlive the controller.
+  /// All arguments must outlive the controller.
   LiftController(Node& node, CallController& calls, const LiftParts& parts,
                  const LiftControllerSettings& settings);
   LiftController(const LiftController&) = delete;
   LiftController& operator=(const LiftController&) = delete;
 
-  /// Something has changed: looks at all, and acts. From outside of a callback of the node, call
+  /// Evaluates all inputs after a change, and acts. From outside of a callback of the node, call
   /// Node::advance() before and after.
   void update();
-  /// Called when phase, service, fault, floor or direction have changed.
+  /// Calls `changed` when phase, service, fault, floor or direction have changed.
   void on_change(Callback<void()> changed) { changed_ = changed; }
 
-  /// Called when it answers the hall calls of a floor, for a group: where it goes on to (none: it
-  /// takes whoever comes), and the doors that open.
+  /// For a group: called when the car answers the hall calls of a floor, with its further direction
+  /// (none: it takes passengers for both) and the doors that open.
   void on_stop(Callback<void(const Landing&, DoorMask)> stopped) { stopped_ = stopped; }
 
   LiftPhase phase() const { return phase_; }
   LiftService service() const { return service_.now(); }
   LiftFault fault() const { return faults_.now(); }
-  /// The next one that it comes to, or stands at.
+  /// The next floor that the car reaches, or at which it stands.
   std::uint8_t floor() const { return floor_; }
   std::uint8_t target() const { return target_; }
   Direction direction() const { return direction_; }
-  /// It has just been started: drive and doors may not have been heard, and panels show what was
-  /// before.
+  /// True soon after start: drive and doors may not have been received yet, and panels show an old
+  /// state.
   bool is_starting() const { return node_.now() < started_at_ + settings_.times.start; }
   bool is_moving() const { return phase_ == LiftPhase::driving; }
   bool is_full() const { return load_.full || load_.overload; }
-  /// Not with a trip under way, or its doors open: it goes to another lift (6001h) from rest alone.
+  /// Refuses during a trip, or with open doors: a controller changes to another lift (6001h) only
+  /// at rest.
   AbortCode refuses_lift_number();
-  /// Takes calls of a group.
+  /// True if the lift takes calls of a group.
   bool takes_hall_calls() const;
 
  private:
@@ -131,7 +132,7 @@ class LiftController {
   void expired(Time) { update(); }
   void wake_at(Time at);
 
-  // What is the case.
+  // Reads the inputs.
   void look();
   void watch_position();
   LiftFault find_fault() const;
@@ -140,7 +141,7 @@ class LiftController {
   void show();
   SpecialIndications special_indications() const;
 
-  // What is done about it, by phase.
+  // Acts on them, by phase.
   void step();
   void act();
   void enter(LiftPhase phase);
@@ -152,7 +153,7 @@ class LiftController {
   void drive_by_hand();
   void stand();
 
-  // Where the car goes.
+  // Movement of the car.
   void begin_trip(std::uint8_t floor);
   void leave_for_a_door(std::uint8_t floor);
   void park(std::uint8_t floor);
@@ -163,7 +164,7 @@ class LiftController {
   NextStop wanted_stop(std::uint8_t floor, bool moving) const;
   CollectiveCar car_at(std::uint8_t floor, bool moving) const;
 
-  // What its doors do.
+  // Movement of its doors.
   void stop_at(std::uint8_t floor, DoorMask doors);
   void tell_stop(std::uint8_t floor, DoorMask doors);
   void open_doors(DoorMask doors);
@@ -189,7 +190,7 @@ class LiftController {
   /// The floor at which the car stands; 0: none.
   std::uint8_t floor_here() const { return floors().at(motion_); }
   bool is_at_fire_floor() const { return floor_here() == settings_.fire_floor; }
-  /// Those of the car that open there.
+  /// The doors of the car that open there.
   DoorMask doors_at(std::uint8_t floor) const { return calls_.doors_at(floor) & settings_.doors; }
   std::uint8_t nearest_served_floor(std::uint8_t floor) const;
   std::uint8_t next_served_floor(std::uint8_t floor) const;
@@ -200,8 +201,8 @@ class LiftController {
   LiftControllerSettings settings_;
   Callback<void()> changed_;
   Callback<void(const Landing&, DoorMask)> stopped_;
-  static const ServiceCalls service_calls;
-  ServiceLink link_{&service_calls, this};
+  static const ServiceHandlers service_calls;
+  HandlerBinding link_{&service_calls, this};
   Timer timer_;
 
   MotionStatus motion_;
@@ -216,12 +217,12 @@ class LiftController {
   LiftPhase phase_ = LiftPhase::idle;
   std::uint8_t floor_ = 1;
   std::uint8_t target_ = 0;
-  std::uint8_t departed_ = 0;  ///< the floor that a trip has begun at; 0: none
+  std::uint8_t departed_ = 0;  ///< the floor at which a trip has started; 0: none
   Direction direction_ = Direction::none;
   DoorMask open_doors_ = 0;
-  DoorMask let_out_ = 0;  ///< doors that were told to open since there is a fault
+  DoorMask let_out_ = 0;  ///< doors that have been opened since the fault came
   DoorClosing closing_ = DoorClosing::normal;
-  NextStop promised_{};     ///< while it comes to a stop: where, and where it goes on to
+  NextStop promised_{};     ///< while it comes to a stop: the floor, and the direction afterwards
   bool is_errand_ = false;  ///< it goes to its target without a call
   bool is_updating_ = false;
   bool again_ = false;
@@ -230,7 +231,7 @@ class LiftController {
   Time deadline_ = never;
   Time idle_since_{};
   Time resume_at_{};
-  Time ask_at_{};  ///< while there is a fault
+  Time ask_at_{};  ///< during a fault
   Time started_at_{};
 };
 

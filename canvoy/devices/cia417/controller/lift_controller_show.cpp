@@ -1,4 +1,4 @@
-// What a lift controller has its panels show.
+// Contents of the panels of a lift controller.
 #include "canvoy/devices/cia417/controller/lift_controller.hpp"
 
 namespace canvoy::cia417 {

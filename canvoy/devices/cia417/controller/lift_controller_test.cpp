@@ -145,7 +145,7 @@ TEST_F(LiftControllerTest, AnOverloadedCarDoesNotLeave) {
   EXPECT_EQ(bench.told("400#43 03 01 00 F0 01"), 1u);
   bench.weighed.overload = false;
   ASSERT_TRUE(bench.run_to(3, LiftPhase::closing));
-  bench.weighed.overload = true;  // somebody jumps in
+  bench.weighed.overload = true;  // another person gets in
   bench.step();
   EXPECT_EQ(lift.phase(), LiftPhase::opening);
   bench.weighed.overload = false;

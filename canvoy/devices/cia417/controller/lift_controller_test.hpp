@@ -1,5 +1,5 @@
-// A lift controller with a car of plain numbers: 1 m/s at once, doors that take 2 s, floors 3 m
-// apart, in steps of 10 ms.
+// A lift controller with a simple simulated car: 1 m/s without acceleration, doors that take 2 s,
+// floors 3 m apart, in steps of 10 ms.
 //
 //     LiftBench bench;
 //     bench.start();
@@ -12,9 +12,9 @@
 #include <functional>
 
 #include "canvoy/canopen/testing/cable.hpp"
-#include "canvoy/devices/cia417/call/call_controller_device.hpp"
-#include "canvoy/devices/cia417/controller/lift_bench.hpp"
 #include "canvoy/devices/cia417/controller/lift_controller.hpp"
+#include "canvoy/devices/cia417/controller_device/call_controller_device.hpp"
+#include "canvoy/devices/testing/lift_bench.hpp"
 
 namespace canvoy::cia417 {
 
@@ -72,7 +72,7 @@ class LiftBench {
   void run_for(Duration duration) {
     for (const Time end = cable.now + duration; cable.now < end;) step();
   }
-  /// Whether it came to be so in time.
+  /// True if the condition came true in time.
   bool run_until(const std::function<bool()>& done, Duration most = 120s) {
     for (const Time end = cable.now + most; cable.now < end;) {
       if (done()) return true;

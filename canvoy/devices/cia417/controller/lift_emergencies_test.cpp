@@ -1,11 +1,11 @@
-// What a lift controller says when a cut cable loses all panels at once: emergencies 8130h, an
-// inhibit time apart (1015h; CiA 301, 7.5.2.18), so that PDOs go on between them. On a bus of 250
-// kbit/s an emergency takes some 0.5 ms.
+// Emergencies of a lift controller when a cut cable loses all panels at once: 8130h, at intervals
+// of the inhibit time (1015h; CiA 301, 7.5.2.18), so that PDOs are sent between them. On a bus of
+// 250 kbit/s an emergency takes some 0.5 ms.
 #include <gtest/gtest.h>
 
 #include "canvoy/can/simulated/simulated_bus.hpp"
 #include "canvoy/canopen/testing/cable.hpp"
-#include "canvoy/devices/cia417/controller/lift_controller_device.hpp"
+#include "canvoy/devices/cia417/controller_device/lift_controller_device.hpp"
 
 namespace canvoy::cia417::lift_emergencies_test {
 namespace {

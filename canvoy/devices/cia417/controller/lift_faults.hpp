@@ -1,5 +1,5 @@
-// What a lift controller finds wrong with its lift, told as application errors FF04h, each by an
-// instance (CiA 417-1, 8.4).
+// Faults that a lift controller detects in its lift, reported as application errors FF04h, each
+// with a separate instance (CiA 417-1, 8.4).
 //
 //     LiftFaults faults(node);
 //     faults.change(LiftFault::door);      // FF04h, instance 3
@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 
 namespace canvoy::cia417 {
 
@@ -17,15 +17,15 @@ enum class LiftFault : std::uint8_t {
   none,
   motion,       ///< drive or position unit
   unlocked,     ///< a door is not locked while the car moves
-  door,         ///< a door is not heard or tells an error
+  door,         ///< a door is not received or reports an error
   load,         ///< the load is not known
   travel_time,  ///< the car does not arrive
-  position,     ///< the car does not stand where it should: no floor, or short of its target
+  position,     ///< the car is not where it should be: at no floor, or short of its target
 };
 
 class LiftFaults {
  public:
-  /// Instances of the errors that doors did not open, or not close, in time.
+  /// Instances of the errors that doors did not open or close in time.
   static constexpr std::uint16_t opens_late = 0x10;
   static constexpr std::uint16_t closes_late = 0x11;
 
@@ -33,18 +33,18 @@ class LiftFaults {
   LiftFaults(const LiftFaults&) = delete;
   LiftFaults& operator=(const LiftFaults&) = delete;
 
-  /// The node has begun anew, and its errors with it.
+  /// Clears all faults: the node has started, without errors.
   void begin_anew();
 
   LiftFault now() const { return now_; }
   bool is_there() const { return now_ != LiftFault::none; }
-  /// The fault is another one, or has gone. False: it is that already.
+  /// Sets another fault, or none. False if it is unchanged.
   bool change(LiftFault fault);
-  /// A fault of a trip, which goes on until the car stands, and longer.
+  /// A fault of a trip, which lasts until the car stands, or longer.
   void latch(LiftFault fault) { latched_ = fault; }
   LiftFault latched() const { return latched_; }
 
-  /// Whether doors opened, or closed, in time.
+  /// Reports whether doors opened or closed in time.
   void doors_opened(bool in_time);
   void doors_closed(bool in_time);
   bool is_closing_late() const { return is_closing_late_; }

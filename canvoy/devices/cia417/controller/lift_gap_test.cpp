@@ -1,6 +1,6 @@
 // A whole lift where frames are lost for shorter than a heartbeat may be late (1016h: 1.5 s): at
 // its wire, a drive and a door of ours, the other units played by the test.
-#include "canvoy/devices/cia417/controller/lift_controller_device_test.hpp"
+#include "canvoy/devices/cia417/controller_device/lift_controller_device_test.hpp"
 
 namespace canvoy::cia417::lift_gap_test {
 namespace {
@@ -12,7 +12,7 @@ class LiftInAGap : public WholeLift {
     run_for(time);
     cable.cut(place, false);
     run_for(1100ms);
-    cable.send("188#02");  // as the load unit answers, when it is asked for the second time
+    cable.send("188#02");  // the load unit answers the second request
   }
 };
 
@@ -58,7 +58,7 @@ TEST_F(LiftInAGap, ADoorOfWhichTheLastStateWasLostIsAskedForIt) {
   EXPECT_TRUE(arrives_at(1));
 }
 
-/// It waits for that with open doors, and a PDO that says so may be lost.
+/// It waits for that with open doors, and the PDO may be lost.
 TEST_F(LiftInAGap, AnOverloadIsAskedForAgainAsLongAsItLasts) {
   press_in_car(3);
   ASSERT_TRUE(arrives_at(3));
@@ -76,8 +76,8 @@ TEST_F(LiftInAGap, AnOverloadIsAskedForAgainAsLongAsItLasts) {
   EXPECT_EQ(count("188#R1"), 0u);
 }
 
-/// 0000h may be lost: the error register (1001h) tells the same, here that of the drive, which has
-/// no error.
+/// 0000h may be lost: the error register (1001h) reports the same, here that of the drive, which
+/// has no error.
 TEST_F(LiftInAGap, TheErrorRegisterOfAUnitWithAnErrorIsRead) {
   const std::string question = "602#40 01 10 00 00 00 00 00";
   cable.send("082#10 42 01 00 00 00 00 00");

@@ -1,5 +1,5 @@
-// What a lift tells its panels of itself: each special indication (CiA 417-4, 4.4.1, basic function
-// 43h) by what it stands for, in the car and where it concerns them at the floors.
+// States that a lift reports to its panels: each special indication (CiA 417-4, 4.4.1, basic
+// function 43h), in the car and, where it applies, at the floors.
 #include <gtest/gtest.h>
 
 #include "canvoy/devices/cia417/controller/lift_controller_test.hpp"
@@ -15,7 +15,7 @@ class LiftIndicationsTest : public testing::Test {
     bench.turn(function, on);
     bench.step();
   }
-  /// How often it went on or off, since the last call.
+  /// Number of changes since the last call.
   struct Told {
     std::size_t in_car;
     std::size_t at_floors;

@@ -1,5 +1,6 @@
-// Hall lanterns of a lift: lit when the car slows down to a floor, so that who waits there goes to
-// its door, and true to what they say (CiA 417-4, 4.4.1: basic function 41h; EN 81-70, 5.4.2.3).
+// Hall lanterns of a lift: lit when the car slows down to a floor, so that waiting passengers go to
+// its door, and consistent with its direction (CiA 417-4, 4.4.1: basic function 41h; EN 81-70,
+// 5.4.2.3).
 #include <gtest/gtest.h>
 
 #include "canvoy/devices/cia417/controller/lift_controller_test.hpp"
@@ -13,7 +14,7 @@ constexpr auto open = LiftPhase::open;
 class LiftLanternTest : public testing::Test {
  protected:
   LiftLanternTest() { bench.start(); }
-  /// Until the car cannot pass the floor any more: the bench stops within half a metre.
+  /// Runs until the car cannot pass the floor any more: the bench stops within half a metre.
   bool come_near(std::uint8_t floor) {
     const std::int32_t position = LiftBench::floors[floor - 1U];
     return bench.run_until([&] {

@@ -3,7 +3,7 @@
 //     DeviceOnCable<LiftControllerDevice<>> sut(NodeId{1}, lift_of_four_floors());
 #pragma once
 
-#include "canvoy/devices/cia417/controller/lift_controller_device.hpp"
+#include "canvoy/devices/cia417/controller_device/lift_controller_device.hpp"
 
 namespace canvoy::cia417 {
 

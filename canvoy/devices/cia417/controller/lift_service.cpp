@@ -10,11 +10,11 @@ LiftService LiftServiceState::wanted(const CallController& calls, bool is_at_fir
   const bool alarm = on(SpecialFunction::fire_service_enable);
   const bool brigade = on(SpecialFunction::fire_service);
   if (alarm || brigade) {
-    // The fire brigade takes the car over at the fire floor, each time anew.
+    // The fire brigade takes over the car at the fire floor, each time again.
     const bool has_come = is_in_fire() && is_cleared_;
     return brigade && has_come ? LiftService::fire_brigade : LiftService::fire_recall;
   }
-  // When the keys are turned back it returns to the fire floor first.
+  // When the keys are turned back, the car first returns to the fire floor.
   if (is_in_fire() && !(is_cleared_ && is_at_fire_floor)) return LiftService::fire_recall;
   if (on(SpecialFunction::service_run)) return LiftService::service_run;
   if (on(SpecialFunction::dogging_service_enable)) return LiftService::dogging;

@@ -1,6 +1,6 @@
-// The service that a lift is in: which one its keys ask for, which calls that answers, and what it
-// does with the doors. What a service does is in docs/decisions/lift.md: the profile names them and
-// leaves the rest to the maker.
+// The service that a lift is in: the one that its keys request, the calls that it answers, and its
+// handling of doors. The profile names the services and leaves the rest to the maker:
+// docs/decisions/lift.md describes them.
 //
 //     LiftServiceState service;
 //     service.change(service.wanted(calls, is_at_fire_floor));
@@ -13,16 +13,16 @@
 
 namespace canvoy::cia417 {
 
-/// In the order of what goes before what.
+/// In ascending order of priority.
 enum class LiftService : std::uint8_t {
   normal,
-  attendant,  ///< doors close when the attendant says so
-  vip,        ///< car calls only, and so for the next two
+  attendant,  ///< doors close on the attendant's command
+  vip,        ///< car calls only, as for the next two
   bed_passenger,
   special,
   dogging,       ///< by two buttons, slowly
-  service_run,   ///< the same for who maintains it
-  fire_brigade,  ///< car calls only, doors by their buttons alone
+  service_run,   ///< by two buttons, slowly, for maintenance
+  fire_brigade,  ///< car calls only, doors only by their buttons
   fire_recall,   ///< to the fire floor, and out
   out_of_order,
 };
@@ -34,28 +34,29 @@ class LiftServiceState {
   LiftService now() const { return now_; }
   bool is(LiftService service) const { return now_ == service; }
   bool is_in_fire() const { return is(LiftService::fire_recall) || is(LiftService::fire_brigade); }
-  /// Driven by buttons.
+  /// True if buttons drive the car.
   bool is_manual() const { return is(LiftService::service_run) || is(LiftService::dogging); }
-  /// One passenger has the car for himself.
+  /// True if one passenger has exclusive use of the car.
   bool is_occupied() const { return is(LiftService::vip) || is(LiftService::bed_passenger); }
 
-  /// That which the keys of `calls` ask for. Fire service ends at the fire floor only.
+  /// The service that the keys of `calls` request. Fire service ends only at the fire floor.
   LiftService wanted(const CallController& calls, bool is_at_fire_floor) const;
-  /// False: it is in that one already.
+  /// False if the lift is already in that service.
   bool change(LiftService service);
 
-  /// Others are refused.
+  /// Kinds of calls that are accepted; others are refused.
   CallKinds accepted() const;
 
-  /// In recall or out of order: everybody could get out.
+  /// True in recall or out of order when all passengers could get out.
   bool is_cleared() const { return is_cleared_; }
-  /// Its doors are open, at a floor at which the service lets everybody out. True: that is news.
+  /// Reports open doors, at a floor at which the service lets all passengers out. True on a change.
   bool clear(bool is_at_fire_floor);
 
   bool keeps_doors_open(const CallController& calls, bool is_at_fire_floor) const;
-  /// Light barriers and motion detectors see smoke as well as people (EN 81-73, 5.3; EN 81-72).
+  /// True if the doors ignore light barriers and motion detectors, which detect smoke as well as
+  /// people (EN 81-73, 5.3; EN 81-72).
   bool distrusts_barriers() const { return is_in_fire(); }
-  /// The button for door open is obeyed.
+  /// True if the button for door open takes effect.
   bool has_door_button() const {
     return !is(LiftService::fire_recall) && !is(LiftService::out_of_order);
   }

@@ -223,7 +223,7 @@ TEST_F(LiftServiceTest, LoadTimeHoldsTheDoorsForLonger) {
   EXPECT_EQ(lift.phase(), LiftPhase::closing);
 }
 
-/// EN 81-73 and EN 81-72: what sees smoke as well as people does not hold doors.
+/// Detectors that react to smoke as well as people do not hold doors (EN 81-73 and EN 81-72).
 TEST_F(LiftServiceTest, SmokeInItsLightBarriersDoesNotKeepARecalledCarAtItsFloor) {
   bench.press("05 07 01 00 11 01");
   ASSERT_TRUE(bench.run_to(7, open));

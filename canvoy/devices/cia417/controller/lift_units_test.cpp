@@ -1,11 +1,11 @@
-// Which nodes a lift controller watches, and what it says when one is lost: emergency 8130h with
-// the node-ID in byte 3, and 0000h when it is heard again (CiA 301, 7.2.8.3.2.2 and 7.5.2.19).
+// Nodes that a lift controller monitors, and its reports of a loss: emergency 8130h with the
+// node-ID in byte 3, and 0000h when the node is received again (CiA 301, 7.2.8.3.2.2 and 7.5.2.19).
 #include "canvoy/devices/cia417/controller/lift_units.hpp"
 
 #include <set>
 #include <string>
 
-#include "canvoy/devices/cia417/controller/lift_controller_device_test.hpp"
+#include "canvoy/devices/cia417/controller_device/lift_controller_device_test.hpp"
 
 namespace canvoy::cia417::lift_units_test {
 namespace {

@@ -1,4 +1,4 @@
-// A lift that passes floors without a door of its own: nobody is left behind a wall. It serves
+// A lift that passes floors where it has no door: no passenger is left behind a wall. It serves
 // floors 1, 2 and 7 to 10.
 #include <gtest/gtest.h>
 
@@ -56,8 +56,8 @@ TEST(LiftAtAnUnservedFloor, OutOfOrderItGoesToTheNearestFloorWithADoor) {
   EXPECT_TRUE(bench.run_to(2, open));
 }
 
-/// Panels and car come from two makers, who do not agree on the doors: the car has the second one
-/// only, which is there at floor 5.
+/// Panels and car come from two makers with different doors: the car has only the second one, which
+/// exists at floor 5.
 struct LiftWithoutTheDoorsOfItsPanels : testing::Test {
   LiftWithoutTheDoorsOfItsPanels() {
     bench.car.motion.position_micrometre = LiftBench::floors[4];

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "canvoy/canopen/testing/cable.hpp"
-#include "canvoy/devices/cia417/call/call_controller_device.hpp"
+#include "canvoy/devices/cia417/controller_device/call_controller_device.hpp"
 #include "canvoy/devices/cia417/group/destination_dispatcher.hpp"
 #include "canvoy/devices/cia417/group/hall_dispatcher.hpp"
 

@@ -1,5 +1,5 @@
-// The configurations of four doors in one device, 6304h to 6307h: each entry does at its own door
-// what 4.7.3 says (4.7.4 to 4.7.6 say the same), and nothing at the others.
+// The configurations of four doors in one device, 6304h to 6307h: each entry has the effect of
+// 4.7.3 (and of 4.7.4 to 4.7.6, which are equal) on its own door, and none on the others.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -3,22 +3,23 @@
 #include <algorithm>
 
 #include "canvoy/profiles/cia417/pdos.hpp"
-#include "canvoy/profiles/reactions.hpp"
+#include "canvoy/profiles/model/reactions.hpp"
 
 namespace canvoy::cia417 {
 
 namespace {
 
-/// Between a word that makes a door listen again and the order itself: more than an inhibit time.
+/// Time between a controlword that makes a door accept a command again and the command itself: more
+/// than an inhibit time.
 constexpr Duration order_gap = 50ms;
-/// A door has answered within it, or has not heard.
+/// A door has answered within this time, or has not received the request.
 constexpr Duration answer_time = 500ms;
 
 constexpr DoorMask mask_of(unsigned door) {
   return static_cast<DoorMask>(1U << (door - 1));
 }
 
-/// The number of the RPDO that brings `object` of a door; 0: not known.
+/// Number of the RPDO for `object` of a door; 0: not known.
 constexpr std::uint16_t rpdo_of(unsigned lift, const ObjectInfo& object, unsigned door) {
   for (const LiftPdo& row : lift_pdo_table<1>) {
     if (row.mapping[0] == mapped_in(1, object, door)) return number_in_lift(row, lift);
@@ -35,7 +36,7 @@ bool opens(DoorCommand command) {
          command == DoorCommand::open_without_limit_force;
 }
 
-/// The door does what it was told, or has done it.
+/// True if the door executes its command, or has done so.
 bool follows(DoorState state, DoorCommand command) {
   if (closes(command)) return state == DoorState::closing || is_closed(state);
   if (opens(command)) {
@@ -44,7 +45,7 @@ bool follows(DoorState state, DoorCommand command) {
   return state != DoorState::error;
 }
 
-/// Something that a door must not close on.
+/// True with an obstacle on which a door must not close.
 bool is_barred(const DoorView& view) {
   return view.light_barrier == Detection::yes || view.report.motion_detector == Detection::yes ||
          view.report.force_limit == Detection::yes;
@@ -56,7 +57,7 @@ bool is_faulty(const DoorView& view) {
   return !view.is_known || view.report.state == DoorState::error ||
          view.report.state == DoorState::not_available;
 }
-/// A lock that is not installed locks nothing, and is not asked for.
+/// A lock that is not installed is ignored, and not required.
 bool is_locked(const DoorView& view) {
   return view.is_known && is_closed(view.report.state) &&
          view.report.safety_contact == Detection::yes &&
@@ -69,11 +70,11 @@ Disabling enabling(bool enabled) {
 
 }  // namespace
 
-constexpr HookCalls CarDoorController::hook_calls[] = {
+constexpr AccessHandlers CarDoorController::hook_calls[] = {
     after_write<&CarDoorController::state_received, door_statusword>,
     after_write<&CarDoorController::received, door_statusword_object, door_position_object>,
     after_write<&CarDoorController::received, light_barrier_status>};
-constexpr ServiceCalls CarDoorController::service_calls = {
+constexpr ServiceHandlers CarDoorController::service_calls = {
     .reset = method<&CarDoorController::reset_state>,
     .state_entered = method<&CarDoorController::state_entered>,
     .error_changed = method<&CarDoorController::error_changed>,
@@ -162,7 +163,7 @@ bool CarDoorController::has_door(unsigned number) const {
   return number >= 1 && number <= door_count && (settings_.doors & mask_of(number)) != 0;
 }
 
-/// Looks at what a door has told, and tells of a change.
+/// Evaluates the state received from a door, and reports a change.
 void CarDoorController::refresh(unsigned number) {
   Door& door = doors_[number - 1];
   const Values values(node_.dictionary());
@@ -182,7 +183,7 @@ void CarDoorController::refresh(unsigned number) {
   changed_();
 }
 
-/// A door that finds something in its way is opened before anybody asks.
+/// A door that meets an obstacle is opened without a command.
 void CarDoorController::react(unsigned number) {
   const Door& door = doors_[number - 1];
   const bool gives_way =
@@ -193,7 +194,7 @@ void CarDoorController::react(unsigned number) {
   }
   const bool has_nudged = door.closing == DoorClosing::nudging && closes(door.order.command) &&
                           door.view.is_known && is_closed(door.view.report.state);
-  // Switched off it would tell of no defect until the door closes the next time.
+  // Switched off, it would report no defect until the next closing of the door.
   if (has_nudged && door.order.motion_detector != enabling(true)) {
     enable_motion_detector(mask_of(number));
   }
@@ -279,7 +280,7 @@ void CarDoorController::tell(unsigned number) {
       door.order.word());
 }
 
-/// A door takes no notice of a command that it has heard before: first comes another one.
+/// A door ignores a command that it already has: another one comes first.
 void CarDoorController::tell_again(unsigned number) {
   Door& door = doors_[number - 1];
   DoorOrder first = door.order;
@@ -291,7 +292,7 @@ void CarDoorController::tell_again(unsigned number) {
       first.word());
 }
 
-/// By remote frame.
+/// Requests its state by remote frame.
 void CarDoorController::ask(unsigned number) {
   if (rpdos_ == nullptr || (settings_.doors & mask_of(number)) == 0) return;
   const std::uint16_t status = rpdo_of(settings_.lift, door_statusword_object, number);
@@ -318,7 +319,7 @@ void CarDoorController::expired(Time now) {
   plan();
 }
 
-/// The next time at which a door is to be told something, if it does not change before.
+/// The next time at which a door gets a command, if its state does not change before.
 void CarDoorController::plan() {
   Time next = never;
   for (unsigned number = 1; number <= door_count; ++number) {

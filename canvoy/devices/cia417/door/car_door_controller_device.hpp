@@ -1,4 +1,4 @@
-// A whole car door controller of CiA 417-4. A lift controller has a CarDoorController of its own
+// A whole car door controller of CiA 417-4. A lift controller has a separate CarDoorController
 // beside its other virtual devices.
 //
 //     CarDoorControllerDevice<> doors(port, 1, {.doors = 0b0011});
@@ -6,13 +6,14 @@
 #pragma once
 
 #include "canvoy/devices/cia417/door/car_door_controller.hpp"
-#include "canvoy/devices/cia417/lift_kind.hpp"
-#include "canvoy/devices/gap_watch.hpp"
+#include "canvoy/devices/cia417/kit/lift_kind.hpp"
+#include "canvoy/devices/kit/gap_watch.hpp"
 #include "canvoy/profiles/cia417/watched_nodes.hpp"
 
 namespace canvoy::cia417 {
 
-/// A controller that is nothing else: after a sign of lost frames it asks its doors.
+/// A controller without other functions. After a sign of lost frames it requests the state of its
+/// doors.
 class LoneDoorController : public CarDoorController {
  public:
   LoneDoorController(Node& node, const CarDoorControllerSettings& settings, Rpdos& rpdos)
@@ -25,8 +26,8 @@ class LoneDoorController : public CarDoorController {
   GapWatch gaps_;
 };
 
-/// Every object of the virtual device, a heartbeat each 300 ms, and three doors watched, and
-/// room to watch as many nodes as there can be.
+/// Every object of the virtual device, a heartbeat every 300 ms, three monitored doors, and room to
+/// monitor all possible nodes.
 template <LiftDeviceOptions options = LiftDeviceOptions{}>
 struct CarDoorControllerKind : LiftKind<LoneDoorController, NoHardware, CarDoorControllerSettings> {
   static constexpr DeviceInfo info = {.name = "lift-door-controller",
@@ -56,7 +57,7 @@ struct CarDoorControllerKind : LiftKind<LoneDoorController, NoHardware, CarDoorC
   }
 };
 
-/// `layout` is that of a description with the objects of a car door controller for `options`.
+/// `layout` has a description with the objects of a car door controller for `options`.
 template <LiftDeviceOptions options = LiftDeviceOptions{},
           const auto& layout = layout_of<CarDoorControllerKind<options>>,
           std::size_t own_routes = 0>

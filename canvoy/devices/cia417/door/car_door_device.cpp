@@ -1,7 +1,7 @@
 #include "canvoy/devices/cia417/door/car_door_device.hpp"
 
-#include "canvoy/devices/cia417/kinds.hpp"
-#include "canvoy/devices/cia417/lift_forms.hpp"
+#include "canvoy/devices/cia417/kit/kinds.hpp"
+#include "canvoy/devices/cia417/kit/lift_forms.hpp"
 
 namespace canvoy::cia417 {
 

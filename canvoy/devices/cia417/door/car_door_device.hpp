@@ -11,12 +11,13 @@
 #include <utility>
 
 #include "canvoy/devices/cia417/door/car_door_unit.hpp"
-#include "canvoy/devices/cia417/lift_kind.hpp"
+#include "canvoy/devices/cia417/kit/lift_kind.hpp"
 #include "canvoy/profiles/cia417/watched_nodes.hpp"
 
 namespace canvoy::cia417 {
 
-/// The configuration of a door of the device, or again that of its first one.
+/// The configuration of a door of the device. Doors that the device does not have give that of its
+/// first one.
 constexpr std::uint16_t configuration_of(unsigned doors, unsigned door) {
   const bool is_there = (doors >> (door - 1) & 1) != 0;
   const unsigned number = is_there ? door : static_cast<unsigned>(std::countr_zero(doors)) + 1;
@@ -30,11 +31,11 @@ class CarDoors {
   static constexpr std::size_t doors_max = std::popcount(mask & 0xFU);
   using AllHardware = std::array<DoorHardware, doors_max>;
 
-  /// `hardware` has one for each door, in their order.
+  /// `hardware` has one entry for each door, in their order.
   CarDoors(Node& node, const AllHardware& hardware, const CarDoorSettings& settings)
       : doors_(make(node, hardware, settings, std::make_index_sequence<doors_max>())) {}
 
-  /// The n-th door of this device, from 0 on.
+  /// The n-th door of this device, from 0.
   CarDoorUnit& door(std::size_t position) { return doors_[position]; }
 
  private:
@@ -66,8 +67,8 @@ using DoorHardwares =
 
 }  // namespace detail
 
-/// Every object of the virtual device, a heartbeat each 500 ms, and the controller watched. A maker
-/// has a description of his own with his identity.
+/// Every object of the virtual device, a heartbeat every 500 ms, and a monitored controller. A
+/// maker has a separate description with its own identity.
 template <LiftDeviceOptions options = first_door>
 struct CarDoorKind : LiftKind<detail::DoorUnits<options.doors>,
                               detail::DoorHardwares<options.doors>, CarDoorSettings> {
@@ -93,7 +94,7 @@ struct CarDoorKind : LiftKind<detail::DoorUnits<options.doors>,
   }
 };
 
-/// `layout` is that of a description with the objects of a car door unit for `options`.
+/// `layout` has a description with the objects of a car door unit for `options`.
 template <LiftDeviceOptions options = first_door,
           const auto& layout = layout_of<CarDoorKind<options>>, std::size_t own_routes = 0>
 using CarDoorDevice = Device<CarDoorKind<options>, layout, own_routes>;

@@ -13,7 +13,7 @@ using enum DoorState;
 
 class EveryDoorCommand : public CarDoorTest {
  protected:
-  /// By the ways that lead there; the last command is none.
+  /// Brings the door to a state by the commands that lead to it; the last command is none.
   void bring_to(DoorState wanted) {
     if (wanted == closed_with_torque) command(0x1);
     if (wanted == opening || wanted == stopped || wanted == error) start(0x4);
@@ -104,7 +104,7 @@ TEST_P(EveryStateOfADoor, KnowsEveryCommandByPdoAndBySdo) {
 }
 INSTANTIATE_TEST_SUITE_P(CiA417, EveryStateOfADoor, testing::ValuesIn(rows));
 
-/// What a door that stands half open and cannot move makes of a word.
+/// Result of a word for a door that is half open and cannot move.
 struct Model {
   DoorState state = stopped;
   bool limits_force = true;
@@ -145,7 +145,7 @@ TEST_F(EveryDoorCommand, EveryControlwordDoesWhatItsFieldsSay) {
   Model model;
   model.limits_force = true;
   for (unsigned i = 0; i <= 0xFFFF; ++i) {
-    // In an order in which each follows very different ones.
+    // In an order in which each one follows very different ones.
     const unsigned word = i * 40'503 & 0xFFFF;
     const std::array bytes = {static_cast<std::uint8_t>(word),
                               static_cast<std::uint8_t>(word >> 8)};

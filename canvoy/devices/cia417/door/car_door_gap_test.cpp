@@ -22,7 +22,7 @@ class ADoorThatStopped : public CarDoorTest {
   }
 };
 
-/// 6300h is a command: who gives it again wants it again.
+/// 6300h is a command: repeating it executes it again.
 TEST_F(ADoorThatStopped, ClosesByTheSameCommandAsBeforeWhenTheWayIsFree) {
   stop_by_barrier();
   bench.light_barrier = Detection::no;
@@ -43,7 +43,7 @@ TEST_F(ADoorThatStopped, StaysWhereItIsByTheSameCommandWhileSomethingIsInTheWay)
   }
 }
 
-/// A real one is not at rest when it is told to stop.
+/// A real door is not at rest when it gets the command to stop.
 TEST_F(ADoorThatStopped, TellsWhereItStandsWhenItHasComeToRest) {
   open();
   command(0x1);

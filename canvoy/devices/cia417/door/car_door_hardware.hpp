@@ -1,5 +1,5 @@
-// The door of a car as its electronics senses and drives it: the maker of a door drive implements
-// it, or a plant in a simulation (canvoy/sim/lift/door_plant.hpp).
+// The sensors and the drive of a car door. The maker of a door drive implements it, or a plant in a
+// simulation (canvoy/worlds/lift/door_plant.hpp).
 #pragma once
 
 #include <cstdint>
@@ -11,30 +11,30 @@
 
 namespace canvoy::cia417 {
 
-/// One look at a door. What is not installed is not available.
+/// The readings of a door. Sensors that are not installed are not available.
 struct DoorReadings {
   bool is_closed = false;  ///< the limit switch at that end
-  bool is_open = false;    ///< and at the other one, of the width that was asked for
+  bool is_open = false;    ///< the limit switch at the other end, of the selected width
   bool has_fault = false;  ///< the drive cannot move it
-  /// Between the closing edges; nothing where it is not measured.
+  /// Distance between the closing edges; nothing if it is not measured.
   std::optional<std::uint16_t> position_mm{};
   Detection force_limit = Detection::not_available;
   Detection motion = Detection::not_available;
   Detection finger = Detection::not_available;
   Detection lock = Detection::not_available;            ///< yes: locked
   Detection safety_contact = Detection::not_available;  ///< yes: closed
-  Detection battery = Detection::not_available;         ///< yes: it is used
-  /// Of a light barrier that is wired to the door, and is no device of its own.
+  Detection battery = Detection::not_available;         ///< yes: in use
+  /// State of a light barrier that is wired to the door and is no separate device.
   Detection light_barrier = Detection::not_available;
 };
 
-/// What the drive of a door is to do.
+/// Command to the drive of a door.
 struct DoorDrive {
   enum class Motion : std::uint8_t { none, close, open };
 
   Motion motion = Motion::none;
   bool has_torque = false;   ///< without motion: it holds the door where it is
-  bool limits_force = true;  ///< to what does not hurt
+  bool limits_force = true;  ///< to a harmless value
   bool is_reduced = false;   ///< the speed
   std::uint8_t velocity_profile = 0;
   std::uint8_t width_profile = 0;
@@ -45,12 +45,12 @@ struct DoorDrive {
 struct DoorHardware {
   Callback<DoorReadings(Time)> sense;
   Callback<void(const DoorDrive&, Time)> drive;
-  /// Where there is a lock: locks, or unlocks.
+  /// Locks or unlocks, if there is a lock.
   Callback<void(bool, Time)> lock;
   Callback<void(bool)> use_battery;
-  /// When the readings will change by themselves, other than the position: never where nothing
-  /// moves. A simulation knows it, and is asked at that time; a real door has no such function, and
-  /// is looked at each sensing_period.
+  /// Time of the next change of the readings, apart from the position: never if nothing moves. A
+  /// simulation has this function, and is read at that time. A real door leaves it empty, and is
+  /// read every sensing_period.
   Callback<Time()> next_change;
 };
 

@@ -1,4 +1,4 @@
-// What a car door does when the heartbeat of its controller is lost: 6304h:0Bh (CiA 417-4, 4.7.3).
+// Reaction of a car door to the loss of its controller's heartbeat: 6304h:0Bh (CiA 417-4, 4.7.3).
 #include "canvoy/devices/cia417/door/car_door_modes_test.hpp"
 
 namespace canvoy::cia417::car_door_heartbeat_test {

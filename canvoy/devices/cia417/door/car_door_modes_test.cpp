@@ -1,5 +1,4 @@
-// What a car door does of its own accord: 6304h in every mode and with every timer (CiA
-// 417-4, 4.7.3).
+// Automatic reactions of a car door: 6304h in every mode and with every timer (CiA 417-4, 4.7.3).
 #include "canvoy/devices/cia417/door/car_door_modes_test.hpp"
 
 namespace canvoy::cia417::car_door_modes_test {

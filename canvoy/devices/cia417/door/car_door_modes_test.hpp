@@ -1,4 +1,4 @@
-// A car door unit of which the configuration is set, and what happens in its doorway.
+// A car door unit with a configuration that the test sets, and the events in its doorway.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -23,14 +23,14 @@ class CarDoorModes : public CarDoorTest {
     write(0x6304, sub, value);
     ASSERT_EQ(cable.last(0x586).substr(0, 6), "586#60");
   }
-  /// Open, and a second on its way to closed: at 600 mm.
+  /// Opens, then closes for a second: at 600 mm.
   void close_for_a_second() {
     open();
     command(0x1);
     cable.run_for(1s);
     ASSERT_EQ(state(), DoorState::closing);
   }
-  /// Open until then.
+  /// Expects the door to be open until then.
   void expect_closing_after(Duration time) {
     cable.run_for(time - 1ms);
     EXPECT_EQ(state(), DoorState::opened_with_torque);
@@ -41,7 +41,7 @@ class CarDoorModes : public CarDoorTest {
     bench.light_barrier = seen;
     changed();
   }
-  /// Somebody passes while it closes: it re-opens, and closes again `reclose` seconds later.
+  /// A person passes while the door closes: it re-opens, and closes again `reclose` seconds later.
   void let_one_pass(unsigned reclose) {
     set(light_barrier, 1);
     set(barrier_reclose, reclose);

@@ -7,7 +7,7 @@
 namespace canvoy::cia417::car_door_status_test {
 namespace {
 
-/// A closed door of which all detectors say "no", but for one.
+/// A closed door with all detectors at "no", except for one.
 struct Field {
   const char* name;
   Detection DoorReadings::*reading;
@@ -56,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 using DoorStatus = CarDoorTest;
 
-/// Bits 15 to 12, in an order in which a door comes by them.
+/// Bits 15 to 12, in a possible order of states of a door.
 TEST_F(DoorStatus, HasEachOfItsStates) {
   const auto status = [this] { return word() >> 12; };
   EXPECT_EQ(status(), 0x1u) << "closed without torque";

@@ -1,4 +1,4 @@
-// A door as plain numbers, for tests: it runs at an even speed between closed and 900 mm.
+// A simple simulated door for tests: it runs at constant speed between closed and 900 mm.
 //
 //     DoorBench bench;
 //     CarDoorDevice<> door(cable.port(0), 6, {bench.hardware()});
@@ -20,7 +20,7 @@ struct DoorBench {
   double position_mm = 0;
   Time at{};
   DoorDrive driven;
-  bool is_blocked = false;  ///< it does not move, whatever the drive does
+  bool is_blocked = false;  ///< it does not move, even when driven
   bool is_locked = false;
   bool lock_is_stuck = false;
   bool uses_battery = false;

@@ -4,15 +4,15 @@
 #include <utility>
 
 #include "canvoy/profiles/cia417/errors.hpp"
-#include "canvoy/profiles/reactions.hpp"
+#include "canvoy/profiles/model/reactions.hpp"
 
 namespace canvoy::cia417 {
 
 namespace {
 
-/// By hardware that says that it changes, and does not.
+/// For hardware that announces a change that does not come.
 constexpr Duration shortest_look = 1ms;
-/// At one time.
+/// In one call.
 constexpr int looks_max = 4;
 
 bool is_error(Detection detection) {
@@ -48,11 +48,11 @@ Duration seconds(double count) {
 
 }  // namespace
 
-constexpr HookCalls CarDoorUnit::hook_calls[] = {
+constexpr AccessHandlers CarDoorUnit::hook_calls[] = {
     after_write<&CarDoorUnit::order_received, door_controlword>,
     before_write<&CarDoorUnit::check_setting, door_configuration_object>,
     after_write<&CarDoorUnit::barrier_received, light_barrier_status>};
-constexpr ServiceCalls CarDoorUnit::service_calls = {
+constexpr ServiceHandlers CarDoorUnit::service_calls = {
     .reset = method<&CarDoorUnit::reset>,
     .error_changed = method<&CarDoorUnit::error_changed>,
     .hooks = hook_calls};
@@ -66,7 +66,7 @@ CarDoorUnit::CarDoorUnit(Node& node, const DoorHardware& hardware, const CarDoor
   node.attach(service_);
 }
 
-// The bus.
+// Events of the bus.
 
 void CarDoorUnit::reset(ResetScope scope) {
   last_command_ = DoorCommand::no_action;
@@ -100,7 +100,7 @@ void CarDoorUnit::order_received(const Entry& entry, Source source) {
   act(node_.now());
 }
 
-/// Of modes and profiles that do not exist.
+/// Refuses modes and profiles that do not exist.
 AbortCode CarDoorUnit::check_setting(const Entry& entry, std::span<const std::uint8_t> value) {
   if (entry.index != in_lift(settings_.lift, door_type(settings_.door)).index()) {
     return AbortCode::none;
@@ -169,7 +169,7 @@ void CarDoorUnit::stop(bool has_torque) {
   has_torque_ = has_torque;
 }
 
-/// Its command has ended, so that the same one is another one: who repeats it is obeyed.
+/// Its command has ended, so that the same command is executed when it is repeated.
 void CarDoorUnit::stop_by_itself() {
   last_command_ = DoorCommand::no_action;
   stop(true);
@@ -194,10 +194,11 @@ void CarDoorUnit::lose_controller() {
   act(node_.now());
 }
 
-// What is sensed, and what follows.
+// Readings, and reactions to them.
 
 void CarDoorUnit::act(Time now) {
-  // Hardware that obeys at once has other readings then: a lock that opens lets the door move.
+  // Hardware that reacts at once has other readings then: a lock that opens allows the door to
+  // move.
   for (int looks = 0; looks < looks_max; ++looks) {
     look(now);
     if (readings_.has_fault) fail();
@@ -244,7 +245,7 @@ void CarDoorUnit::react_while_closing() {
   }
 }
 
-/// Where a finger is drawn in, and where something stands in the way: there is nothing to re-open.
+/// With a finger drawn in, and with an obstacle in the way: there is nothing to re-open.
 void CarDoorUnit::react_while_opening() {
   if (readings_.finger == Detection::yes) {
     turn(static_cast<DoorReaction>(setting(finger_protector_modus).raw()), Cause::finger,
@@ -264,7 +265,7 @@ void CarDoorUnit::turn(DoorReaction reaction, Cause cause, Goal goal) {
   reclose_began_ = false;
 }
 
-/// Of a door that has turned: back to what it was told, when the cause is gone or its time is over.
+/// For a door that has reversed: returns to its command when the cause is gone or its time is over.
 void CarDoorUnit::await_return(Time now) {
   switch (cause_) {
     case Cause::none:
@@ -284,7 +285,7 @@ void CarDoorUnit::await_return(Time now) {
   }
 }
 
-/// The time begins when the door is open and nobody is seen in it, and anew when the light barrier
+/// The time starts when the door is open without an obstacle, and again when the light barrier
 /// changes; 0: never.
 void CarDoorUnit::await_reclose(Time now, double time) {
   if (!readings_.is_open || (reclose_began_ && reclose_barrier_ == barrier_)) return;
@@ -304,7 +305,7 @@ void CarDoorUnit::reclose_expired(Time now) {
   act(now);
 }
 
-/// A door that is driven, does not move, and does not say what it pushes against.
+/// Checks a door that is driven, does not move, and does not report an obstacle.
 void CarDoorUnit::check_progress(Time now) {
   const bool moves = readings_.position_mm != moved_position_ || !readings_.position_mm;
   if (moves || readings_.force_limit == Detection::yes ||
@@ -322,7 +323,7 @@ void CarDoorUnit::fail() {
   last_command_ = DoorCommand::no_action;
 }
 
-/// Whether it waits for its lock, which is stuck where that takes too long.
+/// True if it waits for its lock, which is stuck if that takes too long.
 bool CarDoorUnit::is_unlocking(Time now) {
   if (readings_.lock != Detection::yes) {
     unlocking_since_ = never;
@@ -351,7 +352,7 @@ DoorState CarDoorUnit::next_state(Time now) {
   return DoorState::stopped;
 }
 
-/// Whether the hardware was told something new.
+/// True if the hardware got another command.
 bool CarDoorUnit::drive(Time now) {
   DoorDrive wanted{.limits_force = limits_force_,
                    .is_reduced = is_reduced_ || closes_gently_,
@@ -416,11 +417,11 @@ void CarDoorUnit::tell_defects() {
   }
 }
 
-/// When to look again.
+/// Sets the time of the next reading.
 void CarDoorUnit::plan(Time now) {
   Time next = hardware_.next_change ? hardware_.next_change() : now + settings_.sensing_period;
   if (next <= now) next = now + shortest_look;
-  // A door that has been stopped takes a moment to stand: where it is then has to be told.
+  // A stopped door takes a moment to stand: its final position then has to be sent.
   const bool slows_down = report_.state == DoorState::stopped &&
                           now - position_changed_at_ < 2 * settings_.position_period;
   if (is_moving(report_.state) || slows_down) {

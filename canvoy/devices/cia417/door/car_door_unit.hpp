@@ -1,25 +1,25 @@
-// A car door unit: one door of a car, which obeys its controlword (6300h), tells its statusword and
-// position (6301h, 6302h), and does of its own accord what its configuration says (6304h to 6307h;
+// A car door unit: one door of a car, which follows its controlword (6300h), sends its statusword
+// and position (6301h, 6302h), and acts by itself according to its configuration (6304h to 6307h;
 // CiA 417-4, 4.6.1 and 4.7).
 //
 //     CarDoorUnit door(node, hardware, {.door = 2});
 //     node.start(now);
 //
-// A device that moves several doors has one for each. Where 6310h is in the dictionary too, the
-// light barrier of the door is what stands there: an RPDO of the light barrier unit brings it.
+// A device that moves several doors has one unit for each. If the dictionary also has 6310h, its
+// value is the light barrier of the door: an RPDO receives it from the light barrier unit.
 //
-// What the clause leaves open, and how it is taken here (docs/decisions.md, "Doors of lifts"):
-// a command acts when it differs from the one before, or comes by SDO; an enabled lock locks when
-// the door is closed and opens when the door is to; at reduced speed the light barrier turns
-// nothing.
+// Decisions where the clause is open (docs/decisions.md, "Doors of lifts"): a command takes effect
+// when it differs from the one before, or comes by SDO; an enabled lock locks when the door is
+// closed, and unlocks when the door has to open; at reduced speed, the light barrier does not
+// reverse the door.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 #include "canvoy/devices/cia417/door/car_door_hardware.hpp"
-#include "canvoy/devices/cia417/door/door_words.hpp"
+#include "canvoy/devices/cia417/kit/door_words.hpp"
 #include "canvoy/profiles/cia417/handles.hpp"
 
 namespace canvoy::cia417 {
@@ -27,21 +27,21 @@ namespace canvoy::cia417 {
 struct CarDoorSettings {
   unsigned lift = 1;  ///< 1 to 8
   unsigned door = 1;  ///< 1 to 4
-  /// The node-ID of the car door controller: 6304h:0Bh holds when its heartbeat is lost, which
+  /// The node-ID of the car door controller: 6304h:0Bh applies when its heartbeat is lost. This
   /// takes an entry in 1016h.
   NodeId controller = 1;
-  /// Of the light barrier unit, where 6310h is consumed; 0: it is not watched. While its heartbeat
-  /// is lost the light barrier is broken.
+  /// The node-ID of the light barrier unit, if 6310h is consumed; 0: not monitored. While its
+  /// heartbeat is lost, the light barrier counts as broken.
   NodeId light_barrier = 0;
-  bool holds_closed = true;            ///< with torque, at that end
-  bool holds_open = true;              ///< and at the other one
-  std::uint8_t velocity_profiles = 1;  ///< 6304h:01h takes numbers below
-  std::uint8_t width_profiles = 1;     ///< and 6304h:02h
-  /// How often a hardware without next_change is looked at.
+  bool holds_closed = true;            ///< with torque, at the closed end
+  bool holds_open = true;              ///< with torque, at the open end
+  std::uint8_t velocity_profiles = 1;  ///< 6304h:01h accepts lower numbers
+  std::uint8_t width_profiles = 1;     ///< 6304h:02h accepts lower numbers
+  /// Period of readings of a hardware without next_change.
   Duration sensing_period = 50ms;
-  /// How often a position that changes is told.
+  /// Period of messages while the position changes.
   Duration position_period = 100ms;
-  /// A door that is driven for so long and stays where it is, without a limit of force, is stuck.
+  /// A door that is driven for this time without moving, with unlimited force, is stuck.
   Duration stall_time = 2s;
   /// A lock that takes longer to open is stuck.
   Duration lock_time = 1s;
@@ -49,12 +49,12 @@ struct CarDoorSettings {
 
 class CarDoorUnit {
  public:
-  /// What `hardware` refers to must outlive this.
+  /// Everything to which `hardware` refers must outlive this.
   CarDoorUnit(Node& node, const DoorHardware& hardware, const CarDoorSettings& settings);
   CarDoorUnit(const CarDoorUnit&) = delete;
   CarDoorUnit& operator=(const CarDoorUnit&) = delete;
 
-  /// The readings are others: has them looked at when the node is called next.
+  /// Reads the hardware at the next call of the node, after a change.
   void hardware_changed() { node_.timers().arm(timer_, node_.now()); }
 
   DoorState state() const { return report_.state; }
@@ -63,10 +63,10 @@ class CarDoorUnit {
 
  private:
   enum class Goal : std::uint8_t { stay, close, open };
-  /// Why a door moves another way than it was told.
+  /// Reason for a movement other than the commanded one.
   enum class Cause : std::uint8_t { none, barrier, force, motion, finger };
 
-  // The bus.
+  // Events of the bus.
   void reset(ResetScope scope);
   void error_changed(const Error& error, bool present);
   void order_received(const Entry& entry, Source source);
@@ -82,7 +82,7 @@ class CarDoorUnit {
   void clear_error();
   void lose_controller();
 
-  // What is sensed, and what follows.
+  // Readings, and reactions to them.
   void act(Time now);
   void look(Time now);
   void react(Time now);
@@ -117,9 +117,9 @@ class CarDoorUnit {
   Goal goal_ = Goal::stay;
   Cause cause_ = Cause::none;
   DoorCommand last_command_ = DoorCommand::no_action;
-  bool has_torque_ = false;     ///< while it stays
-  bool limits_force_ = true;    ///< of the command
-  bool is_reduced_ = false;     ///< the speed that was commanded
+  bool has_torque_ = false;     ///< at rest
+  bool limits_force_ = true;    ///< from the command
+  bool is_reduced_ = false;     ///< the commanded speed
   bool closes_gently_ = false;  ///< reduced without a command
   bool closes_broken_ = false;  ///< with a light barrier that is known to be broken
   bool detects_motion_ = true;
@@ -130,8 +130,8 @@ class CarDoorUnit {
   bool barrier_is_lost_ = false;
   std::array<bool, 3> defects_told_{};
   Detection barrier_ = Detection::not_available;          ///< by 6310h or wire
-  bool reclose_began_ = false;                            ///< the time until it closes again
-  Detection reclose_barrier_ = Detection::not_available;  ///< when that time began
+  bool reclose_began_ = false;                            ///< the time to closing has started
+  Detection reclose_barrier_ = Detection::not_available;  ///< at the start of that time
   Time unlocking_since_ = never;
   Time moved_at_{};
   std::optional<std::uint16_t> moved_position_{};
@@ -139,10 +139,10 @@ class CarDoorUnit {
   std::optional<std::uint16_t> seen_position_;
   Time position_changed_at_{};
 
-  static const HookCalls hook_calls[];
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this, block_shift(settings_.lift)};
-  Timer timer_;    ///< to look at the hardware
+  static const AccessHandlers hook_calls[];
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this, block_shift(settings_.lift)};
+  Timer timer_;    ///< to read the hardware
   Timer reclose_;  ///< until it closes again
 };
 

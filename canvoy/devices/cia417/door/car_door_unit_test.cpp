@@ -73,7 +73,7 @@ TEST_F(CarDoor, ItsSpeedCanChangeOnTheWay) {
   EXPECT_FALSE(bench.driven.is_reduced);
 }
 
-/// "Take no action" is there to leave a door alone: another word is a command (4.6.1).
+/// "Take no action" leaves a door unchanged: another word is a command (4.6.1).
 TEST_F(CarDoor, ADoorThatStoppedByItselfStaysWhereItIsUntilItIsCommanded) {
   command(0x4);
   cable.run_for(1s);

@@ -1,4 +1,4 @@
-// A car door unit on a cable, with a test at the other end.
+// A car door unit on a cable, with the test at the other end.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ class CarDoorTest : public testing::Test {
     cable.send("000#01 06");
   }
 
-  /// By PDO, with all fields beside it left alone.
+  /// Writes it by PDO, with all other fields unchanged.
   void command(unsigned number) {
     char text[40];
     std::snprintf(text, sizeof text, "200#FF %XF FF FF FF FF FF FF", number);
@@ -31,7 +31,7 @@ class CarDoorTest : public testing::Test {
     std::snprintf(text, sizeof text, "606#2B 00 63 01 %02X %02X 00 00", value & 0xFF, value >> 8);
     cable.send(text);
   }
-  /// A byte by SDO; the answer is the last 586.
+  /// Writes a byte by SDO; the answer is the last 586.
   void write(unsigned index, unsigned sub, unsigned value) {
     char text[40];
     std::snprintf(text, sizeof text, "606#2F %02X %02X %02X %02X 00 00 00", index & 0xFF,
@@ -44,7 +44,7 @@ class CarDoorTest : public testing::Test {
     ASSERT_EQ(state(), DoorState::opened_with_torque);
     cable.clear();
   }
-  /// The test has touched the bench.
+  /// Applies a change that the test has made to the bench.
   void changed() {
     unit().hardware_changed();
     cable.run_for(0s);

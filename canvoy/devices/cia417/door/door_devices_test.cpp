@@ -1,5 +1,5 @@
-// What the devices of doors and loads have in common: the lift that they belong to, and that they
-// answer whatever comes.
+// Common rules for the devices of doors and loads: the lift to which they belong, and an answer to
+// every request.
 #include <gtest/gtest.h>
 
 #include <bit>

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "canvoy/devices/cia417/lift_number.hpp"
+#include "canvoy/devices/cia417/kit/lift_number.hpp"
 #include "canvoy/profiles/cia417/pdos.hpp"
-#include "canvoy/profiles/reactions.hpp"
+#include "canvoy/profiles/model/reactions.hpp"
 
 namespace canvoy::cia417 {
 
@@ -14,16 +14,16 @@ namespace {
 
 using cia402::DriveMode;
 
-/// Past its target: more than a car is wrong by that is seen late.
+/// Distance past its target: an overshoot beyond the error of a car is detected late.
 constexpr double overshoot_distance = 300;
-/// Past the last floor: the limit switches of the shaft are behind it (EN 81-20, 5.12.2). A car
-/// that is seen late is seen too fast, the more the faster it is.
+/// Distance past the last floor: the limit switches of the shaft are behind it (EN 81-20, 5.12.2).
+/// With a late position, the car appears to be too fast, the more the faster it is.
 constexpr double beyond_last_floor = 30;
 constexpr double seen_late_s = 0.08;
-/// It may be as much farther: a car that stops short of a target says how far it is.
+/// It may be farther by this distance: a car that stops short of a target shows its distance.
 constexpr double overshoot_more = 1000;
 
-/// The number of the RPDO that brings what `row` of the pre-defined ones does.
+/// Number of the RPDO for `row` of the pre-defined ones.
 constexpr std::uint16_t rpdo_of(unsigned lift, std::uint16_t rpdo) {
   return number_of_rpdo(rpdo + (lift - 1) * lift_pdo_pitch);
 }
@@ -40,11 +40,11 @@ constexpr Duration set_point_gap = 5ms;
 
 }  // namespace
 
-constexpr HookCalls CarDriveController::hook_calls[] = {
+constexpr AccessHandlers CarDriveController::hook_calls[] = {
     after_write<&CarDriveController::status_received, statusword_object>,
     after_write<&CarDriveController::velocity_received, velocity_actual_value_object>,
     after_write<&CarDriveController::position_received, position_value>};
-constexpr ServiceCalls CarDriveController::service_calls = {
+constexpr ServiceHandlers CarDriveController::service_calls = {
     .reset = method<&CarDriveController::reset>,
     .state_entered = method<&CarDriveController::state_entered>,
     .error_changed = method<&CarDriveController::error_changed>,
@@ -85,7 +85,7 @@ void CarDriveController::state_entered(NmtState state) {
     controlword_ = 0;
     return;
   }
-  // Of before: no PDO has come since, and a unit that stands does not tell again where.
+  // Values from before: no PDO has come since, and a standing unit does not repeat its position.
   forget_drive();
   position_is_known_ = false;
   ask();
@@ -124,7 +124,7 @@ void CarDriveController::heard(NodeId node, RemoteState state) {
   tell();
 }
 
-/// What it said before counts no longer: neither that it moves, nor that the position does not.
+/// Discards its former state: its movement, and the standstill of its position.
 void CarDriveController::forget_drive() {
   drive_is_known_ = false;
   aim_ = Aim::none;
@@ -133,7 +133,7 @@ void CarDriveController::forget_drive() {
   car_.forget_velocity();
 }
 
-/// What is not known yet; the answers are ordinary PDOs.
+/// Requests unknown values; the answers are ordinary PDOs.
 void CarDriveController::ask() {
   for (const std::uint16_t rpdo : status_rpdos) {
     const bool is_known = rpdo == status_rpdos[2] ? position_is_known_ : drive_is_known_;
@@ -161,7 +161,7 @@ void CarDriveController::status_received() {
 
 void CarDriveController::velocity_received() {
   car_.velocity_came();
-  // It tells its velocity often while it moves, so it stood before: what was old is that.
+  // It sends its velocity often while it moves, so it stood before: that is the old value.
   const bool was_old = std::exchange(velocity_may_be_old_, false) && !car_.moves();
   if (was_old) position_stands_ = false;
   drive_told();
@@ -212,7 +212,7 @@ void CarDriveController::fast_stop() {
   take_aim(Aim::none);
 }
 
-/// Less than an encoder jitters is none.
+/// A drift below the jitter of an encoder is ignored.
 void CarDriveController::learn_drift() {
   if (!is_at_target_ || !position_is_known_) return;
   const double drift = target().raw() - position();
@@ -263,7 +263,7 @@ void CarDriveController::reset_fault() {
 
 void CarDriveController::expired(Time now) {
   node_.timers().arm(timer_, now + settings_.answer_time / 2);
-  // Always, or a car that just begins to move has not moved for longer than it should.
+  // Always called: otherwise a car that just starts to move would seem to have stood for too long.
   watch_position(now);
   watch_standstill(now);
   if (step_ == Step::placed && aim_ == Aim::trip) return send_set_point();
@@ -277,8 +277,8 @@ void CarDriveController::expired(Time now) {
   tell();
 }
 
-/// Where the drive did not do what it was told: a frame was lost, or it was held. What it said may
-/// be old as well.
+/// Repeats a command that the drive did not execute: a frame was lost, or the drive was held. Its
+/// state may be out of date as well.
 void CarDriveController::tell_again(Time now) {
   if (!drive_is_known_ || is_obeyed()) return;
   told_at_ = now;
@@ -303,7 +303,8 @@ void CarDriveController::tell_command() {
   }
 }
 
-/// A car does not move without power, nor stand while its drive moves: one of the two is old.
+/// A car does not move without power, and does not stand while its drive moves: one of the two
+/// values is out of date.
 void CarDriveController::ask_what_is_odd() {
   const bool is_odd = drive_is_known_ && !is_powered(drive_state()) && car_.moves();
   if (!is_odd && !position_stands_) return;
@@ -320,7 +321,7 @@ void CarDriveController::watch_position(Time now) {
   ask_what_is_odd();
 }
 
-/// A limit stops the car, or the drive goes on waiting for what never comes.
+/// A limit stops the car, or the drive waits for an event that does not come.
 void CarDriveController::watch_standstill(Time now) {
   const bool stands = (aim_ == Aim::trip || aim_ == Aim::home) && !car_.moves();
   if (!stands) {
@@ -330,8 +331,9 @@ void CarDriveController::watch_standstill(Time now) {
   }
 }
 
-/// A drive whose ropes have slipped leads the car past its target, if need be into the buffers.
-/// Where it counts is known only so far: it needs as much way to its target as to stop, or more.
+/// A drive with slipped ropes moves the car past its target, if necessary into the buffers. The
+/// position of its count is known only to this extent: it needs at least its stopping distance to
+/// the target.
 void CarDriveController::watch_overshoot() {
   const bool is_led = aim_ == Aim::trip && mode_.now() == DriveMode::profile_position;
   const double sign = goes_up_ ? 1 : -1;
@@ -343,7 +345,7 @@ void CarDriveController::watch_overshoot() {
   fast_stop();
 }
 
-/// Terminal slow-down: by where the car is, and not by where the drive counts.
+/// Terminal slow-down: by the position of the car, not by the count of the drive.
 bool CarDriveController::passes_last_floor() const {
   const double sign = goes_up_ ? 1 : -1;
   const std::int32_t last = goes_up_ ? settings_.highest_micrometre : settings_.lowest_micrometre;
@@ -352,7 +354,7 @@ bool CarDriveController::passes_last_floor() const {
   return beyond > beyond_last_floor + std::abs(velocity()) * seen_late_s;
 }
 
-// How the drive is led to the aim.
+// Control of the drive on the way to its aim.
 
 DriveMode CarDriveController::wanted_mode() const {
   if (aim_ == Aim::home) return DriveMode::homing;
@@ -364,7 +366,7 @@ void CarDriveController::command(unsigned word) {
   controlword_ = word;
 }
 
-/// One step further towards the aim, by what the drive says now.
+/// One step towards the aim, by the present state of the drive.
 void CarDriveController::pursue() {
   if (!drive_is_known_ || node_.state() != NmtState::operational) return;
   const std::uint16_t status = statusword_.raw();
@@ -375,8 +377,8 @@ void CarDriveController::pursue() {
   }
   switch (state) {
     case DriveState::switch_on_disabled:
-      // It has fallen out of operation by itself, perhaps by a restart: a set-point is of the
-      // operation in which it was taken.
+      // The drive has left operation by itself, for example by a restart: a set-point belongs to
+      // the operation in which it was taken.
       if ((controlword_.raw() & 0x000F) == enable_word) mode_.forget();
       step_ = Step::wanted;
       if (aim_ != Aim::none) command(shutdown_word);
@@ -393,14 +395,14 @@ void CarDriveController::pursue() {
     case DriveState::fault:
       recover();
       break;
-    default:  // the drive is under way by itself
+    default:  // the drive changes its state by itself
       break;
   }
 }
 
 void CarDriveController::pursue_enabled(std::uint16_t status) {
   if (aim_ == Aim::none || mode_.now() != wanted_mode()) return rest();
-  // Taken back on its way to stand: it has to get there first.
+  // A cancelled stop: it has to be completed first.
   if ((controlword_.raw() & 0x000F) == switch_on_word) return;
   if (aim_ == Aim::home) return lead_homing(status);
   if (aim_ == Aim::run) return lead_run();
@@ -414,15 +416,15 @@ void CarDriveController::rest() {
   command(switch_on_word);
 }
 
-/// By the handshake of bits 4 and 12. A target that the drive cannot stop at is not acknowledged:
-/// it goes to the one before, and is told again from there.
+/// By the handshake of bits 4 and 12. A target at which the drive cannot stop is not acknowledged:
+/// it moves to the one before, and gets the target again from there.
 void CarDriveController::lead_trip(std::uint16_t status) {
   const bool is_acknowledged = (status & status_bit::set_point_acknowledge) != 0;
   const bool is_at_target = (status & status_bit::target_reached) != 0;
   switch (step_) {
     case Step::wanted:
       if (is_acknowledged) return command(immediately);
-      // Two PDOs bring the controlword, one of them the target: it is there before the edge.
+      // Two PDOs carry the controlword, one of them with the target, which arrives before the edge.
       target() = std::lround(wanted_position_ + drift_);
       command(immediately);
       step_ = Step::placed;
@@ -465,7 +467,7 @@ void CarDriveController::lead_approach() {
   const MotionState moving = {0, now, std::abs(at.acceleration)};
   const double to_creep = MotionProfile::to_velocity(moving, creep, settings_.ramps).end().position;
   const double to_stop = MotionProfile::stopping_distance({0, creep, 0}, settings_.ramps);
-  // Once slow it stays slow, and once stopping it stops.
+  // A slow car stays slow, and a stopping one stops.
   if (step_ == Step::wanted && std::abs(left) <= to_creep + to_stop + now * late) {
     step_ = Step::sent;
   }
@@ -512,7 +514,7 @@ void CarDriveController::recover() {
   command(0);
 }
 
-/// Whether the drive has the mode that the aim needs; otherwise that is on its way.
+/// True if the drive has the mode that the aim needs; otherwise a request for it is under way.
 bool CarDriveController::has_mode() {
   if (mode_.now() == wanted_mode()) return true;
   if (!mode_.can_change()) {
@@ -524,7 +526,7 @@ bool CarDriveController::has_mode() {
   return false;
 }
 
-// What the lift controller sees.
+// Status for the lift controller.
 
 bool CarDriveController::has_fault() const {
   const DriveState state = drive_state();
@@ -541,7 +543,7 @@ MotionStatus CarDriveController::status() const {
   double stopping = now.position;
   if (car_.moves()) {
     stopping += MotionProfile::stopping_distance(now, settings_.ramps);
-    // On its last ramp it stops at its target, and not behind it.
+    // On its last ramp it stops at its target, not behind it.
     const bool leads_there =
         aim_ == Aim::trip && (wanted_position_ - now.position) * now.velocity > 0;
     if (leads_there && now.velocity > 0) stopping = std::min(stopping, wanted_position_);

@@ -1,45 +1,45 @@
 // The car drive controller of a lift: commands the drive of the car (6400h, 6420h, 6430h), and
-// knows what it does by its statusword and velocity, and by the position unit (6401h, 6433h, 6383h;
-// CiA 417-4, 4.11).
+// evaluates its statusword and velocity, and the position unit (6401h, 6433h, 6383h; CiA 417-4,
+// 4.11).
 //
 //     CarDriveController drive(node, {.client = &client}, {.lift = 1});
 //     drive.on_change(Callback<void()>::to<&LiftController::update>(lift));
 //     drive.travel_to(12'500'000);  // micrometres
 //     LiftController lift(node, calls, {.motion = drive.interface(), ...}, settings);
 //
-// It leads the state machine of the drive: power on for a trip, off behind it, and again after a
-// fault that has gone. A car whose position unit is lost, or stands still while the drive says that
-// it moves, is stopped fast. Where the drive stands at its target and the car does not (ropes have
-// slipped, or stretch by the load), the next target is as much farther. A car that the drive would
-// lead past its target is stopped fast, near the last floors sooner than elsewhere: behind them are
-// limit switches. A trip that comes to a standstill before its target ends
+// It controls the state machine of the drive: power on for a trip, off after it, and on again after
+// the end of a fault. The car is stopped fast if its position unit is lost, or reports no movement
+// while the drive reports one. If the drive stands at its target and the car does not (ropes have
+// slipped, or stretch under the load), the next target is corrected by the difference. A car that
+// the drive would move past its target is stopped fast, earlier near the last floors because of the
+// limit switches behind them. A trip that comes to a standstill before its target ends
 // there, without an arrival.
 //
-// What it knows comes by event-driven PDOs: ask_anew() is for whoever sees a sign that some were
-// lost (GapWatch). A command without its effect is asked for by itself, and a car that stands
-// while its velocity or its position says otherwise.
+// Its information comes from event-driven PDOs: call ask_anew() after a sign of lost frames
+// (GapWatch). It repeats requests by itself when a command has no effect, and when a car stands
+// while its velocity or its position shows movement.
 //
-// Commands give it an aim, and each PDO of the drive brings it a step further: by the state machine
-// of the drive, the handshake of set-points, the approach in profile velocity mode, or homing (CiA
-// 417-4, 4.11.1 to 4.11.3). What it sees of the car is a SeenCar.
+// Commands set a target, and each PDO of the drive leads to the next step: in the state machine of
+// the drive, the handshake of set-points, the approach in profile velocity mode, or homing (CiA
+// 417-4, 4.11.1 to 4.11.3). SeenCar has the known state of the car.
 //
-// Where the drive is to have another mode of operation (run(), home(), or trips in profile velocity
-// mode), the mode is written by SDO while the car stands.
+// If the drive needs another mode of operation (run(), home(), or trips in profile velocity mode),
+// the mode is written by SDO while the car stands.
 #pragma once
 
 #include <cstdint>
 
 #include "canvoy/canopen/nmt/remote_state.hpp"
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 #include "canvoy/canopen/pdo/rpdo.hpp"
 #include "canvoy/canopen/pdo/tpdo.hpp"
 #include "canvoy/canopen/sdo/sdo_client.hpp"
-#include "canvoy/devices/cia417/controller/lift_bound.hpp"
-#include "canvoy/devices/cia417/controller/lift_interfaces.hpp"
 #include "canvoy/devices/cia417/drive/drive_mode_client.hpp"
 #include "canvoy/devices/cia417/drive/drive_state.hpp"
 #include "canvoy/devices/cia417/drive/motion_profile.hpp"
 #include "canvoy/devices/cia417/drive/seen_car.hpp"
+#include "canvoy/devices/cia417/lift/lift_bound.hpp"
+#include "canvoy/devices/cia417/lift/lift_interfaces.hpp"
 #include "canvoy/profiles/cia417/drive_handles.hpp"
 
 namespace canvoy::cia417 {
@@ -48,12 +48,12 @@ struct CarDriveControllerSettings {
   unsigned lift = 1;         ///< 1 to 8
   NodeId drive = 2;          ///< of the car drive unit
   NodeId position_unit = 4;  ///< of the car position unit
-  /// How trips are made: in profile position mode, or in profile velocity mode where the drive has
-  /// no absolute encoder (4.11).
+  /// Mode of trips: profile position mode, or profile velocity mode if the drive has no absolute
+  /// encoder (4.11).
   cia402::DriveMode trip_mode = cia402::DriveMode::profile_position;
-  std::int32_t drive_unit_micrometre = 1000;    ///< of 6420h, 6430h and 6433h
+  std::int32_t drive_unit_micrometre = 1000;    ///< unit of 6420h, 6430h and 6433h
   std::int32_t position_step_micrometre = 100;  ///< one count of 6383h
-  /// Of the last floors, as LiftMotion counts them: no trip goes beyond.
+  /// Positions of the last floors, as in LiftMotion: no trip goes beyond.
   std::int32_t lowest_micrometre = INT32_MIN;
   std::int32_t highest_micrometre = INT32_MAX;
   /// The ramps of the drive, in its units.
@@ -62,22 +62,22 @@ struct CarDriveControllerSettings {
                         .deceleration = 1000,
                         .jerk = {1200, 1200, 1200, 1200}};
   double creep_velocity = 100;  ///< in profile velocity mode, at the floor switch (6424h)
-  /// Between what the position unit measures and what the drive does about it.
+  /// Time between a measurement of the position unit and the reaction of the drive.
   Duration latency = 40ms;
-  Duration answer_time = 500ms;  ///< a drive that does nothing until then is told again
-  /// A fault is reset so often; 0: by reset_fault() only.
+  Duration answer_time = 500ms;  ///< without a reaction, the command is repeated then
+  /// Period of attempts to reset a fault; 0: only by reset_fault().
   Duration fault_reset_period = 2s;
-  /// The drive says that it moves, and the position does not change: for as long.
+  /// Maximum time for which the drive may report a movement while the position does not change.
   Duration position_time = 500ms;
-  /// On a trip, or on its way home, the car stands still for as long, and the drive does not say
-  /// that it has arrived: then the trip has ended short of its target.
+  /// If the car stands for this time on a trip or during homing, and the drive does not report its
+  /// arrival, the trip has ended short of its target.
   Duration standstill_time = 4s;
 };
 
-/// What of a node it works with; all may be null.
+/// Services of a node that it uses; all may be null.
 struct CarDriveControllerServices {
-  Rpdos* rpdos = nullptr;       ///< to ask by remote frame for what is not known
-  Tpdos* tpdos = nullptr;       ///< to tell a drive again what it did not do
+  Rpdos* rpdos = nullptr;       ///< to request unknown states by remote frame
+  Tpdos* tpdos = nullptr;       ///< to send a command to the drive again
   SdoClient* client = nullptr;  ///< to change the mode of operation
 };
 
@@ -94,40 +94,41 @@ class CarDriveController {
   void travel_to(std::int32_t position_micrometre);
   /// 0 stops.
   void run(std::int32_t velocity_micrometre_per_second);
-  /// To the home switch: the drive counts from there.
+  /// Moves to the home switch, from which the drive counts.
   void home();
   void stop();
   void fast_stop();
   void reset_fault();
-  /// While it is held, the car stops fast and goes nowhere: somebody tells of an error that makes
-  /// a trip unsafe (1028h; see UnitErrors). Who releases it commands anew.
+  /// While it is held, the car stops fast and does not move: a node reports an error that makes a
+  /// trip unsafe (1028h; see UnitErrors). The caller that releases it commands again.
   void hold(bool is_held);
 
-  /// The device belongs to another lift now (6001h): what it heard was of another drive.
+  /// Discards all states: the device belongs to another lift (6001h).
   void begin_anew();
-  /// A boot-up message or heartbeat of a node: of a unit that has begun anew nothing is known, and
-  /// one that becomes operational is asked. Losses and returns of those in 1016h are known here.
+  /// Takes a boot-up message or heartbeat of a node. The state of a unit that has restarted is
+  /// discarded; the state of a unit that becomes operational is requested. Losses and returns of
+  /// units in 1016h are detected automatically.
   void heard(NodeId node, RemoteState state);
-  /// PDOs may have been lost: drive and position unit are asked for their state, and the drive is
-  /// told its command again when it has answered.
+  /// Requests the state of drive and position unit, as PDOs may have been lost. The drive gets its
+  /// command again when it has answered.
   void ask_anew();
-  /// Not while a car is under way.
+  /// Refuses while a car moves.
   AbortCode refuses_lift_number();
 
   Aim aim() const { return aim_; }
   DriveState drive_state() const { return cia402::drive_state(statusword_.raw()); }
-  /// The drive is in fault: what it told is in its emergency.
+  /// True if the drive is in fault; its emergency has the reason.
   bool has_fault() const;
   bool has_homed() const { return has_homed_; }
   MotionStatus status() const;
-  /// Called when the status has changed.
+  /// Calls `changed` when the status has changed.
   void on_change(Callback<void()> changed) { changed_ = changed; }
 
   /// For a LiftController; valid as long as this.
   LiftMotion interface();
 
  private:
-  /// Of a trip and of homing: by the handshake of the set-point in profile position mode; in
+  /// Step of a trip or of homing: by the handshake of the set-point in profile position mode; in
   /// profile velocity mode `sent` is slow and `taken` is stopping.
   enum class Step : std::uint8_t { wanted, placed, sent, taken };
 
@@ -172,7 +173,7 @@ class CarDriveController {
   void tell();
   MotionStatus status_for_lift() { return status(); }
 
-  /// Of 6420h.
+  /// 6420h.
   auto target() const {
     return Values(node_.dictionary())[in_lift(settings_.lift, target_position)];
   }
@@ -187,30 +188,30 @@ class CarDriveController {
   SeenCar car_;
   DriveModeClient mode_;
   Callback<void()> changed_;
-  static const HookCalls hook_calls[];
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this, block_shift(settings_.lift)};
+  static const AccessHandlers hook_calls[];
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this, block_shift(settings_.lift)};
   Timer timer_;
 
   Aim aim_ = Aim::none;
   Step step_ = Step::wanted;
   bool is_stopping_fast_ = false;
-  bool is_reached_ = false;  ///< the last trip ended where it should
+  bool is_reached_ = false;  ///< the last trip ended at its target
   bool has_homed_ = false;
   bool drive_is_known_ = false;
   bool position_is_known_ = false;
   bool drive_is_lost_ = false;
   bool position_is_lost_ = false;
-  bool position_stands_ = false;      ///< while the drive moves
-  bool is_told_by_answer_ = false;    ///< the command, once more
-  bool velocity_may_be_old_ = false;  ///< it was not told since the position stands
+  bool position_stands_ = false;      ///< while the drive reports a movement
+  bool is_told_by_answer_ = false;    ///< the command is repeated with the next answer
+  bool velocity_may_be_old_ = false;  ///< it was not received since the position stands still
   bool is_held_ = false;
   double wanted_position_ = 0;  ///< in units of the drive
-  /// Where the drive counts a position, above where the position unit does. No reset of a node
-  /// moves ropes: it is kept until the drive homes.
+  /// Position of the drive minus that of the position unit. A reset of a node does not move ropes:
+  /// it is kept until the drive homes.
   double drift_ = 0;
-  bool is_at_target_ = false;  ///< the drive, since a trip
-  bool goes_up_ = false;       ///< to the target of a trip from where it was given
+  bool is_at_target_ = false;  ///< the drive, during a trip
+  bool goes_up_ = false;       ///< direction to the target of a trip from its start
   double wanted_velocity_ = 0;
   Time stands_since_{};  ///< on a trip
   Time reset_at_{};

@@ -1,14 +1,14 @@
-// A whole car drive controller of CiA 417-4. A lift controller has a CarDriveController of its own
+// A whole car drive controller of CiA 417-4. A lift controller has a separate CarDriveController
 // beside its other virtual devices.
 //
 //     CarDriveControllerDevice<> drive(port, 1);
 //     drive.unit().controller().travel_to(12'500'000);
 //
-// Overspeed, unintended car movement, and what else makes a trip unsafe stop the drive fast and
-// hold it while a node tells of them that 1028h names (see UnitErrors): by default drive and
-// position unit.
+// Overspeed, unintended car movement, and other errors that make a trip unsafe stop the drive fast
+// and hold it while a node in 1028h reports them (see UnitErrors): by default drive and position
+// unit.
 //
-// After a sign of lost frames (GapWatch) both are asked for their state.
+// After a sign of lost frames (GapWatch), the state of both is requested.
 #pragma once
 
 #include <utility>
@@ -16,15 +16,15 @@
 #include "canvoy/canopen/emergency/emergency_consumer.hpp"
 #include "canvoy/canopen/nmt/heartbeat_consumer.hpp"
 #include "canvoy/canopen/sdo/sdo_client.hpp"
+#include "canvoy/devices/cia417/controller/unit_errors.hpp"
 #include "canvoy/devices/cia417/drive/car_drive_controller.hpp"
-#include "canvoy/devices/cia417/lift_kind.hpp"
-#include "canvoy/devices/cia417/unit_errors.hpp"
-#include "canvoy/devices/gap_watch.hpp"
+#include "canvoy/devices/cia417/kit/lift_kind.hpp"
+#include "canvoy/devices/kit/gap_watch.hpp"
 #include "canvoy/profiles/cia417/watched_nodes.hpp"
 
 namespace canvoy::cia417 {
 
-/// A controller that is nothing else, and the errors that it obeys.
+/// A controller without other functions, and the errors to which it reacts.
 class LoneDriveController {
  public:
   template <class Services>
@@ -58,7 +58,7 @@ class LoneDriveController {
   }
 
  private:
-  /// It commands the drive alone: no door, no load.
+  /// It commands only the drive: no door, no load.
   static constexpr LiftUnits units_of(const CarDriveControllerSettings& settings) {
     return {.drive = settings.drive,
             .position_unit = settings.position_unit,
@@ -88,8 +88,8 @@ class LoneDriveController {
   GapWatch gaps_;
 };
 
-/// What a drive and a position unit tell, a heartbeat each 300 ms, these two watched, and room to
-/// hear the emergencies of all nodes.
+/// The messages of a drive and a position unit, a heartbeat every 300 ms, these two monitored, and
+/// room to receive the emergencies of all nodes.
 template <LiftDeviceOptions options = LiftDeviceOptions{}>
 struct CarDriveControllerKind
     : LiftKind<LoneDriveController, NoHardware, CarDriveControllerSettings> {
@@ -117,7 +117,7 @@ struct CarDriveControllerKind
   }
 };
 
-/// `layout` is that of a description with the objects of a car drive controller for `options`.
+/// `layout` has a description with the objects of a car drive controller for `options`.
 template <LiftDeviceOptions options = LiftDeviceOptions{},
           const auto& layout = layout_of<CarDriveControllerKind<options>>,
           std::size_t own_routes = 0>

@@ -1,6 +1,6 @@
-// What a car drive controller does where PDOs were lost: the state of the drive is asked anew by
-// remote frame, and the next command is built from the answer (CiA 402, controlword and statusword;
-// CiA 417-4, 4.11). Node 2 is the drive, 4 the position unit.
+// Reactions of a car drive controller to lost PDOs: the state of the drive is requested by remote
+// frame, and the next command follows from the answer (CiA 402, controlword and statusword; CiA
+// 417-4, 4.11). Node 2 is the drive, 4 the position unit.
 #include "canvoy/devices/cia417/drive/car_drive_controller_test.hpp"
 
 namespace canvoy::cia417::car_drive_controller_gap_test {
@@ -47,7 +47,7 @@ TEST_F(DriveControllerInAGap, LeadsADriveThatHasStoppedMeanwhileToItsTargetFromT
   EXPECT_TRUE(bench.has_sent("180#3F 00 E0 2E 00 00")) << "the set-point of before is gone";
 }
 
-/// What it commanded in the gap nobody has heard.
+/// Its commands in the gap were not received.
 TEST_F(DriveControllerInAGap, TellsItsCommandAgainWhenTheDriveHasAnswered) {
   begin_trip();
   order([&] { controller().stop(); });
@@ -157,7 +157,8 @@ class DriveControllerBetweenFloors : public testing::Test {
       bench.port(), 1, {.lowest_micrometre = 0, .highest_micrometre = 12'000'000}};
 };
 
-/// At 400 mm/s it stands 80 mm later with 1 m/s2; it is seen late by 32 mm, and may be wrong by 30.
+/// From 400 mm/s it stops within 80 mm at 1 m/s2; it is detected 32 mm late, and may be wrong by
+/// 30.
 TEST_F(DriveControllerBetweenFloors, StopsFastWhereItWouldPassTheLastFloor) {
   hear("18C#2C D3 01 00");  // 11,959.6 mm
   hear("185#37 12 90 01 00 00");

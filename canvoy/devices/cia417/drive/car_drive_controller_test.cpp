@@ -35,7 +35,7 @@ TEST_F(DriveControllerAtTheWire, LeadsTheDriveToOperationAndToItsTargetByTheHand
   EXPECT_EQ(controller().status().position_micrometre, 12'000'000);
 }
 
-/// No PDO has come meanwhile, and a unit that stands does not tell again where it is.
+/// No PDO has come meanwhile, and a standing unit does not repeat its position.
 TEST_F(DriveControllerAtTheWire, AsksAnewWhereTheCarIsWhenItIsStartedAgain) {
   ASSERT_TRUE(controller().status().available);
   bench.send("000#02 01");
@@ -112,7 +112,7 @@ TEST_F(DriveControllerAtTheWire, StopsACarThatTheDriveLeadsPastItsTarget) {
   hear("181#31 02 00 00 00 00");
   hear("181#33 02 00 00 00 00");
   hear("181#37 02 00 00 00 00");
-  // 301 mm, and a metre that a car which stops short of its target gives back.
+  // 301 mm, and a metre for a car that stops short of its target.
   EXPECT_TRUE(bench.has_sent("180#2F 00 13 1E 00 00")) << "7,699 mm";
 }
 
@@ -245,7 +245,7 @@ TEST_F(DriveControllerAtTheWire, StopsFastWhereTheDriveMovesAndThePositionDoesNo
   EXPECT_TRUE(controller().status().available) << "it is alive again";
 }
 
-/// The parameter: how many ms behind its last look the controller is told to go.
+/// The parameter: the command to go comes this many ms after the last check of the controller.
 class DriveControllerAtAStart : public DriveControllerAtTheWire,
                                 public testing::WithParamInterface<int> {};
 
@@ -277,7 +277,7 @@ TEST_F(DriveControllerAtTheWire, TellsWhereTheCarCouldStopNext) {
   EXPECT_NEAR(controller().status().stopping_position_micrometre, -800'000 * (1.6 + 0.8333), 100);
 }
 
-// On a cable, with a drive whose car follows it.
+// On a cable, with a drive and a car that follows it.
 
 class DriveControllerOnACable : public testing::Test {
  protected:
@@ -291,7 +291,7 @@ class DriveControllerOnACable : public testing::Test {
     cable.run_for(200ms);
   }
   CarDriveController& controller() { return controller_device.unit().controller(); }
-  /// The position unit is the test's: one frame each 50 ms.
+  /// The test is the position unit: one frame every 50 ms.
   void tell_position() {
     bench.now = cable.now;
     Frame frame = Frame::data_frame(0x18C, {});

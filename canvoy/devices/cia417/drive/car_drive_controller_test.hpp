@@ -23,7 +23,7 @@ class DriveControllerAtTheWire : public testing::Test {
     bench.sent.clear();
     bench.send(frame);
   }
-  /// To "switched on", in the mode of trips.
+  /// Changes to "switched on", in the mode of trips.
   void switch_on_for_a_trip() {
     EXPECT_TRUE(bench.has_sent("180#06 00 00 00 00 00"));
     hear("181#31 02 00 00 00 00");
@@ -32,7 +32,7 @@ class DriveControllerAtTheWire : public testing::Test {
     EXPECT_TRUE(bench.has_sent("180#07 00 00 00 00 00"));
     hear("181#33 02 00 00 00 00");
   }
-  /// On its way to 12 m, with operation enabled.
+  /// Starts a trip to 12 m, with operation enabled.
   void begin_trip() {
     order([&] { controller().travel_to(12'000'000); });
     switch_on_for_a_trip();

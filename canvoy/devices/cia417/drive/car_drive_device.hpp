@@ -5,14 +5,14 @@
 #pragma once
 
 #include "canvoy/devices/cia417/drive/car_drive_unit.hpp"
-#include "canvoy/devices/cia417/lift_kind.hpp"
+#include "canvoy/devices/cia417/kit/lift_kind.hpp"
 #include "canvoy/profiles/cia417/watched_nodes.hpp"
 
 namespace canvoy::cia417 {
 
 namespace detail {
 
-/// The same device with another power-on value of an object of lift `lift`.
+/// A copy of the device with another power-on value of an object of lift `lift`.
 template <std::size_t capacity>
 constexpr DeviceDescription<capacity> with_initial(const DeviceDescription<capacity>& device,
                                                    unsigned lift, const ObjectInfo& object,
@@ -65,8 +65,8 @@ constexpr DeviceDescription<capacity> with_drive_defaults(DeviceDescription<capa
 
 }  // namespace detail
 
-/// Every object of a drive, a heartbeat each 500 ms, its controller watched, and room to hear the
-/// emergencies of node-IDs 1 to 20.
+/// Every object of a drive, a heartbeat every 500 ms, a monitored controller, and room to receive
+/// the emergencies of node-IDs 1 to 20.
 template <unsigned lift = 1>
 struct CarDriveKind : LiftKind<CarDriveUnit, CarDriveHardware, CarDriveSettings> {
   static constexpr DeviceInfo info = {.name = "lift-drive",
@@ -95,8 +95,7 @@ struct CarDriveKind : LiftKind<CarDriveUnit, CarDriveHardware, CarDriveSettings>
   }
 };
 
-/// `layout` is that of a description with a car drive unit of lift `settings.lift` in it, and
-/// 1028h.
+/// `layout` has a description with a car drive unit of lift `settings.lift`, and 1028h.
 template <const auto& layout = layout_of<CarDriveKind<>>, std::size_t own_routes = 0>
 using CarDriveDevice = Device<CarDriveKind<>, layout, own_routes>;
 

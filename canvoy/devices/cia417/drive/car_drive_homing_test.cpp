@@ -5,7 +5,8 @@
 namespace canvoy::cia417::car_drive_homing_test {
 namespace {
 
-/// A shaft with switches, and an encoder with an index pulse each 3 m from 0.5 m on, in increments.
+/// A shaft with switches, and an encoder with an index pulse every 3 m from 0.5 m on, in
+/// increments.
 class HomingBench : public DriveBench {
  public:
   static constexpr double lower_limit = -20'000;
@@ -75,7 +76,7 @@ class Homing {
     control(0x000F);
     control(0x001F);
   }
-  /// Travels to position 0 and says where that is, in increments.
+  /// Travels to position 0 and returns its location in increments.
   double zero() {
     control(0x0007);
     EXPECT_EQ(bench.ask("2F 03 64 00 01 00 00 00"), 0U);
@@ -163,7 +164,7 @@ TEST(DriveHoming, FailsAtOnceWhereNobodyTellsTheHomeSwitchThatItsMethodWants) {
   EXPECT_FALSE(homing.bench.brake_released);
 }
 
-/// It searches at 100 mm/s, and takes a second to get there and one to stop.
+/// It searches at 100 mm/s, and takes one second to reach that and one to stop.
 void expect_failure_between(Homing& homing, Duration earliest, Duration latest) {
   homing.begin();
   homing.bench.run_for(earliest);
@@ -254,7 +255,7 @@ TEST(DriveHoming, AResetForgetsTheHomePosition) {
   EXPECT_NEAR(homing.zero(), 0, 0.01) << "increments count from the encoder's zero";
 }
 
-// With a home switch below, as it is without a choice.
+// With a home switch below, the default.
 
 class DriveHomingBelow : public CarDriveTest {
  protected:

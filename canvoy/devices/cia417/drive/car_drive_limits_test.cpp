@@ -1,4 +1,4 @@
-// What a car drive unit refuses and how far it goes: limits, ranges and units of its objects.
+// Refused values and end positions of a car drive unit: limits, ranges and units of its objects.
 #include "canvoy/devices/cia417/drive/car_drive_unit_test.hpp"
 
 namespace canvoy::cia417::car_drive_limits_test {

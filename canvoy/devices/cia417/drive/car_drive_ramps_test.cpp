@@ -1,6 +1,6 @@
-// Which object of a car drive unit makes which ramp (CiA 417-4, 4.11.1 and 4.11.4): velocities,
-// accelerations, jerks and option codes, in the units of their objects. Without others it is 1.6
-// m/s, 1 m/s2 and 1.2 m/s3.
+// Objects of a car drive unit that determine its ramps (CiA 417-4, 4.11.1 and 4.11.4): velocities,
+// accelerations, jerks and option codes, in the units of their objects. The defaults are 1.6 m/s, 1
+// m/s2 and 1.2 m/s3.
 #include <algorithm>
 
 #include "canvoy/devices/cia417/drive/car_drive_unit_test.hpp"
@@ -22,7 +22,7 @@ class DriveVelocityTest : public CarDriveTest {
   void slow_down() { bench.send("184#0F 00 00 00 00 00"); }
 };
 
-/// How long the ramp from 0 to 1 m/s takes, and back, without jerk.
+/// Duration of the ramp from 0 to 1 m/s, and back, without jerk.
 struct Acceleration {
   const char* name;
   const char* request;
@@ -120,7 +120,7 @@ TEST_F(DriveRamps, PassesATargetWithItsEndVelocityWhereAnotherOneWaits) {
 
 constexpr std::uint16_t no_command = 0xFFFF;
 
-/// How a stop that is a fast one begins, and the option code that it has by 6402h.
+/// Start of a fast stop, and its option code in 6402h.
 struct FastStop {
   const char* name;
   const char* option;
@@ -138,7 +138,7 @@ class DriveFastStop : public CarDriveTest, public testing::WithParamInterface<Fa
   }
 };
 
-/// 640Ah alone says how long it takes: the jerk of 640Dh is for profile movement.
+/// Only 640Ah determines the duration: the jerk of 640Dh is for profile movement.
 TEST_P(DriveFastStop, HasTheQuickStopDecelerationAtOnce) {
   struct Row {
     const char* request;

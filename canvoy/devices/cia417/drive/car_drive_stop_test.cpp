@@ -1,4 +1,4 @@
-// What stops a car drive unit: lost partners, emergencies of others, faults of its own.
+// Events that stop a car drive unit: lost partners, emergencies of others, its own faults.
 #include "canvoy/devices/cia417/drive/car_drive_unit_test.hpp"
 
 namespace canvoy::cia417::car_drive_stop_test {
@@ -127,7 +127,7 @@ TEST_F(CarDrive, WithoutVoltageItsBrakeClosesAndItWaitsForBoth) {
   }
 }
 
-/// What the drive finds wrong, and what is there when it has gone.
+/// Faults that the drive detects, and its state after their end.
 struct OwnError {
   const char* name;
   double velocity;

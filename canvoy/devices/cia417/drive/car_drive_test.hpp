@@ -1,5 +1,5 @@
-// The hardware of a car drive as plain numbers, for tests: a car that follows its profile exactly,
-// unless the test takes it away.
+// The hardware of a simple simulated car drive, for tests: a car that follows its profile exactly,
+// unless the test controls it.
 //
 //     DriveBench bench;
 //     CarDriveDevice<> drive(bench.port(), 2, bench.hardware());
@@ -32,9 +32,9 @@ class DriveBench {
             .arrest = Callback<void()>::to<&DriveBench::arrest>(*this)};
   }
 
-  /// The node whose time counts.
+  /// The node that has the clock.
   void connect(Node& node) { node_ = &node; }
-  /// Starts the node and makes it operational; a tenth of a second later the car counts as
+  /// Starts the node and makes it operational; after a tenth of a second the car counts as
   /// standing.
   void boot(Node& node) {
     node_ = &node;
@@ -63,7 +63,7 @@ class DriveBench {
   }
   void run_for(Duration duration) { run_until(now + duration); }
 
-  /// Whether a frame was sent, of those that are kept since the last boot or clear.
+  /// True if a frame was sent, of those since the last boot or clear.
   bool has_sent(std::string_view frame) const {
     return std::ranges::any_of(sent, [&](const Frame& f) { return wire_text(f) == frame; });
   }
@@ -93,7 +93,7 @@ class DriveBench {
   Time now{};
   std::vector<Frame> sent;
   DriveReadings readings;
-  bool detached = false;  ///< from here on `readings` are what is sensed
+  bool detached = false;  ///< from here on the test sets `readings`
   std::optional<double> home_switch;
   bool power = false;
   bool brake_released = false;

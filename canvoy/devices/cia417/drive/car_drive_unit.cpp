@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "canvoy/profiles/reactions.hpp"
+#include "canvoy/profiles/model/reactions.hpp"
 
 namespace canvoy::cia417 {
 
@@ -11,13 +11,14 @@ namespace {
 
 using cia402::DriveMode;
 
-/// So long after its end a stop for a fault has had its chance; then the brake does it.
+/// After this time beyond its planned end, a stop for a fault has failed; the brake then stops the
+/// car.
 constexpr Duration stop_time_reserve = 500ms;
 
-/// In units of the drive: what an encoder that stands may change in one period.
+/// In units of the drive: maximum change of a standing encoder in one period.
 constexpr double jump_distance = 5;
 
-/// After these nothing is known of what the controller wants.
+/// After these errors, the command of the controller is not known.
 bool is_loss_of_control(const Error& error, NodeId controller) {
   return (error.code == canvoy::emergency_code::heartbeat && error.instance == controller) ||
          error.code == canvoy::emergency_code::protocol ||
@@ -39,7 +40,7 @@ constexpr StopReaction fast(StopReaction reaction) {
 
 }  // namespace
 
-constexpr HookCalls CarDriveUnit::hook_calls[] = {
+constexpr AccessHandlers CarDriveUnit::hook_calls[] = {
     before_write<&CarDriveUnit::note_order, controlword_object>,
     before_write<&CarDriveUnit::check, statusword_object, velocity_control_parameter_set_object>,
     after_write<&CarDriveUnit::order_written, controlword_object>,
@@ -48,7 +49,7 @@ constexpr HookCalls CarDriveUnit::hook_calls[] = {
     after_write<&CarDriveUnit::refresh_status, target_position_object>,
     after_write<&CarDriveUnit::parameter_written, statusword_object,
                 velocity_control_parameter_set_object>};
-constexpr ServiceCalls CarDriveUnit::service_calls = {
+constexpr ServiceHandlers CarDriveUnit::service_calls = {
     .reset = method<&CarDriveUnit::reset>,
     .state_entered = method<&CarDriveUnit::state_entered>,
     .bus_state_changed = method<&CarDriveUnit::bus_state_changed>,
@@ -92,7 +93,7 @@ CarDriveUnit::CarDriveUnit(Node& node, const CarDriveServices& services,
   node.attach(service_);
 }
 
-// The bus.
+// Events of the bus.
 
 /// Transitions 0 and 1.
 void CarDriveUnit::reset(ResetScope scope) {
@@ -143,13 +144,13 @@ void CarDriveUnit::error_changed(const Error& error, bool present) {
   if (present && is_loss_of_control(error, controller_)) stop_fast();
 }
 
-/// Some node tells of what is dangerous.
+/// A node reports a dangerous error.
 void CarDriveUnit::held() {
   stop_fast();
   hasten();
 }
 
-/// All values of a PDO are asked for before one is written: the controlword comes first.
+/// All values of a PDO are checked before one is written: the controlword comes first.
 AbortCode CarDriveUnit::note_order(Raw<std::uint16_t> controlword) {
   asked_ = controlword.bits;
   return AbortCode::none;
@@ -194,7 +195,7 @@ void CarDriveUnit::obey(std::uint16_t word) {
   if (state_ == DriveState::operation_enabled && !is_stopping_) obey_mode(word, changed);
 }
 
-/// The bits of the controlword that name a state.
+/// The bits of the controlword that select a state.
 void CarDriveUnit::obey_level() {
   const std::optional<DriveCommand> command = drive_command(obeyed_);
   if (!command) return;
@@ -207,7 +208,7 @@ void CarDriveUnit::change_state(DriveState next) {
   const bool is_start = next == DriveState::operation_enabled;
   if (is_held() && (is_start || state_ == DriveState::switch_on_disabled)) return;
   // While the brake still stops the car, or the safety chain is open, the power stage stays off;
-  // tick() asks again.
+  // tick() tries again.
   if (is_start && !readings().voltage) return;
   if (is_start && !is_powered(state_) && !is_standing()) return;
   if (state_ != DriveState::operation_enabled || next == DriveState::switch_on_disabled) {
@@ -219,7 +220,7 @@ void CarDriveUnit::change_state(DriveState next) {
     state_ = next;
     return stop(reaction, stays ? std::nullopt : std::optional(DriveState::switch_on_disabled));
   }
-  // The command came again, or another one, on the way there.
+  // The command was repeated, or replaced, on the way there.
   if (is_stopping_) {
     after_stop_ = next;
     return;
@@ -227,7 +228,7 @@ void CarDriveUnit::change_state(DriveState next) {
   stop(parameters_.option(next == DriveState::ready_to_switch_on ? 1 : 2), next);
 }
 
-/// `then` is entered when the car stands; without it the drive stays in this state.
+/// `then` is the state after the standstill; without it, the drive stays in the present state.
 void CarDriveUnit::stop(StopReaction reaction, std::optional<DriveState> then) {
   is_halted_ = false;
   position_mode_.give_up();
@@ -247,7 +248,7 @@ void CarDriveUnit::slow_down(StopReaction reaction) {
   car_.slow_down(parameters_.stop_ramp(reaction, velocity), node_.now());
 }
 
-/// Of a stop that is under way.
+/// Hastens a stop that is under way.
 void CarDriveUnit::hasten() {
   if (is_stopping_ && must_be_fast() && fast(reaction_) != reaction_) stop(reaction_, after_stop_);
 }
@@ -263,7 +264,7 @@ void CarDriveUnit::enter(DriveState state) {
     car_.close_brake();
     car_.switch_power(false);
   } else if (state == DriveState::operation_enabled) {
-    // With power, standing, and nothing to do yet.
+    // With power, standing, and without a command.
     car_.switch_power(true);
     car_.hold(node_.now());
     take_mode();
@@ -283,7 +284,8 @@ void CarDriveUnit::fail(DriveFault fault, std::uint16_t hardware_code) {
   if (state_ == DriveState::fault || state_ == DriveState::fault_reaction_active) return hasten();
   if (!is_powered(state_)) return enter(DriveState::fault);
   state_ = DriveState::fault_reaction_active;
-  // Who does not know where the car is leads it to no stop: the brake does.
+  // Without a known position of the car, the drive cannot make a controlled stop: the brake stops
+  // it.
   const bool is_blind = fault == DriveFault::following;
   stop(is_blind ? StopReaction::disable : parameters_.option(5), DriveState::fault);
 }
@@ -315,7 +317,7 @@ void CarDriveUnit::reset_fault() {
 
 // The mode of operation.
 
-/// That which is wanted, as far as the drive has it.
+/// The selected mode, if the drive has it.
 void CarDriveUnit::take_mode() {
   const auto wanted = mode_wanted_.value();
   if (wanted) mode_ = *wanted;
@@ -355,14 +357,14 @@ void CarDriveUnit::obey_halt(bool is_halted) {
   obey_velocity();
 }
 
-/// What 6430h asks for now.
+/// Applies the present value of 6430h.
 void CarDriveUnit::obey_velocity() {
   const bool obeys = state_ == DriveState::operation_enabled && !is_stopping_ && !is_halted_;
   if (mode_ != DriveMode::profile_velocity || !obeys) return;
   if (velocity_mode_.obey(value(target_velocity).raw(), node_.now())) has_arrived_ = false;
 }
 
-// Each period.
+// Called every period.
 
 void CarDriveUnit::tick(Time now) {
   measure(now);
@@ -426,7 +428,7 @@ void CarDriveUnit::finish_stop(Time now) {
   car_.close_brake();
   if (!after_stop_) return;
   enter(*after_stop_);
-  // What was commanded on the way, and could not be done yet.
+  // Commands that were given on the way, and could not yet be executed.
   obey_level();
 }
 
@@ -478,7 +480,7 @@ void CarDriveUnit::refresh_status() {
   statusword_ = word;
 }
 
-/// Again when the profile ends; else often while the car moves, and seldom while it stands.
+/// Again when the profile ends; otherwise often while the car moves, and rarely while it stands.
 void CarDriveUnit::arm(Time now) {
   const bool is_busy = car_.is_brake_released() || !is_standing();
   Time next = now + (is_busy ? control_period_ : standing_period_);

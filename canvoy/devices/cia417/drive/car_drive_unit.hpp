@@ -4,20 +4,19 @@
 //     CarDriveUnit drive(node, {.emergencies = &emergency_consumer}, hardware, {.lift = 1});
 //     node.start(now);
 //
-// It stops fast, and waits for a new command, when the heartbeat of its controller is lost, a
-// control PDO is refused or late, the node leaves NMT state operational or goes bus-off, and when a
-// node that 1028h names tells of overspeed (FF05h) or unintended car movement (FF06h): then until
-// that node has no error any more, or boots, and no option code of 6402h makes that stop slower
-// than the quick stop deceleration (640Ah). What it detects itself (these two, a following error,
-// a fault of the hardware) is a fault of CiA 402, which ends by fault reset. Without voltage (the
-// safety chain is open) operation ends, the brake closes, and overspeed and unintended movement
-// stay faults: so they need the hand that closes the chain (EN 81-20, 5.6).
+// It stops fast, and waits for another command, when the heartbeat of its controller is lost, a
+// control PDO is refused or late, or the node leaves NMT state operational or goes bus-off. It also
+// stops fast when a node in 1028h reports overspeed (FF05h) or unintended car movement (FF06h),
+// until that node has no error any more or boots; no option code of 6402h makes that stop slower
+// than the quick stop deceleration (640Ah). Conditions that it detects itself (these two, a
+// following error, a fault of the hardware) are a fault of CiA 402, which a fault reset ends.
+// Without voltage (the safety chain is open), operation ends, the brake closes, and overspeed and
+// unintended movement stay faults: they end only when a person closes the chain (EN 81-20, 5.6).
 //
-// It is the state machine of CiA 402. The car that it moves is a DrivenCar; how it moves, that of
-// its three modes which is on; who holds it from outside is known by DriveHold.
+// This class is the state machine of CiA 402. DrivenCar is the car that it moves, the classes of
+// the three modes are its movements, and DriveHold has the nodes that hold it from outside.
 //
-// What CiA 402 and CiA 417-4 leave open, and how it is taken here: docs/decisions.md, "The drive of
-// lifts".
+// Decisions where CiA 402 and CiA 417-4 are open: docs/decisions.md, "The drive of lifts".
 #pragma once
 
 #include <array>
@@ -25,8 +24,7 @@
 #include <optional>
 
 #include "canvoy/canopen/emergency/emergency_consumer.hpp"
-#include "canvoy/canopen/node.hpp"
-#include "canvoy/devices/cia417/controller/lift_bound.hpp"
+#include "canvoy/canopen/node/node.hpp"
 #include "canvoy/devices/cia417/drive/drive_faults.hpp"
 #include "canvoy/devices/cia417/drive/drive_hold.hpp"
 #include "canvoy/devices/cia417/drive/drive_parameters.hpp"
@@ -35,15 +33,16 @@
 #include "canvoy/devices/cia417/drive/homing_mode.hpp"
 #include "canvoy/devices/cia417/drive/profile_position_mode.hpp"
 #include "canvoy/devices/cia417/drive/profile_velocity_mode.hpp"
+#include "canvoy/devices/cia417/lift/lift_bound.hpp"
 #include "canvoy/profiles/cia417/drive_handles.hpp"
-#include "canvoy/profiles/written_value.hpp"
+#include "canvoy/profiles/model/written_value.hpp"
 
 namespace canvoy::cia417 {
 
 using cia402::StopReaction;
 
-/// What a drive is set to when it leaves for its building, in the units of its objects: power-on
-/// values of 6408h:01h and 6423h, of 640Bh, and of all of 640Dh. 0: as its description has them.
+/// Settings of a drive for its building, in the units of its objects: power-on values of 6408h:01h
+/// and 6423h, of 640Bh, and of all of 640Dh. 0: as in its description.
 struct DriveTuning {
   std::uint32_t velocity = 0;
   std::uint32_t acceleration = 0;
@@ -54,39 +53,39 @@ struct DriveTuning {
 struct CarDriveSettings {
   unsigned lift = 1;  ///< 1 to 8
   DriveTuning tuning = {};
-  /// Nodes that it stops fast for beside those of 1028h; 0: none.
+  /// Further nodes that stop it fast, beside those of 1028h; 0: none.
   std::array<NodeId, 4> stops_for = {};
-  NodeId controller = 1;             ///< of which the heartbeat is watched, by an entry in 1016h
+  NodeId controller = 1;             ///< its heartbeat is monitored, by an entry in 1016h
   Duration control_period = 20ms;    ///< of supervision and status, while the car moves
-  Duration standing_period = 100ms;  ///< and while it stands
-  /// The brake takes as long to open: so long after it the car starts.
+  Duration standing_period = 100ms;  ///< while the car stands
+  /// Opening time of the brake: the car starts after it.
   Duration brake_time = 200ms;
-  double position_window = 2;     ///< so near to its target it has arrived
-  double following_window = 200;  ///< farther from where it should be, for following_time: fault
+  double position_window = 2;     ///< distance from the target at which it has arrived
+  double following_window = 200;  ///< farther from its demanded position, for following_time: fault
   Duration following_time = 200ms;
-  /// Overspeed: in per cent of 6408h:01h. A governor of EN 81-20 trips at 115 % or more.
+  /// Overspeed, in per cent of 6408h:01h. A governor of EN 81-20 trips at 115 % or more.
   double overspeed_percent = 115;
-  double unintended_distance = 50;  ///< so far it may move while it should stand
+  double unintended_distance = 50;  ///< maximum movement while it has to stand
   HomingMethod homing = HomingMethod::home_switch_below;
   double homing_velocity = 100;
-  /// From one end of the shaft to the other: a search that goes a tenth farther in one direction
-  /// has missed its switch. 0: nobody knows; then the width of the software limits (6422h) is taken
-  /// for it, and homing_time_max bounds the search as well.
+  /// Distance between the ends of the shaft: a search that moves a tenth farther in one direction
+  /// has missed its switch. 0: not known; then the width of the software limits (6422h) applies,
+  /// and homing_time_max limits the search as well.
   double travel = 0;
   Duration homing_time_max = 5min;
-  /// What the motor brakes with on the current and on the voltage limit, in units of 640Ah.
+  /// Deceleration of the motor on the current and on the voltage limit, in units of 640Ah.
   double current_limit_deceleration = 2500;
   double voltage_limit_deceleration = 2000;
 };
 
-/// What of a node a drive works with.
+/// Services of a node that a drive uses.
 struct CarDriveServices {
-  EmergencyConsumer* emergencies = nullptr;  ///< needed to obey the emergencies of other nodes
+  EmergencyConsumer* emergencies = nullptr;  ///< needed to react to the emergencies of other nodes
 };
 
 class CarDriveUnit {
  public:
-  /// What `hardware` and `services` refer to must outlive this.
+  /// Everything to which `hardware` and `services` refer must outlive this.
   CarDriveUnit(Node& node, const CarDriveServices& services, const CarDriveHardware& hardware,
                const CarDriveSettings& settings);
   CarDriveUnit(const CarDriveUnit&) = delete;
@@ -94,23 +93,23 @@ class CarDriveUnit {
 
   DriveState state() const { return state_; }
   cia402::DriveMode mode() const { return mode_; }
-  /// In increments from the encoder's zero: what the car is to do now.
+  /// Demanded state of the car at present, in increments from the encoder's zero.
   MotionState demand(Time now) const { return car_.demand(now); }
   const DriveReadings& readings() const { return car_.readings(); }
-  /// The car stands: it is slower than the velocity threshold, and nothing moves it.
+  /// True if the car is slower than the velocity threshold, and no profile moves it.
   bool is_standing() const { return car_.is_standing(); }
-  /// Some nodes tell of overspeed or unintended movement.
+  /// True while a node reports overspeed or unintended movement.
   bool is_held() const { return hold_.is_held(); }
 
-  /// It is not configured while it has power (4.11).
+  /// Refuses configuration while the drive has power (4.11).
   AbortCode refuses_lift_number() {
     return is_powered(state_) ? AbortCode::device_state : AbortCode::none;
   }
-  /// The readings are others: has them looked at when the node is called next.
+  /// Reads the hardware at the next call of the node, after a change.
   void hardware_changed() { look_again(); }
 
  private:
-  // The bus.
+  // Events of the bus.
   void reset(ResetScope scope);
   void tune();
   void read_parameters();
@@ -145,7 +144,7 @@ class CarDriveUnit {
   void obey_halt(bool is_halted);
   void obey_velocity();
 
-  // Each period.
+  // Called every period.
   void tick(Time now);
   void measure(Time now);
   void tell_velocities(Time now);
@@ -159,7 +158,7 @@ class CarDriveUnit {
   void look_again() { node_.timers().arm(timer_, node_.now()); }
   void arm(Time now);
 
-  /// Of this lift; looked up each time, for what comes seldom.
+  /// A value of this lift; looked up each time, for rare accesses.
   auto value(const auto& handle) const {
     return Values(node_.dictionary())[in_lift(lift_, handle)];
   }
@@ -185,17 +184,17 @@ class CarDriveUnit {
   LiftBound<velocity_sensor_actual_value> velocity_sensor_;
   LiftBound<sensor_selection_code> sensor_selection_;
   LiftBound<control_effort> control_effort_;
-  static const HookCalls hook_calls[];
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this, block_shift(lift_)};
+  static const AccessHandlers hook_calls[];
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this, block_shift(lift_)};
   Timer timer_;
 
   NodeId controller_;
   DriveState state_ = DriveState::not_ready_to_switch_on;
   cia402::DriveMode mode_ = cia402::DriveMode::profile_position;
-  std::uint16_t asked_ = 0;   ///< the controlword that may be written next
-  std::uint16_t obeyed_ = 0;  ///< the one that was obeyed last
-  /// The state behind the stop that is under way; nothing: it stays in this one.
+  std::uint16_t asked_ = 0;   ///< the next allowed controlword
+  std::uint16_t obeyed_ = 0;  ///< the last executed controlword
+  /// The state after the present stop; nothing: it stays in this one.
   std::optional<DriveState> after_stop_;
   StopReaction reaction_ = StopReaction::disable;  ///< of that stop
   bool is_stopping_ = false;

@@ -9,7 +9,7 @@
 
 namespace canvoy::cia417 {
 
-/// Node 2, operational, and as after its self-test.
+/// Node 2, operational, in the state after its self-test.
 class CarDriveTest : public testing::Test {
  protected:
   CarDriveTest() { bench.boot(device.node()); }
@@ -33,7 +33,7 @@ class CarDriveTest : public testing::Test {
     control(0x000F);
     bench.sent.clear();
   }
-  /// To 12 m, for as long.
+  /// Travels towards 12 m for `time`.
   void travel_for(Duration time) {
     enable();
     control(0x001F, 12'000);

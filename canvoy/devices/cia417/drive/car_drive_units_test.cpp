@@ -1,5 +1,5 @@
-// What the objects of a car drive unit make of its numbers: the factor group with its dimensions
-// (CiA 417-4, 4.11.3), and what the drive tells of its velocity (4.11.6). Ten increments are a
+// Conversion of the numbers in the objects of a car drive unit: the factor group with its
+// dimensions (CiA 417-4, 4.11.3), and the reported velocity (4.11.6). Ten increments are a
 // millimetre by default.
 #include <cmath>
 #include <string>
@@ -37,7 +37,7 @@ class DriveUnitsTest : public CarDriveTest {
 
 // Units.
 
-/// What a unit is in increments, as a multiple of what it is by default.
+/// A unit in increments, as a multiple of its default.
 struct Factor {
   const char* name;
   const char* request;

@@ -1,5 +1,5 @@
-// What a drive finds wrong itself: the faults of CiA 402 that it is in, each told by an emergency
-// until a fault reset.
+// Faults that a drive detects itself: faults of CiA 402, each reported by an emergency until a
+// fault reset.
 //
 //     DriveFaults faults(node);
 //     if (faults.add(DriveFault::overspeed)) ...  // it is a new one: FF05h has been told
@@ -8,21 +8,21 @@
 
 #include <cstdint>
 
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 #include "canvoy/profiles/cia417/errors.hpp"
 
 namespace canvoy::cia417 {
 
 enum class DriveFault : std::uint8_t {
   overspeed,   ///< FF05h
-  unintended,  ///< the car moves where it should stand: FF06h
-  following,   ///< it is not where it should be: 8611h (CiA 402)
-  hardware,    ///< by the code that the hardware tells
+  unintended,  ///< the car moves when it has to stand: FF06h
+  following,   ///< it is too far from its demanded position: 8611h (CiA 402)
+  hardware,    ///< with the code of the hardware
 };
 inline constexpr DriveFault all_drive_faults[] = {DriveFault::overspeed, DriveFault::unintended,
                                                   DriveFault::following, DriveFault::hardware};
 
-/// Overspeed or unintended car movement.
+/// True for overspeed or unintended car movement.
 constexpr bool is_dangerous_motion(std::uint16_t code) {
   return code == emergency_code::overspeed || code == emergency_code::unintended_car_movement;
 }
@@ -34,14 +34,14 @@ class DriveFaults {
   DriveFaults& operator=(const DriveFaults&) = delete;
 
   bool has(DriveFault fault) const { return (present_ & bit(fault)) != 0; }
-  /// One of them is overspeed or unintended movement.
+  /// True if one of them is overspeed or unintended movement.
   bool has_dangerous_motion() const {
     return has(DriveFault::overspeed) || has(DriveFault::unintended);
   }
-  /// False: it is there already. `code` is that of the hardware's fault.
+  /// False if it exists already. `code` is that of the hardware's fault.
   bool add(DriveFault fault, std::uint16_t code = 0);
   void end_all();
-  /// The node has begun anew, and its errors with it.
+  /// Clears all faults: the node has restarted, without errors.
   void begin_anew() { present_ = 0; }
 
  private:

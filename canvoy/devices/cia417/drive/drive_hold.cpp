@@ -15,7 +15,7 @@ DriveHold::DriveHold(Node& node, EmergencyConsumer* emergencies, std::span<const
   for (const NodeId node_id : more) emergencies->listen(node_id);
 }
 
-/// An error that goes leaves others there while the register is not 0.
+/// The end of one error leaves others while the register is not 0.
 void DriveHold::emergency_heard(NodeId node_id, const Emergency& emergency) {
   if (is_dangerous_motion(emergency.code)) {
     hold_for(node_id);
@@ -26,7 +26,7 @@ void DriveHold::emergency_heard(NodeId node_id, const Emergency& emergency) {
   }
 }
 
-/// Its boot-up is heard meanwhile. Without room for that, a fault reset is left.
+/// Its boot-up is received meanwhile. Without room for that, only a fault reset releases the drive.
 void DriveHold::hold_for(NodeId node_id) {
   if (holders_[node_id]) return;
   holders_[node_id] = true;
@@ -45,7 +45,7 @@ void DriveHold::release_all() {
   for (NodeId node_id = node_id_min; node_id <= node_id_max; ++node_id) release(node_id);
 }
 
-/// A node that boots has forgotten its errors, and tells no end of them.
+/// A node that boots has lost its errors, and does not report their end.
 void DriveHold::error_control_heard(const Frame& frame, Time) {
   const bool is_boot_up = frame.length == 1 && remote_state(frame.data[0]) == RemoteState::boot_up;
   if (is_boot_up) release(static_cast<NodeId>(frame.id - can_id::error_control));

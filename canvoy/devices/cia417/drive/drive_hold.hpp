@@ -1,5 +1,5 @@
-// The nodes for which a drive is held: they tell of overspeed (FF05h) or of unintended car movement
-// (FF06h; CiA 417-4, 4.11). Each holds it until it has no error any more, or boots.
+// The nodes that hold a drive: they report overspeed (FF05h) or unintended car movement (FF06h; CiA
+// 417-4, 4.11). Each holds it until it has no error any more, or boots.
 //
 //     DriveHold hold(node, emergency_consumer, held);
 //     if (hold.is_held()) ...
@@ -9,21 +9,22 @@
 #include <span>
 
 #include "canvoy/canopen/emergency/emergency_consumer.hpp"
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 
 namespace canvoy::cia417 {
 
 class DriveHold {
  public:
-  /// `emergencies` may be null: then nothing is heard. Beside the nodes of 1028h it listens to
-  /// those of `more`. `held` is called each time that a node tells of one of the two.
+  /// `emergencies` may be null: then none are received. Beside the nodes of 1028h, those of `more`
+  /// are received. `held` is called each time that a node reports one of the two.
   DriveHold(Node& node, EmergencyConsumer* emergencies, std::span<const NodeId> more,
             Callback<void()> held);
   DriveHold(const DriveHold&) = delete;
   DriveHold& operator=(const DriveHold&) = delete;
 
   bool is_held() const { return holders_.any(); }
-  /// Who told of an error may have started again, and never tell that it is gone.
+  /// Releases all nodes: those that have reported an error may have restarted without reporting its
+  /// end.
   void release_all();
 
  private:

@@ -6,7 +6,7 @@ namespace canvoy::cia417 {
 
 namespace {
 
-/// Which edge of a home switch counts, in which direction, and where the search begins while the
+/// The edge of a home switch that counts, its direction, and the start of the search while the
 /// switch is off.
 struct SwitchSearch {
   bool upper_edge;
@@ -49,7 +49,7 @@ void HomingSearch::begin(const DriveReadings& readings, bool up_is_positive) {
   bool up = goes_up();
   if (const SwitchSearch* search = switch_search_of(method_); search != nullptr) {
     was_on_ = readings.home_switch.value_or(false);
-    // From the switch it goes to the edge that counts.
+    // From the switch, it moves to the edge that counts.
     up = was_on_ ? search->upper_edge : search->begins_up;
   }
   direction_ = up == up_is_positive ? 1 : -1;
@@ -63,7 +63,7 @@ bool HomingSearch::is_possible(const DriveReadings& readings) const {
   return switch_search_of(method_) == nullptr || readings.home_switch.has_value();
 }
 
-/// Where the switch that is looked for has switched.
+/// Position of the last change of the switch that is searched for.
 std::optional<double> HomingSearch::aim_of(const DriveReadings& readings) const {
   switch (method_) {
     case HomingMethod::lower_limit_switch:
@@ -86,7 +86,7 @@ std::optional<double> HomingSearch::look(const DriveReadings& readings) {
   const bool is_found = method_ != HomingMethod::lower_limit_switch_and_index &&
                         method_ != HomingMethod::upper_limit_switch_and_index;
   if (is_found) return aim;
-  // Back, to the first index pulse where the switch is off again.
+  // Moves back, to the first index pulse where the switch is off again.
   seeks_index_ = true;
   from_ = *aim;
   direction_ = -direction_;
@@ -99,15 +99,15 @@ std::optional<double> HomingSearch::look_for_index(const DriveReadings& readings
   return is_ahead && has_passed(readings.position, *index) ? index : std::nullopt;
 }
 
-/// The lower edge of a switch is where it goes on upwards, or off downwards. Behind the other edge
-/// the search goes on; the right one in the wrong direction is passed once more.
+/// The lower edge of a switch is where it switches on upwards, or off downwards. After the other
+/// edge, the search continues; the right edge in the wrong direction is passed once more.
 std::optional<double> HomingSearch::look_for_edge(const DriveReadings& readings) {
   const SwitchSearch& search = *switch_search_of(method_);
   turn_at_limit(readings);
   const bool is_on = readings.home_switch.value_or(was_on_);
   if (is_on == was_on_) return std::nullopt;
   was_on_ = is_on;
-  // It may still be on its way to turn.
+  // It may not yet have turned.
   const bool moves_up = is_up(readings.velocity != 0 ? readings.velocity : direction_);
   const bool is_upper_edge = is_on != moves_up;
   if (is_upper_edge != search.upper_edge) return std::nullopt;

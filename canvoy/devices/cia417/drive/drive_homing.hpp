@@ -1,13 +1,13 @@
-// How a car drive unit finds its home position (CiA 402, homing mode; CiA 417-4, 4.11.5).
+// The search of a car drive unit for its home position (CiA 402, homing mode; CiA 417-4, 4.11.5).
 //
 //     HomingSearch search(HomingMethod::home_switch_and_index_7);
 //     search.begin(readings, true);
 //     search.direction()                    // -1: increments go down
 //     const std::optional<double> home = search.look(readings);
 //
-// CiA 417 has the home offset alone, and no object for the method: the maker of the drive chooses
-// it. The numbers are those that CiA 402 gives the methods. What a switch or the index pulse told
-// counts once the car has passed it in the direction of the search.
+// CiA 417 has only the home offset, and no object for the method: the maker of the drive selects
+// it. The numbers are those of the methods in CiA 402. A switch or the index pulse counts when the
+// car has passed it in the direction of the search.
 #pragma once
 
 #include <cstdint>
@@ -17,17 +17,17 @@
 
 namespace canvoy::cia417 {
 
-/// Those with a home switch count one edge of it, passed in one direction, whether the car stands
-/// below it, at it or above it when it begins:
+/// Methods with a home switch use one edge of it, passed in one direction, whether the car is below
+/// it, at it or above it at the start:
 ///
 ///     3, 4, 19, 20        the switch is on above some place: its edge, passed down (3, 19) or up
 ///     5, 6, 21, 22        it is on below some place: its edge, passed up (5, 21) or down
 ///     7 to 14, 23 to 30   it is on for a piece of the way: its lower edge, passed down (7, 14) or
 ///                         up (8, 13); its upper edge, passed down (9, 12) or up (10, 11)
 ///
-/// Where the switch is off, 7 to 10 begin upwards, 11 to 14 downwards, and turn at the limit switch
-/// if it was the wrong way, once. 3 to 14 take the first index pulse behind the edge, 19 to 30 (16
-/// more) the edge itself.
+/// With the switch off, methods 7 to 10 start upwards and 11 to 14 downwards, and turn once at the
+/// limit switch if that was the wrong way. Methods 3 to 14 use the first index pulse behind the
+/// edge, 19 to 30 (16 more) the edge itself.
 enum class HomingMethod : std::int8_t {
   home_switch_below = -1,            ///< down to the home switch, from above
   home_switch_above = -2,            ///< up to the home switch, from below
@@ -68,17 +68,17 @@ class HomingSearch {
  public:
   explicit HomingSearch(HomingMethod method) : method_(method) {}
 
-  /// `up_is_positive`: increments grow while the car goes up.
+  /// `up_is_positive`: increments grow when the car goes up.
   void begin(const DriveReadings& readings, bool up_is_positive);
-  /// The hardware tells what the method needs to know.
+  /// True if the hardware provides what the method needs.
   bool is_possible(const DriveReadings& readings) const;
-  /// In increments: 1 or -1; 0: the car need not move.
+  /// Direction in increments: 1 or -1; 0: the car need not move.
   int direction() const { return direction_; }
-  /// The home position, once it is found; the direction may be another one afterwards. To be
-  /// called each time that the hardware was sensed.
+  /// Returns the home position once it is found; the direction may change afterwards. Call it after
+  /// each reading of the hardware.
   std::optional<double> look(const DriveReadings& readings);
-  /// Asked when look() has found nothing: there is nothing to be found any more, since the car has
-  /// passed the limit switch in the direction of the search, and that is none that it turns at.
+  /// True if the search cannot find anything: the car has passed the limit switch in the direction
+  /// of the search, and the method does not turn there. Call it when look() has found nothing.
   bool is_at_end(const DriveReadings& readings) const;
 
  private:

@@ -1,6 +1,6 @@
-// The search for a home switch, by each method of CiA 402 that counts an edge of it: a car of plain
-// numbers, which begins below, at and above the switch. Limit switches are at -20000 and 40000,
-// index pulses at each 4000 increments.
+// The search for a home switch, by each method of CiA 402 that uses an edge of it: a simple
+// simulated car that starts below, at and above the switch. Limit switches are at -20000 and 40000,
+// index pulses every 4000 increments.
 #include "canvoy/devices/cia417/drive/drive_homing.hpp"
 
 #include <gtest/gtest.h>
@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(Below, EdgeOfAHomeSwitch,
                                          Case{22, below, 20'000, 10'000, 10'000, 20'000},
                                          Case{22, below, 0, 10'000, 0, 10'000}),
                          name_of);
-// One that is on from 10000 to 13000; 7 to 10 begin upwards.
+// A switch that is on from 10000 to 13000; methods 7 to 10 start upwards.
 INSTANTIATE_TEST_SUITE_P(
     PieceUpwards, EdgeOfAHomeSwitch,
     testing::Values(

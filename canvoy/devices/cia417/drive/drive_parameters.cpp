@@ -22,7 +22,7 @@ constexpr std::uint16_t quick_deceleration = quick_stop_deceleration_object.inde
 constexpr std::uint16_t range_limit = position_range_limit_object.index;
 constexpr std::uint16_t software_limit = software_position_limit_object.index;
 
-/// Of commands, which may come at any time; the rest is configuration.
+/// For commands, which may come at any time; the rest is configuration.
 constexpr bool is_between(std::uint16_t index, const ObjectInfo& first, const ObjectInfo& last) {
   return index >= first.index && index <= last.index;
 }
@@ -39,7 +39,7 @@ constexpr bool is_mode(std::int64_t mode) {
          mode == static_cast<std::int64_t>(DriveMode::profile_velocity) ||
          mode == static_cast<std::int64_t>(DriveMode::homing);
 }
-/// The power of ten of a unit that a maker may have.
+/// Highest power of ten of a unit.
 constexpr std::int64_t notation_max = 9;
 
 }  // namespace
@@ -57,7 +57,7 @@ double DriveParameters::magnitude(std::uint16_t index, std::uint8_t sub) const {
 bool DriveParameters::has(std::uint16_t index, std::uint8_t sub) const {
   return static_cast<bool>(dictionary_->find(static_cast<std::uint16_t>(index + shift_), sub));
 }
-/// Sub-index 1 by sub-index 2; 1 where the drive does not have the object.
+/// Sub-index 1 by sub-index 2; 1 if the drive does not have the object.
 double DriveParameters::ratio(std::uint16_t index) const {
   const double divisor = magnitude(index, 2);
   return divisor != 0 ? magnitude(index, 1) / divisor : 1;
@@ -75,8 +75,8 @@ void DriveParameters::read() {
   read_positions();
 }
 
-/// Feed and gear say how many increments a position takes; the notations, how the other units
-/// differ from that of positions. The further factors are for what these do not say.
+/// Feed and gear give the number of increments of a position; the notations give the relation of
+/// the other units to that of positions. The further factors apply where these say nothing.
 DriveUnits DriveParameters::read_units() const {
   const double increments = ratio(position_encoder_resolution_object.index) *
                             ratio(gear_ratio_object.index) / ratio(feed_constant_object.index) *
@@ -97,7 +97,8 @@ DriveUnits DriveParameters::read_units() const {
           .sensor_velocity = sensor};
 }
 
-/// The lower one of what the profile and the motor may; that of the motor in its turns a minute.
+/// The lower one of the maxima of profile and motor; that of the motor in its revolutions per
+/// minute.
 double DriveParameters::read_velocity_max() const {
   const double profile = magnitude(velocity_limits, 1) * std::abs(units_.velocity);
   const double motor =
@@ -118,7 +119,7 @@ DriveWindows DriveParameters::read_windows() const {
   return windows;
 }
 
-/// By 640Ch, or without it by how many there are.
+/// From 640Ch, or without it by their number.
 unsigned DriveParameters::jerks_used() const {
   const bool has_use = has(jerk_use, 0);
   return static_cast<unsigned>(has_use ? number(jerk_use, 0) : number(jerks, 0));
@@ -127,7 +128,7 @@ double DriveParameters::jerk(std::uint8_t sub) const {
   return magnitude(jerks, sub) * units_.jerk;
 }
 
-/// Which jerk is for which bend: tables 1 to 4. Where none is assigned to E and F, C and D hold.
+/// Assignment of jerks to bends: tables 1 to 4. If none is assigned to E and F, C and D apply.
 void DriveParameters::read_ramps() {
   const auto lower = [](double wanted, double limit) {
     return limit > 0 && limit < wanted ? limit : wanted;
@@ -178,7 +179,7 @@ double DriveParameters::in_range(double position) const {
   return position - std::floor((position - low) / width) * width;
 }
 
-/// The defaults of CiA 402 where the drive does not have 6402h.
+/// The defaults of CiA 402 if the drive does not have 6402h.
 MotionLimits DriveParameters::stop_ramp(cia402::StopReaction reaction, double velocity) const {
   using enum cia402::StopReaction;
   const auto by = [this](double deceleration) {
@@ -246,7 +247,7 @@ AbortCode DriveParameters::check(const Entry& entry, std::span<const std::uint8_
     const bool is_notation = entry.sub == 1;
     return one_of(!is_notation || (wanted >= -notation_max && wanted <= notation_max));
   }
-  // A factor of 0 has no meaning on either side of the line.
+  // A factor of 0 has no meaning in numerator or denominator.
   if (is_between(index, position_encoder_resolution_object, jerk_factor_object)) {
     return refuse_outside(wanted, 1, wanted);
   }
@@ -274,8 +275,8 @@ AbortCode DriveParameters::check_range(std::uint16_t index, unsigned sub,
   return low > high ? AbortCode::maximum_below_minimum : AbortCode::none;
 }
 
-/// Velocities and accelerations: a ramp of nothing never ends. A jerk of 0 is none: those of 640Dh
-/// that 640Ch does not use, and a bend that is not to be limited.
+/// Velocities and accelerations: a ramp of 0 would never end. A jerk of 0 is none: for those of
+/// 640Dh that 640Ch does not use, and a bend without a limit.
 AbortCode DriveParameters::check_ramp(const Entry& entry, std::uint16_t index,
                                       std::int64_t wanted) const {
   const auto limit = [&](std::uint16_t object, std::uint8_t sub) {

@@ -1,5 +1,5 @@
-// The parameters of a car drive unit: what its units are in increments and seconds (CiA 417-4,
-// 4.11.3), which ramps they give (4.11.1), and which values they may not have.
+// The parameters of a car drive unit: its units in increments and seconds (CiA 417-4, 4.11.3), its
+// ramps (4.11.1), and values that are not allowed.
 //
 //     DriveParameters parameters(node.dictionary(), 1);
 //     parameters.read();
@@ -18,14 +18,14 @@
 
 namespace canvoy::cia417 {
 
-/// Increments of the motor's encoder, and their changes in a second, in one unit of the objects.
+/// Increments of the motor's encoder, and their changes per second, in one unit of the objects.
 /// Negative where 641Eh reverses it.
 struct DriveUnits {
   double position = 1;
   double velocity = 1;
   double acceleration = 1;
   double jerk = 1;
-  double sensor_velocity = 1;  ///< of 6431h in one increment per second
+  double sensor_velocity = 1;  ///< in one unit of 6431h, in increments per second
 };
 
 /// Times and widths of 6435h to 6437h, as increments per second.
@@ -37,7 +37,7 @@ struct DriveWindows {
   std::optional<double> max_slippage = {};
 };
 
-/// What a motor brakes with on its current and on its voltage limit, in units of 640Ah.
+/// Deceleration of a motor on its current and on its voltage limit, in units of 640Ah.
 struct MotorLimits {
   double current_deceleration = 2500;
   double voltage_deceleration = 2000;
@@ -51,46 +51,46 @@ class DriveParameters {
         shift_(static_cast<std::uint16_t>((lift - 1) * 0x800)),
         motor_(motor) {}
 
-  /// Takes what the dictionary now has. Call it after a reset and after writes.
+  /// Reads the values of the dictionary. Call it after a reset and after writes.
   void read();
 
   const DriveUnits& units() const { return units_; }
-  /// So many units of position.
+  /// Converts units of position.
   double increments(double positions) const { return positions * std::abs(units_.position); }
   const DriveWindows& windows() const { return windows_; }
-  /// Of travels and of stops on the slow-down ramp (6423h, 640Bh, 640Dh).
+  /// Ramp of travels and of stops on the slow-down ramp (6423h, 640Bh, 640Dh).
   const MotionLimits& ramps() const { return ramps_; }
-  /// The bends E and F, from the end velocity to a stop.
+  /// Ramp with the bends E and F, from the end velocity to a stop.
   const MotionLimits& final_ramp() const { return final_ramp_; }
-  /// Of the quick stop (640Ah): without jerk.
+  /// Ramp of the quick stop (640Ah), without jerk.
   const MotionLimits& quick_stop() const { return quick_stop_; }
-  /// That by which an option code stops a car that is so fast (6402h); not of `disable`, by which
-  /// the brake does.
+  /// Ramp of an option code that stops a car of this speed (6402h); not for `disable`, where the
+  /// brake stops it.
   MotionLimits stop_ramp(cia402::StopReaction reaction, double velocity) const;
   /// Increments per second, by 6408h; 0: not limited.
   double velocity_max() const { return velocity_max_; }
   double end_velocity() const { return end_velocity_; }
-  /// The software limits (6422h), in increments from the home position.
+  /// Software limits (6422h), in increments from the home position.
   double position_min() const { return position_min_; }
   double position_max() const { return position_max_; }
-  /// The position that is the same one in the range of 6421h; both in units. Behind an end of the
-  /// range the other one follows.
+  /// The equivalent position within the range of 6421h, both in units. The two ends of the range
+  /// are adjacent.
   double in_range(double position) const;
-  /// In increments: the home position, from which software limits count, and that of position 0.
+  /// In increments: the home position, the reference of software limits, and the position 0.
   double home() const { return home_; }
   double zero() const { return zero_; }
   void count_from(double home, double zero);
 
   cia402::StopReaction option(unsigned sub) const;
   std::int64_t home_offset() const { return number(0x6428, 0); }
-  /// Of the velocity controller (6438h).
+  /// Setting of the velocity controller (6438h).
   std::uint16_t gain() const { return static_cast<std::uint16_t>(number(0x6438, 1)); }
   std::uint16_t integration_time() const { return static_cast<std::uint16_t>(number(0x6438, 2)); }
 
-  /// Modes and targets, which are no parameters: they come at any time.
+  /// True for modes and targets: these are no parameters, and may be written at any time.
   bool is_command(const Entry& entry) const;
-  /// Why an entry may not have this value now; `relative` is bit 6 of the controlword.
-  /// Configuration is refused while the drive has power (4.11).
+  /// Abort code of a value that an entry may not have at present; `relative` is bit 6 of the
+  /// controlword. Configuration is refused while the drive has power (4.11).
   AbortCode check(const Entry& entry, std::span<const std::uint8_t> value, DriveState state,
                   bool relative) const;
 
@@ -129,7 +129,7 @@ class DriveParameters {
   double position_max_ = 0;
   double home_ = 0;
   double zero_ = 0;
-  double zero_above_home_ = 0;  ///< in the units that held when it was found
+  double zero_above_home_ = 0;  ///< in the units at the time when it was found
 };
 
 }  // namespace canvoy::cia417

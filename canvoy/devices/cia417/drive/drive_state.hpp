@@ -1,11 +1,11 @@
-// The state machine of CiA 402 drives, which CiA 417-4 has at 6400h and 6401h: which state a
-// controlword asks for, and how the statusword tells it.
+// The state machine of CiA 402 drives, at 6400h and 6401h in CiA 417-4: the state that a
+// controlword requests, and its code in the statusword.
 //
 //     drive_command(0x0006)  // shutdown
 //     next_state(DriveState::switch_on_disabled, DriveCommand::shutdown)  // ready_to_switch_on
 //
-// A command that a state does not know is ignored. While bit 7 is set only those commands hold that
-// stop the drive; its edge is the fault reset, which drive_command() does not see.
+// A command that is not defined in a state is ignored. While bit 7 is set, only commands that stop
+// the drive take effect. Its edge is the fault reset, which drive_command() does not return.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace canvoy::cia417 {
 using cia402::DriveCommand;
 using cia402::DriveState;
 
-/// Bits of the controlword that no state asks for.
+/// Bits of the controlword that request no state.
 namespace control_bit {
 inline constexpr std::uint16_t new_set_point = 0x0010;  ///< in homing mode: start
 inline constexpr std::uint16_t change_immediately = 0x0020;
@@ -34,7 +34,7 @@ inline constexpr std::uint16_t warning = 0x0080;
 inline constexpr std::uint16_t remote = 0x0200;
 inline constexpr std::uint16_t target_reached = 0x0400;
 inline constexpr std::uint16_t internal_limit = 0x0800;
-/// Bits 12 and 13: see the mode.
+/// Bits 12 and 13 depend on the mode.
 inline constexpr std::uint16_t set_point_acknowledge = 0x1000;
 inline constexpr std::uint16_t speed_zero = 0x1000;
 inline constexpr std::uint16_t homing_attained = 0x1000;
@@ -43,7 +43,7 @@ inline constexpr std::uint16_t max_slippage = 0x2000;
 inline constexpr std::uint16_t homing_error = 0x2000;
 }  // namespace status_bit
 
-/// Nothing: bit 7 is set, and the rest would not stop the drive.
+/// Nothing if bit 7 is set and the other bits would not stop the drive.
 constexpr std::optional<DriveCommand> drive_command(std::uint16_t word) {
   if ((word & 0x0002) == 0) return DriveCommand::disable_voltage;
   if ((word & 0x0004) == 0) return DriveCommand::quick_stop;
@@ -53,7 +53,7 @@ constexpr std::optional<DriveCommand> drive_command(std::uint16_t word) {
   return DriveCommand::enable_operation;
 }
 
-/// Nothing: the command changes nothing. `stays` is that of the quick stop option codes 5 to 8.
+/// Nothing if the command has no effect. `stays` is that of the quick stop option codes 5 to 8.
 constexpr std::optional<DriveState> next_state(DriveState state, DriveCommand command,
                                                bool stays = false) {
   using enum DriveState;
@@ -83,7 +83,7 @@ constexpr std::optional<DriveState> next_state(DriveState state, DriveCommand co
       if (command == DriveCommand::disable_voltage) return switch_on_disabled;
       if (command == DriveCommand::enable_operation && stays) return operation_enabled;
       break;
-    case not_ready_to_switch_on:  // transitions of its own only
+    case not_ready_to_switch_on:  // only automatic transitions
     case fault_reaction_active:
     case fault:  // 15, by the edge
       break;
@@ -114,7 +114,7 @@ constexpr std::uint16_t state_bits(DriveState state) {
   return 0;
 }
 
-/// Whether the motor has its power stage on.
+/// True if the power stage of the motor is on.
 constexpr bool is_powered(DriveState state) {
   return state == DriveState::operation_enabled || state == DriveState::quick_stop_active ||
          state == DriveState::fault_reaction_active;

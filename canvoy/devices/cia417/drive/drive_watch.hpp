@@ -1,5 +1,5 @@
-// What a drive watches its car for: that it goes no faster than it may, stays where it stands
-// behind its brake, and follows the control loop (CiA 417-4, 4.11; CiA 402, following error).
+// Monitors the car of a drive: its speed, its standstill with the closed brake, and its following
+// of the control loop (CiA 417-4, 4.11; CiA 402, following error).
 //
 //     DriveWatch watch({.overspeed_percent = 115});
 //     if (watch.is_too_fast(car, parameters)) ...
@@ -23,9 +23,9 @@ class DriveWatch {
 
   void begin_anew() { behind_.begin_anew(); }
   bool is_too_fast(const DrivenCar& car, const DriveParameters& parameters) const;
-  /// It stood behind its brake, and moves.
+  /// True if it stood with the closed brake, and moves.
   bool strays(const DrivenCar& car, const DriveParameters& parameters) const;
-  /// For longer than it may; to be asked each period.
+  /// True if it lags for longer than allowed. Call it every period.
   bool lags_behind(const DrivenCar& car, const DriveParameters& parameters, Time now);
 
  private:

@@ -1,5 +1,5 @@
-// The car as its drive moves it: power stage, brake, and the profile that the control loop follows;
-// what the encoder tells of it, whether it stands, and where (CiA 417-4, 4.11).
+// The car of a drive: power stage, brake, the profile of the control loop, and the state from the
+// encoder: position, and whether it stands (CiA 417-4, 4.11).
 //
 //     DrivenCar car(hardware, 200ms, led);
 //     car.switch_power(true);
@@ -7,8 +7,8 @@
 //     car.sense(now, parameters.windows(), jitter);  // each period
 //     if (car.has_ended(now) && car.is_standing()) car.close_brake();
 //
-// The brake opens when a profile begins that moves the car, and the profile begins when the brake
-// is open. It closes when it is told to, also where the car still moves.
+// The brake opens when a profile starts that moves the car, and the profile starts when the brake
+// is open. The brake closes on command, even if the car still moves.
 #pragma once
 
 #include "canvoy/devices/cia417/drive/car_drive_hardware.hpp"
@@ -19,48 +19,48 @@ namespace canvoy::cia417 {
 
 class DrivenCar {
  public:
-  /// The brake takes `brake_time` to open. `led` is called when the car follows another profile.
+  /// The brake takes `brake_time` to open. `led` is called when the car gets another profile.
   DrivenCar(const CarDriveHardware& hardware, Duration brake_time, Callback<void()> led)
       : hardware_(hardware), brake_time_(brake_time), led_(led) {}
 
-  /// Nothing that was seen before counts any longer; power and brake are as they were.
+  /// Discards all readings; power and brake stay as they are.
   void begin_anew();
-  /// An encoder that comes back tells another position at once: what it changes by more than
-  /// `jitter`, and than it can have moved, is no movement. In increments.
+  /// Takes the readings. An encoder that returns may report a position jump: a change by more than
+  /// `jitter` and more than the car can have moved is no movement. In increments.
   void sense(Time now, const DriveWindows& windows, double jitter);
   const DriveReadings& readings() const { return readings_; }
 
-  /// What the control loop is to do now.
+  /// Demanded state of the control loop at present.
   MotionState demand(Time now) const { return profile_.at(seconds_since_start(now)); }
-  /// Where the car is to be now; without power, where it is.
+  /// Demanded position of the car at present; without power, its real position.
   MotionState present(Time now) const;
-  /// Of the profile; negative: it has ended so long ago.
+  /// Remaining time of the profile; negative: time since its end.
   double seconds_left(Time now) const { return profile_.duration() - seconds_since_start(now); }
   bool has_ended(Time now) const { return seconds_left(now) <= 0; }
-  /// Out of the way of the profile, in increments; 0 behind the brake.
+  /// Deviation from the profile, in increments; 0 with the closed brake.
   double lag(Time now) const;
 
   bool has_power() const { return has_power_; }
   bool is_brake_released() const { return brake_released_; }
-  /// Below the velocity threshold, for its time.
+  /// True if it has been below the velocity threshold for its time.
   bool is_slow() const { return is_slow_; }
-  /// Slow, and nothing moves it.
+  /// True if it is slow, and no profile moves it.
   bool is_standing() const { return is_standing_; }
-  /// So many increments from where it came to stand behind its brake.
+  /// True at this distance in increments from its standstill with the closed brake.
   bool has_strayed(double distance) const;
-  /// It is to stand where it is now.
+  /// Takes the present position as that of its standstill.
   void settle() { stood_at_ = readings_.position; }
 
   void switch_power(bool on);
   void follow(const MotionProfile& profile, Time now);
-  /// To a stop within `limits`.
+  /// Slows down to a stop within `limits`.
   void slow_down(const MotionLimits& limits, Time now);
-  /// Holds the car by its power stage.
+  /// Holds the car with the power stage.
   void hold(Time now);
   void close_brake();
-  /// By what is there beside the brake.
+  /// Arrests the car by the device beside the brake.
   void arrest() { hardware_.arrest(); }
-  /// Of the velocity controller (6438h).
+  /// Sets the velocity controller (6438h).
   void tune(std::uint16_t gain, std::uint16_t integration_time) {
     hardware_.control(gain, integration_time);
   }
@@ -79,7 +79,7 @@ class DrivenCar {
   Time start_{};  ///< of the profile
   Time measured_at_{};
   Lasting slow_;
-  double stood_at_ = 0;  ///< where it came to stand behind its brake
+  double stood_at_ = 0;  ///< position of the standstill with the closed brake
   bool has_power_ = false;
   bool brake_released_ = false;
   bool is_slow_ = false;

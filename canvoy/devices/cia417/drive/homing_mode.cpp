@@ -6,7 +6,8 @@ namespace canvoy::cia417 {
 
 namespace {
 
-/// Of the travel: ends lie a little beyond software limits, and a search turns with a ramp.
+/// Multiple of the travel: ends are a little beyond software limits, and a search turns with a
+/// ramp.
 constexpr double way_max = 1.1;
 
 }  // namespace
@@ -53,7 +54,7 @@ std::optional<bool> HomingMode::look(Time now) {
   return has_ended ? std::optional(has_homed_) : std::nullopt;
 }
 
-/// Whether the search has ended, in one way or the other.
+/// True if the search has ended, with or without success.
 bool HomingMode::search(Time now) {
   const int direction = search_.direction();
   found_ = search_.look(car_.readings());

@@ -1,11 +1,11 @@
-// Homing mode of a car drive: the car searches its home position by the method of its maker, stops,
-// and positions count from there (CiA 402, homing mode; CiA 417-4, 4.11.5).
+// Homing mode of a car drive: the car searches its home position by the method of its maker, and
+// stops; positions then count from there (CiA 402, homing mode; CiA 417-4, 4.11.5).
 //
 //     HomingMode mode(car, parameters, {.method = HomingMethod::home_switch_below});
 //     mode.start(false, now);
 //     if (mode.look(now) == true) ...      // each period: bits 10 and 12
 //
-// A search that misses what it searches fails: bit 13.
+// A search without a result fails: bit 13.
 #pragma once
 
 #include <optional>
@@ -18,28 +18,29 @@ namespace canvoy::cia417 {
 struct HomingSettings {
   HomingMethod method = HomingMethod::home_switch_below;
   double velocity = 100;  ///< in units of 6430h
-  double travel = 0;  ///< from one end of the shaft to the other, in units of position; 0: unknown
-  Duration time_max = 5min;  ///< of a search where that is unknown
+  double travel = 0;  ///< distance between the ends of the shaft, in units of position; 0: unknown
+  Duration time_max = 5min;  ///< of a search if the distance is unknown
 };
 
 class HomingMode {
  public:
-  /// What is referred to must outlive this.
+  /// All references must outlive this.
   HomingMode(DrivenCar& car, DriveParameters& parameters, const HomingSettings& settings)
       : car_(car), parameters_(parameters), settings_(settings), search_(settings.method) {}
   HomingMode(const HomingMode&) = delete;
   HomingMode& operator=(const HomingMode&) = delete;
 
-  /// Nothing was ever found.
+  /// Discards the home position.
   void begin_anew();
-  /// The car is stopped: it searches nothing.
+  /// Ends the search: the car is stopped.
   void give_up() { step_ = Step::idle; }
-  /// While the car is halted, the search waits for the next start.
+  /// Starts a search. While the car is halted, the search waits for the next start.
   void start(bool is_halted, Time now);
-  /// The controlword takes it back.
+  /// Ends the search on a command of the controlword.
   void cancel(Time now);
   bool is_under_way() const { return step_ != Step::idle; }
-  /// Whether the car has come to stand with its home position found, where that is news.
+  /// Returns whether the search has succeeded when the car has come to a standstill; nothing before
+  /// that, and once only.
   std::optional<bool> look(Time now);
 
   bool has_homed() const { return has_homed_; }
@@ -60,7 +61,7 @@ class HomingMode {
   HomingSearch search_;
   std::optional<double> found_;  ///< the home position of this search, in increments
   Time since_{};
-  double from_ = 0;  ///< where the search began, or turned; in increments
+  double from_ = 0;  ///< where the search started or turned, in increments
   Step step_ = Step::idle;
   bool has_homed_ = false;
   bool has_failed_ = false;

@@ -1,5 +1,5 @@
-// Whether something has been so without a break for a while: a window of velocity (6435h to 6437h),
-// a following error.
+// Checks whether a condition has held without a break for a time: a velocity window (6435h to
+// 6437h), a following error.
 //
 //     Lasting slow;
 //     slow.watch(speed < threshold, now);       // each time that it was measured

@@ -11,7 +11,7 @@ namespace {
 
 using cia402::ProfileType;
 
-/// Positions that differ by as little are one: rounding, where a ramp is planned again on its way.
+/// Positions that differ by less are equal: for rounding when a ramp is planned again on its way.
 constexpr double tolerance = 1e-9;
 
 constexpr double square(double value) {
@@ -20,7 +20,7 @@ constexpr double square(double value) {
 constexpr double sign_of(double value) {
   return value < 0 ? -1 : 1;
 }
-/// Seconds for a change of the acceleration by one; none where the jerk is not limited.
+/// Seconds for a change of the acceleration by one; 0 without a limit of the jerk.
 constexpr double inverse(double jerk) {
   return jerk > 0 ? 1 / jerk : 0;
 }
@@ -62,7 +62,7 @@ class MotionProfile::Ramp {
     state_.acceleration = 0;
   }
 
-  /// The velocity when the acceleration is taken back.
+  /// The velocity after the acceleration has been reduced to 0.
   static double released(double velocity, double acceleration, const MotionLimits& limits) {
     const Bends bend = bends(limits, velocity * acceleration >= 0);
     return velocity + acceleration * std::abs(acceleration) / 2 * bend.end;
@@ -79,7 +79,7 @@ class MotionProfile::Ramp {
     pieces_[piece_count_] = {duration, jerk, state_, Shape::polynomial};
     state_ = evaluate(pieces_[piece_count_++], duration);
   }
-  /// By the end of a ramp that is given up.
+  /// Adds the end of a ramp that is given up.
   void release(const MotionLimits& limits) {
     const double acceleration = state_.acceleration;
     const Bends bend = bends(limits, state_.velocity * acceleration >= 0);
@@ -87,7 +87,7 @@ class MotionProfile::Ramp {
     if (seconds > 0) add(seconds, acceleration, -acceleration / seconds);
     state_.acceleration = 0;
   }
-  /// Up to the highest acceleration, on with it, and down to none.
+  /// Up to the highest acceleration, constant, and down to 0.
   void change_velocity(double change, double sign, const Bends& bend) {
     const double now = std::abs(state_.acceleration);
     const double both = bend.start + bend.end;
@@ -95,7 +95,7 @@ class MotionProfile::Ramp {
     if (both > 0) {
       peak = std::min(peak, std::sqrt((2 * change + square(now) * bend.start) / both));
     }
-    // Where the limits were lowered, the acceleration comes down to them by the bend of the end.
+    // If the limits were lowered, the acceleration decreases to them by the bend of the end.
     const double bend_to_peak = now > peak ? -bend.end : bend.start;
     const double to_peak = (peak - now) * bend_to_peak;
     const double bent = (square(peak) - square(now)) / 2 * bend_to_peak;
@@ -125,7 +125,7 @@ class MotionProfile::Ramp {
   MotionState state_;
 };
 
-/// A way in one direction: by the highest velocity on it, the rest follows.
+/// A distance in one direction: its highest velocity determines the rest.
 struct MotionProfile::Way {
   Way(const MotionState& start, double to, const MotionLimits& given, double wanted_end)
       : from(start), target(to), limits(given), end_velocity(std::min(wanted_end, given.velocity)) {
@@ -137,7 +137,7 @@ struct MotionProfile::Way {
 
   Ramp first(double peak) const { return {from.velocity, from.acceleration, sign * peak, limits}; }
   Ramp last(double peak) const { return {sign * peak, 0, sign * end_velocity, limits}; }
-  /// What lies between the two ramps.
+  /// Distance between the two ramps.
   double rest(double peak) const {
     return distance - sign * (first(peak).distance() + last(peak).distance());
   }
@@ -145,7 +145,7 @@ struct MotionProfile::Way {
     const double slowest = std::min(end_velocity, std::max(released, 0.0));
     return sign * first(slowest).distance() <= distance + tolerance;
   }
-  /// Between a velocity that leaves a rest and one that leaves none.
+  /// Searches between a velocity with a rest and one without.
   template <class Rest>
   double search(double fits, double too_fast, Rest rest_of) const {
     while (std::abs(too_fast - fits) > 1e-13 * limits.velocity) {
@@ -160,7 +160,7 @@ struct MotionProfile::Way {
     if (rest(limits.velocity) >= 0) return limits.velocity;
     const double low = std::clamp(std::max(released, end_velocity), 0.0, limits.velocity);
     if (rest(low) >= 0) return search(low, limits.velocity, rest_of);
-    // It slows down already, and less than it could.
+    // It already slows down, and less than it could.
     if (rest(end_velocity) >= -tolerance) return search(end_velocity, low, rest_of);
     // Too short to reach the end velocity.
     end_velocity = search(std::max(released, 0.0), end_velocity,
@@ -174,7 +174,7 @@ struct MotionProfile::Way {
   double end_velocity;
   double sign;
   double distance;
-  double released;  ///< the velocity that it has when its acceleration is taken back
+  double released;  ///< the velocity after its acceleration has been reduced to 0
 };
 
 MotionProfile MotionProfile::resting_at(double position) {

@@ -1,8 +1,9 @@
-// How the car moves from one state to another within limits of velocity, acceleration and jerk: the
-// curve of CiA 417-4, figure 1, with the ramps of CiA 402, 6086h.
+// Movement of the car from one state to another within limits of velocity, acceleration and jerk:
+// the curve of CiA 417-4, figure 1, with the ramps of CiA 402, 6086h.
 //
-// A profile is made once, when the target is set, and then asked in closed form for any time: no
-// step, no sum of errors. It has no unit of its own: metres, millimetres or counts, and seconds.
+// A profile is computed once, when the target is set, and then evaluated in closed form for any
+// time, without steps or accumulated errors. It works in any unit, such as metres, millimetres or
+// counts, and in seconds.
 //
 //     MotionProfile trip = MotionProfile::to_position({}, 12.5, limits);
 //     trip.at(3.2).velocity;  // 3.2 s after the start
@@ -27,8 +28,8 @@ struct MotionState {
 
 /// All of them positive.
 struct MotionLimits {
-  /// Of the four bends of the velocity, A to D of figure 1; 0: not limited, the acceleration jumps.
-  /// E and F are C and D of a profile of its own, from the end velocity to a stop.
+  /// Limits of the four bends of the velocity, A to D of figure 1; 0: not limited, the acceleration
+  /// jumps. E and F are C and D of a separate profile, from the end velocity to a stop.
   struct Jerks {
     double start_acceleration = 0;
     double end_acceleration = 0;
@@ -40,37 +41,37 @@ struct MotionLimits {
   double acceleration = 1;
   double deceleration = 1;
   Jerks jerk = {};
-  /// linear ramps know no jerk. The other two are ramps of one piece, from rest to rest of the
-  /// acceleration; where a profile starts with an acceleration, it is jerk-limited.
+  /// Linear ramps have no jerk. The other two are ramps of one piece, from acceleration 0 to
+  /// acceleration 0; a profile that starts with an acceleration is jerk-limited.
   cia402::ProfileType type = cia402::ProfileType::jerk_limited;
 };
 
 class MotionProfile {
  public:
-  /// Stands at 0.
+  /// At rest at 0.
   MotionProfile() = default;
   static MotionProfile resting_at(double position);
 
-  /// Gets to `target` with `end_velocity`, or with less where the way is too short to reach it. A
-  /// car that cannot do so stops behind the target and comes back: see can_reach(). The cost is
-  /// bounded: some forty trials of the velocity on the way.
+  /// Moves to `target` with `end_velocity`, or less if the distance is too short to reach it. If
+  /// that is not possible, the car stops behind the target and comes back: see can_reach(). The
+  /// cost is limited: about forty trials of the velocity on the way.
   static MotionProfile to_position(const MotionState& from, double target,
                                    const MotionLimits& limits, double velocity_there = 0);
-  /// Gets to `velocity`, positive or negative, and keeps it.
+  /// Changes to `velocity`, positive or negative, and keeps it.
   static MotionProfile to_velocity(const MotionState& from, double velocity,
                                    const MotionLimits& limits);
-  /// Whether to_position() gets to `target` without turning round.
+  /// True if to_position() moves to `target` without turning round.
   static bool can_reach(const MotionState& from, double target, const MotionLimits& limits,
                         double velocity_there = 0);
-  /// The way from `from` to a stop, negative downwards.
+  /// Distance from `from` to a stop, negative downwards.
   static double stopping_distance(const MotionState& from, const MotionLimits& limits);
 
-  /// In closed form, at a cost linear in the number of pieces; behind the end it goes on with the
-  /// end velocity.
+  /// Evaluated in closed form, at a cost linear in the number of pieces. After the end, it
+  /// continues with the end velocity.
   MotionState at(double seconds) const;
   /// Seconds from the start to the end.
   double duration() const { return duration_; }
-  /// To the last bit the target.
+  /// Exactly equal to the target.
   const MotionState& end() const { return end_; }
   /// The highest velocity on the way, in its direction.
   double peak_velocity() const;
@@ -79,16 +80,16 @@ class MotionProfile {
   struct Way;
   class Ramp;
 
-  /// How the velocity goes within a piece.
+  /// Curve of the velocity within a piece.
   enum class Shape : std::uint8_t { polynomial, sine_squared, jerk_free };
   struct Piece {
     double duration = 0;
-    double jerk = 0;  ///< of the other shapes the change of the velocity
+    double jerk = 0;  ///< for the other shapes, the change of the velocity
     MotionState start;
     Shape shape = Shape::polynomial;
   };
-  /// A ramp to a stop, and a ramp up, a stretch and a ramp down from there; each ramp may begin
-  /// with an acceleration that it takes back first.
+  /// A ramp to a stop, and from there a ramp up, a stretch and a ramp down. Each ramp may start
+  /// with an acceleration that is reduced first.
   static constexpr std::size_t pieces_max = 4 + 4 + 1 + 4;
 
   static MotionState evaluate(const Piece& piece, double seconds);

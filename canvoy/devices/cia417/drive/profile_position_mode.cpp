@@ -16,7 +16,7 @@ void ProfilePositionMode::give_up() {
   next_.reset();
 }
 
-/// Acknowledged where it can be done; otherwise the drive goes on to the target that it had (4.11).
+/// Acknowledged if it is possible; otherwise the drive continues to its former target (4.11).
 bool ProfilePositionMode::take(std::uint16_t word, std::int32_t target, bool is_halted, Time now) {
   is_acknowledged_ = false;
   if ((word & control_bit::new_set_point) == 0) return false;
@@ -39,7 +39,7 @@ bool ProfilePositionMode::take(std::uint16_t word, std::int32_t target, bool is_
   return true;
 }
 
-/// Through the present target at the end velocity, where the next one lies in the same direction.
+/// Passes the present target at the end velocity, if the next one is in the same direction.
 bool ProfilePositionMode::wait_behind(double target, bool is_halted, Time now) {
   if (next_) return false;
   next_ = target;
@@ -50,9 +50,9 @@ bool ProfilePositionMode::wait_behind(double target, bool is_halted, Time now) {
   return true;
 }
 
-/// In increments. Positions count from one end of their range to the other (6421h): where the car
-/// has left it, position 0 is another place; a target out of it is that in it. A relative one is a
-/// way, which has no range.
+/// In increments. Positions count from one end of their range to the other (6421h): if the car has
+/// left it, position 0 is at another location; a target beyond the range is converted to one
+/// within. A relative one is a distance, which has no range.
 double ProfilePositionMode::wanted_position(std::int32_t target, bool is_relative, Time now) {
   const double from = is_travelling_ ? target_ : car_.present(now).position;
   const double unit = parameters_.units().position;

@@ -1,6 +1,5 @@
-// Profile position mode of a car drive: set-points (6420h) that are acknowledged, wait behind the
-// one that is travelled to, and are reached (CiA 417-4, 4.11.1 and 4.11.4; bits 4 to 6 of 6400h, 10
-// to 12 of 6401h).
+// Profile position mode of a car drive: set-points (6420h) that are acknowledged, queued behind the
+// present one, and reached (CiA 417-4, 4.11.1 and 4.11.4; bits 4 to 6 of 6400h, 10 to 12 of 6401h).
 //
 //     ProfilePositionMode mode(car, parameters, 2);
 //     mode.take(0x003F, 12'500, false, now);     // acknowledged: bit 12
@@ -16,27 +15,28 @@ namespace canvoy::cia417 {
 
 class ProfilePositionMode {
  public:
-  /// So near to its target, in units of position, the car has arrived. What is referred to must
-  /// outlive this.
+  /// The car has arrived within this distance from its target, in units of position. All references
+  /// must outlive this.
   ProfilePositionMode(DrivenCar& car, DriveParameters& parameters, double window)
       : car_(car), parameters_(parameters), window_(window) {}
   ProfilePositionMode(const ProfilePositionMode&) = delete;
   ProfilePositionMode& operator=(const ProfilePositionMode&) = delete;
 
-  /// Without a set-point, and none acknowledged.
+  /// Starts without a set-point, and without an acknowledged one.
   void begin_anew();
-  /// The car is stopped: it travels nowhere.
+  /// Ends all travels: the car is stopped.
   void give_up();
-  /// Bit 4 of the controlword has changed: its rising edge makes `target` (6420h) a set-point.
-  /// True: the car sets off. A halted one does not: see go_on().
+  /// Takes a change of bit 4 of the controlword: its rising edge makes `target` (6420h) a
+  /// set-point. True if the car starts. A halted car does not: see go_on().
   bool take(std::uint16_t word, std::int32_t target, bool is_halted, Time now);
-  /// After a halt.
+  /// Continues after a halt.
   void go_on(Time now);
-  /// Whether the car has reached its target, where that is news: false sets off for the next one.
+  /// Returns true when the car has reached its target, and false when it starts for the next one;
+  /// nothing without a change.
   std::optional<bool> look(Time now);
 
   bool is_acknowledged() const { return is_acknowledged_; }
-  /// The set-point lies behind a software limit (6422h), at which the car stops.
+  /// True if the set-point is beyond a software limit (6422h), at which the car stops.
   bool is_limited() const { return is_limited_; }
 
  private:
@@ -48,7 +48,7 @@ class ProfilePositionMode {
   DriveParameters& parameters_;
   double window_;
   double target_ = 0;           ///< of the travel, in increments
-  std::optional<double> next_;  ///< waits behind it
+  std::optional<double> next_;  ///< queued behind it
   bool is_travelling_ = false;
   bool is_acknowledged_ = false;
   bool is_limited_ = false;

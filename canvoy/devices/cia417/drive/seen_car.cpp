@@ -6,7 +6,7 @@ namespace canvoy::cia417 {
 
 namespace {
 
-/// In motion, in units of the drive: more than an encoder jitters.
+/// Moving above this velocity, in units of the drive: more than the jitter of an encoder.
 constexpr double moving_velocity = 20;
 
 }  // namespace

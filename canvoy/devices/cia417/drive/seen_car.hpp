@@ -1,5 +1,5 @@
-// The car as others tell of it: its velocity by its drive (6433h), its position by its position
-// unit (6383h), and whether the two agree.
+// The car as other devices report it: its velocity from its drive (6433h), its position from its
+// position unit (6383h), and whether the two agree.
 //
 //     SeenCar car(node.dictionary(), 1, {.drive_micrometre = 1000});
 //     car.nearest_stop(ramps)
@@ -9,8 +9,8 @@
 #include <cstdint>
 
 #include "canvoy/can/time.hpp"
-#include "canvoy/devices/cia417/controller/lift_bound.hpp"
 #include "canvoy/devices/cia417/drive/motion_profile.hpp"
+#include "canvoy/devices/cia417/lift/lift_bound.hpp"
 #include "canvoy/profiles/cia417/car_handles.hpp"
 #include "canvoy/profiles/cia417/drive_handles.hpp"
 
@@ -29,23 +29,23 @@ class SeenCar {
 
   double velocity() const { return velocity_.raw(); }
   double position() const;
-  /// Faster than an encoder jitters.
+  /// True if it is faster than the jitter of an encoder.
   bool moves() const;
-  /// What the control loop may do: while it gains speed, with all of its acceleration. So a stop is
-  /// never planned too near.
+  /// The worst case of the control loop: while the car gains speed, with all of its acceleration.
+  /// Therefore a stop is never planned too near.
   MotionState state(const MotionLimits& ramps) const;
-  /// Where a car stands still that slows down with all of its deceleration already.
+  /// Position of the standstill of a car that already slows down with all of its deceleration.
   double nearest_stop(const MotionLimits& ramps) const;
 
-  /// It is not known any more how fast it is.
+  /// Discards the velocity.
   void forget_velocity() { velocity_ = 0; }
-  /// The drive has told the velocity again.
+  /// Call it when the drive has sent the velocity.
   void velocity_came();
 
-  /// From here on its position has to change, while it moves.
+  /// Starts to monitor whether its position changes while it moves.
   void watch_anew(Time now);
   bool has_moved() const;
-  /// It has not for `time`: a dead encoder tells the same position for ever.
+  /// True if it has not changed for `time`: a dead encoder always sends the same position.
   bool is_encoder_dead(Duration time, Time now) const {
     return !has_moved() && now - watched_since_ >= time;
   }
@@ -60,7 +60,7 @@ class SeenCar {
   Time watched_since_{};
 };
 
-/// What an encoder jitters, in units of the drive.
+/// Jitter of an encoder, in units of the drive.
 inline constexpr double moving_distance = 5;
 
 }  // namespace canvoy::cia417

@@ -21,12 +21,12 @@ Landing source_of(const DestinationCall& call) {
   return {call.source, call.direction()};
 }
 
-/// On the way in this direction `a` comes before `b`.
+/// On the way in this direction, `a` comes before `b`.
 constexpr bool is_before(std::uint8_t a, std::uint8_t b, Direction direction) {
   return direction == Direction::down ? a > b : a < b;
 }
 
-/// He is in the car when it leaves there.
+/// True if the passenger is in the car when it leaves there.
 bool rides_from(const DestinationCall& call, const Landing& landing) {
   return call.direction() == landing.direction &&
          !is_before(landing.floor, call.source, landing.direction) &&
@@ -49,7 +49,7 @@ OtherPlans DestinationDispatcher::plans() {
           .is_full = Callback<bool(unsigned, const Landing&)>::to<&Self::is_full>(*this)};
 }
 
-// What happens
+// Events
 
 DestinationDispatcher::Answer DestinationDispatcher::add(const DestinationCall& call) {
   bool possible = false;
@@ -93,8 +93,8 @@ void DestinationDispatcher::service_changed() {
   for (std::size_t i = riding_; i-- > 0;) {
     if (!lifts_[riders()[i].lift - 1U].in_service) erase_rider(i);
   }
-  // Those who have to be asked anew wait for none first, so that a lift that is gone is no longer
-  // planned with.
+  // Passengers to be assigned again are first set to waiting for any lift, so that plans do not
+  // include a lift that is gone.
   for (Slot& slot : slots_.first(count_)) {
     if (slot.lift == 0 || can(slot.call, slot.lift)) continue;
     withdrawn_(slot.call, slot.lift);
@@ -118,7 +118,7 @@ void DestinationDispatcher::assign_waiting() {
   }
 }
 
-// What is planned
+// Plans
 
 Route DestinationDispatcher::route(unsigned lift) const {
   Route route = route_of(lifts_[lift - 1]);
@@ -127,7 +127,7 @@ Route DestinationDispatcher::route(unsigned lift) const {
   return route;
 }
 
-/// Targets of riders are car calls when the car has told them.
+/// Targets of riders become car calls when the car has reported them.
 void DestinationDispatcher::add_stops(unsigned lift, Route& route) const {
   for (const Slot& slot : calls()) {
     if (slot.lift == lift) add_stops_of(slot.call, route);
@@ -151,7 +151,7 @@ bool DestinationDispatcher::can(const DestinationCall& call, unsigned lift) cons
   return lifts_[lift - 1].in_service && could_ever(call, lift);
 }
 
-/// Those who are in the car now, and still are when it leaves there.
+/// Passengers who are in the car and still in it when it leaves there.
 unsigned DestinationDispatcher::riding_past(unsigned lift, const Landing& landing) const {
   unsigned persons = 0;
   for (const Slot& rider : riders()) {
@@ -168,7 +168,7 @@ unsigned DestinationDispatcher::delayed(unsigned lift, const Landing& landing) c
     }
   }
   if (!comes_by(lifts_[lift - 1], landing)) return persons;
-  // For each car call one is counted already.
+  // One is already counted for each car call.
   for (const Slot& rider : riders()) {
     if (rider.lift == lift && rides_from(rider.call, landing)) persons += rider.persons - 1U;
   }
@@ -199,7 +199,7 @@ bool DestinationDispatcher::is_full(unsigned lift, const Landing& landing) const
   return load_at(lift, landing, landing) >= capacity(lift);
 }
 
-/// A group that is larger than a car takes one that is empty, as far as there is room.
+/// A group that is larger than a car takes an empty one, as far as there is room.
 bool DestinationDispatcher::fits(const DestinationCall& call, unsigned persons,
                                  unsigned lift) const {
   const Landing start = source_of(call);
@@ -212,9 +212,9 @@ bool DestinationDispatcher::fits(const DestinationCall& call, unsigned persons,
   return load == 0 || load + persons <= capacity(lift);
 }
 
-// What it costs
+// Costs
 
-/// What his stops cost others, of those that the car would not make without him.
+/// Cost for others of the stops that the car makes only for this passenger.
 Duration DestinationDispatcher::delay_of_others(const DestinationCall& call, unsigned lift,
                                                 const Route& route) const {
   const FloorSet& stops = route.stops_of(source_of(call));
@@ -232,8 +232,8 @@ Duration DestinationDispatcher::delay_of_others(const DestinationCall& call, uns
   return persons * lifts_[lift - 1].times.stop;
 }
 
-/// By how much the car is later for those whom it serves next: stops that it makes more, and ways
-/// beyond its turning points.
+/// Delay of the car for the passengers that it serves next: further stops, and distances beyond its
+/// turning points.
 Duration DestinationDispatcher::delay_of_next(const Route& before, const Route& with,
                                               unsigned lift) const {
   const TravelTimes& times = lifts_[lift - 1].times;
@@ -253,7 +253,7 @@ Duration DestinationDispatcher::delay_of_next(const Route& before, const Route& 
   return later * each * settings_.demand_percent / 100;
 }
 
-/// His own time to the destination, and what it costs others.
+/// The passenger's own time to the destination, and the cost for others.
 Duration DestinationDispatcher::cost(const DestinationCall& call, unsigned lift) const {
   const GroupLift& state = lifts_[lift - 1];
   const Route before = route(lift);

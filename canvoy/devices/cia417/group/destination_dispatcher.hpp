@@ -1,5 +1,5 @@
-// Which lift of a group takes a passenger who says on the landing where he wants to go: the one
-// that brings him there soonest, with what that costs the others.
+// Assigns passengers who name their destination on the landing to lifts of a group: to the lift
+// that brings a passenger there soonest, including the delay of others.
 //
 //     std::array<DestinationDispatcher::Slot, 200> slots;
 //     DestinationDispatcher dispatcher(lifts, slots);
@@ -7,8 +7,8 @@
 //     display(answer.lift);                                  // "lift C"
 //     dispatcher.departed(3, {.floor = 1, .direction = Direction::up}, 0b0001);
 //
-// Passengers for one floor come together in one car, which therefore stops less often: that is what
-// makes it better than collective control while many want the same way (see Barney and Al-Sharif,
+// Passengers for one floor share a car, which therefore stops less often. This makes it better than
+// collective control when many passengers travel in the same direction (see Barney and Al-Sharif,
 // Elevator Traffic Handbook).
 #pragma once
 
@@ -16,8 +16,8 @@
 #include <span>
 
 #include "canvoy/can/callback.hpp"
-#include "canvoy/devices/cia417/group/group_lift.hpp"
 #include "canvoy/devices/cia417/group/hall_dispatcher.hpp"
+#include "canvoy/devices/cia417/lift/group_lift.hpp"
 
 namespace canvoy::cia417 {
 
@@ -25,30 +25,32 @@ struct DestinationCall {
   std::uint8_t source = 0;
   std::uint8_t target = 0;
   DoorMask source_doors = 1;
-  DoorMask target_doors = 0;  ///< 0: whichever the car has there
+  DoorMask target_doors = 0;  ///< 0: any door of the car there
   CallPriority priority = CallPriority::standard;
-  LiftMask lifts = 0xFF;  ///< that may answer it
-  bool to_floor = false;  ///< made as a call to a destination floor: 0Bh to 0Dh
+  LiftMask lifts = 0xFF;  ///< lifts that may answer it
+  bool to_floor = false;  ///< call to a destination floor: 0Bh to 0Dh
 
   Direction direction() const { return target > source ? Direction::up : Direction::down; }
   friend constexpr bool operator==(const DestinationCall&, const DestinationCall&) = default;
 };
 
 struct DestinationSettings {
-  /// How much the delay of another passenger counts beside one's own time: percent. With more, who
-  /// comes to a car that stands open is sent to a later one for the sake of those who are in it.
+  /// Weight of the delay of another passenger against the passenger's own time, in percent. With a
+  /// higher value, a passenger who comes to a car with open doors is sent to a later one to spare
+  /// the passengers in it.
   unsigned courtesy_percent = 50;
-  /// How much the time counts by which a car comes back later, for each of those who are served by
-  /// a lift on the average: percent. It is what makes stops dear when many want to travel.
+  /// Weight of the time by which a car returns later, for each passenger that a lift serves on
+  /// average, in percent. It makes stops expensive when many passengers travel.
   unsigned demand_percent = 30;
-  /// A car counts as full for planning with as much of its persons: percent.
+  /// Share of its persons at which a car counts as full for planning, in percent.
   unsigned load_percent = 80;
 };
 
-/// Each add() is a passenger more. A call stays with its lift, since it was shown to him, until the
-/// car left with him or the lift leaves service. While all cars are full as they are planned, calls
-/// wait; who wants to the same floor then gets one lift, in the order of who waits longest. Knows
-/// nothing of time or chance. Each step looks at each slot a few times for each lift at most.
+/// Each add() is one more passenger. A call stays with its lift, as the panel has shown the lift to
+/// the passenger, until the car has left with the passenger or the lift leaves service. While all
+/// cars are planned to be full, calls wait; passengers for the same floor then get one lift
+/// together, in the order of the longest wait. The result depends neither on time nor on chance.
+/// Each step visits each slot at most a few times for each lift.
 class DestinationDispatcher {
  public:
   /// The passengers from one floor to another in one car. The owner provides the memory.
@@ -63,43 +65,44 @@ class DestinationDispatcher {
     friend constexpr bool operator==(const Answer&, const Answer&) = default;
   };
 
-  /// `lifts` are lift 1 and up, and are looked at whenever something is to be decided. Both must
-  /// outlive the dispatcher.
+  /// `lifts` are lift 1 and up, and are read at each decision. Both must outlive the dispatcher.
   DestinationDispatcher(std::span<const GroupLift> lifts, std::span<Slot> slots,
                         const DestinationSettings& settings = {});
 
-  /// Called where passengers are assigned, by add() or later; lift 0: their lift has left service,
-  /// and nobody can take them now. Passengers with the same call may be with several lifts.
+  /// Called when passengers are assigned, by add() or later; lift 0: their lift has left service,
+  /// and no lift can take them at present. Passengers with the same call may be assigned to several
+  /// lifts.
   void on_assigned(Callback<void(const DestinationCall&, unsigned lift)> assigned) {
     assigned_ = assigned;
   }
-  /// Called before, where passengers are taken from a lift that has left service.
+  /// Called before passengers are taken from a lift that has left service.
   void on_withdrawn(Callback<void(const DestinationCall&, unsigned lift)> withdrawn) {
     withdrawn_ = withdrawn;
   }
-  /// What else is planned for the lifts.
+  /// Sets the other plans for the lifts.
   void plan_with(const OtherPlans& others) { others_ = others; }
-  /// The same for others.
+  /// The plans of this dispatcher, for others.
   OtherPlans plans();
 
   Answer add(const DestinationCall& call);
-  /// A lift leaves a floor in this direction, where it has opened these doors: those who waited
-  /// there for it are in it, and those who wanted there are out. `boarded` is called for each call.
+  /// A lift leaves a floor in this direction, where it has opened these doors: passengers who
+  /// waited for it there are in it, and those who wanted to go there are out. `boarded` is called
+  /// for each call.
   void departed(unsigned lift, const Landing& landing, DoorMask doors,
                 Callback<void(const DestinationCall&)> boarded = {});
-  /// The car call of that floor is done, or taken back.
+  /// The car call of that floor is done or cancelled.
   void alighted(unsigned lift, std::uint8_t floor);
   void remove_all() { count_ = riding_ = 0; }
-  /// After lifts left service or came back.
+  /// Call it after lifts have left service or returned.
   void service_changed();
-  /// After cars have moved on: gives lifts to those who wait for one.
+  /// Call it after cars have moved: assigns lifts to waiting passengers.
   void assign_waiting();
 
-  /// Those who are not in a car.
+  /// Passengers who are not in a car.
   std::span<const Slot> calls() const { return slots_.first(count_); }
-  /// Those who are, by what was told of stops; forgotten when the memory is needed.
+  /// Passengers in a car, according to the reported stops; discarded when the memory is needed.
   std::span<const Slot> riders() const { return slots_.last(riding_); }
-  /// All of the lift's stops: of those in the car, of those who are assigned to it, and of other
+  /// All of the lift's stops: of passengers in the car, of those assigned to it, and of other
   /// plans.
   Route route(unsigned lift) const;
 

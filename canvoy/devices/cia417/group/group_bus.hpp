@@ -1,6 +1,6 @@
 // The bus of a group of lifts: the controllers of lifts 1 to 8 as nodes 1 to 8, and a group
-// controller. The profile leaves this bus to the maker; it is made of the profile's own records
-// (see docs/decisions.md).
+// controller. The profile leaves this bus to the maker; it uses the records of the profile (see
+// docs/decisions.md).
 //
 //     lift n -> group  480h + n  6010h  a hall or destination call from a panel of lift n
 //                      400h + n  6011h  where lift n is, goes and stops, and whether it serves
@@ -8,12 +8,12 @@
 //     group -> lifts   480h + g  6010h  a call, and in its lift mask the lift that has to answer it
 //                      400h      6011h  a call is known, or done: for the panels
 //
-// What a node receives it has in 2010h and 2011h, since what it sends is in 6010h and 6011h.
+// A node has its received records in 2010h and 2011h, as its sent ones are in 6010h and 6011h.
 #pragma once
 
-#include "canvoy/devices/cia417/panel/multiplexed_panels.hpp"
-#include "canvoy/devices/cia417/panel/virtual_io.hpp"
-#include "canvoy/devices/device.hpp"
+#include "canvoy/devices/cia417/virtual_io/multiplexed_panels.hpp"
+#include "canvoy/devices/cia417/virtual_io/virtual_io.hpp"
+#include "canvoy/devices/kit/device.hpp"
 #include "canvoy/profiles/cia417/lift_device.hpp"
 #include "canvoy/profiles/cia417/watched_nodes.hpp"
 
@@ -22,7 +22,7 @@ namespace canvoy::cia417 {
 /// The node-ID of the group controller: 9 to 16 are gateways on a shaft bus.
 inline constexpr NodeId group_controller_id = 17;
 inline constexpr std::uint32_t group_input_cob_id = 0x480;   ///< + node-ID
-inline constexpr std::uint32_t group_output_cob_id = 0x400;  ///< + lift; that of the group itself
+inline constexpr std::uint32_t group_output_cob_id = 0x400;  ///< + lift; of the group controller
 
 constexpr ObjectInfo received_record(std::uint16_t index, std::string_view name) {
   return {.index = index,
@@ -63,7 +63,7 @@ inline constexpr PdoInfo group_member_pdos[] = {
     group_pdo(receive, 1, group_input_cob_id + group_controller_id, group_input_pdo, 1),
     group_pdo(receive, 2, group_output_cob_id, group_output_pdo, 1)};
 
-/// Of lift n the RPDOs n and 8 + n.
+/// For lift n, the RPDOs n and 8 + n.
 inline constexpr auto group_controller_pdos = [] {
   std::array<PdoInfo, 2 * lift_count + 2> pdos{};
   std::size_t next = 0;
@@ -102,8 +102,9 @@ constexpr auto group_node() {
 
 }  // namespace detail
 
-/// A lift has noticed each loss that its group controller does, which hears it one heartbeat later
-/// at most: so it tells all of itself anew when it is heard again.
+/// A lift detects each loss that its group controller detects, which receives the lift one
+/// heartbeat later at most. Therefore the lift sends its whole state again when it receives the
+/// group controller again.
 inline constexpr std::uint16_t group_heartbeat_ms = 300;
 inline constexpr std::uint16_t group_lost_ms = 1000;
 inline constexpr std::uint16_t member_lost_ms = group_lost_ms + group_heartbeat_ms + 100;
@@ -113,7 +114,7 @@ inline constexpr DeviceInfo group_member_info = {.name = "lift-group-member",
                                                  .product = "Canvoy CiA 417 group member",
                                                  .product_code = 41700,
                                                  .node_id = 1};
-/// The parts of a lift controller on the bus of its group: it watches the group controller.
+/// The parts of a lift controller on the bus of its group: it monitors the group controller.
 inline constexpr auto full_group_member =
     describe(detail::group_node<detail::group_member_profile>(),
              cia301::identity({.product_code = group_member_info.product_code}),
@@ -128,7 +129,7 @@ inline constexpr DeviceInfo group_controller_info = {.name = "lift-group-control
                                                      .product = "Canvoy CiA 417 group controller",
                                                      .product_code = 41717,
                                                      .node_id = group_controller_id};
-/// Those of a group controller: it watches the lifts.
+/// The parts of a group controller: it monitors the lifts.
 inline constexpr auto full_group_controller =
     describe(detail::group_node<detail::group_controller_profile>(),
              cia301::identity({.product_code = group_controller_info.product_code}),
@@ -139,10 +140,10 @@ inline constexpr auto full_group_controller =
              watched_nodes<member_lost_ms, 1, 2, 3, 4, 5, 6, 7, 8>, cia301::emergency(),
              cia301::error_history(8), cia301::error_behavior().initial(1, keeps_state));
 
-/// The number of the RPDO by which a group controller hears multiplexed PDOs of lift 1.
+/// Number of the RPDO by which a group controller receives multiplexed PDOs of lift 1.
 inline constexpr std::uint16_t first_multiplexed_group_rpdo = 2 * lift_count + 1;
-/// The same, which takes calls by multiplexed PDOs, too: the two parts of a record for lift n are
-/// 5F11h:2n - 1 and 2n (virtual_mpdo.hpp).
+/// Like full_group_controller, but it also takes calls by multiplexed PDOs: the two parts of a
+/// record for lift n are 5F11h:2n - 1 and 2n (virtual_mpdo.hpp).
 template <MpdoMode mode>
 inline constexpr auto multiplexed_group_controller = describe(
     full_group_controller, multiplexed_panels<mode, lift_count, first_multiplexed_group_rpdo>());

@@ -3,7 +3,7 @@
 #include <bit>
 
 #include "canvoy/devices/cia417/call/call_controller.hpp"
-#include "canvoy/profiles/reactions.hpp"
+#include "canvoy/profiles/model/reactions.hpp"
 
 namespace canvoy::cia417 {
 
@@ -51,10 +51,10 @@ Call shown_call(const HallCall& call) {
 
 }  // namespace
 
-constexpr HookCalls GroupController::hook_calls[] = {
+constexpr AccessHandlers GroupController::hook_calls[] = {
     after_write<&GroupController::call_received, group_input_object>,
     after_write<&GroupController::status_received, group_output_object>};
-constexpr ServiceCalls GroupController::service_calls = {
+constexpr ServiceHandlers GroupController::service_calls = {
     .reset = method<&GroupController::reset>,
     .state_entered = method<&GroupController::state_entered>,
     .hooks = hook_calls};
@@ -145,7 +145,7 @@ void GroupController::update_service(unsigned lift) {
   const bool serves = serves_[lift - 1] && heartbeats_.state(id) == RemoteState::operational;
   if (serves == lifts_[lift - 1].in_service) return;
   lifts_[lift - 1].in_service = serves;
-  // One that comes back tells them anew.
+  // A lift that returns sends them again.
   if (heartbeats_.state(id) != RemoteState::operational) lifts_[lift - 1].car_calls.clear();
   hall_.service_changed();
   destinations_.service_changed();
@@ -176,7 +176,7 @@ void GroupController::take_hall_call(const VirtualInput& call) {
   if (answer == DispatchAnswer::no_room) ++calls_without_room_;
   if (known) up_peak_.called(node_.now(), asked);
   refresh_shown();
-  // Who presses again, or is refused, is answered again.
+  // A repeated press, or a refused call, is answered again.
   if (known) {
     told_.remove(wanted);
   } else {
@@ -195,7 +195,7 @@ void GroupController::take_destination(const VirtualInput& call) {
       .lifts = call.lifts,
       .to_floor = call.function >= BasicFunction::standard_call_to_destination_floor};
   const auto answer = destinations_.add(asked);
-  if (answer.answer == DispatchAnswer::assigned) return;  // told where it was assigned
+  if (answer.answer == DispatchAnswer::assigned) return;  // reported when it was assigned
   if (answer.answer == DispatchAnswer::no_room) ++calls_without_room_;
   acknowledge(asked, call.lifts, answer.answer == DispatchAnswer::waits);
 }
@@ -205,7 +205,7 @@ void GroupController::hall_assigned(const HallCall& call, unsigned lift) {
 }
 void GroupController::destination_assigned(const DestinationCall& call, unsigned lift) {
   if (lift != 0) assign(record_of(call, lift));
-  // Without a lift it is known, and will get one.
+  // Without a lift, the call is known, and will get one.
   acknowledge(call, lift != 0 ? lift_bit(lift) : call.lifts, true);
 }
 
@@ -215,7 +215,7 @@ void GroupController::destination_withdrawn(const DestinationCall& call, unsigne
   assign(record);
 }
 
-/// A panel that misses its answer is asked again by who stands there.
+/// A passenger presses again if the panel missed its answer.
 void GroupController::acknowledge(const DestinationCall& call, std::uint8_t lifts, bool on) {
   const VirtualInput record = record_of(call, 0);
   acknowledgements_.push(encode(VirtualOutput{.function = record.function,
@@ -226,12 +226,12 @@ void GroupController::acknowledge(const DestinationCall& call, std::uint8_t lift
                                               .data = output_data(on, Property::standard, 0, on)}));
 }
 
-/// Without room all assignments are told again, when the queue is empty.
+/// Without room, all assignments are sent again when the queue is empty.
 void GroupController::assign(const VirtualInput& record) {
   if (!assignments_.push(encode(record))) resend_ = 0;
 }
 
-/// Calls that come after all were told again are told once.
+/// Calls that come after the repetition of all are sent once.
 bool GroupController::assignment_waits() {
   if (resend_ >= resend_end()) resend_ = SIZE_MAX;
   return !assignments_.empty() || resend_ != SIZE_MAX;
@@ -246,7 +246,7 @@ std::uint64_t GroupController::next_assignment() {
   const std::size_t position = resend_++;
   const auto hall = hall_.calls();
   if (position < hall.size()) return encode(record_of(hall[position].call, hall[position].lift));
-  // Without a lift it is nobody's.
+  // Without a lift, it is not assigned.
   const auto& slot = destinations_.calls()[position - hall.size()];
   return encode(record_of(slot.call, slot.lift));
 }
@@ -282,7 +282,7 @@ void GroupController::lift_told(unsigned number, const VirtualOutput& status) {
   } else if (status.function == BasicFunction::special_indication) {
     if (status.sub_function == sub_function_of(SpecialIndication::full_load)) lift.full = on;
     if (status.sub_function == sub_function_of(SpecialIndication::out_of_order)) {
-      // Untold changes come one by one: it begins from the beginning.
+      // Changes that are not yet sent come one by one: it starts from the beginning.
       if (serves_[number - 1] == !on) lift_returned();
       serves_[number - 1] = !on;
       update_service(number);
@@ -293,7 +293,7 @@ void GroupController::lift_told(unsigned number, const VirtualOutput& status) {
 void GroupController::lift_stopped(unsigned lift, const VirtualOutput& arrival) {
   const Landing landing{arrival.floor, direction_of(arrival.sub_function)};
   const DoorMask doors = source_doors(arrival.doors);
-  // Its position and direction come behind the stop, and those who board are in a car that is here.
+  // Its position and direction are sent after the stop, and passengers board a car that is here.
   lifts_[lift - 1].floor = landing.floor;
   lifts_[lift - 1].direction = landing.direction;
   up_peak_.opened(lift, landing);
@@ -311,7 +311,7 @@ void GroupController::reconsider(Time now) {
   announce();
 }
 
-/// Where more people wait at the main floor than one car takes.
+/// Opens further cars when more passengers wait at the main floor than one car takes.
 void GroupController::open_more() {
   if (!up_peak_.is_crowded()) return;
   unsigned busy = 0;
@@ -339,7 +339,7 @@ bool GroupController::acknowledgement_waits() {
   return !acknowledgements_.empty() || next_untold().floor != 0;
 }
 
-/// What has changed comes first; of floor 0: nothing waits.
+/// Changes come first; floor 0: nothing is waiting.
 Call GroupController::next_untold() const {
   constexpr LiftCalls none{};
   const Call changed = shown_.first_difference(told_);

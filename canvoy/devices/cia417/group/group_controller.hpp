@@ -1,12 +1,13 @@
 // The controller of a group of up to 8 lifts: takes hall and destination calls from the lifts'
-// panels, and gives each to the lift that answers it best (HallDispatcher, DestinationDispatcher).
+// panels, and assigns each to the lift that answers it best (HallDispatcher,
+// DestinationDispatcher).
 //
 //     GroupController group(node, tpdos, heartbeats, memory, {.lifts = 4, .lift = kinds});
 //
-// A lift that is not heard, or does not serve hall calls, loses its calls to the others. One that
-// is heard again, or tells its state anew, is told anew which calls there are, and which not any
-// more: after a while, in which it has said what it was asked for alone. What travels on the bus of
-// a group is in canvoy/devices/cia417/group/group_bus.hpp.
+// The calls of a lift that is not received, or does not serve hall calls, are assigned to the
+// others. A lift that is received again, or sends its state again, gets all calls again, and the
+// end of those that have ended: after a delay, in which it sends its own calls. For the messages on
+// the bus of a group, see canvoy/devices/cia417/group/group_bus.hpp.
 #pragma once
 
 #include <array>
@@ -18,34 +19,34 @@
 #include "canvoy/devices/cia417/group/group_bus.hpp"
 #include "canvoy/devices/cia417/group/hall_dispatcher.hpp"
 #include "canvoy/devices/cia417/group/up_peak.hpp"
-#include "canvoy/devices/cia417/group/waiting_queue.hpp"
-#include "canvoy/devices/cia417/panel/virtual_mapping.hpp"
-#include "canvoy/devices/gap_watch.hpp"
+#include "canvoy/devices/cia417/virtual_io/virtual_mapping.hpp"
+#include "canvoy/devices/cia417/virtual_io/waiting_queue.hpp"
+#include "canvoy/devices/kit/gap_watch.hpp"
 
 namespace canvoy::cia417 {
 
 struct GroupControllerSettings {
   unsigned lifts = 8;  ///< lift 1 and up
-  /// What of each lift does not change: the floors that it serves, its times and its size.
+  /// Fixed data of each lift: the floors that it serves, its times and its size.
   std::array<GroupLift, group_lifts_max> lift{};
   DispatchSettings hall{};
   DestinationSettings destination{};
   UpPeakSettings up_peak{};
-  Duration reconsider = 5s;   ///< how often calls are compared with other lifts
-  Duration tells_again = 1s;  ///< after a lift has come back
+  Duration reconsider = 5s;   ///< period in which calls are compared with other lifts
+  Duration tells_again = 1s;  ///< delay after the return of a lift
 };
 
-/// All bounded by their owner.
+/// All sizes are set by the owner.
 struct GroupControllerMemory {
   std::span<HallDispatcher::Slot> hall_calls;
   std::span<DestinationDispatcher::Slot> destinations;
-  std::span<std::uint64_t> assignments;       ///< that wait for the bus
+  std::span<std::uint64_t> assignments;       ///< waiting for the bus
   std::span<std::uint64_t> acknowledgements;  ///< of destination calls
 };
 
 class GroupController {
  public:
-  /// All must outlive the controller.
+  /// All arguments must outlive the controller.
   GroupController(Node& node, Tpdos& tpdos, HeartbeatConsumer& heartbeats,
                   const GroupControllerMemory& memory, const GroupControllerSettings& settings);
   GroupController(const GroupController&) = delete;
@@ -55,7 +56,7 @@ class GroupController {
   const GroupLift& lift(unsigned lift) const { return lifts_[lift - 1]; }
   const HallDispatcher& hall_calls() const { return hall_; }
   const DestinationDispatcher& destinations() const { return destinations_; }
-  /// Calls for which there was no memory; panels were told that they are not affirmed.
+  /// Number of calls without memory. Panels were notified that they are not affirmed.
   std::uint32_t calls_without_room() const { return calls_without_room_; }
 
  private:
@@ -101,15 +102,15 @@ class GroupController {
   WaitingRecords acknowledgements_;
   VirtualMapping assignment_mapping_;
   VirtualMapping acknowledgement_mapping_;
-  LiftCalls shown_;       ///< hall calls that panels are to show
-  LiftCalls told_;        ///< what they were told
-  LiftCalls were_on_;     ///< what they have shown since the group began
-  LiftCalls told_again_;  ///< what they are told whether it has changed or not
+  LiftCalls shown_;       ///< hall calls that panels have to show
+  LiftCalls told_;        ///< those that they have received
+  LiftCalls were_on_;     ///< those that they have shown since the group started
+  LiftCalls told_again_;  ///< those to send even if unchanged
   std::uint32_t calls_without_room_ = 0;
-  std::size_t resend_ = SIZE_MAX;  ///< the next assignment to tell again, where the queue was full
-  static const HookCalls hook_calls[];
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  std::size_t resend_ = SIZE_MAX;  ///< the next assignment to repeat after the queue was full
+  static const AccessHandlers hook_calls[];
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
   Timer timer_;
   Timer again_timer_;
   GapWatch gaps_;

@@ -1,6 +1,6 @@
 #include "canvoy/devices/cia417/group/group_device.hpp"
 
-#include "canvoy/devices/cia417/kinds.hpp"
+#include "canvoy/devices/cia417/kit/kinds.hpp"
 
 namespace canvoy::cia417 {
 
@@ -8,9 +8,9 @@ namespace {
 
 class SitedGroupController {
  public:
-  SitedGroupController(const Port& port, NodeId node_id, const Site& site)
-      : device_(port, site.find<GroupControllerSettings>(), node_id) {
-    site.made(device_.group(), device_.node());
+  SitedGroupController(const Port& port, NodeId node_id, const Environment& environment)
+      : device_(port, environment.get<GroupControllerSettings>(), node_id) {
+    environment.made(device_.group(), device_.node());
   }
   Node& node() { return device_.node(); }
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }

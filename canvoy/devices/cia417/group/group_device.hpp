@@ -1,4 +1,4 @@
-// The nodes of a group's bus as whole devices: a group controller, and the second node of a lift
+// Whole devices for the nodes of a group's bus: a group controller, and the second node of a lift
 // controller.
 //
 //     GroupControllerDevice<> group(port, {.lifts = 4, .lift = kinds});
@@ -8,13 +8,13 @@
 
 #include <array>
 
-#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/device/device_node.hpp"
 #include "canvoy/canopen/dictionary/object_index.hpp"
-#include "canvoy/devices/cia417/bus_warning.hpp"
 #include "canvoy/devices/cia417/group/group_controller.hpp"
 #include "canvoy/devices/cia417/group/group_member.hpp"
-#include "canvoy/profiles/device_values.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/devices/cia417/kit/bus_warning.hpp"
+#include "canvoy/profiles/model/device_values.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 
 namespace canvoy::cia417 {
 
@@ -24,12 +24,12 @@ template <MpdoMode mode>
 inline constexpr auto multiplexed_group_controller_layout =
     lay_out_device<multiplexed_group_controller<mode>>();
 
-/// Starts by itself; `queue_max` calls can wait for the bus.
+/// It starts by itself; `queue_max` calls can wait for the bus.
 template <const auto& layout = full_group_member_layout, std::size_t queue_max = 32>
 class GroupMemberDevice : public DeviceValues<GroupMemberDevice<layout, queue_max>, layout> {
  public:
-  /// `lift` is 1 to 8, and the node-ID; the others are those of the lift's own device, and the
-  /// node-ID of the group controller, which it watches (1016h).
+  /// `lift` is 1 to 8, and the node-ID. The other arguments are those of the lift's own device, and
+  /// the node-ID of the group controller, which it monitors (1016h).
   GroupMemberDevice(const Port& port, NodeId lift, Node& lift_node, CallController& calls,
                     LiftController& controller, NodeId group_controller = group_controller_id)
       : device_(port, lift, true),
@@ -59,7 +59,7 @@ class GroupMemberDevice : public DeviceValues<GroupMemberDevice<layout, queue_ma
   GroupMember member_;
 };
 
-/// Starts by itself; `hall_max` hall calls and `destinations_max` pairs of floors in one car can
+/// It starts by itself; `hall_max` hall calls and `destinations_max` pairs of floors in one car can
 /// wait.
 template <const auto& layout = full_group_controller_layout, std::size_t hall_max = 512,
           std::size_t destinations_max = 512, std::size_t queue_max = 64,

@@ -1,6 +1,6 @@
 #include "canvoy/devices/cia417/group/group_member.hpp"
 
-#include "canvoy/profiles/reactions.hpp"
+#include "canvoy/profiles/model/reactions.hpp"
 
 namespace canvoy::cia417 {
 
@@ -13,7 +13,7 @@ std::uint8_t arrows(Direction direction, bool moving) {
   return static_cast<std::uint8_t>(bits);
 }
 
-/// A hall call as its panel would send it; any lift may answer it.
+/// A hall call in the form in which its panel sends it; any lift may answer it.
 VirtualInput input_of(const Call& call) {
   const VirtualOutput shown = acknowledgement_of(call, all_lifts, true);
   return {.function = shown.function,
@@ -26,12 +26,12 @@ VirtualInput input_of(const Call& call) {
 
 }  // namespace
 
-constexpr HookCalls GroupMember::hook_calls[] = {
+constexpr AccessHandlers GroupMember::hook_calls[] = {
     after_write<&GroupMember::assigned, group_input_object>,
     after_write<&GroupMember::acknowledged, group_output_object>};
-constexpr ServiceCalls GroupMember::lift_service_calls = {.reset =
-                                                              method<&GroupMember::lift_reset>};
-constexpr ServiceCalls GroupMember::service_calls = {
+constexpr ServiceHandlers GroupMember::lift_service_calls = {.reset =
+                                                                 method<&GroupMember::lift_reset>};
+constexpr ServiceHandlers GroupMember::service_calls = {
     .reset = method<&GroupMember::reset>,
     .state_entered = method<&GroupMember::state_entered>,
     .hooks = hook_calls};
@@ -68,7 +68,7 @@ void GroupMember::reset(ResetScope) {
   stop_ = {};
 }
 
-/// The lift knows no call any more: the group is told so by a status from the beginning.
+/// The lift has lost its calls: the group is notified by a full status.
 void GroupMember::lift_reset(ResetScope) {
   knows_status_ = false;
 }
@@ -83,8 +83,8 @@ void GroupMember::group_heard(NodeId id, RemoteState state) {
   join(state == RemoteState::operational && node_.state() == NmtState::operational);
 }
 
-/// A group controller that has started knows nothing of the lift; without one, calls that were
-/// given to it are the lift's own.
+/// A group controller that has started has no state of the lift; without one, the calls assigned to
+/// the group belong to the lift.
 void GroupMember::join(bool is_in_group) {
   if (is_in_group == is_in_group_) return;
   is_in_group_ = is_in_group;
@@ -103,7 +103,8 @@ void GroupMember::join(bool is_in_group) {
   is_inside_ = false;
 }
 
-/// The group has no request for what it may have missed: it is told all, as by who joins it.
+/// The group cannot request messages that it may have missed: it gets all of them, as when a lift
+/// joins it.
 void GroupMember::tell_anew(NodeId) {
   if (!is_in_group_) return;
   knows_status_ = false;
@@ -111,7 +112,7 @@ void GroupMember::tell_anew(NodeId) {
   announce();
 }
 
-/// What the panels asked for while nobody else was there to take it comes last.
+/// Calls that the panels requested while the lift was alone come last.
 std::uint64_t GroupMember::next_call() {
   if (!queue_.empty()) return queue_.pop();
   constexpr LiftCalls none{};
@@ -130,7 +131,7 @@ void GroupMember::stopped(const Landing& landing, DoorMask doors) {
   stop_ = {landing, doors};
 }
 
-/// Comes from the lift's bus, or from within a frame of the group's.
+/// Called from the lift's bus, or from within a frame of the group's bus.
 void GroupMember::update() {
   if (is_inside_) {
     announce();
@@ -154,7 +155,8 @@ void GroupMember::act_on_lift() {
   lift_node_.advance(node_.now());
 }
 
-/// While it is alone nobody gives it calls: who does, does not know yet that it was alone.
+/// While it is alone, no calls are assigned to it: an assignment shows that the group controller
+/// does not yet know that it was alone.
 void GroupMember::assigned() {
   if (!is_in_group_) return;
   const auto record = node_.dictionary().number(group_input_object.index, 0);
@@ -164,8 +166,8 @@ void GroupMember::assigned() {
   is_inside_ = false;
 }
 
-/// A hall call is that of one lift: who is not meant has it no longer. The passengers of one
-/// destination call may be with several: who loses them is told so.
+/// A hall call belongs to one lift: the others remove it. Passengers with the same destination call
+/// may have several lifts: a lift that loses them is notified.
 void GroupMember::assign(const VirtualInput& call) {
   const bool is_meant = (call.lifts & lift_bit(settings_.lift)) != 0;
   const bool is_mine = is_meant && call.request() == CallRequest::request;
@@ -198,7 +200,8 @@ void GroupMember::acknowledged() {
     if (!on) calls_.withdraw(wanted);
     if (on || calls_.shows(wanted)) calls_.acknowledge(wanted, on);
   } else if (is_destination_call(record.function)) {
-    // The same call may be that of several lifts: who has it no longer knows by his assignments.
+    // The same call may belong to several lifts: a lift that loses it is notified by its
+    // assignments.
     calls_.acknowledge_destination(call, on, record.lifts);
   }
   act_on_lift();
@@ -218,7 +221,7 @@ bool GroupMember::status_waits() {
   return is_in_group_ && (!knows_status_ || stop_.landing.floor != 0 || told_ != status());
 }
 
-/// The stop comes before what it changes.
+/// The stop comes before the changes that it causes.
 std::uint64_t GroupMember::next_status() {
   const Status now = status();
   VirtualOutput record{.lifts = lift_bit(settings_.lift), .doors = 0xF0, .data = output_data(true)};
@@ -231,7 +234,7 @@ std::uint64_t GroupMember::next_status() {
     return encode(record);
   }
   if (!knows_status_) {
-    // All that follows differs from what is told now. Car calls that have gone may have been told.
+    // Later changes are relative to the status sent here. Ended car calls may have been sent.
     knows_status_ = true;
     told_ = {.moving = !now.moving,
              .serves = !now.serves,

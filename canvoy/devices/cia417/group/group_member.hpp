@@ -1,12 +1,13 @@
-// A lift controller on the bus of its group: hands hall and destination calls of its panels to the
-// group controller, tells it where the lift is and stops, and takes the calls that it assigns.
+// A lift controller on the bus of its group: forwards hall and destination calls of its panels to
+// the group controller, reports the position and the stops of the lift, and takes the calls that
+// are assigned to it.
 //
 //     GroupMember member(group_node, services, lift_node, calls, lift, queue, {.lift = 3});
 //     // frames of the group bus go to group_node, those of the lift's own bus to lift_node
 //
-// While the group controller is not heard the lift answers the calls of its panels by itself, and
-// those that its panels show. When it is heard again it is told the state of the lift, and these
-// calls, from the beginning: either may have changed.
+// While the group controller is not received, the lift itself answers the calls of its panels, and
+// those that its panels show. When it is received again, it gets the whole state of the lift, and
+// these calls, as both may have changed.
 #pragma once
 
 #include <span>
@@ -15,9 +16,9 @@
 #include "canvoy/canopen/pdo/tpdo.hpp"
 #include "canvoy/devices/cia417/controller/lift_controller.hpp"
 #include "canvoy/devices/cia417/group/group_bus.hpp"
-#include "canvoy/devices/cia417/group/waiting_queue.hpp"
-#include "canvoy/devices/cia417/panel/virtual_mapping.hpp"
-#include "canvoy/devices/gap_watch.hpp"
+#include "canvoy/devices/cia417/virtual_io/virtual_mapping.hpp"
+#include "canvoy/devices/cia417/virtual_io/waiting_queue.hpp"
+#include "canvoy/devices/kit/gap_watch.hpp"
 
 namespace canvoy::cia417 {
 
@@ -28,8 +29,9 @@ struct GroupMemberSettings {
 
 class GroupMember {
  public:
-  /// `queue` bounds the calls that wait for the group bus: one more is the lift's own. It takes
-  /// on_hall_call of `calls`, and on_stop and on_change of `lift`. All must outlive this.
+  /// The size of `queue` limits the calls that wait for the group bus: the lift itself takes any
+  /// further one. It sets on_hall_call of `calls`, and on_stop and on_change of `lift`. All
+  /// arguments must outlive this.
   GroupMember(Node& node, Tpdos& tpdos, HeartbeatConsumer& heartbeats, Node& lift_node,
               CallController& calls, LiftController& lift, std::span<std::uint64_t> queue,
               const GroupMemberSettings& settings);
@@ -37,11 +39,11 @@ class GroupMember {
   GroupMember& operator=(const GroupMember&) = delete;
 
   bool is_in_group() const { return is_in_group_; }
-  /// Called when the lift has changed: LiftController::on_change is taken.
+  /// Called when the lift has changed, in place of LiftController::on_change.
   void on_change(Callback<void()> changed) { changed_ = changed; }
 
  private:
-  /// What the group was told of the lift.
+  /// State of the lift that the group has received.
   struct Status {
     std::uint8_t floor = 0;
     Direction direction = Direction::none;
@@ -85,21 +87,21 @@ class GroupMember {
   CallController& calls_;
   LiftController& lift_;
   WaitingRecords queue_;
-  LiftCalls own_calls_;  ///< of landings, that the group is still to be told of
+  LiftCalls own_calls_;  ///< of landings, still to be sent to the group
   GroupMemberSettings settings_;
   VirtualMapping call_mapping_;
   VirtualMapping status_mapping_;
   Callback<void()> changed_;
-  static const HookCalls hook_calls[];
-  static const ServiceCalls service_calls;
-  static const ServiceCalls lift_service_calls;
-  ServiceLink service_{&service_calls, this};
-  ServiceLink lift_service_{&lift_service_calls, this};  ///< of the lift's node
+  static const AccessHandlers hook_calls[];
+  static const ServiceHandlers service_calls;
+  static const ServiceHandlers lift_service_calls;
+  HandlerBinding service_{&service_calls, this};
+  HandlerBinding lift_service_{&lift_service_calls, this};  ///< of the lift's node
   bool is_in_group_ = false;
   bool is_inside_ = false;  ///< in a callback of the group's node
   bool knows_status_ = false;
   Status told_;
-  Stop stop_;  ///< the last one, which was not told yet; floor 0: none
+  Stop stop_;  ///< the last one, if not yet sent; floor 0: none
   GapWatch gaps_;
 };
 

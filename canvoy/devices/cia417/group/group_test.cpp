@@ -95,7 +95,7 @@ TEST_F(GroupTest, ALampThatTheGroupPutOutMeanwhileGoesOutInALiftThatComesBack) {
   ASSERT_TRUE(run_until([&] { return group.hall_calls().calls().empty(); }));
   EXPECT_EQ(benches[2].told("400#02 01 04 04 10 00"), 0u);
   bus.cut(3, false);
-  // It was alone with this call, and gives it to the group once more.
+  // It was alone with this call, and sends it to the group again.
   ASSERT_TRUE(run_until([&] { return benches[2].told("400#02 01 04 04 10 00") == 1u; }));
 }
 
@@ -266,7 +266,7 @@ TEST_F(GroupTest, ManyCallsAreAllAnswered) {
   }
 }
 
-/// Its own bus knows no call any more; what the group gave to it is given again.
+/// Its own bus has no call any more; the calls assigned by the group are assigned again.
 TEST_F(GroupTest, ACallOfALiftWhoseControllerIsResetIsAnsweredAllTheSame) {
   send_to(3, 8);
   press(1, "02 02 07 09 10 01");

@@ -1,4 +1,4 @@
-// Three lifts of ten floors on the bus of their group, each with panels on a bus of its own; all
+// Three lifts of ten floors on the bus of their group, each with panels on a separate bus; all
 // stand at floor 1.
 //
 //     press(1, "02 02 07 07 10 01");
@@ -68,7 +68,7 @@ class GroupTest : public testing::Test {
     return static_cast<std::size_t>(std::ranges::count_if(
         bus.heard, [&](const auto& heard) { return wire_text(heard.frame) == frame; }));
   }
-  /// Sends a lift somewhere by a car call, and waits until it stands there.
+  /// Sends a lift to a floor by a car call, and waits until it stands there.
   void send_to(unsigned lift, unsigned floor) {
     char record[32];
     std::snprintf(record, sizeof record, "05 %02X FF 00 11 01", floor);

@@ -1,5 +1,5 @@
-// More people at the main floor than one car takes: frames of the group's bus. First the test is
-// lifts 1 to 4, which stand at floor 1; then three real ones.
+// More passengers at the main floor than one car takes: frames of the group's bus. First the test
+// plays lifts 1 to 4, which stand at floor 1; then there are three real ones.
 #include "canvoy/devices/cia417/group/group_test.hpp"
 
 namespace canvoy::cia417::group_up_peak_test {
@@ -22,7 +22,7 @@ class GroupUpPeakTest : public testing::Test {
     for (GroupLift& lift : made.lift) lift.served = {FloorSet::between(1, 10)};
     return made;
   }
-  /// While all lifts are heard.
+  /// While all lifts are received.
   void wait(Duration duration) {
     const Time end = cable.now + duration;
     for (Time next = cable.now; next <= end; next += 500ms) {
@@ -49,7 +49,7 @@ class GroupUpPeakTest : public testing::Test {
   /// With closed doors, and no call.
   void rests(unsigned lift) { tell(lift, "42 00", "00 F0 01"); }
   void people_call() { cable.send("481#02 01 0F 01 10 01"); }
-  /// A car has left, and those who had no room call at once.
+  /// A car has left, and passengers without room call at once.
   void leaves_people_behind(unsigned lift) {
     people_call();
     opens(lift);

@@ -11,7 +11,7 @@ bool is_same_call(const HallCall& a, const HallCall& b) {
          a.priority == b.priority;
 }
 
-/// The car calls that a stop at `landing` delays: those that lie behind it on the way.
+/// The car calls that a stop at `landing` delays: those behind it on the way.
 unsigned car_calls_behind(const GroupLift& lift, const Landing& landing) {
   if (lift.direction == Direction::up && landing.floor >= lift.floor) {
     return (lift.car_calls & FloorSet::between(landing.floor + 1U, FloorSet::floor_max)).size();
@@ -124,7 +124,8 @@ void HallDispatcher::add_stops_without(unsigned lift, const HallCall* excepted,
   }
 }
 
-/// Those who are in the car by then, one for each call: whom a hall call stands for says nobody.
+/// Passengers in the car by then, one for each call: the number of passengers behind a hall call is
+/// not known.
 unsigned HallDispatcher::delayed(unsigned lift, const Landing& landing) const {
   unsigned persons = 0;
   for (const Slot& slot : calls()) {
@@ -151,7 +152,8 @@ Duration HallDispatcher::cost(const HallCall& call, unsigned lift) const {
   const Landing landing{call.floor, call.direction};
   const Route route = route_without(lift, &call);
   Duration time = estimate_arrival(route, landing, state.times);
-  // It has to let somebody out before: it comes in vain else, and once more.
+  // The car has to let a passenger out before: otherwise it comes without room, and has to come
+  // again.
   if (state.full || others_.is_full(lift, landing))
     time += 2 * state.times.stop + 2 * state.times.flight;
   if (route.all().contains(call.floor)) return time;

@@ -1,5 +1,5 @@
-// Which lift of a group answers which hall call: the one with the least estimated time to come,
-// with what its stop costs those who ride already.
+// Assigns hall calls to lifts of a group: to the lift with the least estimated time to arrive,
+// including the delay of the passengers in it.
 //
 //     std::array<HallDispatcher::Slot, 64> slots;
 //     HallDispatcher dispatcher(lifts, slots);
@@ -12,38 +12,39 @@
 #include <span>
 
 #include "canvoy/can/callback.hpp"
-#include "canvoy/devices/cia417/group/group_lift.hpp"
+#include "canvoy/devices/cia417/lift/group_lift.hpp"
 
 namespace canvoy::cia417 {
 
-/// What somebody on a landing asks for.
+/// The request of a passenger on a landing.
 struct HallCall {
   std::uint8_t floor = 0;
-  Direction direction = Direction::none;  ///< none: the button says no direction
+  Direction direction = Direction::none;  ///< none: the button gives no direction
   DoorMask doors = 1;
   CallPriority priority = CallPriority::standard;
-  LiftMask lifts = 0xFF;  ///< that may answer it
+  LiftMask lifts = 0xFF;  ///< lifts that may answer it
 
   friend constexpr bool operator==(const HallCall&, const HallCall&) = default;
 };
 
 enum class DispatchAnswer : std::uint8_t {
-  assigned,  ///< to a lift, now or before
-  waits,     ///< for a lift that could, and is out of service
-  refused,   ///< no lift of the group ever could
+  assigned,  ///< to a lift, at present or before
+  waits,     ///< for a lift that could answer it, and is out of service
+  refused,   ///< no lift of the group could ever answer it
   no_room,
 };
 
 struct DispatchSettings {
-  /// How much of the delay of others counts: 0 to 100 %.
+  /// Weight of the delay of others: 0 to 100 %.
   unsigned courtesy_percent = 30;
-  /// A call goes to another lift only when that is as much sooner.
+  /// A call changes its lift only if another one is sooner by this time.
   Duration gain_min = 15s;
 };
 
 /// A call stays with its lift until a stop answers it, the lift leaves service, or reconsider()
-/// finds one that is much sooner. It knows nothing of time or chance: the same calls and lifts give
-/// the same assignments. Each step looks at each slot once for each lift at most.
+/// finds a lift that is much sooner. The result depends neither on time nor on chance: the same
+/// calls and lifts give the same assignments. Each step visits each slot at most once for each
+/// lift.
 class HallDispatcher {
  public:
   /// A call at one door. The owner provides the memory.
@@ -52,19 +53,18 @@ class HallDispatcher {
     std::uint8_t lift = 0;  ///< 1 to 8; 0: none
   };
 
-  /// `lifts` are lift 1 and up, and are looked at whenever something is to be decided. Both must
-  /// outlive the dispatcher.
+  /// `lifts` are lift 1 and up, and are read at each decision. Both must outlive the dispatcher.
   HallDispatcher(std::span<const GroupLift> lifts, std::span<Slot> slots,
                  const DispatchSettings& settings = {});
 
-  /// Called for each assignment; lift 0: taken from its lift, and nobody else can.
+  /// Called for each assignment; lift 0: taken from its lift, and no other can answer it.
   void on_assigned(Callback<void(const HallCall&, unsigned lift)> assigned) {
     assigned_ = assigned;
   }
 
-  /// What else is planned for the lifts.
+  /// Sets the other plans for the lifts.
   void plan_with(const OtherPlans& others) { others_ = others; }
-  /// The same for others.
+  /// The plans of this dispatcher, for others.
   OtherPlans plans() {
     return {.add_stops = Callback<void(unsigned, Route&)>::to<&HallDispatcher::add_stops>(*this),
             .delayed =
@@ -72,23 +72,23 @@ class HallDispatcher {
             .is_full = {}};
   }
 
-  /// A call with several doors is one at each of them; the worst answer is given.
+  /// Adds a call. A call with several doors is one at each of them; the worst answer is returned.
   DispatchAnswer add(const HallCall& call);
-  /// A lift opened these doors there, and leaves in this direction (none: it says nothing): the
-  /// calls that it answers by that are done, whosesoever they were.
+  /// A lift opened these doors there, and leaves in this direction (none: not known): the calls
+  /// that it answers by that are done, even if they were assigned to another lift.
   void answered(unsigned lift, const Landing& landing, DoorMask doors);
-  /// The call is taken back.
+  /// Cancels the call.
   void remove(const HallCall& call);
   void remove_all() { count_ = 0; }
 
-  /// After lifts left service or came back.
+  /// Call it after lifts have left service or returned.
   void service_changed();
-  /// Now and then: gives calls to lifts that have become much sooner.
+  /// Call it from time to time: assigns calls to lifts that have become much sooner.
   void reconsider();
 
   std::span<const Slot> calls() const { return slots_.first(count_); }
-  /// All of the lift's stops: of those in the car, of the calls that are assigned to it, and of
-  /// other plans.
+  /// All of the lift's stops: of passengers in the car, of the calls assigned to it, and of other
+  /// plans.
   Route route(unsigned lift) const;
 
  private:

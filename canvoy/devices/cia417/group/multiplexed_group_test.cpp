@@ -1,4 +1,4 @@
-// A group controller that hears the calls of its lifts by multiplexed PDOs, too: frames of the
+// A group controller that also receives the calls of its lifts by multiplexed PDOs: frames of the
 // group's bus. The test is lift 1, node 1; the group controller is node 17 (11h).
 #include <gtest/gtest.h>
 

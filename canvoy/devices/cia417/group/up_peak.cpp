@@ -44,7 +44,7 @@ void UpPeak::told(Time now, unsigned lift, bool moving) {
     left_at_ = now;
     has_left_ = true;
   }
-  // Who has closed his doors without a call is there, and is not asked again.
+  // A lift that has closed its doors without a call is already there, and is not called again.
   if (moving || lifts_[lift - 1].direction == Direction::none) filling_ = without(filling_, bit);
   if (!moving) return;
   called_ = without(called_, bit);
@@ -73,7 +73,7 @@ HallCall UpPeak::call() const {
   return made;
 }
 
-/// It stands there with closed doors, and nobody wants anything of it.
+/// True if it stands there with closed doors and without calls.
 bool UpPeak::is_ready(unsigned lift) const {
   const GroupLift& state = lifts_[lift - 1];
   const bool is_idle = state.direction == Direction::none && state.car_calls.empty();

@@ -1,9 +1,9 @@
-// Several cars of a group at once for those who wait at the main floor. A hall call brings one car;
-// where a call comes again as soon as that has left, and so after the next one, more people stand
-// there than cars take one after the other, and those who are left would wait until the next one
-// has opened, filled and gone. So further cars that stand there with nothing to do open as well,
-// which the classical calculation of up-peak traffic takes for granted (Barney and Al-Sharif,
-// Elevator Traffic Handbook).
+// Sends several cars of a group at once for passengers who wait at the main floor. A hall call
+// brings one car. If a call follows as soon as that car has left, and again after the next one,
+// more passengers wait there than single cars can take, and those left behind would wait until the
+// next one has opened, filled and left. Therefore further idle cars at the main floor open as well,
+// which the classical calculation of up-peak traffic assumes (Barney and Al-Sharif, Elevator
+// Traffic Handbook).
 //
 //     UpPeak up_peak(lifts, {.main_floor = 1});
 //     up_peak.called(now, call);       // by people at a landing
@@ -20,16 +20,17 @@ namespace canvoy::cia417 {
 
 struct UpPeakSettings {
   std::uint8_t main_floor = 1;
-  /// That fill there at the same time; 0 or 1: each waits for the call after the last one has left.
+  /// Maximum number of cars that fill there at the same time; 0 or 1: each waits for a call after
+  /// the last one has left.
   unsigned cars_max = 2;
-  /// A call so soon after a car has left is by those for whom it had no room.
+  /// A call within this time after a car has left is by passengers for whom it had no room.
   Duration left_behind = 2s;
-  /// Cars that leave people behind, one after the other, before others open as well. By chance one
-  /// does where the group is hardly busy, and people who share two cars cost more stops.
+  /// Number of consecutive cars that leave passengers behind before others open as well. By chance,
+  /// single cars do so even with little traffic, and passengers who share two cars cost more stops.
   unsigned in_a_row = 2;
 };
 
-/// It knows what the lifts tell, and no chance: the same gives the same. Each step looks at each
+/// The result depends only on the messages of the lifts, and not on chance. Each step visits each
 /// lift once.
 class UpPeak {
  public:
@@ -38,20 +39,20 @@ class UpPeak {
       : lifts_(lifts), settings_(settings) {}
 
   void reset();
-  /// People call: those at the main floor who want up count.
+  /// Takes a call: those at the main floor in direction up count.
   void called(Time now, const HallCall& call);
-  /// A lift opens there, and goes on that way.
+  /// Takes a stop: a lift opens there, and continues in that direction.
   void opened(unsigned lift, const Landing& landing);
-  /// It has told where it is and goes.
+  /// Takes a report of its position and direction.
   void told(Time now, unsigned lift, bool moving);
 
-  /// People were left behind, and cars fill.
+  /// True if passengers were left behind and cars fill.
   bool is_crowded() const { return left_people_ >= settings_.in_a_row; }
-  /// The lifts that are to open at the main floor and have not yet, where there is one more of them
-  /// than before; else none. `busy`: these have something else to do.
+  /// The lifts that have to open at the main floor and have not done so yet, if there is a further
+  /// one; otherwise none. `busy`: lifts that are occupied.
   LiftMask call_more(LiftMask busy);
-  /// What they are to answer: of low priority, so that all others come first, and that it is none
-  /// that panels show.
+  /// Call for these lifts: of low priority, so that all others come first, and of a kind that
+  /// panels do not show.
   HallCall call() const;
 
  private:
@@ -63,10 +64,10 @@ class UpPeak {
   HallCall call_{};
   Time left_at_{};
   bool has_left_ = false;
-  unsigned left_people_ = 0;  ///< cars in a row
-  LiftMask filling_ = 0;      ///< have opened, and not left
-  LiftMask called_ = 0;       ///< are to open
-  LiftMask asked_ = 0;        ///< were, since they came
+  unsigned left_people_ = 0;  ///< consecutive cars
+  LiftMask filling_ = 0;      ///< opened, and not left
+  LiftMask called_ = 0;       ///< have to open
+  LiftMask asked_ = 0;        ///< had to open since they came
 };
 
 }  // namespace canvoy::cia417

@@ -1,5 +1,5 @@
-// Which cars open at the main floor beside the one that answers a call: what holds whatever lifts
-// tell. Worked examples are in group_up_peak_test.cpp, by frames.
+// Cars that open at the main floor beside the one that answers a call: rules for all messages of
+// lifts. Worked examples are in group_up_peak_test.cpp, by frames.
 #include "canvoy/devices/cia417/group/up_peak.hpp"
 
 #include <gtest/gtest.h>

@@ -4,13 +4,13 @@
 //     load.node().start(now);
 #pragma once
 
-#include "canvoy/devices/cia417/lift_kind.hpp"
+#include "canvoy/devices/cia417/kit/lift_kind.hpp"
 #include "canvoy/devices/cia417/load/load_measuring_unit.hpp"
 
 namespace canvoy::cia417 {
 
-/// Every object of the virtual device, and a heartbeat each 500 ms. A maker has a description of
-/// his own with his identity.
+/// Every object of the virtual device, and a heartbeat every 500 ms. A maker has a separate
+/// description with its own identity.
 template <LiftDeviceOptions options = LiftDeviceOptions{}, unsigned ropes = 1>
 struct LoadKind : LiftKind<LoadMeasuringUnit, LoadHardware, LoadSettings> {
   static constexpr DeviceInfo info = {.name = "lift-load",
@@ -36,8 +36,8 @@ struct LoadKind : LiftKind<LoadMeasuringUnit, LoadHardware, LoadSettings> {
   }
 };
 
-/// `layout` is that of a description with the objects of a load measuring unit for `options` and so
-/// many ropes.
+/// `layout` has a description with the objects of a load measuring unit for `options` and this
+/// number of ropes.
 template <LiftDeviceOptions options = LiftDeviceOptions{}, unsigned ropes = 1,
           const auto& layout = layout_of<LoadKind<options, ropes>>, std::size_t own_routes = 0>
 using LoadMeasuringDevice = Device<LoadKind<options, ropes>, layout, own_routes>;

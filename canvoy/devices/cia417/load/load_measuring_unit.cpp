@@ -4,15 +4,15 @@
 #include <cmath>
 
 #include "canvoy/profiles/cia417/errors.hpp"
-#include "canvoy/profiles/reactions.hpp"
+#include "canvoy/profiles/model/reactions.hpp"
 
 namespace canvoy::cia417 {
 
 namespace {
 
-/// FFFFh says that there is none.
+/// FFFFh means none.
 constexpr std::uint16_t load_max = 0xFFFE;
-/// Powers of ten of the unit that are taken.
+/// Allowed powers of ten of the unit.
 constexpr int prefix_max = 3;
 
 constexpr Error sensor_defect = {.code = emergency_code::application_error};
@@ -25,11 +25,11 @@ constexpr std::uint8_t bit_of(const Handle& /*flag*/) {
 
 }  // namespace
 
-constexpr HookCalls LoadMeasuringUnit::hook_calls[] = {
+constexpr AccessHandlers LoadMeasuringUnit::hook_calls[] = {
     before_write<&LoadMeasuringUnit::check_unit, load_si_unit>,
     before_write<&LoadMeasuringUnit::check_ratio, rope_ratio_nominator>,
     after_write<&LoadMeasuringUnit::look_again, absolute_load_value, rope_ratio_nominator>};
-constexpr ServiceCalls LoadMeasuringUnit::service_calls = {
+constexpr ServiceHandlers LoadMeasuringUnit::service_calls = {
     .reset = method<&LoadMeasuringUnit::reset>, .hooks = hook_calls};
 
 LoadMeasuringUnit::LoadMeasuringUnit(Node& node, const LoadHardware& hardware,
@@ -67,7 +67,7 @@ AbortCode LoadMeasuringUnit::check_unit(Raw<std::uint16_t> unit) {
   return is_known ? AbortCode::none : AbortCode::value_range;
 }
 
-/// None that divides by nothing.
+/// Refuses a denominator of 0.
 AbortCode LoadMeasuringUnit::check_ratio(Raw<std::uint16_t> ratio) {
   const bool is_ratio = (ratio.bits & 0xFF) != 0 && ratio.bits >> 8 != 0;
   return is_ratio ? AbortCode::none : AbortCode::value_range;
@@ -85,7 +85,7 @@ void LoadMeasuringUnit::look(Time now) {
   std::optional<std::uint16_t> load;
   if (kilograms) load = in_unit(std::max(0.0, *kilograms - settings_.tare_kg));
   tell_load(load);
-  signal(load);  // of the whole load: what 6481h cuts off is an overload all the same
+  signal(load);  // of the whole load: a load above the range of 6481h is still an overload
   if (kilograms.has_value() != is_defect_) return;
   is_defect_ = !is_defect_;
   if (is_defect_) {
@@ -95,7 +95,7 @@ void LoadMeasuringUnit::look(Time now) {
   }
 }
 
-/// Within the limits of 6481h, where they are some.
+/// Within the limits of 6481h, if these are set.
 void LoadMeasuringUnit::tell_load(std::optional<std::uint16_t> load) {
   const std::uint16_t low = value(load_low_limit).raw();
   const std::uint16_t high = value(load_high_limit).raw();
@@ -107,7 +107,7 @@ void LoadMeasuringUnit::tell_load(std::optional<std::uint16_t> load) {
   }
 }
 
-/// All ropes together, by the ratio of 6485h; nothing where one of them is not known.
+/// All ropes together, with the ratio of 6485h; nothing if one of them is not known.
 std::optional<double> LoadMeasuringUnit::weigh() {
   double sum = 0;
   bool is_known = true;
@@ -145,7 +145,6 @@ void LoadMeasuringUnit::signal(std::optional<std::uint16_t> load) {
   tell_signals(signals);
 }
 
-/// A change that makes no message is written past the TPDOs.
 void LoadMeasuringUnit::tell_signals(std::uint8_t signals) {
   const auto place = in_lift(settings_.lift, zero_load_reached);
   const auto mask = in_lift(settings_.lift, zero_load_interrupt);
@@ -154,9 +153,9 @@ void LoadMeasuringUnit::tell_signals(std::uint8_t signals) {
   if (!entry || *entry->value == signals) return;
   const auto told = static_cast<unsigned>(dictionary.number(mask.index(), mask.sub()));
   if (((*entry->value ^ signals) & told) == 0) {
-    *entry->value = signals;
+    dictionary.set_without_event(*entry, {&signals, 1});
   } else {
-    dictionary.set(*entry, {&signals, 1});
+    dictionary.set_with_event(*entry, {&signals, 1});
   }
 }
 

@@ -104,6 +104,19 @@ TEST_F(LoadUnit, ASignalWithoutMessageGoesAlongWithTheNext) {
   EXPECT_EQ(cable.last(0x188), "188#0E");
 }
 
+/// 6482h:02h was 0 between them.
+TEST_F(LoadUnit, ASignalWithAMessageMakesOneWhateverTheTpdoCarriedLast) {
+  weigh(700);
+  EXPECT_EQ(cable.last(0x188), "188#0E");
+  ask("60D#2F 82 64 02 00 00 00 00");
+  weigh(600);
+  ask("60D#2F 82 64 02 08 00 00 00");
+  cable.clear();
+  weigh(700);
+  EXPECT_EQ(cable.count(0x188), 1u);
+  EXPECT_EQ(cable.last(0x188), "188#0E");
+}
+
 TEST_F(LoadUnit, ASensorThatFailsIsFfffhAndAnEmergency) {
   weigh(700);
   weigh(std::nullopt);

@@ -1,24 +1,24 @@
 #include "canvoy/devices/cia417/load/load_signals.hpp"
 
 #include "canvoy/profiles/cia417/pdos.hpp"
-#include "canvoy/profiles/reactions.hpp"
+#include "canvoy/profiles/model/reactions.hpp"
 
 namespace canvoy::cia417 {
 
 namespace {
 
-/// Of the load signaling of lift 1; those of the next lift are 10h above.
+/// RPDO of the load signaling of lift 1; those of the next lift are 10h above.
 constexpr unsigned load_rpdo = 0x1502;
-/// Where many nodes come back at one time, the bus may have no room for a question.
+/// When many nodes return at one time, the bus may have no room for a request.
 constexpr Duration asks_again_after = 1s;
-/// A car waits with open doors until an overload has gone: that PDO may be lost.
+/// A car waits with open doors until the end of an overload: that PDO may be lost.
 constexpr Duration asks_for_overload_after = 5s;
 
 }  // namespace
 
-constexpr HookCalls LoadSignals::hook_calls[] = {
+constexpr AccessHandlers LoadSignals::hook_calls[] = {
     after_write<&LoadSignals::received, zero_load_reached>};
-constexpr ServiceCalls LoadSignals::service_calls = {
+constexpr ServiceHandlers LoadSignals::service_calls = {
     .reset = method<&LoadSignals::reset>,
     .state_entered = method<&LoadSignals::state_entered>,
     .error_changed = method<&LoadSignals::error_changed>,

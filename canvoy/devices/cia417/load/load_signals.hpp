@@ -1,5 +1,5 @@
-// What a lift controller knows of the load of its car, from the load measuring unit: 6482h, by PDO
-// (CiA 417-4, 4.12.3).
+// The load of a car for its lift controller, from the load measuring unit: 6482h, by PDO (CiA
+// 417-4, 4.12.3).
 //
 //     LoadSignals load(node, heartbeats, {.load_unit = 13});
 //     load.on_change(Callback<void()>::to<&LiftController::update>(lift));
@@ -8,23 +8,23 @@
 
 #include "canvoy/canopen/nmt/heartbeat_consumer.hpp"
 #include "canvoy/canopen/pdo/rpdo.hpp"
-#include "canvoy/devices/cia417/controller/lift_bound.hpp"
 #include "canvoy/devices/cia417/controller/lift_controller.hpp"
+#include "canvoy/devices/cia417/lift/lift_bound.hpp"
 #include "canvoy/profiles/cia417/car_handles.hpp"
 
 namespace canvoy::cia417 {
 
 struct LoadSignalsSettings {
   unsigned lift = 1;      ///< 1 to 8
-  NodeId load_unit = 13;  ///< 0: there is none, and the car is neither empty nor full
+  NodeId load_unit = 13;  ///< 0: none; the car is neither empty nor full
 };
 
-/// The load is known from the first PDO on, which is asked for by remote frame. What the unit said
-/// before it was lost (1016h), or began anew, counts no longer: it is asked again, each second
-/// until it answers. An overload, for which a lift waits, is asked for again as long as it lasts.
+/// The load is known from the first PDO on, which is requested by remote frame. The last value is
+/// discarded when the unit is lost (1016h) or restarts: the load is then requested every second
+/// until the unit answers. An overload, for which a lift waits, is requested as long as it lasts.
 class LoadSignals {
  public:
-  /// All must outlive this.
+  /// All arguments must outlive this.
   LoadSignals(Node& node, Rpdos& rpdos, HeartbeatConsumer& heartbeats,
               const LoadSignalsSettings& settings);
   LoadSignals(const LoadSignals&) = delete;
@@ -32,11 +32,11 @@ class LoadSignals {
 
   void on_change(Callback<void()> changed) { changed_ = changed; }
   LiftLoad now();
-  /// The device belongs to another lift now (6001h): what it heard was of another car.
+  /// Discards the load: the device belongs to another lift (6001h).
   void begin_anew();
-  /// PDOs may have been lost (see GapWatch): the unit is asked.
+  /// Requests the load: PDOs may have been lost (see GapWatch).
   void ask_anew() { ask(); }
-  /// A boot-up message or heartbeat of a node.
+  /// Takes a boot-up message or heartbeat of a node.
   void heard(NodeId node, RemoteState state);
   /// For a LiftController; valid as long as this.
   Callback<LiftLoad()> interface() { return Callback<LiftLoad()>::to<&LoadSignals::now>(*this); }
@@ -59,9 +59,9 @@ class LoadSignals {
   LiftBound<full_load_reached> full_;
   LiftBound<overload_reached> overload_;
   Callback<void()> changed_;
-  static const HookCalls hook_calls[];
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this, block_shift(settings_.lift)};
+  static const AccessHandlers hook_calls[];
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this, block_shift(settings_.lift)};
   Timer timer_;
 };
 

@@ -1,7 +1,7 @@
 #include "canvoy/devices/cia417/panel/input_panel_device.hpp"
 
-#include "canvoy/devices/cia417/kinds.hpp"
-#include "canvoy/devices/cia417/lift_kind.hpp"
+#include "canvoy/devices/cia417/kit/kinds.hpp"
+#include "canvoy/devices/cia417/kit/lift_kind.hpp"
 #include "canvoy/devices/cia417/panel/landing_site.hpp"
 #include "canvoy/devices/cia417/panel/panel_description.hpp"
 
@@ -22,10 +22,10 @@ constexpr auto input_panel_layout = lay_out_device<input_panel>();
 
 class SitedInputPanel {
  public:
-  SitedInputPanel(const Port& port, NodeId node_id, const Site& site)
-      : inputs_used_(landing_inputs(landing_at(site), inputs_)),
+  SitedInputPanel(const Port& port, NodeId node_id, const Environment& environment)
+      : inputs_used_(landing_inputs(landing_at(environment), inputs_)),
         device_(port, node_id, {.inputs = inputs_used_}) {
-    site.made(device_.unit(), device_.node());
+    environment.made(device_.unit(), device_.node());
   }
   Node& node() { return device_.node(); }
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }

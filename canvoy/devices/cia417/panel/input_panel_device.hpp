@@ -9,17 +9,17 @@
 //     panel.unit().set_level(0, true, now);
 #pragma once
 
-#include "canvoy/canopen/device_node.hpp"
-#include "canvoy/devices/cia417/bus_warning.hpp"
+#include "canvoy/canopen/device/device_node.hpp"
+#include "canvoy/devices/cia417/kit/bus_warning.hpp"
 #include "canvoy/devices/cia417/panel/input_panel_unit.hpp"
 #include "canvoy/profiles/cia417/lift_device.hpp"
-#include "canvoy/profiles/device_values.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/device_values.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 
 namespace canvoy::cia417 {
 
-/// The memory of an input panel unit for all inputs that a dictionary has, and `queue_max` changes
-/// that wait for the bus.
+/// The memory of an input panel unit for all inputs of a dictionary, and `queue_max` changes that
+/// wait for the bus.
 template <const auto& layout, std::size_t queue_max = 16>
 struct InputPanelArrays {
   std::array<InputState, count_in_groups(layout.tables(), input_group_object.index)> states{};
@@ -28,12 +28,12 @@ struct InputPanelArrays {
   InputPanelMemory spans() { return {states, queue}; }
 };
 
-/// `layout` has input groups and a TPDO with 6010h; `own_routes` as DeviceNode has them.
+/// `layout` has input groups and a TPDO with 6010h; `own_routes` are as in DeviceNode.
 template <const auto& layout, std::size_t queue_max = 16, std::size_t own_routes = 0>
 class InputPanelDevice
     : public DeviceValues<InputPanelDevice<layout, queue_max, own_routes>, layout> {
  public:
-  /// See InputPanelUnit; `port`'s context must outlive the device.
+  /// See InputPanelUnit. The context of `port` must outlive the device.
   InputPanelDevice(const Port& port, NodeId node_id, const InputPanelSettings& settings)
       : device_(port, node_id), unit_(device_.node(), device_.tpdos(), arrays_.spans(), settings) {}
 

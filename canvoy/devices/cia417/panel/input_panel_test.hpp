@@ -50,7 +50,7 @@ class PanelBench {
     cable.connect(0, panel.node());
   }
 
-  /// Up to NMT state operational; what is told then is forgotten.
+  /// Runs up to NMT state operational, and discards the frames sent until then.
   void start() {
     cable.start_all();
     cable.send("000#01 15");
@@ -67,13 +67,13 @@ class PanelBench {
     panel.unit().report(input, condition, cable.now, error_code);
     cable.run_for(0ms);
   }
-  /// By SDO; answers whether it was confirmed.
+  /// Writes by SDO; returns true if it was confirmed.
   bool write(std::string_view request) {
     cable.send("615#" + std::string(request));
     return cable.last(0x595).starts_with("595#60");
   }
 
-  /// From now on the bus takes a record each 100 ms, the first one 100 ms from now.
+  /// From here on, the bus takes a record every 100 ms, the first one in 100 ms.
   void hold_up() {
     write("23 81 18 01 95 04 00 80");
     write("2B 81 18 03 E8 03 00 00");
@@ -81,7 +81,7 @@ class PanelBench {
     cable.clear();
   }
 
-  /// The records since the last call, as they travelled.
+  /// The records since the last call, as transferred.
   Records told() {
     Records records;
     for (const Cable::Heard& heard : cable.heard) {
@@ -90,7 +90,7 @@ class PanelBench {
     cable.clear();
     return records;
   }
-  /// The same with the times in microseconds.
+  /// The records since the last call, with their times in microseconds.
   Records told_at() {
     Records records;
     for (const Cable::Heard& heard : cable.heard) {

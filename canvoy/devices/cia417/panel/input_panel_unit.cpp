@@ -17,16 +17,16 @@ constexpr std::uint32_t change(std::uint32_t number, CallRequest request) {
 
 }  // namespace
 
-constexpr HookCalls InputPanelUnit::parameter_hook = {
+constexpr AccessHandlers InputPanelUnit::parameter_hook = {
     .first = input_parameter_1_object.index,
     .last = input_parameter_4_object.index - 1,
     .before_write = method<&InputPanelUnit::before_parameter_write>,
     .after_write = method<&InputPanelUnit::parameter_written>};
-constexpr HookCalls InputPanelUnit::hook_calls[] = {
+constexpr AccessHandlers InputPanelUnit::hook_calls[] = {
     in_lift(1, parameter_hook), in_lift(2, parameter_hook), in_lift(3, parameter_hook),
     in_lift(4, parameter_hook), in_lift(5, parameter_hook), in_lift(6, parameter_hook),
     in_lift(7, parameter_hook), in_lift(8, parameter_hook)};
-constexpr ServiceCalls InputPanelUnit::service_calls = {
+constexpr ServiceHandlers InputPanelUnit::service_calls = {
     .reset = method<&InputPanelUnit::reset>,
     .state_entered = method<&InputPanelUnit::state_entered>,
     .hooks = hook_calls};
@@ -45,7 +45,7 @@ InputPanelUnit::InputPanelUnit(Node& node, Tpdos& tpdos, const InputPanelMemory&
   node.attach(service_);
 }
 
-// From outside
+// Calls from outside
 
 void InputPanelUnit::set_level(std::uint32_t number, bool high, Time now) {
   node_.advance(now);
@@ -112,14 +112,14 @@ void InputPanelUnit::reset(ResetScope) {
     VirtualInput record = is_assigned ? settings_.inputs[number] : VirtualInput{};
     record.set_request(request_of(state, place));
     node_.dictionary().set_number(place.index, place.sub, encode(record));
-    // A reset of the node has ended all errors: this one is still there.
+    // A reset of the node has ended all errors: this one still exists.
     if (record.request() == CallRequest::defective) node_.raise(defect_of(number));
   });
 }
 
 void InputPanelUnit::state_entered(NmtState state) {
   if (state == NmtState::operational) {
-    // The PDO may have begun already, and asked.
+    // The PDO may already be working, and have requested a record.
     if (waits()) mapping_.announce();
     return;
   }
@@ -128,7 +128,7 @@ void InputPanelUnit::state_entered(NmtState state) {
   behind_ = 0;
 }
 
-/// Finds what is to be told because nobody may know it: what was on its way may be lost.
+/// Finds the inputs to send first: earlier messages may have been lost.
 void InputPanelUnit::begin() {
   begun_ = true;
   queue_.clear();
@@ -167,7 +167,7 @@ bool InputPanelUnit::is_inverted(IoPlace place) const {
   return value != parameter_not_used && (value & polarity_bit) != 0;
 }
 
-/// Edges are those of the request; that an input has failed is always told.
+/// Edges are those of the request; a failure of the input is always sent.
 bool InputPanelUnit::is_edge_told(IoPlace place, CallRequest request) const {
   if (request != CallRequest::request && request != CallRequest::none) return true;
   const unsigned bit = request == CallRequest::request ? rising_bit : falling_bit;
@@ -189,7 +189,7 @@ void InputPanelUnit::level_changed(std::uint32_t number, IoPlace place) {
   update(number, place, true);
 }
 
-/// Stores the state that the input has now, and tells it where that is a message.
+/// Stores the present state of the input, and sends it if that is a message.
 void InputPanelUnit::update(std::uint32_t number, IoPlace place, bool by_edge) {
   VirtualInput record = input(number);
   const CallRequest request = request_of(memory_.states[number], place);
@@ -269,7 +269,7 @@ void InputPanelUnit::wake() {
   node_.timers().arm(timer_, left == UINT32_MAX ? never : node_.now() + Duration(left));
 }
 
-// The way to the bus
+// Access to the bus
 
 bool InputPanelUnit::waits() {
   if (node_.state() != NmtState::operational) return false;
@@ -283,7 +283,7 @@ std::uint64_t InputPanelUnit::next() {
   return record(told >> 8, static_cast<CallRequest>(told & request_bits));
 }
 
-/// Each of those that are behind has its turn. A request that has gone again comes first.
+/// Inputs that are behind take turns. A request that has ended comes first.
 std::uint64_t InputPanelUnit::next_behind() {
   while (!memory_.states[turn_].behind) {
     turn_ = static_cast<std::uint32_t>((turn_ + 1) % memory_.states.size());

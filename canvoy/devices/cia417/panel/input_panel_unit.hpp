@@ -1,5 +1,5 @@
 // The input panel unit: buttons, keys and contacts of a landing or a car, each a virtual input with
-// a function, a place and a state (CiA 417-4, 4.3).
+// a function, a location and a state (CiA 417-4, 4.3).
 //
 //     constexpr VirtualInput buttons[] = {{.function = BasicFunction::standard_hall_call,
 //                                          .sub_function = hall_up, .lifts = lift_bit(1),
@@ -8,35 +8,34 @@
 //     panel.set_level(0, true, now);    // the button is pressed
 //     panel.set_level(0, false, now);   // and let go
 //
-// What changes is stored in the input groups (6100h) and told by the PDO of 6010h, one record after
-// the other in the order of the changes. Where more changes than the queue can hold, the inputs
-// concerned are told one by one with the state that they have then, and a request that has gone
-// again meanwhile before that, so that no call is lost and memory is bounded. Inputs that are on,
-// those that were told before, and all with a locking function are told when the node becomes
-// operational.
+// Each change is stored in the input groups (6100h) and sent by the PDO of 6010h, one record after
+// the other in the order of the changes. If there are more changes than the queue can hold, these
+// inputs are sent one by one with their state at that time, preceded by a request that has
+// meanwhile ended, so that no call is lost and memory is limited. Inputs that are on, those that
+// were sent before, and all with a locking function are sent when the node becomes operational.
 #pragma once
 
 #include <cstdint>
 #include <span>
 
-#include "canvoy/devices/cia417/group/waiting_queue.hpp"
-#include "canvoy/devices/cia417/panel/io_groups.hpp"
-#include "canvoy/devices/cia417/panel/virtual_io.hpp"
-#include "canvoy/devices/cia417/panel/virtual_mapping.hpp"
+#include "canvoy/devices/cia417/virtual_io/io_groups.hpp"
+#include "canvoy/devices/cia417/virtual_io/virtual_io.hpp"
+#include "canvoy/devices/cia417/virtual_io/virtual_mapping.hpp"
+#include "canvoy/devices/cia417/virtual_io/waiting_queue.hpp"
 
 namespace canvoy::cia417 {
 
-/// What is known of one input beside its record.
+/// State of one input beside its record.
 struct InputState {
-  std::uint32_t stable_at = 0;  ///< when the level has been there for the debounce time
-  std::uint32_t second_at = 0;  ///< when the second is over in which events are counted
-  std::uint8_t events = 0;      ///< in it
+  std::uint32_t stable_at = 0;  ///< end of the debounce time of the level
+  std::uint32_t second_at = 0;  ///< end of the second in which events are counted
+  std::uint8_t events = 0;      ///< in that second
   bool level : 1 = false;       ///< of the contact: high
   bool stable : 1 = false;      ///< the debounced level
   bool debouncing : 1 = false;
   bool counting : 1 = false;  ///< events
   bool held : 1 = false;      ///< an event was beyond the limitation
-  bool behind : 1 = false;    ///< to be told, and not in the queue
+  bool behind : 1 = false;    ///< to be sent, and not in the queue
   bool missed : 1 = false;    ///< a request came while it was behind
   bool was_told : 1 = false;  ///< since the reset
   CallRequest told : 2 = CallRequest::none;
@@ -49,50 +48,51 @@ struct InputPanelMemory {
 };
 
 struct InputPanelSettings {
-  /// What the inputs are, in the order of the groups and sub-indices: put into 6100h at each reset.
-  /// Bit 7 of `data` says that a button or key has a locking function. Those with function 00h tell
-  /// nothing: there is no button. Must outlive the unit.
+  /// Functions and locations of the inputs, in the order of the groups and sub-indices: written to
+  /// 6100h at each reset. Bit 7 of `data` marks a button or key with a locking function. Inputs
+  /// with function 00h send nothing: there is no button. Must outlive the unit.
   std::span<const VirtualInput> inputs;
 };
 
-/// Parameters (4.3.2 to 4.3.5; FFh of a byte: not used, as if there were no such parameter):
-/// 1. A disabled input has no request, and tells nothing. The error code is that of report().
-/// 2. More events a second than the limitation do not start messages; when the second is over, the
-///    state of then is told if it is another. As many events as the sending event says start one.
-/// 3. A level counts when it was there for the debounce time; polarity says which level is a
-///    request; edges say which changes of the request start a message, all are stored. FFh: both
-///    edges, not inverted; to have both and the other polarity, write 83h.
+/// Parameters (4.3.2 to 4.3.5; a byte of FFh: not used, as if the parameter did not exist):
+/// 1. A disabled input has no request, and sends nothing. The error code is that of report().
+/// 2. More events a second than the limitation do not start messages; at the end of the second, the
+///    state is sent if it has changed. The sending event is the number of events that start a
+///    message.
+/// 3. A level counts after the debounce time; polarity selects the level that is a request; edges
+///    select the changes of the request that start a message; all are stored. FFh: both edges, not
+///    inverted; for both with the other polarity, write 83h.
 /// 4. Reserved: kept, without meaning.
 class InputPanelUnit {
  public:
-  /// The dictionary has input groups and 6010h. All must outlive the unit.
+  /// The dictionary has input groups and 6010h. All arguments must outlive the unit.
   InputPanelUnit(Node& node, Tpdos& tpdos, const InputPanelMemory& memory,
                  const InputPanelSettings& settings);
   InputPanelUnit(const InputPanelUnit&) = delete;
   InputPanelUnit& operator=(const InputPanelUnit&) = delete;
 
-  // From outside of the node. `number` counts the inputs from 0, in the order of the groups; one
-  // that is not there is ignored. The cost is linear in the number of groups, and of inputs where a
-  // debounce time, a limitation or a sending event is in use.
+  // To be called from outside of the node. `number` counts the inputs from 0, in the order of the
+  // groups; other numbers are ignored. The cost is linear in the number of groups, and in the
+  // number of inputs if a debounce time, a limitation or a sending event is in use.
 
-  /// The level of the contact: high is a request, unless polarity is inverted.
+  /// Sets the level of the contact: high is a request, unless polarity is inverted.
   void set_level(std::uint32_t number, bool high, Time now);
-  /// The input is defective, not installed, or works again (none, request). The error code is told
-  /// in parameter 1; FFh: none. A defect is an emergency, too: FF04h, with the number of the input
-  /// counted from 1 (CiA 417-1, 8.4). One that outlives a reset is told again.
+  /// Reports that the input is defective, not installed, or works again (none, request). Parameter
+  /// 1 holds the error code; FFh: none. A defect is also an emergency: FF04h, with the number of
+  /// the input counted from 1 (CiA 417-1, 8.4). A defect that outlives a reset is reported again.
   void report(std::uint32_t number, CallRequest condition, Time now,
               std::uint8_t error_code = 0xFF);
 
-  /// For who has another way to the bus: see VirtualMpdoProducer.
+  /// For another access to the bus: see VirtualMpdoProducer.
   VirtualMapping& mapping() { return mapping_; }
 
   std::uint32_t size() const { return groups_.size(); }
-  /// The record as it stands in its group.
+  /// The record in its group.
   VirtualInput input(std::uint32_t number) const;
-  /// The input with this function at this floor; io_nowhere where there is none. Linear in the
-  /// number of inputs.
+  /// The input with this function at this floor; io_nowhere if there is none. Linear in the number
+  /// of inputs.
   std::uint32_t find(BasicFunction function, std::uint8_t sub_function, std::uint8_t floor) const;
-  /// Changes that wait for the bus.
+  /// Number of changes that wait for the bus.
   std::uint32_t waiting() const { return queue_.size() + behind_; }
 
  private:
@@ -120,21 +120,21 @@ class InputPanelUnit {
   std::uint64_t next_behind();
   std::uint64_t record(std::uint32_t number, CallRequest request);
 
-  static const HookCalls parameter_hook;
-  static const HookCalls hook_calls[];
-  static const ServiceCalls service_calls;
+  static const AccessHandlers parameter_hook;
+  static const AccessHandlers hook_calls[];
+  static const ServiceHandlers service_calls;
 
   Node& node_;
   IoGroups groups_;
   InputPanelMemory memory_;
-  WaitingNumbers queue_;  ///< changes of inputs, each with the state that it brought
+  WaitingNumbers queue_;  ///< changes of inputs, each with its state
   InputPanelSettings settings_;
   VirtualMapping mapping_;
   Timer timer_;
-  ServiceLink service_{&service_calls, this};
-  std::uint32_t behind_ = 0;  ///< inputs that are
-  std::uint32_t turn_ = 0;    ///< the input that is looked at next for being behind
-  bool begun_ = false;        ///< operational, and what is on was found
+  HandlerBinding service_{&service_calls, this};
+  std::uint32_t behind_ = 0;  ///< number of inputs that are behind
+  std::uint32_t turn_ = 0;    ///< the input that is checked next for being behind
+  bool begun_ = false;        ///< operational, and inputs that are on have been found
 };
 
 }  // namespace canvoy::cia417

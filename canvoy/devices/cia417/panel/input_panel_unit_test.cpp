@@ -1,5 +1,5 @@
-// Inputs of a panel at the wire: what is stored, and which records are told, at exact virtual
-// times. Bytes are typed from CiA 417-4, 4.3.
+// Inputs of a panel at the wire: their stored states and sent records, at exact virtual times.
+// Bytes are typed from CiA 417-4, 4.3.
 #include "canvoy/devices/cia417/panel/input_panel_unit.hpp"
 
 #include <gtest/gtest.h>
@@ -255,8 +255,8 @@ TEST(InputPanelUnit, WithoutAQueueAllIsToldAllTheSame) {
   EXPECT_EQ(bench.told(), (Records{"02 02 01 03 10 01", "02 02 01 03 10 00"}));
 }
 
-/// Every sequence of six presses and releases of two buttons while the bus is held up: what is told
-/// of each begins with its first request and ends with its state; only a request is repeated.
+/// Every sequence of six presses and releases of two buttons while the bus is held up: the records
+/// of each begin with its first request and end with its state; only a request is repeated.
 TEST(InputPanelUnit, WhateverComesWhileTheBusIsBusyTheStateIsToldInTheEnd) {
   for (unsigned sequence = 0; sequence < 64; ++sequence) {
     PanelBench<bench_panel_layout, 2> bench;

@@ -1,5 +1,5 @@
-// What a call controller says first, when it has started: all lamps of its lift are out. Panels go
-// on showing what they were told before, and nobody knows what that was (CiA 417-4, 4.4.1).
+// The first records of a call controller after its start: all lamps of its lift are switched off.
+// Panels still show an older state, which is not known (CiA 417-4, 4.4.1).
 //
 //     LampsOut lamps_out;
 //     while (lamps_out.waits()) send(lamps_out.next(lift_bit(1)));
@@ -7,17 +7,17 @@
 
 #include <cstdint>
 
-#include "canvoy/devices/cia417/panel/virtual_io.hpp"
+#include "canvoy/devices/cia417/virtual_io/virtual_io.hpp"
 
 namespace canvoy::cia417 {
 
-/// A record for each kind of lamp: those of calls in car and landings, of keys, of special
-/// indications, and lanterns. Position and direction are always told, and need none.
+/// A record for each kind of lamp: calls in car and landings, keys, special indications, and
+/// lanterns. Position and direction are always sent, and need none.
 class LampsOut {
  public:
   void begin() { position_ = 0; }
   bool waits() const { return position_ < count; }
-  /// What comes next, which is told with that; asked only while something waits.
+  /// Returns the next record, and marks it as sent. Call it only while one is waiting.
   VirtualOutput next(std::uint8_t lifts);
 
  private:

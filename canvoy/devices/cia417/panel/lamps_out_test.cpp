@@ -1,8 +1,8 @@
-// What panels show after their controller, or one of them, has started again: what is true (CiA
-// 417-4, 4.4.1).
+// Lamps of panels after a restart of their controller, or of one of them: they show the actual
+// state (CiA 417-4, 4.4.1).
 #include "canvoy/devices/cia417/panel/lamps_out.hpp"
 
-#include "canvoy/devices/cia417/controller/lift_controller_device_test.hpp"
+#include "canvoy/devices/cia417/controller_device/lift_controller_device_test.hpp"
 #include "canvoy/devices/cia417/panel/lift_panel_device.hpp"
 
 namespace canvoy::cia417::lamps_out_test {

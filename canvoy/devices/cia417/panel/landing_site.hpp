@@ -1,17 +1,17 @@
-// The panel of a landing as its site has it, for the rows of the catalogue.
+// The panel of a landing at its site, for the rows of the catalogue.
 //
-//     landing_inputs(landing_at(site), inputs)
+//     landing_inputs(landing_at(environment), inputs)
 #pragma once
 
-#include "canvoy/devices/cia417/controller/lift_panels.hpp"
-#include "canvoy/devices/site.hpp"
+#include "canvoy/devices/cia417/panel/lift_panels.hpp"
+#include "canvoy/devices/kit/environment.hpp"
 
 namespace canvoy::cia417 {
 
-inline LandingPanel landing_at(const Site& site) {
-  return {.lifts = lift_bit(site.lift),
-          .floor = static_cast<std::uint8_t>(site.floor),
-          .highest_floor = static_cast<std::uint8_t>(site.floors)};
+inline LandingPanel landing_at(const Environment& environment) {
+  return {.lifts = lift_bit(environment.lift),
+          .floor = static_cast<std::uint8_t>(environment.floor),
+          .highest_floor = static_cast<std::uint8_t>(environment.floors)};
 }
 
 }  // namespace canvoy::cia417

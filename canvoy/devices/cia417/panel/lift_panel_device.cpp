@@ -1,6 +1,6 @@
 #include "canvoy/devices/cia417/panel/lift_panel_device.hpp"
 
-#include "canvoy/devices/cia417/kinds.hpp"
+#include "canvoy/devices/cia417/kit/kinds.hpp"
 #include "canvoy/devices/cia417/panel/landing_site.hpp"
 
 namespace canvoy::cia417 {
@@ -11,10 +11,10 @@ template <auto options>
 class SitedPanel {
  public:
   template <class Panel>
-  SitedPanel(const Port& port, NodeId node_id, const Site& site, const Panel& what)
-      : device_(port, node_id, site.find<OutputHardware>(), what) {
-    site.made(device_.inputs(), device_.node());
-    site.made(device_.outputs(), device_.node());
+  SitedPanel(const Port& port, NodeId node_id, const Environment& environment, const Panel& what)
+      : device_(port, node_id, environment.get<OutputHardware>(), what) {
+    environment.made(device_.inputs(), device_.node());
+    environment.made(device_.outputs(), device_.node());
   }
   Node& node() { return device_.node(); }
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
@@ -27,14 +27,14 @@ constexpr LandingPanelOptions landing_options{};
 constexpr CarPanelOptions car_options{};
 
 struct SitedLandingPanel : SitedPanel<landing_options> {
-  SitedLandingPanel(const Port& port, NodeId node_id, const Site& site)
-      : SitedPanel(port, node_id, site, landing_at(site)) {}
+  SitedLandingPanel(const Port& port, NodeId node_id, const Environment& environment)
+      : SitedPanel(port, node_id, environment, landing_at(environment)) {}
 };
 struct SitedCarPanel : SitedPanel<car_options> {
-  SitedCarPanel(const Port& port, NodeId node_id, const Site& site)
-      : SitedPanel(
-            port, node_id, site,
-            CarPanel{.lift = site.lift, .highest_floor = static_cast<std::uint8_t>(site.floors)}) {}
+  SitedCarPanel(const Port& port, NodeId node_id, const Environment& environment)
+      : SitedPanel(port, node_id, environment,
+                   CarPanel{.lift = environment.lift,
+                            .highest_floor = static_cast<std::uint8_t>(environment.floors)}) {}
 };
 
 constexpr DeviceForm landing_forms[] = {

@@ -1,4 +1,4 @@
-// Ready panels of a lift: of a landing, or several landings in one device, and of a car.
+// Complete panels of a lift: of a landing, or several landings in one device, and of a car.
 //
 //     LandingPanelDevice<> landing(port, 23, hardware, {.floor = 3, .highest_floor = 10});
 //     CarPanelDevice<> car(port, 16, hardware, {.highest_floor = 10});
@@ -6,22 +6,22 @@
 //     landing.inputs().set_level(0, true, now);   // up, or the first that there is
 //     landing.outputs().view(0).on;               // its lamp
 //
-// What they have, and in which order, lift_panels.hpp says. They send a heartbeat each second, and
-// their PDOs have the CAN-IDs of part 3 from power-on on.
+// lift_panels.hpp describes their inputs and outputs and the order of these. They send a heartbeat
+// every second, and their PDOs have the CAN-IDs of part 3 from power-on on.
 #pragma once
 
 #include <array>
 
-#include "canvoy/devices/cia417/controller/lift_panels.hpp"
-#include "canvoy/devices/cia417/lift_kind.hpp"
+#include "canvoy/devices/cia417/kit/lift_kind.hpp"
+#include "canvoy/devices/cia417/panel/lift_panels.hpp"
 #include "canvoy/devices/cia417/panel/panel_device.hpp"
-#include "canvoy/profiles/device_values.hpp"
+#include "canvoy/profiles/model/device_values.hpp"
 
 namespace canvoy::cia417 {
 
 struct LandingPanelOptions {
-  unsigned panels = 1;        ///< landings with which it has to do
-  unsigned destinations = 0;  ///< buttons for as many floors at each; 0: up and down
+  unsigned panels = 1;        ///< number of landings
+  unsigned destinations = 0;  ///< number of buttons for floors at each; 0: up and down
   /// See PanelOptions.
   bool low_pdo_numbers = false;
 
@@ -35,7 +35,7 @@ struct LandingPanelOptions {
   }
 };
 struct CarPanelOptions {
-  unsigned floors = 64;  ///< as many at most
+  unsigned floors = 64;  ///< maximum number of floors
   bool low_pdo_numbers = false;
 
   constexpr std::uint16_t inputs() const {
@@ -59,7 +59,7 @@ inline constexpr DeviceInfo car_panel_info = {.name = "lift-car-panel",
                                               .node_id = 16,
                                               .hardware = landing_panel_info.hardware};
 
-/// All parameters; identity and heartbeat. A maker has a description of his own.
+/// All parameters; identity and heartbeat. A maker has a separate description.
 template <auto options>
 inline constexpr auto full_lift_panel =
     describe(panel<PanelOptions{.inputs = options.inputs(),
@@ -69,7 +69,7 @@ inline constexpr auto full_lift_panel =
 template <auto options>
 inline constexpr auto full_lift_panel_layout = lay_out_device<full_lift_panel<options>>();
 
-/// What a panel has, written when it is built.
+/// The number of inputs and outputs, known at compile time.
 template <auto options>
 class LiftPanelRecords {
  public:
@@ -97,14 +97,15 @@ class LiftPanelRecords {
   std::span<const VirtualOutput> outputs_used_;
 };
 
-/// `options` are LandingPanelOptions or CarPanelOptions; `own_routes` as DeviceNode has them.
+/// `options` are LandingPanelOptions or CarPanelOptions; `own_routes` are as in DeviceNode.
 template <auto options, std::size_t queue_max = 16, std::size_t own_routes = 0,
           const auto& layout = full_lift_panel_layout<options>>
 class LiftPanelDevice
     : public DeviceValues<LiftPanelDevice<options, queue_max, own_routes, layout>, layout> {
  public:
-  /// `what` is a LandingPanel, a span of them, or a CarPanel; what finds no room is left out. See
-  /// OutputPanelUnit; `port`'s context, and what `hardware` refers to, must outlive the device.
+  /// `what` is a LandingPanel, a span of them, or a CarPanel; inputs and outputs without room are
+  /// left out. See OutputPanelUnit. The context of `port`, and everything to which `hardware`
+  /// refers, must outlive the device.
   template <class Panel>
   LiftPanelDevice(const Port& port, NodeId node_id, const OutputHardware& hardware,
                   const Panel& what)

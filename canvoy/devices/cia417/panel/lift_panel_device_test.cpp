@@ -1,5 +1,5 @@
-// Ready panels on a cable: what they have, and how they look to a call controller. Bytes are typed
-// from CiA 417-4, 4.3.1 and 4.4.1.
+// Complete panels on a cable: their contents, and their messages for a call controller. Bytes are
+// typed from CiA 417-4, 4.3.1 and 4.4.1.
 #include "canvoy/devices/cia417/panel/lift_panel_device.hpp"
 
 #include <gtest/gtest.h>

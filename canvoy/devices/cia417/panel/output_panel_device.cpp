@@ -1,7 +1,7 @@
 #include "canvoy/devices/cia417/panel/output_panel_device.hpp"
 
-#include "canvoy/devices/cia417/kinds.hpp"
-#include "canvoy/devices/cia417/lift_kind.hpp"
+#include "canvoy/devices/cia417/kit/kinds.hpp"
+#include "canvoy/devices/cia417/kit/lift_kind.hpp"
 #include "canvoy/devices/cia417/panel/landing_site.hpp"
 #include "canvoy/devices/cia417/panel/panel_description.hpp"
 
@@ -22,10 +22,10 @@ constexpr auto output_panel_layout = lay_out_device<output_panel>();
 
 class SitedOutputPanel {
  public:
-  SitedOutputPanel(const Port& port, NodeId node_id, const Site& site)
-      : outputs_used_(landing_outputs(landing_at(site), outputs_)),
-        device_(port, node_id, site.find<OutputHardware>(), {.outputs = outputs_used_}) {
-    site.made(device_.unit(), device_.node());
+  SitedOutputPanel(const Port& port, NodeId node_id, const Environment& environment)
+      : outputs_used_(landing_outputs(landing_at(environment), outputs_)),
+        device_(port, node_id, environment.get<OutputHardware>(), {.outputs = outputs_used_}) {
+    environment.made(device_.unit(), device_.node());
   }
   Node& node() { return device_.node(); }
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }

@@ -7,25 +7,26 @@
 //     panel.node().start(now);
 #pragma once
 
-#include "canvoy/canopen/device_node.hpp"
-#include "canvoy/devices/cia417/bus_warning.hpp"
+#include "canvoy/canopen/device/device_node.hpp"
+#include "canvoy/devices/cia417/kit/bus_warning.hpp"
 #include "canvoy/devices/cia417/panel/output_panel_unit.hpp"
 #include "canvoy/devices/cia417/panel/panel_description.hpp"
-#include "canvoy/profiles/device_values.hpp"
-#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/model/device_values.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 
 namespace canvoy::cia417 {
 
-/// The memory of an output panel unit for all outputs that a dictionary has.
+/// The memory of an output panel unit for all outputs of a dictionary.
 template <const auto& layout>
 using OutputStates =
     std::array<OutputState, count_in_groups(layout.tables(), output_group_object.index)>;
 
-/// `layout` has output groups and an RPDO with 6011h; `own_routes` as DeviceNode has them.
+/// `layout` has output groups and an RPDO with 6011h; `own_routes` are as in DeviceNode.
 template <const auto& layout, std::size_t own_routes = 0>
 class OutputPanelDevice : public DeviceValues<OutputPanelDevice<layout, own_routes>, layout> {
  public:
-  /// See OutputPanelUnit; `port`'s context, and what `hardware` refers to, must outlive the device.
+  /// See OutputPanelUnit. The context of `port`, and everything to which `hardware` refers, must
+  /// outlive the device.
   OutputPanelDevice(const Port& port, NodeId node_id, const OutputHardware& hardware,
                     const OutputPanelSettings& settings)
       : device_(port, node_id), unit_(device_.node(), states_, hardware, settings) {}

@@ -1,4 +1,4 @@
-// Lamps and displays for tests: the outputs of a landing on a cable, and what they show.
+// Lamps and displays for tests: the outputs of a landing on a cable, and their states.
 //
 //     OutputBench bench;
 //     bench.start();
@@ -41,15 +41,15 @@ class OutputBench {
  public:
   OutputBench() { cable.connect(0, panel.node()); }
 
-  /// Up to NMT state operational.
+  /// Runs up to NMT state operational.
   void start() {
     cable.start_all();
     cable.send("000#01 15");
     shown.clear();
   }
-  /// A record comes in the PDO.
+  /// Sends a record in the PDO.
   void tell(std::string_view record) { cable.send("400#" + std::string(record)); }
-  /// By SDO; answers whether it was confirmed.
+  /// Writes by SDO; returns true if it was confirmed.
   bool write(std::string_view request) {
     cable.send("615#" + std::string(request));
     return cable.last(0x595).starts_with("595#60");
@@ -62,10 +62,10 @@ class OutputBench {
   }
   void run_for(Duration time) { cable.run_for(time); }
 
-  /// What the hardware was told last.
+  /// The last state shown by the hardware.
   const OutputView& view(std::uint32_t output) const { return views[output]; }
   bool is_on(std::uint32_t output) const { return views[output].on; }
-  /// Which outputs are on: bit 0 is the first.
+  /// The outputs that are on: bit 0 is the first.
   unsigned on() const {
     unsigned mask = 0;
     for (unsigned i = 0; i < views.size(); ++i) mask |= views[i].on ? 1U << i : 0U;
@@ -78,7 +78,7 @@ class OutputBench {
 
   Cable cable;
   std::array<OutputView, 7> views{};
-  std::vector<std::uint32_t> shown;  ///< outputs that the hardware was told of, in their order
+  std::vector<std::uint32_t> shown;  ///< outputs shown by the hardware, in their order
   OutputPanelDevice<bench_lamps_layout> panel{
       cable.port(0),
       21,

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "canvoy/canopen/pdo/pdo_parameter.hpp"
-#include "canvoy/devices/cia417/panel/output_address.hpp"
+#include "canvoy/devices/cia417/virtual_io/output_address.hpp"
 
 namespace canvoy::cia417 {
 
@@ -19,12 +19,12 @@ constexpr unsigned lit_bit = 0x01;
 
 }  // namespace
 
-constexpr HookCalls OutputPanelUnit::output_hook = {
+constexpr AccessHandlers OutputPanelUnit::output_hook = {
     .first = output_group_object.index,
     .last = output_parameter_4_object.index + group_count - 1,
     .before_write = method<&OutputPanelUnit::before_write>,
     .after_write = method<&OutputPanelUnit::written>};
-constexpr HookCalls OutputPanelUnit::hook_calls[] = {
+constexpr AccessHandlers OutputPanelUnit::hook_calls[] = {
     {.first = virtual_output_mapping_object.index,
      .last = virtual_output_mapping_object.index,
      .after_write = method<&OutputPanelUnit::record_came>},
@@ -36,8 +36,8 @@ constexpr HookCalls OutputPanelUnit::hook_calls[] = {
     in_lift(6, output_hook),
     in_lift(7, output_hook),
     in_lift(8, output_hook)};
-constexpr ServiceCalls OutputPanelUnit::service_calls = {.reset = method<&OutputPanelUnit::reset>,
-                                                         .hooks = hook_calls};
+constexpr ServiceHandlers OutputPanelUnit::service_calls = {
+    .reset = method<&OutputPanelUnit::reset>, .hooks = hook_calls};
 
 OutputPanelUnit::OutputPanelUnit(Node& node, std::span<OutputState> states,
                                  const OutputHardware& hardware,
@@ -86,7 +86,7 @@ void OutputPanelUnit::report(std::uint32_t output, std::uint8_t error_code) {
   set_parameter_byte(node_.dictionary(), groups_.place(output), 1, error_code_byte, error_code);
 }
 
-/// A reset of the communication alone changes no lamp.
+/// A reset of communication alone changes no lamp.
 void OutputPanelUnit::reset(ResetScope scope) {
   if (scope == ResetScope::communication) return;
   node_.timers().disarm(timer_);
@@ -102,7 +102,7 @@ void OutputPanelUnit::reset(ResetScope scope) {
   });
 }
 
-// What is written
+// Written records
 
 AbortCode OutputPanelUnit::before_write(const Entry& entry, std::span<const std::uint8_t> value) {
   return check_event_counts(entry, value, output_parameter_2_object.index);
@@ -121,12 +121,12 @@ void OutputPanelUnit::written(const Entry& entry, Source) {
   wake();
 }
 
-/// Each panel of a lift hears each record, and most are for others.
+/// Each panel of a lift receives each record, and most are for others.
 void OutputPanelUnit::record_came(const Entry& entry, Source) {
   const VirtualOutput record = decode_output(canvoy::load<std::uint64_t>(entry.value));
   bool is_for_any = false;
   for_each_of(record.function, [&](std::uint32_t output, IoPlace place) {
-    // Whether it is enabled is looked up last.
+    // The enable byte is looked up last.
     if (!is_addressed(record, assigned(output, place)) || !is_enabled(place)) return;
     is_for_any = true;
     message(output, place, record);
@@ -134,8 +134,8 @@ void OutputPanelUnit::record_came(const Entry& entry, Source) {
   if (is_for_any) wake();
 }
 
-/// Calls visit(output, place) for the outputs that have this function, the first byte of their
-/// records: these stand one after the other, so that one of a group is looked up for all.
+/// Calls visit(output, place) for the outputs with this function, the first byte of their records:
+/// these are adjacent, so that one look-up in a group serves all.
 template <class Visit>
 void OutputPanelUnit::for_each_of(BasicFunction function, Visit visit) const {
   groups_.for_each_group([&](std::uint32_t output, std::uint16_t index, unsigned count) {
@@ -158,7 +158,7 @@ bool OutputPanelUnit::is_enabled(IoPlace place) const {
   return (parameter(place, 1, enable_byte) & 1) != 0;
 }
 
-/// The record of the output with the sub-function that it is addressed by.
+/// The record of the output, with the sub-function by which it is addressed.
 VirtualOutput OutputPanelUnit::assigned(std::uint32_t output, IoPlace place) const {
   VirtualOutput record = decode_output(node_.dictionary().number(place.index, place.sub));
   record.sub_function = states_[output].assigned;

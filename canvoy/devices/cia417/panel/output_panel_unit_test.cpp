@@ -101,7 +101,7 @@ TEST_F(OutputPanelUnitTest, ADisplayShowsEachSpecialIndicationAndALampItsOwn) {
   EXPECT_EQ(bench.on(), 0b0010000u) << "the lamp is still that of overload";
 }
 
-/// What they mean the profile leaves to the makers (4.4.1): the display gets it as it came.
+/// The profile leaves their meaning to the makers (4.4.1): the display gets the value unchanged.
 TEST_F(OutputPanelUnitTest, OperationDataAndPublicityAreShownAsTheyCome) {
   constexpr VirtualOutput displays[] = {
       {.function = BasicFunction::operation_data, .lifts = lift_bit(1), .floor = 3},

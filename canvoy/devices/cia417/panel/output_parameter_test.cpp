@@ -18,7 +18,7 @@ class OutputParameterTest : public testing::Test {
     bench.shown.clear();
     return confirmed;
   }
-  /// The same with a byte that is a number.
+  /// Like set(), but with a byte that is a number.
   bool set(unsigned number, const char* format, unsigned value) {
     char bytes[16];
     std::snprintf(bytes, sizeof bytes, format, value);

@@ -1,5 +1,5 @@
-// What an output panel unit has its hardware show (CiA 417-4, 4.4.1 and 4.5.4): one lamp, display
-// or loudspeaker.
+// State of an output for the hardware of an output panel unit (CiA 417-4, 4.4.1 and 4.5.4): one
+// lamp, display or loudspeaker.
 //
 //     void LampDriver::show(std::uint32_t output, const OutputView& view) {
 //       pins.set(output, view.level());
@@ -10,25 +10,26 @@
 #include <optional>
 
 #include "canvoy/can/callback.hpp"
-#include "canvoy/devices/cia417/panel/virtual_io.hpp"
+#include "canvoy/devices/cia417/virtual_io/virtual_io.hpp"
 
 namespace canvoy::cia417 {
 
 struct OutputView {
   bool on = false;        ///< data is indicated
   bool inverted = false;  ///< see level()
-  bool affirmed = false;  ///< what is acknowledged will be done
-  /// What to show: a floor (0: none), arrows, a special indication; of acknowledgements which one.
+  bool affirmed = false;  ///< the acknowledged request is affirmed
+  /// Contents: a floor (0: none), arrows, a special indication; for acknowledgements, the
+  /// acknowledged function.
   std::uint8_t sub_function = 0;
   std::uint16_t flash_millihertz = 0;  ///< 0: continuous
-  /// Sevenths of the height of a character a second; nothing: the display chooses.
+  /// In sevenths of the height of a character per second; nothing: the display selects it.
   std::optional<std::uint8_t> scroll_rate{};
-  /// See Color; nothing: the colour that it has. Other numbers are the maker's.
+  /// See Color; nothing: the output's own colour. Other numbers are the maker's.
   std::optional<std::uint8_t> color{};
-  /// Volume or intensity from 1 to 254; nothing: as loud or bright as it is built.
+  /// Volume or intensity from 1 to 254; nothing: that of the hardware.
   std::optional<std::uint8_t> intensity{};
 
-  /// Of the contact, where it does not flash: high or low.
+  /// Level of the contact if it does not flash: high or low.
   constexpr bool level() const { return on != inverted; }
   constexpr bool operator==(const OutputView&) const = default;
 };
@@ -48,14 +49,13 @@ inline constexpr std::uint16_t flash_millihertz[] = {10'000, 7500, 5000, 2000,
 /// Parameter 4 of an output: its basic setting.
 struct BasicSetting {
   std::uint8_t flash_rate = 0xFF;   ///< in tenths of a hertz; 0 and FFh: none
-  std::uint8_t scroll_rate = 0xFF;  ///< FFh: not used, also of what follows
+  std::uint8_t scroll_rate = 0xFF;  ///< FFh: not used; also for the following
   std::uint8_t color = 0xFF;
   std::uint8_t intensity = 0xFF;  ///< 0 is reserved
 };
 
-/// What function data says of how to show, on top of the basic setting. Property default leaves the
-/// basic setting as it is, and continuous is without flashing. The reserved property is taken as
-/// default.
+/// How to show function data, on top of the basic setting. Property default leaves the basic
+/// setting as it is; continuous is without flashing. The reserved property is taken as default.
 constexpr OutputView view_of(OutputData data, const BasicSetting& basic) {
   constexpr std::uint8_t not_used = 0xFF;
   OutputView view{.on = data.status(), .affirmed = data.predicate()};
@@ -77,7 +77,7 @@ constexpr OutputView view_of(OutputData data, const BasicSetting& basic) {
       view.color = parameter;
       break;
     case Property::volume:
-      // 0 is the lowest, 7 the highest of 1 to 254.
+      // Steps 0 (lowest) to 7 (highest) of 1 to 254.
       view.intensity = static_cast<std::uint8_t>(1 + parameter * 253U / 7);
       break;
     case Property::scroll_rate:

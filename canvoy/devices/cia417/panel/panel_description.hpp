@@ -5,21 +5,22 @@
 //                                        cia301::identity({.vendor_id = 0x123}),
 //                                        cia301::heartbeat_producer(1000));
 //
-// What the PDOs are is from public sources, as in cia417/pdos.hpp.
+// The PDOs are from public sources, as in cia417/pdos.hpp.
 #pragma once
 
-#include "canvoy/devices/cia417/physical_description.hpp"
+#include "canvoy/devices/cia417/kit/physical_description.hpp"
 
 namespace canvoy::cia417 {
 
 struct PanelOptions {
-  unsigned lift = 1;          ///< where its groups stand: 6100h and up is lift 1
-  std::uint16_t inputs = 0;   ///< 254 in each group from the first on; 0: it is no input panel
-  std::uint16_t outputs = 0;  ///< the same of outputs
-  bool parameters = true;     ///< 1 to 4 of each of them
+  unsigned lift = 1;          ///< lift of its groups: 6100h and up is lift 1
+  std::uint16_t inputs = 0;   ///< 254 in each group from the first on; 0: no input panel
+  std::uint16_t outputs = 0;  ///< outputs, in the same way
+  bool parameters = true;     ///< parameters 1 to 4 of each group
   /// PDO 1 of each direction instead of those of part 3, RPDO 257 and TPDO 130.
   bool low_pdo_numbers = false;
-  /// Whether the TPDO is valid after power-on. Part 3 has it made valid by who knows the node-ID.
+  /// True if the TPDO is valid after power-on. In part 3, a device that knows the node-ID makes it
+  /// valid.
   bool valid_tpdo = true;
 };
 
@@ -48,7 +49,7 @@ inline constexpr PdoInfo panel_pdos[] = {panel_tpdo(panel_tpdo_number, 0x480),
                                          panel_rpdo(1)};
 inline constexpr Profile panel_pdo_profile = {.number = profile_number, .pdos = panel_pdos};
 
-/// Whether a panel has this PDO.
+/// True if a panel has this PDO.
 template <PanelOptions options>
 constexpr bool is_pdo_of_panel(const PdoInfo& pdo) {
   if ((pdo.number == 1) != options.low_pdo_numbers) return false;

@@ -8,23 +8,23 @@
 //     panel.node().start(now);
 //     panel.inputs().set_level(0, true, now);
 //
-// LandingPanelDevice and CarPanelDevice know what a landing and a car have.
+// For the inputs and outputs of a landing and a car, see LandingPanelDevice and CarPanelDevice.
 #pragma once
 
-#include "canvoy/devices/cia417/bus_warning.hpp"
+#include "canvoy/devices/cia417/kit/bus_warning.hpp"
 #include "canvoy/devices/cia417/panel/input_panel_device.hpp"
 #include "canvoy/devices/cia417/panel/output_panel_device.hpp"
-#include "canvoy/profiles/device_values.hpp"
+#include "canvoy/profiles/model/device_values.hpp"
 
 namespace canvoy::cia417 {
 
 /// `layout` has groups of inputs and outputs, a TPDO with 6010h and an RPDO with 6011h; `queue_max`
-/// changes may wait for the bus; `own_routes` as DeviceNode has them.
+/// changes may wait for the bus; `own_routes` are as in DeviceNode.
 template <const auto& layout, std::size_t queue_max = 16, std::size_t own_routes = 0>
 class PanelDevice : public DeviceValues<PanelDevice<layout, queue_max, own_routes>, layout> {
  public:
-  /// See InputPanelUnit and OutputPanelUnit; `port`'s context, and what `hardware` refers to, must
-  /// outlive the device.
+  /// See InputPanelUnit and OutputPanelUnit. The context of `port`, and everything to which
+  /// `hardware` refers, must outlive the device.
   PanelDevice(const Port& port, NodeId node_id, const OutputHardware& hardware,
               const InputPanelSettings& inputs, const OutputPanelSettings& outputs)
       : device_(port, node_id),

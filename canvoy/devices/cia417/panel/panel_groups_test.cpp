@@ -1,5 +1,5 @@
 // Inputs, outputs and sensors in groups beyond the first: their records, their
-// parameters and what is told of them (CiA 417-4, 4.3.1, 4.4.1 and 4.13.1).
+// parameters and their messages (CiA 417-4, 4.3.1, 4.4.1 and 4.13.1).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -86,7 +86,7 @@ TEST(PanelGroups, TheLastInputOfGroup32HasItsParameters) {
   EXPECT_FALSE(write(cable, "23 3F 61 FF FF FF FF FF")) << "there are 254";
 }
 
-/// As many as a description of ours has: four groups.
+/// As many as in one of our descriptions: four groups.
 constexpr std::uint16_t four_groups = 4 * 254;
 constexpr auto many_outputs =
     describe(panel<PanelOptions{.outputs = four_groups}>(), cia301::identity({}));

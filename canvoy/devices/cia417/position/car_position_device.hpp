@@ -4,14 +4,14 @@
 //     position.node().start(now);
 #pragma once
 
-#include "canvoy/devices/cia417/lift_kind.hpp"
+#include "canvoy/devices/cia417/kit/lift_kind.hpp"
 #include "canvoy/devices/cia417/position/car_position_unit.hpp"
 #include "canvoy/profiles/cia417/watched_nodes.hpp"
 
 namespace canvoy::cia417 {
 
-/// Every object of a position unit with `units` encoders, a work area each, eight cams in each
-/// channel, and a heartbeat each 500 ms.
+/// Every object of a position unit with `units` encoders, one work area each, eight cams in each
+/// channel, and a heartbeat every 500 ms.
 template <LiftDeviceOptions options = LiftDeviceOptions{}, std::uint8_t units = 1,
           std::uint8_t channels = 1>
 struct CarPositionKind : LiftKind<CarPositionUnit, CarPositionHardware, CarPositionSettings> {
@@ -69,7 +69,7 @@ struct CarPositionKind : LiftKind<CarPositionUnit, CarPositionHardware, CarPosit
   }
 };
 
-/// `layout` is that of a description with a car position unit of lift `settings.lift` in it.
+/// `layout` has a description with a car position unit of lift `settings.lift`.
 template <const auto& layout = layout_of<CarPositionKind<>>, std::size_t own_routes = 0>
 using CarPositionDevice = Device<CarPositionKind<>, layout, own_routes>;
 

@@ -6,13 +6,13 @@
 
 #include "canvoy/profiles/cia417/encoder.hpp"
 #include "canvoy/profiles/cia417/errors.hpp"
-#include "canvoy/profiles/reactions.hpp"
+#include "canvoy/profiles/model/reactions.hpp"
 
 namespace canvoy::cia417 {
 
 namespace {
 
-/// Slower, the car stands: it may be told where it is, and needs to be asked seldom.
+/// Below this speed the car stands: its position may be preset, and is sampled rarely.
 constexpr double standing_speed = 1;
 
 /// A bit of 63C7h.
@@ -33,7 +33,7 @@ Number saturate(double value) {
 
 }  // namespace
 
-constexpr HookCalls CarPositionUnit::hook_calls[] = {
+constexpr AccessHandlers CarPositionUnit::hook_calls[] = {
     before_write<&CarPositionUnit::check_parameter, operating_parameter_object>,
     before_write<&CarPositionUnit::check_step, measuring_step_settings_object>,
     before_write<&CarPositionUnit::check_preset, preset_value>,
@@ -41,8 +41,8 @@ constexpr HookCalls CarPositionUnit::hook_calls[] = {
     after_write<&CarPositionUnit::parameter_written, operating_parameter_object,
                 acceleration_value_car_object>,
     after_write<&CarPositionUnit::cam_setting_written, cam_enable_object, cam_polarity_object>};
-constexpr ServiceCalls CarPositionUnit::service_calls = {.reset = method<&CarPositionUnit::reset>,
-                                                         .hooks = hook_calls};
+constexpr ServiceHandlers CarPositionUnit::service_calls = {
+    .reset = method<&CarPositionUnit::reset>, .hooks = hook_calls};
 
 CarPositionUnit::CarPositionUnit(Node& node, const CarPositionServices& services,
                                  const CarPositionHardware& hardware,
@@ -74,7 +74,7 @@ void CarPositionUnit::reset(ResetScope scope) {
   tick(node_.now());
 }
 
-/// What never changes while it runs.
+/// Constant properties.
 void CarPositionUnit::describe(unsigned unit) {
   const EncoderProperties& encoder = settings_.encoders[unit - 1];
   value(single_turn_resolution[unit]) = encoder.single_turn_resolution;
@@ -114,7 +114,7 @@ AbortCode CarPositionUnit::check_step(Raw<std::uint32_t> wanted) {
   return wanted.bits != 0 ? AbortCode::none : AbortCode::value_too_low;
 }
 
-/// Where a moving car is, nobody can say to the count.
+/// The position of a moving car is not known to the count.
 AbortCode CarPositionUnit::check_preset(const Entry& entry, std::span<const std::uint8_t>) {
   const Unit& unit = units_[entry.sub - 1U];
   const bool moves = std::abs(unit.readings.velocity_millimetre_per_second) > standing_speed;
@@ -136,7 +136,7 @@ std::int64_t CarPositionUnit::measured(const Unit& unit) const {
   return std::llround(unit.sign * unit.readings.position_millimetre / unit.step);
 }
 
-/// From now on the present position is called so.
+/// Gives the present position this value.
 void CarPositionUnit::preset(unsigned unit) {
   Unit& of = units_[unit - 1];
   of.readings = hardware_.sense(unit);
@@ -224,7 +224,7 @@ void CarPositionUnit::tell_errors(unsigned unit) {
   }
 }
 
-/// It is over when the car stands: a governor does not let go before.
+/// The error ends when the car stands: a governor does not release before.
 void CarPositionUnit::watch_speed(double speed) {
   const double limit = settings_.overspeed_millimetre_per_second;
   const Error error = {.code = emergency_code::overspeed};

@@ -1,69 +1,70 @@
-// A car position unit: up to four encoders that measure where the car is, how fast it moves, and
+// A car position unit: up to four encoders that measure the position and the speed of the car, and
 // whether it is within its work areas (CiA 417-4, 4.9; the values are those of CiA 406); with a
 // position CAM unit (4.10).
 //
 //     CarPositionUnit position(node, {.tpdos = &tpdos}, hardware, {.lift = 1});
 //     node.start(now);
 //
-// It samples often while the car moves, and seldom while it stands; a PDO that its event timer
+// It samples often while the car moves, and rarely while it stands. A PDO that its event timer
 // sends is sampled at that moment. An alarm of an encoder is an emergency with the position unit as
-// instance. With overspeed_millimetre_per_second it watches over the speed, and tells of overspeed
-// by emergency FF05h, which the drive stops for.
+// instance. With overspeed_millimetre_per_second, it monitors the speed, and reports overspeed by
+// emergency FF05h, on which the drive stops.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <span>
 
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 #include "canvoy/canopen/pdo/tpdo.hpp"
-#include "canvoy/devices/cia417/controller/lift_bound.hpp"
+#include "canvoy/devices/cia417/lift/lift_bound.hpp"
 #include "canvoy/devices/cia417/position/car_position_hardware.hpp"
 #include "canvoy/devices/cia417/position/position_cam_unit.hpp"
 #include "canvoy/profiles/cia417/car_handles.hpp"
-#include "canvoy/profiles/written_value.hpp"
+#include "canvoy/profiles/model/written_value.hpp"
 
 namespace canvoy::cia417 {
 
-/// What the maker of an encoder knows of it.
+/// Properties of an encoder, from its maker.
 struct EncoderProperties {
-  /// Of a rotary encoder: the way of the car in one revolution, in micrometres; 0: it is linear.
+  /// For a rotary encoder: travel of the car in one revolution, in micrometres; 0: it is linear.
   double revolution_micrometre = 0;
-  std::uint32_t single_turn_resolution = 100'000;  ///< 63C1h; of a linear one its step in nm
+  std::uint32_t single_turn_resolution = 100'000;  ///< 63C1h; for a linear encoder its step in nm
   std::uint16_t revolutions = 1;                   ///< 63C2h
   std::int32_t manufacturer_offset = 0;            ///< 63D0h
   std::uint32_t position_min = 0;
   std::uint32_t position_max = 0x7FFF'FFFF;
   std::uint16_t supported_alarms = 0x0001;
   std::uint16_t supported_warnings = 0x003F;
-  std::uint32_t operating_time = 0;  ///< tenths of an hour, before it was switched on
+  std::uint32_t operating_time = 0;  ///< tenths of an hour, before power-on
 };
 
 struct CarPositionSettings {
   unsigned lift = 1;                           ///< 1 to 8
   Duration moving_period = 20ms;               ///< of sampling
   Duration standing_period = 50ms;             ///< while the car stands
-  double overspeed_millimetre_per_second = 0;  ///< 0: not watched
-  /// Of an alarm. CiA 406 has none of its own in what is public: a fault of the hardware.
+  double overspeed_millimetre_per_second = 0;  ///< 0: not monitored
+  /// Error code of an alarm. The public sources of CiA 406 have no code for it: this is a fault of
+  /// the hardware.
   std::uint16_t alarm_code = 0x5000;
   std::array<EncoderProperties, position_unit_count> encoders = {};
   std::span<const Cam> cams = {};
 };
 
-/// What of a node it works with.
+/// Services of a node that it uses.
 struct CarPositionServices {
   Tpdos* tpdos = nullptr;  ///< sampled before they are sent
 };
 
 class CarPositionUnit {
  public:
-  /// What `hardware` and `services` refer to must outlive this.
+  /// Everything to which `hardware` and `services` refer must outlive this.
   CarPositionUnit(Node& node, const CarPositionServices& services,
                   const CarPositionHardware& hardware, const CarPositionSettings& settings);
   CarPositionUnit(const CarPositionUnit&) = delete;
   CarPositionUnit& operator=(const CarPositionUnit&) = delete;
 
-  /// Of position unit 1 to 4, in counts, as 6383h tells it.
+  /// Position of unit 1 to 4, in counts, as in 6383h.
   std::int32_t position(unsigned unit) const;
   const PositionReadings& readings(unsigned unit) const { return units_[unit - 1].readings; }
 
@@ -71,11 +72,11 @@ class CarPositionUnit {
   struct Unit {
     bool exists = false;
     bool has_alarm = false;
-    double sign = 1;        ///< by the operating parameter
-    double step = 0.1;      ///< millimetres in a count
+    double sign = 1;        ///< from the operating parameter
+    double step = 0.1;      ///< millimetres per count
     double speed_step = 1;  ///< mm/s
     double acceleration_step = 1;
-    std::int64_t offset = 0;  ///< counts; an encoder keeps it without power
+    std::int64_t offset = 0;  ///< counts; an encoder keeps the offset without power
     PositionReadings readings;
   };
 
@@ -110,9 +111,9 @@ class CarPositionUnit {
   PositionCamUnit cams_;
   std::array<Unit, position_unit_count> units_;
   bool is_too_fast_ = false;
-  static const HookCalls hook_calls[];
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this, block_shift(settings_.lift)};
+  static const AccessHandlers hook_calls[];
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this, block_shift(settings_.lift)};
   Timer timer_;
 };
 

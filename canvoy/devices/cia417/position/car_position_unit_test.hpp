@@ -16,7 +16,7 @@
 
 namespace canvoy::cia417 {
 
-/// The encoders, as plain numbers.
+/// Simulated encoders.
 struct Encoders {
   std::array<PositionReadings, 4> readings;
   PositionReadings sense(unsigned unit) { return readings[unit - 1]; }

@@ -1,16 +1,16 @@
 #include "canvoy/devices/cia417/position/position_cam_device.hpp"
 
-#include "canvoy/devices/cia417/kinds.hpp"
+#include "canvoy/devices/cia417/kit/kinds.hpp"
 #include "canvoy/devices/cia417/position/car_position_unit.hpp"
 #include "canvoy/profiles/cia417/car_handles.hpp"
-#include "canvoy/profiles/reactions.hpp"
+#include "canvoy/profiles/model/reactions.hpp"
 
 namespace canvoy::cia417 {
 
-constexpr HookCalls LonePositionCamUnit::hook_calls[] = {
+constexpr AccessHandlers LonePositionCamUnit::hook_calls[] = {
     after_write<&LonePositionCamUnit::position_written, position_value_object>,
     after_write<&LonePositionCamUnit::cam_setting_written, cam_enable_object, cam_polarity_object>};
-constexpr ServiceCalls LonePositionCamUnit::service_calls = {
+constexpr ServiceHandlers LonePositionCamUnit::service_calls = {
     .reset = method<&LonePositionCamUnit::reset>, .hooks = hook_calls};
 
 LonePositionCamUnit::LonePositionCamUnit(Node& node, const NoHardware& /*none*/,
@@ -27,8 +27,8 @@ void LonePositionCamUnit::position_written() {
 }
 
 template <std::uint8_t channels>
-PositionCamSettings PositionCamKind<channels>::settings(const Site& site) {
-  return {.cams = site.find<CarPositionSettings>().cams};
+PositionCamSettings PositionCamKind<channels>::settings(const Environment& environment) {
+  return {.cams = environment.get<CarPositionSettings>().cams};
 }
 
 const DeviceKind position_cam_kind = {

@@ -1,19 +1,19 @@
-// A position CAM unit in a device of its own (CiA 417-4, 4.10): it hears the car position of the
-// position unit, and tells which cams the car is on.
+// A position CAM unit in a separate device (CiA 417-4, 4.10): receives the car position of the
+// position unit, and reports the cams on which the car is.
 //
 //     PositionCamDevice<> cams(port, 15, {.cams = stretches});
 #pragma once
 
-#include "canvoy/devices/cia417/lift_kind.hpp"
+#include "canvoy/devices/cia417/kit/lift_kind.hpp"
 #include "canvoy/devices/cia417/position/position_cam_unit.hpp"
-#include "canvoy/devices/site.hpp"
+#include "canvoy/devices/kit/environment.hpp"
 #include "canvoy/profiles/cia417/handles.hpp"
 
 namespace canvoy::cia417 {
 
 struct PositionCamSettings {
   unsigned lift = 1;               ///< 1 to 8
-  std::span<const Cam> cams = {};  ///< those of position unit 1; must outlive the device
+  std::span<const Cam> cams = {};  ///< cams of position unit 1; must outlive the device
   double step_millimetre = 0.1;    ///< one count of 6383h
 };
 
@@ -32,9 +32,9 @@ class LonePositionCamUnit {
   Dictionary& dictionary_;
   PositionCamSettings settings_;
   PositionCamUnit cams_;
-  static const HookCalls hook_calls[];
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this, block_shift(settings_.lift)};
+  static const AccessHandlers hook_calls[];
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this, block_shift(settings_.lift)};
 };
 
 inline constexpr std::uint32_t cam_pdo_mapping[] = {mapped_in(1, cam_state_object, 1)};
@@ -42,9 +42,9 @@ inline constexpr PdoInfo cam_pdo = {
     .cob_id = invalid_pdo | 0x180, .plus_node_id = true, .mapping = cam_pdo_mapping};
 using CamPdo = canvoy::detail::PredefinedPdo<canvoy::detail::OwnPdo<cam_pdo>>;
 
-/// Eight cams in each channel, and a heartbeat each 500 ms. Part 3 has no PDO for cams: TPDO 1 has
-/// those of channel 1, and is invalid until it is given its COB-ID. Its virtual device is the
-/// position unit, since part 2 has no code for cams alone.
+/// Eight cams in each channel, and a heartbeat every 500 ms. Part 3 has no PDO for cams: TPDO 1 has
+/// those of channel 1, and is invalid until it gets its COB-ID. Its virtual device is the position
+/// unit, since part 2 has no code for cams alone.
 template <std::uint8_t channels = 1>
 struct PositionCamKind : LiftKind<LonePositionCamUnit, NoHardware, PositionCamSettings> {
   static constexpr DeviceInfo info = {.name = "lift-cams",
@@ -63,8 +63,8 @@ struct PositionCamKind : LiftKind<LonePositionCamUnit, NoHardware, PositionCamSe
                predefined_pdos<profile, is_position_heard>(), CamPdo::parameter, CamPdo::mapping,
                lift_basics(info, 500));
 
-  /// The cams of the shaft, which a position unit would have.
-  static PositionCamSettings settings(const Site& site);
+  /// The cams of the shaft, which are those of a position unit.
+  static PositionCamSettings settings(const Environment& environment);
 };
 
 template <const auto& layout = layout_of<PositionCamKind<>>, std::size_t own_routes = 0>

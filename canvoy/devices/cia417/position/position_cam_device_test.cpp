@@ -49,7 +49,7 @@ TEST_F(PositionCam, ObeysEnableAndPolarity) {
   EXPECT_EQ(cable.last(0x38F), "38F#00");
 }
 
-/// As the settings of a cam have it, one stretch after the other, and nothing kept but the cams.
+/// From the settings of a cam, one section after the other, without any state but the cams.
 std::uint8_t cams_at(double position, std::uint8_t before, std::span<const Cam> stretches) {
   unsigned on = 0;
   for (const Cam& cam : stretches) {
@@ -71,7 +71,7 @@ TEST_F(PositionCam, FindsCamsHoweverTheCarMoves) {
   PositionCamUnit cams(dictionary, 1, stretches);
   Random random(7);
   std::uint8_t expected = 0;
-  // In halves of a millimetre, so that it stands on edges as well; steps from none to far.
+  // In halves of a millimetre, so that it also stops on edges; steps from none to far.
   int position = 0;
   for (int step = 0; step < 20'000; ++step) {
     const int far = step % 100 == 0 ? 400 : 12;

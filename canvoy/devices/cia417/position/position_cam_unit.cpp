@@ -14,7 +14,8 @@ void PositionCamUnit::update(unsigned unit, double position_millimetre) {
   refresh();
 }
 
-/// A tall shaft has hundreds of stretches, and is measured hundreds of times on the way past one.
+/// A tall shaft has hundreds of sections, and hundreds of measurements are made on the way past
+/// one.
 void PositionCamUnit::look_at_cams(unsigned unit, double position_millimetre) {
   std::array<std::uint8_t, channels_end> measured{};
   std::array<std::uint8_t, channels_end> reached{};

@@ -4,13 +4,13 @@
 //     barrier.node().start(now);
 #pragma once
 
-#include "canvoy/devices/cia417/lift_kind.hpp"
+#include "canvoy/devices/cia417/kit/lift_kind.hpp"
 #include "canvoy/devices/cia417/sensor/light_barrier_unit.hpp"
 
 namespace canvoy::cia417 {
 
-/// Every object of the virtual device, and a heartbeat each 500 ms. A maker has a description of
-/// his own with his identity.
+/// Every object of the virtual device, and a heartbeat every 500 ms. A maker has a separate
+/// description with its own identity.
 template <LiftDeviceOptions options = first_door>
 struct LightBarrierKind : LiftKind<LightBarrierUnit, LightBarrierHardware, LightBarrierSettings> {
   static constexpr DeviceInfo info = {.name = "lift-light-barrier",
@@ -30,7 +30,7 @@ struct LightBarrierKind : LiftKind<LightBarrierUnit, LightBarrierHardware, Light
   }
 };
 
-/// `layout` is that of a description with the objects of a light barrier unit for `options`.
+/// `layout` has a description with the objects of a light barrier unit for `options`.
 template <LiftDeviceOptions options = first_door,
           const auto& layout = layout_of<LightBarrierKind<options>>, std::size_t own_routes = 0>
 using LightBarrierDevice = Device<LightBarrierKind<options>, layout, own_routes>;

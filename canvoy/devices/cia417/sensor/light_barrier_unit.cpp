@@ -4,8 +4,8 @@
 
 namespace canvoy::cia417 {
 
-constexpr ServiceCalls LightBarrierUnit::service_calls = {.reset =
-                                                              method<&LightBarrierUnit::reset>};
+constexpr ServiceHandlers LightBarrierUnit::service_calls = {.reset =
+                                                                 method<&LightBarrierUnit::reset>};
 
 LightBarrierUnit::LightBarrierUnit(Node& node, const LightBarrierHardware& hardware,
                                    const LightBarrierSettings& settings)

@@ -1,5 +1,5 @@
-// A light barrier unit: what the light barriers of up to four doors see (6310h; CiA 417-4, 4.8),
-// and their defects as emergencies (FF01h; CiA 417-1, 8.4).
+// A light barrier unit: the state of the light barriers of up to four doors (6310h; CiA 417-4,
+// 4.8), and their defects as emergencies (FF01h; CiA 417-1, 8.4).
 //
 //     LightBarrierUnit barrier(node, {.sense =
 //     Callback<Detection(unsigned)>::to<&Door::beam>(door)},
@@ -10,32 +10,32 @@
 #include <array>
 #include <cstdint>
 
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 #include "canvoy/profiles/cia417/handles.hpp"
 
 namespace canvoy::cia417 {
 
 struct LightBarrierHardware {
-  /// What is seen at a door, 1 to 4; yes: somebody.
+  /// State at a door, 1 to 4; yes: interrupted.
   Callback<Detection(unsigned door)> sense;
 };
 
 struct LightBarrierSettings {
   unsigned lift = 1;            ///< 1 to 8
-  std::uint8_t doors = 0b0001;  ///< with a light barrier: bit 0 is door 1
-  /// How often the hardware is looked at; zero: when it says that it has changed.
+  std::uint8_t doors = 0b0001;  ///< doors with a light barrier: bit 0 is door 1
+  /// Period of readings of the hardware; zero: read when the hardware reports a change.
   Duration sensing_period = 10ms;
 };
 
 class LightBarrierUnit {
  public:
-  /// What `hardware` refers to must outlive this.
+  /// Everything to which `hardware` refers must outlive this.
   LightBarrierUnit(Node& node, const LightBarrierHardware& hardware,
                    const LightBarrierSettings& settings);
   LightBarrierUnit(const LightBarrierUnit&) = delete;
   LightBarrierUnit& operator=(const LightBarrierUnit&) = delete;
 
-  /// Has the hardware looked at when the node is called next.
+  /// Reads the hardware at the next call of the node.
   void hardware_changed() { node_.timers().arm(timer_, node_.now()); }
 
   /// `door` is 1 to 4.
@@ -50,8 +50,8 @@ class LightBarrierUnit {
   LightBarrierHardware hardware_;
   LightBarrierSettings settings_;
   std::array<Detection, door_count> seen_;
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
   Timer timer_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "canvoy/canopen/pdo/pdo_parameter.hpp"
+#include "canvoy/devices/cia417/sensor/sensor_place.hpp"
 
 namespace canvoy::cia417 {
 
@@ -11,22 +12,18 @@ namespace {
 constexpr std::int16_t value_min = -8192;
 constexpr std::int16_t value_max = 8191;
 
-constexpr bool measures(SensorFunction function) {
-  return function == SensorFunction::pressure || function == SensorFunction::temperature;
-}
-
 }  // namespace
 
-constexpr HookCalls SensorUnit::parameter_hook = {
+constexpr AccessHandlers SensorUnit::parameter_hook = {
     .first = sensor_parameter_1_object.index,
     .last = sensor_parameter_3_object.index + group_count - 1,
     .before_write = method<&SensorUnit::before_parameter_write>,
     .after_write = method<&SensorUnit::parameter_written>};
-constexpr HookCalls SensorUnit::hook_calls[] = {
+constexpr AccessHandlers SensorUnit::hook_calls[] = {
     in_lift(1, parameter_hook), in_lift(2, parameter_hook), in_lift(3, parameter_hook),
     in_lift(4, parameter_hook), in_lift(5, parameter_hook), in_lift(6, parameter_hook),
     in_lift(7, parameter_hook), in_lift(8, parameter_hook)};
-constexpr ServiceCalls SensorUnit::service_calls = {
+constexpr ServiceHandlers SensorUnit::service_calls = {
     .reset = method<&SensorUnit::reset>,
     .state_entered = method<&SensorUnit::state_entered>,
     .hooks = hook_calls};
@@ -45,7 +42,7 @@ SensorUnit::SensorUnit(Node& node, Tpdos& tpdos, const SensorMemory& memory,
   node.attach(service_);
 }
 
-// From outside
+// Calls from outside
 
 void SensorUnit::set_level(std::uint32_t number, bool high, Time now) {
   node_.advance(now);
@@ -105,13 +102,13 @@ void SensorUnit::reset(ResetScope) {
     record.data = data_of(state, place, record.function);
     state.told = record.data;
     node_.dictionary().set_number(place.index, place.sub, encode(record));
-    // A reset of the node has ended all errors: this one is still there.
+    // A reset of the node has ended all errors: this one still exists.
     if (record.signal() == SensorSignal::defective) node_.raise(defect_of(number));
   });
 }
 
 void SensorUnit::state_entered(NmtState state) {
-  // The PDO may have begun already, and asked.
+  // The PDO may already be working, and have requested a record.
   if (state == NmtState::operational && waits()) return mapping_.announce();
   begun_ = begun_ && state == NmtState::operational;
 }
@@ -122,14 +119,14 @@ bool SensorUnit::waits() {
   return !queue_.empty();
 }
 
-/// Finds what is to be told because nobody knows it.
+/// Finds the sensors to send first: their state is not yet known on the bus.
 void SensorUnit::begin() {
   begun_ = true;
   queue_.clear();
   for (std::uint32_t i = 0; i < states_.size(); ++i) {
     const VirtualSensor record = sensor(i);
     SensorState& state = states_[i];
-    state.queued = record.signal() != SensorSignal::not_set || measures(record.function);
+    state.queued = record.signal() != SensorSignal::not_set || is_measured(record.function);
     state.missed = false;
     if (state.queued) queue_.push(i);
   }
@@ -150,7 +147,7 @@ void SensorUnit::parameter_written(const Entry& entry, Source) {
   if (number < states_.size()) update(number, place, false);
 }
 
-/// The function data that a sensor has now.
+/// The present function data of a sensor.
 std::uint16_t SensorUnit::data_of(const SensorState& state, IoPlace place,
                                   SensorFunction function) const {
   const std::uint8_t edges = parameter(place, 3, edge_byte);
@@ -158,11 +155,11 @@ std::uint16_t SensorUnit::data_of(const SensorState& state, IoPlace place,
   SensorSignal signal = state.stable != is_inverted ? SensorSignal::set : SensorSignal::not_set;
   if (state.condition != SensorSignal::not_set) signal = state.condition;
   if ((parameter(place, 1, enable_byte) & 1) == 0) signal = SensorSignal::not_set;
-  // Bits that are reserved are 1.
-  return sensor_data(signal, measures(function) ? state.value : std::int16_t{-1});
+  // Reserved bits are 1.
+  return sensor_data(signal, is_measured(function) ? state.value : std::int16_t{-1});
 }
 
-/// Whether edges let a change through: those of the signal; a failure and a value always pass.
+/// True if edges allow a change: those of the signal; a failure and a value always pass.
 bool SensorUnit::is_told(IoPlace place, SensorSignal before, const VirtualSensor& record) const {
   const SensorSignal signal = record.signal();
   const bool is_edge =
@@ -179,7 +176,7 @@ void SensorUnit::level_changed(std::uint32_t number, IoPlace place) {
   update(number, place, true);
 }
 
-/// Stores what the sensor has now, and tells it where that is a message.
+/// Stores the present state of the sensor, and sends it if that is a message.
 void SensorUnit::update(std::uint32_t number, IoPlace place, bool by_event) {
   SensorState& state = states_[number];
   VirtualSensor record = this->sensor(number);
@@ -218,7 +215,7 @@ void SensorUnit::tell(std::uint32_t number, SensorSignal signal) {
   if (!state.queued) queue_.push(number);
   state.queued = true;
   if (mapping_.is_working()) return mapping_.announce();
-  // Who reads 6012h finds what changed last.
+  // A reader of 6012h finds the last change.
   node_.dictionary().set_number(virtual_sensor_mapping_object.index, 0,
                                 encode(this->sensor(number)));
 }
@@ -254,7 +251,7 @@ void SensorUnit::wake() {
   node_.timers().arm(timer_, left == UINT32_MAX ? never : node_.now() + Duration(left));
 }
 
-/// The next record. Of a sensor whose signal has come and gone, first that it came.
+/// The next record. For a sensor with a signal that has come and gone, first the signal.
 std::uint64_t SensorUnit::next() {
   const std::uint32_t position = queue_.pop();
   SensorState& state = states_[position];

@@ -1,5 +1,6 @@
 // The sensor unit: glass, smoke, damage, pressure and temperature sensors, each a virtual sensor
-// with a function, a place, a signal and perhaps a value (6012h, 6500h to 657Fh; CiA 417-4, 4.13).
+// with a function, a location, a signal and optionally a value (6012h, 6500h to 657Fh; CiA 417-4,
+// 4.13).
 //
 //     constexpr VirtualSensor sensors[] = {{.function = SensorFunction::smoke,
 //                                           .lifts = lift_bit(1), .floor = 3}};
@@ -7,29 +8,29 @@
 //     unit.set_level(0, true, now);    // smoke
 //     unit.set_value(1, -40, now);     // in multiples of the unit of its parameter 3
 //
-// What changes is stored in the sensor groups and told by the PDO of 6012h, one record after the
-// other in the order of the changes. A sensor that changes again before it was told is told once,
-// with what it has then; but a signal that has come and gone meanwhile is told before that. When
-// the node becomes operational, sensors with a signal and those that measure are told.
+// Each change is stored in the sensor groups and sent by the PDO of 6012h, one record after the
+// other in the order of the changes. A sensor that changes again before it was sent is sent once,
+// with its latest state; but a signal that has meanwhile come and gone is sent before that. When
+// the node becomes operational, sensors with a signal and those that measure are sent.
 #pragma once
 
 #include <cstdint>
 #include <span>
 
-#include "canvoy/devices/cia417/group/waiting_queue.hpp"
-#include "canvoy/devices/cia417/panel/io_groups.hpp"
-#include "canvoy/devices/cia417/panel/virtual_io.hpp"
-#include "canvoy/devices/cia417/panel/virtual_mapping.hpp"
+#include "canvoy/devices/cia417/virtual_io/io_groups.hpp"
+#include "canvoy/devices/cia417/virtual_io/virtual_io.hpp"
+#include "canvoy/devices/cia417/virtual_io/virtual_mapping.hpp"
+#include "canvoy/devices/cia417/virtual_io/waiting_queue.hpp"
 
 namespace canvoy::cia417 {
 
-/// What is known of one sensor beside its record.
+/// State of one sensor beside its record.
 struct SensorState {
-  std::uint32_t stable_at = 0;  ///< when the level has been there for the debounce time
-  std::uint32_t second_at = 0;  ///< when the second is over in which events are counted
+  std::uint32_t stable_at = 0;  ///< end of the debounce time of the level
+  std::uint32_t second_at = 0;  ///< end of the second in which events are counted
   std::int16_t value = 0;
-  std::uint16_t told = 0;   ///< the function data that was told last
-  std::uint8_t events = 0;  ///< in the second
+  std::uint16_t told = 0;   ///< the last function data sent
+  std::uint8_t events = 0;  ///< in that second
   bool level : 1 = false;
   bool stable : 1 = false;  ///< the debounced level
   bool debouncing : 1 = false;
@@ -46,42 +47,43 @@ struct SensorMemory {
 };
 
 struct SensorSettings {
-  /// What the sensors are, in the order of the groups and sub-indices; their data does not count.
-  /// Must outlive the unit.
+  /// Functions and locations of the sensors, in the order of the groups and sub-indices; their data
+  /// is ignored. Must outlive the unit.
   std::span<const VirtualSensor> sensors;
 };
 
 /// Parameters (4.13.2 to 4.13.4; a byte of FFh is not used):
 /// 1. A disabled sensor has no signal. The error code is that of report().
-/// 2. More events a second than the limitation start no message; when the second is over, what is
-///    there then is told if it is another. As many events as the sending event says start one.
-/// 3. A level counts when it was there for the debounce time; edges say which changes of the signal
-///    start a message; polarity 1 inverts the level. A change of a value is no edge, and always
-///    starts one. Unit and prefix are for those who read.
+/// 2. More events a second than the limitation start no message; at the end of the second, the
+///    state is sent if it has changed. The sending event is the number of events that start a
+///    message.
+/// 3. A level counts after the debounce time; edges select the changes of the signal that start a
+///    message; polarity 1 inverts the level. A change of a value is no edge, and always starts a
+///    message. Unit and prefix are for readers of the value.
 class SensorUnit {
  public:
-  /// The dictionary has sensor groups and 6012h. All must outlive the unit.
+  /// The dictionary has sensor groups and 6012h. All arguments must outlive the unit.
   SensorUnit(Node& node, Tpdos& tpdos, const SensorMemory& memory, const SensorSettings& settings);
   SensorUnit(const SensorUnit&) = delete;
   SensorUnit& operator=(const SensorUnit&) = delete;
 
-  // From outside of the node. `number` counts from 0, in the order of the groups; one that is not
-  // there is ignored. The cost is linear in the number of groups, and of sensors where a debounce
-  // time, a limitation or a sending event is in use.
+  // To be called from outside of the node. `number` counts from 0, in the order of the groups;
+  // other numbers are ignored. The cost is linear in the number of groups, and in the number of
+  // sensors if a debounce time, a limitation or a sending event is in use.
 
   void set_level(std::uint32_t number, bool high, Time now);
-  /// Of pressure and temperature: -8192 to 8191, beyond them the nearest.
+  /// For pressure and temperature: -8192 to 8191; values beyond are clamped.
   void set_value(std::uint32_t number, std::int16_t value, Time now);
-  /// The sensor is defective, not installed, or works again (not_set). The error code is told in
-  /// parameter 1; FFh: none. A defect is an emergency, too: FF04h, with the number of the sensor
-  /// counted from 1 (CiA 417-1, 8.4). One that outlives a reset is told again.
+  /// Reports that the sensor is defective, not installed, or works again (not_set). Parameter 1
+  /// holds the error code; FFh: none. A defect is also an emergency: FF04h, with the number of the
+  /// sensor counted from 1 (CiA 417-1, 8.4). A defect that outlives a reset is reported again.
   void report(std::uint32_t number, SensorSignal condition, Time now,
               std::uint8_t error_code = parameter_not_used);
 
   std::uint32_t size() const { return groups_.size(); }
-  /// The record as it stands in its group.
+  /// The record in its group.
   VirtualSensor sensor(std::uint32_t number) const;
-  /// Sensors that wait for the bus.
+  /// Number of sensors that wait for the bus.
   std::uint32_t waiting() const { return queue_.size(); }
 
  private:
@@ -105,9 +107,9 @@ class SensorUnit {
   bool waits();
   std::uint64_t next();
 
-  static const HookCalls parameter_hook;
-  static const HookCalls hook_calls[];
-  static const ServiceCalls service_calls;
+  static const AccessHandlers parameter_hook;
+  static const AccessHandlers hook_calls[];
+  static const ServiceHandlers service_calls;
 
   Node& node_;
   IoGroups groups_;
@@ -116,8 +118,8 @@ class SensorUnit {
   SensorSettings settings_;
   VirtualMapping mapping_;
   Timer timer_;
-  ServiceLink service_{&service_calls, this};
-  bool begun_ = false;  ///< operational, and what nobody knows was found
+  HandlerBinding service_{&service_calls, this};
+  bool begun_ = false;  ///< operational, and sensors to send first have been found
 };
 
 }  // namespace canvoy::cia417

@@ -1,6 +1,6 @@
 #include "canvoy/devices/cia417/sensor/sensor_unit_device.hpp"
 
-#include "canvoy/devices/cia417/kinds.hpp"
+#include "canvoy/devices/cia417/kit/kinds.hpp"
 
 namespace canvoy::cia417 {
 

@@ -7,14 +7,14 @@
 
 #include <array>
 
-#include "canvoy/devices/cia417/lift_kind.hpp"
+#include "canvoy/devices/cia417/kit/lift_kind.hpp"
 #include "canvoy/devices/cia417/sensor/sensor_unit.hpp"
 
 namespace canvoy::cia417 {
 
 namespace detail {
 
-/// A base, so that it is there before the unit.
+/// A base class, so that it is constructed before the unit.
 template <std::size_t count>
 struct SensorArrays {
   std::array<SensorState, count> states{};
@@ -31,12 +31,12 @@ class OwnSensorUnit : private detail::SensorArrays<count>, public SensorUnit {
       : SensorUnit(node, tpdos, {this->states, this->queue}, settings) {}
 };
 
-/// A group of `sensors` with all their parameters, and a heartbeat each second. The PDO of 6012h is
-/// there, and invalid until it is given its COB-ID: 380h and the node-ID. A maker has a description
-/// of his own with his identity.
+/// A group of `sensors` with all their parameters, and a heartbeat every second. The PDO of 6012h
+/// exists, and is invalid until it gets its COB-ID: 380h and the node-ID. A maker has a separate
+/// description with its own identity.
 template <std::uint8_t sensors, LiftDeviceOptions options = LiftDeviceOptions{}>
 struct SensorKind : KindOf<SensorUnit, NoHardware, SensorSettings> {
-  using Manners = BusManners;
+  using ProfileBehaviour = BusBehaviour;
   template <const auto& layout>
   using UnitOn = OwnSensorUnit<count_in_groups(layout.tables(), sensor_group_object.index)>;
 
@@ -57,7 +57,7 @@ struct SensorKind : KindOf<SensorUnit, NoHardware, SensorSettings> {
   }
 };
 
-/// `layout` is that of a description with sensor groups and 6012h in a TPDO.
+/// `layout` has a description with sensor groups and 6012h in a TPDO.
 template <std::uint8_t sensors, LiftDeviceOptions options = LiftDeviceOptions{},
           const auto& layout = layout_of<SensorKind<sensors, options>>, std::size_t own_routes = 0>
 using SensorUnitDevice = Device<SensorKind<sensors, options>, layout, own_routes>;

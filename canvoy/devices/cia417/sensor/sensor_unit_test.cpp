@@ -52,7 +52,8 @@ class Sensors : public testing::Test {
     return records;
   }
   using Records = std::vector<std::string>;
-  /// Of the PDO, which takes it while it is invalid only; it has just sent then.
+  /// Sets the inhibit time of the PDO, which accepts it only while it is invalid. The PDO has just
+  /// been sent.
   void inhibit_100_ms() {
     ask("61E#23 81 19 01 9E 03 00 80");
     EXPECT_EQ(ask("61E#2B 81 19 03 E8 03 00 00"), "59E#60 81 19 03 00 00 00 00");

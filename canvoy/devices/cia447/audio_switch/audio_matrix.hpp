@@ -1,5 +1,5 @@
-// The gains of an audio switch: of each input to each output (CiA 447-3, 4.2.19). Channel n is the
-// device with node-ID n; 0 stands for all of them.
+// The gains of an audio switch, for each pair of an input and an output (CiA 447-3, 4.2.19).
+// Channel n is the device with node-ID n; 0 stands for all channels.
 //
 //     AudioMatrix matrix;
 //     matrix.connect(0, 3, 80);   // all inputs to output 3
@@ -17,7 +17,7 @@ class AudioMatrix {
   static constexpr unsigned channels = 16;
   static constexpr std::uint8_t gain_max = 0xFD;
 
-  /// Calls `changed` with each pair of channels of which the gain is another one now. 0 to 16.
+  /// Calls `changed` with each pair of channels that gets another gain. Channels are 0 to 16.
   template <class Changed>
   void connect(unsigned input, unsigned output, std::uint8_t gain, Changed changed) {
     each(input, output, [&](unsigned from, unsigned to) {
@@ -30,7 +30,7 @@ class AudioMatrix {
   void connect(unsigned input, unsigned output, std::uint8_t gain) {
     connect(input, output, gain, [](unsigned, unsigned) {});
   }
-  /// 0: they are not connected. Of several pairs: the gain that all have, or nothing.
+  /// 0: not connected. For several pairs: the gain of all, or nothing if they differ.
   std::optional<std::uint8_t> gain(unsigned input, unsigned output) const {
     const std::uint8_t first = gains_[input == 0 ? 0 : input - 1][output == 0 ? 0 : output - 1];
     bool are_alike = true;

@@ -1,6 +1,6 @@
 #include "canvoy/devices/cia447/audio_switch/audio_switch_unit.hpp"
 
-#include "canvoy/profiles/reactions.hpp"
+#include "canvoy/profiles/model/reactions.hpp"
 
 namespace canvoy::cia447 {
 
@@ -11,12 +11,12 @@ constexpr const ObjectInfo* audio_commands[] = {&audio_switch_command_object,
 
 }  // namespace
 
-constexpr HookCalls AudioSwitchUnit::hook_calls[] = {
+constexpr AccessHandlers AudioSwitchUnit::hook_calls[] = {
     after_write<&AudioSwitchUnit::command_written, audio_switch_command_object>,
     after_write<&AudioSwitchUnit::request_written, audio_switch_status_request_object>,
     before_read<&AudioSwitchUnit::answer_request, audio_switch_status_response_object>};
-constexpr ServiceCalls AudioSwitchUnit::service_calls = {.reset = method<&AudioSwitchUnit::reset>,
-                                                         .hooks = hook_calls};
+constexpr ServiceHandlers AudioSwitchUnit::service_calls = {
+    .reset = method<&AudioSwitchUnit::reset>, .hooks = hook_calls};
 
 AudioSwitchUnit::AudioSwitchUnit(CarNetwork& network, const AudioSwitchHardware& hardware,
                                  const SwitchedSettings& settings)
@@ -26,7 +26,7 @@ AudioSwitchUnit::AudioSwitchUnit(CarNetwork& network, const AudioSwitchHardware&
   network.node().attach(service_);
 }
 
-/// What is connected stays so; what was asked for is forgotten.
+/// Connections stay; requests are discarded.
 void AudioSwitchUnit::reset(ResetScope) {
   asked_.fill({});
   respond(network_.client());
@@ -37,7 +37,7 @@ void AudioSwitchUnit::report_failure(bool has_failed) {
   respond(network_.client());
 }
 
-/// A command is about a pair of channels: all three parts of it make one (errata Z04).
+/// A command applies to a pair of channels: all three parts of it make one (errata Z04).
 void AudioSwitchUnit::command_written() {
   const Values audio(network_.node().dictionary());
   const Pair pair{audio[audio_switch_command_input_channel].raw(),

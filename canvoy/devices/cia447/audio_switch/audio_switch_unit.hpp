@@ -1,42 +1,42 @@
-// The audio switch: connects what speaks with what is heard, each pair with a gain of its own
-// (6120h to 6122h; CiA 447-3, 4.2.19).
+// The audio switch: connects audio inputs to outputs, each pair with a separate gain (6120h to
+// 6122h; CiA 447-3, 4.2.19).
 //
 //     AudioSwitchUnit audio(network, {.connect = ...}, {});
 //     audio.matrix().gain(7, 3);
 //
-// A command in which anything is "don't care" does nothing. Each client is answered what it asked
-// for itself, whatever others ask in between, and with the gain of now. Where it asked for all
-// channels of a side and their gains differ, the answer is "signal not available" (errata Z32).
+// A command with a "don't care" in any field has no effect. Each client gets the answer to its own
+// request, regardless of requests by others in between, with the present gain. For a request with
+// all channels of a side and different gains, the answer is "signal not available" (errata Z32).
 #pragma once
 
 #include <array>
 #include <cstdint>
 
 #include "canvoy/devices/cia447/audio_switch/audio_matrix.hpp"
-#include "canvoy/devices/cia447/car_kind.hpp"
-#include "canvoy/devices/cia447/commands.hpp"
-#include "canvoy/devices/cia447/switching.hpp"
+#include "canvoy/devices/cia447/kit/car_kind.hpp"
+#include "canvoy/devices/cia447/kit/commands.hpp"
+#include "canvoy/devices/cia447/kit/switching.hpp"
 #include "canvoy/profiles/cia447/devices.hpp"
 #include "canvoy/profiles/cia447/radio_handles.hpp"
 
 namespace canvoy::cia447 {
 
 struct AudioSwitchHardware {
-  /// Called for each pair of channels, 1 to 16, of which the gain changes; 0: not connected, FDh:
-  /// as loud as can be.
+  /// Called for each pair of channels, 1 to 16, that changes its gain; 0: not connected, FDh:
+  /// maximum.
   Callback<void(unsigned input, unsigned output, std::uint8_t gain)> connect = {};
 };
 
 class AudioSwitchUnit {
  public:
-  /// What `hardware` and `settings` refer to must outlive this.
+  /// Everything to which `hardware` and `settings` refer must outlive this.
   AudioSwitchUnit(CarNetwork& network, const AudioSwitchHardware& hardware,
                   const SwitchedSettings& settings);
   AudioSwitchUnit(const AudioSwitchUnit&) = delete;
   AudioSwitchUnit& operator=(const AudioSwitchUnit&) = delete;
 
   const AudioMatrix& matrix() const { return matrix_; }
-  /// The amplifier does not work: who asks is told so.
+  /// Reports that the amplifier does not work: clients get that as answer.
   void report_failure(bool has_failed);
 
  private:
@@ -59,9 +59,9 @@ class AudioSwitchUnit {
   std::array<Pair, node_id_max + 1> asked_{};  ///< by client
   bool has_failed_ = false;
   Commands commands_;
-  static const HookCalls hook_calls[];
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const AccessHandlers hook_calls[];
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
 };
 
 struct AudioSwitchKind : CarKind<AudioSwitchUnit, AudioSwitchHardware, SwitchedSettings> {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/devices/cia447/car_bench_test.hpp"
+#include "canvoy/devices/cia447/kit/car_bench_test.hpp"
 
 namespace canvoy::cia447::audio_switch_unit_test {
 namespace {
@@ -13,7 +13,7 @@ class AudioSwitch : public testing::Test {
   std::string connect(const std::string& bytes) {
     return bench.ask("27 20 61 00 " + bytes + " 00");
   }
-  /// The gain that client 1 is told.
+  /// The gain that client 1 receives.
   std::string gain(const std::string& channels) {
     bench.ask("2B 21 61 00 " + channels + " 00 00");
     return answer_to(1);
@@ -21,9 +21,9 @@ class AudioSwitch : public testing::Test {
   std::string answer_to(unsigned client) {
     return bench.ask_as(client, "40 22 61 00 00 00 00 00").substr(12, 2);
   }
-  void offer(Site& site) {
-    site.watch(Callback<void(AudioSwitchUnit&, Node&)>::to<&AudioSwitch::made>(*this));
-    site.offer(Callback<AudioSwitchHardware()>::to<&AudioSwitch::hardware>(*this));
+  void provide(Environment& environment) {
+    environment.watch(Callback<void(AudioSwitchUnit&, Node&)>::to<&AudioSwitch::made>(*this));
+    environment.provide(Callback<AudioSwitchHardware()>::to<&AudioSwitch::hardware>(*this));
   }
   AudioSwitchHardware hardware() {
     using Connect = Callback<void(unsigned, unsigned, std::uint8_t)>;
@@ -39,7 +39,8 @@ class AudioSwitch : public testing::Test {
   std::string heard;
   int changes = 0;
   AudioSwitchUnit* unit_ = nullptr;
-  CarBench bench{only_unit<AudioSwitchKind>, [this](Site& site) { offer(site); }};
+  CarBench bench{only_unit<AudioSwitchKind>,
+                 [this](Environment& environment) { provide(environment); }};
 };
 
 TEST_F(AudioSwitch, NothingIsConnectedAndNothingAskedAtFirst) {

@@ -1,18 +1,18 @@
-// The "blue" light flasher module: eight flashers that are turned on and off (6140h, 6141h; CiA
+// The "blue" light flasher module: eight flashers that are switched on and off (6140h, 6141h; CiA
 // 447-3, 4.2.22).
 //
 //     BlueLightUnit flashers(network, {}, {});
 //     flashers.switching().sense(blue_light_flasher_status_front_left, Sensing::failure);
 #pragma once
 
-#include "canvoy/devices/cia447/car_kind.hpp"
-#include "canvoy/devices/cia447/switching.hpp"
+#include "canvoy/devices/cia447/kit/car_kind.hpp"
+#include "canvoy/devices/cia447/kit/switching.hpp"
 #include "canvoy/profiles/cia447/devices.hpp"
 
 namespace canvoy::cia447 {
 
 inline constexpr const ObjectInfo* blue_light_commands[] = {&blue_light_flasher_command_object};
-/// A flasher says that it is on when its power stage has told so.
+/// The status of a flasher is on when its power stage has reported that.
 inline constexpr Mirror blue_light_mirrors[] = {
     {&blue_light_flasher_command_object, &blue_light_flasher_status_object, 50ms}};
 inline constexpr SwitchedTable blue_light_table = {.commands = blue_light_commands,

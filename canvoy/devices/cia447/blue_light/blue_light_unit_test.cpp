@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/devices/cia447/car_bench_test.hpp"
+#include "canvoy/devices/cia447/kit/car_bench_test.hpp"
 #include "canvoy/profiles/cia447/roof_bar_handles.hpp"
 
 namespace canvoy::cia447::blue_light_unit_test {
@@ -15,13 +15,14 @@ constexpr std::uint32_t status_pdo = 0x38B;
 
 class BlueLight : public testing::Test {
  protected:
-  void offer(Site& site) {
-    site.watch(Callback<void(BlueLightUnit&, Node&)>::to<&BlueLight::made>(*this));
+  void provide(Environment& environment) {
+    environment.watch(Callback<void(BlueLightUnit&, Node&)>::to<&BlueLight::made>(*this));
   }
   void made(BlueLightUnit& unit, Node& /*node*/) { unit_ = &unit; }
 
   BlueLightUnit* unit_ = nullptr;
-  CarBench bench{only_unit<BlueLightKind>, [this](Site& site) { offer(site); }};
+  CarBench bench{only_unit<BlueLightKind>,
+                 [this](Environment& environment) { provide(environment); }};
 };
 
 TEST_F(BlueLight, AllAreOffAtFirstAndReservedBitsAreOne) {
@@ -106,8 +107,9 @@ TEST_F(BlueLight, EachClientHasItsOwnChannelAndTheChannelOfItselfIsNone) {
 TEST(BlueLightLacking, AFunctionThatItLacksReadsAsNotImplementedAndIsNotSwitched) {
   static constexpr FieldPlace lacking[] = {place_of(blue_light_flasher_command_front_left)};
   const auto settings = [](void*) { return SwitchedSettings{.lacking = lacking}; };
-  CarBench bench(only_unit<BlueLightKind>,
-                 [&](Site& site) { site.offer(Callback<SwitchedSettings()>(settings, nullptr)); });
+  CarBench bench(only_unit<BlueLightKind>, [&](Environment& environment) {
+    environment.provide(Callback<SwitchedSettings()>(settings, nullptr));
+  });
   EXPECT_EQ(bench.ask("40 40 61 00 00 00 00 00"), "43 40 61 00 FB FF FF FF");
   EXPECT_EQ(bench.ask("23 40 61 00 F5 FF FF FF"), "60 40 61 00 00 00 00 00");
   bench.cable.run_for(1s);

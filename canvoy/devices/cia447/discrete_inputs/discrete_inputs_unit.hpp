@@ -1,4 +1,4 @@
-// Discrete inputs: contacts of other devices that speak no CANopen, wired to this one (6078h; CiA
+// Discrete inputs: contacts of devices without CANopen that are wired to this one (6078h; CiA
 // 447-3, 4.2.8).
 //
 //     DiscreteInputsUnit inputs(network, {}, {});
@@ -6,8 +6,8 @@
 //     inputs.switching().sense(discrete_inputs_status_beacon_sdi, Sensing::not_available);
 #pragma once
 
-#include "canvoy/devices/cia447/car_kind.hpp"
-#include "canvoy/devices/cia447/switching.hpp"
+#include "canvoy/devices/cia447/kit/car_kind.hpp"
+#include "canvoy/devices/cia447/kit/switching.hpp"
 #include "canvoy/profiles/cia447/devices.hpp"
 #include "canvoy/profiles/cia447/terminal_handles.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/devices/cia447/car_bench_test.hpp"
+#include "canvoy/devices/cia447/kit/car_bench_test.hpp"
 
 namespace canvoy::cia447::discrete_inputs_unit_test {
 namespace {
@@ -16,13 +16,14 @@ class DiscreteInputs : public testing::Test {
     bench.cable.run_for(0s);
     return bench.cable.last(0x398);
   }
-  void offer(Site& site) {
-    site.watch(Callback<void(DiscreteInputsUnit&, Node&)>::to<&DiscreteInputs::made>(*this));
+  void provide(Environment& environment) {
+    environment.watch(Callback<void(DiscreteInputsUnit&, Node&)>::to<&DiscreteInputs::made>(*this));
   }
   void made(DiscreteInputsUnit& unit, Node& /*node*/) { unit_ = &unit; }
 
   DiscreteInputsUnit* unit_ = nullptr;
-  CarBench bench{only_unit<DiscreteInputsKind>, [this](Site& site) { offer(site); }};
+  CarBench bench{only_unit<DiscreteInputsKind>,
+                 [this](Environment& environment) { provide(environment); }};
 };
 
 TEST_F(DiscreteInputs, EachIsToldWhenItChanges) {

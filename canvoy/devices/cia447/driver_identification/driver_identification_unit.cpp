@@ -4,7 +4,7 @@ namespace canvoy::cia447 {
 
 namespace {
 
-/// What fits of a UTF-8 text, without half a character at its end.
+/// The part of a UTF-8 text that fits, without half a character at its end.
 std::string_view fitting(std::string_view text, std::size_t capacity) {
   if (text.size() <= capacity) return text;
   std::size_t length = capacity;
@@ -14,7 +14,7 @@ std::string_view fitting(std::string_view text, std::size_t capacity) {
 
 }  // namespace
 
-constexpr ServiceCalls DriverIdentificationUnit::service_calls = {
+constexpr ServiceHandlers DriverIdentificationUnit::service_calls = {
     .reset = method<&DriverIdentificationUnit::reset>};
 
 DriverIdentificationUnit::DriverIdentificationUnit(CarNetwork& network,
@@ -36,7 +36,7 @@ DriverIdentificationUnit::DriverIdentificationUnit(CarNetwork& network,
   network.node().attach(service_);
 }
 
-/// An NMT reset logs nobody out.
+/// An NMT reset does not log a driver out.
 void DriverIdentificationUnit::reset(ResetScope /*scope*/) {
   tell();
 }
@@ -87,7 +87,7 @@ void DriverIdentificationUnit::reader_is(CardReader reader) {
   tell();
 }
 
-/// Who is logged in is known while the reader fails; only what it would say is not.
+/// The logged-in driver is known while the reader fails; only new cards are not.
 void DriverIdentificationUnit::tell() {
   const Values driver(network_.node().dictionary());
   driver[unique_driver_id].set_raw(id_);

@@ -1,12 +1,12 @@
-// Driver identification: who drives, and since when (60F9h to 60FCh; CiA 447-3, 4.2.15).
+// Driver identification: the present driver and the login time (60F9h to 60FCh; CiA 447-3, 4.2.15).
 //
 //     DriverIdentificationUnit drivers(network, {.clock = ..., .knows = ...}, {});
 //     drivers.log_in({.id = 4711, .name = "A. Driver"});   // a card was put in
 //     drivers.log_out();
 //
-// Login and logout time are of the last driver until the next one logs in; ID and name go with him.
-// Times are seconds since 1970-01-01 UTC, by the real time clock on the bus that the settings
-// name, else by the hardware's.
+// Login and logout time are those of the last driver until the next one logs in; ID and name are
+// cleared at logout. Times are seconds since 1970-01-01 UTC, from the real time clock on the bus
+// that the settings name, otherwise from the hardware's.
 #pragma once
 
 #include <array>
@@ -14,9 +14,9 @@
 #include <optional>
 #include <string_view>
 
-#include "canvoy/devices/cia447/car_kind.hpp"
-#include "canvoy/devices/cia447/object_reader.hpp"
-#include "canvoy/devices/cia447/provided_objects.hpp"
+#include "canvoy/devices/cia447/kit/car_kind.hpp"
+#include "canvoy/devices/cia447/kit/object_reader.hpp"
+#include "canvoy/devices/cia447/kit/provided_objects.hpp"
 #include "canvoy/devices/cia447/taximeter/bus_clock.hpp"
 #include "canvoy/profiles/cia447/equipment_handles.hpp"
 
@@ -24,40 +24,40 @@ namespace canvoy::cia447 {
 
 struct DriverCard {
   std::uint64_t id = 0;
-  std::string_view name = "";  ///< UTF-8; of more than 64 bytes the rest is cut
+  std::string_view name = "";  ///< UTF-8; cut after 64 bytes
 };
 
 struct DriverIdentificationHardware {
-  /// Nothing: it is not set.
+  /// Nothing if it is not set.
   Callback<std::optional<LocalTime>()> clock = {};
-  /// Whether a card may log in; without it all may.
+  /// True if a card may log in; without a callback all may.
   Callback<bool(std::uint64_t id)> knows = {};
 };
 
 struct DriverIdentificationSettings {
-  /// Who provides date and time (60F0h, 60F2h, 60F4h): it is asked for them, by SDO, and it alone
-  /// may write them. 0: nobody.
+  /// Provider of date and time (60F0h, 60F2h, 60F4h): they are read from it by SDO, and only it may
+  /// write them. 0: none.
   NodeId clock_node = 0;
   Duration asking_period = 10s;
 };
 
-/// What becomes of the reader of cards.
+/// State of the card reader.
 enum class CardReader : std::uint8_t { working, failed, not_available };
 
 class DriverIdentificationUnit {
  public:
-  /// What `hardware` refers to must outlive this.
+  /// Everything to which `hardware` refers must outlive this.
   DriverIdentificationUnit(CarNetwork& network, const DriverIdentificationHardware& hardware,
                            const DriverIdentificationSettings& settings);
   DriverIdentificationUnit(const DriverIdentificationUnit&) = delete;
   DriverIdentificationUnit& operator=(const DriverIdentificationUnit&) = delete;
 
-  /// False: somebody is logged in, the reader does not work, or the card is not known; that last is
-  /// an identification failure until the next card, or forget_failure().
+  /// False if a driver is logged in, the reader does not work, or the card is not known. An unknown
+  /// card is an identification failure until the next card, or forget_failure().
   bool log_in(const DriverCard& card);
-  /// False: nobody is logged in.
+  /// False if no driver is logged in.
   bool log_out();
-  /// A card that cannot be read.
+  /// Reports a card that cannot be read.
   void card_is_unreadable();
   void forget_failure();
   void reader_is(CardReader reader);
@@ -85,8 +85,8 @@ class DriverIdentificationUnit {
   std::size_t name_length_ = 0;
   std::uint32_t login_ = no_time_told;
   std::uint32_t logout_ = no_time_told;
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
 };
 
 struct DriverIdentificationKind : CarKind<DriverIdentificationUnit, DriverIdentificationHardware,

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/devices/cia447/car_bench_test.hpp"
+#include "canvoy/devices/cia447/kit/car_bench_test.hpp"
 
 namespace canvoy::cia447::driver_identification_unit_test {
 namespace {
@@ -15,11 +15,12 @@ constexpr std::uint32_t status_pdo = 0x38C;
 class Drivers : public testing::Test {
  protected:
   Drivers() {
-    bench.emplace(only_unit<DriverIdentificationKind>, [this](Site& site) {
-      site.offer(Callback<DriverIdentificationSettings()>(
+    bench.emplace(only_unit<DriverIdentificationKind>, [this](Environment& environment) {
+      environment.provide(Callback<DriverIdentificationSettings()>(
           [](void*) { return DriverIdentificationSettings{.clock_node = 7}; }, nullptr));
-      site.offer(Callback<DriverIdentificationHardware()>::to<&Drivers::hardware>(*this));
-      site.watch(Callback<void(DriverIdentificationUnit&, Node&)>::to<&Drivers::made>(*this));
+      environment.provide(Callback<DriverIdentificationHardware()>::to<&Drivers::hardware>(*this));
+      environment.watch(
+          Callback<void(DriverIdentificationUnit&, Node&)>::to<&Drivers::made>(*this));
     });
   }
   std::string status() {
@@ -104,7 +105,7 @@ TEST_F(Drivers, WithoutAClockTimesAreNotAvailable) {
 }
 
 TEST_F(Drivers, TheClockOnTheBusGoesBeforeTheirOwn) {
-  // 1970-01-02, 0:00:05; nothing is said of zone or status.
+  // 1970-01-02, 0:00:05, without zone or status.
   bench->ask_as(7, "23 F0 60 00 B2 07 21 F0");
   bench->ask_as(7, "23 F2 60 00 00 00 F4 01");
   unit->log_in({.id = 1});
@@ -112,7 +113,7 @@ TEST_F(Drivers, TheClockOnTheBusGoesBeforeTheirOwn) {
 }
 
 TEST_F(Drivers, NobodyElseSetsTheirClock) {
-  // Node 6, the gateway, and whoever asks on the default channel: 0800 0021h.
+  // Node 6, the gateway, and a client on the default channel: 0800 0021h.
   EXPECT_EQ(bench->ask_as(6, "23 F0 60 00 B2 07 21 F0"), "80 F0 60 00 21 00 00 08");
   EXPECT_EQ(bench->ask_as(1, "23 F2 60 00 00 00 F4 01"), "80 F2 60 00 21 00 00 08");
   EXPECT_EQ(bench->ask("23 F4 60 00 11 01 CE FF"), "80 F4 60 00 21 00 00 08");

@@ -1,18 +1,18 @@
-// The emergency fresh-air system: it tells what it does, and takes no commands (606Ch; CiA 447-3,
+// The emergency fresh-air system: reports its state, and takes no commands (606Ch; CiA 447-3,
 // 4.2.6).
 //
 //     EmergencyFreshAirUnit air(network, {}, {});
 //     air.switching().report(emergency_fresh_air_system_status, FreshAir::automatic_activated);
 #pragma once
 
-#include "canvoy/devices/cia447/car_kind.hpp"
-#include "canvoy/devices/cia447/switching.hpp"
+#include "canvoy/devices/cia447/kit/car_kind.hpp"
+#include "canvoy/devices/cia447/kit/switching.hpp"
 #include "canvoy/profiles/cia447/devices.hpp"
 #include "canvoy/profiles/cia447/terminal_handles.hpp"
 
 namespace canvoy::cia447 {
 
-/// It looks at itself first.
+/// It starts with a self-test.
 inline constexpr Rest fresh_air_rests[] = {
     rest(emergency_fresh_air_system_status, FreshAir::initialization, FreshAir::standby, 3s)};
 inline constexpr SwitchedTable fresh_air_table = {.rests = fresh_air_rests};

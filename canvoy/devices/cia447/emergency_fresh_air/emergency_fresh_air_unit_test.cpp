@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/devices/cia447/car_bench_test.hpp"
+#include "canvoy/devices/cia447/kit/car_bench_test.hpp"
 
 namespace canvoy::cia447::emergency_fresh_air_unit_test {
 namespace {
@@ -15,13 +15,15 @@ class FreshAirTest : public testing::Test {
     bench.cable.run_for(0s);
     return bench.cable.last(0x38D);
   }
-  void offer(Site& site) {
-    site.watch(Callback<void(EmergencyFreshAirUnit&, Node&)>::to<&FreshAirTest::made>(*this));
+  void provide(Environment& environment) {
+    environment.watch(
+        Callback<void(EmergencyFreshAirUnit&, Node&)>::to<&FreshAirTest::made>(*this));
   }
   void made(EmergencyFreshAirUnit& unit, Node& /*node*/) { unit_ = &unit; }
 
   EmergencyFreshAirUnit* unit_ = nullptr;
-  CarBench bench{only_unit<EmergencyFreshAirKind>, [this](Site& site) { offer(site); }};
+  CarBench bench{only_unit<EmergencyFreshAirKind>,
+                 [this](Environment& environment) { provide(environment); }};
 };
 
 TEST_F(FreshAirTest, ItIsInStandbyWhenItHasLookedAtItself) {

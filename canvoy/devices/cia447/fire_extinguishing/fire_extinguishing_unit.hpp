@@ -1,4 +1,4 @@
-// The fire extinguishing system: it tells what it does, and takes no commands (6069h; CiA 447-3,
+// The fire extinguishing system: reports its state, and takes no commands (6069h; CiA 447-3,
 // 4.2.5).
 //
 //     FireExtinguishingUnit fire(network, {}, {});
@@ -6,14 +6,14 @@
 //                             FireExtinguishing::automatic_started);
 #pragma once
 
-#include "canvoy/devices/cia447/car_kind.hpp"
-#include "canvoy/devices/cia447/switching.hpp"
+#include "canvoy/devices/cia447/kit/car_kind.hpp"
+#include "canvoy/devices/cia447/kit/switching.hpp"
 #include "canvoy/profiles/cia447/devices.hpp"
 #include "canvoy/profiles/cia447/terminal_handles.hpp"
 
 namespace canvoy::cia447 {
 
-/// It looks at itself first.
+/// It starts with a self-test.
 inline constexpr Rest fire_extinguishing_rests[] = {rest(fire_extinguishing_system_status,
                                                          FireExtinguishing::initialization,
                                                          FireExtinguishing::standby, 3s)};

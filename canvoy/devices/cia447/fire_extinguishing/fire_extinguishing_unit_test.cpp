@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/devices/cia447/car_bench_test.hpp"
+#include "canvoy/devices/cia447/kit/car_bench_test.hpp"
 
 namespace canvoy::cia447::fire_extinguishing_unit_test {
 namespace {
@@ -15,14 +15,15 @@ class FireExtinguishingTest : public testing::Test {
     bench.cable.run_for(0s);
     return bench.cable.last(0x38E);
   }
-  void offer(Site& site) {
-    site.watch(
+  void provide(Environment& environment) {
+    environment.watch(
         Callback<void(FireExtinguishingUnit&, Node&)>::to<&FireExtinguishingTest::made>(*this));
   }
   void made(FireExtinguishingUnit& unit, Node& /*node*/) { unit_ = &unit; }
 
   FireExtinguishingUnit* unit_ = nullptr;
-  CarBench bench{only_unit<FireExtinguishingKind>, [this](Site& site) { offer(site); }};
+  CarBench bench{only_unit<FireExtinguishingKind>,
+                 [this](Environment& environment) { provide(environment); }};
 };
 
 TEST_F(FireExtinguishingTest, ItIsInStandbyWhenItHasLookedAtItself) {

@@ -1,5 +1,5 @@
-// What a satellite receiver knows, in SI units and degrees: the hardware side of the GPS virtual
-// device (CiA 447-3, 4.2.10). What it does not know is empty.
+// Data of a satellite receiver, in SI units and degrees: the hardware side of the GPS virtual
+// device (CiA 447-3, 4.2.10). Unknown values are empty.
 //
 //     GpsReading reading{.fix = GpsFix::fix_3d, .latitude = 48.137, .longitude = 11.575};
 #pragma once
@@ -22,13 +22,13 @@ struct GpsDate {
 struct GpsTime {
   unsigned hour = 0;
   unsigned minute = 0;
-  double second = 0;  ///< below 60, or 61 where one is inserted
+  double second = 0;  ///< below 60, or 61 with a leap second
 
   friend constexpr bool operator==(const GpsTime&, const GpsTime&) = default;
 };
 
 struct GpsReading {
-  bool has_failed = false;  ///< the receiver is broken, and all that it says is nothing
+  bool has_failed = false;  ///< the receiver is faulty, and its data are invalid
   GpsFix fix = GpsFix::not_available;
   std::optional<double> latitude = {};   ///< degrees, south below 0
   std::optional<double> longitude = {};  ///< degrees, west below 0

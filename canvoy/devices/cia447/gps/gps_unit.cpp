@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "canvoy/devices/cia447/commands.hpp"
+#include "canvoy/devices/cia447/kit/commands.hpp"
 
 namespace canvoy::cia447 {
 
@@ -29,7 +29,7 @@ std::optional<double> number(std::optional<unsigned> count) {
   return count ? std::optional<double>(*count) : std::nullopt;
 }
 
-/// Within the circle, and in steps, so that what rounds to a whole turn is north.
+/// Within the circle, and in steps, so that a value that rounds to a whole turn is north.
 std::optional<double> as_heading(std::optional<double> degrees) {
   if (!degrees || !std::isfinite(*degrees)) return degrees;
   const double steps = std::fmod(std::round(*degrees * 10), 3600.0);
@@ -38,7 +38,7 @@ std::optional<double> as_heading(std::optional<double> degrees) {
 
 }  // namespace
 
-constexpr ServiceCalls GpsUnit::service_calls = {.reset = method<&GpsUnit::reset>};
+constexpr ServiceHandlers GpsUnit::service_calls = {.reset = method<&GpsUnit::reset>};
 
 GpsUnit::GpsUnit(CarNetwork& network, const GpsHardware& hardware, const GpsSettings& settings)
     : network_(network),
@@ -70,7 +70,7 @@ void GpsUnit::fail(const Handle& handle) {
   if (code) values_[handle].set_raw(static_cast<typename Handle::Reference::Raw>(*code));
 }
 
-/// Values beyond the codes, but not beyond what can be, are told as the nearest code.
+/// Possible values beyond the codes are sent as the nearest code.
 template <class Handle>
 void GpsUnit::tell(const Handle& handle, std::optional<double> value, double low, double high) {
   using Raw = typename Handle::Reference::Raw;
@@ -91,7 +91,7 @@ void GpsUnit::tell_position() {
   };
   tell(gps_current_position_latitude, unless_lost(reading_.latitude), -90, 90);
   tell(gps_current_position_longitude, unless_lost(reading_.longitude), -180, 180);
-  // Three dimensions are known or not asked about.
+  // Three dimensions, or no information about them.
   const bool has_height = reading_.fix == GpsFix::fix_3d || reading_.fix == GpsFix::not_available;
   tell(gps_altitude, has_height ? reading_.altitude : std::nullopt, -infinity, infinity);
 }

@@ -1,41 +1,41 @@
-// The GPS virtual device: where the car is, how well that is known, date and time, how fast it goes
-// where (60B0h to 60B6h; CiA 447-3, 4.2.10). It writes what a receiver knows into the codes of the
+// The GPS virtual device: position of the car and its quality, date and time, speed and direction
+// (60B0h to 60B6h; CiA 447-3, 4.2.10). It converts the data of a receiver to the codes of the
 // profile.
 //
 //     GpsUnit gps(network, {.read = Callback<GpsReading()>::to<&NmeaReceiver::reading>(nmea)}, {});
 //     gps.hardware_changed();   // there is a new reading
 //
-// What the receiver does not know, and without a fix position, height and movement, are "Signal not
-// available"; what cannot be (a latitude of 91 degrees) is "Failure", as all is while the receiver
-// has failed.
+// Values that the receiver does not have, and position, height and movement without a fix, are
+// "Signal not available". Impossible values (a latitude of 91 degrees) are "Failure", and so are
+// all values while the receiver has failed.
 #pragma once
 
-#include "canvoy/devices/cia447/car_kind.hpp"
 #include "canvoy/devices/cia447/gps/gps_reading.hpp"
+#include "canvoy/devices/cia447/kit/car_kind.hpp"
 #include "canvoy/profiles/cia447/devices.hpp"
 #include "canvoy/profiles/cia447/taxi_handles.hpp"
 
 namespace canvoy::cia447 {
 
-/// Without a receiver nothing is known.
+/// Without a receiver, no value is known.
 struct GpsHardware {
   Callback<GpsReading()> read = {};
 };
 struct GpsSettings {
-  /// How often the receiver is looked at; zero: when it says that it has something new.
+  /// Period of readings of the receiver; zero: read when the receiver reports new data.
   Duration period = 1s;
 };
 
 class GpsUnit {
  public:
-  /// What `hardware` refers to must outlive this.
+  /// Everything to which `hardware` refers must outlive this.
   GpsUnit(CarNetwork& network, const GpsHardware& hardware, const GpsSettings& settings);
   GpsUnit(const GpsUnit&) = delete;
   GpsUnit& operator=(const GpsUnit&) = delete;
 
-  /// Has the receiver looked at when the node is called next.
+  /// Reads the receiver at the next call of the node.
   void hardware_changed() { network_.node().timers().arm(timer_, network_.node().now()); }
-  /// What it said last.
+  /// Its last data.
   const GpsReading& reading() const { return reading_; }
 
  private:
@@ -55,8 +55,8 @@ class GpsUnit {
   GpsSettings settings_;
   Values values_;
   GpsReading reading_;
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
   Timer timer_;
 };
 

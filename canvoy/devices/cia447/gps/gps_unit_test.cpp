@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "canvoy/devices/cia447/car_bench_test.hpp"
 #include "canvoy/devices/cia447/gps/nmea.hpp"
+#include "canvoy/devices/cia447/kit/car_bench_test.hpp"
 
 namespace canvoy::cia447::gps_unit_test {
 namespace {
@@ -28,8 +28,8 @@ class Gps : public testing::Test {
   }
 
   GpsReading reading;
-  CarBench bench{only_unit<GpsKind>, [this](Site& site) {
-                   site.offer(Callback<GpsHardware()>::to<&Gps::hardware>(*this));
+  CarBench bench{only_unit<GpsKind>, [this](Environment& environment) {
+                   environment.provide(Callback<GpsHardware()>::to<&Gps::hardware>(*this));
                  }};
 };
 
@@ -242,10 +242,10 @@ struct Talker {
 
 TEST(GpsByNmea, SentencesGoToTheBusWhenTheySaySo) {
   Talker talker;
-  CarBench bench(only_unit<GpsKind>, [&](Site& site) {
-    site.offer(Callback<GpsHardware()>::to<&Talker::hardware>(talker));
-    site.offer(Callback<GpsSettings()>::to<&Talker::settings>(talker));
-    site.watch(Callback<void(GpsUnit&, Node&)>::to<&Talker::made>(talker));
+  CarBench bench(only_unit<GpsKind>, [&](Environment& environment) {
+    environment.provide(Callback<GpsHardware()>::to<&Talker::hardware>(talker));
+    environment.provide(Callback<GpsSettings()>::to<&Talker::settings>(talker));
+    environment.watch(Callback<void(GpsUnit&, Node&)>::to<&Talker::made>(talker));
   });
   talker.nmea.receive("$GPRMC,123519,A,4807.038,N,01131.000,E,022.4,084.4,230394,003.1,W*6A\r\n");
   bench.cable.clear();

@@ -69,7 +69,7 @@ bool take_date(std::optional<unsigned> day, std::optional<unsigned> month,
   date = {.year = *year, .month = *month, .day = *day};
   return true;
 }
-/// "ddmmyy". The system of satellites began in 1980.
+/// "ddmmyy". The satellite system started in 1980.
 bool take_short_date(std::string_view field, std::optional<GpsDate>& date) {
   date.reset();
   if (field.empty()) return true;
@@ -86,7 +86,7 @@ void NmeaReceiver::receive(char byte) {
     end_line();
     return;
   }
-  // A sentence begins, whatever became of what was before it.
+  // A sentence starts, whatever came before it.
   if (byte == '$' && (length_ > 0 || is_broken_)) {
     ++counts_.garbage;
     length_ = 0;
@@ -136,7 +136,7 @@ void NmeaReceiver::take(std::string_view sentence) {
     ++counts_.not_wanted;
     return;
   }
-  // What is wrong in one field puts all of them in doubt: a copy is filled in.
+  // A fault in one field makes all of them doubtful: a copy is filled in.
   Said said = said_;
   bool is_sound = false;
   if (kind == "RMC") {
@@ -243,7 +243,7 @@ GpsReading NmeaReceiver::reading() const {
   } else if (said_.dimensions) {
     reading.fix = *said_.dimensions;
   } else if (said_.is_valid) {
-    // A position at least: without GSA nobody says whether the height is known.
+    // At least a position: without GSA it is not known whether the height is known.
     reading.fix = GpsFix::fix_2d;
   }
   for (const std::optional<unsigned>& visible : said_.visible) {

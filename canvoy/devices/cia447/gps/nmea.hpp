@@ -1,7 +1,7 @@
-// What a satellite receiver says in NMEA 0183, byte by byte: sentences RMC, GGA, GSA, GSV, VTG and
-// ZDA of the talkers GP, GN, GL and GA. Any cut of the stream will do; what is broken is counted
-// and passed over. It allocates nothing, and knows no clock: a receiver that falls silent is
-// noticed by who owns this, from `counts().accepted`.
+// Parses NMEA 0183 data of a satellite receiver, byte by byte: sentences RMC, GGA, GSA, GSV, VTG
+// and ZDA of the talkers GP, GN, GL and GA. The stream may be split anywhere; invalid data are
+// counted and skipped. The parser allocates nothing and uses no clock: its owner detects a silent
+// receiver from `counts().accepted`.
 //
 //     NmeaReceiver receiver;
 //     receiver.receive("$GPRMC,123519,A,4807.038,N,01131.000,E,022.4,084.4,230394,,*11\r\n");
@@ -17,12 +17,12 @@
 
 namespace canvoy::cia447 {
 
-/// What came of the lines.
+/// Results of the lines.
 struct NmeaCounts {
   std::uint32_t accepted = 0;
-  std::uint32_t not_wanted = 0;      ///< sound, but another sentence or another talker
+  std::uint32_t not_wanted = 0;      ///< valid, but another sentence or another talker
   std::uint32_t wrong_checksum = 0;  ///< or none
-  std::uint32_t malformed = 0;       ///< sound, but a field is no number, or out of its range
+  std::uint32_t malformed = 0;       ///< valid checksum, but a field is invalid or out of range
   std::uint32_t garbage = 0;         ///< lines that are no sentence: cut, too long, noise
 
   friend constexpr bool operator==(const NmeaCounts&, const NmeaCounts&) = default;
@@ -30,7 +30,7 @@ struct NmeaCounts {
 
 class NmeaReceiver {
  public:
-  /// NMEA 0183 has 82; some receivers send a little more.
+  /// NMEA 0183 has 82; some receivers send longer lines.
   static constexpr std::size_t line_max = 128;
 
   void receive(std::string_view bytes) {
@@ -38,15 +38,15 @@ class NmeaReceiver {
   }
   void receive(char byte);
 
-  /// All that was said last. A sentence with an empty field says that this is not known. While
-  /// there is no fix, position and movement are empty.
+  /// The latest data. An empty field in a sentence makes its value unknown. Without a fix, position
+  /// and movement are empty.
   GpsReading reading() const;
   const NmeaCounts& counts() const { return counts_; }
-  /// Forgets what was said: for a receiver that has fallen silent. The counts stay.
+  /// Discards all data, for a receiver that has become silent. The counts stay.
   void forget();
 
  private:
-  /// Satellites in view are told by each system of satellites on its own.
+  /// Each satellite system reports its satellites in view separately.
   static constexpr std::size_t talkers = 4;
   struct Said {
     GpsReading reading;
@@ -69,7 +69,7 @@ class NmeaReceiver {
   NmeaCounts counts_;
   std::array<char, line_max> line_{};
   std::size_t length_ = 0;
-  bool is_broken_ = false;  ///< the line has what no sentence has
+  bool is_broken_ = false;  ///< the line contains characters that no sentence has
 };
 
 }  // namespace canvoy::cia447

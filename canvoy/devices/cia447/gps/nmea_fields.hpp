@@ -11,7 +11,7 @@
 
 namespace canvoy::cia447 {
 
-/// Beyond the last field all fields are empty.
+/// Fields beyond the last one are empty.
 class NmeaFields {
  public:
   constexpr explicit NmeaFields(std::string_view sentence) : rest_(sentence) {}
@@ -30,7 +30,7 @@ class NmeaFields {
   std::string_view rest_;
 };
 
-/// Digits alone, nine of them at most; nothing where there is anything else, or nothing.
+/// At most nine digits and nothing else; otherwise nothing.
 constexpr std::optional<unsigned> digits(std::string_view text) {
   if (text.empty() || text.size() > 9) return std::nullopt;
   unsigned number = 0;
@@ -41,8 +41,8 @@ constexpr std::optional<unsigned> digits(std::string_view text) {
   return number;
 }
 
-/// "-12.5": an optional sign, digits, a point or none, 15 digits at most in all. Nothing where
-/// there is anything else.
+/// "-12.5": an optional sign, digits, an optional point, at most 15 digits in all. Otherwise
+/// nothing.
 constexpr std::optional<double> decimal(std::string_view text) {
   const bool is_negative = text.starts_with('-');
   if (is_negative) text.remove_prefix(1);

@@ -1,19 +1,19 @@
-// Hand-free conversation by radio: a key that the driver presses, an LED that shows that the radio
-// is active, and a mute of what else is heard (6150h, 6151h; CiA 447-3, 4.2.23).
+// Hand-free conversation by radio: a key for the driver, an LED that shows that the radio is
+// active, and the muting of other audio (6150h, 6151h; CiA 447-3, 4.2.23).
 //
 //     HandsFreeUnit hands_free(network, {.show_led = ..., .mute = ...}, {});
 //     hands_free.press_key(true);
 #pragma once
 
-#include "canvoy/devices/cia447/car_kind.hpp"
-#include "canvoy/devices/cia447/switching.hpp"
+#include "canvoy/devices/cia447/kit/car_kind.hpp"
+#include "canvoy/devices/cia447/kit/switching.hpp"
 #include "canvoy/profiles/cia447/devices.hpp"
 #include "canvoy/profiles/cia447/radio_handles.hpp"
 
 namespace canvoy::cia447 {
 
 struct HandsFreeHardware {
-  // Called when LED and mute are turned on or off.
+  // Called when LED and mute are switched on or off.
   Callback<void(bool is_on)> show_led = {};
   Callback<void(bool is_muted)> mute = {};
 };
@@ -25,7 +25,7 @@ inline constexpr SwitchedTable hands_free_table = {.commands = hands_free_comman
 
 class HandsFreeUnit {
  public:
-  /// What `hardware` and `settings` refer to must outlive this.
+  /// Everything to which `hardware` and `settings` refer must outlive this.
   HandsFreeUnit(CarNetwork& network, const HandsFreeHardware& hardware,
                 const SwitchedSettings& settings);
   HandsFreeUnit(const HandsFreeUnit&) = delete;
@@ -36,7 +36,7 @@ class HandsFreeUnit {
   }
   bool shows_led() const { return shows_led_; }
   bool is_muted() const { return is_muted_; }
-  /// For a key that fails.
+  /// To report a failed key.
   Switching& switching() { return unit_.switching(); }
 
  private:

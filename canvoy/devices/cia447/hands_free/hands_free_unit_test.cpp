@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/devices/cia447/car_bench_test.hpp"
+#include "canvoy/devices/cia447/kit/car_bench_test.hpp"
 
 namespace canvoy::cia447::hands_free_unit_test {
 namespace {
@@ -13,9 +13,9 @@ class HandsFree : public testing::Test {
   std::string command(const std::string& byte) {
     return bench.ask("2F 51 61 00 " + byte + " 00 00 00");
   }
-  void offer(Site& site) {
-    site.watch(Callback<void(HandsFreeUnit&, Node&)>::to<&HandsFree::made>(*this));
-    site.offer(Callback<HandsFreeHardware()>::to<&HandsFree::hardware>(*this));
+  void provide(Environment& environment) {
+    environment.watch(Callback<void(HandsFreeUnit&, Node&)>::to<&HandsFree::made>(*this));
+    environment.provide(Callback<HandsFreeHardware()>::to<&HandsFree::hardware>(*this));
   }
   HandsFreeHardware hardware() {
     return {.show_led = Callback<void(bool)>::to<&HandsFree::show_led>(*this),
@@ -27,7 +27,8 @@ class HandsFree : public testing::Test {
 
   std::string told;
   HandsFreeUnit* unit_ = nullptr;
-  CarBench bench{only_unit<HandsFreeKind>, [this](Site& site) { offer(site); }};
+  CarBench bench{only_unit<HandsFreeKind>,
+                 [this](Environment& environment) { provide(environment); }};
 };
 
 TEST_F(HandsFree, TheKeyIsTold) {

@@ -1,8 +1,8 @@
-// What the car body does when it is told to, and how long it takes (CiA 447-3, 4.2.2). Times are
-// those of a usual car. At power-on it is parked: locked, closed, empty.
+// Reactions of the car body to commands, and their duration (CiA 447-3, 4.2.2). Times are those of
+// a typical car. At power-on the car is parked: locked, closed, empty.
 #pragma once
 
-#include "canvoy/devices/cia447/switching.hpp"
+#include "canvoy/devices/cia447/kit/switching.hpp"
 #include "canvoy/profiles/cia447/car_handles.hpp"
 
 namespace canvoy::cia447 {
@@ -57,8 +57,8 @@ constexpr Effect roof_stops(SlidingRoof moving, SlidingRoof stopped) {
   return stop(car_flap_command_sliding_roof, SlidingRoofCommand::stop, car_flap_status_sliding_roof,
               moving, stopped);
 }
-/// One way to open it: tilt or slide. Of a roof that is open in the other way nothing is done: it
-/// has to be closed before. Command and status do not share their codes (errata C3).
+/// One way to open a roof: tilt or slide. A roof that is open in the other way has to be closed
+/// first; until then commands have no effect. Command and status have different codes (errata C3).
 struct RoofWay {
   SlidingRoofCommand open_command;
   SlidingRoofCommand close_command;
@@ -137,11 +137,11 @@ inline constexpr auto flap_effects =
          body_parts::sliding_roof(body_parts::roof_slide));
 
 inline constexpr auto comfort_effects = std::array{
-    // One stroke of the wipers; to switch them off ends it.
+    // One stroke of the wipers, which ends when they are switched off.
     pulse(wiper_system_command_front, Order::on, wiper_system_status_front, Wiper::on, Wiper::off,
           1s),
     effect(wiper_system_command_front, Order::off, wiper_system_status_front, Wiper::off, 0ms),
-    // Its codes are steps, those of the status whether it is active (errata A8).
+    // Codes of the command are steps, those of the status say whether it is active (errata A8).
     effect(heating_and_air_conditioner_command_temperature, TemperatureStep::deactivate,
            heating_and_air_conditioner_status_temperature, Signal::off, 100ms),
     effect(heating_and_air_conditioner_command_temperature, TemperatureStep::warmer,

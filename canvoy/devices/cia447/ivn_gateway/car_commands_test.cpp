@@ -1,4 +1,4 @@
-// What the car does when it is told to, at the wire (CiA 447-3, 4.2.2 and 4.2.3): doors, windows,
+// Reactions of the car to commands, at the wire (CiA 447-3, 4.2.2 and 4.2.3): doors, windows,
 // flaps, seats, lights, the alarm. Of node 5 PDO 2 is 381h, PDO 5 is 384h, PDO 6 is 385h, PDO 19 is
 // 389h.
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 constexpr std::string_view done_window = "60 0C 60 00 00 00 00 00";
 
 struct CarCommands : testing::Test, CarOnBench {
-  /// Writes a value of so many bytes, least significant first, to an object's sub-index 00h.
+  /// Writes a value of this number of bytes, least significant first, to an object's sub-index 00h.
   std::string write(const std::string& index, const std::string& value) {
     static constexpr const char* specifiers[] = {"", "2F", "2B", "27", "23"};
     const std::size_t bytes = (value.size() + 1) / 3;
@@ -60,7 +60,7 @@ TEST_F(CarCommands, AWindowThatIsToldToGoBackTakesAsLongAsItHasCome) {
   EXPECT_EQ(read("0B 60"), "4B 92 FC 00");
   cable.run_for(1ms);
   EXPECT_EQ(read("0B 60"), "49 92 FC 00");
-  // And back and forth: 1 s open, 400 ms back, then the 2.4 s that are left.
+  // And back and forth: 1 s open, 400 ms back, then the remaining 2.4 s.
   write("0C 60", "FC FF");
   cable.run_for(1s);
   write("0C 60", "FD FF");
@@ -269,7 +269,7 @@ TEST_F(CarCommands, FlashingLightsAreEnabled) {
 }
 
 TEST_F(CarCommands, CruiseControlAcceleratesForASecond) {
-  // Neither of them has no code but 3 (errata C1); the stored speed is released (2).
+  // Neither of them has no code except 3 (errata C1); the stored speed is released (2).
   EXPECT_EQ(read("61 60"), "2C FE 00 00");
   write("60 60", "F1 FF");  // on; accelerate
   EXPECT_EQ(read("61 60"), "21 FE 00 00");
@@ -290,7 +290,7 @@ TEST_F(CarCommands, AnNmtResetLeavesADoorMoving) {
   EXPECT_EQ(read("0D 60"), "48 F2 00 00");
 }
 
-/// Who drives real motors does it, and reports what comes of it.
+/// Hardware with real motors executes commands itself, and reports the results.
 TEST(CarCommandsDriven, TheHardwareIsToldAndReports) {
   struct Motors {
     std::vector<Commanded> told;
@@ -308,8 +308,8 @@ TEST(CarCommandsDriven, TheHardwareIsToldAndReports) {
       return car;
     }
   } motors;
-  CarBench bench(only_unit<IvnGatewayKind>, [&](Site& site) {
-    site.offer(Callback<CarHardware()>::to<&Motors::hardware>(motors));
+  CarBench bench(only_unit<IvnGatewayKind>, [&](Environment& environment) {
+    environment.provide(Callback<CarHardware()>::to<&Motors::hardware>(motors));
   });
   bench.ask_as(7, "2B 0C 60 00 F0 FF 00 00");  // driver and front passenger
   ASSERT_EQ(motors.told.size(), 2u);

@@ -1,8 +1,8 @@
-// A car that a test drives, and its gateway on the bench (node-ID 5).
+// A car that the test controls, and its gateway on the bench (node-ID 5).
 #pragma once
 
-#include "canvoy/devices/cia447/car_bench_test.hpp"
 #include "canvoy/devices/cia447/ivn_gateway/ivn_gateway_unit.hpp"
+#include "canvoy/devices/cia447/kit/car_bench_test.hpp"
 
 namespace canvoy::cia447 {
 
@@ -41,8 +41,9 @@ struct DrivenCar {
 class CarOnBench {
  public:
   explicit CarOnBench(const CarSettings& settings = {})
-      : settings_(settings),
-        bench(only_unit<IvnGatewayKind>, [this](Site& site) { offer(site); }) {}
+      : settings_(settings), bench(only_unit<IvnGatewayKind>, [this](Environment& environment) {
+          provide(environment);
+        }) {}
 
   IvnGatewayUnit& gateway() { return *unit_; }
   std::string ask(const std::string& request) { return bench.ask(request); }
@@ -50,11 +51,11 @@ class CarOnBench {
   DrivenCar car;
 
  private:
-  void offer(Site& site) {
-    site.manages_network = false;  // the test is the master
-    site.offer(Callback<CarHardware()>::to<&DrivenCar::hardware>(car));
-    site.offer(Callback<CarSettings()>::to<&CarOnBench::settings>(*this));
-    site.watch(Callback<void(IvnGatewayUnit&, Node&)>::to<&CarOnBench::made>(*this));
+  void provide(Environment& environment) {
+    environment.manages_network = false;  // the test is the master
+    environment.provide(Callback<CarHardware()>::to<&DrivenCar::hardware>(car));
+    environment.provide(Callback<CarSettings()>::to<&CarOnBench::settings>(*this));
+    environment.watch(Callback<void(IvnGatewayUnit&, Node&)>::to<&CarOnBench::made>(*this));
   }
   CarSettings settings() { return settings_; }
   void made(IvnGatewayUnit& unit, Node& /*node*/) { unit_ = &unit; }

@@ -12,7 +12,7 @@ constexpr std::uint8_t position_at_first = CarSeats::position_max / 2;
 
 constexpr const ObjectInfo* seat_commands_wanted[] = {&seat_adjustment_command_object};
 
-/// Of the driver's seat, in the order of the ways.
+/// Fields of the driver's seat, in the order of the ways.
 constexpr std::array<FieldPlace, CarSeats::ways> way_commands = {
     place_of(seat_adjustment_command_forward_backward),
     place_of(seat_adjustment_command_up_down),
@@ -37,7 +37,7 @@ constexpr FieldPlace of_seat(FieldPlace place, unsigned seat) {
 
 }  // namespace
 
-constexpr ServiceCalls CarSeats::service_calls = {.reset = method<&CarSeats::reset>};
+constexpr ServiceHandlers CarSeats::service_calls = {.reset = method<&CarSeats::reset>};
 
 CarSeats::CarSeats(CarNetwork& network, const SwitchedHardware& hardware,
                    const SwitchedSettings& settings)
@@ -54,7 +54,7 @@ CarSeats::CarSeats(CarNetwork& network, const SwitchedHardware& hardware,
   network.node().attach(service_);
 }
 
-/// Nobody knows who has written there: no seat goes beyond its end.
+/// The contents of the store are not trusted: no seat moves beyond its end.
 void CarSeats::keep_in(const SeatStore& store) {
   store_ = store;
   if (!store_.load) return;
@@ -88,7 +88,7 @@ void CarSeats::commanded(const Commanded& wanted) {
   if (!timer_.armed()) network_.node().timers().arm(timer_, network_.node().now() + step_time);
 }
 
-/// By hand: a recall that is under way ends, and the seat is where no memory is.
+/// Manual movement: it ends a recall, and the seat is then at no stored position.
 void CarSeats::move(Seat& seat, Way way, SeatMotion to) {
   if (seat.recalling != SeatMemory::none) recall(seat, SeatMemory::none);
   seat.recalled = seat.stored = SeatMemory::none;
@@ -97,7 +97,7 @@ void CarSeats::move(Seat& seat, Way way, SeatMotion to) {
   seat.target[way] = static_cast<std::uint8_t>(target);
 }
 
-/// Of none, or of one in which nothing was stored, the seat stops.
+/// For no memory, or an empty one, the seat stops.
 void CarSeats::recall(Seat& seat, SeatMemory memory) {
   seat.recalled = seat.recalling = SeatMemory::none;
   seat.target = seat.position;
@@ -145,12 +145,15 @@ void CarSeats::step(Time now) {
 }
 
 void CarSeats::report(const FieldPlace& status, std::uint32_t code) {
+  bool is_of_seat = false;
   for (unsigned seat = 1; seat <= seats_.size(); ++seat) {
     for (unsigned field = 0; field < fields; ++field) {
-      if (of_seat(statuses[field], seat) == status) seats_[seat - 1].reported[field] = code;
+      if (of_seat(statuses[field], seat) != status) continue;
+      seats_[seat - 1].reported[field] = code;
+      is_of_seat = true;
     }
   }
-  show();
+  if (is_of_seat) show();
 }
 
 void CarSeats::show() {

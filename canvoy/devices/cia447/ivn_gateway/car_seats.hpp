@@ -1,25 +1,25 @@
 // The two front seats (6018h, 6019h; CiA 447-3, 4.2.2.12 and 4.2.2.13): each moves along six ways,
-// stores where it stands in four memories, and goes back there when one is recalled.
+// stores its position in four memories, and returns to a recalled one.
 //
 //     CarSeats seats(network, {}, {});
 //     seats.keep_in(store);                  // what is in the memories, over a loss of power
 //     seats.position(1, CarSeats::height);   // of the driver's seat, in steps
 //
-// A command moves a seat by some steps, since there is none that stops it; a seat at rest says
-// "signal not available", since there is no other code (errata C1).
+// A command moves a seat by some steps, since there is no stop command. The status of a seat at
+// rest is "signal not available", since there is no other code (errata C1).
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <optional>
 
-#include "canvoy/devices/cia447/commands.hpp"
-#include "canvoy/devices/cia447/switching.hpp"
+#include "canvoy/devices/cia447/kit/commands.hpp"
+#include "canvoy/devices/cia447/kit/switching.hpp"
 #include "canvoy/profiles/cia447/states.hpp"
 
 namespace canvoy::cia447 {
 
-/// What is in the memories of both seats.
+/// The memories of both seats.
 struct SeatMemories {
   static constexpr unsigned seats = 2;
   static constexpr unsigned memories = 4;
@@ -36,7 +36,7 @@ struct SeatMemories {
   friend constexpr bool operator==(const SeatMemories&, const SeatMemories&) = default;
 };
 
-/// Keeps them over a loss of power. Both are optional.
+/// Keeps the memories over a loss of power. Both callbacks are optional.
 struct SeatStore {
   Callback<SeatMemories()> load = {};
   Callback<void(const SeatMemories&)> store = {};
@@ -46,24 +46,24 @@ class CarSeats {
  public:
   enum Way : std::uint8_t { length, height, angle, tight_support, back, headrest };
   static constexpr unsigned ways = SeatMemories::ways;
-  static constexpr int position_max = 100;  ///< foremost, highest
+  static constexpr int position_max = 100;  ///< at the front, at the top
   static constexpr int steps_of_command = 10;
   static constexpr Duration step_time = 50ms;
 
-  /// What `hardware` and `settings` refer to must outlive this.
+  /// Everything to which `hardware` and `settings` refer must outlive this.
   CarSeats(CarNetwork& network, const SwitchedHardware& hardware, const SwitchedSettings& settings);
   CarSeats(const CarSeats&) = delete;
   CarSeats& operator=(const CarSeats&) = delete;
 
-  /// Takes from there what is in the memories, and stores there each change from now on. What
-  /// `store` refers to must outlive this.
+  /// Loads the memories from `store`, and then stores each change in it. Everything to which
+  /// `store` refers must outlive this.
   void keep_in(const SeatStore& store);
 
-  /// Of hardware that moves the seats itself: what a field of 6019h says from now on. Nothing
-  /// happens where it has no such field.
+  /// For hardware that moves the seats itself: sets a field of 6019h. No effect if there is no such
+  /// field.
   void report(const FieldPlace& status, std::uint32_t code);
 
-  /// Of seat 1 (the driver's) or 2, in steps from 0 to position_max.
+  /// Position of seat 1 (the driver's) or 2, in steps from 0 to position_max.
   int position(unsigned seat, Way way) const { return seats_[seat - 1].position[way]; }
 
  private:
@@ -75,7 +75,7 @@ class CarSeats {
     SeatMemory recalling = SeatMemory::none;
     SeatMemory recalled = SeatMemory::none;
     SeatMemory stored = SeatMemory::none;
-    /// Of each field, what was reported of it.
+    /// The reported value of each field.
     std::array<std::optional<std::uint32_t>, fields> reported{};
   };
 
@@ -94,8 +94,8 @@ class CarSeats {
   std::array<Seat, SeatMemories::seats> seats_{};
   SeatMemories memories_;
   Commands commands_;
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
   Timer timer_;
 };
 

@@ -1,6 +1,6 @@
-// What the car tells of itself and nobody commands, at the wire (CiA 447-3, 4.2.2): each source may
-// fail, or not be there. Of node 5 PDO 3 is 382h, PDO 4 is 383h, PDO 5 is 384h, PDO 7 is 386h; what
-// is reserved is 1. And the light in the car (4.2.3.3, 4.2.3.4), which no PDO brings.
+// States that the car reports without commands, at the wire (CiA 447-3, 4.2.2): each source may
+// fail or be absent. Of node 5 PDO 3 is 382h, PDO 4 is 383h, PDO 5 is 384h, PDO 7 is 386h; reserved
+// bits are 1. Also the light in the car (4.2.3.3, 4.2.3.4), which no PDO carries.
 #include <gtest/gtest.h>
 
 #include "canvoy/devices/cia447/ivn_gateway/car_on_bench_test.hpp"
@@ -61,7 +61,7 @@ TEST_F(CarStates, ATesterThatIsThere) {
 
 TEST_F(CarStates, TheLightInTheCarShinesAfter50Ms) {
   EXPECT_EQ(ask("40 45 60 00 00 00 00 00"), "4B 45 60 00 00 E0 00 00") << "all off";
-  // ii (2..0) undimmed, bli (12..11) on, all between them left alone.
+  // ii (2..0) undimmed, bli (12..11) on, all others between them unchanged.
   EXPECT_EQ(ask("2B 46 60 00 FA EF 00 00"), "60 46 60 00 00 00 00 00");
   bench.cable.run_for(49ms);
   EXPECT_EQ(ask("40 45 60 00 00 00 00 00"), "4B 45 60 00 00 E0 00 00");
@@ -92,9 +92,9 @@ TEST(CarSensors, TellWhatTheySenseWhereTheFigureHasRoom) {
     CarHardware car;
     CarHardware hardware() { return car; }
   } offered{car};
-  CarBench bench(only_unit<IvnGatewayKind>, [&](Site& site) {
-    site.manages_network = false;
-    site.offer(Callback<CarHardware()>::to<&Offered::hardware>(offered));
+  CarBench bench(only_unit<IvnGatewayKind>, [&](Environment& environment) {
+    environment.manages_network = false;
+    environment.provide(Callback<CarHardware()>::to<&Offered::hardware>(offered));
   });
   bench.cable.run_for(100ms);
   EXPECT_EQ(bench.ask("40 21 60 00 00 00 00 00"), "4F 21 60 00 8F 00 00 00") << "(8Fh - 100) / 2";

@@ -9,7 +9,7 @@ namespace {
 constexpr Duration lead = 1ms;
 constexpr double seconds_per_minute = 60;
 constexpr double per_hour = 3600;
-constexpr double consumption_max = 0x7F00 / 1000.0;  ///< units a second that 605Dh holds
+constexpr double consumption_max = 0x7F00 / 1000.0;  ///< units per second that 605Dh can hold
 constexpr std::string_view no_vin{"\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 17};
 
 std::optional<double> known(bool is_known, double number) {
@@ -18,7 +18,7 @@ std::optional<double> known(bool is_known, double number) {
 
 }  // namespace
 
-constexpr ServiceCalls IvnGatewayUnit::service_calls = {
+constexpr ServiceHandlers IvnGatewayUnit::service_calls = {
     .reset = method<&IvnGatewayUnit::reset>,
     .state_entered = method<&IvnGatewayUnit::state_entered>};
 
@@ -51,7 +51,7 @@ void IvnGatewayUnit::sense(const FieldPlace& status, Sensing sensing) {
   power_train().sense(status, sensing);
 }
 
-/// Nothing was sensed yet: what is a number is not available.
+/// No sensor has been read yet: numbers are not available.
 void IvnGatewayUnit::reset(ResetScope) {
   const Values car(network_.node().dictionary());
   car[actual_engine_revolutions] = std::nullopt;
@@ -76,8 +76,8 @@ void IvnGatewayUnit::reset(ResetScope) {
   network_.node().timers().arm(timer_, network_.node().now() + cycle);
 }
 
-/// A little before the cycle of PDO 17 is over: what has changed is sent then, a cycle begins anew
-/// with that, and no second frame follows.
+/// Slightly before the end of the cycle of PDO 17: changes are then sent, that starts the next
+/// cycle, and no second frame follows.
 void IvnGatewayUnit::state_entered(NmtState state) {
   if (state != NmtState::operational) return;
   network_.node().timers().arm(timer_, network_.node().now() + cycle - lead);
@@ -101,7 +101,7 @@ void IvnGatewayUnit::look(Time now) {
   told = vin.empty() ? no_vin : vin;
 }
 
-/// What a sensor said; where it said nothing, whether it is there.
+/// The value of a sensor; without a value, whether the sensor exists.
 template <class Handle>
 void IvnGatewayUnit::tell(const Handle& handle, const Sensor& sensor,
                           const std::optional<double>& sensed) {
@@ -117,7 +117,7 @@ void IvnGatewayUnit::tell(const Handle& handle, const Sensor& sensor,
   }
 }
 
-/// What a state beside a number is when the number is not known.
+/// The state beside a number that is not known.
 template <class Handle>
 void IvnGatewayUnit::tell_unknown(const Handle& handle, const Sensor& sensor) {
   const Meaning meaning = sensor ? Meaning::failure : Meaning::invalid;
@@ -137,7 +137,7 @@ void IvnGatewayUnit::look_at_wheels() {
 
   const std::optional<double> driven = hardware_.distance();
   if (driven) pulses_.drive(*driven);
-  // The last figure turns when its unit is full.
+  // The last digit changes when its unit is complete.
   const double units =
       (settings_.mileage_at_start_m + driven.value_or(0)) / settings_.local_distance_m;
   tell(odometer, hardware_.distance, known(driven.has_value(), std::floor(units * 10) / 10));

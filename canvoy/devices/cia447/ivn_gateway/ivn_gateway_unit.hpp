@@ -1,23 +1,22 @@
-// The IVN gateway: the car's own networks as CANopen sees them (CiA 447-3, 4.2.2 to 4.2.4), in
-// three function groups: car body electronics, light and signaling, power train.
+// The IVN gateway: connects the car's own networks to CANopen (CiA 447-3, 4.2.2 to 4.2.4), in three
+// function groups: car body electronics, light and signaling, power train.
 //
 //     IvnGatewayUnit gateway(network, hardware, {.pulses_per_rotation = 60});
 //     gateway.report(door_status_driver, Opening::open);
 //     gateway.sense(car_light_status_brake, Sensing::failure);
 //
-// What can be commanded behaves as the tables say (car_body_table.hpp, light_table.hpp,
-// power_train_table.hpp); the seats are in car_seats.hpp. Numbers are sensed each 100 ms from the
-// moment on that the node becomes operational; before the first time they are not available
-// (4.2.4.6).
+// Commands take effect according to the tables (car_body_table.hpp, light_table.hpp,
+// power_train_table.hpp); car_seats.hpp has the seats. Measured values are sensed every 100 ms from
+// the time when the node becomes operational, and are not available before (4.2.4.6).
 #pragma once
 
-#include "canvoy/devices/cia447/car_kind.hpp"
 #include "canvoy/devices/cia447/ivn_gateway/car_body_table.hpp"
 #include "canvoy/devices/cia447/ivn_gateway/car_hardware.hpp"
 #include "canvoy/devices/cia447/ivn_gateway/car_seats.hpp"
 #include "canvoy/devices/cia447/ivn_gateway/light_table.hpp"
 #include "canvoy/devices/cia447/ivn_gateway/power_train_table.hpp"
 #include "canvoy/devices/cia447/ivn_gateway/wheel_pulse_counter.hpp"
+#include "canvoy/devices/cia447/kit/car_kind.hpp"
 #include "canvoy/profiles/cia447/devices.hpp"
 
 namespace canvoy::cia447 {
@@ -26,13 +25,13 @@ class IvnGatewayUnit {
  public:
   static constexpr Duration cycle = 100ms;  ///< 4.2.4.1, 4.2.4.4, 4.2.4.6
 
-  /// What `hardware` and `settings` refer to must outlive this.
+  /// Everything to which `hardware` and `settings` refer must outlive this.
   IvnGatewayUnit(CarNetwork& network, const CarHardware& hardware, const CarSettings& settings);
   IvnGatewayUnit(const IvnGatewayUnit&) = delete;
   IvnGatewayUnit& operator=(const IvnGatewayUnit&) = delete;
 
-  /// A state of the car has become this: any status that is in states. Of the front passenger's
-  /// seat by its place.
+  /// Reports a state of the car: any status that has named states. For the front passenger's seat,
+  /// by its place.
   template <class Handle, class State>
     requires requires { typename Handle::Place; }
   void report(const Handle& handle, State state) {
@@ -74,8 +73,8 @@ class IvnGatewayUnit {
   SwitchedUnit<power_train_table> power_train_;
   CarSeats seats_;
   WheelPulseCounter pulses_;
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
   Timer timer_;
 };
 

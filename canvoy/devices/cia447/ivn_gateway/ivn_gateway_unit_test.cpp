@@ -1,5 +1,5 @@
-// What the gateway senses, at the wire (CiA 447-3, 4.2.2 to 4.2.4). PDO 17 (387h of node 5) is
-// engine revolutions, wheel rpm, wheel pulse counter.
+// Measured values of the gateway, at the wire (CiA 447-3, 4.2.2 to 4.2.4). PDO 17 (387h of node 5)
+// is engine revolutions, wheel rpm, wheel pulse counter.
 #include "canvoy/devices/cia447/ivn_gateway/ivn_gateway_unit.hpp"
 
 #include <gtest/gtest.h>
@@ -143,6 +143,14 @@ TEST_F(IvnGateway, TheVinIsSeventeenZerosWhileItIsNotKnown) {
   EXPECT_EQ(ask("60 00 00 00 00 00 00 00"), "00 57 44 42 31 32 33 34");
   EXPECT_EQ(ask("70 00 00 00 00 00 00 00"), "10 35 36 37 38 39 30 31");
   EXPECT_EQ(ask("60 00 00 00 00 00 00 00"), "09 32 33 34 00 00 00 00");
+}
+
+/// ISO 3779: 17 digits and capitals, without I, O and Q.
+TEST(ParkedCar, HasAVinThatThereCanBe) {
+  const CarHardware car = parked_car();
+  const std::string_view vin = car.vin();
+  EXPECT_EQ(vin.size(), 17u);
+  EXPECT_EQ(vin.find_first_not_of("0123456789ABCDEFGHJKLMNPRSTUVWXYZ"), std::string_view::npos);
 }
 
 TEST_F(IvnGateway, StatesAreReported) {

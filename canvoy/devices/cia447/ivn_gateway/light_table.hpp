@@ -1,7 +1,7 @@
-// What lights and signals of the car do when they are told to (CiA 447-3, 4.2.3).
+// Reactions of lights and signals of the car to commands (CiA 447-3, 4.2.3).
 #pragma once
 
-#include "canvoy/devices/cia447/switching.hpp"
+#include "canvoy/devices/cia447/kit/switching.hpp"
 #include "canvoy/profiles/cia447/car_handles.hpp"
 
 namespace canvoy::cia447 {
@@ -17,7 +17,7 @@ inline constexpr Mirror car_light_mirrors[] = {
     {&flashing_light_command_object, &flashing_light_status_object, 50ms}};
 
 inline constexpr Effect car_light_effects[] = {
-    // A tip of the lever is three flashes.
+    // A tip of the lever causes three flashes.
     pulse(car_light_command_tip_turn_indication_right, Order::on,
           car_light_status_tip_turn_indication_right, Signal::on, Signal::off, 2s),
     effect(car_light_command_tip_turn_indication_right, Order::off,
@@ -27,7 +27,7 @@ inline constexpr Effect car_light_effects[] = {
     effect(car_light_command_tip_turn_indication_left, Order::off,
            car_light_status_tip_turn_indication_left, Signal::off, 0ms),
 
-    // Code 1 is "pre-active" of the status and "do not trigger" of the command (errata C4).
+    // Code 1 is "pre-active" in the status and "do not trigger" in the command (errata C4).
     effect(anti_theft_warning_system_command, AntiTheftCommand::disable,
            anti_theft_warning_system_status, AntiTheft::disabled, 200ms),
     effect(anti_theft_warning_system_command, AntiTheftCommand::activate,

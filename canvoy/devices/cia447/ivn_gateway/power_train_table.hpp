@@ -1,8 +1,8 @@
-// What cruise control and four-wheel drive do when they are told to, and the states of engine and
-// gear, which are reported (CiA 447-3, 4.2.4). At power-on the car is parked.
+// Reactions of cruise control and four-wheel drive to commands, and the states of engine and gear,
+// which are reported (CiA 447-3, 4.2.4). At power-on the car is parked.
 #pragma once
 
-#include "canvoy/devices/cia447/switching.hpp"
+#include "canvoy/devices/cia447/kit/switching.hpp"
 #include "canvoy/profiles/cia447/car_handles.hpp"
 
 namespace canvoy::cia447 {

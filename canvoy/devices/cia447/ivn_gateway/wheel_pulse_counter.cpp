@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 
 namespace canvoy::cia447 {
 
@@ -19,7 +19,7 @@ WheelPulseCounter::WheelPulseCounter(const WheelPulseSettings& pulses)
     : per_rotation_(pulses.per_rotation),
       circumference_um_(in_um(pulses.circumference_m)),
       count_max_(pulses.count_max) {
-  must_hold(circumference_um_ > 0);
+  check_invariant(circumference_um_ > 0);
 }
 
 void WheelPulseCounter::drive(double distance_m) {

@@ -1,6 +1,6 @@
-// The wheel pulse counter of a car (6055h, 6056h; CiA 447-3, 4.2.4.6 and 4.2.4.7): pulses out of
-// the distance that was driven, in whole micrometres, so that none is lost or counted twice however
-// often and unevenly it is asked.
+// The wheel pulse counter of a car (6055h, 6056h; CiA 447-3, 4.2.4.6 and 4.2.4.7): converts the
+// driven distance to pulses, in whole micrometres, so that no pulse is lost or counted twice,
+// however often and irregularly it is called.
 //
 //     WheelPulseCounter counter({.pulses_per_rotation = 48, .circumference_m = 2.0});
 //     counter.drive(1234.5);  // m in all
@@ -15,15 +15,15 @@ namespace canvoy::cia447 {
 struct WheelPulseSettings {
   unsigned per_rotation = 48;
   double circumference_m = 2.0;
-  std::uint16_t count_max = 0xFFFF;  ///< 0 comes after it
+  std::uint16_t count_max = 0xFFFF;  ///< followed by 0
 };
 
 class WheelPulseCounter {
  public:
   explicit WheelPulseCounter(const WheelPulseSettings& pulses);
 
-  /// The car was driven so far in all, in m. The first call is where counting begins; a distance
-  /// below the last one is another origin: what was counted stays.
+  /// Sets the total distance of the car, in m. Counting starts with the first call. A distance
+  /// below the last one is another origin: the count stays.
   void drive(double distance_m);
   std::uint16_t count() const { return count_; }
 

@@ -1,4 +1,5 @@
-// Which place a position is at: the nearest one of a list. Pure: the list belongs to who gives it.
+// Finds the place of a position: the nearest one of a list. A pure function of the list, which the
+// caller owns.
 //
 //     Gazetteer gazetteer(places);
 //     const NamedPlace* here = gazetteer.nearest({48.137, 11.575});  // Munich, Marienplatz
@@ -22,7 +23,7 @@ struct NamedPlace {
 
 class Gazetteer {
  public:
-  /// Metres from a place beyond which a position is not at it.
+  /// Distance in metres from a place beyond which a position is not at it.
   static constexpr double usual_reach = 2'000;
 
   constexpr Gazetteer() = default;
@@ -30,7 +31,8 @@ class Gazetteer {
   constexpr explicit Gazetteer(std::span<const NamedPlace> places, double reach = usual_reach)
       : places_(places), reach_(reach) {}
 
-  /// Null: none within reach. Of equally near ones the first. Linear in the number of places.
+  /// Null if there is none within reach. Of equally near ones, the first. Linear in the number of
+  /// places.
   const NamedPlace* nearest(const GeoPosition& position) const;
 
  private:

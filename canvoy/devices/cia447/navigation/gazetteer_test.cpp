@@ -26,6 +26,18 @@ TEST(Distance, GoesTheShortWayOverTheDateLine) {
   EXPECT_NEAR(metres_between({0, 180}, {0, -180}), 0, 1e-6);
 }
 
+TEST(Distance, IsNotLessThanThatAlongTheMeridian) {
+  for (double latitude = -30; latitude <= 90; latitude += 0.37) {
+    for (const double away : {0.0, 1e-9, 1e-6, 1e-4, 0.01, 1.0, 60.0}) {
+      const GeoPosition there = {latitude - away, 11.5 + away / 3};
+      EXPECT_LE(metres_at_least({latitude, 11.5}, {latitude - away, 11.5}),
+                metres_between({latitude, 11.5}, {latitude - away, 11.5}));
+      EXPECT_LE(metres_at_least({latitude, 11.5}, there), metres_between({latitude, 11.5}, there));
+    }
+  }
+  EXPECT_NEAR(metres_at_least({0, 7}, {1, 7}), 111'195.08 - 1, 0.1);
+}
+
 TEST(Distance, IsTheSameBothWays) {
   EXPECT_DOUBLE_EQ(metres_between(marienplatz, vienna), metres_between(vienna, marienplatz));
 }

@@ -1,15 +1,15 @@
 #include "canvoy/devices/cia447/navigation/navigation_client.hpp"
 
-#include "canvoy/canopen/little_endian.hpp"
-#include "canvoy/devices/cia447/commands.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
+#include "canvoy/devices/cia447/kit/commands.hpp"
 #include "canvoy/profiles/cia447/taxi_handles.hpp"
-#include "canvoy/profiles/physical.hpp"
+#include "canvoy/profiles/model/physical.hpp"
 
 namespace canvoy::cia447 {
 
 namespace {
 
-/// As 60C1h and 60C3h have it (errata Z36).
+/// As in 60C1h and 60C3h (errata Z36).
 template <class Handle>
 std::uint32_t code_of_angle(const Handle& /*handle*/, double degrees) {
   using Place = typename Handle::Place;
@@ -18,7 +18,7 @@ std::uint32_t code_of_angle(const Handle& /*handle*/, double degrees) {
   return code ? static_cast<std::uint32_t>(*code) : do_not_care;
 }
 
-/// An entry, and how many bytes are written to it; 0: it is read.
+/// An entry, and the number of bytes that are written to it; 0: it is read.
 struct Question {
   std::uint16_t index;
   std::uint8_t sub;
@@ -43,8 +43,8 @@ constexpr Question questions[] = {question(start_route_guidance_position_latitud
 
 }  // namespace
 
-constexpr ServiceCalls NavigationClient::service_calls = {.reset =
-                                                              method<&NavigationClient::reset>};
+constexpr ServiceHandlers NavigationClient::service_calls = {.reset =
+                                                                 method<&NavigationClient::reset>};
 
 NavigationClient::NavigationClient(CarNetwork& network, const NavigationClientSettings& settings)
     : network_(network),
@@ -69,7 +69,7 @@ void NavigationClient::lost(NodeId node) {
   settings_.changed();
 }
 
-/// Nor does the system know what it was told.
+/// The system has also lost the destination.
 void NavigationClient::forget_answers() {
   is_guided_ = is_described_ = false;
   city_ = street_ = destination_street_ = {};
@@ -95,7 +95,7 @@ void NavigationClient::begin(Time now) {
   if (!has_to_tell) return ask(Step::ask_position);
   telling_ = *destination_;
   const bool was_guided = is_guided_;
-  // Another one that is wanted meanwhile is told in the next round.
+  // Another destination that is set meanwhile is sent in the next round.
   is_guided_ = is_described_ = true;
   ask(was_guided ? Step::describe_latitude : Step::guide_latitude);
 }
@@ -157,8 +157,8 @@ void NavigationClient::take_distance(std::size_t length) {
   if (reading.kind == Reading::Kind::number) metres_ = reading.number * metres_a_kilometre;
 }
 
-/// Who does not answer is asked no more in this round, and told anew in the next; who refuses a
-/// destination may still know where the car is.
+/// A system that does not answer is not read further in this round, and gets the destination again
+/// in the next; one that refuses a destination may still know the position of the car.
 NavigationClient::Step NavigationClient::after(SdoClient::Outcome outcome) {
   const bool tells = step_ < Step::ask_position;
   const bool is_refused =

@@ -1,13 +1,13 @@
-// What another device has of the navigation system, as its SDO client (CiA 447-3, 4.2.11): where
-// the car is (60C4h, 60C5h), how far the destination is (60C0h), what is there (60C1h, 60C2h); and
-// it has the car led there (60C3h).
+// Access of another device to the navigation system, as its SDO client (CiA 447-3, 4.2.11): reads
+// the position of the car (60C4h, 60C5h), the distance to the destination (60C0h) and its names
+// (60C1h, 60C2h), and starts guidance (60C3h).
 //
 //     NavigationClient navigation(network, {.navigation = 7, .changed = ...});
 //     navigation.guide({48.2, 11.575});
 //     show(navigation.street(), navigation.metres());
 //
-// It asks in rounds. A system that was lost and comes back is told the destination anew; while it
-// does not answer, nothing is known.
+// It reads in rounds. A system that was lost and returns gets the destination again. While it does
+// not answer, no value is known.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 #include <string_view>
 
 #include "canvoy/canopen/sdo/sdo_client.hpp"
-#include "canvoy/devices/cia447/car_network.hpp"
+#include "canvoy/devices/cia447/kit/car_network.hpp"
 #include "canvoy/devices/cia447/navigation/geography.hpp"
 
 namespace canvoy::cia447 {
@@ -25,27 +25,28 @@ struct NavigationClientSettings {
   NodeId navigation = 0;  ///< 1 to 16, another node
   Duration period = 1s;   ///< of the rounds
   Duration time_out = 500ms;
-  /// After each round, and when the system was lost.
+  /// Called after each round, and when the system was lost.
   Callback<void()> changed = {};
 };
 
-/// It has to be made before the node starts. It takes on_lost() of the network, and calls who was
-/// called before.
+/// Construct it before the node starts. It sets on_lost() of the network, and calls the former
+/// callback.
 class NavigationClient {
  public:
-  /// Bytes of UTF-8; a name that is longer is not known.
+  /// Bytes of UTF-8; a longer name is unknown.
   static constexpr std::size_t name_max = 64;
 
   NavigationClient(CarNetwork& network, const NavigationClientSettings& settings);
   NavigationClient(const NavigationClient&) = delete;
   NavigationClient& operator=(const NavigationClient&) = delete;
 
-  /// At once, whatever the system was at.
+  /// Starts guidance at once, replacing the present one.
   void guide(const GeoPosition& destination);
-  /// No object ends a guidance: the system leads on, and this device does not ask for it any more.
+  /// No object ends a guidance: the system continues, but this device does not send the destination
+  /// again.
   void forget_destination();
 
-  // What was answered last; empty where the system does not know, or does not answer.
+  // The last answers; empty if the system does not have the value, or does not answer.
 
   std::string_view city() const { return city_.view(); }
   std::string_view street() const { return street_.view(); }
@@ -53,7 +54,7 @@ class NavigationClient {
   std::optional<double> metres() const { return metres_; }
 
  private:
-  /// Of a round, in this order.
+  /// Steps of a round, in order.
   enum class Step : std::uint8_t {
     guide_latitude,
     guide_longitude,
@@ -90,18 +91,18 @@ class NavigationClient {
   SdoClient client_;
   Callback<void(NodeId)> next_lost_;
   std::optional<GeoPosition> destination_;
-  GeoPosition telling_;  ///< a destination that is on its way
+  GeoPosition telling_;  ///< a destination that is being sent
   bool is_guided_ = false;
   bool is_described_ = false;
   Step step_ = Step::none;
-  PlaceName name_;  ///< that comes
+  PlaceName name_;  ///< being received
   PlaceName city_;
   PlaceName street_;
   PlaceName destination_street_;
   std::optional<double> metres_;
   std::array<std::uint8_t, 4> value_{};
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
   Timer timer_;
 };
 

@@ -1,11 +1,11 @@
-// A client of the navigation system at the wire (CiA 447-3, 4.2.11): it is node 5, the system is
-// node 7, which it asks on 346h and which answers on 2C6h (facts 2.2).
+// A client of the navigation system at the wire (CiA 447-3, 4.2.11): it is node 5, and the system
+// is node 7, with requests on 346h and answers on 2C6h (facts 2.2).
 #include "canvoy/devices/cia447/navigation/navigation_client.hpp"
 
 #include <gtest/gtest.h>
 
-#include "canvoy/devices/cia447/car_bench_test.hpp"
-#include "canvoy/devices/cia447/car_kind.hpp"
+#include "canvoy/devices/cia447/kit/car_bench_test.hpp"
+#include "canvoy/devices/cia447/kit/car_kind.hpp"
 
 namespace canvoy::cia447::navigation_client_test {
 namespace {
@@ -42,7 +42,7 @@ class ClientOfSystem : public testing::Test {
     cable.send("2C6#" + answer);
     cable.run_for(0s);
   }
-  /// The system takes the request for a position, and says Mun, A1, and how far it is.
+  /// The system takes the request for a position, and answers Mun, A1, and the distance.
   void answer_rest(const std::string& distance) {
     EXPECT_EQ(asked(), "346#2F C4 60 00 FE 00 00 00");
     answer("60 C4 60 00 00 00 00 00");
@@ -57,7 +57,7 @@ class ClientOfSystem : public testing::Test {
     cable.clear();
     cable.run_for(1s);
   }
-  /// 48.1 degrees north, 11.0 east: 1CAB 7A40h and 068E 7780h; B2 is there.
+  /// 48.1 degrees north, 11.0 east: 1CAB 7A40h and 068E 7780h; the place is B2.
   void answer_destination() {
     answer("60 C3 60 01 00 00 00 00");
     EXPECT_EQ(asked(), "346#23 C3 60 02 80 77 8E 06");
@@ -80,9 +80,10 @@ class ClientOfSystem : public testing::Test {
   unsigned changes = 0;
   ClientOfNavigation* client_ = nullptr;
   CarBench bench{
-      only_unit<NavigationClientKind>, [this](Site& site) {
-        site.offer(Callback<ChangedHardware()>::to<&ClientOfSystem::hardware>(*this));
-        site.watch(Callback<void(ClientOfNavigation&, Node&)>::to<&ClientOfSystem::made>(*this));
+      only_unit<NavigationClientKind>, [this](Environment& environment) {
+        environment.provide(Callback<ChangedHardware()>::to<&ClientOfSystem::hardware>(*this));
+        environment.watch(
+            Callback<void(ClientOfNavigation&, Node&)>::to<&ClientOfSystem::made>(*this));
       }};
   Cable& cable = bench.cable;
 };
@@ -157,7 +158,7 @@ TEST_F(ClientOfSystem, OneThatBootsIsToldTheDestinationAnew) {
   EXPECT_EQ(asked(), "346#23 C3 60 01 40 7A AB 1C");
 }
 
-/// What is chosen while another one is told is not mixed with it.
+/// A destination that is set while another one is being sent is not mixed with it.
 TEST_F(ClientOfSystem, ADestinationThatChangesOnTheWayIsToldAfterwards) {
   navigation().guide({48.1, 11.0});
   begin_round();

@@ -1,6 +1,6 @@
 #include "canvoy/devices/cia447/navigation/navigation_unit.hpp"
 
-#include "canvoy/profiles/reactions.hpp"
+#include "canvoy/profiles/model/reactions.hpp"
 
 namespace canvoy::cia447 {
 
@@ -22,10 +22,10 @@ bool says_failure(const Values& values, const Handle& handle) {
 
 }  // namespace
 
-constexpr HookCalls NavigationUnit::hook_calls[] = {
+constexpr AccessHandlers NavigationUnit::hook_calls[] = {
     after_write<&NavigationUnit::position_written, gps_current_position_object>};
-constexpr ServiceCalls NavigationUnit::service_calls = {.reset = method<&NavigationUnit::reset>,
-                                                        .hooks = hook_calls};
+constexpr ServiceHandlers NavigationUnit::service_calls = {.reset = method<&NavigationUnit::reset>,
+                                                           .hooks = hook_calls};
 
 NavigationUnit::NavigationUnit(CarNetwork& network, const NavigationHardware& hardware,
                                const NavigationSettings& settings)
@@ -44,14 +44,14 @@ NavigationUnit::NavigationUnit(CarNetwork& network, const NavigationHardware& ha
   network.node().attach(service_);
 }
 
-/// The driver is led on, whatever happens to the network.
+/// Guidance continues, whatever happens to the network.
 void NavigationUnit::reset(ResetScope) {
   described_ = {};
   wanted_ = {};
   look(network_.node().now());
 }
 
-// Where the car is.
+// Position of the car.
 
 void NavigationUnit::position_lost() {
   values_[gps_current_position_latitude] = std::nullopt;
@@ -73,7 +73,7 @@ bool NavigationUnit::has_failed() const {
 
 // Commands.
 
-/// There is no way to nowhere.
+/// An invalid destination is refused.
 AbortCode NavigationUnit::refuses(const Commanded& wanted) {
   const bool starts = wanted.is_for(start_route_guidance_start);
   return starts && !wanted_.position() ? AbortCode::device_state : AbortCode::none;

@@ -1,21 +1,21 @@
-// The navigation system: names places, and leads to them (60C0h to 60C5h; CiA 447-3, 4.2.11).
+// The navigation system: names places, and guides to them (60C0h to 60C5h; CiA 447-3, 4.2.11).
 //
 //     NavigationUnit navigation(network, {.gazetteer = Gazetteer(places)}, {});
 //     navigation.select({48.137, 11.575});   // the driver chooses
 //
-// Where the car is, its own receiver says, or else the GPS of the network (60B0h, which it consumes
-// from whoever sends it): when that one falls silent, the position is not available, until it is
-// heard again.
+// The position of the car is from its own receiver, or else from the GPS of the network (60B0h,
+// which it consumes from any sender). When that one falls silent, the position is not available
+// until it is received again.
 //
-// A destination that is to be taken "without interrupting" waits until the car has arrived at the
-// present one; one can wait, and a later one takes its place.
+// A destination sent "without interrupting" waits until the car has arrived at the present one. One
+// can wait; a later one replaces it.
 #pragma once
 
 #include <optional>
 
-#include "canvoy/devices/cia447/car_kind.hpp"
-#include "canvoy/devices/cia447/car_source.hpp"
-#include "canvoy/devices/cia447/commands.hpp"
+#include "canvoy/devices/cia447/kit/car_kind.hpp"
+#include "canvoy/devices/cia447/kit/car_source.hpp"
+#include "canvoy/devices/cia447/kit/commands.hpp"
 #include "canvoy/devices/cia447/navigation/gazetteer.hpp"
 #include "canvoy/profiles/cia447/devices.hpp"
 #include "canvoy/profiles/cia447/taxi_handles.hpp"
@@ -25,42 +25,42 @@ namespace canvoy::cia447 {
 struct NavigationHardware {
   /// Its own receiver; empty: the network's GPS.
   Callback<std::optional<GeoPosition>()> position = {};
-  /// Metres of road from one position to another; empty: as the crow flies.
+  /// Metres of road from one position to another; empty: straight-line distance.
   Callback<double(const GeoPosition& from, const GeoPosition& to)> road = {};
-  /// Guidance begins to a destination, or ends (null).
+  /// Called when guidance to a destination starts, or ends (null).
   Callback<void(const GeoPosition* destination)> guide = {};
   Gazetteer gazetteer = {};
 };
 struct NavigationSettings {
-  /// How often the position is looked at.
+  /// Period of readings of the position.
   Duration period = 1s;
-  /// Metres from the destination within which the car has arrived.
+  /// Distance in metres from the destination within which the car has arrived.
   double arrival = 50;
 };
 
 class NavigationUnit {
  public:
-  /// What `hardware` refers to must outlive this.
+  /// Everything to which `hardware` refers must outlive this.
   NavigationUnit(CarNetwork& network, const NavigationHardware& hardware,
                  const NavigationSettings& settings);
   NavigationUnit(const NavigationUnit&) = delete;
   NavigationUnit& operator=(const NavigationUnit&) = delete;
 
-  // The driver.
+  // For the driver.
 
-  /// At once; what waits is forgotten.
+  /// Starts guidance at once, and discards a waiting destination.
   void select(const GeoPosition& destination);
   void cancel();
 
   const std::optional<GeoPosition>& destination() const { return destination_; }
-  /// Where the car is: null, where nobody knows, or no place is near.
+  /// Place of the car; null if the position is not known, or no place is near.
   const NamedPlace* here() const;
-  /// Metres to the destination; nothing without one, and without a position.
+  /// Metres to the destination; nothing without a destination or a position.
   std::optional<double> distance() const;
   const std::optional<GeoPosition>& waiting() const { return waiting_; }
 
  private:
-  /// Halves of a position come one by one.
+  /// The halves of a position arrive one by one.
   struct Request {
     std::optional<double> latitude = {};
     std::optional<double> longitude = {};
@@ -95,9 +95,9 @@ class NavigationUnit {
   std::optional<GeoPosition> waiting_;
   CarSource gps_;
   Commands commands_;
-  static const HookCalls hook_calls[];
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const AccessHandlers hook_calls[];
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
   Timer timer_;
 };
 

@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "canvoy/devices/cia447/car_bench_test.hpp"
 #include "canvoy/devices/cia447/gps/gps_unit.hpp"
+#include "canvoy/devices/cia447/kit/car_bench_test.hpp"
 
 namespace canvoy::cia447::navigation_unit_test {
 namespace {
@@ -43,7 +43,7 @@ class Navigation : public testing::Test {
   std::string start(const std::string& code) {
     return bench.ask_as(2, "2F C3 60 03 " + code + " 00 00 00");
   }
-  /// The GPS of node 7 (base CAN-ID 480h) or 9 (1A0h) tells PDO 70, the 16th of the list.
+  /// The GPS of node 7 (base CAN-ID 480h) or 9 (1A0h) sends PDO 70, the 16th of the list.
   void be_at(const std::string& latitude, const std::string& longitude, unsigned node = 7) {
     bench.cable.send(std::string(node == 7 ? "48F" : "1AF") + "#" + latitude + " " + longitude);
     bench.cable.send("70" + std::to_string(node) + "#05");
@@ -53,10 +53,11 @@ class Navigation : public testing::Test {
 
   std::vector<GeoPosition> guided;
   NavigationUnit* unit = nullptr;
-  CarBench bench{only_unit<NavigationKind>, [this](Site& site) {
-                   site.offer(Callback<NavigationHardware()>::to<&Navigation::hardware>(*this));
-                   site.watch(Callback<void(NavigationUnit&, Node&)>::to<&Navigation::made>(*this));
-                 }};
+  CarBench bench{
+      only_unit<NavigationKind>, [this](Environment& environment) {
+        environment.provide(Callback<NavigationHardware()>::to<&Navigation::hardware>(*this));
+        environment.watch(Callback<void(NavigationUnit&, Node&)>::to<&Navigation::made>(*this));
+      }};
 };
 
 constexpr const char* no_destination = "FD FF 00 00";
@@ -248,7 +249,7 @@ TEST_F(Navigation, AResetLeadsOn) {
   EXPECT_EQ(distance_told(), "6F 00 00 00");
 }
 
-// Who tells the position.
+// The sender of the position.
 
 TEST_F(Navigation, AGpsThatFallsSilentMakesThePositionNotAvailable) {
   be_at(north_48_1, east_11);
@@ -263,8 +264,8 @@ TEST_F(Navigation, AGpsThatFallsSilentMakesThePositionNotAvailable) {
   EXPECT_EQ(distance_told(), "FF FF 00 00");
 }
 
-/// A car that stands still has a GPS that sends nothing by itself. Node 5 asks node 7 on 346h, and
-/// is answered on 2C6h (facts 2.2).
+/// The GPS of a car that stands sends nothing by itself. Requests of node 5 to node 7 are on 346h,
+/// answers on 2C6h (facts 2.2).
 class NavigationRegained : public Navigation {
  protected:
   NavigationRegained() {
@@ -350,9 +351,9 @@ struct Receiver {
 
 TEST(NavigationWithItsOwnReceiver, NeedsNoGpsAndKnowsTheRoads) {
   Receiver receiver;
-  CarBench bench(only_unit<NavigationKind>, [&](Site& site) {
-    site.offer(Callback<NavigationHardware()>::to<&Receiver::hardware>(receiver));
-    site.watch(Callback<void(NavigationUnit&, Node&)>::to<&Receiver::made>(receiver));
+  CarBench bench(only_unit<NavigationKind>, [&](Environment& environment) {
+    environment.provide(Callback<NavigationHardware()>::to<&Receiver::hardware>(receiver));
+    environment.watch(Callback<void(NavigationUnit&, Node&)>::to<&Receiver::made>(receiver));
   });
   receiver.unit->select({48.1, 11});
   EXPECT_EQ(bench.ask("40 C0 60 00 00 00 00 00"), "4B C0 60 00 A7 00 00 00") << "16.68 km";
@@ -371,9 +372,9 @@ struct Antenna {
 TEST(NavigationWithGpsInOneDevice, KnowsThePositionWithoutAFrame) {
   Antenna antenna;
   constexpr const CarUnit* both[] = {&car_unit<GpsKind>, &car_unit<NavigationKind>};
-  CarBench bench(both, [&](Site& site) {
-    site.offer(Callback<GpsHardware()>::to<&Antenna::hardware>(antenna));
-    site.watch(Callback<void(NavigationUnit&, Node&)>::to<&Antenna::made>(antenna));
+  CarBench bench(both, [&](Environment& environment) {
+    environment.provide(Callback<GpsHardware()>::to<&Antenna::hardware>(antenna));
+    environment.watch(Callback<void(NavigationUnit&, Node&)>::to<&Antenna::made>(antenna));
   });
   antenna.unit->select({48, 11});
   EXPECT_EQ(bench.ask("40 C0 60 00 00 00 00 00"), "4B C0 60 00 6F 00 00 00");

@@ -21,7 +21,7 @@ constexpr std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// The word that `text` begins with, which is taken away with the blanks behind it.
+/// Removes and returns the first word of `text`, with the blanks behind it.
 constexpr std::string_view take_word(std::string_view& text) {
   const std::string_view word(text.data(), std::min(text.size(), text.find_first_of(blanks)));
   text.remove_prefix(word.size());

@@ -1,5 +1,5 @@
-// One line of a file of places: `lat lon | street | city | country`, degrees with a point, south
-// and west below 0. Lines that are empty or begin with # are no places.
+// Parses a line of a file of places: `lat lon | street | city | country`, degrees with a point,
+// south and west below 0. Lines that are empty or begin with # are no places.
 //
 //     PlaceLine line = parse_place_line("48.13715 11.57538 | Marienplatz 1 | Munich | Germany");
 //     if (line.error == PlaceLineError::none && line.has_place) ... line.place
@@ -14,20 +14,20 @@ namespace canvoy::cia447 {
 
 enum class PlaceLineError : std::uint8_t {
   none,
-  fields,     ///< not four of them
+  fields,     ///< not four fields
   latitude,   ///< missing, no number, or not from -90 to 90
   longitude,  ///< missing, no number, or not from -180 to 180
-  position,   ///< something stands behind the longitude
+  position,   ///< characters behind the longitude
   length,     ///< a name has more than place_name_capacity bytes
-  city,       ///< there is none
+  city,       ///< missing
 };
-/// For people: what is wrong, without a full stop.
+/// Description of the error, without a full stop.
 std::string_view text_of(PlaceLineError error);
 
 struct PlaceLine {
   PlaceLineError error = PlaceLineError::none;
   bool has_place = false;
-  NamedPlace place{};  ///< its names are pieces of the line
+  NamedPlace place{};  ///< its names refer to the line
 };
 
 /// Street and country may be empty.

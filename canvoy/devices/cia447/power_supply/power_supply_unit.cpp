@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "canvoy/profiles/reactions.hpp"
+#include "canvoy/profiles/model/reactions.hpp"
 
 namespace canvoy::cia447 {
 
@@ -30,9 +30,9 @@ constexpr Statuses statuses_of[] = {
 
 }  // namespace
 
-constexpr HookCalls PowerSupplyUnit::hook_calls[] = {
+constexpr AccessHandlers PowerSupplyUnit::hook_calls[] = {
     after_write<&PowerSupplyUnit::ignition_written, ignition_switch_status_object>};
-constexpr ServiceCalls PowerSupplyUnit::service_calls = {.hooks = hook_calls};
+constexpr ServiceHandlers PowerSupplyUnit::service_calls = {.hooks = hook_calls};
 
 PowerSupplyUnit::PowerSupplyUnit(CarNetwork& network, const PowerSupplyHardware& hardware,
                                  const PowerSupplySettings& settings)
@@ -45,7 +45,7 @@ PowerSupplyUnit::PowerSupplyUnit(CarNetwork& network, const PowerSupplyHardware&
                 settings.switched),
       ignition_(network, {.pdo_number = ignition_pdo,
                           .lost = Callback<void()>::to<&PowerSupplyUnit::ignition_lost>(*this)}),
-      // Its PDO comes when the key is turned, and this device may not have heard that.
+      // Its PDO is sent when the key is turned, and this device may have missed it.
       reader_(network,
               {.server = gateway_node_id,
                .indices = asked_for,
@@ -78,7 +78,7 @@ void PowerSupplyUnit::ignition_read(std::uint16_t /*index*/) {
   look_at_ignition();
 }
 
-/// Who does not know whether the ignition is on spares the battery.
+/// While the state of the ignition is not known, the battery is spared.
 void PowerSupplyUnit::ignition_lost() {
   const Values car(network_.node().dictionary());
   car[ignition_switch_status_accessory] = Signal::not_available;

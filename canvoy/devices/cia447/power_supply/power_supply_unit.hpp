@@ -1,20 +1,20 @@
-// Power supply of radio and periphery: there is power while the ignition is on and for a time after
+// Power supply of radio and periphery: power is on while the ignition is on and for a time after
 // that (6070h, 6071h, 6073h, 6074h; CiA 447-3, 4.2.7).
 //
 //     PowerSupplyUnit supply(network, {.switch_power = ...}, {.radio_after_run = 1h});
 //     supply.report_overload(Supply::radio, true);
 //
-// Five minutes before the end of the after-run it is said that power will be cut off. A request to
-// cut it off is carried out at once, and holds until it is taken back or the ignition is turned on
-// anew. An overload takes the power away while it lasts.
+// Five minutes before the end of the after-run, the unit reports that power will be cut off. A
+// request to cut it off is executed at once, and holds until it is cancelled or the ignition is
+// switched on again. An overload switches the power off while it lasts.
 #pragma once
 
 #include <array>
 
-#include "canvoy/devices/cia447/car_kind.hpp"
-#include "canvoy/devices/cia447/car_source.hpp"
-#include "canvoy/devices/cia447/object_reader.hpp"
-#include "canvoy/devices/cia447/switching.hpp"
+#include "canvoy/devices/cia447/kit/car_kind.hpp"
+#include "canvoy/devices/cia447/kit/car_source.hpp"
+#include "canvoy/devices/cia447/kit/object_reader.hpp"
+#include "canvoy/devices/cia447/kit/switching.hpp"
 #include "canvoy/profiles/cia447/car_handles.hpp"
 #include "canvoy/profiles/cia447/devices.hpp"
 #include "canvoy/profiles/cia447/terminal_handles.hpp"
@@ -24,12 +24,12 @@ namespace canvoy::cia447 {
 enum class Supply : std::uint8_t { radio, periphery };
 
 struct PowerSupplyHardware {
-  /// Called when the power of a supply is turned on or off.
+  /// Called when the power of a supply is switched on or off.
   Callback<void(Supply, bool is_on)> switch_power = {};
 };
 
 struct PowerSupplySettings {
-  // How long there is power when the ignition is off.
+  // Time with power after the ignition is switched off.
   Duration radio_after_run = 30min;
   Duration periphery_after_run = 15min;
   SwitchedSettings switched = {};
@@ -53,7 +53,7 @@ class PowerSupplyUnit {
  public:
   static constexpr Duration warning = 5min;
 
-  /// What `hardware` and `settings` refer to must outlive this.
+  /// Everything to which `hardware` and `settings` refer must outlive this.
   PowerSupplyUnit(CarNetwork& network, const PowerSupplyHardware& hardware,
                   const PowerSupplySettings& settings);
   PowerSupplyUnit(const PowerSupplyUnit&) = delete;
@@ -61,7 +61,7 @@ class PowerSupplyUnit {
 
   void report_overload(Supply supply, bool is_overloaded);
   bool has_power(Supply supply) const { return lines_.at(index_of(supply)).is_on; }
-  /// For sensors that fail.
+  /// To report sensors that have failed.
   Switching& switching() { return statuses_.switching(); }
 
  private:
@@ -89,9 +89,9 @@ class PowerSupplyUnit {
   SwitchedUnit<power_supply_table> statuses_;
   CarSource ignition_;
   ObjectReader reader_;
-  static const HookCalls hook_calls[];
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const AccessHandlers hook_calls[];
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
   Timer timer_;
 };
 

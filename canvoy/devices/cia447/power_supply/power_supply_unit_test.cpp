@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/devices/cia447/car_bench_test.hpp"
+#include "canvoy/devices/cia447/kit/car_bench_test.hpp"
 
 namespace canvoy::cia447::power_supply_unit_test {
 namespace {
@@ -17,9 +17,9 @@ class PowerSupply : public testing::Test {
     cable.run_for(0s);
   }
   std::string status() { return cable.last(0x39D); }
-  void offer(Site& site) {
-    site.watch(Callback<void(PowerSupplyUnit&, Node&)>::to<&PowerSupply::made>(*this));
-    site.offer(Callback<PowerSupplyHardware()>::to<&PowerSupply::hardware>(*this));
+  void provide(Environment& environment) {
+    environment.watch(Callback<void(PowerSupplyUnit&, Node&)>::to<&PowerSupply::made>(*this));
+    environment.provide(Callback<PowerSupplyHardware()>::to<&PowerSupply::hardware>(*this));
   }
   PowerSupplyHardware hardware() {
     return {.switch_power = Callback<void(Supply, bool)>::to<&PowerSupply::switched>(*this)};
@@ -32,7 +32,8 @@ class PowerSupply : public testing::Test {
 
   std::string told;
   PowerSupplyUnit* unit_ = nullptr;
-  CarBench bench{only_unit<PowerSupplyKind>, [this](Site& site) { offer(site); }};
+  CarBench bench{only_unit<PowerSupplyKind>,
+                 [this](Environment& environment) { provide(environment); }};
   Cable& cable = bench.cable;
 };
 
@@ -53,7 +54,7 @@ TEST_F(PowerSupply, ThereIsPowerWhileTheIgnitionOrTheAccessoryIsOn) {
   EXPECT_EQ(status(), "39D#01 01");
 }
 
-/// Node 5 asks node 1 on 340h and is answered on 2C0h (facts 2.2); 6007h has one byte.
+/// Requests of node 5 to node 1 are on 340h, answers on 2C0h (facts 2.2); 6007h has one byte.
 TEST_F(PowerSupply, AnIgnitionThatWasOnBeforeItBootedIsAskedFor) {
   cable.run_for(500ms);
   EXPECT_EQ(cable.last(0x340), "340#40 07 60 00 00 00 00 00");

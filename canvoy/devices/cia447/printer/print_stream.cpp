@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "canvoy/can/must_hold.hpp"
+#include "canvoy/can/check_invariant.hpp"
 #include "canvoy/profiles/cia447/printer.hpp"
 
 namespace canvoy::cia447 {
@@ -13,14 +13,14 @@ constexpr std::uint8_t code(PrinterControl control) {
   return static_cast<std::uint8_t>(control);
 }
 
-/// Of what is printed twice, ink stays.
+/// Where a dot is printed twice, ink stays.
 constexpr PrintColor over(const PrintColor& a, const PrintColor& b) {
   return {.red = std::min(a.red, b.red),
           .green = std::min(a.green, b.green),
           .blue = std::min(a.blue, b.blue)};
 }
 
-/// What is left of white after ink of one color and of black.
+/// Remaining white after ink of one color and of black.
 constexpr std::uint8_t left_of_white(unsigned color, unsigned black) {
   return static_cast<std::uint8_t>(((255 - color) * (255 - black) + 127) / 255);
 }
@@ -94,7 +94,7 @@ void PrintStream::character(char32_t one) {
   }
   unsigned width = style_.has_variable_width ? paper_.width(one, style_) : 0;
   if (width == 0) width = style_.width;
-  // A character that is wider than the paper stands at its left edge.
+  // A character that is wider than the paper is at its left edge.
   const bool has_room = left_ == 0 || left_ + width <= settings_.dots_per_line;
   if (characters_ >= characters_per_line_ || !has_room) new_line();
   paper_.put({.character = one, .left = left_, .style = style_});
@@ -141,14 +141,14 @@ void PrintStream::control(std::uint8_t byte) {
 
 void PrintStream::dot_byte(std::uint8_t byte) {
   if (mode_ == PrinterMode::graphics_black) {
-    // A row begins with a byte: what is left of the last one lies beside the paper.
+    // A row starts with a byte: the rest of the last one is beside the paper.
     if (column_ >= settings_.dots_per_line) end_row();
     for (unsigned bit = 0; bit < 8 && column_ < settings_.dots_per_line; ++bit) {
       dot((byte << bit & 0x80) != 0 ? black : PrintColor{});
     }
     return;
   }
-  must_hold(dot_byte_count_ < bytes_of_dot(mode_));
+  check_invariant(dot_byte_count_ < bytes_of_dot(mode_));
   dot_bytes_[dot_byte_count_++] = byte;
   if (dot_byte_count_ < bytes_of_dot(mode_)) return;
   dot_byte_count_ = 0;

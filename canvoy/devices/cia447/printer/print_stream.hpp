@@ -1,4 +1,4 @@
-// What comes through the printer transport, put on paper (CiA 447-3, 60EBh, table 381; errata Z23):
+// Prints the contents of the printer transport on paper (CiA 447-3, 60EBh, table 381; errata Z23):
 // text, graphics in four kinds of dots with their escape sequences, and logos.
 //
 //     PrintStream stream(paper, {.dots_per_line = 384});
@@ -6,9 +6,9 @@
 //     stream.write(bytes);   // as they come, in any pieces
 //     stream.end();          // of this transport
 //
-// A text line stays open at the end of a transport, so that the next one goes on in it; a row of
-// dots does not. A line that is full is ended by the character or dot for which it has no room, not
-// before: a new line that follows is the same new line.
+// A text line stays open at the end of a transport, and the next transport continues it; a row of
+// dots does not. A full line ends with the character or dot for which it has no room, not before: a
+// new line character that follows is the same new line.
 #pragma once
 
 #include <array>
@@ -31,27 +31,27 @@ class PrintStream {
  public:
   static constexpr unsigned dots_max = 1024;
 
-  /// What the callbacks and `settings` refer to must outlive this.
+  /// Everything to which the callbacks and `settings` refer must outlive this.
   PrintStream(const PrinterPaper& paper, const PrintStreamSettings& settings);
 
-  /// Ends a line that is open. `mode` is one of the six.
+  /// Sets one of the six modes, and ends an open line.
   void set_mode(PrinterMode mode);
   PrinterMode mode() const { return mode_; }
-  /// For what is printed from here on; a line has this many characters at most.
+  /// Applies to all that is printed afterwards; a line has at most this number of characters.
   void set_style(const PrintStyle& style, unsigned characters_per_line);
 
   void write(std::span<const std::uint8_t> bytes) {
     for (const std::uint8_t byte : bytes) write(byte);
   }
   void write(std::uint8_t byte);
-  /// Ends a transport: half a character, dot or escape sequence comes to nothing.
+  /// Ends a transport: an incomplete character, dot or escape sequence is discarded.
   void end();
-  /// Empty lines of text.
+  /// Prints empty lines of text.
   void feed_lines(unsigned count);
 
-  /// Dots by which the paper has moved.
+  /// Number of dots by which the paper has moved.
   std::uint32_t fed() const { return fed_; }
-  /// Bytes that mean nothing in their place: unknown escape sequences, logos that are not there,
+  /// Number of bytes without a meaning at their position: unknown escape sequences, missing logos,
   /// control characters.
   std::uint32_t ignored() const { return ignored_; }
 
@@ -77,14 +77,14 @@ class PrintStream {
 
   // Text.
   Utf8Stream utf8_;
-  unsigned left_ = 0;         ///< dots of the line that are taken
+  unsigned left_ = 0;         ///< used dots of the line
   unsigned characters_ = 0;   ///< on the line
-  unsigned line_height_ = 0;  ///< of its highest character; 0: the line is empty
+  unsigned line_height_ = 0;  ///< height of its highest character; 0: the line is empty
 
   // Graphics.
   std::array<PrintColor, dots_max> row_{};
   unsigned column_ = 0;
-  bool has_row_ = false;  ///< something is in the row, even where a carriage return followed
+  bool has_row_ = false;  ///< the row is in use, even after a carriage return
   bool is_escaped_ = false;
   std::array<std::uint8_t, 4> dot_bytes_{};
   unsigned dot_byte_count_ = 0;

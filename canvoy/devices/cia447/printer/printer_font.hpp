@@ -1,13 +1,13 @@
-// Which font and colors a printer is set to (CiA 447-3, 60E5h and 60E6h; errata Z15, Z16): what was
-// asked for, and what comes of it on paper of so many dots.
+// Font and color settings of a printer (CiA 447-3, 60E5h and 60E6h; errata Z15, Z16): the requested
+// ones, and those that result on paper with a given number of dots.
 //
 //     PrinterFont font({.dots_per_line = 384});
 //     font.set_width(16);
 //     font.characters_per_line();  // 24
 //
-// The command has two codes that ask for nothing. "Don't care" leaves a setting as it is, and so
-// does "no command" (0) where another number can be asked for. Of bold, cursive and variable width
-// we read "no command" as "not": else they could never be turned off again.
+// The command has two codes without a request. "Don't care" leaves a setting as it is, and so does
+// "no command" (0) where another number can be requested. For bold, cursive and variable width, "no
+// command" is read as "not": otherwise they could never be switched off.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ struct PrinterFontLimits {
   std::uint8_t width_min = 8;
   std::uint8_t width_max = 32;
 
-  /// What the objects can tell of: 253 at most.
+  /// Within the range of the objects: 253 at most.
   constexpr unsigned characters_max() const { return told(dots_per_line / width_min); }
   constexpr unsigned characters_min() const { return told(dots_per_line / width_max); }
 
@@ -38,7 +38,7 @@ class PrinterFont {
  public:
   constexpr explicit PrinterFont(const PrinterFontLimits& limits) : limits_(limits) {}
 
-  // 0: not set. They are not checked here: see allows_*.
+  // 0: not set. The values are not checked here: see allows_*.
 
   constexpr bool allows_height(unsigned dots) const {
     return dots == 0 || (dots >= limits_.height_min && dots <= limits_.height_max);
@@ -61,7 +61,7 @@ class PrinterFont {
   bool has_variable_width = false;
   ColorSpace color_space = ColorSpace::rgb;
 
-  /// What comes of it: where no width is set, one with which the wanted characters have room.
+  /// The resulting style: without a set width, one with which the requested characters have room.
   constexpr PrintStyle style() const {
     return {.height = height_ != 0 ? height_ : limits_.height_min,
             .width = style_width(),
@@ -69,7 +69,7 @@ class PrinterFont {
             .is_cursive = is_cursive,
             .has_variable_width = has_variable_width};
   }
-  /// As many as are wanted, but no more than have room.
+  /// The requested number, but not more than have room.
   constexpr unsigned characters_per_line() const {
     const unsigned room = std::max(1U, limits_.dots_per_line / style_width());
     const unsigned count = characters_ != 0 ? std::min<unsigned>(characters_, room) : room;

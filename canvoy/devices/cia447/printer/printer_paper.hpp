@@ -1,5 +1,5 @@
-// The paper of a printer, as its virtual device drives it (CiA 447-3, 4.2.13): what puts marks on
-// it and moves it. The maker of a printer gives the mechanism; a simulation gives a picture
+// The paper of a printer, for its virtual device (CiA 447-3, 4.2.13): callbacks that print on it
+// and move it. The maker of a printer provides the mechanism; a simulation provides a picture
 // (canvoy/sim/plants/paper_picture.hpp).
 //
 //     PaperPicture picture;
@@ -13,7 +13,7 @@
 
 namespace canvoy::cia447 {
 
-/// Of a dot; white is the paper.
+/// Color of a dot; white is the paper.
 struct PrintColor {
   std::uint8_t red = 0xFF;
   std::uint8_t green = 0xFF;
@@ -22,10 +22,10 @@ struct PrintColor {
   friend constexpr bool operator==(const PrintColor&, const PrintColor&) = default;
 };
 
-/// How text is to look; sizes in dots.
+/// Style of text; sizes in dots.
 struct PrintStyle {
   std::uint8_t height = 16;
-  std::uint8_t width = 8;  ///< of variable width: of a usual character
+  std::uint8_t width = 8;  ///< with variable width: that of an average character
   bool is_bold = false;
   bool is_cursive = false;
   bool has_variable_width = false;
@@ -39,21 +39,21 @@ struct PrintedCharacter {
   PrintStyle style = {};
 };
 
-/// What is empty is not done.
+/// Empty callbacks have no effect.
 struct PrinterPaper {
-  /// Prints one character; its upper edge is where the paper stands.
+  /// Prints one character; its upper edge is at the position of the paper.
   Callback<void(const PrintedCharacter&)> put = {};
-  /// How many dots wide a character of variable width is; empty or 0: as wide as the style says.
+  /// Width in dots of a character of variable width; empty or 0: that of the style.
   Callback<unsigned(char32_t, const PrintStyle&)> width = {};
-  /// Prints a row of dots, from the left edge, where the paper stands.
+  /// Prints a row of dots, from the left edge, at the position of the paper.
   Callback<void(std::span<const PrintColor>)> put_row = {};
-  /// Moves the paper by so many dots.
+  /// Moves the paper by this number of dots.
   Callback<void(unsigned)> feed = {};
   Callback<void()> cut = {};
 };
 
-/// A picture that the printer has in store: rows of dots, the leftmost in the highest bit of the
-/// first byte, each row in whole bytes.
+/// A picture stored in the printer: rows of dots, the leftmost in the highest bit of the first
+/// byte, each row in whole bytes.
 struct PrinterLogo {
   unsigned width = 0;
   std::span<const std::uint8_t> bits;

@@ -13,7 +13,7 @@ constexpr Signal signal(bool is_so) {
 
 }  // namespace
 
-constexpr ServiceCalls PrinterUnit::service_calls = {.reset = method<&PrinterUnit::reset>};
+constexpr ServiceHandlers PrinterUnit::service_calls = {.reset = method<&PrinterUnit::reset>};
 
 PrinterUnit::PrinterUnit(CarNetwork& network, const PrinterHardware& hardware,
                          const PrinterSettings& settings)
@@ -43,7 +43,7 @@ PrinterUnit::PrinterUnit(CarNetwork& network, const PrinterHardware& hardware,
   network.node().attach(service_);
 }
 
-/// Called before the members are all there: by nothing but settings and places.
+/// Called before all members are constructed: uses only settings and places.
 void PrinterUnit::list_lacking() {
   const auto lack = [this](bool is_lacking, const auto& handle) {
     if (is_lacking) lacking_[lacking_count_++] = place_of(handle);
@@ -57,7 +57,7 @@ void PrinterUnit::list_lacking() {
   lack(!can.text, printer_configuration_command_number_of_chars_per_line);
 }
 
-/// A new network finds a printer without settings of others; what is on the paper stays there.
+/// After a reset, the printer has no settings of former clients; the contents on paper stay.
 void PrinterUnit::reset(ResetScope) {
   is_transporting_ = false;
   stream_.end();
@@ -100,7 +100,7 @@ bool PrinterUnit::allows(ColorSpaceCommand command) const {
 AbortCode PrinterUnit::refuses(const Commanded& wanted) {
   bool is_allowed = true;
   if (wanted.is_for(printer_mode_command)) {
-    // The bytes that are under way mean what they meant when they were sent.
+    // The settings apply to the bytes under way, and must not change.
     if (is_transporting_) return AbortCode::device_state;
     is_allowed = allows(wanted.as<PrinterMode>());
   } else if (wanted.is_for(printer_configuration_command_height_of_used_font)) {
@@ -150,7 +150,7 @@ void PrinterUnit::use_font() {
 
 // The transport.
 
-/// What is on the paper is nowhere else.
+/// The printed contents are not stored.
 Result<std::uint32_t> PrinterUnit::read_back(const Entry&) {
   return AbortCode::no_data;
 }
@@ -170,7 +170,7 @@ AbortCode PrinterUnit::write(const Entry&, std::span<const std::uint8_t> bytes) 
   return AbortCode::none;
 }
 
-/// What is on the paper cannot be taken back, complete or not.
+/// Printed contents cannot be undone, complete or not.
 AbortCode PrinterUnit::close(const Entry&, bool) {
   is_transporting_ = false;
   if (can_print()) stream_.end();
@@ -203,7 +203,7 @@ void PrinterUnit::finished(Time) {
 
 void PrinterUnit::sense_paper(bool is_there) {
   has_paper_ = is_there;
-  // What was still to move does not.
+  // Outstanding movements are cancelled.
   if (!is_there) busy_until_ = network_.node().now();
   tell_state();
 }
@@ -216,7 +216,7 @@ void PrinterUnit::sense(PrinterMechanism mechanism) {
 
 // Statuses.
 
-/// Without paper nothing can be printed: that is a failure, and 60E1h says which.
+/// Without paper, nothing can be printed: this is a failure, and 60E1h gives the reason.
 void PrinterUnit::tell_state() {
   const bool has_failed = mechanism_ == PrinterMechanism::failure;
   PrinterState state = is_busy() ? PrinterState::busy : PrinterState::ready;

@@ -1,19 +1,19 @@
-// The printer: text, graphics and logos come through one transport object, and go on paper (60E0h
-// to 60EBh; CiA 447-3, 4.2.13).
+// The printer: prints text, graphics and logos from one transport object (60E0h to 60EBh; CiA
+// 447-3, 4.2.13).
 //
 //     PaperPicture picture;
 //     PrinterUnit printer(network, {.paper = picture.paper()}, {});
 //     printer.sense_paper(false);   // it has run out
 //
-// What is transported is printed as it comes, by one client at a time; another one, and everybody
-// while there is no paper, gets 0800 0022h. The printer is busy until the paper has moved as far as
+// A transport is printed as it arrives, from one client at a time. Other clients, and all clients
+// while there is no paper, get 0800 0022h. The printer is busy until the paper has moved as far as
 // was printed.
 #pragma once
 
 #include <array>
 
-#include "canvoy/devices/cia447/car_kind.hpp"
-#include "canvoy/devices/cia447/commands.hpp"
+#include "canvoy/devices/cia447/kit/car_kind.hpp"
+#include "canvoy/devices/cia447/kit/commands.hpp"
 #include "canvoy/devices/cia447/printer/print_stream.hpp"
 #include "canvoy/devices/cia447/printer/printer_font.hpp"
 #include "canvoy/profiles/cia447/devices.hpp"
@@ -25,7 +25,7 @@ struct PrinterHardware {
   PrinterPaper paper = {};
 };
 
-/// What the printer is able to do (60E2h).
+/// Capabilities of the printer (60E2h).
 struct PrinterAbilities {
   bool text = true;
   bool bold = true;
@@ -41,27 +41,27 @@ struct PrinterSettings {
   PrinterAbilities can = {};
   PrinterFontLimits font = {};
   std::span<const PrinterLogo> logos = {};  ///< 20 at most; must outlive the unit
-  /// New lines after which the last text can be torn off, 1 to 5, which the client sends; 0: the
-  /// printer feeds `automatic_lines` by itself when it has printed all.
+  /// Number of new lines after which the last text can be torn off, 1 to 5, which the client sends;
+  /// 0: the printer feeds `automatic_lines` by itself at the end of printing.
   unsigned lines_to_form_feed = 3;
   unsigned automatic_lines = 3;
-  /// How fast the paper moves.
+  /// Speed of the paper.
   unsigned dots_per_second = 400;
 };
 
-/// What the mechanism says of itself.
+/// State of the mechanism.
 enum class PrinterMechanism : std::uint8_t { working, standby, failure };
 
 class PrinterUnit {
  public:
-  /// What `hardware` and `settings` refer to must outlive this.
+  /// Everything to which `hardware` and `settings` refer must outlive this.
   PrinterUnit(CarNetwork& network, const PrinterHardware& hardware,
               const PrinterSettings& settings);
   PrinterUnit(const PrinterUnit&) = delete;
   PrinterUnit& operator=(const PrinterUnit&) = delete;
 
   void sense_paper(bool is_there);
-  /// A printer in standby wakes up for a transport.
+  /// Sets the state of the mechanism. A printer in standby wakes up for a transport.
   void sense(PrinterMechanism mechanism);
 
   bool is_busy() const { return is_transporting_ || busy_until_ > network_.node().now(); }
@@ -99,7 +99,7 @@ class PrinterUnit {
   PrinterMechanism mechanism_ = PrinterMechanism::working;
   bool is_transporting_ = false;
   bool wants_form_feed_ = false;
-  std::uint32_t counted_ = 0;  ///< dots of which the time is in busy_until_
+  std::uint32_t counted_ = 0;  ///< dots that busy_until_ already includes
   Time busy_until_{};
 
   std::array<FieldPlace, 8> lacking_{};
@@ -107,8 +107,8 @@ class PrinterUnit {
   Commands commands_;
   Domain domain_;
   Hook transport_hook_;
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
   Timer timer_;
 };
 

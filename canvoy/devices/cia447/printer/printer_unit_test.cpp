@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-#include "canvoy/devices/cia447/car_bench_test.hpp"
+#include "canvoy/devices/cia447/kit/car_bench_test.hpp"
 
 namespace canvoy::cia447::printer_unit_test {
 namespace {
@@ -23,10 +23,10 @@ constexpr PrinterLogo logos[] = {{.width = 3, .bits = cross_bits}};
 class PrinterBench {
  public:
   explicit PrinterBench(const PrinterSettings& settings)
-      : settings_(settings), bench(only_unit<PrinterKind>, [this](Site& site) {
-          site.offer(Callback<PrinterHardware()>::to<&PrinterBench::hardware>(*this));
-          site.offer(Callback<PrinterSettings()>::to<&PrinterBench::settings>(*this));
-          site.watch(Callback<void(PrinterUnit&, Node&)>::to<&PrinterBench::made>(*this));
+      : settings_(settings), bench(only_unit<PrinterKind>, [this](Environment& environment) {
+          environment.provide(Callback<PrinterHardware()>::to<&PrinterBench::hardware>(*this));
+          environment.provide(Callback<PrinterSettings()>::to<&PrinterBench::settings>(*this));
+          environment.watch(Callback<void(PrinterUnit&, Node&)>::to<&PrinterBench::made>(*this));
         }) {}
 
   PrinterUnit& unit() { return *unit_; }
@@ -39,7 +39,7 @@ class PrinterBench {
   }
   std::string configure(const std::string& word) { return bench.ask_as(2, "23 E5 60 00 " + word); }
 
-  /// Begins a segmented download of so many bytes: the answer.
+  /// Starts a segmented download of this number of bytes. Returns the answer.
   std::string begin(std::size_t size, unsigned client = 2) {
     toggle_ = false;
     char request[32];

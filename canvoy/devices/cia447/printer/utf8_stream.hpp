@@ -1,5 +1,5 @@
-// UTF-8 that comes byte by byte. What is none gives U+FFFD, once for each piece that cannot be
-// continued.
+// Decodes UTF-8 that arrives byte by byte. Invalid input gives U+FFFD, once for each piece that
+// cannot be continued.
 //
 //     Utf8Stream text;
 //     text.push(0xC3, put);  // nothing yet
@@ -32,7 +32,7 @@ class Utf8Stream {
       put(replacement);
     }
   }
-  /// Nothing more comes.
+  /// Ends the input.
   template <class Put>
   void end(Put&& put) {
     if (missing_ == 0) return;
@@ -46,8 +46,7 @@ class Utf8Stream {
     low_ = 0x80;
     high_ = 0xBF;
   }
-  /// The second byte of some is limited: forms that are too long, halves of pairs of UTF-16, and
-  /// what is above 10 FFFFh.
+  /// Limits the second byte of some: overlong forms, UTF-16 surrogates, and values above 10 FFFFh.
   bool begin(std::uint8_t byte) {
     if (byte < 0xC2 || byte > 0xF4) return false;
     allow_any();

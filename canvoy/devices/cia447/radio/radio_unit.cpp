@@ -1,7 +1,7 @@
 #include "canvoy/devices/cia447/radio/radio_unit.hpp"
 
 #include "canvoy/profiles/cia447/terminal_handles.hpp"
-#include "canvoy/profiles/reactions.hpp"
+#include "canvoy/profiles/model/reactions.hpp"
 
 namespace canvoy::cia447 {
 
@@ -11,9 +11,9 @@ constexpr unsigned power_supply_pdo = 84;
 
 }  // namespace
 
-constexpr HookCalls RadioUnit::hook_calls[] = {
+constexpr AccessHandlers RadioUnit::hook_calls[] = {
     after_write<&RadioUnit::supply_written, radio_power_supply_status_object>};
-constexpr ServiceCalls RadioUnit::service_calls = {.hooks = hook_calls};
+constexpr ServiceHandlers RadioUnit::service_calls = {.hooks = hook_calls};
 
 RadioUnit::RadioUnit(CarNetwork& network, const SwitchedHardware& hardware,
                      const SwitchedSettings& settings)
@@ -30,7 +30,7 @@ RadioUnit::RadioUnit(CarNetwork& network, const SwitchedHardware& hardware,
   network.node().attach(service_);
 }
 
-/// Without power there is nobody to obey: only what is wanted of the power is kept in mind.
+/// Without power, no command is executed: only a command for the power is stored.
 bool RadioUnit::commanded(const Commanded& wanted) {
   if (wanted.is_for(radio_device_command_power)) {
     is_wanted_on_ = wanted.as<Order>() == Order::on;
@@ -54,7 +54,7 @@ void RadioUnit::supply_written(Source source) {
   look_at_supply();
 }
 
-/// Whether there is power the radio feels itself.
+/// The radio itself detects whether there is power.
 void RadioUnit::supply_lost() {
   Values(network_.node().dictionary())[radio_power_supply_status_on] = Signal::not_available;
   look_at_supply();

@@ -1,15 +1,16 @@
-// The radio: power, push-to-talk, and what ails it (6115h to 6117h; CiA 447-3, 4.2.18).
+// The radio: power, push-to-talk, and faults (6115h to 6117h; CiA 447-3, 4.2.18).
 //
 //     RadioUnit radio(network, {}, {});
 //     radio.switching().report(radio_status_error_1, Signal::yes);
 //
-// It talks while it has power only. Where the power supply (6070h) says that it gives none, that is
-// "radio power off detected", and the radio is off; when power returns, it is what it was.
+// It can talk only while it has power. When the power supply (6070h) reports that power is off,
+// that is "radio power off detected", and the radio is off. When power returns, it returns to its
+// former state.
 #pragma once
 
-#include "canvoy/devices/cia447/car_kind.hpp"
-#include "canvoy/devices/cia447/car_source.hpp"
-#include "canvoy/devices/cia447/switching.hpp"
+#include "canvoy/devices/cia447/kit/car_kind.hpp"
+#include "canvoy/devices/cia447/kit/car_source.hpp"
+#include "canvoy/devices/cia447/kit/switching.hpp"
 #include "canvoy/profiles/cia447/devices.hpp"
 #include "canvoy/profiles/cia447/radio_handles.hpp"
 
@@ -30,7 +31,7 @@ inline constexpr SwitchedTable radio_table = {
 
 class RadioUnit {
  public:
-  /// What `hardware` and `settings` refer to must outlive this.
+  /// Everything to which `hardware` and `settings` refer must outlive this.
   RadioUnit(CarNetwork& network, const SwitchedHardware& hardware,
             const SwitchedSettings& settings);
   RadioUnit(const RadioUnit&) = delete;
@@ -51,9 +52,9 @@ class RadioUnit {
   bool is_wanted_on_ = false;
   SwitchedUnit<radio_table> unit_;
   CarSource supply_;
-  static const HookCalls hook_calls[];
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const AccessHandlers hook_calls[];
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
 };
 
 struct RadioKind : CarKind<RadioUnit, SwitchedHardware, SwitchedSettings> {
@@ -64,7 +65,7 @@ struct RadioKind : CarKind<RadioUnit, SwitchedHardware, SwitchedSettings> {
                                       .node_id = 11,
                                       .hardware = "transceiver: power, push-to-talk, errors"};
   static constexpr const VirtualDeviceInfo& provides = radio_device;
-  /// The PDO with the first has both.
+  /// The PDO that carries the first carries both.
   static constexpr std::array<const ObjectInfo*, 2> consumes = {
       &radio_power_supply_status_object, &periphery_power_supply_status_object};
 };

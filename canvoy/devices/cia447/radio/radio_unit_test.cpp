@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/devices/cia447/car_bench_test.hpp"
+#include "canvoy/devices/cia447/kit/car_bench_test.hpp"
 
 namespace canvoy::cia447::radio_unit_test {
 namespace {
@@ -18,11 +18,13 @@ class Radio : public testing::Test {
     command("FD");
     cable.run_for(1s);
   }
-  void offer(Site& site) { site.watch(Callback<void(RadioUnit&, Node&)>::to<&Radio::made>(*this)); }
+  void provide(Environment& environment) {
+    environment.watch(Callback<void(RadioUnit&, Node&)>::to<&Radio::made>(*this));
+  }
   void made(RadioUnit& unit, Node& /*node*/) { unit_ = &unit; }
 
   RadioUnit* unit_ = nullptr;
-  CarBench bench{only_unit<RadioKind>, [this](Site& site) { offer(site); }};
+  CarBench bench{only_unit<RadioKind>, [this](Environment& environment) { provide(environment); }};
   Cable& cable = bench.cable;
 };
 
@@ -96,7 +98,7 @@ TEST_F(Radio, APowerSupplyThatFallsSilentSaysNothingOfThePower) {
   EXPECT_EQ(cable.last(0x39C), "39C#F0 F1");
 }
 
-/// Node 5 asks node 10 on 349h, and is answered on 2C9h (facts 2.2).
+/// Requests of node 5 to node 10 are on 349h, answers on 2C9h (facts 2.2).
 TEST_F(Radio, APowerSupplyThatIsHeardAgainIsAskedForThePower) {
   cable.send("23D#00 01");
   cable.run_for(3s);

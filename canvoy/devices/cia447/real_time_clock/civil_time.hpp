@@ -1,5 +1,5 @@
-// Dates and times of day as people write them, and seconds since 1970-01-01, whichever is wanted:
-// for clocks of CiA 447-3 (60F0h to 60F3h), of which years go to 65533.
+// Dates and times of day, and their conversion to seconds since 1970-01-01: for clocks of CiA 447-3
+// (60F0h to 60F3h), with years up to 65533.
 //
 //     const CivilTime time = civil_time(1'230'768'000);  // 2009-01-01 00:00:00
 //     seconds_since_1970({.year = 2009, .month = 1, .day = 1});
@@ -20,7 +20,7 @@ struct CivilTime {
   friend constexpr bool operator==(const CivilTime&, const CivilTime&) = default;
 };
 
-/// Days as people count them in a week.
+/// Days of a week.
 enum class Weekday : std::uint8_t {
   monday,
   tuesday,
@@ -37,7 +37,7 @@ inline constexpr std::int64_t seconds_a_day = 86'400;
 
 namespace civil {
 
-/// Rounds down, below 0 too.
+/// Rounds down, also below 0.
 constexpr std::int64_t floored(std::int64_t number, std::int64_t divisor) {
   return (number - ((number % divisor + divisor) % divisor)) / divisor;
 }
@@ -50,15 +50,15 @@ constexpr std::int64_t remainder(std::int64_t number, std::int64_t divisor) {
 constexpr bool is_leap_year(std::int64_t year) {
   return year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
 }
-/// 0 where there is no such month.
+/// 0 if there is no such month.
 constexpr unsigned days_of_month(std::int64_t year, unsigned month) {
   constexpr std::uint8_t days[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
   if (month < 1 || month > 12) return 0;
   return days[month - 1] + (month == 2 && is_leap_year(year) ? 1U : 0U);
 }
 
-/// Days since 1970-01-01, in the Gregorian calendar. Years begin in March here, so that the day
-/// that some of them have comes last, and four hundred of them are always of the same length.
+/// Days since 1970-01-01, in the Gregorian calendar. Years begin in March here, so that the leap
+/// day comes last, and every four hundred years have the same length.
 constexpr std::int64_t days_since_1970(std::int64_t year, unsigned month, unsigned day) {
   const std::int64_t shifted = month <= 2 ? year - 1 : year;
   const std::int64_t era = civil::floored(shifted, 400);

@@ -23,7 +23,7 @@ TEST(CivilTime, ComesBackFromEverySecondThatIsTried) {
   }
 }
 
-/// The library of the language knows years up to 32767.
+/// The standard library supports years up to 32767.
 TEST(CivilTime, AgreesWithTheLibrary) {
   for (int day = -800'000; day < 11'000'000; day += 97) {
     const std::chrono::sys_days days{std::chrono::days(day)};

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "canvoy/canopen/little_endian.hpp"
-#include "canvoy/profiles/reactions.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
+#include "canvoy/profiles/model/reactions.hpp"
 
 namespace canvoy::cia447 {
 
@@ -31,7 +31,7 @@ std::optional<std::uint32_t> wanted_in(const Handle& /*handle*/, std::uint32_t r
   return number;
 }
 
-/// How many bytes the first characters of a UTF-8 text are.
+/// Number of bytes of the first characters of a UTF-8 text.
 std::size_t bytes_of_characters(std::string_view text, std::size_t characters) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -47,13 +47,13 @@ std::size_t characters_in(std::string_view text) {
 
 }  // namespace
 
-constexpr HookCalls RealTimeClockUnit::hook_calls[] = {
+constexpr AccessHandlers RealTimeClockUnit::hook_calls[] = {
     before_read<&RealTimeClockUnit::refresh, rtc_date_object, rtc_type_and_status_object>,
     before_write<&RealTimeClockUnit::check_date, set_rtc_date_object>,
     before_write<&RealTimeClockUnit::check_time, set_rtc_time_object>,
     after_write<&RealTimeClockUnit::date_written, set_rtc_date_object>,
     after_write<&RealTimeClockUnit::time_written, set_rtc_time_object>};
-constexpr ServiceCalls RealTimeClockUnit::service_calls = {
+constexpr ServiceHandlers RealTimeClockUnit::service_calls = {
     .reset = method<&RealTimeClockUnit::reset>, .hooks = hook_calls};
 
 RealTimeClockUnit::RealTimeClockUnit(CarNetwork& network, const RealTimeClockHardware& hardware,
@@ -66,7 +66,7 @@ RealTimeClockUnit::RealTimeClockUnit(CarNetwork& network, const RealTimeClockHar
   network.node().attach(service_);
 }
 
-/// An NMT reset sets no clock back.
+/// An NMT reset does not change the clock.
 void RealTimeClockUnit::reset(ResetScope /*scope*/) {
   if (!has_started_) {
     has_started_ = true;
@@ -78,7 +78,7 @@ void RealTimeClockUnit::reset(ResetScope /*scope*/) {
   tick(network_.node().now());
 }
 
-/// At each full second, so that who reads values without asking over the bus has the right ones.
+/// At each full second, so that values that are read without a request on the bus are right.
 void RealTimeClockUnit::tick(Time now) {
   if (now - looked_at_ >= settings_.comparison_period) look();
   tell();
@@ -164,7 +164,7 @@ RealTimeClockUnit::Wanted RealTimeClockUnit::wanted_time(std::uint32_t raw) cons
            wanted_in(set_rtc_time_second, raw)}};
 }
 
-/// What one field cannot know of the others: the 30th of February. Codes are checked by Commands.
+/// Checks that a single field cannot make: the 30th of February. Commands checks the codes.
 AbortCode RealTimeClockUnit::check_date(Raw<std::uint32_t> raw) const {
   const Wanted wanted = wanted_date(raw.bits);
   const AbortCode answer = check_may_set(wanted);
@@ -230,7 +230,7 @@ void RealTimeClockUnit::set_time(const Wanted& wanted) {
             std::chrono::minutes(wanted.parts[1].value_or(now.minute)) + second);
 }
 
-/// In the hour that there is twice, what is shown goes on to be summer or not.
+/// In the hour that occurs twice, the time stays with or without summer time, as before.
 void RealTimeClockUnit::set_local(Duration shown) {
   const std::int64_t whole = whole_seconds(shown);
   const Duration fraction = shown - std::chrono::seconds(whole);

@@ -1,34 +1,34 @@
-// A real time clock: date, time, zone and summer time, told and set over the bus (60F0h to 60F5h;
-// CiA 447-3, 4.2.14). It goes by the node's time, and keeps to a clock chip where there is one.
+// A real time clock: date, time, zone and summer time, sent and set over the bus (60F0h to 60F5h;
+// CiA 447-3, 4.2.14). It runs on the node's time, and follows a clock chip if there is one.
 //
 //     RealTimeClockUnit clock(network, {.read = ..., .write = ...},
 //                             {.zone = {.name = "CET", .offset_minutes = 60,
 //                                       .summer = european_summer}});
 //
-// What it tells is local time, and the offset from UTC has summer time in it. Without a date
-// ("no date is set") the time goes on; with a date and a time that somebody has set, or that the
-// chip kept, it is valid.
+// It sends local time; the offset from UTC includes summer time. Without a date ("no date is set"),
+// the time goes on. It is valid with a date and a time that were set, or kept by the chip.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 
-#include "canvoy/devices/cia447/car_kind.hpp"
-#include "canvoy/devices/cia447/commands.hpp"
+#include "canvoy/devices/cia447/kit/car_kind.hpp"
+#include "canvoy/devices/cia447/kit/commands.hpp"
 #include "canvoy/devices/cia447/real_time_clock/time_zone.hpp"
 #include "canvoy/profiles/cia447/equipment_handles.hpp"
-#include "canvoy/profiles/written_value.hpp"
+#include "canvoy/profiles/model/written_value.hpp"
 
 namespace canvoy::cia447 {
 
-/// What a clock chip keeps.
+/// The time in a clock chip.
 struct ChipTime {
-  Duration since_1970{};  ///< UTC; without a date: since some midnight
+  Duration since_1970{};  ///< UTC; without a date: since any midnight
   bool has_date = true;
 };
 
 struct RealTimeClockHardware {
-  /// Nothing: it was without power, or has never been set. Without it the clock begins at 0:00.
+  /// Nothing: it was without power, or has never been set. Without a callback, the clock starts at
+  /// 0:00.
   Callback<std::optional<ChipTime>()> read = {};
   Callback<void(const ChipTime&)> write = {};
 };
@@ -36,27 +36,27 @@ struct RealTimeClockHardware {
 struct RealTimeClockSettings {
   TimeZone zone = {};
   RtcSource source = RtcSource::battery_buffered;
-  /// What an authority has accepted, nobody sets over the bus: 0800 0022h.
+  /// A time that an authority has accepted cannot be set over the bus: 0800 0022h.
   RtcTrustability trustability = RtcTrustability::user_adjustable;
-  /// How often it looks at the chip.
+  /// Period of comparisons with the chip.
   Duration comparison_period = 1min;
 };
 
 class RealTimeClockUnit {
  public:
-  /// What `hardware` and `settings` refer to must outlive this.
+  /// Everything to which `hardware` and `settings` refer must outlive this.
   RealTimeClockUnit(CarNetwork& network, const RealTimeClockHardware& hardware,
                     const RealTimeClockSettings& settings);
   RealTimeClockUnit(const RealTimeClockUnit&) = delete;
   RealTimeClockUnit& operator=(const RealTimeClockUnit&) = delete;
 
-  /// As if somebody had set it: by GPS, say.
+  /// Sets the time, for example from GPS.
   void set(Duration since_1970_utc);
-  /// Looks at the chip now.
+  /// Reads the chip at once.
   void hardware_changed() { look(); }
-  /// Whether date and time are known.
+  /// True if date and time are known.
   bool is_valid() const { return has_date_ && has_time_; }
-  /// Local time since 1970-01-01; of a day without a date that of 1970-01-01.
+  /// Local time since 1970-01-01; without a date, on 1970-01-01.
   Duration local() const;
 
  private:
@@ -101,9 +101,9 @@ class RealTimeClockUnit {
   bool has_time_ = false;
   bool has_started_ = false;
   Time looked_at_{};
-  static const HookCalls hook_calls[];
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const AccessHandlers hook_calls[];
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
   Timer tick_;
 };
 

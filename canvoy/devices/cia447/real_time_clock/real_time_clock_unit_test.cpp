@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/devices/cia447/car_bench_test.hpp"
+#include "canvoy/devices/cia447/kit/car_bench_test.hpp"
 
 namespace canvoy::cia447::real_time_clock_unit_test {
 namespace {
@@ -24,10 +24,11 @@ class ClockBench {
   explicit ClockBench(const RealTimeClockSettings& wanted = {.zone = berlin},
                       std::optional<ChipTime> kept = std::nullopt)
       : settings(wanted), chip(kept) {
-    bench.emplace(only_unit<RealTimeClockKind>, [this](Site& site) {
-      site.offer(Callback<RealTimeClockSettings()>::to<&ClockBench::offered_settings>(*this));
-      site.offer(Callback<RealTimeClockHardware()>::to<&ClockBench::hardware>(*this));
-      site.watch(Callback<void(RealTimeClockUnit&, Node&)>::to<&ClockBench::made>(*this));
+    bench.emplace(only_unit<RealTimeClockKind>, [this](Environment& environment) {
+      environment.provide(
+          Callback<RealTimeClockSettings()>::to<&ClockBench::offered_settings>(*this));
+      environment.provide(Callback<RealTimeClockHardware()>::to<&ClockBench::hardware>(*this));
+      environment.watch(Callback<void(RealTimeClockUnit&, Node&)>::to<&ClockBench::made>(*this));
     });
   }
   ClockBench(const ClockBench&) = delete;

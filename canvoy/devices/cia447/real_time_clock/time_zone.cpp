@@ -4,7 +4,7 @@ namespace canvoy::cia447 {
 
 namespace {
 
-/// In seconds since 1970-01-01, of the clock that the moment is told by.
+/// In seconds since 1970-01-01, of the clock in which the moment is given.
 std::int64_t moment_of(const YearlyMoment& moment, std::int64_t year) {
   const unsigned last_day = days_of_month(year, moment.month);
   const bool is_last = moment.week >= 5;
@@ -31,7 +31,7 @@ bool is_summer(const TimeZone& zone, std::int64_t utc) {
   const std::int64_t to_end = summer.is_in_utc ? 0 : offset + summer.minutes * seconds_a_minute;
   const std::int64_t begin = moment_of(summer.begin, year) - to_begin;
   const std::int64_t end = moment_of(summer.end, year) - to_end;
-  // South of the equator it goes over the turn of the year.
+  // South of the equator it lasts over the turn of the year.
   return begin < end ? utc >= begin && utc < end : utc >= begin || utc < end;
 }
 

@@ -1,4 +1,4 @@
-// Local time: how far it is ahead of UTC, and in summer.
+// Local time: its offset from UTC, and summer time.
 //
 //     constexpr TimeZone berlin = {.name = "CET", .offset_minutes = 60, .summer = european_summer};
 //     const std::int64_t local = utc + ahead_of_utc(berlin, utc);
@@ -12,7 +12,7 @@
 
 namespace canvoy::cia447 {
 
-/// Once a year: the second Sunday of March at 2:00, say.
+/// A yearly time, for example the second Sunday of March at 2:00.
 struct YearlyMoment {
   std::uint8_t month = 3;
   std::uint8_t week = 5;  ///< 1 to 4, or 5: the last one
@@ -23,7 +23,7 @@ struct YearlyMoment {
 struct SummerTime {
   YearlyMoment begin;
   YearlyMoment end;
-  bool is_in_utc = true;  ///< else both are what clocks show until then
+  bool is_in_utc = true;  ///< otherwise, both are the clock time before the change
   std::int16_t minutes = 60;
 };
 
@@ -35,19 +35,19 @@ inline constexpr SummerTime american_summer = {.begin = {.month = 3, .week = 2, 
                                                .is_in_utc = false};
 
 struct TimeZone {
-  /// For 60F5h; it shall have six characters: what is shorter is filled with spaces there. It must
-  /// outlive who uses it.
+  /// For 60F5h, with six characters: a shorter name is filled with spaces there. Must outlive its
+  /// users.
   std::string_view name = "UTC";
   std::int16_t offset_minutes = 0;  ///< without summer time; quarters of an hour
   std::optional<SummerTime> summer = {};
 };
 
-/// Whether it is summer time at a point in time, in seconds since 1970-01-01 UTC.
+/// True if it is summer time at a point in time, in seconds since 1970-01-01 UTC.
 bool is_summer(const TimeZone& zone, std::int64_t utc);
-/// Seconds that clocks are ahead of UTC.
+/// Seconds by which local time is ahead of UTC.
 std::int64_t ahead_of_utc(const TimeZone& zone, std::int64_t utc);
-/// What clocks show, in UTC. In the hour that there is twice, the one that is meant is that of
-/// `prefers_summer`; one that there is not is taken as without summer time.
+/// UTC of a local time. For the hour that occurs twice, `prefers_summer` selects one; an hour that
+/// does not occur is taken as without summer time.
 std::int64_t utc_of(const TimeZone& zone, std::int64_t local, bool prefers_summer);
 
 }  // namespace canvoy::cia447

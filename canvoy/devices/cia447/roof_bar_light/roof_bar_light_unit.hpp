@@ -1,15 +1,15 @@
-// The light of a roof bar: beacons, flashers, working lights, a search lamp that is swung and sent
+// The light of a roof bar: beacons, flashers, working lights, a search lamp that swings and moves
 // to three positions, additional functions (6130h, 6131h; CiA 447-3, 4.2.20).
 //
 //     RoofBarLightUnit bar(network, {}, {});
 //     bar.switching().report(light_status_roof_bar_local_voltage, LocalVoltage::under_voltage);
 //
-// The search lamp swings until it is stopped or at its end; its position is not known then, until
-// it is sent to one.
+// The search lamp swings until it is stopped or at its end. Its position is then not known until it
+// moves to one.
 #pragma once
 
-#include "canvoy/devices/cia447/car_kind.hpp"
-#include "canvoy/devices/cia447/switching.hpp"
+#include "canvoy/devices/cia447/kit/car_kind.hpp"
+#include "canvoy/devices/cia447/kit/switching.hpp"
 #include "canvoy/profiles/cia447/devices.hpp"
 #include "canvoy/profiles/cia447/roof_bar_handles.hpp"
 
@@ -43,7 +43,7 @@ constexpr std::array<Effect, 2> tilts(SearchLampTilt to) {
   return {pulse(tilt_command, to, tilt_status, to, SearchLampTilt::stop, tilt_time),
           leaves_position(tilt_command, to)};
 }
-/// On the way there is no position, and no swing that somebody wanted.
+/// During the movement, there is no position, and no requested swing.
 constexpr std::array<Effect, 3> goes_to(SearchLampPosition to) {
   constexpr auto command = light_commands_roof_bar_search_lamp_position;
   return {effect(command, to, lamp_position, SearchLampPosition::not_available, to, position_time),

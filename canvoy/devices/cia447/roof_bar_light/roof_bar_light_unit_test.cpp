@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/devices/cia447/car_bench_test.hpp"
+#include "canvoy/devices/cia447/kit/car_bench_test.hpp"
 
 namespace canvoy::cia447::roof_bar_light_unit_test {
 namespace {
@@ -17,13 +17,14 @@ class RoofBarLight : public testing::Test {
   std::string status(unsigned sub) {
     return bench.ask("40 31 61 0" + std::to_string(sub) + " 00 00 00 00").substr(12);
   }
-  void offer(Site& site) {
-    site.watch(Callback<void(RoofBarLightUnit&, Node&)>::to<&RoofBarLight::made>(*this));
+  void provide(Environment& environment) {
+    environment.watch(Callback<void(RoofBarLightUnit&, Node&)>::to<&RoofBarLight::made>(*this));
   }
   void made(RoofBarLightUnit& unit, Node& /*node*/) { unit_ = &unit; }
 
   RoofBarLightUnit* unit_ = nullptr;
-  CarBench bench{only_unit<RoofBarLightKind>, [this](Site& site) { offer(site); }};
+  CarBench bench{only_unit<RoofBarLightKind>,
+                 [this](Environment& environment) { provide(environment); }};
   Cable& cable = bench.cable;
 };
 

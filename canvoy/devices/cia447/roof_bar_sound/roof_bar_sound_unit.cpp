@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "canvoy/profiles/reactions.hpp"
+#include "canvoy/profiles/model/reactions.hpp"
 
 namespace canvoy::cia447 {
 
@@ -12,9 +12,9 @@ constexpr double kmh_of_metre_per_minute = 60.0 / 1000;
 
 }  // namespace
 
-constexpr HookCalls RoofBarSoundUnit::hook_calls[] = {
+constexpr AccessHandlers RoofBarSoundUnit::hook_calls[] = {
     after_write<&RoofBarSoundUnit::speed_written, wheel_rpm_object>};
-constexpr ServiceCalls RoofBarSoundUnit::service_calls = {.hooks = hook_calls};
+constexpr ServiceHandlers RoofBarSoundUnit::service_calls = {.hooks = hook_calls};
 
 RoofBarSoundUnit::RoofBarSoundUnit(CarNetwork& network, const RoofBarSoundHardware& hardware,
                                    const RoofBarSoundSettings& settings)

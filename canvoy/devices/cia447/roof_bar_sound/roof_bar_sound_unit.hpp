@@ -1,27 +1,27 @@
-// The sound of a roof bar: the sound of a country and additional ones, and how loud (6138h to
+// The sound of a roof bar: country-specific and additional sounds, and their volume (6138h to
 // 613Bh; CiA 447-3, 4.2.21).
 //
 //     RoofBarSoundUnit bar(network, {.play = ...}, {.step_per_kmh = 0.2});
 //     bar.output().volume;   // what is heard: step 1 to 62
 //
-// What is heard is not louder by night than a setting allows. With velocity dependent adjustment it
-// is louder the faster the car drives, by the wheel rpm that the gateway tells (6053h); where that
-// is not known, it is as loud as it was told to be.
+// At night, a setting limits the volume. With velocity dependent adjustment, the volume increases
+// with the speed of the car, by the wheel rpm from the gateway (6053h); without that value, it is
+// the set volume.
 #pragma once
 
-#include "canvoy/devices/cia447/car_kind.hpp"
-#include "canvoy/devices/cia447/car_source.hpp"
-#include "canvoy/devices/cia447/switching.hpp"
+#include "canvoy/devices/cia447/kit/car_kind.hpp"
+#include "canvoy/devices/cia447/kit/car_source.hpp"
+#include "canvoy/devices/cia447/kit/switching.hpp"
 #include "canvoy/profiles/cia447/car_handles.hpp"
 #include "canvoy/profiles/cia447/devices.hpp"
 #include "canvoy/profiles/cia447/roof_bar_handles.hpp"
 
 namespace canvoy::cia447 {
 
-/// What the loudspeakers do.
+/// State of the loudspeakers.
 struct RoofBarSound {
   AdditionalSound sound = AdditionalSound::none;
-  CountrySound country = CountrySound::none;  ///< where `sound` is country_specific
+  CountrySound country = CountrySound::none;  ///< for a `sound` of country_specific
   bool is_fast = false;                       ///< double speed
   bool is_city = false;
   bool is_test = false;  ///< acoustic test operation
@@ -31,7 +31,7 @@ struct RoofBarSound {
 };
 
 struct RoofBarSoundHardware {
-  /// Called when anything of it changes.
+  /// Called on each change.
   Callback<void(const RoofBarSound&)> play = {};
   SwitchedHardware switched = {};
 };
@@ -66,7 +66,7 @@ class RoofBarSoundUnit {
  public:
   static constexpr unsigned volume_max = 62;
 
-  /// What `hardware` and `settings` refer to must outlive this.
+  /// Everything to which `hardware` and `settings` refer must outlive this.
   RoofBarSoundUnit(CarNetwork& network, const RoofBarSoundHardware& hardware,
                    const RoofBarSoundSettings& settings);
   RoofBarSoundUnit(const RoofBarSoundUnit&) = delete;
@@ -88,9 +88,9 @@ class RoofBarSoundUnit {
   RoofBarSound output_{.volume = 31};
   SwitchedUnit<roof_bar_sound_table> unit_;
   CarSource speed_;
-  static const HookCalls hook_calls[];
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const AccessHandlers hook_calls[];
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
 };
 
 struct RoofBarSoundKind : CarKind<RoofBarSoundUnit, RoofBarSoundHardware, RoofBarSoundSettings> {
@@ -101,7 +101,7 @@ struct RoofBarSoundKind : CarKind<RoofBarSoundUnit, RoofBarSoundHardware, RoofBa
                                       .node_id = 14,
                                       .hardware = "loudspeakers: sound, volume; voltage"};
   static constexpr const VirtualDeviceInfo& provides = roof_bar_sound_device;
-  /// All of the PDO with the wheel rpm.
+  /// All objects of the PDO with the wheel rpm.
   static constexpr std::array<const ObjectInfo*, 3> consumes = {
       &actual_engine_revolutions_object, &wheel_rpm_object, &wheel_pulse_counter_object};
 };

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "canvoy/devices/cia447/car_bench_test.hpp"
+#include "canvoy/devices/cia447/kit/car_bench_test.hpp"
 
 namespace canvoy::cia447::roof_bar_sound_unit_test {
 namespace {
@@ -22,9 +22,9 @@ class RoofBarSoundTest : public testing::Test {
   std::string status() { return bench.ask("40 3B 61 01 00 00 00 00").substr(12); }
   void settle() { cable.run_for(50ms); }
 
-  void offer(Site& site) {
-    site.watch(Callback<void(RoofBarSoundUnit&, Node&)>::to<&RoofBarSoundTest::made>(*this));
-    site.offer(Callback<RoofBarSoundHardware()>::to<&RoofBarSoundTest::hardware>(*this));
+  void provide(Environment& environment) {
+    environment.watch(Callback<void(RoofBarSoundUnit&, Node&)>::to<&RoofBarSoundTest::made>(*this));
+    environment.provide(Callback<RoofBarSoundHardware()>::to<&RoofBarSoundTest::hardware>(*this));
   }
   RoofBarSoundHardware hardware() {
     return {.play = Callback<void(const RoofBarSound&)>::to<&RoofBarSoundTest::play>(*this)};
@@ -34,7 +34,8 @@ class RoofBarSoundTest : public testing::Test {
 
   std::vector<RoofBarSound> heard;
   RoofBarSoundUnit* unit_ = nullptr;
-  CarBench bench{only_unit<RoofBarSoundKind>, [this](Site& site) { offer(site); }};
+  CarBench bench{only_unit<RoofBarSoundKind>,
+                 [this](Environment& environment) { provide(environment); }};
   Cable& cable = bench.cable;
 };
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "canvoy/profiles/reactions.hpp"
+#include "canvoy/profiles/model/reactions.hpp"
 
 namespace canvoy::cia447 {
 
@@ -42,7 +42,7 @@ constexpr LampPlaces input_places =
   return {place_of(tariff_display_input<before + 1>)...};
 }(std::make_integer_sequence<unsigned, tariff_lamps_max>{});
 
-/// A character that 610Ah can tell (errata Z12).
+/// A character that 610Ah can hold (errata Z12).
 std::uint8_t told_character(std::uint8_t character) {
   constexpr std::uint8_t not_available = 0xFF;
   const bool is_told =
@@ -52,9 +52,9 @@ std::uint8_t told_character(std::uint8_t character) {
 
 }  // namespace
 
-constexpr HookCalls TariffDisplayUnit::hook_calls[] = {
+constexpr AccessHandlers TariffDisplayUnit::hook_calls[] = {
     after_write<&TariffDisplayUnit::level_came, taxi_trip_tariff_level_object>};
-constexpr ServiceCalls TariffDisplayUnit::service_calls = {
+constexpr ServiceHandlers TariffDisplayUnit::service_calls = {
     .reset = method<&TariffDisplayUnit::reset>, .hooks = hook_calls};
 
 TariffDisplayUnit::TariffDisplayUnit(CarNetwork& network, const TariffDisplayHardware& hardware,

@@ -6,14 +6,14 @@
 //     display.lamp_failed(2, LampFailure::open_load);
 //     display.set_input(1, true);
 //
-// The level is that of a taximeter, which writes it into 60D3h here, or that of show_level().
+// The level is that of a taximeter, which writes it to 60D3h here, or that of show_level().
 #pragma once
 
 #include <array>
 #include <cstdint>
 
-#include "canvoy/devices/cia447/car_kind.hpp"
-#include "canvoy/devices/cia447/commands.hpp"
+#include "canvoy/devices/cia447/kit/car_kind.hpp"
+#include "canvoy/devices/cia447/kit/commands.hpp"
 #include "canvoy/profiles/cia447/radio_handles.hpp"
 #include "canvoy/profiles/cia447/taxi_handles.hpp"
 
@@ -29,29 +29,30 @@ struct TariffDisplayHardware {
 struct TariffDisplaySettings {
   unsigned lamps = 3;             ///< 1 to 16
   unsigned level_characters = 2;  ///< 0 to 2
-  /// Has inputs that may drive the lamps: each the lamp of its number.
+  /// Has inputs that may drive the lamps of the same number.
   bool has_inputs = true;
 };
 
 class TariffDisplayUnit {
  public:
-  /// What `hardware` refers to must outlive this.
+  /// Everything to which `hardware` refers must outlive this.
   TariffDisplayUnit(CarNetwork& network, const TariffDisplayHardware& hardware,
                     const TariffDisplaySettings& settings);
   TariffDisplayUnit(const TariffDisplayUnit&) = delete;
   TariffDisplayUnit& operator=(const TariffDisplayUnit&) = delete;
 
-  /// An input, 1 to 16, is active or not; or a Signal that says why nobody knows.
+  /// Sets an input, 1 to 16, to active or not, or to a Signal that says why it is not known.
   void set_input(unsigned input, Signal state);
   void set_input(unsigned input, bool is_active) {
     set_input(input, is_active ? Signal::yes : Signal::no);
   }
-  /// What its driver says of a lamp, 1 to 16. One that is broken is a failure in its status.
+  /// Reports a failure of a lamp, 1 to 16, from its driver. A broken lamp is a failure in its
+  /// status.
   void lamp_failed(unsigned lamp, LampFailure failure);
-  /// What can be read from outside; 0 is no character.
+  /// Shows these characters to the outside; 0 is no character.
   void show_level(std::array<char, 2> characters);
 
-  /// What a lamp, 1 to 16, does.
+  /// State of a lamp, 1 to 16.
   Lamp lamp(unsigned number) const;
 
  private:
@@ -78,9 +79,9 @@ class TariffDisplayUnit {
   bool is_powered_down_ = false;
   std::array<std::uint8_t, 2> level_ = {0xFF, 0xFF};
   Commands commands_;
-  static const HookCalls hook_calls[];
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const AccessHandlers hook_calls[];
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
 };
 
 struct TariffDisplayKind

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "canvoy/devices/cia447/car_bench_test.hpp"
+#include "canvoy/devices/cia447/kit/car_bench_test.hpp"
 
 namespace canvoy::cia447::tariff_display_unit_test {
 namespace {
@@ -20,10 +20,10 @@ constexpr const char* value_range = "30 00 09 06";
 class DisplayBench {
  public:
   explicit DisplayBench(const TariffDisplaySettings& wanted = {.lamps = 16}) : settings(wanted) {
-    bench.emplace(only_unit<TariffDisplayKind>, [this](Site& site) {
-      site.offer(Callback<TariffDisplaySettings()>::to<&DisplayBench::offered>(*this));
-      site.offer(Callback<TariffDisplayHardware()>::to<&DisplayBench::hardware>(*this));
-      site.watch(Callback<void(TariffDisplayUnit&, Node&)>::to<&DisplayBench::made>(*this));
+    bench.emplace(only_unit<TariffDisplayKind>, [this](Environment& environment) {
+      environment.provide(Callback<TariffDisplaySettings()>::to<&DisplayBench::offered>(*this));
+      environment.provide(Callback<TariffDisplayHardware()>::to<&DisplayBench::hardware>(*this));
+      environment.watch(Callback<void(TariffDisplayUnit&, Node&)>::to<&DisplayBench::made>(*this));
     });
   }
   DisplayBench(const DisplayBench&) = delete;

@@ -4,7 +4,7 @@
 
 namespace canvoy::cia447 {
 
-constexpr ServiceCalls TaxiAlarmUnit::service_calls = {.reset = method<&TaxiAlarmUnit::reset>};
+constexpr ServiceHandlers TaxiAlarmUnit::service_calls = {.reset = method<&TaxiAlarmUnit::reset>};
 
 TaxiAlarmUnit::TaxiAlarmUnit(CarNetwork& network, const TaxiAlarmHardware& hardware,
                              const TaxiAlarmSettings& settings)

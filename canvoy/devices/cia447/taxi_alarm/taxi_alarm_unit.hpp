@@ -1,46 +1,46 @@
-// The taxi alarm system: an alarm key, a remote one, silent and full alarm, and the call for help
+// The taxi alarm system: an alarm key, a remote key, silent and full alarm, and the call for help
 // by radio (6110h; CiA 447-3, 4.2.17).
 //
 //     TaxiAlarmUnit alarm(network, {.alarm = ...}, {});
 //     alarm.press_key(true);   // a silent alarm, and the radio is to call
 //     alarm.reset_alarm();
 //
-// What a key sets off is not said by the clause: here, by the settings. An alarm stays until it is
-// reset, whatever becomes of the key.
+// The clause does not define the effect of a key: the settings do. An alarm stays until it is
+// reset, regardless of the key.
 #pragma once
 
 #include <cstdint>
 
-#include "canvoy/devices/cia447/car_kind.hpp"
+#include "canvoy/devices/cia447/kit/car_kind.hpp"
 #include "canvoy/profiles/cia447/radio_handles.hpp"
 
 namespace canvoy::cia447 {
 
-/// What a key sets off.
+/// Effect of a key.
 enum class AlarmKind : std::uint8_t { none, silent, full, both };
 
 struct TaxiAlarmHardware {
-  /// Lights, horn and microphone of an alarm, when it changes.
+  /// Called on changes of an alarm, for lights, horn and microphone.
   Callback<void(bool silent, bool full)> alarm = {};
 };
 
 struct TaxiAlarmSettings {
   AlarmKind by_key = AlarmKind::silent;
   AlarmKind by_remote_key = AlarmKind::full;
-  /// An alarm asks the radio to call.
+  /// An alarm requests a call by radio.
   bool calls_by_radio = true;
   bool has_remote_key = true;
 };
 
 class TaxiAlarmUnit {
  public:
-  /// What `hardware` refers to must outlive this.
+  /// Everything to which `hardware` refers must outlive this.
   TaxiAlarmUnit(CarNetwork& network, const TaxiAlarmHardware& hardware,
                 const TaxiAlarmSettings& settings);
   TaxiAlarmUnit(const TaxiAlarmUnit&) = delete;
   TaxiAlarmUnit& operator=(const TaxiAlarmUnit&) = delete;
 
-  /// A key is pressed, released, or out of order.
+  /// Reports that a key is pressed, released, or out of order.
   void press_key(Signal state);
   void press_key(bool is_pressed) { press_key(is_pressed ? Signal::yes : Signal::no); }
   void press_remote_key(Signal state);
@@ -48,9 +48,9 @@ class TaxiAlarmUnit {
     press_remote_key(is_pressed ? Signal::yes : Signal::no);
   }
   void raise_alarm(AlarmKind kind);
-  /// The alarm is over, and so is the call. A key that is still held sets off nothing anew.
+  /// Ends the alarm and the call. A key that is still held has no further effect.
   void reset_alarm();
-  /// The radio has called.
+  /// Reports that the radio has called.
   void radio_has_called();
 
  private:
@@ -69,8 +69,8 @@ class TaxiAlarmUnit {
   TaxiAlarmHardware hardware_;
   TaxiAlarmSettings settings_;
   State state_;
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
 };
 
 struct TaxiAlarmKind : CarKind<TaxiAlarmUnit, TaxiAlarmHardware, TaxiAlarmSettings> {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/devices/cia447/car_bench_test.hpp"
+#include "canvoy/devices/cia447/kit/car_bench_test.hpp"
 
 namespace canvoy::cia447::taxi_alarm_unit_test {
 namespace {
@@ -15,10 +15,10 @@ constexpr std::uint32_t status_pdo = 0x390;
 class AlarmBench {
  public:
   explicit AlarmBench(const TaxiAlarmSettings& wanted = {}) : settings(wanted) {
-    bench.emplace(only_unit<TaxiAlarmKind>, [this](Site& site) {
-      site.offer(Callback<TaxiAlarmSettings()>::to<&AlarmBench::offered>(*this));
-      site.offer(Callback<TaxiAlarmHardware()>::to<&AlarmBench::hardware>(*this));
-      site.watch(Callback<void(TaxiAlarmUnit&, Node&)>::to<&AlarmBench::made>(*this));
+    bench.emplace(only_unit<TaxiAlarmKind>, [this](Environment& environment) {
+      environment.provide(Callback<TaxiAlarmSettings()>::to<&AlarmBench::offered>(*this));
+      environment.provide(Callback<TaxiAlarmHardware()>::to<&AlarmBench::hardware>(*this));
+      environment.watch(Callback<void(TaxiAlarmUnit&, Node&)>::to<&AlarmBench::made>(*this));
     });
   }
   AlarmBench(const AlarmBench&) = delete;

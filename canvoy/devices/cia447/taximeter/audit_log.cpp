@@ -6,12 +6,12 @@ namespace canvoy::cia447 {
 
 namespace {
 
-/// Who makes many events of one class pushes out those of this class.
+/// Many events of one class displace only those of this class.
 struct AuditClass {
   AuditEvent first;
   AuditEvent last;
   std::uint8_t room;
-  bool is_counted;  ///< what is the same has one entry
+  bool is_counted;  ///< equal events have one entry
 
   constexpr bool has(AuditEvent what) const { return what >= first && what <= last; }
 };
@@ -19,7 +19,7 @@ constexpr AuditClass classes[] = {
     {AuditEvent::write_refused, AuditEvent::settings_refused, 8, true},
     {AuditEvent::error, AuditEvent::engine_stands, 6, true},
     {AuditEvent::clock_step, AuditEvent::clock_refused, 6, false},
-    {AuditEvent::seal_opened, AuditEvent::trip_cut, 12, false}};
+    {AuditEvent::seal_opened, AuditEvent::mode_set, 12, false}};
 
 constexpr std::size_t room_of_all() {
   std::size_t room = 0;

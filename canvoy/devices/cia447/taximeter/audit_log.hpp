@@ -1,13 +1,13 @@
-// What a taximeter records of what is done to it: what, when, by whom. Directive 2014/32/EU, annex
-// IX, and OIML R 21 want what changes the fare to be protected; here what is refused, and what is
-// done behind the seal, leaves a trace that nobody can delete.
+// Events that a taximeter records: what, when, and by which node. Directive 2014/32/EU, annex IX,
+// and OIML R 21 require the protection of everything that changes the fare. Refused accesses, and
+// actions behind the seal, leave a trace here that cannot be deleted.
 //
 //     AuditLog log;
 //     log.note({.at = now, .what = AuditEvent::write_refused, .who = 7, .detail = 0x605500});
 //     log.newest(0)->times    // how often
 //
-// It has room for few entries of each class, so that a stranger who writes all day does not push
-// out who has opened the seal. What had to go is counted.
+// It has room for few entries of each class, so that a foreign node that writes continuously does
+// not displace the entry of an opened seal. Discarded entries are counted.
 #pragma once
 
 #include <array>
@@ -16,15 +16,15 @@
 
 namespace canvoy::cia447 {
 
-/// What happened; flash and 5F21h have the numbers and words of these.
+/// Kinds of events; flash and 5F21h use their numbers and words.
 enum class AuditEvent : std::uint8_t {
   none,
   write_refused,     ///< by a client that is not the provider; detail: index and sub-index; value
-  settings_refused,  ///< the same of PDO and SDO parameters, which are behind the seal
+  settings_refused,  ///< of PDO and SDO parameters, which are behind the seal; otherwise as above
   error,             ///< detail: TaximeterError; value: sealed and found
-  engine_stands,     ///< the wheels give pulses, and the engine stands
-  clock_step,        ///< between two trips; value: seconds, with a sign
-  clock_refused,     ///< in a trip: the meter does not go by it; value: seconds, with a sign
+  engine_stands,     ///< the wheels give pulses while the engine stands
+  clock_step,        ///< between two trips; value: signed seconds
+  clock_refused,     ///< in a trip: the meter does not follow it; value: signed seconds
   seal_opened,
   seal_closed,
   service_entered,
@@ -32,46 +32,47 @@ enum class AuditEvent : std::uint8_t {
   k_set,           ///< detail: k before; value: k
   calibrated,      ///< detail: pulses; value: k
   tariff_changed,  ///< detail: the tariff before; value: the tariff
-  trip_cut,        ///< a loss of power has ended a trip; value: what it came to
+  trip_cut,        ///< a loss of power has ended a trip; value: its amount
+  mode_set,        ///< detail: the mode before; value: the mode (60DAh:02h)
 };
 
-/// By whom, where it is no node-ID.
-inline constexpr std::uint8_t by_meter = 0;               ///< by itself, or by hands at it
-inline constexpr std::uint8_t by_default_channel = 0xFF;  ///< by whoever is plugged in
+/// Origin of an event, if it is no node-ID.
+inline constexpr std::uint8_t by_meter = 0;               ///< by itself, or by manual operation
+inline constexpr std::uint8_t by_default_channel = 0xFF;  ///< by any device that is plugged in
 
-/// What, when, by whom.
+/// Kind, time and origin of an event.
 struct AuditEntry {
   /// No clock was known.
   static constexpr std::uint32_t no_time = 0xFFFF'FFFF;
 
   std::uint32_t at = no_time;          ///< seconds since 1970-01-01, UTC
-  std::uint32_t until = no_time;       ///< the last time of several
-  AuditEvent what = AuditEvent::none;  ///< that was done
+  std::uint32_t until = no_time;       ///< time of the last of several
+  AuditEvent what = AuditEvent::none;  ///< kind
   std::uint8_t who = by_meter;         ///< a node-ID, or one of the two above
   std::uint16_t times = 1;             ///< no more than FFFFh
   std::uint32_t detail = 0;            ///< as AuditEvent says
-  std::uint32_t value = 0;             ///< of several the first one's
+  std::uint32_t value = 0;             ///< for several, that of the first
 
   friend constexpr bool operator==(const AuditEntry&, const AuditEntry&) = default;
 };
 
 class AuditLog {
  public:
-  /// Entries, of all classes together.
+  /// Maximum number of entries, of all classes together.
   static constexpr std::size_t capacity = 32;
 
-  /// Answers the entry where it stands: writes that are refused and errors that have one of the
-  /// same kind, by the same, are counted there. Linear in the number of entries.
+  /// Returns the entry in the log: refused writes and errors that have an entry of the same kind
+  /// and origin are counted there. Linear in the number of entries.
   const AuditEntry& note(const AuditEntry& entry);
   std::size_t size() const { return size_; }
-  /// 0 is the newest; null: there are not as many. It holds until the next note().
+  /// 0 is the newest; null if there are fewer. Valid until the next note().
   const AuditEntry* newest(std::size_t number) const {
     return number < size_ ? &entries_[size_ - 1 - number] : nullptr;
   }
-  std::uint32_t events() const { return events_; }  ///< noted in all; no more than FFFF FFFFh
-  std::uint32_t lost() const { return lost_; }      ///< entries that had to go
+  std::uint32_t events() const { return events_; }  ///< noted in all, at most FFFF FFFFh
+  std::uint32_t lost() const { return lost_; }      ///< number of discarded entries
 
-  /// Tells an archive all of it, as TaximeterRecord does.
+  /// Passes all of it to an archive, like TaximeterRecord.
   template <class Archive>
   constexpr void visit(Archive& archive) {
     archive(version_, events_, lost_, size_);
@@ -79,7 +80,7 @@ class AuditLog {
       archive(entry.at, entry.until, entry.what, entry.who, entry.times, entry.detail, entry.value);
     }
   }
-  /// What was read back fits together.
+  /// True if the contents that were read are consistent.
   bool is_sound() const { return version_ == present_version && size_ <= capacity; }
 
  private:

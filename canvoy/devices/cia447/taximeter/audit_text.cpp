@@ -18,8 +18,9 @@ constexpr std::string_view words[] = {"nothing",
                                       "k set",
                                       "k calibrated",
                                       "tariff changed",
-                                      "trip ended by loss of power"};
-static_assert(std::size(words) == static_cast<std::size_t>(AuditEvent::trip_cut) + 1);
+                                      "trip ended by loss of power",
+                                      "mode set"};
+static_assert(std::size(words) == static_cast<std::size_t>(AuditEvent::mode_set) + 1);
 
 void add_time(AuditText& text, std::uint32_t at) {
   if (at == AuditEntry::no_time) {
@@ -69,6 +70,7 @@ void add_details(AuditText& text, const AuditEntry& entry) {
       text.add(", ").add(entry.detail).add(" pulses: k ").add(entry.value);
       return;
     case AuditEvent::k_set:
+    case AuditEvent::mode_set:
     case AuditEvent::tariff_changed:
       return add_change(text, entry.detail, entry.value);
     case AuditEvent::trip_cut:

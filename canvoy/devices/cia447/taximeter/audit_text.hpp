@@ -1,4 +1,4 @@
-// The audit log of a taximeter as others read it: lines of ASCII, in objects of the manufacturer's
+// The audit log of a taximeter for other devices: lines of ASCII, in objects of the manufacturer's
 // area, since CiA 447-3 has none for it (4.2.12).
 //
 //     dictionary.set(entry, audit_text(*log.newest(0)).view());
@@ -16,7 +16,7 @@ inline constexpr std::size_t audit_line_capacity = 112;
 /// A line.
 using AuditText = FixedText<audit_line_capacity>;
 
-/// When, what, by whom, and what belongs to it.
+/// Time, kind, origin, and details.
 AuditText audit_text(const AuditEntry& entry);
 
 /// A number of events or entries.
@@ -36,15 +36,15 @@ constexpr EntryInfo audit_line() {
   entry.first_number = 1;
   return entry;
 }
-/// Those of 5F20h.
+/// The entries of 5F20h.
 inline constexpr EntryInfo audit_entries[] = {
     highest_sub_index(3, 3), audit_number(1, "Events recorded"), audit_number(2, "Entries kept"),
     audit_number(3, "Entries lost")};
-/// Those of 5F21h.
+/// The entries of 5F21h.
 inline constexpr EntryInfo audit_log_entries[] = {
     highest_sub_index(AuditLog::capacity, AuditLog::capacity), audit_line()};
 
-/// How much there is to read.
+/// Numbers of events and entries.
 inline constexpr ObjectInfo audit_object = {.index = 0x5F20,
                                             .code = ObjectCode::record,
                                             .name = "Taximeter audit log",
@@ -52,7 +52,7 @@ inline constexpr ObjectInfo audit_object = {.index = 0x5F20,
                                             .clause = "manufacturer-specific",
                                             .description = "What was recorded, and what is left.",
                                             .subs = audit_entries};
-/// The newest entry first; empty where there are fewer.
+/// The newest entry first; empty if there are fewer.
 inline constexpr ObjectInfo audit_log_object = {
     .index = 0x5F21,
     .code = ObjectCode::array,

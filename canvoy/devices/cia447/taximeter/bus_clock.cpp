@@ -1,9 +1,9 @@
 #include "canvoy/devices/cia447/taximeter/bus_clock.hpp"
 
-#include "canvoy/canopen/little_endian.hpp"
-#include "canvoy/devices/cia447/commands.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
+#include "canvoy/devices/cia447/kit/commands.hpp"
 #include "canvoy/devices/cia447/real_time_clock/civil_time.hpp"
-#include "canvoy/profiles/reactions.hpp"
+#include "canvoy/profiles/model/reactions.hpp"
 
 namespace canvoy::cia447 {
 
@@ -30,11 +30,11 @@ AbortCode check_date(const Entry& entry, std::span<const std::uint8_t> value) {
   return is_date && day > days_of_month(year, month) ? AbortCode::value_range : AbortCode::none;
 }
 
-constexpr HookCalls BusClock::hook_calls[] = {
+constexpr AccessHandlers BusClock::hook_calls[] = {
     after_write<&BusClock::date_came, rtc_date_object>,
     after_write<&BusClock::time_came, rtc_time_object>,
     after_write<&BusClock::date_came, rtc_type_and_status_object>};
-constexpr ServiceCalls BusClock::service_calls = {.hooks = hook_calls};
+constexpr ServiceHandlers BusClock::service_calls = {.hooks = hook_calls};
 
 BusClock::BusClock(Node& node) : node_(node) {
   node.attach(service_);

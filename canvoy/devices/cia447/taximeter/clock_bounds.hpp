@@ -1,6 +1,6 @@
-// Bounds what a clock can do to a taximeter: in a trip it may not be more than two minutes away
-// from where the meter's own time has carried it; between two trips it may be set, and who keeps
-// the record is told. So neither a clock that steps nor one that drifts moves a trip or its tariff.
+// Limits the influence of a clock on a taximeter: in a trip, it may differ by at most two minutes
+// from the meter's own time. Between two trips it may be set, and the difference is recorded. So
+// neither a clock that jumps nor one that drifts changes a trip or its tariff.
 //
 //     ClockBounds bounds;
 //     const LocalTime now = bounds.take(told, node.now(), has_trip);
@@ -18,14 +18,14 @@ namespace canvoy::cia447 {
 class ClockBounds {
  public:
   static constexpr std::int64_t step_max = 120;          ///< s
-  static constexpr std::int32_t offset_step_max = 3600;  ///< s: summer time begins or ends
+  static constexpr std::int32_t offset_step_max = 3600;  ///< s: start or end of summer time
 
-  /// The time to go by. The first one is believed.
+  /// The time to use. The first one is accepted.
   LocalTime take(const LocalTime& told, Time now, bool has_trip) {
     if (!known_) known_ = Known{told, now};
     return has_trip && is_beyond(told, now) ? expected(now) : told;
   }
-  /// More than a clock may go away; then take() does not go by it in a trip.
+  /// True if a clock is beyond its limit: take() does not use it in a trip.
   bool is_beyond(const LocalTime& told, Time now) const {
     if (!known_) return false;
     const std::int64_t step = told.utc() - expected(now).utc();
@@ -33,11 +33,11 @@ class ClockBounds {
     return step > step_max || step < -step_max || offset_step > offset_step_max ||
            offset_step < -offset_step_max;
   }
-  /// Seconds by which it is beyond: of people's time.
+  /// Seconds by which it is beyond, in local time.
   std::int64_t step(const LocalTime& told, Time now) const {
     return known_ ? told.seconds - expected(now).seconds : 0;
   }
-  /// From here on that is the time.
+  /// Accepts this as the time.
   void settle(const LocalTime& told, Time now) { known_ = Known{told, now}; }
 
  private:

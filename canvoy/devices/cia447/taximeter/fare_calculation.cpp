@@ -7,7 +7,7 @@ namespace canvoy::cia447 {
 namespace {
 
 constexpr std::uint64_t microseconds_an_hour = 3'600'000'000;
-/// Of a slice: with it the products below fit into 64 bits, whatever the rates are.
+/// Maximum of a slice: the products below then fit into 64 bits for all rates.
 constexpr std::uint64_t pulses_max = 1U << 24;
 
 /// A product of 64 and 32 bits.
@@ -62,7 +62,7 @@ void FareCalculation::advance(std::uint32_t turned, Duration time) {
   } while (left > 0 || microseconds > 0);
 }
 
-/// Pulses by time against a speed, each multiplied by what the other is divided by.
+/// Compares pulses per time with a speed, each multiplied by the divisor of the other.
 bool FareCalculation::is_fast() const {
   const TariffLevel& level = state_.level;
   const auto time = static_cast<std::uint64_t>(state_.microseconds);
@@ -86,7 +86,7 @@ FareCalculation::Costs FareCalculation::of_slice() const {
   }
 }
 
-/// What is used when the open slice costs this.
+/// The used amount when the open slice costs this.
 FareCalculation::Used FareCalculation::used_with(Costs costs) const {
   Used used = {state_.used, state_.distance_rest, state_.time_rest};
   const std::uint64_t k = state_.conditions.k;
@@ -125,7 +125,7 @@ void FareCalculation::close_slice() {
   state_.microseconds = 0;
 }
 
-/// The open slice counts as far as it is certain.
+/// The certain part of the open slice counts.
 std::uint32_t FareCalculation::fare() const {
   if (state_.conditions.mode == FareMode::fixed_price) return state_.conditions.fixed_price;
   const bool is_single = state_.conditions.mode == FareMode::single_calculation;

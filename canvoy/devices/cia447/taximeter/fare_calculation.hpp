@@ -1,12 +1,12 @@
-// What a trip costs, in whole numbers: no floating point, nothing lost between two additions.
+// The fare of a trip, in whole numbers: without floating point, and without loss between two
+// additions.
 //
-// Distance comes in wheel pulses, of which k are a local distance unit, time in microseconds. What
-// they cost is kept as whole thousandths of the currency unit and two exact fractions, one with the
-// denominator k and one with that of an hour. The fare grows by whole switching units (the
-// increment of the level), when all of one has been used: so it is at no time more than what was
-// used, and less than a switching unit below it. What is left of one when the level changes goes
-// on to count for the next. Mode S takes distance or time of each slice, mode D both; a fixed price
-// takes neither.
+// Distance is in wheel pulses (k in a local distance unit), time in microseconds. Their cost is
+// kept as whole thousandths of the currency unit and two exact fractions, one with the denominator
+// k and one with that of an hour. The fare grows by whole switching units (the increment of the
+// level), when all of one has been used. So it is never more than the used amount, and less than a
+// switching unit below it. When the level changes, the unused rest counts for the next. Mode S
+// charges distance or time of each slice, mode D both; a fixed price charges neither.
 //
 //     FareCalculation fare;
 //     fare.begin({.mode = FareMode::single_calculation, .k = 8000}, level);
@@ -24,46 +24,46 @@
 
 namespace canvoy::cia447 {
 
-/// The highest amount that 60D0h can tell: fares stay there.
+/// The highest amount of 60D0h: fares stay there.
 inline constexpr std::uint32_t amount_max = 0xFFFF'FFFD;
 constexpr std::uint32_t capped(std::uint64_t amount) {
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(amount, amount_max));
 }
-/// Of a currency unit, and of a distance unit.
+/// Thousandths of a currency unit, and of a distance unit.
 inline constexpr std::uint64_t thousandths = 1000;
 
 class FareCalculation {
  public:
   struct Conditions {
     FareMode mode = FareMode::single_calculation;
-    std::uint32_t k = 1;            ///< pulses for a local distance unit, from 1 on
-    std::uint32_t fixed_price = 0;  ///< of mode fixed_price
+    std::uint32_t k = 1;            ///< pulses for a local distance unit, at least 1
+    std::uint32_t fixed_price = 0;  ///< for mode fixed_price
   };
 
-  /// A trip begins: its initial and minimum fare are those of this level.
+  /// Starts a trip: its initial and minimum fare are those of this level.
   void begin(const Conditions& conditions, const TariffLevel& level);
-  /// From here on these rates. The open slice is closed at the old ones.
+  /// Changes the rates. The open slice is closed at the old ones.
   void change_level(const TariffLevel& level);
-  /// The price is agreed: from here on nothing else counts.
+  /// Agrees a price, which replaces all charges from here on.
   void agree(std::uint32_t price);
 
-  /// Adds to the slice that is open. Of one that is longer than an hour (no count came) or than
-  /// 2^24 pulses the rest is another slice.
+  /// Adds to the open slice. If it exceeds an hour (no count came) or 2^24 pulses, the rest is
+  /// another slice.
   void advance(std::uint32_t turned, Duration time);
-  /// Mode S: decides by the speed of the slice whether its distance or its time costs. Until then
-  /// the fare has the lower of what it may come to, and never decreases.
+  /// In mode S, decides by the speed of the slice whether its distance or its time is charged.
+  /// Until then, the fare has the lower of the two possible amounts, and never decreases.
   void close_slice();
 
-  /// Initial fare and switching units, at least the minimum fare; or the fixed price.
+  /// Initial fare and switching units, but at least the minimum fare; or the fixed price.
   std::uint32_t fare() const;
-  /// That the time rate was taken for, the open slice included.
+  /// Time charged at the time rate, including the open slice.
   Duration charged_time() const;
   const TariffLevel& level() const { return state_.level; }
   FareMode mode() const { return state_.conditions.mode; }
   std::uint32_t initial_fare() const { return state_.initial_fare; }
   std::uint32_t minimum_fare() const { return state_.minimum_fare; }
 
-  /// All of it, to be kept over a loss of power.
+  /// The whole state, to be kept over a loss of power.
   struct State {
     Conditions conditions;
     TariffLevel level;
@@ -77,7 +77,7 @@ class FareCalculation {
     std::int64_t microseconds = 0;    ///< of the open slice
     std::int64_t charged = 0;         ///< microseconds of closed slices
 
-    /// Tells an archive each number, in an order that records keep.
+    /// Passes each number to an archive, in the order of records.
     template <class Archive>
     constexpr void visit(Archive& archive) {
       archive(conditions.mode, conditions.k, conditions.fixed_price, level.name[0], level.name[1],

@@ -1,5 +1,5 @@
-// What trips cost, computed by hand: the expected amounts are products of rates and of what was
-// driven, in 0,001 of the currency unit.
+// Fares of trips, computed by hand: the expected amounts are products of rates and driven
+// distances, in 0,001 of the currency unit.
 #include "canvoy/devices/cia447/taximeter/fare_calculation.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,8 @@
 namespace canvoy::cia447::fare_calculation_test {
 namespace {
 
-/// 3,90 to begin with; 2,30 a kilometre; 33,00 an hour; by 0,10. Both cost the same at 14,35 km/h.
+/// 3,90 initial fare; 2,30 per kilometre; 33,00 per hour; in steps of 0,10. Both cost the same at
+/// 14,35 km/h.
 constexpr TariffLevel day = {.name = {'1', 0},
                              .initial_fare = 3900,
                              .distance_rate = 2300,
@@ -32,7 +33,7 @@ class Dice {
   std::mt19937 engine_;
 };
 
-/// Slices of a second, as a taximeter has them.
+/// Slices of a second, as in a taximeter.
 void drive(FareCalculation& fare, unsigned seconds, std::uint32_t pulses_a_second) {
   for (unsigned i = 0; i < seconds; ++i) {
     fare.advance(pulses_a_second, 1s);

@@ -1,4 +1,4 @@
-// A text of ASCII that is put together where there is no heap.
+// A text of ASCII that is composed without a heap.
 //
 //     FixedText<64> text;
 //     text.add("k ").add(24'000).add(" of ").add_minute(1'795'435'200);
@@ -16,17 +16,17 @@ namespace canvoy::cia447 {
 template <std::size_t capacity>
 class FixedText {
  public:
-  /// What was added; it holds as long as this, and until the next add().
+  /// The text; valid as long as this, and until the next add().
   std::string_view view() const { return {text_.data(), length_}; }
 
-  /// What there is no room for is left out.
+  /// Leaves out what has no room.
   FixedText& add(std::string_view text) {
     const std::size_t count = std::min(text.size(), text_.size() - length_);
     std::copy_n(text.begin(), count, text_.begin() + static_cast<std::ptrdiff_t>(length_));
     length_ += count;
     return *this;
   }
-  /// Right-aligned in `width`, 20 at most, with this character in front.
+  /// Right-aligned in `width`, at most 20, filled in front with this character.
   FixedText& add(std::uint64_t number, std::size_t width = 1, char filler = ' ',
                  unsigned base = 10) {
     constexpr std::size_t digits_max = 20;

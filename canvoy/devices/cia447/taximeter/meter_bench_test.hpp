@@ -8,7 +8,7 @@
 #include <string>
 
 #include "canvoy/canopen/storage/testing/simulated_flash.hpp"
-#include "canvoy/devices/cia447/car_bench_test.hpp"
+#include "canvoy/devices/cia447/kit/car_bench_test.hpp"
 #include "canvoy/devices/cia447/taximeter/taximeter_unit.hpp"
 
 namespace canvoy::cia447 {
@@ -25,10 +25,10 @@ class MeterBench {
   explicit MeterBench(const TaximeterSettings& wanted = {}, SimulatedFlash* flash = nullptr,
                       std::optional<std::int64_t> local = noon)
       : settings(wanted), memory(flash), local_at_start(local) {
-    bench.emplace(only_unit<TaximeterKind>, [this](Site& site) {
-      site.offer(Callback<TaximeterSettings()>::to<&MeterBench::offered_settings>(*this));
-      site.offer(Callback<TaximeterHardware()>::to<&MeterBench::hardware>(*this));
-      site.watch(Callback<void(TaximeterUnit&, Node&)>::to<&MeterBench::made>(*this));
+    bench.emplace(only_unit<TaximeterKind>, [this](Environment& environment) {
+      environment.provide(Callback<TaximeterSettings()>::to<&MeterBench::offered_settings>(*this));
+      environment.provide(Callback<TaximeterHardware()>::to<&MeterBench::hardware>(*this));
+      environment.watch(Callback<void(TaximeterUnit&, Node&)>::to<&MeterBench::made>(*this));
     });
   }
   MeterBench(const MeterBench&) = delete;
@@ -36,11 +36,11 @@ class MeterBench {
 
   Cable& cable() { return bench->cable; }
   std::string ask(const std::string& request) { return bench->ask(request); }
-  /// The same of a client on its mesh channel.
+  /// The answer to an SDO request of a client on its mesh channel.
   std::string ask_as(unsigned client, const std::string& request) {
     return bench->ask_as(client, request);
   }
-  /// The number in an entry, as SDO gives it.
+  /// The number in an entry, read by SDO.
   std::uint64_t get(std::uint16_t index, unsigned sub = 0) {
     char request[32];
     std::snprintf(request, sizeof request, "40 %02X %02X %02X 00 00 00 00", index & 0xFF,
@@ -56,7 +56,7 @@ class MeterBench {
     return number;
   }
 
-  /// A frame with 6050h, 6053h and 6055h; of node 1, the gateway, where none is given.
+  /// A frame with 6050h, 6053h and 6055h; from node 1, the gateway, by default.
   void send_count(unsigned count, unsigned valid = 1, unsigned rpm = 0xFFFF,
                   const char* id = "187") {
     char frame[48];
@@ -64,7 +64,7 @@ class MeterBench {
                   rpm >> 8, count & 0xFF, count >> 8 & 0xFF, 0xFC | valid);
     cable().send(frame);
   }
-  /// Each 100 ms a tenth of the pulses, in a counter that overruns at `highest`.
+  /// Sends a tenth of the pulses every 100 ms, with a counter that overruns at `highest`.
   void drive(unsigned seconds_to_drive, unsigned pulses_a_second) {
     for (unsigned cycle = 0; cycle < seconds_to_drive * 10; ++cycle) {
       cable().run_for(100ms);
@@ -72,7 +72,7 @@ class MeterBench {
       send_count(turned % (highest + 1));
     }
   }
-  /// The first value is only where to count from.
+  /// The first value only sets the start of counting.
   void begin_shift() {
     send_count(turned % (highest + 1));
     EXPECT_TRUE(meter->sign_on());

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "canvoy/canopen/little_endian.hpp"
-#include "canvoy/devices/cia447/commands.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
+#include "canvoy/devices/cia447/kit/commands.hpp"
 #include "canvoy/profiles/cia447/printer.hpp"
 #include "canvoy/profiles/cia447/radio_handles.hpp"
 
@@ -11,11 +11,11 @@ namespace canvoy::cia447 {
 
 namespace {
 
-/// All is told again: a sign may have lost its power for too short a time to be missed, and its
+/// All is sent again: a sign may have lost its power for too short a time to be detected, and its
 /// boot-up message may have been lost as well.
 constexpr Duration renewal = 10s;
 
-/// Other lamps are left alone.
+/// Leaves the other lamps unchanged.
 std::uint32_t with_lamp(std::uint32_t lamps, const FieldPlace& place, Lamp lamp) {
   const std::uint32_t mask = ((1U << place.bits) - 1) << place.first_bit;
   return (lamps & ~mask) | static_cast<std::uint32_t>(lamp) << place.first_bit;
@@ -23,7 +23,7 @@ std::uint32_t with_lamp(std::uint32_t lamps, const FieldPlace& place, Lamp lamp)
 
 }  // namespace
 
-constexpr ServiceCalls MeterOutputs::service_calls = {.reset = method<&MeterOutputs::reset>};
+constexpr ServiceHandlers MeterOutputs::service_calls = {.reset = method<&MeterOutputs::reset>};
 
 MeterOutputs::MeterOutputs(CarNetwork& network, const Settings& settings)
     : network_(network),
@@ -35,7 +35,7 @@ MeterOutputs::MeterOutputs(CarNetwork& network, const Settings& settings)
   network.node().attach(service_);
 }
 
-/// What others know of the meter may be old.
+/// The state of the meter in other devices may be out of date.
 void MeterOutputs::reset(ResetScope) {
   told_ = {};
   network_.node().timers().arm(timer_, network_.node().now() + settings_.repetition);
@@ -67,7 +67,7 @@ void MeterOutputs::print(std::string_view text) {
   go_on_soon();
 }
 
-/// From within the driver's hand nothing is sent.
+/// Nothing is sent from within a callback of a key.
 void MeterOutputs::go_on_soon() {
   network_.node().timers().arm(timer_, network_.node().now());
 }
@@ -93,7 +93,7 @@ void MeterOutputs::write_sign() {
                  SdoClient::Done::to<&MeterOutputs::lamps_written>(*this));
 }
 void MeterOutputs::lamps_written(SdoClient::Outcome outcome) {
-  if (!outcome) return;  // the timer goes on
+  if (!outcome) return;  // the timer continues
   sign_.download(settings_.sign, taxi_trip_tariff_level_object.index, 0, writing_.level,
                  SdoClient::Done::to<&MeterOutputs::level_written>(*this));
 }
@@ -111,7 +111,7 @@ void MeterOutputs::write_receipt() {
                     SdoClient::Done::to<&MeterOutputs::receipt_written>(*this));
 }
 void MeterOutputs::receipt_written(SdoClient::Outcome outcome) {
-  if (!outcome) return;  // the timer goes on
+  if (!outcome) return;  // the timer continues
   receipt_length_ = 0;
   ++printed_;
 }

@@ -1,14 +1,13 @@
-// What a taximeter has other devices do, as their SDO client: it prints receipts (60EBh), and sets
+// Controls other devices for a taximeter, as their SDO client: prints receipts (60EBh), and sets
 // the tariff display on the roof: taxi light, vacant light, tariff level (6106h, 60D3h).
 //
 //     MeterOutputs outputs(network, {.printer = 3, .sign = 5});
 //     outputs.show(display);          // TaximeterHardware::show
 //     outputs.print(receipt.text());
 //
-// What another device does not take is told again until it does; one that was lost and comes back
-// is told anew, and so is the sign now and then: a loss may have been heard by nobody. A receipt
-// that waits is printed when there is paper again; a newer one waits behind none: it takes its
-// place.
+// A command that another device does not take is repeated until it does. A device that was lost and
+// returns gets all again, and the tariff display also periodically: its loss may not have been
+// detected. A waiting receipt is printed when there is paper again; a newer one replaces it.
 #pragma once
 
 #include <array>
@@ -16,7 +15,8 @@
 #include <string_view>
 
 #include "canvoy/canopen/sdo/sdo_client.hpp"
-#include "canvoy/devices/cia447/car_network.hpp"
+#include "canvoy/devices/cia447/kit/car_network.hpp"
+#include "canvoy/devices/cia447/taximeter/receipt.hpp"
 #include "canvoy/devices/cia447/taximeter/taximeter_unit.hpp"
 
 namespace canvoy::cia447 {
@@ -24,18 +24,18 @@ namespace canvoy::cia447 {
 class MeterOutputs {
  public:
   struct Settings {
-    NodeId printer = 0;  ///< 0: there is none
-    NodeId sign = 0;     ///< 0: there is none
+    NodeId printer = 0;  ///< 0: none
+    NodeId sign = 0;     ///< 0: none
     Duration repetition = 2s;
   };
 
-  /// It takes on_lost() of the network, and calls who was called before.
+  /// It sets on_lost() of the network, and calls the former callback.
   MeterOutputs(CarNetwork& network, const Settings& settings);
   MeterOutputs(const MeterOutputs&) = delete;
   MeterOutputs& operator=(const MeterOutputs&) = delete;
 
   void show(const TaximeterDisplay& display);
-  /// What is longer than 512 bytes is cut.
+  /// Prints a text, cut to printed_text_max bytes.
   void print(std::string_view text);
 
   bool is_printing() const { return receipt_length_ != 0; }
@@ -64,15 +64,15 @@ class MeterOutputs {
   SdoClient printer_;
   SdoClient sign_;
   Callback<void(NodeId)> next_lost_;
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
   Timer timer_;
   Sign wanted_;
   Sign writing_;
   Sign told_;
   Time renewal_due_{};
   std::array<std::uint8_t, 4> lamp_bytes_{};
-  std::array<std::uint8_t, 512> receipt_{};
+  std::array<std::uint8_t, printed_text_max> receipt_{};
   std::size_t receipt_length_ = 0;
   unsigned printed_ = 0;
 };

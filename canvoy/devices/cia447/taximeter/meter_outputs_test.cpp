@@ -1,5 +1,5 @@
-// What a taximeter has others do, at the wire: it is node 5, its tariff display node 6 (656h asks,
-// 5D6h answers: facts 2.2), its printer node 3.
+// Commands of a taximeter to other devices, at the wire: it is node 5, its tariff display node 6
+// (requests on 656h, answers on 5D6h: facts 2.2), its printer node 3.
 #include "canvoy/devices/cia447/taximeter/meter_outputs.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "canvoy/devices/cia447/car_bench_test.hpp"
+#include "canvoy/devices/cia447/kit/car_bench_test.hpp"
 #include "canvoy/devices/cia447/printer/printer_unit.hpp"
 
 namespace canvoy::cia447::meter_outputs_test {
@@ -17,13 +17,13 @@ namespace {
 class Outputs {
  public:
   explicit Outputs(const MeterOutputs::Settings& wanted)
-      : settings(wanted), bench(only_unit<PrinterKind>, [this](Site& site) {
-          site.watch(Callback<void(CarNetwork&, Node&)>::to<&Outputs::made>(*this));
+      : settings(wanted), bench(only_unit<PrinterKind>, [this](Environment& environment) {
+          environment.watch(Callback<void(CarNetwork&, Node&)>::to<&Outputs::made>(*this));
         }) {
     bench.cable.run_for(100ms);
     bench.cable.clear();
   }
-  ~Outputs() { outputs.reset(); }  // before the bench, whose network it uses
+  ~Outputs() { outputs.reset(); }  // before the bench, as it uses the network of the bench
   Outputs(const Outputs&) = delete;
   Outputs& operator=(const Outputs&) = delete;
 
@@ -94,8 +94,8 @@ TEST(MeterOutputsWire, AReceiptIsPrinted) {
   EXPECT_EQ(meter.outputs->printed(), 1u);
 }
 
-/// A receipt waits for paper for ever, and a sign that lost its power for a moment for its lights
-/// (4.2.16.7): it is told anew each 10 s.
+/// A receipt may wait for paper without limit, and a sign that lost its power for a moment for its
+/// lights (4.2.16.7): it gets them again every 10 s.
 TEST(MeterOutputsWire, TheSignIsRenewedWhileAReceiptWaits) {
   for (const NodeId printer : {NodeId{3}, NodeId{0}}) {
     Outputs meter({.printer = printer, .sign = 6});

@@ -1,5 +1,5 @@
-// The audit log of a taximeter: what, when, by whom; bounded; kept without power; read by SDO
-// (5F20h, 5F21h: ours, since CiA 447-3 has no object for it).
+// The audit log of a taximeter: kind, time and origin; limited in size; kept without power; read by
+// SDO (5F20h, 5F21h: our own, since CiA 447-3 has no object for it).
 #include <gtest/gtest.h>
 
 #include <string>
@@ -174,7 +174,7 @@ TEST_F(Audit, ATripThatALossOfPowerHasEndedIsRecorded) {
   EXPECT_EQ(line(back, 1), "2026-11-23 12:00:00 UTC: trip ended by loss of power, 3900");
 }
 
-/// Nobody wears the flash out: how often a write was refused is kept each minute.
+/// Refused writes do not wear the flash out: their number is kept once a minute.
 TEST_F(Audit, AWriteThatIsRefusedAgainAndAgainIsNotWrittenEachTime) {
   SimulatedFlash memory(geometry);
   MeterBench car(settings(), &memory);

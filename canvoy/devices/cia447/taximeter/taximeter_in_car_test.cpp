@@ -1,17 +1,17 @@
-// A taximeter in a car: the IVN gateway's own wheel pulses, a real time clock that is asked, power
-// that fails on the way (CiA 447-3, 4.2.4, 4.2.12 and 4.2.14).
+// A taximeter in a car: the IVN gateway's own wheel pulses, a real time clock that is read, a loss
+// of power on the way (CiA 447-3, 4.2.4, 4.2.12 and 4.2.14).
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/testing/cable.hpp"
-#include "canvoy/devices/cia447/car_bench_test.hpp"
 #include "canvoy/devices/cia447/ivn_gateway/ivn_gateway_unit.hpp"
+#include "canvoy/devices/cia447/kit/car_bench_test.hpp"
 #include "canvoy/devices/cia447/real_time_clock/real_time_clock_unit.hpp"
 #include "canvoy/devices/cia447/taximeter/taximeter_unit.hpp"
 
 namespace canvoy::cia447::taximeter_in_car_test {
 namespace {
 
-/// 24 pulses a metre, in a counter that overruns after 5000 of them.
+/// 24 pulses per metre, in a counter that overruns after 5000 of them.
 constexpr CarSettings car_settings = {
     .pulses_per_rotation = 48, .wheel_circumference_m = 2.0, .pulse_counter_max = 4999};
 constexpr TaximeterSettings meter_settings = {.k = 24'000, .clock_node = 7};
@@ -20,16 +20,17 @@ constexpr TimeZone berlin = {.name = "CET", .offset_minutes = 60, .summer = euro
 class TaxiOnCable : public testing::Test {
  protected:
   TaxiOnCable() {
-    site.offer(Callback<CarHardware()>::to<&TaxiOnCable::car_hardware>(*this));
-    site.offer(Callback<CarSettings()>([](void*) { return car_settings; }, nullptr));
-    site.offer(Callback<TaximeterSettings()>([](void*) { return meter_settings; }, nullptr));
-    site.offer(Callback<RealTimeClockSettings()>(
+    environment.provide(Callback<CarHardware()>::to<&TaxiOnCable::car_hardware>(*this));
+    environment.provide(Callback<CarSettings()>([](void*) { return car_settings; }, nullptr));
+    environment.provide(
+        Callback<TaximeterSettings()>([](void*) { return meter_settings; }, nullptr));
+    environment.provide(Callback<RealTimeClockSettings()>(
         [](void*) { return RealTimeClockSettings{.zone = berlin}; }, nullptr));
-    site.offer(Callback<RealTimeClockHardware()>::to<&TaxiOnCable::clock_hardware>(*this));
-    site.watch(Callback<void(TaximeterUnit&, Node&)>::to<&TaxiOnCable::has_meter>(*this));
-    gateway.emplace(only_unit<IvnGatewayKind>, cable.port(0), 1, site);
-    clock.emplace(only_unit<RealTimeClockKind>, cable.port(1), 7, site);
-    meter_device.emplace(only_unit<TaximeterKind>, cable.port(2), 5, site);
+    environment.provide(Callback<RealTimeClockHardware()>::to<&TaxiOnCable::clock_hardware>(*this));
+    environment.watch(Callback<void(TaximeterUnit&, Node&)>::to<&TaxiOnCable::has_meter>(*this));
+    gateway.emplace(only_unit<IvnGatewayKind>, cable.port(0), 1, environment);
+    clock.emplace(only_unit<RealTimeClockKind>, cable.port(1), 7, environment);
+    meter_device.emplace(only_unit<TaximeterKind>, cable.port(2), 5, environment);
     cable.connect(0, gateway->node());
     cable.connect(1, clock->node());
     cable.connect(2, meter_device->node());
@@ -55,7 +56,7 @@ class TaxiOnCable : public testing::Test {
   double speed = 0;
   double metres = 0;
   Cable cable;
-  Site site;
+  Environment environment;
   TaximeterUnit* meter = nullptr;
   std::optional<CarDevice> gateway;
   std::optional<CarDevice> clock;
@@ -74,7 +75,7 @@ class TaxiOnCable : public testing::Test {
   void has_meter(TaximeterUnit& unit, Node& /*node*/) { meter = &unit; }
   std::optional<double> sensed_speed() { return speed; }
   std::optional<double> sensed_distance() { return metres; }
-  /// 2026-11-23 21:00:00 in Berlin when all begins.
+  /// 2026-11-23 21:00:00 in Berlin at the start.
   std::optional<ChipTime> chip() {
     const Duration begin = std::chrono::seconds(
         seconds_since_1970({.year = 2026, .month = 11, .day = 23, .hour = 20}));
@@ -87,7 +88,7 @@ TEST_F(TaxiOnCable, MeasuresWhatTheCarDrives) {
   drive(100s, 10);  // 1 km: 2,30
   EXPECT_TRUE(meter->stop());
   EXPECT_NEAR(told(0x60D1), 1000, 4) << "4 m are allowed";
-  // What lasts after it is 0,2 s of time, 0,0018.
+  // The time after it is 0,2 s, 0,0018.
   EXPECT_GE(told(0x60D0, 1), 3900u + 2200u);
   EXPECT_LE(told(0x60D0, 1), 3900u + 2300u);
   EXPECT_EQ(cable.count(0x085), 0u) << "no error";
@@ -136,8 +137,8 @@ TEST(TaximeterWithAClockInside, GoesByIt) {
     TaximeterUnit* meter = nullptr;
     void made(TaximeterUnit& unit, Node& /*node*/) { meter = &unit; }
   } watcher;
-  CarBench bench(units, [&watcher](Site& site) {
-    site.watch(Callback<void(TaximeterUnit&, Node&)>::to<&Watcher::made>(watcher));
+  CarBench bench(units, [&watcher](Environment& environment) {
+    environment.watch(Callback<void(TaximeterUnit&, Node&)>::to<&Watcher::made>(watcher));
   });
   // Tuesday 2026-11-24, 21:59:00.
   EXPECT_EQ(bench.ask("23 F1 60 00 EA 07 8B F1"), "60 F1 60 00 00 00 00 00");

@@ -1,4 +1,4 @@
-// The driver's keys of a taximeter, and the trips that they make (CiA 447-3, 4.2.12.6).
+// The driver's keys of a taximeter, and the resulting trips (CiA 447-3, 4.2.12.6).
 #include "canvoy/devices/cia447/taximeter/taximeter_unit.hpp"
 
 namespace canvoy::cia447 {
@@ -19,7 +19,7 @@ bool TaximeterUnit::enter(Taximeter state) {
   return true;
 }
 
-/// The network stays awake while people are in the car.
+/// The network stays awake while passengers are in the car.
 void TaximeterUnit::object_to_sleep() {
   constexpr std::uint8_t trip_under_way = 1;
   std::optional<std::uint8_t> reason;
@@ -31,6 +31,7 @@ bool TaximeterUnit::sign_on() {
   if (record_.state != Taximeter::signed_off) return false;
   advance(0, false);
   record_.shift = {};
+  record_.shift_begin = utc_now();
   return enter(Taximeter::for_hire);
 }
 
@@ -55,7 +56,7 @@ bool TaximeterUnit::hire() {
 void TaximeterUnit::begin_trip() {
   watch_clock_step();
   change_tariff();
-  const bool is_odometer = settings_.mode == TaximeterMode::odometer_operation;
+  const bool is_odometer = record_.mode == TaximeterMode::odometer_operation;
   const bool is_fixed = agreed_price_.has_value() || is_odometer;
   record_.trip = {};
   record_.trip.is_there = true;
@@ -84,7 +85,7 @@ bool TaximeterUnit::for_hire() {
   return enter(Taximeter::for_hire);
 }
 
-/// In one record with the state "for hire": so it is added once.
+/// In one record with the state "for hire", so that it is added once.
 void TaximeterUnit::end_trip() {
   fare_.close_slice();
   const std::uint32_t fare = record_.trip.has_fare ? fare_.fare() : 0;
@@ -137,6 +138,15 @@ bool TaximeterUnit::choose_level(unsigned level) {
   return true;
 }
 
+bool TaximeterUnit::charge(unsigned kind) {
+  const bool is_one =
+      kind < tariff_.supplements.size() && kind < record_.trip.supplements_of_kind.size();
+  if (!is_one || !has_trip_under_way()) return false;
+  std::uint32_t& of_kind = record_.trip.supplements_of_kind[kind];
+  of_kind = capped(std::uint64_t{of_kind} + tariff_.supplements[kind].price);
+  return add_supplement(tariff_.supplements[kind].price);
+}
+
 bool TaximeterUnit::add_supplement(std::uint32_t amount) {
   if (!has_trip_under_way()) return false;
   record_.trip.supplements = capped(std::uint64_t{record_.trip.supplements} + amount);
@@ -147,6 +157,7 @@ bool TaximeterUnit::add_supplement(std::uint32_t amount) {
 bool TaximeterUnit::clear_supplements() {
   if (!has_trip_under_way()) return false;
   record_.trip.supplements = 0;
+  record_.trip.supplements_of_kind = {};
   publish();
   return true;
 }

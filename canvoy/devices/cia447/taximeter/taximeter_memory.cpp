@@ -20,10 +20,14 @@ TaximeterMemory::TaximeterMemory(Node& node, const Flash* flash, const Place& pl
              {writing_, waiting_}) {}
 
 TaximeterMemory::Found TaximeterMemory::load() {
-  TaximeterRecordBytes bytes;
+  TaximeterRecordBytes bytes{};
   const RecordState state = image_.load(bytes);
   if (state == RecordState::empty) return {};
-  const auto record = state == RecordState::valid ? taximeter_record(bytes) : std::nullopt;
+  const bool is_read =
+      state == RecordState::valid ||
+      (state == RecordState::outdated &&
+       image_.read_outdated(std::span(bytes).first(TaximeterRecord::size_of_version_1)));
+  const auto record = is_read ? taximeter_record(bytes) : std::nullopt;
   return {.record = record, .is_damaged = !record.has_value()};
 }
 

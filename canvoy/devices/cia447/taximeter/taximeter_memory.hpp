@@ -1,5 +1,5 @@
 // Keeps the record of a taximeter, and its audit log, in flash: each of them whole, old or new,
-// whenever power fails (kept_image.hpp).
+// after any loss of power (kept_image.hpp).
 //
 //     TaximeterMemory memory(node, flash, {.slot_size = 2048});
 //     const TaximeterMemory::Found found = memory.load();
@@ -20,26 +20,26 @@ class TaximeterMemory {
  public:
   struct Place {
     std::uint32_t address = 0;
-    std::uint32_t slot_size = 512;  ///< whole sectors; there are two
+    std::uint32_t slot_size = 512;  ///< whole sectors, for each of two slots
   };
-  /// What load() finds.
+  /// Result of load().
   struct Found {
     std::optional<TaximeterRecord> record = {};
-    bool is_damaged = false;  ///< there was one
+    bool is_damaged = false;  ///< a record existed
   };
 
-  /// Without a flash nothing is kept. What it refers to must outlive this.
+  /// Without a flash, nothing is kept. All references must outlive this.
   TaximeterMemory(Node& node, const Flash* flash, const Place& place);
 
-  /// Reads what was kept last.
+  /// Reads the last kept record.
   Found load();
-  /// Begins to write it; while another one is written, the last that came is next.
+  /// Starts to write it. While another one is being written, the last one waits.
   void save(const TaximeterRecord& record) { image_.save(bytes_of(record)); }
-  /// Writes it before it returns: power is failing.
+  /// Writes it before it returns: for a loss of power.
   void save_now(const TaximeterRecord& record) { image_.save_now(bytes_of(record)); }
-  /// A record is being written.
+  /// True while a record is being written.
   bool is_busy() const { return image_.is_busy(); }
-  /// The flash did not take the last record.
+  /// True if the flash refused the last record.
   bool has_failed() const { return image_.has_failed(); }
 
  private:
@@ -49,23 +49,23 @@ class TaximeterMemory {
 };
 static_assert(RecordHead::size + TaximeterRecord::size <= TaximeterMemory::Place{}.slot_size);
 
-/// In a place of its own: what is recorded, and how often, touches no total.
+/// A separate memory: recording never affects a total.
 class AuditMemory {
  public:
-  /// Of two slots, one behind the other.
+  /// Location of two adjacent slots.
   struct Place {
-    std::uint32_t address = 0;    ///< of the first one
-    std::uint32_t slot_size = 0;  ///< whole sectors, of 1024 bytes at least; 0: it is not kept
+    std::uint32_t address = 0;    ///< of the first slot
+    std::uint32_t slot_size = 0;  ///< whole sectors, at least 1024 bytes; 0: not kept
   };
 
-  /// As TaximeterMemory has it.
+  /// Like TaximeterMemory.
   AuditMemory(Node& node, const Flash* flash, const Place& place);
 
-  /// Nothing where there is none that can be read.
+  /// Nothing if no log can be read.
   std::optional<AuditLog> load();
-  /// Begins to write it; while another one is written, the last that came is next.
+  /// Starts to write it. While another one is being written, the last one waits.
   void save(const AuditLog& log);
-  /// Writes it before it returns: power is failing.
+  /// Writes it before it returns: for a loss of power.
   void save_now(const AuditLog& log);
   bool has_failed() const { return image_.has_failed(); }
 

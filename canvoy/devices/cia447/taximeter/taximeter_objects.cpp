@@ -17,7 +17,7 @@ void TaximeterObjects::tell_state(Taximeter state, bool is_turning_off) {
   value(taximeter_status_changing_to_off) = is_turning_off ? Signal::yes : Signal::no;
 }
 
-/// Where they were lost, they are a failure until the meter is sealed anew.
+/// Lost totals are a failure until the meter is sealed again.
 void TaximeterObjects::tell_totals(const TaximeterRecord& record) {
   constexpr std::uint32_t failure = 0xFFFF'FFFE;
   const auto tell = [&, this](const auto& handle, std::uint32_t total) {
@@ -42,7 +42,7 @@ void TaximeterObjects::tell_totals(const TaximeterRecord& record) {
 void TaximeterObjects::tell_configuration(const TaximeterRecord& record,
                                           const TaximeterSettings& settings) {
   value(taximeter_configuration_k_value).set_raw(record.k);
-  value(taximeter_configuration_mode) = settings.mode;
+  value(taximeter_configuration_mode) = record.mode;
   value(taximeter_configuration_tariff) = record.tariff;
   value(taximeter_configuration_taxi_identifier) = settings.taxi_identifier;
   const bool is_double = settings.calculation == FareMode::double_calculation;
@@ -56,7 +56,7 @@ void TaximeterObjects::tell_configuration(const TaximeterRecord& record,
   } else {
     value(taximeter_configuration_future_tariff) = std::nullopt;
   }
-  value(taximeter_configuration_actual_currency) = settings.currency;
+  value(taximeter_configuration_actual_currency) = settings.currency.code;
   value(taximeter_configuration_actual_local_distance_unit) = settings.distance_unit;
 }
 

@@ -1,15 +1,15 @@
-// What others read of a taximeter: trip, totals, configuration and state (60D0h to 60DBh; CiA
-// 447-3, 4.2.12).
+// Objects of a taximeter that other devices read: trip, totals, configuration and state (60D0h to
+// 60DBh; CiA 447-3, 4.2.12).
 //
 //     TaximeterObjects objects(node);
 //     objects.tell_trip(data, false);     // 60DBh counts where something of it is new
 #pragma once
 
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node/node.hpp"
 #include "canvoy/devices/cia447/taximeter/taximeter_record.hpp"
 #include "canvoy/devices/cia447/taximeter/taximeter_settings.hpp"
 #include "canvoy/devices/cia447/taximeter/trip_data.hpp"
-#include "canvoy/profiles/handle.hpp"
+#include "canvoy/profiles/model/handle.hpp"
 
 namespace canvoy::cia447 {
 
@@ -19,7 +19,7 @@ class TaximeterObjects {
   TaximeterObjects(const TaximeterObjects&) = delete;
   TaximeterObjects& operator=(const TaximeterObjects&) = delete;
 
-  /// Where nothing of it has changed, it is told only if `is_all`.
+  /// Writes the trip. Without a change, only if `is_all`.
   void tell_trip(const TripData& data, bool is_all);
   void tell_state(Taximeter state, bool is_turning_off);
   void tell_totals(const TaximeterRecord& record);

@@ -68,6 +68,61 @@ SimulatedFlash::Bytes after_cut(std::uint64_t cut, Tear tear, std::uint64_t* ste
   return memory.bytes;
 }
 
+/// A record of version 1, without kinds of supplements and the beginning of the shift.
+class OldRecord {
+ public:
+  explicit OldRecord(const TaximeterRecord& record) {
+    const TaximeterRecordBytes bytes = bytes_of(record);
+    std::copy_n(bytes.begin(), bytes_.size(), bytes_.begin());
+    bytes_.front() = 1;
+  }
+  /// As a meter of that time has written it.
+  void write(const Flash& flash) {
+    constexpr std::uint32_t kind = 0x4D58'4154;
+    RecordPair pair(flash, {.address = 0, .slot_size = 512, .kind = kind});
+    pair.sign(kind, 1U << 16 | TaximeterRecord::size_of_version_1);
+    pair.find();
+    pair.begin(
+        {.rewind = Callback<void()>::to<&OldRecord::rewind>(*this),
+         .next =
+             Callback<Result<std::size_t>(std::span<std::uint8_t>)>::to<&OldRecord::next>(*this)});
+    while (pair.step() != RecordStep::done) {
+    }
+  }
+
+ private:
+  void rewind() { at_ = 0; }
+  Result<std::size_t> next(std::span<std::uint8_t> bytes) {
+    const std::size_t length = std::min(bytes.size(), bytes_.size() - at_);
+    std::copy_n(bytes_.begin() + static_cast<std::ptrdiff_t>(at_), length, bytes.begin());
+    at_ += length;
+    return length;
+  }
+
+  std::array<std::uint8_t, TaximeterRecord::size_of_version_1> bytes_{};
+  std::size_t at_ = 0;
+};
+
+/// They are kept, regardless of readers (MI-007, 15.2).
+TEST(TaximeterPower, TotalsOfAnOlderRecordAreKept) {
+  SimulatedFlash memory(MeterBench::geometry);
+  TaximeterRecord old;
+  old.k = 100;
+  old.tariff = 1;
+  old.state = Taximeter::for_hire;
+  old.total = {.distance = 7, .income = 3500, .hirings = 2, .supplements = 500, .fare = 3000};
+  OldRecord(old).write(memory.flash);
+  MeterBench car(settings, &memory);
+  EXPECT_TRUE(car.meter->record().totals_are_known);
+  EXPECT_EQ(car.meter->record().total.income, 3500u);
+  EXPECT_EQ(car.meter->record().total.hirings, 2u);
+  EXPECT_EQ(car.meter->record().state, Taximeter::for_hire);
+  EXPECT_EQ(car.meter->record().shift_begin, no_time);
+  car.meter->power_fails();
+  MeterBench again(settings, &memory);
+  EXPECT_EQ(again.meter->record().total.income, 3500u) << "it is of this version now";
+}
+
 TEST(TaximeterPower, TotalsAreOfOneMomentWhereverItIsCut) {
   // After each write in turn: nothing; signed on; hired (its initial fare, since the trip ends with
   // power); stopped or for hire; and again.

@@ -1,5 +1,5 @@
-// What a taximeter keeps without power: state, totals, the trip, and what was sealed. It is one
-// record, so that a total and the trip that was added to it are never of two different moments.
+// Data that a taximeter keeps without power: state, totals, the trip, and the sealed settings. It
+// is one record, so that a total and the trip that was added to it always belong together.
 //
 //     const TaximeterRecordBytes bytes = bytes_of(record);
 //     const std::optional<TaximeterRecord> back = taximeter_record(bytes);
@@ -16,17 +16,17 @@
 
 namespace canvoy::cia447 {
 
-/// Half of 60D9h: of all time, or of the shift.
+/// Half of 60D9h: overall, or of the shift.
 struct TaxiTotals {
   std::uint32_t distance = 0;        ///< in 0,001 of the local distance unit
-  std::uint32_t distance_hired = 0;  ///< the same
-  std::uint32_t income = 0;          ///< what was charged, in 0,001 of the currency unit
+  std::uint32_t distance_hired = 0;  ///< in 0,001 of the local distance unit
+  std::uint32_t income = 0;          ///< charged amount, in 0,001 of the currency unit
   std::uint32_t hirings = 0;
-  std::uint32_t supplements = 0;  ///< of it
-  std::uint32_t fare = 0;         ///< of it
+  std::uint32_t supplements = 0;  ///< included in income
+  std::uint32_t fare = 0;         ///< included in income
 
-  /// The two highest codes have a meaning of their own: as a counter with so many places a total
-  /// begins anew below them.
+  /// The two highest codes have a special meaning: like a counter with a limited number of digits,
+  /// a total restarts below them.
   static constexpr void add(std::uint32_t& total, std::uint64_t more) {
     constexpr std::uint64_t modulus = 0xFFFF'FFFE;
     total = static_cast<std::uint32_t>((total + more % modulus) % modulus);
@@ -37,19 +37,21 @@ struct TaxiTotals {
   }
 };
 
-/// A point in time that is not known.
+/// An unknown point in time.
 inline constexpr std::int64_t no_time = INT64_MIN;
 
 /// The present trip, or the last one.
 struct TaxiTrip {
   bool is_there = false;
-  bool has_fare = true;  ///< not in odometer operation, unless a price was agreed
+  bool has_fare = true;  ///< false in odometer operation, unless a price was agreed
   FareCalculation::State fare;
   std::uint64_t pulses = 0;
   std::uint32_t supplements = 0;
   std::int64_t duration = 0;      ///< microseconds
   std::int64_t start = no_time;   ///< seconds since 1970-01-01, UTC
-  std::int64_t finish = no_time;  ///< the same
+  std::int64_t finish = no_time;  ///< seconds since 1970-01-01, UTC
+  /// Part of the supplements for each kind of the tariff. Kept behind the rest of the record.
+  std::array<std::uint32_t, supplement_kinds_max> supplements_of_kind = {};
 
   template <class Archive>
   constexpr void visit(Archive& archive) {
@@ -59,37 +61,42 @@ struct TaxiTrip {
   }
 };
 
-/// What was done out of service mode: until the meter is sealed anew no trip begins.
+/// Actions outside of service mode: until the meter is sealed again, no trip starts.
 namespace tampering {
 inline constexpr std::uint8_t source = 0x01;  ///< another source or sender of the wheel pulses
 inline constexpr std::uint8_t seal = 0x02;    ///< the seal was opened
 }  // namespace tampering
 
 struct TaximeterRecord {
-  static constexpr std::uint8_t present_version = 1;
-  static constexpr std::uint8_t no_level = 0xFF;  ///< the clock chooses it
+  static constexpr std::uint8_t present_version = 2;
+  /// Version without the kinds of supplements, the beginning of the shift and the mode.
+  static constexpr std::uint8_t version_1 = 1;
+  static constexpr std::uint8_t no_level = 0xFF;  ///< the clock selects it
 
   std::uint8_t version = present_version;
   Taximeter state = Taximeter::signed_off;
   Taximeter before_standby = Taximeter::signed_off;
-  bool totals_are_known = true;  ///< not where the record of before was damaged
+  bool totals_are_known = true;  ///< false after damage of the former record
   TaxiTotals total;
   TaxiTotals shift;
-  std::uint32_t distance_rest = 0;  ///< pulses by 1000, below k: what the totals do not have yet
+  std::uint32_t distance_rest = 0;  ///< pulses by 1000, below k: not yet included in the totals
   TaxiTrip trip;
   std::uint8_t chosen_level = no_level;  ///< by the driver
   std::int64_t saved_at = no_time;       ///< seconds since 1970-01-01, UTC
-  /// Seconds that the meter's own clock was ahead of the one on the bus, when that told the time.
+  std::int64_t shift_begin = no_time;    ///< as saved_at; kept behind the rest of the record
+  /// Seconds by which the meter's own clock was ahead of the one on the bus when that was last
+  /// received.
   std::int64_t own_clock_ahead = 0;
-  std::int32_t own_offset_ahead = 0;  ///< of their offsets from UTC
+  std::int32_t own_offset_ahead = 0;  ///< difference of their offsets from UTC
 
-  // Behind the seal.
+  // Sealed settings.
   std::uint32_t k = 1;
-  std::uint16_t tariff = 0;  ///< its identification
+  std::uint16_t tariff = 0;  ///< identification of the tariff
   std::int64_t date_of_securing = no_time;
   WheelSource wheel_source = WheelSource::not_available;
-  std::uint8_t wheel_node = 0;  ///< that sends the wheel pulses; 0: not known
-  std::uint8_t tampering = 0;   ///< bits of namespace tampering
+  std::uint8_t wheel_node = 0;                        ///< sender of the wheel pulses; 0: not known
+  std::uint8_t tampering = 0;                         ///< bits of namespace tampering
+  TaximeterMode mode = TaximeterMode::not_available;  ///< 60DAh:02h; kept behind the rest
 
   template <class Archive>
   constexpr void visit(Archive& archive) {
@@ -100,14 +107,17 @@ struct TaximeterRecord {
     trip.visit(archive);
     archive(chosen_level, saved_at, own_clock_ahead, own_offset_ahead, k, tariff, date_of_securing,
             wheel_source, wheel_node, tampering);
+    for (auto& of_kind : trip.supplements_of_kind) archive(of_kind);
+    archive(shift_begin, mode);
   }
 
   static const std::size_t size;
+  static const std::size_t size_of_version_1;
 };
 
 namespace record_archive {
 
-/// Tells how long a record is.
+/// Counts the bytes of a record.
 struct CountingArchive {
   std::size_t size = 0;
   template <class... Number>
@@ -115,7 +125,7 @@ struct CountingArchive {
     ((size += sizeof numbers), ...);
   }
 };
-/// Numbers as they stand in memory, one behind the other.
+/// Writes numbers as in memory, one behind the other.
 struct WritingArchive {
   std::uint8_t* place;
   template <class... Number>
@@ -144,14 +154,14 @@ struct ReadingArchive {
   }
 };
 
-/// Bytes of a record that tells an archive all of it by visit().
+/// Size in bytes of a record that passes all of it to an archive by visit().
 template <class Record>
 consteval std::size_t size_of() {
   CountingArchive archive;
   Record{}.visit(archive);
   return archive.size;
 }
-/// Such a record as it is kept.
+/// A record in the form in which it is kept.
 template <std::size_t size, class Record>
 std::array<std::uint8_t, size> bytes_of(Record record) {
   std::array<std::uint8_t, size> bytes;
@@ -163,18 +173,28 @@ std::array<std::uint8_t, size> bytes_of(Record record) {
 }  // namespace record_archive
 
 inline constexpr std::size_t TaximeterRecord::size = record_archive::size_of<TaximeterRecord>();
+inline constexpr std::size_t TaximeterRecord::size_of_version_1 =
+    size - sizeof TaxiTrip{}.supplements_of_kind - sizeof TaximeterRecord{}.shift_begin -
+    sizeof TaximeterRecord{}.mode;
 
 using TaximeterRecordBytes = std::array<std::uint8_t, TaximeterRecord::size>;
 
 inline TaximeterRecordBytes bytes_of(const TaximeterRecord& record) {
   return record_archive::bytes_of<TaximeterRecord::size>(record);
 }
-/// Nothing where they are of another version.
+/// Nothing if the bytes are of another version. Values that version 1 does not have are unknown.
 inline std::optional<TaximeterRecord> taximeter_record(const TaximeterRecordBytes& bytes) {
   TaximeterRecord record;
   record_archive::ReadingArchive archive{bytes.data()};
   record.visit(archive);
-  if (record.version != TaximeterRecord::present_version || record.k == 0) return std::nullopt;
+  const bool is_known = record.version == TaximeterRecord::present_version ||
+                        record.version == TaximeterRecord::version_1;
+  if (!is_known || record.k == 0) return std::nullopt;
+  if (record.version == TaximeterRecord::version_1) {
+    record.shift_begin = no_time;
+    record.mode = TaximeterMode::not_available;
+  }
+  record.version = TaximeterRecord::present_version;
   return record;
 }
 

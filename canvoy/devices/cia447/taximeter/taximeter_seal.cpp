@@ -1,5 +1,5 @@
-// Behind the seal of a taximeter: service mode, k, errors, and the record of what was done to it.
-#include "canvoy/canopen/little_endian.hpp"
+// Behind the seal of a taximeter: service mode, k, errors, and the audit log.
+#include "canvoy/canopen/protocol/little_endian.hpp"
 #include "canvoy/devices/cia447/taximeter/taximeter_unit.hpp"
 
 namespace canvoy::cia447 {
@@ -36,7 +36,8 @@ bool TaximeterUnit::leave_service() {
   return is_done;
 }
 
-/// Whoever opens it out of service mode has it sealed anew before anybody rides again.
+/// A seal that was opened outside of service mode has to be closed in service mode before the next
+/// trip.
 void TaximeterUnit::watch_seal() {
   const bool is_open = hardware_.seal_is_open();
   if (is_open != is_seal_open_) {
@@ -60,6 +61,16 @@ bool TaximeterUnit::set_k(std::uint32_t k) {
   record_.k = k;
   record_.distance_rest = 0;
   set_fastest();
+  keep();
+  publish_configuration();
+  return true;
+}
+
+bool TaximeterUnit::set_mode(TaximeterMode mode) {
+  if (record_.state != Taximeter::service_mode) return false;
+  note(AuditEvent::mode_set, static_cast<std::uint32_t>(record_.mode),
+       static_cast<std::uint32_t>(mode));
+  record_.mode = mode;
   keep();
   publish_configuration();
   return true;
@@ -136,7 +147,7 @@ void TaximeterUnit::write_refused(const RefusedWrite& refused) {
        recorded_client(refused.client));
 }
 
-/// By whose frames wheels and clock are read is behind the seal: PDO and SDO parameters.
+/// The senders from which wheels and clock are read are behind the seal: PDO and SDO parameters.
 AbortCode TaximeterUnit::check_settings(const Entry& entry, std::span<const std::uint8_t> value) {
   if (record_.state == Taximeter::service_mode) return AbortCode::none;
   note(AuditEvent::settings_refused, recorded_place(entry.index, entry.sub),
@@ -160,8 +171,8 @@ void TaximeterUnit::tell_audit_line(const Entry& entry) {
       entry, {reinterpret_cast<const std::uint8_t*>(line.data()), line.size()});
 }
 
-/// A new entry within a second; how often something was repeated now and then, so that nobody can
-/// wear the flash out.
+/// A new entry is kept within a second; the counts of repetitions from time to time, so that events
+/// cannot wear the flash out.
 void TaximeterUnit::keep_audit(bool at_once) {
   const Time now = network_.node().now();
   const bool is_due = has_more_audit_ && now - audit_kept_at_ >= settings_.keeping_period;

@@ -1,6 +1,6 @@
-// A sealed taximeter at its wire: who may write what it counts by, what a clock may do, pulses that
-// are none of the wheels, the seal itself, and k by a drive (CiA 447-3, 4.2.4 and 4.2.12; Directive
-// 2014/32/EU, annex IX). 0800 0021h: not by this client; 0800 0022h: not now.
+// A sealed taximeter at its wire: clients that may write its inputs, limits of a clock, pulses that
+// are not from the wheels, the seal itself, and k by a drive (CiA 447-3, 4.2.4 and 4.2.12;
+// Directive 2014/32/EU, annex IX). 0800 0021h: not by this client; 0800 0022h: not at present.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -27,7 +27,7 @@ class Sealed : public testing::Test {
     return count;
   }
   const AuditEntry& newest() const { return *car.meter->audit().newest(0); }
-  /// Each 100 ms, with wheels that say that they turn so fast, in 0,5/min.
+  /// Sent every 100 ms, with wheels that report this rpm, in 0,5/min.
   void send_counts(unsigned seconds, unsigned pulses_each, unsigned rpm) {
     for (unsigned cycle = 0; cycle < 10 * seconds; ++cycle) {
       car.cable().run_for(100ms);
@@ -46,7 +46,7 @@ class Sealed : public testing::Test {
   MeterBench car{with_clock()};
 };
 
-// Who writes.
+// Clients.
 
 /// All that it consumes, each with a value that can be: refused on the default channel, to all but
 /// the provider, and each refusal recorded.
@@ -142,7 +142,7 @@ TEST_F(Sealed, ASourceOfAStrangerKeepsNobodyFromRiding) {
   EXPECT_TRUE(car.meter->hire());
 }
 
-/// 0609 0030h: what there is not, also from who provides it.
+/// 0609 0030h: impossible values, also from the provider.
 TEST_F(Sealed, ReservedCodesAndDaysThatThereAreNotAreRefused) {
   struct Impossible {
     unsigned client;
@@ -173,14 +173,14 @@ TEST_F(Sealed, ReservedCodesAndDaysThatThereAreNotAreRefused) {
   EXPECT_EQ(recorded(AuditEvent::write_refused), 0u) << "who provides it is no stranger";
 }
 
-/// By whose frames it counts is behind the seal: channels and PDOs.
+/// The senders of its inputs are behind the seal: channels and PDOs.
 TEST_F(Sealed, ItsParametersAreWrittenInServiceModeOnly) {
   constexpr const char* requests[] = {
       "23 10 14 01 8B 02 00 80",   // RPDO 17 from another node
       "2F 10 14 02 01 00 00 00",   // with the SYNC
       "2F 10 16 00 00 00 00 00",   // its mapping
       "23 03 12 01 33 03 00 80",   // the SDO server for node 3
-      "23 80 12 02 33 03 00 80"};  // the client that asks the gateway
+      "23 80 12 02 33 03 00 80"};  // the client that sends requests to the gateway
   for (const char* request : requests) {
     const std::string object = std::string(request).substr(3, 8);
     EXPECT_EQ(car.ask_as(1, request), "80 " + object + " 22 00 00 08") << request;
@@ -196,7 +196,7 @@ TEST_F(Sealed, ItsParametersAreWrittenInServiceModeOnly) {
 
 class SealedClock : public Sealed {
  protected:
-  /// Node 7 says that people read this time on 2026-11-23, an hour ahead of UTC.
+  /// Node 7 sends this local time of 2026-11-23, an hour ahead of UTC.
   void set_bus_clock(unsigned hour, unsigned minute, unsigned second = 0) {
     char request[32];
     EXPECT_EQ(car.ask_as(7, "23 F4 60 00 11 01 CD FF").substr(0, 2), "60");
@@ -284,7 +284,7 @@ TEST_F(Sealed, WheelsThatStopHaveTheLastOfTheirPulses) {
   car.begin_shift();
   car.meter->hire();
   send_counts(10, 8, 600);
-  // 6053h says it half a second before 6055h does.
+  // 6053h reports it half a second before 6055h does.
   for (unsigned cycle = 0; cycle < 5; ++cycle) {
     car.cable().run_for(100ms);
     car.turned += 8;

@@ -7,8 +7,8 @@
 namespace canvoy::cia447::taximeter_sequence_test {
 namespace {
 
-/// Each kilometre costs 1000, each second and each pulse tells: distance and fare are the same
-/// number at any moment, and supplements are ten times the hirings.
+/// Each kilometre costs 1000, and each second and each pulse is counted: distance and fare are the
+/// same number at any moment, and supplements are ten times the hirings.
 constexpr TariffLevel levels[] = {{.distance_rate = 1000}};
 
 struct Read {
@@ -27,7 +27,7 @@ class Sequence : public testing::Test {
              .calculation = FareMode::double_calculation,
              .tariff = {.id = 1, .levels = levels},
              .fastest_speed = 4000}) {}
-  /// Time passes between two requests, in which the taxi goes on.
+  /// Time passes between two requests, and the taxi moves on.
   std::uint64_t slowly(std::uint16_t index, unsigned sub = 0) {
     car.drive(1, 80);
     return car.get(index, sub);
@@ -67,7 +67,7 @@ TEST_F(Sequence, AClientThatGoesByItHasValuesOfOneMoment) {
     if (!values.is_of_one_moment()) ++torn;
   }
   EXPECT_GT(torn, 40u) << "without the counter it would be wrong";
-  // It asks faster than the taxi changes, sometimes.
+  // Sometimes it reads faster than the taxi changes.
   unsigned good = 0;
   for (unsigned attempt = 0; attempt < 50; ++attempt) {
     car.drive(1, 80);

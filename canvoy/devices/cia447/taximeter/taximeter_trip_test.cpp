@@ -137,6 +137,25 @@ TEST_F(Trip, SupplementsAreChargedBesideTheFare) {
   EXPECT_EQ(car.get(0x60D0, 3), 3900u);
 }
 
+/// The example's: luggage 1,00, a booking 1,50, the airport 5,00.
+TEST_F(Trip, EachServiceOfTheTariffCostsItsPrice) {
+  car.begin_shift();
+  EXPECT_FALSE(car.meter->charge(0)) << "nobody is there";
+  car.meter->hire();
+  EXPECT_TRUE(car.meter->charge(0));
+  EXPECT_TRUE(car.meter->charge(0));
+  EXPECT_TRUE(car.meter->charge(2));
+  EXPECT_FALSE(car.meter->charge(3)) << "there is none";
+  EXPECT_TRUE(car.meter->add_supplement(700));
+  EXPECT_EQ(car.get(0x60D0, 2), 7700u);
+  const auto& of_kinds = car.meter->record().trip.supplements_of_kind;
+  EXPECT_EQ(of_kinds[0], 2000u);
+  EXPECT_EQ(of_kinds[1], 0u);
+  EXPECT_EQ(of_kinds[2], 5000u);
+  EXPECT_TRUE(car.meter->clear_supplements());
+  EXPECT_EQ(of_kinds[0] + of_kinds[2], 0u);
+}
+
 TEST_F(Trip, MayHaveAFixedPrice) {
   car.begin_shift();
   EXPECT_TRUE(car.meter->agree_price(25'000));
@@ -243,7 +262,7 @@ TEST(TripInMiles, IsCountedInTheUnitThatIsSet) {
   static constexpr TariffLevel levels[] = {{.initial_fare = 2500, .distance_rate = 3000}};
   MeterBench car({.k = 1000,
                   .tariff = {.id = 7, .levels = levels},
-                  .currency = "USD",
+                  .currency = {.code = "USD"},
                   .distance_unit = "mile",
                   .fastest_speed = 200});
   car.begin_shift();

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "canvoy/profiles/reactions.hpp"
+#include "canvoy/profiles/model/reactions.hpp"
 
 namespace canvoy::cia447 {
 
@@ -12,8 +12,8 @@ namespace {
 constexpr Duration tick_period = 1s;
 /// A slice of a trip: the speed in it decides in mode S.
 constexpr Duration shortest_slice = 1s;
-/// Without a valid count for so long there is no wheel signal: 4.2.4.6 wants one each 100 ms, and
-/// lets some be lost.
+/// Without a valid count for this time, there is no wheel signal: 4.2.4.6 requires one every 100
+/// ms, and allows for some losses.
 constexpr Duration wheel_signal_lasts = 2s;
 /// The PDO with 6050h, 6053h and 6055h.
 constexpr unsigned wheel_pdo = 17;
@@ -36,14 +36,14 @@ constexpr const ObjectInfo* provided_wheels[] = {&actual_engine_revolutions_obje
 
 }  // namespace
 
-constexpr HookCalls TaximeterUnit::hook_calls[] = {
+constexpr AccessHandlers TaximeterUnit::hook_calls[] = {
     after_write<&TaximeterUnit::source_came, wheel_signal_source_object>,
     after_write<&TaximeterUnit::count_came, wheel_pulse_counter_object>,
     after_write<&TaximeterUnit::source_came, wheel_pulse_counter_overrun_value_object>,
     before_read<&TaximeterUnit::tell_audit, audit_object>,
     before_read<&TaximeterUnit::tell_audit_line, audit_log_object>};
-constexpr ServiceCalls TaximeterUnit::service_calls = {.reset = method<&TaximeterUnit::reset>,
-                                                       .hooks = hook_calls};
+constexpr ServiceHandlers TaximeterUnit::service_calls = {.reset = method<&TaximeterUnit::reset>,
+                                                          .hooks = hook_calls};
 
 TaximeterUnit::TaximeterUnit(CarNetwork& network, const TaximeterHardware& hardware,
                              const TaximeterSettings& settings)
@@ -88,7 +88,7 @@ TaximeterUnit::TaximeterUnit(CarNetwork& network, const TaximeterHardware& hardw
   network.node().dictionary().attach(sealed_parameters_);
 }
 
-// Power, and resets of the bus: those touch neither a trip nor a total.
+// Power, and resets of the bus, which change neither a trip nor a total.
 
 void TaximeterUnit::reset(ResetScope /*scope*/) {
   if (!has_started_) power_on();
@@ -111,6 +111,7 @@ void TaximeterUnit::power_on() {
     record_.k = std::max<std::uint32_t>(settings_.k, 1);
     record_.tariff = settings_.tariff.id;
   }
+  if (record_.mode == TaximeterMode::not_available) record_.mode = settings_.mode;
   advanced_to_ = counted_at_ = kept_at_ = network_.node().now();
   kept_distance_ = record_.total.distance;
   fare_.restore(record_.trip.fare);
@@ -122,13 +123,13 @@ void TaximeterUnit::power_on() {
   if (!record_.totals_are_known) set_error(TaximeterError::memory, true);
   if (is_tampered(tampering::source)) errors_ |= bit_of(TaximeterError::wheel_source);
   if (is_tampered(tampering::seal)) errors_ |= bit_of(TaximeterError::seal);
-  // From here on there is always an older record to fall back on.
+  // From here on, an older record always exists.
   if (!found.record && !found.is_damaged) keep();
   resume();
 }
 
-/// A trip goes on after a short loss of power, of which nothing is charged; a longer one has ended
-/// it, with what was kept.
+/// A trip continues after a short loss of power, which is not charged; a longer one has ended it,
+/// with the kept values.
 void TaximeterUnit::resume() {
   if (!has_trip_under_way()) return;
   const std::int64_t now = utc_now();
@@ -163,7 +164,7 @@ void TaximeterUnit::keep() {
   kept_distance_ = record_.total.distance;
 }
 
-/// At a reset of the bus all is told, else what has changed.
+/// At a reset of the bus, writes all, otherwise the changes.
 void TaximeterUnit::publish(bool is_all) {
   const TripData data = trip_data(record_.trip, fare_);
   objects_.tell_trip(data, is_all);
@@ -185,8 +186,8 @@ void TaximeterUnit::hardware_changed() {
 
 // Time.
 
-/// The clock on the bus leads; the meter's own one goes on from it, over loss of power too. In a
-/// trip neither moves the time.
+/// The clock on the bus has priority; the meter's own one continues from it, also over a loss of
+/// power. In a trip, neither changes the time.
 std::optional<LocalTime> TaximeterUnit::clock() {
   const std::optional<LocalTime> told = told_time();
   if (!told) return std::nullopt;
@@ -208,7 +209,7 @@ std::optional<LocalTime> TaximeterUnit::told_time() {
   return own;
 }
 
-/// Each step has its entry, one that is refused once in a trip.
+/// Each step has an entry; a refused one only once in a trip.
 void TaximeterUnit::watch_clock_step() {
   const Time now = network_.node().now();
   const std::optional<LocalTime> told = told_time();
@@ -247,7 +248,7 @@ void TaximeterUnit::tick(Time now) {
   publish();
 }
 
-/// The level may change in the middle of a trip, the tariff only between two.
+/// The level may change during a trip, the tariff only between two trips.
 void TaximeterUnit::watch_clock() {
   if (!has_trip_under_way()) change_tariff();
   if (!is_hired()) return;
@@ -327,7 +328,7 @@ void TaximeterUnit::source_was_read(std::uint16_t /*index*/) {
   source_came();
 }
 
-/// In service mode what is there is right.
+/// In service mode, the present source is accepted.
 void TaximeterUnit::adopt_source() {
   const auto source = value(wheel_signal_source).value();
   if (source && *source <= WheelSource::average_all) record_.wheel_source = *source;
@@ -339,8 +340,8 @@ bool TaximeterUnit::has_wheel_signal() const {
   return network_.node().now() - counted_at_ <= wheel_signal_lasts;
 }
 
-/// Whoever takes pulses away does not stop the wheels, and whoever adds some does not turn them.
-/// False: these are none of the wheels.
+/// Removed pulses do not stop the wheels, and added ones do not turn them. False: the pulses are
+/// not from the wheels.
 bool TaximeterUnit::check_wheels(std::uint32_t turned, Duration since) {
   const auto rpm = value(wheel_rpm);
   const auto engine = value(actual_engine_revolutions);
@@ -361,8 +362,8 @@ void TaximeterUnit::set_fastest() {
       capped(settings_.fastest_speed * std::uint64_t{record_.k} / seconds_per_hour + 1));
 }
 
-/// Up to now. What comes after a time without wheel signal, of which mode S has charged the time
-/// already, is distance that costs nothing.
+/// Up to the present. Distance after a time without wheel signal, which mode S has already charged
+/// as time, costs nothing.
 void TaximeterUnit::advance(std::uint32_t turned, bool is_count) {
   const Time now = network_.node().now();
   const Duration time = now - advanced_to_;

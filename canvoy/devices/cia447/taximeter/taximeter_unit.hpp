@@ -1,29 +1,30 @@
-// A taximeter: distance out of the car's wheel pulses, time, fare, totals that outlive power (60D0h
-// to 60DBh; CiA 447-3, 4.2.12).
+// A taximeter: distance from the car's wheel pulses, time, fare, and totals that outlive a loss of
+// power (60D0h to 60DBh; CiA 447-3, 4.2.12).
 //
 //     TaximeterUnit meter(network, {.clock = ..., .seal_is_open = ..., .show = ...},
-//                         {.k = 8000, .tariff = my_tariff, .currency = "EUR"});
+//                         {.k = 8000, .tariff = my_tariff});
 //     meter.sign_on();   // the driver's keys
 //     meter.hire();
 //     meter.stop();      // the fare stands; for_hire() ends the trip
 //
-// Distance is that of 6055h only, never of what is not certain (wheel_pulses.hpp). Each second is a
-// slice of a trip (fare_calculation.hpp); one in which values of 6055h were lost is longer. A trip
-// lasts from hire() to for_hire(): stopped is a pause of it. Its fare is added to the totals when
-// it ends; distance and hirings at once.
+// Distance is that of 6055h only, and excludes uncertain values (wheel_pulses.hpp). Each second is
+// a slice of a trip (fare_calculation.hpp); a slice in which values of 6055h were lost is longer. A
+// trip lasts from hire() to for_hire(); stopped is a pause of it. Its fare is added to the totals
+// when it ends, distance and hirings at once.
 //
-// It is sealed: what it consumes is taken from its providers alone (provided_objects.hpp), its PDO
-// and SDO parameters are written in service mode alone, clocks are bounded (clock_bounds.hpp), and
-// what is refused or done is recorded (audit_log.hpp; 5F20h and 5F21h).
+// The meter is sealed: the objects that it consumes are accepted only from their providers
+// (provided_objects.hpp), its PDO and SDO parameters are written only in service mode, clocks are
+// limited (clock_bounds.hpp), and refused accesses and actions are recorded (audit_log.hpp; 5F20h
+// and 5F21h).
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <optional>
 
-#include "canvoy/devices/cia447/car_kind.hpp"
-#include "canvoy/devices/cia447/object_reader.hpp"
-#include "canvoy/devices/cia447/provided_objects.hpp"
+#include "canvoy/devices/cia447/kit/car_kind.hpp"
+#include "canvoy/devices/cia447/kit/object_reader.hpp"
+#include "canvoy/devices/cia447/kit/provided_objects.hpp"
 #include "canvoy/devices/cia447/taximeter/audit_log.hpp"
 #include "canvoy/devices/cia447/taximeter/audit_text.hpp"
 #include "canvoy/devices/cia447/taximeter/bus_clock.hpp"
@@ -41,71 +42,84 @@
 
 namespace canvoy::cia447 {
 
-/// Emergencies: the codes of part 1 are not at hand, so those that CiA 301 leaves to the device.
-/// The instance, and the first byte of the manufacturer-specific field, is a TaximeterError.
+/// Emergencies: the codes of part 1 are not at hand; these are codes that CiA 301 leaves to the
+/// device. The instance, and the first byte of the manufacturer-specific field, is a
+/// TaximeterError.
 namespace emergency_code {
 inline constexpr std::uint16_t taximeter = 0xFF00;
 }  // namespace emergency_code
 
 enum class TaximeterError : std::uint8_t {
-  wheel_source = 1,  ///< 6054h changed out of service mode; bytes 1, 2: sealed, found
+  wheel_source = 1,  ///< 6054h changed outside of service mode; bytes 1, 2: sealed, found
   wheel_node,        ///< another node sends the wheel pulses; bytes 1, 2: sealed, found
-  wheel_stands,      ///< the wheels turn by 6053h, and 6055h stands
+  wheel_stands,      ///< the wheels turn according to 6053h, and 6055h stands still
   memory,            ///< totals were damaged, or cannot be written
-  extra_pulses,      ///< 6055h counts more than the wheels turn by 6053h
-  seal               ///< the seal was opened out of service mode
+  extra_pulses,      ///< 6055h counts more than the wheels turn according to 6053h
+  seal               ///< the seal was opened outside of service mode
 };
 
 class TaximeterUnit {
  public:
-  /// What `hardware` and `settings` refer to must outlive this.
+  /// Everything to which `hardware` and `settings` refer must outlive this.
   TaximeterUnit(CarNetwork& network, const TaximeterHardware& hardware,
                 const TaximeterSettings& settings);
   TaximeterUnit(const TaximeterUnit&) = delete;
   TaximeterUnit& operator=(const TaximeterUnit&) = delete;
 
-  // The driver's keys. False: not in this state; nothing has changed.
+  // The driver's keys. They return false if they are not allowed in this state; nothing has then
+  // changed.
 
-  bool sign_on();   ///< a shift begins: its totals are 0
+  bool sign_on();   ///< starts a shift: its totals are 0
   bool sign_off();  ///< from "for hire"
-  bool hire();      ///< a trip begins, or goes on where it was stopped
-  bool stop();      ///< time and distance cost no more
-  bool for_hire();  ///< the trip ends, and is added to the totals
+  bool hire();      ///< starts a trip, or continues a stopped one
+  bool stop();      ///< ends the charging of time and distance
+  bool for_hire();  ///< ends the trip and adds it to the totals
   bool standby();   ///< from "for hire" and "signed off"
-  bool wake();      ///< back
-  /// To off mode; not with passengers. Any other key, and wake(), takes it back.
+  bool wake();      ///< leaves standby
+  /// Changes to off mode; not with passengers. Any other key, and wake(), cancels it.
   bool turn_off();
-  /// A level of the tariff, whatever the clock says, until the trip ends. The initial fare is that
-  /// of the level with which a trip begins.
+  /// Selects a level of the tariff, instead of the clock, until the trip ends. The initial fare is
+  /// that of the level at the start of the trip.
   bool choose_level(unsigned level);
   void choose_level_by_clock() { record_.chosen_level = TaximeterRecord::no_level; }
-  /// In 0,001 of the currency unit, while hired or stopped.
+  /// Charges a service of the tariff at its price, by its index in Tariff::supplements. While hired
+  /// or stopped.
+  bool charge(unsigned kind);
+  /// Charges another supplement, in 0,001 of the currency unit. While hired or stopped.
   bool add_supplement(std::uint32_t amount);
+  /// Clears all supplements.
   bool clear_supplements();
-  /// Of the trip that is under way, or of the next one.
+  /// Agrees a price for the present trip, or for the next one.
   bool agree_price(std::uint32_t price);
 
   // Behind the seal.
 
-  bool enter_service();  ///< with the seal open; from where no trip is under way
-  /// With the seal closed: what is sealed now holds, and its date of securing; then signed off.
+  bool enter_service();  ///< with the seal open, and no trip under way
+  /// With the seal closed: the sealed settings take effect, with the date of securing; the meter is
+  /// then signed off.
   bool leave_service();
-  bool set_k(std::uint32_t k);  ///< in service mode; from 1 on
-  /// In service mode: from here on the pulses of a drive over a distance that is known are counted.
+  bool set_k(std::uint32_t k);  ///< in service mode; at least 1
+  /// In service mode: sets the mode for later trips (60DAh:02h). It is kept like k; a trip that is
+  /// under way keeps its own.
+  bool set_mode(TaximeterMode mode);
+  /// In service mode: starts to count the pulses of a drive over a known distance.
   bool begin_calibration();
-  /// Its end: k is what was counted on `distance`, in 0,001 of the local distance unit. False, and
-  /// k stays: no drive has begun, or fewer than 1000 pulses have come, of which one is 0,1 %.
+  /// Ends the calibration: k is calculated from the pulses counted on `distance`, in 0,001 of the
+  /// local distance unit. False, with k unchanged, if no calibration has started, or fewer than
+  /// 1000 pulses have come, of which one is 0,1 %.
   bool end_calibration(std::uint32_t distance);
 
-  /// Writes what has to be kept before it returns.
+  /// Writes all data to keep before it returns.
   void power_fails();
   /// Sends the display's content again.
   void hardware_changed();
 
   Taximeter state() const { return record_.state; }
+  /// The present tariff.
+  const Tariff& tariff() const { return tariff_; }
   const TaximeterRecord& record() const { return record_; }
   const WheelPulses::Counters& wheel_counters() const { return wheel_.counters(); }
-  /// What was done to it, when and by whom.
+  /// Recorded events, with time and origin.
   const AuditLog& audit() const { return audit_; }
 
  private:
@@ -189,26 +203,26 @@ class TaximeterUnit {
   ObjectReader wheel_reader_;
   ObjectReader clock_reader_;
   Tariff tariff_;
-  std::optional<std::uint32_t> agreed_price_ = {};  ///< of the next trip
+  std::optional<std::uint32_t> agreed_price_ = {};  ///< for the next trip
   bool has_started_ = false;
   bool is_turning_off_ = false;
   Time advanced_to_{};
-  Time counted_at_{};  ///< when the last valid count came
+  Time counted_at_{};  ///< time of the last valid count
   Time kept_at_{};
   std::uint32_t kept_distance_ = 0;
-  Duration slice_{};         ///< since the last one was closed
+  Duration slice_{};         ///< since the last slice was closed
   std::uint8_t errors_ = 0;  ///< a bit for each TaximeterError
   bool is_seal_open_ = false;
-  bool stands_engine_ = false;                     ///< the wheels give pulses meanwhile
+  bool stands_engine_ = false;                     ///< wheels give pulses, engine stands
   bool is_clock_refused_ = false;                  ///< in this trip
   std::optional<std::uint64_t> calibration_ = {};  ///< pulses of the drive
-  bool has_new_audit_ = false;                     ///< entries, that are not kept yet
-  bool has_more_audit_ = false;                    ///< only their counts
+  bool has_new_audit_ = false;                     ///< entries that are not yet kept
+  bool has_more_audit_ = false;                    ///< only their counts have changed
   Time audit_kept_at_{};
   TaximeterDisplay shown_;
-  static const HookCalls hook_calls[];
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const AccessHandlers hook_calls[];
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
   Timer tick_;
   Timer off_;
 };

@@ -89,7 +89,7 @@ TEST_F(Meter, ComesBackFromOffModeByAnyKey) {
   EXPECT_FALSE(car.meter->wake()) << "it is awake";
 }
 
-/// Which key does something in which state: for hire, hired, stopped, signed off, service, standby.
+/// Keys that have an effect in each state: for hire, hired, stopped, signed off, service, standby.
 TEST_F(Meter, KeysOfOtherStatesDoNothing) {
   struct Key {
     const char* name;
@@ -365,7 +365,7 @@ TEST_F(Meter, AnotherNodeThatSendsWheelPulsesIsAnErrorAndIsNotCounted) {
   EXPECT_FALSE(car.meter->hire());
 }
 
-/// Node 5 asks the gateway on 340h and is answered on 2C0h (facts 2.2).
+/// Requests of node 5 to the gateway are on 340h, answers on 2C0h (facts 2.2).
 TEST_F(Meter, AsksTheGatewayForWhatNoPdoBrings) {
   car.cable().run_for(500ms);
   EXPECT_EQ(car.cable().last(0x340), "340#40 54 60 00 00 00 00 00");
@@ -380,7 +380,7 @@ TEST_F(Meter, AsksTheGatewayForWhatNoPdoBrings) {
   car.drive(100, 80);
   car.meter->stop();
   EXPECT_EQ(car.get(0x60D1), 1000u);
-  // Ten seconds after it asked last it has asked again; the source has changed.
+  // Ten seconds after the last request it has sent another; the source has changed.
   car.cable().clear();
   car.cable().run_for(10s);
   EXPECT_EQ(car.cable().last(0x340), "340#40 54 60 00 00 00 00 00");
@@ -398,7 +398,7 @@ TEST_F(Meter, AGatewayThatLacksAnObjectHasOthers) {
 
 TEST(TaximeterClock, IsAskedByWhereItIs) {
   MeterBench car({.clock_node = 7}, nullptr, std::nullopt);
-  // Node 5 asks node 7 on 346h and is answered on 2C6h.
+  // Requests of node 5 to node 7 are on 346h, answers on 2C6h.
   car.cable().run_for(500ms);
   EXPECT_EQ(car.cable().last(0x346), "346#40 F4 60 00 00 00 00 00");
   car.cable().send("2C6#43 F4 60 00 11 01 CE FF");

@@ -1,6 +1,6 @@
-// What 60D0h to 60D4h say of a trip: of the present one, or of the last one while the taxi is for
-// hire (CiA 447-3, 4.2.12.1 to 4.2.12.5). All of it is told at one moment, and the sequence counter
-// (60DBh, 4.2.12.9) counts each time that any of it has changed.
+// Contents of 60D0h to 60D4h: the present trip, or the last one while the taxi is for hire (CiA
+// 447-3, 4.2.12.1 to 4.2.12.5). All values are written at one moment, and the sequence counter
+// (60DBh, 4.2.12.9) counts each change.
 //
 //     if (data != told) tell(dictionary, data), ++sequence;
 #pragma once
@@ -25,9 +25,9 @@ struct TripData {
   std::uint32_t initial_fare = unknown;
   std::uint32_t distance = unknown;  ///< in 0,001 of the local distance unit
   std::uint32_t duration = unknown;  ///< s
-  std::uint32_t waiting = unknown;   ///< s that time was charged
+  std::uint32_t waiting = unknown;   ///< s charged as time
   std::uint32_t start = unknown;     ///< s since 1970-01-01
-  std::uint32_t finish = unknown;    ///< the same
+  std::uint32_t finish = unknown;    ///< s since 1970-01-01
   std::array<std::uint8_t, 2> level = {0xFF, 0xFF};
   std::uint32_t time_rate = unknown;
   std::uint32_t distance_rate = unknown;
@@ -35,15 +35,15 @@ struct TripData {
   bool operator==(const TripData&) const = default;
 };
 
-/// That of a trip, and of what it costs.
+/// Data of a trip and its fare.
 TripData trip_data(const TaxiTrip& trip, const FareCalculation& fare);
 
-/// As 32 bits have seconds since 1970-01-01; TripData::unknown where they do not.
+/// Seconds since 1970-01-01 in 32 bits; TripData::unknown if they do not fit.
 std::uint32_t seconds_since_1970(std::int64_t time);
 
 void tell(Dictionary& dictionary, const TripData& data);
 
-/// The sequence counter goes from FDh to 0: the two codes above have another meaning.
+/// The sequence counter wraps from FDh to 0, as the two codes above have other meanings.
 constexpr std::uint8_t next_sequence(std::uint8_t sequence) {
   constexpr std::uint8_t sequence_max = 0xFD;
   return sequence >= sequence_max ? std::uint8_t{0} : static_cast<std::uint8_t>(sequence + 1);

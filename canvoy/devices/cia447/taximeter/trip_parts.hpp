@@ -1,9 +1,9 @@
-// Where the numbers of a trip stand in the dictionary: for who tells them, and who reads them.
+// Locations of the numbers of a trip in the dictionary, for writer and reader.
 //
 //     for (const auto& part : trip_parts) write_field(dictionary, part.place, data.*part.value);
 #pragma once
 
-#include "canvoy/devices/cia447/commands.hpp"
+#include "canvoy/devices/cia447/kit/commands.hpp"
 #include "canvoy/devices/cia447/taximeter/trip_data.hpp"
 #include "canvoy/profiles/cia447/taxi_handles.hpp"
 

@@ -1,6 +1,6 @@
 #include "canvoy/devices/cia447/taximeter/trip_reader.hpp"
 
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 #include "canvoy/devices/cia447/taximeter/trip_parts.hpp"
 
 namespace canvoy::cia447 {
@@ -17,7 +17,7 @@ constexpr bool is_number(std::size_t position) {
   return position >= 1 && position <= numbers;
 }
 
-/// Behind the counter: the numbers, mode, level.
+/// After the counter: the numbers, mode, level.
 FieldPlace place_at(std::size_t position) {
   if (is_number(position)) return trip_parts[position - 1].place;
   if (position == numbers + 1) return mode;
@@ -47,7 +47,7 @@ void TripReader::ask() {
   if (refused != AbortCode::none) done_(nullptr);
 }
 
-/// Who does not answer is not asked for the rest; who lacks one object may have others.
+/// A meter that does not answer is not read further; one that lacks an object may have others.
 void TripReader::answered(SdoClient::Outcome outcome) {
   if (outcome.is_silence()) return done_(nullptr);
   if (position_ == 0) data_ = {};
@@ -64,7 +64,7 @@ void TripReader::answered(SdoClient::Outcome outcome) {
   ask();
 }
 
-/// What came, of so many bytes.
+/// Takes the received value of this number of bytes.
 void TripReader::take(std::size_t length) {
   const bool is_long = length == sizeof(std::uint32_t);
   if (is_number(position_) && is_long) {

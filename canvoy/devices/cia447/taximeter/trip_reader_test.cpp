@@ -1,4 +1,4 @@
-// A client that reads a trip of one moment, at the wire: it is node 5, and asks node 2.
+// A client that reads a trip of one moment, at the wire: it is node 5, and reads node 2.
 #include "canvoy/devices/cia447/taximeter/trip_reader.hpp"
 
 #include <gtest/gtest.h>
@@ -10,13 +10,13 @@
 #include <string>
 #include <utility>
 
-#include "canvoy/devices/cia447/car_bench_test.hpp"
+#include "canvoy/devices/cia447/kit/car_bench_test.hpp"
 #include "canvoy/devices/cia447/printer/printer_unit.hpp"
 
 namespace canvoy::cia447::trip_reader_test {
 namespace {
 
-/// What a meter has, as SDO answers; what is not there does not exist (0602 0000h).
+/// Values of a meter, as answered by SDO; missing ones do not exist (0602 0000h).
 using Objects = std::map<std::pair<std::uint16_t, std::uint8_t>, std::string>;
 
 const Objects whole_trip = {
@@ -37,12 +37,12 @@ std::pair<std::uint16_t, std::uint8_t> asked(const Frame& request) {
 class TripReaderWire : public testing::Test {
  protected:
   TripReaderWire()
-      : bench(only_unit<PrinterKind>, [this](Site& site) {
-          site.watch(Callback<void(CarNetwork&, Node&)>::to<&TripReaderWire::made>(*this));
+      : bench(only_unit<PrinterKind>, [this](Environment& environment) {
+          environment.watch(Callback<void(CarNetwork&, Node&)>::to<&TripReaderWire::made>(*this));
         }) {}
-  ~TripReaderWire() override { reader.reset(); }  // before the bench, whose network it uses
+  ~TripReaderWire() override { reader.reset(); }  // before the bench, which it uses
 
-  /// The meter answers until nobody asks; each request is counted.
+  /// The meter answers until there are no requests; each request is counted.
   void answer() {
     while (true) {
       std::optional<Frame> request;

@@ -4,17 +4,18 @@ namespace canvoy::cia447 {
 
 namespace {
 
-/// Some 3 km/h, from where on 6053h is true to 1 %.
+/// About 3 km/h, from which 6053h is accurate to 1 %.
 constexpr unsigned turning = 60;
-/// What 6053h may be late, twice.
+/// Twice the delay of 6053h.
 constexpr Duration late = 1s;
-/// What a taximeter may be wrong at least (Directive 2014/32/EU, annex IX): 4 m, in thousandths.
+/// Lower limit of the error tolerance of a taximeter (Directive 2014/32/EU, annex IX): 4 m, in
+/// thousandths.
 constexpr std::uint64_t least_error = 4;
 constexpr std::uint64_t thousand = 1000;
-/// Of a value that comes each 100 ms, some may be lost; what came meanwhile is not known.
+/// Some values of a period of 100 ms may be lost; those in between are not known.
 constexpr Duration gap = 500ms;
 constexpr Duration window_length = 10s;
-/// In 100: 1 % of 6053h, 1.8 % of 6055h, and what they are apart in time.
+/// In percent: 1 % of 6053h, 1.8 % of 6055h, and their difference in time.
 constexpr std::uint64_t tolerated = 105;
 constexpr std::uint64_t hundred = 100;
 constexpr std::uint64_t tenth = 10;
@@ -68,7 +69,7 @@ void WheelCheck::close_window() {
   pulses_ = turns_ = 0;
 }
 
-/// An electric car has none that turns, and a stopped engine of others may turn again at once.
+/// An electric car has no turning engine, and a stopped engine of others may turn again at once.
 void WheelCheck::watch_engine(const WheelSeen& seen) {
   if (!seen.engine || *seen.engine != 0) {
     has_engine_turned_ |= seen.engine.has_value();

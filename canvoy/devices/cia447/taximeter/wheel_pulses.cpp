@@ -6,12 +6,12 @@ namespace canvoy::cia447 {
 
 namespace {
 
-/// What a value may be older than another (4.2.4.6: propagation inside the vehicle).
+/// Maximum age difference of two values (4.2.4.6: propagation inside the vehicle).
 constexpr Duration lateness_max = 500ms;
-/// Values that go on from each other before they are believed: one that is sent late, even twice,
-/// is not a counter that was set.
+/// Number of consecutive values before they are accepted: a value that is sent late, even twice, is
+/// not a counter that was set.
 constexpr std::uint8_t doubts_max = 4;
-/// Longer than it takes any counter to overrun; with it the product below fits into 64 bits.
+/// Longer than any counter takes to overrun; the product below then fits into 64 bits.
 constexpr Duration longest_gap = 1h;
 
 }  // namespace
@@ -53,7 +53,7 @@ std::uint32_t WheelPulses::count(std::uint16_t value, Signal valid, Time now) {
     set_base(value, now);
     return 0;
   }
-  // Where the counter may have overrun unseen, nobody knows how often.
+  // If the counter may have overrun undetected, the number of overruns is not known.
   if (possible(now - base_time_) > believed()) {
     ++counters_.gaps;
     set_base(value, now);

@@ -111,7 +111,7 @@ TEST_F(Wheel, OfAFailureThatPassesNothingIsLost) {
 
 TEST_F(Wheel, AfterASilenceInWhichItMayHaveOverrunItBeginsAnew) {
   take(1000);
-  now += 80s;  // 53360 pulses at most, of 49152 that are believed
+  now += 80s;  // 53360 pulses at most, of 49152 that are accepted
   EXPECT_EQ(take(20'000), 0u);
   EXPECT_EQ(sut.counters().gaps, 1u);
   EXPECT_EQ(take(20'010), 10u);

@@ -1,14 +1,14 @@
 #include "canvoy/devices/cia447/terminal/icon_row.hpp"
 
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 #include "canvoy/profiles/cia447/terminal_handles.hpp"
-#include "canvoy/profiles/reactions.hpp"
+#include "canvoy/profiles/model/reactions.hpp"
 
 namespace canvoy::cia447 {
 
 namespace {
 
-/// The same field of another icon, or of the other display.
+/// The corresponding field of the first icon of the first display.
 FieldPlace first_of(FieldPlace place) {
   if (place.index == icon_display_2_command_object.index) {
     place.index = icon_display_1_command_object.index;
@@ -17,7 +17,7 @@ FieldPlace first_of(FieldPlace place) {
   return place;
 }
 
-/// A field in a value that is about to be written. Both displays have the same.
+/// A field in a value to be written, equal for both displays.
 template <class Handle>
 auto field_in(std::uint64_t value, const Handle&) {
   return extract(value, Handle::Place::bits);
@@ -25,9 +25,9 @@ auto field_in(std::uint64_t value, const Handle&) {
 
 }  // namespace
 
-constexpr HookCalls IconRow::hook_calls[] = {
+constexpr AccessHandlers IconRow::hook_calls[] = {
     before_write<&IconRow::check, icon_display_1_command_object>};
-constexpr ServiceCalls IconRow::service_calls = {.hooks = hook_calls};
+constexpr ServiceHandlers IconRow::service_calls = {.hooks = hook_calls};
 
 std::uint16_t IconRow::shift_to(IconDisplay display) {
   constexpr unsigned between =
@@ -76,7 +76,7 @@ void IconRow::commanded(const Commanded& wanted) {
     network_.watch(wanted.client);
     shown.is_locked = true;
   } else if (!lock.is_held()) {
-    // Named in the same word as the release.
+    // Selected in the same word as the release.
     return;
   } else if (field == place_of(icon_display_1_command_content)) {
     shown.icon = wanted.as<Icon>();

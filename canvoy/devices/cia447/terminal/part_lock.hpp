@@ -1,6 +1,6 @@
-// Who has a part of the terminal: the car's own application, or the add-on device that has locked
-// it (CiA 447-3, 4.2.9). A part is held by one device at a time; another one that wants it, or
-// writes to it, is refused until the holder lets go, or dies.
+// Holder of a part of the terminal: the car's own application, or the add-on device that has locked
+// it (CiA 447-3, 4.2.9). One device at a time holds a part; other devices that lock it, or write to
+// it, are refused until the holder releases it, or is lost.
 //
 //     PartLock display;
 //     display.command(AccessCommand::lock, 4);  // AbortCode::none: node 4 has it
@@ -10,7 +10,7 @@
 
 #include <cstdint>
 
-#include "canvoy/canopen/dictionary/abort_code.hpp"
+#include "canvoy/canopen/protocol/abort_code.hpp"
 #include "canvoy/profiles/cia447/add_on_states.hpp"
 
 namespace canvoy::cia447 {
@@ -22,24 +22,24 @@ class PartLock {
 
   constexpr bool is_held() const { return holder_ != 0; }
   constexpr bool is_held_by(unsigned node_id) const { return is_held() && holder_ == node_id; }
-  /// 0: nobody.
+  /// 0: none.
   constexpr unsigned holder() const { return holder_; }
 
-  /// As the status objects show it while the part works.
+  /// As in the status objects while the part works.
   constexpr TerminalAccess access() const {
     const auto vehicle = static_cast<unsigned>(TerminalAccess::vehicle);
     return static_cast<TerminalAccess>(vehicle + holder_);
   }
 
-  /// Whether `node_id` may give this command. Aborts: device_state (0800 0022h) while another
-  /// device holds the part, or where the status has no code for a device with this node-ID.
+  /// Checks whether `node_id` may give this command. Aborts: device_state (0800 0022h) while
+  /// another device holds the part, or if the status has no code for a device with this node-ID.
   constexpr AbortCode check(AccessCommand command, unsigned node_id) const {
     if (command == AccessCommand::do_not_care) return AbortCode::none;
     if (is_held() && !is_held_by(node_id)) return AbortCode::device_state;
     const bool has_code = node_id >= 1 && node_id <= devices_max;
     return locks(command) && !has_code ? AbortCode::device_state : AbortCode::none;
   }
-  /// The same, and follows it. A release of what nobody holds changes nothing.
+  /// Checks the command, and executes it. Releasing a free part changes nothing.
   constexpr AbortCode command(AccessCommand command, unsigned node_id) {
     const AbortCode answer = check(command, node_id);
     if (answer != AbortCode::none || command == AccessCommand::do_not_care) return answer;
@@ -47,7 +47,7 @@ class PartLock {
     return AbortCode::none;
   }
 
-  /// A device has died. True: it was the holder, and the part is the car's again.
+  /// Takes the loss of a device. True if it was the holder, and the part belongs to the car again.
   constexpr bool lose(unsigned node_id) {
     if (!is_held_by(node_id)) return false;
     holder_ = 0;
@@ -56,7 +56,7 @@ class PartLock {
   constexpr void reset() { holder_ = 0; }
 
  private:
-  /// The lock for content that comes by ISO-TP is a lock (display 1 only, errata A7).
+  /// The lock for contents by ISO-TP is a lock (display 1 only, errata A7).
   static constexpr bool locks(AccessCommand command) {
     return command == AccessCommand::lock || command == AccessCommand::lock_for_iso_tp;
   }

@@ -1,4 +1,4 @@
-// Who has a part of the terminal: the codes of the tables of 4.2.9.
+// Holder of a part of the terminal: the codes of the tables of 4.2.9.
 #include "canvoy/devices/cia447/terminal/part_lock.hpp"
 
 #include <gtest/gtest.h>

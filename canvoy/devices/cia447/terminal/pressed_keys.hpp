@@ -1,5 +1,5 @@
-// Which key of a pad is pressed, as the user interactions of the terminal tell it (CiA 447-3,
-// 4.2.9): none, the one, or that there are several.
+// The pressed key of a pad, for the user interactions of the terminal (CiA 447-3, 4.2.9): none, one
+// key, or several.
 //
 //     PressedKeys<NumberPadKey> pad;
 //     pad.press(NumberPadKey::key_1);
@@ -18,7 +18,7 @@ class PressedKeys {
   static constexpr unsigned count = static_cast<unsigned>(Key::several) - 1;
   static_assert(count < 32);
 
-  /// What is no key of this pad is passed over.
+  /// Keys of other pads are ignored.
   constexpr void press(Key key) { pressed_ |= bit(key); }
   constexpr void release(Key key) { pressed_ &= ~bit(key); }
   constexpr void release_all() { pressed_ = 0; }

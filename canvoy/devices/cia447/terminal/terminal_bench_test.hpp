@@ -1,11 +1,11 @@
-// A terminal alone on a cable, with what it shows written down. It has node-ID 5; devices 2 and 3
-// are its clients.
+// A terminal alone on a cable, with a record of its display contents. Its node-ID is 5; devices 2
+// and 3 are its clients.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "canvoy/devices/cia447/car_bench_test.hpp"
+#include "canvoy/devices/cia447/kit/car_bench_test.hpp"
 #include "canvoy/devices/cia447/terminal/terminal_unit.hpp"
 
 namespace canvoy::cia447 {
@@ -17,10 +17,10 @@ class TerminalBench {
   static constexpr std::uint32_t pad_pdo = 0x39B;
 
   explicit TerminalBench(const TerminalSettings& settings = {})
-      : settings_(settings), bench(only_unit<TerminalKind>, [this](Site& site) {
-          site.offer(Callback<TerminalHardware()>::to<&TerminalBench::hardware>(*this));
-          site.offer(Callback<TerminalSettings()>::to<&TerminalBench::settings>(*this));
-          site.watch(Callback<void(TerminalUnit&, Node&)>::to<&TerminalBench::made>(*this));
+      : settings_(settings), bench(only_unit<TerminalKind>, [this](Environment& environment) {
+          environment.provide(Callback<TerminalHardware()>::to<&TerminalBench::hardware>(*this));
+          environment.provide(Callback<TerminalSettings()>::to<&TerminalBench::settings>(*this));
+          environment.watch(Callback<void(TerminalUnit&, Node&)>::to<&TerminalBench::made>(*this));
         }) {}
 
   TerminalUnit& unit() { return *unit_; }
@@ -32,7 +32,7 @@ class TerminalBench {
     bench.cable.run_for(0s);
     return bench.cable.last(id);
   }
-  /// Time passes, and these devices are heard.
+  /// Lets time pass, with heartbeats of these devices.
   void run_for(Duration duration, std::vector<unsigned> heard = {}) {
     for (; duration > 0s; duration -= 1s) {
       for (const unsigned node : heard) {
@@ -42,11 +42,11 @@ class TerminalBench {
     }
   }
 
-  // What was shown last, and how often.
+  // The last contents shown, and the number of changes.
   std::string title, text;
   unsigned display = 0, holder = 0, shows = 0;
   bool is_on = false, buzzes = false;
-  std::string warned;  ///< "+1 -1": lamps that went on and off
+  std::string warned;  ///< "+1 -1": lamps switched on and off
   std::vector<ShownIcon> icons;
 
  private:

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "canvoy/devices/cia447/commands.hpp"
-#include "canvoy/profiles/reactions.hpp"
+#include "canvoy/devices/cia447/kit/commands.hpp"
+#include "canvoy/profiles/model/reactions.hpp"
 
 namespace canvoy::cia447 {
 
 namespace {
 
-/// Of a part that can be locked here: what commands it, and what says who has it.
+/// Objects of a part that can be locked here: its command, and the status with its holder.
 struct PartObjects {
   TerminalPart part;
   const ObjectInfo* command;
@@ -21,7 +21,7 @@ constexpr PartObjects terminal_parts[] = {
     {TerminalPart::display_1, &display_1_command_object, &display_1_status_object},
     {TerminalPart::display_2, &display_2_command_object, &display_2_status_object}};
 
-/// The same in all of them.
+/// Equal in all of them.
 constexpr auto bits_of_access = place_of(display_1_status).bits;
 constexpr unsigned access_mask = (1U << bits_of_access) - 1;
 
@@ -43,7 +43,7 @@ constexpr TextPlace text_places[] = {{&display_1_title_object, TerminalPart::dis
 
 }  // namespace
 
-constexpr HookCalls TerminalClient::hook_calls[] = {
+constexpr AccessHandlers TerminalClient::hook_calls[] = {
     after_write<&TerminalClient::status_written<TerminalPart::number_pad>,
                 number_pad_status_object>,
     after_write<&TerminalClient::status_written<TerminalPart::function_pad>,
@@ -52,8 +52,8 @@ constexpr HookCalls TerminalClient::hook_calls[] = {
     after_write<&TerminalClient::status_written<TerminalPart::display_2>, display_2_status_object>,
     after_write<&TerminalClient::number_written, number_pad_user_interaction_object>,
     after_write<&TerminalClient::function_written, function_keys_user_interaction_object>};
-constexpr ServiceCalls TerminalClient::service_calls = {.reset = method<&TerminalClient::reset>,
-                                                        .hooks = hook_calls};
+constexpr ServiceHandlers TerminalClient::service_calls = {.reset = method<&TerminalClient::reset>,
+                                                           .hooks = hook_calls};
 
 TerminalClient::TerminalClient(CarNetwork& network, const TerminalClientSettings& settings)
     : network_(network),
@@ -82,8 +82,8 @@ void TerminalClient::lost(NodeId node) {
   go_on_soon();
 }
 
-/// That no key was pressed stays known: a terminal that was not heard for a time, and has not lost
-/// this device, does not tell it again.
+/// The state without a pressed key is kept: a terminal that was not received for a time, and has
+/// not lost this device, does not send it again.
 void TerminalClient::forget() {
   for (unsigned part = 0; part < states_.size(); ++part) let_go(part);
   to_check_ = lockable_part_count;
@@ -96,7 +96,7 @@ void TerminalClient::let_go(unsigned part) {
   }
 }
 
-// What is wanted of the terminal.
+// Requests to the terminal.
 
 void TerminalClient::want(TerminalPart part, bool is_wanted) {
   if (find_part(number_of(part)) == nullptr) return;
@@ -117,13 +117,13 @@ void TerminalClient::show(TerminalText where, std::string_view text) {
   go_on_soon();
 }
 
-/// From within somebody's hand nothing is sent.
+/// Nothing is sent from within a callback of another object.
 void TerminalClient::go_on_soon() {
   network_.node().timers().arm(timer_, std::max(network_.node().now(), not_before_));
 }
 
 void TerminalClient::go_on(Time now) {
-  if (client_.busy()) return;  // its end goes on
+  if (client_.busy()) return;  // its end continues
   if (now < not_before_) return network_.node().timers().arm(timer_, not_before_);
   if (now >= check_due_) {
     to_check_ = 0;
@@ -136,8 +136,8 @@ void TerminalClient::go_on(Time now) {
   start(job_);
 }
 
-/// What is given back goes first: somebody may wait for it. What is refused does not keep what is
-/// held from being used.
+/// Released parts go first: another device may wait for them. Refused parts do not prevent the use
+/// of held ones.
 TerminalClient::Job TerminalClient::next_job(Time now) const {
   for (unsigned part = 0; part < states_.size(); ++part) {
     if (states_[part].is_held && !states_[part].is_wanted) return {Job::Kind::release, part};
@@ -152,7 +152,7 @@ TerminalClient::Job TerminalClient::next_job(Time now) const {
   return {};
 }
 
-/// When there is something to do again.
+/// Time of the next action.
 Time TerminalClient::next_time() const {
   const bool waits = std::ranges::any_of(
       states_, [](const PartWish& part) { return part.is_wanted && !part.is_held; });
@@ -170,7 +170,7 @@ void TerminalClient::start(const Job& job) {
 
 AbortCode TerminalClient::start_write(unsigned text) {
   ShownText& shown = texts_[text];
-  // What comes meanwhile is written after this.
+  // A text that is set meanwhile is written after this one.
   shown.is_told = true;
   written_ = shown.bytes;
   return client_.download(settings_.terminal, text_places[text].object->index, 0,
@@ -179,7 +179,7 @@ AbortCode TerminalClient::start_write(unsigned text) {
 }
 
 AbortCode TerminalClient::start_command(unsigned part, AccessCommand command) {
-  // Every other field of a command is none that says anything.
+  // All other fields of a command are neutral.
   constexpr std::uint8_t other_bits = 0xFC;
   command_[0] = static_cast<std::uint8_t>(other_bits | static_cast<unsigned>(command));
   return client_.download(settings_.terminal, find_part(part)->command->index, 0, command_,
@@ -214,11 +214,12 @@ void TerminalClient::done(SdoClient::Outcome outcome) {
       if (outcome) take(job.what, command_[0]);
       break;
     case Job::Kind::release:
-      // Who does not answer forgets who is silent, or gives it back when it is asked again.
+      // A terminal that does not answer loses this device, or releases the part on the next
+      // request.
       if (was_answered) let_go(job.what);
       break;
     case Job::Kind::write:
-      // What has no room there has none the next time.
+      // A text without room has none the next time.
       if (outcome || has_no_room) break;
       texts_[job.what].is_told = false;
       if (was_answered) let_go(number_of(text_places[job.what].part));
@@ -228,7 +229,7 @@ void TerminalClient::done(SdoClient::Outcome outcome) {
   go_on_soon();
 }
 
-// What the terminal says.
+// Messages of the terminal.
 
 bool TerminalClient::is_mine(TerminalAccess access) const {
   const unsigned mine = static_cast<unsigned>(TerminalAccess::vehicle) + network_.node().id();

@@ -1,5 +1,5 @@
-// An add-on device at a terminal: it locks the parts that it needs when it needs them, shows texts,
-// and is told the keys that are pressed for it (CiA 447-3, 4.2.9).
+// An add-on device at a terminal: locks parts when it needs them, shows texts, and receives the
+// keys that are pressed for it (CiA 447-3, 4.2.9).
 //
 //     TerminalClient terminal(network, {.terminal = 2});
 //     terminal.on_number_key(Callback<void(NumberPadKey)>::to<&App::pressed>(app));
@@ -8,14 +8,14 @@
 //     terminal.show(TerminalText::title, "RADIO");
 //     if (terminal.has(TerminalPart::display_1)) ...
 //
-// What another device holds is asked for again until it is free. Parts are locked in the order of
-// TerminalPart, and none before those in front of it: so two clients never wait for each other. A
-// part that was lost (the terminal booted, or has not heard of this device) is locked anew, and its
-// texts are written again. Nobody tells a device that was not heard for a time: so it asks now and
-// then who has what it holds.
+// A part that another device holds is requested again until it is free. Parts are locked in the
+// order of TerminalPart, and none before those in front of it, so that two clients never wait for
+// each other. A part that was lost (the terminal booted, or has not received this device) is locked
+// again, and its texts are written again. The terminal does not notify a device that it has lost;
+// therefore the client periodically reads the holder of its parts.
 //
-// A key counts for this device where the PDO that tells it says that this device has the pad, and
-// has said so before with no key pressed: so a key reaches one client, and that once.
+// A key counts for this device if its PDO says that this device has the pad, and an earlier one has
+// said so with no key pressed: so each key reaches one client, once.
 //
 // The node has to consume the objects of PDO 81: terminal_keys_objects.
 #pragma once
@@ -25,13 +25,13 @@
 #include <string_view>
 
 #include "canvoy/canopen/sdo/sdo_client.hpp"
-#include "canvoy/devices/cia447/car_network.hpp"
+#include "canvoy/devices/cia447/kit/car_network.hpp"
 #include "canvoy/devices/cia447/terminal/terminal_part.hpp"
 #include "canvoy/profiles/cia447/terminal_handles.hpp"
 
 namespace canvoy::cia447 {
 
-/// All that PDO 81 carries.
+/// All objects of PDO 81.
 inline constexpr std::array<const ObjectInfo*, 8> terminal_keys_objects = {
     &number_pad_status_object,    &number_pad_user_interaction_object,
     &function_keys_status_object, &function_keys_user_interaction_object,
@@ -42,13 +42,13 @@ enum class TerminalText : std::uint8_t { title, text_1, text_2 };
 
 struct TerminalClientSettings {
   NodeId terminal = 0;        ///< 1 to 16
-  Duration retry = 300ms;     ///< of what was refused, or not answered
-  Duration check = 2s;        ///< of what is held: it may have been lost
+  Duration retry = 300ms;     ///< after a refusal, or without an answer
+  Duration check = 2s;        ///< of held parts: they may have been lost
   Duration time_out = 500ms;  ///< of an answer
 };
 
-/// It has to be made before the node starts. It takes on_lost() of the network, and calls who was
-/// called before.
+/// Construct it before the node starts. It sets on_lost() of the network, and calls the former
+/// callback.
 class TerminalClient {
  public:
   static constexpr std::size_t text_max = 80;  ///< bytes of UTF-8
@@ -60,10 +60,10 @@ class TerminalClient {
   void on_number_key(Callback<void(NumberPadKey)> pressed) { number_pressed_ = pressed; }
   void on_function_key(Callback<void(FunctionKey)> pressed) { function_pressed_ = pressed; }
 
-  /// From now on this part is wanted, or is given back. Pads and displays: number_pad,
-  /// function_pad, display_1, display_2; nothing happens for others.
+  /// Requests or releases a part. Pads and displays: number_pad, function_pad, display_1,
+  /// display_2; no effect for others.
   void want(TerminalPart part, bool is_wanted);
-  /// What the display shows while this device has it; what is longer than text_max is cut.
+  /// Sets the text shown while this device has the display, cut to text_max.
   void show(TerminalText where, std::string_view text);
   bool has(TerminalPart part) const { return states_[number_of(part)].is_held; }
 
@@ -79,9 +79,9 @@ class TerminalClient {
     std::size_t length = 0;
     bool is_told = false;
   };
-  /// A pad of which keys are told.
+  /// A pad with keys that this device receives.
   struct Pad {
-    bool is_armed = false;  ///< it is this device's, and no key was pressed
+    bool is_armed = false;  ///< it belongs to this device, and no key was pressed
   };
   struct Job {
     enum class Kind : std::uint8_t { none, lock, release, write, check } kind = Kind::none;
@@ -124,12 +124,12 @@ class TerminalClient {
   std::array<std::uint8_t, 1> command_{};  ///< or a status
   std::array<std::uint8_t, text_max> written_{};
   Time not_before_{};
-  Time lock_due_{};  ///< of parts that another device had
+  Time lock_due_{};  ///< of parts that another device has
   Time check_due_{};
-  unsigned to_check_ = lockable_part_count;  ///< the next part; all are done
-  static const HookCalls hook_calls[];
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  unsigned to_check_ = lockable_part_count;  ///< the next part; all are checked
+  static const AccessHandlers hook_calls[];
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
   Timer timer_;
 };
 

@@ -1,15 +1,15 @@
-// A client of a terminal at the wire (CiA 447-3, 4.2.9): it is node 5, the terminal is node 2,
-// which it asks on 341h and which answers on 2C1h (facts 2.2). PDO 81 of node 2 comes on 21Ah:
-// statuses and keys of three pads, and two displays; 01h says that the car has a part, 06h that
-// node 5 has it (the car and five).
+// A client of a terminal at the wire (CiA 447-3, 4.2.9): it is node 5, and the terminal is node 2,
+// with requests on 341h and answers on 2C1h (facts 2.2). PDO 81 of node 2 is on 21Ah: statuses and
+// keys of three pads, and two displays; 01h means that the car has a part, 06h that node 5 has it
+// (the car and five).
 #include "canvoy/devices/cia447/terminal/terminal_client.hpp"
 
 #include <gtest/gtest.h>
 
 #include <optional>
 
-#include "canvoy/devices/cia447/car_bench_test.hpp"
-#include "canvoy/devices/cia447/car_kind.hpp"
+#include "canvoy/devices/cia447/kit/car_bench_test.hpp"
+#include "canvoy/devices/cia447/kit/car_kind.hpp"
 
 namespace canvoy::cia447::terminal_client_test {
 namespace {
@@ -58,8 +58,9 @@ class ClientAtTerminal : public testing::Test {
   std::string keys;
   ClientOfTerminal* client_ = nullptr;
   CarBench bench{
-      only_unit<ClientKind>, [this](Site& site) {
-        site.watch(Callback<void(ClientOfTerminal&, Node&)>::to<&ClientAtTerminal::made>(*this));
+      only_unit<ClientKind>, [this](Environment& environment) {
+        environment.watch(
+            Callback<void(ClientOfTerminal&, Node&)>::to<&ClientAtTerminal::made>(*this));
       }};
   Cable& cable = bench.cable;
 };
@@ -134,7 +135,7 @@ TEST_F(ClientAtTerminal, AKeyCountsOnceForWhoHasThePad) {
   EXPECT_EQ(keys, "n5 f2 ") << "several keys are none";
 }
 
-/// It says nothing of a pad that is as it was.
+/// It does not report an unchanged pad.
 TEST_F(ClientAtTerminal, TheFirstKeyOfATerminalThatIsHeardAgainCounts) {
   pdo("06 00 01 00 01 00 01 01");
   cable.run_for(6s);
@@ -171,8 +172,8 @@ TEST_F(ClientAtTerminal, WhoHasWhatIsHeldIsAskedNowAndThen) {
   EXPECT_EQ(asked(), "341#2F 86 60 00 FD 00 00 00") << "it is asked for anew";
 }
 
-/// It may have heard nothing of this device for three seconds, and this device of it: one of the
-/// two frames came in time, and the PDO that tells the loss came not.
+/// The terminal and this device may not have received each other for three seconds: one of the two
+/// frames came in time, and the PDO that reports the loss did not arrive.
 TEST_F(ClientAtTerminal, ALossOfWhichNobodyTellsIsFoundAndTheTextWrittenAnew) {
   terminal().show(TerminalText::text_2, "HI");
   terminal().want(TerminalPart::display_2, true);

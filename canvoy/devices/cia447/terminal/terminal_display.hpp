@@ -1,4 +1,5 @@
-// What the displays of a terminal show of add-on devices (CiA 447-3, 6099h, 609Ah, 609Eh).
+// Contents that the displays of a terminal show for add-on devices (CiA 447-3, 6099h, 609Ah,
+// 609Eh).
 #pragma once
 
 #include <cstdint>
@@ -8,10 +9,10 @@ namespace canvoy::cia447 {
 
 enum class TerminalDisplay : std::uint8_t { display_1, display_2 };
 
-/// Valid during the call. UTF-8, that has room on the display.
+/// Valid during the call. UTF-8 that has room on the display.
 struct DisplayContent {
   TerminalDisplay display = TerminalDisplay::display_1;
-  /// Who has it; 0: the car itself, and what it shows is not known here.
+  /// Holder; 0: the car itself, with contents that are not known here.
   unsigned holder = 0;
   bool is_on = true;
   std::string_view title{};  ///< display 1 only

@@ -319,7 +319,7 @@ TEST(TerminalIcons, ReservedCodesAreRefused) {
   EXPECT_EQ(terminal.ask("40 A7 60 01 00 00 00 00"), "4B A7 60 01 00 E0 00 00");
 }
 
-// 4.2.9.29 and 4.2.9.31: 2, FEh and 6 are "function not implemented" for who reads.
+// 2, FEh and 6 are "function not implemented" for a reader (4.2.9.29 and 4.2.9.31).
 TEST(TerminalIcons, CommandsOfOnesThatAreNotThereAreNotImplemented) {
   TerminalBench terminal({.missing = 0b100'0000'0000});
   EXPECT_EQ(terminal.ask("40 AA 60 01 00 00 00 00"), "4B AA 60 01 FA FB 00 00");
@@ -327,7 +327,7 @@ TEST(TerminalIcons, CommandsOfOnesThatAreNotThereAreNotImplemented) {
   EXPECT_EQ(terminal.ask("40 A6 60 01 00 00 00 00"), "4B A6 60 01 FF FF 00 00");
 }
 
-// 4.2.9.3: 2 is "function not implemented" for who reads, in each part's own command.
+// 2 is "function not implemented" for a reader, in each part's own command (4.2.9.3).
 TEST(TerminalParts, CommandsOfOnesThatAreNotThereAreNotImplemented) {
   TerminalBench terminal({.missing = 0b111'1111'1111});
   for (const char* index : {"81", "86", "8B", "91", "94"}) {

@@ -1,5 +1,5 @@
-// Keys and locks of a terminal at its wire (CiA 447-3, 4.2.9.2 to 4.2.9.16). Bits that are reserved
-// are 1: the statuses begin with 111b, function keys and tip switches with 1111b.
+// Keys and locks of a terminal at its wire (CiA 447-3, 4.2.9.2 to 4.2.9.16). Reserved bits are 1:
+// the statuses start with 111b, function keys and tip switches with 1111b.
 #include <gtest/gtest.h>
 
 #include "canvoy/devices/cia447/terminal/terminal_bench_test.hpp"

@@ -1,11 +1,12 @@
-// The parts of a terminal, and what each of them does (CiA 447-3, 4.2.9).
+// The parts of a terminal, and their states (CiA 447-3, 4.2.9).
 #pragma once
 
 #include <cstdint>
 
 namespace canvoy::cia447 {
 
-/// Those up to the second display are locked as a whole; of an icon display each icon is.
+/// Parts up to the second display are locked as a whole; of an icon display, each icon is locked
+/// separately.
 enum class TerminalPart : std::uint8_t {
   number_pad,
   function_pad,

@@ -1,6 +1,6 @@
 #include "canvoy/devices/cia447/terminal/terminal_unit.hpp"
 
-#include "canvoy/profiles/reactions.hpp"
+#include "canvoy/profiles/model/reactions.hpp"
 
 namespace canvoy::cia447 {
 
@@ -24,7 +24,7 @@ constexpr FieldPlace part_lock_commands[] = {place_of(number_pad_command),
                                              place_of(display_2_command)};
 static_assert(std::size(part_lock_commands) == lockable_part_count);
 
-/// The part that a command locks, or none of them.
+/// The part that a command locks, or no part.
 constexpr unsigned locked_by(const FieldPlace& place) {
   unsigned part = 0;
   while (part < lockable_part_count && part_lock_commands[part] != place) ++part;
@@ -35,7 +35,7 @@ constexpr TerminalPart part_of(TerminalDisplay display) {
   return display == TerminalDisplay::display_1 ? TerminalPart::display_1 : TerminalPart::display_2;
 }
 
-/// The number that tells of so many lines, columns or characters (errata A6).
+/// The code for this number of lines, columns or characters (errata A6).
 template <class Handle>
 constexpr auto told(const Handle&, unsigned count) {
   using Raw = typename Handle::Reference::Raw;
@@ -48,15 +48,15 @@ std::string_view as_text(std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
-constexpr HookCalls TerminalUnit::hook_calls[] = {
+constexpr AccessHandlers TerminalUnit::hook_calls[] = {
     before_write<&TerminalUnit::check_title, display_1_title_object>,
     before_write<&TerminalUnit::check_text_1, display_1_text_object>,
     before_write<&TerminalUnit::check_text_2, display_2_text_object>,
     after_write<&TerminalUnit::display_1_written, display_1_title_object>,
     after_write<&TerminalUnit::display_1_written, display_1_text_object>,
     after_write<&TerminalUnit::display_2_written, display_2_text_object>};
-constexpr ServiceCalls TerminalUnit::service_calls = {.reset = method<&TerminalUnit::reset>,
-                                                      .hooks = hook_calls};
+constexpr ServiceHandlers TerminalUnit::service_calls = {.reset = method<&TerminalUnit::reset>,
+                                                         .hooks = hook_calls};
 
 TerminalUnit::TerminalUnit(CarNetwork& network, const TerminalHardware& hardware,
                            const TerminalSettings& settings)
@@ -78,7 +78,7 @@ TerminalUnit::TerminalUnit(CarNetwork& network, const TerminalHardware& hardware
   next_lost_ = network.on_lost(Callback<void(NodeId)>::to<&TerminalUnit::lost>(*this));
 }
 
-/// Called before the members are all there: by nothing but settings and places.
+/// Called before all members are constructed: uses only settings and places.
 void TerminalUnit::list_lacking() {
   const auto lack = [this](const FieldPlace& place) { lacking_[lacking_count_++] = place; };
   for (unsigned part = 0; part < lockable_part_count; ++part) {
@@ -100,9 +100,9 @@ void TerminalUnit::list_lacking() {
              icon_display_2_command_format);
 }
 
-// Life of the node, and of others.
+// Life of the node, and of other nodes.
 
-/// Who has locked a part learns of the boot-up, and locks it anew. Warnings stay as they are.
+/// The holder of a part detects the boot-up, and locks it again. Warnings stay as they are.
 void TerminalUnit::reset(ResetScope) {
   for (PartLock& lock : locks_) lock.reset();
   takes_iso_tp_ = false;
@@ -130,7 +130,7 @@ void TerminalUnit::lost(NodeId node) {
 
 AbortCode TerminalUnit::refuses(const Commanded& wanted) {
   const unsigned part = locked_by(wanted.place);
-  // What is not there is not commanded; icons are looked at as whole words.
+  // Missing parts are not commanded; icons are handled as whole words.
   if (part == lockable_part_count || !has(TerminalPart(part))) return AbortCode::none;
   const auto command = wanted.as<AccessCommand>();
   const bool locks = command != AccessCommand::release;
@@ -159,7 +159,7 @@ void TerminalUnit::commanded(const Commanded& wanted) {
   }
 }
 
-/// Whoever turned it on: it is silent when that one dies.
+/// The buzzer stops when the device that switched it on is lost.
 void TerminalUnit::buzz(bool is_on, NodeId client) {
   buzzed_by_ = client;
   if (is_on) network_.watch(client);
@@ -234,7 +234,7 @@ DisplayContent TerminalUnit::content(TerminalDisplay display) const {
 
 void TerminalUnit::tell_display(TerminalDisplay display) {
   const TerminalPart part = part_of(display);
-  // What the car shows is no text of an add-on device.
+  // Contents of the car are no text of an add-on device.
   if (holder(part) == 0 && display == TerminalDisplay::display_1) {
     values_[display_1_text] = std::string_view();
     values_[display_1_title] = std::string_view();
@@ -291,7 +291,7 @@ TerminalAccess TerminalUnit::access(TerminalPart part) const {
   return TerminalAccess::not_available;
 }
 
-/// What is pressed, or lit, as far as the part works.
+/// Pressed keys and lit lamps, as far as the part works.
 template <class Handle, class Code>
 void TerminalUnit::tell_sensed(TerminalPart part, const Handle& handle, Code sensed) {
   switch (state(part)) {

@@ -1,22 +1,22 @@
 // The terminal: keys, two displays, a buzzer, warning lamps and icons (CiA 447-3, 4.2.9). Add-on
-// devices lock the parts that they want for themselves; a person presses keys and reads.
+// devices lock the parts that they need; a person presses keys and reads.
 //
 //     TerminalUnit terminal(network, {.show = ...}, {.display_1 = TextArea{.lines = 2}});
 //     terminal.press(NumberPadKey::key_1);
 //     terminal.sense(TerminalPart::display_1, PartState::off);
 //
-// Who has locked a part is the SDO client with that node-ID; another one that wants the part, or
-// writes to it, gets 0800 0022h. It is the car's again when its holder releases it, falls silent,
-// or boots anew, and after a reset of the terminal. Keys are told while their part works, whoever
-// has it: its status is beside them in the same PDO.
+// The holder of a part is the SDO client with its node-ID. Other clients that lock the part, or
+// write to it, get 0800 0022h. The part belongs to the car again when its holder releases it, falls
+// silent, or boots, and after a reset of the terminal. Keys are sent while their part works, for
+// any holder: the holder is in the same PDO.
 #pragma once
 
 #include <array>
 #include <bitset>
 #include <string_view>
 
-#include "canvoy/devices/cia447/car_kind.hpp"
-#include "canvoy/devices/cia447/commands.hpp"
+#include "canvoy/devices/cia447/kit/car_kind.hpp"
+#include "canvoy/devices/cia447/kit/commands.hpp"
 #include "canvoy/devices/cia447/terminal/icon_row.hpp"
 #include "canvoy/devices/cia447/terminal/part_lock.hpp"
 #include "canvoy/devices/cia447/terminal/pressed_keys.hpp"
@@ -28,7 +28,7 @@
 
 namespace canvoy::cia447 {
 
-/// The functional warnings, as their commands count them (60A2h).
+/// The functional warnings, in the order of their commands (60A2h).
 enum class TerminalWarning : std::uint8_t {
   fire_cartridge_empty = 1,
   fire_active,
@@ -40,7 +40,7 @@ enum class TerminalWarning : std::uint8_t {
 };
 inline constexpr unsigned terminal_warning_count = 7;
 
-/// What is empty is not done.
+/// Empty callbacks have no effect.
 struct TerminalHardware {
   Callback<void(const DisplayContent&)> show = {};
   Callback<void(const ShownIcon&)> show_icon = {};
@@ -51,7 +51,7 @@ struct TerminalHardware {
 struct TerminalSettings {
   TextArea display_1 = {.lines = 4, .columns = 20, .characters = 80};
   TextArea display_2 = {.lines = 2, .columns = 16, .characters = 32};
-  /// Parts that this terminal does not have: by the numbers of TerminalPart.
+  /// Parts that this terminal lacks, by the numbers of TerminalPart.
   std::bitset<terminal_part_count> missing = {};
 };
 
@@ -62,7 +62,7 @@ class TerminalUnit {
   TerminalUnit(const TerminalUnit&) = delete;
   TerminalUnit& operator=(const TerminalUnit&) = delete;
 
-  // The person. A key stays pressed until it is released.
+  // Actions of the person. A key stays pressed until it is released.
 
   void press(NumberPadKey key);
   void release(NumberPadKey key);
@@ -74,10 +74,10 @@ class TerminalUnit {
   void release(TipSwitch key);
   void press_emergency_key(bool is_pressed = true);
 
-  /// What a part does. A part that is not there stays so.
+  /// Sets the state of a part. A missing part stays missing.
   void sense(TerminalPart part, PartState state);
 
-  /// Who has it: 1 to 16, or 0 for the car itself.
+  /// Holder: 1 to 16, or 0 for the car itself.
   unsigned holder(TerminalPart part) const { return locks_[number_of(part)].holder(); }
   DisplayContent content(TerminalDisplay display) const;
   bool is_buzzing() const { return is_buzzing_; }
@@ -126,12 +126,12 @@ class TerminalUnit {
   PressedKeys<TipSwitch> switch_pad_;
   bool emergency_key_ = false;
 
-  bool takes_iso_tp_ = false;  ///< display 1 is locked for what comes by ISO-TP
+  bool takes_iso_tp_ = false;  ///< display 1 is locked for contents by ISO-TP
   bool is_buzzing_ = false;
   NodeId buzzed_by_ = 0;
   std::array<bool, terminal_warning_count> warnings_{};
 
-  /// Fields of commands of parts that are missing: an icon's command has three.
+  /// Fields of commands of missing parts: an icon's command has three.
   static constexpr std::size_t lacking_max = lockable_part_count + 2 + 2 * 3 * IconRow::icons;
   std::array<FieldPlace, lacking_max> lacking_{};
   std::size_t lacking_count_ = 0;
@@ -140,12 +140,12 @@ class TerminalUnit {
   Commands commands_;
   IconRow icons_1_;
   IconRow icons_2_;
-  static const HookCalls hook_calls[];
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  static const AccessHandlers hook_calls[];
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
 };
 
-/// Texts are written by who has something to say: of them the terminal is the client (rw).
+/// Other devices write the texts; the terminal is their consumer (rw).
 inline constexpr const ObjectInfo* terminal_texts[] = {
     &display_1_text_object, &display_1_title_object, &display_2_text_object};
 inline constexpr auto terminal_own_list = [] {

@@ -1,5 +1,5 @@
-// Whether a text has room on a display: its lines, columns, and how many characters it takes at
-// most (CiA 447-3, 6096h and 609Bh).
+// Checks whether a text has room on a display, by its lines, columns, and maximum number of
+// characters (CiA 447-3, 6096h and 609Bh).
 //
 //     TextArea{.lines = 2, .columns = 16, .characters = 32}.fits("Fare\n12,40 EUR");  // true
 #pragma once
@@ -12,18 +12,18 @@ namespace canvoy::cia447 {
 struct TextArea {
   unsigned lines = 4;
   unsigned columns = 20;
-  /// Of eight bits, as they are printed: what UTF-8 takes several bytes for counts several times.
-  /// Line feeds do not count.
+  /// Of eight bits, as printed: a character with several bytes in UTF-8 counts several times. Line
+  /// feeds do not count.
   unsigned characters = 80;
 
-  /// The text is UTF-8; a line ends with a line feed, or where its columns do, and the rest goes on
-  /// in the next one. Control characters and what is no UTF-8 have no place: false.
+  /// The text is UTF-8. A line ends with a line feed, or at its last column, and the rest continues
+  /// in the next line. False for control characters and invalid UTF-8.
   constexpr bool fits(std::string_view text) const;
 };
 
 namespace detail {
 
-/// Length in bytes of the UTF-8 character that `text` begins with; 0 where it begins with none.
+/// Length in bytes of the first UTF-8 character of `text`; 0 if there is none.
 constexpr unsigned character_length(std::string_view text) {
   const auto byte = [&](unsigned i) {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
@@ -35,7 +35,7 @@ constexpr unsigned character_length(std::string_view text) {
   for (unsigned i = 1; i < length; ++i) {
     if ((byte(i) & 0xC0) != 0x80) return 0;
   }
-  // Longer than it has to be, a half of a pair of UTF-16, or above 10 FFFFh.
+  // Overlong, a UTF-16 surrogate, or above 10 FFFFh.
   const unsigned second = byte(1);
   if ((first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F)) return 0;
   if ((first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F)) return 0;
@@ -55,7 +55,7 @@ constexpr bool TextArea::fits(std::string_view text) const {
     if (length == 0 || first == 0x7F || (is_control && first != '\n')) return false;
     text.remove_prefix(length);
     if (first == '\n') {
-      // One at the very end begins no line.
+      // A line feed at the very end starts no line.
       line += text.empty() ? 0U : 1U;
       column = 0;
       continue;

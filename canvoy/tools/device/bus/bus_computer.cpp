@@ -8,12 +8,14 @@ constexpr double cabin_celsius = 20;
 
 }  // namespace
 
-void BusComputer::join(Site& site) {
+void BusComputer::join(Environment& environment) {
   using namespace cia407;
-  site.offer(Callback<MainOnBoardComputerHardware()>::to<&BusComputer::hardware>(*this));
-  site.watch(Callback<void(MainOnBoardComputerUnit&, Node&)>::to<&BusComputer::is_unit>(*this));
-  site.offer(Callback<IdentificationHardware()>::to<&BusComputer::identification_hardware>(*this));
-  site.watch(
+  environment.provide(Callback<MainOnBoardComputerHardware()>::to<&BusComputer::hardware>(*this));
+  environment.watch(
+      Callback<void(MainOnBoardComputerUnit&, Node&)>::to<&BusComputer::is_unit>(*this));
+  environment.provide(
+      Callback<IdentificationHardware()>::to<&BusComputer::identification_hardware>(*this));
+  environment.watch(
       Callback<void(IdentificationUnit&, Node&)>::to<&BusComputer::is_identification>(*this));
 }
 
@@ -26,7 +28,7 @@ void BusComputer::act(const BusPress& press) {
   if (press.what == "place") place(press);
 }
 
-/// Who logs out drives nothing.
+/// After a log-out there is no assignment.
 void BusComputer::log_in(const BusPress& press) {
   const auto given = [&](std::string_view name) { return press.number(name).value_or(0); };
   assignment_ = {.driver_id = given("driver"),

@@ -1,9 +1,8 @@
 // The on-board computer of a bus (CiA 407) that `canvoy device` runs, and the identification device
-// by which the driver tells what he drives: what both find in the vehicle, and what hands do with
-// them.
+// of its driver: their inputs from the vehicle, and the actions of people on them.
 //
 //     BusComputer computer(motion, kept.assignment);
-//     computer.join(site);
+//     computer.join(environment);
 //     computer.act(parse_bus_press(units, "log-in:driver=1234:line=23@1s"));
 #pragma once
 
@@ -11,7 +10,7 @@
 
 #include "canvoy/devices/cia407/main_on_board_computer/identification_unit.hpp"
 #include "canvoy/devices/cia407/main_on_board_computer/main_on_board_computer_unit.hpp"
-#include "canvoy/devices/site.hpp"
+#include "canvoy/devices/kit/environment.hpp"
 #include "canvoy/tools/device/bus/bus_motion.hpp"
 #include "canvoy/tools/device/bus/bus_press.hpp"
 
@@ -19,19 +18,19 @@ namespace canvoy::tools {
 
 class BusComputer {
  public:
-  /// `kept` is what was driven before the power went; `motion` must outlive this.
+  /// `kept` is the assignment before the last power-down; `motion` must outlive this.
   BusComputer(const BusMotion& motion, const cia407::Assignment& kept)
       : motion_(motion), kept_(kept) {}
   BusComputer(const BusComputer&) = delete;
   BusComputer& operator=(const BusComputer&) = delete;
 
-  /// This must outlive the devices that are made there.
-  void join(Site& site);
-  /// `log-in`, `log-out`, `stop`, `block`, `unblock` and `place`, which want the device there;
-  /// others do nothing.
+  /// This must outlive the devices that are made in the environment.
+  void join(Environment& environment);
+  /// Performs `log-in`, `log-out`, `stop`, `block`, `unblock` and `place`, which need the device;
+  /// ignores others.
   void act(const BusPress& press);
 
-  /// What is driven; nothing is where there is no identification device.
+  /// The current assignment; empty without an identification device.
   const cia407::Assignment& assignment() const { return assignment_; }
 
  private:

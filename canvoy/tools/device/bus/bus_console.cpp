@@ -33,9 +33,10 @@ std::string driver_view_words(const cia407::DriverView& view) {
 
 }  // namespace
 
-void BusConsole::join(Site& site) {
-  site.offer(Callback<cia407::KeyboardHardware()>::to<&BusConsole::keyboard>(*this));
-  site.offer(Callback<cia407::DriverIndicatorHardware()>::to<&BusConsole::indicator>(*this));
+void BusConsole::join(Environment& environment) {
+  environment.provide(Callback<cia407::KeyboardHardware()>::to<&BusConsole::keyboard>(*this));
+  environment.provide(
+      Callback<cia407::DriverIndicatorHardware()>::to<&BusConsole::indicator>(*this));
 }
 
 void BusConsole::act(const BusPress& press) {

@@ -1,8 +1,8 @@
-// The driver's console of a bus (CiA 407) that `canvoy device` runs: its keys and its gear lever,
-// and what the driver's display shows.
+// The driver's console of a bus (CiA 407) that `canvoy device` runs: its keys, its gear lever, and
+// the driver's display.
 //
 //     BusConsole console(clock, output);
-//     console.join(site);
+//     console.join(environment);
 //     console.act(parse_bus_press(units, "key:5@2s"));
 //     console.step(now);   // often
 #pragma once
@@ -13,15 +13,15 @@
 
 #include "canvoy/devices/cia407/console/driver_indicator_unit.hpp"
 #include "canvoy/devices/cia407/console/keyboard_unit.hpp"
-#include "canvoy/devices/site.hpp"
+#include "canvoy/devices/kit/environment.hpp"
 #include "canvoy/tools/device/bus/bus_press.hpp"
-#include "canvoy/tools/device/device_output.hpp"
+#include "canvoy/tools/device/hand/device_output.hpp"
 
 namespace canvoy::tools {
 
 class BusConsole {
  public:
-  /// A key is held for so long.
+  /// Time for which a key is held.
   static constexpr Duration key_time = 300ms;
 
   /// What `clock` refers to, and `output`, must outlive this.
@@ -29,11 +29,11 @@ class BusConsole {
   BusConsole(const BusConsole&) = delete;
   BusConsole& operator=(const BusConsole&) = delete;
 
-  /// This must outlive the devices that are made there.
-  void join(Site& site);
-  /// `key`, `reverse`, `forward`; others do nothing.
+  /// This must outlive the devices that are made in the environment.
+  void join(Environment& environment);
+  /// Performs `key`, `reverse`, `forward`; ignores others.
   void act(const BusPress& press);
-  /// Lets go the keys that were held.
+  /// Releases held keys when their time has come.
   void step(Time now);
 
   bool is_reverse() const { return is_reverse_; }
@@ -47,9 +47,9 @@ class BusConsole {
   Callback<Time()> clock_;
   const DeviceOutput& output_;
   std::uint32_t keys_ = 0;
-  std::map<unsigned, Time> release_at_;  ///< of the keys that are pressed
+  std::map<unsigned, Time> release_at_;  ///< of the pressed keys
   bool is_reverse_ = false;
-  std::string told_;  ///< of the display
+  std::string told_;  ///< last text of the display
 };
 
 }  // namespace canvoy::tools

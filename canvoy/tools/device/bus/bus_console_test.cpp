@@ -1,4 +1,4 @@
-// Keys, gear lever and display of a driver's console, as its devices find them.
+// Keys, gear lever and display of a driver's console, as seen by its devices.
 #include "canvoy/tools/device/bus/bus_console.hpp"
 
 #include <gtest/gtest.h>
@@ -8,26 +8,26 @@ namespace {
 
 class BusConsoleTest : public testing::Test {
  public:
-  BusConsoleTest() { console.join(site); }
+  BusConsoleTest() { console.join(environment); }
 
   Time clock() { return now; }
   void press(unsigned key) { console.act({.what = "key", .numbers = {{"", key}}}); }
-  /// What the keyboard reads then.
+  /// State of the keyboard at this time.
   std::uint32_t keys_at(Time time) {
     now = time;
     console.step(now);
-    return site.find<cia407::KeyboardHardware>().keys();
+    return environment.get<cia407::KeyboardHardware>().keys();
   }
   std::string said_of(const cia407::DriverView& view) {
     testing::internal::CaptureStdout();
-    site.find<cia407::DriverIndicatorHardware>().show(view);
+    environment.get<cia407::DriverIndicatorHardware>().show(view);
     return testing::internal::GetCapturedStdout();
   }
 
   Time now = Time(5s);
   DeviceOutput output;
   BusConsole console{Callback<Time()>::to<&BusConsoleTest::clock>(*this), output};
-  Site site;
+  Environment environment;
 };
 
 TEST_F(BusConsoleTest, AKeyIsHeldForAShortTime) {
@@ -55,7 +55,7 @@ TEST_F(BusConsoleTest, AKeyThatIsPressedAgainIsHeldAnew) {
 }
 
 TEST_F(BusConsoleTest, TheGearLeverStaysWhereItIs) {
-  const cia407::KeyboardHardware keyboard = site.find<cia407::KeyboardHardware>();
+  const cia407::KeyboardHardware keyboard = environment.get<cia407::KeyboardHardware>();
   EXPECT_FALSE(keyboard.is_reverse_engaged());
   console.act({.what = "reverse"});
   console.act({.what = "stop"});

@@ -2,12 +2,16 @@
 
 namespace canvoy::tools {
 
-void BusCounting::join(Site& site) {
+void BusCounting::join(Environment& environment) {
   using namespace cia407;
-  site.offer(Callback<PassengerCounterSettings()>::to<&BusCounting::counter_settings>(*this));
-  site.watch(Callback<void(PassengerCounterUnit&, Node&)>::to<&BusCounting::is_counter>(*this));
-  site.offer(Callback<CountingManagerSettings()>::to<&BusCounting::manager_settings>(*this));
-  site.watch(Callback<void(CountingManagerUnit&, Node&)>::to<&BusCounting::is_manager>(*this));
+  environment.provide(
+      Callback<PassengerCounterSettings()>::to<&BusCounting::counter_settings>(*this));
+  environment.watch(
+      Callback<void(PassengerCounterUnit&, Node&)>::to<&BusCounting::is_counter>(*this));
+  environment.provide(
+      Callback<CountingManagerSettings()>::to<&BusCounting::manager_settings>(*this));
+  environment.watch(
+      Callback<void(CountingManagerUnit&, Node&)>::to<&BusCounting::is_manager>(*this));
 }
 
 void BusCounting::act(const BusPress& press) {

@@ -1,8 +1,8 @@
 // The passenger counter of a door of a bus and the counting manager (CiA 407) that `canvoy device`
-// runs: who gets in and out, and how many have room.
+// runs: people who get in and out, and the capacity.
 //
 //     BusCounting counting({.door = 2, .capacity = 80, .kept = kept.counts});
-//     counting.join(site);
+//     counting.join(environment);
 //     counting.act(parse_bus_press(units, "in:3@2s"));
 #pragma once
 
@@ -10,7 +10,7 @@
 
 #include "canvoy/devices/cia407/counting/counting_manager_unit.hpp"
 #include "canvoy/devices/cia407/counting/passenger_counter_unit.hpp"
-#include "canvoy/devices/site.hpp"
+#include "canvoy/devices/kit/environment.hpp"
 #include "canvoy/tools/device/bus/bus_press.hpp"
 
 namespace canvoy::tools {
@@ -20,21 +20,21 @@ class BusCounting {
   using Counts = cia407::CountingManagerUnit::Counts;
   struct Settings {
     unsigned door = 1;       ///< of the counter, 1 to 12
-    unsigned capacity = 80;  ///< passengers of the vehicle
-    Counts kept{};           ///< before the power went
+    unsigned capacity = 80;  ///< of the vehicle, in passengers
+    Counts kept{};           ///< before the last power-down
   };
 
   explicit BusCounting(const Settings& settings) : settings_(settings) {}
   BusCounting(const BusCounting&) = delete;
   BusCounting& operator=(const BusCounting&) = delete;
 
-  /// This must outlive the devices that are made there.
-  void join(Site& site);
-  /// `in`, `out`, `open-door`, `close-door` and `clear`, which want the device there; others do
-  /// nothing.
+  /// This must outlive the devices that are made in the environment.
+  void join(Environment& environment);
+  /// Performs `in`, `out`, `open-door`, `close-door` and `clear`, which need the device; ignores
+  /// others.
   void act(const BusPress& press);
 
-  /// Nothing: there is no counting manager.
+  /// The counts; nothing without a counting manager.
   std::optional<Counts> counts() const;
 
  private:

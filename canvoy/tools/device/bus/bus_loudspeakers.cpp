@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/cli/failure.hpp"
 
 namespace canvoy::tools {
 
@@ -29,10 +29,11 @@ StopAnnouncements parse_announcements(const std::vector<std::string>& texts) {
   return all;
 }
 
-void BusLoudspeakers::join(Site& site) {
+void BusLoudspeakers::join(Environment& environment) {
   using namespace cia407;
-  site.offer(Callback<AcousticAnnouncerHardware()>::to<&BusLoudspeakers::announcer>(*this));
-  site.offer(
+  environment.provide(
+      Callback<AcousticAnnouncerHardware()>::to<&BusLoudspeakers::announcer>(*this));
+  environment.provide(
       Callback<AcousticControlManagerHardware()>::to<&BusLoudspeakers::control_manager>(*this));
 }
 

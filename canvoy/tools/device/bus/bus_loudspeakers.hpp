@@ -1,8 +1,8 @@
-// The loudspeakers of a bus (CiA 407) that `canvoy device` runs: what the acoustic announcer says
-// there of a stop point, and who is switched to them by the acoustic control manager.
+// The loudspeakers of a bus (CiA 407) that `canvoy device` runs: announcements of stop points by
+// the acoustic announcer, and the sources that the acoustic control manager connects.
 //
 //     BusLoudspeakers loudspeakers(parse_announcements({"17=Town Hall"}), output);
-//     loudspeakers.join(site);
+//     loudspeakers.join(environment);
 #pragma once
 
 #include <cstdint>
@@ -14,26 +14,26 @@
 
 #include "canvoy/devices/cia407/acoustic/acoustic_announcer_unit.hpp"
 #include "canvoy/devices/cia407/acoustic/acoustic_control_manager_unit.hpp"
-#include "canvoy/devices/site.hpp"
-#include "canvoy/tools/device/device_output.hpp"
+#include "canvoy/devices/kit/environment.hpp"
+#include "canvoy/tools/device/hand/device_output.hpp"
 
 namespace canvoy::tools {
 
-/// What is said of a stop point, by its number.
+/// Announcements by number of the stop point.
 using StopAnnouncements = std::map<std::uint32_t, std::string>;
-/// `17=Town Hall`. Throws UsageError.
+/// Reads `17=Town Hall`. Throws UsageError.
 StopAnnouncements parse_announcements(const std::vector<std::string>& texts);
 
 class BusLoudspeakers {
  public:
-  /// No announcements: it has one for every stop point. `output` must outlive this.
+  /// Empty announcements: one exists for every stop point. `output` must outlive this.
   BusLoudspeakers(StopAnnouncements announcements, const DeviceOutput& output)
       : announcements_(std::move(announcements)), output_(output) {}
   BusLoudspeakers(const BusLoudspeakers&) = delete;
   BusLoudspeakers& operator=(const BusLoudspeakers&) = delete;
 
-  /// This must outlive the devices that are made there.
-  void join(Site& site);
+  /// This must outlive the devices that are made in the environment.
+  void join(Environment& environment);
 
  private:
   cia407::AcousticAnnouncerHardware announcer();

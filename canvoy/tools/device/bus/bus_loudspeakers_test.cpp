@@ -1,9 +1,9 @@
-// What is heard in a bus, and what may be written of it.
+// Announcements in a bus, and their notation.
 #include "canvoy/tools/device/bus/bus_loudspeakers.hpp"
 
 #include <gtest/gtest.h>
 
-#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/cli/failure.hpp"
 
 namespace canvoy::tools::bus_loudspeakers_test {
 namespace {
@@ -16,10 +16,10 @@ struct Heard {
 Heard announced(const StopAnnouncements& announcements, std::uint32_t stop, std::string_view text) {
   const DeviceOutput output;
   BusLoudspeakers loudspeakers(announcements, output);
-  Site site;
-  loudspeakers.join(site);
+  Environment environment;
+  loudspeakers.join(environment);
   testing::internal::CaptureStdout();
-  const bool is_known = site.find<cia407::AcousticAnnouncerHardware>().announce(stop, text);
+  const bool is_known = environment.get<cia407::AcousticAnnouncerHardware>().announce(stop, text);
   return {is_known, testing::internal::GetCapturedStdout()};
 }
 
@@ -41,9 +41,9 @@ TEST(BusLoudspeakers, SayThoseAloneThatAreGiven) {
 TEST(BusLoudspeakers, AreSwitchedAsIsWanted) {
   const DeviceOutput output;
   BusLoudspeakers loudspeakers({}, output);
-  Site site;
-  loudspeakers.join(site);
-  const auto manager = site.find<cia407::AcousticControlManagerHardware>();
+  Environment environment;
+  loudspeakers.join(environment);
+  const auto manager = environment.get<cia407::AcousticControlManagerHardware>();
   constexpr cia407::AudioPaths two = {.driver_to_outdoor = true, .radio_to_indoor = true};
   testing::internal::CaptureStdout();
   EXPECT_EQ(manager.switch_paths(two), two);

@@ -1,6 +1,6 @@
 #include "canvoy/tools/device/bus/bus_motion.hpp"
 
-#include "canvoy/devices/cia407/motion_recognition.hpp"
+#include "canvoy/devices/cia407/kit/motion_recognition.hpp"
 
 namespace canvoy::tools {
 

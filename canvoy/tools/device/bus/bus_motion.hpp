@@ -1,5 +1,5 @@
-// How the vehicle around a device of CiA 407 moves that `canvoy device` runs: as DeviceCar drives
-// it, with the metres of all of its life, and the time that its receiver has.
+// Motion of the vehicle around a device of CiA 407 that `canvoy device` runs: driven by DeviceCar,
+// with the total metres of the vehicle and the time of its receiver.
 //
 //     const BusMotion motion(car, kept.metres);
 //     motion.speed_kmh();
@@ -7,14 +7,14 @@
 
 #include <optional>
 
-#include "canvoy/devices/cia407/bus_time.hpp"
-#include "canvoy/tools/device/device_car.hpp"
+#include "canvoy/devices/cia407/kit/bus_time.hpp"
+#include "canvoy/tools/device/car/device_car.hpp"
 
 namespace canvoy::tools {
 
 class BusMotion {
  public:
-  /// `metres_before` are those until this start; `car` must outlive this.
+  /// `metres_before` is the total until this start; `car` must outlive this.
   BusMotion(const DeviceCar& car, double metres_before)
       : car_(car), metres_before_(metres_before) {}
   BusMotion(const BusMotion&) = delete;
@@ -22,9 +22,9 @@ class BusMotion {
 
   double speed_kmh() const;
   double metres() const { return metres_before_ + car_.metres(); }
-  /// With all satellites.
+  /// The receiver with all satellites.
   cia447::GpsReading receiver() const { return car_.receiver(); }
-  /// Nothing: the recorded drive has none here.
+  /// The time; nothing if the recorded drive has none here.
   std::optional<cia407::CivilTime> utc() const;
 
  private:

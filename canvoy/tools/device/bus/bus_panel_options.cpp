@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
+#include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/device/bus/bus_loudspeakers.hpp"
 #include "canvoy/tools/device/bus/bus_press.hpp"
 #include "canvoy/tools/device/bus/device_bus_displays.hpp"
-#include "canvoy/tools/failure.hpp"
 
 namespace canvoy::tools {
 

@@ -1,5 +1,5 @@
-// What a person does with a device of CiA 407 on the command line, and when: `ticket@2s`,
-// `open:2@3s`, `log-in:driver=1234:line=23@1s`.
+// An action of a person on a device of CiA 407, with its time, on the command line: `ticket@2s`,
+// `open2@3s`, `in=3@2s`, `log-in=driver:1234,line:23@1s`.
 //
 //     const BusPress press = parse_bus_press(units, "ticket@2s");
 #pragma once
@@ -10,15 +10,17 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "canvoy/can/time.hpp"
-#include "canvoy/devices/cia407/bus_device.hpp"
+#include "canvoy/devices/cia407/kit/bus_device.hpp"
+#include "canvoy/tools/device/hand/device_hand.hpp"
 
 namespace canvoy::tools {
 
-/// As it is written: with its numbers by their names; that of a number alone is empty.
+/// An action with its numbers by name; a single number has an empty name.
 struct BusPress {
-  std::string_view what;  ///< of the table of all
+  std::string_view what;  ///< from the table of all actions
   std::map<std::string, std::uint32_t, std::less<>> numbers{};
   Duration at{};
 
@@ -28,9 +30,11 @@ struct BusPress {
   }
 };
 
-/// Throws UsageError for one that is none of these units, all that there are.
+/// Throws UsageError if none of these units, which are all units of the device, has this action.
 BusPress parse_bus_press(std::span<const cia407::BusUnit* const> units, std::string_view text);
-/// Whether it is one of these units, by its name alone.
+/// All actions of a unit as hands, for lists.
+std::vector<DeviceHand> bus_press_hands(const cia407::BusUnit& unit);
+/// True if one of these units has an action with this name.
 bool has_bus_press(std::span<const cia407::BusUnit* const> units, std::string_view text);
 
 }  // namespace canvoy::tools

@@ -2,9 +2,11 @@
 
 namespace canvoy::tools {
 
-void BusSatellites::join(Site& site) {
-  site.offer(Callback<cia407::PositioningHardware()>::to<&BusSatellites::positioning>(*this));
-  site.offer(Callback<cia407::TimeFixingHardware()>::to<&BusSatellites::time_fixing>(*this));
+void BusSatellites::join(Environment& environment) {
+  environment.provide(
+      Callback<cia407::PositioningHardware()>::to<&BusSatellites::positioning>(*this));
+  environment.provide(
+      Callback<cia407::TimeFixingHardware()>::to<&BusSatellites::time_fixing>(*this));
 }
 
 void BusSatellites::act(const BusPress& press) {

@@ -1,8 +1,8 @@
-// The satellites over a bus (CiA 407) that `canvoy device` runs: what geographical positioning and
-// time fixing hear of them, while there is a signal.
+// The satellites of a bus (CiA 407) that `canvoy device` runs: input of geographical positioning
+// and time fixing, while there is a signal.
 //
 //     BusSatellites satellites(motion);
-//     satellites.join(site);
+//     satellites.join(environment);
 //     satellites.act(parse_bus_press(units, "no-signal@2s"));
 #pragma once
 
@@ -10,7 +10,7 @@
 
 #include "canvoy/devices/cia407/positioning/positioning_unit.hpp"
 #include "canvoy/devices/cia407/positioning/time_fixing_unit.hpp"
-#include "canvoy/devices/site.hpp"
+#include "canvoy/devices/kit/environment.hpp"
 #include "canvoy/tools/device/bus/bus_motion.hpp"
 #include "canvoy/tools/device/bus/bus_press.hpp"
 
@@ -23,9 +23,9 @@ class BusSatellites {
   BusSatellites(const BusSatellites&) = delete;
   BusSatellites& operator=(const BusSatellites&) = delete;
 
-  /// This must outlive the devices that are made there.
-  void join(Site& site);
-  /// `signal`, `no-signal`; others do nothing.
+  /// This must outlive the devices that are made in the environment.
+  void join(Environment& environment);
+  /// Performs `signal` and `no-signal`; ignores others.
   void act(const BusPress& press);
 
  private:

@@ -3,15 +3,15 @@
 #include <array>
 #include <bit>
 
-#include "canvoy/canopen/little_endian.hpp"
-#include "canvoy/tools/failure.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
+#include "canvoy/tools/cli/failure.hpp"
 
 namespace canvoy::tools {
 
 namespace {
 
 constexpr std::uint32_t bus_sector_size = 4096;
-/// Two each for the node-ID and for values.
+/// Two each for the node-ID and for the values.
 constexpr std::uint32_t bus_sectors = 4;
 constexpr RecordPair::Place bus_values_place = {
     .address = 2 * bus_sector_size, .slot_size = bus_sector_size, .kind = 0x5653'5542};  // "BUSV"

@@ -1,6 +1,5 @@
-// The file in which a hosted device of CiA 407 keeps what it has to know after it was without
-// power: any device the node-ID that LSS gave it, identification who drives what, a tachograph and
-// a counting manager what they have counted.
+// The file of non-volatile values of a hosted device of CiA 407: the node-ID from LSS for any
+// device, the assignment for identification, and the counts of a tachograph and a counting manager.
 //
 //     BusStore store("identification.store");
 //     KeptBusValues kept = store.load();
@@ -14,13 +13,13 @@
 #include "canvoy/canopen/lss/lss_store.hpp"
 #include "canvoy/devices/cia407/counting/counting_manager_unit.hpp"
 #include "canvoy/devices/cia407/main_on_board_computer/identification_unit.hpp"
-#include "canvoy/tools/device/car_store.hpp"
+#include "canvoy/tools/device/store/car_store.hpp"
 
 namespace canvoy::tools {
 
 struct KeptBusValues {
-  cia407::Assignment assignment{};  ///< its numbers, no texts
-  double metres = 0;                ///< that the vehicle was driven, in all of its life
+  cia407::Assignment assignment{};  ///< numbers only, no texts
+  double metres = 0;                ///< total distance of the vehicle
   double trip_begin = 0;            ///< m
   cia407::CountingManagerUnit::Counts counts{};
 
@@ -29,14 +28,14 @@ struct KeptBusValues {
 
 class BusStore {
  public:
-  /// Throws Failure where the file cannot be used.
+  /// Throws Failure if the file cannot be used.
   explicit BusStore(const std::string& path);
   BusStore(const BusStore&) = delete;
   BusStore& operator=(const BusStore&) = delete;
 
   const Flash& flash() const { return file_->flash(); }
   LssStore::Place lss_place() const;
-  /// What cannot be read is as if nothing had been kept yet.
+  /// Reads the file; unreadable content counts as empty.
   KeptBusValues load();
   void keep(const KeptBusValues& values);
 

@@ -24,23 +24,33 @@ std::string_view ticket_answer_text(cia407::TicketAnswer answer) {
   return "";
 }
 
+/// Unknown values are omitted.
 std::string ticket_words(const cia407::TicketData& ticket) {
-  std::string text = fmt::format("{} stop {} zone {} segment {} line {} route {} block {}",
-                                 clock_words(ticket.time), ticket.stop_point_id, ticket.fare_zone,
-                                 ticket.route_segment_number, ticket.line_id, ticket.route_number,
-                                 ticket.block_id);
+  std::string text = clock_words(ticket.time);
+  const auto add = [&text](std::string_view name, std::uint32_t number) {
+    if (number != 0) text += fmt::format(" {} {}", name, number);
+  };
+  add("stop", ticket.stop_point_id);
+  if (ticket.has_fare_place) {
+    text += fmt::format(" zone {} segment {}", ticket.fare_zone, ticket.route_segment_number);
+  }
+  add("line", ticket.line_id);
+  add("route", ticket.route_number);
+  add("block", ticket.block_id);
   if (!ticket.stop_point_text.empty()) text += fmt::format(", {}", ticket.stop_point_text);
   return text;
 }
 
 }  // namespace
 
-void BusTickets::join(Site& site) {
+void BusTickets::join(Environment& environment) {
   using namespace cia407;
-  site.offer(Callback<TicketCancellerHardware()>::to<&BusTickets::canceller_hardware>(*this));
-  site.watch(Callback<void(TicketCancellerUnit&, Node&)>::to<&BusTickets::is_canceller>(*this));
-  site.offer(Callback<TicketPrinterHardware()>::to<&BusTickets::printer_hardware>(*this));
-  site.watch(Callback<void(TicketPrinterUnit&, Node&)>::to<&BusTickets::is_printer>(*this));
+  environment.provide(
+      Callback<TicketCancellerHardware()>::to<&BusTickets::canceller_hardware>(*this));
+  environment.watch(
+      Callback<void(TicketCancellerUnit&, Node&)>::to<&BusTickets::is_canceller>(*this));
+  environment.provide(Callback<TicketPrinterHardware()>::to<&BusTickets::printer_hardware>(*this));
+  environment.watch(Callback<void(TicketPrinterUnit&, Node&)>::to<&BusTickets::is_printer>(*this));
 }
 
 void BusTickets::act(const BusPress& press) {

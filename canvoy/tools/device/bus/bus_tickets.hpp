@@ -1,8 +1,8 @@
 // The ticket canceller and the ticket printer of a bus (CiA 407) that `canvoy device` runs, with
-// the slot, the stamp and the paper that passengers and the driver find there.
+// slot, stamp and paper for passengers and the driver.
 //
 //     BusTickets tickets(output);
-//     tickets.join(site);
+//     tickets.join(environment);
 //     tickets.act(parse_bus_press(units, "ticket@2s"));
 #pragma once
 
@@ -10,9 +10,9 @@
 
 #include "canvoy/devices/cia407/ticket/ticket_canceller_unit.hpp"
 #include "canvoy/devices/cia407/ticket/ticket_printer_unit.hpp"
-#include "canvoy/devices/site.hpp"
+#include "canvoy/devices/kit/environment.hpp"
 #include "canvoy/tools/device/bus/bus_press.hpp"
-#include "canvoy/tools/device/device_output.hpp"
+#include "canvoy/tools/device/hand/device_output.hpp"
 
 namespace canvoy::tools {
 
@@ -23,9 +23,10 @@ class BusTickets {
   BusTickets(const BusTickets&) = delete;
   BusTickets& operator=(const BusTickets&) = delete;
 
-  /// This must outlive the devices that are made there.
-  void join(Site& site);
-  /// `ticket` and `sell`, which want the device there; `paper`, `no-paper`; others do nothing.
+  /// This must outlive the devices that are made in the environment.
+  void join(Environment& environment);
+  /// Performs `ticket` and `sell`, which need the device, and `paper` and `no-paper`; ignores
+  /// others.
   void act(const BusPress& press);
 
  private:

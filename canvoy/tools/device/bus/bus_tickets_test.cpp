@@ -1,4 +1,4 @@
-// What passengers get of ticket canceller and printer.
+// Output of ticket canceller and printer for passengers.
 #include "canvoy/tools/device/bus/bus_tickets.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@ namespace {
 
 class BusTicketsTest : public testing::Test {
  public:
-  BusTicketsTest() { tickets.join(site); }
+  BusTicketsTest() { tickets.join(environment); }
 
   template <class Act>
   static std::string said_of(Act act) {
@@ -19,7 +19,7 @@ class BusTicketsTest : public testing::Test {
 
   DeviceOutput output;
   BusTickets tickets{output};
-  Site site;
+  Environment environment;
 };
 
 constexpr cia407::TicketData ticket = {.time = cia407::CivilTime{.hour = 8, .minute = 5},
@@ -27,11 +27,12 @@ constexpr cia407::TicketData ticket = {.time = cia407::CivilTime{.hour = 8, .min
                                        .block_id = 6,
                                        .line_id = 23,
                                        .route_number = 5,
+                                       .has_fare_place = true,
                                        .route_segment_number = 4,
                                        .fare_zone = 2};
 
 TEST_F(BusTicketsTest, AStampSaysWhereAndWhen) {
-  const auto canceller = site.find<cia407::TicketCancellerHardware>();
+  const auto canceller = environment.get<cia407::TicketCancellerHardware>();
   EXPECT_EQ(said_of([&] { canceller.stamp(ticket); }),
             "ticket-canceller: stamps 08:05 stop 17 zone 2 segment 4 line 23 route 5 block 6\n");
   cia407::TicketData named = ticket;
@@ -41,8 +42,17 @@ TEST_F(BusTicketsTest, AStampSaysWhereAndWhen) {
             "Hall\n");
 }
 
+TEST_F(BusTicketsTest, AStampDoesNotSayWhatNobodyHasTold) {
+  const auto canceller = environment.get<cia407::TicketCancellerHardware>();
+  cia407::TicketData stop = {.time = ticket.time, .stop_point_id = 17};
+  EXPECT_EQ(said_of([&] { canceller.stamp(stop); }), "ticket-canceller: stamps 08:05 stop 17\n");
+  cia407::TicketData zone = {.time = ticket.time, .has_fare_place = true};
+  EXPECT_EQ(said_of([&] { canceller.stamp(zone); }),
+            "ticket-canceller: stamps 08:05 zone 0 segment 0\n");
+}
+
 TEST_F(BusTicketsTest, TheLampSaysWhetherTicketsAreTaken) {
-  const auto canceller = site.find<cia407::TicketCancellerHardware>();
+  const auto canceller = environment.get<cia407::TicketCancellerHardware>();
   EXPECT_EQ(said_of([&] {
               canceller.show_ready(true);
               canceller.show_ready(false);
@@ -51,7 +61,7 @@ TEST_F(BusTicketsTest, TheLampSaysWhetherTicketsAreTaken) {
 }
 
 TEST_F(BusTicketsTest, WithoutPaperNothingIsPrinted) {
-  const auto printer = site.find<cia407::TicketPrinterHardware>();
+  const auto printer = environment.get<cia407::TicketPrinterHardware>();
   EXPECT_TRUE(printer.has_paper());
   tickets.act({.what = "no-paper"});
   EXPECT_FALSE(printer.has_paper());

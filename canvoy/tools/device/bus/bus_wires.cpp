@@ -21,8 +21,8 @@ std::string set_bits_text(std::uint32_t bits) {
 
 }  // namespace
 
-void BusWires::join(Site& site) {
-  site.offer(Callback<cia407::GenericIoHardware()>::to<&BusWires::hardware>(*this));
+void BusWires::join(Environment& environment) {
+  environment.provide(Callback<cia407::GenericIoHardware()>::to<&BusWires::hardware>(*this));
 }
 
 void BusWires::act(const BusPress& press) {

@@ -1,4 +1,4 @@
-// Switches and outputs of generic I/O, as the device finds them.
+// Switches and outputs of generic I/O, as seen by the device.
 #include "canvoy/tools/device/bus/bus_wires.hpp"
 
 #include <gtest/gtest.h>
@@ -8,9 +8,11 @@ namespace {
 
 class BusWiresTest : public testing::Test {
  public:
-  BusWiresTest() { wires.join(site); }
+  BusWiresTest() { wires.join(environment); }
 
-  cia407::GenericIoHardware hardware() const { return site.find<cia407::GenericIoHardware>(); }
+  cia407::GenericIoHardware hardware() const {
+    return environment.get<cia407::GenericIoHardware>();
+  }
   template <class Act>
   static std::string said_of(Act act) {
     testing::internal::CaptureStdout();
@@ -18,10 +20,10 @@ class BusWiresTest : public testing::Test {
     return testing::internal::GetCapturedStdout();
   }
 
-  BusErrors errors;
+  ReportedErrors errors;
   DeviceOutput output;
   BusWires wires{errors, output};
-  Site site;
+  Environment environment;
 };
 
 TEST_F(BusWiresTest, ASwitchIsThrownToAndFro) {

@@ -1,4 +1,4 @@
-// What devices of a bus (CiA 407) tell people, in words.
+// Text from devices of a bus (CiA 407) for people.
 //
 //     clock_words(ticket.time);   // "08:05"
 #pragma once
@@ -6,11 +6,11 @@
 #include <optional>
 #include <string>
 
-#include "canvoy/devices/cia407/bus_time.hpp"
+#include "canvoy/devices/cia407/kit/bus_time.hpp"
 
 namespace canvoy::tools {
 
-/// `--:--` where it is not known.
+/// Text of a time; `--:--` if unknown.
 std::string clock_words(const std::optional<cia407::CivilTime>& time);
 
 }  // namespace canvoy::tools

@@ -4,8 +4,8 @@
 
 #include <charconv>
 
-#include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/png_file.hpp"
+#include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/cli/png_file.hpp"
 
 namespace canvoy::tools {
 
@@ -44,7 +44,7 @@ void DeviceBusDisplay::look() {
   if (now == drawn_ && has_sign == has_sign_) return;
   drawn_ = std::move(now);
   has_sign_ = has_sign;
-  // Who hears of it finds the picture.
+  // The picture is written before its change is reported.
   if (!png_.empty()) write_png(png_, display_.picture());
   output_.draw(name_, drawn_, columns_, has_sign_);
 }

@@ -1,9 +1,9 @@
-// The display of a passenger information device that `canvoy device` runs, as a passenger sees it:
-// drawn on the terminal and as a picture, anew whenever it looks different, as it flashes and
-// scrolls.
+// The display of a passenger information device that `canvoy device` runs, as seen by a passenger:
+// drawn on the terminal and as a picture whenever it changes, including flashing and scrolling.
 //
 //     DeviceBusDisplay display("next-stop-indicator-text", {.columns = 32}, "stop.png", clock,
-//     output); site.offer(Callback<DisplayHardware()>::to<&DeviceBusDisplay::hardware>(display));
+//     output);
+//     environment.provide(Callback<DisplayHardware()>::to<&DeviceBusDisplay::hardware>(display));
 //     display.look();   // often
 #pragma once
 
@@ -11,23 +11,23 @@
 #include <vector>
 
 #include "canvoy/sim/plants/bus_display.hpp"
-#include "canvoy/tools/device/device_output.hpp"
+#include "canvoy/tools/device/hand/device_output.hpp"
 
 namespace canvoy::tools {
 
-/// `32x4`. Throws UsageError.
+/// Reads `32x4`. Throws UsageError.
 BusDisplay::Size parse_display_size(const std::string& text);
 
 class DeviceBusDisplay {
  public:
-  /// `png` is a file, or empty; what `clock` refers to, and `output`, must outlive this.
+  /// `png` is a file name, or empty; what `clock` refers to, and `output`, must outlive this.
   DeviceBusDisplay(std::string name, const BusDisplay::Size& size, std::string png,
                    Callback<Time()> clock, const DeviceOutput& output);
   DeviceBusDisplay(const DeviceBusDisplay&) = delete;
   DeviceBusDisplay& operator=(const DeviceBusDisplay&) = delete;
 
   cia407::DisplayHardware hardware() { return display_.hardware(); }
-  /// Throws Failure where the picture cannot be written.
+  /// Draws the display if it has changed. Throws Failure if the picture cannot be written.
   void look();
 
  private:

@@ -12,15 +12,15 @@ std::vector<std::string_view> display_names(std::span<const cia407::BusUnit* con
   return names;
 }
 
-void DeviceBusDisplays::join(Site& site) {
-  site.offer(Callback<cia407::DisplayHardware()>::to<&DeviceBusDisplays::next>(*this));
+void DeviceBusDisplays::join(Environment& environment) {
+  environment.provide(Callback<cia407::DisplayHardware()>::to<&DeviceBusDisplays::next>(*this));
 }
 
 void DeviceBusDisplays::look() {
   for (DeviceBusDisplay& display : displays_) display.look();
 }
 
-/// Displays ask in the order of the units.
+/// Displays are requested in the order of the units.
 cia407::DisplayHardware DeviceBusDisplays::next() {
   const std::size_t before = displays_.size();
   const std::string_view name = before < names_.size() ? names_[before] : "display";

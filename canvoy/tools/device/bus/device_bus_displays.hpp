@@ -2,7 +2,7 @@
 // runs.
 //
 //     DeviceBusDisplays displays(display_names(units), {.columns = 32}, "stop.png", clock, output);
-//     displays.join(site);
+//     displays.join(environment);
 //     displays.look();   // often
 #pragma once
 
@@ -13,19 +13,19 @@
 #include <utility>
 #include <vector>
 
-#include "canvoy/devices/cia407/bus_device.hpp"
-#include "canvoy/devices/site.hpp"
+#include "canvoy/devices/cia407/kit/bus_device.hpp"
+#include "canvoy/devices/kit/environment.hpp"
 #include "canvoy/tools/device/bus/device_bus_display.hpp"
 
 namespace canvoy::tools {
 
-/// Of those among the units that have a display.
+/// Names of those units that have a display.
 std::vector<std::string_view> display_names(std::span<const cia407::BusUnit* const> units);
 
 class DeviceBusDisplays {
  public:
-  /// All are of one size, and have one picture: `png` is a file, or empty. What `clock` refers to,
-  /// and `output`, must outlive this.
+  /// All displays have one size and share one picture: `png` is a file name, or empty. What `clock`
+  /// refers to, and `output`, must outlive this.
   DeviceBusDisplays(std::vector<std::string_view> names, const BusDisplay::Size& size,
                     std::string png, Callback<Time()> clock, const DeviceOutput& output)
       : names_(std::move(names)),
@@ -36,9 +36,9 @@ class DeviceBusDisplays {
   DeviceBusDisplays(const DeviceBusDisplays&) = delete;
   DeviceBusDisplays& operator=(const DeviceBusDisplays&) = delete;
 
-  /// This must outlive the devices that are made there.
-  void join(Site& site);
-  /// Throws Failure where the picture cannot be written.
+  /// This must outlive the devices that are made in the environment.
+  void join(Environment& environment);
+  /// Draws displays that have changed. Throws Failure if the picture cannot be written.
   void look();
 
  private:

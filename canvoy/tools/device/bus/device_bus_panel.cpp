@@ -10,7 +10,7 @@ constexpr Duration kept_each = 1s;
 
 BusPanel::BusPanel(std::span<const cia407::BusUnit* const> units,
                    const std::vector<std::string>& presses, const BusPanelOptions& options,
-                   Site& site, const Place& place)
+                   Environment& environment, const Place& place)
     : units_(units.begin(), units.end()),
       segment_(parse_bus_segment(options.segment)),
       store_(place.store),
@@ -25,28 +25,29 @@ BusPanel::BusPanel(std::span<const cia407::BusUnit* const> units,
       console_(place.clock, place.output),
       vehicle_(motion_, console_, kept_.trip_begin),
       satellites_(motion_),
-      counting_({.door = site.door, .capacity = options.capacity, .kept = kept_.counts}),
+      counting_({.door = environment.door, .capacity = options.capacity, .kept = kept_.counts}),
       train_(place.output),
       wires_(errors_, place.output) {
   for (const std::string& text : presses) {
     if (has_bus_press(units, text)) plan_.push_back({parse_bus_press(units, text)});
   }
-  join(site);
+  segment_.is_started_by_first = environment.manages_network;
+  join(environment);
 }
 
-void BusPanel::join(Site& site) {
-  site.offer(Callback<cia407::BusSegment()>::to<&BusPanel::segment>(*this));
-  errors_.join(site);
-  displays_.join(site);
-  loudspeakers_.join(site);
-  tickets_.join(site);
-  computer_.join(site);
-  console_.join(site);
-  vehicle_.join(site);
-  satellites_.join(site);
-  counting_.join(site);
-  train_.join(site);
-  wires_.join(site);
+void BusPanel::join(Environment& environment) {
+  environment.provide(Callback<cia407::BusSegment()>::to<&BusPanel::segment>(*this));
+  errors_.join(environment);
+  displays_.join(environment);
+  loudspeakers_.join(environment);
+  tickets_.join(environment);
+  computer_.join(environment);
+  console_.join(environment);
+  vehicle_.join(environment);
+  satellites_.join(environment);
+  counting_.join(environment);
+  train_.join(environment);
+  wires_.join(environment);
 }
 
 void BusPanel::take(std::string_view press) {
@@ -64,7 +65,7 @@ void BusPanel::step(Node& node, Time now) {
   for (Planned& each : plan_) {
     if (each.is_done || now - begin < each.press.at) continue;
     each.is_done = true;
-    // Somebody outside of the node does something: it is brought up to the present.
+    // An action from outside of the node: the node is advanced to the present.
     node.advance(now);
     act(each.press, node);
   }
@@ -72,7 +73,7 @@ void BusPanel::step(Node& node, Time now) {
   displays_.look();
 }
 
-/// It is of one of them, and nothing to the others.
+/// One of them performs the press, and the others ignore it.
 void BusPanel::act(const BusPress& press, Node& node) {
   errors_.act(press);
   tickets_.act(press);
@@ -85,7 +86,7 @@ void BusPanel::act(const BusPress& press, Node& node) {
   wires_.act(press);
 }
 
-/// What no device here counts stays as it was.
+/// Values that no device here counts are unchanged.
 void BusPanel::keep() {
   if (store_ == nullptr) return;
   KeptBusValues now = kept_;

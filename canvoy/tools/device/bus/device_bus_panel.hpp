@@ -1,7 +1,7 @@
-// What is around a device of CiA 407 that `canvoy device` runs: passengers and a driver do
-// something with it at given times, and what they see, hear and get of it is told.
+// The surroundings of a device of CiA 407 that `canvoy device` runs: actions of passengers and a
+// driver at given times, and reports of what they see, hear and get.
 //
-//     BusPanel panel(units, {.presses = {"ticket@2s"}}, car, site, output);
+//     BusPanel panel(units, {.presses = {"ticket@2s"}}, car, environment, output);
 //     panel.step(now);   // often
 #pragma once
 
@@ -13,7 +13,6 @@
 #include "canvoy/tools/device/bus/bus_computer.hpp"
 #include "canvoy/tools/device/bus/bus_console.hpp"
 #include "canvoy/tools/device/bus/bus_counting.hpp"
-#include "canvoy/tools/device/bus/bus_errors.hpp"
 #include "canvoy/tools/device/bus/bus_loudspeakers.hpp"
 #include "canvoy/tools/device/bus/bus_motion.hpp"
 #include "canvoy/tools/device/bus/bus_panel_options.hpp"
@@ -23,6 +22,7 @@
 #include "canvoy/tools/device/bus/bus_tickets.hpp"
 #include "canvoy/tools/device/bus/bus_wires.hpp"
 #include "canvoy/tools/device/bus/device_bus_displays.hpp"
+#include "canvoy/tools/device/bus/reported_errors.hpp"
 #include "canvoy/tools/device/bus/sensed_vehicle.hpp"
 #include "canvoy/tools/device/bus/train_bus.hpp"
 
@@ -34,21 +34,21 @@ class BusPanel {
     const DeviceCar& car;
     Callback<Time()> clock;
     const DeviceOutput& output;
-    BusStore* store = nullptr;  ///< null: nothing is kept
+    BusStore* store = nullptr;  ///< null: nothing is stored
   };
 
-  /// Presses of other devices are left to them. It joins the site, and must outlive the device that
-  /// is made there; what `place` refers to must outlive this.
+  /// Ignores presses of other devices. Joins the environment, and must outlive the device that is
+  /// made there; what `place` refers to must outlive this.
   BusPanel(std::span<const cia407::BusUnit* const> units, const std::vector<std::string>& presses,
-           const BusPanelOptions& options, Site& site, const Place& place);
+           const BusPanelOptions& options, Environment& environment, const Place& place);
   BusPanel(const BusPanel&) = delete;
   BusPanel& operator=(const BusPanel&) = delete;
 
-  /// A press with its time. Throws as parse_bus_press() does.
+  /// Adds a press with its time. Throws like parse_bus_press().
   void take(std::string_view press);
-  /// Does what is due, and tells what is new. Times count from the first call.
+  /// Performs what is due, and reports changes. Times count from the first call.
   void step(Node& node, Time now);
-  /// The device is going to lose its power.
+  /// Stores values before the device loses its power.
   void end() { keep(); }
 
  private:
@@ -57,7 +57,7 @@ class BusPanel {
     bool is_done = false;
   };
 
-  void join(Site& site);
+  void join(Environment& environment);
   cia407::BusSegment segment() const { return segment_; }
   void act(const BusPress& press, Node& node);
   void keep();
@@ -67,13 +67,13 @@ class BusPanel {
   std::vector<Planned> plan_;
   std::optional<Time> begin_;
   BusStore* store_;
-  KeptBusValues kept_;    ///< from before the start
-  KeptBusValues stored_;  ///< since then
+  KeptBusValues kept_;    ///< before the start
+  KeptBusValues stored_;  ///< since the start
   Time keep_at_{};
 
-  // What there is around it.
+  // Surroundings of the device.
   BusMotion motion_;
-  BusErrors errors_;
+  ReportedErrors errors_;
   DeviceBusDisplays displays_;
   BusLoudspeakers loudspeakers_;
   BusTickets tickets_;

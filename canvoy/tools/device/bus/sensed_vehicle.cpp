@@ -14,13 +14,18 @@ constexpr std::array<std::string_view, 2> driver_cards = {"D  1234567890123456",
 
 }  // namespace
 
-void SensedVehicle::join(Site& site) {
+void SensedVehicle::join(Environment& environment) {
   using namespace cia407;
-  site.offer(Callback<VehicleGatewayHardware()>::to<&SensedVehicle::gateway_hardware>(*this));
-  site.watch(Callback<void(VehicleGatewayUnit&, Node&)>::to<&SensedVehicle::is_gateway>(*this));
-  site.offer(Callback<TachographHardware()>::to<&SensedVehicle::tachograph_hardware>(*this));
-  site.offer(Callback<TachographSettings()>::to<&SensedVehicle::tachograph_settings>(*this));
-  site.watch(Callback<void(TachographUnit&, Node&)>::to<&SensedVehicle::is_tachograph>(*this));
+  environment.provide(
+      Callback<VehicleGatewayHardware()>::to<&SensedVehicle::gateway_hardware>(*this));
+  environment.watch(
+      Callback<void(VehicleGatewayUnit&, Node&)>::to<&SensedVehicle::is_gateway>(*this));
+  environment.provide(
+      Callback<TachographHardware()>::to<&SensedVehicle::tachograph_hardware>(*this));
+  environment.provide(
+      Callback<TachographSettings()>::to<&SensedVehicle::tachograph_settings>(*this));
+  environment.watch(
+      Callback<void(TachographUnit&, Node&)>::to<&SensedVehicle::is_tachograph>(*this));
 }
 
 void SensedVehicle::act(const BusPress& press) {
@@ -55,7 +60,7 @@ cia407::VehicleReading SensedVehicle::read() {
       console_.is_reverse() ? cia407::Direction::reverse : cia407::Direction::forward;
   reading.brake = is_braking_ ? cia407::BrakePedal::depressed : cia407::BrakePedal::released;
   reading.doors = doors_;
-  // All doors are on the right, and a door that opens has been released.
+  // All doors are on the right, and a door that opens was released.
   reading.right_released = std::ranges::any_of(doors_, &cia407::DoorState::is_open);
   reading.local_time = motion_.utc();
   return reading;

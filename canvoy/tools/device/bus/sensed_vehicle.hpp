@@ -1,8 +1,8 @@
-// The vehicle as the vehicle gateway and the tachograph of a bus (CiA 407) sense it that `canvoy
-// device` runs: how it moves, its doors and its brake, and the cards of its drivers.
+// The vehicle as seen by the vehicle gateway and the tachograph of a bus (CiA 407) that `canvoy
+// device` runs: motion, doors, brake, and the cards of its drivers.
 //
 //     SensedVehicle vehicle(motion, console, kept.trip_begin);
-//     vehicle.join(site);
+//     vehicle.join(environment);
 //     vehicle.act(parse_bus_press(units, "open:2@3s"));
 #pragma once
 
@@ -11,7 +11,7 @@
 
 #include "canvoy/devices/cia407/gateway/vehicle_gateway_unit.hpp"
 #include "canvoy/devices/cia407/tachograph/tachograph_unit.hpp"
-#include "canvoy/devices/site.hpp"
+#include "canvoy/devices/kit/environment.hpp"
 #include "canvoy/tools/device/bus/bus_console.hpp"
 #include "canvoy/tools/device/bus/bus_motion.hpp"
 #include "canvoy/tools/device/bus/bus_press.hpp"
@@ -20,20 +20,20 @@ namespace canvoy::tools {
 
 class SensedVehicle {
  public:
-  /// `kept_trip_begin`, in m, is that of the trip before the power went. All others must outlive
-  /// this.
+  /// `kept_trip_begin`, in m, is that of the trip before the last power-down. All other arguments
+  /// must outlive this.
   SensedVehicle(const BusMotion& motion, const BusConsole& console, double kept_trip_begin)
       : motion_(motion), console_(console), kept_trip_begin_(kept_trip_begin) {}
   SensedVehicle(const SensedVehicle&) = delete;
   SensedVehicle& operator=(const SensedVehicle&) = delete;
 
-  /// This must outlive the devices that are made there.
-  void join(Site& site);
-  /// `open`, `close`, `brake` and `release`, which want the gateway there; `card`, `no-card`;
-  /// others do nothing.
+  /// This must outlive the devices that are made in the environment.
+  void join(Environment& environment);
+  /// Performs `open`, `close`, `brake` and `release`, which need the gateway, and `card` and
+  /// `no-card`; ignores others.
   void act(const BusPress& press);
 
-  /// In m; nothing: there is no tachograph.
+  /// In m; nothing without a tachograph.
   std::optional<double> trip_begin() const;
 
  private:

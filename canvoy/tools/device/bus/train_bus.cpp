@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/protocol/little_endian.hpp"
 
 namespace canvoy::tools {
 
@@ -15,13 +15,13 @@ constexpr std::size_t relayed_value_max = 4;
 
 }  // namespace
 
-void TrainBus::join(Site& site) {
+void TrainBus::join(Environment& environment) {
   using cia407::TrainBusGatewayHardware, cia407::TrainBusGatewayUnit;
-  site.offer(Callback<TrainBusGatewayHardware()>::to<&TrainBus::hardware>(*this));
-  site.watch(Callback<void(TrainBusGatewayUnit&, Node&)>::to<&TrainBus::is_gateway>(*this));
+  environment.provide(Callback<TrainBusGatewayHardware()>::to<&TrainBus::hardware>(*this));
+  environment.watch(Callback<void(TrainBusGatewayUnit&, Node&)>::to<&TrainBus::is_gateway>(*this));
 }
 
-/// In as many bytes as the object has.
+/// In the number of bytes of the object.
 void TrainBus::act(const BusPress& press, Node& node) {
   if (press.what != "from-train") return;
   const auto index = static_cast<std::uint16_t>(press.number("index").value_or(0));

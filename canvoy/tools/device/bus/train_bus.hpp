@@ -1,8 +1,8 @@
-// The train bus at the gateway of a bus (CiA 407) that `canvoy device` runs: what goes to the other
-// vehicles is told, and what comes from there is as it is pressed.
+// The train bus at the gateway of a bus (CiA 407) that `canvoy device` runs: reports data to the
+// other vehicles, and takes data from them as presses.
 //
 //     TrainBus train(output);
-//     train.join(site);
+//     train.join(environment);
 //     train.act(parse_bus_press(units, "from-train:index=0x6109:value=17@2s"), node);
 #pragma once
 
@@ -10,9 +10,9 @@
 #include <span>
 
 #include "canvoy/devices/cia407/gateway/train_bus_gateway_unit.hpp"
-#include "canvoy/devices/site.hpp"
+#include "canvoy/devices/kit/environment.hpp"
 #include "canvoy/tools/device/bus/bus_press.hpp"
-#include "canvoy/tools/device/device_output.hpp"
+#include "canvoy/tools/device/hand/device_output.hpp"
 
 namespace canvoy::tools {
 
@@ -23,9 +23,9 @@ class TrainBus {
   TrainBus(const TrainBus&) = delete;
   TrainBus& operator=(const TrainBus&) = delete;
 
-  /// This must outlive the devices that are made there.
-  void join(Site& site);
-  /// `from-train`, which wants the gateway there, on its node; others do nothing.
+  /// This must outlive the devices that are made in the environment.
+  void join(Environment& environment);
+  /// Performs `from-train`, which needs the gateway, on its node; ignores others.
   void act(const BusPress& press, Node& node);
 
  private:

@@ -1,11 +1,11 @@
-// Hands of terminal, positions, radio, roof bar, and of what tells its states alone.
+// Hands of terminal, positions, radio, roof bar, and of devices that only report their states.
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
 
+#include "canvoy/can/real_text.hpp"
 #include "canvoy/devices/cia447/audio_switch/audio_switch_unit.hpp"
 #include "canvoy/devices/cia447/blue_light/blue_light_unit.hpp"
 #include "canvoy/devices/cia447/discrete_inputs/discrete_inputs_unit.hpp"
@@ -18,11 +18,11 @@
 #include "canvoy/devices/cia447/roof_bar_light/roof_bar_light_unit.hpp"
 #include "canvoy/devices/cia447/roof_bar_sound/roof_bar_sound_unit.hpp"
 #include "canvoy/devices/cia447/terminal/terminal_unit.hpp"
+#include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/device/car/car_hand_tables.hpp"
 #include "canvoy/tools/device/car/gps_hands.hpp"
-#include "canvoy/tools/device/car/hand_rows.hpp"
 #include "canvoy/tools/device/car/switched_hands.hpp"
-#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/device/hand/hand_rows.hpp"
 
 namespace canvoy::tools {
 
@@ -44,9 +44,9 @@ constexpr WithoutHand navigation_without[] = {
 constexpr WithoutHand audio_without[] = {
     {0x6122, WithoutHand::all, WithoutHand::all, "answers 6121h; amplifier= is its failure"}};
 
-/// The keys of a pad, named by its clause: `Key "up" pressed` is `key-up`.
+/// The keys of a pad, named from its clause: `Key "up" pressed` is `key-up`.
 template <class Key, class Handle>
-void add_keys(std::vector<CarHand>& rows, const Handle& handle) {
+void add_keys(std::vector<DeviceHand>& rows, const Handle& handle) {
   const FieldPlace place = place_of(handle);
   for (const NamedValue& named : find_value_info(place)->names) {
     const auto code = static_cast<std::uint32_t>(named.first);
@@ -94,7 +94,7 @@ CarHandTable terminal_hands() {
       {"icon-display-1", TerminalPart::icon_display_1, icons(icon_display_1_status_object)},
       {"icon-display-2", TerminalPart::icon_display_2, icons(icon_display_2_status_object)}};
   for (const Part& each : parts) {
-    CarHand hand = choice<TerminalUnit>(
+    DeviceHand hand = choice<TerminalUnit>(
         std::string(each.name), each.changes.front(), {"working", "off", "failure"},
         [part = each.part](TerminalUnit& unit, const HandValue& value) {
           unit.sense(part, static_cast<PartState>(value.code));
@@ -110,10 +110,10 @@ GeoPosition position_of(const HandValue& value) {
   GeoPosition position;
   const std::string& text = value.text;
   const char* const end = text.data() + text.size();
-  const auto latitude = std::from_chars(text.data(), end, position.latitude);
+  const auto latitude = real_from_chars(text.data(), end, position.latitude);
   const bool has_comma = latitude.ec == std::errc{} && latitude.ptr != end && *latitude.ptr == ',';
   if (has_comma) {
-    const auto longitude = std::from_chars(latitude.ptr + 1, end, position.longitude);
+    const auto longitude = real_from_chars(latitude.ptr + 1, end, position.longitude);
     const bool is_there = longitude.ec == std::errc{} && longitude.ptr == end &&
                           std::abs(position.latitude) <= 90 && std::abs(position.longitude) <= 180;
     if (is_there) return position;
@@ -150,7 +150,7 @@ CarHandTable power_supply_hands() {
       overload("periphery-overload", Supply::periphery,
                place_of(periphery_power_supply_status_overload))};
   table.tell = tell_switched<PowerSupplyUnit>;
-  // Ignition, time and commands say what they are.
+  // Ignition, time and commands determine their own values.
   table.sensed_only = {whole(radio_power_supply_status_object),
                        whole(periphery_power_supply_status_object)};
   table.name = [](const FieldPlace& place) {
@@ -164,7 +164,7 @@ CarHandTable power_supply_hands() {
 CarHandTable hands_free_hands() {
   CarHandTable table{.device = HandsFreeKind::info.name};
   const FieldPlace place = place_of(radio_hand_free_status_key);
-  CarHand pressed =
+  DeviceHand pressed =
       key<HandsFreeUnit>("key", place, [place](HandsFreeUnit& unit, const HandValue& value) {
         tell_status(unit.switching(), place, value);
       });

@@ -10,17 +10,17 @@ namespace canvoy::tools {
 namespace {
 
 constexpr double idle_revolutions = 800;
-/// Revolutions a minute for each m/s in first gear; each gear above takes its share of that.
+/// Revolutions per minute for each m/s in first gear; each higher gear takes its fraction of that.
 constexpr double first_gear_revolutions = 450;
 constexpr double shift_revolutions = 2800;
 constexpr unsigned gear_max = 6;
-constexpr double idle_consumption = 0.0005;   ///< l/s: about 1.8 l in an hour
-constexpr double driving_consumption = 7e-5;  ///< l for each m: 7 l on 100 km
+constexpr double idle_consumption = 0.0005;   ///< l/s: about 1.8 l per hour
+constexpr double driving_consumption = 7e-5;  ///< l/m: 7 l per 100 km
 
 double revolutions_in(unsigned gear, double speed) {
   return std::max(idle_revolutions, speed * first_gear_revolutions / gear);
 }
-/// The lowest one in which the engine is not too fast.
+/// The lowest gear with a permitted engine speed.
 unsigned gear_for(double speed) {
   unsigned gear = 1;
   while (gear < gear_max && revolutions_in(gear, speed) > shift_revolutions) ++gear;
@@ -92,7 +92,7 @@ void CarDriver::follow(double speed, bool is_braking) {
   const unsigned gear = gear_for(speed);
   revolutions_ = runs() ? revolutions_in(gear, speed) : 0;
   if (!is_ready_) return;
-  // Whoever stands with an automatic gear in holds the brake.
+  // A driver who stands with an automatic gear engaged holds the brake.
   say(car_light_status_brake, is_braking || speed <= 0 ? Signal::on : Signal::off);
   say(engaged_gear, static_cast<Gear>(gear));
 }

@@ -1,12 +1,12 @@
-// Who sits in the car of an IVN gateway that `canvoy device` runs: ignition, engine, lever, brakes
-// and locks are as they must be where the car drives (CiA 447-3, 4.2.2 to 4.2.4).
+// The driver of the car of an IVN gateway that `canvoy device` runs: sets ignition, engine, lever,
+// brakes and locks as needed when the car drives (CiA 447-3, 4.2.2 to 4.2.4).
 //
 //     driver.take(gateway);
 //     driver.get_ready();              // it is to drive
 //     if (driver.missing().empty()) ...
 //     driver.follow(13.9, false);      // it drives, and does not brake
 //
-// What somebody has set by hand the driver leaves alone: then it may be that the car cannot drive.
+// The driver does not change what was set by hand; the car may then be unable to drive.
 #pragma once
 
 #include <string>
@@ -18,19 +18,19 @@ namespace canvoy::tools {
 
 class CarDriver {
  public:
-  /// Without a gateway nobody is asked, and nothing is missing. It must outlive the calls of this.
+  /// Sets the gateway, which must outlive the calls of this. Without a gateway, nothing is needed.
   void take(cia447::IvnGatewayUnit& gateway) { gateway_ = &gateway; }
   void set_by_hand(const cia447::FieldPlace& status);
 
-  /// Key, engine, belt, locks, lever, parking brake; what is so already stays.
+  /// Sets key, engine, belt, locks, lever and parking brake, as far as needed.
   void get_ready();
-  /// Why the car cannot drive; empty: it can.
+  /// Reason why the car cannot drive; empty: it can.
   std::string missing() const;
-  /// The car drives so fast (m/s), and slows down or not: gear, brake light, engine.
+  /// Sets gear, brake light and engine for this speed (m/s), and for braking or not.
   void follow(double speed, bool is_braking);
 
   double engine_revolutions() const { return revolutions_; }
-  /// Litres a second.
+  /// In litres per second.
   double fuel_consumption() const;
 
  private:

@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "canvoy/tools/device/car/hand_rows.hpp"
+#include "canvoy/tools/device/hand/hand_rows.hpp"
 
 namespace canvoy::tools {
 
@@ -14,7 +14,7 @@ namespace hand_rows {
 
 namespace {
 
-/// Of two states, whether the first says that there is nothing.
+/// True if the first of two states means absence.
 bool is_nothing(std::string_view first) {
   constexpr std::string_view signs[] = {"no", "not", "off", "disabled", "disengaged"};
   const std::string word = "-" + hand_word(first) + "-";
@@ -45,7 +45,7 @@ std::vector<HandWord> words_of(const cia447::FieldPlace& place) {
       add("not-available", named.first, Meaning::invalid);
     }
   }
-  // Marked as those that are not listed.
+  // Marked like words that are not listed.
   if (states == 2 && is_nothing(first)) {
     for (const char* word : {"no", "off"}) add(word, 0, Meaning::do_not_care);
     for (const char* word : {"yes", "on"}) add(word, 1, Meaning::do_not_care);
@@ -89,13 +89,13 @@ std::string without_status(std::string word) {
   return word;
 }
 
-/// `Door status driver` of several entries of one shape: what tells one from the other.
+/// The part that distinguishes several entries of one shape: `Door status driver`.
 std::string object_word(const FieldPlace& place) {
   const ObjectInfo& object = *find_object(cia447::profile, place.index);
   return without_status(hand_word(name_of(object, *entry_at(place))));
 }
 
-/// That of the field; of an abbreviation, which has no blank, what it stands for.
+/// The word of the field; for an abbreviation, which has no blank, its meaning.
 std::string field_word(const FieldPlace& place) {
   const EntryInfo& entry = *entry_at(place);
   const FieldInfo* const field = field_at(place);
@@ -106,10 +106,10 @@ std::string field_word(const FieldPlace& place) {
   return field->number == 0 ? word : fmt::format("{}-{}", word, field->number);
 }
 
-/// A status of the unit's own table.
-CarHand status_hand(const CarHandTable& table, const FieldPlace& place) {
-  CarHand hand = hand_rows::row(table.name != nullptr ? table.name(place) : field_word(place),
-                                HandForm::word, {place});
+/// The hand for a status of the table of the unit.
+DeviceHand status_hand(const CarHandTable& table, const FieldPlace& place) {
+  DeviceHand hand = hand_rows::row(table.name != nullptr ? table.name(place) : field_word(place),
+                                   HandForm::word, {place});
   hand.words = hand_rows::words_of(place);
   const auto is_it = [&place](const FieldPlace& other) { return covers(other, place); };
   if (std::ranges::any_of(table.sensed_only, is_it)) {
@@ -131,10 +131,10 @@ CarHand status_hand(const CarHandTable& table, const FieldPlace& place) {
 }
 
 void add_statuses(const cia447::CarUnit& unit, const CarHandTable& table,
-                  std::vector<CarHand>& hands) {
+                  std::vector<DeviceHand>& hands) {
   std::vector<FieldPlace> places;
   each_car_status(unit, [&](const FieldPlace& place) {
-    const bool is_row = std::ranges::any_of(table.rows, [&place](const CarHand& row) {
+    const bool is_row = std::ranges::any_of(table.rows, [&place](const DeviceHand& row) {
       return std::ranges::any_of(row.changes,
                                  [&place](const FieldPlace& own) { return covers(own, place); });
     });
@@ -145,7 +145,7 @@ void add_statuses(const cia447::CarUnit& unit, const CarHandTable& table,
   std::map<std::string, unsigned> counts;
   for (const FieldPlace& place : places) ++counts[status_hand(table, place).name];
   for (const FieldPlace& place : places) {
-    CarHand hand = status_hand(table, place);
+    DeviceHand hand = status_hand(table, place);
     if (counts[hand.name] > 1) hand.name = object_word(place) + "-" + hand.name;
     hands.push_back(std::move(hand));
   }
@@ -189,13 +189,14 @@ void each_car_status(const cia447::CarUnit& unit,
   }
 }
 
-const std::vector<CarHand>& car_hands(const cia447::CarUnit& unit) {
-  static std::map<std::string_view, std::vector<CarHand>> made;
+const std::vector<DeviceHand>& car_hands(const cia447::CarUnit& unit) {
+  static std::map<std::string_view, std::vector<DeviceHand>> made;
   const auto [at, is_new] = made.try_emplace(unit.info.name);
   const CarHandTable* const table = table_of(unit);
   if (!is_new || table == nullptr) return at->second;
   at->second = table->rows;
   if (table->tell != nullptr) add_statuses(unit, *table, at->second);
+  hand_rows::take_clauses(at->second, cia447::profile);
   return at->second;
 }
 

@@ -1,10 +1,10 @@
-// The hands of each virtual device of CiA 447-3: one table, from which command line, help, pages
-// and completion have them.
+// The hands of each virtual device of CiA 447-3, in one table for command line, help, pages and
+// completion.
 //
-//     for (const CarHand& hand : car_hands(cia447::car_unit<cia447::PrinterKind>)) ...
+//     for (const DeviceHand& hand : car_hands(cia447::car_unit<cia447::PrinterKind>)) ...
 //
-// A status that a device reports by a table of its own has a hand by the words of its clause; what
-// is sensed, pressed or breaks elsewhere has a row.
+// A status that a device reports from a table of its own has a hand named by the words of its
+// clause; what is sensed, pressed or fails elsewhere has a row.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,12 @@
 #include <string_view>
 #include <vector>
 
-#include "canvoy/devices/cia447/car_device.hpp"
-#include "canvoy/tools/device/car/car_hand.hpp"
+#include "canvoy/devices/cia447/kit/car_device.hpp"
+#include "canvoy/tools/device/hand/device_hand.hpp"
 
 namespace canvoy::tools {
 
-/// Why a status of a device has no hand: what it follows from.
+/// Reason why a status of a device has no hand: where it comes from.
 struct WithoutHand {
   static constexpr std::uint8_t all = 0xFF;
 
@@ -29,35 +29,35 @@ struct WithoutHand {
   std::string_view why{};
 };
 
-/// The table of a device: by the name of its unit in the catalogue.
+/// The table of a device, by the name of its unit in the catalogue.
 struct CarHandTable {
   std::string_view device;
-  std::vector<CarHand> rows{};             ///< those that are no status of the unit's own table
-  std::span<const WithoutHand> without{};  ///< statuses that have none
-  /// Of a status of the unit's own table: says what it is from now on, or what its sensor says.
-  /// Null: the unit has no such table.
+  std::vector<DeviceHand> rows{};          ///< hands that are no status of the table of the unit
+  std::span<const WithoutHand> without{};  ///< statuses without a hand
+  /// Sets a status of the table of the unit, or the value of its sensor. Null: the unit has no such
+  /// table.
   void (*tell)(const HandTarget& target, const cia447::FieldPlace& status,
                const HandValue& value) = nullptr;
-  /// Objects of which only the sensors can be told: the unit itself says what they are.
+  /// Objects of which only the sensor values can be set: the unit itself determines their values.
   std::vector<cia447::FieldPlace> sensed_only{};
-  /// Names by another rule than that of the field; empty: by that.
+  /// Name of a hand; null: from the name of the field.
   std::string (*name)(const cia447::FieldPlace& status) = nullptr;
 };
 
-/// Empty for a unit that is none of CiA 447-3's.
-const std::vector<CarHand>& car_hands(const cia447::CarUnit& unit);
-/// Those of its statuses that have no hand.
+/// The hands of a unit; empty for a unit that is not of CiA 447-3.
+const std::vector<DeviceHand>& car_hands(const cia447::CarUnit& unit);
+/// The statuses of a unit that have no hand.
 std::span<const WithoutHand> without_hands(const cia447::CarUnit& unit);
 
-/// Calls `each` with the place of every status that the device provides: fields, or whole entries
-/// that have none.
+/// Calls `each` with every status that the device provides: a field, or a whole entry without
+/// fields.
 void each_car_status(const cia447::CarUnit& unit,
                      const std::function<void(const cia447::FieldPlace&)>& each);
 
-// The tables, by what the devices are for.
+// The tables, by group of devices.
 
 CarHandTable gateway_hands();
-std::vector<CarHandTable> taxi_hands();    ///< meter, printer, clock, driver, sign, alarm
-std::vector<CarHandTable> add_on_hands();  ///< terminal, positions, radio, and what switches
+std::vector<CarHandTable> taxi_hands();    ///< taximeter, printer, clock, driver, roof sign, alarm
+std::vector<CarHandTable> add_on_hands();  ///< terminal, positions, radio, and switching devices
 
 }  // namespace canvoy::tools

@@ -1,4 +1,4 @@
-// Hands of devices of CiA 447-3: what they take, and what is on the wire then.
+// Hands of devices of CiA 447-3: their values, and the resulting frames.
 #include "canvoy/tools/device/car/car_hands.hpp"
 
 #include <fmt/format.h>
@@ -11,21 +11,22 @@
 #include <sstream>
 
 #include "canvoy/devices/catalogue.hpp"
-#include "canvoy/devices/cia447/car_bench_test.hpp"
 #include "canvoy/devices/cia447/discrete_inputs/discrete_inputs_unit.hpp"
 #include "canvoy/devices/cia447/driver_identification/driver_identification_unit.hpp"
 #include "canvoy/devices/cia447/fire_extinguishing/fire_extinguishing_unit.hpp"
 #include "canvoy/devices/cia447/gps/gps_unit.hpp"
 #include "canvoy/devices/cia447/ivn_gateway/ivn_gateway_unit.hpp"
+#include "canvoy/devices/cia447/kit/car_bench_test.hpp"
 #include "canvoy/devices/cia447/printer/printer_unit.hpp"
 #include "canvoy/devices/cia447/real_time_clock/real_time_clock_unit.hpp"
 #include "canvoy/devices/cia447/taximeter/taximeter_unit.hpp"
 #include "canvoy/devices/cia447/terminal/terminal_unit.hpp"
 #include "canvoy/profiles/cia447.hpp"
+#include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/device/car/car_hand_tables.hpp"
-#include "canvoy/tools/device/car/hand_list.hpp"
-#include "canvoy/tools/device/device_car_panel.hpp"
-#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/device/car/device_car_panel.hpp"
+#include "canvoy/tools/device/hand/hand_lines.hpp"
+#include "canvoy/tools/device/hand_list.hpp"
 
 namespace canvoy::tools::car_hands_test {
 namespace {
@@ -40,20 +41,20 @@ std::vector<const CarUnit*> all_units() {
   return units;
 }
 
-/// A device on a cable, with node-ID 5, and hands on it.
+/// A device on a cable, with node-ID 5, and its hands.
 class Hosted {
  public:
   explicit Hosted(const CarUnit* unit, const CarPanelOptions& options = {})
       : units_{unit}, car_({}, output_) {
-    bench_ = std::make_unique<cia447::CarBench>(units_, [&](Site& site) {
-      car_.join(site);
-      panel_ = std::make_unique<CarPanel>(units_, options, car_, site, output_);
+    bench_ = std::make_unique<cia447::CarBench>(units_, [&](Environment& environment) {
+      car_.join(environment);
+      panel_ = std::make_unique<CarPanel>(units_, options, car_, environment, output_);
     });
     pass(Duration{});
   }
 
   void take(std::string_view order) { panel_->take(order); }
-  /// So much time passes, in steps of 10 ms; what is said is kept.
+  /// Lets this time pass, in steps of 10 ms, and keeps what is reported.
   void pass(Duration time) {
     testing::internal::CaptureStdout();
     for (const Time end = bench_->cable.now + time;;) {
@@ -64,7 +65,7 @@ class Hosted {
     }
     said += testing::internal::GetCapturedStdout();
   }
-  /// What stands in an entry, by an SDO upload of at most 4 bytes.
+  /// Value of an entry, by an SDO upload of at most 4 bytes.
   std::uint32_t read(std::uint16_t index, unsigned sub = 0) {
     const std::string answer = bench_->ask(
         fmt::format("40 {:02X} {:02X} {:02X} 00 00 00 00", index & 0xFFU, index >> 8U, sub));
@@ -95,7 +96,7 @@ class Hosted {
 std::string complaint_about(const CarUnit* unit, std::string_view order) {
   const std::vector<const CarUnit*> units = {unit};
   try {
-    parse_hand_order(units, order);
+    parse_hand_order(hand_tables(units), order);
   } catch (const UsageError& error) {
     return error.what();
   }
@@ -112,7 +113,7 @@ TEST(CarHands, EachStatusOfEachDeviceHasAHandOrAReasonWhyNot) {
         return other.index == place.index && other.sub == place.sub &&
                (other.bits == 0 || other == place);
       };
-      const bool has_one = std::ranges::any_of(car_hands(*unit), [&](const CarHand& hand) {
+      const bool has_one = std::ranges::any_of(car_hands(*unit), [&](const DeviceHand& hand) {
         return std::ranges::any_of(hand.changes, is_it);
       });
       const bool has_reason =
@@ -132,7 +133,7 @@ TEST(CarHands, NamesAreTheirOwnAndEachHasAClause) {
   for (const CarUnit* unit : all_units()) {
     std::set<std::string> names;
     EXPECT_FALSE(car_hands(*unit).empty()) << unit->info.name;
-    for (const CarHand& hand : car_hands(*unit)) {
+    for (const DeviceHand& hand : car_hands(*unit)) {
       EXPECT_TRUE(names.insert(hand.name).second) << unit->info.name << ' ' << hand.name;
       EXPECT_EQ(hand.name.find_first_of(".=@# "), std::string::npos) << hand.name;
       EXPECT_TRUE(hand.clause.starts_with("4.2.")) << unit->info.name << ' ' << hand.name;
@@ -142,19 +143,19 @@ TEST(CarHands, NamesAreTheirOwnAndEachHasAClause) {
   }
 }
 
-/// Whatever is done by hand, each word of a field that is in codes is its code on the bus.
+/// For each hand, each word of a field of codes gives its code on the bus.
 TEST(CarHands, EachWordOfAStatusIsItsCodeOnTheBus) {
   unsigned tried = 0;
   for (const CarUnit* unit : all_units()) {
     Hosted hosted(unit);
     hosted.pass(10ms);
-    for (const CarHand& hand : car_hands(*unit)) {
+    for (const DeviceHand& hand : car_hands(*unit)) {
       const FieldPlace& place = hand.changes.front();
       const ValueInfo* const value = cia447::find_value_info(place);
       const bool is_status = hand.form == HandForm::word && place.bits != 0 && value != nullptr &&
                              hand.words.back().word != "working" &&
                              hand.words.front().word != "working";
-      // The lamps that a sign does not have stay "not available".
+      // Lamps that a sign does not have stay "not available".
       const bool is_missing =
           unit->info.name == "tariff-display" && hand.name.starts_with("lamp-failure-") &&
           std::stoi(hand.name.substr(std::string_view("lamp-failure-").size())) > 3;
@@ -203,7 +204,7 @@ TEST(CarHands, AThingThatADeviceDoesNotHaveIsRefusedWithWhatItHas) {
   EXPECT_NE(complaint_about(meter, "supplement=nan@1s"), "");
 }
 
-/// 4.2.13.2: bits 0 and 1 of 60E1h, 01b: no paper; the others are reserved, and 1.
+/// Bits 0 and 1 of 60E1h, 01b: no paper; the others are reserved, and 1 (CiA 447-3, 4.2.13.2).
 TEST(CarHands, PaperRunsOutAtTheTimeThatWasSaid) {
   Hosted printer(&cia447::car_unit<cia447::PrinterKind>);
   printer.take("paper=no@2s");
@@ -213,7 +214,7 @@ TEST(CarHands, PaperRunsOutAtTheTimeThatWasSaid) {
   EXPECT_EQ(printer.read(0x60E1) & 3U, 1u);
 }
 
-/// 4.2.9.3: key 1 of the number pad is code 1 of 6082h, and 0 that none is pressed.
+/// Key 1 of the number pad is code 1 of 6082h; 0 means that none is pressed (CiA 447-3, 4.2.9.3).
 TEST(CarHands, AKeyIsPressedFor300Milliseconds) {
   Hosted terminal(&cia447::car_unit<cia447::TerminalKind>);
   terminal.take("1@1s");
@@ -225,7 +226,8 @@ TEST(CarHands, AKeyIsPressedFor300Milliseconds) {
   EXPECT_EQ(terminal.read(0x6082) & 0x1FU, 0u);
 }
 
-/// 4.2.8.1: two bits for each contact; the second is PTT. Bits 10 to 15 are reserved, and 1.
+/// Two bits for each contact; the second one is PTT. Bits 10 to 15 are reserved, and 1 (CiA 447-3,
+/// 4.2.8.1).
 TEST(CarHands, AContactIsActiveOrItsSensorFails) {
   Hosted inputs(&cia447::car_unit<cia447::DiscreteInputsKind>);
   inputs.pass(10ms);
@@ -236,7 +238,7 @@ TEST(CarHands, AContactIsActiveOrItsSensorFails) {
   EXPECT_EQ(inputs.read(0x6078), 0xFE04u) << "PTT 01b, beacon 10b";
 }
 
-/// 4.2.5.1: what smoke sets off by itself is code 4; bits 4 to 7 are 1.
+/// Automatic start by smoke is code 4; bits 4 to 7 are 1 (CiA 447-3, 4.2.5.1).
 TEST(CarHands, TheExtinguishersStart) {
   Hosted fire(&cia447::car_unit<cia447::FireExtinguishingKind>);
   fire.take("fire-extinguishing-system=automatic-started@4s");
@@ -246,7 +248,7 @@ TEST(CarHands, TheExtinguishersStart) {
   EXPECT_EQ(fire.read(0x6069), 0xF4u);
 }
 
-/// 4.2.15.2: logged in, data valid, no failure: two bits each.
+/// Logged in, data valid, no failure: two bits each (CiA 447-3, 4.2.15.2).
 TEST(CarHands, ADriverComesWithACardAndGoes) {
   Hosted reader(&cia447::car_unit<cia447::DriverIdentificationKind>);
   reader.take("card=4711:A. Driver@10ms");
@@ -261,8 +263,8 @@ TEST(CarHands, ADriverComesWithACardAndGoes) {
   EXPECT_NE(complaint_about(&cia447::car_unit<cia447::DriverIdentificationKind>, "card=x@1s"), "");
 }
 
-/// 4.2.14.1: the date of the day that was set, also when the clock has looked at its chip, which it
-/// does each minute.
+/// The date that was set, also after the clock has read its chip, which it does every minute (CiA
+/// 447-3, 4.2.14.1).
 TEST(CarHands, AClockThatIsSetStaysSet) {
   Hosted clock(&cia447::car_unit<cia447::RealTimeClockKind>);
   clock.take("time=2031-02-28T23:59:00@10ms");
@@ -276,7 +278,7 @@ TEST(CarHands, AClockThatIsSetStaysSet) {
       "'2031-02-29T00:00:00' is no time: write it as 2026-10-25T00:59:50");
 }
 
-/// 4.2.10.2: four bits for the visible satellites, four for the tracked ones.
+/// Four bits for the visible satellites, four for the tracked ones (CiA 447-3, 4.2.10.2).
 TEST(CarHands, AReceiverSaysWhatItIsTold) {
   Hosted gps(&cia447::car_unit<cia447::GpsKind>);
   gps.take("visible-satellites=9@10ms");
@@ -291,7 +293,31 @@ TEST(CarHands, AReceiverSaysWhatItIsTold) {
   EXPECT_EQ(gps.read(0x60B1), 0xEEu);
 }
 
-// -- the meter's keys (4.2.12)
+/// As in a simulated world, which has its own car and seals.
+TEST(CarHands, OneThatDoesNotNeedWhatIsAroundTheUnitWorksWithoutIt) {
+  std::size_t tried = 0;
+  for (const CarUnit* unit : all_units()) {
+    const CarUnit* const units[] = {unit};
+    cia447::CarBench bench(units);
+    for (const DeviceHand& hand : car_hands(*unit)) {
+      if (hand.is_around) continue;
+      const std::string value = hand.form == HandForm::action   ? ""
+                                : hand.name == "card"           ? "4711"
+                                : hand.form == HandForm::text   ? std::string(hand.example)
+                                : hand.form == HandForm::number ? fmt::format("{}", hand.most)
+                                                                : hand.words.back().word;
+      HandTarget target{.unit = bench.device().unit(*unit)};
+      const HandValue parsed =
+          hand.form == HandForm::action ? HandValue{} : parse_hand_value(hand, value);
+      hand.act(target, parsed);
+      bench.cable.run_for(1ms);
+      ++tried;
+    }
+  }
+  EXPECT_GT(tried, 300u);
+}
+
+// -- the keys of the meter (4.2.12)
 
 TEST(CarHands, AMeterReachesServiceStandbyAndChangingToOffMode) {
   Hosted meter(&cia447::car_unit<cia447::TaximeterKind>);
@@ -311,6 +337,46 @@ TEST(CarHands, AMeterReachesServiceStandbyAndChangingToOffMode) {
   EXPECT_EQ(meter.read(0x60D8) & 0xFU, 4u) << "service mode";
 }
 
+/// 60DAh:02h (CiA 447-3, 4.2.12.8).
+TEST(CarHands, TheModeOfAMeterIsBehindTheSeal) {
+  Hosted meter(&cia447::car_unit<cia447::TaximeterKind>);
+  meter.take("mode=odometer@10ms");
+  meter.pass(50ms);
+  EXPECT_EQ(meter.read(0x60DA, 2), 0u) << "taximeter operation";
+  EXPECT_NE(meter.said.find("mode: not in this state"), std::string::npos) << meter.said;
+  for (const char* order : {"open-seal@60ms", "enter-service@70ms", "mode=odometer@80ms"}) {
+    meter.take(order);
+  }
+  meter.pass(50ms);
+  EXPECT_EQ(meter.read(0x60DA, 2), 1u) << "odometer operation";
+  EXPECT_NE(meter.said.find("UTC: mode set, 0 to 1"), std::string::npos) << meter.said;
+}
+
+/// The driver sees "for hire", so the reason for the refusal is reported.
+TEST(CarHands, AKeyThatIsRefusedForTamperingSaysSo) {
+  Hosted meter(&cia447::car_unit<cia447::TaximeterKind>);
+  for (const char* order :
+       {"hire@10ms", "sign-on@20ms", "open-seal@30ms", "close-seal@1500ms", "hire@1600ms"}) {
+    meter.take(order);
+  }
+  meter.pass(1700ms);
+  EXPECT_EQ(meter.read(0x60D8) & 0xFU, 0u) << "for hire";
+  EXPECT_NE(meter.said.find("hire: not in this state"), std::string::npos) << "signed off";
+  EXPECT_NE(meter.said.find("hire: refused for tampering: the seal was opened; it is to be sealed "
+                            "anew in service mode"),
+            std::string::npos)
+      << meter.said;
+}
+
+TEST(CarHands, SeveralOrdersAreSaidInOne) {
+  EXPECT_EQ(separate_orders({"sign-on@1s,hire@2.5s", "stop@3s"}),
+            (std::vector<std::string>{"sign-on@1s", "hire@2.5s", "stop@3s"}));
+  EXPECT_EQ(separate_orders({"destination=48.137,11.575@1s,cancel@0s"}),
+            (std::vector<std::string>{"destination=48.137,11.575@1s", "cancel@0s"}));
+  EXPECT_EQ(separate_orders({"clock=2026-10-25T00:59:50@1s", "hire,stop@2s", "@", ","}),
+            (std::vector<std::string>{"clock=2026-10-25T00:59:50@1s", "hire,stop@2s", "@", ","}));
+}
+
 TEST(CarHands, SupplementsAndAnAgreedPriceAreInThePayment) {
   Hosted meter(&cia447::car_unit<cia447::TaximeterKind>);
   for (const char* order : {"sign-on@10ms", "agreed-price=25@20ms", "hire@30ms",
@@ -324,6 +390,22 @@ TEST(CarHands, SupplementsAndAnAgreedPriceAreInThePayment) {
   meter.take("clear-supplements@70ms");
   meter.pass(20ms);
   EXPECT_EQ(meter.read(0x60D0, 2), 0u);
+}
+
+/// Tariff of the example: luggage 1,00, a booking 1,50, the airport 5,00.
+TEST(CarHands, AServiceOfTheTariffIsPressedByItsName) {
+  Hosted meter(&cia447::car_unit<cia447::TaximeterKind>);
+  for (const char* order : {"service=luggage@10ms", "sign-on@20ms", "hire@30ms",
+                            "service=luggage@40ms", "service=AIRPORT@50ms", "service=pets@60ms"}) {
+    meter.take(order);
+  }
+  meter.pass(70ms);
+  EXPECT_EQ(meter.read(0x60D0, 2), 6000u);
+  EXPECT_NE(meter.said.find("service: not in this state"), std::string::npos) << meter.said;
+  EXPECT_NE(meter.said.find("service: the tariff has no such supplement; there are Luggage, "
+                            "Booking, Airport"),
+            std::string::npos)
+      << meter.said;
 }
 
 TEST(CarHands, ADoubleCalculationAnOdometerAndAFutureTariffAreSaid) {
@@ -353,8 +435,8 @@ TEST(CarHands, AKeyOfAnotherStateSaysSo) {
 
 // -- a car
 
-/// 4.2.2.3, 4.2.4: before it drives, somebody has turned the key, started the engine and put the
-/// lever to D (code 5); the parking brake is off.
+/// Before the car drives, the driver has turned the key, started the engine and put the lever to D
+/// (code 5); the parking brake is off (CiA 447-3, 4.2.2.3, 4.2.4).
 TEST(CarHands, ACarThatIsToDriveIsReadyForIt) {
   Hosted car(&cia447::car_unit<cia447::IvnGatewayKind>);
   EXPECT_EQ(car.read(0x6007), 0x00u) << "parked";

@@ -1,13 +1,13 @@
-// Hands of the IVN gateway (CiA 447-3, 4.2.2 to 4.2.4): what the car senses is a number here; what
-// it is in, doors, lights, ignition, is told by the words of the clause.
+// Hands of the IVN gateway (CiA 447-3, 4.2.2 to 4.2.4): sensors of the car take a number here; its
+// states, such as doors, lights and ignition, take the words of the clause.
 #include <fmt/format.h>
 
 #include "canvoy/devices/cia447/ivn_gateway/ivn_gateway_unit.hpp"
+#include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/device/car/car_hand_tables.hpp"
-#include "canvoy/tools/device/car/hand_rows.hpp"
+#include "canvoy/tools/device/car/device_car.hpp"
 #include "canvoy/tools/device/car/switched_hands.hpp"
-#include "canvoy/tools/device/device_car.hpp"
-#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/device/hand/hand_rows.hpp"
 
 namespace canvoy::tools {
 
@@ -28,10 +28,10 @@ constexpr WithoutHand gateway_without[] = {
     {0x605D, 0, 16, "follows fuel-consumption"},
     {0x605D, 0, 18, "the maker's: litres or kilograms"}};
 
-/// A number that a sensor of the car says.
-CarHand sensor(const char* name, std::vector<FieldPlace> changes, CarSense sense,
-               const HandRange& range) {
-  CarHand hand = number<IvnGatewayUnit>(
+/// A number from a sensor of the car.
+DeviceHand sensor(const char* name, std::vector<FieldPlace> changes, CarSense sense,
+                  const HandRange& range) {
+  DeviceHand hand = number<IvnGatewayUnit>(
       name, changes.front(), range,
       [sense](IvnGatewayUnit& /*unit*/, const HandValue& value, const HandTarget& target) {
         const bool fails = value.meaning == Meaning::failure;
@@ -40,23 +40,23 @@ CarHand sensor(const char* name, std::vector<FieldPlace> changes, CarSense sense
       });
   hand.words = {{"failure", 0, Meaning::failure}};
   hand.changes = std::move(changes);
-  return hand;
+  return around(std::move(hand));
 }
 
-/// Of what the car drives by itself, a sensor can only fail.
-CarHand failing_sensor(const char* name, std::vector<FieldPlace> changes, CarSense sense) {
-  CarHand hand = choice<IvnGatewayUnit>(
+/// A sensor of what the car drives by itself can only fail.
+DeviceHand failing_sensor(const char* name, std::vector<FieldPlace> changes, CarSense sense) {
+  DeviceHand hand = choice<IvnGatewayUnit>(
       name, changes.front(), {"working", "failure"},
       [sense](IvnGatewayUnit& /*unit*/, const HandValue& value, const HandTarget& target) {
         target.car->sense(sense, value.code == 1 ? std::nullopt : std::optional(0.0));
         return true;
       });
   hand.changes = std::move(changes);
-  return hand;
+  return around(std::move(hand));
 }
 
-CarHand speed_hand() {
-  CarHand hand = number<IvnGatewayUnit>(
+DeviceHand speed_hand() {
+  DeviceHand hand = number<IvnGatewayUnit>(
       "speed", place_of(displayed_vehicle_speed), {0, DeviceCar::kmh_max, "km/h"},
       [](IvnGatewayUnit& /*unit*/, const HandValue& value, const HandTarget& target) {
         if (value.meaning == Meaning::failure) {
@@ -68,11 +68,11 @@ CarHand speed_hand() {
       });
   hand.words = {{"failure", 0, Meaning::failure}};
   hand.changes = {place_of(displayed_vehicle_speed), place_of(wheel_rpm)};
-  return hand;
+  return around(std::move(hand));
 }
 
-CarHand vin_hand() {
-  return text<IvnGatewayUnit>(
+DeviceHand vin_hand() {
+  return around(text<IvnGatewayUnit>(
       "vin", {place_of(vin_data)}, "WDB12345678901234",
       [](const HandValue& value) {
         constexpr std::string_view letters = "0123456789ABCDEFGHJKLMNPRSTUVWXYZ";
@@ -85,14 +85,15 @@ CarHand vin_hand() {
       [](IvnGatewayUnit& /*unit*/, const HandValue& value, const HandTarget& target) {
         target.car->set_vin(value.text);
         return true;
-      });
+      }));
 }
 
-/// The driver leaves alone what a hand has set.
+/// The driver does not change what a hand has set.
 void tell_gateway(const HandTarget& target, const FieldPlace& place, const HandValue& value) {
   auto& gateway = target.as<IvnGatewayUnit>();
-  if (value.meaning == Meaning::state) target.car->set_by_hand(place);
-  // Seats have no sensors of their own: 6019h says what is reported.
+  const bool has_driver = target.car != nullptr;
+  if (has_driver && value.meaning == Meaning::state) target.car->set_by_hand(place);
+  // Seats have no sensors of their own: 6019h gives the reported value.
   if (place.index == seat_adjustment_status_object.index) {
     return gateway.report(place, value.code);
   }

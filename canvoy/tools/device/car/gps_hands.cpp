@@ -9,9 +9,9 @@
 #include <type_traits>
 
 #include "canvoy/devices/cia447/gps/gps_unit.hpp"
-#include "canvoy/tools/device/car/hand_rows.hpp"
-#include "canvoy/tools/device/device_car.hpp"
-#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/device/car/device_car.hpp"
+#include "canvoy/tools/device/hand/hand_rows.hpp"
 
 namespace canvoy::tools {
 
@@ -23,11 +23,11 @@ using namespace cia447;
 
 constexpr double metres_per_second = 1 / 3.6;
 
-/// Numbers of a reading, which may not be known, or be none that there can be.
+/// Numbers of a reading, which may be unknown or invalid.
 template <auto part>
-CarHand reading_number(const char* name, const FieldPlace& place, const HandRange& range,
-                       double scale = 1) {
-  CarHand hand = number<GpsUnit>(
+DeviceHand reading_number(const char* name, const FieldPlace& place, const HandRange& range,
+                          double scale = 1) {
+  DeviceHand hand = number<GpsUnit>(
       name, place, range,
       [name, scale](GpsUnit& unit, const HandValue& value, const HandTarget& target) {
         target.car->sense_gps(name, [value, scale](GpsReading& reading) {
@@ -43,7 +43,7 @@ CarHand reading_number(const char* name, const FieldPlace& place, const HandRang
   return hand;
 }
 
-CarHand receiver_hand() {
+DeviceHand receiver_hand() {
   return choice<GpsUnit>("receiver", whole(gps_status_object), {"working", "failure"},
                          [](GpsUnit& unit, const HandValue& value, const HandTarget& target) {
                            target.car->sense_gps("receiver",
@@ -55,7 +55,7 @@ CarHand receiver_hand() {
                          });
 }
 
-CarHand fix_hand() {
+DeviceHand fix_hand() {
   return status<GpsUnit>("fix", place_of(gps_status_fix),
                          [](GpsUnit& unit, const HandValue& value, const HandTarget& target) {
                            target.car->sense_gps("fix", [value](GpsReading& reading) {
@@ -66,7 +66,7 @@ CarHand fix_hand() {
                          });
 }
 
-CarHand clock_hand() {
+DeviceHand clock_hand() {
   return text<GpsUnit>("time", {whole(gps_date_object), whole(gps_utc_time_object)},
                        "2026-10-25T00:59:50", check_clock_text,
                        [](GpsUnit& unit, const HandValue& value, const HandTarget& target) {
@@ -99,6 +99,7 @@ CarHandTable table_of_rows() {
       reading_number<&Reading::hdop>("hdop", place_of(gps_status_hdop), {0, 80}),
       reading_number<&Reading::pdop>("pdop", place_of(gps_status_pdop), {0, 80}),
       clock_hand()};
+  for (DeviceHand& hand : table.rows) hand.is_around = true;
   return table;
 }
 

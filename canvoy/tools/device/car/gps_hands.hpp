@@ -1,4 +1,4 @@
-// Hands of a GPS receiver (CiA 447-3, 4.2.10), and how texts say when something is.
+// Hands of a GPS receiver (CiA 447-3, 4.2.10), and times as text.
 #pragma once
 
 #include <string_view>
@@ -10,7 +10,7 @@ namespace canvoy::tools {
 
 CarHandTable gps_hands();
 
-/// `2026-10-25T01:59:50`, as seconds since 1970-01-01 by the same clock. Throws UsageError.
+/// Reads `2026-10-25T01:59:50` as seconds since 1970-01-01 on the same clock. Throws UsageError.
 Duration parse_clock_text(std::string_view text);
 inline void check_clock_text(const HandValue& value) {
   parse_clock_text(value.text);

@@ -1,21 +1,21 @@
-// What a hand does with a status of a unit that is a table of what is switched (switching.hpp).
+// Hands on a status of a unit that is a table of switched things (switching.hpp).
 //
 //     table.tell = tell_switched<RadioUnit>;
 #pragma once
 
 #include <cmath>
 
-#include "canvoy/devices/cia447/switching.hpp"
-#include "canvoy/tools/device/car/car_hand.hpp"
+#include "canvoy/devices/cia447/kit/switching.hpp"
+#include "canvoy/tools/device/hand/device_hand.hpp"
 
 namespace canvoy::tools {
 
-/// What a status is that was given as a number or as a word.
+/// The code of a status that was given as a number or as a word.
 inline std::uint32_t code_of(const HandValue& value) {
   return value.code != 0 ? value.code : static_cast<std::uint32_t>(std::lround(value.number));
 }
 
-/// `reporter` has report() and sense() for any status. A state that is told lets the sensor work
+/// `reporter` has report() and sense() for any status. A reported state makes the sensor work
 /// again.
 template <class Reporter>
 void tell_status(Reporter& reporter, const cia447::FieldPlace& status, const HandValue& value) {

@@ -1,7 +1,8 @@
-// Hands of what makes a car a taxi: meter, printer, clock, driver's card, sign, alarm (CiA 447-3,
-// 4.2.12 to 4.2.17).
+// Hands of the devices of a taxi: meter, printer, clock, card of the driver, sign, alarm (CiA
+// 447-3, 4.2.12 to 4.2.17).
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string>
@@ -12,11 +13,12 @@
 #include "canvoy/devices/cia447/tariff_display/tariff_display_unit.hpp"
 #include "canvoy/devices/cia447/taxi_alarm/taxi_alarm_unit.hpp"
 #include "canvoy/devices/cia447/taximeter/taximeter_unit.hpp"
+#include "canvoy/formats/eds/ini.hpp"
+#include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/device/car/car_hand_tables.hpp"
+#include "canvoy/tools/device/car/device_car.hpp"
 #include "canvoy/tools/device/car/gps_hands.hpp"
-#include "canvoy/tools/device/car/hand_rows.hpp"
-#include "canvoy/tools/device/device_car.hpp"
-#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/device/hand/hand_rows.hpp"
 
 namespace canvoy::tools {
 
@@ -39,7 +41,6 @@ constexpr WithoutHand meter_without[] = {{0x60D0, 1, all, "the fare follows the 
                                          {0x60D2, 4, all, "follows stop, and clock"},
                                          {0x60D4, all, all, "the tariff's"},
                                          {0x60D9, all, all, "sums of trips and shifts"},
-                                         {0x60DA, 2, all, "at the start: --meter-mode"},
                                          {0x60DA, 3, all, "the tariff's"},
                                          {0x60DA, 4, all, "the maker's"},
                                          {0x60DA, 5, all, "the maker's"},
@@ -66,14 +67,30 @@ std::uint32_t money(const HandValue& value) {
 }
 
 template <class Act>
-CarHand meter_key(const char* name, Act act) {
+DeviceHand meter_key(const char* name, Act act) {
   return action<TaximeterUnit>(name, whole(taximeter_status_object), act);
 }
 
-std::vector<CarHand> meter_states() {
+/// A meter with a tamper record is for hire, and starts no trip.
+std::string why_no_trip(const HandTarget& target) {
+  const TaximeterRecord& record = target.as<TaximeterUnit>().record();
+  if (record.state != Taximeter::for_hire || record.tampering == 0) return "";
+  const bool is_seal = (record.tampering & tampering::seal) != 0;
+  return fmt::format(
+      "refused for tampering: {}; it is to be sealed anew in service mode",
+      is_seal ? "the seal was opened" : "the wheel pulses have another source or sender");
+}
+
+DeviceHand hire_key() {
+  DeviceHand hand = meter_key("hire", [](TaximeterUnit& meter) { return meter.hire(); });
+  hand.why = why_no_trip;
+  return hand;
+}
+
+std::vector<DeviceHand> meter_states() {
   using Meter = TaximeterUnit;
   return {meter_key("sign-on", [](Meter& meter) { return meter.sign_on(); }),
-          meter_key("hire", [](Meter& meter) { return meter.hire(); }),
+          hire_key(),
           meter_key("stop", [](Meter& meter) { return meter.stop(); }),
           meter_key("for-hire", [](Meter& meter) { return meter.for_hire(); }),
           meter_key("sign-off", [](Meter& meter) { return meter.sign_off(); }),
@@ -82,41 +99,78 @@ std::vector<CarHand> meter_states() {
           meter_key("turn-off", [](Meter& meter) { return meter.turn_off(); })};
 }
 
-std::vector<CarHand> meter_trip() {
-  using Meter = TaximeterUnit;
-  constexpr HandRange amounts = {0, 1'000'000, "of the currency"};
-  return {number<Meter>("supplement", place_of(taxi_trip_payment_supplement_charge), amounts,
-                        [](Meter& meter, const HandValue& value) {
-                          return meter.add_supplement(money(value));
-                        }),
-          action<Meter>("clear-supplements", place_of(taxi_trip_payment_supplement_charge),
-                        [](Meter& meter) { return meter.clear_supplements(); }),
-          number<Meter>(
-              "agreed-price", whole(taxi_trip_payment_object, 4), amounts,
-              [](Meter& meter, const HandValue& value) { return meter.agree_price(money(value)); }),
-          number<Meter>("level", whole(taxi_trip_tariff_level_object), {1, 254, "of the tariff"},
-                        [](Meter& meter, const HandValue& value) {
-                          const bool is_whole = std::floor(value.number) == value.number;
-                          return is_whole &&
-                                 meter.choose_level(static_cast<unsigned>(value.number) - 1);
-                        }),
-          action<Meter>("level-by-clock", whole(taxi_trip_tariff_level_object),
-                        [](Meter& meter) { meter.choose_level_by_clock(); }),
-          text<Meter>("clock", {whole(taxi_trip_time_information_object, 3)}, "2026-10-25T00:59:50",
-                      check_clock_text,
-                      [](Meter& /*meter*/, const HandValue& value, const HandTarget& target) {
-                        target.car->set_clock(CarClock::meter, parse_clock_text(value.text));
-                        return true;
-                      })};
+/// Index in the supplements of the tariff; their number if it is none of them.
+unsigned service_of(const TaximeterUnit& meter, const HandValue& value) {
+  const auto& kinds = meter.tariff().supplements;
+  const auto is_it = [&value](const SupplementKind& kind) {
+    return formats::same_letters(kind.name, value.text);
+  };
+  return static_cast<unsigned>(std::ranges::find_if(kinds, is_it) - kinds.begin());
 }
 
-std::vector<CarHand> meter_seal() {
+/// The tariff does not have it, or no passenger is in the car.
+std::string why_no_service(const HandTarget& target) {
+  const auto& meter = target.as<TaximeterUnit>();
+  const bool has_trip = meter.state() == Taximeter::hired || meter.state() == Taximeter::stopped;
+  if (!has_trip) return "";
+  std::string names;
+  for (const SupplementKind& kind : meter.tariff().supplements) {
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", kind.name);
+  }
+  return fmt::format("the tariff has no such supplement; there are {}", names);
+}
+
+DeviceHand service_key() {
+  DeviceHand hand = text<TaximeterUnit>(
+      "service", {place_of(taxi_trip_payment_supplement_charge)}, "luggage",
+      [](const HandValue& value) {
+        if (!value.text.empty()) return;
+        throw UsageError("write the name of a supplement, as luggage");
+      },
+      [](TaximeterUnit& meter, const HandValue& value) {
+        return meter.charge(service_of(meter, value));
+      });
+  hand.why = why_no_service;
+  return hand;
+}
+
+std::vector<DeviceHand> meter_trip() {
+  using Meter = TaximeterUnit;
+  constexpr HandRange amounts = {0, 1'000'000, "of the currency"};
+  return {
+      service_key(),
+      number<Meter>(
+          "supplement", place_of(taxi_trip_payment_supplement_charge), amounts,
+          [](Meter& meter, const HandValue& value) { return meter.add_supplement(money(value)); }),
+      action<Meter>("clear-supplements", place_of(taxi_trip_payment_supplement_charge),
+                    [](Meter& meter) { return meter.clear_supplements(); }),
+      number<Meter>(
+          "agreed-price", whole(taxi_trip_payment_object, 4), amounts,
+          [](Meter& meter, const HandValue& value) { return meter.agree_price(money(value)); }),
+      number<Meter>("level", whole(taxi_trip_tariff_level_object), {1, 254, "of the tariff"},
+                    [](Meter& meter, const HandValue& value) {
+                      const bool is_whole = std::floor(value.number) == value.number;
+                      return is_whole &&
+                             meter.choose_level(static_cast<unsigned>(value.number) - 1);
+                    }),
+      action<Meter>("level-by-clock", whole(taxi_trip_tariff_level_object),
+                    [](Meter& meter) { meter.choose_level_by_clock(); }),
+      around(text<Meter>("clock", {whole(taxi_trip_time_information_object, 3)},
+                         "2026-10-25T00:59:50", check_clock_text,
+                         [](Meter& /*meter*/, const HandValue& value, const HandTarget& target) {
+                           target.car->set_clock(CarClock::meter, parse_clock_text(value.text));
+                           return true;
+                         }))};
+}
+
+std::vector<DeviceHand> meter_seal() {
   using Meter = TaximeterUnit;
   const auto seal = [](const char* name, bool is_open) {
-    return meter_key(name, [is_open](Meter& /*meter*/, const HandValue&, const HandTarget& target) {
-      *target.seal_is_open = is_open;
-      return true;
-    });
+    return around(
+        meter_key(name, [is_open](Meter& /*meter*/, const HandValue&, const HandTarget& target) {
+          *target.seal_is_open = is_open;
+          return true;
+        }));
   };
   const FieldPlace k = whole(taximeter_configuration_object, 1);
   return {
@@ -125,13 +179,17 @@ std::vector<CarHand> meter_seal() {
       meter_key("enter-service", [](Meter& meter) { return meter.enter_service(); }),
       meter_key("leave-service", [](Meter& meter) { return meter.leave_service(); }),
       action<Meter>("begin-calibration", k, [](Meter& meter) { return meter.begin_calibration(); }),
-      action<Meter>("end-calibration", k,
-                    [](Meter& meter, const HandValue&, const HandTarget& target) {
-                      return meter.end_calibration(target.calibration);
-                    }),
+      around(action<Meter>("end-calibration", k,
+                           [](Meter& meter, const HandValue&, const HandTarget& target) {
+                             return meter.end_calibration(target.calibration);
+                           })),
       number<Meter>("k", k, {1, 10'000'000, "pulses for a kilometre"},
                     [](Meter& meter, const HandValue& value) {
                       return meter.set_k(static_cast<std::uint32_t>(value.number));
+                    }),
+      choice<Meter>("mode", whole(taximeter_configuration_object, 2), {"taximeter", "odometer"},
+                    [](Meter& meter, const HandValue& value) {
+                      return meter.set_mode(static_cast<TaximeterMode>(value.code));
                     })};
 }
 
@@ -245,7 +303,7 @@ CarHandTable alarm_hands() {
   const auto raise = [](const char* name, const FieldPlace& place, AlarmKind kind) {
     return action<Unit>(name, place, [kind](Unit& unit) { unit.raise_alarm(kind); });
   };
-  const auto with_sensor = [](CarHand hand) {
+  const auto with_sensor = [](DeviceHand hand) {
     hand.words.push_back({"failure", 2, Meaning::failure});
     hand.words.push_back({"not-available", 3, Meaning::invalid});
     return hand;

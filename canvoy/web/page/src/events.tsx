@@ -1,8 +1,10 @@
-// What has happened, and how the run is judged; faults can be made.
+// Events, and the verdicts on the run; faults can be added.
 import { useState } from "preact/hooks";
 import { ask, live, useLive, type Json } from "./live";
-import { Card, number_text, time_text } from "./parts";
+import { seek } from "./run_link";
+import { Card, time_text } from "./parts";
 import { texts } from "./texts";
+import { Verdicts } from "./verdicts";
 
 const shown_max = 400;
 const tone: Record<string, string> = {
@@ -53,35 +55,13 @@ export function Faults() {
   );
 }
 
-export function Verdicts() {
-  const { state } = useLive();
-  const all: Json[] = state.summary?.invariants ?? [];
-  if (all.length === 0) return null;
-  return (
-    <Card title={texts.verdicts}>
-      <table class="plain verdicts">
-        <tbody>
-          {all.map((each, i) => (
-            <tr key={i} class={each.held ? "" : "broken"}>
-              <td><span class={`state ${each.held ? (each.decided ? "good" : "") : "bad"}`}>{each.held ? (each.decided ? texts.held : texts.open) : texts.is_broken}</span></td>
-              <td>{each.lift ? `${texts.lift} ${each.lift}: ` : ""}{each.fault ? `${each.fault}: ` : ""}{String(each.invariant).replace(/_/g, " ")}</td>
-              <td class="number">{each.decided ? `${number_text(each.worst)} ${each.unit ?? ""}` : "–"}</td>
-              <td class="number muted">{number_text(each.allowed)} {each.unit ?? ""} {texts.allowed}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </Card>
-  );
-}
-
 export function EventList(props: { count?: number; only?: (event: Json) => boolean }) {
   const { events, hello } = useLive();
   const list = (props.only ? events.filter(props.only) : events).slice(-(props.count ?? shown_max)).reverse();
   if (list.length === 0) return <p class="hint">{texts.events_none}</p>;
-  const go = (time: number) => void ask("seek", { time: Math.max(0, time - 2 - (hello.begin ?? 0)) });
+  const go = (time: number) => seek(Math.max(0, time - 2 - (hello.begin ?? 0)));
   return (
-    <ol class="events">
+    <ol class="events" tabIndex={0}>
       {list.map((event, i) => (
         <li key={live.events.length - i} class={event.code === "0000" ? "good" : (tone[event.event] ?? "")}>
           {hello.can?.replay ? <button type="button" class="time" title={texts.go_to} onClick={() => go(event.time)}>{time_text(event.time, 1)}</button> : <span class="time">{time_text(event.time, 1)}</span>}

@@ -1,5 +1,6 @@
-// All frames, in a list that draws only what is seen of it.
+// All frames, in a list that draws only its visible part.
 import { useEffect, useRef, useState } from "preact/hooks";
+import { part, refine, useAddress } from "./address";
 import { ask, live, useLive, watch_frames, type Frame, type Json } from "./live";
 import { Card, device_name, time_text, measure_text } from "./parts";
 import { texts } from "./texts";
@@ -7,7 +8,7 @@ import { texts } from "./texts";
 const row_height = 26;
 const rows_around = 6;
 
-/** Where a specification says what this object is: `CiA 419, 8.4.1`; found once for each of a node. */
+/** The clause that defines this object: `CiA 419, 8.4.1`; looked up once for each object of a node. */
 const clauses = new Map<string, string>();
 async function find_clause(frame: Frame, index: string): Promise<string> {
   const key = `${frame.bus} ${frame.node} ${index}`;
@@ -76,7 +77,7 @@ function Details(props: { frame: Frame | null }) {
   );
 }
 
-/** A log that the command writes, where it was started with --allow-record. */
+/** A log that the command writes, if it was started with --allow-record. */
 function Recording() {
   const { state, hello } = useLive();
   const [said, say] = useState("");
@@ -93,25 +94,54 @@ function Recording() {
   );
 }
 
+/** Identifies a frame in an address. */
+const name_of = (frame: Frame) => `${frame.time} ${frame.bus} ${frame.frame}`;
+
 export function Frames() {
   useLive();
-  const [filter, set_filter] = useState("");
-  const [tried, try_filter] = useState("");
+  const tried = useAddress()("filter");
+  const [filter, set_filter] = useState(tried);
+  const typed = useRef(tried);
   const [error, set_error] = useState("");
-  const [follows, follow] = useState(true);
+  const [follows, follow] = useState(part("frame") === "");
   const [held, hold] = useState<Frame[] | null>(null);
-  const [picked, pick] = useState<Frame | null>(null);
+  const [picked, set_picked] = useState<Frame | null>(null);
   const [top, set_top] = useState(0);
   const [height, set_height] = useState(600);
   const list = useRef<HTMLDivElement>(null);
 
   useEffect(() => {
-    const waits = setTimeout(() => try_filter(filter), filter === tried ? 0 : 350);
+    if (filter === tried) return;
+    const waits = setTimeout(() => refine({ filter: (typed.current = filter) }), 350);
     return () => clearTimeout(waits);
   }, [filter]);
+  useEffect(() => {
+    if (tried !== typed.current) set_filter((typed.current = tried)); // by Back
+  }, [tried]);
   useEffect(() => watch_frames(tried, set_error), [tried, live.hello]);
 
   const frames = held ?? live.frames;
+  const pick = (frame: Frame) => {
+    set_picked(frame);
+    refine({ frame: name_of(frame) });
+  };
+  const show = (frame: Frame) => {
+    const y = frames.indexOf(frame) * row_height;
+    const box = list.current;
+    if (!box) return;
+    if (y < box.scrollTop) box.scrollTop = y;
+    if (y > box.scrollTop + box.clientHeight - row_height) box.scrollTop = y - box.clientHeight + row_height;
+  };
+  // A link has selected a frame that has not arrived yet.
+  const sought = part("frame");
+  useEffect(() => {
+    if (!sought || (picked && name_of(picked) === sought)) return;
+    const found = frames.find((frame) => name_of(frame) === sought);
+    if (!found) return;
+    set_picked(found);
+    follow(false);
+    requestAnimationFrame(() => show(found));
+  }, [sought, frames.length]);
   useEffect(() => {
     const box = list.current;
     if (!box) return;
@@ -127,7 +157,7 @@ export function Frames() {
 
   const on_scroll = () => {
     const box = list.current;
-    // The event of a last scroll comes when another view stands there already.
+    // The event of a last scroll arrives when another view is already shown.
     if (!box) return;
     set_top(box.scrollTop);
     const at_end = box.scrollTop + box.clientHeight >= box.scrollHeight - row_height * 2;
@@ -141,11 +171,7 @@ export function Frames() {
     if (!next) return;
     pick(next);
     follow(false);
-    const y = frames.indexOf(next) * row_height;
-    const box = list.current;
-    if (!box) return;
-    if (y < box.scrollTop) box.scrollTop = y;
-    if (y > box.scrollTop + box.clientHeight - row_height) box.scrollTop = y - box.clientHeight + row_height;
+    show(next);
   };
   const on_key = (event: KeyboardEvent) => {
     const steps: Record<string, number> = { ArrowDown: 1, ArrowUp: -1, PageDown: 20, PageUp: -20 };
@@ -168,17 +194,17 @@ export function Frames() {
             {held ? texts.play : texts.pause}
           </button>
           <label class="check"><input type="checkbox" checked={follows} onChange={(event) => follow(event.currentTarget.checked)} />{texts.follow}</label>
-          <span class="muted count">{texts.frames_count(frames.length)}</span>
+          <span class="muted count">{texts.frames_count(frames.length)}{live.frames_searched < 0 ? texts.frames_full : live.frames_searched < 1 ? texts.frames_searched(live.frames_searched) : ""}</span>
         </div>
         <p class="error" id="filter-error" role="alert">{error}</p>
         {live.frames_lost > 0 && <p class="hint">{texts.frames_lost(live.frames_lost)}</p>}
         <div class="frame-head frame-row" aria-hidden="true">
           <span>{texts.frame_time}</span><span>{texts.frame_bus}</span><span>{texts.frame_frame}</span><span>{texts.frame_service}</span><span>{texts.frame_text}</span>
         </div>
-        <div class="frame-list" ref={list} onScroll={on_scroll} onKeyDown={on_key} tabIndex={0} role="listbox" aria-label={texts.views.frames}>
+        <div class="frame-list" ref={list} onScroll={on_scroll} onKeyDown={on_key} tabIndex={0} role={frames.length > 0 ? "listbox" : undefined} aria-label={texts.views.frames}>
           {frames.length === 0 && <p class="hint">{texts.frames_none}</p>}
-          <div style={{ height: `${frames.length * row_height}px`, position: "relative" }}>
-            <div style={{ transform: `translateY(${first * row_height}px)` }}>
+          <div role="presentation" style={{ height: `${frames.length * row_height}px`, position: "relative" }}>
+            <div role="presentation" style={{ transform: `translateY(${first * row_height}px)` }}>
               {shown.map((frame) => (
                 <div key={frame.n} role="option" aria-selected={frame === picked ? "true" : "false"}
                   class={`frame-row ${frame === picked ? "picked" : ""} ${frame.marks ? "marked" : ""} s-${frame.service.split(" ")[0].replace(/[0-9]+$/, "").toLowerCase()}`}

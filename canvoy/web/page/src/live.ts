@@ -1,6 +1,7 @@
-// The connection to the server, and all that it has told: a state that is whole at the beginning and
-// then changes, events, values of objects, and frames.
+// The connection to the server, and its data: a state that is complete at first and then changes,
+// events, values of objects, and frames.
 import { useEffect, useState } from "preact/hooks";
+import { parts_of, refine_list } from "./address";
 
 export type Json = any;
 
@@ -35,25 +36,31 @@ const samples_max = 20_000;
 
 export const live = {
   is_open: false,
-  heard_at: 0, // when the server last told something, by performance.now()
-  lost_place: false, // to a newer viewer: the server wants no other try
+  heard_at: 0,  // time of the last message of the server, by performance.now()
+  lost_place: false,  // lost to a newer viewer: the server requests no other try
   hello: {} as Json,
   state: {} as Json,
   events: [] as Json[],
-  values: new Map<string, Value>(),
-  keys: new Map<string, string>(), // of values, by place_of()
-  samples: new Map<string, [number, number][]>(), // of what is pinned
+  values: new Map<string, Value>(), // by place_of()
+  samples: new Map<string, [number, number][]>(),  // pinned values, by place_of()
   frames: [] as Frame[],
   frames_lost: 0,
-  rates: {} as Json, // of each bus: frames and bits a second, by node and service
-  pictures: 0, // states that have come
+  frames_searched: 1,  // for a log, by a filter; -1: more match than are reported
+  rates: {} as Json,  // of each bus: frames and bits per second, by node and service
+  pictures: 0,  // number of states received
 };
 
-let socket: WebSocket | null = null;
+/** What the page says and hears: a server's, or what plays a network here in its place (playground/playground.js). */
+type Socket = Pick<WebSocket, "send" | "onopen" | "onmessage" | "onclose">;
+const here: ((url: string) => Socket) | undefined = (globalThis as Json).canvoy_socket;
+/** There is no server: what is chosen stands in the address, and nobody else looks on. */
+export const plays_here = !!here;
+
+let socket: Socket | null = null;
 let last_id = 0;
 let frame_number = 0;
-let wanted: (() => void)[] = []; // what to say at each connection
-let frames_asked = 0; // the request for frames that is not answered yet: what comes until then is of another filter
+let wanted: (() => void)[] = [];  // messages to send at each connection
+let frames_asked = 0;  // the unanswered request for frames: frames before its answer belong to another filter
 const waiting = new Map<number, (answer: Json) => void>();
 const listeners = new Set<() => void>();
 let is_due = false;
@@ -69,7 +76,7 @@ function changed() {
   else requestAnimationFrame(tell);
 }
 
-/** Draws a component anew whenever something has come. */
+/** Draws a component again whenever a message has arrived. */
 export function useLive() {
   const [, set] = useState(0);
   useEffect(() => {
@@ -80,7 +87,7 @@ export function useLive() {
   return live;
 }
 
-/** RFC 7386. */
+/** Applies a merge patch (RFC 7386). */
 export function merge(target: Json, patch: Json): Json {
   if (patch === null || typeof patch !== "object" || Array.isArray(patch)) return patch;
   const made = target && typeof target === "object" && !Array.isArray(target) ? { ...target } : {};
@@ -93,7 +100,7 @@ export function merge(target: Json, patch: Json): Json {
 
 let counted: { at: number; counts: Json } | null = null;
 
-/** From two counts a second apart or more, by the time of the run. */
+/** Rates from two counts at least a second apart, by the time of the run. */
 function count() {
   const { time, counts } = live.state;
   if (!counts) return;
@@ -120,10 +127,11 @@ function count() {
 }
 
 function begin_anew(hello: Json) {
+  const is_first = !live.hello.kind;
   live.hello = hello;
+  if (is_first) restore_pins();
   live.events = [];
   live.values = new Map();
-  live.keys = new Map();
   live.frames = [];
   live.frames_lost = 0;
   live.samples.forEach((samples) => (samples.length = 0));
@@ -132,15 +140,14 @@ function begin_anew(hello: Json) {
   document.title = `Canvoy: ${hello.kind}`;
 }
 
-/** Buses have names here, and numbers in the keys of the server. */
+/** Key of a value, with the name of the bus; keys of the server have its number. */
 export const place_of = (of: { bus: string; node: number; index: string; sub: string }) => `${of.bus} ${of.node} ${of.index}:${of.sub}`;
 
 function take_values(values: Json) {
-  for (const [key, told] of Object.entries<Json>(values)) {
-    const { values: list, ...place } = told;
+  for (const { values: list, ...place } of Object.values<Json>(values)) {
     const value = { ...place, ...list[0] };
+    const key = place_of(value);
     live.values.set(key, value);
-    live.keys.set(place_of(value), key);
     const samples = live.samples.get(key);
     if (samples && typeof value.value === "number") {
       samples.push([value.time, value.value]);
@@ -170,6 +177,7 @@ function take(message: Json) {
     for (const frame of message.frames) live.frames.push({ n: ++frame_number, ...frame });
     if (live.frames.length > frames_max * 1.1) live.frames.splice(0, live.frames.length - frames_max);
   }
+  if (message.frames_searched !== undefined) live.frames_searched = message.frames_searched;
   if (message.frames_lost) live.frames_lost += message.frames_lost;
   for (const answer of message.answers ?? []) {
     waiting.get(answer.id)?.(answer);
@@ -181,7 +189,7 @@ function take(message: Json) {
 export function connect() {
   told_values = wants_values();
   const url = `ws://${location.host}/live${told_values ? "" : "?values=off"}`;
-  socket = new WebSocket(url);
+  socket = here ? here(url) : new WebSocket(url);
   socket.onopen = () => {
     live.is_open = true;
     tell_values();
@@ -202,7 +210,7 @@ export function connect() {
   };
 }
 
-/** Asks the server; the answer has `error` where it was refused. */
+/** Sends a request to the server; the answer has `error` if it was refused. */
 export function ask(what: string, members: Json = {}): Promise<Json> {
   return new Promise((resolve) => {
     if (!live.is_open || !socket) return resolve({ error: "there is no connection" });
@@ -212,11 +220,12 @@ export function ask(what: string, members: Json = {}): Promise<Json> {
   });
 }
 
-/** Until the function that it returns is called, frames are told. */
+/** Requests frames until the returned function is called. */
 export function watch_frames(filter: string, done: (error: string) => void): () => void {
   const say = () => {
     live.frames = [];
     live.frames_lost = 0;
+    live.frames_searched = 1;
     void ask("frames", { on: true, filter }).then((answer) => done(answer.error ?? ""));
     frames_asked = live.is_open ? last_id : 0;
   };
@@ -230,7 +239,7 @@ export function watch_frames(filter: string, done: (error: string) => void): () 
 
 let view_wants_values = false;
 const wants_values = () => view_wants_values || live.samples.size > 0;
-let told_values = false; // what the server knows of it
+let told_values = false;  // known to the server
 
 function tell_values() {
   if (!live.is_open || told_values === wants_values()) return;
@@ -238,10 +247,29 @@ function tell_values() {
   void ask("values", { on: told_values });
 }
 
-/** Whether the view shows values of objects. What is pinned is told in all views. */
+/** Sets whether the view shows values of objects. Pinned values are sent for all views. */
 export function want_values(wants: boolean) {
   view_wants_values = wants;
   tell_values();
+}
+
+/** The pinned values: from the address, or else from the last visit. */
+function restore_pins() {
+  let all = parts_of("pin");
+  try {
+    if (all.length === 0) all = JSON.parse(localStorage.getItem(pin_key()) ?? "[]");
+  } catch {
+    // A browser may forbid it, or another version has written it.
+  }
+  if (!Array.isArray(all)) return;
+  for (const key of all.map(String)) if (!live.samples.has(key)) live.samples.set(key, first_sample(key));
+  if (all.length > 0) refine_list("pin", pins());
+  tell_values();
+}
+
+function first_sample(key: string): [number, number][] {
+  const value = live.values.get(key);
+  return value && typeof value.value === "number" ? [[value.time, value.value]] : [];
 }
 
 const pin_key = () => `pins of ${live.hello.kind}`;
@@ -249,17 +277,13 @@ export function pins(): string[] {
   return [...live.samples.keys()];
 }
 export function pin(key: string) {
-  if (live.samples.has(key)) live.samples.delete(key);
-  else {
-    const value = live.values.get(key);
-    const known = value && typeof value.value === "number";
-    live.samples.set(key, known ? [[value.time, value.value as number]] : []);
-  }
+  if (!live.samples.delete(key)) live.samples.set(key, first_sample(key));
   tell_values();
+  refine_list("pin", pins());
   try {
     localStorage.setItem(pin_key(), JSON.stringify(pins()));
   } catch {
-    // A browser may forbid it: pins are forgotten then.
+    // A browser may forbid it: pins are not kept then.
   }
   changed();
 }

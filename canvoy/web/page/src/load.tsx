@@ -1,4 +1,4 @@
-// What is on the buses: by bus, by node, by service.
+// Load of the buses: by bus, by node, by service.
 import { useMemo } from "preact/hooks";
 import { useLive, type Json } from "./live";
 import { Bar, Card, device_name, number_text } from "./parts";
@@ -9,7 +9,7 @@ function Shares(props: { title: string; parts: [string, Json][]; all: Json }) {
   return (
     <Card title={props.title}>
       <table class="plain">
-        <thead><tr><th></th><th class="number">{texts.load_frames}</th><th class="number">%</th><th class="bar-column"></th></tr></thead>
+        <thead><tr><td></td><th class="number">{texts.load_frames}</th><th class="number">%</th><td class="bar-column"></td></tr></thead>
         <tbody>
           {rows.map(([name, rate]) => {
             const share = rate.bits / (props.all.bits || 1);
@@ -27,7 +27,7 @@ function Shares(props: { title: string; parts: [string, Json][]; all: Json }) {
 export function Load() {
   const { rates, state } = useLive();
   const snapshot: Json[] = state.snapshot?.buses ?? [];
-  // Rates are new once a second, and states twenty times: what is the same is not made anew.
+  // Rates change once a second, states twenty times: unchanged parts are not built again.
   return useMemo(() => drawn(rates, snapshot), [rates]);
 }
 
@@ -38,7 +38,7 @@ function drawn(rates: Json, snapshot: Json[]) {
     <div class="load">
       <Card title={texts.views.load}>
         <table class="plain">
-          <thead><tr><th>{texts.load_bus}</th><th class="number">{texts.load_share}</th><th class="number">{texts.load_frames}</th><th class="number">bit/s</th><th class="bar-column"></th></tr></thead>
+          <thead><tr><th>{texts.load_bus}</th><th class="number">{texts.load_share}</th><th class="number">{texts.load_frames}</th><th class="number">bit/s</th><td class="bar-column"></td></tr></thead>
           <tbody>
             {buses.map(([bus, rate]) => {
               const load = load_of(bus);

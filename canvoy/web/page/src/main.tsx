@@ -1,17 +1,21 @@
-// The page: its frame, the controls of time, and which view is shown.
+// The page: its frame, the time controls, and the selected view.
 import { render, type JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import "./style.css";
+import { go, useAddress } from "./address";
 import { EventList, Events, Faults } from "./events";
 import { Frames } from "./frames";
-import { ask, connect, live, useLive, want_values } from "./live";
+import { ask, connect, live, plays_here, useLive, want_values } from "./live";
 import { Load } from "./load";
 import { Nodes } from "./nodes";
 import { Objects } from "./objects";
 import { Card, Copy, day_text, time_text } from "./parts";
-import { Status } from "./status";
 import { Plots } from "./plots";
+import { follow_run, link_text, seek, watch_links } from "./run_link";
+import { Status } from "./status";
 import { texts } from "./texts";
+import { Trends } from "./trends";
+import { Verdicts } from "./verdicts";
 import { worlds } from "./worlds";
 
 const speeds = [1, 2, 5, 10, 30, 60, 300, 1000];
@@ -29,6 +33,21 @@ function Icon(props: { name: string }) {
   return <svg viewBox="0 0 24 24" width="20" height="20" aria-hidden="true"><path d={icons[props.name]} fill="currentColor" /></svg>;
 }
 
+async function toggle_play() {
+  const { play } = live.state;
+  if (!play || !live.hello.can?.replay) return;
+  if (play.over) await ask("seek", { time: 0 });
+  void ask("pause", { paused: !play.over && !play.paused });
+}
+
+/** Space plays and pauses, as in video players, unless it presses the focused element. */
+function on_key(event: KeyboardEvent) {
+  if (event.key !== " " || event.defaultPrevented || event.ctrlKey || event.altKey || event.metaKey) return;
+  if ((event.target as Element).closest("button, a, input, select, summary, dialog, [role=button]")) return;
+  event.preventDefault();
+  void toggle_play();
+}
+
 function Transport() {
   const { state, hello } = useLive();
   const play = state.play;
@@ -40,14 +59,11 @@ function Transport() {
   const stands = play.paused || play.over;
   return (
     <div class="transport" role="group" aria-label={texts.time}>
-      <button type="button" class="icon" disabled={!can} title={texts.restart} aria-label={texts.restart} onClick={() => void ask("seek", { time: 0 })}>
+      <button type="button" class="icon" disabled={!can} title={texts.restart} aria-label={texts.restart} onClick={() => seek(0)}>
         <svg viewBox="0 0 16 16" width="14" height="14" aria-hidden="true"><path d="M3 2h2v12H3zM14 2v12L6 8z" fill="currentColor" /></svg>
       </button>
       <button type="button" class="icon main" disabled={!can} aria-label={stands ? texts.play : texts.pause} title={stands ? texts.play : texts.pause}
-        onClick={async () => {
-          if (play.over) await ask("seek", { time: 0 });
-          void ask("pause", { paused: !play.over && !play.paused });
-        }}>
+        onClick={() => void toggle_play()}>
         <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d={stands ? "M4 2l10 6-10 6z" : "M3 2h4v12H3zM9 2h4v12H9z"} fill="currentColor" /></svg>
       </button>
       <button type="button" class="icon" disabled={!can} title={texts.step} aria-label={texts.step} onClick={() => void ask("step", { step_s: 0.1 })}>
@@ -57,7 +73,7 @@ function Transport() {
       <input type="range" class="timeline" aria-label={texts.timeline} min={0} max={hello.end ?? 1} step={0.1} value={dragged ?? at} disabled={!can}
         aria-valuetext={time_text(time, 0)}
         onInput={(event) => drag(Number(event.currentTarget.value))}
-        onChange={(event) => { void ask("seek", { time: Number(event.currentTarget.value) }); drag(null); }} />
+        onChange={(event) => { seek(Number(event.currentTarget.value)); drag(null); }} />
       <span class="end muted">{time_text(hello.end, 0)}</span>
       <select aria-label={texts.speed} value={String(play.speed)} disabled={!can} onChange={(event) => void ask("speed", { speed: Number(event.currentTarget.value) })}>
         {[...new Set([...speeds, play.speed])].sort((a, b) => a - b).map((speed) => <option key={speed} value={String(speed)}>×{speed}</option>)}
@@ -66,36 +82,28 @@ function Transport() {
   );
 }
 
-/** `#seed=1&fault=...`: the run that a link asks for. */
-function play_link() {
-  const asked = new URLSearchParams(location.hash.slice(1));
-  if (!asked.has("seed") || !live.hello.can?.replay) return;
-  const faults = asked.getAll("fault");
-  const plan = live.state.plan;
-  if (plan && String(plan.seed) === asked.get("seed") && JSON.stringify(plan.faults) === JSON.stringify(faults)) return;
-  if (!confirm(texts.restart_asks)) return history.replaceState(null, "", location.pathname);
-  void ask("restart", { seed: Number(asked.get("seed")), faults });
-}
-
 function Share(props: { close: () => void }) {
-  const { state } = useLive();
+  const { state, hello } = useLive();
   const box = useRef<HTMLDialogElement>(null);
   useEffect(() => box.current?.showModal(), []);
-  const plan = state.plan ?? { faults: [] };
-  const query = new URLSearchParams([["seed", String(plan.seed)], ...plan.faults.map((fault: string) => ["fault", fault])] as [string, string][]);
-  const link = `${location.origin}/#${query}`;
+  const [link] = useState(link_text);
+  const plan = state.plan;
   return (
     <dialog ref={box} onClose={props.close} aria-labelledby="share-title">
       <h2 id="share-title">{texts.share_title}</h2>
-      <p>{texts.share_note}</p>
       <label class="field"><span>{texts.share_link}</span><input readOnly value={link} id="share-link" /></label>
       <Copy text={link} />
-      <label class="field"><span>{texts.share_command}</span><input readOnly value={plan.command} id="share-command" /></label>
-      <Copy text={plan.command} />
-      {plan.deeds > 0 && <p class="hint">{texts.share_deeds(plan.deeds)}</p>}
+      {!plays_here && <p class="hint">{texts.share_token} {hello.is_local && texts.share_local}</p>}
+      {plan && (
+        <>
+          <label class="field"><span>{texts.share_command}</span><input readOnly value={plan.command} id="share-command" /></label>
+          <Copy text={plan.command} />
+          <p class="hint">{texts.share_note} {plan.deeds > 0 && texts.share_deeds(plan.deeds)}</p>
+        </>
+      )}
       <div class="tools">
-        <a class="button" href="/api/run.toml" download="run.toml">{texts.save_run}</a>
-        <a class="button" href="/api/frames.log" download="canvoy.log">{texts.save}</a>
+        {plan && <a class="button" href="api/run.toml" download="run.toml">{texts.save_run}</a>}
+        <a class="button" href="api/frames.log" download="canvoy.log">{texts.save}</a>
         <button type="button" onClick={() => box.current?.close()}>{texts.close}</button>
       </div>
     </dialog>
@@ -107,7 +115,7 @@ function World() {
   const Picture = worlds[hello.kind];
   if (!Picture) return <Card><p class="hint">{texts.no_world}</p></Card>;
   return (
-    <Picture>
+    <Picture below={<><Trends /><Verdicts most={6} /></>}>
       <Card title={texts.views.events} class="recent"><EventList count={40} /></Card>
       <Faults />
     </Picture>
@@ -125,7 +133,7 @@ function set_theme(theme: string) {
   try {
     localStorage.setItem("theme", theme);
   } catch {
-    // It is forgotten then.
+    // It is not kept then.
   }
 }
 
@@ -133,29 +141,31 @@ function Page() {
   const { hello, state, is_open } = useLive();
   useEffect(() => void document.documentElement.classList.toggle("stale", !is_open), [is_open]);
   const has_world = hello.kind in worlds;
-  const [picked, pick] = useState("");
   const [shares, share] = useState(false);
-  const view = picked || (has_world ? "world" : "frames");
-  const View = views[view];
-  useEffect(() => want_values(views_of_values.includes(view)), [view]);
-  useEffect(() => {
-    addEventListener("hashchange", play_link);
-    return () => removeEventListener("hashchange", play_link);
-  }, []);
+  const asked = useAddress()("view");
   const known = !!hello.kind && state.time !== undefined;
-  useEffect(() => { if (known) play_link(); }, [known]);
+  const shown = Object.keys(views).filter((each) => each !== "world" || has_world || !known);
+  const view = shown.includes(asked) ? asked : has_world ? "world" : "frames";
+  const View = views[view];
+  const pick = (name: string) => { if (name !== view || !known) go({ view: name, object: "" }); };
+  useEffect(() => want_values(views_of_values.includes(view)), [view]);
+  useEffect(watch_links, []);
+  useEffect(() => {
+    addEventListener("keydown", on_key);
+    return () => removeEventListener("keydown", on_key);
+  }, []);
+  useEffect(() => { if (known) follow_run(); });
   const invariants: any[] = state.summary?.invariants ?? [];
   const broken = invariants.filter((each) => !each.held).length;
   const toggle_theme = () => {
     const dark = getComputedStyle(document.documentElement).colorScheme.includes("dark") && document.documentElement.dataset.theme !== "light";
     set_theme(dark ? "light" : "dark");
   };
-  const shown = Object.keys(views).filter((each) => each !== "world" || has_world || !known);
   return (
     <>
-      <a class="skip" href="#view">{texts.skip}</a>
+      <a class="skip" href="#view" onClick={(event) => { event.preventDefault(); document.getElementById("view")?.focus(); }}>{texts.skip}</a>
       <header>
-        <img src="/icon.svg" alt="" width="26" height="26" />
+        <img src="icon.svg" alt="" width="26" height="26" />
         <h1>{texts.kinds[hello.kind] ?? texts.name}</h1>
         <Transport />
         <div class="right">
@@ -164,7 +174,7 @@ function Page() {
               {!is_open ? texts.unknown_verdict : broken ? texts.broken(broken) : texts.all_held}
             </button>
           )}
-          {state.plan && <button type="button" onClick={() => share(true)}>{texts.share}</button>}
+          {known && <button type="button" onClick={() => share(true)}>{texts.share}</button>}
           <button type="button" class="icon" aria-label={texts.theme} title={texts.theme} onClick={toggle_theme}>◐</button>
         </div>
       </header>
@@ -188,8 +198,8 @@ try {
   const theme = localStorage.getItem("theme");
   if (theme) document.documentElement.dataset.theme = theme;
 } catch {
-  // As the system has it.
+  // From the system.
 }
-if (location.search) history.replaceState(null, "", location.pathname + location.hash);
+if (location.search && !plays_here) history.replaceState(null, "", location.pathname + location.hash);
 connect();
 render(<Page />, document.getElementById("page")!);

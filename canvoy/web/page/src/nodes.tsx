@@ -1,16 +1,17 @@
-// Who is on the buses, and how they are.
+// The nodes on the buses, and their state.
 import { useState } from "preact/hooks";
 import { ask, live, place_of, useLive, type Json } from "./live";
 import { Card, State, time_text } from "./parts";
+import { SortHead, useSorted } from "./sorted";
 import { texts } from "./texts";
 
 const commands = ["start", "stop", "enter pre-operational", "reset node", "reset communication"];
 
-/** What was heard of the identity object: vendor-ID, product code, revision and serial number. */
+/** The heard parts of the identity object: vendor-ID, product code, revision and serial number. */
 function Identity(props: { node: Json }) {
   const { hello } = useLive();
   const { bus, node } = props.node;
-  const parts = ["01", "02", "03", "04"].map((sub) => live.values.get(live.keys.get(place_of({ bus, node, index: "1018", sub })) ?? "")?.text);
+  const parts = ["01", "02", "03", "04"].map((sub) => live.values.get(place_of({ bus, node, index: "1018", sub }))?.text);
   if (parts.some((part) => part !== undefined)) {
     return <span class="mono">{parts.map((part, i) => <span key={i} title={texts.identity_parts[i]}>{i > 0 && " "}{part ?? "–"}</span>)}</span>;
   }
@@ -25,7 +26,11 @@ export function Nodes() {
   const { state, hello, events } = useLive();
   const [said, say] = useState("");
   const [picked, pick] = useState<Record<string, string>>({});
-  const nodes: Json[] = state.snapshot?.nodes ?? [];
+  const heard = (node: Json) => state.counts?.[node.bus]?.nodes?.[node.node]?.last;
+  const nodes = useSorted<Json>(state.snapshot?.nodes ?? [], {
+    device: (node) => node.device, bus: (node) => node.bus, node: (node) => node.node, state: (node) => node.state,
+    controller: (node) => node.can_state ?? "", errors: (node) => node.error_register ?? "", heard: (node) => -(heard(node) ?? 0),
+  });
   const emergencies = new Map<string, Json>();
   for (const event of events) {
     if (event.event === "emergency") emergencies.set(`${event.bus} ${event.node}`, event);
@@ -35,7 +40,6 @@ export function Nodes() {
     const answer = await ask("nmt", { bus: node.bus, node: node.node, command: what });
     say(answer.error ?? `${node.device}: ${what}`);
   };
-  const heard = (node: Json) => state.counts?.[node.bus]?.nodes?.[node.node]?.last;
   return (
     <Card title={texts.views.nodes}>
       <p class="said" role="status">{said}</p>
@@ -44,8 +48,8 @@ export function Nodes() {
         <table class="plain wide">
           <thead>
             <tr>
-              <th>{texts.device}</th><th>{texts.frame_bus}</th><th class="number">{texts.node}</th><th>{texts.state}</th>
-              <th>{texts.controller}</th><th class="number">{texts.errors}</th><th>{texts.identity}</th><th>{texts.last_heard}</th><th>{texts.last_emergency}</th>
+              <SortHead by="device" title={texts.device} /><SortHead by="bus" title={texts.frame_bus} /><SortHead by="node" title={texts.node} class="number" /><SortHead by="state" title={texts.state} />
+              <SortHead by="controller" title={texts.controller} /><SortHead by="errors" title={texts.errors} class="number" /><th>{texts.identity}</th><SortHead by="heard" title={texts.last_heard} /><th>{texts.last_emergency}</th>
               {hello.can?.nmt && <th>{texts.nmt}</th>}
             </tr>
           </thead>

@@ -1,24 +1,24 @@
-// All objects as they belong together: network, node, object, sub-index. What a branch has is asked
-// for when it is opened.
+// All objects as a tree: network, node, object, sub-index. The content of a branch is requested
+// when it is opened.
 import { useEffect, useState } from "preact/hooks";
 import { ask, live, pin, pins, place_of, useLive, type Json } from "./live";
 import { measure_text } from "./parts";
 import { texts } from "./texts";
 import { Writer } from "./writer";
 
-// What the server lists at most.
-const listed_max = 300;
+// Maximum number that the server lists.
+export const listed_max = 300;
 
 interface Place {
   bus: string;
   node: number;
 }
 
-/** The value of an entry as it was heard last, and whether it is pinned. */
+/** The last heard value of an entry, and whether it is pinned. */
 function Latest(props: Place & { object: string; sub: string; name: string }) {
-  const key = live.keys.get(place_of({ ...props, index: props.object }));
-  const value = key === undefined ? undefined : live.values.get(key);
-  if (key === undefined || !value) return null;
+  const key = place_of({ ...props, index: props.object });
+  const value = live.values.get(key);
+  if (!value) return null;
   const is_pinned = pins().includes(key);
   return (
     <span class="latest">
@@ -32,15 +32,17 @@ function Latest(props: Place & { object: string; sub: string; name: string }) {
 
 export function ObjectBranch(props: Place & { object: Json; is_open: boolean }) {
   const { bus, node, object } = props;
+  // Hundreds of them are listed, and few are opened.
+  const [was_open, open] = useState(props.is_open);
   return (
     <li>
-      <details open={props.is_open}>
+      <details open={props.is_open} onToggle={(event) => open(was_open || event.currentTarget.open)}>
         <summary>
           <span class="mono">{object.object}h</span> {object.name}
           <span class="muted"> {object.profile}{object.clause && `, ${object.clause}`}</span>
         </summary>
         <ul>
-          {object.entries.map((entry: Json) => (
+          {(was_open || props.is_open) && object.entries.map((entry: Json) => (
             <li key={entry.sub}>
               <span class="mono">:{entry.sub}</span> {entry.name} <span class="muted">{entry.type} {entry.access} {entry.unit}</span>
               <Latest bus={bus} node={node} object={object.object} sub={entry.sub} name={entry.name} />
@@ -53,7 +55,7 @@ export function ObjectBranch(props: Place & { object: Json; is_open: boolean }) 
   );
 }
 
-/** Objects are in groups by what a range is for, as CiA 301 has them (7.4.1). */
+/** Objects in groups by the purpose of their index range (CiA 301, 7.4.1). */
 function group_of(object: string): string {
   const index = parseInt(object, 16);
   return texts.groups.find(([last]) => index <= last)?.[1] ?? "";

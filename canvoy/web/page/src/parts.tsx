@@ -1,4 +1,4 @@
-// Small things that several views are made of.
+// Small components of several views.
 import type { ComponentChildren } from "preact";
 import { useState } from "preact/hooks";
 import { live, type Value } from "./live";
@@ -6,14 +6,14 @@ import { texts } from "./texts";
 
 const pad = (n: number) => String(n).padStart(2, "0");
 
-/** Times of buses and their logs are of the calendar; those of runs begin at 0. */
+/** True for times of buses and their logs, which are calendar times; those of runs begin at 0. */
 const is_calendar = (seconds: number) => seconds > 4e8;
 
-/** `1:02:03.4` of a run, or the time of day of a bus, where the browser is. What is not shown is cut, not rounded. */
+/** `1:02:03.4` for a run, or the time of day for a bus, in the time zone of the browser. Further digits are cut, not rounded. */
 export function time_text(seconds: number | undefined, digits = 1): string {
   if (seconds === undefined || !Number.isFinite(seconds)) return "–";
   const part = 10 ** digits;
-  const parts = Math.floor(seconds * part + 1e-6); // 1e-6 of a part: what a double makes of 0.3
+  const parts = Math.floor(seconds * part + 1e-6);  // 1e-6 of a part: rounding error of a double, as for 0.3
   const whole = Math.floor(parts / part);
   const rest = digits ? `.${String(parts - whole * part).padStart(digits, "0")}` : "";
   if (is_calendar(seconds)) {
@@ -25,7 +25,7 @@ export function time_text(seconds: number | undefined, digits = 1): string {
   return `${h ? `${h}:${pad(m)}` : m}:${pad(whole % 60)}${rest}`;
 }
 
-/** The date and the zone of times of day; empty for those of a run. */
+/** The date and the time zone of times of day; empty for times of a run. */
 export function day_text(seconds: number | undefined): string {
   if (seconds === undefined || !is_calendar(seconds)) return "";
   const day = new Date(seconds * 1000);
@@ -47,19 +47,19 @@ export function value_text(value: unknown): string {
   return String(value);
 }
 
-/** The fields of a value, as far as they are set. */
+/** The fields of a value that are set. */
 function fields_text(fields: object): string {
   const set = Object.entries(fields).filter(([, field]) => field !== 0 && field !== false && field !== null);
   return set.map(([name, field]) => (Array.isArray(fields) ? value_text(field) : `${name}: ${value_text(field)}`)).join(", ") || "0";
 }
 
-/** An object's value with its unit, which words do without. */
+/** The value of an object with its unit; words have none. */
 export function measure_text(value: Value | undefined): string {
   if (value?.text !== undefined) return value.text;
   return `${value_text(value?.value)} ${typeof value?.value === "number" ? (value.unit ?? "") : ""}`.trimEnd();
 }
 
-/** The name of a device, as the snapshot has it. */
+/** The name of a device in the snapshot. */
 export function device_name(bus: string | undefined, node: number | undefined): string {
   if (node === 0) return "all nodes";
   if (node === undefined) return "";
@@ -76,6 +76,17 @@ export function Card(props: { title?: string; class?: string; children: Componen
   );
 }
 
+/** Further parts of a world, below its picture and beside it. */
+export interface PictureProps {
+  below?: ComponentChildren;
+  children?: ComponentChildren;
+}
+
+/** The meaning of the marks of a picture. */
+export function Legend(props: { rows: [string, string][] }) {
+  return <ul class="legend">{props.rows.map(([mark, text]) => <li key={text}><span class={`swatch ${mark}`} aria-hidden="true" />{text}</li>)}</ul>;
+}
+
 export function Figure(props: { name: string; value: ComponentChildren; unit?: string; tone?: string }) {
   return (
     <div class={`figure ${props.tone ?? ""}`}>
@@ -88,7 +99,7 @@ export function Figure(props: { name: string; value: ComponentChildren; unit?: s
   );
 }
 
-/** `warns`: much of it is bad. */
+/** `warns`: a high value is bad. */
 export function Bar(props: { share: number; label: string; warns?: boolean }) {
   const share = Math.max(0, Math.min(1, props.share || 0));
   return (
@@ -111,7 +122,7 @@ export function Copy(props: { text: string }) {
   const [said, say] = useState("");
   const copy = async () => {
     try {
-      await navigator.clipboard.writeText(props.text); // not there where the page came by plain HTTP from another machine
+      await navigator.clipboard.writeText(props.text);  // missing if the page came by plain HTTP from another machine
       say(texts.copied);
     } catch {
       say(texts.not_copied);

@@ -1,14 +1,25 @@
 // Pinned values over time.
 import { useEffect, useRef } from "preact/hooks";
-import uPlot from "uplot";
+import type uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
+import { part, refine } from "./address";
 import { live, pin, useLive } from "./live";
 import { Card, device_name, save, measure_text } from "./parts";
 import { texts } from "./texts";
 
 const colour = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
-/** Samples of a value that holds until it changes: up to now. */
+let library: Promise<typeof uPlot> | undefined;
+/** Loaded when needed: most users of the page open no plots. */
+const plot_library = () => (library ??= new Promise((resolve, reject) => {
+  const script = document.createElement("script");
+  script.src = "uplot.js";
+  script.onload = () => resolve((window as unknown as { uPlot: typeof uPlot }).uPlot);
+  script.onerror = reject;
+  document.head.append(script);
+}));
+
+/** Samples of a value that is constant until it changes, up to the present. */
 function data_of(key: string, now: number): uPlot.AlignedData {
   const samples = live.samples.get(key) ?? [];
   const xs = samples.map((each) => each[0]);
@@ -24,13 +35,14 @@ function Plot(props: { name: string }) {
   const { state } = useLive();
   const box = useRef<HTMLDivElement>(null);
   const plot = useRef<uPlot | null>(null);
-  const zoomed = useRef(false);
+  const zoomed = useRef(part("zoom") !== "");
   const value = live.values.get(props.name);
   const title = value ? `${device_name(value.bus, value.node)}: ${value.name ?? value.index}` : props.name;
-  useEffect(() => {
-    const width = () => box.current!.clientWidth;
+  /** Returns the function that ends it. */
+  const draw = (Library: typeof uPlot, where: HTMLDivElement) => {
+    const width = () => where.clientWidth;
     const axis = { stroke: colour("--muted"), grid: { stroke: colour("--line"), width: 1 }, ticks: { stroke: colour("--line") } };
-    const made = new uPlot(
+    const made = new Library(
       {
         width: width(),
         height: 180,
@@ -38,21 +50,40 @@ function Plot(props: { name: string }) {
         cursor: { sync: { key: "pins" }, drag: { x: true, y: false } },
         scales: { x: { time: live.hello.time_is === "clock" } },
         axes: [axis, { ...axis, size: 64 }],
-        series: [{ label: texts.time }, { label: value?.unit ?? texts.value, stroke: colour("--accent"), width: 2, fill: colour("--accent-faint"), paths: uPlot.paths.stepped!({ align: 1 }), points: { show: false } }],
+        series: [{ label: texts.time }, { label: value?.unit ?? texts.value, stroke: colour("--accent"), width: 2, fill: colour("--accent-faint"), paths: Library.paths.stepped!({ align: 1 }), points: { show: false } }],
         hooks: {
-          setSelect: [(u) => { if (u.select.width > 0) zoomed.current = true; }],
+          setSelect: [(u) => {
+            if (u.select.width === 0) return;
+            zoomed.current = true;
+            refine({ zoom: [u.select.left, u.select.left + u.select.width].map((x) => u.posToVal(x, "x").toFixed(3)).join(" ") });
+          }],
         },
       },
       data_of(props.name, state.time),
-      box.current!,
+      where,
     );
-    made.over.addEventListener("dblclick", () => (zoomed.current = false));
+    made.over.addEventListener("dblclick", () => {
+      zoomed.current = false;
+      refine({ zoom: "" });
+    });
+    const [min, max] = part("zoom").split(" ").map(Number);
+    if (max > min) made.setScale("x", { min, max });
     plot.current = made;
     const observer = new ResizeObserver(() => made.setSize({ width: width(), height: 180 }));
-    observer.observe(box.current!);
+    observer.observe(where);
     return () => {
       observer.disconnect();
       made.destroy();
+      plot.current = null;
+    };
+  };
+  useEffect(() => {
+    let is_shown = true;
+    let end = () => {};
+    void plot_library().then((Library) => { if (is_shown && box.current) end = draw(Library, box.current); });
+    return () => {
+      is_shown = false;
+      end();
     };
   }, [live.hello]);
   useEffect(() => plot.current?.setData(data_of(props.name, live.state.time), !zoomed.current));

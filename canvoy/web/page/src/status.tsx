@@ -1,14 +1,14 @@
-// What is wrong with what is shown, on one line above each view: a connection, a bus or a node that is gone, frames that
-// were lost, a log that was cut.
+// Faults of the display, in one line above each view: a lost connection, bus or node, lost frames,
+// a truncated log.
 import { useEffect, useState } from "preact/hooks";
 import { useLive, type Json } from "./live";
 import { texts } from "./texts";
 
-const news_within_s = 3; // the server looks twenty times a second
+const news_within_s = 3;  // the server sends twenty times a second
 
 const left_out_from_s = 0.1;
 
-/** Draws anew each second while nothing comes from the server. */
+/** Draws again each second while nothing comes from the server. */
 function useClock(runs: boolean) {
   const [, tick] = useState(0);
   useEffect(() => {
@@ -20,7 +20,7 @@ function useClock(runs: boolean) {
 
 export function Status() {
   const { hello, state, is_open, heard_at, lost_place, frames_lost } = useLive();
-  const is_bus = hello.kind === "bus"; // a run that stands still says nothing, a bus has the time of day
+  const is_bus = hello.kind === "bus";  // a paused run sends nothing, a bus has the time of day
   useClock(!is_open || is_bus);
   if (!hello.kind) return <p class="lost" role="alert">{texts.waiting}</p>;
   const snapshot: Json = state.snapshot ?? {};

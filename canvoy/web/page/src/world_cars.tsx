@@ -1,7 +1,6 @@
-// A taxi's dashboard, a police car from above with its lights, and a bus with its displays.
-import type { ComponentChildren } from "preact";
+// The dashboard of a taxi, a police car from above with its lights, and a bus with its displays.
 import { useLive, type Json } from "./live";
-import { Card, Figure, number_text } from "./parts";
+import { Card, Figure, Legend, number_text, type PictureProps } from "./parts";
 import { texts } from "./texts";
 
 function Screen(props: { title: string; text: string | undefined; class?: string }) {
@@ -18,7 +17,7 @@ function lines_of(text: unknown): string {
   return typeof text === "string" ? text : "";
 }
 
-export function TaxiWorld(props: { children?: ComponentChildren }) {
+export function TaxiWorld(props: PictureProps) {
   const { state } = useLive();
   const now = state.snapshot ?? {};
   const meter = now.meter ?? {};
@@ -26,6 +25,7 @@ export function TaxiWorld(props: { children?: ComponentChildren }) {
   const lit = lamps.some((lamp) => lamp === "on" || lamp === "dimmed" || lamp === "blinking");
   return (
     <div class="world taxi">
+      <div class="left">
       <Card class="picture">
         <svg viewBox="0 0 640 210" role="img" aria-label={texts.kinds.taxi}>
           <g class={`roof-sign ${lit ? "lit" : ""}`}><rect x="270" y="18" width="100" height="30" rx="6" /><text x="320" y="40" text-anchor="middle">TAXI</text></g>
@@ -34,6 +34,7 @@ export function TaxiWorld(props: { children?: ComponentChildren }) {
           <circle class="wheel" cx="190" cy="164" r="28" /><circle class="wheel" cx="452" cy="164" r="28" />
           <text class="big" x="320" y="142" text-anchor="middle">{Math.round((now.plant?.speed_m_per_s ?? 0) * 3.6)} km/h</text>
         </svg>
+        <Legend rows={texts.legends.taxi} />
         <p class="said" role="status">{now.driver}</p>
         <div class="meter">
           <span class="meter-state">{meter.state}</span>
@@ -42,6 +43,8 @@ export function TaxiWorld(props: { children?: ComponentChildren }) {
           <span>{number_text(meter.distance_km ?? 0)} km</span>
         </div>
       </Card>
+      {props.below}
+      </div>
       <div class="side">
         <Card class="figures">
           <Figure name={texts.served_people} value={now.carried ?? 0} />
@@ -58,7 +61,7 @@ export function TaxiWorld(props: { children?: ComponentChildren }) {
   );
 }
 
-export function PoliceWorld(props: { children?: ComponentChildren }) {
+export function PoliceWorld(props: PictureProps) {
   const { state } = useLive();
   const now = state.snapshot ?? {};
   const plant = now.plant ?? {};
@@ -69,6 +72,7 @@ export function PoliceWorld(props: { children?: ComponentChildren }) {
   const is_on = (key: string) => (key === "siren" ? siren : !!plant[key]);
   return (
     <div class="world police">
+      <div class="left">
       <Card class="picture">
         <svg viewBox="0 0 640 230" role="img" aria-label={texts.kinds.police}>
           {plant.blue_light && <rect class="glow" x="200" y="6" width="240" height="70" rx="35" />}
@@ -82,11 +86,14 @@ export function PoliceWorld(props: { children?: ComponentChildren }) {
           <text class="big" x="320" y="150" text-anchor="middle">{Math.round((plant.speed_m_per_s ?? 0) * 3.6)} km/h</text>
           {siren && <g class="siren"><path d="M560 60q16 20 0 40M576 46q28 34 0 68M592 32q40 48 0 96" /></g>}
         </svg>
+        <Legend rows={texts.legends.police} />
         <p class="said" role="status">{now.crew}</p>
         <ul class="chips">
           {texts.police_chips.map(([key, text]) => <li key={key} class={is_on(key) ? "on" : ""}>{text}</li>)}
         </ul>
       </Card>
+      {props.below}
+      </div>
       <div class="side">
         <Card class="figures">
           <Figure name={texts.calls} value={`${now.statistics?.attended ?? 0} / ${now.statistics?.calls ?? 0}`} />
@@ -103,12 +110,13 @@ export function PoliceWorld(props: { children?: ComponentChildren }) {
   );
 }
 
-export function BusLineWorld(props: { children?: ComponentChildren }) {
+export function BusLineWorld(props: PictureProps) {
   const { state } = useLive();
   const now = state.snapshot ?? {};
   const plant = now.plant ?? {};
   return (
     <div class="world busline">
+      <div class="left">
       <Card class="picture">
         <svg viewBox="0 0 640 210" role="img" aria-label={texts.kinds["bus-line"]}>
           <rect class="body" x="50" y="30" width="540" height="130" rx="16" />
@@ -119,11 +127,14 @@ export function BusLineWorld(props: { children?: ComponentChildren }) {
           <circle class="wheel" cx="150" cy="164" r="26" /><circle class="wheel" cx="440" cy="164" r="26" />
           <text class="big" x="280" y="150" text-anchor="middle">{Math.round((plant.speed_m_per_s ?? 0) * 3.6)} km/h</text>
         </svg>
+        <Legend rows={texts.legends.busline} />
         <p class="said" role="status">{plant.at_stop ? `${texts.stands_at} ` : `${texts.next_stop} `}{plant.stop ?? ""}{plant.stop_requested ? ` · ${texts.stop_requested}` : ""}</p>
         <div class="screens">
           {(now.displays ?? []).map((each: Json, i: number) => <Screen key={i} class="led-screen" title={`${each.display ?? each.node}${each.stop_sign ? " · STOP" : ""}`} text={lines_of(each.text)} />)}
         </div>
       </Card>
+      {props.below}
+      </div>
       <div class="side">
         <Card class="figures">
           <Figure name={texts.aboard} value={plant.aboard ?? 0} />

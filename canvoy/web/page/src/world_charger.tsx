@@ -1,10 +1,9 @@
-// A battery on its charger: how full it is, what flows, and what both say of it.
-import type { ComponentChildren } from "preact";
+// A battery on its charger: state of charge, current, and what both report.
 import { useLive } from "./live";
-import { Card, Figure, number_text } from "./parts";
+import { Card, Figure, Legend, number_text, type PictureProps } from "./parts";
 import { texts } from "./texts";
 
-export function ChargerWorld(props: { children?: ComponentChildren }) {
+export function ChargerWorld(props: PictureProps) {
   const { state } = useLive();
   const now = state.snapshot ?? {};
   const plant = now.plant ?? {};
@@ -14,6 +13,7 @@ export function ChargerWorld(props: { children?: ComponentChildren }) {
   const width = 150 * Math.max(0, Math.min(1, soc / 100));
   return (
     <div class="world charger">
+      <div class="left">
       <Card class="picture">
         <svg viewBox="0 0 640 300" role="img" aria-label={`${texts.kinds.charger}: ${number_text(soc)} %`}>
           <g class="device">
@@ -40,8 +40,11 @@ export function ChargerWorld(props: { children?: ComponentChildren }) {
             <text x="510" y="214" text-anchor="middle">{number_text(plant.charge_ah ?? now.charge_ah ?? 0)} Ah</text>
           </g>
         </svg>
+        <Legend rows={texts.legends.charger} />
         <p class="said" role="status">{now.reason}</p>
       </Card>
+      {props.below}
+      </div>
       <div class="side">
         <Card class="figures">
           <Figure name={texts.requested} value={number_text(now.requested_current_a ?? 0)} unit="A" />
@@ -51,7 +54,7 @@ export function ChargerWorld(props: { children?: ComponentChildren }) {
         {props.children}
         <Card title={texts.said_and_true}>
           <table class="plain">
-            <thead><tr><th></th><th class="number">{texts.says}</th><th class="number">{texts.truth}</th></tr></thead>
+            <thead><tr><td></td><th class="number">{texts.says}</th><th class="number">{texts.truth}</th></tr></thead>
             <tbody>
               {texts.charger_rows.map(([name, key, unit]) => (
                 <tr key={key}>

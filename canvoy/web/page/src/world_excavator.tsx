@@ -1,20 +1,19 @@
-// An excavator: the machine from the side and from above as it stands, and the seat with what is
-// held, pressed, lit and shown.
-import type { ComponentChildren } from "preact";
+// An excavator: the machine from the side and from above, and the seat with its held, pressed, lit
+// and shown elements.
 import { useLive, type Json } from "./live";
-import { Card, Figure, number_text } from "./parts";
+import { Card, Figure, Legend, number_text, type PictureProps } from "./parts";
 import { texts } from "./texts";
 
-// The picture: metres in front of the slew's axis and above the ground, as the snapshot has them.
+// The picture: metres in front of the axis of the slew and above the ground, as in the snapshot.
 const scale = 40;
 const axis = { x: 150, y: 300 };
 const x_of = (metres: number) => axis.x + metres * scale;
 const y_of = (metres: number) => axis.y - metres * scale;
-// Where the heap is, in degrees of the slew.
+// Position of the heap, in degrees of the slew.
 const heap = { at: 80, width: 20 };
 
 const bar = ([[x1, z1], [x2, z2]]: [number, number][], thick: number, thin: number) => {
-  // A beam that is thick at its foot: its corners are across the line between the joints.
+  // A beam with a thick foot: its corners are across the line between the joints.
   const length = Math.hypot(x2 - x1, z2 - z1) || 1;
   const across = [-(z2 - z1) / length, (x2 - x1) / length];
   const corner = (x: number, z: number, by: number) => `${x_of(x + across[0] * by).toFixed(1)} ${y_of(z + across[1] * by).toFixed(1)}`;
@@ -25,7 +24,7 @@ function Bucket(props: { from: [number, number]; to: [number, number]; share: nu
   const [x1, z1] = props.from;
   const [x2, z2] = props.to;
   const length = Math.hypot(x2 - x1, z2 - z1) || 1;
-  // It is hollow on the side of the cab, to the right of the way from hinge to tip.
+  // Hollow on the side of the cab, to the right of the direction from hinge to tip.
   const right = [(z2 - z1) / length, -(x2 - x1) / length];
   const at = (along: number, away: number) =>
     `${x_of(x1 + (x2 - x1) * along + right[0] * away).toFixed(1)} ${y_of(z1 + (z2 - z1) * along + right[1] * away).toFixed(1)}`;
@@ -63,7 +62,7 @@ function Machine(props: { now: Json }) {
   );
 }
 
-/** From above: where the upper carriage looks, and where the heap is. */
+/** From above: the direction of the upper carriage, and the heap. */
 function Slew(props: { degrees: number; reach: number }) {
   const point = (degrees: number, radius: number) => {
     const angle = (degrees * Math.PI) / 180;
@@ -146,19 +145,23 @@ function Seat(props: { now: Json }) {
   );
 }
 
-export function ExcavatorWorld(props: { children?: ComponentChildren }) {
+export function ExcavatorWorld(props: PictureProps) {
   const { state } = useLive();
   const now = state.snapshot ?? {};
   const { plant = {}, statistics = {}, movements = {} } = now;
   return (
     <div class="world excavator">
+      <div class="left">
       <Card class="picture">
         <svg viewBox="0 0 640 440" role="img" aria-label={texts.kinds.excavator}>
           <Machine now={now} />
           <Slew degrees={movements.slew?.place ?? 0} reach={plant.tip_x_m ?? 0} />
         </svg>
+        <Legend rows={texts.legends.excavator} />
         <p class="said" role="status">{now.operator}</p>
       </Card>
+      {props.below}
+      </div>
       <div class="side">
         <Card class="figures">
           <Figure name={texts.cycles} value={statistics.cycles ?? 0} />

@@ -1,32 +1,35 @@
-// The building: shafts with cars and doors, people at the landings, and what the lifts are doing.
-import type { ComponentChildren } from "preact";
+// The building: shafts with cars and doors, people at the landings, and the state of the lifts.
 import { useState } from "preact/hooks";
 import { ask, useLive, type Json } from "./live";
-import { Card, Figure, State, number_text } from "./parts";
+import { Card, Figure, Legend, State, number_text, type PictureProps } from "./parts";
 import { texts } from "./texts";
 
-const car_width = 46;
-const pitch = 78;
-const left = 150;
+const left = 158;
+const least_floor = 26;  // room for two adjacent buttons of 24 pixels, the size for a finger
 
 interface Sizes {
+  pitch: number;
+  car_width: number;
+  width: number;
   floors: Json[];
   floor_height: number;
   height: number;
   y: (height_m: number) => number;
 }
 
-function sizes_of(scenery: Json): Sizes {
+/** In pixels: the picture is not scaled below readable size. */
+function sizes_of(scenery: Json, lifts: number): Sizes {
   const floors: Json[] = scenery.floors ?? [];
   const count = Math.max(floors.length, 2);
-  const floor_height = Math.max(15, Math.min(48, 620 / count));
+  const floor_height = Math.max(least_floor, Math.min(48, 520 / count));
   const top = floors.at(-1)?.height_m || 1;
   const span = floor_height * (count - 1);
   const y = (height_m: number) => 34 + floor_height + span * (1 - height_m / top);
-  return { floors, floor_height, height: span + floor_height + 50, y };
+  const [pitch, car_width] = lifts > 4 ? [56, 36] : [78, 46];
+  return { pitch, car_width, width: left + lifts * pitch + 4, floors, floor_height, height: span + floor_height + 50, y };
 }
 
-/** People as they stand: some figures, and a number where there are more. */
+/** Standing people: some figures, and a number if there are more. */
 function People(props: { x: number; y: number; count: number; room: number; size: number; class: string; flip?: boolean }) {
   const step = props.size * 0.52;
   const shown = Math.min(props.count, Math.floor(props.room / step));
@@ -54,6 +57,7 @@ function People(props: { x: number; y: number; count: number; room: number; size
 
 function Car(props: { lift: Json; number: number; rated: Json; sizes: Sizes }) {
   const { lift, number, sizes } = props;
+  const { pitch, car_width } = sizes;
   const x = left + (number - 1) * pitch;
   const h = sizes.floor_height - 4;
   const y = sizes.y(lift.position_m) - h;
@@ -64,7 +68,7 @@ function Car(props: { lift: Json; number: number; rated: Json; sizes: Sizes }) {
     <g class={`car ${lift.mode === "normal" ? "" : "odd"} ${lift.overload ? "over" : ""}`} transform={`translate(${x} ${y})`}>
       <rect class="cabin" width={car_width} height={h} rx="3" />
       <rect class="load" x="1" y={h - 3} width={(car_width - 2) * fill} height="2" />
-      <People x={3} y={h - 4} count={lift.persons} room={car_width - 14} size={person} class="riders" />
+      {lift.open > 0.1 && <People x={3} y={h - 4} count={lift.persons} room={car_width - 14} size={person} class="riders" />}
       <rect class="leaf" x="0" width={leaf} height={h} rx="2" />
       <rect class="leaf" x={car_width - leaf} width={leaf} height={h} rx="2" />
       {leaf > 14 && lift.persons > 0 && (
@@ -93,12 +97,13 @@ function Landing(props: { index: number; landing: Json; sizes: Sizes; lifts: num
       event.preventDefault();
       press();
     };
-    const r = Math.min(9, sizes.floor_height * 0.32);
+    const r = Math.min(9, sizes.floor_height * 0.34);
     return exists ? (
-      <g class={`call ${lit ? "lit" : ""}`} transform={`translate(${left - (up ? 40 : 18)} ${y - sizes.floor_height / 2})`}
+      <g class={`call ${lit ? "lit" : ""}`} transform={`translate(${left - (up ? 44 : 18)} ${y - sizes.floor_height / 2})`}
         role="button" tabindex={props.can ? 0 : -1} aria-label={label} aria-pressed={lit ? "true" : "false"}
         data-floor={index + 1} data-way={up ? "up" : "down"} onClick={press} onKeyDown={on_key}>
         <title>{label}</title>
+        <rect class="hit" x="-12.5" y="-12.5" width="25" height="25" />
         <circle r={r + 2} />
         <path d={up ? `M0 ${-r * 0.6}l${r * 0.65} ${r}h${-r * 1.3}z` : `M0 ${r * 0.6}l${r * 0.65} ${-r}h${-r * 1.3}z`} />
       </g>
@@ -106,9 +111,9 @@ function Landing(props: { index: number; landing: Json; sizes: Sizes; lifts: num
   };
   return (
     <g class="landing">
-      <line class="slab" x1="0" x2={left + props.lifts * pitch - 24} y1={y} y2={y} />
+      <line class="slab" x1="0" x2={left + props.lifts * sizes.pitch - 24} y1={y} y2={y} />
       <text class="floor-name" x="24" y={y - sizes.floor_height / 2 + 5} text-anchor="end">{floor.floor}</text>
-      <People x={left - 58} y={y - 1} count={(landing?.waiting_up ?? 0) + (landing?.waiting_down ?? 0)} room={58} size={size} class="waiters" flip />
+      <People x={left - 62} y={y - 1} count={(landing?.waiting_up ?? 0) + (landing?.waiting_down ?? 0)} room={58} size={size} class="waiters" flip />
       {button(true)}
       {button(false)}
     </g>
@@ -117,6 +122,7 @@ function Landing(props: { index: number; landing: Json; sizes: Sizes; lifts: num
 
 function LiftTable(props: { lifts: Json[] }) {
   return (
+    <div class="scroll" tabIndex={0} role="region" aria-label={texts.lifts}>
     <table class="plain">
       <thead>
         <tr>{texts.lift_columns.map((name, i) => <th class={i > 2 ? "number" : ""}>{name}</th>)}</tr>
@@ -135,15 +141,17 @@ function LiftTable(props: { lifts: Json[] }) {
         ))}
       </tbody>
     </table>
+    </div>
   );
 }
 
-export function LiftWorld(props: { children?: ComponentChildren }) {
+export function LiftWorld(props: PictureProps) {
   const { state, hello } = useLive();
   const [said, say] = useState("");
-  const sizes = sizes_of(hello.scenery ?? {});
   const snapshot = state.snapshot ?? {};
   const lifts: Json[] = snapshot.lifts ?? [];
+  const sizes = sizes_of(hello.scenery ?? {}, Math.max(lifts.length, 1));
+  const { pitch, car_width } = sizes;
   const count = sizes.floors.length;
   const call = async (index: number, up: boolean) => {
     const from = index + 1;
@@ -154,9 +162,10 @@ export function LiftWorld(props: { children?: ComponentChildren }) {
   };
   return (
     <div class="world lift">
+      <div class="left">
       <Card class="picture">
-        <svg viewBox={`0 0 ${left + Math.max(lifts.length, 1) * pitch + 4} ${sizes.height}`} class="building" role="group" aria-label={texts.kinds.lift}
-          style={{ maxHeight: "76vh" }}>
+        <div class="scroll" tabIndex={0} role="region" aria-label={texts.kinds.lift}>
+        <svg viewBox={`0 0 ${sizes.width} ${sizes.height}`} width={sizes.width} height={sizes.height} class="building" role="group" aria-label={texts.kinds.lift}>
           <rect class="wall" x={left - 6} y="22" width={Math.max(lifts.length, 1) * pitch + 6} height={sizes.height - 38} rx="6" />
           {sizes.floors.map((_, i) => (
             <Landing key={i} index={i} landing={snapshot.landings?.[i]} sizes={sizes} lifts={Math.max(lifts.length, 1)} can={hello.can?.visit} call={(up) => void call(i, up)} />
@@ -176,8 +185,12 @@ export function LiftWorld(props: { children?: ComponentChildren }) {
           })}
           {lifts.map((lift, i) => <Car key={i} lift={lift} number={i + 1} rated={hello.scenery?.lifts?.[i]} sizes={sizes} />)}
         </svg>
+        </div>
+        <Legend rows={texts.legends.lift} />
         <p class="said" role="status">{said}</p>
       </Card>
+      {props.below}
+      </div>
       <div class="side">
         <Card class="figures">
           <Figure name={texts.waiting_people} value={snapshot.waiting ?? 0} />

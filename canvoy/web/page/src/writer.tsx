@@ -1,4 +1,4 @@
-// An entry of an object, to be read and, where it is allowed, written.
+// An entry of an object, to read and, if permitted, to write.
 import { useState } from "preact/hooks";
 import { ask, live, type Json } from "./live";
 import { value_text } from "./parts";

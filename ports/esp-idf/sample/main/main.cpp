@@ -1,4 +1,4 @@
-// A pump with an object of its own, on an ESP32 with a CAN transceiver at GPIO 21 and 22.
+// A pump with one application object, on an ESP32 with a CAN transceiver at GPIO 21 and 22.
 #include "canvoy_esp_idf.hpp"
 #include "pump.hpp"
 

@@ -1,11 +1,11 @@
-// A pump with an object of its own, for the Arduino framework. Bring can_send() and can_receive()
-// of the CAN library of your board.
+// A pump with one application object, for the Arduino framework. Supply can_send() and
+// can_receive() from the CAN library of your board.
 #include "canvoy_arduino.hpp"
 #include "pump.hpp"
 
-/// Of your CAN library: false where the controller has no room.
+/// Function of your CAN library: false if the controller has no room.
 bool can_send(const canvoy::Frame& frame);
-/// Of your CAN library: false where no frame has come.
+/// Function of your CAN library: false if no frame has arrived.
 bool can_receive(canvoy::Frame& frame);
 
 static canvoy::board::ArduinoCan can(can_send, can_receive);

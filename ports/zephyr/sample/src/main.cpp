@@ -1,4 +1,4 @@
-// A pump with an object of its own, on the CAN controller that the board's devicetree has chosen.
+// A pump with one application object, on the CAN controller that the board's devicetree selects.
 #include "canvoy_zephyr.hpp"
 #include "pump.hpp"
 

@@ -1,0 +1,248 @@
+// How the parts of a node (SDO, PDO, heartbeat ...) follow its life and the objects of its
+// dictionary. A service of every small node handles all events in one function; where code size
+// matters less, a constant table of functions does so, and applications use callbacks (Service).
+//
+//     class Sync : private NodeService { ... };      // node.attach(*this)
+//     Sync::Sync(Node& node) : NodeService({told, 0x1005, 0x1019}) ...
+//
+//     constexpr ServiceHandlers TimeStamp::service_calls = {.reset = method<&TimeStamp::reset>};
+//     HandlerBinding service_{&service_calls, this};    // node.attach(service_)
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "canvoy/can/machine.hpp"
+#include "canvoy/can/port.hpp"
+#include "canvoy/canopen/protocol/abort_code.hpp"
+#include "canvoy/canopen/protocol/nmt.hpp"
+
+namespace canvoy {
+
+struct ChangedPlaces;
+struct Domain;
+struct Entry;
+struct Error;
+struct Frame;
+
+/// Source of a write.
+enum class Source : std::uint8_t { sdo, pdo, application };
+
+/// An event in the life of a node, for its services.
+struct ServiceEvent {
+  enum Kind : std::uint32_t {
+    /// Parameters have their power-on values again: the service reads them, and returns to its
+    /// state after power-on.
+    reset,
+    state_entered,
+    bus_state_changed,  ///< of the CAN controller
+    /// Like bus_state_changed, but from bus-off: frames that waited for the controller were lost.
+    bus_recovered,
+    error_came,
+    error_went,
+    /// TPDOs with these numbers modulo 32 map a changed value. On a host, `subject` is the
+    /// ChangedPlaces.
+    values_changed,
+    tx_ready,  ///< waiting frames have gone to the controller, which has room for more
+    // At a SYNC, in this order; the application (SyncListener) comes between them.
+    actuate,        ///< RPDO values received since the last SYNC become valid
+    sample,         ///< TPDO values are sampled and sent
+    timer_expired,  ///< a timer of the service
+    /// A frame with NodeService::can_id_ arrived. On small machines only, for services that have
+    /// routes in the Router on a host.
+    frame_came,
+    /// Question whether a TPDO maps the value `number` bytes from the start of all; a service that
+    /// maps it sets `answer`. On hosts only, for services with the event in their mask; it thus
+    /// shares the number of frame_came.
+    watch_asked = frame_came,
+    // Accesses from the bus to an object of the service's range.
+    before_read,   ///< it may refresh the value, or refuse
+    before_write,  ///< it may refuse the new value
+    after_write,
+    domain_wanted,  ///< the service that has the content of a domain calls serve()
+    /// The value of an entry (`subject`) was set, with an explicit statement whether it is an
+    /// event: `number` 1 or 0. On hosts only: Dictionary::set_with_event().
+    value_set,
+  };
+
+  Kind kind;
+  std::uint32_t number = 0;
+  const void* subject = nullptr;
+  const std::uint8_t* data = nullptr;
+  /// For an access, the refusal, which ends the notification. For a frame, whether a service takes
+  /// it.
+  std::uint32_t answer = 0;
+
+  ResetScope scope() const { return static_cast<ResetScope>(number); }
+  NmtState state() const { return static_cast<NmtState>(number); }
+  BusState bus_state() const { return static_cast<BusState>(number); }
+  std::uint32_t watchers() const { return number; }
+  /// Counter of the SYNC; 0 if it carries none.
+  std::uint8_t counter() const { return static_cast<std::uint8_t>(number); }
+  Source source() const { return static_cast<Source>(number); }
+  const Error& error() const { return *static_cast<const Error*>(subject); }
+  const Frame& frame() const { return *static_cast<const Frame*>(subject); }
+  const ChangedPlaces& places() const { return *static_cast<const ChangedPlaces*>(subject); }
+  const Entry& entry() const { return *static_cast<const Entry*>(subject); }
+  std::span<const std::uint8_t> value() const { return {data, number}; }
+  bool is_access() const { return kind >= before_read && (is_small_machine || kind != value_set); }
+  /// Bits of ObjectState::hooks for a kind of access, and for all kinds.
+  static constexpr std::uint8_t bit_of(Kind kind) {
+    return static_cast<std::uint8_t>(1U << (kind - before_read));
+  }
+  static constexpr std::uint8_t all_accesses = 0x0F;
+
+  /// Answers domain_wanted with the domain, in place of the entry.
+  void serve(const Domain& domain) {
+    subject = &domain;
+    answer = 1;
+  }
+  void refuse(AbortCode code) { answer = static_cast<std::uint32_t>(code); }
+  void want() { answer = 1; }
+};
+
+/// A part of a node that follows its life. It must outlive the node.
+class NodeService {
+ public:
+  /// Receiver of events. `on_event` is called for accesses to objects from index `first` to `last`;
+  /// by default for none.
+  struct Listener {
+    void (*on_event)(NodeService&, ServiceEvent&);
+    std::uint16_t first = 0xFFFF;
+    std::uint16_t last = 0;
+  };
+
+  /// Frequent events that a host sends only to services that need them: bits of ServiceEvent::Kind.
+  struct EventMask {
+    static constexpr std::uint32_t values = 1U << ServiceEvent::values_changed;
+    static constexpr std::uint32_t actuate = 1U << ServiceEvent::actuate;
+    static constexpr std::uint32_t sample = 1U << ServiceEvent::sample;
+    static constexpr std::uint32_t watch =
+        1U << ServiceEvent::watch_asked | 1U << ServiceEvent::value_set;
+    static constexpr std::uint32_t all = values | actuate | sample;
+    static constexpr std::uint32_t none = 0;
+  };
+
+  constexpr explicit NodeService(const Listener& listener, std::uint32_t events = EventMask::all)
+      : listener_(listener) {
+    if constexpr (!is_small_machine) frequent_.value.events = events;
+  }
+  NodeService(const NodeService&) = delete;
+  NodeService& operator=(const NodeService&) = delete;
+
+  void notify(ServiceEvent& event) { listener_.on_event(*this, event); }
+  constexpr bool covers(std::uint16_t index) const {
+    return index >= listener_.first && index <= listener_.last;
+  }
+
+ private:
+  friend class Dictionary;
+  friend class Node;
+
+  bool hears(ServiceEvent& event) const;
+
+  /// Link to the next service for frequent events.
+  struct Frequent {
+    NodeService* next = nullptr;
+    std::uint32_t events = EventMask::all;
+  };
+
+  NodeService* next_ = nullptr;
+  Listener listener_;
+  [[no_unique_address]] HostOnly<Frequent> frequent_;
+
+ protected:
+  static constexpr std::uint16_t every_id = 0xFFFF;
+
+  /// CAN-ID of the data frames that the service receives; 0: none. With every_id it checks each
+  /// 11-bit frame, data or remote, by itself.
+  std::uint16_t can_id_ = 0;
+};
+
+/// Handlers of a class of services for accesses from the bus to objects from `first` to `last`, by
+/// default at any sub-index. Each function takes the service first, and is like that of Hook; null:
+/// no action.
+struct AccessHandlers {
+  std::uint16_t first = 0;
+  std::uint16_t last = 0;
+  std::uint8_t sub_first = 0;
+  std::uint8_t sub_last = 0xFF;
+  AbortCode (*before_read)(void*, const Entry&) = nullptr;
+  AbortCode (*before_write)(void*, const Entry&, std::span<const std::uint8_t> value) = nullptr;
+  void (*after_write)(void*, const Entry&, Source) = nullptr;
+
+  constexpr bool covers(std::uint16_t index) const { return index >= first && index <= last; }
+  constexpr bool covers(std::uint16_t index, std::uint8_t sub) const {
+    return covers(index) && sub >= sub_first && sub <= sub_last;
+  }
+  /// Accesses with a handler: see ServiceEvent::bit_of().
+  constexpr std::uint8_t accesses() const {
+    const auto bit_if = [](bool has_function, ServiceEvent::Kind kind) {
+      return has_function ? ServiceEvent::bit_of(kind) : 0;
+    };
+    return static_cast<std::uint8_t>(bit_if(before_read != nullptr, ServiceEvent::before_read) |
+                                     bit_if(before_write != nullptr, ServiceEvent::before_write) |
+                                     bit_if(after_write != nullptr, ServiceEvent::after_write));
+  }
+};
+
+/// Handlers of a class of services for the events of ServiceEvent: constant, one table for all
+/// objects of the class. Each takes the service first; null: no action.
+struct ServiceHandlers {
+  void (*reset)(void*, ResetScope) = nullptr;
+  void (*state_entered)(void*, NmtState) = nullptr;
+  void (*bus_state_changed)(void*, BusState) = nullptr;
+  void (*error_changed)(void*, const Error&, bool present) = nullptr;
+  void (*values_changed)(void*, std::uint32_t) = nullptr;
+  void (*tx_ready)(void*) = nullptr;
+  /// Objects with a meaning beyond their values.
+  std::span<const AccessHandlers> hooks = {};
+};
+
+/// The services to ask and to notify of accesses to an entry, found once for code that writes it
+/// again and again: see Dictionary::find_hooks().
+struct EntryHooks {
+  static constexpr std::uint16_t any_row = 0xFFFF;  ///< for a service without a table
+
+  NodeService* service = nullptr;      ///< the only service; null: none, or several
+  std::uint16_t before_row = any_row;  ///< the only row of its table with before_write
+  std::uint16_t after_row = any_row;   ///< the only row of its table with after_write
+  bool reads = false;                  ///< a service may refresh the entry before it is read
+  bool asks = false;                   ///< a service may refuse a write
+  bool notifies = false;               ///< a service is notified of a write
+  bool several = false;                ///< several services, or several rows of one table
+};
+
+/// Connects such a table to the service that owns the binding.
+class HandlerBinding : public NodeService {
+ public:
+  /// Makes a binding. `shift` is added to the indices of the table, for objects that a device may
+  /// have in one of several blocks.
+  constexpr HandlerBinding(const ServiceHandlers* calls, void* service, std::uint16_t shift = 0)
+      : NodeService({on_event, 0, 0xFFFF}, EventMask::values),
+        shift_(shift),
+        calls_(calls),
+        service_(service) {}
+
+  /// Calls the handler of one row of its table.
+  AbortCode ask_row(unsigned row, const Entry& entry, std::span<const std::uint8_t> value) const {
+    return calls_->hooks[row].before_write(service_, entry, value);
+  }
+  void notify_row(unsigned row, const Entry& entry, Source source) const {
+    calls_->hooks[row].after_write(service_, entry, source);
+  }
+
+ private:
+  friend class Dictionary;
+
+  static void on_event(NodeService& link, ServiceEvent& event);
+  bool covers_object(std::uint16_t index) const;
+  bool find_hooks(const Entry& entry, EntryHooks& hooks) const;
+  AbortCode answer(const ServiceEvent& access) const;
+
+  std::uint16_t shift_;
+  const ServiceHandlers* calls_;
+  void* service_;
+};
+
+}  // namespace canvoy

@@ -1,0 +1,82 @@
+// A physical device of CiA 447: one or several virtual devices on one node, composed at run time,
+// with their common duties in the network: names, heartbeat, emergencies, SDO servers for 16
+// clients, pre-defined PDOs, sleep.
+//
+//     const CarUnit* units[] = {&car_unit<TaximeterKind>, &car_unit<PrinterKind>};
+//     CarDevice device(units, port, 5, environment);
+//     device.node().start(now);
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "canvoy/canopen/device/heap_node.hpp"
+#include "canvoy/devices/cia447/kit/car_master.hpp"
+#include "canvoy/devices/cia447/kit/car_network.hpp"
+#include "canvoy/devices/cia447/kit/car_sleep.hpp"
+#include "canvoy/devices/kit/device.hpp"
+#include "canvoy/devices/kit/environment.hpp"
+#include "canvoy/devices/kit/part_tables.hpp"
+#include "canvoy/profiles/model/virtual_device.hpp"
+
+namespace canvoy::cia447 {
+
+/// One virtual device of a physical one (car_kind.hpp makes it of a kind).
+struct CarUnit {
+  DeviceInfo info;
+  const VirtualDeviceInfo* provides = nullptr;
+  std::span<const ObjectInfo* const> consumes = {};
+  std::span<const ObjectInfo* const> own = {};  ///< of the manufacturer's area
+  std::size_t bytes = 0;                        ///< of memory for make()
+  void (*make)(void* memory, CarNetwork& network, const Environment& environment) = nullptr;
+  void (*end)(void* memory) = nullptr;
+};
+
+/// The objects of such a device, sorted. An object of a provider has priority over that of a
+/// consumer.
+std::vector<Part> car_parts(std::span<const CarUnit* const> units,
+                            Duration heartbeat = CarNetworkSettings{}.heartbeat);
+
+class CarDevice : public FoundValues<CarDevice> {
+ public:
+  /// The context of `port`, and the offers of `environment`, must outlive this. The environment may
+  /// offer CarNetworkSettings and CarSleepSettings; for the gateway, which is the master of the
+  /// network unless the environment says otherwise, CarMemory and CarMasterSettings. The CarNetwork
+  /// is offered to it, and then each unit.
+  CarDevice(std::span<const CarUnit* const> units, const Port& port, NodeId node_id,
+            const Environment& environment);
+  ~CarDevice();
+  CarDevice(const CarDevice&) = delete;
+  CarDevice& operator=(const CarDevice&) = delete;
+
+  Node& node() { return device_.node(); }
+  EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
+  /// Entry that the units need and the device does not have: see HeapNode.
+  MissingEntry missing() const { return device_.missing(); }
+  CarNetwork& network() { return network_; }
+  CarSleep& sleep() { return sleep_; }
+  /// The Kind::Unit of one of its kinds; null if it does not have that kind.
+  void* unit(const CarUnit& kind);
+  /// Null if it is not the gateway.
+  CarMaster* master() { return master_ ? &*master_ : nullptr; }
+
+ private:
+  struct Made {
+    const CarUnit* kind;
+    std::unique_ptr<std::byte[]> memory;
+  };
+
+  /// Their timers may be armed until the end: the memory is released after the node.
+  std::vector<Made> units_;
+  MutedPort port_;
+  PartTables tables_;
+  HeapNode device_;
+  CarNetwork network_;
+  CarSleep sleep_;
+  std::optional<CarMaster> master_;
+};
+
+}  // namespace canvoy::cia447

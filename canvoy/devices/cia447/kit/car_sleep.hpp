@@ -1,0 +1,69 @@
+// Sleep and wake-up of an add-on device (CiA 447-1, which is not at hand: this follows public
+// implementations, canvoy/profiles/cia447/network.hpp).
+//
+// The gateway asks for objections (01h); a device that objects answers with a reason (81h). When
+// the gateway orders sleep (02h), the device prepares itself, and becomes silent: it sends nothing
+// at all. A wake-up message of any node (82h) ends that: the device boots again.
+//
+//     MutedPort muted(port);
+//     CarSleep sleep(network, muted, {});
+//     sleep.object(0x02);          // "not now": the meter is running
+//     sleep.wake_up();             // a key was pressed
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "canvoy/devices/cia447/kit/car_network.hpp"
+#include "canvoy/devices/cia447/kit/muted_port.hpp"
+
+namespace canvoy::cia447 {
+
+struct CarSleepSettings {
+  /// From the order to silence.
+  Duration preparation = 1s;
+  /// A wake-up message is repeated after this time.
+  Duration repetition = 500ms;
+};
+
+enum class SleepState : std::uint8_t { awake, preparing, asleep };
+
+class CarSleep {
+ public:
+  static constexpr std::size_t routes = node_id_max + 1;
+
+  /// `port` is that of the node of `network`; both must outlive this.
+  CarSleep(CarNetwork& network, MutedPort& port, const CarSleepSettings& settings = {});
+  CarSleep(const CarSleep&) = delete;
+  CarSleep& operator=(const CarSleep&) = delete;
+
+  SleepState state() const { return state_; }
+  void on_change(Callback<void(SleepState)> changed) { changed_ = changed; }
+
+  /// Answers queries with this reason; nothing: with silence, which is consent.
+  void object(std::optional<std::uint8_t> reason) { network_.object_to_sleep(reason); }
+  /// Prepares for sleep, like an order of the gateway: for the gateway itself.
+  void prepare();
+  /// Sends also while this device sleeps, which is otherwise silent.
+  void say(SleepCommand command);
+  /// Asks the gateway to let the network sleep.
+  void request_sleep() { send(SleepCommand::request_sleep, 0); }
+  /// Wakes up all nodes, and this device if it sleeps.
+  void wake_up();
+
+ private:
+  void received(const Frame& frame, Time now);
+  void expired(Time now);
+  void awake();
+  void enter(SleepState state);
+  void send(SleepCommand command, std::uint8_t reason);
+
+  CarNetwork& network_;
+  MutedPort& port_;
+  CarSleepSettings settings_;
+  Callback<void(SleepState)> changed_;
+  SleepState state_ = SleepState::awake;
+  Timer timer_;
+};
+
+}  // namespace canvoy::cia447

@@ -1,0 +1,241 @@
+// Devices with a deliberate defect: each defect is found by the cases that concern it, and by no
+// other.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "canvoy/text/check/testing/broken_device.hpp"
+
+namespace canvoy::conformance::broken_behaviour_test {
+namespace {
+
+/// A command for door 1 by RPDO: in the upper four bits of its second byte.
+bool is_door_command(const Frame& frame, unsigned command) {
+  return (frame.id == 0x200 || frame.id == 0x6B3) && frame.length == 8 &&
+         frame.data[1] >> 4 == command;
+}
+void change_door_command(Frame& frame, unsigned command) {
+  frame.data[1] = static_cast<std::uint8_t>((frame.data[1] & 0x0F) | command << 4);
+}
+Way door_command(std::string_view name, std::vector<std::string_view> found_by, unsigned command,
+                 unsigned becomes) {
+  return {name, std::move(found_by), {}, [command, becomes](Middle&, Frame& frame) {
+            if (is_door_command(frame, command)) change_door_command(frame, becomes);
+            return true;
+          }};
+}
+
+constexpr unsigned no_action = 0xF;
+constexpr unsigned open_it = 0x4;
+
+std::vector<BrokenDevice> lift_ways() {
+  return {
+      {"lift-door",
+       door_command("a door opens by a reserved command", {"417-4-door-10"}, 0x2, open_it)},
+      {"lift-door",
+       door_command("another reserved command opens it", {"417-4-door-11"}, 0x6, open_it)},
+      {"lift-door", door_command("and another one", {"417-4-door-12"}, 0xD, open_it)},
+      {"lift-door", door_command("it does not open without a limit of its force", {"417-4-door-07"},
+                                 0x3, no_action)},
+      {"lift-door", door_command("it does not close without a limit of its force",
+                                 {"417-4-door-08"}, 0x0, no_action)},
+      {"lift-door", door_command("it does not stop", {"417-4-door-05"}, 0x8, no_action)},
+      {"lift-door",
+       {"it takes the commands of door 2",
+        {"417-4-door-13"},
+        {},
+        [](Middle&, Frame& frame) {
+          const bool is_command = is_door_command(frame, no_action) || is_door_command(frame, 1);
+          if (is_command && frame.data[3] >> 4 == open_it) change_door_command(frame, open_it);
+          return true;
+        }}},
+      {"lift-door",
+       {"it does not tell that it opens",
+        {"417-4-door-03", "417-4-door-15"},
+        [](Middle&, Frame& frame) { return frame.id != 0x201 || frame.data[1] >> 4 != 5; }}},
+      {"lift-call-controller",
+       {"it serves the calls of lift 2",
+        {"417-4-call-07"},
+        {},
+        [](Middle&, Frame& frame) {
+          if (frame.length == 6 && frame.data[2] == 2) frame.data[2] = 1;
+          return true;
+        }}},
+      {"lift-call-controller",
+       {"a button that is let go is a call",
+        {"417-4-call-08"},
+        {},
+        [](Middle&, Frame& frame) {
+          if (frame.length == 6 && frame.data[0] == 2 && frame.data[5] == 0) frame.data[5] = 1;
+          return true;
+        }}},
+      {"lift-call-controller",
+       {"it affirms a call to a floor that there is not",
+        {"417-4-call-13"},
+        [](Middle&, Frame& frame) {
+          if (frame.length == 6 && frame.data[3] == 0xFE) frame.data[5] = 0x81;
+          return true;
+        }}},
+      {"lift-load",
+       {"it sets a reserved bit",
+        {"417-4-load-08"},
+        [](Middle& middle, Frame& frame) {
+          if (is_upload(middle, frame, 0x6482) && frame.data[3] == 1) frame.data[4] |= 0x80U;
+          return true;
+        }}},
+      {"lift-position",
+       {"a preset is another one",
+        {"417-4-position-01", "417-4-position-02"},
+        {},
+        [](Middle& middle, Frame& frame) {
+          if (is_download(middle, frame, 0x6382)) frame.data[4] ^= 1U;
+          return true;
+        }}},
+  };
+}
+
+std::vector<BrokenDevice> car_and_bus_ways() {
+  return {
+      {"radio",
+       {"it is not turned off",
+        {"447-3-radio-02", "447-3-radio-04", "447-3-radio-05", "447-3-radio-08"},
+        {},
+        [](Middle& middle, Frame& frame) {
+          if (is_download(middle, frame, 0x6116) && frame.data[4] == 0xFC) frame.data[4] = 0xFF;
+          return true;
+        }}},
+      {"radio",
+       {"it says that it takes a reserved command",
+        {"447-3-radio-06"},
+        [](Middle&, Frame& frame) {
+          if (is_abort(frame, 0x6116, AbortCode::value_range)) say_written(frame);
+          return true;
+        }}},
+      {"radio",
+       {"\"do not care\" turns it off",
+        {"447-3-radio-07"},
+        {},
+        [](Middle& middle, Frame& frame) {
+          if (is_download(middle, frame, 0x6116) && frame.data[4] == 0xFF) frame.data[4] = 0xFC;
+          return true;
+        }}},
+      {"blue-light",
+       {"reserved bits of its status are 0",
+        {"447-3-blue-light-07"},
+        [](Middle& middle, Frame& frame) {
+          if (is_upload(middle, frame, 0x6141)) {
+            frame.data[6] &= 0x0F;
+            frame.data[7] = 0;
+          }
+          return true;
+        }}},
+      {"taximeter",
+       {"it says that it takes the pulses of a stranger",
+        {"447-3-taximeter-01"},
+        [](Middle& middle, Frame& frame) {
+          if (frame.id == middle.answers() && frame.data[0] == 0x80 && index_of(frame) == 0x6055) {
+            say_written(frame);
+          }
+          return true;
+        }}},
+      {"next-stop-indicator-text",
+       {"it says that it takes a character set that there is not",
+        {"407-display-09", "407-display-10"},
+        [](Middle&, Frame& frame) {
+          if (is_abort(frame, 0x6205, AbortCode::value_range)) say_written(frame);
+          return true;
+        }}},
+      {"ticket-canceller",
+       {"it takes the events of another device",
+        {"407-event-05"},
+        {},
+        [](Middle&, Frame& frame) {
+          constexpr std::uint8_t canceller = 0x04;
+          const bool is_rpdo = frame.id > 0x180 && frame.id < 0x6C0 && frame.length == 4;
+          if (is_rpdo && !frame.is_remote()) frame.data[3] = canceller;
+          return true;
+        }}},
+      {"operator",
+       {"its warning is lost",
+        {"852-alarm-01", "852-alarm-02"},
+        [](Middle& middle, Frame& frame) {
+          return frame.id != middle.emergencies() || frame.data[0] != 0x80 || frame.data[1] != 0;
+        }}},
+      {"operator",
+       {"reserved bits of a memory function are 1",
+        {"852-joystick-10"},
+        [](Middle& middle, Frame& frame) {
+          if (is_upload(middle, frame, 0x6000) && frame.data[3] == 1) frame.data[4] |= 0x80U;
+          return true;
+        }}},
+  };
+}
+
+std::vector<BrokenDevice> charger_ways() {
+  return {
+      {"charger",
+       {"it never says that it is ready",
+        {"419-status-03"},
+        [](Middle& middle, Frame& frame) {
+          if (is_upload(middle, frame, 0x6001)) frame.data[4] = 0;
+          return true;
+        }}},
+      {"charger",
+       {"each second status is lost",
+        {"419-status-01"},
+        [](Middle& middle, Frame& frame) { return frame.id != 0x27F || ++middle.count % 2 != 0; }}},
+      {"charger",
+       {"it says that it stays operational without its battery",
+        {"419-loss-01"},
+        [](Middle& middle, Frame& frame) {
+          if (frame.id == middle.states() && frame.data[0] == 0x7F) frame.data[0] = 5;
+          return true;
+        }}},
+      {"charger",
+       {"it does not tell that its battery is lost",
+        {"419-loss-02"},
+        [](Middle& middle, Frame& frame) {
+          return frame.id != middle.emergencies() || frame.data[1] != 0x81;
+        }}},
+      {"charger",
+       {"it counts on though no current is asked for",
+        {"419-charge-02", "419-charge-03", "419-charge-04", "419-charge-05"},
+        [](Middle& middle, Frame& frame) {
+          if (is_upload(middle, frame, 0x6052)) {
+            store(&frame.data[4], static_cast<std::uint16_t>(++middle.count));
+          }
+          return true;
+        }}},
+      {"charger",
+       {"its PDOs are valid without a battery",
+        {"419-link-03", "419-link-05", "419-link-06"},
+        [](Middle& middle, Frame& frame) {
+          const bool is_rpdo = is_upload(middle, frame, 0x1400) || is_upload(middle, frame, 0x1401);
+          if (is_rpdo && frame.data[3] == 1) frame.data[7] &= 0x7F;
+          return true;
+        }}},
+  };
+}
+
+TEST(BrokenBehaviour, IsFoundByTheCasesThatAreAboutIt) {
+  std::vector<BrokenDevice> all = lift_ways();
+  for (auto&& ways : {car_and_bus_ways(), charger_ways()}) {
+    all.insert(all.end(), ways.begin(), ways.end());
+  }
+  EXPECT_GE(all.size(), 25U);
+  for (const BrokenDevice& broken : all) expect_found(broken);
+}
+
+/// The replaced part is a door that does not move: the case fails at the command, and the test
+/// ends.
+TEST(BrokenBehaviour, OfADoorThatStandsStillIsSaid) {
+  Workshop workshop;
+  workshop.door.is_blocked = true;
+  const DeviceKind& kind = *find_device_kind("lift-door");
+  CheckedDevice device(kind, workshop.environment);
+  Check check(device.line(), device.node(), {.moves = true, .profile = kind.profile});
+  const Report report = check.run({}, "417-4-door-01");
+  EXPECT_THAT(failures(report), ::testing::ElementsAre("417-4-door-01"));
+}
+
+}  // namespace
+}  // namespace canvoy::conformance::broken_behaviour_test

@@ -1,0 +1,141 @@
+#include "canvoy/text/doctor/heartbeat_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace canvoy::text {
+
+namespace {
+
+bool is_near(Duration a, Duration b) {
+  constexpr Duration least = 2ms;
+  return std::chrono::abs(a - b) <= b / 32 + least;
+}
+
+}  // namespace
+
+// With one sender, two consecutive intervals differ only by chance, and sum up to twice its period.
+// With two senders of the same period, they alternate, and sum up to the period.
+void RhythmWatch::hear(Time at, std::optional<Duration> expected) {
+  constexpr unsigned pairs_least = 7;
+  const Duration interval = at - latest_;
+  latest_ = at;
+  if (++heard_ < 2) return;
+  const Duration pair = interval + interval_;
+  const bool is_told = expected && *expected > Duration::zero();
+  const bool may_be = !is_told || is_near(pair, *expected);
+  if (heard_ > 3) {
+    const bool is_uneven = std::chrono::abs(interval - interval_) > pair / 8;
+    alternating_ = may_be && is_uneven && is_near(pair, pair_) ? alternating_ + 1 : 0;
+  }
+  if (heard_ > 2 && is_told) {
+    const bool is_sooner = interval < *expected * 15 / 16;
+    expected_pairs_ = may_be && is_sooner ? expected_pairs_ + 1 : 0;
+  }
+  if (alternating_ >= pairs_least || expected_pairs_ >= pairs_least) {
+    const Time since = found_ ? found_->since : at;
+    found_ = TwoRhythms{pair, std::min(interval, interval_), since, at};
+  }
+  interval_ = interval;
+  pair_ = pair;
+}
+
+void NodeHeartbeats::hear(Time at, NmtState state, std::optional<Duration> expected,
+                          Duration awake) {
+  is_heard_ = true;
+  if (is_running_) {
+    const Duration interval = std::max(at - latest_, Duration::zero());
+    if (intervals_.size() < intervals_max) {
+      intervals_.push_back(interval);
+    } else {
+      intervals_[next_++ % intervals_max] = interval;
+    }
+    add_gap({at, interval, awake - awake_});
+  }
+  rhythm_.hear(at, expected);
+  take_state(at, state);
+  is_running_ = true;
+  latest_ = at;
+  awake_ = awake;
+}
+
+void NodeHeartbeats::take_state(Time at, NmtState state) {
+  if (states_ >= 2 && state == before_ && state != state_) {
+    most_turns_ = std::max(most_turns_, ++turns_);
+    if (most_turns_ == turns_) in_turns_ = {state_, state};
+    turned_at_ = at;
+  } else if (states_ >= 2) {
+    turns_ = 0;
+  }
+  states_ = std::min(states_ + 1, 2U);
+  before_ = state_;
+  state_ = state;
+}
+
+/// The time of the first heartbeat after a boot-up depends on the configuring node.
+void NodeHeartbeats::boot_up(Time at, Duration awake, bool is_expected) {
+  if (is_running_ && !is_expected) add_gap({at, at - latest_, awake - awake_});
+  has_booted_ = true;
+  is_running_ = false;
+  states_ = 0;
+  turns_ = 0;
+}
+
+void NodeHeartbeats::commanded(bool is_reset) {
+  states_ = 0;
+  turns_ = 0;
+  if (!is_reset) return;
+  is_running_ = false;
+  rhythm_.restart();
+}
+
+void NodeHeartbeats::forget() {
+  is_running_ = false;
+  intervals_.clear();
+  next_ = 0;
+  gaps_.clear();
+  rhythm_.restart();
+}
+
+void NodeHeartbeats::end(Time at, Duration awake) {
+  if (is_running_) add_gap({at, at - latest_, awake - awake_});
+}
+
+void NodeHeartbeats::add_gap(const HeartbeatGap& gap) {
+  const auto place =
+      std::ranges::upper_bound(gaps_, gap.awake, std::ranges::greater{}, &HeartbeatGap::awake);
+  if (gaps_.size() == gaps_max && place == gaps_.end()) return;
+  gaps_.insert(place, gap);
+  if (gaps_.size() > gaps_max) gaps_.pop_back();
+}
+
+Duration NodeHeartbeats::period() const {
+  constexpr std::size_t least = 3;
+  if (intervals_.size() < least) return {};
+  std::vector<Duration> sorted = intervals_;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::ranges::nth_element(sorted, middle);
+  return *middle;
+}
+
+std::pair<unsigned, unsigned> NodeHeartbeats::uneven(Duration period) const {
+  const auto off = std::ranges::count_if(intervals_, [period](Duration interval) {
+    return std::chrono::abs(interval - period) > period / 5 && interval < 2 * period;
+  });
+  return {static_cast<unsigned>(off), static_cast<unsigned>(intervals_.size())};
+}
+
+Duration NodeHeartbeats::jitter() const {
+  if (intervals_.size() < 2) return {};
+  double sum = 0;
+  for (const Duration interval : intervals_) sum += static_cast<double>(interval.count());
+  const double mean = sum / static_cast<double>(intervals_.size());
+  double squares = 0;
+  for (const Duration interval : intervals_) {
+    const double off = static_cast<double>(interval.count()) - mean;
+    squares += off * off;
+  }
+  return Duration(std::llround(std::sqrt(squares / static_cast<double>(intervals_.size() - 1))));
+}
+
+}  // namespace canvoy::text

@@ -1,0 +1,263 @@
+#include "canvoy/text/frame_decoder.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+#include "canvoy/canopen/manager/dynamic_sdo.hpp"
+#include "canvoy/canopen/protocol/nmt.hpp"
+#include "canvoy/text/car_text.hpp"
+#include "canvoy/text/error_frame_text.hpp"
+#include "canvoy/text/lss_text.hpp"
+#include "canvoy/text/message_text.hpp"
+#include "canvoy/text/text.hpp"
+#include "canvoy/text/time_text.hpp"
+
+namespace canvoy::text {
+
+namespace {
+
+using decoder::Mark;
+
+constexpr unsigned sync_counter_max = 240;
+
+/// Services with a node, by function code (CAN-ID without node-ID).
+constexpr std::array<std::string_view, 16> service_names = {
+    "",      "EMCY",  "",      "TPDO1",        "RPDO1",       "TPDO2", "RPDO2",         "TPDO3",
+    "RPDO3", "TPDO4", "RPDO4", "SDO response", "SDO request", "",      "error control", ""};
+
+/// Service and node, as given by the CAN-ID.
+FrameWords service_of(std::uint32_t id) {
+  if (id == can_id::nmt) return {.service = "NMT"};
+  if (id == can_id::sync) return {.service = "SYNC"};
+  if (id == can_id::time) return {.service = "TIME"};
+  if (id == can_id::lss_response || id == can_id::lss_request) return {.service = "LSS"};
+  if (id == can_id::dynamic_sdo_request) return {.service = "SDO manager"};
+  if (is_flying_master(id)) return {.service = "flying master"};
+  const std::string_view service = service_names[id >> 7];
+  const auto node = static_cast<NodeId>(id & node_id_max);
+  if (service.empty() || node == 0) return {.service = "other"};
+  return {.service = service, .node = node};
+}
+
+bool is_told(NmtState state) {
+  return state == NmtState::stopped || state == NmtState::operational ||
+         state == NmtState::pre_operational;
+}
+
+std::string_view reason_text(decoder::KnownBy by) {
+  switch (by) {
+    case decoder::KnownBy::product:
+      return ", as others of its vendor-ID and product code";
+    case decoder::KnownBy::sheet:
+      return ", by the data sheet of its vendor-ID and product code";
+    default:
+      return "";
+  }
+}
+
+}  // namespace
+
+const FrameWords& FrameDecoder::decode(const Frame& frame) {
+  words_ = {};
+  transfer_ = nullptr;
+  if (frame.is_error()) {
+    words_.service = "error frame";
+    say(error_frame_text(frame));
+  } else if (frame.is_extended()) {
+    words_.service = "29-bit frame";
+  } else {
+    const Decoded& decoded = objects_.decode(frame);
+    words_.marks = decoded.marks;
+    if (decoded.pdo != nullptr) {
+      decode_pdo(frame, decoded);
+    } else if (decoded.service != Decoded::Service::other) {
+      decode_sdo(frame, decoded);
+    } else {
+      decode_other(frame, decoded);
+    }
+    if (decoded.news != nullptr) add_news(*decoded.news);
+  }
+  return words_;
+}
+
+void FrameDecoder::say(std::string text) {
+  text_ = std::move(text);
+  words_.text = text_;
+}
+
+void FrameDecoder::say_malformed(const Frame& frame) {
+  words_.marks.add(Mark::wrong_length);
+  say(malformed_text(frame));
+}
+
+// PDO
+
+void FrameDecoder::decode_pdo(const Frame& frame, const Decoded& decoded) {
+  const PdoWords::Words said = pdos_.words(frame.id, decoded, network().generation());
+  words_.service = said.service;
+  words_.text = said.text;
+  words_.kept = said.kept;
+  words_.node = decoded.pdo->node;
+  words_.values = decoded.values;
+}
+
+// SDO
+
+void FrameDecoder::decode_sdo(const Frame& frame, const Decoded& decoded) {
+  const bool asks = decoded.service == Decoded::Service::sdo_request;
+  words_.service = asks ? "SDO request" : "SDO response";
+  words_.is_answer = !asks;
+  words_.node = decoded.node;
+  words_.client = decoded.client;
+  words_.values = decoded.values;
+  words_.about = decoded.about;
+  if (frame.length != Frame::length_max) return say_malformed(frame);
+  text_.clear();
+  said_->sdos.append(text_, decoded.message, frame, network(), decoded.node, decoded.behind);
+  words_.is_middle = decoded.transfer == nullptr && decoded.message != decoder::SdoMessage::abort;
+  if (decoded.transfer != nullptr) say_transfer(*decoded.transfer);
+  words_.text = text_;
+}
+
+/// An expedited message shows its value itself; the last message of other transfers shows the value
+/// of the whole.
+void FrameDecoder::say_transfer(const decoder::SdoTransfer& transfer) {
+  words_.is_end = true;
+  transfer_ = &transfer;
+  const bool shows_itself = transfer.kind == decoder::SdoTransfer::Kind::expedited;
+  if (shows_itself) return;
+  text_ += ": ";
+  said_->sdos.append_transfer(text_, transfer, words_.values.front());
+}
+
+std::string_view FrameDecoder::transfer_text() {
+  transfer_text_.clear();
+  if (transfer_ != nullptr)
+    said_->sdos.append_transfer(transfer_text_, *transfer_, words_.values.front());
+  return transfer_text_;
+}
+
+// Other services
+
+void FrameDecoder::decode_other(const Frame& frame, const Decoded& decoded) {
+  if (network().has_car() && decode_of_car(frame)) return;
+  words_ = service_of(frame.id);
+  if (frame.id > can_id::error_control && words_.node != 0) return decode_error_control(frame);
+  if (frame.is_remote()) return say("remote request");
+  if (frame.id == can_id::nmt) return decode_nmt(frame);
+  if (frame.id == can_id::sync) return decode_sync(frame);
+  if (frame.id == can_id::time) return decode_time(frame);
+  if (frame.id == can_id::dynamic_sdo_request) return say("dynamic SDO request");
+  if (frame.id == can_id::lss_request || frame.id == can_id::lss_response) {
+    return decode_lss(frame, decoded);
+  }
+  if (is_flying_master(frame.id)) return say(flying_master_text(frame));
+  if (words_.node != 0 && frame.id < can_id::time) return decode_emergency(frame);
+  say(bytes_text(frame.payload()));
+}
+
+/// Messages that only a network of CiA 447 has; false: another message.
+bool FrameDecoder::decode_of_car(const Frame& frame) {
+  const bool is_sleep = is_sleep_message(frame.id);
+  const NodeId asked = iso_tp_node(frame.id);
+  if (frame.is_remote() || (!is_sleep && asked == 0)) return false;
+  if (asked != 0) {
+    words_.service = "ISO-TP";
+    words_.node = asked;
+    say(iso_tp_text(frame));
+    return true;
+  }
+  words_.service = "sleep";
+  words_.node = sleeping_node(frame.id);
+  if (frame.length != Frame::length_max) {
+    say_malformed(frame);
+    return true;
+  }
+  constexpr unsigned command_bits = 16;
+  if (load<std::uint64_t>(frame.data.data()) >> command_bits != 0) words_.marks.add(Mark::reserved);
+  say(sleep_text(frame));
+  return true;
+}
+
+void FrameDecoder::decode_nmt(const Frame& frame) {
+  constexpr std::uint8_t length = 2;
+  if (frame.length != length) return say_malformed(frame);
+  say(nmt_text(frame));
+}
+
+void FrameDecoder::decode_sync(const Frame& frame) {
+  if (frame.length == 0) return;
+  if (frame.length != 1) return say_malformed(frame);
+  const unsigned counter = frame.data[0];
+  if (counter == 0 || counter > sync_counter_max) words_.marks.add(Mark::out_of_range);
+  say(fmt::format("counter {}", counter));
+}
+
+void FrameDecoder::decode_time(const Frame& frame) {
+  const auto time =
+      canvoy::decode_time<TimeOfDay>(std::span(frame.data).first<time_of_day_bytes>());
+  if (frame.length != time_of_day_bytes) return say_malformed(frame);
+  if (time.valid()) return say(time_text(time));
+  words_.marks.add(Mark::out_of_range);
+  say(malformed_text(frame));
+}
+
+void FrameDecoder::decode_emergency(const Frame& frame) {
+  if (frame.length != Frame::length_max) return say_malformed(frame);
+  constexpr unsigned reserved_bit = 0x40;
+  if ((frame.data[2] & reserved_bit) != 0) words_.marks.add(Mark::reserved);
+  say(emergency_message_text(frame, network().profile(words_.node)));
+}
+
+void FrameDecoder::decode_lss(const Frame& frame, const Decoded& decoded) {
+  if (frame.length != Frame::length_max) return say_malformed(frame);
+  if (frame.id == can_id::lss_request) return say(lss_master_text(frame));
+  say(lss_slave_text(frame));
+  if (decoded.device == nullptr) return;
+  const std::string device = lss_device_text(*decoded.device);
+  if (!device.empty()) say(fmt::format("{}: {}", words_.text, device));
+}
+
+/// An answer to a remote frame is node guarding, any other message a heartbeat.
+void FrameDecoder::decode_error_control(const Frame& frame) {
+  const NodeId node = words_.node;
+  const bool was_asked = asked_.test(node);
+  asked_.set(node, frame.is_remote());
+  if (frame.is_remote()) {
+    words_.service = "guarding request";
+    return;
+  }
+  if (frame.length != 1) return say_malformed(frame);
+  if (frame.data[0] == 0) {
+    toggles_.at(node) = false;
+    words_.service = "boot-up";
+    return say(identity_text(network().identity(node)));
+  }
+  words_.service = was_asked ? "guarding answer" : "heartbeat";
+  const auto state = static_cast<NmtState>(frame.data[0] & 0x7F);
+  words_.text = nmt_state_text(state);
+  if (!is_told(state)) words_.marks.add(Mark::reserved);
+  if (was_asked) decode_toggle(frame.data[0]);
+}
+
+/// The bit alternates from answer to answer, and is 0 in the first one after boot-up (CiA 301,
+/// 7.2.8.3.2.1).
+void FrameDecoder::decode_toggle(unsigned answer) {
+  constexpr unsigned toggle_place = 7;
+  const bool toggle = answer >> toggle_place != 0;
+  std::optional<bool>& expected = toggles_.at(words_.node);
+  if (expected && *expected != toggle) words_.marks.add(Mark::wrong_toggle);
+  expected = !toggle;
+  say(fmt::format("{}, toggle bit {:d}", words_.text, toggle ? 1 : 0));
+}
+
+void FrameDecoder::add_news(const decoder::NodeNews& news) {
+  if (news.profile_by == decoder::KnownBy::nothing) return;
+  news_ = fmt::format("{} is of {}{}", node_text(news.node), network().profile(news.node).name,
+                      reason_text(news.profile_by));
+  words_.news = news_;
+}
+
+}  // namespace canvoy::text

@@ -1,0 +1,30 @@
+// An object given by the user: `6010`, `6383:1`, `0x1018:4`, its name in the profile
+// (`battery_parameters:ah_capacity`, or `battery_parameters, ah_capacity` as printed), an
+// unambiguous part of a name, or the name of the same value in the profile of the partner.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "canvoy/profiles/registry.hpp"
+
+namespace canvoy::tools {
+
+/// Looks in the profile with the number or the device type (1000h) `profile` (0: in all profiles),
+/// then in CiA 301. Throws UsageError if there is no such object; if there are several, with the
+/// candidates.
+ObjectAddress parse_object(std::string_view text, unsigned profile = 0);
+
+/// Throws UsageError if no possible profile has such an object.
+void check_object(std::string_view text, unsigned profile = 0);
+
+/// True if finding the object needs the profile of the node: the text is a name, or an index of the
+/// profile area.
+bool needs_profile(std::string_view text);
+
+/// Name in the form that parse_object() reads: `temperature`, `battery_parameters, ah_capacity`.
+std::string described_name(const ObjectInfo& object, const EntryInfo& entry);
+/// Name of an address in that form, or `6010h:00h` if unknown.
+std::string described_name(const ObjectAddress& address);
+
+}  // namespace canvoy::tools

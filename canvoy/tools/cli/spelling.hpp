@@ -1,0 +1,20 @@
+// Suggests known words for an unknown one.
+//
+//     did_you_mean("tempersture", {"temperature", "voltage"});  // "; did you mean 'temperature'?"
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace canvoy::tools {
+
+/// Number of letters to insert, delete, replace or swap with a neighbour to turn one word into the
+/// other, ignoring case. Cost: product of the lengths.
+std::size_t distance(std::string_view a, std::string_view b);
+
+/// End of an error message; empty if no known word is close: at most a third of its letters away,
+/// and one letter for a short word.
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& known);
+
+}  // namespace canvoy::tools

@@ -1,0 +1,35 @@
+#include "canvoy/tools/device/bus/reported_errors.hpp"
+
+namespace canvoy::tools {
+
+void ReportedErrors::join(Environment& environment) {
+  using cia407::CodeOnlyHardware, cia407::DeviceCode;
+  environment.provide(Callback<CodeOnlyHardware<DeviceCode::data_radio>()>::to<
+                      &ReportedErrors::radio<DeviceCode::data_radio>>(*this));
+  environment.provide(Callback<CodeOnlyHardware<DeviceCode::voice_radio>()>::to<
+                      &ReportedErrors::radio<DeviceCode::voice_radio>>(*this));
+  environment.provide(Callback<CodeOnlyHardware<DeviceCode::short_range_communication>()>::to<
+                      &ReportedErrors::radio<DeviceCode::short_range_communication>>(*this));
+  environment.provide(
+      Callback<CodeOnlyHardware<DeviceCode::power_supply>()>::to<&ReportedErrors::supply>(*this));
+}
+
+void ReportedErrors::act(const BusPress& press) {
+  if (press.what == "connect" || press.what == "disconnect") {
+    is_disconnected_ = press.what == "disconnect";
+  }
+  const auto code = static_cast<std::uint16_t>(press.number().value_or(0));
+  if (press.what == "fail") errors_.insert(code);
+  if (press.what == "mend") errors_.erase(code);
+}
+
+template <cia407::DeviceCode code>
+cia407::CodeOnlyHardware<code> ReportedErrors::radio() {
+  return {.has_error = Callback<bool(std::uint16_t)>::to<&ReportedErrors::is_disconnected>(*this)};
+}
+
+cia407::CodeOnlyHardware<cia407::DeviceCode::power_supply> ReportedErrors::supply() {
+  return {.has_error = Callback<bool(std::uint16_t)>::to<&ReportedErrors::has>(*this)};
+}
+
+}  // namespace canvoy::tools

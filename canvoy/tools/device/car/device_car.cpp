@@ -1,0 +1,253 @@
+#include "canvoy/tools/device/car/device_car.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "canvoy/can/real_text.hpp"
+#include "canvoy/tools/argument/duration_argument.hpp"
+#include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/device/car/drive_file.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+constexpr double kmh = 1 / 3.6;  ///< m/s
+/// Longer than any drive.
+constexpr double endless = 1e9;
+
+Duration since_1970() {
+  return std::chrono::duration_cast<Duration>(std::chrono::system_clock::now().time_since_epoch());
+}
+
+}  // namespace
+
+void add_device_car_options(Verb& command, DeviceCarOptions& options) {
+  command.add({
+      {"--speed", options.speeds,
+       "km/h of the car or bus of an ivn-gateway, gps, vehicle-gateway, tachograph or "
+       "geographical-positioning, and from when on: 50@10s",
+       one_each},
+      {"--nmea", options.nmea,
+       "a recorded drive of that car, as NMEA 0183; stops of 2 min are left out"},
+      {"--places", options.places, "the gazetteer of a navigation system"},
+  });
+}
+
+cia447::LocalTime host_local_time() {
+  return {.seconds = std::chrono::floor<std::chrono::seconds>(since_1970()).count()};
+}
+
+DeviceCar::DeviceCar(const DeviceCarOptions& options, const DeviceOutput& output)
+    : record_(options.nmea.empty() ? nullptr : read_drive_file(options.nmea)),
+      drive_(record_.get()),
+      output_(output),
+      vin_(cia447::parked_car().vin()) {
+  for (Sensed& sensed : senses_) sensed.car = this;
+  if (!options.nmea.empty() && !options.speeds.empty()) {
+    throw UsageError("--speed: a recorded drive has its own; give --nmea alone");
+  }
+  if (!options.places.empty()) places_.emplace(options.places);
+  for (const std::string& text : options.speeds) plan(text);
+  std::ranges::stable_sort(plan_, {}, &SpeedChange::at);
+}
+
+void DeviceCar::plan(const std::string& text) {
+  const std::size_t at = text.find('@');
+  double speed = 0;
+  const char* const end = text.data() + std::min(at, text.size());
+  const auto [stop, error] = real_from_chars(text.data(), end, speed);
+  const bool is_speed = error == std::errc{} && stop == end && speed >= 0 && speed <= kmh_max;
+  if (at == std::string::npos || !is_speed) {
+    throw UsageError(fmt::format(
+        "--speed: '{}' is no speed with a time: write 50@10s, in km/h up to {}", text, kmh_max));
+  }
+  plan_.push_back({parse_moment_argument(text.substr(at + 1)), speed * kmh});
+}
+
+void DeviceCar::join(Environment& environment) {
+  environment.provide(Callback<cia447::CarHardware()>::to<&DeviceCar::car>(*this));
+  environment.provide(Callback<cia447::GpsHardware()>::to<&DeviceCar::gps>(*this));
+  environment.provide(Callback<cia447::NavigationHardware()>::to<&DeviceCar::navigation>(*this));
+  environment.provide(Callback<cia447::RealTimeClockHardware()>::to<&DeviceCar::clock>(*this));
+  environment.provide(
+      Callback<cia447::DriverIdentificationHardware()>::to<&DeviceCar::reader>(*this));
+}
+
+/// Brakes as before a red light.
+void DeviceCar::change_speed(double speed) {
+  const double to_stand = drive_.speed() * drive_.speed() / (2 * car::Drive::deceleration);
+  drive_.go(speed > 0 ? endless : to_stand, speed > 0 ? speed : drive_.speed());
+}
+
+void DeviceCar::step(Time now) {
+  if (!begin_) begin_ = driven_until_ = now;
+  for (; done_ < plan_.size() && now - *begin_ >= plan_[done_].at; ++done_) {
+    wanted_ = plan_[done_].speed;
+    is_going_ = false;
+  }
+  set_off();
+  if (drive_.is_standing()) drive_.go_on();
+  const double before = drive_.speed();
+  drive_.step(now - driven_until_);
+  driver_.follow(drive_.speed(), drive_.speed() < before);
+  driven_until_ = now;
+}
+
+bool DeviceCar::drive(double kilometres_per_hour) {
+  if (record_) return false;
+  wanted_ = kilometres_per_hour * kmh;
+  is_going_ = false;
+  return true;
+}
+
+/// If something is missing, the car stands, or stops, until it is available.
+void DeviceCar::set_off() {
+  if (record_) {
+    if (!drive_.is_standing()) driver_.get_ready();
+    return;
+  }
+  if (wanted_ > 0) driver_.get_ready();
+  const std::string missing = wanted_ > 0 ? driver_.missing() : "";
+  if (missing != told_missing_ && !missing.empty()) {
+    output_.say("ivn-gateway", fmt::format("the car does not drive: {}", missing));
+  }
+  const bool was_missing = !std::exchange(told_missing_, missing).empty();
+  const bool may_go = missing.empty();
+  if (may_go && (was_missing || !is_going_)) {
+    change_speed(wanted_);
+    is_going_ = true;
+  } else if (!may_go && is_going_) {
+    change_speed(0);
+    is_going_ = false;
+  }
+}
+
+void DeviceCar::sense(CarSense sense, std::optional<double> value) {
+  Sensed& sensed = senses_.at(static_cast<std::size_t>(sense));
+  sensed.value = value;
+  const bool is_driven = sense == CarSense::speed || sense == CarSense::distance;
+  sensed.is_by_hand = !is_driven || !value;
+}
+
+/// Values not set by hand are those that the driver, or a garage, sets.
+std::optional<double> DeviceCar::read(const Sensed& sensed, CarSense sense) const {
+  if (sensed.is_by_hand) return sensed.value;
+  const cia447::CarHardware parked = cia447::parked_car();
+  switch (sense) {
+    case CarSense::speed:
+      return drive_.speed();
+    case CarSense::distance:
+      return drive_.metres();
+    case CarSense::engine_revolutions:
+      return driver_.engine_revolutions();
+    case CarSense::tank_level:
+      return parked.fuel();
+    case CarSense::fuel_consumption:
+      return driver_.fuel_consumption();
+    case CarSense::outside_temperature:
+    case CarSense::inside_temperature:
+      return parked.outside_temperature();
+    case CarSense::light_intensity:
+      return parked.light_intensity();
+    default:
+      return 0;
+  }
+}
+
+template <CarSense sense>
+cia447::Sensor DeviceCar::sensor() {
+  constexpr auto read_it = [](void* self) -> std::optional<double> {
+    const auto& sensed = *static_cast<const Sensed*>(self);
+    return sensed.car->read(sensed, sense);
+  };
+  return {read_it, &senses_.at(static_cast<std::size_t>(sense))};
+}
+
+cia447::CarHardware DeviceCar::car() {
+  return {.speed = sensor<CarSense::speed>(),
+          .distance = sensor<CarSense::distance>(),
+          .engine_speed = sensor<CarSense::engine_revolutions>(),
+          .fuel = sensor<CarSense::tank_level>(),
+          .fuel_consumption = sensor<CarSense::fuel_consumption>(),
+          .steering_wheel_angle = sensor<CarSense::steering_wheel_angle>(),
+          .outside_temperature = sensor<CarSense::outside_temperature>(),
+          .inside_temperature = sensor<CarSense::inside_temperature>(),
+          .light_intensity = sensor<CarSense::light_intensity>(),
+          .mirror_dimming = sensor<CarSense::mirror_dimming>(),
+          .vin = Callback<std::string_view()>::to<&DeviceCar::vin>(*this)};
+}
+
+cia447::GpsHardware DeviceCar::gps() {
+  return {.read = Callback<cia447::GpsReading()>::to<&DeviceCar::sensed_reading>(*this)};
+}
+
+cia447::GpsReading DeviceCar::sensed_reading() {
+  cia447::GpsReading reading = receiver();
+  for (const auto& [what, change] : gps_changes_) change(reading);
+  return reading;
+}
+
+void DeviceCar::sense_gps(const std::string& what,
+                          std::function<void(cia447::GpsReading&)> change) {
+  gps_changes_[what] = std::move(change);
+}
+
+void DeviceCar::set_clock(CarClock clock, Duration time) {
+  clock_offsets_.at(static_cast<std::size_t>(clock)) = time - since_1970();
+}
+
+Duration DeviceCar::now_utc(CarClock clock) const {
+  return since_1970() + clock_offsets_.at(static_cast<std::size_t>(clock));
+}
+
+cia447::LocalTime DeviceCar::local_time() const {
+  return {.seconds = std::chrono::floor<std::chrono::seconds>(now_utc(CarClock::meter)).count()};
+}
+
+cia447::GpsReading DeviceCar::receiver() const {
+  cia447::GpsReading reading = drive_.receiver();
+  if (record_) return reading;
+  const CivilTime now(std::chrono::floor<std::chrono::milliseconds>(now_utc(CarClock::receiver)));
+  const auto day = std::chrono::floor<std::chrono::days>(now);
+  const std::chrono::year_month_day date(day);
+  const std::chrono::hh_mm_ss time(now - day);
+  reading.date = {.year = static_cast<unsigned>(static_cast<int>(date.year())),
+                  .month = static_cast<unsigned>(date.month()),
+                  .day = static_cast<unsigned>(date.day())};
+  reading.time = {.hour = static_cast<unsigned>(time.hours().count()),
+                  .minute = static_cast<unsigned>(time.minutes().count()),
+                  .second = static_cast<double>(time.seconds().count())};
+  return reading;
+}
+
+cia447::NavigationHardware DeviceCar::navigation() {
+  cia447::NavigationHardware hardware;
+  if (places_) hardware.gazetteer = cia447::Gazetteer(places_->places());
+  return hardware;
+}
+
+cia447::RealTimeClockHardware DeviceCar::clock() {
+  return {.read = Callback<std::optional<cia447::ChipTime>()>::to<&DeviceCar::read_chip>(*this),
+          .write = Callback<void(const cia447::ChipTime&)>::to<&DeviceCar::write_chip>(*this)};
+}
+
+std::optional<cia447::ChipTime> DeviceCar::read_chip() {
+  return cia447::ChipTime{.since_1970 = now_utc(CarClock::chip), .has_date = chip_has_date_};
+}
+
+void DeviceCar::write_chip(const cia447::ChipTime& time) {
+  set_clock(CarClock::chip, time.since_1970);
+  chip_has_date_ = time.has_date;
+}
+
+cia447::DriverIdentificationHardware DeviceCar::reader() {
+  return {.clock = {[](void*) -> std::optional<cia447::LocalTime> { return host_local_time(); },
+                    nullptr},
+          .knows = {}};
+}
+
+}  // namespace canvoy::tools

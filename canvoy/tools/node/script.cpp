@@ -1,0 +1,234 @@
+// canvoy script BUS FILE: runs lines of other verbs in sequence on one bus, with expectations; the
+// exit status tells whether all were met.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <deque>
+#include <iostream>
+#include <memory>
+
+#include "canvoy/can/host/atomic_file.hpp"
+#include "canvoy/sim/duration_text.hpp"
+#include "canvoy/text/json_line.hpp"
+#include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/cli/spelling.hpp"
+#include "canvoy/tools/cli/value_file.hpp"
+#include "canvoy/tools/node/ask_options.hpp"
+#include "canvoy/tools/node/ask_verbs.hpp"
+#include "canvoy/tools/node/junit.hpp"
+#include "canvoy/tools/node/script_line.hpp"
+#include "canvoy/tools/node/typed_words.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+struct ScriptOptions : AskOptions {
+  std::string file = {};
+  std::string junit = {};
+  bool keeps_going = false;
+};
+
+std::vector<std::string> buses_of(const ScriptOptions& options) {
+  std::vector<std::string> buses;
+  for (std::string_view rest = options.bus;;) {
+    const std::size_t comma = rest.find(',');
+    buses.emplace_back(rest.substr(0, comma));
+    if (comma == std::string_view::npos) return buses;
+    rest.remove_prefix(comma + 1);
+  }
+}
+
+/// A line, and its parsed verb, before it is run.
+class ScriptLine {
+ public:
+  ScriptLine(unsigned number, std::string text) : number_(number), text_(std::move(text)) {}
+
+  unsigned number() const { return number_; }
+  const std::string& text() const { return text_; }
+
+  /// Throws UsageError if the line is not a valid call of a verb.
+  void parse(std::vector<std::string> words, const ScriptOptions& options, Sessions& sessions) {
+    add_ask_verbs(line_, sessions);
+    const std::vector<std::string> buses = buses_of(options);
+    check_verb(words.front());
+    const bool is_named = words.size() > 1 && std::ranges::find(buses, words[1]) != buses.end();
+    if (!is_named && buses.size() > 1 && words.front() != "wait") {
+      throw UsageError(fmt::format("on which bus? {} {} ...", words.front(), buses.front()));
+    }
+    if (!is_named) words.insert(words.begin() + 1, options.bus);
+    order_words(words);
+    if (options.json) words.emplace_back("--json");
+    using Kind = CommandLine::Outcome::Kind;
+    const CommandLine::Outcome outcome = line_.parse(std::move(words));
+    if (outcome.kind == Kind::answered) throw UsageError("a line has no --help");
+    if (outcome.kind == Kind::refused) throw UsageError(outcome.text);
+  }
+  int run() const { return line_.run(); }
+
+ private:
+  /// Other verbs, such as monitor, are not allowed in a line.
+  void check_verb(const std::string& verb) const {
+    if (is_ask_verb(verb)) return;
+    std::vector<std::string> names;
+    for (const std::unique_ptr<Verb>& each : line_.verbs()) names.push_back(each->name());
+    throw UsageError(fmt::format("'{}' is no verb of a script: {}{}", verb, fmt::join(names, ", "),
+                                 did_you_mean(verb, names)));
+  }
+
+  unsigned number_;
+  std::string text_;
+  CommandLine line_{"", "canvoy"};
+};
+
+class Script {
+ public:
+  Script(const ScriptOptions& options, Sessions& sessions, const std::string& content)
+      : options_(options) {
+    unsigned number = 0;
+    for (std::string_view rest = content; !rest.empty();) {
+      const std::size_t end = std::min(rest.find('\n'), rest.size());
+      add(++number, rest.substr(0, end), sessions);
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    if (lines_.empty()) throw UsageError(fmt::format("{}: there is no line in it", name()));
+  }
+
+  /// Runs the lines in sequence; after a failure the rest is skipped, unless it keeps going.
+  JunitSuite run() {
+    JunitSuite suite{.name = name()};
+    for (const ScriptLine& line : lines_) {
+      JunitCase& done = suite.cases.emplace_back(
+          JunitCase{.name = fmt::format("line {}: {}", line.number(), line.text())});
+      if (suite.has_failed() && !options_.keeps_going) {
+        done.is_skipped = true;
+        continue;
+      }
+      run(line, done);
+    }
+    return suite;
+  }
+
+  std::string name() const { return options_.file == "-" ? "stdin" : options_.file; }
+
+ private:
+  void add(unsigned number, std::string_view text, Sessions& sessions) {
+    const auto words = script_words(text);
+    const std::string where = fmt::format("{} line {}", name(), number);
+    if (!words) throw UsageError(fmt::format("{}: a quote does not end", where));
+    if (words->empty()) return;
+    std::string trimmed(text.substr(text.find_first_not_of(" \t")));
+    while (trimmed.ends_with('\r') || trimmed.ends_with(' ')) trimmed.pop_back();
+    try {
+      lines_.emplace_back(number, trimmed).parse(*words, options_, sessions);
+    } catch (const UsageError& error) {
+      throw UsageError(fmt::format("{}: {}", where, error.what()));
+    }
+  }
+
+  void run(const ScriptLine& line, JunitCase& done) const {
+    if (!options_.json) fmt::print("{:>3}  {}\n", line.number(), line.text());
+    std::fflush(stdout);
+    const auto begun = std::chrono::steady_clock::now();
+    try {
+      if (line.run() != exit_done) done.failure = "exit status 1";
+    } catch (const Failure& failure) {
+      done.failure = failure.what();
+    }
+    done.time = std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now() - begun);
+    if (options_.json) return print_json(line, done);
+    if (!done.failure.empty()) {
+      fmt::print("     {}{}\n", done.failure.starts_with("FAIL ") ? "" : "FAIL: ", done.failure);
+    }
+    std::fflush(stdout);
+  }
+  static void print_json(const ScriptLine& line, const JunitCase& done) {
+    std::string text;
+    text::JsonLine json(text);
+    json.begin_object();
+    json.key("event").text("line");
+    json.key("line").number(line.number());
+    json.key("duration_s").number(in_seconds(done.time));
+    json.key("passed");
+    json.written(done.failure.empty() ? "true" : "false");
+    json.key("text").text(line.text());
+    if (!done.failure.empty()) json.key("failure").text(done.failure);
+    json.end_object();
+    fmt::print("{}\n", text);
+    std::fflush(stdout);
+  }
+
+  const ScriptOptions& options_;
+  std::deque<ScriptLine> lines_;
+};
+
+std::string read_script(const std::string& path) {
+  if (path == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
+  const std::vector<std::uint8_t> bytes = read_value_file(path);
+  return {bytes.begin(), bytes.end()};
+}
+
+void summarise(const ScriptOptions& options, const JunitSuite& suite) {
+  const std::size_t failed = suite.failed();
+  const std::size_t passed = suite.cases.size() - failed - suite.skipped();
+  if (!options.json) {
+    fmt::print("{} of {} lines passed", passed, suite.cases.size());
+    fmt::print("{}{}\n", failed == 0 ? "" : fmt::format(", {} failed", failed),
+               suite.skipped() == 0 ? "" : fmt::format(", {} not run", suite.skipped()));
+    return;
+  }
+  std::string line;
+  text::JsonLine json(line);
+  json.begin_object();
+  json.key("event").text("summary");
+  json.key("lines").number(suite.cases.size());
+  json.key("passed").number(passed);
+  json.key("failed").number(failed);
+  json.key("skipped").number(suite.skipped());
+  json.end_object();
+  fmt::print("{}\n", line);
+}
+
+/// All lines are parsed before the first is run.
+int run_script(const ScriptOptions& options, Sessions& sessions) {
+  Script script(options, sessions, read_script(options.file));
+  for (const std::string& bus : buses_of(options))
+    sessions.open(bus, options.time_out_of(Session::default_time_out));
+  const JunitSuite suite = script.run();
+  summarise(options, suite);
+  if (!options.junit.empty()) {
+    const std::string text = junit_text(suite);
+    write_value_file(options.junit,
+                     {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  }
+  return suite.has_failed() ? exit_failed : exit_done;
+}
+
+}  // namespace
+
+void add_script(Verb& app, Sessions& sessions) {
+  const auto options = std::make_shared<ScriptOptions>();
+  Verb& command = app.add_verb(
+      "script", "Run lines of read, write, nmt, expect, wait and others on buses, and judge them");
+  options->add_bus(command);
+  command.add({
+      {"file", options->file,
+       "a line for each verb, without canvoy and the bus: 'nmt 10 operational'; of "
+       "several buses with it: 'nmt can1 10 operational', 'wait heartbeat' for all; # "
+       "begins a comment; - for stdin",
+       required},
+      {"--junit", options->junit, "write a report, as JUnit has it, into this file"},
+      {"--keep-going", options->keeps_going, "also behind a line that has failed"},
+  });
+  options->add_json(command);
+  command.add_examples(
+      "  canvoy script can0 acceptance.canvoy --junit report.xml\n"
+      "  printf 'sync can0\\nread can1 10 temperature\\nwait heartbeat within 5s\\n' | "
+      "canvoy script can0,can1 -\n"
+      "  printf 'nmt 10 start\\nexpect 10 temperature > -20degC within 2s\\n' | "
+      "canvoy script can0 -");
+  command.runs([options, &sessions] { return run_script(*options, sessions); });
+}
+
+}  // namespace canvoy::tools

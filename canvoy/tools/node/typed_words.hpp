@@ -1,0 +1,25 @@
+// Completes the words of a command line: `help read`, a bus from $CANVOY_BUS, `nmt can0 start 10`,
+// `write can0 10 1017 0 500`. Ambiguous words are left to the verb, or refused with the line to
+// type.
+//
+//     const std::vector<std::string> words = typed_words({"read", "10", "1018"});
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace canvoy::tools {
+
+/// True if the word can only be a bus: an address (`udp:`, `tcp:`, `sim`), several with commas, a
+/// network interface of this machine, or a name like those of CAN interfaces (`can0`, `vcan12`).
+bool names_bus(std::string_view word);
+
+/// `words` are those after the name of the program. Throws UsageError with the intended line.
+std::vector<std::string> typed_words(std::vector<std::string> words);
+
+/// Puts the words after a verb and its bus in order: node and state, and index and sub-index as
+/// one.
+void order_words(std::vector<std::string>& words);
+
+}  // namespace canvoy::tools

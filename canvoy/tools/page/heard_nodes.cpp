@@ -1,0 +1,132 @@
+#include "canvoy/tools/page/heard_nodes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "canvoy/profiles/registry.hpp"
+#include "canvoy/text/text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+constexpr int periods_until_silent = 3;
+constexpr Duration silent_after_min = 1s;
+/// Used if only one heartbeat was heard, and its period is unknown.
+constexpr Duration silent_after_one = 10s;
+
+}  // namespace
+
+struct HeardNodes::Bus {
+  Bus(std::string bus_name, std::size_t number, BusWatch::Note note)
+      : name(std::move(bus_name)),
+        index(static_cast<BusIndex>(number)),
+        watch(number, std::move(note)),
+        tap(watch.tap()) {}
+  std::string name;
+  BusIndex index;
+  BusWatch watch;
+  BusTap tap;
+};
+
+class HeardNodes::Names : public WorldNames {
+ public:
+  explicit Names(HeardNodes& heard) : heard_(heard) {}
+
+  std::string bus(BusIndex bus) const override { return heard_.buses_[bus]->name; }
+  std::string device(BusIndex bus, NodeId id) const override {
+    const Profile& profile = heard_.feed_.profile(heard_.buses_[bus]->name, id);
+    if (&profile == &base_profile()) return text::node_text(id);
+    return fmt::format("{} ({})", profile.name, id);
+  }
+  std::string fault(std::size_t) const override { return {}; }
+  std::string_view emergency(std::uint16_t code) const override {
+    return text::emergency_text(code);
+  }
+
+ private:
+  HeardNodes& heard_;
+};
+
+HeardNodes::HeardNodes(FrameFeed& feed, Tell tell)
+    : feed_(feed), tell_(std::move(tell)), names_(std::make_unique<Names>(*this)) {}
+
+HeardNodes::~HeardNodes() = default;
+
+HeardNodes::Bus* HeardNodes::bus_of(std::string_view name) {
+  for (const auto& known : buses_) {
+    if (known->name == name) return known.get();
+  }
+  if (buses_.size() == FrameFeed::buses_max) return nullptr;
+  const BusWatch::Note note_it = [this](Time now, const BusEvent& event) { note(now, event); };
+  return buses_.emplace_back(std::make_unique<Bus>(std::string(name), buses_.size(), note_it))
+      .get();
+}
+
+void HeardNodes::hear(Duration time, std::string_view bus, const Frame& frame) {
+  if (frame.is_error()) return;
+  const Bus* const heard_on = bus_of(bus);
+  if (heard_on == nullptr) return;
+  const BusTap& tap = heard_on->tap;
+  tap.on_frame(tap.context, Time{} + time, no_controller, frame);
+  hear_heartbeat(time, heard_on->index, frame);
+}
+
+/// The period follows the heartbeats, so that a node with a new period is not silent.
+void HeardNodes::hear_heartbeat(Duration time, BusIndex bus, const Frame& frame) {
+  const std::uint32_t node = frame.id - can_id::error_control;
+  if (!frame.is_plain() || frame.length != 1 || !is_node_id(node)) return;
+  Said& said = nodes_[{bus, static_cast<NodeId>(node)}];
+  const bool is_boot_up = frame.data[0] == 0;
+  if (said.heard_at != Duration{} && !is_boot_up) {
+    const Duration passed = time - said.heard_at;
+    said.period = std::max(passed, said.period - said.period / 8);
+  }
+  said.heard_at = time;
+  said.has_heartbeat = said.has_heartbeat || !is_boot_up;
+}
+
+void HeardNodes::note(Time now, const BusEvent& event) {
+  const auto say = [&](const auto& seen) {
+    using Seen = std::decay_t<decltype(seen)>;
+    if (seen.node != 0) {
+      Said& said = nodes_[{seen.bus, seen.node}];
+      if constexpr (std::is_same_v<Seen, NmtStateSeen>)
+        said.state = text::nmt_state_text(seen.state);
+      if constexpr (std::is_same_v<Seen, BootedUp>) {
+        said.state = text::nmt_state_text(NmtState::initialisation);
+      }
+      if constexpr (std::is_same_v<Seen, EmergencySeen>) said.error_register = seen.error_register;
+    }
+    tell_(told_at(now, told(*names_, seen)));
+  };
+  std::visit(say, event);
+}
+
+Json HeardNodes::nodes_json(Duration now) {
+  const auto is_silent = [&](const Said& said) {
+    const Duration patience = said.period == Duration{}
+                                  ? silent_after_one
+                                  : std::max(periods_until_silent * said.period, silent_after_min);
+    return said.has_heartbeat && now - said.heard_at > patience;
+  };
+  Json all = Json::array();
+  for (const auto& [place, said] : nodes_) {
+    const auto& [bus, node] = place;
+    all.push_back({{"bus", buses_[bus]->name},
+                   {"node", node},
+                   {"device", names_->device(bus, node)},
+                   {"state", is_silent(said)      ? "silent"
+                             : said.state.empty() ? "unknown"
+                                                  : said.state},
+                   {"error_register", fmt::format("{:02X}", said.error_register)}});
+  }
+  return all;
+}
+
+}  // namespace canvoy::tools

@@ -1,0 +1,60 @@
+// Nodes of buses that are only listened to: their boot-ups, heartbeats and emergencies as events
+// and as a table, in the words of simulated networks.
+//
+//     HeardNodes nodes(feed, [&](std::string line) { events.add(std::move(line)); });
+//     nodes.hear(time, "can0", frame);
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "canvoy/sim/bus_watch.hpp"
+#include "canvoy/tools/page/frame_feed.hpp"
+#include "canvoy/tools/player/world_text.hpp"
+
+namespace canvoy::tools {
+
+class HeardNodes {
+ public:
+  using Tell = std::function<void(ToldEvent event)>;
+
+  HeardNodes(FrameFeed& feed, Tell tell);
+  ~HeardNodes();
+  HeardNodes(const HeardNodes&) = delete;
+  HeardNodes& operator=(const HeardNodes&) = delete;
+
+  void hear(Duration time, std::string_view bus, const Frame& frame);
+  /// The table as `nodes` of a snapshot. A node without heartbeats is `silent` after three of its
+  /// periods, at least one second.
+  Json nodes_json(Duration now);
+
+ private:
+  class Names;
+  struct Bus;
+  struct Said {
+    std::string state;
+    std::uint8_t error_register = 0;
+    Duration heard_at{};         ///< time of its last heartbeat
+    Duration period{};           ///< longest recent interval; 0: at most one heartbeat
+    bool has_heartbeat = false;  ///< beside its boot-up message
+  };
+
+  /// Null: too many buses.
+  Bus* bus_of(std::string_view name);
+  void note(Time now, const BusEvent& event);
+  void hear_heartbeat(Duration time, BusIndex bus, const Frame& frame);
+
+  FrameFeed& feed_;
+  Tell tell_;
+  std::unique_ptr<Names> names_;
+  std::vector<std::unique_ptr<Bus>> buses_;
+  std::map<std::pair<BusIndex, NodeId>, Said> nodes_;
+};
+
+}  // namespace canvoy::tools

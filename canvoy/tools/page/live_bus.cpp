@@ -1,0 +1,122 @@
+#include "canvoy/tools/page/live_bus.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "canvoy/canopen/protocol/cob_id.hpp"
+#include "canvoy/sim/duration_text.hpp"
+#include "canvoy/text/text.hpp"
+#include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/page/refusal.hpp"
+#include "canvoy/tools/session/session.hpp"
+
+namespace canvoy::tools {
+
+LiveBus::LiveBus(const std::string& address, std::string record, const FramePrinterOptions& options,
+                 WritePermission permission, host::EventLoop& loop)
+    : LiveNetwork(options, std::move(permission)),
+      loop_(loop),
+      bus_(value_or_throw(host::open_bus(loop, real_bus(address)))),
+      attachment_(loop, *bus_),
+      desk_(attachment_.port()),
+      nodes_(feed_, [this](ToldEvent event) { events_.add(std::move(event)); }),
+      record_(std::move(record)) {
+  attachment_.attach(desk_.node());
+  bus_->on_frame([this](const host::BusFrame& heard) { hear(heard); });
+  bus_->on_state([this](BusState state, Time) {
+    if (state == BusState::error_active) trouble_.clear();
+  });
+  bus_->on_trouble([this](const host::Error& error) {
+    trouble_ = error.line();
+    fmt::print(stderr, "canvoy: {}\n", trouble_);
+  });
+}
+
+LiveBus::~LiveBus() = default;
+
+void LiveBus::begin_log() {
+  if (record_.empty()) return;
+  log_.emplace(value_or_throw(LogWriter::create(record_, loop_.epoch())));
+}
+
+void LiveBus::hear(const host::BusFrame& heard) {
+  const Duration time = loop_.epoch() + heard.time.time_since_epoch();
+  feed_.add(time, bus_->name(), heard.frame);
+  nodes_.hear(time, bus_->name(), heard.frame);
+  recorder().hear(heard.time, bus_->name(), heard.frame);
+  if (!log_) return;
+  const host::Result<void> written = log_->write(heard.time, bus_->name(), heard.frame);
+  if (!written) failure_ = written.error().line();
+}
+
+LiveSource::Json LiveBus::description() {
+  return {{"kind", "bus"},
+          {"time_is", "clock"},
+          {"command", fmt::format("canvoy view {}", bus_->name())},
+          {"buses", Json::array({std::string(bus_->name())})},
+          {"can",
+           {{"play", false},
+            {"replay", false},
+            {"visit", false},
+            {"read", !permission().is_empty()},
+            {"record", recorder().is_allowed()},
+            {"write", permission().text()},
+            {"nmt", permission().allows_nmt()}}}};
+}
+
+void LiveBus::advance(Time clock) {
+  recorder().flush_each_second(clock);
+  if (log_) ok_or_throw(log_->flush_each_second(clock));
+  if (failure_) throw Failure(*failure_);
+}
+
+LiveSource::Json LiveBus::state() {
+  const Duration now = loop_.epoch() + loop_.now().time_since_epoch();
+  return {{"time", in_seconds(now)},
+          {"snapshot",
+           {{"bus_state", text::bus_state_text(bus_->state())},
+            {"trouble", trouble_},
+            {"frames_lost", bus_->counters().carrier.overrun},
+            {"nodes", nodes_.nodes_json(now)}}},
+          {"counts", counts()},
+          {"record", recorder().json()}};
+}
+
+/// Looking on sends nothing: a request is a frame on the bus too.
+void LiveBus::act(std::string_view what, const Json& arguments, const Done& done) {
+  if (what == "read" && permission().is_empty()) {
+    throw NotAllowed(
+        "a question is a frame on the bus: start the command with --allow-write, if only of one "
+        "object");
+  }
+  LiveNetwork::act(what, arguments, done);
+}
+
+void LiveBus::request(const BusRequest& request, const SdoRequests::Done& done) {
+  if (request.bus != bus_->name()) throw NotThere(fmt::format("there is no bus '{}'", request.bus));
+  if (request.kind == BusRequest::Kind::nmt) {
+    const Port port = attachment_.port();
+    if (!port.send(port.context, Frame::data_frame(0x000, {request.bytes[0], request.node}))) {
+      throw Failure("the frame was refused: is the bus up?");
+    }
+    return;
+  }
+  desk_.node().advance(loop_.now());
+  if (request.kind == BusRequest::Kind::read) {
+    desk_.read(request.node, request.index, request.sub, done);
+  } else {
+    desk_.write(request.node, request.index, request.sub, request.bytes, done);
+  }
+  loop_.wake();
+}
+
+int LiveBus::finish() {
+  if (log_) ok_or_throw(log_->finish());
+  recorder().end();
+  if (failure_) throw Failure(*failure_);
+  return exit_done;
+}
+
+}  // namespace canvoy::tools

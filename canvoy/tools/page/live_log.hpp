@@ -1,0 +1,52 @@
+// A log for viewers: as a whole, played in real time, or up to any time.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "canvoy/tools/page/frame_store.hpp"
+#include "canvoy/tools/page/heard_nodes.hpp"
+#include "canvoy/tools/page/live_source.hpp"
+#include "canvoy/tools/page/playback.hpp"
+
+namespace canvoy::tools {
+
+class LiveLog : public LiveSource {
+ public:
+  /// For a longer log with times that jump back: number of frames at its start that are sorted.
+  static constexpr std::size_t sorted_max = 5'000'000;
+
+  /// Throws Failure if the log cannot be read, or has no frame.
+  LiveLog(const std::string& path, const FramePrinterOptions& options);
+  ~LiveLog() override;
+
+  Json description() override;
+  void advance(Time clock) override;
+  Json state() override;
+  void act(std::string_view what, const Json& arguments, const Done& done) override;
+  int finish() override;
+  std::unique_ptr<FrameStream> watch(const std::string& filter, bool is_anew) const override;
+
+ private:
+  void read(const std::string& path);
+  void sort();
+  std::optional<std::uint8_t> bus_of(std::string_view channel);
+  void begin_again();
+  Time begin() const { return begin_; }
+  void hear(const StoredFrame& heard);
+
+  std::string path_;
+  FrameStore frames_;
+  FrameCursor cursor_{frames_};
+  Time begin_{};
+  Time end_{};
+  std::vector<std::string> buses_;
+  std::unique_ptr<Playback> playback_;  ///< with times from the first frame
+  std::unique_ptr<HeardNodes> nodes_;
+  std::uint64_t next_ = 0;
+  bool is_cut_ = false;
+};
+
+}  // namespace canvoy::tools

@@ -1,0 +1,55 @@
+// Frames of a log for one viewer: with a filter, those from the first frame to a time; without,
+// those just before the time.
+//
+//     LogView view(store, buses, options, "node=10", [&] { return playback.aim(); });
+//     view.read(lines, 256 * 1024);
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "canvoy/tools/page/frame_feed.hpp"
+#include "canvoy/tools/page/frame_store.hpp"
+
+namespace canvoy::tools {
+
+class LogView : public FrameStream {
+ public:
+  /// Number of frames before the time without a filter; a log of at most whole_max frames is shown
+  /// whole.
+  static constexpr std::uint64_t window = 20'000;
+  static constexpr std::uint64_t whole_max = 200'000;
+  /// Number of frames at the start of the log that are decoded to learn about its nodes.
+  static constexpr std::uint64_t learned_from = 20'000;
+  /// Maximum number of frames shown by a page.
+  static constexpr std::uint64_t matches_max = 200'000;
+
+  /// `until`: end of the frames. All arguments must outlive this. Throws UsageError for an invalid
+  /// filter.
+  LogView(const FrameStore& store, const std::vector<std::string>& buses,
+          const FramePrinterOptions& options, const std::string& filter,
+          std::function<Time()> until);
+
+  void read(std::string& elements, std::size_t bytes_max) override;
+  bool is_behind() const override { return !is_full() && next_ < end(); }
+  /// 1 when all is reported.
+  double searched() const override;
+  bool is_full() const override { return is_filtered_ && matches_ >= matches_max; }
+
+ private:
+  std::uint64_t end() const { return store_.first_after(until_()); }
+  void begin_window();
+
+  const FrameStore& store_;
+  const std::vector<std::string>& buses_;
+  std::function<Time()> until_;
+  FramePrinter printer_;
+  FrameCursor cursor_;
+  bool is_filtered_;
+  std::uint64_t next_ = 0;
+  std::uint64_t since_ = 0;  ///< earlier frames are only decoded
+  std::uint64_t matches_ = 0;
+};
+
+}  // namespace canvoy::tools

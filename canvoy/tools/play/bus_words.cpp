@@ -1,0 +1,56 @@
+#include "canvoy/tools/play/bus_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "canvoy/text/text.hpp"
+
+namespace canvoy::tools {
+
+std::string_view bus_device_name(NodeId id) {
+  const auto place = std::ranges::find(bus_line::device_places, id, &bus_line::DevicePlace::id);
+  return place == bus_line::device_places.end() ? "" : place->name;
+}
+
+std::string BusNames::device(BusIndex, NodeId id) const {
+  if (id == 0) return "all";
+  std::string_view name = bus_device_name(id);
+  const auto added = std::ranges::find(design_.added, id, &bus_line::AddedDevice::id);
+  if (added != design_.added.end()) name = added->kind;
+  return name.empty() ? text::node_text(id) : fmt::format("{} ({})", name, id);
+}
+
+std::string service_text(const bus_line::BusNetworkStatistics& statistics,
+                         const bus_line::RiderStatistics& riders, double odometer,
+                         const BusSnapshot& bus) {
+  constexpr double metres_a_km = 1000;
+  return fmt::format(
+      "{} journeys, {} stops, {:.1f} km; {} people in, {} out, {} left behind; {} tickets printed, "
+      "{} cancelled; {} texts shown, {} stops announced; at most {} s late; {} frames, {} error "
+      "frames",
+      statistics.journeys, statistics.stops, odometer / metres_a_km, riders.in, riders.out,
+      riders.left_behind, riders.bought, riders.cancelled, statistics.texts, statistics.announced,
+      std::chrono::floor<std::chrono::seconds>(statistics.worst_delay).count(), bus.frames,
+      bus.error_frames);
+}
+
+Json bus_statistics_json(const bus_line::BusNetworkStatistics& statistics,
+                         const bus_line::RiderStatistics& riders) {
+  return {{"journeys", statistics.journeys},
+          {"stops", statistics.stops},
+          {"announced", statistics.announced},
+          {"texts", statistics.texts},
+          {"in", riders.in},
+          {"out", riders.out},
+          {"left_behind", riders.left_behind},
+          {"carried_past", riders.carried_past},
+          {"tickets_printed", riders.bought},
+          {"tickets_cancelled", riders.cancelled},
+          {"without_ticket", riders.without_ticket},
+          {"worst_delay_s", in_seconds(statistics.worst_delay)}};
+}
+
+}  // namespace canvoy::tools

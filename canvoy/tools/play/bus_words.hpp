@@ -1,0 +1,37 @@
+// Common texts of a bus and a depot.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "canvoy/tools/player/world_text.hpp"
+#include "canvoy/worlds/bus_line/bus_network.hpp"
+
+namespace canvoy::tools {
+
+/// Name of a device, such as `ticket-canceller`; empty: no device of the bus has this node-ID.
+std::string_view bus_device_name(NodeId id);
+
+/// Names of a bus: `sim0` is in the first car, `sim1` in the second.
+class BusNames : public PlanNames<bus_line::FaultKind> {
+ public:
+  /// `options` must outlive this.
+  explicit BusNames(const bus_line::BusNetworkOptions& options)
+      : PlanNames(options.faults), design_(options.design) {}
+
+  std::string device(BusIndex, NodeId id) const override;
+
+ private:
+  const bus_line::BusDesign& design_;
+};
+
+/// `3 journeys, 22 stops, 16.5 km; 17 people in, ...; 88233 frames, 0 error frames`; frames are
+/// those of `bus`. `odometer` in m.
+std::string service_text(const bus_line::BusNetworkStatistics& statistics,
+                         const bus_line::RiderStatistics& riders, double odometer,
+                         const BusSnapshot& bus);
+/// The statistics as `statistics` of docs/json.md.
+Json bus_statistics_json(const bus_line::BusNetworkStatistics& statistics,
+                         const bus_line::RiderStatistics& riders);
+
+}  // namespace canvoy::tools

@@ -1,0 +1,216 @@
+// canvoy run charger: plays the network of a battery and its charger.
+#include "canvoy/text/time_text.hpp"
+#include "canvoy/tools/device/wired_hands.hpp"
+#include "canvoy/tools/device/wired_things.hpp"
+#include "canvoy/tools/play/charger_text.hpp"
+#include "canvoy/tools/play/hand_file.hpp"
+#include "canvoy/tools/play/world.hpp"
+#include "canvoy/worlds/charger/charger_network.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+using charger::ChargerOptions;
+
+struct ChargerRun : WorldRun {
+  Duration duration = 8h;
+  ChargerOptions network{};
+  std::vector<HandOfFile> hands{};
+};
+
+/// The device that a hand acts on.
+struct ChargerPlace {
+  NodeId id = 0;
+  bool is_played = true;
+};
+
+ChargerPlace place_of(const ChargerOptions& options, std::string_view device) {
+  if (device == "charger") return {options.charger_id, options.plays_charger};
+  return {options.battery_id, options.plays_battery};
+}
+
+/// Reads each `[[hands]]`, after the tables of the devices.
+FilePart<ChargerRun> charging_hands() {
+  return several<ChargerRun, HandOfFile>(
+      [](const ChargerRun&) { return hand_table(R"(`"charger"` or `"battery"`)"); },
+      [](const ChargerRun& run) { return run.hands; },
+      [](const TomlTable& table, ChargerRun& run, HandOfFile hand) {
+        if (hand.device != "charger" && hand.device != "battery") {
+          table.refuse("device",
+                       fmt::format("there is no '{}': there are charger, battery", hand.device));
+        }
+        if (!place_of(run.network, hand.device).is_played) {
+          table.refuse("device", "it is not played here: its hands are where it is");
+        }
+        const std::vector<DeviceHand> hands = wired_hands(hand.device, Environment());
+        const HandTable of_device = {hand.device, hands};
+        order_of(table, hand, {&of_device, 1});
+        add_hand(table, run.hands, std::move(hand));
+      });
+}
+
+/// The network, with the hands of a file.
+class PlayedCharging : public Played<charger::ChargerNetwork>, private WiredThings {
+ public:
+  explicit PlayedCharging(const ChargerRun& run) : Played(run.network) {
+    for (const HandOfFile& hand : run.hands) {
+      const bool is_charger = hand.device == "charger";
+      const HandTable table = {is_charger ? "charger" : "battery",
+                               is_charger ? charger_hands_ : battery_hands_};
+      const NodeId node = place_of(run.network, hand.device).id;
+      plan_hand(world(), hand, checked_order(hand, {&table, 1}),
+                [this, node](Time now, const HandOrder& order, const std::string& text) {
+                  const bool is_done =
+                      order.hand->act({.unit = static_cast<WiredThings*>(this)}, order.value);
+                  network_.note_hand(
+                      now,
+                      {.node = node, .what = text, .refused = is_done ? "" : "not in this state"});
+                });
+    }
+  }
+
+ private:
+  ChargingPlant* charging() override { return &network_.plant(); }
+
+  std::vector<DeviceHand> charger_hands_ = wired_hands("charger", Environment());
+  std::vector<DeviceHand> battery_hands_ = wired_hands("battery", Environment());
+};
+
+struct ChargerWorld {
+  using Run = ChargerRun;
+  using Kind = charger::FaultKind;
+  struct Choice {
+    double state_of_charge = 20;  ///< in %
+    double ambience = 20;
+    std::string begin = "2026-11-21 18:00:00";
+    bool no_sdo_manager = false;
+  };
+  static constexpr std::string_view name = "charger";
+  static constexpr auto network = &Run::network;
+  static constexpr double percent = 100;
+
+  static WorldInfo info();
+  static WorldFile<Run> file(const std::string& folder);
+  static void check(const TomlTable& file, const std::string& folder, Run& run);
+  static Run run_of_file();
+  static Duration& length(Run& run) { return run.duration; }
+  static void add_options(Verb& verb, Choice& choice);
+  static Run chosen(const Choice& choice);
+  static MadeWorld make(const Run& run, const Choice&) {
+    return {.network = std::make_unique<PlayedCharging>(run)};
+  }
+};
+
+WorldInfo ChargerWorld::info() {
+  return {.about = "A CiA 419 charger charges a CiA 418 battery (8h)",
+          .examples =
+              "  canvoy run charger --for 20min --fault heartbeat-loss@5min+30s --log bus.log\n"
+              "  canvoy run charger --for 10min --state-of-charge 80 --seed 7 --json\n"
+              "  canvoy run charger --print",
+          .page = "charger",
+          .decoding = {.nodes = {"5=419", "10=418"}}};
+}
+
+Setting<ChargerRun> state_of_charge() {
+  return mapped<ChargerRun, double>(
+      {.key = "state_of_charge",
+       .takes = "a number from 0 to 100",
+       .read = [](ChargerRun& run,
+                  double charge) { run.network.state_of_charge = charge / ChargerWorld::percent; },
+       .write =
+           [](const ChargerRun& run) {
+             return run.network.state_of_charge * ChargerWorld::percent;
+           },
+       .range = {0, ChargerWorld::percent}},
+      "%");
+}
+
+WorldFile<ChargerRun> ChargerWorld::file(const std::string&) {
+  constexpr Range<NodeId> ids{1, node_id_max};
+  return {.network = name,
+          .title = "A CiA 419 charger charges a CiA 418 battery.",
+          .head = world_head(setting<&Run::duration>("for", "virtual time"), name),
+          .parts = {
+              SettingTable<Run>{"bus",
+                                "",
+                                {setting<network, &ChargerOptions::bit_rate>("bit_rate", "bit/s",
+                                                                             {{10'000, 1'000'000}}),
+                                 real_setting<Run>(0)}},
+              SettingTable<Run>{"charger",
+                                "",
+                                {setting<network, &ChargerOptions::charger_id>("id", "", {ids}),
+                                 setting<network, &ChargerOptions::plays_charger>(
+                                     "played", "false: a real one is on the bus"),
+                                 setting<network, &ChargerOptions::begin>(
+                                     "begin", "what its clock shows at the start")}},
+              SettingTable<Run>{
+                  "battery",
+                  "",
+                  {setting<network, &ChargerOptions::battery_id>("id", "", {ids}),
+                   setting<network, &ChargerOptions::plays_battery>("played"), state_of_charge(),
+                   setting<network, &ChargerOptions::ambience_celsius>(
+                       "ambience", "degrees Celsius", {{-40, 85}})}},
+              SettingTable<Run>{
+                  "manager",
+                  "",
+                  {setting<network, &ChargerOptions::manager_id>(
+                      "id", "gives the charger its SDO connection to the battery; 0: there is none",
+                      {{0, node_id_max}})}},
+              charging_hands()}};
+}
+
+void ChargerWorld::check(const TomlTable& file, const std::string&, Run& run) {
+  const ChargerOptions& options = run.network;
+  if (options.charger_id == options.battery_id || options.charger_id == options.manager_id ||
+      options.battery_id == options.manager_id) {
+    file.refuse("two nodes have one node-ID");
+  }
+  if (options.plays_charger && options.plays_battery) return;
+  if (run.real.empty()) file.refuse("who is not played is on a real bus: write real = \"can0\"");
+  if (!options.faults.faults.empty()) {
+    file.refuse("faults", "only where charger and battery are both played");
+  }
+}
+
+ChargerRun ChargerWorld::run_of_file() {
+  Run run;
+  run.network.manager_id = 1;  // the vehicle has a CANopen manager; no other node has this node-ID
+  return run;
+}
+
+void ChargerWorld::add_options(Verb& verb, Choice& choice) {
+  verb.add({
+      {"--state-of-charge", choice.state_of_charge,
+       "of the battery at the start, in % (default 20)", between(0.0, 100.0)},
+      {"--ambience", choice.ambience, "temperature, in °C (default 20)", between(-40.0, 85.0)},
+      {"--begin", choice.begin,
+       "date and time of the charger's clock at the start (default 2026-11-21 "
+       "18:00:00); it tells them each minute (TIME)"},
+      {"--no-sdo-manager", choice.no_sdo_manager,
+       "no CANopen manager gives the charger its SDO connection to the battery: it "
+       "takes the default channel"},
+  });
+}
+
+ChargerRun ChargerWorld::chosen(const Choice& choice) {
+  ChargerRun run = run_of_file();
+  const std::optional<TimeOfDay> begin = text::parse_time_of_day(choice.begin);
+  if (!begin || !begin->valid()) {
+    throw UsageError(fmt::format("--begin: '{}' is no time after 1984: write 2026-11-21 18:00:00",
+                                 choice.begin));
+  }
+  run.network.begin = to_civil_time(*begin);
+  if (choice.no_sdo_manager) run.network.manager_id = 0;
+  run.network.state_of_charge = choice.state_of_charge / percent;
+  run.network.ambience_celsius = choice.ambience;
+  return run;
+}
+
+}  // namespace
+
+WorldEntry charger_world() {
+  return world_entry<ChargerWorld>();
+}
+
+}  // namespace canvoy::tools

@@ -1,0 +1,43 @@
+#include "canvoy/tools/player/real_buses.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+namespace canvoy::tools {
+
+namespace {
+
+/// A late network advances by this time at each step, or by a quarter of its delay: time-outs of 5
+/// ms do not expire at once, and the plant behind a real drive, which integrates over time, soon
+/// catches up.
+constexpr Duration step_min = 5ms;
+constexpr int looks = 4;
+/// Maximum delay.
+constexpr Duration late_max = 500ms;
+
+}  // namespace
+
+RealBuses::RealBuses(World& world, const std::vector<RealBus>& buses, host::EventLoop& loop)
+    : looked_at_(loop.now()), reached_(world.now()) {
+  for (const RealBus& each : buses) {
+    BusBridge& bridge = bridges_.emplace_back(world, each.bus, loop, each.address);
+    bridge.real().on_trouble(
+        [](const host::Error& error) { fmt::print(stderr, "canvoy: {}\n", error.line()); });
+    world.start(bridge.slot());
+  }
+}
+
+Time RealBuses::reach(Time clock) {
+  late_ += clock - std::exchange(looked_at_, clock);
+  const Duration too_late = std::max(late_ - late_max, Duration{});
+  left_out_ += too_late;
+  late_ -= too_late;
+  const Duration step = std::min(late_, std::max(step_min, late_ / looks));
+  late_ -= step;
+  return reached_ += step;
+}
+
+}  // namespace canvoy::tools

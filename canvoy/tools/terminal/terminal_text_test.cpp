@@ -1,0 +1,45 @@
+#include "canvoy/tools/terminal/terminal_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include "canvoy/tools/cli/failure.hpp"
+
+namespace canvoy::tools::terminal_text_test {
+namespace {
+
+TEST(TerminalText, WhatIsWrongIsInColourUpToTheEndOfItsLine) {
+  EXPECT_EQ(coloured("18A#A0 TPDO1 [!] wrong length => node 10 is new\nplain\n"),
+            "18A#A0 TPDO1 \x1B[31m[!] wrong length\x1B[0m => node 10 is new\nplain\n");
+  EXPECT_EQ(coloured("5min  FAULT begins: cable-cut\n"),
+            "5min  \x1B[33mFAULT begins: cable-cut\x1B[0m\n");
+  EXPECT_EQ(coloured("charger: EMERGENCY 8130h: life guard"),
+            "charger: \x1B[31mEMERGENCY 8130h: life guard\x1B[0m");
+}
+
+TEST(TerminalText, TheFirstThatIsWrongSaysTheColour) {
+  EXPECT_EQ(coloured("08A#00 EMCY  FAULT begins [!] reserved"),
+            "08A#00 \x1B[31mEMCY  FAULT begins [!] reserved\x1B[0m");
+}
+
+TEST(TerminalText, NoLineIsLongerThanARow) {
+  EXPECT_EQ(clipped("12345\n123456\n", 5), "12345\n1234…\n");
+  EXPECT_EQ(clipped("20.0 °C now", 8), "20.0 °C…");
+  EXPECT_EQ(clipped("20.0 °C", 7), "20.0 °C");
+  EXPECT_EQ(clipped("", 5), "");
+  EXPECT_EQ(clipped("1 \x1B[31m345\x1B[0m", 5), "1 \x1B[31m345\x1B[0m") << "colours take no room";
+  EXPECT_EQ(clipped("1 \x1B[31m3456\x1B[0m", 5), "1 \x1B[31m34…\x1B[0m")
+      << "they end with the line";
+}
+
+TEST(TerminalText, ColourIsAWordOfThree) {
+  EXPECT_THROW(use_colour("sometimes"), UsageError);
+  use_colour("always");
+  EXPECT_TRUE(wants_colour(-1));
+  use_colour("never");
+  EXPECT_FALSE(wants_colour(-1));
+  use_colour("auto");
+  EXPECT_FALSE(wants_colour(-1)) << "it is no terminal";
+}
+
+}  // namespace
+}  // namespace canvoy::tools::terminal_text_test

@@ -1,0 +1,56 @@
+// The announcers of a bus with their loudspeakers, one in each car: what passengers hear, and
+// whether each stop is announced there, and no other one.
+//
+//     Announcements announcements(nodes, options, truth, referee, events);
+//     announcements.stop_comes(now, truth.current().stop_point);
+//     announcements.step(now);
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "canvoy/devices/cia407/acoustic/acoustic_announcer_unit.hpp"
+#include "canvoy/worlds/bus_line/bus_nodes.hpp"
+#include "canvoy/worlds/bus_line/bus_referee.hpp"
+#include "canvoy/worlds/bus_line/true_data.hpp"
+
+namespace canvoy::bus_line {
+
+class Announcements {
+ public:
+  /// All must outlive this object.
+  Announcements(BusNodes& nodes, const BusNetworkOptions& options, const TrueHistory& truth,
+                BusReferee& referee, EventLog<NetworkEvent>& events)
+      : nodes_(nodes), options_(options), truth_(truth), referee_(referee), events_(events) {}
+  Announcements(const Announcements&) = delete;
+  Announcements& operator=(const Announcements&) = delete;
+
+  /// Puts the announcer of a car on the bus.
+  void add_first_car();
+  void add_second_car();
+  /// Call it when this stop becomes the next one.
+  void stop_comes(Time now, std::uint32_t stop_point);
+  /// Judges what was not announced in time.
+  void step(Time now);
+  /// Number of announcements heard in the first car.
+  std::size_t heard() const { return heard_; }
+
+ private:
+  cia407::AcousticAnnouncerHardware first_hardware();
+  cia407::AcousticAnnouncerHardware second_hardware();
+  bool say_in_first_car(std::uint32_t stop_point, std::string_view text);
+  bool say_in_second_car(std::uint32_t stop_point, std::string_view text);
+  bool say(unsigned car, std::uint32_t stop_point, bool is_mute);
+
+  BusNodes& nodes_;
+  const BusNetworkOptions& options_;
+  const TrueHistory& truth_;
+  BusReferee& referee_;
+  EventLog<NetworkEvent>& events_;
+  std::array<std::optional<std::uint32_t>, 2> expected_;  ///< in each car
+  Time expected_since_{};
+  std::size_t heard_ = 0;
+};
+
+}  // namespace canvoy::bus_line

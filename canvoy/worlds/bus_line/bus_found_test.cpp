@@ -1,0 +1,79 @@
+// Days of a bus on which its computer could once not find its position again: faults where a
+// journey ends and the next one begins, and between stops. All invariants hold.
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "canvoy/can/testing/tries_all.hpp"
+#include "canvoy/sim/fault_pairs_test.hpp"
+#include "canvoy/worlds/bus_line/bus_network.hpp"
+
+namespace canvoy::bus_line::bus_found_test {
+namespace {
+
+struct FoundCase {
+  std::uint64_t seed;
+  Duration length;
+  std::vector<const char*> faults;
+};
+std::ostream& operator<<(std::ostream& out, const FoundCase& it) {
+  out << "seed " << it.seed;
+  for (const char* const fault : it.faults) out << ", " << fault;
+  return out;
+}
+
+/// Journeys end after about 20 min, and begin after 5, 25 and 45 min.
+std::vector<FoundCase> found_cases() {
+  std::vector<FoundCase> cases = {
+      // The last position before the end is lost, and none comes at the first stop.
+      {17, 30min, {"no-satellites@1214.5s+300s"}},
+      // Tickets must not have the zone of the journey before.
+      {22, 28min, {"no-satellites@1200s+300s"}},
+      // A position that has waited for ten minutes must be ignored.
+      {6, 28min, {"babbling-node@673.5s+600s"}},
+      // With the gateway dead, people of the second car press without effect.
+      {8, 31min, {"lost-node:node=31@1530s+600s"}},
+      // The computer does not receive that doors open.
+      {401, 11min, {"corrupted-frames@488.05s+90s", "cable-cut@488.25s+30s"}}};
+  if (!tries_all()) return cases;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    for (const char* const fault :
+         {"no-satellites@1205s+300s", "no-satellites@1230s+600s", "babbling-node@1236s+1s",
+          "babbling-node@1236s+600s", "lost-node:node=16@1230s+300s", "restart:node=1@1510s",
+          "lost-node:node=31@1530s+600s"}) {
+      cases.push_back({seed, 45min, {fault}});
+    }
+  }
+  return cases;
+}
+
+class BusFound : public testing::TestWithParam<FoundCase> {};
+
+TEST_P(BusFound, AllHolds) {
+  BusNetworkOptions options;
+  options.faults.seed = GetParam().seed;
+  for (const char* const fault : GetParam().faults) {
+    const ParsedFault<FaultKind> parsed = parse_fault<FaultKind>(fault);
+    ASSERT_TRUE(parsed.fault) << parsed.error;
+    options.faults.faults.push_back(*parsed.fault);
+  }
+  BusNetwork network(options);
+  network.run_until(Time(GetParam().length));
+  EXPECT_EQ(broken_names(network), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, BusFound, testing::ValuesIn(found_cases()));
+
+/// A driver who has braked for a timing point must not creep past it.
+TEST(BusFoundWithoutAFault, NobodyIsToldAnotherStopThanTheNextOne) {
+  BusNetworkOptions options;
+  options.faults.seed = 453;
+  BusNetwork network(options);
+  network.run_until(Time(33min));
+  EXPECT_EQ(broken_names(network), "");
+}
+
+}  // namespace
+}  // namespace canvoy::bus_line::bus_found_test

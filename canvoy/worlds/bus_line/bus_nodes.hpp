@@ -1,0 +1,83 @@
+// The two cables of a bus, one in each car, and the physical devices on them: which are simulated
+// here, which are at work.
+//
+//     BusNodes nodes(world, options, events);
+//     nodes.add(next_stop_id, nodes.add_site());
+//     nodes.complete();
+//     nodes.node(next_stop_id).power(true);
+#pragma once
+
+#include <array>
+#include <deque>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "canvoy/sim/bus_watch.hpp"
+#include "canvoy/sim/event_log.hpp"
+#include "canvoy/sim/snapshot.hpp"
+#include "canvoy/worlds/bus_line/bus_network_event.hpp"
+#include "canvoy/worlds/bus_line/bus_network_options.hpp"
+#include "canvoy/worlds/bus_line/bus_node.hpp"
+#include "canvoy/worlds/bus_line/bus_places.hpp"
+
+namespace canvoy::bus_line {
+
+class BusNodes {
+ public:
+  /// All must outlive this object. What is heard on the cables goes to the events.
+  BusNodes(World& world, const BusNetworkOptions& options, EventLog<NetworkEvent>& events);
+  BusNodes(const BusNodes&) = delete;
+  BusNodes& operator=(const BusNodes&) = delete;
+
+  /// Adds the surroundings of a device; valid as long as this object.
+  Environment& add_site() { return sites_.emplace_back(); }
+  /// Adds a device of device_places, without power.
+  void add(NodeId id, const Environment& environment);
+  /// Adds a device of the design.
+  void add(const AddedDevice& device, const Environment& environment);
+  /// Call it when all devices are added: it puts them in the order of their node-IDs.
+  void complete();
+  /// Starts to listen to the cable of a car.
+  void listen(unsigned car) { cable(car).observe(watches_.at(car - 1).tap()); }
+
+  World& world() { return world_; }
+  SimulatedBus& cable(unsigned car) { return world_.bus(indices_.at(car - 1)); }
+  /// Index of the cable of a device; for 0, that of the first.
+  BusIndex index_of(NodeId id) const { return indices_.at(car_of(id) - 1); }
+  /// Car of a device; 1 for one that is not on the bus.
+  unsigned car_of(NodeId id) const;
+  /// Node-ID of the device that starts this one; its own, where it starts the others.
+  NodeId master_of(NodeId id) const { return car_of(id) == 1 ? computer_id : second_gateway_id; }
+  const BusDesign& design() const { return options_.design; }
+  BusNode& node(NodeId id) { return *by_id_.at(id); }
+  std::span<const std::unique_ptr<BusNode>> all() const { return nodes_; }
+
+  bool is_played(NodeId id) const;
+  /// As far as can be seen of a device that is not simulated here.
+  bool is_at_work(NodeId id);
+  /// True if the device may still come: or the device that starts it is not simulated here, and may
+  /// start it at any time.
+  bool is_awaited(NodeId id) const;
+  /// Time after which the device is lost without its heartbeat: short for a simulated device, which
+  /// sends it every 500 ms; longer for a real one, which may send it every second.
+  Duration heartbeat_time_out(NodeId id) const;
+
+  std::array<BusSnapshot, 2> cable_snapshots();
+  std::vector<NodeSnapshot> node_snapshots();
+  std::vector<std::string_view> names() const;
+
+ private:
+  void add(const BusNode::Place& place, std::span<const cia407::BusUnit* const> units,
+           const Environment& environment);
+
+  World& world_;
+  const BusNetworkOptions& options_;
+  std::array<BusIndex, 2> indices_;  ///< of each car
+  std::deque<Environment> sites_;
+  std::vector<std::unique_ptr<BusNode>> nodes_;
+  std::array<BusNode*, node_id_max + 1> by_id_{};
+  std::array<BusWatch, 2> watches_;
+};
+
+}  // namespace canvoy::bus_line

@@ -1,0 +1,304 @@
+#include "canvoy/worlds/bus_line/riders.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "canvoy/can/check_invariant.hpp"
+
+namespace canvoy::bus_line {
+
+namespace {
+
+constexpr std::uint64_t golden = 0x9E37'79B9'7F4A'7C15;
+constexpr unsigned drawn_max = 500;  ///< people at one stop for one journey
+constexpr unsigned cancel_tries = 10;
+constexpr Duration retry = 1s;
+/// Some people come later than the planned departure.
+constexpr Duration come_after_max = 30s;
+
+/// Hour of the day of service: above 23 after its midnight.
+unsigned hour_of(Duration of_day) {
+  return static_cast<unsigned>(std::chrono::floor<std::chrono::hours>(of_day).count());
+}
+
+/// In relation to an ordinary hour.
+double busyness(Duration of_day) {
+  const unsigned hour = hour_of(of_day) % 24;
+  if ((hour >= 7 && hour < 9) || (hour >= 16 && hour < 18)) return 1.8;
+  return hour < 6 || hour >= 20 ? 0.4 : 1;
+}
+
+}  // namespace
+
+Riders::Riders(const RiderOptions& options, std::uint64_t seed, std::vector<DoorUse> doors,
+               RiderHands hands)
+    : options_(options),
+      seed_(seed),
+      random_(seed),
+      uses_(std::move(doors)),
+      hands_(std::move(hands)),
+      doors_(uses_.size()) {}
+
+double Riders::uniform() {
+  return static_cast<double>(random_.next() >> 11) * 0x1p-53;
+}
+
+Duration Riders::time_between(Duration least, Duration most) {
+  return least + Duration(std::llround(uniform() * static_cast<double>((most - least).count())));
+}
+
+/// Number of events of a Poisson process in a time in which `mean` are expected.
+unsigned Riders::poisson(double mean) {
+  const double limit = std::exp(-mean);
+  unsigned count = 0;
+  for (double product = uniform(); product > limit && count < drawn_max; product *= uniform()) {
+    ++count;
+  }
+  return count;
+}
+
+/// Draws in proportion to the weights; where all are 0, each is as likely as the others.
+std::size_t Riders::draw_goal(const std::vector<std::size_t>& goals,
+                              const std::vector<double>& weights) {
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  if (sum <= 0) return goals[random_.below(static_cast<std::uint32_t>(goals.size()))];
+  double left = uniform() * sum;
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    left -= weights[i];
+    if (left < 0) return goals[i];
+  }
+  return goals.back();
+}
+
+void Riders::draw_stop(const Journey& journey, const BusRoute& route, std::size_t stop, Time zero) {
+  const Passing& passing = journey.passings[stop];
+  const auto counted_at = [&](std::size_t place) {
+    return options_.demand->at(route.stops[place].stop, route.is_backward,
+                               hour_of(journey.passings[place].departure));
+  };
+  std::vector<std::size_t> goals;
+  std::vector<double> weights;
+  for (std::size_t i = stop + 1; i < journey.passings.size(); ++i) {
+    if (!journey.passings[i].alights) continue;
+    goals.push_back(i);
+    if (options_.demand) weights.push_back(counted_at(i).alighting);
+  }
+  if (!passing.boards || goals.empty()) return;
+  const double mean = options_.demand ? counted_at(stop).boarding
+                                      : options_.boarding_mean * busyness(passing.departure);
+  const unsigned count = poisson(mean);
+  for (unsigned i = 0; i < count; ++i) {
+    Rider rider{.from = stop, .to = draw_goal(goals, weights)};
+    rider.comes =
+        zero + passing.departure - time_between(-come_after_max, options_.come_before_max);
+    const std::uint32_t chance = random_.below(100);
+    if (chance >= options_.pass_percent) {
+      rider.ticket = chance % 2 == 0 ? Ticket::to_cancel : Ticket::from_driver;
+    }
+    rider.has_ticket = rider.ticket == Ticket::pass;
+    rider.number = ++people_;
+    const unsigned every = options_.second_car_every;
+    if (every != 0 && rider.number % every == 0) rider.car = 2;
+    waiting_.push_back(rider);
+  }
+}
+
+void Riders::begin_journey(Time now, const Journey& journey, const BusRoute& route, Time zero) {
+  statistics_.left_behind += waiting_.size();
+  waiting_.clear();
+  stop_.reset();
+  random_ = Random(seed_ + golden * ++journeys_);
+  last_stop_ = journey.passings.size() - 1;
+  for (std::size_t i = 0; i + 1 < journey.passings.size(); ++i) draw_stop(journey, route, i, zero);
+  statistics_.came += waiting_.size();
+  // No person is lost: each one waits, is at a door, has been aboard, or was left behind.
+  check_invariant(statistics_.came ==
+                  waiting_.size() + going_in_ + statistics_.in + statistics_.left_behind);
+  std::stable_sort(waiting_.begin(), waiting_.end(),
+                   [](const Rider& a, const Rider& b) { return a.comes < b.comes; });
+  // People who could not get out at the end have their end here.
+  for (Rider& rider : aboard_) rider.to = 0;
+  advance(now);
+}
+
+void Riders::stand_at(Time now, std::size_t stop) {
+  stop_ = stop;
+  std::erase_if(errands_, [](const Errand& errand) { return errand.is_press; });
+  advance(now);
+}
+
+void Riders::leave(Time now, std::size_t stop) {
+  stop_.reset();
+  const bool has_room = aboard() + going_in_ < options_.capacity;
+  if (has_room) statistics_.ignored += waiting_at(stop, now - seen_after);
+  statistics_.left_behind +=
+      std::erase_if(waiting_, [&](const Rider& rider) { return rider.from == stop; });
+  for (Rider& rider : aboard_) {
+    if (rider.to > stop) continue;
+    ++statistics_.carried_past;
+    rider.to = std::min(stop + 1, last_stop_);
+  }
+  std::erase_if(errands_, [](const Errand& errand) { return errand.is_press; });
+  plan_presses(now, stop + 1);
+}
+
+void Riders::plan_presses(Time now, std::size_t stop) {
+  for (const Rider& rider : aboard_) {
+    if (rider.to != stop) continue;
+    errands_.push_back(
+        {.when = now + time_between(1s, press_within), .rider = rider.number, .is_press = true});
+  }
+}
+
+void Riders::door_changed(Time now, std::size_t door, bool is_open) {
+  doors_[door].is_open = is_open;
+  advance(now);
+}
+
+Time Riders::deadline() const {
+  Time next = never;
+  bool has_free_door = false;
+  for (std::size_t i = 0; i < doors_.size(); ++i) {
+    next = std::min(next, doors_[i].until);
+    has_free_door = has_free_door || (doors_[i].is_open && !doors_[i].who && uses_[i].boards);
+  }
+  for (const Errand& errand : errands_) next = std::min(next, errand.when);
+  if (!stop_ || !has_free_door || aboard() + going_in_ >= options_.capacity) return next;
+  // The next person at an open door.
+  for (const Rider& rider : waiting_) {
+    if (rider.from == *stop_) return std::min(next, rider.comes);
+  }
+  return next;
+}
+
+void Riders::advance(Time now) {
+  for (std::size_t i = 0; i < doors_.size(); ++i) finish_passage(now, i);
+  do_errands(now);
+  for (std::size_t i = 0; i < doors_.size(); ++i) begin_passage(now, i);
+}
+
+Rider* Riders::find_aboard(std::uint64_t number) {
+  const auto found = std::find_if(aboard_.begin(), aboard_.end(),
+                                  [&](const Rider& each) { return each.number == number; });
+  return found == aboard_.end() ? nullptr : &*found;
+}
+
+void Riders::do_errands(Time now) {
+  for (std::size_t i = 0; i < errands_.size();) {
+    if (errands_[i].when <= now && try_errand(now, errands_[i])) {
+      errands_.erase(errands_.begin() + static_cast<std::ptrdiff_t>(i));
+    } else {
+      ++i;
+    }
+  }
+}
+
+/// True where it is done, or given up.
+bool Riders::try_errand(Time now, Errand& errand) {
+  errand.when = now + retry;
+  Rider* const rider = find_aboard(errand.rider);
+  if (rider == nullptr) return true;
+  if (errand.is_press) return !hands_.press_stop || hands_.press_stop(now, *rider);
+  if (try_to_cancel(now, *rider)) return true;
+  if (++errand.tries < cancel_tries) return false;
+  ++statistics_.without_ticket;
+  return true;
+}
+
+bool Riders::try_to_cancel(Time now, Rider& rider) {
+  if (hands_.cancel_ticket && !hands_.cancel_ticket(now, rider)) return false;
+  rider.has_ticket = true;
+  ++statistics_.cancelled;
+  return true;
+}
+
+void Riders::finish_passage(Time now, std::size_t door) {
+  Passage& passage = doors_[door];
+  if (!passage.who || now < passage.until) return;
+  Rider rider = *passage.who;
+  passage.who.reset();
+  passage.until = never;
+  if (!passage.is_in) {
+    check_invariant(going_out_ > 0);
+    --going_out_;
+    ++statistics_.out;
+  } else {
+    check_invariant(going_in_ > 0);
+    --going_in_;
+    ++statistics_.in;
+    rider.boarded = now;
+    if (rider.ticket == Ticket::from_driver) {
+      rider.has_ticket = !hands_.buy_ticket || hands_.buy_ticket(now, rider);
+      ++(rider.has_ticket ? statistics_.bought : statistics_.without_ticket);
+    } else if (rider.ticket == Ticket::to_cancel) {
+      errands_.push_back({.when = now + time_between(3s, 10s), .rider = rider.number});
+    }
+    aboard_.push_back(rider);
+    statistics_.aboard_max = std::max(statistics_.aboard_max, aboard());
+  }
+  check_invariant(statistics_.in - statistics_.out == aboard());
+  if (hands_.through) hands_.through(now, door, passage.is_in);
+}
+
+std::vector<Rider>::const_iterator Riders::next_out() const {
+  return std::find_if(aboard_.begin(), aboard_.end(), [&](const Rider& rider) {
+    return stop_ && (rider.to <= *stop_ || *stop_ == last_stop_);
+  });
+}
+
+std::vector<Rider>::const_iterator Riders::next_in(Time now) const {
+  if (aboard() + going_in_ >= options_.capacity) return waiting_.end();
+  return std::find_if(waiting_.begin(), waiting_.end(), [&](const Rider& rider) {
+    return stop_ && rider.from == *stop_ && rider.comes <= now;
+  });
+}
+
+void Riders::begin_passage(Time now, std::size_t door) {
+  Passage& passage = doors_[door];
+  if (!passage.is_open || passage.who || !stop_) return;
+  if (const auto out = next_out(); uses_[door].alights && out != aboard_.end()) {
+    passage.who = *out;
+    passage.is_in = false;
+    passage.until = now + time_around(options_.alighting_time);
+    aboard_.erase(out);
+    ++going_out_;
+    return;
+  }
+  const auto in = next_in(now);
+  if (!uses_[door].boards || in == waiting_.end()) return;
+  passage.who = *in;
+  passage.is_in = true;
+  passage.until = now + time_around(options_.boarding_time);
+  if (in->ticket == Ticket::from_driver) {
+    passage.until += time_between(options_.buying_time * 8 / 11, options_.buying_time * 14 / 11);
+  }
+  waiting_.erase(in);
+  ++going_in_;
+  check_invariant(aboard() + going_in_ <= options_.capacity);
+}
+
+unsigned Riders::waiting_at(std::size_t stop, Time now) const {
+  return static_cast<unsigned>(
+      std::count_if(waiting_.begin(), waiting_.end(),
+                    [&](const Rider& rider) { return rider.from == stop && rider.comes <= now; }));
+}
+
+unsigned Riders::wanting_out_at(std::size_t stop) const {
+  return static_cast<unsigned>(std::count_if(aboard_.begin(), aboard_.end(),
+                                             [&](const Rider& rider) { return rider.to <= stop; }));
+}
+
+bool Riders::is_quiet(Time now) const {
+  const bool has_out = next_out() != aboard_.end();
+  const bool has_in = next_in(now) != waiting_.end();
+  for (std::size_t i = 0; i < doors_.size(); ++i) {
+    if (doors_[i].who) return false;
+    if (!doors_[i].is_open) continue;
+    if ((has_out && uses_[i].alights) || (has_in && uses_[i].boards)) return false;
+  }
+  return true;
+}
+
+}  // namespace canvoy::bus_line

@@ -1,0 +1,60 @@
+// Events in the network of a battery and its charger, as types; the tools turn them into words.
+//
+//     if (const auto* stop = std::get_if<ReasonChanged>(&event.what)) print(stop->reason);
+#pragma once
+
+#include <variant>
+
+#include "canvoy/can/time.hpp"
+#include "canvoy/canopen/sync/time_of_day.hpp"
+#include "canvoy/devices/cia419/charger.hpp"
+#include "canvoy/sim/event.hpp"
+#include "canvoy/sim/hand_acted.hpp"
+#include "canvoy/worlds/charger/fault.hpp"
+#include "canvoy/worlds/charger/invariant.hpp"
+
+namespace canvoy::charger {
+
+// Seen on the bus.
+
+/// The first TIME message since the start.
+struct TimeSeen {
+  TimeOfDay time;
+};
+// Reported by the charger.
+
+struct PhaseEntered {
+  cia419::ChargerPhase phase = cia419::ChargerPhase::unplugged;
+  NodeId battery = 0;  ///< node-ID of the linked battery
+};
+struct ReasonChanged {
+  cia419::StopReason reason = cia419::StopReason::none;
+};
+struct ChargeBegan {};
+struct ChargeEnded {
+  double ampere_hours = 0;  ///< counted by the charger since the start of the simulation
+};
+
+// Done by the SDO manager of the vehicle.
+
+struct SdoConnectionChanged {
+  NodeId client = 0;
+  NodeId server = 0;  ///< node-ID of the manager: the client is registered
+  bool is_given = false;
+};
+
+// Done by the simulation.
+
+using FaultBegan = canvoy::FaultBegan<FaultKind>;
+using FaultEnded = canvoy::FaultEnded<FaultKind>;
+using InvariantBroken = canvoy::InvariantBroken<InvariantKind>;
+
+struct ChargerEvent {
+  Time at{};
+  std::variant<BootedUp, NmtStateSeen, NmtCommandSeen, EmergencySeen, BusStateChanged, PhaseEntered,
+               ReasonChanged, ChargeBegan, ChargeEnded, FaultBegan, FaultEnded, InvariantBroken,
+               TimeSeen, SdoConnectionChanged, HandActed>
+      what;
+};
+
+}  // namespace canvoy::charger

@@ -1,0 +1,100 @@
+// The devices of an excavator on their buses, each made again when it gets power: the host, the
+// seat with the module for the network behind it, the input and output module on the valves, and
+// the armrest.
+//
+//     ExcavatorDevices devices(world, {bus, embedded}, options, panel, valves);
+//     devices.start();
+//     devices.hands_moved();
+//     devices.node(seat_id).is_operational();
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "canvoy/devices/catalogue.hpp"
+#include "canvoy/devices/cia401/io_unit.hpp"
+#include "canvoy/devices/cia852/kinds.hpp"
+#include "canvoy/devices/cia852/operator_unit.hpp"
+#include "canvoy/worlds/excavator/excavator_options.hpp"
+#include "canvoy/worlds/excavator/machine_control.hpp"
+#include "canvoy/worlds/excavator/machine_node.hpp"
+#include "canvoy/worlds/excavator/seat_module.hpp"
+#include "canvoy/worlds/excavator/valves_hardware.hpp"
+
+namespace canvoy::excavator {
+
+/// Settings of the host, by the options.
+HostSettings host_settings(const ExcavatorOptions& options);
+
+struct ExcavatorBuses {
+  BusIndex machine = 0;
+  BusIndex embedded = 0;  ///< behind the seat
+};
+
+class ExcavatorDevices {
+ public:
+  /// All must outlive this object.
+  ExcavatorDevices(World& world, ExcavatorBuses buses, const ExcavatorOptions& options,
+                   SeatPanel& panel, ValvesHardware& valves);
+  ExcavatorDevices(const ExcavatorDevices&) = delete;
+  ExcavatorDevices& operator=(const ExcavatorDevices&) = delete;
+
+  /// Switches on all devices that are simulated here.
+  void start();
+  /// Switches power: a device without power is dark, and its valves close.
+  void power(MachineNode& node, bool is_on);
+
+  /// Call it when sticks, pedals, wheels, knob, buttons or contacts of the armrest have moved.
+  void hands_moved();
+  /// Call it when the inputs of the input and output module have changed.
+  void machine_moved();
+
+  /// Returns a device that must exist.
+  MachineNode& node(NodeId id);
+  /// In the order of their node-IDs along the cable, the armrest last.
+  std::span<const std::unique_ptr<MachineNode>> nodes() const { return nodes_; }
+  BusIndex bus_of(NodeId id) const { return id == armrest_id ? buses_.embedded : buses_.machine; }
+  const MachineControl& host() const { return host_->control(); }
+  /// Controller of the seat on the bus behind it.
+  ControllerId module_controller() const { return seat_module_.controller(); }
+
+ private:
+  void add_nodes();
+  void add_armrest();
+  void add_node(const DevicePlace& place, MachineNode::Make make);
+  MachineNode::Made make_host(const Port& port);
+  MachineNode::Made make_seat(const Port& port);
+  MachineNode::Made make_valves(const Port& port);
+  MachineNode::Made make_armrest(const Port& port);
+  cia852::OperatorEnvironment elements() { return cia852::usual_elements; }
+  cia852::OperatorHardware seat_hardware() { return panel_.hardware(); }
+  cia852::OperatorSettings seat_settings();
+  void is_seat(cia852::OperatorUnit& unit, Node&) { seat_unit_ = &unit; }
+  cia401::IoHardware valves_hardware() { return valves_hardware_.hardware(); }
+  cia401::IoSettings io_settings() { return {.sensing_period = Duration::zero()}; }
+  void is_valves(cia401::IoUnit& unit, Node&) { valves_unit_ = &unit; }
+  cia401::IoHardware armrest_hardware();
+  void is_armrest(cia401::IoUnit& unit, Node&) { armrest_unit_ = &unit; }
+  std::uint8_t sense_contacts(unsigned group);
+
+  World& world_;
+  ExcavatorBuses buses_;
+  const ExcavatorOptions& options_;
+  SeatPanel& panel_;
+  ValvesHardware& valves_hardware_;
+  Environment seat_site_;
+  Environment valves_site_;
+  Environment armrest_site_;
+  std::unique_ptr<MachineHost> host_;
+  std::unique_ptr<CatalogueDevice> seat_;
+  std::unique_ptr<CatalogueDevice> valves_;
+  std::unique_ptr<CatalogueDevice> armrest_;
+  SeatModule seat_module_;
+  cia852::OperatorUnit* seat_unit_ = nullptr;
+  cia401::IoUnit* valves_unit_ = nullptr;
+  cia401::IoUnit* armrest_unit_ = nullptr;
+  std::vector<std::unique_ptr<MachineNode>> nodes_;
+};
+
+}  // namespace canvoy::excavator

@@ -1,0 +1,68 @@
+// The faults of an excavator.
+//
+//     ScheduledFault fault{.kind = FaultKind::stuck_axis, .start = Time(20min), .spot = 4};
+#pragma once
+
+#include "canvoy/sim/fault.hpp"
+#include "canvoy/worlds/excavator/armrest_watch.hpp"
+#include "canvoy/worlds/excavator/excavator_invariant.hpp"
+#include "canvoy/worlds/excavator/host_objects.hpp"
+#include "canvoy/worlds/excavator/seat_panel.hpp"
+
+namespace canvoy::excavator {
+
+enum class FaultKind : std::uint8_t {
+  lost_node,
+  restart,
+  bus_off,
+  cable_cut,
+  babbling_node,
+  corrupted_frames,
+  lost_frames,
+  delayed_frames,
+  stuck_axis,
+  broken_wire,
+  vanished_armrest,
+  emergency_stop,  ///< at the armrest
+  seat_switch      ///< it stays open
+};
+
+inline constexpr FaultTraits at_a_node{.is_at_node = true, .node = host_id};
+inline constexpr FaultTraits at_a_stick{.is_at_spot = true, .spot = stick_count};
+inline constexpr FaultRow fault_rows[] = {
+    {"lost-node", "a device has no power (default: the host)", at_a_node},
+    {"restart",
+     "a device boots again (default: the host)",
+     {.is_at_node = true, .node = host_id, .is_over_at_once = true}},
+    {"bus-off", "a device has the wrong bit rate, until it gives up (default: the host)",
+     at_a_node},
+    {"cable-cut", "the bus cable is cut behind a device (default: the host)", at_a_node},
+    {"babbling-node", "a stranger fills the bus with frames of the highest priority"},
+    {"corrupted-frames", "one frame in a hundred is disturbed, and sent again"},
+    {"lost-frames", "one in twenty frames of a device is lost (default: the host)", at_a_node},
+    {"delayed-frames", "all frames of a device come 20 ms late (default: the host)", at_a_node},
+    {"stuck-axis", "the sensor of a stick stays where it is (default: axis 4, boom)", at_a_stick},
+    {"broken-wire", "the wire of a stick's sensor is broken (default: axis 4, boom)", at_a_stick},
+    {"vanished-armrest",
+     "the device on the network behind the seat has no power",
+     {.node = armrest_id}},
+    {"emergency-stop",
+     "somebody presses the emergency stop, and pulls it at the end",
+     {.node = armrest_id}},
+    {"seat-switch", "the seat switch says that nobody sits there", {.node = armrest_id}},
+};
+inline constexpr std::size_t fault_kinds = std::size(fault_rows);
+static_assert(fault_kinds == static_cast<std::size_t>(FaultKind::seat_switch) + 1);
+inline constexpr FaultPlaceName fault_places[] = {{"node", node_id_max},
+                                                  {"axis", stick_count, &AnyFault::spot}};
+constexpr FaultGrammar grammar_of(FaultKind) {
+  return {fault_rows, fault_places};
+}
+
+using ScheduledFault = canvoy::ScheduledFault<FaultKind>;
+using FaultPlan = canvoy::FaultPlan<FaultKind>;
+
+/// Invariants that cannot hold while the fault is present, and for a time after it.
+InvariantSet affected_by(FaultKind kind);
+
+}  // namespace canvoy::excavator

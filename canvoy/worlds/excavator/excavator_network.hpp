@@ -1,0 +1,132 @@
+// A shift of an excavator in a simulated world: a seat (CiA 852) with an armrest on a network
+// behind it, an input and output module on the valves (CiA 401), a host between both, an operator,
+// faults by plan, and a referee.
+//
+//     ExcavatorOptions options;
+//     options.faults.faults = {{.kind = FaultKind::stuck_axis, .start = Time(20min)}};
+//     ExcavatorNetwork network(options);
+//     network.run_until(Time(8h));
+//     for (const Invariant& invariant : network.invariants()) ok = ok && invariant.held;
+//
+// Equal options give the same frames at the same times.
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "canvoy/sim/bus_watch.hpp"
+#include "canvoy/sim/plants/excavator.hpp"
+#include "canvoy/sim/snapshot.hpp"
+#include "canvoy/worlds/excavator/excavator_devices.hpp"
+#include "canvoy/worlds/excavator/excavator_event.hpp"
+#include "canvoy/worlds/excavator/excavator_faults.hpp"
+#include "canvoy/worlds/excavator/excavator_operator.hpp"
+#include "canvoy/worlds/excavator/excavator_options.hpp"
+#include "canvoy/worlds/excavator/excavator_referees.hpp"
+#include "canvoy/worlds/excavator/valves_hardware.hpp"
+
+namespace canvoy::excavator {
+
+struct ExcavatorStatistics {
+  unsigned cycles = 0;   ///< of dig, lift, slew, dump, return
+  unsigned presses = 0;  ///< of buttons
+  Excavator::Earth earth;
+  double metres = 0;  ///< m driven
+};
+
+/// State of the whole network.
+struct ExcavatorSnapshot {
+  Time at{};
+  BusSnapshot bus;
+  BusSnapshot embedded;  ///< behind the seat
+  std::vector<NodeSnapshot> nodes;
+  std::vector<std::string_view> names;  ///< of the nodes
+
+  Activity activity = Activity::sits_down;
+  Wishes wishes;
+  ExcavatorStatistics statistics;
+
+  // true values
+  std::array<double, movements> angles{};
+  std::array<double, movements> speeds{};
+  std::array<double, movements> hands{};  ///< commands of the hands for each movement
+  std::array<Excavator::Point, 4> arm{};  ///< foot and end of the boom, end of the stick, tip
+  std::bitset<button_count> pressed;
+  bool is_lever_lowered = false;
+  std::bitset<5> switched;  ///< bits as in Switched
+  Lamps lit;
+  std::array<std::int16_t, shown_parameters> display{};
+  double rpm = 0;
+  double fuel_percent = 0;
+  double oil_celsius = 0;
+};
+
+class ExcavatorNetwork {
+ public:
+  explicit ExcavatorNetwork(ExcavatorOptions options);
+  ExcavatorNetwork(const ExcavatorNetwork&) = delete;
+  ExcavatorNetwork& operator=(const ExcavatorNetwork&) = delete;
+
+  /// Runs up to and including `until`.
+  void run_until(Time until) { world_.run_until(until); }
+  Time now() const { return world_.now(); }
+
+  ExcavatorSnapshot snapshot();
+  /// All events since the start, oldest first.
+  std::span<const ExcavatorEvent> events() const { return events_; }
+  /// Verdicts at present.
+  std::vector<Invariant> invariants() const { return referees_.verdicts(); }
+  /// True if no invariant is broken.
+  bool all_hold() const;
+
+  // Access for tests, and for tools that take part.
+  World& world() { return world_; }
+  Excavator& machine() { return machine_; }
+  SeatPanel& panel() { return panel_; }
+  const ExcavatorOperator& driver() const { return driver_; }
+  MachineNode& node(NodeId id) { return devices_.node(id); }
+  std::span<const std::unique_ptr<MachineNode>> nodes() const { return devices_.nodes(); }
+  /// Settings of the host, by the options.
+  HostSettings host_settings() const { return excavator::host_settings(options_); }
+  /// Actions of hands, where the options have them recorded.
+  const RecordedShift& recorded_shift() const { return recorder_.shift(); }
+  const ExcavatorOptions& options() const { return options_; }
+
+ private:
+  void name_nodes();
+  void observe_buses();
+  void step(Time now);
+  void hear(const Frame& frame);
+  void heard(Time now, const BusEvent& event);
+  void press(Button button, Duration down);
+  void hands_moved();
+  void switched(Button button, bool is_on);
+  void tell_changes(Time now);
+  template <class What>
+  void note(Time now, const What& what) {
+    events_.push_back({now, what});
+  }
+
+  ExcavatorOptions options_;
+  World world_;
+  ExcavatorBuses buses_;
+  std::vector<ExcavatorEvent> events_;
+  Excavator machine_;
+  SeatPanel panel_;
+  ShiftRecorder recorder_;
+  ExcavatorOperator driver_;
+  ValvesHardware valves_;
+  ExcavatorDevices devices_;
+  BusWatch bus_watch_;
+  BusWatch embedded_watch_;
+  ExcavatorReferees referees_;
+  PlantIndex stepping_;
+  ExcavatorFaults faults_;
+  Lamps told_lamps_;
+  double told_heap_ = 0;
+};
+
+}  // namespace canvoy::excavator

@@ -1,0 +1,104 @@
+// Judges an excavator by its plant and by its operator's hands, ears and eyes: never by what a
+// controller reports of itself. What a declared fault excuses is not judged while the fault lasts
+// and for a time after it. It is never excused that the machine does not stop.
+//
+//     referee.moves(now, machine, panel);       // each step
+//     referee.pressed(now, Button::light);      // a finger
+//     referee.has_effect(now, Button::light);   // the lamps of the machine
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "canvoy/can/time.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
+#include "canvoy/worlds/excavator/excavator_invariant.hpp"
+#include "canvoy/worlds/excavator/seat_panel.hpp"
+
+namespace canvoy::excavator {
+
+class ExcavatorReferee {
+ public:
+  /// Time within which what is lost, or has changed, must be right again.
+  static constexpr Duration return_bound = 5s;
+  static constexpr Duration service_returns = 1min;
+
+  /// A fault begins; one that does not last ends at once.
+  void fault_begins(const InvariantSet& kinds);
+  void fault_ends(const InvariantSet& kinds, Time now);
+  bool is_excused(InvariantKind kind, Time now) const;
+  void cannot_judge(const InvariantSet& kinds) { undecided_ |= kinds; }
+
+  /// Call it when the seat, or the host, was heard on the bus.
+  void heard_seat(Time now) { seat_heard_ = now; }
+  void heard_host(Time now) { host_heard_ = now; }
+  /// Call it when the armrest was heard on the bus behind the seat.
+  void heard_armrest(Time now) { armrest_heard_ = now; }
+  void has_no_armrest() { has_armrest_ = false; }
+  /// Time for which the armrest was silent.
+  Duration armrest_silence(Time now) const { return now - armrest_heard_; }
+  /// Time for which the host has been silent.
+  Duration host_silence(Time now) const { return now - host_heard_; }
+
+  /// Judges whether a hand commands each present movement.
+  void moves(Time now, const Excavator& machine, const SeatPanel& panel);
+  /// Call it when a button goes down.
+  void pressed(Time now, Button button);
+  /// Call it when the effect of the button has happened once.
+  void has_effect(Time now, Button button);
+  /// Judges the presses that had no effect in time.
+  void look_at_presses(Time now);
+  /// Judges the difference between the host's value of an axis and its position one event ago.
+  void compare(Time now, double digits_apart);
+  /// Judges an invariant; call it in each step. An excuse stops the clock of what is wrong, and
+  /// does not reset it: an occasional fault excuses nothing in between.
+  void judge(InvariantKind kind, Time now, bool is_right);
+  /// Does not judge: the invariant cannot be broken at present.
+  void pass(InvariantKind kind, Time now) {
+    kept_[index(kind)].looked_at = kept_[index(kind)].right_at = now;
+  }
+  /// Like judge(), but whatever the faults.
+  void judge_always(InvariantKind kind, Time now, bool is_right);
+  void judge_device(NodeId id, Time now, bool is_there);
+
+  std::vector<Invariant> verdicts() const;
+  /// True if an invariant is broken that was not at the last call.
+  bool has_news();
+
+ private:
+  static constexpr std::size_t index(InvariantKind kind) { return static_cast<std::size_t>(kind); }
+
+  struct Kept {
+    Time right_at{};  ///< extended by the time of later excuses
+    Time wrong_at{};
+    Time looked_at{};
+    double worst = 0;
+    std::uint64_t judged = 0;  ///< number of judgements
+    unsigned faults = 0;       ///< present faults that excuse it
+    Time excused_until{};
+  };
+  void measure(InvariantKind kind, double value);
+  bool is_broken(std::size_t kind) const;
+
+  std::array<Kept, invariant_kinds> kept_{};
+  std::array<Time, node_id_max + 1> there_at_{};
+  InvariantSet undecided_;
+  InvariantSet broken_;  ///< at the last call of has_news()
+
+  Time seat_heard_{};
+  Time host_heard_{};
+  Time armrest_heard_{};
+  bool has_armrest_ = true;
+  Time heard_all_since_{};
+  struct Directions {
+    std::array<Time, 2> wanted{};  ///< last command, down and up
+  };
+  std::array<Directions, movements> hand_{};
+  struct Pressed {
+    unsigned open = 0;
+    Time since{};
+  };
+  std::array<Pressed, button_count> pressed_{};
+};
+
+}  // namespace canvoy::excavator

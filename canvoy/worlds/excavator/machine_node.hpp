@@ -1,0 +1,97 @@
+// A physical device of an excavator on the simulated bus.
+//
+//     MachineNode node(world, bus, {.name = "seat", .id = 10}, make);
+//     node.power(true);
+#pragma once
+
+#include <functional>
+#include <string_view>
+
+#include "canvoy/canopen/remote/remote_access.hpp"
+#include "canvoy/sim/world.hpp"
+#include "canvoy/worlds/excavator/faulty_port.hpp"
+
+namespace canvoy::excavator {
+
+class MachineNode {
+ public:
+  struct Place {
+    std::string_view name;
+    NodeId id = 0;
+    bool is_played = true;
+  };
+  struct Made {
+    Node& node;
+    RemoteAccess* access = nullptr;  ///< of a node with a network behind it: it receives the frames
+                                     ///< of that bus
+
+    Made(Node& made) : node(made) {}  // NOLINT(google-explicit-constructor)
+    Made(Node& made, RemoteAccess& way_behind) : node(made), access(&way_behind) {}
+  };
+  /// Makes the device again at this port. The caller that supplies this function keeps the device.
+  using Make = std::function<Made(const Port&)>;
+
+  /// `world` must outlive this object. The device has no power yet.
+  MachineNode(World& world, BusIndex bus, const Place& place, std::uint64_t seed, Make make)
+      : world_(world),
+        bus_(bus),
+        slot_(world.add_slot(bus)),
+        place_(place),
+        port_(world, world.port(slot_), seed),
+        make_(std::move(make)) {
+    occupy();
+  }
+  MachineNode(const MachineNode&) = delete;
+  MachineNode& operator=(const MachineNode&) = delete;
+
+  /// Switches power; a device that gets power starts from its initial state. One that is not
+  /// simulated here stays off.
+  void power(bool is_on) {
+    world_.stop(slot_);
+    if (!is_on || !place_.is_played) return;
+    ++starts_;
+    occupy();
+    world_.start(slot_);
+  }
+
+  const Place& place() const { return place_; }
+  BusIndex bus() const { return bus_; }
+  SlotIndex slot() const { return slot_; }
+  /// Call it after the node was called from outside of this bus, as from the one behind it.
+  void touched() { world_.touched(slot_); }
+  Node& node() { return *node_; }
+  FaultyPort& port() { return port_; }
+  ControllerId controller() const { return world_.controller(slot_); }
+  bool is_powered() const { return world_.is_running(slot_); }
+  /// Number of times that it got power.
+  unsigned starts() const { return starts_; }
+  bool is_operational() const { return is_powered() && node_->state() == NmtState::operational; }
+  /// Calls `act`, which changes the surroundings of the device: the device is brought up to the
+  /// present before, and called again after it. Does nothing without power.
+  template <class Act>
+  void with(const Act& act) {
+    if (!is_powered()) return;
+    node_->advance(world_.now());
+    act();
+    world_.touched(slot_);
+  }
+
+ private:
+  void occupy() {
+    const Made made = make_(port_.port());
+    node_ = &made.node;
+    if (made.access != nullptr) return world_.occupy(slot_, *made.access);
+    world_.occupy(slot_, *node_);
+  }
+
+  World& world_;
+  BusIndex bus_;
+  SlotIndex slot_;
+  Place place_;
+  FaultyPort port_;
+  Make make_;
+  Node* node_ = nullptr;
+  unsigned starts_ = 0;
+};
+
+}  // namespace canvoy::excavator

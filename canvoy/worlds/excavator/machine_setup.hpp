@@ -1,0 +1,37 @@
+// The values that a host writes into a seat and into an input and output module before it starts
+// them, and how careful it is.
+//
+//     NodeSetup setup(node, seat_id, seat_setup({.checks_contacts = false}));
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "canvoy/can/time.hpp"
+#include "canvoy/worlds/excavator/host_objects.hpp"
+#include "canvoy/worlds/excavator/node_setup.hpp"
+
+namespace canvoy::excavator {
+
+/// Least change of an axis that is sent, in digits.
+inline constexpr std::uint16_t axis_delta = 400;
+
+struct HostSettings {
+  /// Precautions of a host. Without one of them, a referee has something to detect.
+  Duration seat_time_out = consumer_time;
+  Duration host_time_out = consumer_time;  ///< 1016h of the module
+  bool has_armrest = true;                 ///< behind the seat; false: there is no safety lever
+  bool checks_armrest = true;              ///< false: the last state of its lever counts for ever
+  std::uint16_t delta = axis_delta;
+  bool checks_contacts = true;
+  bool counts_edges = true;      ///< of buttons; false: each PDO is a press
+  bool filters_buttons = false;  ///< 6003h
+  bool sets_error_values = true;
+  bool restarts_others = true;  ///< after they have rebooted
+};
+
+/// The lists of writes for seat and module.
+std::vector<SetupWrite> seat_setup(const HostSettings& settings);
+std::vector<SetupWrite> valves_setup(const HostSettings& settings);
+
+}  // namespace canvoy::excavator

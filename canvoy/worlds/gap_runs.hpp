@@ -1,0 +1,32 @@
+// Runs of each world that are drawn by a seed, for tests and campaigns. One row of the table
+// registers a world.
+//
+//     for (const SimulatedWorld& world : simulated_worlds()) {
+//       for (const std::string& wrong : world.soak(17)) report(world.name, wrong);
+//     }
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace canvoy {
+
+/// A run with one gap in the communication: all judgements of the world must hold, and nothing may
+/// stand still for longer than the gap and its time of detection.
+struct GapRun {
+  std::string fault;               ///< as `canvoy run WORLD --fault` takes it
+  std::vector<std::string> wrong;  ///< a line for each failure; empty: there was none
+};
+
+struct SimulatedWorld {
+  const char* name = "";
+  GapRun (*gap)(std::uint64_t seed) = nullptr;
+  /// Simulates hours with faults, alone and in pairs, in which all must hold; and the same with a
+  /// sabotage that must be detected. Returns a line for each wrong verdict.
+  std::vector<std::string> (*soak)(std::uint64_t seed) = nullptr;
+};
+std::span<const SimulatedWorld> simulated_worlds();
+
+}  // namespace canvoy

@@ -1,0 +1,86 @@
+// Firefighters who take over a lift: they call it to the fire floor, turn the key in its car when
+// all passengers have left it, and go to one floor after the other with the buttons of the car
+// alone.
+//
+//     FireBrigade brigade(hands, {.fire_floor = 1, .floors = 10, .seed = seed});
+//     brigade.begin(now);
+//     brigade.look(now, view);   // from time to time, a second say
+//     brigade.end();             // keys back: the car returns to the fire floor by itself
+//
+// Doors close while their button is held, and open while the other one is (EN 81-72; the choices of
+// this lift are in docs/decisions.md).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "canvoy/can/random.hpp"
+#include "canvoy/can/time.hpp"
+#include "canvoy/worlds/lift/building.hpp"
+
+namespace canvoy::lift {
+
+/// Actions at the lift. None may be empty.
+struct FireBrigadeHands {
+  std::function<void(bool on)> alarm_key;  ///< at the fire floor
+  std::function<void(bool on)> car_key;
+  std::function<void(FloorNumber, bool pressed)> call;
+  std::function<void(bool pressed)> door_open;
+  std::function<void(bool pressed)> door_close;
+};
+
+/// Visible state of its car.
+struct FireBrigadeView {
+  FloorNumber floor = no_floor;  ///< floor where it stands
+  bool is_open = false;          ///< a door is wholly open
+  bool is_empty = true;          ///< of passengers
+};
+
+struct FireBrigadeOptions {
+  FloorNumber fire_floor = 1;
+  FloorNumber floors = 2;
+  Duration gets_in = 3s;
+  Duration looks_before_opening = 2s;
+  Duration patience = 20s;  ///< after it they try something else
+  Duration search_least = 5s;
+  std::uint32_t search_more_s = 10;
+  std::uint64_t seed = 1;
+};
+
+class FireBrigade {
+ public:
+  FireBrigade(FireBrigadeHands hands, const FireBrigadeOptions& options);
+
+  void begin(Time now);
+  void end();
+  void look(Time now, const FireBrigadeView& car);
+  bool is_there() const { return step_ != Step::away; }
+  /// Number of floors where they have opened the car with the button.
+  unsigned floors_searched() const { return floors_searched_; }
+
+ private:
+  enum class Step : std::uint8_t {
+    away,
+    called,     ///< the car, to the fire floor
+    inside,     ///< with the key turned, at an open door
+    leaving,    ///< with a finger on the button
+    riding,     ///< to target_
+    opening,    ///< with a finger on the other button
+    searching,  ///< the floor, with the door open
+  };
+  void enter(Step step, Time now);
+  void choose(Time now, FloorNumber here);
+  void let_go();
+  void open(Time now);
+
+  FireBrigadeHands hands_;
+  FireBrigadeOptions options_;
+  Random random_;
+  Step step_ = Step::away;
+  Time since_{};  ///< of the step
+  Duration search_{};
+  FloorNumber target_ = no_floor;
+  unsigned floors_searched_ = 0;
+};
+
+}  // namespace canvoy::lift

@@ -1,0 +1,89 @@
+// The people of a building before its devices: passengers and fire brigades press, turn, step in
+// the way and load cars, and see what cars and lamps show. A landing has panels of all lifts:
+// people press a button on any of them, and release the same one.
+//
+//     LiftPeople people(world, description, devices, {.pressed = ..., .carried = ..., .gave_up =
+//     ...}); people.car_changed(1); people.lamp_changed(call, true);
+//     people.crowd().waiting_count();
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "canvoy/sim/world.hpp"
+#include "canvoy/worlds/lift/crowd.hpp"
+#include "canvoy/worlds/lift/fire_brigade.hpp"
+#include "canvoy/worlds/lift/lift_devices.hpp"
+#include "canvoy/worlds/lift/lift_technicians.hpp"
+
+namespace canvoy::lift {
+
+/// Functions that receive reports. None may be empty.
+struct LiftPeopleHooks {
+  /// A button of an existing call, with power, is pressed.
+  std::function<void(const CallKey&)> pressed{};
+  /// A passenger has reached the destination.
+  std::function<void(LiftNumber)> carried{};
+  /// A person who has waited since `since` takes the stairs.
+  std::function<void(Time since)> gave_up{};
+  /// A step of a technician.
+  LiftTechnicians::Told technician{};
+};
+
+class LiftPeople {
+ public:
+  /// `world`, `description` and `devices` must outlive this object.
+  LiftPeople(World& world, const LiftNetworkDescription& description, LiftDevices& devices,
+             LiftPeopleHooks hooks);
+  LiftPeople(const LiftPeople&) = delete;
+  LiftPeople& operator=(const LiftPeople&) = delete;
+
+  /// Adds a person at the present time, beside those of the traffic. False: no lift connects these
+  /// floors.
+  bool visit(FloorNumber from, FloorNumber to);
+
+  void car_changed(LiftNumber lift);
+  void lamp_changed(const CallKey& call, bool is_lit);
+  /// Answer of the terminal of a landing, beside lift `panel`, for a destination: a lift to take;
+  /// 0: wait. People look at the terminal where they made their request.
+  void assigned(LiftNumber panel, const DestinationButton& button, LiftNumber lift);
+
+  /// The fire brigade comes to this lift, or leaves it.
+  void call_brigade(LiftNumber lift, bool is_there);
+  /// Has each present brigade look at its car: from time to time, for example each second.
+  void look_for_brigades();
+
+  /// Calls a technician: the safety chain of this lift must be closed by hand.
+  void call_technician(LiftNumber lift) { technicians_.tripped(lift); }
+  /// Has each technician look at the lift: each second.
+  void look_for_technicians() { technicians_.look(); }
+
+  const Crowd& crowd() const { return crowd_; }
+  /// True if a person rides in the lift, or waits where it should come, and no technician has it.
+  /// The lifts of a group (0) share the waiting people.
+  bool is_wanted(LiftNumber lift) const;
+
+ private:
+  PassengerHands hands();
+  void add_brigades();
+  void press(const CallKey& call, bool pressed, FloorNumber to = no_floor);
+  LiftNumber next_panel(const CallKey& call, FloorNumber to);
+  void run(Time now);
+  void wake();
+
+  World* world_;
+  const LiftNetworkDescription* description_;
+  LiftDevices* devices_;
+  LiftPeopleHooks hooks_;
+  Crowd crowd_;
+  PlantIndex plant_;
+  std::vector<std::unique_ptr<FireBrigade>> brigades_;  ///< one for each lift
+  LiftTechnicians technicians_;
+  /// For each button of a landing, the lift with the panel on which it was last pressed.
+  std::map<CallKey, LiftNumber> pressed_on_;
+  unsigned presses_ = 0;
+};
+
+}  // namespace canvoy::lift

@@ -1,0 +1,205 @@
+// A referee of a building: it receives what really happens, from the plants and the lamps and not
+// from the controllers, and judges the invariants.
+//
+//     Referee referee(building);
+//     referee.observe(now, 1, facts);               // at each event of the plants
+//     referee.button_pressed(now, call);
+//     referee.lamp_changed(now, call, true);
+//     referee.lamp_changed(now, call, false, CallEnd::served);
+//     for (const Invariant& invariant : referee.invariants(now)) ok = ok && invariant.held;
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "canvoy/can/time.hpp"
+#include "canvoy/worlds/lift/building.hpp"
+#include "canvoy/worlds/lift/invariant.hpp"
+
+namespace canvoy::lift {
+
+/// State of a door of a car, with the landing door that it moves.
+struct DoorFacts {
+  double open_m = 0;
+  bool locked = true;
+};
+
+enum class FireMode : std::uint8_t {
+  none,
+  recall,   ///< the key of the alarm is turned: all people leave, at the fire floor
+  brigade,  ///< the key in the car as well: the fire brigade drives
+};
+
+/// True state of one lift at one time.
+struct LiftFacts {
+  double position_m = 0;
+  double speed_m_s = 0;
+  double acceleration_m_s2 = 0;
+  std::array<DoorFacts, doors_max> doors{};
+  double load_kg = 0;
+  /// The safety chain, a fault or a fast stop has applied the brake: comfort does not count.
+  bool emergency_stop = false;
+  bool is_cut = false;  ///< the safety chain is open: motor and brake have no current
+  bool drifts = false;  ///< it moves although its brake is closed
+  /// Its motor runs away, or its brake holds nothing: then the buffers must stop it.
+  bool is_unheld = false;
+  bool is_cranked = false;     ///< moved by hand
+  bool opens_by_hand = false;  ///< the button in the car is held
+  FireMode fire = FireMode::none;
+  FloorNumber fire_floor = 1;
+  /// Distance between the true position and that of a real position unit; empty: none was received.
+  std::optional<double> position_lie_m{};
+  /// A fault is present, or has just ended: its possible delays are not judged.
+  bool hindered = false;
+};
+
+/// A button of a landing (lift 0) or of a car (direction none), or a destination entered at one.
+struct CallKey {
+  LiftNumber lift = 0;
+  FloorNumber floor = 1;
+  Direction direction = Direction::none;
+  FloorNumber to = no_floor;
+  auto operator<=>(const CallKey&) const = default;
+};
+
+/// Reason why the lamp of a call goes out.
+enum class CallEnd : std::uint8_t {
+  served,        ///< a car stands there, and opens a door soon
+  fire_service,  ///< all calls are withdrawn
+  out_of_order,  ///< the lift is, or its controller has booted
+  cancelled,     ///< by the passenger, or with the car's other calls at the end of its way
+  unexplained,
+};
+
+struct RefereeLimits {
+  double floor_tolerance_m = 0.010;
+  double moving_m_s = 0.001;      ///< below it, a car stands
+  double tolerance = 0.05;        ///< share of speed, acceleration and jerk
+  double buffer_gap_m = 0.001;    ///< a car at this distance is at the buffers
+  double emergency_m_s2 = 9.81;   ///< the greatest deceleration of a safety gear (EN 81-20)
+  double emergency_speed = 1.25;  ///< share of the rated speed, where a governor has acted
+  double levelled_m = 0.020;      ///< a car stays within this distance of its floor (EN 81-20,
+                                  ///< 5.12.1.1.4)
+  Duration levels_within = 10s;
+  /// Time in which a car with an unlocked door may still move when the safety chain has cut it off.
+  Duration cut_stop_most = 1s;
+  Duration gear_stop_most = 2s;    ///< like cut_stop_most, where its brake does not hold the car
+  Duration acknowledge_most = 2s;  ///< from the finger to the lamp
+  Duration serve_most = 30min;
+  Duration wait_most = 30min;
+  Duration ride_most = 15min;
+  /// Time in which a lift may stand while a person waits for longer than it takes to come.
+  Duration idle_most = 2min;
+  /// Longest time for people behind shut doors. EN 81-28 requires help within an hour; where
+  /// nothing is broken, no help must be necessary.
+  Duration trapped_most = 2min;
+  /// Like trapped_most, but whatever is broken (EN 81-28).
+  Duration rescued_within = 1h;
+  double position_lie_m = 0.2;  ///< of a real position unit; a greater one is outside of a floor's
+                                ///< door zone
+  /// Time from the lamp that goes out to a door that people can walk through.
+  Duration opens_within = 20s;
+  double walkable_share = 0.8;  ///< share of a door's width
+  Duration recall_most = 3min;
+  /// Time from a key to its panel, the controller and its latest command: then the rules of a fire
+  /// service hold.
+  Duration heeds_key_within = 200ms;
+};
+
+class Referee {
+ public:
+  explicit Referee(const Building& building, const RefereeLimits& limits = {});
+
+  void observe(Time now, LiftNumber lift, const LiftFacts& facts);
+  /// `is_answered`: the lamp is lit, or a car stands there already.
+  void button_pressed(Time now, const CallKey& call, bool is_answered = false);
+  void lamp_changed(Time now, const CallKey& call, bool lit, CallEnd end = CallEnd::served);
+  /// Longest time of all people who wait or ride at present, without those who were hindered
+  /// meanwhile.
+  void waited(Duration longest, bool hindered);
+  void rode(Duration longest, bool hindered);
+  /// Time for which a lift, which is not hindered, has stood while it was wanted.
+  void idled(LiftNumber lift, Duration time);
+  /// Like idled(): time for which people in it have not been able to get out.
+  void trapped(LiftNumber lift, Duration time);
+  /// Like trapped(), but for a lift that may be hindered.
+  void shut_in(LiftNumber lift, Duration time);
+  /// A person takes the stairs, with no cause other than the lifts.
+  void gave_up();
+  /// Judges calls that are not answered: from time to time, for example each second.
+  void look_at_calls(Time now, bool hindered);
+
+  /// Verdicts at present.
+  std::vector<Invariant> invariants() const;
+  /// The invariants broken since the last call, each once.
+  std::vector<Invariant> take_broken();
+
+ private:
+  struct Judged {
+    double worst = 0;
+    double bound = 0;
+    std::uint64_t count = 0;
+    bool is_told = false;
+    void judge(double value) {
+      worst = count != 0 && worst > value ? worst : value;
+      ++count;
+    }
+    bool held() const { return count == 0 || worst <= bound; }
+  };
+  struct Lift {
+    std::optional<LiftFacts> last{};
+    Time last_at{};
+    Duration open_movement{0};
+    Duration cut_for{0};
+    bool was_unheld = false;  ///< and is where that has brought it
+    Duration off_for{0};      ///< its floor, with an open door
+    unsigned chain_stops = 0;
+    Time fire_since = never;          ///< beginning of the present fire mode
+    unsigned doors_freed_before = 0;  ///< unlocked since before that; bit 0 is door 1
+    Time recall_since = never;        ///< plus the time for the way to the fire floor
+    bool is_recalled = false;
+    FloorNumber open_floor = no_floor;  ///< floor where a door is wide open
+    bool is_returning = false;          ///< the brigade has turned its key back, elsewhere
+    unsigned doors_opened_in_recall = 0;
+    unsigned doors_opened_by_themselves = 0;
+    unsigned calls_taken = 0;
+    std::map<InvariantKind, Judged> judged{};
+  };
+  struct Call {
+    Time pressed_at = never;
+    Time lit_at = never;
+    bool was_open = false;  ///< a door was open there, since its lamp was lit
+    Time asked_at = never;  ///< when its lamp was lit that has gone out before a door was open
+    Time opens_by = never;  ///< time until which a car must be open there
+  };
+
+  void judge_motion(Lift& lift, const LiftDesign& design, const LiftFacts& facts, Duration passed);
+  void judge_doors(Lift& lift, const LiftDesign& design, const LiftFacts& facts, Duration passed);
+  void judge_chain(Lift& lift, const LiftFacts& facts, Duration passed);
+  void judge_level(Lift& lift, const LiftDesign& design, const LiftFacts& facts, Duration passed);
+  void note_open_door(Time now, LiftNumber number, const LiftDesign& design,
+                      const LiftFacts& facts);
+  void look_for_door(Time now, Call& call, bool hindered);
+  void judge_departure(Lift& lift, const LiftDesign& design, const LiftFacts& facts);
+  void judge_fire(Time now, Lift& lift, const LiftFacts& facts);
+  void judge_recall(Time now, Lift& lift, const LiftFacts& facts, bool opens);
+  void note_fire_mode(Time now, Lift& lift, const LiftFacts& facts);
+  void judge_fire_call(Time now, const CallKey& call);
+  bool refuses(Time now, const Lift& lift, const CallKey& call) const;
+  static unsigned opening_doors(const Lift& lift, const LiftFacts& facts);
+  double distance_to_floor_m(double position_m) const;
+  template <class Visit>
+  void visit_all(const Visit& visit);
+
+  const Building* building_;
+  RefereeLimits limits_;
+  std::vector<Lift> lifts_;
+  std::map<CallKey, Call> calls_;
+  std::map<InvariantKind, Judged> common_;
+};
+
+}  // namespace canvoy::lift

@@ -1,0 +1,61 @@
+// The navigation of a police car with its satellite receiver: it finds the scene by the number of a
+// call, and leads there along a road to the north.
+//
+//     NavigationDevice navigation(bus, drive, sabotage, acted);
+//     navigation.know(call.destination);
+//     navigation.scene_lies_ahead(call.metres);
+#pragma once
+
+#include <optional>
+
+#include "canvoy/devices/cia447/gps/gps_unit.hpp"
+#include "canvoy/devices/cia447/navigation/navigation_unit.hpp"
+#include "canvoy/worlds/car/car_bus.hpp"
+#include "canvoy/worlds/car/drive.hpp"
+#include "canvoy/worlds/police/navigation_control.hpp"
+#include "canvoy/worlds/police/police_options.hpp"
+
+namespace canvoy::police {
+
+class NavigationDevice {
+ public:
+  /// All must outlive this object. `acted` is called for each key on which it has acted.
+  NavigationDevice(car::CarBus& bus, const car::Drive& drive, const Sabotage& sabotage,
+                   const Acted& acted)
+      : bus_(bus), drive_(drive), sabotage_(sabotage), acted_(acted) {}
+  NavigationDevice(const NavigationDevice&) = delete;
+  NavigationDevice& operator=(const NavigationDevice&) = delete;
+
+  /// Puts the device on the bus.
+  void add_node();
+  /// Presses the button at the navigation system.
+  void press_button();
+  /// Sets the number of the call with a known scene; the scenes of other numbers are unknown.
+  void know(unsigned destination) { destination_ = destination; }
+  /// Sets the distance of the scene from the present position of the car.
+  void scene_lies_ahead(double metres) { scene_at_ = drive_.metres() + metres; }
+
+ private:
+  cia447::GpsHardware gps_hardware();
+  cia447::GpsReading gps_reading();
+  cia447::NavigationHardware hardware();
+  cia447::GeoPosition here() const;
+  std::optional<cia447::GeoPosition> position() { return here(); }
+  double road(const cia447::GeoPosition& from, const cia447::GeoPosition& to);
+  void is_unit(cia447::NavigationUnit& unit, Node& /*node*/) { unit_ = &unit; }
+  NavigationControlHardware control_hardware();
+  NavigationControlSettings control_settings();
+  void is_control(NavigationControl& control, Node& /*node*/) { control_ = &control; }
+  double guide(unsigned destination);
+
+  car::CarBus& bus_;
+  const car::Drive& drive_;
+  const Sabotage& sabotage_;
+  Acted acted_;
+  cia447::NavigationUnit* unit_ = nullptr;
+  NavigationControl* control_ = nullptr;
+  std::optional<unsigned> destination_;
+  double scene_at_ = 0;  ///< position in m of the drive
+};
+
+}  // namespace canvoy::police

@@ -1,0 +1,112 @@
+#include "canvoy/worlds/police/police_car.hpp"
+
+#include "canvoy/devices/cia447/emergency_fresh_air/emergency_fresh_air_unit.hpp"
+#include "canvoy/devices/cia447/fire_extinguishing/fire_extinguishing_unit.hpp"
+#include "canvoy/profiles/cia447/car_handles.hpp"
+#include "canvoy/profiles/cia447/network.hpp"
+
+namespace canvoy::police {
+
+PoliceCar::PoliceCar(car::CarBus& bus, const PoliceOptions& options, const Acted& acted,
+                     EventLog<PoliceEvent>& events)
+    : bus_(bus),
+      options_(options),
+      supply_(bus, options, events),
+      terminal_(bus, options.sabotage),
+      signals_(bus, options.sabotage, acted),
+      radio_(bus, options.sabotage, supply_, acted, events),
+      navigation_(bus, drive_, options.sabotage, acted) {
+  add_nodes();
+}
+
+void PoliceCar::add_nodes() {
+  using namespace cia447;
+  Environment& car = bus_.add_site();
+  car.provide(Callback<CarHardware()>::to<&PoliceCar::hardware>(*this));
+  car.provide(Callback<CarMemory()>::to<&car::CarBus::memory>(bus_));
+  car.provide(Callback<CarMasterSettings()>::to<&car::CarBus::master_settings>(bus_));
+  car.watch(Callback<void(IvnGatewayUnit&, Node&)>::to<&PoliceCar::is_gateway>(*this));
+  bus_.add(car::units_of<IvnGatewayKind>, car);
+  terminal_.add_node();
+  signals_.add_nodes();
+  radio_.add_nodes();
+  supply_.add_node();
+  radio_.add_inputs();
+  navigation_.add_node();
+  if (options_.is_armoured) {
+    Environment& armour = bus_.add_site();
+    bus_.add(car::units_of<FireExtinguishingKind>, armour);
+    bus_.add(car::units_of<EmergencyFreshAirKind>, armour);
+  }
+  bus_.complete();
+}
+
+void PoliceCar::power(car::CarNode& node, bool is_on) {
+  const NodeId id = node.place().id;
+  terminal_.lose_power(id);
+  signals_.lose_power(id);
+  radio_.lose_power(id);
+  supply_.lose_power(id);
+  is_making_gateway_ = id == cia447::gateway_node_id;
+  node.power(is_on);
+  is_making_gateway_ = false;
+  if (cia447::CarMaster* master = node.device().master()) master->on_event(told_);
+  if (!node.is_powered()) return;
+  if (id == cia447::gateway_node_id) report_car();
+  signals_.sense(id);
+  radio_.sense(id);
+  supply_.sense(id);
+}
+
+/// Reports the state of the car to the gateway.
+void PoliceCar::report_car() {
+  const cia447::Signal ignited = is_ignited_ ? cia447::Signal::yes : cia447::Signal::no;
+  gateway_->report(cia447::ignition_switch_status_accessory, ignited);
+  gateway_->report(cia447::ignition_switch_status_on, ignited);
+  gateway_->report(cia447::central_locking_system_status,
+                   is_locked_ ? cia447::Locking::external : cia447::Locking::unlocked);
+  bus_.touched(cia447::gateway_node_id);
+}
+
+void PoliceCar::turn_ignition(bool is_on) {
+  World& world = bus_.world();
+  is_ignited_ = is_on;
+  if (!is_on) ignition_off_at_ = world.now();
+  world.at(world.now(), [this](Time) {
+    if (bus_.has_power(cia447::gateway_node_id)) report_car();
+  });
+}
+
+void PoliceCar::turn_key(bool is_locked) {
+  is_locked_ = is_locked;
+  if (bus_.has_power(cia447::gateway_node_id)) report_car();
+}
+
+cia447::CarHardware PoliceCar::hardware() {
+  cia447::CarHardware car = cia447::parked_car();
+  car.speed = cia447::Sensor::to<&PoliceCar::speed>(*this);
+  car.distance = cia447::Sensor::to<&PoliceCar::distance>(*this);
+  car.switched.became =
+      Callback<void(const cia447::FieldPlace&, std::uint32_t)>::to<&PoliceCar::car_became>(*this);
+  return car;
+}
+
+void PoliceCar::car_became(const cia447::FieldPlace& status, std::uint32_t code) {
+  const bool is_lock = status == place_of(cia447::central_locking_system_status);
+  if (!is_lock || is_making_gateway_ || options_.sabotage.cuts_locks) return;
+  is_locked_ = code != static_cast<std::uint32_t>(cia447::Locking::unlocked);
+}
+
+Surroundings PoliceCar::around() const {
+  return {.sound = signals_.sound(),
+          .radio_has_power = supply_.radio_has_power(),
+          .periphery_has_power = supply_.periphery_has_power(),
+          .radio_is_on = radio_.is_on(),
+          .radio_transmits = radio_.transmits(),
+          .title = terminal_.title(),
+          .text_1 = terminal_.text_1(),
+          .text_2 = terminal_.text_2(),
+          .is_locked = is_locked_};
+}
+
+}  // namespace canvoy::police

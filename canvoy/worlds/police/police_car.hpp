@@ -1,0 +1,86 @@
+// A police car with its devices, and the inputs of the gateway from the car: ignition and locks.
+//
+//     PoliceCar car(bus, options, acted, events);
+//     for (const auto& node : bus.nodes()) car.power(*node, true);
+//     car.turn_ignition(true);
+//     car.signals().siren_is_heard()
+#pragma once
+
+#include "canvoy/devices/cia447/ivn_gateway/ivn_gateway_unit.hpp"
+#include "canvoy/sim/event_log.hpp"
+#include "canvoy/worlds/car/car_bus.hpp"
+#include "canvoy/worlds/car/drive.hpp"
+#include "canvoy/worlds/police/navigation_device.hpp"
+#include "canvoy/worlds/police/police_event.hpp"
+#include "canvoy/worlds/police/police_options.hpp"
+#include "canvoy/worlds/police/radio_devices.hpp"
+#include "canvoy/worlds/police/signal_devices.hpp"
+#include "canvoy/worlds/police/supply_device.hpp"
+#include "canvoy/worlds/police/surroundings.hpp"
+#include "canvoy/worlds/police/terminal_device.hpp"
+
+namespace canvoy::police {
+
+class PoliceCar {
+ public:
+  /// All must outlive this object, which puts the devices on the bus. `acted` is called for each
+  /// key of the terminal on which a client has acted.
+  PoliceCar(car::CarBus& bus, const PoliceOptions& options, const Acted& acted,
+            EventLog<PoliceEvent>& events);
+  PoliceCar(const PoliceCar&) = delete;
+  PoliceCar& operator=(const PoliceCar&) = delete;
+
+  /// Switches power of a device; one that gets power starts from its initial state.
+  void power(car::CarNode& node, bool is_on);
+  /// Sets the function that receives the reports of the gateway on its network, from its next
+  /// power-on.
+  void on_event(const Callback<void(const cia447::CarEvent&)>& told) { told_ = told; }
+
+  void turn_ignition(bool is_on);
+  /// Turns the key in the door.
+  void turn_key(bool is_locked);
+  bool is_ignited() const { return is_ignited_; }
+  /// Last time that the ignition was switched off; long ago where it was never on.
+  Time ignition_off_at() const { return ignition_off_at_; }
+  bool is_locked() const { return is_locked_; }
+
+  car::CarBus& bus() { return bus_; }
+  car::Drive& drive() { return drive_; }
+  const car::Drive& drive() const { return drive_; }
+  SignalDevices& signals() { return signals_; }
+  const SignalDevices& signals() const { return signals_; }
+  SupplyDevice& supply() { return supply_; }
+  const SupplyDevice& supply() const { return supply_; }
+  RadioDevices& radio() { return radio_; }
+  const RadioDevices& radio() const { return radio_; }
+  TerminalDevice& terminal() { return terminal_; }
+  const TerminalDevice& terminal() const { return terminal_; }
+  NavigationDevice& navigation() { return navigation_; }
+  Surroundings around() const;
+
+ private:
+  void add_nodes();
+  void report_car();
+  cia447::CarHardware hardware();
+  void car_became(const cia447::FieldPlace& status, std::uint32_t code);
+  void is_gateway(cia447::IvnGatewayUnit& unit, Node& /*node*/) { gateway_ = &unit; }
+  std::optional<double> speed() { return drive_.speed(); }
+  std::optional<double> distance() { return drive_.metres(); }
+
+  car::CarBus& bus_;
+  const PoliceOptions& options_;
+  car::Drive drive_;
+  SupplyDevice supply_;
+  TerminalDevice terminal_;
+  SignalDevices signals_;
+  RadioDevices radio_;
+  NavigationDevice navigation_;
+  cia447::IvnGatewayUnit* gateway_ = nullptr;
+  Callback<void(const cia447::CarEvent&)> told_;
+  bool is_making_gateway_ = false;
+  bool is_ignited_ = false;
+  bool is_locked_ = true;
+  Time ignition_off_at_ = Time(-24h);
+};
+
+}  // namespace canvoy::police

@@ -1,0 +1,60 @@
+// Events in a police car, as types; the tools turn them into words.
+//
+//     if (const auto* call = std::get_if<CallMade>(&event.what)) print(call->destination);
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "canvoy/can/time.hpp"
+#include "canvoy/sim/event.hpp"
+#include "canvoy/sim/hand_acted.hpp"
+#include "canvoy/worlds/car/network_changed.hpp"
+#include "canvoy/worlds/police/client.hpp"
+#include "canvoy/worlds/police/crew.hpp"
+#include "canvoy/worlds/police/fault.hpp"
+#include "canvoy/worlds/police/invariant.hpp"
+
+namespace canvoy::police {
+
+/// The control room makes a call for help.
+struct CallMade {
+  unsigned destination = 0;
+  double metres = 0;  ///< distance of the scene
+};
+struct ActivityChanged {
+  Activity activity = Activity::off_duty;
+};
+/// Signals of the car that can be seen and heard.
+struct SignalsChanged {
+  bool is_blue = false;
+  bool has_siren = false;
+
+  bool operator==(const SignalsChanged&) const = default;
+};
+/// Client on display 1; empty: the car itself.
+struct TerminalTaken {
+  std::optional<Client> client{};
+};
+/// The control room has received a status message.
+struct StatusSent {
+  int status = 0;
+};
+struct PowerSwitched {
+  bool is_radio = true;  ///< false: periphery
+  bool is_on = false;
+};
+
+using FaultBegan = canvoy::FaultBegan<FaultKind>;
+using FaultEnded = canvoy::FaultEnded<FaultKind>;
+using InvariantBroken = canvoy::InvariantBroken<InvariantKind>;
+
+struct PoliceEvent {
+  Time at{};
+  std::variant<BootedUp, NmtStateSeen, NmtCommandSeen, EmergencySeen, BusStateChanged,
+               car::NetworkChanged, HandActed, CallMade, ActivityChanged, SignalsChanged,
+               TerminalTaken, StatusSent, PowerSwitched, FaultBegan, FaultEnded, InvariantBroken>
+      what;
+};
+
+}  // namespace canvoy::police

@@ -1,0 +1,100 @@
+// The path of speech in a police car: the handset and the hands-free system, the audio switch that
+// connects microphones and loudspeaker, and the radio with its transmitter.
+//
+//     RadioDevices radio(bus, options, supply, acted, events);
+//     radio.lift_handset(true);
+//     if (radio.carries_from_car()) ...     // what is said in the car is on the air
+#pragma once
+
+#include <array>
+
+#include "canvoy/devices/cia447/audio_switch/audio_switch_unit.hpp"
+#include "canvoy/devices/cia447/discrete_inputs/discrete_inputs_unit.hpp"
+#include "canvoy/devices/cia447/hands_free/hands_free_unit.hpp"
+#include "canvoy/sim/event_log.hpp"
+#include "canvoy/worlds/car/car_bus.hpp"
+#include "canvoy/worlds/police/police_event.hpp"
+#include "canvoy/worlds/police/police_options.hpp"
+#include "canvoy/worlds/police/radio_control.hpp"
+#include "canvoy/worlds/police/supply_device.hpp"
+
+namespace canvoy::police {
+
+class RadioDevices {
+ public:
+  /// All must outlive this object. `acted` is called for each key on which the radio has acted.
+  RadioDevices(car::CarBus& bus, const Sabotage& sabotage, const SupplyDevice& supply,
+               const Acted& acted, EventLog<PoliceEvent>& events)
+      : bus_(bus), sabotage_(sabotage), supply_(supply), acted_(acted), events_(events) {}
+  RadioDevices(const RadioDevices&) = delete;
+  RadioDevices& operator=(const RadioDevices&) = delete;
+
+  /// Puts radio, audio switch and hands-free system on the bus.
+  void add_nodes();
+  /// Adds the inputs of the handset.
+  void add_inputs();
+  /// Takes power from one of these devices; does nothing to other nodes.
+  void lose_power(NodeId id);
+  /// Sets the inputs of a device that gets power.
+  void sense(NodeId id);
+
+  // Actions of hands.
+  void lift_handset(bool is_pressed);
+  /// Presses the key of the hands-free system.
+  void press_hands_free();
+  /// Presses the button at the radio.
+  void press_button();
+
+  // Visible and audible state.
+  /// True if the LED beside the key of the hands-free system is lit: the radio is active.
+  bool led_is_lit() const { return led_is_lit_; }
+  bool is_on() const { return is_on_; }
+  bool transmits() const { return transmits_; }
+  /// True if a receiver near by detects that the channel is in use.
+  bool is_on_the_air() const { return supply_.radio_has_power() && is_on_ && transmits_; }
+  /// True if speech passes from the handset's microphone, or from that of the hands-free system,
+  /// through the audio switch into the radio, and on the air.
+  bool carries_from_car() const;
+  /// True if speech passes from the radio to the loudspeaker.
+  bool carries_to_car() const;
+  /// Sets the function that is called for each status message that the control room receives.
+  void on_status(Callback<void(int)> heard) { status_heard_ = heard; }
+  /// Number of status messages that the control room has received.
+  unsigned statuses() const { return statuses_; }
+
+ private:
+  cia447::SwitchedHardware radio_hardware();
+  void radio_became(const cia447::FieldPlace& status, std::uint32_t code);
+  void is_radio(cia447::RadioUnit& unit, Node& /*node*/) { radio_ = &unit; }
+  RadioControlHardware control_hardware();
+  RadioControlSettings control_settings();
+  void is_control(RadioControl& control, Node& /*node*/) { control_ = &control; }
+  void send_status(int status);
+  cia447::AudioSwitchHardware audio_hardware();
+  void connect(unsigned input, unsigned output, std::uint8_t gain);
+  cia447::HandsFreeHardware hands_free_hardware();
+  void show_led(bool is_on) { led_is_lit_ = is_on; }
+  void is_hands_free(cia447::HandsFreeUnit& unit, Node& /*node*/) { hands_free_ = &unit; }
+  void is_inputs(cia447::DiscreteInputsUnit& unit, Node& /*node*/) { inputs_ = &unit; }
+  void close_contact(bool is_closed);
+
+  car::CarBus& bus_;
+  const Sabotage& sabotage_;
+  const SupplyDevice& supply_;
+  Acted acted_;
+  EventLog<PoliceEvent>& events_;
+  cia447::RadioUnit* radio_ = nullptr;
+  RadioControl* control_ = nullptr;
+  cia447::HandsFreeUnit* hands_free_ = nullptr;
+  cia447::DiscreteInputsUnit* inputs_ = nullptr;
+  /// Connections of the audio switch, by channel.
+  std::array<std::array<bool, 17>, 17> wires_{};
+  bool handset_is_pressed_ = false;
+  bool led_is_lit_ = false;
+  bool is_on_ = false;
+  bool transmits_ = false;
+  unsigned statuses_ = 0;
+  Callback<void(int)> status_heard_;
+};
+
+}  // namespace canvoy::police

@@ -1,0 +1,81 @@
+// Blue light and siren of a police car: roof bar, flashers and their control, with the lamps and
+// the loudspeaker that they drive; what people at the road see and hear.
+//
+//     SignalDevices signals(bus, sabotage, acted);
+//     signals.step(now);                    // each 100 ms
+//     signals.any_blue_is_seen(now)
+#pragma once
+
+#include "canvoy/devices/cia447/blue_light/blue_light_unit.hpp"
+#include "canvoy/devices/cia447/roof_bar_light/roof_bar_light_unit.hpp"
+#include "canvoy/devices/cia447/roof_bar_sound/roof_bar_sound_unit.hpp"
+#include "canvoy/worlds/car/car_bus.hpp"
+#include "canvoy/worlds/police/client.hpp"
+#include "canvoy/worlds/police/flashing_lamps.hpp"
+#include "canvoy/worlds/police/police_options.hpp"
+#include "canvoy/worlds/police/signal_control.hpp"
+
+namespace canvoy::police {
+
+inline constexpr unsigned beacon_count = 2;
+inline constexpr unsigned flasher_count = 10;
+
+class SignalDevices {
+ public:
+  /// All must outlive this object. `acted` is called for each key on which the control has acted.
+  SignalDevices(car::CarBus& bus, const Sabotage& sabotage, const Acted& acted)
+      : bus_(bus), sabotage_(sabotage), acted_(acted) {}
+  SignalDevices(const SignalDevices&) = delete;
+  SignalDevices& operator=(const SignalDevices&) = delete;
+
+  /// Puts its three devices on the bus.
+  void add_nodes();
+  /// Takes power from one of these devices; does nothing to other nodes.
+  void lose_power(NodeId id);
+  /// Sets the inputs of a device that gets power.
+  void sense(NodeId id);
+  /// Breaks the front left flasher. The module detects that no current flows.
+  void burn_lamp(bool is_burnt);
+  void step(Time now);
+
+  bool all_blue_is_seen(Time now) const { return beacons_.is_seen(now) && flashers_.is_seen(now); }
+  bool any_blue_is_seen(Time now) const { return beacons_.is_seen(now) || flashers_.is_seen(now); }
+  /// True if search lamp and both alley lights are lit.
+  bool work_light_is_seen() const { return work_lights_ == all_work_lights; }
+  /// True if any of them is lit.
+  bool any_work_light_is_seen() const { return work_lights_ != 0; }
+  bool siren_is_heard() const { return sound_.sound != cia447::AdditionalSound::none; }
+  const cia447::RoofBarSound& sound() const { return sound_; }
+  bool has_burnt_lamp() const { return lamp_is_burnt_; }
+  const FlashingLamps<beacon_count>& beacons() const { return beacons_; }
+  const FlashingLamps<flasher_count>& flashers() const { return flashers_; }
+
+ private:
+  cia447::SwitchedHardware roof_light_hardware();
+  void drive_blue(Callback<void(unsigned, bool)> lamps, unsigned lamp, bool is_on);
+  void drive_beacon(unsigned lamp, bool is_on) { beacons_.drive(lamp, is_on); }
+  void drive_flasher(unsigned lamp, bool is_on) { flashers_.drive(lamp, is_on); }
+  void roof_light_became(const cia447::FieldPlace& status, std::uint32_t code);
+  cia447::RoofBarSoundHardware sound_hardware();
+  void play(const cia447::RoofBarSound& sound);
+  void is_sound(cia447::RoofBarSoundUnit& unit, Node& /*node*/) { sound_unit_ = &unit; }
+  SignalControlHardware control_hardware();
+  SignalControlSettings control_settings();
+  cia447::SwitchedHardware blue_light_hardware();
+  void blue_light_became(const cia447::FieldPlace& status, std::uint32_t code);
+  void is_blue_light(cia447::BlueLightUnit& unit, Node& /*node*/) { blue_light_ = &unit; }
+
+  car::CarBus& bus_;
+  const Sabotage& sabotage_;
+  Acted acted_;
+  cia447::BlueLightUnit* blue_light_ = nullptr;
+  cia447::RoofBarSoundUnit* sound_unit_ = nullptr;
+  FlashingLamps<beacon_count> beacons_;
+  FlashingLamps<flasher_count> flashers_;
+  cia447::RoofBarSound sound_{};
+  bool lamp_is_burnt_ = false;
+  static constexpr unsigned all_work_lights = 7;
+  unsigned work_lights_ = 0;  ///< one bit for each: search lamp, alley lights right and left
+};
+
+}  // namespace canvoy::police

@@ -1,0 +1,31 @@
+// What is heard and read of a police car at one instant, whatever its devices report: the sound in
+// the air, the transmitter, relays, displays, locks.
+//
+//     if (network.around().is_on_the_air()) ...
+#pragma once
+
+#include <string>
+
+#include "canvoy/devices/cia447/roof_bar_sound/roof_bar_sound_unit.hpp"
+
+namespace canvoy::police {
+
+struct Surroundings {
+  cia447::RoofBarSound sound{};
+
+  bool radio_has_power = false;  ///< of the power supply
+  bool periphery_has_power = false;
+  bool radio_is_on = false;
+  bool radio_transmits = false;
+
+  std::string title;  ///< of display 1
+  std::string text_1;
+  std::string text_2;
+
+  bool is_locked = true;
+
+  /// True if a receiver near by detects that the channel is in use.
+  bool is_on_the_air() const { return radio_has_power && radio_is_on && radio_transmits; }
+};
+
+}  // namespace canvoy::police

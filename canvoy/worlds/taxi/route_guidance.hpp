@@ -1,0 +1,56 @@
+// The destination of the passengers of a taxi, and the guidance to it by the navigation system: the
+// driver enters it at the driver's unit, and enters it again where that has lost it.
+//
+//     RouteGuidance guidance(bus, places);
+//     guidance.offer_display(site_of_the_drivers_unit);
+//     guidance.offer_navigation(site_of_the_navigation);
+//     guidance.choose(destination);
+//     guidance.arrive();
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "canvoy/devices/cia447/navigation/navigation_unit.hpp"
+#include "canvoy/worlds/car/car_bus.hpp"
+#include "canvoy/worlds/taxi/route_display.hpp"
+
+namespace canvoy::taxi {
+
+class RouteGuidance {
+ public:
+  /// Both must outlive this object.
+  RouteGuidance(car::CarBus& bus, std::span<const cia447::NamedPlace> places)
+      : bus_(bus), places_(places) {}
+  RouteGuidance(const RouteGuidance&) = delete;
+  RouteGuidance& operator=(const RouteGuidance&) = delete;
+
+  /// Adds the hardware of the driver's unit and of the navigation system.
+  void provide_display(Environment& environment);
+  void provide_navigation(Environment& environment);
+  /// Call it before the driver's unit loses or gets its power.
+  void lose_display() { display_ = nullptr; }
+  /// Enters the destination again.
+  void type_again();
+
+  void choose(const cia447::GeoPosition& destination);
+  /// Ends the guidance, by hand at the navigation system: there is no object for it.
+  void arrive();
+  /// Empty: there is no destination, or it is unknown.
+  const std::optional<cia447::GeoPosition>& destination() const { return destination_; }
+  cia447::NavigationUnit& navigation() { return *navigation_; }
+
+ private:
+  RouteDisplaySettings display_settings();
+  void is_display(RouteDisplay& display, Node& /*node*/) { display_ = &display; }
+  cia447::NavigationHardware navigation_hardware();
+  void is_navigation(cia447::NavigationUnit& unit, Node& /*node*/) { navigation_ = &unit; }
+
+  car::CarBus& bus_;
+  std::span<const cia447::NamedPlace> places_;
+  cia447::NavigationUnit* navigation_ = nullptr;
+  RouteDisplay* display_ = nullptr;  ///< of the driver's unit; null while that has no power
+  std::optional<cia447::GeoPosition> destination_;
+};
+
+}  // namespace canvoy::taxi

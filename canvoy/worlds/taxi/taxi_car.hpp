@@ -1,0 +1,186 @@
+// A taxi with its devices and their surroundings: the wheels and the satellites, the driver's card
+// and the clocks, the paper of the printer, and the lamps, displays and keys that people see and
+// touch.
+//
+//     TaxiCar car(bus, options, sabotage, events);
+//     for (const auto& node : bus.nodes()) car.power(*node, true);
+//     car.drive().step(100ms);
+//     car.sign().is_vacant()
+#pragma once
+
+#include <optional>
+
+#include "canvoy/devices/cia447/driver_identification/driver_identification_unit.hpp"
+#include "canvoy/devices/cia447/gps/gps_unit.hpp"
+#include "canvoy/devices/cia447/printer/printer_unit.hpp"
+#include "canvoy/devices/cia447/real_time_clock/real_time_clock_unit.hpp"
+#include "canvoy/devices/cia447/taxi_alarm/taxi_alarm_unit.hpp"
+#include "canvoy/worlds/car/drive.hpp"
+#include "canvoy/worlds/taxi/alarm_control.hpp"
+#include "canvoy/worlds/taxi/paper_text.hpp"
+#include "canvoy/worlds/taxi/roof_sign.hpp"
+#include "canvoy/worlds/taxi/route_guidance.hpp"
+#include "canvoy/worlds/taxi/taxi_meter.hpp"
+#include "canvoy/worlds/taxi/terminal_screens.hpp"
+#include "canvoy/worlds/taxi/town_clock.hpp"
+
+namespace canvoy::taxi {
+
+/// Seconds since 1970-01-01 on a clock with this time.
+std::int64_t local_seconds(CivilTime time);
+
+class TaxiCar {
+ public:
+  /// Functions for requests to a real meter through a simulated device: called each time that the
+  /// device is made again, and before it is destroyed.
+  struct MeterReader {
+    Callback<void(cia447::CarNetwork&, Node&)> device_is_made;
+    Callback<void()> device_ends;
+  };
+
+  /// All must outlive this object, which puts the devices on the bus.
+  TaxiCar(car::CarBus& bus, const TaxiOptions& options, const Sabotage& sabotage,
+          EventLog<TaxiEvent>& events);
+  TaxiCar(const TaxiCar&) = delete;
+  TaxiCar& operator=(const TaxiCar&) = delete;
+
+  /// Switches power of a device; one that gets power starts from its initial state.
+  void power(car::CarNode& node, bool is_on);
+  car::CarBus& bus() { return bus_; }
+  /// Node-ID of the device that requests values of a real meter: the gateway, where that is
+  /// simulated here.
+  NodeId meter_reader_id() const;
+  /// Call it once, before the device gets its power.
+  void attach(const MeterReader& reader);
+
+  // Parts that people see and touch.
+  car::Drive& drive() { return drive_; }
+  const car::Drive& drive() const { return drive_; }
+  TaxiMeter& meter() { return meter_; }
+  const TaxiMeter& meter() const { return meter_; }
+  const RoofSign& sign() const { return sign_; }
+  const TerminalScreens& screens() const { return screens_; }
+  RouteGuidance& guidance() { return guidance_; }
+  const RouteGuidance& guidance() const { return guidance_; }
+  PaperText& paper() { return paper_; }
+  const PaperText& paper() const { return paper_; }
+  cia447::IvnGatewayUnit& gateway() { return *gateway_; }
+  void log_driver_in();
+  void log_driver_out();
+  /// Starts a silent alarm, which the driver ends a minute later. False: there is no power.
+  bool press_alarm();
+  /// True from the key until the driver ends the alarm.
+  bool has_alarm() const { return now() < alarm_until_; }
+  /// True if the control room has heard the call of the last alarm.
+  bool alarm_is_heard() const { return alarm_is_heard_; }
+
+  // Effects of faults on the devices.
+  /// Pulses of the wheels meanwhile are not lost.
+  void lose_wheels(bool is_lost) { wheel_is_lost_ = is_lost; }
+  void lose_satellites(bool is_lost) { fix_is_lost_ = is_lost; }
+  bool has_satellites() const { return !fix_is_lost_; }
+
+  // Acts of tampering.
+  /// Pulses of a metre per second in addition to those of the wheels.
+  void add_pulses(bool are_added);
+  /// Mounts smaller wheels, or the right ones.
+  void change_wheels(bool are_smaller);
+  /// Makes the clock on the bus gain a minute in ten, or stops it; what it has gained stays.
+  void let_clock_drift(bool drifts);
+
+  /// Takes or replaces the paper. A line that was begun stays on the old roll.
+  void take_paper(bool is_out);
+  /// Pulses of the wheels of a real car.
+  void roll(std::uint32_t pulses);
+
+ private:
+  void add_nodes();
+  Environment& add_site();
+  void add_gateway();
+  void add_meter();
+  void provide_to_others(Environment& environment);
+  void add_navigation();
+  void car_event(const cia447::CarEvent& event);
+  Time now() const { return bus_.world().now(); }
+
+  cia447::CarNetworkSettings network_settings() { return options_.car_network.nodes; }
+  cia447::CarMasterSettings master_settings() { return bus_.master_settings(); }
+  cia447::CarSleepSettings sleep_settings() { return options_.car_network.sleep; }
+  cia447::CarSettings car_settings() { return options_.car; }
+  cia447::CarHardware car_hardware();
+  std::optional<double> speed();
+  std::optional<double> distance();
+  void is_gateway(cia447::IvnGatewayUnit& unit, Node& /*node*/) { gateway_ = &unit; }
+  cia447::PrinterHardware printer_hardware() { return {.paper = paper_.paper()}; }
+  void is_printer(cia447::PrinterUnit& unit, Node& node);
+  cia447::DriverIdentificationHardware reader_hardware();
+  void is_driver_reader(cia447::DriverIdentificationUnit& unit, Node& /*node*/) {
+    driver_reader_ = &unit;
+  }
+  cia447::RealTimeClockHardware clock_hardware();
+  std::optional<cia447::ChipTime> chip_time();
+  cia447::RealTimeClockSettings clock_settings() { return {.zone = options_.zone}; }
+  cia447::LocalTime local_time(Duration ahead) const;
+  std::optional<cia447::LocalTime> meter_clock() { return local_time(options_.meter_clock_ahead); }
+  std::optional<cia447::LocalTime> reader_clock() { return local_time({}); }
+  cia447::GpsHardware gps_hardware();
+  cia447::GpsReading gps_reading();
+  cia447::TaxiAlarmHardware alarm_hardware();
+  AlarmControlHardware alarm_control_hardware();
+  AlarmControlSettings alarm_control_settings() { return {.sign = sign_id}; }
+  void alarm_changed(bool silent, bool full) { alarm_control_->alarm(silent || full); }
+  void alarm_has_called();
+  void is_alarm(cia447::TaxiAlarmUnit& unit, Node& /*node*/) { alarm_ = &unit; }
+  void is_alarm_control(AlarmControl& control, Node& /*node*/) { alarm_control_ = &control; }
+
+  car::CarBus& bus_;
+  const TaxiOptions& options_;
+  const Sabotage& sabotage_;
+  EventLog<TaxiEvent>& events_;
+  car::Drive drive_;
+  TownClock clock_;
+  TaxiMeter meter_;
+  RoofSign sign_;
+  TerminalScreens screens_;
+  RouteGuidance guidance_;
+  PaperText paper_;
+  Environment* gateway_site_ = nullptr;
+  Environment* navigation_site_ = nullptr;
+  MeterReader meter_reader_;
+  cia447::IvnGatewayUnit* gateway_ = nullptr;
+  cia447::PrinterUnit* printer_ = nullptr;
+  cia447::DriverIdentificationUnit* driver_reader_ = nullptr;
+  cia447::TaxiAlarmUnit* alarm_ = nullptr;
+  AlarmControl* alarm_control_ = nullptr;
+  Time alarm_until_{};
+  bool alarm_is_heard_ = false;
+  double turned_metres() const;
+  Duration clock_gain() const;
+
+  /// Total time for which something was present.
+  struct Presence {
+    std::optional<Time> since = {};  ///< beginning of the present time
+    Duration before{};               ///< sum of the earlier times
+
+    /// Total up to `now`.
+    Duration total(Time now) const { return before + (since ? now - *since : Duration{}); }
+    /// Begins or ends a time.
+    void set(bool is_there, Time now) {
+      before = total(now);
+      since.reset();
+      if (is_there) since = now;
+    }
+  };
+
+  Presence extra_pulses_;
+  Presence clock_drift_;
+  double wheels_ = 1;         ///< turns of these wheels for one turn of the right ones
+  double turned_before_ = 0;  ///< m by the wheels, up to their change
+  double metres_at_change_ = 0;
+  bool wheel_is_lost_ = false;
+  bool fix_is_lost_ = false;
+  bool paper_is_out_ = false;
+  Time rolled_{};  ///< last pulses of the wheels of a real car
+};
+
+}  // namespace canvoy::taxi

@@ -1,0 +1,104 @@
+// The taximeter of a taxi, as the driver uses it: its keys, its display, its memory without power,
+// and its outputs to printer, tariff display and terminal. Where the meter is real, its state is
+// that of its messages on the bus.
+//
+//     TaxiMeter meter(bus, options, sabotage, clock, events);
+//     meter.provide(environment);
+//     meter.keys().hire();
+//     meter.display().trip.fare
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "canvoy/devices/cia447/taximeter/meter_outputs.hpp"
+#include "canvoy/devices/cia447/taximeter/taximeter_unit.hpp"
+#include "canvoy/sim/event_log.hpp"
+#include "canvoy/worlds/car/car_bus.hpp"
+#include "canvoy/worlds/taxi/fare_display.hpp"
+#include "canvoy/worlds/taxi/kept_flash.hpp"
+#include "canvoy/worlds/taxi/shift.hpp"
+#include "canvoy/worlds/taxi/taxi_event.hpp"
+#include "canvoy/worlds/taxi/taxi_options.hpp"
+#include "canvoy/worlds/taxi/town_clock.hpp"
+
+namespace canvoy::taxi {
+
+class TaxiMeter {
+ public:
+  using Clock = Callback<std::optional<cia447::LocalTime>()>;
+
+  /// All must outlive this object. `clock` is the meter's own.
+  TaxiMeter(car::CarBus& bus, const TaxiOptions& options, const Sabotage& sabotage,
+            const TownClock& town, const Clock& clock, EventLog<TaxiEvent>& events)
+      : bus_(bus),
+        options_(options),
+        sabotage_(sabotage),
+        town_(town),
+        clock_(clock),
+        events_(events) {}
+  TaxiMeter(const TaxiMeter&) = delete;
+  TaxiMeter& operator=(const TaxiMeter&) = delete;
+
+  /// Adds the hardware of the device.
+  void provide(Environment& environment);
+  /// Adds its connections to the other devices, for those that are made after it.
+  void provide_outputs(Environment& environment);
+  /// Call it before the meter loses or gets its power.
+  void power_changes(bool is_on);
+
+  /// Keys for the driver: a key of a meter without power does nothing. Keys of a real meter are
+  /// pressed outside of the world: the functions then do only the other actions of the driver.
+  MeterKeys keys();
+  const cia447::TaximeterDisplay& display() const { return display_; }
+  bool has_passengers() const;
+  /// Takes the state that a real meter reports. False: it is not new.
+  bool heard(cia447::Taximeter state);
+  void heard(const cia447::TripData& trip) { display_.trip = trip; }
+  /// Prints the receipt with this number for the trip on the display, with this payment.
+  void print_receipt(std::uint32_t number, std::string_view payment);
+  /// Prints the slip of the ended shift, after a receipt that is being printed.
+  void print_slip();
+  /// Prints what waits; call it often.
+  void step();
+  /// Opens or closes the seal, for which a tool is needed.
+  void open_seal(bool is_open) { is_seal_open_ = is_open; }
+  /// Sets the function that is called for all that the meter records.
+  void on_recorded(Callback<void(const cia447::AuditEntry&)> recorded) { recorded_ = recorded; }
+  cia447::TaximeterUnit& unit() { return *unit_; }
+  const cia447::TaximeterUnit& unit() const { return *unit_; }
+
+ private:
+  cia447::TaximeterHardware hardware();
+  cia447::TaximeterSettings settings();
+  FareDisplaySettings fare_display_settings();
+  void is_unit(cia447::TaximeterUnit& unit, Node& /*node*/) { unit_ = &unit; }
+  void is_fare_display(FareDisplay& display, Node& /*node*/) { fare_display_ = &display; }
+  void is_network(cia447::CarNetwork& network, Node& node);
+  void show(const cia447::TaximeterDisplay& display);
+  bool seal_is_open() { return is_seal_open_; }
+  void note(const cia447::AuditEntry& entry);
+  MeterKeys keys_of_others();
+  bool begin_calibration();
+  bool end_calibration(std::uint32_t metres);
+  cia447::PaperHead paper_head() const;
+
+  car::CarBus& bus_;
+  const TaxiOptions& options_;
+  const Sabotage& sabotage_;
+  const TownClock& town_;
+  Clock clock_;
+  EventLog<TaxiEvent>& events_;
+  static constexpr std::uint32_t sector_size = 1024;
+  KeptFlash flash_{4, sector_size};
+  bool is_seal_open_ = false;
+  Callback<void(const cia447::AuditEntry&)> recorded_;
+  cia447::TaximeterUnit* unit_ = nullptr;
+  std::optional<cia447::MeterOutputs> outputs_;
+  std::string slip_{};                   ///< slip that waits to be printed
+  FareDisplay* fare_display_ = nullptr;  ///< null while it has no power
+  cia447::TaximeterDisplay display_;
+};
+
+}  // namespace canvoy::taxi
