@@ -54,7 +54,7 @@ test-all:
 	@scripts/install-packages test
 	@JOBS=$(JOBS) scripts/run-tests all
 
-# clang-tidy on all that has changed since it last was clean; notes the commit from which on `make test` looks.
+# clang-tidy on all that has changed since it last was clean; notes the contents from which on `make test` looks.
 tidy:
 	@scripts/install-packages test
 	@cmake --preset release --log-level=WARNING

@@ -83,4 +83,6 @@ def report_findings(root, commit, folder):
         findings.append("make test-all was run with changes that are not committed")
     if report["failed"] or not report["passed"]:
         findings.append(f"make test-all: {report['passed']} passed, {report['failed']} failed")
+    if report["unsteady"]:
+        findings.append(f"make test-all: {report['unsteady']} failed once, and passed when run again")
     return findings + [f"make test-all: skipped {line}" for line in report["skipped"]]

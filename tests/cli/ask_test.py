@@ -51,6 +51,13 @@ class Listener:
     def next(self, prefix):
         return next(frame for frame in self.frames() if frame.startswith(prefix))
 
+    def send(self, identifier, data):
+        """A frame of another node."""
+        message = {"timestamp": 0.0, "arbitration_id": identifier, "is_extended_id": False, "is_remote_frame": False, "is_error_frame": False,
+                   "channel": None, "dlc": len(data), "data": data, "is_fd": False, "bitrate_switch": False, "error_state_indicator": False}
+        self.socket.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton("127.0.0.1"))
+        self.socket.sendto(msgpack.packb(message), (GROUP, PORT))
+
 
 class Ask(CommandTest):
     @classmethod
@@ -283,6 +290,21 @@ class Ask(CommandTest):
         told = json.loads(self.done("store", BUS, "10", "--json"))
         self.assertEqual((told["event"], told["node"], told["index"], told["sub"]), ("store", 10, "1010", "01"))
         self.assert_refused(run("store", BUS, "10", "77"), FAILED, "1010h:4Dh", "06090011h")
+
+    def test_a_node_that_writes_its_memory_may_answer_late(self):
+        listener = self.listen()
+        environment = {name: value for name, value in os.environ.items() if name != "CANVOY_TIMEOUT"}
+        command = subprocess.Popen([CANVOY, "store", BUS, "40"], stdout=subprocess.PIPE, text=True, env=environment)
+        self.addCleanup(command.kill)
+        self.assertEqual(listener.next("628#"), "628#2310100173617665")
+        with self.assertRaises(subprocess.TimeoutExpired):  # other answers have a second
+            command.wait(timeout=1.5)
+        listener.send(0x5A8, bytes.fromhex("6010100100000000"))
+        self.assertEqual(command.communicate(timeout=PATIENCE)[0], "node 40 (28h) has stored all parameters\n")
+
+    def test_the_environment_says_how_long_to_wait(self):
+        self.assert_refused(run("read", BUS, "99", "1000", env=dict(os.environ, CANVOY_TIMEOUT="100ms")), FAILED, "no answer within 0.100s")
+        self.assert_refused(run("read", BUS, "99", "1000", env=dict(os.environ, CANVOY_TIMEOUT="soon")), USAGE, "'soon' is no time")
 
     def test_configure_diff_tells_names_and_both_values(self):
         file = self.folder / "charger.txt"

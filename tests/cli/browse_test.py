@@ -141,7 +141,7 @@ class Browse(CommandTest):
                 self.assertTrue(terminal.is_over(), "q ends it")
 
     def test_a_node_that_is_gone_is_said_to_be_until_it_answers(self):
-        terminal = Terminal(self.folder, 120, 24, CANVOY, "browse", BUS, "10")
+        terminal = Terminal(self.folder, 120, 24, CANVOY, "browse", BUS, "10", "--timeout", "1s")
         self.addCleanup(terminal.end)
         terminal.wait_for("q quit")
         self.device.terminate()

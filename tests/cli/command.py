@@ -9,6 +9,7 @@ import subprocess
 import unittest
 
 CANVOY = os.environ.get("CANVOY", "build/canvoy")
+os.environ.setdefault("CANVOY_TIMEOUT", "10s")  # a device of a loaded machine answers late
 DONE, FAILED, USAGE = 0, 1, 2
 
 

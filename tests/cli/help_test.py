@@ -60,7 +60,8 @@ class Help(CommandTest):
         cls.folder = pathlib.Path(folder.name)
         (cls.folder / "bin").mkdir()
         (cls.folder / "bin" / "canvoy").symlink_to(pathlib.Path(CANVOY).resolve())
-        cls.variables = dict(os.environ, PATH=f"{cls.folder}/bin:{os.environ['PATH']}")
+        # Some examples ask where nothing answers: they do not wait for long.
+        cls.variables = dict(os.environ, PATH=f"{cls.folder}/bin:{os.environ['PATH']}", CANVOY_TIMEOUT="3s")
         devices = subprocess.Popen([CANVOY, "device", "charger", "battery", BUS, "--heartbeat", "200ms", "--store", str(cls.folder / "charger.store"),
                                     "--store", str(cls.folder / "battery.store")], stdout=subprocess.DEVNULL)  # fmt: skip
         cls.addClassCleanup(devices.wait)

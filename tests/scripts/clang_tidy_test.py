@@ -52,6 +52,16 @@ class ClangTidy(unittest.TestCase):
         (self.folder / "alone.hpp").write_text("")
         self.assertEqual(self.concerned("gone.hpp", "alone.hpp"), set())
 
+    def test_what_differs_from_the_noted_contents_has_changed(self):
+        clang_tidy.PASSED = self.folder / "passed"
+        self.assertIsNone(clang_tidy.changed_files(), "nothing is noted")
+        noted = clang_tidy.contents()
+        self.assertGreater(len(noted), 1000)
+        (self.folder / "passed").write_text("\n".join(noted))
+        self.assertEqual(clang_tidy.changed_files(), set())
+        (self.folder / "passed").write_text("\n".join(line for line in noted if ".clang-tidy" not in line))
+        self.assertEqual(clang_tidy.changed_files(), {clang_tidy.ROOT / ".clang-tidy"})
+
     def test_a_clean_result_holds_as_long_as_all_that_it_rests_on(self):
         def mark():
             clang_tidy.included.cache_clear()

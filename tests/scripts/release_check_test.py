@@ -65,7 +65,7 @@ class ReleaseFacts(unittest.TestCase):
         self.assertEqual(release_facts.stale_status(self.root), ["SECURITY.md: says 'Nothing has been released'"])
 
     def report(self, **changes):
-        report = {"commit": "c0ffee", "changed": False, "passed": 9, "failed": 0, "skipped": []} | changes
+        report = {"commit": "c0ffee", "changed": False, "passed": 9, "failed": 0, "unsteady": 0, "skipped": []} | changes
         (self.root / "test-all.json").write_text(json.dumps(report))
         return release_facts.report_findings(self.root, "c0ffee", self.root)
 
@@ -75,6 +75,7 @@ class ReleaseFacts(unittest.TestCase):
         self.assertIn("was run at", self.report(commit="decade")[0])
         self.assertIn("not committed", self.report(changed=True)[0])
         self.assertIn("1 failed", self.report(failed=1)[0])
+        self.assertIn("1 failed once", self.report(unsteady=1)[0])
         self.assertIn("0 passed", self.report(passed=0)[0])
         self.assertIn("node is missing", self.report(skipped=["x: node is missing"])[0])
 

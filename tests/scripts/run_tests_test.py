@@ -4,6 +4,7 @@
 import pathlib
 import tempfile
 import unittest
+import unittest.mock
 import xml.etree.ElementTree as xml
 
 import script
@@ -63,6 +64,30 @@ class RunTests(unittest.TestCase):
         for report in (None, PART.replace("<failure message=\"x\"/>", "")):
             failed = run_tests.judge("sanitizers", self.cases_of_part("fail", report), may_skip=True)[1]
             self.assertEqual(failed, ["sanitizers: can.part_1"])
+
+    def run_again(self, *again):
+        """`bad` and `absent` have failed; returns the cases after the second run, its lines, and what ctest was asked."""
+        cases = [xml.fromstring(f'<testcase name="{name}" status="{status}"/>') for name, status in again]
+        with unittest.mock.patch.object(run_tests, "run_ctest", return_value=cases) as run_ctest:
+            cases, unsteady = run_tests.run_again(None, run_tests.Run("release", "release", ()), list(REPORT.iter("testcase")))
+        return cases, unsteady, run_ctest.call_args.args[1].arguments
+
+    def test_what_fails_once_is_told_and_has_not_failed(self):
+        cases, unsteady, arguments = self.run_again(("bad", "run"), ("absent", "fail"))
+        self.assertEqual(arguments, ("-R", "^(bad|absent)$", "-LE", "unit|style"))
+        self.assertEqual(unsteady, ["release: bad\n    1\n    2 is not 3"])
+        self.assertEqual(run_tests.judge("release", cases, True)[:2], (2, ["release: absent"]))
+
+    def test_what_fails_twice_or_cannot_be_run_again_has_failed(self):
+        for again in ([("bad", "fail")], []):
+            cases, unsteady, _ = self.run_again(*again)
+            self.assertEqual(unsteady, [])
+            self.assertEqual(run_tests.judge("release", cases, True)[1], ["release: bad\n    1\n    2 is not 3", "release: absent"])
+
+    def test_where_nothing_has_failed_nothing_is_run_again(self):
+        with unittest.mock.patch.object(run_tests, "run_ctest") as run_ctest:
+            self.assertEqual(run_tests.run_again(None, None, [xml.fromstring('<testcase name="good" status="run"/>')])[1], [])
+        run_ctest.assert_not_called()
 
     def test_a_run_without_tests_has_failed(self):
         self.assertEqual(run_tests.judge("style", [], True), (0, ["style: no test was run"], []))

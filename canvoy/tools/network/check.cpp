@@ -173,7 +173,7 @@ std::function<conformance::HandAnswer(const conformance::HandRequest&)> hand_of(
 
 int check_device(const CheckVerbOptions& options) {
   const NodeId node = options.ask.node_id();
-  const Duration time_out = options.ask.time_out_of(Session::default_time_out);
+  const Duration time_out = options.ask.answer_time().usual;
   std::optional<formats::DataSheet> sheet;
   formats::Findings findings;
   if (!options.sheet.empty()) sheet = read_sheet_file(options.sheet, findings);

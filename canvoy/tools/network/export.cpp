@@ -33,7 +33,7 @@ struct TableOptions {
   std::vector<std::string> what;
   std::string bus;
   std::string out;
-  std::string time_out = "1s";
+  std::string time_out = {};
   bool sdo = false;
 };
 
@@ -49,7 +49,7 @@ bool is_node_on_bus(const std::vector<std::string>& what) {
 
 std::vector<DescribedNode> node_on_bus(const TableOptions& options) {
   const NodeId node = parse_node_id(options.what[1]);
-  Session session(options.what[0], parse_duration_argument(options.time_out));
+  Session session(options.what[0], parse_answer_time(options.time_out));
   NodeReader reader(session, node, {.bus = options.what[0]});
   DescribedNode read = {.id = node, .sheet = reader.read()};
   read.name = read.sheet.text("DeviceInfo", "ProductName");
@@ -60,11 +60,11 @@ std::vector<DescribedNode> node_on_bus(const TableOptions& options) {
 /// All nodes that answer, in sequence.
 std::vector<DescribedNode> nodes_on_bus(const TableOptions& options) {
   const std::string& bus = options.what.front();
-  const Duration length = parse_duration_argument(options.time_out);
-  Session session(bus, length);
+  const AnswerTime time_out = parse_answer_time(options.time_out);
+  Session session(bus, time_out);
   NodeSweep sweep(session);
   sweep.ask_all();
-  sweep.listen_until(session.loop().now() + length);
+  sweep.listen_until(session.loop().now() + time_out.usual);
   std::vector<DescribedNode> nodes;
   for (const auto& [id, is_heard, answers, state, device_type] : sweep.found()) {
     if (!answers) continue;
@@ -75,7 +75,8 @@ std::vector<DescribedNode> nodes_on_bus(const TableOptions& options) {
     if (node.name.empty()) node.name = fmt::format("node {}", id);
   }
   if (nodes.empty()) {
-    throw Failure(fmt::format("{}: no node answers within {}", bus, options.time_out));
+    throw Failure(
+        fmt::format("{}: no node answers within {}", bus, text::duration_text(time_out.usual)));
   }
   return nodes;
 }
@@ -161,7 +162,7 @@ void add_export_table(Verb& app) {
        "with expedited SDO transfers, as signals that are multiplexed by command, index "
        "and sub-index"},
       {"--out", options->out, "into this file (default: printed)"},
-      {"--timeout", options->time_out, "for one answer: 500ms, 2s (default 1s)"},
+      {"--timeout", options->time_out, answer_time_text},
   });
   command.add_examples(
       "  canvoy export dbc charger --out charger.dbc\n"

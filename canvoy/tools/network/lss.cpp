@@ -39,7 +39,7 @@ struct LssOptions {
   std::string time_out_text = {};
   std::string first_time_out_text = {};
 
-  Duration time_out() const { return parse_duration_argument(time_out_text, 1s); }
+  AnswerTime time_out() const { return parse_answer_time(time_out_text); }
   Duration first_time_out() const { return parse_duration_argument(first_time_out_text, 100ms); }
 };
 
@@ -448,7 +448,7 @@ void add_lss(Verb& app) {
       {"--bit-rate", options->bit_rate,
        "activate: that this machine's interface takes along with the nodes, as 250k "
        "(needs root; default: it keeps its own)"},
-      {"--timeout", options->time_out_text, "for one answer: 500ms (default 1s)"},
+      {"--timeout", options->time_out_text, answer_time_text},
       {"--first-timeout", options->first_time_out_text,
        "scan: for the first answers (default 100ms); the rest is measured"},
       {"--json", options->json, "one JSON object a line"},

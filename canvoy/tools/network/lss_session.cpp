@@ -13,7 +13,7 @@ namespace canvoy::tools {
 
 namespace {}  // namespace
 
-LssSession::LssSession(std::string_view bus, Duration time_out)
+LssSession::LssSession(std::string_view bus, AnswerTime time_out)
     : time_out_(time_out), loop_(value_or_throw(host::EventLoop::create())) {
   bus_ = value_or_throw(host::open_bus(*loop_, real_bus(bus)));
   attachment_ = std::make_unique<host::Attachment>(*loop_, *bus_);
@@ -21,7 +21,7 @@ LssSession::LssSession(std::string_view bus, Duration time_out)
       no_dictionary, NodeMemory{.values = {}, .states = {}, .routes = routes_, .backlog = backlog_},
       attachment_->port(), node_id_unconfigured);
   master_ = std::make_unique<LssMaster>(*node_);
-  master_->set_time_out(time_out);
+  master_->set_time_out(time_out.usual);
   attachment_->attach(*node_);
   bus_->on_frame([this](const host::BusFrame& heard) {
     const bool is_answer = heard.frame.id == can_id::lss_response && !heard.frame.is_extended();
@@ -53,14 +53,17 @@ LssMaster::Reply LssSession::ask(const std::function<bool(LssMaster::Done)>& beg
 
 LssMaster::Reply LssSession::ask_or_throw(lss::Command command,
                                           const std::function<bool(LssMaster::Done)>& begin) {
+  const Duration limit = command == lss::Command::store ? time_out_.storing : time_out_.usual;
+  master_->set_time_out(limit);
   const LssMaster::Reply reply = ask(begin);
+  master_->set_time_out(time_out_.usual);
   if (reply.outcome == LssMaster::Outcome::refused) {
     throw Failure(lss_error_text(command, reply.error));
   }
   if (reply.outcome == LssMaster::Outcome::time_out) {
     throw Failure(
         fmt::format("no node answered within {}; is it on {}, with power, LSS and this address?",
-                    text::duration_text(time_out_), bus_->name()));
+                    text::duration_text(limit), bus_->name()));
   }
   return reply;
 }
@@ -70,7 +73,7 @@ void LssSession::send(const std::function<bool()>& begin) {
   const std::uint64_t sent = bus_->counters().sent;
   node_->advance(loop_->now());
   const bool taken = begin();
-  const Time until = loop_->now() + time_out_;
+  const Time until = loop_->now() + time_out_.usual;
   while (taken && bus_->counters().sent == sent && loop_->now() < until) {
     loop_->run_until(std::min(until, loop_->now() + Duration(1ms)));
   }
@@ -102,7 +105,7 @@ void LssSession::require_one_node() {
   answers_ = 0;
   ask_or_throw(lss::Command::inquire_serial,
                [&](LssMaster::Done done) { return master_->inquire(LssAddress::serial, done); });
-  wait(time_out_ / 4);
+  wait(time_out_.usual / 4);
   if (answers_ == 1) return;
   throw Failure(
       "more than one node answers; name the one that is meant by --select (scan finds the "

@@ -1,6 +1,6 @@
 // An LSS master on a real bus: it sends requests and waits for answers.
 //
-//     LssSession session("can0", 1s);
+//     LssSession session("can0", {});
 //     session.select(address);
 //     session.configure_node_id(10);
 #pragma once
@@ -15,13 +15,14 @@
 #include "canvoy/can/host/host_bus.hpp"
 #include "canvoy/canopen/lss/lss_scan.hpp"
 #include "canvoy/canopen/node/node.hpp"
+#include "canvoy/tools/argument/answer_time.hpp"
 
 namespace canvoy::tools {
 
 /// All functions throw Failure if no answer comes, or the answer is a refusal.
 class LssSession {
  public:
-  LssSession(std::string_view bus, Duration time_out);
+  LssSession(std::string_view bus, AnswerTime time_out);
   ~LssSession();
 
   void switch_global(LssState state);
@@ -59,7 +60,7 @@ class LssSession {
   void run_until_stopped();
   void finished(const LssMaster::Reply& reply);
 
-  Duration time_out_;
+  AnswerTime time_out_;
   std::unique_ptr<host::EventLoop> loop_;
   std::unique_ptr<host::HostBus> bus_;
   std::unique_ptr<host::Attachment> attachment_;

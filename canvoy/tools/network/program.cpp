@@ -114,7 +114,7 @@ ProgramOutcome run_download(const ProgramOptions& options, NodeId node, ProgramF
   SdoBlockClient blocks(client, buffer);
   if (options.segmented) client.choose(SdoTransfer::segmented);
   ProgramDownload download(session.node(), client,
-                           {.answer_time_out = parse_duration_argument(options.time_out, 1s)});
+                           {.answer_time_out = parse_answer_time(options.time_out).usual});
   ProgramPlan plan{.server = node,
                    .number = static_cast<std::uint8_t>(options.slot),
                    .supply = SdoClient::Supply::to<&ProgramFile::next>(file),
@@ -141,7 +141,7 @@ ProgramOutcome run_download(const ProgramOptions& options, NodeId node, ProgramF
 
 int download_program(const ProgramOptions& options) {
   const NodeId node = parse_node_id(options.node);
-  parse_duration_argument(options.time_out, 1s);
+  parse_answer_time(options.time_out).usual;
   ProgramFile file(options.file);
   const ProgramOutcome outcome = run_download(options, node, file);
   if (!outcome) {
@@ -175,7 +175,7 @@ void add_program(Verb& app) {
       {"node", options->node, "10, 0x0A, 0Ah, or its name in the file of --network", required},
       {"file", options->file, "the program, in the form that the node wants", required},
       {"--slot", options->slot, "number of the program: sub-index (default 1)", between(1U, 254U)},
-      {"--timeout", options->time_out, "for one answer: 500ms, 2s (default 1s)"},
+      {"--timeout", options->time_out, answer_time_text},
       {"--segmented", options->segmented, "without block transfer"},
       {"--check-crc", options->check_crc, "1F56h has to be the CRC-32 of the file afterwards"},
       {"--no-start", options->no_start, "leave the program stopped"},

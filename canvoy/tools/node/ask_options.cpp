@@ -29,7 +29,7 @@ void AskOptions::add_any_node(Verb& command) {
 
 void AskOptions::add_time_out(Verb& command) {
   command.add({
-      {"--timeout", time_out, "for one answer: 500ms, 2s (default 1s)"},
+      {"--timeout", time_out, answer_time_text},
   });
 }
 
@@ -58,7 +58,7 @@ Duration AskOptions::time_out_of(Duration usual) const {
 }
 
 Session& AskOptions::open(Sessions& sessions) const {
-  Session& session = sessions.open(bus, time_out_of(Session::default_time_out));
+  Session& session = sessions.open(bus, answer_time());
   const std::uint16_t network = takes_remote ? place().network : 0;
   if (network == 0) {
     session.reach_bus();

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "canvoy/canopen/protocol/cob_id.hpp"
+#include "canvoy/tools/argument/answer_time.hpp"
 #include "canvoy/tools/argument/remote_argument.hpp"
 #include "canvoy/tools/cli/commands.hpp"
 #include "canvoy/tools/cli/verb_help.hpp"
@@ -36,6 +37,7 @@ struct AskOptions {
   /// Throw UsageError if the argument is not valid.
   NodeId node_id() const;
   Duration time_out_of(Duration usual) const;
+  AnswerTime answer_time() const { return parse_answer_time(time_out); }
   Session& open(Sessions& sessions) const;
 
  private:

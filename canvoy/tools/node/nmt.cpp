@@ -148,7 +148,7 @@ int command_nodes(const NmtOptions& options, Sessions& sessions) {
   const NodeId node = is_all(options.node) ? NodeId{0} : options.node_id();
   const NmtWord& wanted = parse_nmt_state(options.state);
   const Duration length = options.time_out_of(nmt_time_out);
-  Session& session = sessions.open(options.bus, length);
+  Session& session = sessions.open(options.bus, {length, length});
   const Frame frame =
       Frame::data_frame(can_id::nmt, {static_cast<std::uint8_t>(wanted.command), node});
   if (options.unchecked) {

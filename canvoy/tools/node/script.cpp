@@ -193,8 +193,7 @@ void summarise(const ScriptOptions& options, const JunitSuite& suite) {
 /// All lines are parsed before the first is run.
 int run_script(const ScriptOptions& options, Sessions& sessions) {
   Script script(options, sessions, read_script(options.file));
-  for (const std::string& bus : buses_of(options))
-    sessions.open(bus, options.time_out_of(Session::default_time_out));
+  for (const std::string& bus : buses_of(options)) sessions.open(bus, options.answer_time());
   const JunitSuite suite = script.run();
   summarise(options, suite);
   if (!options.junit.empty()) {

@@ -10,6 +10,8 @@
 
 #include "canvoy/can/host/bus_address.hpp"
 #include "canvoy/can/host/can_link.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
+#include "canvoy/canopen/manager/program.hpp"
 #include "canvoy/text/text.hpp"
 #include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/cli/value_file.hpp"
@@ -20,6 +22,12 @@ namespace canvoy::tools {
 namespace {
 
 constexpr Duration progress_interval = 200ms;
+
+/// A node writes its memory before it answers a download to these objects.
+bool writes_memory(std::uint16_t index) {
+  return index == object_index::store_parameters || index == object_index::restore_parameters ||
+         index == program::data || index == program::control;
+}
 
 }  // namespace
 
@@ -53,8 +61,10 @@ unsigned bit_rate_of(std::string_view bus, unsigned said) {
   return link ? link->bit_rate : 0;
 }
 
-Session::Session(std::string_view bus, Duration time_out)
-    : time_out_(time_out), loop_(value_or_throw(host::EventLoop::create())) {
+Session::Session(std::string_view bus, AnswerTime time_out)
+    : time_out_(time_out),
+      limit_(time_out.usual),
+      loop_(value_or_throw(host::EventLoop::create())) {
   std::vector<host::BusAddress> addresses;
   for (std::string_view rest = bus; addresses.empty() || !rest.empty();) {
     const std::size_t end = std::min(rest.find(','), rest.size());
@@ -116,10 +126,11 @@ Result<std::vector<std::uint8_t>> Session::try_read(NodeId node, std::uint16_t i
 
 AbortCode Session::start_upload(NodeId node, std::uint16_t index, std::uint8_t sub) {
   read_.clear();
+  limit_ = time_out_.usual;
   const NodeId server = server_of(node);
   node_->advance(loop_->now());
   return client_->upload(server, index, sub, SdoClient::Sink::to<&Session::take>(*this),
-                         SdoClient::Done::to<&Session::finished>(*this), time_out_);
+                         SdoClient::Done::to<&Session::finished>(*this), limit_);
 }
 
 AbortCode Session::take(std::span<const std::uint8_t> bytes) {
@@ -131,10 +142,11 @@ AbortCode Session::take(std::span<const std::uint8_t> bytes) {
 void Session::write(NodeId node, std::uint16_t index, std::uint8_t sub,
                     std::span<const std::uint8_t> value) {
   const NodeId server = server_of(node);
+  limit_ = writes_memory(index) ? time_out_.storing : time_out_.usual;
   node_->advance(loop_->now());
   wait_done(node, index, sub,
             client_->download(server, index, sub, value,
-                              SdoClient::Done::to<&Session::finished>(*this), time_out_));
+                              SdoClient::Done::to<&Session::finished>(*this), limit_));
 }
 
 std::string Session::node_text(NodeId node) const {
@@ -155,7 +167,7 @@ NodeId Session::server_of(NodeId node) {
   confirmation_.reset();
   node_->router().add(channel.response, receiver);
   send(indication.frame(channel.request));
-  const Time until = loop_->now() + time_out_;
+  const Time until = loop_->now() + time_out_.usual;
   while (!confirmation_ && loop_->signal() == 0 && loop_->now() < until) loop_->run_until(until);
   node_->router().remove(channel.response, receiver);
   if (loop_->signal() != 0) throw Failure("interrupted");
@@ -186,10 +198,9 @@ SdoEnd Session::wait(NodeId node, std::uint16_t index, std::uint8_t sub, AbortCo
   if (started == AbortCode::none) run();
   if (loop_->signal() != 0) throw Failure("interrupted");
   if (!end_.is_silence()) return end_;
-  throw Failure(
-      fmt::format("{}, {}: no answer within {}; is the node on {}, with power and this node-ID?",
-                  node_text(node), text::object_text(index, sub), text::duration_text(time_out_),
-                  bus_->name()));
+  throw Failure(fmt::format(
+      "{}, {}: no answer within {}; is the node on {}, with power and this node-ID?",
+      node_text(node), text::object_text(index, sub), text::duration_text(limit_), bus_->name()));
 }
 
 void Session::run() {
@@ -226,7 +237,7 @@ void Session::run_for(Duration duration) {
 void Session::send(const Frame& frame) {
   const std::uint64_t sent = bus_->counters().sent;
   if (!bus_->send(frame)) throw Failure(fmt::format("{}: the frame was refused", bus_->name()));
-  const Time until = loop_->now() + time_out_;
+  const Time until = loop_->now() + time_out_.usual;
   while (bus_->counters().sent == sent && loop_->now() < until) {
     loop_->run_until(std::min(until, loop_->now() + Duration(1ms)));
   }

@@ -20,6 +20,7 @@
 #include "canvoy/canopen/remote/remote_access.hpp"
 #include "canvoy/canopen/sdo/sdo_block_client.hpp"
 #include "canvoy/canopen/sdo/sdo_client.hpp"
+#include "canvoy/tools/argument/answer_time.hpp"
 #include "canvoy/tools/argument/node_argument.hpp"
 
 namespace canvoy::tools {
@@ -29,12 +30,10 @@ inline constexpr DictionaryTables no_dictionary{};
 
 class Session {
  public:
-  static constexpr Duration default_time_out = 1s;
-
   /// Opens a bus, or several separated by commas (`can0,can1`): the first one is used for sending
   /// until another is chosen; the others are only listened to. Throws Failure if one cannot be
   /// opened; UsageError if an address is not valid, or `sim`.
-  explicit Session(std::string_view bus, Duration time_out = default_time_out);
+  explicit Session(std::string_view bus, AnswerTime time_out = {});
   ~Session();
 
   /// Throws Failure with the answer of the node, or for a missing answer.
@@ -48,7 +47,7 @@ class Session {
   /// Sets the transfer for values that do not fit into one frame: segments by default, or blocks.
   void choose(SdoTransfer transfer) { client_->choose(transfer); }
   /// Sets the time limit for answers.
-  void set_time_out(Duration time_out) { time_out_ = time_out; }
+  void set_time_out(AnswerTime time_out) { time_out_ = time_out; }
   /// Sets further nodes to be those of a network behind `module`, which is indicated before each
   /// transfer.
   void reach_behind(NodeId module, const RemoteSettings& settings) { behind_ = {module, settings}; }
@@ -93,7 +92,8 @@ class Session {
   void run();
   void finished(SdoClient::Outcome outcome);
 
-  Duration time_out_;
+  AnswerTime time_out_;
+  Duration limit_;  ///< for the answers of this transfer
   std::unique_ptr<host::EventLoop> loop_;
   std::unique_ptr<host::HostBus> bus_;
   std::vector<std::unique_ptr<host::HostBus>> others_;

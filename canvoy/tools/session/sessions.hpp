@@ -1,7 +1,7 @@
 // The buses of verbs: each is opened by the first verb that uses it, and stays open for later
 // verbs, as in a script.
 //
-//     Session& session = sessions.open("can0", 1s);
+//     Session& session = sessions.open("can0", {});
 #pragma once
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ namespace canvoy::tools {
 class Sessions {
  public:
   /// Throws like the Session. The time-out is that of this verb.
-  Session& open(const std::string& bus, Duration time_out) {
+  Session& open(const std::string& bus, AnswerTime time_out) {
     if (bus.find(',') != std::string::npos) {
       throw UsageError(
           fmt::format("{}: one bus at a time; only monitor, wait and script take several", bus));

@@ -25,7 +25,7 @@ struct BrowseOptions {
   std::string node;
   std::string sheet;
   std::string profile;
-  std::string time_out = "1s";
+  std::string time_out = {};
   bool json = false;
 };
 
@@ -328,7 +328,7 @@ int browse(const BrowseOptions& options) {
   formats::Findings findings;
   std::optional<formats::DataSheet> given;
   if (!options.sheet.empty()) given = read_sheet_file(options.sheet, findings);
-  Session session(options.bus, parse_duration_argument(options.time_out));
+  Session session(options.bus, parse_answer_time(options.time_out));
   NodeReader reader(session, node, {.bus = options.bus, .profile = options.profile});
   ScanLine line;
   reader.on_progress(
@@ -354,7 +354,7 @@ void add_browse(Verb& app) {
       {"--eds", options->sheet, "what the node has (default: as for canvoy eds read)"},
       {"--profile", options->profile, "447-3, 417-4 (default: what the node's 1000h says)",
        excludes("--eds")},
-      {"--timeout", options->time_out, "for one answer: 500ms, 2s (default 1s)"},
+      {"--timeout", options->time_out, answer_time_text},
       {"--json", options->json, "all entries once, one JSON object a line"},
   });
   command.set_footer(

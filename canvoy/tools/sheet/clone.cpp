@@ -27,7 +27,7 @@ struct CloneOptions {
   std::string node;
   std::string out;
   std::vector<std::string> ranges = {"2000-5FFF", "6000-9FFF"};
-  std::string time_out = "1s";
+  std::string time_out = {};
   bool json = false;
 };
 
@@ -64,7 +64,7 @@ int clone_node(const CloneOptions& options) {
   const std::string out = options.out.empty() ? fmt::format("node{}.dcf", node) : options.out;
   if (!out.ends_with(".dcf") && !out.ends_with(".xdc"))
     throw UsageError(fmt::format("{}: name it .dcf or .xdc", out));
-  Session session(options.bus, parse_duration_argument(options.time_out));
+  Session session(options.bus, parse_answer_time(options.time_out));
   NodeReader reader(session, node, {.bus = options.bus, .out = out});
   ScanLine line;
   reader.on_progress(
@@ -109,7 +109,7 @@ void add_clone(Verb& app) {
        "indices that are asked for beside those that are described (default: "
        "2000-5FFF,6000-9FFF)",
        separated_by(',')},
-      {"--timeout", options->time_out, "for one answer: 500ms, 2s (default 1s)"},
+      {"--timeout", options->time_out, answer_time_text},
       {"--json", options->json, "one JSON object"},
   });
   command.set_footer(

@@ -87,7 +87,7 @@ int read_node(const ReadOptions& options) {
   if (!named.domains.empty() && !std::filesystem::is_directory(named.domains, none)) {
     throw UsageError(fmt::format("{}: it is no folder", named.domains));
   }
-  Session session(named.bus, parse_duration_argument(named.time_out, Session::default_time_out));
+  Session session(named.bus, parse_answer_time(named.time_out));
   NodeReader reader(session, node,
                     {.bus = named.bus,
                      .profile = named.profile,
@@ -129,7 +129,7 @@ void add_eds_read(Verb& eds) {
       {"--name", options->name, "of the node in the DCF (default: its 1008h)"},
       {"--bit-rate", options->bit_rate,
        "in kbit/s, for the DCF (default: that of the interface, else 125)", between(1U, 1000U)},
-      {"--timeout", options->time_out, "for one answer: 500ms, 2s (default 1s)"},
+      {"--timeout", options->time_out, answer_time_text},
       {"--json", options->json, "one JSON object a line"},
   });
   command.add_examples(
