@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "canvoy/tools/terminal/terminal_text.hpp"
+
 namespace canvoy::tools {
 
 namespace {
@@ -136,10 +138,15 @@ std::size_t columns_of(std::string_view text) {
 std::string in_columns(std::string_view text, std::size_t columns) {
   std::string made;
   std::size_t used = 0;
+  const bool is_cut = columns_of(text) > columns;
   while (!text.empty()) {
     const std::size_t sequence = sequence_length(text);
     const std::size_t length = sequence != 0 ? sequence : character_length(text);
-    if (sequence != 0 || used < columns) made.append(text.substr(0, length));
+    if (is_cut && sequence == 0 && used + 1 == columns) {
+      made += ellipsis;
+    } else if (sequence != 0 || used < columns) {
+      made.append(text.substr(0, length));
+    }
     if (sequence == 0) ++used;
     text.remove_prefix(length);
   }

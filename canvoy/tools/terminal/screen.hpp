@@ -60,8 +60,8 @@ class Screen {
   std::string typed_;
 };
 
-/// The text in exactly this many columns: padded with blanks, or clipped. UTF-8; escape sequences
-/// for the style of characters take no column.
+/// The text in exactly this many columns: padded with blanks, or clipped, with an ellipsis in the
+/// last column. UTF-8; escape sequences for the style of characters take no column.
 std::string in_columns(std::string_view text, std::size_t columns);
 /// Number of columns of a text.
 std::size_t columns_of(std::string_view text);

@@ -20,7 +20,6 @@ ColourWhen colour_when = ColourWhen::automatic;
 constexpr std::string_view red = "\x1B[31m";
 constexpr std::string_view yellow = "\x1B[33m";
 constexpr std::string_view plain = "\x1B[0m";
-constexpr std::string_view ellipsis = "…";
 
 struct ColouredWord {
   std::string_view word;

@@ -22,6 +22,8 @@ std::size_t terminal_width(int descriptor);
 /// Colours marks, emergencies, faults, aborts and error frames, each up to the end of its line.
 /// Colours take no columns.
 std::string coloured(std::string_view lines);
+/// Stands where a text was cut.
+inline constexpr std::string_view ellipsis = "…";
 /// Clips each line to this many characters; a clipped line ends with an ellipsis. UTF-8.
 std::string clipped(std::string_view lines, std::size_t width);
 

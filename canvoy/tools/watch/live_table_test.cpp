@@ -124,10 +124,11 @@ TEST_F(LiveTableTest, ItEndsGrowing) {
 }
 
 TEST(Screen, TextsAreCutByColumnsNotByBytes) {
-  EXPECT_EQ(in_columns("\xC2\xB5m/s", 2), "\xC2\xB5m");
+  EXPECT_EQ(in_columns("\xC2\xB5m/s", 2), "\xC2\xB5…");
+  EXPECT_EQ(in_columns("\xC2\xB5m/s", 4), "\xC2\xB5m/s");
   EXPECT_EQ(in_columns("ab", 4), "ab  ");
   EXPECT_EQ(columns_of("\x1b[7m20\x1b[27m"), 2U);
-  EXPECT_EQ(in_columns("\x1b[7mabc\x1b[27m", 2), "\x1b[7mab\x1b[27m")
+  EXPECT_EQ(in_columns("\x1b[7mabc\x1b[27m", 2), "\x1b[7ma…\x1b[27m")
       << "what ends the look is kept";
 }
 
