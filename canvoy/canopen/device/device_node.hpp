@@ -188,24 +188,34 @@ class DeviceServices {
   static_assert(detail::WholeDevice<layout>::is_whole);
 
  public:
+  /// Tables that the node looks entries up in; made at compile time from `layout`.
   static constexpr DictionaryTables tables = detail::TablesOf<layout>::value;
 
+  /// RPDOs by their parameters, 1400h to 15FFh: the lowest number, and how many from there on.
   static constexpr detail::PdoNumbers rpdo_numbers =
       detail::pdo_numbers(tables, object_index::rpdo_parameter, object_index::rpdo_parameter_last);
+  /// TPDOs by their parameters, 1800h to 19FFh: the lowest number, and how many from there on.
   static constexpr detail::PdoNumbers tpdo_numbers =
       detail::pdo_numbers(tables, object_index::tpdo_parameter, object_index::tpdo_parameter_last);
+  /// Numbers that are not in the dictionary included.
   static constexpr std::size_t rpdo_count = rpdo_numbers.count;
+  /// Numbers that are not in the dictionary included.
   static constexpr std::size_t tpdo_count = tpdo_numbers.count;
+  /// SDO servers: the default one, which needs no object, and one for each of 1201h to 127Fh.
   static constexpr std::size_t sdo_servers =
       1 +
       detail::count_objects(tables, object_index::sdo_server + 1, object_index::sdo_server_last);
+  /// Nodes that can be monitored: the highest sub-index of 1016h.
   static constexpr std::size_t heartbeats =
       detail::highest_sub_index(tables, object_index::heartbeat_consumers);
   /// Number of emergency consumers: 1028h has a sub-index for each node-ID.
   static constexpr std::size_t emergencies =
       detail::highest_sub_index(tables, object_index::emergency_consumers);
+  /// True with 100Ch: the node answers node guarding, and monitors the master.
   static constexpr bool has_guarding = detail::has_object(tables, object_index::guard_time);
+  /// True with 1012h: the node takes or sends TIME messages.
   static constexpr bool has_time = detail::has_object(tables, object_index::cob_id_time);
+  /// True with 1013h: TIME is refined by the high resolution time stamp of a SYNC producer.
   static constexpr bool has_high_resolution =
       detail::has_object(tables, object_index::high_resolution_time);
   /// True if there are lists for source address mode, or a PDO is multiplexed by default.
@@ -214,19 +224,27 @@ class DeviceServices {
       (detail::count_objects(tables, object_index::dispatching_list,
                              object_index::dispatching_list_last) != 0 ||
        detail::has_mpdo(tables, object_index::rpdo_mapping, object_index::rpdo_mapping_last));
+  /// True if there are scanner lists, or a TPDO is multiplexed by default.
   static constexpr bool has_mpdo_producer =
       tpdo_count > 0 &&
       (detail::count_objects(tables, object_index::scanner_list, object_index::scanner_list_last) !=
            0 ||
        detail::has_mpdo(tables, object_index::tpdo_mapping, object_index::tpdo_mapping_last));
+  /// Where the records of RPDOs stand in the tables.
   static constexpr PdoRecords rpdo_records = pdo_records(tables, PdoDirection::receive);
+  /// Where the records of TPDOs stand in the tables.
   static constexpr PdoRecords tpdo_records = pdo_records(tables, PdoDirection::transmit);
+  /// Parts of SYNC that the dictionary needs: whether its objects can be written, and whether the
+  /// node may produce SYNC (1006h).
   static constexpr Sync::Objects sync_objects = {
       .writable = !detail::has_constant_sync(tables),
       .period = detail::has_object(tables, object_index::sync_period)};
+  /// True with 1005h.
   static constexpr bool has_sync = detail::has_object(tables, object_index::cob_id_sync);
+  /// True with 1029h; without it, a communication error leads from operational to pre-operational.
   static constexpr bool has_error_behaviour =
       detail::has_object(tables, object_index::error_behaviour);
+  /// True with 1020h.
   static constexpr bool has_verification =
       detail::has_object(tables, object_index::verify_configuration);
 
@@ -259,21 +277,30 @@ class DeviceServices {
  public:
   /// The memory, initially zero.
   struct Memory {
-    std::array<std::uint8_t, tables.value_bytes> values;
+    std::array<std::uint8_t, tables.value_bytes> values;  ///< of all entries
+    /// One for each ObjectRow; none on a small machine.
     [[no_unique_address]] detail::Room<ObjectState, states_max> states;
+    /// One for each CAN-ID that is listened to.
     [[no_unique_address]] detail::Room<Router::Route, routes_max> routes;
-    std::array<Frame, backlog_max> backlog;
+    std::array<Frame, backlog_max> backlog;  ///< frames that wait for the controller
+    /// Values longer than one frame, in transfer.
     std::array<std::array<std::uint8_t, sdo_buffer_bytes>, sdo_servers> sdo_buffers;
-    std::array<Error, errors_max> errors;
-    std::array<Emergency, errors_max> emergencies;
+    std::array<Error, errors_max> errors;           ///< errors present
+    std::array<Emergency, errors_max> emergencies;  ///< messages that wait
+    /// One for each sub-index of 1016h.
     [[no_unique_address]] detail::Room<HeartbeatConsumer::Slot, heartbeats> heartbeat_slots;
+    /// One for each sub-index of 1028h.
     [[no_unique_address]] detail::Room<EmergencyConsumer::Slot, DeviceServices::emergencies>
         emergency_slots;
-    [[no_unique_address]] detail::Room<Rpdo, rpdo_count> rpdos;
-    [[no_unique_address]] detail::Room<Tpdo, tpdo_count> tpdos;
+    [[no_unique_address]] detail::Room<Rpdo, rpdo_count> rpdos;  ///< by number, without gaps
+    [[no_unique_address]] detail::Room<Tpdo, tpdo_count> tpdos;  ///< by number, without gaps
+    /// Mapped values of all RPDOs.
     [[no_unique_address]] detail::Room<MappedValue, rpdo_values> mapped_by_rpdos;
+    /// Mapped values of all TPDOs.
     [[no_unique_address]] detail::Room<MappedValue, tpdo_values> mapped_by_tpdos;
+    /// Values in scanner lists.
     [[no_unique_address]] detail::Room<ScannedObject, scanned_objects> scanned;
+    /// Multiplexed PDOs that wait.
     [[no_unique_address]] detail::Room<MpdoProducer::Message, mpdo_queue_max> mpdo_queue;
   };
 
@@ -305,46 +332,59 @@ class DeviceServices {
   DeviceServices(const DeviceServices&) = delete;
   DeviceServices& operator=(const DeviceServices&) = delete;
 
+  /// The node itself: frames and points in time are handed to it.
   constexpr Node& node() { return node_; }
+  /// The node, for its states and counters.
   const Node& node() const { return node_; }
+  /// Object dictionary with the present values; the same as node().dictionary().
   Dictionary& dictionary() { return node_.dictionary(); }
+  /// Sends errors that the application raises, and keeps 1001h and 1003h.
   EmergencyProducer& emergency_producer() { return emergency_producer_; }
+  /// Changes the NMT state after an error, by 1029h or its default.
   ErrorBehaviour& error_behaviour() { return error_behaviour_; }
+  /// Monitors other nodes. Exists if the dictionary has 1016h with at least one sub-index.
   HeartbeatConsumer& heartbeat_consumer()
     requires(heartbeats > 0)
   {
     return heartbeat_consumer_.service;
   }
+  /// Receives emergency messages of other nodes. Exists if the dictionary has 1028h.
   EmergencyConsumer& emergency_consumer()
     requires(emergencies > 0)
   {
     return emergency_consumer_.service;
   }
+  /// Answers node guarding. Exists if the dictionary has 100Ch.
   NodeGuardingSlave& node_guarding()
     requires has_guarding
   {
     return node_guarding_.service;
   }
+  /// Receives or sends TIME. Exists if the dictionary has 1012h.
   TimeStamp& time_stamp()
     requires has_time
   {
     return time_stamp_.service;
   }
+  /// Receives or sends SYNC. Exists if the dictionary has 1005h.
   Sync& sync()
     requires has_sync
   {
     return sync_.service;
   }
+  /// All RPDOs. Exists if the dictionary has one.
   Rpdos& rpdos()
     requires(rpdo_count > 0)
   {
     return rpdos_.service;
   }
+  /// All TPDOs. Exists if the dictionary has one.
   Tpdos& tpdos()
     requires(tpdo_count > 0)
   {
     return tpdos_.service;
   }
+  /// Sends multiplexed PDOs. Exists with has_mpdo_producer.
   MpdoProducer& mpdo_producer()
     requires has_mpdo_producer
   {
@@ -409,6 +449,7 @@ class DeviceNode
           typename DeviceServices<layout, own_routes, sdo_blocks, backlog_max, errors_max>::Memory>,
       public DeviceServices<layout, own_routes, sdo_blocks, backlog_max, errors_max> {
  public:
+  /// Makes the device in its own memory. The arguments are those of DeviceServices.
   DeviceNode(const Port& port, NodeId node_id, bool autostart = false)
       : DeviceServices<layout, own_routes, sdo_blocks, backlog_max, errors_max>(
             this->memory, port, node_id, autostart) {}

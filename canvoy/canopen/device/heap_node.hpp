@@ -25,8 +25,11 @@ class HeapNode {
   HeapNode(const HeapNode&) = delete;
   HeapNode& operator=(const HeapNode&) = delete;
 
+  /// The node itself: frames and points in time are handed to it.
   Node& node() { return *node_; }
+  /// Sends errors that the application raises; valid as long as this object.
   EmergencyProducer& emergency_producer() { return *emergency_producer_; }
+  /// The tables that were handed in.
   const DictionaryTables& tables() const { return tables_; }
   /// First entry that CiA 301 requires of a device with these objects and that it lacks; an entry
   /// without a rule if none. A DeviceNode does not compile in that case; for a HeapNode the caller

@@ -12,12 +12,12 @@
 namespace canvoy {
 
 struct HeapTables {
-  std::vector<ObjectRow> objects;
-  std::vector<EntryShape> entries;
-  std::vector<std::uint32_t> defaults;
-  std::vector<std::int64_t> numbers;
+  std::vector<ObjectRow> objects;       ///< in the order of their indices
+  std::vector<EntryShape> entries;      ///< of all objects, in the order of their sub-indices
+  std::vector<std::uint32_t> defaults;  ///< of each entry: see DictionaryTables::defaults
+  std::vector<std::int64_t> numbers;    ///< limits, sentinels, and defaults of more than four bytes
   std::vector<std::string_view> texts;  ///< texts that outlive this object
-  std::uint32_t value_bytes = 0;
+  std::uint32_t value_bytes = 0;        ///< size of the block of values, in bytes
 
   /// Tables so far; valid until an object is added.
   DictionaryTables tables() const {

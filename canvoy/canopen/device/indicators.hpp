@@ -16,6 +16,7 @@
 
 namespace canvoy {
 
+/// The two lights of a device: run is green, error is red. One bicolour LED can show both.
 enum class Indicator : std::uint8_t { run, error };
 
 /// State of an indicator. Flashes are followed by a second of darkness.
@@ -64,15 +65,22 @@ class Indicators {
                       const Sync* sync = nullptr)
       : node_(node), emergency_(emergency), sync_(sync) {}
 
+  /// Reports whether a condition holds. Conditions are independent of each other; none holds at
+  /// first.
   void set(Condition condition, bool holds);
 
   // For the hooks of LssSlave, ProgramServer and BitRateDetection.
 
+  /// Shows LSS (flickering) while the slave is in LSS state configuration.
   void lss_state_entered(LssState state) { set(Condition::lss, state == LssState::configuration); }
+  /// Shows a program download (triple flash of the run indicator) while it is under way.
   void program_under_way(bool under_way) { set(Condition::program_download, under_way); }
+  /// Shows bit-rate detection (flickering of both indicators) while it is under way.
   void bit_rate_detected(bool under_way) { set(Condition::bit_rate_detection, under_way); }
 
+  /// What the green indicator shows now; see the class for the order of precedence.
   Indication run() const;
+  /// What the red indicator shows now; see the class for the order of precedence.
   Indication error() const;
 
  private:

@@ -24,10 +24,11 @@ namespace canvoy {
 /// An entry that a device must have, and the rule that requires it; without a rule: no entry is
 /// missing.
 struct MissingEntry {
-  std::uint16_t index = 0;
-  std::uint8_t sub = 0;
-  std::string_view object = {};
-  std::string_view entry = {};
+  std::uint16_t index = 0;       ///< of the object; 0 if no entry is missing
+  std::uint8_t sub = 0;          ///< sub-index of the entry
+  std::string_view object = {};  ///< name of the object, as CiA 301 has it
+  std::string_view entry = {};   ///< name of the entry; empty where the object is its only one
+  /// Why it is mandatory; 36 characters at most, see words_of_error.hpp.
   std::string_view rule = {};
 };
 

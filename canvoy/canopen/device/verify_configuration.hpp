@@ -13,6 +13,7 @@ namespace canvoy {
 /// last.
 class VerifyConfiguration {
  public:
+  /// Attaches to the node, for all accesses by clients. Without 1020h it does nothing.
   explicit VerifyConfiguration(Node& node);
   VerifyConfiguration(const VerifyConfiguration&) = delete;
   VerifyConfiguration& operator=(const VerifyConfiguration&) = delete;

@@ -33,6 +33,8 @@ inline constexpr IndexRange actions_and_states[] = {
 
 }  // namespace detail
 
+/// True for an object that triggers an action or reports a state. Indices outside of 1000h to 1FFFh
+/// are never one. Linear in eleven ranges.
 constexpr bool is_action_or_state(std::uint16_t index) {
   return std::ranges::any_of(detail::actions_and_states, [index](const detail::IndexRange& range) {
     return range.contains(index);

@@ -7,6 +7,8 @@
 
 namespace canvoy {
 
+/// Type of an entry, with its index in the dictionary as the number: EDS files and the objects
+/// 0001h to 001Bh use it (CiA 301, 7.4.7.1).
 enum class DataType : std::uint8_t {
   boolean = 0x01,
   integer8 = 0x02,
@@ -69,10 +71,13 @@ constexpr bool is_string(DataType type) {
   return type == DataType::visible_string || type == DataType::octet_string ||
          type == DataType::unicode_string || type == DataType::utf8_string;
 }
+/// True for IEEE 754 numbers of 32 or 64 bits. They have no limits and no sentinel.
 constexpr bool is_real(DataType type) {
   return type == DataType::real32 || type == DataType::real64;
 }
 
+/// True for integers in two's complement, of 8 to 64 bits. The odd-sized types of CiA 447 have no
+/// sign.
 constexpr bool is_signed(DataType type) {
   return (type >= DataType::integer8 && type <= DataType::integer32) ||
          type == DataType::integer24 ||

@@ -41,6 +41,7 @@ enum class Access : std::uint8_t {
 constexpr Access operator|(Access a, Access b) {
   return static_cast<Access>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
 }
+/// True if all rights in `what` are among those in `access`.
 constexpr bool allows(Access access, Access what) {
   return (static_cast<unsigned>(access) & static_cast<unsigned>(what)) ==
          static_cast<unsigned>(what);
@@ -59,6 +60,7 @@ enum class EntryTraits : std::uint8_t {
 constexpr EntryTraits operator|(EntryTraits a, EntryTraits b) {
   return static_cast<EntryTraits>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
 }
+/// True if one of the bits in `trait` is among `traits`.
 constexpr bool has(EntryTraits traits, EntryTraits trait) {
   return (static_cast<unsigned>(traits) & static_cast<unsigned>(trait)) != 0;
 }
@@ -69,17 +71,18 @@ using BlockOffset = std::conditional_t<is_small_machine, std::uint16_t, std::uin
 /// Description of entries of one shape: sub-indices first to last of an object, all of one type,
 /// access and range. Objects of one shape may share them, so defaults are separate.
 struct EntryShape {
-  std::uint8_t sub_first = 0;
-  std::uint8_t sub_last = 0;
-  DataType type = DataType::unsigned8;
-  Access access = Access::ro;
-  EntryTraits traits = EntryTraits::none;
-  std::uint8_t bits = 0;       ///< length of a number in bits
-  std::uint16_t capacity = 0;  ///< bytes that one value takes at most; 0 for a domain
+  std::uint8_t sub_first = 0;              ///< the first sub-index
+  std::uint8_t sub_last = 0;               ///< the last one, included
+  DataType type = DataType::unsigned8;     ///< of each value
+  Access access = Access::ro;              ///< rights of clients, and PDOs that may map it
+  EntryTraits traits = EntryTraits::none;  ///< what limits and default mean
+  std::uint8_t bits = 0;                   ///< length of a number in bits
+  std::uint16_t capacity = 0;              ///< bytes that one value takes at most; 0 for a domain
   /// Position of low, high and sentinel in DictionaryTables::numbers, if the entry is limited.
   std::uint16_t limits = 0;
   BlockOffset offset = 0;  ///< of the first value, from the start of the object's values
 
+  /// True for a string: its value has a length of its own before it, and is at most `capacity`.
   constexpr bool is_text() const { return has(traits, EntryTraits::text); }
   /// Distance in bytes from one value to the next: a string has its present length in two bytes
   /// before it.
@@ -92,16 +95,16 @@ struct EntryShape {
 /// Objects of one shape: `count` objects with consecutive indices. A description gives the number
 /// of entries; the layout fills in the members after it.
 struct ObjectRow {
-  std::uint16_t index = 0;  ///< index of the first object
-  std::uint16_t count = 1;
-  std::uint16_t entry_count = 0;
+  std::uint16_t index = 0;        ///< index of the first object
+  std::uint16_t count = 1;        ///< objects, consecutive from `index`
+  std::uint16_t entry_count = 0;  ///< rows in the table of entries
   std::uint16_t entry_first = 0;  ///< position in the table of entries
   /// Position of the first entry's default, and the distance to that of the next object: 0 if all
   /// objects share the same defaults.
   std::uint16_t default_first = 0;
-  std::uint16_t default_pitch = 0;
-  BlockOffset offset = 0;  ///< of the first object's values, from the start of the block
-  BlockOffset pitch = 0;   ///< bytes from one object's values to the next object's
+  std::uint16_t default_pitch = 0;  ///< 0: shared by all objects
+  BlockOffset offset = 0;           ///< of the first object's values, from the start of the block
+  BlockOffset pitch = 0;            ///< bytes from one object's values to the next object's
 };
 
 class Dictionary;
@@ -118,9 +121,10 @@ struct DictionaryTables {
   /// Default of each entry of an object: a number, or the bits of a real; for more than four bytes
   /// its position in `numbers`, for a string its position in `texts`.
   std::span<const std::uint32_t> defaults;
+  /// Limits, sentinels, and defaults of more than four bytes.
   std::span<const std::int64_t> numbers;
-  std::span<const std::string_view> texts;
-  std::uint32_t value_bytes = 0;  ///< size of the block of values
+  std::span<const std::string_view> texts;  ///< defaults of strings; they outlive the tables
+  std::uint32_t value_bytes = 0;            ///< size of the block of values
   /// For devices with objects that move: index in the tables of the object that the bus addresses
   /// by `index`, 0 if there is none. Null: no object moves.
   std::uint16_t (*index_in_tables)(const Dictionary&, std::uint16_t index) = nullptr;
@@ -128,6 +132,7 @@ struct DictionaryTables {
   AbortCode (*check_number)(const DictionaryTables& tables, const EntryShape& row,
                             const std::uint8_t* value) = &canvoy::check_number;
 
+  /// Shapes of the entries of an object, sorted by sub-index; empty for an object without entries.
   constexpr std::span<const EntryShape> entries_of(const ObjectRow& object) const {
     return entries.subspan(object.entry_first, object.entry_count);
   }
@@ -167,11 +172,11 @@ struct ObjectState {
 
 /// One entry, found in the dictionary; valid as long as the dictionary.
 struct Entry {
-  const EntryShape* row = nullptr;
-  [[no_unique_address]] HostOnly<ObjectState*> state = {};
+  const EntryShape* row = nullptr;                          ///< null: not found
+  [[no_unique_address]] HostOnly<ObjectState*> state = {};  ///< of its ObjectRow
   std::uint8_t* value = nullptr;  ///< for a string, its length; for a domain, meaningless
-  std::uint16_t index = 0;
-  std::uint8_t sub = 0;
+  std::uint16_t index = 0;        ///< as in the tables: see locate_for_bus()
+  std::uint8_t sub = 0;           ///< sub-index
 
   /// First four bytes of a number.
   std::uint32_t word() const { return load_word(value, row->capacity); }
@@ -199,14 +204,14 @@ struct EntryPlace {
   std::uint32_t offset = 0;  ///< of its value, in bytes from the start of the block
   std::uint16_t object = 0;  ///< position of its ObjectRow
   std::uint16_t row = 0;     ///< position of its EntryShape
-  std::uint16_t index = 0;
-  std::uint8_t sub = 0;
+  std::uint16_t index = 0;   ///< index in the tables
+  std::uint8_t sub = 0;      ///< sub-index
 };
 
 /// The first few watched values that were changed, so that the TPDOs that map them are found
 /// without a search through all.
 struct ChangedPlaces {
-  static constexpr std::size_t places_max = 8;
+  static constexpr std::size_t places_max = 8;  ///< changes kept
 
   constexpr ChangedPlaces() = default;
   /// Copies only the places in use.
@@ -218,13 +223,15 @@ struct ChangedPlaces {
 
   /// True if there were more changes, or a position is unknown.
   bool are_too_many() const { return count > places_max; }
+  /// Adds a change at an offset. Beyond places_max it is only counted.
   void add(std::uint32_t place) {
     if (count < places_max) places[count] = place;
     if (count <= places_max) ++count;
   }
+  /// Notes that positions are unknown: all TPDOs check.
   void forget() { count = places_max + 1; }
 
-  std::size_t count = 0;
+  std::size_t count = 0;  ///< changes, up to places_max + 1
   /// Offsets of values from the start of the block.
   std::array<std::uint32_t, places_max> places{};
 };
@@ -235,11 +242,12 @@ struct Domain;
 /// Streaming of domains by SDO servers: a table of functions, so that a program without a Domain
 /// links none of it.
 struct DomainTransfer {
-  AbortCode (*open_read)(SdoEntry&, const Domain&);
+  AbortCode (*open_read)(SdoEntry&, const Domain&);  ///< begins an upload
+  /// Next bytes of an upload, in `memory` or elsewhere; none at the end.
   Result<std::span<const std::uint8_t>> (*read)(SdoEntry&, std::span<std::uint8_t> memory);
-  AbortCode (*open_write)(SdoEntry&, const Domain&);
-  AbortCode (*write)(SdoEntry&, std::span<const std::uint8_t> bytes);
-  AbortCode (*close)(SdoEntry&, bool complete);
+  AbortCode (*open_write)(SdoEntry&, const Domain&);                   ///< begins a download
+  AbortCode (*write)(SdoEntry&, std::span<const std::uint8_t> bytes);  ///< takes bytes, in order
+  AbortCode (*close)(SdoEntry&, bool complete);                        ///< ends either
 
   static const DomainTransfer calls;
 };
@@ -258,6 +266,7 @@ struct Domain {
       read;
   /// Begins a download; `size` is the size that the client announced, 0 if none.
   Callback<AbortCode(const Entry&, std::uint32_t size)> open_write;
+  /// Takes the next bytes of a download, in order and without gaps; an abort ends the transfer.
   Callback<AbortCode(const Entry&, std::span<const std::uint8_t> bytes)> write;
   /// Ends a download; with `complete` false, all data written must be discarded.
   Callback<AbortCode(const Entry&, bool complete)> close_write;
@@ -269,15 +278,15 @@ struct Domain {
   /// a copy; `size` as open_write has it. No more come than there is room (0504 0005h, 0607 0012h).
   /// When the last of them has come, `write` is called once, with all of them.
   Callback<Result<std::span<std::uint8_t>>(const Entry&, std::uint32_t size)> room = {};
-  const DomainTransfer* transfer = &DomainTransfer::calls;
+  const DomainTransfer* transfer = &DomainTransfer::calls;  ///< streams by the functions above
 };
 
 /// Like AccessHandlers, but set at run time for one instance, for applications. It is called for
 /// all objects of a range that are in the dictionary, and only for accesses from the bus (SDO,
 /// PDO). It must outlive the dictionary.
 struct Hook {
-  std::uint16_t first = 0;
-  std::uint16_t last = 0;
+  std::uint16_t first = 0;  ///< lowest index
+  std::uint16_t last = 0;   ///< highest index, included
   /// May refresh the value (with Dictionary::set) before it is read, or refuse.
   Callback<AbortCode(const Entry&)> before_read = {};
   /// May refuse the new value. For a PDO it is called for all entries before one is written. It may
@@ -285,12 +294,14 @@ struct Hook {
   /// then nothing is written here, and the waiting service gets the answer from
   /// Node::finish_deferred().
   Callback<AbortCode(const Entry&, std::span<const std::uint8_t> value)> before_write = {};
+  /// Notifies of a value that was written by an SDO client or an RPDO.
   Callback<void(const Entry&, Source)> after_write = {};
-  const Domain* domain = nullptr;
+  const Domain* domain = nullptr;  ///< for entries of type domain in this range
 
   /// Link in the list of the node's services.
   class Link : public NodeService {
    public:
+    /// Links `hook`, which must outlive it.
     explicit Link(const Hook* hook) : NodeService({on_event}, EventMask::none), hook_(hook) {}
 
    private:
@@ -298,9 +309,10 @@ struct Hook {
 
     const Hook* hook_;
   };
-  Link link{this};
+  Link link{this};  ///< owned by the hook
 };
 
+/// The values of one node, and the services and hooks that give them a meaning.
 class Dictionary {
  public:
   /// Makes a dictionary. `values` has tables.value_bytes bytes. `states` has one item for each
@@ -335,6 +347,7 @@ class Dictionary {
     }
     return locate(entry);
   }
+  /// Like find(), but for an index as the bus uses it: see locate_for_bus().
   Result<Entry> find_for_bus(std::uint16_t index, std::uint8_t sub) const;
 
   /// Value as a client may read it, hooks included. It is valid until the entry is written. Aborts:
@@ -356,6 +369,8 @@ class Dictionary {
   /// Checks access, length, range and hooks as CiA 301 requires, and writes; on an abort changes
   /// nothing.
   AbortCode write(const Entry& entry, std::span<const std::uint8_t> value, Source source);
+  /// Like write(), but looks the entry up first, as the bus addresses it. Aborts also: those of
+  /// find().
   AbortCode write(std::uint16_t index, std::uint8_t sub, std::span<const std::uint8_t> value,
                   Source source);
 
@@ -372,8 +387,10 @@ class Dictionary {
   /// notify_written() need no search. Valid until revision() changes. Linear in the number of
   /// services.
   EntryHooks find_hooks(const Entry& entry) const;
+  /// Asks the services in `hooks` whether a value may be written; it was checked before.
   AbortCode ask(const Entry& entry, std::span<const std::uint8_t> value,
                 const EntryHooks& hooks) const;
+  /// Notifies the services in `hooks` of a value that was written.
   void notify_written(const Entry& entry, Source source, const EntryHooks& hooks) const {
     if (hooks.service == nullptr || hooks.after_row == EntryHooks::any_row) {
       return notify_any(entry, source, hooks);
@@ -390,6 +407,7 @@ class Dictionary {
             .index = entry.index,
             .sub = entry.sub};
   }
+  /// The entry at a place of this dictionary, in constant time.
   Entry entry_at(const EntryPlace& place) const {
     Entry entry{.row = &tables_.entries[place.row],
                 .value = values_ + place.offset,
@@ -450,16 +468,19 @@ class Dictionary {
                   ServiceEvent::all_accesses);
     }
   }
+  /// Like attach(NodeService&), for a service with a table of handlers.
   constexpr void attach(HandlerBinding& service) {
     append(service);
     if (!is_small_machine && service.calls_->values_changed != nullptr) append_frequent(service);
     if (!is_small_machine && !service.calls_->hooks.empty()) mark_hooked(service);
   }
+  /// First of the attached services, in order of attachment; null if there is none.
   NodeService* services() const { return services_; }
   /// Notifies all services until one refuses; of an access, those that cover the object. See
   /// ServiceEvent.
   std::uint32_t notify(ServiceEvent::Kind kind, std::uint32_t number,
                        const void* subject = nullptr) const;
+  /// Like notify(), for an event that exists already. Returns its answer.
   std::uint32_t notify(ServiceEvent& event) const;
   /// Like notify(), but for frequent events: on a host, only the services with the event in their
   /// mask.
@@ -479,6 +500,7 @@ class Dictionary {
 
   /// TPDOs (numbers modulo 32) that map a value changed since clear_changes().
   std::uint32_t changes() const { return changes_; }
+  /// Forgets all changes: the node has announced them.
   void clear_changes() {
     changes_ = 0;
     if constexpr (!is_small_machine) changed_places_.value.count = 0;
@@ -500,6 +522,7 @@ class Dictionary {
   /// while the number is the same.
   std::uint32_t revision() const { return revision_.value; }
 
+  /// Tables with which it was made.
   const DictionaryTables& tables() const { return tables_; }
   /// Block of values, for code that keeps places in it.
   std::uint8_t* values() const { return values_; }

@@ -18,15 +18,15 @@ namespace canvoy {
 /// Description of entries of one shape: sub-indices first to last of an object, all of one type,
 /// access, range and default.
 struct EntryRow {
-  std::uint8_t sub_first = 0;
-  std::uint8_t sub_last = 0;
-  DataType type = DataType::unsigned8;
-  Access access = Access::ro;
-  EntryTraits traits = EntryTraits::none;
-  std::uint16_t capacity = 0;  ///< length limit of a string, in bytes
-  std::int64_t low = 0;
-  std::int64_t high = 0;
-  std::int64_t sentinel = 0;
+  std::uint8_t sub_first = 0;              ///< the first sub-index
+  std::uint8_t sub_last = 0;               ///< the last one, included
+  DataType type = DataType::unsigned8;     ///< of each value
+  Access access = Access::ro;              ///< rights of clients, and PDOs that may map it
+  EntryTraits traits = EntryTraits::none;  ///< what the numbers below mean
+  std::uint16_t capacity = 0;              ///< length limit of a string, in bytes
+  std::int64_t low = 0;                    ///< smallest value, if EntryTraits::limited
+  std::int64_t high = 0;                   ///< largest value, if EntryTraits::limited
+  std::int64_t sentinel = 0;           ///< allowed beyond the limits, if EntryTraits::has_sentinel
   std::int64_t initial = 0;            ///< the default: a number, or the bits of a real
   std::string_view initial_text = {};  ///< the default of a string
 };
@@ -52,15 +52,16 @@ struct Counted {
 template <std::size_t object_rows, std::size_t entry_rows, std::size_t defaults_max = entry_rows,
           std::size_t numbers_max = 4 * entry_rows, std::size_t texts_max = entry_rows>
 struct DictionaryLayout {
-  detail::Counted<ObjectRow, object_rows> objects{};
-  detail::Counted<EntryShape, entry_rows> entries{};
-  detail::Counted<std::uint32_t, defaults_max> defaults{};
-  detail::Counted<std::int64_t, numbers_max> numbers{};
-  detail::Counted<std::string_view, texts_max> texts{};
-  std::uint32_t value_bytes = 0;
+  detail::Counted<ObjectRow, object_rows> objects{};        ///< sorted by index
+  detail::Counted<EntryShape, entry_rows> entries{};        ///< of each object, sorted by sub-index
+  detail::Counted<std::uint32_t, defaults_max> defaults{};  ///< of each entry
+  detail::Counted<std::int64_t, numbers_max> numbers{};  ///< limits, sentinels, and long defaults
+  detail::Counted<std::string_view, texts_max> texts{};  ///< defaults of strings
+  std::uint32_t value_bytes = 0;                         ///< size of the block of values, in bytes
   /// See DictionaryTables.
   std::uint16_t (*index_in_tables)(const Dictionary&, std::uint16_t index) = nullptr;
 
+  /// Tables for nodes of this kind. They refer to this object, which must outlive them.
   constexpr DictionaryTables tables() const {
     DictionaryTables tables{objects, entries,     defaults,       numbers,
                             texts,   value_bytes, index_in_tables};
@@ -185,8 +186,9 @@ constexpr DictionaryLayout<object_rows, entry_rows> lay_out(
 /// whether it is a whole device (mandatory_objects.hpp).
 template <class Layout>
 struct PartialLayout : Layout {
-  static constexpr bool is_partial = true;
+  static constexpr bool is_partial = true;  ///< DeviceNode looks for it
 };
+/// Marks a layout as that of a part of a device.
 template <class Layout>
 constexpr PartialLayout<Layout> partial(Layout layout) {
   return {std::move(layout)};

@@ -18,9 +18,10 @@ namespace canvoy {
 /// A text as a template argument, which compilers print in full.
 template <std::size_t size>
 struct Words {
-  char text[size]{};
+  char text[size]{};  ///< ends with 0
 
   constexpr Words() = default;
+  /// Copies a literal, with its final 0.
   constexpr Words(const char (&literal)[size]) {  // NOLINT(google-explicit-constructor)
     for (std::size_t i = 0; i < size; ++i) text[i] = literal[i];
   }
@@ -29,11 +30,12 @@ struct Words {
 /// If the condition is false, a compiler needs the size of `Wrong`, and names that type.
 template <bool condition, class Wrong>
 struct Must {
-  static constexpr bool hold = true;
+  static constexpr bool hold = true;  ///< true, or a compile error
 };
+/// The case that does not hold: compiles only if `Wrong` is defined.
 template <class Wrong>
 struct Must<false, Wrong> {
-  static constexpr bool hold = sizeof(Wrong) != 0;
+  static constexpr bool hold = sizeof(Wrong) != 0;  ///< asks for the size of `Wrong`
 };
 
 namespace detail {

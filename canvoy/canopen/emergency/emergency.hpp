@@ -13,17 +13,19 @@
 
 namespace canvoy {
 
+/// An emergency message, byte for byte as it is sent.
 struct Emergency {
-  static constexpr std::uint8_t length = 8;
+  static constexpr std::uint8_t length = 8;  ///< of the frame, in bytes
 
-  std::uint16_t code = 0;          ///< 0000h: an error has disappeared
-  std::uint8_t register_bits = 0;  ///< error register 1001h at that moment
-  std::array<std::uint8_t, 5> info = {};
+  std::uint16_t code = 0;                 ///< 0000h: an error has disappeared
+  std::uint8_t register_bits = 0;         ///< error register 1001h at that moment
+  std::array<std::uint8_t, 5> info = {};  ///< manufacturer-specific field
 
   friend constexpr bool operator==(const Emergency&, const Emergency&) = default;
 };
 static_assert(sizeof(Emergency) == Emergency::length, "it is kept as it travels");
 
+/// Data frame with the message. `can_id` has 11 bits.
 inline Frame encode(const Emergency& emergency, std::uint32_t can_id) {
   Frame frame = Frame::data_frame(can_id, {});
   frame.length = Emergency::length;

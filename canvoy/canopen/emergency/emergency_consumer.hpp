@@ -41,6 +41,8 @@ class EmergencyConsumer {
   EmergencyConsumer(const EmergencyConsumer&) = delete;
   EmergencyConsumer& operator=(const EmergencyConsumer&) = delete;
 
+  /// Sets the callback for each message, with the node-ID of its sender; code 0000h: an error has
+  /// disappeared.
   void on_emergency(Callback<void(NodeId, const Emergency&)> heard) { heard_ = heard; }
 
   /// Receives messages of node `node_id` on its pre-defined CAN-ID, 080h + node-ID, or on another
@@ -48,6 +50,7 @@ class EmergencyConsumer {
   bool listen(NodeId node_id) {
     return listen(node_id, static_cast<std::uint16_t>(can_id::emergency + node_id));
   }
+  /// Like the above, on a CAN-ID of 11 bits. False also if it is above 7FFh or no route is free.
   bool listen(NodeId node_id, std::uint16_t can_id);
   /// Ends the reception that listen() began.
   void ignore(NodeId node_id);

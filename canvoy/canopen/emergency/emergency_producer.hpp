@@ -28,7 +28,7 @@ namespace canvoy {
 /// last one. An NMT reset ends all communication errors; reset node ends all errors.
 class EmergencyProducer : private NodeService {
  public:
-  static constexpr Duration overrun_time = 1s;
+  static constexpr Duration overrun_time = 1s;  ///< from the last overrun to its end
 
   /// Makes the producer. The size of `present` limits the errors that are present at a time: one
   /// beyond is sent, but does not count in 1001h. The size of `waiting`, at least one, limits the

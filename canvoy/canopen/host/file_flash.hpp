@@ -19,11 +19,13 @@
 
 namespace canvoy::host {
 
+/// A flash in a file, for one program at a time.
 class FileFlash {
  public:
+  /// Size of the flash, which a file keeps from its first opening on.
   struct Geometry {
-    std::uint32_t sector_size = 4096;
-    std::uint32_t sectors = 4;
+    std::uint32_t sector_size = 4096;  ///< in bytes
+    std::uint32_t sectors = 4;         ///< number of sectors
     friend bool operator==(const Geometry&, const Geometry&) = default;
   };
   /// Size of the head of the file: its maker and its geometry.
@@ -36,6 +38,7 @@ class FileFlash {
   FileFlash(const FileFlash&) = delete;
   FileFlash& operator=(const FileFlash&) = delete;
 
+  /// The functions for Storage and others; valid as long as this object.
   const Flash& flash() const { return flash_; }
 
  private:

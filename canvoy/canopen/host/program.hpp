@@ -21,6 +21,7 @@ namespace canvoy {
 /// A bus with a loop, and a connection for one node.
 class OpenBus {
  public:
+  /// Takes the loop and the bus; open() makes both.
   OpenBus(std::unique_ptr<host::EventLoop> loop, std::unique_ptr<host::HostBus> bus)
       : loop_(std::move(loop)),
         bus_(std::move(bus)),
@@ -28,7 +29,9 @@ class OpenBus {
 
   /// Port for the device, which must be constructed after this object and destroyed before it.
   Port port() { return attachment_->port(); }
+  /// Loop that run() serves, for timers and files of the application.
   host::EventLoop& loop() { return *loop_; }
+  /// The bus, for statistics and for further connections.
   host::HostBus& bus() { return *bus_; }
 
   /// Starts a device (which has node()) or a node, and serves it until SIGINT, SIGTERM or SIGHUP.

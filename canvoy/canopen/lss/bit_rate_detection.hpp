@@ -31,6 +31,7 @@ class BitRateDetection {
   /// rate follows, also after a frame was received.
   using Restart = Callback<bool(std::uint32_t bit_rate, bool listen_only)>;
 
+  /// Order of the bit rates, and times.
   struct Options {
     std::span<const std::uint32_t> bit_rates = usual_bit_rates;  ///< must outlive the detection
     /// Time of silence until the next bit rate: longer than the longest silence between two frames.
@@ -39,9 +40,12 @@ class BitRateDetection {
     std::uint16_t rounds_max = 0;  ///< limit over all bit rates; 0: none
   };
 
+  /// Not started or stopped; under way; the result is bit_rate(); all rounds are over.
   enum class State : std::uint8_t { idle, listening, found, failed };
 
+  /// Makes a detection with default options. It does nothing until start().
   explicit BitRateDetection(Restart restart);
+  /// Makes a detection. An empty list of bit rates finds nothing.
   BitRateDetection(Restart restart, const Options& options);
 
   /// Sets the callback for the result: the controller runs with this bit rate, and takes part; 0:
@@ -50,16 +54,21 @@ class BitRateDetection {
   /// Sets the callback for indicators: the detection begins, or has ended in any way.
   void on_under_way(Callback<void(bool under_way)> told) { under_way_ = told; }
 
+  /// Begins, or begins again, with the first bit rate.
   void start(Time now);
+  /// Ends the detection without a result; the controller keeps its bit rate.
   void stop() { enter(State::idle); }
 
   /// Takes a frame of the controller, or an error frame in the format of SocketCAN.
   void receive(const Frame& frame, Time now);
   /// Notes that the controller saw an error instead of a frame.
   void bus_error(Time now);
+  /// Goes to the next bit rate if the dwell time is over. Call it at deadline().
   void advance(Time now);
+  /// Time of the next bit rate; never unless it is listening.
   Time deadline() const { return state_ == State::listening ? until_ : never; }
 
+  /// State of the detection; `found` and `failed` stay until the next start().
   State state() const { return state_; }
   /// Bit rate in use, or found, in bit/s.
   std::uint32_t bit_rate() const { return options_.bit_rates[position_]; }

@@ -29,9 +29,11 @@ class BitTimingSwitch {
   /// Begins the switch: `delay` until the new bit timing, and again until the first frame. Replaces
   /// one that is under way.
   void activate(std::uint8_t bit_timing, Duration delay);
+  /// Function for LssSlaveHooks::activate_bit_timing.
   Callback<void(std::uint8_t, Duration)> hook() {
     return Callback<void(std::uint8_t, Duration)>::to<&BitTimingSwitch::activate>(*this);
   }
+  /// True from activate() until frames are sent again.
   bool running() const { return timer_.armed(); }
 
  private:

@@ -18,16 +18,17 @@ namespace canvoy {
 /// The identity of a node as in 1018h: vendor-ID, product code, revision number, serial number. It
 /// must be unique in a network.
 struct LssAddress {
-  static constexpr std::size_t vendor = 0;
-  static constexpr std::size_t product = 1;
-  static constexpr std::size_t revision = 2;
-  static constexpr std::size_t serial = 3;
+  static constexpr std::size_t vendor = 0;    ///< part: vendor-ID
+  static constexpr std::size_t product = 1;   ///< part: product code
+  static constexpr std::size_t revision = 2;  ///< part: revision number
+  static constexpr std::size_t serial = 3;    ///< part: serial number
 
-  std::array<std::uint32_t, 4> parts{};
+  std::array<std::uint32_t, 4> parts{};  ///< in the order of 1018h
 
   friend bool operator==(const LssAddress&, const LssAddress&) = default;
 };
 
+/// LSS state: only a slave in configuration obeys the services that change settings.
 enum class LssState : std::uint8_t { waiting = 0, configuration = 1 };
 
 /// Answer of a slave to a configuration or to storing.
@@ -39,9 +40,10 @@ struct LssError {
   static constexpr std::uint8_t store_failed = 2;       ///< the storage medium does not work
   static constexpr std::uint8_t manufacturer = 0xFF;    ///< `specific` has details
 
-  std::uint8_t code = none;
-  std::uint8_t specific = 0;
+  std::uint8_t code = none;   ///< 0: done
+  std::uint8_t specific = 0;  ///< of the manufacturer, if `code` is FFh
 
+  /// True if the slave has done as requested.
   constexpr bool ok() const { return code == none; }
   friend bool operator==(const LssError&, const LssError&) = default;
 };
@@ -50,8 +52,10 @@ struct LssError {
 namespace lss_bit_timing {
 
 inline constexpr std::uint8_t automatic = 9;  ///< the node detects the bit rate (CiA 801)
+/// The node cannot say, or its bit rate is not in the table.
 inline constexpr std::uint8_t unknown = 0xFF;
-inline constexpr std::uint8_t reserved = 5;
+inline constexpr std::uint8_t reserved = 5;  ///< index without a bit rate
+/// In bit/s, by index; 0 at the reserved one.
 inline constexpr std::array<std::uint32_t, 9> bit_rates = {
     1'000'000, 800'000, 500'000, 250'000, 125'000, 0, 50'000, 20'000, 10'000};
 
@@ -112,6 +116,7 @@ constexpr Command operator+(Command command, std::size_t n) {
 /// All messages have eight bytes; unused ones are zero.
 inline constexpr std::uint8_t length = 8;
 
+/// Message with a command and up to four bytes after it.
 inline Frame frame(std::uint16_t can_id, Command command, std::uint32_t value = 0) {
   Frame frame;
   frame.id = can_id;
@@ -127,11 +132,12 @@ struct FastscanRequest {
   /// As bit_checked: all participating slaves answer.
   static constexpr std::uint8_t anybody = 0x80;
 
-  std::uint32_t id_number = 0;
-  std::uint8_t bit_checked = anybody;
-  std::uint8_t sub = 0;   ///< LSSSub: the part of the address, 0 to 3
-  std::uint8_t next = 0;  ///< LSSNext: the part that follows this message
+  std::uint32_t id_number = 0;         ///< bits to compare with
+  std::uint8_t bit_checked = anybody;  ///< lowest bit to compare: 31 to 0
+  std::uint8_t sub = 0;                ///< LSSSub: the part of the address, 0 to 3
+  std::uint8_t next = 0;               ///< LSSNext: the part that follows this message
 
+  /// True for a question about bits; false for `anybody` too.
   constexpr bool valid() const { return sub <= 3 && next <= 3 && bit_checked <= 31; }
 };
 

@@ -17,7 +17,7 @@ namespace canvoy {
 
 /// Known parts of the address to find.
 struct LssPattern {
-  LssAddress address;
+  LssAddress address;           ///< values of the known parts
   std::array<bool, 4> known{};  ///< parts that count
 };
 
@@ -26,8 +26,9 @@ struct LssPace {
   Duration time_out{};         ///< for one answer
   Duration settle{};           ///< from one answer to the next request
   Duration recent_time_out{};  ///< time that would have sufficed since the last relax()
-  Duration recent_settle{};
+  Duration recent_settle{};    ///< the same for `settle`
 
+  /// Learns from the times of an answer. Neither time grows beyond `max`.
   void measure(const LssMaster::Reply& reply, Duration max);
   /// Notes that the measured time was too short.
   void lengthen(Duration max);
@@ -41,26 +42,32 @@ struct LssPace {
 /// longer time-out.
 class LssFastscan {
  public:
+  /// Bounds of the times, and of the effort of one run.
   struct Options {
     Duration first_time_out = 100ms;  ///< for the very first answer, before any measurement
     Duration time_out_min = 5ms;      ///< for each bit
-    Duration time_out_max = 1s;
-    std::uint8_t attempts_max = 6;  ///< for one run, until the address is confirmed
+    Duration time_out_max = 1s;       ///< limit of both times
+    std::uint8_t attempts_max = 6;    ///< for one run, until the address is confirmed
   };
+  /// How a run ended.
   enum class Outcome : std::uint8_t {
     found,
     nobody,  ///< no node takes part, or none with this pattern
     lost,    ///< a node answered, but its address was not confirmed, or it fell silent
   };
+  /// What a run found.
   struct Result {
-    Outcome outcome = Outcome::nobody;
-    LssAddress address;
-    bool duplicate = false;  ///< several nodes answered to this address
-    bool checked = false;    ///< a node also answered to its address in another service
+    Outcome outcome = Outcome::nobody;  ///< how it ended
+    LssAddress address;                 ///< if found, or lost at its end
+    bool duplicate = false;             ///< several nodes answered to this address
+    bool checked = false;               ///< a node also answered to its address in another service
   };
+  /// Called at the end of a run; may start the next.
   using Done = Callback<void(const Result&)>;
 
+  /// Makes a search with default options. Both must outlive it.
   LssFastscan(Node& node, LssMaster& master);
+  /// Makes a search. `node` is that of `master`; both must outlive it.
   LssFastscan(Node& node, LssMaster& master, const Options& options);
   LssFastscan(const LssFastscan&) = delete;
   LssFastscan& operator=(const LssFastscan&) = delete;
@@ -69,12 +76,14 @@ class LssFastscan {
   /// begin until `done` was called. With other slaves in state configuration the address of the
   /// node cannot be inquired: "identify remote slave" checks it, if the node supports that.
   bool find(const LssPattern& pattern, Done done, bool others_in_configuration = false);
+  /// True while a run is under way.
   bool running() const { return running_; }
   /// Stops the run, without a call of `done`.
   void cancel();
 
   /// Measured time-out of one bit.
   Duration time_out() const { return pace_.time_out; }
+  /// Measured times; kept from run to run.
   const LssPace& pace() const { return pace_; }
   /// Number of messages sent since construction, without those of the last check.
   std::uint32_t requests() const { return requests_; }

@@ -24,10 +24,12 @@ namespace canvoy {
 /// return to waiting, and LssTree finds the rest.
 class LssScan {
  public:
+  /// What to look for, and what to do with it.
   struct Options {
     LssPattern pattern;  ///< only nodes with this pattern
     bool store = false;  ///< each node stores its node-ID
   };
+  /// How a scan ended.
   enum class Outcome : std::uint8_t {
     complete,  ///< no further node answers
     /// An address was found again with its node in state configuration: two nodes have it.
@@ -40,8 +42,9 @@ class LssScan {
     lost,
     full,  ///< there is no memory for further addresses
   };
+  /// A node that was found, and what was done with it.
   struct Found {
-    LssAddress address;
+    LssAddress address;                ///< its identity
     NodeId id = node_id_unconfigured;  ///< the node-ID that it took
     bool duplicate = false;            ///< several nodes answered to this address
     LssMaster::Reply configured;       ///< if it was given an id
@@ -49,16 +52,20 @@ class LssScan {
   };
   /// Returns the node-ID for a node, or node_id_unconfigured.
   using Choose = Callback<NodeId(const LssAddress&)>;
+  /// Called for each node.
   using Report = Callback<void(const Found&)>;
+  /// Called at the end of a scan.
   using Done = Callback<void(Outcome)>;
 
   /// Makes the scan. `addresses` holds the addresses found; it must outlive the scan.
   LssScan(Node& node, LssMaster& master, std::span<LssAddress> addresses);
+  /// Makes the scan with other times of Fastscan. `addresses` must outlive the scan.
   LssScan(Node& node, LssMaster& master, std::span<LssAddress> addresses,
           const LssFastscan::Options& options);
   LssScan(const LssScan&) = delete;
   LssScan& operator=(const LssScan&) = delete;
 
+  /// Sets the callback that chooses node-IDs; without it, nodes are identified only.
   void on_choose(Choose choose) { choose_ = choose; }
   /// Sets the callback for each node, called when its configuration has ended.
   void on_found(Report report) { report_ = report; }
@@ -68,12 +75,14 @@ class LssScan {
   /// Stops the scan, without a call of `done`; also allowed in the callbacks.
   void cancel();
 
+  /// Addresses found by the present or last scan, in the order of discovery.
   std::span<const LssAddress> found() const { return addresses_.first(count_); }
   /// The node that was found last, also if it ended the scan.
   const Found& last() const { return found_; }
   /// True if an address was found again that has its node-ID: a slave that answers Fastscan with
   /// one, or a second node with this address.
   bool came_again() const { return came_again_; }
+  /// The search, for its measured times and number of requests.
   const LssFastscan& fastscan() const { return fastscan_; }
 
  private:

@@ -58,6 +58,7 @@ class LssSlave : private NodeService {
   LssSlave(const LssSlave&) = delete;
   LssSlave& operator=(const LssSlave&) = delete;
 
+  /// LSS state: configuration from a selection or global switch on, until it is switched back.
   LssState state() const { return state_; }
   /// Bit timing that activation would switch to.
   std::uint8_t pending_bit_timing() const { return bit_timing_; }

@@ -16,10 +16,11 @@ namespace canvoy {
 /// Stores without blocking: each advance() of the node takes one step of the flash.
 class LssStore {
  public:
+  /// Called at the end of storing, with what the master is answered.
   using Stored = Callback<void(LssError)>;
   /// Location of two slots in the flash.
   struct Place {
-    std::uint32_t address = 0;
+    std::uint32_t address = 0;    ///< of the first slot; the second follows it
     std::uint32_t slot_size = 0;  ///< size of each slot: whole sectors
   };
 
@@ -35,9 +36,11 @@ class LssStore {
   /// State of the record in the flash at construction.
   RecordState state() const { return state_; }
 
+  /// Function for LssSlaveHooks::store.
   Callback<void(NodeId, std::uint8_t)> hook() {
     return Callback<void(NodeId, std::uint8_t)>::to<&LssStore::store>(*this);
   }
+  /// Sets the callback for the end of storing; usually LssSlave::stored().
   void on_stored(Stored stored) { stored_ = stored; }
 
  private:

@@ -21,10 +21,14 @@ namespace canvoy {
 /// number of messages.
 class LssTree {
  public:
+  /// An address of a slave, or the end.
   using Result = LssFastscan::Result;
+  /// How a walk goes on, or ended.
   using Outcome = LssFastscan::Outcome;
+  /// Called with each address, and at the end.
   using Done = LssFastscan::Done;
 
+  /// Makes a tree. `node` is that of `master`; both must outlive it.
   LssTree(Node& node, LssMaster& master, const LssFastscan::Options& options);
   LssTree(const LssTree&) = delete;
   LssTree& operator=(const LssTree&) = delete;
@@ -33,7 +37,9 @@ class LssTree {
   /// from it, at once or later; at the end it is called with `nobody`, or with `lost` if the tree
   /// still contradicts itself. An address may be found again in a later walk.
   void begin(const LssPattern& pattern, const LssPace& pace, Done done);
+  /// True from begin() until the end or cancel().
   bool walking() const { return walking_; }
+  /// Goes on to the next address, after a call of `done` with one.
   void next();
   /// Like next(), but for an address found that no slave has.
   void pass_over();

@@ -38,7 +38,7 @@ constexpr char letter(BootError error) {
 
 /// End of a step of the procedure: a letter, and the end of the request that caused it.
 struct BootOutcome {
-  BootError error = BootError::none;
+  BootError error = BootError::none;  ///< letter, or none
   SdoEnd end = {};
 
   friend constexpr bool operator==(const BootOutcome&, const BootOutcome&) = default;

@@ -20,7 +20,7 @@ namespace canvoy {
 /// The task for one slave. Copy it to keep it: several slaves are booted at once, and each has a
 /// task.
 struct BootTask {
-  NodeId slave;
+  NodeId slave;  ///< node-ID, 1 to 127
   /// Idle, and available to the task until it ends.
   SdoClient* client;
   /// To be called once, at once or later; the task must not be used afterwards.

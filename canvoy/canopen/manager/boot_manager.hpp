@@ -33,13 +33,17 @@ namespace canvoy {
 /// B). Each further boot-up message leads to one attempt, 8 s later.
 class BootManager {
  public:
+  /// State of one slave: waiting, booting, booted, failed, or none if it is not assigned.
   using SlaveState = SlaveBoots::State;
+  /// State of one slave, in memory of the owner.
   using Record = SlaveBoots::Record;
+  /// 127 records, and as many slots as slaves are to be booted at once.
   using Memory = SlaveBoots::Memory;
+  /// Parts that other services add, and times.
   struct Settings {
-    BootHooks hooks = {};
-    GuardingHooks guarding = {};
-    BootOptions options = {};
+    BootHooks hooks = {};         ///< software and configuration of slaves
+    GuardingHooks guarding = {};  ///< node guarding of slaves
+    BootOptions options = {};     ///< times and resets
   };
 
   /// Makes the manager. All arguments must outlive it. If the backlog of the node and its
@@ -55,6 +59,7 @@ class BootManager {
 
   /// Sets the callback for each step of each slave, and for later events.
   void on_report(Callback<void(const BootReport&)> report) { told_ = report; }
+  /// Sets the callback for each change of network().
   void on_network(Callback<void(NetworkBoot)> changed) { network_changed_ = changed; }
 
   /// Begins as NMT master; called for a flying master that has won.
@@ -62,12 +67,15 @@ class BootManager {
   /// Ends the work as NMT master without changing any node; called for a flying master that has
   /// lost.
   void retire();
+  /// True while this node is the active NMT master.
   bool is_active() const { return network_ != NetworkBoot::idle; }
 
   /// Notes that a slave is silent by node guarding.
   void guarding_lost(NodeId slave) { slaves_.lost(slave); }
 
+  /// State of the network as a whole; idle while this node is not the master.
   NetworkBoot network() const { return network_; }
+  /// State of a slave, 1 to 127.
   SlaveState slave_state(NodeId slave) const { return slaves_.record(slave).state; }
   /// Reason why a slave did not boot, or its last error; L if it was left as it was.
   BootError slave_error(NodeId slave) const { return slaves_.record(slave).error; }

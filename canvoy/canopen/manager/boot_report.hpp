@@ -28,6 +28,7 @@ enum class BootStep : std::uint8_t {
   done,
 };
 
+/// What happened.
 enum class BootEvent : std::uint8_t {
   step,        ///< a step begins
   no_boot_up,  ///< no boot-up message after a reset: 1000h is requested again
@@ -42,14 +43,15 @@ enum class BootEvent : std::uint8_t {
   unknown,     ///< a boot-up message of a node that is not a slave (A)
 };
 
+/// A step or an event of one slave.
 struct BootReport {
-  NodeId slave = 0;
-  BootEvent event = BootEvent::step;
+  NodeId slave = 0;                   ///< node-ID, 1 to 127
+  BootEvent event = BootEvent::step;  ///< what happened
   BootStep step = BootStep::waiting;  ///< step that begins, or in which the event occurred
-  BootOutcome outcome = {};
-  std::uint32_t expected = 0;  ///< of a step with a comparison
-  std::uint32_t found = 0;
-  Duration delay{};  ///< of `slowed`
+  BootOutcome outcome = {};           ///< of an attempt that failed, or was left (L)
+  std::uint32_t expected = 0;         ///< of a step with a comparison
+  std::uint32_t found = 0;            ///< of a step with a comparison
+  Duration delay{};                   ///< of `slowed`
 };
 
 /// State of the network as a whole.

@@ -21,6 +21,7 @@
 
 namespace canvoy {
 
+/// Times of the boot-up that no object of the dictionary sets.
 struct BootOptions {
   /// Time for the boot-up message of a slave after its reset.
   Duration boot_up_time_out = 1s;
@@ -34,21 +35,24 @@ struct BootOptions {
 
 /// Common data of all slots of a master.
 struct BootContext {
-  Node& node;
-  NmtMaster& master;
-  NmtQueue& commands;
-  BootHooks hooks;
-  GuardingHooks guarding;
-  BootOptions options;
-  Callback<void(const BootReport&)> report;
+  Node& node;                                ///< of the master
+  NmtMaster& master;                         ///< states of all nodes
+  NmtQueue& commands;                        ///< NMT commands leave in order
+  BootHooks hooks;                           ///< software and configuration
+  GuardingHooks guarding;                    ///< node guarding
+  BootOptions options;                       ///< times and resets
+  Callback<void(const BootReport&)> report;  ///< of each step and event
 };
 
+/// A slot: boots one slave at a time, by an SDO client of its own, which needs a route.
 class BootSlave {
  public:
+  /// Makes an idle slot. `node` must outlive it.
   explicit BootSlave(Node& node);
   BootSlave(const BootSlave&) = delete;
   BootSlave& operator=(const BootSlave&) = delete;
 
+  /// True while a slave is being booted here.
   bool busy() const { return slave_ != 0; }
   /// Slave in this slot; 0 while it is idle.
   NodeId slave() const { return slave_; }

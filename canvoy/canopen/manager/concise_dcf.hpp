@@ -21,7 +21,7 @@ namespace canvoy {
 
 /// Source of bytes: in flash, in a file, or behind a domain.
 struct ByteSource {
-  std::uint32_t size = 0;
+  std::uint32_t size = 0;  ///< in bytes
   /// Fills `bytes` from `offset` on; called within `size` only. An abort code ends the reading.
   Callback<AbortCode(std::uint32_t offset, std::span<std::uint8_t> bytes)> read;
 };
@@ -33,8 +33,8 @@ class ConciseDcf {
  public:
   /// One entry to write.
   struct Item {
-    std::uint16_t index = 0;
-    std::uint8_t sub = 0;
+    std::uint16_t index = 0;   ///< of the object to write
+    std::uint8_t sub = 0;      ///< sub-index
     std::uint32_t size = 0;    ///< of the value, in bytes
     std::uint32_t offset = 0;  ///< of the value, in the source
   };
@@ -47,7 +47,9 @@ class ConciseDcf {
   /// source.
   AbortCode read(const Item& item, std::uint32_t offset, std::span<std::uint8_t> bytes) const;
 
+  /// True if all entries were read.
   bool at_end() const { return position_ == count_; }
+  /// Number of entries that it says to have; 0 before open().
   std::uint32_t count() const { return count_; }
   std::uint32_t position() const { return position_; }  ///< number of entries read
 

@@ -23,10 +23,11 @@ class ConfigurationDownload {
   /// itself is wrong, the index is 0.
   struct Outcome {
     SdoEnd end = {};
-    std::uint16_t index = 0;
-    std::uint8_t sub = 0;
+    std::uint16_t index = 0;    ///< of the object that was refused
+    std::uint8_t sub = 0;       ///< sub-index
     std::uint32_t written = 0;  ///< number of entries
   };
+  /// Called once at the end, with how far it came.
   using Done = Callback<void(const Outcome&)>;
 
   ConfigurationDownload() = default;
@@ -43,8 +44,11 @@ class ConfigurationDownload {
   /// Ends it without using the client, which belongs to another service already.
   void forget() { busy_ = false; }
 
+  /// True from start() until `done` or cancel().
   bool busy() const { return busy_; }
+  /// Number of entries in the concise DCF.
   std::uint32_t entries() const { return dcf_.count(); }
+  /// Number of entries that the slave has taken.
   std::uint32_t entries_written() const { return written_; }
 
  private:

@@ -25,17 +25,18 @@ namespace canvoy {
 
 /// Outcome of a slave's configuration.
 struct ConfigurationOutcome {
+  /// How it ended.
   enum class Kind : std::uint8_t {
     up_to_date,     ///< 1020h of the slave has the expected date and time: nothing was written
     downloaded,     ///< all entries, and date and time if they are expected
     nothing_known,  ///< neither a concise DCF nor an expected date: nothing to do
     failed,
   };
-  Kind kind = Kind::failed;
+  Kind kind = Kind::failed;  ///< see Kind
   SdoEnd end = {};
   /// Object of the slave at which it failed; 0: the concise DCF itself is wrong.
   std::uint16_t index = 0;
-  std::uint8_t sub = 0;
+  std::uint8_t sub = 0;       ///< sub-index
   std::uint32_t written = 0;  ///< number of entries
 };
 
@@ -55,7 +56,9 @@ struct ConfigurationOutcome {
 /// stopped fails them (device_state).
 class ConfigurationManager {
  public:
+  /// Called for a slave that update() or 1F25h asked for.
   using Done = Callback<void(NodeId, const ConfigurationOutcome&)>;
+  /// Which slaves update() configures.
   enum class When : std::uint8_t {
     different,  ///< only if the slave's date and time differ
     always,
@@ -66,12 +69,16 @@ class ConfigurationManager {
   /// Configures one slave at a time. Each needs a route of the node.
   class Worker {
    public:
+    /// Makes a worker; `node` is that of the manager, and must outlive it.
     explicit Worker(Node& node) : node_(node), own_client_(node) {}
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
 
+    /// True if no slave is being configured here.
     bool idle() const { return slave_ == 0; }
+    /// Slave that is being configured; 0 while it is idle.
     NodeId slave() const { return slave_; }
+    /// The download, for its progress.
     const ConfigurationDownload& download() const { return download_; }
 
    private:
@@ -138,6 +145,7 @@ class ConfigurationManager {
   /// Configures one slave of the boot-up procedure, on the client of the task. Replaces what was
   /// under way for the slave. Ends with out_of_memory if there are fewer workers than such tasks.
   void boot(const BootTask& task);
+  /// Ends the task for a slave of the boot-up procedure without an answer to it.
   void abandon(NodeId slave);
 
   /// True if the configuration of a slave is under way, or waits.

@@ -21,11 +21,11 @@ inline constexpr std::uint16_t dynamic_sdo_request = 0x6E0;
 }  // namespace can_id
 
 namespace dynamic_sdo {
-inline constexpr std::uint16_t request = 0x1F00;
-inline constexpr std::uint16_t release = 0x1F01;
-inline constexpr std::uint16_t cob_ids = 0x1F02;
+inline constexpr std::uint16_t request = 0x1F00;      ///< request a connection
+inline constexpr std::uint16_t release = 0x1F01;      ///< release a connection
+inline constexpr std::uint16_t cob_ids = 0x1F02;      ///< that the manager may assign
 inline constexpr std::uint16_t connections = 0x1F03;  ///< 1F03h to 1F06h
-inline constexpr std::uint16_t state = 0x1F10;
+inline constexpr std::uint16_t state = 0x1F10;        ///< of the requesting device: DynamicSdoState
 
 /// True for an SDO client parameter: 1280h to 12FFh.
 constexpr bool is_client_parameter(unsigned index) {
@@ -48,6 +48,7 @@ enum class DynamicSdoError : std::uint8_t {
 /// Contents of 1F10h: written by the device before its request, and by the SDO manager as an
 /// answer.
 struct DynamicSdoState {
+  /// Bits 2 and 1 of 1F10h.
   enum class Status : std::uint8_t {
     failed = 0,  ///< with an error code; without one, a request without an answer yet
     registered = 1,
@@ -55,18 +56,20 @@ struct DynamicSdoState {
     connected = 3,
   };
 
-  std::uint16_t client_parameter = 0;  ///< index of the SDO client: 1280h + n
-  DynamicSdoError error = DynamicSdoError::none;
-  Status status = Status::failed;
+  std::uint16_t client_parameter = 0;             ///< index of the SDO client: 1280h + n
+  DynamicSdoError error = DynamicSdoError::none;  ///< if failed
+  Status status = Status::failed;                 ///< see Status
   bool wants_all = false;  ///< all default SDO channels, instead of one connection
 
   constexpr DynamicSdoState() = default;
+  /// Takes a value of 1F10h apart; of 64 bits, the lower 32 count.
   constexpr explicit DynamicSdoState(std::uint64_t value)
       : client_parameter(static_cast<std::uint16_t>(value >> 16)),
         error(static_cast<DynamicSdoError>(static_cast<std::uint8_t>(value >> 8))),
         status(static_cast<Status>(value >> 1 & 3)),
         wants_all((value & 1) != 0) {}
 
+  /// Value of 1F10h.
   constexpr std::uint32_t value() const {
     return static_cast<std::uint32_t>(client_parameter) << 16 |
            static_cast<std::uint32_t>(error) << 8 | static_cast<std::uint32_t>(status) << 1 |
@@ -85,10 +88,12 @@ struct DynamicSdoRequest {
   NodeId device = 0;                   ///< the requesting device
   NodeId server = 0;                   ///< 1F01h: 0 means the registration, and all connections
 
+  /// Value to write: client parameter (bits 31 to 16), device, server.
   constexpr std::uint32_t value() const {
     return static_cast<std::uint32_t>(client_parameter) << 16 |
            static_cast<std::uint32_t>(device) << 8 | server;
   }
+  /// Takes a written value apart; of 64 bits, the lower 32 count.
   static constexpr DynamicSdoRequest from(std::uint64_t value) {
     return {.client_parameter = static_cast<std::uint16_t>(value >> 16),
             .device = static_cast<NodeId>(value >> 8),

@@ -14,11 +14,13 @@
 
 namespace canvoy {
 
+/// Serves reads of 1F22h; a slave without an item has no content there.
 class FixedConfigurations {
  public:
+  /// The configuration of one slave.
   struct Item {
-    NodeId slave = 0;
-    std::span<const std::uint8_t> concise_dcf;
+    NodeId slave = 0;                           ///< node-ID, the sub-index of 1F22h
+    std::span<const std::uint8_t> concise_dcf;  ///< the whole domain
   };
 
   /// Makes the object; `items` and their data must outlive it.

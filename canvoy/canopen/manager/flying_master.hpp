@@ -30,18 +30,20 @@ namespace canvoy {
 /// no node is left to acknowledge it, and they would send it forever.
 class FlyingMaster {
  public:
+  /// CAN-IDs of the negotiation, and what is not certain.
   struct Options {
-    std::uint16_t active_master = 0x071;  ///< priority and node-ID of the active master
-    std::uint16_t negotiation = 0x072;    ///< competitors begin to count
-    std::uint16_t active_master_request = 0x073;
-    std::uint16_t capable_answer = 0x074;  ///< a device that may be NMT master is present
-    std::uint16_t capable_request = 0x075;
-    std::uint16_t force_negotiation = 0x076;
+    std::uint16_t active_master = 0x071;          ///< priority and node-ID of the active master
+    std::uint16_t negotiation = 0x072;            ///< competitors begin to count
+    std::uint16_t active_master_request = 0x073;  ///< is there an active master?
+    std::uint16_t capable_answer = 0x074;         ///< a device that may be NMT master is present
+    std::uint16_t capable_request = 0x075;        ///< which devices may be NMT master?
+    std::uint16_t force_negotiation = 0x076;      ///< all begin again
     /// Whether a lower node-ID of the same priority forces a negotiation.
     bool node_id_forces = false;
     /// Whether all nodes are reset the first time that no master is found.
     bool resets_all = true;
   };
+  /// Role in the negotiation.
   enum class State : std::uint8_t {
     off,          ///< not a flying master by 1F80h
     waiting,      ///< after a reset
@@ -53,16 +55,19 @@ class FlyingMaster {
 
   /// Makes the service, which needs six routes. All arguments must outlive it.
   FlyingMaster(Node& node, NmtQueue& commands, BootManager& manager);
+  /// Like the above, with other options. All must outlive it.
   FlyingMaster(Node& node, NmtQueue& commands, BootManager& manager, const Options& options);
   FlyingMaster(const FlyingMaster&) = delete;
   FlyingMaster& operator=(const FlyingMaster&) = delete;
 
+  /// Sets the callback for each change of state().
   void on_change(Callback<void(State)> changed) { changed_ = changed; }
 
   /// Requests the devices that may be NMT master: `found` is called with true for each answer, and
   /// with false when the time (1F91h:01h) is over.
   void find_capable(Callback<void(bool)> found);
 
+  /// Role of this node at present.
   State state() const { return state_; }
   /// Node-ID of the active master; 0 if unknown.
   NodeId active_master() const { return active_; }

@@ -15,7 +15,9 @@ namespace canvoy {
 struct GuardingHooks {
   /// Starts guarding of a slave; false if that is not possible.
   Callback<bool(NodeId, Duration guard_time, std::uint8_t factor)> start = {};
+  /// Ends guarding of a slave, if it was guarded.
   Callback<void(NodeId)> stop = {};
+  /// True if a slave is guarded: read in 1F83h.
   Callback<bool(NodeId)> is_guarded = {};
 };
 

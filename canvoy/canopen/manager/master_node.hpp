@@ -18,6 +18,7 @@
 
 namespace canvoy {
 
+/// Room of a MasterNode, at compile time.
 struct MasterSize {
   std::size_t slots = 4;       ///< slaves that are booted at once
   std::size_t guarded = 0;     ///< slaves monitored by node guarding
@@ -49,11 +50,17 @@ class MasterNode {
   MasterNode(const MasterNode&) = delete;
   MasterNode& operator=(const MasterNode&) = delete;
 
+  /// The master's own node: frames and points in time are handed to it.
   Node& node() { return device_.node(); }
+  /// Object dictionary of the master.
   Dictionary& dictionary() { return device_.dictionary(); }
+  /// The DeviceNode within, for the other services.
   auto& device() { return device_; }
+  /// States of all nodes; its commands bypass the inhibit time.
   NmtMaster& nmt_master() { return nmt_master_; }
+  /// NMT commands in order, with the inhibit time (102Ah) between two.
   NmtQueue& commands() { return commands_; }
+  /// Boots the network; for callbacks and states.
   BootManager& boot_manager() { return boot_manager_; }
 
  private:

@@ -13,14 +13,16 @@
 
 namespace canvoy {
 
+/// A queue of a fixed size, in memory of the owner.
 class NmtQueue {
  public:
-  static constexpr NodeId all_nodes = 0;
+  static constexpr NodeId all_nodes = 0;  ///< the node-ID of a command that all obey
 
+  /// A command that waits.
   struct Request {
-    NodeId node = all_nodes;
-    NmtCommand command = NmtCommand::start;
-    bool spares_master = false;  ///< a command to all excludes this node
+    NodeId node = all_nodes;                 ///< node-ID, or all_nodes
+    NmtCommand command = NmtCommand::start;  ///< command specifier
+    bool spares_master = false;              ///< a command to all excludes this node
   };
 
   /// Makes the queue. `memory` is for waiting requests; it must outlive the queue.

@@ -29,8 +29,9 @@ class NmtRequests {
     reset_communication = 7,
     pre_operational = 0x7F,
   };
-  static constexpr std::uint8_t all_nodes = 128;
+  static constexpr std::uint8_t all_nodes = 128;  ///< sub-index 80h
 
+  /// Attaches to the node. Without `guarding`, 1F83h refuses writes. All must outlive it.
   NmtRequests(Node& node, const NmtMaster& master, NmtQueue& commands, const BootManager& manager,
               const GuardingHooks& guarding = {});
   NmtRequests(const NmtRequests&) = delete;

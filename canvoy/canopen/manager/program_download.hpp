@@ -30,8 +30,9 @@ enum class ProgramStep : std::uint8_t {
   done,
 };
 
+/// What to do with one node.
 struct ProgramPlan {
-  NodeId server = 0;
+  NodeId server = 0;              ///< node-ID, 1 to 127
   std::uint8_t number = 1;        ///< of the program: the sub-index
   SdoClient::Supply supply = {};  ///< gives the program, in order
   std::uint32_t size = 0;         ///< of the program, in bytes
@@ -39,7 +40,7 @@ struct ProgramPlan {
   std::optional<std::uint32_t> identification = {};
   /// For 1F52h: days since 1984, and ms since midnight. A node that refuses them is accepted.
   std::optional<std::array<std::uint32_t, 2>> date = {};
-  bool start = true;
+  bool start = true;  ///< start it at the end
 };
 
 /// End of a download: step and reason.
@@ -55,6 +56,7 @@ struct ProgramOutcome {
 /// answer to "start" has left with its new program: that is success.
 class ProgramDownload {
  public:
+  /// Limits of waiting.
   struct Settings {
     Duration answer_time_out = 1s;    ///< of SDO
     Duration clear_time_out = 30s;    ///< for the answer to "clear": some nodes clear before it
@@ -62,10 +64,12 @@ class ProgramDownload {
     Duration flash_time_out = 60s;    ///< until 1F57h is not busy
     Duration restart_time_out = 10s;  ///< for a node that was stopped
   };
+  /// Called once, at the end.
   using Done = Callback<void(const ProgramOutcome&)>;
 
   /// Makes the object. `client` must be idle while this object is busy. Both must outlive it.
   ProgramDownload(Node& node, SdoClient& client) : ProgramDownload(node, client, Settings{}) {}
+  /// Like the above, with other limits of waiting.
   ProgramDownload(Node& node, SdoClient& client, const Settings& settings)
       : node_(node), client_(client), settings_(settings) {}
   ~ProgramDownload() { cancel(); }
@@ -80,7 +84,9 @@ class ProgramDownload {
   /// Like cancel(), but for a client that belongs to another service already.
   void forget();
 
+  /// True from begin() until `done` or cancel().
   bool busy() const { return step_ != ProgramStep::done; }
+  /// Step that is under way; done before the first download and after the last.
   ProgramStep step() const { return step_; }
   /// Number of program bytes sent.
   std::size_t transferred() const;

@@ -34,6 +34,7 @@ class ProgramManager {
   /// Sees to one slave at a time.
   class Worker {
    public:
+    /// Makes a worker; `node` must outlive it.
     explicit Worker(Node& node) : node_(node) {}
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
@@ -85,7 +86,9 @@ class ProgramManager {
   /// Sets the hooks of the boot-up procedure. An earlier function for abandoned slaves is still
   /// called.
   void serve(BootHooks& hooks);
+  /// Checks the program of one slave, on the client of the task; BootHooks::update_program.
   void boot(const BootTask& task);
+  /// Ends the task for a slave without an answer to it; BootHooks::abandon.
   void abandon(NodeId slave);
 
  private:

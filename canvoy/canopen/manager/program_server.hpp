@@ -20,19 +20,19 @@ namespace canvoy {
 /// The memory of one program, owned by the device. The first 32 bytes of its flash mark the program
 /// behind them as complete; they are written last.
 struct ProgramSlot {
-  static constexpr std::uint32_t head_size = RecordHead::size;
+  static constexpr std::uint32_t head_size = RecordHead::size;  ///< in bytes
 
-  std::uint32_t address = 0;
-  std::uint32_t size = 0;  ///< whole sectors
+  std::uint32_t address = 0;  ///< of the slot in the flash
+  std::uint32_t size = 0;     ///< whole sectors
 
   // Present contents, maintained by the server.
   std::uint32_t length = 0;                ///< of the program
   std::uint32_t identification = 0;        ///< its CRC-32
   std::array<std::uint32_t, 2> date = {};  ///< days since 1984, ms since midnight
-  FlashStatus status = {};
-  bool valid = false;
-  bool cleared = false;
-  bool running = false;
+  FlashStatus status = {};                 ///< value of 1F57h
+  bool valid = false;                      ///< complete, and as it was downloaded
+  bool cleared = false;                    ///< ready for a download
+  bool running = false;                    ///< as ProgramHooks::control has done
 };
 
 /// The device's part of the download. All functions are optional.
@@ -57,8 +57,9 @@ struct ProgramHooks {
 /// Date and time that a client writes to 1F52h before a download ends are kept with program 1.
 class ProgramServer {
  public:
+  /// Times of waiting for the flash.
   struct Settings {
-    Duration poll_interval = 1ms;
+    Duration poll_interval = 1ms;  ///< of the flash, while it is busy
     /// Limit of polls of the flash until the bytes of a download are programmed; the download waits
     /// meanwhile.
     std::uint32_t polls_max = 100'000;
@@ -67,12 +68,14 @@ class ProgramServer {
   /// Makes the server, and reads all programs once. All arguments must outlive it.
   ProgramServer(Node& node, const Flash& flash, std::span<ProgramSlot> slots,
                 const ProgramHooks& hooks = {});
+  /// Like the above, with other times.
   ProgramServer(Node& node, const Flash& flash, std::span<ProgramSlot> slots,
                 const ProgramHooks& hooks, const Settings& settings);
   ~ProgramServer() { node_.timers().disarm(timer_); }
   ProgramServer(const ProgramServer&) = delete;
   ProgramServer& operator=(const ProgramServer&) = delete;
 
+  /// True if program `number` (from 1, must exist) is complete.
   bool is_valid(std::uint8_t number) const { return slots_[number - std::size_t{1}].valid; }
 
  private:

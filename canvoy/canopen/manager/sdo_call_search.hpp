@@ -14,6 +14,7 @@
 
 namespace canvoy {
 
+/// State of the search; asks no node itself.
 class SdoCallSearch {
  public:
   /// Resets everything.
@@ -21,6 +22,7 @@ class SdoCallSearch {
 
   /// Notes that a node is present, or was lost.
   void hear(NodeId node, bool is_there) { heard_[node] = is_there; }
+  /// True if a node was heard, and not lost since.
   bool was_heard(NodeId node) const { return heard_[node]; }
 
   /// Notes a call.

@@ -21,6 +21,7 @@ namespace canvoy {
 /// Handles one connection at a time.
 class SdoConnector {
  public:
+  /// Patience with the two ends.
   struct Settings {
     Duration time_out = 250ms;  ///< for one answer
     unsigned tries = 3;         ///< for each request
@@ -37,9 +38,11 @@ class SdoConnector {
 
   /// Opens a connection. It remains valid while this object is busy, even if it must end meanwhile.
   void open(SdoConnection& connection);
+  /// Closes a connection at both ends, as far as they are not gone.
   void close(SdoConnection& connection);
   /// Notifies a device that it gets no connection, with the error of `wanted`.
   void refuse(const SdoConnection& wanted);
+  /// True until the connection that was passed last is finished.
   bool busy() const { return busy_; }
   /// Stops without changing anything. The owner cancels the client.
   void reset();

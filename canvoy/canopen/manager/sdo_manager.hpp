@@ -43,6 +43,7 @@ namespace canvoy {
 /// bits 31 and 30 set.
 class SdoManager {
  public:
+  /// Patience with the nodes.
   struct Settings {
     Duration time_out = 250ms;      ///< for one answer when a connection is opened or closed
     unsigned tries = 3;             ///< for each such request
@@ -61,7 +62,9 @@ class SdoManager {
   /// Sets the callback for any change of connections: assigned, or beginning to end.
   void on_change(Callback<void(Time)> changed) { changed_ = changed; }
 
+  /// All places for connections; the unused ones included.
   std::span<const SdoConnection> connections() const { return connections_.all(); }
+  /// True while a node is asked, or a connection is opened or closed.
   bool busy() const { return asked_ != 0 || connector_.busy(); }
 
  private:

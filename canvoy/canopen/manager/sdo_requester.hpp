@@ -27,6 +27,7 @@ namespace canvoy {
 /// registers again, once, before it gives up.
 class SdoRequester {
  public:
+  /// Channel and times.
   struct Settings {
     std::uint8_t manager_client = 0;  ///< 1280h + this is the channel to the SDO manager
     Duration time_out = 500ms;        ///< for the registration, and for each request
@@ -37,6 +38,7 @@ class SdoRequester {
   /// by NMT.
   using Done = Callback<void(SdoEnd)>;
 
+  /// Makes the object; `node` must outlive it, and needs a route for its SDO client.
   SdoRequester(Node& node, const Settings& settings);
   SdoRequester(const SdoRequester&) = delete;
   SdoRequester& operator=(const SdoRequester&) = delete;
@@ -55,6 +57,7 @@ class SdoRequester {
   /// Returns everything, including the registration.
   bool leave();
 
+  /// True from a request until its end.
   bool busy() const { return state_ != State::idle; }
   /// True if the channel to the SDO manager is valid.
   bool registered() const;

@@ -18,20 +18,23 @@ namespace canvoy {
 /// The list stops at the first write that fails. A request without an answer is repeated.
 class SdoWriteList {
  public:
-  static constexpr std::size_t writes_max = 8;
+  static constexpr std::size_t writes_max = 8;  ///< of one list
 
+  /// One write.
   struct Write {
-    NodeId node = 0;
-    std::uint16_t index = 0;
-    std::uint8_t sub = 0;
-    std::uint32_t value = 0;
-    std::uint8_t size = 4;  ///< bytes of the value, 1 to 4
-    bool may_fail = false;  ///< the list continues after a failure
+    NodeId node = 0;          ///< node-ID; the own one needs no frame
+    std::uint16_t index = 0;  ///< of the object
+    std::uint8_t sub = 0;     ///< sub-index
+    std::uint32_t value = 0;  ///< little-endian in `size` bytes
+    std::uint8_t size = 4;    ///< bytes of the value, 1 to 4
+    bool may_fail = false;    ///< the list continues after a failure
   };
+  /// End of a list.
   struct Outcome {
     SdoEnd end = {};
     NodeId node = 0;  ///< node of the failed write
   };
+  /// Called once, at the end of run().
   using Done = Callback<void(const Outcome&)>;
 
   /// Makes a list. Each request is tried up to `tries` times, each with `time_out`. `client` must
@@ -46,6 +49,7 @@ class SdoWriteList {
     done_ = done;
     size_ = position_ = 0;
   }
+  /// Appends a write; beyond writes_max it is dropped.
   void add(const Write& write) {
     if (size_ < writes_max) writes_[size_++] = write;
   }

@@ -21,24 +21,27 @@ namespace canvoy {
 /// context; the report may call retire().
 class SlaveBoots {
  public:
+  /// Progress of a slave; none if it is not assigned.
   enum class State : std::uint8_t { none, waiting, booting, booted, failed };
   /// State of one slave.
   struct Record {
     Time due = never;  ///< of the next attempt, while it is waiting; of a start that found no room
     Time since{};      ///< begin of the boot time (1F89h)
-    State state = State::none;
-    BootError error = BootError::none;
-    SlaveRestarts restarts{};
+    State state = State::none;          ///< see State
+    BootError error = BootError::none;  ///< of the last attempt
+    SlaveRestarts restarts{};           ///< without a command
     bool is_fresh = false;    ///< has sent a boot-up message, and nothing was changed since
     bool was_tried = false;   ///< an attempt has ended
     bool is_started = false;  ///< commanded into operational, or about to be
     /// A reset was commanded during its boot-up: the next boot-up message is no fault.
     bool is_told_reset = false;
   };
+  /// Memory of the owner.
   struct Memory {
-    std::span<Record, node_id_max> records;
+    std::span<Record, node_id_max> records;  ///< by node-ID, from 1
     std::span<BootSlave> slots;  ///< number of slaves booted at once; each needs a route
   };
+  /// Callbacks of the owner.
   struct Owner {
     Callback<void(NodeId)> booted;  ///< a slave is booted: it may be started
     Callback<void()> changed;       ///< the state of a slave may have changed
@@ -49,6 +52,7 @@ class SlaveBoots {
   SlaveBoots(const SlaveBoots&) = delete;
   SlaveBoots& operator=(const SlaveBoots&) = delete;
 
+  /// Record of a slave, 1 to 127.
   const Record& record(NodeId slave) const { return memory_.records[slave - std::size_t{1}]; }
 
   /// Makes all assigned slaves (1F81h) due at once.
@@ -74,6 +78,7 @@ class SlaveBoots {
 
   /// Takes each error control message of each node.
   void heard(NodeId slave, RemoteState state);
+  /// Takes a change of a node's state, lost included.
   void changed(NodeId slave, RemoteState state);
   /// Notes that a booted slave is silent.
   void lost(NodeId slave);

@@ -16,7 +16,7 @@ namespace canvoy {
 /// restart the count starts again.
 class SlaveRestarts {
  public:
-  static constexpr Duration slowest = 8s;
+  static constexpr Duration slowest = 8s;  ///< longest delay of an attempt
 
   /// Counts a restart. Returns the time to wait, from zero to `slowest`; nothing if no attempt is
   /// left.

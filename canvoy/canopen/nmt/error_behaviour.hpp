@@ -15,7 +15,7 @@ namespace canvoy {
 /// the state changes.
 class ErrorBehaviour : private NodeService {
  public:
-  static constexpr std::uint8_t communication_error = 1;
+  static constexpr std::uint8_t communication_error = 1;  ///< sub-index of 1029h
 
   /// Makes the service. Without 1029h the code that checks writes to it is not linked.
   constexpr explicit ErrorBehaviour(Node& node, bool has_object = true)

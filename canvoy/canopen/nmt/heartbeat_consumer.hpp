@@ -25,6 +25,7 @@ namespace canvoy {
 /// the next heartbeat, and a lost node stays lost.
 class HeartbeatConsumer {
  public:
+  /// Moment from which on a node must send heartbeats.
   enum class Start : std::uint8_t {
     first_heartbeat,  ///< as CiA 301 requires
     configuration,    ///< when 1016h is set, so that a node that never appears is lost as well

@@ -13,6 +13,7 @@ namespace canvoy {
 /// does a missing 1017h.
 class HeartbeatProducer : private NodeService {
  public:
+  /// Attaches to the node; the first heartbeat follows its boot-up message.
   constexpr explicit HeartbeatProducer(Node& node)
       : NodeService({on_event, object, object}, EventMask::none),
         node_(node),

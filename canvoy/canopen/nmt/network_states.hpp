@@ -20,11 +20,13 @@ namespace canvoy {
 /// 127, the sender is in initialisation, or the command could not be sent.
 bool command_node(Node& node, NodeId node_id, NmtCommand command);
 
+/// NMT states of nodes 1 to 127. Needs no object in the dictionary, and takes 127 routes on a host.
 class NetworkStates : private NodeService {
  public:
   /// Number of routes: one for each of 127 node-IDs, none on a small machine.
   static constexpr std::size_t routes = is_small_machine ? 0 : node_id_max;
 
+  /// Attaches to the node, and takes its routes. A node-ID without a free route stays unknown.
   explicit NetworkStates(Node& node);
 
   /// Sets the callback for each change of a node's state, and its boot-up messages.

@@ -13,9 +13,10 @@
 
 namespace canvoy {
 
+/// An NMT master without a start-up of its own. A route is needed for each of 127 node-IDs.
 class NmtMaster {
  public:
-  static constexpr NodeId all_nodes = 0;
+  static constexpr NodeId all_nodes = 0;  ///< the node-ID of a command that all obey
 
   /// What the master knows of one node.
   class RemoteNode {
@@ -24,7 +25,9 @@ class NmtMaster {
     RemoteNode(const RemoteNode&) = delete;
     RemoteNode& operator=(const RemoteNode&) = delete;
 
+    /// Node-ID, 1 to 127.
     NodeId id() const { return id_; }
+    /// What its last message reported; lost after the time-out.
     RemoteState state() const { return state_; }
     /// When its last boot-up message or heartbeat came; meaningless while it is unknown.
     Time seen() const { return seen_; }

@@ -85,6 +85,7 @@ class NodeGuardingMaster {
 
   /// State of a node; unknown for a node that is not guarded.
   RemoteState state(NodeId node_id) const;
+  /// True from guard() to release() or an NMT reset of the master.
   bool guards(NodeId node_id) const { return find(node_id) != nullptr; }
 
  private:

@@ -19,6 +19,7 @@ namespace canvoy {
 /// master is not monitored.
 class NodeGuardingSlave {
  public:
+  /// Attaches to the node. Without 100Ch and 100Dh it answers, but does not monitor the master.
   explicit NodeGuardingSlave(Node& node);
   NodeGuardingSlave(const NodeGuardingSlave&) = delete;
   NodeGuardingSlave& operator=(const NodeGuardingSlave&) = delete;

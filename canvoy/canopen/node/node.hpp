@@ -37,13 +37,19 @@ struct Service {
   Service(const Service&) = delete;
   Service& operator=(const Service&) = delete;
 
+  /// At an NMT reset, and at start, when parameters have their power-on values again.
   Callback<void(ResetScope)> reset = {};
+  /// After the NMT state has changed. It may command another state, which ends this notification.
   Callback<void(NmtState)> state_entered = {};
+  /// After the state of the CAN controller has changed.
   Callback<void(BusState)> bus_state_changed = {};
+  /// An error appeared (`present`) or disappeared.
   Callback<void(const Error&, bool present)> error_changed = {};
+  /// Values that TPDOs map have changed: bit n for TPDO numbers that are n modulo 32.
   Callback<void(std::uint32_t)> values_changed = {};
+  /// Waiting frames have gone to the controller, which has room for more.
   Callback<void()> tx_ready = {};
-  HandlerBinding link{&calls, this};
+  HandlerBinding link{&calls, this};  ///< place among the services of the node
 
  private:
   template <auto callback, class... Arguments>
@@ -69,6 +75,8 @@ struct NodeMemory {
   std::span<Frame> backlog;         ///< frames that wait for the controller
 };
 
+/// The core of a device: NMT slave, dictionary and the way of frames. Compiled once for all
+/// devices.
 class Node {
  public:
   /// Counts frames that no service could use, and trouble on the bus.
@@ -105,6 +113,8 @@ class Node {
   /// Starts the node, as at power-on: initialisation, boot-up message, pre-operational.
   void start(Time now);
 
+  /// Takes a frame from the bus, and calls the services that wait for it. `now` must not be before
+  /// that of an earlier call. Frames that no service takes are counted only.
   void receive(const Frame& frame, Time now);
   /// Does what is due. Call it at deadline(), and after the application wrote values.
   void advance(Time now);
@@ -135,9 +145,13 @@ class Node {
 
   /// Attaches a service. Services are notified in the order of attachment.
   constexpr void attach(NodeService& service) { dictionary_.attach(service); }
+  /// Like attach(NodeService&), for a service with a table of handlers.
   constexpr void attach(HandlerBinding& service) { dictionary_.attach(service); }
+  /// Like attach(NodeService&), for callbacks of an application. `service` must outlive the node.
   void attach(Service& service) { attach(service.link); }
+  /// Reports an error that is present from now on. Errors with the same code and instance are one.
   void raise(const Error& error) { report(error, true); }
+  /// Reports that an error is gone. One that is not present has no effect.
   void clear(const Error& error) { report(error, false); }
   /// Reports an error that appeared (`is_present`) or disappeared.
   void report(const Error& error, bool is_present);
@@ -146,6 +160,7 @@ class Node {
   void finish_deferred(AbortCode answer) { std::exchange(deferred_, {})(answer); }
   /// Calls `done` once, with the answer of the deferred write.
   void await_deferred(Callback<void(AbortCode)> done) { deferred_ = done; }
+  /// True from a hook's answer `deferred` to finish_deferred().
   bool is_deferred() const { return static_cast<bool>(deferred_); }
   /// Sets the function that is called at each reset after the defaults are restored and before any
   /// service is notified, to write other power-on values (a device with values that depend on its
@@ -173,15 +188,25 @@ class Node {
   Time now() const { return timers_.now(); }
   /// Microseconds from `past` to now(), limited to UINT32_MAX.
   std::uint32_t elapsed_since(Time past) const;
+  /// Node-ID, 1 to 127, or node_id_unconfigured.
   NodeId id() const { return node_id_; }
+  /// Node-ID from the next NMT reset communication on, 1 to 127, or node_id_unconfigured.
   NodeId pending_id() const { return pending_id_; }
+  /// NMT state; initialisation before start(), and without a node-ID.
   NmtState state() const { return state_; }
+  /// State of the CAN controller, as bus_state(BusState, Time) reported it last.
   BusState bus_state() const { return bus_state_; }
+  /// Object dictionary, for the application and for services.
   constexpr Dictionary& dictionary() { return dictionary_; }
+  /// Object dictionary.
   const Dictionary& dictionary() const { return dictionary_; }
+  /// Routes of CAN-IDs, for services of an application.
   Router& router() { return router_; }
+  /// Timers, for services of an application; run by advance().
   constexpr TimerQueue& timers() { return timers_; }
+  /// Way out to the bus. Frames leave in the order in which they were sent.
   Transmitter& transmitter() { return transmitter_; }
+  /// Counts since the node was made; they wrap at 2^32.
   const Counters& counters() const { return counters_; }
 
  private:

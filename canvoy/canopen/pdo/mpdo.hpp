@@ -22,20 +22,21 @@
 
 namespace canvoy {
 
-inline constexpr unsigned sub_index_max = 0xFF;
+inline constexpr unsigned sub_index_max = 0xFF;   ///< the highest sub-index
 inline constexpr std::uint8_t mpdo_data_max = 4;  ///< bytes of one value
 
 /// Contents of one frame.
 struct Mpdo {
-  MpdoMode mode = MpdoMode::destination;
-  NodeId node = 0;  ///< DAM: the consumer, 0 for all; SAM: the producer
-  std::uint16_t index = 0;
-  std::uint8_t sub = 0;
+  MpdoMode mode = MpdoMode::destination;  ///< from the upper bit of the first byte
+  NodeId node = 0;                        ///< DAM: the consumer, 0 for all; SAM: the producer
+  std::uint16_t index = 0;                ///< object that the mode refers to
+  std::uint8_t sub = 0;                   ///< sub-index of the value
   std::array<std::uint8_t, mpdo_data_max> data = {};  ///< a shorter value comes first
 
   friend constexpr bool operator==(const Mpdo&, const Mpdo&) = default;
 };
 
+/// The frame's eight bytes: flag and node-ID, index, sub-index, data.
 inline PdoImage encode(const Mpdo& mpdo) {
   constexpr std::uint8_t destination_bit = 0x80;
   PdoImage image{};
@@ -47,6 +48,7 @@ inline PdoImage encode(const Mpdo& mpdo) {
   return image;
 }
 
+/// Takes eight bytes apart. Any eight bytes are a multiplexed PDO; a shorter frame is none.
 inline Mpdo decode_mpdo(const std::uint8_t* data) {
   constexpr std::uint8_t node_mask = 0x7F;
   Mpdo mpdo;
@@ -70,10 +72,11 @@ constexpr unsigned block_size(unsigned written) {
 /// An entry of an object scanner list (1FA0h to 1FCFh): an object that a SAM producer sends. Zero:
 /// unused.
 struct ScannerEntry {
-  std::uint16_t index = 0;
+  std::uint16_t index = 0;  ///< object in the producer
   std::uint8_t sub = 0;     ///< the first
   unsigned block_size = 1;  ///< consecutive sub-indices, up to FFh
 };
+/// Takes an entry apart: block size (bits 24 to 31, 0 counts as 1), index, sub-index.
 constexpr ScannerEntry decode_scanner_entry(std::uint32_t value) {
   return {static_cast<std::uint16_t>(value >> 8), static_cast<std::uint8_t>(value),
           detail::block_size(value >> 24)};
@@ -82,18 +85,20 @@ constexpr ScannerEntry decode_scanner_entry(std::uint32_t value) {
 /// An entry of an object dispatching list (1FD0h to 1FFFh): the object in which a SAM consumer
 /// stores what a producer sends. Zero: unused.
 struct DispatcherEntry {
-  NodeId producer = 0;
-  std::uint16_t producer_index = 0;
-  std::uint8_t producer_sub = 0;  ///< the first
-  std::uint16_t index = 0;        ///< of the consumer's object
-  std::uint8_t sub = 0;           ///< the first
-  unsigned block_size = 1;        ///< consecutive sub-indices of both objects
+  NodeId producer = 0;               ///< node-ID, 1 to 127
+  std::uint16_t producer_index = 0;  ///< object in the producer
+  std::uint8_t producer_sub = 0;     ///< the first
+  std::uint16_t index = 0;           ///< of the consumer's object
+  std::uint8_t sub = 0;              ///< the first
+  unsigned block_size = 1;           ///< consecutive sub-indices of both objects
 
+  /// True if the entry says where this value is stored.
   constexpr bool covers(const Mpdo& mpdo) const {
     return producer == mpdo.node && producer_index == mpdo.index && mpdo.sub >= producer_sub &&
            mpdo.sub - producer_sub < static_cast<int>(block_size);
   }
 };
+/// Takes an entry of 64 bits apart: block size, index and sub-index here, those there, producer.
 constexpr DispatcherEntry decode_dispatcher_entry(std::uint64_t value) {
   return {.producer = static_cast<NodeId>(value),
           .producer_index = static_cast<std::uint16_t>(value >> 16),
@@ -105,14 +110,14 @@ constexpr DispatcherEntry decode_dispatcher_entry(std::uint64_t value) {
 
 /// Indices of the objects of both kinds of lists, and of PDO parameters.
 namespace mpdo_list {
-inline constexpr std::uint16_t rpdo_first = object_index::rpdo_parameter;
-inline constexpr std::uint16_t rpdo_last = object_index::rpdo_parameter_last;
-inline constexpr std::uint16_t tpdo_first = object_index::tpdo_parameter;
-inline constexpr std::uint16_t tpdo_last = object_index::tpdo_parameter_last;
-inline constexpr std::uint16_t scanner_first = object_index::scanner_list;
-inline constexpr std::uint16_t scanner_last = object_index::scanner_list_last;
-inline constexpr std::uint16_t dispatcher_first = object_index::dispatching_list;
-inline constexpr std::uint16_t dispatcher_last = object_index::dispatching_list_last;
+inline constexpr std::uint16_t rpdo_first = object_index::rpdo_parameter;              ///< 1400h
+inline constexpr std::uint16_t rpdo_last = object_index::rpdo_parameter_last;          ///< 15FFh
+inline constexpr std::uint16_t tpdo_first = object_index::tpdo_parameter;              ///< 1800h
+inline constexpr std::uint16_t tpdo_last = object_index::tpdo_parameter_last;          ///< 19FFh
+inline constexpr std::uint16_t scanner_first = object_index::scanner_list;             ///< 1FA0h
+inline constexpr std::uint16_t scanner_last = object_index::scanner_list_last;         ///< 1FCFh
+inline constexpr std::uint16_t dispatcher_first = object_index::dispatching_list;      ///< 1FD0h
+inline constexpr std::uint16_t dispatcher_last = object_index::dispatching_list_last;  ///< 1FFFh
 }  // namespace mpdo_list
 
 /// Checks a write to a communication parameter of a PDO: a valid multiplexed PDO must be

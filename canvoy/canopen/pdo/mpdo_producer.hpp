@@ -15,8 +15,8 @@ namespace canvoy {
 
 /// One object of the scanner lists. The owner of MpdoProducer provides the memory.
 struct ScannedObject {
-  std::uint16_t index = 0;
-  std::uint8_t sub = 0;
+  std::uint16_t index = 0;                            ///< in the dictionary of the producer
+  std::uint8_t sub = 0;                               ///< sub-index
   bool waits = false;                                 ///< must be sent
   std::array<std::uint8_t, mpdo_data_max> sent = {};  ///< the last value sent
 };
@@ -38,7 +38,7 @@ class MpdoProducer {
   /// A waiting DAM frame.
   struct Message {
     std::uint16_t number = 0;  ///< of the TPDO
-    Mpdo mpdo;
+    Mpdo mpdo;                 ///< what it carries
   };
 
   /// Makes the producer. `scanned` has room for the objects of all scanner lists: entries that need

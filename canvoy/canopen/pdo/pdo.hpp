@@ -107,8 +107,8 @@ static_assert(!is_small_machine || sizeof(void*) > 4 || sizeof(Pdo) == 20,
 
 /// Differences between the two directions: constant.
 struct PdoKind {
-  PdoDirection direction;
-  Access mappable;
+  PdoDirection direction;            ///< of the frames, as this node sees them
+  Access mappable;                   ///< right that an entry needs to be mapped
   std::uint16_t parameter_first;     ///< index of the first communication record
   Router::Receiver::Function route;  ///< called with the Pdo as its object
   /// Handles an event for one PDO. Events of the whole service are passed to each.
@@ -121,9 +121,11 @@ class PdoService : protected NodeService {
   PdoService(const PdoService&) = delete;
   PdoService& operator=(const PdoService&) = delete;
 
+  /// Number of PDOs with memory, 512 at most; not all need be in the dictionary.
   std::size_t size() const { return count_; }
   /// Lowest number with memory; size() - 1 more follow.
   std::uint16_t first() const { return first_; }
+  /// True if the PDO `number`, counted from 1, has memory.
   bool has(std::uint16_t number) const { return position_of(number) < count_; }
   /// For hosts: number of reads of mapping entries since the start. An entry is read when a mapping
   /// is set, never for a frame.

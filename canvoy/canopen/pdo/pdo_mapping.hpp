@@ -20,13 +20,15 @@ namespace canvoy {
 
 inline constexpr unsigned pdo_count_max = 512;  ///< for one direction
 inline constexpr unsigned pdo_values_max = 64;  ///< mapped into one PDO
-inline constexpr unsigned pdo_bytes_max = 8;
+inline constexpr unsigned pdo_bytes_max = 8;    ///< data of a classical CAN frame
 
+/// Direction as the node sees it: RPDO or TPDO.
 enum class PdoDirection : std::uint8_t { receive, transmit };
 
 /// Value of sub-index 00h of the mapping record of a multiplexed PDO.
 enum class MpdoMode : std::uint8_t { none = 0, source = 0xFE, destination = 0xFF };
 
+/// Mode for the value of sub-index 00h; none for the 0 to 64 entries of an ordinary PDO.
 constexpr MpdoMode mpdo_mode(unsigned mapped_entries) {
   constexpr auto first = static_cast<unsigned>(MpdoMode::source);
   return mapped_entries - first <= 1 ? static_cast<MpdoMode>(mapped_entries) : MpdoMode::none;
@@ -38,6 +40,7 @@ using PdoImage = std::array<std::uint8_t, pdo_bytes_max>;
 /// Set of PDOs of one direction by position, one bit for each.
 class PdoSet {
  public:
+  /// Adds or removes a member; `position` is 0 to 511.
   void set(unsigned position, bool is_in) {
     const std::uint64_t bit = std::uint64_t{1} << position % 64;
     std::uint64_t& word = words_[position / 64];
@@ -62,7 +65,7 @@ class PdoSet {
 /// machine needs none.
 class MappedValue {
  public:
-  static constexpr std::uint32_t offset_max = 0x1FF'FFFF;
+  static constexpr std::uint32_t offset_max = 0x1FF'FFFF;  ///< 32 MiB of values in a dictionary
   static constexpr unsigned bytes_max = 16;  ///< for the greatest number of bits that fits
 
   /// Operations beside copying: bits.
@@ -87,10 +90,15 @@ class MappedValue {
     sub_ = place.sub;
     return !is_same;
   }
+  /// Place of the value in the dictionary.
   EntryPlace place() const { return {offset(), object_, row_, index_, sub_}; }
+  /// Bytes from the start of the dictionary's values; 0 to offset_max.
   std::uint32_t offset() const { return offset_and_bits_ & offset_max; }
+  /// Mapped length in bits; 0: nothing is mapped here.
   unsigned bits() const { return offset_and_bits_ >> bits_shift; }
+  /// All deeds, as bits.
   unsigned deeds() const { return deeds_; }
+  /// True if one of these deeds is needed.
   bool is(unsigned deeds) const { return (deeds_ & deeds) != 0; }
   /// Lowest and highest value, if it has a range.
   const std::int64_t* limits() const { return limits_; }
@@ -103,6 +111,7 @@ class MappedValue {
     next_ = hooks.before_row;
     bucket_ = hooks.after_row;
   }
+  /// Services to ask and to notify, for an RPDO.
   EntryHooks hooks() const {
     return {.service = asked_, .before_row = next_, .after_row = bucket_};
   }
@@ -110,6 +119,7 @@ class MappedValue {
   const HandlerBinding* notified() const {
     return bucket_ == EntryHooks::any_row ? nullptr : static_cast<const HandlerBinding*>(asked_);
   }
+  /// Row of the notified() service's table with after_write, or EntryHooks::any_row.
   unsigned after_row() const { return bucket_; }
   /// For a TPDO, which is in PlacesOfValues.
   void resolve(unsigned deeds) { deeds_ = static_cast<std::uint8_t>(deeds); }
@@ -139,10 +149,12 @@ static_assert(sizeof(void*) != 8 || sizeof(MappedValue) == 32,
 /// Finds mapped values by their places: a hash table in their own memory.
 class PlacesOfValues {
  public:
-  static constexpr unsigned nothing = UINT32_MAX;
+  static constexpr unsigned nothing = UINT32_MAX;  ///< no position
 
+  /// Makes an empty table; `count` is at most 65,534.
   PlacesOfValues(MappedValue* values, unsigned count) : values_(values), count_(count) {}
 
+  /// Removes all values. Linear in their number.
   void clear() {
     for (unsigned i = 0; i < count_; ++i) values_[i].bucket_ = 0;
   }
@@ -154,6 +166,7 @@ class PlacesOfValues {
   }
   /// Positions of the values at `place`, one after the other; nothing after the last one.
   unsigned first(std::uint32_t place) const { return seek(values_[hash(place)].bucket_, place); }
+  /// Position of the next value at the place of the one at `position`.
   unsigned next(unsigned position) const {
     return seek(values_[position].next_, values_[position].offset());
   }

@@ -15,15 +15,17 @@
 
 namespace canvoy {
 
+/// A receive PDO: memory for Rpdos.
 using Rpdo = Pdo;
 
 /// Outcome for a multiplexed PDO, and the object that it was for.
 struct MpdoAnswer {
+  /// What became of it: not listed, written, no such object, or refused by it.
   enum Outcome : std::uint8_t { ignored, taken, missing, refused };
 
-  Outcome outcome = ignored;
-  std::uint16_t index = 0;
-  std::uint8_t sub = 0;
+  Outcome outcome = ignored;  ///< see Outcome
+  std::uint16_t index = 0;    ///< object of this node, if missing or refused
+  std::uint8_t sub = 0;       ///< sub-index
 };
 /// Takes the eight bytes of a multiplexed PDO, and passes the outcome to Rpdos::finish(): see
 /// MpdoConsumer.

@@ -18,6 +18,7 @@
 
 namespace canvoy {
 
+/// A transmit PDO: memory for Tpdos.
 using Tpdo = Pdo;
 
 /// An event for a multiplexed TPDO.
@@ -33,6 +34,7 @@ enum class MpdoEvent : std::uint8_t {
 /// Functions by which multiplexed TPDOs obtain what they send: constant; each takes the source
 /// first, then the number of the TPDO.
 struct MpdoCalls {
+  /// Notifies of an event; all but MpdoEvent::transmit.
   void (*event)(void*, std::uint16_t number, MpdoMode, MpdoEvent);
   /// Called when transmission is possible: Tpdos::send_mpdo() takes one frame after the other.
   void (*transmit)(void*, std::uint16_t number, MpdoMode);
@@ -42,8 +44,8 @@ struct MpdoCalls {
 
 /// Source of multiplexed TPDOs: see MpdoProducer.
 struct MpdoSource {
-  const MpdoCalls* calls = nullptr;
-  void* source = nullptr;
+  const MpdoCalls* calls = nullptr;  ///< null: no TPDO can be multiplexed
+  void* source = nullptr;            ///< first argument of each call
 };
 
 /// All TPDOs of a node. They transmit in NMT state operational only.
@@ -87,6 +89,7 @@ class Tpdos : public PdoService {
   /// Decides whether an event-driven TPDO that becomes active is sent for that; false: it waits for
   /// an event. For profiles with values that cause no events until they are enabled.
   using MayBegin = bool (*)(const Dictionary& dictionary, std::uint16_t number);
+  /// Replaces the choice that AtStart made. `may_begin` is asked each time; null: always sent.
   void ask_at_start(MayBegin may_begin) { may_begin_ = may_begin; }
 
   /// Reports an event of the application: the PDO is sent as if a value had changed. False if its

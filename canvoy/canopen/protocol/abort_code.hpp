@@ -6,6 +6,8 @@
 
 namespace canvoy {
 
+/// Reason of a refusal, or of the early end of a transfer, with its number on the wire. `none` is
+/// never sent; an unknown number of a server is kept as it is.
 enum class AbortCode : std::uint32_t {
   none = 0,
   toggle_bit = 0x0503'0000,
@@ -53,8 +55,10 @@ template <class Value>
 class [[nodiscard]] Result {
  public:
   constexpr Result() = default;
+  /// A value: the operation has succeeded.
   constexpr Result(Value value)
       : value_(std::move(value)) {}  // NOLINT(google-explicit-constructor): as return value
+  /// A refusal, without a value; `abort` is not none.
   constexpr Result(AbortCode abort)
       : abort_(abort) {}  // NOLINT(google-explicit-constructor): as return value
 
@@ -64,6 +68,7 @@ class [[nodiscard]] Result {
   constexpr explicit operator bool() const { return abort_ == AbortCode::none; }
   constexpr const Value& operator*() const { return value_; }
   constexpr const Value* operator->() const { return &value_; }
+  /// The reason of a refusal; none if there is a value.
   constexpr AbortCode abort() const { return abort_; }
 
  private:

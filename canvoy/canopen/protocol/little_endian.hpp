@@ -17,10 +17,12 @@ static_assert(
 
 /// Loads an unsigned number of `size` bytes, of which the first four count.
 std::uint32_t load_word(const std::uint8_t* bytes, std::size_t size);
+/// Loads an unsigned number of all bytes, of which the first four count.
 inline std::uint32_t load_word(std::span<const std::uint8_t> bytes) {
   return load_word(bytes.data(), bytes.size());
 }
 
+/// Loads a number of the size of `Number`; `bytes` need not be aligned.
 template <class Number>
 Number load(const std::uint8_t* bytes) {
   // Few processors of small machines can load unaligned words; a copy costs a call.
@@ -35,6 +37,7 @@ Number load(const std::uint8_t* bytes) {
   return number;
 }
 
+/// Stores a number in as many bytes as `Number` has; `bytes` need not be aligned.
 template <class Number>
 void store(std::uint8_t* bytes, Number number) {
   if constexpr (is_small_machine && std::is_same_v<Number, std::uint16_t>) {

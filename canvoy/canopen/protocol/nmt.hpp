@@ -22,6 +22,7 @@ constexpr bool has_services(NmtState state) {
 /// 7.2.8.2.2.1).
 inline constexpr unsigned guarding_toggle_bit = 0x80;
 
+/// NMT command specifier, first byte of the message with CAN-ID 000h (CiA 301, 7.2.8.3.1).
 enum class NmtCommand : std::uint8_t {
   start = 0x01,
   stop = 0x02,

@@ -22,6 +22,7 @@ namespace canvoy {
 
 class DeviceScan {
  public:
+  /// What to look for, and how fast.
   struct Options {
     std::uint16_t profile = 0;  ///< the lower word of 1000h
     Duration interval = 10ms;   ///< from one request to the next
@@ -29,11 +30,12 @@ class DeviceScan {
     Duration pause = 1s;        ///< from the end of one round over all nodes to the next
   };
 
-  static constexpr std::size_t requests_max = 4;
+  static constexpr std::size_t requests_max = 4;  ///< requests under way at a time
 
   /// Makes the scan. Requests use the default SDO channels of the nodes 1 to 127, except this one.
   DeviceScan(Node& node, const Options& options);
 
+  /// Sets the callback for the node that was found; the scan has stopped then.
   void on_found(Callback<void(NodeId)> found) { found_ = found; }
 
   /// Begins with the preferred nodes, then asks all of them, again and again until one is found;
@@ -41,7 +43,9 @@ class DeviceScan {
   void start(Duration later = {});
   /// Continues after a node that was found but is not the right one.
   void go_on();
+  /// Stops the scan. Requests under way are cancelled.
   void stop();
+  /// True from start() until a node is found, or stop().
   bool running() const { return running_; }
   /// Asks this node next, since it was heard. Ignores a number that is not a node-ID.
   void prefer(NodeId id) {

@@ -19,14 +19,14 @@ namespace canvoy {
 
 /// Values to replace; missing ones stay as in the description.
 struct IdentityValues {
-  std::optional<std::uint32_t> vendor_id = {};
-  std::optional<std::uint32_t> product_code = {};
-  std::optional<std::uint32_t> revision = {};
-  std::optional<std::uint32_t> serial_number = {};
+  std::optional<std::uint32_t> vendor_id = {};      ///< 1018h:01h
+  std::optional<std::uint32_t> product_code = {};   ///< 1018h:02h
+  std::optional<std::uint32_t> revision = {};       ///< 1018h:03h
+  std::optional<std::uint32_t> serial_number = {};  ///< 1018h:04h
   // The texts must outlive the Identity; a text that is too long for its entry is cut.
-  std::string_view device_name = {};
-  std::string_view hardware_version = {};
-  std::string_view software_version = {};
+  std::string_view device_name = {};       ///< 1008h; empty: as described
+  std::string_view hardware_version = {};  ///< 1009h; empty: as described
+  std::string_view software_version = {};  ///< 100Ah; empty: as described
 };
 
 /// Sets the values at power-on and at every NMT reset.

@@ -30,16 +30,18 @@
 
 namespace canvoy {
 
+/// Numbers that both ends of the access must agree on, and times of the node between them.
 struct RemoteSettings {
   std::uint16_t network = 2;       ///< of the bus behind the node
   std::uint8_t indication = 0xE0;  ///< a command that SDO does not use: E0h to FFh
+  /// Of devices' emergencies; invalid: none is sent.
   std::uint32_t emergency_cob_id = invalid_cob_id;
   /// Limit of the silence of device or client in a transfer: shorter than the time-out of clients.
   Duration time_out = std::chrono::milliseconds(800);
   /// Least time between two emergencies.
   Duration emergency_inhibit = std::chrono::milliseconds(10);
 
-  static constexpr std::uint32_t invalid_cob_id = 0x8000'0000;
+  static constexpr std::uint32_t invalid_cob_id = 0x8000'0000;  ///< bit 31 set
 };
 
 class RemoteAccess;
@@ -80,8 +82,11 @@ class RemoteChannel {
   Timer timer_{Callback<void(Time)>::to<&RemoteChannel::expired>(*this)};
 };
 
+/// The node's part of multi-level networking. Its channels replace the node's SDO servers on their
+/// COB-IDs only while a device is selected.
 class RemoteAccess {
  public:
+  /// Counts since construction; they wrap at 2^32.
   struct Counters {
     std::uint32_t transfers = 0;         ///< begun with devices behind the node
     std::uint32_t emergencies = 0;       ///< sent
@@ -101,13 +106,20 @@ class RemoteAccess {
   void receive_embedded(const Frame& frame, Time now);
 
   // Like those of the node.
+  /// See Node::start().
   void start(Time now) { node_.start(now); }
+  /// See Node::overrun(); for the host's bus.
   void overrun(Time now) { node_.overrun(now); }
+  /// See Node::advance().
   void advance(Time now) { node_.advance(now); }
+  /// See Node::deadline().
   Time deadline() const { return node_.deadline(); }
+  /// See Node::bus_state(); for the host's bus.
   void bus_state(BusState state, Time now) { node_.bus_state(state, now); }
+  /// See Node::tx_ready(); for the host's bus.
   void tx_ready(Time now) { node_.tx_ready(now); }
 
+  /// What was passed on, and what was lost.
   const Counters& counters() const { return counters_; }
 
  private:

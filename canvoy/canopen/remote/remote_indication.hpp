@@ -12,6 +12,7 @@
 
 namespace canvoy {
 
+/// One selection at a time, from a node to any module on its bus.
 class RemoteIndication {
  public:
   /// Called at the end: done, or the reason: aborted by the node, or no answer.
@@ -29,6 +30,7 @@ class RemoteIndication {
   AbortCode begin(NodeId module, NodeId device, Done done, Duration time_out);
   /// Ends it without a call of `done`.
   void cancel();
+  /// True while the confirmation is awaited.
   bool busy() const { return timer_.armed(); }
 
  private:

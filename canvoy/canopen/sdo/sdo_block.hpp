@@ -18,6 +18,7 @@
 
 namespace canvoy {
 
+/// True for the number of segments that a block may have: 1 to 127.
 constexpr bool is_block_size(unsigned segments) {
   return segments >= 1 && segments <= sdo::block_size_max;
 }
@@ -74,6 +75,7 @@ class SdoBlockSender {
 
   /// Contents of the end message, beside the command; the checksum is zero if unused.
   unsigned end_flags() const { return sdo::block_end | static_cast<unsigned>(unused_) << 2; }
+  /// Checksum of all data so far; 0 if unused.
   std::uint16_t crc() const { return crc_; }
 
  private:
@@ -117,8 +119,8 @@ class SdoBlockReceiver {
 
   /// Effect of a segment, in this order.
   struct Step {
-    AbortCode abort = AbortCode::none;
-    bool acknowledge = false;  ///< the block is complete
+    AbortCode abort = AbortCode::none;  ///< ends the transfer
+    bool acknowledge = false;           ///< the block is complete
   };
   /// Takes a segment. `write` takes seven bytes and returns an abort code. Aborts: sequence_number
   /// (not a number of this block), those of `write`.

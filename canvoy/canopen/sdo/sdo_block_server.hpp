@@ -34,6 +34,8 @@ class SdoBlockServer {
     server_.extension_ = &extension_;
     server_.node_.attach(service_);
   }
+  /// Like the above, with blocks of 127 segments: for a controller or a driver that buffers as many
+  /// frames.
   constexpr explicit SdoBlockServer(SdoServer& server)
       : SdoBlockServer(server, sdo::block_size_max) {}
   SdoBlockServer(const SdoBlockServer&) = delete;

@@ -21,8 +21,8 @@ inline constexpr std::uint16_t sdo_client_parameter =
     object_index::sdo_client;  ///< of SDO client 0
 /// Sub-indices: COB-IDs client to server and back, and the node-ID of the other side.
 inline constexpr std::uint8_t sdo_sub_request = 1;
-inline constexpr std::uint8_t sdo_sub_response = 2;
-inline constexpr std::uint8_t sdo_sub_peer = 3;
+inline constexpr std::uint8_t sdo_sub_response = 2;  ///< COB-ID server to client
+inline constexpr std::uint8_t sdo_sub_peer = 3;      ///< node-ID of the other side
 /// Limit of servers, and of clients, in a node.
 inline constexpr std::uint8_t sdo_channels_max = 128;
 
@@ -31,6 +31,7 @@ struct SdoChannel {
   std::uint16_t request = 0;   ///< client to server
   std::uint16_t response = 0;  ///< server to client
 
+  /// True if the channel can be used.
   constexpr bool valid() const { return request != 0; }
   friend constexpr bool operator==(const SdoChannel&, const SdoChannel&) = default;
 };
@@ -44,6 +45,7 @@ constexpr SdoChannel default_sdo_channel(NodeId server) {
 /// Channel in an object: not valid if the object is absent, or one of its COB-IDs is not valid.
 SdoChannel sdo_channel(const Dictionary& dictionary, std::uint16_t index);
 
+/// True for 1200h to 12FFh, whether the node has the object or not.
 constexpr bool is_sdo_parameter(std::uint16_t index) {
   return index >= object_index::sdo_server && index <= object_index::sdo_client_last;
 }

@@ -38,7 +38,9 @@ enum class SdoTransfer : std::uint8_t {
 /// are passed must live until then. A sink or supply may cancel its own request.
 class SdoClient {
  public:
+  /// How a request ended, and how many bytes it has transferred.
   using Outcome = SdoOutcome;
+  /// Called once, at the end of a request that was started.
   using Done = Callback<void(Outcome)>;
   /// Takes the next bytes of an upload, 1 to 7 of them; an abort code ends the transfer.
   using Sink = Callback<AbortCode(std::span<const std::uint8_t> bytes)>;
@@ -46,7 +48,7 @@ class SdoClient {
   /// end.
   using Supply = Callback<Result<std::size_t>(std::span<std::uint8_t> bytes)>;
 
-  static constexpr Duration default_time_out = 1s;
+  static constexpr Duration default_time_out = 1s;  ///< for each single answer
 
   /// Makes a client. With `number` 0 to 127, and if the dictionary has object 1280h + number, it
   /// uses the channel in this object, to the node that is named there. Otherwise it uses the
@@ -68,8 +70,12 @@ class SdoClient {
   AbortCode upload(NodeId server, std::uint16_t index, std::uint8_t sub,
                    std::span<std::uint8_t> destination, Done done,
                    Duration time_out = default_time_out);
+  /// Like the above, but without a limit of the size: `sink` takes the bytes as they come, in
+  /// order.
   AbortCode upload(NodeId server, std::uint16_t index, std::uint8_t sub, Sink sink, Done done,
                    Duration time_out = default_time_out);
+  /// Starts a download of a whole value, expedited if it has 1 to 4 bytes. `value` must live until
+  /// `done`.
   AbortCode download(NodeId server, std::uint16_t index, std::uint8_t sub,
                      std::span<const std::uint8_t> value, Done done,
                      Duration time_out = default_time_out);
@@ -82,12 +88,14 @@ class SdoClient {
   /// `done` is not called.
   void cancel(AbortCode reason = AbortCode::general);
 
+  /// True from the start of a request until its end.
   bool busy() const { return state_ != State::idle; }
   /// True if the node's NMT state allows requests; otherwise a request, also one that is under way,
   /// ends with device_state. A node without a node-ID, that of a tool, always may.
   bool may_speak() const;
   /// Bytes of the present or last transfer so far, and in all if known.
   std::size_t transferred() const { return transferred_; }
+  /// Size in bytes of the present or last transfer, if either side has announced it.
   std::optional<std::uint32_t> announced() const { return announced_; }
 
  private:

@@ -28,6 +28,7 @@ class SdoEntry {
 
   /// Finds an entry. Aborts: those of Dictionary::find().
   AbortCode find(sdo::Multiplexer multiplexer);
+  /// Shape of the found entry; valid after a successful find().
   const EntryShape& row() const { return *found_.row; }
 
   /// Opens the found entry for reading. Aborts: those of Dictionary::read(), unsupported_access (a

@@ -19,6 +19,7 @@ namespace canvoy {
 /// Kind of end, and the abort code that belongs to it.
 class SdoEnd {
  public:
+  /// Which side ended the request, and how.
   enum class Kind : std::uint8_t {
     done,
     aborted_by_server,  ///< by an answer of the server, with any code
@@ -36,10 +37,13 @@ class SdoEnd {
   static constexpr SdoEnd by_server(AbortCode code) {
     return {Kind::aborted_by_server, code == AbortCode::none ? AbortCode::general : code};
   }
+  /// No answer came within the time-out: 0504 0000h was sent.
   static constexpr SdoEnd no_answer() { return {Kind::no_answer, AbortCode::time_out}; }
+  /// The client ended it without an answer of the server.
   static constexpr SdoEnd cancelled(AbortCode reason) { return {Kind::cancelled, reason}; }
 
   constexpr explicit operator bool() const { return kind_ == Kind::done; }
+  /// Which side ended it.
   constexpr Kind kind() const { return kind_; }
   /// none if it is done; otherwise the code that was sent, or would have been.
   constexpr AbortCode abort() const { return abort_; }
@@ -65,10 +69,13 @@ constexpr bool is_absent(const SdoEnd& end) {
 /// Like SdoEnd, but for a finished request also with the number of bytes that were transferred.
 class SdoOutcome : public SdoEnd {
  public:
+  /// A request that is done.
   constexpr SdoOutcome(std::size_t bytes)  // NOLINT(google-explicit-constructor): as return value
       : bytes_(bytes) {}
+  /// A request that has ended in one of the other ways, or is done without bytes.
   constexpr SdoOutcome(SdoEnd end)  // NOLINT(google-explicit-constructor): as return value
       : SdoEnd(end) {}
+  /// Result of this side; none: done.
   constexpr SdoOutcome(AbortCode own)  // NOLINT(google-explicit-constructor): as return value
       : SdoEnd(own) {}
 

@@ -22,43 +22,47 @@ class SdoQueue;
 /// One request, in its owner's memory, where it must stay until it is done. It may be used again
 /// afterwards.
 struct SdoRequest {
+  /// Called once for each request that was accepted, at its end.
   using Done = Callback<void(SdoRequest&)>;
 
-  NodeId server = 0;
-  std::uint16_t index = 0;
-  std::uint8_t sub = 0;
+  NodeId server = 0;        ///< node-ID, 1 to 127
+  std::uint16_t index = 0;  ///< object in the server
+  std::uint8_t sub = 0;     ///< sub-index
 
   /// Upload: destination of the value; a sink, if there is one, takes it instead.
   std::span<std::uint8_t> destination = {};
-  SdoClient::Sink sink = {};
+  SdoClient::Sink sink = {};  ///< takes the bytes as they come
   /// Download: the value; or data from a supply, if there is one, with this size if it is known.
   std::span<const std::uint8_t> value = {};
-  SdoClient::Supply supply = {};
-  std::optional<std::uint32_t> size = {};
+  SdoClient::Supply supply = {};           ///< gives the bytes as they are needed
+  std::optional<std::uint32_t> size = {};  ///< in bytes; announced to the server
 
-  SdoTransfer transfer = SdoTransfer::automatic;
+  SdoTransfer transfer = SdoTransfer::automatic;    ///< expedited, segments or blocks
   Duration time_out = SdoClient::default_time_out;  ///< for each single answer
   /// Called at the end; may queue this request again, or others.
   Done done = {};
 
+  /// State in the queue: not queued, queued, or under way.
   enum class State : std::uint8_t { idle, waiting, active };
+  /// State in the queue. A request may be changed or destroyed while it is idle only.
   State state() const { return place.state; }
   /// Outcome of the last transfer; cancelled before the first, or after cancel().
   const SdoClient::Outcome& outcome() const { return place.outcome; }
   /// Bytes transferred so far, and in all if known.
   std::size_t transferred() const;
+  /// Size in bytes of the present transfer, if either side has announced it.
   std::optional<std::uint32_t> announced() const;
 
   /// Data of the queue.
   struct Place {
-    bool is_download = false;
-    State state = State::idle;
-    SdoOutcome outcome = SdoEnd::cancelled(AbortCode::no_data);
-    const SdoClient* client = nullptr;  ///< the client that carries it out
-    SdoRequest* next = nullptr;         ///< the first request to the next server
-    SdoRequest* behind = nullptr;       ///< the next request to this server
+    bool is_download = false;   ///< of the present or last transfer
+    State state = State::idle;  ///< see SdoRequest::state()
+    SdoOutcome outcome = SdoEnd::cancelled(AbortCode::no_data);  ///< of the last transfer
+    const SdoClient* client = nullptr;                           ///< the client that carries it out
+    SdoRequest* next = nullptr;    ///< the first request to the next server
+    SdoRequest* behind = nullptr;  ///< the next request to this server
   };
-  Place place = {};
+  Place place = {};  ///< written by the queue only
 };
 
 /// A queue of requests. Requests to one server are made one after the other, in the order in which
@@ -73,6 +77,8 @@ class SdoQueue {
     /// Makes a worker; arguments as for SdoClient.
     explicit Worker(Node& node, std::optional<std::uint8_t> number = std::nullopt)
         : client_(node, number) {}
+    /// The client, for its channel and its extension for blocks; requests are made by the queue
+    /// only.
     SdoClient& client() { return client_; }
 
    private:
@@ -98,11 +104,13 @@ class SdoQueue {
   /// that could not begin (device_state, no_sdo_connection, out_of_memory, unsupported_access):
   /// otherwise a request that is always queued again would be refused without end.
   bool upload(SdoRequest& request) { return add(request, false); }
+  /// Queues a download: like upload().
   bool download(SdoRequest& request) { return add(request, true); }
 
   /// Cancels a request: its server is notified if it has begun, and `done` is not called.
   void cancel(SdoRequest& request);
 
+  /// True if no request waits or is under way.
   bool idle() const { return first_ == nullptr; }
 
  private:
@@ -129,7 +137,9 @@ class SdoQueue {
 template <std::size_t count>
 class SdoWorkers {
  public:
+  /// Makes the workers. `node` must outlive them.
   explicit SdoWorkers(Node& node) : SdoWorkers(node, std::make_index_sequence<count>{}) {}
+  /// The workers, for SdoQueue.
   std::span<SdoQueue::Worker> all() { return workers_; }
 
  private:
@@ -144,7 +154,9 @@ class SdoWorkers {
 template <std::size_t count>
 class SdoBlockWorkers {
  public:
+  /// Makes the workers, each with an extension for blocks. `node` must outlive them.
   explicit SdoBlockWorkers(Node& node) : SdoBlockWorkers(node, std::make_index_sequence<count>{}) {}
+  /// The workers, for SdoQueue.
   std::span<SdoQueue::Worker> all() { return workers_.all(); }
 
  private:

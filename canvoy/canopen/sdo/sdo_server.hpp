@@ -26,7 +26,7 @@ namespace canvoy {
 /// A request for a new transfer ends one that is under way, without an answer to the old one.
 class SdoServer : private NodeService {
  public:
-  static constexpr Duration default_time_out = 1s;
+  static constexpr Duration default_time_out = 1s;  ///< silence of a client
 
   /// Makes a server. Channel `number`, 0 to 127, is described by object 1200h + number. Number 0 is
   /// the default channel, on 600h and 580h + node-ID, with or without the object; others are

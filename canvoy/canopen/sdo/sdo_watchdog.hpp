@@ -54,6 +54,7 @@ class BasicSdoWatchdog {
   [[no_unique_address]] HostOnly<Time, !is_small> deadline_;
   Timer timer_;
 };
+/// The watchdog of this machine.
 using SdoWatchdog = BasicSdoWatchdog<is_small_machine>;
 
 }  // namespace canvoy

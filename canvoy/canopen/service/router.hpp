@@ -14,16 +14,20 @@
 
 namespace canvoy {
 
+/// Routes of one node. It keeps their memory sorted, and tells the port which CAN-IDs it must let
+/// pass.
 class Router {
  public:
+  /// Takes a frame, and the time of its arrival.
   using Receiver = Callback<void(const Frame&, Time)>;
 
   /// Kind of frames: remote frames have separate routes.
   enum class Kind : std::uint16_t { data = 0, remote = 0x800 };
 
+  /// One CAN-ID and its receiver.
   struct Route {
     std::uint16_t key;  ///< CAN-ID and Kind
-    Receiver receiver;
+    Receiver receiver;  ///< called for each frame with the key
   };
 
   /// Makes a router. The size of `table` limits the number of routes; it must outlive the router.
@@ -60,6 +64,7 @@ class Router {
   /// True if listen() would succeed for a service that does not listen yet.
   bool has_room_to_listen() const { return is_small_machine || !full(); }
 
+  /// True if add() would fail.
   bool full() const { return size_ == capacity_; }
 
   /// Hands a frame (11-bit, data or remote) to all its receivers; false if there is none. A

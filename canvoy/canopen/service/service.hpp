@@ -30,6 +30,7 @@ enum class Source : std::uint8_t { sdo, pdo, application };
 
 /// An event in the life of a node, for its services.
 struct ServiceEvent {
+  /// Kind of event. Services depend on the order: see bit_of().
   enum Kind : std::uint32_t {
     /// Parameters have their power-on values again: the service reads them, and returns to its
     /// state after power-on.
@@ -65,39 +66,52 @@ struct ServiceEvent {
     value_set,
   };
 
-  Kind kind;
-  std::uint32_t number = 0;
-  const void* subject = nullptr;
-  const std::uint8_t* data = nullptr;
+  Kind kind;                           ///< which event it is
+  std::uint32_t number = 0;            ///< depends on the kind: see the functions below
+  const void* subject = nullptr;       ///< depends on the kind: error, frame, entry, places
+  const std::uint8_t* data = nullptr;  ///< value to be written
   /// For an access, the refusal, which ends the notification. For a frame, whether a service takes
   /// it.
   std::uint32_t answer = 0;
 
+  /// Scope of a reset.
   ResetScope scope() const { return static_cast<ResetScope>(number); }
+  /// The new NMT state, for state_entered.
   NmtState state() const { return static_cast<NmtState>(number); }
+  /// The new state of the controller, for bus_state_changed and bus_recovered.
   BusState bus_state() const { return static_cast<BusState>(number); }
+  /// TPDO numbers modulo 32 as bits, for values_changed.
   std::uint32_t watchers() const { return number; }
   /// Counter of the SYNC; 0 if it carries none.
   std::uint8_t counter() const { return static_cast<std::uint8_t>(number); }
+  /// Source of the write, for after_write.
   Source source() const { return static_cast<Source>(number); }
+  /// The error, for error_came and error_went.
   const Error& error() const { return *static_cast<const Error*>(subject); }
+  /// The frame, for frame_came.
   const Frame& frame() const { return *static_cast<const Frame*>(subject); }
+  /// Places of the changes, for values_changed on a host.
   const ChangedPlaces& places() const { return *static_cast<const ChangedPlaces*>(subject); }
+  /// The entry that is accessed, for accesses and value_set.
   const Entry& entry() const { return *static_cast<const Entry*>(subject); }
+  /// The new value, for before_write.
   std::span<const std::uint8_t> value() const { return {data, number}; }
+  /// True for accesses from the bus: before_read to domain_wanted.
   bool is_access() const { return kind >= before_read && (is_small_machine || kind != value_set); }
   /// Bits of ObjectState::hooks for a kind of access, and for all kinds.
   static constexpr std::uint8_t bit_of(Kind kind) {
     return static_cast<std::uint8_t>(1U << (kind - before_read));
   }
-  static constexpr std::uint8_t all_accesses = 0x0F;
+  static constexpr std::uint8_t all_accesses = 0x0F;  ///< of ObjectState::hooks
 
   /// Answers domain_wanted with the domain, in place of the entry.
   void serve(const Domain& domain) {
     subject = &domain;
     answer = 1;
   }
+  /// Answers an access with a refusal, which ends the notification.
   void refuse(AbortCode code) { answer = static_cast<std::uint32_t>(code); }
+  /// Takes the frame of frame_came, or says yes to watch_asked: no other service needs to.
   void want() { answer = 1; }
 };
 
@@ -107,22 +121,25 @@ class NodeService {
   /// Receiver of events. `on_event` is called for accesses to objects from index `first` to `last`;
   /// by default for none.
   struct Listener {
-    void (*on_event)(NodeService&, ServiceEvent&);
-    std::uint16_t first = 0xFFFF;
-    std::uint16_t last = 0;
+    void (*on_event)(NodeService&, ServiceEvent&);  ///< one function for all events
+    std::uint16_t first = 0xFFFF;                   ///< the lowest index
+    std::uint16_t last = 0;                         ///< the highest index, included
   };
 
   /// Frequent events that a host sends only to services that need them: bits of ServiceEvent::Kind.
   struct EventMask {
-    static constexpr std::uint32_t values = 1U << ServiceEvent::values_changed;
-    static constexpr std::uint32_t actuate = 1U << ServiceEvent::actuate;
-    static constexpr std::uint32_t sample = 1U << ServiceEvent::sample;
+    static constexpr std::uint32_t values = 1U << ServiceEvent::values_changed;  ///< values_changed
+    static constexpr std::uint32_t actuate = 1U << ServiceEvent::actuate;  ///< actuate, at a SYNC
+    static constexpr std::uint32_t sample = 1U << ServiceEvent::sample;    ///< sample, at a SYNC
+    /// Questions of changes, for TPDOs on a host.
     static constexpr std::uint32_t watch =
         1U << ServiceEvent::watch_asked | 1U << ServiceEvent::value_set;
-    static constexpr std::uint32_t all = values | actuate | sample;
-    static constexpr std::uint32_t none = 0;
+    static constexpr std::uint32_t all = values | actuate | sample;  ///< all but watch
+    static constexpr std::uint32_t none = 0;  ///< for a service that needs none of them
   };
 
+  /// Makes a service; it follows a node once attached. `events` has no effect on a small machine,
+  /// which sends all.
   constexpr explicit NodeService(const Listener& listener, std::uint32_t events = EventMask::all)
       : listener_(listener) {
     if constexpr (!is_small_machine) frequent_.value.events = events;
@@ -130,7 +147,9 @@ class NodeService {
   NodeService(const NodeService&) = delete;
   NodeService& operator=(const NodeService&) = delete;
 
+  /// Calls the service with an event.
   void notify(ServiceEvent& event) { listener_.on_event(*this, event); }
+  /// True if accesses to the object at `index` concern the service.
   constexpr bool covers(std::uint16_t index) const {
     return index >= listener_.first && index <= listener_.last;
   }
@@ -163,15 +182,18 @@ class NodeService {
 /// default at any sub-index. Each function takes the service first, and is like that of Hook; null:
 /// no action.
 struct AccessHandlers {
-  std::uint16_t first = 0;
-  std::uint16_t last = 0;
-  std::uint8_t sub_first = 0;
-  std::uint8_t sub_last = 0xFF;
-  AbortCode (*before_read)(void*, const Entry&) = nullptr;
+  std::uint16_t first = 0;                                  ///< lowest index
+  std::uint16_t last = 0;                                   ///< highest index, included
+  std::uint8_t sub_first = 0;                               ///< lowest sub-index
+  std::uint8_t sub_last = 0xFF;                             ///< highest sub-index, included
+  AbortCode (*before_read)(void*, const Entry&) = nullptr;  ///< may refuse
+  /// May refuse the value, or defer the answer.
   AbortCode (*before_write)(void*, const Entry&, std::span<const std::uint8_t> value) = nullptr;
-  void (*after_write)(void*, const Entry&, Source) = nullptr;
+  void (*after_write)(void*, const Entry&, Source) = nullptr;  ///< the value is written
 
+  /// True if an object at `index` is in the range.
   constexpr bool covers(std::uint16_t index) const { return index >= first && index <= last; }
+  /// True if an entry is in the range.
   constexpr bool covers(std::uint16_t index, std::uint8_t sub) const {
     return covers(index) && sub >= sub_first && sub <= sub_last;
   }
@@ -189,12 +211,12 @@ struct AccessHandlers {
 /// Handlers of a class of services for the events of ServiceEvent: constant, one table for all
 /// objects of the class. Each takes the service first; null: no action.
 struct ServiceHandlers {
-  void (*reset)(void*, ResetScope) = nullptr;
-  void (*state_entered)(void*, NmtState) = nullptr;
-  void (*bus_state_changed)(void*, BusState) = nullptr;
-  void (*error_changed)(void*, const Error&, bool present) = nullptr;
-  void (*values_changed)(void*, std::uint32_t) = nullptr;
-  void (*tx_ready)(void*) = nullptr;
+  void (*reset)(void*, ResetScope) = nullptr;            ///< parameters were reset
+  void (*state_entered)(void*, NmtState) = nullptr;      ///< new NMT state
+  void (*bus_state_changed)(void*, BusState) = nullptr;  ///< new state of the controller
+  void (*error_changed)(void*, const Error&, bool present) = nullptr;  ///< came or went
+  void (*values_changed)(void*, std::uint32_t) = nullptr;  ///< for TPDOs that are these bits
+  void (*tx_ready)(void*) = nullptr;                       ///< the controller has room
   /// Objects with a meaning beyond their values.
   std::span<const AccessHandlers> hooks = {};
 };
@@ -228,6 +250,7 @@ class HandlerBinding : public NodeService {
   AbortCode ask_row(unsigned row, const Entry& entry, std::span<const std::uint8_t> value) const {
     return calls_->hooks[row].before_write(service_, entry, value);
   }
+  /// Calls the handler after_write of one row of its table.
   void notify_row(unsigned row, const Entry& entry, Source source) const {
     calls_->hooks[row].after_write(service_, entry, source);
   }

@@ -58,10 +58,13 @@ struct Alarm<true> {
 /// One deadline, owned by the object that waits for it. It must be disarmed before its life ends.
 class Timer {
  public:
+  /// Makes a timer that is not armed. `expired` gets the time of the run, which may be later than
+  /// at().
   constexpr explicit Timer(Callback<void(Time)> expired = {}) : expired_(expired) {}
   Timer(const Timer&) = delete;
   Timer& operator=(const Timer&) = delete;
 
+  /// True from TimerQueue::arm() until it expires or is disarmed.
   bool armed() const { return alarm_.is_set(); }
   /// Time at which it expires; never while it is not armed.
   Time at() const { return armed() ? alarm_.due() : never; }
@@ -82,6 +85,7 @@ class Timer {
   [[no_unique_address]] HostOnly<Place> place_;
 };
 
+/// The timers of one node, by their deadlines.
 class TimerQueue {
  public:
   /// Arms `timer`, or moves it if it was armed before. `never` disarms it. Constant if it was not
@@ -93,6 +97,7 @@ class TimerQueue {
   void arm_in(Timer& timer, std::uint32_t delay);
   /// Like arm_in(), but without effect if the timer expires before that anyway.
   void arm_earlier(Timer& timer, std::uint32_t delay);
+  /// Disarms a timer; no effect if it is not armed. Costs as much as to move it: see arm().
   void disarm(Timer& timer);
 
   /// Calls the timers that are due at `now`, in the order of their deadlines. A callback may arm
@@ -106,10 +111,12 @@ class TimerQueue {
     }
   }
 
+  /// Deadline of the first timer; never if none is armed. Constant time.
   Time deadline() const { return first_ == nullptr ? never : first_->alarm_.due(); }
 
   /// Time of the run that is under way, or of the last one, unless a later time was set.
   Time now() const { return now_; }
+  /// Sets the time that arm_in() counts from, without running timers.
   void set_now(Time now) { now_ = now; }
 
  private:

@@ -12,6 +12,7 @@
 
 namespace canvoy {
 
+/// Sends in order, and waits where the controller is full.
 class Transmitter {
  public:
   /// Makes a transmitter. `backlog`, of 65,535 frames at most, and `port` must outlive it.
@@ -25,6 +26,7 @@ class Transmitter {
   bool send(std::uint16_t can_id, std::span<const std::uint8_t> bytes);
   /// Mutes the transmitter: frames sent while it is muted are dropped; frames that wait are kept.
   void mute(bool on) { muted_ = on; }
+  /// True while frames are dropped: see mute().
   bool muted() const { return muted_; }
   /// Drops waiting frames with this CAN-ID, if it is one of a PDO. They keep their room until their
   /// turn.
@@ -35,6 +37,7 @@ class Transmitter {
   void drop_what_stopped_forbids();
   /// Tries again to send the frames that the controller did not take.
   void flush();
+  /// Drops all waiting frames.
   void clear() {
     size_ = 0;
     leaving_ = false;
@@ -44,12 +47,14 @@ class Transmitter {
   /// waiting. Otherwise no service was refused, and so none waits for room.
   bool is_awaited() { return std::exchange(awaited_.value, awaited_.value && size_ != 0); }
 
+  /// True if no frame waits.
   bool idle() const { return size_ == 0; }
   /// True if the next frame would be lost.
   bool full() const { return taken() != 0 && taken() >= backlog_.size(); }
   /// True if there is no room for process data: the other half is for answers, error control and
   /// SYNC.
   bool crowded() const { return size_ != 0 && 2U * size_ >= backlog_.size(); }
+  /// Number of frames that found neither the controller nor the backlog with room.
   std::uint32_t lost() const { return lost_; }
 
  private:

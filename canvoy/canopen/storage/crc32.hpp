@@ -16,6 +16,7 @@ namespace canvoy {
 /// anyway.
 class Crc32 {
  public:
+  /// Adds bytes; parts added one after the other count as one.
   constexpr void add(std::span<const std::uint8_t> bytes) {
     for (const std::uint8_t byte : bytes) {
       state_ ^= byte;
@@ -23,6 +24,7 @@ class Crc32 {
       state_ = table[state_ & 0x0F] ^ state_ >> 4;
     }
   }
+  /// Checksum of all bytes so far; 0 if there were none.
   constexpr std::uint32_t value() const { return ~state_; }
 
  private:
@@ -39,6 +41,7 @@ class Crc32 {
   std::uint32_t state_ = 0xFFFF'FFFF;
 };
 
+/// Checksum of bytes that are in memory whole. Two table look-ups for each byte.
 constexpr std::uint32_t crc32(std::span<const std::uint8_t> bytes) {
   Crc32 crc;
   crc.add(bytes);

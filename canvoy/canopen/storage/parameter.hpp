@@ -15,7 +15,7 @@ namespace canvoy {
 /// A manufacturer-specific group: sub-index 4 to 127 of 1010h and 1011h. A group may have several
 /// ranges, inside or outside 2000h to 5FFFh.
 struct ParameterGroup {
-  std::uint8_t sub = 4;
+  std::uint8_t sub = 4;          ///< sub-index of 1010h and 1011h, 4 to 127
   std::uint16_t first = 0x2000;  ///< index
   std::uint16_t last = 0x5FFF;   ///< index
 };
@@ -34,6 +34,7 @@ bool is_parameter(std::uint16_t index, const EntryShape& row);
 /// Iterates over all parameters of a dictionary, in the order of their indices and sub-indices.
 class ParameterWalk {
  public:
+  /// Begins before the first parameter. `dictionary` must outlive the walk.
   explicit ParameterWalk(const Dictionary& dictionary) : dictionary_(&dictionary) {}
 
   /// Goes to the next parameter; false at the end.

@@ -17,14 +17,16 @@ namespace canvoy {
 
 /// Head of each value.
 struct StoredHead {
-  static constexpr std::uint32_t size = 7;
-  using Bytes = std::array<std::uint8_t, size>;
+  static constexpr std::uint32_t size = 7;       ///< in bytes
+  using Bytes = std::array<std::uint8_t, size>;  ///< as in a concise DCF
 
-  std::uint16_t index = 0;
-  std::uint8_t sub = 0;
-  std::uint32_t length = 0;
+  std::uint16_t index = 0;   ///< of the object
+  std::uint8_t sub = 0;      ///< sub-index
+  std::uint32_t length = 0;  ///< of the value that follows, in bytes
 
+  /// The head as it is stored, little-endian.
   Bytes bytes() const;
+  /// Takes a stored head apart.
   static StoredHead from(const Bytes& bytes);
 };
 
@@ -39,6 +41,7 @@ class StoredWalk {
  public:
   static constexpr std::uint32_t first_entry = 4;  ///< after the number of entries
 
+  /// Begins before the first entry. `record` must outlive the walk.
   explicit StoredWalk(const RecordPair& record) : record_(&record) {}
 
   /// Goes to the next entry; false at the end, and before invalid data: see is_whole().
@@ -59,11 +62,12 @@ class StoredWalk {
 /// from the old record if the dictionary has them.
 class ParameterSet {
  public:
+  /// What goes into a set.
   struct Recipe {
-    std::uint8_t group = 1;  ///< sub-index of 1010h or 1011h
-    bool store = true;       ///< false: the group is omitted, so that its defaults apply again
-    bool keep = true;        ///< false: the old record is not used
-    std::uint8_t node_id = 0;
+    std::uint8_t group = 1;    ///< sub-index of 1010h or 1011h
+    bool store = true;         ///< false: the group is omitted, so that its defaults apply again
+    bool keep = true;          ///< false: the old record is not used
+    std::uint8_t node_id = 0;  ///< for defaults that depend on it
   };
 
   /// Makes the set. All arguments must outlive it.

@@ -14,10 +14,11 @@
 
 namespace canvoy {
 
+/// The 32 bytes in front of the content. All numbers are little-endian.
 struct RecordHead {
-  static constexpr std::uint32_t size = 32;
-  static constexpr std::uint32_t present_format = 1;
-  using Bytes = std::array<std::uint8_t, size>;
+  static constexpr std::uint32_t size = 32;           ///< in bytes
+  static constexpr std::uint32_t present_format = 1;  ///< other formats are not read
+  using Bytes = std::array<std::uint8_t, size>;       ///< as in the flash
 
   std::uint32_t kind = 0;                       ///< subject of the record
   std::uint32_t format = present_format;        ///< of the content

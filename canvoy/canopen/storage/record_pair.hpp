@@ -34,6 +34,7 @@ enum class RecordState : std::uint8_t {
   unreadable,  ///< the flash does not answer
 };
 
+/// What a caller of step() does next.
 enum class RecordStep : std::uint8_t {
   again,  ///< step() may be called at once
   wait,   ///< the flash is busy: call step() again later
@@ -42,18 +43,21 @@ enum class RecordStep : std::uint8_t {
 
 /// The content of a record, in pieces and as often as required.
 struct RecordSource {
+  /// Begins again with the first byte; called before each pass.
   Callback<void()> rewind;
   /// Fills `bytes`, which are RecordHead::size long, and returns their number: fewer mark the end.
   /// An abort code ends the attempt.
   Callback<Result<std::size_t>(std::span<std::uint8_t> bytes)> next;
 };
 
+/// Two slots of a flash: the newer record, and room for the next.
 class RecordPair {
  public:
+  /// Where the slots are, and what is kept there.
   struct Place {
     std::uint32_t address = 0;    ///< of the first slot; the other follows it
     std::uint32_t slot_size = 0;  ///< whole sectors
-    std::uint32_t kind = 0;
+    std::uint32_t kind = 0;       ///< of the record: others are foreign
   };
 
   /// Makes the pair; `flash` must outlive it.
@@ -69,6 +73,7 @@ class RecordPair {
 
   /// Length of the newest record after find() or a finished step(): valid or outdated.
   std::uint32_t length() const { return head_.length; }
+  /// Reads from the newest record. False if the flash does not answer, or it is beyond its end.
   bool read(std::uint32_t offset, std::span<std::uint8_t> bytes) const;
 
   /// Begins to write; discards an earlier attempt. `source` must live until the end, and may read
@@ -79,6 +84,7 @@ class RecordPair {
   /// Stops writing; the old record stays, unless the head of the new one was already being
   /// programmed: then it is either of them, and the next call determines which.
   void cancel() { phase_ = Phase::idle; }
+  /// True from begin() until the end or cancel().
   bool busy() const { return phase_ != Phase::idle; }
   /// Result of the last attempt: none; out_of_memory (the slot is too small); hardware (the flash
   /// failed, holds other data than programmed, or does not confirm that it lasts); device_state

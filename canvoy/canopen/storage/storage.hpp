@@ -31,9 +31,11 @@ namespace canvoy {
 /// at a reset. If the flash could not be read, nothing is stored until a reset reads it.
 class Storage {
  public:
+  /// Place in the flash, groups, and times.
   struct Settings {
     std::uint32_t address = 0;    ///< of two slots in the flash
     std::uint32_t slot_size = 0;  ///< of each slot: whole sectors, 32 bytes more than the set
+    /// Of 1010h and 1011h, from sub-index 4 on.
     std::span<const ParameterGroup> groups = manufacturer_group;
     /// Whether a set that a device of the same kind stored with another dictionary (before a
     /// firmware update) is used as far as it fits. Otherwise it is refused.
@@ -41,6 +43,7 @@ class Storage {
     Duration poll_interval = 1ms;  ///< while the flash is busy
     Duration time_out = 10s;       ///< for the whole operation
   };
+  /// Called with the answer that a client would get.
   using Done = Callback<void(AbortCode)>;
 
   /// Makes the storage. `flash`, and what `settings` refer to, must outlive it. It sets itself as
@@ -56,8 +59,10 @@ class Storage {
   /// is called once if the result is none. Outside of the node's callbacks, call node.advance(now)
   /// before. Abort: device_state while busy().
   AbortCode store(std::uint8_t group, Done done = {});
+  /// Restores defaults, like store().
   AbortCode restore(std::uint8_t group, Done done = {});
 
+  /// True while a set is being written.
   bool busy() const { return record_.busy(); }
   /// State of the stored set at the last reset or store.
   RecordState state() const { return state_; }

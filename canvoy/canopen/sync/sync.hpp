@@ -18,7 +18,7 @@ namespace canvoy {
 struct SyncListener {
   /// Called for each SYNC; the counter is 0 if SYNC carries none.
   Callback<void(std::uint8_t counter)> received;
-  SyncListener* next = nullptr;
+  SyncListener* next = nullptr;  ///< set by Sync::attach()
 };
 
 /// Consumes and produces SYNC. Without 1005h it listens to CAN-ID 080h; without 1006h it produces
@@ -56,10 +56,11 @@ class Sync : private NodeService {
  public:
   /// Objects in the dictionary.
   struct Objects {
-    bool writable = true;
-    bool period = true;  ///< 1006h
+    bool writable = true;  ///< a master may write 1005h, 1006h, 1007h or 1019h
+    bool period = true;    ///< 1006h
   };
 
+  /// Attaches to the node. `objects` says what the dictionary has; by default all is linked.
   constexpr explicit Sync(Node& node, const Objects& objects = {true, true})
       : NodeService(objects.writable ? Listener{on_event, first_object, last_object}
                                      : Listener{on_constant_event},

@@ -15,7 +15,7 @@
 
 namespace canvoy {
 
-inline constexpr std::uint32_t milliseconds_per_day = 86'400'000;
+inline constexpr std::uint32_t milliseconds_per_day = 86'400'000;  ///< without leap seconds
 
 /// A point in time: to the millisecond, from 1984 to 2163. CiA 301 defines no time zone; each
 /// network agrees on its own.
@@ -30,15 +30,15 @@ struct TimeOfDay {
 
 /// A span of time, in the same form as TimeOfDay.
 struct TimeDifference {
-  std::uint32_t milliseconds = 0;
-  std::uint16_t days = 0;
+  std::uint32_t milliseconds = 0;  ///< may be a day or more
+  std::uint16_t days = 0;          ///< added to the milliseconds
 
   friend constexpr bool operator==(const TimeDifference&, const TimeDifference&) = default;
 };
 
 /// Size on the wire: 28 bits of milliseconds, 4 reserved bits, 16 bits of days.
 inline constexpr std::size_t time_of_day_bytes = 6;
-using TimeOfDayBytes = std::array<std::uint8_t, time_of_day_bytes>;
+using TimeOfDayBytes = std::array<std::uint8_t, time_of_day_bytes>;  ///< little-endian
 
 /// Encodes a time with the reserved bits zero. `Type` is TimeOfDay or TimeDifference.
 template <class Type>
@@ -65,6 +65,7 @@ using CivilTime = std::chrono::sys_time<std::chrono::milliseconds>;
 /// Day 0.
 inline constexpr std::chrono::sys_days time_of_day_epoch{std::chrono::year{1984} / 1 / 1};
 
+/// Converts any time, also one that is not valid().
 constexpr CivilTime to_civil_time(const TimeOfDay& time) {
   return time_of_day_epoch + std::chrono::days(time.days) +
          std::chrono::milliseconds(time.milliseconds);

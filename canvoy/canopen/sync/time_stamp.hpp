@@ -23,6 +23,7 @@ namespace canvoy {
 /// or beyond midnight is ignored and counted. The clock continues through NMT resets.
 class TimeStamp {
  public:
+  /// Attaches to the node, which needs a route. Without 1012h it neither consumes nor produces.
   explicit TimeStamp(Node& node);
   TimeStamp(const TimeStamp&) = delete;
   TimeStamp& operator=(const TimeStamp&) = delete;
