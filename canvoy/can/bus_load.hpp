@@ -56,6 +56,7 @@ class BusLoad {
     if (now_ns <= 0) return 0.0;
     return std::min(static_cast<double>(total_ns_) / static_cast<double>(now_ns), 1.0);
   }
+  /// Time in which the wire was busy since the start, in nanoseconds.
   constexpr std::int64_t total_ns() const { return total_ns_; }
 
  private:

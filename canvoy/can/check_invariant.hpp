@@ -12,11 +12,15 @@
 namespace canvoy {
 
 #if defined(__linux__) || defined(__APPLE__) || defined(_WIN32)
+/// Whether this build checks invariants: builds for an operating system do.
 inline constexpr bool has_checks = true;
 #else
+/// Whether this build checks invariants: firmware does not.
 inline constexpr bool has_checks = false;
 #endif
 
+/// Stops the program by a trap if `condition` is false; costs a branch, and nothing without
+/// has_checks.
 constexpr void check_invariant(bool condition) {
   if constexpr (has_checks) {
     if (!condition) [[unlikely]] {

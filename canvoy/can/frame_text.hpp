@@ -20,9 +20,12 @@ namespace canvoy {
 /// followed by its length unless that is 0.
 class FrameText {
  public:
+  /// Characters of the longest text.
   static constexpr std::size_t length_max = 8 + 1 + 2 * Frame::length_max;
 
+  /// Writes the text; constant time, no memory beyond the object.
   explicit FrameText(const Frame& frame);
+  /// The text, valid as long as this object.
   std::string_view view() const { return {characters_.data(), length_}; }
 
  private:
@@ -51,8 +54,8 @@ std::string_view describe(FrameTextError error);
 
 /// Result of parsing; `frame` is empty if there is an error.
 struct ParsedFrame {
-  Frame frame;
-  FrameTextError error = FrameTextError::none;
+  Frame frame;                                  ///< empty if there is an error
+  FrameTextError error = FrameTextError::none;  ///< why there is no frame
   explicit operator bool() const { return error == FrameTextError::none; }
 };
 

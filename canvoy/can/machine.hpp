@@ -11,8 +11,10 @@ namespace canvoy {
 /// (CMake: the option of this name, which canvoy::can passes on). A gateway of 32 bits is a host
 /// without it, and a host with it compiles, and tests, the code of a microcontroller.
 #ifdef CANVOY_SMALL_MACHINE
+/// True in a build for a microcontroller.
 inline constexpr bool is_small_machine = true;
 #else
+/// True in a build for a microcontroller.
 inline constexpr bool is_small_machine = false;
 #endif
 
@@ -22,11 +24,12 @@ inline constexpr bool is_small_machine = false;
 ///     [[no_unique_address]] HostOnly<std::uint32_t> revision_;
 template <class Value, bool is_kept = !is_small_machine>
 struct HostOnly {
-  Value value{};
+  Value value{};  ///< on a host only
 };
+/// The empty member of a small machine.
 template <class Value>
 struct HostOnly<Value, false> {
-  static inline Value value{};
+  static inline Value value{};  ///< never read
 };
 
 }  // namespace canvoy

@@ -15,6 +15,7 @@ enum class BusState : std::uint8_t {
   bus_off
 };
 
+/// True for the two states in which the controller sends active error flags.
 constexpr bool is_error_active(BusState state) {
   return state <= BusState::error_warning;
 }
@@ -23,7 +24,7 @@ constexpr bool is_error_active(BusState state) {
 /// simulated bus can all supply. Frames and bus states of the controller are passed to the node by
 /// the owner of both.
 struct Port {
-  void* context = nullptr;
+  void* context = nullptr;  ///< first argument of each call
   /// Queues a frame for transmission; false if the queue is full (the node keeps the frame and
   /// tries again).
   bool (*send)(void* context, const Frame& frame) = nullptr;

@@ -19,6 +19,7 @@ class Probability {
   constexpr explicit Probability(double value) : threshold_(to_threshold(value)) {}
   /// Number of cases in which it happens, of 2^64 equally likely ones.
   constexpr std::uint64_t threshold() const { return threshold_; }
+  /// True if it never happens, so that no random number need be drawn.
   constexpr bool is_zero() const { return threshold_ == 0; }
 
  private:
@@ -34,6 +35,7 @@ class Probability {
 /// The generator. Not for secrets. Copied by value: a copy continues with the same numbers.
 class Random {
  public:
+  /// Seeds the generator; any number is good, 0 included.
   constexpr explicit Random(std::uint64_t seed) {
     for (std::uint64_t& word : state_) word = split_mix(seed);
   }
@@ -56,6 +58,7 @@ class Random {
     return static_cast<std::uint32_t>(((next() >> 32) * count) >> 32);
   }
 
+  /// Decides by the next random number; draws none if the probability is zero.
   constexpr bool happens(Probability probability) {
     return !probability.is_zero() && next() <= probability.threshold();
   }

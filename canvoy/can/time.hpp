@@ -14,15 +14,15 @@ namespace canvoy {
 /// The clock of a node, a bus or a simulated world. It has no now(): time is passed in from
 /// outside.
 struct Clock {
-  using rep = std::int64_t;
-  using period = std::micro;
-  using duration = std::chrono::duration<rep, period>;
-  using time_point = std::chrono::time_point<Clock>;
-  static constexpr bool is_steady = true;
+  using rep = std::int64_t;                             ///< microseconds
+  using period = std::micro;                            ///< for <chrono>
+  using duration = std::chrono::duration<rep, period>;  ///< for <chrono>
+  using time_point = std::chrono::time_point<Clock>;    ///< for <chrono>
+  static constexpr bool is_steady = true;               ///< never goes back
 };
 
-using Duration = Clock::duration;
-using Time = Clock::time_point;
+using Duration = Clock::duration;  ///< signed, in microseconds
+using Time = Clock::time_point;    ///< microseconds since the start of the clock
 
 /// Deadline of an object that waits for nothing.
 inline constexpr Time never = Time::max();
@@ -66,6 +66,7 @@ using StoredTime = std::conditional_t<is_small_machine, detail::HalvedTime, Time
 constexpr Duration from_milliseconds(std::uint16_t count) {
   return Duration(count * std::uint32_t{1000});
 }
+/// Duration in microseconds of a count of 100 microseconds, as inhibit times have it.
 constexpr Duration from_100_microseconds(std::uint16_t count) {
   return Duration(count * std::uint32_t{100});
 }

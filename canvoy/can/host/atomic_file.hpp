@@ -30,6 +30,8 @@ class AtomicFile {
 
   /// Descriptor for writing directly.
   int descriptor() const { return file_.get(); }
+  /// Appends bytes to the file. Errors: those of the system, such as a full disk; finish() is then
+  /// useless.
   Result<void> write(std::span<const std::uint8_t> bytes);
   /// Renames the file. On success, it survives a loss of power, under its name.
   Result<void> finish();

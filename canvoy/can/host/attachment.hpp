@@ -15,6 +15,7 @@ namespace canvoy::host {
 /// needs the port, and destroyed before it; the loop must not run in between.
 class Attachment {
  public:
+  /// Joins the bus; nothing is received before attach().
   Attachment(EventLoop& loop, HostBus& bus) : loop_(&loop), bus_(&bus), endpoint_(&bus.join()) {}
   ~Attachment() {
     bus_->leave(*endpoint_);
@@ -23,6 +24,7 @@ class Attachment {
   Attachment(const Attachment&) = delete;
   Attachment& operator=(const Attachment&) = delete;
 
+  /// Port for the node; its frames go to the bus.
   Port port() { return endpoint_->port(); }
 
   /// Passes to the node everything that it has a member function for: receive(const Frame&, Time),

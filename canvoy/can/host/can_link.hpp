@@ -17,13 +17,14 @@
 namespace canvoy::host {
 
 struct CanLink {
-  bool has_controller = false;  ///< false for virtual CAN interfaces, and for others than CAN
-  bool is_up = false;
-  bool listens_only = false;
+  bool has_controller = false;    ///< false for virtual CAN interfaces, and for others than CAN
+  bool is_up = false;             ///< administratively up
+  bool listens_only = false;      ///< the controller sends nothing, not even an acknowledgement
   std::uint32_t bit_rate = 0;     ///< bit/s; 0: not set, or the interface has none, like vcan0
   std::optional<BusState> state;  ///< of the controller, if it reports one
 };
 
+/// Reads the settings; needs no rights. Errors: no such interface, those of the system.
 Result<CanLink> read_can_link(std::string_view interface);
 
 /// Takes the interface down, sets it and brings it up again. An interface without a CAN controller
@@ -37,8 +38,12 @@ Result<void> restore_can_link(std::string_view interface, const CanLink& before)
 
 // The messages, without their socket.
 
+/// A message to the kernel, with its header.
 using LinkMessage = std::vector<std::uint8_t>;
+/// Message that takes an interface up or down.
 LinkMessage up_message(int interface_index, bool up, std::uint32_t sequence);
+/// Message that sets bit rate (bit/s) and mode of an interface that is down. Without
+/// `reports_errors`, for controllers that do not support it, error frames are not asked for.
 LinkMessage bit_rate_message(int interface_index, std::uint32_t bit_rate, bool listen_only,
                              std::uint32_t sequence, bool reports_errors = true);
 /// Contents of a kernel's answer to RTM_GETLINK; nothing if it is another message, or is cut off.

@@ -41,6 +41,7 @@ class CandumpWriter {
   /// Like flush(), but only after a second since the last time, by any steady clock: call it
   /// regularly, so that the file grows for programs that follow it.
   Result<void> flush_each_second(Time clock);
+  /// Number of lines written.
   std::uint64_t lines() const { return lines_; }
 
  private:
@@ -59,11 +60,12 @@ class CandumpWriter {
 
 /// A frame of a log; its time counts from 1970, or from the origin of the log.
 struct LogEntry {
-  Time time;
-  std::string interface;
-  Frame frame;
+  Time time;              ///< microsecond resolution
+  std::string interface;  ///< name of the bus, as in the log
+  Frame frame;            ///< of any kind
 };
 
+/// What a line holds.
 enum class LogLineKind : std::uint8_t {
   frame,
   note,  ///< blank, a comment (#), or DROPCOUNT of candump
@@ -73,11 +75,11 @@ enum class LogLineKind : std::uint8_t {
 
 /// A line of a log, referring to its text.
 struct LogLine {
-  LogLineKind kind = LogLineKind::malformed;
-  Time time{};
-  std::string_view interface;
-  Frame frame;
-  std::string_view problem;  ///< reason if it is malformed
+  LogLineKind kind = LogLineKind::malformed;  ///< which of the members below counts
+  Time time{};                                ///< since 1970, or since the origin of the log
+  std::string_view interface;                 ///< within the line
+  Frame frame;                                ///< if it is one
+  std::string_view problem;                   ///< reason if it is malformed
 };
 
 /// Parses one line without its end. Additions of newer tools (a direction R or T, flags) are
@@ -92,13 +94,17 @@ void append_log_line(std::string& text, Duration since_1970, std::string_view in
 /// Reads a log of any length line by line.
 class CandumpReader {
  public:
+  /// Opens a log. Errors: those of the system.
   static Result<CandumpReader> open(const std::string& path);
 
   /// Next frame, or nothing at the end. A malformed line is an error with its number; the next call
   /// continues after that line.
   Result<std::optional<LogEntry>> next();
+  /// Number of the last line read, from 1.
   std::uint64_t line_number() const { return line_number_; }
+  /// Lines with CAN FD frames so far, which next() passes over.
   std::uint64_t fd_skipped() const { return fd_skipped_; }
+  /// Blank lines, comments and drop counts so far, which next() passes over.
   std::uint64_t notes_skipped() const { return notes_skipped_; }
 
  private:

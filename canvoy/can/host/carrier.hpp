@@ -39,8 +39,11 @@ struct CarrierCounters {
 
 /// Events that a carrier reports to its owner. Times are those of the kernel, as loop time.
 struct CarrierEvents {
+  /// A frame from the bus; own ones come back when they were sent.
   Callback<void(const Frame&, Time, Origin)> frame;
+  /// State of the controller has changed.
   Callback<void(BusState, Time)> state;
+  /// A send that was refused as busy may be tried again.
   Callback<void()> writable;
   Callback<void(const Error&)> trouble;  ///< once at its beginning, not for each frame
 };
@@ -61,7 +64,9 @@ class Carrier {
   /// bits are needed; null: all. A carrier without a filter passes all.
   virtual void accept(const AcceptedIds* ids) { static_cast<void>(ids); }
 
+  /// Sets the receiver of events, once.
   void connect(const CarrierEvents& events) { events_ = events; }
+  /// Counters since the carrier was opened.
   const CarrierCounters& counters() const { return counters_; }
 
  protected:

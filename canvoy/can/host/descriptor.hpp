@@ -25,6 +25,7 @@ class Descriptor {
   }
 
   explicit operator bool() const { return number_ >= 0; }
+  /// The number; negative if there is none.
   int get() const { return number_; }
 
  private:

@@ -31,9 +31,9 @@ namespace canvoy::host {
 
 /// Readiness of a file descriptor, to wait for or reported.
 struct Readiness {
-  bool readable = false;
-  bool writable = false;
-  bool failed = false;  ///< an error, or the other end closed; always waited for
+  bool readable = false;  ///< a read does not block
+  bool writable = false;  ///< a write does not block
+  bool failed = false;    ///< an error, or the other end closed; always waited for
 
   friend bool operator==(const Readiness&, const Readiness&) = default;
 };
@@ -60,8 +60,11 @@ struct LoopCounters {
 class EventLoop {
  public:
   using Id = std::uint64_t;  ///< of a watch, a task or a timer; never reused
+  /// Called with what the descriptor is ready for.
   using Ready = Callback<void(Readiness)>;
+  /// Called with the time of the turn, not before its own.
   using TimerAction = std::function<void(Time now)>;
+  /// Why run_until() returned: by stop(), or at its time.
   enum class End { stopped, reached };
 
   /// Makes a loop. Fails only if the process is out of file descriptors or memory.
@@ -85,14 +88,19 @@ class EventLoop {
   /// Calls `ready` while the descriptor is ready as requested (level-triggered). The caller keeps
   /// the descriptor.
   Result<Id> watch(int descriptor, Readiness wanted, Ready ready);
+  /// Changes what a watch waits for. Ids that are gone are ignored.
   void rewatch(Id id, Readiness wanted);
+  /// Ends a watch; its descriptor stays open. Ids that are gone are ignored.
   void unwatch(Id id);
 
+  /// Adds a task, which is asked for its deadline before each wait.
   Id add(const Task& task);
+  /// Removes a task; Ids that are gone are ignored.
   void remove(Id id);
 
   /// Calls `action` once, at `time` or as soon after it as possible.
   Id at(Time time, TimerAction action);
+  /// Cancels a timer; one that has run is ignored.
   void cancel(Id id);
 
   /// Stops the loop on SIGINT, SIGTERM, and SIGHUP unless it is ignored or handled (nohup). After
@@ -105,6 +113,7 @@ class EventLoop {
   /// Runs until stop(): an earlier call counts as well, and each ends one run. Must not be called
   /// from a callback.
   void run() { run_until(never); }
+  /// Like run(), but until `time` at the latest.
   End run_until(Time time);
   /// Ends the run after the current turn. May be called from any thread, also from a signal
   /// handler.
@@ -112,6 +121,7 @@ class EventLoop {
   /// Makes the loop read all deadlines again. May be called from any thread.
   void wake();
 
+  /// Counters since the loop was made.
   const LoopCounters& counters() const { return counters_; }
 
  private:

@@ -27,31 +27,34 @@ namespace canvoy::host {
 
 /// A frame that was on the bus.
 struct BusFrame {
-  Frame frame;
+  Frame frame;  ///< data, remote or error frame
   /// Time stamp of the kernel; EventLoop::epoch() + time is the wall clock.
   Time time;
-  Origin origin = Origin::elsewhere;
+  Origin origin = Origin::elsewhere;  ///< this process or another one
 };
 
 /// Counters since the bus was opened.
 struct BusCounters {
   std::uint64_t received = 0;  ///< from outside, after the filter
   std::uint64_t sent = 0;      ///< by this process, and seen on the bus
+  /// See below.
   std::uint64_t refused =
       /// Sends with the result `false`: queue full or bus down. The node keeps the frame.
       0;
   /// Waiting or in transit when the bus went down, or without a route.
   std::uint64_t dropped = 0;
+  /// See below.
   std::uint64_t unknown_echo =
       /// Own frames without a known sender; no member received them.
       0;
-  CarrierCounters carrier;
+  CarrierCounters carrier;  ///< of the carrier below the bus
 };
 
 /// Callbacks of a node. Empty ones are allowed.
 struct BusMember {
   /// Data and remote frames of other members and nodes.
   Callback<void(const Frame&, Time)> receive;
+  /// Each change of the state of the controller; the state at attach() is not reported.
   Callback<void(BusState, Time)> bus_state;
   /// After a refused send: there is room again.
   Callback<void(Time)> tx_ready;
@@ -67,18 +70,23 @@ class HostBus {
  public:
   class Endpoint;
 
+  /// Makes the bus; open_bus() is the usual way. `loop` must outlive it.
   HostBus(EventLoop& loop, std::unique_ptr<Carrier> carrier);
   ~HostBus();
   HostBus(const HostBus&) = delete;
   HostBus& operator=(const HostBus&) = delete;
 
+  /// Name in the notation of users: can0.
   std::string_view name() const { return carrier_->name(); }
+  /// State of the controller, as far as the carrier reports one; otherwise error-active.
   BusState state() const { return state_; }
+  /// Counters so far. By value, since they are collected from several parts.
   BusCounters counters() const;
 
   /// Adds a member; it receives nothing until attach(). Leaving is allowed at any time, also from a
   /// callback.
   Endpoint& join();
+  /// Removes a member, which gets no further call; frames that it has sent still go out.
   void leave(Endpoint& endpoint);
 
   /// Sends a frame without a sender: all members receive it. False if it was refused.
@@ -87,6 +95,7 @@ class HostBus {
   /// Sets an observer for every frame on the bus, own and foreign, also error frames, in their
   /// order; it lives as long as the bus.
   void on_frame(std::function<void(const BusFrame&)> observer);
+  /// Sets an observer for states of the controller; it lives as long as the bus.
   void on_state(std::function<void(BusState, Time)> observer);
   /// Sets an observer for trouble (the interface is down, there is no route): called once at its
   /// beginning.
@@ -133,6 +142,7 @@ class HostBus {
 /// Connection of a member to a HostBus.
 class HostBus::Endpoint {
  public:
+  /// Made by HostBus::join().
   explicit Endpoint(HostBus& bus) : bus_(&bus) {}
   Endpoint(const Endpoint&) = delete;
   Endpoint& operator=(const Endpoint&) = delete;
@@ -140,6 +150,7 @@ class HostBus::Endpoint {
   /// Port of the node. Without a call of `accept` it receives all 11-bit identifiers; after the
   /// first call, only those accepted. It always receives 29-bit frames.
   Port port();
+  /// Sets the callbacks of the node; it receives from then on.
   void attach(const BusMember& member) { member_ = member; }
 
  private:
@@ -160,6 +171,7 @@ class HostBus::Endpoint {
 /// Opens the bus of an address from parse_bus_address(). `sim` is not a bus of the host: it is
 /// refused with an explanation.
 Result<std::unique_ptr<HostBus>> open_bus(EventLoop& loop, const BusAddress& address);
+/// Opens the bus of an address in the notation of users: see parse_bus_address().
 Result<std::unique_ptr<HostBus>> open_bus(EventLoop& loop, std::string_view address);
 
 }  // namespace canvoy::host

@@ -19,10 +19,11 @@ namespace canvoy::host {
 /// each number, the time stamp as a 64-bit float.
 class MsgpackFrame {
  public:
-  static constexpr std::size_t size_max = 192;
+  static constexpr std::size_t size_max = 192;  ///< bytes of the longest datagram
 
   /// Encodes a frame; `timestamp` in seconds since 1970.
   MsgpackFrame(const Frame& frame, double timestamp);
+  /// The datagram, valid as long as this object.
   std::span<const std::uint8_t> bytes() const { return {bytes_.data(), size_}; }
 
  private:
@@ -38,12 +39,13 @@ class MsgpackFrame {
   std::size_t size_ = 0;
 };
 
+/// What a datagram holds.
 enum class FrameKind : std::uint8_t { malformed, classic, fd };
 
 /// Result of decoding; `frame` is empty unless it is a classic one.
 struct DecodedFrame {
-  FrameKind kind = FrameKind::malformed;
-  Frame frame;
+  FrameKind kind = FrameKind::malformed;  ///< malformed: nothing else counts
+  Frame frame;                            ///< empty unless classic
 };
 
 /// Decodes strictly: one map of known keys with values of their types, each once, in any order,

@@ -15,7 +15,7 @@ namespace canvoy::host {
 
 /// A packet, valid until the next call of ReceiveBatch::receive().
 struct ReceivedPacket {
-  std::span<const std::uint8_t> bytes;
+  std::span<const std::uint8_t> bytes;  ///< of the datagram or frame
   const sockaddr_in* sender = nullptr;  ///< for an IPv4 socket
   timespec stamp{};                     ///< CLOCK_REALTIME; zero if the kernel gave none
   bool confirms = false;                ///< MSG_CONFIRM: sent by this socket
@@ -26,8 +26,8 @@ struct ReceivedPacket {
 /// request_details().
 class ReceiveBatch {
  public:
-  static constexpr std::size_t packets_max = 32;
-  static constexpr std::size_t packet_max = 512;
+  static constexpr std::size_t packets_max = 32;  ///< in one system call
+  static constexpr std::size_t packet_max = 512;  ///< bytes; a longer packet is cut off
   /// Limit of calls of receive() in a turn of the event loop, so that a flood does not block
   /// everything else.
   static constexpr int batches_max = 32;
@@ -40,6 +40,7 @@ class ReceiveBatch {
   int receive(int socket);
   /// Prepares for another socket, which counts its drops from 0.
   void begin_anew() { dropped_ = 0; }
+  /// A packet of the last receive(); `position` is below its result.
   ReceivedPacket packet(std::size_t position) const;
   /// Number of packets that the kernel dropped, by the last receive().
   std::uint32_t newly_dropped() const { return newly_dropped_; }

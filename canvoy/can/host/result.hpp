@@ -18,6 +18,7 @@ struct Error {
   std::string what;    ///< the problem
   std::string remedy;  ///< what to do; may be empty
 
+  /// The line: where, what, and what to do, with a colon and a semicolon between.
   std::string line() const { return where + ": " + what + (remedy.empty() ? "" : "; " + remedy); }
 };
 
@@ -25,7 +26,9 @@ struct Error {
 template <class Value>
 class [[nodiscard]] Result {
  public:
+  /// A value; returned as it is.
   Result(Value value) : content_(std::in_place_index<0>, std::move(value)) {}
+  /// An error; returned as it is.
   Result(Error error) : content_(std::in_place_index<1>, std::move(error)) {}
 
   explicit operator bool() const { return content_.index() == 0; }
@@ -34,6 +37,7 @@ class [[nodiscard]] Result {
   const Value& operator*() const& { return *std::get_if<0>(&content_); }
   Value* operator->() { return std::get_if<0>(&content_); }
   const Value* operator->() const { return std::get_if<0>(&content_); }
+  /// The error; only if there is no value.
   const Error& error() const { return *std::get_if<1>(&content_); }
 
  private:
@@ -44,10 +48,13 @@ class [[nodiscard]] Result {
 template <>
 class [[nodiscard]] Result<void> {
  public:
+  /// Success.
   Result() = default;
+  /// An error; returned as it is.
   Result(Error error) : failed_(true), error_(std::move(error)) {}
 
   explicit operator bool() const { return !failed_; }
+  /// The error; only if there is one.
   const Error& error() const { return error_; }
 
  private:

@@ -13,8 +13,8 @@ namespace canvoy::host {
 
 /// A frame and the member that sent it; the sender is only compared, and may be gone.
 struct SentFrame {
-  Frame frame;
-  const void* sender = nullptr;
+  Frame frame;                    ///< as it was sent
+  const void* sender = nullptr;   ///< null: none, or gone
   std::uint32_t overtakings = 0;  ///< number of later frames that came back before it
 };
 
@@ -22,11 +22,13 @@ struct SentFrame {
 template <std::size_t capacity_>
 class FrameQueue {
  public:
-  static constexpr std::size_t capacity = capacity_;
+  static constexpr std::size_t capacity = capacity_;  ///< frames
 
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
+  /// True if push() is not allowed.
   bool full() const { return size_ == capacity; }
+  /// Removes all frames.
   void clear() { size_ = 0; }
 
   /// Frame at `position`, counted from the oldest.
@@ -61,13 +63,16 @@ using SendQueue = FrameQueue<256>;
 /// removed, as is the oldest if there are too many.
 class EchoQueue {
  public:
-  static constexpr std::size_t overtakings_max = 64;
+  static constexpr std::size_t overtakings_max = 64;  ///< of one frame
 
+  /// Appends a frame. If there are too many, the oldest was lost, and is removed.
   void push(const SentFrame& sent);
   /// Sender of a frame that came back; empty if unknown.
   std::optional<const void*> take(const Frame& frame);
+  /// Removes a sender from its frames, since it is gone.
   void forget_sender(const void* sender) { queue_.forget_sender(sender); }
   std::size_t size() const { return queue_.size(); }
+  /// Removes all frames.
   void clear() { queue_.clear(); }
 
  private:

@@ -13,6 +13,7 @@
 
 namespace canvoy::host {
 
+/// Converts a frame for the kernel: CAN_EFF_FLAG, CAN_RTR_FLAG and CAN_ERR_FLAG as in its flags.
 can_frame to_kernel(const Frame& frame);
 /// Converts a frame of the kernel. Lengths above 8 are taken as 8, as a classic controller does.
 Frame from_kernel(const can_frame& raw);

@@ -30,13 +30,16 @@ std::optional<Frame> parse_socketcand_frame(std::string_view message);
 /// longer than any valid one is dropped and counted, so that memory is limited.
 class SocketcandMessages {
  public:
+  /// Characters of a message; a longer one is dropped.
   static constexpr std::size_t length_max = 256;
 
+  /// Appends a piece of the stream, of any length.
   void add(std::string_view bytes) { bytes_ += bytes; }
   /// Next complete message, without brackets and surrounding blanks; valid until the next call.
   std::optional<std::string_view> next();
   /// Number of messages dropped since the last call.
   std::uint64_t take_malformed() { return std::exchange(malformed_, 0); }
+  /// Discards what is incomplete, for a new connection.
   void clear();
 
  private:

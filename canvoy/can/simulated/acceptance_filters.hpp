@@ -27,6 +27,7 @@ class AcceptanceFilters {
   }
   /// Sets the filter for all frames with 29-bit identifiers.
   void accept_extended(ControllerId id, bool wanted) { extended_.assign(id, wanted); }
+  /// Opens the filter of a controller for all frames.
   void accept_all(ControllerId id) {
     for (ControllerSet& accepting : by_identifier_) accepting.insert(id);
     extended_.insert(id);

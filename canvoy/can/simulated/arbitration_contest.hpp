@@ -39,11 +39,13 @@ class ArbitrationContest {
     contenders_.insert(id);
     play(id, std::uint64_t{key} << key_shift | id);
   }
+  /// Removes a controller that has nothing to send.
   void leave(ControllerId id) {
     contenders_.erase(id);
     play(id, nobody);
   }
 
+  /// Controllers with a frame to send.
   const ControllerSet& contenders() const { return contenders_; }
 
   /// Controllers with the lowest key: one, unless several send the same identifier; none if there

@@ -33,7 +33,9 @@ class BitTimes {
                              [&](std::int64_t bit_ns) { return bit_ns != bit_ns_[id]; });
   }
 
+  /// Bit time of a controller in nanoseconds; 0 for one that was never set.
   constexpr std::int64_t of(ControllerId id) const { return bit_ns_[id]; }
+  /// True if not all controllers have the same bit time.
   constexpr bool are_mixed() const { return are_mixed_; }
 
   /// Members of `some` with a rate other than that of bits of `bit_ns`.

@@ -20,11 +20,11 @@ enum class BusErrorKind : std::uint8_t {
 
 /// A frame that was destroyed.
 struct BusError {
-  BusErrorKind kind = BusErrorKind::bit;
+  BusErrorKind kind = BusErrorKind::bit;  ///< form of the error
   ControllerId sender = no_controller;    ///< no_controller: it is gone
   ControllerId detector = no_controller;  ///< first to detect it; no_controller: the sender
   unsigned bit = 0;  ///< last bit sent of the frame, counted from 1 at the start of frame
-  Frame frame{};
+  Frame frame{};     ///< the frame that was destroyed
 };
 
 }  // namespace canvoy

@@ -17,17 +17,17 @@ namespace canvoy {
 
 /// A cut of the cable between controller `after` and the next one, mended at `until`.
 struct CableCut {
-  ControllerId after = no_controller;
-  Time from = never;
-  Time until = never;
+  ControllerId after = no_controller;  ///< no_controller: no cut
+  Time from = never;                   ///< begin of the cut
+  Time until = never;                  ///< end of the cut; never: it stays
 };
 
 /// A node that sends `frame` again and again, as fast as the bus allows.
 struct Babbling {
-  ControllerId controller = no_controller;
-  Frame frame{};
-  Time from = never;
-  Time until = never;
+  ControllerId controller = no_controller;  ///< no_controller: none
+  Frame frame{};                            ///< sent beside its queued frames
+  Time from = never;                        ///< begin
+  Time until = never;                       ///< end; never: it goes on
 };
 
 /// Faults, all absent by default.
@@ -36,8 +36,8 @@ struct BusFaults {
   double frame_error_probability = 0.0;
   /// Probability (0 to 1) that a bit of a frame is disturbed for all.
   double bit_error_rate = 0.0;
-  CableCut cable_cut{};
-  Babbling babbling{};
+  CableCut cable_cut{};  ///< at most one
+  Babbling babbling{};   ///< at most one
 };
 
 }  // namespace canvoy

@@ -26,7 +26,9 @@ class BusOffRecovery {
   /// Cancels the recovery of a controller without power, which starts from reset later.
   void cancel(ControllerId id) { recovering_.erase(id); }
 
+  /// True from begin() until a controller is taken, or its recovery is cancelled.
   bool is_under_way(ControllerId id) const { return recovering_.contains(id); }
+  /// True if no controller is recovering.
   bool is_empty() const { return recovering_.empty(); }
 
   /// Time at which the first of the members is back if no frame comes between; never_ns for none.

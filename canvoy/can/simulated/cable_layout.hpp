@@ -17,15 +17,19 @@ namespace canvoy {
 
 class CableLayout {
  public:
+  /// Memory for pieces(), in the order along the cable.
   using Pieces = std::array<ControllerSet, ControllerSet::capacity>;
 
   /// Adds a controller at the end, with the next number.
   void append(ControllerId id) { count_ = id + std::size_t{1}; }
 
+  /// Cuts the cable behind a controller; behind the last one it has no effect.
   void cut(ControllerId after) { cut_after_.insert(after); }
   /// Mends all cuts; unplugged controllers stay unplugged.
   void mend() { cut_after_.clear(); }
+  /// Takes a controller off the cable.
   void unplug(ControllerId id) { unplugged_.insert(id); }
+  /// Puts a controller back into its place.
   void plug(ControllerId id) { unplugged_.erase(id); }
 
   /// Pieces from the beginning to the end, in `storage`; each unplugged controller is a separate

@@ -23,13 +23,19 @@ class ControllerSet {
  public:
   static constexpr std::size_t capacity = 128;  ///< 127 nodes and a tool
 
+  /// Adds a controller, 0 to 127.
   constexpr void insert(ControllerId id) { words_[id / 64U] |= bit(id); }
+  /// Removes a controller, 0 to 127.
   constexpr void erase(ControllerId id) { words_[id / 64U] &= ~bit(id); }
+  /// Adds or removes a controller.
   constexpr void assign(ControllerId id, bool member) { member ? insert(id) : erase(id); }
+  /// Removes all.
   constexpr void clear() { words_ = {}; }
 
+  /// True if a controller, 0 to 127, is a member.
   constexpr bool contains(ControllerId id) const { return (words_[id / 64U] & bit(id)) != 0; }
   constexpr bool empty() const { return (words_[0] | words_[1]) == 0; }
+  /// True for two members or more.
   constexpr bool has_several() const {
     const std::uint64_t without_first =
         words_[0] != 0 ? (words_[0] & (words_[0] - 1)) | words_[1] : words_[1] & (words_[1] - 1);

@@ -21,6 +21,7 @@ class DriftingClock {
   constexpr explicit DriftingClock(std::int32_t drift_ppm)
       : drift_ppm_(drift_ppm < -ppm_max ? -ppm_max : (drift_ppm > ppm_max ? ppm_max : drift_ppm)) {}
 
+  /// Parts per million by which the clock is fast; negative: slow.
   constexpr std::int32_t drift_ppm() const { return drift_ppm_; }
 
   /// Time of the node's clock, rounded down, at the world time `world`.

@@ -20,9 +20,12 @@ class ErrorCounters {
   static constexpr std::uint16_t passive_limit = 128;  ///< from here on error-passive
   static constexpr std::uint16_t bus_off_limit = 256;  ///< for transmit errors only
 
+  /// Transmit error counter; 256 and up: bus-off.
   constexpr std::uint16_t transmit() const { return transmit_; }
+  /// Receive error counter; a full one does not lead to bus-off.
   constexpr std::uint16_t receive() const { return receive_; }
 
+  /// State that follows from the counters.
   constexpr BusState state() const {
     if (transmit_ >= bus_off_limit) return BusState::bus_off;
     if (reaches(passive_limit)) return BusState::error_passive;

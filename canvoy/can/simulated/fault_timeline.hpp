@@ -17,10 +17,10 @@ namespace canvoy {
 
 /// Faults that begin and end at one time, each by its controller; no_controller: none.
 struct FaultsDue {
-  ControllerId cut_after = no_controller;
-  ControllerId mend_after = no_controller;
-  ControllerId babble = no_controller;
-  ControllerId stop_babbling = no_controller;
+  ControllerId cut_after = no_controller;      ///< cut behind it
+  ControllerId mend_after = no_controller;     ///< the cut behind it is mended
+  ControllerId babble = no_controller;         ///< begins to babble
+  ControllerId stop_babbling = no_controller;  ///< ends to babble
 
   friend bool operator==(const FaultsDue&, const FaultsDue&) = default;
 };

@@ -25,6 +25,8 @@ namespace canvoy {
 /// The errors. Allocates in the constructor only.
 class FrameErrors {
  public:
+  /// Makes the errors. The probabilities are those of `faults`; its cable cut and babbling are not
+  /// used.
   FrameErrors(std::uint64_t seed, const BusFaults& faults);
 
   /// Sets the share of the others' frames that this controller alone sees disturbed.
@@ -34,6 +36,7 @@ class FrameErrors {
   }
   /// Destroys the next `frames` frames, in this bit, counted from 1.
   void disturb(std::uint32_t frames, unsigned bit);
+  /// Sets the share of the frames that a disturbance destroys for all.
   void set_frame_error_probability(Probability probability);
 
   /// Plans the first error of the frame that has begun on the wire. Returns the controllers that

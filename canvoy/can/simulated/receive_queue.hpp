@@ -15,6 +15,7 @@ namespace canvoy {
 class ReceiveQueue {
  public:
   constexpr ReceiveQueue() = default;
+  /// Makes an empty queue; the size of `storage` is its capacity.
   constexpr explicit ReceiveQueue(std::span<Frame> storage) : storage_(storage) {}
 
   constexpr std::size_t size() const { return size_; }
@@ -34,6 +35,7 @@ class ReceiveQueue {
     --size_;
     return true;
   }
+  /// Drops all frames.
   constexpr void clear() { size_ = 0; }
 
  private:

@@ -39,6 +39,7 @@
 
 namespace canvoy {
 
+/// Options of a bus; the defaults are a healthy bus of 125 kbit/s.
 struct SimulatedBusOptions {
   /// Bit/s, 1000 to 1'000'000, for controllers without their own.
   std::uint32_t bit_rate = 125'000;
@@ -46,16 +47,17 @@ struct SimulatedBusOptions {
   std::size_t transmit_queue_max = 32;  ///< frames, for each controller
   std::size_t receive_queue_max = 32;   ///< frames, for each controller with `queue_received`
   Duration load_window = 1s;            ///< time span of load()
-  BusFaults faults{};
-  std::uint64_t seed = 1;  ///< of all random effects of the faults
+  BusFaults faults{};                   ///< present from the start, or at their times
+  std::uint64_t seed = 1;               ///< of all random effects of the faults
 };
 
 /// The bus: controls transmissions and notifications, and the parts at each event: the cable with
 /// its wires, the controllers on it, faults, and observers.
 class SimulatedBus {
  public:
-  static constexpr std::size_t taps_max = BusObservers::taps_max;
+  static constexpr std::size_t taps_max = BusObservers::taps_max;  ///< of observe()
 
+  /// Makes a bus without controllers, at Time zero. Numbers out of range are limited.
   explicit SimulatedBus(const SimulatedBusOptions& options = {});
   SimulatedBus(const SimulatedBus&) = delete;
   SimulatedBus& operator=(const SimulatedBus&) = delete;
@@ -79,6 +81,7 @@ class SimulatedBus {
   void accept(ControllerId id, std::uint16_t can_id, bool wanted) {
     filters_.accept(id, can_id, wanted);
   }
+  /// Opens or closes the filter of a controller for all 29-bit frames.
   void accept_extended(ControllerId id, bool wanted) { filters_.accept_extended(id, wanted); }
   /// Port for a node. Valid as long as the bus.
   Port port(ControllerId id);
@@ -105,6 +108,7 @@ class SimulatedBus {
   void power(ControllerId id, bool on);
   /// Changes the bit rate of a controller; a frame that it is sending is destroyed.
   void set_bit_rate(ControllerId id, std::uint32_t bit_rate);
+  /// Switches listen-only mode: the controller neither sends nor acknowledges from then on.
   void set_listen_only(ControllerId id, bool on);
   /// Starts the recovery of a controller in bus-off, which takes 128 times 11 recessive bits.
   void recover(ControllerId id);
@@ -113,12 +117,14 @@ class SimulatedBus {
   void cut_cable(ControllerId after);
   /// Takes one controller off the cable: it has power, and is alone.
   void unplug(ControllerId id);
+  /// Puts an unplugged controller back into its place; frames that meet are destroyed.
   void plug(ControllerId id);
   /// Mends all cuts. Frames that meet are destroyed.
   void mend_cable();
   /// Makes a controller send `frame` again and again, beside its queued frames, until
   /// stop_babbling().
   void babble(ControllerId id, const Frame& frame);
+  /// Ends the babbling of a controller; a frame that is on the wire ends first.
   void stop_babbling(ControllerId id);
 
   /// Destroys the next `frames` frames for all, in this bit, counted from 1 at the start of frame
@@ -129,8 +135,11 @@ class SimulatedBus {
     errors_.set_frame_error_probability(Probability(probability));
   }
 
+  /// Fault confinement state of a controller.
   BusState state(ControllerId id) const { return at(id).state(); }
+  /// Error counters of a controller.
   const ErrorCounters& error_counters(ControllerId id) const { return at(id).counters(); }
+  /// Counters of a controller since attach().
   const ControllerStatistics& statistics(ControllerId id) const { return at(id).statistics(); }
   /// True if frames were lost for a full receive queue since the last call.
   bool take_overrun(ControllerId id) { return at(id).take_overrun(); }
@@ -143,6 +152,7 @@ class SimulatedBus {
   /// since the start: frames with their stuff bits, intermissions and error frames, as `id` (or the
   /// first controller) sees them; 0 if there is none.
   double load(ControllerId id = 0) const;
+  /// The same since the start.
   double load_total(ControllerId id = 0) const;
 
  private:

@@ -30,13 +30,17 @@ struct Rewired {
 /// The cable. Allocates in the constructor only.
 class SimulatedCable {
  public:
+  /// Makes a cable in one piece; memory for `controllers_max` wires.
   SimulatedCable(std::size_t controllers_max, std::int64_t bit_ns, std::int64_t load_window_ns)
       : wires_(controllers_max, SimulatedWire(bit_ns, load_window_ns, 0)),
         load_window_ns_(load_window_ns) {}
 
+  /// Layout, to be changed before rewire().
   CableLayout& layout() { return layout_; }
 
+  /// Wire that a controller is on.
   SimulatedWire& wire_of(ControllerId id) { return wires_[wire_of_[id]]; }
+  /// Wire that a controller is on.
   const SimulatedWire& wire_of(ControllerId id) const { return wires_[wire_of_[id]]; }
   /// Wires in use; one of them may have no controller.
   std::span<SimulatedWire> wires() { return std::span(wires_).first(used_); }

@@ -22,19 +22,21 @@ namespace canvoy {
 
 /// Callbacks of a node, called at the moment of an event. Null: not called.
 struct BusListener {
-  void* context = nullptr;
+  void* context = nullptr;  ///< first argument of each call
   /// Receives a frame of another controller that passes the acceptance filter.
   void (*on_frame)(void* context, Time now, const Frame& frame) = nullptr;
   /// A frame of this controller was sent and acknowledged: there is room in the transmit queue.
   void (*on_sent)(void* context, Time now, const Frame& frame) = nullptr;
+  /// The fault confinement state of this controller has changed.
   void (*on_state)(void* context, Time now, BusState state) = nullptr;
   /// A frame was lost because the receive queue was full (only with `queue_received`).
   void (*on_overrun)(void* context, Time now) = nullptr;
 };
 
+/// Options of a controller and of the quartz of its node.
 struct ControllerOptions {
-  BusListener listener{};
-  TransmitOrder transmit_order = TransmitOrder::as_queued;
+  BusListener listener{};                                   ///< callbacks of the node
+  TransmitOrder transmit_order = TransmitOrder::as_queued;  ///< order of its transmit queue
   std::uint32_t bit_rate = 0;  ///< bit/s, 1000 to 1'000'000; 0: that of the bus
   /// Neither sends nor acknowledges nor destroys anything; its error counters do not change.
   bool listen_only = false;
@@ -51,11 +53,11 @@ struct ControllerOptions {
 
 /// Counters since attach().
 struct ControllerStatistics {
-  std::uint64_t received = 0;  ///< frames passed to the node or put into its receive queue
-  std::uint64_t sent = 0;
+  std::uint64_t received = 0;         ///< frames passed to the node or put into its receive queue
+  std::uint64_t sent = 0;             ///< frames that were acknowledged
   std::uint64_t overruns = 0;         ///< frames lost because the receive queue was full
   std::uint64_t transmit_errors = 0;  ///< failed attempts to send; each is repeated
-  std::uint64_t receive_errors = 0;
+  std::uint64_t receive_errors = 0;   ///< errors detected as a receiver
 };
 
 /// Frames to send and received, mode, and fault confinement. The data needed to pass on a frame
@@ -63,6 +65,7 @@ struct ControllerStatistics {
 class alignas(64) SimulatedController {
  public:
   SimulatedController() = default;
+  /// Makes a controller that is switched on; the spans are the memory of its queues.
   SimulatedController(ControllerId id, const ControllerOptions& options,
                       std::span<PendingFrame> to_send, std::span<Frame> received)
       : listener_(options.listener),
@@ -77,19 +80,28 @@ class alignas(64) SimulatedController {
     if (queues_received_) listener_.on_frame = nullptr;
   }
 
+  /// Number on the bus.
   ControllerId id() const { return id_; }
   /// Listener; without on_frame if the node fetches frames.
   const BusListener& listener() const { return listener_; }
   /// Callback with the listener's context.
   auto on_error() const { return on_error_; }
+  /// Fault confinement state.
   BusState state() const { return state_; }
+  /// False: takes no part in anything.
   bool is_powered() const { return is_powered_; }
+  /// True: receives only.
   bool is_listen_only() const { return is_listen_only_; }
+  /// True if it recovers from bus-off by itself.
   bool recovers_automatically() const { return recovers_automatically_; }
+  /// Error counters.
   const ErrorCounters& counters() const { return counters_; }
+  /// Counters since attach().
   const ControllerStatistics& statistics() const { return statistics_; }
+  /// Clock of the node.
   const DriftingClock& clock() const { return clock_; }
 
+  /// Switches listen-only mode. Queued frames wait until it is over.
   void set_listen_only(bool on) { is_listen_only_ = on; }
   /// Switches power, with the state after a reset: queues empty, counters at zero.
   void switch_power(bool on) {
@@ -113,6 +125,7 @@ class alignas(64) SimulatedController {
     babble_ = frame;
     is_babbling_ = true;
   }
+  /// Ends the babbling; queued frames follow.
   void stop_babbling() { is_babbling_ = false; }
 
   /// True if it has a frame to send, and may.
@@ -130,6 +143,7 @@ class alignas(64) SimulatedController {
     is_sending_babble_ = is_babbling_;
     if (!is_babbling_) to_send_.lock();
   }
+  /// Ends a frame that was acknowledged, and removes it from the queue.
   void end_sending() {
     if (!is_sending_babble_) to_send_.pop();
     ++statistics_.sent;
@@ -155,21 +169,25 @@ class alignas(64) SimulatedController {
   bool take_overrun() { return std::exchange(has_overrun_, false); }
 
   // Fault confinement. Each function returns whether the state has changed.
+  /// Rules a and b: a receive error, and whether no other controller had detected it before.
   bool count_receive_error(bool alone) {
     ++statistics_.receive_errors;
     counters_.receive_error();
     if (alone) counters_.receive_error_alone();
     return follow_counters();
   }
+  /// Rule c: a transmit error, and whether it is a missing acknowledgement only.
   bool count_transmit_error(bool unacknowledged) {
     ++statistics_.transmit_errors;
     unacknowledged ? counters_.acknowledgement_missing() : counters_.transmit_error();
     return follow_counters();
   }
+  /// Rule h: a frame was received.
   bool count_received() {
     counters_.received();
     return follow_counters();
   }
+  /// Rule g: a frame was sent.
   bool count_transmitted() {
     if (counters_.transmit() == 0) return false;
     counters_.transmitted();

@@ -31,16 +31,21 @@ class SimulatedWire {
   SimulatedWire(std::int64_t bit_ns, std::int64_t load_window_ns, std::int64_t now_ns)
       : bit_ns_(bit_ns), free_ns_(now_ns), recessive_since_ns_(now_ns), load_(load_window_ns) {}
 
+  /// What the wire is doing.
   Phase phase() const { return phase_; }
+  /// True while a frame is on the wire.
   bool is_busy() const { return phase_ == Phase::frame || phase_ == Phase::last_bit; }
   /// Time of the next event.
   std::int64_t event_ns() const { return event_ns_; }
   /// True if a frame is due to begin, or an error to be detected.
   bool may_start(std::int64_t now_ns) const { return start_ns_ <= now_ns; }
+  /// True if an error is to be detected by now.
   bool has_failed(std::int64_t now_ns) const { return failure_ns_ <= now_ns; }
 
   const ControllerSet& members() const { return members_; }  ///< with power or without
+  /// Controllers that send the present or last frame; several send the same bits so far.
   const ControllerSet& transmitters() const { return transmitters_; }
+  /// Members that take part in the frame as receivers.
   const ControllerSet& receivers() const { return receivers_; }
   /// Controllers that are error-passive and sent last: they let others go first.
   const ControllerSet& suspended() const { return suspended_; }
@@ -50,7 +55,9 @@ class SimulatedWire {
   /// Frame on the wire.
   const PendingFrame& current() const { return current_; }
   std::int64_t bit_ns() const { return bit_ns_; }  ///< of this frame, or the last one
+  /// End of a bit of the frame, counted from 1 at the start of frame.
   std::int64_t bit_end_ns(unsigned bit) const { return begin_ns_ + bit * bit_ns_; }
+  /// End of the last bit of the end of frame.
   std::int64_t frame_end_ns() const { return bit_end_ns(current_.bits); }
   /// Acknowledgement slot, in which the transmitter detects whether a controller has received the
   /// frame.
@@ -59,6 +66,7 @@ class SimulatedWire {
   }
   /// Time since which the wire is recessive, or from which it will be.
   std::int64_t recessive_since_ns() const { return recessive_since_ns_; }
+  /// Load of the wire, as its members see it.
   const BusLoad& load() const { return load_; }
 
   /// While idle: makes the first of `ready` begin as soon as allowed.
@@ -137,9 +145,11 @@ class SimulatedWire {
     failure_kind_ = BusErrorKind::bit;
     detectors_.clear();
   }
+  /// False if the planned error is a missing acknowledgement.
   bool will_be_acknowledged() const {
     return failure_ns_ == never_ns || failure_kind_ != BusErrorKind::acknowledgement;
   }
+  /// Kind of the planned error; meaningless if none is planned.
   BusErrorKind failure_kind() const { return failure_kind_; }
   /// Error that is detected at `now_ns`.
   BusError error(std::int64_t now_ns) const {
@@ -153,6 +163,7 @@ class SimulatedWire {
   /// Waits for delivery: receivers have the frame when all but the last bit of the end of frame are
   /// seen.
   void await_delivery() { event_ns_ = std::min(failure_ns_, bit_end_ns(current_.bits - 1)); }
+  /// Waits for the end of the last bit of the frame.
   void await_end() {
     phase_ = Phase::last_bit;
     event_ns_ = frame_end_ns();
@@ -163,6 +174,7 @@ class SimulatedWire {
     recessive_since_ns_ = acknowledgement_ns();
     occupy_until(bit_end_ns(current_.bits + intermission_bits));
   }
+  /// Ends the notification of the end of a frame.
   void turn_idle() { phase_ = Phase::idle; }
   /// Ends a destroyed frame: an error flag from `detected_ns` on, in bits of `flag_bit_ns`, six
   /// more of controllers that see an error only in that flag, the error delimiter.

@@ -14,6 +14,7 @@
 
 namespace canvoy {
 
+/// Order in which a controller sends the frames of its queue.
 enum class TransmitOrder : std::uint8_t {
   as_queued,  ///< first in, first out
   /// The frame that would win arbitration goes first; equal ones in the order in which they were
@@ -23,7 +24,7 @@ enum class TransmitOrder : std::uint8_t {
 
 /// A waiting frame, with properties that the bus needs repeatedly.
 struct PendingFrame {
-  Frame frame{};
+  Frame frame{};           ///< as it is sent
   std::uint32_t key = 0;   ///< arbitration_key()
   std::uint32_t bits = 0;  ///< frame_bits()
 };
@@ -33,10 +34,12 @@ struct PendingFrame {
 class TransmitQueue {
  public:
   constexpr TransmitQueue() = default;
+  /// Makes an empty queue; the size of `storage` is its capacity.
   constexpr TransmitQueue(std::span<PendingFrame> storage, TransmitOrder order)
       : storage_(storage), order_(order) {}
 
   constexpr bool empty() const { return size_ == 0; }
+  /// True if push() would refuse.
   constexpr bool full() const { return size_ == storage_.size(); }
   constexpr std::size_t size() const { return size_; }
 
@@ -57,6 +60,7 @@ class TransmitQueue {
 
   /// Next frame to send; the queue must not be empty.
   constexpr const PendingFrame& front() const { return storage_[head_]; }
+  /// Removes the front, and unlocks the queue; it must not be empty.
   constexpr void pop() {
     head_ = head_ + 1 == storage_.size() ? 0 : head_ + 1;
     --size_;

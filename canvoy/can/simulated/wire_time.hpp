@@ -13,6 +13,7 @@
 
 namespace canvoy {
 
+/// No event: greater than any time.
 inline constexpr std::int64_t never_ns = std::numeric_limits<std::int64_t>::max();
 
 /// Converts from and to the time of the world, rounded up: no event is seen before it has happened.
@@ -20,6 +21,7 @@ constexpr std::int64_t to_ns(Time time) {
   const std::int64_t us = time.time_since_epoch().count();
   return us > never_ns / 1000 ? never_ns : us * 1000;
 }
+/// Converts to the time of the world, rounded up to a microsecond.
 constexpr Time to_time(std::int64_t ns) {
   return ns == never_ns ? never : Time(Duration((ns + 999) / 1000));
 }
