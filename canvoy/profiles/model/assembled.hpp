@@ -39,6 +39,7 @@ class Assembled {
     other.whole_ = insert(whole_, Handle::Place::bits, number);
     return other;
   }
+  /// The whole entry, as on the wire.
   constexpr std::uint64_t raw() const { return whole_; }
 
  private:

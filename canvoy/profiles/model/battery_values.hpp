@@ -14,17 +14,19 @@ enum class Readiness : std::uint8_t { not_ready = 0, ready = 1 };
 
 namespace battery_values {
 
-inline constexpr NamedValue readiness_names[] = {{Readiness::not_ready, "not ready"},
+inline constexpr NamedValue readiness_names[] = {{Readiness::not_ready, "not ready"},  ///< bit 0
                                                  {Readiness::ready, "ready"}};
-inline constexpr NamedValue reserved_names[] = {{0, "0", Meaning::padding},
+inline constexpr NamedValue reserved_names[] = {{0, "0", Meaning::padding},  ///< bits 1 to 7
                                                 {1, 0x7F, "reserved", Meaning::reserved}};
 /// A reader ignores the reserved bits.
 inline constexpr FieldInfo readiness[] = {
     {.name = "readiness", .value = {.names = readiness_names}},
     {.first_bit = 1, .bits = 7, .name = "reserved", .value = {.names = reserved_names}}};
 
-inline constexpr NamedValue invalid_8[] = {{0xFF, "invalid", Meaning::invalid}};
+inline constexpr NamedValue invalid_8[] = {{0xFF, "invalid", Meaning::invalid}};  ///< of Unsigned8
+/// Of Unsigned16 and Integer16.
 inline constexpr NamedValue invalid_16[] = {{0xFFFF, "invalid", Meaning::invalid}};
+/// Of Unsigned32.
 inline constexpr NamedValue invalid_32[] = {{0xFFFF'FFFF, "invalid", Meaning::invalid}};
 
 /// -40.0 to 85.0 degrees at least (CiA 419, 7.2.3). FFFFh is -1 as Integer16: -0.125 degrees cannot

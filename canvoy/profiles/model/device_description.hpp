@@ -25,18 +25,21 @@ namespace canvoy {
 /// An object of one device: whole, or with changes that the specification leaves to the device.
 class Part {
  public:
+  /// One thing in which a device differs from the description of an object.
   struct Change {
+    /// What is changed: default, access, or whether the entry exists.
     enum class Kind : std::uint8_t { initial, access, without };
-    Kind kind = Kind::initial;
-    std::uint8_t sub = 0;
-    Access access = Access::none;
-    Default initial = {};
+    Kind kind = Kind::initial;     ///< which of the members below counts
+    std::uint8_t sub = 0;          ///< sub-index of the entry
+    Access access = Access::none;  ///< if `access` is changed
+    Default initial = {};          ///< if the default is changed
   };
 
   /// Whether storage keeps the values of the object that SDO can read and write.
   enum class Retention : std::uint8_t { by_mapping, stored, not_stored };
 
   constexpr Part() = default;
+  /// The whole object as described, which must be static.
   constexpr Part(const ObjectInfo& object)  // NOLINT(google-explicit-constructor)
       : object_(&object), index_(object.index), count_(object.count) {}
 
@@ -88,6 +91,7 @@ class Part {
   constexpr Part initial(unsigned sub, Default value) const {
     return changed({Change::Kind::initial, static_cast<std::uint8_t>(sub), Access::none, value});
   }
+  /// Sets another default of a variable.
   constexpr Part initial(Default value) const { return initial(0, value); }
   /// Sets another access, where the specification leaves a choice.
   constexpr Part access(unsigned sub, Access value) const {
@@ -126,25 +130,34 @@ class Part {
     return part;
   }
 
+  /// The description of the object, or of the first one of its shape.
   constexpr const ObjectInfo& object() const { return *object_; }
+  /// Index in this device, of the first of count() objects.
   constexpr std::uint16_t index() const { return index_; }
+  /// Number of objects with consecutive indices.
   constexpr std::uint16_t count() const { return count_; }
+  /// True if constant() made its entries read only.
   constexpr bool is_constant() const { return constant_; }
+  /// True if the device consumes it and does not provide it.
   constexpr bool is_consumed() const { return consumed_; }
   /// none: as in the entries.
   constexpr Access device_access() const { return device_access_; }
   /// 0: as in the entries.
   constexpr std::uint16_t capacity() const { return capacity_; }
+  /// Whether it is kept without power.
   constexpr Retention retention() const { return retention_; }
+  /// True if the device has this entry of the object.
   constexpr bool has(const EntryInfo& entry) const {
     return !is_absent(entry.sub_first) && entry.sub_first <= highest_sub_ &&
            find_change(Change::Kind::without, entry.sub_first) == nullptr;
   }
+  /// Last sub-index of an entry that the device has.
   constexpr std::uint8_t last_sub(const EntryInfo& entry) const {
     unsigned last = entry.sub_first;
     while (last < entry.last_sub() && last < highest_sub_ && !is_absent(last + 1)) ++last;
     return static_cast<std::uint8_t>(last);
   }
+  /// Value of sub-index 00h: the highest sub-index that the device has.
   constexpr std::uint8_t highest_sub() const {
     std::uint8_t highest = 0;
     for (const EntryInfo& entry : object_->entries()) {
@@ -204,10 +217,11 @@ constexpr Part fixed_mapping(const ObjectInfo& record) {
 template <std::size_t capacity_>
 class DeviceDescription {
  public:
-  static constexpr std::size_t capacity = capacity_;
+  static constexpr std::size_t capacity = capacity_;  ///< parts
 
   constexpr DeviceDescription() = default;
 
+  /// Adds a part. One with an index that exists already does not compile.
   constexpr void add(const Part& part) {
     std::size_t position = size_;
     for (; position > 0 && parts_[position - 1].index() > part.index(); --position) {
@@ -286,6 +300,7 @@ class DeviceDescription {
     return made;
   }
 
+  /// The part with this index, or null. Linear in the number of parts.
   constexpr const Part* find(unsigned index) const {
     for (const Part& part : *this) {
       if (index >= part.index() && index - part.index() < part.count()) return &part;
@@ -295,6 +310,7 @@ class DeviceDescription {
   constexpr const Part* begin() const { return parts_.data(); }
   constexpr const Part* end() const { return parts_.data() + size_; }
   constexpr std::size_t size() const { return size_; }
+  /// Profiles that the device claims to conform to; null behind the last.
   constexpr const std::array<const Profile*, 4>& profiles() const { return profiles_; }
 
  private:

@@ -68,6 +68,7 @@ consteval bool has_entry_of_handle() {
 template <class Handle, class Function>
 class [[nodiscard]] ValueWatch {
  public:
+  /// Attaches to the dictionary. `function` gets the reference of the handle.
   ValueWatch(Dictionary& dictionary, const Handle& handle, Function function)
       : dictionary_(dictionary),
         handle_(handle),
@@ -145,6 +146,7 @@ class FoundValues {
   [[nodiscard]] AbortCode find(const Handle& handle) {
     return values().find(handle);
   }
+  /// See Values.
   template <class Handle, class Value>
   [[nodiscard]] AbortCode set(const Handle& handle, const Value& value) {
     return values().set(handle, value);

@@ -77,47 +77,54 @@ class Located {
 // The handles themselves. They are empty except for a location in arrays, and made once for each
 // profile.
 
+/// Handle of a physical value, with a unit, or of a REAL32 or REAL64.
 template <const ObjectInfo& object, Name entry = "", Name field = "">
 class Quantity : public detail::Located<Quantity<object, entry, field>> {
  public:
-  using Place = detail::Place<object, entry, field>;
-  using Reference = QuantityReference<Place>;
+  using Place = detail::Place<object, entry, field>;  ///< object, entry and bits
+  using Reference = QuantityReference<Place>;         ///< what Values gives for it
 };
+/// Handle of a number without a unit.
 template <const ObjectInfo& object, Name entry = "", Name field = "">
 class Number : public detail::Located<Number<object, entry, field>> {
  public:
-  using Place = detail::Place<object, entry, field>;
-  using Reference = IntegerReference<Place>;
+  using Place = detail::Place<object, entry, field>;  ///< object, entry and bits
+  using Reference = IntegerReference<Place>;          ///< what Values gives for it
 };
+/// Handle of a value with named states, which are an enumeration.
 template <class Enumeration, const ObjectInfo& object, Name entry = "", Name field = "">
 class State : public detail::Located<State<Enumeration, object, entry, field>> {
  public:
-  using Place = detail::Place<object, entry, field>;
-  using Reference = StateReference<Place, Enumeration>;
+  using Place = detail::Place<object, entry, field>;     ///< object, entry and bits
+  using Reference = StateReference<Place, Enumeration>;  ///< what Values gives for it
 };
+/// Handle of one bit.
 template <const ObjectInfo& object, Name entry = "", Name field = "">
 class Flag : public detail::Located<Flag<object, entry, field>> {
  public:
-  using Place = detail::Place<object, entry, field>;
-  using Reference = FlagReference<Place>;
+  using Place = detail::Place<object, entry, field>;  ///< object, entry and bit
+  using Reference = FlagReference<Place>;             ///< what Values gives for it
 };
+/// Handle of a string.
 template <const ObjectInfo& object, Name entry = "">
 class Text : public detail::Located<Text<object, entry>> {
  public:
-  using Place = detail::Place<object, entry, "">;
-  using Reference = TextReference<Place>;
+  using Place = detail::Place<object, entry, "">;  ///< object and entry
+  using Reference = TextReference<Place>;          ///< what Values gives for it
 };
 
+/// Handle of characters that several numbers of an array hold.
 template <const ObjectInfo& object, Name entry = "">
 class PackedText : public detail::Located<PackedText<object, entry>> {
  public:
-  using Place = detail::Place<object, entry, "">;
-  using Reference = PackedTextReference<Place>;
+  using Place = detail::Place<object, entry, "">;  ///< object and first entry
+  using Reference = PackedTextReference<Place>;    ///< what Values gives for it
 };
 
 /// The values of one node, by handle. Each access costs a look-up in logarithmic time.
 class Values {
  public:
+  /// Takes the dictionary of a node, which must outlive this object.
   explicit Values(Dictionary& dictionary) : dictionary_(&dictionary) {}
 
   template <class Handle>
@@ -149,8 +156,10 @@ class Values {
 template <const auto& handle>
 class Bound : public std::remove_cvref_t<decltype(handle)>::Reference {
  public:
+  /// What an unbound handle gives: the same, with a look-up.
   using Reference = typename std::remove_cvref_t<decltype(handle)>::Reference;
 
+  /// Looks the value up; the dictionary must outlive this object.
   explicit Bound(Dictionary& dictionary) : Reference(dictionary, handle.index(), handle.sub()) {}
   using Reference::operator=;
 };

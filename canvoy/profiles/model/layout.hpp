@@ -350,7 +350,7 @@ constexpr auto lay_out_parts() {
 /// Tables that hold their description: see DeviceValues.
 template <const auto& device, class Tables>
 struct DeviceLayout : Tables {
-  static constexpr const auto& description = device;
+  static constexpr const auto& description = device;  ///< of the device
 };
 
 /// The tables of the kind of node that `device` describes.

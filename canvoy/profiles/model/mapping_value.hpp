@@ -12,18 +12,21 @@
 namespace canvoy {
 
 struct MappingValue {
-  std::uint16_t index = 0;
-  std::uint8_t sub = 0;
-  std::uint8_t bits = 0;
+  std::uint16_t index = 0;  ///< of the mapped object
+  std::uint8_t sub = 0;     ///< of the mapped entry
+  std::uint8_t bits = 0;    ///< length; 1 to 64
 
   constexpr MappingValue() = default;
+  /// Makes a value; the numbers are cut to 16, 8 and 8 bits.
   constexpr MappingValue(unsigned of_index, unsigned of_sub, unsigned of_bits)
       : index(static_cast<std::uint16_t>(of_index)),
         sub(static_cast<std::uint8_t>(of_sub)),
         bits(static_cast<std::uint8_t>(of_bits)) {}
+  /// Takes the value of an entry of a mapping parameter apart.
   constexpr explicit MappingValue(std::uint32_t raw)
       : MappingValue(raw >> 16, raw >> 8 & 0xFF, raw & 0xFF) {}
 
+  /// Value of an entry of a mapping parameter.
   constexpr std::uint32_t raw() const {
     return static_cast<std::uint32_t>(index) << 16 | static_cast<std::uint32_t>(sub) << 8 | bits;
   }
@@ -31,13 +34,16 @@ struct MappingValue {
   constexpr bool is_dummy() const { return index >= 1 && index <= 7; }
 };
 
+/// True for 1600h to 17FFh.
 constexpr bool is_rpdo_mapping(unsigned index) {
   return index >= 0x1600 && index <= 0x17FF;
 }
-inline constexpr unsigned last_pdo_mapping_index = 0x1BFF;
+inline constexpr unsigned last_pdo_mapping_index = 0x1BFF;  ///< of a TPDO
+/// True for 1A00h to 1BFFh.
 constexpr bool is_tpdo_mapping(unsigned index) {
   return index >= 0x1A00 && index <= last_pdo_mapping_index;
 }
+/// True for a mapping parameter of either direction.
 constexpr bool is_pdo_mapping(unsigned index) {
   return is_rpdo_mapping(index) || is_tpdo_mapping(index);
 }

@@ -21,15 +21,17 @@ namespace canvoy {
 
 /// Bits of an entry that hold one number.
 struct BitRange {
-  std::uint8_t first = 0;
-  std::uint8_t bits = 8;
-  bool is_signed = false;
+  std::uint8_t first = 0;  ///< 0: the least significant
+  std::uint8_t bits = 8;   ///< number of bits, 1 to 64
+  bool is_signed = false;  ///< two's complement
 
   friend constexpr bool operator==(const BitRange&, const BitRange&) = default;
 };
+/// All bits of an entry; none for a string or a domain.
 constexpr BitRange bits_of(const EntryInfo& entry) {
   return {0, static_cast<std::uint8_t>(bit_length(entry.type)), is_signed(entry.type)};
 }
+/// The bits of a field.
 constexpr BitRange bits_of(const FieldInfo& field) {
   return {field.first_bit, field.bits, field.is_signed};
 }
@@ -51,9 +53,10 @@ constexpr std::uint64_t insert(std::uint64_t whole, const BitRange& range, std::
 
 /// Numbers from `low` to `high`.
 struct NumberRange {
-  std::int64_t low = 0;
-  std::int64_t high = 0;
+  std::int64_t low = 0;   ///< included
+  std::int64_t high = 0;  ///< included
 
+  /// True for a number from `low` to `high`.
   constexpr bool contains(std::int64_t number) const { return number >= low && number <= high; }
 };
 /// Of 64 unsigned bits, 63 are used.
@@ -62,6 +65,7 @@ constexpr NumberRange range_of_type(unsigned bits, bool is_signed) {
   if (is_signed) return {-(top >> (64 - bits)) - 1, top >> (64 - bits)};
   return {0, bits >= 63 ? top : static_cast<std::int64_t>((1ULL << bits) - 1)};
 }
+/// Raw numbers of a named value, as the bits hold them.
 constexpr NumberRange range_of(const NamedValue& named, const BitRange& bits) {
   return {number_of(static_cast<std::uint64_t>(named.first), bits.bits, bits.is_signed),
           number_of(static_cast<std::uint64_t>(named.last), bits.bits, bits.is_signed)};
@@ -70,6 +74,7 @@ constexpr NumberRange range_of(const NamedValue& named, const BitRange& bits) {
 class NumberRules {
  public:
   constexpr NumberRules() = default;
+  /// Collects the rules for a value in these bits.
   constexpr NumberRules(const ValueInfo& value, const BitRange& bits)
       : scale_(value.scale),
         pieces_(value.pieces),
@@ -85,10 +90,12 @@ class NumberRules {
     if (invalid != nullptr) invalid_ = range_of(*invalid, bits).low;
   }
 
+  /// Raw numbers that may be written: the limits, or all that the bits hold.
   constexpr const NumberRange& range() const { return range_; }
   /// The number that means "no value", if the description has one.
   constexpr std::optional<std::int64_t> invalid() const { return invalid_; }
 
+  /// True beyond absolute limits; without such limits never.
   constexpr bool is_out_of_limits(std::int64_t number) const {
     return is_limited_ && !range_.contains(number);
   }

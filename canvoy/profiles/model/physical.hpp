@@ -18,6 +18,7 @@ namespace canvoy {
 
 /// Value of an entry or a field.
 struct Reading {
+  /// Which of the members of a Reading count.
   enum class Kind : std::uint8_t {
     none,    ///< the bytes are no value of this type: too few or too many
     number,  ///< `number`, in the unit of `value`
@@ -25,13 +26,13 @@ struct Reading {
     text,    ///< `text`
     bytes,   ///< octets, a domain, a point in time: shown as bytes
   };
-  Kind kind = Kind::none;
-  const ValueInfo* value = nullptr;
-  const NamedValue* named = nullptr;
-  double number = 0;
-  std::int64_t raw = 0;
-  bool out_of_range = false;  ///< beyond absolute limits
-  std::string_view text = {};
+  Kind kind = Kind::none;             ///< see Kind
+  const ValueInfo* value = nullptr;   ///< where its unit and scale are; null for texts and bytes
+  const NamedValue* named = nullptr;  ///< if it has a name; otherwise null
+  double number = 0;                  ///< physical
+  std::int64_t raw = 0;               ///< as on the wire, with its sign
+  bool out_of_range = false;          ///< beyond absolute limits
+  std::string_view text = {};         ///< if it is a string
 };
 /// Reads the whole entry. A text lives as long as `bytes`.
 Reading read_value(const EntryInfo& entry, std::span<const std::uint8_t> bytes);

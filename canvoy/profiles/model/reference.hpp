@@ -28,11 +28,13 @@ namespace canvoy {
 /// The name of an entry or a field as a template argument.
 template <std::size_t size>
 struct Name {
-  char characters[size]{};
+  char characters[size]{};  ///< ends with 0
 
+  /// Copies a literal.
   constexpr Name(const char (&text)[size]) {  // NOLINT(google-explicit-constructor)
     std::copy_n(text, size, characters);
   }
+  /// The name without its final 0.
   constexpr std::string_view text() const { return {characters, size - 1}; }
 };
 
@@ -176,9 +178,10 @@ class NumberReference : public EntryReference<Place> {
 template <class Place>
 class QuantityReference : public detail::NumberReference<Place> {
  public:
-  static constexpr Unit unit = Place::value.unit;
+  static constexpr Unit unit = Place::value.unit;  ///< of the value
   static_assert(unit != Unit::none || is_real(Place::entry.type),
                 "an integer without a unit is a Number");
+  /// True if it can be set to "no value": a real, or a number with such a sentinel.
   static constexpr bool can_be_invalid =
       is_real(Place::entry.type) || Place::rules.invalid().has_value();
 
@@ -198,6 +201,7 @@ class QuantityReference : public detail::NumberReference<Place> {
   }
   /// The value with its unit.
   std::optional<Amount<unit>> amount() const { return value(); }
+  /// True if there is a value: see value().
   bool is_valid() const { return value().has_value(); }
 
   /// Rounds to the nearest step, clamps to the limits, and skips the sentinel.
@@ -316,6 +320,7 @@ class StateReference : public detail::NumberReference<Place> {
   using detail::NumberReference<Place>::NumberReference;
   StateReference(const StateReference&) = default;
 
+  /// True if the value is this one; without the entry never.
   bool is(Enumeration state) const {
     return this->exists() && this->number() == static_cast<std::int64_t>(state);
   }
@@ -347,6 +352,7 @@ class FlagReference : public detail::NumberReference<Place> {
   using detail::NumberReference<Place>::NumberReference;
   FlagReference(const FlagReference&) = default;
 
+  /// True if the bit is 1; without the entry never.
   bool is_set() const { return this->number() != 0; }
   /// Leaves the other bits of the entry as they are.
   const FlagReference& operator=(std::same_as<bool> auto flag) const {
@@ -386,11 +392,14 @@ class TextReference : public detail::EntryReference<Place> {
 template <class Place>
 class PackedTextReference {
  public:
+  /// Of the characters.
   static constexpr unsigned last_sub = detail::last_of_name(Place::object, Place::entry);
+  /// Bytes that the entries hold together.
   static constexpr std::size_t capacity =
       byte_length(Place::entry.type) * (last_sub - Place::entry.sub_first + 1U);
   static_assert(Place::value.notation == Notation::characters, "the entries hold no characters");
 
+  /// Names the object in a dictionary, which must outlive this object.
   PackedTextReference(Dictionary& dictionary, std::uint16_t index, std::uint8_t /*sub*/)
       : dictionary_(&dictionary), index_(index) {}
   PackedTextReference(const PackedTextReference&) = default;

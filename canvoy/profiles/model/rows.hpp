@@ -34,11 +34,13 @@ constexpr FieldInfo field(unsigned first_bit, unsigned bits, std::string_view na
           .value = value,
           .description = description};
 }
+/// A field of which the values have names.
 constexpr FieldInfo field(unsigned first_bit, unsigned bits, std::string_view name,
                           Items<NamedValue> names, std::string_view description = {}) {
   return field(first_bit, bits, name, ValueInfo{.names = names}, description);
 }
 
+/// A field that is a plain number, with a sentence for documents.
 constexpr FieldInfo field(unsigned first_bit, unsigned bits, std::string_view name,
                           std::string_view description) {
   return field(first_bit, bits, name, ValueInfo{}, description);
@@ -49,6 +51,7 @@ constexpr EntryInfo entry(DataType type, Access access, Mapping mapping = Mappin
                           const Default& initial = {}) {
   return {.type = type, .access = access, .mapping = mapping, .initial = initial};
 }
+/// An entry with the meaning of its number, or of its bits.
 constexpr EntryInfo entry(DataType type, Access access, Mapping mapping, const Default& initial,
                           const ValueInfo& value, Items<FieldInfo> fields = {}) {
   return {.type = type,
@@ -58,10 +61,12 @@ constexpr EntryInfo entry(DataType type, Access access, Mapping mapping, const D
           .value = value,
           .fields = fields};
 }
+/// An entry of which the values have names.
 constexpr EntryInfo entry(DataType type, Access access, Mapping mapping, const Default& initial,
                           Items<NamedValue> names) {
   return entry(type, access, mapping, initial, ValueInfo{.names = names});
 }
+/// An entry of which the bits have meanings of their own.
 constexpr EntryInfo entry(DataType type, Access access, Mapping mapping, const Default& initial,
                           Items<FieldInfo> fields) {
   return entry(type, access, mapping, initial, ValueInfo{}, fields);
@@ -74,12 +79,12 @@ constexpr EntryInfo string_entry(DataType type, Access access, std::uint16_t cap
 
 /// Remarks that apply to some entries only.
 struct EntryRemarks {
-  Category category = Category::mandatory;
-  std::string_view condition = {};  ///< if set, the entry is conditional
-  std::string_view clause = {};
-  std::string_view errata = {};
-  std::string_view description = {};
-  std::uint16_t first_number = 1;
+  Category category = Category::mandatory;  ///< of the entry
+  std::string_view condition = {};          ///< if set, the entry is conditional
+  std::string_view clause = {};             ///< where it differs from the object's
+  std::string_view errata = {};             ///< numbers of the findings that decided something
+  std::string_view description = {};        ///< a sentence for documents
+  std::uint16_t first_number = 1;           ///< number in the name of the first entry
 };
 /// The entries from sub-index `first` to `last` of an array or record.
 constexpr EntryInfo sub_index(unsigned first, unsigned last, std::string_view name, EntryInfo entry,
@@ -95,6 +100,7 @@ constexpr EntryInfo sub_index(unsigned first, unsigned last, std::string_view na
   entry.description = remarks.description;
   return entry;
 }
+/// One entry of an array or record.
 constexpr EntryInfo sub_index(unsigned index, std::string_view name, const EntryInfo& entry,
                               const EntryRemarks& remarks = {}) {
   return sub_index(index, index, name, entry, remarks);
@@ -102,13 +108,14 @@ constexpr EntryInfo sub_index(unsigned index, std::string_view name, const Entry
 
 /// Remarks that apply to some objects only.
 struct ObjectRemarks {
-  std::uint16_t count = 1;
-  std::uint16_t first_number = 1;
-  Category category = Category::mandatory;
-  std::string_view condition = {};  ///< if set, the object is conditional
-  std::string_view errata = {};
-  bool once = false;
+  std::uint16_t count = 1;                  ///< of objects with consecutive indices
+  std::uint16_t first_number = 1;           ///< number in the name of the first object
+  Category category = Category::mandatory;  ///< of the object
+  std::string_view condition = {};          ///< if set, the object is conditional
+  std::string_view errata = {};             ///< numbers of the findings that decided something
+  bool once = false;                        ///< see ObjectInfo::once
 };
+/// A variable; its only entry has sub-index 00h.
 constexpr ObjectInfo var_object(std::uint16_t index, std::string_view name, std::string_view clause,
                                 std::string_view description, const EntryInfo& entry,
                                 const ObjectRemarks& remarks = {}) {
@@ -124,6 +131,7 @@ constexpr ObjectInfo var_object(std::uint16_t index, std::string_view name, std:
           .once = remarks.once,
           .entry = entry};
 }
+/// An array: sub-index 00h, and entries of one type.
 constexpr ObjectInfo array_object(std::uint16_t index, std::string_view name,
                                   std::string_view clause, std::string_view description,
                                   Items<EntryInfo> subs, const ObjectRemarks& remarks = {}) {
@@ -132,6 +140,7 @@ constexpr ObjectInfo array_object(std::uint16_t index, std::string_view name,
   object.subs = subs;
   return object;
 }
+/// A record: sub-index 00h, and entries of any types.
 constexpr ObjectInfo record_object(std::uint16_t index, std::string_view name,
                                    std::string_view clause, std::string_view description,
                                    Items<EntryInfo> subs, const ObjectRemarks& remarks = {}) {

@@ -16,8 +16,8 @@ namespace canvoy {
 
 /// Size of one count.
 struct Measure {
-  Unit unit = Unit::none;
-  Scale scale = {};
+  Unit unit = Unit::none;  ///< of CiA 303-2
+  Scale scale = {};        ///< from counts to the unit
 
   friend constexpr bool operator==(const Measure&, const Measure&) = default;
 };

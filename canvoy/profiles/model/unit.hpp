@@ -69,7 +69,7 @@ enum class Unit : std::uint8_t {
   month,  ///< of the calendar
 };
 
-inline constexpr unsigned unit_count = static_cast<unsigned>(Unit::month) + 1;
+inline constexpr unsigned unit_count = static_cast<unsigned>(Unit::month) + 1;  ///< `none` included
 
 namespace detail {
 
@@ -91,9 +91,9 @@ constexpr std::string_view symbol(Unit unit) {
 /// Exact conversion of a raw number to a physical one:
 /// physical = (raw x numerator + offset) / denominator.
 struct Scale {
-  std::int64_t numerator = 1;
-  std::int64_t denominator = 1;
-  std::int64_t offset = 0;
+  std::int64_t numerator = 1;    ///< not 0
+  std::int64_t denominator = 1;  ///< greater than 0
+  std::int64_t offset = 0;       ///< added before the division
 
   friend constexpr bool operator==(const Scale&, const Scale&) = default;
 };
@@ -128,14 +128,17 @@ constexpr unsigned decimals(const Scale& scale) {
 template <Unit unit_>
 class Amount {
  public:
-  static constexpr Unit unit = unit_;
+  static constexpr Unit unit = unit_;  ///< in its type
 
   constexpr Amount() = default;
+  /// A plain number is in this unit.
   constexpr Amount(double number) : number_(number) {}  // NOLINT(google-explicit-constructor)
+  /// Refused: another unit.
   template <Unit other>
     requires(other != unit_)
   Amount(Amount<other>) = delete;
 
+  /// The number in this unit.
   constexpr double number() const { return number_; }
   friend constexpr auto operator<=>(Amount, Amount) = default;
 
@@ -143,10 +146,10 @@ class Amount {
   double number_ = 0;
 };
 
-using Celsius = Amount<Unit::degree_celsius>;
-using Volts = Amount<Unit::volt>;
-using Amperes = Amount<Unit::ampere>;
-using AmpereHours = Amount<Unit::ampere_hour>;
-using Percent = Amount<Unit::percent>;
+using Celsius = Amount<Unit::degree_celsius>;   ///< temperature
+using Volts = Amount<Unit::volt>;               ///< voltage
+using Amperes = Amount<Unit::ampere>;           ///< current
+using AmpereHours = Amount<Unit::ampere_hour>;  ///< charge
+using Percent = Amount<Unit::percent>;          ///< 0 to 100 for a share
 
 }  // namespace canvoy

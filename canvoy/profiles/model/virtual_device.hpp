@@ -18,15 +18,17 @@ namespace canvoy {
 
 /// A selected object of a virtual device, which may have fewer entries or bytes than allowed.
 struct WantedObject {
-  std::uint16_t index = 0;
+  std::uint16_t index = 0;          ///< 0: none
   std::uint8_t highest_sub = 0xFF;  ///< no entries above this sub-index
   std::uint16_t capacity = 0;       ///< bytes of its strings; 0: as in the description
 
   constexpr WantedObject() = default;
+  /// Selects an object, all of it unless a limit is given.
   constexpr WantedObject(std::uint16_t wanted_index,  // NOLINT(google-explicit-constructor)
                          std::uint8_t wanted_highest_sub = 0xFF, std::uint16_t wanted_capacity = 0)
       : index(wanted_index), highest_sub(wanted_highest_sub), capacity(wanted_capacity) {}
 };
+/// The optional objects that a device has.
 using WantedObjects = std::initializer_list<WantedObject>;
 
 namespace detail {

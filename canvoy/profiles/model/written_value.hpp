@@ -32,7 +32,7 @@ namespace canvoy {
 /// Raw<std::uint16_t>, of REAL32 Raw<std::uint32_t>.
 template <std::unsigned_integral Bits>
 struct Raw {
-  Bits bits = 0;
+  Bits bits = 0;  ///< as on the wire
 
   friend constexpr bool operator==(const Raw&, const Raw&) = default;
 };
