@@ -33,7 +33,9 @@ class CatalogueDevice {
   CatalogueDevice(const CatalogueDevice&) = delete;
   CatalogueDevice& operator=(const CatalogueDevice&) = delete;
 
+  /// The node of the device: frames and points in time are handed to it.
   Node& node() { return *made_.node; }
+  /// Sends errors of the device; for indicators and tests.
   EmergencyProducer& emergency_producer() { return *made_.emergencies; }
 
  private:

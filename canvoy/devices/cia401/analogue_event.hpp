@@ -12,12 +12,14 @@ namespace canvoy::cia401 {
 
 /// Bits of 6421h.
 namespace trigger {
-inline constexpr std::uint32_t upper_limit = 1;
-inline constexpr std::uint32_t lower_limit = 2;
-inline constexpr std::uint32_t any_delta = 4;
-inline constexpr std::uint32_t negative_delta = 8;
-inline constexpr std::uint32_t positive_delta = 16;
+inline constexpr std::uint32_t upper_limit = 1;      ///< at or above 6424h
+inline constexpr std::uint32_t lower_limit = 2;      ///< below 6425h
+inline constexpr std::uint32_t any_delta = 4;        ///< by more than 6426h
+inline constexpr std::uint32_t negative_delta = 8;   ///< down by more than 6427h
+inline constexpr std::uint32_t positive_delta = 16;  ///< up by more than 6428h
+/// Triggers that compare with a value.
 inline constexpr std::uint32_t limits = upper_limit | lower_limit;
+/// Triggers that compare with the last event.
 inline constexpr std::uint32_t deltas = any_delta | negative_delta | positive_delta;
 }  // namespace trigger
 
@@ -25,16 +27,16 @@ inline constexpr std::uint32_t deltas = any_delta | negative_delta | positive_de
 template <class Number>
 struct AnalogueChange {
   Number before = 0;  ///< in the object
-  Number now = 0;
-  Number told = 0;  ///< at the last event
+  Number now = 0;     ///< sensed
+  Number told = 0;    ///< at the last event
 };
 
 /// Location of limits and deltas: the upper limit, and in the objects behind it the lower limit,
 /// delta, negative and positive delta.
 struct AnalogueLimits {
-  std::uint16_t upper = 0;
-  std::uint8_t channel = 0;
-  std::uint8_t shift = 0;  ///< from a whole number to the unit of its limits
+  std::uint16_t upper = 0;   ///< index of the object with the upper limits
+  std::uint8_t channel = 0;  ///< sub-index
+  std::uint8_t shift = 0;    ///< from a whole number to the unit of its limits
 };
 
 namespace detail {

@@ -30,6 +30,7 @@ struct AnalogueInputState {
   float real = 0;            ///< 6403h
 };
 
+/// What the known text of CiA 401 leaves open.
 struct AnalogueInputSettings {
   /// Unit of 6424h to 6428h: that of the first existing object of 6401h, 6402h, 6400h, in this
   /// order; or all 32 bits of the converter, left-adjusted. It is not known which one the
@@ -62,6 +63,7 @@ class AnalogueInputs {
   void rescale(unsigned channel);
   /// Checks the inputs. An input that has not changed costs only its sensing.
   void look();
+  /// True if 6423h allows events of analogue inputs, or does not exist.
   bool are_enabled() const;
   /// Updates an element of 6422h before it is read from the bus: it shows the events since it was
   /// last read.

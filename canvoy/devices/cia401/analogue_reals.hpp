@@ -15,6 +15,7 @@ namespace canvoy::cia401 {
 struct AnalogueReals {
   /// Returns true for an event.
   bool (*read)(AnalogueInputs& inputs, AnalogueInputState& state, bool may_tell);
+  /// Drives an output with the value that 6413h has.
   void (*drive)(AnalogueOutputs& outputs, unsigned channel);
   /// Shows the value of an output that was written as an integer.
   void (*show)(AnalogueOutputs& outputs, unsigned channel, std::int32_t value);
@@ -22,7 +23,7 @@ struct AnalogueReals {
   /// Outputs that were last written by 6413h.
   std::bitset<256> written_last = {};
 
-  static const AnalogueReals calls;
+  static const AnalogueReals calls;  ///< the functions, for devices with reals
 
  private:
   static bool read_real(AnalogueInputs& inputs, AnalogueInputState& state, bool may_tell);

@@ -14,10 +14,10 @@
 namespace canvoy::cia401 {
 
 // Distance from the object with the values.
-inline constexpr std::uint16_t to_input_polarity = 2;
-inline constexpr std::uint16_t to_any_change = 6;
-inline constexpr std::uint16_t to_low_to_high = 7;
-inline constexpr std::uint16_t to_high_to_low = 8;
+inline constexpr std::uint16_t to_input_polarity = 2;  ///< 6002h of 6000h
+inline constexpr std::uint16_t to_any_change = 6;      ///< 6006h of 6000h
+inline constexpr std::uint16_t to_low_to_high = 7;     ///< 6007h of 6000h
+inline constexpr std::uint16_t to_high_to_low = 8;     ///< 6008h of 6000h
 
 /// Inverts an element of the object `index` by its polarity; without polarity, nothing.
 inline std::uint32_t with_polarity(const Dictionary& dictionary, std::uint16_t index,

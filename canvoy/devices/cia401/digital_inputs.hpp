@@ -31,6 +31,7 @@ struct DigitalInputGroup {
   std::array<std::uint32_t, 8> since{};
 };
 
+/// What no object of CiA 401 sets.
 struct DigitalInputSettings {
   /// Time for which a filtered input has to be stable before it counts.
   Duration filter_time = std::chrono::milliseconds(5);
@@ -49,6 +50,7 @@ class DigitalInputs {
 
   /// Reads the inputs without an event: after a reset.
   void begin();
+  /// Reads the inputs; a change that has passed its filter, and that a mask selects, is an event.
   void look(Time now);
   /// Applies written parameters at once, without an event.
   void show();

@@ -36,12 +36,16 @@ constexpr std::size_t count_elements(const DictionaryTables& tables, const Objec
 /// Without such objects, a device links nothing of it.
 template <bool has_reals>
 struct OwnReals {
+  /// Null: no floating-point objects.
   AnalogueReals* get() { return nullptr; }
 };
+/// With floating-point objects.
 template <>
 struct OwnReals<true> {
+  /// For IoUnit; valid as long as this object.
   AnalogueReals* get() { return &reals; }
 
+  /// The functions, and which outputs have such a value.
   AnalogueReals reals = AnalogueReals::calls;
 };
 
@@ -71,6 +75,7 @@ class OwnIoMemory {
 template <const auto& layout>
 class OwnIoUnit : private OwnIoMemory<layout>, public IoUnit {
  public:
+  /// Makes the unit; everything to which `hardware` refers must outlive it.
   OwnIoUnit(Node& node, const IoHardware& hardware, const IoSettings& settings)
       : IoUnit(node, static_cast<OwnIoMemory<layout>&>(*this), hardware, settings) {}
 };
@@ -79,17 +84,20 @@ class OwnIoUnit : private OwnIoMemory<layout>, public IoUnit {
 inline constexpr IoOptions default_io = {
     .digital_inputs = 64, .digital_outputs = 64, .analogue_inputs = 12, .analogue_outputs = 12};
 
+/// Kind of a module with these inputs and outputs.
 template <IoOptions options = default_io>
 struct IoKind : KindOf<IoUnit, IoHardware, IoSettings> {
+  /// The unit for a dictionary, with memory for it.
   template <const auto& layout>
   using UnitOn = OwnIoUnit<layout>;
 
-  static constexpr DeviceInfo info = {.name = "io-401",
+  static constexpr DeviceInfo info = {.name = "io-401",  ///< of the catalogue
                                       .title = "input and output module",
                                       .product = "Canvoy CiA 401 module",
                                       .product_code = 401,
                                       .node_id = 33,
                                       .hardware = "digital and analogue inputs and outputs"};
+  /// The objects of the module, beside those of the profile those of an ordinary node.
   static constexpr auto description = describe(
       io_module<options>(), cia301::identity({.product_code = info.product_code}),
       cia301::names(
@@ -97,6 +105,7 @@ struct IoKind : KindOf<IoUnit, IoHardware, IoSettings> {
       cia301::sync_consumer(), cia301::heartbeat_producer(1000), cia301::heartbeat_consumers(2),
       cia301::emergency(), cia301::error_history(8), cia301::error_behavior());
 
+  /// Keeps TPDOs of analogue inputs back at the start while 6423h disables their events.
   template <class Services>
   static void connect(Services& services, IoUnit& /*unit*/) {
     if constexpr (requires { services.tpdos(); }) services.tpdos().ask_at_start(tpdo_may_begin);

@@ -27,6 +27,7 @@ struct IoOptions {
   bool single_bits = false;
 };
 
+/// Value of 1000h: 401, and a bit for each kind of inputs and outputs (bits 16 to 19).
 constexpr std::uint32_t device_type_of(const IoOptions& options) {
   return profile_number | static_cast<std::uint32_t>(options.digital_inputs != 0) << 16 |
          static_cast<std::uint32_t>(options.digital_outputs != 0) << 17 |

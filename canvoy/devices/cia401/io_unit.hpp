@@ -21,21 +21,23 @@ namespace canvoy::cia401 {
 
 /// A callback may be omitted if the dictionary has no objects for it.
 struct IoHardware {
-  DigitalInputs::Sense digital_inputs = {};
-  DigitalOutputs::Drive drive_digital = {};
-  AnalogueInputs::Sense analogue_input = {};
-  AnalogueOutputs::Drive drive_analogue = {};
+  DigitalInputs::Sense digital_inputs = {};    ///< of 6000h
+  DigitalOutputs::Drive drive_digital = {};    ///< of 6200h
+  AnalogueInputs::Sense analogue_input = {};   ///< of 6401h
+  AnalogueOutputs::Drive drive_analogue = {};  ///< of 6411h
 };
 
+/// Settings of a module that no object of its dictionary has.
 struct IoSettings {
   /// Period of checks of the inputs; zero: checked when the hardware reports a change.
   Duration sensing_period = std::chrono::milliseconds(10);
-  DigitalInputSettings digital = {};
-  AnalogueInputSettings analogue = {};
+  DigitalInputSettings digital = {};    ///< filter
+  AnalogueInputSettings analogue = {};  ///< unit of limits
   /// Sends emergency 0080h. It is uncertain for modules that follow CiA 401 alone.
   bool warns_of_disabled_inputs = true;
 };
 
+/// Memory of a unit, as much as its dictionary needs.
 struct IoMemory {
   std::span<DigitalInputGroup> digital_inputs;    ///< one for each element of 6000h
   std::span<std::uint8_t> digital_outputs;        ///< of 6200h

@@ -5,6 +5,6 @@
 
 namespace canvoy::cia401 {
 
-extern const DeviceKind io_kind;
+extern const DeviceKind io_kind;  ///< 64 digital inputs and outputs, 12 analogue ones each
 
 }  // namespace canvoy::cia401

@@ -14,16 +14,18 @@ namespace canvoy::cia401 {
 
 /// The scaling objects of inputs or outputs.
 struct Scaling {
-  std::uint16_t offset_integer = 0;
-  std::uint16_t scaling_integer = 0;
-  std::uint16_t offset_real = 0;
-  std::uint16_t scaling_real = 0;
+  std::uint16_t offset_integer = 0;   ///< index; sub-index is the channel
+  std::uint16_t scaling_integer = 0;  ///< index
+  std::uint16_t offset_real = 0;      ///< index
+  std::uint16_t scaling_real = 0;     ///< index
 };
+/// 6431h, 6432h, 642Eh and 642Fh.
 inline constexpr Scaling input_scaling = {
     .offset_integer = analogue_input_offset_integer_object.index,
     .scaling_integer = analogue_input_scaling_integer_object.index,
     .offset_real = analogue_input_offset_float_object.index,
     .scaling_real = analogue_input_scaling_float_object.index};
+/// Of 6411h and 6413h.
 inline constexpr Scaling output_scaling = {
     .offset_integer = analogue_output_offset_integer_object.index,
     .scaling_integer = analogue_output_scaling_integer_object.index,
@@ -34,6 +36,7 @@ inline constexpr Scaling output_scaling = {
 constexpr std::int64_t narrowed(std::int32_t raw, unsigned bytes) {
   return raw >> 8 * (4 - bytes);
 }
+/// The number in the lower `bytes` (1 to 4) of a word, extended by its sign.
 constexpr std::int64_t sign_extended(std::uint32_t word, unsigned bytes) {
   const unsigned unused = 8 * (4 - bytes);
   return static_cast<std::int32_t>(word << unused) >> unused;
@@ -42,14 +45,16 @@ constexpr std::int64_t sign_extended(std::uint32_t word, unsigned bytes) {
 constexpr float fraction(std::int32_t raw) {
   return static_cast<float>(static_cast<double>(raw) / 2147483648.0);
 }
+/// Converter value of a fraction of full scale; clamped to -1 to just below 1.
 constexpr std::int32_t from_fraction(double value) {
   constexpr double full = 2147483648.0;
   return static_cast<std::int32_t>(std::clamp(value * full, -full, full - 1));
 }
 
+/// Offset and scaling of integers.
 struct IntegerScale {
-  std::int64_t scaling = 1;
-  std::int64_t offset = 0;
+  std::int64_t scaling = 1;  ///< factor
+  std::int64_t offset = 0;   ///< added after it
 
   /// Applies it within a type of so many bytes.
   constexpr std::int64_t apply(std::int64_t value, unsigned bytes) const {
@@ -57,6 +62,7 @@ struct IntegerScale {
     return std::clamp(value * scaling + offset, -high - 1, high);
   }
 };
+/// Scale of a channel; without the objects, the value stays as it is.
 inline IntegerScale integer_scale(const Dictionary& dictionary, const Scaling& of,
                                   unsigned channel) {
   const auto sub = static_cast<std::uint8_t>(channel);
@@ -64,12 +70,15 @@ inline IntegerScale integer_scale(const Dictionary& dictionary, const Scaling& o
           static_cast<std::int32_t>(dictionary.word(of.offset_integer, sub, 0))};
 }
 
+/// Offset and scaling of floating-point numbers.
 struct RealScale {
-  float scaling = 1;
-  float offset = 0;
+  float scaling = 1;  ///< factor
+  float offset = 0;   ///< added after it
 
+  /// The scaled value.
   constexpr float apply(float value) const { return value * scaling + offset; }
 };
+/// Scale of a channel; without the objects, the value stays as it is.
 inline RealScale real_scale(const Dictionary& dictionary, const Scaling& of, unsigned channel) {
   constexpr auto one = std::bit_cast<std::uint32_t>(1.0F);
   const auto sub = static_cast<std::uint8_t>(channel);

@@ -11,16 +11,21 @@
 
 namespace canvoy::cia401 {
 
+/// An object for a width.
 struct Width {
   std::uint16_t index = 0;  ///< of the object with the values
   std::uint8_t bytes = 1;   ///< of an element
 };
+/// Digital, of 8, 16 and 32 bits.
 inline constexpr Width input_widths[] = {{0x6000, 1}, {0x6100, 2}, {0x6120, 4}};
+/// Digital, of 8, 16 and 32 bits.
 inline constexpr Width output_widths[] = {{0x6200, 1}, {0x6300, 2}, {0x6320, 4}};
 /// Objects of integers.
 inline constexpr Width analogue_input_widths[] = {{0x6400, 1}, {0x6401, 2}, {0x6402, 4}};
+/// Of 8, 16 and 32 bits.
 inline constexpr Width analogue_output_widths[] = {{0x6410, 1}, {0x6411, 2}, {0x6412, 4}};
 
+/// The lower `bytes` of a value.
 constexpr std::uint32_t in_bytes(std::uint32_t value, unsigned bytes) {
   return bytes >= 4 ? value : value & ((1U << 8 * bytes) - 1);
 }

@@ -14,12 +14,13 @@
 
 namespace canvoy::cia418 {
 
+/// Settings of a battery module; the defaults are a traction battery of 48 V.
 struct BatterySettings {
-  std::uint8_t type = 0;  ///< a code of CiA 418; the list is not public
-  double capacity_ampere_hours = 400;
-  double current_max_ampere = 60;
-  std::uint16_t cells = 24;
-  Duration sensing_period = 100ms;
+  std::uint8_t type = 0;               ///< a code of CiA 418; the list is not public
+  double capacity_ampere_hours = 400;  ///< 6020h:02h
+  double current_max_ampere = 60;      ///< 6020h:03h
+  std::uint16_t cells = 24;            ///< in series, 6020h:04h
+  Duration sensing_period = 100ms;     ///< of the hardware
 };
 
 class Battery {
@@ -31,6 +32,7 @@ class Battery {
 
   /// True if the charger has reported that it is ready to deliver.
   bool charger_ready() const { return charger_status_.is(Readiness::ready); }
+  /// What the hardware reported last.
   const BatteryReadings& readings() const { return readings_; }
 
  private:

@@ -13,6 +13,7 @@ namespace canvoy::cia418 {
 /// Every PDO that a charger can use, a heartbeat every second, and an SDO channel that an SDO
 /// manager may assign to a charger.
 struct BatteryKind : KindOf<Battery, BatteryHardware, BatterySettings> {
+  /// Of the catalogue.
   static constexpr DeviceInfo info = {
       .name = "battery",
       .title = "battery module",
@@ -20,6 +21,7 @@ struct BatteryKind : KindOf<Battery, BatteryHardware, BatterySettings> {
       .product_code = 418,
       .node_id = 10,
       .hardware = "the cells: voltage, current, temperature, charge"};
+  /// The objects of the module: all PDOs and optional objects that are known.
   static constexpr auto description = describe(
       battery({.rpdo2 = true, .rpdo3 = true, .tpdo2 = true, .tpdo3 = true}),
       battery_serial_number_object, battery_id_object, cumulative_total_ah_charge_object,

@@ -5,6 +5,6 @@
 
 namespace canvoy::cia418 {
 
-extern const DeviceKind battery_kind;
+extern const DeviceKind battery_kind;  ///< battery module of 400 Ah
 
 }  // namespace canvoy::cia418

@@ -19,16 +19,16 @@ namespace canvoy::cia419 {
 
 /// A battery's answers. Values that it does not have are invalid or absent.
 struct BatteryOffer {
-  static constexpr std::size_t pdos = 3;
+  static constexpr std::size_t pdos = 3;  ///< TPDOs and RPDOs that a battery may have
 
-  NodeId id = 0;
+  NodeId id = 0;                                          ///< of the battery
   std::array<CobId, pdos> tpdo;                           ///< 1800h to 1802h, sub-index 1
   std::array<CobId, pdos> rpdo;                           ///< 1400h to 1402h, sub-index 1
   std::array<std::uint16_t, pdos> tpdo_event_timer_ms{};  ///< 1800h to 1802h, sub-index 5
   /// PDOs with a mapping (1A00h to 1A02h, 1600h to 1602h) that differs from that of the charger's
   /// PDO at the other end: they would be misread.
   std::bitset<pdos> misfit_tpdos;
-  std::bitset<pdos> misfit_rpdos;
+  std::bitset<pdos> misfit_rpdos;                      ///< likewise
   std::uint16_t heartbeat_ms = 0;                      ///< 1017h
   std::optional<std::uint16_t> ampere_hours_returned;  ///< 6052h, 0.125 Ah
   std::optional<std::uint16_t> capacity_ampere_hours;  ///< 6020h, sub-index 2
@@ -38,6 +38,7 @@ struct BatteryOffer {
 
 class BatteryLink {
  public:
+  /// Makes the link, with an SDO client on default channels, which needs a route.
   explicit BatteryLink(Node& node);
 
   /// Called when all requests were answered, or refused by a battery that does not have the object.
@@ -48,7 +49,9 @@ class BatteryLink {
   /// Sets the channel to the battery: a connection that the SDO manager assigned, or (null) the
   /// battery's default channel. No request may be under way.
   void use(SdoClient* client) { client_ = client != nullptr ? client : &default_client_; }
+  /// Begins to read the PDOs and data of a battery. Replaces what is under way.
   void ask(NodeId battery);
+  /// Ends the requests, without a callback.
   void cancel();
   /// Discards waiting messages: the battery is gone, and they do not apply to the next one.
   void forget();

@@ -12,15 +12,15 @@ namespace canvoy::cia419 {
 
 /// Limits of the charger itself; the requests of the battery are in the inputs.
 struct ChargeLimits {
-  double current_max_ampere = 60;
-  double voltage_max_volt = 65;
-  double voltage_min_volt = 0;  ///< no battery of this charger has less
+  double current_max_ampere = 60;  ///< of the power stage
+  double voltage_max_volt = 65;    ///< at which it stops
+  double voltage_min_volt = 0;     ///< no battery of this charger has less
   /// Multiplied by the number of cells that the battery reports (CiA 418, 6020h): below that
   /// voltage, some of them are dead, or it is another battery than reported. Half a volt is less
   /// than a chargeable cell of any chemistry has; 0: not checked.
   double cell_voltage_min_volt = 0.5;
-  double temperature_min_celsius = 0;
-  double temperature_max_celsius = 50;
+  double temperature_min_celsius = 0;        ///< below: stop
+  double temperature_max_celsius = 50;       ///< above: stop
   double temperature_hysteresis_kelvin = 2;  ///< decrease that ends a stop for temperature
   /// From this distance below `temperature_max_celsius`, the current decreases linearly to 0 at
   /// that temperature; 0: it does not.
@@ -50,36 +50,40 @@ enum class StopReason : std::uint8_t {
   no_request,  ///< the battery requests no current, or an invalid one
 };
 
+/// State of charger and battery at one moment.
 struct ChargeInputs {
-  bool pilot_signal = false;
-  bool bus_off = false;
-  bool linked = false;
-  bool heartbeat_alive = false;
-  bool operational = false;
-  bool data_fresh = false;
-  bool battery_ready = false;
-  std::optional<double> temperature_celsius;
-  bool has_voltage = false;  ///< the battery sends its voltage (RPDO 2 is linked)
-  std::optional<double> voltage_volt;
+  bool pilot_signal = false;                  ///< the plug of the battery is in
+  bool bus_off = false;                       ///< the controller is off the bus
+  bool linked = false;                        ///< the PDOs are linked to a battery
+  bool heartbeat_alive = false;               ///< of the battery
+  bool operational = false;                   ///< NMT state of this node
+  bool data_fresh = false;                    ///< no linked RPDO is late
+  bool battery_ready = false;                 ///< battery status, 7.2.1
+  std::optional<double> temperature_celsius;  ///< absent: invalid
+  bool has_voltage = false;                   ///< the battery sends its voltage (RPDO 2 is linked)
+  std::optional<double> voltage_volt;         ///< absent: invalid
   bool has_request = false;  ///< the battery sends its requested current (RPDO 3 is linked)
-  std::optional<double> requested_ampere;
-  std::optional<double> state_of_charge_percent;
+  std::optional<double> requested_ampere;         ///< absent: invalid
+  std::optional<double> state_of_charge_percent;  ///< 0 to 100; absent: invalid
   std::optional<double> battery_max_ampere = {};  ///< limit of the battery (CiA 418, 6020h)
   std::optional<double> battery_cells = {};       ///< in series (CiA 418, 6020h)
 };
 
+/// What to do, and why.
 struct ChargeDecision {
-  double ampere = 0;
-  StopReason reason = StopReason::none;
+  double ampere = 0;                     ///< current to deliver; 0: none
+  StopReason reason = StopReason::none;  ///< none while current flows
 };
 
 class ChargeControl {
  public:
+  /// Takes the limits of a charger.
   explicit ChargeControl(const ChargeLimits& limits) : limits_(limits) {}
 
   /// Keeps only which stop for temperature holds, for the hysteresis.
   ChargeDecision decide(const ChargeInputs& inputs);
 
+  /// The limits that it was made with.
   const ChargeLimits& limits() const { return limits_; }
 
  private:

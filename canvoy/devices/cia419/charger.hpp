@@ -26,8 +26,9 @@
 
 namespace canvoy::cia419 {
 
+/// Settings of a charger that no object of its dictionary has.
 struct ChargerSettings {
-  ChargeLimits limits;
+  ChargeLimits limits;              ///< of current, voltage and temperature
   Duration control_period = 100ms;  ///< of measuring, deciding and counting
   /// Starts the battery and its own node: alone with a battery, there is no other NMT master.
   bool manage_network = true;
@@ -42,10 +43,10 @@ struct ChargerSettings {
 
 /// Services of a node that a charger uses.
 struct ChargerServices {
-  Rpdos& rpdos;
-  Tpdos& tpdos;
-  HeartbeatConsumer& heartbeats;
-  ErrorBehaviour& error_behaviour;
+  Rpdos& rpdos;                           ///< at least as many as are linked
+  Tpdos& tpdos;                           ///< at least as many as are linked
+  HeartbeatConsumer& heartbeats;          ///< of the battery
+  ErrorBehaviour& error_behaviour;        ///< for 1029h
   NetworkStates* network = nullptr;       ///< needed to manage the network
   SdoRequester* sdo_requester = nullptr;  ///< needed for an SDO connection to the battery (6.1)
   SdoClient* battery_client = nullptr;    ///< of that connection: 1280h + battery_connection
@@ -54,8 +55,9 @@ struct ChargerServices {
 
 /// Numbers of the SDO clients to the SDO manager and to the battery.
 inline constexpr std::uint8_t manager_connection = 0;
-inline constexpr std::uint8_t battery_connection = 1;
+inline constexpr std::uint8_t battery_connection = 1;  ///< 1281h
 
+/// Progress from an empty socket to a charge.
 enum class ChargerPhase : std::uint8_t {
   unplugged,  ///< no pilot signal
   searching,  ///< scans for a battery
@@ -79,20 +81,25 @@ class Charger {
   Charger(const Charger&) = delete;
   Charger& operator=(const Charger&) = delete;
 
+  /// Sets the callback for each event; it is called in a call of the node.
   void on_event(Callback<void(Event)> event) { event_ = event; }
 
+  /// Progress at present.
   ChargerPhase phase() const { return phase_; }
   /// none while current flows
   StopReason reason() const { return reason_; }
   /// The linked battery; 0 if there is none.
   NodeId battery() const { return phase_ == ChargerPhase::linked ? offer_.id : NodeId{0}; }
+  /// What the battery has answered: meaningful from ChargerPhase::linking on.
   const BatteryOffer& provide() const { return offer_; }
   /// The current set at the power stage.
   double set_point_ampere() const { return set_point_; }
   /// Counted since construction from the current measured by the hardware, and the battery's
   /// voltage.
   double ampere_hours_total() const { return ampere_hours_total_; }
+  /// Counted like ampere_hours_total(), in watt-hours.
   double energy_total_watt_hours() const { return energy_total_; }
+  /// Number of requests that the search for batteries has sent.
   std::uint32_t scan_requests() const { return scan_.requests(); }
 
  private:

@@ -16,6 +16,7 @@
 
 namespace canvoy::cia419 {
 
+/// Of the catalogue.
 inline constexpr DeviceInfo charger_info = {
     .name = "charger",
     .title = "battery charger",
@@ -35,6 +36,7 @@ inline constexpr auto full_charger =
              cia301::heartbeat_producer(1000), cia301::heartbeat_consumers(2), cia301::emergency(),
              cia301::error_history(8), cia301::error_behavior(), cia301::time_producer(),
              cia302::sdo_requester());
+/// Of the catalogue's charger.
 inline constexpr auto full_charger_layout = lay_out_device<full_charger>();
 
 /// `layout` has a description with cia419::charger(), at least one heartbeat consumer, and error
@@ -71,11 +73,17 @@ class ChargerDevice : public DeviceValues<ChargerDevice<layout, further_routes>,
                 const ChargerSettings& settings = {})
       : ChargerDevice(port, node_id, hardware_of(stage), settings) {}
 
+  /// The node of the device: frames and points in time are handed to it.
   Node& node() { return device_.node(); }
+  /// The node, for its states and counters.
   const Node& node() const { return device_.node(); }
+  /// Behaviour of the charger, for its callbacks and totals.
   Charger& charger() { return charger_; }
+  /// Behaviour of the charger.
   const Charger& charger() const { return charger_; }
+  /// States of the other nodes, as the charger knows them.
   const NetworkStates& network() const { return network_; }
+  /// Sends errors of the device.
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
 
  private:

@@ -5,6 +5,6 @@
 
 namespace canvoy::cia419 {
 
-extern const DeviceKind charger_kind;
+extern const DeviceKind charger_kind;  ///< charger of one battery
 
 }  // namespace canvoy::cia419

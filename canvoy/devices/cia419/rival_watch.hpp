@@ -30,6 +30,7 @@ class RivalWatch {
   /// Delay after the return of the charger with the next lower node-ID.
   static constexpr Duration turn_time = 1s;
 
+  /// Makes the watch; `node` must outlive it.
   explicit RivalWatch(Node& node) : node_(node) {}
   RivalWatch(const RivalWatch&) = delete;
   RivalWatch& operator=(const RivalWatch&) = delete;

@@ -17,7 +17,8 @@ namespace canvoy::cia852 {
 
 class CollisionWatch {
  public:
-  static constexpr std::size_t ids_beside_tpdos = 3;
+  static constexpr std::size_t ids_beside_tpdos = 3;  ///< emergency, SDO answer and heartbeat
+  /// After which a collision is over.
   static constexpr Duration quiet_time = std::chrono::seconds(1);
 
   /// COB-IDs without room in `ids`, which must outlive this, are not monitored.

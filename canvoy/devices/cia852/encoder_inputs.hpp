@@ -14,6 +14,7 @@ namespace canvoy::cia852 {
 
 class EncoderInputs {
  public:
+  /// Returns the position of an encoder, counted from 1; it wraps at 2^32.
   using Sense = Callback<std::uint32_t(unsigned encoder)>;
 
   /// State of one encoder beside the dictionary.

@@ -19,9 +19,9 @@
 
 namespace canvoy::cia852 {
 
-inline constexpr std::uint16_t usual_heartbeat_ms = 1000;
-inline constexpr unsigned usual_errors_kept = 8;
-inline constexpr unsigned usual_nodes_watched = 2;
+inline constexpr std::uint16_t usual_heartbeat_ms = 1000;  ///< default of 1017h
+inline constexpr unsigned usual_errors_kept = 8;           ///< length of 1003h
+inline constexpr unsigned usual_nodes_watched = 2;         ///< entries of 1016h, with outputs
 
 /// Objects of Annex A beside those of the elements, and names; all except the identity. 1028h of
 /// those with outputs has room for the node-IDs up to `emergency_nodes`.
@@ -60,9 +60,11 @@ class OwnOperatorMemory {
   cia401::OwnIoMemory<layout> io_;
   std::array<EncoderInputs::State, encoders> encoders_{};
 };
+/// An OperatorUnit with its memory.
 template <const auto& layout>
 class OwnOperatorUnit : private OwnOperatorMemory<layout>, public OperatorUnit {
  public:
+  /// Makes the unit; everything to which `hardware` refers must outlive it.
   OwnOperatorUnit(Node& node, const OperatorHardware& hardware, const OperatorSettings& settings)
       : OperatorUnit(node, static_cast<OwnOperatorMemory<layout>&>(*this), hardware, settings) {}
 };
@@ -75,12 +77,15 @@ inline constexpr DeviceInfo operator_info = {
     .node_id = 10,
     .hardware = "joysticks, foot pedals, encoders, wheels, push-buttons, indicators, displays"};
 
+/// Kind of a module with these elements.
 template <OperatorEnvironment has>
 struct OperatorKind : KindOf<OperatorUnit, OperatorHardware, OperatorSettings> {
+  /// The unit for a dictionary, with memory for it.
   template <const auto& layout>
   using UnitOn = OwnOperatorUnit<layout>;
 
   static constexpr DeviceInfo info = operator_info;
+  /// The objects of the module, with the identity of the catalogue's.
   static constexpr auto description =
       describe(operator_module<has>(), cia301::identity({.product_code = info.product_code}));
 };

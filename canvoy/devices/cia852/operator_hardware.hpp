@@ -20,15 +20,16 @@ struct OperatorHardware {
       {};  ///< bit 0 is button 1 (Figure 4)
   /// Directions in which the position is held: bit 0 is x, 1 is y, 2 is z (Figure 5).
   Callback<std::uint8_t(unsigned joystick)> joystick_memory = {};
-  Callback<std::int16_t(unsigned pedal)> foot_pedal = {};
-  Callback<bool(unsigned pedal)> foot_pedal_memory = {};
-  Callback<std::uint32_t(unsigned encoder)> encoder = {};
-  Callback<std::int16_t(unsigned wheel)> wheel = {};
+  Callback<std::int16_t(unsigned pedal)> foot_pedal = {};  ///< position
+  Callback<bool(unsigned pedal)> foot_pedal_memory = {};   ///< true while the position is held
+  Callback<std::uint32_t(unsigned encoder)> encoder = {};  ///< position, wraps at 2^32
+  Callback<std::int16_t(unsigned wheel)> wheel = {};       ///< position
   /// Eight push-buttons of a cluster: groups count from 1, bit 0 is the first of them.
   Callback<std::uint8_t(unsigned cluster, unsigned group)> push_buttons = {};
 
   /// Eight indicators of a cluster.
   Callback<void(unsigned cluster, unsigned group, std::uint8_t lit)> show_indicators = {};
+  /// Shows a parameter of a display, as its output value.
   Callback<void(unsigned display, unsigned parameter, std::int16_t value)> show_parameter = {};
 };
 

@@ -16,17 +16,19 @@
 
 namespace canvoy::cia852 {
 
+/// Settings of a module that no object of its dictionary has.
 struct OperatorSettings {
   /// Period of readings; zero: read when the hardware reports a change. A shorter press may be
   /// missed.
   Duration sensing_period = std::chrono::milliseconds(2);
-  cia401::DigitalInputSettings digital = {};
-  cia401::AnalogueInputSettings analogue = {};
+  cia401::DigitalInputSettings digital = {};    ///< filter
+  cia401::AnalogueInputSettings analogue = {};  ///< unit of limits
 };
 
+/// Memory of a unit, as much as its dictionary needs.
 struct OperatorMemory {
-  cia401::IoMemory io;
-  std::span<EncoderInputs::State> encoders;
+  cia401::IoMemory io;                       ///< inputs and outputs of CiA 401
+  std::span<EncoderInputs::State> encoders;  ///< one for each encoder
 };
 
 class OperatorUnit {

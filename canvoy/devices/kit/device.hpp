@@ -47,27 +47,33 @@ struct DeviceInfo {
   std::string_view hardware = {};  ///< connections of a real device; empty: none
 };
 
+/// Hardware of a device that has none.
 struct NoHardware {};
 
 /// For devices of a profile without common behaviour.
 struct NoProfileBehaviour {
+  /// Does nothing.
   template <class Unit>
   constexpr NoProfileBehaviour(Node& /*node*/, Unit& /*unit*/) {}
 };
 
+/// Defaults for the members of a kind; see the top of this header for the whole list.
 template <class UnitType, class HardwareType, class SettingsType>
 struct KindOf {
-  using Unit = UnitType;
-  using Hardware = HardwareType;
-  using Settings = SettingsType;
-  using ProfileBehaviour = NoProfileBehaviour;
-  static constexpr std::size_t routes = 0;  ///< CAN-IDs that the unit itself receives
+  using Unit = UnitType;                        ///< behaviour of the virtual device
+  using Hardware = HardwareType;                ///< what the unit senses and drives
+  using Settings = SettingsType;                ///< what no object of the dictionary sets
+  using ProfileBehaviour = NoProfileBehaviour;  ///< of all devices of its profile
+  static constexpr std::size_t routes = 0;      ///< CAN-IDs that the unit itself receives
 
+  /// Tables of a device with this description, or of a maker's with more objects.
   template <const auto& device>
   static constexpr auto lay_out() {
     return lay_out_device<device>();
   }
+  /// Settings as the description allows them.
   static constexpr Settings fit(const Settings& settings) { return settings; }
+  /// Constructs the unit in its place in the device.
   template <class Made, class Services>
   static Made make(Services& services, const Hardware& hardware, const Settings& settings) {
     return Made(services.node(), hardware, settings);
@@ -88,6 +94,7 @@ struct UnitOn<Kind, layout> {
 
 }  // namespace detail
 
+/// Tables of a kind with its own description, made once.
 template <class Kind>
 inline constexpr auto layout_of = Kind::template lay_out<Kind::description>();
 
@@ -96,9 +103,9 @@ inline constexpr auto layout_of = Kind::template lay_out<Kind::description>();
 template <class Kind, const auto& layout = layout_of<Kind>, std::size_t own_routes = 0>
 class Device : public DeviceValues<Device<Kind, layout, own_routes>, layout> {
  public:
-  using Unit = typename detail::UnitOn<Kind, layout>::Type;
-  using Hardware = typename Kind::Hardware;
-  using Settings = typename Kind::Settings;
+  using Unit = typename detail::UnitOn<Kind, layout>::Type;  ///< behaviour of the virtual device
+  using Hardware = typename Kind::Hardware;                  ///< what the unit senses and drives
+  using Settings = typename Kind::Settings;  ///< what no object of the dictionary sets
 
   /// The context of `port`, and everything to which `hardware` and `settings` refer, must outlive
   /// the device.
@@ -107,6 +114,7 @@ class Device : public DeviceValues<Device<Kind, layout, own_routes>, layout> {
       : services_(port, node_id), unit_(made(hardware, settings)) {
     connect();
   }
+  /// The context of `port`, and everything to which `settings` refers, must outlive the device.
   explicit Device(const Port& port, NodeId node_id, const Settings& settings = {})
     requires std::is_same_v<Hardware, NoHardware>
       : services_(port, node_id), unit_(made(NoHardware{}, settings)) {
@@ -115,10 +123,15 @@ class Device : public DeviceValues<Device<Kind, layout, own_routes>, layout> {
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
 
+  /// The node of the device: frames and points in time are handed to it.
   Node& node() { return services_.node(); }
+  /// The node, for its states and counters.
   const Node& node() const { return services_.node(); }
+  /// Behaviour of the virtual device.
   Unit& unit() { return unit_; }
+  /// Behaviour of the virtual device.
   const Unit& unit() const { return unit_; }
+  /// Sends errors of the device.
   EmergencyProducer& emergency_producer() { return services_.emergency_producer(); }
 
  private:

@@ -19,8 +19,8 @@ namespace canvoy {
 
 /// A device constructed in the caller's memory.
 struct MadeDevice {
-  Node* node = nullptr;
-  EmergencyProducer* emergencies = nullptr;
+  Node* node = nullptr;                      ///< valid as long as the memory
+  EmergencyProducer* emergencies = nullptr;  ///< valid as long as the memory
 };
 
 /// One way to build a kind of device: a dictionary, and a type with that dictionary.
@@ -30,7 +30,7 @@ struct DeviceForm {
   /// The context of `port`, `environment` and its offers must outlive the device.
   MadeDevice (*make)(void* memory, const Port& port, NodeId node_id,
                      const Environment& environment);
-  void (*end)(void* memory);
+  void (*end)(void* memory);  ///< destroys the device; the memory stays
 };
 
 namespace cia407 {
@@ -41,22 +41,24 @@ struct CarUnit;
 }
 
 struct DeviceKind {
-  DeviceInfo info;
-  const Profile* profile = nullptr;
+  DeviceInfo info;                   ///< for users
+  const Profile* profile = nullptr;  ///< null: none
   /// One form; or four, for doors 1 to 4.
   std::span<const DeviceForm> forms;
   /// Forms with the objects of storage; empty: it keeps nothing.
   std::span<const DeviceForm> keeping_forms = {};
-  bool answers_lss = true;
+  bool answers_lss = true;  ///< an LSS slave may be added
   /// For use as one of several virtual devices of one node; both null: it is alone on its node.
   const cia447::CarUnit* car_unit = nullptr;
-  const cia407::BusUnit* bus_unit = nullptr;
+  const cia407::BusUnit* bus_unit = nullptr;       ///< of CiA 407; see car_unit
   std::span<const NodeId> node_ids_of_doors = {};  ///< empty: the default for all
 
+  /// The form for a door and for storage; the first one where there is no choice.
   const DeviceForm& form(const Environment& environment) const {
     const std::span<const DeviceForm> all = environment.keeps_parameters ? keeping_forms : forms;
     return all[environment.door <= all.size() ? environment.door - 1 : 0];
   }
+  /// Default node-ID in this environment, by the door.
   NodeId node_id(const Environment& environment) const {
     const bool is_by_door = environment.door <= node_ids_of_doors.size();
     return is_by_door ? node_ids_of_doors[environment.door - 1] : info.node_id;
@@ -72,11 +74,14 @@ inline constexpr unsigned storage_groups = 3;
 template <class Kind, const auto& layout = layout_of<Kind>>
 class PlacedDevice {
  public:
+  /// Makes the device with what the environment offers, and tells its watchers.
   PlacedDevice(const Port& port, NodeId node_id, const Environment& environment)
       : device_(made(port, node_id, environment)) {
     environment.made<typename Kind::Unit>(device_.unit(), device_.node());
   }
+  /// The node of the device.
   Node& node() { return device_.node(); }
+  /// Sends errors of the device.
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
 
  private:
@@ -126,11 +131,14 @@ inline constexpr DeviceForm form_of = {
 /// A kind with the objects of storage.
 template <class Kind>
 struct WithStorage : Kind {
+  /// The objects of the kind, and 1010h and 1011h.
   static constexpr auto description = describe(Kind::description, cia301::storage(storage_groups));
 };
 
+/// The forms of a kind of which there is one for all doors.
 template <class Kind>
 inline constexpr DeviceForm only_form[1] = {form_of<PlacedDevice<Kind>, Kind::description>};
+/// The same with the objects of storage.
 template <class Kind>
 inline constexpr DeviceForm form_with_storage[1] = {
     form_of<PlacedDevice<WithStorage<Kind>>, WithStorage<Kind>::description>};

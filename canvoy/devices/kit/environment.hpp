@@ -25,10 +25,10 @@ class Environment {
  public:
   // Site of a device of a lift.
 
-  unsigned lift = 1;  ///< 1 to 8
-  unsigned door = 1;  ///< 1 to 4: the door that a unit moves or watches
-  unsigned floor = 1;
-  unsigned floors = 10;
+  unsigned lift = 1;     ///< 1 to 8
+  unsigned door = 1;     ///< 1 to 4: the door that a unit moves or watches
+  unsigned floor = 1;    ///< from 1, at which a panel hangs
+  unsigned floors = 10;  ///< of the shaft
 
   bool keeps_parameters = false;  ///< the device has the objects of storage (1010h, 1011h)
   bool manages_network = true;    ///< a device with that ability starts the others
@@ -56,6 +56,7 @@ class Environment {
   void watch(Callback<void(Unit&, Node&)> watcher) {
     add(watchers_, &key<Unit>, watcher);
   }
+  /// Tells the watcher of a type about a unit that was made; called by the device.
   template <class Unit>
   void made(Unit& unit, Node& node) const {
     const Callback<void()>* watcher = find_in(watchers_, &key<Unit>);

@@ -37,8 +37,8 @@ class GapWatch {
 
   /// When a node was last received, and how long after the time before.
   struct Rhythm {
-    Time at = never;
-    Duration period{};
+    Time at = never;    ///< when it was last received
+    Duration period{};  ///< from the time before to then
   };
 
   /// `ask` is called with a node-ID, or `everyone`, in NMT state operational. `rhythms` are those
@@ -49,6 +49,7 @@ class GapWatch {
 
   /// Takes an error control message of a node.
   void heard(NodeId id, RemoteState state);
+  /// Takes an emergency message of a node: a communication error is a sign.
   void heard(NodeId id, const Emergency& emergency);
 
  private:

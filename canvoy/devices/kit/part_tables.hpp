@@ -19,6 +19,7 @@ class PartTables {
   /// parts.
   explicit PartTables(std::span<const Part> parts);
 
+  /// Tables; they refer to this object.
   DictionaryTables tables() const { return tables_.tables(); }
 
  private:

@@ -11,7 +11,7 @@ namespace canvoy {
 struct ProgramPlace {
   const Flash* flash = nullptr;  ///< null: none, and downloads are refused
   std::uint32_t size = 0;        ///< bytes from address 0 on: whole sectors
-  ProgramHooks hooks = {};
+  ProgramHooks hooks = {};       ///< what the device adds to the download
 };
 
 }  // namespace canvoy
