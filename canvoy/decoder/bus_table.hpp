@@ -22,7 +22,7 @@ namespace canvoy::decoder {
 template <class Bus>
 class BusTable {
  public:
-  static constexpr std::size_t usual_max = 64;
+  static constexpr std::size_t usual_max = 64;  ///< buses kept by default
 
   /// `max`: number of buses that are kept, 1 or more.
   explicit BusTable(std::size_t max = usual_max) : max_(max) {}
@@ -37,6 +37,7 @@ class BusTable {
     room.heard = ++heard_;
     return *room.bus;
   }
+  /// Number of buses that are kept.
   std::size_t max() const { return max_; }
   /// Number of times that a bus was dropped to make room for another.
   std::uint64_t forgotten() const { return forgotten_; }

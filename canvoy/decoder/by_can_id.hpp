@@ -16,7 +16,7 @@ namespace canvoy::decoder {
 template <class Value>
 class ByCanId {
  public:
-  static constexpr std::size_t can_ids = Frame::id_max + 1;
+  static constexpr std::size_t can_ids = Frame::id_max + 1;  ///< of 11 bits
 
   /// Returns the value of `can_id` (11 bits), created if needed. Valid until at() creates another
   /// one.

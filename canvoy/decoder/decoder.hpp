@@ -30,20 +30,21 @@ namespace canvoy::decoder {
 
 /// The value of one object in a frame, or in a transfer.
 struct DecodedValue {
-  std::uint16_t index = 0;
-  std::uint8_t sub = 0;
-  const Profile* profile = nullptr;
+  std::uint16_t index = 0;             ///< of the object, in the node's dictionary
+  std::uint8_t sub = 0;                ///< sub-index
+  const Profile* profile = nullptr;    ///< of the node; CiA 301 if nothing else is known
   const ObjectInfo* object = nullptr;  ///< null: the index is not in the profile
   /// Includes the unit that the node has reported; null: the sub-index is not in the profile.
   const EntryInfo* entry = nullptr;
   bool is_told = false;  ///< `entry` is a copy that lives as long as the network
   std::array<std::uint8_t, Frame::length_max> mapped{};  ///< of a PDO
   std::span<const std::uint8_t> transferred = {};        ///< of an SDO transfer
-  std::uint8_t size = 0;
-  Marks marks = {};
+  std::uint8_t size = 0;                                 ///< bytes used of `mapped`
+  Marks marks = {};                                      ///< violations in this value
   /// For a PDO: changes whenever the bytes differ from the previous ones with this CAN-ID.
   std::uint64_t version = 0;
 
+  /// The value as on the wire: of the PDO or of the transfer.
   std::span<const std::uint8_t> bytes() const {
     return transferred.data() != nullptr ? transferred : std::span(mapped).first(size);
   }
@@ -51,8 +52,10 @@ struct DecodedValue {
 
 /// The objects in one frame. Valid until the next frame.
 struct Decoded {
+  /// What the frame belongs to; other: NMT, SYNC, TIME, EMCY, error control, LSS or none of
+  /// CANopen.
   enum class Service : std::uint8_t { other, pdo, sdo_request, sdo_response };
-  Service service = Service::other;
+  Service service = Service::other;          ///< which of the members below count
   NodeId node = 0;                           ///< of SDO, the server; 0: none, or unknown
   NodeId client = 0;                         ///< of SDO, if the client is known
   std::uint16_t channel = 0;                 ///< of SDO: the CAN-ID of the requests
@@ -63,15 +66,19 @@ struct Decoded {
   const DecodedValue* about = nullptr;       ///< of SDO: the entry, without a value, if known
   const LssFollower::Device* device = nullptr;  ///< the device that LSS has reported on
   const NodeNews* news = nullptr;               ///< what this frame reveals about a node
-  std::span<const DecodedValue> values = {};
-  Marks marks = {};  ///< of the frame and of all values
+  std::span<const DecodedValue> values = {};    ///< in the order of the frame; empty: none is known
+  Marks marks = {};                             ///< of the frame and of all values
 };
 
 class Decoder {
  public:
+  /// What is known of the bus, to add data sheets and profiles before the first frame.
   Network& network() { return network_; }
+  /// What is known of the bus.
   const Network& network() const { return network_; }
 
+  /// Takes the next frame of the bus and tells what it says. Constant for most frames; linear in
+  /// the mapped values of a PDO.
   const Decoded& decode(const Frame& frame);
 
  private:

@@ -15,18 +15,22 @@ namespace canvoy::decoder {
 
 class Identity {
  public:
-  static constexpr std::size_t count = 4;
+  static constexpr std::size_t count = 4;  ///< parts: see LssAddress
 
+  /// True if a part (LssAddress::vendor and so on) is known.
   bool has(std::size_t part) const { return (known_ & 1U << part) != 0; }
+  /// A part; 0 while it is not known.
   std::uint32_t part(std::size_t part) const { return address_.parts.at(part); }
   bool empty() const { return known_ == 0; }
   /// True if vendor-ID and product code are known.
   bool is_product() const { return has(LssAddress::vendor) && has(LssAddress::product); }
 
+  /// Sets a part, also if it was known.
   void set(std::size_t part, std::uint32_t value) {
     address_.parts.at(part) = value;
     known_ = static_cast<std::uint8_t>(known_ | 1U << part);
   }
+  /// Makes a part unknown.
   void forget(std::size_t part) {
     address_.parts.at(part) = 0;
     known_ = static_cast<std::uint8_t>(known_ & ~(1U << part));

@@ -22,14 +22,15 @@ namespace canvoy::decoder {
 
 /// What the data sheet says about all devices of one kind.
 struct DeviceSheet {
+  /// A parameter of the sheet, with its value in the device.
   struct Parameter {
-    std::uint16_t index = 0;
-    std::uint8_t sub = 0;
-    std::uint32_t value = 0;
-    bool plus_node_id = false;
+    std::uint16_t index = 0;    ///< of the object
+    std::uint8_t sub = 0;       ///< sub-index
+    std::uint32_t value = 0;    ///< number, without the node-ID
+    bool plus_node_id = false;  ///< the node-ID is added to it
   };
-  Identity identity = {};
-  const Profile* profile = nullptr;
+  Identity identity = {};                  ///< vendor-ID and product code at least
+  const Profile* profile = nullptr;        ///< null: the sheet gives none
   std::vector<Parameter> parameters = {};  ///< of PDOs, and of the entries that give units
 };
 
@@ -50,14 +51,18 @@ class KnownDevices {
   void replace_profile(const Profile& profile, const Profile& reading) {
     readings_[&profile] = &reading;
   }
+  /// The reading that is used for a profile; the profile itself if none was chosen.
   const Profile& reading_of(const Profile& profile) const;
+  /// Adds a sheet; of two for one product the first counts.
   void add_sheet(const DeviceSheet& sheet) { sheets_.push_back(&sheet); }
 
   /// The profile of a node; CiA 301 if nothing else is known.
   const Profile& profile(NodeId node) const;
   /// Like profile(), but null if nothing else is known.
   const Profile* known_profile(NodeId node) const { return nodes_.at(node).profile; }
+  /// Source of the profile of a node.
   KnownBy known_by(NodeId node) const { return nodes_.at(node).by; }
+  /// Identity of a node as far as it was heard.
   const Identity& identity(NodeId node) const { return nodes_.at(node).identity; }
 
   /// Sets the profile unless a better source has set it. True if the profile has changed.

@@ -23,6 +23,7 @@ class KnownUnits {
  public:
   /// Takes the value of an entry of a node; ignored if it gives no unit of other entries.
   void learn(NodeId node, std::uint16_t index, std::uint8_t sub, std::uint32_t held);
+  /// Discards what a node has reported: another device has its node-ID.
   void forget(NodeId node);
 
   /// Returns the description with the reported unit, or the same one if none was reported. Node 0:

@@ -14,6 +14,7 @@ namespace canvoy::decoder {
 
 class LssFollower {
  public:
+  /// The device that a message is about.
   struct Device {
     NodeId node = 0;    ///< 0: none, or unknown
     Identity identity;  ///< empty: all devices were switched at once, or none was identified

@@ -26,7 +26,7 @@ namespace canvoy::decoder {
 
 /// News about a node from a frame.
 struct NodeNews {
-  NodeId node = 0;
+  NodeId node = 0;                        ///< node-ID, 1 to 127
   bool has_identity = false;              ///< a part of it was not known before
   KnownBy profile_by = KnownBy::nothing;  ///< source from which the profile has become known
 };
@@ -35,6 +35,7 @@ class Network {
  public:
   /// Sets the profile of a node. Traffic on the bus does not change it.
   void set_profile(NodeId node, const Profile& profile);
+  /// Sets the data sheet of one node, whatever its identity; it must outlive the network.
   void set_sheet(NodeId node, const DeviceSheet& sheet);
   /// Sets the profile of all nodes without a better source.
   void assume_profile(const Profile& profile);
@@ -58,6 +59,7 @@ class Network {
 
   /// The profile of a node; CiA 301 if nothing else is known.
   const Profile& profile(NodeId node) const { return devices_.profile(node); }
+  /// Identity of a node as far as it was heard.
   const Identity& identity(NodeId node) const { return devices_.identity(node); }
   /// The plan of the PDO with this CAN-ID: that of the sender, or else of a receiver; null if there
   /// is none. Valid until the network learns more.
@@ -81,6 +83,7 @@ class Network {
 
   /// News since the last clear_news(), or null.
   const NodeNews* news() const { return news_.node == 0 ? nullptr : &news_; }
+  /// Discards the news, once a caller has taken them.
   void clear_news() { news_ = {}; }
   /// Changes whenever profiles, PDOs or units change.
   std::uint32_t generation() const { return 1 + pdos_.generation() + units_.generation(); }

@@ -25,19 +25,19 @@ namespace canvoy::decoder {
 /// Content of the PDO with a CAN-ID.
 struct PdoPlan {
   NodeId node = 0;  ///< 0: the profile assigns the CAN-ID to a message, whichever node sends it
-  PdoInfo::Direction direction = PdoInfo::Direction::transmit;
-  std::uint16_t number = 0;  ///< 0: unknown
-  MpdoKind multiplexed = MpdoKind::no;
-  std::vector<std::uint32_t> mapping;
-  std::string_view name = {};  ///< of the message, if the profile names it
-  const Profile* profile = nullptr;
+  PdoInfo::Direction direction = PdoInfo::Direction::transmit;  ///< as `node` sees it
+  std::uint16_t number = 0;                                     ///< 0: unknown
+  MpdoKind multiplexed = MpdoKind::no;                          ///< the mapping then does not count
+  std::vector<std::uint32_t> mapping;  ///< entries of the mapping record, in their order
+  std::string_view name = {};          ///< of the message, if the profile names it
+  const Profile* profile = nullptr;    ///< of `node`, for the names of the objects
 };
 
 class PdoPlans {
  public:
   /// Range of the PDO parameters: 1400h to 1BFFh.
   static constexpr std::uint16_t index_first = object_index::rpdo_parameter;
-  static constexpr std::uint16_t index_last = 0x1BFF;
+  static constexpr std::uint16_t index_last = 0x1BFF;  ///< the last TPDO mapping
 
   /// Sets the profile of a node: discards what the previous profile gave, keeps what was heard.
   void use_profile(NodeId node, const Profile& profile);

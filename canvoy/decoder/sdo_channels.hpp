@@ -21,14 +21,15 @@ namespace canvoy::decoder {
 struct SdoRoute {
   std::uint16_t channel = 0;  ///< CAN-ID of the requests
   NodeId client = 0;          ///< 0: unknown
-  NodeId server = 0;
-  bool is_request = false;
+  NodeId server = 0;          ///< node-ID; 0: unknown
+  bool is_request = false;    ///< from client to server
 };
 
 class SdoChannels {
  public:
   /// Takes an SDO parameter of a node.
   void learn(NodeId node, std::uint16_t index, std::uint8_t sub, std::uint32_t value);
+  /// Discards the SDO parameters of a node: another device has its node-ID.
   void forget(NodeId node);
 
   /// The channel with this CAN-ID. Learned channels take precedence over the default channels, and

@@ -25,11 +25,12 @@ namespace canvoy::decoder {
 
 /// A completed transfer.
 struct SdoTransfer {
+  /// How the bytes were transferred.
   enum class Kind : std::uint8_t { expedited, segmented, block };
-  bool is_write = false;
-  Kind kind = Kind::expedited;
-  std::uint16_t index = 0;
-  std::uint8_t sub = 0;
+  bool is_write = false;            ///< download: from the client to the server
+  Kind kind = Kind::expedited;      ///< see Kind
+  std::uint16_t index = 0;          ///< of the object
+  std::uint8_t sub = 0;             ///< sub-index
   std::vector<std::uint8_t> bytes;  ///< the first bytes, if there are more
   std::size_t size = 0;             ///< number of all bytes
 };
@@ -66,17 +67,17 @@ enum class SdoMessage : std::uint8_t {
 
 /// A device on a bus behind a server.
 struct SdoBehind {
-  std::uint16_t network = 0;
-  NodeId node = 0;  ///< 0: the server itself
+  std::uint16_t network = 0;  ///< number of the bus behind the server
+  NodeId node = 0;            ///< 0: the server itself
 };
 
 /// Result of a message: the transfer with the server that it completes, or null. Valid until the
 /// next message.
 struct SdoStep {
-  SdoMessage message = SdoMessage::unknown;
-  const SdoTransfer* done = nullptr;
-  Marks marks = {};
-  SdoBehind behind = {};  ///< peer of the current or the next transfer
+  SdoMessage message = SdoMessage::unknown;  ///< what the message is
+  const SdoTransfer* done = nullptr;  ///< null: the transfer goes on, or is with a device behind
+  Marks marks = {};                   ///< violations in this message
+  SdoBehind behind = {};              ///< peer of the current or the next transfer
   /// The entry that the message names, or that of its transfer; nothing: its start was not heard.
   std::optional<sdo::Multiplexer> entry = {};
 };
@@ -90,6 +91,7 @@ class SdoFollower {
 
   /// Takes a message of eight bytes from the client (request) or the server (response).
   SdoStep request(const Frame& frame);
+  /// Takes a message of eight bytes from the server.
   SdoStep response(const Frame& frame);
   /// The server has restarted: its transfers are void.
   void server_starts();

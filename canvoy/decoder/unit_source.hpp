@@ -17,8 +17,8 @@ namespace canvoy::decoder {
 
 /// Address of the entry that gives the unit; index 0: none.
 struct UnitSource {
-  std::uint16_t index = 0;
-  std::uint8_t sub = 0;
+  std::uint16_t index = 0;  ///< of the entry that gives it; 0: none
+  std::uint8_t sub = 0;     ///< sub-index
 };
 /// True if in some profile this entry gives the unit of others.
 bool is_unit_source(unsigned index, unsigned sub);
@@ -37,10 +37,12 @@ std::optional<Measure> measure_by_source(const Profile& profile, const EntryInfo
 /// A copy of an entry with the unit that another entry gives; without one, its counts have no unit.
 class EntryWithUnit {
  public:
+  /// Copies the description; the entry must outlive the copy, for its names.
   EntryWithUnit(const EntryInfo& entry, const std::optional<Measure>& measure);
   EntryWithUnit(const EntryWithUnit&) = delete;
   EntryWithUnit& operator=(const EntryWithUnit&) = delete;
 
+  /// The copy; valid as long as this object.
   const EntryInfo& entry() const { return entry_; }
 
  private:

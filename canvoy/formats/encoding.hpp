@@ -15,6 +15,7 @@
 
 namespace canvoy::formats {
 
+/// Encodings that are understood.
 enum class TextEncoding : std::uint8_t {
   utf8,
   utf8_with_mark,
@@ -35,9 +36,10 @@ std::string utf8_of_windows_1252(std::string_view bytes);
 /// Returns `bytes` if they are UTF-8, else converts them from Windows-1252.
 std::string as_utf8(std::string_view bytes);
 
+/// Text of a file, in UTF-8.
 struct DecodedText {
-  std::string text;  ///< lines end with a line feed
-  TextEncoding encoding = TextEncoding::utf8;
+  std::string text;                            ///< lines end with a line feed
+  TextEncoding encoding = TextEncoding::utf8;  ///< of the file
 
   /// A remark for the reader on the encoding, in one line; empty if it is UTF-8.
   std::string_view remark() const;
@@ -49,9 +51,10 @@ DecodedText decode_text(std::string_view bytes);
 /// Converts a piece of UTF-16 without its byte order mark: as many characters as fit, four bytes
 /// for each. A lone surrogate becomes U+FFFD. `last`: nothing follows.
 struct RecodeStep {
-  std::size_t taken = 0;
-  std::size_t made = 0;
+  std::size_t taken = 0;  ///< bytes of the piece
+  std::size_t made = 0;   ///< bytes of UTF-8
 };
+/// Converts a piece; `into` needs at least four bytes.
 RecodeStep recode_utf16(std::string_view bytes, bool big_endian, bool last, std::span<char> into);
 
 }  // namespace canvoy::formats

@@ -17,6 +17,7 @@ namespace canvoy::formats {
 
 /// Name of a type: `UNSIGNED8`, `VISIBLE_STRING` (CiA 301, 7.4.7).
 std::string_view data_type_name(DataType type);
+/// Type of a name, in upper case; nothing for another name.
 std::optional<DataType> data_type_named(std::string_view name);
 /// Name of an object code: `VAR`, `ARRAY`, `RECORD`, `DOMAIN`.
 std::string_view object_code_name(ObjectCode code);
@@ -28,6 +29,7 @@ std::string_view access_name(const EntryInfo& entry);
 std::string_view mapping_name(Mapping mapping);
 /// Name of a category: `mandatory`, `optional`, `conditional`.
 std::string_view category_name(Category category);
+/// Words for the meaning of a named value: `state`, `not available`, `reserved`.
 std::string_view meaning_name(Meaning meaning);
 /// The number that the bits of a REAL32 or REAL64 represent.
 double real_value(std::int64_t pattern, DataType type);
@@ -46,6 +48,7 @@ std::string object_name(const ObjectInfo& object);
 std::string entry_name(const ObjectInfo& object, const EntryInfo& entry, unsigned sub);
 /// Like entry_name() of one sub-index, but for all entries that `entry` describes.
 std::string entry_name(const ObjectInfo& object, const EntryInfo& entry);
+/// Name of a field, with its number in place of `#`.
 std::string field_name(const FieldInfo& field);
 /// `basic function = 02h to 04h, 08h`: the alternatives of one field together; empty for none.
 std::string condition_text(const FieldInfo& field);

@@ -16,18 +16,20 @@ namespace canvoy::formats {
 /// A line that sets a key. Comments and other lines have an empty key; their value is the whole
 /// line.
 struct IniLine {
-  std::string key = {};
-  std::string value = {};
+  std::string key = {};    ///< as written, without blanks around it
+  std::string value = {};  ///< as written, without blanks around it
   std::size_t number = 0;  ///< line in the file, from 1; 0: not from a file
 };
 
+/// A section with its lines.
 struct IniSection {
-  std::string name;  ///< empty: the lines before the first section
-  std::size_t number = 0;
-  std::vector<IniLine> lines;
+  std::string name;            ///< empty: the lines before the first section
+  std::size_t number = 0;      ///< line of the head, from 1; 0: not from a file
+  std::vector<IniLine> lines;  ///< comments included
 
   /// The first line that sets a key, or null.
   const IniLine* find(std::string_view key) const;
+  /// The value of a key, case ignored; nothing if no line sets it.
   std::optional<std::string_view> value(std::string_view key) const;
   /// Adds a line at the end.
   void add(std::string key, std::string value) {
@@ -36,7 +38,7 @@ struct IniSection {
 };
 
 struct Ini {
-  std::vector<IniSection> sections;
+  std::vector<IniSection> sections;  ///< in order; the first may have no name
 
   /// The first section with this name, or null.
   const IniSection* find(std::string_view name) const;
@@ -44,11 +46,14 @@ struct Ini {
 
 /// True if two names are equal, ignoring case.
 bool same_letters(std::string_view a, std::string_view b);
+/// True for a line that starts with `;` or `#`.
 bool is_comment(const IniLine& line);
 
 /// Reads any text. Ignores a byte order mark and blanks around names, keys and values; accepts
 /// either kind of line ends.
 Ini parse_ini(std::string_view text);
+/// Writes sections and lines in their order, with CR LF at the ends of lines and an empty line
+/// between sections.
 std::string write_ini(const Ini& file);
 
 }  // namespace canvoy::formats

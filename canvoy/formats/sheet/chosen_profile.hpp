@@ -16,6 +16,7 @@ const ReadingInfo* find_reading(const Profile& profile, std::string_view name);
 
 class ChosenProfile {
  public:
+  /// Makes a copy of the profile with the objects of the reading. Both must outlive it.
   ChosenProfile(const Profile& profile, const ReadingInfo& reading);
   ChosenProfile(const ChosenProfile&) = delete;
   ChosenProfile& operator=(const ChosenProfile&) = delete;

@@ -14,17 +14,19 @@
 
 namespace canvoy::formats {
 
+/// One SDO write.
 struct ConfigurationEntry {
-  std::uint16_t index = 0;
-  std::uint8_t sub = 0;
-  std::vector<std::uint8_t> value = {};
+  std::uint16_t index = 0;               ///< of the object
+  std::uint8_t sub = 0;                  ///< sub-index
+  std::vector<std::uint8_t> value = {};  ///< little-endian
 
   friend bool operator==(const ConfigurationEntry&, const ConfigurationEntry&) = default;
 };
 
+/// Writes of a whole configuration, and what became of the others.
 struct Configuration {
-  std::vector<ConfigurationEntry> entries = {};
-  NodeId sheet_node = 0;  ///< of the DCF; 0: not given
+  std::vector<ConfigurationEntry> entries = {};  ///< in the order to write them
+  NodeId sheet_node = 0;                         ///< of the DCF; 0: not given
   std::size_t moved = 0;  ///< number of values that depend on the node-ID and were for another one
   std::size_t process_data = 0;  ///< number of values omitted since they are not configuration
   Findings bad = {};             ///< values omitted since they do not fit their type

@@ -28,6 +28,7 @@ class SheetTables {
   /// Omits entries that a dictionary cannot have: of unknown type, or with an invalid default.
   SheetTables(const DataSheet& sheet, Findings& left_out);
 
+  /// Tables; they refer to this object.
   DictionaryTables tables() const { return tables_.tables(); }
 
  private:
@@ -49,10 +50,12 @@ class SheetTables {
 /// written also gets device_state.
 class DomainContents {
  public:
+  /// Attaches to all domains of a dictionary, which must outlive this.
   explicit DomainContents(Dictionary& dictionary);
   DomainContents(const DomainContents&) = delete;
   DomainContents& operator=(const DomainContents&) = delete;
 
+  /// Content of one domain.
   using Bytes = std::vector<std::uint8_t>;
   /// Sets the content of a domain for its first upload.
   void fill(std::uint16_t index, std::uint8_t sub, Bytes bytes) {
@@ -83,6 +86,7 @@ class DomainContents {
 
 class SheetDevice {
  public:
+  /// What the owner of the device adds or takes over.
   struct Options {
     std::size_t further_routes = 0;  ///< number of CAN-IDs for services of the application
     /// If the sheet has 1010h or 1011h, stored values outlive NMT resets. False: the owner has a
@@ -92,18 +96,22 @@ class SheetDevice {
 
   /// Copies `port`; what it refers to must outlive this.
   SheetDevice(const DataSheet& sheet, const Port& port, NodeId node_id, const Options& options);
+  /// Like the above, with default options.
   SheetDevice(const DataSheet& sheet, const Port& port, NodeId node_id)
       : SheetDevice(sheet, port, node_id, Options()) {}
   SheetDevice(const SheetDevice&) = delete;
   SheetDevice& operator=(const SheetDevice&) = delete;
 
+  /// The node of the device: frames and points in time are handed to it.
   Node& node() { return device_.node(); }
+  /// Sends errors, for an application that adds behaviour.
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
   /// Parts of the sheet that the device does not have.
   const Findings& left_out() const { return left_out_; }
   /// Communication objects (1000h to 1FFFh) that are plain values here, since their function is the
   /// work of an application (CiA 301, CiA 302): ranges of indices.
   using IndexRange = canvoy::detail::IndexRange;
+  /// Ranges of objects that the device has as plain values only.
   std::vector<IndexRange> without_behaviour() const;
 
  private:

@@ -21,25 +21,29 @@ namespace canvoy::formats {
 
 class SheetScan {
  public:
+  /// Value of an entry, as on the wire.
   using Bytes = std::vector<std::uint8_t>;
   /// Reads an entry: its value, or the reason for none. May throw, which ends the scan.
   using Read = std::function<Result<Bytes>(std::uint16_t index, std::uint8_t sub)>;
+  /// How far a scan is.
   struct Progress {
-    std::size_t done = 0;  ///< number of objects
-    std::size_t all = 0;
-    std::uint16_t index = 0;
+    std::size_t done = 0;     ///< number of objects
+    std::size_t all = 0;      ///< all that will be read, as far as known
+    std::uint16_t index = 0;  ///< object that is being read
   };
 
   /// An entry without a value in the sheet.
   struct Unread {
-    std::uint16_t index = 0;
-    std::uint8_t sub = 0;
-    std::string name = {};
+    std::uint16_t index = 0;            ///< of the object
+    std::uint8_t sub = 0;               ///< sub-index
+    std::string name = {};              ///< of the entry, as in the sheet
     AbortCode abort = AbortCode::none;  ///< answer of the node; none: see `reason`
-    std::string reason = {};
+    std::string reason = {};            ///< in words, if the node did not refuse
   };
 
+  /// Makes a scan. `read` is called once for each entry, in the caller's thread.
   explicit SheetScan(Read read) : read_(std::move(read)) {}
+  /// Sets the callback for the progress, called for each object.
   void on_progress(std::function<void(const Progress&)> tell) { tell_ = std::move(tell); }
 
   /// Reads the values of all readable entries of a sheet except domains; see read_domains().
@@ -53,6 +57,7 @@ class SheetScan {
   /// value, and all are writable. Requests each index once; never writes.
   void read_undescribed(DataSheet& sheet, std::uint16_t first, std::uint16_t last);
 
+  /// Writes a domain somewhere, and returns the name for UploadFile; may throw.
   using Keep =
       std::function<std::string(std::uint16_t index, std::uint8_t sub, const Bytes& bytes)>;
   /// Reads the readable domains of a sheet. `keep` writes the bytes of a domain into a file and
@@ -61,6 +66,7 @@ class SheetScan {
 
   /// Number of entries that were read.
   std::size_t count() const { return count_; }
+  /// Entries without a value, of all scans so far.
   const std::vector<Unread>& unread() const { return unread_; }
 
  private:

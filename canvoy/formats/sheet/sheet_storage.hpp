@@ -13,8 +13,10 @@ namespace canvoy::formats {
 
 /// Size of a sector; their number is such that all parameters fit into a slot.
 inline constexpr std::uint32_t storage_sector_size = 4096;
+/// Size of a slot for all parameters of a dictionary: whole sectors.
 std::uint32_t storage_slot_size(const Dictionary& dictionary);
 
+/// A Storage on a flash in memory: stored values are lost with the object.
 class MemoryStorage {
  public:
   /// `node` must outlive this.

@@ -34,7 +34,7 @@ namespace canvoy::formats {
 /// contents are then unchanged.
 class StoredConfigurations {
  public:
-  static constexpr std::size_t default_bytes_max = 16 * 1024 * 1024;
+  static constexpr std::size_t default_bytes_max = 16 * 1024 * 1024;  ///< 16 MiB
 
   /// Serves the entries that the dictionary has. `bytes_max` limits the size of all contents
   /// together, including those in transfer.
