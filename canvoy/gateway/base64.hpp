@@ -13,6 +13,7 @@
 
 namespace canvoy::gateway {
 
+/// Text of any bytes, padded, without line breaks: four characters for three bytes.
 std::string to_base64(std::span<const std::uint8_t> bytes);
 
 /// Bytes of a base64 text. Nothing if the text is not base64: it has other characters, padding that

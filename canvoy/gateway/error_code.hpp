@@ -11,6 +11,7 @@
 
 namespace canvoy::gateway {
 
+/// An error by its number.
 enum class ErrorCode : std::uint16_t {
   none = 0,
   not_supported = 100,
@@ -44,6 +45,7 @@ enum class ErrorCode : std::uint16_t {
 
 /// A short description for people; empty for an unknown code.
 std::string_view text_of(ErrorCode code);
+/// A short description of a letter of the boot-up procedure.
 std::string_view text_of(BootError error);
 
 }  // namespace canvoy::gateway

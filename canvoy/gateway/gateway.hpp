@@ -18,6 +18,7 @@ namespace canvoy::gateway {
 
 class Gateway {
  public:
+  /// Makes a gateway without networks; `settings` apply to each session.
   explicit Gateway(const SessionSettings& settings = {}) : settings_(settings) {}
   Gateway(const Gateway&) = delete;
   Gateway& operator=(const Gateway&) = delete;
@@ -30,6 +31,7 @@ class Gateway {
   /// one only.
   std::optional<std::uint32_t> only_network() const;
 
+  /// Opens a session for a new client; valid until close().
   Session& open();
   /// Closes a session and cancels its commands. Must not be called from within on_settled().
   void close(Session& session);
@@ -40,7 +42,9 @@ class Gateway {
   /// call makes that call repeat its work once.
   void settle(Time now);
 
+  /// Time of the next call of advance(); never if no command waits for a time.
   Time deadline() const;
+  /// Does what is due: commands take too long. Call it at deadline().
   void advance(Time now) { settle(now); }
 
  private:

@@ -14,12 +14,14 @@ namespace canvoy::gateway {
 /// lengths, the object has as many entries of each length as fit into a PDO.
 struct PdoStorage {
   static constexpr std::uint16_t rpdo_first = 0x2000;  ///< index of the object of RPDO 1
-  static constexpr std::uint16_t tpdo_first = 0x2200;
+  static constexpr std::uint16_t tpdo_first = 0x2200;  ///< index of the object of TPDO 1
+  /// Entries of one length in such an object.
   struct Room {
-    std::uint8_t bits;
-    std::uint8_t sub_first;
-    std::uint8_t count;
+    std::uint8_t bits;       ///< length of each
+    std::uint8_t sub_first;  ///< first of their sub-indices
+    std::uint8_t count;      ///< number of them
   };
+  /// All lengths, whole bytes first.
   static constexpr std::array<Room, 9> rooms = {{{8, 1, 8},
                                                  {16, 9, 4},
                                                  {24, 13, 2},
@@ -86,6 +88,7 @@ inline constexpr std::size_t gateway_routes = 2 * node_id_max + 2;
 
 }  // namespace detail
 
+/// Node and services of a gateway.
 using GatewayDevice = DeviceNode<detail::gateway_layout, detail::gateway_routes>;
 
 }  // namespace canvoy::gateway

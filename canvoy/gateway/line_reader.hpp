@@ -11,6 +11,7 @@
 
 namespace canvoy::gateway {
 
+/// A line from a client.
 struct Line {
   std::string text;       ///< without its line end; the beginning of a line that is too long
   bool too_long = false;  ///< the rest was discarded
@@ -20,6 +21,7 @@ struct Line {
 /// beginning of one line that is too long.
 class LineReader {
  public:
+  /// Makes a reader; `length_max` is as in set_length_max().
   explicit LineReader(std::size_t length_max) : length_max_(length_max) {}
 
   /// Appends bytes. Lines end with LF, with or without CR before it.
@@ -32,7 +34,9 @@ class LineReader {
 
   /// Limits the length of a line, in characters without its end, from the next line on.
   void set_length_max(std::size_t length_max) { length_max_ = length_max; }
+  /// Present limit, in characters.
   std::size_t length_max() const { return length_max_; }
+  /// Characters held.
   std::size_t size() const { return text_.size(); }
 
  private:

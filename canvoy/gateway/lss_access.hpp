@@ -15,6 +15,7 @@ namespace canvoy::gateway {
 
 class LssAccess {
  public:
+  /// Makes the service; `node` must outlive it and needs a route.
   explicit LssAccess(Node& node) : node_(node), master_(node) {}
   LssAccess(const LssAccess&) = delete;
   LssAccess& operator=(const LssAccess&) = delete;

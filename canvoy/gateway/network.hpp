@@ -20,11 +20,12 @@
 
 namespace canvoy::gateway {
 
+/// Settings of a network.
 struct NetworkSettings {
   /// Node-ID of the gateway. Without one it reads and writes objects, commands and monitors the
   /// other nodes; PDOs, node guarding and its own heartbeat need one.
   NodeId node_id = node_id_unconfigured;
-  Version version = Version::v3_0;
+  Version version = Version::v3_0;  ///< of the answers
   /// Sets the bit rate of the bus, by its index in CiA 305 (0 to 9); returns false if it cannot.
   /// Without this function, every bit rate counts as set: for a bus that has none.
   std::function<bool(unsigned index)> set_bit_rate = {};
@@ -40,16 +41,23 @@ class Network {
   Network(const Network&) = delete;
   Network& operator=(const Network&) = delete;
 
+  /// Number by which clients name it.
   std::uint16_t number() const { return number_; }
+  /// Sets the handler of events; called from within calls of this object.
   void on_event(std::function<void(const Event&)> handler) { event_ = std::move(handler); }
   /// Sets the handler that is called after a frame from the bus or the end of a timer: operations
   /// may have been answered.
   void on_progress(std::function<void(Time)> handler) { progress_ = std::move(handler); }
 
+  /// Starts the gateway's node. See Node::start().
   void start(Time now);
+  /// Takes a frame from the bus.
   void receive(const Frame& frame, Time now);
+  /// Does what is due. Call it at deadline().
   void advance(Time now);
+  /// Notes that the controller has room for frames again.
   void tx_ready(Time now);
+  /// Notes a new state of the controller.
   void bus_state(BusState state, Time now);
   /// Reports that the controller or the operating system has lost frames.
   void overrun(Time now);
@@ -58,6 +66,7 @@ class Network {
   void boot_ended(NodeId slave, BootError error, NmtState state) const {
     emit(Event::booted(number_, slave, error, state));
   }
+  /// Time of the next call of advance().
   Time deadline() const { return core_->device.node().deadline(); }
 
   /// Carries out a command for networks or nodes; the answer may be ready when it returns.

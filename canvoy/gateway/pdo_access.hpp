@@ -17,8 +17,10 @@ namespace canvoy::gateway {
 /// operational. A reset of the gateway's node deletes all PDOs.
 class PdoAccess {
  public:
+  /// Called with the values of an RPDO, in the order of its mapping.
   using Received = std::function<void(std::uint16_t pdo, std::vector<std::uint64_t> values)>;
 
+  /// Makes the service for network `net`; `device` must outlive it.
   PdoAccess(GatewayDevice& device, std::uint16_t net, Received received);
   PdoAccess(const PdoAccess&) = delete;
   PdoAccess& operator=(const PdoAccess&) = delete;
@@ -32,7 +34,9 @@ class PdoAccess {
   /// Answers with the last received values. Requests new values if the PDO is transmitted on
   /// request only: then the answer comes later, or is time_out.
   void begin_read(Operation& operation, Duration time_out);
+  /// Cancels an operation. False if it is not under way.
   bool cancel(Operation& operation);
+  /// Answers all operations that are under way.
   void fail_all(const Answer& answer);
 
   /// Writes all values of a TPDO and sends it, or leaves it to the next SYNC or request. Until the

@@ -15,6 +15,7 @@ namespace canvoy::gateway {
 
 class SdoAccess {
  public:
+  /// Makes the service; `node` must outlive it. `version` is that of the values in answers.
   SdoAccess(Node& node, Version version)
       : node_(node), version_(version), workers_(node), queue_(node, workers_.all()) {}
   SdoAccess(const SdoAccess&) = delete;

@@ -26,8 +26,9 @@ namespace canvoy::gateway {
 class Gateway;
 class Network;
 
+/// Limits of a client, and the style of its lines.
 struct SessionSettings {
-  Style style = {};
+  Style style = {};  ///< of the lines for it
   /// Characters of a line, until the client sets another number.
   std::size_t command_size = 64 * 1024;
   std::size_t command_size_max = 1024 * 1024;  ///< limit of what the client can set
@@ -41,6 +42,7 @@ struct SessionSettings {
 
 class Session {
  public:
+  /// Made by Gateway::open().
   Session(Gateway& gateway, const SessionSettings& settings);
   ~Session();
   Session(const Session&) = delete;
@@ -68,9 +70,11 @@ class Session {
   /// Time at which a command takes too long.
   Time deadline() const;
 
+  /// Queues the line of an event, at once; dropped once the client is too slow.
   void tell(const Event& event);
   /// Lines for the client; consume() removes what was sent.
   std::string_view output() const { return output_; }
+  /// Removes bytes of output() that were sent; not more than there are.
   void consume(std::size_t size);
   /// True if the client does not read its events and must be dropped.
   bool is_too_slow() const { return too_slow_; }

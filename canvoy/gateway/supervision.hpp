@@ -19,8 +19,10 @@ namespace canvoy::gateway {
 /// Answers unknown_node for a number that is not a node-ID.
 class Supervision {
  public:
+  /// Called with a node and what has happened to it.
   using Report = std::function<void(NodeId, ErrorCode)>;
 
+  /// Makes the service; `device` must outlive it.
   Supervision(GatewayDevice& device, Report report);
   Supervision(const Supervision&) = delete;
   Supervision& operator=(const Supervision&) = delete;

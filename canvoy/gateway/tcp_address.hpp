@@ -13,10 +13,12 @@
 namespace canvoy::gateway {
 
 struct TcpAddress {
-  sockaddr_storage storage{};
-  socklen_t length = 0;
+  sockaddr_storage storage{};  ///< of an IPv4 or IPv6 socket
+  socklen_t length = 0;        ///< bytes used of it
 
+  /// For system calls.
   const sockaddr* get() const { return reinterpret_cast<const sockaddr*>(&storage); }
+  /// True for 127.0.0.0/8 and ::1.
   bool is_loopback() const;
   /// The address in the form that parse_tcp_address() reads.
   std::string text() const;

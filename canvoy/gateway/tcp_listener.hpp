@@ -26,6 +26,7 @@ inline bool is_passing(int error) {
 /// A listening socket. A new client waits while there is no file descriptor for it.
 class TcpListener {
  public:
+  /// Takes the socket of a new client, and its address for messages.
   using OnClient = std::function<void(host::Descriptor socket, std::string peer)>;
 
   /// Listens on `address`: `127.0.0.1:60000`, `[::1]:60000`, or port 0 for a free port. `loop` must

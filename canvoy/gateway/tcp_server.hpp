@@ -23,8 +23,8 @@ namespace canvoy::gateway {
 /// Limits for all clients together. A client is idle while it sends nothing and none of its
 /// commands is under way, whatever it receives.
 struct TcpLimits {
-  std::size_t clients_max = 16;
-  Duration idle_max = 1h;  ///< an idle client is dropped after this time
+  std::size_t clients_max = 16;  ///< at a time
+  Duration idle_max = 1h;        ///< an idle client is dropped after this time
   /// Time since the latest command after which a client may be dropped for a new one that has no
   /// place; the client with the oldest command goes first. Empty lines and comments are not
   /// commands.
@@ -53,6 +53,7 @@ class TcpServer {
   const std::string& address() const { return listener_->address(); }
   /// True if only programs on this machine can reach it.
   bool is_loopback() const { return listener_->is_loopback(); }
+  /// Clients at present.
   std::size_t clients() const { return connections_.size(); }
   /// Sets the handler of notes: a line for each client that connects, disconnects or is dropped, 30
   /// in a minute; then one line with the number of those left out.

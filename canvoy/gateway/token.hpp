@@ -12,7 +12,7 @@ namespace canvoy::gateway {
 
 /// A word as written in the line; a text with its quotes.
 using Token = std::string_view;
-using Tokens = std::span<const Token>;
+using Tokens = std::span<const Token>;  ///< of a line, in order
 
 /// Words of a line. Nothing if a text has no end, or is directly followed by another character. Two
 /// quotes in a text, or a backslash and a character, do not end it.

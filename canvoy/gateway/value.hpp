@@ -16,7 +16,7 @@
 
 namespace canvoy::gateway {
 
-using Bytes = std::vector<std::uint8_t>;
+using Bytes = std::vector<std::uint8_t>;  ///< as on the bus
 
 /// Edition of CiA 309-3 that answers follow; commands of both editions are always accepted.
 enum class Version : std::uint8_t {
@@ -24,6 +24,7 @@ enum class Version : std::uint8_t {
   v3_0,  ///< like CANopenNode: in decimal, `ERROR:0x06020000`
 };
 
+/// Type of a value, and its notation.
 struct ValueType {
   /// Notation of a value, beside that of CiA 309-3 for its type.
   enum class Notation : std::uint8_t {
@@ -31,8 +32,8 @@ struct ValueType {
     hexadecimal,  ///< x8 to x64, as in CANopenNode
     bytes,        ///< hex, as in CANopenNode: any bytes, `01 02 AB`
   };
-  DataType type = DataType::domain;
-  Notation notation = Notation::bytes;
+  DataType type = DataType::domain;     ///< for numbers and texts
+  Notation notation = Notation::bytes;  ///< see Notation
 
   friend bool operator==(const ValueType&, const ValueType&) = default;
 };

@@ -20,6 +20,7 @@
 
 namespace canvoy::gtfs {
 
+/// Outcome of a read: a row, the end of the file, or an error.
 enum class CsvRead : std::uint8_t { row, end, bad };
 
 class CsvReader {
@@ -28,6 +29,7 @@ class CsvReader {
   /// the file.
   static constexpr std::size_t row_bytes_max = 65'536;
 
+  /// Reads from the present position of `file`, which must outlive this.
   explicit CsvReader(FeedFile& file) : file_(&file) {}
 
   /// Reads the next row. Nothing follows after `end` and `bad`.
@@ -36,6 +38,7 @@ class CsvReader {
   std::span<const std::string_view> fields() const { return fields_; }
   /// Line on which the row or the error begins, from 1.
   std::size_t line() const { return line_; }
+  /// What is wrong with the row; empty while all is well.
   const std::string& problem() const { return problem_; }
 
  private:

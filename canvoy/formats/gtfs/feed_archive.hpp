@@ -27,12 +27,15 @@ namespace canvoy::gtfs {
 /// Maximum number of bytes read from a file; a longer unpacked file is not a timetable.
 inline constexpr std::uint64_t file_bytes_max = 16ULL << 30;
 
+/// For std::unique_ptr.
 struct CloseFile {
   void operator()(std::FILE* file) const;
 };
+/// For std::unique_ptr.
 struct CloseZipFile {
   void operator()(::zip_file* file) const;
 };
+/// For std::unique_ptr.
 struct CloseZip {
   void operator()(::zip* archive) const;
 };
@@ -43,6 +46,7 @@ class FeedFile {
   /// Reads the next bytes; returns their number, 0 at the end. Errors: those of the system or the
   /// archive.
   host::Result<std::size_t> read(std::span<char> room);
+  /// False for a file that the feed does not have.
   bool is_there() const { return !std::holds_alternative<std::monostate>(source_); }
   /// Name for messages: `feed.zip/stops.txt`.
   const std::string& name() const { return name_; }
@@ -73,6 +77,7 @@ class FeedArchive {
   /// Opens a file. A missing file is not an error: is_there() is false. In a zip archive the file
   /// may be in a folder.
   host::Result<FeedFile> file(std::string_view name) const;
+  /// Name for messages: the path, or what was given.
   const std::string& name() const { return name_; }
 
  private:

@@ -22,21 +22,29 @@ namespace canvoy::gtfs {
 
 class FeedTables {
  public:
+  /// Begins without anything read. `archive` must outlive this.
   explicit FeedTables(const FeedArchive& archive) : archive_(&archive) {}
 
   /// Reads the agency of the route, or the first one.
   host::Result<void> read_agency();
+  /// Reads feed_info.txt, if the feed has it.
   host::Result<void> read_info();
+  /// Reads the trips of the route.
   host::Result<void> read_trips();
   /// Reads the trips of `routes` that are in a block with a trip of the route.
   host::Result<void> read_trips_of_blocks(const std::vector<Route>& routes);
+  /// Reads the calls of the trips.
   host::Result<void> read_calls();
+  /// Reads the stops of the calls.
   host::Result<void> read_stops();
+  /// Reads the services of the trips.
   host::Result<void> read_services();
+  /// Reads frequencies.txt, if the feed has it.
   host::Result<void> read_frequencies();
+  /// Reads the shapes of the trips, if the feed has them.
   host::Result<void> read_shapes();
 
-  Feed feed{};
+  Feed feed{};  ///< what was read so far
 
  private:
   struct Hash {

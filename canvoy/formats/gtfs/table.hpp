@@ -27,6 +27,7 @@ namespace canvoy::gtfs {
 std::optional<Date> parse_date(std::string_view text);
 /// Reads a time, such as `8:05:00` or `25:35:00`, up to 239:59:59.
 std::optional<TimeOfDay> parse_time(std::string_view text);
+/// Reads a decimal number, with fraction and exponent if it has them; all of the text, and finite.
 std::optional<double> parse_number(std::string_view text);
 
 class Table {
@@ -37,7 +38,9 @@ class Table {
   static host::Result<Table> open(const FeedArchive& archive, std::string_view name,
                                   std::span<const std::string_view> columns);
 
+  /// False for a file that the feed does not have: it reads as one without rows.
   bool is_there() const { return file_->is_there(); }
+  /// True if the file has the column.
   bool has(std::size_t column) const { return places_[column] != nowhere; }
   /// Reads the next row. False at the end, and after an error.
   bool next();
@@ -47,6 +50,7 @@ class Table {
   const std::optional<host::Error>& error() const { return error_; }
   /// Reports an error in the row; the first one is kept.
   void fail(std::size_t column, const std::string& what);
+  /// Reports an error of the file as a whole; the first one is kept.
   void fail_file(const std::string& what);
 
   /// Text of a field; empty if the row or the file does not have it.
@@ -60,8 +64,11 @@ class Table {
   std::string_view needed(std::size_t column);
   /// The number in a field; nothing if it is empty, or wrong, which is reported.
   std::optional<double> number(std::size_t column, double least, double most);
+  /// The whole number in a field, 0 to `most`; nothing if it is empty, or wrong, which is reported.
   std::optional<std::uint32_t> count(std::size_t column, std::uint32_t most);
+  /// The date in a field; nothing if it is empty, or wrong, which is reported.
   std::optional<Date> date(std::size_t column);
+  /// The time in a field; nothing if it is empty, or wrong, which is reported.
   std::optional<TimeOfDay> time(std::size_t column);
 
  private:

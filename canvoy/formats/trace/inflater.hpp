@@ -15,14 +15,18 @@ namespace canvoy::formats {
 
 class Inflater {
  public:
+  /// Form of the compressed data.
   enum class Of : std::uint8_t { gzip, zlib };
+  /// Whether more can follow.
   enum class State : std::uint8_t { goes_on, ended, damaged };
+  /// What a run has done.
   struct Step {
-    std::size_t taken = 0;  ///< number of compressed bytes used
-    std::size_t made = 0;
-    State state = State::goes_on;
+    std::size_t taken = 0;         ///< number of compressed bytes used
+    std::size_t made = 0;          ///< number of bytes decompressed
+    State state = State::goes_on;  ///< after `ended` and `damaged` only begin_again() helps
   };
 
+  /// Begins a stream.
   explicit Inflater(Of of);
   Inflater(Inflater&&) noexcept;
   Inflater& operator=(Inflater&&) noexcept;

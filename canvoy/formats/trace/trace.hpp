@@ -31,12 +31,12 @@ enum class TraceDirection : std::uint8_t { unknown, received, sent };
 
 /// Content of a CAN FD frame beside its identifier: up to 64 bytes (ISO 11898-1).
 struct TraceFdContent {
-  static constexpr std::uint8_t bit_rate_switch = 1;
-  static constexpr std::uint8_t error_state = 2;
+  static constexpr std::uint8_t bit_rate_switch = 1;  ///< BRS: the data has the second bit rate
+  static constexpr std::uint8_t error_state = 2;      ///< ESI: the sender is error-passive
 
-  std::uint8_t flags = 0;   ///< as candump writes them after `##`
-  std::uint8_t length = 0;  ///< number of bytes in `data`; also 0 if the log gives none
-  std::array<std::uint8_t, 64> data{};
+  std::uint8_t flags = 0;               ///< as candump writes them after `##`
+  std::uint8_t length = 0;              ///< number of bytes in `data`; also 0 if the log gives none
+  std::array<std::uint8_t, 64> data{};  ///< zeros behind `length`
 };
 
 /// A frame of a trace. `time` counts from 1970 if the trace has a start date (without a time zone:
@@ -44,13 +44,14 @@ struct TraceFdContent {
 /// format with numbered channels, the first is can0. Of a CAN FD frame, `frame` has only the
 /// identifier, and `fd` the rest.
 struct TraceFrame {
-  Time time{};
-  Frame frame;
-  std::string_view channel;
-  TraceDirection direction = TraceDirection::unknown;
-  TraceFdContent fd = {};
+  Time time{};                                         ///< microseconds
+  Frame frame;                                         ///< data, remote or error frame
+  std::string_view channel;                            ///< name of the bus
+  TraceDirection direction = TraceDirection::unknown;  ///< of this frame
+  TraceFdContent fd = {};                              ///< of a CAN FD frame
 };
 
+/// What next() has read.
 enum class TraceRead : std::uint8_t {
   frame,  ///< a frame was read
   fd,     ///< a CAN FD frame, which CANopen does not use; reported with its bytes
@@ -80,22 +81,28 @@ class TraceReader {
   TraceReader& operator=(TraceReader&&) = delete;
   ~TraceReader();
 
+  /// Reads the next item into `frame`; after `end`, `end` again.
   TraceRead next(TraceFrame& frame);
 
+  /// Format of the trace; valid as long as the program.
   const TraceFormat& format() const;
   /// Where the latest was read: "line 12", "byte 4096" in a file of blocks, "row 7" of a table.
   std::string where() const;
   /// Reason why the last item is bad; static text.
   std::string_view problem() const { return problem_; }
 
+  /// Frames so far, without CAN FD.
   std::uint64_t frames() const { return frames_; }
+  /// Unreadable lines and blocks so far.
   std::uint64_t bad() const { return bad_; }
+  /// CAN FD frames so far.
   std::uint64_t fd_frames() const { return fd_frames_; }
   /// Number of comments, headers and events that are not frames.
   std::uint64_t notes_skipped() const { return notes_skipped_; }
 
   /// For a progress bar: number of bytes read, and of the whole file (0 for a pipe).
   std::uint64_t position() const { return position_; }
+  /// Bytes of the whole file; 0 for a pipe.
   std::uint64_t size() const { return size_; }
 
  private:

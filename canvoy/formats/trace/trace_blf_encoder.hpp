@@ -8,6 +8,7 @@
 
 namespace canvoy::formats {
 
+/// Makes an encoder; `begin` is the start of measurement, otherwise that of the first frame.
 std::unique_ptr<TraceEncoder> make_blf_encoder(std::optional<Time> begin);
 
 }  // namespace canvoy::formats

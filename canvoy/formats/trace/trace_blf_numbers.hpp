@@ -7,13 +7,15 @@
 
 namespace canvoy::formats {
 
-inline constexpr std::string_view blf_file_mark = "LOGG";
-inline constexpr std::string_view blf_object_mark = "LOBJ";
-inline constexpr std::size_t blf_header_size = 144;
-inline constexpr std::size_t blf_base_size = 16;
-inline constexpr std::size_t blf_object_header_size = 32;
+inline constexpr std::string_view blf_file_mark = "LOGG";    ///< a file begins with it
+inline constexpr std::string_view blf_object_mark = "LOBJ";  ///< an object begins with it
+inline constexpr std::size_t blf_header_size = 144;          ///< bytes of the head of a file
+inline constexpr std::size_t blf_base_size = 16;  ///< bytes of the part that all objects share
+inline constexpr std::size_t blf_object_header_size = 32;  ///< with time and flags
+/// With the size of what is compressed.
 inline constexpr std::size_t blf_container_header_size = 32;
 
+/// Types of objects that are read.
 enum class BlfKind : std::uint32_t {
   message = 1,
   error = 2,
@@ -26,6 +28,6 @@ enum class BlfKind : std::uint32_t {
 
 /// Bit in the flags of a message.
 inline constexpr std::uint8_t blf_sent_bit = 0x01;
-inline constexpr std::uint8_t blf_remote_bit = 0x80;
+inline constexpr std::uint8_t blf_remote_bit = 0x80;  ///< in the flags of a message
 
 }  // namespace canvoy::formats

@@ -11,12 +11,12 @@ namespace canvoy::formats {
 
 /// The words of the line, not converted. Valid as long as the line.
 struct ScreenLine {
-  std::string_view time = {};  ///< without parentheses; empty if there is none
-  std::string_view channel = {};
-  std::string_view identifier = {};
-  std::string_view length = {};  ///< `[8]`, `{9}`; of CAN FD `[08]`
-  std::string_view bytes = {};
-  TraceDirection direction = TraceDirection::unknown;
+  std::string_view time = {};        ///< without parentheses; empty if there is none
+  std::string_view channel = {};     ///< name of the bus
+  std::string_view identifier = {};  ///< hexadecimal digits
+  std::string_view length = {};      ///< `[8]`, `{9}`; of CAN FD `[08]`
+  std::string_view bytes = {};       ///< words; `remote request` as it stands
+  TraceDirection direction = TraceDirection::unknown;  ///< if the line gives it
 
   /// Splits `line` from its start to its length. True if it is a screen line.
   bool parse(std::string_view line);
@@ -25,6 +25,7 @@ struct ScreenLine {
 /// Times of the lines: since 1970, since the first frame, or since the previous frame.
 class ScreenTimes {
  public:
+  /// Reads times as deltas, each added to the one before, or as they are.
   explicit ScreenTimes(bool are_deltas) : are_deltas_(are_deltas) {}
   /// True if some time in the lines of `head` is less than the previous one.
   static bool look_like_deltas(std::string_view head);
@@ -36,6 +37,7 @@ class ScreenTimes {
   Time latest_{};
 };
 
+/// Converts the words of a line to a frame.
 TraceStep read_screen_line(const ScreenLine& line, ScreenTimes& times, TraceFrame& frame);
 
 }  // namespace canvoy::formats

@@ -16,6 +16,7 @@ class TraceEncoder {
   virtual ~TraceEncoder() = default;
   /// Appends the start of a file, also of a file without frames.
   virtual void begin(std::string&) {}
+  /// Appends a frame. Formats without comments ignore `comment`.
   virtual void append(std::string& bytes, const TraceFrame& frame, std::string_view comment) = 0;
   /// Appends the end of a file.
   virtual void end(std::string&) {}

@@ -12,11 +12,11 @@ namespace canvoy::formats {
 
 /// Details of a bus error in a log. Numbers are those of canvoy/can/error_frame.hpp.
 struct TraceError {
-  std::uint8_t violation = 0;
-  std::uint8_t location = 0;
-  bool is_unacknowledged = false;
-  std::optional<std::uint8_t> transmit_counter = {};
-  std::optional<std::uint8_t> receive_counter = {};
+  std::uint8_t violation = 0;                         ///< bits of error_violation; 0: not known
+  std::uint8_t location = 0;                          ///< like an ECC register; 0: not known
+  bool is_unacknowledged = false;                     ///< no node acknowledged the frame
+  std::optional<std::uint8_t> transmit_counter = {};  ///< 0 to 255, if the log has it
+  std::optional<std::uint8_t> receive_counter = {};   ///< 0 to 255, if the log has it
 };
 
 /// The error frame; without details, a plain bus error.

@@ -19,7 +19,7 @@ inline constexpr unsigned microsecond_digits = 6;
 /// Names of channels that a format counts from 1: channel 1 is can0, as in asc2log.
 class TraceChannel {
  public:
-  static constexpr std::int64_t number_max = 255;
+  static constexpr std::int64_t number_max = 255;  ///< greater numbers are no channel
 
   /// Name of a channel, valid until another number is requested; empty if the number is invalid.
   std::string_view name(std::int64_t number) {

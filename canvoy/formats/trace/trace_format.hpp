@@ -28,11 +28,11 @@ struct TraceHead {
 
 /// Bits for what a format does not keep.
 namespace trace_lack {
-inline constexpr std::uint8_t direction = 0x01;
+inline constexpr std::uint8_t direction = 0x01;  ///< received or sent
 inline constexpr std::uint8_t bus_names = 0x02;  ///< buses are numbered
 inline constexpr std::uint8_t buses = 0x04;      ///< all frames are of one bus
-inline constexpr std::uint8_t comments = 0x08;
-inline constexpr std::uint8_t errors = 0x10;  ///< error frames have no details
+inline constexpr std::uint8_t comments = 0x08;   ///< beside the frames
+inline constexpr std::uint8_t errors = 0x10;     ///< error frames have no details
 }  // namespace trace_lack
 
 /// Text for these bits: "the direction of frames, comments"; empty for 0.
@@ -49,19 +49,20 @@ struct TraceFormat {
   /// format is read-only.
   std::unique_ptr<TraceEncoder> (*encoder)(std::optional<Time> begin) = nullptr;
 
+  /// True if frames can be written in the format.
   bool is_written() const { return encoder != nullptr; }
   friend bool operator==(const TraceFormat& a, const TraceFormat& b) { return a.name == b.name; }
 
-  static const TraceFormat candump;
-  static const TraceFormat asc;
-  static const TraceFormat blf;
-  static const TraceFormat trc;
-  static const TraceFormat pcapng;
-  static const TraceFormat pcap;
-  static const TraceFormat python_can_csv;
-  static const TraceFormat savvycan_csv;
-  static const TraceFormat mf4;
-  static const TraceFormat sqlite;
+  static const TraceFormat candump;         ///< .log
+  static const TraceFormat asc;             ///< .asc, text
+  static const TraceFormat blf;             ///< .blf, binary
+  static const TraceFormat trc;             ///< .trc, text
+  static const TraceFormat pcapng;          ///< .pcapng, for Wireshark
+  static const TraceFormat pcap;            ///< .pcap, for Wireshark
+  static const TraceFormat python_can_csv;  ///< .csv
+  static const TraceFormat savvycan_csv;    ///< .csv
+  static const TraceFormat mf4;             ///< .mf4
+  static const TraceFormat sqlite;          ///< python-can's table of messages
 };
 
 /// All formats. If several match a file, the first is used.

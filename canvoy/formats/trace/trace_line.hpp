@@ -23,12 +23,16 @@ class TraceLine {
   /// Limit for all that is put into one line; not checked.
   static constexpr std::size_t length_max = 192;
 
+  /// The line so far, valid until it changes.
   std::string_view view() const { return {room_.data(), length()}; }
+  /// Characters so far.
   std::size_t length() const { return static_cast<std::size_t>(at_ - room_.data()); }
 
   /// Starts an empty line.
   void clear() { at_ = room_.data(); }
+  /// Adds a character.
   void put(char character) { *at_++ = character; }
+  /// Adds a text.
   void put(std::string_view text) {
     std::memcpy(at_, text.data(), text.size());
     at_ += text.size();
@@ -48,6 +52,7 @@ class TraceLine {
     for (unsigned digit = digits; digit > 0;) *at++ = hex_characters[value >> 4 * --digit & 0xF];
     at_ = at;
   }
+  /// Adds two upper-case digits.
   void put_hex_byte(std::uint8_t byte) { at_ = put_byte(at_, byte); }
   /// Digits from a column on become small letters.
   void lower_from(std::size_t column) {

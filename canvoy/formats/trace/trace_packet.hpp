@@ -14,23 +14,26 @@
 
 namespace canvoy::formats {
 
-inline constexpr std::uint32_t link_type_can = 227;
+inline constexpr std::uint32_t link_type_can = 227;  ///< LINKTYPE_CAN_SOCKETCAN
 
 // Flags beside the identifier in its word, as in SocketCAN.
-inline constexpr std::uint32_t extended_flag = 0x8000'0000;
-inline constexpr std::uint32_t remote_flag = 0x4000'0000;
-inline constexpr std::uint32_t error_flag = 0x2000'0000;
+inline constexpr std::uint32_t extended_flag = 0x8000'0000;  ///< 29-bit identifier
+inline constexpr std::uint32_t remote_flag = 0x4000'0000;    ///< without data
+inline constexpr std::uint32_t error_flag = 0x2000'0000;     ///< of the controller
 
 /// Reads numbers of a file in its byte order. The bytes must exist.
 struct FileNumbers {
-  bool big_endian = false;
+  bool big_endian = false;  ///< as the head of the file tells
 
+  /// Two bytes at `at`.
   std::uint16_t u16(std::string_view bytes, std::size_t at) const {
     return number<std::uint16_t>(bytes, at);
   }
+  /// Four bytes at `at`.
   std::uint32_t u32(std::string_view bytes, std::size_t at) const {
     return number<std::uint32_t>(bytes, at);
   }
+  /// Eight bytes at `at`.
   std::uint64_t u64(std::string_view bytes, std::size_t at) const {
     return number<std::uint64_t>(bytes, at);
   }

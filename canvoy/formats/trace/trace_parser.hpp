@@ -16,9 +16,10 @@ namespace canvoy::formats {
 
 /// Size of the buffer of a reader, several times the longest record of any format.
 inline constexpr std::size_t trace_buffer_size = 256 * 1024;
-inline constexpr std::size_t trace_record_max = 64 * 1024;
-inline constexpr std::size_t trace_line_max = 4096;
+inline constexpr std::size_t trace_record_max = 64 * 1024;  ///< bytes of the longest block
+inline constexpr std::size_t trace_line_max = 4096;         ///< characters of the longest line
 
+/// What a record is.
 enum class TraceItem : std::uint8_t {
   frame,
   fd,  ///< TraceFrame::fd has its content
@@ -31,14 +32,15 @@ enum class TraceItem : std::uint8_t {
 
 /// The record at the front. `taken` may be more than the given bytes: what follows is skipped.
 struct TraceStep {
-  TraceItem item = TraceItem::more;
-  std::uint64_t taken = 0;
-  std::string_view problem;
+  TraceItem item = TraceItem::more;  ///< kind of the record
+  std::uint64_t taken = 0;           ///< bytes of the record
+  std::string_view problem;          ///< static text, if it is bad
 };
 
 /// A record without a frame.
 inline constexpr TraceStep trace_note{TraceItem::note, 0, {}};
 
+/// A record that cannot be read; `problem` is static text.
 constexpr TraceStep bad_record(std::string_view problem) {
   return {TraceItem::bad, 0, problem};
 }
@@ -46,7 +48,9 @@ constexpr TraceStep bad_record(std::string_view problem) {
 class TraceParser {
  public:
   virtual ~TraceParser() = default;
+  /// Its row in the table of formats.
   virtual const TraceFormat& format() const = 0;
+  /// True for lines of text: positions are then given by line.
   virtual bool has_lines() const = 0;
   /// Takes one record. `bytes` are not empty; `last`: the file ends with them.
   virtual TraceStep step(std::string_view bytes, bool last, TraceFrame& frame) = 0;

@@ -8,6 +8,7 @@
 
 namespace canvoy::formats {
 
+/// Makes an encoder.
 std::unique_ptr<TraceEncoder> make_pcapng_encoder();
 
 }  // namespace canvoy::formats

@@ -42,6 +42,7 @@ class TraceScanner {
     skip_blanks();
     return at_ == end_;
   }
+  /// Takes one given character; false if another one is next.
   [[gnu::always_inline]] bool take(char character) {
     if (*at_ != character) return false;
     ++at_;
@@ -68,6 +69,7 @@ class TraceScanner {
     number = static_cast<std::int64_t>(sum);
     return true;
   }
+  /// Takes one decimal digit; false if there is none.
   bool take_digit(unsigned& number) {
     number = digit_at(at_);
     if (number > 9) return false;

@@ -9,7 +9,7 @@
 
 namespace canvoy::formats {
 
-inline constexpr std::uint8_t no_hex_digit = 0xFF;
+inline constexpr std::uint8_t no_hex_digit = 0xFF;  ///< entry of hex_digits
 
 /// The value of each character as a hexadecimal digit.
 inline constexpr std::array<std::uint8_t, 256> hex_digits = [] {
@@ -23,14 +23,17 @@ inline constexpr std::array<std::uint8_t, 256> hex_digits = [] {
   return digits;
 }();
 
+/// Value of a digit of either case, or no_hex_digit.
 inline std::uint8_t hex_digit(char character) {
   return hex_digits[static_cast<std::uint8_t>(character)];
 }
 
+/// True for a blank or a tab.
 inline bool is_blank(char character) {
   return character == ' ' || character == '\t';
 }
 
+/// Removes leading blanks and tabs.
 inline void skip_blanks(std::string_view& text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
 }

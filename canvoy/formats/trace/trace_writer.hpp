@@ -27,7 +27,7 @@ class Deflater;
 /// effect.
 class TraceWriter {
  public:
-  static constexpr std::size_t comment_length_max = 32 * 1024;
+  static constexpr std::size_t comment_length_max = 32 * 1024;  ///< bytes; longer ones are cut
 
   /// Replaces the file; `-` is the standard output. If the name ends in `.gz`, compresses with
   /// gzip.
