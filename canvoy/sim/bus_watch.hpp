@@ -18,6 +18,7 @@ namespace canvoy {
 
 class BusWatch {
  public:
+  /// Called with the time and the event.
   using Note = std::function<void(Time, const BusEvent&)>;
 
   /// `bus` is the index of the bus in the world.

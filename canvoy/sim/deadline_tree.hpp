@@ -33,6 +33,7 @@ class DeadlineTree {
     }
   }
 
+  /// Deadline of an actor that was added.
   Time deadline(std::size_t actor) const { return matches_[leaf_first_ + actor].deadline; }
   /// The earliest deadline; `never` where no actor waits.
   Time earliest() const { return matches_[1].deadline; }

@@ -25,6 +25,7 @@ std::optional<Duration> parse_duration(std::string_view text);
 /// exactly: `90s`, `8h`.
 std::string written(Duration duration);
 
+/// The duration in seconds, for formulas.
 inline double in_seconds(Duration duration) {
   return std::chrono::duration<double>(duration).count();
 }

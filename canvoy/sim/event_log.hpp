@@ -22,13 +22,16 @@ class EventLog {
   EventLog(const EventLog&) = delete;
   EventLog& operator=(const EventLog&) = delete;
 
+  /// Notes an event of the world. Times are expected in order.
   template <class What>
   void note(Time now, const What& what) {
     events_.push_back({now, what});
   }
+  /// Notes an event that was heard on a bus.
   void hear(Time now, const BusEvent& heard) {
     std::visit([&](const auto& seen) { note(now, seen); }, heard);
   }
+  /// All events so far, oldest first; valid until the next note.
   std::span<const Event> all() const { return events_; }
 
  private:

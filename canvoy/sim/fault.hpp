@@ -29,11 +29,11 @@ namespace canvoy {
 
 /// Properties of all faults of a kind.
 struct FaultTraits {
-  bool is_at_node = false;  ///< true: a fault of this kind is at a node, as events report it
-  NodeId node = 0;          ///< node where the plan leaves it open; 0: nowhere
-  bool is_at_spot = false;  ///< true: a fault of this kind is at a spot
-  std::uint8_t spot = 0;    ///< spot where the plan leaves it open
-  bool is_over_at_once = false;
+  bool is_at_node = false;       ///< true: a fault of this kind is at a node, as events report it
+  NodeId node = 0;               ///< node where the plan leaves it open; 0: nowhere
+  bool is_at_spot = false;       ///< true: a fault of this kind is at a spot
+  std::uint8_t spot = 0;         ///< spot where the plan leaves it open
+  bool is_over_at_once = false;  ///< true: it has no duration
   bool is_harmless = false;  ///< true: it excuses nothing, except at the moment in which it begins
                              ///< or ends
   /// True: it stands for fraud, which must be found out. A soak does not draw these kinds, since it
@@ -45,7 +45,7 @@ struct FaultTraits {
 struct FaultRow {
   std::string_view name;         ///< as written in a plan: `lost-node`
   std::string_view description;  ///< one line for a help text
-  FaultTraits traits{};
+  FaultTraits traits{};          ///< of all faults of the kind
 };
 
 /// Duration of a fault that is not mended.
@@ -54,9 +54,9 @@ inline constexpr Duration for_the_rest = Duration::max();
 /// A fault of a plan.
 template <class Kind>
 struct ScheduledFault {
-  Kind kind{};
-  Time start{};
-  Duration duration = for_the_rest;
+  Kind kind{};                       ///< in the table of the world
+  Time start{};                      ///< time of the world
+  Duration duration = for_the_rest;  ///< above zero; for_the_rest: not mended
   std::uint8_t part = 1;  ///< part of the world: which lift; 0: the group of them, or all
   NodeId node = 0;        ///< 0: the plan leaves it open
   std::uint8_t spot = 0;  ///< a floor or an axis; 0: the plan leaves it open
@@ -67,6 +67,7 @@ struct ScheduledFault {
 /// A fault of any world, by the number of its kind.
 using AnyFault = ScheduledFault<std::size_t>;
 
+/// The same fault with its kind as another type of number.
 template <class To, class From>
 ScheduledFault<To> fault_as(const ScheduledFault<From>& fault) {
   return {
@@ -76,8 +77,8 @@ ScheduledFault<To> fault_as(const ScheduledFault<From>& fault) {
 /// The faults of a run.
 template <class Kind>
 struct FaultPlan {
-  std::uint64_t seed = 1;  ///< seed of everything that is left to chance
-  std::vector<ScheduledFault<Kind>> faults{};
+  std::uint64_t seed = 1;                      ///< seed of everything that is left to chance
+  std::vector<ScheduledFault<Kind>> faults{};  ///< in any order
 };
 
 /// Share of all frames that are corrupted while a fault corrupts frames.
@@ -88,40 +89,46 @@ struct FaultPlaceName {
   std::string_view name;  ///< `node`, followed by a number: `:node=5`
   unsigned most =
       0;  ///< the greatest number; 0: the word stands alone, as in `:group`, and means the number 0
-  std::uint8_t AnyFault::*member = &AnyFault::node;
+  std::uint8_t AnyFault::*member = &AnyFault::node;  ///< of the fault that the number is for
 };
 /// The places in most worlds.
 inline constexpr FaultPlaceName node_place[] = {{"node", node_id_max}};
 
 /// Kinds and places of a world.
 struct FaultGrammar {
-  std::span<const FaultRow> kinds;
-  std::span<const FaultPlaceName> places = {};
+  std::span<const FaultRow> kinds;              ///< by their numbers
+  std::span<const FaultPlaceName> places = {};  ///< that a fault may name
 };
 
 // The functions below take the grammar that grammar_of(Kind) returns, which is found beside the
 // kind.
 
+/// Grammar of the world with these kinds.
 template <class Kind>
 constexpr FaultGrammar fault_grammar() {
   return grammar_of(Kind{});
 }
+/// Row of a kind.
 template <class Kind>
 constexpr const FaultRow& fault_row(Kind kind) {
   return grammar_of(kind).kinds[static_cast<std::size_t>(kind)];
 }
+/// Name of a kind, as written in a plan.
 template <class Kind>
 constexpr std::string_view fault_name(Kind kind) {
   return fault_row(kind).name;
 }
+/// True if faults of the kind are at a node.
 template <class Kind>
 constexpr bool has_node(Kind kind) {
   return fault_row(kind).traits.is_at_node;
 }
+/// True if faults of the kind are at a spot.
 template <class Kind>
 constexpr bool has_spot(Kind kind) {
   return fault_row(kind).traits.is_at_spot;
 }
+/// True if faults of the kind have a duration.
 template <class Kind>
 constexpr bool lasts(Kind kind) {
   return !fault_row(kind).traits.is_over_at_once;
@@ -147,6 +154,7 @@ template <class Kind>
 constexpr NodeId node_of(const ScheduledFault<Kind>& fault) {
   return has_node(fault.kind) && fault.node != 0 ? fault.node : fault_row(fault.kind).traits.node;
 }
+/// Spot of a fault; 0: it is at no spot.
 template <class Kind>
 constexpr std::uint8_t spot_of(const ScheduledFault<Kind>& fault) {
   return fault.spot != 0 ? fault.spot : fault_row(fault.kind).traits.spot;
@@ -155,11 +163,14 @@ constexpr std::uint8_t spot_of(const ScheduledFault<Kind>& fault) {
 /// Returns the fault, or one line that says what is wrong with the text and what would be right.
 template <class Kind>
 struct ParsedFault {
-  std::optional<ScheduledFault<Kind>> fault;
-  std::string error;
+  std::optional<ScheduledFault<Kind>> fault;  ///< nothing: see the error
+  std::string error;                          ///< one line; empty if there is a fault
 };
+/// The result for any world.
 using FaultParse = ParsedFault<std::size_t>;
+/// Parses a fault: its name, places, and times.
 FaultParse parse_fault(const FaultGrammar& grammar, std::string_view text);
+/// Parses a fault of the world with these kinds.
 template <class Kind>
 ParsedFault<Kind> parse_fault(std::string_view text) {
   FaultParse parsed = parse_fault(fault_grammar<Kind>(), text);
@@ -169,6 +180,7 @@ ParsedFault<Kind> parse_fault(std::string_view text) {
 
 /// Text that parse_fault() reads as this fault.
 std::string fault_text(const FaultGrammar& grammar, const AnyFault& fault);
+/// Text that parse_fault() reads as this fault.
 template <class Kind>
 std::string fault_text(const ScheduledFault<Kind>& fault) {
   return fault_text(fault_grammar<Kind>(), fault_as<std::size_t>(fault));

@@ -25,13 +25,14 @@ enum class FaultMaking : std::uint8_t { first, each, by_world };
 template <class Kind>
 class FaultEngine {
  public:
+  /// A fault of the plan.
   using Fault = ScheduledFault<Kind>;
   /// Functions that are called with the index of the fault in the plan: the one that notes it, and
   /// the one that makes and mends it, in this order.
   struct Hooks {
-    Callback<void(std::size_t fault)> began;
-    Callback<void(std::size_t fault)> ended;
-    Callback<void(std::size_t fault, bool is_present)> set;
+    Callback<void(std::size_t fault)> began;                 ///< before it is made
+    Callback<void(std::size_t fault)> ended;                 ///< before it is mended
+    Callback<void(std::size_t fault, bool is_present)> set;  ///< makes or mends it
   };
 
   /// Binds the members of `Maker` of these names.
@@ -67,14 +68,17 @@ class FaultEngine {
   const Fault& operator[](std::size_t fault) const { return faults_[fault]; }
   /// Indices in the plan.
   std::span<const std::size_t> present() const { return present_; }
+  /// True if a fault of this kind is present, anywhere. Linear in the faults present.
   bool is_present(Kind kind) const {
     return std::ranges::any_of(present_, [&](std::size_t i) { return faults_[i].kind == kind; });
   }
+  /// True if a fault of this kind is present at this node.
   bool is_present(Kind kind, NodeId node) const {
     return std::ranges::any_of(present_, [&](std::size_t i) {
       return faults_[i].kind == kind && node_of(faults_[i]) == node;
     });
   }
+  /// True if the plan has a fault of this kind, at any time.
   bool has_any(Kind kind) const {
     return std::ranges::any_of(faults_, [&](const Fault& fault) { return fault.kind == kind; });
   }

@@ -20,12 +20,12 @@ namespace canvoy {
 /// A loss of communication. It may be too short to be detected: some gaps are shorter than each
 /// time after which a partner counts as lost.
 struct Gap {
-  Time start{};
-  Duration duration{};
+  Time start{};         ///< of the world
+  Duration duration{};  ///< shortest_gap to longest_gap
 };
 
-inline constexpr Duration shortest_gap = 1ms;
-inline constexpr Duration longest_gap = 3s;
+inline constexpr Duration shortest_gap = 1ms;  ///< a frame or two
+inline constexpr Duration longest_gap = 3s;    ///< longer than the usual consumer times
 
 /// Times of the events, except the beginnings and ends of faults.
 template <class Events>

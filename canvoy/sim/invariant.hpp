@@ -19,7 +19,7 @@ struct InvariantRow {
   std::string_view bound{};
 };
 
-inline constexpr std::size_t no_fault = ~std::size_t{0};
+inline constexpr std::size_t no_fault = ~std::size_t{0};  ///< of Invariant::fault: about none
 
 template <class Kind>
 struct Invariant {

@@ -15,19 +15,21 @@
 
 namespace canvoy {
 
+/// A value, as SDO writes it.
 struct NodeValue {
-  std::uint16_t index = 0;
-  std::uint8_t sub = 0;
-  std::vector<std::uint8_t> bytes{};
+  std::uint16_t index = 0;            ///< of the object
+  std::uint8_t sub = 0;               ///< sub-index
+  std::vector<std::uint8_t> bytes{};  ///< little-endian
 
   friend bool operator==(const NodeValue&, const NodeValue&) = default;
 };
 
 class NodeConfiguration {
  public:
+  /// A value that the node did not take.
   struct Refusal {
-    NodeValue value{};
-    AbortCode reason{};
+    NodeValue value{};   ///< as it was written
+    AbortCode reason{};  ///< answer of the node
   };
 
   /// Both must outlive this object. A node that already runs is configured at its next boot-up.

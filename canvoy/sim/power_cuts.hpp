@@ -15,8 +15,10 @@ namespace canvoy {
 
 class PowerCuts {
  public:
+  /// Called when a node loses its power or has it again.
   using Switch = Callback<void(NodeId, bool is_on)>;
 
+  /// Makes a count for nodes 0 to 127, all with power.
   explicit PowerCuts(Switch power) : power_(power) {}
 
   /// A fault begins with false, and ends with true.
@@ -30,6 +32,7 @@ class PowerCuts {
     power_(id, false);
     power_(id, true);
   }
+  /// True while a fault keeps the node without power.
   bool is_cut(NodeId id) const { return cuts_.at(id) != 0; }
 
  private:

@@ -18,19 +18,21 @@
 
 namespace canvoy {
 
+/// State of a bus.
 struct BusSnapshot {
-  double load = 0;  ///< bus load of the last second, 0 to 1
-  std::uint64_t frames = 0;
-  std::uint64_t error_frames = 0;
+  double load = 0;                 ///< bus load of the last second, 0 to 1
+  std::uint64_t frames = 0;        ///< since the start
+  std::uint64_t error_frames = 0;  ///< since the start
 };
 
+/// State of a node.
 struct NodeSnapshot {
-  BusIndex bus = 0;
-  NodeId id = 0;
-  bool is_powered = true;
-  NmtState state = NmtState::initialisation;
-  BusState bus_state = BusState::error_active;
-  std::uint8_t error_register = 0;
+  BusIndex bus = 0;                             ///< of the world
+  NodeId id = 0;                                ///< node-ID
+  bool is_powered = true;                       ///< as far as it is known
+  NmtState state = NmtState::initialisation;    ///< in force, or last heard
+  BusState bus_state = BusState::error_active;  ///< of a node that is simulated here
+  std::uint8_t error_register = 0;              ///< 1001h, of a node that is simulated here
 };
 
 /// Snapshot of a node that is simulated here, in this slot of this bus of the world.
@@ -56,6 +58,7 @@ inline NodeSnapshot heard_snapshot(BusIndex bus, NodeId id, RemoteState heard) {
 // Snapshot of a node of a world; its slot says whether it is simulated here. Otherwise, its state
 // is the one that the watch of its bus has heard in the last `time_out`.
 
+/// Snapshot of a node of a world, simulated here or not.
 template <class SimulatedNode>
 NodeSnapshot snapshot_of(World& world, SimulatedNode& node, const BusWatch& watch,
                          Duration time_out) {

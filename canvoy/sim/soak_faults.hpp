@@ -18,6 +18,7 @@
 
 namespace canvoy {
 
+/// Draws a time from zero to just below `max`, in whole milliseconds.
 inline Duration soak_time_up_to(Random& random, Duration max) {
   return Duration(1ms) * random.below(static_cast<std::uint32_t>(max / Duration(1ms)));
 }

@@ -14,6 +14,7 @@ namespace canvoy {
 template <std::size_t kinds>
 class ToldInvariants {
  public:
+  /// Calls `tell` with each invariant that is broken now and was not before.
   template <class Invariants, class Tell>
   void tell_broken(const Invariants& invariants, const Tell& tell) {
     for (const auto& invariant : invariants) {

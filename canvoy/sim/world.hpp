@@ -45,29 +45,36 @@ concept WorldNode = requires(T node, const T& idle, const Frame& frame, Time now
   node.overrun(now);
 };
 
+/// Number of a bus, from 0 in the order of add_bus().
 using BusIndex = std::size_t;
+/// Number of a slot, from 0 in the order of add_slot(), on whichever bus.
 using SlotIndex = std::size_t;
+/// Number of a plant, from 0 in the order in which they were added.
 using PlantIndex = std::size_t;
 
 /// Connection of a node.
 struct SlotOptions {
   std::int32_t clock_drift_ppm = 0;  ///< drift of the node's clock against the world's
   std::uint32_t bit_rate = 0;        ///< bit/s, like ControllerOptions; 0: that of the bus
-  TransmitOrder transmit_order = TransmitOrder::as_queued;
-  bool listen_only = false;
+  TransmitOrder transmit_order = TransmitOrder::as_queued;  ///< order of its transmit queue
+  bool listen_only = false;                                 ///< see ControllerOptions
   bool accept_all = false;  ///< false: only the identifiers that the node requests by Port::accept
 };
 
 class World {
  public:
+  /// Called with the time of the world.
   using Action = std::function<void(Time)>;
 
   World();
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
+  /// Adds a bus; valid as long as the world.
   BusIndex add_bus(const SimulatedBusOptions& options = {});
+  /// A bus; `index` must exist.
   SimulatedBus& bus(BusIndex index = 0) { return *buses_[index]; }
+  /// A bus; `index` must exist.
   const SimulatedBus& bus(BusIndex index = 0) const { return *buses_[index]; }
 
   /// Adds a connection for a node at the end of a cable of a bus. The bus must have a controller
@@ -81,12 +88,14 @@ class World {
     slots_[slot].node = &node;
     slots_[slot].calls = &calls_of<T>;
   }
+  /// Controller of a slot, on its bus.
   ControllerId controller(SlotIndex slot) const { return slots_[slot].controller; }
 
   /// Switches power on, or off and on again: the node boots.
   void start(SlotIndex slot);
   /// Switches power off: the node hears, acknowledges and sends nothing.
   void stop(SlotIndex slot);
+  /// True while the node of a slot has power.
   bool is_running(SlotIndex slot) const { return slots_[slot].runs; }
   /// Call it after a node was changed from outside of the world (a tool that writes a value between
   /// two runs): its deadline is read again.
@@ -106,15 +115,17 @@ class World {
   /// Calls `action` at `when`, or at once in the next run where that has passed.
   void at(Time when, Action action);
 
+  /// Time up to which the world has run; within a call of an action or a node, its time.
   Time now() const { return now_; }
   /// Runs up to and including `until`.
   void run_until(Time until);
+  /// Runs for `duration` from now() on.
   void run_for(Duration duration) { run_until(now_ + duration); }
 
   /// Number of times that a node was due again after calls_max calls at one instant. Such a node
   /// has a fault; it is called again a microsecond later, and the world goes on.
   std::uint64_t livelocks() const { return livelocks_; }
-  static constexpr int calls_max = 1000;
+  static constexpr int calls_max = 1000;  ///< of a node at one instant
 
  private:
   /// A node's functions, without its type.

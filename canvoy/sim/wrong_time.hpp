@@ -18,6 +18,7 @@ namespace canvoy {
 class WrongTime {
  public:
   WrongTime() = default;
+  /// Makes a measurement; what is right for `lull` or less does not end an interval.
   explicit WrongTime(Duration lull) : lull_(lull) {}
 
   /// Call it in each step.

@@ -41,7 +41,7 @@ struct FrameWords {
   std::span<const decoder::DecodedValue> values = {};  ///< values of objects
   /// For SDO: the entry, without a value; null: unknown, since its start was not heard.
   const decoder::DecodedValue* about = nullptr;
-  decoder::Marks marks = {};
+  decoder::Marks marks = {};  ///< violations in the frame
   /// For a PDO: a buffer for text that the caller makes of `text` and `values`; emptied when they
   /// change.
   std::string* kept = nullptr;
@@ -51,8 +51,8 @@ class FrameDecoder {
  public:
   /// Texts that are kept, equal for all buses.
   struct Said {
-    ValueWords pdo_values;
-    SdoWords sdos;
+    ValueWords pdo_values;  ///< of PDOs
+    SdoWords sdos;          ///< of SDO transfers
   };
   FrameDecoder() : FrameDecoder(std::make_shared<Said>()) {}
   /// Decoders of several buses may share `said`.
@@ -60,6 +60,7 @@ class FrameDecoder {
   FrameDecoder(const FrameDecoder&) = delete;
   FrameDecoder& operator=(const FrameDecoder&) = delete;
 
+  /// Describes the next frame of the bus.
   const FrameWords& decode(const Frame& frame);
   /// Text of the SDO transfer that the last frame has completed.
   std::string_view transfer_text();

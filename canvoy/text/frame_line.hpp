@@ -14,10 +14,11 @@
 
 namespace canvoy::text {
 
+/// Start of a line.
 struct FrameHead {
-  Duration time;         ///< since 1970
-  std::string_view bus;  ///< safe for a terminal
-  std::string_view frame;
+  Duration time;           ///< since 1970
+  std::string_view bus;    ///< safe for a terminal
+  std::string_view frame;  ///< in the notation of can-utils
 };
 
 /// Appends a line without a line end; `text` replaces that of the words.

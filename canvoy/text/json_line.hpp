@@ -23,15 +23,20 @@ class JsonLine {
   /// `line` must outlive this.
   explicit JsonLine(std::string& line) : line_(&line) {}
 
+  /// Begins an object: as a value, or as the first thing of the line.
   void begin_object() { begin('{'); }
+  /// Ends the innermost object.
   void end_object() { *line_ += '}'; }
+  /// Begins a list.
   void begin_list() { begin('['); }
+  /// Ends the innermost list.
   void end_list() { *line_ += ']'; }
   /// Writes a key; a value must follow.
   JsonLine& key(std::string_view key);
 
   /// Writes a string; invalid UTF-8 is replaced by U+FFFD.
   void text(std::string_view text);
+  /// Writes a whole number of up to 64 bits.
   void number(std::integral auto number) {
     if constexpr (std::signed_integral<decltype(number)>) {
       integer(std::int64_t{number});
@@ -44,7 +49,9 @@ class JsonLine {
   /// Writes the double nearest to `number` / 10^places, with at most 15 places: like
   /// number(double), but in a fraction of the time.
   void decimal(std::int64_t number, unsigned places);
+  /// Writes null.
   void null();
+  /// Writes true or false.
   void truth(bool is_true);
   /// Writes a string of two upper-case hexadecimal digits for each byte.
   void hex(std::span<const std::uint8_t> bytes);

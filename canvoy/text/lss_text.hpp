@@ -12,6 +12,7 @@ namespace canvoy::text {
 
 /// Text of a frame of 8 bytes from the master (CAN-ID 7E5h), or from a slave (7E4h).
 std::string lss_master_text(const Frame& frame);
+/// Text of a frame of 8 bytes from a slave (CAN-ID 7E4h).
 std::string lss_slave_text(const Frame& frame);
 
 /// The known parts of an identity: `vendor-ID 000002F0h, product code 000001A3h`.

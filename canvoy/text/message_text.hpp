@@ -22,6 +22,7 @@ std::string nmt_text(const Frame& frame);
 std::string emergency_message_text(const Frame& frame, const Profile& profile);
 /// True for messages of the negotiation of the NMT master, from CAN-ID 071h on (CiA 302-2).
 bool is_flying_master(std::uint32_t can_id);
+/// Text of a frame for which is_flying_master() is true.
 std::string flying_master_text(const Frame& frame);
 
 }  // namespace canvoy::text

@@ -22,9 +22,10 @@ class PdoWords {
   /// `values` must outlive this; several buses may share it.
   explicit PdoWords(ValueWords& values) : values_(&values) {}
 
+  /// Words for a PDO.
   struct Words {
     std::string_view service;  ///< `TPDO1`, or `PDO` if the number is unknown
-    std::string_view text;
+    std::string_view text;     ///< its values, or why there are none
     /// Buffer for text that the caller makes of the text and the values; emptied when they change.
     std::string* kept = nullptr;
   };

@@ -26,6 +26,7 @@ class SignalTableMaker {
   /// Adds the messages with a CAN-ID assigned by a profile, for any sender.
   void add_profile(const Profile& profile);
 
+  /// Returns the table of all that was added.
   formats::SignalTable take();
 
  private:

@@ -31,6 +31,7 @@ std::string end_text(const SdoEnd& end);
 std::string_view emergency_text(std::uint16_t code);
 /// Text of an NMT state: `pre-operational`.
 std::string_view nmt_state_text(NmtState state);
+/// Text of a controller's state: `error-passive`, `bus-off`.
 std::string_view bus_state_text(BusState state);
 /// Text of a reason: `the battery is not ready`.
 std::string_view stop_reason_text(cia419::StopReason reason);

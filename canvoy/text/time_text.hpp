@@ -20,6 +20,7 @@ std::string time_text(const TimeDifference& time);
 /// Reads the text of time_text(); seconds, their fraction, and the days of a difference are
 /// optional. Nothing if it is not such a time, or beyond the range of the type.
 std::optional<TimeOfDay> parse_time_of_day(std::string_view text);
+/// Like parse_time_of_day(), for a difference.
 std::optional<TimeDifference> parse_time_difference(std::string_view text);
 
 }  // namespace canvoy::text

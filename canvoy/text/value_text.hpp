@@ -12,6 +12,7 @@ namespace canvoy::text {
 /// The value with its unit, or its name; bytes if the entry is unknown (null). The text appended to
 /// a line is short: for an entry with many bits it omits unset bits of the same kind.
 std::string value_text(const EntryInfo* entry, std::span<const std::uint8_t> bytes);
+/// Like value_text(), at the end of `text`.
 void append_value_text(std::string& text, const EntryInfo* entry,
                        std::span<const std::uint8_t> bytes);
 

@@ -19,12 +19,16 @@ namespace canvoy::text {
 /// knowledge of a decoder about its bus.
 class ValueWords {
  public:
+  /// Function that writes a value at the end of a text.
   using Append = void (*)(std::string& text, const EntryInfo* entry,
                           std::span<const std::uint8_t> bytes);
   ValueWords() : ValueWords(append_value_text) {}
+  /// Caches the texts of another function.
   explicit ValueWords(Append how) : append_(how) {}
 
+  /// Appends a value of an entry; null: unknown.
   void append(std::string& text, const EntryInfo* entry, std::span<const std::uint8_t> bytes);
+  /// Appends the value of a decoded frame.
   void append(std::string& text, const decoder::DecodedValue& value);
 
  private:

@@ -16,39 +16,41 @@ namespace canvoy {
 
 /// Design of a battery.
 struct BatteryDesign {
-  const CellChemistry* chemistry = nullptr;
-  unsigned cells = 0;  ///< in series
-  double capacity_ampere_hour = 0;
-  double charge_current_ampere = 0;  ///< requested while the voltage is below its limit
-  double tail_current_ampere = 0;    ///< the battery is full when it requests no more than this
-  double heat_capacity_joule_per_kelvin = 0;
-  double heat_loss_watt_per_kelvin = 0;  ///< to the surroundings
-  double celsius_min = -20;              ///< outside of these limits it is not ready
-  double celsius_max = 60;
+  const CellChemistry* chemistry = nullptr;  ///< of each cell
+  unsigned cells = 0;                        ///< in series
+  double capacity_ampere_hour = 0;           ///< of the cells
+  double charge_current_ampere = 0;          ///< requested while the voltage is below its limit
+  double tail_current_ampere = 0;  ///< the battery is full when it requests no more than this
+  double heat_capacity_joule_per_kelvin = 0;  ///< of the whole battery
+  double heat_loss_watt_per_kelvin = 0;       ///< to the surroundings
+  double celsius_min = -20;                   ///< outside of these limits it is not ready
+  double celsius_max = 60;                    ///< outside of these limits it is not ready
 };
 
 /// Faults of the sensors and of the management system; none by default.
 struct BatteryFaults {
-  bool temperature_is_invalid = false;
-  bool voltage_is_invalid = false;
-  bool is_not_ready = false;
+  bool temperature_is_invalid = false;    ///< the sensor is broken
+  bool voltage_is_invalid = false;        ///< the sensor is broken
+  bool is_not_ready = false;              ///< the management system refuses a charge
   std::optional<double> shown_celsius{};  ///< reading of the sensor, whatever the cells have
 };
 
 /// Real quantities, unlike the measured ones. All are totals since the start.
 struct BatteryTruth {
-  double ampere_hours_in = 0;
-  double ampere_hours_out = 0;
+  double ampere_hours_in = 0;      ///< at the terminals
+  double ampere_hours_out = 0;     ///< at the terminals
   double energy_in_joule = 0;      ///< at the terminals, less what was taken out
   double energy_stored_joule = 0;  ///< gained by the cells
   double heat_joule = 0;           ///< lost in them
-  double celsius_max = 0;
+  double celsius_max = 0;          ///< highest temperature of the cells
 };
 
+/// The plant. Its state changes by step() only.
 class BatteryPlant {
  public:
   /// 24 cells of lead and acid, or 16 of lithium iron phosphate: 48 V, 400 Ah.
   static BatteryDesign lead_acid_48v();
+  /// 16 cells of lithium iron phosphate: 48 V, 400 Ah.
   static BatteryDesign lithium_48v();
 
   /// `state_of_charge` is 0 to 1. The battery starts at the temperature of its surroundings.
@@ -60,18 +62,24 @@ class BatteryPlant {
 
   /// Hardware for the device; valid as long as the plant.
   cia418::BatteryHardware hardware();
-  BatteryFaults faults{};
-  double ambience_celsius = 20;
+  BatteryFaults faults{};        ///< may be changed at any time
+  double ambience_celsius = 20;  ///< of the surroundings; may be changed
 
+  /// True state of charge of the cells, 0 to 1.
   double state_of_charge() const { return state_of_charge_; }
+  /// True temperature of the cells.
   double celsius() const { return celsius_; }
+  /// Voltage at the terminals after the last step.
   double terminal_volt() const { return terminal_volt_; }
   /// Current that the management system requests, in A.
   double requested_ampere() const { return requested_ampere_; }
+  /// True once the requested current has fallen to the tail current.
   bool is_full() const { return is_full_; }
   /// Readings that the management system would report.
   cia418::BatteryReadings sense() const;
+  /// Totals, for a referee.
   const BatteryTruth& truth() const { return truth_; }
+  /// Design that it was made with.
   const BatteryDesign& design() const { return design_; }
 
  private:

@@ -29,6 +29,7 @@ namespace canvoy {
 
 class BusDisplay {
  public:
+  /// Size of the sign.
   struct Size {
     std::size_t columns = 32;  ///< of 8 dots
     std::size_t lines = 4;     ///< of 16 dots
@@ -49,10 +50,13 @@ class BusDisplay {
   Picture picture() const { return picture_of(page()); }
   /// Number of turns in which all is shown, at least 1, and what one of them shows.
   std::size_t pages() const;
+  /// What one of the pages() shows, counted from 0.
   Picture picture_of(std::size_t page) const;
   /// The whole text of each element: UTF-8, without blanks at its end.
   std::vector<std::string> texts() const;
+  /// True while the sign says that the bus will stop.
   bool is_stop_requested() const { return is_stop_requested_; }
+  /// True while nothing is shown and no test is under way.
   bool is_dark() const { return elements_.empty() && !is_testing_; }
 
  private:

@@ -10,8 +10,8 @@ namespace canvoy {
 
 /// A point of a cell at 25 °C that has rested.
 struct CellPoint {
-  double state_of_charge = 0;  ///< 0 to 1
-  double open_circuit_volt = 0;
+  double state_of_charge = 0;             ///< 0 to 1
+  double open_circuit_volt = 0;           ///< without current
   double resistance_ohm_ampere_hour = 0;  ///< to charge; times the capacity, in ohm ampere-hours
 };
 
@@ -22,6 +22,7 @@ struct CellChemistry {
   double charge_efficiency = 1;       ///< share of the ampere-hours charged that remain
   double resistance_per_kelvin = 0;   ///< growth of the resistance per kelvin below 25 °C
 
+  /// Voltage of a rested cell without current; `state_of_charge` is clamped to 0 to 1.
   double open_circuit_volt(double state_of_charge) const;
   /// Resistance of a cell with `capacity_ampere_hour`. Never below half of its value at 25 °C.
   double resistance_ohm(double state_of_charge, double celsius, double capacity_ampere_hour) const;

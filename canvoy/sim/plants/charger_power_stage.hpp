@@ -13,24 +13,27 @@
 
 namespace canvoy {
 
+/// Design of a power stage.
 struct PowerStageOptions {
-  double current_max_ampere = 80;
-  double rise_ampere_per_second = 20;
-  double fall_ampere_per_second = 400;
-  double efficiency = 0.93;  ///< share of the energy from the mains that the battery gets
-  double meter_gain = 1.0;   ///< reading of the meter for each ampere that flows
-  double meter_offset_ampere = 0.02;
+  double current_max_ampere = 80;       ///< a greater set-point counts as this
+  double rise_ampere_per_second = 20;   ///< towards a greater set-point
+  double fall_ampere_per_second = 400;  ///< towards a smaller one
+  double efficiency = 0.93;           ///< share of the energy from the mains that the battery gets
+  double meter_gain = 1.0;            ///< reading of the meter for each ampere that flows
+  double meter_offset_ampere = 0.02;  ///< added to the reading while a current flows
 };
 
 /// Faults of the power stage; none by default.
 struct PowerStageFaults {
-  bool pilot_signal_is_lost = false;
+  bool pilot_signal_is_lost = false;  ///< the pilot contact is open
   /// Current that flows whatever the set-point is: a welded contactor.
   std::optional<double> stuck_ampere{};
 };
 
+/// The plant. Its state changes by step() only.
 class PowerStagePlant {
  public:
+  /// Makes a stage without current, with a set-point of zero.
   explicit PowerStagePlant(const PowerStageOptions& options = {}) : options_(options) {}
 
   /// Average current during the next `time`, in A; none without a battery (`is_plugged` false).
@@ -39,12 +42,15 @@ class PowerStagePlant {
 
   /// Hardware for the device; valid as long as the plant.
   cia419::ChargerHardware hardware();
-  PowerStageFaults faults{};
+  PowerStageFaults faults{};  ///< may be changed at any time
 
+  /// Set-point of the device.
   double set_point_ampere() const { return set_point_ampere_; }
   /// Current at the end of the last step, in A.
   double ampere() const { return ampere_; }
+  /// Reading of the meter, with gain and offset; 0 while no current flows.
   double measured_ampere() const;
+  /// True while the device senses a battery at its plug.
   bool pilot_signal() const { return is_plugged_ && !faults.pilot_signal_is_lost; }
   /// Energy taken from the mains since the start.
   double mains_energy_joule() const { return mains_energy_joule_; }

@@ -12,6 +12,7 @@
 
 namespace canvoy {
 
+/// The plant. Its state changes by step() only.
 class ChargingPlant {
  public:
   /// Shorter than all reaction times of a charger, and long enough to simulate a night in a
@@ -20,6 +21,7 @@ class ChargingPlant {
   /// A smaller current counts as none: the reading of a meter at rest.
   static constexpr double no_current_ampere = 0.01;
 
+  /// Makes a battery at a charger. See BatteryPlant and PowerStagePlant.
   ChargingPlant(const BatteryDesign& design, double state_of_charge, double ambience_celsius = 20,
                 const PowerStageOptions& stage_options = {})
       : battery(design, state_of_charge, ambience_celsius), stage(stage_options) {}
@@ -31,14 +33,15 @@ class ChargingPlant {
     return {[](void* plant, Time) { static_cast<ChargingPlant*>(plant)->step(); }, this};
   }
 
-  BatteryPlant battery;
-  PowerStagePlant stage;
-  bool is_plugged = true;
+  BatteryPlant battery;    ///< at the plug
+  PowerStagePlant stage;   ///< of the charger
+  bool is_plugged = true;  ///< may be changed at any time
 
   /// True average current of the last step, in A.
   double ampere() const { return ampere_; }
   /// True charge delivered into the battery since the start.
   double ampere_hours() const { return battery.truth().ampere_hours_in; }
+  /// True energy delivered into the battery since the start.
   double energy_watt_hour() const { return battery.truth().energy_in_joule / 3600; }
 
  private:

@@ -19,20 +19,22 @@ namespace canvoy {
 
 /// A movement that a valve drives.
 enum class Movement : std::uint8_t { slew, stick, boom, bucket, left_track, right_track, rotator };
+/// Number of movements.
 inline constexpr std::size_t movements = static_cast<std::size_t>(Movement::rotator) + 1;
 
 class Excavator {
  public:
+  /// A point in the plane of boom and stick.
   struct Point {
     double x = 0;  ///< m in front of the axis of the slew
     double z = 0;  ///< m above the ground
   };
   /// Earth, in m3: in the bucket, on the heap, or spilled elsewhere.
   struct Earth {
-    double dug = 0;
-    double in_bucket = 0;
-    double heaped = 0;
-    double spilled = 0;
+    double dug = 0;        ///< taken up since the start
+    double in_bucket = 0;  ///< at present
+    double heaped = 0;     ///< dumped on the heap
+    double spilled = 0;    ///< dumped or lost elsewhere
   };
 
   static constexpr double bucket_capacity = 1.2;  ///< m3, heaped
@@ -42,8 +44,8 @@ class Excavator {
   static constexpr double earth_of_place = 40;  ///< m3 to dig before it has to drive on
   static constexpr double heap_at = 80;         ///< degrees of the slew
   static constexpr double heap_width = 20;      ///< degrees to either side
-  static constexpr double tank_litres = 400;
-  static constexpr double hot = 80;  ///< degC of the oil
+  static constexpr double tank_litres = 400;    ///< of fuel, when full
+  static constexpr double hot = 80;             ///< degC of the oil
 
   /// The seed of the soil determines how full each bucket gets.
   explicit Excavator(std::uint64_t soil = 1) : soil_(soil) { draw_fill(); }
@@ -54,12 +56,16 @@ class Excavator {
   void command(Movement movement, double value) { commands_[index(movement)] = value; }
   /// Engine speed, 0 to 1: from idle to full speed.
   void set_throttle(double share) { throttle_ = share; }
+  /// Opens or closes the pilot valve: without pressure, no valve opens.
   void set_pilot_pressure(bool is_on) { has_pilot_pressure_ = is_on; }
+  /// Selects the speed range of the tracks.
   void set_fast_travel(bool is_fast) { is_fast_ = is_fast; }
+  /// Fills the tank.
   void refuel() { litres_ = tank_litres; }
   /// Makes a hole in the bucket: nothing stays in it.
   void pierce_bucket() { has_hole_ = true; }
 
+  /// Advances the machine by this time, in which its commands stay as they are.
   void step(double seconds);
 
   // What can be seen of it.
@@ -67,17 +73,25 @@ class Excavator {
   double angle(Movement movement) const;  ///< degrees; of a track, m
   /// Share of the greatest speed of the movement, -1 to 1, in the last step.
   double speed(Movement movement) const { return speeds_[index(movement)]; }
+  /// Position of the tip of the bucket.
   Point tip() const;
   /// Position of the tip at these angles.
   static Point tip_at(double boom, double stick, double bucket);
   Point joint(Movement movement) const;  ///< position of the hinge of boom, stick or bucket
+  /// Where the earth is.
   const Earth& earth() const { return earth_; }
   double earth_left() const { return left_here_; }  ///< m3 within reach
+  /// True while the pilot valve is open.
   bool has_pilot_pressure() const { return has_pilot_pressure_; }
+  /// True in the fast range of the tracks.
   bool is_fast() const { return is_fast_; }
+  /// Speed of the engine, in revolutions per minute.
   double rpm() const { return rpm_; }
+  /// Fuel left, in litres.
   double litres() const { return litres_; }
+  /// Temperature of the hydraulic oil.
   double oil_celsius() const { return oil_; }
+  /// Pressure of the pump.
   double pressure_bar() const { return pressure_; }
 
  private:

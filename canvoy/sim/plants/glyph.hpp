@@ -8,13 +8,13 @@
 
 namespace canvoy {
 
-inline constexpr unsigned glyph_width = 8;
-inline constexpr unsigned glyph_height = 16;
+inline constexpr unsigned glyph_width = 8;    ///< dots
+inline constexpr unsigned glyph_height = 16;  ///< dots
 /// Number of the row below the last one of letters without a descender.
 inline constexpr unsigned glyph_baseline = 14;
 
 struct Glyph {
-  std::array<std::uint8_t, glyph_height> rows;
+  std::array<std::uint8_t, glyph_height> rows;  ///< from the top; the leftmost dot is bit 7
 
   /// False beyond the edges.
   constexpr bool has_dot(unsigned column, unsigned row) const {
@@ -22,6 +22,7 @@ struct Glyph {
   }
 };
 
+/// Picture of a character; a box if the table does not have it.
 Glyph glyph_of(char32_t character);
 
 }  // namespace canvoy

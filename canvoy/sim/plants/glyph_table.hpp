@@ -13,9 +13,10 @@
 
 namespace canvoy {
 
+/// Characters that follow each other.
 struct GlyphRange {
-  char32_t first;
-  char32_t last;
+  char32_t first;  ///< the lowest
+  char32_t last;   ///< the highest, included
 };
 /// Of the table below, in this order.
 inline constexpr GlyphRange glyph_ranges[] = {

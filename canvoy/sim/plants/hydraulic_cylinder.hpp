@@ -12,8 +12,8 @@ namespace canvoy {
 /// dead band.
 class ValveSpool {
  public:
-  static constexpr double lag_seconds = 0.04;
-  static constexpr double dead_band = 0.05;
+  static constexpr double lag_seconds = 0.04;  ///< time constant
+  static constexpr double dead_band = 0.05;    ///< share of the command without flow
 
   /// `command` is -1 to 1.
   void step(double command, double seconds);
@@ -24,14 +24,15 @@ class ValveSpool {
   double place_ = 0;
 };
 
+/// Geometry and size of a cylinder.
 struct CylinderShape {
   double near_metres = 1;  ///< from the joint to the pivots of the cylinder
-  double far_metres = 1;
-  double at_zero = 0;    ///< degrees of the joint where the angle between both would be 0
-  double direction = 1;  ///< 1: the joint opens with the cylinder; -1: it closes
-  double lowest = 0;     ///< degrees, at the ends of the stroke
-  double highest = 90;
-  double rate = 0.4;  ///< m/s at full flow
+  double far_metres = 1;   ///< from the joint to the far pivot
+  double at_zero = 0;      ///< degrees of the joint where the angle between both would be 0
+  double direction = 1;    ///< 1: the joint opens with the cylinder; -1: it closes
+  double lowest = 0;       ///< degrees, at the ends of the stroke
+  double highest = 90;     ///< degrees, at the other end
+  double rate = 0.4;       ///< m/s at full flow
 };
 
 class HydraulicCylinder {
@@ -42,6 +43,7 @@ class HydraulicCylinder {
   /// A `command` above 0 opens the joint; `flow` is the share of the greatest flow of the pump.
   void step(double command, double flow, double seconds);
   double angle() const { return angle_; }  ///< degrees
+  /// Length of the cylinder, in metres.
   double length() const { return length_; }
   /// Degrees per second in the last step.
   double speed() const { return speed_; }

@@ -21,7 +21,7 @@ class PaperPicture {
   /// Longest receipt in rows of dots: a longer one tears off by itself. When there are too many
   /// receipts, the oldest are discarded.
   static constexpr std::size_t rows_max = 20'000;
-  static constexpr std::size_t receipts_max = 64;
+  static constexpr std::size_t receipts_max = 64;  ///< kept
 
   /// `width` is in dots.
   explicit PaperPicture(std::size_t width = 384) : present_(width) {}
@@ -33,6 +33,7 @@ class PaperPicture {
 
   /// Receipts that were cut off, the oldest first.
   const std::deque<Picture>& receipts() const { return receipts_; }
+  /// What hangs out of the printer since the last cut.
   const Picture& present() const { return present_; }
   /// Number of receipts cut off, including those discarded.
   std::size_t cuts() const { return cuts_; }

@@ -16,12 +16,16 @@ namespace canvoy {
 
 class Picture {
  public:
+  /// 8 bits each of red, green and blue; white by default.
   using Color = cia447::PrintColor;
-  static constexpr std::size_t bytes_of_dot = 3;
+  static constexpr std::size_t bytes_of_dot = 3;  ///< red, green and blue
 
+  /// Makes a picture of no rows; `width` is in dots.
   explicit Picture(std::size_t width) : width_(width) {}
 
+  /// Dots in a row.
   std::size_t width() const { return width_; }
+  /// Rows.
   std::size_t height() const { return width_ == 0 ? 0 : bytes_.size() / (width_ * bytes_of_dot); }
   /// Red, green and blue of each dot, without gaps.
   const std::vector<std::uint8_t>& bytes() const { return bytes_; }
