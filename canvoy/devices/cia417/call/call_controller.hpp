@@ -32,6 +32,7 @@
 
 namespace canvoy::cia417 {
 
+/// Settings of a call controller that no object of its dictionary has.
 struct CallControllerSettings {
   unsigned lift = 1;  ///< 1 to 8
   /// Floors with a door, for each door of the car.
@@ -48,6 +49,7 @@ inline constexpr std::size_t destinations_default = FloorSet::floor_max;
 
 class CallController {
  public:
+  /// Memory of one waiting destination call.
   using Destination = DestinationCalls::Slot;
 
   /// The dictionary has 6010h and 6011h, and the node a backlog of two frames. The size of
@@ -71,6 +73,7 @@ class CallController {
   /// Reports later that a connection is established, or has ended. During a speech connection, the
   /// panels show that help is coming.
   void connected(const VirtualInput& input, bool on);
+  /// True during a speech connection: see connected().
   bool is_help_coming() const { return help_is_coming_; }
 
   /// Called with each record for the panels (6011h), before it is sent.
@@ -93,6 +96,7 @@ class CallController {
   bool add_destination(const VirtualInput& input);
   /// Removes a call that another lift has taken over.
   void withdraw(const Call& call);
+  /// Removes a destination call that another lift has taken over.
   void withdraw_destination(const VirtualInput& input);
   /// Sets the lamps of a call of the group.
   void acknowledge(const Call& call, bool on);
@@ -101,6 +105,7 @@ class CallController {
 
   /// True if the panels show the call.
   bool shows(const Call& call) const { return lamps_.shown().contains(call); }
+  /// All calls that the panels show.
   const LiftCalls& shown() const { return lamps_.shown(); }
   /// Takes over the calls that panels show when the group is lost. The lift has the bit `lift` in
   /// the group, which is shown to passengers who wait with a destination.
@@ -112,28 +117,38 @@ class CallController {
   /// Cancels calls of these kinds, and reports that to the panels.
   void cancel(CallKinds kinds);
 
+  /// Calls that wait for the car.
   const LiftCalls& calls() const { return calls_; }
+  /// True while a key or button requests the function.
   bool is_on(SpecialFunction function) const { return specials_.is_on(function); }
+  /// Doors at which a function is held; 0: at none.
   DoorMask held_doors(SpecialFunction function) const { return specials_.doors(function); }
   /// Sets a special function from inside, like a turned key.
   void set(SpecialFunction function, bool on);
+  /// Doors of the car at a floor; 0: the lift does not serve it.
   DoorMask doors_at(std::uint8_t floor) const { return served_.doors_at(floor); }
 
   /// Contents of the displays; call show() after a change.
   LiftDisplay& display() { return indications_.display; }
+  /// Contents of the displays.
   const LiftDisplay& display() const { return indications_.display; }
+  /// Sends what the displays show, as far as it has changed.
   void show();
   /// Sends all that is shown, and all that was shown before and has ended, since a panel has come
   /// that may not have received it. Of ended destination calls, only those with memory that has not
   /// been reused.
   void show_again();
+  /// Rings the arrival gong at these doors of a floor, for the direction of departure.
   void ring(std::uint8_t floor, DoorMask doors, Direction direction);
 
+  /// Number of times that panels have reported an input as defective.
   std::uint32_t defective_inputs() const { return defective_inputs_; }
   /// Number of destination calls without memory. The terminal was notified that they are not
   /// affirmed, unless the bus was too busy for as many answers.
   std::uint32_t destinations_without_room() const { return destinations_without_room_; }
+  /// Number of answers to destination terminals that the bus had no time for.
   std::uint32_t answers_lost() const { return answers_lost_; }
+  /// Bit of the lift in the records, 01h to 80h.
   std::uint8_t lift_mask() const { return lift_bit(lift_); }
   /// Moves the controller to another lift (6001h). The panels of that lift receive all that is
   /// shown.

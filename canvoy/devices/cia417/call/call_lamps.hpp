@@ -25,7 +25,9 @@ class CallLamps {
   void set(const Call& call, bool on);
   /// Ends the lamps of a call. They are sent where they were on.
   void end(const Call& call) { shown_.remove(call); }
+  /// Ends the lamps of calls of these kinds at a floor.
   void end_at(std::uint8_t floor, CallKinds kinds) { shown_.remove_at(floor, kinds); }
+  /// Ends the lamps of calls of these kinds at all floors.
   void end_all(CallKinds kinds) { shown_.remove_all(kinds); }
 
   /// Starts with other panels, which have received nothing.
@@ -34,6 +36,7 @@ class CallLamps {
   /// that may not have received it.
   void tell_again();
 
+  /// True if an acknowledgement has to be sent.
   bool waits() const { return next_untold().floor != 0; }
   /// Returns the next acknowledgement of lift `lifts`, and marks it as sent. Call it only while one
   /// is waiting.

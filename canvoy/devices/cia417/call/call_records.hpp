@@ -22,11 +22,14 @@ std::uint8_t hall_sub_function(CallKind kind);
 Call hall_call_of(const VirtualInput& input, DoorMask doors);
 /// How a destination call waits for the car at its source floor.
 Call source_call_of(const VirtualInput& input, DoorMask doors);
+/// Priority of a call by its basic function: 02h to 04h and so on.
 CallPriority priority_of(BasicFunction function);
+/// True for basic functions 0Fh to 11h.
 constexpr bool is_connection_request(BasicFunction function) {
   return is_between(function, BasicFunction::access_code_upload,
                     BasicFunction::area_monitoring_connection);
 }
+/// True for basic functions 08h to 0Dh.
 constexpr bool is_destination_call(BasicFunction function) {
   return is_between(function, BasicFunction::standard_destination_call,
                     BasicFunction::high_priority_call_to_destination_floor);

@@ -23,14 +23,16 @@ class DestinationCalls {
   /// A passenger with a destination, or a car that is sent to a floor. The owner provides the
   /// memory.
   struct Slot {
-    VirtualInput input{};
-    std::uint8_t lifts = 0;  ///< shown by the panel
-    bool active = false;     ///< the car has not yet been at its source floor
-    bool told = false;       ///< the panel shows it
-    bool wants_answer = false;
-    bool was_told = false;  ///< a panel may still show it
+    VirtualInput input{};       ///< as the panel sent it
+    std::uint8_t lifts = 0;     ///< shown by the panel
+    bool active = false;        ///< the car has not yet been at its source floor
+    bool told = false;          ///< the panel shows it
+    bool wants_answer = false;  ///< next() sends its answer
+    bool was_told = false;      ///< a panel may still show it
 
+    /// False if the memory can be used for another call.
     bool is_used() const { return active || told || wants_answer; }
+    /// True for a car call: its source is the car.
     bool is_in_car() const { return input.floor == floor_of_car; }
     /// Ends the call. The panel is notified if it shows the call.
     void end() {
@@ -42,9 +44,12 @@ class DestinationCalls {
   /// passengers of another lift, which stays.
   enum class Answer : std::uint8_t { kept, others, no_room };
 
+  /// Makes an empty list; `slots` must outlive it.
   explicit DestinationCalls(std::span<Slot> slots) : slots_(slots) {}
 
+  /// Discards all calls, after a reset.
   void begin_anew();
+  /// Slots in use since the reset, ended calls included.
   std::span<const Slot> used() const { return slots_.first(used_); }
 
   /// Adds a call that waits at its source floor. False if there is no room.
@@ -81,6 +86,7 @@ class DestinationCalls {
     }
   }
 
+  /// True if an answer has to be sent.
   bool waits() const;
   /// Returns the next answer, and marks it as sent. Call it only while one is waiting.
   VirtualOutput next();

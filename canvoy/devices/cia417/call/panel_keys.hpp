@@ -35,6 +35,7 @@ class PanelKeys {
 
   /// Reads a panel soon. A panel that is being read is read again afterwards.
   void read(NodeId panel);
+  /// True while a panel is being read.
   bool is_reading() const { return panel_ != 0; }
 
   /// After each answer. A record of an input takes four frames, 2 ms at 250 kbit/s.

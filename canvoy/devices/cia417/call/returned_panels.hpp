@@ -30,6 +30,7 @@ class ReturnedPanels {
 
   /// Nodes for which the callback returns false have no inputs to read.
   void on_question(Callback<bool(NodeId)> has_inputs) { has_inputs_ = has_inputs; }
+  /// Takes an error control message of a node, or its loss.
   void heard(NodeId panel, RemoteState state);
   /// Updates this panel, or all that were received (GapWatch::everyone): PDOs from and to them may
   /// have been lost.

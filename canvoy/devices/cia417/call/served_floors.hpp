@@ -13,7 +13,7 @@
 
 namespace canvoy::cia417 {
 
-inline constexpr std::size_t key_locks = 4;
+inline constexpr std::size_t key_locks = 4;  ///< key lock 1 to 4
 
 class ServedFloors {
  public:
@@ -26,11 +26,14 @@ class ServedFloors {
   /// The building has no floors above `floor`.
   void end_at(unsigned floor);
 
+  /// Doors of the car at a floor; 0: the lift does not serve it.
   DoorMask doors_at(std::uint8_t floor) const;
   /// True if the lift has a door there, and a floor in that direction: no call goes up from the
   /// highest floor, or down from the lowest.
   bool takes_hall_call(const Call& call) const;
+  /// True if the car has a door at the floor, and no key locks it.
   bool takes_car_call(const Call& call, const SpecialFunctions& keys) const;
+  /// True if car calls to the floor need a key that is not turned.
   bool is_locked(std::uint8_t floor, const SpecialFunctions& keys) const;
   /// True from one floor to another, by existing doors.
   bool takes_destination(const VirtualInput& input, const SpecialFunctions& keys) const;

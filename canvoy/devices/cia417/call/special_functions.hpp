@@ -21,7 +21,7 @@ namespace canvoy::cia417 {
 /// wire must neither end nor start them.
 class SpecialFunctions {
  public:
-  static constexpr unsigned count = 0x17;
+  static constexpr unsigned count = 0x17;  ///< sub-functions of basic function 0Eh, from 0 on
   /// Maximum number of keys and buttons that are remembered while they are on. Beyond it, the next
   /// end of the function by another input ends it.
   static constexpr unsigned inputs_max = 32;
@@ -31,18 +31,22 @@ class SpecialFunctions {
   /// Takes an input as read from a panel, which may be unchanged for a long time: it says nothing
   /// for a button with counted presses. False if nothing has changed.
   bool take_reading(const VirtualInput& input);
+  /// Switches a function on or off, like a turned key.
   void set(SpecialFunction function, bool on);
+  /// Switches all off and forgets what was sent, after a reset.
   void clear();
   /// Sends all that is on, and all that was on before and has ended, since panels have come that
   /// may not have received it.
   void tell_again();
 
+  /// True while the function is on.
   bool is_on(SpecialFunction function) const { return at(function).on; }
   /// Doors at which it is held, for door open and door close.
   DoorMask doors(SpecialFunction function) const {
     return is_on(function) ? source_doors(at(function).doors) : DoorMask{0};
   }
 
+  /// True if an acknowledgement has to be sent.
   bool waits() const;
   /// Returns the next acknowledgement of lift `lifts`, and marks it as sent.
   VirtualOutput next(std::uint8_t lifts);

@@ -31,13 +31,14 @@
 
 namespace canvoy::cia417 {
 
+/// Times of a lift's work.
 struct LiftTimes {
-  Duration dwell_car = 3s;    ///< doors stay open for passengers who get out
-  Duration dwell_hall = 4s;   ///< doors stay open for passengers who get in
-  Duration dwell_again = 2s;  ///< after a button or something in the door
-  Duration dwell_long = 15s;  ///< load time, bed passenger service
-  Duration nudging = 20s;     ///< then doors close gently, even if obstructed
-  Duration door_opens_max = 10s;
+  Duration dwell_car = 3s;         ///< doors stay open for passengers who get out
+  Duration dwell_hall = 4s;        ///< doors stay open for passengers who get in
+  Duration dwell_again = 2s;       ///< after a button or something in the door
+  Duration dwell_long = 15s;       ///< load time, bed passenger service
+  Duration nudging = 20s;          ///< then doors close gently, even if obstructed
+  Duration door_opens_max = 10s;   ///< then they close again, and retry
   Duration door_closes_max = 10s;  ///< then they open again, and retry
   Duration travel_max = 45s;       ///< without a floor on the way (EN 81-20, 5.9.2.7)
   Duration parking = 60s;          ///< without a call, before it goes to the parking floor
@@ -46,40 +47,44 @@ struct LiftTimes {
   Duration steady = 500ms;         ///< of a car's position, before doors open in a fault
 };
 
+/// Settings of a lift controller that no object of its dictionary has.
 struct LiftControllerSettings {
   /// Of floor 1 and up, rising, at most 254: in micrometres, as in LiftMotion. Must outlive the
   /// controller.
   std::span<const std::int32_t> floors{};
   DoorMask doors = 0b0001;  ///< of the car
+  /// From the floor, at which the car has arrived.
   std::int32_t floor_tolerance_micrometre = 10'000;
   /// On both sides of a floor, where the car may move with open doors.
   std::int32_t door_zone_micrometre = 200'000;
   std::uint8_t fire_floor = 1;                                 ///< where all passengers get out
   std::uint8_t parking_floor = 0;                              ///< 0: it stays where it is
   std::int32_t service_speed_micrometre_per_second = 630'000;  ///< EN 81-20: inspection
-  std::int32_t dogging_speed_micrometre_per_second = 300'000;
-  LiftTimes times{};
+  std::int32_t dogging_speed_micrometre_per_second = 300'000;  ///< by two buttons
+  LiftTimes times{};                                           ///< of its work
 };
 
+/// Load of the car, as far as it matters for trips.
 struct LiftLoad {
-  bool known = true;
-  bool zero = false;
-  bool full = false;
-  bool overload = false;
+  bool known = true;      ///< false: the load unit is lost, or has an error
+  bool zero = false;      ///< nobody is in it
+  bool full = false;      ///< no room for further passengers
+  bool overload = false;  ///< it must not start
 
   friend constexpr bool operator==(const LiftLoad&, const LiftLoad&) = default;
 };
 
 /// The parts that a lift controller uses; each calls update() when it has changed.
 struct LiftParts {
-  LiftMotion motion;
-  LiftDoors doors;
+  LiftMotion motion;          ///< drive and position unit
+  LiftDoors doors;            ///< of all doors
   Callback<LiftLoad()> load;  ///< without one the car is neither empty nor full
   /// Requests the state of the parts again, as the known one may be out of date. Called when a trip
   /// or a door movement does not end in time, and repeatedly during a fault.
   Callback<void()> ask_anew = {};
 };
 
+/// Progress of a trip.
 enum class LiftPhase : std::uint8_t {
   idle,     ///< at rest with closed doors
   driving,  ///< to target()
@@ -108,17 +113,24 @@ class LiftController {
   /// (none: it takes passengers for both) and the doors that open.
   void on_stop(Callback<void(const Landing&, DoorMask)> stopped) { stopped_ = stopped; }
 
+  /// Progress of the present trip.
   LiftPhase phase() const { return phase_; }
+  /// Service that the lift is in.
   LiftService service() const { return service_.now(); }
+  /// Fault that stops it; none while it works.
   LiftFault fault() const { return faults_.now(); }
   /// The next floor that the car reaches, or at which it stands.
   std::uint8_t floor() const { return floor_; }
+  /// Floor of the present trip; 0: none.
   std::uint8_t target() const { return target_; }
+  /// Direction of the present trip, or of the calls that it will answer next; none: no call.
   Direction direction() const { return direction_; }
   /// True soon after start: drive and doors may not have been received yet, and panels show an old
   /// state.
   bool is_starting() const { return node_.now() < started_at_ + settings_.times.start; }
+  /// True while the drive has a target.
   bool is_moving() const { return phase_ == LiftPhase::driving; }
+  /// True if hall calls are left to other trips.
   bool is_full() const { return load_.full || load_.overload; }
   /// Refuses during a trip, or with open doors: a controller changes to another lift (6001h) only
   /// at rest.

@@ -27,8 +27,9 @@ class LiftFaults {
  public:
   /// Instances of the errors that doors did not open or close in time.
   static constexpr std::uint16_t opens_late = 0x10;
-  static constexpr std::uint16_t closes_late = 0x11;
+  static constexpr std::uint16_t closes_late = 0x11;  ///< instance
 
+  /// Makes a state without faults; `node` must outlive it, and reports them.
   explicit LiftFaults(Node& node) : node_(node) {}
   LiftFaults(const LiftFaults&) = delete;
   LiftFaults& operator=(const LiftFaults&) = delete;
@@ -36,17 +37,22 @@ class LiftFaults {
   /// Clears all faults: the node has started, without errors.
   void begin_anew();
 
+  /// The fault that holds; none if there is none.
   LiftFault now() const { return now_; }
+  /// True if a fault holds.
   bool is_there() const { return now_ != LiftFault::none; }
   /// Sets another fault, or none. False if it is unchanged.
   bool change(LiftFault fault);
   /// A fault of a trip, which lasts until the car stands, or longer.
   void latch(LiftFault fault) { latched_ = fault; }
+  /// Fault of the present or last trip.
   LiftFault latched() const { return latched_; }
 
   /// Reports whether doors opened or closed in time.
   void doors_opened(bool in_time);
+  /// Reports whether doors closed in time.
   void doors_closed(bool in_time);
+  /// True from doors_closed(false) to doors_closed(true).
   bool is_closing_late() const { return is_closing_late_; }
 
  private:

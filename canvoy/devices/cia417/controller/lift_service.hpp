@@ -27,12 +27,17 @@ enum class LiftService : std::uint8_t {
   out_of_order,
 };
 
+/// Service of a lift, and what follows from it.
 class LiftServiceState {
  public:
+  /// Returns to the normal service, after a reset.
   void begin_anew() { *this = {}; }
 
+  /// Service at present.
   LiftService now() const { return now_; }
+  /// True in this service.
   bool is(LiftService service) const { return now_ == service; }
+  /// True in both phases of fire service.
   bool is_in_fire() const { return is(LiftService::fire_recall) || is(LiftService::fire_brigade); }
   /// True if buttons drive the car.
   bool is_manual() const { return is(LiftService::service_run) || is(LiftService::dogging); }
@@ -52,6 +57,7 @@ class LiftServiceState {
   /// Reports open doors, at a floor at which the service lets all passengers out. True on a change.
   bool clear(bool is_at_fire_floor);
 
+  /// True if the service has the doors open at rest.
   bool keeps_doors_open(const CallController& calls, bool is_at_fire_floor) const;
   /// True if the doors ignore light barriers and motion detectors, which detect smoke as well as
   /// people (EN 81-73, 5.3; EN 81-72).

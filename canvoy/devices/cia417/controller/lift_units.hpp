@@ -28,16 +28,16 @@ static_assert(recommended_others.back() == 120);
 
 /// Their node-IDs; 0: no such unit.
 struct LiftUnits {
-  NodeId drive = 2;
-  NodeId position_unit = 4;
-  std::array<NodeId, door_count> door_units = {6, 7, 8, 0};
-  std::array<NodeId, door_count> light_barrier_units = {};
-  NodeId load_unit = 13;
+  NodeId drive = 2;                                          ///< car drive unit
+  NodeId position_unit = 4;                                  ///< car position unit
+  std::array<NodeId, door_count> door_units = {6, 7, 8, 0};  ///< of doors 1 to 4
+  std::array<NodeId, door_count> light_barrier_units = {};   ///< of doors 1 to 4, as separate nodes
+  NodeId load_unit = 13;                                     ///< load measuring unit
   /// Units that no trip needs: their loss is only reported. Must outlive the controller.
   std::span<const NodeId> others = recommended_others;
   /// Time after which they are lost. Panels send heartbeats rarely.
   std::uint16_t unit_time_ms = 1500;
-  std::uint16_t other_time_ms = 3000;
+  std::uint16_t other_time_ms = 3000;  ///< for the units that no trip needs
 
   /// True for a unit that a trip needs.
   bool has(NodeId id) const;

@@ -59,6 +59,7 @@ class UnitErrors {
   void on_change(Callback<void()> changed) { changed_ = changed; }
   /// Called for each emergency message, before anything else.
   void on_emergency(Callback<void(NodeId, const Emergency&)> told) { told_ = told; }
+  /// True if this unit has an error that concerns trips; `unit` is 0 to 127.
   bool has_error(NodeId unit) const { return errors_[unit]; }
   /// True for any unit that 1028h names.
   bool has_any_error() const { return errors_.any(); }

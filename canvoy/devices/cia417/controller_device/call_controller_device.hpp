@@ -24,6 +24,7 @@
 
 namespace canvoy::cia417 {
 
+/// Of the catalogue.
 inline constexpr DeviceInfo call_controller_info = {.name = "lift-call-controller",
                                                     .title = "call controller",
                                                     .product = "Canvoy CiA 417 call controller",
@@ -37,6 +38,7 @@ inline constexpr auto full_call_controller = describe(
         {0x6010, 0x6011, WantedObject{0x6200, last_of_many}}),
     virtual_input_rpdos<node_id_max>(), lift_basics(call_controller_info, 300),
     cia301::heartbeat_consumers(node_id_max), cia301::error_behavior().initial(1, keeps_state));
+/// Tables of full_call_controller, for any of the 8 lifts.
 inline constexpr auto full_call_controller_layout =
     in_any_lift(lay_out_device<full_call_controller>());
 
@@ -48,6 +50,7 @@ inline constexpr auto multiplexed_call_controller = describe(
     cia301::identity({.product_code = 41701}), cia301::sync_consumer(),
     cia301::heartbeat_producer(300), cia301::heartbeat_consumers(node_id_max), cia301::emergency(),
     cia301::error_history(8), cia301::error_behavior().initial(1, keeps_state));
+/// Tables of multiplexed_call_controller.
 template <MpdoMode mode>
 inline constexpr auto multiplexed_call_controller_layout =
     lay_out_device<multiplexed_call_controller<mode>>();
@@ -73,9 +76,13 @@ class CallControllerDevice
         Callback<void(ResetScope)>::to<&CallControllerDevice::restored>(*this));
   }
 
+  /// The node of the device: frames and points in time are handed to it.
   Node& node() { return device_.node(); }
+  /// Sends errors of the device.
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
+  /// Behaviour of the call controller.
   CallController& calls() { return calls_; }
+  /// Behaviour of the call controller.
   const CallController& calls() const { return calls_; }
 
  private:

@@ -13,6 +13,7 @@
 
 namespace canvoy::cia417 {
 
+/// What a lift controller has room for.
 struct LiftControllerOptions {
   unsigned lift = 1;      ///< 1 to 8
   unsigned panels = 127;  ///< virtual inputs of node-IDs up to this one are received
@@ -63,6 +64,7 @@ inline constexpr ObjectInfo controller_types_object =
 
 }  // namespace detail
 
+/// All parts of the controller except its identity; the objects are those of lift `options.lift`.
 template <LiftControllerOptions options = LiftControllerOptions{}>
 constexpr auto lift_controller() {
   static_assert(options.lift >= 1 && options.lift <= lift_count, "there are 8 lifts");

@@ -39,12 +39,13 @@
 
 namespace canvoy::cia417 {
 
+/// Settings of the controllers in the device.
 struct LiftControllerDeviceSettings {
-  CallControllerSettings calls{};
-  CarDoorControllerSettings doors{};
-  CarDriveControllerSettings drive{};
-  LiftControllerSettings lift{};
-  NodeId load_unit = 13;  ///< 0: the car is not weighed
+  CallControllerSettings calls{};      ///< call controller
+  CarDoorControllerSettings doors{};   ///< car door controller
+  CarDriveControllerSettings drive{};  ///< car drive controller
+  LiftControllerSettings lift{};       ///< trips
+  NodeId load_unit = 13;               ///< 0: the car is not weighed
   /// Panels and other monitored devices of the lift that are not needed; must outlive the device.
   std::span<const NodeId> others = recommended_others;
   /// Outputs of panels that 6200h lists; must outlive the device.
@@ -57,6 +58,7 @@ struct LiftControllerDeviceSettings {
 /// them: at this distance, at most one of them delays a PDO.
 inline constexpr std::uint16_t lift_emergency_inhibit = 20;
 
+/// Of the catalogue.
 inline constexpr DeviceInfo lift_controller_info = {
     .name = "lift-controller",
     .title = "lift controller: calls, doors and drive of a lift",
@@ -77,6 +79,7 @@ inline constexpr auto full_lift_controller = describe(
     cia301::emergency().initial(cia301::emergency_inhibit_object, 0, lift_emergency_inhibit),
     cia301::emergency_consumers(node_id_max), cia301::error_history(16),
     cia301::error_behavior().initial(1, keeps_state));
+/// Tables of full_lift_controller, for any of the 8 lifts.
 template <LiftControllerOptions options = LiftControllerOptions{}>
 inline constexpr auto full_lift_controller_layout =
     in_any_lift(lay_out_device<full_lift_controller<options>>());
@@ -139,14 +142,23 @@ class LiftControllerDevice
     node().attach(service_);
   }
 
+  /// The node of the device: frames and points in time are handed to it.
   Node& node() { return device_.node(); }
+  /// The node, for its states and counters.
   const Node& node() const { return device_.node(); }
+  /// The call controller in the device.
   CallController& calls() { return calls_; }
+  /// The car door controller in the device.
   CarDoorController& doors() { return doors_; }
+  /// The car drive controller in the device.
   CarDriveController& drive() { return drive_; }
+  /// Control of trips.
   LiftController& lift() { return lift_; }
+  /// Control of trips.
   const LiftController& lift() const { return lift_; }
+  /// States of all nodes on the bus of the lift.
   NmtMaster& nmt_master() { return nmt_master_; }
+  /// Sends errors of the device.
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
 
  private:

@@ -29,6 +29,7 @@
 
 namespace canvoy::cia417 {
 
+/// Settings of a car door controller that no object of its dictionary has.
 struct CarDoorControllerSettings {
   unsigned lift = 1;        ///< 1 to 8
   DoorMask doors = 0b0001;  ///< the doors of the car
@@ -45,16 +46,17 @@ struct CarDoorControllerSettings {
 
 /// The known state of a door.
 struct DoorView {
-  bool is_known = false;  ///< state received, and heartbeat not lost
-  DoorReport report;
-  std::optional<std::uint16_t> position_mm{};
-  Detection light_barrier = Detection::not_available;
+  bool is_known = false;                               ///< state received, and heartbeat not lost
+  DoorReport report;                                   ///< statusword, 6301h
+  std::optional<std::uint16_t> position_mm{};          ///< 6302h; nothing: not measured
+  Detection light_barrier = Detection::not_available;  ///< 6310h
 
   friend constexpr bool operator==(const DoorView&, const DoorView&) = default;
 };
 
 class CarDoorController {
  public:
+  /// Whether the drive limits its force to a harmless value.
   enum class Force : std::uint8_t { limited, unlimited };
 
   /// With `rpdos`, the RPDOs of the node, an unknown state is requested by remote frame; without
@@ -65,16 +67,22 @@ class CarDoorController {
 
   // Commands doors of the car; others are left out. A command that is already carried out is not
   // sent again. From outside of a callback of the node, call Node::advance() before and after.
+  /// Opens these doors.
   void open(DoorMask doors, Force force = Force::limited);
+  /// Closes these doors.
   void close(DoorMask doors, DoorClosing closing = DoorClosing::normal,
              Force force = Force::limited);
+  /// Stops these doors where they are.
   void stop(DoorMask doors, Force force = Force::limited);
   /// Ends an error that does not exist any more; the door stands.
   void reset(DoorMask doors);
   /// Selects whether a closed door locks.
   void lock(DoorMask doors, bool locks = true);
+  /// Switches the motion detectors of these doors.
   void enable_motion_detector(DoorMask doors, bool enabled = true);
+  /// Switches the finger protectors of these doors.
   void enable_finger_protector(DoorMask doors, bool enabled = true);
+  /// Selects whether these doors may use their batteries.
   void enable_battery(DoorMask doors, bool enabled = true);
   /// Discards all states: the device belongs to another lift (6001h).
   void begin_anew();
@@ -94,6 +102,7 @@ class CarDoorController {
   const DoorView& view(unsigned door) const { return doors_[door - 1].view; }
   /// The last command.
   const DoorOrder& order(unsigned door) const { return doors_[door - 1].order; }
+  /// State of all doors of the car together.
   DoorsStatus status() const;
   /// Calls `changed` when a view has changed.
   void on_change(Callback<void()> changed) { changed_ = changed; }

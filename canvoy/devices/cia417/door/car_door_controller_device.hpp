@@ -16,6 +16,7 @@ namespace canvoy::cia417 {
 /// doors.
 class LoneDoorController : public CarDoorController {
  public:
+  /// Makes the controller; all arguments must outlive it.
   LoneDoorController(Node& node, const CarDoorControllerSettings& settings, Rpdos& rpdos)
       : CarDoorController(node, settings, &rpdos),
         gaps_(node, Callback<void(NodeId)>::to<&LoneDoorController::ask_all>(*this)) {}

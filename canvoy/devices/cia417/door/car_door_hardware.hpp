@@ -18,9 +18,9 @@ struct DoorReadings {
   bool has_fault = false;  ///< the drive cannot move it
   /// Distance between the closing edges; nothing if it is not measured.
   std::optional<std::uint16_t> position_mm{};
-  Detection force_limit = Detection::not_available;
-  Detection motion = Detection::not_available;
-  Detection finger = Detection::not_available;
+  Detection force_limit = Detection::not_available;     ///< an obstacle, felt by the drive
+  Detection motion = Detection::not_available;          ///< someone approaches
+  Detection finger = Detection::not_available;          ///< a finger is near the leaf
   Detection lock = Detection::not_available;            ///< yes: locked
   Detection safety_contact = Detection::not_available;  ///< yes: closed
   Detection battery = Detection::not_available;         ///< yes: in use
@@ -30,24 +30,26 @@ struct DoorReadings {
 
 /// Command to the drive of a door.
 struct DoorDrive {
+  /// What the drive does.
   enum class Motion : std::uint8_t { none, close, open };
 
-  Motion motion = Motion::none;
-  bool has_torque = false;   ///< without motion: it holds the door where it is
-  bool limits_force = true;  ///< to a harmless value
-  bool is_reduced = false;   ///< the speed
-  std::uint8_t velocity_profile = 0;
-  std::uint8_t width_profile = 0;
+  Motion motion = Motion::none;       ///< none: it stands
+  bool has_torque = false;            ///< without motion: it holds the door where it is
+  bool limits_force = true;           ///< to a harmless value
+  bool is_reduced = false;            ///< the speed
+  std::uint8_t velocity_profile = 0;  ///< number of the profile, 6304h:01h
+  std::uint8_t width_profile = 0;     ///< number of the profile, 6304h:02h
 
   friend constexpr bool operator==(const DoorDrive&, const DoorDrive&) = default;
 };
 
+/// The functions of a door; all are called in calls of the node.
 struct DoorHardware {
-  Callback<DoorReadings(Time)> sense;
-  Callback<void(const DoorDrive&, Time)> drive;
+  Callback<DoorReadings(Time)> sense;            ///< the readings at this time
+  Callback<void(const DoorDrive&, Time)> drive;  ///< the command, from this time on
   /// Locks or unlocks, if there is a lock.
   Callback<void(bool, Time)> lock;
-  Callback<void(bool)> use_battery;
+  Callback<void(bool)> use_battery;  ///< true: from now on; without one, no effect
   /// Time of the next change of the readings, apart from the position: never if nothing moves. A
   /// simulation has this function, and is read at that time. A real door leaves it empty, and is
   /// read every sensing_period.

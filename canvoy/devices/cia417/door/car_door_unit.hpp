@@ -24,6 +24,7 @@
 
 namespace canvoy::cia417 {
 
+/// Settings of a door that no object of its dictionary has.
 struct CarDoorSettings {
   unsigned lift = 1;  ///< 1 to 8
   unsigned door = 1;  ///< 1 to 4
@@ -57,8 +58,11 @@ class CarDoorUnit {
   /// Reads the hardware at the next call of the node, after a change.
   void hardware_changed() { node_.timers().arm(timer_, node_.now()); }
 
+  /// State of the door, as the statusword has it.
   DoorState state() const { return report_.state; }
+  /// Contents of the statusword.
   const DoorReport& report() const { return report_; }
+  /// Command to the drive at present.
   const DoorDrive& driven() const { return driven_; }
 
  private:

@@ -44,6 +44,7 @@
 
 namespace canvoy::cia417 {
 
+/// Settings of a car drive controller that no object of its dictionary has.
 struct CarDriveControllerSettings {
   unsigned lift = 1;         ///< 1 to 8
   NodeId drive = 2;          ///< of the car drive unit
@@ -55,7 +56,7 @@ struct CarDriveControllerSettings {
   std::int32_t position_step_micrometre = 100;  ///< one count of 6383h
   /// Positions of the last floors, as in LiftMotion: no trip goes beyond.
   std::int32_t lowest_micrometre = INT32_MIN;
-  std::int32_t highest_micrometre = INT32_MAX;
+  std::int32_t highest_micrometre = INT32_MAX;  ///< of the last floor above
   /// The ramps of the drive, in its units.
   MotionLimits ramps = {.velocity = 1600,
                         .acceleration = 1000,
@@ -83,21 +84,27 @@ struct CarDriveControllerServices {
 
 class CarDriveController {
  public:
+  /// What the car is commanded to do.
   enum class Aim : std::uint8_t { none, trip, run, home };
 
+  /// Makes the controller; `node` must outlive it, and so must the services.
   CarDriveController(Node& node, const CarDriveControllerServices& services,
                      const CarDriveControllerSettings& settings);
   CarDriveController(const CarDriveController&) = delete;
   CarDriveController& operator=(const CarDriveController&) = delete;
 
   // Commands. From outside of a callback of the node, call Node::advance() before and after.
+  /// Moves the car to a position, in micrometres as in LiftMotion; within the last floors.
   void travel_to(std::int32_t position_micrometre);
   /// 0 stops.
   void run(std::int32_t velocity_micrometre_per_second);
   /// Moves to the home switch, from which the drive counts.
   void home();
+  /// Stops the car within the ramps of the drive.
   void stop();
+  /// Stops the car by the quick stop of the drive.
   void fast_stop();
+  /// Resets a fault of the drive; the car stays where it is.
   void reset_fault();
   /// While it is held, the car stops fast and does not move: a node reports an error that makes a
   /// trip unsafe (1028h; see UnitErrors). The caller that releases it commands again.
@@ -115,11 +122,15 @@ class CarDriveController {
   /// Refuses while a car moves.
   AbortCode refuses_lift_number();
 
+  /// Present command.
   Aim aim() const { return aim_; }
+  /// State of the drive by its statusword.
   DriveState drive_state() const { return cia402::drive_state(statusword_.raw()); }
   /// True if the drive is in fault; its emergency has the reason.
   bool has_fault() const;
+  /// True if the drive counts from its home switch.
   bool has_homed() const { return has_homed_; }
+  /// State of the car and its drive, for a lift controller.
   MotionStatus status() const;
   /// Calls `changed` when the status has changed.
   void on_change(Callback<void()> changed) { changed_ = changed; }

@@ -27,6 +27,7 @@ namespace canvoy::cia417 {
 /// A controller without other functions, and the errors to which it reacts.
 class LoneDriveController {
  public:
+  /// Makes the controller with the services of its node, which must outlive it.
   template <class Services>
   LoneDriveController(Services& services, const CarDriveControllerSettings& settings)
       : client_(services.node()),
@@ -49,10 +50,14 @@ class LoneDriveController {
   LoneDriveController(const LoneDriveController&) = delete;
   LoneDriveController& operator=(const LoneDriveController&) = delete;
 
+  /// Behaviour of the controller.
   CarDriveController& controller() { return controller_; }
+  /// Behaviour of the controller.
   const CarDriveController& controller() const { return controller_; }
 
+  /// Refuses while a car moves.
   AbortCode refuses_lift_number() { return controller_.refuses_lift_number(); }
+  /// Call it when 6001h was written or restored.
   void lift_changed(std::uint8_t lift) {
     if (std::exchange(lift_, lift) != lift) controller_.begin_anew();
   }

@@ -12,6 +12,7 @@
 
 namespace canvoy::cia417 {
 
+/// The readings of a drive.
 struct DriveReadings {
   double position = 0;         ///< increments
   double velocity = 0;         ///< increments per second, from the position encoder
@@ -21,9 +22,9 @@ struct DriveReadings {
   std::optional<bool> home_switch = {};
   // Position of the last change of a switch, once it has been passed; nothing before. See
   // HomingMethod.
-  std::optional<double> home_position = {};
-  std::optional<double> lower_limit_position = {};
-  std::optional<double> upper_limit_position = {};
+  std::optional<double> home_position = {};         ///< of the home switch
+  std::optional<double> lower_limit_position = {};  ///< of the lower limit switch
+  std::optional<double> upper_limit_position = {};  ///< of the upper limit switch
   /// Position of the last passed index pulse.
   std::optional<double> index_position = {};
   /// The power stage has its supply (bit 4 of the statusword): not while the safety chain is open.
@@ -33,7 +34,7 @@ struct DriveReadings {
 };
 
 struct CarDriveHardware {
-  Callback<DriveReadings()> sense;
+  Callback<DriveReadings()> sense;  ///< at present; called once a period
   /// Switches the power stage, which holds or moves the car; without it, the motor turns freely.
   Callback<void(bool on)> power;
   /// Releases the brake. False: it closes, even if the car still moves.

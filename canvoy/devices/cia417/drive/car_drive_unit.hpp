@@ -44,15 +44,15 @@ using cia402::StopReaction;
 /// Settings of a drive for its building, in the units of its objects: power-on values of 6408h:01h
 /// and 6423h, of 640Bh, and of all of 640Dh. 0: as in its description.
 struct DriveTuning {
-  std::uint32_t velocity = 0;
-  std::uint32_t acceleration = 0;
-  std::uint32_t jerk = 0;
+  std::uint32_t velocity = 0;      ///< 6408h:01h and 6423h
+  std::uint32_t acceleration = 0;  ///< 640Bh
+  std::uint32_t jerk = 0;          ///< all of 640Dh
 };
 
 /// Widths and speeds of the drive itself, in the units of its objects.
 struct CarDriveSettings {
-  unsigned lift = 1;  ///< 1 to 8
-  DriveTuning tuning = {};
+  unsigned lift = 1;        ///< 1 to 8
+  DriveTuning tuning = {};  ///< for its building
   /// Further nodes that stop it fast, beside those of 1028h; 0: none.
   std::array<NodeId, 4> stops_for = {};
   NodeId controller = 1;             ///< its heartbeat is monitored, by an entry in 1016h
@@ -62,20 +62,20 @@ struct CarDriveSettings {
   Duration brake_time = 200ms;
   double position_window = 2;     ///< distance from the target at which it has arrived
   double following_window = 200;  ///< farther from its demanded position, for following_time: fault
-  Duration following_time = 200ms;
+  Duration following_time = 200ms;  ///< then it is a fault
   /// Overspeed, in per cent of 6408h:01h. A governor of EN 81-20 trips at 115 % or more.
   double overspeed_percent = 115;
   double unintended_distance = 50;  ///< maximum movement while it has to stand
-  HomingMethod homing = HomingMethod::home_switch_below;
-  double homing_velocity = 100;
+  HomingMethod homing = HomingMethod::home_switch_below;  ///< see drive_homing.hpp
+  double homing_velocity = 100;                           ///< in units of 6430h
   /// Distance between the ends of the shaft: a search that moves a tenth farther in one direction
   /// has missed its switch. 0: not known; then the width of the software limits (6422h) applies,
   /// and homing_time_max limits the search as well.
   double travel = 0;
-  Duration homing_time_max = 5min;
+  Duration homing_time_max = 5min;  ///< of a search, then it fails
   /// Deceleration of the motor on the current and on the voltage limit, in units of 640Ah.
   double current_limit_deceleration = 2500;
-  double voltage_limit_deceleration = 2000;
+  double voltage_limit_deceleration = 2000;  ///< on its voltage limit
 };
 
 /// Services of a node that a drive uses.
@@ -91,10 +91,13 @@ class CarDriveUnit {
   CarDriveUnit(const CarDriveUnit&) = delete;
   CarDriveUnit& operator=(const CarDriveUnit&) = delete;
 
+  /// State of CiA 402, as the statusword has it.
   DriveState state() const { return state_; }
+  /// Mode of operation (6404h).
   cia402::DriveMode mode() const { return mode_; }
   /// Demanded state of the car at present, in increments from the encoder's zero.
   MotionState demand(Time now) const { return car_.demand(now); }
+  /// What the hardware reported last.
   const DriveReadings& readings() const { return car_.readings(); }
   /// True if the car is slower than the velocity threshold, and no profile moves it.
   bool is_standing() const { return car_.is_standing(); }

@@ -13,12 +13,14 @@
 
 namespace canvoy::cia417 {
 
+/// A fault that the drive itself detects.
 enum class DriveFault : std::uint8_t {
   overspeed,   ///< FF05h
   unintended,  ///< the car moves when it has to stand: FF06h
   following,   ///< it is too far from its demanded position: 8611h (CiA 402)
   hardware,    ///< with the code of the hardware
 };
+/// For loops.
 inline constexpr DriveFault all_drive_faults[] = {DriveFault::overspeed, DriveFault::unintended,
                                                   DriveFault::following, DriveFault::hardware};
 
@@ -29,10 +31,12 @@ constexpr bool is_dangerous_motion(std::uint16_t code) {
 
 class DriveFaults {
  public:
+  /// Makes a state without faults; `node` must outlive it, and reports them.
   explicit DriveFaults(Node& node) : node_(node) {}
   DriveFaults(const DriveFaults&) = delete;
   DriveFaults& operator=(const DriveFaults&) = delete;
 
+  /// True while a fault holds.
   bool has(DriveFault fault) const { return (present_ & bit(fault)) != 0; }
   /// True if one of them is overspeed or unintended movement.
   bool has_dangerous_motion() const {
@@ -40,6 +44,7 @@ class DriveFaults {
   }
   /// False if it exists already. `code` is that of the hardware's fault.
   bool add(DriveFault fault, std::uint16_t code = 0);
+  /// Ends all faults, and reports that: a fault reset.
   void end_all();
   /// Clears all faults: the node has restarted, without errors.
   void begin_anew() { present_ = 0; }

@@ -22,6 +22,7 @@ class DriveHold {
   DriveHold(const DriveHold&) = delete;
   DriveHold& operator=(const DriveHold&) = delete;
 
+  /// True while a node holds the drive.
   bool is_held() const { return holders_.any(); }
   /// Releases all nodes: those that have reported an error may have restarted without reporting its
   /// end.

@@ -64,8 +64,10 @@ enum class HomingMethod : std::int8_t {
   present_position = 37,  ///< and 35: the car does not move
 };
 
+/// One search, by one method.
 class HomingSearch {
  public:
+  /// Makes a search that has not begun.
   explicit HomingSearch(HomingMethod method) : method_(method) {}
 
   /// `up_is_positive`: increments grow when the car goes up.

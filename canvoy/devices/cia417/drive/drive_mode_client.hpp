@@ -29,6 +29,7 @@ class DriveModeClient {
   /// Discards the known mode: the drive has restarted.
   void forget() { known_.reset(); }
 
+  /// True with an SDO client.
   bool can_change() const { return client_ != nullptr; }
   /// The mode as far as it is known: no mode has the number 0.
   cia402::DriveMode now() const {

@@ -21,26 +21,26 @@ namespace canvoy::cia417 {
 /// Increments of the motor's encoder, and their changes per second, in one unit of the objects.
 /// Negative where 641Eh reverses it.
 struct DriveUnits {
-  double position = 1;
-  double velocity = 1;
-  double acceleration = 1;
-  double jerk = 1;
+  double position = 1;         ///< increments
+  double velocity = 1;         ///< increments per second
+  double acceleration = 1;     ///< increments per second squared
+  double jerk = 1;             ///< increments per second cubed
   double sensor_velocity = 1;  ///< in one unit of 6431h, in increments per second
 };
 
 /// Times and widths of 6435h to 6437h, as increments per second.
 struct DriveWindows {
-  double velocity_window = 0;
-  Duration velocity_window_time{};
-  double velocity_threshold = 0;
-  Duration velocity_threshold_time{};
-  std::optional<double> max_slippage = {};
+  double velocity_window = 0;               ///< around the target velocity
+  Duration velocity_window_time{};          ///< to have been in it
+  double velocity_threshold = 0;            ///< below: standstill
+  Duration velocity_threshold_time{};       ///< to have been below
+  std::optional<double> max_slippage = {};  ///< nothing: not limited
 };
 
 /// Deceleration of a motor on its current and on its voltage limit, in units of 640Ah.
 struct MotorLimits {
-  double current_deceleration = 2500;
-  double voltage_deceleration = 2000;
+  double current_deceleration = 2500;  ///< on its current limit
+  double voltage_deceleration = 2000;  ///< on its voltage limit
 };
 
 class DriveParameters {
@@ -54,9 +54,11 @@ class DriveParameters {
   /// Reads the values of the dictionary. Call it after a reset and after writes.
   void read();
 
+  /// Increments of one unit.
   const DriveUnits& units() const { return units_; }
   /// Converts units of position.
   double increments(double positions) const { return positions * std::abs(units_.position); }
+  /// Widths and times of velocities.
   const DriveWindows& windows() const { return windows_; }
   /// Ramp of travels and of stops on the slow-down ramp (6423h, 640Bh, 640Dh).
   const MotionLimits& ramps() const { return ramps_; }
@@ -69,22 +71,29 @@ class DriveParameters {
   MotionLimits stop_ramp(cia402::StopReaction reaction, double velocity) const;
   /// Increments per second, by 6408h; 0: not limited.
   double velocity_max() const { return velocity_max_; }
+  /// Velocity with which the car arrives at a set-point, in increments per second.
   double end_velocity() const { return end_velocity_; }
   /// Software limits (6422h), in increments from the home position.
   double position_min() const { return position_min_; }
+  /// The upper software limit.
   double position_max() const { return position_max_; }
   /// The equivalent position within the range of 6421h, both in units. The two ends of the range
   /// are adjacent.
   double in_range(double position) const;
   /// In increments: the home position, the reference of software limits, and the position 0.
   double home() const { return home_; }
+  /// Position 0 of the objects, in increments.
   double zero() const { return zero_; }
+  /// Counts positions from here on from these, after homing.
   void count_from(double home, double zero);
 
+  /// Reaction that 6402h selects by this sub-index.
   cia402::StopReaction option(unsigned sub) const;
+  /// Distance of position 0 from the home position, in units.
   std::int64_t home_offset() const { return number(0x6428, 0); }
   /// Setting of the velocity controller (6438h).
   std::uint16_t gain() const { return static_cast<std::uint16_t>(number(0x6438, 1)); }
+  /// Time constant of the velocity controller, in units of the maker.
   std::uint16_t integration_time() const { return static_cast<std::uint16_t>(number(0x6438, 2)); }
 
   /// True for modes and targets: these are no parameters, and may be written at any time.

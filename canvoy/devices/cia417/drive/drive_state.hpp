@@ -21,26 +21,27 @@ using cia402::DriveState;
 /// Bits of the controlword that request no state.
 namespace control_bit {
 inline constexpr std::uint16_t new_set_point = 0x0010;  ///< in homing mode: start
+/// Without waiting for the present target.
 inline constexpr std::uint16_t change_immediately = 0x0020;
-inline constexpr std::uint16_t relative = 0x0040;
-inline constexpr std::uint16_t fault_reset = 0x0080;
-inline constexpr std::uint16_t halt = 0x0100;
+inline constexpr std::uint16_t relative = 0x0040;     ///< 6420h is a distance
+inline constexpr std::uint16_t fault_reset = 0x0080;  ///< its rising edge resets a fault
+inline constexpr std::uint16_t halt = 0x0100;         ///< stops the car on its ramp
 }  // namespace control_bit
 
 /// Bits of the statusword beside those of the state.
 namespace status_bit {
-inline constexpr std::uint16_t voltage_enabled = 0x0010;
-inline constexpr std::uint16_t warning = 0x0080;
-inline constexpr std::uint16_t remote = 0x0200;
-inline constexpr std::uint16_t target_reached = 0x0400;
-inline constexpr std::uint16_t internal_limit = 0x0800;
+inline constexpr std::uint16_t voltage_enabled = 0x0010;  ///< the power stage has its supply
+inline constexpr std::uint16_t warning = 0x0080;          ///< a value is near its limit
+inline constexpr std::uint16_t remote = 0x0200;  ///< NMT state operational: the controlword counts
+inline constexpr std::uint16_t target_reached = 0x0400;  ///< or halted
+inline constexpr std::uint16_t internal_limit = 0x0800;  ///< the set-point was limited
 /// Bits 12 and 13 depend on the mode.
 inline constexpr std::uint16_t set_point_acknowledge = 0x1000;
-inline constexpr std::uint16_t speed_zero = 0x1000;
-inline constexpr std::uint16_t homing_attained = 0x1000;
-inline constexpr std::uint16_t following_error = 0x2000;
-inline constexpr std::uint16_t max_slippage = 0x2000;
-inline constexpr std::uint16_t homing_error = 0x2000;
+inline constexpr std::uint16_t speed_zero = 0x1000;       ///< in profile velocity mode
+inline constexpr std::uint16_t homing_attained = 0x1000;  ///< in homing mode
+inline constexpr std::uint16_t following_error = 0x2000;  ///< in profile position mode
+inline constexpr std::uint16_t max_slippage = 0x2000;     ///< in profile velocity mode
+inline constexpr std::uint16_t homing_error = 0x2000;     ///< in homing mode
 }  // namespace status_bit
 
 /// Nothing if bit 7 is set and the other bits would not stop the drive.

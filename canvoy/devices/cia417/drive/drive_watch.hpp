@@ -11,17 +11,20 @@ namespace canvoy::cia417 {
 
 /// Widths are units of position.
 struct DriveWatchLimits {
-  double overspeed_percent = 115;
-  double unintended_distance = 50;
-  double following_window = 200;
-  Duration following_time = 200ms;
+  double overspeed_percent = 115;   ///< of 6408h:01h
+  double unintended_distance = 50;  ///< while it has to stand
+  double following_window = 200;    ///< from the demanded position
+  Duration following_time = 200ms;  ///< beyond the window: a fault
 };
 
 class DriveWatch {
  public:
+  /// Makes a watch; nothing has lagged so far.
   explicit DriveWatch(const DriveWatchLimits& limits) : limits_(limits) {}
 
+  /// Starts again, after a reset.
   void begin_anew() { behind_.begin_anew(); }
+  /// True above the limit of overspeed.
   bool is_too_fast(const DrivenCar& car, const DriveParameters& parameters) const;
   /// True if it stood with the closed brake, and moves.
   bool strays(const DrivenCar& car, const DriveParameters& parameters) const;

@@ -28,6 +28,7 @@ class DrivenCar {
   /// Takes the readings. An encoder that returns may report a position jump: a change by more than
   /// `jitter` and more than the car can have moved is no movement. In increments.
   void sense(Time now, const DriveWindows& windows, double jitter);
+  /// What the hardware reported last.
   const DriveReadings& readings() const { return readings_; }
 
   /// Demanded state of the control loop at present.
@@ -36,11 +37,14 @@ class DrivenCar {
   MotionState present(Time now) const;
   /// Remaining time of the profile; negative: time since its end.
   double seconds_left(Time now) const { return profile_.duration() - seconds_since_start(now); }
+  /// True at the end of the profile and after it.
   bool has_ended(Time now) const { return seconds_left(now) <= 0; }
   /// Deviation from the profile, in increments; 0 with the closed brake.
   double lag(Time now) const;
 
+  /// True while the power stage is on.
   bool has_power() const { return has_power_; }
+  /// True while the brake is open, or opens.
   bool is_brake_released() const { return brake_released_; }
   /// True if it has been below the velocity threshold for its time.
   bool is_slow() const { return is_slow_; }
@@ -51,12 +55,15 @@ class DrivenCar {
   /// Takes the present position as that of its standstill.
   void settle() { stood_at_ = readings_.position; }
 
+  /// Switches the power stage; without it the motor turns freely.
   void switch_power(bool on);
+  /// Moves the car by a profile, from the opening of the brake on.
   void follow(const MotionProfile& profile, Time now);
   /// Slows down to a stop within `limits`.
   void slow_down(const MotionLimits& limits, Time now);
   /// Holds the car with the power stage.
   void hold(Time now);
+  /// Closes the brake at once, even if the car moves.
   void close_brake();
   /// Arrests the car by the device beside the brake.
   void arrest() { hardware_.arrest(); }

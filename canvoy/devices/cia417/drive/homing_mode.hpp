@@ -15,9 +15,10 @@
 
 namespace canvoy::cia417 {
 
+/// Method and limits of a search.
 struct HomingSettings {
-  HomingMethod method = HomingMethod::home_switch_below;
-  double velocity = 100;  ///< in units of 6430h
+  HomingMethod method = HomingMethod::home_switch_below;  ///< by which it is found
+  double velocity = 100;                                  ///< in units of 6430h
   double travel = 0;  ///< distance between the ends of the shaft, in units of position; 0: unknown
   Duration time_max = 5min;  ///< of a search if the distance is unknown
 };
@@ -38,12 +39,15 @@ class HomingMode {
   void start(bool is_halted, Time now);
   /// Ends the search on a command of the controlword.
   void cancel(Time now);
+  /// True while the car searches.
   bool is_under_way() const { return step_ != Step::idle; }
   /// Returns whether the search has succeeded when the car has come to a standstill; nothing before
   /// that, and once only.
   std::optional<bool> look(Time now);
 
+  /// True once a home position was found.
   bool has_homed() const { return has_homed_; }
+  /// True if the last search has failed.
   bool has_failed() const { return has_failed_; }
 
  private:

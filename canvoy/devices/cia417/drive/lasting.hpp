@@ -12,6 +12,7 @@ namespace canvoy::cia417 {
 
 class Lasting {
  public:
+  /// Takes whether the condition holds at present.
   void watch(bool is_so, Time now) {
     if (!is_so) {
       since_ = never;
@@ -19,7 +20,9 @@ class Lasting {
       since_ = now;
     }
   }
+  /// True if it has held for `time`, until now.
   bool lasts(Duration time, Time now) const { return since_ != never && now - since_ >= time; }
+  /// Starts again: it has not held.
   void begin_anew() { since_ = never; }
 
  private:

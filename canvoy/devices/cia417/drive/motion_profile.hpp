@@ -18,10 +18,11 @@
 
 namespace canvoy::cia417 {
 
+/// State at one moment; units are those of the caller, and seconds.
 struct MotionState {
-  double position = 0;
-  double velocity = 0;
-  double acceleration = 0;
+  double position = 0;      ///< upwards
+  double velocity = 0;      ///< units per second
+  double acceleration = 0;  ///< units per second squared
 
   friend constexpr bool operator==(const MotionState&, const MotionState&) = default;
 };
@@ -31,16 +32,16 @@ struct MotionLimits {
   /// Limits of the four bends of the velocity, A to D of figure 1; 0: not limited, the acceleration
   /// jumps. E and F are C and D of a separate profile, from the end velocity to a stop.
   struct Jerks {
-    double start_acceleration = 0;
-    double end_acceleration = 0;
-    double start_deceleration = 0;
-    double end_deceleration = 0;
+    double start_acceleration = 0;  ///< A
+    double end_acceleration = 0;    ///< B
+    double start_deceleration = 0;  ///< C
+    double end_deceleration = 0;    ///< D
   };
 
-  double velocity = 1;
-  double acceleration = 1;
-  double deceleration = 1;
-  Jerks jerk = {};
+  double velocity = 1;      ///< the greatest, in either direction
+  double acceleration = 1;  ///< the greatest, gaining speed
+  double deceleration = 1;  ///< the greatest, losing speed
+  Jerks jerk = {};          ///< 0: the acceleration jumps
   /// Linear ramps have no jerk. The other two are ramps of one piece, from acceleration 0 to
   /// acceleration 0; a profile that starts with an acceleration is jerk-limited.
   cia402::ProfileType type = cia402::ProfileType::jerk_limited;
@@ -50,6 +51,7 @@ class MotionProfile {
  public:
   /// At rest at 0.
   MotionProfile() = default;
+  /// A profile that stays at a position.
   static MotionProfile resting_at(double position);
 
   /// Moves to `target` with `end_velocity`, or less if the distance is too short to reach it. If

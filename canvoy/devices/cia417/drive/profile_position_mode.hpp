@@ -35,6 +35,7 @@ class ProfilePositionMode {
   /// nothing without a change.
   std::optional<bool> look(Time now);
 
+  /// True from the take-over of a set-point to the falling edge of bit 4 (bit 12).
   bool is_acknowledged() const { return is_acknowledged_; }
   /// True if the set-point is beyond a software limit (6422h), at which the car stops.
   bool is_limited() const { return is_limited_; }

@@ -19,6 +19,7 @@ namespace canvoy::cia417 {
 /// Positions, velocities and their changes are in units of the drive.
 class SeenCar {
  public:
+  /// Units of the two devices.
   struct Units {
     std::int32_t drive_micrometre = 1000;    ///< of 6433h
     std::int32_t position_micrometre = 100;  ///< one count of 6383h
@@ -27,7 +28,9 @@ class SeenCar {
   SeenCar(Dictionary& dictionary, unsigned lift, const Units& units)
       : velocity_(dictionary, lift), position_(dictionary, lift), units_(units) {}
 
+  /// Velocity that the drive reported last.
   double velocity() const { return velocity_.raw(); }
+  /// Position that the position unit reported last, in units of the drive.
   double position() const;
   /// True if it is faster than the jitter of an encoder.
   bool moves() const;
@@ -44,6 +47,7 @@ class SeenCar {
 
   /// Starts to monitor whether its position changes while it moves.
   void watch_anew(Time now);
+  /// True if its position has changed since watch_anew().
   bool has_moved() const;
   /// True if it has not changed for `time`: a dead encoder always sends the same position.
   bool is_encoder_dead(Duration time, Time now) const {

@@ -21,19 +21,22 @@
 
 namespace canvoy::cia417 {
 
+/// A passenger who names a destination on a landing.
 struct DestinationCall {
-  std::uint8_t source = 0;
-  std::uint8_t target = 0;
-  DoorMask source_doors = 1;
-  DoorMask target_doors = 0;  ///< 0: any door of the car there
-  CallPriority priority = CallPriority::standard;
-  LiftMask lifts = 0xFF;  ///< lifts that may answer it
-  bool to_floor = false;  ///< call to a destination floor: 0Bh to 0Dh
+  std::uint8_t source = 0;                         ///< floor, from 1
+  std::uint8_t target = 0;                         ///< floor, from 1
+  DoorMask source_doors = 1;                       ///< doors at which the passenger waits
+  DoorMask target_doors = 0;                       ///< 0: any door of the car there
+  CallPriority priority = CallPriority::standard;  ///< of the call
+  LiftMask lifts = 0xFF;                           ///< lifts that may answer it
+  bool to_floor = false;                           ///< call to a destination floor: 0Bh to 0Dh
 
+  /// Direction of the travel.
   Direction direction() const { return target > source ? Direction::up : Direction::down; }
   friend constexpr bool operator==(const DestinationCall&, const DestinationCall&) = default;
 };
 
+/// Weights of the assignment.
 struct DestinationSettings {
   /// Weight of the delay of another passenger against the passenger's own time, in percent. With a
   /// higher value, a passenger who comes to a car with open doors is sent to a later one to spare
@@ -55,13 +58,14 @@ class DestinationDispatcher {
  public:
   /// The passengers from one floor to another in one car. The owner provides the memory.
   struct Slot {
-    DestinationCall call{};
-    std::uint8_t lift = 0;  ///< 1 to 8; 0: none yet
-    std::uint8_t persons = 0;
+    DestinationCall call{};    ///< the same for all of them
+    std::uint8_t lift = 0;     ///< 1 to 8; 0: none yet
+    std::uint8_t persons = 0;  ///< 1 to 255
   };
+  /// Outcome of add().
   struct Answer {
-    DispatchAnswer answer = DispatchAnswer::refused;
-    std::uint8_t lift = 0;
+    DispatchAnswer answer = DispatchAnswer::refused;  ///< whether a lift takes it
+    std::uint8_t lift = 0;                            ///< 1 to 8; 0: none
     friend constexpr bool operator==(const Answer&, const Answer&) = default;
   };
 
@@ -84,6 +88,7 @@ class DestinationDispatcher {
   /// The plans of this dispatcher, for others.
   OtherPlans plans();
 
+  /// Adds one passenger, and assigns a lift if one has room.
   Answer add(const DestinationCall& call);
   /// A lift leaves a floor in this direction, where it has opened these doors: passengers who
   /// waited for it there are in it, and those who wanted to go there are out. `boarded` is called
@@ -92,6 +97,7 @@ class DestinationDispatcher {
                 Callback<void(const DestinationCall&)> boarded = {});
   /// The car call of that floor is done or cancelled.
   void alighted(unsigned lift, std::uint8_t floor);
+  /// Discards all passengers, after a reset.
   void remove_all() { count_ = riding_ = 0; }
   /// Call it after lifts have left service or returned.
   void service_changed();

@@ -24,6 +24,7 @@ inline constexpr NodeId group_controller_id = 17;
 inline constexpr std::uint32_t group_input_cob_id = 0x480;   ///< + node-ID
 inline constexpr std::uint32_t group_output_cob_id = 0x400;  ///< + lift; of the group controller
 
+/// An object of 48 bits for a record that was received.
 constexpr ObjectInfo received_record(std::uint16_t index, std::string_view name) {
   return {.index = index,
           .name = name,
@@ -35,10 +36,14 @@ constexpr ObjectInfo received_record(std::uint16_t index, std::string_view name)
                     .initial = 0,
                     .value = hexadecimal}};
 }
+/// 6010h of another node.
 inline constexpr ObjectInfo group_input_object = received_record(0x2010, "Group input");
+/// 6011h of another node.
 inline constexpr ObjectInfo group_output_object = received_record(0x2011, "Group output");
 
+/// Of a TPDO's 6010h at the receiver.
 inline constexpr std::uint32_t group_input_pdo[] = {mapped_value(group_input_object)};
+/// Of a TPDO's 6011h at the receiver.
 inline constexpr std::uint32_t group_output_pdo[] = {mapped_value(group_output_object)};
 
 namespace detail {
@@ -106,10 +111,11 @@ constexpr auto group_node() {
 /// heartbeat later at most. Therefore the lift sends its whole state again when it receives the
 /// group controller again.
 inline constexpr std::uint16_t group_heartbeat_ms = 300;
-inline constexpr std::uint16_t group_lost_ms = 1000;
+inline constexpr std::uint16_t group_lost_ms = 1000;  ///< silence of the group controller
+/// Silence of a lift.
 inline constexpr std::uint16_t member_lost_ms = group_lost_ms + group_heartbeat_ms + 100;
 
-inline constexpr DeviceInfo group_member_info = {.name = "lift-group-member",
+inline constexpr DeviceInfo group_member_info = {.name = "lift-group-member",  ///< of the catalogue
                                                  .title = "lift controller on the group's bus",
                                                  .product = "Canvoy CiA 417 group member",
                                                  .product_code = 41700,
@@ -124,6 +130,7 @@ inline constexpr auto full_group_member =
              cia301::sync_consumer(), cia301::heartbeat_producer(group_heartbeat_ms),
              watched_nodes<group_lost_ms, group_controller_id>, cia301::emergency(),
              cia301::error_history(8), cia301::error_behavior().initial(1, keeps_state));
+/// Of the catalogue.
 inline constexpr DeviceInfo group_controller_info = {.name = "lift-group-controller",
                                                      .title = "group controller of up to 8 lifts",
                                                      .product = "Canvoy CiA 417 group controller",

@@ -25,23 +25,24 @@
 
 namespace canvoy::cia417 {
 
+/// Settings of a group controller.
 struct GroupControllerSettings {
   unsigned lifts = 8;  ///< lift 1 and up
   /// Fixed data of each lift: the floors that it serves, its times and its size.
   std::array<GroupLift, group_lifts_max> lift{};
-  DispatchSettings hall{};
-  DestinationSettings destination{};
-  UpPeakSettings up_peak{};
-  Duration reconsider = 5s;   ///< period in which calls are compared with other lifts
-  Duration tells_again = 1s;  ///< delay after the return of a lift
+  DispatchSettings hall{};            ///< of hall calls
+  DestinationSettings destination{};  ///< of destination calls
+  UpPeakSettings up_peak{};           ///< of the main floor
+  Duration reconsider = 5s;           ///< period in which calls are compared with other lifts
+  Duration tells_again = 1s;          ///< delay after the return of a lift
 };
 
 /// All sizes are set by the owner.
 struct GroupControllerMemory {
-  std::span<HallDispatcher::Slot> hall_calls;
-  std::span<DestinationDispatcher::Slot> destinations;
-  std::span<std::uint64_t> assignments;       ///< waiting for the bus
-  std::span<std::uint64_t> acknowledgements;  ///< of destination calls
+  std::span<HallDispatcher::Slot> hall_calls;           ///< calls that wait, one for each door
+  std::span<DestinationDispatcher::Slot> destinations;  ///< passengers that wait or ride, by floors
+  std::span<std::uint64_t> assignments;                 ///< waiting for the bus
+  std::span<std::uint64_t> acknowledgements;            ///< of destination calls
 };
 
 class GroupController {
@@ -54,7 +55,9 @@ class GroupController {
 
   /// `lift` is 1 to 8.
   const GroupLift& lift(unsigned lift) const { return lifts_[lift - 1]; }
+  /// Hall calls, and their lifts.
   const HallDispatcher& hall_calls() const { return hall_; }
+  /// Passengers with a destination, and their lifts.
   const DestinationDispatcher& destinations() const { return destinations_; }
   /// Number of calls without memory. Panels were notified that they are not affirmed.
   std::uint32_t calls_without_room() const { return calls_without_room_; }

@@ -18,8 +18,11 @@
 
 namespace canvoy::cia417 {
 
+/// For GroupMemberDevice.
 inline constexpr auto full_group_member_layout = lay_out_device<full_group_member>();
+/// For GroupControllerDevice.
 inline constexpr auto full_group_controller_layout = lay_out_device<full_group_controller>();
+/// Tables of multiplexed_group_controller.
 template <MpdoMode mode>
 inline constexpr auto multiplexed_group_controller_layout =
     lay_out_device<multiplexed_group_controller<mode>>();
@@ -40,8 +43,11 @@ class GroupMemberDevice : public DeviceValues<GroupMemberDevice<layout, queue_ma
         Callback<void(ResetScope)>::to<&GroupMemberDevice::restored>(*this));
   }
 
+  /// The node on the bus of the group.
   Node& node() { return device_.node(); }
+  /// Sends errors of the device.
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
+  /// Behaviour on the bus of the group.
   GroupMember& member() { return member_; }
 
  private:
@@ -69,6 +75,7 @@ class GroupControllerDevice
           GroupControllerDevice<layout, hall_max, destinations_max, queue_max, own_routes>,
           layout> {
  public:
+  /// Makes the device; the context of `port` must outlive it.
   explicit GroupControllerDevice(const Port& port, const GroupControllerSettings& settings,
                                  NodeId node_id = group_controller_id)
       : device_(port, node_id, true),
@@ -78,9 +85,13 @@ class GroupControllerDevice
         Callback<void(ResetScope)>::to<&GroupControllerDevice::restored>(*this));
   }
 
+  /// The node of the device.
   Node& node() { return device_.node(); }
+  /// Sends errors of the device.
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
+  /// Behaviour of the group controller.
   GroupController& group() { return group_; }
+  /// Behaviour of the group controller.
   const GroupController& group() const { return group_; }
 
  private:

@@ -22,9 +22,10 @@
 
 namespace canvoy::cia417 {
 
+/// The lift, and its group controller.
 struct GroupMemberSettings {
-  unsigned lift = 1;  ///< 1 to 8
-  NodeId group_controller = group_controller_id;
+  unsigned lift = 1;                              ///< 1 to 8
+  NodeId group_controller = group_controller_id;  ///< monitored by its heartbeat
 };
 
 class GroupMember {
@@ -38,6 +39,7 @@ class GroupMember {
   GroupMember(const GroupMember&) = delete;
   GroupMember& operator=(const GroupMember&) = delete;
 
+  /// True while the group controller is received.
   bool is_in_group() const { return is_in_group_; }
   /// Called when the lift has changed, in place of LiftController::on_change.
   void on_change(Callback<void()> changed) { changed_ = changed; }

@@ -18,15 +18,16 @@ namespace canvoy::cia417 {
 
 /// The request of a passenger on a landing.
 struct HallCall {
-  std::uint8_t floor = 0;
-  Direction direction = Direction::none;  ///< none: the button gives no direction
-  DoorMask doors = 1;
-  CallPriority priority = CallPriority::standard;
-  LiftMask lifts = 0xFF;  ///< lifts that may answer it
+  std::uint8_t floor = 0;                          ///< from 1
+  Direction direction = Direction::none;           ///< none: the button gives no direction
+  DoorMask doors = 1;                              ///< at which the passenger waits
+  CallPriority priority = CallPriority::standard;  ///< of the call
+  LiftMask lifts = 0xFF;                           ///< lifts that may answer it
 
   friend constexpr bool operator==(const HallCall&, const HallCall&) = default;
 };
 
+/// Outcome of a call.
 enum class DispatchAnswer : std::uint8_t {
   assigned,  ///< to a lift, at present or before
   waits,     ///< for a lift that could answer it, and is out of service
@@ -34,6 +35,7 @@ enum class DispatchAnswer : std::uint8_t {
   no_room,
 };
 
+/// Weights of the assignment.
 struct DispatchSettings {
   /// Weight of the delay of others: 0 to 100 %.
   unsigned courtesy_percent = 30;
@@ -49,7 +51,7 @@ class HallDispatcher {
  public:
   /// A call at one door. The owner provides the memory.
   struct Slot {
-    HallCall call{};
+    HallCall call{};        ///< with one door
     std::uint8_t lift = 0;  ///< 1 to 8; 0: none
   };
 
@@ -79,6 +81,7 @@ class HallDispatcher {
   void answered(unsigned lift, const Landing& landing, DoorMask doors);
   /// Cancels the call.
   void remove(const HallCall& call);
+  /// Discards all calls, after a reset.
   void remove_all() { count_ = 0; }
 
   /// Call it after lifts have left service or returned.
@@ -86,6 +89,7 @@ class HallDispatcher {
   /// Call it from time to time: assigns calls to lifts that have become much sooner.
   void reconsider();
 
+  /// Calls that wait, with their lifts.
   std::span<const Slot> calls() const { return slots_.first(count_); }
   /// All of the lift's stops: of passengers in the car, of the calls assigned to it, and of other
   /// plans.

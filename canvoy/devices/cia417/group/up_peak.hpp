@@ -18,8 +18,9 @@
 
 namespace canvoy::cia417 {
 
+/// Settings of up-peak traffic.
 struct UpPeakSettings {
-  std::uint8_t main_floor = 1;
+  std::uint8_t main_floor = 1;  ///< from 1, where passengers come in
   /// Maximum number of cars that fill there at the same time; 0 or 1: each waits for a call after
   /// the last one has left.
   unsigned cars_max = 2;
@@ -38,6 +39,7 @@ class UpPeak {
   UpPeak(std::span<const GroupLift> lifts, const UpPeakSettings& settings)
       : lifts_(lifts), settings_(settings) {}
 
+  /// Discards what has happened, after a reset.
   void reset();
   /// Takes a call: those at the main floor in direction up count.
   void called(Time now, const HallCall& call);

@@ -20,15 +20,16 @@ constexpr Enumeration field_of(std::uint16_t word, const Handle& /*handle*/) {
 
 /// A controlword. Fields that are not set change nothing.
 struct DoorOrder {
-  DoorCommand command = DoorCommand::no_action;
-  DoorVelocity velocity = DoorVelocity::no_action;
-  Disabling motion_detector = Disabling::no_action;
-  Disabling finger_protector = Disabling::no_action;
-  Disabling lock = Disabling::no_action;
-  Enabling battery_power = Enabling::no_action;
+  DoorCommand command = DoorCommand::no_action;       ///< open, close, stop, reset
+  DoorVelocity velocity = DoorVelocity::no_action;    ///< profile or reduced speed
+  Disabling motion_detector = Disabling::no_action;   ///< off or on
+  Disabling finger_protector = Disabling::no_action;  ///< off or on
+  Disabling lock = Disabling::no_action;              ///< off: the closed door does not lock
+  Enabling battery_power = Enabling::no_action;       ///< whether the door may use it
 
   friend constexpr bool operator==(const DoorOrder&, const DoorOrder&) = default;
 
+  /// Value of 6300h.
   constexpr std::uint16_t word() const {
     return static_cast<std::uint16_t>(Assembled(door_controlword, 0xFFFF)
                                           .set(door_command, command)
@@ -39,6 +40,7 @@ struct DoorOrder {
                                           .set(battery_power_command, battery_power)
                                           .raw());
   }
+  /// Takes a value of 6300h apart.
   static constexpr DoorOrder of(std::uint16_t word) {
     return {.command = field_of<DoorCommand>(word, door_command),
             .velocity = field_of<DoorVelocity>(word, door_velocity),
@@ -51,16 +53,17 @@ struct DoorOrder {
 
 /// A statusword. Fields that are not set are not available.
 struct DoorReport {
-  DoorState state = DoorState::not_available;
-  Detection force_limit = Detection::not_available;
-  Detection motion_detector = Detection::not_available;
-  Detection finger_protector = Detection::not_available;
-  Detection lock = Detection::not_available;
-  Detection battery_power = Detection::not_available;
-  Detection safety_contact = Detection::not_available;
+  DoorState state = DoorState::not_available;             ///< open, closed, moving
+  Detection force_limit = Detection::not_available;       ///< an obstacle, felt by the drive
+  Detection motion_detector = Detection::not_available;   ///< someone approaches
+  Detection finger_protector = Detection::not_available;  ///< a finger is near the leaf
+  Detection lock = Detection::not_available;              ///< yes: locked
+  Detection battery_power = Detection::not_available;     ///< yes: in use
+  Detection safety_contact = Detection::not_available;    ///< yes: closed
 
   friend constexpr bool operator==(const DoorReport&, const DoorReport&) = default;
 
+  /// Value of 6301h.
   constexpr std::uint16_t word() const {
     return static_cast<std::uint16_t>(Assembled(door_statusword)
                                           .set(door_state, state)
@@ -72,6 +75,7 @@ struct DoorReport {
                                           .set(cia417::safety_contact, safety_contact)
                                           .raw());
   }
+  /// Takes a value of 6301h apart.
   static constexpr DoorReport of(std::uint16_t word) {
     return {.state = field_of<DoorState>(word, door_state),
             .force_limit = field_of<Detection>(word, cia417::force_limit),
@@ -83,12 +87,15 @@ struct DoorReport {
   }
 };
 
+/// True for a door at its closed end, locked or not.
 constexpr bool is_closed(DoorState state) {
   return state == DoorState::closed_with_torque || state == DoorState::closed_without_torque;
 }
+/// True for a door at its open end.
 constexpr bool is_open(DoorState state) {
   return state == DoorState::opened_with_torque || state == DoorState::opened_without_torque;
 }
+/// True for a door that opens or closes.
 constexpr bool is_moving(DoorState state) {
   return state == DoorState::closing || state == DoorState::opening ||
          state == DoorState::re_opening;

@@ -16,6 +16,7 @@ namespace canvoy::cia417 {
 /// For a device that belongs to no single lift: a panel, a sensor unit.
 class BusBehaviour {
  public:
+  /// Attaches to the node of the device.
   template <class Unit>
   BusBehaviour(Node& node, Unit& /*unit*/) : bus_warning_(node) {}
 
@@ -27,6 +28,7 @@ class BusBehaviour {
 /// refuses_lift_number(), and is notified of it by lift_changed().
 class LiftBehaviour {
  public:
+  /// Attaches to the node of the device; `unit` must outlive this.
   template <class Unit>
   LiftBehaviour(Node& node, Unit& unit) : bus_warning_(node), lift_number_(node, settings(unit)) {}
 
@@ -49,7 +51,7 @@ class LiftBehaviour {
 
 template <class UnitType, class HardwareType, class SettingsType>
 struct LiftKind : KindOf<UnitType, HardwareType, SettingsType> {
-  using ProfileBehaviour = LiftBehaviour;
+  using ProfileBehaviour = LiftBehaviour;  ///< lift number and warnings
 
   template <const auto& device>
   static constexpr auto lay_out() {
@@ -68,6 +70,6 @@ constexpr auto lift_basics(const DeviceInfo& info, std::uint16_t heartbeat_ms,
       cia301::error_history(errors_kept));
 }
 
-inline constexpr LiftDeviceOptions first_door = {.doors = 0b0001};
+inline constexpr LiftDeviceOptions first_door = {.doors = 0b0001};  ///< a device of door 1 only
 
 }  // namespace canvoy::cia417

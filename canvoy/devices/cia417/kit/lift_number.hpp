@@ -26,6 +26,7 @@
 
 namespace canvoy::cia417 {
 
+/// What a device has to do with several lifts.
 struct LiftNumberSettings {
   bool several = false;  ///< it belongs to several lifts
   /// Abort code if the number may not change at present.

@@ -20,26 +20,27 @@ namespace canvoy::cia417 {
 /// Objects of which the sub-indices 1 to `highest_sub` can be created. Sub-index 0 exists while one
 /// of the others exists, and is the highest of them.
 struct CreatableObjects {
-  std::uint16_t first = 0;
-  std::uint16_t last = 0;
-  std::uint8_t highest_sub = 0;
+  std::uint16_t first = 0;        ///< the lowest index
+  std::uint16_t last = 0;         ///< the highest index, included
+  std::uint8_t highest_sub = 0;   ///< from 1 on
   Access specified = Access::ro;  ///< sdo_read and sdo_write count
 };
 
 /// A created object; the owner of ObjectCreation provides the memory.
 struct CreatedObject {
-  std::uint16_t index = 0;  ///< A value written to 6020h.
-  std::uint8_t sub = 0;
-  CreatedAccess access = CreatedAccess::as_specified;
+  std::uint16_t index = 0;                             ///< A value written to 6020h.
+  std::uint8_t sub = 0;                                ///< of the entry
+  CreatedAccess access = CreatedAccess::as_specified;  ///< that the client asked for
 };
 
 /// What is written into 6020h.
 struct CreationRequest {
-  std::uint16_t index = 0;
-  std::uint8_t sub = 0;
-  CreatedAccess access = CreatedAccess::as_specified;
-  std::uint8_t action = 0;  ///< see Creation; 0 and 3 are reserved
+  std::uint16_t index = 0;                             ///< index of the entry
+  std::uint8_t sub = 0;                                ///< sub-index of the entry
+  CreatedAccess access = CreatedAccess::as_specified;  ///< that the entry gets
+  std::uint8_t action = 0;                             ///< see Creation; 0 and 3 are reserved
 };
+/// Takes a value written to 6020h apart.
 constexpr CreationRequest decode_creation(std::uint32_t value) {
   return {.index = static_cast<std::uint16_t>(value >> 16),
           .sub = static_cast<std::uint8_t>(value >> 8),
@@ -59,6 +60,7 @@ class ObjectCreation {
   ObjectCreation(const ObjectCreation&) = delete;
   ObjectCreation& operator=(const ObjectCreation&) = delete;
 
+  /// True if the entry was created, and not destroyed since.
   bool is_created(std::uint16_t index, std::uint8_t sub) const {
     return find(index, sub) != nullptr;
   }

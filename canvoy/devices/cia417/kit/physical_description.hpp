@@ -23,6 +23,7 @@ struct PhysicalOptions {
   bool creates_objects = false;  ///< it has 6020h
 };
 
+/// True if a mask of lifts has lift 1 to 8.
 constexpr bool has_lift(unsigned lifts, unsigned lift) {
   return (lifts >> (lift - 1) & 1) != 0;
 }
@@ -66,6 +67,7 @@ constexpr bool is_pdo_of_physical(const PdoInfo& pdo) {
   }(pdo, std::make_index_sequence<lift_count>{});
 }
 
+/// Adds the pre-defined PDOs of virtual devices for each lift.
 template <PhysicalOptions options, VirtualDevice... devices, std::size_t capacity>
 constexpr void add_physical_pdos(DeviceDescription<capacity>& parts) {
   constexpr auto is_mine = [](const PdoInfo& pdo) {
@@ -101,6 +103,7 @@ class DeviceTypes {
   }
 
  public:
+  /// 6000h, with the types of these devices.
   static constexpr ObjectInfo object = with_entries(supported_virtual_device_types_object);
 };
 

@@ -16,6 +16,7 @@
 
 namespace canvoy::cia417 {
 
+/// Direction of travel; none: at rest, or of no importance.
 enum class Direction : std::int8_t { down = -1, none = 0, up = 1 };
 
 /// The opposite of up or down.
@@ -28,11 +29,12 @@ struct CollectiveCar {
   std::uint8_t floor = 1;
   /// Its direction, or the one shown to passengers who got in.
   Direction direction = Direction::none;
-  bool moving = false;
+  bool moving = false;  ///< between floors
   /// False when it is full, or serves only car calls.
   bool takes_hall_calls = true;
 };
 
+/// Result of a search.
 struct NextStop {
   std::uint8_t floor = 0;                 ///< 0: no call
   Direction departure = Direction::none;  ///< direction in which it leaves, for the lantern

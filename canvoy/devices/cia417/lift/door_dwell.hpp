@@ -18,6 +18,7 @@ namespace canvoy::cia417 {
 
 class DoorDwell {
  public:
+  /// Forgets the stop.
   void begin_anew() { *this = {}; }
   /// Starts a stop.
   void begin(Duration dwell) {
@@ -26,13 +27,16 @@ class DoorDwell {
   }
   /// Closing doors open again.
   void open_again(Duration dwell) { dwell_ = dwell; }
+  /// Notes that the doors are open: the longest time begins here.
   void opened(Time now) {
     if (tries_ == 0) opened_at_ = now;
     is_held_ = false;
     until_ = now + dwell_;
   }
+  /// Keeps the doors open until then at least.
   void prolong(Time until) { until_ = std::max(until_, until); }
   void end(Time now) { until_ = std::min(until_, now); }
+  /// Notes that the doors are closed: the stop has ended.
   void closed() {
     tries_ = 0;
     is_nudging_ = false;
@@ -55,6 +59,7 @@ class DoorDwell {
   }
   /// Time of the next check.
   Time next(Duration nudging) const { return std::min(until_, nudges_at(nudging)); }
+  /// True if the doors close by nudging at this stop.
   bool is_nudging() const { return is_nudging_; }
   /// True if the button for door open is held, and not for too long.
   bool obeys_button(bool is_held) {

@@ -14,18 +14,22 @@ namespace canvoy::cia417 {
 /// Floor 0 is no floor: it is in no set, and is the result if there is none.
 class FloorSet {
  public:
-  static constexpr unsigned floor_max = 254;
+  static constexpr unsigned floor_max = 254;  ///< floors of a building in CiA 417
+  /// True for 1 to 254.
   static constexpr bool is_floor(unsigned floor) { return floor >= 1 && floor <= floor_max; }
 
   /// Floors that do not exist are ignored.
   constexpr void insert(unsigned floor) {
     if (is_floor(floor)) words_[floor / 32] |= bit(floor);
   }
+  /// Removes a floor.
   constexpr void erase(unsigned floor) {
     if (is_floor(floor)) words_[floor / 32] &= ~bit(floor);
   }
+  /// Removes all floors.
   constexpr void clear() { words_ = {}; }
 
+  /// True if a floor is in the set; false for 0.
   constexpr bool contains(unsigned floor) const {
     return is_floor(floor) && (words_[floor / 32] & bit(floor)) != 0;
   }
@@ -54,7 +58,9 @@ class FloorSet {
       if (i-- == 0) return 0;
     }
   }
+  /// The lowest floor; 0 if the set is empty.
   constexpr std::uint8_t lowest() const { return next_up(1); }
+  /// The highest floor; 0 if the set is empty.
   constexpr std::uint8_t highest() const { return next_down(floor_max); }
 
   constexpr FloorSet& operator|=(const FloorSet& other) {

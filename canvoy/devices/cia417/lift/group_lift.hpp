@@ -15,8 +15,8 @@
 
 namespace canvoy::cia417 {
 
-inline constexpr unsigned group_lifts_max = 8;
-inline constexpr unsigned lift_doors_max = 4;
+inline constexpr unsigned group_lifts_max = 8;  ///< a bit each in the records
+inline constexpr unsigned lift_doors_max = 4;   ///< a bit each in the records
 /// Lifts of a group, see lift_bit().
 using LiftMask = std::uint8_t;
 
@@ -29,16 +29,16 @@ struct TravelTimes {
 struct GroupLift {
   /// True if it takes hall calls: not while it is faulty, in a separate service, or not received.
   bool in_service = false;
-  bool full = false;
+  bool full = false;  ///< takes no further passengers
   /// Floor at which it stands; while it moves, the first floor at which it can still stop.
   std::uint8_t floor = 1;
-  Direction direction = Direction::none;
+  Direction direction = Direction::none;  ///< of its present travel
   /// Calls of passengers in the car.
   FloorSet car_calls{};
   /// Floors with a door, for each door.
   std::array<FloorSet, lift_doors_max> served{};
-  std::uint8_t persons_max = 13;
-  TravelTimes times{};
+  std::uint8_t persons_max = 13;  ///< of the car, by its size
+  TravelTimes times{};            ///< of its doors and its drive
 
   /// True if it has all these doors there, and at least one is given.
   bool serves(std::uint8_t floor_wanted, DoorMask doors) const;
@@ -51,24 +51,27 @@ struct GroupLift {
 
 /// The location of a passenger who waits for the car.
 struct Landing {
-  std::uint8_t floor = 0;
+  std::uint8_t floor = 0;                 ///< from 1
   Direction direction = Direction::none;  ///< wanted direction; none: not known
 };
 
 /// A car and its stops.
 struct Route {
-  std::uint8_t floor = 1;
-  Direction direction = Direction::none;
-  FloorSet stops_up{};    ///< stops on its way up
-  FloorSet stops_down{};  ///< stops on its way down
+  std::uint8_t floor = 1;                 ///< the present one, or the next
+  Direction direction = Direction::none;  ///< of the travel
+  FloorSet stops_up{};                    ///< stops on its way up
+  FloorSet stops_down{};                  ///< stops on its way down
   /// Stops in its direction after it has turned twice: of passengers who wait behind it, and their
   /// destinations.
   FloorSet stops_later{};
 
+  /// All stops of this round trip.
   FloorSet stops() const { return stops_up | stops_down; }
+  /// All stops, of the next round trip too.
   FloorSet all() const { return stops() | stops_later; }
   /// Stops of the section in which it reaches a landing.
   FloorSet& stops_of(const Landing& landing);
+  /// Stops in the direction of a landing.
   const FloorSet& stops_of(const Landing& landing) const;
 };
 /// The stops for the passengers in the car.

@@ -15,6 +15,7 @@ namespace canvoy::cia417 {
 
 class HandDrive {
  public:
+  /// Starts with released buttons.
   void begin_anew() { *this = {}; }
   /// Call it when something else has stopped the car.
   void stop() { direction_ = 0; }

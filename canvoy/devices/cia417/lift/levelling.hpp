@@ -15,7 +15,9 @@ class Levelling {
   /// After a failure, the lift continues for this time before the next attempt.
   static constexpr Duration pause = 1s;
 
+  /// True while the car returns to its floor.
   bool is_under_way() const { return is_under_way_; }
+  /// Earliest time for the next correction.
   Time may_begin_at() const { return may_begin_at_; }
   void begin() { is_under_way_ = true; }
   void end(Time now) {

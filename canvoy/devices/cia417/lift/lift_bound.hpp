@@ -15,8 +15,9 @@ namespace canvoy::cia417 {
 template <const auto& handle>
 class LiftBound : public std::remove_cvref_t<decltype(handle)>::Reference {
  public:
-  using Reference = typename std::remove_cvref_t<decltype(handle)>::Reference;
+  using Reference = typename std::remove_cvref_t<decltype(handle)>::Reference;  ///< of the handle
 
+  /// Looks the value of lift 1 to 8 up, at a sub-index other than the handle's if `sub` is not 0.
   LiftBound(Dictionary& dictionary, unsigned lift, unsigned sub = 0)
       : Reference(dictionary, in_lift(lift, handle).index(),
                   sub == 0 ? handle.sub() : handle[sub].sub()) {}

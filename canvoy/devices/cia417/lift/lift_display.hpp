@@ -18,22 +18,24 @@ namespace canvoy::cia417 {
 
 /// A bit for each SpecialIndication.
 using SpecialIndications = std::uint16_t;
+/// Bit of an indication in a set of them.
 constexpr SpecialIndications indication_bit(SpecialIndication indication) {
   return static_cast<SpecialIndications>(1U << static_cast<unsigned>(indication));
 }
 
 struct LiftDisplay {
-  std::uint8_t floor = 0;  ///< of the position indicators; 0: cleared
-  Direction direction = Direction::none;
-  bool moving = false;
-  std::uint8_t lantern_floor = 0;  ///< where hall lanterns are lit; 0: none
-  DoorMask lantern_doors = 0;
-  Direction lantern = Direction::none;
-  SpecialIndications specials = 0;
+  std::uint8_t floor = 0;                 ///< of the position indicators; 0: cleared
+  Direction direction = Direction::none;  ///< of the direction indicators
+  bool moving = false;                    ///< the arrow moves
+  std::uint8_t lantern_floor = 0;         ///< where hall lanterns are lit; 0: none
+  DoorMask lantern_doors = 0;             ///< doors with a lit lantern
+  Direction lantern = Direction::none;    ///< direction that lanterns show
+  SpecialIndications specials = 0;        ///< bits of indication_bit()
 
   friend constexpr bool operator==(const LiftDisplay&, const LiftDisplay&) = default;
 };
 
+/// What the panels show, and what they have received of it.
 class LiftIndications {
  public:
   /// `lift` is 1 to 8.
@@ -45,6 +47,7 @@ class LiftIndications {
   /// direction it rings for up.
   void ring(std::uint8_t floor, DoorMask doors, Direction direction);
 
+  /// True if a record has to be sent.
   bool waits() const;
   /// Returns the next record, and marks it as sent. Call it only while one is waiting.
   VirtualOutput next();

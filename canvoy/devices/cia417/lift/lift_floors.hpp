@@ -25,14 +25,18 @@ class LiftFloors {
       : positions_(positions), tolerance_(tolerance) {}
 
   std::uint8_t count() const { return static_cast<std::uint8_t>(positions_.size()); }
+  /// Position of a floor, which must exist, in micrometres.
   std::int32_t position_of(std::uint8_t floor) const { return positions_[floor - 1U]; }
+  /// Position of floor 1.
   std::int32_t lowest() const { return positions_.front(); }
+  /// Position of the highest floor.
   std::int32_t highest() const { return positions_.back(); }
 
   /// Of two equally near floors, the upper one.
   std::uint8_t nearest(std::int32_t position) const;
   /// Distance to the nearest floor, without its sign.
   std::int32_t off_floor(std::int32_t position) const;
+  /// True within the tolerance of a floor.
   bool is_at_floor(std::int32_t position) const { return off_floor(position) <= tolerance_; }
   /// The floor at which the car stands; 0: none, or it moves.
   std::uint8_t at(const MotionStatus& motion) const;

@@ -19,6 +19,7 @@ namespace canvoy::cia417 {
 /// Doors of a car; bit 0 is door 1.
 using DoorMask = std::uint8_t;
 
+/// State of the doors of a car together.
 struct DoorsStatus {
   /// Closed, locked, and with closed safety contact.
   DoorMask locked = 0;
@@ -37,21 +38,24 @@ struct DoorsStatus {
   friend constexpr bool operator==(const DoorsStatus&, const DoorsStatus&) = default;
 };
 
+/// How a door closes.
 enum class DoorClosing : std::uint8_t {
   normal,   ///< with limited force; an obstacle makes the door open again
   gentle,   ///< like normal, at reduced speed: its light barrier is broken
   nudging,  ///< at reduced speed, regardless of the light barrier
 };
 
+/// Commands to the doors of a car.
 struct LiftDoors {
   /// Unlocks and opens; closing doors reverse.
   Callback<void(DoorMask)> open;
-  Callback<void(DoorMask, DoorClosing)> close;
+  Callback<void(DoorMask, DoorClosing)> close;  ///< closes doors
   /// Stops at the present position.
   Callback<void(DoorMask)> stop;
-  Callback<DoorsStatus()> status;
+  Callback<DoorsStatus()> status;  ///< state at present; cheap, called often
 };
 
+/// State of a car and its drive.
 struct MotionStatus {
   /// Drive and position unit are received, and have no error.
   bool available = false;
@@ -59,7 +63,7 @@ struct MotionStatus {
   bool standing = true;
   /// It stands at the target of the last travel_to().
   bool arrived = false;
-  std::int32_t position_micrometre = 0;
+  std::int32_t position_micrometre = 0;  ///< above the zero of the position unit
   /// Positive upwards.
   std::int32_t velocity_micrometre_per_second = 0;
   /// The first position in its direction where the car could come to rest as at a floor; its
@@ -69,6 +73,7 @@ struct MotionStatus {
   friend constexpr bool operator==(const MotionStatus&, const MotionStatus&) = default;
 };
 
+/// Commands to the drive of a car.
 struct LiftMotion {
   /// Moves there and stops. If it already moves in the same direction, and the target is beyond the
   /// stopping position, it continues without a stop.
@@ -79,7 +84,7 @@ struct LiftMotion {
   Callback<void()> stop;
   /// Stops as fast as possible (CiA 402: quick stop).
   Callback<void()> fast_stop;
-  Callback<MotionStatus()> status;
+  Callback<MotionStatus()> status;  ///< state at present; cheap, called often
 };
 
 }  // namespace canvoy::cia417

@@ -17,21 +17,23 @@
 
 namespace canvoy::cia417 {
 
+/// The load cell.
 struct LoadHardware {
   /// Load of a rope, from 1 on, in kg, including the empty car; nothing: its sensor has failed.
   Callback<std::optional<double>(unsigned rope)> rope_load;
 };
 
+/// Settings of a load measuring unit.
 struct LoadSettings {
   unsigned lift = 1;   ///< 1 to 8
   unsigned ropes = 1;  ///< 1 to 254
   double tare_kg = 0;  ///< of the empty car
   // Values of 6483h and 6485h after a reset if their defaults are "unused" and nothing: for a car
   // of 630 kg, in kg. A maker that stores parameters describes other defaults.
-  std::uint16_t zero_load = 20;
-  std::uint16_t norm_load = 315;
-  std::uint16_t full_load = 504;
-  std::uint16_t overload = 693;
+  std::uint16_t zero_load = 20;       ///< below: nobody is in the car
+  std::uint16_t norm_load = 315;      ///< half of the greatest load
+  std::uint16_t full_load = 504;      ///< from here on no further passengers
+  std::uint16_t overload = 693;       ///< from here on the car must not start
   std::uint16_t rope_ratio = 0x0101;  ///< nominator above denominator: 0201h for 2:1
   /// Period of readings of the hardware; zero: read when the hardware reports a change.
   Duration sensing_period = 100ms;

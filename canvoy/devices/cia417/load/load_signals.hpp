@@ -14,6 +14,7 @@
 
 namespace canvoy::cia417 {
 
+/// The lift, and its load measuring unit.
 struct LoadSignalsSettings {
   unsigned lift = 1;      ///< 1 to 8
   NodeId load_unit = 13;  ///< 0: none; the car is neither empty nor full
@@ -30,7 +31,9 @@ class LoadSignals {
   LoadSignals(const LoadSignals&) = delete;
   LoadSignals& operator=(const LoadSignals&) = delete;
 
+  /// Sets the callback for each change of now().
   void on_change(Callback<void()> changed) { changed_ = changed; }
+  /// Load as it is known at present.
   LiftLoad now();
   /// Discards the load: the device belongs to another lift (6001h).
   void begin_anew();

@@ -22,9 +22,11 @@ namespace canvoy::cia417 {
 /// wait for the bus.
 template <const auto& layout, std::size_t queue_max = 16>
 struct InputPanelArrays {
+  /// One for each input.
   std::array<InputState, count_in_groups(layout.tables(), input_group_object.index)> states{};
-  std::array<std::uint32_t, queue_max> queue{};
+  std::array<std::uint32_t, queue_max> queue{};  ///< of inputs that wait
 
+  /// For InputPanelUnit; valid as long as this object.
   InputPanelMemory spans() { return {states, queue}; }
 };
 
@@ -37,10 +39,15 @@ class InputPanelDevice
   InputPanelDevice(const Port& port, NodeId node_id, const InputPanelSettings& settings)
       : device_(port, node_id), unit_(device_.node(), device_.tpdos(), arrays_.spans(), settings) {}
 
+  /// The node of the device: frames and points in time are handed to it.
   Node& node() { return device_.node(); }
+  /// The node, for its states and counters.
   const Node& node() const { return device_.node(); }
+  /// Behaviour of the inputs.
   InputPanelUnit& unit() { return unit_; }
+  /// Behaviour of the inputs.
   const InputPanelUnit& unit() const { return unit_; }
+  /// Sends errors of the device.
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
 
  private:

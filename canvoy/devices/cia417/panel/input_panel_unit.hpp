@@ -27,26 +27,28 @@ namespace canvoy::cia417 {
 
 /// State of one input beside its record.
 struct InputState {
-  std::uint32_t stable_at = 0;  ///< end of the debounce time of the level
-  std::uint32_t second_at = 0;  ///< end of the second in which events are counted
-  std::uint8_t events = 0;      ///< in that second
-  bool level : 1 = false;       ///< of the contact: high
-  bool stable : 1 = false;      ///< the debounced level
-  bool debouncing : 1 = false;
-  bool counting : 1 = false;  ///< events
-  bool held : 1 = false;      ///< an event was beyond the limitation
-  bool behind : 1 = false;    ///< to be sent, and not in the queue
-  bool missed : 1 = false;    ///< a request came while it was behind
-  bool was_told : 1 = false;  ///< since the reset
-  CallRequest told : 2 = CallRequest::none;
+  std::uint32_t stable_at = 0;                    ///< end of the debounce time of the level
+  std::uint32_t second_at = 0;                    ///< end of the second in which events are counted
+  std::uint8_t events = 0;                        ///< in that second
+  bool level : 1 = false;                         ///< of the contact: high
+  bool stable : 1 = false;                        ///< the debounced level
+  bool debouncing : 1 = false;                    ///< the level differs from the stable one
+  bool counting : 1 = false;                      ///< events
+  bool held : 1 = false;                          ///< an event was beyond the limitation
+  bool behind : 1 = false;                        ///< to be sent, and not in the queue
+  bool missed : 1 = false;                        ///< a request came while it was behind
+  bool was_told : 1 = false;                      ///< since the reset
+  CallRequest told : 2 = CallRequest::none;       ///< request that was sent last
   CallRequest condition : 2 = CallRequest::none;  ///< none: it works
 };
 
+/// Memory of a unit, as much as its dictionary needs.
 struct InputPanelMemory {
   std::span<InputState> states;    ///< one for each input
   std::span<std::uint32_t> queue;  ///< changes that wait for the bus
 };
 
+/// Records and times of a unit.
 struct InputPanelSettings {
   /// Functions and locations of the inputs, in the order of the groups and sub-indices: written to
   /// 6100h at each reset. Bit 7 of `data` marks a button or key with a locking function. Inputs

@@ -16,6 +16,7 @@ namespace canvoy::cia417 {
 class LampsOut {
  public:
   void begin() { position_ = 0; }
+  /// True if a record has to be sent.
   bool waits() const { return position_ < count; }
   /// Returns the next record, and marks it as sent. Call it only while one is waiting.
   VirtualOutput next(std::uint8_t lifts);

@@ -8,6 +8,7 @@
 
 namespace canvoy::cia417 {
 
+/// Panel of the floor, lift and door that an environment names.
 inline LandingPanel landing_at(const Environment& environment) {
   return {.lifts = lift_bit(environment.lift),
           .floor = static_cast<std::uint8_t>(environment.floor),

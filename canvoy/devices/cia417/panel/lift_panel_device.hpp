@@ -19,40 +19,47 @@
 
 namespace canvoy::cia417 {
 
+/// Size of a panel of landings.
 struct LandingPanelOptions {
   unsigned panels = 1;        ///< number of landings
   unsigned destinations = 0;  ///< number of buttons for floors at each; 0: up and down
   /// See PanelOptions.
   bool low_pdo_numbers = false;
 
+  /// Inputs that such a panel needs.
   constexpr std::uint16_t inputs() const {
     const std::size_t each = landing_inputs_max(destinations, destinations != 0);
     return static_cast<std::uint16_t>(panels * each);
   }
+  /// Outputs that such a panel needs.
   constexpr std::uint16_t outputs() const {
     const std::size_t each = landing_outputs_max(destinations, destinations != 0);
     return static_cast<std::uint16_t>(panels * each);
   }
 };
+/// Size of a panel of a car.
 struct CarPanelOptions {
-  unsigned floors = 64;  ///< maximum number of floors
-  bool low_pdo_numbers = false;
+  unsigned floors = 64;          ///< maximum number of floors
+  bool low_pdo_numbers = false;  ///< TPDO 1 and RPDO 1 in place of the profile's
 
+  /// Inputs that such a panel needs.
   constexpr std::uint16_t inputs() const {
     return static_cast<std::uint16_t>(car_inputs_max(floors));
   }
+  /// Outputs that such a panel needs.
   constexpr std::uint16_t outputs() const {
     return static_cast<std::uint16_t>(car_outputs_max(floors));
   }
 };
 
+/// Of the catalogue.
 inline constexpr DeviceInfo landing_panel_info = {.name = "lift-landing-panel",
                                                   .title = "panel of a landing: buttons, lamps",
                                                   .product = "Canvoy CiA 417 panel",
                                                   .product_code = 41703,
                                                   .node_id = 21,
                                                   .hardware = "buttons, lamps, displays, a gong"};
-inline constexpr DeviceInfo car_panel_info = {.name = "lift-car-panel",
+inline constexpr DeviceInfo car_panel_info = {.name = "lift-car-panel",  ///< of the catalogue
                                               .title = "panel of a car: buttons, keys, lamps",
                                               .product = landing_panel_info.product,
                                               .product_code = landing_panel_info.product_code,
@@ -66,6 +73,7 @@ inline constexpr auto full_lift_panel =
                                 .outputs = options.outputs(),
                                 .low_pdo_numbers = options.low_pdo_numbers}>(),
              lift_basics(landing_panel_info, 1000, 4));
+/// Tables of full_lift_panel.
 template <auto options>
 inline constexpr auto full_lift_panel_layout = lay_out_device<full_lift_panel<options>>();
 
@@ -73,9 +81,12 @@ inline constexpr auto full_lift_panel_layout = lay_out_device<full_lift_panel<op
 template <auto options>
 class LiftPanelRecords {
  public:
+  /// Records of a car panel.
   explicit LiftPanelRecords(const CarPanel& panel)
       : inputs_used_(car_inputs(panel, inputs_)), outputs_used_(car_outputs(panel, outputs_)) {}
+  /// Records of the panel of one landing.
   explicit LiftPanelRecords(const LandingPanel& panel) : LiftPanelRecords(std::span(&panel, 1)) {}
+  /// Records of the panels of several landings.
   explicit LiftPanelRecords(std::span<const LandingPanel> panels) {
     std::size_t inputs = 0;
     std::size_t outputs = 0;
@@ -87,7 +98,9 @@ class LiftPanelRecords {
     outputs_used_ = std::span(outputs_).first(outputs);
   }
 
+  /// Records of the inputs; valid as long as this object.
   InputPanelSettings inputs() const { return {inputs_used_}; }
+  /// Records of the outputs; valid as long as this object.
   OutputPanelSettings outputs() const { return {outputs_used_}; }
 
  private:
@@ -113,12 +126,19 @@ class LiftPanelDevice
   LiftPanelDevice(const LiftPanelDevice&) = delete;
   LiftPanelDevice& operator=(const LiftPanelDevice&) = delete;
 
+  /// The node of the device: frames and points in time are handed to it.
   Node& node() { return device_.node(); }
+  /// The node, for its states and counters.
   const Node& node() const { return device_.node(); }
+  /// Behaviour of the inputs.
   InputPanelUnit& inputs() { return device_.inputs(); }
+  /// Behaviour of the inputs.
   const InputPanelUnit& inputs() const { return device_.inputs(); }
+  /// Behaviour of the outputs.
   OutputPanelUnit& outputs() { return device_.outputs(); }
+  /// Behaviour of the outputs.
   const OutputPanelUnit& outputs() const { return device_.outputs(); }
+  /// Sends errors of the device.
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
 
  private:
@@ -126,8 +146,10 @@ class LiftPanelDevice
   PanelDevice<layout, queue_max, own_routes> device_;
 };
 
+/// A panel of one landing or several.
 template <LandingPanelOptions options = LandingPanelOptions{}>
 using LandingPanelDevice = LiftPanelDevice<options>;
+/// A panel of a car.
 template <CarPanelOptions options = CarPanelOptions{}>
 using CarPanelDevice = LiftPanelDevice<options>;
 

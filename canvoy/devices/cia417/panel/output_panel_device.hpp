@@ -31,10 +31,15 @@ class OutputPanelDevice : public DeviceValues<OutputPanelDevice<layout, own_rout
                     const OutputPanelSettings& settings)
       : device_(port, node_id), unit_(device_.node(), states_, hardware, settings) {}
 
+  /// The node of the device: frames and points in time are handed to it.
   Node& node() { return device_.node(); }
+  /// The node, for its states and counters.
   const Node& node() const { return device_.node(); }
+  /// Behaviour of the outputs.
   OutputPanelUnit& unit() { return unit_; }
+  /// Behaviour of the outputs.
   const OutputPanelUnit& unit() const { return unit_; }
+  /// Sends errors of the device.
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
 
  private:

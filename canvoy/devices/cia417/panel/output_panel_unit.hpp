@@ -21,18 +21,19 @@ namespace canvoy::cia417 {
 
 /// State of one output beside its record.
 struct OutputState {
-  std::uint32_t off_at = 0;     ///< the end of an impulse
-  std::uint32_t second_at = 0;  ///< end of the second in which events are counted
-  std::uint8_t assigned = 0;    ///< the sub-function by which it is addressed
-  std::uint8_t messages = 0;    ///< towards the next event
-  std::uint8_t events = 0;      ///< in this second
-  std::uint8_t held_sub_function = 0;
-  std::uint8_t held_data = 0;
-  bool impulse : 1 = false;   ///< it is on until off_at
-  bool counting : 1 = false;  ///< events
-  bool held : 1 = false;      ///< the last event was beyond the limitation
+  std::uint32_t off_at = 0;            ///< the end of an impulse
+  std::uint32_t second_at = 0;         ///< end of the second in which events are counted
+  std::uint8_t assigned = 0;           ///< the sub-function by which it is addressed
+  std::uint8_t messages = 0;           ///< towards the next event
+  std::uint8_t events = 0;             ///< in this second
+  std::uint8_t held_sub_function = 0;  ///< of a message that an impulse delays
+  std::uint8_t held_data = 0;          ///< of a message that an impulse delays
+  bool impulse : 1 = false;            ///< it is on until off_at
+  bool counting : 1 = false;           ///< events
+  bool held : 1 = false;               ///< the last event was beyond the limitation
 };
 
+/// Records and hardware of a unit.
 struct OutputPanelSettings {
   /// Functions and locations of the outputs, in the order of the groups and sub-indices: written to
   /// 6200h at power-on and NMT reset node, with `data` if parameter 1 has no default value. Further

@@ -36,6 +36,7 @@ struct OutputView {
 
 /// `output` counts from 0, in the order of the groups.
 struct OutputHardware {
+  /// On each change of an output.
   Callback<void(std::uint32_t output, const OutputView& view)> show;
 };
 
@@ -50,8 +51,8 @@ inline constexpr std::uint16_t flash_millihertz[] = {10'000, 7500, 5000, 2000,
 struct BasicSetting {
   std::uint8_t flash_rate = 0xFF;   ///< in tenths of a hertz; 0 and FFh: none
   std::uint8_t scroll_rate = 0xFF;  ///< FFh: not used; also for the following
-  std::uint8_t color = 0xFF;
-  std::uint8_t intensity = 0xFF;  ///< 0 is reserved
+  std::uint8_t color = 0xFF;        ///< code of the profile; FFh: not used
+  std::uint8_t intensity = 0xFF;    ///< 0 is reserved
 };
 
 /// How to show function data, on top of the basic setting. Property default leaves the basic

@@ -12,6 +12,7 @@
 
 namespace canvoy::cia417 {
 
+/// Size and PDOs of a panel.
 struct PanelOptions {
   unsigned lift = 1;          ///< lift of its groups: 6100h and up is lift 1
   std::uint16_t inputs = 0;   ///< 254 in each group from the first on; 0: no input panel
@@ -24,6 +25,7 @@ struct PanelOptions {
   bool valid_tpdo = true;
 };
 
+/// TPDO of 6010h, with the node-ID added to `cob_id`.
 constexpr PdoInfo panel_tpdo(std::uint16_t number, std::uint32_t cob_id) {
   return {.direction = PdoInfo::Direction::transmit,
           .number = number,
@@ -32,6 +34,7 @@ constexpr PdoInfo panel_tpdo(std::uint16_t number, std::uint32_t cob_id) {
           .mapping = virtual_input_pdo,
           .clause = pdo_clause};
 }
+/// RPDO of 6011h.
 constexpr PdoInfo panel_rpdo(std::uint16_t number) {
   return {.direction = PdoInfo::Direction::receive,
           .number = number,
@@ -39,14 +42,16 @@ constexpr PdoInfo panel_rpdo(std::uint16_t number) {
           .mapping = virtual_output_pdo,
           .clause = pdo_clause};
 }
-inline constexpr std::uint16_t panel_tpdo_number = number_of_rpdo(0x1481);
-inline constexpr std::uint16_t panel_rpdo_number = number_of_rpdo(0x1500);
+inline constexpr std::uint16_t panel_tpdo_number = number_of_rpdo(0x1481);  ///< TPDO in CiA 417-3
+inline constexpr std::uint16_t panel_rpdo_number = number_of_rpdo(0x1500);  ///< RPDO in CiA 417-3
+/// All PDOs that a panel may have; its options choose among them.
 inline constexpr PdoInfo panel_pdos[] = {panel_tpdo(panel_tpdo_number, 0x480),
                                          panel_tpdo(panel_tpdo_number, invalid_pdo | 0x480),
                                          panel_tpdo(1, 0x480),
                                          panel_tpdo(1, invalid_pdo | 0x480),
                                          panel_rpdo(panel_rpdo_number),
                                          panel_rpdo(1)};
+/// Holds panel_pdos only.
 inline constexpr Profile panel_pdo_profile = {.number = profile_number, .pdos = panel_pdos};
 
 /// True if a panel has this PDO.
@@ -70,6 +75,7 @@ constexpr void add_groups(DeviceDescription<capacity>& own, std::uint16_t first,
     }
   }
 }
+/// Adds the objects of both units, in their groups.
 template <PanelOptions options, std::size_t capacity>
 constexpr void add_units(DeviceDescription<capacity>& own) {
   constexpr VirtualDevice in = VirtualDevice::input_panel_unit;
@@ -84,6 +90,7 @@ constexpr void add_units(DeviceDescription<capacity>& own) {
   }
 }
 
+/// All parts of a panel except its identity.
 template <PanelOptions options>
 constexpr auto panel() {
   static_assert(options.lift >= 1 && options.lift <= lift_count, "there are 8 lifts");

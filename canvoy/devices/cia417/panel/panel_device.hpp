@@ -31,12 +31,19 @@ class PanelDevice : public DeviceValues<PanelDevice<layout, queue_max, own_route
         inputs_(device_.node(), device_.tpdos(), arrays_.spans(), inputs),
         outputs_(device_.node(), states_, hardware, outputs) {}
 
+  /// The node of the device: frames and points in time are handed to it.
   Node& node() { return device_.node(); }
+  /// The node, for its states and counters.
   const Node& node() const { return device_.node(); }
+  /// Behaviour of the inputs.
   InputPanelUnit& inputs() { return inputs_; }
+  /// Behaviour of the inputs.
   const InputPanelUnit& inputs() const { return inputs_; }
+  /// Behaviour of the outputs.
   OutputPanelUnit& outputs() { return outputs_; }
+  /// Behaviour of the outputs.
   const OutputPanelUnit& outputs() const { return outputs_; }
+  /// Sends errors of the device.
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
 
  private:

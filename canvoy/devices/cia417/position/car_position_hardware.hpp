@@ -10,9 +10,9 @@ namespace canvoy::cia417 {
 
 /// As measured, positive upwards, from the encoder's own zero.
 struct PositionReadings {
-  double position_millimetre = 0;
-  double velocity_millimetre_per_second = 0;
-  double acceleration_millimetre_per_second_squared = 0;
+  double position_millimetre = 0;                         ///< of the car
+  double velocity_millimetre_per_second = 0;              ///< of the car
+  double acceleration_millimetre_per_second_squared = 0;  ///< of the car
   /// Bits of CiA 406, 6503h: bit 0 position error, bit 1 commissioning diagnostics, which is
   /// reported while bit 1 of 6380h requests it.
   std::uint16_t alarms = 0;

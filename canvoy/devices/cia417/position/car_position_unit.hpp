@@ -32,13 +32,14 @@ struct EncoderProperties {
   std::uint32_t single_turn_resolution = 100'000;  ///< 63C1h; for a linear encoder its step in nm
   std::uint16_t revolutions = 1;                   ///< 63C2h
   std::int32_t manufacturer_offset = 0;            ///< 63D0h
-  std::uint32_t position_min = 0;
-  std::uint32_t position_max = 0x7FFF'FFFF;
-  std::uint16_t supported_alarms = 0x0001;
-  std::uint16_t supported_warnings = 0x003F;
-  std::uint32_t operating_time = 0;  ///< tenths of an hour, before power-on
+  std::uint32_t position_min = 0;                  ///< smallest position, in its steps
+  std::uint32_t position_max = 0x7FFF'FFFF;        ///< largest position, in its steps
+  std::uint16_t supported_alarms = 0x0001;         ///< bits of the alarms, CiA 406
+  std::uint16_t supported_warnings = 0x003F;       ///< bits of the warnings, CiA 406
+  std::uint32_t operating_time = 0;                ///< tenths of an hour, before power-on
 };
 
+/// Settings of a position unit.
 struct CarPositionSettings {
   unsigned lift = 1;                           ///< 1 to 8
   Duration moving_period = 20ms;               ///< of sampling
@@ -47,8 +48,8 @@ struct CarPositionSettings {
   /// Error code of an alarm. The public sources of CiA 406 have no code for it: this is a fault of
   /// the hardware.
   std::uint16_t alarm_code = 0x5000;
-  std::array<EncoderProperties, position_unit_count> encoders = {};
-  std::span<const Cam> cams = {};
+  std::array<EncoderProperties, position_unit_count> encoders = {};  ///< of encoders 1 to 4
+  std::span<const Cam> cams = {};                                    ///< none: no position CAM unit
 };
 
 /// Services of a node that it uses.
@@ -66,6 +67,7 @@ class CarPositionUnit {
 
   /// Position of unit 1 to 4, in counts, as in 6383h.
   std::int32_t position(unsigned unit) const;
+  /// What an encoder, 1 to 4, has reported last.
   const PositionReadings& readings(unsigned unit) const { return units_[unit - 1].readings; }
 
  private:

@@ -11,6 +11,7 @@
 
 namespace canvoy::cia417 {
 
+/// The lift, and the cams.
 struct PositionCamSettings {
   unsigned lift = 1;               ///< 1 to 8
   std::span<const Cam> cams = {};  ///< cams of position unit 1; must outlive the device
@@ -20,6 +21,7 @@ struct PositionCamSettings {
 /// A position CAM unit that does not measure itself.
 class LonePositionCamUnit {
  public:
+  /// Makes the unit; `node` and what `settings` refers to must outlive it.
   LonePositionCamUnit(Node& node, const NoHardware& /*none*/, const PositionCamSettings& settings);
   LonePositionCamUnit(const LonePositionCamUnit&) = delete;
   LonePositionCamUnit& operator=(const LonePositionCamUnit&) = delete;
@@ -37,9 +39,12 @@ class LonePositionCamUnit {
   HandlerBinding service_{&service_calls, this, block_shift(settings_.lift)};
 };
 
+/// State of the cams of channel 1.
 inline constexpr std::uint32_t cam_pdo_mapping[] = {mapped_in(1, cam_state_object, 1)};
+/// PDO of the state of cams.
 inline constexpr PdoInfo cam_pdo = {
     .cob_id = invalid_pdo | 0x180, .plus_node_id = true, .mapping = cam_pdo_mapping};
+/// Its parameters as objects.
 using CamPdo = canvoy::detail::PredefinedPdo<canvoy::detail::OwnPdo<cam_pdo>>;
 
 /// Eight cams in each channel, and a heartbeat every 500 ms. Part 3 has no PDO for cams: TPDO 1 has
@@ -52,6 +57,7 @@ struct PositionCamKind : LiftKind<LonePositionCamUnit, NoHardware, PositionCamSe
                                       .product = "Canvoy CiA 417 position CAM unit",
                                       .product_code = 41714,
                                       .node_id = 15};
+  /// True for the pre-defined PDO of the car position of lift 1.
   static constexpr bool is_position_heard(const PdoInfo& pdo) {
     return is_pdo_of<VirtualDevice::car_drive_controller, LiftDeviceOptions{}>(pdo) &&
            MappingValue(pdo.mapping[0]).index == position_value_object.index;
@@ -67,6 +73,7 @@ struct PositionCamKind : LiftKind<LonePositionCamUnit, NoHardware, PositionCamSe
   static PositionCamSettings settings(const Environment& environment);
 };
 
+/// A position CAM unit of lift 1, or of the lift of `layout`.
 template <const auto& layout = layout_of<PositionCamKind<>>, std::size_t own_routes = 0>
 using PositionCamDevice = Device<PositionCamKind<>, layout, own_routes>;
 

@@ -20,9 +20,9 @@ struct Cam {
   std::uint8_t channel = 1;  ///< 1 to 254
   std::uint8_t number = 1;   ///< in this channel, 1 to 8
   std::uint8_t unit = 1;     ///< that measures it
-  double low = 0;
-  double high = 0;
-  double hysteresis = 0;  ///< distance outside of it in which it stays active
+  double low = 0;            ///< lower end
+  double high = 0;           ///< upper end
+  double hysteresis = 0;     ///< distance outside of it in which it stays active
 };
 
 class PositionCamUnit {

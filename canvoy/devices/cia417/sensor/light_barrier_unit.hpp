@@ -15,11 +15,13 @@
 
 namespace canvoy::cia417 {
 
+/// What the unit senses.
 struct LightBarrierHardware {
   /// State at a door, 1 to 4; yes: interrupted.
   Callback<Detection(unsigned door)> sense;
 };
 
+/// Lift, doors and period.
 struct LightBarrierSettings {
   unsigned lift = 1;            ///< 1 to 8
   std::uint8_t doors = 0b0001;  ///< doors with a light barrier: bit 0 is door 1

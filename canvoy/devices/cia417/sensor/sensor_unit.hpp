@@ -28,24 +28,26 @@ namespace canvoy::cia417 {
 struct SensorState {
   std::uint32_t stable_at = 0;  ///< end of the debounce time of the level
   std::uint32_t second_at = 0;  ///< end of the second in which events are counted
-  std::int16_t value = 0;
-  std::uint16_t told = 0;   ///< the last function data sent
-  std::uint8_t events = 0;  ///< in that second
-  bool level : 1 = false;
-  bool stable : 1 = false;  ///< the debounced level
-  bool debouncing : 1 = false;
-  bool counting : 1 = false;  ///< events
-  bool held : 1 = false;      ///< an event was beyond the limitation
-  bool queued : 1 = false;
-  bool missed : 1 = false;                             ///< a signal came while it was queued
+  std::int16_t value = 0;       ///< last value, in the unit of its parameters
+  std::uint16_t told = 0;       ///< the last function data sent
+  std::uint8_t events = 0;      ///< in that second
+  bool level : 1 = false;       ///< at present
+  bool stable : 1 = false;      ///< the debounced level
+  bool debouncing : 1 = false;  ///< the level differs from the stable one
+  bool counting : 1 = false;    ///< events
+  bool held : 1 = false;        ///< an event was beyond the limitation
+  bool queued : 1 = false;      ///< it waits for its PDO
+  bool missed : 1 = false;      ///< a signal came while it was queued
   SensorSignal condition : 2 = SensorSignal::not_set;  ///< not_set: it works
 };
 
+/// Memory of a unit, as much as its dictionary needs.
 struct SensorMemory {
   std::span<SensorState> states;   ///< one for each sensor
   std::span<std::uint32_t> queue;  ///< as many
 };
 
+/// Records and times of a unit.
 struct SensorSettings {
   /// Functions and locations of the sensors, in the order of the groups and sub-indices; their data
   /// is ignored. Must outlive the unit.
@@ -71,6 +73,7 @@ class SensorUnit {
   // other numbers are ignored. The cost is linear in the number of groups, and in the number of
   // sensors if a debounce time, a limitation or a sending event is in use.
 
+  /// Takes the level of a sensor, counted from 0.
   void set_level(std::uint32_t number, bool high, Time now);
   /// For pressure and temperature: -8192 to 8191; values beyond are clamped.
   void set_value(std::uint32_t number, std::int16_t value, Time now);

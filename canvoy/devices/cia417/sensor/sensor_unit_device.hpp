@@ -27,6 +27,7 @@ struct SensorArrays {
 template <std::size_t count>
 class OwnSensorUnit : private detail::SensorArrays<count>, public SensorUnit {
  public:
+  /// Makes the unit; all arguments must outlive it.
   OwnSensorUnit(Node& node, Tpdos& tpdos, const SensorSettings& settings)
       : SensorUnit(node, tpdos, {this->states, this->queue}, settings) {}
 };
@@ -36,7 +37,8 @@ class OwnSensorUnit : private detail::SensorArrays<count>, public SensorUnit {
 /// description with its own identity.
 template <std::uint8_t sensors, LiftDeviceOptions options = LiftDeviceOptions{}>
 struct SensorKind : KindOf<SensorUnit, NoHardware, SensorSettings> {
-  using ProfileBehaviour = BusBehaviour;
+  using ProfileBehaviour = BusBehaviour;  ///< it belongs to no single lift
+  /// The unit for a dictionary, with memory for it.
   template <const auto& layout>
   using UnitOn = OwnSensorUnit<count_in_groups(layout.tables(), sensor_group_object.index)>;
 

@@ -22,20 +22,20 @@ namespace canvoy::cia417 {
 
 /// Entry of a group: index and sub-index.
 struct IoPlace {
-  std::uint16_t index = 0;
-  std::uint8_t sub = 0;
+  std::uint16_t index = 0;  ///< of the group
+  std::uint8_t sub = 0;     ///< of the input, output or sensor
 
   constexpr bool operator==(const IoPlace&) const = default;
 };
 
 // Bytes and bits of the parameters of inputs, outputs and sensors.
-inline constexpr unsigned enable_byte = 0;
-inline constexpr unsigned error_code_byte = 1;
-inline constexpr unsigned debounce_byte = 0;
-inline constexpr unsigned edge_byte = 1;
-inline constexpr unsigned rising_bit = 0x01;
-inline constexpr unsigned falling_bit = 0x02;
-inline constexpr unsigned polarity_bit = 0x80;
+inline constexpr unsigned enable_byte = 0;      ///< of parameter 1
+inline constexpr unsigned error_code_byte = 1;  ///< of parameter 1
+inline constexpr unsigned debounce_byte = 0;    ///< of parameter 3
+inline constexpr unsigned edge_byte = 1;        ///< of parameter 3
+inline constexpr unsigned rising_bit = 0x01;    ///< of the edges
+inline constexpr unsigned falling_bit = 0x02;   ///< of the edges
+inline constexpr unsigned polarity_bit = 0x80;  ///< of the edge byte
 
 inline constexpr std::uint32_t one_second = 1'000'000;  ///< in ticks, see low_ticks()
 
@@ -61,6 +61,7 @@ constexpr bool is_group_of(unsigned index, unsigned first) {
   return in_lift_1 >= first && in_lift_1 < first + group_count;
 }
 
+/// Entries of a group, without sub-index 00h.
 constexpr std::uint32_t entries_of(const DictionaryTables& tables, const ObjectRow& object) {
   if (object.entry_count == 0) return 0;
   return tables.entries_of(object).back().sub_last;
@@ -77,7 +78,7 @@ constexpr std::uint32_t count_in_groups(const DictionaryTables& tables, unsigned
 
 // Parameters: 20h, 40h ... above the groups, at the same sub-indices (4.3.2, 4.5.1).
 
-inline constexpr std::uint16_t parameter_pitch = 0x20;
+inline constexpr std::uint16_t parameter_pitch = 0x20;  ///< distance of the objects of parameters
 /// A byte of a parameter that is not used or does not exist.
 inline constexpr std::uint8_t parameter_not_used = 0xFF;
 
@@ -88,6 +89,7 @@ inline std::uint8_t parameter_byte(const Dictionary& dictionary, IoPlace place, 
   const Result<Entry> entry = dictionary.find(index, place.sub);
   return entry && byte < entry->row->capacity ? entry->value[byte] : parameter_not_used;
 }
+/// Sets one byte of parameter `number`, where the dictionary has it.
 inline void set_parameter_byte(Dictionary& dictionary, IoPlace place, unsigned number,
                                unsigned byte, std::uint8_t value) {
   const auto index = static_cast<std::uint16_t>(place.index + number * parameter_pitch);
@@ -104,7 +106,7 @@ constexpr IoPlace place_of_parameter(IoPlace entry, std::uint16_t first) {
 }
 
 // Bytes of parameter 2 that count events in a second (4.3.3, 4.5.2 and 4.13.3).
-inline constexpr unsigned limitation_byte = 1;
+inline constexpr unsigned limitation_byte = 1;   ///< greatest number of events
 inline constexpr unsigned start_event_byte = 2;  ///< sending event, reception event
 
 /// Refuses event counts of 00h, which is reserved; `parameter_2` is the index of that parameter in

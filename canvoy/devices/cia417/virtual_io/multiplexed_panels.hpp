@@ -20,7 +20,7 @@ namespace canvoy::cia417 {
 /// Number of the RPDO for node-ID 1.
 inline constexpr std::uint16_t first_multiplexed_rpdo =
     number_of_rpdo(object_index::rpdo_parameter + 1);
-inline constexpr std::uint32_t first_multiplexed_cob_id = 0x501;
+inline constexpr std::uint32_t first_multiplexed_cob_id = 0x501;  ///< of node-ID 1
 
 /// True if a dictionary has the objects of multiplexed_panels().
 constexpr bool hears_multiplexed(const DictionaryTables& tables) {

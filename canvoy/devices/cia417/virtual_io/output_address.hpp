@@ -53,6 +53,7 @@ constexpr bool is_door_addressed(std::uint8_t wanted, std::uint8_t assigned) {
   return wanted == 0 || assigned == 0 || (wanted & assigned) != 0;
 }
 
+/// True if a record addresses an output with these assignments.
 constexpr bool is_addressed(const VirtualOutput& record, const VirtualOutput& assigned) {
   return record.function == assigned.function && record.function != BasicFunction::none &&
          is_sub_function_addressed(record.function, record.sub_function, assigned.sub_function) &&

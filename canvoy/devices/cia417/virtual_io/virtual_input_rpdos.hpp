@@ -15,7 +15,7 @@ namespace canvoy::cia417 {
 
 /// Number of the RPDO for node-ID 1.
 inline constexpr std::uint16_t first_input_rpdo = number_of_rpdo(0x1481);
-inline constexpr std::uint32_t first_input_cob_id = 0x481;
+inline constexpr std::uint32_t first_input_cob_id = 0x481;  ///< of node-ID 1
 
 namespace detail {
 

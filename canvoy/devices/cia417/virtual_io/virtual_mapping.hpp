@@ -26,7 +26,7 @@ struct VirtualSource {
 
 /// An access to the bus other than a PDO that maps the object: see VirtualMpdoProducer.
 struct VirtualDetour {
-  Callback<bool()> is_working;
+  Callback<bool()> is_working;  ///< false: the PDO is used
   /// Called when a record is waiting: VirtualMapping::take() returns one record after the other.
   Callback<void()> announce;
 };

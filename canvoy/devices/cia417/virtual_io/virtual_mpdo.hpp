@@ -31,6 +31,7 @@ inline constexpr EntryInfo record_part = {.name = "Part #",
                                           .mapping = Mapping::optional,
                                           .initial = 0,
                                           .value = hexadecimal};
+/// A part of a record of node-ID 1 and up.
 constexpr EntryInfo received_part() {
   EntryInfo entry = record_part;
   entry.access = Access::rw;
@@ -39,16 +40,20 @@ constexpr EntryInfo received_part() {
   entry.sub_last = 2 * node_id_max;
   return entry;
 }
+/// Both parts of a record to send.
 inline constexpr EntryInfo record_parts_entries[] = {number_of_entries(2), at(1, record_part),
                                                      at(2, record_part)};
+/// Both parts of a record, for each node-ID.
 inline constexpr EntryInfo received_parts_entries[] = {number_of_entries(2 * node_id_max),
                                                        received_part()};
+/// Where a panel has the parts of a record.
 inline constexpr ObjectInfo record_parts_object = {.index = 0x5F10,
                                                    .code = ObjectCode::array,
                                                    .name = "Virtual input in parts",
                                                    .category = Category::optional,
                                                    .clause = "manufacturer-specific",
                                                    .subs = record_parts_entries};
+/// Where a controller receives the parts, at 2n - 1 and 2n for node-ID n.
 inline constexpr ObjectInfo received_parts_object = {.index = 0x5F11,
                                                      .code = ObjectCode::array,
                                                      .name = "Virtual inputs of panels in parts",
@@ -58,9 +63,11 @@ inline constexpr ObjectInfo received_parts_object = {.index = 0x5F11,
 
 /// A record in transfer.
 struct RecordParts {
-  std::uint32_t first = 0;
-  std::uint32_t second = 0;
+  std::uint32_t first = 0;   ///< four bytes of the record
+  std::uint32_t second = 0;  ///< two bytes of the record, a count and a check byte
 };
+/// Parts of a record. `count` differs from record to record, so that parts of two records do not
+/// match.
 constexpr RecordParts split(std::uint64_t record, std::uint8_t count) {
   unsigned check = count;
   for (unsigned i = 0; i < 6; ++i) check ^= static_cast<unsigned>(record >> (8 * i)) & 0xFF;
@@ -75,6 +82,7 @@ constexpr bool join(const RecordParts& parts, std::uint64_t& record) {
   return split(record, count).second == parts.second;
 }
 
+/// The TPDO and its consumer.
 struct VirtualMpdoSettings {
   std::uint16_t number = 1;  ///< number of the multiplexed TPDO; its mode is in its mapping record
   NodeId consumer = 0;       ///< for destination address mode; 0: all nodes

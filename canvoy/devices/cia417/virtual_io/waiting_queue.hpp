@@ -34,6 +34,7 @@ class WaitingQueue {
     --size_;
     return item;
   }
+  /// Discards all.
   void clear() { size_ = 0; }
 
  private:
@@ -42,7 +43,7 @@ class WaitingQueue {
   std::uint32_t size_ = 0;
 };
 
-using WaitingRecords = WaitingQueue<std::uint64_t>;
-using WaitingNumbers = WaitingQueue<std::uint32_t>;
+using WaitingRecords = WaitingQueue<std::uint64_t>;  ///< of inputs or sensors, as in the PDO
+using WaitingNumbers = WaitingQueue<std::uint32_t>;  ///< of inputs or sensors
 
 }  // namespace canvoy::cia417
