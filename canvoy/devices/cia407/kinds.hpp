@@ -9,7 +9,7 @@
 
 namespace canvoy::cia407 {
 
-inline constexpr std::size_t kind_count = 36;
+inline constexpr std::size_t kind_count = 36;  ///< of virtual devices
 /// In the order of the codes of their virtual devices.
 std::span<const DeviceKind> kinds();
 

@@ -16,6 +16,7 @@
 
 namespace canvoy::cia407 {
 
+/// The loudspeakers, and what can be announced.
 struct AcousticAnnouncerHardware {
   /// Starts the announcement and returns true if there is one. The text is empty if none was
   /// received.

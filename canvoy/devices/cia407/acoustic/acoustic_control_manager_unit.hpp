@@ -11,16 +11,18 @@ namespace canvoy::cia407 {
 
 /// Bits 1 to 5 of the event flags.
 struct AudioPaths {
-  bool driver_to_indoor = false;
-  bool driver_to_outdoor = false;
-  bool driver_to_radio = false;
-  bool attendant_to_indoor = false;
-  bool radio_to_indoor = false;
+  bool driver_to_indoor = false;     ///< bit 1
+  bool driver_to_outdoor = false;    ///< bit 2
+  bool driver_to_radio = false;      ///< bit 3
+  bool attendant_to_indoor = false;  ///< bit 4
+  bool radio_to_indoor = false;      ///< bit 5
 
+  /// Takes event flags apart; bits 0, 6 and 7 do not count.
   constexpr static AudioPaths of(std::uint8_t flags) {
     const auto has = [flags](unsigned bit) { return (flags >> bit & 1) != 0; };
     return {has(1), has(2), has(3), has(4), has(5)};
   }
+  /// The event flags, with bits 0, 6 and 7 not set.
   constexpr std::uint8_t flags() const {
     return static_cast<std::uint8_t>(driver_to_indoor << 1 | driver_to_outdoor << 2 |
                                      driver_to_radio << 3 | attendant_to_indoor << 4 |
@@ -29,6 +31,7 @@ struct AudioPaths {
   friend constexpr bool operator==(const AudioPaths&, const AudioPaths&) = default;
 };
 
+/// The switches of the paths.
 struct AcousticControlManagerHardware {
   /// Switches, and returns the resulting paths: a path that cannot be switched stays as it was.
   Callback<AudioPaths(const AudioPaths&)> switch_paths = {};

@@ -18,6 +18,7 @@ struct CodeOnlyHardware {
   Callback<bool(std::uint16_t error_code)> has_error = {};
 };
 
+/// Of devices with a radio.
 inline constexpr std::uint16_t radio_errors[] = {bus_error::no_radio_connection};
 /// Errors of the supply and of its outputs.
 inline constexpr std::uint16_t power_errors[] = {0x2110, 0x2310, 0x2320, 0x2330, 0x3110, 0x3120,
@@ -26,6 +27,7 @@ inline constexpr std::uint16_t power_errors[] = {0x2110, 0x2310, 0x2320, 0x2330,
 template <DeviceCode code>
 class CodeOnlyUnit {
  public:
+  /// Emergency error codes that the hardware may report.
   static constexpr std::span<const std::uint16_t> errors() {
     if (code == DeviceCode::power_supply) return power_errors;
     const bool is_radio = code == DeviceCode::data_radio || code == DeviceCode::voice_radio ||
@@ -49,9 +51,11 @@ class CodeOnlyUnit {
   ErrorWatch errors_;
 };
 
+/// Kind of a virtual device without objects.
 template <DeviceCode code>
 using CodeOnlyKind = BusKind<CodeOnlyUnit<code>, CodeOnlyHardware<code>>;
 
+/// Ticket reader (6.7).
 struct TicketReaderKind : CodeOnlyKind<DeviceCode::ticket_reader> {
   static constexpr DeviceInfo info = {.name = "ticket-reader",
                                       .title = "ticket or card reader, by its code alone",
@@ -60,6 +64,7 @@ struct TicketReaderKind : CodeOnlyKind<DeviceCode::ticket_reader> {
                                       .node_id = 24};
   static constexpr const VirtualDeviceInfo& provides = ticket_reader;
 };
+/// Data radio (6.14).
 struct DataRadioKind : CodeOnlyKind<DeviceCode::data_radio> {
   static constexpr DeviceInfo info = {.name = "data-radio",
                                       .title = "data radio (DRCC), by its code alone",
@@ -69,6 +74,7 @@ struct DataRadioKind : CodeOnlyKind<DeviceCode::data_radio> {
                                       .hardware = "a radio: connected or not"};
   static constexpr const VirtualDeviceInfo& provides = data_radio;
 };
+/// Voice radio (6.15).
 struct VoiceRadioKind : CodeOnlyKind<DeviceCode::voice_radio> {
   static constexpr DeviceInfo info = {.name = "voice-radio",
                                       .title = "voice radio (VRCC), by its code alone",
@@ -78,6 +84,7 @@ struct VoiceRadioKind : CodeOnlyKind<DeviceCode::voice_radio> {
                                       .hardware = "a radio: connected or not"};
   static constexpr const VirtualDeviceInfo& provides = voice_radio;
 };
+/// Short-range communication (6.16).
 struct ShortRangeKind : CodeOnlyKind<DeviceCode::short_range_communication> {
   static constexpr DeviceInfo info = {.name = "short-range-communication",
                                       .title = "short range radio (DSRC), by its code alone",
@@ -87,6 +94,7 @@ struct ShortRangeKind : CodeOnlyKind<DeviceCode::short_range_communication> {
                                       .hardware = "a radio: connected or not"};
   static constexpr const VirtualDeviceInfo& provides = short_range_communication;
 };
+/// Driver's console display (6.19).
 struct ConsoleDisplayKind : CodeOnlyKind<DeviceCode::drivers_console_display> {
   static constexpr DeviceInfo info = {.name = "console-display",
                                       .title = "driver's console display, by its code alone",
@@ -95,6 +103,7 @@ struct ConsoleDisplayKind : CodeOnlyKind<DeviceCode::drivers_console_display> {
                                       .node_id = 28};
   static constexpr const VirtualDeviceInfo& provides = drivers_console_display;
 };
+/// Power supply (6.25).
 struct BusPowerSupplyKind : CodeOnlyKind<DeviceCode::power_supply> {
   static constexpr DeviceInfo info = {.name = "bus-power-supply",
                                       .title = "power supply of a bus, by its code alone",

@@ -12,20 +12,21 @@ namespace canvoy::cia407 {
 
 /// Empty values are not known.
 struct DriverView {
-  std::optional<CivilTime> time = {};
-  bool has_open_door = false;
-  bool left_released = false;
-  bool right_released = false;
-  std::optional<double> ambient_celsius = {};
-  std::optional<double> coolant_celsius = {};
-  std::optional<double> fuel_rate_l_per_h = {};
-  std::optional<double> average_economy_km_per_l = {};
-  std::optional<double> engine_hours = {};
-  bool is_braking = false;
-  std::uint32_t last_error = 0;  ///< as in 6740h; 0: none
+  std::optional<CivilTime> time = {};                   ///< driver time, local
+  bool has_open_door = false;                           ///< one of them at least
+  bool left_released = false;                           ///< doors on the left side
+  bool right_released = false;                          ///< doors on the right side
+  std::optional<double> ambient_celsius = {};           ///< of the air outside
+  std::optional<double> coolant_celsius = {};           ///< of the engine
+  std::optional<double> fuel_rate_l_per_h = {};         ///< at present
+  std::optional<double> average_economy_km_per_l = {};  ///< of the trip
+  std::optional<double> engine_hours = {};              ///< in all
+  bool is_braking = false;                              ///< the pedal is pressed
+  std::uint32_t last_error = 0;                         ///< as in 6740h; 0: none
 
   friend constexpr bool operator==(const DriverView&, const DriverView&) = default;
 };
+/// The display.
 struct DriverIndicatorHardware {
   /// Called when the view changes.
   Callback<void(const DriverView&)> show = {};
@@ -77,6 +78,7 @@ inline std::span<const AccessHandlers> DriverIndicatorUnit::reactions() {
   return rows;
 }
 
+/// Vehicle driver indicator, display only.
 struct DriverDisplayKind : BusKind<DriverIndicatorUnit, DriverIndicatorHardware> {
   static constexpr DeviceInfo info = {.name = "driver-display",
                                       .title = "vehicle driver indicator, display only",
@@ -87,6 +89,7 @@ struct DriverDisplayKind : BusKind<DriverIndicatorUnit, DriverIndicatorHardware>
   static constexpr const VirtualDeviceInfo& provides = driver_display;
   static constexpr std::array pdos = {own_pdo<doors_rpdo>};
 };
+/// Vehicle driver indicator, display with keyboard.
 struct DriverDisplayWithKeyboardKind : BusKind<DriverIndicatorUnit, DriverIndicatorHardware> {
   static constexpr DeviceInfo info = {.name = "driver-display-keyboard",
                                       .title = "vehicle driver indicator with a keyboard",

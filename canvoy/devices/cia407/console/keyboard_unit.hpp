@@ -9,15 +9,16 @@
 
 namespace canvoy::cia407 {
 
+/// The keys, and the lever of the gear.
 struct KeyboardHardware {
   /// A bit for each pressed key.
   Callback<std::uint32_t()> keys = {};
-  Callback<bool()> is_reverse_engaged = {};
+  Callback<bool()> is_reverse_engaged = {};  ///< false: not, or not known
 };
 
 class KeyboardUnit {
  public:
-  static constexpr Duration period = 20ms;
+  static constexpr Duration period = 20ms;  ///< of readings
 
   /// Everything to which `hardware` refers must outlive this.
   KeyboardUnit(VirtualDevice& device, const KeyboardHardware& hardware,

@@ -17,17 +17,19 @@
 
 namespace canvoy::cia407 {
 
+/// The vehicle's size.
 struct CountingManagerSettings {
-  unsigned capacity = 80;       ///< maximum number of passengers, at least 1
-  unsigned close_percent = 90;  ///< from this share on, the car is nearly full
-  unsigned limit_percent = 100;
+  unsigned capacity = 80;        ///< maximum number of passengers, at least 1
+  unsigned close_percent = 90;   ///< from this share on, the car is nearly full
+  unsigned limit_percent = 100;  ///< from this share on, the car is full
 };
 
 class CountingManagerUnit {
  public:
-  static constexpr std::size_t record_size = 24;
-  static constexpr std::size_t records_max = 128;
+  static constexpr std::size_t record_size = 24;   ///< bytes of the record of one stop
+  static constexpr std::size_t records_max = 128;  ///< the newest are kept
 
+  /// Makes the unit; `device` must outlive it.
   CountingManagerUnit(VirtualDevice& device, const NoHardware& hardware,
                       const CountingManagerSettings& settings);
   CountingManagerUnit(const CountingManagerUnit&) = delete;
@@ -35,14 +37,16 @@ class CountingManagerUnit {
 
   /// Counts of the day.
   struct Counts {
-    std::uint16_t in = 0;
-    std::uint16_t out = 0;
-    unsigned aboard = 0;
+    std::uint16_t in = 0;   ///< passengers
+    std::uint16_t out = 0;  ///< passengers
+    unsigned aboard = 0;    ///< passengers at present
 
     friend constexpr bool operator==(const Counts&, const Counts&) = default;
   };
 
+  /// Passengers at present.
   unsigned aboard() const { return counts_.aboard; }
+  /// Counts at present.
   Counts counts() const { return counts_; }
   /// Restores the counts that a memory has kept over a loss of power.
   void restore(const Counts& counts) {

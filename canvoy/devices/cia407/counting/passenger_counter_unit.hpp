@@ -15,15 +15,17 @@
 
 namespace canvoy::cia407 {
 
+/// The door that is counted.
 struct PassengerCounterSettings {
   unsigned door = 1;  ///< 1 to 12, as in 6488h
 };
 
 class PassengerCounterUnit {
  public:
-  static constexpr unsigned many = 200;
+  static constexpr unsigned many = 200;       ///< more passengers cause an event at once
   static constexpr unsigned count_max = 255;  ///< of a field of 6700h
 
+  /// Makes the unit; `device` must outlive it.
   PassengerCounterUnit(VirtualDevice& device, const NoHardware& hardware,
                        const PassengerCounterSettings& settings);
   PassengerCounterUnit(const PassengerCounterUnit&) = delete;
@@ -31,11 +33,14 @@ class PassengerCounterUnit {
 
   // Counts people who pass the sensors; at a closed door they are ignored. Call it from the node's
   // callbacks, or after node.advance().
+  /// Counts passengers who come in; ignored while the door is closed.
   void count_in(unsigned people = 1) { count(in_, people); }
+  /// Counts passengers who go out; ignored while the door is closed.
   void count_out(unsigned people = 1) { count(out_, people); }
   /// For a counter that senses its door itself, where no device provides 6488h.
   void set_door(bool is_open);
 
+  /// True while the door is open.
   bool is_counting() const { return is_counting_; }
 
  private:

@@ -21,19 +21,22 @@
 
 namespace canvoy::cia407 {
 
+/// Class of a message: 6742h, 6743h or 6744h.
 enum class ErrorClass : std::uint8_t { first, second, third };
 
+/// Limit of the list of errors.
 struct DiagnosticsSettings {
   unsigned close_to_limit = 240;  ///< entries of 6740h, of 254
 };
 
 class DiagnosticsUnit {
  public:
-  static constexpr std::size_t entries_max = 254;
-  static constexpr std::size_t message_size = 64;
-  static constexpr std::size_t file_size = 16384;
-  static constexpr unsigned many = 200;
+  static constexpr std::size_t entries_max = 254;  ///< of 6740h
+  static constexpr std::size_t message_size = 64;  ///< bytes of a message at most
+  static constexpr std::size_t file_size = 16384;  ///< bytes of 6741h at most
+  static constexpr unsigned many = 200;            ///< more entries of a list cause an event
 
+  /// Makes the unit; `device` must outlive it.
   DiagnosticsUnit(VirtualDevice& device, const NoHardware& hardware,
                   const DiagnosticsSettings& settings);
   DiagnosticsUnit(const DiagnosticsUnit&) = delete;
@@ -44,6 +47,7 @@ class DiagnosticsUnit {
   /// Reports a message like a write to sub-index 01h. False if there is no room, or if it is longer
   /// than 64 characters of 7-bit ASCII.
   bool report(ErrorClass error_class, std::string_view message);
+  /// Content of 6741h: a line for each report.
   std::string_view file() const { return {file_.data(), file_length_}; }
 
  private:

@@ -17,6 +17,7 @@
 
 namespace canvoy::cia407 {
 
+/// The train bus.
 struct TrainBusGatewayHardware {
   /// Sends a value, as stored in the dictionary, to the other vehicles.
   Callback<void(std::uint16_t index, std::uint8_t sub, std::span<const std::uint8_t> value)> send =

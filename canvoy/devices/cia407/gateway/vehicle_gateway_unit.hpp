@@ -18,10 +18,11 @@ namespace canvoy::cia407 {
 
 /// A measured value; nothing if it is missing.
 struct Measured {
-  std::optional<double> value = {};
-  bool has_failed = false;
+  std::optional<double> value = {};  ///< in the unit of its name
+  bool has_failed = false;           ///< the sensor has failed: no value counts
 
   constexpr Measured() = default;
+  /// A value that was measured.
   constexpr Measured(double number) : value(number) {}  // NOLINT(google-explicit-constructor)
   /// The value as converted by `convert`; a failure stays a failure.
   Measured changed(std::optional<double> (*convert)(std::optional<double>)) const {
@@ -29,6 +30,7 @@ struct Measured {
     made.value = convert(value);
     return made;
   }
+  /// A value of a failed sensor.
   static constexpr Measured failure() {
     Measured made;
     made.has_failed = true;
@@ -36,37 +38,40 @@ struct Measured {
   }
 };
 
+/// The values of the other networks of the vehicle.
 struct VehicleReading {
-  static constexpr std::size_t doors_max = 12;
+  static constexpr std::size_t doors_max = 12;  ///< as in 6488h
 
-  Measured speed_kmh;
-  Measured mileage_metres;
-  Measured bearing_degrees;
-  Measured ambient_celsius;
-  Measured fuel_rate_l_per_h;
-  Measured economy_km_per_l;
-  Measured average_economy_km_per_l;
-  Measured fuel_used_l;
-  Measured trip_fuel_l;
-  Measured idle_fuel_l;
-  Measured coolant_celsius;
-  Measured idle_hours;
-  Measured vehicle_hours;
-  Measured engine_hours;
-  Measured takeoff_hours;
-  Direction direction = Direction::not_available;
-  BrakePedal brake = BrakePedal::not_available;
-  std::array<DoorState, doors_max> doors{};
-  bool left_released = false;
-  bool right_released = false;
-  std::optional<CivilTime> local_time = {};
+  Measured speed_kmh;                              ///< negative: backward
+  Measured mileage_metres;                         ///< total
+  Measured bearing_degrees;                        ///< clockwise from north
+  Measured ambient_celsius;                        ///< of the air outside
+  Measured fuel_rate_l_per_h;                      ///< at present
+  Measured economy_km_per_l;                       ///< at present
+  Measured average_economy_km_per_l;               ///< of the trip
+  Measured fuel_used_l;                            ///< total
+  Measured trip_fuel_l;                            ///< of the trip
+  Measured idle_fuel_l;                            ///< total
+  Measured coolant_celsius;                        ///< of the engine
+  Measured idle_hours;                             ///< of the engine, total
+  Measured vehicle_hours;                          ///< total
+  Measured engine_hours;                           ///< total
+  Measured takeoff_hours;                          ///< of the power take-off, total
+  Direction direction = Direction::not_available;  ///< of travel
+  BrakePedal brake = BrakePedal::not_available;    ///< pedal
+  std::array<DoorState, doors_max> doors{};        ///< by number, from 1
+  bool left_released = false;                      ///< doors on the left side
+  bool right_released = false;                     ///< doors on the right side
+  std::optional<CivilTime> local_time = {};        ///< of the vehicle
 };
+/// The other networks of the vehicle.
 struct VehicleGatewayHardware {
-  Callback<VehicleReading()> read = {};
+  Callback<VehicleReading()> read = {};  ///< once a period
 };
+/// Motion sensor, and period.
 struct VehicleGatewaySettings {
   double pulses_per_metre = 8;  ///< of the motion sensor
-  Duration period = 100ms;
+  Duration period = 100ms;      ///< of readings
 };
 
 class VehicleGatewayUnit {

@@ -12,21 +12,23 @@
 
 namespace canvoy::cia407 {
 
+/// The inputs and outputs, as wired.
 struct GenericIoHardware {
-  Callback<std::uint32_t()> digital_inputs = {};
+  Callback<std::uint32_t()> digital_inputs = {};  ///< bit 0 is input 1
   /// `channel` is 1 to 8: two of each group.
   Callback<std::int16_t(unsigned channel)> analogue_input = {};
-  Callback<void(std::uint32_t)> set_digital_outputs = {};
-  Callback<void(unsigned channel, std::int16_t value)> set_analogue_output = {};
+  Callback<void(std::uint32_t)> set_digital_outputs = {};  ///< bit 0 is output 1
+  Callback<void(unsigned channel, std::int16_t value)> set_analogue_output =
+      {};  ///< channel 1 to 8
   /// True if an error of outputs exists: 2310h, 2320h, 2330h.
   Callback<bool(std::uint16_t code)> has_error = {};
 };
 
 class GenericIoUnit {
  public:
-  static constexpr Duration period = 20ms;
-  static constexpr unsigned groups = 4;
-  static constexpr std::uint16_t errors[] = {0x2310, 0x2320, 0x2330};
+  static constexpr Duration period = 20ms;  ///< of readings
+  static constexpr unsigned groups = 4;     ///< of eight digital inputs or outputs
+  static constexpr std::uint16_t errors[] = {0x2310, 0x2320, 0x2330};  ///< of outputs, 7.3
 
   /// Everything to which `hardware` refers must outlive this.
   GenericIoUnit(VirtualDevice& device, const GenericIoHardware& hardware,

@@ -34,14 +34,16 @@ struct OwnPdo {
   enum class Where : std::uint8_t { everywhere, with_main_computer, without_main_computer };
 
   const PdoInfo* info = nullptr;
-  const ObjectInfo* parameter = nullptr;
-  const ObjectInfo* mapping = nullptr;
-  Where where = Where::everywhere;
+  const ObjectInfo* parameter = nullptr;  ///< communication record
+  const ObjectInfo* mapping = nullptr;    ///< mapping record
+  Where where = Where::everywhere;        ///< segments of the network
 
+  /// True in a segment with or without a main on-board computer.
   constexpr bool is_in(bool has_main_computer) const {
     return where == Where::everywhere || (where == Where::with_main_computer) == has_main_computer;
   }
 };
+/// Both records of a PDO.
 template <const PdoInfo& pdo, OwnPdo::Where where = OwnPdo::Where::everywhere>
 inline constexpr OwnPdo own_pdo = {
     .info = &pdo,
@@ -53,13 +55,14 @@ inline constexpr OwnPdo own_pdo = {
 struct BusUnit {
   DeviceInfo info;
   const VirtualDeviceInfo* provides = nullptr;
-  std::span<const OwnPdo> pdos = {};
+  std::span<const OwnPdo> pdos = {};  ///< that the unit adds to those of the profile
   /// Numbers of entries of arrays, or of bytes in them, where they differ from the usual ones.
   std::span<const WantedObject> sizes = {};
   std::size_t routes = 0;  ///< CAN-IDs that it receives
   std::size_t bytes = 0;   ///< of memory for make()
+  /// Constructs the unit.
   void (*make)(void* memory, VirtualDevice& device, const Environment& environment) = nullptr;
-  void (*end)(void* memory) = nullptr;
+  void (*end)(void* memory) = nullptr;  ///< destroys it; the memory stays
 };
 
 /// For a unit that is the application of a virtual device, and provides nothing itself. It is
@@ -68,9 +71,9 @@ inline constexpr VirtualDeviceInfo application = {.name = "application"};
 
 /// Segment of the network, for the composition of a device (footnotes of 6.2, 6.3 and 6.10).
 struct BusSegment {
-  Configuration configuration = Configuration::typical;
-  bool has_main_computer = true;  ///< or an identification device
-  bool has_diagnostics = true;
+  Configuration configuration = Configuration::typical;  ///< minimum or typical, 8.1.4.3
+  bool has_main_computer = true;                         ///< or an identification device
+  bool has_diagnostics = true;                           ///< a diagnostics device
   /// 6196h to 6198h are provided by the identification device instead of the main on-board
   /// computer.
   bool identification_provides_texts = false;
@@ -93,7 +96,9 @@ class BusDevice : public FoundValues<BusDevice> {
   BusDevice(const BusDevice&) = delete;
   BusDevice& operator=(const BusDevice&) = delete;
 
+  /// The node of the device: frames and points in time are handed to it.
   Node& node() { return device_.node(); }
+  /// Sends errors of the device.
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
   /// Entry that the units need and the device does not have: see HeapNode.
   MissingEntry missing() const { return device_.missing(); }

@@ -27,14 +27,16 @@ struct NoSettings {};
 
 template <class UnitType, class HardwareType, class SettingsType = NoSettings>
 struct BusKind {
-  using Unit = UnitType;
-  using Hardware = HardwareType;
-  using Settings = SettingsType;
-  static constexpr std::array<OwnPdo, 0> pdos{};
+  using Unit = UnitType;                          ///< behaviour of the virtual device
+  using Hardware = HardwareType;                  ///< what the unit senses and drives
+  using Settings = SettingsType;                  ///< what no object of the dictionary sets
+  static constexpr std::array<OwnPdo, 0> pdos{};  ///< that the unit adds to those of the profile
+  /// Of objects with a size of the maker's choice.
   static constexpr std::array<WantedObject, 0> sizes{};
   static constexpr std::size_t routes = 0;  ///< CAN-IDs that the unit itself receives
 };
 
+/// Constructs a unit with what its environment offers.
 template <class Kind>
 void make_bus_unit(void* memory, VirtualDevice& device, const Environment& environment) {
   using Unit = typename Kind::Unit;
@@ -56,6 +58,7 @@ inline constexpr BusUnit bus_unit = {
     .make = make_bus_unit<Kind>,
     .end = [](void* memory) { std::destroy_at(static_cast<typename Kind::Unit*>(memory)); }};
 
+/// The same as a list of one.
 template <class Kind>
 inline constexpr const BusUnit* only_bus_unit[1] = {&bus_unit<Kind>};
 

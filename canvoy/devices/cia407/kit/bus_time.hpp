@@ -48,13 +48,15 @@ struct ClockHandles {
 template <class... Handles>
 ClockHandles(Handles...) -> ClockHandles<Handles...>;
 
-inline constexpr ClockHandles local_clock{local_year, local_day,    local_month,
+inline constexpr ClockHandles local_clock{local_year, local_day,    local_month,  ///< 610Eh
                                           local_hour, local_minute, local_second};
+/// 6115h.
 inline constexpr ClockHandles scheduled_clock{scheduled_year, scheduled_day,    scheduled_month,
                                               scheduled_hour, scheduled_minute, scheduled_second};
-inline constexpr ClockHandles tachograph_clock{tachograph_year,   tachograph_day,
+inline constexpr ClockHandles tachograph_clock{tachograph_year,   tachograph_day,  ///< 6523h
                                                tachograph_month,  tachograph_hour,
                                                tachograph_minute, tachograph_second};
+/// 6680h.
 inline constexpr ClockHandles universal_clock{universal_year, universal_day,    universal_month,
                                               universal_hour, universal_minute, universal_second};
 
@@ -107,6 +109,7 @@ std::optional<CivilTime> read_clock(Values values, const Clock& clock) {
                           .second = static_cast<unsigned>(*second)};
   return can_be_told(time) ? std::optional(time) : std::nullopt;
 }
+/// Local time of the vehicle (610Eh); nothing while it is not known.
 inline std::optional<CivilTime> local_time(Values values) {
   return read_clock(values, local_clock);
 }

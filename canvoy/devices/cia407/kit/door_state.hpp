@@ -11,7 +11,7 @@ namespace canvoy::cia407 {
 
 struct DoorState {
   bool is_valid = false;  ///< the door exists, and its state is known
-  bool is_open = false;
+  bool is_open = false;   ///< wholly or partly
 
   friend constexpr bool operator==(const DoorState&, const DoorState&) = default;
 };

@@ -12,7 +12,7 @@ namespace canvoy::cia407 {
 
 class ErrorWatch {
  public:
-  static constexpr Duration period = 100ms;
+  static constexpr Duration period = 100ms;  ///< of checks
 
   /// Everything to which `has_error` refers must outlive this; empty: no errors.
   ErrorWatch(VirtualDevice& device, std::span<const std::uint16_t> codes,
@@ -24,6 +24,7 @@ class ErrorWatch {
   ErrorWatch(const ErrorWatch&) = delete;
   ErrorWatch& operator=(const ErrorWatch&) = delete;
 
+  /// Checks all errors, if it is time, and reports what has changed.
   void look(Time now) {
     if (!has_error_ || codes_.empty()) return;
     device_.node().timers().arm(timer_, now + period);

@@ -21,16 +21,18 @@ class FileShelf {
   struct Memory {
     std::span<std::uint8_t> bytes;   ///< (sizes.size() + 1) x size_max
     std::span<std::uint32_t> sizes;  ///< one for each file
-    std::uint32_t size_max = 0;
-    std::uint8_t first_sub = 1;  ///< of the first file; 0 for a variable
+    std::uint32_t size_max = 0;      ///< bytes of a file at most
+    std::uint8_t first_sub = 1;      ///< of the first file; 0 for a variable
   };
 
+  /// Attaches to an object of the device, for each file one sub-index.
   FileShelf(VirtualDevice& device, std::uint16_t index, const Memory& memory);
   FileShelf(const FileShelf&) = delete;
   FileShelf& operator=(const FileShelf&) = delete;
 
   /// Empty if there is none. Valid until it is written.
   std::span<const std::uint8_t> file(unsigned sub) const;
+  /// Removes all files.
   void clear();
 
   /// Called when a whole file has arrived.
@@ -62,12 +64,15 @@ class FileShelf {
   unsigned read_ = 0;      ///< place of the file being read, unless it was written since; 0: none
 };
 
+/// A shelf with its memory.
 template <std::size_t files, std::size_t size_max, std::uint8_t first_sub = 1>
 class FileShelfOf {
  public:
+  /// Attaches to an object of the device.
   FileShelfOf(VirtualDevice& device, std::uint16_t index)
       : shelf_(device, index,
                {.bytes = bytes_, .sizes = sizes_, .size_max = size_max, .first_sub = first_sub}) {}
+  /// The shelf.
   FileShelf& shelf() { return shelf_; }
 
  private:

@@ -12,11 +12,11 @@
 
 namespace canvoy::cia407 {
 
-inline constexpr double kmh_of_metres_per_second = 3.6;
+inline constexpr double kmh_of_metres_per_second = 3.6;  ///< factor
 
 class MotionRecognition {
  public:
-  static constexpr Duration recognition_time = 5s;
+  static constexpr Duration recognition_time = 5s;  ///< of more than one pulse a second
 
   /// Nothing: no signal from the sensor.
   void take(std::optional<double> pulses_per_second, Time now) {
@@ -29,6 +29,7 @@ class MotionRecognition {
     }
     is_moving_ = since_ && now - *since_ >= recognition_time;
   }
+  /// Motion as it is recognized at present.
   Motion motion() const {
     if (!is_available_) return Motion::not_available;
     return is_moving_ ? Motion::detected : Motion::not_detected;

@@ -11,7 +11,7 @@ namespace canvoy::cia407 {
 
 class StateAnswer {
  public:
-  static constexpr std::uint8_t flag = 1;
+  static constexpr std::uint8_t flag = 1;  ///< of the event flags
 
   /// `information` is called for each answer; empty: the answer only shows that the device is
   /// alive.

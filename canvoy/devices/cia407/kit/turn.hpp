@@ -9,7 +9,7 @@
 
 namespace canvoy::cia407 {
 
-inline constexpr double whole_turn = 360;
+inline constexpr double whole_turn = 360;  ///< degrees
 
 /// 0 to 360 degrees; nothing for NaN.
 inline std::optional<double> within_turn(std::optional<double> degrees) {

@@ -21,6 +21,7 @@ namespace canvoy::cia407 {
 
 /// First bits of code and manufacturer-specific information in an entry of 6001h and 6002h.
 inline constexpr unsigned event_code_bit = 24;
+/// Of the lowest bit of the information in 6001h.
 inline constexpr unsigned event_information_bit = 8;
 
 /// The objects of the profile: 6000h to 67FFh.
@@ -43,10 +44,12 @@ class VirtualDevices {
   /// Maximum number in 6001h and 6002h; further virtual devices have no events (errata 80).
   static constexpr unsigned with_events_max = 32;
 
+  /// Attaches to the node, which must outlive this.
   explicit VirtualDevices(Node& node);
   VirtualDevices(const VirtualDevices&) = delete;
   VirtualDevices& operator=(const VirtualDevices&) = delete;
 
+  /// The node of the physical device.
   Node& node() { return node_; }
 
  private:
@@ -88,9 +91,12 @@ class VirtualDevice {
   VirtualDevice(const VirtualDevice&) = delete;
   VirtualDevice& operator=(const VirtualDevice&) = delete;
 
+  /// The node of the physical device.
   Node& node() { return all_.node(); }
   const VirtualDeviceInfo& info() const { return info_; }
+  /// Number of the virtual device in its physical device, from 1.
   unsigned number() const { return number_; }
+  /// Values of the dictionary, by handle.
   Values values() { return Values(node().dictionary()); }
   template <class Handle>
   typename Handle::Reference operator[](const Handle& handle) {
@@ -123,6 +129,7 @@ class VirtualDevice {
   void signal(std::uint8_t flags, bool is_pending);
   /// Sets the manufacturer-specific information of 6001h.
   void inform(std::uint16_t information);
+  /// Event flags that this device reports at present.
   std::uint8_t flags() const { return flags_; }
   /// Reports that an error came (`is_present`) or went; the emergency has the number of this
   /// virtual device.

@@ -11,21 +11,23 @@
 
 namespace canvoy::cia407 {
 
+/// The work of a driver.
 struct Assignment {
-  std::uint32_t driver_id = 0;
-  std::uint32_t destination_number = 0;
-  std::uint16_t line_id = 0;
-  std::uint16_t route_number = 0;
-  std::uint32_t block_id = 0;
-  std::uint16_t journey_number = 0;  ///< 0: not in service
+  std::uint32_t driver_id = 0;           ///< 0: no driver
+  std::uint32_t destination_number = 0;  ///< of the journey
+  std::uint16_t line_id = 0;             ///< of the journey
+  std::uint16_t route_number = 0;        ///< of the journey
+  std::uint32_t block_id = 0;            ///< work of the vehicle for the day
+  std::uint16_t journey_number = 0;      ///< 0: not in service
   // If this device provides them (BusSegment::identification_provides_texts).
-  std::string_view line_text = {};
-  std::string_view block_text = {};
-  std::string_view driver_text = {};
+  std::string_view line_text = {};    ///< of the line
+  std::string_view block_text = {};   ///< of the block
+  std::string_view driver_text = {};  ///< of the driver
 
   friend constexpr bool operator==(const Assignment&, const Assignment&) = default;
 };
 
+/// The terminal of the driver.
 struct IdentificationHardware {
   /// The values after power-on, from a memory. Empty: no driver has logged in.
   Callback<Assignment()> remembered = {};
@@ -42,6 +44,7 @@ class IdentificationUnit {
   IdentificationUnit(const IdentificationUnit&) = delete;
   IdentificationUnit& operator=(const IdentificationUnit&) = delete;
 
+  /// Reports the driver and the journey; also a change of the journey.
   void log_in(const Assignment& assignment) {
     device_.tell(driver_id, assignment.driver_id);
     device_.tell(destination_number, assignment.destination_number);
@@ -53,6 +56,7 @@ class IdentificationUnit {
     tell_text(block_id_text, assignment.block_text);
     tell_text(driver_id_text, assignment.driver_text);
   }
+  /// Reports that no driver is on duty.
   void log_out() { log_in({}); }
 
  private:

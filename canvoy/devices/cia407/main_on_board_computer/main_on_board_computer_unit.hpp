@@ -20,6 +20,7 @@
 
 namespace canvoy::cia407 {
 
+/// What the application adds to the computer.
 struct MainOnBoardComputerHardware {
   /// Local time; nothing if it is not known.
   Callback<std::optional<CivilTime>()> clock = {};
@@ -33,25 +34,25 @@ struct MainOnBoardComputerHardware {
 
 /// Identity of the vehicle.
 struct MainOnBoardComputerSettings {
-  std::uint32_t vehicle_id = 0;
-  std::uint16_t body_id = 0;
-  std::uint16_t garage_id = 0;
-  std::uint32_t radio_id = 0;
-  VehicleClass vehicle_class = VehicleClass::bus;
-  std::uint8_t vehicle_units = 1;
-  std::string_view vehicle_id_text = {};
-  std::string_view body_id_text = {};
-  std::string_view garage_id_text = {};
-  std::string_view radio_id_text = {};
+  std::uint32_t vehicle_id = 0;                    ///< number of the vehicle
+  std::uint16_t body_id = 0;                       ///< of the body
+  std::uint16_t garage_id = 0;                     ///< where the vehicle is at home
+  std::uint32_t radio_id = 0;                      ///< of the radio
+  VehicleClass vehicle_class = VehicleClass::bus;  ///< bus, tram or train
+  std::uint8_t vehicle_units = 1;                  ///< number of coupled units
+  std::string_view vehicle_id_text = {};           ///< as text
+  std::string_view body_id_text = {};              ///< as text
+  std::string_view garage_id_text = {};            ///< as text
+  std::string_view radio_id_text = {};             ///< as text
 };
 
 /// Position of the vehicle on its route.
 struct RoutePosition {
-  std::uint32_t stop_point_id = 0;
+  std::uint32_t stop_point_id = 0;     ///< the present or next stop
   std::uint8_t number_of_running = 1;  ///< of the stop point in the route, from 1 on
-  std::uint8_t fare_zone = 0;
-  std::uint16_t route_segment = 0;
-  JourneyDirection direction = JourneyDirection::forward;
+  std::uint8_t fare_zone = 0;          ///< of the stop
+  std::uint16_t route_segment = 0;     ///< of the route
+  JourneyDirection direction = JourneyDirection::forward;  ///< forward or backward
 };
 
 class MainOnBoardComputerUnit {
@@ -67,11 +68,15 @@ class MainOnBoardComputerUnit {
   void set_position(const RoutePosition& position);
   /// Starts a journey, without previous zone and segment.
   void begin_route(const RoutePosition& position);
+  /// Blocks or releases ticket cancellers and printers.
   void block_tickets(bool is_blocked);
   /// Sets or clears the request of a passenger to get off. Opening doors end it.
   void request_stop(bool is_requested = true);
+  /// Reports the name of the line, for displays.
   void set_line_name(std::string_view name) { device_.tell(line_short_representation, name); }
+  /// Reports the name of the stop point, for displays.
   void set_stop_name(std::string_view name) { device_.tell(stop_point_short_representation, name); }
+  /// Reports the scheduled time.
   void set_scheduled(const CivilTime& time) { tell_clock(device_, scheduled_clock, time); }
   /// Sets event flags for the n-th virtual device of 6002h, 1 to 32. Without flags and information,
   /// the entry is cleared.
@@ -79,7 +84,9 @@ class MainOnBoardComputerUnit {
   /// Reads the clock at the next call of the node, after it was set.
   void clock_changed() { node().timers().arm(timer_, node().now()); }
 
+  /// The virtual device, for further values and events.
   VirtualDevice& device() { return device_; }
+  /// Sends texts to the displays.
   TextSender& texts() { return texts_; }
 
  private:

@@ -16,11 +16,12 @@ namespace canvoy::cia407 {
 
 class TextSender {
  public:
-  static constexpr std::size_t size_max = 128;  ///< of a plain text (errata 106)
-  static constexpr std::size_t waiting_max = 64;
-  static constexpr std::size_t servers_max = 4;  ///< written at a time
-  static constexpr unsigned tries_max = 3;
+  static constexpr std::size_t size_max = 128;    ///< of a plain text (errata 106)
+  static constexpr std::size_t waiting_max = 64;  ///< texts
+  static constexpr std::size_t servers_max = 4;   ///< written at a time
+  static constexpr unsigned tries_max = 3;        ///< of a text at one device
 
+  /// Makes a sender; `node` must outlive it and needs routes for its SDO clients.
   explicit TextSender(Node& node);
   TextSender(const TextSender&) = delete;
   TextSender& operator=(const TextSender&) = delete;
@@ -44,7 +45,9 @@ class TextSender {
   /// Called for each text that has arrived or finally failed. The callback may send again.
   void on_done(Callback<void(NodeId server, bool has_arrived)> done) { done_ = done; }
 
+  /// True if no text waits or is being written.
   bool is_idle() const { return queue_.idle(); }
+  /// Number of texts that devices have taken.
   std::uint32_t delivered() const { return delivered_; }
   /// Number of texts that were refused, or not answered after all tries.
   std::uint32_t failed() const { return failed_; }

@@ -19,6 +19,7 @@
 
 namespace canvoy::cia407 {
 
+/// The display.
 struct DisplayHardware {
   /// Shows exactly these elements, and removes all others.
   Callback<void(std::span<const ShownElement>)> show = {};
@@ -30,12 +31,12 @@ struct DisplayHardware {
 
 class PassengerInformationUnit {
  public:
-  static constexpr std::size_t elements_max = 32;
+  static constexpr std::size_t elements_max = 32;  ///< of a display mapping
   // Maximum bytes of a file, and number of files.
-  static constexpr std::size_t special_characters = 16;
-  static constexpr std::size_t special_character_size = 256;
-  static constexpr std::size_t pictures = 8;
-  static constexpr std::size_t picture_size = 8192;
+  static constexpr std::size_t special_characters = 16;       ///< files
+  static constexpr std::size_t special_character_size = 256;  ///< bytes of each
+  static constexpr std::size_t pictures = 8;                  ///< files
+  static constexpr std::size_t picture_size = 8192;           ///< bytes of each
 
   /// Everything to which `hardware` refers must outlive this.
   PassengerInformationUnit(VirtualDevice& device, const DisplayHardware& hardware,
@@ -43,6 +44,7 @@ class PassengerInformationUnit {
   PassengerInformationUnit(const PassengerInformationUnit&) = delete;
   PassengerInformationUnit& operator=(const PassengerInformationUnit&) = delete;
 
+  /// Files of characters that 6202h stores.
   FileShelf& special_character_files() { return special_characters_.shelf(); }
 
  private:
@@ -76,6 +78,7 @@ class PassengerInformationUnit {
 };
 
 // By class and subclass, and by class.
+/// In the catalogue.
 inline constexpr std::string_view display_names[] = {
     "destination-indicator-simple",   "destination-indicator-text",
     "destination-indicator-graphics", "destination-indicator-extended",
@@ -83,6 +86,7 @@ inline constexpr std::string_view display_names[] = {
     "next-stop-indicator-graphics",   "next-stop-indicator-extended",
     "information-indicator-simple",   "information-indicator-text",
     "information-indicator-graphics", "information-indicator-extended"};
+/// In the catalogue.
 inline constexpr std::string_view display_titles[] = {
     "destination indicator, simple",   "destination indicator with text",
     "destination indicator, graphics", "destination indicator, extended",
@@ -90,9 +94,10 @@ inline constexpr std::string_view display_titles[] = {
     "next stop indicator, graphics",   "next stop indicator, extended",
     "information indicator, simple",   "information indicator with text",
     "information indicator, graphics", "information indicator, extended"};
+/// Device names, 1008h.
 inline constexpr const char* display_products[] = {
     "Canvoy CiA 407 destination", "Canvoy CiA 407 next stop", "Canvoy CiA 407 information"};
-inline constexpr NodeId display_node_ids[] = {4, 5, 8};
+inline constexpr NodeId display_node_ids[] = {4, 5, 8};  ///< by class
 
 /// For a class and a subclass.
 template <InformationClass device_class, InformationSubclass subclass>

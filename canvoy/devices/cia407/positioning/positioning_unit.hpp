@@ -17,11 +17,13 @@
 
 namespace canvoy::cia407 {
 
+/// The receiver.
 struct PositioningHardware {
-  Callback<cia447::GpsReading()> read = {};
+  Callback<cia447::GpsReading()> read = {};  ///< once a period
 };
+/// Period and precision.
 struct PositioningSettings {
-  Duration period = 1s;
+  Duration period = 1s;        ///< of readings
   double metres_per_hdop = 5;  ///< precision of a position with a dilution of precision of 1
 };
 

@@ -11,6 +11,7 @@
 
 namespace canvoy::cia407 {
 
+/// The receiver of a time signal.
 struct TimeFixingHardware {
   /// Nothing: no signal.
   Callback<std::optional<CivilTime>()> utc = {};
@@ -18,10 +19,11 @@ struct TimeFixingHardware {
   /// settings, in summer and winter.
   Callback<std::chrono::minutes()> local_offset = {};
 };
+/// Offset of the local time, and period.
 struct TimeFixingSettings {
   int offset_hours = 0;    ///< of the local time: -23 to 23
   int offset_minutes = 0;  ///< -59 to 59
-  Duration period = 1s;
+  Duration period = 1s;    ///< of readings
 };
 
 class TimeFixingUnit {

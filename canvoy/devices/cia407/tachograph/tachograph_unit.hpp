@@ -17,24 +17,27 @@
 
 namespace canvoy::cia407 {
 
+/// The values of a tachograph.
 struct TachographReading {
-  std::optional<double> speed_kmh = {};  ///< forward or backward
-  Direction direction = Direction::not_available;
-  double distance_metres = 0;  ///< total
-  std::optional<CivilTime> utc = {};
+  std::optional<double> speed_kmh = {};            ///< forward or backward
+  Direction direction = Direction::not_available;  ///< of travel
+  double distance_metres = 0;                      ///< total
+  std::optional<CivilTime> utc = {};               ///< nothing: not known
   /// Three characters of the member state and 16 of the card (9.2.17.5).
   using Card = std::array<char, 19>;
   /// Empty: no card.
   std::array<std::string_view, 2> cards = {};
 };
+/// The tachograph's sensors and cards.
 struct TachographHardware {
-  Callback<TachographReading()> read = {};
+  Callback<TachographReading()> read = {};  ///< once a period
 };
+/// Motion sensor, and limits of driving times.
 struct TachographSettings {
-  double pulses_per_metre = 8;
+  double pulses_per_metre = 8;                     ///< of the motion sensor
   Duration break_time = std::chrono::minutes(45);  ///< a rest that ends a driving time
   double trip_begin_metres = 0;  ///< total distance at the start of the present trip
-  Duration period = 100ms;
+  Duration period = 100ms;       ///< of readings
 };
 
 class TachographUnit {
@@ -45,6 +48,7 @@ class TachographUnit {
   TachographUnit(const TachographUnit&) = delete;
   TachographUnit& operator=(const TachographUnit&) = delete;
 
+  /// Total distance at the start of the present trip.
   double trip_begin_metres() const { return trip_begin_; }
 
  private:

@@ -11,8 +11,9 @@
 
 namespace canvoy::cia407 {
 
+/// The stamp.
 struct TicketCancellerHardware {
-  Callback<void(const TicketData&)> stamp = {};
+  Callback<void(const TicketData&)> stamp = {};  ///< a ticket that is inserted
   /// Switches the lamp that shows whether tickets are accepted.
   Callback<void(bool)> show_ready = {};
 };
@@ -25,6 +26,7 @@ class TicketCancellerUnit {
   TicketCancellerUnit(const TicketCancellerUnit&) = delete;
   TicketCancellerUnit& operator=(const TicketCancellerUnit&) = delete;
 
+  /// Stamps a ticket with the present place and time, unless it is blocked.
   TicketAnswer insert_ticket();
   /// Number of tickets since the last NMT reset; it is the state information of its events.
   std::uint16_t cancelled() const { return cancelled_; }

@@ -14,21 +14,21 @@ namespace canvoy::cia407 {
 
 /// An identifier of 0 has not been received.
 struct TicketData {
-  std::optional<CivilTime> time = {};  ///< local
-  std::uint32_t vehicle_id = 0;
-  std::uint32_t stop_point_id = 0;
-  std::uint32_t destination_number = 0;
-  std::uint32_t block_id = 0;
-  std::uint16_t line_id = 0;
-  std::uint16_t route_number = 0;
+  std::optional<CivilTime> time = {};    ///< local
+  std::uint32_t vehicle_id = 0;          ///< of the vehicle
+  std::uint32_t stop_point_id = 0;       ///< the present or last stop
+  std::uint32_t destination_number = 0;  ///< of the journey
+  std::uint32_t block_id = 0;            ///< work of the vehicle for the day
+  std::uint16_t line_id = 0;             ///< of the journey
+  std::uint16_t route_number = 0;        ///< of the journey
   bool has_fare_place = false;  ///< segment and zone were received: 0 is a valid value of both
-  std::uint16_t route_segment_number = 0;
-  std::uint8_t fare_zone = 0;
-  std::uint8_t number_of_running = 0;  ///< 0: not known
-  JourneyDirection direction = JourneyDirection::not_specified;
+  std::uint16_t route_segment_number = 0;                        ///< of the route
+  std::uint8_t fare_zone = 0;                                    ///< of the stop
+  std::uint8_t number_of_running = 0;                            ///< 0: not known
+  JourneyDirection direction = JourneyDirection::not_specified;  ///< forward or backward
   /// Valid until one of them is written.
   std::string_view stop_point_text = {};
-  std::string_view line_text = {};
+  std::string_view line_text = {};  ///< of the line; valid until it is written
 };
 
 /// The location that a ticket machine has received since the last NMT reset of its node. A ticket
@@ -55,6 +55,7 @@ class ToldPlace {
   bool has_zone_ = false;
 };
 
+/// Data of a ticket at present, from the dictionary and what was received.
 inline TicketData read_ticket_data(Values values, const ToldPlace& place) {
   return {.time = local_time(values),
           .vehicle_id = values[vehicle_id].raw(),

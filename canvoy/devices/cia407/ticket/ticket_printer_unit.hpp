@@ -11,6 +11,7 @@
 
 namespace canvoy::cia407 {
 
+/// The printer.
 struct TicketPrinterHardware {
   /// Returns true if the ticket was printed, false without paper. Empty: there is always paper.
   Callback<bool(const TicketData&)> print = {};
@@ -26,6 +27,7 @@ class TicketPrinterUnit {
   TicketPrinterUnit(const TicketPrinterUnit&) = delete;
   TicketPrinterUnit& operator=(const TicketPrinterUnit&) = delete;
 
+  /// Prints a ticket with the present place and time, unless it is blocked or has no paper.
   TicketAnswer sell_ticket();
 
  private:

@@ -67,7 +67,7 @@ struct LiftControllerSettings {
 /// Load of the car, as far as it matters for trips.
 struct LiftLoad {
   bool known = true;      ///< false: the load unit is lost, or has an error
-  bool zero = false;      ///< nobody is in it
+  bool zero = false;      ///< empty
   bool full = false;      ///< no room for further passengers
   bool overload = false;  ///< it must not start
 

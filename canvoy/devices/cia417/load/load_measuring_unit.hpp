@@ -30,7 +30,7 @@ struct LoadSettings {
   double tare_kg = 0;  ///< of the empty car
   // Values of 6483h and 6485h after a reset if their defaults are "unused" and nothing: for a car
   // of 630 kg, in kg. A maker that stores parameters describes other defaults.
-  std::uint16_t zero_load = 20;       ///< below: nobody is in the car
+  std::uint16_t zero_load = 20;       ///< below: the car is empty
   std::uint16_t norm_load = 315;      ///< half of the greatest load
   std::uint16_t full_load = 504;      ///< from here on no further passengers
   std::uint16_t overload = 693;       ///< from here on the car must not start
