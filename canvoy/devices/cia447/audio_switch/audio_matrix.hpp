@@ -14,8 +14,8 @@ namespace canvoy::cia447 {
 
 class AudioMatrix {
  public:
-  static constexpr unsigned channels = 16;
-  static constexpr std::uint8_t gain_max = 0xFD;
+  static constexpr unsigned channels = 16;        ///< node-IDs 1 to 16
+  static constexpr std::uint8_t gain_max = 0xFD;  ///< the greatest that is a gain
 
   /// Calls `changed` with each pair of channels that gets another gain. Channels are 0 to 16.
   template <class Changed>

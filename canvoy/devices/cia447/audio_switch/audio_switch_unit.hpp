@@ -21,6 +21,7 @@
 
 namespace canvoy::cia447 {
 
+/// The switch itself.
 struct AudioSwitchHardware {
   /// Called for each pair of channels, 1 to 16, that changes its gain; 0: not connected, FDh:
   /// maximum.
@@ -35,6 +36,7 @@ class AudioSwitchUnit {
   AudioSwitchUnit(const AudioSwitchUnit&) = delete;
   AudioSwitchUnit& operator=(const AudioSwitchUnit&) = delete;
 
+  /// Gains at present.
   const AudioMatrix& matrix() const { return matrix_; }
   /// Reports that the amplifier does not work: clients get that as answer.
   void report_failure(bool has_failed);

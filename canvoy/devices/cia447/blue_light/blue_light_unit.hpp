@@ -18,6 +18,7 @@ inline constexpr Mirror blue_light_mirrors[] = {
 inline constexpr SwitchedTable blue_light_table = {.commands = blue_light_commands,
                                                    .mirrors = blue_light_mirrors};
 
+/// The unit is its table.
 using BlueLightUnit = SwitchedUnit<blue_light_table>;
 
 struct BlueLightKind : CarKind<BlueLightUnit, SwitchedHardware, SwitchedSettings> {

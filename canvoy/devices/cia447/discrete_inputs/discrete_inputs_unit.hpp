@@ -21,6 +21,7 @@ inline constexpr Rest discrete_inputs_rests[] = {
     rest(discrete_inputs_status_beacon_sdi, Signal::no)};
 inline constexpr SwitchedTable discrete_inputs_table = {.rests = discrete_inputs_rests};
 
+/// The unit is its table.
 using DiscreteInputsUnit = SwitchedUnit<discrete_inputs_table>;
 
 struct DiscreteInputsKind : CarKind<DiscreteInputsUnit, SwitchedHardware, SwitchedSettings> {

@@ -22,11 +22,13 @@
 
 namespace canvoy::cia447 {
 
+/// What a card says of its driver.
 struct DriverCard {
-  std::uint64_t id = 0;
+  std::uint64_t id = 0;        ///< 60F9h
   std::string_view name = "";  ///< UTF-8; cut after 64 bytes
 };
 
+/// The card reader.
 struct DriverIdentificationHardware {
   /// Nothing if it is not set.
   Callback<std::optional<LocalTime>()> clock = {};
@@ -34,11 +36,12 @@ struct DriverIdentificationHardware {
   Callback<bool(std::uint64_t id)> knows = {};
 };
 
+/// Period and clock.
 struct DriverIdentificationSettings {
   /// Provider of date and time (60F0h, 60F2h, 60F4h): they are read from it by SDO, and only it may
   /// write them. 0: none.
   NodeId clock_node = 0;
-  Duration asking_period = 10s;
+  Duration asking_period = 10s;  ///< of the date and the time, if no PDO carries them
 };
 
 /// State of the card reader.
@@ -59,9 +62,12 @@ class DriverIdentificationUnit {
   bool log_out();
   /// Reports a card that cannot be read.
   void card_is_unreadable();
+  /// Ends the report of a failed login.
   void forget_failure();
+  /// Reports whether the reader works.
   void reader_is(CardReader reader);
 
+  /// True while a driver is logged in.
   bool is_logged_in() const { return is_logged_in_; }
 
  private:

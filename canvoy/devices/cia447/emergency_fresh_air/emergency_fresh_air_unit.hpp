@@ -17,6 +17,7 @@ inline constexpr Rest fresh_air_rests[] = {
     rest(emergency_fresh_air_system_status, FreshAir::initialization, FreshAir::standby, 3s)};
 inline constexpr SwitchedTable fresh_air_table = {.rests = fresh_air_rests};
 
+/// The unit is its table.
 using EmergencyFreshAirUnit = SwitchedUnit<fresh_air_table>;
 
 struct EmergencyFreshAirKind : CarKind<EmergencyFreshAirUnit, SwitchedHardware, SwitchedSettings> {

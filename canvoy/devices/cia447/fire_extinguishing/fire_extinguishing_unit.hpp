@@ -19,6 +19,7 @@ inline constexpr Rest fire_extinguishing_rests[] = {rest(fire_extinguishing_syst
                                                          FireExtinguishing::standby, 3s)};
 inline constexpr SwitchedTable fire_extinguishing_table = {.rests = fire_extinguishing_rests};
 
+/// The unit is its table.
 using FireExtinguishingUnit = SwitchedUnit<fire_extinguishing_table>;
 
 struct FireExtinguishingKind : CarKind<FireExtinguishingUnit, SwitchedHardware, SwitchedSettings> {

@@ -19,8 +19,9 @@ namespace canvoy::cia447 {
 
 /// Without a receiver, no value is known.
 struct GpsHardware {
-  Callback<GpsReading()> read = {};
+  Callback<GpsReading()> read = {};  ///< called once a period
 };
+/// Period of readings.
 struct GpsSettings {
   /// Period of readings of the receiver; zero: read when the receiver reports new data.
   Duration period = 1s;

@@ -19,7 +19,7 @@ namespace canvoy::cia447 {
 
 /// Results of the lines.
 struct NmeaCounts {
-  std::uint32_t accepted = 0;
+  std::uint32_t accepted = 0;        ///< taken into the reading
   std::uint32_t not_wanted = 0;      ///< valid, but another sentence or another talker
   std::uint32_t wrong_checksum = 0;  ///< or none
   std::uint32_t malformed = 0;       ///< valid checksum, but a field is invalid or out of range
@@ -28,19 +28,23 @@ struct NmeaCounts {
   friend constexpr bool operator==(const NmeaCounts&, const NmeaCounts&) = default;
 };
 
+/// Parser of one stream.
 class NmeaReceiver {
  public:
   /// NMEA 0183 has 82; some receivers send longer lines.
   static constexpr std::size_t line_max = 128;
 
+  /// Takes a piece of the stream, of any length.
   void receive(std::string_view bytes) {
     for (const char byte : bytes) receive(byte);
   }
+  /// Takes a byte of the stream; constant time.
   void receive(char byte);
 
   /// The latest data. An empty field in a sentence makes its value unknown. Without a fix, position
   /// and movement are empty.
   GpsReading reading() const;
+  /// What became of the lines so far.
   const NmeaCounts& counts() const { return counts_; }
   /// Discards all data, for a receiver that has become silent. The counts stay.
   void forget();

@@ -14,14 +14,17 @@ namespace canvoy::cia447 {
 /// Fields beyond the last one are empty.
 class NmeaFields {
  public:
+  /// Begins at the first field.
   constexpr explicit NmeaFields(std::string_view sentence) : rest_(sentence) {}
 
+  /// Next field; empty behind the last one.
   constexpr std::string_view next() {
     const std::size_t comma = rest_.find(',');
     const std::string_view field = rest_.substr(0, comma);
     rest_.remove_prefix(comma == std::string_view::npos ? rest_.size() : comma + 1);
     return field;
   }
+  /// Leaves fields out.
   constexpr void skip(unsigned count) {
     for (unsigned i = 0; i < count; ++i) next();
   }

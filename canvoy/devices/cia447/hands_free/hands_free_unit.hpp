@@ -12,10 +12,11 @@
 
 namespace canvoy::cia447 {
 
+/// The LED and the loudspeakers.
 struct HandsFreeHardware {
   // Called when LED and mute are switched on or off.
-  Callback<void(bool is_on)> show_led = {};
-  Callback<void(bool is_muted)> mute = {};
+  Callback<void(bool is_on)> show_led = {};  ///< LED that shows the active radio
+  Callback<void(bool is_muted)> mute = {};   ///< of other audio
 };
 
 inline constexpr const ObjectInfo* hands_free_commands[] = {&radio_hand_free_command_object};
@@ -31,10 +32,13 @@ class HandsFreeUnit {
   HandsFreeUnit(const HandsFreeUnit&) = delete;
   HandsFreeUnit& operator=(const HandsFreeUnit&) = delete;
 
+  /// Reports the driver's key.
   void press_key(bool is_pressed) {
     switching().report(radio_hand_free_status_key, is_pressed ? Signal::yes : Signal::no);
   }
+  /// True while the LED is on.
   bool shows_led() const { return shows_led_; }
+  /// True while other audio is muted.
   bool is_muted() const { return is_muted_; }
   /// To report a failed key.
   Switching& switching() { return unit_.switching(); }

@@ -26,6 +26,7 @@ inline constexpr Mirror car_body_mirrors[] = {
 
 namespace body_parts {
 
+/// Effects of opening and closing, each with a motion.
 template <class Command, class Status>
 constexpr std::array<Effect, 2> opening(const Command& command, const Status& status,
                                         Duration takes) {
@@ -34,6 +35,7 @@ constexpr std::array<Effect, 2> opening(const Command& command, const Status& st
       effect(command, OpeningCommand::close, status, Opening::is_getting_closed, Opening::closed,
              takes)};
 }
+/// Effects of opening and closing a flap.
 template <class Command, class Status>
 constexpr std::array<Effect, 2> flap(const Command& command, const Status& status, Duration takes) {
   return {effect(command, FlapCommand::close, status, Flap::is_getting_closed, Flap::closed, takes),
@@ -46,6 +48,7 @@ constexpr std::array<Effect, 2> flap_stop(const Command& command, const Status& 
           stop(command, FlapCommand::stop, status, Flap::is_getting_open, Flap::stopped)};
 }
 
+/// Effect of a command on a sliding roof that is in state `from`.
 constexpr Effect roof_goes(SlidingRoofCommand command, SlidingRoof from, SlidingRoof moving,
                            SlidingRoof done, Duration takes) {
   Effect made = effect(car_flap_command_sliding_roof, command, car_flap_status_sliding_roof, moving,
@@ -53,6 +56,7 @@ constexpr Effect roof_goes(SlidingRoofCommand command, SlidingRoof from, Sliding
   made.from = static_cast<std::uint32_t>(from);
   return made;
 }
+/// Effect of the command to stop on a roof that moves.
 constexpr Effect roof_stops(SlidingRoof moving, SlidingRoof stopped) {
   return stop(car_flap_command_sliding_roof, SlidingRoofCommand::stop, car_flap_status_sliding_roof,
               moving, stopped);
@@ -60,14 +64,15 @@ constexpr Effect roof_stops(SlidingRoof moving, SlidingRoof stopped) {
 /// One way to open a roof: tilt or slide. A roof that is open in the other way has to be closed
 /// first; until then commands have no effect. Command and status have different codes (errata C3).
 struct RoofWay {
-  SlidingRoofCommand open_command;
-  SlidingRoofCommand close_command;
-  SlidingRoof open;
-  SlidingRoof is_getting_open;
-  SlidingRoof is_getting_closed;
-  SlidingRoof stopped;
-  Duration takes;
+  SlidingRoofCommand open_command;   ///< command that opens it this way
+  SlidingRoofCommand close_command;  ///< command that closes it again
+  SlidingRoof open;                  ///< status
+  SlidingRoof is_getting_open;       ///< status during the motion
+  SlidingRoof is_getting_closed;     ///< status during the motion
+  SlidingRoof stopped;               ///< status after a stop on the way
+  Duration takes;                    ///< from one end to the other
 };
+/// All effects of one way to open a roof.
 constexpr std::array<Effect, 8> sliding_roof(const RoofWay& way) {
   const auto opens = [&](SlidingRoof from) {
     return roof_goes(way.open_command, from, way.is_getting_open, way.open, way.takes);
@@ -100,6 +105,7 @@ inline constexpr RoofWay roof_slide = {.open_command = SlidingRoofCommand::open_
                                        .stopped = SlidingRoof::stopped_slide,
                                        .takes = 4s};
 
+/// Effect of a command for the central locking.
 constexpr Effect locks(Locking how) {
   return effect(central_locking_system_command, how, central_locking_system_status, how, 300ms);
 }

@@ -25,7 +25,7 @@ struct CarHardware {
   Sensor engine_speed = {};  ///< revolutions per minute
   /// State of engine and transmission. Without a callback, the application reports it.
   Callback<Engine()> engine = {};
-  Callback<Gear()> gear = {};
+  Callback<Gear()> gear = {};  ///< engaged gear
 
   Sensor fuel = {};              ///< in the tank, litres
   Sensor fuel_consumption = {};  ///< CarSettings::fuel_unit per second
@@ -39,23 +39,24 @@ struct CarHardware {
   /// 17 characters that live as long as the hardware; empty if not known.
   Callback<std::string_view()> vin = {};
 
-  SwitchedHardware switched = {};
+  SwitchedHardware switched = {};  ///< what commands drive
 };
 
+/// Properties of the car.
 struct CarSettings {
   unsigned pulses_per_rotation = 48;   ///< 21 to 253 (4.2.4.6, 4.2.4.8)
   double wheel_circumference_m = 2.0;  ///< above 0
   /// The highest count of the wheel pulse counter, followed by 0 (6056h).
   std::uint16_t pulse_counter_max = 0xFFFF;
-  WheelSource wheel_source = WheelSource::average_rear;
+  WheelSource wheel_source = WheelSource::average_rear;  ///< wheels that the pulses are of
 
-  double local_distance_m = 1000;  ///< the unit of speed and mileage: 1609.344 for miles
-  double mileage_at_start_m = 0;   ///< added to CarHardware::distance
-  double tank_minimum_l = 7;       ///< the driver is warned from this level downward
-  FuelUnit fuel_unit = FuelUnit::litre;
+  double local_distance_m = 1000;        ///< the unit of speed and mileage: 1609.344 for miles
+  double mileage_at_start_m = 0;         ///< added to CarHardware::distance
+  double tank_minimum_l = 7;             ///< the driver is warned from this level downward
+  FuelUnit fuel_unit = FuelUnit::litre;  ///< of the tank and the consumption
   double charging_rpm = 500;  ///< from here upward the alternator charges (terminal 61 active)
 
-  SwitchedSettings switched = {};
+  SwitchedSettings switched = {};  ///< of the functions that are switched
 };
 
 /// A parked car with its engine off.

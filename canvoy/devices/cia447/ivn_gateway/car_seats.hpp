@@ -21,25 +21,26 @@ namespace canvoy::cia447 {
 
 /// The memories of both seats.
 struct SeatMemories {
-  static constexpr unsigned seats = 2;
-  static constexpr unsigned memories = 4;
-  static constexpr unsigned ways = 6;
+  static constexpr unsigned seats = 2;     ///< driver and front passenger
+  static constexpr unsigned memories = 4;  ///< of each seat
+  static constexpr unsigned ways = 6;      ///< a seat moves along
 
+  /// A stored position.
   struct Memory {
-    bool is_used = false;
+    bool is_used = false;                       ///< a position was stored
     std::array<std::uint8_t, ways> position{};  ///< in steps
 
     friend constexpr bool operator==(const Memory&, const Memory&) = default;
   };
-  std::array<std::array<Memory, memories>, seats> of_seat{};
+  std::array<std::array<Memory, memories>, seats> of_seat{};  ///< driver first
 
   friend constexpr bool operator==(const SeatMemories&, const SeatMemories&) = default;
 };
 
 /// Keeps the memories over a loss of power. Both callbacks are optional.
 struct SeatStore {
-  Callback<SeatMemories()> load = {};
-  Callback<void(const SeatMemories&)> store = {};
+  Callback<SeatMemories()> load = {};              ///< called once, at the start
+  Callback<void(const SeatMemories&)> store = {};  ///< called after each change
 };
 
 class CarSeats {

@@ -12,19 +12,22 @@
 
 namespace canvoy::cia447 {
 
+/// Conversion of distance to pulses.
 struct WheelPulseSettings {
-  unsigned per_rotation = 48;
-  double circumference_m = 2.0;
+  unsigned per_rotation = 48;        ///< of a wheel
+  double circumference_m = 2.0;      ///< of a wheel
   std::uint16_t count_max = 0xFFFF;  ///< followed by 0
 };
 
 class WheelPulseCounter {
  public:
+  /// Makes a counter at 0.
   explicit WheelPulseCounter(const WheelPulseSettings& pulses);
 
   /// Sets the total distance of the car, in m. Counting starts with the first call. A distance
   /// below the last one is another origin: the count stays.
   void drive(double distance_m);
+  /// Count at present, as 6055h has it.
   std::uint16_t count() const { return count_; }
 
  private:

@@ -28,11 +28,12 @@ namespace canvoy::cia447 {
 struct CarUnit {
   DeviceInfo info;
   const VirtualDeviceInfo* provides = nullptr;
-  std::span<const ObjectInfo* const> consumes = {};
-  std::span<const ObjectInfo* const> own = {};  ///< of the manufacturer's area
-  std::size_t bytes = 0;                        ///< of memory for make()
+  std::span<const ObjectInfo* const> consumes = {};  ///< of other devices
+  std::span<const ObjectInfo* const> own = {};       ///< of the manufacturer's area
+  std::size_t bytes = 0;                             ///< of memory for make()
+  /// Constructs the unit.
   void (*make)(void* memory, CarNetwork& network, const Environment& environment) = nullptr;
-  void (*end)(void* memory) = nullptr;
+  void (*end)(void* memory) = nullptr;  ///< destroys it; the memory stays
 };
 
 /// The objects of such a device, sorted. An object of a provider has priority over that of a
@@ -52,11 +53,15 @@ class CarDevice : public FoundValues<CarDevice> {
   CarDevice(const CarDevice&) = delete;
   CarDevice& operator=(const CarDevice&) = delete;
 
+  /// The node of the device: frames and points in time are handed to it.
   Node& node() { return device_.node(); }
+  /// Sends errors of the device.
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
   /// Entry that the units need and the device does not have: see HeapNode.
   MissingEntry missing() const { return device_.missing(); }
+  /// Common duties in the network of the car.
   CarNetwork& network() { return network_; }
+  /// Sleep and wake-up.
   CarSleep& sleep() { return sleep_; }
   /// The Kind::Unit of one of its kinds; null if it does not have that kind.
   void* unit(const CarUnit& kind);

@@ -27,15 +27,16 @@ namespace canvoy::cia447 {
 
 template <class UnitType, class HardwareType, class SettingsType>
 struct CarKind {
-  using Unit = UnitType;
-  using Hardware = HardwareType;
-  using Settings = SettingsType;
+  using Unit = UnitType;          ///< behaviour of the virtual device
+  using Hardware = HardwareType;  ///< what the unit senses and drives
+  using Settings = SettingsType;  ///< what no object of the dictionary sets
   /// Objects of other devices that it reads: rw, with the RPDOs of which all objects exist.
   static constexpr std::array<const ObjectInfo*, 0> consumes{};
   /// Objects of the manufacturer's area (2000h to 5FFFh) beside those of the profile.
   static constexpr std::array<const ObjectInfo*, 0> own{};
 };
 
+/// Constructs a unit with what its environment offers.
 template <class Kind>
 void make_car_unit(void* memory, CarNetwork& network, const Environment& environment) {
   using Unit = typename Kind::Unit;
@@ -49,6 +50,7 @@ void make_car_unit(void* memory, CarNetwork& network, const Environment& environ
   environment.made<Unit>(*unit, network.node());
 }
 
+/// Row of a kind of virtual device.
 template <class Kind>
 inline constexpr CarUnit car_unit = {
     .info = Kind::info,
@@ -59,6 +61,7 @@ inline constexpr CarUnit car_unit = {
     .make = make_car_unit<Kind>,
     .end = [](void* memory) { std::destroy_at(static_cast<typename Kind::Unit*>(memory)); }};
 
+/// The same as a list of one.
 template <class Kind>
 inline constexpr const CarUnit* only_unit[1] = {&car_unit<Kind>};
 
@@ -80,6 +83,7 @@ inline constexpr DeviceForm car_form[1] = {
      },
      .end = [](void* memory) { std::destroy_at(static_cast<CarDevice*>(memory)); }}};
 
+/// Row of the catalogue for a device that is this virtual device alone.
 template <class Kind>
 constexpr DeviceKind car_device_kind() {
   return {.info = Kind::info,

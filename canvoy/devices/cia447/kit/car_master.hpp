@@ -22,22 +22,25 @@
 
 namespace canvoy::cia447 {
 
+/// All node-IDs but the gateway's.
 inline constexpr std::size_t add_on_devices_max = node_id_max - 1;
 
 /// The assigned node-IDs, by the identity of the devices: 2 is the first.
 struct KnownDevices {
-  std::array<LssAddress, add_on_devices_max> addresses{};
-  std::array<bool, add_on_devices_max> is_known{};
+  std::array<LssAddress, add_on_devices_max> addresses{};  ///< node-ID 2 is at index 0
+  std::array<bool, add_on_devices_max> is_known{};         ///< by index of `addresses`
 
+  /// Node-ID of a known device; nothing for another one.
   std::optional<NodeId> find(const LssAddress& address) const;
 };
 
 /// Keeps them over restarts of the gateway. Both callbacks are optional.
 struct CarMemory {
-  Callback<KnownDevices()> load = {};
-  Callback<void(const KnownDevices&)> store = {};
+  Callback<KnownDevices()> load = {};              ///< called once, at the start
+  Callback<void(const KnownDevices&)> store = {};  ///< called after each change
 };
 
+/// Periods and times of the master.
 struct CarMasterSettings {
   Duration scan_period = 1s;  ///< period of scans for devices without a node-ID
   /// Period of scans while a device answers Fastscan although it has a node-ID (some devices of
@@ -57,7 +60,9 @@ struct CarMasterSettings {
   std::span<const CarPlace> places{};
 };
 
+/// Something that the master reports.
 struct CarEvent {
+  /// What has happened.
   enum class Kind : std::uint8_t {
     named,      ///< `node` was assigned to a device
     refused,    ///< there are already 15
@@ -68,13 +73,14 @@ struct CarEvent {
     asleep,
     awake,
   };
-  Kind kind;
-  NodeId node = 0;
-  std::uint8_t reason = 0;
+  Kind kind;                ///< see Kind
+  NodeId node = 0;          ///< 0: about no single node
+  std::uint8_t reason = 0;  ///< of a refusal to sleep
 };
 
 class CarMaster {
  public:
+  /// CAN-IDs that it receives.
   static constexpr std::size_t routes = LssMaster::routes + node_id_max + 2;
 
   /// `sleep` belongs to the same device. All arguments must outlive this. The master sets
@@ -85,13 +91,16 @@ class CarMaster {
   CarMaster(const CarMaster&) = delete;
   CarMaster& operator=(const CarMaster&) = delete;
 
+  /// Sets the callback for each event.
   void on_event(Callback<void(const CarEvent&)> told) { told_ = told; }
 
   /// Asks for objections; if none comes in time, the network is put to sleep. No effect while a
   /// request is under way, or during sleep.
   void send_to_sleep();
+  /// Wakes the network up.
   void wake_up();
 
+  /// The devices that have node-IDs.
   const KnownDevices& known() const { return known_; }
   /// True if it is received.
   bool is_present(NodeId node) const { return present_[node]; }

@@ -28,14 +28,16 @@ inline constexpr auto predefined = pdos_of(PdoInfo::Direction::transmit);
 /// Position of each pre-defined PDO in the 32 CAN-IDs of its sender. Part 4 defines it and is not
 /// at hand: by default, they follow each other in the order of the list (grade C of our facts).
 using PdoOffsets = std::array<std::uint8_t, predefined.size()>;
+/// Offsets of CAN-IDs as the profile lists them.
 constexpr PdoOffsets listed_offsets() {
   PdoOffsets offsets{};
   for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = static_cast<std::uint8_t>(i);
   return offsets;
 }
 
+/// CAN-IDs and heartbeat.
 struct CarNetworkSettings {
-  PdoOffsets pdo_offsets = listed_offsets();
+  PdoOffsets pdo_offsets = listed_offsets();  ///< from the node-ID to CAN-IDs
   Duration heartbeat = 1s;  ///< default of 1017h: in whole milliseconds, 0 to 65.535 s
   /// A monitored node that is not received for this time is lost.
   Duration time_out = 3s;
@@ -55,11 +57,14 @@ class CarNetwork {
   /// of 16 clients and the default one, and heartbeats.
   static constexpr std::size_t routes = (predefined.size() + 2) * node_id_max + 1;
 
+  /// Attaches to the node, which must outlive this.
   explicit CarNetwork(Node& node, const CarNetworkSettings& settings = {});
   CarNetwork(const CarNetwork&) = delete;
   CarNetwork& operator=(const CarNetwork&) = delete;
 
+  /// The node of the device.
   Node& node() { return node_; }
+  /// The node of the device.
   const Node& node() const { return node_; }
 
   /// Client of the present request: 1 to 16, by its SDO channel; the default channel belongs to the
@@ -76,6 +81,7 @@ class CarNetwork {
   /// Objects to the gateway putting the network to sleep, with a reason; nothing: no objection. The
   /// codes of reasons are not known to us.
   void object_to_sleep(std::optional<std::uint8_t> reason) { sleep_objection_ = reason; }
+  /// Reason why this device must not sleep; nothing: it may.
   const std::optional<std::uint8_t>& sleep_objection() const { return sleep_objection_; }
 
   /// Called for each boot-up message and heartbeat, with its state (00h: boot-up). Returns the
@@ -86,6 +92,7 @@ class CarNetwork {
   /// Monitors the heartbeats of a node, from its boot-up message on. A node that boots again was
   /// lost.
   void watch(NodeId node);
+  /// Ends the monitoring of a node, without a report.
   void unwatch(NodeId node) { watched_[node] = false; }
   /// Called for each monitored node that is lost, which is then not monitored any more. Returns the
   /// former callback, which the new one has to call.

@@ -19,6 +19,7 @@
 
 namespace canvoy::cia447 {
 
+/// Times of sleep.
 struct CarSleepSettings {
   /// From the order to silence.
   Duration preparation = 1s;
@@ -26,18 +27,21 @@ struct CarSleepSettings {
   Duration repetition = 500ms;
 };
 
+/// State of the device: works, is about to sleep, or sends nothing.
 enum class SleepState : std::uint8_t { awake, preparing, asleep };
 
 class CarSleep {
  public:
-  static constexpr std::size_t routes = node_id_max + 1;
+  static constexpr std::size_t routes = node_id_max + 1;  ///< CAN-IDs that it receives
 
   /// `port` is that of the node of `network`; both must outlive this.
   CarSleep(CarNetwork& network, MutedPort& port, const CarSleepSettings& settings = {});
   CarSleep(const CarSleep&) = delete;
   CarSleep& operator=(const CarSleep&) = delete;
 
+  /// State at present.
   SleepState state() const { return state_; }
+  /// Sets the callback for each change of state().
   void on_change(Callback<void(SleepState)> changed) { changed_ = changed; }
 
   /// Answers queries with this reason; nothing: with silence, which is consent.

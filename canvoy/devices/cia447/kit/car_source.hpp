@@ -21,8 +21,9 @@ namespace canvoy::cia447 {
 /// Construct it before the node starts.
 class CarSource {
  public:
+  /// The PDO, and its sender.
   struct Settings {
-    unsigned pdo_number = 0;
+    unsigned pdo_number = 0;  ///< RPDO by which it comes
     /// Called on a loss; the callback clears the old values where that is needed.
     Callback<void()> lost = {};
     /// Called when the values of a returned source are in their entries. Empty: they are not read
@@ -30,6 +31,7 @@ class CarSource {
     Callback<void()> read = {};
   };
 
+  /// Makes the source; `network` must outlive it.
   CarSource(CarNetwork& network, const Settings& settings);
   CarSource(const CarSource&) = delete;
   CarSource& operator=(const CarSource&) = delete;

@@ -15,15 +15,16 @@ namespace canvoy::cia447 {
 
 /// A value of 1 to 4 bytes for an entry.
 struct KeptCommand {
-  std::uint16_t index = 0;
-  std::uint8_t sub = 0;
-  std::uint32_t value = 0;
-  std::uint8_t size = 0;  ///< 0: none
-  bool is_once = false;   ///< discarded when taken, or too old
+  std::uint16_t index = 0;  ///< of the object
+  std::uint8_t sub = 0;     ///< sub-index
+  std::uint32_t value = 0;  ///< little-endian in `size` bytes
+  std::uint8_t size = 0;    ///< 0: none
+  bool is_once = false;     ///< discarded when taken, or too old
 
   bool operator==(const KeptCommand&) const = default;
 };
 
+/// The other device, and times.
 struct CommandKeeperSettings {
   NodeId server = 0;          ///< 1 to 16
   Duration retry = 500ms;     ///< period of repetitions of a command that was not taken
@@ -37,8 +38,9 @@ struct CommandKeeperSettings {
 /// callback.
 class CommandKeeper {
  public:
-  static constexpr unsigned commands_max = 8;
+  static constexpr unsigned commands_max = 8;  ///< entries of the other device
 
+  /// Makes the keeper; `network` must outlive it.
   CommandKeeper(CarNetwork& network, const CommandKeeperSettings& settings);
   CommandKeeper(const CommandKeeper&) = delete;
   CommandKeeper& operator=(const CommandKeeper&) = delete;

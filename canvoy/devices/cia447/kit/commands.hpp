@@ -20,14 +20,15 @@ namespace canvoy::cia447 {
 
 /// A field of an entry, or a whole entry.
 struct FieldPlace {
-  std::uint16_t index = 0;
-  std::uint8_t sub = 0;
-  std::uint8_t first_bit = 0;
-  std::uint8_t bits = 0;
+  std::uint16_t index = 0;     ///< of the object
+  std::uint8_t sub = 0;        ///< sub-index
+  std::uint8_t first_bit = 0;  ///< 0: the least significant
+  std::uint8_t bits = 0;       ///< number of bits; 0: no field
 
   bool operator==(const FieldPlace&) const = default;
 };
 
+/// Place of the value that a handle names.
 template <class Handle>
 constexpr FieldPlace place_of(const Handle& /*handle*/) {
   using Place = typename Handle::Place;
@@ -47,26 +48,30 @@ std::optional<std::uint32_t> code_meaning(const FieldPlace& place, Meaning meani
 /// command uses (4.2). Texts have no codes.
 AbortCode check_codes(const Entry& entry, std::span<const std::uint8_t> value);
 
+/// Value of a field at present; 0 if the entry does not exist.
 std::uint32_t read_field(const Dictionary& dictionary, const FieldPlace& place);
 /// Leaves the other bits as they are. No effect if the device has no such entry.
 void write_field(Dictionary& dictionary, const FieldPlace& place, std::uint32_t code);
 
 /// The command for one function.
 struct Commanded {
-  FieldPlace place;
-  std::uint32_t code = 0;
-  NodeId client = 0;  ///< sender
+  FieldPlace place;        ///< field of the command
+  std::uint32_t code = 0;  ///< of the command
+  NodeId client = 0;       ///< sender
 
+  /// True if the command is for the value of a handle.
   template <class Handle>
   constexpr bool is_for(const Handle& handle) const {
     return place == place_of(handle);
   }
+  /// The code as a value of its enumeration.
   template <class Enumeration>
   constexpr Enumeration as() const {
     return static_cast<Enumeration>(code);
   }
 };
 
+/// Objects that are commands, and what they do.
 struct CommandSettings {
   /// Called for each field that is not "don't care", when the whole object was accepted. Optional,
   /// for applications that handle whole objects.
@@ -79,7 +84,7 @@ struct CommandSettings {
 
 class Commands {
  public:
-  static constexpr std::size_t objects_max = 12;
+  static constexpr std::size_t objects_max = 12;  ///< command objects
 
   /// `wanted` are the command objects, objects_max at most. All arguments must outlive this.
   /// Objects that the node lacks are ignored.

@@ -11,6 +11,7 @@ namespace canvoy::cia447 {
 
 class MutedPort {
  public:
+  /// Makes an open access; the context of `port` must outlive it.
   explicit MutedPort(const Port& port) : port_(port) {}
   MutedPort(const MutedPort&) = delete;
   MutedPort& operator=(const MutedPort&) = delete;
@@ -31,6 +32,7 @@ class MutedPort {
   }
   /// Frames that are sent meanwhile are lost.
   void mute(bool is_muted) { is_muted_ = is_muted; }
+  /// True while nothing is sent.
   bool is_muted() const { return is_muted_; }
 
  private:

@@ -18,16 +18,18 @@ namespace canvoy::cia447 {
 
 class ObjectReader {
  public:
+  /// The other node, and period.
   struct Settings {
     NodeId server = 0;  ///< 1 to 16; 0: none is read
     /// Variables, in the order of reading. They must outlive the reader. Those that this node
     /// lacks, or provides itself, are left out.
     std::span<const std::uint16_t> indices = {};
-    Duration period = 10s;
+    Duration period = 10s;  ///< of the rounds over all objects
     /// Called when a value has been written to its entry.
     Callback<void(std::uint16_t index)> came = {};
   };
 
+  /// Makes a reader; `network` must outlive it.
   ObjectReader(CarNetwork& network, const Settings& settings);
   ObjectReader(const ObjectReader&) = delete;
   ObjectReader& operator=(const ObjectReader&) = delete;

@@ -31,17 +31,18 @@ enum class Manner : std::uint8_t {
 
 /// A code of a command, and its effect on a status: `moving` at once, `done` after a time.
 struct Effect {
-  static constexpr std::uint32_t any_state = 0xFFFF'FFFF;
+  static constexpr std::uint32_t any_state = 0xFFFF'FFFF;  ///< for `from`
 
-  FieldPlace command;
-  std::uint32_t code = 0;
-  FieldPlace status;
-  std::uint32_t moving = 0;
-  std::uint32_t done = 0;
-  Duration takes{};
-  Manner manner = Manner::motion;
+  FieldPlace command;              ///< field that is written
+  std::uint32_t code = 0;          ///< of the command
+  FieldPlace status;               ///< field that it acts on
+  std::uint32_t moving = 0;        ///< code of the status, at once
+  std::uint32_t done = 0;          ///< code of the status, after the time
+  Duration takes{};                ///< of the whole way
+  Manner manner = Manner::motion;  ///< see Manner
   std::uint32_t from = any_state;  ///< in any other state, no effect
 };
+/// A motion, by handles of command and status.
 template <class Command, class Code, class Status, class State>
 constexpr Effect effect(const Command& command, Code code, const Status& status, State moving,
                         State done, Duration takes) {
@@ -68,6 +69,7 @@ constexpr Effect effect_from(const Command& command, Code code, const Status& st
   made.from = static_cast<std::uint32_t>(from);
   return made;
 }
+/// A state that ends by itself.
 template <class Command, class Code, class Status, class State>
 constexpr Effect pulse(const Command& command, Code code, const Status& status, State during,
                        State after, Duration takes) {
@@ -99,22 +101,24 @@ constexpr auto join(const std::array<Effect, counts>&... groups) {
 /// Objects of which every field of the command has a field of the same name, with the same codes,
 /// in the status, which takes over the code. Effects have priority over mirrors.
 struct Mirror {
-  const ObjectInfo* command = nullptr;
-  const ObjectInfo* status = nullptr;
-  Duration takes{};
+  const ObjectInfo* command = nullptr;  ///< object that is written
+  const ObjectInfo* status = nullptr;   ///< object that takes its codes over
+  Duration takes{};                     ///< until the status follows
 };
 
 /// State of a status at power-on, and optionally the state that follows by itself after a time.
 struct Rest {
-  FieldPlace status;
-  std::uint32_t code = 0;
-  std::uint32_t then = 0;
-  Duration takes{};
+  FieldPlace status;       ///< field
+  std::uint32_t code = 0;  ///< at power-on
+  std::uint32_t then = 0;  ///< after the time, if there is one
+  Duration takes{};        ///< zero: it stays
 };
+/// A state at power-on.
 template <class Status, class State>
 constexpr Rest rest(const Status& status, State state) {
   return {.status = place_of(status), .code = static_cast<std::uint32_t>(state)};
 }
+/// A state at power-on that changes by itself.
 template <class Status, class State>
 constexpr Rest rest(const Status& status, State state, State then, Duration takes) {
   Rest made = rest(status, state);
@@ -123,10 +127,11 @@ constexpr Rest rest(const Status& status, State state, State then, Duration take
   return made;
 }
 
+/// All of a unit that is switched.
 struct SwitchedTable {
-  std::span<const ObjectInfo* const> commands = {};
-  std::span<const Mirror> mirrors = {};
-  std::span<const Effect> effects = {};
+  std::span<const ObjectInfo* const> commands = {};  ///< command objects
+  std::span<const Mirror> mirrors = {};              ///< commands that are taken over
+  std::span<const Effect> effects = {};              ///< commands with motions
   /// May include statuses that are neither mirrored nor in an effect.
   std::span<const Rest> rests = {};
 };
@@ -134,6 +139,7 @@ struct SwitchedTable {
 /// State of the sensor of a status.
 enum class Sensing : std::uint8_t { working, failure, not_available };
 
+/// What a unit of a table drives.
 struct SwitchedHardware {
   /// Executes a command, and reports the result by Switching::report(). Returns false to use the
   /// table. Without a callback, the table is always used: a simulation.
@@ -142,6 +148,7 @@ struct SwitchedHardware {
   /// movement.
   Callback<void(const FieldPlace& status, std::uint32_t code)> became = {};
 };
+/// What the hardware of a unit has.
 struct SwitchedSettings {
   /// Commands that the device lacks. Must outlive the unit.
   std::span<const FieldPlace> lacking = {};
@@ -151,15 +158,15 @@ class Switching {
  public:
   /// A status, and its present motion.
   struct Field {
-    FieldPlace place;
-    std::uint32_t actual = 0;  ///< its value with a working sensor
-    std::uint32_t target = 0;
-    std::uint32_t origin = 0;  ///< of the motion to `target`
-    Time due = never;
-    Time began{};
-    Duration takes{};  ///< of the whole motion; zero: no motion
-    Duration gone{};   ///< elapsed time of it when it `began`, or was stopped
-    Sensing sensing = Sensing::working;
+    FieldPlace place;                    ///< of the status
+    std::uint32_t actual = 0;            ///< its value with a working sensor
+    std::uint32_t target = 0;            ///< its value at the end of the motion
+    std::uint32_t origin = 0;            ///< of the motion to `target`
+    Time due = never;                    ///< end of the motion; never: no motion
+    Time began{};                        ///< when the present piece of it began
+    Duration takes{};                    ///< of the whole motion; zero: no motion
+    Duration gone{};                     ///< elapsed time of it when it `began`, or was stopped
+    Sensing sensing = Sensing::working;  ///< of its sensor
   };
 
   /// `table`, and `fields`, which has room for count_fields(table), must outlive this.
@@ -189,6 +196,7 @@ class Switching {
 
   /// Executes a command like one written by a client: for keys of the device itself.
   void command(const FieldPlace& command, std::uint32_t code) { commanded({command, code, 0}); }
+  /// Carries a command of the device itself out, as if a client had written it.
   template <class Handle, class Code>
   void command(const Handle& handle, Code code) {
     command(place_of(handle), static_cast<std::uint32_t>(code));
@@ -196,6 +204,7 @@ class Switching {
 
   /// Actual state, regardless of the sensor; 0 if the table does not have it.
   std::uint32_t actual(const FieldPlace& status) const;
+  /// True if a status has this value at present.
   template <class Handle, class State>
   bool is(const Handle& handle, State state) const {
     return actual(place_of(handle)) == static_cast<std::uint32_t>(state);
@@ -290,7 +299,9 @@ class SwitchedUnit {
                const SwitchedSettings& settings)
       : switching_(network, table, fields_, hardware, settings) {}
 
+  /// The machine of commands and states.
   Switching& switching() { return switching_; }
+  /// The machine of commands and states.
   const Switching& switching() const { return switching_; }
 
  private:

@@ -12,11 +12,12 @@
 
 namespace canvoy::cia447 {
 
+/// A place with its names.
 struct NamedPlace {
-  GeoPosition position{};
-  std::string_view city{};
-  std::string_view street{};
-  std::string_view country{};
+  GeoPosition position{};      ///< where it is
+  std::string_view city{};     ///< name
+  std::string_view street{};   ///< name
+  std::string_view country{};  ///< name
 
   friend constexpr bool operator==(const NamedPlace&, const NamedPlace&) = default;
 };

@@ -5,6 +5,7 @@
 
 namespace canvoy::cia447 {
 
+/// A position.
 struct GeoPosition {
   double latitude = 0;   ///< degrees, -90 (south) to 90
   double longitude = 0;  ///< degrees, -180 (west) to 180

@@ -21,10 +21,11 @@
 
 namespace canvoy::cia447 {
 
+/// The navigation system, and times.
 struct NavigationClientSettings {
-  NodeId navigation = 0;  ///< 1 to 16, another node
-  Duration period = 1s;   ///< of the rounds
-  Duration time_out = 500ms;
+  NodeId navigation = 0;      ///< 1 to 16, another node
+  Duration period = 1s;       ///< of the rounds
+  Duration time_out = 500ms;  ///< for one answer
   /// Called after each round, and when the system was lost.
   Callback<void()> changed = {};
 };
@@ -36,6 +37,7 @@ class NavigationClient {
   /// Bytes of UTF-8; a longer name is unknown.
   static constexpr std::size_t name_max = 64;
 
+  /// Makes the client; `network` must outlive it.
   NavigationClient(CarNetwork& network, const NavigationClientSettings& settings);
   NavigationClient(const NavigationClient&) = delete;
   NavigationClient& operator=(const NavigationClient&) = delete;
@@ -48,9 +50,13 @@ class NavigationClient {
 
   // The last answers; empty if the system does not have the value, or does not answer.
 
+  /// City of the present position; empty: not known.
   std::string_view city() const { return city_.view(); }
+  /// Street of the present position; empty: not known.
   std::string_view street() const { return street_.view(); }
+  /// Street of the destination; empty: none.
   std::string_view destination_street() const { return destination_street_.view(); }
+  /// Distance to the destination; nothing: none, or not known.
   std::optional<double> metres() const { return metres_; }
 
  private:

@@ -22,6 +22,7 @@
 
 namespace canvoy::cia447 {
 
+/// What the system knows of places and routes.
 struct NavigationHardware {
   /// Its own receiver; empty: the network's GPS.
   Callback<std::optional<GeoPosition>()> position = {};
@@ -29,8 +30,9 @@ struct NavigationHardware {
   Callback<double(const GeoPosition& from, const GeoPosition& to)> road = {};
   /// Called when guidance to a destination starts, or ends (null).
   Callback<void(const GeoPosition* destination)> guide = {};
-  Gazetteer gazetteer = {};
+  Gazetteer gazetteer = {};  ///< names of places
 };
+/// Periods and limits of guidance.
 struct NavigationSettings {
   /// Period of readings of the position.
   Duration period = 1s;
@@ -50,13 +52,16 @@ class NavigationUnit {
 
   /// Starts guidance at once, and discards a waiting destination.
   void select(const GeoPosition& destination);
+  /// Ends the guidance.
   void cancel();
 
+  /// Destination of the guidance; nothing: none.
   const std::optional<GeoPosition>& destination() const { return destination_; }
   /// Place of the car; null if the position is not known, or no place is near.
   const NamedPlace* here() const;
   /// Metres to the destination; nothing without a destination or a position.
   std::optional<double> distance() const;
+  /// Destination that waits for an answer of the driver; nothing: none.
   const std::optional<GeoPosition>& waiting() const { return waiting_; }
 
  private:

@@ -12,6 +12,7 @@
 
 namespace canvoy::cia447 {
 
+/// Why a line is no place.
 enum class PlaceLineError : std::uint8_t {
   none,
   fields,     ///< not four fields
@@ -25,9 +26,9 @@ enum class PlaceLineError : std::uint8_t {
 std::string_view text_of(PlaceLineError error);
 
 struct PlaceLine {
-  PlaceLineError error = PlaceLineError::none;
-  bool has_place = false;
-  NamedPlace place{};  ///< its names refer to the line
+  PlaceLineError error = PlaceLineError::none;  ///< none: see `has_place`
+  bool has_place = false;                       ///< false: empty, or a comment
+  NamedPlace place{};                           ///< its names refer to the line
 };
 
 /// Street and country may be empty.

@@ -21,18 +21,21 @@
 
 namespace canvoy::cia447 {
 
+/// A line with a switch of its own.
 enum class Supply : std::uint8_t { radio, periphery };
 
+/// The switches of the lines.
 struct PowerSupplyHardware {
   /// Called when the power of a supply is switched on or off.
   Callback<void(Supply, bool is_on)> switch_power = {};
 };
 
+/// Times of after-run.
 struct PowerSupplySettings {
   // Time with power after the ignition is switched off.
-  Duration radio_after_run = 30min;
-  Duration periphery_after_run = 15min;
-  SwitchedSettings switched = {};
+  Duration radio_after_run = 30min;      ///< of the radio
+  Duration periphery_after_run = 15min;  ///< of the periphery
+  SwitchedSettings switched = {};        ///< of the functions that are switched
 };
 
 inline constexpr const ObjectInfo* power_supply_commands[] = {
@@ -51,7 +54,7 @@ inline constexpr SwitchedTable power_supply_table = {.commands = power_supply_co
 
 class PowerSupplyUnit {
  public:
-  static constexpr Duration warning = 5min;
+  static constexpr Duration warning = 5min;  ///< before the power goes off
 
   /// Everything to which `hardware` and `settings` refer must outlive this.
   PowerSupplyUnit(CarNetwork& network, const PowerSupplyHardware& hardware,
@@ -59,7 +62,9 @@ class PowerSupplyUnit {
   PowerSupplyUnit(const PowerSupplyUnit&) = delete;
   PowerSupplyUnit& operator=(const PowerSupplyUnit&) = delete;
 
+  /// Reports an overload of a line, which is then off.
   void report_overload(Supply supply, bool is_overloaded);
+  /// True while a line has power.
   bool has_power(Supply supply) const { return lines_.at(index_of(supply)).is_on; }
   /// To report sensors that have failed.
   Switching& switching() { return statuses_.switching(); }

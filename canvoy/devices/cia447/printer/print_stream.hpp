@@ -21,28 +21,32 @@
 
 namespace canvoy::cia447 {
 
+/// Properties of the paper and its knife.
 struct PrintStreamSettings {
-  unsigned dots_per_line = 384;  ///< 1 to PrintStream::dots_max
-  bool can_cut = true;
+  unsigned dots_per_line = 384;             ///< 1 to PrintStream::dots_max
+  bool can_cut = true;                      ///< has a knife
   std::span<const PrinterLogo> logos = {};  ///< number 1 is the first; 20 at most
 };
 
 class PrintStream {
  public:
-  static constexpr unsigned dots_max = 1024;
+  static constexpr unsigned dots_max = 1024;  ///< in a line at most
 
   /// Everything to which the callbacks and `settings` refer must outlive this.
   PrintStream(const PrinterPaper& paper, const PrintStreamSettings& settings);
 
   /// Sets one of the six modes, and ends an open line.
   void set_mode(PrinterMode mode);
+  /// Kind of data that is expected next.
   PrinterMode mode() const { return mode_; }
   /// Applies to all that is printed afterwards; a line has at most this number of characters.
   void set_style(const PrintStyle& style, unsigned characters_per_line);
 
+  /// Takes bytes of the transport, of any length.
   void write(std::span<const std::uint8_t> bytes) {
     for (const std::uint8_t byte : bytes) write(byte);
   }
+  /// Takes a byte of the transport.
   void write(std::uint8_t byte);
   /// Ends a transport: an incomplete character, dot or escape sequence is discarded.
   void end();

@@ -20,14 +20,15 @@ namespace canvoy::cia447 {
 
 /// In dots.
 struct PrinterFontLimits {
-  unsigned dots_per_line = 384;
-  std::uint8_t height_min = 16;
-  std::uint8_t height_max = 64;
-  std::uint8_t width_min = 8;
-  std::uint8_t width_max = 32;
+  unsigned dots_per_line = 384;  ///< of the paper
+  std::uint8_t height_min = 16;  ///< of a character
+  std::uint8_t height_max = 64;  ///< of a character
+  std::uint8_t width_min = 8;    ///< of a character
+  std::uint8_t width_max = 32;   ///< of a character
 
   /// Within the range of the objects: 253 at most.
   constexpr unsigned characters_max() const { return told(dots_per_line / width_min); }
+  /// Fewest characters of a line, by the widest of them.
   constexpr unsigned characters_min() const { return told(dots_per_line / width_max); }
 
  private:
@@ -36,30 +37,40 @@ struct PrinterFontLimits {
 
 class PrinterFont {
  public:
+  /// Makes a font of the least size.
   constexpr explicit PrinterFont(const PrinterFontLimits& limits) : limits_(limits) {}
 
   // 0: not set. The values are not checked here: see allows_*.
 
+  /// True for a height that can be printed.
   constexpr bool allows_height(unsigned dots) const {
     return dots == 0 || (dots >= limits_.height_min && dots <= limits_.height_max);
   }
+  /// True for a width that can be printed.
   constexpr bool allows_width(unsigned dots) const {
     return dots == 0 || (dots >= limits_.width_min && dots <= limits_.width_max);
   }
+  /// True for a number of characters in a line that can be printed.
   constexpr bool allows_characters(unsigned count) const {
     return count <= limits_.characters_max();
   }
+  /// Asks for a height, in dots; 0: none.
   constexpr void set_height(unsigned dots) { height_ = static_cast<std::uint8_t>(dots); }
+  /// Asks for a width, in dots; 0: none.
   constexpr void set_width(unsigned dots) { width_ = static_cast<std::uint8_t>(dots); }
+  /// Asks for a number of characters in a line; 0: none.
   constexpr void set_characters(unsigned count) { characters_ = static_cast<std::uint8_t>(count); }
+  /// Requested height, in dots.
   constexpr std::uint8_t height() const { return height_; }
+  /// Requested width, in dots.
   constexpr std::uint8_t width() const { return width_; }
+  /// Requested number of characters in a line.
   constexpr std::uint8_t characters() const { return characters_; }
 
-  bool is_bold = false;
-  bool is_cursive = false;
-  bool has_variable_width = false;
-  ColorSpace color_space = ColorSpace::rgb;
+  bool is_bold = false;                      ///< heavy strokes
+  bool is_cursive = false;                   ///< slanted
+  bool has_variable_width = false;           ///< each character has its own width
+  ColorSpace color_space = ColorSpace::rgb;  ///< of the color
 
   /// The resulting style: without a set width, one with which the requested characters have room.
   constexpr PrintStyle style() const {

@@ -15,27 +15,28 @@ namespace canvoy::cia447 {
 
 /// Color of a dot; white is the paper.
 struct PrintColor {
-  std::uint8_t red = 0xFF;
-  std::uint8_t green = 0xFF;
-  std::uint8_t blue = 0xFF;
+  std::uint8_t red = 0xFF;    ///< 0 to 255
+  std::uint8_t green = 0xFF;  ///< 0 to 255
+  std::uint8_t blue = 0xFF;   ///< 0 to 255
 
   friend constexpr bool operator==(const PrintColor&, const PrintColor&) = default;
 };
 
 /// Style of text; sizes in dots.
 struct PrintStyle {
-  std::uint8_t height = 16;
-  std::uint8_t width = 8;  ///< with variable width: that of an average character
-  bool is_bold = false;
-  bool is_cursive = false;
-  bool has_variable_width = false;
+  std::uint8_t height = 16;         ///< of a character
+  std::uint8_t width = 8;           ///< with variable width: that of an average character
+  bool is_bold = false;             ///< heavy strokes
+  bool is_cursive = false;          ///< slanted
+  bool has_variable_width = false;  ///< each character has its own width
 
   friend constexpr bool operator==(const PrintStyle&, const PrintStyle&) = default;
 };
 
+/// A character at its place in a line.
 struct PrintedCharacter {
-  char32_t character = U' ';
-  unsigned left = 0;  ///< dots from the left edge
+  char32_t character = U' ';  ///< Unicode
+  unsigned left = 0;          ///< dots from the left edge
   PrintStyle style = {};
 };
 

@@ -21,30 +21,32 @@
 
 namespace canvoy::cia447 {
 
+/// The mechanism.
 struct PrinterHardware {
-  PrinterPaper paper = {};
+  PrinterPaper paper = {};  ///< prints and moves it
 };
 
 /// Capabilities of the printer (60E2h).
 struct PrinterAbilities {
-  bool text = true;
-  bool bold = true;
-  bool cursive = true;
-  bool variable_width = true;
-  bool black = true;
-  bool gray = true;
-  bool rgb = true;
-  bool cmyk = true;
-  bool cut = true;
+  bool text = true;            ///< characters
+  bool bold = true;            ///< heavy strokes
+  bool cursive = true;         ///< slanted characters
+  bool variable_width = true;  ///< characters of their own width
+  bool black = true;           ///< graphics in black
+  bool gray = true;            ///< graphics in shades of gray
+  bool rgb = true;             ///< graphics in red, green, blue
+  bool cmyk = true;            ///< graphics in cyan, magenta, yellow, black
+  bool cut = true;             ///< a knife
 };
+/// Properties of the printer.
 struct PrinterSettings {
-  PrinterAbilities can = {};
-  PrinterFontLimits font = {};
+  PrinterAbilities can = {};                ///< 60E2h
+  PrinterFontLimits font = {};              ///< sizes of characters
   std::span<const PrinterLogo> logos = {};  ///< 20 at most; must outlive the unit
   /// Number of new lines after which the last text can be torn off, 1 to 5, which the client sends;
   /// 0: the printer feeds `automatic_lines` by itself at the end of printing.
   unsigned lines_to_form_feed = 3;
-  unsigned automatic_lines = 3;
+  unsigned automatic_lines = 3;  ///< lines of feed before a cut
   /// Speed of the paper.
   unsigned dots_per_second = 400;
 };
@@ -60,11 +62,14 @@ class PrinterUnit {
   PrinterUnit(const PrinterUnit&) = delete;
   PrinterUnit& operator=(const PrinterUnit&) = delete;
 
+  /// Reports whether there is paper.
   void sense_paper(bool is_there);
   /// Sets the state of the mechanism. A printer in standby wakes up for a transport.
   void sense(PrinterMechanism mechanism);
 
+  /// True while data comes, or the mechanism works.
   bool is_busy() const { return is_transporting_ || busy_until_ > network_.node().now(); }
+  /// Contents that are being printed.
   const PrintStream& stream() const { return stream_; }
 
  private:

@@ -12,8 +12,9 @@ namespace canvoy::cia447 {
 
 class Utf8Stream {
  public:
-  static constexpr char32_t replacement = 0xFFFD;
+  static constexpr char32_t replacement = 0xFFFD;  ///< for invalid input
 
+  /// Takes a byte, and calls `put` with each character that is complete.
   template <class Put>
   void push(std::uint8_t byte, Put&& put) {
     if (missing_ > 0) {
@@ -39,6 +40,7 @@ class Utf8Stream {
     missing_ = 0;
     put(replacement);
   }
+  /// Discards an incomplete character.
   void forget() { missing_ = 0; }
 
  private:

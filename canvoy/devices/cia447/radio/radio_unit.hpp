@@ -37,6 +37,7 @@ class RadioUnit {
   RadioUnit(const RadioUnit&) = delete;
   RadioUnit& operator=(const RadioUnit&) = delete;
 
+  /// The machine of commands and states, for the reports of the radio.
   Switching& switching() { return unit_.switching(); }
 
  private:

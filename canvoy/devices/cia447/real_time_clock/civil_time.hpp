@@ -10,12 +10,12 @@
 namespace canvoy::cia447 {
 
 struct CivilTime {
-  std::int64_t year = 1970;
-  unsigned month = 1;  ///< 1 to 12
-  unsigned day = 1;    ///< 1 to 31
-  unsigned hour = 0;
-  unsigned minute = 0;
-  unsigned second = 0;
+  std::int64_t year = 1970;  ///< with its century
+  unsigned month = 1;        ///< 1 to 12
+  unsigned day = 1;          ///< 1 to 31
+  unsigned hour = 0;         ///< 0 to 23
+  unsigned minute = 0;       ///< 0 to 59
+  unsigned second = 0;       ///< 0 to 59
 
   friend constexpr bool operator==(const CivilTime&, const CivilTime&) = default;
 };
@@ -31,9 +31,9 @@ enum class Weekday : std::uint8_t {
   sunday
 };
 
-inline constexpr std::int64_t seconds_a_minute = 60;
-inline constexpr std::int64_t seconds_an_hour = 3600;
-inline constexpr std::int64_t seconds_a_day = 86'400;
+inline constexpr std::int64_t seconds_a_minute = 60;   ///< seconds
+inline constexpr std::int64_t seconds_an_hour = 3600;  ///< seconds
+inline constexpr std::int64_t seconds_a_day = 86'400;  ///< seconds, without leap seconds
 
 namespace civil {
 
@@ -41,12 +41,14 @@ namespace civil {
 constexpr std::int64_t floored(std::int64_t number, std::int64_t divisor) {
   return (number - ((number % divisor + divisor) % divisor)) / divisor;
 }
+/// Remainder from 0 to `divisor` - 1, also of a negative number.
 constexpr std::int64_t remainder(std::int64_t number, std::int64_t divisor) {
   return (number % divisor + divisor) % divisor;
 }
 
 }  // namespace civil
 
+/// True for a leap year of the Gregorian calendar.
 constexpr bool is_leap_year(std::int64_t year) {
   return year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
 }
@@ -71,14 +73,17 @@ constexpr std::int64_t days_since_1970(std::int64_t year, unsigned month, unsign
   constexpr std::int64_t to_1970 = 719'468;
   return era * days_an_era + day_of_era - to_1970;
 }
+/// Weekday of a number of days since 1970-01-01.
 constexpr Weekday weekday_of(std::int64_t days) {
   return static_cast<Weekday>(civil::remainder(days + 3, 7));  // 1970-01-01: a Thursday
 }
 
+/// Seconds since 1970-01-01; negative before it.
 constexpr std::int64_t seconds_since_1970(const CivilTime& time) {
   return days_since_1970(time.year, time.month, time.day) * seconds_a_day +
          time.hour * seconds_an_hour + time.minute * seconds_a_minute + time.second;
 }
+/// Date and time of a number of seconds since 1970-01-01.
 constexpr CivilTime civil_time(std::int64_t since_1970) {
   const std::int64_t days = civil::floored(since_1970, seconds_a_day);
   const std::int64_t of_day = since_1970 - days * seconds_a_day;

@@ -23,19 +23,21 @@ namespace canvoy::cia447 {
 /// The time in a clock chip.
 struct ChipTime {
   Duration since_1970{};  ///< UTC; without a date: since any midnight
-  bool has_date = true;
+  bool has_date = true;   ///< false: the chip counts the time of day only
 };
 
+/// The clock chip.
 struct RealTimeClockHardware {
   /// Nothing: it was without power, or has never been set. Without a callback, the clock starts at
   /// 0:00.
   Callback<std::optional<ChipTime>()> read = {};
-  Callback<void(const ChipTime&)> write = {};
+  Callback<void(const ChipTime&)> write = {};  ///< called when the clock is set
 };
 
+/// Zone, and what the clock runs from.
 struct RealTimeClockSettings {
-  TimeZone zone = {};
-  RtcSource source = RtcSource::battery_buffered;
+  TimeZone zone = {};                              ///< of the local time
+  RtcSource source = RtcSource::battery_buffered;  ///< as 60F4h reports it
   /// A time that an authority has accepted cannot be set over the bus: 0800 0022h.
   RtcTrustability trustability = RtcTrustability::user_adjustable;
   /// Period of comparisons with the chip.

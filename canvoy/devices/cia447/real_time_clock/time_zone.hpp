@@ -14,17 +14,18 @@ namespace canvoy::cia447 {
 
 /// A yearly time, for example the second Sunday of March at 2:00.
 struct YearlyMoment {
-  std::uint8_t month = 3;
-  std::uint8_t week = 5;  ///< 1 to 4, or 5: the last one
-  Weekday weekday = Weekday::sunday;
-  std::uint16_t minute = 60;  ///< of the day
+  std::uint8_t month = 3;             ///< 1 to 12
+  std::uint8_t week = 5;              ///< 1 to 4, or 5: the last one
+  Weekday weekday = Weekday::sunday;  ///< of the day
+  std::uint16_t minute = 60;          ///< of the day
 };
 
+/// Summer time of a zone.
 struct SummerTime {
   YearlyMoment begin;
   YearlyMoment end;
-  bool is_in_utc = true;  ///< otherwise, both are the clock time before the change
-  std::int16_t minutes = 60;
+  bool is_in_utc = true;      ///< otherwise, both are the clock time before the change
+  std::int16_t minutes = 60;  ///< by which clocks are ahead then
 };
 
 /// Last Sundays of March and October, 1:00 UTC.
@@ -38,8 +39,8 @@ struct TimeZone {
   /// For 60F5h, with six characters: a shorter name is filled with spaces there. Must outlive its
   /// users.
   std::string_view name = "UTC";
-  std::int16_t offset_minutes = 0;  ///< without summer time; quarters of an hour
-  std::optional<SummerTime> summer = {};
+  std::int16_t offset_minutes = 0;        ///< without summer time; quarters of an hour
+  std::optional<SummerTime> summer = {};  ///< nothing: no summer time
 };
 
 /// True if it is summer time at a point in time, in seconds since 1970-01-01 UTC.

@@ -70,6 +70,7 @@ inline constexpr SwitchedTable roof_bar_light_table = {.commands = roof_bar_ligh
                                                        .effects = search_lamp_effects,
                                                        .rests = roof_bar_light_rests};
 
+/// The unit is its table.
 using RoofBarLightUnit = SwitchedUnit<roof_bar_light_table>;
 
 struct RoofBarLightKind : CarKind<RoofBarLightUnit, SwitchedHardware, SwitchedSettings> {

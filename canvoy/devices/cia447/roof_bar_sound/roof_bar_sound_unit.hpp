@@ -20,27 +20,29 @@ namespace canvoy::cia447 {
 
 /// State of the loudspeakers.
 struct RoofBarSound {
-  AdditionalSound sound = AdditionalSound::none;
-  CountrySound country = CountrySound::none;  ///< for a `sound` of country_specific
-  bool is_fast = false;                       ///< double speed
-  bool is_city = false;
-  bool is_test = false;  ///< acoustic test operation
-  unsigned volume = 1;   ///< step 1 to 62
+  AdditionalSound sound = AdditionalSound::none;  ///< none: silence
+  CountrySound country = CountrySound::none;      ///< for a `sound` of country_specific
+  bool is_fast = false;                           ///< double speed
+  bool is_city = false;                           ///< variant of the sound for cities
+  bool is_test = false;                           ///< acoustic test operation
+  unsigned volume = 1;                            ///< step 1 to 62
 
   bool operator==(const RoofBarSound&) const = default;
 };
 
+/// The loudspeakers.
 struct RoofBarSoundHardware {
   /// Called on each change.
   Callback<void(const RoofBarSound&)> play = {};
-  SwitchedHardware switched = {};
+  SwitchedHardware switched = {};  ///< what commands drive
 };
 
+/// Volume at night and at speed.
 struct RoofBarSoundSettings {
-  unsigned night_volume_max = 31;  ///< step 1 to 62
-  double step_per_kmh = 0.2;
-  double wheel_circumference_m = 2.0;
-  SwitchedSettings switched = {};
+  unsigned night_volume_max = 31;      ///< step 1 to 62
+  double step_per_kmh = 0.2;           ///< louder with the speed of the car
+  double wheel_circumference_m = 2.0;  ///< of the car, for its speed
+  SwitchedSettings switched = {};      ///< of the functions that are switched
 };
 
 inline constexpr const ObjectInfo* roof_bar_sound_commands[] = {
@@ -64,7 +66,7 @@ inline constexpr SwitchedTable roof_bar_sound_table = {.commands = roof_bar_soun
 
 class RoofBarSoundUnit {
  public:
-  static constexpr unsigned volume_max = 62;
+  static constexpr unsigned volume_max = 62;  ///< greatest step
 
   /// Everything to which `hardware` and `settings` refer must outlive this.
   RoofBarSoundUnit(CarNetwork& network, const RoofBarSoundHardware& hardware,
@@ -72,7 +74,9 @@ class RoofBarSoundUnit {
   RoofBarSoundUnit(const RoofBarSoundUnit&) = delete;
   RoofBarSoundUnit& operator=(const RoofBarSoundUnit&) = delete;
 
+  /// What the loudspeakers give at present.
   const RoofBarSound& output() const { return output_; }
+  /// The machine of commands and states.
   Switching& switching() { return unit_.switching(); }
 
  private:

@@ -19,13 +19,15 @@
 
 namespace canvoy::cia447 {
 
-inline constexpr unsigned tariff_lamps_max = 16;
+inline constexpr unsigned tariff_lamps_max = 16;  ///< of one display
 
+/// The lamps.
 struct TariffDisplayHardware {
   /// Lamp 1 (taxi light), 2 (vacant light), 3 (emergency light) to 16: off, on, dimmed or blinking.
   Callback<void(unsigned lamp, Lamp wanted)> drive = {};
 };
 
+/// Size of the display.
 struct TariffDisplaySettings {
   unsigned lamps = 3;             ///< 1 to 16
   unsigned level_characters = 2;  ///< 0 to 2
@@ -43,6 +45,7 @@ class TariffDisplayUnit {
 
   /// Sets an input, 1 to 16, to active or not, or to a Signal that says why it is not known.
   void set_input(unsigned input, Signal state);
+  /// Reports a discrete input, counted from 1.
   void set_input(unsigned input, bool is_active) {
     set_input(input, is_active ? Signal::yes : Signal::no);
   }

@@ -19,17 +19,19 @@ namespace canvoy::cia447 {
 /// Effect of a key.
 enum class AlarmKind : std::uint8_t { none, silent, full, both };
 
+/// What the alarm drives.
 struct TaxiAlarmHardware {
   /// Called on changes of an alarm, for lights, horn and microphone.
   Callback<void(bool silent, bool full)> alarm = {};
 };
 
+/// Effects of the keys.
 struct TaxiAlarmSettings {
-  AlarmKind by_key = AlarmKind::silent;
-  AlarmKind by_remote_key = AlarmKind::full;
+  AlarmKind by_key = AlarmKind::silent;       ///< alarm key
+  AlarmKind by_remote_key = AlarmKind::full;  ///< remote key
   /// An alarm requests a call by radio.
   bool calls_by_radio = true;
-  bool has_remote_key = true;
+  bool has_remote_key = true;  ///< false: there is none
 };
 
 class TaxiAlarmUnit {
@@ -42,11 +44,15 @@ class TaxiAlarmUnit {
 
   /// Reports that a key is pressed, released, or out of order.
   void press_key(Signal state);
+  /// Reports the alarm key.
   void press_key(bool is_pressed) { press_key(is_pressed ? Signal::yes : Signal::no); }
+  /// Reports the remote key, or that its state is not known.
   void press_remote_key(Signal state);
+  /// Reports the remote key.
   void press_remote_key(bool is_pressed) {
     press_remote_key(is_pressed ? Signal::yes : Signal::no);
   }
+  /// Raises an alarm, as a key does.
   void raise_alarm(AlarmKind kind);
   /// Ends the alarm and the call. A key that is still held has no further effect.
   void reset_alarm();

@@ -19,6 +19,7 @@ struct LocalTime {
   std::int64_t seconds = 0;     ///< since 1970-01-01, as shown by the clock
   std::int32_t utc_offset = 0;  ///< seconds by which the clock is ahead of UTC
 
+  /// Seconds since 1970-01-01, UTC.
   constexpr std::int64_t utc() const { return seconds - utc_offset; }
 };
 
@@ -46,6 +47,7 @@ inline constexpr Callback<AbortCode(const Entry&, std::span<const std::uint8_t>)
 /// valid, or that fails, has no time; a clock without such a report has.
 class BusClock {
  public:
+  /// Attaches to the node, which must outlive this.
   explicit BusClock(Node& node);
   BusClock(const BusClock&) = delete;
   BusClock& operator=(const BusClock&) = delete;

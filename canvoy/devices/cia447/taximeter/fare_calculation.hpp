@@ -26,6 +26,7 @@ namespace canvoy::cia447 {
 
 /// The highest amount of 60D0h: fares stay there.
 inline constexpr std::uint32_t amount_max = 0xFFFF'FFFD;
+/// The amount, or the greatest that 32 bits have.
 constexpr std::uint32_t capped(std::uint64_t amount) {
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(amount, amount_max));
 }
@@ -34,10 +35,11 @@ inline constexpr std::uint64_t thousandths = 1000;
 
 class FareCalculation {
  public:
+  /// What does not change during a trip.
   struct Conditions {
-    FareMode mode = FareMode::single_calculation;
-    std::uint32_t k = 1;            ///< pulses for a local distance unit, at least 1
-    std::uint32_t fixed_price = 0;  ///< for mode fixed_price
+    FareMode mode = FareMode::single_calculation;  ///< of distance and time
+    std::uint32_t k = 1;                           ///< pulses for a local distance unit, at least 1
+    std::uint32_t fixed_price = 0;                 ///< for mode fixed_price
   };
 
   /// Starts a trip: its initial and minimum fare are those of this level.
@@ -58,17 +60,21 @@ class FareCalculation {
   std::uint32_t fare() const;
   /// Time charged at the time rate, including the open slice.
   Duration charged_time() const;
+  /// Tariff level at present.
   const TariffLevel& level() const { return state_.level; }
+  /// Mode of the calculation.
   FareMode mode() const { return state_.conditions.mode; }
+  /// Fare at the start of the trip, in 0,001 of the currency unit.
   std::uint32_t initial_fare() const { return state_.initial_fare; }
+  /// Least fare of the trip, in 0,001 of the currency unit.
   std::uint32_t minimum_fare() const { return state_.minimum_fare; }
 
   /// The whole state, to be kept over a loss of power.
   struct State {
-    Conditions conditions;
-    TariffLevel level;
-    std::uint32_t initial_fare = 0;
-    std::uint32_t minimum_fare = 0;
+    Conditions conditions;            ///< of the trip
+    TariffLevel level;                ///< at present
+    std::uint32_t initial_fare = 0;   ///< in 0,001 of the currency unit
+    std::uint32_t minimum_fare = 0;   ///< in 0,001 of the currency unit
     std::uint64_t switched = 0;       ///< in whole switching units
     std::int64_t used = 0;            ///< since the last one, in whole thousandths
     std::uint64_t distance_rest = 0;  ///< of a thousandth, below k
@@ -86,7 +92,9 @@ class FareCalculation {
               distance_rest, time_rest, pulses, microseconds, charged);
     }
   };
+  /// State, to be kept.
   const State& state() const { return state_; }
+  /// Returns to a state that was kept.
   void restore(const State& state) { state_ = state; }
 
  private:

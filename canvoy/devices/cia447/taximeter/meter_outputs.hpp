@@ -23,10 +23,11 @@ namespace canvoy::cia447 {
 
 class MeterOutputs {
  public:
+  /// The other devices.
   struct Settings {
-    NodeId printer = 0;  ///< 0: none
-    NodeId sign = 0;     ///< 0: none
-    Duration repetition = 2s;
+    NodeId printer = 0;        ///< 0: none
+    NodeId sign = 0;           ///< 0: none
+    Duration repetition = 2s;  ///< of commands that are not taken
   };
 
   /// It sets on_lost() of the network, and calls the former callback.
@@ -34,11 +35,14 @@ class MeterOutputs {
   MeterOutputs(const MeterOutputs&) = delete;
   MeterOutputs& operator=(const MeterOutputs&) = delete;
 
+  /// Shows the state of the taximeter on the roof.
   void show(const TaximeterDisplay& display);
   /// Prints a text, cut to printed_text_max bytes.
   void print(std::string_view text);
 
+  /// True while a receipt is on its way to the printer.
   bool is_printing() const { return receipt_length_ != 0; }
+  /// Number of receipts that the printer has taken.
   unsigned printed() const { return printed_; }
 
  private:

@@ -22,16 +22,17 @@ inline constexpr std::size_t printed_text_max = 1024;
 
 /// Taxi, company and driver, on each paper.
 struct PaperHead {
-  std::string_view taxi = "";     ///< 60DAh:04h
-  std::string_view company = "";  ///< the operator; empty: no line
-  std::string_view driver = "";   ///< empty: no line
-  Currency currency = {};
-  std::string_view distance_unit = "";
+  std::string_view taxi = "";           ///< 60DAh:04h
+  std::string_view company = "";        ///< the operator; empty: no line
+  std::string_view driver = "";         ///< empty: no line
+  Currency currency = {};               ///< of all amounts
+  std::string_view distance_unit = "";  ///< as printed: `km`
 };
 
+/// All that a receipt says.
 struct ReceiptFacts {
-  std::uint32_t number = 0;  ///< of the receipt
-  PaperHead head = {};
+  std::uint32_t number = 0;     ///< of the receipt
+  PaperHead head = {};          ///< of the paper
   std::int32_t utc_offset = 0;  ///< s by which local clocks are ahead of UTC
   /// Offset at the start of the trip, if clocks were set in between.
   std::optional<std::int32_t> utc_offset_at_start = {};
@@ -65,8 +66,9 @@ class Receipt {
   FixedText<printed_text_max> text_;
 };
 
+/// All that a slip says.
 struct SlipFacts {
-  PaperHead head = {};
+  PaperHead head = {};           ///< of the paper
   std::int64_t begin = no_time;  ///< of the shift, in local seconds since 1970-01-01
   std::int64_t end = no_time;    ///< of the shift, in local seconds since 1970-01-01
 };

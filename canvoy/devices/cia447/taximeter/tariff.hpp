@@ -22,6 +22,7 @@
 
 namespace canvoy::cia447 {
 
+/// Prices of one level.
 struct TariffLevel {
   std::array<char, 2> name = {};    ///< of 60D3h: characters 1 and 2; 0: none
   std::uint32_t initial_fare = 0;   ///< when the taxi is hired
@@ -37,10 +38,10 @@ struct TariffLevel {
 
 /// Days on which hours of a tariff apply: a bit for each Weekday, and one for holidays.
 inline constexpr std::uint8_t on_mondays_to_fridays = 0x1F;
-inline constexpr std::uint8_t on_saturdays = 0x20;
-inline constexpr std::uint8_t on_sundays = 0x40;
-inline constexpr std::uint8_t on_holidays = 0x80;
-inline constexpr std::uint8_t on_all_days = 0xFF;
+inline constexpr std::uint8_t on_saturdays = 0x20;  ///< bit of TariffHours::days
+inline constexpr std::uint8_t on_sundays = 0x40;    ///< bit of TariffHours::days
+inline constexpr std::uint8_t on_holidays = 0x80;   ///< bit of TariffHours::days
+inline constexpr std::uint8_t on_all_days = 0xFF;   ///< all bits of TariffHours::days
 
 /// Minutes of the day, up to 24:00.
 constexpr std::uint16_t time_of_day(unsigned hour, unsigned minute) {
@@ -50,15 +51,15 @@ constexpr std::uint16_t time_of_day(unsigned hour, unsigned minute) {
 /// Hours of a level. If `from` is not before `to`, they last over midnight, and belong to the day
 /// on which they begin.
 struct TariffHours {
-  std::uint8_t days = on_all_days;
-  std::uint16_t from = time_of_day(0, 0);
-  std::uint16_t to = time_of_day(24, 0);  ///< not included
-  std::uint8_t level = 0;                 ///< index in Tariff::levels
+  std::uint8_t days = on_all_days;         ///< bits 0 to 4: Monday to Friday
+  std::uint16_t from = time_of_day(0, 0);  ///< minutes of the day
+  std::uint16_t to = time_of_day(24, 0);   ///< not included
+  std::uint8_t level = 0;                  ///< index in Tariff::levels
 };
 
 /// A holiday, which does not count as its day of the week. Year 0: each year.
 struct Holiday {
-  std::uint16_t year = 0;
+  std::uint16_t year = 0;  ///< 0: each year
   std::uint8_t month = 1;  ///< 1 to 12
   std::uint8_t day = 1;    ///< 1 to 31
   /// The same day, in the same year or in each year.
@@ -75,10 +76,10 @@ struct SupplementKind {
 inline constexpr std::size_t supplement_kinds_max = 8;
 
 struct Tariff {
-  std::uint16_t id = 0;  ///< of 60DAh sub-index 03h or 07h
-  std::span<const TariffLevel> levels = {};
-  std::span<const TariffHours> hours = {};  ///< the first that matches applies; none: level 0
-  std::span<const Holiday> holidays = {};
+  std::uint16_t id = 0;                      ///< of 60DAh sub-index 03h or 07h
+  std::span<const TariffLevel> levels = {};  ///< the first is level 0
+  std::span<const TariffHours> hours = {};   ///< the first that matches applies; none: level 0
+  std::span<const Holiday> holidays = {};    ///< days that count as holidays
   std::span<const SupplementKind> supplements = {};  ///< any beyond 8 are ignored
 };
 

@@ -18,14 +18,15 @@ namespace canvoy::cia447 {
 
 class TaximeterMemory {
  public:
+  /// Where the record is in the flash.
   struct Place {
-    std::uint32_t address = 0;
+    std::uint32_t address = 0;      ///< of the first slot; the second follows it
     std::uint32_t slot_size = 512;  ///< whole sectors, for each of two slots
   };
   /// Result of load().
   struct Found {
-    std::optional<TaximeterRecord> record = {};
-    bool is_damaged = false;  ///< a record existed
+    std::optional<TaximeterRecord> record = {};  ///< nothing: none, or damaged
+    bool is_damaged = false;                     ///< a record existed
   };
 
   /// Without a flash, nothing is kept. All references must outlive this.
@@ -67,6 +68,7 @@ class AuditMemory {
   void save(const AuditLog& log);
   /// Writes it before it returns: for a loss of power.
   void save_now(const AuditLog& log);
+  /// True if the flash has failed: nothing is recorded any more.
   bool has_failed() const { return image_.has_failed(); }
 
  private:

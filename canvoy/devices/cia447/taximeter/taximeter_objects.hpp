@@ -15,14 +15,18 @@ namespace canvoy::cia447 {
 
 class TaximeterObjects {
  public:
+  /// Makes the objects of a node, which must outlive this.
   explicit TaximeterObjects(Node& node) : node_(node) {}
   TaximeterObjects(const TaximeterObjects&) = delete;
   TaximeterObjects& operator=(const TaximeterObjects&) = delete;
 
   /// Writes the trip. Without a change, only if `is_all`.
   void tell_trip(const TripData& data, bool is_all);
+  /// Writes the state of the taximeter.
   void tell_state(Taximeter state, bool is_turning_off);
+  /// Writes the totals, 60D9h.
   void tell_totals(const TaximeterRecord& record);
+  /// Writes the configuration, 60DAh.
   void tell_configuration(const TaximeterRecord& record, const TaximeterSettings& settings);
 
  private:

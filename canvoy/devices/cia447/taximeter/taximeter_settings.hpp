@@ -19,14 +19,15 @@ namespace canvoy::cia447 {
 
 /// The display for the passenger.
 struct TaximeterDisplay {
-  Taximeter state = Taximeter::signed_off;
-  TripData trip = {};
-  bool has_error = false;
-  bool has_wheel_signal = false;
+  Taximeter state = Taximeter::signed_off;  ///< of the taximeter
+  TripData trip = {};                       ///< present or last trip
+  bool has_error = false;                   ///< an error stops it
+  bool has_wheel_signal = false;            ///< pulses come, or the car stands
 
   bool operator==(const TaximeterDisplay&) const = default;
 };
 
+/// What the taximeter shows and senses.
 struct TaximeterHardware {
   /// The meter's own clock, used if no clock on the bus sends the time: it continues from the last
   /// time on the bus. Nothing: it is not set.
@@ -79,13 +80,14 @@ struct TaximeterSettings {
   TaximeterMode mode = TaximeterMode::taximeter_operation;
   /// Single or double calculation.
   FareMode calculation = FareMode::single_calculation;
-  Tariff tariff = example_tariff;
+  Tariff tariff = example_tariff;  ///< in force
   /// Replaces the present tariff at this local time (seconds since 1970-01-01), between two trips.
   Tariff future_tariff = {};
+  /// Time from which the next tariff is in force; seconds since 1970-01-01.
   std::int64_t future_from = INT64_MAX;
-  std::string_view taxi_identifier = "";
-  Currency currency = {};
-  std::string_view distance_unit = "km";
+  std::string_view taxi_identifier = "";  ///< on receipts
+  Currency currency = {};                 ///< of the tariff
+  std::string_view distance_unit = "km";  ///< of the tariff, as printed
   /// In local distance units per hour: faster pulses are not from this car.
   std::uint32_t fastest_speed = 300;
   /// A trip continues after a loss of power up to this duration; after a longer one, it has ended
@@ -95,7 +97,7 @@ struct TaximeterSettings {
   Duration keeping_period = 60s;
   /// Duration of the change to off mode.
   Duration turning_off = 3s;
-  TaximeterMemory::Place memory = {};
+  TaximeterMemory::Place memory = {};  ///< of the record
   /// Location of the audit log, in the same flash.
   AuditMemory::Place audit_memory = {};
   /// Provider of wheels and engine (6050h to 6057h): 6054h and 6056h, which no PDO carries, are
@@ -103,7 +105,7 @@ struct TaximeterSettings {
   NodeId wheel_node = gateway_node_id;
   /// Provider of date and time (60F0h, 60F2h, 60F4h), with the same rules.
   NodeId clock_node = 0;
-  Duration asking_period = 10s;
+  Duration asking_period = 10s;  ///< of the date and the time, if no PDO carries them
 };
 
 }  // namespace canvoy::cia447

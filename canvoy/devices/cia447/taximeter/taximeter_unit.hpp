@@ -46,9 +46,10 @@ namespace canvoy::cia447 {
 /// device. The instance, and the first byte of the manufacturer-specific field, is a
 /// TaximeterError.
 namespace emergency_code {
-inline constexpr std::uint16_t taximeter = 0xFF00;
+inline constexpr std::uint16_t taximeter = 0xFF00;  ///< emergency error code: see TaximeterError
 }  // namespace emergency_code
 
+/// Error of a taximeter, in its emergency.
 enum class TaximeterError : std::uint8_t {
   wheel_source = 1,  ///< 6054h changed outside of service mode; bytes 1, 2: sealed, found
   wheel_node,        ///< another node sends the wheel pulses; bytes 1, 2: sealed, found
@@ -81,6 +82,7 @@ class TaximeterUnit {
   /// Selects a level of the tariff, instead of the clock, until the trip ends. The initial fare is
   /// that of the level at the start of the trip.
   bool choose_level(unsigned level);
+  /// Returns to the level that the clock selects.
   void choose_level_by_clock() { record_.chosen_level = TaximeterRecord::no_level; }
   /// Charges a service of the tariff at its price, by its index in Tariff::supplements. While hired
   /// or stopped.
@@ -114,10 +116,13 @@ class TaximeterUnit {
   /// Sends the display's content again.
   void hardware_changed();
 
+  /// State at present.
   Taximeter state() const { return record_.state; }
   /// The present tariff.
   const Tariff& tariff() const { return tariff_; }
+  /// All that is kept.
   const TaximeterRecord& record() const { return record_; }
+  /// Pulses that were not counted, by reason.
   const WheelPulses::Counters& wheel_counters() const { return wheel_.counters(); }
   /// Recorded events, with time and origin.
   const AuditLog& audit() const { return audit_; }

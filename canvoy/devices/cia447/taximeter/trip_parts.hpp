@@ -9,9 +9,10 @@
 
 namespace canvoy::cia447 {
 
+/// A number of the trip, and its place.
 struct TripPart {
-  FieldPlace place;
-  std::uint32_t TripData::*value;
+  FieldPlace place;                ///< in the dictionary
+  std::uint32_t TripData::*value;  ///< member
 };
 
 /// All numbers of 32 bits; mode (60D0h:04h) and level (60D3h) are none.

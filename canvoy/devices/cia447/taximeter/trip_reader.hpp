@@ -28,6 +28,7 @@ class TripReader {
 
   /// No effect while a request is under way.
   void read();
+  /// True while a trip is being read.
   bool is_reading() const { return client_.busy(); }
 
  private:

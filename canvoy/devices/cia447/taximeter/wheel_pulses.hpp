@@ -41,6 +41,7 @@ class WheelPulses {
   std::uint32_t count(std::uint16_t value, Signal valid, Time now);
   /// Discards the last value: for another counter.
   void forget() { has_base_ = false; }
+  /// Values that were not counted, by reason.
   const Counters& counters() const { return counters_; }
 
  private:
