@@ -90,14 +90,14 @@ constexpr std::array<Effect, 8> sliding_roof(const RoofWay& way) {
           roof_stops(way.is_getting_open, way.stopped),
           roof_stops(way.is_getting_closed, way.stopped)};
 }
-inline constexpr RoofWay roof_tilt = {.open_command = SlidingRoofCommand::open_tilt,
+inline constexpr RoofWay roof_tilt = {.open_command = SlidingRoofCommand::open_tilt,  ///< tilts
                                       .close_command = SlidingRoofCommand::close_tilt,
                                       .open = SlidingRoof::open_tilt,
                                       .is_getting_open = SlidingRoof::is_getting_open_tilt,
                                       .is_getting_closed = SlidingRoof::is_getting_closed_tilt,
                                       .stopped = SlidingRoof::stopped_tilt,
                                       .takes = 2s};
-inline constexpr RoofWay roof_slide = {.open_command = SlidingRoofCommand::open_slide,
+inline constexpr RoofWay roof_slide = {.open_command = SlidingRoofCommand::open_slide,  ///< slides
                                        .close_command = SlidingRoofCommand::close_slide,
                                        .open = SlidingRoof::open_slide,
                                        .is_getting_open = SlidingRoof::is_getting_open_slide,

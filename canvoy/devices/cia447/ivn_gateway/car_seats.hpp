@@ -45,11 +45,12 @@ struct SeatStore {
 
 class CarSeats {
  public:
+  /// What a seat moves along.
   enum Way : std::uint8_t { length, height, angle, tight_support, back, headrest };
-  static constexpr unsigned ways = SeatMemories::ways;
-  static constexpr int position_max = 100;  ///< at the front, at the top
-  static constexpr int steps_of_command = 10;
-  static constexpr Duration step_time = 50ms;
+  static constexpr unsigned ways = SeatMemories::ways;  ///< a seat moves along
+  static constexpr int position_max = 100;              ///< at the front, at the top
+  static constexpr int steps_of_command = 10;           ///< steps that a command moves a seat
+  static constexpr Duration step_time = 50ms;           ///< of a step on the way
 
   /// Everything to which `hardware` and `settings` refer must outlive this.
   CarSeats(CarNetwork& network, const SwitchedHardware& hardware, const SwitchedSettings& settings);

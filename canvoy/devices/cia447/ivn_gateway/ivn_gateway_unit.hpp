@@ -37,17 +37,24 @@ class IvnGatewayUnit {
   void report(const Handle& handle, State state) {
     report(place_of(handle), static_cast<std::uint32_t>(state));
   }
+  /// Reports the state of a function, as its sensor has it.
   void report(const FieldPlace& status, std::uint32_t code);
+  /// Reports the state of a function by its handle.
   template <class Handle>
     requires requires { typename Handle::Place; }
   void sense(const Handle& handle, Sensing sensing) {
     sense(place_of(handle), sensing);
   }
+  /// Reports whether the sensor of a function works.
   void sense(const FieldPlace& status, Sensing sensing);
 
+  /// Functions of the car body (4.2.2).
   Switching& body() { return body_.switching(); }
+  /// Functions of light and signaling (4.2.3).
   Switching& light() { return light_.switching(); }
+  /// Functions of the power train (4.2.4).
   Switching& power_train() { return power_train_.switching(); }
+  /// The front seats.
   CarSeats& seats() { return seats_; }
 
  private:

@@ -46,7 +46,7 @@ struct PrinterSettings {
   /// Number of new lines after which the last text can be torn off, 1 to 5, which the client sends;
   /// 0: the printer feeds `automatic_lines` by itself at the end of printing.
   unsigned lines_to_form_feed = 3;
-  unsigned automatic_lines = 3;  ///< lines of feed before a cut
+  unsigned automatic_lines = 3;  ///< lines that it feeds itself at the end of printing
   /// Speed of the paper.
   unsigned dots_per_second = 400;
 };

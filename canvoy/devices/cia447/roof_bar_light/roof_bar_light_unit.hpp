@@ -28,8 +28,8 @@ inline constexpr auto tilt_status = light_status_roof_bar_swing_search_lamp_up_d
 inline constexpr auto lamp_position = light_status_roof_bar_search_lamp_position;
 /// From one end to the other.
 inline constexpr Duration swing_time = 6s;
-inline constexpr Duration tilt_time = 3s;
-inline constexpr Duration position_time = 4s;
+inline constexpr Duration tilt_time = 3s;      ///< from one end to the other
+inline constexpr Duration position_time = 4s;  ///< to a stored position
 
 template <class Command, class Code>
 constexpr Effect leaves_position(const Command& command, Code code) {

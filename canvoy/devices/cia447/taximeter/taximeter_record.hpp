@@ -76,7 +76,7 @@ struct TaximeterRecord {
   static constexpr std::uint8_t no_level = 0xFF;  ///< the clock selects it
 
   std::uint8_t version = present_version;            ///< other versions are converted, or refused
-  Taximeter state = Taximeter::signed_off;           ///< as 60DBh has it
+  Taximeter state = Taximeter::signed_off;           ///< of the taximeter
   Taximeter before_standby = Taximeter::signed_off;  ///< state to return to
   bool totals_are_known = true;                      ///< false after damage of the former record
   TaxiTotals total;                                  ///< never reset

@@ -55,6 +55,7 @@ inline constexpr TariffLevel example_levels[] = {{.name = {'1', 0},
                                                   .distance_rate = 2600,
                                                   .time_rate = 33'000,
                                                   .increment = 100}};
+/// For tests and the catalogue.
 inline constexpr TariffHours example_hours[] = {
     {.days = on_sundays | on_holidays, .level = 1},
     {.from = time_of_day(22, 0), .to = time_of_day(6, 0), .level = 1}};
@@ -63,10 +64,11 @@ inline constexpr Holiday example_holidays[] = {{.month = 1, .day = 1},
                                                {.month = 5, .day = 1},
                                                {.month = 12, .day = 25},
                                                {.month = 12, .day = 26}};
+/// For tests and the catalogue.
 inline constexpr SupplementKind example_supplements[] = {{.name = "Luggage", .price = 1000},
                                                          {.name = "Booking", .price = 1500},
                                                          {.name = "Airport", .price = 5000}};
-inline constexpr Tariff example_tariff = {.id = 1,
+inline constexpr Tariff example_tariff = {.id = 1,  ///< for tests and the catalogue
                                           .levels = example_levels,
                                           .hours = example_hours,
                                           .holidays = example_holidays,

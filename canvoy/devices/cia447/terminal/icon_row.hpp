@@ -19,34 +19,40 @@
 
 namespace canvoy::cia447 {
 
+/// One of the two icon displays.
 enum class IconDisplay : std::uint8_t { display_1, display_2 };
 
+/// An icon as it is shown.
 struct ShownIcon {
-  IconDisplay display = IconDisplay::display_1;
-  unsigned number = 1;     ///< 1 to 4
-  bool is_locked = false;  ///< otherwise the car selects what is shown
-  Icon icon = Icon::none;
-  bool is_highlighted = false;
+  IconDisplay display = IconDisplay::display_1;  ///< on which it is
+  unsigned number = 1;                           ///< 1 to 4
+  bool is_locked = false;                        ///< otherwise the car selects what is shown
+  Icon icon = Icon::none;                        ///< none: dark
+  bool is_highlighted = false;                   ///< drawn stronger
 
   friend constexpr bool operator==(const ShownIcon&, const ShownIcon&) = default;
 };
 
 class IconRow {
  public:
-  static constexpr unsigned icons = 4;
+  static constexpr unsigned icons = 4;  ///< in a display
 
   /// Construct it after the Commands that check the same objects.
   IconRow(CarNetwork& network, IconDisplay display, Callback<void(const ShownIcon&)> shown);
   IconRow(const IconRow&) = delete;
   IconRow& operator=(const IconRow&) = delete;
 
+  /// True if a command is for an icon of this display.
   bool is_mine(const FieldPlace& place) const;
   /// Takes a command that Commands has accepted.
   void commanded(const Commanded& wanted);
+  /// Releases the icons that a lost node holds.
   void lose(NodeId node);
   /// Releases all icons.
   void reset();
+  /// Reports whether the display works.
   void sense(PartState state);
+  /// What an icon, 1 to 4, shows.
   const ShownIcon& icon(unsigned number) const { return shown_[number - 1]; }
 
  private:

@@ -20,7 +20,9 @@ class PartLock {
   /// Car add-on device N is the one with node-ID N.
   static constexpr unsigned devices_max = 16;
 
+  /// True while a device holds the part.
   constexpr bool is_held() const { return holder_ != 0; }
+  /// True while this device holds the part.
   constexpr bool is_held_by(unsigned node_id) const { return is_held() && holder_ == node_id; }
   /// 0: none.
   constexpr unsigned holder() const { return holder_; }
@@ -53,6 +55,7 @@ class PartLock {
     holder_ = 0;
     return true;
   }
+  /// Releases the part.
   constexpr void reset() { holder_ = 0; }
 
  private:

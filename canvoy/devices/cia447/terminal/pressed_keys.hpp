@@ -15,14 +15,17 @@ namespace canvoy::cia447 {
 template <class Key>
 class PressedKeys {
  public:
-  static constexpr unsigned count = static_cast<unsigned>(Key::several) - 1;
+  static constexpr unsigned count = static_cast<unsigned>(Key::several) - 1;  ///< keys of the pad
   static_assert(count < 32);
 
   /// Keys of other pads are ignored.
   constexpr void press(Key key) { pressed_ |= bit(key); }
+  /// Notes that a key is released.
   constexpr void release(Key key) { pressed_ &= ~bit(key); }
+  /// Notes that all keys are released.
   constexpr void release_all() { pressed_ = 0; }
 
+  /// The pressed key, none, or several.
   constexpr Key state() const {
     if (pressed_ == 0) return Key::none;
     if (std::popcount(pressed_) > 1) return Key::several;

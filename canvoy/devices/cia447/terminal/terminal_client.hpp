@@ -38,8 +38,10 @@ inline constexpr std::array<const ObjectInfo*, 8> terminal_keys_objects = {
     &control_keys_status_object,  &control_keys_user_interaction_object,
     &display_1_status_object,     &display_2_status_object};
 
+/// Where a text is shown: the title and text of display 1, the text of display 2.
 enum class TerminalText : std::uint8_t { title, text_1, text_2 };
 
+/// The terminal, and what is wanted of it.
 struct TerminalClientSettings {
   NodeId terminal = 0;        ///< 1 to 16
   Duration retry = 300ms;     ///< after a refusal, or without an answer
@@ -53,11 +55,14 @@ class TerminalClient {
  public:
   static constexpr std::size_t text_max = 80;  ///< bytes of UTF-8
 
+  /// Makes the client; `network` must outlive it.
   TerminalClient(CarNetwork& network, const TerminalClientSettings& settings);
   TerminalClient(const TerminalClient&) = delete;
   TerminalClient& operator=(const TerminalClient&) = delete;
 
+  /// Sets the callback for each key of the number pad that is pressed.
   void on_number_key(Callback<void(NumberPadKey)> pressed) { number_pressed_ = pressed; }
+  /// Sets the callback for each function key that is pressed.
   void on_function_key(Callback<void(FunctionKey)> pressed) { function_pressed_ = pressed; }
 
   /// Requests or releases a part. Pads and displays: number_pad, function_pad, display_1,
@@ -65,6 +70,7 @@ class TerminalClient {
   void want(TerminalPart part, bool is_wanted);
   /// Sets the text shown while this device has the display, cut to text_max.
   void show(TerminalText where, std::string_view text);
+  /// True while this device holds a part.
   bool has(TerminalPart part) const { return states_[number_of(part)].is_held; }
 
  private:

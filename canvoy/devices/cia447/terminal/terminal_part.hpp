@@ -20,9 +20,10 @@ enum class TerminalPart : std::uint8_t {
   icon_display_1,
   icon_display_2
 };
-inline constexpr unsigned terminal_part_count = 11;
-inline constexpr unsigned lockable_part_count = 7;
+inline constexpr unsigned terminal_part_count = 11;  ///< parts, the icon displays included
+inline constexpr unsigned lockable_part_count = 7;   ///< parts that are locked as a whole
 
+/// State of a part of the terminal.
 enum class PartState : std::uint8_t { working, off, failure, not_available };
 
 }  // namespace canvoy::cia447

@@ -38,25 +38,27 @@ enum class TerminalWarning : std::uint8_t {
   air_active,
   air_inactive
 };
-inline constexpr unsigned terminal_warning_count = 7;
+inline constexpr unsigned terminal_warning_count = 7;  ///< of TerminalWarning
 
 /// Empty callbacks have no effect.
 struct TerminalHardware {
-  Callback<void(const DisplayContent&)> show = {};
-  Callback<void(const ShownIcon&)> show_icon = {};
-  Callback<void(bool is_on)> buzz = {};
-  Callback<void(TerminalWarning, bool is_on)> warn = {};
+  Callback<void(const DisplayContent&)> show = {};        ///< on each change of a display
+  Callback<void(const ShownIcon&)> show_icon = {};        ///< on each change of an icon
+  Callback<void(bool is_on)> buzz = {};                   ///< on or off
+  Callback<void(TerminalWarning, bool is_on)> warn = {};  ///< a warning lamp, on or off
 };
 
+/// Sizes of the displays.
 struct TerminalSettings {
-  TextArea display_1 = {.lines = 4, .columns = 20, .characters = 80};
-  TextArea display_2 = {.lines = 2, .columns = 16, .characters = 32};
+  TextArea display_1 = {.lines = 4, .columns = 20, .characters = 80};  ///< with a title
+  TextArea display_2 = {.lines = 2, .columns = 16, .characters = 32};  ///< without a title
   /// Parts that this terminal lacks, by the numbers of TerminalPart.
   std::bitset<terminal_part_count> missing = {};
 };
 
 class TerminalUnit {
  public:
+  /// Makes the unit; what `hardware` refers to must outlive it.
   TerminalUnit(CarNetwork& network, const TerminalHardware& hardware,
                const TerminalSettings& settings);
   TerminalUnit(const TerminalUnit&) = delete;
@@ -64,14 +66,23 @@ class TerminalUnit {
 
   // Actions of the person. A key stays pressed until it is released.
 
+  /// Reports that a key of the number pad is pressed.
   void press(NumberPadKey key);
+  /// Reports that a key of the number pad is released.
   void release(NumberPadKey key);
+  /// Reports that a function key is pressed.
   void press(FunctionKey key);
+  /// Reports that a function key is released.
   void release(FunctionKey key);
+  /// Reports that a control key is pressed.
   void press(ControlKey key);
+  /// Reports that a control key is released.
   void release(ControlKey key);
+  /// Reports that the tip switch is pressed.
   void press(TipSwitch key);
+  /// Reports that the tip switch is released.
   void release(TipSwitch key);
+  /// Reports the emergency key.
   void press_emergency_key(bool is_pressed = true);
 
   /// Sets the state of a part. A missing part stays missing.
@@ -79,8 +90,11 @@ class TerminalUnit {
 
   /// Holder: 1 to 16, or 0 for the car itself.
   unsigned holder(TerminalPart part) const { return locks_[number_of(part)].holder(); }
+  /// What a display shows at present.
   DisplayContent content(TerminalDisplay display) const;
+  /// True while the buzzer sounds.
   bool is_buzzing() const { return is_buzzing_; }
+  /// True while a warning lamp is lit.
   bool is_warning(TerminalWarning warning) const {
     return warnings_[static_cast<unsigned>(warning) - 1];
   }

@@ -10,8 +10,8 @@ namespace canvoy::cia447 {
 
 /// Each is 1 to 254.
 struct TextArea {
-  unsigned lines = 4;
-  unsigned columns = 20;
+  unsigned lines = 4;     ///< 1 to 254
+  unsigned columns = 20;  ///< of each line, 1 to 254
   /// Of eight bits, as printed: a character with several bytes in UTF-8 counts several times. Line
   /// feeds do not count.
   unsigned characters = 80;
