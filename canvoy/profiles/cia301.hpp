@@ -21,9 +21,9 @@ constexpr Part device_type(std::uint32_t value) {
 }
 
 struct Identity {
-  std::uint32_t vendor_id = 0;
-  std::uint32_t product_code = 0;
-  std::uint32_t revision = 0;
+  std::uint32_t vendor_id = 0;      ///< assigned by CiA; 0: none
+  std::uint32_t product_code = 0;   ///< of the vendor
+  std::uint32_t revision = 0;       ///< major revision in the upper half
   std::uint32_t serial_number = 0;  ///< of all devices of the kind; each device sets its own later
 };
 /// All of 1018h.
@@ -36,10 +36,11 @@ constexpr Part identity(const Identity& value) {
 }
 /// 1008h to 100Ah.
 struct Names {
-  const char* device = "";
-  const char* hardware_version = "";
-  const char* software_version = "";
+  const char* device = "";            ///< 1008h
+  const char* hardware_version = "";  ///< 1009h
+  const char* software_version = "";  ///< 100Ah
 };
+/// Names 1008h to 100Ah as constant strings.
 constexpr auto names(const Names& value) {
   DeviceDescription<3> parts;
   parts.add(Part(device_name_object).initial(Default(value.device)));
@@ -102,6 +103,7 @@ constexpr auto sync() {
 constexpr Part time_consumer(std::uint32_t can_id = 0x100) {
   return Part(time_cob_id_object).initial(0x8000'0000 | can_id);
 }
+/// Object 1012h of a TIME producer; `can_id` is 100h by default.
 constexpr Part time_producer(std::uint32_t can_id = 0x100) {
   return Part(time_cob_id_object).initial(0x4000'0000 | can_id);
 }
@@ -125,12 +127,13 @@ constexpr Part sdo_clients(unsigned count) {
 /// A PDO that the device maker defines. `number` counts from 1; `entries` is the room of its
 /// mapping.
 struct PdoPart {
-  unsigned number = 1;
-  unsigned entries = 8;
-  Default cob_id = invalid_cob_id;
-  std::uint8_t transmission_type = 255;
+  unsigned number = 1;                    ///< of the PDO, from 1
+  unsigned entries = 8;                   ///< of its mapping record
+  Default cob_id = invalid_cob_id;        ///< by default invalid
+  std::uint8_t transmission_type = 255;   ///< see transmission_type
   MpdoMode multiplexed = MpdoMode::none;  ///< by default
 };
+/// Both records of an RPDO.
 constexpr auto rpdo(const PdoPart& pdo) {
   DeviceDescription<2> parts;
   parts.add(Part(rpdo_parameter_object)
@@ -143,6 +146,7 @@ constexpr auto rpdo(const PdoPart& pdo) {
                 .initial(static_cast<std::uint8_t>(pdo.multiplexed)));
   return parts;
 }
+/// Both records of a TPDO.
 constexpr auto tpdo(const PdoPart& pdo) {
   DeviceDescription<2> parts;
   parts.add(Part(tpdo_parameter_object)

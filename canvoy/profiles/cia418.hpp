@@ -239,10 +239,10 @@ inline constexpr Profile profile = {.number = 418,
 
 /// Optional objects of a battery module.
 struct BatteryOptions {
-  bool rpdo2 = false;
-  bool rpdo3 = false;
-  bool tpdo2 = false;
-  bool tpdo3 = false;
+  bool rpdo2 = false;  ///< process data of the charger
+  bool rpdo3 = false;  ///< process data of the charger
+  bool tpdo2 = false;  ///< process data of the battery
+  bool tpdo3 = false;  ///< process data of the battery
 };
 /// The objects of a battery module: device type, error register, PDOs and the objects that they
 /// map, and its parameters. Other objects of this file are added one by one. The maker adds

@@ -187,10 +187,10 @@ inline constexpr Profile profile = {.number = 419,
 
 /// Optional PDOs of a charger, beyond the mandatory first RPDO and TPDO.
 struct ChargerOptions {
-  bool rpdo2 = false;
-  bool rpdo3 = false;
-  bool tpdo2 = false;
-  bool tpdo3 = false;
+  bool rpdo2 = false;  ///< from the battery
+  bool rpdo3 = false;  ///< from the battery
+  bool tpdo2 = false;  ///< to the battery
+  bool tpdo3 = false;  ///< to the battery
 };
 /// The objects of a charger: device type, error register, PDOs and the objects that they map. The
 /// maker adds identity and heartbeat producer.

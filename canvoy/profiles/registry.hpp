@@ -34,8 +34,8 @@ const ObjectInfo* find_description(const Profile& profile, unsigned index);
 
 /// Location of an entry, with its descriptions.
 struct ObjectAddress {
-  std::uint16_t index = 0;
-  std::uint8_t sub = 0;
+  std::uint16_t index = 0;             ///< of the object
+  std::uint8_t sub = 0;                ///< 0 where the input gives none
   const ObjectInfo* object = nullptr;  ///< null: the profile has no such index
   const EntryInfo* entry = nullptr;    ///< null: the profile has no such sub-index
 };

@@ -136,6 +136,7 @@ inline constexpr auto startup_capable_object =
     record_object(0x1F91, "Startup capable device timing parameter", "302-2", "",
                   startup_capable_entries, {.category = Category::optional});
 
+/// Objects that an NMT master has beside its start-up (1F80h).
 struct NmtMasterOptions {
   std::uint32_t startup = 0x01;    ///< 1F80h
   std::uint32_t boot_time_ms = 0;  ///< 1F89h; 0: waits for mandatory slaves without limit

@@ -81,6 +81,7 @@ enum class DriveState : std::uint8_t {
   fault_reaction_active,
   fault,
 };
+/// State of a statusword, by its bits 0 to 3, 5 and 6.
 constexpr DriveState drive_state(std::uint16_t statusword) {
   // With switch-on disabled or the drive in fault, bit 5 does not matter.
   switch (statusword & 0x4F) {
@@ -148,6 +149,7 @@ inline constexpr FieldInfo supported_mode_fields[] = {
 
 // Option codes: reactions of the drive when it leaves a state.
 
+/// Reaction that an option code selects (605Ah to 605Eh).
 enum class StopReaction : std::int16_t {
   disable = 0,
   slow_down_ramp = 1,

@@ -14,6 +14,7 @@
 
 namespace canvoy::cia407 {
 
+/// Pre-defined PDOs that a device has (8.1.4).
 enum class Configuration : std::uint8_t {
   none,     ///< only PDOs that the maker adds
   minimum,  ///< 8.1.4.1

@@ -24,6 +24,7 @@ inline constexpr auto radio_id_object =
              "Identifies the radio unit, for selective calls; 611Fh is its text.",
              entry(unsigned32, ro, no, 0), {.errata = "8, 9"});
 
+/// Class of the vehicle (6104h).
 enum class VehicleClass : std::uint8_t {
   not_used = 0,
   bus = 1,
@@ -63,6 +64,7 @@ inline constexpr auto route_destination_id_object =
              entry(unsigned32, ro, no, 0,
                    {.names = route_destination_ids, .counting = Counting::identifies}));
 
+/// Direction of the journey on its line (6108h).
 enum class JourneyDirection : std::uint8_t { not_specified = 0, forward = 1, backward = 2 };
 inline constexpr NamedValue journey_directions[] = {
     {JourneyDirection::not_specified, "no direction specified"},
@@ -155,6 +157,7 @@ inline constexpr auto scheduled_time_and_date_object =
           "The local time and date at which the vehicle should be where it is.",
           scheduled_time_and_date_entries, "52, 55, 56");
 
+/// State that cancellers and printers have to take (6116h).
 enum class TicketValidator : std::uint8_t { in_operation = 0, blocked = 1 };
 inline constexpr NamedValue ticket_validator_states[] = {
     {TicketValidator::in_operation, "ticket validator in operation"},

@@ -71,9 +71,13 @@ inline constexpr auto referenced_files_for_xml_files_object =
 
 // Display contents.
 
+/// Flashing of an element of a display mapping (6203h).
 enum class FlashSpeed : std::uint8_t { no_flash = 0, slow = 1, medium = 2, fast = 3 };
+/// Style of an element of a display mapping (6203h).
 enum class FontStyle : std::uint8_t { no_mode = 0, regular = 1, bold = 2, scrolling = 3 };
+/// Alignment of an element of a display mapping (6203h).
 enum class Alignment : std::uint8_t { no_mode = 0, left = 1, center = 2, right = 3 };
+/// Size of an element of a display mapping (6203h).
 enum class FontSize : std::uint8_t { no_mode = 0, small = 1, regular = 2, large = 3 };
 inline constexpr NamedValue flash_speeds[] = {{FlashSpeed::no_flash, "no flash mode"},
                                               {FlashSpeed::slow, "slow"},
@@ -163,6 +167,7 @@ inline constexpr ObjectInfo display_mapping_object = display_mapping(display_map
 inline constexpr ObjectInfo display_mapping_object_reversed =
     display_mapping(display_mapping_entries_reversed);
 
+/// Whether passengers have requested a stop (6204h).
 enum class BusStop : std::uint8_t { not_requested = 0, requested = 1 };
 inline constexpr NamedValue bus_stop_requests[] = {
     {BusStop::not_requested, "bus stop not requested"}, {BusStop::requested, "bus stop requested"}};

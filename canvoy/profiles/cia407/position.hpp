@@ -49,6 +49,7 @@ inline constexpr auto time_universal_reference_object =
            "Time and date in UTC, of the measured position (record type 0081h).",
            time_universal_reference_entries, "48, 52, 53, 56, 105");
 
+/// State of the reverse gear (66C0h).
 enum class ReverseGear : std::uint8_t { engaged = 0, not_engaged = 1 };
 inline constexpr NamedValue reverse_gear_states[] = {
     {ReverseGear::engaged, "reverse gear engaged"},

@@ -13,6 +13,7 @@ inline constexpr std::uint16_t profile_number = 407;
 
 /// Information class of a passenger information device or a driver indicator (6.4, 6.12).
 enum class InformationClass : std::uint8_t { destination = 1, next_stop = 2, information = 3 };
+/// Class of a vehicle driver indicator (6.12).
 enum class IndicatorClass : std::uint8_t { display = 1, display_with_keyboard = 2 };
 /// Kind of display of a passenger information device (6.4).
 enum class InformationSubclass : std::uint8_t { simple = 1, text = 2, graphics = 3, extended = 4 };

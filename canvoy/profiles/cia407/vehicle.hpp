@@ -21,7 +21,9 @@ inline constexpr auto vehicle_mileage_precision_object =
              entry(unsigned16, ro, optional, 0xFFFF, distance_precision),
              {.condition = "if object 6482h is implemented", .errata = "104"});
 
+/// Direction of travel (6484h, 6521h).
 enum class Direction : std::uint8_t { forward = 0, reverse = 1, error = 2, not_available = 3 };
+/// Whether motion was recognized (6484h, 6521h).
 enum class Motion : std::uint8_t { not_detected = 0, detected = 1, error = 2, not_available = 3 };
 inline constexpr NamedValue directions[] = {
     {Direction::forward, "forward"},
@@ -54,9 +56,13 @@ inline constexpr auto compass_bearing_precision_object = variable(
 
 // Doors.
 
+/// State of all doors together (6488h).
 enum class Doors : std::uint8_t { all_closed = 0, open = 1 };
+/// Whether passengers may open the doors of a side (6488h).
 enum class Release : std::uint8_t { blocked = 0, released = 1 };
+/// State of one door (6488h).
 enum class Door : std::uint8_t { closed = 0, open = 1 };
+/// Whether the state of one door is known (6488h).
 enum class Validity : std::uint8_t { invalid = 0, valid = 1 };
 inline constexpr NamedValue doors_states[] = {{Doors::all_closed, "all valid doors closed"},
                                               {Doors::open, "at least one door open"}};
@@ -139,6 +145,7 @@ inline constexpr auto fuel_economy_object =
     record(0x648A, "fuel_economy", "9.2.15.9", "What the engine consumes (record type 0080h).",
            fuel_economy_entries, "65, 66, 67, 105");
 
+/// State of the brake pedal (648Bh).
 enum class BrakePedal : std::uint8_t {
   released = 0,
   depressed = 1,

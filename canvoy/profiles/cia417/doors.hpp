@@ -11,6 +11,7 @@ inline constexpr std::string_view door_name = "Door #";
 
 // 6300h Door controlword
 
+/// Command of a door controlword (6300h).
 enum class DoorCommand : std::uint8_t {
   close_without_limit_force = 0x0,
   close_with_limit_force = 0x1,
@@ -35,6 +36,7 @@ inline constexpr NamedValue door_command_names[] = {
     {DoorCommand::no_action, "do not care / take no action", Meaning::do_not_care},
 };
 
+/// Speed of a door controlword (6300h).
 enum class DoorVelocity : std::uint8_t { standard = 0, reduced = 1, no_action = 3 };
 inline constexpr NamedValue door_velocity_names[] = {
     {DoorVelocity::standard, "Move door with standard speed"},
@@ -87,6 +89,7 @@ inline constexpr auto door_controlword_object = array_object(
 
 // 6301h Door statusword
 
+/// State of a door statusword (6301h).
 enum class DoorState : std::uint8_t {
   closed_with_torque = 0x0,
   closed_without_torque = 0x1,
@@ -187,6 +190,7 @@ inline constexpr NamedValue velocity_profile_names[] = {
 inline constexpr NamedValue width_profile_names[] = {
     {0x00, "default width profile"},
     {0x01, 0xFF, "manufacturer-specific width profile", Meaning::manufacturer}};  // errata B3
+/// Kind of door (6304h).
 enum class DoorType : std::uint8_t {
   undefined = 0x00,
   center_opening = 0x01,
@@ -220,6 +224,7 @@ inline constexpr NamedValue reclose_names[] = {{0x00, "timer disabled"}};
 inline constexpr ValueInfo reclose_time = {.unit = Unit::second, .names = reclose_names};
 inline constexpr ValueInfo reclose_broken_time = {
     .unit = Unit::second, .scale = {.numerator = 2}, .names = reclose_names};
+/// Reaction of a door to the loss of its controller (6304h:0Bh).
 enum class HeartbeatLoss : std::uint8_t {
   stop_without_torque = 0x00,
   stop_with_torque = 0x01,

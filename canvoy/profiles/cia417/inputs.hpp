@@ -10,6 +10,7 @@ namespace canvoy::cia417 {
 
 inline constexpr std::uint16_t group_count = 32;
 
+/// State of a virtual input (6010h, bits 0 and 1 of the last byte).
 enum class CallRequest : std::uint8_t { none = 0, request = 1, defective = 2, not_installed = 3 };
 inline constexpr NamedValue call_request_names[] = {
     {CallRequest::none, "no call request"},

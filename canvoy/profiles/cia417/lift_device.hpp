@@ -18,12 +18,14 @@
 
 namespace canvoy::cia417 {
 
+/// Selection of the objects of a lift device.
 struct LiftDeviceOptions {
   unsigned lift = 1;        ///< 1 to 8
   unsigned doors = 0b1111;  ///< doors that it moves or watches: bit 0 is door 1
   std::size_t parts = 96;   ///< maximum number of objects
 };
 
+/// Description of a virtual device.
 constexpr const VirtualDeviceInfo& info_of(VirtualDevice device) {
   for (const VirtualDeviceInfo& info : virtual_devices) {
     if (info.code == code_of(device)) return info;

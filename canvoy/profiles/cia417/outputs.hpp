@@ -45,6 +45,7 @@ inline constexpr NamedValue floor_data_names[] = {{0x00, "clear the display"},
 
 // The last byte: the property and its parameter.
 
+/// Form in which a virtual output is shown (6011h, bits 1 to 3 of the last byte).
 enum class Property : std::uint8_t {
   standard = 0,
   continuous = 1,
@@ -79,6 +80,7 @@ inline constexpr Piece flash_frequencies[] = {
     {0, 2, {.numerator = -5, .denominator = 2, .offset = 20}},
     {3, 6, {.numerator = -1, .denominator = 2, .offset = 7}},
     {7, 7, {.denominator = 4, .offset = -6}}};
+/// Color of a virtual output with property color.
 enum class Color : std::uint8_t { white = 0, yellow = 1, green = 3, red = 5, blue = 7 };
 inline constexpr NamedValue color_names[] = {{Color::white, "white"},
                                              {Color::yellow, "yellow"},

@@ -66,6 +66,7 @@ inline constexpr FieldInfo device_type_fields[] = {
     field(0, 16, "Device profile number", profile_number_names), reserved_bits<8>(16),
     field(virtual_device_bit, 8, "Virtual device", virtual_device_code)};
 
+/// Value of 1000h: the code of the virtual device in bits 16 to 23, and 417.
 constexpr std::uint32_t device_type(VirtualDevice device) {
   return static_cast<std::uint32_t>(device) << virtual_device_bit | profile_number;
 }
@@ -105,7 +106,9 @@ inline constexpr auto lift_number_object = var_object(
 
 // 6020h
 
+/// What a write to 6020h does.
 enum class Creation : std::uint8_t { create = 1, destroy = 2 };
+/// Access that a created entry gets (6020h).
 enum class CreatedAccess : std::uint8_t { as_specified = 0, ro = 1, wo = 2, rw = 3 };
 inline constexpr NamedValue creation_names[] = {{0, "reserved", Meaning::reserved},
                                                 {Creation::create, "create"},

@@ -8,6 +8,7 @@
 
 namespace canvoy::cia417 {
 
+/// Kind of a virtual sensor (6012h).
 enum class SensorFunction : std::uint8_t {
   none = 0x00,  ///< reserved
   generic = 0x01,
@@ -32,6 +33,7 @@ inline constexpr NamedValue sensor_function_names[] = {
      Meaning::manufacturer},
 };
 
+/// State of a virtual sensor (6012h).
 enum class SensorSignal : std::uint8_t { not_set = 0, set = 1, defective = 2, not_installed = 3 };
 inline constexpr NamedValue sensor_signal_names[] = {
     {SensorSignal::not_set, "no signal set"},

@@ -17,6 +17,7 @@ inline constexpr unsigned profile_number = 447;
 /// The gateway is the NMT master. Add-on devices get node-IDs 2 to 16 by LSS Fastscan.
 inline constexpr unsigned gateway_node_id = 1;
 inline constexpr unsigned node_id_max = 16;
+/// True for 1 to 16: node-IDs of CiA 447.
 constexpr bool is_node_id(unsigned node_id) {
   return node_id >= gateway_node_id && node_id <= node_id_max;
 }
@@ -36,6 +37,7 @@ constexpr std::uint32_t sdo_request(unsigned client, unsigned server) {
   const unsigned n = client - 1;
   return 0x240 + ((n & 0x0C) << 6) + ((n & 0x03) << 4) + (server - 1);
 }
+/// CAN-ID of the answers of a server to one client of the mesh (CiA 447-4).
 constexpr std::uint32_t sdo_response(unsigned client, unsigned server) {
   return sdo_request(client, server) - 0x80;
 }
@@ -45,6 +47,7 @@ constexpr std::uint32_t sdo_response(unsigned client, unsigned server) {
 constexpr std::uint32_t sleep_can_id(unsigned node_id) {
   return 0x690 + node_id;
 }
+/// Command of the message for sleep and wake-up.
 enum class SleepCommand : std::uint8_t {
   query_objection = 0x01,  ///< of the gateway: asks for objections
   set_sleep_mode = 0x02,   ///< of the gateway

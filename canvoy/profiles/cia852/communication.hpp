@@ -14,14 +14,14 @@ using namespace rows;  // NOLINT(google-build-using-namespace): the columns of i
 
 /// Functional elements of a device.
 struct Functions {
-  bool joystick = false;
+  bool joystick = false;              ///< the device has one at least
   bool joystick_with_inputs = false;  ///< with buttons, or a memory function
-  bool foot_pedal = false;
-  bool encoder = false;
-  bool wheel = false;
-  bool push_button_cluster = false;
-  bool indicator_cluster = false;
-  bool display = false;
+  bool foot_pedal = false;            ///< the device has one at least
+  bool encoder = false;               ///< the device has one at least
+  bool wheel = false;                 ///< the device has one at least
+  bool push_button_cluster = false;   ///< the device has one at least
+  bool indicator_cluster = false;     ///< the device has one at least
+  bool display = false;               ///< the device has one at least
 };
 
 // The specific functionality in 1000h: a bit for each kind of element (Table 8).

@@ -26,26 +26,32 @@ concept InCluster = number >= 1 && number <= groups_of_cluster * bits_of_group;
 
 // Joysticks (9.2).
 
+/// Deflection along x of a joystick, from 1 on.
 constexpr auto joystick_x(unsigned joystick) {
   return Number<read_analogue_input_16_bit_object, "Joystick #: x-dimension">{}[joystick_axis_sub(
       joystick, 1)];
 }
+/// Deflection along y of a joystick, from 1 on.
 constexpr auto joystick_y(unsigned joystick) {
   return Number<read_analogue_input_16_bit_object, "Joystick #: y-dimension">{}[joystick_axis_sub(
       joystick, 2)];
 }
+/// Deflection along z of a joystick, from 1 on.
 constexpr auto joystick_z(unsigned joystick) {
   return Number<read_analogue_input_16_bit_object, "Joystick #: z-dimension">{}[joystick_axis_sub(
       joystick, 3)];
 }
+/// Whether a joystick holds its position along x.
 constexpr auto joystick_memory_x(unsigned joystick) {
   return State<Switch, read_input_8_bit_object, "Joystick #: Memory function",
                "m-x">{}[joystick_memory_sub(joystick)];
 }
+/// Whether a joystick holds its position along y.
 constexpr auto joystick_memory_y(unsigned joystick) {
   return State<Switch, read_input_8_bit_object, "Joystick #: Memory function",
                "m-y">{}[joystick_memory_sub(joystick)];
 }
+/// Whether a joystick holds its position along z.
 constexpr auto joystick_memory_z(unsigned joystick) {
   return State<Switch, read_input_8_bit_object, "Joystick #: Memory function",
                "m-z">{}[joystick_memory_sub(joystick)];
@@ -64,17 +70,21 @@ constexpr auto joystick_button(unsigned joystick) {
 
 // Foot pedals, encoders and wheels (9.3 to 9.5).
 
+/// Position of a foot pedal, from 1 on.
 constexpr auto foot_pedal_position(unsigned pedal) {
   return Number<read_analogue_input_16_bit_object,
                 "Foot pedal #: Position">{}[foot_pedal_position_sub(pedal)];
 }
+/// Whether a foot pedal holds its position.
 constexpr auto foot_pedal_memory(unsigned pedal) {
   return State<Switch, read_input_8_bit_object, "Foot pedal #: Memory function",
                "m-x">{}[foot_pedal_memory_sub(pedal)];
 }
+/// Position of an encoder, from 1 on.
 constexpr auto encoder_position(unsigned encoder) {
   return Number<read_input_32_bit_object, "Encoder #: Position">{}[encoder_position_sub(encoder)];
 }
+/// Position of a wheel, from 1 on.
 constexpr auto wheel_position(unsigned wheel) {
   return Number<read_analogue_input_16_bit_object, "Wheel #: Position">{}[wheel_position_sub(
       wheel)];
@@ -84,6 +94,7 @@ inline constexpr Flag<analogue_input_global_interrupt_enable_object> analogue_ev
 
 // Push-buttons (9.6). All groups of a cluster have the shape of the first.
 
+/// Eight push-buttons of a cluster; both count from 1.
 constexpr auto push_buttons(unsigned cluster, unsigned group) {
   return Number<read_input_8_bit_object, "Push-button cluster #: Switch 1-to-8">{}[push_buttons_sub(
       cluster, group)];
@@ -97,6 +108,7 @@ constexpr auto push_button(unsigned cluster) {
 
 // Indicators (9.7).
 
+/// Eight indicators of a cluster; both count from 1.
 constexpr auto indicators(unsigned cluster, unsigned group) {
   return Number<write_output_8_bit_object,
                 "Indicator cluster #: Indicator 1-to-8">{}[indicators_sub(cluster, group)];
@@ -123,22 +135,27 @@ constexpr auto indicator_error_value(unsigned cluster) {
 
 // Displays (9.8).
 
+/// Parameter of a display, as an integer; both count from 1.
 constexpr auto display_value(unsigned display, unsigned parameter) {
   return Number<write_analogue_output_16_bit_object, "Display #: parameter 1">{}[display_sub(
       display, parameter)];
 }
+/// Parameter of a display, as a floating-point number; both count from 1.
 constexpr auto display_float(unsigned display, unsigned parameter) {
   return Quantity<write_analogue_output_float_object, "Display #: parameter 1">{}[display_sub(
       display, parameter)];
 }
+/// Whether a parameter of a display takes its error value.
 constexpr auto display_error_mode(unsigned display, unsigned parameter) {
   return State<cia401::ErrorMode, analogue_output_error_mode_object,
                "Error mode display #: parameter 1">{}[display_sub(display, parameter)];
 }
+/// Error value of a parameter of a display, as an integer.
 constexpr auto display_error_value(unsigned display, unsigned parameter) {
   return Number<analogue_output_error_value_integer_object,
                 "Error value display #: parameter 1">{}[display_sub(display, parameter)];
 }
+/// Error value of a parameter of a display, as a floating-point number.
 constexpr auto display_error_float(unsigned display, unsigned parameter) {
   return Quantity<analogue_output_error_value_float_object,
                   "Error value display #: parameter 1">{}[display_sub(display, parameter)];

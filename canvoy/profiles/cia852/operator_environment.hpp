@@ -15,16 +15,16 @@ namespace canvoy::cia852 {
 
 /// Elements are numbered from 1 without gaps.
 struct OperatorEnvironment {
-  unsigned joysticks = 0;
+  unsigned joysticks = 0;  ///< 0: none
   /// Joysticks have a button or hold their position. Their entries exist in any case, since TPDOs
   /// map them (errata 24): without these inputs they stay 0, like those of a missing axis.
   bool joystick_inputs = true;
-  unsigned foot_pedals = 0;
-  unsigned encoders = 0;
-  unsigned wheels = 0;
-  unsigned push_button_clusters = 0;
-  unsigned indicator_clusters = 0;
-  unsigned displays = 0;
+  unsigned foot_pedals = 0;                             ///< 0: none
+  unsigned encoders = 0;                                ///< 0: none
+  unsigned wheels = 0;                                  ///< 0: none
+  unsigned push_button_clusters = 0;                    ///< 0: none
+  unsigned indicator_clusters = 0;                      ///< 0: none
+  unsigned displays = 0;                                ///< 0: none
   unsigned display_parameters = parameters_of_display;  ///< of each display
   /// Displays also accept floating-point numbers (Table A 8).
   bool display_floats = false;
@@ -37,19 +37,24 @@ struct OperatorEnvironment {
   friend constexpr bool operator==(const OperatorEnvironment&,
                                    const OperatorEnvironment&) = default;
 };
+/// True with joysticks, foot pedals or wheels.
 constexpr bool has_analogue_inputs(const OperatorEnvironment& has) {
   return has.joysticks + has.foot_pedals + has.wheels > 0;
 }
+/// True if 6000h exists.
 constexpr bool has_8_bit_inputs(const OperatorEnvironment& has) {
   return has.joysticks + has.foot_pedals + has.push_button_clusters > 0;
 }
+/// True with indicators or displays.
 constexpr bool has_outputs(const OperatorEnvironment& has) {
   return has.indicator_clusters + has.displays > 0;
 }
 
+/// PDOs for so many elements.
 constexpr unsigned pdos_for(unsigned elements, unsigned elements_of_pdo) {
   return (elements + elements_of_pdo - 1) / elements_of_pdo;
 }
+/// Functions that the elements give the device.
 constexpr Functions functions_of(const OperatorEnvironment& has) {
   return {.joystick = has.joysticks > 0,
           .joystick_with_inputs = has.joysticks > 0 && has.joystick_inputs,
@@ -60,6 +65,7 @@ constexpr Functions functions_of(const OperatorEnvironment& has) {
           .indicator_cluster = has.indicator_clusters > 0,
           .display = has.displays > 0};
 }
+/// Does not compile beyond the numbers of elements that the profile has room for.
 constexpr void check_elements(const OperatorEnvironment& has) {
   using detail::description_is_wrong;
   const bool fits = has.joysticks <= joysticks_max && has.foot_pedals <= foot_pedals_max &&
@@ -73,16 +79,19 @@ constexpr void check_elements(const OperatorEnvironment& has) {
   }
 }
 
+/// True if an element has this sub-index of 6000h.
 constexpr bool has_8_bit_input(const OperatorEnvironment& has, unsigned sub) {
   if (sub < foot_pedal_memory_sub(1)) return sub <= joystick_buttons_sub(has.joysticks);
   if (sub < push_buttons_sub(1, 1)) return sub <= foot_pedal_memory_sub(has.foot_pedals);
   return sub < push_buttons_sub(has.push_button_clusters + 1, 1);
 }
+/// True if an element has this sub-index of 6401h.
 constexpr bool has_analogue_input(const OperatorEnvironment& has, unsigned sub) {
   if (sub < foot_pedal_position_sub(1)) return sub < joystick_axis_sub(has.joysticks + 1, 1);
   if (sub < wheel_position_sub(1)) return sub <= foot_pedal_position_sub(has.foot_pedals);
   return sub <= wheel_position_sub(has.wheels);
 }
+/// True if a display has this sub-index of 6411h.
 constexpr bool has_display(const OperatorEnvironment& has, unsigned sub) {
   return (sub - 1) / display_pitch < has.displays &&
          (sub - 1) % display_pitch < has.display_parameters;
@@ -105,6 +114,7 @@ constexpr bool has_entry(const OperatorEnvironment& has, unsigned index, unsigne
       return has_display(has, sub);
   }
 }
+/// Part of an object that the elements need.
 constexpr Part part_of(const OperatorEnvironment& has, const ObjectInfo& object) {
   return Part(object).keeping([&](unsigned sub) { return has_entry(has, object.index, sub); });
 }
@@ -195,6 +205,7 @@ constexpr void add_configuration(Parts& parts, const OperatorEnvironment& has) {
                 .up_to(pdos_for(highest, inputs_of_bank)));
 }
 
+/// Parts of such a device at most.
 constexpr std::size_t capacity_for(const OperatorEnvironment& has) {
   const std::size_t others = 18 + (has.configuration ? 24 : 0);
   const std::size_t tpdos =

@@ -23,21 +23,27 @@ inline constexpr unsigned wheels_of_tpdo = 4;
 inline constexpr unsigned rpdos_of_display = 3;
 inline constexpr unsigned parameters_of_rpdo = parameters_of_display / rpdos_of_display;
 
+/// Number of the TPDO of a joystick.
 constexpr unsigned joystick_tpdo(unsigned joystick) {
   return joystick == 1 ? 1 : 3 + joystick;
 }
+/// Number of the TPDO of a foot pedal.
 constexpr unsigned foot_pedal_tpdo(unsigned pedal) {
   return 20 + (pedal - 1) / foot_pedals_of_tpdo;
 }
+/// Number of the TPDO of an encoder.
 constexpr unsigned encoder_tpdo(unsigned encoder) {
   return 28 + (encoder - 1) / encoders_of_tpdo;
 }
+/// Number of the TPDO of a wheel.
 constexpr unsigned wheel_tpdo(unsigned wheel) {
   return 32 + (wheel - 1) / wheels_of_tpdo;
 }
+/// Number of the TPDO of a push-button cluster.
 constexpr unsigned push_button_tpdo(unsigned cluster) {
   return 33 + cluster;
 }
+/// Number of the RPDO of an indicator cluster.
 constexpr unsigned indicator_rpdo(unsigned cluster) {
   return cluster == 1 ? 1 : 3 + cluster;
 }

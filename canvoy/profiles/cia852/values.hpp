@@ -26,12 +26,15 @@ inline constexpr unsigned parameters_of_display = 12;
 
 // Sub-indices of 6000h, inputs of 8 bits.
 
+/// Sub-index of 6000h with the held directions of a joystick.
 constexpr unsigned joystick_memory_sub(unsigned joystick) {
   return 2 * joystick - 1;
 }
+/// Sub-index of 6000h with the buttons of a joystick.
 constexpr unsigned joystick_buttons_sub(unsigned joystick) {
   return 2 * joystick;
 }
+/// Sub-index of 6000h with the held position of a foot pedal.
 constexpr unsigned foot_pedal_memory_sub(unsigned pedal) {
   return 2 * joysticks_max + pedal;
 }
@@ -46,25 +49,29 @@ constexpr unsigned push_buttons_sub(unsigned cluster, unsigned group) {
 constexpr unsigned joystick_axis_sub(unsigned joystick, unsigned axis) {
   return joystick_axes * (joystick - 1) + axis;
 }
+/// Sub-index of 6401h with the position of a foot pedal.
 constexpr unsigned foot_pedal_position_sub(unsigned pedal) {
   return joystick_axes * joysticks_max + pedal;
 }
+/// Sub-index of 6401h with the position of a wheel.
 constexpr unsigned wheel_position_sub(unsigned wheel) {
   return foot_pedal_position_sub(foot_pedals_max) + wheel;
 }
 
 /// The element to which a sub-index of 6000h belongs: the inverse of the functions above.
 struct DigitalInputPlace {
+  /// What eight digital inputs belong to.
   enum class Kind : std::uint8_t {
     joystick_memory,
     joystick_buttons,
     foot_pedal_memory,
     push_buttons
   };
-  Kind kind = Kind::joystick_memory;
-  unsigned element = 0;
-  unsigned group = 0;  ///< of push-buttons
+  Kind kind = Kind::joystick_memory;  ///< see Kind
+  unsigned element = 0;               ///< its number, from 1
+  unsigned group = 0;                 ///< of push-buttons
 };
+/// Element of a sub-index of 6000h.
 constexpr DigitalInputPlace digital_input_place(unsigned sub) {
   using Kind = DigitalInputPlace::Kind;
   if (sub < foot_pedal_memory_sub(1)) {
@@ -78,11 +85,13 @@ constexpr DigitalInputPlace digital_input_place(unsigned sub) {
 }
 /// The element to which a sub-index of 6401h belongs.
 struct AnalogueInputPlace {
+  /// What an analogue input belongs to.
   enum class Kind : std::uint8_t { joystick, foot_pedal, wheel };
-  Kind kind = Kind::joystick;
-  unsigned element = 0;
-  unsigned axis = 0;  ///< of a joystick
+  Kind kind = Kind::joystick;  ///< see Kind
+  unsigned element = 0;        ///< its number, from 1
+  unsigned axis = 0;           ///< of a joystick
 };
+/// Element of a sub-index of 6401h.
 constexpr AnalogueInputPlace analogue_input_place(unsigned sub) {
   using Kind = AnalogueInputPlace::Kind;
   if (sub < foot_pedal_position_sub(1)) {
@@ -108,6 +117,7 @@ constexpr unsigned indicators_sub(unsigned cluster, unsigned group) {
 /// read in two ways (errata 4, 5).
 inline constexpr unsigned display_pitch = parameters_of_display;
 inline constexpr unsigned wide_display_pitch = 24;
+/// Sub-index of 6411h with a parameter of a display.
 constexpr unsigned display_sub(unsigned display, unsigned parameter,
                                unsigned pitch = display_pitch) {
   return pitch * (display - 1) + parameter;
