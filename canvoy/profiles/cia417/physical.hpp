@@ -66,7 +66,7 @@ inline constexpr FieldInfo device_type_fields[] = {
     field(0, 16, "Device profile number", profile_number_names), reserved_bits<8>(16),
     field(virtual_device_bit, 8, "Virtual device", virtual_device_code)};
 
-/// Value of 1000h: the code of the virtual device in bits 16 to 23, and 417.
+/// Value of 1000h: the code of the virtual device in bits 24 to 31, and 417.
 constexpr std::uint32_t device_type(VirtualDevice device) {
   return static_cast<std::uint32_t>(device) << virtual_device_bit | profile_number;
 }
