@@ -17,9 +17,11 @@ class Callback;
 template <class Return, class... Arguments>
 class Callback<Return(Arguments...)> {
  public:
+  /// What a callback calls: a function with the context before the arguments.
   using Function = Return (*)(void* context, Arguments...);
 
   constexpr Callback() = default;
+  /// `function` is called with `context`, which must outlive the callback.
   constexpr Callback(Function function, void* context) : function_(function), context_(context) {}
 
   /// Callback of a member function of `object`.

@@ -4,10 +4,9 @@
 // its places.
 //
 //     enum class FaultKind : std::uint8_t { lost_node, no_paper };
-//     constexpr FaultRow fault_rows[] = {{"lost-node", "a node has no power", {.is_at_node = true,
-//     .node = 5}},
-//                                        {"no-paper", "the printer has no paper", {.is_harmless =
-//                                        true}}};
+//     constexpr FaultRow fault_rows[] = {
+//         {"lost-node", "a node has no power", {.is_at_node = true, .node = 5}},
+//         {"no-paper", "the printer has no paper", {.is_harmless = true}}};
 //     constexpr FaultGrammar grammar_of(FaultKind) { return {fault_rows, node_place}; }
 //
 //     FaultPlan<FaultKind> plan{.seed = 1, .faults = {{FaultKind::no_paper, Time(20min), 30s}}};

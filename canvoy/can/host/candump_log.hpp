@@ -2,9 +2,13 @@
 // 185#1E2F`.
 //
 //     Result<CandumpWriter> log = CandumpWriter::create("bus.log", loop.epoch());
-//     bus.on_frame([&](const BusFrame& heard) { log->write(heard.time, bus.name(), heard.frame);
-//     }); Result<CandumpReader> reader = CandumpReader::open("bus.log"); while
-//     (Result<std::optional<LogEntry>> entry = reader->next()) { if (!*entry) break; ... }
+//     bus.on_frame(
+//         [&](const BusFrame& heard) { log->write(heard.time, bus.name(), heard.frame); });
+//     Result<CandumpReader> reader = CandumpReader::open("bus.log");
+//     while (Result<std::optional<LogEntry>> entry = reader->next()) {
+//       if (!*entry) break;
+//       ...
+//     }
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // A file descriptor that closes itself.
 //
-//     Descriptor socket{::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)};  if (!socket) return
-//     error(errno);
+//     Descriptor socket{::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)};
+//     if (!socket) return error(errno);
 #pragma once
 
 #include <unistd.h>

@@ -1,8 +1,9 @@
 // A frame as one msgpack map, as python-can 4.1 sends it over UDP multicast.
 //
-//     MsgpackFrame datagram(frame, seconds_since_1970);  send(datagram.bytes());
-//     DecodedFrame decoded = decode_msgpack_frame(bytes);  if (decoded.kind == FrameKind::classic)
-//     ...
+//     MsgpackFrame datagram(frame, seconds_since_1970);
+//     send(datagram.bytes());
+//     DecodedFrame decoded = decode_msgpack_frame(bytes);
+//     if (decoded.kind == FrameKind::classic) ...
 #pragma once
 
 #include <array>

@@ -1,8 +1,9 @@
 // Dictionary tables that can grow, for descriptions known at run time.
 //
 //     HeapTables tables;
-//     add_object(tables, {.index = 0x1000}, std::to_array<EntryRow>({{.type =
-//     DataType::unsigned32}})); HeapNode device(tables.tables(), port, 5);
+//     add_object(tables, {.index = 0x1000},
+//                std::to_array<EntryRow>({{.type = DataType::unsigned32}}));
+//     HeapNode device(tables.tables(), port, 5);
 #pragma once
 
 #include <vector>

@@ -249,6 +249,7 @@ struct DomainTransfer {
   AbortCode (*write)(SdoEntry&, std::span<const std::uint8_t> bytes);  ///< takes bytes, in order
   AbortCode (*close)(SdoEntry&, bool complete);                        ///< ends either
 
+  /// Those that use the functions of the Domain.
   static const DomainTransfer calls;
 };
 

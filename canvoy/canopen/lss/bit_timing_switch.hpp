@@ -2,7 +2,8 @@
 // network received. For slaves and for the master (CiA 305).
 //
 //     BitTimingSwitch bit_timing(node,
-//     Callback<void(std::uint8_t)>::to<&Can::set_bit_timing>(can)); LssSlaveHooks hooks;
+//                                Callback<void(std::uint8_t)>::to<&Can::set_bit_timing>(can));
+//     LssSlaveHooks hooks;
 //     hooks.activate_bit_timing = bit_timing.hook();
 #pragma once
 

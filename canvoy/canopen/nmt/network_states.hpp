@@ -3,9 +3,9 @@
 // NmtMaster.
 //
 //     NetworkStates network(node);
-//     network.on_change(Callback<void(NodeId,
-//     RemoteState)>::to<&Charger::network_changed>(charger)); command_node(node, 5,
-//     NmtCommand::start);
+//     network.on_change(
+//         Callback<void(NodeId, RemoteState)>::to<&Charger::network_changed>(charger));
+//     command_node(node, 5, NmtCommand::start);
 #pragma once
 
 #include <array>

@@ -1,9 +1,10 @@
 // Reads and writes other nodes without waiting: requests queue for each server, and many servers
 // are accessed at a time (CiA 301, 7.2.4).
 //
-//     SdoBlockWorkers<8> workers(node);          // up to 8 servers at a time, in blocks where it
-//     pays SdoQueue queue(node, workers.all()); SdoRequest name{.server = 5, .index = 0x1008,
-//     .destination = text, .done = on_name}; queue.upload(name);
+//     SdoBlockWorkers<8> workers(node);  // up to 8 servers at a time, in blocks where it pays
+//     SdoQueue queue(node, workers.all());
+//     SdoRequest name{.server = 5, .index = 0x1008, .destination = text, .done = on_name};
+//     queue.upload(name);
 #pragma once
 
 #include <array>

@@ -9,17 +9,19 @@
 //
 //     struct LoadKind {
 //       static constexpr DeviceInfo info = {.name = "lift-load", ...};  // for people
-//       static constexpr auto description = describe(...);  // its objects; a maker has his own
+//       static constexpr auto description = describe(...);  // its objects; a maker has its own
 //       template <const auto& device> static constexpr auto lay_out();  // its memory
 //       using Unit = LoadMeasuringUnit;
 //       using Hardware = LoadHardware;    // or NoHardware
 //       using Settings = LoadSettings;
-//       using ProfileBehaviour = LiftBehaviour;      // what its profile wants of all devices; or
-//       NoProfileBehaviour static Hardware simulated();      // for the catalogue, where an idle
-//       one will not do static Settings fit(Settings);    // to what the description says template
-//       <class Made, class Services>  // Made is Unit, or UnitOn<layout> static Made
-//       make(Services&, const Hardware&, const Settings&); template <class Services> static void
-//       connect(Services&, Unit&);  // where there is need
+//       // What its profile wants of all devices, or NoProfileBehaviour.
+//       using ProfileBehaviour = LiftBehaviour;
+//       static Hardware simulated();    // for the catalogue, where an idle one will not do
+//       static Settings fit(Settings);  // to what the description says
+//       template <class Made, class Services>  // Made is Unit, or UnitOn<layout>
+//       static Made make(Services&, const Hardware&, const Settings&);
+//       template <class Services>
+//       static void connect(Services&, Unit&);  // where there is need
 //     };
 //
 // KindOf has defaults for all of them except the first two. A unit with memory that depends on the

@@ -6,8 +6,8 @@
 //     Environment environment;
 //     environment.floors = 12;
 //     environment.provide(Callback<cia417::LoadHardware()>::to<&LoadCell::hardware>(cell));
-//     environment.watch(Callback<void(cia417::LoadMeasuringUnit&,
-//     Node&)>::to<&Car::has_load>(car));
+//     environment.watch(
+//         Callback<void(cia417::LoadMeasuringUnit&, Node&)>::to<&Car::has_load>(car));
 #pragma once
 
 #include <array>

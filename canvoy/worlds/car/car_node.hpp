@@ -2,7 +2,8 @@
 // which the gateway assigns a node-ID.
 //
 //     CarNode node(world, bus, units, {.name = "radio", .id = 5, .serial_number = 1005},
-//     environment); node.power(true);
+//                  environment);
+//     node.power(true);
 #pragma once
 
 #include <memory>

@@ -2,8 +2,10 @@
 // the way and load cars, and see what cars and lamps show. A landing has panels of all lifts:
 // people press a button on any of them, and release the same one.
 //
-//     LiftPeople people(world, description, devices, {.pressed = ..., .carried = ..., .gave_up =
-//     ...}); people.car_changed(1); people.lamp_changed(call, true);
+//     LiftPeople people(world, description, devices,
+//                       {.pressed = ..., .carried = ..., .gave_up = ...});
+//     people.car_changed(1);
+//     people.lamp_changed(call, true);
 //     people.crowd().waiting_count();
 #pragma once
 

@@ -64,6 +64,7 @@ inline std::span<const AccessHandlers> AcousticAnnouncerUnit::reactions() {
   return rows;
 }
 
+/// Catalogue row of the acoustic announcer (6.8); bus_unit makes it a part of a device.
 struct AcousticAnnouncerKind : BusKind<AcousticAnnouncerUnit, AcousticAnnouncerHardware> {
   static constexpr DeviceInfo info = {.name = "acoustic-announcer",
                                       .title = "acoustic announcer",

@@ -75,6 +75,7 @@ class AcousticControlManagerUnit {
   AcousticControlManagerHardware hardware_;
 };
 
+/// Catalogue row of the acoustic control manager (6.9); bus_unit makes it a part of a device.
 struct AcousticControlManagerKind
     : BusKind<AcousticControlManagerUnit, AcousticControlManagerHardware> {
   static constexpr DeviceInfo info = {.name = "acoustic-control-manager",

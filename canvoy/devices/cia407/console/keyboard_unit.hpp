@@ -46,6 +46,7 @@ class KeyboardUnit {
   Timer timer_;
 };
 
+/// Catalogue row of the driver's console keyboard (6.20); bus_unit makes it a part of a device.
 struct KeyboardKind : BusKind<KeyboardUnit, KeyboardHardware> {
   static constexpr DeviceInfo info = {.name = "console-keyboard",
                                       .title = "driver's console keyboard",

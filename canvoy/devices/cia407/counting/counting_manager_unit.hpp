@@ -82,6 +82,7 @@ class CountingManagerUnit {
   Hook hook_;
 };
 
+/// Catalogue row of the passenger counting manager (6.22); bus_unit makes it a part of a device.
 struct CountingManagerKind : BusKind<CountingManagerUnit, NoHardware, CountingManagerSettings> {
   static constexpr DeviceInfo info = {.name = "passenger-counting-manager",
                                       .title = "passenger counting manager of a car",

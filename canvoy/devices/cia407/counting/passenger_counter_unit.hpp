@@ -62,6 +62,7 @@ class PassengerCounterUnit {
   HandlerBinding service_{&service_calls, this};
 };
 
+/// Catalogue row of the passenger counter of a door (6.21); bus_unit makes it a part of a device.
 struct PassengerCounterKind : BusKind<PassengerCounterUnit, NoHardware, PassengerCounterSettings> {
   static constexpr DeviceInfo info = {.name = "passenger-counter",
                                       .title = "passenger counter of a door",

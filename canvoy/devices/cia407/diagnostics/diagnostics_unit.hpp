@@ -97,6 +97,7 @@ class DiagnosticsUnit {
   Hook hook_;
 };
 
+/// Catalogue row of the diagnostics device (6.23); bus_unit makes it a part of a device.
 struct DiagnosticsKind : BusKind<DiagnosticsUnit, NoHardware, DiagnosticsSettings> {
   static constexpr DeviceInfo info = {.name = "diagnostics",
                                       .title = "diagnostics device of a bus",

@@ -92,6 +92,8 @@ inline constexpr PdoInfo relayed_tpdo = on(message.cob_id, sends(mapping, messag
 inline constexpr PdoInfo train_stop_request_tpdo =
     sends(stop_request_mapping, "bus stop request of the train");
 
+/// Catalogue row of the gateway to other vehicles of the train (6.10);
+/// bus_unit makes it a part of a device.
 struct TrainBusGatewayKind : BusKind<TrainBusGatewayUnit, TrainBusGatewayHardware> {
   static constexpr DeviceInfo info = {.name = "train-bus-gateway",
                                       .title = "gateway to other vehicles of the train",

@@ -100,6 +100,8 @@ class VehicleGatewayUnit {
   Timer timer_;
 };
 
+/// Catalogue row of the gateway to the networks of the vehicle (6.11);
+/// bus_unit makes it a part of a device.
 struct VehicleGatewayKind
     : BusKind<VehicleGatewayUnit, VehicleGatewayHardware, VehicleGatewaySettings> {
   static constexpr DeviceInfo info = {.name = "vehicle-gateway",

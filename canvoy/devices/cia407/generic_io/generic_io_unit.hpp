@@ -87,6 +87,7 @@ inline std::span<const AccessHandlers> GenericIoUnit::reactions() {
   return rows;
 }
 
+/// Catalogue row of the generic inputs and outputs (6.24); bus_unit makes it a part of a device.
 struct GenericIoKind : BusKind<GenericIoUnit, GenericIoHardware> {
   static constexpr DeviceInfo info = {.name = "generic-io",
                                       .title = "generic inputs and outputs of a bus",

@@ -33,6 +33,7 @@ struct OwnPdo {
   /// Segments of the network in which the unit has the PDO.
   enum class Where : std::uint8_t { everywhere, with_main_computer, without_main_computer };
 
+  /// Mapping, direction and CAN-ID.
   const PdoInfo* info = nullptr;
   const ObjectInfo* parameter = nullptr;  ///< communication record
   const ObjectInfo* mapping = nullptr;    ///< mapping record
@@ -53,7 +54,8 @@ inline constexpr OwnPdo own_pdo = {
 
 /// One virtual device of a physical one (bus_kind.hpp makes it of a kind).
 struct BusUnit {
-  DeviceInfo info;
+  DeviceInfo info;  ///< as in the catalogue
+  /// The virtual device, with its objects and events; or `application`.
   const VirtualDeviceInfo* provides = nullptr;
   std::span<const OwnPdo> pdos = {};  ///< that the unit adds to those of the profile
   /// Numbers of entries of arrays, or of bytes in them, where they differ from the usual ones.

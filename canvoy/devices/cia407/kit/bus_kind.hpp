@@ -47,6 +47,7 @@ void make_bus_unit(void* memory, VirtualDevice& device, const Environment& envir
   environment.made<Unit>(*unit, device.node());
 }
 
+/// The kind as a part of a BusDevice: `&bus_unit<Kind>`.
 template <class Kind>
 inline constexpr BusUnit bus_unit = {
     .info = Kind::info,
@@ -80,6 +81,7 @@ inline constexpr DeviceForm bus_form[1] = {
      },
      .end = [](void* memory) { std::destroy_at(static_cast<BusDevice*>(memory)); }}};
 
+/// The row of the catalogue: the kind as a device by itself (bus_form), and as a part of others.
 template <class Kind>
 constexpr DeviceKind bus_device_kind() {
   return {.info = Kind::info,

@@ -18,8 +18,9 @@ namespace canvoy::cia407 {
 
 using cia447::CivilTime;
 
+/// Code 0 of the objects with a year.
 inline constexpr std::int64_t first_year = 1985;
-inline constexpr std::int64_t last_year = 2235;
+inline constexpr std::int64_t last_year = 2235;  ///< code 250
 
 /// True if the objects can hold the time.
 constexpr bool can_be_told(const CivilTime& time) {
@@ -48,12 +49,14 @@ struct ClockHandles {
 template <class... Handles>
 ClockHandles(Handles...) -> ClockHandles<Handles...>;
 
-inline constexpr ClockHandles local_clock{local_year, local_day,    local_month,  ///< 610Eh
+/// 610Eh.
+inline constexpr ClockHandles local_clock{local_year, local_day,    local_month,
                                           local_hour, local_minute, local_second};
 /// 6115h.
 inline constexpr ClockHandles scheduled_clock{scheduled_year, scheduled_day,    scheduled_month,
                                               scheduled_hour, scheduled_minute, scheduled_second};
-inline constexpr ClockHandles tachograph_clock{tachograph_year,   tachograph_day,  ///< 6523h
+/// 6523h.
+inline constexpr ClockHandles tachograph_clock{tachograph_year,   tachograph_day,
                                                tachograph_month,  tachograph_hour,
                                                tachograph_minute, tachograph_second};
 /// 6680h.

@@ -39,6 +39,7 @@ inline constexpr PdoInfo event_tpdo = sends(event_mapping, "events");
 inline constexpr std::uint32_t command_mapping[] = {mapped(events_for_virtual_devices_object, 1)};
 /// Events for the first virtual device.
 inline constexpr PdoInfo command_rpdo = receives(command_mapping, "commands");
+/// Of every virtual device that sends events and is commanded by them (6002h).
 inline constexpr std::array event_pdos = {own_pdo<event_tpdo>, own_pdo<command_rpdo>};
 
 // The vehicle.

@@ -93,6 +93,7 @@ class VirtualDevice {
 
   /// The node of the physical device.
   Node& node() { return all_.node(); }
+  /// Its description in the profile: name, clause, objects.
   const VirtualDeviceInfo& info() const { return info_; }
   /// Number of the virtual device in its physical device, from 1.
   unsigned number() const { return number_; }

@@ -76,6 +76,7 @@ class IdentificationUnit {
   IdentificationHardware hardware_;
 };
 
+/// Catalogue row of the identification device (6.3); bus_unit makes it a part of a device.
 struct IdentificationKind : BusKind<IdentificationUnit, IdentificationHardware> {
   static constexpr DeviceInfo info = {.name = "identification",
                                       .title = "identification of driver, line and journey",

@@ -115,6 +115,7 @@ class MainOnBoardComputerUnit {
   bool are_doors_open_ = false;
 };
 
+/// Catalogue row of the main on-board computer (6.2); bus_unit makes it a part of a device.
 struct MainOnBoardComputerKind
     : BusKind<MainOnBoardComputerUnit, MainOnBoardComputerHardware, MainOnBoardComputerSettings> {
   static constexpr DeviceInfo info = {.name = "on-board-computer",

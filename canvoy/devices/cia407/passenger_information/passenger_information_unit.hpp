@@ -105,9 +105,11 @@ struct PassengerInformationKind : BusKind<PassengerInformationUnit, DisplayHardw
   static constexpr const VirtualDeviceInfo& provides =
       passenger_information<device_class, subclass>;
 
-  static constexpr std::size_t class_number = static_cast<std::size_t>(device_class) - 1;
+  static constexpr std::size_t class_number =
+      static_cast<std::size_t>(device_class) - 1;  ///< 0 to 2
+  /// 0 to 3: simple, text, graphics, extended.
   static constexpr std::size_t subclass_number = static_cast<std::size_t>(subclass) - 1;
-  static constexpr std::size_t number = class_number * 4 + subclass_number;
+  static constexpr std::size_t number = class_number * 4 + subclass_number;  ///< 0 to 11
   static constexpr DeviceInfo info = {
       .name = display_names[number],
       .title = display_titles[number],

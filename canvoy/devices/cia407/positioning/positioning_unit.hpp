@@ -47,6 +47,7 @@ class PositioningUnit {
   Timer timer_;
 };
 
+/// Catalogue row of the geographical positioning (6.17); bus_unit makes it a part of a device.
 struct PositioningKind : BusKind<PositioningUnit, PositioningHardware, PositioningSettings> {
   static constexpr DeviceInfo info = {.name = "geographical-positioning",
                                       .title = "geographical positioning of a bus",

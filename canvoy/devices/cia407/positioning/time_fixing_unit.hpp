@@ -63,6 +63,7 @@ class TimeFixingUnit {
   Timer timer_;
 };
 
+/// Catalogue row of the time fixing device (6.18); bus_unit makes it a part of a device.
 struct TimeFixingKind : BusKind<TimeFixingUnit, TimeFixingHardware, TimeFixingSettings> {
   static constexpr DeviceInfo info = {.name = "time-fixing",
                                       .title = "time fixing: UTC",

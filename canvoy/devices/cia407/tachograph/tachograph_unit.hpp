@@ -77,6 +77,7 @@ class TachographUnit {
   Timer timer_;
 };
 
+/// Catalogue row of the tachograph (6.13); bus_unit makes it a part of a device.
 struct TachographKind : BusKind<TachographUnit, TachographHardware, TachographSettings> {
   static constexpr DeviceInfo info = {.name = "tachograph",
                                       .title = "tachograph of a bus",

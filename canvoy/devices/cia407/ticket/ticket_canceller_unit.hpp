@@ -49,6 +49,7 @@ class TicketCancellerUnit {
   std::optional<bool> is_ready_;
 };
 
+/// Catalogue row of the ticket canceller (6.5); bus_unit makes it a part of a device.
 struct TicketCancellerKind : BusKind<TicketCancellerUnit, TicketCancellerHardware> {
   static constexpr DeviceInfo info = {.name = "ticket-canceller",
                                       .title = "ticket canceller",

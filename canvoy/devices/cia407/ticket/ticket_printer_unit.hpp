@@ -44,6 +44,7 @@ class TicketPrinterUnit {
   Timer timer_;
 };
 
+/// Catalogue row of the ticket printer (6.6); bus_unit makes it a part of a device.
 struct TicketPrinterKind : BusKind<TicketPrinterUnit, TicketPrinterHardware> {
   static constexpr DeviceInfo info = {.name = "ticket-printer",
                                       .title = "ticket printer",

@@ -5,8 +5,8 @@
 // If this node itself is guarded again, all panels that it has received are updated.
 //
 //     ReturnedPanels returned(node, client, calls);
-//     nmt_master.on_change(Callback<void(NodeId,
-//     RemoteState)>::to<&ReturnedPanels::heard>(returned));
+//     nmt_master.on_change(
+//         Callback<void(NodeId, RemoteState)>::to<&ReturnedPanels::heard>(returned));
 //
 // After a sign of lost frames (GapWatch), ask_anew() does the same.
 //

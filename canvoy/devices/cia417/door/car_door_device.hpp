@@ -28,7 +28,9 @@ constexpr std::uint16_t configuration_of(unsigned doors, unsigned door) {
 template <unsigned mask>
 class CarDoors {
  public:
+  /// Number of doors of the mask, up to 4.
   static constexpr std::size_t doors_max = std::popcount(mask & 0xFU);
+  /// One for each door, from the lowest number on.
   using AllHardware = std::array<DoorHardware, doors_max>;
 
   /// `hardware` has one entry for each door, in their order.

@@ -115,7 +115,8 @@ inline constexpr std::uint16_t group_lost_ms = 1000;  ///< silence of the group 
 /// Silence of a lift.
 inline constexpr std::uint16_t member_lost_ms = group_lost_ms + group_heartbeat_ms + 100;
 
-inline constexpr DeviceInfo group_member_info = {.name = "lift-group-member",  ///< of the catalogue
+/// Of the catalogue; the node-ID is the number of the lift in the group.
+inline constexpr DeviceInfo group_member_info = {.name = "lift-group-member",
                                                  .title = "lift controller on the group's bus",
                                                  .product = "Canvoy CiA 417 group member",
                                                  .product_code = 41700,

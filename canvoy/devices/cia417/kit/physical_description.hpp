@@ -16,6 +16,7 @@
 
 namespace canvoy::cia417 {
 
+/// What a physical device of several virtual devices has room for.
 struct PhysicalOptions {
   unsigned lifts = 0b1;          ///< bit 0 is lift 1: the default of 6001h
   unsigned doors = 0b1111;       ///< doors that it moves or watches: bit 0 is door 1

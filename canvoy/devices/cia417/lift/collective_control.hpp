@@ -24,6 +24,7 @@ constexpr Direction reverse(Direction direction) {
   return direction == Direction::up ? Direction::down : Direction::up;
 }
 
+/// A car as the search for its next stop sees it.
 struct CollectiveCar {
   /// Floor at which it stands; while it moves, the first floor at which it can still stop.
   std::uint8_t floor = 1;

@@ -24,6 +24,7 @@ class LiftFloors {
   constexpr LiftFloors(std::span<const std::int32_t> positions, std::int32_t tolerance)
       : positions_(positions), tolerance_(tolerance) {}
 
+  /// Number of floors, 1 to 255: also the number of the highest one.
   std::uint8_t count() const { return static_cast<std::uint8_t>(positions_.size()); }
   /// Position of a floor, which must exist, in micrometres.
   std::int32_t position_of(std::uint8_t floor) const { return positions_[floor - 1U]; }

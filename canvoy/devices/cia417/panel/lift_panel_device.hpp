@@ -59,7 +59,8 @@ inline constexpr DeviceInfo landing_panel_info = {.name = "lift-landing-panel",
                                                   .product_code = 41703,
                                                   .node_id = 21,
                                                   .hardware = "buttons, lamps, displays, a gong"};
-inline constexpr DeviceInfo car_panel_info = {.name = "lift-car-panel",  ///< of the catalogue
+/// Of the catalogue: the same product in a car.
+inline constexpr DeviceInfo car_panel_info = {.name = "lift-car-panel",
                                               .title = "panel of a car: buttons, keys, lamps",
                                               .product = landing_panel_info.product,
                                               .product_code = landing_panel_info.product_code,

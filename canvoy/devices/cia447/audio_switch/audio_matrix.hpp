@@ -27,6 +27,7 @@ class AudioMatrix {
       changed(from, to);
     });
   }
+  /// The same without a call.
   void connect(unsigned input, unsigned output, std::uint8_t gain) {
     connect(input, output, gain, [](unsigned, unsigned) {});
   }

@@ -66,6 +66,7 @@ class AudioSwitchUnit {
   HandlerBinding service_{&service_calls, this};
 };
 
+/// Catalogue row of the audio switch (4.2.19); car_unit makes it a part of a device.
 struct AudioSwitchKind : CarKind<AudioSwitchUnit, AudioSwitchHardware, SwitchedSettings> {
   static constexpr DeviceInfo info = {.name = "audio-switch",
                                       .title = "audio switch",

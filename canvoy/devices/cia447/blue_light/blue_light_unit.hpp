@@ -21,6 +21,7 @@ inline constexpr SwitchedTable blue_light_table = {.commands = blue_light_comman
 /// The unit is its table.
 using BlueLightUnit = SwitchedUnit<blue_light_table>;
 
+/// Catalogue row of the blue light flasher module (4.2.22); car_unit makes it a part of a device.
 struct BlueLightKind : CarKind<BlueLightUnit, SwitchedHardware, SwitchedSettings> {
   static constexpr DeviceInfo info = {.name = "blue-light",
                                       .title = "blue light flasher module",

@@ -24,6 +24,7 @@ inline constexpr SwitchedTable discrete_inputs_table = {.rests = discrete_inputs
 /// The unit is its table.
 using DiscreteInputsUnit = SwitchedUnit<discrete_inputs_table>;
 
+/// Catalogue row of the discrete inputs (4.2.8); car_unit makes it a part of a device.
 struct DiscreteInputsKind : CarKind<DiscreteInputsUnit, SwitchedHardware, SwitchedSettings> {
   static constexpr DeviceInfo info = {.name = "discrete-inputs",
                                       .title = "discrete inputs",

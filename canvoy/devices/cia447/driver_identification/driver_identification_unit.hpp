@@ -95,6 +95,7 @@ class DriverIdentificationUnit {
   HandlerBinding service_{&service_calls, this};
 };
 
+/// Catalogue row of the driver identification (4.2.15); car_unit makes it a part of a device.
 struct DriverIdentificationKind : CarKind<DriverIdentificationUnit, DriverIdentificationHardware,
                                           DriverIdentificationSettings> {
   static constexpr DeviceInfo info = {.name = "driver-identification",

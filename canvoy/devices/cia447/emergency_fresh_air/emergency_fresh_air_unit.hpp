@@ -20,6 +20,7 @@ inline constexpr SwitchedTable fresh_air_table = {.rests = fresh_air_rests};
 /// The unit is its table.
 using EmergencyFreshAirUnit = SwitchedUnit<fresh_air_table>;
 
+/// Catalogue row of the emergency fresh-air system (4.2.6); car_unit makes it a part of a device.
 struct EmergencyFreshAirKind : CarKind<EmergencyFreshAirUnit, SwitchedHardware, SwitchedSettings> {
   static constexpr DeviceInfo info = {.name = "emergency-fresh-air",
                                       .title = "emergency fresh-air system",

@@ -22,6 +22,7 @@ inline constexpr SwitchedTable fire_extinguishing_table = {.rests = fire_extingu
 /// The unit is its table.
 using FireExtinguishingUnit = SwitchedUnit<fire_extinguishing_table>;
 
+/// Catalogue row of the fire extinguishing system (4.2.5); car_unit makes it a part of a device.
 struct FireExtinguishingKind : CarKind<FireExtinguishingUnit, SwitchedHardware, SwitchedSettings> {
   static constexpr DeviceInfo info = {.name = "fire-extinguishing",
                                       .title = "fire extinguishing system",

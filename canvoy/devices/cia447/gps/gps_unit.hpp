@@ -61,6 +61,7 @@ class GpsUnit {
   Timer timer_;
 };
 
+/// Catalogue row of the GPS receiver (4.2.10); car_unit makes it a part of a device.
 struct GpsKind : CarKind<GpsUnit, GpsHardware, GpsSettings> {
   static constexpr DeviceInfo info = {.name = "gps",
                                       .title = "GPS receiver",

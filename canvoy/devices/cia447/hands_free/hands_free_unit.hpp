@@ -52,6 +52,8 @@ class HandsFreeUnit {
   SwitchedUnit<hands_free_table> unit_;
 };
 
+/// Catalogue row of the hand-free conversation by radio (4.2.23);
+/// car_unit makes it a part of a device.
 struct HandsFreeKind : CarKind<HandsFreeUnit, HandsFreeHardware, SwitchedSettings> {
   static constexpr DeviceInfo info = {.name = "hands-free",
                                       .title = "hand-free conversation by radio",

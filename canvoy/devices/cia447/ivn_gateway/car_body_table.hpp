@@ -90,14 +90,16 @@ constexpr std::array<Effect, 8> sliding_roof(const RoofWay& way) {
           roof_stops(way.is_getting_open, way.stopped),
           roof_stops(way.is_getting_closed, way.stopped)};
 }
-inline constexpr RoofWay roof_tilt = {.open_command = SlidingRoofCommand::open_tilt,  ///< tilts
+/// Its rear edge rises.
+inline constexpr RoofWay roof_tilt = {.open_command = SlidingRoofCommand::open_tilt,
                                       .close_command = SlidingRoofCommand::close_tilt,
                                       .open = SlidingRoof::open_tilt,
                                       .is_getting_open = SlidingRoof::is_getting_open_tilt,
                                       .is_getting_closed = SlidingRoof::is_getting_closed_tilt,
                                       .stopped = SlidingRoof::stopped_tilt,
                                       .takes = 2s};
-inline constexpr RoofWay roof_slide = {.open_command = SlidingRoofCommand::open_slide,  ///< slides
+/// It goes back.
+inline constexpr RoofWay roof_slide = {.open_command = SlidingRoofCommand::open_slide,
                                        .close_command = SlidingRoofCommand::close_slide,
                                        .open = SlidingRoof::open_slide,
                                        .is_getting_open = SlidingRoof::is_getting_open_slide,
@@ -112,10 +114,12 @@ constexpr Effect locks(Locking how) {
 
 }  // namespace body_parts
 
+/// Of the central locking: 300 ms for each state.
 inline constexpr auto locking_effects = std::array{
     body_parts::locks(Locking::unlocked), body_parts::locks(Locking::internal),
     body_parts::locks(Locking::external), body_parts::locks(Locking::selective_unlocked)};
 
+/// Of the six windows: 3 s from one end to the other.
 inline constexpr auto window_effects =
     join(body_parts::opening(window_command_driver, window_status_driver, 3s),
          body_parts::opening(window_command_front_passenger, window_status_front_passenger, 3s),
@@ -124,12 +128,15 @@ inline constexpr auto window_effects =
          body_parts::opening(window_command_3rd_row_right, window_status_3rd_row_right, 3s),
          body_parts::opening(window_command_3rd_row_left, window_status_3rd_row_left, 3s));
 
+/// Of the four doors: 4 s from one end to the other.
 inline constexpr auto door_effects =
     join(body_parts::opening(door_command_driver, door_status_driver, 4s),
          body_parts::opening(door_command_front_passenger, door_status_front_passenger, 4s),
          body_parts::opening(door_command_rear_right, door_status_rear_right, 4s),
          body_parts::opening(door_command_rear_left, door_status_rear_left, 4s));
 
+/// Of hoods, lids, convertible top, back door (both can be stopped), and sliding roof: 0.5 s to 12
+/// s.
 inline constexpr auto flap_effects =
     join(body_parts::flap(car_flap_command_engine_hood, car_flap_status_engine_hood, 1s),
          body_parts::flap(car_flap_command_fuel_door, car_flap_status_fuel_door, 500ms),
@@ -142,6 +149,7 @@ inline constexpr auto flap_effects =
          body_parts::sliding_roof(body_parts::roof_tilt),
          body_parts::sliding_roof(body_parts::roof_slide));
 
+/// Of wipers and air conditioner.
 inline constexpr auto comfort_effects = std::array{
     // One stroke of the wipers, which ends when they are switched off.
     pulse(wiper_system_command_front, Order::on, wiper_system_status_front, Wiper::on, Wiper::off,
@@ -155,6 +163,7 @@ inline constexpr auto comfort_effects = std::array{
     effect(heating_and_air_conditioner_command_temperature, TemperatureStep::colder,
            heating_and_air_conditioner_status_temperature, Signal::on, 100ms)};
 
+/// All of them, for the table of the function group "car body electronics".
 inline constexpr auto car_body_effects =
     join(locking_effects, window_effects, door_effects, flap_effects, comfort_effects);
 

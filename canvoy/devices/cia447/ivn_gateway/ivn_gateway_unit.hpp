@@ -85,6 +85,7 @@ class IvnGatewayUnit {
   Timer timer_;
 };
 
+/// Catalogue row of the IVN gateway (4.2.2 to 4.2.4); car_unit makes it a part of a device.
 struct IvnGatewayKind : CarKind<IvnGatewayUnit, CarHardware, CarSettings> {
   static constexpr DeviceInfo info = {.name = "ivn-gateway",
                                       .title = "IVN gateway",

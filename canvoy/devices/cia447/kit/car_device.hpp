@@ -26,7 +26,8 @@ namespace canvoy::cia447 {
 
 /// One virtual device of a physical one (car_kind.hpp makes it of a kind).
 struct CarUnit {
-  DeviceInfo info;
+  DeviceInfo info;  ///< as in the catalogue
+  /// The virtual device, with its objects.
   const VirtualDeviceInfo* provides = nullptr;
   std::span<const ObjectInfo* const> consumes = {};  ///< of other devices
   std::span<const ObjectInfo* const> own = {};       ///< of the manufacturer's area

@@ -178,6 +178,7 @@ class Switching {
   /// Sets the actual state, and ends a motion under way. No effect if the table does not have the
   /// status.
   void report(const FieldPlace& status, std::uint32_t code);
+  /// The same, by the handle of a field.
   template <class Handle, class State>
     requires requires { typename Handle::Place; }
   void report(const Handle& handle, State state) {
@@ -186,6 +187,7 @@ class Switching {
   /// Sets the state of a sensor: while it does not work, the status is "Failure" or "Signal not
   /// available", regardless of the actual state.
   void sense(const FieldPlace& status, Sensing sensing);
+  /// The same, by the handle of a field.
   template <class Handle>
     requires requires { typename Handle::Place; }
   void sense(const Handle& handle, Sensing sensing) {

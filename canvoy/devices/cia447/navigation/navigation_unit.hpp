@@ -106,6 +106,7 @@ class NavigationUnit {
   Timer timer_;
 };
 
+/// Catalogue row of the navigation system (4.2.11); car_unit makes it a part of a device.
 struct NavigationKind : CarKind<NavigationUnit, NavigationHardware, NavigationSettings> {
   static constexpr DeviceInfo info = {.name = "navigation",
                                       .title = "navigation system",

@@ -100,6 +100,8 @@ class PowerSupplyUnit {
   Timer timer_;
 };
 
+/// Catalogue row of the power supply of radio and periphery (4.2.7);
+/// car_unit makes it a part of a device.
 struct PowerSupplyKind : CarKind<PowerSupplyUnit, PowerSupplyHardware, PowerSupplySettings> {
   static constexpr DeviceInfo info = {.name = "power-supply",
                                       .title = "power supply of radio and periphery",

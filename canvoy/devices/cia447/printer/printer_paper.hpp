@@ -37,7 +37,7 @@ struct PrintStyle {
 struct PrintedCharacter {
   char32_t character = U' ';  ///< Unicode
   unsigned left = 0;          ///< dots from the left edge
-  PrintStyle style = {};
+  PrintStyle style = {};      ///< of the text at that time
 };
 
 /// Empty callbacks have no effect.
@@ -50,16 +50,19 @@ struct PrinterPaper {
   Callback<void(std::span<const PrintColor>)> put_row = {};
   /// Moves the paper by this number of dots.
   Callback<void(unsigned)> feed = {};
+  /// Cuts the paper at its position.
   Callback<void()> cut = {};
 };
 
 /// A picture stored in the printer: rows of dots, the leftmost in the highest bit of the first
 /// byte, each row in whole bytes.
 struct PrinterLogo {
-  unsigned width = 0;
-  std::span<const std::uint8_t> bits;
+  unsigned width = 0;                  ///< in dots
+  std::span<const std::uint8_t> bits;  ///< 1: black; they outlive the printer
 
+  /// Bytes of a row; the rest of the last one is not printed.
   constexpr std::size_t row_bytes() const { return (width + 7) / 8; }
+  /// In dots; an incomplete last row is left out.
   constexpr std::size_t height() const { return width == 0 ? 0 : bits.size() / row_bytes(); }
 };
 

@@ -117,6 +117,7 @@ class PrinterUnit {
   Timer timer_;
 };
 
+/// Catalogue row of the printer (4.2.13); car_unit makes it a part of a device.
 struct PrinterKind : CarKind<PrinterUnit, PrinterHardware, PrinterSettings> {
   static constexpr DeviceInfo info = {.name = "printer",
                                       .title = "printer",

@@ -58,6 +58,7 @@ class RadioUnit {
   HandlerBinding service_{&service_calls, this};
 };
 
+/// Catalogue row of the radio (4.2.18); car_unit makes it a part of a device.
 struct RadioKind : CarKind<RadioUnit, SwitchedHardware, SwitchedSettings> {
   static constexpr DeviceInfo info = {.name = "radio",
                                       .title = "radio",

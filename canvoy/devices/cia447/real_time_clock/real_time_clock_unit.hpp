@@ -109,6 +109,7 @@ class RealTimeClockUnit {
   Timer tick_;
 };
 
+/// Catalogue row of the real time clock (4.2.14); car_unit makes it a part of a device.
 struct RealTimeClockKind
     : CarKind<RealTimeClockUnit, RealTimeClockHardware, RealTimeClockSettings> {
   static constexpr DeviceInfo info = {.name = "real-time-clock",

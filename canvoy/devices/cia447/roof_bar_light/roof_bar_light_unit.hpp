@@ -21,24 +21,32 @@ inline constexpr Mirror roof_bar_light_mirrors[] = {
 
 namespace search_lamp {
 
+/// Right, left or stop; field of 6130h.
 inline constexpr auto swing_command = light_commands_roof_bar_swing_search_lamp_right_left;
+/// Of 6131h.
 inline constexpr auto swing_status = light_status_roof_bar_swing_search_lamp_right_left;
+/// Up, down or stop; field of 6130h.
 inline constexpr auto tilt_command = light_commands_roof_bar_swing_search_lamp_up_down;
+/// Of 6131h.
 inline constexpr auto tilt_status = light_status_roof_bar_swing_search_lamp_up_down;
+/// Stored position 1 to 3 in which it is; field of 6131h.
 inline constexpr auto lamp_position = light_status_roof_bar_search_lamp_position;
 /// From one end to the other.
 inline constexpr Duration swing_time = 6s;
 inline constexpr Duration tilt_time = 3s;      ///< from one end to the other
 inline constexpr Duration position_time = 4s;  ///< to a stored position
 
+/// With a command to move, it is in no stored position any more.
 template <class Command, class Code>
 constexpr Effect leaves_position(const Command& command, Code code) {
   return effect(command, code, lamp_position, SearchLampPosition::not_available, 0ms);
 }
+/// Effects of a command to swing to this side: it stops at the end.
 constexpr std::array<Effect, 2> swings(SearchLampTurn to) {
   return {pulse(swing_command, to, swing_status, to, SearchLampTurn::stop, swing_time),
           leaves_position(swing_command, to)};
 }
+/// Effects of a command to tilt: it stops at the end.
 constexpr std::array<Effect, 2> tilts(SearchLampTilt to) {
   return {pulse(tilt_command, to, tilt_status, to, SearchLampTilt::stop, tilt_time),
           leaves_position(tilt_command, to)};
@@ -53,6 +61,7 @@ constexpr std::array<Effect, 3> goes_to(SearchLampPosition to) {
 
 }  // namespace search_lamp
 
+/// Both movements, the three stored positions, and stop.
 inline constexpr auto search_lamp_effects =
     join(search_lamp::swings(SearchLampTurn::right), search_lamp::swings(SearchLampTurn::left),
          search_lamp::tilts(SearchLampTilt::up), search_lamp::tilts(SearchLampTilt::down),
@@ -73,6 +82,7 @@ inline constexpr SwitchedTable roof_bar_light_table = {.commands = roof_bar_ligh
 /// The unit is its table.
 using RoofBarLightUnit = SwitchedUnit<roof_bar_light_table>;
 
+/// Catalogue row of the light of a roof bar (4.2.20); car_unit makes it a part of a device.
 struct RoofBarLightKind : CarKind<RoofBarLightUnit, SwitchedHardware, SwitchedSettings> {
   static constexpr DeviceInfo info = {.name = "roof-bar-light",
                                       .title = "light of a roof bar",

@@ -97,6 +97,7 @@ class RoofBarSoundUnit {
   HandlerBinding service_{&service_calls, this};
 };
 
+/// Catalogue row of the sound of a roof bar (4.2.21); car_unit makes it a part of a device.
 struct RoofBarSoundKind : CarKind<RoofBarSoundUnit, RoofBarSoundHardware, RoofBarSoundSettings> {
   static constexpr DeviceInfo info = {.name = "roof-bar-sound",
                                       .title = "sound of a roof bar",

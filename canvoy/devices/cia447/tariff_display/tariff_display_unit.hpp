@@ -87,6 +87,7 @@ class TariffDisplayUnit {
   HandlerBinding service_{&service_calls, this};
 };
 
+/// Catalogue row of the tariff display on the roof (4.2.16); car_unit makes it a part of a device.
 struct TariffDisplayKind
     : CarKind<TariffDisplayUnit, TariffDisplayHardware, TariffDisplaySettings> {
   static constexpr DeviceInfo info = {.name = "tariff-display",

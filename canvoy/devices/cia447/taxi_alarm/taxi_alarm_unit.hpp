@@ -79,6 +79,7 @@ class TaxiAlarmUnit {
   HandlerBinding service_{&service_calls, this};
 };
 
+/// Catalogue row of the taxi alarm system (4.2.17); car_unit makes it a part of a device.
 struct TaxiAlarmKind : CarKind<TaxiAlarmUnit, TaxiAlarmHardware, TaxiAlarmSettings> {
   static constexpr DeviceInfo info = {.name = "taxi-alarm",
                                       .title = "taxi alarm system",

@@ -68,7 +68,8 @@ inline constexpr Holiday example_holidays[] = {{.month = 1, .day = 1},
 inline constexpr SupplementKind example_supplements[] = {{.name = "Luggage", .price = 1000},
                                                          {.name = "Booking", .price = 1500},
                                                          {.name = "Airport", .price = 5000}};
-inline constexpr Tariff example_tariff = {.id = 1,  ///< for tests and the catalogue
+/// For tests and the catalogue.
+inline constexpr Tariff example_tariff = {.id = 1,
                                           .levels = example_levels,
                                           .hours = example_hours,
                                           .holidays = example_holidays,

@@ -232,6 +232,7 @@ class TaximeterUnit {
   Timer off_;
 };
 
+/// Catalogue row of the taximeter (4.2.12); car_unit makes it a part of a device.
 struct TaximeterKind : CarKind<TaximeterUnit, TaximeterHardware, TaximeterSettings> {
   static constexpr DeviceInfo info = {.name = "taximeter",
                                       .title = "taximeter",

@@ -162,6 +162,7 @@ class TerminalUnit {
 /// Other devices write the texts; the terminal is their consumer (rw).
 inline constexpr const ObjectInfo* terminal_texts[] = {
     &display_1_text_object, &display_1_title_object, &display_2_text_object};
+/// Objects of the virtual device without the texts.
 inline constexpr auto terminal_own_list = [] {
   ObjectList<terminal_list.size() - std::size(terminal_texts)> own{};
   std::size_t count = 0;
@@ -174,6 +175,7 @@ inline constexpr auto terminal_own_list = [] {
 inline constexpr VirtualDeviceInfo terminal_with_texts = device_of<terminal_own_list>(
     terminal_device.name, terminal_device.clause, terminal_device.description);
 
+/// Catalogue row of the terminal (4.2.9); car_unit makes it a part of a device.
 struct TerminalKind : CarKind<TerminalUnit, TerminalHardware, TerminalSettings> {
   static constexpr DeviceInfo info = {
       .name = "terminal",
