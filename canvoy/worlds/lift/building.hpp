@@ -26,13 +26,15 @@ using FloorNumber = std::uint8_t;  ///< 1 to 254
 using LiftNumber = std::uint8_t;   ///< 1 to 8
 using DoorNumber = std::uint8_t;   ///< 1 to 4
 
-inline constexpr FloorNumber no_floor = 0;
-inline constexpr FloorNumber floors_max = 254;
-inline constexpr LiftNumber lifts_max = 8;
-inline constexpr DoorNumber doors_max = 4;
+inline constexpr FloorNumber no_floor = 0;  ///< between two floors, none, or any, as the place says
+inline constexpr FloorNumber floors_max = 254;  ///< highest number of a floor in CiA 417
+inline constexpr LiftNumber lifts_max = 8;      ///< lifts of one building (CiA 417-1)
+inline constexpr DoorNumber doors_max = 4;      ///< doors of one car
 
+/// Direction of travel, or of a landing call.
 enum class Direction : std::uint8_t { none, up, down };
 
+/// A floor of the building; its number is its place in Building::floors, from 1.
 struct Floor {
   double height_m = 0;    ///< above floor 1
   double population = 0;  ///< number of people who work or live there; 0 at an entrance
@@ -41,15 +43,16 @@ struct Floor {
 
 /// A door of a car, with the landing doors that it moves.
 struct DoorDesign {
-  double width_m = 0.9;      ///< width of the open doorway
-  double open_time_s = 2.0;  ///< from closed to open
-  double close_time_s = 2.6;
+  double width_m = 0.9;       ///< width of the open doorway
+  double open_time_s = 2.0;   ///< from closed to open
+  double close_time_s = 2.6;  ///< from open to closed
 };
 
+/// A car and what it may carry.
 struct CarDesign {
-  double mass_kg = 1100;  ///< mass of the empty car
-  double rated_load_kg = 1000;
-  unsigned rated_persons = 13;
+  double mass_kg = 1100;        ///< mass of the empty car
+  double rated_load_kg = 1000;  ///< the basis of the load signals of 6482h
+  unsigned rated_persons = 13;  ///< by EN 81-20; decides whether people board
   /// Sag of the car under a load, through its ropes.
   double rope_stretch_um_per_kg = 2;
   double overload_share = 1.1;  ///< share of the rated load: with more, a car must not leave (EN
@@ -58,15 +61,17 @@ struct CarDesign {
 
 /// Floors, from below; a list that may be empty then stands for all.
 using FloorList = std::vector<FloorNumber>;
+/// True if a list names the floor; unlike the lists of a design, an empty one names none.
 inline bool has_floor(const FloorList& floors, FloorNumber floor) {
   return std::find(floors.begin(), floors.end(), floor) != floors.end();
 }
 
-inline constexpr std::size_t key_locks = 4;
+inline constexpr std::size_t key_locks = 4;  ///< key locks of a car panel that permit car calls
 
+/// A lift with its car, its doors, and the floors that it serves.
 struct LiftDesign {
-  CarDesign car{};
-  DoorDesign door{};
+  CarDesign car{};          ///< same at all floors
+  DoorDesign door{};        ///< all its doors are alike
   unsigned doors = 0b0001;  ///< its doors: bit 0 is door 1
   std::string zone{};       ///< zone of the building that it serves; empty: none
   FloorList floors{};       ///< floors of its zone that it serves; empty: all
@@ -76,31 +81,36 @@ struct LiftDesign {
   std::array<FloorList, key_locks> locked_by_key{};
   /// Share of the rated load that the counterweight balances, beside the mass of the car.
   double balance = 0.5;
-  double speed_m_s = 1.6;
-  double acceleration_m_s2 = 1.0;
-  double jerk_m_s3 = 1.2;
-  double overtravel_m = 0.3;  ///< beyond the lowest and the highest floor, up to the buffers
-  double door_zone_m = 0.2;   ///< to both sides of a floor, where doors may be open
+  double speed_m_s = 1.6;          ///< rated speed
+  double acceleration_m_s2 = 1.0;  ///< greatest, also of braking
+  double jerk_m_s3 = 1.2;          ///< greatest change of the acceleration
+  double overtravel_m = 0.3;       ///< beyond the lowest and the highest floor, up to the buffers
+  double door_zone_m = 0.2;        ///< to both sides of a floor, where doors may be open
   /// False: its safety chain is bridged, which is forbidden; for tests of referees.
   bool has_safety_chain = true;
 };
 
 /// Floors that a group of the lifts of a building serves.
 struct Zone {
-  std::string name{};
-  FloorList floors{};
+  std::string name{};  ///< by which a lift refers to it
+  FloorList floors{};  ///< that a lift of the zone may serve
 };
 
 struct Building {
-  std::vector<Floor> floors{};
-  std::vector<LiftDesign> lifts{};
-  std::vector<Zone> zones{};
-  FloorNumber main_floor = 1;  ///< floor where people come in
+  std::vector<Floor> floors{};      ///< from below; at most 254
+  std::vector<LiftDesign> lifts{};  ///< lift 1 first; at most 8
+  std::vector<Zone> zones{};        ///< none: each lift serves all floors
+  FloorNumber main_floor = 1;       ///< floor where people come in
 
+  /// Also the number of the highest floor.
   FloorNumber floor_count() const { return static_cast<FloorNumber>(floors.size()); }
+  /// Also the number of the last lift.
   LiftNumber lift_count() const { return static_cast<LiftNumber>(lifts.size()); }
+  /// `number` from 1; throws std::out_of_range beyond the building.
   const Floor& floor(FloorNumber number) const { return floors.at(number - std::size_t{1}); }
+  /// `number` from 1; throws std::out_of_range beyond the building.
   const LiftDesign& lift(LiftNumber number) const { return lifts.at(number - std::size_t{1}); }
+  /// Height of a floor above floor 1.
   double height_m(FloorNumber number) const { return floor(number).height_m; }
   /// Doors that a lift has at a floor: bit 0 is door 1.
   unsigned doors_at(LiftNumber number, FloorNumber floor) const {
@@ -114,6 +124,7 @@ struct Building {
     }
     return doors;
   }
+  /// True if a lift has a door at the floor.
   bool serves(LiftNumber number, FloorNumber floor) const { return doors_at(number, floor) != 0; }
   /// True if a lift serves both floors.
   bool has_way(FloorNumber from, FloorNumber to) const {
@@ -123,11 +134,13 @@ struct Building {
     }
     return false;
   }
+  /// True where the zone does not exist: a lift without a zone goes everywhere.
   bool is_in_zone(const std::string& zone, FloorNumber floor) const {
     const auto found = std::find_if(zones.begin(), zones.end(),
                                     [&](const Zone& each) { return each.name == zone; });
     return found == zones.end() || has_floor(found->floors, floor);
   }
+  /// Height of the highest floor above floor 1; the building must have one.
   double top_m() const { return floors.back().height_m; }
 
   /// The floor within `tolerance_m`; no_floor where there is none. Linear in the number of floors.
@@ -139,6 +152,7 @@ struct Building {
     }
     return no_floor;
   }
+  /// Sum over all floors.
   double population() const {
     double all = 0;
     for (const Floor& each : floors) all += each.population;
@@ -148,13 +162,14 @@ struct Building {
 
 /// A building with floors of one height and lifts of one kind.
 struct UniformBuilding {
-  FloorNumber floors = 10;
-  double floor_height_m = 3.5;
-  LiftNumber lifts = 1;
-  double population_per_floor = 50;
-  LiftDesign lift{};
+  FloorNumber floors = 10;           ///< 1 to 254
+  double floor_height_m = 3.5;       ///< from floor to floor
+  LiftNumber lifts = 1;              ///< 1 to 8, all alike
+  double population_per_floor = 50;  ///< at each floor but the lowest, which is the entrance
+  LiftDesign lift{};                 ///< design of all of them
 };
 
+/// A building by these options; floors are named by their numbers.
 inline Building uniform_building(const UniformBuilding& options) {
   Building made;
   for (unsigned i = 0; i < options.floors; ++i) {

@@ -17,12 +17,14 @@ namespace canvoy::lift {
 
 class CallLamps {
  public:
+  /// What people see of it: the first panel that shows a call lights it, the last one darkens it.
   enum class Change : std::uint8_t { none, lit, dark };
 
   /// Sets a lamp on the panel of this lift, and returns the change for people, who look at all
   /// panels.
   Change set(Time now, LiftNumber lift, const CallKey& call, bool is_lit);
 
+  /// True if a panel of any lift shows the call.
   bool is_lit(const CallKey& call) const { return lit_.contains(call); }
   /// Time at which it was last lit; never: it was not.
   Time lit_at(const CallKey& call) const;

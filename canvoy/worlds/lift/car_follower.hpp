@@ -29,11 +29,14 @@ class CarFollower {
 
   /// True if the frame comes from the drive, or is for it.
   bool hear(const Frame& frame);
+  /// Encoders of all position units, for a unit elsewhere; valid as long as the follower.
   cia417::CarPositionHardware position_hardware();
 
   /// State in metres, for CarPlant::lead_by().
   cia417::MotionState motion();
+  /// Position above floor 1: the reported one, continued with the reported speed.
   double position_mm() const;
+  /// Upward is positive; 0 while the drive is silent.
   double velocity_mm_s() const { return is_silent() ? 0 : velocity_; }
 
  private:

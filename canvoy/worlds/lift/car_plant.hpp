@@ -24,25 +24,26 @@
 
 namespace canvoy::lift {
 
+/// Masses, forces and losses of a car in its shaft.
 struct CarPlantDesign {
-  double car_kg = 1100;
+  double car_kg = 1100;            ///< mass of the empty car
   double counterweight_kg = 1600;  ///< balances a car with half of its rated load
   double rotating_kg = 600;        ///< inertia of motor and sheaves, as if they moved with the car
   double rope_kg_per_m = 0;        ///< of all ropes; 0: something compensates for them
   double travel_m = 30;            ///< between the lowest and the highest floor
   double overtravel_m = 0.3;       ///< beyond the travel, up to the buffers
-  double friction_n = 400;
+  double friction_n = 400;         ///< force against the motion, of guides and sheaves
   /// Sag of the car under a load, through its ropes; the motor's encoder does not measure it.
   double stretch_um_per_kg = 2;
-  double brake_force_n = 25'000;
+  double brake_force_n = 25'000;      ///< at the ropes, closed and whole
   double gear_deceleration_m_s2 = 6;  ///< of the safety gear
   /// Share of the electric energy that the motor turns into motion, and of the motion that it turns
   /// back: without regeneration into the mains, that becomes heat.
   double motor_efficiency = 0.85;
-  double regeneration_efficiency = 0.7;
-  double standby_w = 100;
-  double increments_per_m = 10'000;  ///< of the motor's encoder
-  double home_switch_m = -0.1;       ///< switched at this height and below
+  double regeneration_efficiency = 0.7;  ///< share of the motion that reaches the mains
+  double standby_w = 100;                ///< taken from the mains all the time
+  double increments_per_m = 10'000;      ///< of the motor's encoder
+  double home_switch_m = -0.1;           ///< switched at this height and below
 };
 
 /// Defects. Each may come and go at any time.
@@ -59,18 +60,19 @@ struct CarPlantFaults {
 
 class CarPlant {
  public:
+  /// True state of the car, whatever encoders report.
   struct Truth {
-    double position_m = 0;  ///< of the car's floor, above floor 1
-    double velocity_m_s = 0;
-    double acceleration_m_s2 = 0;
-    bool brake_is_closed = true;
-    bool is_cut = false;      ///< by the safety chain
-    bool is_cranked = false;  ///< by hand
-    bool gear_is_caught = false;
-    unsigned buffer_strikes = 0;
-    double energy_in_joule = 0;   ///< taken from the mains
-    double energy_out_joule = 0;  ///< returned to the mains
-    double way_m = 0;             ///< sum of the ways up and down
+    double position_m = 0;         ///< of the car's floor, above floor 1
+    double velocity_m_s = 0;       ///< upward is positive
+    double acceleration_m_s2 = 0;  ///< upward is positive
+    bool brake_is_closed = true;   ///< it holds, as far as it is whole
+    bool is_cut = false;           ///< by the safety chain
+    bool is_cranked = false;       ///< by hand
+    bool gear_is_caught = false;   ///< it holds the car until release_gear()
+    unsigned buffer_strikes = 0;   ///< times that the car ran into a buffer
+    double energy_in_joule = 0;    ///< taken from the mains
+    double energy_out_joule = 0;   ///< returned to the mains
+    double way_m = 0;              ///< sum of the ways up and down
   };
 
   /// `clock` returns the time; the object to which it refers must outlive this one.
@@ -81,15 +83,20 @@ class CarPlant {
   /// Hardware for a drive that counts 10,000 increments per metre, or as the design states, and for
   /// a position unit of which all encoders have the same value.
   cia417::CarDriveHardware drive_hardware();
+  /// Encoders of the position units; valid as long as the plant.
   cia417::CarPositionHardware position_hardware();
 
   /// Follows a drive elsewhere: the car has the position that `car` returns, in metres. Its defects
   /// are those of the drive elsewhere.
   void lead_by(Callback<cia417::MotionState()> car);
 
+  /// Mass of all people in the car.
   void set_load(double kg);
+  /// Mass of all people in the car.
   double load_kg() const { return load_kg_; }
+  /// Replaces all defects; they take effect at once.
   void set_faults(const CarPlantFaults& faults);
+  /// Present defects.
   const CarPlantFaults& faults() const { return faults_; }
   /// Opens the brake by hand and moves the car at this speed; 0: closes it.
   void crank(double metre_per_second);
@@ -101,6 +108,7 @@ class CarPlant {
   /// the drive commands; the drive detects the lost voltage. A car that follows a drive elsewhere
   /// is cut off there.
   void cut(bool is_cut);
+  /// True while the safety chain is open.
   bool is_cut() const { return is_cut_; }
   /// True if the brake alone must hold the car, and the loads on both sides of its ropes differ so
   /// much that it would move without a brake.

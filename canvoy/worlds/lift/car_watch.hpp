@@ -18,6 +18,7 @@
 
 namespace canvoy::lift {
 
+/// True if a car moves with less than 1 mm/s.
 inline bool stands(const LiftFacts& facts) {
   constexpr double standing_m_s = 0.001;
   return std::abs(facts.speed_m_s) <= standing_m_s;
@@ -25,9 +26,11 @@ inline bool stands(const LiftFacts& facts) {
 
 /// A car within this distance is at the floor, levelled or passing; no_floor: between two.
 inline constexpr double level_tolerance_m = 0.012;
+/// See level_tolerance_m.
 inline FloorNumber floor_at(const Building& building, double position_m) {
   return building.floor_near(position_m, level_tolerance_m);
 }
+/// True within level_tolerance_m of the floor, also in motion.
 inline bool is_car_at(const Building& building, const LiftFacts& facts, FloorNumber floor) {
   return std::abs(facts.position_m - building.height_m(floor)) <= level_tolerance_m;
 }
@@ -37,13 +40,15 @@ class CarWatch {
   /// Both must outlive this object; changes are noted in `events`.
   CarWatch(const Building& building, std::vector<LiftEvent>& events);
 
+  /// What a look at a car has found.
   struct Seen {
     bool starts = false;  ///< it stood at the last look
-    bool stands = false;
+    bool stands = false;  ///< it has just stopped
   };
   /// `persons` is the number of people in it.
   Seen look(Time now, LiftNumber lift, const LiftFacts& facts, unsigned persons);
 
+  /// How often a car has started, since the beginning.
   std::uint32_t starts(LiftNumber lift) const { return cars_[lift - std::size_t{1}].starts; }
   /// True if a door has opened at that floor.
   bool has_opened_since(Time since, LiftNumber lift, FloorNumber floor) const;

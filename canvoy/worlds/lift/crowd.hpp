@@ -36,7 +36,9 @@ class Crowd {
   Crowd(const Crowd&) = delete;
   Crowd& operator=(const Crowd&) = delete;
 
+  /// Time of the next planned action; never: none.
   Time deadline() const { return agenda_.deadline(); }
+  /// Carries out all actions that are due by `now`.
   void advance(Time now);
   /// Adds a person beside those of the traffic. Does nothing for a person who is not in the
   /// building, or has no way.
@@ -44,15 +46,19 @@ class Crowd {
 
   /// Call it whenever the visible state of a car changes.
   void car_changed(Time now, LiftNumber lift, const CarView& view);
+  /// The lamp of a button of a landing changes; people with the same way see it.
   void hall_lamp(const HallButton& button, bool lit);
+  /// The lamp of a button in a car changes.
   void car_lamp(const CarButton& button, bool lit);
   /// A terminal answers the people who requested this destination: take this lift; 0: wait until it
   /// shows one. Without new requests, the people who had another lift there take this one.
   void assigned(const DestinationButton& button, LiftNumber lift);
 
+  /// Waits and rides of all who were served or gave up.
   const PassengerStatistics& statistics() const { return statistics_; }
   /// Departures of cars that left the main floor with people in them.
   DepartureStatistics& departures() { return departures_; }
+  /// Departures in an up-peak.
   const DepartureStatistics& departures() const { return departures_; }
 
   /// All people who ever came, in their order.
@@ -61,16 +67,22 @@ class Crowd {
   std::span<const PassengerId> waiting(FloorNumber floor) const {
     return waiting_[floor - std::size_t{1}];
   }
+  /// People in a car, in the order in which they got in; valid until the next call.
   std::span<const PassengerId> riding(LiftNumber lift) const { return car(lift).riders(); }
+  /// Mass of the people in a car.
   double load_kg(LiftNumber lift) const { return car(lift).load_kg(); }
   /// True if the car is empty, and no person is on the way in or out.
   bool is_empty(LiftNumber lift) const { return car(lift).is_empty(); }
+  /// People at all landings.
   std::size_t waiting_count() const;
+  /// People in all cars.
   std::size_t riding_count() const;
   /// The longest time for which a person waits, or rides, within the time since `from`; 0: there is
   /// none.
   Duration longest_wait(Time now, Time from = {}) const;
+  /// See longest_wait().
   Duration longest_ride(Time now, Time from = {}) const;
+  /// Number of buttons that people have pressed.
   std::uint64_t presses() const { return buttons_.presses(); }
 
  private:

@@ -16,8 +16,10 @@
 
 namespace canvoy::lift {
 
+/// Number of a person in the order of arrival, from 0.
 using PassengerId = std::size_t;
 
+/// What is to be done at a planned time.
 enum class CrowdAct : std::uint8_t {
   arrive,
   look,          // at a button that may have to be pressed
@@ -33,17 +35,20 @@ enum class CrowdAct : std::uint8_t {
 
 class CrowdAgenda {
  public:
-  static constexpr PassengerId nobody = ~std::size_t{0};
+  static constexpr PassengerId nobody = ~std::size_t{0};  ///< for actions of no person
 
+  /// A planned action.
   struct Entry {
-    Time when{};
-    CrowdAct act = CrowdAct::arrive;
-    PassengerId who = nobody;
-    LiftNumber lift = 0;  ///< for actions in a car, or at its door
-    CallButton button{};  ///< button to release
+    Time when{};                      ///< when it is due
+    CrowdAct act = CrowdAct::arrive;  ///< the action
+    PassengerId who = nobody;         ///< the person who acts, if any
+    LiftNumber lift = 0;              ///< for actions in a car, or at its door
+    CallButton button{};              ///< button to release
   };
 
+  /// Adds an action; it cannot be taken back. Logarithmic in the number of planned ones.
   void plan(const Entry& entry) { entries_.push({entry, order_++}); }
+  /// Time of the earliest action; never: none is planned.
   Time deadline() const { return entries_.empty() ? never : entries_.top().entry.when; }
   /// The next entry that is due; empty: none is.
   std::optional<Entry> take(Time now) {

@@ -19,6 +19,7 @@ namespace canvoy::lift {
 
 class CrowdCar {
  public:
+  /// What people see of it.
   const CarView& view() const { return view_; }
   /// Sets what people see of it. When its door begins to be open, is_stuck() starts to count.
   void see(const CarView& view, Time now) {
@@ -29,6 +30,7 @@ class CrowdCar {
   static bool stands_open(const CarView& view) {
     return view.floor != no_floor && view.door != DoorView::closed;
   }
+  /// True if a door is not closed at this floor, and the car stands there.
   bool is_open_at(FloorNumber floor) const {
     return view_.floor == floor && view_.door != DoorView::closed;
   }
@@ -36,6 +38,7 @@ class CrowdCar {
   bool has_free_door() const {
     return !is_passed_ && view_.door == DoorView::open && view_.floor != no_floor;
   }
+  /// True if it shows this direction or none.
   bool goes(Direction way) const {
     return view_.direction == Direction::none || view_.direction == way;
   }
@@ -44,8 +47,11 @@ class CrowdCar {
     return view_.floor != no_floor && view_.door == DoorView::open && now - opened_at_ >= patience;
   }
 
+  /// People in it, in the order in which they got in; valid until the next call.
   std::span<const PassengerId> riders() const { return riders_; }
+  /// A person is in the car.
   void board(PassengerId who) { riders_.push_back(who); }
+  /// A person is out of it; must have been in it.
   void leave(PassengerId who) {
     const std::size_t left = std::erase(riders_, who);
     check_invariant(left == 1);
@@ -55,13 +61,17 @@ class CrowdCar {
 
   /// True while a person is on the way through the door.
   bool is_passed() const { return is_passed_; }
+  /// A person begins or ends to go through the door.
   void pass(bool is_passed) { is_passed_ = is_passed; }
 
+  /// Mass of the people in it.
   double load_kg() const { return load_kg_; }
+  /// Sets that mass; `now` counts for load_changed_at().
   void weigh(double load_kg, Time now) {
     load_kg_ = load_kg;
     load_changed_at_ = now;
   }
+  /// Time of the last change of the load, in or out.
   Time load_changed_at() const { return load_changed_at_; }
 
   /// A further person stands in the way of the door. True: the first one.

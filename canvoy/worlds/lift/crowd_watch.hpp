@@ -13,11 +13,15 @@ namespace canvoy::lift {
 
 class CrowdWatch {
  public:
+  /// `building` and `people` say how many a group can carry, and how long people wait by
+  /// themselves.
   CrowdWatch(const Building& building, const PassengerOptions& people);
 
+  /// Looks at a crowd: its waiting people count if they are more than before.
   void look(Time now, bool is_hindered, const Crowd& crowd) {
     look(now, is_hindered, crowd.waiting_count());
   }
+  /// The same, by a number of waiting people.
   void look(Time now, bool is_hindered, std::size_t waiting);
 
   /// Last time at which a fault hindered the lifts; 0: never.

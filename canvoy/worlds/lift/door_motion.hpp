@@ -16,8 +16,9 @@ namespace canvoy::lift {
 
 class DoorMotion {
  public:
+  /// A way to go.
   struct Way {
-    double target_m = 0;
+    double target_m = 0;             ///< end position, from closed
     double speed_m_s = 0.5;          ///< at most, above 0
     double acceleration_m_s2 = 1.0;  ///< and deceleration, above 0
   };
@@ -30,6 +31,7 @@ class DoorMotion {
   /// Decelerates to rest.
   void stop(Time now, double deceleration_m_s2);
 
+  /// From closed; at any time from the beginning on.
   double position_m(Time at) const;
   double speed_m_s(Time at) const;  ///< opening is positive
   /// Time from which it rests.

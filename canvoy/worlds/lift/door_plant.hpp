@@ -25,18 +25,19 @@
 
 namespace canvoy::lift {
 
+/// Dimensions, forces and times of a door.
 struct DoorPlantOptions {
-  double width_m = 0.9;
-  double open_time_s = 2.0;  ///< for the whole width, at standard speed
-  double close_time_s = 2.6;
-  double reduced_share = 0.5;    ///< share of the speed
-  double mass_kg = 180;          ///< mass of all panels that move
-  double limited_force_n = 150;  ///< EN 81-20, 5.3.6.2.2.1.1
-  double full_force_n = 300;
-  double contact_at_m = 0.005;  ///< the safety contact closes at this width
-  double friction_m_s2 = 0.5;   ///< deceleration without torque
-  Duration lock_time = 100ms;
-  static constexpr std::uint8_t profile_count = 2;
+  double width_m = 0.9;                             ///< of the open doorway
+  double open_time_s = 2.0;                         ///< for the whole width, at standard speed
+  double close_time_s = 2.6;                        ///< for the whole width, at standard speed
+  double reduced_share = 0.5;                       ///< share of the speed
+  double mass_kg = 180;                             ///< mass of all panels that move
+  double limited_force_n = 150;                     ///< EN 81-20, 5.3.6.2.2.1.1
+  double full_force_n = 300;                        ///< of the drive without the limit
+  double contact_at_m = 0.005;                      ///< the safety contact closes at this width
+  double friction_m_s2 = 0.5;                       ///< deceleration without torque
+  Duration lock_time = 100ms;                       ///< of the lock, to open or to close
+  static constexpr std::uint8_t profile_count = 2;  ///< profiles of 6304h:01h, and of 6304h:02h
   /// Shares of speed and width for 6304h:01h and 02h, from 00h on: 01h is slow, and narrow.
   std::array<double, profile_count> velocity_profiles = {1.0, 0.75};
   std::array<double, profile_count> width_profiles = {1.0, 0.85};
@@ -46,28 +47,29 @@ struct DoorPlantOptions {
 
 /// A person or thing between the edges.
 struct DoorObstacle {
-  double width_m = 0.4;
+  double width_m = 0.4;  ///< it stops the edge at this width
   double force_n = 200;  ///< force that pushes it out of the way
 };
 
 /// Defects of a door; none by default.
 struct DoorFaults {
-  bool is_stuck = false;        ///< the panels do not move
-  bool belt_is_broken = false;  ///< the drive turns without moving the panels
-  bool drive_fails = false;     ///< and reports the defect
-  bool lock_is_stuck = false;   ///< keeps its state
-  bool lock_is_open = false;    ///< it has sprung open, and does not hold
-  bool contact_is_broken = false;
+  bool is_stuck = false;            ///< the panels do not move
+  bool belt_is_broken = false;      ///< the drive turns without moving the panels
+  bool drive_fails = false;         ///< and reports the defect
+  bool lock_is_stuck = false;       ///< keeps its state
+  bool lock_is_open = false;        ///< it has sprung open, and does not hold
+  bool contact_is_broken = false;   ///< the safety contact stays open, whatever the panels do
   bool barrier_is_broken = false;   ///< and reports the defect
   bool barrier_is_covered = false;  ///< by dirt: it is always interrupted
-  bool finger_protector_is_broken = false;
-  bool motion_detector_is_broken = false;
+  bool finger_protector_is_broken = false;  ///< reports no finger
+  bool motion_detector_is_broken = false;   ///< reports no person
 
   friend bool operator==(const DoorFaults&, const DoorFaults&) = default;
 };
 
 class DoorPlant {
  public:
+  /// A closed and locked door.
   explicit DoorPlant(const DoorPlantOptions& options = {});
   DoorPlant(const DoorPlant&) = delete;
   DoorPlant& operator=(const DoorPlant&) = delete;
@@ -76,6 +78,7 @@ class DoorPlant {
   cia417::DoorHardware hardware();
   /// Hardware for door 1 of a light barrier unit.
   cia417::LightBarrierHardware light_barrier_hardware();
+  /// State of the light barrier; not available if it is broken.
   cia417::Detection beam() const;
   /// Sets the function that is called when people or faults have changed the inputs: then the
   /// devices must read them.
@@ -93,15 +96,22 @@ class DoorPlant {
   void approach(bool is_near);
   /// A finger is where the panels slide in.
   void touch_edge(bool is_touched);
+  /// Replaces all defects; they take effect at `now`.
   void set_faults(Time now, const DoorFaults& faults);
+  /// Present defects.
   const DoorFaults& faults() const { return faults_; }
 
   // True state. Times must not be before that of the last call that changed something.
 
+  /// Distance between the edges.
   double open_m(Time at) const;
+  /// Opening is positive.
   double speed_m_s(Time at) const;
+  /// True while the panels move.
   bool is_moving(Time at) const { return speed_m_s(at) != 0; }
+  /// True if the lock holds.
   bool is_locked(Time at) const;
+  /// True if the safety contact is closed: the chain lets the car go.
   bool contact_is_closed(Time at) const;
   /// True while the edge pushes against a person.
   bool is_pushing(Time at) const;

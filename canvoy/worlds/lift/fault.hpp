@@ -13,6 +13,7 @@
 
 namespace canvoy::lift {
 
+/// What can break in a building with lifts; a fault is one of these at a place, for a time.
 enum class FaultKind : std::uint8_t {
   lost_node,         ///< a node of the lift has no power
   cable_cut,         ///< the cable of the lift is cut behind a node
@@ -33,6 +34,7 @@ enum class FaultKind : std::uint8_t {
   smoke,             ///< in the light barriers, which are always interrupted
 };
 
+/// Name in a file, text, and place of each kind, in the order of FaultKind.
 inline constexpr FaultRow fault_rows[] = {
     {"lost-node", "a node has no power"},
     {"cable-cut", "the cable of a lift, or of the group, is cut"},
@@ -52,7 +54,7 @@ inline constexpr FaultRow fault_rows[] = {
     {"runaway", "the motor gets faster whatever the drive wants"},
     {"smoke", "light barriers see somebody always"},
 };
-inline constexpr std::size_t fault_kinds = std::size(fault_rows);
+inline constexpr std::size_t fault_kinds = std::size(fault_rows);  ///< number of kinds
 static_assert(fault_kinds == static_cast<std::size_t>(FaultKind::smoke) + 1);
 /// The part is the lift, 0: the group, or all for a fire alarm. A node-ID is one on the bus of the
 /// lift, or of the group; for a fault of a door that of its unit; 0: the first one that suits the
@@ -61,11 +63,14 @@ inline constexpr FaultPlaceName fault_places[] = {{"lift", lifts_max, &AnyFault:
                                                   {"group", 0, &AnyFault::part},
                                                   {"node", node_id_max},
                                                   {"floor", floors_max, &AnyFault::spot}};
+/// How a plan of these faults is written and read.
 constexpr FaultGrammar grammar_of(FaultKind) {
   return {fault_rows, fault_places};
 }
 
+/// A fault of a plan: kind, place, begin and end.
 using ScheduledFault = canvoy::ScheduledFault<FaultKind>;
+/// The faults of a run, in the order of their begin.
 using FaultPlan = canvoy::FaultPlan<FaultKind>;
 
 /// True for a fault of a door of the car.

@@ -27,12 +27,14 @@ namespace canvoy::lift {
 struct FaultExpectation {
   LiftNumber lift = 1;   ///< 0: of the group
   bool is_fire = false;  ///< or smoke: the lift itself is in order
+  /// From the begin of the fault until the car stands at the latest.
   std::optional<Duration> stands_within{};
   /// Time of detection: after it no car starts before the end of the fault.
   std::optional<Duration> noticed_within{};
   bool noticed_when_told = false;  ///< not before its emergency, whenever that comes
   /// One of these must be heard.
   std::vector<std::uint16_t> emergencies{};
+  /// From the begin of the fault until its emergency at the latest.
   Duration told_within = 5s;
   /// Time since the end of the fault in which people may wait without any being carried.
   std::optional<Duration> serves_within{};
@@ -45,11 +47,15 @@ struct FaultExpectation {
 
 class FaultReferee {
  public:
+  /// A fault begins; `fault` is its number in the plan.
   void began(Time now, std::size_t fault, const FaultExpectation& expectation);
+  /// It is over; the times for the return of service begin.
   void ended(Time now, std::size_t fault);
+  /// The car stands, or has come to rest.
   void stands(Time now, LiftNumber lift);
   /// A car that stood is moved by its drive, and not because a brake does not hold.
   void starts(Time now, LiftNumber lift);
+  /// An emergency of this lift was heard on the bus.
   void emergency_seen(Time now, LiftNumber lift, std::uint16_t code);
   /// A person has reached the destination. People who get out of a car that has not moved since the
   /// end of the fault were not carried.
@@ -66,6 +72,7 @@ class FaultReferee {
   /// it in which service may not have returned: the crowd that it left stands in front.
   bool excuses_waiting(Time since) const;
 
+  /// Margins so far, of the faults that are over, and of those that are present.
   std::vector<Invariant> invariants(Time now) const;
 
  private:

@@ -23,9 +23,13 @@ namespace canvoy::lift {
 /// Actions at the lift. None may be empty.
 struct FireBrigadeHands {
   std::function<void(bool on)> alarm_key;  ///< at the fire floor
+  /// The key in the car, 6010h function "fire brigade".
   std::function<void(bool on)> car_key;
+  /// A button of the car.
   std::function<void(FloorNumber, bool pressed)> call;
+  /// The button that opens the door; it opens as long as it is held.
   std::function<void(bool pressed)> door_open;
+  /// The button that closes the door.
   std::function<void(bool pressed)> door_close;
 };
 
@@ -36,24 +40,28 @@ struct FireBrigadeView {
   bool is_empty = true;          ///< of passengers
 };
 
+/// Ways and times of the firefighters.
 struct FireBrigadeOptions {
-  FloorNumber fire_floor = 1;
-  FloorNumber floors = 2;
-  Duration gets_in = 3s;
-  Duration looks_before_opening = 2s;
-  Duration patience = 20s;  ///< after it they try something else
-  Duration search_least = 5s;
-  std::uint32_t search_more_s = 10;
-  std::uint64_t seed = 1;
+  FloorNumber fire_floor = 1;          ///< floor with the alarm key
+  FloorNumber floors = 2;              ///< number of floors of the building
+  Duration gets_in = 3s;               ///< time from the open door until they turn the key
+  Duration looks_before_opening = 2s;  ///< time at a closed door before they open it
+  Duration patience = 20s;             ///< after it they try something else
+  Duration search_least = 5s;          ///< shortest time at a floor
+  std::uint32_t search_more_s = 10;    ///< so much longer at most, by chance
+  std::uint64_t seed = 1;              ///< of their ways: the same seed, the same floors
 };
 
 class FireBrigade {
  public:
+  /// They act by `hands` from within look().
   FireBrigade(FireBrigadeHands hands, const FireBrigadeOptions& options);
 
   void begin(Time now);
   void end();
+  /// They see the car and act; call it often (every 100 ms), and at changes.
   void look(Time now, const FireBrigadeView& car);
+  /// True from begin() to end().
   bool is_there() const { return step_ != Step::away; }
   /// Number of floors where they have opened the car with the button.
   unsigned floors_searched() const { return floors_searched_; }

@@ -5,6 +5,7 @@
 
 namespace canvoy::lift {
 
+/// What must hold in a building with lifts; invariant_rows has name, unit and limit of each.
 enum class InvariantKind : std::uint8_t {
   closed_while_moving,
   opens_at_floor,
@@ -67,8 +68,9 @@ inline constexpr InvariantRow invariant_rows[] = {
      "EN 81-28"},
     {"real_position", "a real position unit said that the car is elsewhere by", "mm", "canvoy"},
 };
-inline constexpr std::size_t invariant_kinds = std::size(invariant_rows);
+inline constexpr std::size_t invariant_kinds = std::size(invariant_rows);  ///< number of invariants
 static_assert(invariant_kinds == static_cast<std::size_t>(InvariantKind::real_position) + 1);
+/// Names and limits, for the table of a run.
 constexpr std::span<const InvariantRow> rows_of(InvariantKind) {
   return invariant_rows;
 }

@@ -24,7 +24,7 @@ namespace canvoy::lift {
 
 /// Functions that receive reports. None may be empty; none is called before start().
 struct LiftDevicesHooks {
-  ShaftHooks shaft{};
+  ShaftHooks shaft{};  ///< reports of every shaft
   /// Reports of the nodes of a bus.
   std::function<void(Time, const BusEvent&)> heard{};
 };
@@ -39,9 +39,13 @@ class LiftDevices {
   /// Switches on all nodes.
   void start();
 
+  /// Number of lifts.
   LiftNumber count() const { return static_cast<LiftNumber>(shafts_.size()); }
+  /// Shaft of a lift, from 1.
   LiftShaft& shaft(LiftNumber lift) { return *shafts_[lift - std::size_t{1}]; }
+  /// Shaft of a lift, from 1.
   const LiftShaft& shaft(LiftNumber lift) const { return *shafts_[lift - std::size_t{1}]; }
+  /// A bus by its place in the description; throws std::out_of_range beyond it.
   SimulatedBus& bus(std::size_t bus) { return world_->bus(buses_.at(bus)); }
 
   /// Begins or ends a fault in one shaft, or on the bus of the group (lift 0).
@@ -56,6 +60,7 @@ class LiftDevices {
 
   /// The first value that a node refused at its last boot-up.
   std::optional<RefusedValue> refused() const;
+  /// Load and state of each bus, in the order of the description.
   std::vector<BusSnapshot> bus_snapshots() const;
   /// Snapshots of the nodes that are simulated here, in the order of the description.
   std::vector<NodeSnapshot> node_snapshots();

@@ -33,6 +33,7 @@ class LiftNetwork {
 
   /// Runs up to and including `until`.
   void run_until(Time until);
+  /// Time since the start of the run.
   Time now() const;
   /// Adds a person at the present time, beside those of the traffic. False: no lift connects these
   /// floors.
@@ -42,7 +43,9 @@ class LiftNetwork {
   std::optional<RefusedValue> refused() const;
   /// Adds a further observer of a bus, for a log; false where there are too many.
   bool observe(std::size_t bus, const BusTap& tap);
+  /// State at present, for a drawing; linear in the size of the network.
   LiftNetworkSnapshot snapshot() const;
+  /// Summary up to now.
   LiftSummary summary() const;
   /// All events since the start, oldest first.
   std::span<const LiftEvent> events() const;
@@ -56,7 +59,9 @@ class LiftNetwork {
 
   // Access for tests, and for tools that take part: a real device in place of a node that the
   // description leaves out is connected to the bus.
+  /// The world of all buses; time passes only in run_until().
   World& world();
+  /// Shaft of a lift, from 1.
   LiftShaft& shaft(LiftNumber lift);
   /// Notes an action at a device as an event, at the present time.
   void note_hand(const HandActed& acted);

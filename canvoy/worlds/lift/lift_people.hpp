@@ -46,7 +46,9 @@ class LiftPeople {
   /// floors.
   bool visit(FloorNumber from, FloorNumber to);
 
+  /// People look at the car: call it whenever its shaft reports a change.
   void car_changed(LiftNumber lift);
+  /// People see the lamp of a button: call it at changes of CallLamps.
   void lamp_changed(const CallKey& call, bool is_lit);
   /// Answer of the terminal of a landing, beside lift `panel`, for a destination: a lift to take;
   /// 0: wait. People look at the terminal where they made their request.
@@ -62,6 +64,7 @@ class LiftPeople {
   /// Has each technician look at the lift: each second.
   void look_for_technicians() { technicians_.look(); }
 
+  /// Passengers, and where they are.
   const Crowd& crowd() const { return crowd_; }
   /// True if a person rides in the lift, or waits where it should come, and no technician has it.
   /// The lifts of a group (0) share the waiting people.

@@ -32,25 +32,34 @@ class LiftReferees {
   LiftReferees(const LiftReferees&) = delete;
   LiftReferees& operator=(const LiftReferees&) = delete;
 
+  /// The state of a car has changed; `persons` is the number of people in it.
   void car_changed(Time now, LiftNumber lift, unsigned persons);
   /// Takes a change on the panel of this lift, and returns the change for people.
   CallLamps::Change lamp_changed(Time now, LiftNumber lift, const CallKey& call, bool is_lit);
   /// Takes the display of a destination terminal, which is its acknowledgement.
   void assigned(Time now, LiftNumber panel, const DestinationButton& button, LiftNumber lift);
+  /// A person presses a button.
   void pressed(Time now, const CallKey& call);
+  /// A passenger has reached the destination.
   void carried(Time now, LiftNumber lift) { fault_referee_.serves(now, lift); }
   /// A person who has waited since `since` takes the stairs.
   void gave_up(Time now, Time since);
+  /// An emergency was heard on a bus.
   void emergency_seen(Time now, const EmergencySeen& told);
   /// Judges how long people wait; `is_hindered` is is_anything_hindered() of just before.
   void look(Time now, const LiftPeople& people, bool is_hindered);
   /// True if a lift, or the group, is hindered by a fault, or its effects.
   bool is_anything_hindered(Time now) const;
 
+  /// Referee of the faults.
   FaultReferee& faults() { return fault_referee_; }
+  /// Lamps as people see them.
   const CallLamps& lamps() const { return lamps_; }
+  /// Starts, stops and opened doors of the cars.
   const CarWatch& cars() const { return cars_; }
+  /// See CrowdWatch::is_saturated().
   bool is_saturated() const { return crowd_.is_saturated(); }
+  /// Verdicts of all referees.
   std::vector<Invariant> invariants(Time now) const;
 
  private:

@@ -44,6 +44,8 @@ struct ShaftHooks {
 
 class LiftShaft {
  public:
+  /// Makes all nodes of the lift that are simulated here, without power. `description` must outlive
+  /// this object.
   LiftShaft(World& world, const LiftNetworkDescription& description, LiftNumber lift,
             ShaftHooks hooks);
   LiftShaft(const LiftShaft&) = delete;
@@ -61,14 +63,18 @@ class LiftShaft {
   /// Presses or releases a button of a landing, of the car, or of a destination. False: there is
   /// none, or no power.
   bool press(const CallKey& button, bool pressed);
+  /// The button of the car that opens the door; held until released.
   void press_door_open(bool pressed);
+  /// The button of the car that closes the door; held until released.
   void press_door_close(bool pressed);
   /// Turns the key at the fire floor: it stays on until it was turned back as often as it was
   /// turned on.
   void turn_fire_key(bool on);
   /// Turns the key of the fire brigade in the car.
   void turn_brigade_key(bool on);
+  /// People stand in the door, or leave it.
   void stand_in_door(DoorNumber door, bool is_in_the_way);
+  /// Mass of the people in the car.
   void set_load(double mass_kg);
 
   // Actions of a technician.
@@ -90,8 +96,11 @@ class LiftShaft {
   /// Time until which a key of a real panel keeps the lift from passengers.
   Time in_real_service_until(Time now) const;
 
+  /// The true state, for referees.
   LiftFacts facts(Time now) const;
+  /// What people see.
   CarView view(Time now) const;
+  /// State for a drawing.
   LiftSnapshot snapshot(Time now) const;
 
   /// Begins or ends a fault in this shaft.
@@ -117,6 +126,7 @@ class LiftShaft {
   void look();
   /// Null where the node is no panel, or is not simulated here.
   LiftPanel* panel(NodeId id);
+  /// Null where the node is no sensor unit, or is not simulated here.
   ShaftSensors* sensors(NodeId id);
 
  private:

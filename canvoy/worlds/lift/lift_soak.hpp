@@ -12,7 +12,7 @@
 
 namespace canvoy::lift {
 
-inline constexpr Duration soak_time = 60min;
+inline constexpr Duration soak_time = 60min;  ///< length of a run of a soak
 
 /// Draws one fault after the other within `time`.
 LiftNetworkDescription soak_network(std::uint64_t seed, Duration time = soak_time);

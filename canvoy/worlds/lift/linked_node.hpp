@@ -16,27 +16,35 @@ class LinkedNode {
   LinkedNode(World& world, Node& node, SlotIndex other)
       : world_(&world), node_(&node), other_(other) {}
 
+  /// As World requires it of a node: each of these calls the node, then has the deadline of the
+  /// other one read again.
   void start(Time now) {
     node_->start(now);
     touch();
   }
+  /// See start().
   void receive(const Frame& frame, Time now) {
     node_->receive(frame, now);
     touch();
   }
+  /// See start().
   void advance(Time now) {
     node_->advance(now);
     touch();
   }
+  /// That of the node itself.
   Time deadline() const { return node_->deadline(); }
+  /// See start().
   void bus_state(BusState state, Time now) {
     node_->bus_state(state, now);
     touch();
   }
+  /// See start().
   void tx_ready(Time now) {
     node_->tx_ready(now);
     touch();
   }
+  /// The node takes it; nothing is due by it.
   void overrun(Time now) { node_->overrun(now); }
 
  private:

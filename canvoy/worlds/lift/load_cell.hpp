@@ -12,23 +12,27 @@
 
 namespace canvoy::lift {
 
+/// Masses and ropes of a car, and the errors of the measurement.
 struct LoadCellOptions {
-  double car_mass_kg = 1100;
-  unsigned ropes = 1;
-  double rope_ratio = 1;    ///< 2 for a car that hangs by a pulley (2:1): the ropes carry half of
-                            ///< it
-  double unevenness = 0;    ///< share that the first rope carries more, and the last one less
-  double meter_gain = 1.0;  ///< kilograms that are measured for each kilogram
+  double car_mass_kg = 1100;  ///< of the empty car
+  unsigned ropes = 1;         ///< each with a sensor
+  double rope_ratio = 1;      ///< 2 for a car that hangs by a pulley (2:1): the ropes carry half of
+                              ///< it
+  double unevenness = 0;      ///< share that the first rope carries more, and the last one less
+  double meter_gain = 1.0;    ///< kilograms that are measured for each kilogram
 };
 
 class LoadCell {
  public:
+  /// A cell with an empty car, and all sensors working.
   explicit LoadCell(const LoadCellOptions& options = {}) : options_(options) {}
 
+  /// Mass of the people and goods in the car.
   void set_load(double kilograms) { load_kg_ = kilograms; }
   /// Breaks the sensor of a rope, from 1 on; 0: all work.
   void break_sensor(unsigned rope) { broken_rope_ = rope; }
 
+  /// True load, whatever the sensors measure.
   double load_kg() const { return load_kg_; }
   /// Hardware for the device; valid as long as this object.
   cia417::LoadHardware hardware() {

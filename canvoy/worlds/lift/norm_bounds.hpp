@@ -19,7 +19,7 @@ inline constexpr double door_energy_most_j = 10;
 /// Greatest overload, as a share of the rated load, from which on a car must stay; for a small one
 /// at least 75 kg (EN 81-20, 5.12.1.2).
 inline constexpr double overload_most_share = 0.1;
-inline constexpr double overload_most_kg = 75;
+inline constexpr double overload_most_kg = 75;  ///< least bound of the overload, for small cars
 
 /// Energy of two leaves that part in the middle, each at half the speed at which the opening gets
 /// wider.

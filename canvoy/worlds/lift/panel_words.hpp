@@ -17,6 +17,7 @@ namespace canvoy::lift {
 
 /// An output that shows what a lift does.
 struct PanelDisplay {
+  /// Basic function of the output.
   cia417::BasicFunction function = cia417::BasicFunction::position_indicator;
   std::uint8_t sub_function = 0;  ///< special indication; 0: any
 
@@ -37,13 +38,17 @@ struct PanelDescription {
 
 /// Function of `fan-1` to `dogging-service-down`; empty for other names.
 std::optional<cia417::SpecialFunction> special_function_of(std::string_view name);
+/// Inverse of special_function_of().
 std::string_view special_function_name(cia417::SpecialFunction function);
+/// All names, for messages.
 std::vector<std::string_view> special_function_names();
 
 /// Display of `position`, `lantern`, `direction`, `arrival`, `special`, or of one special
 /// indication, such as `overload`.
 std::optional<PanelDisplay> panel_display_of(std::string_view name);
+/// Inverse of panel_display_of().
 std::string_view panel_display_name(const PanelDisplay& display);
+/// All names, for messages.
 std::vector<std::string_view> panel_display_names();
 
 /// Function of key lock 1 to 4, by its number from 0 on.

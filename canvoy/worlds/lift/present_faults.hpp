@@ -21,6 +21,7 @@ class PresentFaults {
 
   /// Adds a fault by its index in the plan.
   void add(std::size_t fault) { present_.push_back(fault); }
+  /// The fault is over; nothing happens if it was not present.
   void remove(std::size_t fault) { std::erase(present_, fault); }
 
   /// True if a present fault breaks the same. A cable has one cut at a time, at any place.

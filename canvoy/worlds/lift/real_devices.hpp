@@ -23,8 +23,8 @@ namespace canvoy::lift {
 
 /// Load signals of 6482h:01h.
 struct LoadSaid {
-  bool full = false;
-  bool overload = false;
+  bool full = false;      ///< the unit reports the car as full
+  bool overload = false;  ///< the unit reports an overload
 };
 
 class RealDevices {
@@ -33,11 +33,12 @@ class RealDevices {
   struct Wanted {
     unsigned doors = 0;           ///< bit 0 is the unit of door 1
     unsigned light_barriers = 0;  ///< bit 0 is the light barrier of door 1
-    bool drive = false;
-    bool load = false;
-    bool position = false;
-    std::set<NodeId> panels{};
+    bool drive = false;           ///< the drive unit
+    bool load = false;            ///< the load measuring unit
+    bool position = false;        ///< the position unit
+    std::set<NodeId> panels{};    ///< panels whose keys count
 
+    /// True if any device is real.
     bool any() const {
       return doors != 0 || light_barriers != 0 || drive || load || position || !panels.empty();
     }
@@ -46,7 +47,9 @@ class RealDevices {
   struct Hands {
     /// Report of a door, with its position in mm; empty where the door does not measure it.
     std::function<void(DoorNumber, const cia417::DoorReport&, std::optional<std::uint16_t>)> door{};
+    /// State of a light barrier, by its PDO.
     std::function<void(DoorNumber, cia417::Detection)> light_barrier{};
+    /// Signals of the load unit.
     std::function<void(const LoadSaid&)> load{};
     /// Position in m, by the default step of 6384h, as the controller reads it.
     std::function<void(double)> position{};
@@ -56,6 +59,7 @@ class RealDevices {
     std::function<void()> keys{};
   };
 
+  /// Listens for the `wanted` devices; `hands` are called from within receive().
   RealDevices(Wanted wanted, Hands hands);
 
   /// Keys and buttons of real panels that have a special function.
@@ -64,12 +68,19 @@ class RealDevices {
   Time in_service_until(Time now) const;
 
   // Required of a node by World. Sends nothing.
+  /// Has nothing to do.
   void start(Time) {}
+  /// Takes a frame of the bus.
   void receive(const Frame& frame, Time);
+  /// Has nothing to do.
   void advance(Time) {}
+  /// There is none.
   Time deadline() const { return never; }
+  /// Has nothing to do.
   void bus_state(BusState, Time) {}
+  /// Has nothing to do.
   void tx_ready(Time) {}
+  /// Has nothing to do.
   void overrun(Time) {}
 
  private:

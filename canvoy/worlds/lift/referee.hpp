@@ -24,10 +24,11 @@ namespace canvoy::lift {
 
 /// State of a door of a car, with the landing door that it moves.
 struct DoorFacts {
-  double open_m = 0;
-  bool locked = true;
+  double open_m = 0;   ///< distance between the edges
+  bool locked = true;  ///< its lock holds
 };
 
+/// Service for a fire, by the keys.
 enum class FireMode : std::uint8_t {
   none,
   recall,   ///< the key of the alarm is turned: all people leave, at the fire floor
@@ -36,21 +37,21 @@ enum class FireMode : std::uint8_t {
 
 /// True state of one lift at one time.
 struct LiftFacts {
-  double position_m = 0;
-  double speed_m_s = 0;
-  double acceleration_m_s2 = 0;
-  std::array<DoorFacts, doors_max> doors{};
-  double load_kg = 0;
+  double position_m = 0;                     ///< of the car's floor, above floor 1
+  double speed_m_s = 0;                      ///< upward is positive
+  double acceleration_m_s2 = 0;              ///< upward is positive
+  std::array<DoorFacts, doors_max> doors{};  ///< door 1 first
+  double load_kg = 0;                        ///< of people and goods
   /// The safety chain, a fault or a fast stop has applied the brake: comfort does not count.
   bool emergency_stop = false;
   bool is_cut = false;  ///< the safety chain is open: motor and brake have no current
   bool drifts = false;  ///< it moves although its brake is closed
   /// Its motor runs away, or its brake holds nothing: then the buffers must stop it.
   bool is_unheld = false;
-  bool is_cranked = false;     ///< moved by hand
-  bool opens_by_hand = false;  ///< the button in the car is held
-  FireMode fire = FireMode::none;
-  FloorNumber fire_floor = 1;
+  bool is_cranked = false;         ///< moved by hand
+  bool opens_by_hand = false;      ///< the button in the car is held
+  FireMode fire = FireMode::none;  ///< by the keys
+  FloorNumber fire_floor = 1;      ///< floor of a recall
   /// Distance between the true position and that of a real position unit; empty: none was received.
   std::optional<double> position_lie_m{};
   /// A fault is present, or has just ended: its possible delays are not judged.
@@ -59,10 +60,10 @@ struct LiftFacts {
 
 /// A button of a landing (lift 0) or of a car (direction none), or a destination entered at one.
 struct CallKey {
-  LiftNumber lift = 0;
-  FloorNumber floor = 1;
-  Direction direction = Direction::none;
-  FloorNumber to = no_floor;
+  LiftNumber lift = 0;                    ///< 0: of a landing
+  FloorNumber floor = 1;                  ///< of the landing, or destination in a car
+  Direction direction = Direction::none;  ///< none: in a car
+  FloorNumber to = no_floor;  ///< destination entered at a landing; no_floor: a direction
   auto operator<=>(const CallKey&) const = default;
 };
 
@@ -75,7 +76,9 @@ enum class CallEnd : std::uint8_t {
   unexplained,
 };
 
+/// Bounds of the judgements; the clause stands where a standard gives it.
 struct RefereeLimits {
+  /// A car that opens its doors is at most this far from its floor.
   double floor_tolerance_m = 0.010;
   double moving_m_s = 0.001;      ///< below it, a car stands
   double tolerance = 0.05;        ///< share of speed, acceleration and jerk
@@ -84,14 +87,14 @@ struct RefereeLimits {
   double emergency_speed = 1.25;  ///< share of the rated speed, where a governor has acted
   double levelled_m = 0.020;      ///< a car stays within this distance of its floor (EN 81-20,
                                   ///< 5.12.1.1.4)
-  Duration levels_within = 10s;
+  Duration levels_within = 10s;   ///< while a door is open, until the car is level again
   /// Time in which a car with an unlocked door may still move when the safety chain has cut it off.
   Duration cut_stop_most = 1s;
   Duration gear_stop_most = 2s;    ///< like cut_stop_most, where its brake does not hold the car
   Duration acknowledge_most = 2s;  ///< from the finger to the lamp
-  Duration serve_most = 30min;
-  Duration wait_most = 30min;
-  Duration ride_most = 15min;
+  Duration serve_most = 30min;     ///< from the lit lamp until a car stands open there
+  Duration wait_most = 30min;      ///< from arrival until boarding
+  Duration ride_most = 15min;      ///< from boarding until the destination
   /// Time in which a lift may stand while a person waits for longer than it takes to come.
   Duration idle_most = 2min;
   /// Longest time for people behind shut doors. EN 81-28 requires help within an hour; where
@@ -104,7 +107,7 @@ struct RefereeLimits {
   /// Time from the lamp that goes out to a door that people can walk through.
   Duration opens_within = 20s;
   double walkable_share = 0.8;  ///< share of a door's width
-  Duration recall_most = 3min;
+  Duration recall_most = 3min;  ///< from the key until the car stands open at the fire floor
   /// Time from a key to its panel, the controller and its latest command: then the rules of a fire
   /// service hold.
   Duration heeds_key_within = 200ms;
@@ -112,15 +115,19 @@ struct RefereeLimits {
 
 class Referee {
  public:
+  /// `building` must outlive this object.
   explicit Referee(const Building& building, const RefereeLimits& limits = {});
 
+  /// Judges the true state of a lift; call it at each change, and often while something moves.
   void observe(Time now, LiftNumber lift, const LiftFacts& facts);
   /// `is_answered`: the lamp is lit, or a car stands there already.
   void button_pressed(Time now, const CallKey& call, bool is_answered = false);
+  /// The lamp of a call is lit, or goes out for the reason `end`.
   void lamp_changed(Time now, const CallKey& call, bool lit, CallEnd end = CallEnd::served);
   /// Longest time of all people who wait or ride at present, without those who were hindered
   /// meanwhile.
   void waited(Duration longest, bool hindered);
+  /// See waited().
   void rode(Duration longest, bool hindered);
   /// Time for which a lift, which is not hindered, has stood while it was wanted.
   void idled(LiftNumber lift, Duration time);

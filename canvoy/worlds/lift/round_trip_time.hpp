@@ -27,32 +27,36 @@ inline constexpr double five_minutes_s = 300;
 
 /// Time that a car needs for a distance from rest to rest with limited jerk, at the shortest.
 struct Flight {
-  double speed_m_s = 1;
-  double acceleration_m_s2 = 1;
-  double jerk_m_s3 = 1;
+  double speed_m_s = 1;          ///< rated speed
+  double acceleration_m_s2 = 1;  ///< greatest, also of braking
+  double jerk_m_s3 = 1;          ///< greatest change of the acceleration
 };
+/// Time for `distance_m` from rest to rest; 0 for no distance.
 double flight_time_s(const Flight& limits, double distance_m);
 
+/// Data of the calculation, with its symbols where it has them.
 struct RoundTripOptions {
-  unsigned floors_above = 9;  ///< N
-  double floor_height_m = 3.5;
-  unsigned lifts = 1;
-  double persons = 8;  ///< P, in each car as it leaves the main floor
-  Flight flight{};
-  double door_open_s = 2;
-  double door_close_s = 2.6;
-  double transfer_s = 1.2;   ///< tp: for a person in or out
-  double dwell_s = 0;        ///< time for which a door stays open at each stop, beside transfers
-  double start_delay_s = 0;  ///< from locked to moving, plus from standing to opening
+  unsigned floors_above = 9;    ///< N
+  double floor_height_m = 3.5;  ///< all alike
+  unsigned lifts = 1;           ///< L, in the group
+  double persons = 8;           ///< P, in each car as it leaves the main floor
+  Flight flight{};              ///< speed, acceleration and jerk of the cars
+  double door_open_s = 2;       ///< to
+  double door_close_s = 2.6;    ///< tc
+  double transfer_s = 1.2;      ///< tp: for a person in or out
+  double dwell_s = 0;           ///< time for which a door stays open at each stop, beside transfers
+  double start_delay_s = 0;     ///< from locked to moving, plus from standing to opening
 };
 
+/// Results of the calculation, with its symbols.
 struct RoundTrip {
-  double reversal_floor = 0;  ///< H
-  double stops = 0;           ///< S
-  double round_trip_s = 0;    ///< RTT
-  double interval_s = 0;      ///< between two cars that leave the main floor
-  double persons_in_5_minutes = 0;
+  double reversal_floor = 0;        ///< H
+  double stops = 0;                 ///< S
+  double round_trip_s = 0;          ///< RTT
+  double interval_s = 0;            ///< between two cars that leave the main floor
+  double persons_in_5_minutes = 0;  ///< handling capacity of the group
 };
+/// Calculates a pure up-peak; constant time but for the powers.
 RoundTrip round_trip_time(const RoundTripOptions& options);
 
 /// Options of a building with identical lifts and the main floor at the bottom.

@@ -15,8 +15,9 @@
 
 namespace canvoy::lift {
 
+/// Design of the chain and of its car.
 struct SafetyChainDesign {
-  double rated_speed_m_s = 1.6;
+  double rated_speed_m_s = 1.6;  ///< the governor trips above it
   /// Share of the rated speed at which the governor trips, above the 1.15 at which units report
   /// overspeed.
   double governor_share = 1.2;
@@ -33,11 +34,12 @@ struct SafetySight {
   double speed_m_s = 0;          ///< up or down
   bool doors_are_locked = true;  ///< each lock, and each contact
   bool is_a_door_open = false;   ///< as its contact reports
-  bool gear_is_caught = false;
+  bool gear_is_caught = false;   ///< the car hangs in its safety gear
 };
 
 class SafetyChain {
  public:
+  /// The part of the chain that has opened it.
   enum class Trip : std::uint8_t {
     none,
     overspeed,            ///< of the governor
@@ -46,10 +48,12 @@ class SafetyChain {
     gear,                 ///< the safety gear was caught in another way
   };
 
+  /// A closed chain.
   explicit SafetyChain(const SafetyChainDesign& design = {}) : design_(design) {}
 
   /// Call it at each change, and often while the car moves.
   void look(const SafetySight& sight);
+  /// True if no part has tripped and all doors are locked, or if it is bridged.
   bool is_closed() const { return design_.is_bridged || (trip_ == Trip::none && !doors_are_free_); }
   /// The part that must be reset by hand; none: only its doors open it.
   Trip trip() const { return trip_; }
@@ -58,6 +62,8 @@ class SafetyChain {
   bool wants_gear() const {
     return (trip_ == Trip::overspeed || trip_ == Trip::unintended_movement) && !design_.is_bridged;
   }
+  /// A technician closes the part that tripped; look() opens it again where the cause is still
+  /// there.
   void reset_by_hand() { trip_ = Trip::none; }
 
  private:

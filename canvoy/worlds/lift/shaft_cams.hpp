@@ -12,11 +12,12 @@
 
 namespace canvoy::lift {
 
+/// Dimensions from which the cams follow.
 struct ShaftCamDesign {
-  double door_zone_m = 0.2;  ///< to both sides of a floor
-  double speed_m_s = 1.6;
-  double acceleration_m_s2 = 1.0;
-  double jerk_m_s3 = 1.2;
+  double door_zone_m = 0.2;        ///< to both sides of a floor
+  double speed_m_s = 1.6;          ///< rated speed
+  double acceleration_m_s2 = 1.0;  ///< of braking before the last floors
+  double jerk_m_s3 = 1.2;          ///< greatest change of the acceleration
 };
 
 /// Cams of channel 1, each a bit of 63A0h:01h.

@@ -28,8 +28,11 @@ class ShaftCar {
   ShaftCar(const ShaftCar&) = delete;
   ShaftCar& operator=(const ShaftCar&) = delete;
 
+  /// The car in its shaft.
   CarPlant& plant() { return plant_; }
+  /// The car in its shaft.
   const CarPlant& plant() const { return plant_; }
+  /// The drive unit reads its inputs again when `unit` tells it.
   void has_drive_unit(ChangeSignal unit) { drive_ = std::move(unit); }
   /// Follows a real drive, and so receives all frames of the bus.
   void follow_real_drive();

@@ -27,14 +27,18 @@ class ShaftDoor {
 
   /// Hardware for its unit; valid as long as this object.
   cia417::DoorHardware hardware();
+  /// Its unit is a node here, and reads its inputs when `unit` tells it.
   void has_unit(NodeId id, ChangeSignal unit);
   /// Node-ID of its unit; 0: it is not simulated here.
   NodeId unit() const { return unit_id_; }
 
+  /// True if the car has this door.
   bool is_there() const { return is_there_; }
+  /// The panels, lock and contacts.
   const DoorPlant& plant() const { return plant_; }
   /// True if people stand in it, or a real light barrier is interrupted.
   bool is_blocked() const { return has_somebody() || is_barred_; }
+  /// True if people or a thing stand in it.
   bool has_somebody() const { return has_somebody_ || has_thing_; }
 
   /// People stand in it, or leave it.
@@ -53,6 +57,7 @@ class ShaftDoor {
   }
   /// Begins or ends a fault of a door (is_of_door()).
   void set_fault(Time now, FaultKind kind, bool present);
+  /// Begins or ends one defect, by its member of DoorFaults.
   void set_fault(Time now, bool DoorFaults::*fault, bool present);
   /// True if no defect of it opens the safety chain.
   bool is_whole() const {
@@ -77,6 +82,7 @@ class ShaftDoor {
 
 /// Door 1 first.
 using ShaftDoors = std::array<std::unique_ptr<ShaftDoor>, doors_max>;
+/// The doors of a car: those that it does not have are not there.
 ShaftDoors doors_of(const LiftDesign& design, Callback<void()> moved);
 
 }  // namespace canvoy::lift

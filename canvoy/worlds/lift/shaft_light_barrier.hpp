@@ -22,6 +22,7 @@ class ShaftLightBarrier {
   cia417::LightBarrierHardware hardware() {
     return {.sense = Callback<cia417::Detection(unsigned)>::to<&ShaftLightBarrier::see>(*this)};
   }
+  /// The unit reads its inputs again when `unit` tells it.
   void has_unit(ChangeSignal unit) { unit_ = std::move(unit); }
 
   /// Call it when a person has stepped into a door, or out of it.

@@ -30,9 +30,12 @@ class ShaftLoad {
   ShaftLoad(const ShaftLoad&) = delete;
   ShaftLoad& operator=(const ShaftLoad&) = delete;
 
+  /// The load cell that the unit reads.
   LoadCell& cell() { return cell_; }
+  /// The unit reads its inputs again when `unit` tells it.
   void has_unit(ChangeSignal unit) { unit_ = std::move(unit); }
 
+  /// Mass of the people in the car.
   void set_people(double mass_kg) {
     people_kg_ = mass_kg;
     weigh();
@@ -47,7 +50,9 @@ class ShaftLoad {
     said_ = said;
     weigh();
   }
+  /// True once a real unit has reported: its signals bound the load.
   bool is_led() const { return said_.has_value(); }
+  /// Breaks the sensor of the first rope, or mends it.
   void break_sensor(bool is_broken) {
     cell_.break_sensor(is_broken ? 1 : 0);
     unit_.tell();

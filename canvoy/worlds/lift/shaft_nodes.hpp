@@ -37,13 +37,16 @@ class ShaftNodes {
   void power(NodeId id, bool is_on);
   /// Cuts the cable behind that node. There is one cut at a time.
   void cut_cable(NodeId id);
+  /// Connects the cable again, where it is cut.
   void mend_cable() { world_->bus(bus_).mend_cable(); }
   /// Makes the node send without end a virtual input that does not exist, like a defective panel.
   void babble(NodeId id, bool babbles);
 
+  /// Slot of a node; empty where it is not simulated here.
   std::optional<SlotIndex> slot(NodeId id) const;
   /// Null where the node is not simulated here.
   Node* node(NodeId id) const;
+  /// Slot of the controller on the bus of the group; empty without a group.
   std::optional<SlotIndex> group_slot() const { return group_slot_; }
   /// True if the node is simulated here, and of this kind.
   bool is_a(DeviceKind kind, NodeId id) const;

@@ -37,6 +37,7 @@ class ShaftPanels {
   ShaftPanels(const ShaftPanels&) = delete;
   ShaftPanels& operator=(const ShaftPanels&) = delete;
 
+  /// Adds a panel with the controls that the plan gives it.
   void add(const NodeDescription& panel);
 
   /// Presses or releases a button of a landing, of the car, or of a destination. False: there is
@@ -59,7 +60,9 @@ class ShaftPanels {
   /// Null where the node is no panel.
   LiftPanel* panel(NodeId id) const;
 
+  /// Direction that the lantern of a floor shows; none: dark. `floor` from 1.
   Direction lantern(FloorNumber floor) const { return lanterns_[floor - std::size_t{1}]; }
+  /// True if a panel in the car shows an overload.
   bool shows_overload() const { return overload_is_shown_; }
 
  private:

@@ -27,9 +27,13 @@ class ShaftPlan {
   /// `description` must outlive this object.
   ShaftPlan(const LiftNetworkDescription& description, LiftNumber lift);
 
+  /// The building of the description.
   const Building& building() const { return description_->building; }
+  /// Service of the controllers.
   const LiftService& service() const { return description_->service; }
+  /// Design of this lift.
   const LiftDesign& design() const { return building().lift(lift_); }
+  /// Number of this lift.
   LiftNumber lift() const { return lift_; }
   std::size_t bus() const { return bus_; }  ///< index among those of the description
 
@@ -42,11 +46,17 @@ class ShaftPlan {
   /// Devices that are elsewhere. A drive that is not described at all is one, too.
   RealDevices::Wanted real_devices() const;
 
+  /// Data for the controller with this node-ID.
   ShaftControllerOptions controller_options(NodeId controller) const;
+  /// Settings of the drive unit, by the design of the lift.
   cia417::CarDriveSettings drive_settings() const;
+  /// Settings of the load unit, by the design of the car.
   cia417::LoadSettings load_settings() const;
+  /// Cams of the shaft (cams_of_shaft()).
   std::vector<cia417::Cam> cams() const;
+  /// Speed from which on units report overspeed: 1.15 of the rated speed.
   double overspeed_mm_s() const;
+  /// Buttons, keys, lamps and displays of a panel of this lift.
   PanelControls controls_of(const NodeDescription& panel) const;
 
   /// Node of a fault: the one in the plan, or the first one that suits its kind; 0: none, or a

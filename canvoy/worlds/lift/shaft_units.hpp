@@ -23,10 +23,10 @@ namespace canvoy::lift {
 
 /// Plants that the units of a lift sense and move.
 struct ShaftPlants {
-  ShaftCar& car;
-  ShaftDoors& doors;
-  ShaftLightBarrier& barrier;
-  ShaftLoad& load;
+  ShaftCar& car;               ///< car and its drive
+  ShaftDoors& doors;           ///< doors of the car
+  ShaftLightBarrier& barrier;  ///< light barriers of the doors
+  ShaftLoad& load;             ///< load of the car
 };
 
 class ShaftUnits {

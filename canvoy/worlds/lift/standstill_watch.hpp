@@ -15,7 +15,7 @@ namespace canvoy::lift {
 
 class StandstillWatch {
  public:
-  static constexpr Duration period = 100ms;
+  static constexpr Duration period = 100ms;  ///< between two looks
 
   /// Call it in each period.
   void look(const LiftNetworkSnapshot& now);

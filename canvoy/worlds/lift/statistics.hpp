@@ -19,11 +19,13 @@ namespace canvoy::lift {
 /// A sample of durations.
 class DurationSample {
  public:
+  /// Adds a value; memory grows with their number.
   void add(Duration value);
 
   std::size_t count() const { return values_.size(); }
   /// Zero where there are no values.
   Duration mean() const;
+  /// Zero where there are no values.
   Duration longest() const;
   /// Value that `percent` of the values do not exceed (nearest rank). `percent` is above 0, up to
   /// 100; linear.
@@ -38,7 +40,7 @@ class DurationSample {
 /// Statistics of all passengers of a run.
 class PassengerStatistics {
  public:
-  static constexpr Duration window = 5min;
+  static constexpr Duration window = 5min;  ///< in which passengers are counted
 
   /// A passenger boards a car, `waited` after they came to the landing.
   void boarded(Duration waited);
@@ -52,8 +54,11 @@ class PassengerStatistics {
 
   /// Waiting times: until boarding, or until leaving for those who gave up.
   const DurationSample& waiting() const { return waiting_; }
+  /// From arrival at the landing to the destination.
   const DurationSample& to_destination() const { return to_destination_; }
+  /// Passengers who reached it.
   std::size_t served_count() const { return to_destination_.count(); }
+  /// Passengers who took the stairs.
   std::size_t gave_up_count() const { return gave_up_; }
   /// The greatest number that was carried to their destinations in any five minutes of the run so
   /// far.
@@ -71,13 +76,16 @@ class PassengerStatistics {
 /// calculation.
 class DepartureStatistics {
  public:
+  /// A car leaves the main floor upward with people in it.
   void departed(Time now, unsigned persons);
   /// Restarts the statistics: a run needs some trips until it is steady.
   void restart();
 
+  /// Number of departures since the start or restart.
   std::size_t count() const { return count_; }
   /// Mean time between two departures; 0 before there are two.
   double interval_s() const;
+  /// Mean number of people in a car, without the first; 0 before there are two departures.
   double persons_mean() const;
   /// Computed from departures: persons on board divided by the time.
   double persons_in_5_minutes() const;
@@ -91,10 +99,11 @@ class DepartureStatistics {
 
 /// Statistics of one lift.
 struct LiftStatistics {
-  std::uint32_t starts = 0;
-  double distance_m = 0;
-  double energy_wh = 0;
+  std::uint32_t starts = 0;  ///< from a standstill
+  double distance_m = 0;     ///< up and down
+  double energy_wh = 0;      ///< taken from the mains, less what was returned
 
+  /// Mean over `run`.
   double starts_an_hour(Duration run) const;
 };
 

@@ -23,6 +23,7 @@ enum class TechnicianCause : std::uint8_t {
   trip,     ///< the safety chain, which must be closed by hand
   trapped,  ///< people in the car, by its alarm button
 };
+/// Steps of the work, as they are told.
 enum class TechnicianStep : std::uint8_t {
   called_for_trip,
   called_for_people,
@@ -46,7 +47,7 @@ struct TechnicianHands {
 
 /// Visible state of the lift.
 struct TechnicianView {
-  bool is_tripped = false;
+  bool is_tripped = false;  ///< a part of the safety chain must be closed by hand
   bool is_shut_in = false;  ///< people are behind shut doors, in a car that stands
   bool is_whole = true;     ///< nothing is broken that opens the safety chain
   bool is_empty = true;     ///< of passengers

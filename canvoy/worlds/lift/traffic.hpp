@@ -21,25 +21,27 @@ namespace canvoy::lift {
 
 /// A person who wants to go from one floor to another.
 struct Arrival {
-  Time at{};
-  FloorNumber from = 1;
-  FloorNumber to = 2;
-  double mass_kg = 75;
+  Time at{};             ///< when the person comes to the landing
+  FloorNumber from = 1;  ///< floor of the landing
+  FloorNumber to = 2;    ///< destination
+  double mass_kg = 75;   ///< EN 81-20 counts 75 kg for a person
 
   friend bool operator==(const Arrival&, const Arrival&) = default;
 };
 
+/// Where people come from, and go to; shares_of() says how many.
 enum class TrafficPattern : std::uint8_t { up_peak, down_peak, interfloor, lunch };
 
+/// Options of drawn arrivals; the same options give the same people.
 struct TrafficOptions {
-  TrafficPattern pattern = TrafficPattern::interfloor;
+  TrafficPattern pattern = TrafficPattern::interfloor;  ///< origins and destinations
   /// Share of the building's population that comes within five minutes.
   double percent_in_5_minutes = 6;
-  Time from{};
-  Time until = never;
-  double mass_kg_mean = 75;
+  Time from{};                    ///< first time at which people come
+  Time until = never;             ///< end of the arrivals
+  double mass_kg_mean = 75;       ///< of a person
   double mass_kg_deviation = 12;  ///< of a triangular distribution
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;         ///< of times, floors and masses
 };
 
 /// Division of the people of a pattern; the sum is 1.
@@ -48,6 +50,7 @@ struct TrafficShares {
   double outgoing = 0;    ///< to the main floor
   double interfloor = 0;  ///< between other floors
 };
+/// 0 to 1 each, for a pattern.
 TrafficShares shares_of(TrafficPattern pattern);
 
 /// Arrivals in the order of their times. Floors are drawn by their populations.
