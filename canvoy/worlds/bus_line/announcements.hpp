@@ -28,6 +28,7 @@ class Announcements {
 
   /// Puts the announcer of a car on the bus.
   void add_first_car();
+  /// Puts the announcer of the second car on the bus.
   void add_second_car();
   /// Call it when this stop becomes the next one.
   void stop_comes(Time now, std::uint32_t stop_point);

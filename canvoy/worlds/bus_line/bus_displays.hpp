@@ -12,6 +12,7 @@
 
 namespace canvoy::bus_line {
 
+/// Node-IDs of the displays for passengers.
 inline constexpr std::array<NodeId, 6> display_ids = {front_display_id,      next_stop_id,
                                                       information_id,        side_display_id,
                                                       second_destination_id, second_next_stop_id};
@@ -29,10 +30,12 @@ class BusDisplays {
 
   /// Puts the displays of the first car on the bus.
   void add_first_car();
+  /// Puts the displays of the second car on the bus.
   void add_second_car();
   /// Takes power from a display; does nothing to other nodes.
   void lose_power(NodeId id);
 
+  /// Throws std::out_of_range where there is no display with this node-ID.
   const ShownDisplay& at(NodeId id) const { return *displays_.at(id); }
   /// Null where the node is no display, or does not exist yet.
   const ShownDisplay* find(NodeId id) const { return displays_.at(id).get(); }

@@ -22,10 +22,12 @@ class BusDrive {
   /// Sets the next halt, in m along the path, and the speed until then in m/s. The halt may be
   /// changed while the bus drives, to one before which it can still stop.
   void go(double metres, double metres_per_second);
+  /// Drives on for this time, towards the halt.
   void step(Duration time);
   /// Replaces a step: rolls at this speed whatever the next halt, but not off the path.
   void roll(Duration time, double metres_per_second);
 
+  /// True if it has come to the halt.
   bool is_standing() const { return speed_ <= 0 && rest() <= 0; }
   double speed() const { return speed_; }        ///< m/s
   double metres() const { return metres_; }      ///< along the path
@@ -34,7 +36,9 @@ class BusDrive {
   double rest() const { return target_ - metres_; }
   /// Distance that the bus needs to stop, in m.
   double braking_distance() const { return speed_ * speed_ / (2 * deceleration); }
+  /// Where it is on the earth.
   GeoPoint place() const { return path_ == nullptr ? GeoPoint{} : path_->at(metres_); }
+  /// Direction of the path there: degrees clockwise from north; 0 without a path.
   double heading() const { return path_ == nullptr ? 0 : path_->heading_at(metres_); }
 
  private:

@@ -8,6 +8,7 @@
 
 namespace canvoy::bus_line {
 
+/// What can break; fault_rows says what each kind does, and where by default.
 enum class FaultKind : std::uint8_t {
   lost_node,
   restart,
@@ -22,6 +23,7 @@ enum class FaultKind : std::uint8_t {
   train_bus_cut
 };
 
+/// Name in a file, text, and place of each kind, in the order of FaultKind.
 inline constexpr FaultRow fault_rows[] = {
     {"lost-node",
      "a device has no power (default: the next stop indicator)",
@@ -41,13 +43,17 @@ inline constexpr FaultRow fault_rows[] = {
     {"no-paper", "the ticket printer has no paper"},
     {"train-bus-cut", "the train bus to the second car is cut"},
 };
+/// Number of kinds of faults.
 inline constexpr std::size_t fault_kinds = std::size(fault_rows);
 static_assert(fault_kinds == static_cast<std::size_t>(FaultKind::train_bus_cut) + 1);
+/// How a plan of these faults is written and read; found by the type of its argument.
 constexpr FaultGrammar grammar_of(FaultKind) {
   return {fault_rows, node_place};
 }
 
+/// A fault of a plan: kind, place, begin and end.
 using ScheduledFault = canvoy::ScheduledFault<FaultKind>;
+/// The faults of a run, and the seed of all chance.
 using FaultPlan = canvoy::FaultPlan<FaultKind>;
 
 }  // namespace canvoy::bus_line

@@ -23,14 +23,15 @@ class BusFaults {
  public:
   /// Objects that faults affect; all must outlive the faults.
   struct Parts {
-    BusDisplays& displays;
-    OnBoardComputer& computer;
-    VehicleSensors& sensors;
-    TicketDevices& tickets;
-    SecondCar& second_car;
-    BusVehicle& vehicle;
-    BusReferee& referee;
+    BusDisplays& displays;      ///< may lose their power
+    OnBoardComputer& computer;  ///< whose clock may be wrong
+    VehicleSensors& sensors;    ///< that lose satellites
+    TicketDevices& tickets;     ///< that run out of paper
+    SecondCar& second_car;      ///< behind the train bus
+    BusVehicle& vehicle;        ///< whose doors break
+    BusReferee& referee;        ///< told what is excused
   };
+  /// Functions that receive the reports of faults.
   struct Hands {
     /// Called when a fault begins that affects these invariants.
     Callback<void(const InvariantSet&)> began;
@@ -50,6 +51,7 @@ class BusFaults {
   bool cable_is_broken() const {
     return faults_.is_present(FaultKind::cable_cut) || faults_.is_present(FaultKind::babbling_node);
   }
+  /// True while a fault has cut the power of this node.
   bool is_without_power(NodeId id) const { return cuts_.is_cut(id); }
 
  private:

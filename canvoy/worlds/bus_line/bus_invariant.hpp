@@ -5,6 +5,7 @@
 
 namespace canvoy::bus_line {
 
+/// What must hold; invariant_rows has name, unit and source of the bound of each.
 enum class InvariantKind : std::uint8_t {
   next_stop,
   destination,
@@ -53,12 +54,15 @@ inline constexpr InvariantRow invariant_rows[] = {
     {"overcrowded", "more people were aboard than there is room for, for at most", "s"},
     {"device_missing", "a device was missing without an excuse for at most", "s"},
 };
+/// Number of invariants.
 inline constexpr std::size_t invariant_kinds = std::size(invariant_rows);
 static_assert(invariant_kinds == static_cast<std::size_t>(InvariantKind::device_missing) + 1);
+/// The rows of the table above; found by the type of the argument.
 constexpr std::span<const InvariantRow> rows_of(InvariantKind) {
   return invariant_rows;
 }
 
+/// Verdict on one invariant: whether it held, and by what margin.
 using Invariant = canvoy::Invariant<InvariantKind>;
 
 }  // namespace canvoy::bus_line

@@ -45,6 +45,7 @@ namespace canvoy::bus_line {
 
 class BusNetwork {
  public:
+  /// Makes all devices that are simulated here, and gives them power at time 0.
   explicit BusNetwork(BusNetworkOptions options);
   ~BusNetwork();
   BusNetwork(const BusNetwork&) = delete;
@@ -52,10 +53,12 @@ class BusNetwork {
 
   /// Runs up to and including `until`.
   void run_until(Time until) { world_.run_until(until); }
+  /// Time since the start of the run.
   Time now() const { return world_.now(); }
   /// End of the run, by its options.
   Time end() const { return end_of(options_); }
 
+  /// State at present, for a drawing.
   BusNetworkSnapshot snapshot();
   /// All events since the start, oldest first.
   std::span<const NetworkEvent> events() const { return events_.all(); }
@@ -65,14 +68,21 @@ class BusNetwork {
   bool all_hold() const;
 
   // Access for tests, and for tools that take part.
+  /// The world of both cables; time passes only in run_until().
   World& world() { return world_; }
+  /// The vehicle, its doors and passengers.
   BusVehicle& vehicle() { return vehicle_; }
+  /// Its timetable.
   const BusLine& line() const { return options_.line; }
+  /// Device with a node-ID; throws std::out_of_range where there is none.
   BusNode& node(NodeId id) { return nodes_.node(id); }
+  /// All devices.
   std::span<const std::unique_ptr<BusNode>> nodes() const { return nodes_.all(); }
+  /// Display with a node-ID; throws std::out_of_range where there is none.
   const ShownDisplay& display(NodeId id) const { return displays_.at(id); }
   /// Null where the node is no display.
   const ShownDisplay* find_display(NodeId id) const { return displays_.find(id); }
+  /// Options that it was made with.
   const BusNetworkOptions& options() const { return options_; }
   /// Data that a listener has received from the frames of the first car.
   const HeardBus& heard() const { return heard_; }

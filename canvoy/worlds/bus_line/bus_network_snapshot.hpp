@@ -18,41 +18,43 @@
 
 namespace canvoy::bus_line {
 
+/// Counts since the start of a run.
 struct BusNetworkStatistics {
-  std::size_t journeys = 0;  ///< journeys begun
-  std::size_t stops = 0;     ///< stops at which it stood, or which it passed
-  std::size_t announced = 0;
-  std::size_t texts = 0;  ///< texts that appeared on displays
-  Duration worst_delay{};
+  std::size_t journeys = 0;   ///< journeys begun
+  std::size_t stops = 0;      ///< stops at which it stood, or which it passed
+  std::size_t announced = 0;  ///< stops announced, in both cars
+  std::size_t texts = 0;      ///< texts that appeared on displays
+  Duration worst_delay{};     ///< behind the timetable, at a stop
 };
 
 /// State of the whole network.
 struct BusNetworkSnapshot {
-  Time at{};
-  std::array<BusSnapshot, 2> buses{};  ///< of each car
-  std::vector<NodeSnapshot> nodes;
+  Time at{};                            ///< since the start of the run
+  std::array<BusSnapshot, 2> buses{};   ///< of each car
+  std::vector<NodeSnapshot> nodes;      ///< of the devices, real ones too
   std::vector<std::string_view> names;  ///< of the nodes
 
+  /// What a display shows.
   struct Shown {
-    NodeId node = 0;
-    std::string text;
-    bool is_sign_lit = false;
+    NodeId node = 0;           ///< of the display
+    std::string text;          ///< UTF-8, a line for each element; empty: dark
+    bool is_sign_lit = false;  ///< the lamp "stop requested"
   };
-  std::vector<Shown> displays;
-  cia407::CivilTime local_time{};
-  EpochSeconds utc = 0;
-  BusTruth truth;  ///< its pointers are valid as long as the network
-  BusState state = BusState::at_stop;
-  GeoPoint position;
-  double heading = 0;
-  double speed = 0;  ///< m/s
-  double odometer = 0;
-  double metres_on_route = 0;
-  Duration delay{};
-  std::vector<DoorState> doors;
-  unsigned counted = 0;  ///< people aboard, by the on-board computer
-  RiderStatistics riders;
-  BusNetworkStatistics statistics;
+  std::vector<Shown> displays;         ///< for passengers, in both cars
+  cia407::CivilTime local_time{};      ///< where the line runs
+  EpochSeconds utc = 0;                ///< seconds since 1970-01-01
+  BusTruth truth;                      ///< its pointers are valid as long as the network
+  BusState state = BusState::at_stop;  ///< what the vehicle does
+  GeoPoint position;                   ///< of the vehicle
+  double heading = 0;                  ///< degrees clockwise from north
+  double speed = 0;                    ///< m/s
+  double odometer = 0;                 ///< m since the start
+  double metres_on_route = 0;          ///< m from the first stop
+  Duration delay{};                 ///< at the last arrival, departure or passing; negative: early
+  std::vector<DoorState> doors;     ///< the first door first
+  unsigned counted = 0;             ///< people aboard, by the on-board computer
+  RiderStatistics riders;           ///< counts of its passengers
+  BusNetworkStatistics statistics;  ///< counts of its network
 
   /// Both cars together: the higher load, and all frames.
   BusSnapshot traffic() const {

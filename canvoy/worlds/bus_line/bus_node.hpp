@@ -21,17 +21,18 @@ namespace canvoy::bus_line {
 
 class BusNode {
  public:
+  /// Which device it is.
   struct Place {
-    std::string_view name;
-    NodeId id = 0;
-    std::uint32_t serial_number = 0;
-    bool is_played = true;
+    std::string_view name;            ///< as in BusDesign
+    NodeId id = 0;                    ///< 1 to 127
+    std::uint32_t serial_number = 0;  ///< 1018h:04h, unique for LSS
+    bool is_played = true;            ///< false: a real device has this node-ID
   };
   /// A value after power-on, in place of the default.
   struct Preset {
-    std::uint16_t index = 0;
-    std::uint8_t sub = 0;
-    std::uint32_t value = 0;
+    std::uint16_t index = 0;  ///< of the object
+    std::uint8_t sub = 0;     ///< of its entry
+    std::uint32_t value = 0;  ///< in the width of the entry
   };
 
   /// All must outlive this object. The device has no power yet.
@@ -42,26 +43,36 @@ class BusNode {
 
   /// Takes effect at the next power-on.
   void preset(const Preset& preset) { presets_.push_back(preset); }
+  /// All that preset() was given.
   std::span<const Preset> presets() const { return presets_; }
   /// Sets the CAN-ID of the `number`-th PDO with this mapping, 0 the first, from the next power-on.
   /// False where there is none.
   bool preset_rpdo(std::span<const std::uint32_t> mapping, std::uint32_t can_id,
                    unsigned number = 0);
+  /// Like preset_rpdo(), of the first TPDO.
   bool preset_tpdo(std::span<const std::uint32_t> mapping, std::uint32_t can_id);
 
   /// Switches power; a device that gets power starts from its initial state. One that is not
   /// simulated here stays off.
   void power(bool is_on);
 
+  /// As given.
   const Place& place() const { return place_; }
   /// Its virtual devices, as the catalogue names them: `geographical-positioning+time-fixing`.
   std::string device_name() const;
+  /// The device; made again at each power-on, so keep no reference.
   cia407::BusDevice& device() { return *device_; }
+  /// Its node; see device().
   Node& node() { return device_->node(); }
+  /// The cable of its car.
   BusIndex bus() const { return bus_; }
+  /// Slot on that cable.
   SlotIndex slot() const { return slot_; }
+  /// Number on that cable.
   ControllerId controller() const { return world_.controller(slot_); }
+  /// True while it runs.
   bool is_powered() const { return world_.is_running(slot_); }
+  /// True if it runs, and is in the NMT state Operational.
   bool is_operational() { return is_powered() && node().state() == NmtState::operational; }
   /// Calls `act`, which does something with the device from outside of the bus: the device is
   /// brought up to the present before, and called again after it. Does nothing without power.

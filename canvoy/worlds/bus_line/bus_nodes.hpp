@@ -41,7 +41,9 @@ class BusNodes {
   /// Starts to listen to the cable of a car.
   void listen(unsigned car) { cable(car).observe(watches_.at(car - 1).tap()); }
 
+  /// The world of both cables.
   World& world() { return world_; }
+  /// Cable of car 1 or 2.
   SimulatedBus& cable(unsigned car) { return world_.bus(indices_.at(car - 1)); }
   /// Index of the cable of a device; for 0, that of the first.
   BusIndex index_of(NodeId id) const { return indices_.at(car_of(id) - 1); }
@@ -49,10 +51,14 @@ class BusNodes {
   unsigned car_of(NodeId id) const;
   /// Node-ID of the device that starts this one; its own, where it starts the others.
   NodeId master_of(NodeId id) const { return car_of(id) == 1 ? computer_id : second_gateway_id; }
+  /// Devices and vehicle by design.
   const BusDesign& design() const { return options_.design; }
+  /// Device with a node-ID; throws std::out_of_range where there is none.
   BusNode& node(NodeId id) { return *by_id_.at(id); }
+  /// All devices, in the order in which they were added.
   std::span<const std::unique_ptr<BusNode>> all() const { return nodes_; }
 
+  /// True if it is simulated here.
   bool is_played(NodeId id) const;
   /// As far as can be seen of a device that is not simulated here.
   bool is_at_work(NodeId id);
@@ -63,8 +69,11 @@ class BusNodes {
   /// sends it every 500 ms; longer for a real one, which may send it every second.
   Duration heartbeat_time_out(NodeId id) const;
 
+  /// Load and state of both cables.
   std::array<BusSnapshot, 2> cable_snapshots();
+  /// States of the devices, in the order of all().
   std::vector<NodeSnapshot> node_snapshots();
+  /// Names, in the order of all().
   std::vector<std::string_view> names() const;
 
  private:

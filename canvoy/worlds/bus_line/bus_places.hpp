@@ -14,35 +14,35 @@
 
 namespace canvoy::bus_line {
 
-inline constexpr NodeId computer_id = 1;
-inline constexpr NodeId identification_id = 2;
-inline constexpr NodeId front_display_id = 4;
-inline constexpr NodeId next_stop_id = 5;
-inline constexpr NodeId canceller_id = 6;
-inline constexpr NodeId printer_id = 7;
-inline constexpr NodeId information_id = 8;
-inline constexpr NodeId announcer_id = 9;
-inline constexpr NodeId side_display_id = 10;
-inline constexpr NodeId vehicle_gateway_id = 11;
-inline constexpr NodeId tachograph_id = 12;
-inline constexpr NodeId driver_display_id = 13;
-inline constexpr NodeId positioning_id = 16;
-inline constexpr NodeId first_counter_id = 20;
-inline constexpr NodeId counting_manager_id = 21;
-inline constexpr NodeId second_counter_id = 22;
-inline constexpr NodeId train_gateway_id = 30;
+inline constexpr NodeId computer_id = 1;  ///< on-board computer with the line control; NMT master
+inline constexpr NodeId identification_id = 2;     ///< login of driver, line, block and journey
+inline constexpr NodeId front_display_id = 4;      ///< destination, at the front
+inline constexpr NodeId next_stop_id = 5;          ///< next stop, with the sign "stop requested"
+inline constexpr NodeId canceller_id = 6;          ///< ticket canceller
+inline constexpr NodeId printer_id = 7;            ///< ticket printer of the driver
+inline constexpr NodeId information_id = 8;        ///< information about the route
+inline constexpr NodeId announcer_id = 9;          ///< acoustic announcer
+inline constexpr NodeId side_display_id = 10;      ///< destination, at the side
+inline constexpr NodeId vehicle_gateway_id = 11;   ///< drive, doors and engine
+inline constexpr NodeId tachograph_id = 12;        ///< speed, distance, driving times
+inline constexpr NodeId driver_display_id = 13;    ///< display of the driver
+inline constexpr NodeId positioning_id = 16;       ///< positioning and time fixing
+inline constexpr NodeId first_counter_id = 20;     ///< passenger counter of door 1
+inline constexpr NodeId counting_manager_id = 21;  ///< sums of the counters
+inline constexpr NodeId second_counter_id = 22;    ///< passenger counter of door 2
+inline constexpr NodeId train_gateway_id = 30;     ///< gateway to the train bus
 // Devices in the second car, which has a segment of its own: its node-IDs do not occur in the
 // first.
-inline constexpr NodeId second_gateway_id = 31;
-inline constexpr NodeId second_destination_id = 34;
-inline constexpr NodeId second_next_stop_id = 35;
-inline constexpr NodeId second_announcer_id = 39;
+inline constexpr NodeId second_gateway_id = 31;      ///< gateway to the train bus; NMT master there
+inline constexpr NodeId second_destination_id = 34;  ///< destination
+inline constexpr NodeId second_next_stop_id = 35;    ///< next stop, with the sign
+inline constexpr NodeId second_announcer_id = 39;    ///< acoustic announcer
 
 /// A physical device of the bus.
 struct DevicePlace {
-  NodeId id = 0;
-  std::string_view name;
-  unsigned car = 1;
+  NodeId id = 0;          ///< 1 to 127
+  std::string_view name;  ///< in files and logs
+  unsigned car = 1;       ///< 1 or 2
 };
 /// In the order of their node-IDs.
 inline constexpr std::array<DevicePlace, 21> device_places = {{
@@ -68,6 +68,7 @@ inline constexpr std::array<DevicePlace, 21> device_places = {{
     {second_next_stop_id, "second-next-stop", 2},
     {second_announcer_id, "second-announcer", 2},
 }};
+/// Car of a device; 1 for a node-ID that is none of them.
 constexpr unsigned car_of(NodeId id) {
   const auto place = std::ranges::find(device_places, id, &DevicePlace::id);
   return place == device_places.end() ? 1 : place->car;

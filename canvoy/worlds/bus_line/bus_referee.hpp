@@ -17,6 +17,7 @@
 
 namespace canvoy::bus_line {
 
+/// A bit for each InvariantKind.
 using InvariantSet = std::bitset<invariant_kinds>;
 
 class BusReferee {
@@ -29,10 +30,13 @@ class BusReferee {
 
   /// A fault begins; one that does not last ends at once.
   void fault_begins(const InvariantSet& kinds, Time now);
+  /// The fault that began with these kinds is over; return_bound begins.
   void fault_ends(const InvariantSet& kinds, Time now);
   /// Suspends judgement until then.
   void excuse(InvariantKind kind, Time until);
+  /// True while a fault, or the time after it, excuses the invariant.
   bool is_excused(InvariantKind kind, Time now) const;
+  /// True while a fault is present, or its time has not passed.
   bool has_fault(Time now) const { return faults_ != 0 || now < troubled_until_; }
 
   /// Judges an invariant with a time: whether it is as it must be; call it in each step. `applies`:
@@ -41,11 +45,14 @@ class BusReferee {
   /// Judges `lie`, like judge(), but without an excuse; while something is wrong, a little more
   /// time is allowed.
   void judge_honesty(Time now, bool is_honest);
+  /// Judges whether a device is at work; each has its own time.
   void judge_device(NodeId id, Time now, bool is_there);
   /// Judges an invariant that counts: something has happened, rightly or not.
   void judge_one(InvariantKind kind, Time now, bool is_right);
+  /// Something is lacking to judge these: their verdict says so.
   void cannot_judge(const InvariantSet& kinds) { undecided_ |= kinds; }
 
+  /// One for each kind, in their order.
   std::vector<Invariant> verdicts() const;
   /// True if an invariant is broken that was not at the last call.
   bool has_news();

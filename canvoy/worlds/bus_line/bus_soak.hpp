@@ -12,7 +12,7 @@
 
 namespace canvoy::bus_line {
 
-inline constexpr Duration bus_soak_time = 2h;
+inline constexpr Duration bus_soak_time = 2h;  ///< length of a run of a soak
 
 /// Draws faults within `time`, some at its start; half of them meet another one.
 BusNetworkOptions soak_bus(std::uint64_t seed, Duration time = bus_soak_time);

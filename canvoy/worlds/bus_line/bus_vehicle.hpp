@@ -27,6 +27,7 @@
 
 namespace canvoy::bus_line {
 
+/// What the vehicle does.
 enum class BusState : std::uint8_t {
   at_stop,
   driving,       ///< along its route, or standing at lights
@@ -34,10 +35,12 @@ enum class BusState : std::uint8_t {
   over,          ///< the block is done
 };
 
+/// A vehicle, its driver and its passengers.
 struct BusOptions {
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;  ///< of traffic lights and passengers
+  /// From the front: people get in at all, and out from the second on.
   std::vector<DoorUse> doors = {{.boards = true, .alights = false}, {.boards = true}};
-  RiderOptions riders{};
+  RiderOptions riders{};  ///< of the passengers
   /// Time of the day of service at time 0; before the first departure.
   Duration start = Duration::min();  ///< default: five minutes before the first departure
   double speed_max = 13.9;           ///< m/s in town; more where the timetable needs it
@@ -47,6 +50,7 @@ struct BusOptions {
   bool has_unkind_driver = false;    ///< the driver opens only for passengers who get out
 };
 
+/// What happens to the vehicle, as on_event() reports it.
 enum class BusEvent : std::uint8_t {
   journey_begins,
   arrives,  ///< stands at a stop
@@ -59,16 +63,16 @@ enum class BusEvent : std::uint8_t {
 
 /// True state of the bus, which displays and others must show.
 struct BusTruth {
-  const Block* block = nullptr;
-  const Journey* journey = nullptr;
-  const BusRoute* route = nullptr;
+  const Block* block = nullptr;      ///< its work of the day
+  const Journey* journey = nullptr;  ///< the present one, or the next one at a transfer
+  const BusRoute* route = nullptr;   ///< of that journey
   std::size_t place = 0;  ///< index of the stop in the route: the one at which it stands, or the
                           ///< next one
-  const BusStop* stop = nullptr;
-  bool is_at_stop = false;
-  bool stop_requested = false;
-  FarePosition fare{};
-  unsigned aboard = 0;
+  const BusStop* stop = nullptr;  ///< the stop at `place`
+  bool is_at_stop = false;        ///< it stands there
+  bool stop_requested = false;    ///< since the last stop
+  FarePosition fare{};            ///< for tickets
+  unsigned aboard = 0;            ///< people in both cars
 
   /// Index in the route of the last stop that it has reached; of the first stop before that.
   std::size_t reached() const { return is_at_stop || place == 0 ? place : place - 1; }
@@ -86,7 +90,7 @@ Duration start_of(const Block& block, const BusOptions& options);
 
 class BusVehicle {
  public:
-  static constexpr Duration step_time = 100ms;
+  static constexpr Duration step_time = 100ms;  ///< between two calls while it moves
 
   /// `line` must outlive this object; `block` must have a journey.
   BusVehicle(const BusLine& line, std::size_t block, const BusOptions& options,
@@ -94,7 +98,9 @@ class BusVehicle {
   BusVehicle(const BusVehicle&) = delete;
   BusVehicle& operator=(const BusVehicle&) = delete;
 
+  /// Next call of advance() that has something to do; never: the block is over.
   Time deadline() const;
+  /// Drives, opens doors and moves passengers up to `now`.
   void advance(Time now);
   /// Sets the function that receives each event, with the index of its stop in the route.
   void on_event(std::function<void(Time, BusEvent, std::size_t stop)> told) {
@@ -111,17 +117,26 @@ class BusVehicle {
   /// Puts a thing into the doorway, or removes it.
   void obstruct_door(Time now, std::size_t door, bool is_obstructed);
 
+  /// The truth at present; its pointers are valid as long as the line.
   BusTruth truth() const;
+  /// What it does.
   BusState state() const { return state_; }
+  /// True if the block is done.
   bool is_over() const { return state_ == BusState::over; }
+  /// Where it is on the earth.
   GeoPoint position() const { return drive_.place(); }
+  /// Degrees clockwise from north.
   double heading() const { return drive_.heading(); }
   double speed() const { return drive_.speed(); }        ///< m/s
   double odometer() const { return drive_.odometer(); }  ///< m
+  /// Distance along the path of the route, or of the transfer.
   double metres_on_route() const { return drive_.metres(); }
+  /// `number` from 0.
   const BusDoor& door(std::size_t number) const { return doors_[number]; }
   std::size_t door_count() const { return doors_.size(); }
+  /// True if each door is closed.
   bool all_doors_closed() const { return std::ranges::all_of(doors_, &BusDoor::is_closed); }
+  /// Its passengers.
   const Riders& riders() const { return riders_; }
   /// Delay at the last arrival, departure or passing; negative: early.
   Duration delay() const { return delay_; }

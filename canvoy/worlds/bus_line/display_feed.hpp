@@ -19,10 +19,10 @@ namespace canvoy::bus_line {
 
 /// A text at an entry of the display: 610Ch, 610Dh or 6112h.
 struct DisplayText {
-  std::uint16_t index = 0;
-  std::uint8_t sub = 1;
-  std::uint8_t format = 0;  ///< of 6203h
-  std::vector<std::uint8_t> octets{};
+  std::uint16_t index = 0;             ///< of the object
+  std::uint8_t sub = 1;                ///< of the entry
+  std::uint8_t format = 0;             ///< of 6203h
+  std::vector<std::uint8_t> octets{};  ///< in the character set of the display; at most 128
 
   friend bool operator==(const DisplayText&, const DisplayText&) = default;
 };
@@ -36,25 +36,27 @@ constexpr std::uint8_t stop_text_sub(std::size_t place) {
 
 /// Required contents of a display. Without a shown text, it is dark.
 struct DisplayView {
-  std::vector<DisplayText> shown{};
-  std::vector<DisplayText> soon{};  ///< texts that are shown next
-  std::uint16_t character_set = 0;  ///< value of 6205h; 0: unchanged
-  bool has_mapping = true;          ///< false: nothing is shown, as at a receiver of the texts
-                                    ///< without 6203h
+  std::vector<DisplayText> shown{};  ///< in the order of the lines
+  std::vector<DisplayText> soon{};   ///< texts that are shown next
+  std::uint16_t character_set = 0;   ///< value of 6205h; 0: unchanged
+  bool has_mapping = true;           ///< false: nothing is shown, as at a receiver of the texts
+                                     ///< without 6203h
 
   friend bool operator==(const DisplayView&, const DisplayView&) = default;
 };
 
 class DisplayFeed {
  public:
+  /// A write by SDO.
   struct Write {
-    std::uint16_t index = 0;
-    std::uint8_t sub = 0;
-    std::vector<std::uint8_t> octets{};
+    std::uint16_t index = 0;             ///< of the object
+    std::uint8_t sub = 0;                ///< of the entry
+    std::vector<std::uint8_t> octets{};  ///< the whole value
   };
 
   /// Call it when the display has booted, or was not heard for a time: its contents are unknown.
   void forget();
+  /// Sets the required contents; next() has the writes that lead to them.
   void want(DisplayView view) {
     view_ = std::move(view);
     has_all_ = false;
@@ -63,6 +65,7 @@ class DisplayFeed {
   std::optional<Write> next();
   /// Call it when the write has ended.
   void done(bool has_arrived);
+  /// True from next() to done().
   bool is_busy() const { return under_way_.has_value(); }
 
  private:

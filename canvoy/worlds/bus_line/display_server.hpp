@@ -28,6 +28,7 @@ using CharacterSets = std::span<const std::uint16_t>;
 
 class DisplayServer {
  public:
+  /// A receiver of texts.
   struct Display {
     NodeId node = 0;                           ///< node-ID
     DisplayUse use = DisplayUse::destination;  ///< its use
@@ -38,15 +39,19 @@ class DisplayServer {
   DisplayServer(const DisplayServer&) = delete;
   DisplayServer& operator=(const DisplayServer&) = delete;
 
+  /// Serves a further display.
   void add(const Display& display) { served_.push_back({.display = display}); }
   /// Marks the contents of a display as unknown; does nothing for other nodes.
   void forget(NodeId id);
+  /// All contents are unknown, as after a reset of the own node.
   void forget_all();
+  /// Asks `view_of(use, sets)` for the required contents of each display.
   template <class ViewOf>
   void want(const ViewOf& view_of) {
     for (Served& each : served_)
       each.feed.want(view_of(each.display.use, CharacterSets(each.sets)));
   }
+  /// Begins the writes that are possible; call it often.
   void serve();
   /// Reads the character sets of next stop indicators and information displays, and again when one
   /// returns. Calls `learnt` when those of one are known: the required contents may change.

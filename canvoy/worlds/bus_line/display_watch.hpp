@@ -32,6 +32,7 @@ class DisplayWatch {
   void displays_changed();
   /// Call it when the text that should be shown changes.
   void truth_changed() { has_news_ = true; }
+  /// Reads all displays and judges what they show; call it in each step.
   void judge(Time now);
   std::size_t texts() const { return texts_; }  ///< number of texts that appeared
 

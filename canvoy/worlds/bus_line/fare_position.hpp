@@ -12,11 +12,11 @@
 namespace canvoy::bus_line {
 
 struct FarePosition {
-  std::uint8_t zone = 0;
-  std::uint16_t segment = 0;
-  std::optional<std::uint8_t> previous_zone{};
-  std::optional<std::uint16_t> previous_segment{};
-  bool is_known = false;  ///< false: it has reached no segment yet
+  std::uint8_t zone = 0;                            ///< 6111h
+  std::uint16_t segment = 0;                        ///< 6110h
+  std::optional<std::uint8_t> previous_zone{};      ///< the last other zone; empty: none yet
+  std::optional<std::uint16_t> previous_segment{};  ///< the last other segment; empty: none yet
+  bool is_known = false;                            ///< false: it has reached no segment yet
 
   /// Sets the present segment. The number of a segment is unique within its zone alone: the same
   /// number in another zone is another segment.

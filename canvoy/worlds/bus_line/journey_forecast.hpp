@@ -23,7 +23,8 @@ struct JourneyProgress {
                                                       ///< unknown
 };
 
-struct StopForecast {                               ///< times that are over included
+/// Times at a stop of the journey, also those that are over.
+struct StopForecast {
   std::size_t place = 0;                            ///< index in the route
   std::optional<std::chrono::seconds> arrival{};    ///< empty for the first stop
   std::optional<std::chrono::seconds> departure{};  ///< empty for the last stop

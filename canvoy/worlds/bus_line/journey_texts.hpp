@@ -17,8 +17,8 @@ class JourneyTexts {
  public:
   /// The stop at which it stands, or the next one, as an index in the route.
   struct NextStop {
-    std::size_t place = 0;
-    bool is_known = false;
+    std::size_t place = 0;    ///< index in the route
+    bool is_known = false;    ///< false: the position of the vehicle is not known
     std::size_t reached = 0;  ///< the last stop that it has reached; the first stop before that
   };
 

@@ -20,6 +20,7 @@ namespace canvoy::bus_line {
 
 class LineClock {
  public:
+  /// Local time of a clock that may be wrong; empty: it has none.
   using OwnClock = Callback<std::optional<cia407::CivilTime>()>;
 
   /// `own` returns local time; empty: the device has no clock of its own.

@@ -26,22 +26,22 @@
 
 namespace canvoy::bus_line {
 
+/// What the computer senses of the vehicle.
 struct LineControlHardware {
-  cia407::MainOnBoardComputerUnit* computer = nullptr;      ///< of the same device
-  Callback<double()> odometer = {};                         ///< m, by pulses of the wheels
-  Callback<bool()> has_open_door = {};                      ///< odometer in m, by pulses of the
-                                                            ///< wheels
-  Callback<std::optional<cia407::CivilTime>()> clock = {};  ///< true while a contact of the doors
-                                                            ///< is open
+  cia407::MainOnBoardComputerUnit* computer = nullptr;  ///< of the same device
+  Callback<double()> odometer = {};                     ///< m, by pulses of the wheels
+  Callback<bool()> has_open_door = {};  ///< true while a contact of the doors is open
+  Callback<std::optional<cia407::CivilTime>()> clock = {};  ///< own clock, which may be wrong
 };
 
+/// The network that it controls, and its timetable.
 struct LineControlSettings {
-  const BusLine* line = nullptr;  ///< its timetable
-  std::vector<NodeId> nodes{};    ///< devices that it starts and watches
-  std::vector<DisplayServer::Display> displays{};
-  NodeId identification = 0;
+  const BusLine* line = nullptr;                   ///< its timetable
+  std::vector<NodeId> nodes{};                     ///< devices that it starts and watches
+  std::vector<DisplayServer::Display> displays{};  ///< displays that it writes texts to
+  NodeId identification = 0;                       ///< node-ID of the identification device
   Duration identification_time_out{};  ///< time after which it is lost without its heartbeat
-  NodeId positioning = 0;
+  NodeId positioning = 0;              ///< node-ID of the device with satellites
   NodeId doors = 0;  ///< device that reports open doors, at which a request to stop ends
   /// CAN-ID of 6204h of the train bus gateway, TRUE where a passenger in another vehicle wants to
   /// get off. An on-board computer provides this object, and so has no entry to which it could be
@@ -56,11 +56,12 @@ struct LineControlSettings {
 
 class LineControl {
  public:
-  static constexpr Duration node_time_out = 2500ms;
+  static constexpr Duration node_time_out = 2500ms;  ///< of heartbeats, of all other devices
   /// Time-out of devices with a heartbeat twice as often: the identification device, and the
   /// computer itself.
   static constexpr Duration short_time_out = 1200ms;
 
+  /// `device` must outlive this object; it acts once the node runs.
   LineControl(cia407::VirtualDevice& device, const LineControlHardware& hardware,
               LineControlSettings settings);
   ~LineControl();
@@ -147,6 +148,7 @@ class LineControl {
   std::optional<bool> train_wants_stop_;  ///< empty: not received since its sender has booted
 };
 
+/// A BusUnit of the computer beside its virtual device; it is not in the catalogue.
 struct LineControlKind : cia407::BusKind<LineControl, LineControlHardware, LineControlSettings> {
   static constexpr DeviceInfo info = {.name = "line-control", .title = "line logic of a bus"};
   static constexpr const VirtualDeviceInfo& provides = cia407::application;

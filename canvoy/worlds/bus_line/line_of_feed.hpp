@@ -17,7 +17,7 @@
 namespace canvoy::bus_line {
 
 struct LineOfFeed {
-  BusLine line{};
+  BusLine line{};         ///< with a block for each vehicle
   std::string problem{};  ///< reason why there is no line; empty: there is one
 };
 
@@ -26,6 +26,7 @@ inline constexpr std::size_t route_stops_max = 255;
 /// Most journeys that frequencies.txt may repeat in all.
 inline constexpr std::size_t journeys_max = 100'000;
 
+/// Reads trips of that day; the feed is not needed afterwards.
 LineOfFeed line_of_feed(const gtfs::Feed& feed, const gtfs::Date& date);
 
 }  // namespace canvoy::bus_line

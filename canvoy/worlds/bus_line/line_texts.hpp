@@ -15,7 +15,7 @@
 
 namespace canvoy::bus_line {
 
-inline constexpr std::size_t text_octets_max = 128;
+inline constexpr std::size_t text_octets_max = 128;  ///< of an entry for a text
 
 /// Values of 6205h: ISO 646-US; for ISO 8859-n, the number n.
 inline constexpr std::uint16_t us_ascii = 0;
@@ -49,6 +49,7 @@ std::string to_latin_1(std::string_view utf_8);
 std::string route_text(const BusLine& line, const BusRoute& route, std::string_view destination,
                        std::span<const std::uint16_t> offered);
 
+/// The bytes of a text, without change.
 std::vector<std::uint8_t> octets_of_text(std::string_view text);
 
 }  // namespace canvoy::bus_line

@@ -16,8 +16,8 @@ using EpochSeconds = std::int64_t;
 
 /// Local time is UTC plus `offset` seconds, from `since` (UTC) on.
 struct OffsetChange {
-  EpochSeconds since = 0;
-  std::int64_t offset = 0;
+  EpochSeconds since = 0;   ///< UTC, seconds since 1970-01-01
+  std::int64_t offset = 0;  ///< seconds east of UTC
   friend bool operator==(const OffsetChange&, const OffsetChange&) = default;
 };
 
@@ -26,7 +26,9 @@ class LocalClock {
   /// At least one change, in the order of their times. The first holds also before its time.
   explicit LocalClock(std::vector<OffsetChange> changes);
 
+  /// Seconds east of UTC at that time; before the first change: its offset.
   std::int64_t offset_at(EpochSeconds utc) const;
+  /// Local time in seconds since 1970-01-01, local midnight.
   EpochSeconds local(EpochSeconds utc) const { return utc + offset_at(utc); }
   /// Start from which the times of a timetable (GTFS) count, in UTC: twelve hours before noon,
   /// which is midnight unless the clocks are set on this day.

@@ -27,7 +27,7 @@ class MessageReferee {
                                const TrueHistory& truth) const;
   /// True if the message with the time has the true time, or a second before or after it.
   static bool is_time(const Frame& frame, const cia407::CivilTime& time);
-  static constexpr std::uint32_t time_id = 0x181;
+  static constexpr std::uint32_t time_id = 0x181;  ///< CAN-ID of the message with the time
 
  private:
   ControllerId computer_ = no_controller;

@@ -20,18 +20,21 @@
 
 namespace canvoy::bus_line {
 
+/// What the gateway knows of the train bus.
 struct MirrorControlHardware {
   /// true while the first car is heard on the train bus
   Callback<bool()> is_coupled = {};
 };
 
+/// The segment that it controls.
 struct MirrorControlSettings {
-  std::vector<NodeId> nodes{};  ///< devices that it starts and watches
-  std::vector<DisplayServer::Display> displays{};
+  std::vector<NodeId> nodes{};                     ///< devices that it starts and watches
+  std::vector<DisplayServer::Display> displays{};  ///< displays that it writes texts to
 };
 
 class MirrorControl {
  public:
+  /// `device` must outlive this object; it acts once the node runs.
   MirrorControl(cia407::VirtualDevice& device, const MirrorControlHardware& hardware,
                 MirrorControlSettings settings);
   ~MirrorControl();
@@ -80,10 +83,12 @@ class MirrorControl {
   Time settled_at_{};
 };
 
+/// A BusUnit of the gateway beside its virtual device; it is not in the catalogue.
 struct MirrorControlKind
     : cia407::BusKind<MirrorControl, MirrorControlHardware, MirrorControlSettings> {
   static constexpr DeviceInfo info = {.name = "mirror-control", .title = "logic of a second car"};
   static constexpr const VirtualDeviceInfo& provides = cia407::application;
+  /// Error control of all other nodes, and SDO clients for texts.
   static constexpr std::size_t routes = node_id_max + cia407::TextSender::servers_max;
 };
 

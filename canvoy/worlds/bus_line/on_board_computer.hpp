@@ -35,6 +35,7 @@ class OnBoardComputer {
   bool press_stop_button();
   /// Sets its own clock an hour ahead, or right.
   void mistake_clock(bool is_wrong) { clock_is_wrong_ = is_wrong; }
+  /// True while a fault keeps its clock an hour fast.
   bool has_wrong_clock() const { return clock_is_wrong_; }
 
   /// Number of people aboard, by the messages that it has heard.

@@ -11,8 +11,8 @@ namespace canvoy::bus_line {
 
 /// WGS 84, in degrees.
 struct GeoPoint {
-  double latitude = 0;
-  double longitude = 0;
+  double latitude = 0;   ///< north is positive
+  double longitude = 0;  ///< east is positive
 
   friend bool operator==(const GeoPoint&, const GeoPoint&) = default;
 };
@@ -27,15 +27,19 @@ GeoPoint between(const GeoPoint& a, const GeoPoint& b, double share);
 class Path {
  public:
   Path() = default;
+  /// Measures the distances between the points, in their order.
   explicit Path(std::vector<GeoPoint> points);
 
+  /// Length of the path.
   double metres() const { return metres_.empty() ? 0 : metres_.back(); }
+  /// Points as given.
   const std::vector<GeoPoint>& points() const { return points_; }
   /// Distance of a point along the path, by its index in points().
   double metres_of(std::size_t point) const { return metres_[point]; }
   /// Point at a distance along the path; beyond an end: that end. Logarithmic in the number of
   /// points.
   GeoPoint at(double metres) const;
+  /// Degrees clockwise from north of the piece at a distance; 0 with fewer than two points.
   double heading_at(double metres) const;
   /// Distance along the path of its position nearest to a point; of several the first, 0 where
   /// there are no points. Linear in the number of points.

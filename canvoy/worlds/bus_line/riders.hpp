@@ -24,27 +24,29 @@
 
 namespace canvoy::bus_line {
 
+/// What a person does for a valid ticket.
 enum class Ticket : std::uint8_t {
   pass,         ///< nothing to do
   to_cancel,    ///< at a ticket canceller, when aboard
   from_driver,  ///< bought at the door
 };
 
+/// A passenger with a way on the present journey.
 struct Rider {
-  std::size_t from = 0;  ///< stops of the route
-  std::size_t to = 0;
-  Time comes{};  ///< time of arrival at the first stop
-  Ticket ticket = Ticket::pass;
-  bool has_ticket = false;  ///< one that is valid
-  Time boarded = never;
-  std::uint64_t number = 0;  ///< number since the beginning, from 1 on
-  unsigned car = 1;          ///< car in which the passenger rides
+  std::size_t from = 0;          ///< stops of the route
+  std::size_t to = 0;            ///< index of the stop to get out at
+  Time comes{};                  ///< time of arrival at the first stop
+  Ticket ticket = Ticket::pass;  ///< how the passenger pays
+  bool has_ticket = false;       ///< one that is valid
+  Time boarded = never;          ///< time of getting in; never: waits still
+  std::uint64_t number = 0;      ///< number since the beginning, from 1 on
+  unsigned car = 1;              ///< car in which the passenger rides
 };
 
 /// Use of a door, in the order of the doors from the front.
 struct DoorUse {
-  bool boards = true;
-  bool alights = true;
+  bool boards = true;   ///< people get in here
+  bool alights = true;  ///< people get out here
 };
 
 /// Actions of passengers at devices. An empty function stands for success. False: the device did
@@ -57,6 +59,7 @@ struct RiderHands {
                                                                       ///< out
 };
 
+/// How many people come, and how they move.
 struct RiderOptions {
   double boarding_mean = 2.5;              ///< people of a journey at each stop, at an ordinary
                                            ///< hour
@@ -69,23 +72,23 @@ struct RiderOptions {
   unsigned capacity = 75;            ///< most people aboard
   unsigned pass_percent = 60;        ///< share of riders with a pass; half of the others buy from
                                      ///< the driver
-  Duration come_before_max = 8min;
+  Duration come_before_max = 8min;   ///< a person comes at most this much before the departure
   unsigned second_car_every = 0;  ///< every so-many-th passenger rides in the second car; 0: none
 };
 
 /// Counts since the beginning.
 struct RiderStatistics {
-  std::uint64_t came = 0;
-  std::uint64_t in = 0;
-  std::uint64_t out = 0;
+  std::uint64_t came = 0;         ///< people who came to a stop
+  std::uint64_t in = 0;           ///< people who got in
+  std::uint64_t out = 0;          ///< people who got out
   std::uint64_t left_behind = 0;  ///< the bus was full, gone, or did not open
   /// People left behind who had stood there for 15 s when it went, and for whom there was room.
   std::uint64_t ignored = 0;
-  std::uint64_t carried_past = 0;  ///< people who wanted to get out, and could not
-  std::uint64_t bought = 0;
-  std::uint64_t cancelled = 0;
+  std::uint64_t carried_past = 0;    ///< people who wanted to get out, and could not
+  std::uint64_t bought = 0;          ///< tickets from the driver
+  std::uint64_t cancelled = 0;       ///< tickets at the canceller
   std::uint64_t without_ticket = 0;  ///< people who gave it up
-  unsigned aboard_max = 0;
+  unsigned aboard_max = 0;           ///< most people in the bus at a time
 };
 
 class Riders {
@@ -96,6 +99,7 @@ class Riders {
   /// for the stop, take less.
   static constexpr Duration seen_after = 15s;
 
+  /// The same seed draws the same people, whatever the bus does.
   Riders(const RiderOptions& options, std::uint64_t seed, std::vector<DoorUse> doors,
          RiderHands hands = {});
 
@@ -109,19 +113,24 @@ class Riders {
   /// A door lets people pass, or stops to.
   void door_changed(Time now, std::size_t door, bool is_open);
 
+  /// Next call of advance() that has something to do; never: all wait for the bus.
   Time deadline() const;
+  /// Moves people who are due by `now`.
   void advance(Time now);
 
   /// Number of people aboard, including those on the way out.
   unsigned aboard() const { return static_cast<unsigned>(aboard_.size()) + going_out_; }
   /// Number of people who wait at a stop at `now`.
   unsigned waiting_at(std::size_t stop, Time now) const;
+  /// People aboard who want to get out at this stop, by its index in the route.
   unsigned wanting_out_at(std::size_t stop) const;
   /// True while a person passes the door.
   bool is_in_doorway(std::size_t door) const { return doors_[door].who.has_value(); }
   /// True while no person passes a door, nor would pass one that is open.
   bool is_quiet(Time now) const;
+  /// Counts since the beginning.
   const RiderStatistics& statistics() const { return statistics_; }
+  /// People in the bus, without those on the way out.
   const std::vector<Rider>& riders_aboard() const { return aboard_; }
 
  private:

@@ -28,6 +28,7 @@ namespace canvoy::bus_line {
 
 class RoutePosition {
  public:
+  /// What it counts.
   struct Sensors {
     Callback<double()> odometer = {};     ///< odometer in m, by pulses of the wheels
     Callback<bool()> has_open_door = {};  ///< true while a contact of the doors is open
@@ -36,6 +37,7 @@ class RoutePosition {
   /// Period at which pulses and doors are read.
   static constexpr Duration look_period = 50ms;
 
+  /// Begins without a route, and without a position.
   explicit RoutePosition(const Sensors& sensors) : sensors_(sensors) {}
 
   /// Begins a journey on this route, which must outlive it. Where the journey before was driven to
@@ -55,6 +57,7 @@ class RoutePosition {
   /// Follows the vehicle; call it while the position is known.
   void follow();
 
+  /// True if a place on the route is known.
   bool is_located() const { return is_located_; }
   /// True also on the way to the first stop.
   bool knows_stop() const { return is_located_ || (route_ != nullptr && has_just_begun_); }

@@ -23,7 +23,9 @@ class SecondCar {
 
   /// Puts both gateways on the bus.
   void add_nodes();
+  /// Delivers what is due on the train bus.
   void step(Time now) { train_.step(now); }
+  /// Cuts or mends the train bus.
   void cut_train_bus(bool is_cut) { train_.cut(is_cut); }
   /// Presses a button of this car, which is wired to its gateway. False: the press has no effect.
   bool press_stop_button() { return !sabotage_.dead_second_button && train_.press_stop_button(); }

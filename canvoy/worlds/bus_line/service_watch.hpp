@@ -21,13 +21,13 @@ class ServiceWatch {
  public:
   /// The objects that it watches; all must outlive the watch.
   struct Parts {
-    const BusFaults& faults;
-    const BusVehicle& vehicle;
-    const OnBoardComputer& computer;
-    VehicleSensors& sensors;
-    const TrueHistory& truth;
-    BusReferee& referee;
-    unsigned capacity;  ///< most people aboard
+    const BusFaults& faults;          ///< what excuses a judgement
+    const BusVehicle& vehicle;        ///< the truth about passengers
+    const OnBoardComputer& computer;  ///< whose position and clock are judged
+    VehicleSensors& sensors;          ///< counters and satellites
+    const TrueHistory& truth;         ///< data that messages must carry
+    BusReferee& referee;              ///< takes the judgements
+    unsigned capacity;                ///< most people aboard
   };
 
   /// All must outlive this object.
@@ -45,7 +45,9 @@ class ServiceWatch {
   void stop_left(const Passing& passing, Duration late);
   /// A passenger reads a new ticket.
   void ticket_issued(const cia407::TicketData& ticket, bool is_printed);
+  /// Judges what can be seen at `now`; call it in each step.
   void step(Time now);
+  /// Judges which devices are at work; call it in each step.
   void judge_devices(Time now);
 
  private:

@@ -28,7 +28,9 @@ class ShownDisplay {
   ShownDisplay(const ShownDisplay&) = delete;
   ShownDisplay& operator=(const ShownDisplay&) = delete;
 
+  /// Hardware of the display unit; valid as long as this object.
   cia407::DisplayHardware hardware();
+  /// Its device has no power: it is dark.
   void power_off();
 
   /// Text that the display was told to show, where it reaches the lamps: UTF-8, elements one after
@@ -36,9 +38,11 @@ class ShownDisplay {
   const std::string& text() const { return text_; }
   /// Text that its dots show in all turns, one line after another.
   const std::u32string& reading() const { return reading_; }
+  /// True if passengers see the sign "stop requested".
   bool is_sign_lit() const {
     return sabotage_.has_stuck_sign || (!sabotage_.has_no_sign && display_.is_stop_requested());
   }
+  /// The dots of the display.
   const BusDisplay& display() const { return display_; }
 
  private:

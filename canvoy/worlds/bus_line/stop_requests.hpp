@@ -21,11 +21,11 @@ class StopRequests {
  public:
   /// Devices with buttons and signs; all must outlive the requests.
   struct Parts {
-    const BusDisplays& displays;
-    OnBoardComputer& computer;
-    SecondCar& second_car;
-    BusVehicle& vehicle;
-    BusReferee& referee;
+    const BusDisplays& displays;  ///< with signs
+    OnBoardComputer& computer;    ///< that shows the request to the driver
+    SecondCar& second_car;        ///< with buttons of its own
+    BusVehicle& vehicle;          ///< the truth about requests
+    BusReferee& referee;          ///< takes the judgements
   };
 
   /// All must outlive this object.
@@ -44,6 +44,7 @@ class StopRequests {
   }
   /// Looks at the signs. The driver sees those of the first car.
   void look(Time now);
+  /// Judges whether each sign shows the truth; call it in each step.
   void judge(Time now);
 
  private:

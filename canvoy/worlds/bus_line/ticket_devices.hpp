@@ -27,7 +27,9 @@ class TicketDevices {
   /// Cancels a ticket. False: the passenger has no valid ticket yet. A real device cannot be seen,
   /// and counts as successful.
   bool cancel();
+  /// Buys a ticket from the driver, like cancel(). False: none was printed.
   bool buy();
+  /// Takes the paper out of the printer, or puts it back.
   void take_paper(bool is_out) { paper_is_out_ = is_out; }
 
  private:

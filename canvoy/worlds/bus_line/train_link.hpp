@@ -19,7 +19,7 @@ namespace canvoy::bus_line {
 
 class TrainLink {
  public:
-  static constexpr Duration delay = 20ms;
+  static constexpr Duration delay = 20ms;  ///< from one gateway to the other
   /// Time after which a silent gateway is lost.
   static constexpr Duration time_out = 300ms;
 
@@ -30,9 +30,11 @@ class TrainLink {
 
   /// Hardware of the gateway in the first car.
   cia407::TrainBusGatewayHardware first_hardware();
+  /// Hardware of the gateway in the second car.
   cia407::TrainBusGatewayHardware second_hardware();
   /// Sets the new unit after a gateway was made again.
   void is_first(cia407::TrainBusGatewayUnit& unit, Node& /*node*/) { first_unit_ = &unit; }
+  /// See is_first().
   void is_second(cia407::TrainBusGatewayUnit& unit, Node& /*node*/) {
     second_unit_ = &unit;
     was_alive_ = false;  // it needs all data again
@@ -40,6 +42,7 @@ class TrainLink {
   /// Both must outlive this object.
   void join(BusNode& first, BusNode& second) { first_ = &first, second_ = &second; }
 
+  /// Delivers what is due; call it often.
   void step(Time now);
   /// Cuts or mends the link. What is lost meanwhile is sent again, however short the cut.
   void cut(bool is_cut) {
@@ -48,6 +51,7 @@ class TrainLink {
   }
   /// Presses a button of the second car. False: its gateway is not in service.
   bool press_stop_button();
+  /// True while the first gateway is heard in the second car.
   bool is_coupled() { return world_.now() - heard_ <= time_out; }
 
  private:

@@ -19,7 +19,9 @@ class TrueClock {
   TrueClock(const TrueClock&) = delete;
   TrueClock& operator=(const TrueClock&) = delete;
 
+  /// Seconds since 1970-01-01.
   EpochSeconds utc() const;
+  /// Where the line runs.
   cia407::CivilTime local() const;
   /// Offset of local time against UTC.
   std::chrono::minutes offset() const;

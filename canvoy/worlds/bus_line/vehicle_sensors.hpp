@@ -43,7 +43,9 @@ class VehicleSensors {
   void clear_counts();
   /// True while all devices that count are at work, except the on-board computer.
   bool count_passengers();
+  /// Takes away the signal of satellites, or returns it.
   void lose_satellites(bool are_lost) { satellites_are_lost_ = are_lost; }
+  /// True while the receiver has a signal.
   bool has_satellites() const { return !satellites_are_lost_; }
 
  private:

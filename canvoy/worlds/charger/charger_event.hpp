@@ -45,12 +45,15 @@ struct SdoConnectionChanged {
 
 // Done by the simulation.
 
+/// A fault of the plan begins.
 using FaultBegan = canvoy::FaultBegan<FaultKind>;
+/// A fault of the plan is over.
 using FaultEnded = canvoy::FaultEnded<FaultKind>;
+/// An invariant is broken for the first time.
 using InvariantBroken = canvoy::InvariantBroken<InvariantKind>;
 
 struct ChargerEvent {
-  Time at{};
+  Time at{};  ///< since the start of the run
   std::variant<BootedUp, NmtStateSeen, NmtCommandSeen, EmergencySeen, BusStateChanged, PhaseEntered,
                ReasonChanged, ChargeBegan, ChargeEnded, FaultBegan, FaultEnded, InvariantBroken,
                TimeSeen, SdoConnectionChanged, HandActed>

@@ -8,6 +8,7 @@
 
 namespace canvoy::charger {
 
+/// What can break; fault_rows says what each kind does, and where by default.
 enum class FaultKind : std::uint8_t {
   heartbeat_loss,
   pdo_loss,
@@ -46,13 +47,17 @@ inline constexpr FaultRow fault_rows[] = {
     {"wrong-bit-rate", "the battery is set to 250 kbit/s"},
     {"clock-drift", "the battery's clock is fast by 0.5 %"},
 };
+/// Number of kinds of faults.
 inline constexpr std::size_t fault_kinds = std::size(fault_rows);
 static_assert(fault_kinds == static_cast<std::size_t>(FaultKind::clock_drift) + 1);
+/// How a plan of these faults is written and read; found by the type of its argument.
 constexpr FaultGrammar grammar_of(FaultKind) {
   return {fault_rows};
 }
 
+/// A fault of a plan: kind, place, begin and end.
 using ScheduledFault = canvoy::ScheduledFault<FaultKind>;
+/// The faults of a run, and the seed of all chance.
 using FaultPlan = canvoy::FaultPlan<FaultKind>;
 
 }  // namespace canvoy::charger

@@ -6,6 +6,7 @@
 
 namespace canvoy::charger {
 
+/// What must hold; invariant_rows has name, unit and source of the bound of each.
 enum class InvariantKind : std::uint8_t {
   ampere_hours,
   energy,
@@ -32,12 +33,15 @@ inline constexpr InvariantRow invariant_rows[] = {
     {"over_voltage", "current into cells above their voltage limit for at most", "s", "canvoy"},
     {"fault_seen", "seen after", "s", "canvoy"},
 };
+/// Number of invariants.
 inline constexpr std::size_t invariant_kinds = std::size(invariant_rows);
 static_assert(invariant_kinds == static_cast<std::size_t>(InvariantKind::fault_seen) + 1);
+/// The rows of the table above; found by the type of the argument.
 constexpr std::span<const InvariantRow> rows_of(InvariantKind) {
   return invariant_rows;
 }
 
+/// Verdict on one invariant: whether it held, and by what margin.
 using Invariant = canvoy::Invariant<InvariantKind>;
 
 }  // namespace canvoy::charger

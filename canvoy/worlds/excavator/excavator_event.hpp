@@ -33,12 +33,15 @@ struct LampsChanged {
   Lamps lit;
 };
 
+/// A fault of the plan begins.
 using FaultBegan = canvoy::FaultBegan<FaultKind>;
+/// A fault of the plan is over.
 using FaultEnded = canvoy::FaultEnded<FaultKind>;
+/// An invariant is broken for the first time.
 using InvariantBroken = canvoy::InvariantBroken<InvariantKind>;
 
 struct ExcavatorEvent {
-  Time at{};
+  Time at{};  ///< since the start of the run
   std::variant<BootedUp, NmtStateSeen, NmtCommandSeen, EmergencySeen, BusStateChanged,
                ActivityChanged, BucketDumped, ButtonPressed, SwitchChanged, LampsChanged,
                FaultBegan, FaultEnded, InvariantBroken>

@@ -11,6 +11,7 @@
 
 namespace canvoy::excavator {
 
+/// What can break; fault_rows says what each kind does, and where by default.
 enum class FaultKind : std::uint8_t {
   lost_node,
   restart,
@@ -29,6 +30,7 @@ enum class FaultKind : std::uint8_t {
 
 inline constexpr FaultTraits at_a_node{.is_at_node = true, .node = host_id};
 inline constexpr FaultTraits at_a_stick{.is_at_spot = true, .spot = stick_count};
+/// Name in a file, text, and place of each kind, in the order of FaultKind.
 inline constexpr FaultRow fault_rows[] = {
     {"lost-node", "a device has no power (default: the host)", at_a_node},
     {"restart",
@@ -51,15 +53,19 @@ inline constexpr FaultRow fault_rows[] = {
      {.node = armrest_id}},
     {"seat-switch", "the seat switch says that nobody sits there", {.node = armrest_id}},
 };
+/// Number of kinds of faults.
 inline constexpr std::size_t fault_kinds = std::size(fault_rows);
 static_assert(fault_kinds == static_cast<std::size_t>(FaultKind::seat_switch) + 1);
 inline constexpr FaultPlaceName fault_places[] = {{"node", node_id_max},
                                                   {"axis", stick_count, &AnyFault::spot}};
+/// How a plan of these faults is written and read; found by the type of its argument.
 constexpr FaultGrammar grammar_of(FaultKind) {
   return {fault_rows, fault_places};
 }
 
+/// A fault of a plan: kind, place, begin and end.
 using ScheduledFault = canvoy::ScheduledFault<FaultKind>;
+/// The faults of a run, and the seed of all chance.
 using FaultPlan = canvoy::FaultPlan<FaultKind>;
 
 /// Invariants that cannot hold while the fault is present, and for a time after it.

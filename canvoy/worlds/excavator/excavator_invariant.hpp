@@ -7,6 +7,7 @@
 
 namespace canvoy::excavator {
 
+/// What must hold; invariant_rows has name, unit and source of the bound of each.
 enum class InvariantKind : std::uint8_t {
   unwanted_motion,
   lost_seat,
@@ -33,13 +34,17 @@ inline constexpr InvariantRow invariant_rows[] = {
     {"service", "no earth came to the heap at work for at most", "s", "canvoy"},
     {"device_missing", "a device was missing without an excuse for at most", "s", "canvoy"},
 };
+/// Number of invariants.
 inline constexpr std::size_t invariant_kinds = std::size(invariant_rows);
 static_assert(invariant_kinds == static_cast<std::size_t>(InvariantKind::device_missing) + 1);
+/// The rows of the table above; found by the type of the argument.
 constexpr std::span<const InvariantRow> rows_of(InvariantKind) {
   return invariant_rows;
 }
 
+/// A bit for each InvariantKind.
 using InvariantSet = std::bitset<invariant_kinds>;
+/// Verdict on one invariant: whether it held, and by what margin.
 using Invariant = canvoy::Invariant<InvariantKind>;
 
 }  // namespace canvoy::excavator

@@ -5,7 +5,8 @@
 
 namespace canvoy::lift {
 
-/// What must hold in a building with lifts; invariant_rows has name, unit and limit of each.
+/// What must hold in a building with lifts; invariant_rows has name, unit and source of the bound
+/// of each.
 enum class InvariantKind : std::uint8_t {
   closed_while_moving,
   opens_at_floor,

@@ -10,6 +10,7 @@ namespace canvoy::police {
 
 inline constexpr NodeId terminal_id = 2;
 
+/// What can break; fault_rows says what each kind does, and where by default.
 enum class FaultKind : std::uint8_t {
   lost_node,
   restart,
@@ -40,14 +41,18 @@ inline constexpr FaultRow fault_rows[] = {
     {"overload", "the power supply has no power for the radio"},
     {"dead-client", "who holds the number pad next has no power from then on"},
 };
+/// Number of kinds of faults.
 inline constexpr std::size_t fault_kinds = std::size(fault_rows);
 static_assert(fault_kinds == static_cast<std::size_t>(FaultKind::dead_client) + 1);
 inline constexpr FaultPlaceName fault_places[] = {{"node", cia447::node_id_max}};
+/// How a plan of these faults is written and read; found by the type of its argument.
 constexpr FaultGrammar grammar_of(FaultKind) {
   return {fault_rows, fault_places};
 }
 
+/// A fault of a plan: kind, place, begin and end.
 using ScheduledFault = canvoy::ScheduledFault<FaultKind>;
+/// The faults of a run, and the seed of all chance.
 using FaultPlan = canvoy::FaultPlan<FaultKind>;
 
 }  // namespace canvoy::police

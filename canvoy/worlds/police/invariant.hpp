@@ -42,12 +42,15 @@ inline constexpr InvariantRow invariant_rows[] = {
     {"emergency", "an emergency key was pressed, and status 0 not heard, for at most", "s"},
     {"device_missing", "a device was missing without an excuse for at most", "s"},
 };
+/// Number of invariants.
 inline constexpr std::size_t invariant_kinds = std::size(invariant_rows);
 static_assert(invariant_kinds == static_cast<std::size_t>(InvariantKind::device_missing) + 1);
+/// The rows of the table above; found by the type of the argument.
 constexpr std::span<const InvariantRow> rows_of(InvariantKind) {
   return invariant_rows;
 }
 
+/// Verdict on one invariant: whether it held, and by what margin.
 using Invariant = canvoy::Invariant<InvariantKind>;
 
 }  // namespace canvoy::police

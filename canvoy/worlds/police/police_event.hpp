@@ -45,12 +45,15 @@ struct PowerSwitched {
   bool is_on = false;
 };
 
+/// A fault of the plan begins.
 using FaultBegan = canvoy::FaultBegan<FaultKind>;
+/// A fault of the plan is over.
 using FaultEnded = canvoy::FaultEnded<FaultKind>;
+/// An invariant is broken for the first time.
 using InvariantBroken = canvoy::InvariantBroken<InvariantKind>;
 
 struct PoliceEvent {
-  Time at{};
+  Time at{};  ///< since the start of the run
   std::variant<BootedUp, NmtStateSeen, NmtCommandSeen, EmergencySeen, BusStateChanged,
                car::NetworkChanged, HandActed, CallMade, ActivityChanged, SignalsChanged,
                TerminalTaken, StatusSent, PowerSwitched, FaultBegan, FaultEnded, InvariantBroken>

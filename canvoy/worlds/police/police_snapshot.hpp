@@ -30,7 +30,7 @@ struct PoliceStatistics {
 
 /// State of everything.
 struct PoliceSnapshot {
-  Time at{};
+  Time at{};  ///< since the start of the run
   BusSnapshot bus;
   std::vector<NodeSnapshot> nodes;
   std::vector<std::string_view> names;  ///< of the nodes

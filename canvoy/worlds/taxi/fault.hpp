@@ -10,6 +10,7 @@ namespace canvoy::taxi {
 
 inline constexpr NodeId taximeter_id = 2;
 
+/// What can break; fault_rows says what each kind does, and where by default.
 enum class FaultKind : std::uint8_t {
   lost_node,
   restart,
@@ -62,11 +63,14 @@ static_assert(std::size(fault_rows) == static_cast<std::size_t>(FaultKind::clock
 inline constexpr std::size_t fault_kinds = untampered_kinds(fault_rows);
 static_assert(fault_kinds == static_cast<std::size_t>(FaultKind::no_fix) + 1);
 inline constexpr FaultPlaceName fault_places[] = {{"node", cia447::node_id_max}};
+/// How a plan of these faults is written and read; found by the type of its argument.
 constexpr FaultGrammar grammar_of(FaultKind) {
   return {fault_rows, fault_places};
 }
 
+/// A fault of a plan: kind, place, begin and end.
 using ScheduledFault = canvoy::ScheduledFault<FaultKind>;
+/// The faults of a run, and the seed of all chance.
 using FaultPlan = canvoy::FaultPlan<FaultKind>;
 
 }  // namespace canvoy::taxi

@@ -50,12 +50,15 @@ inline constexpr InvariantRow invariant_rows[] = {
     {"power_cut", "trips without a defined end after a loss of power", ""},
     {"tampering", "acts of tampering that neither meter nor passengers have found", ""},
 };
+/// Number of invariants.
 inline constexpr std::size_t invariant_kinds = std::size(invariant_rows);
 static_assert(invariant_kinds == static_cast<std::size_t>(InvariantKind::tampering) + 1);
+/// The rows of the table above; found by the type of the argument.
 constexpr std::span<const InvariantRow> rows_of(InvariantKind) {
   return invariant_rows;
 }
 
+/// Verdict on one invariant: whether it held, and by what margin.
 using Invariant = canvoy::Invariant<InvariantKind>;
 
 }  // namespace canvoy::taxi

@@ -51,12 +51,15 @@ struct ShiftChanged {
   bool begins = true;
 };
 
+/// A fault of the plan begins.
 using FaultBegan = canvoy::FaultBegan<FaultKind>;
+/// A fault of the plan is over.
 using FaultEnded = canvoy::FaultEnded<FaultKind>;
+/// An invariant is broken for the first time.
 using InvariantBroken = canvoy::InvariantBroken<InvariantKind>;
 
 struct TaxiEvent {
-  Time at{};
+  Time at{};  ///< since the start of the run
   std::variant<BootedUp, NmtStateSeen, NmtCommandSeen, EmergencySeen, BusStateChanged,
                car::NetworkChanged, HandActed, MeterChanged, TariffChanged, TripPaid, MeterRecorded,
                PassengersSeen, MeterWaitedFor, AlarmPressed, CallHeard, ShiftChanged, FaultBegan,

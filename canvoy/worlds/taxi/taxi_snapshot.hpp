@@ -20,7 +20,7 @@ namespace canvoy::taxi {
 
 /// State of everything.
 struct TaxiSnapshot {
-  Time at{};
+  Time at{};  ///< since the start of the run
   BusSnapshot bus;
   std::vector<NodeSnapshot> nodes;
   std::vector<std::string_view> names;  ///< of the nodes
