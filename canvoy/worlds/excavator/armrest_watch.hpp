@@ -17,7 +17,7 @@ namespace canvoy::excavator {
 
 /// Node-ID of the armrest, on the network behind the seat.
 inline constexpr NodeId armrest_id = 7;
-inline constexpr std::uint16_t armrest_network = 2;
+inline constexpr std::uint16_t armrest_network = 2;  ///< number of the network behind the seat
 // Bits of 6000h:01h: contacts that are closed while the machine may move. One with a broken wire is
 // open.
 inline constexpr std::uint8_t lever_bit = 1;  ///< the safety lever is down

@@ -27,8 +27,9 @@ namespace canvoy::excavator {
 /// Settings of the host, by the options.
 HostSettings host_settings(const ExcavatorOptions& options);
 
+/// The two buses of the machine.
 struct ExcavatorBuses {
-  BusIndex machine = 0;
+  BusIndex machine = 0;   ///< of host, seat and valves
   BusIndex embedded = 0;  ///< behind the seat
 };
 
@@ -54,7 +55,9 @@ class ExcavatorDevices {
   MachineNode& node(NodeId id);
   /// In the order of their node-IDs along the cable, the armrest last.
   std::span<const std::unique_ptr<MachineNode>> nodes() const { return nodes_; }
+  /// The bus behind the seat for the armrest, else that of the machine.
   BusIndex bus_of(NodeId id) const { return id == armrest_id ? buses_.embedded : buses_.machine; }
+  /// The host, as its referee reads it.
   const MachineControl& host() const { return host_->control(); }
   /// Controller of the seat on the bus behind it.
   ControllerId module_controller() const { return seat_module_.controller(); }

@@ -28,7 +28,9 @@ enum class FaultKind : std::uint8_t {
   seat_switch      ///< it stays open
 };
 
+/// A fault of a device; of the host, unless a plan names another one.
 inline constexpr FaultTraits at_a_node{.is_at_node = true, .node = host_id};
+/// A fault of an axis, 1 to 4; of the last one, the boom, unless a plan names another one.
 inline constexpr FaultTraits at_a_stick{.is_at_spot = true, .spot = stick_count};
 /// Name in a file, text, and place of each kind, in the order of FaultKind.
 inline constexpr FaultRow fault_rows[] = {
@@ -56,6 +58,7 @@ inline constexpr FaultRow fault_rows[] = {
 /// Number of kinds of faults.
 inline constexpr std::size_t fault_kinds = std::size(fault_rows);
 static_assert(fault_kinds == static_cast<std::size_t>(FaultKind::seat_switch) + 1);
+/// How a plan names places: `node=` and `axis=`.
 inline constexpr FaultPlaceName fault_places[] = {{"node", node_id_max},
                                                   {"axis", stick_count, &AnyFault::spot}};
 /// How a plan of these faults is written and read; found by the type of its argument.

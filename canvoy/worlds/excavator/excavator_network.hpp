@@ -30,50 +30,54 @@
 
 namespace canvoy::excavator {
 
+/// Counts since the start of a shift.
 struct ExcavatorStatistics {
-  unsigned cycles = 0;   ///< of dig, lift, slew, dump, return
-  unsigned presses = 0;  ///< of buttons
-  Excavator::Earth earth;
-  double metres = 0;  ///< m driven
+  unsigned cycles = 0;     ///< of dig, lift, slew, dump, return
+  unsigned presses = 0;    ///< of buttons
+  Excavator::Earth earth;  ///< taken up, heaped and spilled, in m3
+  double metres = 0;       ///< m driven
 };
 
 /// State of the whole network.
 struct ExcavatorSnapshot {
-  Time at{};
-  BusSnapshot bus;
-  BusSnapshot embedded;  ///< behind the seat
-  std::vector<NodeSnapshot> nodes;
+  Time at{};                            ///< since the start of the run
+  BusSnapshot bus;                      ///< of host, seat and valves
+  BusSnapshot embedded;                 ///< behind the seat
+  std::vector<NodeSnapshot> nodes;      ///< in the order of ExcavatorNetwork::nodes()
   std::vector<std::string_view> names;  ///< of the nodes
 
-  Activity activity = Activity::sits_down;
-  Wishes wishes;
-  ExcavatorStatistics statistics;
+  Activity activity = Activity::sits_down;  ///< of the operator
+  Wishes wishes;                            ///< switch states that the operator wants
+  ExcavatorStatistics statistics;           ///< counts up to now
 
   // true values
-  std::array<double, movements> angles{};
-  std::array<double, movements> speeds{};
-  std::array<double, movements> hands{};  ///< commands of the hands for each movement
-  std::array<Excavator::Point, 4> arm{};  ///< foot and end of the boom, end of the stick, tip
-  std::bitset<button_count> pressed;
-  bool is_lever_lowered = false;
-  std::bitset<5> switched;  ///< bits as in Switched
-  Lamps lit;
-  std::array<std::int16_t, shown_parameters> display{};
-  double rpm = 0;
-  double fuel_percent = 0;
-  double oil_celsius = 0;
+  std::array<double, movements> angles{};  ///< degrees, of a track m; in the order of Movement
+  std::array<double, movements> speeds{};  ///< shares of the greatest speed, -1 to 1
+  std::array<double, movements> hands{};   ///< commands of the hands for each movement
+  std::array<Excavator::Point, 4> arm{};   ///< foot and end of the boom, end of the stick, tip
+  std::bitset<button_count> pressed;       ///< bits as in Button
+  bool is_lever_lowered = false;           ///< the safety lever permits movements
+  std::bitset<5> switched;                 ///< bits as in Switched
+  Lamps lit;                               ///< lamps that give light
+  std::array<std::int16_t, shown_parameters> display{};  ///< as shown; no_value: nothing
+  double rpm = 0;                                        ///< of the engine
+  double fuel_percent = 0;                               ///< of the tank
+  double oil_celsius = 0;                                ///< of the hydraulic oil
 };
 
 class ExcavatorNetwork {
  public:
+  /// Makes all devices that are simulated here, and gives them power at time 0.
   explicit ExcavatorNetwork(ExcavatorOptions options);
   ExcavatorNetwork(const ExcavatorNetwork&) = delete;
   ExcavatorNetwork& operator=(const ExcavatorNetwork&) = delete;
 
   /// Runs up to and including `until`.
   void run_until(Time until) { world_.run_until(until); }
+  /// Time since the start of the run.
   Time now() const { return world_.now(); }
 
+  /// State at present, for a drawing.
   ExcavatorSnapshot snapshot();
   /// All events since the start, oldest first.
   std::span<const ExcavatorEvent> events() const { return events_; }
@@ -83,16 +87,23 @@ class ExcavatorNetwork {
   bool all_hold() const;
 
   // Access for tests, and for tools that take part.
+  /// The world of both buses; time passes only in run_until().
   World& world() { return world_; }
+  /// The machine itself, whatever its devices say.
   Excavator& machine() { return machine_; }
+  /// Sticks, buttons, lamps and wires at the seat.
   SeatPanel& panel() { return panel_; }
+  /// The operator.
   const ExcavatorOperator& driver() const { return driver_; }
+  /// Device with a node-ID, which must exist.
   MachineNode& node(NodeId id) { return devices_.node(id); }
+  /// See ExcavatorDevices::nodes().
   std::span<const std::unique_ptr<MachineNode>> nodes() const { return devices_.nodes(); }
   /// Settings of the host, by the options.
   HostSettings host_settings() const { return excavator::host_settings(options_); }
   /// Actions of hands, where the options have them recorded.
   const RecordedShift& recorded_shift() const { return recorder_.shift(); }
+  /// Options that it was made with.
   const ExcavatorOptions& options() const { return options_; }
 
  private:

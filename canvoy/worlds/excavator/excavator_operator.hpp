@@ -20,6 +20,7 @@
 
 namespace canvoy::excavator {
 
+/// What the operator does.
 enum class Activity : std::uint8_t {
   sits_down,
   reaches,
@@ -36,10 +37,10 @@ enum class Activity : std::uint8_t {
 
 /// Switch states that the operator wants.
 struct Wishes {
-  bool is_unlocked = false;
-  bool has_light = false;
-  bool has_beacon = false;
-  bool is_fast = false;
+  bool is_unlocked = false;  ///< the seat's button "lock": the pilot pressure is on
+  bool has_light = false;    ///< work lights
+  bool has_beacon = false;   ///< rotating light on the roof
+  bool is_fast = false;      ///< travels at the higher speed
 
   friend bool operator==(const Wishes&, const Wishes&) = default;
 };
@@ -52,16 +53,17 @@ struct Hands {
   std::function<void()> moved;
 };
 
+/// The shift of an operator.
 struct OperatorOptions {
-  Time end = Time(8h);     ///< of the shift
-  Duration work = 100min;  ///< between two breaks, on average
-  Duration rest = 12min;
+  Time end = Time(8h);       ///< of the shift
+  Duration work = 100min;    ///< between two breaks, on average
+  Duration rest = 12min;     ///< duration of a break
   RecordedShift recorded{};  ///< a recorded shift to play in place of the rest
 };
 
 class ExcavatorOperator {
  public:
-  static constexpr Duration step_time = 20ms;
+  static constexpr Duration step_time = 20ms;  ///< between two steps
   /// Greatest change of a stick in one step, the speed of a hand.
   static constexpr double step_of_hand = 0.08;
 
@@ -71,14 +73,20 @@ class ExcavatorOperator {
   ExcavatorOperator(const ExcavatorOperator&) = delete;
   ExcavatorOperator& operator=(const ExcavatorOperator&) = delete;
 
+  /// Sees, decides and moves the hands; call it in each step_time.
   void step(Time now);
 
+  /// What the operator does at present.
   Activity activity() const { return activity_; }
+  /// Switch states that the operator wants.
   const Wishes& wishes() const { return wishes_; }
+  /// True while it works with sticks or pedals.
   bool is_working() const {
     return activity_ >= Activity::reaches && activity_ <= Activity::drives;
   }
+  /// Number of dumped buckets.
   unsigned cycles() const { return cycles_; }
+  /// Number of buttons pressed.
   unsigned presses() const { return presses_; }
   /// Sets the function that is called once for each change of the activity.
   void on_change(std::function<void(Time, Activity)> told) { told_ = std::move(told); }

@@ -19,9 +19,10 @@
 
 namespace canvoy::excavator {
 
+/// A device on the bus of the machine.
 struct DevicePlace {
-  NodeId id = 0;
-  std::string_view name;
+  NodeId id = 0;          ///< 1 to 127
+  std::string_view name;  ///< in files and logs
 };
 /// In the order of their node-IDs, and along the cable.
 inline constexpr std::array<DevicePlace, 3> device_places = {
@@ -46,16 +47,17 @@ struct Sabotage {
 };
 
 struct ExcavatorOptions {
-  FaultPlan faults{};  ///< faults, and the seed of all chance
-  std::uint32_t bit_rate = 250'000;
-  Duration length = 8h;        ///< of the whole run
-  Duration sensing_period{};   ///< of the seat; 0: it receives each movement
-  OperatorOptions shift{};     ///< its end is that of the run
-  std::vector<NodeId> real{};  ///< devices that are not simulated here
-  bool records_shift = false;  ///< see recorded_shift()
-  bool has_armrest = true;     ///< false: the seat has no armrest, and the host expects none
-  Sabotage sabotage{};
+  FaultPlan faults{};                ///< faults, and the seed of all chance
+  std::uint32_t bit_rate = 250'000;  ///< of both buses, in bit/s
+  Duration length = 8h;              ///< of the whole run
+  Duration sensing_period{};         ///< of the seat; 0: it receives each movement
+  OperatorOptions shift{};           ///< its end is that of the run
+  std::vector<NodeId> real{};        ///< devices that are not simulated here
+  bool records_shift = false;        ///< see recorded_shift()
+  bool has_armrest = true;           ///< false: the seat has no armrest, and the host expects none
+  Sabotage sabotage{};               ///< none by default
 
+  /// True if that device is simulated here.
   bool plays(NodeId id) const { return std::ranges::find(real, id) == real.end(); }
 };
 

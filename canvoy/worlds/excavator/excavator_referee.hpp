@@ -21,19 +21,24 @@ class ExcavatorReferee {
  public:
   /// Time within which what is lost, or has changed, must be right again.
   static constexpr Duration return_bound = 5s;
-  static constexpr Duration service_returns = 1min;
+  static constexpr Duration service_returns = 1min;  ///< like return_bound, for work of the machine
 
   /// A fault begins; one that does not last ends at once.
   void fault_begins(const InvariantSet& kinds);
+  /// The fault that began with these kinds is over; return_bound begins.
   void fault_ends(const InvariantSet& kinds, Time now);
+  /// True while a fault, or the time after it, excuses the invariant.
   bool is_excused(InvariantKind kind, Time now) const;
+  /// Something is lacking to judge these: their verdict says so.
   void cannot_judge(const InvariantSet& kinds) { undecided_ |= kinds; }
 
   /// Call it when the seat, or the host, was heard on the bus.
   void heard_seat(Time now) { seat_heard_ = now; }
+  /// See heard_seat().
   void heard_host(Time now) { host_heard_ = now; }
   /// Call it when the armrest was heard on the bus behind the seat.
   void heard_armrest(Time now) { armrest_heard_ = now; }
+  /// The seat has no armrest: its silence is no fault.
   void has_no_armrest() { has_armrest_ = false; }
   /// Time for which the armrest was silent.
   Duration armrest_silence(Time now) const { return now - armrest_heard_; }
@@ -59,8 +64,10 @@ class ExcavatorReferee {
   }
   /// Like judge(), but whatever the faults.
   void judge_always(InvariantKind kind, Time now, bool is_right);
+  /// Judges whether a device is at work; each has its own time.
   void judge_device(NodeId id, Time now, bool is_there);
 
+  /// One for each kind, in their order.
   std::vector<Invariant> verdicts() const;
   /// True if an invariant is broken that was not at the last call.
   bool has_news();

@@ -21,10 +21,10 @@ namespace canvoy::excavator {
 
 /// The objects that the referees compare with.
 struct ExcavatorTruth {
-  const Excavator& machine;
-  const SeatPanel& panel;
-  const ValvesHardware& valves;
-  const ExcavatorOperator& driver;
+  const Excavator& machine;         ///< the truth
+  const SeatPanel& panel;           ///< what hands do, and lamps show
+  const ValvesHardware& valves;     ///< what the module drives
+  const ExcavatorOperator& driver;  ///< what the operator wants
 };
 
 class ExcavatorReferees {
@@ -37,18 +37,23 @@ class ExcavatorReferees {
 
   /// Takes frames of the machine's bus, and of the one behind the seat.
   void hear(Time now, const Frame& frame);
+  /// Takes a frame of the bus behind the seat.
   void hear_behind(Time now, const Frame& frame);
   /// Call it when a button goes down.
   void pressed(Time now, Button button) { referee_.pressed(now, button); }
   /// Call it when the device of this button was switched.
   void switched(Time now, Button button, bool is_on);
+  /// A fault of the plan begins.
   void fault_begins(Time now, FaultKind kind);
+  /// A fault of the plan is over.
   void fault_ends(Time now, FaultKind kind);
 
   /// Judges whether the host has received a position of each stick of one of the last steps.
   void look_at_axes(Time now);
+  /// Judges what can be seen at `now`; call it in each step.
   void look(Time now);
 
+  /// Verdicts at present.
   std::vector<Invariant> verdicts() const { return referee_.verdicts(); }
   /// The invariants broken since the last call, each once.
   std::vector<Invariant> take_broken();

@@ -12,7 +12,7 @@
 
 namespace canvoy::excavator {
 
-inline constexpr Duration excavator_soak_time = 1h;
+inline constexpr Duration excavator_soak_time = 1h;  ///< length of a run of a soak
 
 /// Draws faults within `time`, some at its start; half of them meet another one.
 ExcavatorOptions soak_excavator(std::uint64_t seed, Duration time = excavator_soak_time);

@@ -21,6 +21,7 @@ class FaultyPort {
 
   /// Sets the share of frames to lose; 0: none.
   void lose(Probability share) { lost_ = share; }
+  /// Each frame leaves this much later; 0: at once.
   void delay(Duration delay) { delay_ = delay; }
 
   /// Port for the node; valid as long as this object.

@@ -15,47 +15,52 @@
 
 namespace canvoy::excavator {
 
-inline constexpr NodeId host_id = 1;
-inline constexpr NodeId seat_id = 10;
-inline constexpr NodeId valves_id = 33;
+inline constexpr NodeId host_id = 1;     ///< node-ID of the host; NMT master
+inline constexpr NodeId seat_id = 10;    ///< node-ID of the seat (CiA 852)
+inline constexpr NodeId valves_id = 33;  ///< node-ID of the module on the valves (CiA 401)
 
 // CAN-IDs of their messages: those of the pre-defined connection set as far as they suffice; for
 // the wheels and the knob, those of an unused node-ID.
+/// Left joystick: axes and contacts.
 inline constexpr std::uint32_t left_stick_id = 0x180 + seat_id;
+/// Right joystick: axes and contacts.
 inline constexpr std::uint32_t right_stick_id = 0x280 + seat_id;
-inline constexpr std::uint32_t pedals_id = 0x380 + seat_id;
-inline constexpr std::uint32_t buttons_id = 0x480 + seat_id;
-inline constexpr std::uint32_t wheels_id = 0x180 + seat_id + 1;
-inline constexpr std::uint32_t knob_id = 0x280 + seat_id + 1;
-inline constexpr std::uint32_t lamps_id = 0x200 + seat_id;
-inline constexpr std::uint32_t display_id = 0x300 + seat_id;
-inline constexpr std::uint32_t more_display_id = 0x400 + seat_id;
-inline constexpr std::uint32_t angles_id = 0x280 + valves_id;
+inline constexpr std::uint32_t pedals_id = 0x380 + seat_id;        ///< both pedals
+inline constexpr std::uint32_t buttons_id = 0x480 + seat_id;       ///< push-buttons of the seat
+inline constexpr std::uint32_t wheels_id = 0x180 + seat_id + 1;    ///< wheels: throttle and rotator
+inline constexpr std::uint32_t knob_id = 0x280 + seat_id + 1;      ///< knob: its counter
+inline constexpr std::uint32_t lamps_id = 0x200 + seat_id;         ///< indicators of the seat
+inline constexpr std::uint32_t display_id = 0x300 + seat_id;       ///< display: parameters 1 to 4
+inline constexpr std::uint32_t more_display_id = 0x400 + seat_id;  ///< display: parameters 5 to 8
+inline constexpr std::uint32_t angles_id = 0x280 + valves_id;  ///< analogue inputs 1 to 4: angles
+/// Analogue inputs 5 to 8: fuel, oil, engine, pressure.
 inline constexpr std::uint32_t engine_id = 0x380 + valves_id;
-inline constexpr std::uint32_t switches_id = 0x200 + valves_id;
-inline constexpr std::uint32_t valve_id = 0x300 + valves_id;
-inline constexpr std::uint32_t more_valves_id = 0x400 + valves_id;
+inline constexpr std::uint32_t switches_id = 0x200 + valves_id;     ///< digital outputs
+inline constexpr std::uint32_t valve_id = 0x300 + valves_id;        ///< analogue outputs 1 to 4
+inline constexpr std::uint32_t more_valves_id = 0x400 + valves_id;  ///< analogue outputs 5 to 8
 
 /// Time after which a silent node is lost: 1016h of host, seat and module.
 inline constexpr Duration consumer_time = 500ms;
-inline constexpr std::uint16_t heartbeat_ms = 200;
+inline constexpr std::uint16_t heartbeat_ms = 200;  ///< period of all heartbeats
 /// Longest interval between positions, which are otherwise stale.
 inline constexpr std::uint16_t refresh_ms = 200;
+/// Event timer of the RPDOs: older positions close the valves.
 inline constexpr std::uint16_t stale_ms = 500;
 
 // Indices of the values.
 inline constexpr std::uint16_t axis_values = 0x2000;      ///< 1 to 6: x, y and z of both joysticks
 inline constexpr std::uint16_t joystick_values = 0x2001;  ///< memory and buttons of both
-inline constexpr std::uint16_t pedal_values = 0x2002;
-inline constexpr std::uint16_t pedal_memories = 0x2003;
-inline constexpr std::uint16_t wheel_values = 0x2004;
-inline constexpr std::uint16_t knob_value = 0x2005;
-inline constexpr std::uint16_t button_values = 0x2006;
-inline constexpr std::uint16_t sensor_values = 0x2010;
-inline constexpr std::uint16_t lamp_values = 0x2020;
-inline constexpr std::uint16_t shown_values = 0x2021;
+inline constexpr std::uint16_t pedal_values = 0x2002;     ///< both pedals
+inline constexpr std::uint16_t pedal_memories = 0x2003;   ///< memories of both pedals
+inline constexpr std::uint16_t wheel_values = 0x2004;     ///< throttle and rotator
+inline constexpr std::uint16_t knob_value = 0x2005;       ///< counter of the knob
+inline constexpr std::uint16_t button_values = 0x2006;    ///< a bit for each push-button
+inline constexpr std::uint16_t sensor_values = 0x2010;    ///< in the order of Sensor
+inline constexpr std::uint16_t lamp_values = 0x2020;      ///< in the order of Lamp
+inline constexpr std::uint16_t shown_values = 0x2021;     ///< in the order of Shown
+/// In the order of Movement, and the throttle.
 inline constexpr std::uint16_t valve_values = 0x2022;
-inline constexpr std::uint16_t switch_values = 0x2023;
+inline constexpr std::uint16_t switch_values = 0x2023;  ///< digital outputs, as bits of Switched
 
 /// RPDOs of the host, from 1 on.
 enum class Input : std::uint8_t {
@@ -68,7 +73,7 @@ enum class Input : std::uint8_t {
   angles,
   engine
 };
-inline constexpr unsigned host_inputs = static_cast<unsigned>(Input::engine);
+inline constexpr unsigned host_inputs = static_cast<unsigned>(Input::engine);  ///< number of RPDOs
 /// TPDOs.
 enum class Output : std::uint8_t {
   lamps = 1,
@@ -78,6 +83,7 @@ enum class Output : std::uint8_t {
   valves,
   more_valves
 };
+/// Number of TPDOs.
 inline constexpr unsigned host_outputs = static_cast<unsigned>(Output::more_valves);
 
 namespace detail {
@@ -132,6 +138,7 @@ inline constexpr auto host_layout = lay_out_device<host_description>();
 /// Error control of all other nodes, the answers of two SDO servers, and those of the seat to
 /// requests for the network behind it.
 inline constexpr std::size_t host_routes = node_id_max + 6;
+/// The node of the host.
 using HostNode = DeviceNode<detail::host_layout, host_routes>;
 
 /// `seat_time_out` is how long the seat may be silent, and its sticks unreported (zero: for ever).

@@ -25,6 +25,7 @@ namespace canvoy::excavator {
 
 class MachineControl {
  public:
+  /// Both must outlive this object; it acts once the node runs.
   MachineControl(HostNode& device, const HostSettings& settings);
   MachineControl(const MachineControl&) = delete;
   MachineControl& operator=(const MachineControl&) = delete;
@@ -113,13 +114,16 @@ class MachineControl {
 /// The whole device.
 class MachineHost {
  public:
+  /// Makes the node at the port.
   MachineHost(const Port& port, const HostSettings& settings)
       : values_(host_configuration(settings.seat_time_out)),
         device_(port, host_id, true),
         configuration_(device_.node(), values_),
         control_(device_, settings) {}
 
+  /// The node of the host.
   Node& node() { return device_.node(); }
+  /// What it does with the machine.
   const MachineControl& control() const { return control_; }
 
  private:

@@ -15,17 +15,21 @@ namespace canvoy::excavator {
 
 class MachineNode {
  public:
+  /// Which device it is.
   struct Place {
-    std::string_view name;
-    NodeId id = 0;
-    bool is_played = true;
+    std::string_view name;  ///< in files and logs
+    NodeId id = 0;          ///< 1 to 127
+    bool is_played = true;  ///< false: a real device has this node-ID
   };
+  /// A device as Make returns it.
   struct Made {
-    Node& node;
+    Node& node;                      ///< valid until it is made again
     RemoteAccess* access = nullptr;  ///< of a node with a network behind it: it receives the frames
                                      ///< of that bus
 
+    /// A node without a network behind it.
     Made(Node& made) : node(made) {}  // NOLINT(google-explicit-constructor)
+    /// A node with a network behind it.
     Made(Node& made, RemoteAccess& way_behind) : node(made), access(&way_behind) {}
   };
   /// Makes the device again at this port. The caller that supplies this function keeps the device.
@@ -54,17 +58,25 @@ class MachineNode {
     world_.start(slot_);
   }
 
+  /// As given.
   const Place& place() const { return place_; }
+  /// Its bus.
   BusIndex bus() const { return bus_; }
+  /// Its slot on that bus.
   SlotIndex slot() const { return slot_; }
   /// Call it after the node was called from outside of this bus, as from the one behind it.
   void touched() { world_.touched(slot_); }
+  /// Its node; made again at each power-on, so keep no reference.
   Node& node() { return *node_; }
+  /// Its port, which may lose and delay frames.
   FaultyPort& port() { return port_; }
+  /// Its number on the bus.
   ControllerId controller() const { return world_.controller(slot_); }
+  /// True while it runs.
   bool is_powered() const { return world_.is_running(slot_); }
   /// Number of times that it got power.
   unsigned starts() const { return starts_; }
+  /// True if it runs, and is in the NMT state Operational.
   bool is_operational() const { return is_powered() && node_->state() == NmtState::operational; }
   /// Calls `act`, which changes the surroundings of the device: the device is brought up to the
   /// present before, and called again after it. Does nothing without power.

@@ -14,16 +14,18 @@
 
 namespace canvoy::excavator {
 
+/// A value to write by SDO.
 struct SetupWrite {
-  std::uint16_t index = 0;
-  std::uint8_t sub = 0;
-  std::uint32_t value = 0;
-  std::uint8_t bytes = 4;
+  std::uint16_t index = 0;      ///< of the object
+  std::uint8_t sub = 0;         ///< of the entry
+  std::uint32_t value = 0;      ///< little endian in as many bytes as stated
+  std::uint8_t bytes = 4;       ///< 1 to 4
   bool may_be_missing = false;  ///< true: a device without this object is set up without it
 };
 
 class NodeSetup {
  public:
+  /// `node` must outlive this object; `server` is the node-ID to write to, by its default SDO.
   NodeSetup(Node& node, NodeId server, std::vector<SetupWrite> writes)
       : client_(node), server_(server), writes_(std::move(writes)) {}
   NodeSetup(const NodeSetup&) = delete;
@@ -34,7 +36,9 @@ class NodeSetup {
   void on_done(Callback<void(NodeId, bool)> done) { done_ = done; }
   /// Starts from the first value, even while it is under way.
   void begin();
+  /// Ends it without a report.
   void stop();
+  /// True from begin() until its report.
   bool busy() const { return client_.busy(); }
 
  private:

@@ -17,6 +17,7 @@
 
 namespace canvoy::excavator {
 
+/// What a hand moves, and the unit of its value.
 enum class HandInput : std::uint8_t {
   // Position: -1 to 1.
   left_x,
@@ -37,21 +38,26 @@ enum class HandInput : std::uint8_t {
   lock,
   activity,  ///< Activity that the operator begins
 };
+/// Number of inputs.
 inline constexpr std::size_t hand_inputs = static_cast<std::size_t>(HandInput::activity) + 1;
+/// True for the five push-buttons: the value is a time.
 constexpr bool is_button(HandInput input) {
   return input >= HandInput::horn && input <= HandInput::lock;
 }
+/// True for sticks, pedals and wheels: the value is a position.
 constexpr bool is_place(HandInput input) {
   return input <= HandInput::rotator;
 }
+/// The button of an input for which is_button() is true.
 constexpr Button button_of(HandInput input) {
   return static_cast<Button>(static_cast<unsigned>(input) - static_cast<unsigned>(HandInput::horn));
 }
 
+/// An action of a hand.
 struct HandMove {
-  Time at{};
-  HandInput input = HandInput::left_x;
-  double value = 0;
+  Time at{};                            ///< since the start of the shift
+  HandInput input = HandInput::left_x;  ///< what is moved
+  double value = 0;                     ///< in the unit of the input
 
   friend bool operator==(const HandMove&, const HandMove&) = default;
 };
@@ -61,13 +67,17 @@ using RecordedShift = std::vector<HandMove>;
 /// Moves, turns or sets the element; does nothing for buttons and activities.
 void move_hand(SeatPanel& panel, const HandMove& move);
 
+/// Records a shift while an operator works.
 class ShiftRecorder {
  public:
   /// Records what has changed since the last look.
   void look(Time now, const SeatPanel& panel);
+  /// A button is held for `down`.
   void pressed(Time now, Button button, Duration down);
+  /// The operator begins an Activity, by its number.
   void began(Time now, std::uint8_t activity);
 
+  /// What was recorded so far.
   const RecordedShift& shift() const { return shift_; }
 
  private:

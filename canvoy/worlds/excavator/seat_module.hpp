@@ -39,6 +39,7 @@ class SeatModule {
   void disconnect() { access_.reset(); }
   /// Controller of the module on the bus behind it.
   ControllerId controller() const { return world_.controller(slot_); }
+  /// Switches power of its controller on the bus behind it.
   void power(bool is_on) {
     world_.stop(slot_);
     if (is_on) world_.start(slot_);

@@ -25,17 +25,22 @@ enum class Stick : std::uint8_t {
   right_x,  ///< bucket
   right_y,  ///< boom
 };
+/// Number of axes.
 inline constexpr std::size_t stick_count = static_cast<std::size_t>(Stick::right_y) + 1;
-inline constexpr std::size_t pedal_count = 2;
+inline constexpr std::size_t pedal_count = 2;  ///< number of pedals: left and right track
 
 /// Push-buttons 1 to 5 of the cluster.
 enum class Button : std::uint8_t { horn, light, beacon, travel, lock };
+/// Number of push-buttons.
 inline constexpr std::size_t button_count = static_cast<std::size_t>(Button::lock) + 1;
 
 /// Indicators 1 to 8 of the cluster.
 enum class Lamp : std::uint8_t { light, beacon, fast, locked, fault, low_fuel, hot, ready };
+/// Number of indicators.
 inline constexpr std::size_t lamp_count = static_cast<std::size_t>(Lamp::ready) + 1;
+/// A bit for each Lamp.
 using Lamps = std::bitset<lamp_count>;
+/// True if this lamp is among the lit ones.
 constexpr bool is_lit(const Lamps& lit, Lamp lamp) {
   return lit[static_cast<std::size_t>(lamp)];
 }
@@ -44,8 +49,9 @@ inline constexpr Lamps lamps_without_host{1U << static_cast<unsigned>(Lamp::faul
 
 /// Parameters 1 to 8 of the display.
 enum class Shown : std::uint8_t { fuel, oil, slew, height, rpm, reach, page, detail };
+/// Number of parameters of the display.
 inline constexpr std::size_t shown_parameters = static_cast<std::size_t>(Shown::detail) + 1;
-inline constexpr std::int16_t no_value = INT16_MIN;
+inline constexpr std::int16_t no_value = INT16_MIN;  ///< nothing is shown
 /// Pages of the last parameter: angles of boom, stick, bucket, and the pressure.
 inline constexpr unsigned display_pages = 4;
 
@@ -64,12 +70,17 @@ class SeatPanel {
 
   // Actions of a person.
 
+  /// `place` is -1 to 1; 0: the stick is at rest.
   void move_stick(Stick stick, double place) {
     set(sticks_[static_cast<std::size_t>(stick)], place);
   }
+  /// `pedal` 0 is the left one; `place` -1 to 1.
   void move_pedal(std::size_t pedal, double place) { set(pedals_[pedal], place); }
+  /// `wheel` 0 is the throttle, 1 the rotator; `place` -1 to 1.
   void turn_wheel(std::size_t wheel, double place) { set(wheels_[wheel], place); }
+  /// Turns to the right, or below 0 to the left.
   void turn_knob(int clicks) { set(knob_, knob_ + static_cast<std::uint32_t>(clicks)); }
+  /// Holds a push-button down, or releases it.
   void press(Button button, bool is_pressed) {
     pressed_[static_cast<std::size_t>(button)] = is_pressed;
   }
@@ -81,11 +92,17 @@ class SeatPanel {
   void press_stop(bool is_pressed) { set(is_stop_pressed_, is_pressed); }
   /// Number of changes of these values.
   std::uint64_t hand_changes() const { return hand_changes_; }
+  /// Position of the hand, -1 to 1.
   double stick(Stick stick) const { return sticks_[static_cast<std::size_t>(stick)]; }
+  /// Position of the foot, -1 to 1.
   double pedal(std::size_t pedal) const { return pedals_[pedal]; }
+  /// Position, -1 to 1.
   double wheel(std::size_t wheel) const { return wheels_[wheel]; }
+  /// Counter of clicks; it wraps around.
   std::uint32_t knob() const { return knob_; }
+  /// True while it is held down.
   bool is_pressed(Button button) const { return pressed_[static_cast<std::size_t>(button)]; }
+  /// True if the safety lever permits movements.
   bool is_lever_lowered() const { return is_lever_lowered_; }
   /// True if lever, seat switch and emergency stop let the machine move.
   bool is_released() const {
@@ -93,7 +110,9 @@ class SeatPanel {
   }
   /// Lever, seat switch and emergency stop as bits of the armrest's inputs.
   std::uint8_t contacts() const;
+  /// Lamps that give light.
   const Lamps& lit() const { return lit_; }
+  /// Value on the display; no_value: nothing.
   std::int16_t shown(Shown what) const { return display_[static_cast<std::size_t>(what)]; }
 
   /// Movement that the hand commands: -1 to 1.
@@ -101,6 +120,7 @@ class SeatPanel {
 
   // Faults of wires.
 
+  /// Breaks the wire of an axis, or mends it.
   void break_wire(Stick stick, bool is_broken) {
     broken_[static_cast<std::size_t>(stick)] = is_broken;
   }
@@ -112,13 +132,18 @@ class SeatPanel {
   void burn_out(Lamp lamp) { burnt_.set(static_cast<std::size_t>(lamp)); }
   /// Keeps the first parameter of the display at its first value for ever.
   void freeze_display() { is_frozen_ = true; }
+  /// True if the wire of any axis is broken.
   bool has_broken_wire() const { return broken_.any(); }
+  /// True if the sensor of any axis is jammed.
   bool has_jam() const { return jammed_.any(); }
 
   // Side of the module.
 
+  /// Hardware for the seat's module; valid as long as this object.
   cia852::OperatorHardware hardware();
+  /// Digits that the module reads of an axis.
   std::int16_t sensed(Stick stick) const;
+  /// The module has no power: no lamp is lit, and the display is empty.
   void go_dark();
 
  private:

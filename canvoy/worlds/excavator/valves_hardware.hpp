@@ -36,6 +36,7 @@ class ValvesHardware {
   void release();
 
   unsigned outputs() const { return outputs_; }  ///< bits as in Switched
+  /// True while the module drives this output.
   bool is_on(Switched output) const { return (outputs_ & bit_of(output)) != 0; }
 
  private:
