@@ -10,8 +10,9 @@
 
 namespace canvoy::police {
 
+/// A client of the terminal.
 enum class Client : std::uint8_t { radio, signals, navigation };
-inline constexpr unsigned client_count = 3;
+inline constexpr unsigned client_count = 3;  ///< number of clients
 
 /// Title on display 1 while a client has it.
 constexpr std::string_view title_of(Client client) {
@@ -21,10 +22,11 @@ constexpr std::string_view title_of(Client client) {
 
 /// A key on which a client has acted.
 struct KeyAction {
-  Client client = Client::radio;
-  bool is_function_key = false;
-  std::uint8_t key = 0;  ///< NumberPadKey or FunctionKey
+  Client client = Client::radio;  ///< the client that acted
+  bool is_function_key = false;   ///< true: of the function keys; false: of the number pad
+  std::uint8_t key = 0;           ///< NumberPadKey or FunctionKey
 };
+/// Called when a client acts on a key.
 using Acted = Callback<void(const KeyAction&)>;
 
 /// Digit of a key of the pad: 0 to 9; -1 for other keys.

@@ -22,6 +22,7 @@
 
 namespace canvoy::police {
 
+/// What the crew does.
 enum class Activity : std::uint8_t {
   off_duty,
   setting_out,  ///< unlocks the car, turns the key
@@ -40,47 +41,48 @@ enum class Activity : std::uint8_t {
 
 /// State that the crew wants: the reference for light, sound and locks.
 struct Wish {
-  bool is_blue = false;
-  bool has_siren = false;
+  bool is_blue = false;         ///< blue light
+  bool has_siren = false;       ///< siren; only with blue light
   bool has_work_light = false;  ///< search lamp and alley lights
-  bool is_locked = true;
+  bool is_locked = true;        ///< the doors
 
   bool operator==(const Wish&) const = default;
 };
 
 /// Actions of the crew in the car, beside the number pad.
 struct CrewHands {
-  std::function<void(cia447::FunctionKey)> press;
-  std::function<void(bool is_pressed)> press_handset;
-  std::function<void()> press_hands_free;
-  std::function<bool()> sees_led;  ///< LED beside that key: the radio is active
-  std::function<void(bool is_on)> turn_ignition;
-  std::function<void(bool is_locked)> turn_key;  ///< in the door
-  std::function<void()> press_emergency;         ///< the key at the terminal
-  std::function<Wish()> look;                    ///< true state
+  std::function<void(cia447::FunctionKey)> press;      ///< a function key of the terminal
+  std::function<void(bool is_pressed)> press_handset;  ///< the contact of the handset
+  std::function<void()> press_hands_free;              ///< the key of the hands-free system
+  std::function<bool()> sees_led;                      ///< LED beside that key: the radio is active
+  std::function<void(bool is_on)> turn_ignition;       ///< the key of the car
+  std::function<void(bool is_locked)> turn_key;        ///< in the door
+  std::function<void()> press_emergency;               ///< the key at the terminal
+  std::function<Wish()> look;                          ///< true state
 };
 
+/// The patrol of a crew.
 struct CrewOptions {
   Time begin = Time(2min);
-  Time end = Time(7h);         ///< no call comes after this time
-  Duration quiet_max = 12min;  ///< longest time from one call to the next
-  double scene_min_metres = 800;
-  double scene_max_metres = 7'000;
+  Time end = Time(7h);              ///< no call comes after this time
+  Duration quiet_max = 12min;       ///< longest time from one call to the next
+  double scene_min_metres = 800;    ///< shortest distance of a scene
+  double scene_max_metres = 7'000;  ///< longest distance of a scene
 };
 
 /// A call for help.
 struct EmergencyCall {
   Time made{};               ///< by the control room
   unsigned destination = 0;  ///< number to type: 100 to 999
-  double metres = 0;
+  double metres = 0;         ///< distance of the scene
   // Drawn by chance.
-  bool has_siren = true;         ///< it is urgent enough for the siren
-  bool is_dark = false;          ///< at the scene: search lamp and alley lights are needed
-  bool is_threatened = false;    ///< the crew, at the scene: it presses the emergency key
-  bool brings_somebody = false;  ///< takes a person to the station
-  std::optional<Time> heard{};
+  bool has_siren = true;               ///< it is urgent enough for the siren
+  bool is_dark = false;                ///< at the scene: search lamp and alley lights are needed
+  bool is_threatened = false;          ///< the crew, at the scene: it presses the emergency key
+  bool brings_somebody = false;        ///< takes a person to the station
+  std::optional<Time> heard{};         ///< by the crew
   std::optional<Time> acknowledged{};  ///< heard in the control room
-  std::optional<Time> arrived{};
+  std::optional<Time> arrived{};       ///< at the scene
   std::optional<Time> emergency_pressed{};  ///< first press
   std::optional<Time> emergency_heard{};    ///< in the control room
   std::optional<Time> reported{};           ///< heard in the control room
@@ -89,30 +91,40 @@ struct EmergencyCall {
 
 class Crew {
  public:
-  static constexpr Duration step_time = 100ms;
+  static constexpr Duration step_time = 100ms;  ///< between two steps
 
+  /// All must outlive this object; the same seed gives the same patrol.
   Crew(const CrewOptions& options, std::uint64_t seed, car::Drive& drive, CrewHands hands,
        const TerminalHands& terminal);
 
   /// `car_is_heard`: the control room hears what is said in the car at present; `room_is_heard`:
   /// the car hears the control room.
   void step(Time now, bool car_is_heard, bool room_is_heard);
+  /// Sets the function that is called at a change, with the activity before and the new one.
   void on_change(std::function<void(Time, Activity, Activity)> changed) {
     changed_ = std::move(changed);
   }
 
+  /// What the crew does at present.
   Activity activity() const { return activity_; }
+  /// What the crew wants at present.
   const Wish& wish() const { return wish_; }
   bool speaks() const {
     return speaks_;
   }                                                  ///< true: a person in the car speaks to the
                                                      ///< radio
   bool room_speaks() const { return room_speaks_; }  ///< true: a person in the control room speaks
+  /// True while the key of the car is turned.
   bool is_ignited() const { return is_ignited_; }
+  /// True when the car is parked after the patrol.
   bool is_over() const { return is_over_; }
+  /// All calls, the oldest first.
   const std::vector<EmergencyCall>& calls() const { return calls_; }
+  /// The same, for the referee that adds excused times.
   std::vector<EmergencyCall>& calls() { return calls_; }
+  /// The driver at the terminal, who chooses the sound.
   const Operator& driver() const { return driver_; }
+  /// The other person, who types destinations and status messages.
   const Operator& partner() const { return partner_; }
   /// The control room has received this status message.
   void status_is_heard(Time now, int status);

@@ -8,7 +8,7 @@
 
 namespace canvoy::police {
 
-inline constexpr NodeId terminal_id = 2;
+inline constexpr NodeId terminal_id = 2;  ///< node-ID of the terminal
 
 /// What can break; fault_rows says what each kind does, and where by default.
 enum class FaultKind : std::uint8_t {
@@ -44,6 +44,7 @@ inline constexpr FaultRow fault_rows[] = {
 /// Number of kinds of faults.
 inline constexpr std::size_t fault_kinds = std::size(fault_rows);
 static_assert(fault_kinds == static_cast<std::size_t>(FaultKind::dead_client) + 1);
+/// How a plan names places: `node=`, 1 to 16.
 inline constexpr FaultPlaceName fault_places[] = {{"node", cia447::node_id_max}};
 /// How a plan of these faults is written and read; found by the type of its argument.
 constexpr FaultGrammar grammar_of(FaultKind) {

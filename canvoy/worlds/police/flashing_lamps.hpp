@@ -18,12 +18,15 @@ namespace canvoy::police {
 template <std::size_t count>
 class FlashingLamps {
  public:
-  static constexpr Duration period = 500ms;
+  static constexpr Duration period = 500ms;  ///< of the flashing: half of it dark
 
+  /// The output of a lamp, from 0; others are ignored.
   void drive(unsigned lamp, bool is_on) {
     if (lamp < count) is_driven_[lamp] = is_on;
   }
+  /// Breaks or replaces a lamp.
   void burn_out(unsigned lamp, bool is_burnt = true) { is_burnt_[lamp] = is_burnt; }
+  /// The device has no power: all outputs are off.
   void power_off() { is_driven_.fill(false); }
   /// True if any of them gives visible light.
   bool is_lit(Time now) const {
@@ -33,9 +36,11 @@ class FlashingLamps {
     }
     return false;
   }
+  /// True if this lamp gives light at this instant.
   bool is_lit(Time now, unsigned lamp) const {
     return (now - Time{}) % period < period / 2 && is_driven_[lamp] && !is_burnt_[lamp];
   }
+  /// People look: call it in each step.
   void step(Time now) {
     if (is_lit(now)) seen_at_ = now;
   }

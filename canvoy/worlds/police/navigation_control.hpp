@@ -11,19 +11,22 @@
 
 namespace canvoy::police {
 
+/// What the control reports, and what guides.
 struct NavigationControlHardware {
-  Acted acted = {};
+  Acted acted = {};  ///< called at each key that it acts on
   /// Begins guidance, and returns the distance in m.
   Callback<double(unsigned destination)> guide = {};
 };
+/// The terminal that it uses.
 struct NavigationControlSettings {
-  NodeId terminal = 0;
+  NodeId terminal = 0;  ///< node-ID of the terminal
   /// Takes keys of another client: for tests that this is detected.
   bool is_greedy = false;
 };
 
 class NavigationControl {
  public:
+  /// `network` must outlive this object; it acts once the node runs.
   NavigationControl(cia447::CarNetwork& network, const NavigationControlHardware& hardware,
                     const NavigationControlSettings& settings);
   NavigationControl(const NavigationControl&) = delete;
@@ -49,11 +52,13 @@ class NavigationControl {
   HandlerBinding greed_{&greedy_calls, this};
 };
 
+/// A CarUnit beside the virtual devices of the navigation; it is not in the catalogue.
 struct NavigationControlKind
     : cia447::CarKind<NavigationControl, NavigationControlHardware, NavigationControlSettings> {
   static constexpr DeviceInfo info = {.name = "navigation-control",
                                       .title = "control of a navigation system"};
   static constexpr const VirtualDeviceInfo& provides = car::no_virtual_device;
+  /// The keys of the terminal.
   static constexpr auto consumes = cia447::terminal_keys_objects;
 };
 

@@ -24,32 +24,37 @@ struct TerminalHands {
   std::function<void(Client)> open;
   /// Presses a key for this client, as shown on the display.
   std::function<void(Client, cia447::NumberPadKey)> press;
-  std::function<std::string()> title;
-  std::function<std::string()> text;
+  std::function<std::string()> title;  ///< title on display 1
+  std::function<std::string()> text;   ///< text 1 on display 1
 };
 
 /// Keys, and the text that is read after each of them.
 struct TerminalTask {
-  Client client = Client::radio;
-  std::vector<cia447::NumberPadKey> keys{};
-  std::vector<std::string> answers{};  ///< text 1 begins with the answer
+  Client client = Client::radio;             ///< whose keys they are
+  std::vector<cia447::NumberPadKey> keys{};  ///< in this order
+  std::vector<std::string> answers{};        ///< text 1 begins with the answer
 };
 
 class Operator {
  public:
+  /// A person without a task.
   explicit Operator(TerminalHands hands) : hands_(std::move(hands)) {}
 
   /// Adds a task; a person remembers at most eight.
   void want(TerminalTask task) {
     if (tasks_.size() < 8) tasks_.push_back(std::move(task));
   }
+  /// Forgets all tasks.
   void give_up() { tasks_.clear(); }
+  /// Looks at the display, and acts; call it in each step.
   void step(Time now);
 
+  /// True without a task.
   bool is_idle() const { return tasks_.empty(); }
   /// Time since when the person at the terminal waits for the client, or for the effect of a key;
   /// `now` without a waiting person.
   Time waits_since(Time now) const { return phase_ == Phase::idle ? now : since_; }
+  /// Number of tasks that were done.
   unsigned done() const { return done_; }
 
  private:

@@ -27,12 +27,16 @@ class PatrolWatch {
   PatrolWatch(const PatrolWatch&) = delete;
   PatrolWatch& operator=(const PatrolWatch&) = delete;
 
+  /// Judges what can be seen at `now`; call it in each step.
   void step(Time now);
+  /// A frame is on the bus: no device may send one while all sleep.
   void frame_sent(Time now);
   /// Call it when the network wakes up: all devices boot, and are not judged until then.
   void all_boot(Time until) { settled_at_ = until; }
 
+  /// True if speech passes from the car to the control room.
   bool room_hears_crew() const;
+  /// True if speech passes from the control room to the car.
   bool crew_hears_room() const;
   /// True if the LED beside the key of the hands-free system shows it, where that is simulated
   /// here.
@@ -41,6 +45,7 @@ class PatrolWatch {
   Wish look() const;
   /// True if a key that is pressed at present may arrive late.
   bool may_come_late(Time now) const { return is_excused(InvariantKind::keypad, now); }
+  /// True while the bus is silent, and all devices may sleep.
   bool is_asleep() const { return silence_.is_asleep(); }
   /// Longest wait of a person at the terminal, excused or not.
   Duration longest_wait() const { return longest_wait_; }

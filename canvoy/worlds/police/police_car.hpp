@@ -36,26 +36,42 @@ class PoliceCar {
   /// power-on.
   void on_event(const Callback<void(const cia447::CarEvent&)>& told) { told_ = told; }
 
+  /// Turns the key of the car, which the gateway reports.
   void turn_ignition(bool is_on);
   /// Turns the key in the door.
   void turn_key(bool is_locked);
+  /// True while the key of the car is turned.
   bool is_ignited() const { return is_ignited_; }
   /// Last time that the ignition was switched off; long ago where it was never on.
   Time ignition_off_at() const { return ignition_off_at_; }
+  /// True if the doors are locked.
   bool is_locked() const { return is_locked_; }
 
+  /// The bus with its nodes.
   car::CarBus& bus() { return bus_; }
+  /// Motion of the car.
   car::Drive& drive() { return drive_; }
+  /// Motion of the car.
   const car::Drive& drive() const { return drive_; }
+  /// Blue light and siren.
   SignalDevices& signals() { return signals_; }
+  /// Blue light and siren.
   const SignalDevices& signals() const { return signals_; }
+  /// Power supply of radio and periphery.
   SupplyDevice& supply() { return supply_; }
+  /// Power supply of radio and periphery.
   const SupplyDevice& supply() const { return supply_; }
+  /// Handset, audio switch and radio.
   RadioDevices& radio() { return radio_; }
+  /// Handset, audio switch and radio.
   const RadioDevices& radio() const { return radio_; }
+  /// The terminal, with its keys and displays.
   TerminalDevice& terminal() { return terminal_; }
+  /// The terminal, with its keys and displays.
   const TerminalDevice& terminal() const { return terminal_; }
+  /// Satellites and navigation.
   NavigationDevice& navigation() { return navigation_; }
+  /// What is heard and read at present.
   Surroundings around() const;
 
  private:

@@ -19,30 +19,32 @@ namespace canvoy::police {
 
 /// The control room makes a call for help.
 struct CallMade {
-  unsigned destination = 0;
-  double metres = 0;  ///< distance of the scene
+  unsigned destination = 0;  ///< number to type, 100 to 999
+  double metres = 0;         ///< distance of the scene
 };
+/// The crew does something else.
 struct ActivityChanged {
-  Activity activity = Activity::off_duty;
+  Activity activity = Activity::off_duty;  ///< what
 };
 /// Signals of the car that can be seen and heard.
 struct SignalsChanged {
-  bool is_blue = false;
-  bool has_siren = false;
+  bool is_blue = false;    ///< the blue light flashes
+  bool has_siren = false;  ///< the siren is heard
 
   bool operator==(const SignalsChanged&) const = default;
 };
 /// Client on display 1; empty: the car itself.
 struct TerminalTaken {
-  std::optional<Client> client{};
+  std::optional<Client> client{};  ///< empty: no client
 };
 /// The control room has received a status message.
 struct StatusSent {
-  int status = 0;
+  int status = 0;  ///< 0 to 9
 };
+/// The power supply switches its power on or off.
 struct PowerSwitched {
   bool is_radio = true;  ///< false: periphery
-  bool is_on = false;
+  bool is_on = false;    ///< true: on
 };
 
 /// A fault of the plan begins.
@@ -54,6 +56,7 @@ using InvariantBroken = canvoy::InvariantBroken<InvariantKind>;
 
 struct PoliceEvent {
   Time at{};  ///< since the start of the run
+  /// One of the types above, or of sim/event_log.hpp.
   std::variant<BootedUp, NmtStateSeen, NmtCommandSeen, EmergencySeen, BusStateChanged,
                car::NetworkChanged, HandActed, CallMade, ActivityChanged, SignalsChanged,
                TerminalTaken, StatusSent, PowerSwitched, FaultBegan, FaultEnded, InvariantBroken>

@@ -18,6 +18,7 @@ bool can_cost(const ScheduledFault& fault, NodeId device);
 /// Time after its end in which it still can: until all that it affects is back.
 Duration lasts_after(InvariantKind kind);
 
+/// Excuses of this car, by invariant.
 using PoliceExcuses =
     car::Excuses<ScheduledFault, InvariantKind, invariant_kinds, armoured_names.size()>;
 

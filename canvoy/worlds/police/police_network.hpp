@@ -35,6 +35,7 @@ namespace canvoy::police {
 
 class PoliceNetwork {
  public:
+  /// Makes all devices that are simulated here, and gives them power at time 0.
   explicit PoliceNetwork(PoliceOptions options);
   ~PoliceNetwork();
   PoliceNetwork(const PoliceNetwork&) = delete;
@@ -42,11 +43,14 @@ class PoliceNetwork {
 
   /// Runs up to and including `until`.
   void run_until(Time until) { world_.run_until(until); }
+  /// Time since the start of the run.
   Time now() const { return world_.now(); }
 
+  /// State at present, for a drawing.
   PoliceSnapshot snapshot() const;
   /// All events since the start, oldest first.
   std::span<const PoliceEvent> events() const { return events_.all(); }
+  /// All calls for help, the oldest first.
   std::span<const EmergencyCall> calls() const { return crew_.calls(); }
   /// Verdicts at present.
   std::vector<Invariant> invariants() const { return referee_.verdicts(crew_.calls()); }
@@ -54,12 +58,19 @@ class PoliceNetwork {
   bool all_hold() const;
 
   // Access for tests, and for tools that take part.
+  /// The world of the bus; time passes only in run_until().
   World& world() { return world_; }
+  /// What is heard and read at present.
   Surroundings around() const { return car_.around(); }
+  /// The crew.
   const Crew& crew() const { return crew_; }
+  /// The terminal, for hands from outside; made again when it gets power.
   cia447::TerminalUnit& terminal() { return car_.terminal().unit(); }
+  /// Device with a node-ID, which must exist.
   car::CarNode& node(NodeId id) { return bus_.node(id); }
+  /// All devices, in the order of their node-IDs.
   std::span<const std::unique_ptr<car::CarNode>> nodes() const { return bus_.nodes(); }
+  /// Options that it was made with.
   const PoliceOptions& options() const { return options_; }
   /// Notes an action by hand from outside.
   void note_hand(Time now, const HandActed& acted) { events_.note(now, acted); }

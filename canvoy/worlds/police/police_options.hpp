@@ -17,15 +17,16 @@
 
 namespace canvoy::police {
 
-inline constexpr NodeId roof_light_id = 3;
+inline constexpr NodeId roof_light_id = 3;  ///< light of the roof bar
+/// Sound of the roof bar, with the control of the signals.
 inline constexpr NodeId roof_sound_id = 4;
-inline constexpr NodeId blue_light_id = 5;
-inline constexpr NodeId radio_id = 6;
-inline constexpr NodeId audio_switch_id = 7;
-inline constexpr NodeId hands_free_id = 8;
-inline constexpr NodeId power_supply_id = 9;
-inline constexpr NodeId inputs_id = 10;
-inline constexpr NodeId navigation_id = 11;
+inline constexpr NodeId blue_light_id = 5;    ///< blue light flashers
+inline constexpr NodeId radio_id = 6;         ///< radio
+inline constexpr NodeId audio_switch_id = 7;  ///< audio switch
+inline constexpr NodeId hands_free_id = 8;    ///< hands-free system
+inline constexpr NodeId power_supply_id = 9;  ///< power supply of radio and periphery
+inline constexpr NodeId inputs_id = 10;       ///< discrete inputs: handset
+inline constexpr NodeId navigation_id = 11;   ///< GPS and navigation
 /// In the order of their node-IDs, from 1 on.
 inline constexpr std::array<std::string_view, 11> device_names = {
     "ivn-gateway",  "terminal",   "roof-bar-light", "roof-bar-sound",  "blue-light",    "radio",
@@ -62,15 +63,15 @@ struct Sabotage {
 };
 
 struct PoliceOptions {
-  FaultPlan faults{};  ///< faults, and the seed of all chance
-  std::uint32_t bit_rate = 125'000;
-  Duration length = 8h;  ///< of the whole run
-  cia447::PowerSupplySettings supply{};
+  FaultPlan faults{};                    ///< faults, and the seed of all chance
+  std::uint32_t bit_rate = 125'000;      ///< in bit/s
+  Duration length = 8h;                  ///< of the whole run
+  cia447::PowerSupplySettings supply{};  ///< after-run times of radio and periphery
   /// With fire extinguishing and emergency fresh-air systems (4.2.5, 4.2.6).
   bool is_armoured = false;
   std::vector<NodeId> real{};                   ///< devices that are not simulated here
   std::vector<car::RealIdentity> identities{};  ///< of those among them that have one
-  Sabotage sabotage{};
+  Sabotage sabotage{};                          ///< none by default
 };
 
 }  // namespace canvoy::police

@@ -21,11 +21,13 @@ namespace canvoy::police {
 
 class PoliceReferee {
  public:
+  /// From a call to its report, without excused times.
   static constexpr Duration call_bound = 35min;
 
   /// A key was pressed for this client. Earlier keys of the same pad are over by then, and must
   /// have no further effect; except with `may_come_late`, as where a fault keeps the bus.
   void pressed(const KeyAction& key, bool may_come_late = false);
+  /// A client has acted on a key.
   void acted(const KeyAction& action);
   /// Judges whether something is as it must be; call it in each step.
   void judge_unless(bool is_free, InvariantKind kind, Time now, bool is_right) {
@@ -42,9 +44,12 @@ class PoliceReferee {
   }
   /// All devices sleep, and the bus is observed.
   void is_quiet() { ++quiet_; }
+  /// A frame was sent while all devices sleep.
   void frame_asleep() { ++frames_asleep_; }
+  /// Something is lacking to judge it: its verdict says so.
   void cannot_judge(InvariantKind kind) { undecided_[index(kind)] = true; }
 
+  /// One for each kind, in their order; `calls` are judged by their ages.
   std::vector<Invariant> verdicts(std::span<const EmergencyCall> calls) const;
 
  private:

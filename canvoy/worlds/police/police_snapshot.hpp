@@ -18,8 +18,9 @@
 
 namespace canvoy::police {
 
+/// Counts since the start of a patrol.
 struct PoliceStatistics {
-  std::size_t calls = 0;
+  std::size_t calls = 0;     ///< calls for help
   std::size_t attended = 0;  ///< and reported
   Duration response_time{};  ///< sum of the times from a call to the arrival, over all attended
                              ///< calls
@@ -30,29 +31,29 @@ struct PoliceStatistics {
 
 /// State of everything.
 struct PoliceSnapshot {
-  Time at{};  ///< since the start of the run
-  BusSnapshot bus;
-  std::vector<NodeSnapshot> nodes;
+  Time at{};                            ///< since the start of the run
+  BusSnapshot bus;                      ///< of the car, with its load since the start
+  std::vector<NodeSnapshot> nodes;      ///< in the order of their node-IDs
   std::vector<std::string_view> names;  ///< of the nodes
 
-  Activity crew = Activity::off_duty;
-  Wish wish;
-  bool is_asleep = false;
-  PoliceStatistics statistics;
+  Activity crew = Activity::off_duty;  ///< what the crew does
+  Wish wish;                           ///< what the crew wants
+  bool is_asleep = false;              ///< all devices sleep
+  PoliceStatistics statistics;         ///< counts up to now
 
   // true state
-  Surroundings around;
-  std::array<bool, beacon_count> beacons{};  ///< that give light at this instant
-  std::array<bool, flasher_count> flashers{};
-  bool is_blue = false;            ///< true while it flashes
-  bool has_work_light = false;     ///< search lamp and alley lights
-  std::optional<Client> client{};  ///< client on display 1
-  bool crew_speaks = false;
-  bool crew_is_heard = false;
-  bool room_speaks = false;
-  bool room_is_heard = false;
-  double metres = 0;
-  double speed = 0;  ///< m/s
+  Surroundings around;                         ///< heard and read
+  std::array<bool, beacon_count> beacons{};    ///< that give light at this instant
+  std::array<bool, flasher_count> flashers{};  ///< that give light at this instant
+  bool is_blue = false;                        ///< true while it flashes
+  bool has_work_light = false;                 ///< search lamp and alley lights
+  std::optional<Client> client{};              ///< client on display 1
+  bool crew_speaks = false;                    ///< a person in the car speaks to the radio
+  bool crew_is_heard = false;                  ///< in the control room
+  bool room_speaks = false;                    ///< a person in the control room speaks
+  bool room_is_heard = false;                  ///< in the car
+  double metres = 0;                           ///< m driven since the start
+  double speed = 0;                            ///< m/s
 };
 
 }  // namespace canvoy::police

@@ -12,7 +12,7 @@
 
 namespace canvoy::police {
 
-inline constexpr Duration police_soak_time = 3h;
+inline constexpr Duration police_soak_time = 3h;  ///< length of a run of a soak
 
 /// Draws faults within `time`, some at its start; half of them meet another one.
 PoliceOptions soak_police(std::uint64_t seed, Duration time = police_soak_time);

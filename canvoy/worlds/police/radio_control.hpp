@@ -15,22 +15,25 @@
 
 namespace canvoy::police {
 
+/// The radio beside it, and what it reports.
 struct RadioControlHardware {
-  cia447::RadioUnit* radio = nullptr;  ///< of the same device
-  Acted acted = {};
+  cia447::RadioUnit* radio = nullptr;           ///< of the same device
+  Acted acted = {};                             ///< called at each key that it acts on
   Callback<void(int status)> send_status = {};  ///< on the air, 0 to 9
 };
+/// Node-IDs of the devices that it uses.
 struct RadioControlSettings {
-  NodeId terminal = 0;
-  NodeId audio_switch = 0;
-  NodeId hands_free = 0;
-  NodeId handset = 0;  ///< the channel of its microphone
+  NodeId terminal = 0;      ///< the terminal
+  NodeId audio_switch = 0;  ///< the audio switch
+  NodeId hands_free = 0;    ///< the hands-free system
+  NodeId handset = 0;       ///< the channel of its microphone
 };
 
 class RadioControl {
  public:
-  static constexpr std::uint8_t gain = 100;
+  static constexpr std::uint8_t gain = 100;  ///< of connected pairs: 1 to 200 (6122h)
 
+  /// `network` must outlive this object; it acts once the node runs.
   RadioControl(cia447::CarNetwork& network, const RadioControlHardware& hardware,
                const RadioControlSettings& settings);
   RadioControl(const RadioControl&) = delete;
@@ -73,10 +76,12 @@ class RadioControl {
   HandlerBinding service_{&service_calls, this};
 };
 
+/// A CarUnit beside the virtual device of the radio; it is not in the catalogue.
 struct RadioControlKind
     : cia447::CarKind<RadioControl, RadioControlHardware, RadioControlSettings> {
   static constexpr DeviceInfo info = {.name = "radio-control", .title = "control of a radio"};
   static constexpr const VirtualDeviceInfo& provides = car::no_virtual_device;
+  /// Keys of the terminal, and what tells when to transmit.
   static constexpr std::array<const ObjectInfo*, 14> consumes = {
       cia447::terminal_keys_objects[0],
       cia447::terminal_keys_objects[1],

@@ -39,6 +39,7 @@ class RadioDevices {
   void sense(NodeId id);
 
   // Actions of hands.
+  /// Closes or opens the contact of the handset.
   void lift_handset(bool is_pressed);
   /// Presses the key of the hands-free system.
   void press_hands_free();
@@ -48,7 +49,9 @@ class RadioDevices {
   // Visible and audible state.
   /// True if the LED beside the key of the hands-free system is lit: the radio is active.
   bool led_is_lit() const { return led_is_lit_; }
+  /// True if the radio is on.
   bool is_on() const { return is_on_; }
+  /// True while the transmitter is on.
   bool transmits() const { return transmits_; }
   /// True if a receiver near by detects that the channel is in use.
   bool is_on_the_air() const { return supply_.radio_has_power() && is_on_ && transmits_; }

@@ -21,15 +21,17 @@
 
 namespace canvoy::police {
 
+/// The sound beside it, and what it reports.
 struct SignalControlHardware {
   cia447::RoofBarSoundUnit* sound = nullptr;  ///< of the same device
-  Acted acted = {};
+  Acted acted = {};                           ///< called at each key that it acts on
 };
+/// Node-IDs of the devices that it uses.
 struct SignalControlSettings {
-  NodeId terminal = 0;
-  NodeId roof_light = 0;
-  NodeId blue_light = 0;
-  NodeId gateway = 0;
+  NodeId terminal = 0;    ///< the terminal
+  NodeId roof_light = 0;  ///< the light of the roof bar
+  NodeId blue_light = 0;  ///< the blue light flashers
+  NodeId gateway = 0;     ///< the IVN gateway, for the locks
   /// Never gives the number pad back: for tests that this is detected.
   bool hogs_terminal = false;
 };
@@ -44,6 +46,7 @@ class SignalControl {
   static constexpr auto unlock_key = cia447::FunctionKey::key_6;  ///< of the doors
   static constexpr auto sound_key = cia447::FunctionKey::key_7;   ///< choice of the sound
 
+  /// `network` must outlive this object; it acts once the node runs.
   SignalControl(cia447::CarNetwork& network, const SignalControlHardware& hardware,
                 const SignalControlSettings& settings);
   SignalControl(const SignalControl&) = delete;
@@ -79,10 +82,12 @@ class SignalControl {
   Timer siren_;
 };
 
+/// A CarUnit beside the virtual device of the sound; it is not in the catalogue.
 struct SignalControlKind
     : cia447::CarKind<SignalControl, SignalControlHardware, SignalControlSettings> {
   static constexpr DeviceInfo info = {.name = "signal-control", .title = "control of blue light"};
   static constexpr const VirtualDeviceInfo& provides = car::no_virtual_device;
+  /// Keys of the terminal, and states that it shows.
   static constexpr std::array<const ObjectInfo*, 9> consumes = {
       cia447::terminal_keys_objects[0],         cia447::terminal_keys_objects[1],
       cia447::terminal_keys_objects[2],         cia447::terminal_keys_objects[3],

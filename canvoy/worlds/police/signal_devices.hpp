@@ -17,8 +17,8 @@
 
 namespace canvoy::police {
 
-inline constexpr unsigned beacon_count = 2;
-inline constexpr unsigned flasher_count = 10;
+inline constexpr unsigned beacon_count = 2;    ///< beacons of the roof bar
+inline constexpr unsigned flasher_count = 10;  ///< blue light flashers
 
 class SignalDevices {
  public:
@@ -36,18 +36,26 @@ class SignalDevices {
   void sense(NodeId id);
   /// Breaks the front left flasher. The module detects that no current flows.
   void burn_lamp(bool is_burnt);
+  /// Lamps follow their outputs; call it in each step.
   void step(Time now);
 
+  /// True if all groups of blue lamps flash.
   bool all_blue_is_seen(Time now) const { return beacons_.is_seen(now) && flashers_.is_seen(now); }
+  /// True if any blue lamp flashes.
   bool any_blue_is_seen(Time now) const { return beacons_.is_seen(now) || flashers_.is_seen(now); }
   /// True if search lamp and both alley lights are lit.
   bool work_light_is_seen() const { return work_lights_ == all_work_lights; }
   /// True if any of them is lit.
   bool any_work_light_is_seen() const { return work_lights_ != 0; }
+  /// True if the loudspeaker plays a siren.
   bool siren_is_heard() const { return sound_.sound != cia447::AdditionalSound::none; }
+  /// What the loudspeaker plays.
   const cia447::RoofBarSound& sound() const { return sound_; }
+  /// True while burn_lamp() has broken it.
   bool has_burnt_lamp() const { return lamp_is_burnt_; }
+  /// Lamps of the roof bar.
   const FlashingLamps<beacon_count>& beacons() const { return beacons_; }
+  /// Lamps of the flashers.
   const FlashingLamps<flasher_count>& flashers() const { return flashers_; }
 
  private:

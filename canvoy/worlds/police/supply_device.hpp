@@ -29,7 +29,9 @@ class SupplyDevice {
   /// Makes the radio take more current than allowed, or not.
   void overload(bool is_overloaded);
 
+  /// State of the relay of the radio.
   bool radio_has_power() const { return radio_has_power_; }
+  /// State of the relay of the periphery.
   bool periphery_has_power() const { return periphery_has_power_; }
 
  private:

@@ -11,18 +11,18 @@
 namespace canvoy::police {
 
 struct Surroundings {
-  cia447::RoofBarSound sound{};
+  cia447::RoofBarSound sound{};  ///< in the air
 
-  bool radio_has_power = false;  ///< of the power supply
-  bool periphery_has_power = false;
-  bool radio_is_on = false;
-  bool radio_transmits = false;
+  bool radio_has_power = false;      ///< of the power supply
+  bool periphery_has_power = false;  ///< of the power supply
+  bool radio_is_on = false;          ///< by its own switch
+  bool radio_transmits = false;      ///< its transmitter is on
 
-  std::string title;  ///< of display 1
-  std::string text_1;
-  std::string text_2;
+  std::string title;   ///< of display 1
+  std::string text_1;  ///< first text of display 1
+  std::string text_2;  ///< of display 2
 
-  bool is_locked = true;
+  bool is_locked = true;  ///< the doors
 
   /// True if a receiver near by detects that the channel is in use.
   bool is_on_the_air() const { return radio_has_power && radio_is_on && radio_transmits; }

@@ -47,11 +47,14 @@ class TerminalDevice {
 
   /// Title on display 1.
   const std::string& title() const { return title_; }
+  /// First text of display 1.
   const std::string& text_1() const { return text_1_; }
+  /// Text of display 2.
   const std::string& text_2() const { return text_2_; }
   /// Client with the title on display 1.
   std::optional<Client> client() const;
   unsigned keys() const { return keys_; }  ///< number of keys pressed
+  /// The unit; made again when the terminal gets power, so keep no reference.
   cia447::TerminalUnit& unit() { return *unit_; }
 
  private:

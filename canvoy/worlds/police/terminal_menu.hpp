@@ -17,6 +17,7 @@ class TerminalMenu {
  public:
   static constexpr Duration patience = 20s;  ///< time from one key to the next
 
+  /// Both must outlive this object; `title` is that of display 1 while the menu is open.
   TerminalMenu(cia447::CarNetwork& network, cia447::TerminalClient& terminal,
                std::string_view title)
       : network_(network),
@@ -27,12 +28,14 @@ class TerminalMenu {
   TerminalMenu(const TerminalMenu&) = delete;
   TerminalMenu& operator=(const TerminalMenu&) = delete;
 
+  /// Asks for number pad and display 1, and shows the text.
   void open(std::string_view text) {
     is_open_ = true;
     want(true);
     show(text);
     wait(patience);
   }
+  /// True while it accepts keys.
   bool is_open() const { return is_open_; }
   /// Shows a text after a key, and waits for more keys.
   void show(std::string_view text) {
@@ -45,6 +48,7 @@ class TerminalMenu {
     is_open_ = false;
     wait(shown);
   }
+  /// Gives number pad and display back at once.
   void close() {
     is_open_ = false;
     want(false);
