@@ -20,13 +20,15 @@ struct GapRun {
   std::vector<std::string> wrong;  ///< a line for each failure; empty: there was none
 };
 
+/// A world that can be run by a seed.
 struct SimulatedWorld {
-  const char* name = "";
-  GapRun (*gap)(std::uint64_t seed) = nullptr;
+  const char* name = "";                        ///< as in `canvoy run NAME`
+  GapRun (*gap)(std::uint64_t seed) = nullptr;  ///< a run with one gap; returns what was wrong
   /// Simulates hours with faults, alone and in pairs, in which all must hold; and the same with a
   /// sabotage that must be detected. Returns a line for each wrong verdict.
   std::vector<std::string> (*soak)(std::uint64_t seed) = nullptr;
 };
+/// All worlds.
 std::span<const SimulatedWorld> simulated_worlds();
 
 }  // namespace canvoy

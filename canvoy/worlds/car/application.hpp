@@ -12,6 +12,7 @@
 
 namespace canvoy::car {
 
+/// What an application beside virtual devices provides: nothing.
 inline constexpr VirtualDeviceInfo no_virtual_device = {.name = "application"};
 
 /// Hardware of an application that needs none.

@@ -23,9 +23,10 @@ namespace canvoy::car {
 
 class CarBus {
  public:
+  /// The bus and its devices.
   struct Settings {
-    std::uint32_t bit_rate = 125'000;
-    std::uint64_t seed = 1;
+    std::uint32_t bit_rate = 125'000;         ///< in bit/s
+    std::uint64_t seed = 1;                   ///< of all chance on the bus
     std::span<const std::string_view> names;  ///< of the devices, from node-ID 1 on
     std::uint32_t serial_numbers = 0;         ///< serial number of a device: this plus its node-ID
     std::vector<NodeId> real{};               ///< devices that are not simulated here
@@ -50,18 +51,26 @@ class CarBus {
   /// Starts to listen to the bus.
   void listen() { world_.bus(index_).observe(watch_.tap()); }
 
+  /// The world of the bus.
   World& world() { return world_; }
+  /// The bus in its world.
   BusIndex index() const { return index_; }
+  /// The bus itself, for faults and observers.
   SimulatedBus& bus() { return world_.bus(index_); }
+  /// Device with a node-ID from 1 on, which must exist.
   CarNode& node(NodeId id) { return *nodes_.at(id - std::size_t{1}); }
+  /// Device 1.
   CarNode& gateway() { return *nodes_.front(); }
+  /// All devices, in the order of their node-IDs.
   std::span<const std::unique_ptr<CarNode>> nodes() const { return nodes_; }
   /// Memory of the gateway that persists without power.
   cia447::CarMemory memory();
   /// Settings of the gateway, with the places for real devices.
   cia447::CarMasterSettings master_settings() const;
 
+  /// True if the device is simulated here.
   bool is_played(NodeId id) const;
+  /// True while the device runs.
   bool has_power(NodeId id) { return node(id).is_powered(); }
   /// Call it after the device was changed from outside of its bus.
   void touched(NodeId id) { world_.touched(node(id).slot()); }
@@ -78,8 +87,11 @@ class CarBus {
   /// Master of the gateway; null where that is not simulated here.
   cia447::CarMaster* master();
 
+  /// Load and state of the bus.
   BusSnapshot snapshot() const;
+  /// States of the devices, in the order of nodes().
   std::vector<NodeSnapshot> node_snapshots() const;
+  /// Names, in the order of nodes().
   std::vector<std::string_view> names() const;
 
  private:

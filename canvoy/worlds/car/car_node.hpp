@@ -27,13 +27,14 @@ inline constexpr const cia447::CarUnit* units_of[] = {&cia447::car_unit<Kind>...
 
 class CarNode {
  public:
+  /// Which device it is.
   struct Place {
-    std::string_view name;  ///< `taximeter`
-    NodeId id = 0;          ///< its node-ID, present or future
-    std::uint32_t serial_number = 0;
-    bool is_named_by_lss = true;
-    bool is_played = true;
-    std::uint32_t vendor_id = 0;  ///< 0: that of this project
+    std::string_view name;            ///< `taximeter`
+    NodeId id = 0;                    ///< its node-ID, present or future
+    std::uint32_t serial_number = 0;  ///< 1018h:04h, by which LSS finds it
+    bool is_named_by_lss = true;      ///< false: it has its node-ID from the start, as the gateway
+    bool is_played = true;            ///< false: a real device has this node-ID
+    std::uint32_t vendor_id = 0;      ///< 0: that of this project
   };
 
   /// All must outlive this object. The device has no power yet.
@@ -59,6 +60,7 @@ class CarNode {
     world_.start(slot_);
   }
 
+  /// As given.
   const Place& place() const { return place_; }
   /// Its virtual devices, as the catalogue names them: `gps+navigation`.
   std::string device_name() const {
@@ -68,16 +70,23 @@ class CarNode {
   std::span<const cia447::CarUnit* const> units() const { return units_; }
   /// What its first virtual device provides.
   const VirtualDeviceInfo& provides() const { return *units_.front()->provides; }
+  /// The device; made again at each power-on, so keep no reference.
   cia447::CarDevice& device() { return *device_; }
+  /// Its node; see device().
   Node& node() { return device_->node(); }
+  /// Its bus.
   BusIndex bus() const { return bus_; }
+  /// Its slot on that bus.
   SlotIndex slot() const { return slot_; }
+  /// Its number on that bus.
   ControllerId controller() const { return world_.controller(slot_); }
+  /// True while it runs.
   bool is_powered() const { return world_.is_running(slot_); }
   /// True if it has power and a node-ID, and does its work.
   bool is_operational() {
     return is_powered() && node().id() == place_.id && node().state() == NmtState::operational;
   }
+  /// Its address, by which the gateway assigns the node-ID (CiA 305).
   LssAddress address() const {
     LssAddress address;
     address.parts = {place_.vendor_id, units_.front()->info.product_code, 0, place_.serial_number};

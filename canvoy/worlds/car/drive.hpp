@@ -29,15 +29,18 @@ class Drive {
   void go(double metres, double metres_per_second);
   /// Drives the next leg of the record, from where the car stands.
   void go_on();
+  /// Drives on for this time.
   void step(Duration time);
   /// Has the motion come from outside: roll() sets it.
   void be_led() { is_led_ = true; }
   /// Moves the car by this way within this time, which also brings it nearer to the end of a leg.
   void roll(double metres, Duration time);
 
+  /// True if it plays a record.
   bool has_record() const { return record_ != nullptr; }
   /// True if the record has no more legs.
   bool is_through() const { return has_record() && leg_ == record_->legs.size(); }
+  /// True if the leg is at its end.
   bool is_standing() const { return has_record() ? !plays_ : rest_ <= 0; }
   double speed() const { return speed_; }    ///< m/s
   double metres() const { return metres_; }  ///< since the start

@@ -30,37 +30,40 @@ struct DriveRecord {
   /// A car that stands for this time has arrived; after a red light it drives on earlier.
   static constexpr Duration arrival = 2min;
 
+  /// The speed at a time.
   struct Sample {
     Duration at{};     ///< since the first sample
     double speed = 0;  ///< m/s
   };
   /// All lines of one second, or of one output of the receiver.
   struct Said {
-    Duration at{};
+    Duration at{};          ///< since the first sample
     std::size_t begin = 0;  ///< offset in the text
-    std::size_t end = 0;
+    std::size_t end = 0;    ///< offset of the end in the text
   };
   /// A drive from a departure to an arrival.
   struct Leg {
     Duration begin{};
     Duration end{};
   };
+  /// Counts of the lines that were read.
   struct Counts {
-    std::uint32_t accepted = 0;  ///< times at which the speed is known
-    cia447::NmeaCounts lines{};
+    std::uint32_t accepted = 0;      ///< times at which the speed is known
+    cia447::NmeaCounts lines{};      ///< by the parser of NMEA 0183
     std::uint32_t out_of_order = 0;  ///< lines that follow later ones
     std::uint32_t impossible = 0;    ///< speeds beyond `fastest`
 
+    /// Number of lines and speeds that were not used.
     std::uint32_t passed_over() const {
       return lines.wrong_checksum + lines.malformed + lines.garbage + out_of_order + impossible;
     }
   };
 
-  std::string text;
+  std::string text;             ///< the record as it was read
   std::vector<Sample> samples;  ///< by their times, which all differ
-  std::vector<Said> said;
-  std::vector<Leg> legs;
-  Counts counts;
+  std::vector<Said> said;       ///< by their times
+  std::vector<Leg> legs;        ///< by their times
+  Counts counts;                ///< of the lines
 
   /// True if a car moves in it.
   bool is_usable() const { return !legs.empty(); }

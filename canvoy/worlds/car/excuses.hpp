@@ -28,6 +28,7 @@ inline constexpr Duration one_look = 1s;
 /// A set of devices by their node-IDs: 1 to 15.
 using Nodes = std::uint16_t;
 
+/// A set of these node-IDs.
 template <class... Ids>
 constexpr Nodes nodes(Ids... ids) {
   return static_cast<Nodes>(((1U << ids) | ... | 0U));
@@ -65,8 +66,8 @@ bool hinders(const Fault& fault, Nodes which) {
 /// Devices that must work, and hear each other, for an invariant to hold.
 template <class Kind>
 struct Needs {
-  Kind kind;
-  Nodes nodes;
+  Kind kind;       ///< the invariant
+  Nodes nodes;     ///< devices that it needs
   Duration after;  ///< time after a fault until all that it affects is back
 };
 

@@ -7,7 +7,7 @@ namespace canvoy::car {
 
 /// The gateway has found, started or lost a device, or the network sleeps.
 struct NetworkChanged {
-  cia447::CarEvent event;
+  cia447::CarEvent event;  ///< as the gateway reports it
 };
 
 }  // namespace canvoy::car

@@ -21,6 +21,7 @@ class SilenceReferee {
   explicit SilenceReferee(const CarBus& bus, Duration under_way = {})
       : bus_(bus), under_way_(under_way) {}
 
+  /// Looks whether all devices sleep; call it in each step.
   void look(Time now) {
     const bool was_asleep = std::exchange(is_asleep_, bus_.any_sleeps() && bus_.all_sleep());
     if (is_asleep_ && !was_asleep) asleep_at_ = now;
@@ -33,7 +34,9 @@ class SilenceReferee {
     ++frames_;
     return true;
   }
+  /// True if they slept at the last look.
   bool is_asleep() const { return is_asleep_; }
+  /// Number of frames that were counted.
   std::uint64_t frames() const { return frames_; }
 
  private:

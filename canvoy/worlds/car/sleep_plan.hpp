@@ -11,10 +11,10 @@
 namespace canvoy::car {
 
 struct SleepPlan {
-  Time sleep{};
+  Time sleep{};  ///< the gateway sends the network to sleep
   /// Time at which a foreign device sends a frame, for tests that this is detected.
   std::optional<Time> stranger_speaks{};
-  Time wake{};
+  Time wake{};  ///< a door is opened; after `sleep`
 };
 
 /// Plans sleep and waking. No device sleeps where the gateway is not simulated here, or has no

@@ -36,28 +36,42 @@ class ChargerDevices {
   /// Switches on all devices that are simulated here; the manager runs before the others, like the
   /// vehicle.
   void start();
+  /// Switches the power of the battery module.
   void power_battery(bool is_on) {
     is_on ? world_->start(battery_slot_) : world_->stop(battery_slot_);
   }
 
+  /// True while it runs.
   bool battery_has_power() const { return world_->is_running(battery_slot_); }
 
   /// Rules by the configuration of the nodes, as it stands in their dictionaries.
   HandshakeRules rules() const;
+  /// Settings of the battery module, by the options.
   cia418::BatterySettings battery_settings() const;
 
+  /// The bus.
   BusIndex bus() const { return bus_; }
+  /// Battery cells, cable and power stage.
   ChargingPlant& plant() { return plant_; }
+  /// Battery cells, cable and power stage.
   const ChargingPlant& plant() const { return plant_; }
+  /// The charger's device.
   cia419::ChargerDevice<>& charger() { return charger_; }
+  /// The charger's device.
   const cia419::ChargerDevice<>& charger() const { return charger_; }
+  /// The battery module.
   cia418::BatteryDevice<>& battery() { return battery_; }
+  /// The battery module.
   const cia418::BatteryDevice<>& battery() const { return battery_; }
   /// Port of the battery to the bus.
   LossyPort& battery_port() { return battery_port_; }
+  /// Slot of the charger.
   SlotIndex charger_slot() const { return charger_slot_; }
+  /// Slot of the battery module.
   SlotIndex battery_slot() const { return battery_slot_; }
+  /// Number of the charger on the bus.
   ControllerId charger_controller() const { return world_->controller(charger_slot_); }
+  /// Number of the battery module on the bus.
   ControllerId battery_controller() const { return world_->controller(battery_slot_); }
   /// Empty where there is no manager.
   std::span<const SdoConnection> connections() const;

@@ -19,28 +19,33 @@ namespace canvoy::charger {
 
 /// The first TIME message since the start.
 struct TimeSeen {
-  TimeOfDay time;
+  TimeOfDay time;  ///< of day and date, as sent
 };
 // Reported by the charger.
 
+/// The charger enters a phase of its work.
 struct PhaseEntered {
-  cia419::ChargerPhase phase = cia419::ChargerPhase::unplugged;
-  NodeId battery = 0;  ///< node-ID of the linked battery
+  cia419::ChargerPhase phase = cia419::ChargerPhase::unplugged;  ///< the new one
+  NodeId battery = 0;                                            ///< node-ID of the linked battery
 };
+/// The reason why it does not deliver changes.
 struct ReasonChanged {
-  cia419::StopReason reason = cia419::StopReason::none;
+  cia419::StopReason reason = cia419::StopReason::none;  ///< none: it delivers, or may
 };
+/// Current begins to flow.
 struct ChargeBegan {};
+/// Current has ended.
 struct ChargeEnded {
   double ampere_hours = 0;  ///< counted by the charger since the start of the simulation
 };
 
 // Done by the SDO manager of the vehicle.
 
+/// The manager has given an SDO connection, or withdrawn it.
 struct SdoConnectionChanged {
-  NodeId client = 0;
-  NodeId server = 0;  ///< node-ID of the manager: the client is registered
-  bool is_given = false;
+  NodeId client = 0;      ///< node that requested it
+  NodeId server = 0;      ///< node-ID of the manager: the client is registered
+  bool is_given = false;  ///< false: withdrawn
 };
 
 // Done by the simulation.
@@ -54,6 +59,7 @@ using InvariantBroken = canvoy::InvariantBroken<InvariantKind>;
 
 struct ChargerEvent {
   Time at{};  ///< since the start of the run
+  /// One of the types above, or of sim/event_log.hpp.
   std::variant<BootedUp, NmtStateSeen, NmtCommandSeen, EmergencySeen, BusStateChanged, PhaseEntered,
                ReasonChanged, ChargeBegan, ChargeEnded, FaultBegan, FaultEnded, InvariantBroken,
                TimeSeen, SdoConnectionChanged, HandActed>

@@ -28,46 +28,49 @@ namespace canvoy::charger {
 
 /// State of the whole network, for a table or a line of a log.
 struct ChargerSnapshot {
-  Time at{};
-  BusSnapshot bus;
-  NodeSnapshot charger;
-  NodeSnapshot battery;
+  Time at{};             ///< since the start of the run
+  BusSnapshot bus;       ///< with its load since the start
+  NodeSnapshot charger;  ///< state of the charger's node
+  NodeSnapshot battery;  ///< state of the battery's node
 
   // state of the charger
-  cia419::ChargerPhase phase = cia419::ChargerPhase::unplugged;
-  cia419::StopReason reason = cia419::StopReason::no_pilot_signal;
-  bool charger_is_ready = false;
-  double set_point_ampere = 0;
-  double measured_ampere = 0;
-  double counted_ampere_hours = 0;
-  double counted_watt_hours = 0;
+  cia419::ChargerPhase phase = cia419::ChargerPhase::unplugged;     ///< of its work
+  cia419::StopReason reason = cia419::StopReason::no_pilot_signal;  ///< why it does not deliver
+  bool charger_is_ready = false;                                    ///< as 6001h reports
+  double set_point_ampere = 0;                                      ///< current for the power stage
+  double measured_ampere = 0;                                       ///< by its own meter
+  double counted_ampere_hours = 0;  ///< by its own meter, since the start
+  double counted_watt_hours = 0;    ///< by its own meter, since the start
 
   // readings of the battery
-  cia418::BatteryReadings readings;
+  cia418::BatteryReadings readings;  ///< as the battery module senses its cells
 
   // true values
-  double ampere = 0;
-  double volt = 0;
-  double celsius = 0;
+  double ampere = 0;           ///< into the battery is positive
+  double volt = 0;             ///< at the poles
+  double celsius = 0;          ///< of the cells
   double state_of_charge = 0;  ///< 0 to 1
-  double ampere_hours = 0;
-  double watt_hours = 0;
+  double ampere_hours = 0;     ///< into the battery, since the start
+  double watt_hours = 0;       ///< into the battery, since the start
 };
 
 class ChargerNetwork {
  public:
   /// Has default options.
   ChargerNetwork();
+  /// Makes all devices that are simulated here, and gives them power at time 0.
   explicit ChargerNetwork(const ChargerOptions& options);
   ChargerNetwork(const ChargerNetwork&) = delete;
   ChargerNetwork& operator=(const ChargerNetwork&) = delete;
 
   /// Runs up to and including `until`.
   void run_until(Time until) { world_.run_until(until); }
+  /// Time since the start of the run.
   Time now() const { return world_.now(); }
 
   /// Adds a further observer of the bus, for a log; false where there are too many.
   bool observe(const BusTap& tap) { return world_.bus().observe(tap); }
+  /// State at present.
   ChargerSnapshot snapshot();
   /// All events since the start, oldest first.
   std::span<const ChargerEvent> events() const { return events_; }
@@ -79,14 +82,21 @@ class ChargerNetwork {
   bool all_hold() const;
 
   // Access for tests, and for tools that take part.
+  /// The world of the bus; time passes only in run_until().
   World& world() { return world_; }
   /// Notes an action at a device as an event.
   void note_hand(Time now, const HandActed& acted) { note(now, acted); }
+  /// Battery cells, cable and power stage.
   ChargingPlant& plant() { return devices_.plant(); }
+  /// The charger's device.
   cia419::ChargerDevice<>& charger() { return devices_.charger(); }
+  /// The battery module.
   cia418::BatteryDevice<>& battery() { return devices_.battery(); }
+  /// Options that it was made with.
   const ChargerOptions& options() const { return options_; }
+  /// Number of the charger on the bus.
   ControllerId charger_controller() const { return devices_.charger_controller(); }
+  /// Number of the battery module on the bus.
   ControllerId battery_controller() const { return devices_.battery_controller(); }
 
  private:

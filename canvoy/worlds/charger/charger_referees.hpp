@@ -28,13 +28,17 @@ class ChargerReferees {
   ChargerReferees(const ChargerReferees&) = delete;
   ChargerReferees& operator=(const ChargerReferees&) = delete;
 
+  /// Judges the last step of the plant; call it after each.
   void step(Time now);
+  /// Takes each frame of the bus.
   void hear(Time now, const Frame& frame) { handshake_.on_frame(now, frame); }
+  /// The power stage has received a set-point, in ampere.
   void set_point(double ampere) { handshake_.on_set_point(ampere); }
   /// Call it when the reason why the charger does not deliver changes.
   void reason_changed(Time now) { faults_.note(now, reason()); }
   /// Call it after a fault was made, or mended.
   void fault_began(Time now, std::size_t fault);
+  /// See fault_began().
   void fault_ended(Time now, std::size_t fault);
 
   /// Verdicts at present: the lasting ones, and one for each fault that has begun and must be

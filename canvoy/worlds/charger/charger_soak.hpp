@@ -12,7 +12,7 @@
 
 namespace canvoy::charger {
 
-inline constexpr Duration charging_soak_time = 60min;
+inline constexpr Duration charging_soak_time = 60min;  ///< length of a run of a soak
 
 /// Draws faults within `time`, some at its start. The last one begins 30 s before the end and
 /// stays: the battery is not ready, so that no current may flow.

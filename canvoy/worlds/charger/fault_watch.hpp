@@ -37,8 +37,10 @@ struct DetectionBounds {
 /// where that sign is one boot-up message, it need not be detected.
 class FaultWatch {
  public:
+  /// `plan` must outlive this object.
   FaultWatch(const FaultPlan& plan, const DetectionBounds& promises);
 
+  /// A fault begins, while the charger does not deliver for this reason; none: it delivers.
   void began(std::size_t fault, Time now, cia419::StopReason reason);
   /// A fault that is over need not be detected.
   void ended(std::size_t fault);

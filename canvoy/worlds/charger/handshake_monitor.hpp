@@ -23,8 +23,8 @@ namespace canvoy::charger {
 
 /// Terms between the two nodes.
 struct HandshakeRules {
-  NodeId charger = 0;
-  NodeId battery = 0;
+  NodeId charger = 0;  ///< node-ID of the charger
+  NodeId battery = 0;  ///< node-ID of the battery
   /// CAN-IDs of the battery's TPDOs 1 to 3 (6010h and 6000h; the same and 6060h; 6070h and 6081h).
   std::array<std::uint32_t, 3> battery_tpdos{};
   /// CAN-IDs of the charger's TPDOs 1 to 3: all begin with 6001h.
@@ -35,8 +35,10 @@ struct HandshakeRules {
 
 class HandshakeMonitor {
  public:
+  /// Both are unknown until they are heard.
   explicit HandshakeMonitor(const HandshakeRules& rules) : rules_(rules) {}
 
+  /// Takes each frame of the bus.
   void on_frame(Time now, const Frame& frame);
   /// Call it when the power stage receives a set-point.
   void on_set_point(double ampere);

@@ -9,14 +9,15 @@ namespace canvoy::charger {
 
 /// On the cable from the start, without power until World::start(slot).
 struct Imposter {
+  /// Puts it on the bus.
   Imposter(World& world, BusIndex bus, NodeId id, const cia418::BatteryHardware& hardware,
            const cia418::BatterySettings& settings)
       : slot(world.add_slot(bus)), device(world.port(slot), id, hardware, settings) {
     world.occupy(slot, device.node());
   }
 
-  SlotIndex slot;
-  cia418::BatteryDevice<> device;
+  SlotIndex slot;                  ///< on the bus
+  cia418::BatteryDevice<> device;  ///< the module
 };
 
 }  // namespace canvoy::charger

@@ -15,6 +15,7 @@ namespace canvoy::charger {
 
 class LossyPort {
  public:
+  /// Frames go to `inner`, which is copied.
   explicit LossyPort(const Port& inner) : inner_(inner) {}
   LossyPort(const LossyPort&) = delete;
   LossyPort& operator=(const LossyPort&) = delete;

@@ -35,6 +35,7 @@ class ServiceWatch {
     excused_at_ = waiting_since_ = now;
     if (!lets_charge_go_on(kind)) ++present_;
   }
+  /// See fault_began().
   void fault_ended(Time now, FaultKind kind) {
     excused_at_ = waiting_since_ = now;
     if (!lets_charge_go_on(kind)) --present_;

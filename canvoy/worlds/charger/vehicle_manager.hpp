@@ -36,7 +36,9 @@ class VehicleManager {
   VehicleManager(const VehicleManager&) = delete;
   VehicleManager& operator=(const VehicleManager&) = delete;
 
+  /// The node of the manager.
   Node& node() { return device_.node(); }
+  /// Connections at present.
   std::span<const SdoConnection> connections() const { return connections_; }
   /// Sets the function that is called whenever a connection may have been given, or begun to end.
   void on_change(Callback<void(Time)> changed) { manager_.on_change(changed); }

@@ -8,13 +8,15 @@
 
 namespace canvoy::taxi {
 
+/// Where the fare is shown, and how.
 struct FareDisplaySettings {
-  NodeId terminal = 0;
-  cia447::Currency currency = {};
+  NodeId terminal = 0;             ///< node-ID of the terminal
+  cia447::Currency currency = {};  ///< of the fare
 };
 
 class FareDisplay {
  public:
+  /// `network` must outlive this object; it acts once the node runs.
   FareDisplay(cia447::CarNetwork& network, const car::NoHardware& hardware,
               const FareDisplaySettings& settings);
 
@@ -26,9 +28,11 @@ class FareDisplay {
   cia447::TerminalClient terminal_;
 };
 
+/// A CarUnit beside the virtual device of the taximeter; it is not in the catalogue.
 struct FareDisplayKind : cia447::CarKind<FareDisplay, car::NoHardware, FareDisplaySettings> {
   static constexpr DeviceInfo info = {.name = "fare-display", .title = "display of a fare"};
   static constexpr const VirtualDeviceInfo& provides = car::no_virtual_device;
+  /// The keys of the terminal.
   static constexpr auto consumes = cia447::terminal_keys_objects;
 };
 

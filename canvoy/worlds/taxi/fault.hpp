@@ -8,7 +8,7 @@
 
 namespace canvoy::taxi {
 
-inline constexpr NodeId taximeter_id = 2;
+inline constexpr NodeId taximeter_id = 2;  ///< node-ID of the taximeter
 
 /// What can break; fault_rows says what each kind does, and where by default.
 enum class FaultKind : std::uint8_t {
@@ -62,6 +62,7 @@ static_assert(std::size(fault_rows) == static_cast<std::size_t>(FaultKind::clock
 /// The faults without fraud.
 inline constexpr std::size_t fault_kinds = untampered_kinds(fault_rows);
 static_assert(fault_kinds == static_cast<std::size_t>(FaultKind::no_fix) + 1);
+/// How a plan names places: `node=`, 1 to 16.
 inline constexpr FaultPlaceName fault_places[] = {{"node", cia447::node_id_max}};
 /// How a plan of these faults is written and read; found by the type of its argument.
 constexpr FaultGrammar grammar_of(FaultKind) {

@@ -14,6 +14,7 @@ namespace canvoy::taxi {
 
 class KeptFlash {
  public:
+  /// An erased memory; `sector_size` in bytes.
   KeptFlash(std::size_t sectors, std::uint32_t sector_size) : bytes_(sectors * sector_size, 0xFF) {
     flash_.sector_size = sector_size;
     flash_.unit = 8;
@@ -24,6 +25,7 @@ class KeptFlash {
   KeptFlash(const KeptFlash&) = delete;
   KeptFlash& operator=(const KeptFlash&) = delete;
 
+  /// Functions for the device; valid as long as this object.
   const Flash& flash() const { return flash_; }
 
  private:

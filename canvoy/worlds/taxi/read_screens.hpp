@@ -21,8 +21,8 @@ bool fare_is_right(std::string_view text, const cia447::TaximeterDisplay& shown)
 
 /// Position and destination of a car.
 struct TruePlace {
-  std::optional<cia447::GeoPosition> here{};  ///< empty: unknown
-  std::optional<cia447::GeoPosition> destination{};
+  std::optional<cia447::GeoPosition> here{};         ///< empty: unknown
+  std::optional<cia447::GeoPosition> destination{};  ///< of the passengers; empty: none
   bool has_satellites = true;  ///< false: the position may be missing, but not wrong
   std::span<const cia447::NamedPlace> places{};  ///< places with their names
 };

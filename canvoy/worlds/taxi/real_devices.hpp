@@ -24,14 +24,16 @@ class RealDevices {
  public:
   /// The node-IDs of real devices; 0: the device is simulated here.
   struct Wanted {
-    NodeId gateway = 0;
-    NodeId meter = 0;
-    NodeId alarm = 0;
+    NodeId gateway = 0;  ///< IVN gateway: the wheels
+    NodeId meter = 0;    ///< taximeter
+    NodeId alarm = 0;    ///< taxi alarm system
 
+    /// True if any device is real.
     bool any() const { return gateway != 0 || meter != 0 || alarm != 0; }
   };
   /// Functions that receive the reports. None may be empty.
   struct Hands {
+    /// State of the meter, 60D0h:01h.
     std::function<void(cia447::Taximeter)> meter{};
     /// The alarm key is pressed.
     std::function<void()> alarm{};
@@ -44,12 +46,19 @@ class RealDevices {
               std::uint16_t pulse_counter_max, Hands hands);
 
   // Required of a node by World. Sends nothing.
+  /// Has nothing to do.
   void start(Time) {}
+  /// Takes a frame of the bus.
   void receive(const Frame& frame, Time);
+  /// Has nothing to do.
   void advance(Time) {}
+  /// There is none.
   Time deadline() const { return never; }
+  /// Has nothing to do.
   void bus_state(BusState, Time) {}
+  /// Has nothing to do.
   void tx_ready(Time) {}
+  /// Has nothing to do.
   void overrun(Time) {}
 
  private:

@@ -31,6 +31,7 @@ class RealMeter {
   void read(Time now);
   /// True if it has reported a trip since it is in its state.
   bool has_told_trip() const { return has_told_trip_; }
+  /// A trip begins: lines from here on belong to its receipt.
   void trip_begins() { lines_before_trip_ = car_.paper().lines().size(); }
   /// Expects a receipt for the last payment: the meter prints by itself, at its own time.
   void expect_receipt();

@@ -15,6 +15,7 @@ namespace canvoy::taxi {
 
 class RoofSign {
  public:
+  /// State of each lamp, from lamp 1 on.
   using Lamps = std::array<cia447::Lamp, cia447::tariff_lamps_max>;
 
   /// `sabotage` must outlive this object.
@@ -33,6 +34,7 @@ class RoofSign {
     has_alarm_ = false;
   }
 
+  /// What people see.
   const Lamps& lamps() const { return lamps_; }
   /// True while the light for a vacant taxi is on.
   bool is_vacant() const { return is_vacant_; }

@@ -10,13 +10,15 @@
 
 namespace canvoy::taxi {
 
+/// Devices that it uses.
 struct RouteDisplaySettings {
-  NodeId terminal = 0;
-  NodeId navigation = 0;
+  NodeId terminal = 0;    ///< node-ID of the terminal
+  NodeId navigation = 0;  ///< node-ID of the navigation system
 };
 
 class RouteDisplay {
  public:
+  /// `network` must outlive this object; it acts once the node runs.
   RouteDisplay(cia447::CarNetwork& network, const car::NoHardware& hardware,
                const RouteDisplaySettings& settings);
   RouteDisplay(const RouteDisplay&) = delete;
@@ -24,6 +26,7 @@ class RouteDisplay {
 
   /// Sets the destination of the passengers.
   void guide(const cia447::GeoPosition& destination) { navigation_.guide(destination); }
+  /// Ends the guidance here; the navigation system goes on until a hand ends it there.
   void arrive() { navigation_.forget_destination(); }
 
  private:
@@ -33,9 +36,11 @@ class RouteDisplay {
   cia447::TerminalClient terminal_;
 };
 
+/// A CarUnit beside the virtual devices of the driver's unit; it is not in the catalogue.
 struct RouteDisplayKind : cia447::CarKind<RouteDisplay, car::NoHardware, RouteDisplaySettings> {
   static constexpr DeviceInfo info = {.name = "route-display", .title = "display of a route"};
   static constexpr const VirtualDeviceInfo& provides = car::no_virtual_device;
+  /// The keys of the terminal.
   static constexpr auto consumes = cia447::terminal_keys_objects;
 };
 

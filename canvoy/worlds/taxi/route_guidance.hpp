@@ -27,17 +27,20 @@ class RouteGuidance {
 
   /// Adds the hardware of the driver's unit and of the navigation system.
   void provide_display(Environment& environment);
+  /// Adds the hardware of the navigation system alone.
   void provide_navigation(Environment& environment);
   /// Call it before the driver's unit loses or gets its power.
   void lose_display() { display_ = nullptr; }
   /// Enters the destination again.
   void type_again();
 
+  /// The driver enters where the passengers want to go.
   void choose(const cia447::GeoPosition& destination);
   /// Ends the guidance, by hand at the navigation system: there is no object for it.
   void arrive();
   /// Empty: there is no destination, or it is unknown.
   const std::optional<cia447::GeoPosition>& destination() const { return destination_; }
+  /// The navigation system; made again when it gets power, so keep no reference.
   cia447::NavigationUnit& navigation() { return *navigation_; }
 
  private:

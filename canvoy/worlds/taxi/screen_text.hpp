@@ -16,10 +16,10 @@ namespace canvoy::taxi {
 std::string trip_text(const cia447::TaximeterDisplay& display, const cia447::Currency& currency);
 /// Position and destination of a car; what is unknown is empty.
 struct ShownPlace {
-  std::string_view street{};
-  std::string_view city{};
-  std::string_view destination{};  ///< a street
-  std::optional<double> metres_to_go{};
+  std::string_view street{};             ///< of the car
+  std::string_view city{};               ///< of the car, shown without a destination
+  std::string_view destination{};        ///< a street
+  std::optional<double> metres_to_go{};  ///< along the straight line, in m
 };
 /// The street, that of the destination, and the distance to it; without a destination, street and
 /// city.

@@ -21,6 +21,7 @@
 
 namespace canvoy::taxi {
 
+/// What the driver does.
 enum class Activity : std::uint8_t {
   off_duty,
   calibrating,  ///< drives a known distance
@@ -65,20 +66,21 @@ struct AgreedPrices {
   std::uint32_t least = 0;   ///< least price of a trip
 };
 
+/// The shift of a driver, with passengers by chance.
 struct ShiftOptions {
-  Time begin = Time(2min);  ///< the driver signs on
-  Time end = Time(11h);     ///< no passenger is fetched after it
-  Duration waiting_max = 12min;
-  Duration boarding_max = 60s;
-  Duration paying_max = 90s;
-  double trip_min_metres = 800;
-  double trip_max_metres = 14'000;
-  unsigned presses_max = 20;  ///< presses of a key without effect until the driver gives up
+  Time begin = Time(2min);          ///< the driver signs on
+  Time end = Time(11h);             ///< no passenger is fetched after it
+  Duration waiting_max = 12min;     ///< longest time at a stand
+  Duration boarding_max = 60s;      ///< longest time in which people get in
+  Duration paying_max = 90s;        ///< longest time from the halt to the payment
+  double trip_min_metres = 800;     ///< shortest trip
+  double trip_max_metres = 14'000;  ///< longest trip
+  unsigned presses_max = 20;        ///< presses of a key without effect until the driver gives up
   /// Share of the trips with each service of the tariff; 0 to 1. A service that does not exist:
   /// none.
   std::array<double, cia447::supplement_kinds_max> service_shares = {0.2, 0.3, 0.1};
-  double card_share = 0.4;  ///< share of the trips that are paid by card; 0 to 1
-  AgreedPrices agreed{};
+  double card_share = 0.4;      ///< share of the trips that are paid by card; 0 to 1
+  AgreedPrices agreed{};        ///< for a share of the trips; none by default
   double no_show_share = 0.05;  ///< share of the callers who do not come; 0 to 1
   double mistake_share = 0.05;  ///< share of the trips in which a wrong service is pressed first; 0
                                 ///< to 1
@@ -89,17 +91,21 @@ struct ShiftOptions {
 
 class Shift {
  public:
-  static constexpr Duration step_time = 100ms;
+  static constexpr Duration step_time = 100ms;  ///< between two steps
 
+  /// `drive` must outlive this object; the same seed gives the same shift.
   Shift(const ShiftOptions& options, std::uint64_t seed, car::Drive& drive, MeterKeys keys);
 
+  /// Acts at the car and at the meter; call it in each step_time.
   void step(Time now);
   /// Sets the function that is called for each change, with the old and the new activity.
   void on_change(std::function<void(Time, Activity, Activity)> changed) {
     changed_ = std::move(changed);
   }
 
+  /// What the driver does at present.
   Activity activity() const { return activity_; }
+  /// Number of trips that were paid.
   unsigned carried() const { return carried_; }
   /// True if the present, or last, passengers pay by card; false: in cash.
   bool pays_by_card() const { return pays_by_card_; }

@@ -34,8 +34,8 @@ class TaxiCar {
   /// Functions for requests to a real meter through a simulated device: called each time that the
   /// device is made again, and before it is destroyed.
   struct MeterReader {
-    Callback<void(cia447::CarNetwork&, Node&)> device_is_made;
-    Callback<void()> device_ends;
+    Callback<void(cia447::CarNetwork&, Node&)> device_is_made;  ///< with its network and node
+    Callback<void()> device_ends;                               ///< drop the references to both
   };
 
   /// All must outlive this object, which puts the devices on the bus.
@@ -46,6 +46,7 @@ class TaxiCar {
 
   /// Switches power of a device; one that gets power starts from its initial state.
   void power(car::CarNode& node, bool is_on);
+  /// The bus with its nodes.
   car::CarBus& bus() { return bus_; }
   /// Node-ID of the device that requests values of a real meter: the gateway, where that is
   /// simulated here.
@@ -54,18 +55,31 @@ class TaxiCar {
   void attach(const MeterReader& reader);
 
   // Parts that people see and touch.
+  /// Motion of the car.
   car::Drive& drive() { return drive_; }
+  /// Motion of the car.
   const car::Drive& drive() const { return drive_; }
+  /// The taximeter as the driver uses it.
   TaxiMeter& meter() { return meter_; }
+  /// The taximeter as the driver uses it.
   const TaxiMeter& meter() const { return meter_; }
+  /// The sign on the roof.
   const RoofSign& sign() const { return sign_; }
+  /// The displays of the terminal.
   const TerminalScreens& screens() const { return screens_; }
+  /// Destination and navigation.
   RouteGuidance& guidance() { return guidance_; }
+  /// Destination and navigation.
   const RouteGuidance& guidance() const { return guidance_; }
+  /// What the printer has printed.
   PaperText& paper() { return paper_; }
+  /// What the printer has printed.
   const PaperText& paper() const { return paper_; }
+  /// The gateway; made again when it gets power, so keep no reference.
   cia447::IvnGatewayUnit& gateway() { return *gateway_; }
+  /// The driver puts the card in.
   void log_driver_in();
+  /// The driver takes the card out.
   void log_driver_out();
   /// Starts a silent alarm, which the driver ends a minute later. False: there is no power.
   bool press_alarm();
@@ -77,7 +91,9 @@ class TaxiCar {
   // Effects of faults on the devices.
   /// Pulses of the wheels meanwhile are not lost.
   void lose_wheels(bool is_lost) { wheel_is_lost_ = is_lost; }
+  /// Takes away the signal of satellites, or returns it.
   void lose_satellites(bool is_lost) { fix_is_lost_ = is_lost; }
+  /// True while the receiver has a signal.
   bool has_satellites() const { return !fix_is_lost_; }
 
   // Acts of tampering.

@@ -17,14 +17,17 @@
 
 namespace canvoy::taxi {
 
+/// The taximeter enters another state.
 struct MeterChanged {
-  cia447::Taximeter state = cia447::Taximeter::signed_off;
+  cia447::Taximeter state = cia447::Taximeter::signed_off;  ///< 60D0h:01h
 };
+/// The tariff display shows another level.
 struct TariffChanged {
   std::array<std::uint8_t, 2> level{};  ///< its characters
 };
+/// A trip is over.
 struct TripPaid {
-  Trip trip;
+  Trip trip;  ///< as driven, metered and paid
 };
 /// The meter has recorded an event.
 struct MeterRecorded {
@@ -44,11 +47,13 @@ struct PassengersSeen {
 struct MeterWaitedFor {
   cia447::Taximeter state = cia447::Taximeter::for_hire;  ///< of 60D0h:01h
 };
+/// The driver presses the alarm key.
 struct AlarmPressed {};
 /// The control room has heard the call after an alarm.
 struct CallHeard {};
+/// The driver signs on or off.
 struct ShiftChanged {
-  bool begins = true;
+  bool begins = true;  ///< true: on
 };
 
 /// A fault of the plan begins.
@@ -60,6 +65,7 @@ using InvariantBroken = canvoy::InvariantBroken<InvariantKind>;
 
 struct TaxiEvent {
   Time at{};  ///< since the start of the run
+  /// One of the types above, or of sim/event_log.hpp.
   std::variant<BootedUp, NmtStateSeen, NmtCommandSeen, EmergencySeen, BusStateChanged,
                car::NetworkChanged, HandActed, MeterChanged, TariffChanged, TripPaid, MeterRecorded,
                PassengersSeen, MeterWaitedFor, AlarmPressed, CallHeard, ShiftChanged, FaultBegan,

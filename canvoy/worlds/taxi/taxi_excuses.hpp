@@ -17,6 +17,7 @@ bool can_cost(const ScheduledFault& fault, NodeId device);
 /// Time after its end in which it still can: until all that it affects is back.
 Duration lasts_after(InvariantKind kind);
 
+/// Excuses of this car, by invariant.
 using TaxiExcuses =
     car::Excuses<ScheduledFault, InvariantKind, invariant_kinds, device_names.size()>;
 

@@ -27,6 +27,7 @@ namespace canvoy::taxi {
 
 class TaxiMeter {
  public:
+  /// Local time of the meter; empty: its clock has none.
   using Clock = Callback<std::optional<cia447::LocalTime>()>;
 
   /// All must outlive this object. `clock` is the meter's own.
@@ -51,10 +52,13 @@ class TaxiMeter {
   /// Keys for the driver: a key of a meter without power does nothing. Keys of a real meter are
   /// pressed outside of the world: the functions then do only the other actions of the driver.
   MeterKeys keys();
+  /// What the meter shows; of a real one, what it sends.
   const cia447::TaximeterDisplay& display() const { return display_; }
+  /// True from hiring until the trip is paid.
   bool has_passengers() const;
   /// Takes the state that a real meter reports. False: it is not new.
   bool heard(cia447::Taximeter state);
+  /// Takes the data of a trip that a real meter sends.
   void heard(const cia447::TripData& trip) { display_.trip = trip; }
   /// Prints the receipt with this number for the trip on the display, with this payment.
   void print_receipt(std::uint32_t number, std::string_view payment);
@@ -66,7 +70,9 @@ class TaxiMeter {
   void open_seal(bool is_open) { is_seal_open_ = is_open; }
   /// Sets the function that is called for all that the meter records.
   void on_recorded(Callback<void(const cia447::AuditEntry&)> recorded) { recorded_ = recorded; }
+  /// The unit; made again when it gets power, so keep no reference.
   cia447::TaximeterUnit& unit() { return *unit_; }
+  /// The unit; made again when it gets power, so keep no reference.
   const cia447::TaximeterUnit& unit() const { return *unit_; }
 
  private:

@@ -37,6 +37,7 @@ namespace canvoy::taxi {
 
 class TaxiNetwork {
  public:
+  /// Makes all devices that are simulated here, and gives them power at time 0.
   explicit TaxiNetwork(TaxiOptions options);
   ~TaxiNetwork();
   TaxiNetwork(const TaxiNetwork&) = delete;
@@ -44,11 +45,14 @@ class TaxiNetwork {
 
   /// Runs up to and including `until`.
   void run_until(Time until) { world_.run_until(until); }
+  /// Time since the start of the run.
   Time now() const { return world_.now(); }
 
+  /// State at present, for a drawing.
   TaxiSnapshot snapshot() const;
   /// All events since the start, oldest first.
   std::span<const TaxiEvent> events() const { return events_.all(); }
+  /// All paid trips, the oldest first.
   std::span<const Trip> trips() const { return trips_.trips(); }
   /// Verdicts at present.
   std::vector<Invariant> invariants() const { return referee_.verdicts(); }
@@ -56,14 +60,23 @@ class TaxiNetwork {
   bool all_hold() const;
 
   // Access for tests, and for tools that take part.
+  /// Failures that the referees must detect; they may be set at any time.
   Sabotage& sabotage() { return sabotage_; }
+  /// The world of the bus; time passes only in run_until().
   World& world() { return world_; }
+  /// The taximeter, for hands from outside; made again when it gets power.
   cia447::TaximeterUnit& meter() { return car_.meter().unit(); }
+  /// The gateway; made again when it gets power.
   cia447::IvnGatewayUnit& gateway() { return car_.gateway(); }
+  /// The navigation system; made again when it gets power.
   cia447::NavigationUnit& navigation() { return car_.guidance().navigation(); }
+  /// Motion of the car.
   car::Drive& drive() { return car_.drive(); }
+  /// Device with a node-ID, which must exist.
   car::CarNode& node(NodeId id) { return bus_.node(id); }
+  /// All devices, in the order of their node-IDs.
   std::span<const std::unique_ptr<car::CarNode>> nodes() const { return bus_.nodes(); }
+  /// Options that it was made with.
   const TaxiOptions& options() const { return options_; }
   /// Notes an action by hand from outside.
   void note_hand(Time now, const HandActed& acted) { events_.note(now, acted); }

@@ -27,12 +27,12 @@
 
 namespace canvoy::taxi {
 
-inline constexpr NodeId printer_id = 3;
-inline constexpr NodeId driver_id = 4;
-inline constexpr NodeId sign_id = 5;
-inline constexpr NodeId terminal_id = 6;
-inline constexpr NodeId navigation_id = 7;
-inline constexpr NodeId alarm_id = 8;
+inline constexpr NodeId printer_id = 3;     ///< printer
+inline constexpr NodeId driver_id = 4;      ///< driver identification and clock
+inline constexpr NodeId sign_id = 5;        ///< tariff display on the roof
+inline constexpr NodeId terminal_id = 6;    ///< terminal
+inline constexpr NodeId navigation_id = 7;  ///< GPS and navigation
+inline constexpr NodeId alarm_id = 8;       ///< taxi alarm system
 /// In the order of their node-IDs, from 1 on.
 inline constexpr std::array<std::string_view, 8> device_names = {
     "ivn-gateway",    "taximeter", "printer",        "driver-and-clock",
@@ -43,9 +43,9 @@ inline constexpr Duration alarm_lasts = 1min;
 
 /// Assumptions about the network of a car.
 struct CarNetworkOptions {
-  cia447::CarNetworkSettings nodes{};
-  cia447::CarMasterSettings master{};
-  cia447::CarSleepSettings sleep{};
+  cia447::CarNetworkSettings nodes{};  ///< of each add-on device
+  cia447::CarMasterSettings master{};  ///< of the gateway, for the others
+  cia447::CarSleepSettings sleep{};    ///< of all devices
 };
 
 /// Company and driver.
@@ -61,20 +61,20 @@ struct Business {
 };
 
 struct TaxiOptions {
-  FaultPlan faults{};  ///< faults, and the seed of all chance
-  std::uint32_t bit_rate = 125'000;
+  FaultPlan faults{};                ///< faults, and the seed of all chance
+  std::uint32_t bit_rate = 125'000;  ///< in bit/s
   /// Time on the clocks at the start.
   CivilTime begin = std::chrono::sys_days{std::chrono::year{2026} / 11 / 21} + 18h;
-  cia447::TimeZone zone{};       ///< of the town
-  Duration clock_ahead{};        ///< advance of the real time clock on the bus before the right
-                                 ///< time
-  Duration meter_clock_ahead{};  ///< advance of the meter's own clock
-  Duration length = 12h;         ///< of the whole run
-  Duration alarm = 4h;           ///< time from the start to the press of the alarm key
-  Business business{};
-  ShiftOptions shift{};  ///< its end and presses_max follow from the rest
-  CarNetworkOptions car_network{};
-  cia447::CarSettings car{};
+  cia447::TimeZone zone{};          ///< of the town
+  Duration clock_ahead{};           ///< advance of the real time clock on the bus before the right
+                                    ///< time
+  Duration meter_clock_ahead{};     ///< advance of the meter's own clock
+  Duration length = 12h;            ///< of the whole run
+  Duration alarm = 4h;              ///< time from the start to the press of the alarm key
+  Business business{};              ///< on papers
+  ShiftOptions shift{};             ///< its end and presses_max follow from the rest
+  CarNetworkOptions car_network{};  ///< times of the network
+  cia447::CarSettings car{};        ///< of the gateway: wheels and ranges
   /// Receipts show the taxi's identifier as the meter has it (60DAh:04h).
   cia447::TaximeterSettings meter{.k = 24'000, .taxi_identifier = "M-TX 447"};
   /// Tariff for what passengers owe; that of the meter is in its settings, and must be the same.

@@ -31,7 +31,9 @@ class TaxiReferee {
   TaxiReferee(const TaxiReferee&) = delete;
   TaxiReferee& operator=(const TaxiReferee&) = delete;
 
+  /// Judges what can be seen at `now`; call it in each step.
   void step(Time now);
+  /// A frame is on the bus: no device may send one while all sleep.
   void frame_sent(Time now) { silence_.frame_sent(now, is_excused(InvariantKind::silence, now)); }
   /// True if passengers see that something is wrong with what they pay.
   bool passengers_see() const;

@@ -12,7 +12,7 @@
 
 namespace canvoy::taxi {
 
-inline constexpr Duration taxi_soak_time = 3h;
+inline constexpr Duration taxi_soak_time = 3h;  ///< length of a run of a soak
 
 /// Draws faults within `time`, some at its start; half of them meet another one.
 TaxiOptions soak_taxi(std::uint64_t seed, Duration time = taxi_soak_time);

@@ -17,7 +17,7 @@ namespace canvoy::taxi {
 /// Text on a display of the terminal.
 struct Screen {
   unsigned holder = 0;  ///< device that holds the display; 0: the car has it
-  std::string text;
+  std::string text;     ///< empty: the display is off, or has none
 };
 
 class TerminalScreens {
@@ -39,8 +39,11 @@ class TerminalScreens {
   /// Clears both displays: call it when the terminal has no power.
   void darken() { screens_ = {}; }
 
+  /// Display 1 and display 2.
   const std::array<Screen, 2>& both() const { return screens_; }
+  /// Text of display 1.
   const std::string& fare() const { return screens_[0].text; }
+  /// Text of display 2.
   const std::string& place() const { return screens_[1].text; }
 
  private:

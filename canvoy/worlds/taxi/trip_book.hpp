@@ -20,8 +20,8 @@ namespace canvoy::taxi {
 
 /// Payment of a trip.
 struct Payment {
-  double pocketed = 0;  ///< amount beyond the meter's, in 0.001 of the currency unit
-  bool is_by_card = false;
+  double pocketed = 0;      ///< amount beyond the meter's, in 0.001 of the currency unit
+  bool is_by_card = false;  ///< false: in cash
 };
 
 class TripBook {
