@@ -20,12 +20,15 @@ inline constexpr Category M = Category::mandatory;
 inline constexpr Category O = Category::optional;
 // NOLINTEND(readability-identifier-naming)
 
+/// The device provides the object: ro.
 constexpr DeviceObject provides(std::uint16_t index, Category category) {
   return {.index = index, .category = category, .access = Access::ro};
 }
+/// The device takes the object from another one: wo.
 constexpr DeviceObject takes(std::uint16_t index, Category category) {
   return {.index = index, .category = category, .access = Access::wo, .consumed = true};
 }
+/// The object is read and written in the device.
 constexpr DeviceObject provides_rw(std::uint16_t index, Category category) {
   return {.index = index, .category = category, .access = Access::rw};
 }
@@ -35,6 +38,7 @@ constexpr DeviceObject precision(DeviceObject object, std::string_view condition
   object.condition = condition;
   return object;
 }
+/// The same with a remark in place of a condition.
 constexpr DeviceObject with_note(DeviceObject object, std::string_view note) {
   object.condition = note;
   return object;
@@ -55,6 +59,7 @@ inline constexpr std::string_view no_main_computer =
 inline constexpr std::string_view no_diagnostics =
     "ro, where the segment has no diagnostics device";
 
+/// A list of them, for VirtualDeviceInfo.
 template <std::same_as<DeviceObject>... Object>
 constexpr std::array<DeviceObject, sizeof...(Object)> device_objects(const Object&... objects) {
   return {objects...};
@@ -64,6 +69,7 @@ constexpr std::array<DeviceObject, sizeof...(Object)> device_objects(const Objec
 constexpr DeviceObject provides_text(std::uint16_t index) {
   return with_note(provides(index, O), identification_provides_texts);
 }
+/// 6196h to 6198h in a device that shows them.
 constexpr DeviceObject takes_text(std::uint16_t index) {
   return with_note(takes(index, O), main_computer_takes_texts);
 }
@@ -95,8 +101,8 @@ inline constexpr auto identification_objects =
 
 /// A row of the matrix in 6.4: categories of classes 1, 2 and 3, with subclasses 1 to 4 of each.
 struct MatrixRow {
-  std::uint16_t index;
-  std::string_view categories;
+  std::uint16_t index;           ///< of the object
+  std::string_view categories;   ///< M, O or - for each column, with spaces between the classes
   Access access;                 ///< as it is printed
   std::string_view errata = {};  ///< finding by which that of the entries holds instead
 };
@@ -124,6 +130,7 @@ inline constexpr MatrixRow passenger_information_matrix[] = {
 constexpr std::size_t matrix_column(unsigned device_class, unsigned subclass) {
   return (device_class - 1) * 5 + subclass - 1;
 }
+/// Objects of one column.
 template <std::size_t column>
 constexpr auto passenger_information_column() {
   constexpr auto has = [](const MatrixRow& row) { return row.categories[column] != '-'; };
@@ -167,6 +174,7 @@ inline constexpr auto acoustic_control_manager_objects =
 constexpr DeviceObject relays(std::uint16_t index, Category category) {
   return with_note(takes(index, category), no_main_computer);
 }
+/// The gateway relays the object in place of a missing diagnostics device.
 constexpr DeviceObject relays_diagnostics(std::uint16_t index) {
   return with_note(takes(index, O), no_diagnostics);
 }
@@ -228,6 +236,7 @@ inline constexpr auto generic_io_objects = device_objects(
 
 // The devices.
 
+/// A virtual device with its code of Table 2.
 constexpr VirtualDeviceInfo describe_device(DeviceCode code, std::string_view clause,
                                             std::string_view description,
                                             const Items<DeviceObject>& objects,
@@ -239,6 +248,7 @@ constexpr VirtualDeviceInfo describe_device(DeviceCode code, std::string_view cl
           .errata = errata,
           .description = description};
 }
+/// The passenger information device of a class and subclass.
 template <InformationClass device_class, InformationSubclass subclass>
 constexpr VirtualDeviceInfo make_passenger_information() {
   constexpr auto class_code = static_cast<std::uint8_t>(device_class);
@@ -252,6 +262,7 @@ constexpr VirtualDeviceInfo make_passenger_information() {
   made.subclass_name = information_subclasses[subclass_code].name;
   return made;
 }
+/// The vehicle driver indicator of a class.
 constexpr VirtualDeviceInfo driver_indicator(IndicatorClass device_class,
                                              const Items<DeviceObject>& objects) {
   VirtualDeviceInfo made = describe_device(DeviceCode::vehicle_driver_indicator, "6.12",

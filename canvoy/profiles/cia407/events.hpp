@@ -27,6 +27,7 @@ inline constexpr auto event_codes = make_event_codes();
 template <DeviceCode code>
 inline constexpr FieldCondition events_of[] = {{event_code_field, code_of(code), code_of(code)}};
 
+/// One flag; `when` says for which event codes it has this name.
 constexpr FieldInfo event(std::uint8_t bit, std::string_view name,
                           const Items<FieldCondition>& when) {
   return {.first_bit = bit, .name = name, .value = {.names = event_states}, .when = when};
@@ -147,16 +148,17 @@ inline constexpr FieldInfo events_for_fields[] = {
 /// Names of the entries of one object: one entry for each of the 32 virtual devices that a physical
 /// device may have, the first at sub-index `first`.
 struct OrdinalNames {
-  std::string_view first;
-  std::string_view second;
-  std::string_view third;
-  std::string_view other;
-  std::string_view twenty_first;
-  std::string_view twenty_second;
-  std::string_view twenty_third;
-  std::string_view thirty_first;
-  std::string_view thirty_second;
+  std::string_view first;          ///< of the 1st device
+  std::string_view second;         ///< of the 2nd device
+  std::string_view third;          ///< of the 3rd device
+  std::string_view other;          ///< of all without an own name; # is the number
+  std::string_view twenty_first;   ///< of the 21st device
+  std::string_view twenty_second;  ///< of the 22nd device
+  std::string_view twenty_third;   ///< of the 23rd device
+  std::string_view thirty_first;   ///< of the 31st device
+  std::string_view thirty_second;  ///< of the 32nd device
 };
+/// Entries from `first` on, in the shape of `shape` with 32 bits.
 constexpr std::array<EntryInfo, 10> of_32_devices(std::uint8_t first, const OrdinalNames& names,
                                                   EntryInfo shape) {
   shape.type = DataType::unsigned32;

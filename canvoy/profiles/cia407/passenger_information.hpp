@@ -50,6 +50,7 @@ constexpr EntryInfo of_display(EntryInfo entry) {
   entry.access_by_device = true;
   return entry;
 }
+/// An entry with a file or a segment of one; `capacity` in octets, 0: that of the device.
 constexpr EntryInfo file(std::string_view name, DataType type, std::uint16_t capacity = 0) {
   return of_display(sub_index(0, name, string_entry(type, ro, capacity)));
 }
@@ -98,10 +99,10 @@ inline constexpr NamedValue font_sizes[] = {{FontSize::no_mode, "no mode"},
 
 /// Bytes of an entry of 6203h, by the number of their first bit.
 struct DisplayLayout {
-  std::uint8_t sub_index;
-  std::uint8_t index_msb;
-  std::uint8_t index_lsb;
-  std::uint8_t format;
+  std::uint8_t sub_index;  ///< of the entry to show
+  std::uint8_t index_msb;  ///< of its object, high byte
+  std::uint8_t index_lsb;  ///< of its object, low byte
+  std::uint8_t format;     ///< font, alignment and flashing
 
   /// Makes an entry that shows this object without a format.
   constexpr std::uint32_t show(unsigned index, unsigned sub) const {
@@ -112,6 +113,7 @@ struct DisplayLayout {
 inline constexpr DisplayLayout display_by_bit_number = {0, 8, 16, 24};
 inline constexpr DisplayLayout display_by_byte_order = {24, 16, 8, 0};
 
+/// Fields of an entry in that layout.
 constexpr std::array<FieldInfo, 7> display_fields(const DisplayLayout& layout) {
   const auto byte = [](std::uint8_t first, std::string_view name) {
     return field(first, 8, name, {.notation = Notation::hexadecimal});
@@ -157,6 +159,7 @@ inline constexpr auto display_mapping_entries =
     display_entries(display_by_bit_number, display_mapping_fields);
 inline constexpr auto display_mapping_entries_reversed =
     display_entries(display_by_byte_order, display_mapping_fields_reversed);
+/// 6203h with these entries.
 constexpr ObjectInfo display_mapping(const Items<EntryInfo>& entries) {
   return array(0x6203, "display_mapping", "9.2.8.4",
                "What is shown, and how: texts and files by their index and sub-index.", entries,

@@ -14,11 +14,13 @@
 
 namespace canvoy::cia407 {
 
+/// Value of a mapping entry; does not compile where the object has no such entry.
 constexpr std::uint32_t mapped(const ObjectInfo& object, unsigned sub = 0) {
   const EntryInfo* entry = find_entry(object, sub);
   if (entry == nullptr) detail::description_is_wrong("the mapped entry is not there");
   return MappingValue(object.index, sub, bit_length(entry->type)).raw();
 }
+/// Value of a mapping entry for a gap as wide as that type.
 constexpr std::uint32_t dummy(DataType type) {
   return MappingValue(static_cast<unsigned>(type), 0, bit_length(type)).raw();
 }
@@ -58,10 +60,10 @@ inline constexpr std::uint32_t destination_mapping[] = {mapped(destination_numbe
 
 /// One of the eight messages.
 struct PdoMessage {
-  std::uint16_t cob_id;
-  std::string_view name;
-  std::string_view configuration;
-  std::string_view errata;
+  std::uint16_t cob_id;            ///< pre-defined, with the node-ID of its sender
+  std::string_view name;           ///< what it carries
+  std::string_view configuration;  ///< configuration of the network that has it (8.1.4.3)
+  std::string_view errata;         ///< findings that concern it
 };
 inline constexpr std::string_view minimum_configuration = "minimum and typical configuration";
 inline constexpr std::string_view typical_configuration = "typical configuration";

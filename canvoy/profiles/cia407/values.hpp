@@ -63,16 +63,19 @@ constexpr ObjectRemarks of_device(ObjectRemarks remarks) {
   if (remarks.condition.empty()) remarks.condition = by_virtual_device;
   return remarks;
 }
+/// A variable that clause 6 gives to virtual devices.
 constexpr ObjectInfo variable(std::uint16_t index, std::string_view name, std::string_view clause,
                               std::string_view description, const EntryInfo& entry,
                               const ObjectRemarks& remarks = {}) {
   return var_object(index, name, clause, description, by_device(entry), of_device(remarks));
 }
+/// An array that clause 6 gives to virtual devices.
 constexpr ObjectInfo array(std::uint16_t index, std::string_view name, std::string_view clause,
                            std::string_view description, Items<EntryInfo> subs,
                            std::string_view errata = {}) {
   return array_object(index, name, clause, description, subs, of_device({.errata = errata}));
 }
+/// A record that clause 6 gives to virtual devices.
 constexpr ObjectInfo record(std::uint16_t index, std::string_view name, std::string_view clause,
                             std::string_view description, Items<EntryInfo> subs,
                             std::string_view errata = {}) {
@@ -95,6 +98,7 @@ constexpr EntryInfo at(std::uint8_t first, std::uint8_t last, EntryInfo shape) {
   shape.sub_last = last;
   return shape;
 }
+/// An entry at one sub-index.
 constexpr EntryInfo at(std::uint8_t sub, const EntryInfo& shape) {
   return at(sub, sub, shape);
 }
@@ -115,6 +119,7 @@ constexpr std::array<EntryInfo, 3> one_or_more(const EntryInfo& number, const En
 
 template <unsigned bits>
 inline constexpr NamedValue padding[] = {{0, (1 << bits) - 1, "reserved", Meaning::padding}};
+/// Bits without a meaning, which may have any value.
 template <unsigned bits>
 constexpr FieldInfo reserved(std::uint8_t first_bit) {
   return field(first_bit, bits, "reserved", {.names = padding<bits>});
@@ -150,12 +155,15 @@ inline constexpr NamedValue not_values_32[] = {
     {0xFE00'0000, 0xFEFF'FFFF, "error", Meaning::failure},
     {0xFB00'0000, 0xFDFF'FFFF, "reserved", Meaning::reserved}};
 
+/// A quantity of eight bits; FBh and above are no values.
 constexpr ValueInfo coded_8(Unit unit, const Scale& scale) {
   return {.unit = unit, .scale = scale, .limits = within(0, 0xFA), .names = not_values_8};
 }
+/// A quantity of 16 bits; FB00h and above are no values.
 constexpr ValueInfo coded_16(Unit unit, const Scale& scale) {
   return {.unit = unit, .scale = scale, .limits = within(0, 0xFAFF), .names = not_values_16};
 }
+/// A quantity of 32 bits; FB00 0000h and above are no values.
 constexpr ValueInfo coded_32(Unit unit, const Scale& scale) {
   return {.unit = unit, .scale = scale, .limits = within(0, 0xFAFF'FFFF), .names = not_values_32};
 }

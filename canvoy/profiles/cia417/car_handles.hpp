@@ -151,10 +151,12 @@ inline constexpr Flag<area_state_object, "Work area state channel #", "Range ove
     range_overflow;
 inline constexpr Flag<area_state_object, "Work area state channel #", "Range underflow">
     range_underflow;
+/// Lower limit of a work area of a position unit; both count from 1.
 constexpr auto work_area_low_limit(unsigned unit, unsigned channel) {
   return Number<work_area_low_limit_1_object, "Work area lowlimit channel #">{}(channel).shifted(
       unit - 1);
 }
+/// Upper limit of a work area of a position unit; both count from 1.
 constexpr auto work_area_high_limit(unsigned unit, unsigned channel) {
   return Number<work_area_high_limit_1_object, "Work area highlimit channel #">{}(channel).shifted(
       unit - 1);
@@ -181,13 +183,16 @@ inline constexpr Flag<alarms_object, "Position unit #", "Commissioning diagnosti
     commissioning_diagnostics;
 inline constexpr Quantity<operating_time_object, "Position unit #"> operating_time;
 inline constexpr Number<offset_value_object, "Position unit #"> offset_value;
+/// Offset value of the maker, of position unit 1 to 4.
 constexpr auto manufacturer_offset(unsigned unit) {
   return Number<module_identification_1_object, "Manufacturer offset value">{}.shifted(unit - 1);
 }
+/// Lowest position that the maker's encoder has.
 constexpr auto manufacturer_minimum(unsigned unit) {
   return Number<module_identification_1_object, "Manufacturer minimum position value">{}.shifted(
       unit - 1);
 }
+/// Highest position that the maker's encoder has.
 constexpr auto manufacturer_maximum(unsigned unit) {
   return Number<module_identification_1_object, "Manufacturer maximum position value">{}.shifted(
       unit - 1);

@@ -115,8 +115,8 @@ inline constexpr Number<jerk_dimension_object, "Jerk dimension index"> jerk_dime
 /// The two numbers of a factor.
 template <const ObjectInfo& object, Name first = "Numerator", Name second = "Divisor">
 struct FactorHandles {
-  static constexpr Number<object, first> numerator{};
-  static constexpr Number<object, second> divisor{};
+  static constexpr Number<object, first> numerator{};  ///< sub-index 01h
+  static constexpr Number<object, second> divisor{};   ///< sub-index 02h; not 0
 };
 inline constexpr FactorHandles<position_encoder_resolution_object, "Encoder increments",
                                "Motor revolutions">

@@ -20,11 +20,13 @@ constexpr auto beacons_and_flashers(Items<NamedValue> values, unsigned group) {
                       numbered<1>(2, "wlr#", "working light rear", values, group + 1),
                       numbered<2>(2, "rf#", "rear flasher", values, 2 * group + 1));
 }
+/// Codes of the search lamp in a command or a status.
 struct SearchLampValues {
-  Items<NamedValue> right_left;
-  Items<NamedValue> up_down;
-  Items<NamedValue> position;
+  Items<NamedValue> right_left;  ///< right, left or stop
+  Items<NamedValue> up_down;     ///< up, down or stop
+  Items<NamedValue> position;    ///< stored position 1 to 3
 };
+/// Fields of the indicators and the search lamp.
 constexpr auto indicators_and_search_lamp(Items<NamedValue> values,
                                           const SearchLampValues& search_lamp) {
   return side_by_side(numbered<4>(2, "di#", "direction indicator", values),
@@ -34,10 +36,12 @@ constexpr auto indicators_and_search_lamp(Items<NamedValue> values,
                       field(2, "sslud", "swing search lamp up/down", search_lamp.up_down),
                       field(2, "slp", "search lamp position", search_lamp.position));
 }
+/// Fields of additional beacons and reserve lights.
 constexpr auto further_lights(Items<NamedValue> values) {
   return side_by_side(numbered<8>(2, "alb#", "additional light beacon", values, 9),
                       numbered<7>(2, "rl#", "reserve light", values));
 }
+/// Fields of the 16 additional functions.
 constexpr auto additional_functions(Items<NamedValue> values) {
   return numbered<16>(2, "af#", "additional function", values);
 }
@@ -195,13 +199,15 @@ inline constexpr auto additional_sound_states = additional_sounds(
 inline constexpr ValueInfo volume_command = wanted<6, 0x3C>(Unit::none, {.offset = 1});
 inline constexpr ValueInfo volume_status = measured<6, 0x3D>(Unit::none, {.offset = 1});
 
+/// Codes of the sound in a command or a status.
 struct SoundValues {
-  Items<NamedValue> sound;
-  Items<NamedValue> speed;
-  Items<NamedValue> city;
-  Items<NamedValue> function;
-  Items<NamedValue> day;
+  Items<NamedValue> sound;     ///< which sound
+  Items<NamedValue> speed;     ///< double speed
+  Items<NamedValue> city;      ///< sound for the city or the land
+  Items<NamedValue> function;  ///< on or off
+  Items<NamedValue> day;       ///< day or night
 };
+/// Fields of the sound.
 constexpr auto sound_fields(const SoundValues& values, std::string_view city_description,
                             const ValueInfo& volume) {
   return side_by_side(field(8, "additional sound", "which sound", values.sound),

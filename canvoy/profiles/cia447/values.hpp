@@ -28,14 +28,15 @@ namespace canvoy::cia447 {
 
 // Codes.
 
+/// The highest code of that many bits.
 constexpr std::int64_t all_ones(unsigned bits) {
   return static_cast<std::int64_t>((1ULL << bits) - 1);
 }
 
 /// The two highest codes of a status or command.
 struct Sentinels {
-  NamedValue second_highest;
-  NamedValue highest;
+  NamedValue second_highest;  ///< failure, or not implemented
+  NamedValue highest;         ///< not available, or no action
 };
 template <unsigned bits>
 inline constexpr Sentinels status_sentinels = {
@@ -46,6 +47,7 @@ inline constexpr Sentinels command_sentinels = {
     {all_ones(bits) - 1, "Function not implemented", Meaning::not_implemented},
     {all_ones(bits), "Don't care, take no action", Meaning::do_not_care}};
 
+/// Codes without a meaning.
 constexpr NamedValue reserved_codes(std::int64_t first, std::int64_t last) {
   return {first, last, "Reserved", Meaning::reserved};
 }
@@ -186,6 +188,7 @@ constexpr EntryInfo status(DataType type, Mapping mapping, const ValueInfo& valu
           .consumer_initial = all_ones(bit_length(type)),
           .value = value};
 }
+/// The same, divided into fields, which must fill the type.
 constexpr EntryInfo status(DataType type, Mapping mapping, Items<FieldInfo> fields) {
   check_filled(type, fields);
   EntryInfo entry = status(type, mapping, ValueInfo{});
@@ -200,10 +203,12 @@ constexpr EntryInfo status_text(std::uint16_t capacity, bool is_printed = false)
           .capacity = capacity,
           .capacity_is_printed = is_printed};
 }
+/// An entry of a command: rw, "take no action" by default.
 constexpr EntryInfo command(DataType type, const ValueInfo& value) {
   return {
       .type = type, .access = Access::rw, .initial = all_ones(bit_length(type)), .value = value};
 }
+/// The same, divided into fields, which must fill the type.
 constexpr EntryInfo command(DataType type, Items<FieldInfo> fields) {
   check_filled(type, fields);
   EntryInfo entry = command(type, ValueInfo{});
@@ -238,6 +243,7 @@ struct Remarks {
 };
 inline constexpr Remarks optional_object = {.category = Category::optional, .errata = "A16"};
 
+/// A variable as part 3 describes it.
 constexpr ObjectInfo variable_object(std::uint16_t index, std::string_view name,
                                      std::string_view clause, std::string_view description,
                                      const EntryInfo& entry, const Remarks& remarks = {}) {
@@ -251,6 +257,7 @@ constexpr ObjectInfo variable_object(std::uint16_t index, std::string_view name,
           .description = description,
           .entry = entry};
 }
+/// An array or record as part 3 describes it.
 constexpr ObjectInfo structured_object(ObjectCode code, std::uint16_t index, std::string_view name,
                                        std::string_view clause, std::string_view description,
                                        Items<EntryInfo> subs, const Remarks& remarks = {}) {
@@ -259,6 +266,7 @@ constexpr ObjectInfo structured_object(ObjectCode code, std::uint16_t index, std
   object.subs = subs;
   return object;
 }
+/// An array as part 3 describes it.
 constexpr ObjectInfo array_object(std::uint16_t index, std::string_view name,
                                   std::string_view clause, std::string_view description,
                                   Items<EntryInfo> subs, const Remarks& remarks = {}) {

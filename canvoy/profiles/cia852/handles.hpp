@@ -15,12 +15,15 @@ namespace canvoy::cia852 {
 
 /// Location among the 64 of a cluster: the group of eight, and the number in it.
 inline constexpr unsigned bits_of_group = 8;
+/// Group, from 1, of an element of a cluster.
 constexpr unsigned group_of(unsigned number) {
   return (number - 1) / bits_of_group + 1;
 }
+/// Number, 1 to 8, of an element in its group.
 constexpr unsigned place_of(unsigned number) {
   return (number - 1) % bits_of_group + 1;
 }
+/// A number that a cluster can have: 1 to 64.
 template <unsigned number>
 concept InCluster = number >= 1 && number <= groups_of_cluster * bits_of_group;
 
@@ -61,6 +64,7 @@ constexpr auto joystick_buttons(unsigned joystick) {
   return Number<read_input_8_bit_object,
                 "Joystick #: Up to 8 additional buttons">{}[joystick_buttons_sub(joystick)];
 }
+/// One of buttons 1 to 8 of a joystick.
 template <unsigned button>
   requires(button >= 1 && button <= bits_of_group)
 constexpr auto joystick_button(unsigned joystick) {
@@ -99,6 +103,7 @@ constexpr auto push_buttons(unsigned cluster, unsigned group) {
   return Number<read_input_8_bit_object, "Push-button cluster #: Switch 1-to-8">{}[push_buttons_sub(
       cluster, group)];
 }
+/// One of push-buttons 1 to 64 of a cluster, from 1 on.
 template <unsigned button>
   requires InCluster<button>
 constexpr auto push_button(unsigned cluster) {
@@ -113,12 +118,14 @@ constexpr auto indicators(unsigned cluster, unsigned group) {
   return Number<write_output_8_bit_object,
                 "Indicator cluster #: Indicator 1-to-8">{}[indicators_sub(cluster, group)];
 }
+/// One of indicators 1 to 64 of a cluster, from 1 on.
 template <unsigned number>
   requires InCluster<number>
 constexpr auto indicator(unsigned cluster) {
   return State<Switch, write_output_8_bit_object, "Indicator cluster #: Indicator 1-to-8",
                numbered("i", place_of(number))>{}[indicators_sub(cluster, group_of(number))];
 }
+/// What an indicator does when the host is lost (6206h): keeps its state, or takes that of 6207h.
 template <unsigned number>
   requires InCluster<number>
 constexpr auto indicator_error_mode(unsigned cluster) {
@@ -126,6 +133,7 @@ constexpr auto indicator_error_mode(unsigned cluster) {
                "Indicator cluster #: Error mode 1-to-8",
                numbered("i", place_of(number))>{}[indicators_sub(cluster, group_of(number))];
 }
+/// State of an indicator without a host (6207h).
 template <unsigned number>
   requires InCluster<number>
 constexpr auto indicator_error_value(unsigned cluster) {

@@ -9,16 +9,16 @@ namespace canvoy::cia852 {
 
 /// One PDO: its number, its mapping, and when it is mandatory.
 struct PdoSet {
-  unsigned number = 0;
-  Items<EntryInfo> mapping = {};
-  std::string_view condition = {};
-  std::string_view clause = {};
-  std::string_view errata = {};
-  std::string_view description = {};
+  unsigned number = 0;                ///< from 1
+  Items<EntryInfo> mapping = {};      ///< entries of its mapping record
+  std::string_view condition = {};    ///< when a device has it
+  std::string_view clause = {};       ///< of both records
+  std::string_view errata = {};       ///< findings that concern it
+  std::string_view description = {};  ///< text for both records
 };
 
-inline constexpr std::size_t tpdo_count = 38;
-inline constexpr std::size_t rpdo_count = 32;
+inline constexpr std::size_t tpdo_count = 38;  ///< 1, and 5 to 41
+inline constexpr std::size_t rpdo_count = 32;  ///< 1, 2, and 4 to 33
 
 /// Sorted by their numbers: 1, 5 to 41.
 inline constexpr auto tpdo_sets = [] {
@@ -52,6 +52,7 @@ inline constexpr auto tpdo_sets = [] {
   return sets;
 }();
 
+/// The RPDO of four parameters of display `n`; `part` counts from 1.
 constexpr PdoSet display_set(unsigned n, unsigned part, Items<EntryInfo> mapping) {
   const unsigned number = display_rpdo(n, part);
   return {number,
@@ -80,7 +81,9 @@ constexpr std::array<PdoSet, rpdo_count> rpdo_sets_with(
   }
   return sets;
 }
+/// In the usual reading of the displays' sub-indices.
 inline constexpr auto rpdo_sets = rpdo_sets_with(display_mappings);
+/// In the other reading: wide_display_pitch.
 inline constexpr auto wide_rpdo_sets = rpdo_sets_with(wide_display_mappings);
 
 /// Distance of the n-th PDO from the first: n - 1, or as printed in clause 12.
@@ -88,10 +91,12 @@ constexpr unsigned offset_of(unsigned number) {
   return number - 1;
 }
 inline constexpr unsigned first_shifted_tpdo = 20;  ///< errata 16
+/// See offset_of(): TPDO 20 and those after it are one further.
 constexpr unsigned printed_offset_of(unsigned number) {
   return number < first_shifted_tpdo ? number - 1 : number;
 }
 
+/// Communication record of a PDO.
 constexpr ObjectInfo parameter_object(unsigned index, const PdoSet& set, std::string_view name,
                                       Items<EntryInfo> entries) {
   return record_object(static_cast<std::uint16_t>(index), name, set.clause, set.description,
@@ -100,6 +105,7 @@ constexpr ObjectInfo parameter_object(unsigned index, const PdoSet& set, std::st
                         .condition = set.condition,
                         .errata = set.errata});
 }
+/// Mapping record of a PDO.
 constexpr ObjectInfo mapping_object(unsigned index, const PdoSet& set, std::string_view name) {
   return record_object(static_cast<std::uint16_t>(index), name, set.clause, set.description,
                        set.mapping,
@@ -108,6 +114,7 @@ constexpr ObjectInfo mapping_object(unsigned index, const PdoSet& set, std::stri
                         .errata = set.errata});
 }
 
+/// An object of each set.
 template <std::size_t count, class Make>
 constexpr std::array<ObjectInfo, count> objects_of(const std::array<PdoSet, count>& sets,
                                                    Make make) {
@@ -115,7 +122,9 @@ constexpr std::array<ObjectInfo, count> objects_of(const std::array<PdoSet, coun
   for (std::size_t i = 0; i < count; ++i) made[i] = make(sets[i]);
   return made;
 }
+/// Distance of a record from the first one, by the number of the PDO.
 using OffsetOf = unsigned (*)(unsigned number);
+/// All 1800h ff.
 constexpr std::array<ObjectInfo, tpdo_count> tpdo_parameters_at(OffsetOf offset) {
   return objects_of(tpdo_sets, [=](const PdoSet& set) {
     const Items<EntryInfo> entries = set.number == 1 ? Items<EntryInfo>(tpdo1_parameter_entries)
@@ -124,11 +133,13 @@ constexpr std::array<ObjectInfo, tpdo_count> tpdo_parameters_at(OffsetOf offset)
                             entries);
   });
 }
+/// All 1A00h ff.
 constexpr std::array<ObjectInfo, tpdo_count> tpdo_mappings_at(OffsetOf offset) {
   return objects_of(tpdo_sets, [=](const PdoSet& set) {
     return mapping_object(0x1A00 + offset(set.number), set, "TPDO # mapping parameter");
   });
 }
+/// All 1600h ff., with these mappings.
 constexpr std::array<ObjectInfo, rpdo_count> rpdo_mappings_of(
     const std::array<PdoSet, rpdo_count>& sets) {
   return objects_of(sets, [](const PdoSet& set) {
@@ -136,29 +147,36 @@ constexpr std::array<ObjectInfo, rpdo_count> rpdo_mappings_of(
   });
 }
 
-inline constexpr auto tpdo_parameter_objects = tpdo_parameters_at(offset_of);
-inline constexpr auto tpdo_mapping_objects = tpdo_mappings_at(offset_of);
+inline constexpr auto tpdo_parameter_objects = tpdo_parameters_at(offset_of);  ///< 1800h ff.
+inline constexpr auto tpdo_mapping_objects = tpdo_mappings_at(offset_of);      ///< 1A00h ff.
+/// 1400h ff.
 inline constexpr auto rpdo_parameter_objects = objects_of(rpdo_sets, [](const PdoSet& set) {
   return parameter_object(0x1400 + offset_of(set.number), set, "RPDO # communication parameter",
                           rpdo_parameter_entries);
 });
-inline constexpr auto rpdo_mapping_objects = rpdo_mappings_of(rpdo_sets);
+inline constexpr auto rpdo_mapping_objects = rpdo_mappings_of(rpdo_sets);  ///< 1600h ff.
 
 // Objects of the other readings.
+/// 1800h ff., as printed.
 inline constexpr auto printed_tpdo_parameter_objects = tpdo_parameters_at(printed_offset_of);
+/// 1A00h ff., as printed.
 inline constexpr auto printed_tpdo_mapping_objects = tpdo_mappings_at(printed_offset_of);
+/// 1600h ff., with wide displays.
 inline constexpr auto wide_rpdo_mapping_objects = rpdo_mappings_of(wide_rpdo_sets);
 
 /// The parameters of one PDO, by its number.
 constexpr const ObjectInfo& tpdo_parameter(unsigned number) {
   return tpdo_parameter_objects[number == 1 ? 0 : number - 4];
 }
+/// The mapping of one TPDO, by its number.
 constexpr const ObjectInfo& tpdo_mapping(unsigned number) {
   return tpdo_mapping_objects[number == 1 ? 0 : number - 4];
 }
+/// The parameters of one RPDO, by its number.
 constexpr const ObjectInfo& rpdo_parameter(unsigned number) {
   return rpdo_parameter_objects[number < 3 ? number - 1 : number - 2];
 }
+/// The mapping of one RPDO, by its number.
 constexpr const ObjectInfo& rpdo_mapping(unsigned number) {
   return rpdo_mapping_objects[number < 3 ? number - 1 : number - 2];
 }

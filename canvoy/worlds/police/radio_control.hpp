@@ -31,7 +31,7 @@ struct RadioControlSettings {
 
 class RadioControl {
  public:
-  static constexpr std::uint8_t gain = 100;  ///< of connected pairs: 1 to 200 (6122h)
+  static constexpr std::uint8_t gain = 100;  ///< of the pairs that it connects (6120h)
 
   /// `network` must outlive this object; it acts once the node runs.
   RadioControl(cia447::CarNetwork& network, const RadioControlHardware& hardware,
