@@ -9,6 +9,7 @@
 
 namespace canvoy {
 
+/// Only Callback<Return(Arguments...)> exists.
 template <class Signature>
 class Callback;
 

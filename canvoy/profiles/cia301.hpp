@@ -20,6 +20,7 @@ constexpr Part device_type(std::uint32_t value) {
   return Part(device_type_object).initial(value);
 }
 
+/// Values of 1018h.
 struct Identity {
   std::uint32_t vendor_id = 0;      ///< assigned by CiA; 0: none
   std::uint32_t product_code = 0;   ///< of the vendor

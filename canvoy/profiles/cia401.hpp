@@ -24,6 +24,7 @@ inline constexpr NamedValue pdo_mapping_names[] = {{0, "pre-defined"}, {1, "devi
 
 /// Bits of 1000h that are also those of profiles built on this one.
 inline constexpr FieldInfo profile_field = field(0, 16, "Device profile number", profile_names);
+/// A bit of 1000h: whether the device has such inputs or outputs.
 constexpr FieldInfo io_field(std::uint8_t bit, std::string_view name) {
   return field(bit, 1, name, presence_names);
 }
@@ -66,6 +67,7 @@ inline constexpr auto analogue_output_mapping_2 =
 inline constexpr auto analogue_output_mapping_3 =
     side_by_side<4>(write_analogue_output_16_bit_object, 9);
 
+/// A PDO of the pre-defined connection set; the node-ID is added to `can_id`.
 constexpr PdoInfo pdo(PdoInfo::Direction direction, std::uint16_t number, std::uint32_t can_id,
                       Items<std::uint32_t> mapping, std::string_view name) {
   return {.direction = direction,

@@ -36,6 +36,7 @@ inline constexpr RecordTypeInfo record_types[] = {{.index = dimension_record_ind
                                                    .clause = "4.1.3.1",
                                                    .members = dimension_record_members}};
 
+/// 1000h of one virtual device, as the model asks for it.
 constexpr std::uint32_t device_type_of(const VirtualDeviceInfo& device) {
   return device_type(static_cast<VirtualDevice>(device.code));
 }

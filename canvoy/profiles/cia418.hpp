@@ -130,6 +130,7 @@ inline constexpr std::uint32_t tpdo1_can_id = 0x180;
 inline constexpr std::uint32_t tpdo2_can_id = 0x280;
 inline constexpr std::uint32_t tpdo3_can_id = 0x380;
 
+/// A COB-ID of the pre-defined connection set; the node-ID is added.
 constexpr EntryInfo cob_id_entry(std::uint32_t can_id) {
   EntryInfo entry = cia301::pdo_cob_id_entry;
   entry.initial = plus_node_id(can_id);
@@ -162,6 +163,7 @@ inline constexpr EntryInfo tpdo3_parameter_entries[] = {
     cia301::highest_sub_index, cob_id_entry(tpdo3_can_id), cia301::transmission_type_entry,
     cia301::inhibit_time_entry, tpdo_event_timer_entry()};
 
+/// Sub-index 00h of a mapping record.
 constexpr EntryInfo mapped_objects(std::uint8_t count) {
   EntryInfo entry = cia301::mapping_number_entry;
   entry.initial = count;

@@ -20,7 +20,9 @@ struct Pointers {
   std::array<const ObjectInfo*, capacity> items{};
   std::size_t size = 0;
 
+  /// Adds an object.
   constexpr void add(const ObjectInfo& object) { items[size++] = &object; }
+  /// Adds all of them, which must outlive the list.
   template <std::size_t count>
   constexpr void add(const std::array<ObjectInfo, count>& objects) {
     for (const ObjectInfo& object : objects) add(object);

@@ -19,6 +19,7 @@ inline constexpr auto default_sdo_server_object =
     record_object(0x1200, "SDO server parameter", "7.5.2.33", "", default_sdo_server_entries,
                   {.category = Category::optional});
 
+/// COB-ID of an additional SDO channel: invalid by default.
 inline constexpr EntryInfo sdo_cob_id(std::uint8_t sub, std::string_view name) {
   return sub_index(
       sub, name, entry(unsigned32, rw, no, invalid_cob_id, code),

@@ -64,6 +64,7 @@ constexpr ObjectInfo refined(ObjectInfo object, Category category, std::string_v
   object.errata = errata;
   return object;
 }
+/// 1001h of profiles that reserve the bit of the device profile.
 constexpr ObjectInfo error_register_with_reserve(std::string_view clause) {
   ObjectInfo object = refined(error_register_object, Category::mandatory, clause);
   object.entry.fields = error_register_bits_with_reserve;
@@ -193,6 +194,7 @@ constexpr EntryInfo date_entry(std::string_view name) {
   return sub_index(1, name, entry(unsigned32, rw, no, 0, {.unit = Unit::day}),
                    {.description = "Days since 1 January 1984."});
 }
+/// Time of day in milliseconds, at sub-index 02h.
 constexpr EntryInfo time_entry(std::string_view name) {
   return sub_index(2, name, entry(unsigned32, rw, no, 0, milliseconds),
                    {.description = "Since midnight."});

@@ -83,6 +83,7 @@ inline constexpr EntryInfo expected_entries[] = {
     cia301::highest_sub_index,
     sub_index(1, 127, "Expected of slave", entry(unsigned32, rw, no, 0, cia301::code)),
 };
+/// One of 1F84h to 1F88h: what the master expects of each slave; 0: not checked.
 constexpr ObjectInfo expected(std::uint16_t index, std::string_view name) {
   return array_object(index, name, "302-2", "", expected_entries, {.category = Category::optional});
 }
@@ -109,6 +110,7 @@ inline constexpr auto restore_configuration_object =
     array_object(0x1F8A, "Restore configuration", "302-2", "", restore_configuration_entries,
                  {.category = Category::optional});
 
+/// A time of 1F90h in milliseconds, with its default.
 constexpr EntryInfo flying_time(std::uint8_t sub, std::string_view name, std::uint16_t ms) {
   return sub_index(sub, name, entry(unsigned16, rw, no, ms, cia301::milliseconds));
 }

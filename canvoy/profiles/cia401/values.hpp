@@ -42,6 +42,7 @@ constexpr std::array<EntryInfo, 2> channels(EntryInfo each, std::uint8_t last = 
 constexpr EntryInfo input(DataType type, std::string_view name) {
   return sub_index(0, name, entry(type, ro, optional));
 }
+/// See input(); 0 by default.
 constexpr EntryInfo output(DataType type, std::string_view name) {
   return sub_index(0, name, entry(type, rw, optional, 0));
 }
@@ -50,6 +51,7 @@ constexpr EntryInfo parameter(DataType type, std::string_view name, Default init
                               const ValueInfo& value = {}) {
   return sub_index(0, name, entry(type, rw, no, initial, value));
 }
+/// The same entry, in a PDO by default.
 constexpr EntryInfo by_default(EntryInfo entry) {
   entry.mapping = Mapping::by_default;
   return entry;

@@ -11,10 +11,12 @@
 
 namespace canvoy::cia402 {
 
+/// An optional variable.
 constexpr ObjectInfo variable(std::uint16_t index, std::string_view name, const EntryInfo& entry,
                               std::string_view description = {}) {
   return var_object(index, name, "", description, entry, {.category = Category::optional});
 }
+/// An optional array.
 constexpr ObjectInfo array(std::uint16_t index, std::string_view name, Items<EntryInfo> entries,
                            std::string_view description = {}) {
   return array_object(index, name, "", description, entries, {.category = Category::optional});

@@ -21,6 +21,7 @@ inline constexpr auto passenger_counting_in_and_out_per_door_object =
 inline constexpr auto passenger_counting_manager_data_object = variable(
     0x6720, "passenger_counting_manager_data", "9.2.26.1", "Transparent data.", entry(domain, ro));
 
+/// A number of passengers, 0 at first.
 constexpr EntryInfo total_of_passengers(std::uint8_t sub, std::string_view name) {
   return by_device(sub_index(sub, name, entry(unsigned16, ro, no, 0, passengers)));
 }

@@ -66,6 +66,7 @@ inline constexpr auto error_class_entries = reports(
      .capacity_is_printed = true,
      .errata = "90",
      .description = "7-bit ASCII; zeros behind the end."});
+/// An array of messages of one class, 64 octets each.
 constexpr ObjectInfo error_class(std::uint16_t index, std::string_view name,
                                  std::string_view clause, std::string_view description) {
   return array(index, name, clause, description, error_class_entries, "42, 89, 90, 106");

@@ -197,6 +197,7 @@ inline constexpr OrdinalNames events_for_names = {
     "events_for_23rd_virtual_device", "events_for_31st_virtual_device",
     "events_for_32nd_virtual_device"};
 
+/// 6001h: which devices have events, and the events of up to 32 of them.
 constexpr std::array<EntryInfo, 12> make_events_from() {
   std::array<EntryInfo, 12> entries{};
   entries[0] = entries_within(0x02, 0x21);
@@ -215,6 +216,7 @@ inline constexpr auto events_from_virtual_devices_object =
           "States of the virtual devices in this device, and events that they tell.",
           events_from_entries, "3, 19, 20, 22, 23, 80, 81, 82, 83");
 
+/// 6002h: the events for up to 32 virtual devices.
 constexpr std::array<EntryInfo, 11> make_events_for() {
   std::array<EntryInfo, 11> entries{};
   entries[0] = entries_within(0x01, 0x20);

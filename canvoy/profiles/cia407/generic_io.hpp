@@ -12,6 +12,7 @@ constexpr ObjectInfo io(std::uint16_t index, std::string_view name, std::string_
                         std::string_view description) {
   return var_object(index, name, clause, description, {}, of_device({}));
 }
+/// The object with 32 bits, one for each input or output.
 constexpr ObjectInfo digital(ObjectInfo object, Access access, Default initial) {
   object.entry = entry(unsigned32, access, optional, initial, {.notation = Notation::bit_mask});
   return object;

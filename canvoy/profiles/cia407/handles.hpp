@@ -221,9 +221,11 @@ inline constexpr State<Release, state_of_doors_object, "general_state", "right s
 
 /// Four doors in each sub-index from 02h on.
 inline constexpr unsigned doors_max = 1012;
+/// Sub-index of door 1 to 1012.
 constexpr unsigned door_sub(unsigned number) {
   return (number - 1) / 4 + 2;
 }
+/// Name of the field of a door in its sub-index.
 template <unsigned number>
 constexpr auto door_field() {
   constexpr char digits[] = {'0', '1', '2', '3'};
@@ -234,6 +236,7 @@ constexpr auto door_field() {
     return Name<9>({'d', 'o', 'o', 'r', ' ', 'N', '+', digits[offset], '\0'});
   }
 }
+/// Name of the field that says whether that of the door is valid.
 template <unsigned number>
 constexpr auto door_valid_field() {
   constexpr char digits[] = {'0', '1', '2', '3'};

@@ -95,6 +95,7 @@ inline constexpr auto line_short_representation_object =
 
 /// Sub-index 00h of the plain texts, with the access of the virtual device.
 inline constexpr EntryInfo number_of_texts = by_device(entries_within(1, 254));
+/// One or more texts of up to 128 octets (errata 106).
 constexpr std::array<EntryInfo, 3> plain_texts(std::string_view name) {
   EntryInfo text = by_device(plain_text);
   text.name = name;
@@ -115,6 +116,7 @@ inline constexpr auto text_of_destination_object =
 // Times.
 
 inline constexpr NamedValue no_time[] = {{0xFF, "invalid", Meaning::invalid}};
+/// Sub-index 00h, and six entries from the year to the second.
 constexpr std::array<EntryInfo, 7> date_and_time_array(const EntryInfo& shape) {
   std::array<EntryInfo, 7> entries{};
   entries[0] = entries_always(6);

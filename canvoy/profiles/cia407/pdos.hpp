@@ -101,10 +101,12 @@ constexpr PdoInfo pdo(PdoInfo::Direction direction, std::uint16_t number, const 
           .clause = "8.1.4.3",
           .errata = message.errata};
 }
+/// See pdo().
 constexpr PdoInfo tpdo(std::uint16_t number, const PdoMessage& message,
                        const Items<std::uint32_t>& mapping, const Items<std::uint8_t>& devices) {
   return pdo(PdoInfo::Direction::transmit, number, message, mapping, devices);
 }
+/// See pdo().
 constexpr PdoInfo rpdo(std::uint16_t number, const PdoMessage& message,
                        const Items<std::uint32_t>& mapping, const Items<std::uint8_t>& devices) {
   return pdo(PdoInfo::Direction::receive, number, message, mapping, devices);
@@ -123,6 +125,7 @@ inline constexpr std::string_view typical_destination =
 inline constexpr std::string_view typical_next_stop =
     "typical configuration: next stop indicator (class 2), text";
 
+/// The time has an event timer of one minute.
 constexpr PdoInfo time_tpdo() {
   PdoInfo made = tpdo(1, time_message, time_mapping, main_computer_code);
   made.event_timer = 60'000;

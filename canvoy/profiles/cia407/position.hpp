@@ -11,6 +11,7 @@ namespace canvoy::cia407 {
 /// Ten-millionths of a degree, from -210 degrees on (errata 57, 59).
 inline constexpr ValueInfo coordinate =
     coded_32(Unit::degree, {.denominator = 10'000'000, .offset = -2'100'000'000});
+/// A latitude or longitude.
 constexpr EntryInfo coordinate_at(std::uint8_t sub, std::string_view name,
                                   std::string_view description) {
   return by_device(sub_index(sub, name, entry(unsigned32, ro, optional, {}, coordinate),

@@ -47,6 +47,7 @@ inline constexpr NamedValue device_codes[] = {
     {DeviceCode::power_supply, "Power supply"},
     {0x19, 0xFF, "reserved", Meaning::reserved},
 };
+/// Name of a virtual device in the table of codes.
 constexpr std::string_view name_of(DeviceCode code) {
   return device_codes[code_of(code)].name;
 }
@@ -69,6 +70,7 @@ inline constexpr NamedValue indicator_classes[] = {
     {3, 15, "reserved", Meaning::reserved}};
 
 inline constexpr std::string_view device_code_field = "device code";
+/// Condition that the device code is one of these.
 constexpr FieldCondition where_code(DeviceCode first, DeviceCode last) {
   return {device_code_field, code_of(first), code_of(last)};
 }
@@ -103,6 +105,7 @@ constexpr std::array<FieldInfo, 6> additional_information(std::uint8_t first) {
 }
 
 inline constexpr NamedValue profile_numbers[] = {{profile_number, "CiA 407"}};
+/// Profile number, then the fields of a virtual device.
 constexpr std::array<FieldInfo, 7> make_device_type_fields() {
   std::array<FieldInfo, 7> fields{};
   fields[0] = field(0, 16, "number of device profile", profile_numbers);
@@ -125,6 +128,7 @@ inline constexpr FieldInfo error_register_bits[] = {
     cia301::error_register_bits[0], cia301::error_register_bits[1], cia301::error_register_bits[2],
     cia301::error_register_bits[3], cia301::error_register_bits[4], reserved<2>(5),
     cia301::error_register_bits[6]};
+/// 1001h with the bit of the device profile reserved.
 constexpr ObjectInfo make_error_register() {
   ObjectInfo object = cia301::error_register_object;
   object.clause = "8.1.2";
@@ -151,6 +155,7 @@ inline constexpr auto virtual_device_type_fields = additional_information(0);
 inline constexpr EntryInfo virtual_device_type = sub_index(
     0, "virtual_device_type_#",
     entry(unsigned16, ro, no, {}, {.notation = Notation::hexadecimal}, virtual_device_type_fields));
+/// The third virtual device and those after it.
 constexpr EntryInfo more_virtual_device_types() {
   EntryInfo more = optional_at(3, 254, virtual_device_type);
   more.first_number = 3;

@@ -42,6 +42,7 @@ enum class DeviceCode : std::uint8_t {
   generic_io = 0x17,
   power_supply = 0x18,
 };
+/// The code as an object has it.
 constexpr std::uint8_t code_of(DeviceCode code) {
   return static_cast<std::uint8_t>(code);
 }

@@ -85,6 +85,7 @@ inline constexpr FieldInfo specific_door_fields[] = {
     field(4, 1, "door N+1 valid", validities), field(5, 1, "door N+1", door_states),
     field(6, 1, "door N valid", validities),   field(7, 1, "door N", door_states),
 };
+/// 6488h: the general state, then four doors at each sub-index.
 constexpr std::array<EntryInfo, 6> make_state_of_doors_entries() {
   EntryInfo general = by_device(
       sub_index(1, "general_state", entry(unsigned8, ro, optional, {}, general_door_fields)));
@@ -195,6 +196,7 @@ inline constexpr auto drive_recognition_and_direction_indication_object =
              "Whether the vehicle moves (pulses of the sensor for 5 s), and which way.",
              entry(unsigned8, ro, optional, {}, drive_fields), {.errata = "73"});
 
+/// A distance in steps of 5 m.
 constexpr EntryInfo vehicle_distance(std::uint8_t sub, std::string_view name) {
   return by_device(sub_index(sub, name, entry(unsigned32, ro, optional, {}, distance)));
 }
@@ -232,6 +234,7 @@ inline constexpr auto tachograph_time_and_date_object = record(
     0x6523, "tachograph_time_and_date", "9.2.17.4", "Time and date in UTC (record type 0081h).",
     tachograph_time_and_date_entries, "48, 52, 53, 56, 105");
 
+/// Identification of a driver's card, 19 characters.
 constexpr EntryInfo driver_card(std::uint8_t sub, std::string_view name) {
   return by_device({.sub_first = sub,
                     .name = name,
@@ -246,6 +249,7 @@ inline constexpr auto tachograph_driver_id_object =
           "The driver cards in both slots: 3 bytes of the member state, 16 of the card's number.",
           tachograph_driver_id_entries, "84");
 
+/// A driving time in minutes.
 constexpr EntryInfo driving_time(std::uint8_t sub, std::string_view name) {
   return by_device(
       sub_index(sub, name, entry(unsigned16, ro, optional, {}, {.unit = Unit::minute})));

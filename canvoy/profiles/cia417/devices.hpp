@@ -9,6 +9,7 @@
 
 namespace canvoy::cia417 {
 
+/// A mandatory object.
 constexpr DeviceObject must_have(const ObjectInfo& object) {
   return {.index = object.index};
 }
@@ -23,6 +24,7 @@ constexpr DeviceObject may_have(const ObjectInfo& object, std::string_view condi
   }
   return made;
 }
+/// An object of another device that it takes by PDO or SDO.
 constexpr DeviceObject consumes(const ObjectInfo& object) {
   DeviceObject made = may_have(object);
   made.consumed = true;
@@ -190,6 +192,7 @@ inline constexpr DeviceObject objects_of_sensor_unit[] = {
     may_have(sensor_parameter_2_object),
     may_have(sensor_parameter_3_object)};
 
+/// A virtual device with its code of part 1.
 constexpr VirtualDeviceInfo virtual_device_of(VirtualDevice device, std::string_view clause,
                                               Items<DeviceObject> device_objects,
                                               std::string_view description,

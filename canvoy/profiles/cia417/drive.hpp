@@ -29,10 +29,12 @@ constexpr EntryInfo drive_setting(DataType type, const ValueInfo& value = {}) {
 /// A position, velocity, acceleration or jerk in the units of 6410h to 6413h, or another number
 /// without a defined unit.
 inline constexpr ValueInfo drive_amount = {.counting = Counting::counts};
+/// The entry with another name.
 constexpr EntryInfo named(std::string_view name, EntryInfo entry) {
   entry.name = name;
   return entry;
 }
+/// The entry with another default.
 constexpr EntryInfo with_default(EntryInfo entry, Default initial) {
   entry.initial = initial;
   return entry;
@@ -71,6 +73,7 @@ inline constexpr auto statusword_object =
 
 // 6402h: reactions of the drive when it leaves a state.
 
+/// A reaction of the drive, as in CiA 402.
 constexpr EntryInfo option_code(std::uint8_t sub, std::string_view name, Default initial,
                                 Items<NamedValue> names) {
   return optional_at(

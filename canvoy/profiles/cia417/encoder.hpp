@@ -21,6 +21,7 @@ inline constexpr auto area_state_object =
                  "As 6400h of CiA 406: whether the position is within the work areas.",
                  area_state_entries, {.count = position_unit_count, .condition = see_part_2});
 
+/// Limits of up to 254 channels, in the measuring steps of the position unit.
 constexpr std::array<EntryInfo, 3> work_area_limits(std::string_view name, unsigned unit) {
   const EntryInfo limit = sub_index(0, name, entry(integer32, rw, no, {}, position_counts(unit)));
   return {available_channels, at(1, limit), optional_at(2, last_of_many, limit)};
@@ -30,12 +31,14 @@ inline constexpr auto low_limit_entries = work_area_limits("Work area lowlimit c
 template <unsigned unit>
 inline constexpr auto high_limit_entries = work_area_limits("Work area highlimit channel #", unit);
 
+/// One of 63B4h to 63B7h, for position unit 1 to 4.
 constexpr ObjectInfo low_limit_of_unit(unsigned unit, std::string_view clause,
                                        Items<EntryInfo> entries) {
   return array_object(static_cast<std::uint16_t>(0x63B4 + unit - 1),
                       "Work area lowlimit position unit #", clause, "As 6401h of CiA 406.", entries,
                       {.first_number = static_cast<std::uint16_t>(unit), .condition = see_part_2});
 }
+/// One of 63B8h to 63BBh, for position unit 1 to 4.
 constexpr ObjectInfo high_limit_of_unit(unsigned unit, std::string_view clause,
                                         Items<EntryInfo> entries) {
   return array_object(static_cast<std::uint16_t>(0x63B8 + unit - 1),
@@ -100,6 +103,7 @@ inline constexpr auto alarms_object =
     array_object(0x63C7, "Alarms", "4.9.29", "As 6503h of CiA 406: the position may be wrong.",
                  alarms_entries, {.condition = see_part_2});
 
+/// The entry with another unit and range.
 constexpr EntryInfo with_value(EntryInfo entry, const ValueInfo& value) {
   entry.value = value;
   return entry;
@@ -119,6 +123,7 @@ inline constexpr auto offset_value_object =
 
 // 63D0h to 63D3h Module identification.
 
+/// Offset, minimum and maximum as the maker has set them.
 constexpr std::array<EntryInfo, 4> module_identification_of(unsigned unit) {
   const EntryInfo shape = entry(unsigned32, ro, no, {}, position_counts(unit));
   std::array<EntryInfo, 4> entries{number_of_entries(0x01, 0x03), at(1, shape),
@@ -131,6 +136,7 @@ constexpr std::array<EntryInfo, 4> module_identification_of(unsigned unit) {
 }
 template <unsigned unit>
 inline constexpr auto module_identification_entries = module_identification_of(unit);
+/// One of 63D0h to 63D3h, for position unit 1 to 4.
 constexpr ObjectInfo module_identification(unsigned unit, std::string_view clause,
                                            Items<EntryInfo> entries) {
   return array_object(

@@ -16,6 +16,7 @@ inline constexpr EntryInfo dimension_record_members[] = {
     sub_index(1, "Notation index", entry(integer8, ro)),
     sub_index(2, "Dimension index", entry(unsigned8, ro))};
 
+/// Power of ten, and code of the unit.
 constexpr std::array<EntryInfo, 3> dimension_record(std::string_view notation,
                                                     std::string_view dimension) {
   return {number_of_entries(0x02),
@@ -46,12 +47,14 @@ inline constexpr auto jerk_dimension_object =
 
 // 6414h to 641Dh: fractions.
 
+/// Two numbers, 1 by default.
 constexpr std::array<EntryInfo, 3> fraction(std::string_view numerator, std::string_view divisor) {
   return {
       number_of_entries(0x02),
       at(1, with_default(named(numerator, drive_setting(DataType::unsigned32, drive_amount)), 1)),
       at(2, with_default(named(divisor, drive_setting(DataType::unsigned32, drive_amount)), 1))};
 }
+/// One of the fractions 6414h to 641Dh.
 constexpr ObjectInfo factor(std::uint16_t index, std::string_view clause, std::string_view name,
                             Items<EntryInfo> entries, std::string_view description,
                             std::string_view errata = {}) {

@@ -187,6 +187,7 @@ inline constexpr std::string_view basic_function_name = "Basic function";
 constexpr FieldCondition function_is(BasicFunction first, BasicFunction last) {
   return {basic_function_name, static_cast<std::int64_t>(first), static_cast<std::int64_t>(last)};
 }
+/// Condition that the basic function is this one.
 constexpr FieldCondition function_is(BasicFunction only) {
   return function_is(only, only);
 }

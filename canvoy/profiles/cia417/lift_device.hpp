@@ -74,6 +74,7 @@ constexpr bool has_mapped(const DeviceDescription<capacity>& parts, const PdoInf
   return true;
 }
 
+/// Adds the pre-defined PDOs of the device of which all mapped objects exist.
 template <VirtualDevice device, LiftDeviceOptions options, std::size_t capacity>
 constexpr void add_pdos(DeviceDescription<capacity>& parts) {
   constexpr auto is_mine = [](const PdoInfo& pdo) { return is_pdo_of<device, options>(pdo); };

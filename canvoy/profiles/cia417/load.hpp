@@ -35,6 +35,7 @@ inline constexpr auto load_value_object =
     array_object(0x6480, "Load value", "4.12.1", "The load, and its unit.", load_value_entries,
                  {.condition = see_part_2});
 
+/// A limit or factor of the load that can be written.
 constexpr EntryInfo load_setting(std::string_view name, const ValueInfo& value) {
   return sub_index(0, name, entry(unsigned16, rw, no, {}, value));
 }
@@ -48,6 +49,7 @@ inline constexpr auto load_limits_object = array_object(
 inline constexpr NamedValue limit_names[] = {{0, "limit not reached"}, {1, "limit reached"}};
 inline constexpr NamedValue interrupt_names[] = {{0, "do not generate interrupt"},
                                                  {1, "generate interrupt"}};
+/// Zero load, norm load, full load and overload, and reserved bits.
 constexpr std::array<FieldInfo, 5> load_signal_bits(const ValueInfo& value) {
   return {field(0, 1, "Zero load", value), field(1, 1, "Norm load", value),
           field(2, 1, "Full load", value), field(3, 1, "Overload", value), reserved_zeros<4>(4)};

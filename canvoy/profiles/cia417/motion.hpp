@@ -57,6 +57,7 @@ inline constexpr auto home_offset_object = var_object(
 
 // Profile velocity mode.
 
+/// A velocity of the drive, as in CiA 402.
 constexpr ObjectInfo velocity_value(std::uint16_t index, std::string_view clause,
                                     std::string_view name, std::string_view description) {
   return var_object(index, name, clause, description,

@@ -95,6 +95,7 @@ inline constexpr NamedValue volume_names[] = {
 inline constexpr NamedValue scroll_names[] = {{0, "automatic"}};
 
 inline constexpr std::string_view property_name = "Property";
+/// Condition that the property of the output is this one.
 constexpr FieldCondition property_is(Property property) {
   return {property_name, static_cast<std::int64_t>(property), static_cast<std::int64_t>(property)};
 }
@@ -110,6 +111,7 @@ inline constexpr NamedValue status_names[] = {{0, "no data indicated"}, {1, "dat
 inline constexpr NamedValue predicate_names[] = {{0, "acknowledgement is not affirmed"},
                                                  {1, "acknowledgement is affirmed"}};
 
+/// State, property with its parameter, and predicate of an output, from bit `first` on.
 constexpr std::array<FieldInfo, 9> output_data_fields(unsigned first) {
   return {field(first, 1, "Status", status_names),
           field(first + 1, 3, property_name, property_names),
@@ -198,6 +200,7 @@ inline constexpr auto output_group_object = array_object(
 
 // Parameters of the output panel unit.
 
+/// One of the four parameters of an output.
 constexpr EntryInfo output_parameter(std::string_view name, Items<FieldInfo> fields) {
   return input_parameter(name, fields);
 }

@@ -52,6 +52,8 @@ constexpr PdoInfo sent_by_node(std::uint16_t first_rpdo, std::uint32_t cob_id) {
           .plus_node_id = true,
           .clause = pdo_clause};
 }
+/// RPDOs for one message of each of 127 nodes, with consecutive numbers; `cob_id` without the node-
+/// ID.
 constexpr PdoInfo received_from_nodes(std::uint16_t first_rpdo, std::uint32_t cob_id) {
   return {.direction = PdoInfo::Direction::receive,
           .number = number_of_rpdo(first_rpdo),
@@ -59,6 +61,7 @@ constexpr PdoInfo received_from_nodes(std::uint16_t first_rpdo, std::uint32_t co
           .cob_id = cob_id + 1,
           .clause = pdo_clause};
 }
+/// The PDO with what it carries, and who sends or receives it.
 constexpr PdoInfo carrying(PdoInfo pdo, std::string_view name, Items<std::uint32_t> mapping,
                            Items<std::uint8_t> devices, std::string_view condition = {}) {
   pdo.name = name;
@@ -190,6 +193,7 @@ constexpr std::uint16_t number_in_lift(const LiftPdo& row, unsigned lift) {
   return row.rpdo == 0 || rpdo >= 0x1581 ? std::uint16_t{0} : number_of_rpdo(rpdo);
 }
 
+/// A PDO of the table in the CAN-IDs and numbers of a lift.
 constexpr PdoInfo lift_pdo(const LiftPdo& row, unsigned lift, PdoInfo::Direction direction) {
   const unsigned step = (lift - 1) * lift_pdo_pitch;
   const bool sends = direction == PdoInfo::Direction::transmit;
@@ -200,6 +204,7 @@ constexpr PdoInfo lift_pdo(const LiftPdo& row, unsigned lift, PdoInfo::Direction
   pdo.clause = pdo_clause;
   return pdo;
 }
+/// Each row of the table, sent and received.
 template <unsigned lift>
 constexpr std::array<PdoInfo, 2 * lift_pdo_count> pdos_of_lift() {
   std::array<PdoInfo, 2 * lift_pdo_count> pdos{};
@@ -214,6 +219,7 @@ constexpr std::array<PdoInfo, 2 * lift_pdo_count> pdos_of_lift() {
 template <unsigned lift>
 inline constexpr auto lift_pdos = pdos_of_lift<lift>();
 
+/// The lists one after another.
 template <class... Lists>
 constexpr auto join_pdos(const Lists&... lists) {
   std::array<PdoInfo, (std::tuple_size_v<Lists> + ...)> all{};

@@ -51,14 +51,17 @@ constexpr ValueInfo steps(Unit of, Scale step, std::int64_t count, unsigned unit
           .step = {static_cast<std::uint16_t>(measuring_step_index + unit - 1),
                    static_cast<std::uint8_t>(sub)}};
 }
+/// In the steps of 6384h ff. of that position unit, in mm.
 constexpr ValueInfo position_counts(unsigned unit) {
   Scale in_millimetres = position_step;
   in_millimetres.denominator *= 1000;
   return steps(Unit::millimetre, in_millimetres, position_step_default, unit, 1);
 }
+/// In the steps of 6384h ff. of that position unit, in mm/s.
 constexpr ValueInfo speed_counts(unsigned unit) {
   return steps(Unit::millimetre_per_second, speed_step, speed_step_default, unit, 2);
 }
+/// In the steps of 6384h ff. of that position unit, in mm/s^2.
 constexpr ValueInfo acceleration_counts(unsigned unit) {
   return steps(Unit::millimetre_per_second_squared, acceleration_step, acceleration_step_default,
                unit, 3);
@@ -66,6 +69,7 @@ constexpr ValueInfo acceleration_counts(unsigned unit) {
 
 // Arrays with an entry for each position unit; only the first one is mandatory.
 
+/// Sub-index 00h, and one entry for each position unit.
 using PositionUnitEntries = std::array<EntryInfo, position_unit_count + 1>;
 
 /// `of_unit` returns the value of position unit 1 to 4; `mapping` applies to the first.
@@ -83,6 +87,7 @@ constexpr PositionUnitEntries for_each_unit(const EntryInfo& shape, ValueOfUnit 
   }
   return entries;
 }
+/// See for_each_unit(); all units have the same shape.
 constexpr std::array<EntryInfo, 3> for_units_alike(EntryInfo shape) {
   shape.name = position_unit_name;
   return {number_of_entries(1, position_unit_count), at(1, shape),
@@ -92,12 +97,14 @@ constexpr std::array<EntryInfo, 3> for_units_alike(EntryInfo shape) {
 constexpr EntryInfo measured(DataType type) {
   return provided(entry(type, ro));
 }
+/// See measured(): a setting can be written.
 constexpr EntryInfo setting(DataType type) {
   return entry(type, rw);
 }
 
 // Settings.
 
+/// The entry as hexadecimal code with fields.
 constexpr EntryInfo with_fields(EntryInfo entry, Items<FieldInfo> fields) {
   entry.value = hexadecimal;
   entry.fields = fields;
@@ -153,6 +160,7 @@ inline constexpr EntryInfo available_channels =
 inline constexpr EntryInfo cam_state_entry = sub_index(
     0, "CAM state channel #",
     entry(unsigned8, ro, optional, {}, {.notation = Notation::bit_mask}, cia406::cam_state_fields));
+/// A bit for each of eight cams of a channel.
 constexpr EntryInfo cam_setting(std::string_view name, Items<FieldInfo> fields) {
   return sub_index(0, name,
                    entry(unsigned8, rw, optional, 0x00, {.notation = Notation::bit_mask}, fields));

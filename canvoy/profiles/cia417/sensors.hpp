@@ -48,6 +48,7 @@ inline constexpr NamedValue source_position_names[] = {
 inline constexpr NamedValue manufacturer_16[] = {
     {0x0000, 0xFFFF, "manufacturer-specific", Meaning::manufacturer}};
 
+/// Condition that the basic function of the sensor is one of these.
 constexpr FieldCondition sensor_is(SensorFunction first, SensorFunction last) {
   return {basic_function_name, static_cast<std::int64_t>(first), static_cast<std::int64_t>(last)};
 }
@@ -121,6 +122,7 @@ inline constexpr auto sensor_group_object = array_object(
 
 // Parameters of sensors.
 
+/// One of the parameters of a sensor.
 constexpr EntryInfo sensor_parameter(std::string_view name, Items<FieldInfo> fields) {
   return input_parameter(name, fields);
 }

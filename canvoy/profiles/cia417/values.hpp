@@ -37,12 +37,14 @@ constexpr EntryInfo at(std::uint8_t sub, EntryInfo entry) {
   entry.first_number = sub;
   return entry;
 }
+/// See at(); entries that a device may leave out.
 constexpr EntryInfo optional_at(std::uint8_t first, std::uint8_t last, EntryInfo entry) {
   entry = at(first, entry);
   entry.sub_last = last;
   entry.category = Category::optional;
   return entry;
 }
+/// See at(); entries that a device has on a condition.
 constexpr EntryInfo conditional_at(std::uint8_t first, std::uint8_t last, EntryInfo entry,
                                    std::string_view condition) {
   entry = optional_at(first, last, entry);
@@ -103,6 +105,7 @@ constexpr FieldInfo reserved_bits(unsigned first_bit, unsigned number = 1,
   made.number = static_cast<std::uint16_t>(number);
   return made;
 }
+/// See reserved_bits(); a writer sets them to 0.
 template <unsigned bits>
 constexpr FieldInfo reserved_zeros(unsigned first_bit, unsigned number = 1,
                                    Items<FieldCondition> when = {}) {
@@ -110,6 +113,7 @@ constexpr FieldInfo reserved_zeros(unsigned first_bit, unsigned number = 1,
   made.value.names = all_zeros<bits>;
   return made;
 }
+/// See reserved_bits(); a writer sets them to 1.
 template <unsigned bits>
 constexpr FieldInfo reserved_ones(unsigned first_bit, unsigned number = 1,
                                   Items<FieldCondition> when = {}) {
@@ -134,10 +138,12 @@ constexpr Handle in_lift(unsigned lift, const Handle& handle) {
 }
 inline constexpr unsigned door_count = 4;
 
+/// A bit for each of lifts 1 to 8.
 constexpr std::array<FieldInfo, lift_count> lift_bits(unsigned first_bit, std::string_view name,
                                                       const ValueInfo& value = {}) {
   return repeat_field<lift_count>(field(first_bit, 1, name, value));
 }
+/// A bit for each of doors 1 to 4.
 constexpr std::array<FieldInfo, door_count> door_bits(unsigned first_bit, std::string_view name,
                                                       const ValueInfo& value = {}) {
   return repeat_field<door_count>(field(first_bit, 1, name, value));

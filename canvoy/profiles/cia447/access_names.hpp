@@ -13,12 +13,14 @@ namespace canvoy::cia447 {
 class JoinedText {
  public:
   constexpr JoinedText() = default;
+  /// Both texts, and the number where it is above 0; at most 56 characters.
   constexpr JoinedText(std::string_view first, std::string_view second, unsigned number = 0) {
     append(first);
     append(second);
     if (number >= 10) append_digit(number / 10);
     if (number > 0) append_digit(number % 10);
   }
+  /// Valid as long as this object.
   constexpr std::string_view text() const { return {characters_, size_}; }
 
  private:
@@ -34,6 +36,7 @@ class JoinedText {
 };
 
 inline constexpr unsigned add_on_device_max = 16;
+/// Of no device, the vehicle, and add-on devices 1 to 16.
 using AccessTexts = std::array<JoinedText, add_on_device_max + 2>;
 
 /// Names for a part that is not in use (`idle`), or to which a device has access (`access`).

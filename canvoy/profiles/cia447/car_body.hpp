@@ -60,6 +60,7 @@ inline constexpr auto opening_states =
 inline constexpr auto window_commands = command_values<2>("Open the window", "Close the window");
 inline constexpr auto door_commands = command_values<2>("Open the door", "Close the door");
 
+/// Fields of the six windows.
 constexpr auto windows(unsigned bits, Items<NamedValue> values) {
   return side_by_side(field(bits, "wd", "window driver", values),
                       field(bits, "wfp", "window front passenger", values),
@@ -68,6 +69,7 @@ constexpr auto windows(unsigned bits, Items<NamedValue> values) {
                       field(bits, "w3rr", "window 3rd row right", values),
                       field(bits, "w3rl", "window 3rd row left", values));
 }
+/// Fields of the four doors.
 constexpr auto doors(unsigned bits, Items<NamedValue> values) {
   return side_by_side(
       field(bits, "dd", "door driver", values), field(bits, "dfp", "door front passenger", values),
@@ -109,6 +111,7 @@ inline constexpr auto top_commands = three_commands("Close", "Open", "Stop");
 inline constexpr auto sliding_roof_commands =
     command_values<3>("Close (tilt)", "Close (slide)", "Open (tilt)", "Open (slide)", "Stop");
 
+/// Fields of the flaps; `top` has the codes of convertible top and back door, which can be stopped.
 constexpr auto flaps(unsigned bits, Items<NamedValue> flap, Items<NamedValue> top) {
   return side_by_side(
       field(bits, "eh", "engine hood", flap), field(bits, "fd", "fuel door", flap),
@@ -306,6 +309,7 @@ inline constexpr auto recirculation_commands =
 inline constexpr auto function_states =
     status_values<2>("Function is not active", "Function is active");
 
+/// Fields of heating and air conditioner.
 constexpr auto climate(Items<NamedValue> heat, Items<NamedValue> defrost,
                        Items<NamedValue> temperature, Items<NamedValue> recirculation) {
   return side_by_side(field(2, "hfw", "heat front window", heat),

@@ -27,10 +27,12 @@ inline constexpr NamedValue set_date_names[] = {command_sentinels<bits>.highest,
                                                 reserved_codes(high + 1, all_ones(bits) - 1)};
 template <unsigned bits, std::int64_t high>
 inline constexpr auto rtc_date_names = date_names<bits, high>();
+/// A part of the date from 1 to `high`.
 template <unsigned bits, std::int64_t high>
 constexpr ValueInfo rtc_date_part(Unit unit) {
   return {.unit = unit, .limits = within(1, high), .names = rtc_date_names<bits, high>};
 }
+/// See rtc_date_part(); 0 resets the date.
 template <unsigned bits, std::int64_t high>
 constexpr ValueInfo set_date_part(Unit unit) {
   return {.unit = unit, .limits = within(0, high), .names = set_date_names<bits, high>};
@@ -54,10 +56,12 @@ inline constexpr auto set_rtc_date_fields =
 inline constexpr auto set_rtc_date_month_above_fields =
     side_by_side(set_rtc_year, set_rtc_day, set_rtc_month, reserved<4>());
 
+/// 60F0h with these fields.
 constexpr ObjectInfo rtc_date_with(Items<FieldInfo> fields) {
   return variable_object(0x60F0, "RTC date", "4.2.14.1", "The date of the clock.",
                          status(DataType::unsigned32, Mapping::no, fields), {.errata = "Z02"});
 }
+/// 60F1h with these fields.
 constexpr ObjectInfo set_rtc_date_with(Items<FieldInfo> fields) {
   return variable_object(0x60F1, "Set RTC date", "4.2.14.2", "Sets the date of the clock.",
                          command(DataType::unsigned32, fields), {.errata = "Z02, Z35"});
@@ -84,6 +88,7 @@ inline constexpr auto rtc_time_object =
 template <unsigned bits, std::int64_t high>
 inline constexpr NamedValue set_time_names[] = {command_sentinels<bits>.highest,
                                                 reserved_codes(high + 1, all_ones(bits) - 1)};
+/// A part of the time from 0 to `high`.
 template <unsigned bits, std::int64_t high>
 constexpr ValueInfo set_time_part(Unit unit, const Scale& scale = {}) {
   return {

@@ -21,9 +21,11 @@
 
 namespace canvoy::cia447 {
 
+/// Objects of the profile; they live as long as the program.
 template <std::size_t count>
 using ObjectList = std::array<const ObjectInfo*, count>;
 
+/// The objects with their own categories.
 template <std::size_t count>
 constexpr std::array<DeviceObject, count> provided(const ObjectList<count>& objects) {
   std::array<DeviceObject, count> all{};
@@ -34,6 +36,7 @@ constexpr std::array<DeviceObject, count> provided(const ObjectList<count>& obje
   }
   return all;
 }
+/// The lists one after another.
 template <std::size_t... counts>
 constexpr auto joined(const ObjectList<counts>&... lists) {
   ObjectList<(counts + ...)> all{};
@@ -148,6 +151,7 @@ inline constexpr auto objects = joined(
 /// Objects that the device provides; they live as long as the program.
 template <const auto& objects_of_it>
 inline constexpr auto provided_objects = provided(objects_of_it);
+/// A virtual device that provides the objects of the list.
 template <const auto& objects_of_it>
 constexpr VirtualDeviceInfo device_of(std::string_view name, std::string_view clause,
                                       std::string_view description) {

@@ -9,6 +9,7 @@ namespace canvoy::cia447 {
 // 4.2.3.1 and 4.2.3.2. The figure of the fields is lost. They are in the order of the table, from
 // bit 0 upward, as nearly everywhere (errata B1).
 
+/// Fields of the lights outside.
 constexpr auto car_lights(Items<NamedValue> values) {
   return side_by_side(
       field(2, "dtrl", "day time running light", values), field(2, "bl", "brake light", values),
@@ -37,6 +38,7 @@ inline constexpr auto car_light_command_object =
 
 // 4.2.3.3 and 4.2.3.4: interior light.
 
+/// Fields of the lights inside.
 constexpr auto interior_lights(Items<NamedValue> interior, Items<NamedValue> others) {
   return side_by_side(field(3, "ii", "interior illumination", interior),
                       field(2, "lrid", "leg room illumination driver", others),
@@ -102,6 +104,7 @@ inline constexpr auto horn_command_object =
 
 // 4.2.3.10 and 4.2.3.11: lights of the car that flash along with the roof bar.
 
+/// Fields of the lights that flash as a signal.
 constexpr auto flashing_lights(Items<NamedValue> values) {
   return side_by_side(
       field(2, "gclf", "gateway coded light functions", values),

@@ -14,6 +14,7 @@ namespace canvoy::cia447 {
 constexpr std::uint32_t mapped(const ObjectInfo& object, unsigned sub = 0) {
   return static_cast<std::uint32_t>(mapping_entry(1, object, sub).initial.number);
 }
+/// Entries of a mapping record.
 template <class... Mapped>
 constexpr std::array<std::uint32_t, sizeof...(Mapped)> mapping_of(Mapped... entries) {
   return {entries...};
@@ -83,6 +84,7 @@ inline constexpr auto pdo_84_mapping = mapping_of(mapped(radio_power_supply_stat
 inline constexpr unsigned wheel_pdo_number = 17;
 inline constexpr std::uint16_t wheel_pdo_period = 100;
 
+/// One of the pre-defined PDOs of part 4, by its number.
 constexpr PdoInfo pdo(PdoInfo::Direction direction, unsigned number, Items<std::uint32_t> mapping) {
   constexpr std::uint32_t not_valid = 0x8000'0000;
   const bool is_cyclic = number == wheel_pdo_number && direction == PdoInfo::Direction::transmit;
@@ -94,6 +96,7 @@ constexpr PdoInfo pdo(PdoInfo::Direction direction, unsigned number, Items<std::
           .condition = "if the virtual device that provides or consumes the objects is there",
           .clause = "CiA 447-4"};
 }
+/// All of them, sent or received.
 constexpr auto pdos_of(PdoInfo::Direction direction) {
   return std::array{pdo(direction, 1, pdo_1_mapping),   pdo(direction, 2, pdo_2_mapping),
                     pdo(direction, 3, pdo_3_mapping),   pdo(direction, 4, pdo_4_mapping),
@@ -111,6 +114,7 @@ constexpr auto pdos_of(PdoInfo::Direction direction) {
                     pdo(direction, 81, pdo_81_mapping), pdo(direction, 82, pdo_82_mapping),
                     pdo(direction, 83, pdo_83_mapping), pdo(direction, 84, pdo_84_mapping)};
 }
+/// All of them, sent, then received.
 constexpr auto transmit_and_receive() {
   constexpr auto transmit = pdos_of(PdoInfo::Direction::transmit);
   constexpr auto receive = pdos_of(PdoInfo::Direction::receive);

@@ -13,9 +13,11 @@ inline constexpr std::int64_t steps_per_degree = 10'000'000;
 inline constexpr std::int64_t quarter = 90 * steps_per_degree;       // 35A4 E900h
 inline constexpr std::int64_t half = 180 * steps_per_degree;         // 6B49 D200h
 inline constexpr std::int64_t full_circle = 360 * steps_per_degree;  // D693 A400h
+/// Codes of a degree each 10,000,000: they grow with it.
 constexpr Scale upward() {
   return {.denominator = steps_per_degree};
 }
+/// Codes that grow while the degrees fall below 0, which is at `end`.
 constexpr Scale downward_from(std::int64_t end) {
   return {.numerator = -1, .denominator = steps_per_degree, .offset = end};
 }
@@ -85,6 +87,7 @@ template <unsigned bits, std::int64_t high>
 inline constexpr NamedValue counted_names[] = {status_sentinels<bits>.second_highest,
                                                status_sentinels<bits>.highest, reserved_codes(0, 0),
                                                reserved_codes(high + 1, all_ones(bits) - 2)};
+/// A number from 1 to `high`.
 template <unsigned bits, std::int64_t high>
 constexpr ValueInfo counted(Unit unit) {
   return {.unit = unit, .limits = within(1, high), .names = counted_names<bits, high>};

@@ -141,6 +141,7 @@ inline constexpr auto current_average_fuel_consumption_object = variable_object(
 
 // 4.2.4.13 to 4.2.4.16: cruise control, four-wheel drive.
 
+/// Fields of the cruise control.
 constexpr auto cruise_control(Items<NamedValue> control, Items<NamedValue> acceleration,
                               Items<NamedValue> store, Items<NamedValue> distance) {
   return side_by_side(field(2, "acc", "automatic cruise control", control),

@@ -55,10 +55,12 @@ inline constexpr auto printer_features_object = variable_object(
 // 4.2.13.4 and 4.2.13.5. The printed ranges are "Unsigned8" and "Unsigned16", but the two highest
 // codes are sentinels (errata Z29).
 
+/// A measure of text, in dots or another unit.
 constexpr EntryInfo text_measure(unsigned sub, std::string_view name, Unit unit = Unit::none,
                                  Category category = Category::optional) {
   return at(sub, name, status(DataType::unsigned8, Mapping::no, measured<8>(unit)), category);
 }
+/// A measure of graphics, in dots or another unit.
 constexpr EntryInfo graphics_measure(unsigned sub, std::string_view name, Unit unit = Unit::none,
                                      Category category = Category::optional) {
   return at(sub, name, status(DataType::unsigned16, Mapping::no, measured<16>(unit)), category);
@@ -96,9 +98,11 @@ inline constexpr NamedValue font_command_names[] = {command_sentinels<8>.second_
 inline constexpr NamedValue font_status_names[] = {status_sentinels<8>.second_highest,
                                                    status_sentinels<8>.highest,
                                                    {0x00, "No value is set", Meaning::invalid}};
+/// A property of the font that is to be used.
 constexpr ValueInfo font_command(Unit unit) {
   return {.unit = unit, .limits = within(0x01, 0xFC), .names = font_command_names};
 }
+/// A property of the font in use.
 constexpr ValueInfo font_status(Unit unit) {
   return {.unit = unit, .limits = within(0x01, 0xFD), .names = font_status_names};
 }

@@ -8,6 +8,7 @@ namespace canvoy::cia447 {
 inline constexpr std::uint16_t printer_transport_index = 0x60EB;
 inline constexpr std::uint16_t printer_mode_status_index = 0x60EA;
 
+/// How the bytes of 60EBh are coded in a mode of 60EAh.
 constexpr CodingProvision printed(std::int64_t mode, std::string_view content,
                                   std::string_view coding) {
   return {printer_transport_index, 0, printer_mode_status_index, mode, content, coding,
@@ -34,6 +35,7 @@ constexpr CommandProvision escaped(std::uint8_t byte, std::string_view command) 
           command,
           "4.2.13.10, Table 381"};
 }
+/// A command of one byte, in a mode of 60EAh.
 constexpr CommandProvision bare(std::int64_t mode, std::uint8_t byte, std::string_view command) {
   return {printer_transport_index, 0, printer_mode_status_index, mode, mode, byte, command,
           "4.2.13.10, Table 381"};

@@ -58,6 +58,7 @@ inline constexpr NamedValue output_channel_names[] = {command_sentinels<8>.secon
 inline constexpr NamedValue gain_command_names[] = {command_sentinels<8>.second_highest,
                                                     command_sentinels<8>.highest,
                                                     {0x00, "Channel disconnected"}};
+/// An audio channel, 1 to 16, or one of the named codes.
 constexpr ValueInfo channel(Items<NamedValue> names) {
   return {.limits = within(0x00, 0x10), .names = names};
 }

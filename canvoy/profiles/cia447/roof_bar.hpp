@@ -79,6 +79,7 @@ inline constexpr auto light_commands_roof_bar_object = array_object(
 inline constexpr auto enabled_states =
     status_values<2>("The function is disabled (off)", "The function is enabled (on)");
 // No code is left for "Failure" (errata Z35).
+/// Two-bit codes of a status with three states.
 constexpr std::array<NamedValue, 4> three_states(std::string_view first, std::string_view second,
                                                  std::string_view third) {
   return {NamedValue{0, first}, NamedValue{1, second}, NamedValue{2, third},
@@ -104,6 +105,7 @@ inline constexpr auto light_status_4_fields =
     side_by_side(further_lights(enabled_states),
                  field(2, "rbllv", "roof bar light local voltage", local_voltages));
 inline constexpr auto light_status_5_fields = additional_functions(enabled_states);
+/// An entry of 6131h.
 constexpr EntryInfo light_status(unsigned sub, std::string_view name, Items<FieldInfo> fields) {
   return at(sub, name, status(DataType::unsigned32, Mapping::by_default, fields));
 }
@@ -122,6 +124,7 @@ inline constexpr auto light_status_roof_bar_object = array_object(
 // undefined, and are read as part of them (errata Z08).
 
 inline constexpr std::int64_t first_manufacturer_sound = 0x40;
+/// Codes from the first one of makers to `last`.
 constexpr NamedValue manufacturer_sounds(std::int64_t last, std::string_view name) {
   return {first_manufacturer_sound, last, name, Meaning::manufacturer};
 }
@@ -179,6 +182,7 @@ inline constexpr auto country_specific_sound_status_object = variable_object(
     status(DataType::unsigned8, Mapping::no, ValueInfo{.names = country_sound_states}),
     {.errata = "Z08"});
 
+/// Silence, the sounds of the profile and of makers, and these codes above them.
 template <std::size_t above>
 constexpr auto additional_sounds(std::string_view silence, const NamedValue (&rest)[above]) {
   return sounds({silence, "Country-specific sound", "Peak", "US-HI-LO", "US-YELP", "Sweden-YELP",
@@ -273,6 +277,7 @@ inline constexpr auto sound_status_roof_bar_object =
 
 // 4.2.22: flashers of the car.
 
+/// Fields of the flashers, two bits each.
 constexpr auto blue_flashers(Items<NamedValue> values) {
   return side_by_side(
       field(2, "ffr", "front flasher right", values), field(2, "ffl", "front flasher left", values),

@@ -31,6 +31,7 @@ inline constexpr auto tariff_display_information_and_status_object = variable_ob
 
 // Lamps: 4 bits each, 8 in an object. The first three have names.
 
+/// Fields of lamps 1 to 8, of which the first three have names.
 constexpr auto lamps_1_to_8(std::string_view numbered_name, Items<NamedValue> values) {
   return side_by_side(field(4, "taxi light", "", values), field(4, "vacant light", "", values),
                       field(4, "emcy light", "emergency light", values),

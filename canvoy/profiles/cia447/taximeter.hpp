@@ -113,6 +113,7 @@ inline constexpr auto taximeter_totalizers_object =
 
 inline constexpr auto taximeter_modes =
     status_values<8>("Taximeter operation", "Odometer operation");
+/// The same value as an identification, which is no amount.
 constexpr ValueInfo identification(ValueInfo value) {
   value.counting = Counting::identifies;
   return value;

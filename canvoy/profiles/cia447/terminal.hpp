@@ -318,10 +318,12 @@ inline constexpr auto icon_status_fields =
     side_by_side(field(2, "status", "who has it", icon_access_states),
                  field(8, "icon content", "which icon", icon_states),
                  field(3, "format", "how it is shown", icon_format_states), reserved<1, 3>());
+/// One icon: who is to have it, which one it is, and how it is to be shown.
 constexpr EntryInfo icon_command(unsigned sub, std::string_view name,
                                  Category category = Category::optional) {
   return at(sub, name, command(DataType::unsigned16, icon_command_fields), category);
 }
+/// One icon: who has it, which one it is, and how it is shown.
 constexpr EntryInfo icon_status(unsigned sub, std::string_view name,
                                 Category category = Category::optional) {
   return at(sub, name, status(DataType::unsigned16, Mapping::no, icon_status_fields), category);

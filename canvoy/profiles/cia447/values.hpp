@@ -122,6 +122,7 @@ inline constexpr auto no_yes = status_values<2>("No", "Yes");
 
 // Fields.
 
+/// A field with a number.
 constexpr std::array<FieldInfo, 1> field(unsigned bits, std::string_view name,
                                          std::string_view description, const ValueInfo& value) {
   return {FieldInfo{.bits = static_cast<std::uint8_t>(bits),
@@ -129,6 +130,7 @@ constexpr std::array<FieldInfo, 1> field(unsigned bits, std::string_view name,
                     .value = value,
                     .description = description}};
 }
+/// A field with named codes; side_by_side() gives its place.
 constexpr std::array<FieldInfo, 1> field(unsigned bits, std::string_view name,
                                          std::string_view description, Items<NamedValue> names) {
   return field(bits, name, description, ValueInfo{.names = names});

@@ -63,6 +63,7 @@ constexpr std::uint32_t device_type(const Functions& functions) {
 inline constexpr std::uint32_t device_type_mask = 0x80F0'FFFF;
 
 inline constexpr NamedValue one_names[] = {{0, "reserved", Meaning::reserved}, {1, "1"}};
+/// A bit of 1000h: whether the device has such elements.
 constexpr FieldInfo function_field(std::uint8_t bit, std::string_view name) {
   return field(bit, 1, name, cia401::presence_names);
 }
@@ -84,12 +85,14 @@ inline constexpr FieldInfo device_type_fields[] = {
     field(always_bit, 1, "Operator environment", one_names),
 };
 
+/// The object with the name that this profile gives it.
 constexpr ObjectInfo named(std::string_view name, ObjectInfo object) {
   object.name = name;
   return object;
 }
 /// Names and categories from Table A 1.
 inline constexpr std::string_view annex = "Annex A, Table A 1";
+/// The object, which devices with outputs must have.
 constexpr ObjectInfo for_outputs(const ObjectInfo& object) {
   return cia301::refined(object, Category::conditional, annex, {},
                          "if digital or analogue outputs are implemented");

@@ -13,6 +13,7 @@ namespace canvoy::cia852::configuration {
 template <std::size_t kinds>
 using Rows = std::array<EntryInfo, kinds + 1>;
 
+/// Entries of a kind of element in an object of CiA 401.
 constexpr EntryInfo row(const ObjectInfo& generic, unsigned first, unsigned last,
                         std::string_view condition) {
   EntryInfo entry = *find_entry(generic, 1);
@@ -25,6 +26,7 @@ constexpr EntryInfo row(const ObjectInfo& generic, unsigned first, unsigned last
   entry.clause = "15";
   return entry;
 }
+/// Joysticks, pedals and push-buttons.
 constexpr Rows<3> rows_of_digital_inputs(const ObjectInfo& generic) {
   constexpr unsigned last_of_joysticks = joystick_buttons_sub(joysticks_max);
   constexpr unsigned last_of_buttons =
@@ -34,6 +36,7 @@ constexpr Rows<3> rows_of_digital_inputs(const ObjectInfo& generic) {
                if_foot_pedal),
            row(generic, push_buttons_sub(1, 1), last_of_buttons, if_push_buttons)}};
 }
+/// Joysticks, pedals and wheels.
 constexpr Rows<3> rows_of_analogue_inputs(const ObjectInfo& generic) {
   constexpr unsigned last_of_joysticks = joystick_axis_sub(joysticks_max, joystick_axes);
   return {{highest_sub_index, row(generic, 1, last_of_joysticks, if_joystick),
@@ -41,15 +44,18 @@ constexpr Rows<3> rows_of_analogue_inputs(const ObjectInfo& generic) {
                if_foot_pedal),
            row(generic, wheel_position_sub(1), wheel_position_sub(wheels_max), if_wheel)}};
 }
+/// Positions of encoders.
 constexpr Rows<1> rows_of_encoders(const ObjectInfo& generic) {
   return {{highest_sub_index,
            row(generic, encoder_position_sub(1), encoder_position_sub(encoders_max), if_encoder)}};
 }
+/// Groups of indicators.
 constexpr Rows<1> rows_of_indicators(const ObjectInfo& generic) {
   constexpr unsigned last = indicators_sub(indicator_clusters_max, groups_of_cluster);
   return {{highest_sub_index, row(generic, 1, last, if_indicators)}};
 }
 
+/// The object of CiA 401 with the entries of this profile.
 constexpr ObjectInfo with(const ObjectInfo& generic, Items<EntryInfo> entries) {
   ObjectInfo object = generic;
   object.clause = "15";

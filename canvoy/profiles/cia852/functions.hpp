@@ -13,6 +13,7 @@ namespace canvoy::cia852 {
 constexpr DeviceObject first_pdo(const ObjectInfo& object) {
   return {.index = object.index};
 }
+/// The PDOs of further elements, from the first record to the last.
 constexpr DeviceObject more_pdos(const ObjectInfo& first, const ObjectInfo& last,
                                  std::string_view condition) {
   return {.index = first.index,
@@ -20,9 +21,11 @@ constexpr DeviceObject more_pdos(const ObjectInfo& first, const ObjectInfo& last
           .condition = condition,
           .last = last.index};
 }
+/// An object that the element may have.
 constexpr DeviceObject optional_object(const ObjectInfo& object) {
   return {.index = object.index, .category = Category::optional};
 }
+/// An object that the element has on its own condition.
 constexpr DeviceObject conditional_object(const ObjectInfo& object) {
   return {.index = object.index, .category = Category::conditional, .condition = object.condition};
 }
@@ -105,6 +108,7 @@ inline constexpr DeviceObject display_objects[] = {
     conditional_object(analogue_output_error_value_float_object),
 };
 
+/// A functional element, by its bit in 1000h.
 constexpr VirtualDeviceInfo functional_element(std::uint8_t bit, std::string_view name,
                                                Items<DeviceObject> objects, std::string_view clause,
                                                std::string_view description) {

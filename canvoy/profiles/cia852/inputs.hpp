@@ -27,6 +27,7 @@ inline constexpr std::string_view axis_names[joystick_axes] = {
 
 inline constexpr EntryInfo input_8_bit =
     entry(unsigned8, ro, by_default, {}, {.notation = Notation::bit_mask});
+/// Eight inputs with these fields.
 constexpr EntryInfo input_8_bit_with(Items<FieldInfo> fields, std::string_view description) {
   EntryInfo entry = input_8_bit;
   entry.fields = fields;

@@ -133,6 +133,7 @@ constexpr Part fitted(const OperatorEnvironment& has, const ObjectInfo& mapping)
   return Part(mapping).keeping(is_there).initial(0, count);
 }
 
+/// Adds the TPDOs of the inputs that it has.
 template <class Parts>
 constexpr void add_tpdos(Parts& parts, const OperatorEnvironment& has) {
   const auto add = [&](unsigned number) {
@@ -144,6 +145,7 @@ constexpr void add_tpdos(Parts& parts, const OperatorEnvironment& has) {
   for (unsigned n = 1; n <= has.wheels; n += wheels_of_tpdo) add(wheel_tpdo(n));
   for (unsigned n = 1; n <= has.push_button_clusters; ++n) add(push_button_tpdo(n));
 }
+/// Adds the RPDOs of the outputs that it has.
 template <class Parts>
 constexpr void add_rpdos(Parts& parts, const OperatorEnvironment& has) {
   const auto add = [&](unsigned number) {
@@ -155,6 +157,7 @@ constexpr void add_rpdos(Parts& parts, const OperatorEnvironment& has) {
     for (unsigned part = 1; part <= of_display; ++part) add(display_rpdo(n, part));
   }
 }
+/// Adds the objects of its inputs.
 template <class Parts>
 constexpr void add_inputs(Parts& parts, const OperatorEnvironment& has) {
   if (has_8_bit_inputs(has)) parts.add(part_of(has, read_input_8_bit_object));
@@ -163,6 +166,7 @@ constexpr void add_inputs(Parts& parts, const OperatorEnvironment& has) {
   parts.add(part_of(has, read_analogue_input_16_bit_object));
   parts.add(analogue_input_global_interrupt_enable_object);
 }
+/// Adds the objects of its outputs.
 template <class Parts>
 constexpr void add_outputs(Parts& parts, const OperatorEnvironment& has) {
   if (has.indicator_clusters > 0) {

@@ -15,6 +15,7 @@ inline constexpr std::string_view if_display = "if the parameter of the display 
 
 // Indicators.
 
+/// Names of the entries of a cluster, by group.
 using ClusterNames = std::array<std::string_view, groups_of_cluster>;
 /// The word as in Figure 8 (errata 10).
 inline constexpr ClusterNames indicator_names = {
@@ -92,6 +93,7 @@ inline constexpr auto error_value_output_8_bit_object = array_object(
 
 // Displays: matrix displays, bar graphs and round meters.
 
+/// Names of the entries of a display, by parameter.
 using DisplayNames = std::array<std::string_view, parameters_of_display>;
 inline constexpr DisplayNames display_names = {
     "Display #: parameter 1",  "Display #: parameter 2",  "Display #: parameter 3",
@@ -114,6 +116,7 @@ inline constexpr DisplayNames display_error_value_names = {
     "Error value display #: parameter 11", "Error value display #: parameter 12"};
 
 inline constexpr unsigned display_entry_count = displays_max * parameters_of_display + 1;
+/// Sub-index 00h, and the parameters of all displays.
 using DisplayEntries = std::array<EntryInfo, display_entry_count>;
 
 /// Table 7.
@@ -131,12 +134,13 @@ constexpr DisplayEntries display_entries(const EntryInfo& each, const DisplayNam
 }
 /// The five objects of displays, in one of the two readings of Table 7.
 struct DisplayTable {
-  DisplayEntries integers{};
-  DisplayEntries floats{};
-  DisplayEntries error_modes{};
-  DisplayEntries error_integers{};
-  DisplayEntries error_floats{};
+  DisplayEntries integers{};        ///< 6411h
+  DisplayEntries floats{};          ///< 6413h
+  DisplayEntries error_modes{};     ///< 6443h
+  DisplayEntries error_integers{};  ///< 6444h
+  DisplayEntries error_floats{};    ///< 6445h
 };
+/// The table with `pitch` sub-indices for each display.
 constexpr DisplayTable display_table(unsigned pitch) {
   // An analogue value; no clause gives its unit.
   const ValueInfo shown = {.counting = Counting::counts};
@@ -176,6 +180,7 @@ constexpr DisplayTable display_table(unsigned pitch) {
 inline constexpr DisplayTable displays = display_table(display_pitch);
 inline constexpr DisplayTable wide_displays = display_table(wide_display_pitch);
 
+/// The object of CiA 401 with these entries.
 constexpr ObjectInfo display_object(const ObjectInfo& generic, const DisplayEntries& entries,
                                     std::string_view condition, std::string_view description) {
   return {.index = generic.index,
@@ -188,22 +193,27 @@ constexpr ObjectInfo display_object(const ObjectInfo& generic, const DisplayEntr
           .description = description,
           .subs = entries};
 }
+/// 6411h.
 constexpr ObjectInfo display_integer_object(const DisplayTable& table) {
   return display_object(cia401::write_analogue_output_16_bit_object, table.integers, "",
                         "What displays show, as numbers.");
 }
+/// 6413h.
 constexpr ObjectInfo display_float_object(const DisplayTable& table) {
   return display_object(cia401::write_analogue_output_float_object, table.floats, "",
                         "What displays show, as floating-point numbers.");
 }
+/// 6443h.
 constexpr ObjectInfo display_error_mode_object(const DisplayTable& table) {
   return display_object(cia401::analogue_output_error_mode_object, table.error_modes, "",
                         "Whether displays take their error values on a failure.");
 }
+/// 6444h.
 constexpr ObjectInfo display_error_integer_object(const DisplayTable& table) {
   return display_object(cia401::analogue_output_error_value_integer_object, table.error_integers,
                         "if 6411h is supported", "What displays of 6411h show on a failure.");
 }
+/// 6445h.
 constexpr ObjectInfo display_error_float_object(const DisplayTable& table) {
   return display_object(cia401::analogue_output_error_value_float_object, table.error_floats,
                         "if 6413h is supported", "What displays of 6413h show on a failure.");

@@ -56,6 +56,7 @@ constexpr unsigned display_rpdo(unsigned display, unsigned part) {
 
 // Communication parameters. The device chooses between "rw or const".
 
+/// The entry as rw; a device may have it as const.
 constexpr EntryInfo rw_or_const(EntryInfo entry) {
   entry.access = Access::rw;
   entry.or_const = true;
@@ -67,6 +68,7 @@ inline constexpr EntryInfo tpdo_highest_sub_index =
 inline constexpr EntryInfo rpdo_highest_sub_index = sub_index(
     0, "Highest sub-index supported",
     entry(unsigned8, const_, no, highest_sub(), {.limits = within(2, 5)}), {.errata = "30"});
+/// Sub-index 01h with this default.
 constexpr EntryInfo cob_id_entry(Default initial) {
   return rw_or_const(sub_index(
       1, "COB-ID", entry(unsigned32, ro, no, initial, cia301::code),
@@ -104,10 +106,12 @@ inline constexpr std::string_view ordinals[] = {
     "4th application parameter", "5th application parameter", "6th application parameter",
     "7th application parameter", "8th application parameter"};
 
+/// Sub-index 00h of a mapping record.
 constexpr EntryInfo number_of_mapped(std::uint8_t count) {
   return rw_or_const(sub_index(0, "Number of mapped application objects in PDO",
                                entry(unsigned8, ro, no, count), {.errata = "31"}));
 }
+/// Mapping of an entry at that position, from 1 on.
 constexpr EntryInfo mapped(unsigned position, const ObjectInfo& object, unsigned sub) {
   return rw_or_const(sub_index(static_cast<std::uint8_t>(position), ordinals[position - 1],
                                entry(unsigned32, ro, no, mapped_value(object, sub), cia301::code)));
@@ -117,6 +121,7 @@ constexpr EntryInfo optionally(EntryInfo entry) {
   entry.category = Category::optional;
   return entry;
 }
+/// An entry that exists on a condition.
 constexpr EntryInfo on_condition(EntryInfo entry, std::string_view condition,
                                  std::string_view errata) {
   entry.category = Category::conditional;
@@ -213,6 +218,7 @@ inline constexpr auto push_button_mappings = each_of<push_button_clusters_max>(p
 inline constexpr auto indicator_mappings = each_of<indicator_clusters_max>(indicator_mapping);
 
 inline constexpr unsigned display_rpdo_count = displays_max * rpdos_of_display;
+/// The mapping of each RPDO of each display.
 constexpr auto display_mapping_table(unsigned pitch) {
   return each_of<display_rpdo_count>([=](unsigned n) {
     return display_mapping((n - 1) / rpdos_of_display + 1, (n - 1) % rpdos_of_display + 1, pitch);

@@ -14,9 +14,11 @@ enum class Readiness : std::uint8_t { not_ready = 0, ready = 1 };
 
 namespace battery_values {
 
-inline constexpr NamedValue readiness_names[] = {{Readiness::not_ready, "not ready"},  ///< bit 0
+/// Of bit 0.
+inline constexpr NamedValue readiness_names[] = {{Readiness::not_ready, "not ready"},
                                                  {Readiness::ready, "ready"}};
-inline constexpr NamedValue reserved_names[] = {{0, "0", Meaning::padding},  ///< bits 1 to 7
+/// Of bits 1 to 7.
+inline constexpr NamedValue reserved_names[] = {{0, "0", Meaning::padding},
                                                 {1, 0x7F, "reserved", Meaning::reserved}};
 /// A reader ignores the reserved bits.
 inline constexpr FieldInfo readiness[] = {

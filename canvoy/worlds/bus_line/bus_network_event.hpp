@@ -21,7 +21,7 @@ struct JourneyBegan {
 /// The bus stands at a stop, leaves it, or passes it.
 struct StopReached {
   /// What the bus does at the stop.
-  enum class How : std::uint8_t { arrives, leaves, passes } how = How::arrives;
+  enum class How : std::uint8_t { arrives, leaves, passes } how = How::arrives;  ///< which of them
   std::string stop{};   ///< name of the stop
   Duration delay{};     ///< behind the timetable; negative: early
   unsigned aboard = 0;  ///< people aboard at that moment

@@ -133,6 +133,7 @@ class BusVehicle {
   double metres_on_route() const { return drive_.metres(); }
   /// `number` from 0.
   const BusDoor& door(std::size_t number) const { return doors_[number]; }
+  /// Number of doors.
   std::size_t door_count() const { return doors_.size(); }
   /// True if each door is closed.
   bool all_doors_closed() const { return std::ranges::all_of(doors_, &BusDoor::is_closed); }

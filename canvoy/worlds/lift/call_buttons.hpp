@@ -17,9 +17,9 @@ namespace canvoy::lift {
 /// A button as one value, so that actions with it can be planned.
 struct CallButton {
   /// A button of a landing, one of a car, or a destination at a landing.
-  enum class Kind : std::uint8_t { hall, car, destination } kind = Kind::hall;
-  std::uint8_t place = 0;  ///< floor or lift
-  std::uint8_t what = 0;   ///< direction or floor
+  enum class Kind : std::uint8_t { hall, car, destination } kind = Kind::hall;  ///< which of them
+  std::uint8_t place = 0;                                                       ///< floor or lift
+  std::uint8_t what = 0;  ///< direction or floor
 
   /// A button of a landing with a direction.
   static CallButton hall(FloorNumber floor, Direction direction) {

@@ -55,6 +55,7 @@ class LiftNetwork {
   /// True if no invariant is broken.
   bool all_hold() const;
 
+  /// The copy of the description.
   const LiftNetworkDescription& description() const;
 
   // Access for tests, and for tools that take part: a real device in place of a node that the

@@ -22,6 +22,7 @@ class DurationSample {
   /// Adds a value; memory grows with their number.
   void add(Duration value);
 
+  /// Number of values.
   std::size_t count() const { return values_.size(); }
   /// Zero where there are no values.
   Duration mean() const;

@@ -35,6 +35,7 @@ struct TerminalTask {
   std::vector<std::string> answers{};        ///< text 1 begins with the answer
 };
 
+/// A person who does one task after another at the terminal.
 class Operator {
  public:
   /// A person without a task.

@@ -39,13 +39,14 @@ constexpr CivilTime without_leap_second(CivilTime time) {
 /// The six handles of a clock: year, day, month, hour, minute, second.
 template <class Year, class Day, class Month, class Hour, class Minute, class Second>
 struct ClockHandles {
-  Year year;
-  Day day;
-  Month month;
-  Hour hour;
-  Minute minute;
-  Second second;
+  Year year;      ///< from 1985 on
+  Day day;        ///< 1 to 31, in quarters
+  Month month;    ///< 1 to 12
+  Hour hour;      ///< 0 to 23
+  Minute minute;  ///< 0 to 59
+  Second second;  ///< in quarters, below 60
 };
+/// Deduces the types of the six handles.
 template <class... Handles>
 ClockHandles(Handles...) -> ClockHandles<Handles...>;
 
