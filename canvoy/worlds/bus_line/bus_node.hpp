@@ -23,7 +23,7 @@ class BusNode {
  public:
   /// Which device it is.
   struct Place {
-    std::string_view name;            ///< as in BusDesign
+    std::string_view name;            ///< in files and logs
     NodeId id = 0;                    ///< 1 to 127
     std::uint32_t serial_number = 0;  ///< 1018h:04h, unique for LSS
     bool is_played = true;            ///< false: a real device has this node-ID

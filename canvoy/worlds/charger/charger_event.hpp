@@ -19,7 +19,7 @@ namespace canvoy::charger {
 
 /// The first TIME message since the start.
 struct TimeSeen {
-  TimeOfDay time;  ///< of day and date, as sent
+  TimeOfDay time;  ///< as the message has it
 };
 // Reported by the charger.
 

@@ -17,7 +17,7 @@ class CrowdWatch {
   /// themselves.
   CrowdWatch(const Building& building, const PassengerOptions& people);
 
-  /// Looks at a crowd: its waiting people count if they are more than before.
+  /// Counts the people who wait; call it from time to time, as each second.
   void look(Time now, bool is_hindered, const Crowd& crowd) {
     look(now, is_hindered, crowd.waiting_count());
   }

@@ -70,7 +70,7 @@ constexpr FaultGrammar grammar_of(FaultKind) {
 
 /// A fault of a plan: kind, place, begin and end.
 using ScheduledFault = canvoy::ScheduledFault<FaultKind>;
-/// The faults of a run, in the order of their begin.
+/// The faults of a run, and the seed of all chance.
 using FaultPlan = canvoy::FaultPlan<FaultKind>;
 
 /// True for a fault of a door of the car.
