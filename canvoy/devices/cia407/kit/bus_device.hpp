@@ -39,7 +39,7 @@ struct OwnPdo {
   const ObjectInfo* mapping = nullptr;    ///< mapping record
   Where where = Where::everywhere;        ///< segments of the network
 
-  /// True in a segment with or without a main on-board computer.
+  /// True if the unit has the PDO in a segment with, or without, a main on-board computer.
   constexpr bool is_in(bool has_main_computer) const {
     return where == Where::everywhere || (where == Where::with_main_computer) == has_main_computer;
   }
