@@ -17,7 +17,7 @@ inline constexpr std::uint16_t profile_number = 852;
 /// Collects the objects of the profile.
 template <std::size_t capacity>
 struct Pointers {
-  std::array<const ObjectInfo*, capacity> items{};
+  std::array<const ObjectInfo*, capacity> items{};  ///< the first `size` of them
   std::size_t size = 0;
 
   /// Adds an object.

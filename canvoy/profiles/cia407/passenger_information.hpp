@@ -199,6 +199,7 @@ inline constexpr NamedValue character_sets[] = {
     {0x8000, 0xFFFF, "manufacturer-specific character set", Meaning::manufacturer},
 };
 inline constexpr EntryInfo character_set = entry(unsigned16, ro, no, {}, character_sets);
+/// 6205h: the selected character set, and up to 253 others that the device offers.
 constexpr std::array<EntryInfo, 5> make_character_set_entries() {
   EntryInfo selected = at(1, character_set);
   selected.name = "selected_character_set";

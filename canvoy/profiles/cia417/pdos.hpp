@@ -12,6 +12,7 @@ namespace canvoy::cia417 {
 inline constexpr std::string_view pdo_clause = "CiA 417-3";
 inline constexpr std::uint32_t invalid_pdo = 0x8000'0000;
 
+/// The code as an object has it.
 constexpr std::uint8_t code_of(VirtualDevice device) {
   return static_cast<std::uint8_t>(device);
 }
@@ -70,6 +71,7 @@ constexpr PdoInfo carrying(PdoInfo pdo, std::string_view name, Items<std::uint32
   pdo.condition = condition;
   return pdo;
 }
+/// The PDO with the destination and the value in each frame, and so without a mapping.
 constexpr PdoInfo multiplexed(PdoInfo pdo) {
   pdo.name = "Multiplexed PDO";
   pdo.multiplexed = MpdoKind::destination;
@@ -138,13 +140,13 @@ inline constexpr std::uint32_t light_barrier_pdo[] = {
 
 /// One PDO of lift 1, with its sender and receivers.
 struct LiftPdo {
-  std::uint16_t rpdo = 0;  ///< the parameter object of the receivers; 0: not known
-  std::uint32_t cob_id = 0;
-  std::string_view name = {};
-  Items<std::uint32_t> mapping = {};
-  Items<std::uint8_t> producers = {};
-  Items<std::uint8_t> consumers = {};
-  std::string_view condition = {};
+  std::uint16_t rpdo = 0;              ///< the parameter object of the receivers; 0: not known
+  std::uint32_t cob_id = 0;            ///< of lift 1
+  std::string_view name = {};          ///< what it carries
+  Items<std::uint32_t> mapping = {};   ///< objects of lift 1
+  Items<std::uint8_t> producers = {};  ///< codes of virtual devices
+  Items<std::uint8_t> consumers = {};  ///< codes of virtual devices
+  std::string_view condition = {};     ///< remark on what is inferred
 };
 inline constexpr std::string_view lift_conditions[lift_count] = {
     "",

@@ -21,6 +21,7 @@ constexpr EntryInfo count_entry(std::string_view name, std::uint8_t low, std::ui
   return sub_index(0, name,
                    entry(unsigned8, ro, no, highest_sub(printed), {.limits = within(low, high)}));
 }
+/// Sub-index 00h where the device decides, within these bounds.
 constexpr EntryInfo number_of_entries(std::uint8_t low, std::uint8_t high) {
   return count_entry("Number of entries", low, high);
 }

@@ -241,7 +241,7 @@ inline constexpr std::string_view as_part_2_says = "as CiA 447-2 says for the vi
 /// Remarks that apply to some objects only.
 struct Remarks {
   Category category = Category::conditional;  ///< conditional: as defined in part 2
-  std::string_view errata = {};
+  std::string_view errata = {};               ///< findings that concern it
 };
 inline constexpr Remarks optional_object = {.category = Category::optional, .errata = "A16"};
 

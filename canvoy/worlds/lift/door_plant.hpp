@@ -38,8 +38,9 @@ struct DoorPlantOptions {
   double friction_m_s2 = 0.5;                       ///< deceleration without torque
   Duration lock_time = 100ms;                       ///< of the lock, to open or to close
   static constexpr std::uint8_t profile_count = 2;  ///< profiles of 6304h:01h, and of 6304h:02h
-  /// Shares of speed and width for 6304h:01h and 02h, from 00h on: 01h is slow, and narrow.
+  /// Share of the speed for each value of 6304h:01h, from 00h on: 01h is slow.
   std::array<double, profile_count> velocity_profiles = {1.0, 0.75};
+  /// Share of the width for each value of 6304h:02h, from 00h on: 01h is narrow.
   std::array<double, profile_count> width_profiles = {1.0, 0.85};
   /// True: the light barrier is wired to the door; false: it is a device of its own.
   bool has_light_barrier = false;
