@@ -11,6 +11,7 @@
 #include "canvoy/text/error_frame_text.hpp"
 #include "canvoy/text/lss_text.hpp"
 #include "canvoy/text/message_text.hpp"
+#include "canvoy/text/service_words.hpp"
 #include "canvoy/text/text.hpp"
 #include "canvoy/text/time_text.hpp"
 
@@ -21,25 +22,6 @@ namespace {
 using decoder::Mark;
 
 constexpr unsigned sync_counter_max = 240;
-
-/// Services with a node, by function code (CAN-ID without node-ID).
-constexpr std::array<std::string_view, 16> service_names = {
-    "",      "EMCY",  "",      "TPDO1",        "RPDO1",       "TPDO2", "RPDO2",         "TPDO3",
-    "RPDO3", "TPDO4", "RPDO4", "SDO response", "SDO request", "",      "error control", ""};
-
-/// Service and node, as given by the CAN-ID.
-FrameWords service_of(std::uint32_t id) {
-  if (id == can_id::nmt) return {.service = "NMT"};
-  if (id == can_id::sync) return {.service = "SYNC"};
-  if (id == can_id::time) return {.service = "TIME"};
-  if (id == can_id::lss_response || id == can_id::lss_request) return {.service = "LSS"};
-  if (id == can_id::dynamic_sdo_request) return {.service = "SDO manager"};
-  if (is_flying_master(id)) return {.service = "flying master"};
-  const std::string_view service = service_names[id >> 7];
-  const auto node = static_cast<NodeId>(id & node_id_max);
-  if (service.empty() || node == 0) return {.service = "other"};
-  return {.service = service, .node = node};
-}
 
 bool is_told(NmtState state) {
   return state == NmtState::stopped || state == NmtState::operational ||

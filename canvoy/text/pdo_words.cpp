@@ -1,6 +1,7 @@
 #include "canvoy/text/pdo_words.hpp"
 
 #include "canvoy/text/object_words.hpp"
+#include "canvoy/text/service_words.hpp"
 
 namespace canvoy::text {
 
@@ -28,8 +29,7 @@ PdoWords::Words PdoWords::words(std::uint32_t can_id, const decoder::Decoded& de
 }
 
 void PdoWords::name(Pdo& pdo, const decoder::PdoPlan& plan) {
-  const char* direction = plan.direction == PdoInfo::Direction::transmit ? "TPDO" : "RPDO";
-  pdo.service = plan.number == 0 ? "PDO" : direction + std::to_string(plan.number);
+  pdo.service = pdo_service(plan);
   pdo.start = plan.name.empty() ? "" : std::string(plan.name) + ": ";
   pdo.values.clear();
 }

@@ -26,6 +26,12 @@ class Filter {
   /// True if the frame passes; an empty filter passes all.
   bool passes(const FilterFrame& frame);
 
+  /// False if no frame passes that has this bus and CAN-ID, and service, node and client of these
+  /// words; of a 29-bit frame, any CAN-ID. Counts nothing.
+  bool may_pass(const FilterFrame& frame);
+  /// False if no frame passes between these times, if the first frame came at `first`.
+  bool may_pass(Duration from, Duration to, Duration first);
+
   /// Numbers of frames tested and passed.
   std::uint64_t seen() const { return seen_; }
   std::uint64_t passed() const { return passed_; }
@@ -33,7 +39,11 @@ class Filter {
   std::vector<std::string_view> never_true() const;
 
  private:
+  enum class Chance : std::uint8_t { no, maybe, yes };
+
   bool holds(const FilterExpression& expression, const FilterFrame& frame);
+  template <class Judge>
+  Chance chance(const FilterExpression& expression, const Judge& judge);
 
   FilterExpression all_;
   std::vector<FilterCondition> conditions_;

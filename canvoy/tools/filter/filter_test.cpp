@@ -54,6 +54,47 @@ class FilterTest : public testing::Test {
   Duration first_{};
 };
 
+TEST_F(FilterTest, WhatIsExcludedByBusCanIdServiceAndNodeIsKnownWithoutTheContent) {
+  const auto may_pass = [this](std::string_view filter, std::string_view frame) {
+    Filter sut;
+    sut.add(filter, names());
+    const Frame parsed = parse_frame(frame).frame;
+    const text::FrameWords& words = decoder_.decode(parsed);
+    const text::FrameWords known{
+        .service = words.service, .node = words.node, .client = words.client};
+    const bool may = sut.may_pass({{}, {}, "can0", parsed, known});
+    if (passes(filter, frame)) EXPECT_TRUE(may) << filter << " " << frame;
+    return may;
+  };
+  for (const char* filter :
+       {"node=5", "id=70B", "service=EMCY", "bus=can1", "not heartbeat", "heartbeat and node=11",
+        "node=5 or id=18A", "not (node=10 or SYNC)"}) {
+    EXPECT_FALSE(may_pass(filter, heartbeat)) << filter;
+  }
+  for (const char* filter :
+       {"node=10", "id=70A", "heartbeat", "bus!=can1", "text=stopped", "not text=operational",
+        "marks and node=10", "time>5s", "temperature>40 or node=10"}) {
+    EXPECT_TRUE(may_pass(filter, heartbeat)) << filter;
+  }
+  EXPECT_TRUE(may_pass("id=0000018A", "00000001#")) << "any CAN-ID of 29 bits";
+  EXPECT_TRUE(may_pass("temperature>40", warm)) << "values are not looked at";
+}
+
+TEST_F(FilterTest, WhatIsExcludedByItsTimeIsKnownWithoutTheContent) {
+  const auto may_pass = [](std::string_view filter, Duration from, Duration to) {
+    Filter sut;
+    sut.add(filter, names());
+    return sut.may_pass(from, to, Duration(100s));
+  };
+  EXPECT_TRUE(may_pass("time=10s..20s", 110s, 111s)) << "since the first frame at 100 s";
+  EXPECT_TRUE(may_pass("time=10s..20s", 119s, 130s));
+  EXPECT_FALSE(may_pass("time=10s..20s", 121s, 130s));
+  EXPECT_FALSE(may_pass("not time=10s..20s", 112s, 118s));
+  EXPECT_TRUE(may_pass("not time=10s..20s", 112s, 121s));
+  EXPECT_FALSE(may_pass("time>=1700000000.5 and heartbeat", 110s, 111s)) << "since 1970";
+  EXPECT_TRUE(may_pass("heartbeat", 110s, 111s));
+}
+
 TEST_F(FilterTest, BusesAreTakenAsTheyAreWritten) {
   EXPECT_TRUE(passes("bus=can0", warm));
   EXPECT_FALSE(passes("bus=can1", warm));

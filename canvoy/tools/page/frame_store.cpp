@@ -47,9 +47,11 @@ host::Descriptor nameless_file() {
 void FrameStore::add(const StoredFrame& frame) {
   if (last_.empty()) begins_.push_back(frame.time);
   last_.push_back(frame);
+  index_.add(frame.bus(), frame.frame);
   ++size_;
   if (last_.size() < block_frames) return;
-  if (blocks_.size() < memory_blocks) {
+  index_.end_block();
+  if (blocks_.size() < blocks_in_memory_) {
     blocks_.push_back(std::move(last_));
     last_ = {};
   } else {
@@ -63,6 +65,7 @@ void FrameStore::clear() {
   blocks_.clear();
   last_.clear();
   begins_.clear();
+  index_ = {};
   file_ = host::Descriptor();
 }
 
@@ -81,7 +84,7 @@ void FrameStore::spill(const Block& block) {
 void FrameStore::load(std::size_t number, Block& into) const {
   into.resize(block_frames);
   auto* to = reinterpret_cast<char*>(into.data());
-  auto place = static_cast<off_t>((number - memory_blocks) * block_bytes);
+  auto place = static_cast<off_t>((number - blocks_in_memory_) * block_bytes);
   for (std::size_t left = block_bytes; left != 0;) {
     const ssize_t read = ::pread(file_.get(), to, left, place);
     if (read < 0 && errno == EINTR) continue;

@@ -1,5 +1,5 @@
-// Frames of a log of any length in order of time, found by number or time: the first ones in
-// memory, the others in an unnamed file that is removed with this.
+// Frames of a log of any length in order of time, found by number, by time, and in blocks by bus
+// and CAN-ID: the first ones in memory, the others in an unnamed file that is removed with this.
 //
 //     FrameStore store;
 //     store.add({time, frame, bus});
@@ -10,11 +10,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "canvoy/can/frame.hpp"
 #include "canvoy/can/host/descriptor.hpp"
 #include "canvoy/can/time.hpp"
+#include "canvoy/tools/page/frame_index.hpp"
 
 namespace canvoy::tools {
 
@@ -43,6 +45,8 @@ class FrameStore {
   static constexpr std::size_t memory_blocks = 256;
 
   FrameStore() = default;
+  /// Keeps so many blocks in memory instead.
+  explicit FrameStore(std::size_t blocks_in_memory) : blocks_in_memory_(blocks_in_memory) {}
 
   /// Adds a frame in order of time. Throws Failure if the file cannot be written.
   void add(const StoredFrame& frame);
@@ -50,6 +54,15 @@ class FrameStore {
   void clear();
   /// Number of the first frame later than `when`; size() if there is none. Logarithmic.
   std::uint64_t first_after(Time when) const;
+  /// What the blocks have; the number of a frame, divided by block_frames, is that of its block.
+  const FrameIndex& index() const { return index_; }
+  /// Times between which the frames of a block are: those of its first frame, and of that of the
+  /// next block, or far beyond the last one.
+  std::pair<Time, Time> times(std::size_t block) const {
+    const bool is_last = block + 1 == begins_.size();
+    return {begins_[block],
+            is_last ? Time(Time::max().time_since_epoch() / 2) : begins_[block + 1]};
+  }
 
  private:
   friend class FrameCursor;
@@ -59,10 +72,12 @@ class FrameStore {
   /// Throws Failure if the file cannot be read.
   void load(std::size_t number, Block& into) const;
 
+  std::size_t blocks_in_memory_ = memory_blocks;
   std::uint64_t size_ = 0;
   std::vector<Block> blocks_;
   Block last_;  ///< the block being filled
   std::vector<Time> begins_;
+  FrameIndex index_;
   host::Descriptor file_;
 };
 

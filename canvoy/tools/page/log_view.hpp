@@ -1,5 +1,5 @@
-// Frames of a log for one viewer: with a filter, those from the first frame to a time; without,
-// those just before the time.
+// Frames of a log for one viewer: with a filter, those from the first frame to a time, without
+// looking at blocks of the log that the filter excludes; without, those just before the time.
 //
 //     LogView view(store, buses, options, "node=10", [&] { return playback.aim(); });
 //     view.read(lines, 256 * 1024);
@@ -11,6 +11,7 @@
 
 #include "canvoy/tools/page/frame_feed.hpp"
 #include "canvoy/tools/page/frame_store.hpp"
+#include "canvoy/tools/page/log_search.hpp"
 
 namespace canvoy::tools {
 
@@ -36,20 +37,27 @@ class LogView : public FrameStream {
   /// 1 when all is reported.
   double searched() const override;
   bool is_full() const override { return is_filtered_ && matches_ >= matches_max; }
+  /// Number of blocks of the store that were decoded for the filter.
+  std::uint64_t blocks_read() const { return blocks_read_; }
 
  private:
   std::uint64_t end() const { return store_.first_after(until_()); }
   void begin_window();
+  bool skip_blocks(std::uint64_t last);
+  void decode(std::uint64_t from, std::uint64_t to);
 
   const FrameStore& store_;
   const std::vector<std::string>& buses_;
   std::function<Time()> until_;
   FramePrinter printer_;
   FrameCursor cursor_;
+  LogSearch search_;
   bool is_filtered_;
   std::uint64_t next_ = 0;
   std::uint64_t since_ = 0;  ///< earlier frames are only decoded
   std::uint64_t matches_ = 0;
+  std::uint64_t followed_ = 0;  ///< end of the last block that was not skipped
+  std::uint64_t blocks_read_ = 0;
 };
 
 }  // namespace canvoy::tools

@@ -13,6 +13,7 @@
 #include "canvoy/formats/plain_text.hpp"
 #include "canvoy/text/frame_line.hpp"
 #include "canvoy/text/object_words.hpp"
+#include "canvoy/text/service_words.hpp"
 #include "canvoy/text/value_text.hpp"
 #include "canvoy/tools/argument/node_argument.hpp"
 #include "canvoy/tools/argument/profile_argument.hpp"
@@ -232,6 +233,19 @@ bool FramePrinter::is_wanted(Duration time, std::string_view bus, const Frame& f
   if (transfers_ && words.is_middle) return false;
   if (filter_.empty()) return true;
   return filter_.passes({time, time - *first_, bus, frame, words});
+}
+
+bool FramePrinter::may_pass(std::string_view bus, const Frame& frame) {
+  const auto may = [&](std::string_view service, NodeId node, NodeId client) {
+    const text::FrameWords words{.service = service, .node = node, .client = client};
+    return filter_.may_pass({{}, {}, bus, frame, words});
+  };
+  if (frame.is_error()) return may("error frame", 0, 0);
+  if (frame.is_extended()) return may("29-bit frame", 0, 0);
+  return std::ranges::any_of(text::possible_words(network(bus), frame.id),
+                             [&may](const text::PossibleWords& words) {
+                               return may(words.service, words.node, words.client);
+                             });
 }
 
 std::string FramePrinter::without_match() const {

@@ -70,6 +70,17 @@ class FramePrinter {
     return decoder_of(bus).network().profile(node);
   }
 
+  /// Of a bus, as far as it is known.
+  const decoder::Network& network(std::string_view bus) { return decoder_of(bus).network(); }
+  /// False if no frame like this one, whatever its bytes, passes the filters by what is known of
+  /// the bus so far.
+  bool may_pass(std::string_view bus, const Frame& frame);
+  /// False if no frame between these times passes the filters, after a first frame has been looked
+  /// at.
+  bool may_pass(Duration from, Duration to) {
+    return filter_.may_pass(from, to, first_.value_or(from));
+  }
+
   /// Passes the options to the decoder of a bus. This must outlive it.
   void tell_network(std::string_view bus, decoder::Network& network);
   /// A data sheet from `--eds 5=FILE`.
