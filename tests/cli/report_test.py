@@ -7,10 +7,11 @@ import html
 import json
 import os
 import re
+import subprocess
 import tempfile
 import unittest
 
-from command import CommandTest, DONE, FAILED, USAGE, run
+from command import CANVOY, CommandTest, DONE, FAILED, USAGE, run
 
 
 def pictures_of(page):
@@ -73,6 +74,23 @@ class Report(CommandTest):
         for curve in curves:
             # 540 of 600 units are 5 minutes: the fault begins after a fifth, and takes a tenth.
             self.assertIn('<rect class="fault-band" x="164.0" y="8" width="54.0" height="90"><title>pilot-loss</title></rect>', curve)
+
+    def test_a_log_whose_times_jump_back_takes_no_more_memory(self):
+        def peak(*seconds):
+            """KiB, of the report of a log with half of its frames at each time."""
+            log = os.path.join(self.folder, "long.log")
+            with open(log, "w", encoding="ascii") as text:
+                for second in seconds:
+                    text.write(f"({second}.000000) can0 705#05\n" * 1_000_000)
+            with open(os.devnull, "w", encoding="ascii") as nothing:
+                process = subprocess.Popen([CANVOY, "report", log, "--out", self.page], stdout=nothing)
+                _, status, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+            self.assertEqual(process.returncode, DONE)
+            return usage.ru_maxrss
+
+        in_order = peak(1, 2)
+        self.assertLess(peak(2, 1), in_order + 20 * 1024, "KiB")
 
     def test_pictures_go_from_the_start_to_the_end(self):
         page, _ = self.report("lift", "--floors", "4", "--for", "10min")

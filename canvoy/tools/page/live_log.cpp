@@ -10,6 +10,7 @@
 #include "canvoy/formats/trace/trace.hpp"
 #include "canvoy/sim/duration_text.hpp"
 #include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/page/frame_sort.hpp"
 #include "canvoy/tools/page/log_view.hpp"
 #include "canvoy/tools/page/refusal.hpp"
 #include "canvoy/tools/watch/log_reader.hpp"
@@ -60,21 +61,9 @@ void LiveLog::read(const std::string& path) {
     frames_.add({heard.time, heard.frame, *bus});
   }
   refuse_log_without_frames(path, trace);
-  if (!is_in_order) sort();
+  if (!is_in_order) sort_by_time(frames_);
   begin_ = cursor_.at(0).time;
   end_ = cursor_.at(frames_.size() - 1).time;
-}
-
-void LiveLog::sort() {
-  is_cut_ = frames_.size() > sorted_max;
-  const std::size_t count = std::min<std::size_t>(frames_.size(), sorted_max);
-  FrameCursor cursor(frames_);
-  std::vector<StoredFrame> all;
-  all.reserve(count);
-  while (all.size() < count) all.push_back(cursor.at(all.size()));
-  std::ranges::stable_sort(all, {}, &StoredFrame::time);
-  frames_.clear();
-  for (const StoredFrame& each : all) frames_.add(each);
 }
 
 std::unique_ptr<FrameStream> LiveLog::watch(const std::string& filter, bool /*is_anew*/) const {
@@ -96,7 +85,6 @@ LiveSource::Json LiveLog::description() {
           {"begin", in_seconds(begin() - Time{})},
           {"end", in_seconds(playback_->end() - Time{})},
           {"frames", frames_.size()},
-          {"is_cut", is_cut_},
           {"buses", buses_},
           {"can",
            {{"play", true},

@@ -15,9 +15,6 @@ namespace canvoy::tools {
 
 class LiveLog : public LiveSource {
  public:
-  /// For a longer log with times that jump back: number of frames at its start that are sorted.
-  static constexpr std::size_t sorted_max = 5'000'000;
-
   /// Throws Failure if the log cannot be read, or has no frame.
   LiveLog(const std::string& path, const FramePrinterOptions& options);
   ~LiveLog() override;
@@ -31,7 +28,6 @@ class LiveLog : public LiveSource {
 
  private:
   void read(const std::string& path);
-  void sort();
   std::optional<std::uint8_t> bus_of(std::string_view channel);
   void begin_again();
   Time begin() const { return begin_; }
@@ -46,7 +42,6 @@ class LiveLog : public LiveSource {
   std::unique_ptr<Playback> playback_;  ///< with times from the first frame
   std::unique_ptr<HeardNodes> nodes_;
   std::uint64_t next_ = 0;
-  bool is_cut_ = false;
 };
 
 }  // namespace canvoy::tools

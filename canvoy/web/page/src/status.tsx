@@ -36,7 +36,6 @@ export function Status() {
   if (snapshot.frames_lost > 0) lines.push(texts.frames_lost_before(snapshot.frames_lost));
   if (frames_lost > 0) lines.push(texts.frames_lost(frames_lost));
   if (state.play?.left_out > left_out_from_s) lines.push(texts.left_out(state.play.left_out));
-  if (hello.is_cut) lines.push(texts.is_cut(hello.frames));
   if (lines.length === 0) return null;
   return <div class="lost" role="alert" aria-label={texts.status}>{lines.map((line) => <p key={line}>{line}</p>)}</div>;
 }

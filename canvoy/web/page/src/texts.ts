@@ -31,7 +31,6 @@ export const texts = {
   silent: (names: string[]) => `No heartbeat any more: ${names.join(", ")}.`,
   frames_lost_before: (n: number) => `${n} frames were lost before they reached this program: it read too slowly, or the adapter did.`,
   left_out: (seconds: number) => `The machine was too slow: for ${seconds.toFixed(1)} s of the clock the network stood still.`,
-  is_cut: (n: number) => `The log is longer: only its first ${n.toLocaleString("en")} frames were read.`,
   status: "Status",
   restart_asks: "This link asks for another run. It starts anew for everyone who looks at this page. Start it?",
   time_asks: (time: string) => `This link shows ${time}. Time goes there for everyone who looks at this page. Go there?`,
