@@ -1,5 +1,6 @@
 // The canvoy command.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -19,6 +20,7 @@
 #include "canvoy/tools/load/load.hpp"
 #include "canvoy/tools/node/ask_verbs.hpp"
 #include "canvoy/tools/node/typed_words.hpp"
+#include "canvoy/tools/terminal/message.hpp"
 #include "canvoy/tools/terminal/terminal_text.hpp"
 #include "canvoy/version.hpp"
 
@@ -106,21 +108,21 @@ int run(int count, char** arguments) {
     using Kind = CommandLine::Outcome::Kind;
     const std::vector<std::string> words = words_of(count, arguments);
     add_verbs(line, sessions, words.empty() ? std::string_view{} : std::string_view(words.front()));
-    const CommandLine::Outcome outcome = line.parse(words);
+    const CommandLine::Outcome outcome = line.parse(words, terminal_width(STDOUT_FILENO));
     if (outcome.kind == Kind::understood) return finish_output(line.run());
     if (outcome.kind == Kind::answered) {
       fmt::print("{}", outcome.text);
       return finish_output(exit_done);
     }
-    fmt::print(stderr, "canvoy: {}\n", outcome.text);
+    print_message(fmt::format("canvoy: {}", outcome.text));
     return exit_usage;
   } catch (const Failure& failure) {
     // The message may quote the content of a file.
-    fmt::print(stderr, "canvoy: {}\n", formats::plain_text(failure.what()));
+    print_message(fmt::format("canvoy: {}", formats::plain_text(failure.what())));
     return failure.status();
   } catch (const std::system_error&) {
     // Thrown by {fmt} if it cannot print.
-    fmt::print(stderr, "canvoy: {}\n", output_lost);
+    print_message(fmt::format("canvoy: {}", output_lost));
     return exit_failed;
   }
 }

@@ -22,12 +22,13 @@ def piped(text, *arguments):
     return subprocess.run([CANVOY, *arguments], input=text, capture_output=True, text=True, timeout=60, check=False)
 
 
-def on_terminal(columns, *arguments):
-    """What it prints on a terminal of so many columns."""
+def on_terminal(columns, *arguments, of="stdout"):
+    """What it prints there on a terminal of so many columns."""
     main, other = pty.openpty()
     subprocess.run(["stty", "cols", str(columns), "rows", "40"], stdin=other, check=True)
     environment = {**os.environ, "NO_COLOR": "1", "TERM": "xterm"}
-    program = subprocess.Popen([CANVOY, *arguments], stdout=other, stderr=subprocess.DEVNULL, stdin=subprocess.DEVNULL, env=environment)
+    streams = {"stdin": subprocess.DEVNULL, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, of: other}
+    program = subprocess.Popen([CANVOY, *arguments], env=environment, **streams)
     os.close(other)
     shown = b""
     while True:
@@ -117,6 +118,34 @@ class FirstLines(CommandTest):
             for line in self.assert_done(run(verb, "--help")).split("Examples:")[0].splitlines():
                 self.assertLessEqual(len(line), 100, (verb, line))
         self.assertIn("Lifts (CiA 417):", self.assert_done(run("device", "--help")))
+
+    def test_help_fits_the_terminal(self):
+        for verb in ((), ("device",), ("decode",), ("monitor",), ("check",), ("run", "lift"), ("record",)):
+            whole = self.assert_done(run(*verb, "--help"))
+            for columns in (40, 60, 80, 100, 200):
+                shown = on_terminal(columns, *verb, "--help")
+                options, _, examples = shown.partition("Examples:\n")
+                for line in shown.splitlines():
+                    # Names of options and their choices stay whole, and so does what is in quotes.
+                    is_name = columns < 80 and line.startswith("  ") and (line.strip().count(" ") < 2 or line.strip().startswith("'"))
+                    self.assertTrue(is_name or len(line) <= min(columns, 100), (verb, columns, line))
+                # Lists are parted behind their commas.
+                self.assertEqual("".join(options.split()), "".join(whole.partition("Examples:\n")[0].split()))
+                # What goes on in the next line is one line for a shell.
+                self.assertEqual(examples.replace(" \\\n      ", " "), whole.partition("Examples:\n")[2], (verb, columns))
+
+    def test_messages_fit_the_terminal(self):
+        log = self.path("a.log")
+        for line in (("read", "10", "1018"), ("decode", log, "--filter", "tempersture>40"), ("run", "charger", "--for", "soon"), ("decode", log, "--filter", "node=99")):
+            whole = run(*line).stderr
+            for columns in (40, 80):
+                shown = on_terminal(columns, *line, of="stderr")
+                self.assertEqual(shown.split(), whole.split())
+                for each in shown.splitlines():
+                    self.assertTrue(len(each) <= columns or " " not in each.strip(), (columns, each))
+                for each in shown.splitlines()[1:]:
+                    self.assertTrue(each.startswith("  "), each)
+        self.assertIn("\n  ", on_terminal(40, "read", "10", "1018", of="stderr"))
 
     def test_without_a_bus_the_line_to_type_is_told(self):
         self.assert_refused(run("read", "10", "1018"), USAGE, "which bus? canvoy read can0 10 1018; or export CANVOY_BUS=can0")

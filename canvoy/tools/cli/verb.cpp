@@ -13,8 +13,21 @@ namespace canvoy::tools {
 
 namespace {
 
-/// Column of the descriptions in the help.
-constexpr std::size_t column_width = 34;
+/// Measures of the help.
+struct HelpLayout {
+  std::size_t width = 100;
+  std::size_t descriptions = 34;  ///< column where they begin
+  bool is_terminal = false;
+};
+HelpLayout layout_for(std::size_t columns) {
+  constexpr std::size_t columns_min = 20;
+  HelpLayout made;
+  made.is_terminal = columns != 0;
+  if (columns == 0 || columns >= made.width) return made;
+  made.width = std::max(columns, columns_min);
+  made.descriptions = std::min(made.descriptions, made.width * 2 / 5);
+  return made;
+}
 
 CLI::Option* add_row(CLI::App& app, const OptionRow& row) {
   return std::visit(
@@ -136,16 +149,15 @@ std::size_t end_of_line(std::string_view text, std::size_t room) {
   return std::min(text.find(' '), text.size());
 }
 
-/// Wraps a line of help; continuation lines begin at its right column. Lines outside of tables are
-/// unchanged.
-void append_wrapped(std::string& text, std::string_view line) {
-  constexpr std::size_t width = 100;
-  const bool is_row = line.starts_with("  ") && line.size() > column_width;
-  const std::size_t indent = is_row ? column_width : 0;
+/// Wraps a line of help; continuation lines begin at its right column. Lines outside of tables
+/// begin at the left.
+void append_wrapped(std::string& text, std::string_view line, const HelpLayout& layout) {
+  const bool is_row = line.starts_with("  ") && line.size() > layout.descriptions;
+  const std::size_t indent = is_row ? layout.descriptions : 0;
   text.append(line.substr(0, indent));
   line.remove_prefix(indent);
   while (true) {
-    const std::size_t end = end_of_line(line, width - indent);
+    const std::size_t end = end_of_line(line, layout.width - indent);
     text.append(line.substr(0, end)).append(1, '\n');
     line.remove_prefix(end);
     while (line.starts_with(' ') && end != 0) line.remove_prefix(1);
@@ -154,17 +166,51 @@ void append_wrapped(std::string& text, std::string_view line) {
   }
 }
 
-std::string wrapped_help(std::string_view help) {
+/// The last blank outside of quotes in the first `room` characters, behind the first word; or none.
+std::size_t blank_in_command(std::string_view line, std::size_t room) {
+  std::size_t found = std::string_view::npos;
+  char quote = '\0';
+  const std::size_t begin = std::min(line.find_first_not_of(' '), line.size());
+  for (std::size_t i = begin; i < std::min(line.size(), room); ++i) {
+    if (line[i] == quote) {
+      quote = '\0';
+    } else if (quote == '\0' && (line[i] == '"' || line[i] == '\'')) {
+      quote = line[i];
+    } else if (quote == '\0' && line[i] == ' ') {
+      found = i;
+    }
+  }
+  return found;
+}
+
+/// A command in several lines that a shell takes as one.
+void append_command(std::string& text, std::string_view line, const HelpLayout& layout) {
+  constexpr std::string_view goes_on = " \\\n";
+  constexpr std::string_view indent = "      ";
+  std::size_t width = layout.width;
+  while (line.size() > width) {
+    const std::size_t blank = blank_in_command(line, width - goes_on.size() + 2);
+    if (blank == std::string_view::npos) break;
+    text.append(line.substr(0, blank)).append(goes_on).append(indent);
+    line.remove_prefix(blank + 1);
+    width = layout.width - indent.size();
+  }
+  text.append(line).append(1, '\n');
+}
+
+std::string wrapped_help(std::string_view help, const HelpLayout& layout) {
   std::string text;
   bool is_example = false;
   while (!help.empty()) {
     const std::size_t end = std::min(help.find('\n'), help.size());
     const std::string_view line = help.substr(0, end);
     is_example = is_example || line == "Examples:";
-    if (is_example) {
-      text.append(line).append(1, '\n');
+    if (!is_example) {
+      append_wrapped(text, line, layout);
+    } else if (layout.is_terminal) {
+      append_command(text, line, layout);
     } else {
-      append_wrapped(text, line);
+      text.append(line).append(1, '\n');
     }
     help.remove_prefix(std::min(end + 1, help.size()));
   }
@@ -265,9 +311,7 @@ std::size_t Verb::count(const char* option) const {
 }
 
 CommandLine::CommandLine(const std::string& about, const std::string& name)
-    : Verb(std::make_shared<CLI::App>(about, name), nullptr, std::make_shared<Action>()) {
-  app_->get_formatter()->column_width(column_width);
-}
+    : Verb(std::make_shared<CLI::App>(about, name), nullptr, std::make_shared<Action>()) {}
 
 void CommandLine::set_version(const char* name, const std::string& version) {
   app_->set_version_flag(name, version);
@@ -277,7 +321,9 @@ void CommandLine::take_options_anywhere() {
   app_->fallthrough();
 }
 
-CommandLine::Outcome CommandLine::parse(std::vector<std::string> words) {
+CommandLine::Outcome CommandLine::parse(std::vector<std::string> words, std::size_t columns) {
+  const HelpLayout layout = layout_for(columns);
+  app_->get_formatter()->column_width(layout.descriptions);
   try {
     std::ranges::reverse(words);  // in the order that CLI11 expects
     app_->parse(std::move(words));
@@ -286,7 +332,7 @@ CommandLine::Outcome CommandLine::parse(std::vector<std::string> words) {
     if (error.get_exit_code() != 0) return {Outcome::Kind::refused, refusal(*app_, error)};
     std::ostringstream help;
     app_->exit(error, help);
-    return {Outcome::Kind::answered, wrapped_help(help.str())};
+    return {Outcome::Kind::answered, wrapped_help(help.str(), layout)};
   }
 }
 

@@ -193,9 +193,10 @@ class CommandLine : public Verb {
     Kind kind;
     std::string text = {};  ///< the help; or in one line the error, a suggestion, and where help is
   };
-  /// Parses the words after the program name. Throws what the functions of add_taken() and
-  /// when_parsed() throw.
-  Outcome parse(std::vector<std::string> words);
+  /// Parses the words after the program name. Help has lines of at most `columns` characters, and
+  /// of 100; 0: no terminal, whose lines of examples stay whole. Throws what the functions of
+  /// add_taken() and when_parsed() throw.
+  Outcome parse(std::vector<std::string> words, std::size_t columns = 0);
 
   /// Runs the action of the chosen verb, which must exist.
   int run() const { return (*chosen_)(); }

@@ -36,6 +36,7 @@
 #include "canvoy/tools/device/wired_hands.hpp"
 #include "canvoy/tools/session/session.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
+#include "canvoy/tools/terminal/message.hpp"
 
 namespace canvoy::tools {
 
@@ -219,7 +220,7 @@ int run_on_host(const DeviceOptions& options, const std::vector<Wanted>& wanted,
   std::optional<EmbeddedNetwork> embedded;
   std::string trouble;
   bus->on_trouble([&](const host::Error& error) {
-    if (trouble.empty()) fmt::print(stderr, "canvoy: {}\n", error.line());
+    if (trouble.empty()) print_message(fmt::format("canvoy: {}", error.line()));
     trouble = error.line();
   });
   for (const Wanted& device : wanted) {

@@ -12,6 +12,7 @@
 #include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/device/catalogue/bootloader.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
+#include "canvoy/tools/terminal/message.hpp"
 
 namespace canvoy::tools {
 
@@ -115,7 +116,7 @@ void HostedDevice::start(Time now) {
 
 void HostedDevice::say_what_was_kept() const {
   const std::string complaint = store_ ? store_->complaint() : "";
-  if (!complaint.empty()) fmt::print(stderr, "canvoy: {}\n", complaint);
+  if (!complaint.empty()) print_message(fmt::format("canvoy: {}", complaint));
 }
 
 /// The part of the command line that concerns this device, not others beside it.
@@ -207,7 +208,7 @@ void HostedDevice::hold_sheet(const Wanted& wanted, const Port& port, bool store
       std::make_shared<formats::SheetDevice>(*wanted.sheet, port, wanted.id, device_options);
   hold(device);
   for (const formats::Finding& finding : device->left_out()) {
-    fmt::print(stderr, "canvoy: {}: it is left out\n", finding_text(wanted.name, finding));
+    print_message(fmt::format("canvoy: {}: it is left out", finding_text(wanted.name, finding)));
   }
   say_values_only(wanted.name, *device);
 }
@@ -220,8 +221,8 @@ void HostedDevice::say_values_only(const std::string& kind, const formats::Sheet
                          : fmt::format("{:04X}h to {:04X}h", range.first, range.last));
   }
   if (places.empty()) return;
-  fmt::print(stderr, "canvoy: {}: these are values here, and do nothing: {}\n", kind,
-             fmt::join(places, ", "));
+  print_message(fmt::format("canvoy: {}: these are values here, and do nothing: {}", kind,
+                            fmt::join(places, ", ")));
 }
 
 void HostedDevice::add_lss(const DeviceOptions& options) {

@@ -23,6 +23,7 @@
 #include "canvoy/tools/node/junit.hpp"
 #include "canvoy/tools/session/session.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
+#include "canvoy/tools/terminal/message.hpp"
 #include "canvoy/version.hpp"
 
 namespace canvoy::tools {
@@ -58,7 +59,7 @@ class BusLine {
       loop_->stop();
     });
     bus_->on_trouble(
-        [](const host::Error& error) { fmt::print(stderr, "canvoy: {}\n", error.line()); });
+        [](const host::Error& error) { print_message(fmt::format("canvoy: {}", error.line())); });
     ok_or_throw(loop_->stop_on_signals());
   }
 
@@ -202,7 +203,7 @@ int check_device(const CheckVerbOptions& options) {
       check.run([&options](const conformance::TestResult& result) { show_result(options, result); },
                 options.only);
   if (bus.is_interrupted()) {
-    for (const std::string& note : report.notes) fmt::print(stderr, "canvoy: {}\n", note);
+    for (const std::string& note : report.notes) print_message(fmt::format("canvoy: {}", note));
     throw Failure("interrupted: the device is as it was, but for what is said above");
   }
   if (!report.has_answered) {

@@ -23,6 +23,7 @@
 #include "canvoy/tools/session/session.hpp"
 #include "canvoy/tools/sheet/described_nodes.hpp"
 #include "canvoy/tools/sheet/node_reader.hpp"
+#include "canvoy/tools/terminal/message.hpp"
 
 namespace canvoy::tools {
 
@@ -68,7 +69,7 @@ std::vector<DescribedNode> nodes_on_bus(const TableOptions& options) {
   std::vector<DescribedNode> nodes;
   for (const auto& [id, is_heard, answers, state, device_type] : sweep.found()) {
     if (!answers) continue;
-    if (::isatty(STDERR_FILENO) == 1) fmt::print(stderr, "reads node {} ({:02X}h)\n", id, id);
+    if (::isatty(STDERR_FILENO) == 1) print_message(fmt::format("reads node {} ({:02X}h)", id, id));
     NodeReader reader(session, id, {.bus = bus});
     DescribedNode& node = nodes.emplace_back(DescribedNode{.id = id, .sheet = reader.read()});
     node.name = node.sheet.text("DeviceInfo", "ProductName");

@@ -25,6 +25,7 @@
 #include "canvoy/tools/cli/verb_help.hpp"
 #include "canvoy/tools/network/boot_master.hpp"
 #include "canvoy/tools/session/session.hpp"
+#include "canvoy/tools/terminal/message.hpp"
 
 namespace canvoy::tools {
 
@@ -116,7 +117,7 @@ class ServedNetwork {
         attachment_(loop, *bus_),
         network_(bus.number, attachment_.port(), settings_for(real_bus(bus.address), settings)) {
     bus_->on_trouble(
-        [](const host::Error& error) { fmt::print(stderr, "canvoy: {}\n", error.line()); });
+        [](const host::Error& error) { print_message(fmt::format("canvoy: {}", error.line())); });
     // Lost frames are noticed at the next received one.
     bus_->on_frame([this](const host::BusFrame&) { look_for_overrun(); });
     attachment_.attach(network_);
@@ -283,10 +284,10 @@ int serve_tcp(host::EventLoop& loop, gateway::Gateway& gateway, const GatewayOpt
   fmt::print("listening at {}, networks {}\n", server->address(), networks);
   std::fflush(stdout);
   if (!server->is_loopback()) {
-    fmt::print(stderr, "canvoy: {}: the protocol has no password: who reaches it, commands\n",
-               server->address());
+    print_message(fmt::format("canvoy: {}: the protocol has no password: who reaches it, commands",
+                              server->address()));
   }
-  server->on_note([](std::string_view line) { fmt::print(stderr, "canvoy: {}\n", line); });
+  server->on_note([](std::string_view line) { print_message(fmt::format("canvoy: {}", line)); });
   loop.run();
   return exit_done;
 }

@@ -21,6 +21,7 @@
 #include "canvoy/tools/network/lss_argument.hpp"
 #include "canvoy/tools/network/lss_session.hpp"
 #include "canvoy/tools/session/session.hpp"
+#include "canvoy/tools/terminal/message.hpp"
 
 namespace canvoy::tools {
 
@@ -133,9 +134,9 @@ class Scan {
     clear_progress();
     check(outcome);
     if (session.came_again()) {
-      fmt::print(stderr,
-                 "a node that has its node-ID answered Fastscan again, as some stacks do; or a "
-                 "second one has its address\n");
+      print_message(fmt::format(
+          "a node that has its node-ID answered Fastscan again, as some stacks do; or a "
+          "second one has its address"));
     }
     return problem_ ? exit_failed : exit_done;
   }

@@ -11,6 +11,7 @@
 #include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/page/refusal.hpp"
 #include "canvoy/tools/session/session.hpp"
+#include "canvoy/tools/terminal/message.hpp"
 
 namespace canvoy::tools {
 
@@ -30,7 +31,7 @@ LiveBus::LiveBus(const std::string& address, std::string record, const FramePrin
   });
   bus_->on_trouble([this](const host::Error& error) {
     trouble_ = error.line();
-    fmt::print(stderr, "canvoy: {}\n", trouble_);
+    print_message(fmt::format("canvoy: {}", trouble_));
   });
 }
 

@@ -13,6 +13,7 @@
 #include "canvoy/can/host/atomic_file.hpp"
 #include "canvoy/gateway/tcp_address.hpp"
 #include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/terminal/message.hpp"
 #include "canvoy/web/document_server.hpp"
 #include "canvoy/worlds/bus_line/journey_forecast.hpp"
 
@@ -226,7 +227,7 @@ std::unique_ptr<RealtimeOutlet> open_realtime(const std::string& where,
     auto server = web::DocumentServer::create(address, "application/x-protobuf",
                                               gtfs::realtime_bytes(realtime_of(network)));
     if (server) {
-      fmt::print(stderr, "canvoy: GTFS-Realtime is served at {}\n", (*server)->url());
+      print_message(fmt::format("canvoy: GTFS-Realtime is served at {}", (*server)->url()));
       return std::make_unique<RealtimeServer>(*std::move(server));
     }
     problem = server.error().line();

@@ -15,6 +15,7 @@
 #include "canvoy/tools/play/run_depot.hpp"
 #include "canvoy/tools/play/time_zone.hpp"
 #include "canvoy/tools/play/world.hpp"
+#include "canvoy/tools/terminal/message.hpp"
 #include "canvoy/worlds/bus_line/bus_depot.hpp"
 #include "canvoy/worlds/bus_line/line_of_feed.hpp"
 
@@ -100,7 +101,7 @@ void choose_line(BusRun& run, const LineChoice& choice) {
     if (!choice.route.empty()) throw UsageError("a route is one of a feed: give --gtfs as well");
   } else {
     const gtfs::Feed feed = value_or_throw(gtfs::read_feed(choice.feed, choice.route));
-    for (const std::string& note : feed.notes) fmt::print(stderr, "canvoy: {}\n", note);
+    for (const std::string& note : feed.notes) print_message(fmt::format("canvoy: {}", note));
     if (choice.date.empty()) network.date = first_day(feed, choice.feed);
     bus_line::LineOfFeed made = bus_line::line_of_feed(feed, network.date);
     if (!made.problem.empty()) {

@@ -17,6 +17,7 @@
 #include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/cli/interruption.hpp"
 #include "canvoy/tools/player/real_buses.hpp"
+#include "canvoy/tools/terminal/message.hpp"
 #include "canvoy/tools/terminal/screen.hpp"
 #include "canvoy/tools/terminal/terminal_text.hpp"
 #include "canvoy/tools/watch/log_writer.hpp"
@@ -275,10 +276,9 @@ int verdict_status(const nlohmann::ordered_json& summary, bool require_decided) 
     const bool is_new = names.empty() || names.back() != name;
     if (!invariant.at("decided").get<bool>() && is_new) names.push_back(name);
   }
-  fmt::print(
-      stderr,
-      "canvoy: not decided, as nothing was there to judge: {}; run longer, or with more in it\n",
-      fmt::join(names, ", "));
+  print_message(fmt::format(
+      "canvoy: not decided, as nothing was there to judge: {}; run longer, or with more in it",
+      fmt::join(names, ", ")));
   return exit_undecided;
 }
 

@@ -1,4 +1,5 @@
 #include "canvoy/tools/player/real_buses.hpp"
+#include "canvoy/tools/terminal/message.hpp"
 
 #include <fmt/format.h>
 
@@ -25,7 +26,7 @@ RealBuses::RealBuses(World& world, const std::vector<RealBus>& buses, host::Even
   for (const RealBus& each : buses) {
     BusBridge& bridge = bridges_.emplace_back(world, each.bus, loop, each.address);
     bridge.real().on_trouble(
-        [](const host::Error& error) { fmt::print(stderr, "canvoy: {}\n", error.line()); });
+        [](const host::Error& error) { print_message(fmt::format("canvoy: {}", error.line())); });
     world.start(bridge.slot());
   }
 }

@@ -19,6 +19,7 @@
 #include "canvoy/tools/sheet/node_reader.hpp"
 #include "canvoy/tools/sheet/scan_line.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
+#include "canvoy/tools/terminal/message.hpp"
 
 namespace canvoy::tools {
 
@@ -44,9 +45,9 @@ struct ReadOptions {
 void report_scan(const NodeReader& reader, NodeId node, const std::string& out) {
   const std::vector<SheetScan::Unread>& left = reader.scan().unread();
   for (const SheetScan::Unread& unread : left) {
-    fmt::print(stderr, "{} {}: {}\n", text::object_text(unread.index, unread.sub),
-               formats::plain_text(unread.name),
-               unread.abort == AbortCode::none ? unread.reason : text::abort_text(unread.abort));
+    print_message(fmt::format(
+        "{} {}: {}", text::object_text(unread.index, unread.sub), formats::plain_text(unread.name),
+        unread.abort == AbortCode::none ? unread.reason : text::abort_text(unread.abort)));
   }
   fmt::print("{}, by {}: {} entries read{}, written to {}\n", text::node_text(node),
              reader.source(), reader.scan().count(),

@@ -11,6 +11,7 @@
 #include "canvoy/formats/trace/trace_writer.hpp"
 #include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/cli/interruption.hpp"
+#include "canvoy/tools/terminal/message.hpp"
 #include "canvoy/tools/watch/line_output.hpp"
 #include "canvoy/tools/watch/log_reader.hpp"
 #include "canvoy/tools/watch/log_writer.hpp"
@@ -24,28 +25,29 @@ namespace {
 
 void show_left_out(const LogOptions& options, const LogReader& trace) {
   if (trace.bad() > 0) {
-    fmt::print(stderr, "{}: {} lines or blocks could not be read\n", options.log, trace.bad());
+    print_message(
+        fmt::format("{}: {} lines or blocks could not be read", options.log, trace.bad()));
   }
   if (trace.fd_frames() > 0 && !options.out.empty()) {
-    fmt::print(stderr, "{}: {} CAN FD frames are left out\n", options.log, trace.fd_frames());
+    print_message(fmt::format("{}: {} CAN FD frames are left out", options.log, trace.fd_frames()));
   }
 }
 
 void show_buses(const LogOptions& options, const FramePrinter& printer) {
   for (const std::string_view bus : printer.silent_buses()) {
-    fmt::print(stderr, "{}: no frame in it is of a bus '{}'\n", options.log, bus);
+    print_message(fmt::format("{}: no frame in it is of a bus '{}'", options.log, bus));
   }
   if (printer.forgotten_buses() > 0) {
-    fmt::print(stderr,
-               "{}: it has more than {} buses: of those that were silent for longest, what "
-               "was heard is forgotten\n",
-               options.log, printer.buses_max());
+    print_message(
+        fmt::format("{}: it has more than {} buses: of those that were silent for longest, what "
+                    "was heard is forgotten",
+                    options.log, printer.buses_max()));
   }
 }
 
 void show_without_match(const LogOptions& options, const FramePrinter& printer) {
   const std::string without_match = printer.without_match();
-  if (!without_match.empty()) fmt::print(stderr, "{}: {}\n", options.log, without_match);
+  if (!without_match.empty()) print_message(fmt::format("{}: {}", options.log, without_match));
 }
 
 formats::TraceFormat format_of_other_log(const LogOptions& options) {

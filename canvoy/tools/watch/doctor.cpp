@@ -19,6 +19,7 @@
 #include "canvoy/tools/session/log_source.hpp"
 #include "canvoy/tools/session/session.hpp"
 #include "canvoy/tools/session/unknown_nodes.hpp"
+#include "canvoy/tools/terminal/message.hpp"
 #include "canvoy/tools/watch/frame_printer.hpp"
 #include "canvoy/tools/watch/log_reader.hpp"
 #include "canvoy/tools/watch/trace_complaints.hpp"
@@ -91,7 +92,7 @@ class Surgery {
  private:
   void tell_unjudged() const {
     if (left_out_ != 0) {
-      fmt::print(stderr, "frames of more than {} buses are left out\n", buses_max);
+      print_message(fmt::format("frames of more than {} buses are left out", buses_max));
     }
     if (json_ || bit_rate_ != 0) return;
     fmt::print("the load was not judged: --bit-rate 125 tells what the bus can carry\n");
@@ -185,7 +186,7 @@ class BusDoctor {
     doctor->begin(session_.loop().now());
     bus.on_frame([doctor](const host::BusFrame& heard) { doctor->hear(heard.time, heard.frame); });
     bus.on_trouble(
-        [](const host::Error& error) { fmt::print(stderr, "canvoy: {}\n", error.line()); });
+        [](const host::Error& error) { print_message(fmt::format("canvoy: {}", error.line())); });
   }
 
   /// The answers are heard like all other frames.

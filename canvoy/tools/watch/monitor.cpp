@@ -12,6 +12,7 @@
 #include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/session/log_source.hpp"
 #include "canvoy/tools/session/session.hpp"
+#include "canvoy/tools/terminal/message.hpp"
 #include "canvoy/tools/watch/decode_log.hpp"
 #include "canvoy/tools/watch/frame_printer.hpp"
 #include "canvoy/tools/watch/line_output.hpp"
@@ -71,7 +72,8 @@ class BusMonitor {
     screen_.reset();
     if (options_.table) show_table();
     const std::string without_match = printer_.without_match();
-    if (!without_match.empty()) fmt::print(stderr, "{}: {}\n", options_.source, without_match);
+    if (!without_match.empty())
+      print_message(fmt::format("{}: {}", options_.source, without_match));
     if (failure_) throw Failure(*failure_);
     return exit_done;
   }
@@ -82,17 +84,17 @@ class BusMonitor {
     if (!options_.printer.sheets.empty() || options_.no_sheets) return;
     const std::vector<std::string> names = printer_.use_sheets_of(".");
     if (names.empty()) return;
-    fmt::print(stderr, "data sheets of this folder are used: {}; --no-sheets uses none\n",
-               fmt::join(names, ", "));
+    print_message(fmt::format("data sheets of this folder are used: {}; --no-sheets uses none",
+                              fmt::join(names, ", ")));
   }
 
   void listen(host::HostBus& bus) {
     bus.on_frame([this, &bus](const host::BusFrame& heard) { show(bus.name(), heard); });
     bus.on_state([this, &bus](BusState state, Time) {
-      if (!screen_) fmt::print(stderr, "{} is {}\n", bus.name(), text::bus_state_text(state));
+      if (!screen_) print_message(fmt::format("{} is {}", bus.name(), text::bus_state_text(state)));
     });
     bus.on_trouble([this](const host::Error& error) {
-      if (!screen_) fmt::print(stderr, "canvoy: {}\n", error.line());
+      if (!screen_) print_message(fmt::format("canvoy: {}", error.line()));
     });
   }
 
@@ -165,7 +167,7 @@ class BusMonitor {
   void tell_unknown() {
     if (options_.ask || options_.printer.json) return;
     const std::string text = nodes_.next_untold();
-    if (!text.empty()) fmt::print(stderr, "{}\n", text);
+    if (!text.empty()) print_message(text);
   }
 
   /// A log that cannot be written ends the monitor.

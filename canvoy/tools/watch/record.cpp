@@ -14,6 +14,7 @@
 #include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/cli/json_event.hpp"
 #include "canvoy/tools/session/session.hpp"
+#include "canvoy/tools/terminal/message.hpp"
 #include "canvoy/tools/watch/log_writer.hpp"
 
 namespace canvoy::tools {
@@ -77,7 +78,7 @@ class Recording {
     for (host::HostBus* bus : session_.buses()) {
       bus->on_frame([this, bus](const host::BusFrame& heard) { take(bus->name(), heard); });
       bus->on_state([bus](BusState state, Time) {
-        fmt::print(stderr, "{} is {}\n", bus->name(), text::bus_state_text(state));
+        print_message(fmt::format("{} is {}", bus->name(), text::bus_state_text(state)));
       });
     }
   }

@@ -5,19 +5,20 @@
 #include <unistd.h>
 
 #include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/terminal/message.hpp"
 
 namespace canvoy::tools {
 
 void show_bad(const std::string& log, const LogReader& trace) {
   if (trace.bad() > bad_shown_max) return;
-  fmt::print(stderr, "{}, {}: {}\n", log, trace.where(), trace.problem());
+  print_message(fmt::format("{}, {}: {}", log, trace.where(), trace.problem()));
 }
 
 void show_shifted(const std::string& out, const formats::TraceWriter& writer) {
   const auto show = [&out](std::uint64_t count, std::string_view how) {
     if (count == 0) return;
-    fmt::print(stderr, "{}: {} frame{} {}, and got the time of that; a .log keeps all times\n", out,
-               count, count == 1 ? " was" : "s were", how);
+    print_message(fmt::format("{}: {} frame{} {}, and got the time of that; a .log keeps all times",
+                              out, count, count == 1 ? " was" : "s were", how));
   };
   show(writer.early(), "earlier than its beginning");
   show(writer.late(), "later than what its format can say at most");

@@ -8,6 +8,7 @@
 
 #include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/cli/value_file.hpp"
+#include "canvoy/tools/terminal/message.hpp"
 
 namespace canvoy::tools {
 
@@ -41,7 +42,7 @@ std::shared_ptr<const car::DriveRecord> read_drive_file(const std::string& path)
         "{}: no car moves in it: there is no RMC, GGA or VTG of NMEA 0183 that says so{}{}", path,
         passed_over.empty() ? "" : "; ", passed_over));
   }
-  if (!passed_over.empty()) fmt::print(stderr, "canvoy: {}: {}\n", path, passed_over);
+  if (!passed_over.empty()) print_message(fmt::format("canvoy: {}: {}", path, passed_over));
   return record;
 }
 

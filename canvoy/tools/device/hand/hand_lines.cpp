@@ -11,6 +11,7 @@
 
 #include "canvoy/formats/plain_text.hpp"
 #include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/terminal/message.hpp"
 
 namespace canvoy::tools {
 
@@ -63,7 +64,7 @@ void HandLines::take_line(const gateway::Line& line,
   if (order.empty() || order.starts_with('#')) return;
   const auto refuse = [this](const std::string& what) {
     has_failed_ = true;
-    fmt::print(stderr, "canvoy: standard input: line {}: {}\n", number_, what);
+    print_message(fmt::format("canvoy: standard input: line {}: {}", number_, what));
   };
   if (line.too_long) return refuse("it is too long");
   if (order.find('@') == std::string::npos) {
