@@ -17,8 +17,8 @@ QUIET = "udp:239.74.163.9:43119"
 
 # Arguments, and parts of the line that refuses them: what is wrong, and what would be right.
 WRONG_USAGE = [
-    # no subcommand, an unknown one, unknown options
-    ([], "subcommand", "canvoy --help"),
+    # no verb, an unknown one, unknown options
+    ([], "which verb?", "canvoy --help"),
     (["boat"], "'boat'", "did you mean 'boot'?", "canvoy --help"),
     (["raed", QUIET, "10", "6010"], "'raed'", "did you mean 'read'?"),
     (["nmt", QUIET, "10", "stopped", "--uncheked"], "'--uncheked'", "did you mean '--unchecked'?"),

@@ -95,6 +95,7 @@ class FirstLines(CommandTest):
         self.assertIn("emergency code", self.assert_done(run("explain", "8130")))
         self.assertIn("TPDO1 of node 10 (0Ah)", self.assert_done(run("explain", "18A")))
         self.assertIn("pre-operational", self.assert_done(run("explain", "7F")))
+        self.assertIn("NMT state: 05h in a heartbeat", self.assert_done(run("explain", "operational")))
         self.assertIn("object (CiA 301): 1017h", self.assert_done(run("explain", "0x1017")))
         self.assert_refused(run("explain", "fast"), USAGE, "canvoy search fast looks for names")
         found = self.assert_done(run("search", "temperature"))
@@ -154,6 +155,23 @@ class FirstLines(CommandTest):
         self.assert_refused(run("lss", "scan"), USAGE, "which bus? canvoy lss can0 scan")
         self.assert_refused(run("monitor"), USAGE, "which bus? canvoy monitor can0")
         self.assert_refused(run("device", "battery"), USAGE, "the bus is missing: canvoy device battery can0")
+
+    def test_what_was_meant_is_told(self):
+        log = self.path("a.log")
+        for line, parts in (
+            ((), ("which verb?", "canvoy --help")),
+            (("decode", log, "-f", "EMCY"), ("'-f' is not known here; did you mean '--filter'?",)),
+            (("decode", log, "--parquet"), ("--parquet: its value is missing",)),
+            (("decode", log, "--filter", "0x18A"), ("did you mean 'id=18A'?",)),
+            (("decode", log, "10"), (f"canvoy decode {log} --filter node=10",)),
+            (("candump", "can0"), ("canvoy monitor can0",)),
+            (("record", "can0"), ("canvoy record can0 night.log",)),
+            (("replay", "can0"), ("canvoy replay night.log can0",)),
+            (("export", "csv", log), (f"canvoy decode {log} --csv",)),
+            (("nmt", "can0", "reset", "10"), ("canvoy nmt can0 10 reset-node, or reset-communication",)),
+        ):
+            self.assert_refused(run(*line), USAGE, *parts)
+        self.assertTrue(self.assert_done(run("version")).startswith("canvoy "))
 
     def test_a_log_is_one_by_any_of_its_names(self):
         for name in ("b.csv", "b.log.gz", "b.blf", "b.trc", "b.pcap", "b.mf4", "b.db", "b.db.gz"):

@@ -122,6 +122,22 @@ std::vector<std::string> words_known_to(const CLI::App& app, bool is_option) {
   return words;
 }
 
+/// `-f` as the first option that begins so: `--filter`.
+std::string meant_by_letter(std::string_view word, const std::vector<std::string>& known) {
+  constexpr std::size_t length = 2;
+  if (word.size() != length || word[0] != '-') return {};
+  const auto found = std::ranges::find_if(
+      known, [word](const std::string& option) { return option.substr(2, 1) == word.substr(1); });
+  return found == known.end() ? "" : fmt::format("; did you mean '{}'?", *found);
+}
+
+/// CLI11 says `--out: 1 required TEXT missing`.
+std::string in_plain_words(const std::string& text) {
+  const std::size_t count = text.find(": 1 required ");
+  if (count == std::string::npos || !text.ends_with(" missing")) return text;
+  return text.substr(0, count) + ": its value is missing";
+}
+
 /// CLI11 reports missing words before superfluous ones, which are usually the same word misspelled.
 std::string refusal(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<std::string> unknown = app.remaining(true);
@@ -130,10 +146,14 @@ std::string refusal(const CLI::App& app, const CLI::ParseError& error) {
       !unknown.empty() && (code == static_cast<int>(CLI::ExitCodes::RequiredError) ||
                            code == static_cast<int>(CLI::ExitCodes::ExtrasError));
   const Understood verb = understood(app);
-  if (!is_unknown) return fmt::format("{}; see {} --help", first_line(error.what()), verb.text);
+  if (!is_unknown) {
+    return fmt::format("{}; see {} --help", in_plain_words(first_line(error.what())), verb.text);
+  }
   const std::string word = first_line(unknown.front());
   const std::string name = word.substr(0, word.find('='));
-  const std::string meant = did_you_mean(name, words_known_to(*verb.app, word.starts_with('-')));
+  const std::vector<std::string> known = words_known_to(*verb.app, word.starts_with('-'));
+  std::string meant = meant_by_letter(name, known);
+  if (meant.empty()) meant = did_you_mean(name, known);
   return fmt::format("'{}' is not known here{}{} {} --help", word, meant,
                      meant.empty() ? "; see" : " See", verb.text);
 }

@@ -359,6 +359,8 @@ TEST_F(FilterTest, AnErrorSaysWhereAndWhatMayHaveBeenMeant) {
   EXPECT_EQ(refusal("node=10 and tempersture>40"),
             "filter 'node=10 and tempersture>40', character 13: no object is called "
             "'tempersture'; did you mean 'temperature'?");
+  EXPECT_EQ(refusal("0x18A"),
+            "filter '0x18A', character 1: no object is called '0x18A'; did you mean 'id=18A'?");
   EXPECT_EQ(refusal("°=1 and node=0"),
             "filter '°=1 and node=0', character 1: no object is called '°'")
       << "characters are counted, not bytes";

@@ -166,6 +166,97 @@ void add_device_bus(Words& words) {
   words.insert(words.begin() + static_cast<std::ptrdiff_t>(places) + 1, usual);
 }
 
+/// What other tools call a verb, or what is typed for one of ours.
+struct OtherName {
+  std::string_view name;
+  std::string_view verb;
+};
+constexpr auto other_names = std::to_array<OtherName>({
+    {"candump", "monitor"},  {"dump", "monitor"},
+    {"listen", "monitor"},   {"sniff", "monitor"},
+    {"watch", "monitor"},    {"heartbeat", "monitor"},
+    {"list", "scan"},        {"ls", "scan"},
+    {"nodes", "scan"},       {"ping", "scan"},
+    {"diff", "eds diff"},    {"compare", "eds diff"},
+    {"info", "eds check"},   {"convert", "convert-log"},
+    {"simulate", "run"},     {"sim", "run"},
+    {"start", "nmt"},        {"stop", "nmt"},
+    {"reset", "nmt"},        {"log", "record"},
+    {"canplayer", "replay"}, {"play", "replay"},
+    {"cansend", "send"},     {"get", "read"},
+    {"upload", "read"},      {"sdo", "read"},
+    {"set", "write"},        {"download", "write"},
+    {"test", "check"},       {"flash", "program"},
+    {"serve", "view"},       {"web", "view"},
+    {"statistics", "stats"}, {"dbc", "export dbc"},
+    {"lookup", "explain"},
+});
+
+void refuse_other_name(const Words& words) {
+  const auto* const other = std::ranges::find(other_names, words.front(), &OtherName::name);
+  if (other == other_names.end()) return;
+  Words meant(words.begin() + 1, words.end());
+  if (other->verb == "nmt") meant.push_back(words.front());
+  meant.insert(meant.begin(), std::string(other->verb));
+  if (other->verb == "nmt") order_words(meant);
+  throw UsageError(fmt::format("'{}' is not known here; {} does that: {}", words.front(),
+                               other->verb, line_of(meant)));
+}
+
+bool has_ending(std::string_view word, std::initializer_list<std::string_view> endings) {
+  return std::ranges::any_of(endings,
+                             [word](std::string_view ending) { return word.ends_with(ending); });
+}
+
+bool is_small_number(std::string_view word) {
+  return !word.empty() && word.size() <= 3 &&
+         word.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// Lines that miss a word, or have one of another verb: the line that was meant.
+void refuse_another_line(const Words& words) {
+  const std::size_t places = count_places(words);
+  const std::string& verb = words.front();
+  const auto refuse = [](std::string_view what, const auto&... parts) {
+    throw UsageError(
+        fmt::format("{} canvoy {}", what, fmt::join({std::string_view(parts)...}, " ")));
+  };
+  if (verb == "record" && places == 1 && names_bus(words[1])) {
+    refuse("which file is to be written?", verb, words[1], "night.log");
+  }
+  if (verb == "replay" && places == 1 && names_bus(words[1])) {
+    refuse("which log?", verb, "night.log", words[1]);
+  }
+  if (verb == "check" && places == 1 && has_ending(words[1], {".eds", ".dcf", ".xdd", ".xdc"})) {
+    refuse("a data sheet is checked by", "eds check", words[1]);
+  }
+  if (verb == "export" && places == 2 && has_ending(words[2], {".log", ".asc", ".blf", ".trc"})) {
+    refuse("the values in a log are written by", "decode", words[2], "--csv");
+  }
+  const bool has_node_behind =
+      (verb == "monitor" || verb == "decode") && places == 2 && is_small_number(words[2]);
+  if (has_node_behind) {
+    refuse("what is of one node is chosen by", verb, words[1], "--filter", "node=" + words[2]);
+  }
+  const auto reset = std::find_if(words.begin() + 1, words.end(),
+                                  [](const std::string& word) { return same_name("reset", word); });
+  if (verb == "nmt" && places == 3 && reset != words.end()) {
+    Words meant = words;
+    meant[static_cast<std::size_t>(reset - words.begin())] = "reset-node";
+    order_words(meant);
+    throw UsageError(fmt::format("reset what? {}, or reset-communication", line_of(meant)));
+  }
+}
+
+/// `1018sub1`, as data sheets have it, as `1018:1`.
+std::string with_colon(std::string_view word) {
+  const std::size_t sub = word.find("sub");
+  if (sub == std::string_view::npos) return {};
+  const std::string index = index_digits(word.substr(0, sub));
+  const std::string digits = sub_digits(word.substr(sub + 3));
+  return index.empty() || digits.empty() ? std::string() : index + ':' + digits;
+}
+
 }  // namespace
 
 bool names_bus(std::string_view word) {
@@ -191,6 +282,7 @@ void order_words(Words& words) {
   if (verb == "write" && places == 5) join_index(words, object_at);
   const bool takes_object = verb == "read" || verb == "write" || verb == "expect";
   for (std::size_t at = object_at; takes_object && at <= count_places(words); ++at) {
+    if (const std::string object = with_colon(words[at]); !object.empty()) words[at] = object;
     const std::string index = index_digits(words[at]);
     if (!index.empty() && words[at].size() > index.size()) words[at] = index;
     if (verb != "read") break;
@@ -198,16 +290,22 @@ void order_words(Words& words) {
 }
 
 std::vector<std::string> typed_words(Words words) {
-  if (words.empty()) return words;
+  if (words.empty()) {
+    throw UsageError(
+        "which verb? canvoy --help lists them all; canvoy scan can0 shows who is on a bus");
+  }
+  if (words.front() == "version") return {"--version"};
   if (words.front() == "help") {
     words.erase(words.begin());
     words.emplace_back("--help");
     return words;
   }
+  refuse_other_name(words);
   if (words.front() == "device" && words.size() > 1) add_device_bus(words);
   const bool asks_for_help = std::ranges::find(words, "--help") != words.end() ||
                              std::ranges::find(words, "-h") != words.end();
   const std::optional<BusPlace> place = bus_place(words);
+  if (!asks_for_help) refuse_another_line(words);
   if (asks_for_help || !place) return words;
   add_bus(words, *place);
   order_words(words);

@@ -45,6 +45,36 @@ TEST_F(TypedWords, BusAndLssCommandStandInEitherOrder) {
             (Words{"lss", "can0", "set-node-id", "5"}));
 }
 
+TEST_F(TypedWords, ASubIndexMayBeWrittenAsInADataSheet) {
+  EXPECT_EQ(typed_words({"read", "can0", "10", "1018sub1"}),
+            (Words{"read", "can0", "10", "1018:1"}));
+  EXPECT_EQ(typed_words({"write", "can0", "10", "0x6020sub0A", "5"}),
+            (Words{"write", "can0", "10", "6020:0A", "5"}));
+}
+
+TEST_F(TypedWords, WhatIsMeantByAnotherNameOrAnotherVerbIsTold) {
+  EXPECT_EQ(typed_words({"version"}), Words{"--version"});
+  EXPECT_EQ(refusal({}),
+            "which verb? canvoy --help lists them all; canvoy scan can0 shows who is on a bus");
+  EXPECT_EQ(refusal({"candump", "can0"}),
+            "'candump' is not known here; monitor does that: canvoy monitor can0");
+  EXPECT_EQ(refusal({"diff", "a.eds", "b.eds"}),
+            "'diff' is not known here; eds diff does that: canvoy eds diff a.eds b.eds");
+  EXPECT_EQ(refusal({"start", "can0", "10"}),
+            "'start' is not known here; nmt does that: canvoy nmt can0 10 start");
+  EXPECT_EQ(refusal({"record", "can0"}),
+            "which file is to be written? canvoy record can0 night.log");
+  EXPECT_EQ(refusal({"replay", "can0"}), "which log? canvoy replay night.log can0");
+  EXPECT_EQ(refusal({"check", "my.eds"}), "a data sheet is checked by canvoy eds check my.eds");
+  EXPECT_EQ(refusal({"export", "csv", "bus.log"}),
+            "the values in a log are written by canvoy decode bus.log --csv");
+  EXPECT_EQ(refusal({"monitor", "can0", "10"}),
+            "what is of one node is chosen by canvoy monitor can0 --filter node=10");
+  EXPECT_EQ(refusal({"nmt", "can0", "reset", "10"}),
+            "reset what? canvoy nmt can0 10 reset-node, or reset-communication");
+  EXPECT_EQ(refusal({"decode", "10.log"}), "");
+}
+
 TEST_F(TypedWords, IndexAndSubIndexAreOneObject) {
   EXPECT_EQ(typed_words({"write", "can0", "10", "0x1017", "0", "500"}),
             (Words{"write", "can0", "10", "1017:0", "500"}));

@@ -114,8 +114,21 @@ void explain_byte(std::uint8_t byte, Explanations& explanations) {
     explanations.push_back({"node-ID", text::node_text(static_cast<NodeId>(byte))});
 }
 
+/// `operational`
+void explain_state(const std::string& text, Explanations& explanations) {
+  for (const NmtState state :
+       {NmtState::stopped, NmtState::operational, NmtState::pre_operational}) {
+    if (!same_name(text::nmt_state_text(state), text)) continue;
+    explanations.push_back(
+        {"NMT state", fmt::format("{:02X}h in a heartbeat; canvoy nmt can0 10 {} "
+                                  "commands it",
+                                  static_cast<unsigned>(state), text)});
+  }
+}
+
 Explanations explain(const std::string& text) {
   Explanations explanations;
+  explain_state(text, explanations);
   const std::optional<Code> code = parse_code(text);
   if (!code) return explanations;
   constexpr std::size_t abort_digits = 8;
