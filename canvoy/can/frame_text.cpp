@@ -1,5 +1,7 @@
 #include "canvoy/can/frame_text.hpp"
 
+#include <cstring>
+
 namespace canvoy {
 
 namespace {
@@ -81,6 +83,14 @@ FrameTextError parse_into(std::string_view text, Frame& frame) {
 }
 
 constexpr char digits_of_hex[] = "0123456789ABCDEF";
+constexpr std::array<char, 512> pairs_of_hex = [] {
+  std::array<char, 512> made{};
+  for (std::size_t byte = 0; byte < 256; ++byte) {
+    made[2 * byte] = digits_of_hex[byte >> 4];
+    made[2 * byte + 1] = digits_of_hex[byte & 0xF];
+  }
+  return made;
+}();
 
 }  // namespace
 
@@ -96,15 +106,20 @@ FrameText::FrameText(const Frame& frame) {
     if (frame.length > 0) put_hex(frame.length, 1);
     return;
   }
+  char* at = characters_.data() + length_;  // a member would be stored behind each character
   for (const std::uint8_t byte : frame.payload()) {
-    put(digits_of_hex[byte >> 4]);
-    put(digits_of_hex[byte & 0xF]);
+    std::memcpy(at, &pairs_of_hex[std::size_t{2} * byte], 2);
+    at += 2;
   }
+  length_ = static_cast<std::size_t>(at - characters_.data());
 }
 
 void FrameText::put_hex(std::uint32_t value, int digits) {
-  for (int shift = 4 * (digits - 1); shift >= 0; shift -= 4)
-    put(digits_of_hex[value >> shift & 0xF]);
+  char* at = characters_.data() + length_;
+  for (int shift = 4 * (digits - 1); shift >= 0; shift -= 4) {
+    *at++ = digits_of_hex[value >> shift & 0xF];
+  }
+  length_ = static_cast<std::size_t>(at - characters_.data());
 }
 
 std::string_view describe(FrameTextError error) {

@@ -212,6 +212,7 @@ void Decoder::make_image(Image& image, const PdoPlan& plan) {
   image.slots.clear();
   image.values.clear();
   image.bits = 0;
+  image.is_heard = false;
   // The sender of a PDO gives the unit for its receivers.
   const NodeId teller = plan.direction == PdoInfo::Direction::transmit ? plan.node : NodeId{0};
   for (const std::uint32_t raw : plan.mapping) {
@@ -233,8 +234,14 @@ void Decoder::decode_mapped(const Frame& frame, const PdoPlan& plan) {
     make_image(image, plan);
     image.generation = network_.generation();
   }
-  const unsigned bits = frame.length * 8U;
   const auto whole = load<std::uint64_t>(frame.data.data());
+  if (image.is_heard && image.whole == whole && image.length == frame.length) {
+    decoded_.is_same = true;
+    decoded_.values = std::span(image.values).first(image.count);
+    decoded_.marks = image.marks;
+    return;
+  }
+  const unsigned bits = frame.length * 8U;
   std::size_t count = 0;
   for (Slot& slot : image.slots) {
     if (slot.end > bits) break;
@@ -253,6 +260,11 @@ void Decoder::decode_mapped(const Frame& frame, const PdoPlan& plan) {
   if (image.bits > bits || (image.bits + 7) / 8 < frame.length) {
     decoded_.marks.add(Mark::wrong_length);
   }
+  image.is_heard = true;
+  image.whole = whole;
+  image.length = frame.length;
+  image.count = count;
+  image.marks = decoded_.marks;
 }
 
 /// In source addressing the node is the sender; in destination addressing it is the node that takes

@@ -55,11 +55,12 @@ struct Decoded {
   /// What the frame belongs to; other: NMT, SYNC, TIME, EMCY, error control, LSS or none of
   /// CANopen.
   enum class Service : std::uint8_t { other, pdo, sdo_request, sdo_response };
-  Service service = Service::other;          ///< which of the members below count
-  NodeId node = 0;                           ///< of SDO, the server; 0: none, or unknown
-  NodeId client = 0;                         ///< of SDO, if the client is known
-  std::uint16_t channel = 0;                 ///< of SDO: the CAN-ID of the requests
-  const PdoPlan* pdo = nullptr;              ///< null: the content is unknown
+  Service service = Service::other;  ///< which of the members below count
+  NodeId node = 0;                   ///< of SDO, the server; 0: none, or unknown
+  NodeId client = 0;                 ///< of SDO, if the client is known
+  std::uint16_t channel = 0;         ///< of SDO: the CAN-ID of the requests
+  const PdoPlan* pdo = nullptr;      ///< null: the content is unknown
+  bool is_same = false;  ///< of a PDO: values and marks are those of the last one with its CAN-ID
   SdoMessage message = SdoMessage::unknown;  ///< of SDO messages with eight bytes
   SdoBehind behind{};                        ///< the peer of the transfer, if other than the server
   const SdoTransfer* transfer = nullptr;     ///< the transfer that this frame ends
@@ -97,6 +98,11 @@ class Decoder {
     std::vector<Slot> slots;
     std::vector<DecodedValue> values;
     unsigned bits = 0;
+    bool is_heard = false;    ///< the next ones are those of the last PDO
+    std::uint8_t length = 0;  ///< in bytes
+    std::uint64_t whole = 0;  ///< all bytes
+    std::size_t count = 0;    ///< number of values
+    Marks marks = {};         ///< of the frame
   };
 
   /// The description of an entry in a profile; null if it has none.

@@ -32,11 +32,14 @@ using Head = formats::TraceLine;
 /// `(1700000000.000125) `, in the format of candump.
 void put_time(Head& head, Duration time) {
   constexpr unsigned microsecond_digits = 6;
+  thread_local formats::TraceSeconds seconds({.before = '('});
   const std::int64_t count = time.count();
-  head.put('(');
-  if (count < 0) head.put('-');
-  head.put_fixed<microsecond_digits>(count < 0 ? 0 - static_cast<std::uint64_t>(count)
-                                               : static_cast<std::uint64_t>(count));
+  if (count < 0) {
+    head.put("(-");
+    head.put_fixed<microsecond_digits>(0 - static_cast<std::uint64_t>(count));
+  } else {
+    seconds.put(head, static_cast<std::uint64_t>(count));
+  }
   head.put(") ");
 }
 
@@ -145,10 +148,38 @@ void append_narrow_line(std::string& line, const FrameHead& head, const FrameWor
   append_wrapped(line, narrow_meaning(words, text), width > used ? width - used : 0, indent, width);
 }
 
+namespace {
+
+/// ` TPDO1            node 10 (0Ah): `
+void put_service(Head& head, const FrameWords& words, bool has_text) {
+  constexpr std::size_t service_width = 16;
+  head.put(' ');
+  const std::size_t column = head.length();
+  head.put(words.service);
+  head.pad_to(column + service_width);
+  head.put(' ');
+  put_nodes(head, words);
+  if (words.node != 0 && has_text) head.put(": ");
+}
+
+/// Most PDOs say again what they have said.
+bool append_kept(std::string& line, const Head& head, const FrameWords& words,
+                 std::string_view text) {
+  if (words.kept == nullptr || !words.marks.empty() || !words.news.empty()) return false;
+  if (words.kept->empty()) {
+    Head behind;
+    put_service(behind, words, !text.empty());
+    words.kept->append(behind.view()).append(text);
+  }
+  line.append(head.view()).append(*words.kept);
+  return true;
+}
+
+}  // namespace
+
 void append_frame_line(std::string& line, const FrameHead& head_of_line, const FrameWords& words,
                        std::string_view text) {
   constexpr std::size_t frame_width = 21;
-  constexpr std::size_t service_width = 16;
   constexpr std::size_t usual = 64;  // size of a bus name and a frame; those of CAN FD are longer
   Head head;
   put_time(head, head_of_line.time);
@@ -164,13 +195,8 @@ void append_frame_line(std::string& line, const FrameHead& head_of_line, const F
     append_text(line, head_of_line.frame, frame_width);
     head.clear();
   }
-  head.put(' ');
-  const std::size_t column = head.length();
-  head.put(words.service);
-  head.pad_to(column + service_width);
-  head.put(' ');
-  put_nodes(head, words);
-  if (words.node != 0 && !text.empty()) head.put(": ");
+  if (append_kept(line, head, words, text)) return;
+  put_service(head, words, !text.empty());
   line += head.view();
   append_rest(line, words, text);
 }

@@ -9,6 +9,7 @@ PdoWords::Words PdoWords::words(std::uint32_t can_id, const decoder::Decoded& de
                                 std::uint32_t generation) {
   Pdo& pdo = pdos_.at(can_id);
   const bool is_new = pdo.generation != generation;
+  if (decoded.is_same && !is_new) return {pdo.service, pdo.text, &pdo.kept};
   if (is_new) {
     name(pdo, *decoded.pdo);
     pdo.generation = generation;

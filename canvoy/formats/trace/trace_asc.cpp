@@ -263,7 +263,7 @@ class AscEncoder final : public TraceEncoder {
     }
     TraceLine line;
     const Duration offset = time_from(frame, start_.value()) - start_.value();
-    line.put_fixed<microsecond_digits>(static_cast<std::uint64_t>(offset.count()), 4);
+    time_.put(line, static_cast<std::uint64_t>(offset.count()));
     const std::size_t channel_at = line.length() + 1;
     line.put(' ');
     line.put_decimal(channels_[frame.channel]);
@@ -278,6 +278,7 @@ class AscEncoder final : public TraceEncoder {
   static void put_content(TraceLine& line, const TraceFrame& frame);
 
   TraceStart start_;
+  TraceSeconds time_{{.width = 4}};
   TraceChannelNumbers channels_;
 };
 

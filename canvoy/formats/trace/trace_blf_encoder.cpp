@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -46,7 +47,11 @@ void append_date(std::string& bytes, Duration since_1970) {
 
 class BlfEncoder final : public TraceEncoder {
  public:
-  explicit BlfEncoder(std::optional<Time> begin) : start_(begin) {}
+  explicit BlfEncoder(std::optional<Time> begin) : start_(begin) {
+    append_object_head(BlfKind::message, message_size, 0);
+    objects_in_.copy(message_.data(), objects_in_.size());
+    objects_in_.clear();
+  }
 
   // final_header() supplies what is not known yet.
   void begin(std::string& bytes) override { bytes += header(); }
@@ -59,13 +64,10 @@ class BlfEncoder final : public TraceEncoder {
     const BlfKind kind = !frame.frame.is_error() ? BlfKind::message
                          : has_register          ? BlfKind::error_ext
                                                  : BlfKind::error;
-    const std::size_t size = kind == BlfKind::message     ? message_size
-                             : kind == BlfKind::error_ext ? error_ext_size
-                                                          : error_size;
-    append_object_head(kind, size, nanoseconds);
     if (kind == BlfKind::message) {
-      append_message(frame);
+      append_message(frame, nanoseconds);
     } else {
+      append_object_head(kind, has_register ? error_ext_size : error_size, nanoseconds);
       append_error(frame, has_register);
     }
     ++objects_;
@@ -80,6 +82,7 @@ class BlfEncoder final : public TraceEncoder {
 
  private:
   static constexpr std::size_t message_size = 16;
+  static constexpr std::size_t time_at = 24;  ///< the last 8 bytes of the head
   static constexpr std::size_t error_size = 8;
   static constexpr std::size_t error_ext_size = 32;
 
@@ -111,16 +114,24 @@ class BlfEncoder final : public TraceEncoder {
     append_little(objects_in_, nanoseconds, 8);
   }
 
-  // Appends channel, flags, data length code, identifier, data.
-  void append_message(const TraceFrame& heard) {
+  // Nearly all objects: its head, then channel, flags, data length code, identifier, data.
+  void append_message(const TraceFrame& heard, std::uint64_t nanoseconds) {
     const Frame& frame = heard.frame;
-    append_little(objects_in_, channels_[heard.channel], 2);
     const bool is_sent = heard.direction == TraceDirection::sent;
-    append_little(objects_in_,
-                  (is_sent ? blf_sent_bit : 0U) | (frame.is_remote() ? blf_remote_bit : 0U), 1);
-    append_little(objects_in_, frame.length, 1);
-    append_little(objects_in_, frame.id | (frame.is_extended() ? extended_flag : 0U), 4);
-    objects_in_.append(reinterpret_cast<const char*>(frame.data.data()), frame.data.size());
+    std::array<char, blf_object_header_size + message_size> object = message_;
+    char* at = object.data() + time_at;
+    const auto put = [&at](auto number) {
+      std::memcpy(at, &number, sizeof(number));
+      at += sizeof(number);
+    };
+    put(nanoseconds);
+    put(static_cast<std::uint16_t>(channels_[heard.channel]));
+    put(static_cast<std::uint8_t>((is_sent ? blf_sent_bit : 0U) |
+                                  (frame.is_remote() ? blf_remote_bit : 0U)));
+    put(frame.length);
+    put(frame.id | (frame.is_extended() ? extended_flag : 0U));
+    put(frame.data);
+    objects_in_.append(object.data(), object.size());
   }
 
   // Only the extended object has the register, after the flag for an SJA1000.
@@ -160,7 +171,8 @@ class BlfEncoder final : public TraceEncoder {
   TraceStart start_;
   TraceChannelNumbers channels_;
   Duration last_{};
-  std::string objects_in_;  ///< of the current container
+  std::array<char, blf_object_header_size + message_size> message_{};  ///< only its head
+  std::string objects_in_;                                             ///< of the current container
   std::string packed_room_;
   std::uint64_t packed_ = 0;
   std::uint64_t unpacked_ = 0;

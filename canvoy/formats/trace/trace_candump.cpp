@@ -1,8 +1,10 @@
 // candump -l: `(1700000000.000125) can0 185#1E2F`, newer ones followed by ` R` or ` T`; and the
 // screen output of candump.
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,17 +39,6 @@ bool take_digits(const char* text, std::size_t count, std::int64_t& sum) {
   return wrong == 0;
 }
 
-bool read_usual_time(std::string_view line, Time& time) {
-  if (line.size() < time_length || line[0] != '(' || line[1 + second_digits] != '.' ||
-      line[time_length - 1] != ')')
-    return false;
-  std::int64_t microseconds = 0;
-  if (!take_digits(line.data() + 1, second_digits, microseconds)) return false;
-  if (!take_digits(line.data() + second_digits + 2, fraction_digits, microseconds)) return false;
-  time = Time{Duration{microseconds}};
-  return true;
-}
-
 bool read_usual_data(std::string_view pairs, Frame& frame) {
   const std::size_t length = pairs.size() / 2;
   if (pairs.size() % 2 != 0 || length > Frame::length_max) return false;
@@ -67,28 +58,67 @@ bool read_usual_frame(std::string_view text, Frame& frame) {
   frame = {};
   const std::size_t hash = text.size() > 3 && text[3] == '#' ? 3 : 8;
   if (text.size() <= hash || text[hash] != '#') return false;
-  if (!read_hex(text.substr(0, hash), frame.id)) return false;
+  if (!read_hex({text.data(), hash}, frame.id)) return false;
   if (frame.id > (hash == 3 ? Frame::id_max : Frame::extended_id_max)) return false;
   frame.flags = hash == 3 ? FrameFlags::none : FrameFlags::extended;
-  return read_usual_data(text.substr(hash + 1), frame);
+  text.remove_prefix(hash + 1);
+  return read_usual_data(text, frame);
 }
 
-// Fast path for the common form of a line; other forms are left to parse_log_line.
-bool read_usual_line(std::string_view line, TraceFrame& frame) {
-  if (!read_usual_time(line, frame.time)) return false;
-  if (line.size() == time_length || line[time_length] != ' ') return false;
-  line.remove_prefix(time_length + 1);
-  const std::size_t channel = line.find(' ');
-  if (channel == std::string_view::npos || channel == 0) return false;
-  frame.channel = line.substr(0, channel);
-  if (frame.channel.find('\t') != std::string_view::npos) return false;
-  line.remove_prefix(channel + 1);
-  return read_usual_frame(line.substr(0, line.find(' ')), frame.frame);
-}
+/// Fast path for the common form of a line; other forms are left to parse_log_line. Most lines have
+/// the second and the interface of the line before.
+class CandumpLine {
+ public:
+  /// Without a direction at its end.
+  bool read(std::string_view line, TraceFrame& frame) {
+    if (!read_time(line, frame.time)) return false;
+    if (line.size() == time_length || line[time_length] != ' ') return false;
+    line.remove_prefix(time_length + 1);
+    const bool is_same = line.size() >= channel_.size() &&
+                         std::memcmp(line.data(), channel_.data(), channel_.size()) == 0;
+    if (!is_same && !take_channel(line)) return false;
+    frame.channel = {line.data(), channel_.size() - 1};
+    line.remove_prefix(channel_.size());
+    return read_usual_frame(line, frame.frame);
+  }
+
+ private:
+  static constexpr std::size_t second_length = 1 + second_digits + 1;
+
+  bool read_time(std::string_view line, Time& time) {
+    if (line.size() < time_length || line[time_length - 1] != ')') return false;
+    const bool is_same = std::memcmp(line.data(), second_.data(), second_length) == 0;
+    if (!is_same && !take_second(line)) return false;
+    std::int64_t microseconds = seconds_;
+    if (!take_digits(line.data() + second_length, fraction_digits, microseconds)) return false;
+    time = Time{Duration{microseconds}};
+    return true;
+  }
+  bool take_second(std::string_view line) {
+    if (line[0] != '(' || line[second_length - 1] != '.') return false;
+    std::int64_t seconds = 0;
+    if (!take_digits(line.data() + 1, second_digits, seconds)) return false;
+    seconds_ = seconds;
+    std::copy_n(line.data(), second_length, second_.data());
+    return true;
+  }
+  bool take_channel(std::string_view line) {
+    const std::size_t length = line.find(' ');
+    if (length == std::string_view::npos || length == 0) return false;
+    if (line.substr(0, length).find('\t') != std::string_view::npos) return false;
+    channel_ = line.substr(0, length + 1);
+    return true;
+  }
+
+  std::array<char, second_length + 1> second_ = {"(0000000000."};
+  std::int64_t seconds_ = 0;
+  std::string channel_ = "can0 ";  ///< with the blank behind it
+};
 
 TraceDirection direction_of(std::string_view line) {
-  if (line.ends_with(" R")) return TraceDirection::received;
-  return line.ends_with(" T") ? TraceDirection::sent : TraceDirection::unknown;
+  if (line.size() < 2 || line[line.size() - 2] != ' ') return TraceDirection::unknown;
+  if (line.back() == 'R') return TraceDirection::received;
+  return line.back() == 'T' ? TraceDirection::sent : TraceDirection::unknown;
 }
 
 bool is_detail(std::string_view line) {
@@ -123,7 +153,8 @@ class CandumpParser final : public TraceLineParser {
  protected:
   TraceStep read_line(std::string_view line, TraceFrame& frame) override {
     frame.direction = direction_of(line);
-    if (read_usual_line(line, frame)) return {TraceItem::frame, 0, {}};
+    const std::size_t behind = frame.direction == TraceDirection::unknown ? 0 : 2;
+    if (usual_.read({line.data(), line.size() - behind}, frame)) return {TraceItem::frame, 0, {}};
     // The details of an error frame above (-e).
     if (is_detail(line)) return trace_note;
     ScreenLine screen;
@@ -148,27 +179,28 @@ class CandumpParser final : public TraceLineParser {
 
  private:
   ScreenTimes times_;
+  CandumpLine usual_;
 };
 
 class CandumpEncoder final : public TraceEncoder {
  public:
   void append(std::string& bytes, const TraceFrame& frame, std::string_view) override {
     TraceLine line;
-    put_time(line, frame.time.time_since_epoch());
+    time_.put(line, static_cast<std::uint64_t>(
+                        std::max<std::int64_t>(frame.time.time_since_epoch().count(), 0)));
+    line.put(") ");
+    const std::string_view name = name_of(frame.channel);
+    if (name.size() <= name_usual_max) {
+      line.put(name);
+    } else {
+      bytes.append(line.view()).append(name);
+      line.clear();
+    }
+    put_frame(line, frame.frame);
     bytes += line.view();
-    bytes += name_of(frame.channel);
-    TraceLine content;
-    put_frame(content, frame.frame);
-    bytes += content.view();
   }
 
  private:
-  static void put_time(TraceLine& line, Duration time) {
-    const std::int64_t microseconds = std::max<std::int64_t>(time.count(), 0);
-    line.put('(');
-    line.put_fixed<microsecond_digits>(static_cast<std::uint64_t>(microseconds), 10, '0');
-    line.put(") ");
-  }
   static void put_frame(TraceLine& line, const Frame& frame) {
     line.put(' ');
     line.put_hex(frame.id | (frame.is_error() ? error_flag : 0U),
@@ -176,13 +208,13 @@ class CandumpEncoder final : public TraceEncoder {
     line.put('#');
     if (frame.is_remote()) line.put('R');
     if (frame.is_remote() && frame.length > 0) line.put(static_cast<char>('0' + frame.length));
-    for (const std::uint8_t byte : frame.payload()) line.put_hex_byte(byte);
+    line.put_pairs(frame.payload());
     line.put('\n');
   }
 
   // The name of an interface ends at a blank; names of other systems contain blanks.
   std::string_view name_of(std::string_view channel) {
-    if (channel == latest_ && !name_.empty()) return name_;
+    if (same_bytes(channel, latest_) && !name_.empty()) return name_;
     latest_ = channel;
     name_ = channel.empty() ? "can0" : channel;
     std::ranges::replace_if(
@@ -190,6 +222,9 @@ class CandumpEncoder final : public TraceEncoder {
     return name_;
   }
 
+  static constexpr std::size_t name_usual_max = 64;
+
+  TraceSeconds time_{{.before = '(', .width = 10, .fill = '0'}};
   std::string latest_;
   std::string name_;
 };

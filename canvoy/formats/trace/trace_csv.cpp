@@ -16,6 +16,7 @@
 #include "canvoy/formats/trace/trace_line.hpp"
 #include "canvoy/formats/trace/trace_packet.hpp"
 #include "canvoy/formats/trace/trace_parser.hpp"
+#include "canvoy/formats/trace/trace_scanner.hpp"
 #include "canvoy/formats/trace/trace_text.hpp"
 
 namespace canvoy::formats {
@@ -57,13 +58,17 @@ bool read_seconds(std::string_view cell, Time& time) {
   return microseconds <= cell_microseconds_max;
 }
 
-unsigned base64_digit(char c) {
-  if (c >= 'A' && c <= 'Z') return static_cast<unsigned>(c - 'A');
-  if (c >= 'a' && c <= 'z') return static_cast<unsigned>(c - 'a') + 26;
-  if (c >= '0' && c <= '9') return static_cast<unsigned>(c - '0') + 52;
-  if (c == '+') return 62;
-  return c == '/' ? 63 : 64;
-}
+constexpr std::string_view base64_characters =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+constexpr std::uint8_t no_base64_digit = 64;
+constexpr std::array<std::uint8_t, 256> base64_digits = [] {
+  std::array<std::uint8_t, 256> digits{};
+  digits.fill(no_base64_digit);
+  for (std::uint8_t value = 0; value < no_base64_digit; ++value) {
+    digits[static_cast<std::uint8_t>(base64_characters[value])] = value;
+  }
+  return digits;
+}();
 
 /// Reads into `data` and `length`; false if it is no base64, or does not fit.
 bool read_base64(std::string_view text, std::span<std::uint8_t> data, std::uint8_t& length) {
@@ -71,8 +76,8 @@ bool read_base64(std::string_view text, std::span<std::uint8_t> data, std::uint8
   unsigned bits = 0;
   unsigned count = 0;
   for (const char c : text) {
-    const unsigned digit = base64_digit(c);
-    if (digit > 63) return false;
+    const unsigned digit = base64_digits[static_cast<std::uint8_t>(c)];
+    if (digit == no_base64_digit) return false;
     bits = (bits << 6 | digit) & 0xFFFF;
     count += 6;
     if (count < 8) continue;
@@ -88,16 +93,46 @@ bool has_valid_id(const Frame& frame) {
          (frame.is_extended() || frame.is_error() ? Frame::extended_id_max : Frame::id_max);
 }
 
+/// Reads a line of a data frame as python-can and we write it; other forms are left to the tolerant
+/// path.
+bool read_usual_line(std::string_view line, TraceFrame& heard) {
+  TraceScanner scanner(line);
+  std::int64_t microseconds = 0;
+  if (!scanner.take_fixed<microsecond_digits>(microseconds) || !scanner.take(',')) return false;
+  if (microseconds > cell_microseconds_max || !scanner.take('0') || !scanner.take('x'))
+    return false;
+  Frame& frame = heard.frame;
+  frame = {};
+  if (scanner.take_hex(frame.id) == 0 || !scanner.take(',')) return false;
+  unsigned extended = 0;
+  unsigned length = 0;
+  if (!scanner.take_digit(extended) || extended > 1) return false;
+  for (const char character : std::string_view(",0,0,")) {
+    if (!scanner.take(character)) return false;
+  }
+  if (!scanner.take_digit(length) || length > Frame::length_max || !scanner.take(',')) return false;
+  frame.flags = extended != 0 ? FrameFlags::extended : FrameFlags::none;
+  if (!has_valid_id(frame) || !read_base64(scanner.rest(), frame.data, frame.length)) return false;
+  heard.time = Time{Duration{microseconds}};
+  return frame.length == length;
+}
+
 class PythonCanParser final : public TraceLineParser {
  public:
+  PythonCanParser() : TraceLineParser(Behind::end_of_line) {}
   const TraceFormat& format() const override { return TraceFormat::python_can_csv; }
 
  protected:
   TraceStep read_line(std::string_view line, TraceFrame& heard) override {
-    if (line.empty() || line.starts_with(python_can_header)) return trace_note;
-    if (!read_seconds(take_cell(line), heard.time)) return bad_record("the time is no number");
     heard.channel = "can0";
     heard.direction = TraceDirection::unknown;
+    return read_usual_line(line, heard) ? read : read_any_line(line, heard);
+  }
+
+ private:
+  static TraceStep read_any_line(std::string_view line, TraceFrame& heard) {
+    if (line.empty() || line.starts_with(python_can_header)) return trace_note;
+    if (!read_seconds(take_cell(line), heard.time)) return bad_record("the time is no number");
     heard.frame = {};
     Frame& frame = heard.frame;
     std::string_view id = take_cell(line);
@@ -121,7 +156,6 @@ class PythonCanParser final : public TraceLineParser {
     return read_content(take_cell(line), extended, remote, error, length, frame);
   }
 
- private:
   static TraceStep read_content(std::string_view data, bool extended, bool remote, bool error,
                                 std::int64_t length, Frame& frame) {
     if (error) {
@@ -225,8 +259,7 @@ class PythonCanEncoder final : public TraceEncoder {
   void append(std::string& bytes, const TraceFrame& heard, std::string_view) override {
     const Frame& frame = heard.frame;
     TraceLine line;
-    line.put_fixed<microsecond_digits>(
-        static_cast<std::uint64_t>(time_from(heard, Duration{}).count()));
+    time_.put(line, static_cast<std::uint64_t>(time_from(heard, Duration{}).count()));
     line.put(",0x");
     const std::size_t digits_at = line.length();
     line.put_hex(frame.id | (frame.is_error() ? error_flag : 0U), 1);
@@ -244,8 +277,6 @@ class PythonCanEncoder final : public TraceEncoder {
 
  private:
   static void put_base64(TraceLine& line, std::span<const std::uint8_t> bytes) {
-    constexpr std::string_view characters =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     for (std::size_t at = 0; at < bytes.size(); at += 3) {
       const std::size_t count = std::min<std::size_t>(bytes.size() - at, 3);
       std::uint32_t bits = 0;
@@ -253,10 +284,12 @@ class PythonCanEncoder final : public TraceEncoder {
         bits = bits << 8 | (byte < count ? bytes[at + byte] : 0U);
       }
       for (std::size_t digit = 0; digit < 4; ++digit) {
-        line.put(digit > count ? '=' : characters[bits >> 6 * (3 - digit) & 0x3F]);
+        line.put(digit > count ? '=' : base64_characters[bits >> 6 * (3 - digit) & 0x3F]);
       }
     }
   }
+
+  TraceSeconds time_{{}};
 };
 
 std::unique_ptr<TraceParser> recognize_python_can(const TraceHead& head) {

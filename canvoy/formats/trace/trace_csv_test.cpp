@@ -3,11 +3,13 @@
 // (framefileio.cpp of SavvyCAN, saveNativeCSVFile).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "canvoy/formats/trace/trace.hpp"
+#include "canvoy/formats/trace/trace_alike_test.hpp"
 
 namespace canvoy::formats::trace_csv_test {
 namespace {
@@ -45,6 +47,26 @@ TEST(PythonCanCsv, IsReadAsItWasWritten) {
   EXPECT_EQ(frames[2].frame, Frame::remote_frame(0x701, 4));
   EXPECT_TRUE(frames[3].frame.is_error());
   EXPECT_EQ(frames[4].frame, Frame::data_frame(0, {}));
+}
+
+// A tab behind a cell, which is passed over, leaves a line to the tolerant path.
+TEST(PythonCanCsv, IsReadAlikeOnBothPaths) {
+  const std::string head = "timestamp,arbitration_id,extended,remote,error,dlc,data\n";
+  for (const std::string usual :
+       {"1700000000.000125,0x185,0,0,0,2,Hi8=", "1700000001.5,0x18daf110,1,0,0,8,AQIDBAUGBwg=",
+        "12.000001,0x7ff,0,0,0,0,"}) {
+    for (std::size_t at = 0; at < usual.size(); ++at) {
+      for (int value = 0; value < 256; ++value) {
+        if (value == '\n' || value == '\r') continue;
+        std::string line = usual;
+        line[at] = static_cast<char>(value);
+        std::string careful = line;
+        careful.insert(std::min(careful.find(','), careful.size()), 1, '\t');
+        expect_read_alike(head + line, head + careful);
+        if (HasFatalFailure()) return;
+      }
+    }
+  }
 }
 
 TEST(PythonCanCsv, CountsFdFrames) {

@@ -10,6 +10,7 @@
 #include "canvoy/can/frame.hpp"
 #include "canvoy/can/time.hpp"
 #include "canvoy/formats/trace/trace.hpp"
+#include "canvoy/formats/trace/trace_text.hpp"
 
 namespace canvoy::formats {
 
@@ -38,7 +39,7 @@ class TraceChannel {
 class TraceChannelNumbers {
  public:
   std::size_t operator[](std::string_view channel) {
-    return channel == latest_ && number_ != 0 ? number_ : change(channel);
+    return same_bytes(channel, latest_) && number_ != 0 ? number_ : change(channel);
   }
 
  private:

@@ -8,10 +8,12 @@
 //     bytes += line.view();
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <span>
 #include <string_view>
 
 #include "canvoy/can/frame.hpp"
@@ -37,6 +39,18 @@ class TraceLine {
     std::memcpy(at_, text.data(), text.size());
     at_ += text.size();
   }
+  static constexpr std::size_t short_max = 16;
+  /// Adds the first `length` of these characters; copies all of them.
+  void put_short(const std::array<char, short_max>& text, std::size_t length) {
+    std::memcpy(at_, text.data(), short_max);
+    at_ += length;
+  }
+  /// Adds the six digits of a number below 1,000,000.
+  void put_six(std::uint32_t number) {
+    char* const end = at_ + 6;
+    put_pair(put_pair(put_pair(end, number % 100), number / 100 % 100), number / 10'000);
+    at_ = end;
+  }
   /// Adds blanks up to a column, counted from 0; none if the line is that long.
   void pad_to(std::size_t column) {
     if (length() >= column) return;
@@ -52,8 +66,12 @@ class TraceLine {
     for (unsigned digit = digits; digit > 0;) *at++ = hex_characters[value >> 4 * --digit & 0xF];
     at_ = at;
   }
-  /// Adds two upper-case digits.
-  void put_hex_byte(std::uint8_t byte) { at_ = put_byte(at_, byte); }
+  /// Adds the bytes without blanks: `1E2F`.
+  void put_pairs(std::span<const std::uint8_t> bytes) {
+    char* at = at_;  // a member would be stored behind each character
+    for (const std::uint8_t byte : bytes) at = put_byte(at, byte);
+    at_ = at;
+  }
   /// Digits from a column on become small letters.
   void lower_from(std::size_t column) {
     for (char* at = room_.data() + column; at != at_; ++at) {
@@ -62,7 +80,7 @@ class TraceLine {
   }
   /// Adds the bytes: ` 1E 2F`.
   void put_bytes(const Frame& frame) {
-    char* at = at_;  // a member would be stored behind each character
+    char* at = at_;
     for (const std::uint8_t byte : frame.payload()) {
       *at = ' ';
       at = put_byte(at + 1, byte);
@@ -118,9 +136,17 @@ class TraceLine {
     return made;
   }();
 
+  static constexpr std::array<char, 512> hex_pairs = [] {
+    std::array<char, 512> made{};
+    for (std::size_t byte = 0; byte < 256; ++byte) {
+      made[2 * byte] = hex_characters[byte >> 4];
+      made[2 * byte + 1] = hex_characters[byte & 0xF];
+    }
+    return made;
+  }();
+
   static char* put_byte(char* at, std::uint8_t byte) {
-    at[0] = hex_characters[byte >> 4];
-    at[1] = hex_characters[byte & 0xF];
+    std::memcpy(at, &hex_pairs[std::size_t{2} * byte], 2);
     return at + 2;
   }
   static char* put_pair(char* before, unsigned number) {
@@ -131,6 +157,46 @@ class TraceLine {
 
   std::array<char, length_max> room_;
   char* at_ = room_.data();
+};
+
+/// Times in seconds with six digits of a fraction: the text of the seconds is that of the line
+/// before as long as they are the same.
+class TraceSeconds {
+ public:
+  /// What stands before the decimal point.
+  struct Form {
+    char before = '\0';     ///< the first character; none if it is 0
+    std::size_t width = 1;  ///< at least, at most 14 characters
+    char fill = ' ';        ///< what the number is padded with on the left
+  };
+  /// The form of all times.
+  explicit TraceSeconds(Form form) : form_(form) { change(0); }
+
+  /// Adds a time.
+  void put(TraceLine& line, std::uint64_t microseconds) {
+    if (microseconds - begin_ >= second) change(microseconds);
+    line.put_short(text_, length_);
+    line.put_six(static_cast<std::uint32_t>(microseconds - begin_));
+  }
+
+ private:
+  static constexpr std::uint64_t second = 1'000'000;
+
+  void change(std::uint64_t microseconds) {
+    const std::uint64_t seconds = microseconds / second;
+    begin_ = seconds * second;
+    TraceLine line;
+    if (form_.before != '\0') line.put(form_.before);
+    line.put_decimal(seconds, form_.width, form_.fill);
+    line.put('.');
+    length_ = line.length();
+    std::memcpy(text_.data(), line.view().data(), std::min(length_, text_.size()));
+  }
+
+  Form form_;
+  std::uint64_t begin_ = 0;
+  std::array<char, TraceLine::short_max> text_{};
+  std::size_t length_ = 0;
 };
 
 }  // namespace canvoy::formats

@@ -44,6 +44,24 @@ TEST(TraceLine, PutsFixedPointNumbers) {
   EXPECT_EQ(line.view(), "1700000000.000125    0.000009 12.045");
 }
 
+TEST(TraceLine, PutsTimesInAnyOrder) {
+  TraceSeconds plain({});
+  TraceSeconds padded({.before = '(', .width = 4, .fill = '0'});
+  for (const std::uint64_t time :
+       {std::uint64_t{0}, std::uint64_t{999'999}, std::uint64_t{1'000'000},
+        std::uint64_t{1'000'001}, std::uint64_t{5}, std::uint64_t{1'700'000'000'000'125},
+        std::uint64_t{1'700'000'000'999'999}, std::uint64_t{1'699'999'999'999'999},
+        std::uint64_t{18'446'744'073'709'551'615U}}) {
+    TraceLine line;
+    plain.put(line, time);
+    line.put(' ');
+    padded.put(line, time);
+    const auto second = static_cast<unsigned long long>(time / 1'000'000);
+    const auto rest = static_cast<unsigned long long>(time % 1'000'000);
+    EXPECT_EQ(line.view(), printed("%llu.%06llu (%04llu.%06llu", second, rest, second, rest));
+  }
+}
+
 TEST(TraceLine, PutsHexadecimalNumbersOfAtLeastSoManyDigits) {
   for (const std::uint32_t value : {0x0U, 0x1U, 0x7FFU, 0x1FFF'FFFFU, 0xFFFF'FFFFU}) {
     TraceLine line;

@@ -1,6 +1,7 @@
 #include "canvoy/formats/trace/trace_packet.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 namespace canvoy::formats {
@@ -51,10 +52,11 @@ void append_can_packet(std::string& bytes, const Frame& frame) {
   if (frame.is_extended()) word |= extended_flag;
   if (frame.is_remote()) word |= remote_flag;
   if (frame.is_error()) word |= error_flag;
-  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(word >> shift & 0xFF);
-  bytes += static_cast<char>(frame.length);
-  bytes.append(3, '\0');
-  for (const std::uint8_t byte : frame.payload()) bytes += static_cast<char>(byte);
+  std::array<char, frame_header_size + Frame::length_max> packet{};
+  for (std::size_t at = 0; at < 4; ++at) packet[at] = static_cast<char>(word >> (24 - 8 * at));
+  packet[4] = static_cast<char>(frame.length);
+  std::memcpy(&packet[frame_header_size], frame.data.data(), frame.data.size());
+  bytes.append(packet.data(), frame_header_size + frame.payload().size());
 }
 
 }  // namespace canvoy::formats

@@ -51,9 +51,10 @@ struct FileNumbers {
   }
 };
 
-/// Appends `size` bytes, lowest first.
+/// Appends the lowest `size` bytes, at most 8, lowest first.
 inline void append_little(std::string& bytes, std::uint64_t value, unsigned size) {
-  for (unsigned byte = 0; byte < size; ++byte) bytes += static_cast<char>(value >> 8 * byte & 0xFF);
+  static_assert(std::endian::native == std::endian::little, "the bytes stand in this order");
+  bytes.append(reinterpret_cast<const char*>(&value), size);
 }
 
 /// Reads the frame of a packet: an identifier of 4 bytes, big-endian, with flags; the length, the

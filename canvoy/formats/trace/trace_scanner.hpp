@@ -69,6 +69,8 @@ class TraceScanner {
     number = static_cast<std::int64_t>(sum);
     return true;
   }
+  /// All that was not taken.
+  std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }
   /// Takes one decimal digit; false if there is none.
   bool take_digit(unsigned& number) {
     number = digit_at(at_);

@@ -11,6 +11,7 @@
 #include "canvoy/formats/trace/inflater.hpp"
 #include "canvoy/formats/trace/trace_encoder.hpp"
 #include "canvoy/formats/trace/trace_file.hpp"
+#include "canvoy/formats/trace/trace_text.hpp"
 
 namespace canvoy::formats {
 
@@ -98,7 +99,7 @@ void TraceWriter::note_lost(const TraceFrame& frame, std::string_view comment) {
   if (frame.direction != TraceDirection::unknown) lost |= trace_lack::direction;
   if (!comment.empty()) lost |= trace_lack::comments;
   if (frame.frame.is_error()) lost |= trace_lack::errors;
-  if (!has_bus_ || frame.channel != latest_bus_) {
+  if (!has_bus_ || !same_bytes(frame.channel, latest_bus_)) {
     if (has_bus_) lost |= trace_lack::buses;
     if (!is_numbered_name(frame.channel)) lost |= trace_lack::bus_names;
     latest_bus_ = frame.channel;

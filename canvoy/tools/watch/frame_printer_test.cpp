@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "canvoy/can/frame_text.hpp"
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/tools/cli/failure.hpp"
 
@@ -45,6 +46,27 @@ TEST(FramePrinter, ADataSheetIsOfANodeOnSuchABus) {
     FramePrinter all({.sheets = {"10=" + file}});
     EXPECT_EQ(all.profile("can0", 10).base->number, 418U) << name;
   }
+}
+
+/// Most PDOs say again what the last one has said: what differs is told all the same.
+TEST(FramePrinter, AMessageThatSaysTheSameHasTheSameLineAndItsOwnMarks) {
+  FramePrinter sut({.nodes = {"10=418"}});
+  const auto words = [&sut](std::string_view frame) {
+    std::string line;
+    sut.append(line, Duration(1s), "can0", parse_frame(frame).frame);
+    return line.substr(line.find(" TPDO1"));
+  };
+  const std::string warm =
+      " TPDO1            node 10 (0Ah): temperature = 20.000 °C; battery_status = ready\n";
+  EXPECT_EQ(words("18A#A00001"), warm);
+  EXPECT_EQ(words("18A#A00001"), warm);
+  EXPECT_EQ(words("18A#A0000100"), warm.substr(0, warm.size() - 1) + " [!] wrong length\n");
+  EXPECT_EQ(words("18A#A00001"), warm);
+  EXPECT_EQ(words("18A#A000"),
+            " TPDO1            node 10 (0Ah): temperature = 20.000 °C [!] wrong length\n");
+  EXPECT_EQ(words("18A#A00001"), warm);
+  EXPECT_EQ(words("18A#A80001"),
+            " TPDO1            node 10 (0Ah): temperature = 21.000 °C; battery_status = ready\n");
 }
 
 TEST(FramePrinter, RefusesWhatNamesNoNodeOrNothing) {

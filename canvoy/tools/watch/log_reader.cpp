@@ -4,6 +4,8 @@
 #include <csignal>
 #include <utility>
 
+#include "canvoy/formats/trace/trace_text.hpp"
+
 namespace canvoy::tools {
 
 using formats::TraceFrame;
@@ -19,7 +21,7 @@ void LogReader::Batch::clear() {
 void LogReader::Batch::add(TraceRead read, const TraceFrame& heard,
                            const formats::TraceReader& trace) {
   const bool is_told = read == TraceRead::frame || read == TraceRead::fd;
-  if (is_told && (channels.empty() || channels.back() != heard.channel)) {
+  if (is_told && (channels.empty() || !formats::same_bytes(channels.back(), heard.channel))) {
     channels.emplace_back(heard.channel);
   }
   const std::size_t channel = channels.empty() ? 0 : channels.size() - 1;
