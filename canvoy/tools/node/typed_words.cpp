@@ -197,6 +197,8 @@ void refuse_other_name(const Words& words) {
   if (other == other_names.end()) return;
   Words meant(words.begin() + 1, words.end());
   if (other->verb == "nmt") meant.push_back(words.front());
+  const bool misses_bus = meant.empty() && (other->verb == "scan" || other->verb == "monitor");
+  if (misses_bus) meant.emplace_back("can0");
   meant.insert(meant.begin(), std::string(other->verb));
   if (other->verb == "nmt") order_words(meant);
   throw UsageError(fmt::format("'{}' is not known here; {} does that: {}", words.front(),

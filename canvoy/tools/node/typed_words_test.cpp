@@ -58,6 +58,7 @@ TEST_F(TypedWords, WhatIsMeantByAnotherNameOrAnotherVerbIsTold) {
             "which verb? canvoy --help lists them all; canvoy scan can0 shows who is on a bus");
   EXPECT_EQ(refusal({"candump", "can0"}),
             "'candump' is not known here; monitor does that: canvoy monitor can0");
+  EXPECT_EQ(refusal({"list"}), "'list' is not known here; scan does that: canvoy scan can0");
   EXPECT_EQ(refusal({"diff", "a.eds", "b.eds"}),
             "'diff' is not known here; eds diff does that: canvoy eds diff a.eds b.eds");
   EXPECT_EQ(refusal({"start", "can0", "10"}),
