@@ -48,6 +48,10 @@ struct CarDriveHardware {
   /// Arrests a car with overspeed or unintended movement, by a device beside the brake: a safety
   /// gear or a rope brake. May be empty.
   Callback<void()> arrest = {};
+  /// Self-test of the closed brake, which the drive asks for at each standstill, before it takes
+  /// its power away: the motor pushes against the brake as a car with 125 % of its rated load
+  /// would. False: the brake slips. May be empty: then nothing is tested (EN 81-20, 5.6.7.3).
+  Callback<bool()> brake_holds = {};
 };
 
 }  // namespace canvoy::cia417

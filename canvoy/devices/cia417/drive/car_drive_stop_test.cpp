@@ -100,6 +100,49 @@ TEST_F(CarDrive, TellsOfUnintendedMovementWhileItShouldStand) {
   EXPECT_EQ(bench.arrests, 1);
 }
 
+/// EN 81-20, 5.6.7.3; the code is that of CiA 301 for additional modules.
+TEST_F(CarDrive, TestsItsBrakeAtEachStandstillAndDoesNotStartWithOneThatSlips) {
+  travel_for(30s);
+  EXPECT_EQ(bench.brake_tests, 1) << "at the end of the trip";
+  EXPECT_NE(state(), DriveState::fault);
+  bench.brake_holds = false;
+  control(0x000F, 0);
+  control(0x001F, 0);
+  ASSERT_TRUE([this] {
+    for (int i = 0; i < 3000 && bench.brake_tests < 2; ++i) bench.run_for(10ms);
+    return bench.brake_tests == 2;
+  }());
+  bench.run_for(3900ms);
+  EXPECT_NE(state(), DriveState::fault) << "time to open doors";
+  control(0x0000, 0);
+  enable();
+  EXPECT_NE(state(), DriveState::operation_enabled) << "but not to start";
+  bench.run_for(200ms);
+  EXPECT_TRUE(bench.has_sent("082#00 70 01 00 00 00 00 00"));
+  EXPECT_EQ(state(), DriveState::fault);
+  EXPECT_FALSE(bench.power);
+  EXPECT_EQ(bench.arrests, 0) << "it holds what is there";
+  bench.readings.voltage = false;  // its contact opens the safety chain
+  control(0x0000, 0);
+  control(0x0080, 0);
+  EXPECT_EQ(state(), DriveState::fault) << "until a person closes the chain";
+  bench.readings.voltage = true;
+  bench.brake_holds = true;
+  bench.run_for(200ms);
+  bench.sent.clear();
+  control(0x0000, 0);
+  control(0x0080, 0);
+  EXPECT_EQ(state(), DriveState::switch_on_disabled);
+  EXPECT_TRUE(bench.has_sent("082#00 00 00 00 00 00 00 00"));
+}
+
+TEST_F(CarDrive, DoesNotTestABrakeThatStopsTheCar) {
+  travel_for(3s);
+  control(0x0000);
+  bench.run_for(1s);
+  EXPECT_EQ(bench.brake_tests, 0);
+}
+
 TEST_F(CarDrive, WithoutVoltageItsBrakeClosesAndItWaitsForBoth) {
   for (const std::uint16_t word : std::array<std::uint16_t, 3>{0x000F, 0x0002, 0x010F}) {
     travel_for(3s);

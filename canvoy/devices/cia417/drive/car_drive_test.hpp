@@ -29,7 +29,8 @@ class DriveBench {
             .release_brake = Callback<void(bool)>::to<&DriveBench::set_brake>(*this),
             .follow =
                 Callback<void(const MotionProfile&, Duration)>::to<&DriveBench::set_profile>(*this),
-            .arrest = Callback<void()>::to<&DriveBench::arrest>(*this)};
+            .arrest = Callback<void()>::to<&DriveBench::arrest>(*this),
+            .brake_holds = Callback<bool()>::to<&DriveBench::test_brake>(*this)};
   }
 
   /// The node that has the clock.
@@ -98,6 +99,8 @@ class DriveBench {
   bool power = false;
   bool brake_released = false;
   int arrests = 0;
+  int brake_tests = 0;
+  bool brake_holds = true;
   double speed_max = 0;
   MotionProfile profile;
   Time start{};
@@ -114,6 +117,11 @@ class DriveBench {
     start = node_->now() + delay;
   }
   void arrest() { ++arrests; }
+  bool test_brake() {
+    EXPECT_TRUE(power && !brake_released) << "the motor pushes against the closed brake";
+    ++brake_tests;
+    return brake_holds;
+  }
 
   Node* node_ = nullptr;
 };

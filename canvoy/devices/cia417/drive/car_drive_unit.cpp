@@ -15,6 +15,10 @@ using cia402::DriveMode;
 /// car.
 constexpr Duration stop_time_reserve = 500ms;
 
+/// A brake that slips at its self-test holds what is there: this is the time for the controller to
+/// open doors, before the fault makes the drive unavailable.
+constexpr Duration lets_out_time = 4s;
+
 /// In units of the drive: maximum change of a standing encoder in one period.
 constexpr double jump_distance = 5;
 
@@ -105,6 +109,7 @@ void CarDriveUnit::reset(ResetScope scope) {
   faults_.begin_anew();
   homing_mode_.begin_anew();
   watch_.begin_anew();
+  weak_brake_.begin_anew();
   asked_ = obeyed_ = 0;
   parameters_.count_from(0, 0);
   take_mode();
@@ -209,7 +214,7 @@ void CarDriveUnit::change_state(DriveState next) {
   if (is_held() && (is_start || state_ == DriveState::switch_on_disabled)) return;
   // While the brake still stops the car, or the safety chain is open, the power stage stays off;
   // tick() tries again.
-  if (is_start && !readings().voltage) return;
+  if (is_start && (!readings().voltage || car_.has_weak_brake())) return;
   if (is_start && !is_powered(state_) && !is_standing()) return;
   if (state_ != DriveState::operation_enabled || next == DriveState::switch_on_disabled) {
     return enter(next);
@@ -298,6 +303,8 @@ bool CarDriveUnit::is_gone(DriveFault fault) const {
       return is_standing() && readings().voltage;
     case DriveFault::hardware:
       return readings().fault == 0;
+    case DriveFault::brake:
+      return readings().voltage;
     case DriveFault::following:
       break;
   }
@@ -311,6 +318,7 @@ void CarDriveUnit::reset_fault() {
   if (std::ranges::any_of(all_drive_faults, is_there)) return;
   faults_.end_all();
   car_.settle();
+  car_.forget_brake_test();
   watch_.begin_anew();
   enter(DriveState::switch_on_disabled);
 }
@@ -408,6 +416,8 @@ void CarDriveUnit::supervise(Time now) {
     car_.arrest();
     fail(DriveFault::unintended);
   }
+  weak_brake_.watch(car_.has_weak_brake(), now);
+  if (weak_brake_.lasts(lets_out_time, now)) fail(DriveFault::brake);
   watch_voltage();
   if (watch_.lags_behind(car_, parameters_, now)) fail(DriveFault::following);
 }

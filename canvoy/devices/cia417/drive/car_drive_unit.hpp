@@ -177,6 +177,7 @@ class CarDriveUnit {
   ProfileVelocityMode velocity_mode_;
   HomingMode homing_mode_;
   DriveWatch watch_;
+  Lasting weak_brake_;
   DriveFaults faults_;
   DriveHold hold_;
   LiftBound<controlword> controlword_;

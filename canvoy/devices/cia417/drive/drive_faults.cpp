@@ -6,6 +6,8 @@ namespace {
 
 /// Of CiA 402.
 constexpr std::uint16_t following_error_code = 0x8611;
+/// Of CiA 301, 7.2.7: an additional module.
+constexpr std::uint16_t brake_error_code = 0x7000;
 
 }  // namespace
 
@@ -34,6 +36,8 @@ Error DriveFaults::error_of(DriveFault fault) const {
       return {.code = following_error_code};
     case DriveFault::hardware:
       return {.code = hardware_code_};
+    case DriveFault::brake:
+      return {.code = brake_error_code};
   }
   return {};
 }

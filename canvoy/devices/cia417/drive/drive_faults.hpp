@@ -19,10 +19,12 @@ enum class DriveFault : std::uint8_t {
   unintended,  ///< the car moves when it has to stand: FF06h
   following,   ///< it is too far from its demanded position: 8611h (CiA 402)
   hardware,    ///< with the code of the hardware
+  brake,       ///< it slips at its self-test: 7000h (CiA 301, additional modules)
 };
 /// For loops.
 inline constexpr DriveFault all_drive_faults[] = {DriveFault::overspeed, DriveFault::unintended,
-                                                  DriveFault::following, DriveFault::hardware};
+                                                  DriveFault::following, DriveFault::hardware,
+                                                  DriveFault::brake};
 
 /// True for overspeed or unintended car movement.
 constexpr bool is_dangerous_motion(std::uint16_t code) {

@@ -8,7 +8,7 @@ namespace canvoy::cia417 {
 
 void DrivenCar::begin_anew() {
   readings_ = hardware_.sense();
-  is_standing_ = has_stood_ = false;
+  is_standing_ = has_stood_ = has_weak_brake_ = false;
   slow_.begin_anew();
 }
 
@@ -75,8 +75,16 @@ void DrivenCar::release_brake() {
 }
 
 void DrivenCar::close_brake() {
-  if (brake_released_) hardware_.release_brake(false);
+  if (!brake_released_) return;
+  hardware_.release_brake(false);
   brake_released_ = false;
+  test_brake();
+}
+
+/// A brake that stops a moving car is not tested.
+void DrivenCar::test_brake() {
+  if (!hardware_.brake_holds || !has_power_ || !is_standing_) return;
+  has_weak_brake_ = !hardware_.brake_holds();
 }
 
 }  // namespace canvoy::cia417

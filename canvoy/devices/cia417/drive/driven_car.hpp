@@ -46,6 +46,10 @@ class DrivenCar {
   bool has_power() const { return has_power_; }
   /// True while the brake is open, or opens.
   bool is_brake_released() const { return brake_released_; }
+  /// True if the brake slipped at its last self-test.
+  bool has_weak_brake() const { return has_weak_brake_; }
+  /// Discards that result, after a fault reset.
+  void forget_brake_test() { has_weak_brake_ = false; }
   /// True if it has been below the velocity threshold for its time.
   bool is_slow() const { return is_slow_; }
   /// True if it is slow, and no profile moves it.
@@ -77,6 +81,7 @@ class DrivenCar {
     return std::chrono::duration<double>(now - start_).count();
   }
   void release_brake();
+  void test_brake();
 
   CarDriveHardware hardware_;
   Duration brake_time_;
@@ -89,6 +94,7 @@ class DrivenCar {
   double stood_at_ = 0;  ///< position of the standstill with the closed brake
   bool has_power_ = false;
   bool brake_released_ = false;
+  bool has_weak_brake_ = false;
   bool is_slow_ = false;
   bool is_standing_ = false;
   bool has_stood_ = false;  ///< since the brake closed
