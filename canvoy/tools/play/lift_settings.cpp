@@ -201,7 +201,9 @@ SettingTable<LiftRun> service_table() {
            {{0, lift::floors_max}}),
        setting<network, service, &Service::parking_after>("parking_after"),
        setting<network, service, &Service::technician>(
-           "technician", "comes to a lift that only a hand resets, and lets people out")},
+           "technician",
+           "comes to a lift that only a hand resets or that stays out of order, and lets people "
+           "out")},
       [](const TomlTable&, LiftRun& run) {
         run.network.people.destination_control = run.network.service.destination_control;
       }};
@@ -414,6 +416,9 @@ SettingTable<NodeDescription> node_table(const LiftRun& run, const std::string& 
   has_parameters.value = [](const NodeDescription& node) {
     return node.panel.parameters ? "true" : "";
   };
+  Setting<NodeDescription> has_calls = setting<&NodeDescription::panel, &PanelDescription::calls>(
+      "calls", "`false`: a panel without call buttons, as an inspection station");
+  has_calls.value = [](const NodeDescription& node) { return node.panel.calls ? "" : "false"; };
   Setting<NodeDescription> is_played = setting<&NodeDescription::played>("played", "a real device");
   is_played.value = [](const NodeDescription& node) { return node.played ? "" : "false"; };
   return {
@@ -428,8 +433,8 @@ SettingTable<NodeDescription> node_table(const LiftRun& run, const std::string& 
                 lift::special_function_names(), lift::special_function_name),
        of_panel("displays", &PanelDescription::displays, lift::panel_display_of,
                 lift::panel_display_names(), lift::panel_display_name),
-       std::move(has_parameters), std::move(is_played), configuration_of_node(folder),
-       values_of_node()},
+       std::move(has_calls), std::move(has_parameters), std::move(is_played),
+       configuration_of_node(folder), values_of_node()},
       [](const TomlTable& table, const NodeDescription& node) {
         if (node.played || node.values.empty()) return;
         table.refuse("values", "who is not played is configured by whoever plays it");

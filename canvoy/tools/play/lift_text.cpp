@@ -108,6 +108,8 @@ std::string_view trip_text(lift::SafetyChain::Trip trip) {
       return "final limit switch";
     case gear:
       return "safety gear";
+    case brake:
+      return "brake slipped at its self-test";
   }
   return "";
 }
@@ -136,6 +138,16 @@ TechnicianStepWords step_words(lift::TechnicianStep step) {
       return {"resets", "resets it by hand"};
     case leaves:
       return {"leaves", "leaves"};
+    case called_for_fault:
+      return {"called", "is called: the lift stays out of order"};
+    case called_for_complaint:
+      return {"called", "is called: people complain"};
+    case rides:
+      return {"rides", "rides on the roof of the car by inspection control"};
+    case restarts:
+      return {"restarts", "switches controller and drive off and on"};
+    case gives_up:
+      return {"gives-up", "leaves it out of service"};
   }
   return {};
 }

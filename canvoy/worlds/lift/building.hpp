@@ -88,6 +88,8 @@ struct LiftDesign {
   double door_zone_m = 0.2;        ///< to both sides of a floor, where doors may be open
   /// False: its safety chain is bridged, which is forbidden; for tests of referees.
   bool has_safety_chain = true;
+  /// False: its drive does not test its brake (EN 81-20, 5.6.7.3); for tests of referees.
+  bool has_brake_test = true;
 };
 
 /// Floors that a group of the lifts of a building serves.

@@ -32,7 +32,8 @@ CarDriveHardware CarPlant::drive_hardware() {
           .power = Callback<void(bool)>::to<&CarPlant::set_power>(*this),
           .release_brake = Callback<void(bool)>::to<&CarPlant::set_brake>(*this),
           .follow = Callback<void(const MotionProfile&, Duration)>::to<&CarPlant::follow>(*this),
-          .arrest = Callback<void()>::to<&CarPlant::arrest>(*this)};
+          .arrest = Callback<void()>::to<&CarPlant::arrest>(*this),
+          .brake_holds = Callback<bool()>::to<&CarPlant::test_brake>(*this)};
 }
 
 CarPositionHardware CarPlant::position_hardware() {
@@ -102,6 +103,19 @@ void CarPlant::set_brake(bool released) {
   settle();
   brake_released_ = released;
   choose_motion();
+}
+
+bool CarPlant::brake_slips() const {
+  const double force = design_.brake_force_n * faults_.brake_share + design_.friction_n;
+  return !elsewhere_ && force < design_.brake_test_n;
+}
+
+/// By the motor, against the closed brake: it takes no time here.
+bool CarPlant::test_brake() {
+  if (!design_.has_brake_test || !brake_slips()) return true;
+  brake_has_slipped_ = true;
+  changed_();
+  return false;
 }
 
 void CarPlant::follow(const MotionProfile& profile, Duration delay) {
@@ -293,6 +307,7 @@ CarPlant::Truth CarPlant::truth() {
       .is_cut = is_cut_ && !elsewhere_,
       .is_cranked = crank_m_s_ != 0,
       .gear_is_caught = gear_is_caught_,
+      .brake_slips = brake_slips(),
       .buffer_strikes = buffer_strikes_,
       .energy_in_joule = energy_in_,
       .energy_out_joule = energy_out_,

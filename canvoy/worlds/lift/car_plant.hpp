@@ -35,7 +35,11 @@ struct CarPlantDesign {
   double friction_n = 400;         ///< force against the motion, of guides and sheaves
   /// Sag of the car under a load, through its ropes; the motor's encoder does not measure it.
   double stretch_um_per_kg = 2;
-  double brake_force_n = 25'000;      ///< at the ropes, closed and whole
+  double brake_force_n = 25'000;  ///< at the ropes, closed and whole
+  /// Load on the brake at its self-test: the car with 125 % of its rated load (EN
+  /// 81-20, 5.9.2.2.2).
+  double brake_test_n = 7'358;
+  bool has_brake_test = true;         ///< false: its drive tests nothing
   double gear_deceleration_m_s2 = 6;  ///< of the safety gear
   /// Share of the electric energy that the motor turns into motion, and of the motion that it turns
   /// back: without regeneration into the mains, that becomes heat.
@@ -69,6 +73,7 @@ class CarPlant {
     bool is_cut = false;           ///< by the safety chain
     bool is_cranked = false;       ///< by hand
     bool gear_is_caught = false;   ///< it holds the car until release_gear()
+    bool brake_slips = false;      ///< under the load of its self-test
     unsigned buffer_strikes = 0;   ///< times that the car ran into a buffer
     double energy_in_joule = 0;    ///< taken from the mains
     double energy_out_joule = 0;   ///< returned to the mains
@@ -110,6 +115,13 @@ class CarPlant {
   void cut(bool is_cut);
   /// True while the safety chain is open.
   bool is_cut() const { return is_cut_; }
+  /// Share of its force at which a brake holds any load that is allowed, and slips at its
+  /// self-test.
+  double weak_brake_share() const { return 0.9 * design_.brake_test_n / design_.brake_force_n; }
+  /// True if the brake has slipped at a self-test since the last forget_brake_test().
+  bool brake_has_slipped() const { return brake_has_slipped_; }
+  /// Call it when a technician has reset it.
+  void forget_brake_test() { brake_has_slipped_ = false; }
   /// True if the brake alone must hold the car, and the loads on both sides of its ropes differ so
   /// much that it would move without a brake.
   bool would_drift() const;
@@ -128,6 +140,8 @@ class CarPlant {
   cia417::PositionReadings sense_position(unsigned unit);
   void set_power(bool on);
   void set_brake(bool released);
+  bool brake_slips() const;
+  bool test_brake();
   void follow(const cia417::MotionProfile& profile, Duration delay);
 
   cia417::MotionState motion(Time time) const;
@@ -152,6 +166,7 @@ class CarPlant {
   bool brake_released_ = false;
   bool gear_is_caught_ = false;
   bool is_cut_ = false;
+  bool brake_has_slipped_ = false;
   double crank_m_s_ = 0;
   Motion kind_ = Motion::standing;
   cia417::MotionState state_;  ///< at settled_at_, in metres

@@ -23,7 +23,9 @@ constexpr std::array<std::uint8_t, doors_max> doors = {first_door, 7, 8, 12};
 constexpr std::array<std::uint8_t, 9> lost_nodes = {1, 2, 4, first_door, 9, 13, 16, 21, 22};
 constexpr std::array<std::uint8_t, 5> cut_behind = {1, 2, 4, first_door, 16};
 
-constexpr auto kinds = static_cast<std::uint32_t>(fault_kinds);
+/// A weak brake is drawn as a variant of one that holds nothing.
+constexpr auto kinds = static_cast<std::uint32_t>(fault_kinds - 1);
+static_assert(static_cast<std::uint32_t>(FaultKind::weak_brake) == kinds);
 constexpr std::array drawn_of_group = {FaultKind::lost_node, FaultKind::cable_cut,
                                        FaultKind::babbling_node, FaultKind::fire_alarm};
 /// One of this many faults of a group of lifts is one of the group.
@@ -76,12 +78,19 @@ Duration draw_duration(FaultKind kind, Random& random) {
   return fault_least + std::chrono::seconds(random.below(fault_more_s));
 }
 
+/// Every other brake holds a little.
+void vary(ScheduledFault& fault) {
+  const bool is_odd = fault.start.time_since_epoch() / 1s % 2 != 0;
+  if (fault.kind == FaultKind::brake && is_odd) fault.kind = FaultKind::weak_brake;
+}
+
 ScheduledFault draw_beside(const ScheduledFault& first, const Building& building, Random& random) {
   ScheduledFault second = draw(building, random);
   second.duration = draw_duration(second.kind, random);
   const auto lasts_ms = static_cast<std::uint32_t>(first.duration / 1ms);
   const std::array meets = {first.start, first.start + 1ms * random.below(lasts_ms), first.end()};
   second.start = one_of(meets, random);
+  vary(second);
   return second;
 }
 
@@ -102,6 +111,7 @@ std::vector<ScheduledFault> random_faults(const Building& building, Time from, T
     ScheduledFault fault = draw(building, random);
     fault.start = at;
     fault.duration = draw_duration(fault.kind, random);
+    vary(fault);
     at = fault.end();
     if (at + rest_least >= until) break;
     faults.push_back(fault);

@@ -32,6 +32,7 @@ enum class FaultKind : std::uint8_t {
   rope_sensor,       ///< the load unit has no measurement of a rope
   runaway,           ///< the motor accelerates whatever the command of the drive
   smoke,             ///< in the light barriers, which are always interrupted
+  weak_brake,        ///< it holds the car, but less than it must
 };
 
 /// Name in a file, text, and place of each kind, in the order of FaultKind.
@@ -53,9 +54,10 @@ inline constexpr FaultRow fault_rows[] = {
     {"rope-sensor", "the load of a rope is not known"},
     {"runaway", "the motor gets faster whatever the drive wants"},
     {"smoke", "light barriers see somebody always"},
+    {"weak-brake", "the brake holds the car, but less than it must"},
 };
 inline constexpr std::size_t fault_kinds = std::size(fault_rows);  ///< number of kinds
-static_assert(fault_kinds == static_cast<std::size_t>(FaultKind::smoke) + 1);
+static_assert(fault_kinds == static_cast<std::size_t>(FaultKind::weak_brake) + 1);
 /// The part is the lift, 0: the group, or all for a fire alarm. A node-ID is one on the bus of the
 /// lift, or of the group; for a fault of a door that of its unit; 0: the first one that suits the
 /// kind. The spot of a stuck button is its landing; 0: it is in the car, for the main floor.

@@ -8,6 +8,7 @@
 #include "canvoy/canopen/protocol/error.hpp"
 #include "canvoy/profiles/cia417/errors.hpp"
 #include "canvoy/sim/duration_text.hpp"
+#include "canvoy/worlds/lift/fire_brigade.hpp"
 #include "canvoy/worlds/lift/lift_panel.hpp"
 #include "canvoy/worlds/lift/round_trip_time.hpp"
 
@@ -16,7 +17,8 @@ namespace canvoy::lift {
 namespace {
 
 using canvoy::emergency_code::heartbeat;
-constexpr std::uint16_t hardware_error = 0x5000;  ///< of an encoder
+constexpr std::uint16_t hardware_error = 0x5000;      ///< of an encoder
+constexpr std::uint16_t additional_modules = 0x7000;  ///< a brake
 using cia417::emergency_code::application_error;
 using cia417::emergency_code::finger_protector_defect;
 using cia417::emergency_code::light_barrier_defect;
@@ -53,20 +55,6 @@ constexpr double nearly_rated = 0.95;
 constexpr Duration regroups_within = 10s;
 /// Terminals show a new lift only to people who make their request again.
 constexpr Duration regroups_at_terminals_within = 3min;
-
-/// Units that a lift needs, beside its controller.
-bool is_needed(DeviceKind kind) {
-  switch (kind) {
-    case DeviceKind::lift_controller:
-    case DeviceKind::drive:
-    case DeviceKind::position:
-    case DeviceKind::door:
-    case DeviceKind::load:
-      return true;
-    default:
-      return false;
-  }
-}
 
 void must_stand(FaultExpectation& expected, Duration noticed_within) {
   expected.stands_within = stands_most;
@@ -135,13 +123,16 @@ FaultExpectation FaultConsequences::alone(const ScheduledFault& fault) const {
     case FaultKind::door_lock:
     case FaultKind::safety_contact:
     case FaultKind::brake:
+    case FaultKind::weak_brake:
     case FaultKind::rope_slip:
     case FaultKind::runaway:
       expect_of_motion(expected, fault);
       break;
+    case FaultKind::fire_brigade:
+      expected.recovers_within += FireBrigade::gives_back_within;
+      [[fallthrough]];
     case FaultKind::smoke:
     case FaultKind::fire_alarm:
-    case FaultKind::fire_brigade:
       expected.is_fire = true;
       break;
     // Its frames leave no room for heartbeats: the lift stands.
@@ -201,6 +192,12 @@ void FaultConsequences::expect_of_motion(FaultExpectation& expected,
       if (speed >= nearly_rated * description_->building.lift(fault.part).speed_m_s) {
         stops({overspeed}, movement_noticed);
       }
+      break;
+    // Its self-test comes at the end of the trip.
+    case FaultKind::weak_brake:
+      if (!travels) break;
+      expected.emergencies = {additional_modules};
+      expected.told_within = arrives_first;
       break;
     default:
       if (!travels) break;

@@ -5,8 +5,10 @@
 //     FireBrigade brigade(hands, {.fire_floor = 1, .floors = 10, .seed = seed});
 //     brigade.begin(now);
 //     brigade.look(now, view);   // from time to time, a second say
-//     brigade.end();             // keys back: the car returns to the fire floor by itself
+//     brigade.end(now);          // they ride back to the fire floor, get out and give the keys
+//     back
 //
+// If they cannot come back in time, they turn the keys back where the car is: it returns by itself.
 // Doors close while their button is held, and open while the other one is (EN 81-72; the choices of
 // this lift are in docs/decisions.md).
 #pragma once
@@ -57,12 +59,21 @@ class FireBrigade {
   /// They act by `hands` from within look().
   FireBrigade(FireBrigadeHands hands, const FireBrigadeOptions& options);
 
+  /// Longest time from end() until both keys are turned back.
+  static constexpr Duration gives_back_within = 2min;
+
   void begin(Time now);
-  void end();
+  void end(Time now);
   /// They see the car and act; call it often (every 100 ms), and at changes.
   void look(Time now, const FireBrigadeView& car);
   /// True from begin() to end().
   bool is_there() const { return step_ != Step::away; }
+  /// Time for which they have waited for the car to take them to a floor; 0: they do not wait.
+  Duration waits(Time now) const {
+    return rides_since_ == never ? Duration{0} : now - rides_since_;
+  }
+  /// Number of times that they gave the keys back at the fire floor, beside the open car.
+  unsigned returns() const { return returns_; }
   /// Number of floors where they have opened the car with the button.
   unsigned floors_searched() const { return floors_searched_; }
 
@@ -80,6 +91,8 @@ class FireBrigade {
   void choose(Time now, FloorNumber here);
   void let_go();
   void open(Time now);
+  void give_back();
+  bool must_give_back(Time now, const FireBrigadeView& car) const;
 
   FireBrigadeHands hands_;
   FireBrigadeOptions options_;
@@ -88,7 +101,10 @@ class FireBrigade {
   Time since_{};  ///< of the step
   Duration search_{};
   FloorNumber target_ = no_floor;
+  Time rides_since_ = never;
+  Time gives_back_at_ = never;  ///< at the latest; never: they stay
   unsigned floors_searched_ = 0;
+  unsigned returns_ = 0;
 };
 
 }  // namespace canvoy::lift

@@ -88,15 +88,55 @@ TEST_F(FireBrigadeTest, ACarThatStaysIsAskedAgain) {
   EXPECT_EQ(done(), "call- close- open- call- call+ close+ ");
 }
 
-TEST_F(FireBrigadeTest, WhenTheyGoTheyLetGoOfAllAndTurnBothKeysBack) {
-  sut.end();
+TEST_F(FireBrigadeTest, WhenTheyGoTheyRideBackAndGiveTheKeysBackAtTheFireFloor) {
+  sut.end(Time(0s));
   EXPECT_EQ(done(), "") << "they were not there";
   sut.begin(Time(0s));
   sut.look(Time(1s), open_at_1);
   sut.look(Time(4s), open_at_1);
+  EXPECT_EQ(sut.waits(Time(6s)), 2s) << "since the finger is on the button";
+  sut.look(Time(7s), moving);
+  const FloorNumber away = called;
+  sut.look(Time(9s), {.floor = away});
+  EXPECT_EQ(sut.waits(Time(9s)), 0s) << "they are there";
+  sut.look(Time(11s), {.floor = away, .is_open = true});
   done();
-  sut.end();
+  sut.end(Time(12s));
+  EXPECT_EQ(done(), "") << "they are still up there";
+  EXPECT_TRUE(sut.is_there());
+  sut.look(Time(13s), {.floor = away, .is_open = true});
+  EXPECT_EQ(done(), "close- open- call- call+ close+ ");
+  EXPECT_EQ(called, 1);
+  sut.look(Time(15s), moving);
+  sut.look(Time(20s), {.floor = 1});
+  sut.look(Time(22s), {.floor = 1});
+  done();
+  sut.look(Time(24s), open_at_1);
+  EXPECT_EQ(done(), "open- ");
+  sut.look(Time(25s), open_at_1);
   EXPECT_EQ(done(), "close- open- call- key- alarm- ");
+  EXPECT_FALSE(sut.is_there());
+  EXPECT_EQ(sut.returns(), 1U);
+}
+
+TEST_F(FireBrigadeTest, WhereTheCarDoesNotTakeThemBackTheyTurnTheKeysBackWhereItIs) {
+  sut.begin(Time(0s));
+  sut.look(Time(1s), open_at_1);
+  sut.look(Time(4s), open_at_1);
+  sut.end(Time(5s));
+  sut.look(Time(125s - 1us), {.floor = 4});
+  EXPECT_TRUE(sut.is_there());
+  done();
+  sut.look(Time(125s), {.floor = 4});
+  EXPECT_EQ(done(), "close- open- call- key- alarm- ");
+  EXPECT_EQ(sut.returns(), 0U);
+}
+
+TEST_F(FireBrigadeTest, WithoutACarTheyHaveTheKeyOfTheFireFloorAlone) {
+  sut.begin(Time(0s));
+  done();
+  sut.end(Time(5s));
+  EXPECT_EQ(done(), "close- open- key- alarm- ");
   EXPECT_FALSE(sut.is_there());
 }
 

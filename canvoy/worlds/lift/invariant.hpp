@@ -33,7 +33,12 @@ enum class InvariantKind : std::uint8_t {
   lift_serves,
   nobody_trapped,
   rescued,
-  real_position
+  real_position,
+  weak_brake,
+  inspection_speed,
+  inspection_buttons,
+  inspection_calls,
+  fire_ride
 };
 
 /// All kinds, in the order of InvariantKind, with the sources of their bounds. Values of a file are
@@ -68,9 +73,14 @@ inline constexpr InvariantRow invariant_rows[] = {
     {"rescued", "people were shut in, whatever was broken, until they were let out", "s",
      "EN 81-28"},
     {"real_position", "a real position unit said that the car is elsewhere by", "mm", "canvoy"},
+    {"weak_brake", "trips with a brake that holds too little", "", "EN 81-20, 5.6.7.3"},
+    {"inspection_speed", "fastest by inspection control", "m/s", "EN 81-20, 5.12.1.5.2.1"},
+    {"inspection_buttons", "moved in inspection as no button asked for", "s", "canvoy"},
+    {"inspection_calls", "calls taken in inspection", "", "EN 81-20, 5.12.1.5.2.1"},
+    {"fire_ride", "the fire brigade in the car waited to be at its floor", "s", "canvoy"},
 };
 inline constexpr std::size_t invariant_kinds = std::size(invariant_rows);  ///< number of invariants
-static_assert(invariant_kinds == static_cast<std::size_t>(InvariantKind::real_position) + 1);
+static_assert(invariant_kinds == static_cast<std::size_t>(InvariantKind::fire_ride) + 1);
 /// Names and limits, for the table of a run.
 constexpr std::span<const InvariantRow> rows_of(InvariantKind) {
   return invariant_rows;

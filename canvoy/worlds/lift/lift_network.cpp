@@ -110,6 +110,8 @@ LiftPeopleHooks LiftNetwork::Parts::of_people() {
           .technician =
               [this](LiftNumber lift, TechnicianStep step, FloorNumber floor) {
                 events.push_back({world.now(), TechnicianDid{lift, step, floor}});
+                if (step == TechnicianStep::arrives) referees.set_technician(lift, true);
+                if (step == TechnicianStep::leaves) referees.set_technician(lift, false);
               }};
 }
 
@@ -134,6 +136,7 @@ void LiftNetwork::Parts::look(Time now) {
   const bool is_hindered = referees.is_anything_hindered(now);
   for (LiftNumber lift = 1; lift <= devices.count(); ++lift) car_changed(lift);
   referees.look(now, people, is_hindered);
+  for (const LiftNumber lift : referees.take_complaints()) people.complain(lift);
 }
 
 LiftNetwork::LiftNetwork(const LiftNetworkDescription& description)

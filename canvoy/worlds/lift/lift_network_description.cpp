@@ -260,6 +260,7 @@ std::optional<DeviceKind> place_of(FaultKind kind) {
     case FaultKind::rope_sensor:
       return DeviceKind::load;
     case FaultKind::brake:
+    case FaultKind::weak_brake:
     case FaultKind::rope_slip:
     case FaultKind::runaway:
       return DeviceKind::drive;

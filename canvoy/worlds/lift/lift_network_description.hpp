@@ -45,6 +45,19 @@ enum class DeviceKind : std::uint8_t {
 constexpr bool is_panel(DeviceKind kind) {
   return kind == DeviceKind::car_panel || kind == DeviceKind::landing_panel;
 }
+/// True for a device without which a lift cannot run.
+constexpr bool is_needed(DeviceKind kind) {
+  switch (kind) {
+    case DeviceKind::lift_controller:
+    case DeviceKind::drive:
+    case DeviceKind::position:
+    case DeviceKind::door:
+    case DeviceKind::load:
+      return true;
+    default:
+      return false;
+  }
+}
 /// Name in a file: `lift-controller`. Empty for a number that is no kind.
 std::string_view device_kind_name(DeviceKind kind);
 /// The inverse of device_kind_name(); empty for another name.

@@ -149,7 +149,9 @@ PanelControls landing_controls(const LandingPanelOptions& options) {
   for (const FloorNumber floor : options.floors) {
     const WallPlace place{options.lift, floor,
                           at_doors(options.place.doors_at(floor, options.doors))};
-    if (options.destinations) {
+    if (!options.panel.calls) {
+      // Its keys and displays alone.
+    } else if (options.destinations) {
       add_destinations(controls, options, place);
     } else {
       add_directions(controls, options, place);
@@ -179,7 +181,7 @@ PanelControls car_controls(const CarPanelOptions& options) {
   add_displays(controls, options.panel.displays.value_or(displays), place);
   for (const FloorNumber floor : options.floors) {
     const unsigned doors = options.place.doors_at(floor, options.doors);
-    if (doors == 0) continue;
+    if (doors == 0 || !options.panel.calls) continue;
     const auto both = static_cast<std::uint8_t>(at_doors(options.doors) | doors);
     controls.inputs.push_back({.function = BasicFunction::standard_car_call,
                                .sub_function = floor,

@@ -144,7 +144,7 @@ void LiftPeople::assigned(LiftNumber panel, const DestinationButton& button, Lif
 
 void LiftPeople::call_brigade(LiftNumber lift, bool is_there) {
   FireBrigade& brigade = *brigades_[lift - std::size_t{1}];
-  is_there ? brigade.begin(world_->now()) : brigade.end();
+  is_there ? brigade.begin(world_->now()) : brigade.end(world_->now());
 }
 
 void LiftPeople::look_for_brigades() {
@@ -163,6 +163,7 @@ void LiftPeople::look_for_brigades() {
 
 bool LiftPeople::is_wanted(LiftNumber lift) const {
   if (lift != 0 && technicians_.is_called(lift)) return false;
+  if (lift != 0 && brigades_[lift - std::size_t{1}]->is_there()) return false;
   const bool is_waited_for = crowd_.waiting_count() > 0;
   return is_waited_for || (lift != 0 && !crowd_.riding(lift).empty());
 }

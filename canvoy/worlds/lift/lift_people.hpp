@@ -59,15 +59,26 @@ class LiftPeople {
   /// Has each present brigade look at its car: from time to time, for example each second.
   void look_for_brigades();
 
+  /// Time for which the brigade in this car has waited to be at a floor.
+  Duration brigade_waits(LiftNumber lift) const {
+    return brigades_[lift - std::size_t{1}]->waits(world_->now());
+  }
+  /// Number of times that a brigade gave its keys back at the fire floor.
+  unsigned brigade_returns(LiftNumber lift) const {
+    return brigades_[lift - std::size_t{1}]->returns();
+  }
+
   /// Calls a technician: the safety chain of this lift must be closed by hand.
   void call_technician(LiftNumber lift) { technicians_.tripped(lift); }
+  /// Calls a technician: people complain of this lift.
+  void complain(LiftNumber lift) { technicians_.complain(lift); }
   /// Has each technician look at the lift: each second.
   void look_for_technicians() { technicians_.look(); }
 
   /// Passengers, and where they are.
   const Crowd& crowd() const { return crowd_; }
-  /// True if a person rides in the lift, or waits where it should come, and no technician has it.
-  /// The lifts of a group (0) share the waiting people.
+  /// True if a person rides in the lift, or waits where it should come, and neither a technician
+  /// nor the fire brigade has it. The lifts of a group (0) share the waiting people.
   bool is_wanted(LiftNumber lift) const;
 
  private:

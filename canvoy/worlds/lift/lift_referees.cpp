@@ -1,5 +1,7 @@
 #include "canvoy/worlds/lift/lift_referees.hpp"
 
+#include <algorithm>
+
 #include "canvoy/worlds/lift/fault_consequences.hpp"
 
 namespace canvoy::lift {
@@ -8,6 +10,23 @@ namespace {
 
 /// A controller that receives a wrong position may stop its car by any means.
 constexpr Duration stops_after_lie_within = 10s;
+
+/// True for what people see a lift do, or not do.
+constexpr bool needs_technician(InvariantKind kind) {
+  switch (kind) {
+    case InvariantKind::closed_while_moving:
+    case InvariantKind::opens_at_floor:
+    case InvariantKind::levelled:
+    case InvariantKind::chain_stops:
+    case InvariantKind::travel:
+    case InvariantKind::lift_serves:
+    case InvariantKind::nobody_trapped:
+    case InvariantKind::weak_brake:
+      return true;
+    default:
+      return false;
+  }
+}
 
 }  // namespace
 
@@ -20,11 +39,15 @@ LiftReferees::LiftReferees(const LiftNetworkDescription& description, const Lift
       cars_(description.building, events),
       crowd_(description.building, description.people),
       service_(description.building),
-      misled_until_(description.building.lifts.size()) {}
+      misled_until_(description.building.lifts.size()),
+      has_technician_(description.building.lifts.size()),
+      brigade_excused_at_(description.building.lifts.size()) {}
 
 void LiftReferees::car_changed(Time now, LiftNumber lift, unsigned persons) {
   LiftFacts is = facts(now, lift);
-  is.hindered = fault_referee_.is_faulty(now, lift) || is_misled(now, lift, is);
+  // A car of which a technician has pressed the stop switch does not level itself.
+  const bool has_technician = has_technician_[lift - std::size_t{1}];
+  is.hindered = fault_referee_.is_faulty(now, lift) || is_misled(now, lift, is) || has_technician;
   is.emergency_stop = is.emergency_stop || is.hindered;
   referee_.observe(now, lift, is);
   const CarWatch::Seen seen = cars_.look(now, lift, is, persons);
@@ -60,10 +83,10 @@ void LiftReferees::assigned(Time now, LiftNumber panel, const DestinationButton&
 
 void LiftReferees::pressed(Time now, const CallKey& call) {
   const bool is_of_car = call.lift != 0;
-  bool is_answered = is_of_car ? is_hindered(now, call.lift) : is_anything_hindered(now);
+  bool is_answered = is_of_car ? is_out_of_use(now, call.lift) : is_anything_hindered(now);
   for (LiftNumber lift = 1; lift <= devices_->count() && !is_answered; ++lift) {
     const bool is_its = !is_of_car || call.lift == lift;
-    is_answered = is_its && is_at(now, lift, call.floor);
+    is_answered = is_its && (is_at(now, lift, call.floor) || is_out_of_use(now, lift));
   }
   referee_.button_pressed(now, call, is_answered);
 }
@@ -88,19 +111,33 @@ void LiftReferees::look(Time now, const LiftPeople& people, bool is_hindered) {
   referee_.rode(crowd.longest_ride(now, crowd_.hindered_at()), is_hindered);
   referee_.look_at_calls(now, is_hindered);
   look_at_service(now, crowd);
+  look_at_brigades(now, people);
   for (const Invariant& broken : referee_.take_broken()) {
     events_->push_back({now, InvariantBroken{broken}});
+    if (broken.part != 0 && needs_technician(broken.kind)) {
+      complaints_.push_back(static_cast<LiftNumber>(broken.part));
+    }
   }
 }
 
 /// For each lift separately: a hindrance of another one is no excuse.
 void LiftReferees::look_at_service(Time now, const Crowd& crowd) {
   for (LiftNumber lift = 1; lift <= devices_->count(); ++lift) {
-    const bool is_excused = is_hindered(now, lift) || is_hindered(now, 0);
+    const bool is_excused = is_out_of_use(now, lift) || is_hindered(now, 0);
     service_.look(now, lift, facts(now, lift), is_excused, crowd);
     if (service_.was_wanted(lift)) referee_.idled(lift, service_.idle(lift));
     if (service_.has_riders(lift)) referee_.trapped(lift, service_.trapped(lift));
     if (service_.has_people(lift)) referee_.shut_in(lift, service_.shut_in(lift));
+  }
+}
+
+/// A second fault is no disobedience of the lift.
+void LiftReferees::look_at_brigades(Time now, const LiftPeople& people) {
+  for (LiftNumber lift = 1; lift <= devices_->count(); ++lift) {
+    Time& excused_at = brigade_excused_at_[lift - std::size_t{1}];
+    if (fault_referee_.is_faulty(now, lift)) excused_at = now;
+    const Duration waits = std::min(people.brigade_waits(lift), now - excused_at);
+    if (waits != Duration{0}) referee_.brigade_waits(lift, waits);
   }
 }
 
@@ -113,7 +150,7 @@ CallEnd LiftReferees::end_of(Time now, const CallKey& call) const {
     const LiftFacts is = facts(now, lift);
     const bool is_here = is_car_at(description_->building, is, call.floor);
     // A car that passes when all calls are withdrawn serves none of them.
-    const bool is_hindered_here = is_hindered(now, lift);
+    const bool is_hindered_here = is_out_of_use(now, lift);
     if (is_here && (stands(is) || !is_hindered_here)) return CallEnd::served;
     is_fire = is_fire || is.fire != FireMode::none;
     is_out = is_out || is_hindered_here;
@@ -144,6 +181,11 @@ bool LiftReferees::is_hindered(Time now, LiftNumber lift) const {
   // A hand on a real key is no fault of the plan.
   const Time until = lift == 0 ? Time{} : devices_->shaft(lift).in_real_service_until(now);
   return until != Time{} && now - until < serves_most(*description_, lift);
+}
+
+/// Waits run on while a technician is at a lift.
+bool LiftReferees::is_out_of_use(Time now, LiftNumber lift) const {
+  return has_technician_[lift - std::size_t{1}] || is_hindered(now, lift);
 }
 
 bool LiftReferees::is_anything_hindered(Time now) const {

@@ -8,6 +8,7 @@
 //     for (const Invariant& invariant : referees.invariants(now)) ok = ok && invariant.held;
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "canvoy/worlds/lift/call_lamps.hpp"
@@ -48,6 +49,12 @@ class LiftReferees {
   void emergency_seen(Time now, const EmergencySeen& told);
   /// Judges how long people wait; `is_hindered` is is_anything_hindered() of just before.
   void look(Time now, const LiftPeople& people, bool is_hindered);
+  /// Takes the lifts of which a rule was found broken since the last call.
+  std::vector<LiftNumber> take_complaints() { return std::exchange(complaints_, {}); }
+  /// Notes that a technician works at the lift, which then serves no passenger, or has left it.
+  void set_technician(LiftNumber lift, bool is_there) {
+    has_technician_[lift - std::size_t{1}] = is_there;
+  }
   /// True if a lift, or the group, is hindered by a fault, or its effects.
   bool is_anything_hindered(Time now) const;
 
@@ -71,7 +78,10 @@ class LiftReferees {
   bool was_opened_for(const CallKey& call) const;
   bool is_at(Time now, LiftNumber lift, FloorNumber floor) const;
   bool is_hindered(Time now, LiftNumber lift) const;
+  /// Like is_hindered(), or a technician is there.
+  bool is_out_of_use(Time now, LiftNumber lift) const;
   void look_at_service(Time now, const Crowd& crowd);
+  void look_at_brigades(Time now, const LiftPeople& people);
 
   const LiftNetworkDescription* description_;
   const LiftDevices* devices_;
@@ -83,6 +93,9 @@ class LiftReferees {
   CrowdWatch crowd_;
   ServiceWatch service_;
   std::vector<Time> misled_until_;
+  std::vector<bool> has_technician_;
+  std::vector<Time> brigade_excused_at_;
+  std::vector<LiftNumber> complaints_;
 };
 
 }  // namespace canvoy::lift

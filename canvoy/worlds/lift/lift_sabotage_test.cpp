@@ -204,6 +204,7 @@ TEST_F(LiftSabotageTest, ACallThatNoCarAnswersAndWhoWaitsForItAreSeen) {
   std::erase_if(description.nodes,
                 [](const NodeDescription& each) { return each.kind == DeviceKind::position; });
   description.people.patience_least = description.people.patience_most = 60min;
+  description.service.technician = false;
   description.arrivals = {{.at = Time(5s), .from = 5, .to = 1}};
   run_until(Time(32min));
   EXPECT_TRUE(is_broken(InvariantKind::call_served));
@@ -289,6 +290,7 @@ TEST_F(LiftSabotageTest, ADoorThatDoesNotHearItsCommandsIsSeen) {
 TEST_F(LiftSabotageTest, PeopleWhoGiveUpWithoutAFaultAreSeen) {
   std::erase_if(description.nodes,
                 [](const NodeDescription& each) { return each.kind == DeviceKind::position; });
+  description.service.technician = false;
   description.arrivals = {{.at = Time(5s), .from = 5, .to = 1}};
   run_until(Time(22min));
   EXPECT_EQ(network->summary().gave_up, 1U);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "canvoy/worlds/lift/real_devices.hpp"
@@ -41,6 +42,8 @@ struct LiftShaft::Parts {
   bool is_whole() const;
   void reset_by_hand();
   void mend();
+  void count_missing(const ScheduledFault& fault, bool present);
+  void power(NodeId id, bool is_on);
   void set_door_fault(FaultKind kind, NodeId unit, bool present);
   ShaftDoor& door(DoorNumber number) { return *doors.at(number - std::size_t{1}); }
   /// By people on a simulated panel, or by a hand on a real one.
@@ -63,13 +66,16 @@ struct LiftShaft::Parts {
   ShaftNodes nodes;
   ShaftPanels panels;
   ShaftUnits units;
+  InspectionStations stations{panels, units};
   std::unique_ptr<RealDevices> real{};
   Time looked_at_until{};                            ///< something has just changed
   SafetyChain::Trip trip = SafetyChain::Trip::none;  ///< last reported one
   bool has_technician = false;
   bool is_door_held = false;
   unsigned fire_alarms = 0;
-  std::optional<double> said_m{};  ///< position of the car by a real position unit
+  unsigned missing_parts = 0;        ///< faults of parts without which it cannot run
+  std::set<NodeId> without_power{};  ///< by faults
+  std::optional<double> said_m{};    ///< position of the car by a real position unit
   bool is_put_together = false;
 };
 
@@ -164,10 +170,26 @@ bool LiftShaft::Parts::is_whole() const {
 }
 
 /// The person who mends the last defect is at the car, and resets what has caught it; for a final
-/// limit a technician is called.
+/// limit, or a brake that has slipped, a technician is called.
 void LiftShaft::Parts::mend() {
   if (car.trip() != SafetyChain::Trip::final_limit) return reset_by_hand();
   kick();
+}
+
+void LiftShaft::Parts::count_missing(const ScheduledFault& fault, bool present) {
+  const bool is_of_part =
+      fault.kind == FaultKind::dead_encoder || fault.kind == FaultKind::rope_sensor ||
+      fault.kind == FaultKind::cable_cut || fault.kind == FaultKind::babbling_node;
+  const NodeId id = plan.node_of(fault);
+  const bool is_lost = fault.kind == FaultKind::lost_node && plan.needs(id);
+  if (is_of_part || is_lost) present ? ++missing_parts : --missing_parts;
+}
+
+void LiftShaft::Parts::power(NodeId id, bool is_on) {
+  nodes.power(id, is_on);
+  if (is_on) return;
+  panels.go_dark(id);
+  if (nodes.is_a(DeviceKind::drive, id)) car.lose_drive();
 }
 
 void LiftShaft::Parts::reset_by_hand() {
@@ -240,11 +262,39 @@ void LiftShaft::hold_door(bool is_held) {
 }
 
 void LiftShaft::reset_by_hand() {
+  if (parts_->is_whole()) parts_->car.reset_brake();
   parts_->reset_by_hand();
 }
 
+void LiftShaft::turn_inspection(Station station, bool on) {
+  parts_->stations.turn(station, on);
+  parts_->kick();
+}
+
+void LiftShaft::hold_inspection(Station station, Direction way) {
+  parts_->stations.hold(station, way);
+  parts_->kick();
+}
+
+void LiftShaft::restart() {
+  constexpr Duration off_time = 2s;
+  for (const DeviceKind kind : {DeviceKind::lift_controller, DeviceKind::drive}) {
+    const std::optional<NodeId> id = parts_->plan.id_of(kind);
+    if (!id) continue;
+    parts_->power(*id, false);
+    parts_->world.at(parts_->now() + off_time, [this, id](Time) {
+      if (!parts_->without_power.contains(*id)) parts_->power(*id, true);
+    });
+  }
+  parts_->kick();
+}
+
 bool LiftShaft::is_whole() const {
-  return parts_->is_whole();
+  return parts_->is_whole() && parts_->missing_parts == 0;
+}
+
+LiftMode LiftShaft::snapshot_mode() const {
+  return parts_->mode();
 }
 
 SafetyChain::Trip LiftShaft::trip() const {
@@ -268,6 +318,9 @@ LiftFacts LiftShaft::facts(Time now) const {
                   .drifts = drifts,
                   .is_unheld = parts.car.is_unheld(),
                   .is_cranked = car.is_cranked,
+                  .brake_slips = car.brake_slips,
+                  .is_inspected = parts.stations.is_on(),
+                  .inspection_way = parts.stations.held(),
                   .opens_by_hand = parts.is_turned(SpecialFunction::door_open),
                   .fire_floor = parts.plan.service().fire_floor};
   if (parts.said_m) {
@@ -310,8 +363,9 @@ CarView LiftShaft::view(Time now) const {
   const bool is_brigade_there = parts.panels.is_held(SpecialFunction::fire_service);
   // Its display shows that it is out of order.
   const bool is_out = parts.mode() == LiftMode::fault;
-  view.accepts = !is_alarm && !is_brigade_there && !is_out && !parts.has_technician;
-  view.evacuates = (is_alarm && !is_brigade_there) || parts.has_technician;
+  const bool has_technician = parts.has_technician || parts.stations.is_on();
+  view.accepts = !is_alarm && !is_brigade_there && !is_out && !has_technician;
+  view.evacuates = (is_alarm && !is_brigade_there) || has_technician;
   return view;
 }
 
@@ -348,12 +402,11 @@ LiftSnapshot LiftShaft::snapshot(Time now) const {
 void LiftShaft::set_fault(const ScheduledFault& fault, bool present) {
   Parts& parts = *parts_;
   const NodeId id = node_of(fault);
+  parts.count_missing(fault, present);
   switch (fault.kind) {
     case FaultKind::lost_node:
-      parts.nodes.power(id, !present);
-      if (present) parts.panels.go_dark(id);
-      if (present && parts.nodes.is_a(DeviceKind::drive, id)) parts.car.lose_drive();
-      return;
+      present ? void(parts.without_power.insert(id)) : void(parts.without_power.erase(id));
+      return parts.power(id, !present);
     case FaultKind::cable_cut:
       return present ? parts.nodes.cut_cable(id) : parts.nodes.mend_cable();
     case FaultKind::babbling_node:
@@ -377,6 +430,7 @@ void LiftShaft::set_fault(const ScheduledFault& fault, bool present) {
     case FaultKind::safety_contact:
       return parts.set_door_fault(fault.kind, id, present);
     case FaultKind::brake:
+    case FaultKind::weak_brake:
     case FaultKind::rope_slip:
     case FaultKind::runaway:
       parts.car.set_fault(fault.kind, present);

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "canvoy/sim/world.hpp"
+#include "canvoy/worlds/lift/inspection_stations.hpp"
 #include "canvoy/worlds/lift/lift_network_description.hpp"
 #include "canvoy/worlds/lift/lift_snapshot.hpp"
 #include "canvoy/worlds/lift/passenger.hpp"
@@ -88,8 +89,17 @@ class LiftShaft {
   void hold_door(bool is_held);
   /// Closes all that must be closed by hand, where nothing is broken.
   void reset_by_hand();
-  /// True if nothing is broken that opens the safety chain.
+  /// Turns the switch of an inspection station.
+  void turn_inspection(Station station, bool on);
+  /// Holds a button there; none: releases both.
+  void hold_inspection(Station station, Direction way);
+  /// Switches controller and drive off, and on again after 2 s.
+  void restart();
+  /// True if nothing is broken that opens the safety chain, and no part without which the lift
+  /// cannot run.
   bool is_whole() const;
+  /// True if its display shows that it is out of order by a fault.
+  bool is_out_of_order() const { return snapshot_mode() == LiftMode::fault; }
   /// The part of the safety chain that must be closed by hand.
   SafetyChain::Trip trip() const;
 
@@ -130,6 +140,8 @@ class LiftShaft {
   ShaftSensors* sensors(NodeId id);
 
  private:
+  LiftMode snapshot_mode() const;
+
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };

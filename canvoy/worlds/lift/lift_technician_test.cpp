@@ -44,15 +44,16 @@ const Invariant& find(const std::vector<Invariant>& all, InvariantKind kind) {
 }
 
 TEST(LiftTechnician, LetsOutWhoIsShutInByADriveThatHasNoPower) {
-  LiftNetwork network(with_fault({.kind = FaultKind::lost_node, .start = Time(14s), .node = 2}));
+  LiftNetwork network(
+      with_fault({.kind = FaultKind::lost_node, .start = Time(14s), .duration = 9min, .node = 2}));
   network.run_until(Time(30s));
   const double stuck_m = network.snapshot().lifts[0].position_m;
   ASSERT_EQ(network.snapshot().riding, 1U);
   ASSERT_GT(std::abs(stuck_m - std::round(stuck_m / 3.5) * 3.5), 0.05) << "between two floors";
-  network.run_until(Time(10min));
+  network.run_until(Time(9min));
   using enum TechnicianStep;
-  EXPECT_EQ(steps_in(network), (std::vector<TechnicianStep>{called_for_people, arrives, moves_car,
-                                                            lets_out, inspects, resets, leaves}));
+  const std::vector<TechnicianStep> rescue{called_for_people, arrives, moves_car, lets_out};
+  EXPECT_EQ(steps_in(network), rescue) << "and waits for the drive to be mended";
   const std::vector<Done> done = done_in(network);
   const LiftSnapshot car = network.snapshot().lifts[0];
   const double floor_m = (done[3].what.floor - 1) * 3.5;
@@ -61,6 +62,10 @@ TEST(LiftTechnician, LetsOutWhoIsShutInByADriveThatHasNoPower) {
   EXPECT_NEAR(std::chrono::duration<double>(done[3].at - done[2].at).count(),
               std::abs(stuck_m - floor_m) / 0.3, 0.02);
   EXPECT_EQ(network.snapshot().riding, 0U);
+  network.run_until(Time(13min));
+  EXPECT_EQ(steps_in(network),
+            (std::vector<TechnicianStep>{called_for_people, arrives, moves_car, lets_out, inspects,
+                                         resets, rides, leaves}));
   const std::vector<Invariant> all = network.invariants();
   EXPECT_TRUE(find(all, InvariantKind::rescued).is_decided());
   EXPECT_GT(find(all, InvariantKind::rescued).worst, 100);
@@ -101,8 +106,67 @@ TEST(LiftTechnician, WaitsAtACarThatIsNotWhole) {
   network.run_until(Time(20min + 14s));
   EXPECT_EQ(network.snapshot().lifts[0].position_m, there_m) << "its gear has caught it again";
   network.run_until(Time(22min));
-  EXPECT_EQ(steps_in(network), (std::vector<TechnicianStep>{called_for_trip, arrives, moves_car,
-                                                            lets_out, inspects, resets, leaves}));
+  EXPECT_EQ(steps_in(network),
+            (std::vector<TechnicianStep>{called_for_trip, arrives, moves_car, lets_out, inspects,
+                                         resets, rides, leaves}));
+  EXPECT_EQ(broken(network), "");
+}
+
+/// An empty car: its display says that it is out of order.
+TEST(LiftTechnician, IsCalledToALiftThatStaysOutOfOrder) {
+  LiftNetworkDescription description =
+      with_fault({.kind = FaultKind::dead_encoder, .start = Time(2min), .duration = 6min});
+  description.arrivals.push_back({.at = Time(12min), .from = 3, .to = 6});
+  LiftNetwork network(description);
+  network.run_until(Time(12min));
+  using enum TechnicianStep;
+  EXPECT_EQ(steps_in(network), (std::vector<TechnicianStep>{called_for_fault, arrives, inspects,
+                                                            resets, rides, leaves}));
+  const std::vector<Done> done = done_in(network);
+  EXPECT_GE(done[0].at, Time(4min)) << "most end by themselves";
+  EXPECT_LT(done[0].at, Time(4min + 5s));
+  EXPECT_GE(done[2].at, Time(8min)) << "mended";
+  network.run_until(Time(15min));
+  EXPECT_EQ(network.summary().served, 2U);
+  EXPECT_EQ(broken(network), "");
+}
+
+/// A stranger stops its drive: no controller starts it, and no fault is declared.
+TEST(LiftTechnician, IsCalledByARefereesFindingAndStartsTheLiftAgain) {
+  LiftNetworkDescription description = standard_lift_network({.floors = 8});
+  for (int minute = 1; minute < 20; ++minute) {
+    description.arrivals.push_back({.at = Time(minute * 1min), .from = 3, .to = 6});
+  }
+  LiftNetwork network(description);
+  network.run_until(Time(5min));
+  ASSERT_GT(network.summary().served, 2U);
+  const std::uint64_t before = network.summary().served;
+  const ControllerId stranger = network.world().bus(0).attach({});
+  while (network.snapshot().riding != 0) network.run_until(network.now() + 1s);
+  network.world().bus(0).send(stranger, Frame::data_frame(0, {0x02, node_id::drive}));
+  network.run_until(Time(20min));
+  const std::vector<Invariant> all = network.invariants();
+  EXPECT_FALSE(find(all, InvariantKind::lift_serves).held) << "it stood while people waited";
+  using enum TechnicianStep;
+  const std::vector<TechnicianStep> steps = steps_in(network);
+  ASSERT_FALSE(steps.empty());
+  EXPECT_NE(std::ranges::find(steps, restarts), steps.end());
+  EXPECT_EQ(steps.back(), leaves);
+  EXPECT_GT(network.summary().served, before + 3) << "it serves again";
+}
+
+/// What slips at its self-test is reset by a technician alone (EN 81-20, 5.6.7.3).
+TEST(LiftTechnician, IsCalledByABrakeThatHoldsTooLittle) {
+  LiftNetwork network(
+      with_fault({.kind = FaultKind::weak_brake, .start = Time(14s), .duration = 60s}));
+  network.run_until(Time(60s));
+  EXPECT_EQ(network.snapshot().riding, 0U) << "they got out at the end of the trip";
+  network.run_until(Time(6min));
+  using enum TechnicianStep;
+  EXPECT_EQ(steps_in(network), (std::vector<TechnicianStep>{called_for_trip, arrives, inspects,
+                                                            resets, rides, leaves}));
+  const std::vector<Invariant> all = network.invariants();
+  EXPECT_TRUE(find(all, InvariantKind::weak_brake).is_decided());
   EXPECT_EQ(broken(network), "");
 }
 

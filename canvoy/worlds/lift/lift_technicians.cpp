@@ -12,6 +12,8 @@ namespace {
 
 /// Time after which people press the alarm button.
 constexpr Duration alarms_after = 1min;
+/// Time for which a lift reports a fault before its technician is called: most end by themselves.
+constexpr Duration reports_after = 2min;
 /// The first of the seeds of a building for technicians.
 constexpr std::uint64_t first_seed = 1000;
 
@@ -39,6 +41,9 @@ TechnicianHands LiftTechnicians::hands(LiftNumber lift) {
       .crank = [&shaft](double speed) { return shaft.crank(speed); },
       .hold_door = [&shaft](bool is_held) { shaft.hold_door(is_held); },
       .reset = [&shaft] { shaft.reset_by_hand(); },
+      .inspection = [&shaft](bool is_on) { shaft.turn_inspection(Station::roof, is_on); },
+      .drive = [&shaft](Direction way) { shaft.hold_inspection(Station::roof, way); },
+      .restart = [&shaft] { shaft.restart(); },
       .tell = [this, lift](TechnicianStep step, FloorNumber floor) { told_(lift, step, floor); }};
 }
 
@@ -50,6 +55,9 @@ TechnicianView LiftTechnicians::view(LiftNumber lift) const {
   const bool is_open = shaft.view(now).door == DoorView::open;
   TechnicianView seen{.is_tripped = shaft.trip() != SafetyChain::Trip::none,
                       .is_shut_in = has_riders && stands(facts) && !is_open,
+                      .is_out = shaft.is_out_of_order(),
+                      .stands = stands(facts),
+                      .is_low = facts.position_m < description_->building.top_m() / 2,
                       .is_whole = shaft.is_whole(),
                       .is_empty = crowd_->is_empty(lift)};
   const Building& building = description_->building;
@@ -68,6 +76,10 @@ void LiftTechnicians::tripped(LiftNumber lift) {
   if (!technicians_.empty()) at(lift).technician->call(world_->now(), TechnicianCause::trip);
 }
 
+void LiftTechnicians::complain(LiftNumber lift) {
+  if (!technicians_.empty()) at(lift).technician->call(world_->now(), TechnicianCause::complaint);
+}
+
 void LiftTechnicians::look() {
   for (std::size_t i = 1; i <= technicians_.size(); ++i) look_at(static_cast<LiftNumber>(i));
 }
@@ -80,6 +92,13 @@ void LiftTechnicians::look_at(LiftNumber lift) {
   if (car.is_shut_in && place.shut_in_since == never) place.shut_in_since = now;
   const bool is_alarm = car.is_shut_in && now - place.shut_in_since >= alarms_after;
   if (is_alarm) place.technician->call(now, TechnicianCause::trapped);
+  if (!car.is_out) place.out_since = never;
+  if (car.is_out && place.out_since == never) place.out_since = now;
+  const bool stays_out = car.is_out && now - place.out_since >= reports_after;
+  // One who has left it so has ordered a part.
+  if (stays_out && !place.technician->has_given_up()) {
+    place.technician->call(now, TechnicianCause::fault);
+  }
   place.technician->look(now, car);
   const Time next = place.technician->deadline();
   if (next != never) world_->wake_before(plant_, next);

@@ -1,5 +1,6 @@
 // The technician of each lift of a building, who is called when a safety chain must be closed by
-// hand, and by people who are shut in and press the alarm button (EN 81-28).
+// hand, by people who are shut in and press the alarm button (EN 81-28), where a controller reports
+// that its lift stays out of order, and where a referee finds that people have reason to complain.
 //
 //     LiftTechnicians technicians(world, description, devices, crowd, told);
 //     technicians.tripped(1);
@@ -30,6 +31,8 @@ class LiftTechnicians {
 
   /// Call it when the safety chain of this lift must be closed by hand.
   void tripped(LiftNumber lift);
+  /// Call it when people complain of this lift.
+  void complain(LiftNumber lift);
   /// Has each technician look at the lift, each second.
   void look();
   /// True if the technician is called, or at work.
@@ -41,6 +44,7 @@ class LiftTechnicians {
   struct Place {
     std::unique_ptr<Technician> technician;
     Time shut_in_since = never;  ///< people, behind shut doors
+    Time out_since = never;      ///< out of order
   };
 
   TechnicianHands hands(LiftNumber lift);

@@ -31,6 +31,7 @@ struct PanelDescription {
   /// Displays; empty optional: position and lantern of a landing; position, direction and overload
   /// of a car.
   std::optional<std::vector<PanelDisplay>> displays{};
+  bool calls = true;        ///< false: it has no call buttons, as an inspection station
   bool parameters = false;  ///< it has the four parameters of each input and output
 
   friend bool operator==(const PanelDescription&, const PanelDescription&) = default;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "canvoy/sim/duration_text.hpp"
+#include "canvoy/worlds/lift/round_trip_time.hpp"
 
 namespace canvoy::lift {
 
@@ -67,6 +69,7 @@ void Referee::observe(Time now, LiftNumber number, const LiftFacts& facts) {
   note_open_door(now, number, design, facts);
   judge_departure(lift, design, facts);
   judge_fire(now, lift, facts);
+  judge_inspection(now, lift, facts, passed);
   if (facts.position_lie_m) {
     Judged& told = lift.judged[InvariantKind::real_position];
     told.bound = limits_.position_lie_m * 1000;
@@ -195,7 +198,60 @@ void Referee::judge_departure(Lift& lift, const LiftDesign& design, const LiftFa
   if (!lift.last) return;
   const bool was_at_floor = distance_to_floor_m(lift.last->position_m) <= design.door_zone_m;
   const bool is_at_floor = distance_to_floor_m(facts.position_m) <= design.door_zone_m;
-  if (was_at_floor && !is_at_floor) lift.judged[InvariantKind::no_overload].judge(facts.load_kg);
+  const bool leaves = was_at_floor && !is_at_floor;
+  if (leaves) lift.judged[InvariantKind::no_overload].judge(facts.load_kg);
+  judge_brake(lift, facts, leaves);
+}
+
+/// A self-test finds it at the next stop, and the lift does not leave again.
+void Referee::judge_brake(Lift& lift, const LiftFacts& facts, bool leaves) const {
+  if (!facts.brake_slips) {
+    lift.weak_trips = 0;
+    lift.has_stood = false;
+    return;
+  }
+  if (std::abs(facts.speed_m_s) <= limits_.moving_m_s) lift.has_stood = true;
+  const bool is_driven = !facts.drifts && !facts.is_cranked && !facts.is_unheld;
+  if (leaves && is_driven && std::exchange(lift.has_stood, false)) ++lift.weak_trips;
+  Judged& trips = lift.judged[InvariantKind::weak_brake];
+  trips.bound = limits_.weak_brake_trips;
+  trips.judge(lift.weak_trips);
+}
+
+/// By a hand alone, and slowly.
+void Referee::judge_inspection(Time now, Lift& lift, const LiftFacts& facts,
+                               Duration passed) const {
+  if (!facts.is_inspected) {
+    lift.inspected_since = never;
+    return;
+  }
+  const bool is_new = !lift.last || !lift.last->is_inspected;
+  if (is_new || lift.last->inspection_way != facts.inspection_way) lift.inspected_since = now;
+  const bool is_driven = !facts.is_unheld && !facts.is_cut && !facts.is_cranked;
+  const bool moves = is_driven && std::abs(facts.speed_m_s) > limits_.moving_m_s;
+  const bool is_up = facts.speed_m_s > 0;
+  const bool is_asked = facts.inspection_way == (is_up ? Direction::up : Direction::down);
+  lift.rests = moves ? Duration{0} : lift.rests + passed;
+  if (moves && !is_asked) lift.unasked += passed;
+  if ((moves && is_asked) || lift.rests >= limits_.inspection_rests) lift.unasked = Duration{0};
+  Judged& unasked = lift.judged[InvariantKind::inspection_buttons];
+  unasked.bound = in_seconds(limits_.inspection_stops_within);
+  unasked.judge(in_seconds(lift.unasked));
+  if (!moves || now - lift.inspected_since < limits_.inspection_stops_within) return;
+  Judged& speed = lift.judged[InvariantKind::inspection_speed];
+  speed.bound = limits_.inspection_m_s + limits_.moving_m_s;
+  speed.judge(std::abs(facts.speed_m_s));
+}
+
+/// Its lamp is lit: a lift has accepted it.
+void Referee::judge_call_in_inspection(Time now, const CallKey& call) {
+  if (call.lift == 0) return;
+  Lift& lift = lifts_.at(call.lift - std::size_t{1});
+  if (!lift.last || !lift.last->is_inspected) return;
+  if (now - lift.inspected_since >= limits_.heeds_key_within) ++lift.calls_in_inspection;
+  Judged& calls = lift.judged[InvariantKind::inspection_calls];
+  calls.bound = 0;
+  calls.judge(lift.calls_in_inspection);
 }
 
 /// A door that was unlocked before the key was turned had its command to open before.
@@ -291,6 +347,7 @@ void Referee::lamp_changed(Time now, const CallKey& key, bool lit, CallEnd end) 
       call.was_open = false;
     }
     judge_fire_call(now, key);
+    judge_call_in_inspection(now, key);
     return;
   }
   if (call.lit_at == never) return;
@@ -331,6 +388,16 @@ void Referee::trapped(LiftNumber lift, Duration time) {
 
 void Referee::shut_in(LiftNumber lift, Duration time) {
   lifts_.at(lift - std::size_t{1}).judged[InvariantKind::rescued].judge(in_seconds(time));
+}
+
+/// A building may be higher than one of a firefighters lift (EN 81-72: 60 s to the last floor).
+void Referee::brigade_waits(LiftNumber number, Duration time) {
+  const LiftDesign& design = building_->lift(number);
+  const Flight flight{design.speed_m_s, design.acceleration_m_s2, design.jerk_m_s3};
+  Judged& ride = lifts_.at(number - std::size_t{1}).judged[InvariantKind::fire_ride];
+  ride.bound = std::max(in_seconds(limits_.brigade_waits_most),
+                        20 + flight_time_s(flight, building_->top_m()));
+  ride.judge(in_seconds(time));
 }
 
 void Referee::gave_up() {

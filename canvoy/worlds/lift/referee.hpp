@@ -48,10 +48,13 @@ struct LiftFacts {
   bool drifts = false;  ///< it moves although its brake is closed
   /// Its motor runs away, or its brake holds nothing: then the buffers must stop it.
   bool is_unheld = false;
-  bool is_cranked = false;         ///< moved by hand
-  bool opens_by_hand = false;      ///< the button in the car is held
-  FireMode fire = FireMode::none;  ///< by the keys
-  FloorNumber fire_floor = 1;      ///< floor of a recall
+  bool is_cranked = false;                     ///< moved by hand
+  bool brake_slips = false;                    ///< under the load of its self-test
+  bool is_inspected = false;                   ///< a switch of its inspection control is on
+  Direction inspection_way = Direction::none;  ///< button that is held there
+  bool opens_by_hand = false;                  ///< the button in the car is held
+  FireMode fire = FireMode::none;              ///< by the keys
+  FloorNumber fire_floor = 1;                  ///< floor of a recall
   /// Distance between the true position and that of a real position unit; empty: none was received.
   std::optional<double> position_lie_m{};
   /// A fault is present, or has just ended: its possible delays are not judged.
@@ -106,8 +109,18 @@ struct RefereeLimits {
                                 ///< door zone
   /// Time from the lamp that goes out to a door that people can walk through.
   Duration opens_within = 20s;
-  double walkable_share = 0.8;  ///< share of a door's width
-  Duration recall_most = 3min;  ///< from the key until the car stands open at the fire floor
+  double walkable_share = 0.8;   ///< share of a door's width
+  Duration recall_most = 3min;   ///< from the key until the car stands open at the fire floor
+  double inspection_m_s = 0.63;  ///< under inspection control (EN 81-20, 5.12.1.5.2.1)
+  /// Time for a car to stop, or to turn, when the button of an inspection control is released.
+  Duration inspection_stops_within = 2s;
+  /// A car that stands for less time, and moves again, has not stopped.
+  Duration inspection_rests = 1s;
+  /// Trips with a brake that holds too little: the one at the end of which its self-test finds it.
+  unsigned weak_brake_trips = 1;
+  /// Time from the button of the fire brigade until its car is at their floor, beside the flight:
+  /// doors close slowly in smoke.
+  Duration brigade_waits_most = 80s;
   /// Time from a key to its panel, the controller and its latest command: then the rules of a fire
   /// service hold.
   Duration heeds_key_within = 200ms;
@@ -135,6 +148,8 @@ class Referee {
   void trapped(LiftNumber lift, Duration time);
   /// Like trapped(), but for a lift that may be hindered.
   void shut_in(LiftNumber lift, Duration time);
+  /// Time for which the fire brigade in the car has waited for it to obey, and has not arrived.
+  void brigade_waits(LiftNumber lift, Duration time);
   /// A person takes the stairs, with no cause other than the lifts.
   void gave_up();
   /// Judges calls that are not answered: from time to time, for example each second.
@@ -174,6 +189,12 @@ class Referee {
     unsigned doors_opened_in_recall = 0;
     unsigned doors_opened_by_themselves = 0;
     unsigned calls_taken = 0;
+    bool has_stood = false;            ///< at a floor, with a brake that holds too little
+    unsigned weak_trips = 0;           ///< since its brake holds too little
+    Time inspected_since = never;      ///< or, after that, since the button was changed
+    Duration rests{0};                 ///< under inspection control
+    Duration unasked{0};               ///< motion without the button for it
+    unsigned calls_in_inspection = 0;  ///< taken
     std::map<InvariantKind, Judged> judged{};
   };
   struct Call {
@@ -192,6 +213,9 @@ class Referee {
                       const LiftFacts& facts);
   void look_for_door(Time now, Call& call, bool hindered);
   void judge_departure(Lift& lift, const LiftDesign& design, const LiftFacts& facts);
+  void judge_brake(Lift& lift, const LiftFacts& facts, bool leaves) const;
+  void judge_inspection(Time now, Lift& lift, const LiftFacts& facts, Duration passed) const;
+  void judge_call_in_inspection(Time now, const CallKey& call);
   void judge_fire(Time now, Lift& lift, const LiftFacts& facts);
   void judge_recall(Time now, Lift& lift, const LiftFacts& facts, bool opens);
   void note_fire_mode(Time now, Lift& lift, const LiftFacts& facts);

@@ -11,6 +11,7 @@ void SafetyChain::look(const SafetySight& sight) {
   const bool is_beyond = sight.beyond_m > design_.final_limit_m;
   const bool passes_limit = is_beyond && !was_beyond_;
   was_beyond_ = is_beyond;
+  brake_slips_ = brake_slips_ || sight.brake_slips;
   if (trip_ != Trip::none) return;
   if (sight.speed_m_s > design_.rated_speed_m_s * design_.governor_share) {
     trip_ = Trip::overspeed;

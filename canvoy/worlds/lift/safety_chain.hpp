@@ -8,7 +8,8 @@
 //     chain.reset_by_hand();
 //
 // Doors may be unlocked in the door zone at no more than the speed of levelling. What an overspeed
-// governor or an unintended movement of the car has opened stays open until it is reset by hand.
+// governor or an unintended movement of the car has opened stays open until it is reset by hand;
+// what the self-test of the brake has opened, until a technician resets it (5.6.7.3).
 #pragma once
 
 #include <cstdint>
@@ -35,6 +36,7 @@ struct SafetySight {
   bool doors_are_locked = true;  ///< each lock, and each contact
   bool is_a_door_open = false;   ///< as its contact reports
   bool gear_is_caught = false;   ///< the car hangs in its safety gear
+  bool brake_slips = false;      ///< at a self-test since the last reset
 };
 
 class SafetyChain {
@@ -46,6 +48,7 @@ class SafetyChain {
     unintended_movement,  ///< out of the door zone with an open door
     final_limit,          ///< of the travel
     gear,                 ///< the safety gear was caught in another way
+    brake,                ///< it slipped at its self-test
   };
 
   /// A closed chain.
@@ -53,22 +56,25 @@ class SafetyChain {
 
   /// Call it at each change, and often while the car moves.
   void look(const SafetySight& sight);
-  /// True if no part has tripped and all doors are locked, or if it is bridged.
-  bool is_closed() const { return design_.is_bridged || (trip_ == Trip::none && !doors_are_free_); }
+  bool is_closed() const {
+    return design_.is_bridged || (trip() == Trip::none && !doors_are_free_);
+  }
   /// The part that must be reset by hand; none: only its doors open it.
-  Trip trip() const { return trip_; }
+  Trip trip() const { return trip_ == Trip::none && brake_slips_ ? Trip::brake : trip_; }
   /// True if the governor, or the detection of unintended movements, has the safety gear catch the
   /// car.
   bool wants_gear() const {
     return (trip_ == Trip::overspeed || trip_ == Trip::unintended_movement) && !design_.is_bridged;
   }
-  /// A technician closes the part that tripped; look() opens it again where the cause is still
-  /// there.
+  /// Resets all but the brake, of which a technician must find the cause.
   void reset_by_hand() { trip_ = Trip::none; }
+  /// Resets what the self-test of the brake has opened.
+  void reset_brake() { brake_slips_ = false; }
 
  private:
   SafetyChainDesign design_;
   Trip trip_ = Trip::none;
+  bool brake_slips_ = false;
   bool doors_are_free_ = false;
   bool was_in_zone_ = false;
   bool was_beyond_ = false;  ///< a final limit: after a reset by hand the car may come back

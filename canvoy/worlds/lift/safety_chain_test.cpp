@@ -116,6 +116,26 @@ TEST(SafetyChain, IsOpenWhileTheSafetyGearHasCaughtTheCar) {
   EXPECT_FALSE(sut.is_closed()) << "it has to be pulled off";
 }
 
+TEST(SafetyChain, IsOpenBehindABrakeThatHasSlippedUntilATechnicianResetsIt) {
+  SafetyChain sut;
+  sut.look({.brake_slips = true});
+  EXPECT_FALSE(sut.is_closed());
+  EXPECT_EQ(sut.trip(), Trip::brake);
+  EXPECT_FALSE(sut.wants_gear()) << "the car stands";
+  sut.look(standing);
+  sut.reset_by_hand();
+  EXPECT_FALSE(sut.is_closed()) << "by anybody else";
+  sut.look({.from_floor_m = 0.2, .doors_are_locked = false, .is_a_door_open = true});
+  sut.look({.from_floor_m = 0.201, .doors_are_locked = false, .is_a_door_open = true});
+  EXPECT_EQ(sut.trip(), Trip::unintended_movement) << "which matters more";
+  EXPECT_TRUE(sut.wants_gear());
+  sut.look(standing);
+  sut.reset_by_hand();
+  EXPECT_EQ(sut.trip(), Trip::brake);
+  sut.reset_brake();
+  EXPECT_TRUE(sut.is_closed());
+}
+
 TEST(SafetyChain, ThatIsBridgedSeesNothing) {
   SafetyChain sut({.is_bridged = true});
   sut.look({.from_floor_m = 1, .speed_m_s = 3, .doors_are_locked = false, .gear_is_caught = true});

@@ -10,12 +10,18 @@ namespace {
 constexpr double near_floor_m = 0.05;
 
 CarPlantDesign plant_of(const Building& building, const LiftDesign& design) {
+  constexpr double gravity = 9.81;
+  constexpr double test_share = 1.25;
   const CarDesign& of_car = design.car;
+  const double test_n = gravity * (test_share - design.balance) * of_car.rated_load_kg;
   return {.car_kg = of_car.mass_kg,
           .counterweight_kg = of_car.mass_kg + design.balance * of_car.rated_load_kg,
           .travel_m = building.top_m(),
           .overtravel_m = design.overtravel_m,
-          .stretch_um_per_kg = of_car.rope_stretch_um_per_kg};
+          .stretch_um_per_kg = of_car.rope_stretch_um_per_kg,
+          .brake_force_n = std::max(CarPlantDesign{}.brake_force_n, 2 * test_n),
+          .brake_test_n = test_n,
+          .has_brake_test = design.has_brake_test};
 }
 
 SafetyChainDesign chain_of(const LiftDesign& design) {
@@ -45,7 +51,8 @@ SafetySight ShaftCar::sight(Time now, const ShaftDoors& doors) {
   SafetySight seen{.from_floor_m = 1e9,
                    .beyond_m = std::max(below_m, car.position_m - building_->top_m()),
                    .speed_m_s = std::abs(car.velocity_m_s),
-                   .gear_is_caught = car.gear_is_caught};
+                   .gear_is_caught = car.gear_is_caught,
+                   .brake_slips = plant_.brake_has_slipped()};
   for (const Floor& each : building_->floors) {
     seen.from_floor_m = std::min(seen.from_floor_m, std::abs(each.height_m - car.position_m));
   }
@@ -92,7 +99,9 @@ void ShaftCar::lose_drive() {
 void ShaftCar::set_fault(FaultKind kind, bool present) {
   constexpr double slip_share = 0.1;
   CarPlantFaults faults = plant_.faults();
-  if (kind == FaultKind::brake) faults.brake_share = present ? 0 : 1;
+  if (kind == FaultKind::brake) has_no_brake_ = present;
+  if (kind == FaultKind::weak_brake) has_weak_brake_ = present;
+  faults.brake_share = has_no_brake_ ? 0 : has_weak_brake_ ? plant_.weak_brake_share() : 1;
   if (kind == FaultKind::rope_slip) faults.slip = present ? slip_share : 0;
   if (kind == FaultKind::runaway) faults.motor_runs_away = present;
   // It keeps its last position, and reports the defect.
@@ -110,6 +119,11 @@ bool ShaftCar::is_whole() const {
 void ShaftCar::reset_by_hand() {
   plant_.release_gear();
   chain_.reset_by_hand();
+}
+
+void ShaftCar::reset_brake() {
+  plant_.forget_brake_test();
+  chain_.reset_brake();
 }
 
 }  // namespace canvoy::lift

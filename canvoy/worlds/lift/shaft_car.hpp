@@ -69,6 +69,8 @@ class ShaftCar {
   bool is_whole() const;
   /// Pulls the car off its safety gear, and closes what must be closed by hand.
   void reset_by_hand();
+  /// Closes what the self-test of the brake has opened.
+  void reset_brake();
 
  private:
   SafetySight sight(Time now, const ShaftDoors& doors);
@@ -80,6 +82,8 @@ class ShaftCar {
   ChangeSignal drive_;
   bool is_stopped_by_hand_ = false;
   bool is_cranked_ = false;
+  bool has_no_brake_ = false;
+  bool has_weak_brake_ = false;
   bool is_led_ = false;      ///< follows a real drive
   bool was_caught_ = false;  ///< by its gear, before it was cranked
 };

@@ -117,6 +117,11 @@ Node& ShaftController::join_group(const Port& port, LiftNumber lift, NodeId grou
   return body_->member->node();
 }
 
+void ShaftController::set(cia417::SpecialFunction function, bool on) {
+  body_->device.calls().set(function, on);
+  body_->device.lift().update();
+}
+
 LiftMode ShaftController::mode() const {
   const cia417::LiftController& lift = body_->device.lift();
   if (lift.fault() != cia417::LiftFault::none) return LiftMode::fault;

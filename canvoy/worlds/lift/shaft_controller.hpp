@@ -59,6 +59,8 @@ class ShaftController {
   EmergencyProducer& emergency_producer();
   /// Adds a second node, on the bus of a group. Call it once, before the start.
   Node& join_group(const Port& port, LiftNumber lift, NodeId group_controller);
+  /// Sets a special function at an input of its own. From outside of its node: advance() before.
+  void set(cia417::SpecialFunction function, bool on);
   /// Mode that it reports.
   LiftMode mode() const;
   /// Direction in which it travels, or shows that it will.

@@ -83,6 +83,18 @@ void ShaftPanels::press(SpecialFunction function, bool on) {
   }
 }
 
+bool ShaftPanels::press_at(FloorNumber floor, SpecialFunction function, bool on) {
+  const PanelInput wanted{BasicFunction::special_function, cia417::sub_function_of(function),
+                          floor};
+  for (const Panel& panel : panels_) {
+    const auto input = panel.panel->find(wanted);
+    if (!input) continue;
+    panel.panel->press(*input, on);
+    return true;
+  }
+  return false;
+}
+
 void ShaftPanels::stick(const CallKey& button, bool stuck) {
   const Panel* const panel = find(button);
   if (panel == nullptr) return;

@@ -46,6 +46,8 @@ class ShaftPanels {
   /// Presses a button or turns a key of the car, or of the fire floor. Where no panel has it, the
   /// hand is recorded all the same.
   void press(cia417::SpecialFunction function, bool on);
+  /// Like press(), on a panel in the car (floor_of_car), or of that landing. False: none has it.
+  bool press_at(FloorNumber floor, cia417::SpecialFunction function, bool on);
   /// True if it is held by press().
   bool is_held(cia417::SpecialFunction function) const {
     return held_[cia417::sub_function_of(function)];

@@ -1,5 +1,6 @@
 #include "canvoy/worlds/lift/shaft_plan.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -204,6 +205,7 @@ NodeId ShaftPlan::node_of(const ScheduledFault& fault) const {
     case FaultKind::smoke:
       return id_of(DeviceKind::light_barrier).value_or(0);
     case FaultKind::brake:
+    case FaultKind::weak_brake:
     case FaultKind::rope_slip:
     case FaultKind::runaway:
       return id_of(DeviceKind::drive).value_or(0);
@@ -213,6 +215,12 @@ NodeId ShaftPlan::node_of(const ScheduledFault& fault) const {
       break;
   }
   return 0;
+}
+
+bool ShaftPlan::needs(NodeId id) const {
+  const auto all = nodes();
+  return std::ranges::any_of(
+      all, [id](const NodeDescription* node) { return node->id == id && is_needed(node->kind); });
 }
 
 CallKey ShaftPlan::stuck_button(const ScheduledFault& fault) const {

@@ -62,6 +62,8 @@ class ShaftPlan {
   /// Node of a fault: the one in the plan, or the first one that suits its kind; 0: none, or a
   /// button.
   NodeId node_of(const ScheduledFault& fault) const;
+  /// True if the lift cannot run without this node.
+  bool needs(NodeId id) const;
   /// Button of a stuck_button.
   CallKey stuck_button(const ScheduledFault& fault) const;
   /// Key lock that must be turned for a car call; empty: none.

@@ -87,6 +87,14 @@ void ShaftUnits::add_controller(const NodeDescription& node) {
   keep(node, slot, std::move(device));
 }
 
+void ShaftUnits::set_special(cia417::SpecialFunction function, bool on) {
+  const std::optional<SlotIndex> slot = nodes_->slot(controller_id_);
+  if (controller_ == nullptr || !slot || !world_->is_running(*slot)) return;
+  controller_->node().advance(world_->now());
+  controller_->set(function, on);
+  world_->touched(*slot);
+}
+
 void ShaftUnits::join_group(BusIndex group_bus, NodeId group_controller) {
   if (controller_ == nullptr) return;
   const SlotIndex slot = world_->add_slot(group_bus, controller_slot);

@@ -41,6 +41,9 @@ class ShaftUnits {
   void add(const NodeDescription& node);
   /// Gives the controller a second node on the bus of a group.
   void join_group(BusIndex group_bus, NodeId group_controller);
+  /// Sets a special function at an input of the controller itself; does nothing where that is not
+  /// simulated here, or has no power.
+  void set_special(cia417::SpecialFunction function, bool on);
   /// Null where it is not simulated here.
   const ShaftController* controller() const { return controller_; }
   /// Null where the node is no sensor unit, or is not simulated here.

@@ -17,9 +17,32 @@ constexpr unsigned inspects_most_s = 40;
 constexpr Duration lets_out_most = 3min;
 /// Accuracy of a floor that is found by hand.
 constexpr double level_m = 0.005;
+/// Time in which a car obeys the button: its doors close first, and a fault ends.
+constexpr Duration obeys_within = 30s;
+constexpr Duration ride_time = 4s;
+constexpr Duration pause_time = 3s;
+constexpr Duration boot_time = 15s;
 
 Duration drawn(Random& random, unsigned least_s, unsigned most_s) {
   return std::chrono::seconds(least_s + random.below(most_s - least_s + 1));
+}
+
+TechnicianStep call_for(TechnicianCause cause) {
+  switch (cause) {
+    case TechnicianCause::trip:
+      return TechnicianStep::called_for_trip;
+    case TechnicianCause::trapped:
+      return TechnicianStep::called_for_people;
+    case TechnicianCause::fault:
+      return TechnicianStep::called_for_fault;
+    case TechnicianCause::complaint:
+      break;
+  }
+  return TechnicianStep::called_for_complaint;
+}
+
+constexpr Direction opposite(Direction way) {
+  return way == Direction::up ? Direction::down : Direction::up;
 }
 
 }  // namespace
@@ -29,10 +52,10 @@ Technician::Technician(TechnicianHands hands, std::uint64_t seed)
 
 void Technician::call(Time now, TechnicianCause cause) {
   if (is_called()) return;
+  cause_ = cause;
+  has_restarted_ = has_given_up_ = false;
   enter(Step::coming, now + drawn(random_, comes_least_s, comes_most_s));
-  hands_.tell(cause == TechnicianCause::trip ? TechnicianStep::called_for_trip
-                                             : TechnicianStep::called_for_people,
-              no_floor);
+  hands_.tell(call_for(cause), no_floor);
 }
 
 void Technician::look(Time now, const TechnicianView& car) {
@@ -52,17 +75,24 @@ void Technician::look(Time now, const TechnicianView& car) {
     case Step::waiting:
       return wait(now, car);
     case Step::inspecting:
-      if (now >= until_) leave();
-      return;
+      return now < until_ ? void() : reset(now, car);
+    case Step::riding:
+      return ride(now, car);
+    case Step::pausing:
+      return now < until_ ? void() : pause(now);
+    case Step::restarting:
+      return now < until_ ? void() : begin_rides(now, way_);
   }
 }
 
-/// Other people may have helped meanwhile.
+/// Other people may have helped meanwhile; a car that moves is not stopped.
 void Technician::arrive(Time now, const TechnicianView& car) {
-  if (!car.is_tripped && !car.is_shut_in) {
+  const bool is_needed = car.is_tripped || car.is_shut_in || car.is_out;
+  if (!is_needed && cause_ != TechnicianCause::complaint) {
     enter(Step::away, never);
     return hands_.tell(TechnicianStep::leaves, no_floor);
   }
+  if (!car.stands) return;
   hands_.tell(TechnicianStep::arrives, no_floor);
   hands_.stop_switch(true);
   if (!car.is_shut_in) return wait(now, car);
@@ -87,10 +117,64 @@ void Technician::wait(Time now, const TechnicianView& car) {
   enter(Step::inspecting, now + drawn(random_, inspects_least_s, inspects_most_s));
 }
 
-void Technician::leave() {
+/// No ride on the roof of a car with people in it, or of one that broke again meanwhile.
+void Technician::reset(Time now, const TechnicianView& car) {
+  if (!car.is_whole) return enter(Step::waiting, never);
   hands_.stop_switch(false);
   hands_.reset();
   hands_.tell(TechnicianStep::resets, no_floor);
+  if (!car.is_empty) return leave();
+  hands_.tell(TechnicianStep::rides, no_floor);
+  begin_rides(now, car.is_low ? Direction::up : Direction::down);
+}
+
+/// One ride away from the end of the travel, and one back.
+void Technician::begin_rides(Time now, Direction first) {
+  way_ = first;
+  rides_left_ = 2;
+  hands_.inspection(true);
+  hold_button(now);
+}
+
+void Technician::hold_button(Time now) {
+  has_moved_ = false;
+  hands_.drive(way_);
+  enter(Step::riding, now + obeys_within);
+}
+
+void Technician::ride(Time now, const TechnicianView& car) {
+  if (!has_moved_ && !car.stands) {
+    has_moved_ = true;
+    until_ = now + ride_time;
+  }
+  if (now < until_) return;
+  hands_.drive(Direction::none);
+  if (!has_moved_) return end_in_vain(now);
+  enter(Step::pausing, now + pause_time);
+}
+
+void Technician::pause(Time now) {
+  if (--rides_left_ != 0) {
+    way_ = opposite(way_);
+    return hold_button(now);
+  }
+  hands_.inspection(false);
+  leave();
+}
+
+void Technician::end_in_vain(Time now) {
+  hands_.inspection(false);
+  if (std::exchange(has_restarted_, true)) {
+    has_given_up_ = true;
+    hands_.tell(TechnicianStep::gives_up, no_floor);
+    return leave();
+  }
+  hands_.restart();
+  hands_.tell(TechnicianStep::restarts, no_floor);
+  enter(Step::restarting, now + boot_time);
+}
+
+void Technician::leave() {
   enter(Step::away, never);
   hands_.tell(TechnicianStep::leaves, no_floor);
 }

@@ -15,20 +15,31 @@ using Log = std::vector<std::string>;
 class TechnicianTest : public testing::Test {
  protected:
   static std::string name(TechnicianStep step) {
-    constexpr const char* names[] = {"called: trip", "called: people", "arrives", "moves car",
-                                     "lets out",     "inspects",       "resets",  "leaves"};
+    constexpr const char* names[] = {"called: trip",  "called: people",    "arrives", "moves car",
+                                     "lets out",      "inspects",          "resets",  "leaves",
+                                     "called: fault", "called: complaint", "rides",   "restarts",
+                                     "gives up"};
     return names[static_cast<std::size_t>(step)];
   }
   TechnicianHands hands() {
-    return {.stop_switch = [this](bool is) { log.push_back(is ? "stop" : "stop released"); },
-            .crank =
-                [this](double speed) {
-                  if (can_be_cranked) log.push_back("crank " + std::to_string(speed).substr(0, 4));
-                  return can_be_cranked;
-                },
-            .hold_door = [this](bool is) { log.push_back(is ? "door held" : "door let go"); },
-            .reset = [this] { log.push_back("reset"); },
-            .tell = [this](TechnicianStep step, FloorNumber) { log.push_back(name(step)); }};
+    return {
+        .stop_switch = [this](bool is) { log.push_back(is ? "stop" : "stop released"); },
+        .crank =
+            [this](double speed) {
+              if (can_be_cranked) log.push_back("crank " + std::to_string(speed).substr(0, 4));
+              return can_be_cranked;
+            },
+        .hold_door = [this](bool is) { log.push_back(is ? "door held" : "door let go"); },
+        .reset = [this] { log.push_back("reset"); },
+        .inspection = [this](bool is) { log.push_back(is ? "inspection on" : "inspection off"); },
+        .drive =
+            [this](Direction way) {
+              constexpr const char* names[] = {"let go", "up", "down"};
+              log.push_back(names[static_cast<std::size_t>(way)]);
+              car.stands = way == Direction::none || !obeys;
+            },
+        .restart = [this] { log.push_back("power off and on"); },
+        .tell = [this](TechnicianStep step, FloorNumber) { log.push_back(name(step)); }};
   }
   /// Each second, and at deadline().
   void look_until(Time until) {
@@ -45,6 +56,7 @@ class TechnicianTest : public testing::Test {
 
   Log log;
   bool can_be_cranked = true;
+  bool obeys = true;
   TechnicianView car{.is_tripped = true};
   Time now{};
   Technician sut{hands(), 1};
@@ -71,9 +83,51 @@ TEST_F(TechnicianTest, InspectsAndResetsAnEmptyCar) {
   log.clear();
   const Time came = now;
   while (sut.is_called()) look_until(now + 1s);
-  EXPECT_EQ(log, (Log{"stop released", "reset", "resets", "leaves"}));
-  EXPECT_GE(now - came, 20s);
-  EXPECT_LE(now - came, 43s);
+  EXPECT_EQ(log, (Log{"stop released", "reset", "resets", "rides", "inspection on", "up", "let go",
+                      "down", "let go", "inspection off", "leaves"}));
+  // 20 to 40 s, two rides of 4 s with a pause of 3 s after each, by looks of a second each.
+  EXPECT_GE(now - came, 34s);
+  EXPECT_LE(now - came, 62s);
+  EXPECT_FALSE(sut.has_given_up());
+}
+
+TEST_F(TechnicianTest, RidesDownFromTheUpperHalfFirst) {
+  car.is_low = false;
+  await();
+  log.clear();
+  while (sut.is_called()) look_until(now + 1s);
+  EXPECT_EQ(log, (Log{"stop released", "reset", "resets", "rides", "inspection on", "down",
+                      "let go", "up", "let go", "inspection off", "leaves"}));
+}
+
+TEST_F(TechnicianTest, SwitchesALiftThatDoesNotObeyOffAndOnOnceAndThenLeavesItOutOfService) {
+  obeys = false;
+  await();
+  log.clear();
+  while (sut.is_called()) look_until(now + 1s);
+  EXPECT_EQ(log, (Log{"stop released", "reset", "resets", "rides", "inspection on", "up", "let go",
+                      "inspection off", "power off and on", "restarts", "inspection on", "up",
+                      "let go", "inspection off", "gives up", "leaves"}));
+  EXPECT_TRUE(sut.has_given_up());
+}
+
+TEST_F(TechnicianTest, StopsNoCarThatMoves) {
+  car = {.is_out = true, .stands = false};
+  sut.call(now, TechnicianCause::fault);
+  EXPECT_EQ(log, Log{"called: fault"});
+  look_until(now + 5min);
+  EXPECT_EQ(log, Log{"called: fault"});
+  car.stands = true;
+  look_until(now + 1s);
+  EXPECT_EQ(log, (Log{"called: fault", "arrives", "stop", "inspects"}));
+}
+
+TEST_F(TechnicianTest, LooksAtALiftOfWhichPeopleComplainWhateverItShows) {
+  car.is_tripped = false;
+  sut.call(now, TechnicianCause::complaint);
+  look_until(now + 3min);
+  EXPECT_EQ(log[0], "called: complaint");
+  EXPECT_EQ(log[1], "arrives");
 }
 
 TEST_F(TechnicianTest, MovesACarWithPeopleToTheNearestFloorFirst) {
@@ -95,8 +149,10 @@ TEST_F(TechnicianTest, MovesACarWithPeopleToTheNearestFloorFirst) {
   look_until(now + 10min);
   EXPECT_EQ(log, Log{"door let go"}) << "it is not whole";
   car.is_whole = true;
-  look_until(now + 1min);
-  EXPECT_EQ(log, (Log{"door let go", "inspects", "stop released", "reset", "resets", "leaves"}));
+  look_until(now + 2min);
+  EXPECT_EQ(log,
+            (Log{"door let go", "inspects", "stop released", "reset", "resets", "rides",
+                 "inspection on", "up", "let go", "down", "let go", "inspection off", "leaves"}));
 }
 
 TEST_F(TechnicianTest, WhoDoesNotGetOutIsLeftInTheCar) {

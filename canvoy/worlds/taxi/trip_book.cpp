@@ -7,7 +7,7 @@ namespace canvoy::taxi {
 
 namespace {
 
-bool is_read(const Trip& trip) {
+bool can_be_read(const Trip& trip) {
   return trip.is_read;
 }
 bool has_tariff(const Trip& trip) {
@@ -96,7 +96,7 @@ bool TripBook::has_lost_power() const {
 }
 
 bool TripBook::all_were_read() const {
-  return std::ranges::all_of(trips_, is_read);
+  return std::ranges::all_of(trips_, can_be_read);
 }
 
 template <class Excess, class IsJudged>
@@ -113,13 +113,13 @@ double TripBook::worst(InvariantKind kind) const {
     case InvariantKind::fare:
       return worst_of(&Trip::fare_excess, has_tariff);
     case InvariantKind::distance:
-      return worst_of(&Trip::distance_excess, is_read);
+      return worst_of(&Trip::distance_excess, can_be_read);
     case InvariantKind::duration:
-      return worst_of(&Trip::time_excess, is_read);
+      return worst_of(&Trip::time_excess, can_be_read);
     case InvariantKind::waiting:
       return worst_of(&Trip::waiting_excess, has_tariff);
     case InvariantKind::total:
-      return worst_of(&Trip::total_error, is_read);
+      return worst_of(&Trip::total_error, can_be_read);
     case InvariantKind::totals:
       return totals_error_;
     case InvariantKind::receipts:
@@ -141,7 +141,7 @@ std::uint64_t TripBook::judged(InvariantKind kind) const {
     case InvariantKind::distance:
     case InvariantKind::duration:
     case InvariantKind::total:
-      return static_cast<std::uint64_t>(std::ranges::count_if(trips_, is_read));
+      return static_cast<std::uint64_t>(std::ranges::count_if(trips_, can_be_read));
     case InvariantKind::totals:
       return totals_judged_;
     case InvariantKind::receipts:

@@ -121,6 +121,10 @@ class CallController {
   const LiftCalls& calls() const { return calls_; }
   /// True while a key or button requests the function.
   bool is_on(SpecialFunction function) const { return specials_.is_on(function); }
+  /// True if the button is held at each station at which the key is turned.
+  bool is_on_wherever(SpecialFunction key, SpecialFunction button) const {
+    return specials_.is_on_wherever(key, button);
+  }
   /// Doors at which a function is held; 0: at none.
   DoorMask held_doors(SpecialFunction function) const { return specials_.doors(function); }
   /// Sets a special function from inside, like a turned key.

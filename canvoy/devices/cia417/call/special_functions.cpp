@@ -70,6 +70,15 @@ bool SpecialFunctions::is_requested(std::uint8_t function) const {
   return std::ranges::find(inputs_, function, &Input::function) != inputs_.end();
 }
 
+bool SpecialFunctions::is_on_wherever(SpecialFunction key, SpecialFunction button) const {
+  const auto number = static_cast<std::uint8_t>(key);
+  if (std::ranges::count(inputs_, number, &Input::function) <= 1) return is_on(button);
+  return std::ranges::all_of(inputs_, [&](const Input& place) {
+    const Input there{static_cast<std::uint8_t>(button), place.floor, place.doors};
+    return place.function != number || std::ranges::find(inputs_, there) != inputs_.end();
+  });
+}
+
 void SpecialFunctions::set(SpecialFunction number, bool on) {
   Function& function = at(number);
   function.is_set = on;

@@ -41,6 +41,9 @@ class SpecialFunctions {
 
   /// True while the function is on.
   bool is_on(SpecialFunction function) const { return at(function).on; }
+  /// True if the button is on at each place at which the key is on; where the key is on at one
+  /// place alone, the button may be anywhere.
+  bool is_on_wherever(SpecialFunction key, SpecialFunction button) const;
   /// Doors at which it is held, for door open and door close.
   DoorMask doors(SpecialFunction function) const {
     return is_on(function) ? source_doors(at(function).doors) : DoorMask{0};

@@ -306,11 +306,15 @@ void LiftController::await_closed() {
   open_doors(open_doors_ != 0 ? open_doors_ : doors_at(floor));
 }
 
-/// Driven by two buttons: see HandDrive.
+/// Driven by two buttons: see HandDrive. Stations that are on together must agree (EN 81-20,
+/// 5.12.1.5).
 void LiftController::drive_by_hand() {
   departed_ = 0;
-  const bool up = calls_.is_on(SpecialFunction::dogging_service_up);
-  const bool down = calls_.is_on(SpecialFunction::dogging_service_down);
+  const SpecialFunction key = service_.is(LiftService::dogging)
+                                  ? SpecialFunction::dogging_service_enable
+                                  : SpecialFunction::service_run;
+  const bool up = calls_.is_on_wherever(key, SpecialFunction::dogging_service_up);
+  const bool down = calls_.is_on_wherever(key, SpecialFunction::dogging_service_down);
   const bool may_move = service_.is_manual() && is_locked() && up != down;
   const int wanted = up ? 1 : -1;
   if (hand_.obey(may_move ? wanted : 0, motion_.stopping_position_micrometre, floors())) {

@@ -183,6 +183,30 @@ TEST_F(LiftServiceTest, DoggingAndServiceRunMoveWhileAButtonIsHeld) {
   }
 }
 
+/// EN 81-20, 5.12.1.5: the roof of the car (floor 0) and the pit (here the panel of floor 1).
+TEST_F(LiftServiceTest, TwoInspectionStationsThatAreOnMoveTheCarTogether) {
+  bench.turn(SpecialFunction::service_run);
+  bench.press("0E 13 01 01 10 81");
+  bench.step();
+  bench.turn(SpecialFunction::dogging_service_up);
+  bench.run_for(1s);
+  EXPECT_TRUE(bench.car.motion.standing) << "the pit does not agree";
+  bench.press("0E 16 01 01 10 01");
+  bench.run_for(1s);
+  EXPECT_TRUE(bench.car.motion.standing) << "it wants down";
+  bench.press("0E 16 01 01 10 00");
+  bench.press("0E 15 01 01 10 01");
+  bench.run_for(1s);
+  EXPECT_EQ(bench.car.motion.velocity_micrometre_per_second, 630'000);
+  bench.turn(SpecialFunction::dogging_service_up, false);
+  bench.run_for(100ms);
+  EXPECT_TRUE(bench.car.motion.standing);
+  bench.press("0E 13 01 01 10 80");
+  bench.turn(SpecialFunction::dogging_service_up);
+  bench.run_for(1s);
+  EXPECT_EQ(bench.car.motion.velocity_micrometre_per_second, 630'000) << "the pit is off";
+}
+
 TEST_F(LiftServiceTest, AtTheEndOfItsTravelACarThatRestsShortOfItDoesNotGoOnByItself) {
   bench.car.run_margin = 50'000;  // a careful estimate of its way to stand
   bench.turn(SpecialFunction::dogging_service_enable);
