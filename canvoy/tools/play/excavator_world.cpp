@@ -96,7 +96,10 @@ WorldFile<ExcavatorRun> ExcavatorWorld::file(const std::string& folder) {
                     "shift",
                     "",
                     {setting<network, shift, &Shift::work>("work", "between two breaks"),
-                     setting<network, shift, &Shift::rest>("rest"), recorded_shift(folder)}}}};
+                     setting<network, shift, &Shift::rest>("rest"),
+                     setting<network, &ExcavatorOptions::has_trainer>(
+                         "trainer", "on a second seat, who takes the command over now and then"),
+                     recorded_shift(folder)}}}};
   for (const excavator::DevicePlace& place : excavator::device_places) {
     SettingTable<Run> device{
         std::string(place.name), "", {played<Run>(place.id, place.id == excavator::host_id)}};

@@ -30,7 +30,8 @@ bool CabTruth::lamps_are_right(bool has_valves, bool has_armrest) const {
          is_as(Lamp::fast, machine_->is_fast()) &&
          is_as(Lamp::locked, !machine_->has_pilot_pressure()) && is_as(Lamp::ready, has_valves) &&
          (panel_->has_jam() ||
-          is_as(Lamp::fault, panel_->has_broken_wire() || !has_valves || !has_armrest)) &&
+          is_as(Lamp::fault,
+                panel_->has_broken_wire() || panel_->has_drift() || !has_valves || !has_armrest)) &&
          (!has_valves || std::abs(fuel - low_fuel_percent) < hardly ||
           is_as(Lamp::low_fuel, fuel < low_fuel_percent)) &&
          (!has_valves || std::abs(machine_->oil_celsius() - Excavator::hot) < hardly ||

@@ -24,6 +24,8 @@ HostSettings host_settings(const ExcavatorOptions& options) {
   // The armrest is read through the seat: a host that waits for the seat for longer misses neither.
   settings.checks_armrest = !sabotage.old_lever && !sabotage.patient_host;
   settings.has_armrest = options.has_armrest;
+  settings.has_trainer = options.has_trainer;
+  settings.obeys_all_seats = sabotage.obeys_all_seats;
   settings.counts_edges = !sabotage.counts_levels;
   settings.filters_buttons = sabotage.slow_buttons;
   if (sabotage.coarse_deltas) settings.delta = coarse_delta;
@@ -34,11 +36,12 @@ HostSettings host_settings(const ExcavatorOptions& options) {
 
 ExcavatorDevices::ExcavatorDevices(World& world, ExcavatorBuses buses,
                                    const ExcavatorOptions& options, SeatPanel& panel,
-                                   ValvesHardware& valves)
+                                   SeatPanel& trainer, ValvesHardware& valves)
     : world_(world),
       buses_(buses),
       options_(options),
       panel_(panel),
+      trainer_(trainer),
       valves_hardware_(valves),
       seat_module_(world, buses.embedded, [this] { node(seat_id).touched(); }) {
   if (options.sabotage.burnt_lamp) panel.burn_out(Lamp::light);
@@ -102,6 +105,41 @@ MachineNode::Made ExcavatorDevices::make_armrest(const Port& port) {
   armrest_.reset();
   armrest_ = std::make_unique<CatalogueDevice>(cia401::io_kind, port, armrest_id, armrest_site_);
   return armrest_->node();
+}
+
+/// A seat that gets power compares both sensors of each axis again from the start.
+cia852::OperatorHardware ExcavatorDevices::seat_hardware() {
+  using Self = ExcavatorDevices;
+  using Sense = cia852::TwoChannelAxes::Sense;
+  cia852::OperatorHardware hardware = panel_.hardware();
+  hardware.joystick_axis = Sense::to<&Self::first_axis>(*this);
+  hardware.joystick_buttons = Callback<std::uint8_t(unsigned)>::to<&Self::joystick_buttons>(*this);
+  if (options_.sabotage.single_channel) return hardware;
+  axes_.emplace(hardware.joystick_axis, Sense::to<&Self::second_axis>(*this),
+                cia852::TwoChannelSettings{});
+  hardware.joystick_axis = axes_->checked();
+  return hardware;
+}
+
+cia852::OperatorEnvironment ExcavatorDevices::elements() {
+  cia852::OperatorEnvironment elements = cia852::usual_elements;
+  if (options_.has_trainer) elements.joysticks = 2 * seats_max;
+  return elements;
+}
+
+std::int16_t ExcavatorDevices::first_axis(unsigned joystick, unsigned axis) {
+  return seat_of(joystick).joystick_axis(of_seat(joystick), axis);
+}
+std::int16_t ExcavatorDevices::second_axis(unsigned joystick, unsigned axis) {
+  return seat_of(joystick).second_joystick_axis(of_seat(joystick), axis);
+}
+std::uint8_t ExcavatorDevices::joystick_buttons(unsigned joystick) {
+  return seat_of(joystick).joystick_buttons(of_seat(joystick));
+}
+
+void ExcavatorDevices::is_seat(cia852::OperatorUnit& unit, Node& node) {
+  seat_unit_ = &unit;
+  if (axes_) axes_->connect(node, unit);
 }
 
 cia852::OperatorSettings ExcavatorDevices::seat_settings() {

@@ -2,13 +2,14 @@
 // seat with the module for the network behind it, the input and output module on the valves, and
 // the armrest.
 //
-//     ExcavatorDevices devices(world, {bus, embedded}, options, panel, valves);
+//     ExcavatorDevices devices(world, {bus, embedded}, options, panel, trainer, valves);
 //     devices.start();
 //     devices.hands_moved();
 //     devices.node(seat_id).is_operational();
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "canvoy/devices/cia401/io_unit.hpp"
 #include "canvoy/devices/cia852/kinds.hpp"
 #include "canvoy/devices/cia852/operator_unit.hpp"
+#include "canvoy/devices/cia852/two_channel_axes.hpp"
 #include "canvoy/worlds/excavator/excavator_options.hpp"
 #include "canvoy/worlds/excavator/machine_control.hpp"
 #include "canvoy/worlds/excavator/machine_node.hpp"
@@ -37,7 +39,7 @@ class ExcavatorDevices {
  public:
   /// All must outlive this object.
   ExcavatorDevices(World& world, ExcavatorBuses buses, const ExcavatorOptions& options,
-                   SeatPanel& panel, ValvesHardware& valves);
+                   SeatPanel& panel, SeatPanel& trainer, ValvesHardware& valves);
   ExcavatorDevices(const ExcavatorDevices&) = delete;
   ExcavatorDevices& operator=(const ExcavatorDevices&) = delete;
 
@@ -70,10 +72,16 @@ class ExcavatorDevices {
   MachineNode::Made make_seat(const Port& port);
   MachineNode::Made make_valves(const Port& port);
   MachineNode::Made make_armrest(const Port& port);
-  cia852::OperatorEnvironment elements() { return cia852::usual_elements; }
-  cia852::OperatorHardware seat_hardware() { return panel_.hardware(); }
+  cia852::OperatorEnvironment elements();
+  // Joysticks 3 and 4 are those of the trainer.
+  SeatPanel& seat_of(unsigned joystick) { return joystick <= 2 ? panel_ : trainer_; }
+  static unsigned of_seat(unsigned joystick) { return joystick <= 2 ? joystick : joystick - 2; }
+  std::int16_t first_axis(unsigned joystick, unsigned axis);
+  std::int16_t second_axis(unsigned joystick, unsigned axis);
+  std::uint8_t joystick_buttons(unsigned joystick);
+  cia852::OperatorHardware seat_hardware();
   cia852::OperatorSettings seat_settings();
-  void is_seat(cia852::OperatorUnit& unit, Node&) { seat_unit_ = &unit; }
+  void is_seat(cia852::OperatorUnit& unit, Node& node);
   cia401::IoHardware valves_hardware() { return valves_hardware_.hardware(); }
   cia401::IoSettings io_settings() { return {.sensing_period = Duration::zero()}; }
   void is_valves(cia401::IoUnit& unit, Node&) { valves_unit_ = &unit; }
@@ -85,11 +93,13 @@ class ExcavatorDevices {
   ExcavatorBuses buses_;
   const ExcavatorOptions& options_;
   SeatPanel& panel_;
+  SeatPanel& trainer_;
   ValvesHardware& valves_hardware_;
   Environment seat_site_;
   Environment valves_site_;
   Environment armrest_site_;
   std::unique_ptr<MachineHost> host_;
+  std::optional<cia852::TwoChannelAxes> axes_;  ///< of the seat
   std::unique_ptr<CatalogueDevice> seat_;
   std::unique_ptr<CatalogueDevice> valves_;
   std::unique_ptr<CatalogueDevice> armrest_;

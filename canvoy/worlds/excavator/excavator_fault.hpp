@@ -25,7 +25,8 @@ enum class FaultKind : std::uint8_t {
   broken_wire,
   vanished_armrest,
   emergency_stop,  ///< at the armrest
-  seat_switch      ///< it stays open
+  seat_switch,     ///< it stays open
+  drifting_axis    ///< of the two sensors of an axis the first one
 };
 
 /// A fault of a device; of the host, unless a plan names another one.
@@ -45,7 +46,8 @@ inline constexpr FaultRow fault_rows[] = {
     {"corrupted-frames", "one frame in a hundred is disturbed, and sent again"},
     {"lost-frames", "one in twenty frames of a device is lost (default: the host)", at_a_node},
     {"delayed-frames", "all frames of a device come 20 ms late (default: the host)", at_a_node},
-    {"stuck-axis", "the sensor of a stick stays where it is (default: axis 4, boom)", at_a_stick},
+    {"stuck-axis", "one of the two sensors of a stick stays where it is (default: axis 4, boom)",
+     at_a_stick},
     {"broken-wire", "the wire of a stick's sensor is broken (default: axis 4, boom)", at_a_stick},
     {"vanished-armrest",
      "the device on the network behind the seat has no power",
@@ -54,10 +56,12 @@ inline constexpr FaultRow fault_rows[] = {
      "somebody presses the emergency stop, and pulls it at the end",
      {.node = armrest_id}},
     {"seat-switch", "the seat switch says that nobody sits there", {.node = armrest_id}},
+    {"drifting-axis",
+     "one of the two sensors of a stick is off by a quarter (default: axis 4, boom)", at_a_stick},
 };
 /// Number of kinds of faults.
 inline constexpr std::size_t fault_kinds = std::size(fault_rows);
-static_assert(fault_kinds == static_cast<std::size_t>(FaultKind::seat_switch) + 1);
+static_assert(fault_kinds == static_cast<std::size_t>(FaultKind::drifting_axis) + 1);
 /// How a plan names places: `node=` and `axis=`.
 inline constexpr FaultPlaceName fault_places[] = {{"node", node_id_max},
                                                   {"axis", stick_count, &AnyFault::spot}};
@@ -71,6 +75,8 @@ using ScheduledFault = canvoy::ScheduledFault<FaultKind>;
 /// The faults of a run, and the seed of all chance.
 using FaultPlan = canvoy::FaultPlan<FaultKind>;
 
+/// Invariants that may be broken as the fault begins, and as it ends, until it is found.
+InvariantSet affected_at_first(FaultKind kind);
 /// Invariants that cannot hold while the fault is present, and for a time after it.
 InvariantSet affected_by(FaultKind kind);
 

@@ -21,6 +21,11 @@ Stick axis_of(const ScheduledFault& fault) {
 
 }  // namespace
 
+/// Sensors that disagree are found by the seat.
+InvariantSet affected_at_first(FaultKind kind) {
+  return kind == FaultKind::drifting_axis ? set_of({Kind::axis_delta}) : InvariantSet{};
+}
+
 /// Never the invariant of motion: the machine stops, whatever happens.
 InvariantSet affected_by(FaultKind kind) {
   switch (kind) {
@@ -31,6 +36,8 @@ InvariantSet affected_by(FaultKind kind) {
     case FaultKind::stuck_axis:
     case FaultKind::broken_wire:
       return set_of({Kind::axis_delta, Kind::service});
+    case FaultKind::drifting_axis:
+      return set_of({Kind::service});
     case FaultKind::vanished_armrest:
     case FaultKind::emergency_stop:
     case FaultKind::seat_switch:
@@ -102,6 +109,9 @@ void ExcavatorFaults::set(std::size_t number, bool present) {
       return devices_->hands_moved();
     case FaultKind::broken_wire:
       panel_->break_wire(axis_of(fault), present);
+      return devices_->hands_moved();
+    case FaultKind::drifting_axis:
+      panel_->drift(axis_of(fault), present);
       return devices_->hands_moved();
     case FaultKind::vanished_armrest:
       return cuts_.set_power(armrest_id, !present);

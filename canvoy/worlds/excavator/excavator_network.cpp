@@ -28,12 +28,14 @@ ExcavatorNetwork::ExcavatorNetwork(ExcavatorOptions options)
       driver_(shift_of(options_), options_.faults.seed, panel_, machine_,
               {.press = [this](Button button, Duration down) { press(button, down); },
                .moved = [this] { hands_moved(); }}),
+      trainer_(trainer_panel_, panel_, driver_, [this] { hands_moved(); }),
       valves_(machine_, [this](Button button, bool is_on) { switched(button, is_on); }),
-      devices_(world_, buses_, options_, panel_, valves_),
+      devices_(world_, buses_, options_, panel_, trainer_panel_, valves_),
       bus_watch_(buses_.machine, [this](Time now, const BusEvent& event) { heard(now, event); }),
       embedded_watch_(buses_.embedded,
                       [this](Time now, const BusEvent& event) { heard(now, event); }),
-      referees_(world_, options_, {machine_, panel_, valves_, driver_}, devices_, bus_watch_),
+      referees_(world_, options_, {machine_, panel_, trainer_panel_, valves_, driver_}, devices_,
+                bus_watch_),
       stepping_(world_.add_plant(Callback<void(Time)>::to<&ExcavatorNetwork::step>(*this),
                                  ExcavatorOperator::step_time)),
       faults_(world_, buses_.machine, options_, devices_, panel_, referees_, events_) {
@@ -73,6 +75,7 @@ void ExcavatorNetwork::observe_buses() {
 void ExcavatorNetwork::step(Time now) {
   referees_.look_at_axes(now);
   driver_.step(now);
+  if (options_.has_trainer) trainer_.step(now);
   machine_.step(std::chrono::duration<double>(ExcavatorOperator::step_time).count());
   devices_.machine_moved();
   referees_.look(now);

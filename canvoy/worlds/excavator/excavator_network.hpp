@@ -26,6 +26,7 @@
 #include "canvoy/worlds/excavator/excavator_operator.hpp"
 #include "canvoy/worlds/excavator/excavator_options.hpp"
 #include "canvoy/worlds/excavator/excavator_referees.hpp"
+#include "canvoy/worlds/excavator/trainer.hpp"
 #include "canvoy/worlds/excavator/valves_hardware.hpp"
 
 namespace canvoy::excavator {
@@ -95,6 +96,8 @@ class ExcavatorNetwork {
   SeatPanel& panel() { return panel_; }
   /// The operator.
   const ExcavatorOperator& driver() const { return driver_; }
+  /// Gives no lessons where the options have no trainer.
+  const Trainer& trainer() const { return trainer_; }
   /// Device with a node-ID, which must exist.
   MachineNode& node(NodeId id) { return devices_.node(id); }
   /// See ExcavatorDevices::nodes().
@@ -127,8 +130,10 @@ class ExcavatorNetwork {
   std::vector<ExcavatorEvent> events_;
   Excavator machine_;
   SeatPanel panel_;
+  SeatPanel trainer_panel_;
   ShiftRecorder recorder_;
   ExcavatorOperator driver_;
+  Trainer trainer_;
   ValvesHardware valves_;
   ExcavatorDevices devices_;
   BusWatch bus_watch_;

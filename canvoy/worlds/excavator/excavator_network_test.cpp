@@ -96,8 +96,12 @@ std::vector<ScheduledFault> many(const ScheduledFault& fault) {
 const Tampering tamperings[] = {
     {"unwanted_motion",
      [](ExcavatorOptions& options) {
-       options.sabotage.trusting_host = true;
+       options.sabotage.trusting_host = options.sabotage.single_channel = true;
        options.faults.faults = many({.kind = FaultKind::stuck_axis});
+     }},
+    {"unwanted_motion",
+     [](ExcavatorOptions& options) {
+       options.has_trainer = options.sabotage.obeys_all_seats = true;
      }},
     {"lost_seat",
      [](ExcavatorOptions& options) {
@@ -224,7 +228,7 @@ std::vector<Return> returns() {
   }
   for (const FaultKind kind :
        {FaultKind::babbling_node, FaultKind::corrupted_frames, FaultKind::stuck_axis,
-        FaultKind::broken_wire, FaultKind::vanished_armrest}) {
+        FaultKind::broken_wire, FaultKind::drifting_axis, FaultKind::vanished_armrest}) {
     all.push_back({kind, 0});
   }
   return all;

@@ -42,6 +42,10 @@ void ExcavatorOperator::work(Time now) {
     enter(now, Activity::gets_off);
     rest(now);
   }
+  if (held_back_) {
+    since_ = moved_at_ = now;
+    return let_go();
+  }
   act(now);
   look_at_lamps(now);
   watch_machine(now);
@@ -210,6 +214,20 @@ void ExcavatorOperator::move_hands(Time now) {
   panel_.move_pedal(0, follow(Movement::left_track, panel_.pedal(0)));
   panel_.move_pedal(1, follow(Movement::right_track, panel_.pedal(1)));
   panel_.turn_wheel(1, follow(Movement::rotator, panel_.wheel(1)));
+}
+
+void ExcavatorOperator::let_go() {
+  const auto towards = [](double place, double goal) {
+    return place + std::clamp(goal - place, -step_of_hand, step_of_hand);
+  };
+  for (std::size_t i = 0; i < stick_count; ++i) {
+    const auto stick = static_cast<Stick>(i);
+    const double goal = stick == Stick::right_y ? held_back_.value_or(0) : 0;
+    panel_.move_stick(stick, towards(panel_.stick(stick), goal));
+  }
+  panel_.move_pedal(0, towards(panel_.pedal(0), 0));
+  panel_.move_pedal(1, towards(panel_.pedal(1), 0));
+  panel_.turn_wheel(1, towards(panel_.wheel(1), 0));
 }
 
 // Switches.

@@ -75,6 +75,9 @@ class ExcavatorOperator {
 
   /// Sees, decides and moves the hands; call it in each step_time.
   void step(Time now);
+  /// Lets go of all sticks and pedals, but for that of the boom, which goes to this place, and does
+  /// nothing else; empty: goes on.
+  void hold_back(std::optional<double> boom) { held_back_ = boom; }
 
   /// What the operator does at present.
   Activity activity() const { return activity_; }
@@ -109,6 +112,7 @@ class ExcavatorOperator {
   bool is_at(const Pose& pose) const;
   void aim(const Pose& pose);
   void move_hands(Time now);
+  void let_go();
   void watch_machine(Time now);
   void look_at_lamps(Time now);
   bool press_if_other(Time now, Lamp lamp, bool is_wished, Button button);
@@ -138,6 +142,7 @@ class ExcavatorOperator {
   unsigned cycles_ = 0;
   unsigned presses_ = 0;
   bool is_over_ = false;
+  std::optional<double> held_back_{};
   std::size_t played_ = 0;  ///< moves played of a recorded shift
 };
 

@@ -85,15 +85,15 @@ void ExcavatorReferee::measure(Kind kind, double value) {
 }
 
 /// At each instant one invariant is judged: that of the silent device, or that of the hand.
-void ExcavatorReferee::moves(Time now, const Excavator& machine, const SeatPanel& panel) {
+void ExcavatorReferee::moves(Time now, const Excavator& machine,
+                             const std::array<double, movements>& hands) {
   const bool has_host = now - host_heard_ <= is_silent;
   const bool has_seat = now - seat_heard_ <= is_silent;
   const bool has_armrest = !has_armrest_ || now - armrest_heard_ <= is_silent;
   if (!has_host || !has_seat || !has_armrest) heard_all_since_ = now;
   for (std::size_t i = 0; i < movements; ++i) {
     const auto movement = static_cast<Movement>(i);
-    // With an open contact at the armrest, no motion of a hand counts.
-    const double hand = panel.is_released() ? panel.wanted(movement) : 0;
+    const double hand = hands[i];
     std::array<Time, 2>& wanted = hand_[i].wanted;
     if (hand < -contact_closes) wanted[0] = now;
     if (hand > contact_closes) wanted[1] = now;

@@ -2,7 +2,7 @@
 // controller reports of itself. What a declared fault excuses is not judged while the fault lasts
 // and for a time after it. It is never excused that the machine does not stop.
 //
-//     referee.moves(now, machine, panel);       // each step
+//     referee.moves(now, machine, hands);       // each step
 //     referee.pressed(now, Button::light);      // a finger
 //     referee.has_effect(now, Button::light);   // the lamps of the machine
 #pragma once
@@ -45,8 +45,9 @@ class ExcavatorReferee {
   /// Time for which the host has been silent.
   Duration host_silence(Time now) const { return now - host_heard_; }
 
-  /// Judges whether a hand commands each present movement.
-  void moves(Time now, const Excavator& machine, const SeatPanel& panel);
+  /// Judges whether a hand commands each present movement: `hands` are the places of those that
+  /// may, -1 to 1.
+  void moves(Time now, const Excavator& machine, const std::array<double, movements>& hands);
   /// Call it when a button goes down.
   void pressed(Time now, Button button);
   /// Call it when the effect of the button has happened once.

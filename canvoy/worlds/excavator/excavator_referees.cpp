@@ -39,6 +39,7 @@ ExcavatorReferees::ExcavatorReferees(const World& world, const ExcavatorOptions&
       options_(&options),
       machine_(&truth.machine),
       panel_(&truth.panel),
+      trainer_(&truth.trainer),
       driver_(&truth.driver),
       devices_(&devices),
       watch_(&watch),
@@ -72,16 +73,25 @@ void ExcavatorReferees::switched(Time now, Button button, bool is_on) {
 void ExcavatorReferees::fault_begins(Time now, FaultKind kind) {
   had_fault_ = true;
   referee_.fault_begins(affected_by(kind));
+  excuse_at_first(now, kind);
   if (!lasts(kind)) referee_.fault_ends(affected_by(kind), now);
 }
 
 void ExcavatorReferees::fault_ends(Time now, FaultKind kind) {
   if (lasts(kind)) referee_.fault_ends(affected_by(kind), now);
+  excuse_at_first(now, kind);
+}
+
+void ExcavatorReferees::excuse_at_first(Time now, FaultKind kind) {
+  referee_.fault_begins(affected_at_first(kind));
+  referee_.fault_ends(affected_at_first(kind), now);
 }
 
 void ExcavatorReferees::look(Time now) {
   cab_.step(now);
-  referee_.moves(now, *machine_, *panel_);
+  std::array<double, movements> hands{};
+  for (std::size_t i = 0; i < movements; ++i) hands[i] = wanted(static_cast<Movement>(i));
+  referee_.moves(now, *machine_, hands);
   referee_.look_at_presses(now);
   look_at_lamps(now);
   const bool has_service = is_served(now);
@@ -93,6 +103,17 @@ void ExcavatorReferees::look(Time now) {
     referee_.judge_device(node->place().id, now,
                           is_at_work(*world_, *node, *watch_, consumer_time));
   }
+}
+
+/// What a hand wants that may move the machine: at a seat of which the lamp of the command is lit,
+/// or at any while none is; with an open contact at the armrest, none.
+double ExcavatorReferees::wanted(Movement movement) const {
+  if (!panel_->is_released()) return 0;
+  if (!options_->has_trainer) return panel_->wanted(movement);
+  const std::optional<std::size_t> seat = panel_->commanding_seat();
+  if (seat == 1U) return trainer_->wanted(movement);
+  const double own = panel_->wanted(movement);
+  return seat || own != 0 ? own : trainer_->wanted(movement);
 }
 
 bool ExcavatorReferees::is_served(Time now) {
@@ -126,7 +147,8 @@ void ExcavatorReferees::look_at_lamps(Time now) {
   }
   const bool has_valves = is_at_work(*world_, devices_->node(valves_id), *watch_, consumer_time);
   referee_.judge(InvariantKind::indicators, now,
-                 cab_.lamps_are_right(has_valves, is_armrest_at_work(now)));
+                 cab_.lamps_are_right(has_valves, is_armrest_at_work(now)) &&
+                     (!options_->has_trainer || panel_->commanding_seat()));
   referee_.judge(InvariantKind::display, now, cab_.display_is_right(now, has_valves));
 }
 
@@ -144,6 +166,8 @@ void ExcavatorReferees::look_at_axes(Time now) {
     auto& places = axes_[i];
     std::shift_right(places.begin(), places.end(), 1);
     places[0] = panel_->stick(stick) * full_scale;
+    // An axis without a position moves nothing.
+    if (devices_->host().axis_value(stick) == broken_wire_reads) continue;
     double apart = INFINITY;
     for (const double place : places) {
       apart = std::min(apart, std::abs(place - devices_->host().axis_value(stick)));

@@ -1,8 +1,8 @@
 // All judgements in a shift of an excavator: it reports to the referee what hands, machine, lamps,
 // display and nodes do, and what excuses it.
 //
-//     ExcavatorReferees referees(world, options, {machine, panel, valves, driver}, devices, watch);
-//     referees.look_at_axes(now);    // each step, before hands move
+//     ExcavatorReferees referees(world, options, {machine, panel, trainer, valves, driver},
+//     devices, watch); referees.look_at_axes(now);    // each step, before hands move
 //     referees.look(now);            // and when the machine has moved
 //     for (const Invariant& invariant : referees.verdicts()) ok = ok && invariant.held;
 #pragma once
@@ -23,6 +23,7 @@ namespace canvoy::excavator {
 struct ExcavatorTruth {
   const Excavator& machine;         ///< the truth
   const SeatPanel& panel;           ///< what hands do, and lamps show
+  const SeatPanel& trainer;         ///< panel of the second seat
   const ValvesHardware& valves;     ///< what the module drives
   const ExcavatorOperator& driver;  ///< what the operator wants
 };
@@ -59,6 +60,8 @@ class ExcavatorReferees {
   std::vector<Invariant> take_broken();
 
  private:
+  void excuse_at_first(Time now, FaultKind kind);
+  double wanted(Movement movement) const;
   void look_at_lamps(Time now);
   bool is_served(Time now);
   bool is_locked_in_sight(Time now);
@@ -68,6 +71,7 @@ class ExcavatorReferees {
   const ExcavatorOptions* options_;
   const Excavator* machine_;
   const SeatPanel* panel_;
+  const SeatPanel* trainer_;
   const ExcavatorOperator* driver_;
   ExcavatorDevices* devices_;
   const BusWatch* watch_;

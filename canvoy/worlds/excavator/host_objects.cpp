@@ -67,6 +67,12 @@ constexpr std::uint16_t number_of(Output output) {
   return static_cast<std::uint16_t>(transmit + static_cast<unsigned>(output) - 1);
 }
 
+void add_trainer(std::vector<NodeValue>& values, unsigned stale) {
+  add_pdo(values, {number_of(Input::trainer_left), trainer_left_id, 0, stale, mapped_joystick(3)});
+  add_pdo(values,
+          {number_of(Input::trainer_right), trainer_right_id, 0, stale, mapped_joystick(4)});
+}
+
 void add_inputs(std::vector<NodeValue>& values, unsigned stale) {
   add_pdo(values, {number_of(Input::left_stick), left_stick_id, 0, stale, mapped_joystick(1)});
   add_pdo(values, {number_of(Input::right_stick), right_stick_id, 0, stale, mapped_joystick(2)});
@@ -106,7 +112,7 @@ void add_outputs(std::vector<NodeValue>& values) {
 
 }  // namespace
 
-std::vector<NodeValue> host_configuration(Duration seat_time_out) {
+std::vector<NodeValue> host_configuration(Duration seat_time_out, bool has_trainer) {
   constexpr std::uint16_t consumers = object_index::heartbeat_consumers;
   const auto in_ms = [](Duration time) {
     return static_cast<std::uint32_t>(
@@ -117,7 +123,9 @@ std::vector<NodeValue> host_configuration(Duration seat_time_out) {
       host_value_of(consumers, 1, std::uint32_t{seat_id} << 16 | in_ms(seat_time_out), 4));
   values.push_back(
       host_value_of(consumers, 2, std::uint32_t{valves_id} << 16 | in_ms(consumer_time), 4));
-  add_inputs(values, seat_time_out == consumer_time ? stale_ms : in_ms(seat_time_out));
+  const unsigned stale = seat_time_out == consumer_time ? stale_ms : in_ms(seat_time_out);
+  add_inputs(values, stale);
+  if (has_trainer) add_trainer(values, stale);
   add_outputs(values);
   return values;
 }

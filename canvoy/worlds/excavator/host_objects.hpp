@@ -25,11 +25,13 @@ inline constexpr NodeId valves_id = 33;  ///< node-ID of the module on the valve
 inline constexpr std::uint32_t left_stick_id = 0x180 + seat_id;
 /// Right joystick: axes and contacts.
 inline constexpr std::uint32_t right_stick_id = 0x280 + seat_id;
-inline constexpr std::uint32_t pedals_id = 0x380 + seat_id;        ///< both pedals
-inline constexpr std::uint32_t buttons_id = 0x480 + seat_id;       ///< push-buttons of the seat
-inline constexpr std::uint32_t wheels_id = 0x180 + seat_id + 1;    ///< wheels: throttle and rotator
-inline constexpr std::uint32_t knob_id = 0x280 + seat_id + 1;      ///< knob: its counter
-inline constexpr std::uint32_t lamps_id = 0x200 + seat_id;         ///< indicators of the seat
+inline constexpr std::uint32_t pedals_id = 0x380 + seat_id;      ///< both pedals
+inline constexpr std::uint32_t buttons_id = 0x480 + seat_id;     ///< push-buttons of the seat
+inline constexpr std::uint32_t wheels_id = 0x180 + seat_id + 1;  ///< wheels: throttle and rotator
+inline constexpr std::uint32_t knob_id = 0x280 + seat_id + 1;    ///< knob: its counter
+inline constexpr std::uint32_t trainer_left_id = 0x380 + seat_id + 1;   ///< joystick 3
+inline constexpr std::uint32_t trainer_right_id = 0x480 + seat_id + 1;  ///< joystick 4
+inline constexpr std::uint32_t lamps_id = 0x200 + seat_id;              ///< indicators of the seat
 inline constexpr std::uint32_t display_id = 0x300 + seat_id;       ///< display: parameters 1 to 4
 inline constexpr std::uint32_t more_display_id = 0x400 + seat_id;  ///< display: parameters 5 to 8
 inline constexpr std::uint32_t angles_id = 0x280 + valves_id;  ///< analogue inputs 1 to 4: angles
@@ -48,8 +50,8 @@ inline constexpr std::uint16_t refresh_ms = 200;
 inline constexpr std::uint16_t stale_ms = 500;
 
 // Indices of the values.
-inline constexpr std::uint16_t axis_values = 0x2000;      ///< 1 to 6: x, y and z of both joysticks
-inline constexpr std::uint16_t joystick_values = 0x2001;  ///< memory and buttons of both
+inline constexpr std::uint16_t axis_values = 0x2000;      ///< x, y and z of each joystick
+inline constexpr std::uint16_t joystick_values = 0x2001;  ///< memory and buttons of each
 inline constexpr std::uint16_t pedal_values = 0x2002;     ///< both pedals
 inline constexpr std::uint16_t pedal_memories = 0x2003;   ///< memories of both pedals
 inline constexpr std::uint16_t wheel_values = 0x2004;     ///< throttle and rotator
@@ -71,9 +73,13 @@ enum class Input : std::uint8_t {
   wheels,
   knob,
   angles,
-  engine
+  engine,
+  trainer_left,  ///< joysticks 3 and 4, of a second seat
+  trainer_right
 };
-inline constexpr unsigned host_inputs = static_cast<unsigned>(Input::engine);  ///< number of RPDOs
+inline constexpr unsigned host_inputs = static_cast<unsigned>(Input::trainer_right);
+/// Seats with two joysticks each.
+inline constexpr std::size_t seats_max = 2;
 /// TPDOs.
 enum class Output : std::uint8_t {
   lamps = 1,
@@ -119,8 +125,8 @@ inline constexpr auto host_description = describe(
     Part(cia301::rpdo_mapping_object).only(0, host_inputs).up_to(8),
     Part(cia301::tpdo_parameter_object).only(0, host_outputs),
     Part(cia301::tpdo_mapping_object).only(0, host_outputs).up_to(8),
-    HostObject<axis_values, 6, DataType::integer16>::object,
-    HostObject<joystick_values, 4, DataType::unsigned8>::object,
+    HostObject<axis_values, 6 * seats_max, DataType::integer16>::object,
+    HostObject<joystick_values, 4 * seats_max, DataType::unsigned8>::object,
     HostObject<pedal_values, 2, DataType::integer16>::object,
     HostObject<pedal_memories, 2, DataType::unsigned8>::object,
     HostObject<wheel_values, 2, DataType::integer16>::object,
@@ -142,6 +148,6 @@ inline constexpr std::size_t host_routes = node_id_max + 6;
 using HostNode = DeviceNode<detail::host_layout, host_routes>;
 
 /// `seat_time_out` is how long the seat may be silent, and its sticks unreported (zero: for ever).
-std::vector<NodeValue> host_configuration(Duration seat_time_out);
+std::vector<NodeValue> host_configuration(Duration seat_time_out, bool has_trainer = false);
 
 }  // namespace canvoy::excavator

@@ -53,9 +53,10 @@ double MachineControl::sensor(Sensor which) const {
   return integer(sensor_values, static_cast<unsigned>(which)) / digits_of(which);
 }
 
-std::int16_t MachineControl::axis_value(Stick stick) const {
+std::int16_t MachineControl::axis_value(std::size_t seat, Stick stick) const {
   const auto place = static_cast<unsigned>(stick);
-  return integer(axis_values, 3 * (place / 2) + place % 2 + 1);
+  const auto joystick = static_cast<unsigned>(2 * seat) + place / 2;
+  return integer(axis_values, 3 * joystick + place % 2 + 1);
 }
 
 // Presence of the nodes.
@@ -79,7 +80,8 @@ void MachineControl::forget(Partner& partner) {
   if (&partner == &seat_) {
     armrest_.stop();
     is_fresh_.fill(false);
-    is_odd_.fill(false);
+    asks_.fill(std::nullopt);
+    command_ = 0;
     knows_buttons_ = false;
   }
 }
@@ -137,7 +139,9 @@ void MachineControl::tell_anew(const Partner& partner) {
 
 /// Buttons and the knob are sent only when they change, and so are lamps, display and switches.
 void MachineControl::ask_anew(NodeId) {
-  for (std::uint16_t input = 1; input <= host_inputs; ++input) device_.rpdos().request(input);
+  const auto inputs =
+      static_cast<unsigned>(settings_.has_trainer ? Input::trainer_right : Input::engine);
+  for (std::uint16_t input = 1; input <= inputs; ++input) device_.rpdos().request(input);
   for (const Partner* partner : {&seat_, &valves_}) {
     if (partner->is_ready) tell_anew(*partner);
   }
@@ -164,6 +168,7 @@ void MachineControl::look(Time now) {
 void MachineControl::received(std::uint16_t number) {
   is_fresh_[number] = seat_.is_ready;
   if (static_cast<Input>(number) == Input::buttons) press();
+  if (settings_.has_trainer) look_for_command();
   drive();
 }
 
@@ -255,22 +260,65 @@ double MachineControl::command_of(Movement movement) {
     case Movement::boom:
       return command_of_stick(Stick::right_y, is_armed);
     case Movement::left_track:
-      return command_of_value(integer(pedal_values, 1), is_fresh(Input::pedals), is_armed);
+      return command_of_value(integer(pedal_values, 1), has_own(Input::pedals), is_armed);
     case Movement::right_track:
-      return command_of_value(integer(pedal_values, 2), is_fresh(Input::pedals), is_armed);
+      return command_of_value(integer(pedal_values, 2), has_own(Input::pedals), is_armed);
     case Movement::rotator:
-      return command_of_value(integer(wheel_values, 2), is_fresh(Input::wheels), is_armed);
+      return command_of_value(integer(wheel_values, 2), has_own(Input::wheels), is_armed);
   }
   return 0;
 }
 
 double MachineControl::command_of_stick(Stick stick, bool& is_armed) {
-  const auto place = static_cast<std::size_t>(stick);
-  const std::int16_t value = axis_value(stick);
-  const bool is_fresh = is_fresh_[place / 2 + static_cast<std::size_t>(Input::left_stick)];
-  const bool is_good = value != broken_wire_reads && is_plausible(stick, value);
-  is_odd_[place] = is_fresh && !is_good;
-  return command_of_value(value, is_fresh && is_good, is_armed);
+  if (!settings_.obeys_all_seats) return command_of_seat(command_, stick, is_armed);
+  const double own = command_of_seat(0, stick, is_armed);
+  return own != 0 ? own : command_of_seat(1, stick, is_armed);
+}
+
+double MachineControl::command_of_seat(std::size_t seat, Stick stick, bool& is_armed) {
+  const bool is_good = is_fresh_stick(seat, stick) && has_good_axis(seat, stick);
+  return command_of_value(axis_value(seat, stick), is_good, is_armed);
+}
+
+bool MachineControl::is_fresh_stick(std::size_t seat, Stick stick) const {
+  const Input left = seat == 0 ? Input::left_stick : Input::trainer_left;
+  return is_fresh_[static_cast<std::size_t>(stick) / 2 + static_cast<std::size_t>(left)];
+}
+
+/// True if wire, sensors and contact of a stick are in order.
+bool MachineControl::has_good_axis(std::size_t seat, Stick stick) const {
+  const std::int16_t value = axis_value(seat, stick);
+  return value != broken_wire_reads && is_plausible(seat, stick, value);
+}
+
+bool MachineControl::all_are_at_rest() const {
+  bool at_rest = is_fresh(Input::pedals) && is_fresh(Input::wheels);
+  for (std::size_t seat = 0; seat < seats(); ++seat) {
+    for (std::size_t i = 0; i < stick_count; ++i) {
+      const auto stick = static_cast<Stick>(i);
+      const bool rests = std::abs(axis_value(seat, stick)) < dead_zone;
+      at_rest = at_rest && is_fresh_stick(seat, stick) && rests;
+    }
+  }
+  for (const std::int16_t value :
+       {integer(pedal_values, 1), integer(pedal_values, 2), integer(wheel_values, 2)}) {
+    at_rest = at_rest && std::abs(value) < dead_zone;
+  }
+  return at_rest;
+}
+
+/// A button that was held before it was first heard asks for nothing.
+void MachineControl::look_for_command() {
+  for (std::size_t seat = 0; seat < seats(); ++seat) {
+    const Input left = seat == 0 ? Input::left_stick : Input::trainer_left;
+    if (!is_fresh(left)) continue;
+    const auto sub = static_cast<std::uint8_t>(4 * seat + 2);
+    const bool asks = (dictionary().word(joystick_values, sub) & command_bit) != 0;
+    const bool was_up = std::exchange(asks_[seat], asks) == std::optional(false);
+    if (!asks || !was_up || seat == command_ || !all_are_at_rest()) continue;
+    command_ = seat;
+    is_armed_.fill(false);
+  }
 }
 
 double MachineControl::command_of_value(std::int16_t value, bool is_good, bool& is_armed) const {
@@ -285,11 +333,12 @@ double MachineControl::command_of_value(std::int16_t value, bool is_good, bool& 
 }
 
 /// True if the contact of a direction is closed where the sensor has the stick in that direction.
-bool MachineControl::is_plausible(Stick stick, std::int16_t value) const {
+bool MachineControl::is_plausible(std::size_t seat, Stick stick, std::int16_t value) const {
   if (!settings_.checks_contacts || std::abs(value) < dead_zone) return true;
   const auto place = static_cast<unsigned>(stick);
   const std::uint32_t contacts =
-      device_.dictionary().word(joystick_values, static_cast<std::uint8_t>(2 * (place / 2) + 2)) >>
+      device_.dictionary().word(joystick_values,
+                                static_cast<std::uint8_t>(4 * seat + 2 * (place / 2) + 2)) >>
       (first_contact_bit + 2 * (place % 2));
   return (contacts & 3) == (value < 0 ? 1U : 2U);
 }
@@ -301,7 +350,11 @@ void MachineControl::tell() {
     return (is_on ? 1U : 0U) << static_cast<unsigned>(lamp);
   };
   bool is_odd = false;
-  for (const bool odd : is_odd_) is_odd = is_odd || odd;
+  for (std::size_t i = 0; i < seats() * stick_count; ++i) {
+    const std::size_t seat = i / stick_count;
+    const auto stick = static_cast<Stick>(i % stick_count);
+    is_odd = is_odd || (is_fresh_stick(seat, stick) && !has_good_axis(seat, stick));
+  }
   is_odd = is_odd || (settings_.has_armrest && !armrest_.is_there());
   const bool is_low = sensor(Sensor::fuel) < low_fuel_percent;
   const unsigned lamps_now =
@@ -311,6 +364,7 @@ void MachineControl::tell() {
       lit(Lamp::hot, has_valves && sensor(Sensor::oil) > Excavator::hot) |
       lit(Lamp::ready, has_valves);
   dictionary().set_number(lamp_values, 1, lamps_now);
+  if (settings_.has_trainer) dictionary().set_number(lamp_values, 2, 1U << command_);
 }
 
 void MachineControl::show() {

@@ -7,11 +7,14 @@
 //
 // A command is valid where the seat is operational, its sticks are received in time, the wire is
 // whole, the contact of the direction agrees with the sensor, and the stick was released once after
-// the last error; and where the armrest behind the seat answers, with all contacts closed.
+// the last error; and where the armrest behind the seat answers, with all contacts closed. Of two
+// seats, one has the command: the other one gets it by a button on its left joystick, while all
+// sticks and pedals are at rest.
 #pragma once
 
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "canvoy/canopen/nmt/nmt_master.hpp"
 #include "canvoy/devices/kit/gap_watch.hpp"
@@ -31,7 +34,7 @@ class MachineControl {
   MachineControl& operator=(const MachineControl&) = delete;
 
   /// Received value of an axis, for referees.
-  std::int16_t axis_value(Stick stick) const;
+  std::int16_t axis_value(Stick stick) const { return axis_value(0, stick); }
 
  private:
   /// One of the seat and the module.
@@ -78,9 +81,18 @@ class MachineControl {
   void drive();
   double command_of(Movement movement);
   double command_of_stick(Stick stick, bool& is_armed);
+  double command_of_seat(std::size_t seat, Stick stick, bool& is_armed);
+  std::int16_t axis_value(std::size_t seat, Stick stick) const;
+  bool has_good_axis(std::size_t seat, Stick stick) const;
+  bool is_fresh_stick(std::size_t seat, Stick stick) const;
+  bool all_are_at_rest() const;
+  void look_for_command();
+  std::size_t seats() const { return settings_.has_trainer ? seats_max : 1; }
   double command_of_value(std::int16_t value, bool is_fresh, bool& is_armed) const;
-  bool is_plausible(Stick stick, std::int16_t value) const;
+  bool is_plausible(std::size_t seat, Stick stick, std::int16_t value) const;
   bool is_fresh(Input input) const { return is_fresh_[static_cast<std::size_t>(input)]; }
+  /// Pedals and wheels are at the operator's seat alone.
+  bool has_own(Input input) const { return is_fresh(input) && command_ == 0; }
   void press();
   void pressed(Button button);
   void tell();
@@ -100,8 +112,9 @@ class MachineControl {
   GapWatch gaps_;
 
   std::array<bool, host_inputs + 1> is_fresh_{};
-  std::array<bool, commands> is_armed_{};   ///< released since the last error
-  std::array<bool, stick_count> is_odd_{};  ///< wire or contact of a stick is defective
+  std::array<bool, commands> is_armed_{};              ///< released since the last error
+  std::size_t command_ = 0;                            ///< seat that has it; 0: the operator's
+  std::array<std::optional<bool>, seats_max> asks_{};  ///< its button is held
   std::uint32_t pressed_ = 0;
   bool knows_buttons_ = false;
   bool has_horn_ = false;
@@ -116,7 +129,7 @@ class MachineHost {
  public:
   /// Makes the node at the port.
   MachineHost(const Port& port, const HostSettings& settings)
-      : values_(host_configuration(settings.seat_time_out)),
+      : values_(host_configuration(settings.seat_time_out, settings.has_trainer)),
         device_(port, host_id, true),
         configuration_(device_.node(), values_),
         control_(device_, settings) {}

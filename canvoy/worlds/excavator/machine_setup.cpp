@@ -75,7 +75,7 @@ std::vector<SetupWrite> seat_setup(const HostSettings& settings) {
   const auto wheel = [](unsigned n) { return 0x6401'0010 | wheel_position_sub(n) << 8; };
   Writes writes;
   add_error_control(writes, consumer_time);
-  for (unsigned joystick = 1; joystick <= 2; ++joystick) {
+  for (unsigned joystick = 1; joystick <= (settings.has_trainer ? 4U : 2U); ++joystick) {
     for (unsigned axis = 1; axis <= 2; ++axis) {
       add_delta(writes, joystick_axis_sub(joystick, axis), settings.delta);
     }
@@ -88,6 +88,10 @@ std::vector<SetupWrite> seat_setup(const HostSettings& settings) {
   writes.push_back({0x6423, 0, 1, 1});
   add_tpdo(writes, {joystick_tpdo(1), left_stick_id, refresh_ms});
   add_tpdo(writes, {joystick_tpdo(2), right_stick_id, refresh_ms});
+  if (settings.has_trainer) {
+    add_tpdo(writes, {joystick_tpdo(3), trainer_left_id, refresh_ms});
+    add_tpdo(writes, {joystick_tpdo(4), trainer_right_id, refresh_ms});
+  }
   add_tpdo(writes, {foot_pedal_tpdo(1), pedals_id, refresh_ms});
   add_tpdo(writes, {push_button_tpdo(1), buttons_id, buttons_again_ms, 0, {first_buttons}});
   add_tpdo(writes, {wheel_tpdo(1), wheels_id, refresh_ms, 0, {wheel(1), wheel(2)}});

@@ -22,6 +22,8 @@ struct HostSettings {
   Duration seat_time_out = consumer_time;
   Duration host_time_out = consumer_time;  ///< 1016h of the module
   bool has_armrest = true;                 ///< behind the seat; false: there is no safety lever
+  bool has_trainer = false;                ///< a second seat, of which one has the command
+  bool obeys_all_seats = false;            ///< whichever has the command
   bool checks_armrest = true;              ///< false: the last state of its lever counts for ever
   std::uint16_t delta = axis_delta;  ///< least change of an axis that the seat sends, in digits
   bool checks_contacts =

@@ -1,5 +1,6 @@
 #include "canvoy/worlds/excavator/seat_panel.hpp"
 
+#include <bit>
 #include <cmath>
 
 #include "canvoy/worlds/excavator/armrest_watch.hpp"
@@ -60,8 +61,16 @@ cia852::OperatorHardware SeatPanel::hardware() {
 
 std::int16_t SeatPanel::sensed(Stick stick) const {
   const auto place = static_cast<std::size_t>(stick);
+  constexpr double drift = 0.25;
   if (broken_[place]) return broken_wire_reads;
-  return in_digits(jammed_[place] ? jammed_at_[place] : sticks_[place]);
+  const double sensed = jammed_[place] ? jammed_at_[place] : sticks_[place];
+  if (!drifting_[place]) return in_digits(sensed);
+  return in_digits(sensed > 0.5 ? sensed - drift : sensed + drift);
+}
+
+std::int16_t SeatPanel::second_joystick_axis(unsigned joystick, unsigned axis) {
+  if (axis > 2) return 0;
+  return in_digits(sticks_.at(2 * (joystick - 1) + axis - 1));
 }
 
 std::int16_t SeatPanel::joystick_axis(unsigned joystick, unsigned axis) {
@@ -71,7 +80,7 @@ std::int16_t SeatPanel::joystick_axis(unsigned joystick, unsigned axis) {
 
 /// Contacts that are separate from the sensor of the position.
 std::uint8_t SeatPanel::joystick_buttons(unsigned joystick) {
-  unsigned bits = 0;
+  unsigned bits = joystick == 1 && asks_for_command_ ? command_bit : 0U;
   for (unsigned axis = 0; axis < 2; ++axis) {
     const double place = sticks_[2 * (joystick - std::size_t{1}) + axis];
     if (place < -contact_closes) bits |= 1U << (first_contact_bit + 2 * axis);
@@ -95,6 +104,7 @@ std::uint8_t SeatPanel::push_buttons(unsigned cluster, unsigned group) {
 
 void SeatPanel::show_indicators(unsigned cluster, unsigned group, std::uint8_t lit) {
   if (cluster == 1 && group == 1) lit_ = Lamps(lit) & ~burnt_;
+  if (cluster == 1 && group == 2) command_lamps_ = lit;
 }
 
 void SeatPanel::show_parameter(unsigned display, unsigned parameter, std::int16_t value) {
@@ -106,7 +116,13 @@ void SeatPanel::show_parameter(unsigned display, unsigned parameter, std::int16_
 
 void SeatPanel::go_dark() {
   lit_.reset();
+  command_lamps_ = 0;
   display_.fill(no_value);
+}
+
+std::optional<std::size_t> SeatPanel::commanding_seat() const {
+  if (!std::has_single_bit(command_lamps_)) return std::nullopt;
+  return static_cast<std::size_t>(std::countr_zero(command_lamps_));
 }
 
 std::uint8_t SeatPanel::contacts() const {

@@ -11,6 +11,7 @@
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "canvoy/devices/cia852/operator_hardware.hpp"
@@ -84,6 +85,12 @@ class SeatPanel {
   void press(Button button, bool is_pressed) {
     pressed_[static_cast<std::size_t>(button)] = is_pressed;
   }
+  /// Holds the button on the left joystick that asks for the command.
+  void ask_for_command(bool is_pressed) { set(asks_for_command_, is_pressed); }
+  /// True if all sticks are at rest.
+  bool is_at_rest() const { return sticks_ == std::array<double, stick_count>{}; }
+  /// Seat that has the command, by the lamps: 0 is the operator's; empty: they are dark.
+  std::optional<std::size_t> commanding_seat() const;
   /// Moves the safety lever at the armrest.
   void set_lever(bool is_lowered) { set(is_lever_lowered_, is_lowered); }
   /// Loads or unloads the seat switch.
@@ -124,8 +131,10 @@ class SeatPanel {
   void break_wire(Stick stick, bool is_broken) {
     broken_[static_cast<std::size_t>(stick)] = is_broken;
   }
-  /// Keeps the sensor at its value, whatever the hand does.
+  /// Keeps the first sensor at its value, whatever the hand does.
   void jam(Stick stick, bool is_jammed);
+  /// The first sensor reads a quarter of the travel too much, or too little in the upper half.
+  void drift(Stick stick, bool drifts) { drifting_[static_cast<std::size_t>(stick)] = drifts; }
   /// Breaks the wire of the seat switch, which then reports an empty seat.
   void break_seat_switch(bool is_broken) { is_seat_switch_broken_ = is_broken; }
   /// A lamp gives no light.
@@ -136,6 +145,8 @@ class SeatPanel {
   bool has_broken_wire() const { return broken_.any(); }
   /// True if the sensor of any axis is jammed.
   bool has_jam() const { return jammed_.any(); }
+  /// True while a first sensor is off.
+  bool has_drift() const { return drifting_.any(); }
 
   // Side of the module.
 
@@ -145,14 +156,20 @@ class SeatPanel {
   std::int16_t sensed(Stick stick) const;
   /// The module has no power: no lamp is lit, and the display is empty.
   void go_dark();
+  // Its joysticks 1 and 2, of which each axis has two sensors.
+
+  /// Reading of the first sensor, in digits; axis 1 is x, 2 is y.
+  std::int16_t joystick_axis(unsigned joystick, unsigned axis);
+  /// Like joystick_axis(), of the second sensor.
+  std::int16_t second_joystick_axis(unsigned joystick, unsigned axis);
+  /// Contacts and buttons, as in Figure 4 of CiA 852.
+  std::uint8_t joystick_buttons(unsigned joystick);
 
  private:
   template <class Value>
   void set(Value& value, Value to) {
     if (std::exchange(value, to) != to) ++hand_changes_;
   }
-  std::int16_t joystick_axis(unsigned joystick, unsigned axis);
-  std::uint8_t joystick_buttons(unsigned joystick);
   std::uint8_t joystick_memory(unsigned) { return 0; }
   std::int16_t foot_pedal(unsigned pedal);
   bool foot_pedal_memory(unsigned) { return false; }
@@ -176,7 +193,10 @@ class SeatPanel {
   std::bitset<button_count> pressed_;
   std::bitset<stick_count> broken_;
   std::bitset<stick_count> jammed_;
+  std::bitset<stick_count> drifting_;
   std::array<double, stick_count> jammed_at_{};
+  bool asks_for_command_ = false;
+  std::uint8_t command_lamps_ = 0;
   Lamps lit_;
   Lamps burnt_;
   std::array<std::int16_t, shown_parameters> display_{};
@@ -185,5 +205,7 @@ class SeatPanel {
 
 /// First bit of a joystick's contacts among its buttons: 5 to 8 are x-, x+, y- and y+.
 inline constexpr unsigned first_contact_bit = 4;
+/// Button 1 of the left joystick asks for the command.
+inline constexpr unsigned command_bit = 1;
 
 }  // namespace canvoy::excavator
