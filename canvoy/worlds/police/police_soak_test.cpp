@@ -35,6 +35,14 @@ TEST_P(PoliceSoak, ADarkRoofIsSeen) {
   }));
 }
 
+/// The control of blue light boots so quickly that the terminal does not lose it, and sends no keys
+/// for its lock: the control reads them, or the first key after it is lost.
+TEST(PoliceSoakFound, TheFirstKeyAfterABootOfTheControlHasItsEffect) {
+  PoliceNetwork network(soak_police(58));
+  network.run_until(Time(40min));
+  EXPECT_TRUE(network.all_hold());
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, PoliceSoak, testing::Range<std::uint64_t>(1, tries_all() ? 7 : 3));
 
 }  // namespace

@@ -32,6 +32,12 @@ constexpr const PartObjects* find_part(unsigned part) {
   return nullptr;
 }
 
+/// Place of the present key of a pad.
+constexpr FieldPlace key_place_of(TerminalPart pad) {
+  return pad == TerminalPart::number_pad ? place_of(number_pad_user_interaction)
+                                         : place_of(function_keys_user_interaction_key);
+}
+
 struct TextPlace {
   const ObjectInfo* object;
   TerminalPart part;
@@ -145,6 +151,9 @@ TerminalClient::Job TerminalClient::next_job(Time now) const {
   for (unsigned i = 0; i < texts_.size(); ++i) {
     if (has(text_places[i].part) && !texts_[i].is_told) return {Job::Kind::write, i};
   }
+  for (unsigned part = 0; now >= look_due_ && part < states_.size(); ++part) {
+    if (is_unknown_pad(part)) return {Job::Kind::look, part};
+  }
   for (unsigned part = 0; now >= lock_due_ && part < states_.size(); ++part) {
     if (!states_[part].is_held && states_[part].is_wanted) return {Job::Kind::lock, part};
   }
@@ -156,12 +165,33 @@ TerminalClient::Job TerminalClient::next_job(Time now) const {
 Time TerminalClient::next_time() const {
   const bool waits = std::ranges::any_of(
       states_, [](const PartWish& part) { return part.is_wanted && !part.is_held; });
-  return waits ? std::min(lock_due_, check_due_) : check_due_;
+  Time next = waits ? std::min(lock_due_, check_due_) : check_due_;
+  for (unsigned part = 0; part < states_.size(); ++part) {
+    if (is_unknown_pad(part)) next = std::min(next, look_due_);
+  }
+  return next;
+}
+
+TerminalClient::Pad* TerminalClient::pad_of(unsigned part) {
+  if (part == number_of(TerminalPart::number_pad)) return &number_pad_;
+  return part == number_of(TerminalPart::function_pad) ? &function_pad_ : nullptr;
+}
+const TerminalClient::Pad* TerminalClient::pad_of(unsigned part) const {
+  if (part == number_of(TerminalPart::number_pad)) return &number_pad_;
+  return part == number_of(TerminalPart::function_pad) ? &function_pad_ : nullptr;
+}
+
+/// A terminal that has not lost a device which boots does not send its keys again: a lock that
+/// changes nothing is no event.
+bool TerminalClient::is_unknown_pad(unsigned part) const {
+  const Pad* const pad = pad_of(part);
+  return pad != nullptr && !pad->is_known && states_[part].is_held;
 }
 
 void TerminalClient::start(const Job& job) {
   const auto started = job.kind == Job::Kind::write   ? start_write(job.what)
                        : job.kind == Job::Kind::check ? start_check(job.what)
+                       : job.kind == Job::Kind::look  ? start_look(job.what)
                        : job.kind == Job::Kind::lock
                            ? start_command(job.what, AccessCommand::lock)
                            : start_command(job.what, AccessCommand::release);
@@ -191,6 +221,12 @@ AbortCode TerminalClient::start_check(unsigned part) {
                         SdoClient::Done::to<&TerminalClient::done>(*this), settings_.time_out);
 }
 
+AbortCode TerminalClient::start_look(unsigned part) {
+  return client_.upload(settings_.terminal, key_place_of(static_cast<TerminalPart>(part)).index, 0,
+                        command_, SdoClient::Done::to<&TerminalClient::done>(*this),
+                        settings_.time_out);
+}
+
 void TerminalClient::done(SdoClient::Outcome outcome) {
   const Time now = network_.node().now();
   const Job job = job_;
@@ -204,6 +240,7 @@ void TerminalClient::done(SdoClient::Outcome outcome) {
     case Job::Kind::lock:
       if (outcome) {
         states_[job.what].is_held = true;
+        look_due_ = now + settings_.retry;
         break;
       }
       if (was_answered) let_go(job.what);
@@ -212,6 +249,14 @@ void TerminalClient::done(SdoClient::Outcome outcome) {
     case Job::Kind::check:
       if (job.what == to_check_) ++to_check_;
       if (outcome) take(job.what, command_[0]);
+      break;
+    case Job::Kind::look:
+      look_due_ = now + settings_.retry;
+      if (Pad* const pad = pad_of(job.what); pad != nullptr && !pad->is_known && outcome) {
+        const FieldPlace place = key_place_of(static_cast<TerminalPart>(job.what));
+        const unsigned key = command_[0] >> place.first_bit & ((1U << place.bits) - 1);
+        *pad = {.is_armed = key == 0 && states_[job.what].is_held, .is_known = true};
+      }
       break;
     case Job::Kind::release:
       // A terminal that does not answer loses this device, or releases the part on the next
@@ -255,6 +300,7 @@ template <class Key>
 void TerminalClient::look_at(Pad& pad, bool is_mine, Key key, const Callback<void(Key)>& pressed) {
   const bool is_key = key > Key::none && key < Key::several;
   const bool was_armed = pad.is_armed;
+  pad.is_known = true;
   pad.is_armed = is_mine && key == Key::none;
   if (was_armed && is_mine && is_key && pressed) pressed(key);
 }

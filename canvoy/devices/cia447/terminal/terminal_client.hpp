@@ -88,9 +88,10 @@ class TerminalClient {
   /// A pad with keys that this device receives.
   struct Pad {
     bool is_armed = false;  ///< it belongs to this device, and no key was pressed
+    bool is_known = false;  ///< its keys were received since the reset
   };
   struct Job {
-    enum class Kind : std::uint8_t { none, lock, release, write, check } kind = Kind::none;
+    enum class Kind : std::uint8_t { none, lock, release, write, check, look } kind = Kind::none;
     unsigned what = 0;  ///< a part, or a text
   };
 
@@ -105,6 +106,10 @@ class TerminalClient {
   AbortCode start_write(unsigned text);
   AbortCode start_command(unsigned part, AccessCommand command);
   AbortCode start_check(unsigned part);
+  AbortCode start_look(unsigned part);
+  Pad* pad_of(unsigned part);
+  const Pad* pad_of(unsigned part) const;
+  bool is_unknown_pad(unsigned part) const;
   void take(unsigned part, std::uint8_t status);
   void done(SdoClient::Outcome outcome);
   template <TerminalPart part>
@@ -132,6 +137,7 @@ class TerminalClient {
   Time not_before_{};
   Time lock_due_{};  ///< of parts that another device has
   Time check_due_{};
+  Time look_due_{};                          ///< of pads of which the keys are not known
   unsigned to_check_ = lockable_part_count;  ///< the next part; all are checked
   static const AccessHandlers hook_calls[];
   static const ServiceHandlers service_calls;

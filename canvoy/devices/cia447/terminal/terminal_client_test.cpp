@@ -144,6 +144,34 @@ TEST_F(ClientAtTerminal, TheFirstKeyOfATerminalThatIsHeardAgainCounts) {
   EXPECT_EQ(keys, "n5 ");
 }
 
+/// It has booted so quickly that its terminal has not lost it: a lock that changes nothing is no
+/// event, and its keys (6087h) are not sent.
+TEST_F(ClientAtTerminal, TheFirstKeyAfterABootCounts) {
+  terminal().want(TerminalPart::function_pad, true);
+  asked();
+  answer("60 86 60 00 00 00 00 00");
+  cable.run_for(299ms);
+  EXPECT_EQ(cable.last(0x341), "") << "they may come by themselves";
+  cable.run_for(1ms);
+  EXPECT_EQ(cable.last(0x341), "341#40 87 60 00 00 00 00 00");
+  answer("4F 87 60 00 F0 00 00 00");
+  pdo("01 00 06 F2 01 00 01 01");
+  EXPECT_EQ(keys, "f2 ");
+}
+
+TEST_F(ClientAtTerminal, AKeyThatIsDownAfterABootWasPressedBeforeIt) {
+  terminal().want(TerminalPart::function_pad, true);
+  asked();
+  answer("60 86 60 00 00 00 00 00");
+  cable.run_for(300ms);
+  answer("4F 87 60 00 F2 00 00 00");
+  pdo("01 00 06 F2 01 00 01 01");
+  EXPECT_EQ(keys, "");
+  pdo("01 00 06 F0 01 00 01 01");
+  pdo("01 00 06 F2 01 00 01 01");
+  EXPECT_EQ(keys, "f2 ");
+}
+
 TEST_F(ClientAtTerminal, AStatusThatNamesAnotherOneIsALoss) {
   terminal().want(TerminalPart::number_pad, true);
   asked();
@@ -158,6 +186,7 @@ TEST_F(ClientAtTerminal, WhoHasWhatIsHeldIsAskedNowAndThen) {
   terminal().want(TerminalPart::function_pad, true);
   asked();
   answer("60 86 60 00 00 00 00 00");
+  pdo("01 00 06 00 01 00 01 01");
   cable.run_for(1999ms);
   EXPECT_EQ(cable.last(0x341), "");
   cable.run_for(1ms);
