@@ -102,24 +102,34 @@ void Shift::after_paying(Time now) {
   wait(now);
 }
 
-/// On a road of known length, before the first shift with these wheels.
+/// On a road of known length, before the first shift with these wheels. A meter without power is
+/// tried again.
 void Shift::begin(Time now) {
+  constexpr unsigned calibrations_max = 8;
+  constexpr Duration try_again = 20s;
   rested_ = now;
-  const bool calibrates =
-      options_.calibration_metres > 0 && !drive_.has_record() && keys_.begin_calibration();
+  const bool calibrates = options_.calibration_metres > 0 && !drive_.has_record() &&
+                          keys_.begin_calibration && calibrations_ < calibrations_max;
   if (!calibrates) return enter(now, Activity::signing_on);
+  ++calibrations_;
+  if (!keys_.begin_calibration()) return enter(now, Activity::off_duty, try_again);
   drive_.go(options_.calibration_metres, town_speed);
   enter(now, Activity::calibrating, 24h);
 }
 
+/// Two drives within half a per cent are believed: one alone may have missed pulses.
 void Shift::calibrate(Time now) {
   constexpr Duration last_pulses = 2s;  // come over the bus
+  constexpr std::uint32_t share_apart = 200;
   if (!drive_.is_standing()) return;
   if (until_ > now + last_pulses) {
     until_ = now + last_pulses;
   } else if (now >= until_) {
-    keys_.end_calibration(static_cast<std::uint32_t>(options_.calibration_metres));
-    enter(now, Activity::signing_on);
+    const std::optional<std::uint32_t> before = std::exchange(
+        k_, keys_.end_calibration(static_cast<std::uint32_t>(options_.calibration_metres)));
+    const bool agrees =
+        k_ && before && std::max(*k_, *before) - std::min(*k_, *before) <= *k_ / share_apart;
+    agrees ? enter(now, Activity::signing_on) : begin(now);
   }
 }
 

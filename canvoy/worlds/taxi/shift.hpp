@@ -13,6 +13,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "canvoy/can/random.hpp"
 #include "canvoy/can/time.hpp"
@@ -44,18 +45,20 @@ enum class Activity : std::uint8_t {
 
 /// Keys of the meter: true where the meter has obeyed.
 struct MeterKeys {
-  std::function<bool()> sign_on;                       ///< a shift begins
-  std::function<bool()> hire;                          ///< a trip begins
-  std::function<bool()> stop;                          ///< ends the trip, which is then to be paid
-  std::function<bool()> standby;                       ///< for a break
-  std::function<bool()> wake;                          ///< end of a break
-  std::function<bool()> clear_supplements;             ///< withdraws all of them
-  std::function<bool()> begin_calibration;             ///< opens the seal for it
-  std::function<bool(std::uint32_t)> end_calibration;  ///< distance in m; closes the seal
-  std::function<bool(unsigned)> charge;                ///< a service, by its index in the tariff
-  std::function<bool(std::uint32_t)> agree_price;      ///< in 0.001 of the currency unit
-  std::function<bool()> for_hire;                      ///< clears the meter
-  std::function<bool()> sign_off;                      ///< ends the shift
+  std::function<bool()> sign_on;            ///< a shift begins
+  std::function<bool()> hire;               ///< a trip begins
+  std::function<bool()> stop;               ///< ends the trip, which is then to be paid
+  std::function<bool()> standby;            ///< for a break
+  std::function<bool()> wake;               ///< end of a break
+  std::function<bool()> clear_supplements;  ///< withdraws all of them
+  /// Opens the seal and begins to count; empty: it cannot be done here.
+  std::function<bool()> begin_calibration;
+  /// Takes the distance in m, and closes the seal: the new k; empty: it failed.
+  std::function<std::optional<std::uint32_t>(std::uint32_t)> end_calibration;
+  std::function<bool(unsigned)> charge;            ///< a service, by its index in the tariff
+  std::function<bool(std::uint32_t)> agree_price;  ///< in 0.001 of the currency unit
+  std::function<bool()> for_hire;                  ///< clears the meter
+  std::function<bool()> sign_off;                  ///< ends the shift
 };
 
 /// Prices that passengers and driver agree on before the trip, where a town allows them.
@@ -86,7 +89,8 @@ struct ShiftOptions {
                                 ///< to 1
   Duration break_after = 4h + 30min;  ///< of work
   Duration break_lasts = 30min;       ///< with the meter in standby
-  double calibration_metres = 0;      ///< metres of the drive before the shift; 0: none
+  /// Metres of the drive before the shift; 0: none. It is repeated until two of them agree.
+  double calibration_metres = 0;
 };
 
 class Shift {
@@ -152,6 +156,8 @@ class Shift {
   double last_trip_ = 0;  ///< length of the last trip, in m
   Time rested_{};         ///< beginning of work, or end of the last break
   unsigned carried_ = 0;
+  unsigned calibrations_ = 0;         ///< that were begun, or tried
+  std::optional<std::uint32_t> k_{};  ///< by the last one
   bool pays_by_card_ = false;
   bool is_over_ = false;
 };

@@ -168,16 +168,18 @@ MeterKeys TaxiMeter::keys() {
 bool TaxiMeter::begin_calibration() {
   if (!bus_.has_power(taximeter_id)) return false;
   is_seal_open_ = true;
-  const bool begins = unit_->enter_service() && unit_->begin_calibration();
+  const bool is_in_service = unit_->record().state == cia447::Taximeter::service_mode;
+  const bool begins = (is_in_service || unit_->enter_service()) && unit_->begin_calibration();
   is_seal_open_ = begins;
   return begins;
 }
 
-bool TaxiMeter::end_calibration(std::uint32_t metres) {
-  if (!bus_.has_power(taximeter_id)) return false;
+std::optional<std::uint32_t> TaxiMeter::end_calibration(std::uint32_t metres) {
+  if (!bus_.has_power(taximeter_id)) return std::nullopt;
   const bool is_done = unit_->end_calibration(metres);
   is_seal_open_ = false;
-  return unit_->leave_service() && is_done;
+  if (!unit_->leave_service() || !is_done) return std::nullopt;
+  return unit_->record().k;
 }
 
 MeterKeys TaxiMeter::keys_of_others() {
@@ -190,8 +192,8 @@ MeterKeys TaxiMeter::keys_of_others() {
           .standby = [] { return false; },
           .wake = [] { return false; },
           .clear_supplements = [] { return false; },
-          .begin_calibration = [] { return false; },
-          .end_calibration = [](std::uint32_t) { return false; },
+          .begin_calibration = {},
+          .end_calibration = {},
           .charge = [](unsigned) { return false; },
           .agree_price = [](std::uint32_t) { return false; },
           .for_hire = says(cia447::Taximeter::for_hire),

@@ -87,7 +87,7 @@ class TaxiMeter {
   void note(const cia447::AuditEntry& entry);
   MeterKeys keys_of_others();
   bool begin_calibration();
-  bool end_calibration(std::uint32_t metres);
+  std::optional<std::uint32_t> end_calibration(std::uint32_t metres);
   cia447::PaperHead paper_head() const;
 
   car::CarBus& bus_;

@@ -443,6 +443,36 @@ constexpr FaultCase fault_cases[] = {{"lost-node@15min+5s"},
 
 INSTANTIATE_TEST_SUITE_P(Each, TaxiFault, testing::ValuesIn(fault_cases));
 
+/// New wheels of 2.1 m, and a k for wheels of 2 m: a drive of 1 km, which another one confirms.
+TEST(TaxiShift, ACalibrationDriveBeforeItMakesFaresRight) {
+  TaxiOptions options = short_shift(1);
+  options.car.wheel_circumference_m = 2.1;
+  options.shift.calibration_metres = 1000;
+  TaxiNetwork network(options);
+  Duration calibrating{};
+  for (Time at{}; at < Time(10min); at += 1s) {
+    network.run_until(at);
+    if (network.snapshot().driver == Activity::calibrating) calibrating += 1s;
+  }
+  EXPECT_GE(calibrating, 144s) << "twice 1 km at 50 km/h";
+  network.run_until(Time(shift_over));
+  EXPECT_EQ(broken(network), "");
+  EXPECT_FALSE(network.trips().empty());
+}
+
+/// The meter boots on its way.
+TEST(TaxiShift, ACalibrationDriveThatMissesPulsesIsRepeated) {
+  TaxiOptions options = short_shift(1);
+  options.car.wheel_circumference_m = 2.1;
+  options.shift.calibration_metres = 1000;
+  options.faults.faults = {
+      {.kind = FaultKind::restart, .start = Time(options.shift.begin + 30s), .node = taximeter_id}};
+  TaxiNetwork network(options);
+  network.run_until(Time(shift_over));
+  EXPECT_EQ(broken(network), "");
+  EXPECT_FALSE(network.trips().empty());
+}
+
 // Each referee can fail: a sabotage in the whole network breaks it, and no other one.
 
 TEST(TaxiSabotage, AMeterThatIsCheatedOfItsPulsesChargesTooLittle) {

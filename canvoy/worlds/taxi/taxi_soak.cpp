@@ -22,6 +22,11 @@ TaxiOptions soak_taxi(std::uint64_t seed, Duration time) {
   TaxiOptions options;
   options.faults.seed = seed;
   options.length = time;
+  // New wheels: the meter is calibrated first.
+  if (seed % 4 == 3) {
+    enlarge_wheels(options);
+    options.shift.calibration_metres = 1000;
+  }
   options.alarm = soak_time_up_to(random, time);
   options.faults.faults = soak_faults(random, faults_max, time - quiet, any_fault);
   return options;
@@ -29,6 +34,7 @@ TaxiOptions soak_taxi(std::uint64_t seed, Duration time) {
 
 void enlarge_wheels(TaxiOptions& options) {
   options.car.wheel_circumference_m *= 1.05;
+  options.shift.calibration_metres = 0;
 }
 
 }  // namespace canvoy::taxi
