@@ -75,6 +75,9 @@ Bytes bytes_of(std::uint64_t number, DataType type) {
 Values values_of_fields(const Part& part, const EntryInfo& entry) {
   Values values;
   const auto rest = static_cast<std::uint64_t>(detail::initial_of(part, entry).number);
+  for (const std::int64_t number : numbers_of(entry.value, bits_of(entry)).beyond) {
+    values.beyond.push_back(bytes_of(static_cast<std::uint64_t>(number), entry.type));
+  }
   for (const FieldInfo& field : entry.fields) {
     if (is_reserved(field) || !field.when.empty()) continue;
     const Numbers numbers = numbers_of(field.value, bits_of(field));

@@ -45,16 +45,25 @@ inline constexpr auto error_behavior_object =
 
 // Application objects (clause 7).
 
+/// What a charger takes of a status, of which the upper bits are 0 (7.2.1).
+inline constexpr ValueInfo accepted_readiness = {.limits = within(0, 1)};
+/// What a charger takes of a temperature: its entry has a range, which is no minimum (7.2.3).
+inline constexpr ValueInfo accepted_temperature = {.unit = battery_values::temperature.unit,
+                                                   .scale = battery_values::temperature.scale,
+                                                   .limits = within(-320, 680),
+                                                   .names = battery_values::temperature.names};
+
 inline constexpr auto battery_status_object =
     var_object(0x6000, "battery_status", "7.2.1", "Whether the battery can accept a charge.",
-               entry(unsigned8, rw, by_default, 0, battery_values::readiness), {.errata = "26"});
+               entry(unsigned8, rw, by_default, 0, accepted_readiness, battery_values::readiness),
+               {.errata = "26"});
 inline constexpr auto charger_status_object =
     var_object(0x6001, "charger_status", "7.2.2", "Whether the charger can deliver a charge.",
                entry(unsigned8, ro, by_default, {}, battery_values::readiness), {.errata = "26"});
 inline constexpr auto battery_temperature_object = var_object(
     0x6010, "battery_temperature", "7.2.3",
     "Temperature of the battery pack, measured on the battery module.",
-    entry(integer16, rw, by_default, 0xFFFF, battery_values::temperature), {.errata = "1, 2, 25"});
+    entry(integer16, rw, by_default, 0xFFFF, accepted_temperature), {.errata = "1, 2, 25"});
 inline constexpr auto ah_returned_during_last_charge_object =
     var_object(0x6052, "ah_returned_during_last_charge", "7.2.4",
                "Charge delivered to the battery: counts during a charge, and is kept after it.",

@@ -236,21 +236,40 @@ TEST(Cia419, StatesOfChargeAre0To100AndFF) {
   }
 }
 
-TEST(Cia419, ATemperatureBeyondTheMinimumRangeIsTaken) {  // errata 2
+AbortCode write_temperature(Dictionary& dictionary, int raw, Source source) {
+  const std::uint8_t bytes[] = {static_cast<std::uint8_t>(raw & 0xFF),
+                                static_cast<std::uint8_t>(raw >> 8 & 0xFF)};
+  return dictionary.write(0x6010, 0, bytes, source);
+}
+
+TEST(Cia419, TemperaturesAreFEC0hTo02A8hAndFFFFh) {  // 7.2.3
   DeviceMemory charger(full_layout.tables());
-  for (const int raw : {-320, 680, -321, 681, -32768, 32767, -1}) {
-    const std::uint8_t bytes[] = {static_cast<std::uint8_t>(raw & 0xFF),
-                                  static_cast<std::uint8_t>(raw >> 8 & 0xFF)};
-    EXPECT_EQ(charger.dictionary.write(0x6010, 0, bytes, Source::pdo), AbortCode::none) << raw;
+  for (const Source source : {Source::sdo, Source::pdo}) {
+    for (const int raw : {-320, 0, 680, -1}) {
+      EXPECT_EQ(write_temperature(charger.dictionary, raw, source), AbortCode::none) << raw;
+    }
+    for (const int raw : {-321, -32768}) {
+      EXPECT_EQ(write_temperature(charger.dictionary, raw, source), AbortCode::value_too_low)
+          << raw;
+    }
+    for (const int raw : {681, 0x7000, 32767}) {
+      EXPECT_EQ(write_temperature(charger.dictionary, raw, source), AbortCode::value_too_high)
+          << raw;
+    }
   }
 }
 
-TEST(Cia419, ReservedBitsOfAStatusDoNotMakeItUnreadable) {
+TEST(Cia419, TheReservedBitsOfAStatusAre0) {  // 7.2.1
   DeviceMemory charger(full_layout.tables());
   Values values(charger.dictionary);
-  ASSERT_EQ(write_u8(charger.dictionary, 0x6000, 0xFF), AbortCode::none);
+  ASSERT_EQ(write_u8(charger.dictionary, 0x6000, 0x01), AbortCode::none);
+  for (unsigned value = 2; value <= 0xFF; ++value) {
+    EXPECT_EQ(write_u8(charger.dictionary, 0x6000, static_cast<std::uint8_t>(value)),
+              AbortCode::value_too_high)
+        << value;
+  }
   EXPECT_TRUE(values[cia419::battery_status].is(Readiness::ready));
-  ASSERT_EQ(write_u8(charger.dictionary, 0x6000, 0xFE), AbortCode::none);
+  ASSERT_EQ(write_u8(charger.dictionary, 0x6000, 0x00), AbortCode::none);
   EXPECT_TRUE(values[cia419::battery_status].is(Readiness::not_ready));
 }
 

@@ -63,7 +63,8 @@ constexpr double hours(Duration duration) {
 constexpr ServiceHandlers Charger::service_calls = {
     .reset = method<&Charger::reset>,
     .state_entered = method<&Charger::state_entered>,
-    .bus_state_changed = method<&Charger::bus_state_changed>};
+    .bus_state_changed = method<&Charger::bus_state_changed>,
+    .error_changed = method<&Charger::error_changed>};
 
 Charger::Charger(Node& node, const ChargerServices& services, const ChargerHardware& hardware,
                  const ChargerSettings& settings)
@@ -134,6 +135,15 @@ void Charger::state_entered(NmtState state) {
 
 void Charger::bus_state_changed(BusState state) {
   if (state == BusState::bus_off) fresh_rpdos_.reset();
+}
+
+/// A PDO that was not taken, for a value beyond its range or for its length, leaves the values of
+/// the one before, which hold no longer.
+void Charger::error_changed(const Error& error, bool present) {
+  const bool is_of_pdo =
+      error.code == emergency_code::protocol || error.code == emergency_code::pdo_too_short;
+  const bool is_linked = error.instance >= 1 && error.instance <= BatteryOffer::pdos;
+  if (present && is_of_pdo && is_linked) note_pdo(error.instance, false);
 }
 
 /// Measures, decides and drives; called every settings_.control_period.

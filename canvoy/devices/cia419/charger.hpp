@@ -106,6 +106,7 @@ class Charger {
   void reset(ResetScope scope);
   void state_entered(NmtState state);
   void bus_state_changed(BusState state);
+  void error_changed(const Error& error, bool present);
   void battery_changed(NodeId id, RemoteState state);
   void network_changed(NodeId id, RemoteState state);
   void pdo_received(std::uint16_t number);

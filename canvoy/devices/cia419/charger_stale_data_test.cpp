@@ -142,5 +142,35 @@ TEST_F(ChargerStaleData, OfBeforeABusOffIsVoid) {
   expect_rest_until_all_is_new();
 }
 
+/// Each is refused whole (8200h, or 8210h for its length), so that the values of before are shown,
+/// but hold no longer.
+TEST_F(ChargerStaleData, OfBeforeAPdoThatWasNotTakenIsVoid) {
+  struct {
+    int position;
+    const char* frame;
+    const char* emergency;
+  } constexpr pdos[] = {
+      {0, "28A#00 70 01 00 C8 00 00", "085#00 82 11 02 00 10 60 00"},  // 6010h = 7000h
+      {0, "28A#A0 00 03 00 C8 00 00", "085#00 82 11 02 00 00 60 00"},  // 6000h = 03h
+      {1, "38A#80 02 65", "085#00 82 11 03 00 81 60 00"},              // 6081h = 65h
+      {0, "28A#A0 00 01", "085#10 82 11 02 00 00 00 00"}};
+  for (const auto& pdo : pdos) {
+    lose_pdos();
+    cable.run_for(1s);
+    ASSERT_EQ(bench.delivered, 40) << pdo.frame;
+    cable.clear();
+    cable.filter = [](const Frame&) { return true; };
+    cable.send(pdo.frame);
+    lose_pdos();
+    cable.run_for(1s);
+    EXPECT_EQ(cable.last(0x085), pdo.emergency);
+    EXPECT_EQ(bench.delivered, 0) << pdo.frame;
+    EXPECT_EQ(charger.charger().reason(), StopReason::battery_data_missed) << pdo.frame;
+    renew(pdo.position);
+    cable.run_for(1s);
+    EXPECT_EQ(bench.delivered, 40) << pdo.frame;
+  }
+}
+
 }  // namespace
 }  // namespace canvoy::cia419::charger_stale_data_test

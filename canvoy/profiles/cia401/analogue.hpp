@@ -55,9 +55,11 @@ inline constexpr FieldInfo trigger_fields[] = {
     field(3, 1, "input reduced by more than negative delta", enabled_names),
     field(4, 1, "input increased by more than positive delta", enabled_names),
 };
+/// The other bits are reserved.
+inline constexpr ValueInfo triggers = {.limits = within(0, 0x1F), .notation = Notation::bit_mask};
 inline constexpr auto analogue_input_interrupt_trigger_selection_entries =
     channels(sub_index(0, "Analogue input interrupt trigger selection #",
-                       entry(unsigned8, rw, no, 0x07, mask, trigger_fields)));
+                       entry(unsigned8, rw, no, 0x07, triggers, trigger_fields)));
 inline constexpr auto analogue_input_interrupt_trigger_selection_object =
     array(0x6421, "Analogue input interrupt trigger selection",
           analogue_input_interrupt_trigger_selection_entries, "Which events an input causes.");

@@ -20,7 +20,6 @@ inline constexpr NamedValue readiness_names[] = {{Readiness::not_ready, "not rea
 /// Of bits 1 to 7.
 inline constexpr NamedValue reserved_names[] = {{0, "0", Meaning::padding},
                                                 {1, 0x7F, "reserved", Meaning::reserved}};
-/// A reader ignores the reserved bits.
 inline constexpr FieldInfo readiness[] = {
     {.name = "readiness", .value = {.names = readiness_names}},
     {.first_bit = 1, .bits = 7, .name = "reserved", .value = {.names = reserved_names}}};
@@ -31,8 +30,8 @@ inline constexpr NamedValue invalid_16[] = {{0xFFFF, "invalid", Meaning::invalid
 /// Of Unsigned32.
 inline constexpr NamedValue invalid_32[] = {{0xFFFF'FFFF, "invalid", Meaning::invalid}};
 
-/// -40.0 to 85.0 degrees at least (CiA 419, 7.2.3). FFFFh is -1 as Integer16: -0.125 degrees cannot
-/// be sent (errata 1).
+/// A battery measures -40.0 to 85.0 degrees at least (CiA 419, 7.2.3). FFFFh is -1 as Integer16:
+/// -0.125 degrees cannot be sent (errata 1).
 inline constexpr ValueInfo temperature = {.unit = Unit::degree_celsius,
                                           .scale = {.denominator = 8},
                                           .limits = at_least(-320, 680),
