@@ -1,5 +1,9 @@
 #include "canvoy/devices/cia418/battery.hpp"
 
+#include <array>
+
+#include "canvoy/canopen/pdo/pdo_parameter.hpp"
+
 namespace canvoy::cia418 {
 
 constexpr ServiceHandlers Battery::service_calls = {.reset = method<&Battery::reset>};
@@ -26,7 +30,17 @@ void Battery::reset(ResetScope) {
   values[capacity] = settings_.capacity_ampere_hours;
   values[maximum_charge_current] = settings_.current_max_ampere;
   values[number_of_cells] = settings_.cells;
+  if (!settings_.requests_current) withdraw_request();
   sense(node_.now());
+}
+
+void Battery::withdraw_request() {
+  constexpr std::uint16_t parameters = tpdo3_parameter_object.index;
+  const auto cob_id =
+      static_cast<std::uint32_t>(node_.dictionary().number(parameters, pdo_sub::cob_id));
+  std::array<std::uint8_t, 4> invalid{};
+  store(invalid.data(), cob_id | CobId::bit31);
+  node_.dictionary().write(parameters, pdo_sub::cob_id, invalid, Source::application);
 }
 
 void Battery::sense(Time now) {

@@ -21,6 +21,8 @@ struct BatterySettings {
   double current_max_ampere = 60;      ///< 6020h:03h
   std::uint16_t cells = 24;            ///< in series, 6020h:04h
   Duration sensing_period = 100ms;     ///< of the hardware
+  /// False: TPDO 3 is invalid, so that the charger goes by a curve of its own (CiA 419, 6.2.7).
+  bool requests_current = true;
 };
 
 class Battery {
@@ -37,6 +39,7 @@ class Battery {
 
  private:
   void reset(ResetScope scope);
+  void withdraw_request();
   void sense(Time now);
 
   Node& node_;

@@ -8,8 +8,8 @@ ChargeDecision ChargeControl::decide(const ChargeInputs& inputs) {
   StopReason reason = communication_reason(inputs);
   if (reason == StopReason::none) reason = battery_reason(inputs);
   if (reason != StopReason::none) return {0, reason};
-  const double asked = inputs.has_request ? inputs.requested_ampere.value_or(0)
-                                          : limits_.current_without_request_ampere;
+  const double own = inputs.curve_ampere.value_or(limits_.current_without_request_ampere);
+  const double asked = inputs.has_request ? inputs.requested_ampere.value_or(0) : own;
   const double ampere =
       std::min({asked, limits_.current_max_ampere, inputs.battery_max_ampere.value_or(asked)});
   if (ampere <= 0) return {0, StopReason::no_request};

@@ -67,6 +67,8 @@ struct ChargeInputs {
   std::optional<double> state_of_charge_percent;  ///< 0 to 100; absent: invalid
   std::optional<double> battery_max_ampere = {};  ///< limit of the battery (CiA 418, 6020h)
   std::optional<double> battery_cells = {};       ///< in series (CiA 418, 6020h)
+  /// By the charger's own curve, for a battery that sends no request; empty: it has none.
+  std::optional<double> curve_ampere = {};
 };
 
 /// What to do, and why.

@@ -81,6 +81,7 @@ Charger::Charger(Node& node, const ChargerServices& services, const ChargerHardw
       estimate_(node.dictionary()),
       returned_(node.dictionary()),
       charge_control_(settings.limits),
+      curve_(settings.curve),
       scan_(node, {.profile = battery_profile}),
       link_(node),
       timer_(Callback<void(Time)>::to<&Charger::control>(*this)),
@@ -154,7 +155,17 @@ void Charger::control(Time now) {
   tell_time();
   if (settings_.manage_network) manage(now);
   remind_battery(now);
+  follow_curve();
   act();
+}
+
+/// It goes on only while its current flows.
+void Charger::follow_curve() {
+  if (!curve_.is_used() || linked_rpdos_[2] || set_point_ <= 0) return;
+  curve_.advance(settings_.control_period,
+                 {.volt = voltage_.value().value_or(0),
+                  .cells = static_cast<double>(offer_.cells.value_or(0))});
+  if (curve_.phase() == ChargeCurve::Phase::finished) end_charge();
 }
 
 /// A battery that sends no heartbeat by itself may not have received the request, or have lost it;
@@ -262,7 +273,8 @@ ChargeInputs Charger::inputs() const {
           .requested_ampere = sends_request ? requested_.value() : std::nullopt,
           .state_of_charge_percent = sends_request ? state_of_charge_.value() : std::nullopt,
           .battery_max_ampere = offer_.current_max_ampere,
-          .battery_cells = offer_.cells};
+          .battery_cells = offer_.cells,
+          .curve_ampere = curve_.is_used() ? std::optional(curve_.ampere()) : std::nullopt};
 }
 
 /// Decides with the present values, drives the power stage, and answers the battery by the status.
@@ -320,11 +332,13 @@ void Charger::end_charge() {
 
 void Charger::search(Duration later) {
   enter(ChargerPhase::searching);
+  if (settings_.bay_battery != 0) scan_.prefer(settings_.bay_battery);
   scan_.start(later);
 }
 
 void Charger::battery_found(NodeId id) {
-  if (rivals_.is_served(id)) return scan_.go_on();
+  const bool is_of_bay = settings_.bay_battery == 0 || id == settings_.bay_battery;
+  if (!is_of_bay || rivals_.is_served(id)) return scan_.go_on();
   enter(ChargerPhase::linking);
   found_ = id;
   const bool is_requested =
@@ -461,6 +475,7 @@ void Charger::unlink() {
 
 /// Values of one battery do not apply to the next one.
 void Charger::forget_values() {
+  curve_.begin();
   battery_status_ = Readiness::not_ready;
   temperature_ = std::nullopt;
   voltage_ = std::nullopt;

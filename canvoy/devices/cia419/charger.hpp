@@ -19,6 +19,7 @@
 #include "canvoy/canopen/sync/time_stamp.hpp"
 #include "canvoy/devices/cia419/battery_link.hpp"
 #include "canvoy/devices/cia419/charge_control.hpp"
+#include "canvoy/devices/cia419/charge_curve.hpp"
 #include "canvoy/devices/cia419/charger_hardware.hpp"
 #include "canvoy/devices/cia419/rival_watch.hpp"
 #include "canvoy/devices/kit/gap_watch.hpp"
@@ -39,6 +40,10 @@ struct ChargerSettings {
   /// channel (6.1).
   Duration sdo_manager_time_out = 250ms;
   Duration time_period = 1min;  ///< of TIME (4.1), if the hardware has the time of day
+  /// For a battery that offers no TPDO with a requested current.
+  ChargeCurveSettings curve = {};
+  /// Node-ID of the battery in its bay, on a bus with several bays; 0: the first that is found.
+  NodeId bay_battery = 0;
 };
 
 /// Services of a node that a charger uses.
@@ -125,6 +130,7 @@ class Charger {
   void tell_time();
   void count(Time now);
   void act();
+  void follow_curve();
   bool is_battery_heard() const;
   ChargeInputs inputs() const;
   RemoteState battery_state() const { return services_.heartbeats.state(offer_.id); }
@@ -165,6 +171,7 @@ class Charger {
   Bound<charger_state_of_charge> estimate_;
   Bound<ah_returned_during_last_charge> returned_;
   ChargeControl charge_control_;
+  ChargeCurve curve_;
   DeviceScan scan_;
   BatteryLink link_;
   static const ServiceHandlers service_calls;

@@ -117,15 +117,17 @@ cia418::BatteryReadings BatteryPlant::sense() const {
   const double shown_celsius = faults.shown_celsius.value_or(celsius_);
   if (!faults.temperature_is_invalid) readings.temperature_celsius = shown_celsius;
   if (!faults.voltage_is_invalid) readings.voltage_volt = terminal_volt_;
-  readings.requested_current_ampere = requested_ampere_;
-  // Reports 100 % when it is full, and not by counting alone.
-  readings.state_of_charge_percent = is_full_ ? 100.0 : std::min(state_of_charge_ * 100, 99.0);
+  if (design_.asks) {
+    readings.requested_current_ampere = requested_ampere_;
+    // Reports 100 % when it is full, and not by counting alone.
+    readings.state_of_charge_percent = is_full_ ? 100.0 : std::min(state_of_charge_ * 100, 99.0);
+  }
   readings.ampere_hours_since_charge = ampere_hours_since_charge_;
   readings.ampere_hours_total =
       earlier_cycles * design_.capacity_ampere_hour + truth_.ampere_hours_out;
   const bool bears_charge =
       shown_celsius >= design_.celsius_min && shown_celsius <= design_.celsius_max;
-  readings.ready = !is_full_ && !faults.is_not_ready && bears_charge;
+  readings.ready = !(design_.asks && is_full_) && !faults.is_not_ready && bears_charge;
   return readings;
 }
 

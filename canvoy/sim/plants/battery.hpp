@@ -25,6 +25,9 @@ struct BatteryDesign {
   double heat_loss_watt_per_kelvin = 0;       ///< to the surroundings
   double celsius_min = -20;                   ///< outside of these limits it is not ready
   double celsius_max = 60;                    ///< outside of these limits it is not ready
+  /// False: its module only measures. It requests no current, does not know its state of charge,
+  /// and is ready also when it is full.
+  bool asks = true;
 };
 
 /// Faults of the sensors and of the management system; none by default.

@@ -33,19 +33,26 @@ class ChargingPlant {
     return {[](void* plant, Time) { static_cast<ChargingPlant*>(plant)->step(); }, this};
   }
 
+  /// Puts another battery at the cable; the faults of the sensors are those of the bay.
+  void exchange(const BatteryPlant& next);
+
   BatteryPlant battery;    ///< at the plug
   PowerStagePlant stage;   ///< of the charger
   bool is_plugged = true;  ///< may be changed at any time
 
   /// True average current of the last step, in A.
   double ampere() const { return ampere_; }
-  /// True charge delivered into the battery since the start.
-  double ampere_hours() const { return battery.truth().ampere_hours_in; }
-  /// True energy delivered into the battery since the start.
-  double energy_watt_hour() const { return battery.truth().energy_in_joule / 3600; }
+  /// True charge delivered since the start, into this battery and those before it.
+  double ampere_hours() const { return battery.truth().ampere_hours_in + ampere_hours_before_; }
+  double energy_watt_hour() const {
+    return (battery.truth().energy_in_joule + energy_before_joule_) / 3600;
+  }
 
  private:
   double ampere_ = 0;
+  // What the batteries before got here, less what this one had when it came.
+  double ampere_hours_before_ = 0;
+  double energy_before_joule_ = 0;
 };
 
 }  // namespace canvoy

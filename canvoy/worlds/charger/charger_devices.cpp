@@ -1,5 +1,6 @@
 #include "canvoy/worlds/charger/charger_devices.hpp"
 
+#include "canvoy/can/random.hpp"
 #include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/canopen/pdo/pdo_parameter.hpp"
 
@@ -18,10 +19,17 @@ std::array<std::uint32_t, 3> can_ids(const Dictionary& dictionary, std::uint16_t
 
 }  // namespace
 
-ChargerDevices::ChargerDevices(World& world, const ChargerOptions& options)
+ChargerOptions with_drawn_meter(ChargerOptions options) {
+  Random random(options.faults.seed);
+  const double share = static_cast<double>(random.below(2001)) / 1000 - 1;  // from -1 to 1
+  options.stage.meter_gain *= 1 + share * options.meter_tolerance;
+  return options;
+}
+
+ChargerDevices::ChargerDevices(World& world, const ChargerOptions& options, BusIndex bus)
     : world_(&world),
       options_(&options),
-      bus_(world.add_bus({.bit_rate = options.bit_rate, .seed = options.faults.seed})),
+      bus_(bus),
       charger_slot_(world.add_slot(bus_)),
       battery_slot_(world.add_slot(bus_)),
       battery_port_(world.port(battery_slot_)),
@@ -37,7 +45,8 @@ cia418::BatterySettings ChargerDevices::battery_settings() const {
   const BatteryDesign& battery = options_->battery;
   return {.capacity_ampere_hours = battery.capacity_ampere_hour,
           .current_max_ampere = battery.charge_current_ampere,
-          .cells = static_cast<std::uint16_t>(battery.cells)};
+          .cells = static_cast<std::uint16_t>(battery.cells),
+          .requests_current = battery.asks};
 }
 
 cia419::ChargerHardware ChargerDevices::charger_hardware() {
@@ -55,9 +64,23 @@ void ChargerDevices::deliver(double ampere) {
   power_stage_(ampere);
 }
 
+void ChargerDevices::power_battery(bool is_on) {
+  has_battery_power_ = is_on;
+  switch_battery();
+}
+
+void ChargerDevices::plug(bool is_in) {
+  plant_.is_plugged = is_in_bay_ = is_in;
+  switch_battery();
+}
+
+void ChargerDevices::switch_battery() {
+  has_battery_power_&& is_in_bay_ ? world_->start(battery_slot_) : world_->stop(battery_slot_);
+}
+
 void ChargerDevices::start() {
   start_manager();
-  if (options_->plays_battery) world_->start(battery_slot_);
+  if (options_->plays_battery) switch_battery();
   if (options_->plays_charger) world_->start(charger_slot_);
 }
 
@@ -87,7 +110,8 @@ HandshakeRules ChargerDevices::rules() const {
           .battery_tpdos = can_ids(dictionary, object_index::tpdo_parameter),
           .charger_tpdos = can_ids(dictionary, object_index::rpdo_parameter),
           .heartbeat_time = heartbeat * options_->charger.heartbeat_periods_max,
-          .data_time = event_time * options_->charger.pdo_periods_max};
+          .data_time = event_time * options_->charger.pdo_periods_max,
+          .has_request = options_->battery.asks};
 }
 
 }  // namespace canvoy::charger

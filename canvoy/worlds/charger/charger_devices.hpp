@@ -1,7 +1,7 @@
 // A CiA 418 battery module and a CiA 419 charger on a bus, with the battery and the power stage
 // behind them, and the CANopen manager of the vehicle where there is one.
 //
-//     ChargerDevices devices(world, options);
+//     ChargerDevices devices(world, options, world.add_bus());
 //     devices.on_set_point(told);
 //     devices.start();
 //     devices.plant().step();
@@ -24,7 +24,7 @@ namespace canvoy::charger {
 class ChargerDevices {
  public:
   /// Both must outlive this object. On the cable, the charger is before the battery.
-  ChargerDevices(World& world, const ChargerOptions& options);
+  ChargerDevices(World& world, const ChargerOptions& options, BusIndex bus);
   ChargerDevices(const ChargerDevices&) = delete;
   ChargerDevices& operator=(const ChargerDevices&) = delete;
 
@@ -36,10 +36,9 @@ class ChargerDevices {
   /// Switches on all devices that are simulated here; the manager runs before the others, like the
   /// vehicle.
   void start();
-  /// Switches the power of the battery module.
-  void power_battery(bool is_on) {
-    is_on ? world_->start(battery_slot_) : world_->stop(battery_slot_);
-  }
+  void power_battery(bool is_on);
+  /// Plugs a battery in, or takes it away from cable and bus; there is one from the start on.
+  void plug(bool is_in);
 
   /// True while it runs.
   bool battery_has_power() const { return world_->is_running(battery_slot_); }
@@ -78,6 +77,7 @@ class ChargerDevices {
 
  private:
   cia419::ChargerHardware charger_hardware();
+  void switch_battery();
   void deliver(double ampere);
   void start_manager();
 
@@ -95,6 +95,11 @@ class ChargerDevices {
   cia419::ChargerDevice<> charger_;
   cia418::BatteryDevice<> battery_;
   std::unique_ptr<VehicleManager> manager_;  ///< null where there is none
+  bool has_battery_power_ = true;
+  bool is_in_bay_ = true;  ///< the battery, with its module
 };
+
+/// With an error of the charger's meter that is drawn by the seed, within its tolerance.
+ChargerOptions with_drawn_meter(ChargerOptions options);
 
 }  // namespace canvoy::charger

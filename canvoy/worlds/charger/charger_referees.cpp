@@ -88,16 +88,22 @@ double ChargerReferees::served_ampere() const {
   const bool asks = plays_both() && devices_->plant().stage.pilot_signal() && readings.ready &&
                     celsius > limits.temperature_min_celsius + margin &&
                     celsius < limits.temperature_max_celsius - margin;
-  return asks ? readings.requested_current_ampere.value_or(0) : 0;
+  if (!asks) return 0;
+  const BatteryPlant& cells = devices_->plant().battery;
+  if (cells.design().asks) return readings.requested_current_ampere.value_or(0);
+  return cells.is_full() ? 0 : cells.requested_ampere();
 }
 
 /// By the true state of the cells, whatever is reported on the bus. Without power the management
-/// system requests nothing, but a second one in its place does.
+/// system requests nothing, but a second one in its place does. A battery that only measures bears
+/// its charge current; its voltage is judged beside that.
 double ChargerReferees::wanted_ampere() const {
   const bool can_ask = devices_->battery_has_power() || second_batteries_ != 0;
   const cia418::BatteryReadings truth = devices_->plant().battery.sense();
   const bool asks = can_ask && truth.ready && devices_->plant().stage.pilot_signal();
-  return asks ? truth.requested_current_ampere.value_or(0) : 0;
+  if (!asks) return 0;
+  const BatteryDesign& design = devices_->plant().battery.design();
+  return design.asks ? truth.requested_current_ampere.value_or(0) : design.charge_current_ampere;
 }
 
 void ChargerReferees::judge_care(Time now) {

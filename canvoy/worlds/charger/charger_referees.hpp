@@ -40,6 +40,10 @@ class ChargerReferees {
   void fault_began(Time now, std::size_t fault);
   /// See fault_began().
   void fault_ended(Time now, std::size_t fault);
+  /// A fault elsewhere on the bus begins or ends, which may keep the battery waiting.
+  void excuse(Time now, FaultKind kind, bool begins) {
+    begins ? service_.fault_began(now, kind) : service_.fault_ended(now, kind);
+  }
 
   /// Verdicts at present: the lasting ones, and one for each fault that has begun and must be
   /// detected.

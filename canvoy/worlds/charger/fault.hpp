@@ -28,7 +28,6 @@ enum class FaultKind : std::uint8_t {
   clock_drift
 };
 
-/// The faults have no places: there is one device of each kind.
 inline constexpr FaultRow fault_rows[] = {
     {"heartbeat-loss", "the battery's heartbeat does not arrive; all else does"},
     {"pdo-loss", "the battery's TPDOs do not arrive"},
@@ -50,9 +49,11 @@ inline constexpr FaultRow fault_rows[] = {
 /// Number of kinds of faults.
 inline constexpr std::size_t fault_kinds = std::size(fault_rows);
 static_assert(fault_kinds == static_cast<std::size_t>(FaultKind::clock_drift) + 1);
+/// The bay of a charging yard; a network of one charger has the first one.
+inline constexpr FaultPlaceName bay_place[] = {{"bay", 16, &AnyFault::part}};
 /// How a plan of these faults is written and read; found by the type of its argument.
 constexpr FaultGrammar grammar_of(FaultKind) {
-  return {fault_rows};
+  return {fault_rows, bay_place};
 }
 
 /// A fault of a plan: kind, place, begin and end.

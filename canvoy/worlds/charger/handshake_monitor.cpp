@@ -111,8 +111,9 @@ bool HandshakeMonitor::flags_valid() const {
 
 /// Time at which silence ends the handshake, if nothing else does.
 Time HandshakeMonitor::deadline() const {
+  const Time of_request = rules_.has_request ? request_at_ : status_at_;
   return std::min({later(heard_battery_at_, rules_.heartbeat_time),
-                   later(status_at_, rules_.data_time), later(request_at_, rules_.data_time)});
+                   later(status_at_, rules_.data_time), later(of_request, rules_.data_time)});
 }
 
 void HandshakeMonitor::note_validity(Time now) {

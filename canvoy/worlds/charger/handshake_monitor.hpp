@@ -31,6 +31,7 @@ struct HandshakeRules {
   std::array<std::uint32_t, 3> charger_tpdos{};
   Duration heartbeat_time{};  ///< a battery that is silent for longer is lost
   Duration data_time{};       ///< its process data are invalid after this time
+  bool has_request = true;    ///< the battery sends TPDO 3, without which nothing may flow
 };
 
 class HandshakeMonitor {

@@ -1,0 +1,98 @@
+// A bay of a charging yard: a charger, the battery at its cable, their plant, their faults, and the
+// referees of both. A network of one charger and one battery has one bay.
+//
+//     ChargingBay bay(world, options, world.add_bus({.bit_rate = options.bit_rate}));
+//     bay.start();
+//     bay.hear(now, frame);                  // each frame on its bus
+//     bay.note(now, bus_event);              // what a BusWatch says of its nodes
+//     const ChargerSnapshot look = bay.snapshot();
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "canvoy/sim/bus_watch.hpp"
+#include "canvoy/sim/snapshot.hpp"
+#include "canvoy/sim/world.hpp"
+#include "canvoy/worlds/charger/charger_devices.hpp"
+#include "canvoy/worlds/charger/charger_event.hpp"
+#include "canvoy/worlds/charger/charger_faults.hpp"
+#include "canvoy/worlds/charger/charger_options.hpp"
+#include "canvoy/worlds/charger/charger_referees.hpp"
+#include "canvoy/worlds/charger/connection_watch.hpp"
+
+namespace canvoy::charger {
+
+/// State of a bay, for a table or a line of a log.
+struct ChargerSnapshot {
+  Time at{};
+  BusSnapshot bus;
+  NodeSnapshot charger;
+  NodeSnapshot battery;
+
+  // state of the charger
+  cia419::ChargerPhase phase = cia419::ChargerPhase::unplugged;
+  cia419::StopReason reason = cia419::StopReason::no_pilot_signal;
+  bool charger_is_ready = false;
+  double set_point_ampere = 0;
+  double measured_ampere = 0;
+  double counted_ampere_hours = 0;
+  double counted_watt_hours = 0;
+
+  // readings of the battery
+  cia418::BatteryReadings readings;
+
+  // true values
+  double ampere = 0;
+  double volt = 0;
+  double celsius = 0;
+  double state_of_charge = 0;  ///< 0 to 1
+  double ampere_hours = 0;
+  double watt_hours = 0;
+};
+
+class ChargingBay {
+ public:
+  /// The world must outlive this object.
+  ChargingBay(World& world, const ChargerOptions& options, BusIndex bus);
+  ChargingBay(const ChargingBay&) = delete;
+  ChargingBay& operator=(const ChargingBay&) = delete;
+
+  /// Switches on the devices that are simulated here.
+  void start() { devices_.start(); }
+  void hear(Time now, const Frame& frame);
+  /// Notes what was seen of its nodes on the bus; ignores other nodes.
+  void heard(Time now, const BusEvent& event);
+  template <class What>
+  void note(Time now, const What& what) {
+    events_.push_back({now, what});
+  }
+
+  ChargerSnapshot snapshot();
+  /// All events since the start, oldest first.
+  std::span<const ChargerEvent> events() const { return events_; }
+
+  const ChargerOptions& options() const { return options_; }
+  ChargerDevices& devices() { return devices_; }
+  const ChargerDevices& devices() const { return devices_; }
+  ChargerReferees& referees() { return referees_; }
+  const ChargerReferees& referees() const { return referees_; }
+
+ private:
+  void step(Time now);
+  void hear_time(Time now, const Frame& frame);
+  void charger_said(cia419::Charger::Event event);
+  void connections_changed(Time now);
+
+  World& world_;
+  ChargerOptions options_;
+  std::vector<ChargerEvent> events_;
+  ChargerDevices devices_;
+  ChargerReferees referees_;
+  ConnectionWatch connections_;
+  bool time_seen_ = false;
+  PlantIndex stepping_;
+  ChargerFaults faults_;
+};
+
+}  // namespace canvoy::charger
