@@ -20,7 +20,7 @@ const std::string_view api_schemas = R"({
   "type": "object",
   "properties": {
    "kind": {
-    "enum": ["lift", "charger", "taxi", "police", "bus-line", "excavator", "bus", "log"]
+    "enum": ["lift", "charger", "taxi", "police", "bus-line", "excavator", "charging-yard", "bus", "log"]
    },
    "command": {"type": "string"},
    "buses": {"type": "array", "items": {"type": "string"}},

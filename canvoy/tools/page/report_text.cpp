@@ -55,9 +55,10 @@ std::string begun_large(std::string text) {
 }
 
 std::string title_of(const Json& about) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 8> titles = {{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 9> titles = {{
       {"lift", "Lifts in a building"},
       {"charger", "Charger and battery"},
+      {"charging-yard", "A charging yard"},
       {"taxi", "A taxi at work"},
       {"police", "A police car on patrol"},
       {"bus-line", "A bus on its line"},

@@ -9,6 +9,7 @@
 #include "canvoy/text/text.hpp"
 #include "canvoy/text/time_text.hpp"
 #include "canvoy/text/value_text.hpp"
+#include "canvoy/tools/play/charger_teller.hpp"
 #include "canvoy/tools/player/world_text.hpp"
 
 namespace canvoy::tools {
@@ -19,50 +20,6 @@ using charger::ChargerEvent;
 using charger::ChargerNetwork;
 using charger::ChargerOptions;
 using charger::ChargerSnapshot;
-using charger::SdoConnectionChanged;
-
-std::string_view phase_text(cia419::ChargerPhase phase) {
-  switch (phase) {
-    case cia419::ChargerPhase::unplugged:
-      return "waits for a pilot signal";
-    case cia419::ChargerPhase::searching:
-      return "searches for a battery";
-    case cia419::ChargerPhase::linking:
-      return "asks the battery for its PDOs";
-    case cia419::ChargerPhase::linked:
-      return "is linked to the battery";
-  }
-  return "is in an unknown phase";
-}
-
-std::string name_of_node(NodeId node, const ChargerOptions& options) {
-  if (node == options.charger_id) return "charger";
-  if (node == options.battery_id) return "battery";
-  if (node == options.manager_id && node != 0) return "SDO manager";
-  return node == 0 ? "all" : text::node_text(node);
-}
-
-std::string connection_text(const SdoConnectionChanged& it, const ChargerOptions& options) {
-  const std::string client = name_of_node(it.client, options);
-  if (it.server == options.manager_id) {
-    return fmt::format("SDO manager: the {} is {} registered", client,
-                       it.is_given ? "now" : "no longer");
-  }
-  return fmt::format("SDO manager: the {} {} an SDO connection to the {}", client,
-                     it.is_given ? "has got" : "has no longer", name_of_node(it.server, options));
-}
-
-class ChargerNames : public PlanNames<charger::FaultKind> {
- public:
-  explicit ChargerNames(const ChargerOptions& options)
-      : PlanNames(options.faults), options_(options) {}
-
-  std::string device(BusIndex, NodeId id) const override { return name_of_node(id, options_); }
-  const ChargerOptions& options() const { return options_; }
-
- private:
-  const ChargerOptions& options_;
-};
 
 /// One line of the table: the name of the object and its value in both nodes.
 std::string object_row(const ObjectInfo& object, Node& charger, Node& battery) {
@@ -82,58 +39,12 @@ std::string node_rows(const ChargerSnapshot& now) {
                      fmt::format("{:02X}h", now.battery.error_register));
 }
 
-class ChargerTeller : public WorldTeller<ChargerNames> {
- public:
-  using WorldTeller::WorldTeller;
-  using WorldTeller::operator();
-
-  Told operator()(const charger::PhaseEntered& event) const {
-    std::string text(phase_text(event.phase));
-    if (event.battery != 0) text += ", " + text::node_text(event.battery);
-    return charger(text, {{"event", "phase"}, {"battery", event.battery}});
-  }
-  Told operator()(const charger::ReasonChanged& event) const {
-    const std::string_view reason = text::stop_reason_text(event.reason);
-    const bool is_free = event.reason == cia419::StopReason::none;
-    return charger(is_free ? "may deliver" : fmt::format("delivers no current, {}", reason),
-                   {{"event", "reason"}, {"reason", reason}});
-  }
-  Told operator()(const charger::ChargeBegan&) const {
-    return charger("a charge begins", {{"event", "charge-begins"}});
-  }
-  Told operator()(const charger::ChargeEnded& event) const {
-    return charger(
-        fmt::format("the charge ends, {:.2f} Ah delivered until now", event.ampere_hours),
-        {{"event", "charge-ends"}, {"charge_ah", event.ampere_hours}});
-  }
-  Told operator()(const charger::TimeSeen& event) const {
-    const std::string time = text::time_text(event.time);
-    return charger(fmt::format("tells the time, {}", time),
-                   {{"event", "time-of-day"}, {"time_of_day", time}});
-  }
-  Told operator()(const charger::SdoConnectionChanged& event) const {
-    const std::string text = connection_text(event, names_.options());
-    return {text,
-            {{"event", "sdo-connection"},
-             {"client", event.client},
-             {"server", event.server},
-             {"given", event.is_given},
-             {"text", text}}};
-  }
-
- private:
-  static Told charger(const std::string& text, Json json) {
-    Told told{"charger: " + text, std::move(json)};
-    told.json()["text"] = text;
-    return told;
-  }
-};
-
 }  // namespace
 
 ToldEvent WorldText<charger::ChargerNetwork>::event(const ChargerEvent& event,
                                                     const ChargerNetwork& network) {
-  return told_at(event.at, std::visit(ChargerTeller(network.options()), event.what));
+  return told_at(
+      event.at, std::visit(ChargerTeller(network.options(), network.options().faults), event.what));
 }
 
 std::string WorldText<charger::ChargerNetwork>::picture(ChargerNetwork& network, double speed) {
@@ -189,7 +100,7 @@ Json values_json(const ChargerSnapshot& now) {
 
 Json look_json(ChargerNetwork& network, std::string_view event) {
   const ChargerSnapshot now = network.snapshot();
-  const ChargerNames names(network.options());
+  const ChargerNames names(network.options(), network.options().faults);
   Json json = line_json(now.at, event);
   json.update(values_json(now));
   json["buses"] = buses_json(names, std::span(&now.bus, 1));
@@ -212,13 +123,13 @@ std::string WorldText<charger::ChargerNetwork>::summary_text(ChargerNetwork& net
       end.counted_ampere_hours, end.counted_watt_hours / 1000, end.bus.frames,
       end.bus.error_frames);
   const std::vector<charger::Invariant> invariants = network.invariants();
-  return text + invariants_text(ChargerNames(network.options()),
+  return text + invariants_text(ChargerNames(network.options(), network.options().faults),
                                 std::span<const charger::Invariant>(invariants));
 }
 
 Json WorldText<charger::ChargerNetwork>::summary(ChargerNetwork& network) {
   Json json = look_json(network, "summary");
-  add_invariants(json, ChargerNames(network.options()),
+  add_invariants(json, ChargerNames(network.options(), network.options().faults),
                  std::span<const charger::Invariant>(network.invariants()));
   return json;
 }

@@ -5,7 +5,10 @@
 #include "canvoy/tools/play/charger_text.hpp"
 #include "canvoy/tools/play/hand_file.hpp"
 #include "canvoy/tools/play/world.hpp"
+#include "canvoy/tools/play/yard_settings.hpp"
+#include "canvoy/tools/play/yard_text.hpp"
 #include "canvoy/worlds/charger/charger_network.hpp"
+#include "canvoy/worlds/charger/charging_yard.hpp"
 
 namespace canvoy::tools {
 
@@ -17,6 +20,7 @@ struct ChargerRun : WorldRun {
   Duration duration = 8h;
   ChargerOptions network{};
   std::vector<HandOfFile> hands{};
+  YardSettings yard{};
 };
 
 /// The device that a hand acts on.
@@ -77,6 +81,44 @@ class PlayedCharging : public Played<charger::ChargerNetwork>, private WiredThin
   std::vector<DeviceHand> battery_hands_ = wired_hands("battery", Environment());
 };
 
+class PlayedYard : public Played<charger::ChargingYard> {
+ public:
+  explicit PlayedYard(const ChargerRun& run) : Played(yard_of(run.yard, run.network)) {}
+
+  std::vector<std::string> bus_names() const override {
+    std::vector<std::string> names;
+    for (std::size_t bus = 0; bus < network_.buses(); ++bus) {
+      names.push_back(fmt::format("sim{}", bus));
+    }
+    return names;
+  }
+  std::vector<Judged> judged() const override { return judged_of(network_); }
+};
+
+/// `[yard]` and each `[[vehicle]]`, which are not in the file of one charger.
+FilePart<ChargerRun> charging_yard() {
+  const SettingTable<YardSettings> yard = yard_table();
+  const SettingTable<VehicleOfFile> vehicles = yard_vehicle_table();
+  return {[yard, vehicles](TomlTable& file, ChargerRun& run) {
+            run.yard.is_given = file.has(yard.name) || file.has(vehicles.name);
+            take_settings(file, yard, run.yard);
+            for (TomlTable& each : file.tables(vehicles.name)) {
+              take_settings(each, vehicles.settings, run.yard.vehicles.emplace_back());
+              each.finish();
+            }
+          },
+          [yard, vehicles](const ChargerRun& run) {
+            if (!run.yard.is_given) return std::string();
+            std::string text = settings_text(yard, run.yard);
+            for (const VehicleOfFile& each : run.yard.vehicles) {
+              text += settings_text(vehicles, each, true);
+            }
+            return text;
+          },
+          keys_text("[" + yard.name + "]", yard.settings) +
+              keys_text("[[" + vehicles.name + "]]", vehicles.settings)};
+}
+
 struct ChargerWorld {
   using Run = ChargerRun;
   using Kind = charger::FaultKind;
@@ -85,31 +127,51 @@ struct ChargerWorld {
     double ambience = 20;
     std::string begin = "2026-11-21 18:00:00";
     bool no_sdo_manager = false;
+    YardChoice yard{};
   };
   static constexpr std::string_view name = "charger";
   static constexpr auto network = &Run::network;
   static constexpr double percent = 100;
 
   static WorldInfo info();
+  static WorldInfo info(const Run& run);
   static WorldFile<Run> file(const std::string& folder);
   static void check(const TomlTable& file, const std::string& folder, Run& run);
   static Run run_of_file();
   static Duration& length(Run& run) { return run.duration; }
   static void add_options(Verb& verb, Choice& choice);
   static Run chosen(const Choice& choice);
+  static void check_run(const Run& run);
   static MadeWorld make(const Run& run, const Choice&) {
+    if (run.yard.is_given) return {.network = std::make_unique<PlayedYard>(run)};
     return {.network = std::make_unique<PlayedCharging>(run)};
   }
 };
 
 WorldInfo ChargerWorld::info() {
-  return {.about = "A CiA 419 charger charges a CiA 418 battery (8h)",
-          .examples =
-              "  canvoy run charger --for 20min --fault heartbeat-loss@5min+30s --log bus.log\n"
-              "  canvoy run charger --for 10min --state-of-charge 80 --seed 7 --json\n"
-              "  canvoy run charger --print",
-          .page = "charger",
-          .decoding = {.nodes = {"5=419", "10=418"}}};
+  return {
+      .about = "A CiA 419 charger charges a CiA 418 battery (8h), or a yard of them many vehicles",
+      .examples =
+          "  canvoy run charger --for 20min --fault heartbeat-loss@5min+30s --log bus.log\n"
+          "  canvoy run charger --for 10min --state-of-charge 80 --seed 7 --json\n"
+          "  canvoy run charger --chargers 3 --batteries 5 --goal 80@06:00\n"
+          "  canvoy run charger --print",
+      .page = "charger",
+      .decoding = {.nodes = {"5=419", "10=418"}}};
+}
+
+/// On one bus, nodes count up with the bays.
+WorldInfo ChargerWorld::info(const Run& run) {
+  WorldInfo info = ChargerWorld::info();
+  if (!run.yard.is_given) return info;
+  info.page = "charging-yard";
+  info.decoding.nodes.clear();
+  const unsigned nodes = run.yard.one_bus ? run.yard.chargers : 1;
+  for (unsigned i = 0; i < nodes; ++i) {
+    info.decoding.nodes.push_back(fmt::format("{}=419", run.network.charger_id + i));
+    info.decoding.nodes.push_back(fmt::format("{}=418", run.network.battery_id + i));
+  }
+  return info;
 }
 
 Setting<ChargerRun> state_of_charge() {
@@ -157,7 +219,18 @@ WorldFile<ChargerRun> ChargerWorld::file(const std::string&) {
                   {setting<network, &ChargerOptions::manager_id>(
                       "id", "gives the charger its SDO connection to the battery; 0: there is none",
                       {{0, node_id_max}})}},
-              charging_hands()}};
+              charging_hands(), charging_yard()}};
+}
+
+/// Faults have their bays, and vehicles theirs.
+void ChargerWorld::check_run(const Run& run) {
+  const unsigned bays = run.yard.is_given ? run.yard.chargers : 1;
+  for (const auto& fault : run.network.faults.faults) {
+    if (fault.part >= 1 && fault.part <= bays) continue;
+    throw UsageError(fmt::format(
+        "fault '{}': there {}", fault_text(fault),
+        bays == 1 ? "is one bay, without a number" : fmt::format("are bays 1 to {}", bays)));
+  }
 }
 
 void ChargerWorld::check(const TomlTable& file, const std::string&, Run& run) {
@@ -165,6 +238,17 @@ void ChargerWorld::check(const TomlTable& file, const std::string&, Run& run) {
   if (options.charger_id == options.battery_id || options.charger_id == options.manager_id ||
       options.battery_id == options.manager_id) {
     file.refuse("two nodes have one node-ID");
+  }
+  try {
+    check_run(run);
+  } catch (const UsageError& wrong) {
+    file.refuse("faults", wrong.what());
+  }
+  if (run.yard.is_given) {
+    const std::string wrong = wrong_of_yard(run.yard, options);
+    if (!wrong.empty()) file.refuse("yard", wrong);
+    if (!run.real.empty()) file.refuse("real", "a yard is on no real bus");
+    if (!run.hands.empty()) file.refuse("hands", "they are of one charger and one battery");
   }
   if (options.plays_charger && options.plays_battery) return;
   if (run.real.empty()) file.refuse("who is not played is on a real bus: write real = \"can0\"");
@@ -191,6 +275,7 @@ void ChargerWorld::add_options(Verb& verb, Choice& choice) {
        "no CANopen manager gives the charger its SDO connection to the battery: it "
        "takes the default channel"},
   });
+  add_yard_options(verb, choice.yard);
 }
 
 ChargerRun ChargerWorld::chosen(const Choice& choice) {
@@ -204,6 +289,16 @@ ChargerRun ChargerWorld::chosen(const Choice& choice) {
   if (choice.no_sdo_manager) run.network.manager_id = 0;
   run.network.state_of_charge = choice.state_of_charge / percent;
   run.network.ambience_celsius = choice.ambience;
+  run.yard = chosen_yard(choice.yard);
+  if (!run.yard.is_given) return run;
+  const bool has_room = run.network.charger_id + run.yard.chargers <= run.network.battery_id;
+  if (run.yard.one_bus && !has_room) {
+    run.network.battery_id = static_cast<NodeId>(run.network.charger_id + run.yard.chargers);
+  }
+  const std::string wrong = wrong_of_yard(run.yard, run.network);
+  if (!wrong.empty()) throw UsageError(wrong);
+  const charger::YardOptions yard = yard_of(run.yard, run.network);
+  if (yard.goal) run.duration = yard.goal->at - Time{} + 10min;
   return run;
 }
 

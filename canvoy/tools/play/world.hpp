@@ -141,6 +141,16 @@ void set_seed(typename World::Run& run, std::uint64_t seed) {
   }
 }
 
+/// Some worlds have another page for some runs.
+template <class World>
+WorldInfo info_of(const typename World::Run& run) {
+  if constexpr (requires { World::info(run); }) {
+    return World::info(run);
+  } else {
+    return World::info();
+  }
+}
+
 template <class World>
 void check_run(const typename World::Run& run) {
   if constexpr (requires { World::check_run(run); }) World::check_run(run);
@@ -179,7 +189,7 @@ int play_run(typename World::Run run, const RunOptions& options,
     if (const std::optional<int> status = World::play(run, play_as, options, choice))
       return *status;
   }
-  const WorldInfo info = World::info();
+  const WorldInfo info = detail::info_of<World>(run);
   return play_world({.kind = info.page,
                      .grammar = fault_grammar<typename World::Kind>(),
                      .make =

@@ -71,6 +71,8 @@ void ChargerDevices::power_battery(bool is_on) {
 
 void ChargerDevices::plug(bool is_in) {
   plant_.is_plugged = is_in_bay_ = is_in;
+  // The pilot signal changes at once, and without a voltage nothing is taken from the mains.
+  plant_.stage.step(ChargingPlant::step_time, 0, is_in);
   switch_battery();
 }
 

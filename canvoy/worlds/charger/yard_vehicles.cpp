@@ -86,7 +86,7 @@ void YardVehicles::serve(Time now, std::size_t bay) {
     return unplug(now, bay, VehiclePlace::waiting);
   }
   if (now < cable.free_at) return;
-  // One that is served already waits until nobody else does.
+  // One that is served already comes last.
   const auto next = std::ranges::find_if(
       cable.waiting, [this](std::size_t vehicle) { return !is_served(vehicle); });
   const std::size_t vehicle = next == cable.waiting.end() ? cable.waiting.front() : *next;

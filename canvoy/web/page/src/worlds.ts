@@ -5,9 +5,10 @@ import { ChargerWorld } from "./world_charger";
 import { ExcavatorWorld } from "./world_excavator";
 import type { PictureProps } from "./parts";
 import { LiftWorld } from "./world_lift";
+import { YardWorld } from "./world_yard";
 
 export type Picture = (props: PictureProps) => JSX.Element;
 
 export const worlds: Record<string, Picture> = {
-  lift: LiftWorld, charger: ChargerWorld, taxi: TaxiWorld, police: PoliceWorld, "bus-line": BusLineWorld, excavator: ExcavatorWorld,
+  lift: LiftWorld, charger: ChargerWorld, "charging-yard": YardWorld, taxi: TaxiWorld, police: PoliceWorld, "bus-line": BusLineWorld, excavator: ExcavatorWorld,
 };
