@@ -121,6 +121,36 @@ class Script(CommandTest):
         done = subprocess.run([CANVOY, "script", BUS, "-"], input="sync\n", capture_output=True, text=True, timeout=60)
         self.assertEqual((done.stdout, done.stderr, done.returncode), ("  1  sync\n1 of 1 lines passed\n", "", DONE))
 
+    def test_devices_of_a_script_are_moved_by_hand(self):
+        bus = "udp:239.74.163.22:43152"
+        path = self.folder / "hands.canvoy"
+        path.write_text(
+            "device battery --node-id 11 --heartbeat 100ms\n"
+            "device io-401 --node-id 33 --heartbeat 100ms\n"
+            "wait 'heartbeat and node=11 within 5s'\nwait 'heartbeat and node=33 within 5s'\n"
+            "expect 11 temperature = 20 within 2s\n"
+            "set temperature=60\nexpect 11 temperature = 60 within 2s\n"
+            "set input3=on\nexpect 33 6000:1 = 4 within 2s\n"
+            "press input1\nexpect 33 6000:1 = 5 within 2s\nexpect 33 6000:1 = 4 within 2s\n"
+        )
+        output = self.assert_done(run("script", bus, str(path)))
+        self.assertIn("  6  set temperature=60\n  7  expect 11 temperature = 60 within 2s\nPASS", output)
+        self.assertTrue(output.endswith("12 of 12 lines passed\n"), output)
+        gone = run("read", bus, "11", "1000", "--timeout", "100ms")
+        self.assertEqual(gone.returncode, FAILED, "they end with the script")
+
+    def test_hands_that_no_device_has_are_refused_before_anything_is_done(self):
+        for line, *parts in (
+            ("set temperature=60", "line 1", "there is no device before this line"),
+            ("device batery", "line 1", "did you mean 'battery'?"),
+            ("device battery --node-id 200", "line 1", "200"),
+            ("device battery\nset temperature=hot", "line 2", "temperature"),
+            ("device battery\nset colour=red", "line 2", "colour"),
+            ("device battery\npress temperature", "line 2", "temperature"),
+            ("device battery\nset", "line 2", "set NAME=VALUE"),
+        ):
+            self.assert_refused(self.script(line + "\nsync\n"), USAGE, *parts)
+
     def test_nothing_is_done_where_a_line_is_none(self):
         for line, *parts in (
             ("raed 10 1017", "'raed'", "did you mean 'read'?"),

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <functional>
 #include <iostream>
 #include <memory>
 
@@ -17,6 +18,7 @@
 #include "canvoy/tools/node/ask_options.hpp"
 #include "canvoy/tools/node/ask_verbs.hpp"
 #include "canvoy/tools/node/junit.hpp"
+#include "canvoy/tools/node/script_devices.hpp"
 #include "canvoy/tools/node/script_line.hpp"
 #include "canvoy/tools/node/typed_words.hpp"
 
@@ -49,9 +51,17 @@ class ScriptLine {
   const std::string& text() const { return text_; }
 
   /// Throws UsageError if the line is not a valid call of a verb.
-  void parse(std::vector<std::string> words, const ScriptOptions& options, Sessions& sessions) {
-    add_ask_verbs(line_, sessions);
+  void parse(std::vector<std::string> words, const ScriptOptions& options, Sessions& sessions,
+             ScriptDevices& devices) {
     const std::vector<std::string> buses = buses_of(options);
+    if (ScriptDevices::has_verb(words.front())) {
+      const bool names_bus = words.size() > 1 && std::ranges::find(buses, words[1]) != buses.end();
+      const std::string bus = names_bus ? words[1] : buses.front();
+      if (names_bus) words.erase(words.begin() + 1);
+      by_hand_ = devices.parse(words, bus);
+      return;
+    }
+    add_ask_verbs(line_, sessions);
     check_verb(words.front());
     const bool is_named = words.size() > 1 && std::ranges::find(buses, words[1]) != buses.end();
     if (!is_named && buses.size() > 1 && words.front() != "wait") {
@@ -65,7 +75,11 @@ class ScriptLine {
     if (outcome.kind == Kind::answered) throw UsageError("a line has no --help");
     if (outcome.kind == Kind::refused) throw UsageError(outcome.text);
   }
-  int run() const { return line_.run(); }
+  int run() const {
+    if (!by_hand_) return line_.run();
+    by_hand_();
+    return exit_done;
+  }
 
  private:
   /// Other verbs, such as monitor, are not allowed in a line.
@@ -73,6 +87,7 @@ class ScriptLine {
     if (is_ask_verb(verb)) return;
     std::vector<std::string> names;
     for (const std::unique_ptr<Verb>& each : line_.verbs()) names.push_back(each->name());
+    names.insert(names.end(), {"device", "set", "press"});
     throw UsageError(fmt::format("'{}' is no verb of a script: {}{}", verb, fmt::join(names, ", "),
                                  did_you_mean(verb, names)));
   }
@@ -80,6 +95,7 @@ class ScriptLine {
   unsigned number_;
   std::string text_;
   CommandLine line_{"", "canvoy"};
+  std::function<void()> by_hand_;  ///< empty: another verb
 };
 
 class Script {
@@ -121,7 +137,7 @@ class Script {
     std::string trimmed(text.substr(text.find_first_not_of(" \t")));
     while (trimmed.ends_with('\r') || trimmed.ends_with(' ')) trimmed.pop_back();
     try {
-      lines_.emplace_back(number, trimmed).parse(*words, options_, sessions);
+      lines_.emplace_back(number, trimmed).parse(*words, options_, sessions, devices_);
     } catch (const UsageError& error) {
       throw UsageError(fmt::format("{}: {}", where, error.what()));
     }
@@ -160,6 +176,7 @@ class Script {
   }
 
   const ScriptOptions& options_;
+  ScriptDevices devices_;
   std::deque<ScriptLine> lines_;
 };
 
@@ -214,8 +231,9 @@ void add_script(Verb& app, Sessions& sessions) {
   command.add({
       {"file", options->file,
        "a line for each verb, without canvoy and the bus: 'nmt 10 operational'; of "
-       "several buses with it: 'nmt can1 10 operational', 'wait heartbeat' for all; # "
-       "begins a comment; - for stdin",
+       "several buses with it: 'nmt can1 10 operational', 'wait heartbeat' for all; "
+       "'device battery --node-id 10' plays a device until the end, 'set temperature=60' and "
+       "'press hire' are hands on it (canvoy device --hands); # begins a comment; - for stdin",
        required},
       {"--junit", options->junit, "write a report, as JUnit has it, into this file"},
       {"--keep-going", options->keeps_going, "also behind a line that has failed"},
