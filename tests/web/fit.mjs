@@ -5,6 +5,7 @@ export const views = ["World", "Nodes", "Objects", "Frames", "Plots", "Load", "E
 export const worlds = {
   lift: ["run", "lift", "--lifts", "8", "--floors", "30", "--web", "--speed", "20"],
   charger: ["run", "charger", "--web", "--speed", "60"],
+  yard: ["run", "charger", "--chargers", "16", "--batteries", "24", "--goal", "80@06:00", "--web", "--speed", "60"],
   taxi: ["run", "taxi", "--web", "--speed", "60"],
   police: ["run", "police", "--web", "--speed", "60"],
   bus: ["run", "bus", "--web", "--speed", "60"],

@@ -339,7 +339,7 @@ test("time stands when it is told to, goes in steps and back", async () => {
   });
 });
 
-const pages = { lift, charger, taxi: ["run", "taxi", "--web", "--speed", "60"], police: ["run", "police", "--web", "--speed", "60"], bus: ["run", "bus", "--web", "--speed", "60"], excavator: ["run", "excavator", "--web", "--speed", "10"] };
+const pages = { lift, charger, taxi: ["run", "taxi", "--web", "--speed", "60"], police: ["run", "police", "--web", "--speed", "60"], bus: ["run", "bus", "--web", "--speed", "60"], excavator: ["run", "excavator", "--web", "--speed", "10"], yard: ["run", "charger", "--chargers", "3", "--batteries", "5", "--goal", "80@06:00", "--web", "--speed", "600"] };
 const shots = process.env.CANVOY_SHOTS;
 const views = ["World", "Nodes", "Objects", "Frames", "Load", "Events"];
 

@@ -17,7 +17,7 @@ function Battery(props: { it: any; bay: any; goal?: number; y: number }) {
   return (
     <g class="yard-row" transform={`translate(0 ${y})`}>
       <text x="16" y="27">{`${texts.battery} ${it.vehicle}`}</text>
-      <text x="120" y="27" class="muted">{it.place === "away" ? texts.yard_away : `${texts.bay} ${it.bay}`}</text>
+      <text x="134" y="27" class="muted">{it.place === "away" ? texts.yard_away : `${texts.bay} ${it.bay}`}</text>
       {is_plugged && <path class="yard-cable" d={`M200 22h${bar.x - 200}`} />}
       {flows && <path class="flow" d={`M200 22h${bar.x - 200}`} style={{ animationDuration: `${Math.max(0.25, 30 / Math.abs(amps))}s` }} />}
       {is_plugged && <text x="265" y="14" text-anchor="middle">{number_text(amps)} A</text>}
