@@ -24,6 +24,14 @@ void InspectionStations::hold(Station station, Direction way) {
   press(station, SpecialFunction::dogging_service_down, way == Direction::down);
 }
 
+void InspectionStations::tell_again() {
+  for (const Station station : {Station::roof, Station::pit}) {
+    if (!of(station).is_on) continue;
+    turn(station, true);
+    hold(station, of(station).held);
+  }
+}
+
 Direction InspectionStations::held() const {
   const State& roof = of(Station::roof);
   const State& pit = of(Station::pit);

@@ -187,6 +187,7 @@ void LiftShaft::Parts::count_missing(const ScheduledFault& fault, bool present) 
 
 void LiftShaft::Parts::power(NodeId id, bool is_on) {
   nodes.power(id, is_on);
+  if (is_on && nodes.is_a(DeviceKind::lift_controller, id)) stations.tell_again();
   if (is_on) return;
   panels.go_dark(id);
   if (nodes.is_a(DeviceKind::drive, id)) car.lose_drive();
