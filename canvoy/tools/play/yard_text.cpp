@@ -114,6 +114,14 @@ std::string goal_text(const ChargingYard& yard) {
                      text::duration_text(goal->at - Time{}));
 }
 
+/// `1 charger, 3 batteries`
+std::string size_text(const YardSnapshot& yard, std::string_view between) {
+  const std::size_t bays = yard.bays.size();
+  const std::size_t batteries = yard.vehicles.size();
+  return fmt::format("{} charger{}{}{} batter{}", bays, bays == 1 ? "" : "s", between, batteries,
+                     batteries == 1 ? "y" : "ies");
+}
+
 std::string bay_row(unsigned number, const ChargerSnapshot& bay, double mains_watt_hours) {
   return fmt::format("  {:<8}{:<44}{:>9.1f} A{:>9.2f} V{:>10.2f} kWh\n",
                      fmt::format("bay {}", number), text::stop_reason_text(bay.reason), bay.ampere,
@@ -215,8 +223,8 @@ ToldEvent WorldText<ChargingYard>::event(const YardEvent& event, const ChargingY
 
 std::string WorldText<ChargingYard>::picture(ChargingYard& yard, double speed) {
   const YardSnapshot now = yard.snapshot();
-  std::string text = fmt::format("Canvoy: a charging yard, {} chargers and {} batteries{}\n\n",
-                                 now.bays.size(), now.vehicles.size(), goal_text(yard));
+  std::string text =
+      fmt::format("Canvoy: a charging yard, {}{}\n\n", size_text(now, " and "), goal_text(yard));
   text += fmt::format("  {}{}, {:.2f} kWh from the mains, {:.1f} kW at most\n\n",
                       text::duration_text(now.at - Time{}),
                       speed > 0 ? fmt::format("  (x{:g})", speed) : "", now.mains_watt_hours / kilo,
@@ -238,9 +246,9 @@ std::string WorldText<ChargingYard>::summary_text(ChargingYard& yard) {
     error_frames += bus.error_frames;
   }
   std::string text = fmt::format(
-      "{} simulated: {} chargers, {} batteries{}; {:.2f} kWh from the mains, {:.1f} kW at most; "
+      "{} simulated: {}{}; {:.2f} kWh from the mains, {:.1f} kW at most; "
       "{} frames, {} error frames\n",
-      text::duration_text(end.at - Time{}), end.bays.size(), end.vehicles.size(), goal_text(yard),
+      text::duration_text(end.at - Time{}), size_text(end, ", "), goal_text(yard),
       end.mains_watt_hours / kilo, end.mains_watt_max / kilo, frames, error_frames);
   text += rows_text(yard, end);
   for (const Judged& each : judged_of(yard)) {
