@@ -248,16 +248,18 @@ struct Idle {
   Time at = never;
 };
 
-void loop_turn_beside_tasks(benchmark::State& state) {
+void loop_turn_beside_tasks(benchmark::State& state, bool are_asked) {
   const std::unique_ptr<host::EventLoop> loop = *host::EventLoop::create();
   std::vector<Idle> idle(static_cast<std::size_t>(state.range(0)));
   for (Idle& task : idle) {
-    loop->add({Callback<Time()>::to<&Idle::deadline>(task),
-               Callback<void(Time)>::to<&Idle::advance>(task)});
+    loop->add({.deadline = Callback<Time()>::to<&Idle::deadline>(task),
+               .advance = Callback<void(Time)>::to<&Idle::advance>(task),
+               .due = are_asked ? nullptr : &task.at});
   }
   for (auto _ : state) loop->run_until(Time{});
 }
-BENCHMARK(loop_turn_beside_tasks)->Arg(1)->Arg(1000);
+BENCHMARK_CAPTURE(loop_turn_beside_tasks, asked, true)->Arg(1)->Arg(1000);
+BENCHMARK_CAPTURE(loop_turn_beside_tasks, read, false)->Arg(1)->Arg(1000);
 
 /// Like timers, without a request for their deadlines.
 void loop_turn_beside_timers(benchmark::State& state) {

@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <span>
 #include <string>
 
 namespace canvoy::host {
@@ -147,6 +148,7 @@ EventLoop::Watch* EventLoop::find_watch(Id id) {
 
 EventLoop::Id EventLoop::add(const Task& task) {
   tasks_.push_back({++last_id_, task, {}});
+  dues_.push_back(task.due);
   return last_id_;
 }
 
@@ -155,6 +157,7 @@ void EventLoop::remove(Id id) {
   const auto found = std::ranges::find(tasks_, id, &TaskEntry::id);
   if (found == tasks_.end()) return;
   found->id = 0;
+  dues_[static_cast<std::size_t>(found - tasks_.begin())] = &never;
   has_removed_ = true;
 }
 
@@ -233,24 +236,42 @@ void EventLoop::wake() {
 std::optional<Time> EventLoop::advance_tasks() {
   if (std::exchange(has_removed_, false)) {
     std::erase_if(tasks_, [](const TaskEntry& entry) { return entry.id == 0; });
+    dues_.clear();
+    for (const TaskEntry& entry : tasks_) dues_.push_back(entry.task.due);
   }
   advanced_to_ = now();
-  std::optional<Time> next = first_timer();
-  for (std::size_t position = 0; position < tasks_.size(); ++position) {
-    if (tasks_[position].id == 0) continue;
+  Time next = first_timer();
+  bool is_known = true;
+  for (std::size_t position = 0; (position = skip_idle(position, next)) < tasks_.size();
+       ++position) {
     const Time deadline = tasks_[position].next();
     if (deadline > advanced_to_) {
-      if (next) next = std::min(*next, deadline);
+      next = std::min(next, deadline);
       continue;
     }
-    next.reset();
+    is_known = false;
     const Task task = tasks_[position].task;
     task.advance(advanced_to_);
-    if (tasks_[position].id == 0 || task.deadline() > advanced_to_) continue;
+    if (tasks_[position].id == 0 || tasks_[position].deadline() > advanced_to_) continue;
     ++counters_.stuck;
     tasks_[position].not_before = advanced_to_ + stuck_delay;
   }
-  return next;
+  return is_known ? std::optional(next) : std::nullopt;
+}
+
+// Most tasks of which the deadline stands in memory have nothing to do: the first other one from
+// `position` on. `next` gets the earliest of their deadlines, if it is earlier.
+std::size_t EventLoop::skip_idle(std::size_t position, Time& next) const {
+  const std::span<const Time* const> dues = dues_;
+  const Time current = advanced_to_;
+  Time earliest = next;
+  for (; position < dues.size(); ++position) {
+    const Time* const due = dues[position];
+    if (due == nullptr || *due <= current) break;
+    earliest = std::min(earliest, *due);
+  }
+  next = earliest;
+  return position;
 }
 
 Time EventLoop::first_timer() const {
@@ -276,8 +297,9 @@ bool EventLoop::run_timers() {
 
 Time EventLoop::next_deadline() const {
   Time earliest = first_timer();
-  for (const TaskEntry& entry : tasks_) {
-    if (entry.id != 0) earliest = std::min(earliest, entry.next());
+  for (std::size_t position = 0; (position = skip_idle(position, earliest)) < tasks_.size();
+       ++position) {
+    earliest = std::min(earliest, tasks_[position].next());
   }
   return earliest;
 }

@@ -178,6 +178,28 @@ TEST_F(EventLoopTest, ADeadlineOfATaskThatAnotherOneChangesIsNotMissed) {
   EXPECT_EQ(loop_->run_until(loop_->now() + 5s), EventLoop::End::stopped);
 }
 
+TEST_F(EventLoopTest, ADeadlineThatStandsInMemoryIsReadThere) {
+  EventLoop::Id id = 0;
+  Worker worker;
+  Worker other;
+  worker.period = 1ms;
+  worker.work = [&] { loop_->remove(worker.calls.size() == 3 ? id : 0); };
+  other.work = [&] { loop_->stop(); };
+  const auto task = [](Worker& its) {
+    return Task{.deadline = {}, .advance = its.task().advance, .due = &its.due};
+  };
+  const Time start = loop_->now();
+  worker.due = start + 1ms;
+  other.due = start + 20ms;
+  id = loop_->add(task(worker));
+  loop_->add(task(other));
+  EXPECT_EQ(loop_->run_until(start + 5s), EventLoop::End::stopped);
+  ASSERT_EQ(worker.calls.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_GE(worker.calls[i], start + (i + 1) * 1ms);
+  EXPECT_EQ(other.calls.size(), 1U);
+  EXPECT_LE(loop_->counters().wakeups, 10U);
+}
+
 TEST_F(EventLoopTest, WithNothingToDoTheLoopSleeps) {
   loop_->run_until(loop_->now() + 20ms);
   EXPECT_LE(loop_->counters().wakeups, 3U);
