@@ -159,10 +159,20 @@ void World::advance_buses(Time limit) {
     now_ = buses_.front()->now();
     return;
   }
-  for (const auto& bus : buses_) limit = std::min(limit, bus->next_event());
+  std::int64_t next_ns = never_ns;
+  for (const auto& bus : buses_) next_ns = std::min(next_ns, bus->next_event_ns());
+  limit = std::min(limit, to_time(next_ns));
   check_invariant(limit >= now_);
   for (const auto& bus : buses_) bus->advance(limit);
   now_ = limit;
+}
+
+std::uint64_t World::mapping_reads() const {
+  std::uint64_t reads = 0;
+  for (const Slot& slot : slots_) {
+    if (slot.calls != nullptr) reads += slot.calls->mapping_reads(slot.node);
+  }
+  return reads;
 }
 
 void World::call_due() {

@@ -126,6 +126,8 @@ class World {
   /// has a fault; it is called again a microsecond later, and the world goes on.
   std::uint64_t livelocks() const { return livelocks_; }
   static constexpr int calls_max = 1000;  ///< of a node at one instant
+  /// Sum of Node::mapping_reads() of all nodes that count them.
+  std::uint64_t mapping_reads() const;
 
  private:
   /// A node's functions, without its type.
@@ -137,6 +139,7 @@ class World {
     void (*bus_state)(void* node, BusState state, Time now);
     void (*tx_ready)(void* node, Time now);
     void (*overrun)(void* node, Time now);
+    std::uint64_t (*mapping_reads)(const void* node);  ///< 0: the node does not count them
   };
   template <WorldNode T>
   static constexpr NodeCalls calls_of = {
@@ -147,6 +150,13 @@ class World {
       [](void* node, BusState state, Time now) { static_cast<T*>(node)->bus_state(state, now); },
       [](void* node, Time now) { static_cast<T*>(node)->tx_ready(now); },
       [](void* node, Time now) { static_cast<T*>(node)->overrun(now); },
+      [](const void* node) -> std::uint64_t {
+        if constexpr (requires(const T& it) { it.mapping_reads(); }) {
+          return static_cast<const T*>(node)->mapping_reads();
+        } else {
+          return 0;
+        }
+      },
   };
 
   struct Slot {

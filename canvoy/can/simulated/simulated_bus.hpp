@@ -90,6 +90,10 @@ class SimulatedBus {
   Time now() const { return to_time(now_ns_); }
   /// Time of the next event, rounded up to a microsecond; never if nothing is in progress.
   Time next_event() const { return to_time(next_event_ns()); }
+  /// Like next_event(), but exact, in nanoseconds since the start: see to_time().
+  std::int64_t next_event_ns() const {
+    return std::min(cable_.next_event_ns(), timeline_.next_ns());
+  }
   /// Carries out all events up to and including `until`. Without events, it costs a comparison:
   /// worlds with many buses advance all of them at each event of one.
   void advance(Time until) {
@@ -176,9 +180,6 @@ class SimulatedBus {
   bool is_attached(ControllerId id) const { return id < controller_count_; }
 
   // Time: what is due, and the participants of the next event.
-  std::int64_t next_event_ns() const {
-    return std::min(cable_.next_event_ns(), timeline_.next_ns());
-  }
   void run(std::int64_t limit_ns, bool stop_when_told);
   void apply_faults();
   void handle(Wire& wire);

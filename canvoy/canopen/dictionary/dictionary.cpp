@@ -349,76 +349,69 @@ std::uint32_t Dictionary::notify(ServiceEvent& event) const {
 }
 
 /// The accesses of a binding are in its table; a service without a table may use all.
-EntryHooks Dictionary::find_hooks(const Entry& entry) const {
+EntryHooks Dictionary::find_hooks(const Entry& entry) {
   EntryHooks found;
   if (is_small_machine || entry.state.value->hooks == 0) return found;
   for (NodeService* service = services_; service != nullptr; service = service->next_) {
     if (!service->covers(entry.index)) continue;
-    EntryHooks hooks{.service = service, .reads = true, .asks = true, .notifies = true};
-    if (service->listener_.on_event == &HandlerBinding::on_event &&
-        !static_cast<const HandlerBinding*>(service)->find_hooks(entry, hooks)) {
+    if (service->listener_.on_event != &HandlerBinding::on_event) {
+      const unsigned accesses = service->frequent_.value.accesses;
+      const auto handles = [accesses](ServiceEvent::Kind access) {
+        return (accesses & ServiceEvent::bit_of(access)) != 0;
+      };
+      add_hooks(found, {.context = this,
+                        .ask = handles(ServiceEvent::before_write) ? ask_all : nullptr,
+                        .notify = handles(ServiceEvent::after_write) ? notify_all : nullptr,
+                        .reads = handles(ServiceEvent::before_read)});
       continue;
     }
-    if (found.service == nullptr && !found.several) {
-      found = hooks;
-      continue;
+    const HandlerBinding& link = static_cast<const HandlerBinding&>(*service);
+    const auto in_table = static_cast<std::uint16_t>(entry.index - link.shift_);
+    for (const AccessHandlers& calls : link.calls_->hooks) {
+      if (!calls.covers(in_table, entry.sub)) continue;
+      add_hooks(found, {.context = link.service_,
+                        .ask = calls.before_write,
+                        .notify = calls.after_write,
+                        .reads = calls.before_read != nullptr});
     }
-    found.several = true;
-    found.reads |= hooks.reads;
-    found.asks |= hooks.asks;
-    found.notifies |= hooks.notifies;
   }
-  if (found.several) found.service = nullptr;
   return found;
 }
 
-/// False if none of its rows is for the entry.
-bool HandlerBinding::find_hooks(const Entry& entry, EntryHooks& hooks) const {
-  const auto in_table = static_cast<std::uint16_t>(entry.index - shift_);
-  hooks.reads = hooks.asks = hooks.notifies = false;
-  for (std::size_t row = 0; row < calls_->hooks.size(); ++row) {
-    const AccessHandlers& calls = calls_->hooks[row];
-    if (!calls.covers(in_table, entry.sub)) continue;
-    hooks.reads |= calls.before_read != nullptr;
-    if (calls.before_write != nullptr) {
-      hooks.several |= hooks.asks;
-      hooks.asks = true;
-      hooks.before_row = static_cast<std::uint16_t>(row);
-    }
-    if (calls.after_write != nullptr) {
-      hooks.several |= hooks.notifies;
-      hooks.notifies = true;
-      hooks.after_row = static_cast<std::uint16_t>(row);
-    }
+/// A second function of a kind, or one with another object, is called by the dictionary.
+void Dictionary::add_hooks(EntryHooks& found, const EntryHooks& more) {
+  found.reads |= more.reads;
+  if (more.ask == nullptr && more.notify == nullptr) return;
+  const bool is_first = found.ask == nullptr && found.notify == nullptr;
+  const bool fits = found.context == more.context &&
+                    (found.ask == nullptr || more.ask == nullptr) &&
+                    (found.notify == nullptr || more.notify == nullptr);
+  if (is_first || fits) {
+    found.context = more.context;
+    if (more.ask != nullptr) found.ask = more.ask;
+    if (more.notify != nullptr) found.notify = more.notify;
+    return;
   }
-  return hooks.reads || hooks.asks || hooks.notifies;
+  found.context = this;
+  if (found.ask != nullptr || more.ask != nullptr) found.ask = ask_all;
+  if (found.notify != nullptr || more.notify != nullptr) found.notify = notify_all;
 }
 
-AbortCode Dictionary::ask(const Entry& entry, std::span<const std::uint8_t> value,
-                          const EntryHooks& hooks) const {
-  if (hooks.service != nullptr && hooks.before_row != EntryHooks::any_row) {
-    return static_cast<const HandlerBinding&>(*hooks.service)
-        .ask_row(hooks.before_row, entry, value);
-  }
+AbortCode Dictionary::ask_all(void* dictionary, const Entry& entry,
+                              std::span<const std::uint8_t> value) {
   ServiceEvent event{.kind = ServiceEvent::before_write,
                      .number = static_cast<std::uint32_t>(value.size()),
                      .subject = &entry,
                      .data = value.data()};
-  if (hooks.service == nullptr) return static_cast<AbortCode>(notify(event));
-  hooks.service->notify(event);
+  static_cast<const Dictionary*>(dictionary)->notify_access(event);
   return static_cast<AbortCode>(event.answer);
 }
 
-/// Notifies several services, or one without a table.
-void Dictionary::notify_any(const Entry& entry, Source source, const EntryHooks& hooks) const {
+void Dictionary::notify_all(void* dictionary, const Entry& entry, Source source) {
   ServiceEvent event{.kind = ServiceEvent::after_write,
                      .number = static_cast<std::uint32_t>(source),
                      .subject = &entry};
-  if (hooks.service == nullptr) {
-    notify(event);
-  } else {
-    hooks.service->notify(event);
-  }
+  static_cast<const Dictionary*>(dictionary)->notify_access(event);
 }
 
 bool Dictionary::is_watched(const Entry& entry) const {
@@ -506,8 +499,17 @@ AbortCode Dictionary::refresh(const Entry& entry) {
   return static_cast<AbortCode>(notify(ServiceEvent::before_read, 0, &entry));
 }
 
-AbortCode Dictionary::write(const Entry& entry, std::span<const std::uint8_t> value,
-                            Source source) {
+AbortCode check_number(const DictionaryTables& tables, const EntryShape& row,
+                       const std::uint8_t* value) {
+  // Odd sizes leave bits of their last byte unused; a Boolean uses one bit of its byte.
+  const bool is_odd = row.bits % 8 != 0;
+  if (is_odd && value[row.capacity - 1] >> (row.bits % 8) != 0) return AbortCode::value_too_high;
+  if (!has(row.traits, EntryTraits::limited)) return AbortCode::none;
+  return check_limits(row, tables.numbers.data() + row.limits, value);
+}
+
+inline AbortCode Dictionary::write_by_steps(const Entry& entry, std::span<const std::uint8_t> value,
+                                            Source source) {
   if (!allows(entry.row->access, Access::sdo_write)) return AbortCode::read_only;
   const AbortCode answer = check(entry, value);
   if (answer != AbortCode::none) return answer;
@@ -516,20 +518,25 @@ AbortCode Dictionary::write(const Entry& entry, std::span<const std::uint8_t> va
   return answer;
 }
 
+/// For hosts: without a call in between.
+[[gnu::flatten]] AbortCode Dictionary::write_at_once(const Entry& entry,
+                                                     std::span<const std::uint8_t> value,
+                                                     Source source) {
+  if constexpr (is_small_machine) return AbortCode::general;
+  return write_by_steps(entry, value, source);
+}
+
+AbortCode Dictionary::write(const Entry& entry, std::span<const std::uint8_t> value,
+                            Source source) {
+  if constexpr (!is_small_machine) return write_at_once(entry, value, source);
+  return write_by_steps(entry, value, source);
+}
+
 AbortCode Dictionary::write(std::uint16_t index, std::uint8_t sub,
                             std::span<const std::uint8_t> value, Source source) {
   Entry entry{.index = index, .sub = sub};
   const AbortCode answer = locate(entry);
   return answer == AbortCode::none ? write(entry, value, source) : answer;
-}
-
-AbortCode check_number(const DictionaryTables& tables, const EntryShape& row,
-                       const std::uint8_t* value) {
-  // Odd sizes leave bits of their last byte unused; a Boolean uses one bit of its byte.
-  const bool is_odd = row.bits % 8 != 0;
-  if (is_odd && value[row.capacity - 1] >> (row.bits % 8) != 0) return AbortCode::value_too_high;
-  if (!has(row.traits, EntryTraits::limited)) return AbortCode::none;
-  return check_limits(row, tables.numbers.data() + row.limits, value);
 }
 
 AbortCode Dictionary::check_value(const EntryShape& row,
@@ -541,7 +548,8 @@ AbortCode Dictionary::check_value(const EntryShape& row,
 AbortCode Dictionary::check(const Entry& entry, std::span<const std::uint8_t> value) const {
   AbortCode answer = check_length(*entry.row, value.size());
   if (answer == AbortCode::none && tables_.check_number != nullptr) {
-    answer = tables_.check_number(tables_, *entry.row, value.data());
+    answer = is_small_machine ? tables_.check_number(tables_, *entry.row, value.data())
+                              : check_number(tables_, *entry.row, value.data());
   }
   if (answer != AbortCode::none || !entry.is_hooked(ServiceEvent::before_write)) return answer;
   ServiceEvent event{.kind = ServiceEvent::before_write,
@@ -682,7 +690,8 @@ void Dictionary::attach(Hook& hook) {
   link.next_ = services_;
   if (services_ == nullptr) last_ = &link.next_;
   services_ = &link;
-  mark_hooked(link, hook.first, hook.last, ServiceEvent::all_accesses, true);
+  if constexpr (!is_small_machine) link.frequent_.value.accesses = hook.accesses();
+  mark_hooked(link, hook.first, hook.last, hook.accesses(), true);
 }
 
 /// The rows keep their marks, which are only a hint that a hook may exist; the hook itself is no

@@ -261,13 +261,15 @@ struct Domain {
   /// Begins an upload, and returns the number of bytes, or size_unknown.
   Callback<Result<std::uint32_t>(const Entry&)> open_read;
   /// Fills `bytes` from `offset` on, and returns the number filled: fewer than requested mark the
-  /// end. No more than the size from open_read are requested. Offsets ascend, except after lost
-  /// segments of a block upload, which go back by up to 889 bytes.
+  /// end. No more than the size from open_read are requested: the bytes of a segment, on a host as
+  /// many segments as the server's buffer has room for, and if that is refused, one. Offsets
+  /// ascend, except after lost segments of a block upload, which go back by up to 889 bytes.
   Callback<Result<std::size_t>(const Entry&, std::uint32_t offset, std::span<std::uint8_t> bytes)>
       read;
   /// Begins a download; `size` is the size that the client announced, 0 if none.
   Callback<AbortCode(const Entry&, std::uint32_t size)> open_write;
-  /// Takes the next bytes of a download, in order and without gaps; an abort ends the transfer.
+  /// Takes the next bytes: those of a segment, on a host those of a block if they fit into the
+  /// server's buffer.
   Callback<AbortCode(const Entry&, std::span<const std::uint8_t> bytes)> write;
   /// Ends a download; with `complete` false, all data written must be discarded.
   Callback<AbortCode(const Entry&, bool complete)> close_write;
@@ -284,7 +286,8 @@ struct Domain {
 
 /// Like AccessHandlers, but set at run time for one instance, for applications. It is called for
 /// all objects of a range that are in the dictionary, and only for accesses from the bus (SDO,
-/// PDO). It must outlive the dictionary.
+/// PDO). It must outlive the dictionary. What is empty when it is attached is not called later: a
+/// callback may be replaced, not added.
 struct Hook {
   std::uint16_t first = 0;  ///< lowest index
   std::uint16_t last = 0;   ///< highest index, included
@@ -298,6 +301,16 @@ struct Hook {
   /// Notifies of a value that was written by an SDO client or an RPDO.
   Callback<void(const Entry&, Source)> after_write = {};
   const Domain* domain = nullptr;  ///< for entries of type domain in this range
+
+  /// What is set: ServiceEvent::bit_of().
+  std::uint8_t accesses() const {
+    using Event = ServiceEvent;
+    return static_cast<std::uint8_t>(
+        Event::bit_if(static_cast<bool>(before_read), Event::before_read) |
+        Event::bit_if(static_cast<bool>(before_write), Event::before_write) |
+        Event::bit_if(static_cast<bool>(after_write), Event::after_write) |
+        Event::bit_if(domain != nullptr, Event::domain_wanted));
+  }
 
   /// Link in the list of the node's services.
   class Link : public NodeService {
@@ -384,20 +397,9 @@ class Dictionary {
   /// Calls after_write only: for a PDO, which writes all values before the first notification.
   void announce(const Entry& entry, Source source);
 
-  /// For hosts: the services to ask and to notify of accesses to an entry, so that ask() and
-  /// notify_written() need no search. Valid until revision() changes. Linear in the number of
-  /// services.
-  EntryHooks find_hooks(const Entry& entry) const;
-  /// Asks the services in `hooks` whether a value may be written; it was checked before.
-  AbortCode ask(const Entry& entry, std::span<const std::uint8_t> value,
-                const EntryHooks& hooks) const;
-  /// Notifies the services in `hooks` of a value that was written.
-  void notify_written(const Entry& entry, Source source, const EntryHooks& hooks) const {
-    if (hooks.service == nullptr || hooks.after_row == EntryHooks::any_row) {
-      return notify_any(entry, source, hooks);
-    }
-    static_cast<const HandlerBinding&>(*hooks.service).notify_row(hooks.after_row, entry, source);
-  }
+  /// For hosts: whom to ask and to notify of writes of an entry. Valid until revision() changes.
+  /// Linear in the number of services.
+  EntryHooks find_hooks(const Entry& entry);
   /// For hosts: true if a TPDO maps this entry. Valid until revision() changes.
   bool is_watched(const Entry& entry) const;
   /// For hosts: the place of a located entry, and the entry at a place.
@@ -553,6 +555,8 @@ class Dictionary {
     return entry.row->type == DataType::domain ? AbortCode::unsupported_access : AbortCode::none;
   }
   AbortCode refresh(const Entry& entry);
+  AbortCode write_at_once(const Entry& entry, std::span<const std::uint8_t> value, Source source);
+  AbortCode write_by_steps(const Entry& entry, std::span<const std::uint8_t> value, Source source);
   std::uint64_t default_of(const EntryShape& row, std::uint32_t place, std::uint8_t node_id) const;
   void restore_default(const Entry& entry, std::uint32_t place, std::uint8_t node_id);
   void restore_unwatched(std::span<const EntryShape> rows, Entry& entry, const std::uint32_t* place,
@@ -563,7 +567,10 @@ class Dictionary {
   void notify_access(ServiceEvent& event) const;
   [[gnu::noinline]] void tell_several_of_access(ServiceEvent& event) const;
   void tell_of_access_by_list(ServiceEvent& event) const;
-  void notify_any(const Entry& entry, Source source, const EntryHooks& hooks) const;
+  void add_hooks(EntryHooks& found, const EntryHooks& more);
+  static AbortCode ask_all(void* dictionary, const Entry& entry,
+                           std::span<const std::uint8_t> value);
+  static void notify_all(void* dictionary, const Entry& entry, Source source);
   constexpr void append(NodeService& service) {
     *last_ = &service;
     last_ = &service.next_;

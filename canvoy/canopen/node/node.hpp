@@ -183,6 +183,10 @@ class Node {
   }
   /// Counts a frame that a service ignored.
   void count_malformed() { ++counters_.malformed; }
+  /// For hosts: counts a read of an entry of a PDO mapping record.
+  void count_mapping_read() {
+    if constexpr (!is_small_machine) ++mapping_reads_.value;
+  }
 
   /// Time of the call that is under way, or of the last one.
   Time now() const { return timers_.now(); }
@@ -208,6 +212,9 @@ class Node {
   Transmitter& transmitter() { return transmitter_; }
   /// Counts since the node was made; they wrap at 2^32.
   const Counters& counters() const { return counters_; }
+  /// For hosts: number of reads of entries of PDO mapping records since the start. They are read
+  /// when a mapping is set, never for a frame.
+  std::uint32_t mapping_reads() const { return mapping_reads_.value; }
 
  private:
   /// Has another name in the library for a small machine: see machine.hpp.
@@ -229,6 +236,7 @@ class Node {
   NmtState state_ = NmtState::initialisation;
   BusState bus_state_ = BusState::error_active;
   Counters counters_;
+  [[no_unique_address]] HostOnly<std::uint32_t> mapping_reads_;
   Port port_;
   Dictionary dictionary_;
   Router router_;

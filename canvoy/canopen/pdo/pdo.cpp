@@ -11,7 +11,12 @@ void PdoService::share(std::span<MappedValue> values) {
   places_.value.values = values.data();
   places_.value.share =
       static_cast<std::uint16_t>(std::min<std::size_t>(values.size() / count_, pdo_values_max));
-  for (Pdo& pdo : all()) pdo.owner_.value = this;
+  MappedValue* next = values.data();
+  for (Pdo& pdo : all()) {
+    pdo.owner_.value = this;
+    pdo.values_.value = next;
+    next += places_.value.share;
+  }
 }
 
 bool PdoService::works(std::uint16_t number) const {
@@ -37,7 +42,7 @@ std::uint32_t PdoService::parameter(const Pdo& pdo, unsigned sub, std::uint32_t 
 }
 
 std::uint32_t PdoService::mapped(const Pdo& pdo, unsigned sub) const {
-  if constexpr (Pdo::has_plans) ++places_.value.reads;
+  node_.count_mapping_read();
   return parameter(pdo, mapping + sub, nothing);
 }
 

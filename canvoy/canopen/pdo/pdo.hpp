@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <span>
+#include <utility>
 
 #include "canvoy/canopen/node/node.hpp"
 #include "canvoy/canopen/pdo/pdo_mapping.hpp"
@@ -37,8 +39,7 @@ class Pdo {
   static constexpr bool has_plans = !is_small_machine;
   /// Hosts find PDOs by routes. Small processors, which have few, search through them.
   static constexpr bool has_routes = !is_small_machine;
-  /// How values without special handling are copied; otherwise, for an RPDO, the
-  /// combined deeds of all values: MappedValue::Deed.
+  /// How values without special handling are copied.
   enum Plan : std::uint8_t {
     mixed,     ///< one by one
     adjacent,  ///< as one value
@@ -72,11 +73,14 @@ class Pdo {
   /// For hosts: true if there is a time to wait for.
   bool has_times() const { return (times_.value.period | times_.value.inhibit) != 0; }
 
-  [[no_unique_address]] HostOnly<PdoService*> owner_;  ///< for a receiver called by its route
+  [[no_unique_address]] HostOnly<PdoService*> owner_;    ///< for a receiver called by its route
+  [[no_unique_address]] HostOnly<MappedValue*> values_;  ///< as many as it can map
   PdoImage image_{};  ///< RPDO: held until the next SYNC; TPDO: last sent, or sampled at SYNC
   std::uint32_t since_ = 0;   ///< time of reception, transmission or activation: see low_ticks()
   std::uint16_t can_id_ = 0;  ///< 0: not valid
   [[no_unique_address]] HostOnly<Times> times_;
+  /// RPDO: combined deeds of all values, MappedValue::Deed; 0: they are copied by the plan.
+  [[no_unique_address]] HostOnly<std::uint8_t> deeds_;
   std::uint8_t type_ = 0;
   std::uint8_t bits_ = 0;    ///< number of mapped bits
   std::uint8_t length_ = 0;  ///< in bytes; 0 while the PDO is not active
@@ -85,22 +89,19 @@ class Pdo {
   // Properties of the mapping and of the COB-ID.
   std::uint8_t plan_ : 3 = 0;
   std::uint8_t mode_ : 2 = 0;
-  bool special_ : 1 = false;  ///< one of the values needs special handling: see MappedValue
-  bool stale_ : 1 = false;    ///< properties that depend on the values must be determined again
+  bool quick_ : 1 = false;  ///< RPDO: the next frame is taken at once: see Rpdos::take_any()
+  bool stale_ : 1 = false;  ///< properties that depend on the values must be determined again
   bool routed_ : 1 = false;
   // State of a TPDO.
   bool sampled_ : 1 = false;  ///< `image_` is a sample
   bool sent_ : 1 = false;     ///< at since_; false if that is too long ago to matter
   bool event_ : 1 = false;    ///< an event waits for SYNC or the end of the inhibit time
   bool waiting_ : 1 = false;  ///< waits for room in the controller
-  /// TPDO: the SYNC start value was seen. RPDO: like `simple_`, but the plan contains more than
-  /// copying.
-  bool counts_or_goes_ : 1 = false;
+  bool counts_ : 1 = false;   ///< the SYNC start value was seen
   /// RPDO: a value waits for the next SYNC. TPDO: an event, whatever the last value.
   bool holds_ : 1 = false;
   // State of an RPDO.
   bool supervised_ : 1 = false;
-  bool simple_ : 1 = false;  ///< needs copying only: see Rpdos::take_any()
 };
 static_assert(!is_small_machine || sizeof(void*) > 4 || sizeof(Pdo) == 20,
               "small devices have many PDOs");
@@ -127,9 +128,6 @@ class PdoService : protected NodeService {
   std::uint16_t first() const { return first_; }
   /// True if the PDO `number`, counted from 1, has memory.
   bool has(std::uint16_t number) const { return position_of(number) < count_; }
-  /// For hosts: number of reads of mapping entries since the start. An entry is read when a mapping
-  /// is set, never for a frame.
-  std::uint32_t mapping_reads() const { return places_.value.reads; }
   /// PDO of a number that exists.
   Pdo& operator[](std::uint16_t number) { return pdos_[position_of(number)]; }
 
@@ -224,9 +222,7 @@ class PdoService : protected NodeService {
       pack_any(pdo, image, asks);
     }
   }
-  MappedValue* values_of(const Pdo& pdo) const {
-    return places_.value.values + static_cast<unsigned>(&pdo - pdos_) * places_.value.share;
-  }
+  static MappedValue* values_of(const Pdo& pdo) { return pdo.values_.value; }
   /// Operation on all values of a PDO.
   enum class Step : std::uint8_t { read, refresh, check, write, announce };
   /// Copies values to `image` (read, refresh: after hooks), or from it. Returns the object that
@@ -236,24 +232,29 @@ class PdoService : protected NodeService {
   /// Carries out one step for received data.
   std::uint32_t unpack(const Pdo& pdo, PdoImage& image, Step step) {
     if constexpr (!Pdo::has_plans) return go_through(pdo, image.data(), step);
-    switch (step) {
-      case Step::check:
-        return check_values(pdo, image);
-      case Step::write:
-        write_values(pdo, image);
-        return 0;
-      default:
-        announce_values(pdo);
-        return 0;
-    }
+    return carry_out(pdo, image, step);
   }
-  // Like go_through(), but for hosts, with the resolved mapping.
-  std::uint32_t check_values(const Pdo& pdo, const PdoImage& image) const;
-  void write_values(const Pdo& pdo, const PdoImage& image);
-  /// Carries out all steps.
+  /// Like go_through(), but for hosts, with the resolved mapping.
+  std::uint32_t carry_out(const Pdo& pdo, const PdoImage& image, Step step);
+  /// For hosts: carries out all steps for received data.
   std::uint32_t take_values(const Pdo& pdo, const PdoImage& image);
-  void announce_values(const Pdo& pdo) const {
-    if (pdo.special_ && (pdo.plan_ & MappedValue::notify) != 0) notify_values(pdo);
+  /// For hosts: copies received values by the plan.
+  [[gnu::always_inline]] void copy(const Pdo& pdo, const PdoImage& image) const {
+    const MappedValue* const values = values_of(pdo);
+    std::uint8_t* const block = node_.dictionary().values();
+    switch (pdo.plan_) {
+      case Pdo::whole:
+        std::memcpy(block + values->offset(), image.data(), pdo_bytes_max);
+        return;
+      case Pdo::bytes:
+        return scatter<std::uint8_t>(block, values, image);
+      case Pdo::words:
+        return scatter<std::uint16_t>(block, values, image);
+      case Pdo::longs:
+        return scatter<std::uint32_t>(block, values, image);
+      default:
+        std::memcpy(block + values->offset(), image.data(), pdo.length_);
+    }
   }
   /// Calls `act(value, start)` for the values of an active PDO, in their order, while it returns
   /// true. The mapping may change in between; the loop then continues with the new values.
@@ -289,11 +290,10 @@ class PdoService : protected NodeService {
   /// Data of a host about mapped values.
   struct Places {
     MappedValue* values = nullptr;
-    std::uint32_t revision = 0;       ///< Dictionary::revision() at the last renew()
-    std::uint16_t share = 0;          ///< limit of values for each PDO
-    bool are_found = false;           ///< for TPDOs: by PlacesOfValues
-    mutable std::uint32_t reads = 0;  ///< number of reads of mapping records
-    PdoSet chosen;  ///< TPDOs that wait for SYNC; RPDOs that may hold values for it
+    std::uint32_t revision = 0;  ///< Dictionary::revision() at the last renew()
+    std::uint16_t share = 0;     ///< limit of values for each PDO
+    bool are_found = false;      ///< for TPDOs: by PlacesOfValues
+    PdoSet chosen;               ///< TPDOs that wait for SYNC; RPDOs that may hold values for it
   };
 
   // Small members come first: a Cortex-M0+ reaches them with shorter instructions.
@@ -333,12 +333,25 @@ class PdoService : protected NodeService {
     unsigned bits;
   };
   bool access(std::uint8_t* image, BitField field, Step step, Entry& entry);
-  std::uint32_t check_limits(const Pdo& pdo, const PdoImage& image) const;
+  /// Copies values of one size that fill the PDO. Its bytes are loaded once: single loads, each
+  /// after a store, take twice the time.
+  template <class Unit, std::size_t... i>
+  static void scatter(std::uint8_t* block, const MappedValue* values, const PdoImage& image,
+                      std::index_sequence<i...>) {
+    const auto bytes = canvoy::load<std::uint64_t>(image.data());
+    (store(block + values[i].offset(), static_cast<Unit>(bytes >> (i * sizeof(Unit) * 8))), ...);
+  }
+  template <class Unit>
+  static void scatter(std::uint8_t* block, const MappedValue* values, const PdoImage& image) {
+    scatter<Unit>(block, values, image, std::make_index_sequence<pdo_bytes_max / sizeof(Unit)>());
+  }
+  std::uint32_t check_values(const Pdo& pdo, const PdoImage& image) const;
+  void write_values(const Pdo& pdo, const PdoImage& image);
+  void announce_values(const Pdo& pdo) const;
+  void note_changes(const Pdo& pdo, const PdoImage& image);
+  static bool are_within_limits(const Pdo& pdo, const PdoImage& image);
   std::uint32_t ask_for_values(const Pdo& pdo, const PdoImage& image) const;
-  bool is_refused(const MappedValue& value, std::uint64_t number) const;
-  void write_numbers(const Pdo& pdo, const PdoImage& image);
-  void write_special(const MappedValue& value, std::uint64_t number);
-  void notify_values(const Pdo& pdo) const;
+  void write_one_by_one(const Pdo& pdo, const PdoImage& image);
   void pack_values(const Pdo& pdo, PdoImage& image, bool asks);
   void pack_any(const Pdo& pdo, PdoImage& image, bool asks);
   void look_again(Pdo& pdo);

@@ -81,6 +81,15 @@ struct ValueBytes {
   unsigned size;
 };
 
+/// True if the lower bits of a number are not those of a value in the dictionary.
+[[maybe_unused]] inline bool differs(const std::uint8_t* value, unsigned bits,
+                                     std::uint64_t number) {
+  if (bits == 32) return load<std::uint32_t>(value) != static_cast<std::uint32_t>(number);
+  if (bits == 16) return load<std::uint16_t>(value) != static_cast<std::uint16_t>(number);
+  if (bits == 8) return *value != static_cast<std::uint8_t>(number);
+  return load_unsigned({value, (bits + 7) / 8}) != (number & mask_of(bits));
+}
+
 /// Inserts 0 to 64 bits of a value where a PDO is zero. A Boolean is true unless its byte is 0.
 void insert(std::uint8_t* data, unsigned position, unsigned bits, const std::uint8_t* value) {
   check_invariant(position + bits <= pdo_bits_max);
@@ -159,8 +168,8 @@ AbortCode PdoService::map(Pdo& pdo, unsigned count) {
 /// Discards properties that depend on the values; they are determined with the next frame.
 inline void PdoService::forget_plan(Pdo& pdo) {
   pdo.plan_ = Pdo::mixed;
-  pdo.special_ = pdo.simple_ = false;
-  if (is_receive()) pdo.counts_or_goes_ = false;
+  pdo.deeds_.value = MappedValue::apart;
+  pdo.quick_ = false;
   pdo.stale_ = true;
 }
 
@@ -185,8 +194,11 @@ void PdoService::resolve(Pdo& pdo) {
     check_invariant(value->bits() != 0);
     deeds |= resolve(*value);
   }
-  pdo.special_ = deeds != 0;
-  pdo.plan_ = (pdo.special_ && is_receive() ? deeds : plan_copies(pdo)) & Pdo::plan_mask;
+  constexpr unsigned one_by_one = MappedValue::set_text | MappedValue::skip | MappedValue::refresh;
+  pdo.plan_ = Pdo::mixed;
+  if ((deeds & one_by_one) == 0) pdo.plan_ = plan_copies(pdo) & Pdo::plan_mask;
+  if (pdo.plan_ == Pdo::mixed) deeds |= MappedValue::apart;
+  pdo.deeds_.value = static_cast<std::uint8_t>(deeds);
 }
 
 /// Determines the operations on a value with a place.
@@ -194,7 +206,7 @@ inline unsigned PdoService::resolve(MappedValue& value) const {
   constexpr unsigned accesses = ServiceEvent::all_accesses;
   unsigned deeds = value.deeds() & (MappedValue::skip | MappedValue::set_text);
   if ((deeds & MappedValue::skip) != 0) return deeds;
-  const Dictionary& dictionary = node_.dictionary();
+  Dictionary& dictionary = node_.dictionary();
   const Entry entry = dictionary.entry_at(value.place());
   const EntryHooks hooks = entry.is_hooked(accesses) ? dictionary.find_hooks(entry) : EntryHooks{};
   if (!is_receive()) {
@@ -215,16 +227,17 @@ inline unsigned PdoService::resolve(MappedValue& value) const {
     // If nearly every number is refused, each one is checked separately.
     if (!is_range) deeds |= MappedValue::ask;
   }
-  if (hooks.asks) deeds |= MappedValue::ask;
-  if (hooks.notifies) deeds |= MappedValue::notify;
-  if (dictionary.is_watched(entry)) deeds |= MappedValue::watch;
+  if (hooks.ask != nullptr) deeds |= MappedValue::ask;
+  if (hooks.notify != nullptr) deeds |= MappedValue::notify;
+  // A string is set by the dictionary, which sees a change by itself.
+  if (!row.is_text() && dictionary.is_watched(entry)) deeds |= MappedValue::watch;
   value.resolve(deeds, limits, hooks);
   return deeds;
 }
 
 /// One copy of all, or full frames of values of one size.
 std::uint8_t PdoService::plan_copies(const Pdo& pdo) const {
-  if (pdo.bits_ % 8 != 0 || pdo.bits_ == 0 || pdo.special_) return Pdo::mixed;
+  if (pdo.bits_ % 8 != 0 || pdo.bits_ == 0) return Pdo::mixed;
   const MappedValue* values = values_of(pdo);
   const unsigned size = values[0].bits();
   unsigned end = values[0].offset();
@@ -258,8 +271,7 @@ void PdoService::look_again(Pdo& pdo) {
     places_.value.revision = dictionary.revision();
     for (Pdo& each : all()) {
       each.stale_ = true;
-      each.simple_ = false;
-      if (is_receive()) each.counts_or_goes_ = false;
+      each.quick_ = false;
     }
   }
   if (pdo.stale_) resolve(pdo);
@@ -346,31 +358,32 @@ std::uint32_t refused_at(const MappedValue& value) {
 
 }  // namespace
 
-/// For PDOs without other checks. Zeros follow the last bit of 64.
-[[gnu::always_inline]] inline std::uint32_t PdoService::check_limits(const Pdo& pdo,
-                                                                     const PdoImage& image) const {
+/// A number outside may be a sentinel. Zeros follow the last bit of 64.
+[[gnu::always_inline]] inline bool PdoService::are_within_limits(const Pdo& pdo,
+                                                                 const PdoImage& image) {
   const MappedValue* value = values_of(pdo);
   auto rest = canvoy::load<std::uint64_t>(image.data());
   for (unsigned left = pdo.bits_; left != 0; ++value) {
     const unsigned bits = value->bits();
-    if (value->is(MappedValue::limit) && is_outside(*value, rest)) [[unlikely]] {
-      if (is_refused(*value, rest)) return refused_at(*value);
-    }
+    if (value->is(MappedValue::limit) && is_outside(*value, rest)) [[unlikely]]
+      return false;
     left -= bits;
-    rest = bits == pdo_bits_max ? 0 : rest >> bits;
+    rest = rest >> (bits - 1) >> 1;
   }
-  return 0;
+  return true;
 }
 
-std::uint32_t PdoService::ask_for_values(const Pdo& pdo, const PdoImage& image) const {
+/// The first object that cannot take its value, or 0.
+[[gnu::noinline]] std::uint32_t PdoService::ask_for_values(const Pdo& pdo,
+                                                           const PdoImage& image) const {
   const Dictionary& dictionary = node_.dictionary();
   std::uint32_t refused = 0;
   for_values(pdo, [&](const MappedValue& value, unsigned start) {
     const ValueBytes bytes(number_in(image, start, value.bits()), value.bits());
     const std::uint32_t object = refused_at(value);
     AbortCode answer = check_number_of(dictionary, value, bytes.number());
-    if (answer == AbortCode::none && value.is(MappedValue::ask)) {
-      answer = dictionary.ask(dictionary.entry_at(value.place()), bytes.span(), value.hooks());
+    if (answer == AbortCode::none && value.asks()) {
+      answer = value.ask_for(dictionary.entry_at(value.place()), bytes.span());
     }
     if (answer != AbortCode::none) refused = object;
     return refused == 0;
@@ -378,89 +391,91 @@ std::uint32_t PdoService::ask_for_values(const Pdo& pdo, const PdoImage& image) 
   return refused;
 }
 
-[[gnu::noinline]] bool PdoService::is_refused(const MappedValue& value,
-                                              std::uint64_t number) const {
-  return check_number_of(node_.dictionary(), value, number) != AbortCode::none;
+/// Before they are written.
+[[gnu::noinline]] void PdoService::note_changes(const Pdo& pdo, const PdoImage& image) {
+  Dictionary& dictionary = node_.dictionary();
+  const std::uint8_t* const block = dictionary.values();
+  auto rest = canvoy::load<std::uint64_t>(image.data());
+  const MappedValue* value = values_of(pdo);
+  for (unsigned left = pdo.bits_; left != 0; ++value) {
+    const unsigned bits = value->bits();
+    if (value->is(MappedValue::watch) && differs(block + value->offset(), bits, rest)) {
+      dictionary.note_change(value->place());
+    }
+    left -= bits;
+    rest = rest >> (bits - 1) >> 1;
+  }
 }
 
-[[gnu::always_inline]] inline void PdoService::write_numbers(const Pdo& pdo,
-                                                             const PdoImage& image) {
-  std::uint8_t* const block = node_.dictionary().values();
+[[gnu::noinline]] void PdoService::write_one_by_one(const Pdo& pdo, const PdoImage& image) {
+  Dictionary& dictionary = node_.dictionary();
   const MappedValue* value = values_of(pdo);
   auto rest = canvoy::load<std::uint64_t>(image.data());
   for (unsigned left = pdo.bits_; left != 0; ++value) {
     const unsigned bits = value->bits();
+    std::uint8_t* const place = dictionary.values() + value->offset();
     // Special values first: they have 8, 16 and 32 bits as well.
     // NOLINTNEXTLINE(bugprone-branch-clone)
-    if (value->is(MappedValue::watch | MappedValue::set_text | MappedValue::skip)) [[unlikely]] {
-      write_special(*value, rest);
+    if (value->is(MappedValue::set_text | MappedValue::skip)) [[unlikely]] {
+      const ValueBytes bytes(rest, bits);
+      if (value->is(MappedValue::set_text)) {
+        dictionary.set(dictionary.entry_at(value->place()), bytes.span());
+      }
     } else if (bits == 32) {
-      store(block + value->offset(), static_cast<std::uint32_t>(rest));
+      store(place, static_cast<std::uint32_t>(rest));
     } else if (bits == 16) {
-      store(block + value->offset(), static_cast<std::uint16_t>(rest));
+      store(place, static_cast<std::uint16_t>(rest));
     } else if (bits == 8) {
-      block[value->offset()] = static_cast<std::uint8_t>(rest);
+      *place = static_cast<std::uint8_t>(rest);
     } else {
-      write_special(*value, rest);
+      const ValueBytes bytes(rest & mask_of(bits), bits);
+      copy_bytes(place, bytes.bytes.data(), bytes.size);
     }
     left -= bits;
-    rest = bits == pdo_bits_max ? 0 : rest >> bits;
+    rest = rest >> (bits - 1) >> 1;
   }
 }
 
-std::uint32_t PdoService::check_values(const Pdo& pdo, const PdoImage& image) const {
-  const unsigned deeds = pdo.special_ ? pdo.plan_ : 0U;
-  if ((deeds & MappedValue::ask) != 0) return ask_for_values(pdo, image);
-  return (deeds & MappedValue::limit) != 0 ? check_limits(pdo, image) : 0;
+[[gnu::always_inline]] inline std::uint32_t PdoService::check_values(const Pdo& pdo,
+                                                                     const PdoImage& image) const {
+  const unsigned deeds = pdo.deeds_.value;
+  const bool is_doubtful = (deeds & MappedValue::ask) != 0 ||
+                           ((deeds & MappedValue::limit) != 0 && !are_within_limits(pdo, image));
+  return is_doubtful ? ask_for_values(pdo, image) : 0;
 }
 
-/// Writes values without any callback.
-void PdoService::write_values(const Pdo& pdo, const PdoImage& image) {
-  write_numbers(pdo, image);
+/// Without any callback.
+[[gnu::always_inline]] inline void PdoService::write_values(const Pdo& pdo, const PdoImage& image) {
+  const unsigned deeds = pdo.deeds_.value;
+  if ((deeds & MappedValue::watch) != 0) note_changes(pdo, image);
+  (deeds & MappedValue::apart) != 0 ? write_one_by_one(pdo, image) : copy(pdo, image);
+}
+
+[[gnu::noinline]] void PdoService::announce_values(const Pdo& pdo) const {
+  const Dictionary& dictionary = node_.dictionary();
+  for_values(pdo, [&](const MappedValue& value, unsigned) {
+    if (value.is(MappedValue::notify)) value.notify_of(dictionary.entry_at(value.place()));
+    return true;
+  });
 }
 
 std::uint32_t PdoService::take_values(const Pdo& pdo, const PdoImage& image) {
-  const unsigned deeds = pdo.special_ ? pdo.plan_ : 0U;
-  if ((deeds & (MappedValue::ask | MappedValue::limit)) != 0) {
-    const std::uint32_t refused =
-        (deeds & MappedValue::ask) != 0 ? ask_for_values(pdo, image) : check_limits(pdo, image);
-    if (refused != 0) [[unlikely]]
-      return refused;
-  }
-  write_numbers(pdo, image);
-  if ((deeds & MappedValue::notify) != 0) notify_values(pdo);
+  const std::uint32_t refused = check_values(pdo, image);
+  if (refused != 0) [[unlikely]]
+    return refused;
+  write_values(pdo, image);
+  if ((pdo.deeds_.value & MappedValue::notify) != 0) announce_values(pdo);
   return 0;
 }
 
-/// The lower bits of `number` count.
-void PdoService::write_special(const MappedValue& value, std::uint64_t number) {
-  if (value.is(MappedValue::skip)) return;
-  Dictionary& dictionary = node_.dictionary();
-  const unsigned bits = value.bits();
-  const ValueBytes bytes(number & mask_of(bits), bits);
-  if (value.is(MappedValue::set_text)) {
-    return dictionary.set(dictionary.entry_at(value.place()), bytes.span());
+std::uint32_t PdoService::carry_out(const Pdo& pdo, const PdoImage& image, Step step) {
+  if (step == Step::check) return check_values(pdo, image);
+  if (step == Step::write) {
+    write_values(pdo, image);
+  } else if ((pdo.deeds_.value & MappedValue::notify) != 0) {
+    announce_values(pdo);
   }
-  std::uint8_t* const place = dictionary.values() + value.offset();
-  if (value.is(MappedValue::watch)) {
-    if (are_equal(place, bytes.bytes.data(), bytes.size)) return;
-    dictionary.note_change(value.place());
-  }
-  copy_bytes(place, bytes.bytes.data(), bytes.size);
-}
-
-void PdoService::notify_values(const Pdo& pdo) const {
-  const Dictionary& dictionary = node_.dictionary();
-  for_values(pdo, [&](const MappedValue& value, unsigned) {
-    if (!value.is(MappedValue::notify)) return true;
-    const Entry entry = dictionary.entry_at(value.place());
-    if (const HandlerBinding* link = value.notified(); link != nullptr) [[likely]] {
-      link->notify_row(value.after_row(), entry, Source::pdo);
-    } else {
-      dictionary.notify_written(entry, Source::pdo, value.hooks());
-    }
-    return true;
-  });
+  return 0;
 }
 
 // A small machine reads the mapping record for each frame.

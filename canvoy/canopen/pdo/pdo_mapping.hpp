@@ -78,6 +78,8 @@ class MappedValue {
     set_text = 16,  ///< set a string, with its length
     skip = 32,      ///< skip a dummy entry
     refresh = 64,   ///< a service may refresh the value before it is sent
+    /// Of an RPDO: its values are copied one by one.
+    apart = 128,
   };
 
   /// Sets place and length. False if both were the same before.
@@ -103,32 +105,33 @@ class MappedValue {
   /// Lowest and highest value, if it has a range.
   const std::int64_t* limits() const { return limits_; }
 
-  /// For an RPDO: sets range, and services to ask and to notify.
-  void resolve(unsigned deeds, const std::int64_t* limits, const EntryHooks& hooks) {
-    deeds_ = static_cast<std::uint8_t>(deeds);
-    limits_ = limits;
-    asked_ = hooks.service;
-    next_ = hooks.before_row;
-    bucket_ = hooks.after_row;
-  }
-  /// Services to ask and to notify, for an RPDO.
-  EntryHooks hooks() const {
-    return {.service = asked_, .before_row = next_, .after_row = bucket_};
-  }
-  /// Link to the only service with the only row to notify; null if there are more.
-  const HandlerBinding* notified() const {
-    return bucket_ == EntryHooks::any_row ? nullptr : static_cast<const HandlerBinding*>(asked_);
-  }
-  /// Row of the notified() service's table with after_write, or EntryHooks::any_row.
-  unsigned after_row() const { return bucket_; }
-  /// For a TPDO, which is in PlacesOfValues.
+  /// Sets the deeds: bits of Deed.
   void resolve(unsigned deeds) { deeds_ = static_cast<std::uint8_t>(deeds); }
+  /// For an RPDO: sets also range, and whom to ask and to notify.
+  void resolve(unsigned deeds, const std::int64_t* limits, const EntryHooks& hooks) {
+    resolve(deeds);
+    limits_ = limits;
+    context_ = hooks.context;
+    ask_ = hooks.ask;
+    notify_ = hooks.notify;
+  }
+  /// For an RPDO: a service may refuse the value.
+  bool asks() const { return ask_ != nullptr; }
+  /// First refusal of the services. Only if asks().
+  AbortCode ask_for(const Entry& entry, std::span<const std::uint8_t> value) const {
+    return ask_(context_, entry, value);
+  }
+  /// Notifies the services of the write. Only for the deed `notify`.
+  void notify_of(const Entry& entry) const { notify_(context_, entry, Source::pdo); }
 
  private:
   friend class PlacesOfValues;
   static constexpr unsigned bits_shift = 25;
 
-  NodeService* asked_ = nullptr;
+  // For an RPDO, see EntryHooks.
+  void* context_ = nullptr;  ///< for a TPDO, the PDO
+  decltype(EntryHooks::notify) notify_ = nullptr;
+  decltype(EntryHooks::ask) ask_ = nullptr;
   const std::int64_t* limits_ = nullptr;
   std::uint32_t offset_and_bits_ = 0;
   std::uint16_t object_ = 0;
@@ -136,14 +139,11 @@ class MappedValue {
   std::uint16_t index_ = 0;
   std::uint8_t sub_ = 0;
   std::uint8_t deeds_ = 0;
-  /// For a TPDO, position from 1 of the next value with the same hash. For an RPDO,
-  /// EntryHooks::before_row.
-  std::uint16_t next_ = 0;
-  /// For a TPDO, first value with the hash equal to this position; or 0. For an RPDO,
-  /// EntryHooks::after_row.
-  std::uint16_t bucket_ = 0;
+  // For a TPDO, which is in PlacesOfValues.
+  std::uint16_t next_ = 0;    ///< position from 1 of the next value with the same hash
+  std::uint16_t bucket_ = 0;  ///< first value with the hash equal to this position; or 0
 };
-static_assert(sizeof(void*) != 8 || sizeof(MappedValue) == 32,
+static_assert(sizeof(void*) != 8 || sizeof(MappedValue) == 48,
               "some devices have thousands of mapped values");
 
 /// Finds mapped values by their places: a hash table in their own memory.
@@ -158,14 +158,17 @@ class PlacesOfValues {
   void clear() {
     for (unsigned i = 0; i < count_; ++i) values_[i].bucket_ = 0;
   }
-  /// Adds a value that is not in the table.
-  void add(unsigned position) {
+  /// Adds a value that is not in the table, of the TPDO `owner`.
+  void add(unsigned position, void* owner) {
+    values_[position].context_ = owner;
     std::uint16_t& bucket = values_[hash(values_[position].offset())].bucket_;
     values_[position].next_ = bucket;
     bucket = static_cast<std::uint16_t>(position + 1);
   }
   /// Positions of the values at `place`, one after the other; nothing after the last one.
   unsigned first(std::uint32_t place) const { return seek(values_[hash(place)].bucket_, place); }
+  /// The TPDO of add().
+  void* owner(unsigned position) const { return values_[position].context_; }
   /// Position of the next value at the place of the one at `position`.
   unsigned next(unsigned position) const {
     return seek(values_[position].next_, values_[position].offset());

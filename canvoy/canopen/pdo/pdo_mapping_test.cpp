@@ -425,9 +425,8 @@ TEST(PdoMapping, IsReadWhenItIsSetAndForNoFrame) {
   node.map_tpdo(1, 0x185, 255, {0x2010'01'10, 0x2061'00'10});
   node.map_tpdo(2, 0x285, 1, {0x2062'00'10, 0x2070'00'20});
   node.operate();
-  const std::uint32_t received = node.rpdos.mapping_reads();
-  const std::uint32_t sent = node.tpdos.mapping_reads();
-  EXPECT_GT(received, 0U);
+  const std::uint32_t reads = node.node.mapping_reads();
+  if constexpr (!is_small_machine) EXPECT_GT(reads, 0U);
   const auto run = [&] {
     for (const char* frame : {"205#0A 01 00 02 00", "205#FE 01 00 02 00", "205#0B 02 00 03 00",
                               "305#61 62 63 64 00 03", "405#07 00", "080#", "305#00"}) {
@@ -441,8 +440,7 @@ TEST(PdoMapping, IsReadWhenItIsSetAndForNoFrame) {
   run();
   node.node.dictionary().detach(late);
   run();
-  EXPECT_EQ(node.rpdos.mapping_reads(), received);
-  EXPECT_EQ(node.tpdos.mapping_reads(), sent);
+  EXPECT_EQ(node.node.mapping_reads(), reads);
 }
 
 TEST(PdoMapping, OfANeighbourOfAWatchedValueTellsNobody) {

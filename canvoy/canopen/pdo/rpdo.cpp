@@ -1,8 +1,6 @@
 #include "canvoy/canopen/pdo/rpdo.hpp"
 
-#include <cstring>
 #include <iterator>
-#include <utility>
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
 
@@ -17,19 +15,6 @@ constexpr std::uint8_t low_byte(std::uint16_t code) {
 /// There may be hundreds of RPDOs, and most events concern none of them.
 [[maybe_unused]] constexpr bool concerns_rpdos(ServiceEvent::Kind kind) {
   return kind == ServiceEvent::reset || kind == ServiceEvent::state_entered;
-}
-
-/// Copies values of one size that fill the PDO. Its bytes are loaded once: single loads, each after
-/// a store, take twice the time.
-template <class Unit, std::size_t... i>
-void copy_units(std::uint8_t* block, const MappedValue* values, const std::uint8_t* data,
-                std::index_sequence<i...>) {
-  const auto image = load<std::uint64_t>(data);
-  (store(block + values[i].offset(), static_cast<Unit>(image >> (i * sizeof(Unit) * 8))), ...);
-}
-template <class Unit>
-void copy_units(std::uint8_t* block, const MappedValue* values, const std::uint8_t* data) {
-  copy_units<Unit>(block, values, data, std::make_index_sequence<pdo_bytes_max / sizeof(Unit)>());
 }
 
 }  // namespace
@@ -86,53 +71,34 @@ void Rpdos::on_event(PdoService& service, Rpdo& pdo, ServiceEvent& event) {
   }
 }
 
-// Fast path for PDOs with plain bytes as values: a frame costs one copy.
-
-inline void Rpdos::copy(const Rpdo& pdo, const std::uint8_t* data) const {
-  const MappedValue* values = values_of(pdo);
-  std::uint8_t* block = node_.dictionary().values();
-  switch (pdo.plan_) {
-    case Pdo::whole:
-      std::memcpy(block + values->offset(), data, pdo_bytes_max);
-      return;
-    case Pdo::bytes:
-      return copy_units<std::uint8_t>(block, values, data);
-    case Pdo::words:
-      return copy_units<std::uint16_t>(block, values, data);
-    case Pdo::longs:
-      return copy_units<std::uint32_t>(block, values, data);
-    default:
-      std::memcpy(block + values->offset(), data, pdo.length_);
-  }
-}
-
+/// A host takes a frame at once if the PDO is quick: operational, without a time to start, of a
+/// type that is taken when it comes, without a fault; take_any() records it.
 void Rpdos::receive_routed(void* context, const Frame& frame, Time now) {
   if constexpr (!Pdo::has_routes) return;
   Rpdo& pdo = *static_cast<Rpdo*>(context);
   Rpdos& self = static_cast<Rpdos&>(*pdo.owner_.value);
-  if (pdo.simple_ && frame.length == pdo.length_ &&
-      self.places_.value.revision == self.node_.dictionary().revision()) [[likely]] {
-    pdo.since_ = low_ticks(now);
-    self.copy(pdo, frame.data.data());
-    if (self.received) self.received(self.number_of(pdo));
-    return;
+  if (!pdo.quick_ || frame.length != pdo.length_ ||
+      self.places_.value.revision != self.node_.dictionary().revision()) [[unlikely]] {
+    return self.take_any(pdo, frame);
   }
-  self.take_any(pdo, frame);
+  pdo.since_ = low_ticks(now);
+  if (pdo.deeds_.value != 0) return self.take_at_once(pdo, frame.data);
+  self.copy(pdo, frame.data);
+  if (self.received) self.received(self.number_of(pdo));
 }
 
-/// Path for PDOs that need more than a copy. Records whether the next one may take the fast path:
-/// operational, taken at once, of the right length and without a fault, supervised already, and
-/// simply mapped; or all but the last.
-void Rpdos::take_any(Rpdo& pdo, const Frame& frame) {
-  if (Pdo::has_plans && pdo.counts_or_goes_ && frame.length == pdo.length_ &&
-      places_.value.revision == node_.dictionary().revision()) {
-    pdo.since_ = ticks();
-    const std::uint32_t object = take_values(pdo, frame.data);
-    if (object != 0) [[unlikely]]
-      return raise(pdo, refused, object);
-    if (received) received(number_of(pdo));
-    return;
+/// For hosts: values with something to do beside copying.
+[[gnu::noinline]] void Rpdos::take_at_once(Rpdo& pdo, const PdoImage& image) {
+  if (const std::uint32_t object = take_values(pdo, image); object != 0) [[unlikely]] {
+    return refuse(pdo, object);
   }
+  if (received) received(number_of(pdo));
+}
+[[gnu::noinline]] void Rpdos::refuse(Rpdo& pdo, std::uint32_t object) {
+  raise(pdo, refused, object);
+}
+
+void Rpdos::take_any(Rpdo& pdo, const Frame& frame) {
   if (!operational_) return;
   if (frame.length != pdo.length_ || pdo.syncs_or_faults_ != 0) {
     if (!is_long_enough(pdo, frame.length)) return;
@@ -151,11 +117,7 @@ void Rpdos::take_any(Rpdo& pdo, const Frame& frame) {
     return;
   }
   renew(pdo);
-  if constexpr (Pdo::has_plans) {
-    const bool is_right = pdo.syncs_or_faults_ == 0 && pdo.mode_ == 0;
-    pdo.simple_ = is_right && pdo.plan_ != Pdo::mixed && !pdo.special_;
-    pdo.counts_or_goes_ = is_right && !pdo.simple_;
-  }
+  if constexpr (Pdo::has_plans) pdo.quick_ = pdo.syncs_or_faults_ == 0 && pdo.mode_ == 0;
   take(pdo, frame.data);
 }
 
@@ -202,8 +164,8 @@ inline void Rpdos::parameter_written(const Entry& entry) {
 }
 
 void Rpdos::rest(Rpdo& pdo) {
-  pdo.supervised_ = pdo.holds_ = pdo.simple_ = false;
-  if constexpr (Pdo::has_plans) pdo.counts_or_goes_ = false;
+  pdo.supervised_ = pdo.holds_ = false;
+  if constexpr (Pdo::has_plans) pdo.quick_ = false;
 }
 
 inline void Rpdos::change_deadline(Rpdo& pdo) {
@@ -256,8 +218,7 @@ inline void Rpdos::report(Rpdo& pdo, unsigned faults, std::uint32_t object) {
   const unsigned changed = faults & (come ? ~pdo.syncs_or_faults_ : pdo.syncs_or_faults_);
   if (changed == 0) return;
   pdo.syncs_or_faults_ = static_cast<std::uint8_t>(pdo.syncs_or_faults_ ^ changed);
-  pdo.simple_ = false;
-  if constexpr (Pdo::has_plans) pdo.counts_or_goes_ = false;
+  if constexpr (Pdo::has_plans) pdo.quick_ = false;
   // Their bits are in the order of these codes, which have the same upper byte.
   static constexpr std::uint8_t codes[] = {
       low_byte(emergency_code::pdo_too_short), low_byte(emergency_code::pdo_too_long),

@@ -86,10 +86,11 @@ class Rpdos : public PdoService {
   static void take_mpdo(const Rpdos& self, const Rpdo& pdo, const std::uint8_t* data);
   static void rest(Rpdo& pdo);
   void take_any(Rpdo& pdo, const Frame& frame);
-  void copy(const Rpdo& pdo, const std::uint8_t* data) const;
   bool is_long_enough(Rpdo& pdo, std::uint8_t length);
   void change_deadline(Rpdo& pdo);
   void take(Rpdo& pdo, PdoImage image);
+  void take_at_once(Rpdo& pdo, const PdoImage& image);
+  void refuse(Rpdo& pdo, std::uint32_t object);
   /// Raises a fault. `object` has index and sub-index in its upper three bytes, like a mapping
   /// entry.
   void raise(Rpdo& pdo, Fault fault, std::uint32_t object = 0) {

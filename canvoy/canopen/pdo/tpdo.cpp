@@ -119,28 +119,39 @@ void Tpdos::restart_mpdos(MpdoMode mode) {
 
 /// Handles TPDOs that map one of the changed values, in the order of their numbers. False if they
 /// are unknown, or too many: then each possible one is checked.
-[[gnu::flatten]] bool Tpdos::values_changed(const ServiceEvent& event) {
+bool Tpdos::values_changed(const ServiceEvent& event) {
   if constexpr (is_small_machine) return false;
   if (!operational_) return true;
   const ChangedPlaces& changed = event.places();
   if (changed.are_too_many() || mpdos_ != nullptr || places_.value.share == 0) return false;
   const PlacesOfValues values(places_.value.values, unsigned{places_.value.share} * count_);
   if (!places_.value.are_found) find_values(values);
-  std::array<std::uint16_t, 16> positions;
+  if (changed.count == 1) [[likely]] {
+    const unsigned value = values.first(changed.places[0]);
+    if (value == PlacesOfValues::nothing) return true;
+    if (values.next(value) == PlacesOfValues::nothing) {
+      value_changed(*static_cast<Tpdo*>(values.owner(value)));
+      return true;
+    }
+  }
+  return values_changed(changed, values);
+}
+
+/// The same of several values, or of one in several TPDOs.
+bool Tpdos::values_changed(const ChangedPlaces& changed, const PlacesOfValues& values) {
+  if constexpr (is_small_machine) return false;
+  std::array<Tpdo*, 16> pdos;
   std::size_t count = 0;
   for (std::size_t i = 0; i < changed.count; ++i) {
     unsigned value = values.first(changed.places[i]);
     for (; value != PlacesOfValues::nothing; value = values.next(value)) {
-      check_invariant(value < unsigned{places_.value.share} * count_);
-      if (count == positions.size()) return false;
-      positions[count++] = static_cast<std::uint16_t>(value / places_.value.share);
+      if (count == pdos.size()) return false;
+      pdos[count++] = static_cast<Tpdo*>(values.owner(value));
     }
   }
-  if (count > 1) std::sort(positions.data(), positions.data() + count);
+  if (count > 1) std::sort(pdos.data(), pdos.data() + count);
   for (std::size_t i = 0; i < count; ++i) {
-    if (i != 0 && positions[i] == positions[i - 1]) continue;
-    Tpdo& pdo = pdos_[positions[i]];
-    if (is_at_work(pdo) && knows_events(pdo.type_)) values_changed(pdo, ~0U);
+    if (i == 0 || pdos[i] != pdos[i - 1]) value_changed(*pdos[i]);
   }
   return true;
 }
@@ -157,11 +168,11 @@ void Tpdos::find_watcher(ServiceEvent& event) {
 
 void Tpdos::find_values(PlacesOfValues values) {
   values.clear();
-  for (const Tpdo& pdo : all()) {
+  for (Tpdo& pdo : all()) {
     const auto first = static_cast<unsigned>(values_of(pdo) - places_.value.values);
     if (!pdo.is_active() || !knows_events(pdo.type_)) continue;
     for (unsigned i = 0, bits = 0; bits < pdo.bits_ && i < places_.value.share; ++i) {
-      values.add(first + i);
+      values.add(first + i, &pdo);
       bits += values_of(pdo)[i].bits();
     }
   }
@@ -171,6 +182,15 @@ void Tpdos::find_values(PlacesOfValues values) {
 [[gnu::always_inline]] inline void Tpdos::values_changed(Tpdo& pdo, std::uint32_t watchers) {
   if (!is_small_machine && (watchers & watcher_of(number_of(pdo))) == 0) return;
   if (Pdo::has_plans && is_plain(pdo)) return send_changed(pdo);
+  if (has_changed(pdo)) event(pdo);
+}
+
+/// For hosts, of any TPDO. One with an event that waits is sent with the present values anyway.
+inline void Tpdos::value_changed(Tpdo& pdo) {
+  if constexpr (is_small_machine) return;
+  if (pdo.event_ && pdo.mode_ == 0) return;
+  if (!is_at_work(pdo) || !knows_events(pdo.type_)) return;
+  if (is_plain(pdo)) return send_changed(pdo);
   if (has_changed(pdo)) event(pdo);
 }
 
@@ -226,7 +246,7 @@ bool Tpdos::value_set(const ServiceEvent& event) {
   const Entry& entry = event.entry();
   unsigned value = values.first(node_.dictionary().place_of(entry).offset);
   for (; value != PlacesOfValues::nothing; value = values.next(value)) {
-    Tpdo& pdo = pdos_[value / places_.value.share];
+    Tpdo& pdo = *static_cast<Tpdo*>(values.owner(value));
     // One that maps it twice is told twice, and then nothing is left to be done.
     if (is_at_work(pdo)) value_set(pdo, entry, event.number != 0);
   }
@@ -295,10 +315,10 @@ inline bool Tpdos::is_in_time() const {
     const bool is_told = (node_.dictionary().changes() & watcher_of(number_of(pdo))) == 0;
     return pdo.event_ || (!is_told && differs(pdo));
   }
-  if (!pdo.counts_or_goes_) {
+  if (!pdo.counts_) {
     const std::uint32_t start = parameter(pdo, pdo_sub::sync_start, 0);
     if (start != 0 && counter != 0 && counter != start) return false;
-    pdo.counts_or_goes_ = true;
+    pdo.counts_ = true;
   }
   check_invariant(pdo.syncs_or_faults_ < pdo.type_);
   ++pdo.syncs_or_faults_;
@@ -361,7 +381,7 @@ void Tpdos::end(Tpdo& pdo) {
   node_.transmitter().drop(pdo.can_id_);
   notify_source(pdo, MpdoEvent::end);
   pdo.syncs_or_faults_ = 0;
-  pdo.sampled_ = pdo.sent_ = pdo.event_ = pdo.waiting_ = pdo.counts_or_goes_ = false;
+  pdo.sampled_ = pdo.sent_ = pdo.event_ = pdo.waiting_ = pdo.counts_ = false;
   if constexpr (!is_small_machine) pdo.holds_ = false;
 }
 

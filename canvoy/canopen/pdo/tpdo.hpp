@@ -126,7 +126,9 @@ class Tpdos : public PdoService {
   bool values_changed(const ServiceEvent& event);
   void find_values(PlacesOfValues values);
   void find_watcher(ServiceEvent& event);
+  bool values_changed(const ChangedPlaces& changed, const PlacesOfValues& values);
   void values_changed(Tpdo& pdo, std::uint32_t watchers);
+  void value_changed(Tpdo& pdo);
   bool value_set(const ServiceEvent& event);
   void value_set(Tpdo& pdo, const Entry& entry, bool is_event);
   /// True for a value that was set with an event.

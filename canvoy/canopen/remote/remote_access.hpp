@@ -114,6 +114,8 @@ class RemoteAccess {
   void advance(Time now) { node_.advance(now); }
   /// See Node::deadline().
   Time deadline() const { return node_.deadline(); }
+  /// See Node::mapping_reads().
+  std::uint32_t mapping_reads() const { return node_.mapping_reads(); }
   /// See Node::bus_state(); for the host's bus.
   void bus_state(BusState state, Time now) { node_.bus_state(state, now); }
   /// See Node::tx_ready(); for the host's bus.

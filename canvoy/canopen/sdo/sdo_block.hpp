@@ -46,10 +46,7 @@ class SdoBlockSender {
   sdo::Message segment(std::span<const std::uint8_t> bytes, bool last) {
     const auto number = static_cast<std::uint8_t>(++sent_ | (last ? sdo::block_last : 0U));
     const sdo::Message segment = sdo::segment_message(number, bytes);
-    if (with_crc_ && memory_ == nullptr && position_ >= summed_) {
-      crc_ = segment.segment_crc(bytes.size(), crc_);
-      summed_ = position_ + static_cast<std::uint32_t>(bytes.size());
-    }
+    if (with_crc_ && memory_ == nullptr) sum(segment, bytes.size());
     position_ += static_cast<std::uint32_t>(bytes.size());
     ended_ = last;
     unused_ = static_cast<std::uint8_t>(sdo::segment_max - bytes.size());
@@ -58,8 +55,11 @@ class SdoBlockSender {
 
   /// Next segment, full, not the last one, with data in memory.
   sdo::Message full_segment(const std::uint8_t* bytes) {
+    const sdo::Message segment = sdo::full_segment_message(++sent_, bytes);
+    if (with_crc_ && memory_ == nullptr) [[unlikely]]
+      sum(segment, sdo::segment_max);
     position_ += static_cast<std::uint32_t>(sdo::segment_max);
-    return sdo::full_segment_message(++sent_, bytes);
+    return segment;
   }
 
   /// True if an acknowledgement does not belong to this block, but is a copy of the one before: it
@@ -79,6 +79,13 @@ class SdoBlockSender {
   std::uint16_t crc() const { return crc_; }
 
  private:
+  /// Without complete memory, the checksum is computed segment by segment.
+  void sum(sdo::Message segment, std::size_t size) {
+    if (position_ < summed_) return;
+    crc_ = segment.segment_crc(size, crc_);
+    summed_ = position_ + static_cast<std::uint32_t>(size);
+  }
+
   const std::uint8_t* memory_ = nullptr;  ///< the data, if it is complete in memory
   std::uint32_t position_ = 0;
   std::uint32_t begin_ = 0;   ///< offset of the block
@@ -94,13 +101,15 @@ class SdoBlockSender {
 };
 
 /// Takes the segments that arrive in sequence. Only the end of the transfer gives the number of
-/// data bytes in the last segment, which is kept until then. Data that does not go to memory, or
-/// finds no room there, is passed on when the next segment has arrived.
+/// data bytes in the last segment, which is kept until then. Data that is streamed, or finds no
+/// room in memory, is passed on when the next segment has arrived.
 class SdoBlockReceiver {
  public:
   /// Begins a transfer. `memory` is where all data is stored in sequence, if it stays there until
-  /// the end: then the checksum is computed a block at a time.
+  /// the end: then the checksum is computed a block at a time. Null: it is streamed, or gathered.
   void begin(std::uint8_t block_size, bool with_crc, const std::uint8_t* memory);
+  /// For hosts, after begin(): `write` gathers the data, and takes each segment when it arrives.
+  void gather() { gathers_.value = true; }
 
   /// True if a segment requires only that its seven bytes are taken: it is the next one, and
   /// neither the last one nor the end of its block.
@@ -112,9 +121,10 @@ class SdoBlockReceiver {
     return segment.sequence_number() == taken_ + 1 && !ended_;
   }
   /// Counts a plain segment with its bytes in memory.
-  void count_plain() {
+  void count_plain(sdo::Message segment) {
     ++taken_;
     written_ += static_cast<std::uint32_t>(sdo::segment_max);
+    if (with_crc_ && !is_in_memory()) crc_ = segment.segment_crc(sdo::segment_max, crc_);
   }
 
   /// Effect of a segment, in this order.
@@ -168,8 +178,12 @@ class SdoBlockReceiver {
   /// Stores at once what memory has room for.
   template <class Write>
   AbortCode keep(sdo::Message segment, Write write) {
-    const bool at_once = is_in_memory() && !holds_ && !ended_;
-    if (at_once && put(segment, sdo::segment_max, write) == AbortCode::none) return AbortCode::none;
+    const bool gathers = !is_small_machine && gathers_.value;
+    const bool at_once = (is_in_memory() || gathers) && !holds_ && !ended_;
+    if (at_once) {
+      const AbortCode answer = put(segment, sdo::segment_max, write);
+      if (answer == AbortCode::none || gathers) return answer;
+    }
     const sdo::Message before = std::exchange(held_, segment);
     return std::exchange(holds_, true) ? put(before, sdo::segment_max, write) : AbortCode::none;
   }
@@ -195,6 +209,7 @@ class SdoBlockReceiver {
   std::uint8_t block_size_ = 0;
   std::uint8_t taken_ = 0;  ///< last segment of this block that arrived in sequence
   bool with_crc_ = false;
+  [[no_unique_address]] HostOnly<bool> gathers_;
   bool holds_ = false;
   bool ended_ = false;
 };

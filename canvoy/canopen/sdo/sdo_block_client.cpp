@@ -136,7 +136,7 @@ inline void SdoBlockClient::upload_segment(sdo::Message segment) {
     const bool plain = receiver_.is_plain(segment);
     if (std::uint8_t* room = plain ? client_.room_for_segment() : nullptr) {
       segment.store_full_segment(room);
-      receiver_.count_plain();
+      receiver_.count_plain(segment);
       return go_on(Phase::upload_segments);
     }
   }

@@ -73,6 +73,7 @@ void SdoBlockServer::initiate_download(sdo::Message request) {
   const auto size = request.has_block_size() ? std::optional(request.value()) : std::nullopt;
   if (!server_.opened(server_.entry_.open_write(size))) return;
   receiver_.begin(block_size_, request.has_block_crc(), server_.entry_.gathered());
+  if (!is_small_machine && server_.entry_.gather()) receiver_.gather();
   last_ = request;
   go_on(Phase::download_segments);
   const unsigned flags = sdo::block_initiate | sdo::block_crc;
@@ -85,7 +86,7 @@ inline void SdoBlockServer::download_segment(sdo::Message segment) {
     const bool plain = receiver_.is_plain(segment);
     if (std::uint8_t* room = plain ? server_.entry_.room_for_segment() : nullptr) {
       segment.store_full_segment(room);
-      receiver_.count_plain();
+      receiver_.count_plain(segment);
       prodded_ = false;
       return server_.await_client(server_.time_out_ / 2);
     }
@@ -101,7 +102,17 @@ inline void SdoBlockServer::download_segment(sdo::Message segment) {
   acknowledge();
 }
 
+/// False if the domain has refused, or has stopped the node.
+inline bool SdoBlockServer::has_passed_on() {
+  if constexpr (is_small_machine) return true;
+  const AbortCode answer = server_.entry_.flush();
+  if (!in(Phase::download_segments)) return false;
+  if (answer != AbortCode::none) server_.abort(answer);
+  return answer == AbortCode::none;
+}
+
 void SdoBlockServer::acknowledge() {
+  if (!has_passed_on()) return;
   if (receiver_.ended()) go_on(Phase::download_end);
   server_.reply(
       receiver_.acknowledge(sdo::command(sdo::Response::block_download, sdo::block_acknowledge)));
@@ -121,8 +132,9 @@ void SdoBlockServer::take_copy_of_last_segment() {
 
 void SdoBlockServer::end_download(sdo::Message request) {
   last_ = request;
-  const AbortCode answer = receiver_.finish(
+  AbortCode answer = receiver_.finish(
       request, [this](std::span<const std::uint8_t> bytes) { return server_.entry_.write(bytes); });
+  if (answer == AbortCode::none) answer = server_.entry_.flush();
   if (!in(Phase::download_end)) return;
   if (answer != AbortCode::none) return server_.abort(answer);
   server_.state_ = SdoServer::State::idle;
@@ -210,6 +222,10 @@ inline void SdoBlockServer::send_segment() {
       return server_.reply(sender_.full_segment(segment));
     }
   }
+  send_any_segment();
+}
+
+void SdoBlockServer::send_any_segment() {
   std::array<std::uint8_t, sdo::segment_max> memory;
   const auto bytes = server_.entry_.next(memory);
   if (!in(Phase::upload_acknowledgement)) return;

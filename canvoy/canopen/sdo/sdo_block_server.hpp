@@ -57,6 +57,7 @@ class SdoBlockServer {
   void receive_download(sdo::Message request);
   void initiate_download(sdo::Message request);
   void download_segment(sdo::Message segment);
+  bool has_passed_on();
   void acknowledge();
   void take_copy_of_last_segment();
   void end_download(sdo::Message request);
@@ -68,6 +69,7 @@ class SdoBlockServer {
   void send_segments();
   bool can_send() const;
   void send_segment();
+  [[gnu::noinline]] void send_any_segment();
 
   void refuse(sdo::Message request);
   bool in(Phase phase) const;

@@ -91,7 +91,7 @@ TEST(SdoBlockTransfer, EverySizeOfADomainIsStreamedBothWaysWhetherItIsToldOrNot)
     }
   }
   EXPECT_EQ(line.domain.dropped, 0);
-  EXPECT_LE(line.domain.longest_piece, 7U);
+  EXPECT_LE(line.domain.longest_piece, is_small_machine ? 7U : line.buffer.size());
 }
 
 TEST(SdoBlockTransfer, ALostFrameAtAnyPlaceIsMendedOrEndsBothSides) {

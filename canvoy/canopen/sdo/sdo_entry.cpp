@@ -6,15 +6,6 @@
 
 namespace canvoy {
 
-/// The result is filled in in place: a copy would have to wait for its parts.
-AbortCode SdoEntry::find(sdo::Multiplexer multiplexer) {
-  domain_ = nullptr;
-  seek(0);
-  found_.index = multiplexer.index();
-  found_.sub = multiplexer.sub();
-  return dictionary_.locate_for_bus(found_);
-}
-
 AbortCode SdoEntry::open_read() {
   writes_ = false;
   const bool is_readable = allows(row().access, Access::sdo_read);
@@ -24,6 +15,7 @@ AbortCode SdoEntry::open_read() {
   const std::span<const std::uint8_t> value = found_.bytes();
   value_ = value.data();
   size_ = static_cast<std::uint32_t>(value.size());
+  set_window(size_);
   return AbortCode::none;
 }
 
@@ -53,9 +45,10 @@ AbortCode SdoEntry::open_write(std::optional<std::uint32_t> announced) {
   if (!announced_) size_ = row().capacity;
   if (size_ > row().capacity) return AbortCode::length_too_high;
   if (size_ < row().capacity && !row().is_text()) return AbortCode::length_too_low;
-  if (size_ <= buffer_.size()) return AbortCode::none;
-  size_ = static_cast<std::uint32_t>(buffer_.size());
-  return announced_ ? AbortCode::out_of_memory : AbortCode::none;
+  const bool fits = size_ <= buffer_.size();
+  if (!fits) size_ = static_cast<std::uint32_t>(buffer_.size());
+  set_window(size_);
+  return fits || !announced_ ? AbortCode::none : AbortCode::out_of_memory;
 }
 
 AbortCode SdoEntry::open_domain() {
@@ -69,11 +62,33 @@ AbortCode SdoEntry::write(std::span<const std::uint8_t> bytes) {
     const bool too_long = announced_ || offset_ + bytes.size() > row().capacity;
     return too_long ? AbortCode::length_too_high : AbortCode::out_of_memory;
   }
+  if (!is_small_machine && is_streamed()) return write_streamed(bytes);
   std::uint8_t* place = buffer_.data() + offset_;
   offset_ += static_cast<std::uint32_t>(bytes.size());
   if (is_streamed()) return domain_->transfer->write(*this, bytes);
   sdo::copy_segment(bytes, place);
   return AbortCode::none;
+}
+
+/// A window has room for a segment once it was passed on.
+inline AbortCode SdoEntry::write_streamed(std::span<const std::uint8_t> bytes) {
+  if (window_.value.end == 0) [[likely]] {
+    offset_ += static_cast<std::uint32_t>(bytes.size());
+    return domain_->write(found_, bytes);
+  }
+  if (!is_in_window(bytes.size())) {
+    const AbortCode answer = flush_window();
+    if (answer != AbortCode::none || !is_streamed()) return answer;
+  }
+  sdo::copy_segment(bytes, buffer_.data() + (offset_ - window_.value.first));
+  offset_ += static_cast<std::uint32_t>(bytes.size());
+  return AbortCode::none;
+}
+
+AbortCode SdoEntry::flush_window() {
+  const std::span<const std::uint8_t> gathered = buffer_.first(offset_ - window_.value.first);
+  open_window();
+  return gathered.empty() ? AbortCode::none : domain_->transfer->write(*this, gathered);
 }
 
 AbortCode SdoEntry::finish() {
@@ -99,6 +114,7 @@ AbortCode SdoEntry::open_view(const Domain& domain) {
   if (!content) return content.abort();
   value_ = content->data();
   size_ = static_cast<std::uint32_t>(content->size());
+  set_window(size_);
   return AbortCode::none;
 }
 
@@ -109,6 +125,7 @@ AbortCode SdoEntry::open_room(const Domain& domain) {
   if (!announced_) size_ = static_cast<std::uint32_t>(room->size());
   placed_.value = {&domain, buffer_};
   buffer_ = *room;
+  set_window(size_);
   return AbortCode::none;
 }
 
@@ -128,13 +145,40 @@ AbortCode SdoEntry::open_domain_to_read(SdoEntry& self, const Domain& domain) {
   const Result<std::uint32_t> size = domain.open_read(self.found_);
   self.size_ = *size;
   self.domain_ = &domain;
+  self.set_window(0);
   return size.abort();
+}
+
+/// Whole segments only, so that the end shows as it does without it. False if there is no room for
+/// several, or the domain refuses: then it is asked for the next segment alone.
+bool SdoEntry::read_ahead() {
+  if constexpr (is_small_machine) return false;
+  const std::size_t room = buffer_.size() / sdo::segment_max * sdo::segment_max;
+  const std::span<std::uint8_t> memory =
+      buffer_.first(std::min<std::size_t>(room, size_ - offset_));
+  if (memory.size() <= sdo::segment_max) return false;
+  const Result<std::size_t> size = domain_->read(found_, offset_, memory);
+  if (!size || *size > memory.size() || !is_streamed()) return false;
+  value_ = memory.data();
+  window_.value = {offset_, offset_ + static_cast<std::uint32_t>(*size)};
+  return *size != 0;
 }
 
 [[gnu::always_inline]] inline Result<std::size_t> SdoEntry::stream(std::span<std::uint8_t> memory) {
   const std::uint32_t offset = offset_;
   const std::size_t wanted = std::min<std::size_t>(memory.size(), size_ - offset);
   if (wanted == 0) return std::size_t{0};
+  if constexpr (!is_small_machine) {
+    const bool is_ahead = is_in_window(1) || read_ahead();
+    if (!is_streamed()) return std::size_t{0};  // the domain has stopped the node
+    if (is_ahead && (is_in_window(wanted) || size_ == Domain::size_unknown)) {
+      const std::size_t size = std::min<std::size_t>(wanted, window_.value.end - offset);
+      std::memcpy(memory.data(), value_ + (offset - window_.value.first), size);
+      ended_ = size < wanted;
+      offset_ = offset + static_cast<std::uint32_t>(size);
+      return size;
+    }
+  }
   const Result<std::size_t> size = domain_->read(found_, offset, memory.first(wanted));
   if (!size) return size;
   ended_ = *size < wanted;
@@ -161,6 +205,7 @@ AbortCode SdoEntry::open_domain_to_write(SdoEntry& self, const Domain& domain) {
   if (!is_small_machine && domain.room) return self.open_room(domain);
   const AbortCode answer = domain.open_write(self.found_, self.announced_ ? self.size_ : 0);
   if (answer == AbortCode::none) self.domain_ = &domain;
+  self.set_window(0);
   return answer;
 }
 

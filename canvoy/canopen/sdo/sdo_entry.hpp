@@ -19,15 +19,23 @@
 namespace canvoy {
 
 /// One transfer at a time, to read or to write. Values that are written are collected in a buffer
-/// and written completely at the end; domains are streamed.
+/// and written completely at the end; domains are streamed. A host reads a streamed domain ahead by
+/// what the buffer has room for, and gathers what a block transfer writes there.
 class SdoEntry {
  public:
   /// Makes the object. Both arguments must outlive it.
   constexpr SdoEntry(Dictionary& dictionary, std::span<std::uint8_t> buffer)
       : dictionary_(dictionary), buffer_(buffer) {}
 
-  /// Finds an entry. Aborts: those of Dictionary::find().
-  AbortCode find(sdo::Multiplexer multiplexer);
+  /// Finds an entry. Aborts: those of Dictionary::find(). The result is filled in in place: a copy
+  /// would have to wait for its parts.
+  AbortCode find(sdo::Multiplexer multiplexer) {
+    domain_ = nullptr;
+    seek(0);
+    found_.index = multiplexer.index();
+    found_.sub = multiplexer.sub();
+    return dictionary_.locate_for_bus(found_);
+  }
   /// Shape of the found entry; valid after a successful find().
   const EntryShape& row() const { return *found_.row; }
 
@@ -49,10 +57,11 @@ class SdoEntry {
   Result<std::size_t> next_streamed(std::span<std::uint8_t> memory);
   /// A domain, piece by piece.
   bool is_streamed() const { return domain_ != nullptr; }
-  /// The same for a full segment that is not the last one, of a value: where it is, or null.
+  /// For hosts: the same for a full segment that is not the last one, and is in memory: where it
+  /// is, or null.
   const std::uint8_t* next_full_segment() {
-    if (size_ - offset_ <= sdo::segment_max || is_streamed()) return nullptr;
-    const std::uint8_t* segment = value_ + offset_;
+    if (!is_in_window(sdo::segment_max + 1)) return nullptr;
+    const std::uint8_t* segment = value_ + (offset_ - window_.value.first);
     offset_ += static_cast<std::uint32_t>(sdo::segment_max);
     return segment;
   }
@@ -60,6 +69,7 @@ class SdoEntry {
   void seek(std::uint32_t offset) {
     offset_ = offset;
     ended_ = false;
+    if (!is_small_machine && offset < window_.value.first) window_.value = {offset, offset};
   }
   /// True if all has been read: by the size if known, otherwise after a next() with fewer bytes
   /// than requested.
@@ -81,14 +91,23 @@ class SdoEntry {
   AbortCode open_write(std::optional<std::uint32_t> announced);
   /// Takes the next bytes. Aborts: length_too_high, out_of_memory, those of the domain.
   AbortCode write(std::span<const std::uint8_t> bytes);
-  /// Like write(), but for a full segment of a value: its position in memory, with one more byte
+  /// For hosts: like write(), but for a full segment: its position in memory, with one more byte
   /// behind it, or null if there is no such room.
   std::uint8_t* room_for_segment() {
-    if (size_ - offset_ <= sdo::segment_max || is_streamed()) return nullptr;
-    std::uint8_t* room = buffer_.data() + offset_;
+    if (!is_in_window(sdo::segment_max + 1)) return nullptr;
+    std::uint8_t* room = buffer_.data() + (offset_ - window_.value.first);
     offset_ += static_cast<std::uint32_t>(sdo::segment_max);
     return room;
   }
+  /// For hosts: from here on, what is written to a streamed domain is gathered in the buffer. False
+  /// for another entry.
+  bool gather() {
+    if (is_small_machine || !is_streamed() || buffer_.size() < sdo::segment_max) return false;
+    open_window();
+    return true;
+  }
+  /// Passes on what is gathered. Aborts: those of the domain, which may end the transfer meanwhile.
+  AbortCode flush() { return is_small_machine || !gathers() ? AbortCode::none : flush_window(); }
   /// True if the client announced the number of bytes: more or fewer are an error.
   bool announced() const { return announced_; }
   /// Number of bytes to read, or limit of bytes to write.
@@ -124,6 +143,26 @@ class SdoEntry {
     const Domain* domain = nullptr;
     std::span<std::uint8_t> buffer;  ///< of values
   };
+  /// The part of the entry that is in memory, or has room there: offsets.
+  struct Window {
+    std::uint32_t first = 0;
+    std::uint32_t end = 0;
+  };
+  void set_window(std::uint32_t end) {
+    if constexpr (!is_small_machine) window_.value = {0, end};
+  }
+  /// True if the next bytes are in it.
+  bool is_in_window(std::size_t size) const { return offset_ + size <= window_.value.end; }
+  /// As much as there is room for, from the present position on.
+  void open_window() {
+    const auto room = static_cast<std::uint32_t>(buffer_.size());
+    window_.value = {offset_, offset_ + std::min(room, size_ - offset_)};
+  }
+  /// A window is open for what is written to a domain.
+  bool gathers() const { return is_streamed() && writes_ && window_.value.end != 0; }
+  AbortCode write_streamed(std::span<const std::uint8_t> bytes);
+  AbortCode flush_window();
+  bool read_ahead();
   static AbortCode write_domain(SdoEntry& self, std::span<const std::uint8_t> bytes);
   static AbortCode close_domain(SdoEntry& self, bool complete);
 
@@ -137,6 +176,7 @@ class SdoEntry {
   const Domain* domain_ = nullptr;       ///< that is streamed
   const std::uint8_t* value_ = nullptr;  ///< that is read
   [[no_unique_address]] HostOnly<Placed> placed_;
+  [[no_unique_address]] HostOnly<Window> window_;
   std::uint32_t size_ = 0;  ///< of what is read; as much as may be written
   std::uint32_t offset_ = 0;
 };

@@ -269,9 +269,9 @@ TEST_F(SdoServerOwnEnd, OfASegmentedUpload) {
   expect_end_after({"40 33 20 00 00 00 00 00", "60 00 00 00 00 00 00 00"});
 }
 
-TEST_F(SdoServerOwnEnd, OfABlockDownloadInMidBlockAndAtTheEndOfAll) {
+TEST_F(SdoServerOwnEnd, OfABlockDownloadAtTheEndOfABlockAndOfAll) {
   expect_end_after(
-      {"C0 33 20 00 00 00 00 00", "01 01 02 03 04 05 06 07", "02 08 09 0A 0B 0C 0D 0E"});
+      {"C0 33 20 00 00 00 00 00", "01 01 02 03 04 05 06 07", "82 08 09 0A 0B 0C 0D 0E"});
   expect_end_after(
       {"C0 33 20 00 00 00 00 00", "81 01 02 03 04 05 06 07", "C1 00 00 00 00 00 00 00"});
 }

@@ -183,7 +183,10 @@ inline void SdoServer::initiate_download(sdo::Message request) {
   const bool is_domain = entry_.row().type == DataType::domain;
   if (sdo::has_short_way && request.is_expedited() && !is_domain) {
     state_ = State::idle;
-    return confirm(entry_.write_whole(bytes), confirmation);
+    const AbortCode answer = entry_.write_whole(bytes);
+    if (answer != AbortCode::none) [[unlikely]]
+      return confirm(answer, confirmation);
+    return send(sdo::Message(confirmation, multiplexer_));
   }
   if (!opened(entry_.open_write(size))) return;
   if (request.is_expedited()) {

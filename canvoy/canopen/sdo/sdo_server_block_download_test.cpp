@@ -306,6 +306,20 @@ TEST_F(SdoServerBlockDownload, ADomainMayRefuseAtAnyTime) {
   EXPECT_EQ(domain.dropped, 1);
 }
 
+/// A host passes on what is gathered with the acknowledgement, and the last segment at the end.
+TEST_F(SdoServerBlockDownload, ADomainGetsTheSegmentsOfABlockAtOnce) {
+  ask("C2 30 20 00 23 00 00 00", "A4 30 20 00 04 00 00 00");
+  send_in_vain({"01 01 02 03 04 05 06 07", "02 01 02 03 04 05 06 07", "03 01 02 03 04 05 06 07"});
+  EXPECT_EQ(domain.arriving.size(), is_small_machine ? 14U : 0U);
+  send({"04 01 02 03 04 05 06 07"}, "A2 04 04 00 00 00 00 00");
+  EXPECT_EQ(domain.longest_piece, is_small_machine ? 7U : 28U);
+  send({"81 01 02 03 04 05 06 07"}, "A2 01 04 00 00 00 00 00");
+  ask("C1 00 00 00 00 00 00 00", "A1 00 00 00 00 00 00 00");
+  Bytes whole;
+  for (int i = 0; i < 5; ++i) whole.insert(whole.end(), {1, 2, 3, 4, 5, 6, 7});
+  EXPECT_EQ(domain.content, whole);
+}
+
 TEST_F(SdoServerBlockDownload, StoppedEndsItWithoutAWord) {
   ask("C6 30 20 00 08 00 00 00", "A4 30 20 00 04 00 00 00");
   wire.receive("000#02 05");

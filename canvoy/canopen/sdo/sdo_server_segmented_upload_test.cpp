@@ -56,7 +56,7 @@ TEST_F(SdoServerSegmentedUpload, ADomainIsUploadedPieceByPiece) {
   ask("40 31 20 00 00 00 00 00", "41 31 20 00 08 00 00 00");
   ask("60 00 00 00 00 00 00 00", "00 01 02 03 04 05 06 07");
   ask("70 00 00 00 00 00 00 00", "1D 08 00 00 00 00 00 00");
-  EXPECT_EQ(readable.longest_piece, 7U);
+  EXPECT_EQ(readable.longest_piece, is_small_machine ? 7U : 8U);
 }
 
 TEST_F(SdoServerSegmentedUpload, AnEmptyDomainIsUploadedAsOneEmptySegment) {

@@ -74,7 +74,7 @@ TEST(SdoTransfer, EverySizeOfADomainIsStreamedBothWays) {
     line.outcome.reset();
   }
   EXPECT_EQ(line.domain.dropped, 0);
-  EXPECT_LE(line.domain.longest_piece, 7U);
+  EXPECT_LE(line.domain.longest_piece, is_small_machine ? 7U : line.buffer.size());
 }
 
 TEST(SdoTransfer, NumbersOfEveryLengthGoBothWays) {

@@ -102,6 +102,10 @@ struct ServiceEvent {
   static constexpr std::uint8_t bit_of(Kind kind) {
     return static_cast<std::uint8_t>(1U << (kind - before_read));
   }
+  /// bit_of() if it is set; otherwise 0.
+  static constexpr std::uint8_t bit_if(bool is_set, Kind kind) {
+    return is_set ? bit_of(kind) : std::uint8_t{0};
+  }
   static constexpr std::uint8_t all_accesses = 0x0F;  ///< of ObjectState::hooks
 
   /// Answers domain_wanted with the domain, in place of the entry.
@@ -164,6 +168,8 @@ class NodeService {
   struct Frequent {
     NodeService* next = nullptr;
     std::uint32_t events = EventMask::all;
+    /// Accesses that a service without a table may handle: ServiceEvent::bit_of().
+    std::uint8_t accesses = ServiceEvent::all_accesses;
   };
 
   NodeService* next_ = nullptr;
@@ -199,12 +205,10 @@ struct AccessHandlers {
   }
   /// Accesses with a handler: see ServiceEvent::bit_of().
   constexpr std::uint8_t accesses() const {
-    const auto bit_if = [](bool has_function, ServiceEvent::Kind kind) {
-      return has_function ? ServiceEvent::bit_of(kind) : 0;
-    };
-    return static_cast<std::uint8_t>(bit_if(before_read != nullptr, ServiceEvent::before_read) |
-                                     bit_if(before_write != nullptr, ServiceEvent::before_write) |
-                                     bit_if(after_write != nullptr, ServiceEvent::after_write));
+    using Event = ServiceEvent;
+    return static_cast<std::uint8_t>(Event::bit_if(before_read != nullptr, Event::before_read) |
+                                     Event::bit_if(before_write != nullptr, Event::before_write) |
+                                     Event::bit_if(after_write != nullptr, Event::after_write));
   }
 };
 
@@ -221,18 +225,14 @@ struct ServiceHandlers {
   std::span<const AccessHandlers> hooks = {};
 };
 
-/// The services to ask and to notify of accesses to an entry, found once for code that writes it
-/// again and again: see Dictionary::find_hooks().
+/// Whom to ask and to notify of writes of an entry, found once for code that writes it again and
+/// again: see Dictionary::find_hooks(). The functions are those of AccessHandlers; the dictionary's
+/// own where several are to be called.
 struct EntryHooks {
-  static constexpr std::uint16_t any_row = 0xFFFF;  ///< for a service without a table
-
-  NodeService* service = nullptr;      ///< the only service; null: none, or several
-  std::uint16_t before_row = any_row;  ///< the only row of its table with before_write
-  std::uint16_t after_row = any_row;   ///< the only row of its table with after_write
-  bool reads = false;                  ///< a service may refresh the entry before it is read
-  bool asks = false;                   ///< a service may refuse a write
-  bool notifies = false;               ///< a service is notified of a write
-  bool several = false;                ///< several services, or several rows of one table
+  void* context = nullptr;  ///< first argument of the functions
+  AbortCode (*ask)(void*, const Entry&, std::span<const std::uint8_t> value) = nullptr;
+  void (*notify)(void*, const Entry&, Source) = nullptr;
+  bool reads = false;  ///< a service may refresh the entry before it is read
 };
 
 /// Connects such a table to the service that owns the binding.
@@ -246,21 +246,11 @@ class HandlerBinding : public NodeService {
         calls_(calls),
         service_(service) {}
 
-  /// Calls the handler of one row of its table.
-  AbortCode ask_row(unsigned row, const Entry& entry, std::span<const std::uint8_t> value) const {
-    return calls_->hooks[row].before_write(service_, entry, value);
-  }
-  /// Calls the handler after_write of one row of its table.
-  void notify_row(unsigned row, const Entry& entry, Source source) const {
-    calls_->hooks[row].after_write(service_, entry, source);
-  }
-
  private:
   friend class Dictionary;
 
   static void on_event(NodeService& link, ServiceEvent& event);
   bool covers_object(std::uint16_t index) const;
-  bool find_hooks(const Entry& entry, EntryHooks& hooks) const;
   AbortCode answer(const ServiceEvent& access) const;
 
   std::uint16_t shift_;

@@ -46,6 +46,8 @@ class LinkedNode {
   }
   /// The node takes it; nothing is due by it.
   void overrun(Time now) { node_->overrun(now); }
+  /// See Node::mapping_reads().
+  std::uint32_t mapping_reads() const { return node_->mapping_reads(); }
 
  private:
   void touch() {
