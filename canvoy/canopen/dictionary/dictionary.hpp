@@ -268,14 +268,12 @@ struct Domain {
       read;
   /// Begins a download; `size` is the size that the client announced, 0 if none.
   Callback<AbortCode(const Entry&, std::uint32_t size)> open_write;
-  /// Takes the next bytes: those of a segment, on a host those of a block if they fit into the
-  /// server's buffer.
+  /// Takes the next bytes: of a segment, on a host of a block that fits into the server's buffer.
   Callback<AbortCode(const Entry&, std::span<const std::uint8_t> bytes)> write;
   /// Ends a download; with `complete` false, all data written must be discarded.
   Callback<AbortCode(const Entry&, bool complete)> close_write;
 
-  /// For hosts, in place of open_read and read: the content, which stands in memory whole, and is
-  /// sent from there without a copy until the upload ends.
+  /// For hosts, in place of open_read and read: the content, sent without a copy until the end.
   Callback<Result<std::span<const std::uint8_t>>(const Entry&)> view = {};
   /// For hosts, in place of open_write: where the bytes of a download are put as they come, without
   /// a copy; `size` as open_write has it. No more come than there is room (0504 0005h, 0607 0012h).
@@ -285,9 +283,8 @@ struct Domain {
 };
 
 /// Like AccessHandlers, but set at run time for one instance, for applications. It is called for
-/// all objects of a range that are in the dictionary, and only for accesses from the bus (SDO,
-/// PDO). It must outlive the dictionary. What is empty when it is attached is not called later: a
-/// callback may be replaced, not added.
+/// objects of a range, and only for accesses from the bus (SDO, PDO). It must outlive the
+/// dictionary. After it is attached, a callback may be replaced, not added.
 struct Hook {
   std::uint16_t first = 0;  ///< lowest index
   std::uint16_t last = 0;   ///< highest index, included
@@ -397,8 +394,8 @@ class Dictionary {
   /// Calls after_write only: for a PDO, which writes all values before the first notification.
   void announce(const Entry& entry, Source source);
 
-  /// For hosts: whom to ask and to notify of writes of an entry. Valid until revision() changes.
-  /// Linear in the number of services.
+  /// For hosts: functions to ask and to notify of writes of an entry. Valid until revision()
+  /// changes. Linear in the number of services.
   EntryHooks find_hooks(const Entry& entry);
   /// For hosts: true if a TPDO maps this entry. Valid until revision() changes.
   bool is_watched(const Entry& entry) const;

@@ -230,7 +230,9 @@ struct ServiceHandlers {
 /// own where several are to be called.
 struct EntryHooks {
   void* context = nullptr;  ///< first argument of the functions
+  /// Returns the first refusal of a new value, in the format of SDO; null: none refuses.
   AbortCode (*ask)(void*, const Entry&, std::span<const std::uint8_t> value) = nullptr;
+  /// Called after a write, with the service that wrote; null: none is notified.
   void (*notify)(void*, const Entry&, Source) = nullptr;
   bool reads = false;  ///< a service may refresh the entry before it is read
 };

@@ -19,23 +19,30 @@ struct ChargeCurveSettings {
   double current_ampere = 0;       ///< of the first phase; 0: the charger has no curve of its own
   double cell_voltage_volt = 2.4;  ///< held in the second phase, multiplied by the number of cells
   double tail_ampere = 12;         ///< ends the second phase, when no more flows for `tail_time`
-  Duration tail_time = 1min;
+  Duration tail_time = 1min;       ///< for which the current stays at or below `tail_ampere`
   Duration voltage_time_max = 8h;  ///< ends the second phase of a battery that never takes less
   double equalising_ampere = 0;    ///< 0: the charge ends with the second phase
-  Duration equalising_time = 1h;
+  Duration equalising_time = 1h;   ///< length of the last phase
 };
 
+/// Current of a charger whose battery requests none: constant current, constant voltage, and
+/// equalising (IUoU).
 class ChargeCurve {
  public:
+  /// In this order; without equalising, `finished` follows `voltage`.
   enum class Phase : std::uint8_t { current, voltage, equalising, finished };
+  /// Measured values at the battery.
   struct Measured {
     double volt = 0;   ///< at the terminals
     double cells = 0;  ///< in series; 0: unknown, so that the first phase never ends
   };
 
+  /// Starts in the first phase.
   explicit ChargeCurve(const ChargeCurveSettings& settings) : settings_(settings) {}
 
+  /// False if the charger follows the battery's requests alone.
   bool is_used() const { return settings_.current_ampere > 0; }
+  /// Present phase.
   Phase phase() const { return phase_; }
   /// Another battery.
   void begin();

@@ -39,6 +39,7 @@ class TraceLine {
     std::memcpy(at_, text.data(), text.size());
     at_ += text.size();
   }
+  /// Size of the array from which put_short() copies.
   static constexpr std::size_t short_max = 16;
   /// Adds the first `length` of these characters; copies all of them.
   void put_short(const std::array<char, short_max>& text, std::size_t length) {

@@ -20,6 +20,7 @@ inline constexpr NamedValue readiness_names[] = {{Readiness::not_ready, "not rea
 /// Of bits 1 to 7.
 inline constexpr NamedValue reserved_names[] = {{0, "0", Meaning::padding},
                                                 {1, 0x7F, "reserved", Meaning::reserved}};
+/// Fields of a status of readiness: bit 0; the others are reserved.
 inline constexpr FieldInfo readiness[] = {
     {.name = "readiness", .value = {.names = readiness_names}},
     {.first_bit = 1, .bits = 7, .name = "reserved", .value = {.names = reserved_names}}};

@@ -44,6 +44,7 @@ class ChargingPlant {
   double ampere() const { return ampere_; }
   /// True charge delivered since the start, into this battery and those before it.
   double ampere_hours() const { return battery.truth().ampere_hours_in + ampere_hours_before_; }
+  /// True energy delivered since the start, like ampere_hours(), in Wh.
   double energy_watt_hour() const {
     return (battery.truth().energy_in_joule + energy_before_joule_) / 3600;
   }

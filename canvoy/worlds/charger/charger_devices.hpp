@@ -36,6 +36,7 @@ class ChargerDevices {
   /// Switches on all devices that are simulated here; the manager runs before the others, like the
   /// vehicle.
   void start();
+  /// Switches the supply of the battery module; it boots only while its battery is plugged in.
   void power_battery(bool is_on);
   /// Plugs a battery in, or takes it away from cable and bus; there is one from the start on.
   void plug(bool is_in);

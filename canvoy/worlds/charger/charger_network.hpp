@@ -36,6 +36,7 @@ class ChargerNetwork {
 
   /// Adds a further observer of the bus, for a log; false where there are too many.
   bool observe(const BusTap& tap) { return world_.bus().observe(tap); }
+  /// State of bus, nodes and plant at present.
   ChargerSnapshot snapshot() { return bay_.snapshot(); }
   /// All events since the start, oldest first.
   std::span<const ChargerEvent> events() const { return bay_.events(); }
@@ -51,11 +52,17 @@ class ChargerNetwork {
   World& world() { return world_; }
   /// Notes an action at a device as an event.
   void note_hand(Time now, const HandActed& acted) { bay_.note(now, acted); }
+  /// Battery cells, cable and power stage.
   ChargingPlant& plant() { return bay_.devices().plant(); }
+  /// CiA 419 device, with its control.
   cia419::ChargerDevice<>& charger() { return bay_.devices().charger(); }
+  /// CiA 418 module at the cells.
   cia418::BatteryDevice<>& battery() { return bay_.devices().battery(); }
+  /// Options in force: the error of the charger's meter is drawn.
   const ChargerOptions& options() const { return bay_.options(); }
+  /// Number of the charger on the bus.
   ControllerId charger_controller() const { return bay_.devices().charger_controller(); }
+  /// Number of the battery module on the bus.
   ControllerId battery_controller() const { return bay_.devices().battery_controller(); }
 
  private:

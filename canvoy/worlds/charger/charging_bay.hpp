@@ -25,30 +25,31 @@ namespace canvoy::charger {
 
 /// State of a bay, for a table or a line of a log.
 struct ChargerSnapshot {
-  Time at{};
-  BusSnapshot bus;
-  NodeSnapshot charger;
-  NodeSnapshot battery;
+  Time at{};             ///< since the start of the run
+  BusSnapshot bus;       ///< load and frames; of a shared bus, those of all bays
+  NodeSnapshot charger;  ///< node of the CiA 419 device
+  NodeSnapshot battery;  ///< node of the CiA 418 module
 
   // state of the charger
-  cia419::ChargerPhase phase = cia419::ChargerPhase::unplugged;
+  cia419::ChargerPhase phase = cia419::ChargerPhase::unplugged;  ///< progress of the charge
+  /// Why no current flows; none while it does.
   cia419::StopReason reason = cia419::StopReason::no_pilot_signal;
-  bool charger_is_ready = false;
-  double set_point_ampere = 0;
-  double measured_ampere = 0;
-  double counted_ampere_hours = 0;
-  double counted_watt_hours = 0;
+  bool charger_is_ready = false;    ///< as its status object reports to the battery
+  double set_point_ampere = 0;      ///< commanded to the power stage
+  double measured_ampere = 0;       ///< with the error of its meter
+  double counted_ampere_hours = 0;  ///< over all charges, from the measured current
+  double counted_watt_hours = 0;    ///< likewise, with the voltage of the battery
 
   // readings of the battery
-  cia418::BatteryReadings readings;
+  cia418::BatteryReadings readings;  ///< values that cannot be measured are empty
 
   // true values
-  double ampere = 0;
-  double volt = 0;
-  double celsius = 0;
+  double ampere = 0;           ///< through the cable
+  double volt = 0;             ///< at the terminals of the battery
+  double celsius = 0;          ///< of the cells
   double state_of_charge = 0;  ///< 0 to 1
-  double ampere_hours = 0;
-  double watt_hours = 0;
+  double ampere_hours = 0;     ///< through the cable since the start of the run
+  double watt_hours = 0;       ///< likewise, into the terminals
 };
 
 class ChargingBay {
@@ -60,22 +61,30 @@ class ChargingBay {
 
   /// Switches on the devices that are simulated here.
   void start() { devices_.start(); }
+  /// Takes each frame of its bus: the referees judge it, and the first TIME is noted as an event.
   void hear(Time now, const Frame& frame);
   /// Notes what was seen of its nodes on the bus; ignores other nodes.
   void heard(Time now, const BusEvent& event);
+  /// Appends an event; `What` is an alternative of ChargerEvent::what.
   template <class What>
   void note(Time now, const What& what) {
     events_.push_back({now, what});
   }
 
+  /// State at present: what devices report, and the true values.
   ChargerSnapshot snapshot();
   /// All events since the start, oldest first.
   std::span<const ChargerEvent> events() const { return events_; }
 
+  /// Options in force: the error of the charger's meter is drawn.
   const ChargerOptions& options() const { return options_; }
+  /// Nodes of the bay and the plant behind them.
   ChargerDevices& devices() { return devices_; }
+  /// Nodes of the bay and the plant behind them.
   const ChargerDevices& devices() const { return devices_; }
+  /// Verdicts on the charge of the bay.
   ChargerReferees& referees() { return referees_; }
+  /// Verdicts on the charge of the bay.
   const ChargerReferees& referees() const { return referees_; }
 
  private:

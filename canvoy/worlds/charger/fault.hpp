@@ -28,6 +28,7 @@ enum class FaultKind : std::uint8_t {
   clock_drift
 };
 
+/// Name in a file, and text of each kind, in the order of FaultKind.
 inline constexpr FaultRow fault_rows[] = {
     {"heartbeat-loss", "the battery's heartbeat does not arrive; all else does"},
     {"pdo-loss", "the battery's TPDOs do not arrive"},

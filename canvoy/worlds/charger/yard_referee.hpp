@@ -31,17 +31,24 @@ class YardReferee {
 
   /// `bay` is from 0 on.
   void fault_began(Time now, std::size_t bay) { change_faults(now, bay, 1); }
+  /// Ends a fault that began in this bay, from 0 on; `recovery` follows, in which the bay is
+  /// excused.
   void fault_ended(Time now, std::size_t bay) { change_faults(now, bay, -1); }
+  /// Measures the mains, and judges each vehicle; call it every ChargingPlant::step_time.
   void step(Time now);
 
+  /// Verdicts at present: goals where there is one, the equalising of plain batteries, and the
+  /// supply where it has a limit.
   std::vector<YardInvariant> invariants() const;
 
   /// State of charge of a vehicle at the goal's time, or when it left before; 0 to 1. Empty: it has
   /// not come to that.
   std::optional<double> at_goal(std::size_t vehicle) const { return results_[vehicle].charge; }
-  /// From the mains, since the start and the greatest.
+  /// From the mains since the start, by all chargers.
   double mains_watt_hours() const;
+  /// From the mains since the start, by the charger of this bay, from 0 on.
   double mains_watt_hours(std::size_t bay) const;
+  /// Greatest power of all chargers together, as the mean of a step of the plants.
   double mains_watt_max() const { return mains_watt_max_; }
 
  private:

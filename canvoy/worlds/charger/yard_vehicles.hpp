@@ -20,16 +20,20 @@ namespace canvoy::charger {
 
 class YardVehicles {
  public:
-  using Bays = std::vector<std::unique_ptr<ChargingBay>>;
+  using Bays = std::vector<std::unique_ptr<ChargingBay>>;  ///< bay 1 first
+  /// Receives each move of a vehicle, when it has taken place.
   using Note = std::function<void(Time, const VehicleMoved&)>;
 
   /// All must outlive this object. Takes the batteries away that the bays are made with.
   YardVehicles(const YardOptions& yard, Bays& bays, Note note);
 
+  /// Has vehicles come, leave and return by their plan, and exchanges them at the cables.
   void step(Time now);
 
   std::size_t size() const { return vehicles_.size(); }
+  /// Of a vehicle, from 0 on.
   VehiclePlace place(std::size_t vehicle) const { return vehicles_[vehicle].place; }
+  /// The one that the vehicle is charged in, from 1 on, also while it is away.
   unsigned bay(std::size_t vehicle) const { return options_[vehicle].bay; }
   /// The true state of its battery.
   const BatteryPlant& cells(std::size_t vehicle) const;

@@ -77,6 +77,7 @@ enum class Input : std::uint8_t {
   trainer_left,  ///< joysticks 3 and 4, of a second seat
   trainer_right
 };
+/// Number of RPDOs.
 inline constexpr unsigned host_inputs = static_cast<unsigned>(Input::trainer_right);
 /// Seats with two joysticks each.
 inline constexpr std::size_t seats_max = 2;

@@ -56,6 +56,8 @@ class SafetyChain {
 
   /// Call it at each change, and often while the car moves.
   void look(const SafetySight& sight);
+  /// True if motor and brake can have current: no part has tripped, and no door is unlocked outside
+  /// of the levelling in its zone; always true of a bridged chain.
   bool is_closed() const {
     return design_.is_bridged || (trip() == Trip::none && !doors_are_free_);
   }
