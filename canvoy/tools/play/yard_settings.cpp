@@ -211,8 +211,8 @@ YardOptions yard_of(const YardSettings& yard, const ChargerOptions& network) {
   if (!yard.kinds.empty()) made.kinds.clear();
   for (const std::string& kind : yard.kinds) made.kinds.push_back(*parse_kind(kind));
   if (const auto goal = parse_goal(yard.goal)) {
-    made.goal =
-        charger::Goal{.state_of_charge = goal->percent / whole_percent, .at = time_of(*goal, network)};
+    made.goal = charger::Goal{.state_of_charge = goal->percent / whole_percent,
+                              .at = time_of(*goal, network)};
   }
   const auto or_never = [](Duration time) { return time == Duration::zero() ? never : Time(time); };
   for (const VehicleOfFile& vehicle : yard.vehicles) {
