@@ -389,7 +389,8 @@ const Sabotage of_strangers[] = {
                  turned_key(cia417::SpecialFunction::fire_service_enable));
        });
      }},
-    {"APositionThatSomebodyElseTells", InvariantKind::lift_serves, 1, [](Description&) {},
+    {"APositionThatSomebodyElseTells", InvariantKind::lift_serves, 1,
+     [](Description& it) { it.service.technician = false; },
      [] { return always_from(Time(1min), [](Scene& it) { it.send(car_position, 300'000, 4); }); }},
 };
 

@@ -269,7 +269,11 @@ void Referee::judge_fire(Time now, Lift& lift, const LiftFacts& facts) {
   note_fire_mode(now, lift, facts);
   const unsigned opening = opening_doors(lift, facts) & ~lift.doors_freed_before;
   const bool opens = opening != 0 && !facts.hindered;
-  if (facts.fire == FireMode::brigade) {
+  if (facts.is_inspected) {
+    // Inspection control neutralises a recall, and ends a return (EN 81-20, 5.12.1.5.2.1).
+    lift.recall_since = never;
+    lift.is_returning = false;
+  } else if (facts.fire == FireMode::brigade) {
     lift.recall_since = never;
     lift.is_returning = true;
     if (opens && !facts.opens_by_hand) ++lift.doors_opened_by_themselves;

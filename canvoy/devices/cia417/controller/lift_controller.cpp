@@ -243,6 +243,7 @@ void LiftController::idle() {
 }
 
 void LiftController::drive() {
+  if (service_.is_manual()) return break_off();
   if (motion_.standing) return arrive();
   if (node_.now() >= deadline_) {
     faults_.latch(LiftFault::travel_time);
@@ -251,6 +252,15 @@ void LiftController::drive() {
   }
   wake_at(deadline_);
   follow_calls();
+}
+
+/// The inspection control ends a trip, one that has not begun as well (EN 81-20, 5.12.1.5.2.1).
+void LiftController::break_off() {
+  parts_.motion.stop();
+  direction_ = Direction::none;
+  target_ = 0;
+  is_errand_ = false;
+  enter(LiftPhase::idle);
 }
 
 void LiftController::await_open() {

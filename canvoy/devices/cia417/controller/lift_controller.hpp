@@ -159,6 +159,7 @@ class LiftController {
   void enter(LiftPhase phase);
   void idle();
   void drive();
+  void break_off();
   void await_open();
   void keep_open();
   void await_closed();

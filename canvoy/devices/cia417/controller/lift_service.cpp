@@ -6,6 +6,9 @@ namespace canvoy::cia417 {
 
 LiftService LiftServiceState::wanted(const CallController& calls, bool is_at_fire_floor) const {
   const auto on = [&](SpecialFunction function) { return calls.is_on(function); };
+  // Inspection control neutralises all other control, a recall too (EN 81-20, 5.12.1.5.2.1).
+  if (on(SpecialFunction::service_run)) return LiftService::service_run;
+  if (on(SpecialFunction::dogging_service_enable)) return LiftService::dogging;
   if (on(SpecialFunction::out_of_order)) return LiftService::out_of_order;
   const bool alarm = on(SpecialFunction::fire_service_enable);
   const bool brigade = on(SpecialFunction::fire_service);
@@ -16,8 +19,6 @@ LiftService LiftServiceState::wanted(const CallController& calls, bool is_at_fir
   }
   // When the keys are turned back, the car first returns to the fire floor.
   if (is_in_fire() && !(is_cleared_ && is_at_fire_floor)) return LiftService::fire_recall;
-  if (on(SpecialFunction::service_run)) return LiftService::service_run;
-  if (on(SpecialFunction::dogging_service_enable)) return LiftService::dogging;
   if (on(SpecialFunction::special_service)) return LiftService::special;
   if (on(SpecialFunction::bed_passenger_service)) return LiftService::bed_passenger;
   if (on(SpecialFunction::vip_service)) return LiftService::vip;

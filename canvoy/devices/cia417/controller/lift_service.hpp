@@ -20,11 +20,11 @@ enum class LiftService : std::uint8_t {
   vip,        ///< car calls only, as for the next two
   bed_passenger,
   special,
-  dogging,       ///< by two buttons, slowly
-  service_run,   ///< by two buttons, slowly, for maintenance
   fire_brigade,  ///< car calls only, doors only by their buttons
   fire_recall,   ///< to the fire floor, and out
   out_of_order,
+  dogging,      ///< by two buttons, slowly
+  service_run,  ///< by two buttons, slowly, for maintenance
 };
 
 /// Service of a lift, and what follows from it.

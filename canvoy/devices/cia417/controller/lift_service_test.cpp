@@ -229,12 +229,16 @@ TEST_F(LiftServiceTest, AtTheEndOfItsTravelACarThatRestsShortOfItDoesNotGoOnByIt
 TEST_F(LiftServiceTest, TheServiceThatMattersMoreWins) {
   bench.turn(SpecialFunction::vip_service);
   EXPECT_EQ(lift.service(), LiftService::vip);
-  bench.turn(SpecialFunction::service_run);
-  EXPECT_EQ(lift.service(), LiftService::service_run);
   bench.turn(SpecialFunction::fire_service_enable);
   EXPECT_EQ(lift.service(), LiftService::fire_recall);
   bench.turn(SpecialFunction::out_of_order);
   EXPECT_EQ(lift.service(), LiftService::out_of_order);
+  bench.turn(SpecialFunction::service_run);
+  EXPECT_EQ(lift.service(), LiftService::service_run) << "EN 81-20, 5.12.1.5.2.1";
+  bench.turn(SpecialFunction::out_of_order, false);
+  EXPECT_EQ(lift.service(), LiftService::service_run);
+  bench.turn(SpecialFunction::service_run, false);
+  EXPECT_EQ(lift.service(), LiftService::fire_recall) << "its key is still turned";
 }
 
 TEST_F(LiftServiceTest, LoadTimeHoldsTheDoorsForLonger) {
