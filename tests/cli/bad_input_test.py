@@ -107,6 +107,9 @@ WRONG_USAGE = [
     (["read", QUIET, "10", ""], "''", "6010 or 1018:4"),
     (["read", QUIET, "10", "temperature", "--profile", "999"], "'999' is no profile", "417-4"),
     (["read", QUIET, "10", "water_level_status", "--profile", "419"], "'water_level_status'", "CiA 419"),
+    (["run", "lift", "--percent", "nan"], "--percent", "nan is no finite number"),
+    (["run", "charger", "--supply", "nan"], "--supply", "nan is no finite number"),
+    (["run", "charger", "--ambience", "-inf"], "--ambience", "-inf is no finite number"),
     (["read", QUIET, "10", "6010", "--timeout", "0ms"], "'0ms'", "30s"),
     # values and units
     (["write", QUIET, "10", "1017", "65536"], "65536", "0 to 65535 ms"),

@@ -139,6 +139,12 @@ class Script(CommandTest):
         gone = run("read", bus, "11", "1000", "--timeout", "100ms")
         self.assertEqual(gone.returncode, FAILED, "they end with the script")
 
+    def test_the_line_behind_a_device_finds_it(self):
+        path = self.folder / "soon.canvoy"
+        path.write_text("device battery --node-id 12\nread 12 temperature\ndevice charger battery\nread 5 1000\nread 10 1000\n")
+        output = self.assert_done(run("script", "udp:239.74.163.22:43153", str(path)))
+        self.assertTrue(output.endswith("5 of 5 lines passed\n"), output)
+
     def test_hands_that_no_device_has_are_refused_before_anything_is_done(self):
         for line, *parts in (
             ("set temperature=60", "line 1", "there is no device before this line"),

@@ -4,7 +4,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <sstream>
+#include <string>
 #include <type_traits>
 
 #include "canvoy/tools/cli/spelling.hpp"
@@ -29,14 +32,25 @@ HelpLayout layout_for(std::size_t columns) {
   return made;
 }
 
+/// No range excludes what is not a number: it is neither below nor above its bounds.
+std::string finite_only(const std::string& text) {
+  double value = 0;
+  const bool is_number = CLI::detail::lexical_cast(text, value);
+  return !is_number || std::isfinite(value) ? "" : fmt::format("{} is no finite number", text);
+}
+
 CLI::Option* add_row(CLI::App& app, const OptionRow& row) {
   return std::visit(
       [&](auto* place) {
         const std::string about(row.about);
         // As everywhere, -o is the output file.
         const std::string name = std::string_view(row.name) == "--out" ? "-o,--out" : row.name;
-        if constexpr (std::is_same_v<decltype(place), bool*>) {
+        using Place = decltype(place);
+        if constexpr (std::is_same_v<Place, bool*>) {
           return app.add_flag(name, *place, about);
+        } else if constexpr (std::is_same_v<Place, double*> ||
+                             std::is_same_v<Place, std::optional<double>*>) {
+          return app.add_option(name, *place, about)->check(finite_only);
         } else {
           return app.add_option(name, *place, about);
         }

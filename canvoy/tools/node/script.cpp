@@ -42,6 +42,22 @@ std::vector<std::string> buses_of(const ScriptOptions& options) {
   }
 }
 
+/// Runs `start`, and waits until this many nodes have booted on the bus: a line behind it finds
+/// them there. Nodes that wait for a node-ID do not boot: it waits for 5 s at most.
+void start_devices(Session& session, std::ptrdiff_t count, const std::function<void()>& start) {
+  constexpr Duration boots_within = 5s;
+  session.hear([&](const host::BusFrame& heard) {
+    const Frame& frame = heard.frame;
+    const bool is_boot_up = frame.is_plain() && frame.id > can_id::error_control &&
+                            frame.id <= can_id::error_control + node_id_max && frame.length == 1 &&
+                            frame.data[0] == 0;
+    if (is_boot_up && --count == 0) session.loop().stop();
+  });
+  start();
+  session.run_for(boots_within);
+  session.hear({});
+}
+
 /// A line, and its parsed verb, before it is run.
 class ScriptLine {
  public:
@@ -59,6 +75,13 @@ class ScriptLine {
       const std::string bus = names_bus ? words[1] : buses.front();
       if (names_bus) words.erase(words.begin() + 1);
       by_hand_ = devices.parse(words, bus);
+      if (words.front() != "device") return;
+      const auto kinds = std::ranges::find_if(
+          words, [](const std::string& word) { return word.starts_with("--"); });
+      const std::ptrdiff_t count = kinds - words.begin() - 1;
+      by_hand_ = [&sessions, &options, bus, count, start = std::move(by_hand_)] {
+        start_devices(sessions.open(bus, options.answer_time()), count, start);
+      };
       return;
     }
     add_ask_verbs(line_, sessions);
