@@ -9,7 +9,8 @@ namespace canvoy {
 namespace {
 
 constexpr double seconds_per_hour = 3600;
-/// A battery counts as full when it requests no more than its tail current for this time.
+/// A battery counts as full when it requests no more than its tail current for this time, or when
+/// warm cells, which always bear more, have had their whole charge for as long.
 constexpr double full_after_seconds = 60;
 /// A full battery is ready again when it has less than this share of its charge.
 constexpr double recharge_below_state_of_charge = 0.95;
@@ -99,7 +100,8 @@ void BatteryPlant::manage(double ampere, double seconds) {
   requested_ampere_ = std::clamp(bearable_ampere, 0.0, design_.charge_current_ampere);
   if (ampere <= 0) return;  // only a battery that is being charged becomes full
 
-  const bool wants_little = requested_ampere_ <= design_.tail_current_ampere;
+  const bool wants_little =
+      requested_ampere_ <= design_.tail_current_ampere || state_of_charge_ >= 1;
   wants_little_seconds_ = wants_little ? wants_little_seconds_ + seconds : 0;
   if (wants_little_seconds_ < full_after_seconds) return;
   is_full_ = true;

@@ -47,6 +47,16 @@ TEST_P(BatteryKindTest, IsChargedWithConstantCurrentThenTapersThenIsFull) {
   EXPECT_EQ(sut.ampere(), 0);
 }
 
+TEST_P(BatteryKindTest, IsFullInTheHeatTooWithoutMoreThanItsCharge) {
+  const BatteryDesign& design = GetParam().design;
+  BatteryPlant sut(design, 0.2, 35);
+  for (int minute = 0; minute < 24 * 60; ++minute) sut.step(sut.requested_ampere(), 1min);
+  EXPECT_TRUE(sut.is_full());
+  constexpr double two_minutes_ah = 60 * 2 / 60.0;
+  EXPECT_LE(sut.truth().ampere_hours_in * design.chemistry->charge_efficiency,
+            0.8 * design.capacity_ampere_hour + two_minutes_ah);
+}
+
 TEST_P(BatteryKindTest, NeverRisesAboveItsChargeVoltage) {
   ChargingPlant sut(GetParam().design, 0.5);
   const double limit = GetParam().design.cells * GetParam().design.chemistry->charge_voltage_volt;
