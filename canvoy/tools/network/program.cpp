@@ -141,7 +141,7 @@ ProgramOutcome run_download(const ProgramOptions& options, NodeId node, ProgramF
 
 int download_program(const ProgramOptions& options) {
   const NodeId node = parse_node_id(options.node);
-  parse_answer_time(options.time_out).usual;
+  parse_answer_time(options.time_out);
   ProgramFile file(options.file);
   const ProgramOutcome outcome = run_download(options, node, file);
   if (!outcome) {
