@@ -548,8 +548,7 @@ AbortCode Dictionary::check_value(const EntryShape& row,
 AbortCode Dictionary::check(const Entry& entry, std::span<const std::uint8_t> value) const {
   AbortCode answer = check_length(*entry.row, value.size());
   if (answer == AbortCode::none && tables_.check_number != nullptr) {
-    answer = is_small_machine ? tables_.check_number(tables_, *entry.row, value.data())
-                              : check_number(tables_, *entry.row, value.data());
+    answer = tables_.check_number(tables_, *entry.row, value.data());
   }
   if (answer != AbortCode::none || !entry.is_hooked(ServiceEvent::before_write)) return answer;
   ServiceEvent event{.kind = ServiceEvent::before_write,

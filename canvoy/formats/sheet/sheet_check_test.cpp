@@ -56,7 +56,7 @@ struct Wrong {
 constexpr std::string_view status_head =
     "[6000]\r\nParameterName=battery_status\r\nObjectType=0x7\r\nDataType=0x0005\r\nAccessType="
     "rw\r\n"
-    "DefaultValue=0x00\r\nPDOMapping=1\r\n";
+    "DefaultValue=0x00\r\nLowLimit=0x00\r\nHighLimit=0x01\r\nPDOMapping=1\r\n";
 
 const Wrong wrongs[] = {
     {status_head,

@@ -162,9 +162,9 @@ TEST_F(Handles, AValueThatWouldReadAsInvalidIsNudgedToItsNeighbour) {  // CiA 41
 
 TEST_F(Handles, AValueOutOfRangeIsTheNearestThatCanBeSent) {
   values[cia419::battery_temperature] = 1e9;
-  EXPECT_EQ(values[cia419::battery_temperature].raw(), 32767);
+  EXPECT_EQ(values[cia419::battery_temperature].raw(), 0x02A8) << "CiA 419, 6010h: to 85 degrees";
   values[cia419::battery_temperature] = -1e9;
-  EXPECT_EQ(values[cia419::battery_temperature].raw(), -32768);
+  EXPECT_EQ(values[cia419::battery_temperature].raw(), -0x0140) << "FEC0h: from -40 degrees";
   values[cia419::battery_voltage] = -5;
   EXPECT_EQ(values[cia419::battery_voltage].raw(), 0U);
   values[cia419::battery_voltage] = 1e12;
@@ -175,13 +175,14 @@ TEST_F(Handles, AValueOutOfRangeIsTheNearestThatCanBeSent) {
   EXPECT_EQ(values[cia419::charger_state_of_charge].raw(), 100);
 }
 
-TEST_F(Handles, AllBitPatternsOfATemperatureRoundTripButTheSentinel) {
+TEST_F(Handles, AllTemperaturesOfItsRangeRoundTripButTheSentinel) {
   auto temperature = values[cia419::battery_temperature];
   for (int raw = -32768; raw <= 32767; ++raw) {
     temperature.set_raw(static_cast<std::int16_t>(raw));
     const std::optional<double> value = temperature.value();
-    if (raw == -1) {
-      ASSERT_EQ(value, std::nullopt);
+    const bool is_in_range = raw >= -0x0140 && raw <= 0x02A8;
+    if (raw == -1 || !is_in_range) {
+      ASSERT_EQ(value, std::nullopt) << raw;
       continue;
     }
     ASSERT_EQ(value, raw * 0.125);

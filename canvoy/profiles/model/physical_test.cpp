@@ -58,8 +58,8 @@ TEST(Physical, ANumberBeyondItsLimitsIsMarked) {
   EXPECT_TRUE(read(cia419::battery_state_of_charge_object.entry, {101}).out_of_range);
   EXPECT_FALSE(read(cia419::battery_state_of_charge_object.entry, {100}).out_of_range);
   EXPECT_FALSE(read(cia419::battery_state_of_charge_object.entry, {0xFF}).out_of_range);
-  EXPECT_FALSE(read(cia419::battery_temperature_object.entry, {0xFF, 0x7F}).out_of_range)
-      << "the range of a temperature is the least to be supported";
+  EXPECT_TRUE(read(cia419::battery_temperature_object.entry, {0xA9, 0x02}).out_of_range);
+  EXPECT_FALSE(read(cia419::battery_temperature_object.entry, {0xA8, 0x02}).out_of_range);
 }
 
 TEST(Physical, BytesOfAnotherLengthAreNoValue) {

@@ -185,7 +185,7 @@ TEST(LiftFile, TellsTheLineOfWhatIsWrong) {
   EXPECT_EQ(
       refusal(house + "speed = 5"),
       "house.toml line 13: speed: is not known here; there are bus, id, device, lift, floors, "
-      "doors, keys, displays, parameters, played, configuration, values");
+      "doors, keys, displays, calls, parameters, played, configuration, values");
   EXPECT_EQ(refusal(house + "keys = [\"bell\"]").substr(0, 60),
             "house.toml line 13: keys: 'bell' is none; there are fan-1, f");
   EXPECT_EQ(refusal(house + "displays = [\"arrival\", \"arrival\"]"),
