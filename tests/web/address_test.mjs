@@ -3,7 +3,7 @@
 //     CANVOY=build/canvoy node --test tests/web/address_test.mjs
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { look_at, open_browser, serve, view } from "./browser.mjs";
+import { look_at, open_browser, PATIENCE_MS, serve, view } from "./browser.mjs";
 
 let browser;
 before(async () => (browser = await open_browser()));
@@ -88,6 +88,40 @@ test("time is in the address while it stands, and Back goes back to it", async (
     await page.waitForFunction((before) => document.querySelector(".clock").innerText === before, stood);
     await page.getByRole("button", { name: "Play" }).click();
     await page.waitForFunction(() => !new URLSearchParams(location.hash.slice(1)).has("at"));
+  });
+});
+
+test("Back takes back a seek of which no state has come yet", { timeout: PATIENCE_MS }, async () => {
+  await shown(charger, async (page) => {
+    const kept = [];
+    let holds = false;
+    let seeks = 0;
+    let second;
+    const is_taken_back = new Promise((resolve) => (second = resolve));
+    await page.routeWebSocket(/./, (socket) => {
+      const behind = socket.connectToServer();
+      socket.onMessage((message) => {
+        const { do: what, time } = JSON.parse(message);
+        if (what === "seek" && ++seeks === 2) second(time);
+        behind.send(message);
+      });
+      behind.onMessage((message) => (holds ? kept.push(() => socket.send(message)) : socket.send(message)));
+    });
+    await page.reload();
+    await page.waitForFunction(() => /^[1-9]:/.test(document.querySelector(".clock").innerText));
+    await page.getByRole("button", { name: "Pause" }).click();
+    await page.waitForFunction(() => new URLSearchParams(location.hash.slice(1)).has("at"));
+    const stood = parts(page).get("at");
+    const clock = await page.locator(".clock").innerText();
+    holds = true;
+    await page.getByRole("slider", { name: "Time line" }).focus();
+    await page.keyboard.press("End");
+    await page.waitForFunction((before) => new URLSearchParams(location.hash.slice(1)).get("at") !== before, stood);
+    await page.goBack();
+    assert.equal(await is_taken_back, Number(stood));
+    holds = false;
+    kept.forEach((send) => send());
+    await page.waitForFunction((before) => document.querySelector(".clock").innerText === before, clock);
   });
 });
 

@@ -13,6 +13,14 @@ const at_text = (time: number) => String(Math.ceil(time * 1000 - 1e-6) / 1000);
 export const time_now = () => (live.state.time ?? 0) - (live.hello.begin ?? 0);
 const stands = () => !!live.state.play && (live.state.play.paused || live.state.play.over) && !live.state.play.seeking;
 
+const on_its_way_ms = 5000;  // a seek is answered before its time is reached, and a state may still be of before
+let going_to = NaN;
+let goes_until = 0;
+const is_on_its_way = () =>
+  (performance.now() < goes_until || !!live.state.play?.seeking) && Math.abs(time_now() - going_to) > close_s;
+/** The time at which the run will stand: what Back is pressed against while a seek is on its way. */
+const time_ahead = () => (is_on_its_way() ? going_to : time_now());
+
 /** True if the run in the address differs from the played one. */
 function asked() {
   const plan = live.state.plan;
@@ -20,12 +28,8 @@ function asked() {
   const is_other = !!plan && seed !== null && (String(plan.seed) !== seed || JSON.stringify(plan.faults) !== JSON.stringify(parts_of("fault")));
   const at = part("at");
   const time = at === "" ? NaN : Number(at);
-  return { is_other, time, moves: Number.isFinite(time) && time >= 0 && (is_other || Math.abs(time - time_now()) > close_s) };
+  return { is_other, time, moves: Number.isFinite(time) && time >= 0 && (is_other || Math.abs(time - time_ahead()) > close_s) };
 }
-
-const on_its_way_ms = 5000;  // a seek is answered before its time is reached, and a state may still be of before
-let going_to = NaN;
-let goes_until = 0;
 
 /** Goes to a time. The address keeps it until a state has it, so that a reload meanwhile does not request another one. */
 async function go_to(time: number) {
@@ -33,7 +37,6 @@ async function go_to(time: number) {
   goes_until = performance.now() + on_its_way_ms;
   await ask("seek", { time });
 }
-const is_on_its_way = () => performance.now() < goes_until && Math.abs(time_now() - going_to) > close_s;
 
 let answers = false;  // a question is open, or its answer is on the way
 
