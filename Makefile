@@ -41,7 +41,7 @@ playground: build
 
 # Each test once: the command, strangers and embedding by the release, unit tests with sanitizers, fuzzing, style.
 test:
-	@scripts/install-packages test
+	@scripts/install-packages check
 	@JOBS=$(JOBS) scripts/run-tests test
 
 # Before each commit: the command, unit tests of the lower libraries, a run of each world.
@@ -51,7 +51,7 @@ check:
 
 # Before each release: all tests in both builds, long runs, campaigns of faults, long fuzzing, clang-tidy on all sources.
 test-all:
-	@scripts/install-packages test
+	@scripts/install-packages check
 	@JOBS=$(JOBS) scripts/run-tests all
 
 # clang-tidy on all that has changed since it last was clean; notes the contents from which on `make test` looks.

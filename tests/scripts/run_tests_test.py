@@ -89,6 +89,15 @@ class RunTests(unittest.TestCase):
             self.assertEqual(run_tests.run_again(None, None, [xml.fromstring('<testcase name="good" status="run"/>')])[1], [])
         run_ctest.assert_not_called()
 
+    def test_nothing_is_run_where_packages_are_missing(self):
+        cost = unittest.mock.Mock()
+        for status, failed in [(0, None), (1, "scripts/install-packages test has failed")]:
+            cost.run.return_value = status
+            with unittest.mock.patch.object(run_tests, "build", return_value=None):
+                self.assertEqual(run_tests.install_and_build(run_tests.PLANS["test"], cost), failed)
+        with unittest.mock.patch.object(run_tests, "build", return_value="release does not build"):
+            self.assertEqual(run_tests.install_and_build(run_tests.PLANS["test"], cost), "release does not build")
+
     def test_a_run_without_tests_has_failed(self):
         self.assertEqual(run_tests.judge("style", [], True), (0, ["style: no test was run"], []))
 
