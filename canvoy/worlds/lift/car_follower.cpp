@@ -18,6 +18,9 @@ constexpr std::uint8_t pdo_length = 6;
 constexpr std::uint32_t drive_heartbeat = 0x702;
 /// Greatest error of the sum of velocities at the end of a trip.
 constexpr double error_max_mm = 100;
+/// A drive that reports up to this velocity stands, as for CarWatch: 1 mm/s is what its object
+/// resolves.
+constexpr double standing_mm_s = 1;
 
 }  // namespace
 
@@ -41,20 +44,24 @@ void CarFollower::hear_target(const Frame& frame) {
   if ((word & cia417::control_bit::new_set_point) == 0 || is_relative) return;
   target_ = load<std::int32_t>(frame.data.data() + 2);
   has_target_ = true;
-  was_moving_ = velocity_ != 0;
+  was_moving_ = moves();
 }
 
 /// A car that was on its way, and stands near its target, is at the target: the difference is the
 /// jitter of frames.
 void CarFollower::hear_status(std::uint16_t status) {
-  if (velocity_ != 0) was_moving_ = has_target_;
+  if (moves()) was_moving_ = has_target_;
   const bool is_there = (status & cia417::status_bit::target_reached) != 0;
   const bool obeys = cia402::drive_state(status) == cia402::DriveState::operation_enabled;
-  const bool has_come = was_moving_ && velocity_ == 0 && obeys;
-  if (!has_target_ || velocity_ != 0 || (!is_there && !has_come)) return;
+  const bool has_come = was_moving_ && obeys;
+  if (!has_target_ || moves() || (!is_there && !has_come)) return;
   if (std::abs(position_ - target_) > error_max_mm) return;
   position_ = target_;
   has_target_ = was_moving_ = false;
+}
+
+bool CarFollower::moves() const {
+  return std::abs(velocity_) > standing_mm_s;
 }
 
 /// Integrates from one velocity to the next, linearly where they follow closely.

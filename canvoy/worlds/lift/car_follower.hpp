@@ -44,6 +44,7 @@ class CarFollower {
   void hear_target(const Frame& frame);
   void hear_status(std::uint16_t status);
   void hear_velocity(double velocity);
+  bool moves() const;
   /// True if the drive was silent for so long that it counts as stopped.
   bool is_silent() const { return clock_() - heard_at_ > 2s; }
 

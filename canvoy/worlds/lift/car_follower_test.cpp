@@ -48,10 +48,18 @@ TEST_F(FollowedCar, StandsAtTheTargetWhenTheDriveSaysSo) {
   hear("180#1F 00 E8 03 00 00");
   hear("185#37 12 E8 03 00 00");
   now += 990ms;
-  hear("185#37 02 01 00 00 00");
+  hear("185#37 02 02 00 00 00");
   EXPECT_NEAR(car.position_mm(), 990, 1e-9);
   hear("185#37 02 00 00 00 00");
   EXPECT_EQ(car.position_mm(), 1000);
+}
+
+TEST_F(FollowedCar, StandsAtTheTargetAsSoonAsItCountsAsStanding) {
+  hear("180#1F 00 E8 03 00 00");
+  hear("185#37 12 E8 03 00 00");
+  now += 950ms;
+  hear("185#37 02 01 00 00 00");
+  EXPECT_EQ(car.position_mm(), 1000) << "at 1 mm/s it is told to have stopped: not between floors";
 }
 
 TEST_F(FollowedCar, StandsWhereItIsBeforeItLeavesForATargetThatIsNear) {
