@@ -54,11 +54,11 @@ test-all:
 	@scripts/install-packages check
 	@JOBS=$(JOBS) scripts/run-tests all
 
-# clang-tidy on all that has changed since it last was clean; notes the contents from which on `make test` looks.
+# clang-tidy on all that has changed since it last was clean, or what SECONDS allow; notes what is, which `make test` leaves out.
 tidy:
 	@scripts/install-packages test
 	@cmake --preset release --log-level=WARNING
-	@tests/style/clang_tidy build/compile_commands.json --record
+	@tests/style/clang_tidy build/compile_commands.json --record $(SECONDS)
 
 bench:
 	@scripts/install-packages bench

@@ -62,6 +62,23 @@ class ClangTidy(unittest.TestCase):
         (self.folder / "passed").write_text("\n".join(line for line in noted if ".clang-tidy" not in line))
         self.assertEqual(clang_tidy.changed_files(), {clang_tidy.ROOT / ".clang-tidy"})
 
+    def test_what_was_clean_is_noted_with_its_headers_beside_what_was_noted_before(self):
+        clang_tidy.PASSED = self.folder / "passed"
+        arguments = [f"-I{clang_tidy.ROOT}"]
+        sources = {path for path in (clang_tidy.ROOT / "canvoy/can").glob("*.cpp") if not path.name.endswith("_test.cpp")}
+        first, second = sorted(sources)[:2]
+        commands = dict.fromkeys(sources, arguments)
+        for clean in (first, second):
+            clang_tidy.record(commands, [clean])
+        wanted = {clang_tidy.ROOT / ".clang-tidy"} | {path for each in (first, second) for path in clang_tidy.project_headers(each, arguments)}
+        noted = {clang_tidy.ROOT / line.split(maxsplit=1)[1] for line in clang_tidy.PASSED.read_text().splitlines()}
+        self.assertEqual(noted, wanted)
+        self.assertEqual(clang_tidy.changed_files() & wanted, set())
+        noted_before = clang_tidy.PASSED.read_text().replace("0", "1").replace("a", "b")
+        clang_tidy.PASSED.write_text(noted_before)
+        clang_tidy.record(commands, [first])
+        self.assertNotIn(str(second.relative_to(clang_tidy.ROOT)), clang_tidy.PASSED.read_text(), "its contents have changed since")
+
     def test_a_clean_result_holds_as_long_as_all_that_it_rests_on(self):
         def mark():
             clang_tidy.included.cache_clear()
@@ -83,10 +100,10 @@ class ClangTidy(unittest.TestCase):
             source.write_text(f"{include}int {source.stem}() {{ return named(); }}\n")
         marks = {source: source.with_suffix(".clean") for source in sources}
         end_of_a_day = time.monotonic() + 60
-        self.assertEqual(clang_tidy.Look(dict(marks), end_of_a_day)(list(sources), self.arguments), [])
+        self.assertEqual(clang_tidy.Look(dict(marks), end_of_a_day, False)(list(sources), self.arguments), [])
         for mark in marks.values():
             mark.unlink()
-        found = clang_tidy.Look(dict(marks), math.inf)(list(sources), self.arguments)
+        found = clang_tidy.Look(dict(marks), math.inf, True)(list(sources), self.arguments)
         self.assertEqual(len(found), 1)
         self.assertIn("second.cpp:1", found[0])
         self.assertEqual([mark.stem for mark in marks.values() if mark.exists()], ["first"])
