@@ -39,6 +39,8 @@ function(canvoy_library name)
     set(scope PUBLIC)
     add_library(${target} ${sources})
     set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+    # Nobody replaces a function of the library at load time, so that one may be compiled into another, as clang does.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
     if(arg_FREESTANDING)
       canvoy_warnings(${target} FREESTANDING)
       target_compile_options(${target} PRIVATE -fno-exceptions -fno-rtti -fno-threadsafe-statics)

@@ -24,6 +24,7 @@ target_precompile_headers(canvoy_small_machine_test REUSE_FROM canvoy_test_heade
 set(absent
   DeviceNode.HasARouteForEachServiceAndAllThat1028hMayName
   DictionaryChanges.*
+  FromABlock/DictionaryDefault.IsAChangeWhereItReturns/*
   DictionaryHook.IsCountedAsARevision
   DictionaryString.TellsItsWatchersOfAChangeOfLengthAsWell
   NodeValues.AreAnnouncedWhenTheNodeIsCalled

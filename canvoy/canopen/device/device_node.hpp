@@ -26,6 +26,7 @@
 #include "canvoy/canopen/device/verify_configuration.hpp"
 #include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "canvoy/canopen/dictionary/folded_tables.hpp"
+#include "canvoy/canopen/dictionary/initial_values.hpp"
 #include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/canopen/emergency/emergency_consumer.hpp"
 #include "canvoy/canopen/emergency/emergency_producer.hpp"
@@ -134,7 +135,7 @@ constexpr std::size_t count_mpdo_values(const DictionaryTables& tables) {
 /// Tables in which a node of this layout looks up entries.
 template <const auto& layout, bool is_folded = is_small_machine>
 struct TablesOf {
-  static constexpr DictionaryTables value = layout.tables();
+  static constexpr DictionaryTables value = tables_with_initial_values<layout>();
 };
 template <const auto& layout>
 struct TablesOf<layout, true> {

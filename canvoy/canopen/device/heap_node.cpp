@@ -15,6 +15,7 @@ constexpr std::size_t mpdo_queue_max = 16;
 HeapNode::HeapNode(const DictionaryTables& tables, const Port& port, NodeId node_id,
                    std::size_t further_routes)
     : tables_(tables),
+      initial_bytes_(tables_.value_bytes),
       values_(tables_.value_bytes),
       states_(tables_.objects.size()),
       backlog_(backlog_max),
@@ -26,6 +27,7 @@ HeapNode::HeapNode(const DictionaryTables& tables, const Port& port, NodeId node
                                                  object_index::emergency_consumers)),
       rpdo_memory_(rpdo_numbers().count),
       tpdo_memory_(tpdo_numbers().count) {
+  keep_initial_values();
   const std::size_t servers = 1 + detail::count_objects(tables_, object_index::sdo_server + 1,
                                                         object_index::sdo_server_last);
   constexpr std::size_t basics = 4;  // NMT, SYNC, TIME, guarding
@@ -47,6 +49,12 @@ HeapNode::HeapNode(const DictionaryTables& tables, const Port& port, NodeId node
   if (has(object_index::high_resolution_time)) high_resolution_time_.emplace(*node_, sync_.get());
   add_pdos();
   add_mpdos();
+}
+
+void HeapNode::keep_initial_values() {
+  write_defaults(tables_, initial_bytes_,
+                 [this](const InitialValues::WithNodeId& each) { with_node_id_.push_back(each); });
+  tables_.initial.value = {.bytes = initial_bytes_, .with_node_id = with_node_id_};
 }
 
 bool HeapNode::has(std::uint16_t index) const {

@@ -37,6 +37,7 @@ class HeapNode {
   MissingEntry missing() const { return find_missing(tables_); }
 
  private:
+  void keep_initial_values();
   bool has(std::uint16_t index) const;
   void add_sdo_servers();
   detail::PdoNumbers rpdo_numbers() const;
@@ -45,6 +46,8 @@ class HeapNode {
   void add_mpdos();
 
   DictionaryTables tables_;
+  std::vector<std::uint8_t> initial_bytes_;
+  std::vector<InitialValues::WithNodeId> with_node_id_;
   std::vector<std::uint8_t> values_;
   std::vector<ObjectState> states_;
   std::vector<Router::Route> routes_;

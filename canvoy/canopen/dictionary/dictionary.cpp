@@ -116,32 +116,8 @@ bool contains(const ObjectRow& row, std::uint16_t index) {
   return (index * 0x9E37'79B9U) >> 28;
 }
 
-AbortCode put_to(const AccessHandlers& calls, void* service, const ServiceEvent& access) {
-  const Entry& entry = access.entry();
-  switch (access.kind) {
-    case ServiceEvent::before_read:
-      return calls.before_read == nullptr ? AbortCode::none : calls.before_read(service, entry);
-    case ServiceEvent::before_write:
-      return calls.before_write == nullptr ? AbortCode::none
-                                           : calls.before_write(service, entry, access.value());
-    case ServiceEvent::after_write:
-      if (calls.after_write != nullptr) calls.after_write(service, entry, access.source());
-      return AbortCode::none;
-    default:
-      return AbortCode::none;
-  }
-}
-
-/// Writes `count` numbers, and returns the end. Most often it is one.
-template <class Number>
-std::uint8_t* fill(std::uint8_t* values, Number number, unsigned count) {
-  store(values, number);
-  for (; count > 1; --count) store(values += sizeof number, number);
-  return values + sizeof number;
-}
-
-[[gnu::always_inline]] inline const ObjectRow* search(std::span<const ObjectRow> objects,
-                                                      std::uint16_t index) {
+[[maybe_unused, gnu::always_inline]] inline const ObjectRow* search(
+    std::span<const ObjectRow> objects, std::uint16_t index) {
   const ObjectRow* object =
       last_not_above(objects, index, [](const ObjectRow& row) { return row.index; });
   return object != nullptr && contains(*object, index) ? object : nullptr;
@@ -190,27 +166,6 @@ void Dictionary::make_index() {
     length -= half;
   }
   return contains(*row, index) ? row : nullptr;
-}
-
-void ObjectState::add(NodeService& service, bool in_front) {
-  const auto end = services.begin() + std::min<std::size_t>(service_count, services_max);
-  if (!has_all() || std::find(services.begin(), end, &service) != end) return;
-  if (++service_count > services_max) return;
-  if (in_front) {
-    std::copy_backward(services.begin(), end, end + 1);
-    services.front() = &service;
-  } else {
-    *end = &service;
-  }
-}
-
-void ObjectState::remove(const NodeService& service) {
-  if (!has_all()) return;
-  const auto end = services.begin() + service_count;
-  const auto found = std::find(services.begin(), end, &service);
-  if (found == end) return;
-  std::copy(found + 1, end, found);
-  --service_count;
 }
 
 /// Row of the object, or null.
@@ -300,31 +255,6 @@ inline void Dictionary::notify_access(ServiceEvent& event) const {
   if (service.covers(event.entry().index)) service.notify(event);
 }
 
-void Dictionary::tell_several_of_access(ServiceEvent& event) const {
-  const std::uint16_t index = event.entry().index;
-  const ObjectState& state = *event.entry().state.value;
-  if (!state.has_all()) return tell_of_access_by_list(event);
-  for (std::size_t i = 0; i < state.service_count && event.answer == 0; ++i) {
-    NodeService* const service = state.services[i];
-    if (service->covers(index)) service->notify(event);
-    // What was called may have attached a hook before it.
-    while (i < state.service_count && state.has_all() && state.services[i] != service) ++i;
-  }
-}
-
-/// A link could be told of any object, and has hooks for a few: that is seen here, for a node has
-/// many links.
-void Dictionary::tell_of_access_by_list(ServiceEvent& event) const {
-  const std::uint16_t index = event.entry().index;
-  for (NodeService* service = services_; service != nullptr; service = service->next_) {
-    if (event.answer != 0) return;
-    if (!service->covers(index)) continue;
-    const bool is_link = service->listener_.on_event == &HandlerBinding::on_event;
-    if (is_link && !static_cast<const HandlerBinding*>(service)->covers_object(index)) continue;
-    service->notify(event);
-  }
-}
-
 std::uint32_t Dictionary::notify(ServiceEvent::Kind kind, std::uint32_t number,
                                  const void* subject) const {
   ServiceEvent event{.kind = kind, .number = number, .subject = subject};
@@ -348,146 +278,12 @@ std::uint32_t Dictionary::notify(ServiceEvent& event) const {
   return event.answer;
 }
 
-/// The accesses of a binding are in its table; a service without a table may use all.
-EntryHooks Dictionary::find_hooks(const Entry& entry) {
-  EntryHooks found;
-  if (is_small_machine || entry.state.value->hooks == 0) return found;
-  for (NodeService* service = services_; service != nullptr; service = service->next_) {
-    if (!service->covers(entry.index)) continue;
-    if (service->listener_.on_event != &HandlerBinding::on_event) {
-      const unsigned accesses = service->frequent_.value.accesses;
-      const auto handles = [accesses](ServiceEvent::Kind access) {
-        return (accesses & ServiceEvent::bit_of(access)) != 0;
-      };
-      add_hooks(found, {.context = this,
-                        .ask = handles(ServiceEvent::before_write) ? ask_all : nullptr,
-                        .notify = handles(ServiceEvent::after_write) ? notify_all : nullptr,
-                        .reads = handles(ServiceEvent::before_read)});
-      continue;
-    }
-    const HandlerBinding& link = static_cast<const HandlerBinding&>(*service);
-    const auto in_table = static_cast<std::uint16_t>(entry.index - link.shift_);
-    for (const AccessHandlers& calls : link.calls_->hooks) {
-      if (!calls.covers(in_table, entry.sub)) continue;
-      add_hooks(found, {.context = link.service_,
-                        .ask = calls.before_write,
-                        .notify = calls.after_write,
-                        .reads = calls.before_read != nullptr});
-    }
-  }
-  return found;
-}
-
-/// A second function of a kind, or one with another object, is called by the dictionary.
-void Dictionary::add_hooks(EntryHooks& found, const EntryHooks& more) {
-  found.reads |= more.reads;
-  if (more.ask == nullptr && more.notify == nullptr) return;
-  const bool is_first = found.ask == nullptr && found.notify == nullptr;
-  const bool fits = found.context == more.context &&
-                    (found.ask == nullptr || more.ask == nullptr) &&
-                    (found.notify == nullptr || more.notify == nullptr);
-  if (is_first || fits) {
-    found.context = more.context;
-    if (more.ask != nullptr) found.ask = more.ask;
-    if (more.notify != nullptr) found.notify = more.notify;
-    return;
-  }
-  found.context = this;
-  if (found.ask != nullptr || more.ask != nullptr) found.ask = ask_all;
-  if (found.notify != nullptr || more.notify != nullptr) found.notify = notify_all;
-}
-
-AbortCode Dictionary::ask_all(void* dictionary, const Entry& entry,
-                              std::span<const std::uint8_t> value) {
-  ServiceEvent event{.kind = ServiceEvent::before_write,
-                     .number = static_cast<std::uint32_t>(value.size()),
-                     .subject = &entry,
-                     .data = value.data()};
-  static_cast<const Dictionary*>(dictionary)->notify_access(event);
-  return static_cast<AbortCode>(event.answer);
-}
-
-void Dictionary::notify_all(void* dictionary, const Entry& entry, Source source) {
-  ServiceEvent event{.kind = ServiceEvent::after_write,
-                     .number = static_cast<std::uint32_t>(source),
-                     .subject = &entry};
-  static_cast<const Dictionary*>(dictionary)->notify_access(event);
-}
-
 bool Dictionary::is_watched(const Entry& entry) const {
   if (is_small_machine || entry.watchers() == 0) return false;
   ServiceEvent event{.kind = ServiceEvent::watch_asked,
                      .number = static_cast<std::uint32_t>(entry.value - values_)};
   notify_frequent(event);
   return event.answer != 0;
-}
-
-bool HandlerBinding::covers_object(std::uint16_t index) const {
-  const auto in_table = static_cast<std::uint16_t>(index - shift_);
-  return std::ranges::any_of(calls_->hooks,
-                             [&](const AccessHandlers& calls) { return calls.covers(in_table); });
-}
-
-/// First refusal among its hooks.
-AbortCode HandlerBinding::answer(const ServiceEvent& access) const {
-  const Entry& entry = access.entry();
-  const auto in_table = static_cast<std::uint16_t>(entry.index - shift_);
-  for (const AccessHandlers& calls : calls_->hooks) {
-    if (!calls.covers(in_table, entry.sub)) continue;
-    const AbortCode answer = put_to(calls, service_, access);
-    if (answer != AbortCode::none) return answer;
-  }
-  return AbortCode::none;
-}
-
-/// Calls the handler of its table for the event.
-void HandlerBinding::on_event(NodeService& link, ServiceEvent& event) {
-  const HandlerBinding& self = static_cast<HandlerBinding&>(link);
-  const ServiceHandlers& calls = *self.calls_;
-  void* const service = self.service_;
-  const auto call = [service](auto function, auto... arguments) {
-    if (function != nullptr) function(service, arguments...);
-  };
-  switch (event.kind) {
-    case ServiceEvent::reset:
-      return call(calls.reset, event.scope());
-    case ServiceEvent::state_entered:
-      return call(calls.state_entered, event.state());
-    case ServiceEvent::bus_state_changed:
-    case ServiceEvent::bus_recovered:
-      return call(calls.bus_state_changed, event.bus_state());
-    case ServiceEvent::error_came:
-    case ServiceEvent::error_went:
-      if (calls.error_changed == nullptr) return;
-      return calls.error_changed(service, event.error(), event.kind == ServiceEvent::error_came);
-    case ServiceEvent::values_changed:
-      return call(calls.values_changed, event.watchers());
-    case ServiceEvent::tx_ready:
-      return call(calls.tx_ready);
-    case ServiceEvent::before_read:
-    case ServiceEvent::before_write:
-    case ServiceEvent::after_write:
-      return event.refuse(self.answer(event));
-    default:
-      return;
-  }
-}
-
-void Hook::Link::on_event(NodeService& link, ServiceEvent& event) {
-  const Hook& hook = *static_cast<Link&>(link).hook_;
-  switch (event.kind) {
-    case ServiceEvent::before_read:
-      return event.refuse(hook.before_read(event.entry()));
-    case ServiceEvent::before_write:
-      return event.refuse(hook.before_write(event.entry(), event.value()));
-    case ServiceEvent::after_write:
-      return hook.after_write(event.entry(), event.source());
-    case ServiceEvent::domain_wanted:
-      if (hook.domain != nullptr) event.serve(*hook.domain);
-      return;
-    default:
-      return;
-  }
 }
 
 /// Refreshes an entry; on a small machine with the checks before it, so that they exist once.
@@ -508,28 +304,16 @@ AbortCode check_number(const DictionaryTables& tables, const EntryShape& row,
   return check_limits(row, tables.numbers.data() + row.limits, value);
 }
 
-inline AbortCode Dictionary::write_by_steps(const Entry& entry, std::span<const std::uint8_t> value,
-                                            Source source) {
+// For hosts: without a call in between.
+#ifndef CANVOY_SMALL_MACHINE
+[[gnu::flatten]]
+#endif
+AbortCode
+Dictionary::write(const Entry& entry, std::span<const std::uint8_t> value, Source source) {
   if (!allows(entry.row->access, Access::sdo_write)) return AbortCode::read_only;
   const AbortCode answer = check(entry, value);
-  if (answer != AbortCode::none) return answer;
-  set(entry, value);
-  announce(entry, source);
+  if (answer == AbortCode::none) commit(entry, value, source);
   return answer;
-}
-
-/// For hosts: without a call in between.
-[[gnu::flatten]] AbortCode Dictionary::write_at_once(const Entry& entry,
-                                                     std::span<const std::uint8_t> value,
-                                                     Source source) {
-  if constexpr (is_small_machine) return AbortCode::general;
-  return write_by_steps(entry, value, source);
-}
-
-AbortCode Dictionary::write(const Entry& entry, std::span<const std::uint8_t> value,
-                            Source source) {
-  if constexpr (!is_small_machine) return write_at_once(entry, value, source);
-  return write_by_steps(entry, value, source);
 }
 
 AbortCode Dictionary::write(std::uint16_t index, std::uint8_t sub,
@@ -548,16 +332,22 @@ AbortCode Dictionary::check_value(const EntryShape& row,
 AbortCode Dictionary::check(const Entry& entry, std::span<const std::uint8_t> value) const {
   AbortCode answer = check_length(*entry.row, value.size());
   if (answer == AbortCode::none && tables_.check_number != nullptr) {
-    answer = tables_.check_number(tables_, *entry.row, value.data());
+    // Nearly always it is this one, which then needs no call on a host.
+    const bool is_usual = !is_small_machine && tables_.check_number == &check_number;
+    answer = is_usual ? check_number(tables_, *entry.row, value.data())
+                      : tables_.check_number(tables_, *entry.row, value.data());
   }
-  if (answer != AbortCode::none || !entry.is_hooked(ServiceEvent::before_write)) return answer;
+  return answer == AbortCode::none ? ask(entry, value) : answer;
+}
+
+/// The first refusal of a hook.
+inline AbortCode Dictionary::ask(const Entry& entry, std::span<const std::uint8_t> value) const {
+  if (!entry.is_hooked(ServiceEvent::before_write)) return AbortCode::none;
   ServiceEvent event{.kind = ServiceEvent::before_write,
                      .number = static_cast<std::uint32_t>(value.size()),
                      .subject = &entry,
                      .data = value.data()};
-  if constexpr (is_small_machine) return static_cast<AbortCode>(notify(event));
-  notify_access(event);
-  return static_cast<AbortCode>(event.answer);
+  return static_cast<AbortCode>(notify(event));
 }
 
 void Dictionary::commit(const Entry& entry, std::span<const std::uint8_t> value, Source source) {
@@ -567,14 +357,18 @@ void Dictionary::commit(const Entry& entry, std::span<const std::uint8_t> value,
 
 void Dictionary::announce(const Entry& entry, Source source) {
   if (!entry.is_hooked(ServiceEvent::after_write)) return;
-  if constexpr (is_small_machine) {
-    notify(ServiceEvent::after_write, static_cast<std::uint32_t>(source), &entry);
-  } else {
-    ServiceEvent event{.kind = ServiceEvent::after_write,
-                       .number = static_cast<std::uint32_t>(source),
-                       .subject = &entry};
-    notify_access(event);
-  }
+  notify(ServiceEvent::after_write, static_cast<std::uint32_t>(source), &entry);
+}
+
+// For find_hooks(): the dictionary asks and notifies all.
+
+AbortCode Dictionary::ask_all(void* dictionary, const Entry& entry,
+                              std::span<const std::uint8_t> value) {
+  return static_cast<const Dictionary*>(dictionary)->ask(entry, value);
+}
+
+void Dictionary::notify_all(void* dictionary, const Entry& entry, Source source) {
+  static_cast<Dictionary*>(dictionary)->announce(entry, source);
 }
 
 void Dictionary::set(const Entry& entry, std::span<const std::uint8_t> value) {
@@ -680,150 +474,6 @@ void Dictionary::unwatch(std::uint32_t watchers) {
     states_.value[row].watchers &= ~watchers;
   }
   ++revision_.value;
-}
-
-void Dictionary::attach(Hook& hook) {
-  NodeService& link = hook.link;
-  link.listener_.first = hook.first;
-  link.listener_.last = hook.last;
-  link.next_ = services_;
-  if (services_ == nullptr) last_ = &link.next_;
-  services_ = &link;
-  if constexpr (!is_small_machine) link.frequent_.value.accesses = hook.accesses();
-  mark_hooked(link, hook.first, hook.last, hook.accesses(), true);
-}
-
-/// The rows keep their marks, which are only a hint that a hook may exist; the hook itself is no
-/// longer called.
-void Dictionary::detach(Hook& hook) {
-  NodeService** link = &services_;
-  while (*link != nullptr && *link != &hook.link) link = &(*link)->next_;
-  if (*link == nullptr) return;
-  *link = std::exchange(hook.link.next_, nullptr);
-  if (*link == nullptr) last_ = link;
-  if constexpr (!is_small_machine) {
-    ++revision_.value;
-    for (std::size_t row = 0; row < tables_.objects.size(); ++row) {
-      states_.value[row].remove(hook.link);
-    }
-  }
-}
-
-void Dictionary::mark_hooked(HandlerBinding& service) {
-  for (const AccessHandlers& calls : service.calls_->hooks) {
-    mark_hooked(service, static_cast<std::uint16_t>(calls.first + service.shift_),
-                static_cast<std::uint16_t>(calls.last + service.shift_), calls.accesses());
-  }
-}
-
-void Dictionary::mark_hooked(NodeService& service, std::uint16_t first, std::uint16_t last,
-                             std::uint8_t accesses, bool in_front) {
-  if constexpr (is_small_machine) return;
-  ++revision_.value;
-  for (std::size_t row = 0; row < tables_.objects.size(); ++row) {
-    const ObjectRow& object = tables_.objects[row];
-    if (object.index > last || object.index + object.count - 1 < first) continue;
-    ObjectState& state = states_.value[row];
-    state.hooks |= accesses;
-    state.add(service, in_front);
-  }
-}
-
-inline std::uint64_t Dictionary::default_of(const EntryShape& row, std::uint32_t place,
-                                            std::uint8_t node_id) const {
-  const std::uint64_t number = tables_.number_at(row, place);
-  return has(row.traits, EntryTraits::plus_node_id) ? number + node_id : number;
-}
-
-std::uint64_t Dictionary::default_number(const Entry& entry) const {
-  const ObjectRow& object = *search_object(entry.index);
-  const auto row = entry.row - (tables_.entries.data() + object.entry_first);
-  return tables_.number_at(*entry.row, tables_.defaults_of(object, entry.index)[row]);
-}
-
-/// Values are in the block in the order of the rows, without a gap.
-void Dictionary::restore_defaults(std::uint16_t first, std::uint16_t last, std::uint8_t node_id) {
-  Entry entry;
-  entry.value = values_;
-  for (const ObjectRow& object : tables_.objects) {
-    if constexpr (!is_small_machine) {
-      entry.state.value = states_.value + (&object - tables_.objects.data());
-    }
-    const std::span<const EntryShape> rows = tables_.entries_of(object);
-    const std::uint32_t* places = tables_.defaults_of(object, object.index);
-    for (unsigned index = object.index; index < unsigned{object.index} + object.count; ++index) {
-      const bool is_wanted = index >= first && index <= last;
-      const std::uint32_t* place = places;
-      places += object.default_pitch;
-      if constexpr (!is_small_machine) {
-        if (!is_wanted || entry.watchers() == 0) {
-          std::uint8_t* const next = entry.value + object.pitch;
-          if (is_wanted) restore_unwatched(rows, entry, place, node_id);
-          entry.value = next;
-          continue;
-        }
-      }
-      for (const EntryShape& row : rows) {
-        entry.row = &row;
-        for (unsigned sub = row.sub_first; sub <= row.sub_last; ++sub) {
-          if (is_wanted) restore_default(entry, *place, node_id);
-          entry.value += row.pitch();
-        }
-        ++place;
-      }
-    }
-  }
-}
-
-/// Restores all entries of an object without a notification.
-[[gnu::always_inline]] inline void Dictionary::restore_unwatched(std::span<const EntryShape> rows,
-                                                                 Entry& entry,
-                                                                 const std::uint32_t* place,
-                                                                 std::uint8_t node_id) {
-  std::uint8_t* value = entry.value;
-  for (const EntryShape& row : rows) {
-    const std::uint32_t number =
-        *place + (has(row.traits, EntryTraits::plus_node_id) ? node_id : 0U);
-    const unsigned count = row.sub_last - row.sub_first + 1U;
-    switch (row.is_text() ? 0 : row.capacity) {
-      case 1:
-        value = fill(value, static_cast<std::uint8_t>(number), count);
-        break;
-      case 2:
-        value = fill(value, static_cast<std::uint16_t>(number), count);
-        break;
-      case 4:
-        value = fill(value, number, count);
-        break;
-      default:
-        entry.row = &row;
-        for (unsigned i = 0; i < count; ++i, value += row.pitch()) {
-          entry.value = value;
-          restore_default(entry, *place, node_id);
-        }
-    }
-    ++place;
-  }
-}
-
-inline void Dictionary::restore_default(const Entry& entry, std::uint32_t place,
-                                        std::uint8_t node_id) {
-  const EntryShape& row = *entry.row;
-  std::size_t size = row.capacity;
-  const void* bytes = &place;
-  std::uint64_t wide = 0;
-  if (row.is_text()) {
-    bytes = tables_.texts[place].data();
-    size = tables_.texts[place].size();
-  } else if (size > sizeof place && !is_small_machine) {
-    wide = default_of(row, place, node_id);
-    bytes = &wide;
-  } else if (size > sizeof place) {
-    bytes = &tables_.numbers[place];
-  } else if (has(row.traits, EntryTraits::plus_node_id)) {
-    place += node_id;
-  }
-  set(entry, {static_cast<const std::uint8_t*>(bytes), size});
 }
 
 }  // namespace canvoy

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "canvoy/canopen/device/heap_tables.hpp"
+#include "canvoy/canopen/dictionary/initial_values.hpp"
 #include "canvoy/canopen/testing/held_dictionary.hpp"
 
 namespace canvoy::dictionary_test {
@@ -192,23 +193,52 @@ TEST(DictionaryAccess, CombinesItsBits) {
 
 // Defaults
 
-constexpr auto defaults =
-    lay_out(std::to_array<ObjectRow>({{.index = 0x0FFF, .entry_count = 1},
-                                      {.index = 0x1000, .entry_count = 1},
-                                      {.index = 0x1FFE, .count = 4, .entry_count = 2},
-                                      {.index = 0x2010, .entry_count = 1}}),
-            std::to_array<EntryRow>(
-                {{.access = Access::rw, .initial = 1},
-                 {.type = DataType::unsigned32,
-                  .access = Access::rw,
-                  .traits = EntryTraits::plus_node_id,
-                  .initial = 0x8000'0180},
-                 {.access = Access::rw, .initial = 3},
-                 {.sub_first = 1, .sub_last = 2, .type = DataType::integer40, .initial = -4},
-                 {.type = DataType::real32, .access = Access::rw, .initial = 0x3F80'0000}}));
+constexpr auto defaults = lay_out(
+    std::to_array<ObjectRow>({{.index = 0x0FFF, .entry_count = 1},
+                              {.index = 0x1000, .entry_count = 1},
+                              {.index = 0x1FFE, .count = 4, .entry_count = 2},
+                              {.index = 0x2010, .entry_count = 1},
+                              {.index = 0x2011, .entry_count = 1},
+                              {.index = 0x2012, .entry_count = 1},
+                              {.index = 0x2013, .entry_count = 1}}),
+    std::to_array<EntryRow>(
+        {{.access = Access::rw, .initial = 1},
+         {.type = DataType::unsigned32,
+          .access = Access::rw,
+          .traits = EntryTraits::plus_node_id,
+          .initial = 0x8000'0180},
+         {.access = Access::rw, .initial = 3},
+         {.sub_first = 1, .sub_last = 2, .type = DataType::integer40, .initial = -4},
+         {.type = DataType::real32, .access = Access::rw, .initial = 0x3F80'0000},
+         {.type = DataType::visible_string,
+          .access = Access::rw,
+          .capacity = 4,
+          .initial_text = "ab"},
+         {.type = DataType::unsigned64, .access = Access::rw, .initial = 0x0102'0304'0506'0708},
+         {.access = Access::rw, .traits = EntryTraits::plus_node_id, .initial = 0x10}}));
 
-TEST(DictionaryDefault, IsRestoredForTheObjectsThatAreAskedFor) {
-  Held sut(defaults.tables(), 0x0A);
+/// They are restored row by row, on a host also from a block of all of them.
+class DictionaryDefault : public testing::TestWithParam<bool> {
+ protected:
+  static DictionaryTables tables() {
+    if constexpr (is_small_machine) return defaults.tables();
+    return GetParam() ? tables_with_initial_values<defaults>() : defaults.tables();
+  }
+};
+INSTANTIATE_TEST_SUITE_P(FromABlock, DictionaryDefault, testing::Bool());
+
+TEST_P(DictionaryDefault, IsThatOfTheTypeInTheOrderOfTheWire) {
+  Held sut(tables(), 0x0A);
+  EXPECT_EQ(sut.read(0x0FFF, 0), (Bytes{1}));
+  EXPECT_EQ(sut.read(0x1000, 0), (Bytes{0x8A, 0x01, 0x00, 0x80}));
+  EXPECT_EQ(sut.read(0x1FFF, 2), (Bytes{0xFC, 0xFF, 0xFF, 0xFF, 0xFF}));
+  EXPECT_EQ(sut.read(0x2011, 0), (Bytes{'a', 'b'}));
+  EXPECT_EQ(sut.read(0x2012, 0), (Bytes{8, 7, 6, 5, 4, 3, 2, 1}));
+  EXPECT_EQ(sut.read(0x2013, 0), (Bytes{0x1A}));
+}
+
+TEST_P(DictionaryDefault, IsRestoredForTheObjectsThatAreAskedFor) {
+  Held sut(tables(), 0x0A);
   EXPECT_EQ(sut.dictionary.number(0x1000, 0), 0x8000'018AU);
   EXPECT_EQ(sut.dictionary.number(0x2001, 2), 0xFF'FFFF'FFFCU);
   EXPECT_EQ(sut.read(0x2010, 0), (Bytes{0x00, 0x00, 0x80, 0x3F}));
@@ -262,15 +292,25 @@ TEST(DictionaryChanges, AreNotToldAnyMoreToWhoHasGone) {
   EXPECT_EQ(sut.dictionary.changes(), 0x2U);
 }
 
-TEST(DictionaryChanges, IncludeTheReturnOfADefault) {
-  Held sut(defaults.tables());
+TEST_P(DictionaryDefault, IsAChangeWhereItReturns) {
+  Held sut(tables());
   sut.dictionary.watch(sut.entry(0x0FFF), 1);
+  sut.dictionary.watch(sut.entry(0x1000), 2);
   sut.dictionary.restore_defaults(0, 0xFFFF, 5);
   EXPECT_EQ(sut.dictionary.changes(), 0U);
   sut.dictionary.set_number(0x0FFF, 0, 2);
   sut.dictionary.clear_changes();
   sut.dictionary.restore_defaults(0, 0xFFFF, 5);
   EXPECT_EQ(sut.dictionary.changes(), 1U);
+  EXPECT_EQ(sut.dictionary.number(0x0FFF, 0), 1U);
+  sut.dictionary.clear_changes();
+  sut.dictionary.restore_defaults(0, 0xFFFF, 6);
+  EXPECT_EQ(sut.dictionary.changes(), 2U) << "a default that follows the node-ID";
+  sut.dictionary.set_number(0x1000, 0, 0x8000'0180);
+  sut.dictionary.clear_changes();
+  sut.dictionary.restore_defaults(0, 0xFFFF, 6);
+  EXPECT_EQ(sut.dictionary.changes(), 2U) << "it was as the description has it";
+  EXPECT_EQ(sut.dictionary.number(0x1000, 0), 0x8000'0186U);
 }
 
 }  // namespace

@@ -4,11 +4,7 @@
 
 namespace canvoy {
 
-std::uint32_t load_word(const std::uint8_t* bytes, std::size_t size) {
-  if constexpr (!is_small_machine) {
-    if (size >= sizeof(std::uint32_t)) return load<std::uint32_t>(bytes);
-    if (size == 1) return *bytes;
-  }
+std::uint32_t load_word_by_bytes(const std::uint8_t* bytes, std::size_t size) {
   std::uint32_t number = 0;
   for (std::size_t i = std::min(size, sizeof number); i-- != 0;) {
     number = number << 8 | bytes[i];

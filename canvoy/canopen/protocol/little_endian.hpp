@@ -15,8 +15,21 @@ static_assert(
     std::endian::native == std::endian::little,
     "values are kept as they travel; a big-endian target needs byte swaps in load() and store()");
 
+/// Like load_word(), by a loop.
+std::uint32_t load_word_by_bytes(const std::uint8_t* bytes, std::size_t size);
 /// Loads an unsigned number of `size` bytes, of which the first four count.
-std::uint32_t load_word(const std::uint8_t* bytes, std::size_t size);
+inline std::uint32_t load_word(const std::uint8_t* bytes, std::size_t size) {
+  if constexpr (!is_small_machine) {
+    std::uint32_t number = 0;
+    if (size >= sizeof number) {
+      std::memcpy(&number, bytes, sizeof number);
+      return number;
+    }
+    if (size == 1) return *bytes;
+    if (size == 2) return static_cast<std::uint32_t>(bytes[0] | bytes[1] << 8);
+  }
+  return load_word_by_bytes(bytes, size);
+}
 /// Loads an unsigned number of all bytes, of which the first four count.
 inline std::uint32_t load_word(std::span<const std::uint8_t> bytes) {
   return load_word(bytes.data(), bytes.size());

@@ -100,7 +100,7 @@ inline bool SdoServer::goes_on(AbortCode answer) {
 
 /// A request that begins a transfer, and ends another one.
 bool SdoServer::find(sdo::Message request) {
-  drop();
+  if (is_small_machine || busy()) drop();
   multiplexer_ = request.multiplexer();
   state_ = State::opening;
   return goes_on(entry_.find(multiplexer_));
