@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
-#include "canvoy/devices/kit/device_kind.hpp"
 #include "canvoy/profiles/cia447/device.hpp"
 
 namespace canvoy::cia447 {
@@ -129,21 +128,7 @@ CarDevice::CarDevice(std::span<const CarUnit* const> units, const Port& port, No
     environment.made<CarMaster>(*master_, device_.node());
   }
   environment.made<CarNetwork>(network_, device_.node());
-  for (const CarUnit* kind : units) {
-    Made& made = units_.emplace_back(Made{kind, std::make_unique<std::byte[]>(kind->bytes)});
-    kind->make(made.memory.get(), network_, environment);
-  }
-}
-
-CarDevice::~CarDevice() {
-  for (auto unit = units_.rbegin(); unit != units_.rend(); ++unit) {
-    unit->kind->end(unit->memory.get());
-  }
-}
-
-void* CarDevice::unit(const CarUnit& kind) {
-  const auto found = std::ranges::find(units_, &kind, &Made::kind);
-  return found == units_.end() ? nullptr : found->memory.get();
+  for (const CarUnit* kind : units) units_.make(*kind, network_, environment);
 }
 
 }  // namespace canvoy::cia447

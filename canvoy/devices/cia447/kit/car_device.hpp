@@ -7,8 +7,6 @@
 //     device.node().start(now);
 #pragma once
 
-#include <cstddef>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -17,8 +15,7 @@
 #include "canvoy/devices/cia447/kit/car_master.hpp"
 #include "canvoy/devices/cia447/kit/car_network.hpp"
 #include "canvoy/devices/cia447/kit/car_sleep.hpp"
-#include "canvoy/devices/kit/device.hpp"
-#include "canvoy/devices/kit/environment.hpp"
+#include "canvoy/devices/kit/composed_device.hpp"
 #include "canvoy/devices/kit/part_tables.hpp"
 #include "canvoy/profiles/model/virtual_device.hpp"
 
@@ -31,10 +28,7 @@ struct CarUnit {
   const VirtualDeviceInfo* provides = nullptr;
   std::span<const ObjectInfo* const> consumes = {};  ///< of other devices
   std::span<const ObjectInfo* const> own = {};       ///< of the manufacturer's area
-  std::size_t bytes = 0;                             ///< of memory for make()
-  /// Constructs the unit.
-  void (*make)(void* memory, CarNetwork& network, const Environment& environment) = nullptr;
-  void (*end)(void* memory) = nullptr;  ///< destroys it; the memory stays
+  UnitMaker<CarNetwork> unit;                        ///< makes its unit
 };
 
 /// The objects of such a device, sorted. An object of a provider has priority over that of a
@@ -50,10 +44,14 @@ class CarDevice : public FoundValues<CarDevice> {
   /// is offered to it, and then each unit.
   CarDevice(std::span<const CarUnit* const> units, const Port& port, NodeId node_id,
             const Environment& environment);
-  ~CarDevice();
+  ~CarDevice() { units_.end(); }
   CarDevice(const CarDevice&) = delete;
   CarDevice& operator=(const CarDevice&) = delete;
 
+  /// See car_parts(): with the default heartbeat.
+  static std::vector<Part> parts_of(std::span<const CarUnit* const> units) {
+    return car_parts(units);
+  }
   /// The node of the device: frames and points in time are handed to it.
   Node& node() { return device_.node(); }
   /// Sends errors of the device.
@@ -65,18 +63,12 @@ class CarDevice : public FoundValues<CarDevice> {
   /// Sleep and wake-up.
   CarSleep& sleep() { return sleep_; }
   /// The Kind::Unit of one of its kinds; null if it does not have that kind.
-  void* unit(const CarUnit& kind);
+  void* unit(const CarUnit& kind) { return units_.find(kind); }
   /// Null if it is not the gateway.
   CarMaster* master() { return master_ ? &*master_ : nullptr; }
 
  private:
-  struct Made {
-    const CarUnit* kind;
-    std::unique_ptr<std::byte[]> memory;
-  };
-
-  /// Their timers may be armed until the end: the memory is released after the node.
-  std::vector<Made> units_;
+  UnitsOnHeap<CarUnit> units_;
   MutedPort port_;
   PartTables tables_;
   HeapNode device_;
