@@ -312,7 +312,9 @@ AbortCode
 Dictionary::write(const Entry& entry, std::span<const std::uint8_t> value, Source source) {
   if (!allows(entry.row->access, Access::sdo_write)) return AbortCode::read_only;
   const AbortCode answer = check(entry, value);
-  if (answer == AbortCode::none) commit(entry, value, source);
+  if (answer != AbortCode::none) return answer;
+  set(entry, value);
+  announce(entry, source);
   return answer;
 }
 
