@@ -1,17 +1,8 @@
 // What physical devices have in common that are composed of virtual devices at run time, in memory
 // from the heap, whatever their profile is (CiA 407, CiA 447).
 //
-//     struct CarUnit {             // a row of a profile for its virtual devices, with
-//       DeviceInfo info;
-//       UnitMaker<CarNetwork> unit;
-//       ...
-//     };
-//     template <class Kind>
-//     inline constexpr CarUnit car_unit = {.info = Kind::info,
-//                                          .unit = unit_maker<Kind, CarNetwork>};
-//
-//     UnitsOnHeap<CarUnit> units;  // a member of the device
-//     units.make(car_unit<PrinterKind>, network, environment);
+//     UnitsOnHeap<cia447::CarUnit> units;  // the first member of a device
+//     units.make(kind, network, environment);
 #pragma once
 
 #include <cstddef>

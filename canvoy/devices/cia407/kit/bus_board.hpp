@@ -1,9 +1,9 @@
 // A device of CiA 407 for a board: one virtual device, with the objects that it has in the
 // catalogue (BusDevice), in memory that is known when the program is compiled.
 //
-//     Device<BusBoard<TicketCancellerKind>> canceller(port, 7, {.hardware = ...});
+//     Device<BusBoard<TicketCancellerKind>> canceller(port, 7, hardware);
 //     canceller.node().start(now);
-//     canceller.unit().unit()         // the TicketCancellerUnit
+//     canceller.unit().unit();  // the TicketCancellerUnit
 //
 // Files that the unit does not use (6720h, 6741h) are not taken: 0601 0000h.
 #pragma once
