@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "canvoy/devices/cia417/kit/lift_number.hpp"
@@ -20,8 +21,10 @@ constexpr double overshoot_distance = 300;
 /// With a late position, the car appears to be too fast, the more the faster it is.
 constexpr double beyond_last_floor = 30;
 constexpr double seen_late_s = 0.08;
-/// It may be farther by this distance: a car that stops short of a target shows its distance.
+/// Slipped ropes may have taken it farther, by this distance: the next trip stops short of its
+/// target, and shows the rest.
 constexpr double overshoot_more = 1000;
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 /// Number of the RPDO for `row` of the pre-defined ones.
 constexpr std::uint16_t rpdo_of(unsigned lift, std::uint16_t rpdo) {
@@ -217,6 +220,15 @@ void CarDriveController::learn_drift() {
   if (!is_at_target_ || !position_is_known_) return;
   const double drift = target().raw() - position();
   if (std::abs(drift - drift_) > moving_distance) drift_ = drift;
+  drift_least_ = -unbounded;
+  drift_most_ = unbounded;
+}
+
+/// Within its bounds, so that the car rather stops short of its target than passes it: it is past
+/// the one before.
+double CarDriveController::drift_of_trip() const {
+  return goes_up_ ? std::max(drift_least_, std::min(drift_, drift_most_ - overshoot_more))
+                  : std::min(drift_most_, std::max(drift_, drift_least_ + overshoot_more));
 }
 
 void CarDriveController::take_aim(Aim aim) {
@@ -332,8 +344,8 @@ void CarDriveController::watch_standstill(Time now) {
 }
 
 /// A drive with slipped ropes moves the car past its target, if necessary into the buffers. The
-/// position of its count is known only to this extent: it needs at least its stopping distance to
-/// the target.
+/// position of its count is known only to this extent, from one side: its drift is a bound of the
+/// true one.
 void CarDriveController::watch_overshoot() {
   const bool is_led = aim_ == Aim::trip && mode_.now() == DriveMode::profile_position;
   const double sign = goes_up_ ? 1 : -1;
@@ -341,7 +353,10 @@ void CarDriveController::watch_overshoot() {
   if (!is_led || !goes_there || step_ != Step::taken) return;
   const double past = (car_.nearest_stop(settings_.ramps) - wanted_position_) * sign;
   if (past <= overshoot_distance && !passes_last_floor()) return;
-  drift_ -= sign * (past + overshoot_more);
+  const double bound = target().raw() - wanted_position_ - sign * past;
+  (goes_up_ ? drift_most_ : drift_least_) = bound;
+  // The ropes have slipped once more.
+  if (drift_least_ > drift_most_) (goes_up_ ? drift_least_ : drift_most_) = sign * -unbounded;
   fast_stop();
 }
 
@@ -425,7 +440,7 @@ void CarDriveController::lead_trip(std::uint16_t status) {
     case Step::wanted:
       if (is_acknowledged) return command(immediately);
       // Two PDOs carry the controlword, one of them with the target, which arrives before the edge.
-      target() = std::lround(wanted_position_ + drift_);
+      target() = std::lround(wanted_position_ + drift_of_trip());
       command(immediately);
       step_ = Step::placed;
       node_.timers().arm(timer_, node_.now() + set_point_gap);
@@ -492,6 +507,8 @@ void CarDriveController::lead_homing(std::uint16_t status) {
   if ((status & status_bit::homing_attained) != 0 && step_ == Step::taken) {
     has_homed_ = true;
     drift_ = 0;
+    drift_least_ = -unbounded;
+    drift_most_ = unbounded;
   }
   const bool has_ended = (status & (status_bit::homing_attained | status_bit::homing_error)) != 0;
   if (step_ == Step::taken && has_ended) return reach(has_homed_);

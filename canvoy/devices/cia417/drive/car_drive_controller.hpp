@@ -28,6 +28,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "canvoy/canopen/nmt/remote_state.hpp"
 #include "canvoy/canopen/node/node.hpp"
@@ -163,6 +164,7 @@ class CarDriveController {
   void lead_homing(std::uint16_t status);
   void reach(bool is_reached);
   void learn_drift();
+  double drift_of_trip() const;
   void recover();
   bool has_mode();
   void tell_again(Time now);
@@ -221,6 +223,9 @@ class CarDriveController {
   /// Position of the drive minus that of the position unit. A reset of a node does not move ropes:
   /// it is kept until the drive homes.
   double drift_ = 0;
+  /// Bounds of the drift, where the drive has led the car past a target since it was learnt.
+  double drift_least_ = -std::numeric_limits<double>::infinity();
+  double drift_most_ = std::numeric_limits<double>::infinity();
   bool is_at_target_ = false;  ///< the drive, during a trip
   bool goes_up_ = false;       ///< direction to the target of a trip from its start
   double wanted_velocity_ = 0;

@@ -112,8 +112,35 @@ TEST_F(DriveControllerAtTheWire, StopsACarThatTheDriveLeadsPastItsTarget) {
   hear("181#31 02 00 00 00 00");
   hear("181#33 02 00 00 00 00");
   hear("181#37 02 00 00 00 00");
-  // 301 mm, and a metre for a car that stops short of its target.
-  EXPECT_TRUE(bench.has_sent("180#2F 00 13 1E 00 00")) << "7,699 mm";
+  // On its way down, 301 mm at least let it stop short of its target: it shows the rest there.
+  EXPECT_TRUE(bench.has_sent("180#2F 00 FB 21 00 00")) << "8,699 mm";
+}
+
+/// What is known of a slip is its least extent: up again, a metre more lets the car stop short.
+TEST_F(DriveControllerAtTheWire, StopsShortOfATargetBehindASlipAndKnowsItThen) {
+  begin_trip();
+  hear("18C#82 AE 01 00");  // 11,021 mm
+  hear("185#37 12 40 06 00 00");
+  ASSERT_TRUE(bench.has_sent("180#02 00 E0 2E 00 00")) << "301 mm past 12 m";
+  hear("18C#F8 C6 01 00");
+  hear("181#50 02 00 00 00 00");
+  const auto travel = [this](std::int32_t micrometre) {
+    order([&] { controller().travel_to(micrometre); });
+    hear("181#31 02 00 00 00 00");
+    hear("181#33 02 00 00 00 00");
+    hear("181#37 02 00 00 00 00");
+  };
+  travel(13'000'000);
+  EXPECT_TRUE(bench.has_sent("180#2F 00 B3 2D 00 00")) << "11,699 mm: 301 and 1,000 less";
+  // 12,100 mm by its position unit, 11,699 by its count: it has stopped short, and knows.
+  bench.run_for(5ms);
+  hear("181#37 12 00 00 00 00");
+  hear("185#37 12 00 00 00 00");
+  hear("18C#A8 D8 01 00");
+  hear("181#37 06 00 00 00 00");
+  hear("181#33 06 00 00 00 00");
+  travel(9'000'000);
+  EXPECT_TRUE(bench.has_sent("180#2F 00 97 21 00 00")) << "8,599 mm: 401 less";
 }
 
 TEST_F(DriveControllerAtTheWire, SendsTheEdgeOfBit4AgainWhereATargetIsNotAcknowledged) {
