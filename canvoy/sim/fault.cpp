@@ -22,7 +22,8 @@ std::string sign_of(const FaultPlaceName& place) {
 }
 
 /// Returns what is wrong; empty: nothing.
-std::string take_place(const FaultGrammar& grammar, std::string_view word, AnyFault& fault) {
+std::string take_place(const FaultGrammar& grammar, std::string_view word, AnyFault& fault,
+                       std::vector<std::uint8_t AnyFault::*>& taken) {
   const std::size_t sign = std::min(word.find('='), word.size());
   const std::string_view digits = word.substr(std::min(sign + 1, word.size()));
   const auto found = std::ranges::find(grammar.places, word.substr(0, sign), &FaultPlaceName::name);
@@ -34,12 +35,16 @@ std::string take_place(const FaultGrammar& grammar, std::string_view word, AnyFa
     return "'" + std::string(word) + "' is no place; there " +
            (known.empty() ? "are none here" : "are " + known);
   }
+  if (std::ranges::find(taken, found->member) != taken.end()) {
+    return "'" + std::string(word) + "': another place of the kind is named before";
+  }
+  taken.push_back(found->member);
   unsigned number = 0;
   if (found->most != 0) {
     const char* const end = digits.data() + digits.size();
     const auto [stop, error] = std::from_chars(digits.data(), end, number);
-    if (error != std::errc{} || stop != end || number > found->most) {
-      return "'" + std::string(digits) + "' is no number up to " + std::to_string(found->most);
+    if (error != std::errc{} || stop != end || number == 0 || number > found->most) {
+      return "'" + std::string(digits) + "' is no number from 1 to " + std::to_string(found->most);
     }
   }
   fault.*(found->member) = static_cast<std::uint8_t>(number);
@@ -74,10 +79,11 @@ std::string take(const FaultGrammar& grammar, std::string_view text, AnyFault& f
   if (at == std::string_view::npos) {
     return "when? write " + name + "@20min or " + name + "@20min+30s";
   }
+  std::vector<std::uint8_t AnyFault::*> taken;
   for (places.remove_prefix(colon); !places.empty();) {
     places.remove_prefix(1);
     const std::string_view word = places.substr(0, std::min(places.find(':'), places.size()));
-    std::string wrong = take_place(grammar, word, fault);
+    std::string wrong = take_place(grammar, word, fault, taken);
     if (!wrong.empty()) return wrong;
     places.remove_prefix(word.size());
   }

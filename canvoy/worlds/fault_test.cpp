@@ -73,9 +73,15 @@ TEST(FaultText, ThatIsWrongIsRefusedInOneLine) {
       {"not-ready@1s@2s", "the start is"},
       {"not-ready:lift=1@1s", "there are node=, group"},
       {"not-ready:@1s", "'' is no place"},
-      {"not-ready:node@1s", "'' is no number up to 127"},
-      {"not-ready:node=128@1s", "'128' is no number up to 127"},
-      {"not-ready:node=-1@1s", "is no number up to 127"},
+      {"not-ready:node@1s", "'' is no number from 1 to 127"},
+      {"not-ready:node=128@1s", "'128' is no number from 1 to 127"},
+      {"not-ready:node=-1@1s", "is no number from 1 to 127"},
+      {"not-ready:node=0@1s", "'0' is no number from 1 to 127"},
+      {"not-ready:node=nan@1s", "'nan' is no number from 1 to 127"},
+      {"not-ready:node=5.5@1s", "'5.5' is no number from 1 to 127"},
+      {"not-ready:node=99999999999999999999@1s", "is no number from 1 to 127"},
+      {"not-ready:node=5:node=6@1s", "'node=6': another place of the kind is named before"},
+      {"not-ready:group:group@1s", "'group': another place of the kind is named before"},
       {"not-ready:group=1@1s", "'group=1' is no place"},
   };
   for (const Case& wrong : cases) {

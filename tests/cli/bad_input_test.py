@@ -2,6 +2,7 @@
 """Whatever is wrong on the command line or with what it names: one line that says what and what to do, status 1 or 2."""
 
 import pathlib
+import re
 import socket
 import sys
 import tempfile
@@ -356,6 +357,89 @@ class BadInput(CommandTest):
         commands = [[], ["run", "charger"], *([name] for name in names)]
         for command in commands:
             self.assertIn("Usage:", self.assert_done(run(*command, "--help")))
+
+
+# What is read as a number by strtod() or std::from_chars(), or almost, and is none that can be meant.
+NO_NUMBERS = ["nan", "-nan", "nan(5)", "inf", "-inf", "infinity", "1e999", "-1e999", "99999999999999999999999", "0x", ""]
+
+# Where a number is part of a text: {} stands for it.
+TEXTS_WITH_NUMBERS = [
+    ["run", "charger", "--goal", "{}@06:00"],
+    ["run", "charger", "--goal", "80@{}:00"],
+    ["run", "charger", "--goal", "80@06:{}"],
+    ["run", "charger", "--supply", "{}"],
+    ["run", "charger", "--state-of-charge", "{}"],
+    ["run", "charger", "--chargers", "{}"],
+    ["run", "lift", "--percent", "{}"],
+    ["run", "lift", "--lifts", "{}"],
+    ["run", "charger", "--for", "{}min"],
+    ["run", "charger", "--seed", "{}"],
+    ["run", "charger", "--speed", "{}"],
+    ["run", "charger", "--fault", "too-hot@{}min"],
+    ["run", "charger", "--fault", "too-hot@1min+{}s"],
+    ["device", "battery", "sim", "--set", "temperature={}@1s"],
+    ["device", "battery", "sim", "--set", "temperature=20@{}s"],
+    ["device", "battery", "sim", "--state-of-charge", "{}"],
+    ["device", "lift-load", "sim", "--load", "{}@10s"],
+    ["device", "lift-light-barrier", "sim", "--in-door", "{}s+5s"],
+    ["device", "ivn-gateway", "sim", "--speed", "{}@3s"],
+    ["device", "navigation", "sim", "--set", "destination={},11@1s"],
+    ["device", "navigation", "sim", "--set", "destination=48,{}@1s"],
+    ["write", QUIET, "10", "2000", "{}", "--type", "i16"],
+    ["monitor", QUIET, "--count", "{}"],
+]
+
+
+class NoNumbers(CommandTest):
+    """What is no finite number is refused wherever one is taken, and so is a place of a fault that is not there."""
+
+    def test_in_each_text_that_has_one(self):
+        for arguments in TEXTS_WITH_NUMBERS:
+            for number in NO_NUMBERS:
+                words = [word.format(number) for word in arguments]
+                with self.subTest(words=words):
+                    self.assert_refused(run(*words), USAGE)
+
+    def test_in_a_value_of_an_object(self):
+        for number in NO_NUMBERS:
+            # A real has 1e23; what is greater than a REAL32 is none.
+            if number.startswith("9"):
+                continue
+            with self.subTest(number=number):
+                self.assert_refused(run("write", QUIET, "10", "2000", number, "--type", "r32"), USAGE)
+
+    def test_in_each_hand_of_each_device_that_takes_one(self):
+        devices = [line.split()[0] for line in self.assert_done(run("device", "--list")).splitlines()]
+        hands = 0
+        for device in devices:
+            for line in run("device", device, "--hands").stdout.splitlines():
+                name = re.match(rf"{device} +([a-z0-9.-]+)(?: to [a-z0-9.-]+)?= .*[0-9] to -?[0-9]", line)
+                if not name:
+                    continue
+                hands += 1
+                for number in ("nan", "-inf", "1e999"):
+                    with self.subTest(device=device, hand=name[1], number=number):
+                        self.assert_refused(run("device", device, "sim", "--set", f"{name[1]}={number}@1s"), USAGE, name[1].rstrip("0123456789"))
+        self.assertGreater(hands, 40)
+
+    def test_in_each_place_of_each_fault_of_each_world(self):
+        worlds = re.findall(r"^  ([a-z-]+) ", run("run", "--help").stdout.partition("Subcommands:")[2].partition("\n\n")[0], re.MULTILINE)
+        beyond = {"lift": "8", "floor": "200", "node": "127", "bay": "16", "axis": "5"}
+        faults = 0
+        for world in worlds:
+            help_of_faults = run("run", world, "--help").stdout.partition("--fault")[2].partition("--link")[0]
+            places = re.findall(r":([a-z]+)=NUMBER", help_of_faults)
+            kinds = re.findall(r"^ {36}([a-z-]+): ", help_of_faults, re.MULTILINE)
+            self.assertTrue(places and kinds, help_of_faults)
+            faults += len(kinds)
+            for kind in kinds:
+                for place in places:
+                    more = ["-1", "256", "1.5", "4294967297", *NO_NUMBERS] if kind == kinds[0] else []
+                    for value in ["0", "255", beyond[place], *more]:
+                        text = f"{kind}:{place}={value}@1min"
+                        with self.subTest(world=world, fault=text):
+                            self.assert_refused(run("run", world, "--fault", text), USAGE, kind)
+        self.assertGreater(faults, 70)
 
 
 class Misspelt(CommandTest):

@@ -81,7 +81,7 @@ class RunLift(CommandTest):
             (["--fault", "smoke:group@1s", "--lifts", "2"], "it is no fault of a group"),
             (["--fault", "lost-node:group@1s"], "fault lost-node: there is no group"),
             (["--fault", "fire-brigade:group@1s", "--lifts", "2"], "it is no fault of a group"),
-            (["--fault", "babbling-node:node=x@1s"], "'x' is no number up to 127"),
+            (["--fault", "babbling-node:node=x@1s"], "'x' is no number from 1 to 127"),
             (["--fault", "fire-alarm"], "when? write fire-alarm@20min"),
             (["--fault", "lost-node@4min"], "begins after the end"),
         ]:

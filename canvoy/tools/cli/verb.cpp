@@ -4,7 +4,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -39,6 +41,23 @@ std::string finite_only(const std::string& text) {
   return !is_number || std::isfinite(value) ? "" : fmt::format("{} is no finite number", text);
 }
 
+/// A number beyond 64 bits is read as the greatest one, without a word.
+std::string in_64_bits_only(const std::string& text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error != std::errc::result_out_of_range
+             ? ""
+             : fmt::format("'{}' is no whole number up to {}", text, UINT64_MAX);
+}
+
+std::string counts(const std::string& text) {
+  std::uint64_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  const bool is_count = error == std::errc{} && stop == end && value != 0;
+  return is_count ? "" : fmt::format("'{}' is no whole number above 0", text);
+}
+
 CLI::Option* add_row(CLI::App& app, const OptionRow& row) {
   return std::visit(
       [&](auto* place) {
@@ -51,6 +70,9 @@ CLI::Option* add_row(CLI::App& app, const OptionRow& row) {
         } else if constexpr (std::is_same_v<Place, double*> ||
                              std::is_same_v<Place, std::optional<double>*>) {
           return app.add_option(name, *place, about)->check(finite_only);
+        } else if constexpr (std::is_same_v<Place, std::uint64_t*> ||
+                             std::is_same_v<Place, std::optional<std::uint64_t>*>) {
+          return app.add_option(name, *place, about)->check(in_64_bits_only);
         } else {
           return app.add_option(name, *place, about);
         }
@@ -66,7 +88,10 @@ struct AddCheck {
   void operator()(const Within<Number>& limits) const {
     option.check(CLI::Range(limits.least, limits.most));
   }
-  void operator()(AboveZero /*limit*/) const { option.check(CLI::PositiveNumber); }
+  void operator()(AboveZero /*limit*/) const {
+    const std::string name = "POSITIVE";
+    option.check(CLI::Validator([](std::string& said) { return counts(said); }, name, name));
+  }
   void operator()(const OneOf& words) const {
     option.check(CLI::IsMember(std::vector<std::string>(words.begin(), words.end())));
   }

@@ -222,7 +222,8 @@ TEST(LiftFault, SaysWhatIsWrong) {
     }
     return "";
   };
-  EXPECT_EQ(why("lost-node:lift=9@1s"), "fault 'lost-node:lift=9@1s': '9' is no number up to 8");
+  EXPECT_EQ(why("lost-node:lift=9@1s"),
+            "fault 'lost-node:lift=9@1s': '9' is no number from 1 to 8");
   EXPECT_EQ(why("lost-node:house=1@1s"),
             "fault 'lost-node:house=1@1s': 'house=1' is no place; there are lift=, group, node=, "
             "floor=");
