@@ -52,6 +52,12 @@ class RunYard(CommandTest):
         self.assertEqual(result.returncode, UNDECIDED)
         self.assertIn("\n  ----  battery 1: not decided: missing of its charge at the time of the goal\n", result.stdout)
 
+    def test_vehicles_come_with_the_state_of_charge_that_is_asked_for(self):
+        lines = self.assert_told(run("run", "charger", "--chargers", "4", "--state-of-charge", "50", "--for", "40min", "--json"))
+        came = [line["state_of_charge_percent"] for line in lines if line["event"] == "battery-comes"]
+        self.assertEqual(len(came), 4)
+        self.assertTrue(all(50 <= each <= 80 for each in came), came)
+
     def test_json_has_bays_and_vehicles(self):
         lines = self.assert_told(run(*NIGHT, "--for", "1h", "--json"))
         end = lines[-1]
@@ -93,15 +99,38 @@ class RunYard(CommandTest):
         moves = [(line["event"], round(line["time"])) for line in lines if line["event"].startswith("battery-")]
         self.assertEqual(moves, [("battery-comes", 0), ("battery-plugged", 0), ("battery-leaves", 1800), ("battery-comes", 5400), ("battery-plugged", 5400)])
 
+    def test_a_hand_acts_in_its_bay(self):
+        path = self.file('network = "charger"\nfor = "20min"\n'
+                         '[[hands]]\nat = "10min"\ndevice = "battery"\nbay = 2\nset = "ready=no"\n'
+                         '[[hands]]\nat = "15min"\ndevice = "charger"\nset = "pilot-signal=lost"\n'
+                         '[yard]\nchargers = 2\n[[vehicle]]\n[[vehicle]]\nbay = 2\n')  # fmt: skip
+        lines = self.assert_told(run("run", path, "--json"))
+        hands = [(line["time"], line["bay"], line["node"], line["hand"]) for line in lines if line["event"] == "hand"]
+        self.assertEqual(hands, [(600.0, 2, 10, "ready=no"), (900.0, 1, 5, "pilot-signal=lost")])
+        reasons = [(int(line["time"]), line["bay"], line["reason"]) for line in lines if line["event"] == "reason" and line["time"] > 590]
+        self.assertEqual(reasons, [(600, 2, "the battery is not ready"), (900, 1, "no pilot signal")])
+        self.assertEqual(lines[-1]["bays"][1]["reason"], "the battery is not ready")
+        printed = self.assert_done(run("run", path, "--print"))
+        self.assertEqual(self.assert_told(run("run", self.file(printed), "--json")), lines)
+
     def test_what_cannot_be_is_refused_in_a_line(self):
         for arguments, *parts in (
             (["--goal", "80"], "'80' is no goal", "80@06:00"),
             (["--goal", "120@06:00"], "is no goal"),
             (["--goal", "80@24:00"], "is no goal"),
+            (["--chargers", "2", "--battery", "lithium,plain,lead-acid"], "3 kinds of batteries for 2 bays"),
+            (["--battery", "lithium,plain"], "2 kinds of batteries for 1 bay:"),
+            (["--goal", "nan@06:00"], "is no goal"),
+            (["--goal", "inf@06:00"], "is no goal"),
+            (["--goal", "1e999@06:00"], "is no goal"),
+            (["--goal", "80@1e1:00"], "is no goal"),
+            (["--goal", "80@06:60"], "is no goal"),
             (["--battery", "lead"], "there is no battery 'lead'", "lead-acid, lithium, plain"),
             (["--chargers", "17"], "--chargers"),
             (["--chargers", "0"], "--chargers"),
             (["--batteries", "65"], "--batteries"),
+            (["--chargers", "2", "--fault", "pdo-loss:bay=0@1min"], "'0' is no number from 1 to 16"),
+            (["--chargers", "2", "--fault", "pdo-loss:bay=1:bay=2@1min"], "'bay=2'", "named before"),
             (["--fault", "pdo-loss:bay=2@1min"], "pdo-loss:bay=2@1min", "one bay"),
             (["--chargers", "3", "--fault", "pdo-loss:bay=4@1min"], "bays 1 to 3"),
         ):
@@ -113,11 +142,13 @@ class RunYard(CommandTest):
             ("[yard]\n[[vehicle]]\nbay = 2\n", "bay 2", "bays 1 to 1"),
             ('[yard]\n[[vehicle]]\narrives = "2h"\nleaves = "1h"\n', "leaves before it arrives"),
             ('[yard]\n[[vehicle]]\nreturns = "1h"\n', "returns before it leaves"),
+            ('[yard]\nbattery = ["plain", "plain"]\n', "2 kinds of batteries for 1 bay:"),
             ("[yard]\nbatteries = 2\n[[vehicle]]\n", "2 batteries and 1 vehicles"),
             ("[battery]\nid = 7\n[yard]\nchargers = 3\none_bus = true\n", "on one bus, 3 chargers"),
             ('[bus]\nreal = "can0"\n[yard]\nchargers = 2\n', "no real bus"),
             ("[battery]\nplayed = false\n[yard]\nchargers = 2\n", "played as a whole"),
-            ('[[hands]]\nat = "1min"\ndevice = "battery"\nset = "ready=no"\n[yard]\nchargers = 2\n', "hands"),
+            ('[[hands]]\nat = "1min"\ndevice = "battery"\nbay = 3\nset = "ready=no"\n[yard]\nchargers = 2\n', "hands", "bays are 1 to 2"),
+            ('[[hands]]\nat = "1min"\ndevice = "battery"\nbay = 2\nset = "ready=no"\n', "hands", "there is one bay"),
         ):
             self.assert_refused(run("run", self.file(head + text)), FAILED, *parts)
 

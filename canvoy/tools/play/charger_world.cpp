@@ -1,4 +1,9 @@
 // canvoy run charger: plays the network of a battery and its charger.
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <utility>
+
 #include "canvoy/text/time_text.hpp"
 #include "canvoy/tools/device/wired_hands.hpp"
 #include "canvoy/tools/device/wired_things.hpp"
@@ -34,10 +39,19 @@ ChargerPlace place_of(const ChargerOptions& options, std::string_view device) {
   return {options.battery_id, options.plays_battery};
 }
 
+SettingTable<HandOfFile> charging_hand_table() {
+  SettingTable<HandOfFile> table = hand_table(R"(`"charger"` or `"battery"`)");
+  table.settings.push_back(place_setting(
+      "bay", "of a yard; without it, the first one", charger::yard_chargers_max,
+      [](const HandOfFile& hand) { return hand.bay; },
+      [](HandOfFile& hand, unsigned value) { hand.bay = value; }));
+  return table;
+}
+
 /// Reads each `[[hands]]`, after the tables of the devices.
 FilePart<ChargerRun> charging_hands() {
   return several<ChargerRun, HandOfFile>(
-      [](const ChargerRun&) { return hand_table(R"(`"charger"` or `"battery"`)"); },
+      [](const ChargerRun&) { return charging_hand_table(); },
       [](const ChargerRun& run) { return run.hands; },
       [](const TomlTable& table, ChargerRun& run, HandOfFile hand) {
         if (hand.device != "charger" && hand.device != "battery") {
@@ -54,36 +68,68 @@ FilePart<ChargerRun> charging_hands() {
       });
 }
 
-/// The network, with the hands of a file.
-class PlayedCharging : public Played<charger::ChargerNetwork>, private WiredThings {
+/// Hands of a file at charger and battery of a bay.
+class BayHands : private WiredThings {
  public:
-  explicit PlayedCharging(const ChargerRun& run) : Played(run.network) {
-    for (const HandOfFile& hand : run.hands) {
-      const bool is_charger = hand.device == "charger";
-      const HandTable table = {is_charger ? "charger" : "battery",
-                               is_charger ? charger_hands_ : battery_hands_};
-      const NodeId node = place_of(run.network, hand.device).id;
-      plan_hand(world(), hand, checked_order(hand, {&table, 1}),
-                [this, node](Time now, const HandOrder& order, const std::string& text) {
-                  const bool is_done =
-                      order.hand->act({.unit = static_cast<WiredThings*>(this)}, order.value);
-                  network_.note_hand(
-                      now,
+  using Note = std::function<void(Time, const HandActed&)>;
+
+  /// All must outlive the last run of `world`, as this object must.
+  BayHands(World& world, ChargingPlant& plant, Note note)
+      : world_(world), plant_(plant), note_(std::move(note)) {}
+
+  /// `options` are those of the bay.
+  void plan(const HandOfFile& hand, const ChargerOptions& options) {
+    const bool is_charger = hand.device == "charger";
+    const HandTable table = {is_charger ? "charger" : "battery",
+                             is_charger ? charger_hands_ : battery_hands_};
+    const NodeId node = place_of(options, hand.device).id;
+    plan_hand(world_, hand, checked_order(hand, {&table, 1}),
+              [this, node](Time now, const HandOrder& order, const std::string& text) {
+                const bool is_done =
+                    order.hand->act({.unit = static_cast<WiredThings*>(this)}, order.value);
+                note_(now,
                       {.node = node, .what = text, .refused = is_done ? "" : "not in this state"});
-                });
-    }
+              });
   }
 
  private:
-  ChargingPlant* charging() override { return &network_.plant(); }
+  ChargingPlant* charging() override { return &plant_; }
 
+  World& world_;
+  ChargingPlant& plant_;
+  Note note_;
   std::vector<DeviceHand> charger_hands_ = wired_hands("charger", Environment());
   std::vector<DeviceHand> battery_hands_ = wired_hands("battery", Environment());
 };
 
+/// The network, with the hands of a file.
+class PlayedCharging : public Played<charger::ChargerNetwork> {
+ public:
+  explicit PlayedCharging(const ChargerRun& run)
+      : Played(run.network),
+        hands_(network_.world(), network_.plant(),
+               [this](Time now, const HandActed& acted) { network_.note_hand(now, acted); }) {
+    for (const HandOfFile& hand : run.hands) hands_.plan(hand, run.network);
+  }
+
+ private:
+  BayHands hands_;
+};
+
 class PlayedYard : public Played<charger::ChargingYard> {
  public:
-  explicit PlayedYard(const ChargerRun& run) : Played(yard_of(run.yard, run.network)) {}
+  explicit PlayedYard(const ChargerRun& run) : Played(yard_of(run.yard, run.network)) {
+    for (std::size_t i = 0; i < network_.bays(); ++i) {
+      charger::ChargingBay& bay = network_.bay(i);
+      hands_.push_back(std::make_unique<BayHands>(
+          network_.world(), bay.devices().plant(),
+          [&bay](Time now, const HandActed& acted) { bay.note(now, acted); }));
+    }
+    for (const HandOfFile& hand : run.hands) {
+      const std::size_t bay = hand.bay == 0 ? 0 : hand.bay - 1;
+      hands_[bay]->plan(hand, network_.bay(bay).options());
+    }
+  }
 
   std::vector<std::string> bus_names() const override {
     std::vector<std::string> names;
@@ -93,6 +139,9 @@ class PlayedYard : public Played<charger::ChargingYard> {
     return names;
   }
   std::vector<Judged> judged() const override { return judged_of(network_); }
+
+ private:
+  std::vector<std::unique_ptr<BayHands>> hands_;
 };
 
 /// `[yard]` and each `[[vehicle]]`, which are not in the file of one charger.
@@ -248,7 +297,10 @@ void ChargerWorld::check(const TomlTable& file, const std::string&, Run& run) {
     const std::string wrong = wrong_of_yard(run.yard, options);
     if (!wrong.empty()) file.refuse("yard", wrong);
     if (!run.real.empty()) file.refuse("real", "a yard is on no real bus");
-    if (!run.hands.empty()) file.refuse("hands", "they are of one charger and one battery");
+  }
+  const unsigned bays = run.yard.is_given ? run.yard.chargers : 1;
+  if (std::ranges::any_of(run.hands, [bays](const HandOfFile& hand) { return hand.bay > bays; })) {
+    file.refuse("hands", bays == 1 ? "there is one bay" : fmt::format("bays are 1 to {}", bays));
   }
   if (options.plays_charger && options.plays_battery) return;
   if (run.real.empty()) file.refuse("who is not played is on a real bus: write real = \"can0\"");
@@ -266,7 +318,9 @@ ChargerRun ChargerWorld::run_of_file() {
 void ChargerWorld::add_options(Verb& verb, Choice& choice) {
   verb.add({
       {"--state-of-charge", choice.state_of_charge,
-       "of the battery at the start, in % (default 20)", between(0.0, 100.0)},
+       "of the battery at the start, in % (default 20); a vehicle of a yard comes with this, or up "
+       "to 30 % more",
+       between(0.0, 100.0)},
       {"--ambience", choice.ambience, "temperature, in °C (default 20)", between(-40.0, 85.0)},
       {"--begin", choice.begin,
        "date and time of the charger's clock at the start (default 2026-11-21 "

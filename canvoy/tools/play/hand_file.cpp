@@ -1,5 +1,7 @@
 #include "canvoy/tools/play/hand_file.hpp"
 
+#include <cmath>
+#include <optional>
 #include <utility>
 
 #include "canvoy/sim/duration_text.hpp"
@@ -25,6 +27,25 @@ SettingTable<HandOfFile> hand_table(std::string device) {
                 .is_needed = true}),
            setting<&HandOfFile::press>("press", "a key, as in hands.md: `hire`"),
            setting<&HandOfFile::set>("set", "or what it senses: `paper=no`")}};
+}
+
+Setting<HandOfFile> place_setting(std::string key, std::string help, unsigned most,
+                                  std::function<unsigned(const HandOfFile&)> get,
+                                  std::function<void(HandOfFile&, unsigned)> set) {
+  return mapped<HandOfFile, double>(
+      {.key = std::move(key),
+       .takes = fmt::format("a whole number from 1 to {}", most),
+       .read =
+           [set = std::move(set)](HandOfFile& hand, double value) {
+             if (value != std::floor(value)) throw UsageError("it is a whole number");
+             set(hand, static_cast<unsigned>(value));
+           },
+       .write = [get = std::move(get)](const HandOfFile& hand) -> std::optional<double> {
+         const unsigned value = get(hand);
+         return value == 0 ? std::nullopt : std::optional<double>(value);
+       },
+       .range = {1, static_cast<double>(most)}},
+      std::move(help));
 }
 
 HandOrder checked_order(const HandOfFile& hand, std::span<const HandTable> tables) {

@@ -29,16 +29,21 @@ struct HandOfFile {
   std::string press{};  ///< either this
   std::string set{};    ///< `paper=no`
 
-  // For a building with several devices of a kind.
+  // For a world with several devices of a kind.
   unsigned lift = 1;
   NodeId node = 0;     ///< 0: the first one
   unsigned floor = 0;  ///< floor of the device; 0: the first one
+  unsigned bay = 0;    ///< of a charging yard; 0: the first one
 
   const std::string& order() const { return press.empty() ? set : press; }
 };
 
 /// The keys of `[[hands]]`.
 SettingTable<HandOfFile> hand_table(std::string device = "the name of a device's table");
+/// A key of `[[hands]]` for a place, a number from 1 to `most`; 0: not written.
+Setting<HandOfFile> place_setting(std::string key, std::string help, unsigned most,
+                                  std::function<unsigned(const HandOfFile&)> get,
+                                  std::function<void(HandOfFile&, unsigned)> set);
 /// The order for a device with these tables; their hands must outlive it. Throws Failure with file
 /// and line if the device has no such hand.
 HandOrder order_of(const TomlTable& table, const HandOfFile& hand,

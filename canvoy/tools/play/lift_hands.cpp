@@ -52,25 +52,6 @@ void check_place(const TomlTable& table, const NodeDescription* node, const Hand
   if (!node->played) table.refuse("device", "it is not played here: its hands are where it is");
 }
 
-Setting<HandOfFile> place_setting(std::string key, std::string help, unsigned most,
-                                  std::function<unsigned(const HandOfFile&)> get,
-                                  std::function<void(HandOfFile&, unsigned)> set) {
-  return mapped<HandOfFile, double>(
-      {.key = std::move(key),
-       .takes = fmt::format("a whole number from 1 to {}", most),
-       .read =
-           [set = std::move(set)](HandOfFile& hand, double value) {
-             if (value != std::floor(value)) throw UsageError("it is a whole number");
-             set(hand, static_cast<unsigned>(value));
-           },
-       .write = [get = std::move(get)](const HandOfFile& hand) -> std::optional<double> {
-         const unsigned value = get(hand);
-         return value == 0 ? std::nullopt : std::optional<double>(value);
-       },
-       .range = {1, static_cast<double>(most)}},
-      std::move(help));
-}
-
 SettingTable<HandOfFile> lift_hand_table() {
   SettingTable<HandOfFile> table = hand_table("a device of a lift, as `\"lift-door\"`");
   table.settings.push_back(place_setting(

@@ -191,6 +191,10 @@ std::string wrong_of_yard(const YardSettings& yard, const ChargerOptions& networ
                          fmt::join(charger::battery_kind_names, ", "));
     }
   }
+  if (yard.kinds.size() > yard.chargers) {
+    return fmt::format("there are {} kinds of batteries for {} bay{}: give each bay one, or fewer",
+                       yard.kinds.size(), yard.chargers, yard.chargers == 1 ? "" : "s");
+  }
   if (!yard.goal.empty() && !parse_goal(yard.goal)) {
     return fmt::format("'{}' is no goal: write 80@06:00, for 80 % at six o'clock", yard.goal);
   }
