@@ -15,8 +15,8 @@ struct InvariantRow {
   std::string_view name;  ///< `no_endless_wait`
   std::string_view text;  ///< text before a measure: `longest wait`
   std::string_view unit;  ///< unit of the measure: `s`; empty: a count
-  /// Source of the bound: a norm with its clause, `file` or `canvoy`; empty: not stated.
-  std::string_view bound{};
+  /// Source of the bound: a norm with its clause, `file` or `canvoy`.
+  std::string_view bound = "canvoy";
 };
 
 inline constexpr std::size_t no_fault = ~std::size_t{0};  ///< of Invariant::fault: about none

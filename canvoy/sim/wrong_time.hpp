@@ -5,6 +5,7 @@
 //     WrongTime sign;
 //     sign.judge(now, sign_is_right);    // each step
 //     sign.pass(now);                    // where it cannot be seen, or is excused
+//     sign.rest(now);                    // where nothing could be wrong
 //     if (sign.worst() > 3s) ...
 #pragma once
 
@@ -23,16 +24,11 @@ class WrongTime {
 
   /// Call it in each step.
   void judge(Time now, bool is_right) {
-    if (!is_right) {
-      wrong_ += now - looked_at_;
-      wrong_at_ = now;
-    } else if (now - wrong_at_ > lull_) {
-      wrong_ = {};
-    }
-    looked_at_ = now;
-    worst_ = std::max(worst_, wrong_);
+    measure(now, is_right);
     ++judged_;
   }
+  /// Where nothing could be wrong at present: as right, but not as a judgement.
+  void rest(Time now) { measure(now, true); }
   /// Does not judge; no interval extends across this time.
   void pass(Time now) {
     looked_at_ = now;
@@ -49,6 +45,17 @@ class WrongTime {
   std::uint64_t judged() const { return judged_; }
 
  private:
+  void measure(Time now, bool is_right) {
+    if (!is_right) {
+      wrong_ += now - looked_at_;
+      wrong_at_ = now;
+    } else if (now - wrong_at_ > lull_) {
+      wrong_ = {};
+    }
+    looked_at_ = now;
+    worst_ = std::max(worst_, wrong_);
+  }
+
   Duration lull_{};
   Time looked_at_{};
   Time wrong_at_{};

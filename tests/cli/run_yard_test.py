@@ -52,6 +52,10 @@ class RunYard(CommandTest):
         self.assertEqual(result.returncode, UNDECIDED)
         self.assertIn("\n  ----  battery 1: not decided: missing of its charge at the time of the goal\n", result.stdout)
 
+    def test_where_nothing_is_charged_nothing_is_decided(self):
+        end = self.assert_told(run("run", "charger", "--chargers", "2", "--for", "10s", "--json"))[-1]
+        self.assertEqual([each["invariant"] for each in end["invariants"] if each["decided"]], [])
+
     def test_vehicles_come_with_the_state_of_charge_that_is_asked_for(self):
         lines = self.assert_told(run("run", "charger", "--chargers", "4", "--state-of-charge", "50", "--for", "40min", "--json"))
         came = [line["state_of_charge_percent"] for line in lines if line["event"] == "battery-comes"]

@@ -48,7 +48,7 @@ inline constexpr ObjectInfo extended_diagnostic_message_file_object = {
     .clause = "9.2.27.2",
     .errata = "91, 92",
     .description =
-        "Lines of 7-bit ASCII: all messages since somebody wrote a 0 to it; other values "
+        "Lines of 7-bit ASCII: all messages since a 0 was written to it; other values "
         "are refused (0609 0030h).",
     .entry = {.type = DataType::domain,
               .access = Access::rw,

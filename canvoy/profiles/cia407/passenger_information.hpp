@@ -174,9 +174,9 @@ inline constexpr ObjectInfo display_mapping_object_reversed =
 enum class BusStop : std::uint8_t { not_requested = 0, requested = 1 };
 inline constexpr NamedValue bus_stop_requests[] = {
     {BusStop::not_requested, "bus stop not requested"}, {BusStop::requested, "bus stop requested"}};
-inline constexpr auto bus_stop_request_object =
-    variable(0x6204, "bus_stop_request", "9.2.8.5", "Somebody wants to get off at the next stop.",
-             entry(boolean, ro, optional, 0, bus_stop_requests), {.errata = "28"});
+inline constexpr auto bus_stop_request_object = variable(
+    0x6204, "bus_stop_request", "9.2.8.5", "A passenger wants to get off at the next stop.",
+    entry(boolean, ro, optional, 0, bus_stop_requests), {.errata = "28"});
 
 inline constexpr NamedValue character_sets[] = {
     {0x0, "ISO 646-US"},

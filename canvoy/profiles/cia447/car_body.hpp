@@ -15,7 +15,7 @@ inline constexpr auto switch_illumination_level_status_object = variable_object(
     status(DataType::unsigned8, Mapping::by_default, measured<8, 100>(Unit::percent)));
 inline constexpr auto switch_illumination_level_command_object =
     variable_object(0x6006, "Switch illumination level command", "4.2.2.2",
-                    "Background illumination of the dashboard, as somebody wants it.",
+                    "Background illumination of the dashboard that is wanted.",
                     command(DataType::unsigned8, wanted<8, 100>(Unit::percent)));
 
 inline constexpr auto ignition_lock =

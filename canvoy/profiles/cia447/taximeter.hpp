@@ -103,10 +103,10 @@ inline constexpr EntryInfo taximeter_totalizers_entries[] = {
     status_32(10, "Shift supplements", money),
     status_32(11, "Total fare", money),
     status_32(12, "Shift fare", money)};
-inline constexpr auto taximeter_totalizers_object =
-    array_object(0x60D9, "Taximeter totalizers", "4.2.12.7",
-                 "Sums of all time, and of the shift: of the last one while nobody is signed in.",
-                 taximeter_totalizers_entries, {.errata = "Z33, Z42"});
+inline constexpr auto taximeter_totalizers_object = array_object(
+    0x60D9, "Taximeter totalizers", "4.2.12.7",
+    "Sums of all time, and of the shift: of the last one while no driver is signed in.",
+    taximeter_totalizers_entries, {.errata = "Z33, Z42"});
 
 // 4.2.12.8. The types of this record are in part 1; they follow from the values and defaults
 // (errata Z34).

@@ -407,6 +407,13 @@ std::string interval_text(const LiftSummary& summary) {
   return text;
 }
 
+/// Of a lift that does not come back from a fault.
+std::string standstill_text(const LiftSummary::Lift& lift) {
+  constexpr Duration told_from = 1min;
+  if (!lift.is_hindered || lift.stands < told_from) return "";
+  return fmt::format("; has stood for {}", text::duration_text(lift.stands));
+}
+
 }  // namespace
 
 std::string lift_summary_text(const LiftSummary& summary, std::span<const Invariant> invariants,
@@ -424,9 +431,9 @@ std::string lift_summary_text(const LiftSummary& summary, std::span<const Invari
   text += interval_text(summary);
   for (std::size_t i = 0; i < summary.lifts.size(); ++i) {
     const LiftSummary::Lift& each = summary.lifts[i];
-    text += fmt::format("  {:<22}{:6} starts, {:.0f} an hour, {:.0f} m, {:.2f} kWh\n",
+    text += fmt::format("  {:<22}{:6} starts, {:.0f} an hour, {:.0f} m, {:.2f} kWh{}\n",
                         fmt::format("lift {}", i + 1), each.starts, each.starts_an_hour,
-                        each.distance_m, kilowatt_hours(each.energy_wh));
+                        each.distance_m, kilowatt_hours(each.energy_wh), standstill_text(each));
   }
   const LiftNames names(network);
   for (std::size_t bus = 0; bus < summary.buses.size(); ++bus) {
@@ -444,7 +451,9 @@ Json lift_summary_json(const LiftSummary& summary, std::span<const Invariant> in
     lifts.push_back({{"starts", each.starts},
                      {"starts_an_hour", each.starts_an_hour},
                      {"distance_m", each.distance_m},
-                     {"energy_wh", each.energy_wh}});
+                     {"energy_wh", each.energy_wh},
+                     {"stands_s", in_seconds(each.stands)},
+                     {"hindered", each.is_hindered}});
   }
   const LiftNames names(network);
   Json json = line_json(Time{} + summary.run, "summary");

@@ -304,7 +304,9 @@ class Played : public PlayedNetwork {
   }
   std::string picture(double speed) override { return Text::picture(network_, speed); }
   nlohmann::ordered_json snapshot() override { return Text::snapshot(network_); }
-  std::string summary_text() override { return Text::summary_text(network_); }
+  std::string summary_text() override {
+    return Text::summary_text(network_) + faults_left_text(Text::summary(network_));
+  }
   nlohmann::ordered_json summary_json() override { return Text::summary(network_); }
   bool all_hold() const override { return network_.all_hold(); }
   std::vector<Judged> judged() const override {

@@ -260,13 +260,11 @@ std::string WorldText<ChargingYard>::summary_text(ChargingYard& yard) {
 nlohmann::ordered_json WorldText<ChargingYard>::summary(ChargingYard& yard) {
   Json json = look_json(yard, "summary");
   const std::vector<Judged> all = judged_of(yard);
-  Json invariants = Json::array();
-  for (const Judged& each : all) {
-    invariants.push_back(invariant_json(YardNames(yard, part_of(each)), each));
+  add_judged(json, YardNames(yard), all);
+  // Goals are of batteries, and all else of bays.
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    json["invariants"][i] = invariant_json(YardNames(yard, part_of(all[i])), all[i]);
   }
-  json["invariants"] = std::move(invariants);
-  json["all_held"] = std::ranges::all_of(all, &Judged::held);
-  json["all_decided"] = std::ranges::all_of(all, &Judged::is_decided);
   return json;
 }
 

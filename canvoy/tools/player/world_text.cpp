@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -153,7 +154,7 @@ Json invariant_json(const WorldNames& names, const Judged& invariant) {
   json["worst"] = invariant.worst;
   json["allowed"] = invariant.allowed;
   if (!invariant.kind->unit.empty()) json["unit"] = invariant.kind->unit;
-  if (!invariant.kind->bound.empty()) json["bound"] = invariant.kind->bound;
+  json["bound"] = invariant.kind->bound;
   json["judged"] = invariant.judged;
   json["decided"] = invariant.is_decided();
   json["held"] = invariant.held;
@@ -173,6 +174,30 @@ void add_judged(Json& json, const WorldNames& names, std::span<const Judged> all
   json["invariants"] = std::move(invariants);
   json["all_held"] = std::ranges::all_of(all, &Judged::held);
   json["all_decided"] = std::ranges::all_of(all, &Judged::is_decided);
+  if (!json.contains("time")) return;
+  const double now = json["time"].get<double>();
+  const auto at = Time(std::chrono::round<Duration>(std::chrono::duration<double>(now)));
+  Json left = Json::array();
+  for (const PresentFault& fault : names.faults_at(at)) {
+    const double since = in_seconds(fault.since - Time{});
+    left.push_back({{"fault", fault.text},
+                    {"since", since},
+                    {"lasted", now - since},
+                    {"excused", fault.is_excuse}});
+  }
+  json["faults_left"] = std::move(left);
+}
+
+std::string faults_left_text(const Json& summary) {
+  std::string text;
+  for (const Json& fault : summary.value("faults_left", Json::array())) {
+    const std::chrono::duration<double> lasted(fault.at("lasted").get<double>());
+    text += fmt::format("  NOTE  {} was not mended, and is there for {}{}\n",
+                        fault.at("fault").get<std::string>(),
+                        text::duration_text(std::chrono::round<Duration>(lasted)),
+                        fault.at("excused").get<bool>() ? ": what it can cause is excused" : "");
+  }
+  return text;
 }
 
 std::string invariant_line(const WorldNames& names, const Judged& invariant) {

@@ -23,6 +23,13 @@ namespace canvoy::tools {
 
 using Json = nlohmann::ordered_json;
 
+/// A fault of a plan that has begun, and is not mended.
+struct PresentFault {
+  std::string text{};  ///< as in a plan: `dead-encoder:lift=2@5min`
+  Time since{};
+  bool is_excuse = true;  ///< false: what it causes is judged all the same
+};
+
 /// Names of the parts of a world.
 class WorldNames {
  public:
@@ -37,6 +44,8 @@ class WorldNames {
   /// Name of a fault of the plan: `dead-encoder`.
   virtual std::string fault(std::size_t fault) const = 0;
   virtual std::string_view emergency(std::uint16_t code) const;
+  /// Faults of the plan that are present at this time.
+  virtual std::vector<PresentFault> faults_at(Time) const { return {}; }
 };
 
 /// For a world with a plan of faults in its options.
@@ -49,6 +58,16 @@ class PlanNames : public WorldNames {
   std::string bus(BusIndex bus) const override { return "sim" + std::to_string(bus); }
   std::string fault(std::size_t fault) const override {
     return std::string(fault_name(plan_.faults.at(fault).kind));
+  }
+  std::vector<PresentFault> faults_at(Time now) const override {
+    std::vector<PresentFault> present;
+    for (const ScheduledFault<Kind>& fault : plan_.faults) {
+      const bool is_there = lasts(fault.kind) && fault.start <= now && now < fault.end();
+      if (!is_there) continue;
+      const bool is_excuse = !is_harmless(fault.kind) && !is_tampering(fault.kind);
+      present.push_back({fault_text(fault), fault.start, is_excuse});
+    }
+    return present;
   }
 
  private:
@@ -94,7 +113,8 @@ Told told_broken(const WorldNames& names, const Judged& invariant);
 /// Lines such as `  PASS  longest wait ...`.
 template <class Kind>
 std::string invariants_text(const WorldNames& names, std::span<const Invariant<Kind>> all);
-/// Adds `invariants` and `all_held` at the end of an object.
+/// Adds `invariants`, `all_held`, `all_decided` and, by its `time`, `faults_left` at the end of a
+/// summary.
 void add_judged(Json& json, const WorldNames& names, std::span<const Judged> all);
 template <class Kind>
 void add_invariants(Json& json, const WorldNames& names, std::span<const Invariant<Kind>> all);
@@ -155,6 +175,9 @@ void add_invariants(Json& json, const WorldNames& names, std::span<const Invaria
   for (const Invariant<Kind>& invariant : all) each.push_back(judged(invariant));
   add_judged(json, names, each);
 }
+
+/// A line for each of `faults_left` of a summary: what stands at its end has a cause there.
+std::string faults_left_text(const Json& summary);
 
 /// The last events, one per line.
 template <class Network>

@@ -48,7 +48,7 @@ inline constexpr InvariantRow invariant_rows[] = {
     {"second_announcements", "stops that were announced wrongly or not in the second car", ""},
     {"second_stop_sign",
      "the stop button was pressed and no sign was lit in or for the second car for at most", "s"},
-    {"false_stop_sign", "a stop sign was lit though nobody had pressed for at most", "s"},
+    {"false_stop_sign", "a stop sign was lit without a press for at most", "s"},
     {"early_departure", "departures from a timing point before its time", ""},
     {"left_behind", "people who stood at a stop and were left there with room aboard", ""},
     {"overcrowded", "more people were aboard than there is room for, for at most", "s"},

@@ -288,6 +288,20 @@ TEST(ChargerNetworkTest, AFaultThatIsShorterThanItsTimeDecidesNothing) {
   EXPECT_EQ(sut.snapshot().reason, StopReason::none);
 }
 
+TEST(ChargerNetworkTest, WhereNoCurrentFlowsNothingIsSaidOfTheCells) {
+  ChargerOptions options;
+  options.ambience_celsius = 60;  // of the battery as well: too hot to be charged
+  ChargerNetwork sut(options);
+  sut.run_until(Time(5min));
+  EXPECT_EQ(sut.plant().ampere_hours(), 0);
+  for (const InvariantKind kind :
+       {InvariantKind::more_than_asked, InvariantKind::charged_hot_or_cold,
+        InvariantKind::over_voltage}) {
+    EXPECT_FALSE(invariant_of(sut, kind).is_decided()) << static_cast<int>(kind);
+    EXPECT_TRUE(invariant_of(sut, kind).held);
+  }
+}
+
 TEST(ChargerNetworkTest, SeveralFaultsAtOnceAreEachJudged) {
   ChargerNetwork sut(with_faults(3, {{FaultKind::too_hot, Time(2min), 1min},
                                      {FaultKind::heartbeat_loss, Time(2min) + 30s, 1min},

@@ -106,20 +106,23 @@ double ChargerReferees::wanted_ampere() const {
   return design.asks ? truth.requested_current_ampere.value_or(0) : design.charge_current_ampere;
 }
 
+/// Without a current nothing harms the cells: that is no judgement.
 void ChargerReferees::judge_care(Time now) {
   const ChargingPlant& plant = devices_->plant();
   if (!plays_both()) return;
-  const bool flows = plant.ampere() > ChargingPlant::no_current_ampere;
+  if (plant.ampere() <= ChargingPlant::no_current_ampere) {
+    for (WrongTime* each : {&more_than_asked_, &hot_or_cold_, &over_voltage_}) each->rest(now);
+    return;
+  }
   more_than_asked_.judge(now,
                          plant.ampere() <= wanted_ampere() * (1 + excess_share) + excess_ampere);
   const double celsius = plant.battery.celsius();
   const cia419::ChargeLimits& limits = options_->charger.limits;
   const bool is_warm_enough = celsius >= limits.temperature_min_celsius;
-  hot_or_cold_.judge(now, !flows || (is_warm_enough && celsius <= limits.temperature_max_celsius));
+  hot_or_cold_.judge(now, is_warm_enough && celsius <= limits.temperature_max_celsius);
   const BatteryDesign& design = plant.battery.design();
   const double limit_volt = design.chemistry->charge_voltage_volt * design.cells;
-  over_voltage_.judge(
-      now, !flows || plant.battery.terminal_volt() <= limit_volt * (1 + over_voltage_share));
+  over_voltage_.judge(now, plant.battery.terminal_volt() <= limit_volt * (1 + over_voltage_share));
 }
 
 void ChargerReferees::fault_began(Time now, std::size_t fault) {

@@ -57,12 +57,17 @@ std::span<const StopReason> answers_to(FaultKind kind) {
   return {};
 }
 
+/// It reports the fault.
+bool names(FaultKind kind, StopReason reason) {
+  const std::span<const StopReason> answers = answers_to(kind);
+  return std::find(answers.begin(), answers.end(), reason) != answers.end();
+}
+
 /// It reports the fault, or has stopped for a more serious reason.
 bool is_answer(FaultKind kind, StopReason reason) {
   const std::span<const StopReason> answers = answers_to(kind);
   if (reason == StopReason::none || answers.empty()) return false;
-  return reason < *std::min_element(answers.begin(), answers.end()) ||
-         std::find(answers.begin(), answers.end(), reason) != answers.end();
+  return reason < *std::min_element(answers.begin(), answers.end()) || names(kind, reason);
 }
 
 /// Its only sign is one boot-up message: a charger that misses it never detects it.
@@ -137,6 +142,8 @@ FaultWatch::FaultWatch(const FaultPlan& plan, const DetectionBounds& promises) {
 void FaultWatch::began(std::size_t fault, Time now, StopReason reason) {
   Watched& watched = faults_.at(fault);
   watched.has_begun = true;
+  watched.began_at = now;
+  watched.was_said_before = names(watched.kind, reason);
   for (Watched& other : faults_) {
     if (&other == &watched || !other.is_present()) continue;
     mask(other, watched);
@@ -168,9 +175,24 @@ void FaultWatch::note(Time now, StopReason reason) {
     if (reason == StopReason::none) {
       watched.delivered_since = std::min(watched.delivered_since, now);
     }
-    if (watched.delivered_since != never) watched.watched = now - watched.delivered_since;
+    if (watched.delivered_since == never) {
+      look_at_stopped(watched, now, reason);
+      continue;
+    }
+    watched.watched = now - watched.delivered_since;
     watched.is_seen = is_answer(watched.kind, reason);
   }
+}
+
+/// Where nothing is delivered, what was said before the fault is no answer to it; a new one is, in
+/// its time, but none is required.
+void FaultWatch::look_at_stopped(Watched& watched, Time now, StopReason reason) {
+  const bool is_said = names(watched.kind, reason);
+  watched.was_said_before = watched.was_said_before && is_said;
+  const Duration since = now - watched.began_at;
+  if (!is_said || watched.was_said_before || since > watched.bound) return;
+  watched.watched = since;
+  watched.is_seen = true;
 }
 
 bool FaultWatch::has_second_battery() const {

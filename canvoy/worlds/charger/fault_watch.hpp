@@ -32,9 +32,10 @@ struct DetectionBounds {
 
 /// A fault is judged from the time when the charger delivers in spite of it. A fault that begins
 /// while the charger has already stopped need not be detected, since it cannot be told from the
-/// first one; nor one beside a second battery with the same node-ID, which replaces the first. A
-/// fault that keeps the sign of another from the bus extends its time by its own time of detection;
-/// where that sign is one boot-up message, it need not be detected.
+/// first one: an answer that was there before it decides nothing, a new one does; nor one beside a
+/// second battery with the same node-ID, which replaces the first. A fault that keeps the sign of
+/// another from the bus extends its time by its own time of detection; where that sign is one
+/// boot-up message, it need not be detected.
 class FaultWatch {
  public:
   /// `plan` must outlive this object.
@@ -58,6 +59,8 @@ class FaultWatch {
     bool must_be_seen = false;
     Duration bound{0};
     bool has_begun = false;
+    Time began_at{};
+    bool was_said_before = false;  ///< its answer, from before it began
     Time delivered_since = never;  ///< never: not in spite of this fault
     Duration watched{0};           ///< until it was detected, or judged last
     bool is_seen = false;
@@ -71,6 +74,7 @@ class FaultWatch {
   };
   Invariant invariant_of(std::size_t fault) const;
   static void mask(Watched& watched, const Watched& by);
+  static void look_at_stopped(Watched& watched, Time now, cia419::StopReason reason);
   bool has_second_battery() const;
 
   std::vector<Watched> faults_;

@@ -137,6 +137,36 @@ TEST(FaultWatchTest, AChargerThatHasStoppedForSomethingMoreSeriousNeedNotSayMore
   EXPECT_DOUBLE_EQ(sut.invariants()[0].worst, 0.0);
 }
 
+TEST(FaultWatchTest, AStoppedChargerThatSaysItAnewHasSeenIt) {
+  FaultWatch sut(plan_of(FaultKind::heartbeat_loss), promises);
+  sut.began(0, Time(1min), StopReason::too_hot);
+  sut.note(Time(62s), StopReason::heartbeat_lost);
+  EXPECT_TRUE(sut.invariants()[0].is_decided());
+  EXPECT_DOUBLE_EQ(sut.invariants()[0].worst, 2.0);
+  FaultWatch late(plan_of(FaultKind::heartbeat_loss), promises);
+  late.began(0, Time(1min), StopReason::too_hot);
+  late.note(Time(63s), StopReason::heartbeat_lost);
+  EXPECT_FALSE(late.invariants()[0].is_decided()) << "while it is stopped, none is required";
+  EXPECT_TRUE(late.invariants()[0].held);
+}
+
+TEST(FaultWatchTest, AnAnswerThatWasThereBeforeTheFaultDecidesNothing) {
+  const StopReason before[] = {StopReason::heartbeat_lost, StopReason::battery_data_missed,
+                               StopReason::no_battery,     StopReason::no_pilot_signal,
+                               StopReason::too_hot,        StopReason::battery_full};
+  for (std::size_t kind = 0; kind < fault_kinds; ++kind) {
+    for (const StopReason reason : before) {
+      FaultWatch sut(plan_of(static_cast<FaultKind>(kind)), promises);
+      sut.began(0, Time(1min), reason);
+      sut.note(Time(2min), reason);
+      for (const Invariant& invariant : sut.invariants()) {
+        EXPECT_FALSE(invariant.is_decided()) << fault_rows[kind].name;
+        EXPECT_TRUE(invariant.held) << fault_rows[kind].name;
+      }
+    }
+  }
+}
+
 TEST(FaultWatchTest, AFaultThatIsOverBeforeThePromisedTimeDecidesNothing) {
   FaultWatch sut(plan_of(FaultKind::heartbeat_loss), promises);
   sut.began(0, Time(1min), StopReason::none);

@@ -53,9 +53,9 @@ inline constexpr FaultRow fault_rows[] = {
      "the device on the network behind the seat has no power",
      {.node = armrest_id}},
     {"emergency-stop",
-     "somebody presses the emergency stop, and pulls it at the end",
+     "the emergency stop is pressed, and pulled at the end",
      {.node = armrest_id}},
-    {"seat-switch", "the seat switch says that nobody sits there", {.node = armrest_id}},
+    {"seat-switch", "the seat switch says that the seat is empty", {.node = armrest_id}},
     {"drifting-axis",
      "one of the two sensors of a stick is off by a quarter (default: axis 4, boom)", at_a_stick},
 };

@@ -35,16 +35,16 @@ InvariantSet affected_by(FaultKind kind) {
       return set_of({Kind::axis_delta});
     case FaultKind::stuck_axis:
     case FaultKind::broken_wire:
-      return set_of({Kind::axis_delta, Kind::service});
+      return set_of({Kind::axis_delta, Kind::service, Kind::spilled});
     case FaultKind::drifting_axis:
-      return set_of({Kind::service});
+      return set_of({Kind::service, Kind::spilled});
     case FaultKind::vanished_armrest:
     case FaultKind::emergency_stop:
     case FaultKind::seat_switch:
-      return set_of({Kind::presses, Kind::service});
+      return set_of({Kind::presses, Kind::service, Kind::spilled});
     default:
       return set_of({Kind::presses, Kind::axis_delta, Kind::indicators, Kind::display,
-                     Kind::service, Kind::device_missing});
+                     Kind::service, Kind::spilled, Kind::device_missing});
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "canvoy/worlds/excavator/machine_control.hpp"
 
@@ -50,6 +51,8 @@ double allowed_of(Kind kind) {
       return 2;
     case Kind::service:
       return 150;
+    case Kind::spilled:
+      return 10;
     case Kind::device_missing:
       return 5;
   }
@@ -66,7 +69,8 @@ void ExcavatorReferee::fault_ends(const InvariantSet& kinds, Time now) {
   for (std::size_t i = 0; i < kept_.size(); ++i) {
     if (!kinds[i]) continue;
     --kept_[i].faults;
-    const bool is_service = static_cast<Kind>(i) == Kind::service;
+    const auto kind = static_cast<Kind>(i);
+    const bool is_service = kind == Kind::service || kind == Kind::spilled;
     kept_[i].excused_until =
         std::max(kept_[i].excused_until, now + (is_service ? service_returns : return_bound));
   }
@@ -84,7 +88,8 @@ void ExcavatorReferee::measure(Kind kind, double value) {
   ++kept.judged;
 }
 
-/// At each instant one invariant is judged: that of the silent device, or that of the hand.
+/// At each instant one invariant of motion is judged: that of the silent device, or that of the
+/// hand; and the time since each device was heard.
 void ExcavatorReferee::moves(Time now, const Excavator& machine,
                              const std::array<double, movements>& hands) {
   const bool has_host = now - host_heard_ <= is_silent;
@@ -106,6 +111,9 @@ void ExcavatorReferee::moves(Time now, const Excavator& machine,
     } else if (!has_armrest) {
       measure(Kind::lost_armrest, in_seconds(now - armrest_heard_));
     } else {
+      measure(Kind::lost_host, in_seconds(now - host_heard_));
+      measure(Kind::lost_seat, in_seconds(now - seat_heard_));
+      if (has_armrest_) measure(Kind::lost_armrest, in_seconds(now - armrest_heard_));
       const Time since = std::max(wanted[speed < 0 ? 0 : 1], heard_all_since_);
       measure(Kind::unwanted_motion, in_seconds(now - since));
     }
@@ -135,6 +143,16 @@ void ExcavatorReferee::look_at_presses(Time now) {
     if (it.open == 0 || now - it.since <= has_effect_in) continue;
     kept_[index(Kind::presses)].worst += it.open;
     it.open = 0;
+  }
+}
+
+void ExcavatorReferee::has_earth(Time now, double dug, double spilled, bool pours) {
+  constexpr double percent = 100;
+  const double more = spilled - std::exchange(spilled_before_, spilled);
+  if (is_excused(Kind::spilled, now)) {
+    spilled_excused_ += more;
+  } else if (pours) {
+    measure(Kind::spilled, (spilled - spilled_excused_) / std::max(dug, earth_least) * percent);
   }
 }
 
@@ -179,6 +197,7 @@ std::vector<Invariant> ExcavatorReferee::verdicts() const {
   std::vector<Invariant> all;
   for (std::size_t i = 0; i < kept_.size(); ++i) {
     const auto kind = static_cast<Kind>(i);
+    if (kind == Kind::lost_armrest && !has_armrest_) continue;
     all.push_back({.kind = kind,
                    .worst = kept_[i].worst,
                    .allowed = allowed_of(kind),

@@ -22,6 +22,8 @@ class ExcavatorReferee {
   /// Time within which what is lost, or has changed, must be right again.
   static constexpr Duration return_bound = 5s;
   static constexpr Duration service_returns = 1min;  ///< like return_bound, for work of the machine
+  /// Earth counts as at least this much, in m3, so that the first buckets do not decide: ten.
+  static constexpr double earth_least = 12;
 
   /// A fault begins; one that does not last ends at once.
   void fault_begins(const InvariantSet& kinds);
@@ -54,6 +56,9 @@ class ExcavatorReferee {
   void has_effect(Time now, Button button);
   /// Judges the presses that had no effect in time.
   void look_at_presses(Time now);
+  /// Judges how much of the earth that was dug has come to lie beside the heap, both in m3 since
+  /// the start; call it in each step.
+  void has_earth(Time now, double dug, double spilled, bool pours);
   /// Judges the difference between the host's value of an axis and its position one event ago.
   void compare(Time now, double digits_apart);
   /// Judges an invariant; call it in each step. An excuse stops the clock of what is wrong, and
@@ -68,7 +73,7 @@ class ExcavatorReferee {
   /// Judges whether a device is at work; each has its own time.
   void judge_device(NodeId id, Time now, bool is_there);
 
-  /// One for each kind, in their order.
+  /// One for each kind, in their order; without an armrest, none of it.
   std::vector<Invariant> verdicts() const;
   /// True if an invariant is broken that was not at the last call.
   bool has_news();
@@ -97,6 +102,8 @@ class ExcavatorReferee {
   Time host_heard_{};
   Time armrest_heard_{};
   bool has_armrest_ = true;
+  double spilled_before_ = 0;   ///< m3, at the last step
+  double spilled_excused_ = 0;  ///< m3
   Time heard_all_since_{};
   struct Directions {
     std::array<Time, 2> wanted{};  ///< last command, down and up

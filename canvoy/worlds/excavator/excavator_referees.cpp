@@ -20,12 +20,15 @@ InvariantSet of_kinds(std::initializer_list<InvariantKind> kinds) {
 /// outputs, are elsewhere.
 InvariantSet unknown_without(NodeId id) {
   using Kind = InvariantKind;
-  const InvariantSet of_seat = of_kinds({Kind::unwanted_motion, Kind::presses, Kind::axis_delta,
-                                         Kind::indicators, Kind::display, Kind::service});
+  const InvariantSet of_seat =
+      of_kinds({Kind::unwanted_motion, Kind::presses, Kind::axis_delta, Kind::indicators,
+                Kind::display, Kind::service, Kind::spilled});
   if (id == seat_id) return of_seat;
-  if (id == valves_id) return of_kinds({Kind::display, Kind::indicators, Kind::service});
+  if (id == valves_id) {
+    return of_kinds({Kind::display, Kind::indicators, Kind::service, Kind::spilled});
+  }
   // Its lever is elsewhere, and may be up.
-  if (id == armrest_id) return of_kinds({Kind::presses, Kind::service});
+  if (id == armrest_id) return of_kinds({Kind::presses, Kind::service, Kind::spilled});
   // A real host may run without the armrest.
   return of_kinds({Kind::axis_delta, Kind::lost_armrest});
 }
@@ -48,9 +51,7 @@ ExcavatorReferees::ExcavatorReferees(const World& world, const ExcavatorOptions&
     const NodeId id = node->place().id;
     if (!options.plays(id)) referee_.cannot_judge(unknown_without(id));
   }
-  if (options.has_armrest) return;
-  referee_.has_no_armrest();
-  referee_.cannot_judge(of_kinds({InvariantKind::lost_armrest}));
+  if (!options.has_armrest) referee_.has_no_armrest();
 }
 
 void ExcavatorReferees::hear(Time now, const Frame& frame) {
@@ -94,6 +95,7 @@ void ExcavatorReferees::look(Time now) {
   referee_.moves(now, *machine_, hands);
   referee_.look_at_presses(now);
   look_at_lamps(now);
+  look_at_earth(now);
   const bool has_service = is_served(now);
   driver_->is_working() ? referee_.judge(InvariantKind::service, now, has_service)
                         : referee_.pass(InvariantKind::service, now);
@@ -114,6 +116,14 @@ double ExcavatorReferees::wanted(Movement movement) const {
   if (seat == 1U) return trainer_->wanted(movement);
   const double own = panel_->wanted(movement);
   return seat || own != 0 ? own : trainer_->wanted(movement);
+}
+
+/// Wherever it goes, earth that leaves the bucket is looked at.
+void ExcavatorReferees::look_at_earth(Time now) {
+  const Excavator::Earth& earth = machine_->earth();
+  const double poured = earth.heaped + earth.spilled;
+  const bool pours = std::exchange(poured_, poured) != poured;
+  referee_.has_earth(now, earth.dug, earth.spilled, pours);
 }
 
 bool ExcavatorReferees::is_served(Time now) {

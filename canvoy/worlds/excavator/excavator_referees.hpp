@@ -63,6 +63,7 @@ class ExcavatorReferees {
   void excuse_at_first(Time now, FaultKind kind);
   double wanted(Movement movement) const;
   void look_at_lamps(Time now);
+  void look_at_earth(Time now);
   bool is_served(Time now);
   bool is_locked_in_sight(Time now);
   bool is_armrest_at_work(Time now);
@@ -78,6 +79,7 @@ class ExcavatorReferees {
   ExcavatorReferee referee_;
   CabTruth cab_;
   double heaped_ = 0;             ///< at the last step
+  double poured_ = 0;             ///< out of the bucket, at the last step
   unsigned seat_starts_ = 0;      ///< at the last look
   bool seat_was_set_up_ = false;  ///< since power-on
   bool had_fault_ = false;        ///< of the plan, since the start

@@ -21,6 +21,7 @@ struct Sabotage {
   std::vector<std::string_view> says = {};
   Duration period = 50ms;
   std::vector<ScheduledFault> faults = {};
+  bool pierces_bucket = false;  ///< from trouble_at on
 
   /// The run goes on for this time after trouble_at: 150 s without earth is too long, and a restart
   /// excuses a minute.
@@ -106,6 +107,7 @@ const Sabotage sabotages[] = {
      "axis_delta",
      {"60A#23 26 64 01 88 13 00 00", "60A#23 26 64 02 88 13 00 00"},
      1s},
+    {.what = "the bucket has a hole", .breaks = "spilled", .pierces_bucket = true},
     {"a stranger takes the valves from the network", "device_missing", {"000#02 21"}},
     {"a stranger takes the seat from the network", "device_missing", {"000#02 0A"}},
 };
@@ -123,6 +125,9 @@ TEST_P(ExcavatorSabotageTable, BreaksWhatItIsAbout) {
     options.faults.faults.push_back({.kind = FaultKind::restart, .start = at, .node = valves_id});
   }
   ExcavatorNetwork network(options);
+  if (sabotage.pierces_bucket) {
+    network.world().at(trouble_at, [&](Time) { network.machine().pierce_bucket(); });
+  }
   const ControllerId stranger = network.world().bus(0).attach({});
   for (Time now = trouble_at; now <= Time(options.length); now += sabotage.period) {
     network.world().at(now, [&](Time) {

@@ -26,7 +26,10 @@ CarWatch::Seen CarWatch::look(Time now, LiftNumber lift, const LiftFacts& facts,
     ++car.starts;
     events_->push_back({now, CarStarted{lift, floor_at(*building_, car.position_m), persons}});
   }
-  if (seen.stands && car.moves) events_->push_back({now, CarStopped{lift, floor}});
+  if (seen.stands && car.moves) {
+    car.stands_since = now;
+    events_->push_back({now, CarStopped{lift, floor}});
+  }
   const bool open = is_open(facts);
   if (open && !car.is_open) {
     events_->push_back({now, DoorsOpened{lift, floor}});

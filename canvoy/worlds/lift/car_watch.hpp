@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "canvoy/can/time.hpp"
@@ -50,6 +51,11 @@ class CarWatch {
 
   /// How often a car has started, since the beginning.
   std::uint32_t starts(LiftNumber lift) const { return cars_[lift - std::size_t{1}].starts; }
+  /// Since when a car stands; empty: it moves.
+  std::optional<Time> stands_since(LiftNumber lift) const {
+    const Car& car = cars_[lift - std::size_t{1}];
+    return car.moves ? std::nullopt : std::optional(car.stands_since);
+  }
   /// True if a door has opened at that floor.
   bool has_opened_since(Time since, LiftNumber lift, FloorNumber floor) const;
 
@@ -57,6 +63,7 @@ class CarWatch {
   /// State at the last look.
   struct Car {
     bool moves = false;
+    Time stands_since{};
     bool is_open = false;
     double position_m = 0;
     std::uint32_t starts = 0;

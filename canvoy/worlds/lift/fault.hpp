@@ -53,7 +53,7 @@ inline constexpr FaultRow fault_rows[] = {
     {"rope-slip", "the ropes slip by a tenth of the way"},
     {"rope-sensor", "the load of a rope is not known"},
     {"runaway", "the motor gets faster whatever the drive wants"},
-    {"smoke", "light barriers see somebody always"},
+    {"smoke", "light barriers are always interrupted"},
     {"weak-brake", "the brake holds the car, but less than it must"},
 };
 inline constexpr std::size_t fault_kinds = std::size(fault_rows);  ///< number of kinds

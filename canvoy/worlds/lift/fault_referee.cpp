@@ -24,7 +24,10 @@ Invariant promise(InvariantKind kind, Time from, Time came, Time until, Duration
 }  // namespace
 
 void FaultReferee::began(Time now, std::size_t fault, const FaultExpectation& expectation) {
-  faults_.push_back({.fault = fault, .expected = expectation, .began_at = now});
+  faults_.push_back({.fault = fault,
+                     .expected = expectation,
+                     .began_at = now,
+                     .stood_before = !moves(expectation.lift)});
 }
 
 void FaultReferee::ended(Time now, std::size_t fault) {
@@ -32,6 +35,12 @@ void FaultReferee::ended(Time now, std::size_t fault) {
     if (watched.fault != fault || watched.ended_at != never) continue;
     watched.ended_at = now;
     watched.has_moved = moves(watched.expected.lift);
+  }
+}
+
+void FaultReferee::handed_back(Time now, LiftNumber lift) {
+  for (Watched& watched : faults_) {
+    if (watched.expected.lift == lift && watched.ended_at <= now) watched.handed_back_at = now;
   }
 }
 
@@ -99,7 +108,8 @@ bool FaultReferee::recovers(const Watched& watched, Time now) {
   if (watched.ended_at > now) return true;
   const bool is_expected = watched.expected.serves_within.has_value();
   const Duration bound = is_expected ? watched.expected.recovers_within : 0s;
-  return watched.served_at == never && now - watched.ended_at < bound;
+  const Time since = std::max(watched.ended_at, watched.handed_back_at);
+  return watched.served_at == never && now - since < bound;
 }
 
 bool FaultReferee::hinders(const Watched& watched, Time now) {
@@ -139,11 +149,16 @@ Invariant FaultReferee::service(const Watched& watched) {
           .judged = is_late || watched.served_at != never ? 1U : 0U};
 }
 
-/// It stands in time, and stays at a standstill.
+/// It stands in time, and stays at a standstill. Of a car that stood before, the second is judged
+/// alone: the first is not the lift's doing.
 Invariant FaultReferee::safe_stand(const Watched& watched, Time until) {
+  const std::optional<Duration>& noticed = watched.expected.noticed_within;
   if (watched.started_at == never) {
-    return promise(InvariantKind::safe_stand, watched.began_at, watched.stood_at, until,
-                   watched.expected.stands_within.value_or(0s));
+    Invariant stand = promise(InvariantKind::safe_stand, watched.began_at, watched.stood_at, until,
+                              watched.expected.stands_within.value_or(0s));
+    const bool could_start = noticed && until - watched.began_at > *noticed;
+    if (watched.stood_before && !could_start) stand.judged = 0;
+    return stand;
   }
   return {.kind = InvariantKind::safe_stand,
           .worst = in_seconds(watched.started_at - watched.began_at),

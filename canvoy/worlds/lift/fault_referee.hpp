@@ -51,6 +51,9 @@ class FaultReferee {
   void began(Time now, std::size_t fault, const FaultExpectation& expectation);
   /// It is over; the times for the return of service begin.
   void ended(Time now, std::size_t fault);
+  /// A technician leaves the lift: the effects of faults that are over show from then on, as it did
+  /// not serve before.
+  void handed_back(Time now, LiftNumber lift);
   /// The car stands, or has come to rest.
   void stands(Time now, LiftNumber lift);
   /// A car that stood is moved by its drive, and not because a brake does not hold.
@@ -81,6 +84,8 @@ class FaultReferee {
     FaultExpectation expected{};
     Time began_at{};
     Time ended_at = never;
+    Time handed_back_at{};      ///< by a technician, since its end
+    bool stood_before = false;  ///< its car, when it began
     Time stood_at = never;
     Time told_at = never;
     Time served_at = never;

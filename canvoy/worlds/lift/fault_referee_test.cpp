@@ -104,6 +104,38 @@ TEST_F(FaultRefereeTest, AFaultThatWasOverBeforeCannotBeJudged) {
   EXPECT_FALSE(get(InvariantKind::safe_stand, Time(60s)).is_decided());
 }
 
+TEST_F(FaultRefereeTest, WhatAFaultHasLeftShowsOnceATechnicianHasGone) {
+  sut.ended(Time(20s), 3);
+  EXPECT_TRUE(sut.is_faulty(Time(20s) + 179s, 2));
+  EXPECT_FALSE(sut.is_faulty(Time(20s) + 180s, 2));
+  sut.handed_back(Time(5min), 1);  // another lift
+  EXPECT_FALSE(sut.is_faulty(Time(5min), 2));
+  sut.handed_back(Time(5min), 2);
+  EXPECT_TRUE(sut.is_faulty(Time(5min) + 179s, 2));
+  EXPECT_FALSE(sut.is_faulty(Time(5min) + 180s, 2));
+  sut.starts(Time(5min) + 1s, 2);
+  sut.serves(Time(5min) + 30s, 2);
+  EXPECT_FALSE(sut.is_faulty(Time(5min) + 30s, 2)) << "it serves again";
+}
+
+TEST_F(FaultRefereeTest, ACarThatStoodBeforeHasToStayForWhatItCouldHaveDone) {
+  FaultReferee stood;
+  stood.stands(Time(9s), 2);
+  stood.began(Time(10s), 0, {.lift = 2, .stands_within = 4s, .noticed_within = 500ms});
+  stood.stands(Time(10s), 2);
+  const auto is_decided = [&stood](Time now) { return stood.invariants(now)[0].is_decided(); };
+  EXPECT_FALSE(is_decided(Time(10'500ms))) << "it may still start";
+  EXPECT_TRUE(is_decided(Time(10'501ms)));
+  stood.ended(Time(10'400ms), 0);
+  EXPECT_FALSE(is_decided(Time(1min)));
+  FaultReferee moved;
+  moved.starts(Time(9s), 2);
+  moved.began(Time(10s), 0, {.lift = 2, .stands_within = 4s, .noticed_within = 500ms});
+  moved.stands(Time(10'100ms), 2);
+  moved.ended(Time(10'400ms), 0);
+  EXPECT_TRUE(moved.invariants(Time(1min))[0].is_decided()) << "it has stopped";
+}
+
 TEST_F(FaultRefereeTest, OneOfTheRightEmergenciesHasToBeHeard) {
   sut.emergency_seen(Time(11s), 2, 0x5000);  // another one
   sut.emergency_seen(Time(11s), 1, 0x7300);  // of another lift

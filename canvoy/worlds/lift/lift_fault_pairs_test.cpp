@@ -67,6 +67,19 @@ TEST(TwoFaultsOfALift, AControllerThatComesBackKnowsThatTheRopesHaveSlipped) {
       {.kind = FaultKind::lost_node, .duration = 20s, .node = node_id::lift_controller}, 14s);
 }
 
+/// Its count is off by what has slipped: with one fast stop it is known from which side, and no
+/// trip goes past its target again, not even to the other side.
+TEST(TwoFaultsOfALift, RopesThatSlipAtAWeakBrakeCostOneFastStopAlone) {
+  for (Time start(56s); start <= Time(64s); start += 4s) {
+    LiftNetworkDescription description = standard_lift_network({.floors = 6});
+    description.faults.faults = {{.kind = FaultKind::weak_brake, .start = start, .duration = 15s},
+                                 {.kind = FaultKind::rope_slip, .start = start, .duration = 7s}};
+    LiftNetwork network(description);
+    network.run_until(Time(10min));
+    EXPECT_EQ(broken(network), "") << "from " << in_seconds(start.time_since_epoch());
+  }
+}
+
 TEST(TwoFaultsOfALift, TheFireAlarmOutlastsTheFireBrigade) {
   LiftNetworkDescription description = building();
   description.faults.faults = {

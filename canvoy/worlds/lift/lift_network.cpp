@@ -110,8 +110,10 @@ LiftPeopleHooks LiftNetwork::Parts::of_people() {
           .technician =
               [this](LiftNumber lift, TechnicianStep step, FloorNumber floor) {
                 events.push_back({world.now(), TechnicianDid{lift, step, floor}});
-                if (step == TechnicianStep::arrives) referees.set_technician(lift, true);
-                if (step == TechnicianStep::leaves) referees.set_technician(lift, false);
+                if (step == TechnicianStep::arrives)
+                  referees.set_technician(world.now(), lift, true);
+                if (step == TechnicianStep::leaves)
+                  referees.set_technician(world.now(), lift, false);
               }};
 }
 
@@ -224,10 +226,14 @@ LiftSummary LiftNetwork::summary() const {
   const LiftNetworkSnapshot view = snapshot();
   for (const LiftSnapshot& lift : view.lifts) {
     const LiftStatistics each{lift.starts, lift.distance_m, lift.energy_wh};
+    const auto number = static_cast<LiftNumber>(account.lifts.size() + 1);
+    const auto since = parts_->referees.cars().stands_since(number);
     account.lifts.push_back({.starts = each.starts,
                              .starts_an_hour = each.starts_an_hour(account.run),
                              .distance_m = each.distance_m,
-                             .energy_wh = each.energy_wh});
+                             .energy_wh = each.energy_wh,
+                             .stands = since ? now() - *since : Duration{0},
+                             .is_hindered = parts_->referees.is_out_of_use(now(), number)});
   }
   account.buses = view.buses;
   for (std::size_t bus = 0; bus < account.buses.size(); ++bus) {

@@ -91,6 +91,12 @@ void LiftReferees::pressed(Time now, const CallKey& call) {
   referee_.button_pressed(now, call, is_answered);
 }
 
+/// Beside a fault it is no judgement of those who give up: they would be excused.
+void LiftReferees::carried(Time now, LiftNumber lift) {
+  fault_referee_.serves(now, lift);
+  if (!is_anything_hindered(now)) referee_.stayed();
+}
+
 /// A passenger who began to wait while a fault hindered people, or just after it, stands behind a
 /// crowd: the fault is the reason to give up, however long the passenger waits.
 void LiftReferees::gave_up(Time now, Time since) {

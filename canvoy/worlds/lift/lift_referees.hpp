@@ -42,7 +42,7 @@ class LiftReferees {
   /// A person presses a button.
   void pressed(Time now, const CallKey& call);
   /// A passenger has reached the destination.
-  void carried(Time now, LiftNumber lift) { fault_referee_.serves(now, lift); }
+  void carried(Time now, LiftNumber lift);
   /// A person who has waited since `since` takes the stairs.
   void gave_up(Time now, Time since);
   /// An emergency was heard on a bus.
@@ -52,9 +52,12 @@ class LiftReferees {
   /// Takes the lifts of which a rule was found broken since the last call.
   std::vector<LiftNumber> take_complaints() { return std::exchange(complaints_, {}); }
   /// Notes that a technician works at the lift, which then serves no passenger, or has left it.
-  void set_technician(LiftNumber lift, bool is_there) {
+  void set_technician(Time now, LiftNumber lift, bool is_there) {
     has_technician_[lift - std::size_t{1}] = is_there;
+    if (!is_there) fault_referee_.handed_back(now, lift);
   }
+  /// True if the lift is hindered by a fault, or its effects, or a technician is there.
+  bool is_out_of_use(Time now, LiftNumber lift) const;
   /// True if a lift, or the group, is hindered by a fault, or its effects.
   bool is_anything_hindered(Time now) const;
 
@@ -78,8 +81,6 @@ class LiftReferees {
   bool was_opened_for(const CallKey& call) const;
   bool is_at(Time now, LiftNumber lift, FloorNumber floor) const;
   bool is_hindered(Time now, LiftNumber lift) const;
-  /// Like is_hindered(), or a technician is there.
-  bool is_out_of_use(Time now, LiftNumber lift) const;
   void look_at_service(Time now, const Crowd& crowd);
   void look_at_brigades(Time now, const LiftPeople& people);
 

@@ -101,6 +101,8 @@ struct LiftSummary {
     double starts_an_hour = 0;  ///< mean over the run
     double distance_m = 0;      ///< up and down
     double energy_wh = 0;       ///< taken from the mains, less what was returned
+    Duration stands{0};         ///< until the end of the run, without a start
+    bool is_hindered = false;   ///< at the end, by a fault or its effects, or a technician is there
   };
   std::vector<Lift> lifts{};         ///< lift 1 first
   std::vector<BusSnapshot> buses{};  ///< with their load since the start

@@ -42,10 +42,6 @@ Referee::Referee(const Building& building, const RefereeLimits& limits)
     judged[InvariantKind::travel].bound = design.overtravel_m - limits.buffer_gap_m;
     judged[InvariantKind::chain_stops].bound = 0;
     judged[InvariantKind::levelled].bound = limits.levelled_m * 1000;
-    judged[InvariantKind::fire_recall].bound = in_seconds(limits.recall_most);
-    judged[InvariantKind::fire_doors].bound = 0;
-    judged[InvariantKind::fire_buttons].bound = 0;
-    judged[InvariantKind::fire_calls].bound = 0;
     judged[InvariantKind::lift_serves].bound = in_seconds(limits.idle_most);
     judged[InvariantKind::nobody_trapped].bound = in_seconds(limits.trapped_most);
     judged[InvariantKind::rescued].bound = in_seconds(limits.rescued_within);
@@ -300,7 +296,9 @@ void Referee::judge_recall(Time now, Lift& lift, const LiftFacts& facts, bool op
   if (facts.fire == FireMode::none && is_there && stands) lift.is_returning = false;
   if (lift.is_recalled) return;
   if (facts.hindered) lift.recall_since = now;
-  lift.judged[InvariantKind::fire_recall].judge(in_seconds(now - lift.recall_since));
+  Judged& recall = lift.judged[InvariantKind::fire_recall];
+  recall.bound = in_seconds(limits_.recall_most);
+  recall.judge(in_seconds(now - lift.recall_since));
   lift.is_recalled = is_there && is_any_door_open(facts);
 }
 
@@ -402,6 +400,11 @@ void Referee::brigade_waits(LiftNumber number, Duration time) {
   ride.bound = std::max(in_seconds(limits_.brigade_waits_most),
                         20 + flight_time_s(flight, building_->top_m()));
   ride.judge(in_seconds(time));
+}
+
+void Referee::stayed() {
+  Judged& people = common_[InvariantKind::nobody_gives_up];
+  people.judge(people.worst);
 }
 
 void Referee::gave_up() {

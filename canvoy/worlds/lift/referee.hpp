@@ -150,12 +150,15 @@ class Referee {
   void shut_in(LiftNumber lift, Duration time);
   /// Time for which the fire brigade in the car has waited for it to obey, and has not arrived.
   void brigade_waits(LiftNumber lift, Duration time);
+  /// A person was carried, and has not taken the stairs.
+  void stayed();
   /// A person takes the stairs, with no cause other than the lifts.
   void gave_up();
   /// Judges calls that are not answered: from time to time, for example each second.
   void look_at_calls(Time now, bool hindered);
 
-  /// Verdicts at present.
+  /// Verdicts at present. Those on a fire service, inspection control, a weak brake and a real
+  /// position unit are among them once there was one.
   std::vector<Invariant> invariants() const;
   /// The invariants broken since the last call, each once.
   std::vector<Invariant> take_broken();

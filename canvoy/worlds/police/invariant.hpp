@@ -27,13 +27,13 @@ enum class InvariantKind : std::uint8_t {
 /// All kinds, in the order of InvariantKind.
 inline constexpr InvariantRow invariant_rows[] = {
     {"keypad", "keys on which another client acted than they were pressed for", ""},
-    {"terminal_wait", "somebody waited at the terminal for at most", "s"},
+    {"terminal_wait", "a person waited at the terminal for at most", "s"},
     {"blue_light", "the blue light was not as wished for at most", "s"},
     {"siren", "the siren was not as wished for at most", "s"},
     {"siren_alone", "the siren sounded without blue light for at most", "s"},
     {"work_light", "search lamp and alley lights were not as wished for at most", "s"},
-    {"speech", "somebody spoke and was not heard for at most", "s"},
-    {"carrier", "the radio blocked the channel with nobody speaking for at most", "s"},
+    {"speech", "what was spoken was not heard for at most", "s"},
+    {"carrier", "the radio blocked the channel without a word for at most", "s"},
     {"display", "display 2 said what is not so for at most", "s"},
     {"locks", "the locks were not as wished for at most", "s"},
     {"power", "radio and periphery were powered wrongly for at most", "s"},

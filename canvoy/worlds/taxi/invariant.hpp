@@ -30,10 +30,11 @@ enum class InvariantKind : std::uint8_t {
 
 /// All kinds, in the order of InvariantKind.
 inline constexpr InvariantRow invariant_rows[] = {
-    {"fare", "fares outside of the tariff's by at most", "cents"},
-    {"distance", "distances of trips beyond their limit by at most", "m"},
-    {"duration", "durations of trips beyond their limit by at most", "s"},
-    {"waiting", "waiting times of trips outside of the tariff's by at most", "s"},
+    {"fare", "fares outside of the tariff's by at most", "cents", "2014/32/EU, annex IX"},
+    {"distance", "distances of trips beyond their limit by at most", "m", "2014/32/EU, annex IX"},
+    {"duration", "durations of trips beyond their limit by at most", "s", "2014/32/EU, annex IX"},
+    {"waiting", "waiting times of trips outside of the tariff's by at most", "s",
+     "2014/32/EU, annex IX"},
     {"total", "TOTAL and what fare and extras come to differ by at most", "cents"},
     {"totals", "income of the shift and what was paid differ by", "cents"},
     {"receipts", "receipts and what was paid differ by", "cents"},
@@ -45,9 +46,9 @@ inline constexpr InvariantRow invariant_rows[] = {
     {"terminal_place", "the terminal named a place where the car was not for at most", "s"},
     {"silence", "frames sent while all slept", ""},
     {"no_service", "passengers waited for the meter for at most", "s"},
-    {"carried", "shifts in which nobody was carried", ""},
+    {"carried", "shifts without a passenger", ""},
     {"device_missing", "a device was missing without an excuse for at most", "s"},
-    {"power_cut", "trips without a defined end after a loss of power", ""},
+    {"power_cut", "trips without a defined end after a loss of power", "", "2014/32/EU, annex IX"},
     {"tampering", "acts of tampering that neither meter nor passengers have found", ""},
 };
 /// Number of invariants.
