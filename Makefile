@@ -10,7 +10,7 @@ CASES ?= 20000
 SETS ?= 1000
 SEED ?= 1
 
-.PHONY: build dist release-check demo docs playground test check test-all tidy bench bench-page fuzz api fit properties response-times mutate mutate-all format install clean
+.PHONY: build dist release-check demo docs playground test check test-all tidy bench bench-page fuzz api fit properties response-times sabotage mutate mutate-all format install clean
 
 # The command, at build/canvoy.
 build:
@@ -119,6 +119,13 @@ soak-%:
 	@cmake --preset bench --log-level=WARNING
 	@cmake --build --preset bench -j $(JOBS) --target canvoy_soak
 	@build/bench/canvoy_soak $* $(SEEDS)
+
+# Each sabotage of each world, alone and beside each harmless fault elsewhere: all of them must be found.
+sabotage:
+	@scripts/install-packages test
+	@cmake --preset release-tests --log-level=WARNING
+	@cmake --build --preset release-tests -j $(JOBS) --target canvoy_worlds_test
+	@CANVOY_TESTS=all build/folders/worlds/canvoy_worlds_test --gtest_brief=1 --gtest_filter='*Sabotage*'
 
 # Breaks the code of FOLDERS in small ways, and says which of them no test notices.
 mutate:

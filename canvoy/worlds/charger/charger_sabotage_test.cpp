@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <ostream>
+#include <vector>
 
+#include "canvoy/can/testing/tries_all.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 #include "canvoy/worlds/charger/charger_network.hpp"
 
@@ -183,19 +186,23 @@ const Sabotage sabotages[] = {
      .with = [](ChargerOptions& options) { options.charger.control_period = 100us; }},
 };
 
-/// With or without a harmless fault.
-using Case = std::tuple<Sabotage, bool>;
+/// Faults beside a sabotage: none, several at once, or, before a release, each.
+using Faults = std::vector<ScheduledFault>;
+const std::vector<Faults> beside = {{},
+                                    {{FaultKind::clock_drift, trouble_at - 2min},
+                                     {FaultKind::corrupted_frames, trouble_at + 1min, 30s}},
+                                    {{FaultKind::clock_drift, trouble_at - 2min}},
+                                    {{FaultKind::corrupted_frames, trouble_at - 2min}},
+                                    {{FaultKind::battery_restart, trouble_at - 2min, 1s}}};
+using Case = std::tuple<Sabotage, Faults>;
 
 class ChargerSabotageTest : public testing::TestWithParam<Case> {};
 
 TEST_P(ChargerSabotageTest, BreaksWhatItIsAbout) {
-  const auto& [sabotage, is_beside] = GetParam();
+  const auto& [sabotage, faults] = GetParam();
   ChargerOptions options;
   if (sabotage.with) sabotage.with(options);
-  if (is_beside) {
-    options.faults.faults.push_back({FaultKind::clock_drift, trouble_at - 2min});
-    options.faults.faults.push_back({FaultKind::corrupted_frames, trouble_at + 1min, 30s});
-  }
+  std::ranges::copy(faults, std::back_inserter(options.faults.faults));
   Scene scene(options);
   const Time end = trouble_at + sabotage.lasts;
   for (Time now = trouble_at + phase; sabotage.each && now <= end; now += 100ms) {
@@ -209,7 +216,10 @@ TEST_P(ChargerSabotageTest, BreaksWhatItIsAbout) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ChargerSabotageTest,
-                         testing::Combine(testing::ValuesIn(sabotages), testing::Bool()));
+                         testing::Combine(testing::ValuesIn(sabotages),
+                                          testing::ValuesIn(beside.begin(),
+                                                            tries_all() ? beside.end()
+                                                                        : beside.begin() + 2)));
 
 }  // namespace
 }  // namespace canvoy::charger::charging_sabotage_test
