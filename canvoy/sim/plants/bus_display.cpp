@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
+#include "canvoy/sim/plants/glyph.hpp"
 #include "canvoy/sim/plants/paper_picture.hpp"
 
 namespace canvoy {
@@ -78,6 +80,31 @@ std::u32string without_tags(const std::u32string& file) {
   return text;
 }
 
+std::u32string text_of(const ShownElement& element) {
+  if (element.content == ShownElement::Content::picture) {
+    return std::u32string(picture_blocks, full_block);
+  }
+  std::u32string text = decoded(element.octets, element.character_set);
+  return element.content == ShownElement::Content::xml ? without_tags(text) : text;
+}
+
+/// Whether there is a picture of each character of ISO 8859-n from A0h on.
+bool can_draw_all_of(std::uint16_t set) {
+  std::array<std::uint8_t, 0x60> octets{};
+  std::iota(octets.begin(), octets.end(), std::uint8_t{0xA0});
+  return std::ranges::all_of(decoded(octets, set),
+                             [](char32_t one) { return one == not_a_character || has_glyph(one); });
+}
+
+bool can_draw_set(void* /*context*/, std::uint16_t set) {
+  static const auto drawn = [] {
+    std::array<bool, 16> all{};
+    for (std::uint16_t i = 0; i < all.size(); ++i) all[i] = can_draw_all_of(i);
+    return all;
+  }();
+  return set < drawn.size() && drawn[set];
+}
+
 Duration flash_period(FlashSpeed speed) {
   switch (speed) {
     case FlashSpeed::slow:
@@ -140,20 +167,23 @@ std::vector<std::u32string> wrapped(const std::u32string& text, std::size_t room
 cia407::DisplayHardware BusDisplay::hardware() {
   return {.show = Callback<void(std::span<const ShownElement>)>::to<&BusDisplay::show>(*this),
           .test = Callback<void(bool)>::to<&BusDisplay::test>(*this),
-          .show_stop_request = Callback<void(bool)>::to<&BusDisplay::show_stop_request>(*this)};
+          .show_stop_request = Callback<void(bool)>::to<&BusDisplay::show_stop_request>(*this),
+          .has_character_set = {&can_draw_set, nullptr},
+          .has_characters_of =
+              Callback<bool(const ShownElement&)>::to<&BusDisplay::has_characters_of>(*this)};
+}
+
+bool BusDisplay::has_characters_of(const ShownElement& element) {
+  return element.content == ShownElement::Content::picture ||
+         std::ranges::all_of(text_of(element), has_glyph);
 }
 
 void BusDisplay::show(std::span<const ShownElement> elements) {
   shown_ = clock_();
   elements_.clear();
   for (const ShownElement& element : elements) {
-    std::u32string text = decoded(element.octets, element.character_set);
-    if (element.content == ShownElement::Content::xml) text = without_tags(text);
-    if (element.content == ShownElement::Content::picture) {
-      text = std::u32string(picture_blocks, full_block);
-    }
     elements_.push_back(
-        {std::move(text), element.size, element.alignment, element.style, element.flash});
+        {text_of(element), element.size, element.alignment, element.style, element.flash});
   }
 }
 

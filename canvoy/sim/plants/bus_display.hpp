@@ -12,7 +12,8 @@
 // flashing is dark in every other second, medium in every other half second, fast in every other
 // quarter second. A text that is too long continues in the next line; a word that is too long is
 // cut. Where there are more lines than the sign has, they are shown in turns of three seconds. Of
-// an XML file, the text is shown without the tags; of a picture, three blocks.
+// an XML file, the text is shown without the tags; of a picture, three blocks. A character without
+// a picture is a box. Character sets with such characters (6, 8 and 11) are not offered in 6205h.
 #pragma once
 
 #include <cstddef>
@@ -77,6 +78,7 @@ class BusDisplay {
   };
 
   void show(std::span<const cia407::ShownElement> elements);
+  bool has_characters_of(const cia407::ShownElement& element);
   void test(bool is_on) { is_testing_ = is_on; }
   void show_stop_request(bool is_on) { is_stop_requested_ = is_on; }
   /// A line of an element.

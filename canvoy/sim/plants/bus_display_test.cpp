@@ -68,6 +68,42 @@ TEST_F(Passenger, ReadsTheLettersOfTheCharacterSet) {
   EXPECT_EQ(display.text()[0], "K\u0456ln \u0404") << "ISO 8859-5 is Cyrillic";
 }
 
+/// Octets of the code tables of ISO 8859: E1h is aleph in -8, meem in -6, sara ae in -11; of these
+/// the sign has no pictures, so that a text in them would be a row of boxes.
+TEST_F(Passenger, ChoosesASetThatTheSignCanDraw) {
+  std::string offered;
+  for (const char* sub : {"02", "03", "04", "05", "06", "07", "08", "09", "0A", "0B", "0C", "0D"}) {
+    offered += bench->ask(std::string("40 05 62 ") + sub + " 00 00 00 00").substr(12, 3);
+  }
+  EXPECT_EQ(offered, "01 02 03 04 05 07 09 0A 0D 0E 0F 00 ");
+  for (const char* set : {"06", "08", "0B"}) {
+    EXPECT_EQ(bench->ask(std::string("2B 05 62 01 ") + set + " 00 00 00"),
+              "80 05 62 01 30 00 09 06");
+  }
+}
+
+/// FF04h in 7.3, flag 2 in 9.2.4: "mapped information cannot be displayed".
+TEST_F(Passenger, IsToldOfACharacterThatTheSignCannotDraw) {
+  constexpr std::uint32_t emergency = 0x085;
+  constexpr std::uint32_t event = 0x185;
+  bench->download(0x6112, 1, "K\xF6ln");
+  bench->download(0x610D, 1, "Airport");
+  show({"01 61 12 00", "01 61 0D 00"});
+  EXPECT_EQ(display.text(), (Lines{"K\uFFFDln", "Airport"})) << "all that can be read is shown";
+  EXPECT_EQ(bench->cable.last(emergency), "085#04 FF 01 01 00 00 00 00");
+  EXPECT_EQ(bench->cable.last(event), "185#01 00 00 00 04 00 00 03");
+  bench->ask("2B 05 62 01 01 00 00 00");
+  show({"01 61 12 00", "01 61 0D 00"});
+  EXPECT_EQ(display.text()[0], "K\u00F6ln");
+  EXPECT_EQ(bench->cable.last(emergency), "085#00 00 00 00 00 00 00 00");
+  EXPECT_EQ(bench->cable.last(event), "185#00 00 00 00 00 00 00 00");
+  // A5h is no character of ISO 8859-3.
+  bench->ask("2B 05 62 01 03 00 00 00");
+  bench->download(0x6112, 1, "\xA5");
+  show({"01 61 12 00"});
+  EXPECT_EQ(bench->cable.last(emergency), "085#04 FF 01 01 00 00 00 00");
+}
+
 TEST_F(Passenger, SeesATextFlash) {
   bench->download(0x6112, 1, "Stop");
   show({"01 61 12 40"});

@@ -24,5 +24,7 @@ struct Glyph {
 
 /// Picture of a character; a box if the table does not have it.
 Glyph glyph_of(char32_t character);
+/// True if the table has the character.
+bool has_glyph(char32_t character);
 
 }  // namespace canvoy

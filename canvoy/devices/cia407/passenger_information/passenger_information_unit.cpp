@@ -107,17 +107,23 @@ PassengerInformationUnit::PassengerInformationUnit(VirtualDevice& device,
 
 void PassengerInformationUnit::reset(ResetScope scope) {
   if (scope != ResetScope::node) return;
-  // All existing ISO 8859-n.
-  constexpr std::uint16_t sets[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 13, 14, 15};
-  unsigned number = 0;
-  for (const std::uint16_t set : sets) {
-    device_[available_character_set(++number)].set_raw(set);
-  }
+  offer_character_sets();
   special_characters_.shelf().clear();
   pictures_.shelf().clear();
   is_testing_ = false;
   if (hardware_.test) hardware_.test(false);
   go_dark();
+}
+
+/// Offers each ISO 8859-n that exists and can be drawn; entries behind them name the default set.
+void PassengerInformationUnit::offer_character_sets() {
+  constexpr std::uint16_t sets[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 13, 14, 15};
+  unsigned number = 0;
+  for (const std::uint16_t set : sets) {
+    if (hardware_.has_character_set && !hardware_.has_character_set(set)) continue;
+    device_[available_character_set(++number)].set_raw(set);
+  }
+  while (number < std::size(sets)) device_[available_character_set(++number)].set_raw(0);
 }
 
 void PassengerInformationUnit::go_dark() {
@@ -166,6 +172,7 @@ void PassengerInformationUnit::update() {
     elements[count] = {};
     const auto mapping = device_[mapped_object(number)];
     if (mapping.exists() && fill(elements[count], numbers[count], mapping.raw())) {
+      has_failed = has_failed || !can_draw(elements[count]);
       ++count;
     } else {
       has_failed = true;
@@ -173,6 +180,11 @@ void PassengerInformationUnit::update() {
   }
   if (hardware_.show) hardware_.show({elements.data(), count});
   tell_failure(has_failed);
+}
+
+/// Whether each character is drawn: a text that lacks one is shown all the same.
+bool PassengerInformationUnit::can_draw(const ShownElement& element) const {
+  return !hardware_.has_characters_of || hardware_.has_characters_of(element);
 }
 
 bool PassengerInformationUnit::fill(ShownElement& element, NumberText& number,

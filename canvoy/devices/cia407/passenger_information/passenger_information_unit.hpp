@@ -1,6 +1,6 @@
 // Passenger information: shows the objects of its display mapping (6203h) when sub-index 01h of it
 // is written (CiA 407, 6.4, 9.2.8). An object that cannot be shown is left out, and causes an error
-// (FF04h) and an event until the next update.
+// (FF04h) and an event until the next update. So does a character that the display cannot draw.
 //
 //     PassengerInformationUnit display(device, {.show = ...}, {});
 //
@@ -27,6 +27,12 @@ struct DisplayHardware {
   Callback<void(bool)> test = {};
   /// Switches the sign that the vehicle will stop (6204h).
   Callback<void(bool)> show_stop_request = {};
+  /// True for a character set, 1 to 15 as in 6205h, of which the display can draw each character;
+  /// absent: for each ISO 8859-n.
+  Callback<bool(std::uint16_t)> has_character_set = {};
+  /// False where the display has no picture of a character of the element, or its set has no such
+  /// character; absent: always true.
+  Callback<bool(const ShownElement&)> has_characters_of = {};
 };
 
 class PassengerInformationUnit {
@@ -54,6 +60,8 @@ class PassengerInformationUnit {
   using NumberText = std::array<char, number_size>;
 
   void reset(ResetScope scope);
+  void offer_character_sets();
+  bool can_draw(const ShownElement& element) const;
   AbortCode check_character_set(std::uint16_t wanted);
   void stop_request_written();
   void take_event(std::uint8_t flags, std::uint16_t information);
