@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <set>
 #include <unordered_set>
 #include <utility>
 
@@ -35,10 +38,14 @@ std::string id_of(Table& table, std::size_t column) {
   return std::string(id.substr(0, id_bytes_max));
 }
 
-/// 0, 0 is in the Gulf of Guinea, without buses: feeds write it for a missing position.
+/// 0, 0 is in the Gulf of Guinea, without buses, and so are the poles: feeds write them for a
+/// missing position.
 void check_place(Table& table, std::size_t latitude, std::size_t longitude) {
-  const bool is_nowhere =
-      parse_number(table.text(latitude)) == 0.0 && parse_number(table.text(longitude)) == 0.0;
+  constexpr double pole = 90;
+  const std::optional<double> north = parse_number(table.text(latitude));
+  const bool is_at_pole = north && std::abs(*north) > pole - 1 && std::abs(*north) <= pole;
+  if (is_at_pole) table.fail(latitude, "at a pole: the place of the stop is missing");
+  const bool is_nowhere = north == 0.0 && parse_number(table.text(longitude)) == 0.0;
   if (is_nowhere) table.fail(latitude, "0, and stop_lon 0 too: the place of the stop is missing");
 }
 
@@ -77,8 +84,10 @@ Result<std::vector<Route>> read_routes(const FeedArchive& archive) {
     return Error{archive.name() + "/routes.txt", "missing", "a GTFS feed has it"};
   }
   std::vector<Route> routes;
+  std::set<std::string, std::less<>> ids;
   while (table->next()) {
     if (routes.size() == routes_max) table->fail_file("too many routes");
+    if (!ids.emplace(table->text(id)).second) table->fail(id, "it is there twice");
     routes.push_back({.id = id_of(*table, id),
                       .agency = std::string(table->text(agency)),
                       .short_name = table->shown(short_name),

@@ -23,6 +23,8 @@ class Rules {
     check_times(feed);
     for (const gtfs::TripReport& trip : feed.trips) check_trip(trip, feed);
     for (const gtfs::VehicleReport& vehicle : feed.vehicles) check_vehicle(vehicle, feed);
+    const bool has_both = !feed.trips.empty() && !feed.vehicles.empty();
+    rule("W003", !has_both || feed.trips[0].vehicle.id == feed.vehicles[0].vehicle.id);
     last_ = std::max(last_, feed.timestamp);
     return broken_;
   }
@@ -36,6 +38,7 @@ class Rules {
     rule("E048", feed.timestamp != 0);      // timestamp of the header
     rule("E018", feed.timestamp >= last_);  // it does not decrease
     rule("E001", feed.timestamp > 1'000'000'000 && feed.timestamp < 10'000'000'000);  // POSIX time
+    rule("W008", network_.snapshot().utc - std::int64_t(feed.timestamp) <= 65);       // its age
     rule("E050", std::int64_t(feed.timestamp) <= network_.snapshot().utc);  // not in the future
   }
 
@@ -53,6 +56,8 @@ class Rules {
     rule("E021", trip.start_date && trip.start_date->ok());           // start_date
     rule("E020", !trip.start_time || trip.start_time->count() >= 0);  // start_time
     if (journey == nullptr) return nullptr;
+    const auto first = std::chrono::floor<std::chrono::seconds>(journey->passings[0].arrival);
+    rule("E023", !trip.start_time || *trip.start_time == first);  // start_time of the timetable
     const bool is_backward = network_.line().routes[journey->route].is_backward;
     rule("E024", !trip.direction || (*trip.direction == 1) == is_backward);  // direction_id
     return journey;
