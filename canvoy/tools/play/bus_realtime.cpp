@@ -70,8 +70,8 @@ class FeedMaker {
   gtfs::RealtimeFeed feed() const {
     gtfs::RealtimeFeed made{.timestamp = posix(now_)};
     const auto position = heard_.position(now_);
-    if (stop_) made.trips.push_back(trip_report());
-    if (position || stop_) made.vehicles.push_back(vehicle_report(position));
+    if (stop_ && has_trip()) made.trips.push_back(trip_report());
+    if (position || (stop_ && has_trip())) made.vehicles.push_back(vehicle_report(position));
     return made;
   }
 
@@ -85,6 +85,8 @@ class FeedMaker {
   std::chrono::seconds of_day(Time at) const {
     return in_whole_seconds(network_.time_of_day() - (now_ - at));
   }
+  /// The ways from the depot and back to it are not in the timetable of passengers.
+  bool has_trip() const { return journey_ != nullptr && !journey_->trip.empty(); }
   const std::string& stop_id(std::size_t place) const {
     return network_.line().stop(journey_->route, place).id;
   }
@@ -119,7 +121,7 @@ class FeedMaker {
 
   gtfs::VehicleReport vehicle_report(const Position& position) const {
     gtfs::VehicleReport report{.vehicle = vehicle_, .timestamp = posix(now_)};
-    if (journey_ != nullptr) report.trip = trip();
+    if (has_trip()) report.trip = trip();
     if (position) {
       report.latitude = position->value.latitude;
       report.longitude = position->value.longitude;
@@ -127,7 +129,7 @@ class FeedMaker {
       report.speed_m_s = heard_.speed(now_);
       report.timestamp = posix(position->heard);
     }
-    if (stop_) {
+    if (stop_ && has_trip()) {
       report.stop_sequence = journey_->passings[stop_->value.place].sequence;
       report.stop = stop_id(stop_->value.place);
       report.status =

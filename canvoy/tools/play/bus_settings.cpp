@@ -79,7 +79,29 @@ BusRow bus_doors() {
       "from the front; the third and fourth want a passenger-counter of their own");
 }
 
-BusTable vehicle_table() {
+/// A file of what was counted, relative to the folder; `read` gives it to the run.
+template <auto file, class Read>
+auto counts_of(const std::string& folder, const Read& read) {
+  return [folder, read](const TomlTable& table, BusRun& run) {
+    if ((run.*file).empty()) return;
+    run.*file = (std::filesystem::path(folder) / (run.*file)).string();
+    try {
+      read(run);
+    } catch (const Failure& failure) {
+      table.refuse(failure.what());
+    }
+  };
+}
+template <auto file>
+BusRow counts_row(const std::string& key, const std::string& help, const std::string& example) {
+  auto row = setting<file>(key, help).as_example(example);
+  row.value = [](const BusRun& run) {
+    return (run.*file).empty() ? "" : text_value(std::filesystem::absolute(run.*file).string());
+  };
+  return row;
+}
+
+BusTable vehicle_table(const std::string& folder) {
   constexpr auto network = &BusRun::network;
   using bus_line::BusNetworkOptions;
   using bus_line::BusOptions;
@@ -90,7 +112,15 @@ BusTable vehicle_table() {
   return {
       "vehicle",
       "",
-      {bus_capacity(), bus_doors(), std::move(late).as_example("\"3min\""), std::move(red_lights)}};
+      {setting<network, &BusNetworkOptions::design, &bus_line::BusDesign::cars>(
+           "cars", "one of them has no gateway and no second bus", {{1, 2}}),
+       bus_capacity(), bus_doors(), std::move(late).as_example("\"3min\""), std::move(red_lights),
+       counts_row<&BusRun::delays>("delays", "by how much it arrives late, as measured",
+                                   "\"delays.csv\"")},
+      counts_of<&BusRun::delays>(folder, [](BusRun& run) {
+        run.network.vehicle.delays =
+            std::make_shared<const bus_line::Delays>(read_delays(run.delays, run.network.line));
+      })};
 }
 
 /// People, and their boarding times.
@@ -101,30 +131,20 @@ BusTable passenger_table(const std::string& folder) {
   using bus_line::RiderOptions;
   constexpr auto options = &BusNetworkOptions::vehicle;
   constexpr auto riders = &BusOptions::riders;
-  auto demand = setting<&BusRun::demand>("demand", "who was counted, in place of an even mean")
-                    .as_example("\"counts.csv\"");
-  demand.value = [](const BusRun& run) {
-    return run.demand.empty() ? "" : text_value(std::filesystem::absolute(run.demand).string());
-  };
   return {"passengers",
           "means of one person in a door",
-          {std::move(demand),
+          {counts_row<&BusRun::demand>("demand", "who was counted, in place of an even mean",
+                                       "\"counts.csv\""),
            setting<network, options, riders, &RiderOptions::boarding_time>("boarding_time", "",
                                                                            {100ms, 1min}),
            setting<network, options, riders, &RiderOptions::alighting_time>("alighting_time", "",
                                                                             {100ms, 1min}),
            setting<network, options, riders, &RiderOptions::buying_time>(
                "buying_time", "who buys from the driver, beside that", {100ms, 5min})},
-          [folder](const TomlTable& table, BusRun& run) {
-            if (run.demand.empty()) return;
-            run.demand = (std::filesystem::path(folder) / run.demand).string();
-            try {
-              run.network.vehicle.riders.demand = std::make_shared<const bus_line::Demand>(
-                  read_demand(run.demand, run.network.line));
-            } catch (const Failure& failure) {
-              table.refuse(failure.what());
-            }
-          }};
+          counts_of<&BusRun::demand>(folder, [](BusRun& run) {
+            run.network.vehicle.riders.demand =
+                std::make_shared<const bus_line::Demand>(read_demand(run.demand, run.network.line));
+          })};
 }
 
 /// The CAN-ID of a message.
@@ -245,7 +265,8 @@ FilePart<BusRun> added_devices() {
 }  // namespace
 
 void add_bus_settings(std::vector<FilePart<BusRun>>& parts, const std::string& folder) {
-  parts.emplace_back(vehicle_table());
+  add_line_changes(parts);
+  parts.emplace_back(vehicle_table(folder));
   parts.emplace_back(passenger_table(folder));
   parts.emplace_back(message_table());
   for (const bus_line::DevicePlace& place : bus_line::device_places)

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "canvoy/tools/play/world_file.hpp"
 #include "canvoy/worlds/bus_line/bus_network_options.hpp"
+#include "canvoy/worlds/bus_line/line_changes.hpp"
 
 namespace canvoy::tools {
 
@@ -22,9 +24,17 @@ struct BusRun : WorldRun {
   bus_line::BusNetworkOptions network{};
   LineChoice line{};
   std::string demand{};  ///< its file name, as given
+  std::string delays{};  ///< likewise
+  std::optional<bus_line::Depot> depot{};
+  std::vector<bus_line::ShortTurn> short_turns{};
+  std::vector<bus_line::Detour> detours{};
 };
 
-/// Adds `[vehicle]`, `[passengers]`, `[messages]`, a table for each device of the bus, and
+/// Adds `[[short_turn]]`, `[[detour]]`, `[depot]` and `[[driver]]`. The line must be read before.
+/// The depot comes last of those that change the line: its journeys are beside all others.
+void add_line_changes(std::vector<FilePart<BusRun>>& parts);
+/// Adds what add_line_changes() adds, `[vehicle]`, `[passengers]`, `[messages]`, a table for each
+/// device of the bus, and
 /// `[[device]]` for others. File names are relative to `folder`; the line must be read before.
 void add_bus_settings(std::vector<FilePart<BusRun>>& parts, const std::string& folder);
 

@@ -50,6 +50,30 @@ TEST(BusSettings, AFleetsBusIsWrittenDown) {
   EXPECT_EQ(whole(text.substr(text.find("network = \"bus\"\n") + 16)), text);
 }
 
+TEST(BusSettings, ADispatchersDayIsWrittenDown) {
+  const std::string text = whole(
+      "[[short_turn]]\njourney = 1\nstop = \"School\"\n"
+      "[[detour]]\njourney = 3\nwithout = [\"Town Hall\"]\nvia = [0.0165, 0.0139]\n"
+      "[depot]\nplace = [0.008, 0.008]\nsign = \"Off duty\"\n"
+      "[[driver]]\njourney = 2\nnumber = 4711\n");
+  EXPECT_TRUE(has(text, "\n[[short_turn]]")) << text;
+  EXPECT_TRUE(has(text, "\nstop = \"School\""));
+  EXPECT_TRUE(has(text, "\nwithout = [\"Town Hall\"]"));
+  EXPECT_TRUE(has(text, "\nvia = [0.0165, 0.0139]"));
+  EXPECT_TRUE(has(text, "\nplace = [0.008, 0.008]"));
+  EXPECT_TRUE(has(text, "\nname = \"Depot\""));
+  EXPECT_TRUE(has(text, "\nsign = \"Off duty\""));
+  EXPECT_TRUE(has(text, "\nnumber = 4711"));
+  EXPECT_EQ(whole(text.substr(text.find("network = \"bus\"\n") + 16)), text);
+  EXPECT_EQ(whole("[[short_turn]]\njourney = 1\nstop = \"Zoo\"\n"),
+            "bus.toml line 2: the journey does not call at 'Zoo' between its ends");
+  EXPECT_EQ(whole("[[detour]]\njourney = 1\nwithout = [\"School\"]\nvia = [1]\n"),
+            "bus.toml line 5: via: each place has a latitude and a longitude");
+  EXPECT_EQ(whole("[depot]\nsign = \"Off duty\"\n"), "bus.toml line 3: sign: a depot has a place");
+  EXPECT_EQ(whole("[[driver]]\njourney = 99\nnumber = 1\n"),
+            "bus.toml line 2: the block has no journey 99");
+}
+
 TEST(BusSettings, WhatIsPrintedByDefaultIsReadAsTheSame) {
   const std::string text = whole("");
   EXPECT_TRUE(has(text, "\n# capacity = 60")) << text;

@@ -23,10 +23,14 @@ class DemandFile : public testing::Test {
     std::ofstream(folder_ / "counts.csv") << text;
     return read_demand((folder_ / "counts.csv").string(), bus_line::built_in_line());
   }
+  bus_line::Delays read_late(const std::string& text) {
+    std::ofstream(folder_ / "counts.csv") << text;
+    return read_delays((folder_ / "counts.csv").string(), bus_line::built_in_line());
+  }
   /// After the name of the folder.
-  std::string refusal(const std::string& text) {
+  std::string refusal(const std::string& text, bool is_of_delays = false) {
     try {
-      static_cast<void>(read(text));
+      static_cast<void>(is_of_delays ? void(read_late(text)) : void(read(text)));
     } catch (const Failure& failure) {
       const std::string what = failure.what();
       const std::string prefix = folder_.string() + "/";
@@ -51,6 +55,16 @@ TEST_F(DemandFile, SaysWhoGetsInAndOutWhereAndWhen) {
   EXPECT_EQ(demand.at(1, false, 8).boarding, 1);
   EXPECT_EQ(demand.at(7, true, 25).boarding, 2);
   EXPECT_EQ(demand.at(7, false, 25).boarding, 0);
+}
+
+TEST_F(DemandFile, SaysHowLateTheBusIs) {
+  const bus_line::Delays delays = read_late("stop,hour,delay\nHARBOUR,8,90\nHARBOUR,,-12.5\n");
+  EXPECT_EQ(delays.at(7, true, 8), 90s);
+  EXPECT_EQ(delays.at(7, true, 9), -12500ms);
+  EXPECT_EQ(delays.at(6, true, 8), 0s);
+  EXPECT_EQ(refusal("stop,delay\nMARKET,\n", true), "counts.csv line 2: delay: empty");
+  EXPECT_EQ(refusal("stop,delay\nMARKET,1min\n", true),
+            "counts.csv line 2: delay: '1min' is no number from -600 to 7200");
 }
 
 TEST_F(DemandFile, IsRefusedWithFileLineAndColumn) {

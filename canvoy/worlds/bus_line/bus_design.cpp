@@ -80,6 +80,7 @@ std::string problem_of(const AddedDevice& device, const BusDesign& design) {
     return is_counter ? "door: of which one it counts is missing"
                       : "door: of a passenger-counter alone";
   }
+  if (device.car > design.cars) return "the bus has one car";
   if (is_counter && device.car != 1) return "the doors are in the first car";
   const bool is_twice = std::ranges::count(design.added, device.id, &AddedDevice::id) > 1;
   const bool is_taken =

@@ -45,6 +45,7 @@ struct AddedDevice {
 };
 
 struct BusDesign {
+  unsigned cars = 2;                              ///< 1: without the second car and the train bus
   MessageIds ids{};                               ///< of all messages
   std::map<NodeId, Duration> heartbeats{};        ///< other devices keep their usual time
   std::map<NodeId, BusDisplay::Size> displays{};  ///< likewise, their usual size
@@ -63,6 +64,11 @@ constexpr Duration heartbeat_max(NodeId id) {
   return is_short ? Duration(500ms) : Duration(1s);
 }
 
+/// True if the bus has the device: one car has neither those of the second one, nor the gateway to
+/// it.
+constexpr bool is_there(const BusDesign& design, NodeId id) {
+  return design.cars > 1 || (car_of(id) == 1 && id != train_gateway_id);
+}
 /// Reason why a CAN-ID is not allowed for the message that `sender` sends; empty: it is allowed.
 std::string problem_of_id(const BusDesign& design, std::uint32_t id, NodeId sender);
 /// Reason why such a device cannot be added; empty: it can.

@@ -214,5 +214,27 @@ TEST(BusDesign, WhatMakesNoBusIsSaid) {
   EXPECT_EQ(problem_of(no_way_out), "people get in by some door, and out by some door");
 }
 
+/// Most buses have one car: nothing is on the second cable, and nothing of it is judged.
+TEST(BusDesign, ABusOfOneCar) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    BusNetworkOptions options;
+    options.faults.seed = seed;
+    options.design.cars = 1;
+    options.length = 40min;
+    BusNetwork network(options);
+    network.run_until(network.end());
+    const BusNetworkSnapshot end = network.snapshot();
+    EXPECT_EQ(end.buses[1].frames, 0U);
+    EXPECT_EQ(end.nodes.size(), 16U) << "21 less four of the second car and the train gateway";
+    EXPECT_EQ(end.names.size(), 16U);
+    EXPECT_EQ(end.displays.size(), 4U);
+    EXPECT_EQ(network.invariants().size(), invariant_kinds - 3);
+    for (const Invariant& invariant : network.invariants()) {
+      EXPECT_TRUE(invariant.held) << invariant_name(invariant.kind).name << " of seed " << seed;
+    }
+    EXPECT_GT(end.riders.out, 0U);
+  }
+}
+
 }  // namespace
 }  // namespace canvoy::bus_line::bus_design_test

@@ -11,7 +11,7 @@ namespace {
 
 constexpr Duration step_time = 100ms;
 constexpr Duration log_in_again = 1s;
-constexpr std::uint32_t driver_number = 1234;
+constexpr std::uint32_t first_driver = 1234;
 
 }  // namespace
 
@@ -182,12 +182,24 @@ void BusNetwork::learn_truth(Time now) {
       .block = truth.block->number,
       .journey = static_cast<std::uint16_t>(truth.journey->number),
       .destination = options_.line.stops[truth.route->stops.back().stop].number,
-      .driver = driver_number};
+      .driver = driver()};
   if (data == truth_.current()) return;
   const bool is_other_stop = data.stop_point != truth_.current().stop_point;
   if (is_other_stop) announcements_.stop_comes(now, data.stop_point);
   truth_.learn(now, data);
   display_watch_.truth_changed();
+}
+
+/// Number of the driver of this journey.
+std::uint32_t BusNetwork::driver() const {
+  const BusTruth truth = vehicle_.truth();
+  std::uint32_t number = first_driver;
+  for (const Journey& journey : truth.block->journeys) {
+    const auto change = std::ranges::find(options_.drivers, journey.number, &DriverChange::journey);
+    if (change != options_.drivers.end()) number = change->driver;
+    if (&journey == truth.journey) break;
+  }
+  return number;
 }
 
 /// The driver enters the assignment, and tries again where the device does not accept it.
@@ -238,6 +250,17 @@ void BusNetwork::judge(Time now) {
   service_.judge_devices(now);
 }
 
+std::vector<Invariant> BusNetwork::invariants() const {
+  std::vector<Invariant> verdicts = referee_.verdicts();
+  if (options_.design.cars > 1) return verdicts;
+  std::erase_if(verdicts, [](const Invariant& invariant) {
+    return invariant.kind == InvariantKind::second_car ||
+           invariant.kind == InvariantKind::second_announcements ||
+           invariant.kind == InvariantKind::second_stop_sign;
+  });
+  return verdicts;
+}
+
 bool BusNetwork::all_hold() const {
   return std::ranges::all_of(invariants(), &Invariant::held);
 }
@@ -263,6 +286,7 @@ BusNetworkSnapshot BusNetwork::snapshot() {
                           .riders = vehicle_.riders().statistics(),
                           .statistics = counted_};
   for (const NodeId id : display_ids) {
+    if (!nodes_.is_there(id)) continue;
     look.displays.push_back({id, display(id).text(), display(id).is_sign_lit()});
   }
   for (std::size_t i = 0; i < vehicle_.door_count(); ++i) {

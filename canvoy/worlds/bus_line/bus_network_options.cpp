@@ -18,7 +18,11 @@ BusOptions vehicle_options(const BusNetworkOptions& options) {
   if (options.design.doors) made.doors = *options.design.doors;
   made.riders.capacity = options.design.capacity.value_or(made.riders.capacity);
   if (options.sabotage.crowd) made.riders.capacity = std::numeric_limits<unsigned>::max();
-  if (made.riders.second_car_every == 0) made.riders.second_car_every = second_car_every;
+  if (options.design.cars == 1) {
+    made.riders.second_car_every = 0;
+  } else if (made.riders.second_car_every == 0) {
+    made.riders.second_car_every = second_car_every;
+  }
   return made;
 }
 

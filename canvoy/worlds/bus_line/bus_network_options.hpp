@@ -44,6 +44,12 @@ struct Sabotage {
   bool crowd = false;                  ///< people get in beyond the capacity
 };
 
+/// A driver who takes over from the beginning of a journey on.
+struct DriverChange {
+  std::uint32_t journey = 0;  ///< number (6195h) within the block
+  std::uint32_t driver = 0;   ///< number (6190h)
+};
+
 struct BusNetworkOptions {
   FaultPlan faults{};                ///< faults, and the seed of all chance
   std::uint32_t bit_rate = 125'000;  ///< of both cables, in bit/s
@@ -55,8 +61,9 @@ struct BusNetworkOptions {
   LocalClock clock{{OffsetChange{.offset = 3600}}};        ///< of the line: UTC + 1 h
   BusOptions vehicle{};  ///< its seed is that of the faults; each third rides in the second car
   BusDesign design{};    ///< of the vehicle and its network
-  std::vector<NodeId> real{};  ///< devices that are not simulated here
-  Sabotage sabotage{};         ///< none by default
+  std::vector<DriverChange> drivers{};  ///< those after the first one
+  std::vector<NodeId> real{};           ///< devices that are not simulated here
+  Sabotage sabotage{};                  ///< none by default
 };
 
 /// Number of people that the bus has room for.

@@ -46,10 +46,10 @@ void BusNodes::add(const AddedDevice& device, const Environment& environment) {
 
 void BusNodes::add(const BusNode::Place& place, std::span<const cia407::BusUnit* const> units,
                    const Environment& environment) {
-  nodes_.push_back(
-      std::make_unique<BusNode>(world_, index_of(place.id), units, place, environment));
-  by_id_.at(place.id) = nodes_.back().get();
-  watches_.at(car_of(place.id) - 1).name(nodes_.back()->controller(), place.id);
+  auto& all = is_there(place.id) ? nodes_ : absent_;
+  all.push_back(std::make_unique<BusNode>(world_, index_of(place.id), units, place, environment));
+  by_id_.at(place.id) = all.back().get();
+  watches_.at(car_of(place.id) - 1).name(all.back()->controller(), place.id);
 }
 
 unsigned BusNodes::car_of(NodeId id) const {
@@ -62,7 +62,7 @@ void BusNodes::complete() {
 }
 
 bool BusNodes::is_played(NodeId id) const {
-  return std::ranges::find(options_.real, id) == options_.real.end();
+  return is_there(id) && std::ranges::find(options_.real, id) == options_.real.end();
 }
 
 bool BusNodes::is_at_work(NodeId id) {

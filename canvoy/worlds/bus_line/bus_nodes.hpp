@@ -55,8 +55,10 @@ class BusNodes {
   const BusDesign& design() const { return options_.design; }
   /// Device with a node-ID; throws std::out_of_range where there is none.
   BusNode& node(NodeId id) { return *by_id_.at(id); }
-  /// All devices, in the order in which they were added.
+  /// All devices of the bus, in the order in which they were added.
   std::span<const std::unique_ptr<BusNode>> all() const { return nodes_; }
+  /// False for a device of a car that the bus does not have: it is never on.
+  bool is_there(NodeId id) const { return bus_line::is_there(design(), id); }
 
   /// True if it is simulated here.
   bool is_played(NodeId id) const;
@@ -85,6 +87,7 @@ class BusNodes {
   std::array<BusIndex, 2> indices_;  ///< of each car
   std::deque<Environment> sites_;
   std::vector<std::unique_ptr<BusNode>> nodes_;
+  std::vector<std::unique_ptr<BusNode>> absent_;
   std::array<BusNode*, node_id_max + 1> by_id_{};
   std::array<BusWatch, 2> watches_;
 };

@@ -21,8 +21,12 @@ constexpr Duration look_time = 1s;
 constexpr Duration pass_not_before = Riders::press_within + 2s;
 constexpr double same_place_m = 30;
 constexpr double transfer_speed = 8.3;
-constexpr double slowest = 8.3;      ///< m/s: an early driver does not go slower
-constexpr double fastest = 27.8;     ///< m/s: the law's limit for buses out of town
+constexpr double slowest = 8.3;             ///< m/s: an early driver does not go slower
+constexpr double fastest = 27.8;            ///< m/s: the law's limit for buses out of town
+constexpr double slowest_in_traffic = 1.4;  ///< m/s: where a delay is given
+constexpr double traffic_from = 0.85;       ///< least share of the speed, in traffic
+constexpr double traffic_more = 0.15;       ///< that it may have beyond that
+constexpr double mean_traffic = traffic_from + traffic_more / 2;
 constexpr double lights_from = 0.3;  ///< shares of the way between two stops
 constexpr double lights_to = 0.7;
 
@@ -200,9 +204,22 @@ double BusVehicle::leg_speed(Time now) const {
   const Passing& from = journey().passings[place_ - 1];
   const double metres = to.metres - drive_.metres();
   const double planned = std::max(1.0, seconds(passing().arrival - from.departure));
-  const double left = seconds(zero_ + passing().arrival - now) - 20;
+  const double left = seconds_left(now);
   const double road = std::clamp(1.5 * metres / planned, options_.speed_max, fastest);
-  return std::clamp(left <= 0 ? road : 1.2 * metres / left, slowest, road);
+  const double least = options_.delays ? slowest_in_traffic : slowest;
+  const double haste = options_.delays ? 1 / mean_traffic : 1.2;
+  return std::clamp(left <= 0 ? road : haste * metres / left, least, road);
+}
+
+/// Time in which the next stop is to be reached, but for what it takes to speed up and to brake.
+double BusVehicle::seconds_left(Time now) const {
+  constexpr double in_advance = 20;
+  constexpr double speeding_up_and_braking = 7;
+  const double planned = seconds(zero_ + passing().arrival - now);
+  if (!options_.delays) return planned - in_advance;
+  const Duration late = options_.delays->at(route().stops[place_].stop, route().is_backward,
+                                            hour_of(passing().arrival));
+  return planned + seconds(late) - speeding_up_and_braking;
 }
 
 void BusVehicle::begin_leg(Time now) {
@@ -218,7 +235,7 @@ void BusVehicle::begin_leg(Time now) {
     // Too close to stop at the light: it counts as green.
     if (light_ - drive_.metres() <= drive_.braking_distance() + 1) light_ = -1;
   }
-  const double traffic = 0.85 + 0.15 * random_.below(1000) / 1000;
+  const double traffic = traffic_from + traffic_more * random_.below(1000) / 1000;
   drive_.go(light_ >= 0 ? light_ : end, leg_speed(now) * traffic);
 }
 

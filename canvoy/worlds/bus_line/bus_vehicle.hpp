@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -46,8 +47,11 @@ struct BusOptions {
   double speed_max = 13.9;           ///< m/s in town; more where the timetable needs it
   unsigned red_light_percent = 30;   ///< share of the ways between stops that have a red light
   Duration late{};                   ///< lateness at the start of the first journey
-  bool has_hasty_driver = false;     ///< the driver waits for the first departure alone
-  bool has_unkind_driver = false;    ///< the driver opens only for passengers who get out
+  /// Delays by which the vehicle arrives at stops, as far as roads and speed_max allow; null: it
+  /// arrives a little before its time.
+  std::shared_ptr<const Delays> delays{};
+  bool has_hasty_driver = false;   ///< the driver waits for the first departure alone
+  bool has_unkind_driver = false;  ///< the driver opens only for passengers who get out
 };
 
 /// What happens to the vehicle, as on_event() reports it.
@@ -178,6 +182,7 @@ class BusVehicle {
   bool are_closed() const;
   bool wants_doors(Time now) const;
   double leg_speed(Time now) const;
+  double seconds_left(Time now) const;
 
   const BusLine* line_;
   const Block* block_;

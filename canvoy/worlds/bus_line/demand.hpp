@@ -1,47 +1,71 @@
-// Numbers of people that get in and out at a stop of a line, by direction and hour: counted values,
-// in place of an even mean.
+// Values at the stops of a line, by direction and hour, as they were counted: numbers of people
+// that get in and out, in place of an even mean, and delays.
 //
 //     Demand demand;
-//     demand.add({.stop = 3, .hour = 7, .boarding = 4.5});
+//     demand.add({.stop = 3, .hour = 7, .value = {.boarding = 4.5}});
 //     demand.at(3, false, 7).boarding;
 //
 // The most specific row of a stop counts: first the one for its direction and hour, then that for
 // its direction, then that for its hour, then that for all. Where there is no row, no passengers
-// come.
+// come, and there is no delay.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <map>
 #include <optional>
 #include <tuple>
 
+#include "canvoy/can/time.hpp"
+
 namespace canvoy::bus_line {
 
-class Demand {
+/// Hour of the day of service: above 23 after its midnight.
+inline unsigned hour_of(Duration of_day) {
+  return static_cast<unsigned>(std::chrono::floor<std::chrono::hours>(of_day).count());
+}
+
+/// Values of stops by direction and hour.
+template <class Value>
+class StopTable {
  public:
-  /// People that get in and out at a stop.
-  struct Exchange {
-    double boarding = 0;   ///< mean for each journey
-    double alighting = 0;  ///< mean for each journey; boarding passengers choose their stops in
-                           ///< proportion to it
-  };
-  /// Counts of a stop.
+  /// Value of a stop.
   struct Row {
     std::size_t stop = 0;               ///< index in BusLine::stops
     std::optional<bool> is_backward{};  ///< empty: in either direction
     std::optional<unsigned> hour{};     ///< of the day of service, may be above 23; empty: every
                                         ///< hour
-    Exchange exchange{};                ///< the counts
+    Value value{};                      ///< as counted
   };
 
   /// False where a row for the same stop, direction and hour exists.
-  bool add(const Row& row);
+  bool add(const Row& row) {
+    return rows_.try_emplace(Key(row.stop, row.is_backward, row.hour), row.value).second;
+  }
   /// Logarithmic in the number of rows.
-  Exchange at(std::size_t stop, bool is_backward, unsigned hour) const;
+  Value at(std::size_t stop, bool is_backward, unsigned hour) const {
+    for (const Key& key : {Key(stop, is_backward, hour), Key(stop, is_backward, std::nullopt),
+                           Key(stop, std::nullopt, hour), Key(stop, std::nullopt, std::nullopt)}) {
+      if (const auto found = rows_.find(key); found != rows_.end()) return found->second;
+    }
+    return {};
+  }
 
  private:
   using Key = std::tuple<std::size_t, std::optional<bool>, std::optional<unsigned>>;
-  std::map<Key, Exchange> rows_;
+  std::map<Key, Value> rows_;
 };
+
+/// People that get in and out at a stop.
+struct Exchange {
+  double boarding = 0;   ///< mean for each journey
+  double alighting = 0;  ///< mean for each journey; boarding passengers choose their stops in
+                         ///< proportion to it
+};
+/// Numbers of people, as counted.
+using Demand = StopTable<Exchange>;
+
+/// Usual delays of arrivals at a stop; negative: early.
+using Delays = StopTable<Duration>;
 
 }  // namespace canvoy::bus_line

@@ -16,11 +16,11 @@ namespace {
 
 TEST(Demand, WhatIsSaidOfADirectionAndAnHourGoesFirst) {
   Demand demand;
-  EXPECT_TRUE(demand.add({.stop = 1, .exchange = {.boarding = 1}}));
-  EXPECT_TRUE(demand.add({.stop = 1, .hour = 7, .exchange = {.boarding = 2}}));
-  EXPECT_TRUE(demand.add({.stop = 1, .is_backward = true, .exchange = {.boarding = 3}}));
-  EXPECT_TRUE(demand.add({.stop = 1, .is_backward = true, .hour = 7, .exchange = {.boarding = 4}}));
-  EXPECT_FALSE(demand.add({.stop = 1, .hour = 7, .exchange = {.boarding = 5}})) << "said already";
+  EXPECT_TRUE(demand.add({.stop = 1, .value = {.boarding = 1}}));
+  EXPECT_TRUE(demand.add({.stop = 1, .hour = 7, .value = {.boarding = 2}}));
+  EXPECT_TRUE(demand.add({.stop = 1, .is_backward = true, .value = {.boarding = 3}}));
+  EXPECT_TRUE(demand.add({.stop = 1, .is_backward = true, .hour = 7, .value = {.boarding = 4}}));
+  EXPECT_FALSE(demand.add({.stop = 1, .hour = 7, .value = {.boarding = 5}})) << "said already";
   EXPECT_EQ(demand.at(1, false, 6).boarding, 1);
   EXPECT_EQ(demand.at(1, false, 7).boarding, 2);
   EXPECT_EQ(demand.at(1, true, 6).boarding, 3);
@@ -68,10 +68,10 @@ BusOptions counted(const std::initializer_list<Demand::Row>& rows) {
 /// Of the 29 journeys to the harbour, five begin between 7 and 10: with 6 people at a stop, 30 are
 /// expected, and 15 to 45 are within three standard deviations of a Poisson process.
 TEST(Demand, PeopleComeWhereAndWhenTheyWereCounted) {
-  Demand::Exchange six{.boarding = 6};
-  const Watched day(counted({{.stop = 2, .is_backward = false, .hour = 7, .exchange = six},
-                             {.stop = 2, .is_backward = false, .hour = 8, .exchange = six},
-                             {.stop = 2, .is_backward = false, .hour = 9, .exchange = six}}));
+  Exchange six{.boarding = 6};
+  const Watched day(counted({{.stop = 2, .is_backward = false, .hour = 7, .value = six},
+                             {.stop = 2, .is_backward = false, .hour = 8, .value = six},
+                             {.stop = 2, .is_backward = false, .hour = 9, .value = six}}));
   ASSERT_EQ(day.from.size(), 1u);
   const auto& [place, count] = *day.from.begin();
   EXPECT_EQ(place.first, 2u);
@@ -82,9 +82,9 @@ TEST(Demand, PeopleComeWhereAndWhenTheyWereCounted) {
 
 /// Three of four at the hospital, one of four at the terminal.
 TEST(Demand, TheyGoToStopsInProportionToWhoGetsOutThere) {
-  const Watched day(counted({{.stop = 0, .is_backward = false, .exchange = {.boarding = 20}},
-                             {.stop = 5, .is_backward = false, .exchange = {.alighting = 3}},
-                             {.stop = 7, .is_backward = false, .exchange = {.alighting = 1}}}));
+  const Watched day(counted({{.stop = 0, .is_backward = false, .value = {.boarding = 20}},
+                             {.stop = 5, .is_backward = false, .value = {.alighting = 3}},
+                             {.stop = 7, .is_backward = false, .value = {.alighting = 1}}}));
   ASSERT_EQ(day.to.size(), 2u);
   const double all = day.to.at(5) + day.to.at(7);
   EXPECT_GT(all, 400);
@@ -93,7 +93,7 @@ TEST(Demand, TheyGoToStopsInProportionToWhoGetsOutThere) {
 }
 
 TEST(Demand, WhoTakesLongerInTheDoorHasTheBusStandLonger) {
-  BusOptions quick = counted({{.stop = 1, .is_backward = false, .exchange = {.boarding = 10}}});
+  BusOptions quick = counted({{.stop = 1, .is_backward = false, .value = {.boarding = 10}}});
   quick.riders.pass_percent = 100;
   quick.doors = {{}};
   BusOptions slow = quick;

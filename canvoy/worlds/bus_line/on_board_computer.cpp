@@ -99,7 +99,8 @@ LineControlSettings OnBoardComputer::line_control_settings() {
       .train_gateway = train_gateway_id,
       .sources = {identification_id, positioning_id, vehicle_gateway_id, counting_manager_id}};
   for (const DevicePlace& place : device_places) {
-    if (place.id != computer_id && place.car == 1) settings.nodes.push_back(place.id);
+    const bool is_other = place.id != computer_id && place.car == 1;
+    if (is_other && nodes_.is_there(place.id)) settings.nodes.push_back(place.id);
   }
   for (const AddedDevice& added : options_.design.added) {
     if (added.car != 1) continue;

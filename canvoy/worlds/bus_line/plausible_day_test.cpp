@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <vector>
 
 #include "canvoy/worlds/bus_line/bus_vehicle.hpp"
@@ -117,6 +118,33 @@ TEST(PlausibleDay, NobodyIsLeftWithRoomAboard) {
               static_cast<unsigned long>(all.came), static_cast<unsigned long>(all.left_behind),
               static_cast<unsigned long>(all.ignored), all.aboard_max);
   EXPECT_EQ(all.ignored, 0u);
+}
+
+/// Delays of arrivals towards the harbour: 2 min at School (the fifth stop), none before it. The
+/// bounds are half a red light.
+TEST(PlausibleDay, ArrivesAsLateAsWasMeasured) {
+  const BusLine line = built_in_line();
+  Delays delays;
+  ASSERT_TRUE(delays.add({.stop = 4, .is_backward = false, .value = 2min}));
+  const auto shared = std::make_shared<const Delays>(delays);
+  double count = 0;
+  double late_at_bridge = 0;
+  double late_at_school = 0;
+  for (std::uint64_t seed = 1; seed <= days; ++seed) {
+    BusVehicle bus(line, 0, {.seed = seed, .delays = shared});
+    bus.on_event([&](Time, BusEvent event, std::size_t stop) {
+      const bool is_there = event == BusEvent::arrives || event == BusEvent::passes;
+      if (!is_there || bus.truth().route->is_backward) return;
+      if (stop == 3) late_at_bridge += in_s(bus.delay());
+      if (stop == 4) late_at_school += in_s(bus.delay());
+      if (stop == 4) ++count;
+    });
+    while (!bus.is_over() && bus.deadline() < Time(30h)) bus.advance(bus.deadline());
+  }
+  std::printf("late: %.1f s at the bridge, %.1f s at the school\n", late_at_bridge / count,
+              late_at_school / count);
+  EXPECT_NEAR(late_at_bridge / count, 0, 15);
+  EXPECT_NEAR(late_at_school / count, 120, 15);
 }
 
 }  // namespace

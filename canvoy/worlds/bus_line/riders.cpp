@@ -18,11 +18,6 @@ constexpr Duration retry = 1s;
 /// Some people come later than the planned departure.
 constexpr Duration come_after_max = 30s;
 
-/// Hour of the day of service: above 23 after its midnight.
-unsigned hour_of(Duration of_day) {
-  return static_cast<unsigned>(std::chrono::floor<std::chrono::hours>(of_day).count());
-}
-
 /// In relation to an ordinary hour.
 double busyness(Duration of_day) {
   const unsigned hour = hour_of(of_day) % 24;
