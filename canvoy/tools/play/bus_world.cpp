@@ -194,7 +194,9 @@ struct BusWorld {
   static std::optional<int> play(const Run& run, PlayOptions& play_as, const RunOptions& options,
                                  const Choice& choice);
   static MadeWorld make(const Run& run, const Choice& choice) {
-    return {.network = std::make_unique<PlayedBus>(run.network, choice.outlets)};
+    BusNetworkOptions options = run.network;
+    share_people(options, line_day_of(options, last_time_of(options)));
+    return {.network = std::make_unique<PlayedBus>(options, choice.outlets)};
   }
   static std::vector<DescribedNode> describe(const Run& run) {
     return describe_network(*std::make_unique<BusNetwork>(run.network));

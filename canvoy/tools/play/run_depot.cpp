@@ -6,9 +6,12 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "canvoy/text/text.hpp"
 #include "canvoy/tools/cli/failure.hpp"
@@ -27,10 +30,28 @@ constexpr Duration depot_look_period = 1min;
 
 using MaybeReport = std::optional<bus_line::VehicleReport>;
 
+/// One for each vehicle of a block.
+using LineDays = std::vector<std::shared_ptr<const bus_line::LineDay>>;
+
+LineDays line_days(const DepotOptions& options) {
+  LineDays days;
+  for (std::uint32_t number = 1; number <= options.vehicles && !is_interrupted();) {
+    const bus_line::BusNetworkOptions first = bus_line::depot_vehicle(options.vehicle, number);
+    Duration until{};
+    for (; number <= options.vehicles && day_of(options.vehicle, number) == days.size(); ++number) {
+      until = std::max(until, last_time_of(bus_line::depot_vehicle(options.vehicle, number)));
+    }
+    days.push_back(bus_line::line_day_of(first, until));
+  }
+  return days;
+}
+
 /// Nothing if it was interrupted.
-MaybeReport played_vehicle(const DepotOptions& options, std::uint32_t number) {
-  if (is_interrupted()) return std::nullopt;
-  bus_line::BusNetwork network(bus_line::depot_vehicle(options.vehicle, number));
+MaybeReport played_vehicle(const DepotOptions& options, const LineDays& days,
+                           std::uint32_t number) {
+  bus_line::BusNetworkOptions vehicle = bus_line::depot_vehicle(options.vehicle, number);
+  bus_line::share_people(vehicle, days[bus_line::day_of(options.vehicle, number)]);
+  bus_line::BusNetwork network(std::move(vehicle));
   while (network.now() < network.end()) {
     network.run_until(std::min(network.end(), network.now() + depot_look_period));
     if (is_interrupted()) return std::nullopt;
@@ -140,10 +161,14 @@ unsigned threads_of(const DepotOptions& options) {
 
 int run_depot(const DepotOptions& options) {
   heed_interruption();
+  const LineDays days = line_days(options);
   DepotPrinter printer(options);
   in_order<MaybeReport>(
       options.vehicles, threads_of(options),
-      [&](std::size_t i) { return played_vehicle(options, static_cast<std::uint32_t>(i + 1)); },
+      [&](std::size_t i) -> MaybeReport {
+        if (is_interrupted()) return std::nullopt;
+        return played_vehicle(options, days, static_cast<std::uint32_t>(i + 1));
+      },
       [&](const MaybeReport& vehicle) { printer.take(vehicle); });
   return printer.finish();
 }

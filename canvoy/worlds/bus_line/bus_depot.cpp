@@ -1,6 +1,7 @@
 #include "canvoy/worlds/bus_line/bus_depot.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "canvoy/can/check_invariant.hpp"
 
@@ -13,6 +14,7 @@ void add_statistics(BusNetworkStatistics& sum, const BusNetworkStatistics& more)
   sum.stops += more.stops;
   sum.announced += more.announced;
   sum.texts += more.texts;
+  sum.headways.add(more.headways);
   sum.worst_delay = std::max(sum.worst_delay, more.worst_delay);
 }
 
@@ -42,6 +44,33 @@ BusNetworkOptions depot_vehicle(const BusNetworkOptions& depot, std::uint32_t nu
   options.faults.seed += number - 1;
   options.block = (number - 1) % depot.line.blocks.size();
   return options;
+}
+
+std::size_t day_of(const BusNetworkOptions& depot, std::uint32_t number) {
+  return (number - 1) / depot.line.blocks.size();
+}
+
+Duration last_time_of(const BusNetworkOptions& vehicle) {
+  const Block& block = vehicle.line.blocks[vehicle.block];
+  return start_of(block, vehicle_options(vehicle)) + (end_of(vehicle) - Time{});
+}
+
+std::shared_ptr<const LineDay> line_day_of(const BusNetworkOptions& vehicle, Duration until) {
+  if (!LineDay::is_frequent(vehicle.line)) return nullptr;
+  std::vector<BusOptions> all;
+  for (std::size_t block = 0; block < vehicle.line.blocks.size(); ++block) {
+    all.push_back(vehicle_options(vehicle));
+    all.back().seed += block - vehicle.block;
+  }
+  return std::make_shared<const LineDay>(vehicle.line, std::move(all), until);
+}
+
+void share_people(BusNetworkOptions& vehicle, std::shared_ptr<const LineDay> day) {
+  if (day == nullptr) return;
+  vehicle.vehicle.riders.ahead = [day = std::move(day), block = vehicle.block](
+                                     std::uint32_t journey, std::size_t stop) {
+    return day->ahead(block, journey, stop);
+  };
 }
 
 bool VehicleReport::all_hold() const {

@@ -159,8 +159,13 @@ void BusNetwork::begin_journey(Time now) {
 }
 
 void BusNetwork::leave_stop(Time now, std::size_t stop) {
-  const Passing& passing = vehicle_.truth().journey->passings[stop];
+  const Journey& journey = *vehicle_.truth().journey;
+  const Passing& passing = journey.passings[stop];
   service_.stop_left(passing, vehicle_.time_of_day(now) - passing.departure);
+  const FindAhead& find_ahead = options_.vehicle.riders.ahead;
+  const auto ahead = find_ahead ? find_ahead(journey.number, stop) : std::nullopt;
+  if (!ahead || !ahead->left || stop + 1 == journey.passings.size()) return;
+  counted_.headways.add(ahead->headway, vehicle_.time_of_day(now) - *ahead->left);
 }
 
 void BusNetwork::reach_stop(Time now, StopReached::How how, std::size_t stop) {

@@ -14,6 +14,7 @@
 #include "canvoy/devices/cia407/kit/bus_time.hpp"
 #include "canvoy/sim/snapshot.hpp"
 #include "canvoy/worlds/bus_line/bus_vehicle.hpp"
+#include "canvoy/worlds/bus_line/headways.hpp"
 #include "canvoy/worlds/bus_line/local_clock.hpp"
 
 namespace canvoy::bus_line {
@@ -25,6 +26,7 @@ struct BusNetworkStatistics {
   std::size_t announced = 0;  ///< stops announced, in both cars
   std::size_t texts = 0;      ///< texts that appeared on displays
   Duration worst_delay{};     ///< behind the timetable, at a stop
+  Headways headways{};        ///< to the vehicle ahead, where people come at random
 };
 
 /// State of the whole network.

@@ -17,6 +17,8 @@ constexpr unsigned cancel_tries = 10;
 constexpr Duration retry = 1s;
 /// Some people come later than the planned departure.
 constexpr Duration come_after_max = 30s;
+/// Beyond this time after its departure, a vehicle stands at no stop.
+constexpr Duration stands_at_most = 10min;
 
 /// In relation to an ordinary hour.
 double busyness(Duration of_day) {
@@ -67,37 +69,78 @@ std::size_t Riders::draw_goal(const std::vector<std::size_t>& goals,
   return goals.back();
 }
 
-void Riders::draw_stop(const Journey& journey, const BusRoute& route, std::size_t stop, Time zero) {
-  const Passing& passing = journey.passings[stop];
-  const auto counted_at = [&](std::size_t place) {
-    return options_.demand->at(route.stops[place].stop, route.is_backward,
-                               hour_of(journey.passings[place].departure));
-  };
-  std::vector<std::size_t> goals;
-  std::vector<double> weights;
+std::optional<VehicleAhead> Riders::ahead_at(const Journey& journey, std::size_t stop) const {
+  return options_.ahead ? options_.ahead(journey.number, stop) : std::nullopt;
+}
+
+/// Expected number of people of a journey at a stop.
+double Riders::mean_at(const Journey& journey, const BusRoute& route, std::size_t stop) const {
+  const Duration at = journey.passings[stop].departure;
+  if (!options_.demand) return options_.boarding_mean * busyness(at);
+  return options_.demand->at(route.stops[stop].stop, route.is_backward, hour_of(at)).boarding;
+}
+
+/// Stops behind `stop` at which people get out, each with its share of those who get in.
+Riders::Goals Riders::goals_behind(const Journey& journey, const BusRoute& route,
+                                   std::size_t stop) const {
+  Goals goals;
   for (std::size_t i = stop + 1; i < journey.passings.size(); ++i) {
     if (!journey.passings[i].alights) continue;
-    goals.push_back(i);
-    if (options_.demand) weights.push_back(counted_at(i).alighting);
+    goals.stops.push_back(i);
+    if (!options_.demand) continue;
+    const unsigned hour = hour_of(journey.passings[i].departure);
+    goals.weights.push_back(
+        options_.demand->at(route.stops[i].stop, route.is_backward, hour).alighting);
   }
-  if (!passing.boards || goals.empty()) return;
-  const double mean = options_.demand ? counted_at(stop).boarding
-                                      : options_.boarding_mean * busyness(passing.departure);
-  const unsigned count = poisson(mean);
+  return goals;
+}
+
+void Riders::add_person(std::size_t stop, const Goals& goals, const std::function<Time()>& comes) {
+  Rider rider{.from = stop, .to = draw_goal(goals.stops, goals.weights)};
+  rider.comes = comes();
+  const std::uint32_t chance = random_.below(100);
+  if (chance >= options_.pass_percent) {
+    rider.ticket = chance % 2 == 0 ? Ticket::to_cancel : Ticket::from_driver;
+  }
+  rider.has_ticket = rider.ticket == Ticket::pass;
+  rider.number = ++people_;
+  const unsigned every = options_.second_car_every;
+  if (every != 0 && rider.number % every == 0) rider.car = 2;
+  waiting_.push_back(rider);
+}
+
+void Riders::draw_stop(const Journey& journey, const BusRoute& route, std::size_t stop, Time zero) {
+  const Passing& passing = journey.passings[stop];
+  const Goals goals = goals_behind(journey, route, stop);
+  if (!passing.boards || goals.stops.empty() || ahead_at(journey, stop)) return;
+  const unsigned count = poisson(mean_at(journey, route, stop));
   for (unsigned i = 0; i < count; ++i) {
-    Rider rider{.from = stop, .to = draw_goal(goals, weights)};
-    rider.comes =
-        zero + passing.departure - time_between(-come_after_max, options_.come_before_max);
-    const std::uint32_t chance = random_.below(100);
-    if (chance >= options_.pass_percent) {
-      rider.ticket = chance % 2 == 0 ? Ticket::to_cancel : Ticket::from_driver;
-    }
-    rider.has_ticket = rider.ticket == Ticket::pass;
-    rider.number = ++people_;
-    const unsigned every = options_.second_car_every;
-    if (every != 0 && rider.number % every == 0) rider.car = 2;
-    waiting_.push_back(rider);
+    add_person(stop, goals, [&] {
+      return zero + passing.departure - time_between(-come_after_max, options_.come_before_max);
+    });
   }
+}
+
+/// Draws the people who come since the vehicle ahead has left the stop, if they come at random:
+/// more where it left long ago.
+void Riders::draw_at_random(Time now, std::size_t stop) {
+  if (journey_ == nullptr || stop >= last_stop_) return;
+  const Passing& passing = journey_->passings[stop];
+  const std::optional<VehicleAhead> ahead = ahead_at(*journey_, stop);
+  const Goals goals = goals_behind(*journey_, *route_, stop);
+  const double mean = mean_at(*journey_, *route_, stop);
+  if (!ahead || !passing.boards || goals.stops.empty() || mean <= 0) return;
+  const auto time_to_next = [&] {
+    const double share = -std::log(1 - uniform()) / mean;
+    return Duration(std::llround(share * static_cast<double>(ahead->headway.count())));
+  };
+  const std::size_t before = waiting_.size();
+  const Time until = std::max(now, zero_ + passing.departure) + stands_at_most;
+  Time at = (ahead->left ? zero_ + *ahead->left : now) + time_to_next();
+  for (; at < until && waiting_.size() < before + drawn_max; at += time_to_next()) {
+    add_person(stop, goals, [&] { return at; });
+  }
+  statistics_.came += waiting_.size() - before;
 }
 
 void Riders::begin_journey(Time now, const Journey& journey, const BusRoute& route, Time zero) {
@@ -108,6 +151,12 @@ void Riders::begin_journey(Time now, const Journey& journey, const BusRoute& rou
   last_stop_ = journey.passings.size() - 1;
   for (std::size_t i = 0; i + 1 < journey.passings.size(); ++i) draw_stop(journey, route, i, zero);
   statistics_.came += waiting_.size();
+  if (options_.ahead) {
+    journey_ = &journey;
+    route_ = &route;
+    zero_ = zero;
+    draw_at_random(now, 0);
+  }
   // No person is lost: each one waits, is at a door, has been aboard, or was left behind.
   check_invariant(statistics_.came ==
                   waiting_.size() + going_in_ + statistics_.in + statistics_.left_behind);
@@ -128,6 +177,11 @@ void Riders::leave(Time now, std::size_t stop) {
   stop_.reset();
   const bool has_room = aboard() + going_in_ < options_.capacity;
   if (has_room) statistics_.ignored += waiting_at(stop, now - seen_after);
+  if (journey_ != nullptr && ahead_at(*journey_, stop)) {
+    // Those who come later are there for the next vehicle.
+    statistics_.came -= std::erase_if(
+        waiting_, [&](const Rider& rider) { return rider.from == stop && rider.comes > now; });
+  }
   statistics_.left_behind +=
       std::erase_if(waiting_, [&](const Rider& rider) { return rider.from == stop; });
   for (Rider& rider : aboard_) {
@@ -137,6 +191,7 @@ void Riders::leave(Time now, std::size_t stop) {
   }
   std::erase_if(errands_, [](const Errand& errand) { return errand.is_press; });
   plan_presses(now, stop + 1);
+  draw_at_random(now, stop + 1);
 }
 
 void Riders::plan_presses(Time now, std::size_t stop) {

@@ -1,6 +1,7 @@
 // The passengers of a bus: they come to their stops, get in and out by its doors, press the button
 // for the stop, and buy or cancel tickets. They are drawn by a seed, each journey separately, so
-// that they do not depend on what the bus does.
+// that they do not depend on what the bus does. Where vehicles follow each other at short times,
+// people come at random, from when the vehicle ahead has left on: who is late has more of them.
 //
 //     Riders riders({}, seed, doors, hands);
 //     riders.begin_journey(now, journey, route, of_day);
@@ -59,6 +60,16 @@ struct RiderHands {
                                                                       ///< out
 };
 
+/// The vehicle ahead at a stop where people come at random.
+struct VehicleAhead {
+  /// Its departure from the stop, as time of the day of service; empty: it has not left yet.
+  std::optional<Duration> left{};
+  Duration headway{};  ///< planned time between its departure and that of this vehicle; above 0
+};
+/// Returns the vehicle ahead at a stop of a journey, by the number of the journey (6195h) and the
+/// index of the stop in the route; nothing where people come by the timetable.
+using FindAhead = std::function<std::optional<VehicleAhead>(std::uint32_t, std::size_t)>;
+
 /// How many people come, and how they move.
 struct RiderOptions {
   double boarding_mean = 2.5;              ///< people of a journey at each stop, at an ordinary
@@ -73,6 +84,8 @@ struct RiderOptions {
   unsigned pass_percent = 60;        ///< share of riders with a pass; half of the others buy from
                                      ///< the driver
   Duration come_before_max = 8min;   ///< a person comes at most this much before the departure
+  FindAhead ahead{};  ///< empty: people come by the timetable; else lines and journeys that riders
+                      ///< get must outlive them
   unsigned second_car_every = 0;  ///< every so-many-th passenger rides in the second car; 0: none
 };
 
@@ -149,11 +162,22 @@ class Riders {
     unsigned tries = 0;
   };
 
+  /// Stops at which people get out, with weights; without any weight, each is as likely.
+  struct Goals {
+    std::vector<std::size_t> stops;
+    std::vector<double> weights;
+  };
+
   double uniform();
   Duration time_between(Duration least, Duration most);
   Duration time_around(Duration mean) { return time_between(mean * 3 / 4, mean * 5 / 4); }
   unsigned poisson(double mean);
+  std::optional<VehicleAhead> ahead_at(const Journey& journey, std::size_t stop) const;
+  double mean_at(const Journey& journey, const BusRoute& route, std::size_t stop) const;
   void draw_stop(const Journey& journey, const BusRoute& route, std::size_t stop, Time zero);
+  void draw_at_random(Time now, std::size_t stop);
+  Goals goals_behind(const Journey& journey, const BusRoute& route, std::size_t stop) const;
+  void add_person(std::size_t stop, const Goals& goals, const std::function<Time()>& comes);
   std::size_t draw_goal(const std::vector<std::size_t>& goals, const std::vector<double>& weights);
   void plan_presses(Time now, std::size_t stop);
   void do_errands(Time now);
@@ -176,6 +200,9 @@ class Riders {
   std::vector<Errand> errands_;
   std::optional<std::size_t> stop_{};  ///< the stop at which it stands
   std::size_t last_stop_ = 0;
+  const Journey* journey_ = nullptr;  ///< the present one
+  const BusRoute* route_ = nullptr;   ///< of that journey
+  Time zero_{};                       ///< beginning of the day of service
   std::uint64_t journeys_ = 0;
   std::uint64_t people_ = 0;
   unsigned going_in_ = 0;
