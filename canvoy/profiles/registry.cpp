@@ -96,8 +96,22 @@ Parts split(std::string_view text, std::string_view separators) {
           true};
 }
 
+/// Index and sub-index as data sheets and other tools write them: `1018:4`, `1018sub4`, `1018/4`,
+/// `1018.4`, `1018,4`, `1018[4]`, `1018 4`.
+Parts number_parts(std::string_view text) {
+  constexpr std::string_view word = "sub";
+  if (text.ends_with(']')) text.remove_suffix(1);
+  Parts parts = split(text, text.find(':') != std::string_view::npos ? ":" : " /.,[");
+  const std::size_t sub = text.find(word);
+  if (!parts.has_entry && sub != std::string_view::npos && sub != 0) {
+    parts = {{text.begin(), text.begin() + sub}, {text.begin() + sub, text.end()}, true};
+  }
+  if (parts.entry.starts_with(word)) parts.entry.remove_prefix(word.size());
+  return {trimmed(parts.object), trimmed(parts.entry), parts.has_entry};
+}
+
 std::optional<ObjectAddress> parse_numbers(const Profile& profile, std::string_view text) {
-  const Parts parts = split(text, text.find(':') != std::string_view::npos ? ":" : " ");
+  const Parts parts = number_parts(text);
   const std::optional<unsigned> index = parse_index(parts.object);
   const std::optional<unsigned> sub = parse_sub(parts.has_entry ? parts.entry : "0");
   if (!index || !sub) return std::nullopt;
@@ -209,9 +223,10 @@ std::string_view short_name(const Profile& profile) {
 
 const Profile* find_profile(std::string_view name) {
   name = trimmed(name);
-  if (name.size() > 3 && same_name({name.data(), 3}, "CiA")) {
-    name.remove_prefix(3);
-    name = without_fillers(name);
+  for (const std::string_view publisher : {"CiA", "DSP", "DS"}) {
+    const bool is_named =
+        name.size() > publisher.size() && same_name({name.data(), publisher.size()}, publisher);
+    if (is_named) name = without_fillers({name.begin() + publisher.size(), name.end()});
   }
   for (const Profile* profile : profiles) {
     std::string_view own = short_name(*profile);
@@ -237,8 +252,9 @@ std::optional<ObjectAddress> find_address(const Profile& profile, std::string_vi
   const Profile& base = profile.base != nullptr ? *profile.base : profile;
   const Profile* const first[] = {&profile, &base, &cia301::profile};
   const Profile* const last[] = {&cia302::profile};
-  // A colon may be part of a name: "Joystick 2: x-dimension".
-  for (const Parts& reading : {parts, Parts{text, {}, false}}) {
+  // A colon may be part of a name: "Joystick 2: x-dimension"; python-canopen has a dot in place of
+  // it.
+  for (const Parts& reading : {parts, Parts{text, {}, false}, split(text, ".")}) {
     if (const std::optional<ObjectAddress> found = find_by_name(first, reading)) return found;
     if (const std::optional<ObjectAddress> found = find_by_name(last, reading)) return found;
   }

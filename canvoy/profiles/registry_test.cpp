@@ -77,7 +77,11 @@ INSTANTIATE_TEST_SUITE_P(
         Address{"Battery Parameters: AH-capacity", 0x6020, 2}, Address{"ah capacity", 0x6020, 2},
         Address{"number of cells", 0x6020, 4}, Address{"producer heartbeat time", 0x1017, 0},
         Address{"Identity object:Serial number", 0x1018, 4}, Address{"serial number", 0x1018, 4},
-        Address{"device type", 0x1000, 0}, Address{"6810", 0x6810, 0}));
+        Address{"device type", 0x1000, 0}, Address{"6810", 0x6810, 0},
+        Address{"1018sub4", 0x1018, 4}, Address{"1018h sub 04h", 0x1018, 4},
+        Address{"0x1018/4", 0x1018, 4}, Address{"1018.4", 0x1018, 4},
+        Address{"0x1018,0x04", 0x1018, 4}, Address{"0x1018[4]", 0x1018, 4},
+        Address{"0x1018:0x04", 0x1018, 4}, Address{"Identity object.Serial number", 0x1018, 4}));
 
 TEST(Registry, AnUnknownIndexIsAnAddressWithoutADescription) {
   const ObjectAddress unknown = find_address(cia419::profile, "2001:3").value_or(ObjectAddress{});
@@ -101,7 +105,8 @@ INSTANTIATE_TEST_SUITE_P(Registry, NoAddresses,
                                          "6010:", "6010:100", "6010:x", "x:1", "each", "each:1",
                                          "battery_parameters:nonsense",
                                          "battery_parameters:", "temperature:nonsense",
-                                         "characters", "_", "-", "highest sub-index supported"));
+                                         "characters", "_", "-", "highest sub-index supported",
+                                         "6010.", "1018[", "1018]4", "1018subx", "sub4"));
 
 /// 6864h is the position of the second axis of a drive.
 TEST(Registry, SeveralLogicalDevicesInANodeAre800hApart) {

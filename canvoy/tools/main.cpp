@@ -19,6 +19,7 @@
 #include "canvoy/tools/cli/verb.hpp"
 #include "canvoy/tools/load/load.hpp"
 #include "canvoy/tools/node/ask_verbs.hpp"
+#include "canvoy/tools/node/typed_options.hpp"
 #include "canvoy/tools/node/typed_words.hpp"
 #include "canvoy/tools/terminal/message.hpp"
 #include "canvoy/tools/terminal/terminal_text.hpp"
@@ -108,7 +109,8 @@ int run(int count, char** arguments) {
     using Kind = CommandLine::Outcome::Kind;
     const std::vector<std::string> words = words_of(count, arguments);
     add_verbs(line, sessions, words.empty() ? std::string_view{} : std::string_view(words.front()));
-    const CommandLine::Outcome outcome = line.parse(words, terminal_width(STDOUT_FILENO));
+    const CommandLine::Outcome outcome =
+        line.parse(with_known_options(words, line), terminal_width(STDOUT_FILENO));
     if (outcome.kind == Kind::understood) return finish_output(line.run());
     if (outcome.kind == Kind::answered) {
       fmt::print("{}", outcome.text);

@@ -204,7 +204,7 @@ WRONG_USAGE = [
     (["read", QUIET, "10", "6010", "--watch", "soon"], "'soon'"),
     (["read", QUIET, "10", "6010", "6011", "--out", "x"], "--out"),
     # times
-    (["run", "charger", "--for", "8"], "'8'", "8h"),
+    (["run", "charger", "--for", "8"], "'8' has no unit", "8min"),
     (["run", "charger", "--for", "0s"], "'0s'", "8h"),
     (["run", "charger", "--for", "-5s"], "-5s"),
     (["run", "charger", "--for", "8 parsec"], "'8 parsec'", "8h"),
@@ -228,7 +228,7 @@ WRONG_USAGE = [
     (["run", "charger", "--begin", "noon"], "noon", "2026-11-21 18:00:00"),
     (["gateway", QUIET, "udp:239.74.163.9:43119", "--boot", "x.toml"], "--boot", "one network"),
     (["lss", QUIET, "activate", "100ms", "--bit-rate", "auto"], "--bit-rate", "125k"),
-    (["boot", QUIET, "--node", "5", "--boot-time", "10"], "'10'", "8h"),
+    (["boot", QUIET, "--node", "5", "--boot-time", "10"], "'10'", "10s"),
     # what is left to chance, and how fast
     (["run", "charger", "--seed", "one"], "--seed"),
     (["run", "charger", "--seed", "-1"], "'-1' is no whole number from 0 to 18446744073709551615"),

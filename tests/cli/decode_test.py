@@ -218,7 +218,7 @@ class DecodeTest(CommandTest):
         nameless = log + ".nameless.eds"
         pathlib.Path(nameless).write_text("[2000]\nParameterName=Fan\nObjectType=7\nDataType=5\nAccessType=rw\n")
         for arguments, parts in [
-            (["--node", "5"], ["'5'", "5=419"]),
+            (["--node", "128"], ["'128'", "1 to 127"]),
             (["--node", "128=419"], ["'128'", "1 to 127"]),
             (["--node", "5=999"], ["'999'", "447-3"]),
             (["--profile", "999"], ["'999'", "447-3"]),

@@ -145,11 +145,22 @@ class Script(CommandTest):
         output = self.assert_done(run("script", "udp:239.74.163.22:43153", str(path)))
         self.assertTrue(output.endswith("5 of 5 lines passed\n"), output)
 
+    def test_a_device_that_waits_for_a_node_id_is_there_at_once(self):
+        lines = self.assert_told(self.script("device battery --node-id lss\ndevice charger battery --node-id lss --node-id 13\nread 13 1000\n", "--json"))
+        lines = [each for each in lines if each.get("event") == "line"]
+        self.assertEqual([each["passed"] for each in lines], [True] * 3)
+        self.assertLess(lines[0]["duration_s"], 4, "it answers that it has none")
+        self.assertLess(lines[1]["duration_s"], 4)
+
     def test_hands_that_no_device_has_are_refused_before_anything_is_done(self):
         for line, *parts in (
             ("set temperature=60", "line 1", "there is no device before this line"),
             ("device batery", "line 1", "did you mean 'battery'?"),
             ("device battery --node-id 200", "line 1", "200"),
+            ("device battery --help", "line 1", "a line has no --help"),
+            ("device battery -h", "line 1", "a line has no -h"),
+            ("device battery --hands", "line 1", "a line has no --hands"),
+            ("device --list", "line 1", "device is required"),
             ("device battery\nset temperature=hot", "line 2", "temperature"),
             ("device battery\nset colour=red", "line 2", "colour"),
             ("device battery\npress temperature", "line 2", "temperature"),

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <utility>
 #include <vector>
 
 #include "canvoy/profiles/cia302.hpp"
@@ -107,6 +109,16 @@ std::string choice(const ObjectAddress& address) {
                      is_several(address) ? " and following" : "");
 }
 
+/// All of them, where the node has none.
+void keep_those_of_node(std::vector<ObjectAddress>& found, const HasObject& has) {
+  constexpr std::size_t asked_max = 16;
+  if (found.size() < 2 || found.size() > asked_max) return;
+  std::vector<ObjectAddress> there;
+  std::ranges::copy_if(found, std::back_inserter(there),
+                       [&has](const ObjectAddress& each) { return has(each.index, each.sub); });
+  if (!there.empty()) found = std::move(there);
+}
+
 [[noreturn]] void refuse_several(std::string_view text, const std::vector<ObjectAddress>& found) {
   constexpr std::size_t shown_max = 6;
   std::vector<std::string> choices;
@@ -168,10 +180,11 @@ const Profile* known_profile(unsigned profile) {
 
 }  // namespace
 
-ObjectAddress parse_object(std::string_view text, unsigned profile) {
+ObjectAddress parse_object(std::string_view text, unsigned profile, const HasObject& has) {
   const Profile* const known = known_profile(profile);
   if (const auto address = find_whole(text, known)) return *address;
-  const std::vector<ObjectAddress> found = find_parts(known, text);
+  std::vector<ObjectAddress> found = find_parts(known, text);
+  if (has) keep_those_of_node(found, has);
   if (found.empty()) refuse_unknown(text, known);
   if (found.size() > 1 || is_several(found.front())) refuse_several(text, found);
   return found.front();

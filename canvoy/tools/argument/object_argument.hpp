@@ -3,6 +3,8 @@
 // unambiguous part of a name, or the name of the same value in the profile of the partner.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -10,10 +12,13 @@
 
 namespace canvoy::tools {
 
+/// Whether the node has an object.
+using HasObject = std::function<bool(std::uint16_t index, std::uint8_t sub)>;
+
 /// Looks in the profile with the number or the device type (1000h) `profile` (0: in all profiles),
 /// then in CiA 301. Throws UsageError if there is no such object; if there are several, with the
-/// candidates.
-ObjectAddress parse_object(std::string_view text, unsigned profile = 0);
+/// candidates: those that the node has, of which 16 at most are asked for.
+ObjectAddress parse_object(std::string_view text, unsigned profile = 0, const HasObject& has = {});
 
 /// Throws UsageError if no possible profile has such an object.
 void check_object(std::string_view text, unsigned profile = 0);

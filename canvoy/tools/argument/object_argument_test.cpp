@@ -51,6 +51,13 @@ TEST(ObjectArgument, WhatMayBeMeantIsListedWhereSeveralHaveThePart) {
   EXPECT_THAT(complaint, HasSubstr("say which"));
 }
 
+TEST(ObjectArgument, WhatTheNodeDoesNotHaveIsNotMeant) {  // CiA 418, 6080h and 6081h
+  const auto has_its_own = [](std::uint16_t index, std::uint8_t) { return index == 0x6081; };
+  EXPECT_EQ(parse_object("state_of_charge", 418, has_its_own).index, 0x6081);
+  const auto has_nothing = [](std::uint16_t, std::uint8_t) { return false; };
+  EXPECT_THROW(parse_object("state_of_charge", 418, has_nothing), UsageError);
+}
+
 TEST(ObjectArgument, ThePartnersNameStandsForTheSameValue) {  // CiA 419, 6010h; CiA 418, 6010h
   EXPECT_EQ(place_of("battery_temperature", 418), "6010:00");
   EXPECT_EQ(place_of("temperature", 419), "6010:00");

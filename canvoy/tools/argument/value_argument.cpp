@@ -314,15 +314,53 @@ std::optional<DataType> parse_type(std::string_view text) {
   };
   using enum DataType;
   static constexpr auto names = std::to_array<TypeName>({
-      {"b", boolean},          {"i8", integer8},       {"i16", integer16},  {"i24", integer24},
-      {"i32", integer32},      {"i40", integer40},     {"i48", integer48},  {"i56", integer56},
-      {"i64", integer64},      {"u8", unsigned8},      {"u16", unsigned16}, {"u24", unsigned24},
-      {"u32", unsigned32},     {"u40", unsigned40},    {"u48", unsigned48}, {"u56", unsigned56},
-      {"u64", unsigned64},     {"r32", real32},        {"r64", real64},     {"vs", visible_string},
-      {"os", octet_string},    {"us", unicode_string}, {"d", domain},       {"t", time_of_day},
+      {"b", boolean},
+      {"i8", integer8},
+      {"i16", integer16},
+      {"i24", integer24},
+      {"i32", integer32},
+      {"i40", integer40},
+      {"i48", integer48},
+      {"i56", integer56},
+      {"i64", integer64},
+      {"u8", unsigned8},
+      {"u16", unsigned16},
+      {"u24", unsigned24},
+      {"u32", unsigned32},
+      {"u40", unsigned40},
+      {"u48", unsigned48},
+      {"u56", unsigned56},
+      {"u64", unsigned64},
+      {"r32", real32},
+      {"r64", real64},
+      {"vs", visible_string},
+      {"os", octet_string},
+      {"us", unicode_string},
+      {"d", domain},
+      {"t", time_of_day},
       {"td", time_difference},
+      {"bool", boolean},
+      {"float", real32},
+      {"double", real64},
+      {"string", visible_string},
+      {"str", visible_string},
+      {"visiblestring", visible_string},
+      {"octetstring", octet_string},
+      {"unicodestring", unicode_string},
+      {"domain", domain},
+      {"boolean", boolean},
   });
-  const auto* found = std::ranges::find(names, text, &TypeName::name);
+  // As CiA 301, C and Python spell them: UNSIGNED16, INTEGER16, REAL32, uint16_t, int16.
+  static constexpr auto kinds = std::to_array<std::pair<std::string_view, std::string_view>>(
+      {{"unsigned", "u"}, {"uint", "u"}, {"integer", "i"}, {"int", "i"}, {"real", "r"}});
+  std::string plain;
+  for (const char c : text.substr(0, text.ends_with("_t") ? text.size() - 2 : text.size())) {
+    if (c != '_') plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  for (const auto& [kind, letter] : kinds) {
+    if (plain.starts_with(kind)) plain.replace(0, kind.size(), letter);
+  }
+  const auto* found = std::ranges::find(names, plain, &TypeName::name);
   return found == names.end() ? std::nullopt : std::optional(found->type);
 }
 

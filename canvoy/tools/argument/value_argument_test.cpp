@@ -103,5 +103,19 @@ TEST(ValueArgument, OfATextMayStandInQuotes) {
   EXPECT_EQ(parse_value(text, "\""), Bytes{'"'});
 }
 
+TEST(ValueArgument, TypesAreSpeltAsInCia309Cia301CAndPython) {
+  for (const char* text : {"u16", "U16", "UNSIGNED16", "unsigned16", "uint16", "uint16_t"}) {
+    EXPECT_EQ(parse_type(text), DataType::unsigned16) << text;
+  }
+  EXPECT_EQ(parse_type("INTEGER8"), DataType::integer8);
+  EXPECT_EQ(parse_type("int64_t"), DataType::integer64);
+  EXPECT_EQ(parse_type("REAL32"), DataType::real32);
+  EXPECT_EQ(parse_type("VISIBLE_STRING"), DataType::visible_string);
+  EXPECT_EQ(parse_type("string"), DataType::visible_string);
+  for (const char* text : {"", "u", "u7", "uint", "16", "unsigned 16", "reals"}) {
+    EXPECT_FALSE(parse_type(text)) << text;
+  }
+}
+
 }  // namespace
 }  // namespace canvoy::tools::value_argument_test

@@ -12,6 +12,7 @@
 #include <string>
 #include <type_traits>
 
+#include "canvoy/tools/cli/bit_rate_text.hpp"
 #include "canvoy/tools/cli/spelling.hpp"
 
 namespace canvoy::tools {
@@ -58,6 +59,15 @@ std::string counts(const std::string& text) {
   return is_count ? "" : fmt::format("'{}' is no whole number above 0", text);
 }
 
+/// Reads a bit rate in any of its forms, for an option in kbit/s.
+std::string kilobits(const std::string& text) {
+  constexpr std::uint32_t kilo = 1000;
+  const std::optional<std::uint32_t> bits = parse_bit_rate(text);
+  if (bits && *bits % kilo == 0) return std::to_string(*bits / kilo);
+  throw CLI::ValidationError(fmt::format(
+      "'{}' is no bit rate of whole kbit/s up to 1 Mbit/s: give 125, 125k or 125000", text));
+}
+
 CLI::Option* add_row(CLI::App& app, const OptionRow& row) {
   return std::visit(
       [&](auto* place) {
@@ -73,6 +83,9 @@ CLI::Option* add_row(CLI::App& app, const OptionRow& row) {
         } else if constexpr (std::is_same_v<Place, std::uint64_t*> ||
                              std::is_same_v<Place, std::optional<std::uint64_t>*>) {
           return app.add_option(name, *place, about)->check(in_64_bits_only);
+        } else if constexpr (std::is_same_v<Place, unsigned*>) {
+          CLI::Option* const option = app.add_option(name, *place, about);
+          return name == "--bit-rate" ? option->transform(kilobits) : option;
         } else {
           return app.add_option(name, *place, about);
         }
@@ -177,6 +190,13 @@ std::string in_plain_words(const std::string& text) {
   return text.substr(0, count) + ": its value is missing";
 }
 
+/// What others have as an option, and what is done in its place here.
+std::string in_its_place(std::string_view option) {
+  if (option != "--dbc") return {};
+  return "values come from profiles and data sheets, --eds 10=pump.eds; canvoy export dbc writes a "
+         "DBC";
+}
+
 /// CLI11 reports missing words before superfluous ones, which are usually the same word misspelled.
 std::string refusal(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<std::string> unknown = app.remaining(true);
@@ -190,6 +210,9 @@ std::string refusal(const CLI::App& app, const CLI::ParseError& error) {
   }
   const std::string word = first_line(unknown.front());
   const std::string name = word.substr(0, word.find('='));
+  if (const std::string other = in_its_place(name); !other.empty()) {
+    return fmt::format("'{}' is not known here: {}", name, other);
+  }
   const std::vector<std::string> known = words_known_to(*verb.app, word.starts_with('-'));
   std::string meant = meant_by_letter(name, known);
   if (meant.empty()) meant = did_you_mean(name, known);

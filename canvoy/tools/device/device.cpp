@@ -1,7 +1,6 @@
 // canvoy device KIND... BUS: one or several devices, with simulated hardware, on a bus.
 #include <fmt/format.h>
 
-#include <charconv>
 #include <chrono>
 #include <deque>
 #include <filesystem>
@@ -18,6 +17,7 @@
 #include "canvoy/sim/world.hpp"
 #include "canvoy/text/text.hpp"
 #include "canvoy/tools/argument/duration_argument.hpp"
+#include "canvoy/tools/cli/bit_rate_text.hpp"
 #include "canvoy/tools/cli/commands.hpp"
 #include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/cli/interruption.hpp"
@@ -49,14 +49,12 @@ constexpr unsigned floors_max = 254;
 constexpr unsigned bus_doors_max = 12;  ///< for CiA 407
 
 /// Bit rate of a simulated bus.
-unsigned parse_bit_rate(const std::string& text) {
+unsigned simulated_bit_rate(const std::string& text) {
   if (text.empty()) return bit_rate_default;
   constexpr unsigned least = 10'000;
   constexpr unsigned most = 1'000'000;
-  unsigned rate = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, rate);
-  if (error == std::errc{} && stop == end && rate >= least && rate <= most) return rate;
+  const std::optional<std::uint32_t> rate = parse_bit_rate(text);
+  if (rate && *rate >= least) return *rate;
   throw UsageError(fmt::format("--bit-rate: '{}' is none of a simulated bus: give {} to {} bit/s",
                                text, least, most));
 }
@@ -263,7 +261,7 @@ int run_on_host(const DeviceOptions& options, const std::vector<Wanted>& wanted,
 int run_simulated(const DeviceOptions& options, const std::vector<Wanted>& wanted,
                   const DeviceOutput& output) {
   World world;
-  const BusIndex bus = world.add_bus({.bit_rate = parse_bit_rate(options.bit_rate)});
+  const BusIndex bus = world.add_bus({.bit_rate = simulated_bit_rate(options.bit_rate)});
   DeviceHardware hardware(options, Callback<Time()>::to<&World::now>(world), output);
   std::deque<HostedDevice> devices;
   std::vector<SlotIndex> slots;
@@ -482,7 +480,7 @@ void add_device(Verb& app) {
       {"--heartbeat", options->heartbeat,
        "its period: 500ms, up to 65535ms; 0: none (default: as stored, else 1s)"},
       {"--bit-rate", options->bit_rate,
-       "of a simulated bus, in bit/s (default 125000); that of a CAN interface is set "
+       "of a simulated bus: 250k, 250000 (default 125k); that of a CAN interface is set "
        "with ip link, or auto: the device listens until it knows it (needs root)"},
       {"--state-of-charge", options->state_of_charge,
        "of the battery at the start, in % (default 20)", between(0.0, 100.0)},

@@ -302,15 +302,6 @@ std::optional<FilterObject> numbered_object(std::string_view text) {
   return made;
 }
 
-/// A number alone is meant as a CAN-ID.
-std::string meant_number(std::string_view text) {
-  if (!text.starts_with("0x") && !text.starts_with("0X")) return {};
-  const std::string_view digits = text.substr(2);
-  const bool is_number = !digits.empty() && digits.find_first_not_of("0123456789abcdefABCDEF") ==
-                                                std::string_view::npos;
-  return is_number ? fmt::format("; did you mean 'id={}'?", digits) : "";
-}
-
 }  // namespace
 
 FilterObject filter_object(const FilterClause& clause, const FilterPhrase& phrase,
@@ -322,10 +313,9 @@ FilterObject filter_object(const FilterClause& clause, const FilterPhrase& phras
                                     "object", "text", "time", "marks"};
   for (const std::string& name : filter_services()) known.push_back(name);
   for (std::string& name : names.all()) known.push_back(std::move(name));
-  std::string meant = meant_number(phrase.text);
-  if (meant.empty()) meant = did_you_mean(phrase.text, known);
-  throw FilterError(clause.filter, phrase.position,
-                    fmt::format("no object is called '{}'{}", phrase.text, meant));
+  throw FilterError(
+      clause.filter, phrase.position,
+      fmt::format("no object is called '{}'{}", phrase.text, did_you_mean(phrase.text, known)));
 }
 
 FilterObject filter_objects(const FilterClause& clause, const FilterOperand& operand) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 
 #include "canvoy/canopen/protocol/cob_id.hpp"
@@ -121,12 +122,65 @@ FilterCondition of_nodes(const FilterClause& clause) {
                                 })};
 }
 
+/// The identifiers that are as the first number in the bits of the second, `180:780`, as candump
+/// chooses them: a range for each value of the bits between those that are compared. With no bit,
+/// `0:0`, they are all of its length.
+void add_masked(FilterRanges& made, const FilterClause& clause, const FilterPhrase& phrase) {
+  constexpr int free_bits_max = 8;
+  const std::size_t colon = phrase.text.find(':');
+  const std::int64_t id =
+      can_id_of(clause, {.position = phrase.position, .text = phrase.text.substr(0, colon)});
+  const auto mask = hexadecimal(std::string_view(phrase.text).substr(colon + 1));
+  if (!is_equation(clause) || !mask) refuse(clause, phrase, "a mask is written id=180:780");
+  const std::int64_t length = id >= filter_extended_id ? filter_extended_id : 0;
+  const std::uint32_t all = length != 0 ? Frame::extended_id_max : Frame::id_max;
+  const std::uint32_t compared = *mask & all;
+  const std::uint32_t below = compared == 0 ? all : (compared & (~compared + 1)) - 1;
+  const std::uint32_t between = all & ~compared & ~below;
+  if (std::popcount(between) > free_bits_max) {
+    refuse(clause, phrase, "the mask leaves out too many bits between those that it has");
+  }
+  const std::int64_t first = length + (id & static_cast<std::int64_t>(compared));
+  std::uint32_t bits = 0;
+  do {
+    made.add({first + bits, first + bits + below});
+    bits = (bits - between) & between;
+  } while (bits != 0);
+}
+
 FilterCondition of_can_ids(const FilterClause& clause) {
   if (clause.operands.empty()) refuse(clause, clause.subject, "write id=18A, or id=180..1FF");
   const FilterRange all{0, filter_extended_id + Frame::extended_id_max};
-  return {.by = FilterBy::can_id, .ranges = ranges_of(clause, all, [&](const FilterPhrase& phrase) {
-                                    return can_id_of(clause, phrase);
-                                  })};
+  FilterCondition made{.by = FilterBy::can_id};
+  FilterClause plain = clause;
+  std::erase_if(plain.operands, [](const FilterOperand& operand) {
+    return operand.first.text.find(':') != std::string::npos;
+  });
+  if (!plain.operands.empty()) {
+    made.ranges = ranges_of(plain, all,
+                            [&](const FilterPhrase& phrase) { return can_id_of(clause, phrase); });
+  }
+  for (const FilterOperand& operand : clause.operands) {
+    if (operand.first.text.find(':') != std::string::npos) {
+      add_masked(made.ranges, clause, operand.first);
+    }
+  }
+  return made;
+}
+
+/// `18A`, `0x18A`, `0000018A`, and as candump chooses them `180:780`: with as many digits as an
+/// identifier has, and one that is no letter.
+bool is_can_id(std::string_view text) {
+  constexpr std::size_t standard = 3;
+  constexpr std::size_t extended = 8;
+  std::string_view id = text.substr(0, text.find(':'));
+  const bool has_prefix = id.starts_with("0x") || id.starts_with("0X");
+  if (has_prefix) id.remove_prefix(2);
+  const bool has_length =
+      id.size() == standard || id.size() == extended || (has_prefix && id.size() < standard);
+  constexpr std::string_view decimals = "0123456789";
+  return has_length && id.find_first_of(decimals) != std::string_view::npos &&
+         id.find_first_not_of("0123456789abcdefABCDEF") == std::string_view::npos;
 }
 
 /// True if it is the name of a service, without its number.
@@ -228,6 +282,14 @@ bool is_bare_service(const std::string& plain) {
 
 FilterCondition of_bare_word(const FilterClause& clause, const FilterNames& names) {
   const std::string plain = plain_name(clause.subject.text);
+  const bool is_of_frames = !clause.subject.is_quoted && is_can_id(clause.subject.text) &&
+                            names.find({.name = plain}).empty();
+  if (is_of_frames) {
+    FilterClause equation = clause;
+    equation.comparison = FilterTokenKind::equal;
+    equation.operands = {{clause.subject, std::nullopt}};
+    return of_can_ids(equation);
+  }
   if (clause.subject.is_quoted || !is_bare_service(plain)) {
     return of_object(clause, clause.subject, names);
   }

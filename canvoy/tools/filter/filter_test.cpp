@@ -126,6 +126,36 @@ TEST_F(FilterTest, CanIdsAreHexadecimal) {
   EXPECT_FALSE(passes("id=0000018A", warm)) << "of 29 bits";
   EXPECT_TRUE(passes("id=0000018A", "0000018A#A00001"));
   EXPECT_FALSE(passes("id=18A", "0000018A#A00001"));
+}
+
+/// As candump chooses frames: those with `id & mask == number & mask`.
+TEST_F(FilterTest, CanIdsAreChosenByAMask) {
+  EXPECT_TRUE(passes("id=180:780", warm));
+  EXPECT_TRUE(passes("id=1FF:780", warm));
+  EXPECT_TRUE(passes("id=00A:07F", warm)) << "any frame of node 10";
+  EXPECT_TRUE(passes("id=18A:7FF", warm));
+  EXPECT_TRUE(passes("id=18A:C00007FF", warm)) << "bits of the kernel's identifier are left out";
+  EXPECT_TRUE(passes("id=0:0", warm));
+  EXPECT_FALSE(passes("id=00B:07F", warm));
+  EXPECT_FALSE(passes("id=18B:7FF", warm));
+  EXPECT_FALSE(passes("id=200:780,700:780", warm));
+  EXPECT_TRUE(passes("id=200:780,180:780", warm));
+  EXPECT_FALSE(passes("id!=180:780", warm));
+  EXPECT_FALSE(passes("id=00000000:00000000", warm)) << "of 29 bits";
+  EXPECT_TRUE(passes("id=00000100:00FFFF00", "0000018A#A00001"));
+  EXPECT_EQ(refusal("id>180:780"),
+            "filter 'id>180:780', character 4: a mask is written id=180:780");
+  EXPECT_EQ(refusal("id=10000001:10000001"),
+            "filter 'id=10000001:10000001', character 4: the mask leaves out too many bits between "
+            "those that it has");
+}
+
+TEST_F(FilterTest, AnIdentifierAloneIsACanId) {
+  for (const char* filter : {"18A", "0x18A", "18a", "18A:7FF", "18A or 70A", "not 18B"}) {
+    EXPECT_TRUE(passes(filter, warm)) << filter;
+  }
+  EXPECT_FALSE(passes("18B", warm));
+  EXPECT_FALSE(passes("0000018A", warm)) << "of 29 bits";
   EXPECT_TRUE(passes("id>7FF", "00000001#"));
   EXPECT_FALSE(passes("id>=0", "20000040#0000000000000000")) << "an error frame has none";
   EXPECT_TRUE(passes("id!=18A", "20000040#0000000000000000"));
@@ -359,8 +389,6 @@ TEST_F(FilterTest, AnErrorSaysWhereAndWhatMayHaveBeenMeant) {
   EXPECT_EQ(refusal("node=10 and tempersture>40"),
             "filter 'node=10 and tempersture>40', character 13: no object is called "
             "'tempersture'; did you mean 'temperature'?");
-  EXPECT_EQ(refusal("0x18A"),
-            "filter '0x18A', character 1: no object is called '0x18A'; did you mean 'id=18A'?");
   EXPECT_EQ(refusal("°=1 and node=0"),
             "filter '°=1 and node=0', character 1: no object is called '°'")
       << "characters are counted, not bytes";

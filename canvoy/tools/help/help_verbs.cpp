@@ -78,17 +78,20 @@ void add_help_verbs(Verb& app) {
   complete.keep_options_apart();
   complete.add({{"word", options->words, "those behind canvoy, behind --"}});
   complete.runs([&app, options] { return print_completions(app, *options); });
-  Verb& completion = app.add_verb("completion", "What bash or zsh wants to complete canvoy");
-  const Check is_shell = [](const std::string& said) {
-    return said == "bash" || said == "zsh" ? std::string() : "it is none of bash and zsh";
-  };
-  completion.add(
-      {{"shell", options->folder, "bash or zsh", Rules{.is_required = true, .allowed = is_shell}}});
+  Verb& completion = app.add_verb("completion", "What bash, zsh or fish wants to complete canvoy");
+  completion.add({{"shell",
+                   options->folder,
+                   "bash, zsh or fish",
+                   {.is_required = true, .allowed = OneOf{"bash", "zsh", "fish"}}}});
   completion.add_examples(
       "  canvoy completion bash > canvoy.bash\n"
-      "  canvoy completion zsh > _canvoy");
+      "  canvoy completion zsh > _canvoy\n"
+      "  canvoy completion fish > canvoy.fish");
   completion.runs([options] {
-    fmt::print("{}", options->folder == "bash" ? bash_completion : zsh_completion);
+    const std::string& shell = options->folder;
+    fmt::print("{}", shell == "bash"  ? bash_completion
+                     : shell == "zsh" ? zsh_completion
+                                      : fish_completion);
     return exit_done;
   });
   Verb& man = app.add_verb("man", "The help of a verb as a page for man");

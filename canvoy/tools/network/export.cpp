@@ -163,7 +163,7 @@ void add_export_table(Verb& app) {
        "with expedited SDO transfers, as signals that are multiplexed by command, index "
        "and sub-index"},
       {"--out", options->out, "into this file (default: printed)"},
-      {"--timeout", options->time_out, answer_time_text},
+      {"--timeout", options->time_out, answer_time_text, answer_time_rules},
   });
   command.add_examples(
       "  canvoy export dbc charger --out charger.dbc\n"

@@ -449,7 +449,7 @@ void add_lss(Verb& app) {
       {"--bit-rate", options->bit_rate,
        "activate: that this machine's interface takes along with the nodes, as 250k "
        "(needs root; default: it keeps its own)"},
-      {"--timeout", options->time_out_text, answer_time_text},
+      {"--timeout", options->time_out_text, answer_time_text, answer_time_rules},
       {"--first-timeout", options->first_time_out_text,
        "scan: for the first answers (default 100ms); the rest is measured"},
       {"--json", options->json, "one JSON object a line"},

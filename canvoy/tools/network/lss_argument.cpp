@@ -7,6 +7,7 @@
 #include <charconv>
 #include <optional>
 
+#include "canvoy/tools/cli/bit_rate_text.hpp"
 #include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/session/session.hpp"
 
@@ -123,14 +124,9 @@ std::vector<NodeId> parse_node_ids(std::string_view text) {
 
 std::uint8_t parse_bit_timing(std::string_view text) {
   if (text == "auto") return lss_bit_timing::automatic;
-  std::uint32_t factor = 1;
-  std::string_view digits = text;
-  if (digits.ends_with('k')) factor = 1'000;
-  if (digits.ends_with('M')) factor = 1'000'000;
-  if (factor > 1) digits.remove_suffix(1);
-  const std::uint32_t number = parse_number(digits).value_or(0);
+  const std::optional<std::uint32_t> bit_rate = parse_bit_rate(text);
   const std::uint8_t index =
-      number > 1'000'000 ? lss_bit_timing::unknown : lss_bit_timing::index(number * factor);
+      bit_rate ? lss_bit_timing::index(*bit_rate) : std::uint8_t{lss_bit_timing::unknown};
   if (index != lss_bit_timing::unknown) return index;
   throw UsageError(fmt::format(
       "'{}' is no bit rate of CiA 305: 10k, 20k, 50k, 125k, 250k, 500k, 800k, 1M or auto", text));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "canvoy/tools/cli/bit_rate_text.hpp"
 #include "canvoy/tools/cli/failure.hpp"
 
 namespace canvoy::tools::lss_argument_test {
@@ -43,9 +44,24 @@ TEST(LssArgument, ReadsBitRatesOfTheTable) {
   EXPECT_EQ(parse_bit_timing("1M"), 0);
   EXPECT_EQ(parse_bit_timing("125k"), 4);
   EXPECT_EQ(parse_bit_timing("10000"), 8);
+  EXPECT_EQ(parse_bit_timing("250"), 3) << "no CAN bus has 250 bit/s";
   EXPECT_EQ(parse_bit_timing("auto"), 9);
-  for (const char* text : {"", "0", "k", "100k", "125K", "1000M", "4295092", "4294968k", "fast"}) {
+  for (const char* text : {"", "0", "k", "100k", "1000M", "4295092", "4294968k", "fast"}) {
     EXPECT_THROW(parse_bit_timing(text), UsageError) << text;
+  }
+}
+
+TEST(LssArgument, BitRatesAreReadAsTheToolsOfTheFieldWriteThem) {
+  for (const char* text : {"125", "125k", "125K", "125000", "125kbit/s", "125 kBit/s", "125 kbps",
+                           "125kBaud", "0.125M", "0.125 Mbit/s", "125000 bit/s", "125000bps"}) {
+    EXPECT_EQ(parse_bit_rate(text), 125'000U) << text;
+  }
+  EXPECT_EQ(parse_bit_rate("83.333k"), 83'333U);
+  EXPECT_EQ(parse_bit_rate("1000"), 1'000'000U);
+  EXPECT_EQ(parse_bit_rate("5000"), 5'000U);
+  for (const char* text : {"", "0", "-125", "1001", "4999", "1000001", "2M", "125x", "125 k k",
+                           "nan", "inf", "1e9", "0.0001k", "fast", "k125"}) {
+    EXPECT_FALSE(parse_bit_rate(text)) << text;
   }
 }
 

@@ -141,7 +141,6 @@ ProgramOutcome run_download(const ProgramOptions& options, NodeId node, ProgramF
 
 int download_program(const ProgramOptions& options) {
   const NodeId node = parse_node_id(options.node);
-  parse_answer_time(options.time_out);
   ProgramFile file(options.file);
   const ProgramOutcome outcome = run_download(options, node, file);
   if (!outcome) {
@@ -175,7 +174,7 @@ void add_program(Verb& app) {
       {"node", options->node, "10, 0x0A, 0Ah, or its name in the file of --network", required},
       {"file", options->file, "the program, in the form that the node wants", required},
       {"--slot", options->slot, "number of the program: sub-index (default 1)", between(1U, 254U)},
-      {"--timeout", options->time_out, answer_time_text},
+      {"--timeout", options->time_out, answer_time_text, answer_time_rules},
       {"--segmented", options->segmented, "without block transfer"},
       {"--check-crc", options->check_crc, "1F56h has to be the CRC-32 of the file afterwards"},
       {"--no-start", options->no_start, "leave the program stopped"},

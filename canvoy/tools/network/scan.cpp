@@ -1,7 +1,10 @@
 // canvoy scan BUS: finds the nodes on a bus by listening, by SDO and by LSS.
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <map>
@@ -24,6 +27,7 @@
 #include "canvoy/tools/sheet/network_text.hpp"
 #include "canvoy/tools/sheet/node_reader.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
+#include "canvoy/tools/terminal/terminal_text.hpp"
 
 namespace canvoy::tools {
 
@@ -154,15 +158,34 @@ std::string state_words(const NodeSweep::Found& found) {
   return found.is_heard ? "is heard" : "answers";
 }
 
+/// A row of the table; a name that has no room in the terminal stands in the next line.
+void print_scanned(const std::array<std::string, 8>& cells, const std::string& name,
+                   bool is_below) {
+  std::string row;
+  constexpr std::array<std::size_t, 8> widths = {5, 17, 10, 9, 10, 10, 10, 10};
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    row += fmt::format("{:<{}}", cells.at(i), widths.at(i));
+  }
+  if (!is_below) row += name;
+  row.resize(row.find_last_not_of(' ') + 1);
+  fmt::print("{}\n", row);
+  if (is_below && !name.empty()) fmt::print("     {}\n", name);
+}
+
 void print_nodes(const std::vector<ScannedNode>& nodes) {
-  fmt::print("{:<5}{:<17}{:<10}{:<9}{:<10}{:<10}{:<10}{:<10}{}\n", "node", "state", "1000h",
-             "profile", "vendor", "product", "revision", "serial", "name");
+  constexpr std::size_t name_at = 81;
+  const std::size_t width = terminal_width(STDOUT_FILENO);
+  const bool is_below = width != 0 && std::ranges::any_of(nodes, [width](const ScannedNode& node) {
+                          return name_at + node.is.name.size() > width;
+                        });
+  print_scanned({"node", "state", "1000h", "profile", "vendor", "product", "revision", "serial"},
+                is_below ? "" : "name", is_below);
   for (const ScannedNode& node : nodes) {
-    fmt::print("{:<5}{:<17}{:<10}{:<9}{:<10}{:<10}{:<10}{:<10}{}\n", node.found.id,
-               state_words(node.found), hex_or_blank(node.found.device_type),
-               node.profile.empty() ? "-" : node.profile, hex_or_blank(node.is.identity[0]),
-               hex_or_blank(node.is.identity[1]), hex_or_blank(node.is.identity[2]),
-               hex_or_blank(node.is.identity[3]), node.is.name);
+    print_scanned({fmt::format("{}", node.found.id), state_words(node.found),
+                   hex_or_blank(node.found.device_type), node.profile.empty() ? "-" : node.profile,
+                   hex_or_blank(node.is.identity[0]), hex_or_blank(node.is.identity[1]),
+                   hex_or_blank(node.is.identity[2]), hex_or_blank(node.is.identity[3])},
+                  node.is.name, is_below);
     if (!node.virtual_devices.empty()) fmt::print("     {}\n", node.virtual_devices);
     if (!node.found.answers) fmt::print("     does not answer to SDO\n");
   }

@@ -29,7 +29,7 @@ void AskOptions::add_any_node(Verb& command) {
 
 void AskOptions::add_time_out(Verb& command) {
   command.add({
-      {"--timeout", time_out, answer_time_text},
+      {"--timeout", time_out, answer_time_text, answer_time_rules},
   });
 }
 

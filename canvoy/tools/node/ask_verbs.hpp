@@ -30,6 +30,8 @@ void add_script(Verb& app, Sessions& sessions);
 
 /// True if it is one of them.
 bool is_ask_verb(std::string_view name);
+/// True if it is a state or a command of `nmt`, in any of its spellings.
+bool is_nmt_word(std::string_view word);
 /// Adds the verb of this name, or `script`; false if there is none.
 bool add_ask_verb(Verb& app, Sessions& sessions, std::string_view name);
 

@@ -135,7 +135,6 @@ int compare_all(const ConfigureOptions& options, Session& session, NodeId node,
 /// The whole file is read before the bus is used.
 int configure(const ConfigureOptions& options, Sessions& sessions) {
   const NodeId node = options.node_id();
-  options.answer_time();
   const Configuration configuration = read_configuration(options.file, node);
   const std::vector<ConfigurationEntry>& entries = configuration.entries;
   if (!options.json) say_what_differs(configuration, node);

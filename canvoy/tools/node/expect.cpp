@@ -97,6 +97,7 @@ int expect_value(const ExpectOptions& options, Sessions& sessions) {
 
 // -- wait
 
+/// Its time-out is how long it waits.
 struct WaitOptions : AskOptions {
   std::vector<std::string> words = {};
   std::vector<std::string> profiles = {};
@@ -134,7 +135,7 @@ void wait_time(const WaitOptions& options, Sessions& sessions, Duration time) {
 
 /// Waits until a frame passes the filter.
 void wait_frame(const WaitOptions& options, Sessions& sessions, std::string filter) {
-  const Duration within = take_span(filter, "within").value_or(wait_usual);
+  const Duration within = take_span(filter, "within").value_or(options.time_out_of(wait_usual));
   FramePrinterOptions wanted;
   wanted.filters = {filter};
   wanted.nodes = options.profiles;
@@ -203,6 +204,7 @@ void add_wait(Verb& app, Sessions& sessions) {
        "(default: within 10s)",
        required},
       {"--node", options->profiles, "which profile a node has: 5=419"},
+      {"--timeout", options->time_out, "as within: 5s", checked_by(wrong_duration)},
   });
   options->add_json(command);
   command.add_examples(

@@ -40,13 +40,20 @@ constexpr auto nmt_words = std::to_array<NmtWord>({
     {"start", NmtCommand::start, NmtState::operational},
     {"stop", NmtCommand::stop, NmtState::stopped},
     {"preop", NmtCommand::enter_pre_operational, NmtState::pre_operational},
+    {"reset-comm", NmtCommand::reset_communication, NmtState::initialisation},
+    {"reset-com", NmtCommand::reset_communication, NmtState::initialisation},
+    {"reset-application", NmtCommand::reset_node, NmtState::initialisation},
 });
 constexpr Duration nmt_time_out = 2s;
 
-const NmtWord& parse_nmt_state(std::string_view text) {
+const NmtWord* find_nmt_word(std::string_view text) {
   const auto* found = std::ranges::find_if(
       nmt_words, [text](const NmtWord& word) { return same_name(word.name, text); });
-  if (found != nmt_words.end()) return *found;
+  return found == nmt_words.end() ? nullptr : found;
+}
+
+const NmtWord& parse_nmt_state(std::string_view text) {
+  if (const NmtWord* const found = find_nmt_word(text)) return *found;
   std::vector<std::string> names;
   names.reserve(nmt_words.size());
   for (const NmtWord& word : nmt_words) names.emplace_back(word.name);
@@ -169,6 +176,10 @@ int command_nodes(const NmtOptions& options, Sessions& sessions) {
 }
 
 }  // namespace
+
+bool is_nmt_word(std::string_view word) {
+  return find_nmt_word(word) != nullptr;
+}
 
 void add_nmt(Verb& app, Sessions& sessions) {
   const auto options = std::make_shared<NmtOptions>();

@@ -20,7 +20,8 @@
 #include "canvoy/tools/node/junit.hpp"
 #include "canvoy/tools/node/script_devices.hpp"
 #include "canvoy/tools/node/script_line.hpp"
-#include "canvoy/tools/node/typed_words.hpp"
+#include "canvoy/tools/node/typed_options.hpp"
+#include "canvoy/tools/node/word_order.hpp"
 
 namespace canvoy::tools {
 
@@ -42,22 +43,6 @@ std::vector<std::string> buses_of(const ScriptOptions& options) {
   }
 }
 
-/// Runs `start`, and waits until this many nodes have booted on the bus: a line behind it finds
-/// them there. Nodes that wait for a node-ID do not boot: it waits for 5 s at most.
-void start_devices(Session& session, std::ptrdiff_t count, const std::function<void()>& start) {
-  constexpr Duration boots_within = 5s;
-  session.hear([&](const host::BusFrame& heard) {
-    const Frame& frame = heard.frame;
-    const bool is_boot_up = frame.is_plain() && frame.id > can_id::error_control &&
-                            frame.id <= can_id::error_control + node_id_max && frame.length == 1 &&
-                            frame.data[0] == 0;
-    if (is_boot_up && --count == 0) session.loop().stop();
-  });
-  start();
-  session.run_for(boots_within);
-  session.hear({});
-}
-
 /// A line, and its parsed verb, before it is run.
 class ScriptLine {
  public:
@@ -74,14 +59,9 @@ class ScriptLine {
       const bool names_bus = words.size() > 1 && std::ranges::find(buses, words[1]) != buses.end();
       const std::string bus = names_bus ? words[1] : buses.front();
       if (names_bus) words.erase(words.begin() + 1);
-      by_hand_ = devices.parse(words, bus);
-      if (words.front() != "device") return;
-      const auto kinds = std::ranges::find_if(
-          words, [](const std::string& word) { return word.starts_with("--"); });
-      const std::ptrdiff_t count = kinds - words.begin() - 1;
-      by_hand_ = [&sessions, &options, bus, count, start = std::move(by_hand_)] {
-        start_devices(sessions.open(bus, options.answer_time()), count, start);
-      };
+      by_hand_ = devices.parse(words, bus, [&sessions, &options, bus]() -> Session& {
+        return sessions.open(bus, options.answer_time());
+      });
       return;
     }
     add_ask_verbs(line_, sessions);
@@ -92,6 +72,7 @@ class ScriptLine {
     }
     if (!is_named) words.insert(words.begin() + 1, options.bus);
     order_words(words);
+    words = with_known_options(std::move(words), line_);
     if (options.json) words.emplace_back("--json");
     using Kind = CommandLine::Outcome::Kind;
     const CommandLine::Outcome outcome = line_.parse(std::move(words));

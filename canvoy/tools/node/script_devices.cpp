@@ -11,6 +11,8 @@
 #include <csignal>
 #include <optional>
 
+#include "canvoy/canopen/lss/lss.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
 #include "canvoy/tools/cli/failure.hpp"
 
 namespace canvoy::tools {
@@ -71,18 +73,19 @@ std::string complaint_about(const std::vector<std::string>& words) {
   return said.empty() ? "canvoy device does not take it" : said;
 }
 
-/// The words of a device on a bus of its own, for an instant.
-std::vector<std::string> tried(const std::vector<std::string>& device,
-                               const std::vector<std::string>& further = {}) {
-  std::vector<std::string> words;
-  const auto option =
-      std::ranges::find_if(device, [](const std::string& word) { return word.starts_with("--"); });
-  words.assign(device.begin(), option);
-  words.emplace_back("sim");
-  words.insert(words.end(), option, device.end());
-  words.insert(words.end(), {"--for", "1ms"});
-  words.insert(words.end(), further.begin(), further.end());
-  return words;
+/// With one of these options, `canvoy device` tells something, and plays nothing.
+constexpr auto telling_options =
+    std::to_array<std::string_view>({"--help", "-h", "--list", "--hands"});
+
+bool is_boot_up(const Frame& frame) {
+  return frame.is_plain() && frame.id > can_id::error_control &&
+         frame.id <= can_id::error_control + node_id_max && frame.length == 1 && frame.data[0] == 0;
+}
+
+/// What a slave without a node-ID answers to identify_unconfigured (CiA 305).
+bool is_unconfigured(const Frame& frame) {
+  return frame.is_plain() && frame.id == can_id::lss_response && frame.length == lss::length &&
+         frame.data[0] == static_cast<std::uint8_t>(lss::Command::unconfigured);
 }
 
 }  // namespace
@@ -96,15 +99,30 @@ ScriptDevices::~ScriptDevices() {
   }
 }
 
+std::vector<std::string> ScriptDevices::Device::words(
+    const std::string& on_bus, std::initializer_list<std::string> further) const {
+  std::vector<std::string> made = kinds;
+  made.push_back(on_bus);
+  made.insert(made.end(), options.begin(), options.end());
+  made.insert(made.end(), further);
+  return made;
+}
+
 std::function<void()> ScriptDevices::parse(const std::vector<std::string>& words,
-                                           const std::string& bus) {
+                                           const std::string& bus, OpensSession session) {
   if (words.front() != "device") return parse_hand(words);
-  std::vector<std::string> of_device(words.begin() + 1, words.end());
-  if (of_device.empty()) throw UsageError("device is required: one of `canvoy device --list`");
-  const std::string wrong = complaint_about(tried(of_device));
+  const auto option =
+      std::ranges::find_if(words, [](const std::string& word) { return word.starts_with('-'); });
+  Device device{.kinds = {words.begin() + 1, option}, .options = {option, words.end()}, .bus = bus};
+  if (device.kinds.empty()) throw UsageError("device is required: one of `canvoy device --list`");
+  const auto telling = std::ranges::find_first_of(device.options, telling_options);
+  if (telling != device.options.end()) {
+    throw UsageError(fmt::format("a line has no {}: it plays a device", *telling));
+  }
+  const std::string wrong = complaint_about(device.words("sim", {"--for", "1ms"}));
   if (!wrong.empty()) throw UsageError(wrong);
-  Device& device = devices_.emplace_back(Device{.words = std::move(of_device), .bus = bus});
-  return [&device] { start(device); };
+  Device& played = devices_.emplace_back(std::move(device));
+  return [&played, session = std::move(session)] { start(played, session()); };
 }
 
 /// The first device that has the hand, as with several devices of `canvoy device`.
@@ -120,8 +138,8 @@ std::function<void()> ScriptDevices::parse_hand(const std::vector<std::string>& 
   const bool has_time = order.find('@') != std::string::npos;
   std::optional<std::string> complaint;
   for (Device& device : devices_) {
-    const std::string wrong = complaint_about(
-        tried(device.words, {"--" + words.front(), has_time ? order : order + "@0s"}));
+    const std::string wrong = complaint_about(device.words(
+        "sim", {"--for", "1ms", "--" + words.front(), has_time ? order : order + "@0s"}));
     if (wrong.empty()) return [&device, order] { send(device, order); };
     if (!complaint) complaint = wrong;
   }
@@ -131,14 +149,34 @@ std::function<void()> ScriptDevices::parse_hand(const std::vector<std::string>& 
 void ScriptDevices::start(Device& device) {
   std::array<int, 2> pipe{};
   if (::pipe2(pipe.data(), O_CLOEXEC) != 0) throw Failure("there are too many open files");
-  std::vector<std::string> words = device.words;
-  const auto option =
-      std::ranges::find_if(words, [](const std::string& word) { return word.starts_with("--"); });
-  words.insert(option, device.bus);
-  words.emplace_back("--stdin");
-  device.process = start_device(words, {.input = pipe[0]});
+  device.process = start_device(device.words(device.bus, {"--stdin"}), {.input = pipe[0]});
   ::close(pipe[0]);
   device.orders = pipe[1];
+}
+
+void ScriptDevices::start(Device& device, Session& session) {
+  constexpr Duration there_within = 5s;
+  constexpr Duration asked_each = 50ms;
+  const auto waits = std::ranges::count_if(device.options, [](const std::string& word) {
+    return word == "lss" || word == "--node-id=lss";
+  });
+  auto boots = std::ssize(device.kinds) - waits;
+  bool is_identified = waits == 0;
+  session.hear([&](const host::BusFrame& heard) {
+    if (is_boot_up(heard.frame)) --boots;
+    is_identified = is_identified || is_unconfigured(heard.frame);
+    if (boots <= 0 && is_identified) session.loop().stop();
+  });
+  start(device);
+  const Time end = session.loop().now() + there_within;
+  while ((boots > 0 || !is_identified) && session.loop().now() < end) {
+    const Time now = session.loop().now();
+    if (!is_identified) {
+      session.send(lss::frame(can_id::lss_request, lss::Command::identify_unconfigured));
+    }
+    session.run_for(is_identified ? end - now : asked_each);
+  }
+  session.hear({});
 }
 
 void ScriptDevices::send(Device& device, const std::string& order) {
@@ -147,7 +185,7 @@ void ScriptDevices::send(Device& device, const std::string& order) {
   if (!is_running) device.process = 0;
   const auto size = static_cast<ssize_t>(line.size());
   if (is_running && ::write(device.orders, line.data(), line.size()) == size) return;
-  throw Failure(fmt::format("{} has ended, or its line has failed", device.words.front()));
+  throw Failure(fmt::format("{} has ended, or its line has failed", device.kinds.front()));
 }
 
 }  // namespace canvoy::tools

@@ -13,6 +13,7 @@
 #include "canvoy/tools/argument/node_argument.hpp"
 #include "canvoy/tools/cli/failure.hpp"
 #include "canvoy/tools/node/ask_verbs.hpp"
+#include "canvoy/tools/node/word_order.hpp"
 
 namespace canvoy::tools {
 
@@ -49,9 +50,6 @@ constexpr auto bus_places = std::to_array<BusPlace>({
     {.verb = "eds", .at = 2, .others_min = 2, .second = "read"},
     {.verb = "export", .at = 2, .others_min = 1, .others_max = 1},
 });
-constexpr auto nmt_states =
-    std::to_array<std::string_view>({"operational", "stopped", "pre-operational", "reset-node",
-                                     "reset-communication", "start", "stop", "preop"});
 
 /// Of the line's verb; none where it has no bus.
 std::optional<BusPlace> bus_place(const Words& words) {
@@ -77,41 +75,12 @@ bool is_interface(std::string_view word) {
          std::filesystem::exists("/sys/class/net/" + std::string(word), none);
 }
 
-/// Number of words after the verb and before the first option.
-std::size_t count_places(const Words& words) {
-  const auto option = std::find_if(words.begin() + 1, words.end(), [](const std::string& word) {
-    return word.size() > 1 && word.starts_with('-');
-  });
-  return static_cast<std::size_t>(option - words.begin()) - 1;
-}
-
-/// `0x1017` and `1017h` as `1017`; empty if it is no index.
-std::string index_digits(std::string_view word) {
-  if (word.starts_with("0x") || word.starts_with("0X")) word.remove_prefix(2);
-  if (word.ends_with('h') || word.ends_with('H')) word.remove_suffix(1);
-  constexpr std::size_t digits = 4;
-  const bool is_index = word.size() == digits &&
-                        word.find_first_not_of("0123456789abcdefABCDEF") == std::string_view::npos;
-  return is_index ? std::string(word) : std::string();
-}
-
-/// Like index_digits(), but for a sub-index: `0`, `01h`, `0x1F`.
-std::string sub_digits(std::string_view word) {
-  if (word.starts_with("0x") || word.starts_with("0X")) word.remove_prefix(2);
-  if (word.ends_with('h') || word.ends_with('H')) word.remove_suffix(1);
-  const bool is_sub = !word.empty() && word.size() <= 2 &&
-                      word.find_first_not_of("0123456789abcdefABCDEF") == std::string_view::npos;
-  return is_sub ? std::string(word) : std::string();
-}
-
-/// Joins index and sub-index at `at` and after it into one word.
-bool join_index(Words& words, std::size_t at) {
-  const std::string index = index_digits(words.at(at));
-  const std::string sub = sub_digits(words.at(at + 1));
-  if (index.empty() || sub.empty()) return false;
-  words[at] = index + ':' + sub;
-  words.erase(words.begin() + static_cast<std::ptrdiff_t>(at) + 1);
-  return true;
+/// `180:780`: an identifier and a mask, as candump has it.
+bool is_can_id_mask(std::string_view word) {
+  const std::size_t colon = word.find(':');
+  return colon != std::string_view::npos && colon != 0 && colon + 1 < word.size() &&
+         word.find_first_not_of("0123456789abcdefABCDEF:") == std::string_view::npos &&
+         word.find(':', colon + 1) == std::string_view::npos;
 }
 
 std::string line_of(const Words& words) {
@@ -123,11 +92,6 @@ std::string line_of(const Words& words) {
   order_words(words);
   throw UsageError(
       fmt::format("which bus? {}; or export CANVOY_BUS=can0, and leave it out", line_of(words)));
-}
-
-bool is_nmt_state(std::string_view word) {
-  return std::ranges::any_of(nmt_states,
-                             [word](std::string_view state) { return same_name(state, word); });
 }
 
 /// The bus of the environment where none was said, and the line that was meant where that is not
@@ -150,7 +114,7 @@ void add_bus(Words& words, const BusPlace& place) {
     return;
   }
   const bool begins_with_node =
-      is_ask_verb(verb) && places > 0 && (find_node_id(words[1]) || is_nmt_state(words[1]));
+      is_ask_verb(verb) && places > 0 && (find_node_id(words[1]) || is_nmt_word(words[1]));
   const bool is_bare = places == 0 && words.size() == 1;
   const bool is_exact = places == place.others_min && places > 0 && !is_ask_verb(verb);
   if (begins_with_node || is_exact || (is_bare && !is_ask_verb(verb))) {
@@ -163,56 +127,126 @@ void add_device_bus(Words& words) {
   const char* const usual = std::getenv("CANVOY_BUS");
   const std::size_t places = count_places(words);
   if (usual == nullptr || *usual == '\0' || places == 0 || names_bus(words[places])) return;
-  words.insert(words.begin() + static_cast<std::ptrdiff_t>(places) + 1, usual);
+  const std::size_t devices = places > 1 && find_node_id(words[places]) ? places - 1 : places;
+  words.insert(words.begin() + static_cast<std::ptrdiff_t>(devices) + 1, usual);
 }
 
 /// What other tools call a verb, or what is typed for one of ours.
 struct OtherName {
   std::string_view name;
   std::string_view verb;
+  bool is_told = false;  ///< it may mean others as well: the line is told, not run
 };
 constexpr auto other_names = std::to_array<OtherName>({
-    {"candump", "monitor"},  {"dump", "monitor"},
-    {"listen", "monitor"},   {"sniff", "monitor"},
-    {"watch", "monitor"},    {"heartbeat", "monitor"},
-    {"list", "scan"},        {"ls", "scan"},
-    {"nodes", "scan"},       {"ping", "scan"},
-    {"diff", "eds diff"},    {"compare", "eds diff"},
-    {"info", "eds check"},   {"convert", "convert-log"},
-    {"simulate", "run"},     {"sim", "run"},
-    {"start", "nmt"},        {"stop", "nmt"},
-    {"reset", "nmt"},        {"log", "record"},
-    {"canplayer", "replay"}, {"play", "replay"},
-    {"cansend", "send"},     {"get", "read"},
-    {"upload", "read"},      {"sdo", "read"},
-    {"set", "write"},        {"download", "write"},
-    {"test", "check"},       {"flash", "program"},
-    {"serve", "view"},       {"web", "view"},
-    {"statistics", "stats"}, {"dbc", "export dbc"},
+    {"candump", "monitor"},
+    {"dump", "monitor"},
+    {"listen", "monitor"},
+    {"sniff", "monitor"},
+    {"watch", "monitor", true},
+    {"heartbeat", "monitor", true},
+    {"list", "scan"},
+    {"ls", "scan"},
+    {"nodes", "scan"},
+    {"ping", "scan", true},
+    {"diff", "eds diff"},
+    {"compare", "eds diff"},
+    {"info", "eds check", true},
+    {"convert", "convert-log"},
+    {"simulate", "run", true},
+    {"sim", "run", true},
+    {"start", "nmt"},
+    {"reset", "nmt"},
+    {"log", "record", true},
+    {"canplayer", "replay"},
+    {"play", "replay"},
+    {"cansend", "send"},
+    {"get", "read"},
+    {"upload", "read"},
+    {"sdo", "read", true},
+    {"set", "write"},
+    {"download", "write", true},
+    {"test", "check", true},
+    {"flash", "program"},
+    {"serve", "view"},
+    {"web", "view"},
+    {"statistics", "stats"},
+    {"dbc", "export dbc"},
     {"lookup", "explain"},
 });
-
-void refuse_other_name(const Words& words) {
-  const auto* const other = std::ranges::find(other_names, words.front(), &OtherName::name);
-  if (other == other_names.end()) return;
-  Words meant(words.begin() + 1, words.end());
-  if (other->verb == "nmt") meant.push_back(words.front());
-  const bool misses_bus = meant.empty() && (other->verb == "scan" || other->verb == "monitor");
-  if (misses_bus) meant.emplace_back("can0");
-  meant.insert(meant.begin(), std::string(other->verb));
-  if (other->verb == "nmt") order_words(meant);
-  throw UsageError(fmt::format("'{}' is not known here; {} does that: {}", words.front(),
-                               other->verb, line_of(meant)));
-}
 
 bool has_ending(std::string_view word, std::initializer_list<std::string_view> endings) {
   return std::ranges::any_of(endings,
                              [word](std::string_view ending) { return word.ends_with(ending); });
 }
 
-bool is_small_number(std::string_view word) {
-  return !word.empty() && word.size() <= 3 &&
-         word.find_first_not_of("0123456789") == std::string_view::npos;
+bool is_sheet_name(std::string_view word) {
+  return has_ending(word, {".eds", ".dcf", ".xdd", ".xdc", ".EDS", ".DCF"});
+}
+
+/// The line with our name of the verb.
+void use_own_name(Words& words) {
+  if (words.size() > 1 && is_nmt_word(words[0] + '-' + words[1])) {
+    words[0] += '-' + words[1];
+    words.erase(words.begin() + 1);
+  }
+  const std::string_view typed = words.front();
+  const std::string_view name = is_nmt_word(typed) ? "start" : typed;
+  const auto* const other = std::ranges::find(other_names, name, &OtherName::name);
+  if (other == other_names.end()) return;
+  std::string_view verb = other->verb;
+  if (verb == "convert-log" && words.size() > 1 && is_sheet_name(words[1])) verb = "eds convert";
+  Words meant(words.begin() + 1, words.end());
+  if (verb == "nmt")
+    meant.insert(meant.begin() + static_cast<std::ptrdiff_t>(count_places(words)), words.front());
+  const std::size_t blank = verb.find(' ');
+  if (blank != std::string_view::npos)
+    meant.insert(meant.begin(), std::string(verb.substr(blank + 1)));
+  meant.insert(meant.begin(), std::string(verb.substr(0, blank)));
+  if (!other->is_told) {
+    words = std::move(meant);
+    return;
+  }
+  const bool misses_bus = meant.size() == 1 && (verb == "scan" || verb == "monitor");
+  if (misses_bus) meant.emplace_back("can0");
+  throw UsageError(
+      fmt::format("'{}' is not known here; {} does that: {}", words.front(), verb, line_of(meant)));
+}
+
+/// The verb that is meant by what stands behind it: `eds pump.eds`, `explain 18A#A000`.
+void use_other_verb(Words& words) {
+  if (words.size() < 2) return;
+  if (words[0] == "eds" && is_sheet_name(words[1])) words.insert(words.begin() + 1, "check");
+  if (words[0] == "eds" && (words[1] == "info" || words[1] == "show")) words[1] = "check";
+  if (words[0] == "eds" && words[1] == "compare") words[1] = "diff";
+  if (words[0] == "explain" && words[1].find('#') != std::string::npos) words[0] = "decode";
+}
+
+/// `can0,180:780`, as candump has it, is the bus and a filter.
+void part_candump_filters(Words& words) {
+  if (words.front() != "monitor" || count_places(words) == 0) return;
+  std::string buses;
+  std::string filters;
+  std::string_view rest = words[1];
+  while (true) {
+    const std::size_t comma = rest.find(',');
+    const std::string_view part = rest.substr(0, comma);
+    std::string& list = is_can_id_mask(part) ? filters : buses;
+    if (!list.empty()) list += ',';
+    list += part;
+    if (comma == std::string_view::npos) break;
+    rest.remove_prefix(comma + 1);
+  }
+  if (filters.empty() || buses.empty()) return;
+  words[1] = buses;
+  words.insert(words.end(), {"--filter", "id=" + filters});
+}
+
+/// `battery can0 11`: the node-ID stands behind the bus.
+void use_node_behind_bus(Words& words) {
+  const std::size_t places = count_places(words);
+  const bool is_behind = words.front() == "device" && places > 2 && names_bus(words[places - 1]) &&
+                         find_node_id(words[places]);
+  if (is_behind) words.insert(words.begin() + static_cast<std::ptrdiff_t>(places), "--node-id");
 }
 
 /// Lines that miss a word, or have one of another verb: the line that was meant.
@@ -223,13 +257,16 @@ void refuse_another_line(const Words& words) {
     throw UsageError(
         fmt::format("{} canvoy {}", what, fmt::join({std::string_view(parts)...}, " ")));
   };
-  if (verb == "record" && places == 1 && names_bus(words[1])) {
+  const bool names_file = std::ranges::any_of(words, [](const std::string& word) {
+    return word.starts_with("-o") || word.starts_with("--o");
+  });
+  if (verb == "record" && places == 1 && names_bus(words[1]) && !names_file) {
     refuse("which file is to be written?", verb, words[1], "night.log");
   }
   if (verb == "replay" && places == 1 && names_bus(words[1])) {
     refuse("which log?", verb, "night.log", words[1]);
   }
-  if (verb == "check" && places == 1 && has_ending(words[1], {".eds", ".dcf", ".xdd", ".xdc"})) {
+  if (verb == "check" && places == 1 && is_sheet_name(words[1])) {
     refuse("a data sheet is checked by", "eds check", words[1]);
   }
   if (verb == "export" && places == 2 && has_ending(words[2], {".log", ".asc", ".blf", ".trc"})) {
@@ -239,6 +276,13 @@ void refuse_another_line(const Words& words) {
       (verb == "monitor" || verb == "decode") && places == 2 && is_small_number(words[2]);
   if (has_node_behind) {
     refuse("what is of one node is chosen by", verb, words[1], "--filter", "node=" + words[2]);
+  }
+  if (verb == "nmt" && (places == 2 || places == 3) && names_bus(words[1])) {
+    const std::string state = places == 2 ? words[2] : words[2] + '-' + words[3];
+    if (is_nmt_word(state)) {
+      throw UsageError(fmt::format("which node? canvoy nmt {0} 10 {1}, or canvoy nmt {0} all {1}",
+                                   words[1], state));
+    }
   }
   const auto reset = std::find_if(words.begin() + 1, words.end(),
                                   [](const std::string& word) { return same_name("reset", word); });
@@ -250,15 +294,6 @@ void refuse_another_line(const Words& words) {
   }
 }
 
-/// `1018sub1`, as data sheets have it, as `1018:1`.
-std::string with_colon(std::string_view word) {
-  const std::size_t sub = word.find("sub");
-  if (sub == std::string_view::npos) return {};
-  const std::string index = index_digits(word.substr(0, sub));
-  const std::string digits = sub_digits(word.substr(sub + 3));
-  return index.empty() || digits.empty() ? std::string() : index + ':' + digits;
-}
-
 }  // namespace
 
 bool names_bus(std::string_view word) {
@@ -266,29 +301,6 @@ bool names_bus(std::string_view word) {
   const std::string_view interface = first.substr(0, first.find('/'));
   return first == "sim" || first.starts_with("udp:") || first.starts_with("tcp:") ||
          looks_like_interface(interface) || is_interface(interface);
-}
-
-void order_words(Words& words) {
-  constexpr std::size_t node_at = 2;
-  constexpr std::size_t object_at = 3;
-  const std::size_t places = count_places(words);
-  const std::string& verb = words.front();
-  if (verb == "nmt" && places == 3) {
-    if (is_nmt_state(words[node_at]) && !is_nmt_state(words[object_at])) {
-      std::swap(words[node_at], words[object_at]);
-    }
-  }
-  const bool is_turned = verb == "lss" && places > 1 && !names_bus(words[1]);
-  if (is_turned && names_bus(words[2])) std::swap(words[1], words[2]);
-  if (verb == "read" && places == 4) join_index(words, object_at);
-  if (verb == "write" && places == 5) join_index(words, object_at);
-  const bool takes_object = verb == "read" || verb == "write" || verb == "expect";
-  for (std::size_t at = object_at; takes_object && at <= count_places(words); ++at) {
-    if (const std::string object = with_colon(words[at]); !object.empty()) words[at] = object;
-    const std::string index = index_digits(words[at]);
-    if (!index.empty() && words[at].size() > index.size()) words[at] = index;
-    if (verb != "read") break;
-  }
 }
 
 std::vector<std::string> typed_words(Words words) {
@@ -300,10 +312,12 @@ std::vector<std::string> typed_words(Words words) {
   if (words.front() == "help") {
     words.erase(words.begin());
     words.emplace_back("--help");
-    return words;
   }
-  refuse_other_name(words);
+  use_own_name(words);
+  use_other_verb(words);
   if (words.front() == "device" && words.size() > 1) add_device_bus(words);
+  use_node_behind_bus(words);
+  part_candump_filters(words);
   const bool asks_for_help = std::ranges::find(words, "--help") != words.end() ||
                              std::ranges::find(words, "-h") != words.end();
   const std::optional<BusPlace> place = bus_place(words);

@@ -18,8 +18,4 @@ bool names_bus(std::string_view word);
 /// `words` are those after the name of the program. Throws UsageError with the intended line.
 std::vector<std::string> typed_words(std::vector<std::string> words);
 
-/// Puts the words after a verb and its bus in order: node and state, and index and sub-index as
-/// one.
-void order_words(std::vector<std::string>& words);
-
 }  // namespace canvoy::tools

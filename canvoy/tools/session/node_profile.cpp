@@ -42,7 +42,12 @@ unsigned profile_of_node(Session& session, NodeId node) {
 
 ObjectAddress find_object_of(Session& session, NodeId node, std::string_view object,
                              unsigned profile) {
-  if (profile != 0 || !needs_profile(object)) return parse_object(object, profile);
+  const HasObject has = [&session, node](std::uint16_t index, std::uint8_t sub) {
+    const Result<std::vector<std::uint8_t>> answer = session.try_read(node, index, sub);
+    return answer ||
+           (answer.abort() != AbortCode::no_object && answer.abort() != AbortCode::no_sub_index);
+  };
+  if (profile != 0 || !needs_profile(object)) return parse_object(object, profile, has);
   const Result<std::vector<std::uint8_t>> answer =
       session.try_read(node, object_index::device_type, 0);
   if (!answer) {
@@ -54,7 +59,7 @@ ObjectAddress find_object_of(Session& session, NodeId node, std::string_view obj
   }
   const std::uint32_t device_type = device_type_of(*answer);
   // Also for an unknown profile.
-  return parse_object(object, find_profile(device_type) == nullptr ? 0 : device_type);
+  return parse_object(object, find_profile(device_type) == nullptr ? 0 : device_type, has);
 }
 
 std::string printed_name(const ObjectAddress& object) {

@@ -354,7 +354,7 @@ void add_browse(Verb& app) {
       {"--eds", options->sheet, "what the node has (default: as for canvoy eds read)"},
       {"--profile", options->profile, "447-3, 417-4 (default: what the node's 1000h says)",
        excludes("--eds")},
-      {"--timeout", options->time_out, answer_time_text},
+      {"--timeout", options->time_out, answer_time_text, answer_time_rules},
       {"--json", options->json, "all entries once, one JSON object a line"},
   });
   command.set_footer(

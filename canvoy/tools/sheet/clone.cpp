@@ -109,7 +109,7 @@ void add_clone(Verb& app) {
        "indices that are asked for beside those that are described (default: "
        "2000-5FFF,6000-9FFF)",
        separated_by(',')},
-      {"--timeout", options->time_out, answer_time_text},
+      {"--timeout", options->time_out, answer_time_text, answer_time_rules},
       {"--json", options->json, "one JSON object"},
   });
   command.set_footer(

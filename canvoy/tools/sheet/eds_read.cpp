@@ -130,7 +130,7 @@ void add_eds_read(Verb& eds) {
       {"--name", options->name, "of the node in the DCF (default: its 1008h)"},
       {"--bit-rate", options->bit_rate,
        "in kbit/s, for the DCF (default: that of the interface, else 125)", between(1U, 1000U)},
-      {"--timeout", options->time_out, answer_time_text},
+      {"--timeout", options->time_out, answer_time_text, answer_time_rules},
       {"--json", options->json, "one JSON object a line"},
   });
   command.add_examples(

@@ -54,8 +54,8 @@ class Conversion {
     if (options_.json) return tell_json();
     const std::string lost = out_->lost();
     fmt::print(
-        "{} frames of a {}; {} lines or blocks could not be read, {} CAN FD frames left out{}{}\n",
-        trace_->frames(), trace_->format().name, trace_->bad(), trace_->fd_frames(),
+        "{} frames of {}; {} lines or blocks could not be read, {} CAN FD frames left out{}{}\n",
+        trace_->frames(), format_in_words(*trace_), trace_->bad(), trace_->fd_frames(),
         lost.empty() ? "" : "; not kept: ", lost);
   }
 

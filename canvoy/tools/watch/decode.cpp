@@ -66,8 +66,7 @@ void add_decode(Verb& app) {
   });
   options->printer.add_to(command);
   command.add({
-      {"--csv", options->printer.csv,
-       "a row for each value: time, bus, node, index, sub, name, value, unit", excludes("--json")},
+      {"--csv", options->printer.csv, csv_text, excludes("--json")},
       {"--parquet", options->parquet,
        "write the same table as Apache Parquet, for pandas and others: FILE.parquet",
        excludes("--csv", "--json", "--out")},

@@ -92,9 +92,10 @@ void FramePrinterOptions::add_filter_to(Verb& command) {
       {"--filter", filters,
        "show only frames of which this holds: bus=can1, node=5, id=180..1FF, service=SDO, "
        "object=temperature, temperature>40degC, time=10s..1min, marks; joined by and, "
-       "or, not and parentheses; several: all must hold",
+       "or, not and parentheses; several: all must hold; --node 5 alone is node=5",
        one_each},
   });
+  takes_filter = true;
 }
 
 void FramePrinterOptions::add_to(Verb& command) {
@@ -113,9 +114,18 @@ FramePrinter::FramePrinter(const FramePrinterOptions& options)
   if (width != 0 && width < narrow_below) narrow_ = width;
   for (const std::string& text : options.readings) add_reading(text);
   for (const std::string& text : options.profiles) add_profile(text);
-  for (const std::string& text : options.nodes) add_node(text);
+  std::vector<std::string> filters = options.filters;
+  std::string only;
+  for (const std::string& text : options.nodes) {
+    if (!options.takes_filter || text.find('=') != std::string::npos) {
+      add_node(text);
+    } else {
+      only += fmt::format("{}node={}", only.empty() ? "" : " or ", text);
+    }
+  }
+  if (!only.empty()) filters.push_back(only);
   for (const std::string& text : options.sheets) add_sheet(text);
-  if (!options.filters.empty()) add_filters(options.filters);
+  if (!filters.empty()) add_filters(filters);
 }
 
 void FramePrinter::add_reading(const std::string& text) {

@@ -24,6 +24,10 @@
 
 namespace canvoy::tools {
 
+/// What `--csv` says of itself in help.
+inline constexpr const char* csv_text =
+    "a row for each value: time, bus, node, index, sub, name, value, unit";
+
 /// Options of the command line.
 struct FramePrinterOptions {
   std::vector<std::string> nodes = {};     ///< `5=419`, or `can1:5=419`
@@ -34,7 +38,8 @@ struct FramePrinterOptions {
   std::vector<std::string> filters = {};
   bool transfers = false;  ///< one line for each SDO transfer
   bool json = false;
-  bool csv = false;  ///< a row for each value instead of a line for each frame
+  bool csv = false;           ///< a row for each value instead of a line for each frame
+  bool takes_filter = false;  ///< a node alone, without a profile, is a filter
 
   void add_to(Verb& command);
   /// Adds only the options that describe nodes or select frames, for verbs that print no lines.

@@ -25,8 +25,13 @@ void LogReader::Batch::add(TraceRead read, const TraceFrame& heard,
     channels.emplace_back(heard.channel);
   }
   const std::size_t channel = channels.empty() ? 0 : channels.size() - 1;
-  items.push_back(
-      {heard.time, heard.frame, read, heard.direction, static_cast<std::uint32_t>(channel)});
+  // In its place: a copy of what was stored in smaller parts waits until they are stored.
+  Item& item = items.emplace_back();
+  item.time = heard.time;
+  item.frame = heard.frame;
+  item.read = read;
+  item.direction = heard.direction;
+  item.channel = static_cast<std::uint32_t>(channel);
   if (read == TraceRead::fd) fds.push_back(heard.fd);
   if (read == TraceRead::bad) bad.push_back({trace.where(), trace.problem()});
 }

@@ -261,8 +261,12 @@ void add_monitor(Verb& app) {
        "of a bus: do not use the data sheets of this folder (EDS, DCF, XDD, XDC)"},
   });
   options->printer.add_to(command);
+  command.add({
+      {"--csv", options->printer.csv, csv_text, excludes("--json", "--table")},
+  });
   command.add_examples(
       "  canvoy monitor can0\n"
+      "  canvoy monitor can0 --csv --for 500ms\n"
       "  canvoy monitor can0,can1 --for 500ms\n"
       "  canvoy monitor can0 --table\n"
       "  canvoy monitor can0 --table --by node --ask\n"

@@ -14,6 +14,7 @@
 #include "canvoy/formats/terms.hpp"
 #include "canvoy/formats/trace/trace.hpp"
 #include "canvoy/profiles/model/physical.hpp"
+#include "canvoy/profiles/registry.hpp"
 #include "canvoy/text/json_line.hpp"
 #include "canvoy/text/object_words.hpp"
 #include "canvoy/text/text.hpp"
@@ -54,6 +55,19 @@ std::string bare(std::string_view text) {
   return made;
 }
 
+/// `0x6020/2` as `602002`, `0x6020` as `6020`; empty: no index.
+std::string digits_of(const std::string& text) {
+  constexpr std::size_t digits = 4;
+  const std::size_t begin = text.starts_with("0x") || text.starts_with("0X") ? 2 : 0;
+  const std::size_t end =
+      std::min(text.find_first_not_of("0123456789abcdefABCDEF", begin), text.size());
+  const auto address = find_address(base_profile(), text);
+  if (end != begin + digits || !address) return {};
+  const bool is_whole = end == text.size() || (text[end] == 'h' && end + 1 == text.size());
+  return fmt::format("{:04x}", address->index) +
+         (is_whole ? "" : fmt::format("{:02x}", address->sub));
+}
+
 /// `6010`, `6010h:01h`, or a part of a name.
 class WantedObject {
  public:
@@ -64,7 +78,7 @@ class WantedObject {
     std::erase(digits, 'h');
     const bool is_index = (digits.size() == 4 || digits.size() == 6) &&
                           digits.find_first_not_of("0123456789abcdef") == std::string::npos;
-    if (is_index) number_ = digits;
+    number_ = is_index ? digits : digits_of(text);
   }
 
   bool matches(const decoder::DecodedValue& value, std::string_view bare_name) {

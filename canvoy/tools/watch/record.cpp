@@ -181,8 +181,8 @@ void add_record(Verb& app) {
   command.add({
       {"bus", options->bus, "can0, udp:239.74.163.2:43113, tcp:HOST:PORT/can0; several: can0,can1",
        required},
-      {"file", options->file,
-       "its end says the format: " + formats::trace_ending_list(true) +
+      {"out", options->file,
+       "a file whose end says the format: " + formats::trace_ending_list(true) +
            "; with .gz behind it, it is compressed",
        required},
       {"--rotate", options->rotate,

@@ -32,12 +32,34 @@ struct ReplayOptions {
   bool json = false;
 };
 
+/// Buses, and which bus of the log each one gets.
+struct Routes {
+  std::string buses;                  ///< with commas between them
+  std::vector<std::string> channels;  ///< of each; empty: that of its name, or the next
+};
+
+/// `can0,can1`, or as canplayer has it `can0=vcan0`: to can0 goes what the log has of vcan0. The
+/// sign in `udp:?ttl=1` is part of the bus.
+Routes parse_routes(std::string_view text) {
+  Routes routes;
+  while (true) {
+    const std::size_t comma = text.find(',');
+    const std::string_view part = text.substr(0, comma);
+    const std::size_t sign = part.find('=', std::min(part.find('?') + 1, part.size()));
+    const bool is_option = part.find('?') != std::string_view::npos;
+    const std::size_t end =
+        is_option && sign != std::string_view::npos ? part.find('=', sign + 1) : sign;
+    if (!routes.buses.empty()) routes.buses += ',';
+    routes.buses += part.substr(0, end);
+    routes.channels.emplace_back(end == std::string_view::npos ? "" : part.substr(end + 1));
+    if (comma == std::string_view::npos) return routes;
+    text.remove_prefix(comma + 1);
+  }
+}
+
 class Replay {
  public:
-  explicit Replay(const ReplayOptions& options)
-      : options_(options), session_(options.bus), buses_(session_.buses()) {
-    for (const std::string& node : options.nodes) nodes_.insert(parse_node_id(node));
-  }
+  explicit Replay(const ReplayOptions& options) : Replay(options, parse_routes(options.bus)) {}
 
   int run() {
     for (unsigned round = 0; !is_over_ && (options_.loops == 0 || round < options_.loops); ++round)
@@ -49,6 +71,14 @@ class Replay {
   }
 
  private:
+  Replay(const ReplayOptions& options, const Routes& routes)
+      : options_(options), session_(routes.buses), buses_(session_.buses()) {
+    for (const std::string& node : options.nodes) nodes_.insert(parse_node_id(node));
+    for (std::size_t i = 0; i < routes.channels.size(); ++i) {
+      if (!routes.channels[i].empty()) chosen_.emplace(routes.channels[i], buses_.at(i));
+    }
+  }
+
   void play() {
     LogReader trace(value_or_throw(formats::TraceReader::open(options_.log)));
     std::map<std::string, text::FrameDecoder, std::less<>> decoders;
@@ -159,8 +189,7 @@ void add_replay(Verb& app) {
       {"log", options->log, log_argument_text(), required},
       {"bus", options->bus,
        "can0, udp:239.74.163.2:43113, tcp:HOST:PORT/can0; several as can0,can1: a bus of the log "
-       "goes "
-       "to that of its name, or to the next",
+       "goes to that of its name, or to the next; can0=vcan7: to can0 goes vcan7 of the log",
        required},
       {"--speed", options->speed, "2: twice as fast; 0: as fast as the bus takes it (default 1)",
        between(0.0, 1'000'000.0)},

@@ -108,13 +108,13 @@ class Statistics {
 
   void print() const {
     if (options_.json) return print_json();
-    fmt::print("{:<8} {:<12} {:>9} {:>10} {:>9} {:>9} {:>9} {:>6}\n", "CAN-ID", "service", "frames",
+    fmt::print("{:<8} {:<19} {:>8} {:>8} {:>8} {:>8} {:>8} {:>6}\n", "CAN-ID", "service", "frames",
                "per s", "cycle ms", "jitter", "longest", load_head());
     std::string bus;
     for (const auto& [id, each] : ids_) {
       if (has_several_buses() && id.bus != bus) fmt::print("{}\n", id.bus);
       bus = id.bus;
-      fmt::print("{:<8} {:<12} {:>9} {:>10.2f} {:>9.2f} {:>9.2f} {:>9.2f} {:>6.2f}\n", id_text(id),
+      fmt::print("{:<8} {:<19} {:>8} {:>8.2f} {:>8.2f} {:>8.2f} {:>8.2f} {:>6.2f}\n", id_text(id),
                  service_text(each), each.count, rate(each), each.mean * 1e3, each.jitter() * 1e3,
                  each.most * 1e3, load(each));
     }

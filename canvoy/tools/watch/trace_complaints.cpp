@@ -24,6 +24,12 @@ void show_shifted(const std::string& out, const formats::TraceWriter& writer) {
   show(writer.late(), "later than what its format can say at most");
 }
 
+std::string format_in_words(const LogReader& trace) {
+  constexpr std::string_view vowels = "AEIOUaeiou";
+  const std::string name(trace.format().name);
+  return (vowels.find(name.front()) == std::string_view::npos ? "a " : "an ") + name;
+}
+
 void refuse_log_without_frames(const std::string& log, const LogReader& trace) {
   if (trace.frames() > 0) return;
   if (trace.position() == 0) throw Failure(log + ": it is empty");
@@ -31,8 +37,8 @@ void refuse_log_without_frames(const std::string& log, const LogReader& trace) {
     throw Failure(fmt::format("{}: all {} frames in it are of CAN FD, which CANopen does not use",
                               log, trace.fd_frames()));
   }
-  throw Failure(fmt::format("{}: no frame can be read in it, though it looks like a {}", log,
-                            trace.format().name));
+  throw Failure(fmt::format("{}: no frame can be read in it, though it looks like {}", log,
+                            format_in_words(trace)));
 }
 
 bool is_log_itself(const std::string& log, const std::string& out) {

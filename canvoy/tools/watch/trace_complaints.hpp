@@ -18,6 +18,9 @@ void show_bad(const std::string& log, const LogReader& trace);
 /// Reports frames that were written with another time than theirs.
 void show_shifted(const std::string& out, const formats::TraceWriter& writer);
 
+/// The format in a sentence: `a candump log`, `an ASAM MDF 4`.
+std::string format_in_words(const LogReader& trace);
+
 /// Throws Failure if the log had no frame up to its end.
 void refuse_log_without_frames(const std::string& log, const LogReader& trace);
 

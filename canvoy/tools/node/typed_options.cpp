@@ -1,0 +1,312 @@
+#include "canvoy/tools/node/typed_options.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "canvoy/sim/duration_text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// What other tools call an option or a place, without dashes and in small letters.
+struct OtherSpelling {
+  std::string_view typed;
+  std::string_view meant;          ///< an option without its first dashes, or a place
+  std::string_view in_front = {};  ///< of the value: `id=`
+};
+/// Of several meanings of a word, a verb has the first one that it knows.
+constexpr auto other_spellings = std::to_array<OtherSpelling>({
+    {"n", "count"},
+    {"c", "count"},
+    {"num", "count"},
+    {"number", "count"},
+    {"frames", "count"},
+    {"f", "filter"},
+    {"id", "node-id"},
+    {"id", "filter", "id="},
+    {"canid", "filter", "id="},
+    {"service", "filter", "service="},
+    {"object", "filter", "object="},
+    {"bus", "filter", "bus="},
+    {"j", "json"},
+    {"o", "out"},
+    {"output", "out"},
+    {"outfile", "out"},
+    {"to", "out"},
+    {"format", "out"},
+    {"node", "what"},
+    {"o", "to"},
+    {"out", "to"},
+    {"output", "to"},
+    {"i", "log"},
+    {"input", "log"},
+    {"i", "in"},
+    {"input", "in"},
+    {"duration", "for"},
+    {"time", "for"},
+    {"seconds", "for"},
+    {"period", "every"},
+    {"interval", "every"},
+    {"cycle", "every"},
+    {"cycletime", "every"},
+    {"period", "watch"},
+    {"interval", "watch"},
+    {"every", "watch"},
+    {"baud", "bit-rate"},
+    {"baudrate", "bit-rate"},
+    {"node", "node-id"},
+    {"nodeid", "node"},
+    {"save", "store"},
+    {"port", "web"},
+    {"repeat", "loop"},
+    {"dryrun", "diff"},
+    {"index", "object"},
+    {"interface", "bus"},
+    {"channel", "bus"},
+    {"interface", "source"},
+    {"channel", "source"},
+});
+
+/// `--Bit_Rate` as `bitrate`.
+std::string plain_option(std::string_view word) {
+  std::string plain;
+  for (const char c : word) {
+    if (c == '-' || c == '_') continue;
+    plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return plain;
+}
+
+bool is_option(std::string_view word) {
+  constexpr std::string_view digits = "0123456789.";
+  return word.size() > 1 && word.front() == '-' && digits.find(word[1]) == std::string_view::npos;
+}
+
+bool is_file_name(std::string_view word) {
+  const std::size_t dot = word.rfind('.');
+  return dot != std::string_view::npos && dot + 1 < word.size() &&
+         word.find_first_not_of("0123456789", dot + 1) != std::string_view::npos;
+}
+
+/// What verbs write, and read no log or data sheet from.
+bool is_picture_or_table(std::string_view word) {
+  constexpr auto endings =
+      std::to_array<std::string_view>({".svg", ".png", ".dbc", ".csv", ".html"});
+  return std::ranges::any_of(endings,
+                             [word](std::string_view ending) { return word.ends_with(ending); });
+}
+
+/// The words of a verb, told apart.
+class TypedOptions {
+ public:
+  TypedOptions(const Words& words, const Verb& verb, std::size_t begin) {
+    for (const Verb* each = &verb; each != nullptr; each = each->parent()) {
+      for (OptionInfo& option : each->options()) {
+        (option.is_place && each == &verb ? places_ : options_).push_back(std::move(option));
+      }
+    }
+    words_.assign(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(begin));
+    Words rest(words.begin() + static_cast<std::ptrdiff_t>(begin), words.end());
+    for (std::size_t at = 0; at < rest.size();) at = take(rest, at);
+  }
+
+  /// Nothing where the verb understands all of it as it is.
+  std::optional<Words> meant() {
+    claim_further_words();
+    if (!is_changed_ || !place_named_words()) return std::nullopt;
+    words_.insert(words_.end(), loose_.begin(), loose_.end());
+    words_.insert(words_.end(), said_.begin(), said_.end());
+    return words_;
+  }
+
+ private:
+  const OptionInfo* find_option(std::string_view name) const {
+    const auto found = std::ranges::find_if(options_, [name](const OptionInfo& option) {
+      const bool is_out =
+          name == "-o" && std::ranges::find(option.names, "--out") != option.names.end();
+      return is_out || std::ranges::find(option.names, name) != option.names.end();
+    });
+    return found == options_.end() ? nullptr : &*found;
+  }
+  const OptionInfo* find_plain(const std::string& plain) const {
+    const OptionInfo* found = nullptr;
+    for (const OptionInfo& option : options_) {
+      for (const std::string& name : option.names) {
+        if (plain_option(name) == plain) found = &option;
+      }
+    }
+    return found;
+  }
+  bool is_place(std::string_view name) const {
+    return std::ranges::find(places_, name, &OptionInfo::name) != places_.end();
+  }
+
+  /// Takes the word there, and its values; returns the place of the next.
+  std::size_t take(const Words& rest, std::size_t at) {
+    const std::string& word = rest[at];
+    if (!is_option(word)) {
+      loose_.push_back(word);
+      return at + 1;
+    }
+    const std::size_t sign = word.find('=');
+    const std::string name = word.substr(0, sign);
+    if (name == "-h" || find_option(name) != nullptr) {
+      const OptionInfo* const option = find_option(name);
+      said_.push_back(word);
+      return sign == std::string::npos ? take_values(option, rest, at + 1) : at + 1;
+    }
+    std::optional<std::string> value;
+    if (sign != std::string::npos) value = word.substr(sign + 1);
+    const bool has_next = at + 1 < rest.size() && !is_option(rest[at + 1]);
+    if (!value && has_next) value = rest[at + 1];
+    return take_unknown(rest, at, value, sign == std::string::npos);
+  }
+
+  /// Several values have one form: `--eds 9=pump.eds night.log` is followed by a log.
+  std::size_t take_values(const OptionInfo* option, const Words& rest, std::size_t at) {
+    if (option == nullptr || option->is_flag) return at;
+    const bool is_pair = at < rest.size() && rest[at].find('=') != std::string::npos;
+    do {
+      if (at == rest.size() || is_option(rest[at])) return at;
+      if (is_pair && rest[at].find('=') == std::string::npos) {
+        is_changed_ = true;
+        return at;
+      }
+      said_.push_back(rest[at++]);
+    } while (option->takes_several);
+    return at;
+  }
+
+  std::size_t take_unknown(const Words& rest, std::size_t at,
+                           const std::optional<std::string>& value, bool is_behind) {
+    const std::string plain = plain_option(rest[at]).substr(0, plain_option(rest[at]).find('='));
+    const std::size_t next = at + (value && is_behind ? 2 : 1);
+    if (plain.size() > 1 && is_place(plain) && value) {
+      name_place(plain, *value);
+      return next;
+    }
+    if (const OptionInfo* const option = find_plain(plain); option != nullptr && plain.size() > 1) {
+      return take_as(*option, "", value, at, next);
+    }
+    if (plain == "sub" || plain == "subindex") {
+      const auto object = named_.find("object");
+      if (object != named_.end() && value) {
+        object->second += ':' + *value;
+        return next;
+      }
+    }
+    for (const OtherSpelling& each : other_spellings) {
+      if (each.typed != plain) continue;
+      const OptionInfo* const option = find_plain(plain_option(each.meant));
+      if (option != nullptr) return take_as(*option, each.in_front, value, at, next);
+      if (!is_place(each.meant) || !value) continue;
+      name_place(each.meant, *value);
+      return next;
+    }
+    said_.push_back(rest[at]);
+    return at + 1;
+  }
+
+  /// Returns the place of the next word.
+  std::size_t take_as(const OptionInfo& option, std::string_view in_front,
+                      const std::optional<std::string>& value, std::size_t at, std::size_t next) {
+    is_changed_ = true;
+    said_.push_back(option.names.front());
+    if (option.is_flag) return at + 1;
+    if (value) said_.push_back(std::string(in_front) + *value);
+    return next;
+  }
+
+  void name_place(std::string_view place, const std::string& value) {
+    is_changed_ = true;
+    named_[std::string(place)] = value;
+  }
+
+  /// A duration, or a file, where the verb has no place for a further word.
+  void claim_further_words() {
+    const bool takes_any = std::ranges::any_of(places_, &OptionInfo::takes_several);
+    const std::size_t room = places_.size() - named_.size();
+    if (loose_.size() <= room && !takes_any) return;
+    for (std::size_t at = loose_.size(); at-- > room;) {
+      const std::string option = claimed_by(loose_[at]);
+      if (option.empty() || (takes_any && !is_picture_or_table(loose_[at]))) continue;
+      is_changed_ = true;
+      said_.insert(said_.end(), {option, loose_[at]});
+      loose_.erase(loose_.begin() + static_cast<std::ptrdiff_t>(at));
+    }
+  }
+  std::string claimed_by(const std::string& word) const {
+    constexpr auto of_time = std::to_array<const char*>({"--for", "--every", "--timeout"});
+    if (parse_duration(word)) {
+      for (const char* option : of_time) {
+        if (find_option(option) != nullptr) return is_said(option) ? "" : option;
+      }
+    }
+    return is_file_name(word) && find_option("--out") != nullptr && !is_said("--out") ? "--out"
+                                                                                      : "";
+  }
+  bool is_said(std::string_view option) const {
+    return std::ranges::find(said_, option) != said_.end();
+  }
+
+  /// Puts the words in the order of the places; false if one is missing before another.
+  bool place_named_words() {
+    if (named_.empty()) return true;
+    Words ordered;
+    std::size_t next = 0;
+    for (const OptionInfo& place : places_) {
+      const auto named = named_.find(place.name);
+      if (named != named_.end()) {
+        // Behind what else may stand there.
+        while (place.takes_several && next < loose_.size()) ordered.push_back(loose_[next++]);
+        ordered.push_back(named->second);
+      } else if (next < loose_.size()) {
+        ordered.push_back(loose_[next++]);
+      } else if (place.is_required) {
+        return false;
+      }
+    }
+    ordered.insert(ordered.end(), loose_.begin() + static_cast<std::ptrdiff_t>(next), loose_.end());
+    loose_ = std::move(ordered);
+    return true;
+  }
+
+  std::vector<OptionInfo> options_;
+  std::vector<OptionInfo> places_;
+  Words words_;                               ///< the verb, and verbs below it
+  Words loose_;                               ///< words without an option
+  Words said_;                                ///< options with their values
+  std::map<std::string, std::string> named_;  ///< words of places, by their names
+  bool is_changed_ = false;
+};
+
+/// The verb below with this name.
+const Verb* verb_below(const Verb& verb, const std::string& name) {
+  const auto found = std::ranges::find_if(
+      verb.verbs(), [&name](const std::unique_ptr<Verb>& each) { return each->name() == name; });
+  return found == verb.verbs().end() ? nullptr : found->get();
+}
+
+}  // namespace
+
+std::vector<std::string> with_known_options(std::vector<std::string> words, const Verb& line) {
+  const Verb* verb = &line;
+  std::size_t at = 0;
+  while (at < words.size()) {
+    const Verb* const below = verb_below(*verb, words[at]);
+    if (below == nullptr) break;
+    verb = below;
+    ++at;
+  }
+  if (verb == &line) return words;
+  std::optional<Words> meant = TypedOptions(words, *verb, at).meant();
+  return meant ? *std::move(meant) : words;
+}
+
+}  // namespace canvoy::tools
