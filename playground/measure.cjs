@@ -36,7 +36,7 @@ async function speed(command) {
 
 (async () => {
   const all = {};
-  for (const command of ["lift", "lift --lifts 8 --floors 20", "charger", "taxi", "police", "bus", "excavator"]) {
+  for (const command of ["lift", "lift --lifts 8 --floors 20", "charger", "charger --chargers 3 --batteries 5 --goal 80@06:00", "taxi", "police", "bus", "excavator"]) {
     all[command] = Math.round(await speed(command));
     console.log(`${command}: ${all[command]} times real time`);
   }

@@ -75,7 +75,7 @@ test("a visitor breaks a lift, and reads its emergency and the verdict", async (
   });
 });
 
-for (const network of ["charger", "taxi", "police", "bus", "excavator"]) {
+for (const network of ["charger", "charger --chargers 2 --batteries 3 --goal 80@06:00", "taxi", "police", "bus", "excavator"]) {
   test(`${network} plays, and tells frames in words`, async () => {
     await shown(network, async (page) => {
       await view(page, "Frames");
