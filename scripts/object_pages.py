@@ -13,13 +13,14 @@ import re
 import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PROFILES = ("401", "407", "417-4", "418", "419", "447-3", "852")
-# Pages whose tables have a row for each object: what is done with it, our reading, and the test that has it at the wire.
+PROFILES = ("301", "401", "402", "406", "407", "417-4", "418", "419", "447-3", "852")
+# Pages whose tables have a row for each object: what is done with it, the reading taken, and the test at the wire.
 TOLD_IN = {"401": "cia401.md", "407": "cia407-objects.md", "447-3": "cia447.md", "852": "cia852.md"}
-# Where the rest is told.
-ABOUT = {"401": "cia401.md", "407": "cia407.md", "417-4": "decisions/lift.md", "418": "decisions/charger.md", "419": "decisions/charger.md",
+# Where the rest is.
+ABOUT = {"301": "decisions/canopen.md", "401": "cia401.md", "402": "profiles.md", "406": "profiles.md", "407": "cia407.md", "417-4": "decisions/lift.md", "418": "decisions/charger.md", "419": "decisions/charger.md",
          "447-3": "cia447.md", "852": "cia852.md"}  # fmt: skip
 VALUES_MOST = 64  # of a field, in its table
+NAMES_MOST = 12  # of devices; of more, only their number is told
 
 
 @dataclasses.dataclass
@@ -81,7 +82,8 @@ def devices_of_ours(command):
         indices = {int(each, 16) for each in re.findall(r"(?m)^\[([0-9A-Fa-f]{4})\]", sheet)}
         carried = pdos_of_sheet(sheet)
         for index in indices:
-            found[profile, index].append((name, sorted(carried.get(index, ()))))
+            of = profile if index >= 0x2000 else "301"
+            found[of, index].append((name, sorted(carried.get(index, ()))))
     return found
 
 
@@ -175,7 +177,7 @@ def quantities_section(each):
         by = f", scaled by {row['step']}" if "step" in row else ""
         return [place_cell(row, each), name, f"raw x {row['factor']:g}{offset} {row['unit']}{by}", f"{row['min_raw']} to {row['max_raw']}", values_text(row.get("sentinels", {}))]
 
-    return table(["sub-index", "field", "value", "raw numbers", "what is no number"], map(cells, each.rows["quantity"]))
+    return table(["sub-index", "field", "value", "raw numbers", "special values"], map(cells, each.rows["quantity"]))
 
 
 def devices_section(each):
@@ -196,14 +198,17 @@ def pdos_section(each):
 
 
 def ours_section(profile, each, ours, told):
-    """What devices of ours do with it."""
+    """What the devices of the catalogue do with it."""
     parts, seen = [], []
     for index in range(each.first, each.last + 1):
         for name, pdos in ours.get((profile, index), ()):
             text = f"`{name}`" + (f" ({', '.join(pdos)})" if pdos else "")
             if text not in seen:
                 seen.append(text)
-    parts.append(f"Devices of `canvoy device` that have it: {', '.join(seen)}." if seen else "No device of `canvoy device` has it.")
+    if len(seen) > NAMES_MOST:
+        parts.append(f"{len(seen)} devices of `canvoy device` have it.")
+    else:
+        parts.append(f"Devices of `canvoy device` that have it: {', '.join(seen)}." if seen else "No device of `canvoy device` has it at this index.")
     lines = []
     for index in range(each.first, each.last + 1):
         for row in told.get(index, ()):
@@ -212,15 +217,15 @@ def ours_section(profile, each, ours, told):
             if text and f"- {text}" not in lines:
                 lines.append(f"- {text}")
     parts += ["\n".join(lines)] if lines else []
-    parts.append(f"[More of CiA {profile}](../../{ABOUT[profile]}).")
+    parts.append(f"[More about CiA {profile}](../../{ABOUT[profile]}).")
     return "\n\n".join(parts)
 
 
 def page_of(profile, each, ours, told):
     entry = each.rows["entry"][0]
-    facts = [f"**{entry['category']}**" + (f": {entry['condition']}" if "condition" in entry else ""), entry["code"], f"CiA {profile}, {entry['clause']}"]
+    facts = [f"**{entry['category']}**" + (f": {entry['condition']}" if "condition" in entry else ""), entry["code"], ", ".join(filter(None, (f"CiA {profile}", entry["clause"])))]
     if "errata" in entry:
-        facts.append(f"our findings: {entry['errata']}")
+        facts.append(f"contradictions: {entry['errata']}")
     said = descriptions_of(each)
     parts = [f"# {each.title}", " · ".join(facts), said[0] if len(said) == 1 else "", "## Entries", entries_section(each)]
     for kind, title, section in (("field", "Fields and states", fields_section), ("quantity", "Units and scales", quantities_section), ("device", "Virtual devices", devices_section),
@@ -228,9 +233,9 @@ def page_of(profile, each, ours, told):
         if each.rows[kind]:
             parts += [f"## {title}", section(each)]
     refused = [f"- `{row['code']}`: {row['when']} ({row['clause']})" for row in each.rows["abort"]]
-    parts += ["## Refused with", "\n".join(refused)] if refused else []
-    parts += ["## What ours does with it", ours_section(profile, each, ours, told)]
-    parts += [f"`canvoy profile {profile} {each.first:04X}` says the same on the terminal."]
+    parts += ["## Abort codes", "\n".join(refused)] if refused else []
+    parts += ["## In Canvoy's devices", ours_section(profile, each, ours, told)]
+    parts += [f"`canvoy profile {profile} {each.first:04X}` shows the same on the terminal."]
     return "\n\n".join(part for part in parts if part) + "\n"
 
 
