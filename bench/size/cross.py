@@ -13,7 +13,7 @@ FLAGS = ["-std=c++20", "-Os", "-mcpu=cortex-m0plus", "-mthumb", "-ffunction-sect
          "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics", "-Wno-psabi", "-DCANVOY_SMALL_MACHINE", f"-I{ROOT}"]
 SHARED = "canvoy/canopen/node/node.hpp"
 FEW = 8  # number of sources below which precompiling takes longer
-LINK = ["--specs=nano.specs", "-nostartfiles", "-Wl,--gc-sections", "-Wl,-e,main"]
+LINK = ["--specs=nano.specs", "-nostartfiles", "-Wl,--gc-sections"]
 
 
 def is_there():
@@ -59,8 +59,8 @@ def compile_all(sources, folder, flags):
     return objects
 
 
-def link(objects, program, flags):
-    subprocess.run([f"{CROSS}g++", *FLAGS, *flags, *LINK, *objects, "-o", program], check=True)
+def link(objects, program, flags, entry="main"):
+    subprocess.run([f"{CROSS}g++", *FLAGS, *flags, *LINK, f"-Wl,-e,{entry}", *objects, "-o", program], check=True)
 
 
 def read_symbols(program):
