@@ -1,4 +1,4 @@
-# Debian's emscripten with clang 16, as emscripten's own clang 14 lacks constraints on destructors, and with the headers of
+# Debian's emscripten with clang 16 in place of emscripten's own clang 14, which has not been tried, and with the headers of
 # libc++ 16, as those of emscripten (libc++ 13) lack the algorithms of std::ranges. scripts/playground sets its environment.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR wasm32)

@@ -10,6 +10,23 @@
 
 namespace canvoy {
 
+/// A timer and its queue, which must outlive it.
+template <bool is_small>
+struct WatchdogTimer {
+  /// Makes a timer that is not armed.
+  constexpr WatchdogTimer(TimerQueue& timers, Callback<void(Time)> expired)
+      : queue(timers), timer(expired) {}
+
+  TimerQueue& queue;  ///< of the node
+  Timer timer;        ///< armed by the watchdog
+};
+/// On a host, its end takes the timer out of the queue.
+template <>
+struct WatchdogTimer<false> : WatchdogTimer<true> {
+  using WatchdogTimer<true>::WatchdogTimer;
+  ~WatchdogTimer() { queue.disarm(timer); }
+};
+
 /// A watchdog. It cannot be stopped: it expires without effect. On a small machine, where servers
 /// and clients live as long as their node, its end takes no code.
 template <bool is_small>
@@ -18,11 +35,7 @@ class BasicSdoWatchdog {
   /// Makes a watchdog. `timers` must outlive it. `expired` is called at the deadline, or at one
   /// that was postponed since: it must call put_off() first.
   constexpr BasicSdoWatchdog(TimerQueue& timers, Callback<void(Time)> expired)
-      : timers_(timers), timer_(expired) {}
-  ~BasicSdoWatchdog()
-    requires is_small
-  = default;
-  ~BasicSdoWatchdog() { timers_.disarm(timer_); }
+      : armed_(timers, expired) {}
   BasicSdoWatchdog(const BasicSdoWatchdog&) = delete;
   BasicSdoWatchdog& operator=(const BasicSdoWatchdog&) = delete;
 
@@ -31,28 +44,27 @@ class BasicSdoWatchdog {
     // A small machine arms the timer each time.
     if constexpr (!is_small) {
       deadline_.value = at;
-      if (at >= timer_.at()) return;
+      if (at >= armed_.timer.at()) return;
     }
-    timers_.arm(timer_, at);
+    armed_.queue.arm(armed_.timer, at);
   }
 
   /// Like restart(), but `delay` microseconds from the present time.
   void restart_in(std::uint32_t delay) {
-    if constexpr (is_small) return timers_.arm_in(timer_, delay);
-    restart(timers_.now() + Duration(delay));
+    if constexpr (is_small) return armed_.queue.arm_in(armed_.timer, delay);
+    restart(armed_.queue.now() + Duration(delay));
   }
 
   /// True if the deadline was postponed to a time still to come.
   bool put_off(Time now) {
     if (is_small || deadline_.value <= now) return false;
-    timers_.arm(timer_, deadline_.value);
+    armed_.queue.arm(armed_.timer, deadline_.value);
     return true;
   }
 
  private:
-  TimerQueue& timers_;
+  WatchdogTimer<is_small> armed_;
   [[no_unique_address]] HostOnly<Time, !is_small> deadline_;
-  Timer timer_;
 };
 /// The watchdog of this machine.
 using SdoWatchdog = BasicSdoWatchdog<is_small_machine>;
