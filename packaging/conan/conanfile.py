@@ -1,4 +1,4 @@
-"""Canvoy for Conan 2, from a checkout of the sources: conan create packaging/conan"""
+"""Canvoy for Conan 2, from a checkout of the sources: conan create packaging/conan -s compiler.cppstd=20"""
 
 import pathlib
 import re
