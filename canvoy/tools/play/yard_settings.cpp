@@ -6,6 +6,8 @@
 #include <charconv>
 #include <optional>
 
+#include "canvoy/can/real_text.hpp"
+
 namespace canvoy::tools {
 
 namespace {
@@ -24,9 +26,17 @@ struct GoalText {
   unsigned minute = 0;  ///< of the day
 };
 
+std::from_chars_result read_figure(const char* first, const char* last, double& to) {
+  return real_from_chars(first, last, to);
+}
+
+std::from_chars_result read_figure(const char* first, const char* last, unsigned& to) {
+  return std::from_chars(first, last, to);
+}
+
 template <class Number>
 bool take_figure(std::string_view& text, Number& to) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), to);
+  const auto [end, error] = read_figure(text.data(), text.data() + text.size(), to);
   if (error != std::errc() || end == text.data()) return false;
   text.remove_prefix(static_cast<std::size_t>(end - text.data()));
   return true;
