@@ -29,7 +29,7 @@ CASES, SEED = (sys.argv[1:] + ["12", "1"][len(sys.argv) - 1 :])[:2]
 LIFT = {"bus": ["lift1"], "node": [2, 4], "object": ["1017", "1018:4"], "value": ["500", "hex:01 02"],
         "fault": ["heartbeat-loss"], "from": [1], "to": [3], "faults": [[], ["heartbeat-loss@10s"]], "is_run": True}  # fmt: skip
 LOG = {"bus": ["sim0"], "node": [5, 10], "object": ["1000"], "is_run": False}
-NOT_OF_A_LOG = {"trend", "runFile", "read", "write", "nmt", "fault", "visit", "record"}
+NOT_OF_A_LOG = {"runFile", "read", "write", "nmt", "fault", "visit", "record"}
 
 
 class Server:

@@ -2,6 +2,7 @@
 //
 //     python3 tests/own_network.py node --test tests/web/bus_page_test.mjs
 import assert from "node:assert/strict";
+import { createServer } from "node:net";
 import { test } from "node:test";
 import { look_at, open_browser, serve, start, view } from "./browser.mjs";
 
@@ -26,9 +27,62 @@ test("a node that was killed, and a bus that has one gone, are not shown as befo
     device.kill("SIGKILL");
     await page.getByRole("alert").filter({ hasText: /No heartbeat any more/ }).waitFor();
     await page.locator("main .state", { hasText: "silent" }).waitFor();
+    await view(page, "Overview");
+    await page.locator(".summary .headline", { hasText: "1 of 1 nodes is silent" }).waitFor();
+    await page.locator(".events li", { hasText: /no heartbeat any more/ }).waitFor();
   } finally {
     await browser.close();
     await server.end();
     device.kill("SIGKILL");
+  }
+});
+
+/** A socketcand as its protocol has it, with one node that is heard each 200 ms; gives what ends it. */
+function remote_bus(port) {
+  const clients = new Set();
+  const server = createServer((socket) => {
+    clients.add(socket);
+    socket.on("error", () => {});
+    socket.write("< hi >");
+    let is_raw = false;
+    const beat = setInterval(() => is_raw && socket.write("< frame 705 1.000000 05 >"), 200);
+    socket.on("data", (data) => {
+      for (const [request] of String(data).matchAll(/<[^>]*>/g)) {
+        if (/open|rawmode/.test(request)) socket.write("< ok >");
+        is_raw ||= request.includes("rawmode");
+      }
+    });
+    socket.on("close", () => { clearInterval(beat); clients.delete(socket); });
+  });
+  return new Promise((resolve) => server.listen(port, "127.0.0.1", () => resolve({
+    port: server.address().port,
+    end: () => new Promise((ended) => { server.close(ended); clients.forEach((each) => each.destroy()); }),
+  })));
+}
+
+test("a bus that is lost is said to be, in the first line and as an event, and so is that it is back", async () => {
+  let remote = await remote_bus(0);
+  const server = await serve("view", `tcp:127.0.0.1:${remote.port}/can0`);
+  const browser = await open_browser();
+  try {
+    const page = await look_at(browser.context, server.url);
+    await page.locator(".summary .headline", { hasText: "The only node is operational" }).waitFor();
+    await page.locator(".figure", { hasText: /frames a second\s*[4-6]$/ }).waitFor();
+    await page.locator(".trends path.line").waitFor();
+    const { port } = remote;
+    await remote.end();
+    await page.locator(".summary.bad .headline", { hasText: "The bus is lost" }).waitFor();
+    await page.getByRole("alert").filter({ hasText: /The bus: .*closed the connection/ }).waitFor();
+    await page.locator(".events li.bad", { hasText: "the bus is lost" }).waitFor();
+    await page.locator(".events li.bad", { hasText: "node 5 (05h): no heartbeat any more" }).waitFor();
+    remote = await remote_bus(port);
+    await page.locator(".events li.good", { hasText: "the bus is back" }).waitFor();
+    await page.locator(".summary.good .headline", { hasText: "The only node is operational" }).waitFor();
+    await page.locator(".events li.good", { hasText: "its heartbeat is back" }).waitFor();
+    assert.equal(await page.getByRole("alert").count(), 0);
+  } finally {
+    await browser.close();
+    await server.end();
+    await remote.end();
   }
 });

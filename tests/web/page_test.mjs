@@ -2,7 +2,7 @@
 //
 //     CANVOY=build/canvoy node --test tests/web/page_test.mjs
 import assert from "node:assert/strict";
-import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
@@ -245,6 +245,8 @@ test("a server that is gone leaves nothing green", async () => {
     await page.getByRole("alert").filter({ hasText: /connection to the server is lost: what is shown is \d+ s old/ }).waitFor();
     await verdict.filter({ hasText: "unknown" }).waitFor();
     assert.doesNotMatch(await verdict.getAttribute("class"), /good/);
+    await page.locator(".summary .headline", { hasText: "It is not known how it is now" }).waitFor();
+    assert.equal(await page.locator(".summary.good").count(), 0);
   } finally {
     await page.close();
     await server.end();
@@ -277,8 +279,9 @@ test("a plot is zoomed by dragging, and is whole again by a double click", async
     const begin = async () => {
       await page.mouse.move(x(0.5), y);
       await page.mouse.move(x(0.002), y);
-      await page.waitForFunction(() => /\d/.test(document.querySelector(".u-legend .u-value").innerText));
-      return Number((await page.locator(".u-legend .u-value").first().innerText()).replace(/,/g, ""));
+      await page.waitForFunction(() => /^\d+:\d\d\.\d$/.test(document.querySelector(".u-legend .u-value").innerText));
+      const [minutes, seconds] = (await page.locator(".u-legend .u-value").first().innerText()).split(":").map(Number);
+      return 60 * minutes + seconds;
     };
     const whole = await begin();
     await page.mouse.move(x(0.5), y);
@@ -310,6 +313,104 @@ test("a log's time line is dragged, and all is as it was then", async () => {
     await page.waitForFunction((end) => parseFloat(document.querySelector(".value-row .strong").innerText) < end, at_end);
     await line.press("End");
     await page.waitForFunction((end) => parseFloat(document.querySelector(".value-row .strong").innerText) === end, at_end);
+  });
+});
+
+/**
+ * A minute of two nodes: node 5 is heard for 20 s, then no more; the battery's temperature (CiA 418, 6010h: eighths of a
+ * degree, in TPDO1 of node 10) goes from 20 to 21 °C after 30 s; one line is none.
+ */
+function minute_log() {
+  const at = (seconds) => `(${(1_700_000_000 + seconds).toFixed(6)}) can0`;
+  const lines = [];
+  for (let i = 0; i <= 60; ++i) {
+    lines.push(`${at(i)} 70A#05`, `${at(i + 0.1)} 18A#${i < 30 ? "A0" : "A8"}0001`);
+    if (i <= 20) lines.push(`${at(i + 0.2)} 705#05`);
+    if (i === 40) lines.push("(1700000040.5) can0 cut off he");
+  }
+  const log = join(folder, "minute.log");
+  writeFileSync(log, `${lines.join("\n")}\n`);
+  return log;
+}
+
+test("a log opens with what matters: who is silent, what could not be read, its traffic and its values", async () => {
+  await shown(["view", minute_log(), "--node", "10=418"], async (page) => {
+    await page.locator(".summary .headline", { hasText: "1 of 2 nodes is silent" }).waitFor();
+    await page.locator(".summary .detail", { hasText: /No heartbeat any more: node 5/ }).waitFor();
+    await page.getByRole("alert").filter({ hasText: /^1 line of this log could not be read.*line 10[0-9]/s }).waitFor();
+    await event(page, /node 5.*: no heartbeat any more/).waitFor();
+    await page.locator(".trends", { hasText: "The whole log" }).locator("path.line").waitFor();
+    await page.locator(".tiles li.bad", { hasText: /node 5.*silent/s }).waitFor();
+    await page.locator(".main-values dd", { hasText: "21 °C" }).first().waitFor();
+    await page.locator(".main-values, .tiles").first().waitFor();
+  });
+});
+
+test("a value of a log is drawn from the log's beginning, though it is pinned at the end", async () => {
+  await shown(["view", minute_log(), "--node", "10=418"], async (page, server) => {
+    const past = await (await ask(server, "/api/networks/can0/nodes/10/objects/6010:00/history")).json();
+    assert.deepEqual(past, { times: [1_700_000_000.1, 1_700_000_030.1], values: [20, 21] });
+    await view(page, "Objects");
+    await page.getByLabel("Search").fill("6010:00");
+    await page.getByRole("button", { name: /^Pin to the plots/ }).first().click();
+    await view(page, "Plots");
+    const area = await page.locator(".plot .u-over").boundingBox();
+    await page.mouse.move(area.x + area.width * 0.1, area.y + area.height / 2);
+    await page.locator(".u-legend .u-value").last().filter({ hasText: /^20$/ }).waitFor();
+    await page.mouse.move(area.x + area.width * 0.9, area.y + area.height / 2);
+    await page.locator(".u-legend .u-value").last().filter({ hasText: /^21$/ }).waitFor();
+    assert.match(await page.locator(".u-legend .u-value").first().innerText(), /^\d\d:\d\d:\d\d\.\d$/, "the time of day, as the clock has it");
+    assert.equal(await page.locator(".trend-scale, .u-axis").count() > 0, true);
+  });
+});
+
+test("a fault that was made is taken back, and the run is the one without it", async () => {
+  await shown(charger, async (page) => {
+    await page.waitForFunction(() => /^[1-9]:/.test(document.querySelector(".clock").innerText));
+    await page.getByLabel("What should go wrong?").selectOption("pilot-loss");
+    await page.getByRole("button", { name: "Let it happen" }).click();
+    await event(page, "FAULT begins: pilot-loss").waitFor();
+    await page.locator(".summary .faults-now", { hasText: /fault pilot-loss, since [1-9]/ }).waitFor();
+    await page.getByRole("button", { name: /^Take back pilot-loss/ }).click();
+    await page.waitForFunction(() => !location.hash.includes("fault=") && ![...document.querySelectorAll(".events li")].some((each) => each.innerText.includes("FAULT")));
+    assert.equal(await page.locator(".faults-now").count(), 0);
+  });
+});
+
+test("tables are sorted by a click on a head, the other way by a second, and as before by a third", async () => {
+  await shown(["run", "lift", "--lifts", "3", "--floors", "12", "--web", "--speed", "60"], async (page) => {
+    await page.waitForFunction(() => /^[2-9]:/.test(document.querySelector(".clock").innerText));
+    await page.getByRole("button", { name: "Pause" }).click();
+    const column = (table, number) => table.locator(`tbody td:nth-child(${number})`).allInnerTexts();
+    const sorted_by = async (table, title, number) => {
+      const before = await column(table, number);
+      await table.getByRole("button", { name: title }).click();
+      const once = (await column(table, number)).map(parseFloat);
+      assert.deepEqual(once, [...once].sort((a, b) => a - b), title);
+      await table.getByRole("button", { name: title }).click();
+      const twice = (await column(table, number)).map(parseFloat);
+      assert.deepEqual(twice, [...once].reverse(), title);
+      await table.getByRole("button", { name: title }).click();
+      assert.deepEqual(await column(table, number), before, title);
+    };
+    await sorted_by(page.getByRole("region", { name: "Lifts", exact: true }).locator("table"), "Starts", 6);
+    await view(page, "Load");
+    await sorted_by(page.locator("table").nth(1), "Frames a second", 2);
+    await view(page, "Objects");
+    await page.getByRole("button", { name: "Name", exact: true }).click();
+    const names = (await page.locator(".value-row.entry .name-cell").allInnerTexts()).map((text) => text.replace(/^.*: /, ""));
+    assert.ok(names.length > 5);
+    assert.deepEqual(names, [...names].sort((a, b) => a.localeCompare(b, "en", { numeric: true })));
+  });
+});
+
+test("a visitor goes where the page's user says, and nobody is made up", async () => {
+  await shown(["run", "lift", "--floors", "6", "--percent", "0", "--web", "--speed", "20"], async (page) => {
+    await page.getByLabel(/^Press a call button/).selectOption("5");
+    await page.getByRole("button", { name: "Somebody at floor 2 wants up" }).click();
+    await page.getByText("A visitor at floor 2 wants to floor 5.").waitFor();
+    await page.getByRole("button", { name: "Somebody at floor 2 wants down" }).click();
+    await page.getByText("A visitor at floor 2 wants to floor 1.").waitFor();
   });
 });
 

@@ -1,11 +1,13 @@
 // The pictures of docs/web.md, each of a run at one time of it: so they can be made anew, and looked at, after a change.
 //
 //     CANVOY=build/canvoy node tests/web/pictures.mjs docs/pictures
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { ask, look_at, open_browser, serve, view } from "./browser.mjs";
+import { ask, look_at, open_browser, run, serve, view } from "./browser.mjs";
 
 const folder = process.argv[2] ?? "docs/pictures";
-const size = { width: 1200, height: 680 };
+const size = { width: 1280, height: 800 };
 const browser = await open_browser();
 
 /** A page of the command at a time of the run, where it stands. */
@@ -48,4 +50,25 @@ await at("taxi", 1500, ["taxi"], "25:00.0");
 await at("police", 1500, ["police"], "25:00.0");
 await at("bus", 548, ["bus"], "9:08.0");
 await at("excavator", 95, ["excavator"], "1:35.0");
+
+// A log, which stands at its end.
+const made = mkdtempSync(join(tmpdir(), "canvoy-pictures-"));
+const log = join(made, "night.log");
+run("run", ...charger, "--for", "10min", "--log", log);
+const server = await serve("view", log, "--node", "10=418", "--node", "6=419");
+const page = await look_at(browser.context, server.url);
+await page.setViewportSize(size);
+await page.locator(".trends path.line").waitFor();
+await page.locator(".main-values dd").first().waitFor();
+await page.waitForTimeout(500);
+await page.screenshot({ path: join(folder, "web-overview.png") });
+await view(page, "Frames");
+await page.getByLabel("Filter").fill("emcy or (node=10 and battery_voltage>48V)");
+await page.waitForFunction(() => [...document.querySelectorAll(".frame-list .said-text")].some((each) => /battery_voltage/.test(each.innerText)));
+await page.locator(".frame-list").press("ArrowDown");
+await page.waitForTimeout(500);
+await page.screenshot({ path: join(folder, "web-frames.png") });
+await page.close();
+await server.end();
+rmSync(made, { recursive: true, force: true });
 await browser.close();

@@ -25,6 +25,12 @@ const std::string_view api_schemas = R"({
    "command": {"type": "string"},
    "buses": {"type": "array", "items": {"type": "string"}},
    "end": {"type": "number", "description": "seconds"},
+   "unreadable": {"type": "integer", "description": "lines or blocks of a log"},
+   "unreadable_at": {"type": "string", "description": "the first of them, and why"},
+   "of_other_buses": {
+    "type": "integer",
+    "description": "frames of a log that are not shown: it has more buses"
+   },
    "faults": {
     "type": "array",
     "items": {
@@ -160,6 +166,14 @@ const std::string_view api_schemas = R"({
     "type": "object",
     "additionalProperties": {"type": "array", "items": {"type": ["number", "null"]}}
    }
+  },
+  "required": ["times", "values"]
+ },
+ "History": {
+  "type": "object",
+  "properties": {
+   "times": {"type": "array", "items": {"type": "number"}, "description": "seconds"},
+   "values": {"type": "array", "items": {"type": ["number", "string"]}, "description": "each holds until the next time"}
   },
   "required": ["times", "values"]
  },

@@ -47,6 +47,7 @@ constexpr std::array trend_members = {
               .place = ApiPlace::query,
               .description = "places in a snapshot: plant.current_a,lifts.0.position_m"}};
 constexpr std::array read_members = {bus, node, object};
+constexpr std::array history_members = {bus, node_or_all, object};
 constexpr std::array write_members = {
     bus, node, object,
     ApiMember{.name = "value",
@@ -176,6 +177,14 @@ constexpr std::array routes = {
              .members = objects_members,
              .answer = "Objects",
              .statuses = not_there},
+    ApiRoute{
+        .method = "GET",
+        .path = "/api/networks/{bus}/nodes/{node}/objects/{object}/history",
+        .name = "history",
+        .summary = "The value as it was heard from the start until now, thinned to 1000 samples",
+        .members = history_members,
+        .answer = "History",
+        .statuses = not_there},
     ApiRoute{.method = "POST",
              .path = "/api/networks/{bus}/nodes/{node}/objects/{object}",
              .name = "write",

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "canvoy/can/frame_bits.hpp"
+#include "canvoy/profiles/model/physical.hpp"
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/sim/duration_text.hpp"
 #include "canvoy/text/communication_text.hpp"
@@ -15,9 +16,11 @@ namespace canvoy::tools {
 
 namespace {
 
-std::uint64_t key_of(std::size_t bus, NodeId node, const decoder::DecodedValue& value) {
-  return std::uint64_t{bus} << 40 | std::uint64_t{node} << 32 | std::uint64_t{value.index} << 8 |
-         value.sub;
+/// Below it are communication parameters (CiA 301, 7.4.1), which make no curve.
+constexpr std::uint16_t first_own_index = 0x2000;
+
+std::uint64_t key_of(std::size_t bus, NodeId node, std::uint16_t index, std::uint8_t sub) {
+  return std::uint64_t{bus} << 40 | std::uint64_t{node} << 32 | std::uint64_t{index} << 8 | sub;
 }
 
 void add_to(FrameFeed::Counts& counts, std::uint64_t bits, Duration time) {
@@ -44,6 +47,7 @@ void FrameFeed::clear() {
   frames_.clear();
   counts_.assign(buses_.size(), {});
   values_.clear();
+  histories_.clear();
 }
 
 std::size_t FrameFeed::number_of(std::string_view bus) {
@@ -80,9 +84,27 @@ void FrameFeed::count(Duration time, std::size_t bus, const Frame& frame,
       bits, time);
 }
 
+void FrameFeed::remember(std::uint64_t key, Duration time, const decoder::DecodedValue& value) {
+  if (value.index < first_own_index || value.entry == nullptr) return;
+  auto known = histories_.find(key);
+  if (known == histories_.end()) {
+    if (histories_.size() == histories_max) return;
+    known = histories_.emplace(key, ValueHistory{}).first;
+  }
+  const FieldInfo* const only = only_field(*value.entry);
+  if (only == nullptr && !value.entry->fields.empty()) return;
+  const Reading reading = only == nullptr ? read_value(*value.entry, value.bytes())
+                                          : read_field(*value.entry, *only, value.bytes());
+  if (reading.kind == Reading::Kind::number) {
+    known->second.add(in_seconds(time), reading.number);
+  } else if (reading.kind == Reading::Kind::name) {
+    known->second.add(in_seconds(time), reading.named->name);
+  }
+}
+
 void FrameFeed::note(Duration time, std::size_t bus, NodeId node,
                      const decoder::DecodedValue& value) {
-  const std::uint64_t key = key_of(bus, node, value);
+  const std::uint64_t key = key_of(bus, node, value.index, value.sub);
   auto known = values_.find(key);
   if (known == values_.end()) {
     if (values_.size() == values_max) return;
@@ -90,22 +112,45 @@ void FrameFeed::note(Duration time, std::size_t bus, NodeId node,
   } else if (value.version != 0 && known->second.version == value.version) {
     return;
   }
+  remember(key, time, value);
   known->second.version = value.version;
   known->second.changed = ++changes_;
-  std::string& member = known->second.member;
-  member.clear();
-  fmt::format_to(std::back_inserter(member), R"("{} {} {:04X}:{:02X}":)", bus, node, value.index,
-                 value.sub);
-  text::JsonLine json(member);
+  known->second.time = time;
+  known->second.bus = static_cast<std::uint8_t>(bus);
+  known->second.node = node;
+  known->second.last = value;
+  if (value.transferred.data() == nullptr) return;
+  known->second.bytes.assign(value.transferred.begin(), value.transferred.end());
+  known->second.last.transferred = known->second.bytes;
+}
+
+/// Written only if a viewer wants it: most values change again before that.
+const std::string& FrameFeed::member_of(Value& value) {
+  if (value.written == value.changed) return value.member;
+  value.written = value.changed;
+  const decoder::DecodedValue& last = value.last;
+  value.member.clear();
+  fmt::format_to(std::back_inserter(value.member), R"("{} {} {:04X}:{:02X}":)", value.bus,
+                 value.node, last.index, last.sub);
+  text::JsonLine json(value.member);
   json.begin_object();
-  json.key("time").number(in_seconds(time));
-  json.key("bus").text(buses_[bus]);
-  json.key("node").number(node);
-  const std::string words = text::communication_text(value.index, value.sub, value.bytes());
-  json.key("text").text(words.empty() ? text::value_text(value.entry, value.bytes()) : words);
+  json.key("time").number(in_seconds(value.time));
+  json.key("bus").text(buses_[value.bus]);
+  json.key("node").number(value.node);
+  const std::string words = text::communication_text(last.index, last.sub, last.bytes());
+  json.key("text").text(words.empty() ? text::value_text(last.entry, last.bytes()) : words);
   json.key("values");
-  json_.append_values(member, {&value, 1});
+  json_.append_values(value.member, {&last, 1});
   json.end_object();
+  return value.member;
+}
+
+const ValueHistory& FrameFeed::history(std::string_view bus, NodeId node, std::uint16_t index,
+                                       std::uint8_t sub) const {
+  static const ValueHistory none;
+  const auto number = static_cast<std::size_t>(std::ranges::find(buses_, bus) - buses_.begin());
+  const auto known = histories_.find(key_of(number, node, index, sub));
+  return known == histories_.end() ? none : known->second;
 }
 
 const Profile& FrameFeed::profile(std::string_view bus, NodeId node) {
@@ -114,12 +159,12 @@ const Profile& FrameFeed::profile(std::string_view bus, NodeId node) {
   return is_known ? printer_->profile(bus, node) : base_profile();
 }
 
-void FrameFeed::append_values(std::string& members, std::uint64_t since) const {
+void FrameFeed::append_values(std::string& members, std::uint64_t since) {
   if (since == changes_) return;
-  for (const auto& [key, value] : values_) {
+  for (auto& [key, value] : values_) {
     if (value.changed <= since) continue;
     if (!members.empty()) members += ',';
-    members += value.member;
+    members += member_of(value);
   }
 }
 

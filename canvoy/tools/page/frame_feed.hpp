@@ -20,6 +20,7 @@
 #include "canvoy/can/frame.hpp"
 #include "canvoy/can/time.hpp"
 #include "canvoy/text/frame_json.hpp"
+#include "canvoy/tools/page/value_history.hpp"
 #include "canvoy/tools/watch/frame_printer.hpp"
 
 namespace canvoy::tools {
@@ -46,6 +47,8 @@ class FrameFeed {
   static constexpr std::size_t buses_max = 32;
   static constexpr std::size_t values_max = 20'000;
   static constexpr std::size_t frames_max = 200'000;
+  /// Number of values of which the past is kept, 24 kB each at most.
+  static constexpr std::size_t histories_max = 500;
 
   /// Throws UsageError if an option is not valid. Filters belong to readers and are not used here.
   explicit FrameFeed(const FramePrinterOptions& options);
@@ -68,20 +71,31 @@ class FrameFeed {
   std::uint64_t changes() const { return changes_; }
   /// Appends members of a JSON object for values that have changed since then: `"sim0 10
   /// 6010:00":{"time":...}`.
-  void append_values(std::string& members, std::uint64_t since) const;
+  void append_values(std::string& members, std::uint64_t since);
+  /// The past of a value of an application or profile; empty if there is none.
+  const ValueHistory& history(std::string_view bus, NodeId node, std::uint16_t index,
+                              std::uint8_t sub) const;
   const BusCounts& counts(std::size_t bus) const { return counts_[bus]; }
   /// The profile of a node, as far as known; CiA 301 if nothing is.
   const Profile& profile(std::string_view bus, NodeId node);
 
  private:
   struct Value {
-    std::string member;  ///< of a JSON object, without the comma
+    decoder::DecodedValue last;  ///< of an SDO transfer, with its bytes in `bytes`
+    std::vector<std::uint8_t> bytes;
+    Duration time{};
+    std::uint8_t bus = 0;  ///< index in buses()
+    NodeId node = 0;
     std::uint64_t version = 0;
     std::uint64_t changed = 0;
+    std::uint64_t written = 0;  ///< `changed` of what `member` has
+    std::string member;         ///< of a JSON object, without the comma
   };
 
   std::size_t number_of(std::string_view bus);
   void count(Duration time, std::size_t bus, const Frame& frame, const text::FrameWords& words);
+  const std::string& member_of(Value& value);
+  void remember(std::uint64_t key, Duration time, const decoder::DecodedValue& value);
   void note(Duration time, std::size_t bus, NodeId node, const decoder::DecodedValue& value);
 
   FramePrinterOptions options_;
@@ -91,9 +105,9 @@ class FrameFeed {
   std::uint64_t first_ = 0;
   std::vector<BusCounts> counts_;
   std::unordered_map<std::uint64_t, Value> values_;
+  std::unordered_map<std::uint64_t, ValueHistory> histories_;
   std::uint64_t changes_ = 0;
   text::FrameJson json_;
-  std::string line_;
 };
 
 /// The frames for one viewer, through the filter of that viewer.

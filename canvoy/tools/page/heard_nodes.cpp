@@ -19,6 +19,7 @@ constexpr int periods_until_silent = 3;
 constexpr Duration silent_after_min = 1s;
 /// Used if only one heartbeat was heard, and its period is unknown.
 constexpr Duration silent_after_one = 10s;
+constexpr Duration look_period = 1s;
 
 }  // namespace
 
@@ -72,6 +73,7 @@ void HeardNodes::hear(Duration time, std::string_view bus, const Frame& frame) {
   if (frame.is_error()) return;
   const Bus* const heard_on = bus_of(bus);
   if (heard_on == nullptr) return;
+  if (time >= next_look_ || time + look_period < next_look_) look(time);
   const BusTap& tap = heard_on->tap;
   tap.on_frame(tap.context, Time{} + time, no_controller, frame);
   hear_heartbeat(time, heard_on->index, frame);
@@ -108,20 +110,37 @@ void HeardNodes::note(Time now, const BusEvent& event) {
   std::visit(say, event);
 }
 
+bool HeardNodes::Said::is_silent(Duration now) const {
+  const Duration patience = period == Duration{}
+                                ? silent_after_one
+                                : std::max(periods_until_silent * period, silent_after_min);
+  return has_heartbeat && now - heard_at > patience;
+}
+
+void HeardNodes::look(Duration now) {
+  next_look_ = now + look_period;
+  for (auto& [place, said] : nodes_) {
+    const bool is_silent = said.is_silent(now);
+    if (std::exchange(said.told_silent, is_silent) == is_silent) continue;
+    const auto& [bus, node] = place;
+    const std::string_view text = is_silent ? "no heartbeat any more" : "its heartbeat is back";
+    Json json{{"event", is_silent ? "silent" : "heard-again"},
+              {"bus", buses_[bus]->name},
+              {"node", node},
+              {"text", text}};
+    tell_(told_at(Time{} + now,
+                  Told(fmt::format("{}: {}", names_->device(bus, node), text), std::move(json))));
+  }
+}
+
 Json HeardNodes::nodes_json(Duration now) {
-  const auto is_silent = [&](const Said& said) {
-    const Duration patience = said.period == Duration{}
-                                  ? silent_after_one
-                                  : std::max(periods_until_silent * said.period, silent_after_min);
-    return said.has_heartbeat && now - said.heard_at > patience;
-  };
   Json all = Json::array();
   for (const auto& [place, said] : nodes_) {
     const auto& [bus, node] = place;
     all.push_back({{"bus", buses_[bus]->name},
                    {"node", node},
                    {"device", names_->device(bus, node)},
-                   {"state", is_silent(said)      ? "silent"
+                   {"state", said.is_silent(now)  ? "silent"
                              : said.state.empty() ? "unknown"
                                                   : said.state},
                    {"error_register", fmt::format("{:02X}", said.error_register)}});

@@ -30,6 +30,9 @@ class HeardNodes {
   HeardNodes& operator=(const HeardNodes&) = delete;
 
   void hear(Duration time, std::string_view bus, const Frame& frame);
+  /// Reports nodes that have become silent, or are heard again, until this time. hear() does it
+  /// once a second of the times of frames; where no frame comes, the caller has to.
+  void look(Duration now);
   /// The table as `nodes` of a snapshot. A node without heartbeats is `silent` after three of its
   /// periods, at least one second.
   Json nodes_json(Duration now);
@@ -43,6 +46,9 @@ class HeardNodes {
     Duration heard_at{};         ///< time of its last heartbeat
     Duration period{};           ///< longest recent interval; 0: at most one heartbeat
     bool has_heartbeat = false;  ///< beside its boot-up message
+    bool told_silent = false;
+
+    bool is_silent(Duration now) const;
   };
 
   /// Null: too many buses.
@@ -55,6 +61,7 @@ class HeardNodes {
   std::unique_ptr<Names> names_;
   std::vector<std::unique_ptr<Bus>> buses_;
   std::map<std::pair<BusIndex, NodeId>, Said> nodes_;
+  Duration next_look_{};
 };
 
 }  // namespace canvoy::tools

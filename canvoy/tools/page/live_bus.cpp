@@ -24,13 +24,19 @@ LiveBus::LiveBus(const std::string& address, std::string record, const FramePrin
       desk_(attachment_.port()),
       nodes_(feed_, [this](ToldEvent event) { events_.add(std::move(event)); }),
       record_(std::move(record)) {
+  counted_at_ = loop_.now();
   attachment_.attach(desk_.node());
   bus_->on_frame([this](const host::BusFrame& heard) { hear(heard); });
   bus_->on_state([this](BusState state, Time) {
-    if (state == BusState::error_active) trouble_.clear();
+    const bool is_active = state == BusState::error_active;
+    const bool is_back = is_active && !trouble_.empty();
+    if (is_active) trouble_.clear();
+    tell(is_back ? "bus-back" : "can-state",
+         is_back ? "the bus is back" : fmt::format("the bus is {}", text::bus_state_text(state)));
   });
   bus_->on_trouble([this](const host::Error& error) {
     trouble_ = error.line();
+    tell("bus-lost", fmt::format("the bus is lost: {}", trouble_));
     print_message(fmt::format("canvoy: {}", trouble_));
   });
 }
@@ -44,6 +50,7 @@ void LiveBus::begin_log() {
 
 void LiveBus::hear(const host::BusFrame& heard) {
   const Duration time = loop_.epoch() + heard.time.time_since_epoch();
+  ++heard_;
   feed_.add(time, bus_->name(), heard.frame);
   nodes_.hear(time, bus_->name(), heard.frame);
   recorder().hear(heard.time, bus_->name(), heard.frame);
@@ -67,7 +74,29 @@ LiveSource::Json LiveBus::description() {
             {"nmt", permission().allows_nmt()}}}};
 }
 
+void LiveBus::tell(std::string_view event, const std::string& text) {
+  const Time now = Time{} + loop_.epoch() + loop_.now().time_since_epoch();
+  events_.add(told_at(now, Told(text, {{"event", event}, {"bus", bus_->name()}, {"text", text}})));
+}
+
+void LiveBus::look_back() {
+  const Time now = loop_.now();
+  const Duration passed = now - counted_at_;
+  if (passed < 1s) return;
+  frames_per_second_ =
+      static_cast<double>(heard_ - std::exchange(counted_, heard_)) / in_seconds(passed);
+  counted_at_ = now;
+  if (trend_.is_due(now)) trend_.add(now, {{"frames_per_second", frames_per_second_}});
+  nodes_.look(loop_.epoch() + now.time_since_epoch());
+  const std::uint64_t lost = bus_->counters().carrier.overrun;
+  if (lost != lost_) {
+    tell("frames-lost", fmt::format("{} frames were lost before they reached this program",
+                                    lost - std::exchange(lost_, lost)));
+  }
+}
+
 void LiveBus::advance(Time clock) {
+  look_back();
   recorder().flush_each_second(clock);
   if (log_) ok_or_throw(log_->flush_each_second(clock));
   if (failure_) throw Failure(*failure_);
@@ -80,6 +109,7 @@ LiveSource::Json LiveBus::state() {
            {{"bus_state", text::bus_state_text(bus_->state())},
             {"trouble", trouble_},
             {"frames_lost", bus_->counters().carrier.overrun},
+            {"frames_per_second", frames_per_second_},
             {"nodes", nodes_.nodes_json(now)}}},
           {"counts", counts()},
           {"record", recorder().json()}};
@@ -91,6 +121,11 @@ void LiveBus::act(std::string_view what, const Json& arguments, const Done& done
     throw NotAllowed(
         "a question is a frame on the bus: start the command with --allow-write, if only of one "
         "object");
+  }
+  if (what == "trend") {
+    Json told = trend_.json(listed_names(text_of(arguments, "names")));
+    for (Json& time : told["times"]) time = in_seconds(loop_.epoch()) + time.get<double>();
+    return done(std::move(told));
   }
   LiveNetwork::act(what, arguments, done);
 }

@@ -10,6 +10,7 @@
 #include "canvoy/can/host/host_bus.hpp"
 #include "canvoy/tools/page/heard_nodes.hpp"
 #include "canvoy/tools/page/live_network.hpp"
+#include "canvoy/tools/page/trend.hpp"
 #include "canvoy/tools/watch/log_writer.hpp"
 
 namespace canvoy::tools {
@@ -34,6 +35,10 @@ class LiveBus : public LiveNetwork {
 
  private:
   void hear(const host::BusFrame& heard);
+  /// Adds an event of the bus itself: `the bus is back`.
+  void tell(std::string_view event, const std::string& text);
+  /// Once a second: the rate of frames, and what has gone silent or was lost.
+  void look_back();
 
   host::EventLoop& loop_;
   std::unique_ptr<host::HostBus> bus_;
@@ -44,6 +49,12 @@ class LiveBus : public LiveNetwork {
   std::optional<LogWriter> log_;
   std::optional<std::string> failure_;
   std::string trouble_;
+  Trend trend_;  ///< by the time of the loop
+  std::uint64_t heard_ = 0;
+  std::uint64_t counted_ = 0;  ///< of heard_, at counted_at_
+  Time counted_at_{};
+  double frames_per_second_ = 0;
+  std::uint64_t lost_ = 0;  ///< reported as events
 };
 
 }  // namespace canvoy::tools

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "canvoy/formats/trace/trace.hpp"
 #include "canvoy/sim/duration_text.hpp"
@@ -13,6 +14,7 @@
 #include "canvoy/tools/page/frame_sort.hpp"
 #include "canvoy/tools/page/log_view.hpp"
 #include "canvoy/tools/page/refusal.hpp"
+#include "canvoy/tools/page/trend.hpp"
 #include "canvoy/tools/watch/log_reader.hpp"
 #include "canvoy/tools/watch/trace_complaints.hpp"
 #include "canvoy/tools/watch/trace_progress.hpp"
@@ -53,9 +55,17 @@ void LiveLog::read(const std::string& path) {
   bool is_in_order = true;
   for (formats::TraceRead read{}; (read = trace.next(heard)) != formats::TraceRead::end;) {
     progress.show(trace);
+    if (read == formats::TraceRead::bad) {
+      show_bad(path, trace);
+      if (unreadable_++ == 0)
+        unreadable_at_ = fmt::format("{}: {}", trace.where(), trace.problem());
+    }
     if (read != formats::TraceRead::frame) continue;
     const std::optional<std::uint8_t> bus = bus_of(heard.channel);
-    if (!bus) continue;
+    if (!bus) {
+      ++of_other_buses_;
+      continue;
+    }
     is_in_order = is_in_order && (frames_.size() == 0 || heard.time >= end_);
     end_ = heard.time;
     frames_.add({heard.time, heard.frame, *bus});
@@ -85,6 +95,9 @@ LiveSource::Json LiveLog::description() {
           {"begin", in_seconds(begin() - Time{})},
           {"end", in_seconds(playback_->end() - Time{})},
           {"frames", frames_.size()},
+          {"unreadable", unreadable_},
+          {"unreadable_at", unreadable_at_},
+          {"of_other_buses", of_other_buses_},
           {"buses", buses_},
           {"can",
            {{"play", true},
@@ -114,7 +127,43 @@ void LiveLog::advance(Time clock) {
   playback_->reached(next_ < due ? Time{} + (cursor_.at(next_).time - begin()) : wanted);
 }
 
+std::uint64_t LiveLog::frames_between(Time from, Time to) const {
+  return frames_.first_after(to) - frames_.first_after(from);
+}
+
+/// A log without a viewer does not need them, and of a long one they take a moment.
+void LiveLog::count_rates() {
+  constexpr std::int64_t samples_max = 300;
+  const std::int64_t samples = std::clamp<std::int64_t>((end_ - begin_) / 1s, 2, samples_max);
+  const Duration part = (end_ - begin_) / samples;
+  for (std::int64_t i = 0; i < samples; ++i) {
+    // The first frame is at the very beginning.
+    const Time from = begin_ + i * part - (i == 0 ? Duration{1} : Duration{});
+    const Time to = i + 1 == samples ? end_ : begin_ + (i + 1) * part;
+    const auto count = static_cast<double>(frames_between(from, to));
+    const bool is_moment = to - from <= Duration{1};
+    rates_.emplace_back(in_seconds(to - Time{}), is_moment ? count : count / in_seconds(to - from));
+  }
+}
+
+LiveSource::Json LiveLog::trend(const std::vector<std::string>& names) {
+  if (rates_.empty()) count_rates();
+  Json times = Json::array();
+  Json rates = Json::array();
+  for (const auto& [time, rate] : rates_) {
+    times.push_back(time);
+    rates.push_back(rate);
+  }
+  Json values = Json::object();
+  if (std::ranges::find(names, "frames_per_second") != names.end()) {
+    values["frames_per_second"] = std::move(rates);
+  }
+  return {{"times", std::move(times)}, {"values", std::move(values)}};
+}
+
 LiveSource::Json LiveLog::state() {
+  const Time now = begin() + (playback_->now() - Time{});
+  if (std::exchange(counted_at_, now) != now) last_second_ = frames_between(now - 1s, now);
   return {{"time", in_seconds(begin() - Time{}) + in_seconds(playback_->now() - Time{})},
           {"play",
            {{"speed", playback_->speed()},
@@ -122,7 +171,8 @@ LiveSource::Json LiveLog::state() {
             {"seeking", playback_->is_seeking()},
             {"over", playback_->is_over()}}},
           {"snapshot",
-           {{"nodes", nodes_->nodes_json((begin() - Time{}) + (playback_->now() - Time{}))}}},
+           {{"frames_per_second", last_second_},
+            {"nodes", nodes_->nodes_json((begin() - Time{}) + (playback_->now() - Time{}))}}},
           {"counts", counts()}};
 }
 
@@ -145,6 +195,10 @@ void LiveLog::act(std::string_view what, const Json& arguments, const Done& done
     }
   } else if (what == "objects") {
     return done(objects(arguments));
+  } else if (what == "history") {
+    return done(history(arguments));
+  } else if (what == "trend") {
+    return done(trend(listed_names(arguments.at("names").get<std::string>())));
   } else if (what == "restart") {
     begin_again();
     playback_->restart(Time{});

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "canvoy/tools/page/frame_store.hpp"
@@ -32,6 +33,10 @@ class LiveLog : public LiveSource {
   void begin_again();
   Time begin() const { return begin_; }
   void hear(const StoredFrame& heard);
+  /// Those of `names` that a log has, over all of it, in the form of Trend::json().
+  Json trend(const std::vector<std::string>& names);
+  void count_rates();
+  std::uint64_t frames_between(Time from, Time to) const;
 
   std::string path_;
   FrameStore frames_;
@@ -42,6 +47,12 @@ class LiveLog : public LiveSource {
   std::unique_ptr<Playback> playback_;  ///< with times from the first frame
   std::unique_ptr<HeardNodes> nodes_;
   std::uint64_t next_ = 0;
+  std::vector<std::pair<double, double>> rates_;  ///< end of a part in seconds, frames a second
+  std::uint64_t last_second_ = 0;                 ///< frames before counted_at_
+  Time counted_at_{};
+  std::uint64_t unreadable_ = 0;      ///< lines or blocks
+  std::string unreadable_at_;         ///< the first of them, and why
+  std::uint64_t of_other_buses_ = 0;  ///< frames of more buses than are shown
 };
 
 }  // namespace canvoy::tools

@@ -43,6 +43,17 @@ NmtCommand nmt_command_of(std::string_view name) {
   return found->command;
 }
 
+ObjectAddress address_in(const Profile& profile, NodeId node, std::string_view text) {
+  const std::optional<ObjectAddress> address = find_address(profile, text);
+  if (!address) {
+    throw NotThere(
+        fmt::format("'{}' is no object that is known of node {}: give an index, as "
+                    "6010 or 1018:4, or a name",
+                    text, node));
+  }
+  return *address;
+}
+
 /// Keys of canvoy read --json.
 Json value_json(NodeId node, const ObjectAddress& object, std::span<const std::uint8_t> bytes) {
   std::string line;
@@ -76,14 +87,27 @@ Json failure_json(NodeId node, const ObjectAddress& object, const SdoEnd& end) {
 
 }  // namespace
 
-LiveSource::Json LiveSource::objects(const Json& arguments) {
-  const std::string bus = text_of(arguments, "bus");
+std::string LiveSource::bus_in(const Json& arguments) const {
+  std::string bus = text_of(arguments, "bus");
   if (std::ranges::find(feed_.buses(), bus) == feed_.buses().end()) {
     throw NotThere(fmt::format("there is no bus '{}'", bus));
   }
+  return bus;
+}
+
+LiveSource::Json LiveSource::objects(const Json& arguments) {
+  const std::string bus = bus_in(arguments);
   const Profile& profile = feed_.profile(bus, node_in(arguments));
   return {{"profile", profile.name},
           {"objects", object_list_json(profile, arguments.value("search", ""))}};
+}
+
+LiveSource::Json LiveSource::history(const Json& arguments) {
+  const std::string bus = bus_in(arguments);
+  const NodeId node = node_in(arguments);
+  const ObjectAddress object =
+      address_in(feed_.profile(bus, node), node, text_of(arguments, "object"));
+  return feed_.history(bus, node, object.index, object.sub).json();
 }
 
 std::unique_ptr<FrameStream> LiveSource::watch(const std::string& filter, bool is_anew) const {
@@ -101,6 +125,7 @@ void LiveNetwork::act(std::string_view what, const Json& arguments, const Done& 
   if (what == "write") return write(arguments, done);
   if (what == "nmt") return command(arguments, done);
   if (what == "objects") return done(objects(arguments));
+  if (what == "history") return done(history(arguments));
   if (what == "record") {
     if (arguments.value("on", true)) {
       recorder_.begin(epoch());
@@ -113,14 +138,7 @@ void LiveNetwork::act(std::string_view what, const Json& arguments, const Done& 
 }
 
 ObjectAddress LiveNetwork::address_of(std::string_view bus, NodeId node, std::string_view text) {
-  const std::optional<ObjectAddress> address = find_address(feed_.profile(bus, node), text);
-  if (!address) {
-    throw NotThere(
-        fmt::format("'{}' is no object that is known of node {}: give an index, as "
-                    "6010 or 1018:4, or a name",
-                    text, node));
-  }
-  return *address;
+  return address_in(feed_.profile(bus, node), node, text);
 }
 
 void LiveNetwork::read(const Json& arguments, const Done& done) {

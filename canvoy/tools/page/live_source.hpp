@@ -92,6 +92,8 @@ class LiveSource {
   /// Objects of the profile of a node: `profile`, `objects`; from `bus`, `node`, `search`. Throws
   /// NotThere.
   Json objects(const Json& arguments);
+  /// The past of a value; from `bus`, `node`, `object`. Throws NotThere.
+  Json history(const Json& arguments);
   /// Counts of each bus until now.
   Json counts() const;
 
@@ -99,6 +101,9 @@ class LiveSource {
   EventLines events_;
 
  private:
+  /// A bus that was heard; else throws NotThere.
+  std::string bus_in(const Json& arguments) const;
+
   PageReach reach_;
   std::uint64_t run_ = 0;
 };

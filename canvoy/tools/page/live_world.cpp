@@ -34,17 +34,6 @@ Duration seconds(const nlohmann::ordered_json& value) {
   return Duration(static_cast<Duration::rep>(std::llround(value.get<double>() * 1e6)));
 }
 
-/// Splits `a,b` into both.
-std::vector<std::string> listed_names(std::string_view list) {
-  std::vector<std::string> words;
-  while (!list.empty()) {
-    const std::string_view word = list.substr(0, list.find(','));
-    words.emplace_back(word);
-    list.remove_prefix(std::min(word.size() + 1, list.size()));
-  }
-  return words;
-}
-
 }  // namespace
 
 /// Tap of one bus: passes its frames to viewers, and into the log.
@@ -210,7 +199,11 @@ LiveSource::Json LiveWorld::play_json() {
                {"paused", playback_.is_paused()},
                {"seeking", playback_.is_seeking()},
                {"over", playback_.is_over()}};
-  if (real_) play["left_out"] = in_seconds(real_->left_out());
+  if (real_) {
+    play["left_out"] = in_seconds(real_->left_out());
+    play["trouble"] = real_->trouble();
+    play["frames_lost"] = real_->frames_lost();
+  }
   return play;
 }
 

@@ -34,7 +34,9 @@ constexpr std::string_view first_own_index = "2000";
 bool is_grave(std::string_view event_line) {
   constexpr std::array names = {R"("event":"fault-)",     R"("event":"broken")",
                                 R"("event":"emergency")", R"("event":"can-state")",
-                                R"("event":"nmt-state")", R"("event":"nmt-command")"};
+                                R"("event":"nmt-state")", R"("event":"nmt-command")",
+                                R"("event":"silent")",    R"("event":"heard-again")",
+                                R"("event":"bus-)",       R"("event":"frames-lost")"};
   return std::ranges::any_of(
       names, [&](std::string_view name) { return event_line.find(name) != event_line.npos; });
 }

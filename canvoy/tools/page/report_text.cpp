@@ -84,6 +84,18 @@ bool has_held(const Json& verdict) {
   return verdict.value("held", true);
 }
 
+/// With its exponent: m/s2 as m/s².
+std::string unit_text(std::string unit) {
+  if (unit.ends_with('2')) unit.replace(unit.size() - 1, 1, "²");
+  if (unit.ends_with('3')) unit.replace(unit.size() - 1, 1, "³");
+  return unit;
+}
+
+/// `for at most`: a number goes on with the sentence.
+bool ends_before_number(std::string_view words) {
+  return words.ends_with(" by") || words.ends_with(" most") || words.ends_with(" for");
+}
+
 std::string verdict_words(const Json& it) {
   std::string words = text_at(it, "words");
   if (words.empty()) words = text_at(it, "invariant");
@@ -92,10 +104,10 @@ std::string verdict_words(const Json& it) {
   if (const std::string fault = text_at(it, "fault"); !fault.empty()) what += fault + ": ";
   what = what.empty() ? begun_large(words) : what + words;
   if (!it.value("decided", true)) return what + ": not decided.";
-  const std::string unit = text_at(it, "unit");
+  const std::string unit = unit_text(text_at(it, "unit"));
   const double worst = number_in(it, "worst");
   const double allowed = number_in(it, "allowed");
-  what += ": " + measured(worst, unit);
+  what += (ends_before_number(what) ? " " : ": ") + measured(worst, unit);
   if (worst > 0 && it.contains("worst_at")) {
     what += ", at " + report_time_text(number_in(it, "worst_at"));
   }
@@ -312,12 +324,17 @@ void put_curves(std::string& page, const Json& report, const ReportNames& names,
 }
 
 void put_events(std::string& page, const Json& report) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> tones = {{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 10> tones = {{
       {"fault-begins", "bad"},
       {"broken", "bad"},
       {"emergency", "warn"},
       {"fault-ends", "good"},
       {"can-state", "warn"},
+      {"silent", "bad"},
+      {"heard-again", "good"},
+      {"bus-lost", "bad"},
+      {"bus-back", "good"},
+      {"frames-lost", "bad"},
   }};
   begin_card(page, "Events");
   if (report["events"].empty()) page += "<p class=\"hint\">Nothing has happened.</p>\n";
@@ -332,8 +349,7 @@ void put_events(std::string& page, const Json& report) {
   }
   page += "</ol>\n";
   if (const double left_out = number_in(report, "events_left_out"); left_out != 0) {
-    write(page,
-          "<p class=\"hint\">{} more events of no verdict_weight are not in this report.</p>\n",
+    write(page, "<p class=\"hint\">{} more events of little weight are not in this report.</p>\n",
           left_out);
   }
   end_card(page);

@@ -35,6 +35,16 @@ Json number_json(float number) {
 
 }  // namespace
 
+std::vector<std::string> listed_names(std::string_view list) {
+  std::vector<std::string> words;
+  while (!list.empty()) {
+    const std::string_view word = list.substr(0, list.find(','));
+    words.emplace_back(word);
+    list.remove_prefix(std::min(word.size() + 1, list.size()));
+  }
+  return words;
+}
+
 void Trend::add(Time now, const Json& snapshot) {
   if (times_.size() == samples_max) thin();
   times_.push_back(static_cast<float>(in_seconds(now - Time{})));

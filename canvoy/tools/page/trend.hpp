@@ -1,5 +1,5 @@
-// Numbers of a world over its whole run, for curves beside its picture: at most samples_max of
-// each, for any length.
+// Numbers of a world or a bus over its whole run, for curves beside its picture: at most
+// samples_max of each, for any length.
 //
 //     if (trend.is_due(now)) trend.add(now, network.snapshot());
 //     trend.json({"plant.current_a", "waiting"});
@@ -15,6 +15,9 @@
 #include "canvoy/can/time.hpp"
 
 namespace canvoy::tools {
+
+/// Splits `a,b` into both: the names of a request.
+std::vector<std::string> listed_names(std::string_view list);
 
 class Trend {
  public:

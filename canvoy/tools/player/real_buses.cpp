@@ -1,11 +1,13 @@
 #include "canvoy/tools/player/real_buses.hpp"
-#include "canvoy/tools/terminal/message.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <utility>
+
+#include "canvoy/text/text.hpp"
+#include "canvoy/tools/terminal/message.hpp"
 
 namespace canvoy::tools {
 
@@ -25,10 +27,32 @@ RealBuses::RealBuses(World& world, const std::vector<RealBus>& buses, host::Even
     : looked_at_(loop.now()), reached_(world.now()) {
   for (const RealBus& each : buses) {
     BusBridge& bridge = bridges_.emplace_back(world, each.bus, loop, each.address);
-    bridge.real().on_trouble(
-        [](const host::Error& error) { print_message(fmt::format("canvoy: {}", error.line())); });
+    const std::string name(bridge.real().name());
+    bridge.real().on_state([this, name](BusState state, Time) {
+      if (state == BusState::error_active) {
+        troubles_.erase(name);
+      } else {
+        troubles_.try_emplace(name, fmt::format("{} is {}", name, text::bus_state_text(state)));
+      }
+    });
+    bridge.real().on_trouble([this, name](const host::Error& error) {
+      troubles_[name] = error.line();
+      print_message(fmt::format("canvoy: {}", error.line()));
+    });
     world.start(bridge.slot());
   }
+}
+
+std::string RealBuses::trouble() const {
+  std::string all;
+  for (const auto& [name, text] : troubles_) all += (all.empty() ? "" : "; ") + text;
+  return all;
+}
+
+std::uint64_t RealBuses::frames_lost() {
+  std::uint64_t lost = 0;
+  for (BusBridge& bridge : bridges_) lost += bridge.real().counters().carrier.overrun;
+  return lost;
 }
 
 Time RealBuses::reach(Time clock) {

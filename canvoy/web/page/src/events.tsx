@@ -9,10 +9,11 @@ import { Verdicts } from "./verdicts";
 const shown_max = 400;
 const tone: Record<string, string> = {
   "fault-begins": "bad", broken: "bad", emergency: "warn", "fault-ends": "good", "can-state": "warn",
+  silent: "bad", "heard-again": "good", "bus-lost": "bad", "bus-back": "good", "frames-lost": "bad",
 };
 
 export function Faults() {
-  const { hello } = useLive();
+  const { hello, state } = useLive();
   const [kind, set_kind] = useState("");
   const [place, set_place] = useState<Record<string, string>>({});
   const [duration, set_duration] = useState("30");
@@ -24,6 +25,11 @@ export function Faults() {
     event.preventDefault();
     const where = Object.entries(place).filter(([, number]) => number !== "").map(([name, number]) => (number === "on" ? `:${name}` : `:${name}=${number}`)).join("");
     const answer = await ask("fault", { fault: (kind || faults[0].fault) + where, duration_s: Number(duration) });
+    say(answer.error ?? "");
+  };
+  const { plan } = state;
+  const take_back = async (number: number) => {
+    const answer = await ask("restart", { seed: plan.seed, faults: plan.faults.filter((_: string, i: number) => i !== number), keep: true });
     say(answer.error ?? "");
   };
   const told = faults.find((each) => each.fault === (kind || faults[0].fault));
@@ -51,6 +57,13 @@ export function Faults() {
         </div>
         <p class="error" role="alert">{said}</p>
       </form>
+      {plan?.faults.length > 0 && (
+        <ul class="chips" aria-label={texts.fault_made}>
+          {plan.faults.map((fault: string, i: number) => (
+            <li key={fault + i} class="on bad">{fault} <button type="button" class="take-back" title={texts.fault_take_back(fault)} aria-label={texts.fault_take_back(fault)} onClick={() => void take_back(i)}>×</button></li>
+          ))}
+        </ul>
+      )}
     </Card>
   );
 }

@@ -2,8 +2,9 @@
 // row until it is opened, and communication parameters folded. Search results are ranked.
 import { useEffect, useRef, useState } from "preact/hooks";
 import { part, refine, useAddress } from "./address";
-import { pin, pins, place_of, useLive, type Value } from "./live";
-import { device_name, measure_text, time_text } from "./parts";
+import { live, pin, pins, place_of, useLive, type Value } from "./live";
+import { device_name, is_old, measure_text, owner_name, time_text } from "./parts";
+import { SortHead, useSorted } from "./sorted";
 import { texts } from "./texts";
 
 const row_height = 34;
@@ -41,12 +42,25 @@ const process_first = (a: Value, b: Value) => {
   return group(a) - group(b) || (a.index + a.sub).localeCompare(b.index + b.sub);
 };
 
-function ranked(all: Value[], sought: string): Row[] {
+/** Head of each column: its class, its title, and what it sorts by. */
+const columns: [string, string, ((value: Value) => string | number)?][] = [
+  ["pin", texts.pin_short],
+  ["index", texts.object, (value) => value.index + value.sub],
+  ["name", texts.name_short, (value) => value.name ?? ""],
+  ["value", texts.value, (value) => (typeof value.value === "number" ? value.value : measure_text(value))],
+  ["raw", texts.raw],
+  ["time", texts.changed_at, (value) => -value.time],
+];
+const sort_columns = Object.fromEntries(columns.flatMap(([name, , of]) => (of ? [[name, of]] : [])));
+
+const entry_row = (value: Value): Row => ({ kind: "entry", key: place_of(value), text: value.name ?? "", level: 1, values: [value] });
+
+function ranked(all: Value[], sought: string): Value[] {
   return all
     .map((value) => ({ value, rank: rank_of(value, sought) }))
     .filter(({ rank }) => rank >= 0)
     .sort((a, b) => a.rank - b.rank || process_first(a.value, b.value))
-    .map(({ value }) => ({ kind: "entry", key: place_of(value), text: value.name ?? "", level: 1, values: [value] }));
+    .map(({ value }) => value);
 }
 
 /** Values of one index: a row for all, and one for each if it is open. */
@@ -104,13 +118,13 @@ function RowView(props: { row: Row; names_device: boolean; toggle: () => void })
   const latest = row.values.reduce((last, each) => (each.time > last.time ? each : last));
   const is_value = row.kind === "entry";
   return (
-    <div role="row" aria-level={row.level} aria-expanded={folds ? (row.is_open ? "true" : "false") : undefined} class={`value-row ${row.kind} level-${row.level}`}>
+    <div role="row" aria-level={row.level} aria-expanded={folds ? (row.is_open ? "true" : "false") : undefined} class={`value-row ${row.kind} level-${row.level} ${is_value && is_old(value) ? "old" : ""}`}>
       <span role="gridcell" class="pin-cell">{is_value && <Pin value={value} />}</span>
       <span role="gridcell" class="mono index-cell">{is_value ? `${value.index}:${value.sub}` : row.kind === "object" ? value.index : ""}</span>
-      <span role="gridcell" class="name-cell" title={row.text}>{props.names_device && is_value && <span class="muted">{value.node === 0 ? value.bus : device_name(value.bus, value.node)}: </span>}{name}</span>
+      <span role="gridcell" class="name-cell" title={row.text}>{props.names_device && is_value && <span class="muted">{owner_name(value)}: </span>}{name}</span>
       <span role="gridcell" class="strong value-cell" title={is_value ? measure_text(value) : undefined}>{is_value ? measure_text(value) : row.kind === "device" ? "" : texts.entries_count(row.values.length)}</span>
       <span role="gridcell" class="mono muted raw-cell">{is_value && value.raw}</span>
-      <span role="gridcell" class="mono muted time-cell">{row.kind !== "device" && row.kind !== "group" && time_text(latest.time, 1)}</span>
+      <span role="gridcell" class="muted time-cell" title={time_text(latest.time, 1)}>{row.kind !== "device" && row.kind !== "group" && texts.ago(Math.max(0, live.state.time - latest.time))}</span>
     </div>
   );
 }
@@ -137,7 +151,10 @@ export function Heard(props: { search: string; bus: string; node: string }) {
   const open = new Set(part("object").split(",").filter(Boolean));
   const sought = plain(props.search).trim();
   const all = [...values.values()].filter((value) => (!props.bus || value.bus === props.bus) && (!props.node || String(value.node) === props.node));
-  const rows = sought ? ranked(all, sought) : grouped(all, open);
+  const is_sorted = part("sort").replace("-", "") in sort_columns;
+  const listed = sought ? ranked(all, sought) : all.filter((value) => value.index >= first_own_index);
+  const flat = useSorted(listed, sort_columns);
+  const rows = sought || is_sorted ? flat.map(entry_row) : grouped(all, open);
   const { box, first, last, on_scroll } = useWindow(rows.length);
   const toggle = (key: string) => {
     if (!open.delete(key)) open.add(key);
@@ -147,12 +164,10 @@ export function Heard(props: { search: string; bus: string; node: string }) {
   return (
     <div class="value-list" ref={box} onScroll={on_scroll} tabIndex={0} role="treegrid" aria-label={texts.heard} aria-rowcount={rows.length}>
       <div role="row" class="value-row value-head">
-        {[texts.pin_short, texts.object, texts.name_short, texts.value, texts.raw, texts.changed_at].map((title, i) => (
-          <span role="columnheader" class={["pin-cell", "index-cell", "name-cell", "value-cell", "raw-cell", "time-cell"][i]} key={title}>{title}</span>
-        ))}
+        {columns.map(([name, title, of]) => (of ? <SortHead key={name} by={name} title={title} class={`${name}-cell`} inline /> : <span role="columnheader" class={`${name}-cell`} key={name}>{title}</span>))}
       </div>
       <div role="presentation" style={{ height: `${first * row_height}px` }} />
-      {rows.slice(first, last).map((row) => <RowView key={row.key} row={row} names_device={!!sought} toggle={() => toggle(row.key)} />)}
+      {rows.slice(first, last).map((row) => <RowView key={row.key} row={row} names_device={!!sought || is_sorted} toggle={() => toggle(row.key)} />)}
       <div role="presentation" style={{ height: `${(rows.length - last) * row_height}px` }} />
     </div>
   );

@@ -16,6 +16,7 @@ export interface Value {
   raw: string;
   value: number | string | boolean | object | null;
   text?: string; // with its unit
+  changes: number; // since the page was opened
 }
 export interface Frame {
   n: number;
@@ -30,6 +31,9 @@ export interface Frame {
   news?: string;
 }
 
+/** A value from a time on: a number, or the name of a state. */
+export type Sample = [time: number, value: number | string];
+
 export const frames_max = 200_000;
 const events_max = 10_000;
 const samples_max = 20_000;
@@ -42,7 +46,7 @@ export const live = {
   state: {} as Json,
   events: [] as Json[],
   values: new Map<string, Value>(), // by place_of()
-  samples: new Map<string, [number, number][]>(),  // pinned values, by place_of()
+  samples: new Map<string, Sample[]>(),  // pinned values, by place_of()
   frames: [] as Frame[],
   frames_lost: 0,
   frames_searched: 1,  // for a log, by a filter; -1: more match than are reported
@@ -100,29 +104,26 @@ export function merge(target: Json, patch: Json): Json {
 
 let counted: { at: number; counts: Json } | null = null;
 
-/** Rates from two counts at least a second apart, by the time of the run. */
+/** Frames and bits a second of each bus, and of its nodes and services. */
+function rates_between(counts: Json, before: Json, passed: number): Json {
+  const rate = (now: Json, old: Json) => ({
+    frames: (now.frames - (old?.frames ?? 0)) / passed,
+    bits: (now.bits - (old?.bits ?? 0)) / passed,
+  });
+  const parts = (now: Json, old: Json) => Object.fromEntries(Object.entries<Json>(now).map(([name, each]) => [name, rate(each, old?.[name])]));
+  return Object.fromEntries(Object.entries<Json>(counts).map(([bus, now]) => [
+    bus, { ...rate(now, before[bus]), nodes: parts(now.nodes, before[bus]?.nodes), services: parts(now.services, before[bus]?.services) },
+  ]));
+}
+
+/** Rates from two counts at least a second apart, by the time of the run; of the first count, the mean from the start. */
 function count() {
   const { time, counts } = live.state;
   if (!counts) return;
   if (counted && time < counted.at) counted = null;
   if (counted && time - counted.at < 1) return;
-  if (counted) {
-    const passed = time - counted.at;
-    const rate = (now: Json, old: Json) => ({
-      frames: (now.frames - (old?.frames ?? 0)) / passed,
-      bits: (now.bits - (old?.bits ?? 0)) / passed,
-    });
-    const rates: Json = {};
-    for (const [bus, now] of Object.entries<Json>(counts)) {
-      const old = counted.counts[bus];
-      const parts = (kind: string) =>
-        Object.fromEntries(
-          Object.entries<Json>(now[kind]).map(([name, each]) => [name, rate(each, old?.[kind]?.[name])]),
-        );
-      rates[bus] = { ...rate(now, old), nodes: parts("nodes"), services: parts("services") };
-    }
-    live.rates = rates;
-  }
+  const passed = time - (counted?.at ?? live.hello.begin ?? 0);
+  if (passed > 0 && (counted || live.hello.kind !== "bus")) live.rates = rates_between(counts, counted?.counts ?? {}, passed);
   counted = { at: time, counts };
 }
 
@@ -135,6 +136,7 @@ function begin_anew(hello: Json) {
   live.frames = [];
   live.frames_lost = 0;
   live.samples.forEach((samples) => (samples.length = 0));
+  remember_all();
   counted = null;
   live.rates = {};
   document.title = `Canvoy: ${hello.kind}`;
@@ -147,22 +149,46 @@ function take_values(values: Json) {
   for (const { values: list, ...place } of Object.values<Json>(values)) {
     const value = { ...place, ...list[0] };
     const key = place_of(value);
+    value.changes = (live.values.get(key)?.changes ?? 0) + 1;
     live.values.set(key, value);
     const samples = live.samples.get(key);
-    if (samples && typeof value.value === "number") {
-      samples.push([value.time, value.value]);
+    const sampled = sampled_value(value);
+    const last = samples?.at(-1);
+    if (samples && sampled !== null && sampled !== last?.[1] && value.time > (last?.[0] ?? -Infinity)) {
+      samples.push([value.time, sampled]);
       if (samples.length > samples_max) samples.splice(0, samples_max / 10);
     }
   }
 }
 
+function sampled_value(value: Value): number | string | null {
+  const it = value.value;
+  return typeof it === "number" || typeof it === "string" ? it : typeof it === "boolean" ? Number(it) : null;
+}
+
+/** The past of a pinned value, from the server; later samples stay. */
+async function remember(key: string) {
+  const [place, sub] = key.split(":");
+  const [bus, node, index] = [place.split(" ").slice(0, -2).join(" "), ...place.split(" ").slice(-2)];
+  const { times, values } = await ask("history", { bus, node: Number(node), object: `${index}:${sub}` });
+  const samples = live.samples.get(key);
+  if (!samples || !times?.length) return;
+  const past = times.map((time: number, i: number): Sample => [time, values[i]]);
+  live.samples.set(key, [...past, ...samples.filter(([time]) => time > times.at(-1))]);
+  changed();
+}
+
+const remember_all = () => live.samples.forEach((_, key) => void remember(key));
+
 function take(message: Json) {
+  const was_seeking = live.state.play?.seeking;
   if (message.hello) begin_anew(message.hello);
   if (message.state) live.state = message.state;
   if (message.change) live.state = merge(live.state, message.change);
   if (message.state || message.change) {
     ++live.pictures;
     count();
+    if (was_seeking && !live.state.play?.seeking) remember_all();  // only the ends of steps were told on the way
   }
   if (message.events) {
     live.events.push(...message.events);
@@ -263,13 +289,15 @@ function restore_pins() {
   }
   if (!Array.isArray(all)) return;
   for (const key of all.map(String)) if (!live.samples.has(key)) live.samples.set(key, first_sample(key));
+  remember_all();
   if (all.length > 0) refine_list("pin", pins());
   tell_values();
 }
 
-function first_sample(key: string): [number, number][] {
+function first_sample(key: string): Sample[] {
   const value = live.values.get(key);
-  return value && typeof value.value === "number" ? [[value.time, value.value]] : [];
+  const sampled = value ? sampled_value(value) : null;
+  return sampled === null ? [] : [[value!.time, sampled]];
 }
 
 const pin_key = () => `pins of ${live.hello.kind}`;
@@ -277,7 +305,10 @@ export function pins(): string[] {
   return [...live.samples.keys()];
 }
 export function pin(key: string) {
-  if (!live.samples.delete(key)) live.samples.set(key, first_sample(key));
+  if (!live.samples.delete(key)) {
+    live.samples.set(key, first_sample(key));
+    void remember(key);
+  }
   tell_values();
   refine_list("pin", pins());
   try {

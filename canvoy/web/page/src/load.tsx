@@ -1,15 +1,21 @@
 // Load of the buses: by bus, by node, by service.
 import { useMemo } from "preact/hooks";
+import { useAddress } from "./address";
 import { useLive, type Json } from "./live";
 import { Bar, Card, device_name, number_text } from "./parts";
+import { SortHead, useSorted } from "./sorted";
 import { texts } from "./texts";
 
-function Shares(props: { title: string; parts: [string, Json][]; all: Json }) {
-  const rows = props.parts.filter(([, rate]) => rate.frames > 0).sort((a, b) => b[1].bits - a[1].bits).slice(0, 24);
+const share_columns = { name: ([name]: [string, Json]) => name, frames: ([, rate]: [string, Json]) => rate.frames, share: ([, rate]: [string, Json]) => rate.bits };
+
+/** Parts of the load of a bus, the largest first. */
+export function Shares(props: { title: string; parts: [string, Json][]; all: Json; most?: number }) {
+  const largest = props.parts.filter(([, rate]) => rate.frames > 0).sort((a, b) => b[1].bits - a[1].bits).slice(0, props.most ?? 24);
+  const rows = useSorted(largest, share_columns);
   return (
     <Card title={props.title}>
       <table class="plain">
-        <thead><tr><td></td><th class="number">{texts.load_frames}</th><th class="number">%</th><td class="bar-column"></td></tr></thead>
+        <thead><tr><SortHead by="name" title={texts.name_short} /><SortHead by="frames" title={texts.load_frames} class="number" /><SortHead by="share" title="%" class="number" /><td class="bar-column"></td></tr></thead>
         <tbody>
           {rows.map(([name, rate]) => {
             const share = rate.bits / (props.all.bits || 1);
@@ -26,21 +32,26 @@ function Shares(props: { title: string; parts: [string, Json][]; all: Json }) {
 
 export function Load() {
   const { rates, state } = useLive();
+  const sort = useAddress()("sort");
   const snapshot: Json[] = state.snapshot?.buses ?? [];
   // Rates change once a second, states twenty times: unchanged parts are not built again.
-  return useMemo(() => drawn(rates, snapshot), [rates]);
+  return useMemo(() => <Drawn rates={rates} snapshot={snapshot} />, [rates, sort]);
 }
 
-function drawn(rates: Json, snapshot: Json[]) {
+const bus_columns = { bus: ([bus]: [string, Json]) => bus, frames: ([, rate]: [string, Json]) => rate.frames, bits: ([, rate]: [string, Json]) => rate.bits };
+
+function Drawn(props: { rates: Json; snapshot: Json[] }) {
+  const { rates, snapshot } = props;
   const buses = Object.entries<Json>(rates);
+  const rows = useSorted(buses, bus_columns);
   const load_of = (bus: string) => snapshot.find((each) => each.bus === bus)?.load_percent;
   return (
     <div class="load">
       <Card title={texts.views.load}>
         <table class="plain">
-          <thead><tr><th>{texts.load_bus}</th><th class="number">{texts.load_share}</th><th class="number">{texts.load_frames}</th><th class="number">bit/s</th><td class="bar-column"></td></tr></thead>
+          <thead><tr><SortHead by="bus" title={texts.load_bus} /><th class="number">{texts.load_share}</th><SortHead by="frames" title={texts.load_frames} class="number" /><SortHead by="bits" title="bit/s" class="number" /><td class="bar-column"></td></tr></thead>
           <tbody>
-            {buses.map(([bus, rate]) => {
+            {rows.map(([bus, rate]) => {
               const load = load_of(bus);
               return (
                 <tr key={bus}><td>{bus}</td><td class="number">{load === undefined ? "–" : `${load.toFixed(1)} %`}</td>

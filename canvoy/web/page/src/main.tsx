@@ -5,14 +5,16 @@ import "./style.css";
 import { go, useAddress } from "./address";
 import { EventList, Events, Faults } from "./events";
 import { Frames } from "./frames";
-import { ask, connect, live, plays_here, useLive, want_values } from "./live";
+import { ask, connect, live, plays_here, useLive, want_values, type Json } from "./live";
 import { Load } from "./load";
 import { Nodes } from "./nodes";
 import { Objects } from "./objects";
+import { Overview } from "./overview";
 import { Card, Copy, day_text, time_text } from "./parts";
 import { Plots } from "./plots";
 import { follow_run, link_text, seek, watch_links } from "./run_link";
 import { Status } from "./status";
+import { Summary } from "./summary";
 import { texts } from "./texts";
 import { Trends } from "./trends";
 import { Verdicts } from "./verdicts";
@@ -110,12 +112,24 @@ function Share(props: { close: () => void }) {
   );
 }
 
+/** Whether a media query holds. */
+function useMedia(query: string): boolean {
+  const [holds, set] = useState(() => matchMedia(query).matches);
+  useEffect(() => {
+    const media = matchMedia(query);
+    const look = () => set(media.matches);
+    media.addEventListener("change", look);
+    return () => media.removeEventListener("change", look);
+  }, [query]);
+  return holds;
+}
+
 function World() {
   const { hello } = useLive();
-  const Picture = worlds[hello.kind];
-  if (!Picture) return <Card><p class="hint">{texts.no_world}</p></Card>;
+  const is_wide = useMedia("(min-width: 1700px)");
+  const Picture = worlds[hello.kind] ?? Overview;
   return (
-    <Picture below={<><Trends /><Verdicts most={6} /></>}>
+    <Picture summary={(figures) => <Summary figures={figures} />} trends={<><Trends />{is_wide && <Verdicts most={12} />}</>} below={!is_wide && <Verdicts most={6} />}>
       <Card title={texts.views.events} class="recent"><EventList count={40} /></Card>
       <Faults />
     </Picture>
@@ -137,6 +151,14 @@ function set_theme(theme: string) {
   }
 }
 
+/** A bus and a log are known by their names. */
+function title_of(hello: Json): string {
+  const of = /^canvoy view (.*)$/.exec(hello.command ?? "")?.[1].split("/");
+  if (hello.kind === "log" && of) return of.at(-1)!;
+  if (hello.kind === "bus" && of) return of.join("/");
+  return texts.kinds[hello.kind] ?? texts.name;
+}
+
 function Page() {
   const { hello, state, is_open } = useLive();
   useEffect(() => void document.documentElement.classList.toggle("stale", !is_open), [is_open]);
@@ -144,11 +166,10 @@ function Page() {
   const [shares, share] = useState(false);
   const asked = useAddress()("view");
   const known = !!hello.kind && state.time !== undefined;
-  const shown = Object.keys(views).filter((each) => each !== "world" || has_world || !known);
-  const view = shown.includes(asked) ? asked : has_world ? "world" : "frames";
+  const view = asked in views ? asked : "world";
   const View = views[view];
-  const pick = (name: string) => { if (name !== view || !known) go({ view: name, object: "" }); };
-  useEffect(() => want_values(views_of_values.includes(view)), [view]);
+  const pick = (name: string) => { if (name !== view || !known) go({ view: name, object: "", sort: "" }); };
+  useEffect(() => want_values(views_of_values.includes(view) || (known && !has_world && view === "world")), [view, known, has_world]);
   useEffect(watch_links, []);
   useEffect(() => {
     addEventListener("keydown", on_key);
@@ -166,7 +187,7 @@ function Page() {
       <a class="skip" href="#view" onClick={(event) => { event.preventDefault(); document.getElementById("view")?.focus(); }}>{texts.skip}</a>
       <header>
         <img src="icon.svg" alt="" width="26" height="26" />
-        <h1>{texts.kinds[hello.kind] ?? texts.name}</h1>
+        <h1>{title_of(hello)}</h1>
         <Transport />
         <div class="right">
           {invariants.length > 0 && (
@@ -179,9 +200,9 @@ function Page() {
         </div>
       </header>
       <nav aria-label={texts.views_label}>
-        {shown.map((each) => (
+        {Object.keys(views).map((each) => (
           <button type="button" key={each} aria-current={each === view ? "page" : undefined} onClick={() => pick(each)}>
-            <Icon name={each} /><span>{texts.views[each]}</span>
+            <Icon name={each} /><span>{texts.views[each === "world" && known && !has_world ? "overview" : each]}</span>
           </button>
         ))}
       </nav>

@@ -67,6 +67,14 @@ export function device_name(bus: string | undefined, node: number | undefined): 
   return known?.device ?? `node ${node}`;
 }
 
+/** Whose value it is; those of node 0 are told to all, and by nobody that is known. */
+export const owner_name = (value: Value) => (value.node === 0 ? value.bus : device_name(value.bus, value.node));
+
+/** Values of a node without heartbeat are old, whatever they say. */
+export function is_old(value: Value): boolean {
+  return live.state.snapshot?.nodes?.some((each: any) => each.bus === value.bus && each.node === value.node && each.state === "silent") ?? false;
+}
+
 export function Card(props: { title?: string; class?: string; children: ComponentChildren }) {
   return (
     <section class={`card ${props.class ?? ""}`}>
@@ -76,10 +84,27 @@ export function Card(props: { title?: string; class?: string; children: Componen
   );
 }
 
-/** Further parts of a world, below its picture and beside it. */
+/** What the page has around a world, and a report has not. */
 export interface PictureProps {
+  summary?: (figures: FigureProps[]) => ComponentChildren;
+  /** Curves. */
+  trends?: ComponentChildren;
+  /** Below the picture. */
   below?: ComponentChildren;
   children?: ComponentChildren;
+}
+
+/** A world: the summary on top, the picture with its details, and what has happened beside them. */
+export function Layout(props: { kind: string; figures: FigureProps[]; picture: ComponentChildren; details?: ComponentChildren; parts: PictureProps }) {
+  const { figures, parts } = props;
+  return (
+    <div class={`world ${props.kind}`}>
+      {parts.summary?.(figures) ?? (figures.length > 0 && <Card class="summary"><div class="figures">{figures.map((each) => <Figure key={each.name} {...each} />)}</div></Card>)}
+      <div class="left">{props.picture}{props.details}{parts.below}</div>
+      {parts.trends && <div class="middle">{parts.trends}</div>}
+      {parts.children && <div class="side">{parts.children}</div>}
+    </div>
+  );
 }
 
 /** The meaning of the marks of a picture. */
@@ -87,16 +112,27 @@ export function Legend(props: { rows: [string, string][] }) {
   return <ul class="legend">{props.rows.map(([mark, text]) => <li key={text}><span class={`swatch ${mark}`} aria-hidden="true" />{text}</li>)}</ul>;
 }
 
-export function Figure(props: { name: string; value: ComponentChildren; unit?: string; tone?: string }) {
-  return (
-    <div class={`figure ${props.tone ?? ""}`}>
+export interface FigureProps {
+  name: string;
+  value: ComponentChildren;
+  unit?: string;
+  tone?: string;
+  /** Shows more of it. */
+  open?: () => void;
+}
+
+export function Figure(props: FigureProps) {
+  const parts = (
+    <>
       <span class="figure-name">{props.name}</span>
       <span class="figure-value">
         {props.value}
         {props.unit && <small> {props.unit}</small>}
       </span>
-    </div>
+    </>
   );
+  const kind = `figure ${props.tone ?? ""}`;
+  return props.open ? <button type="button" class={kind} onClick={props.open}>{parts}</button> : <div class={kind}>{parts}</div>;
 }
 
 /** `warns`: a high value is bad. */

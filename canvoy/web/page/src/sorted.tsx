@@ -15,14 +15,15 @@ export function useSorted<Row>(rows: Row[], columns: Columns<Row>): Row[] {
   });
 }
 
-export function SortHead(props: { by: string; title: string; class?: string }) {
+/** `inline`: of a grid that is no table. A third click takes the order of before. */
+export function SortHead(props: { by: string; title: string; class?: string; inline?: boolean }) {
   const asked = useAddress()("sort");
   const way = asked === props.by ? "ascending" : asked === `-${props.by}` ? "descending" : undefined;
-  return (
-    <th class={props.class} aria-sort={way}>
-      <button type="button" class="sort" onClick={() => refine({ sort: way === "ascending" ? `-${props.by}` : props.by })}>
-        {props.title}{way && <span aria-hidden="true">{way === "ascending" ? " ▴" : " ▾"}</span>}
-      </button>
-    </th>
+  const next = way === "ascending" ? `-${props.by}` : way ? "" : props.by;
+  const button = (
+    <button type="button" class="sort" onClick={() => refine({ sort: next })}>
+      {props.title}{way && <span aria-hidden="true">{way === "ascending" ? " ▴" : " ▾"}</span>}
+    </button>
   );
+  return props.inline ? <span role="columnheader" class={props.class} aria-sort={way}>{button}</span> : <th class={props.class} aria-sort={way}>{button}</th>;
 }

@@ -30,10 +30,14 @@ export function Status() {
   if (lost_place) lines.push(texts.lost_place);
   else if (!is_open) lines.push(texts.lost(Math.round(age)));
   else if (is_bus && age > news_within_s) lines.push(texts.no_news(Math.round(age)));
-  if (snapshot.trouble) lines.push(texts.trouble(snapshot.trouble));
+  const trouble = snapshot.trouble || state.play?.trouble;
+  const lost = (snapshot.frames_lost ?? 0) + (state.play?.frames_lost ?? 0);
+  if (trouble) lines.push(texts.trouble(trouble));
   else if (snapshot.bus_state && snapshot.bus_state !== "error-active") lines.push(texts.bus_state(snapshot.bus_state));
   if (silent.length > 0) lines.push(texts.silent(silent));
-  if (snapshot.frames_lost > 0) lines.push(texts.frames_lost_before(snapshot.frames_lost));
+  if (lost > 0) lines.push(texts.frames_lost_before(lost));
+  if (hello.unreadable > 0) lines.push(texts.unreadable(hello.unreadable, hello.unreadable_at));
+  if (hello.of_other_buses > 0) lines.push(texts.of_other_buses(hello.of_other_buses, hello.buses.length));
   if (frames_lost > 0) lines.push(texts.frames_lost(frames_lost));
   if (state.play?.left_out > left_out_from_s) lines.push(texts.left_out(state.play.left_out));
   if (lines.length === 0) return null;

@@ -2,12 +2,15 @@
 // them, and then from states. Faults are shown as bands.
 import { useEffect, useMemo } from "preact/hooks";
 import { ask, live, useLive, type Json } from "./live";
+import { seek } from "./run_link";
 import { Card, number_text, time_text } from "./parts";
 import { texts } from "./texts";
 
 const samples_max = 600;
+const marks_max = 200;
+const colours = 8;
 const width = 300;
-const height = 64;
+const height = 72;
 
 interface Kept {
   hello: Json;
@@ -54,34 +57,48 @@ function follow(names: string) {
   for (const name of names.split(",")) (kept.values[name] ??= kept.times.map(() => null).slice(1)).push(number_at(name));
 }
 
-interface Span { begin: number; end: number }
-/** Times of faults, from events. */
-function fault_spans(until: number): Span[] {
+interface Span { begin: number; end: number; fault: string }
+/** Times of faults, from events; those that have not ended end at `until`. */
+export function fault_spans(until: number): Span[] {
   const spans: Span[] = [];
-  const open = new Map<string, number>();
-  for (const event of live.events) {
-    const key = `${event.fault} ${event.bus} ${event.node} ${event.lift}`;
-    if (event.event === "fault-begins") open.set(key, event.time);
-    if (event.event !== "fault-ends") continue;
-    spans.push({ begin: open.get(key) ?? event.time, end: event.time });
+  const open = new Map<string, Span>();
+  for (const { event, time, fault, bus, node, lift } of live.events) {
+    const key = `${fault} ${bus} ${node} ${lift}`;
+    if (event === "fault-begins") open.set(key, { begin: time, end: until, fault });
+    if (event !== "fault-ends") continue;
+    spans.push({ begin: open.get(key)?.begin ?? time, end: time, fault });
     open.delete(key);
   }
-  open.forEach((begin) => spans.push({ begin, end: until }));
-  return spans;
+  return [...spans, ...open.values()];
 }
 
-function Line(props: { title: string; unit: string; places: string[]; factor: number; times: number[]; values: Kept["values"] }) {
-  const { times, factor } = props;
-  const lines = props.places.map((place) => (props.values[place] ?? []).map((value) => (value === null ? null : value * factor)));
+/** Times of emergencies; an end of an error is none. */
+export function emergency_times(): number[] {
+  return live.events.filter((event) => event.event === "emergency" && event.code !== "0000").map((event) => event.time).slice(-marks_max);
+}
+
+interface LineProps {
+  title: string;
+  unit: string;
+  places: string[];
+  factor: number;
+  times: number[];
+  values: Kept["values"];
+}
+
+function Line(props: LineProps) {
+  const { times, factor, places } = props;
+  const lines = places.map((place) => (props.values[place] ?? []).map((value) => (value === null ? null : value * factor)));
   const all = lines.flat().filter((value): value is number => value !== null);
   if (all.length < 2) return null;
-  const [least, most] = [Math.min(...all), Math.max(...all)];
+  const least = all.reduce((one, other) => Math.min(one, other));
+  const most = all.reduce((one, other) => Math.max(one, other));
   const low = least > most / 2 ? least : Math.min(0, least);  // far from 0, the change is of interest
   const high = Math.max(low + 1e-6, most);
   const begin = times[0];
   const end = times[times.length - 1];
   const x = (time: number) => ((time - begin) / Math.max(end - begin, 1e-6)) * width;
-  const y = (value: number) => height - 3 - ((value - low) / (high - low)) * (height - 6);
+  const y = (value: number) => height - 3 - ((value - low) / (high - low)) * (height - 8);
   const path = (line: (number | null)[]) => {
     let is_down = false;
     return line.map((value, i) => {
@@ -90,17 +107,33 @@ function Line(props: { title: string; unit: string; places: string[]; factor: nu
       return part;
     }).join("");
   };
-  const now = props.places.length === 1 ? number_at(props.places[0]) : null;
-  const range = `${number_text(least)} … ${number_text(most)} ${props.unit}`;
+  const is_one = places.length === 1;
+  const now = is_one ? number_at(places[0]) : null;
+  const digits = most - least > 10 ? 10 : 1000;
+  const [first, last] = [least, most].map((value) => number_text(Math.round(value * digits) / digits || 0));
+  const range = `${first} … ${last} ${props.unit}`;
+  const { can, begin: run_begin, kind } = live.hello;
+  const go_there = (event: MouseEvent) => {
+    const box = (event.currentTarget as Element).getBoundingClientRect();
+    seek(begin + ((event.clientX - box.left) / box.width) * (end - begin) - (run_begin ?? 0));
+  };
+  const seen = (time: number) => time >= begin && time <= end;
   return (
     <figure class="trend">
-      <figcaption><span>{props.title}</span>{now !== null && <b>{number_text(now * factor)} {props.unit}</b>}</figcaption>
-      <svg viewBox={`0 0 ${width} ${height}`} preserveAspectRatio="none" role="img" aria-label={`${props.title}: ${range}`}>
+      <figcaption>
+        <span>{props.title}</span>
+        {now !== null && <b>{number_text(now * factor)} {props.unit}</b>}
+        {!is_one && <span class="lines">{lines.map((line, i) => line.length > 0 && <span key={i}><i class={`line-${i % colours}`} />{i + 1}</span>)}</span>}
+      </figcaption>
+      <svg viewBox={`0 0 ${width} ${height}`} preserveAspectRatio="none" role="img" aria-label={`${props.title}: ${range}`} class={can?.replay ? "goes" : ""} onClick={can?.replay ? go_there : undefined}>
         {fault_spans(end).filter((span) => span.end >= begin).map((span, i) => (
-          <rect key={i} class="fault-band" x={Math.max(0, x(span.begin))} y="0" width={Math.max(1.5, x(span.end) - Math.max(0, x(span.begin)))} height={height}><title>{texts.fault_here}</title></rect>
+          <rect key={i} class="fault-band" x={Math.max(0, x(span.begin))} y="0" width={Math.max(1.5, x(span.end) - Math.max(0, x(span.begin)))} height={height}><title>{span.fault || texts.fault_here}</title></rect>
         ))}
+        {emergency_times().filter(seen).map((time, i) => <path key={i} class="emergency-mark" d={`M${x(time).toFixed(1)} 0v5`} />)}
         {low <= 0 && <path class="axis" d={`M0 ${y(0)}H${width}`} />}
-        {lines.map((line, i) => <path key={i} class={`line line-${i % 4}`} d={path(line)} />)}
+        {is_one && low <= 0 && !lines[0].includes(null) && <path class="area" d={`${path(lines[0])}V${Math.max(0, y(0)).toFixed(1)}H0z`} />}
+        {lines.map((line, i) => <path key={i} class={`line line-${i % colours}`} d={path(line)} />)}
+        {kind === "log" && <path class="now" d={`M${x(live.state.time).toFixed(1)} 0V${height}`} />}
       </svg>
       <p class="trend-scale muted"><span>{time_text(begin, 0)}</span><span>{range}</span><span>{time_text(end, 0)}</span></p>
     </figure>
@@ -114,11 +147,11 @@ export function Trends() {
   useEffect(() => { if (names) follow(names); }, [state, names]);
   const is_there = kept?.names === names && kept.times.length > 1;
   // States come twenty times a second, samples once.
-  return useMemo(() => is_there && kept ? (
-    <Card title={texts.trend_title} class="trends">
-      {rows.map(([title, unit, pattern, factor]) => (
+  return useMemo(() => (
+    <Card title={hello.kind === "log" ? texts.trend_title_log : texts.trend_title} class="trends">
+      {is_there && kept ? rows.map(([title, unit, pattern, factor]) => (
         <Line key={title} title={title} unit={unit} places={names_of(pattern)} factor={factor ?? 1} times={kept!.times} values={kept!.values} />
-      ))}
+      )) : rows.map(([title]) => <figure key={title} class="trend empty"><figcaption>{title}</figcaption><svg viewBox={`0 0 ${width} ${height}`} preserveAspectRatio="none" aria-hidden="true" /><p class="trend-scale">&nbsp;</p></figure>)}
     </Card>
-  ) : null, [is_there && kept, kept?.times.length, events.length]);
+  ), [is_there && kept, kept?.times.length, events.length, hello.kind === "log" && state.time]);
 }

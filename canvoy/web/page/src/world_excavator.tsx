@@ -1,7 +1,7 @@
 // An excavator: the machine from the side and from above, and the seat with its held, pressed, lit
 // and shown elements.
 import { useLive, type Json } from "./live";
-import { Card, Figure, Legend, number_text, type PictureProps } from "./parts";
+import { Card, Layout, Legend, number_text, type PictureProps } from "./parts";
 import { texts } from "./texts";
 
 // The picture: metres in front of the axis of the slew and above the ground, as in the snapshot.
@@ -149,28 +149,20 @@ export function ExcavatorWorld(props: PictureProps) {
   const { state } = useLive();
   const now = state.snapshot ?? {};
   const { plant = {}, statistics = {}, movements = {} } = now;
-  return (
-    <div class="world excavator">
-      <div class="left">
-      <Card class="picture">
-        <svg viewBox="0 0 640 440" role="img" aria-label={texts.kinds.excavator}>
-          <Machine now={now} />
-          <Slew degrees={movements.slew?.place ?? 0} reach={plant.tip_x_m ?? 0} />
-        </svg>
-        <Legend rows={texts.legends.excavator} />
-        <p class="said" role="status">{now.operator}</p>
-      </Card>
-      {props.below}
-      </div>
-      <div class="side">
-        <Card class="figures">
-          <Figure name={texts.cycles} value={statistics.cycles ?? 0} />
-          <Figure name={texts.heaped} value={number_text(statistics.heaped_m3 ?? 0)} unit="m³" />
-          <Figure name={texts.spilled} value={number_text(statistics.spilled_m3 ?? 0)} unit="m³" />
-        </Card>
-        <Seat now={now} />
-        {props.children}
-      </div>
-    </div>
+  const picture = (
+    <Card class="picture">
+      <svg viewBox="0 0 640 420" role="img" aria-label={texts.kinds.excavator}>
+        <Machine now={now} />
+        <Slew degrees={movements.slew?.place ?? 0} reach={plant.tip_x_m ?? 0} />
+      </svg>
+      <p class="said" role="status">{now.operator}</p>
+      <Legend rows={texts.legends.excavator} />
+    </Card>
   );
+  const figures = [
+    { name: texts.cycles, value: statistics.cycles ?? 0 },
+    { name: texts.heaped, value: number_text(statistics.heaped_m3 ?? 0), unit: "m³" },
+    { name: texts.spilled, value: number_text(statistics.spilled_m3 ?? 0), unit: "m³" },
+  ];
+  return <Layout kind="excavator" figures={figures} picture={picture} details={<Seat now={now} />} parts={props} />;
 }

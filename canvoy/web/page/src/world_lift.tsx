@@ -1,7 +1,8 @@
 // The building: shafts with cars and doors, people at the landings, and the state of the lifts.
 import { useState } from "preact/hooks";
 import { ask, useLive, type Json } from "./live";
-import { Card, Figure, Legend, State, number_text, type PictureProps } from "./parts";
+import { Card, Layout, Legend, State, number_text, type PictureProps } from "./parts";
+import { SortHead, useSorted } from "./sorted";
 import { texts } from "./texts";
 
 const left = 158;
@@ -120,27 +121,34 @@ function Landing(props: { index: number; landing: Json; sizes: Sizes; lifts: num
   );
 }
 
+type Numbered = [lift: Json, number: number];
+const lift_columns = {
+  lift: ([, number]: Numbered) => number, floor: ([lift]: Numbered) => lift.floor, state: ([lift]: Numbered) => lift.mode, speed: ([lift]: Numbered) => lift.speed_m_s,
+  load: ([lift]: Numbered) => lift.load_kg, starts: ([lift]: Numbered) => lift.starts, energy: ([lift]: Numbered) => lift.energy_wh,
+};
+
 function LiftTable(props: { lifts: Json[] }) {
+  const rows = useSorted(props.lifts.map((lift, i): Numbered => [lift, i + 1]), lift_columns);
   return (
     <div class="scroll" tabIndex={0} role="region" aria-label={texts.lifts}>
-    <table class="plain">
-      <thead>
-        <tr>{texts.lift_columns.map((name, i) => <th class={i > 2 ? "number" : ""}>{name}</th>)}</tr>
-      </thead>
-      <tbody>
-        {props.lifts.map((lift, i) => (
-          <tr key={i}>
-            <td>{i + 1}</td>
-            <td>{lift.floor}</td>
-            <td><State state={lift.mode} /></td>
-            <td class="number">{lift.speed_m_s.toFixed(1)} m/s</td>
-            <td class="number">{lift.load_kg.toFixed(0)} kg</td>
-            <td class="number">{lift.starts}</td>
-            <td class="number">{number_text(lift.energy_wh / 1000)} kWh</td>
-          </tr>
-        ))}
-      </tbody>
-    </table>
+      <table class="plain">
+        <thead>
+          <tr>{texts.lift_columns.map(([by, name], i) => <SortHead key={by} by={by} title={name} class={i > 2 ? "number" : ""} />)}</tr>
+        </thead>
+        <tbody>
+          {rows.map(([lift, number]) => (
+            <tr key={number}>
+              <td>{number}</td>
+              <td>{lift.floor}</td>
+              <td><State state={lift.mode} /></td>
+              <td class="number">{lift.speed_m_s.toFixed(1)} m/s</td>
+              <td class="number">{lift.load_kg.toFixed(0)} kg</td>
+              <td class="number">{lift.starts}</td>
+              <td class="number">{number_text(lift.energy_wh / 1000)} kWh</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
     </div>
   );
 }
@@ -148,6 +156,8 @@ function LiftTable(props: { lifts: Json[] }) {
 export function LiftWorld(props: PictureProps) {
   const { state, hello } = useLive();
   const [said, say] = useState("");
+  const [chosen, choose] = useState("");
+  const wanted = Number(chosen);  // 0: as far as there are floors
   const snapshot = state.snapshot ?? {};
   const lifts: Json[] = snapshot.lifts ?? [];
   const sizes = sizes_of(hello.scenery ?? {}, Math.max(lifts.length, 1));
@@ -155,51 +165,51 @@ export function LiftWorld(props: PictureProps) {
   const count = sizes.floors.length;
   const call = async (index: number, up: boolean) => {
     const from = index + 1;
-    const rest = up ? count - from : from - 1;
-    const to = up ? from + 1 + Math.floor(Math.random() * rest) : from - 1 - Math.floor(Math.random() * rest);
+    const to = wanted > 0 && wanted !== from && up === wanted > from ? wanted : up ? count : 1;
     const answer = await ask("visit", { from, to });
     say(answer.error ?? texts.called(sizes.floors[from - 1].floor, sizes.floors[to - 1].floor));
   };
-  return (
-    <div class="world lift">
-      <div class="left">
-      <Card class="picture">
-        <div class="scroll" tabIndex={0} role="region" aria-label={texts.kinds.lift}>
-        <svg viewBox={`0 0 ${sizes.width} ${sizes.height}`} width={sizes.width} height={sizes.height} class="building" role="group" aria-label={texts.kinds.lift}>
-          <rect class="wall" x={left - 6} y="22" width={Math.max(lifts.length, 1) * pitch + 6} height={sizes.height - 38} rx="6" />
-          {sizes.floors.map((_, i) => (
-            <Landing key={i} index={i} landing={snapshot.landings?.[i]} sizes={sizes} lifts={Math.max(lifts.length, 1)} can={hello.can?.visit} call={(up) => void call(i, up)} />
-          ))}
-          {lifts.map((lift, i) => {
-            const x = left + i * pitch;
-            return (
-              <g key={i}>
-                <rect class="shaft" x={x - 3} y="24" width={car_width + 6} height={sizes.height - 42} rx="4" />
-                <line class="rope" x1={x + car_width / 2} x2={x + car_width / 2} y1="26" y2={sizes.y(lift.position_m) - sizes.floor_height + 4} />
-                {lift.car_calls?.map((floor: number) => (
-                  <rect key={floor} class="car-call" x={x + car_width + 5} y={sizes.y(sizes.floors[floor - 1]?.height_m ?? 0) - sizes.floor_height / 2 - 2} width="8" height="4" rx="2" />
-                ))}
-                <text class="shaft-name" x={x + car_width / 2} y="15" text-anchor="middle">{i + 1}</text>
-              </g>
-            );
-          })}
-          {lifts.map((lift, i) => <Car key={i} lift={lift} number={i + 1} rated={hello.scenery?.lifts?.[i]} sizes={sizes} />)}
-        </svg>
-        </div>
-        <Legend rows={texts.legends.lift} />
-        <p class="said" role="status">{said}</p>
-      </Card>
-      {props.below}
+  const picture = (
+    <Card class="picture">
+      <div class="scroll" tabIndex={0} role="region" aria-label={texts.kinds.lift}>
+      <svg viewBox={`0 0 ${sizes.width} ${sizes.height}`} width={sizes.width} height={sizes.height} class="building" role="group" aria-label={texts.kinds.lift}>
+        <clipPath id="hoistway"><rect x="0" y="26" width={sizes.width} height={sizes.height} /></clipPath>
+        <rect class="wall" x={left - 6} y="22" width={Math.max(lifts.length, 1) * pitch + 6} height={sizes.height - 38} rx="6" />
+        {sizes.floors.map((_, i) => (
+          <Landing key={i} index={i} landing={snapshot.landings?.[i]} sizes={sizes} lifts={Math.max(lifts.length, 1)} can={hello.can?.visit} call={(up) => void call(i, up)} />
+        ))}
+        {lifts.map((lift, i) => {
+          const x = left + i * pitch;
+          return (
+            <g key={i}>
+              <rect class="shaft" x={x - 3} y="24" width={car_width + 6} height={sizes.height - 42} rx="4" />
+              <g clip-path="url(#hoistway)"><path class="rope" d={`M${x + car_width / 2} 0v${-sizes.height}`} style={{ transform: `translateY(${sizes.y(lift.position_m) - sizes.floor_height + 4}px)` }} /></g>
+              {lift.car_calls?.map((floor: number) => (
+                <rect key={floor} class="car-call" x={x + car_width + 5} y={sizes.y(sizes.floors[floor - 1]?.height_m ?? 0) - sizes.floor_height / 2 - 2} width="8" height="4" rx="2" />
+              ))}
+              <text class="shaft-name" x={x + car_width / 2} y="15" text-anchor="middle">{i + 1}</text>
+            </g>
+          );
+        })}
+        {lifts.map((lift, i) => <Car key={i} lift={lift} number={i + 1} rated={hello.scenery?.lifts?.[i]} sizes={sizes} />)}
+      </svg>
       </div>
-      <div class="side">
-        <Card class="figures">
-          <Figure name={texts.waiting_people} value={snapshot.waiting ?? 0} />
-          <Figure name={texts.riding_people} value={snapshot.riding ?? 0} />
-          <Figure name={texts.served_people} value={snapshot.served ?? 0} />
-        </Card>
-        {props.children}
-        <Card title={texts.lifts}><LiftTable lifts={lifts} /></Card>
-      </div>
-    </div>
+      <Legend rows={texts.legends.lift} />
+      {hello.can?.visit && (
+        <label class="visitor">{texts.visitors_go}
+          <select value={chosen} onChange={(event) => choose(event.currentTarget.value)}>
+            <option value="">{texts.visitors_far}</option>
+            {sizes.floors.map((floor, i) => <option key={i} value={String(i + 1)}>{texts.floor} {floor.floor}</option>)}
+          </select>
+        </label>
+      )}
+      <p class="said" role="status">{said}</p>
+    </Card>
   );
+  const figures = [
+    { name: texts.waiting_people, value: snapshot.waiting ?? 0 },
+    { name: texts.riding_people, value: snapshot.riding ?? 0 },
+    { name: texts.served_people, value: snapshot.served ?? 0 },
+  ];
+  return <Layout kind={`lift ${lifts.length > 4 ? "many" : ""}`} figures={figures} picture={picture} details={<Card title={texts.lifts}><LiftTable lifts={lifts} /></Card>} parts={props} />;
 }

@@ -1,6 +1,7 @@
 // A charging yard: what each bay delivers, and how full each battery is, against the goal.
 import { useLive } from "./live";
-import { Card, Figure, Legend, number_text, time_text, type PictureProps } from "./parts";
+import { Card, Layout, Legend, number_text, time_text, type PictureProps } from "./parts";
+import { SortHead, useSorted } from "./sorted";
 import { texts } from "./texts";
 
 /** A row of the picture: a battery, and the cable to its bay. */
@@ -36,43 +37,41 @@ export function YardWorld(props: PictureProps) {
   const vehicles: any[] = now.vehicles ?? [];
   const goal: number | undefined = now.goal?.state_of_charge_percent;
   const height = Math.max(1, vehicles.length) * row_height + 8;
-  return (
-    <div class="world charger yard">
-      <div class="left">
-      <Card class="picture">
-        <svg viewBox={`0 0 600 ${height}`} role="img" aria-label={texts.kinds["charging-yard"]}>
-          {vehicles.map((it, i) => (
-            <Battery key={it.vehicle} it={it} bay={bays[it.bay - 1]} goal={goal} y={i * row_height + 4} />
-          ))}
-        </svg>
-        <Legend rows={texts.legends.yard} />
-      </Card>
-      {props.below}
-      </div>
-      <div class="side">
-        <Card class="figures">
-          <Figure name={texts.from_mains} value={number_text((now.mains_wh ?? 0) / 1000)} unit="kWh" />
-          <Figure name={texts.mains_at_most} value={number_text((now.mains_w_max ?? 0) / 1000)} unit="kW" />
-          {now.goal && <Figure name={texts.goal} value={`${number_text(goal ?? 0)} %`} unit={`${texts.at_time} ${time_text(now.goal.at, 0)}`} />}
-        </Card>
-        {props.children}
-        <Card title={texts.bays}>
-          <table class="plain">
-            <thead><tr>{texts.bay_columns.map((name, i) => <th key={name} class={i > 1 ? "number" : ""}>{name}</th>)}</tr></thead>
-            <tbody>
-              {bays.map((bay) => (
-                <tr key={bay.bay}>
-                  <td>{bay.bay}</td>
-                  <td>{bay.reason}</td>
-                  <td class="number">{number_text(bay.plant?.current_a ?? 0)} A</td>
-                  <td class="number">{number_text(bay.plant?.voltage_v ?? 0)} V</td>
-                  <td class="number">{number_text((bay.mains_wh ?? 0) / 1000)} kWh</td>
-                </tr>
-              ))}
-            </tbody>
-          </table>
-        </Card>
-      </div>
-    </div>
+  const rows = useSorted<any>(bays, {
+    bay: (bay) => bay.bay, charger: (bay) => bay.reason ?? "", current: (bay) => bay.plant?.current_a ?? 0, voltage: (bay) => bay.plant?.voltage_v ?? 0, mains: (bay) => bay.mains_wh ?? 0,
+  });
+  const picture = (
+    <Card class="picture">
+      <svg viewBox={`0 0 600 ${height}`} role="img" aria-label={texts.kinds["charging-yard"]}>
+        {vehicles.map((it, i) => (
+          <Battery key={it.vehicle} it={it} bay={bays[it.bay - 1]} goal={goal} y={i * row_height + 4} />
+        ))}
+      </svg>
+      <Legend rows={texts.legends.yard} />
+    </Card>
   );
+  const figures = [
+    { name: texts.from_mains, value: number_text((now.mains_wh ?? 0) / 1000), unit: "kWh" },
+    { name: texts.mains_at_most, value: number_text((now.mains_w_max ?? 0) / 1000), unit: "kW" },
+    ...(now.goal ? [{ name: `${texts.goal} ${texts.at_time} ${time_text(now.goal.at, 0)}`, value: number_text(goal ?? 0), unit: "%" }] : []),
+  ];
+  const details = (
+    <Card title={texts.bays}>
+      <table class="plain">
+        <thead><tr>{texts.bay_columns.map(([by, name], i) => <SortHead key={by} by={by} title={name} class={i > 1 ? "number" : ""} />)}</tr></thead>
+        <tbody>
+          {rows.map((bay) => (
+            <tr key={bay.bay}>
+              <td>{bay.bay}</td>
+              <td>{bay.reason}</td>
+              <td class="number">{number_text(bay.plant?.current_a ?? 0)} A</td>
+              <td class="number">{number_text(bay.plant?.voltage_v ?? 0)} V</td>
+              <td class="number">{number_text((bay.mains_wh ?? 0) / 1000)} kWh</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </Card>
+  );
+  return <Layout kind="charger yard" figures={figures} picture={picture} details={details} parts={props} />;
 }
