@@ -1,5 +1,5 @@
-"""What MkDocs does not do by itself for the site (mkdocs.yml): the command reference, a page for each object of the profiles, the C++
-API as Doxygen has made it, and links to files of the sources.
+"""What MkDocs does not do by itself for the site (mkdocs.yml): the command reference, a page for each object of the profiles, pages of
+all cases of `canvoy check`, the C++ API as Doxygen has made it, and links to files of the sources.
 
 The reference is made of what the command prints: `canvoy VERB --help` and that of all verbs below it. CANVOY says where the
 command is (default: build/canvoy).
@@ -17,6 +17,7 @@ import mkdocs.exceptions
 from mkdocs.structure.files import File
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import check_pages
 import object_pages
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -66,7 +67,7 @@ def on_files(files, config):
     )
     for name, text in pages.items():
         files.append(File.generated(config, f"reference/{name}", content=text))
-    for path, text in object_pages.make(command()).items():
+    for path, text in {**object_pages.make(command()), **check_pages.make(command())}.items():
         files.append(File.generated(config, path, content=text))
     return files
 

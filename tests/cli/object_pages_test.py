@@ -12,13 +12,14 @@ from command import CANVOY, CommandTest, run
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "scripts"))
+import check_pages
 import object_pages
 
 
 class ObjectPages(CommandTest):
     @classmethod
     def setUpClass(cls):
-        cls.pages = object_pages.make(CANVOY)
+        cls.pages = {**object_pages.make(CANVOY), **check_pages.make(CANVOY)}
 
     def objects(self, profile):
         rows = map(json.loads, run("profile", profile, "--json").stdout.splitlines())
@@ -33,6 +34,13 @@ class ObjectPages(CommandTest):
                 with self.subTest(f"{profile} {row['index']} {row['sub']}"):
                     self.assertIn(row["entry"], page.replace("\\|", "|"))
                     self.assertIn(row["type"], page)
+
+    def test_each_case_of_the_conformance_test_stands_on_a_page_once(self):
+        for profile in check_pages.PROFILES:
+            text = self.pages["cases/index.md"] + self.pages[f"cases/{profile}.md"]
+            listed = run("check", "--list", "--profile", profile).stdout
+            for case in re.findall(r"(?m)^(\S+) +\S.*\n(?: .*\n)*? {17}clause", listed):
+                self.assertEqual(text.count(f"| `{case}` |"), 1, case)
 
     def test_a_page_says_what_the_clauses_say(self):
         # CiA 419, 7.2.1: 6000h, bit 0 of an UNSIGNED8; 6.2.3.2: in RPDO 1.
