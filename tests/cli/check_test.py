@@ -79,6 +79,8 @@ class Check(CommandTest):
         for case in cases:
             self.assertTrue(case["clause"].startswith("CiA ") and case["title"] and case["expects"], case)
             self.assertIn(case["case"], text)
+        chosen = self.assert_done(run("check", "--list", "--only", "SYNC"))
+        self.assertEqual(chosen.count("clause "), sum(case["class"] == "SYNC" for case in cases))
 
     def test_bad_input_is_refused_in_a_line(self):
         self.assert_refused(run("check"), USAGE, "BUS NODE")
@@ -88,6 +90,11 @@ class Check(CommandTest):
         self.assert_refused(run("check", BUS, "10", "--eds", "none.eds"), FAILED, "none.eds")
         self.assert_refused(run("check", BUS, "10", "--profile", "999"), USAGE, "999")
         self.assert_refused(run("check", BUS, "10", "--only", "none"), USAGE, "none")
+        self.assert_refused(run("check", "--list", "--only", "none"), USAGE, "none")
+        # Before the test, which would be in vain.
+        for report in ("--json", "--junit", "--html"):
+            done = run("check", BUS, "10", "--only", "sdo-01", report, self.path("none/report"))
+            self.assert_refused(done, FAILED, "none/report", "check the path")
         self.assert_refused(run("check", BUS, "10", "--hands", "/no/such/file"), FAILED, "/no/such/file", "check the path")
         hands = pathlib.Path(self.path("bad.txt"))
         for line, words in (("press it", "request = command"), ("= true", "request = command"), ("a = 1\na = 2", "already")):

@@ -41,6 +41,12 @@ class Doctor(CommandTest):
         self.assertEqual((done.returncode, done.stderr), (DONE, ""))
         self.assertEqual(done.stdout, "can0: 40 frames of 1 node in 19.5 s\nhealthy: nothing is wrong as far as it shows\n")
 
+    def test_what_is_short_is_not_plainly_healthy(self):
+        done = run("doctor", self.path(BEATS[:9]), "--bit-rate", "125")
+        self.assertEqual((done.returncode, done.stderr), (DONE, ""))
+        self.assertIn("healthy as far as it shows, but 4.0 s are short", done.stdout)
+        self.assertLessEqual(max(map(len, done.stdout.splitlines())), 80)
+
     def test_a_warning_has_words_in_80_columns_and_a_status_of_its_own(self):
         done = run("doctor", self.path([*BEATS, (9.7, "705#00")]))
         self.assertEqual((done.returncode, done.stderr), (WARNED, ""))

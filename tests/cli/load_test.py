@@ -132,6 +132,12 @@ class LoadTest(CommandTest):
         messages, _ = self.told(self.path("a.log", log), "--bit-rate", "125")
         self.assertEqual(messages["182"]["response_s"], 0.002)
 
+    def test_more_than_a_bus_carries_is_no_load(self):
+        # 120 bits each millisecond are 12 % at 1 Mbit/s, and 120 % at 100 kbit/s.
+        log = self.path("a.log", "".join(f"(1.{each:03}000) can0 181#0102030405060708\n" for each in range(100)))
+        self.assertIn("is 100 kbit/s its bit rate", run("load", log, "--bit-rate", "100").stdout)
+        self.assertNotIn("its bit rate", run("load", log, "--bit-rate", "1000").stdout)
+
     def test_buses_of_a_log_are_told_apart(self):
         log = self.path("a.log", "(1.000000) can0 181#00\n(1.500000) can1 182#00\n(2.000000) can0 181#00\n")
         done = self.assert_done(run("load", log, "--bit-rate", "125"))
@@ -198,6 +204,11 @@ class LoadTest(CommandTest):
         refused("", "no node stands in it")
         self.assert_refused(run("load", str(self.folder / "no.toml")), FAILED, "no.toml")
         self.assert_refused(run("load", self.path("a.log", "")), FAILED, "a.log")
+        one = self.path("one.log", "(1.0) can0 705#05\n")
+        self.assert_refused(run("load", one, "--bit-rate", "125"), FAILED, "its frames have one time")
+        self.assert_refused(run("load", one, "--bit-rate", "125", "--after", "9s"), FAILED, "nothing was heard after 9s")
+        errors = "".join(f"({each}.0) can0 20000088#0000040000000000\n" for each in range(9))
+        self.assert_refused(run("load", self.path("a.log", errors), "--bit-rate", "125"), FAILED, "error frames alone", "canvoy doctor")
         many = "".join(f"(1.{each:06}) can0 {each:08X}#\n" for each in range(1025))
         self.assert_refused(run("load", self.path("a.log", many), "--bit-rate", "125"), FAILED, "more than 1024 identifiers")
 

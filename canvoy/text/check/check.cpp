@@ -73,6 +73,10 @@ TestCases all_cases(const Profile* profile) {
   return cases;
 }
 
+bool is_selected(const TestCase& test, std::string_view only) {
+  return test.id.starts_with(only) || group_name(test.group) == only;
+}
+
 Check::Check(Line line, NodeId node, const BenchOptions& options)
     : bench_(std::move(line), node, options) {}
 
@@ -153,7 +157,7 @@ Report Check::run(const std::function<void(const TestResult&)>& tell, std::strin
   report.cases = all_cases(bench_.options().profile);
   report.results.reserve(report.cases.size());
   for (const TestCase& test : report.cases) {
-    if (!test.id.starts_with(only) && group_name(test.group) != only) continue;
+    if (!is_selected(test, only)) continue;
     report.results.push_back(try_case(test));
     if (bench_.is_broken()) break;
     if (tell) tell(report.results.back());

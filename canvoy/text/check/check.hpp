@@ -49,6 +49,9 @@ struct Report {
 /// All cases of CiA 301, and those from the data of a profile (null: none).
 TestCases all_cases(const Profile* profile);
 
+/// True for the cases with an id that begins with `only`, or in the group of that name.
+bool is_selected(const TestCase& test, std::string_view only);
+
 class Check {
  public:
   /// Tests the device with this node-ID, 1 to 127; what `options` refers to must outlive this.
@@ -56,9 +59,8 @@ class Check {
   Check(const Check&) = delete;
   Check& operator=(const Check&) = delete;
 
-  /// Runs all cases, or those with an id that begins with `only` or in the group of that name;
-  /// reports each result as it comes. NMT commands go to the device alone. Restores the initial NMT
-  /// state if it is known.
+  /// Runs all cases, or those that `only` selects; reports each result as it comes. NMT commands go
+  /// to the device alone. Restores the initial NMT state if it is known.
   Report run(const std::function<void(const TestResult&)>& tell = {}, std::string_view only = {});
 
  private:

@@ -30,6 +30,17 @@ std::string head_text(std::string_view bus, const Observed& observed) {
   return text;
 }
 
+/// Heartbeats and time-outs of several seconds are not seen in less.
+constexpr Duration short_listening = 10s;
+
+std::string healthy_text(Duration listened) {
+  if (listened >= short_listening) return "healthy: nothing is wrong as far as it shows";
+  return fmt::format(
+      "healthy as far as it shows, but {:.1f} s are short: what comes once in some seconds, and "
+      "what stays away, shows in a minute",
+      seconds(listened));
+}
+
 std::size_t count_of(const Findings& findings, Severity severity) {
   return static_cast<std::size_t>(std::ranges::count_if(findings, [severity](const Finding& each) {
     return finding_row(each.kind).severity == severity;
@@ -68,9 +79,11 @@ std::string report_text(std::string_view bus, const Observed& observed, const Fi
   if (!findings.empty()) lines += '\n';
   const std::size_t errors = count_of(findings, Severity::error);
   const std::size_t warnings = count_of(findings, Severity::warning);
-  lines += errors + warnings == 0
-               ? std::string("healthy: nothing is wrong as far as it shows\n")
-               : fmt::format("{}, {}\n", counted(errors, "error"), counted(warnings, "warning"));
+  append_wrapped(lines, "",
+                 errors + warnings == 0 ? healthy_text(observed.end - observed.begin)
+                                        : fmt::format("{}, {}", counted(errors, "error"),
+                                                      counted(warnings, "warning")),
+                 columns);
   return lines;
 }
 

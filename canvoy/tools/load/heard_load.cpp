@@ -50,7 +50,7 @@ LoadedMessage HeardLoad::described(const Heard& heard, Duration listened) {
 }
 
 std::vector<LoadedBus> HeardLoad::buses(Duration listened) const {
-  if (listened == Duration{}) listened = std::max(last_ - first_, Duration{1});
+  if (listened == Duration{}) listened = std::max(last_ - first_, one_moment);
   std::vector<LoadedBus> made;
   for (const auto& [name, bus] : buses_) {
     LoadedBus& each = made.emplace_back();

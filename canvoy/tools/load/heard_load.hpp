@@ -17,6 +17,9 @@
 
 namespace canvoy::tools {
 
+/// What is heard in no time at all, since all its frames have the same time.
+inline constexpr Duration one_moment{1};
+
 class HeardLoad {
  public:
   static constexpr std::size_t buses_max = 64;

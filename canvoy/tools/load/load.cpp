@@ -154,13 +154,32 @@ void add_more(std::vector<LoadedBus>& buses, const LoadOptions& options) {
   }
 }
 
+/// Neither silence nor error frames alone are a load of 0 %, and one moment has none.
+void refuse_nothing(const std::vector<LoadedBus>& buses, const LoadOptions& options) {
+  const std::string& source = options.source;
+  if (buses.empty()) {
+    throw Failure(options.after.empty()
+                      ? fmt::format("{}: nothing was heard", source)
+                      : fmt::format("{}: nothing was heard after {}", source, options.after));
+  }
+  const bool has_frames = std::ranges::any_of(buses, [](const LoadedBus& each) {
+    return !each.messages.empty() || !each.left_out.empty();
+  });
+  if (!has_frames && buses.front().error_frames != 0) {
+    throw Failure(fmt::format("{}: error frames alone; canvoy doctor says what is wrong", source));
+  }
+  if (buses.front().heard == one_moment) {
+    throw Failure(fmt::format("{}: its frames have one time: a load needs some seconds", source));
+  }
+}
+
 int show_load(const LoadOptions& options) {
   if (!options.svg.empty() && !options.svg.ends_with(".svg"))
     throw UsageError(fmt::format("'{}' ends like no picture: .svg", options.svg));
   const Duration each =
       options.error_each.empty() ? Duration{} : parse_duration_argument(options.error_each);
   std::vector<LoadedBus> buses = load_of_source(options);
-  if (buses.empty()) throw Failure(fmt::format("{}: nothing was heard", options.source));
+  refuse_nothing(buses, options);
   keep_bus(buses, options);
   for (LoadedBus& bus : buses) {
     if (options.bit_rate != 0) bus.bit_rate = said_bit_rate(options);

@@ -128,6 +128,10 @@ std::string verdict_text(const LoadedBus& bus, const LoadResult& result) {
     text += fmt::format("breakdown at {:.1f} %, with periods {:.3f} times as long\n",
                         result.breakdown->utilisation * 100, result.breakdown->scale);
   }
+  if (bus.heard != Duration{} && result.load > 1)
+    text += fmt::format(
+        "that is more than a bus carries: is {:g} kbit/s its bit rate, and is it one bus?\n",
+        bus.bit_rate / 1e3);
   if (bus.error_frames != 0)
     text +=
         fmt::format("{} error frames were heard: --errors and --error-each tell what they cost\n",

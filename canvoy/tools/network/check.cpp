@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "canvoy/can/host/atomic_file.hpp"
 #include "canvoy/can/host/event_loop.hpp"
 #include "canvoy/can/host/host_bus.hpp"
 #include "canvoy/profiles/registry.hpp"
@@ -125,6 +126,13 @@ void write_text(const std::string& path, std::string_view text) {
   write_value_file(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
+/// A report that cannot be written is told before the test, which may take minutes.
+void refuse_unwritable(const CheckVerbOptions& options) {
+  for (const std::string* path : {&options.json, &options.junit, &options.html}) {
+    if (!path->empty()) static_cast<void>(value_or_throw(host::AtomicFile::begin(*path)));
+  }
+}
+
 std::string junit_of(const conformance::Report& report, const std::string& name) {
   JunitSuite suite{.name = name};
   for (const conformance::TestResult& each : report.results) {
@@ -148,9 +156,19 @@ const Profile* profile_of(const CheckVerbOptions& options, BusLine& bus, NodeId 
   return profile == &base_profile() ? nullptr : profile;
 }
 
+[[noreturn]] void throw_no_case(const std::string& only) {
+  throw UsageError(fmt::format(
+      "--only {}: no case begins so; see canvoy check --list, with the --profile of the device",
+      only));
+}
+
 int list_cases(const CheckVerbOptions& options) {
   const Profile* profile = options.profile.empty() ? nullptr : &parse_profile(options.profile);
-  const conformance::TestCases cases = conformance::all_cases(profile);
+  conformance::TestCases cases = conformance::all_cases(profile);
+  std::erase_if(cases, [&options](const conformance::TestCase& each) {
+    return !conformance::is_selected(each, options.only);
+  });
+  if (cases.empty()) throw_no_case(options.only);
   if (!options.json.empty()) {
     write_text(options.json, conformance::list_json(cases));
     return exit_done;
@@ -178,6 +196,7 @@ int check_device(const CheckVerbOptions& options) {
   std::optional<formats::DataSheet> sheet;
   formats::Findings findings;
   if (!options.sheet.empty()) sheet = read_sheet_file(options.sheet, findings);
+  refuse_unwritable(options);
   BusLine bus(options.ask.bus);
   std::optional<CheckHands> hands;
   if (!options.hands.empty()) {
@@ -209,12 +228,11 @@ int check_device(const CheckVerbOptions& options) {
   if (!report.has_answered) {
     throw Failure(
         fmt::format("node {} on {}: no answer to an SDO request; is the node on it, with "
-                    "power and this node-ID?",
-                    unsigned{node}, options.ask.bus));
+                    "power and this node-ID, and not stopped (canvoy nmt {} {} pre-operational)?",
+                    unsigned{node}, options.ask.bus, options.ask.bus, unsigned{node}));
   }
   if (report.results.empty() && report.is_whole) {
-    throw UsageError(
-        fmt::format("--only {}: no case begins so; see canvoy check --list", options.only));
+    throw_no_case(options.only);
   }
   fmt::print("{}", conformance::summary_text(head, report));
   write_text(options.json, conformance::report_json(head, report));
