@@ -10,7 +10,7 @@ CASES ?= 20000
 SETS ?= 1000
 SEED ?= 1
 
-.PHONY: build dist release-check demo docs playground test check test-all tidy bench bench-page fuzz api fit properties response-times sabotage mutate mutate-all format install clean
+.PHONY: build coverage dist release-check demo docs playground test check test-all tidy bench bench-page fuzz api fit properties response-times sabotage mutate mutate-all format install clean
 
 # The command, at build/canvoy.
 build:
@@ -59,6 +59,12 @@ tidy:
 	@scripts/install-packages test
 	@cmake --preset release --log-level=WARNING
 	@tests/style/clang_tidy build/compile_commands.json --record $(SECONDS)
+
+# What the unit tests reach: lines, branches and MC/DC of each room, as docs/evidence.md has it.
+coverage:
+	@scripts/install-packages coverage
+	@scripts/coverage --jobs $(JOBS)
+	@scripts/evidence --take
 
 bench:
 	@scripts/install-packages bench
