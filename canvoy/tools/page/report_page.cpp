@@ -29,7 +29,7 @@ constexpr std::size_t curves_max = 12;
 constexpr std::size_t curve_points_min = 4;
 constexpr std::size_t values_told_max = 1000;
 /// Below it are communication parameters (CiA 301, 7.4.1).
-constexpr std::string_view first_own_index = "2000";
+constexpr std::string_view first_own_text = "2000";
 
 bool is_grave(std::string_view event_line) {
   constexpr std::array names = {R"("event":"fault-)",     R"("event":"broken")",
@@ -162,7 +162,7 @@ class ReportMaker {
   Json curves() const {
     std::vector<std::pair<std::string_view, const Curve*>> best;
     for (const auto& [key, curve] : curves_) {
-      const bool is_own = curve.last["values"][0].value("index", "") >= first_own_index;
+      const bool is_own = curve.last["values"][0].value("index", "") >= first_own_text;
       if (is_own && curve.points.size() >= curve_points_min) best.emplace_back(key, &curve);
     }
     std::ranges::stable_sort(best, std::ranges::greater{}, [](const auto& each) {

@@ -15,7 +15,7 @@ namespace canvoy::tools {
 
 namespace {
 
-constexpr Duration look_period = 50ms;
+constexpr Duration due_period = 50ms;
 
 /// From $CANVOY_WEB_TOKEN, for programs that need it in advance; empty: a random one.
 std::string chosen_token() {
@@ -53,7 +53,7 @@ class Server {
 
  private:
   void look_later() {
-    loop_.at(loop_.now() + look_period, [this](Time) { look(); });
+    loop_.at(loop_.now() + due_period, [this](Time) { look(); });
   }
   void look() {
     try {
