@@ -341,13 +341,14 @@ test("a log opens with what matters: who is silent, what could not be read, its 
     await event(page, /node 5.*: no heartbeat any more/).waitFor();
     await page.locator(".trends", { hasText: "The whole log" }).locator("path.line").waitFor();
     await page.locator(".tiles li.bad", { hasText: /node 5.*silent/s }).waitFor();
-    await page.locator(".main-values dd", { hasText: "21 °C" }).first().waitFor();
+    await page.locator(".main-values dd", { hasText: "21.000 °C" }).first().waitFor();
     await page.locator(".main-values, .tiles").first().waitFor();
   });
 });
 
 test("a value of a log is drawn from the log's beginning, though it is pinned at the end", async () => {
   await shown(["view", minute_log(), "--node", "10=418"], async (page, server) => {
+    await page.locator(".main-values dd", { hasText: "21.000 °C" }).first().waitFor();
     const past = await (await ask(server, "/api/networks/can0/nodes/10/objects/6010:00/history")).json();
     assert.deepEqual(past, { times: [1_700_000_000.1, 1_700_000_030.1], values: [20, 21] });
     await view(page, "Objects");
