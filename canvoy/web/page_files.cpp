@@ -24,6 +24,7 @@ CANVOY_PAGE_FILE(canvoy_page_style, "page.css")
 CANVOY_PAGE_FILE(canvoy_page_icon, "icon.svg")
 CANVOY_PAGE_FILE(canvoy_report_html, "report.html")
 CANVOY_PAGE_FILE(canvoy_report_script, "report.js")
+CANVOY_PAGE_FILE(canvoy_report_style, "report.css")
 
 #undef CANVOY_PAGE_FILE
 
@@ -89,7 +90,7 @@ std::string compressed(std::string_view text) {
 
 ReportFiles report_files() {
   return {.page = between(canvoy_report_html, canvoy_report_html_end),
-          .style = between(canvoy_page_style, canvoy_page_style_end),
+          .style = between(canvoy_report_style, canvoy_report_style_end),
           .script = between(canvoy_report_script, canvoy_report_script_end)};
 }
 

@@ -25,7 +25,7 @@ const PageFile* find_page_file(std::string_view path);
 /// The files of a report: `page` has marks for the others, and for the content.
 struct ReportFiles {
   std::string_view page;    ///< with /*style*/, <!--report--> and <!--pictures-->
-  std::string_view style;   ///< style of the live page
+  std::string_view style;   ///< rules of the live page's style for what a report shows
   std::string_view script;  ///< draws images from the element `data` in the element `picture`
 };
 ReportFiles report_files();
