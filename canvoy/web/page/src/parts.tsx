@@ -40,6 +40,12 @@ export function number_text(value: number): string {
   return value.toLocaleString("en", { maximumFractionDigits: size >= 100 ? 1 : size >= 1 ? 2 : 3 });
 }
 
+/** A tick of an axis, with the digits that tell it from the next one. */
+export function tick_text(value: number, step: number): string {
+  const digits = Math.min(12, Math.max(0, -Math.floor(Math.log10(step) + 1e-9)));
+  return value.toLocaleString("en", { minimumFractionDigits: digits, maximumFractionDigits: digits });
+}
+
 export function value_text(value: unknown): string {
   if (value === null || value === undefined) return "–";
   if (typeof value === "number") return number_text(value);

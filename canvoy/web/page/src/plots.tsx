@@ -4,7 +4,7 @@ import type uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import { part, refine } from "./address";
 import { live, pin, useLive, type Sample } from "./live";
-import { Card, day_text, measure_text, number_text, owner_name, save, time_text } from "./parts";
+import { Card, day_text, measure_text, owner_name, save, tick_text, time_text } from "./parts";
 import { texts } from "./texts";
 import { emergency_times, fault_spans } from "./trends";
 
@@ -27,6 +27,13 @@ function data_of(key: string, now: number): uPlot.AlignedData {
   const samples = live.samples.get(key) ?? [];
   const xs = samples.map(([time]) => time);
   const ys = samples.map(([, value]) => (typeof value === "number" ? value : null));  // a name: it had no number then
+  // What lies before the shown time is not drawn: the value that was there at its begin is.
+  const [begin] = shown_span();
+  const next = xs.findIndex((time) => time > begin);
+  if (next > 0 && xs[next - 1] < begin) {
+    xs.splice(next, 0, begin);
+    ys.splice(next, 0, ys[next - 1]);
+  }
   if (samples.length && now > xs[xs.length - 1]) {
     xs.push(now);
     ys.push(ys[ys.length - 1]);
@@ -92,7 +99,7 @@ function Curve(props: { name: string; unit: string }) {
         scales: { x: { time: false } },
         axes: [
           { ...axis, incrs: steps, space: 90, values: (_: uPlot, splits: number[], __: number, ___: number, step: number) => splits.map((time) => time_text(time, step_digits(step))) },
-          { ...axis, values: (_: uPlot, splits: number[]) => splits.map(number_text), size: (_: uPlot, values: string[] | null) => 24 + 7 * Math.max(3, ...(values ?? []).map((each) => each.length)) },
+          { ...axis, values: (_: uPlot, splits: number[], __: number, ___: number, step: number) => splits.map((value) => tick_text(value, step)), size: (_: uPlot, values: string[] | null) => 24 + 7 * Math.max(3, ...(values ?? []).map((each) => each.length)) },
         ],
         series: [
           { label: texts.time, value: (_: uPlot, time: number | null) => (time === null ? "–" : time_text(time, 1)) },
@@ -104,6 +111,7 @@ function Curve(props: { name: string; unit: string }) {
             if (u.select.width === 0) return;
             zoomed.current = true;
             refine({ zoom: [u.select.left, u.select.left + u.select.width].map((x) => u.posToVal(x, "x").toFixed(3)).join(" ") });
+            queueMicrotask(() => u.setData(data_of(props.name, live.state.time), false));
           }],
         },
       },
