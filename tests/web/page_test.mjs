@@ -280,7 +280,7 @@ test("a plot is zoomed by dragging, and is whole again by a double click", async
     /** The time under the pointer at the left end, which the legend says. */
     const begin = async () => {
       await page.mouse.move(...await at(0.5));
-      await page.mouse.move(...await at(0.002));
+      await page.mouse.move(...await at(0.0005));
       await page.waitForFunction(() => /^\d+:\d\d\.\d$/.test(document.querySelector(".u-legend .u-value").innerText));
       const [minutes, seconds] = (await page.locator(".u-legend .u-value").first().innerText()).split(":").map(Number);
       return 60 * minutes + seconds;

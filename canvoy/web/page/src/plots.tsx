@@ -23,12 +23,11 @@ const plot_library = () => (library ??= new Promise((resolve, reject) => {
 }));
 
 /** Samples of a value that is constant until it changes, up to the present. */
-function data_of(key: string, now: number): uPlot.AlignedData {
+function data_of(key: string, now: number, begin = shown_span()[0]): uPlot.AlignedData {
   const samples = live.samples.get(key) ?? [];
   const xs = samples.map(([time]) => time);
   const ys = samples.map(([, value]) => (typeof value === "number" ? value : null));  // a name: it had no number then
   // What lies before the shown time is not drawn: the value that was there at its begin is.
-  const [begin] = shown_span();
   const next = xs.findIndex((time) => time > begin);
   if (next > 0 && xs[next - 1] < begin) {
     xs.splice(next, 0, begin);
@@ -110,8 +109,9 @@ function Curve(props: { name: string; unit: string }) {
           setSelect: [(u) => {
             if (u.select.width === 0) return;
             zoomed.current = true;
-            refine({ zoom: [u.select.left, u.select.left + u.select.width].map((x) => u.posToVal(x, "x").toFixed(3)).join(" ") });
-            queueMicrotask(() => u.setData(data_of(props.name, live.state.time), false));
+            const [begin, end] = [u.select.left, u.select.left + u.select.width].map((x) => u.posToVal(x, "x"));
+            refine({ zoom: `${begin.toFixed(3)} ${end.toFixed(3)}` });
+            queueMicrotask(() => u.setData(data_of(props.name, live.state.time, begin), false));
           }],
         },
       },
