@@ -91,10 +91,13 @@ export function seek(time: number, also: Partial<Record<Part, string>> = {}) {
   void go_to(time);
 }
 
+/** An event may be shown before the state of its time has come: a link is of what is shown. */
+const time_shown = () => Math.max(time_now(), (live.events.at(-1)?.time ?? 0) - (live.hello.begin ?? 0));
+
 /** A link to the shown view for others, with an address at which they reach the server. */
 export function link_text(): string {
   const addresses: string[] = live.hello.addresses ?? [];
   const own = addresses.find((each) => new URL(each).host === location.host);
   const base = own ?? addresses[0] ?? `${location.origin}${location.pathname}${location.search}`;
-  return base + link_hash(live.hello.can?.replay ? at_text(time_now()) : undefined);
+  return base + link_hash(live.hello.can?.replay ? at_text(time_shown()) : undefined);
 }
