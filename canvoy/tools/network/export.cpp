@@ -13,6 +13,7 @@
 #include "canvoy/formats/signals/signal_html.hpp"
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/text/signal_table_maker.hpp"
+#include "canvoy/text/text.hpp"
 #include "canvoy/tools/argument/duration_argument.hpp"
 #include "canvoy/tools/argument/node_argument.hpp"
 #include "canvoy/tools/cli/commands.hpp"
