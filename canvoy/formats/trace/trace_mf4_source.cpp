@@ -25,8 +25,7 @@ std::uint64_t little_endian(std::string_view bytes) {
 }  // namespace
 
 Mf4Source::Mf4Source(Mf4File& file, const Mf4Block& block, const Mf4Start& start)
-    : file_(&file),
-      start_(start),
+    : start_(start),
       id_size_(static_cast<unsigned>(file.number(block, 0, 1))),
       groups_(read_mf4_groups(file, block)),
       data_(file, file.link(block, 2), !start.is_finished) {

@@ -83,7 +83,6 @@ class Mf4Source {
 
   static constexpr std::size_t latest_max = 256;
 
-  Mf4File* file_;
   Mf4Start start_;
   unsigned id_size_;
   std::vector<Mf4Group> groups_;
