@@ -4,6 +4,7 @@
 
 #include "canvoy/profiles/cia302.hpp"
 #include "canvoy/profiles/registry.hpp"
+#include "canvoy/tools/cli/spelling.hpp"
 
 namespace canvoy::tools {
 
@@ -45,7 +46,7 @@ std::string plain_name(std::string_view name) {
       while (made.ends_with(' ')) made.pop_back();
       made += ", ";
     } else if (!is_blank) {
-      made += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+      made += in_lower_case(c);
     } else if (!made.empty() && !made.ends_with(' ')) {
       made += ' ';
     }

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "canvoy/tools/cli/spelling.hpp"
+
 namespace canvoy::tools {
 
 namespace {
@@ -96,14 +98,10 @@ Measure measure_of(Unit unit) {
   return {unit, Dimension::other, 1};
 }
 
-char lower_letter(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 bool is_same_but_for_case(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (lower_letter(a[i]) != lower_letter(b[i])) return false;
+    if (in_lower_case(a[i]) != in_lower_case(b[i])) return false;
   }
   return true;
 }

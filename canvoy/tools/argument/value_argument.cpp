@@ -355,7 +355,7 @@ std::optional<DataType> parse_type(std::string_view text) {
       {{"unsigned", "u"}, {"uint", "u"}, {"integer", "i"}, {"int", "i"}, {"real", "r"}});
   std::string plain;
   for (const char c : text.substr(0, text.ends_with("_t") ? text.size() - 2 : text.size())) {
-    if (c != '_') plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    if (c != '_') plain += in_lower_case(c);
   }
   for (const auto& [kind, letter] : kinds) {
     if (plain.starts_with(kind)) plain.replace(0, kind.size(), letter);

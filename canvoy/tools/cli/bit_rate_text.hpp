@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "canvoy/can/real_text.hpp"
+#include "canvoy/tools/cli/spelling.hpp"
 
 namespace canvoy::tools {
 
@@ -45,7 +46,7 @@ inline std::optional<std::uint32_t> parse_bit_rate(std::string_view text) {
   if (error != std::errc{} || !(number > 0)) return std::nullopt;
   std::string unit;
   for (const char c : std::string_view(last, static_cast<std::size_t>(end - last))) {
-    if (c != ' ') unit += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    if (c != ' ') unit += in_lower_case(c);
   }
   double bits = 0;
   if (unit.empty() && number <= kilobits_max) bits = number * 1e3;

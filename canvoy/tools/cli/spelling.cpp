@@ -12,10 +12,6 @@ namespace {
 /// No real name is longer, and the cost grows with the square of the length.
 constexpr std::size_t word_length_max = 80;
 
-char in_lower_case(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 bool is_same_letter(char a, char b) {
   return in_lower_case(a) == in_lower_case(b);
 }

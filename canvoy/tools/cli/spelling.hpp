@@ -9,6 +9,11 @@
 
 namespace canvoy::tools {
 
+/// A letter of A to Z as a small one, whatever the locale; anything else as it is.
+constexpr char in_lower_case(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
 /// Number of letters to insert, delete, replace or swap with a neighbour to turn one word into the
 /// other, ignoring case. Cost: product of the lengths.
 std::size_t distance(std::string_view a, std::string_view b);

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "canvoy/sim/duration_text.hpp"
+#include "canvoy/tools/cli/spelling.hpp"
 
 namespace canvoy::tools {
 
@@ -78,7 +79,7 @@ std::string plain_option(std::string_view word) {
   std::string plain;
   for (const char c : word) {
     if (c == '-' || c == '_') continue;
-    plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    plain += in_lower_case(c);
   }
   return plain;
 }
