@@ -5,6 +5,7 @@
 
 import json
 import os
+import re
 import subprocess
 import unittest
 
@@ -40,3 +41,8 @@ class CommandTest(unittest.TestCase):
         """Exit status 0, and no complaint."""
         self.assertEqual((result.stderr, result.returncode), ("", DONE))
         return result.stdout
+
+    def worlds(self):
+        """The worlds that the help of `run` lists below its subcommands."""
+        listed = self.assert_done(run("run", "--help")).partition("Subcommands:")[2].partition("\n\n")[0]
+        return re.findall(r"^  ([a-z-]+) ", listed, re.MULTILINE)

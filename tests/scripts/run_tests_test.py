@@ -101,6 +101,29 @@ class RunTests(unittest.TestCase):
     def test_a_run_without_tests_has_failed(self):
         self.assertEqual(run_tests.judge("style", [], True), (0, ["style: no test was run"], []))
 
+    def run_changed(self, build, again):
+        """What ctest is asked, where it then says `again`; canopen and formats have programs in `build`."""
+        plan = run_tests.Plan(
+            run_tests.Build("check"), (run_tests.Run("check", "check", ("-R", "part_")),), once=("canopen", "formats"))
+        cases = [xml.fromstring(f'<testcase name="{name}" status="{status}"/>') for name, status in again]
+        with unittest.mock.patch.object(run_tests, "run_ctest", return_value=cases) as run_ctest:
+            with unittest.mock.patch.object(run_tests.presets, "build_folder", return_value=build):
+                run_tests.run_changed(None, plan)
+        return run_ctest.call_args.args[1].arguments
+
+    def test_a_program_that_passed_as_it_is_is_not_run_again(self):
+        with tempfile.TemporaryDirectory() as folder:
+            build = pathlib.Path(folder)
+            for name in ("canopen", "formats"):
+                (build / "folders" / name).mkdir(parents=True)
+                (build / "folders" / name / f"canvoy_{name}_test").write_text("1")
+            failed = [("canopen.A.b", "fail"), ("canopen.A.c", "run"), ("formats.A.b", "run")]
+            self.assertEqual(self.run_changed(build, failed), ("-R", "part_"))
+            self.assertEqual(self.run_changed(build, [("canopen.A.b", "run")]), ("-R", "part_", "-E", r"^(formats)\.part_"))
+            self.assertEqual(self.run_changed(build, []), ("-R", "part_", "-E", r"^(canopen|formats)\.part_"))
+            (build / "folders/formats/canvoy_formats_test").write_text("2")
+            self.assertEqual(self.run_changed(build, []), ("-R", "part_", "-E", r"^(canopen)\.part_"))
+
 
 if __name__ == "__main__":
     unittest.main()
