@@ -1,42 +1,60 @@
-"""Unit test programs that are what they were when they passed: they would pass again.
+"""Unit test programs and fuzz targets that are what they were when they passed: they would pass again.
 
     passed = PassedPrograms(presets.ROOT, presets.build_folder("check"), ("canopen", "formats"))
     passed.unchanged        # ["formats"]
     passed.note({"canopen": True})
+
+A program is named as its tests are for ctest: `canopen` of canopen.part_0, `fuzz.filter_fuzz`.
 """
 
 import hashlib
 import json
 
-# What the tests of a library read, beside what is compiled into them.
+# What a program reads, beside what is compiled into it.
 DATA = {"profiles": "canvoy/profiles/clauses", "formats": "tests/sheets"}
+FUZZ = "fuzz."
 
 
-def content_of(program, data):
-    """A hash of a program and the files of the folders that it reads."""
-    files = [program, *(path for folder in data for path in sorted(folder.rglob("*")) if path.is_file())]
+def program_of(test):
+    """The program of a test of ctest."""
+    return test if test.startswith(FUZZ) else test.partition(".")[0]
+
+
+def files_of(root, build, name):
+    """The program, and all that it reads; none where it is not built."""
+    if name.startswith(FUZZ):
+        target = name.removeprefix(FUZZ)
+        programs, data = [build / target], f"fuzz/corpus/{target}"
+    else:
+        file = f"canvoy_{name}_test"
+        programs, data = [*build.glob(f"folders/*/{file}"), *build.glob(f"folders/*/*/{file}")], DATA.get(name)
+    programs = [path for path in programs if path.is_file()]
+    return programs + (sorted(path for path in (root / data).rglob("*") if path.is_file()) if programs and data else [])
+
+
+def content_of(files):
+    """A hash of files; none of no files."""
+    if not files:
+        return None
     return hashlib.sha256(b"".join(hashlib.sha256(path.read_bytes()).digest() for path in files)).hexdigest()
 
 
 class PassedPrograms:
-    """Kept in passed.json of the build folder, by library: the content that has passed."""
+    """Kept in passed.json of the build folder, by program: the content that has passed."""
 
-    def __init__(self, root, build, libraries):
+    def __init__(self, root, build, programs):
         self.path = build / "passed.json"
         self.passed = json.loads(self.path.read_text()) if self.path.exists() else {}
-        self.now = {
-            name: content_of(build / "folders" / name / f"canvoy_{name}_test", [root / DATA[name]] if name in DATA else [])
-            for name in libraries
-        }
+        self.now = {name: content_of(files_of(root, build, name)) for name in programs}
 
     @property
     def unchanged(self):
-        return [name for name, content in self.now.items() if self.passed.get(name) == content]
+        return [name for name, content in self.now.items() if content and self.passed.get(name) == content]
 
     def note(self, have_passed):
-        """Keeps or forgets the libraries whose tests were run."""
+        """Keeps or forgets the programs whose tests were run."""
         for name, has_passed in have_passed.items():
             self.passed.pop(name, None)
-            if has_passed:
+            if has_passed and self.now[name]:
                 self.passed[name] = self.now[name]
         self.path.write_text(json.dumps(self.passed))

@@ -37,13 +37,13 @@ class RunTests(unittest.TestCase):
         return run_tests.judge("release", list(REPORT.iter("testcase")), may_skip)
 
     def test_a_skipped_test_is_told_with_its_reason(self):
-        passed, failed, skipped = self.judge(may_skip=True)
+        passed, failed, skipped, _ = self.judge(may_skip=True)
         self.assertEqual(passed, 1)
         self.assertEqual(failed, ["release: bad\n    1\n    2 is not 3", "release: absent"])
         self.assertEqual(skipped, ["release: left out: skipped: node is missing"])
 
     def test_on_the_machine_that_decides_it_has_failed(self):
-        passed, failed, skipped = self.judge(may_skip=False)
+        passed, failed, skipped, _ = self.judge(may_skip=False)
         self.assertEqual((passed, skipped), (1, []))
         self.assertIn("release: left out: skipped: skipped: node is missing", failed)
 
@@ -55,7 +55,7 @@ class RunTests(unittest.TestCase):
             return run_tests.cases_of_parts([case], pathlib.Path(folder))
 
     def test_a_part_of_a_program_is_counted_by_its_own_tests(self):
-        passed, failed, skipped = run_tests.judge("sanitizers", self.cases_of_part("fail", PART), may_skip=True)
+        passed, failed, skipped, _ = run_tests.judge("sanitizers", self.cases_of_part("fail", PART), may_skip=True)
         self.assertEqual(passed, 1)
         self.assertEqual(failed, ["sanitizers: can.A.c\n    x"])
         self.assertEqual(skipped, ["sanitizers: can.A.b: no vcan"])
@@ -99,30 +99,44 @@ class RunTests(unittest.TestCase):
             self.assertEqual(run_tests.install_and_build(run_tests.PLANS["test"], cost), "release does not build")
 
     def test_a_run_without_tests_has_failed(self):
-        self.assertEqual(run_tests.judge("style", [], True), (0, ["style: no test was run"], []))
+        self.assertEqual(run_tests.judge("style", [], True), (0, ["style: no test was run"], [], []))
 
-    def run_changed(self, build, again):
-        """What ctest is asked, where it then says `again`; canopen and formats have programs in `build`."""
-        plan = run_tests.Plan(
-            run_tests.Build("check"), (run_tests.Run("check", "check", ("-R", "part_")),), once=("canopen", "formats"))
+    def run_changed(self, build, *again):
+        """What ctest is asked of canopen and formats, which have programs in `build`, where it then says `again`."""
+        run = run_tests.Run("check", "check", ("-R", "part_"), once=("canopen", "formats"))
         cases = [xml.fromstring(f'<testcase name="{name}" status="{status}"/>') for name, status in again]
         with unittest.mock.patch.object(run_tests, "run_ctest", return_value=cases) as run_ctest:
             with unittest.mock.patch.object(run_tests.presets, "build_folder", return_value=build):
-                run_tests.run_changed(None, plan)
+                run_tests.run_changed(None, run)
         return run_ctest.call_args.args[1].arguments
 
     def test_a_program_that_passed_as_it_is_is_not_run_again(self):
-        with tempfile.TemporaryDirectory() as folder:
+        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch.dict(run_tests.os.environ, CI=""):
             build = pathlib.Path(folder)
             for name in ("canopen", "formats"):
                 (build / "folders" / name).mkdir(parents=True)
                 (build / "folders" / name / f"canvoy_{name}_test").write_text("1")
-            failed = [("canopen.A.b", "fail"), ("canopen.A.c", "run"), ("formats.A.b", "run")]
-            self.assertEqual(self.run_changed(build, failed), ("-R", "part_"))
-            self.assertEqual(self.run_changed(build, [("canopen.A.b", "run")]), ("-R", "part_", "-E", r"^(formats)\.part_"))
-            self.assertEqual(self.run_changed(build, []), ("-R", "part_", "-E", r"^(canopen|formats)\.part_"))
+            everything = ("-R", "part_")
+            failed = (("canopen.A.b", "fail"), ("canopen.A.c", "run"), ("formats.A.b", "run"))
+            self.assertEqual(self.run_changed(build, *failed), everything)
+            self.assertEqual(self.run_changed(build, ("canopen.A.b", "run")), (*everything, "-E", r"^(formats)(\.|$)"))
+            self.assertEqual(self.run_changed(build), (*everything, "-E", r"^(canopen|formats)(\.|$)"))
             (build / "folders/formats/canvoy_formats_test").write_text("2")
-            self.assertEqual(self.run_changed(build, []), ("-R", "part_", "-E", r"^(canopen)\.part_"))
+            self.assertEqual(self.run_changed(build), (*everything, "-E", r"^(canopen)(\.|$)"))
+            with unittest.mock.patch.dict(run_tests.os.environ, CI="true"):
+                self.assertEqual(self.run_changed(build), everything)
+
+    def test_what_a_program_reads_is_part_of_it(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = build = pathlib.Path(folder)
+            for path in ("filter_fuzz", "fuzz/corpus/filter_fuzz/a", "folders/can/host/canvoy_host_test"):
+                (root / path).parent.mkdir(parents=True, exist_ok=True)
+                (root / path).write_text("1")
+            programs = ("fuzz.filter_fuzz", "host", "gtfs")
+            run_tests.PassedPrograms(root, build, programs).note({"fuzz.filter_fuzz": True, "host": True, "gtfs": True})
+            self.assertEqual(run_tests.PassedPrograms(root, build, programs).unchanged, ["fuzz.filter_fuzz", "host"])
+            (root / "fuzz/corpus/filter_fuzz/b").write_text("1")
+            self.assertEqual(run_tests.PassedPrograms(root, build, programs).unchanged, ["host"])
 
 
 if __name__ == "__main__":
