@@ -8,6 +8,8 @@ include(GoogleTest)
 # Tests take longer to be compiled than to run. The sanitizers' builds are of type Debug. Where a build of another type
 # optimises them, g++ takes a test's own operator new for the library's.
 set(canvoy_test_options $<$<CONFIG:Release,Debug>:-O0> -Wno-mismatched-new-delete)
+# g++ takes a designated initialiser for an incomplete one, and an `if` in front of GoogleTest's for an ambiguous one.
+list(APPEND canvoy_test_options -Wno-missing-field-initializers -Wno-dangling-else)
 # What a test does itself is not what is tested: its memory is watched, its arithmetic is not, and a failure names its line
 # without the debugger's help. That halves the time that clang takes for it.
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=address,undefined")

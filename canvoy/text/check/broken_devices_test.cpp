@@ -457,7 +457,7 @@ TEST(BrokenDevices, ThatDieAreToldByTheCaseThatKilledThem) {
   CheckedDevice device(broken_kind());
   bool is_dead = false;
   device.to_device = [&](Frame& frame) {
-    is_dead = is_dead || (frame.id == can_id::sdo_request + device.node() &&
+    is_dead = is_dead || (frame.id == can_id::sdo_request + std::uint32_t{device.node()} &&
                           frame.data[0] == 0x40 && index_of(frame) == 0x0FFF);
     return !is_dead;
   };

@@ -63,8 +63,8 @@ template <class Kind, class Try>
 std::size_t each_fault(unsigned first, std::string_view when, const Try& attempt) {
   const auto kinds = fault_grammar<Kind>().kinds;
   std::size_t count = 0;
-  for (std::size_t i = tries_all() ? 0 : first; i < kinds.size();
-       i += tries_all() ? 1 : 3, ++count) {
+  const std::size_t step = tries_all() ? 1 : 3;
+  for (std::size_t i = tries_all() ? 0 : first; i < kinds.size(); i += step, ++count) {
     const std::string text = std::string(kinds[i].name) + std::string(when);
     attempt(*parse_fault<Kind>(text).fault, text);
   }

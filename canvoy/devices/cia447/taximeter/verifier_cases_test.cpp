@@ -310,8 +310,9 @@ class Play {
     const unsigned size = words.size() > 4 ? number(words[4]) : 4;
     char request[32];
     std::snprintf(request, sizeof request, "%02X %02X %02X %02X %02X %02X %02X %02X",
-                  0x23 | (4 - size) << 2, index & 0xFF, index >> 8, number(words[2]), value & 0xFF,
-                  value >> 8 & 0xFF, value >> 16 & 0xFF, value >> 24);
+                  (0x23 | (4 - size) << 2) & 0xFF, index & 0xFF, index >> 8 & 0xFF,
+                  number(words[2]) & 0xFF, value & 0xFF, value >> 8 & 0xFF, value >> 16 & 0xFF,
+                  value >> 24);
     return car_->ask(request).starts_with("60");
   }
 

@@ -85,7 +85,7 @@ TEST(Behaviour, WritesNothingWhereNothingMayMove) {
   bool has_written = false;
   device.to_device = [&](Frame& frame) {
     const bool is_rpdo = frame.id >= 0x180 && frame.id < 0x580;
-    const bool is_write = frame.id == can_id::sdo_request + device.node() &&
+    const bool is_write = frame.id == can_id::sdo_request + std::uint32_t{device.node()} &&
                           (frame.data[0] & 0xE0) == 0x20 && frame.data[2] >= 0x60;
     has_written = has_written || is_rpdo || is_write;
     return true;
