@@ -4,20 +4,31 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
+#include "canvoy/can/frame.hpp"
+#include "canvoy/can/frame_bits.hpp"
 #include "canvoy/can/host/can_link.hpp"
+#include "canvoy/can/simulated/arbitration.hpp"
+#include "canvoy/formats/plain_text.hpp"
 #include "canvoy/formats/trace/trace.hpp"
+#include "canvoy/timing/arrivals.hpp"
 #include "canvoy/tools/argument/duration_argument.hpp"
 #include "canvoy/tools/cli/failure.hpp"
+#include "canvoy/tools/cli/toml_file.hpp"
 #include "canvoy/tools/cli/value_file.hpp"
-#include "canvoy/tools/load/heard_load.hpp"
 #include "canvoy/tools/load/load_result.hpp"
+#include "canvoy/tools/load/loaded_bus.hpp"
 #include "canvoy/tools/load/message_list.hpp"
-#include "canvoy/tools/load/played_load.hpp"
 #include "canvoy/tools/load/sheet_messages.hpp"
+#include "canvoy/tools/play/world.hpp"
 #include "canvoy/tools/session/log_source.hpp"
 #include "canvoy/tools/session/session.hpp"
 #include "canvoy/tools/watch/log_reader.hpp"
@@ -27,6 +38,138 @@
 namespace canvoy::tools {
 
 namespace {
+
+// Traffic of the buses during listening, by identifier.
+//
+//     HeardLoad load;
+//     load.add(time, "can0", frame);
+//     std::vector<LoadedBus> buses = load.buses(Duration{});
+
+/// What is heard in no time at all, since all its frames have the same time.
+inline constexpr Duration one_moment{1};
+
+class HeardLoad {
+ public:
+  static constexpr std::size_t buses_max = 64;
+
+  /// Adds a frame. Times of one bus must not decrease. Throws Failure if there are more than
+  /// buses_max buses, or more than messages_max identifiers on one.
+  void add(Duration time, std::string_view bus, const Frame& frame);
+  /// The buses in order of their names. `listened`: zero means the time from the first frame to the
+  /// last.
+  std::vector<LoadedBus> buses(Duration listened) const;
+
+ private:
+  struct Heard {
+    LoadedMessage message{};
+    timing::Arrivals arrivals{};
+    std::uint64_t bits = 0;
+  };
+  struct Bus {
+    std::map<std::uint32_t, Heard> by_key{};  // in order of priority
+    std::uint64_t error_frames = 0;
+  };
+  static LoadedMessage described(const Heard& heard, Duration listened);
+
+  std::map<std::string, Bus, std::less<>> buses_;
+  Duration first_{};
+  Duration last_{};
+  bool is_empty_ = true;
+};
+
+void HeardLoad::add(Duration time, std::string_view bus, const Frame& frame) {
+  if (is_empty_) first_ = last_ = time;
+  is_empty_ = false;
+  first_ = std::min(first_, time);
+  last_ = std::max(last_, time);
+  auto known = buses_.find(bus);
+  if (known == buses_.end()) known = buses_.try_emplace(std::string(bus)).first;
+  if (buses_.size() > buses_max)
+    throw Failure(fmt::format("there are more than {} buses", buses_max));
+  if (frame.is_error()) {
+    ++known->second.error_frames;
+    return;
+  }
+  auto& by_key = known->second.by_key;
+  Heard& heard = by_key[arbitration_key(frame)];
+  if (by_key.size() > messages_max) {
+    throw Failure(fmt::format("{} has more than {} identifiers, which is no network",
+                              formats::plain_text(bus), messages_max));
+  }
+  LoadedMessage& message = heard.message;
+  message.timing.id = frame.id;
+  message.timing.is_extended = frame.is_extended();
+  message.timing.is_remote = frame.is_remote();
+  message.bytes = std::max<unsigned>(message.bytes, frame.length);
+  ++message.frames;
+  heard.bits += frame_bits(frame) + intermission_bits;
+  heard.arrivals.add(Time(time));
+}
+
+LoadedMessage HeardLoad::described(const Heard& heard, Duration listened) {
+  LoadedMessage message = heard.message;
+  heard.arrivals.describe(message.timing, listened);
+  message.bits_per_second =
+      static_cast<double>(heard.bits) * 1e6 / static_cast<double>(listened.count());
+  complete(message);
+  return message;
+}
+
+std::vector<LoadedBus> HeardLoad::buses(Duration listened) const {
+  if (listened == Duration{}) listened = std::max(last_ - first_, one_moment);
+  std::vector<LoadedBus> made;
+  for (const auto& [name, bus] : buses_) {
+    LoadedBus& each = made.emplace_back();
+    each.name = formats::plain_text(name);
+    each.heard = listened;
+    each.error_frames = bus.error_frames;
+    for (const auto& [key, heard] : bus.by_key) each.messages.push_back(described(heard, listened));
+  }
+  return made;
+}
+
+// Load of the buses of a network of `canvoy run`, which is played and listened to for a time.
+//
+//     const std::vector<LoadedBus> buses = played_load(table, "lift.toml", 10s, 1min);
+
+/// Listens for `length`, starting `after` its start. Throws Failure with file and line.
+std::vector<LoadedBus> played_load(TomlTable& table, const std::string& path, Duration after,
+                                   Duration length) {
+  std::string name;
+  table.take("network", name);
+  const auto world = std::ranges::find(worlds(), name, &WorldEntry::name);
+  if (world == worlds().end()) {
+    table.refuse("network", fmt::format("'{}' is not known; there are {}", name, world_names()));
+  }
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  const HeardWorld made = world->make(table, folder);
+  PlayedNetwork& network = *made.network;
+  const std::vector<std::string> names = network.bus_names();
+  network.run_until(Time(after));
+  struct Ear {
+    HeardLoad* load;
+    std::string name;
+  };
+  HeardLoad load;
+  std::vector<Ear> ears;
+  ears.reserve(names.size());
+  for (const std::string& name : names) ears.push_back({&load, name});
+  for (BusIndex bus = 0; bus < names.size(); ++bus) {
+    network.world().bus(bus).observe(
+        {.context = &ears[bus],
+         .on_frame = [](void* context, Time now, ControllerId, const Frame& frame) {
+           const Ear& ear = *static_cast<Ear*>(context);
+           ear.load->add(now.time_since_epoch(), ear.name, frame);
+         }});
+  }
+  network.run_until(Time(after + length));
+  std::vector<LoadedBus> buses = load.buses(length);
+  for (LoadedBus& bus : buses) {
+    const auto index = static_cast<BusIndex>(std::ranges::find(names, bus.name) - names.begin());
+    bus.bit_rate = made.bit_rates.at(index);
+  }
+  return buses;
+}
 
 constexpr Duration listening = 10s;
 constexpr Duration usual_playing = 1min;

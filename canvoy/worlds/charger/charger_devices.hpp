@@ -7,19 +7,112 @@
 //     devices.plant().step();
 #pragma once
 
+#include <array>
+#include <bitset>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "canvoy/can/callback.hpp"
+#include "canvoy/can/frame.hpp"
+#include "canvoy/can/port.hpp"
+#include "canvoy/canopen/device/device_node.hpp"
+#include "canvoy/canopen/manager/sdo_manager.hpp"
+#include "canvoy/canopen/nmt/nmt_master.hpp"
 #include "canvoy/devices/cia418/battery_device.hpp"
 #include "canvoy/devices/cia419/charger_device.hpp"
+#include "canvoy/profiles/cia301.hpp"
+#include "canvoy/profiles/cia302/sdo_manager.hpp"
+#include "canvoy/profiles/model/layout.hpp"
 #include "canvoy/sim/world.hpp"
 #include "canvoy/worlds/charger/charger_options.hpp"
 #include "canvoy/worlds/charger/handshake_monitor.hpp"
-#include "canvoy/worlds/charger/lossy_port.hpp"
-#include "canvoy/worlds/charger/vehicle_manager.hpp"
 
 namespace canvoy::charger {
+
+// The CANopen manager of the vehicle with a charger and its battery: it gives SDO connections to
+// the nodes that request them (CiA 302-5; CiA 419, 6.1).
+//
+//     VehicleManager manager(world.port(slot), 1, {5, 10});
+//     world.occupy(slot, manager.node());
+
+namespace detail {
+
+/// Two connections at a time, of two COB-IDs each, and one channel for requests.
+inline constexpr unsigned vehicle_cob_ids = 6;
+inline constexpr auto vehicle_manager_device =
+    describe(cia301::device_type(0), cia301::error_register_object,
+             cia301::identity({.product_code = 302}), cia301::heartbeat_producer(1000),
+             cia301::sdo_servers(2), cia302::sdo_manager(vehicle_cob_ids, 4));
+inline constexpr auto vehicle_manager_layout = lay_out_device<vehicle_manager_device>();
+
+}  // namespace detail
+
+class VehicleManager {
+ public:
+  /// `heartbeat_time_out`: a node that is silent for longer is lost, with its connections.
+  VehicleManager(const Port& port, NodeId id, Duration heartbeat_time_out);
+  VehicleManager(const VehicleManager&) = delete;
+  VehicleManager& operator=(const VehicleManager&) = delete;
+
+  /// The node of the manager.
+  Node& node() { return device_.node(); }
+  /// Connections at present.
+  std::span<const SdoConnection> connections() const { return connections_; }
+  /// Sets the function that is called whenever a connection may have been given, or begun to end.
+  void on_change(Callback<void(Time)> changed) { manager_.on_change(changed); }
+
+ private:
+  static constexpr std::size_t routes = node_id_max + 2;
+
+  void reset(ResetScope scope);
+
+  DeviceNode<detail::vehicle_manager_layout, routes> device_;
+  std::array<NmtMaster::RemoteNode, node_id_max> remote_nodes_;
+  NmtMaster nodes_;
+  std::array<SdoConnection, 4> connections_;
+  SdoManager manager_;
+  static const ServiceHandlers service_calls;
+  HandlerBinding service_{&service_calls, this};
+};
+
+// A port on which frames of a kind can get lost: for the node they count as sent.
+//
+//     LossyPort lossy(world.port(slot));
+//     Node node(tables, memory, lossy.port(), 10);
+//     lossy.lose(0x70A, true);
+
+class LossyPort {
+ public:
+  /// Frames go to `inner`, which is copied.
+  explicit LossyPort(const Port& inner) : inner_(inner) {}
+  LossyPort(const LossyPort&) = delete;
+  LossyPort& operator=(const LossyPort&) = delete;
+
+  /// Starts or stops losing 11-bit frames with this identifier.
+  void lose(std::uint32_t can_id, bool lost) { lost_.set(can_id & Frame::id_max, lost); }
+
+  /// Port for the node; valid as long as this object.
+  Port port() {
+    return {.context = this,
+            .send = [](void* context, const Frame& frame) -> bool {
+              const LossyPort& self = *static_cast<LossyPort*>(context);
+              if (!frame.is_extended() && self.lost_.test(frame.id)) return true;
+              return self.inner_.send(self.inner_.context, frame);
+            },
+            .accept =
+                [](void* context, std::uint16_t id, bool wanted) {
+                  const LossyPort& self = *static_cast<LossyPort*>(context);
+                  if (self.inner_.accept == nullptr) return;
+                  self.inner_.accept(self.inner_.context, id, wanted);
+                }};
+  }
+
+ private:
+  Port inner_;
+  std::bitset<Frame::id_max + 1> lost_;
+};
 
 class ChargerDevices {
  public:

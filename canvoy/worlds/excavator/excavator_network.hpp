@@ -13,23 +13,111 @@
 
 #include <array>
 #include <bitset>
+#include <functional>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "canvoy/sim/bus_trouble.hpp"
 #include "canvoy/sim/bus_watch.hpp"
+#include "canvoy/sim/fault_engine.hpp"
 #include "canvoy/sim/plants/excavator.hpp"
+#include "canvoy/sim/power_cuts.hpp"
 #include "canvoy/sim/snapshot.hpp"
 #include "canvoy/worlds/excavator/excavator_devices.hpp"
 #include "canvoy/worlds/excavator/excavator_event.hpp"
-#include "canvoy/worlds/excavator/excavator_faults.hpp"
 #include "canvoy/worlds/excavator/excavator_operator.hpp"
 #include "canvoy/worlds/excavator/excavator_options.hpp"
 #include "canvoy/worlds/excavator/excavator_referees.hpp"
-#include "canvoy/worlds/excavator/trainer.hpp"
+#include "canvoy/worlds/excavator/seat_panel.hpp"
 #include "canvoy/worlds/excavator/valves_hardware.hpp"
 
 namespace canvoy::excavator {
+
+// The faults of a plan in an excavator: it makes and mends them, and reports them as events and to
+// the referees.
+//
+//     ExcavatorFaults faults(world, bus, options, devices, panel, referees, events);   // plans all
+
+class ExcavatorFaults {
+ public:
+  /// All must outlive the last run of `world`. `bus` is that of the machine.
+  ExcavatorFaults(World& world, BusIndex bus, const ExcavatorOptions& options,
+                  ExcavatorDevices& devices, SeatPanel& panel, ExcavatorReferees& referees,
+                  std::vector<ExcavatorEvent>& events);
+  ExcavatorFaults(const ExcavatorFaults&) = delete;
+  ExcavatorFaults& operator=(const ExcavatorFaults&) = delete;
+
+ private:
+  using Engine = FaultEngine<FaultKind>;
+  friend Engine;
+  void began(std::size_t fault);
+  void ended(std::size_t fault);
+  void set(std::size_t fault, bool present);
+  void power(NodeId id, bool is_on) { devices_->power(devices_->node(id), is_on); }
+  void cut_cables();
+
+  World* world_;
+  BusIndex bus_;
+  const ExcavatorOptions* options_;
+  ExcavatorDevices* devices_;
+  SeatPanel* panel_;
+  ExcavatorReferees* referees_;
+  std::vector<ExcavatorEvent>* events_;
+  BusTrouble trouble_;  ///< of the machine's bus
+  Engine faults_;
+  PowerCuts cuts_;  ///< a node-ID is on one of the two buses only
+};
+
+// A trainer on a second seat of an excavator, who takes the command over and gives it back, while
+// the operator lets go: both watch the lamps that show which seat has the command.
+//
+//     Trainer trainer(own_panel, panel_of_the_operator, driver, moved);
+//     trainer.step(now);            // each step
+//     trainer.lessons();            // lessons in which both had what they asked for
+//
+// In a lesson the trainer slews to one side; then the operator pulls a stick without the command,
+// which moves nothing; then the trainer slews back.
+
+class Trainer {
+ public:
+  /// All must outlive this object. `moved` is called when sticks or buttons of a seat have moved.
+  Trainer(SeatPanel& own, SeatPanel& panel, ExcavatorOperator& driver, std::function<void()> moved)
+      : own_(own), panel_(panel), driver_(driver), moved_(std::move(moved)) {}
+  Trainer(const Trainer&) = delete;
+  Trainer& operator=(const Trainer&) = delete;
+
+  /// Call it each ExcavatorOperator::step_time.
+  void step(Time now);
+  /// Number of lessons that went as both wanted.
+  unsigned lessons() const { return lessons_; }
+
+ private:
+  enum class Step : std::uint8_t {
+    waits,
+    comes_to_rest,  ///< the operator lets go
+    takes,          ///< with a finger on the button
+    slews,
+    looks_on,  ///< while the operator pulls a stick
+    slews_back,
+    rests,
+    gives,  ///< the operator's finger is on the button
+  };
+
+  void enter(Time now, Step step);
+  void act(Time now, Duration passed);
+  /// Holds the button for a moment, again and again, until the lamp of that seat is lit. True when
+  /// it is; false for good if it never is.
+  bool has_asked(SeatPanel& seat, std::size_t number, Duration passed);
+
+  SeatPanel& own_;
+  SeatPanel& panel_;
+  ExcavatorOperator& driver_;
+  std::function<void()> moved_;
+  Step step_ = Step::waits;
+  Time since_{};
+  unsigned lessons_ = 0;
+};
 
 /// Counts since the start of a shift.
 struct ExcavatorStatistics {

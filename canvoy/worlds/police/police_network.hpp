@@ -13,25 +13,116 @@
 // same options give the same frames at the same times.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
+#include "canvoy/sim/bus_trouble.hpp"
 #include "canvoy/sim/event_log.hpp"
+#include "canvoy/sim/fault_engine.hpp"
+#include "canvoy/sim/power_cuts.hpp"
+#include "canvoy/sim/snapshot.hpp"
 #include "canvoy/sim/told_invariants.hpp"
 #include "canvoy/sim/world.hpp"
 #include "canvoy/worlds/car/car_bus.hpp"
+#include "canvoy/worlds/police/client.hpp"
 #include "canvoy/worlds/police/crew.hpp"
 #include "canvoy/worlds/police/patrol_watch.hpp"
 #include "canvoy/worlds/police/police_car.hpp"
 #include "canvoy/worlds/police/police_event.hpp"
-#include "canvoy/worlds/police/police_faults.hpp"
+#include "canvoy/worlds/police/police_excuses.hpp"
 #include "canvoy/worlds/police/police_options.hpp"
 #include "canvoy/worlds/police/police_referee.hpp"
-#include "canvoy/worlds/police/police_snapshot.hpp"
+#include "canvoy/worlds/police/signal_devices.hpp"
+#include "canvoy/worlds/police/surroundings.hpp"
 
 namespace canvoy::police {
+
+// Makes and mends the faults of the plan in a police car, and reports what they excuse.
+//
+//     PoliceFaults faults(car, options.faults, excuses, events);
+//     faults.plan();
+//     faults.step();       // each 100 ms
+
+class PoliceFaults {
+ public:
+  /// All must outlive this object.
+  PoliceFaults(PoliceCar& car, const FaultPlan& plan, PoliceExcuses& excuses,
+               EventLog<PoliceEvent>& events);
+  PoliceFaults(const PoliceFaults&) = delete;
+  PoliceFaults& operator=(const PoliceFaults&) = delete;
+
+  /// Plans the faults; this object must outlive the world's last run.
+  void plan();
+  /// Call it in each step: a client that must lose its power loses it while it has the terminal.
+  void step();
+
+ private:
+  using Engine = FaultEngine<FaultKind>;
+  friend Engine;
+  Time now() const { return car_.bus().world().now(); }
+  void began(std::size_t fault);
+  void ended(std::size_t fault);
+  void set(std::size_t fault, bool is_present);
+  void let_client_die(bool shall_die);
+  void power(NodeId id, bool is_on) { car_.power(car_.bus().node(id), is_on); }
+
+  PoliceCar& car_;
+  PoliceExcuses& excuses_;
+  EventLog<PoliceEvent>& events_;
+  Engine faults_;
+  BusTrouble trouble_;
+  PowerCuts cuts_;
+  bool client_shall_die_ = false;
+  NodeId dead_client_ = 0;
+};
+
+// State of a police car at one instant: its bus and devices, what the crew does and wants, and what
+// is really seen, heard and read.
+//
+//     const PoliceSnapshot look = network.snapshot();
+//     if (look.is_blue) ...
+
+/// Counts since the start of a patrol.
+struct PoliceStatistics {
+  std::size_t calls = 0;     ///< calls for help
+  std::size_t attended = 0;  ///< and reported
+  Duration response_time{};  ///< sum of the times from a call to the arrival, over all attended
+                             ///< calls
+  unsigned keys = 0;         ///< keys pressed at the terminal
+  unsigned statuses = 0;     ///< status messages that the control room received
+  Duration longest_wait{};   ///< of a person at the terminal, excused or not
+};
+
+/// State of everything.
+struct PoliceSnapshot {
+  Time at{};                            ///< since the start of the run
+  BusSnapshot bus;                      ///< of the car, with its load since the start
+  std::vector<NodeSnapshot> nodes;      ///< in the order of their node-IDs
+  std::vector<std::string_view> names;  ///< of the nodes
+
+  Activity crew = Activity::off_duty;  ///< what the crew does
+  Wish wish;                           ///< what the crew wants
+  bool is_asleep = false;              ///< all devices sleep
+  PoliceStatistics statistics;         ///< counts up to now
+
+  // true state
+  Surroundings around;                         ///< heard and read
+  std::array<bool, beacon_count> beacons{};    ///< that give light at this instant
+  std::array<bool, flasher_count> flashers{};  ///< that give light at this instant
+  bool is_blue = false;                        ///< true while it flashes
+  bool has_work_light = false;                 ///< search lamp and alley lights
+  std::optional<Client> client{};              ///< client on display 1
+  bool crew_speaks = false;                    ///< a person in the car speaks to the radio
+  bool crew_is_heard = false;                  ///< in the control room
+  bool room_speaks = false;                    ///< a person in the control room speaks
+  bool room_is_heard = false;                  ///< in the car
+  double metres = 0;                           ///< m driven since the start
+  double speed = 0;                            ///< m/s
+};
 
 class PoliceNetwork {
  public:

@@ -8,23 +8,126 @@
 //     car.sign().is_vacant()
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "canvoy/devices/cia447/driver_identification/driver_identification_unit.hpp"
 #include "canvoy/devices/cia447/gps/gps_unit.hpp"
+#include "canvoy/devices/cia447/printer/printer_paper.hpp"
 #include "canvoy/devices/cia447/printer/printer_unit.hpp"
 #include "canvoy/devices/cia447/real_time_clock/real_time_clock_unit.hpp"
+#include "canvoy/devices/cia447/tariff_display/tariff_display_unit.hpp"
 #include "canvoy/devices/cia447/taxi_alarm/taxi_alarm_unit.hpp"
 #include "canvoy/worlds/car/drive.hpp"
 #include "canvoy/worlds/taxi/alarm_control.hpp"
-#include "canvoy/worlds/taxi/paper_text.hpp"
-#include "canvoy/worlds/taxi/roof_sign.hpp"
 #include "canvoy/worlds/taxi/route_guidance.hpp"
 #include "canvoy/worlds/taxi/taxi_meter.hpp"
+#include "canvoy/worlds/taxi/taxi_options.hpp"
 #include "canvoy/worlds/taxi/terminal_screens.hpp"
 #include "canvoy/worlds/taxi/town_clock.hpp"
 
 namespace canvoy::taxi {
+
+// The lamps of the sign on the roof of a taxi, as the tariff display drives them: what people at
+// the road see (CiA 447-3, 4.2.16.4).
+//
+//     RoofSign sign(sabotage);
+//     environment.provide(Callback<cia447::TariffDisplayHardware()>::to<&RoofSign::hardware>(sign));
+//     if (sign.is_vacant()) ...
+
+class RoofSign {
+ public:
+  /// State of each lamp, from lamp 1 on.
+  using Lamps = std::array<cia447::Lamp, cia447::tariff_lamps_max>;
+
+  /// `sabotage` must outlive this object.
+  explicit RoofSign(const Sabotage& sabotage) : sabotage_(sabotage) {}
+  RoofSign(const RoofSign&) = delete;
+  RoofSign& operator=(const RoofSign&) = delete;
+
+  /// The result must not outlive this object.
+  cia447::TariffDisplayHardware hardware() {
+    return {.drive = Callback<void(unsigned, cia447::Lamp)>::to<&RoofSign::drive>(*this)};
+  }
+  /// Switches all off: call it when the display has no power.
+  void darken() {
+    lamps_.fill(cia447::Lamp::off);
+    is_vacant_ = false;
+    has_alarm_ = false;
+  }
+
+  /// What people see.
+  const Lamps& lamps() const { return lamps_; }
+  /// True while the light for a vacant taxi is on.
+  bool is_vacant() const { return is_vacant_; }
+  /// True while the emergency light blinks.
+  bool has_alarm() const { return has_alarm_; }
+
+ private:
+  void drive(unsigned lamp, cia447::Lamp wanted) {
+    constexpr unsigned vacant = 2;
+    constexpr unsigned emergency = 3;
+    if (sabotage_.cuts_sign) return;
+    if (lamp >= 1 && lamp <= lamps_.size()) lamps_[lamp - 1] = wanted;
+    if (lamp == vacant) is_vacant_ = wanted == cia447::Lamp::on;
+    if (lamp == emergency) has_alarm_ = wanted == cia447::Lamp::blinking;
+  }
+
+  const Sabotage& sabotage_;
+  Lamps lamps_{};
+  bool is_vacant_ = false;
+  bool has_alarm_ = false;
+};
+
+// Text on the paper of a printer: characters in the order of printing, line by line.
+//
+//     PaperText paper;
+//     hardware.paper = paper.paper();
+//     for (const std::string& line : paper.lines()) ...
+//     paper.copy_to(picture.paper());    // it is drawn as well
+
+class PaperText {
+ public:
+  /// The result must not outlive this object.
+  cia447::PrinterPaper paper() {
+    cia447::PrinterPaper made;
+    made.put = Callback<void(const cia447::PrintedCharacter&)>::to<&PaperText::put>(*this);
+    made.feed = Callback<void(unsigned)>::to<&PaperText::feed>(*this);
+    made.cut = Callback<void()>::to<&PaperText::cut>(*this);
+    return made;
+  }
+  /// Forwards all further output to this paper. The object that it refers to must outlive this one.
+  void copy_to(const cia447::PrinterPaper& other) { other_ = other; }
+  /// Discards the line that was begun.
+  void new_roll() { line_.clear(); }
+  /// The last lines, at most `count`, in their order.
+  std::vector<std::string> last_lines(std::size_t count) const {
+    return {lines_.end() - static_cast<std::ptrdiff_t>(std::min(count, lines_.size())),
+            lines_.end()};
+  }
+  /// Lines without the empty ones, in ASCII; other characters are question marks.
+  const std::vector<std::string>& lines() const { return lines_; }
+
+ private:
+  void put(const cia447::PrintedCharacter& printed) {
+    constexpr char32_t last_ascii = 0x7E;
+    line_ += printed.character <= last_ascii ? static_cast<char>(printed.character) : '?';
+    other_.put(printed);
+  }
+  void feed(unsigned dots) {
+    if (!line_.empty()) lines_.push_back(line_);
+    line_.clear();
+    other_.feed(dots);
+  }
+  void cut() { other_.cut(); }
+
+  cia447::PrinterPaper other_;
+  std::string line_;
+  std::vector<std::string> lines_;
+};
 
 /// Seconds since 1970-01-01 on a clock with this time.
 std::int64_t local_seconds(CivilTime time);

@@ -8,22 +8,99 @@
 //     meter.display().trip.fare
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "canvoy/canopen/storage/flash.hpp"
 #include "canvoy/devices/cia447/taximeter/meter_outputs.hpp"
 #include "canvoy/devices/cia447/taximeter/taximeter_unit.hpp"
+#include "canvoy/devices/cia447/terminal/terminal_client.hpp"
 #include "canvoy/sim/event_log.hpp"
+#include "canvoy/worlds/car/application.hpp"
 #include "canvoy/worlds/car/car_bus.hpp"
-#include "canvoy/worlds/taxi/fare_display.hpp"
-#include "canvoy/worlds/taxi/kept_flash.hpp"
 #include "canvoy/worlds/taxi/shift.hpp"
 #include "canvoy/worlds/taxi/taxi_event.hpp"
 #include "canvoy/worlds/taxi/taxi_options.hpp"
 #include "canvoy/worlds/taxi/town_clock.hpp"
 
 namespace canvoy::taxi {
+
+// Application of the taximeter of a taxi, beside its virtual device: it shows the fare on display 1
+// of the terminal while there are passengers, and otherwise gives the display back.
+
+/// Where the fare is shown, and how.
+struct FareDisplaySettings {
+  NodeId terminal = 0;             ///< node-ID of the terminal
+  cia447::Currency currency = {};  ///< of the fare
+};
+
+class FareDisplay {
+ public:
+  /// `network` must outlive this object; it acts once the node runs.
+  FareDisplay(cia447::CarNetwork& network, const car::NoHardware& hardware,
+              const FareDisplaySettings& settings);
+
+  /// Shows what the meter has on its own display.
+  void show(const cia447::TaximeterDisplay& display);
+
+ private:
+  FareDisplaySettings settings_;
+  cia447::TerminalClient terminal_;
+};
+
+/// A CarUnit beside the virtual device of the taximeter; it is not in the catalogue.
+struct FareDisplayKind : cia447::CarKind<FareDisplay, car::NoHardware, FareDisplaySettings> {
+  static constexpr DeviceInfo info = {.name = "fare-display", .title = "display of a fare"};
+  static constexpr const VirtualDeviceInfo& provides = car::no_virtual_device;
+  /// The keys of the terminal.
+  static constexpr auto consumes = cia447::terminal_keys_objects;
+};
+
+// A flash memory of a simulated device, which keeps its contents while the device has no power.
+//
+//     KeptFlash flash(2, 512);
+//     hardware.flash = &flash.flash();
+
+class KeptFlash {
+ public:
+  /// An erased memory; `sector_size` in bytes.
+  KeptFlash(std::size_t sectors, std::uint32_t sector_size) : bytes_(sectors * sector_size, 0xFF) {
+    flash_.sector_size = sector_size;
+    flash_.unit = 8;
+    flash_.erase = decltype(Flash::erase)::to<&KeptFlash::erase>(*this);
+    flash_.program = decltype(Flash::program)::to<&KeptFlash::program>(*this);
+    flash_.read = decltype(Flash::read)::to<&KeptFlash::read>(*this);
+  }
+  KeptFlash(const KeptFlash&) = delete;
+  KeptFlash& operator=(const KeptFlash&) = delete;
+
+  /// Functions for the device; valid as long as this object.
+  const Flash& flash() const { return flash_; }
+
+ private:
+  FlashState erase(std::uint32_t address) {
+    std::fill_n(at(address), flash_.sector_size, std::uint8_t{0xFF});
+    return FlashState::done;
+  }
+  FlashState program(std::uint32_t address, std::span<const std::uint8_t> bytes) {
+    std::ranges::copy(bytes, at(address));
+    return FlashState::done;
+  }
+  bool read(std::uint32_t address, std::span<std::uint8_t> bytes) {
+    std::copy_n(at(address), bytes.size(), bytes.begin());
+    return true;
+  }
+  std::vector<std::uint8_t>::iterator at(std::uint32_t address) {
+    return bytes_.begin() + static_cast<std::ptrdiff_t>(address);
+  }
+
+  std::vector<std::uint8_t> bytes_;
+  Flash flash_;
+};
 
 class TaxiMeter {
  public:

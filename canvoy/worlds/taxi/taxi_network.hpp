@@ -12,17 +12,30 @@
 // times.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include "canvoy/can/frame.hpp"
+#include "canvoy/can/time.hpp"
+#include "canvoy/canopen/node/node.hpp"
+#include "canvoy/canopen/protocol/cob_id.hpp"
+#include "canvoy/devices/cia447/kit/car_network.hpp"
+#include "canvoy/devices/cia447/tariff_display/tariff_display_unit.hpp"
+#include "canvoy/devices/cia447/taximeter/taximeter_unit.hpp"
+#include "canvoy/profiles/cia447/add_on_states.hpp"
 #include "canvoy/sim/event_log.hpp"
+#include "canvoy/sim/snapshot.hpp"
 #include "canvoy/sim/told_invariants.hpp"
 #include "canvoy/sim/world.hpp"
 #include "canvoy/worlds/car/car_bus.hpp"
 #include "canvoy/worlds/taxi/meter_watch.hpp"
-#include "canvoy/worlds/taxi/real_devices.hpp"
 #include "canvoy/worlds/taxi/real_meter.hpp"
 #include "canvoy/worlds/taxi/shift.hpp"
 #include "canvoy/worlds/taxi/taxi_car.hpp"
@@ -30,10 +43,99 @@
 #include "canvoy/worlds/taxi/taxi_faults.hpp"
 #include "canvoy/worlds/taxi/taxi_options.hpp"
 #include "canvoy/worlds/taxi/taxi_referee.hpp"
-#include "canvoy/worlds/taxi/taxi_snapshot.hpp"
+#include "canvoy/worlds/taxi/terminal_screens.hpp"
 #include "canvoy/worlds/taxi/trip_book.hpp"
 
 namespace canvoy::taxi {
+
+// Reports of the real devices of a taxi on its bus, for the hardware behind them in the simulated
+// car: a real node has the meter, the alarm key or the wheels that count.
+//
+//     RealDevices real({.meter = 2}, hands);
+//     world.occupy(slot, real);   // it hears all frames of the bus
+//
+// They are read at the pre-defined CAN-IDs of their node-IDs.
+
+class RealDevices {
+ public:
+  /// The node-IDs of real devices; 0: the device is simulated here.
+  struct Wanted {
+    NodeId gateway = 0;  ///< IVN gateway: the wheels
+    NodeId meter = 0;    ///< taximeter
+    NodeId alarm = 0;    ///< taxi alarm system
+
+    /// True if any device is real.
+    bool any() const { return gateway != 0 || meter != 0 || alarm != 0; }
+  };
+  /// Functions that receive the reports. None may be empty.
+  struct Hands {
+    /// State of the meter, 60D0h:01h.
+    std::function<void(cia447::Taximeter)> meter{};
+    /// The alarm key is pressed.
+    std::function<void()> alarm{};
+    /// Pulses of the wheels since the last call.
+    std::function<void(std::uint32_t pulses)> wheels{};
+  };
+
+  /// `pulse_counter_max` is that of CarSettings.
+  RealDevices(const Wanted& wanted, const cia447::PdoOffsets& offsets,
+              std::uint16_t pulse_counter_max, Hands hands);
+
+  // Required of a node by World. Sends nothing.
+  /// Has nothing to do.
+  void start(Time) {}
+  /// Takes a frame of the bus.
+  void receive(const Frame& frame, Time);
+  /// Has nothing to do.
+  void advance(Time) {}
+  /// There is none.
+  Time deadline() const { return never; }
+  /// Has nothing to do.
+  void bus_state(BusState, Time) {}
+  /// Has nothing to do.
+  void tx_ready(Time) {}
+  /// Has nothing to do.
+  void overrun(Time) {}
+
+ private:
+  void hear_wheels(const Frame& frame);
+
+  Hands hands_;
+  std::uint32_t meter_id_ = 0;  ///< CAN-IDs; 0: none is read
+  std::uint32_t alarm_id_ = 0;
+  std::uint32_t wheels_id_ = 0;
+  std::uint32_t counts_;  ///< of the wheel pulse counter
+  std::optional<std::uint16_t> count_;
+  bool is_pressed_ = false;
+};
+
+// State of a taxi at one instant: its bus and devices, meter, driver, lights, displays and paper,
+// and the true distance of the car.
+//
+//     const TaxiSnapshot look = network.snapshot();
+//     print(look.screens[0].text);
+
+/// State of everything.
+struct TaxiSnapshot {
+  Time at{};                            ///< since the start of the run
+  BusSnapshot bus;                      ///< of the car, with its load since the start
+  std::vector<NodeSnapshot> nodes;      ///< in the order of their node-IDs
+  std::vector<std::string_view> names;  ///< of the nodes
+
+  cia447::Taximeter meter = cia447::Taximeter::signed_off;     ///< state of the taximeter
+  cia447::TripData trip;                                       ///< as the meter shows it
+  Activity driver = Activity::off_duty;                        ///< what the driver does
+  bool is_asleep = false;                                      ///< all devices sleep
+  unsigned carried = 0;                                        ///< trips that were paid
+  double paid = 0;                                             ///< total in currency units
+  std::array<cia447::Lamp, cia447::tariff_lamps_max> lamps{};  ///< on the roof, from lamp 1 on
+  std::array<Screen, 2> screens;                               ///< of the terminal
+  std::vector<std::string> paper;                              ///< its last lines
+
+  // true values
+  double metres = 0;  ///< m driven since the start
+  double speed = 0;   ///< m/s
+};
 
 class TaxiNetwork {
  public:

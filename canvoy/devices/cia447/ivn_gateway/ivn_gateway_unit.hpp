@@ -10,16 +10,160 @@
 // the time when the node becomes operational, and are not available before (4.2.4.6).
 #pragma once
 
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
 #include "canvoy/devices/cia447/ivn_gateway/car_body_table.hpp"
-#include "canvoy/devices/cia447/ivn_gateway/car_hardware.hpp"
 #include "canvoy/devices/cia447/ivn_gateway/car_seats.hpp"
-#include "canvoy/devices/cia447/ivn_gateway/light_table.hpp"
-#include "canvoy/devices/cia447/ivn_gateway/power_train_table.hpp"
 #include "canvoy/devices/cia447/ivn_gateway/wheel_pulse_counter.hpp"
 #include "canvoy/devices/cia447/kit/car_kind.hpp"
+#include "canvoy/devices/cia447/kit/switching.hpp"
+#include "canvoy/profiles/cia447/car_handles.hpp"
 #include "canvoy/profiles/cia447/devices.hpp"
+#include "canvoy/profiles/cia447/states.hpp"
 
 namespace canvoy::cia447 {
+
+// Measured values of the car of an IVN gateway, sensed every 100 ms. States (doors, engine,
+// occupants ...) are reported to it instead, and commands go to `switched.drive`.
+//
+//     CarHardware hardware{.speed = Callback<std::optional<double>()>::to<&Taxi::speed>(taxi),
+//     ...};
+
+/// The value of a sensor; nothing: it has failed. An empty callback: the car has no such sensor,
+/// and the signal is not available.
+using Sensor = Callback<std::optional<double>()>;
+
+struct CarHardware {
+  Sensor speed = {};     ///< m/s; the sign is ignored
+  Sensor distance = {};  ///< m driven by the car, forwards and backwards; never decreases
+
+  Sensor engine_speed = {};  ///< revolutions per minute
+  /// State of engine and transmission. Without a callback, the application reports it.
+  Callback<Engine()> engine = {};
+  Callback<Gear()> gear = {};  ///< engaged gear
+
+  Sensor fuel = {};              ///< in the tank, litres
+  Sensor fuel_consumption = {};  ///< CarSettings::fuel_unit per second
+
+  Sensor steering_wheel_angle = {};  ///< degrees; positive: to the left
+  Sensor outside_temperature = {};   ///< degrees Celsius
+  Sensor inside_temperature = {};    ///< degrees Celsius
+  Sensor light_intensity = {};       ///< outside, 0 to 100 percent
+  Sensor mirror_dimming = {};        ///< 0 to 100 percent
+
+  /// 17 characters that live as long as the hardware; empty if not known.
+  Callback<std::string_view()> vin = {};
+
+  SwitchedHardware switched = {};  ///< what commands drive
+};
+
+/// Properties of the car.
+struct CarSettings {
+  unsigned pulses_per_rotation = 48;   ///< 21 to 253 (4.2.4.6, 4.2.4.8)
+  double wheel_circumference_m = 2.0;  ///< above 0
+  /// The highest count of the wheel pulse counter, followed by 0 (6056h).
+  std::uint16_t pulse_counter_max = 0xFFFF;
+  WheelSource wheel_source = WheelSource::average_rear;  ///< wheels that the pulses are of
+
+  double local_distance_m = 1000;        ///< the unit of speed and mileage: 1609.344 for miles
+  double mileage_at_start_m = 0;         ///< added to CarHardware::distance
+  double tank_minimum_l = 7;             ///< the driver is warned from this level downward
+  FuelUnit fuel_unit = FuelUnit::litre;  ///< of the tank and the consumption
+  double charging_rpm = 500;  ///< from here upward the alternator charges (terminal 61 active)
+
+  SwitchedSettings switched = {};  ///< of the functions that are switched
+};
+
+/// A parked car with its engine off.
+inline CarHardware parked_car() {
+  const auto says = [](auto sensed) { return Sensor(sensed, nullptr); };
+  CarHardware car;
+  car.speed = car.distance = car.engine_speed = car.fuel_consumption = car.steering_wheel_angle =
+      car.mirror_dimming = says([](void*) -> std::optional<double> { return 0; });
+  car.fuel = says([](void*) -> std::optional<double> { return 40; });
+  car.outside_temperature = car.inside_temperature =
+      says([](void*) -> std::optional<double> { return 15; });
+  car.light_intensity = says([](void*) -> std::optional<double> { return 50; });
+  car.vin = Callback<std::string_view()>(
+      [](void*) { return std::string_view("CANVY000000000447"); }, nullptr);
+  return car;
+}
+
+// Reactions of lights and signals of the car to commands (CiA 447-3, 4.2.3).
+
+inline constexpr const ObjectInfo* car_light_commands[] = {
+    &car_light_command_object, &car_interior_light_command_object,
+    &anti_theft_warning_system_command_object, &horn_command_object,
+    &flashing_light_command_object};
+
+inline constexpr Mirror car_light_mirrors[] = {
+    {&car_light_command_object, &car_light_status_object, 50ms},
+    {&car_interior_light_command_object, &car_interior_light_status_object, 50ms},
+    {&flashing_light_command_object, &flashing_light_status_object, 50ms}};
+
+inline constexpr Effect car_light_effects[] = {
+    // A tip of the lever causes three flashes.
+    pulse(car_light_command_tip_turn_indication_right, Order::on,
+          car_light_status_tip_turn_indication_right, Signal::on, Signal::off, 2s),
+    effect(car_light_command_tip_turn_indication_right, Order::off,
+           car_light_status_tip_turn_indication_right, Signal::off, 0ms),
+    pulse(car_light_command_tip_turn_indication_left, Order::on,
+          car_light_status_tip_turn_indication_left, Signal::on, Signal::off, 2s),
+    effect(car_light_command_tip_turn_indication_left, Order::off,
+           car_light_status_tip_turn_indication_left, Signal::off, 0ms),
+
+    // Code 1 is "pre-active" in the status and "do not trigger" in the command (errata C4).
+    effect(anti_theft_warning_system_command, AntiTheftCommand::disable,
+           anti_theft_warning_system_status, AntiTheft::disabled, 200ms),
+    effect(anti_theft_warning_system_command, AntiTheftCommand::activate,
+           anti_theft_warning_system_status, AntiTheft::pre_active, AntiTheft::active, 10s),
+    effect(anti_theft_warning_system_command, AntiTheftCommand::trigger,
+           anti_theft_warning_system_status, AntiTheft::triggered, 0ms),
+    effect_from(anti_theft_warning_system_command, AntiTheftCommand::do_not_trigger,
+                anti_theft_warning_system_status, AntiTheft::triggered, AntiTheft::active),
+
+    effect(horn_command, Order::off, horn_status, Signal::off, 50ms),
+    effect(horn_command, Order::on, horn_status, Signal::on, 50ms)};
+
+inline constexpr SwitchedTable car_light_table = {
+    .commands = car_light_commands, .mirrors = car_light_mirrors, .effects = car_light_effects};
+
+// Reactions of cruise control and four-wheel drive to commands, and the states of engine and gear,
+// which are reported (CiA 447-3, 4.2.4). At power-on the car is parked.
+
+inline constexpr const ObjectInfo* power_train_commands[] = {&cruise_control_command_object,
+                                                             &four_wheel_drive_command_object};
+
+inline constexpr Mirror power_train_mirrors[] = {
+    {&cruise_control_command_object, &cruise_control_status_object, 0ms},
+    {&four_wheel_drive_command_object, &four_wheel_drive_status_object, 500ms}};
+
+/// There is no code for a car that neither accelerates nor decelerates (errata C1).
+inline constexpr Effect power_train_effects[] = {
+    pulse(cruise_control_command_accelerate_decelerate, Acceleration::accelerate,
+          cruise_control_status_accelerate_decelerate, Acceleration::accelerate,
+          Acceleration::not_available, 1s),
+    pulse(cruise_control_command_accelerate_decelerate, Acceleration::decelerate,
+          cruise_control_status_accelerate_decelerate, Acceleration::decelerate,
+          Acceleration::not_available, 1s)};
+
+inline constexpr Rest power_train_rests[] = {
+    rest(actual_engine_revolutions_terminal_61, Signal::no),
+    rest(engine_status, Engine::off),
+    rest(transmission_selector_lever_position, SelectorLever::parking),
+    rest(automatic_gear_mode, GearMode::comfort),
+    rest(parking_brake, Signal::yes),
+    rest(coupling_switch, Signal::no),
+    rest(engaged_gear, Gear::none),
+    rest(cruise_control_status_accelerate_decelerate, Acceleration::not_available),
+    rest(cruise_control_status_store, StoredSpeed::released)};
+
+inline constexpr SwitchedTable power_train_table = {.commands = power_train_commands,
+                                                    .mirrors = power_train_mirrors,
+                                                    .effects = power_train_effects,
+                                                    .rests = power_train_rests};
 
 class IvnGatewayUnit {
  public:

@@ -1,4 +1,4 @@
-#include "canvoy/tools/device/embedded_network.hpp"
+#include "canvoy/tools/device/device_options.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "canvoy/tools/watch/plot_picture.hpp"
+#include "canvoy/tools/watch/plot_drawing.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,6 @@
 #include <cmath>
 #include <optional>
 
-#include "canvoy/tools/watch/plot_drawing.hpp"
 #include "canvoy/tools/watch/svg_canvas.hpp"
 
 namespace canvoy::tools {
